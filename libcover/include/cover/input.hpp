@@ -1,0 +1,77 @@
+// What a reader hands to the library: geometry as the user has it, clean or not.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <cover/point.hpp>
+
+namespace cover {
+
+/// A segment between two points of Input::points.
+struct InputSegment {
+  std::uint32_t a = 0;  ///< index into Input::points
+  std::uint32_t b = 0;  ///< index into Input::points
+  int marker = 0;       ///< boundary marker of a .poly, 0 if none
+  long id = 0;          ///< the id under which the user's file knows it
+  int line = 0;         ///< line of the file, 0 if unknown
+  std::string name;     ///< name of the contact or interface it belongs to, empty if none
+};
+
+/// "The region around this point is made of this material."
+struct RegionSeed {
+  Point at;
+  std::string material;         ///< name, or the number as written; empty: a number of its own
+  std::string region;           ///< name of the region, empty if none
+  std::optional<double> size;   ///< wished edge length (never an area), if the file gives one
+  long id = 0;
+  int line = 0;
+};
+
+/// A seed of the void.
+struct HoleSeed {
+  Point at;
+  long id = 0;
+  int line = 0;
+};
+
+/// A painted polygon of a soup. Rings are closed implicitly; inside is even-odd.
+struct InputPolygon {
+  std::vector<std::vector<Point>> rings;
+  std::string material;
+  std::string region;               ///< empty if none
+  std::optional<double> priority;   ///< larger wins over smaller, and over the order
+  long id = 0;
+};
+
+/// A named open or closed polyline that must appear in the mesh: a contact.
+struct InputLine {
+  std::string name;
+  std::vector<Point> points;
+  long id = 0;
+};
+
+/// Which bounded faces of a PSLG are void.
+enum class VoidRule {
+  holes_only,       ///< what a hole seed or the outside reaches (.poly)
+  unseeded_faces,   ///< where there are region seeds: also every face without one (JSON, gmsh)
+};
+
+/// Geometry before any check. Either the PSLG members or the polygons, or both, are filled.
+struct Input {
+  std::string source;                 ///< file name for messages
+  std::vector<Point> points;
+  std::vector<long> point_ids;        ///< as the file numbers them; empty: index
+  std::vector<int> point_lines;       ///< lines of the file; empty: unknown
+  std::vector<int> point_markers;     ///< empty: none
+  std::vector<InputSegment> segments;
+  std::vector<HoleSeed> holes;
+  std::vector<RegionSeed> seeds;
+  VoidRule void_rule = VoidRule::holes_only;
+  std::vector<InputPolygon> polygons;
+  std::vector<InputLine> lines;
+};
+
+}  // namespace cover

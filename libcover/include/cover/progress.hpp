@@ -1,0 +1,24 @@
+// Watching and stopping a long run.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <stop_token>
+#include <string_view>
+
+namespace cover {
+
+/// One step of a run.
+struct Progress {
+  std::string_view stage;   ///< "regions", "mesh", "stitch", ...
+  std::size_t done = 0;     ///< of `total`, in units of the stage (regions by their weight)
+  std::size_t total = 0;
+};
+
+/// How the caller follows a run. `progress` is called from one thread at a time.
+struct Callbacks {
+  std::function<void(const Progress&)> progress;
+  std::stop_token stop;
+};
+
+}  // namespace cover

@@ -1,0 +1,34 @@
+// The clean planar straight-line graph that is meshed: what `-o x.poly` writes.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <cover/ids.hpp>
+#include <cover/input.hpp>
+#include <cover/point.hpp>
+
+namespace cover {
+
+/// A segment of the PSLG. On its left lies the region that `SegmentSides::left` names.
+struct Segment {
+  VertexId a;
+  VertexId b;
+  int marker = 0;                 ///< boundary marker, 0 if none
+  std::uint32_t name = 0;         ///< index into Pslg::names; 0 is "no name"
+};
+
+/// Points and segments that meet only at points. Made by `make_pslg` alone.
+struct Pslg {
+  std::vector<Point> points;               ///< by VertexId; all different
+  std::vector<long> point_ids;             ///< of the user's file; -1: made by the split
+  std::vector<int> point_markers;          ///< by VertexId, 0 if none
+  std::vector<Segment> segments;           ///< by SegmentId; no two on the same pair of points
+  std::vector<std::string> names{""};      ///< names of contacts and interfaces
+  std::vector<RegionSeed> seeds;
+  std::vector<HoleSeed> holes;
+  VoidRule void_rule = VoidRule::holes_only;
+};
+
+}  // namespace cover

@@ -1,0 +1,64 @@
+// Which regions, materials and interfaces a PSLG has: what `cover info` shows.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <cover/ids.hpp>
+#include <cover/point.hpp>
+#include <cover/pslg.hpp>
+
+namespace cover {
+
+/// A region: a maximal connected open set bounded by segments, of one material.
+struct Region {
+  RegionId id;
+  int material = 0;             ///< positive
+  std::string name;             ///< of the region; never empty
+  std::string material_name;    ///< never empty
+  Point inside;                 ///< a point strictly inside
+  double area = 0;
+  std::size_t sides = 0;        ///< segments on its boundary, slits counted twice
+};
+
+/// What a named line separates.
+enum class InterfaceKind {
+  interface,   ///< two regions
+  outline,     ///< a region and the void
+  slit,        ///< a region and itself
+  contact,     ///< a part of any of these that the input named
+};
+
+/// The segments between one pair of regions, or one contact between them.
+/// `left` is the lower region id that is not the void; segments are directed so.
+struct Interface {
+  InterfaceId id;
+  InterfaceKind kind = InterfaceKind::interface;
+  std::string name;             ///< unique per (name, left, right)
+  RegionId left;
+  RegionId right;               ///< kVoid for an outline
+  double length = 0;
+  std::vector<SegmentId> segments;
+};
+
+/// The two sides of a segment, seen from its point a to its point b.
+struct SegmentSides {
+  RegionId left;
+  RegionId right;
+  InterfaceId interface = kNoInterface;   ///< none where both sides are void
+};
+
+/// The regions of a PSLG.
+struct RegionTable {
+  std::vector<Region> regions;            ///< by RegionId - 1
+  std::vector<Interface> interfaces;      ///< by InterfaceId - 1
+  std::vector<SegmentSides> sides;        ///< by SegmentId
+  std::vector<VertexId> void_points;      ///< points that touch no region: left out of the mesh
+  std::vector<SegmentId> void_segments;   ///< segments that touch no region: left out of the mesh
+
+  /// REQUIRES: id is not kVoid
+  [[nodiscard]] const Region& region(RegionId id) const { return regions[id.index() - 1]; }
+};
+
+}  // namespace cover

@@ -1,0 +1,91 @@
+// What was reached, region by region.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <cover/angle.hpp>
+#include <cover/ids.hpp>
+#include <cover/point.hpp>
+
+namespace cover {
+
+/// Anything about a region that the user should know of, with its place.
+struct Note {
+  enum class Kind {
+    fallback,           ///< the method asked for did not hold and another one was used
+    repair,             ///< rounding broke a construction; mended by rule
+    below_resolution,   ///< an almond too flat for double coordinates (promise 3)
+    target_missed,      ///< a target of the quality method was not reached
+    bound_missed,       ///< promise 3 does not hold: the run is incomplete
+    warning,            ///< near miss, tiny gap, ...
+    change,             ///< the input was changed: split, welded, dropped, merged
+  };
+  Kind kind = Kind::warning;
+  RegionId region;            ///< kVoid: the whole input
+  std::string message;        ///< a sentence with coordinates and ids
+  std::vector<Point> where;
+};
+
+/// Angle statistics of a set of triangles.
+/// Largest angles are kept as nu = pi - angle, which stays accurate for flat triangles.
+struct Quality {
+  std::size_t triangles = 0;
+  Angle largest_nu = Angle::degrees(180);   ///< pi - largest angle
+  Angle smallest = Angle::degrees(180);     ///< smallest angle
+  std::size_t obtuse = 0;                   ///< triangles above 90 degrees
+  std::size_t above_120 = 0;
+  std::size_t above_150 = 0;
+  std::array<std::size_t, 18> histogram{};  ///< all angles, bins of 10 degrees
+  double area = 0;
+};
+
+/// What the box method (finite volumes) will meet.
+struct BoxMethod {
+  std::size_t obtuse_sides = 0;        ///< sides with an obtuse opposite angle
+  std::size_t non_delaunay_edges = 0;  ///< inner edges with a + b > pi
+  std::size_t negative_couplings = 0;  ///< cot a + cot b < 0 inside, cot a < 0 at sides
+  double box_area = 0;                 ///< sum of |e| d_e / 2 with unsigned distances
+};
+
+/// Seconds.
+struct StageTime {
+  std::string stage;
+  double seconds = 0;
+};
+
+/// One region of the result.
+struct RegionReport {
+  RegionId id;
+  std::string method;            ///< which candidate was kept: "cdt", "almond", ...
+  Angle nu_opt;                  ///< B = pi - gamma_opt: no covering mesh has a larger nu
+  Angle nu_bound;                ///< min(B/2, 30 degrees): the promise
+  Quality quality;
+  BoxMethod box;
+  std::size_t input_vertices = 0;
+  std::size_t steiner_vertices = 0;
+  std::size_t forced_above_120 = 0;   ///< sides whose own gamma_opt is above
+  std::size_t forced_above_150 = 0;
+  bool bound_held = false;            ///< promise 3, up to rounding of coordinates
+  std::vector<Note> notes;
+  double seconds = 0;                 ///< of one thread
+
+  /// (pi - gamma) / min(B, pi/2): 1 is the optimum.
+  [[nodiscard]] double rho() const;
+};
+
+/// The whole run.
+struct Report {
+  std::vector<RegionReport> regions;   ///< by RegionId - 1
+  Quality quality;                     ///< over all regions
+  std::vector<Note> notes;             ///< about the input as a whole
+  std::vector<StageTime> times;
+  std::size_t input_points = 0;
+  std::size_t input_segments = 0;
+  std::size_t steiner_vertices = 0;
+  unsigned threads = 1;
+};
+
+}  // namespace cover

@@ -1,0 +1,204 @@
+// CGAL's Constrained_Delaunay_triangulation_2 with exact predicates and double points.
+// Points go in by CGAL's spatial sort, segments in the order given; afterwards the faces asked
+// for are copied into plain arrays in the order in which CGAL stores them, a function of the
+// order of points and segments alone. Tested by tests/unit/cdt/cdt_test.cpp.
+#include "cdt/cdt.hpp"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "geom/predicates.hpp"
+
+namespace cover {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
+using FaceBase =
+    CGAL::Triangulation_face_base_with_info_2<std::uint32_t, Kernel,
+                                              CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using Cdt = CGAL::Constrained_Delaunay_triangulation_2<
+    Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
+    CGAL::No_constraint_intersection_tag>;
+using VertexHandle = Cdt::Vertex_handle;
+using FaceHandle = Cdt::Face_handle;
+
+bool strictly_between(Point a, Point p, Point b) {
+  if (orientation(a, b, p) != Sign::zero) return false;
+  return (std::min(a, b) < p) && (p < std::max(a, b));
+}
+
+/// The segment among `segments[0, count)` that segment `s` crosses.
+CdtConflict find_crossing(std::span<const Point> points, std::span<const IndexPair> segments,
+                          std::uint32_t s) {
+  const Point a = points[segments[s][0]], b = points[segments[s][1]];
+  for (std::uint32_t k = 0; k < s; ++k) {
+    const Point c = points[segments[k][0]], d = points[segments[k][1]];
+    if (static_cast<int>(orientation(a, b, c)) * static_cast<int>(orientation(a, b, d)) < 0 &&
+        static_cast<int>(orientation(c, d, a)) * static_cast<int>(orientation(c, d, b)) < 0) {
+      return {CdtConflict::Kind::crossing, k, s};
+    }
+  }
+  return {CdtConflict::Kind::crossing, s, s};
+}
+
+/// The point inside segment `s`.
+CdtConflict find_point_on(std::span<const Point> points, IndexPair segment, std::uint32_t s) {
+  for (std::uint32_t k = 0; k < points.size(); ++k) {
+    if (strictly_between(points[segment[0]], points[k], points[segment[1]])) {
+      return {CdtConflict::Kind::point_on_segment, k, s};
+    }
+  }
+  return {CdtConflict::Kind::point_on_segment, segment[0], s};
+}
+
+class Builder {
+ public:
+  Builder(std::span<const Point> points, std::span<const IndexPair> segments)
+      : points_(points), segments_(segments) {}
+
+  /// Inserts everything; a conflict stops it.
+  std::vector<CdtConflict> insert_all() {
+    insert_points();
+    if (!conflicts_.empty()) return conflicts_;
+    for (std::uint32_t s = 0; s < segments_.size(); ++s) {
+      insert_segment(s);
+      if (!conflicts_.empty()) return conflicts_;
+    }
+    return {};
+  }
+
+  /// Marks every finite face.
+  void mark_hull() {
+    for (auto f = cdt_.finite_faces_begin(); f != cdt_.finite_faces_end(); ++f) f->info() = kInside;
+  }
+
+  /// Marks the faces that are reached from the left of a side without crossing a segment.
+  void mark_left_of_sides() {
+    std::vector<FaceHandle> stack;
+    for (const auto& [a, b] : segments_) {
+      FaceHandle f;
+      int i = 0;
+      if (!cdt_.is_edge(handles_[a], handles_[b], f, i)) continue;
+      if (f->vertex(Cdt::ccw(i)) != handles_[a]) f = f->neighbor(i);
+      if (f->info() != kInside) {
+        f->info() = kInside;
+        stack.push_back(f);
+      }
+      while (!stack.empty()) {
+        const FaceHandle g = stack.back();
+        stack.pop_back();
+        for (int k = 0; k < 3; ++k) {
+          const FaceHandle h = g->neighbor(k);
+          if (!g->is_constrained(k) && h->info() != kInside) {
+            h->info() = kInside;
+            stack.push_back(h);
+          }
+        }
+      }
+    }
+  }
+
+  /// Copies the marked faces.
+  Triangulation copy_marked() {
+    Triangulation out;
+    out.points.assign(points_.begin(), points_.end());
+    std::vector<FaceHandle> faces;
+    for (auto f = cdt_.finite_faces_begin(); f != cdt_.finite_faces_end(); ++f) {
+      if (f->info() == kInside) faces.push_back(f);
+    }
+    for (auto f = cdt_.all_faces_begin(); f != cdt_.all_faces_end(); ++f) f->info() = kNone;
+    for (std::uint32_t k = 0; k < faces.size(); ++k) faces[k]->info() = k;
+    out.triangles.resize(faces.size());
+    for (std::uint32_t k = 0; k < faces.size(); ++k) {
+      for (int i = 0; i < 3; ++i) {
+        out.triangles[k].v[static_cast<std::size_t>(i)] = faces[k]->vertex(i)->info();
+        out.triangles[k].n[static_cast<std::size_t>(i)] = faces[k]->neighbor(i)->info();
+        out.triangles[k].set_locked(i, faces[k]->is_constrained(i));
+      }
+    }
+    return out;
+  }
+
+ private:
+  static constexpr std::uint32_t kInside = 1;
+
+  void insert_points() {
+    std::vector<Kernel::Point_2> sites;
+    sites.reserve(points_.size());
+    for (const Point& p : points_) sites.emplace_back(p.x, p.y);
+    std::vector<std::size_t> order(points_.size());  // the map below has keys of this type
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    using Map = CGAL::Pointer_property_map<Kernel::Point_2>::type;
+    using Traits = CGAL::Spatial_sort_traits_adapter_2<Kernel, Map>;
+    CGAL::spatial_sort(order.begin(), order.end(), Traits(CGAL::make_property_map(sites)));
+    handles_.resize(points_.size());
+    FaceHandle hint;
+    for (const std::size_t position : order) {
+      const auto k = static_cast<std::uint32_t>(position);
+      const std::size_t before = cdt_.number_of_vertices();
+      const VertexHandle v = cdt_.insert(sites[k], hint);
+      if (cdt_.number_of_vertices() == before) {
+        conflicts_.push_back({CdtConflict::Kind::duplicate_point, std::min(v->info(), k),
+                              std::max(v->info(), k)});
+        return;
+      }
+      v->info() = k;
+      handles_[k] = v;
+      hint = v->face();
+    }
+    for (auto f = cdt_.all_faces_begin(); f != cdt_.all_faces_end(); ++f) f->info() = 0;
+  }
+
+  void insert_segment(std::uint32_t s) {
+    const VertexHandle a = handles_[segments_[s][0]], b = handles_[segments_[s][1]];
+    FaceHandle f;
+    int i = 0;
+    if (cdt_.is_edge(a, b, f, i) && f->is_constrained(i)) return;  // CGAL would throw
+    try {
+      cdt_.insert_constraint(a, b);
+    } catch (const Cdt::Intersection_of_constraints_exception&) {
+      conflicts_.push_back(find_crossing(points_, segments_, s));
+      return;
+    }
+    if (!cdt_.is_edge(a, b)) conflicts_.push_back(find_point_on(points_, segments_[s], s));
+  }
+
+  std::span<const Point> points_;
+  std::span<const IndexPair> segments_;
+  Cdt cdt_;
+  std::vector<VertexHandle> handles_;
+  std::vector<CdtConflict> conflicts_;
+};
+
+}  // namespace
+
+CdtResult triangulate_hull(std::span<const Point> points, std::span<const IndexPair> segments) {
+  Builder builder(points, segments);
+  CdtResult result;
+  result.conflicts = builder.insert_all();
+  if (!result.conflicts.empty()) return result;
+  builder.mark_hull();
+  result.triangulation = builder.copy_marked();
+  return result;
+}
+
+CdtResult triangulate_domain(std::span<const Point> points, std::span<const IndexPair> sides) {
+  Builder builder(points, sides);
+  CdtResult result;
+  result.conflicts = builder.insert_all();
+  if (!result.conflicts.empty()) return result;
+  builder.mark_left_of_sides();
+  result.triangulation = builder.copy_marked();
+  return result;
+}
+
+}  // namespace cover

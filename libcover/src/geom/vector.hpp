@@ -1,0 +1,43 @@
+// Double-precision vector arithmetic for constructions. No decision about topology is taken on it.
+#pragma once
+
+#include <cmath>
+
+#include <cover/angle.hpp>
+#include <cover/point.hpp>
+
+namespace cover {
+
+/// A free vector.
+struct Vector {
+  double x = 0;
+  double y = 0;
+};
+
+constexpr Vector operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
+constexpr Point operator+(Point p, Vector v) { return {p.x + v.x, p.y + v.y}; }
+constexpr Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y}; }
+constexpr Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y}; }
+constexpr Vector operator*(double s, Vector v) { return {s * v.x, s * v.y}; }
+constexpr double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
+constexpr double cross(Vector a, Vector b) { return a.x * b.y - a.y * b.x; }
+/// `v` turned left by 90 degrees.
+constexpr Vector left_normal(Vector v) { return {-v.y, v.x}; }
+constexpr double squared_length(Vector v) { return dot(v, v); }
+inline double length(Vector v) { return std::hypot(v.x, v.y); }
+/// Half way between; written so that it is exact where the sum is.
+constexpr Point midpoint(Point a, Point b) { return {a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2}; }
+
+/// pi minus the angle a-p-b, in radians, accurate also where that angle is nearly flat.
+inline double nu_at(Point a, Point p, Point b) {
+  const Vector u = a - p, v = b - p;
+  return std::atan2(std::abs(cross(u, v)), -dot(u, v));
+}
+
+/// The angle a-p-b in [0, pi], in radians.
+inline double angle_at(Point a, Point p, Point b) {
+  const Vector u = a - p, v = b - p;
+  return std::atan2(std::abs(cross(u, v)), dot(u, v));
+}
+
+}  // namespace cover

@@ -1,0 +1,21 @@
+// From input as the user has it to a clean PSLG: the only step that may split an input segment.
+#pragma once
+
+#include <vector>
+
+#include <cover/input.hpp>
+#include <cover/options.hpp>
+#include <cover/pslg.hpp>
+#include <cover/report.hpp>
+#include <cover/result.hpp>
+
+namespace cover {
+
+/// Makes a PSLG of `input`. Every change made to it is appended to `notes`.
+///
+/// ENSURES: points are finite and all different; segments meet only at points.
+/// Errors:  ErrorCode 100-199, with ids and coordinates.
+/// Cost:    O(n log n + crossings).
+Result<Pslg> make_pslg(const Input& input, const Options& options, std::vector<Note>& notes);
+
+}  // namespace cover

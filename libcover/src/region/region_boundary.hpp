@@ -1,0 +1,31 @@
+// A region as a closed piece of work: it needs nothing of its neighbours.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <cover/ids.hpp>
+#include <cover/point.hpp>
+
+#include "cdt/cdt.hpp"
+
+namespace cover {
+
+/// In place of a segment: a side of the convex hull that no segment prescribes (`--hull`). It borders
+/// on the void, so it may be split.
+inline constexpr SegmentId kHullSide{0xffffffffU};
+
+/// The boundary of one region.
+///
+/// Vertices are in lexicographic order of their coordinates and sides in lexicographic order of
+/// their indices, so that all that is computed from a boundary depends on its geometry alone and
+/// not on the order of the input.
+struct RegionBoundary {
+  RegionId id;
+  std::vector<Point> points;            ///< local vertices: boundary vertices and isolated points
+  std::vector<VertexId> vertices;       ///< their ids in the PSLG
+  std::vector<IndexPair> sides;         ///< local, directed, region on the left; slits both ways
+  std::vector<SegmentId> segments;      ///< the segment of each side, or kHullSide
+};
+
+}  // namespace cover

@@ -1,0 +1,75 @@
+#include "cdt/cdt.hpp"
+
+#include <gtest/gtest.h>
+
+#include "geom/predicates.hpp"
+#include "support/shapes.hpp"
+
+namespace cover {
+namespace {
+
+double area(const Triangulation& t) {
+  double sum = 0;
+  for (const Triangle& f : t.triangles) {
+    sum += testing::doubled_area({t.points[f.v[0]], t.points[f.v[1]], t.points[f.v[2]]}) / 2;
+  }
+  return sum;
+}
+
+/// Neighbours mutual, locks equal from both sides, every triangle counter-clockwise.
+void expect_consistent(const Triangulation& t) {
+  for (std::uint32_t k = 0; k < t.triangles.size(); ++k) {
+    const Triangle& f = t.triangles[k];
+    ASSERT_EQ(orientation(t.points[f.v[0]], t.points[f.v[1]], t.points[f.v[2]]), Sign::positive);
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t n = f.n[static_cast<std::size_t>(i)];
+      if (n == kNone) continue;
+      const Triangle& g = t.triangles[n];
+      const int j = g.edge_to(k);
+      ASSERT_EQ(g.n[static_cast<std::size_t>(j)], k);
+      EXPECT_EQ(g.is_locked(j), f.is_locked(i));
+    }
+  }
+}
+
+TEST(TriangulateDomain, LeavesHolesAndTheOutsideEmpty) {
+  const auto boundary = testing::boundary_of(
+      {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, testing::reversed({{1, 1}, {2, 1}, {2, 2}, {1, 2}})});
+  const CdtResult r = triangulate_domain(boundary.points, boundary.sides);
+  ASSERT_TRUE(r.conflicts.empty());
+  expect_consistent(r.triangulation);
+  EXPECT_DOUBLE_EQ(area(r.triangulation), 15);
+  EXPECT_EQ(r.triangulation.triangles.size(), 8U);
+}
+
+TEST(TriangulateDomain, KeepsSlitsAndIsolatedPoints) {
+  auto boundary = testing::boundary_of({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {2, 2}}}, {{3, 1}});
+  const CdtResult r = triangulate_domain(boundary.points, boundary.sides);
+  ASSERT_TRUE(r.conflicts.empty());
+  expect_consistent(r.triangulation);
+  EXPECT_EQ(r.triangulation.triangles.size(), 8U);  // 2 * (7 points - 1) - 4 hull edges
+}
+
+TEST(TriangulateHull, NamesWhatIsNoPslg) {
+  const std::vector<Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0.5}};
+  const std::vector<IndexPair> none, through{{0, 2}}, cross{{1, 3}, {0, 2}};
+  auto r = triangulate_hull(square, through);
+  ASSERT_EQ(r.conflicts.size(), 1U);
+  EXPECT_EQ(r.conflicts[0].kind, CdtConflict::Kind::point_on_segment);
+  EXPECT_EQ(r.conflicts[0].first, 4U);
+  r = triangulate_hull(std::vector<Point>(square.begin(), square.end() - 1), cross);
+  ASSERT_EQ(r.conflicts.size(), 1U);
+  EXPECT_EQ(r.conflicts[0].kind, CdtConflict::Kind::crossing);
+  EXPECT_EQ(r.conflicts[0].first, 0U);
+  EXPECT_EQ(r.conflicts[0].second, 1U);
+  auto twice = square;
+  twice.push_back({1, 1});
+  r = triangulate_hull(twice, none);
+  ASSERT_EQ(r.conflicts.size(), 1U);
+  EXPECT_EQ(r.conflicts[0].kind, CdtConflict::Kind::duplicate_point);
+  EXPECT_EQ(r.conflicts[0].first, 2U);
+  EXPECT_EQ(r.conflicts[0].second, 5U);
+}
+
+}  // namespace
+}  // namespace cover
