@@ -79,8 +79,6 @@ std::uint64_t test_seed(std::uint64_t fallback) {
   return value != nullptr ? std::strtoull(value, nullptr, 10) : fallback;
 }
 
-std::string seed_trace(std::uint64_t seed) {
-  return "COVER_TEST_SEED=" + std::to_string(seed);
-}
+std::string seed_trace(std::uint64_t seed) { return "COVER_TEST_SEED=" + std::to_string(seed); }
 
 }  // namespace cover::testing

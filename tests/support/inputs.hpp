@@ -1,0 +1,30 @@
+// Whole inputs for tests and benchmarks: many regions, any size, one seed each.
+#pragma once
+
+#include <cstdint>
+
+#include <cover/input.hpp>
+
+#include "support/shapes.hpp"
+
+namespace cover::testing {
+
+/// A checkerboard of cells x cells regions in the unit square. Every cell side is cut into `pieces`
+/// and its inner points are moved off the line by up to 0.08 of the side; a seed per cell with
+/// material 1 or 2. cells * cells * pieces * 4 sides.
+Input checker(int cells, int pieces, std::uint64_t seed);
+
+/// One smooth star-shaped region of n vertices: jittered angles, a random Fourier radius whose
+/// slope has the same size at every scale.
+Loop smooth_star(int n, std::uint64_t seed);
+
+/// One loop as an input without seeds.
+Input input_of(const Loop& loop);
+
+/// The same input with point and segment order shuffled and some segments reversed.
+Input shuffled(const Input& input, std::uint64_t seed);
+
+/// The same input with every coordinate multiplied by `factor`, then shifted.
+Input transformed(const Input& input, double factor, Point shift = {0, 0});
+
+}  // namespace cover::testing
