@@ -1,0 +1,15 @@
+#include "base/describe.hpp"
+
+#include <fmt/core.h>
+
+namespace cover {
+
+std::string describe(double x) { return fmt::format("{}", x); }
+
+std::string describe(Point p) { return fmt::format("({}, {})", p.x, p.y); }
+
+std::string counted(std::size_t n, std::string_view singular) {
+  return fmt::format("{} {}{}", n, singular, n == 1 ? "" : "s");
+}
+
+}  // namespace cover

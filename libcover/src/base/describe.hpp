@@ -1,0 +1,20 @@
+// How points and numbers are written in messages.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <cover/point.hpp>
+
+namespace cover {
+
+/// The shortest text that reads back as the same number.
+std::string describe(double x);
+
+/// "(x, y)", each in the shortest form that reads back as the same number.
+std::string describe(Point p);
+
+/// "1 segment", "3 segments".
+std::string counted(std::size_t n, std::string_view singular);
+
+}  // namespace cover

@@ -1,0 +1,53 @@
+// Text files in memory: lines, fields and numbers, with file and line in every error.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <cover/error.hpp>
+#include <cover/result.hpp>
+
+namespace cover {
+
+/// The whole content of a file.
+///
+/// Errors: cannot_open, with the reason that the system gives.
+Result<std::string> read_file(const std::string& path);
+
+/// The number that the whole of `field` spells; none if it spells none. Too large numbers become
+/// infinite, too small ones zero; "nan" and "inf" are numbers here.
+std::optional<double> parse_double(std::string_view field);
+
+/// The integer that the whole of `field` spells; none if it spells none or one that does not fit.
+std::optional<long> parse_integer(std::string_view field);
+
+/// The lines of a text as fields between blanks or commas; comments and empty lines are skipped.
+class LineReader {
+ public:
+  /// `text` must outlive the reader; `source` is the file's name for messages. A `comment`
+  /// character ends a line.
+  LineReader(std::string_view text, std::string source, char comment);
+
+  /// Goes on to the next line that has a field; false at the end of the text.
+  bool next();
+
+  /// The fields of the current line.
+  [[nodiscard]] const std::vector<std::string_view>& fields() const { return fields_; }
+  /// The number of the current line, from 1.
+  [[nodiscard]] int line() const { return line_; }
+  [[nodiscard]] const std::string& source() const { return source_; }
+
+  /// An error "file:line: what" about the current line.
+  [[nodiscard]] Error error(ErrorCode code, std::string_view what) const;
+
+ private:
+  std::string_view rest_;
+  std::string source_;
+  char comment_;
+  int line_ = 0;
+  std::vector<std::string_view> fields_;
+};
+
+}  // namespace cover
