@@ -1,0 +1,94 @@
+// cover check: the promises on any mesh, from the files alone.
+#include <fmt/format.h>
+
+#include <cover/cover_mesh.hpp>
+#include <cover/read_mesh.hpp>
+#include <cover/verify.hpp>
+
+#include "commands.hpp"
+#include "console.hpp"
+#include "input_file.hpp"
+#include "options.hpp"
+
+namespace cover::app {
+namespace {
+
+std::string place(const Violation& violation) {
+  std::string text;
+  // The message names the place of the first ones itself; the list is for scripts and large views.
+  for (const Point& p : violation.where)
+    text += fmt::format("\n    at ({:.17g}, {:.17g})", p.x, p.y);
+  return text;
+}
+
+int print(const Verification& found, const TriangleSoup& mesh, bool quiet) {
+  for (const Violation& violation : found.violations) {
+    const std::string what =
+        violation.promise == 4 ? "materials" : fmt::format("promise {}", violation.promise);
+    fmt::print("FAILED {}: {}{}\n", what, violation.message, place(violation));
+  }
+  if (found.violation_count > found.violations.size()) {
+    fmt::print("... and {} more\n", grouped(found.violation_count - found.violations.size()));
+  }
+  if (!found.violations.empty()) return exit_unmet;
+  if (!quiet) {
+    fmt::print("Every promise holds: {} triangles, {} regions, {} segments whole",
+               grouped(mesh.triangles.size()), grouped(found.regions),
+               grouped(found.segments_whole));
+    if (found.within_rounding > 0) {
+      fmt::print("; {} regions meet the bound up to the rounding of coordinates",
+                 grouped(found.within_rounding));
+    }
+    fmt::print("\n");
+  }
+  return exit_ok;
+}
+
+}  // namespace
+
+int run_check(Arguments arguments) {
+  CLI::App app("Check that a mesh keeps every promise on its input; exit 0, or 6 where it does not",
+               "cover check");
+  app.set_help_flag("-h,--help", "Show this help");
+  app.footer(R"(Promises:
+  1  every input point is a vertex, bit for bit; every segment is one edge of the mesh
+  2  the triangles are valid, conform, and cover each region exactly
+  3  the largest angle of each region keeps the proven bound
+and every triangle has the material of its region.
+
+Examples:
+  cover check device.poly device.vtu
+  cover check device.poly from_another_tool.vtu --allow-split --no-bound
+)");
+  std::string path, mesh_path;
+  Verbosity verbosity;
+  VerifyOptions verify;
+  LibraryOptions library;
+  bool no_bound = false;
+  app.add_option("input", path, "Geometry file that was meshed (.poly)")
+      ->type_name("INPUT")
+      ->required();
+  app.add_option("mesh", mesh_path, "Mesh of any tool (.vtu, .vtk)")->type_name("MESH")->required();
+  app.add_flag("--allow-split", verify.allow_split, "Segments may have vertices inside");
+  app.add_flag("--no-bound", no_bound, "Do not check promise 3");
+  app.add_flag("--hull", verify.hull, "The mesh covers the convex hull");
+  library.add_cleaning(app);
+  add_verbosity(app, verbosity);
+  if (const auto code = parse(app, std::move(arguments))) return *code;
+  verify.bound = !no_bound;
+  Result<Options> options = library.make();
+  if (!options) return usage_error(app, options.error().message);
+  options->hull = verify.hull;
+
+  const auto log = make_logger(verbosity);
+  const Result<Input> input = read_geometry(path);
+  if (!input) return fail(*log, input.error());
+  const Result<Prepared> prepared = prepare(*input, *options);
+  if (!prepared) return fail(*log, prepared.error());
+  const Result<MeshFile> mesh = read_mesh(mesh_path);
+  if (!mesh) return fail(*log, mesh.error());
+  return print(verify_cover(prepared->pslg, prepared->table, mesh->soup, verify), mesh->soup,
+               verbosity.quiet);
+}
+
+}  // namespace cover::app

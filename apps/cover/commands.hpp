@@ -1,0 +1,21 @@
+// The subcommands of the program. Each one parses its own arguments, calls the library, prints.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace cover::app {
+
+/// What follows the name of the subcommand.
+using Arguments = std::vector<std::string>;
+
+/// `cover mesh`: triangulates a geometry file.
+int run_mesh(Arguments arguments);
+/// `cover info`: regions, interfaces and what can be reached; no mesh.
+int run_info(Arguments arguments);
+/// `cover check`: the promises, on any mesh.
+int run_check(Arguments arguments);
+/// `cover render`: a picture of a mesh.
+int run_render(Arguments arguments);
+
+}  // namespace cover::app

@@ -1,0 +1,68 @@
+#include "console.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/sinks/stdout_sinks.h>
+
+namespace cover::app {
+
+std::shared_ptr<spdlog::logger> make_logger(const Verbosity& verbosity) {
+  auto terminal = std::make_shared<spdlog::sinks::stderr_sink_st>();
+  terminal->set_pattern("cover: %l: %v");
+  terminal->set_level(verbosity.quiet          ? spdlog::level::err
+                      : verbosity.verbose == 0 ? spdlog::level::warn
+                      : verbosity.verbose == 1 ? spdlog::level::info
+                                               : spdlog::level::debug);
+  std::vector<spdlog::sink_ptr> sinks{terminal};
+  if (!verbosity.log_file.empty()) {
+    auto file = std::make_shared<spdlog::sinks::basic_file_sink_st>(verbosity.log_file, true);
+    file->set_pattern("%Y-%m-%d %H:%M:%S.%e %-7l %v");
+    sinks.push_back(file);
+  }
+  auto log = std::make_shared<spdlog::logger>("cover", sinks.begin(), sinks.end());
+  log->set_level(spdlog::level::debug);
+  log->flush_on(spdlog::level::info);
+  return log;
+}
+
+int fail(spdlog::logger& log, const Error& error) {
+  log.error("{}", error.message);
+  if (error.code == ErrorCode::internal) {
+    log.error(
+        "This is a defect of cover, not of your input. Please report it with the input file.");
+  }
+  return exit_code_of(error.code);
+}
+
+void log_notes(spdlog::logger& log, std::span<const Note> notes) {
+  constexpr std::ptrdiff_t kShown = 10;
+  const auto show = [&](Note::Kind kind, const char* plural, const char* prefix) {
+    std::ptrdiff_t count = 0;
+    for (const Note& note : notes) {
+      if (note.kind != kind) continue;
+      ++count;
+      const auto level = count <= kShown ? spdlog::level::warn : spdlog::level::debug;
+      log.log(level, "{}{}", prefix, note.message);
+    }
+    if (count > kShown) {
+      log.warn("{} further {} are in the report (--report FILE.json) and shown by -vv",
+               count - kShown, plural);
+    }
+  };
+  show(Note::Kind::change, "changes of the input", "input changed: ");
+  show(Note::Kind::warning, "warnings", "");
+  show(Note::Kind::below_resolution, "places below the resolution of doubles", "");
+  show(Note::Kind::bound_missed, "missed bounds", "");
+}
+
+std::string grouped(std::size_t number) {
+  std::string digits = std::to_string(number);
+  for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3) {
+    digits.insert(static_cast<std::size_t>(at), 1, ',');
+  }
+  return digits;
+}
+
+}  // namespace cover::app

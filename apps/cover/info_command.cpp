@@ -1,0 +1,43 @@
+// cover info: what an input holds and what can be reached on it.
+#include <fmt/format.h>
+
+#include <cover/cover_mesh.hpp>
+
+#include "commands.hpp"
+#include "console.hpp"
+#include "input_file.hpp"
+#include "options.hpp"
+#include "text_report.hpp"
+
+namespace cover::app {
+
+int run_info(Arguments arguments) {
+  CLI::App app("Show regions, materials, interfaces and the largest angles possible; no mesh",
+               "cover info");
+  app.set_help_flag("-h,--help", "Show this help");
+  app.footer("Example:\n  cover info device.poly\n");
+  std::string path;
+  Verbosity verbosity;
+  LibraryOptions library;
+  app.add_option("input", path, "Geometry file (.poly); '-' reads .poly from stdin")
+      ->type_name("INPUT")
+      ->required();
+  library.add_cleaning(app);
+  add_verbosity(app, verbosity);
+  if (const auto code = parse(app, std::move(arguments))) return *code;
+  const Result<Options> options = library.make();
+  if (!options) return usage_error(app, options.error().message);
+
+  const auto log = make_logger(verbosity);
+  const Result<Input> input = read_geometry(path);
+  if (!input) return fail(*log, input.error());
+  const Result<Prepared> prepared = prepare(*input, *options);
+  if (!prepared) return fail(*log, prepared.error());
+  fmt::print("{}", info_text(*prepared, verbosity.verbose > 0));
+  std::fflush(stdout);
+  log_notes(*log, prepared->report.notes);
+  for (const RegionReport& region : prepared->report.regions) log_notes(*log, region.notes);
+  return exit_ok;
+}
+
+}  // namespace cover::app

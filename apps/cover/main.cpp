@@ -1,0 +1,87 @@
+// The program: finds the subcommand and runs it.
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "exit_code.hpp"
+#include "suggest.hpp"
+
+namespace {
+
+using cover::app::Arguments;
+
+struct Command {
+  std::string_view name;
+  int (*run)(Arguments);
+};
+
+constexpr std::array kCommands{
+    Command{"mesh", cover::app::run_mesh},
+    Command{"info", cover::app::run_info},
+    Command{"check", cover::app::run_check},
+    Command{"render", cover::app::run_render},
+};
+
+constexpr const char* kHelp =
+    R"(cover: triangle meshes over many materials, every interface segment kept whole, and a
+proven bound on the largest angle of each region.
+
+Usage: cover COMMAND [OPTIONS] ...
+
+Commands:
+  mesh    triangulate a geometry file             cover mesh device.poly -o device.vtu
+  info    regions, interfaces, possible angles    cover info device.poly
+  check   does a mesh keep every promise?         cover check device.poly device.vtu
+  render  picture of a mesh                       cover render device.vtu -o device.svg
+
+  cover COMMAND --help   options of a command
+  cover --version        version and licence
+)";
+
+int usage_error(const std::string& message) {
+  fmt::print(stderr, "cover: error: {}\nSee 'cover --help'.\n", message);
+  return cover::app::exit_usage;
+}
+
+int run(const std::string& name, Arguments arguments) {
+  if (name == "-h" || name == "--help" || name == "help") {
+    std::fputs(kHelp, stdout);
+    return cover::app::exit_ok;
+  }
+  if (name == "--version") {
+    fmt::print("cover {}\nLicence: GPL-3.0-or-later\n", COVER_VERSION);
+    return cover::app::exit_ok;
+  }
+  std::vector<std::string> names;
+  for (const Command& command : kCommands) {
+    if (command.name == name) return command.run(std::move(arguments));
+    names.emplace_back(command.name);
+  }
+  const auto meant = cover::app::closest(name, names);
+  return usage_error(fmt::format("unknown command '{}'{}", name,
+                                 meant ? fmt::format("; did you mean '{}'?", *meant) : ""));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.empty()) {
+    std::fputs(kHelp, stderr);
+    return cover::app::exit_usage;
+  }
+  try {
+    return run(words.front(), {words.begin() + 1, words.end()});
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "cover: error: out of memory\n");
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "cover: error: {}\n", error.what());
+  }
+  return cover::app::exit_internal;
+}

@@ -1,0 +1,230 @@
+// cover mesh: options, one call of cover_mesh, files, report.
+#include <chrono>
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include <cover/cover_mesh.hpp>
+
+#include "commands.hpp"
+#include "console.hpp"
+#include "input_file.hpp"
+#include "interrupt.hpp"
+#include "options.hpp"
+#include "output_files.hpp"
+#include "progress_line.hpp"
+#include "requirements.hpp"
+#include "text_report.hpp"
+
+namespace cover::app {
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  cover mesh device.poly -o device.vtu
+  cover mesh device.poly -o device.vtu -o device.vtm --report device.json
+  cover mesh device.poly -o device.vtu --require bound,max-angle --max-angle 130
+  cover mesh --config job.toml
+  generate | cover mesh - -o - --format vtu > device.vtu
+
+Exit codes: 0 done, 1 defect of cover, 2 usage, 3 bad geometry, 4 bound missed (nothing
+written), 5 files, 6 --require not met, 130 interrupted.
+)";
+
+/// Everything that the command line of `cover mesh` says.
+struct MeshCommand {
+  explicit MeshCommand() : app("Triangulate all regions of a geometry file", "cover mesh") {
+    app.footer(kExamples);
+    app.set_help_flag("-h,--help", "Show this help");
+    app.add_option("input", input, "Geometry file (.poly); '-' reads .poly from stdin")
+        ->type_name("INPUT");
+    app.add_option(
+           "-o,--output", outputs,
+           fmt::format("File to write, several if repeated: {}; '-' is stdout", mesh_extensions()))
+        ->type_name("FILE")
+        ->allow_extra_args(false);
+    library.add_meshing(app);
+    library.add_cleaning(app);
+    const char* files = "Files";
+    app.add_option("--format", format, "Format of '-o -'")
+        ->type_name("EXT")
+        ->capture_default_str()
+        ->group(files);
+    app.add_option("--report", reports, "Write a report on every region (.json)")
+        ->type_name("FILE")
+        ->allow_extra_args(false)
+        ->group(files);
+    app.add_flag("--keep-partial", keep_partial, "Write files even where a bound was missed")
+        ->group(files);
+    app.add_flag("--dry-run", dry_run, "Check the input and say what would be done; no mesh")
+        ->group(files)
+        ->configurable(false);
+    app.set_config("--config", "", "Read options from a TOML file")
+        ->type_name("FILE")
+        ->group(files);
+    app.allow_config_extras(CLI::config_extras_mode::error);
+    app.add_flag("--print-config", print_config, "Print these options as a --config file")
+        ->group(files)
+        ->configurable(false);
+    app.add_option("--stats", stats, "Report on stdout as text or json")
+        ->check(one_of({"text", "json"}))
+        ->type_name("FORM")
+        ->capture_default_str()
+        ->group("Messages");
+    app.add_option("--progress", progress, "Progress on stderr: auto, on, off")
+        ->check(one_of({"auto", "on", "off"}))
+        ->type_name("WHEN")
+        ->capture_default_str()
+        ->group("Messages");
+    add_verbosity(app, verbosity);
+  }
+
+  [[nodiscard]] ShowProgress show_progress() const {
+    return progress == "on"                       ? ShowProgress::on
+           : progress == "off" || verbosity.quiet ? ShowProgress::off
+                                                  : ShowProgress::automatic;
+  }
+  [[nodiscard]] bool to_stdout() const {
+    return std::find(outputs.begin(), outputs.end(), "-") != outputs.end();
+  }
+
+  CLI::App app;
+  LibraryOptions library;
+  Verbosity verbosity;
+  std::string input;
+  std::vector<std::string> outputs;
+  std::vector<std::string> reports;
+  std::string format = "vtu";
+  std::string stats = "text";
+  std::string progress = "auto";
+  bool keep_partial = false;
+  bool dry_run = false;
+  bool print_config = false;
+};
+
+struct File {
+  std::string path;
+  Writer write;
+};
+
+/// Finds out before the work whether every file can be written in the format it asks for.
+Result<std::vector<File>> plan_files(const MeshCommand& command) {
+  std::vector<File> files;
+  for (const std::string& path : command.outputs) {
+    Result<Writer> writer = mesh_writer(path == "-" ? "stdout." + command.format : path);
+    if (!writer) return writer.error();
+    files.push_back({path, *writer});
+  }
+  for (const std::string& path : command.reports) {
+    Result<Writer> writer = report_writer(path);
+    if (!writer) return writer.error();
+    files.push_back({path, *writer});
+  }
+  return files;
+}
+
+int dry_run(const MeshCommand& command, const Input& input, const Options& options,
+            spdlog::logger& log) {
+  const Result<Prepared> prepared = prepare(input, options);
+  if (!prepared) return fail(log, prepared.error());
+  log_notes(log, prepared->report.notes);
+  fmt::print("{}", info_text(*prepared, command.verbosity.verbose > 0));
+  for (const std::string& path : command.outputs) fmt::print("\nWould write {}", path);
+  fmt::print("\n");
+  return exit_ok;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+int write_files(const MeshCommand& command, const std::vector<File>& files, Output& output,
+                spdlog::logger& log) {
+  const auto start = std::chrono::steady_clock::now();
+  for (const File& file : files) {
+    const Status written = write_to(file.write, output, file.path, "." + command.format);
+    if (!written) return fail(log, written.error());
+    log.info("wrote {}", file.path == "-" ? "to standard output" : file.path);
+  }
+  output.report.times.push_back({"write", seconds_since(start)});
+  return exit_ok;
+}
+
+int print_report(const MeshCommand& command, const Output& output, spdlog::logger& log) {
+  if (command.stats == "json") {
+    const Status written = write_to(*report_writer("stdout.json"), output, "-", ".json");
+    return written ? exit_ok : fail(log, written.error());
+  }
+  if (command.verbosity.quiet) return exit_ok;
+  // What is piped out of stdout must be the mesh alone.
+  std::FILE* to = command.to_stdout() ? stderr : stdout;
+  fmt::print(to, "{}", mesh_text(output, command.verbosity.verbose > 0));
+  for (const std::string& path : command.outputs) {
+    if (path != "-") fmt::print(to, "Wrote {}\n", path);
+  }
+  return exit_ok;
+}
+
+/// Meshes, writes, reports.
+int run(const MeshCommand& command, const Input& input, const Options& options,
+        const std::vector<File>& files, spdlog::logger& log) {
+  const Interrupt interrupt;
+  ProgressLine line(command.show_progress());
+  Callbacks callbacks;
+  callbacks.progress = [&](const Progress& step) { line.update(step); };
+  callbacks.stop = interrupt.token();
+  Result<Output> meshed = cover_mesh(input, options, callbacks);
+  line.clear();
+  if (!meshed) return fail(log, meshed.error());
+
+  Output& output = *meshed;
+  log_notes(log, output.report.notes);
+  for (const RegionReport& region : output.report.regions) log_notes(log, region.notes);
+  const bool complete = !missed_bound(output.report);
+  if (!complete && !command.keep_partial) {
+    log.error("{}; nothing was written (--keep-partial writes it anyway)",
+              describe_missed_bound(output));
+    return exit_incomplete;
+  }
+  if (interrupt.token().stop_requested()) {
+    return fail(log, {ErrorCode::cancelled, "interrupted; nothing was written", {}, {}});
+  }
+  if (const int code = write_files(command, files, output, log); code != exit_ok) return code;
+  if (const int code = print_report(command, output, log); code != exit_ok) return code;
+  if (!complete) return exit_incomplete;
+
+  const std::vector<std::string> unmet = unmet_requirements(output, options);
+  for (const std::string& what : unmet) log.error("required, but not met: {}", what);
+  return unmet.empty() ? exit_ok : exit_unmet;
+}
+
+}  // namespace
+
+int run_mesh(Arguments arguments) {
+  MeshCommand command;
+  if (const auto code = parse(command.app, std::move(arguments))) return *code;
+  if (command.print_config) {
+    fmt::print("{}", command.app.config_to_str(true, true));
+    return exit_ok;
+  }
+  if (command.input.empty()) return usage_error(command.app, "no input file given");
+  if (command.outputs.empty() && command.reports.empty() && !command.dry_run) {
+    return usage_error(command.app, "nothing to write: give -o FILE, --report FILE or --dry-run");
+  }
+  if (command.stats == "json" && command.to_stdout()) {
+    return usage_error(command.app, "-o - and --stats json both write to standard output");
+  }
+  const Result<Options> options = command.library.make();
+  if (!options) return usage_error(command.app, options.error().message);
+  const Result<std::vector<File>> files = plan_files(command);
+  if (!files) return usage_error(command.app, files.error().message);
+
+  const auto log = make_logger(command.verbosity);
+  const Result<Input> input = read_geometry(command.input);
+  if (!input) return fail(*log, input.error());
+  log->info("read {}: {} points, {} segments", command.input, input->points.size(),
+            input->segments.size());
+  return command.dry_run ? dry_run(command, *input, *options, *log)
+                         : run(command, *input, *options, *files, *log);
+}
+
+}  // namespace cover::app

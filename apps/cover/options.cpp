@@ -1,0 +1,205 @@
+#include "options.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "suggest.hpp"
+
+namespace cover::app {
+namespace {
+
+/// The long names (`--fill`) of all options of a command.
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+std::string did_you_mean(const CLI::App& command, const std::string& word) {
+  const std::string name = word.substr(0, word.find('='));
+  const auto meant = closest(name, option_names(command));
+  return meant ? fmt::format("; did you mean '{}'?", *meant) : std::string();
+}
+
+/// What was wrong, in words for the user.
+std::string explain(const CLI::App& command, const CLI::ParseError& error) {
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    const std::string word = command.remaining().front();
+    if (word.starts_with('-')) {
+      return fmt::format("unknown option '{}'{}", word, did_you_mean(command, word));
+    }
+    return fmt::format("unexpected argument '{}'", word);
+  }
+  if (dynamic_cast<const CLI::ConfigError*>(&error) != nullptr) {
+    const std::string text = error.what();
+    const std::string key = text.substr(text.rfind(' ') + 1);
+    return fmt::format("unknown key '{}' in the --config file{}", key,
+                       did_you_mean(command, "--" + key));
+  }
+  if (dynamic_cast<const CLI::FileError*>(&error) != nullptr) {
+    return fmt::format("cannot read the --config file: {}", error.what());
+  }
+  return error.what();
+}
+
+}  // namespace
+
+CLI::Validator one_of(std::vector<std::string> words) {
+  return {[words = std::move(words)](std::string& word) -> std::string {
+            if (std::find(words.begin(), words.end(), word) != words.end()) return {};
+            const auto meant = closest(word, words);
+            return fmt::format("'{}' is not one of {}{}", word, fmt::join(words, ", "),
+                               meant ? fmt::format("; did you mean '{}'?", *meant) : "");
+          },
+          ""};
+}
+
+CLI::Validator number_in(double low, double high) {
+  return {[low, high](std::string& text) -> std::string {
+            double value = 0;
+            if (!CLI::detail::lexical_cast(text, value)) {
+              return fmt::format("'{}' is not a number", text);
+            }
+            if (value >= low && value <= high) return {};
+            return fmt::format("{} is not between {} and {}", text, low, high);
+          },
+          ""};
+}
+
+void add_verbosity(CLI::App& command, Verbosity& verbosity) {
+  const char* group = "Messages";
+  command.add_flag("-q,--quiet", verbosity.quiet, "Print errors only")->group(group);
+  command.add_flag("-v,--verbose", verbosity.verbose, "Say what is done; -vv: in detail")
+      ->group(group);
+  command.add_option("--log", verbosity.log_file, "Write all messages, with times, to FILE")
+      ->type_name("FILE")
+      ->group(group);
+}
+
+std::optional<int> parse(CLI::App& command, Arguments arguments) {
+  command.get_formatter()->column_width(34);
+  command.get_formatter()->label("OPTIONS", "[OPTIONS]");
+  command.get_formatter()->label("REQUIRED", "");
+  std::reverse(arguments.begin(), arguments.end());
+  try {
+    command.parse(std::move(arguments));
+    return std::nullopt;
+  } catch (const CLI::CallForHelp&) {
+    std::fputs(command.help().c_str(), stdout);
+    return exit_ok;
+  } catch (const CLI::ParseError& error) {
+    return usage_error(command, explain(command, error));
+  }
+}
+
+int usage_error(const CLI::App& command, const std::string& message) {
+  fmt::print(stderr, "cover: error: {}\nSee '{} --help'.\n", message, command.get_name());
+  return exit_usage;
+}
+
+void LibraryOptions::add_cleaning(CLI::App& command) {
+  const char* group = "Input";
+  command
+      .add_option("--overlap", overlap_,
+                  "Which of several painted polygons wins: last, first, or error")
+      ->check(one_of({"last", "first", "error"}))
+      ->type_name("WHICH")
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--weld", weld_,
+                  "Unite points closer than this part of the local feature size: auto, off or a "
+                  "number (default: auto for polygons, off for segments)")
+      ->type_name("REL")
+      ->group(group);
+  command.add_flag("--strict", options_.strict, "Any change to the input is an error")
+      ->group(group);
+  command
+      .add_flag("--merge-materials", options_.merge_materials,
+                "Unite touching faces of equal material")
+      ->group(group);
+}
+
+void LibraryOptions::add_meshing(CLI::App& command) {
+  const char* group = "Meshing";
+  command.add_option("--method", method_, "almond: proven bound on the largest angle")
+      ->check(one_of({"almond"}))
+      ->type_name("NAME")
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--fill", fill_, "What fills the space between the almonds: refine or disks")
+      ->check(one_of({"refine", "disks"}))
+      ->type_name("NAME")
+      ->capture_default_str()
+      ->group(group);
+  CLI::Option* paper =
+      command
+          .add_flag("--paper", options_.paper,
+                    "The publication as printed: no improvement of ours, for comparison")
+          ->group(group);
+  command
+      .add_option("--pieces", options_.pieces,
+                  "With --paper: pieces of an arc are at most 1/N of it")
+      ->check(number_in(2, 1000))
+      ->type_name("N")
+      ->capture_default_str()
+      ->needs(paper)
+      ->group(group);
+  command
+      .add_flag("--hull", options_.hull,
+                "Mesh the convex hull; for input that need not enclose anything")
+      ->group(group);
+  command.add_option("--max-angle", max_angle_, "Largest angle aimed at and required, in degrees")
+      ->check(number_in(60, 180))
+      ->type_name("DEG")
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--require", require_,
+                  "Exit with 6 unless this holds: bound, max-angle, delaunay, non-obtuse")
+      ->check(one_of({"bound", "max-angle", "delaunay", "non-obtuse"}))
+      ->type_name("WHAT")
+      ->delimiter(',')
+      ->group(group);
+  command.add_option("-j,--threads", options_.threads, "Threads; 0: all cores")
+      ->type_name("N")
+      ->capture_default_str()
+      ->group(group);
+}
+
+Result<Options> LibraryOptions::make() const {
+  Options options = options_;
+  options.method = Method::almond;
+  options.fill = fill_ == "disks" ? Fill::disks : Fill::refine;
+  options.overlap = overlap_ == "first"   ? Overlap::first
+                    : overlap_ == "error" ? Overlap::error
+                                          : Overlap::last;
+  if (weld_ == "off") {
+    options.weld = 0;
+  } else if (!weld_.empty() && weld_ != "auto") {
+    double tolerance = 0;
+    if (!CLI::detail::lexical_cast(weld_, tolerance) || !(tolerance >= 0 && tolerance < 1)) {
+      return Error{ErrorCode::bad_option,
+                   fmt::format("--weld: '{}' is not auto, off or a number in [0, 1)", weld_),
+                   {},
+                   {}};
+    }
+    options.weld = tolerance;
+  }
+  options.max_angle = Angle::degrees(max_angle_);
+  options.min_angle = Angle::degrees(min_angle_);
+  for (const std::string& what : require_) {
+    options.require.bound |= what == "bound";
+    options.require.max_angle |= what == "max-angle";
+    options.require.delaunay |= what == "delaunay";
+    options.require.non_obtuse |= what == "non-obtuse";
+  }
+  return options;
+}
+
+}  // namespace cover::app

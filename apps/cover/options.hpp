@@ -1,0 +1,55 @@
+// Command line options as the library's Options, and what all subcommands share.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include <cover/options.hpp>
+#include <cover/result.hpp>
+
+#include "commands.hpp"
+#include "console.hpp"
+
+namespace cover::app {
+
+/// An argument that is one of a few words; a near miss is told the word meant.
+CLI::Validator one_of(std::vector<std::string> words);
+/// An argument in [low, high].
+CLI::Validator number_in(double low, double high);
+
+/// -q, -v, --log.
+void add_verbosity(CLI::App& command, Verbosity& verbosity);
+
+/// Parses `arguments`. What to return from the subcommand if it is not to run (after --help, or a
+/// mistake, which is explained on stderr).
+std::optional<int> parse(CLI::App& command, Arguments arguments);
+
+/// Ends a subcommand with a mistake in its use.
+int usage_error(const CLI::App& command, const std::string& message);
+
+/// The options that end in cover::Options.
+class LibraryOptions {
+ public:
+  /// How the input is cleaned: for `mesh`, `info`, `check`.
+  void add_cleaning(CLI::App& command);
+  /// How it is meshed: for `mesh`.
+  void add_meshing(CLI::App& command);
+
+  /// Errors: bad_option
+  [[nodiscard]] Result<Options> make() const;
+
+ private:
+  Options options_;
+  std::string method_ = "almond";
+  std::string fill_ = "refine";
+  std::string overlap_ = "last";
+  std::string weld_;
+  double max_angle_ = options_.max_angle.in_degrees();
+  double min_angle_ = options_.min_angle.in_degrees();
+  std::vector<std::string> require_;
+};
+
+}  // namespace cover::app

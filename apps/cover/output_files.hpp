@@ -1,0 +1,30 @@
+// Output files: which writer belongs to which extension, and `-` for stdout.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <cover/cover_mesh.hpp>
+#include <cover/result.hpp>
+
+namespace cover::app {
+
+/// Writes one kind of file.
+using Writer = std::function<Status(const Output&, const std::string& path)>;
+
+/// The writer for what `path` ends in. Errors: unsupported_format, naming what is possible.
+Result<Writer> mesh_writer(const std::string& path);
+
+/// The writer of a --report file. Errors: unsupported_format
+Result<Writer> report_writer(const std::string& path);
+
+/// The extensions that mesh_writer knows, for help texts.
+std::string mesh_extensions();
+
+/// Writes to `path`; `-` is stdout, where `extension` tells the format.
+Status write_to(const Writer& writer, const Output& output, const std::string& path,
+                const std::string& extension);
+
+}  // namespace cover::app

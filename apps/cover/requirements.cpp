@@ -1,0 +1,63 @@
+#include "requirements.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace cover::app {
+namespace {
+
+bool below_resolution(const RegionReport& region) {
+  return std::any_of(region.notes.begin(), region.notes.end(),
+                     [](const Note& note) { return note.kind == Note::Kind::below_resolution; });
+}
+
+bool misses(const RegionReport& region) { return !region.bound_held && !below_resolution(region); }
+
+template <class Test>
+std::string regions_where(const Output& output, Test test) {
+  constexpr std::size_t kNamed = 5;
+  std::string names;
+  std::size_t count = 0;
+  for (const RegionReport& region : output.report.regions) {
+    if (!test(region)) continue;
+    if (++count > kNamed) continue;
+    names += fmt::format("{}{} '{}'", names.empty() ? "" : ", ", region.id.value(),
+                         output.table.region(region.id).name);
+  }
+  if (count > kNamed) names += fmt::format(" and {} more", count - kNamed);
+  return fmt::format("region{} {}", count == 1 ? "" : "s", names);
+}
+
+}  // namespace
+
+bool missed_bound(const Report& report) {
+  return std::any_of(report.regions.begin(), report.regions.end(), misses);
+}
+
+std::string describe_missed_bound(const Output& output) {
+  return "the proven bound on the largest angle is missed in " + regions_where(output, misses);
+}
+
+std::vector<std::string> unmet_requirements(const Output& output, const Options& options) {
+  const Requirements& require = options.require;
+  std::vector<std::string> unmet;
+  const auto add = [&](bool wanted, const char* what, auto test) {
+    const auto& regions = output.report.regions;
+    if (!wanted || std::none_of(regions.begin(), regions.end(), test)) return;
+    unmet.push_back(fmt::format("{}, in {}", what, regions_where(output, test)));
+  };
+  add(require.bound, "bound (the proven bound on the largest angle)",
+      [](const RegionReport& r) { return !r.bound_held; });
+  const std::string limit =
+      fmt::format("max-angle (no angle above {:g} degrees)", options.max_angle.in_degrees());
+  add(require.max_angle, limit.c_str(),
+      [&](const RegionReport& r) { return r.quality.largest_nu < options.max_angle.supplement(); });
+  add(require.delaunay, "delaunay (no inner edge fails the empty-circle test)",
+      [](const RegionReport& r) { return r.box.non_delaunay_edges > 0; });
+  add(require.non_obtuse, "non-obtuse (no triangle above 90 degrees)",
+      [](const RegionReport& r) { return r.quality.obtuse > 0; });
+  return unmet;
+}
+
+}  // namespace cover::app

@@ -1,0 +1,45 @@
+#include "suggest.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace cover::app {
+namespace {
+
+/// Levenshtein distance, where swapping two neighbouring letters costs one.
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+  std::iota(last.begin(), last.end(), 0U);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1])});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+        row[j] = std::min(row[j], before[j - 2] + 1);
+      }
+    }
+    std::swap(before, last);
+    std::swap(last, row);
+  }
+  return last[b.size()];
+}
+
+}  // namespace
+
+std::optional<std::string> closest(std::string_view word, std::span<const std::string> candidates) {
+  // A third of the letters may be wrong; a word that only begins like the candidate counts as one.
+  std::size_t best = 1 + word.size() / 3;
+  std::optional<std::string> found;
+  for (const std::string& candidate : candidates) {
+    const bool begins = word.size() > 2 && candidate.starts_with(word);
+    const std::size_t d = begins ? 1 : distance(word, candidate);
+    if (d < best) {
+      best = d;
+      found = candidate;
+    }
+  }
+  return found;
+}
+
+}  // namespace cover::app

@@ -1,0 +1,14 @@
+// "Did you mean ...?"
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace cover::app {
+
+/// The candidate that `word` is most likely a misspelling of, if one is close enough.
+std::optional<std::string> closest(std::string_view word, std::span<const std::string> candidates);
+
+}  // namespace cover::app

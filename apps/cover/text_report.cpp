@@ -1,0 +1,227 @@
+#include "text_report.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "console.hpp"
+#include "text_table.hpp"
+
+namespace cover::app {
+namespace {
+
+constexpr std::size_t kRows = 20;
+using Align = TextTable::Align;
+
+/// pi - nu in degrees; as a difference where digits would be lost.
+std::string angle_text(Angle nu) {
+  const double degrees = nu.in_degrees();
+  return degrees < 0.005 && degrees > 0 ? fmt::format("180-{:.1e}", degrees)
+                                        : fmt::format("{:.2f}", 180 - degrees);
+}
+
+/// The lowest largest angle that any mesh of the region can have: no triangulation is below 60.
+Angle lowest_nu(const RegionReport& region) { return std::min(region.nu_opt, Angle::degrees(120)); }
+
+std::string plural(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", grouped(count), noun, count == 1 ? "" : "s");
+}
+
+/// The first rows of a table: all, or those with the smallest key.
+template <class Key>
+std::vector<std::size_t> rows(std::size_t count, bool all, Key key) {
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (all || count <= kRows) return order;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  order.resize(kRows);
+  return order;
+}
+
+std::string more(std::size_t count, std::size_t shown, std::string_view which) {
+  return shown == count
+             ? std::string()
+             : fmt::format("  the {} of {} {}; -v shows all\n", shown, grouped(count), which);
+}
+
+std::string above(std::size_t count, std::size_t forced) {
+  return forced == 0 ? grouped(count) : fmt::format("{} ({})", grouped(count), grouped(forced));
+}
+
+std::string histogram(const Quality& quality) {
+  constexpr std::size_t kBar = 24;
+  const std::size_t most = *std::max_element(quality.histogram.begin(), quality.histogram.end());
+  const auto bin = [&](std::size_t i) {
+    const std::size_t n = quality.histogram[i];
+    // Every angle is seen: a bin that is not empty has at least one mark.
+    const std::size_t bar = most == 0 ? 0 : (n * kBar + most - 1) / most;
+    return fmt::format("{:>3}-{:<3} {:>11} {:<24}", 10 * i, 10 * (i + 1), grouped(n),
+                       std::string(bar, '#'));
+  };
+  std::string out = "Angles in degrees\n";
+  for (std::size_t i = 0; i < 9; ++i) {
+    std::string line = "  " + bin(i) + "  " + bin(i + 9);
+    line.erase(line.find_last_not_of(' ') + 1);
+    out += line + '\n';
+  }
+  return out;
+}
+
+std::string totals(const Output& output) {
+  const Report& report = output.report;
+  const Quality& q = report.quality;
+  std::size_t held = 0, forced_120 = 0, forced_150 = 0, worst = 0;
+  for (std::size_t r = 0; r < report.regions.size(); ++r) {
+    const RegionReport& region = report.regions[r];
+    held += region.bound_held ? 1 : 0;
+    forced_120 += region.forced_above_120;
+    forced_150 += region.forced_above_150;
+    if (region.quality.largest_nu < report.regions[worst].quality.largest_nu) worst = r;
+  }
+  std::string out =
+      fmt::format("{}, {} ({} new, none on a segment), {}\n", plural(q.triangles, "triangle"),
+                  grouped(output.mesh.tri.n_vertices()) + " vertices",
+                  grouped(report.steiner_vertices), plural(report.regions.size(), "region"));
+  if (report.regions.empty()) return out;
+  const RegionReport& region = report.regions[worst];
+  out += fmt::format("Largest angle   {:>7}  in region {} '{}'; lowest possible there {}\n",
+                     angle_text(q.largest_nu), region.id.value(),
+                     output.table.region(region.id).name, angle_text(lowest_nu(region)));
+  out += fmt::format("Smallest angle  {:>7.2f}\n", q.smallest.in_degrees());
+  out += fmt::format("Above 120       {:>7}  forced by the input: {}\n", grouped(q.above_120),
+                     grouped(forced_120));
+  out += fmt::format("Above 150       {:>7}  forced by the input: {}\n", grouped(q.above_150),
+                     grouped(forced_150));
+  out += fmt::format("Proven bound    {}\n",
+                     held == report.regions.size()
+                         ? "held in every region"
+                         : fmt::format("MISSED in {} of {} regions", report.regions.size() - held,
+                                       report.regions.size()));
+  return out;
+}
+
+std::string region_rows(const Output& output, bool every_region) {
+  const auto& regions = output.report.regions;
+  TextTable table({{"region"},
+                   {"name", Align::left},
+                   {"material", Align::left},
+                   {"triangles"},
+                   {"new"},
+                   {"lowest"},
+                   {"proven"},
+                   {"reached"},
+                   {"rho"},
+                   {">120 (forced)"},
+                   {">150 (forced)"},
+                   {"method", Align::left}});
+  const auto order =
+      rows(regions.size(), every_region, [&](std::size_t i) { return regions[i].rho(); });
+  for (const std::size_t i : order) {
+    const RegionReport& r = regions[i];
+    const Region& region = output.table.region(r.id);
+    table.add({fmt::format("{}", r.id.value()), region.name, region.material_name,
+               grouped(r.quality.triangles), grouped(r.steiner_vertices), angle_text(lowest_nu(r)),
+               angle_text(r.nu_bound), angle_text(r.quality.largest_nu),
+               fmt::format("{:.2f}", r.rho()), above(r.quality.above_120, r.forced_above_120),
+               above(r.quality.above_150, r.forced_above_150),
+               r.method + (r.bound_held ? "" : " (bound missed)")});
+  }
+  return "Largest angle per region, in degrees: lowest possible, proven, reached\n" + table.text() +
+         more(regions.size(), order.size(), "regions, lowest rho first");
+}
+
+std::string times(const Report& report) {
+  std::string out = "Time";
+  double total = 0;
+  for (const StageTime& stage : report.times) {
+    out += fmt::format("  {} {:.3f} s", stage.stage, stage.seconds);
+    total += stage.seconds;
+  }
+  return out + fmt::format("  total {:.3f} s, {}\n", total, plural(report.threads, "thread"));
+}
+
+const char* kind_text(InterfaceKind kind) {
+  switch (kind) {
+    case InterfaceKind::interface:
+      return "interface";
+    case InterfaceKind::outline:
+      return "outline";
+    case InterfaceKind::slit:
+      return "slit";
+    case InterfaceKind::contact:
+      return "contact";
+  }
+  return "";
+}
+
+std::string region_name(const RegionTable& table, RegionId id) {
+  return id == kVoid ? "void" : table.region(id).name;
+}
+
+}  // namespace
+
+std::string mesh_text(const Output& output, bool every_region) {
+  std::string out = totals(output);
+  if (output.report.regions.size() > 1) out += '\n' + region_rows(output, every_region);
+  return out + '\n' + histogram(output.report.quality) + '\n' + times(output.report);
+}
+
+std::string info_text(const Prepared& prepared, bool every_region) {
+  const RegionTable& table = prepared.table;
+  std::string out = fmt::format("{}, {}, {}, {}\n\n", plural(prepared.pslg.points.size(), "point"),
+                                plural(prepared.pslg.segments.size(), "segment"),
+                                plural(table.regions.size(), "region"),
+                                plural(table.interfaces.size(), "interface"));
+
+  TextTable regions({{"region"},
+                     {"name", Align::left},
+                     {"material", Align::left},
+                     {"id"},
+                     {"area"},
+                     {"sides"},
+                     {"gamma_opt"},
+                     {"lowest"},
+                     {"proven"}});
+  const auto& reports = prepared.report.regions;
+  const auto order =
+      rows(table.regions.size(), every_region, [&](std::size_t i) { return reports[i].nu_opt; });
+  for (const std::size_t i : order) {
+    const Region& region = table.regions[i];
+    const RegionReport& report = reports[i];
+    regions.add({fmt::format("{}", region.id.value()), region.name, region.material_name,
+                 fmt::format("{}", region.material), fmt::format("{:.6g}", region.area),
+                 grouped(region.sides), angle_text(report.nu_opt), angle_text(lowest_nu(report)),
+                 angle_text(report.nu_bound)});
+  }
+  out += "Regions; the largest angle that a mesh can have, in degrees: lowest possible, proven\n" +
+         regions.text() + more(table.regions.size(), order.size(), "regions, largest angle first");
+
+  TextTable interfaces({{"line"},
+                        {"name", Align::left},
+                        {"kind", Align::left},
+                        {"left", Align::left},
+                        {"right", Align::left},
+                        {"segments"},
+                        {"length"}});
+  const auto longest = rows(table.interfaces.size(), every_region,
+                            [&](std::size_t i) { return -table.interfaces[i].length; });
+  for (const std::size_t i : longest) {
+    const Interface& line = table.interfaces[i];
+    interfaces.add({fmt::format("{}", line.id.value()), line.name, kind_text(line.kind),
+                    region_name(table, line.left), region_name(table, line.right),
+                    grouped(line.segments.size()), fmt::format("{:.6g}", line.length)});
+  }
+  out += "\nInterfaces, outlines and contacts\n" + interfaces.text() +
+         more(table.interfaces.size(), longest.size(), "lines, longest first");
+  if (!table.void_points.empty() || !table.void_segments.empty()) {
+    out += fmt::format("\nWholly in the void, left out of a mesh: {}, {}\n",
+                       plural(table.void_points.size(), "point"),
+                       plural(table.void_segments.size(), "segment"));
+  }
+  return out;
+}
+
+}  // namespace cover::app

@@ -1,0 +1,128 @@
+// VTK's own readers do the work; this file takes triangles and cell arrays out of their grid.
+// Tests: tests/cli/cli_test.py reads what other parts wrote.
+#include <cover/read_mesh.hpp>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+#include <vtkStringOutputWindow.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkUnstructuredGridReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+namespace cover {
+namespace {
+
+/// Keeps VTK's error messages off the terminal while a reader runs.
+class QuietVtk {
+ public:
+  QuietVtk() : before_(vtkOutputWindow::GetInstance()) {
+    vtkOutputWindow::SetInstance(vtkNew<vtkStringOutputWindow>());
+  }
+  ~QuietVtk() { vtkOutputWindow::SetInstance(before_); }
+  QuietVtk(const QuietVtk&) = delete;
+  QuietVtk& operator=(const QuietVtk&) = delete;
+
+ private:
+  vtkSmartPointer<vtkOutputWindow> before_;
+};
+
+template <class Reader>
+vtkSmartPointer<vtkUnstructuredGrid> read_with(const std::string& path) {
+  const QuietVtk quiet;
+  vtkNew<Reader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  return reader->GetErrorCode() == 0 ? reader->GetOutput() : nullptr;
+}
+
+std::vector<vtkIdType> triangle_cells(vtkUnstructuredGrid& grid) {
+  std::vector<vtkIdType> cells;
+  for (vtkIdType c = 0; c < grid.GetNumberOfCells(); ++c) {
+    if (grid.GetCellType(c) == VTK_TRIANGLE) cells.push_back(c);
+  }
+  return cells;
+}
+
+std::vector<CellArray> cell_arrays(vtkUnstructuredGrid& grid, const std::vector<vtkIdType>& cells) {
+  std::vector<CellArray> arrays;
+  for (int i = 0; i < grid.GetCellData()->GetNumberOfArrays(); ++i) {
+    vtkDataArray* data = grid.GetCellData()->GetArray(i);
+    if (data == nullptr || data->GetNumberOfComponents() != 1 || data->GetName() == nullptr)
+      continue;
+    CellArray array{data->GetName(), {}};
+    array.values.reserve(cells.size());
+    for (const vtkIdType c : cells) array.values.push_back(data->GetComponent(c, 0));
+    arrays.push_back(std::move(array));
+  }
+  return arrays;
+}
+
+std::vector<std::int64_t> integers(const std::vector<CellArray>& arrays,
+                                   std::initializer_list<const char*> names) {
+  for (const char* name : names) {
+    const auto found = std::find_if(arrays.begin(), arrays.end(),
+                                    [&](const CellArray& array) { return array.name == name; });
+    if (found == arrays.end()) continue;
+    return {found->values.begin(), found->values.end()};
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<MeshFile> read_mesh(const std::string& path) {
+  if (!std::filesystem::is_regular_file(path)) {
+    return Error{ErrorCode::cannot_open, fmt::format("cannot open '{}'", path), {}, {}};
+  }
+  const std::string extension = std::filesystem::path(path).extension();
+  vtkSmartPointer<vtkUnstructuredGrid> grid;
+  if (extension == ".vtu") {
+    grid = read_with<vtkXMLUnstructuredGridReader>(path);
+  } else if (extension == ".vtk") {
+    grid = read_with<vtkUnstructuredGridReader>(path);
+  } else {
+    return Error{ErrorCode::unsupported_format,
+                 fmt::format("cannot read '{}' as a mesh: possible are .vtu, .vtk", path),
+                 {},
+                 {}};
+  }
+  const std::vector<vtkIdType> cells = grid ? triangle_cells(*grid) : std::vector<vtkIdType>();
+  if (cells.empty()) {
+    return Error{ErrorCode::syntax,
+                 fmt::format("{}: {}", path, grid ? "no triangles in it" : "not a valid VTK file"),
+                 {},
+                 {}};
+  }
+
+  MeshFile mesh;
+  mesh.soup.points.reserve(static_cast<std::size_t>(grid->GetNumberOfPoints()));
+  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p) {
+    std::array<double, 3> x{};
+    grid->GetPoint(p, x.data());
+    mesh.soup.points.push_back({x[0], x[1]});
+  }
+  vtkNew<vtkIdList> corners;
+  for (const vtkIdType c : cells) {
+    grid->GetCellPoints(c, corners);
+    std::array<std::uint32_t, 3> triangle{};
+    for (int i = 0; i < 3; ++i) {
+      triangle[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(corners->GetId(i));
+    }
+    mesh.soup.triangles.push_back(triangle);
+  }
+  mesh.arrays = cell_arrays(*grid, cells);
+  mesh.soup.region = integers(mesh.arrays, {"RegionId"});
+  mesh.soup.material =
+      integers(mesh.arrays, {"material", "MaterialID", "mat_id", "gmsh:physical", "medit:ref"});
+  return mesh;
+}
+
+}  // namespace cover
