@@ -3,12 +3,12 @@
 
 namespace cover {
 
-Mesh::Mesh() {
-  tri.add_property(region_, "cover:region");
-  tri.add_property(material_, "cover:material");
-  tri.add_property(input_, "cover:input_id");
-  tri.add_property(interface_, "cover:interface");
-  tri.add_property(marker_, "cover:marker");
+Mesh::Mesh() : tri_(std::make_unique<TriMesh>()) {
+  tri_->add_property(keys_.region, "cover:region");
+  tri_->add_property(keys_.material, "cover:material");
+  tri_->add_property(keys_.input, "cover:input_id");
+  tri_->add_property(keys_.interface, "cover:interface");
+  tri_->add_property(keys_.marker, "cover:marker");
 }
 
 }  // namespace cover

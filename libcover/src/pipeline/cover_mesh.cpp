@@ -1,1 +1,73 @@
-// Not written yet.
+// The whole method on one screen:
+//
+//   Input -> Pslg -> RegionTable -> one RegionBoundary per region -> RegionMeshes -> Mesh
+//
+// Since no vertex is put on a segment, regions are meshed apart and in parallel, and joined by
+// vertex id; results lie in region order, so the mesh does not depend on the schedule.
+#include <cover/cover_mesh.hpp>
+
+#include "covering/measure.hpp"
+#include "mesh/stitch.hpp"
+#include "pipeline/check_options.hpp"
+#include "pipeline/region_task.hpp"
+#include "pipeline/stage_clock.hpp"
+#include "region/pslg.hpp"
+#include "region/region_graph.hpp"
+
+namespace cover {
+namespace {
+
+/// Input made clean, without the lower bounds.
+Result<Prepared> find_regions(const Input& input, const Options& options, StageClock& clock) {
+  if (Status status = check_options(options); !status) return std::move(status).error();
+  Prepared prepared;
+  Report& report = prepared.report;
+  Result<Pslg> pslg = make_pslg(input, options, report.notes);
+  if (!pslg) return std::move(pslg).error();
+  prepared.pslg = *std::move(pslg);
+  clock.note("clean", report.times);
+  Result<RegionTable> table = build_region_table(prepared.pslg, options, report.notes);
+  if (!table) return std::move(table).error();
+  prepared.table = *std::move(table);
+  clock.note("regions", report.times);
+  report.input_points = prepared.pslg.points.size();
+  report.input_segments = prepared.pslg.segments.size();
+  report.threads = worker_count(options);
+  return prepared;
+}
+
+/// Moves what the regions report to the whole, in region order.
+void collect_reports(std::vector<RegionMesh>& meshes, Report& report) {
+  for (RegionMesh& mesh : meshes) {
+    merge(report.quality, mesh.report.quality);
+    report.steiner_vertices += mesh.report.steiner_vertices;
+    report.regions.push_back(std::move(mesh.report));
+  }
+}
+
+}  // namespace
+
+Result<Prepared> prepare(const Input& input, const Options& options,
+                         const Callbacks& /*callbacks*/) {
+  StageClock clock;
+  return find_regions(input, options, clock);
+}
+
+Result<Output> cover_mesh(const Input& input, const Options& options, const Callbacks& callbacks) {
+  StageClock clock;
+  Result<Prepared> prepared = find_regions(input, options, clock);
+  if (!prepared) return std::move(prepared).error();
+  auto& [pslg, table, report] = *prepared;
+
+  const auto boundaries = split_regions(pslg, table);
+  clock.note("split", report.times);
+  Result<std::vector<RegionMesh>> meshes = mesh_regions(boundaries, options, callbacks);
+  if (!meshes) return std::move(meshes).error();
+  clock.note("mesh", report.times);
+  Mesh mesh = stitch(pslg, table, boundaries, *meshes);
+  collect_reports(*meshes, report);
+  clock.note("stitch", report.times);
+  return Output{std::move(mesh), std::move(pslg), std::move(table), std::move(report)};
+}
+
+}  // namespace cover

@@ -1,0 +1,34 @@
+// A counting sort by source vertex, then a small sort around each vertex: linear for meshes, and
+// n log n for a hub that all triangles share. Nothing is hashed, so nothing depends on a hash.
+#include "geom/half_edges.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace cover {
+
+HalfEdges::HalfEdges(std::size_t vertices, std::span<const IndexTriple> triangles)
+    : triangles_(triangles), first_(vertices + 2, 0), sorted_(3 * triangles.size()) {
+  for (const IndexTriple& t : triangles) {
+    for (const std::uint32_t v : t) ++first_[v + 2];
+  }
+  for (std::size_t v = 2; v < first_.size(); ++v) first_[v] += first_[v - 1];
+  // first_[v + 1] is where the next entry of v goes; in the end it is where v + 1 begins.
+  for (std::uint32_t h = 0; h < sorted_.size(); ++h)
+    sorted_[first_[source(h) + 1]++] = {target(h), h};
+  for (std::size_t v = 0; v < vertices; ++v) {
+    std::sort(sorted_.begin() + first_[v], sorted_.begin() + first_[v + 1],
+              [](const Entry& a, const Entry& b) {
+                return std::tie(a.target, a.half_edge) < std::tie(b.target, b.half_edge);
+              });
+  }
+}
+
+std::uint32_t HalfEdges::find(std::uint32_t a, std::uint32_t b) const {
+  const auto end = sorted_.begin() + first_[a + 1];
+  const auto found = std::lower_bound(sorted_.begin() + first_[a], end, b,
+                                      [](const Entry& e, std::uint32_t v) { return e.target < v; });
+  return found != end && found->target == b ? found->half_edge : kAbsent;
+}
+
+}  // namespace cover

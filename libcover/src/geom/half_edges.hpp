@@ -1,0 +1,50 @@
+// Who is on the other side of a triangle's edge, for triangles that come as bare index triples.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cover {
+
+/// Three vertex indices, counter-clockwise.
+using IndexTriple = std::array<std::uint32_t, 3>;
+
+/// The directed edges of a list of triangles. Half-edge 3 t + i belongs to triangle t and runs from
+/// its vertex i to its vertex i + 1 (mod 3), with the triangle on its left.
+class HalfEdges {
+ public:
+  /// "No half-edge."
+  static constexpr std::uint32_t kAbsent = 0xffffffffU;
+
+  /// REQUIRES: vertex indices below `vertices`; `triangles` outlives this object
+  /// Cost:     O(vertices + triangles), 12 bytes per half-edge
+  HalfEdges(std::size_t vertices, std::span<const IndexTriple> triangles);
+
+  /// The half-edge from `a` to `b`, or kAbsent. If several triangles claim it: the first of them.
+  [[nodiscard]] std::uint32_t find(std::uint32_t a, std::uint32_t b) const;
+  /// The opposite half-edge, or kAbsent where no triangle lies on the other side.
+  [[nodiscard]] std::uint32_t twin(std::uint32_t h) const { return find(target(h), source(h)); }
+
+  [[nodiscard]] std::uint32_t source(std::uint32_t h) const { return triangles_[h / 3][h % 3]; }
+  [[nodiscard]] std::uint32_t target(std::uint32_t h) const { return source(next(h)); }
+  [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(sorted_.size()); }
+
+  /// The next half-edge of the same triangle.
+  static constexpr std::uint32_t next(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  /// The previous half-edge of the same triangle.
+  static constexpr std::uint32_t previous(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
+
+ private:
+  struct Entry {
+    std::uint32_t target;
+    std::uint32_t half_edge;
+  };
+
+  std::span<const IndexTriple> triangles_;
+  std::vector<std::uint32_t> first_;  ///< by source vertex, into sorted_
+  std::vector<Entry> sorted_;         ///< by source vertex, then target, then half-edge
+};
+
+}  // namespace cover

@@ -1,0 +1,142 @@
+// A region needs nothing of its neighbours and writes only its own slot of the results, so tasks
+// share nothing but the progress count. The one place where exceptions are caught: what is thrown
+// inside a region (by CGAL, or for lack of memory) becomes the error of that region.
+#include "pipeline/region_task.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include <fmt/format.h>
+#include <boost/asio/post.hpp>
+#include <boost/asio/thread_pool.hpp>
+
+#include "covering/cover_region.hpp"
+#include "covering/measure.hpp"
+#include "pipeline/stage_clock.hpp"
+
+namespace cover {
+namespace {
+
+/// Region indices [first, last) of the order in which regions are meshed.
+struct Batch {
+  std::size_t first = 0;
+  std::size_t last = 0;
+  std::size_t cost = 0;
+};
+
+/// Estimated work of a region. All methods are near linear in the size of the boundary.
+std::size_t cost_of(const RegionBoundary& boundary) {
+  return boundary.sides.size() + boundary.points.size();
+}
+
+/// Batches are filled up to this cost: some milliseconds of work against microseconds of overhead.
+constexpr std::size_t kBatchCost = 1000;
+
+std::vector<std::size_t> largest_first(std::span<const RegionBoundary> boundaries) {
+  std::vector<std::size_t> order(boundaries.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return cost_of(boundaries[a]) > cost_of(boundaries[b]);
+  });
+  return order;
+}
+
+std::vector<Batch> make_batches(std::span<const RegionBoundary> boundaries,
+                                std::span<const std::size_t> order) {
+  std::vector<Batch> batches;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    if (batches.empty() || batches.back().cost >= kBatchCost) batches.push_back({k, k, 0});
+    batches.back().last = k + 1;
+    batches.back().cost += cost_of(boundaries[order[k]]);
+  }
+  return batches;
+}
+
+/// Counts what is done and tells the caller, one thread at a time.
+class ProgressCount {
+ public:
+  ProgressCount(std::string_view stage, std::size_t total, const Callbacks& callbacks)
+      : callbacks_(callbacks), state_{stage, 0, total} {}
+
+  void add(std::size_t cost) {
+    if (!callbacks_.progress) return;
+    const std::lock_guard lock(mutex_);
+    state_.done += cost;
+    callbacks_.progress(state_);
+  }
+
+ private:
+  const Callbacks& callbacks_;
+  std::mutex mutex_;
+  Progress state_;
+};
+
+Error task_failed(RegionId region, const char* what) {
+  return {ErrorCode::internal,
+          fmt::format("region {}: {}; this is an error in cover, please report it with the input",
+                      region.value(), what),
+          {},
+          {}};
+}
+
+}  // namespace
+
+unsigned worker_count(const Options& options) {
+  return options.threads != 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
+}
+
+Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned workers,
+                       std::string_view stage, const Callbacks& callbacks,
+                       const std::function<void(std::size_t)>& task) {
+  const std::vector<std::size_t> order = largest_first(boundaries);
+  const std::vector<Batch> batches = make_batches(boundaries, order);
+  std::size_t total = 0;
+  for (const Batch& batch : batches) total += batch.cost;
+  ProgressCount progress(stage, total, callbacks);
+  std::vector<std::optional<Error>> errors(boundaries.size());
+
+  const auto run = [&](const Batch& batch) {
+    for (std::size_t k = batch.first; k < batch.last; ++k) {
+      if (callbacks.stop.stop_requested()) return;
+      try {
+        task(order[k]);
+      } catch (const std::exception& e) {
+        errors[order[k]] = task_failed(boundaries[order[k]].id, e.what());
+      }
+    }
+    progress.add(batch.cost);
+  };
+  boost::asio::thread_pool pool(std::min<std::size_t>(workers, batches.size()));
+  for (const Batch& batch : batches) {
+    boost::asio::post(pool, [&run, &batch] { run(batch); });
+  }
+  pool.join();
+
+  if (callbacks.stop.stop_requested()) return Error{ErrorCode::cancelled, "interrupted", {}, {}};
+  for (std::optional<Error>& error : errors) {
+    if (error) return std::move(*error);
+  }
+  return ok();
+}
+
+Result<std::vector<RegionMesh>> mesh_regions(std::span<const RegionBoundary> boundaries,
+                                             const Options& options, const Callbacks& callbacks) {
+  std::vector<RegionMesh> meshes(boundaries.size());
+  Status status =
+      for_each_region(boundaries, worker_count(options), "mesh", callbacks, [&](std::size_t k) {
+        const StageClock clock;
+        meshes[k] = cover_region(boundaries[k], options, callbacks.stop);
+        measure(boundaries[k], meshes[k]);
+        meshes[k].report.seconds = clock.seconds();
+      });
+  if (!status) return std::move(status).error();
+  return meshes;
+}
+
+}  // namespace cover
