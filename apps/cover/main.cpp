@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "base/suggest.hpp"
 #include "commands.hpp"
 #include "exit_code.hpp"
-#include "suggest.hpp"
 
 namespace {
 
@@ -63,7 +63,7 @@ int run(const std::string& name, Arguments arguments) {
     if (command.name == name) return command.run(std::move(arguments));
     names.emplace_back(command.name);
   }
-  const auto meant = cover::app::closest(name, names);
+  const auto meant = cover::closest(name, names);
   return usage_error(fmt::format("unknown command '{}'{}", name,
                                  meant ? fmt::format("; did you mean '{}'?", *meant) : ""));
 }

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "suggest.hpp"
+#include "base/suggest.hpp"
 
 namespace cover::app {
 namespace {

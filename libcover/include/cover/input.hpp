@@ -23,9 +23,9 @@ struct InputSegment {
 /// "The region around this point is made of this material."
 struct RegionSeed {
   Point at;
-  std::string material;         ///< name, or the number as written; empty: a number of its own
-  std::string region;           ///< name of the region, empty if none
-  std::optional<double> size;   ///< wished edge length (never an area), if the file gives one
+  std::string material;        ///< name, or the number as written; empty: a number of its own
+  std::string region;          ///< name of the region, empty if none
+  std::optional<double> size;  ///< wished edge length (never an area), if the file gives one
   long id = 0;
   int line = 0;
 };
@@ -41,8 +41,8 @@ struct HoleSeed {
 struct InputPolygon {
   std::vector<std::vector<Point>> rings;
   std::string material;
-  std::string region;               ///< empty if none
-  std::optional<double> priority;   ///< larger wins over smaller, and over the order
+  std::string region;              ///< empty if none
+  std::optional<double> priority;  ///< larger wins over smaller, and over the order
   long id = 0;
 };
 
@@ -55,17 +55,19 @@ struct InputLine {
 
 /// Which bounded faces of a PSLG are void.
 enum class VoidRule {
-  holes_only,       ///< what a hole seed or the outside reaches (.poly)
-  unseeded_faces,   ///< where there are region seeds: also every face without one (JSON, gmsh)
+  holes_only,      ///< what a hole seed or the outside reaches (.poly)
+  unseeded_faces,  ///< where there are region seeds: also every face without one (JSON, gmsh)
 };
 
 /// Geometry before any check. Either the PSLG members or the polygons, or both, are filled.
 struct Input {
   std::string source;                 ///< file name for messages
+  std::string unit;                   ///< what the coordinates mean, as "nm"; empty: not said
+  std::vector<std::string> warnings;  ///< what the reader left out; they go into the report
   std::vector<Point> points;
-  std::vector<long> point_ids;        ///< as the file numbers them; empty: index
-  std::vector<int> point_lines;       ///< lines of the file; empty: unknown
-  std::vector<int> point_markers;     ///< empty: none
+  std::vector<long> point_ids;     ///< as the file numbers them; empty: index
+  std::vector<int> point_lines;    ///< lines of the file; empty: unknown
+  std::vector<int> point_markers;  ///< empty: none
   std::vector<InputSegment> segments;
   std::vector<HoleSeed> holes;
   std::vector<RegionSeed> seeds;

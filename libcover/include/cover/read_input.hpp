@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include <cover/input.hpp>
 #include <cover/result.hpp>
@@ -9,11 +10,19 @@
 namespace cover {
 
 /// Reads a geometry file; the format follows from its extension:
-/// `.poly` (Triangle; points may be in the `.node` beside it).
+/// `.poly` (Triangle; points may be in the `.node` beside it) and `.json` (our own form:
+/// points and segments, or painted polygons; its schema is input.schema.json).
 ///
 /// Errors: cannot_open, syntax, truncated, id_out_of_range, non_finite_coordinate,
-///         unsupported_format; messages name file and line.
+///         unsupported_format; messages name file and line, in JSON the path.
 Result<Input> read_input(const std::string& path);
+
+/// Reads geometry from memory. `extension` names the format, as ".json"; `source` is what messages
+/// call the text.
+///
+/// Errors: as read_input; a .poly must hold its points itself.
+Result<Input> parse_input(std::string_view text, std::string_view extension,
+                          const std::string& source);
 
 /// Reads Triangle's .poly format.
 Result<Input> read_poly(const std::string& path);

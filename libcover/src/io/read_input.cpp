@@ -1,23 +1,61 @@
-// Which reader a file wants is told by its extension. Tested by tests/unit/io/read_poly_test.cpp.
+// Which reader a file wants is told by its extension. Tested by tests/unit/io/read_*_test.cpp.
 #include <cover/read_input.hpp>
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 
+#include "io/formats.hpp"
+#include "io/text.hpp"
+
 namespace cover {
+namespace {
+
+/// A format that is read from one text.
+struct Format {
+  std::string_view extension;
+  Result<Input> (*parse)(std::string_view text, const std::string& source);
+};
+
+constexpr std::array kFormats{
+    Format{".json", parse_json},
+};
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return result;
+}
+
+std::string extension_of(const std::string& path) {
+  return lower(std::filesystem::path(path).extension().string());
+}
+
+}  // namespace
+
+Result<Input> parse_input(std::string_view text, std::string_view extension,
+                          const std::string& source) {
+  for (const Format& format : kFormats)
+    if (format.extension == lower(extension)) return format.parse(text, source);
+  std::string known = ".poly";
+  for (const Format& format : kFormats) known += fmt::format(", {}", format.extension);
+  return Error{
+      ErrorCode::unsupported_format,
+      fmt::format("{}: no reader for files named '*{}'; known: {}", source, extension, known),
+      {},
+      {}};
+}
 
 Result<Input> read_input(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = extension_of(path);
   if (extension == ".poly") return read_poly(path);
-  return Error{ErrorCode::unsupported_format,
-               fmt::format("{}: no reader for files named '*{}'; known: .poly", path, extension),
-               {},
-               {}};
+  Result<std::string> text = read_file(path);
+  if (!text) return std::move(text).error();
+  return parse_input(*text, extension, path);
 }
 
 }  // namespace cover

@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-namespace cover::app {
+namespace cover {
 
 /// The candidate that `word` is most likely a misspelling of, if one is close enough.
 std::optional<std::string> closest(std::string_view word, std::span<const std::string> candidates);
 
-}  // namespace cover::app
+}  // namespace cover

@@ -1,10 +1,10 @@
-#include "suggest.hpp"
+#include "base/suggest.hpp"
 
 #include <algorithm>
 #include <numeric>
 #include <vector>
 
-namespace cover::app {
+namespace cover {
 namespace {
 
 /// Levenshtein distance, where swapping two neighbouring letters costs one.
@@ -28,6 +28,8 @@ std::size_t distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::optional<std::string> closest(std::string_view word, std::span<const std::string> candidates) {
+  constexpr std::size_t kLongestWord = 64;  // longer ones are no slips, and would cost time
+  if (word.size() > kLongestWord) return std::nullopt;
   // A third of the letters may be wrong; a word that only begins like the candidate counts as one.
   std::size_t best = 1 + word.size() / 3;
   std::optional<std::string> found;
@@ -42,4 +44,4 @@ std::optional<std::string> closest(std::string_view word, std::span<const std::s
   return found;
 }
 
-}  // namespace cover::app
+}  // namespace cover

@@ -1,0 +1,19 @@
+// One function per geometry format that is read from text; `read_input` chooses among them.
+//
+// All of them: `source` is the file's name for messages. Errors: syntax, truncated,
+// id_out_of_range, non_finite_coordinate, unsupported_format, with line or path.
+// Cost: O(n log n) in the length of the text, whatever numbers stand in it.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <cover/input.hpp>
+#include <cover/result.hpp>
+
+namespace cover {
+
+/// Our own JSON: points and segments, or painted polygons, with curves. See input.schema.json.
+Result<Input> parse_json(std::string_view text, const std::string& source);
+
+}  // namespace cover

@@ -1,0 +1,25 @@
+#include "base/suggest.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace cover {
+namespace {
+
+const std::vector<std::string> kKeys{"material", "region", "rings", "priority", "x"};
+
+TEST(Closest, ForgivesOneSlipInThreeLetters) {
+  EXPECT_EQ(closest("materail", kKeys), "material");
+  EXPECT_EQ(closest("Material", kKeys), "material");
+  EXPECT_EQ(closest("regions", kKeys), "region");
+  EXPECT_EQ(closest("mater", kKeys), "material");
+  EXPECT_EQ(closest("colour", kKeys), std::nullopt);
+}
+
+TEST(Closest, LeavesVeryLongWordsAlone) {
+  EXPECT_EQ(closest(std::string(100000, 'x'), kKeys), std::nullopt);
+}
+
+}  // namespace
+}  // namespace cover
