@@ -18,31 +18,31 @@ namespace cover {
 struct TriangleSoup {
   std::vector<Point> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::int64_t> region;     ///< per triangle; empty: the file has none
-  std::vector<std::int64_t> material;   ///< per triangle; empty: the file has none
+  std::vector<std::int64_t> region;    ///< per triangle; empty: the file has none
+  std::vector<std::int64_t> material;  ///< per triangle; empty: the file has none
 };
 
 /// What to ask of a mesh.
 struct VerifyOptions {
-  bool bound = true;          ///< promise 3
-  bool allow_split = false;   ///< segments may be split by vertices on them
-  bool hull = false;          ///< the domain is the convex hull
+  bool bound = true;         ///< promise 3, unless allow_split
+  bool allow_split = false;  ///< segments may be split by vertices on them
+  bool hull = false;         ///< the domain is the convex hull
 };
 
 /// A broken promise.
 struct Violation {
-  int promise = 0;            ///< 1 to 3 of the README; 4 is materials
-  std::string message;        ///< what is broken, with ids and coordinates
+  int promise = 0;      ///< 1 to 3 of the README; 4 is materials
+  std::string message;  ///< what is broken, with ids and coordinates
   std::vector<Point> where;
 };
 
 /// What was found.
 struct Verification {
-  std::vector<Violation> violations;   ///< empty: every promise asked for holds
-  std::size_t violation_count = 0;     ///< may exceed what is listed
+  std::vector<Violation> violations;  ///< empty: every promise asked for holds
+  std::size_t violation_count = 0;    ///< may exceed what is listed
   std::size_t segments_whole = 0;
   std::size_t regions = 0;
-  std::size_t within_rounding = 0;     ///< regions that meet the bound up to coordinate rounding
+  std::size_t within_rounding = 0;  ///< regions that meet the bound up to coordinate rounding
 };
 
 /// The mesh of a run as plain arrays.
@@ -50,7 +50,18 @@ TriangleSoup triangle_soup(const Mesh& mesh);
 
 /// Checks `mesh` against the PSLG and its regions.
 ///
-/// EXACT: orientation, conformity and identity of coordinates; area up to rounding of the sum.
+/// Any arrays will do: indices out of range, coordinates that are not finite, triangles that
+/// overlap are found and named, never trusted. At most ten violations of a kind are listed.
+///
+/// Materials are compared where the mesh has them; where the input has region seeds it must.
+/// RegionIds may be numbered in any way that gives each region one of its own.
+/// Promise 3 is not asked of meshes whose segments may be split.
+///
+/// EXACT: coordinates, orientation, conformity, and with them that the triangles cover each region
+///        once: triangles that are all counter-clockwise cover a point as often as the sum of their
+///        edges winds around it, and that sum is compared with the boundary of the region. Where
+///        segments or hull sides may be split, vertices on them may be off by a few units in the
+///        last place.
 /// Cost:  O(n log n).
 Verification verify_cover(const Pslg& pslg, const RegionTable& table, const TriangleSoup& mesh,
                           const VerifyOptions& options = {});

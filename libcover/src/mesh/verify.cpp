@@ -1,1 +1,430 @@
-// Not written yet.
+// Every promise as a look-up in sorted arrays. The chain of reasoning:
+//
+//   - all triangles are counter-clockwise, exactly, so they cover a point as often as the sum of
+//     their directed edges winds around it;
+//   - edges that are no part of a segment cancel: each has its reverse;
+//   - so what is left of the edges of one region's triangles are pieces of segments with that
+//     region on their left. Every such side is there, once: the sum is the region's boundary,
+//     which winds once around its inside and not at all around the rest.
+//
+// Thus the triangles of a region cover it without gaps or overlap, and no tolerance was used.
+// What is broken is listed by kind. Tested by tests/unit/mesh/verify_test.cpp, which damages good
+// meshes in every way it can think of.
+#include <cover/verify.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "base/describe.hpp"
+#include "geom/predicates.hpp"
+#include "geom/vector.hpp"
+#include "mesh/expected_domain.hpp"
+#include "mesh/soup_edges.hpp"
+
+namespace cover {
+namespace {
+
+constexpr std::uint32_t kNoSide = 0xffffffffU;
+constexpr std::size_t kMostListed = 10;  // of a kind
+
+double spacing(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()) - x; }
+
+class Verifier {
+ public:
+  Verifier(const Pslg& pslg, const RegionTable& table, const TriangleSoup& mesh,
+           const VerifyOptions& options)
+      : pslg_(pslg), table_(table), mesh_(mesh), options_(options), edges_(mesh) {
+    for (const Point& p : pslg.points) scale_ = std::max({scale_, std::abs(p.x), std::abs(p.y)});
+  }
+
+  Verification run() {
+    domain_ = expected_domain(pslg_, table_, options_.hull);
+    if (!domain_.conflicts.empty()) {
+      add(Kind::input, 1, "the input is no clean planar straight-line graph", {});
+      return std::move(result_);
+    }
+    check_triangles();
+    check_points();
+    check_sides();
+    check_inner_edges();
+    find_regions();
+    check_region_ids();
+    check_materials();
+    if (options_.bound && !options_.allow_split) check_bound();
+    return std::move(result_);
+  }
+
+ private:
+  enum class Kind {
+    input,
+    unusable,
+    orientation,
+    doubled,
+    overlap,
+    point,
+    segment,
+    in_void,
+    open_edge,
+    no_region,
+    two_regions,
+    region_id,
+    material,
+    bound,
+  };
+
+  void add(Kind kind, int promise, std::string message, std::vector<Point> where) {
+    ++result_.violation_count;
+    if (++listed_[kind] <= kMostListed) {
+      result_.violations.push_back({promise, std::move(message), std::move(where)});
+    }
+  }
+
+  // What is on its way into messages.
+  [[nodiscard]] Point at(std::uint32_t vertex) const { return mesh_.points[vertex]; }
+  [[nodiscard]] std::array<Point, 3> corners(std::uint32_t triangle) const {
+    const auto& t = mesh_.triangles[triangle];
+    return {at(t[0]), at(t[1]), at(t[2])};
+  }
+  [[nodiscard]] std::string input_point(std::uint32_t v) const {
+    const long id = pslg_.point_ids.empty() ? static_cast<long>(v) : pslg_.point_ids[v];
+    const std::string where = describe(pslg_.points[v]);
+    return id < 0 ? "the point at " + where : fmt::format("point {} at {}", id, where);
+  }
+  [[nodiscard]] std::string edge_text(const SoupEdges::Edge& e) const {
+    return fmt::format("edge {}-{} from {} to {}", e.from, e.to, describe(at(e.from)),
+                       describe(at(e.to)));
+  }
+
+  void check_triangles() {
+    for (const std::uint32_t k : edges_.unusable()) {
+      const auto& t = mesh_.triangles[k];
+      add(Kind::unusable, 2,
+          fmt::format("triangle {} has the corners {}, {}, {}: one of them does not exist, is not "
+                      "finite or occurs twice",
+                      k, t[0], t[1], t[2]),
+          {});
+    }
+    for (const SoupEdges::Edge& e : edges_.all()) {
+      if (e.from != mesh_.triangles[e.triangle][0]) continue;  // once per triangle
+      const auto [a, b, c] = corners(e.triangle);
+      const Sign sign = orientation(a, b, c);
+      if (sign == Sign::positive) continue;
+      add(Kind::orientation, 2,
+          fmt::format("triangle {} with corners {}, {}, {} is {}", e.triangle, describe(a),
+                      describe(b), describe(c), sign == Sign::zero ? "flat" : "clockwise"),
+          {a, b, c});
+    }
+    for (const auto& [v, w] : edges_.doubles()) {
+      add(Kind::doubled, 2, fmt::format("vertices {} and {} are both at {}", v, w, describe(at(v))),
+          {at(v)});
+    }
+    const auto all = edges_.all();
+    for (std::size_t k = 1; k < all.size(); ++k) {
+      if (all[k - 1].from != all[k].from || all[k - 1].to != all[k].to) continue;
+      add(Kind::overlap, 2,
+          fmt::format("triangles {} and {} overlap: both have the {}", all[k - 1].triangle,
+                      all[k].triangle, edge_text(all[k])),
+          {at(all[k].from), at(all[k].to)});
+    }
+  }
+
+  void check_points() {
+    vertex_.assign(pslg_.points.size(), std::nullopt);
+    for (std::uint32_t v = 0; v < pslg_.points.size(); ++v) {
+      if (domain_.point_region[v] == kVoid) continue;
+      vertex_[v] = edges_.vertex_at(pslg_.points[v]);
+      if (!vertex_[v]) {
+        add(Kind::point, 1, input_point(v) + " is no vertex of the mesh", {pslg_.points[v]});
+      }
+    }
+  }
+
+  void check_sides() {
+    side_of_.assign(edges_.all().size(), kNoSide);
+    const std::size_t segment_sides = 2 * pslg_.segments.size();
+    for (std::uint32_t s = 0; s < segment_sides; s += 2) {
+      if (domain_.sides[s].region == kVoid && domain_.sides[s + 1].region == kVoid) continue;
+      const bool whole = check_side(s) & check_side(s + 1);  // both are to be looked at
+      result_.segments_whole += whole ? 1 : 0;
+    }
+    for (auto s = static_cast<std::uint32_t>(segment_sides); s < domain_.sides.size(); ++s) {
+      check_side(s);
+    }
+  }
+
+  /// Marks the edges along a side; true if the side is one edge, or one without a triangle in the
+  /// void.
+  bool check_side(std::uint32_t s) {
+    const ExpectedSide& side = domain_.sides[s];
+    const auto from = vertex_[side.a], to = vertex_[side.b];
+    if (!from || !to) return false;  // said already
+    const auto edge = edges_.find(*from, *to);
+    if (side.region == kVoid) {
+      if (edge) report_in_void(side, edges_.all()[*edge]);
+      return !edge;
+    }
+    if (edge) {
+      side_of_[*edge] = s;
+      return true;
+    }
+    if (!((options_.allow_split || side.hull) && mark_pieces(s, *from, *to))) {
+      report_broken_side(side, edges_.find(*to, *from).has_value());
+    }
+    return false;
+  }
+
+  void report_in_void(const ExpectedSide& side, const SoupEdges::Edge& edge) {
+    add(Kind::in_void, 2,
+        fmt::format("triangle {} lies in the void beside the segment from {} to {}", edge.triangle,
+                    input_point(side.a), input_point(side.b)),
+        {pslg_.points[side.a], pslg_.points[side.b]});
+  }
+
+  void report_broken_side(const ExpectedSide& side, bool has_reverse) {
+    add(Kind::segment, 1,
+        fmt::format("the {} from {} to {} {} in region {}", side.hull ? "hull side" : "segment",
+                    input_point(side.a), input_point(side.b),
+                    has_reverse ? "has no triangle on its side" : "is no edge of the mesh",
+                    side.region.value()),
+        {pslg_.points[side.a], pslg_.points[side.b]});
+  }
+
+  /// Walks along a split side from vertex to vertex; false if there is no way.
+  bool mark_pieces(std::uint32_t s, std::uint32_t from, const std::uint32_t to) {
+    std::vector<std::size_t> pieces;
+    while (from != to) {
+      const auto piece = next_piece(from, to, pslg_.points[domain_.sides[s].a]);
+      if (!piece) return false;
+      pieces.push_back(*piece);
+      from = edges_.all()[*piece].to;
+    }
+    for (const std::size_t piece : pieces) side_of_[piece] = s;
+    return true;
+  }
+
+  /// The edge that leaves `from` along the line from `start` to the vertex `to`, up to what
+  /// rounding the coordinates of its end can do.
+  [[nodiscard]] std::optional<std::size_t> next_piece(std::uint32_t from, std::uint32_t to,
+                                                      Point start) const {
+    const Point end = at(to);
+    const Vector along = end - start;
+    const double tolerance = 8 * spacing(scale_) * length(along);
+    std::optional<std::size_t> best;
+    double best_offset = 0;
+    const auto leaving = edges_.leaving(from);
+    for (const SoupEdges::Edge& e : leaving) {
+      const Vector step = at(e.to) - at(from);
+      const double offset = std::abs(cross(along, at(e.to) - start));
+      if (dot(step, along) <= 0 || offset > tolerance) continue;
+      if (e.to != to && dot(end - at(e.to), along) <= 0) continue;
+      const double slope = std::abs(cross(along, step)) / length(step);
+      if (best && slope >= best_offset) continue;
+      best = static_cast<std::size_t>(&e - edges_.all().data());
+      best_offset = slope;
+    }
+    return best;
+  }
+
+  void check_inner_edges() {
+    const auto all = edges_.all();
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (side_of_[k] != kNoSide || edges_.find(all[k].to, all[k].from)) continue;
+      add(Kind::open_edge, 2,
+          fmt::format(
+              "the {} of triangle {} has no triangle on its other side and is no segment: a "
+              "gap, an overlap or a vertex inside an edge",
+              edge_text(all[k]), all[k].triangle),
+          {at(all[k].from), at(all[k].to)});
+    }
+  }
+
+  /// Carries the regions of the sides over all edges that are no part of one.
+  void find_regions() {
+    region_.assign(mesh_.triangles.size(), kVoid);
+    const auto all = edges_.all();
+    std::vector<std::uint32_t> parent(mesh_.triangles.size());
+    std::iota(parent.begin(), parent.end(), 0U);
+    const auto root = [&](std::uint32_t t) {
+      while (parent[t] != t) t = parent[t] = parent[parent[t]];
+      return t;
+    };
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (side_of_[k] != kNoSide) continue;
+      const auto twin = edges_.find(all[k].to, all[k].from);
+      if (twin && side_of_[*twin] == kNoSide) {
+        parent[root(all[k].triangle)] = root(all[*twin].triangle);
+      }
+    }
+    std::vector<RegionId> of_root(mesh_.triangles.size(), kVoid);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (side_of_[k] == kNoSide) continue;
+      const RegionId region = domain_.sides[side_of_[k]].region;
+      RegionId& known = of_root[root(all[k].triangle)];
+      if (known != kVoid && known != region) report_two_regions(all[k], known, region);
+      known = region;
+    }
+    std::set<RegionId> met;
+    for (const SoupEdges::Edge& e : all) {
+      region_[e.triangle] = of_root[root(e.triangle)];
+      if (region_[e.triangle] != kVoid) {
+        met.insert(region_[e.triangle]);
+      } else if (e.from == mesh_.triangles[e.triangle][0]) {
+        report_no_region(e.triangle);
+      }
+    }
+    result_.regions = met.size();
+  }
+
+  void report_two_regions(const SoupEdges::Edge& e, RegionId one, RegionId other) {
+    add(Kind::two_regions, 2,
+        fmt::format("triangle {} at the {} hangs together with triangles of both region {} and "
+                    "region {}",
+                    e.triangle, edge_text(e), one.value(), other.value()),
+        {at(e.from), at(e.to)});
+  }
+
+  void report_no_region(std::uint32_t triangle) {
+    const auto [a, b, c] = corners(triangle);
+    add(Kind::no_region, 2,
+        fmt::format(
+            "triangle {} with corners {}, {}, {} hangs together with no segment of a region",
+            triangle, describe(a), describe(b), describe(c)),
+        {a, b, c});
+  }
+
+  void check_region_ids() {
+    if (mesh_.region.empty() || options_.allow_split) return;
+    if (mesh_.region.size() != mesh_.triangles.size()) {
+      add(Kind::region_id, 2, "the mesh has not one RegionId per triangle", {});
+      return;
+    }
+    std::map<RegionId, std::int64_t> id_of;
+    std::map<std::int64_t, RegionId> region_of;
+    for (std::uint32_t t = 0; t < region_.size(); ++t) {
+      if (region_[t] == kVoid) continue;
+      const std::int64_t id = mesh_.region[t];
+      const std::int64_t its = id_of.emplace(region_[t], id).first->second;
+      const RegionId its_region = region_of.emplace(id, region_[t]).first->second;
+      if (its == id && its_region == region_[t]) continue;
+      const auto [a, b, c] = corners(t);
+      add(Kind::region_id, 2,
+          fmt::format(
+              "triangle {} at {} has RegionId {}, as others of region {}, but lies in region "
+              "{} with RegionId {}",
+              t, describe(a), id, its_region.value(), region_[t].value(), its),
+          {a, b, c});
+    }
+  }
+
+  void check_materials() {
+    if (mesh_.material.empty()) {
+      if (!pslg_.seeds.empty() && !options_.allow_split) {
+        add(Kind::material, 4, "the input has materials, but the mesh has no array of materials",
+            {});
+      }
+      return;
+    }
+    if (mesh_.material.size() != mesh_.triangles.size()) {
+      add(Kind::material, 4, "the mesh has not one material per triangle", {});
+      return;
+    }
+    for (std::uint32_t t = 0; t < region_.size(); ++t) {
+      if (region_[t] == kVoid) continue;
+      const int wanted = table_.region(region_[t]).material;
+      if (mesh_.material[t] == wanted) continue;
+      const auto [a, b, c] = corners(t);
+      add(Kind::material, 4,
+          fmt::format("triangle {} at {} in region {} has material {} instead of {}", t,
+                      describe(a), region_[t].value(), mesh_.material[t], wanted),
+          {a, b, c});
+    }
+  }
+
+  /// The worst triangle of a region, as it is and with rounding in its favour.
+  struct Worst {
+    double nu = std::numbers::pi;
+    double nu_rounded = std::numbers::pi;
+    std::uint32_t triangle = 0;
+  };
+
+  void check_bound() {
+    std::vector<Worst> worst(domain_.nu_opt.size());
+    for (std::uint32_t t = 0; t < region_.size(); ++t) {
+      if (region_[t] == kVoid) continue;
+      const auto [a, b, c] = corners(t);
+      const double nu = std::min({nu_at(b, a, c), nu_at(c, b, a), nu_at(a, c, b)});
+      // 4: both ends of both edges at the corner, by half a unit in the last place each way, and
+      // as much again for the coordinates from which they were made.
+      const double shortest = std::min({length(b - a), length(c - b), length(a - c)});
+      const double rounded = nu + 4 * spacing(scale_) / shortest;
+      Worst& w = worst[region_[t].index()];
+      w.nu = std::min(w.nu, nu);
+      if (rounded < w.nu_rounded) w.nu_rounded = rounded, w.triangle = t;
+    }
+    for (const Region& region : table_.regions) {
+      const double bound = std::min(domain_.nu_opt[region.id.index()] / 2, std::numbers::pi / 6);
+      const double needed = bound * (1 - 1e-9);  // rounding of the angles themselves
+      const Worst& w = worst[region.id.index()];
+      if (w.nu_rounded < needed) {
+        const auto [a, b, c] = corners(w.triangle);
+        add(Kind::bound, 3,
+            fmt::format("triangle {} with corners {}, {}, {} in region {} has an angle of {:.9g} "
+                        "degrees; the bound is {:.9g}",
+                        w.triangle, describe(a), describe(b), describe(c), region.id.value(),
+                        degrees(std::numbers::pi - w.nu), degrees(std::numbers::pi - bound)),
+            {a, b, c});
+      } else if (w.nu < needed) {
+        ++result_.within_rounding;
+      }
+    }
+  }
+
+  static double degrees(double radians) { return Angle::radians(radians).in_degrees(); }
+
+  const Pslg& pslg_;
+  const RegionTable& table_;
+  const TriangleSoup& mesh_;
+  const VerifyOptions& options_;
+  SoupEdges edges_;
+  double scale_ = 0;  ///< largest coordinate
+  ExpectedDomain domain_;
+  std::vector<std::optional<std::uint32_t>> vertex_;  ///< of the mesh, by VertexId
+  std::vector<std::uint32_t> side_of_;                ///< by edge, index into domain_.sides
+  std::vector<RegionId> region_;                      ///< by triangle
+  std::map<Kind, std::size_t> listed_;
+  Verification result_;
+};
+
+}  // namespace
+
+TriangleSoup triangle_soup(const Mesh& mesh) {
+  const TriMesh& tri = mesh.tri();
+  TriangleSoup soup;
+  soup.points.reserve(tri.n_vertices());
+  for (const auto v : tri.vertices()) soup.points.push_back({tri.point(v)[0], tri.point(v)[1]});
+  soup.triangles.reserve(tri.n_faces());
+  for (const auto f : tri.faces()) {
+    const auto h = tri.halfedge_handle(f);
+    soup.triangles.push_back(
+        {static_cast<std::uint32_t>(tri.from_vertex_handle(h).idx()),
+         static_cast<std::uint32_t>(tri.to_vertex_handle(h).idx()),
+         static_cast<std::uint32_t>(tri.to_vertex_handle(tri.next_halfedge_handle(h)).idx())});
+    soup.region.push_back(mesh.region(f).value());
+    soup.material.push_back(mesh.material(f));
+  }
+  return soup;
+}
+
+Verification verify_cover(const Pslg& pslg, const RegionTable& table, const TriangleSoup& mesh,
+                          const VerifyOptions& options) {
+  return Verifier(pslg, table, mesh, options).run();
+}
+
+}  // namespace cover

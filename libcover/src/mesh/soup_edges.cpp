@@ -1,0 +1,78 @@
+#include "mesh/soup_edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace cover {
+namespace {
+
+bool is_usable(const TriangleSoup& soup, const std::array<std::uint32_t, 3>& t) {
+  const auto is_finite = [&](std::uint32_t v) {
+    return v < soup.points.size() && std::isfinite(soup.points[v].x) &&
+           std::isfinite(soup.points[v].y);
+  };
+  return std::all_of(t.begin(), t.end(), is_finite) && t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+}
+
+}  // namespace
+
+SoupEdges::SoupEdges(const TriangleSoup& soup) : soup_(soup) {
+  std::vector<bool> used(soup.points.size(), false);
+  edges_.reserve(3 * soup.triangles.size());
+  for (std::uint32_t k = 0; k < soup.triangles.size(); ++k) {
+    const auto& t = soup.triangles[k];
+    if (!is_usable(soup, t)) {
+      unusable_.push_back(k);
+      continue;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      edges_.push_back({t[i], t[(i + 1) % 3], k});
+      used[t[i]] = true;
+    }
+  }
+  std::sort(edges_.begin(), edges_.end(), [](const Edge& e, const Edge& f) {
+    return std::tie(e.from, e.to, e.triangle) < std::tie(f.from, f.to, f.triangle);
+  });
+  for (std::uint32_t v = 0; v < used.size(); ++v) {
+    if (used[v]) by_place_.push_back(v);
+  }
+  std::sort(by_place_.begin(), by_place_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::tie(soup.points[a], a) < std::tie(soup.points[b], b);
+  });
+}
+
+std::span<const SoupEdges::Edge> SoupEdges::leaving(std::uint32_t vertex) const {
+  const auto first = std::partition_point(edges_.begin(), edges_.end(),
+                                          [&](const Edge& e) { return e.from < vertex; });
+  const auto last =
+      std::partition_point(first, edges_.end(), [&](const Edge& e) { return e.from == vertex; });
+  return {first, last};
+}
+
+std::optional<std::size_t> SoupEdges::find(std::uint32_t from, std::uint32_t to) const {
+  const auto it = std::partition_point(edges_.begin(), edges_.end(), [&](const Edge& e) {
+    return std::tie(e.from, e.to) < std::tie(from, to);
+  });
+  if (it == edges_.end() || it->from != from || it->to != to) return std::nullopt;
+  return static_cast<std::size_t>(it - edges_.begin());
+}
+
+std::optional<std::uint32_t> SoupEdges::vertex_at(Point p) const {
+  const auto it = std::partition_point(by_place_.begin(), by_place_.end(),
+                                       [&](std::uint32_t v) { return soup_.points[v] < p; });
+  if (it == by_place_.end() || soup_.points[*it] != p) return std::nullopt;
+  return *it;
+}
+
+std::vector<std::array<std::uint32_t, 2>> SoupEdges::doubles() const {
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  for (std::size_t k = 1; k < by_place_.size(); ++k) {
+    if (soup_.points[by_place_[k - 1]] == soup_.points[by_place_[k]]) {
+      pairs.push_back({by_place_[k - 1], by_place_[k]});
+    }
+  }
+  return pairs;
+}
+
+}  // namespace cover

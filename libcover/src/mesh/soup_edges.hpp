@@ -1,0 +1,50 @@
+// The edges and places of a mesh that nobody has vouched for: for verify_cover().
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <cover/verify.hpp>
+
+namespace cover {
+
+/// Directed edges and coordinates of a TriangleSoup, for look-ups. Triangles with an index out of
+/// range, a corner twice or a coordinate that is not finite are set aside and have no edges.
+class SoupEdges {
+ public:
+  /// A directed edge of a triangle, which lies on its left.
+  struct Edge {
+    std::uint32_t from;
+    std::uint32_t to;
+    std::uint32_t triangle;
+  };
+
+  /// REQUIRES: `soup` outlives this object
+  /// Cost:     O(n log n)
+  explicit SoupEdges(const TriangleSoup& soup);
+
+  /// All edges, by `from`, then `to`, then triangle.
+  [[nodiscard]] std::span<const Edge> all() const { return edges_; }
+  /// The edges that leave a vertex.
+  [[nodiscard]] std::span<const Edge> leaving(std::uint32_t vertex) const;
+  /// Index in all() of the first edge between two vertices.
+  [[nodiscard]] std::optional<std::size_t> find(std::uint32_t from, std::uint32_t to) const;
+
+  /// The triangles set aside.
+  [[nodiscard]] std::span<const std::uint32_t> unusable() const { return unusable_; }
+
+  /// The vertex of a triangle at exactly this place.
+  [[nodiscard]] std::optional<std::uint32_t> vertex_at(Point p) const;
+  /// Pairs of different vertices of triangles at the same place.
+  [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> doubles() const;
+
+ private:
+  const TriangleSoup& soup_;
+  std::vector<Edge> edges_;
+  std::vector<std::uint32_t> unusable_;
+  std::vector<std::uint32_t> by_place_;  ///< used vertices, by coordinates, then index
+};
+
+}  // namespace cover
