@@ -83,7 +83,7 @@ std::string totals(const Output& output) {
   }
   std::string out =
       fmt::format("{}, {} ({} new, none on a segment), {}\n", plural(q.triangles, "triangle"),
-                  grouped(output.mesh.tri.n_vertices()) + " vertices",
+                  grouped(output.mesh.tri().n_vertices()) + " vertices",
                   grouped(report.steiner_vertices), plural(report.regions.size(), "region"));
   if (report.regions.empty()) return out;
   const RegionReport& region = report.regions[worst];
