@@ -73,6 +73,8 @@ class Builder {
       insert_segment(s);
       if (!conflicts_.empty()) return conflicts_;
     }
+    // Only now: faces that segments made have whatever their memory held.
+    for (auto f = cdt_.all_faces_begin(); f != cdt_.all_faces_end(); ++f) f->info() = 0;
     return {};
   }
 
@@ -155,7 +157,6 @@ class Builder {
       handles_[k] = v;
       hint = v->face();
     }
-    for (auto f = cdt_.all_faces_begin(); f != cdt_.all_faces_end(); ++f) f->info() = 0;
   }
 
   void insert_segment(std::uint32_t s) {

@@ -1,0 +1,407 @@
+// verify_cover() on good meshes, and on every kind of damage done to them.
+#include <cover/verify.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "cdt/cdt.hpp"
+#include "support/shapes.hpp"
+
+namespace cover {
+namespace {
+
+/// Two squares side by side around a square hole each, an isolated point and a slit in the first,
+/// by hand: PSLG, regions and their mesh.
+struct Device {
+  Pslg pslg;
+  RegionTable table;
+  TriangleSoup mesh;
+
+  Device() {
+    pslg.points = {{0, 0},   {6, 0},  {12, 0}, {12, 6}, {6, 6}, {0, 6},  // outline
+                   {2, 2},   {2, 4},  {4, 4},  {4, 2},                   // hole of the first
+                   {5, 1},   {5, 2},                                     // slit
+                   {1, 5},                                               // isolated
+                   {20, 20}, {21, 20}};                                  // a segment in the void
+    for (std::size_t v = 0; v < pslg.points.size(); ++v) pslg.point_ids.push_back(long(v) + 1);
+    loop({0, 1, 4, 5}, 1);
+    loop({1, 2, 3, 4}, 2);
+    loop({6, 7, 8, 9}, 1);
+    segment(10, 11, 1, 1);
+    segment(13, 14, 0, 0);
+    pslg.seeds.resize(2);
+    table.regions.resize(2);
+    table.regions[0].id = RegionId{1};
+    table.regions[0].material = 7;
+    table.regions[1].id = RegionId{2};
+    table.regions[1].material = 3;
+    mesh_all();
+  }
+
+  [[nodiscard]] Verification check(const VerifyOptions& options = {}) const {
+    return verify_cover(pslg, table, mesh, options);
+  }
+
+  void loop(const std::vector<std::uint32_t>& v, std::uint32_t region) {
+    for (std::size_t i = 0; i < v.size(); ++i) segment(v[i], v[(i + 1) % v.size()], region, 0);
+  }
+
+  void segment(std::uint32_t a, std::uint32_t b, std::uint32_t left, std::uint32_t right) {
+    for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+      if (pslg.segments[s].a == VertexId(b) && pslg.segments[s].b == VertexId(a)) {
+        table.sides[s].right = RegionId(left);
+        return;
+      }
+    }
+    pslg.segments.push_back({VertexId(a), VertexId(b), 0, 0});
+    table.sides.push_back({RegionId(left), RegionId(right), kNoInterface});
+  }
+
+  /// The constrained Delaunay triangles of both regions.
+  void mesh_all() {
+    mesh = {};
+    mesh.points = pslg.points;
+    for (const Region& region : table.regions) {
+      std::vector<IndexPair> sides;
+      for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+        const auto [a, b] = std::array{pslg.segments[s].a.value(), pslg.segments[s].b.value()};
+        if (table.sides[s].left == region.id) sides.push_back({a, b});
+        if (table.sides[s].right == region.id) sides.push_back({b, a});
+      }
+      for (const Triangle& t : triangulate_domain(pslg.points, sides).triangulation.triangles) {
+        mesh.triangles.push_back(t.v);
+        mesh.region.push_back(region.id.value());
+        mesh.material.push_back(region.material);
+      }
+    }
+  }
+};
+
+bool has(const Verification& v, int promise, const std::string& text) {
+  return std::any_of(v.violations.begin(), v.violations.end(), [&](const Violation& x) {
+    return x.promise == promise && x.message.find(text) != std::string::npos;
+  });
+}
+
+std::string all_of(const Verification& v) {
+  std::string text;
+  for (const Violation& x : v.violations)
+    text += std::to_string(x.promise) + ": " + x.message + "\n";
+  return text;
+}
+
+TEST(Verify, GoodMeshHasNoViolation) {
+  const Verification v = Device().check();
+  EXPECT_EQ(all_of(v), "");
+  EXPECT_EQ(v.violation_count, 0U);
+  EXPECT_EQ(v.segments_whole, 12U);
+  EXPECT_EQ(v.regions, 2U);
+}
+
+TEST(Verify, OrderAndNumberingOfTheMeshDoNotMatter) {
+  Device d;
+  std::mt19937_64 random(testing::test_seed(1));
+  std::vector<std::uint32_t> order(d.mesh.points.size());
+  for (std::uint32_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::shuffle(order.begin(), order.end(), random);
+  for (std::uint32_t k = 0; k < order.size(); ++k) d.mesh.points[order[k]] = d.pslg.points[k];
+  for (auto& t : d.mesh.triangles) {
+    for (auto& v : t) v = order[v];
+    std::rotate(t.begin(), t.begin() + 1, t.end());
+  }
+  std::reverse(d.mesh.triangles.begin(), d.mesh.triangles.end());
+  std::reverse(d.mesh.material.begin(), d.mesh.material.end());
+  d.mesh.region.clear();
+  EXPECT_EQ(all_of(d.check()), "");
+}
+
+TEST(Verify, RegionIdsMayBeNumberedOtherwise) {
+  Device d;
+  for (auto& r : d.mesh.region) r = 50 - r;
+  EXPECT_EQ(all_of(d.check()), "");
+}
+
+TEST(Verify, MissingTriangle) {
+  Device d;
+  for (std::size_t k = 0; k < d.mesh.triangles.size(); ++k) {
+    Device damaged;
+    damaged.mesh.triangles.erase(damaged.mesh.triangles.begin() + long(k));
+    damaged.mesh.region.erase(damaged.mesh.region.begin() + long(k));
+    damaged.mesh.material.erase(damaged.mesh.material.begin() + long(k));
+    EXPECT_GT(damaged.check().violation_count, 0U) << "without triangle " << k;
+  }
+}
+
+TEST(Verify, TriangleTwice) {
+  Device d;
+  d.mesh.triangles.push_back(d.mesh.triangles[3]);
+  d.mesh.region.push_back(d.mesh.region[3]);
+  d.mesh.material.push_back(d.mesh.material[3]);
+  EXPECT_TRUE(has(d.check(), 2, "overlap"));
+}
+
+TEST(Verify, ClockwiseAndFlatTriangles) {
+  Device d;
+  std::swap(d.mesh.triangles[0][0], d.mesh.triangles[0][1]);
+  EXPECT_TRUE(has(d.check(), 2, "is clockwise"));
+  Device flat;
+  flat.mesh.triangles[0] = {0, 1, 2};
+  EXPECT_TRUE(has(flat.check(), 2, "is flat"));
+}
+
+TEST(Verify, PointMovedByOneUnitInTheLastPlace) {
+  for (std::uint32_t v = 0; v < 13; ++v) {
+    Device d;
+    double& x = d.mesh.points[v].x;
+    x = std::nextafter(x, 100);
+    const Verification found = d.check();
+    EXPECT_TRUE(has(found, 1, "point " + std::to_string(v + 1) + " at")) << all_of(found);
+  }
+}
+
+TEST(Verify, IsolatedPointLeftOut) {
+  Device d;
+  d.pslg.points[12] = {100, 100};
+  d.mesh_all();
+  d.pslg.points[12] = {1, 5};
+  const Verification v = d.check();
+  EXPECT_TRUE(has(v, 1, "point 13 at (1, 5) is no vertex")) << all_of(v);
+}
+
+TEST(Verify, SegmentSplitByAVertex) {
+  Device d;
+  // The interface 1-4 from (6, 0) to (6, 6), cut at its middle on both sides.
+  const auto middle = static_cast<std::uint32_t>(d.mesh.points.size());
+  d.mesh.points.push_back({6, 3});
+  const std::size_t before = d.mesh.triangles.size();
+  for (std::size_t k = 0; k < before; ++k) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      auto& t = d.mesh.triangles[k];
+      const std::uint32_t a = t[i], b = t[(i + 1) % 3], c = t[(i + 2) % 3];
+      if (!((a == 1 && b == 4) || (a == 4 && b == 1))) continue;
+      t = {a, middle, c};
+      d.mesh.triangles.push_back({middle, b, c});
+      d.mesh.region.push_back(d.mesh.region[k]);
+      d.mesh.material.push_back(d.mesh.material[k]);
+      break;
+    }
+  }
+  ASSERT_EQ(d.mesh.triangles.size(), before + 2);
+  const Verification v = d.check();
+  EXPECT_TRUE(has(v, 1, "from point 2 at (6, 0) to point 5 at (6, 6) is no edge")) << all_of(v);
+  const Verification allowed = d.check({.allow_split = true});
+  EXPECT_EQ(all_of(allowed), "");
+  EXPECT_EQ(allowed.segments_whole, 11U);
+  // Off the segment by more than rounding it is no split any more.
+  d.mesh.points[middle].x = 6 + 1e-9;
+  EXPECT_GT(d.check({.allow_split = true}).violation_count, 0U);
+}
+
+TEST(Verify, HangingVertexInside) {
+  Device d;
+  // Cuts one inner edge on one of its two sides only.
+  for (std::size_t k = 0; k < d.mesh.triangles.size(); ++k) {
+    auto& t = d.mesh.triangles[k];
+    const Point a = d.mesh.points[t[0]], b = d.mesh.points[t[1]];
+    const bool inner =
+        std::count_if(d.pslg.segments.begin(), d.pslg.segments.end(), [&](const Segment& s) {
+          return (s.a.value() == t[0] && s.b.value() == t[1]) ||
+                 (s.b.value() == t[0] && s.a.value() == t[1]);
+        }) == 0;
+    if (!inner) continue;
+    const auto middle = static_cast<std::uint32_t>(d.mesh.points.size());
+    d.mesh.points.push_back({(a.x + b.x) / 2, (a.y + b.y) / 2});
+    d.mesh.triangles.push_back({middle, t[1], t[2]});
+    d.mesh.region.push_back(d.mesh.region[k]);
+    d.mesh.material.push_back(d.mesh.material[k]);
+    d.mesh.triangles[k][1] = middle;
+    break;
+  }
+  EXPECT_TRUE(has(d.check(), 2, "no triangle on its other side"));
+}
+
+TEST(Verify, HoleFilled) {
+  Device d;
+  d.mesh.triangles.push_back({6, 9, 8});
+  d.mesh.triangles.push_back({6, 8, 7});
+  d.mesh.region.insert(d.mesh.region.end(), {1, 1});
+  d.mesh.material.insert(d.mesh.material.end(), {7, 7});
+  const Verification v = d.check();
+  EXPECT_TRUE(has(v, 2, "lies in the void")) << all_of(v);
+}
+
+TEST(Verify, TriangleOutside) {
+  Device d;
+  d.mesh.points.push_back({3, -3});
+  d.mesh.triangles.push_back({0, 15, 1});
+  d.mesh.region.push_back(1);
+  d.mesh.material.push_back(7);
+  const Verification v = d.check();
+  EXPECT_TRUE(has(v, 2, "lies in the void")) << all_of(v);
+  EXPECT_TRUE(has(v, 2, "no triangle on its other side")) << all_of(v);
+}
+
+TEST(Verify, IslandInTheVoid) {
+  Device d;
+  d.mesh.points.insert(d.mesh.points.end(), {{30, 0}, {31, 0}, {30, 1}});
+  d.mesh.triangles.push_back({15, 16, 17});
+  d.mesh.region.push_back(1);
+  d.mesh.material.push_back(7);
+  EXPECT_TRUE(has(d.check(), 2, "hangs together with no segment"));
+}
+
+TEST(Verify, InterfaceThatIsNoEdge) {
+  Device d;
+  // Flips the interface 1-4 into the edge between its two apices.
+  std::uint32_t apex[2] = {0, 0};
+  std::size_t at[2] = {0, 0};
+  for (std::size_t k = 0; k < d.mesh.triangles.size(); ++k) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& t = d.mesh.triangles[k];
+      if (t[i] == 1 && t[(i + 1) % 3] == 4) apex[0] = t[(i + 2) % 3], at[0] = k;
+      if (t[i] == 4 && t[(i + 1) % 3] == 1) apex[1] = t[(i + 2) % 3], at[1] = k;
+    }
+  }
+  d.mesh.triangles[at[0]] = {apex[0], 1, apex[1]};
+  d.mesh.triangles[at[1]] = {apex[1], 4, apex[0]};
+  const Verification v = d.check();
+  EXPECT_TRUE(has(v, 1, "is no edge of the mesh")) << all_of(v);
+  EXPECT_TRUE(has(v, 2, "hangs together with triangles of both")) << all_of(v);
+}
+
+TEST(Verify, VerticesNotShared) {
+  Device d;
+  // The second region gets its own copies of the interface's ends.
+  d.mesh.points.push_back(d.mesh.points[1]);
+  d.mesh.points.push_back(d.mesh.points[4]);
+  for (std::size_t k = 0; k < d.mesh.triangles.size(); ++k) {
+    if (d.mesh.region[k] != 2) continue;
+    for (auto& v : d.mesh.triangles[k]) v = v == 1 ? 15 : v == 4 ? 16 : v;
+  }
+  const Verification v = d.check();
+  EXPECT_TRUE(has(v, 2, "are both at (6, 0)")) << all_of(v);
+  EXPECT_TRUE(has(v, 2, "are both at (6, 6)")) << all_of(v);
+}
+
+TEST(Verify, WrongMaterialAndRegionId) {
+  Device d;
+  d.mesh.material[1] = 3;
+  EXPECT_TRUE(has(d.check(), 4, "triangle 1 at"));
+  EXPECT_EQ(d.check().violation_count, 1U);
+  Device swapped;
+  swapped.mesh.region[1] = 2;
+  EXPECT_TRUE(has(swapped.check(), 2, "RegionId 2"));
+  Device merged;
+  for (auto& r : merged.mesh.region) r = 1;
+  EXPECT_GT(merged.check().violation_count, 0U);
+  Device without;
+  without.mesh.material.clear();
+  EXPECT_TRUE(has(without.check(), 4, "no array of materials"));
+  without.mesh.material.assign(3, 7);
+  EXPECT_TRUE(has(without.check(), 4, "not one material per triangle"));
+}
+
+TEST(Verify, BoundMissed) {
+  Device d;
+  // A Steiner vertex close to an inner edge of some triangle makes an angle near 180 degrees.
+  const auto t = d.mesh.triangles[0];
+  const Point a = d.mesh.points[t[0]], b = d.mesh.points[t[1]], c = d.mesh.points[t[2]];
+  const auto v = static_cast<std::uint32_t>(d.mesh.points.size());
+  const double e = 1e-6;
+  d.mesh.points.push_back(
+      {(a.x + b.x) / 2 * (1 - e) + c.x * e, (a.y + b.y) / 2 * (1 - e) + c.y * e});
+  d.mesh.triangles[0] = {t[0], t[1], v};
+  d.mesh.triangles.push_back({t[1], t[2], v});
+  d.mesh.triangles.push_back({t[2], t[0], v});
+  d.mesh.region.insert(d.mesh.region.end(), 2, d.mesh.region[0]);
+  d.mesh.material.insert(d.mesh.material.end(), 2, d.mesh.material[0]);
+  const Verification found = d.check();
+  EXPECT_TRUE(has(found, 3, "the bound is")) << all_of(found);
+  EXPECT_EQ(found.violation_count, 1U);
+  EXPECT_EQ(all_of(d.check({.bound = false})), "");
+}
+
+TEST(Verify, GarbageIsNamedAndHarmless) {
+  Device d;
+  d.mesh.triangles.push_back({0, 1, 4000000000U});
+  d.mesh.triangles.push_back({2, 2, 3});
+  d.mesh.points.push_back({std::numeric_limits<double>::quiet_NaN(), 0});
+  d.mesh.points.push_back({std::numeric_limits<double>::infinity(), 0});
+  d.mesh.triangles.push_back({0, 1, 15});
+  d.mesh.triangles.push_back({0, 1, 16});
+  d.mesh.region.insert(d.mesh.region.end(), 4, 1);
+  d.mesh.material.insert(d.mesh.material.end(), 4, 7);
+  const Verification v = d.check();
+  EXPECT_EQ(v.violation_count, 4U) << all_of(v);
+  EXPECT_TRUE(has(v, 2, "4000000000"));
+}
+
+TEST(Verify, RandomGarbageEndsWithViolations) {
+  std::mt19937_64 random(testing::test_seed(7));
+  SCOPED_TRACE(testing::seed_trace(testing::test_seed(7)));
+  for (int round = 0; round < 200; ++round) {
+    Device d;
+    for (auto& t : d.mesh.triangles) {
+      for (auto& v : t) v = random() % 4 != 0 ? v : std::uint32_t(random() % 18);
+    }
+    for (const bool split : {false, true}) {
+      EXPECT_GT(d.check({.allow_split = split}).violation_count, 0U);
+    }
+  }
+}
+
+TEST(Verify, AtMostTenOfAKindAreListed) {
+  Device d;
+  for (auto& m : d.mesh.material) m = 99;
+  const Verification v = d.check();
+  EXPECT_EQ(v.violation_count, d.mesh.triangles.size());
+  EXPECT_EQ(v.violations.size(), 10U);
+}
+
+TEST(Verify, EmptyMeshLacksEverything) {
+  Device d;
+  d.mesh = {};
+  const Verification v = d.check();
+  EXPECT_TRUE(has(v, 1, "is no vertex of the mesh"));
+  EXPECT_EQ(v.regions, 0U);
+}
+
+TEST(Verify, HullSidesMayBeSplit) {
+  // A segment in the middle of four points: the domain is their hull.
+  Device d;
+  d.pslg = {};
+  d.table = {};
+  d.pslg.points = {{0, 0}, {8, 0}, {8, 8}, {0, 8}, {3, 4}, {5, 4}};
+  d.pslg.segments = {{VertexId{4U}, VertexId{5U}, 0, 0}};
+  d.table.sides = {{RegionId{1}, RegionId{1}, kNoInterface}};
+  d.table.regions.resize(1);
+  d.table.regions[0].id = RegionId{1};
+  d.table.regions[0].material = 1;
+  d.mesh = {};
+  d.mesh.points = d.pslg.points;
+  d.mesh.points.push_back({4, 0});  // on a hull side
+  d.mesh.triangles = {{0, 6, 4}, {6, 5, 4}, {6, 1, 5}, {1, 2, 5}, {2, 3, 5}, {5, 3, 4}, {3, 0, 4}};
+  EXPECT_EQ(all_of(d.check({.hull = true})), "");
+  EXPECT_GT(d.check().violation_count, 0U);
+  d.mesh.triangles.pop_back();
+  EXPECT_GT(d.check({.hull = true}).violation_count, 0U);
+}
+
+TEST(Verify, ScaledAndShiftedMeshesAreTheSame) {
+  for (const double factor : {0x1p-40, 1.0, 0x1p40}) {
+    for (const double shift : {0.0, 1024.0}) {
+      Device d;
+      for (auto* points : {&d.pslg.points, &d.mesh.points}) {
+        for (Point& p : *points) p = {(p.x + shift) * factor, (p.y + shift) * factor};
+      }
+      EXPECT_EQ(all_of(d.check()), "");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cover
