@@ -176,6 +176,13 @@ bool holds_bound(std::span<const Point> points, std::span<const IndexTriple> tri
   });
 }
 
+void set_limits(const AngleLimit& limit, RegionReport& report) {
+  report.nu_opt = Angle::radians(limit.nu);
+  report.nu_bound = Angle::radians(limit.promised_nu());
+  report.forced_above_120 = limit.above_120;
+  report.forced_above_150 = limit.above_150;
+}
+
 void measure(const RegionBoundary& boundary, RegionMesh& mesh) {
   const std::vector<Point> points = all_points(boundary, mesh);
   RegionReport& report = mesh.report;

@@ -5,6 +5,7 @@
 
 #include <cover/report.hpp>
 
+#include "covering/angle_limit.hpp"
 #include "covering/region_mesh.hpp"
 #include "geom/half_edges.hpp"
 #include "region/region_boundary.hpp"
@@ -34,6 +35,9 @@ double angle_rounding(Point a, Point b, Point c, double largest_coordinate);
 /// True if every triangle keeps pi - angle >= nu_bound, up to angle_rounding() of that triangle.
 bool holds_bound(std::span<const Point> points, std::span<const IndexTriple> triangles,
                  Angle nu_bound);
+
+/// Fills in what the sides of a region allow at best: nu_opt, nu_bound, forced counts.
+void set_limits(const AngleLimit& limit, RegionReport& report);
 
 /// Fills `mesh.report` from the triangles: quality, box, numbers of vertices, and bound_held from
 /// nu_bound. Where the bound is missed a note names the worst triangle.

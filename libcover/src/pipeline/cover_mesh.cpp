@@ -47,10 +47,16 @@ void collect_reports(std::vector<RegionMesh>& meshes, Report& report) {
 
 }  // namespace
 
-Result<Prepared> prepare(const Input& input, const Options& options,
-                         const Callbacks& /*callbacks*/) {
+Result<Prepared> prepare(const Input& input, const Options& options, const Callbacks& callbacks) {
   StageClock clock;
-  return find_regions(input, options, clock);
+  Result<Prepared> prepared = find_regions(input, options, clock);
+  if (!prepared) return prepared;
+  Result<std::vector<RegionReport>> limits =
+      limit_regions(split_regions(prepared->pslg, prepared->table), options, callbacks);
+  if (!limits) return std::move(limits).error();
+  prepared->report.regions = *std::move(limits);
+  clock.note("limits", prepared->report.times);
+  return prepared;
 }
 
 Result<Output> cover_mesh(const Input& input, const Options& options, const Callbacks& callbacks) {

@@ -16,6 +16,8 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/thread_pool.hpp>
 
+#include "cdt/cdt.hpp"
+#include "covering/angle_limit.hpp"
 #include "covering/cover_region.hpp"
 #include "covering/measure.hpp"
 #include "pipeline/stage_clock.hpp"
@@ -123,6 +125,22 @@ Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned work
     if (error) return std::move(*error);
   }
   return ok();
+}
+
+Result<std::vector<RegionReport>> limit_regions(std::span<const RegionBoundary> boundaries,
+                                                const Options& options,
+                                                const Callbacks& callbacks) {
+  std::vector<RegionReport> reports(boundaries.size());
+  Status status =
+      for_each_region(boundaries, worker_count(options), "limits", callbacks, [&](std::size_t k) {
+        const RegionBoundary& boundary = boundaries[k];
+        const CdtResult cdt = triangulate_domain(boundary.points, boundary.sides);
+        set_limits(angle_limit(cdt.triangulation, boundary.sides, boundary.segments), reports[k]);
+        reports[k].id = boundary.id;
+        reports[k].input_vertices = boundary.points.size();
+      });
+  if (!status) return std::move(status).error();
+  return reports;
 }
 
 Result<std::vector<RegionMesh>> mesh_regions(std::span<const RegionBoundary> boundaries,

@@ -29,6 +29,10 @@ Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned work
                        std::string_view stage, const Callbacks& callbacks,
                        const std::function<void(std::size_t)>& task);
 
+/// The lower bounds of every region, without a mesh; in region order.
+Result<std::vector<RegionReport>> limit_regions(std::span<const RegionBoundary> boundaries,
+                                                const Options& options, const Callbacks& callbacks);
+
 /// Meshes and measures every region; results in region order.
 Result<std::vector<RegionMesh>> mesh_regions(std::span<const RegionBoundary> boundaries,
                                              const Options& options, const Callbacks& callbacks);
