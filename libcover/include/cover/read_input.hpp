@@ -10,8 +10,12 @@
 namespace cover {
 
 /// Reads a geometry file; the format follows from its extension:
-/// `.poly` (Triangle; points may be in the `.node` beside it) and `.json` (our own form:
-/// points and segments, or painted polygons; its schema is input.schema.json).
+/// - `.poly`, Triangle's; points may be in the `.node` beside it;
+/// - `.json`, our own form: points and segments, or painted polygons, with circles and arcs; its
+///   schema is input.schema.json;
+/// - `.geojson`: areas and lines with the properties material, name and priority;
+/// - `.msh`, gmsh's 2.2 and 4.1 in ASCII: the borders of the physical surfaces and the physical
+///   curves. `cover::vtk` reads VTK's files: read_vtk_input().
 ///
 /// Errors: cannot_open, syntax, truncated, id_out_of_range, non_finite_coordinate,
 ///         unsupported_format; messages name file and line, in JSON the path.

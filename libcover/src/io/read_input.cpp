@@ -22,6 +22,8 @@ struct Format {
 
 constexpr std::array kFormats{
     Format{".json", parse_json},
+    Format{".geojson", parse_geojson},
+    Format{".msh", parse_msh},
 };
 
 std::string lower(std::string_view text) {
