@@ -17,6 +17,7 @@ struct Segment {
   VertexId b;
   int marker = 0;                 ///< boundary marker, 0 if none
   std::uint32_t name = 0;         ///< index into Pslg::names; 0 is "no name"
+  long id = -1;                   ///< of the user's file; -1: none
 };
 
 /// Points and segments that meet only at points. Made by `make_pslg` alone.
@@ -29,6 +30,7 @@ struct Pslg {
   std::vector<RegionSeed> seeds;
   std::vector<HoleSeed> holes;
   VoidRule void_rule = VoidRule::holes_only;
+  std::string source;                      ///< file name for messages
 };
 
 }  // namespace cover

@@ -1,7 +1,7 @@
 // Which regions, materials and interfaces a PSLG has: what `cover info` shows.
 #pragma once
 
-#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +20,7 @@ struct Region {
   Point inside;                 ///< a point strictly inside
   double area = 0;
   std::size_t sides = 0;        ///< segments on its boundary, slits counted twice
+  std::optional<double> size;   ///< wished edge length, if a seed gives one
 };
 
 /// What a named line separates.
@@ -49,6 +50,19 @@ struct SegmentSides {
   InterfaceId interface = kNoInterface;   ///< none where both sides are void
 };
 
+/// A point inside a region that is on no segment.
+struct IsolatedPoint {
+  VertexId vertex;
+  RegionId region;
+};
+
+/// An edge of the convex hull that is no segment, seen from the region on its left (`--hull`).
+struct HullSide {
+  VertexId a;
+  VertexId b;
+  RegionId region;
+};
+
 /// The regions of a PSLG.
 struct RegionTable {
   std::vector<Region> regions;            ///< by RegionId - 1
@@ -56,6 +70,9 @@ struct RegionTable {
   std::vector<SegmentSides> sides;        ///< by SegmentId
   std::vector<VertexId> void_points;      ///< points that touch no region: left out of the mesh
   std::vector<SegmentId> void_segments;   ///< segments that touch no region: left out of the mesh
+  std::vector<IsolatedPoint> isolated_points;
+  std::vector<HullSide> hull_sides;       ///< only where the convex hull is the domain
+  std::vector<Point> void_seeds;          ///< a point inside each enclosed void face
 
   /// REQUIRES: id is not kVoid
   [[nodiscard]] const Region& region(RegionId id) const { return regions[id.index() - 1]; }

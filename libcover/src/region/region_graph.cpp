@@ -1,1 +1,164 @@
-// Not written yet.
+// Faces come from one triangulation of everything (faces.hpp); seeds decide which are void and what
+// the others are made of; then regions are numbered and every segment and point is told what lies
+// beside it. Tested by tests/unit/region/region_graph_test.cpp.
+#include "region/region_graph.hpp"
+
+#include <algorithm>
+
+#include "region/face_measures.hpp"
+#include "region/faces.hpp"
+#include "region/interfaces.hpp"
+#include "region/materials.hpp"
+#include "region/near_misses.hpp"
+#include "region/seeds.hpp"
+
+namespace cover {
+namespace {
+
+/// The faces that are regions in the order of their ids: those with seeds in the order of the
+/// seeds, then the others in geometric order.
+std::vector<std::uint32_t> faces_in_order(const Pslg& pslg, const SeededFaces& seeded,
+                                          const std::vector<FaceMeasure>& measures) {
+  std::vector<std::uint32_t> faces;
+  for (std::uint32_t f = 1; f < seeded.is_void.size(); ++f) {
+    if (!seeded.is_void[f]) faces.push_back(f);
+  }
+  const auto place = [&](std::uint32_t f) {
+    return std::pair(seeded.seed[f].value_or(pslg.seeds.size()), measures[f].smallest_side);
+  };
+  std::sort(faces.begin(), faces.end(),
+            [&](std::uint32_t f, std::uint32_t g) { return place(f) < place(g); });
+  return faces;
+}
+
+/// Fills a RegionTable step by step.
+class TableMaker {
+ public:
+  TableMaker(const Pslg& pslg, const Faces& faces, const SeededFaces& seeded)
+      : pslg_(pslg), faces_(faces), seeded_(seeded), region_of_face_(faces.count) {}
+
+  RegionTable make(std::vector<Note>& notes) {
+    add_regions(number_materials(pslg_.seeds, notes));
+    add_sides();
+    add_hull_sides();
+    add_points();
+    build_interfaces(pslg_, table_);
+    return std::move(table_);
+  }
+
+ private:
+  void add_regions(const Materials& materials) {
+    const std::vector<FaceMeasure> measures = measure_faces(faces_);
+    for (const std::uint32_t face : faces_in_order(pslg_, seeded_, measures)) {
+      Region region;
+      region.id = region_of_face_[face] = RegionId{table_.regions.size() + 1};
+      if (const auto seed = seeded_.seed[face]) {
+        region.material = materials.numbers[*seed];
+        region.material_name = materials.names[*seed];
+        region.name = pslg_.seeds[*seed].region;
+      } else {
+        region.material = materials.unnamed;
+        region.material_name = "unnamed";
+      }
+      if (region.name.empty()) region.name = region.material_name;
+      region.inside = measures[face].inside;
+      region.area = measures[face].area;
+      region.size = seeded_.size[face];
+      table_.regions.push_back(std::move(region));
+    }
+    for (std::size_t f = 1; f < faces_.count; ++f) {
+      if (seeded_.is_void[f]) table_.void_seeds.push_back(measures[f].inside);
+    }
+  }
+
+  /// Counts a side of `region`.
+  void count_side(RegionId region) {
+    if (region != kVoid) ++table_.regions[region.index() - 1].sides;
+  }
+
+  void add_sides() {
+    table_.sides.resize(pslg_.segments.size());
+    for (std::size_t s = 0; s < pslg_.segments.size(); ++s) {
+      SegmentSides& sides = table_.sides[s];
+      sides.left = region_of_face_[faces_.of_segment[s][0]];
+      sides.right = region_of_face_[faces_.of_segment[s][1]];
+      count_side(sides.left);
+      count_side(sides.right);
+      if (sides.left == kVoid && sides.right == kVoid) table_.void_segments.emplace_back(s);
+    }
+  }
+
+  void add_hull_sides() {
+    for (std::size_t t = 0; t < faces_.of_triangle.size(); ++t) {
+      const RegionId region = region_of_face_[faces_.of_triangle[t]];
+      const Triangle& f = faces_.triangulation.triangles[t];
+      for (int i = 0; i < 3; ++i) {
+        if (region == kVoid || f.is_locked(i) || f.n[static_cast<std::size_t>(i)] != kNone)
+          continue;
+        table_.hull_sides.push_back({VertexId{f.v[static_cast<std::size_t>(next3(i))]},
+                                     VertexId{f.v[static_cast<std::size_t>(prev3(i))]}, region});
+        count_side(region);
+      }
+    }
+  }
+
+  void add_points() {
+    std::vector<bool> on_segment(pslg_.points.size(), false);
+    for (const Segment& s : pslg_.segments) {
+      on_segment[s.a.index()] = true;
+      on_segment[s.b.index()] = true;
+    }
+    for (const HullSide& s : table_.hull_sides) {
+      on_segment[s.a.index()] = true;
+      on_segment[s.b.index()] = true;
+    }
+    std::vector<RegionId> touched(pslg_.points.size());  // a region that each point touches
+    for (std::size_t t = 0; t < faces_.of_triangle.size(); ++t) {
+      const RegionId region = region_of_face_[faces_.of_triangle[t]];
+      if (region == kVoid) continue;
+      for (const std::uint32_t v : faces_.triangulation.triangles[t].v) touched[v] = region;
+    }
+    for (std::size_t v = 0; v < touched.size(); ++v) {
+      if (touched[v] == kVoid) {
+        table_.void_points.emplace_back(v);
+      } else if (!on_segment[v]) {
+        table_.isolated_points.push_back({VertexId{v}, touched[v]});
+      }
+    }
+  }
+
+  const Pslg& pslg_;
+  const Faces& faces_;
+  const SeededFaces& seeded_;
+  std::vector<RegionId> region_of_face_;  ///< kVoid for void faces
+  RegionTable table_;
+};
+
+Error nothing_enclosed(const Pslg& pslg, const char* what) {
+  return {
+      ErrorCode::nothing_enclosed, pslg.source.empty() ? what : pslg.source + ": " + what, {}, {}};
+}
+
+}  // namespace
+
+Result<RegionTable> build_region_table(const Pslg& pslg, const Options& options,
+                                       std::vector<Note>& notes) {
+  std::vector<IndexPair> pairs;
+  pairs.reserve(pslg.segments.size());
+  for (const Segment& s : pslg.segments) pairs.push_back({s.a.value(), s.b.value()});
+  const Faces faces = find_faces(pslg.points, pairs, options.hull);
+  if (faces.of_triangle.empty()) {
+    return nothing_enclosed(pslg, pslg.points.size() < 3 ? "there are fewer than three points"
+                                                         : "all points lie on one line");
+  }
+  if (faces.count == 1) return nothing_enclosed(pslg, "the segments enclose nothing");
+  Result<SeededFaces> seeded = apply_seeds(pslg, faces, notes);
+  if (!seeded) return seeded.error();
+  if (std::all_of(seeded->is_void.begin(), seeded->is_void.end(), [](bool v) { return v; })) {
+    return nothing_enclosed(pslg, "the hole seeds leave no region");
+  }
+  warn_of_near_misses(pslg, faces.triangulation, notes);
+  return TableMaker(pslg, faces, *seeded).make(notes);
+}
+
+}  // namespace cover

@@ -1,0 +1,28 @@
+// Area, an inner point and the place in the geometric order of every face.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include <cover/point.hpp>
+
+#include "region/faces.hpp"
+
+namespace cover {
+
+/// Figures of one face.
+struct FaceMeasure {
+  double area = 0;
+  Point inside;                           ///< strictly inside
+  std::pair<Point, Point> smallest_side;  ///< of the sides with the face on their left
+};
+
+/// Measures all faces; what is said of the outside is meaningless.
+///
+/// `area` is a compensated sum; `inside` is checked with exact predicates. A face that holds no
+/// double but on its triangulation's edges gets a point there, one without any its largest
+/// triangle's rounded centroid.
+/// Cost: O(n).
+std::vector<FaceMeasure> measure_faces(const Faces& faces);
+
+}  // namespace cover

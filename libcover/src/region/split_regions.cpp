@@ -1,0 +1,108 @@
+// Sides are dealt out to their regions; then each region sorts its own. Vertices are sorted by
+// their rank among all points, so that coordinates are compared in one sort only. Tested by
+// tests/unit/region/split_regions_test.cpp.
+#include <algorithm>
+#include <numeric>
+
+#include "region/region_graph.hpp"
+
+namespace cover {
+namespace {
+
+/// A side before it has local indices.
+struct GlobalSide {
+  VertexId from, to;
+  SegmentId segment;
+};
+
+/// What one region is made of, in the order of the PSLG.
+struct Pieces {
+  std::vector<GlobalSide> sides;
+  std::vector<VertexId> isolated;
+};
+
+std::vector<Pieces> deal_out(const Pslg& pslg, const RegionTable& table) {
+  std::vector<Pieces> out(table.regions.size());
+  const auto add = [&](RegionId region, VertexId from, VertexId to, SegmentId segment) {
+    if (region != kVoid) out[region.index() - 1].sides.push_back({from, to, segment});
+  };
+  for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+    const Segment& segment = pslg.segments[s];
+    add(table.sides[s].left, segment.a, segment.b, SegmentId{s});
+    add(table.sides[s].right, segment.b, segment.a, SegmentId{s});
+  }
+  for (const HullSide& side : table.hull_sides) add(side.region, side.a, side.b, kHullSide);
+  for (const IsolatedPoint& p : table.isolated_points) {
+    out[p.region.index() - 1].isolated.push_back(p.vertex);
+  }
+  return out;
+}
+
+/// The place of every point in lexicographic order.
+std::vector<std::uint32_t> ranks(const std::vector<Point>& points) {
+  std::vector<std::uint32_t> order(points.size()), rank(points.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t i, std::uint32_t j) { return points[i] < points[j]; });
+  for (std::uint32_t k = 0; k < order.size(); ++k) rank[order[k]] = k;
+  return rank;
+}
+
+class BoundaryMaker {
+ public:
+  explicit BoundaryMaker(const Pslg& pslg)
+      : pslg_(pslg), rank_(ranks(pslg.points)), local_(pslg.points.size()) {}
+
+  RegionBoundary make(RegionId id, const Pieces& pieces) {
+    RegionBoundary out;
+    out.id = id;
+    add_vertices(pieces, out);
+    std::vector<std::pair<IndexPair, SegmentId>> sides;
+    sides.reserve(pieces.sides.size());
+    for (const GlobalSide& s : pieces.sides) {
+      sides.push_back({{local_[s.from.index()], local_[s.to.index()]}, s.segment});
+    }
+    std::sort(sides.begin(), sides.end());
+    for (const auto& [side, segment] : sides) {
+      out.sides.push_back(side);
+      out.segments.push_back(segment);
+    }
+    return out;
+  }
+
+ private:
+  void add_vertices(const Pieces& pieces, RegionBoundary& out) {
+    out.vertices = pieces.isolated;
+    for (const GlobalSide& s : pieces.sides) {
+      out.vertices.push_back(s.from);
+      out.vertices.push_back(s.to);
+    }
+    std::sort(out.vertices.begin(), out.vertices.end(),
+              [this](VertexId u, VertexId v) { return rank_[u.index()] < rank_[v.index()]; });
+    out.vertices.erase(std::unique(out.vertices.begin(), out.vertices.end()), out.vertices.end());
+    for (std::uint32_t k = 0; k < out.vertices.size(); ++k) {
+      const std::size_t v = out.vertices[k].index();
+      local_[v] = k;
+      out.points.push_back(pslg_.points[v]);
+    }
+  }
+
+  const Pslg& pslg_;
+  std::vector<std::uint32_t> rank_;
+  std::vector<std::uint32_t> local_;  ///< of the region at hand, by VertexId
+};
+
+}  // namespace
+
+std::vector<RegionBoundary> split_regions(const Pslg& pslg, const RegionTable& table) {
+  const std::vector<Pieces> pieces = deal_out(pslg, table);
+  BoundaryMaker maker(pslg);
+  std::vector<RegionBoundary> out;
+  out.reserve(pieces.size());
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    out.push_back(maker.make(RegionId{k + 1}, pieces[k]));
+  }
+  return out;
+}
+
+}  // namespace cover

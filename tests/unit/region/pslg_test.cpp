@@ -1,0 +1,137 @@
+#include "region/pslg.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "support/inputs.hpp"
+#include "support/shapes.hpp"
+
+namespace cover {
+namespace {
+
+/// Points numbered from 1 on lines 2, 3, ... of in.poly; segments numbered from 1 after them.
+Input poly(std::vector<Point> points, const std::vector<std::pair<int, int>>& segments) {
+  Input input;
+  input.source = "in.poly";
+  input.points = std::move(points);
+  int line = 2;
+  for (std::size_t k = 0; k < input.points.size(); ++k) {
+    input.point_ids.push_back(static_cast<long>(k + 1));
+    input.point_lines.push_back(line++);
+  }
+  for (const auto& [a, b] : segments) {
+    InputSegment s;
+    s.a = static_cast<std::uint32_t>(a - 1);
+    s.b = static_cast<std::uint32_t>(b - 1);
+    s.id = static_cast<long>(input.segments.size() + 1);
+    s.line = ++line;
+    input.segments.push_back(s);
+  }
+  return input;
+}
+
+Error refusal(const Input& input) {
+  std::vector<Note> notes;
+  const auto pslg = make_pslg(input, {}, notes);
+  return pslg ? Error{ErrorCode::internal, "accepted", {}, {}} : pslg.error();
+}
+
+TEST(MakePslg, KeepsACleanInput) {
+  Input input = poly({{0, 0}, {1, 0}, {0, 1}}, {{1, 2}, {2, 3}, {3, 1}});
+  input.segments[1].name = "gate";
+  input.segments[2].marker = 7;
+  input.point_markers = {1, 2, 3};
+  std::vector<Note> notes;
+  const auto pslg = make_pslg(input, {}, notes);
+  ASSERT_TRUE(pslg) << pslg.error().message;
+  EXPECT_EQ(pslg->points, input.points);
+  EXPECT_EQ(pslg->point_ids, input.point_ids);
+  EXPECT_EQ(pslg->point_markers, input.point_markers);
+  ASSERT_EQ(pslg->segments.size(), 3U);
+  EXPECT_EQ(pslg->names, (std::vector<std::string>{"", "gate"}));
+  EXPECT_EQ(pslg->segments[1].name, 1U);
+  EXPECT_EQ(pslg->segments[2].marker, 7);
+  EXPECT_EQ(pslg->segments[2].id, 3);
+  EXPECT_TRUE(notes.empty());
+}
+
+TEST(MakePslg, ListsAllDuplicatePoints) {
+  const Error e = refusal(poly({{0, 0}, {1, 0}, {0, 0}, {0, 1}, {1, 0}}, {{1, 2}}));
+  EXPECT_EQ(e.code, ErrorCode::duplicate_point);
+  EXPECT_EQ(e.message,
+            "in.poly: point 3 at (0, 0) (line 4) has the coordinates of point 1; "
+            "point 5 at (1, 0) (line 6) has the coordinates of point 2");
+  EXPECT_EQ(e.where, (std::vector<Point>{{0, 0}, {1, 0}}));
+  ASSERT_EQ(e.inputs.size(), 4U);
+  EXPECT_EQ(e.inputs[3].id, 5);
+}
+
+TEST(MakePslg, CountsWhatItDoesNotList) {
+  EXPECT_NE(refusal(poly(std::vector<Point>(9), {{1, 2}})).message.find("; and 3 more like these"),
+            std::string::npos);
+}
+
+TEST(MakePslg, RefusesZeroLength) {
+  const Error e = refusal(poly({{0, 0}, {1, 0}}, {{1, 2}, {2, 2}}));
+  EXPECT_EQ(e.code, ErrorCode::zero_length_segment);
+  EXPECT_EQ(e.message,
+            "in.poly: segment 2 from point 2 to point 2 (line 6) at (1, 0) has length zero");
+}
+
+TEST(MakePslg, RefusesDuplicateSegments) {
+  const Error e = refusal(poly({{0, 0}, {1, 0}, {0, 1}}, {{1, 2}, {2, 3}, {2, 1}}));
+  EXPECT_EQ(e.code, ErrorCode::duplicate_segment);
+  EXPECT_EQ(
+      e.message,
+      "in.poly: segment 3 from point 2 to point 1 (line 8), between (0, 0) and (1, 0), is the "
+      "same as segment 1");
+}
+
+TEST(MakePslg, RefusesCrossings) {
+  const Error e = refusal(poly({{0, 0}, {2, 2}, {0, 2}, {2, 0}}, {{1, 2}, {3, 4}}));
+  EXPECT_EQ(e.code, ErrorCode::crossing_segments);
+  EXPECT_EQ(e.message,
+            "in.poly: segment 1 from point 1 to point 2 (line 7) crosses segment 2 from point 3 to "
+            "point 4 (line 8) near (1, 1)");
+  EXPECT_EQ(e.where, (std::vector<Point>{{1, 1}}));
+}
+
+TEST(MakePslg, RefusesTJunctions) {
+  const Error e = refusal(poly({{0, 0}, {2, 0}, {1, 0}, {1, 2}}, {{1, 2}, {3, 4}}));
+  EXPECT_EQ(e.code, ErrorCode::point_on_segment);
+  EXPECT_EQ(e.message,
+            "in.poly: point 3 at (1, 0) (line 4) lies inside segment 1 from point 1 to point 2 "
+            "(line 7)");
+}
+
+TEST(MakePslg, RefusesOverlaps) {
+  const Error e = refusal(poly({{0, 0}, {2, 0}, {1, 0}, {3, 0}, {0, 1}}, {{1, 2}, {3, 4}, {1, 5}}));
+  EXPECT_EQ(e.code, ErrorCode::overlapping_segments);
+  EXPECT_NE(e.message.find("overlap from point"), std::string::npos) << e.message;
+  EXPECT_EQ(e.inputs.size(), 2U);
+}
+
+TEST(MakePslg, RefusesWhatIsNotFinite) {
+  Input input = poly({{0, 0}, {1, std::numeric_limits<double>::quiet_NaN()}}, {{1, 2}});
+  EXPECT_EQ(refusal(input).code, ErrorCode::non_finite_coordinate);
+  EXPECT_EQ(refusal(input).message, "in.poly: point 2 at (1, nan) (line 3) is not finite");
+  input.points[1] = {1, 1};
+  input.seeds.emplace_back();
+  input.seeds[0].at.x = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(refusal(input).code, ErrorCode::non_finite_coordinate);
+}
+
+TEST(MakePslg, RefusesIndicesOutOfRange) {
+  const Error e = refusal(poly({{0, 0}, {1, 0}}, {{1, 5}}));
+  EXPECT_EQ(e.code, ErrorCode::id_out_of_range);
+  EXPECT_EQ(e.message, "in.poly: segment 1 (line 5) ends at a point that does not exist");
+}
+
+TEST(MakePslg, RefusesAnInputWithoutSegments) {
+  EXPECT_EQ(refusal(poly({{0, 0}, {1, 0}, {0, 1}}, {})).code, ErrorCode::no_segments);
+  EXPECT_EQ(refusal({}).code, ErrorCode::no_segments);
+}
+
+}  // namespace
+}  // namespace cover

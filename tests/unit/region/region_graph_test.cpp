@@ -1,0 +1,314 @@
+#include "region/region_graph.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "region/pslg.hpp"
+#include "support/inputs.hpp"
+#include "support/shapes.hpp"
+
+namespace cover {
+namespace {
+
+/// Adds a closed loop of segments.
+void add_loop(Input& input, const testing::Loop& loop, const std::string& name = "") {
+  const auto first = static_cast<std::uint32_t>(input.points.size());
+  const auto n = static_cast<std::uint32_t>(loop.size());
+  for (std::uint32_t k = 0; k < n; ++k) {
+    input.points.push_back(loop[k]);
+    const auto id = static_cast<long>(input.segments.size() + 1);
+    input.segments.push_back({first + k, first + (k + 1) % n, 0, id, 0, name});
+  }
+}
+
+testing::Loop square(double low, double high) {
+  return {{low, low}, {high, low}, {high, high}, {low, high}};
+}
+
+RegionSeed seed(Point at, std::string material, long id, std::string region = "") {
+  RegionSeed out;
+  out.at = at;
+  out.material = std::move(material);
+  out.region = std::move(region);
+  out.id = id;
+  return out;
+}
+
+struct Found {
+  Pslg pslg;
+  RegionTable table;
+  std::vector<Note> notes;
+};
+
+Result<Found> find(const Input& input, const Options& options = {}) {
+  Found found;
+  auto pslg = make_pslg(input, options, found.notes);
+  if (!pslg) return pslg.error();
+  found.pslg = std::move(*pslg);
+  auto table = build_region_table(found.pslg, options, found.notes);
+  if (!table) return table.error();
+  found.table = std::move(*table);
+  return found;
+}
+
+/// Three squares inside each other: outer ring, ring, core.
+Input nested() {
+  Input input;
+  input.source = "nested.poly";
+  add_loop(input, square(0, 9));
+  add_loop(input, square(1, 8));
+  add_loop(input, square(2, 7));
+  return input;
+}
+
+TEST(BuildRegionTable, FindsNestedFacesAndNamesThem) {
+  Input input = nested();
+  input.seeds = {seed({4, 4}, "7", 1), seed({0.5, 0.5}, "2", 2, "shell")};
+  const auto found = find(input);
+  ASSERT_TRUE(found) << found.error().message;
+  const auto& regions = found->table.regions;
+  ASSERT_EQ(regions.size(), 3U);
+  EXPECT_EQ(regions[0].material, 7);
+  EXPECT_EQ(regions[0].name, "material_7");
+  EXPECT_EQ(regions[0].area, 25);
+  EXPECT_EQ(regions[0].sides, 4U);
+  EXPECT_EQ(regions[1].material, 2);
+  EXPECT_EQ(regions[1].name, "shell");
+  EXPECT_EQ(regions[1].area, 32);
+  EXPECT_EQ(regions[1].sides, 8U);
+  EXPECT_EQ(regions[2].material, 8);
+  EXPECT_EQ(regions[2].material_name, "unnamed");
+  EXPECT_EQ(regions[2].area, 24);
+}
+
+TEST(BuildRegionTable, HolesAndOutsideAreVoid) {
+  Input input = nested();
+  input.holes = {{{1.5, 1.5}, 1, 0}, {{20, 20}, 2, 0}};
+  input.points.push_back({1.5, 5});  // in the hole
+  input.points.push_back({4, 5});    // in the core
+  input.points.push_back({30, 5});   // outside
+  const auto found = find(input);
+  ASSERT_TRUE(found) << found.error().message;
+  ASSERT_EQ(found->table.regions.size(), 2U);
+  EXPECT_EQ(found->table.regions[0].area, 32);  // unseeded: in geometric order
+  EXPECT_EQ(found->table.regions[0].material, 1);
+  EXPECT_EQ(found->table.regions[1].area, 25);
+  ASSERT_EQ(found->table.void_points.size(), 2U);
+  EXPECT_EQ(found->table.void_points[0], VertexId{12});
+  EXPECT_EQ(found->table.void_points[1], VertexId{14});
+  ASSERT_EQ(found->table.isolated_points.size(), 1U);
+  EXPECT_EQ(found->table.isolated_points[0].vertex, VertexId{13});
+  EXPECT_EQ(found->table.isolated_points[0].region, RegionId{2});
+  ASSERT_EQ(found->table.void_seeds.size(), 1U);
+  const Point v = found->table.void_seeds[0];
+  EXPECT_TRUE(v.x > 1 && v.x < 8 && v.y > 1 && v.y < 8 &&
+              std::max({2 - v.x, v.x - 7, 2 - v.y, v.y - 7}) > 0);
+}
+
+TEST(BuildRegionTable, UnseededFacesAreVoidUnderTheOtherRule) {
+  Input input = nested();
+  input.void_rule = VoidRule::unseeded_faces;
+  EXPECT_EQ(find(input)->table.regions.size(), 3U);
+  input.seeds = {seed({4, 4}, "silicon", 1)};
+  const auto found = find(input);
+  ASSERT_TRUE(found) << found.error().message;
+  ASSERT_EQ(found->table.regions.size(), 1U);
+  EXPECT_EQ(found->table.regions[0].name, "silicon");
+  EXPECT_EQ(found->table.regions[0].material, 1);
+  EXPECT_EQ(found->table.void_seeds.size(), 2U);
+  EXPECT_EQ(found->table.void_segments.size(), 4U);
+  EXPECT_EQ(found->table.void_points.size(), 4U);
+}
+
+TEST(BuildRegionTable, NumbersMaterialsByFirstAppearanceAroundGivenNumbers) {
+  Input input = nested();
+  add_loop(input, square(3, 4));
+  add_loop(input, square(5, 6));
+  input.seeds = {seed({0.5, 0.5}, "oxide", 1), seed({1.5, 1.5}, "1", 2), seed({2.5, 2.5}, "-3", 3),
+                 seed({3.5, 3.5}, "oxide", 4), seed({5.5, 5.5}, "", 5)};
+  const auto found = find(input);
+  ASSERT_TRUE(found) << found.error().message;
+  std::vector<int> materials;
+  for (const Region& r : found->table.regions) materials.push_back(r.material);
+  EXPECT_EQ(materials, (std::vector<int>{2, 1, 3, 2, 4}));
+  EXPECT_TRUE(std::any_of(found->notes.begin(), found->notes.end(), [](const Note& n) {
+    return n.message == "material -3 is no positive integer: it becomes number 3";
+  }));
+}
+
+TEST(BuildRegionTable, SeparatesInterfacesOutlinesSlitsAndContacts) {
+  Input input;
+  add_loop(input, square(0, 4));
+  input.points.insert(input.points.end(), {{2, 0.5}, {2, 1}, {1, 1}, {1, 3}});
+  input.segments.push_back({0, 2, 0, 5, 0, ""});  // the diagonal: an interface
+  input.segments.push_back({4, 5, 0, 6, 0, ""});  // a slit below it (2, 0.5)-(2, 1)
+  input.segments[2].name = "gate";                // the top
+  input.seeds = {seed({3, 1}, "low", 1), seed({1, 3.5}, "high", 2)};
+  input.points.resize(6);
+  const auto found = find(input);
+  ASSERT_TRUE(found) << found.error().message;
+  struct Expected {
+    std::string name;
+    InterfaceKind kind;
+    std::uint32_t left, right;
+    double length;
+  };
+  const std::vector<Expected> expected{{"low_outline", InterfaceKind::outline, 1, 0, 8},
+                                       {"low_slit", InterfaceKind::slit, 1, 1, 0.5},
+                                       {"low_high", InterfaceKind::interface, 1, 2, std::sqrt(32)},
+                                       {"high_outline", InterfaceKind::outline, 2, 0, 4},
+                                       {"gate", InterfaceKind::contact, 2, 0, 4}};
+  ASSERT_EQ(found->table.interfaces.size(), expected.size());
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    const Interface& line = found->table.interfaces[k];
+    EXPECT_EQ(line.name, expected[k].name);
+    EXPECT_EQ(line.kind, expected[k].kind);
+    EXPECT_EQ(line.left.value(), expected[k].left);
+    EXPECT_EQ(line.right.value(), expected[k].right);
+    EXPECT_DOUBLE_EQ(line.length, expected[k].length);
+    EXPECT_EQ(line.id.value(), k + 1);
+  }
+  EXPECT_EQ(found->table.regions[0].sides, 5U);
+}
+
+TEST(BuildRegionTable, OrdersAnInterfaceAlongItsChain) {
+  const Input input = testing::shuffled(testing::input_of(testing::regular_polygon(50)), 3);
+  const auto found = find(input);
+  ASSERT_TRUE(found) << found.error().message;
+  ASSERT_EQ(found->table.interfaces.size(), 1U);
+  const auto& chain = found->table.interfaces[0].segments;
+  ASSERT_EQ(chain.size(), 50U);
+  const auto end = [&](SegmentId s, bool last) {
+    const Segment& segment = found->pslg.segments[s.index()];
+    const bool forward = found->table.sides[s.index()].left == RegionId{1};
+    return forward == last ? segment.b : segment.a;
+  };
+  for (std::size_t k = 1; k < chain.size(); ++k) {
+    EXPECT_EQ(end(chain[k - 1], true), end(chain[k], false));
+  }
+}
+
+TEST(BuildRegionTable, RefusesSeedsThatMakeNoSense) {
+  const auto refuse = [](Input input, ErrorCode code, const std::string& message) {
+    const auto found = find(input);
+    ASSERT_FALSE(found);
+    EXPECT_EQ(found.error().code, code);
+    EXPECT_EQ(found.error().message, message);
+    EXPECT_FALSE(found.error().where.empty());
+    EXPECT_FALSE(found.error().inputs.empty());
+  };
+  Input input = nested();
+  input.seeds = {seed({9.5, 4}, "1", 3)};
+  refuse(input, ErrorCode::seed_in_void,
+         "nested.poly: region seed 3 at (9.5, 4) lies outside of all segments");
+  input.holes = {{{4, 4}, 1, 0}};
+  input.seeds = {seed({5, 4}, "1", 3)};
+  refuse(input, ErrorCode::seed_in_void, "nested.poly: region seed 3 at (5, 4) lies in a hole");
+  input = nested();
+  input.seeds = {seed({1, 4}, "1", 3)};
+  input.seeds[0].line = 40;
+  refuse(input, ErrorCode::seed_on_segment,
+         "nested.poly: region seed 3 at (1, 4) (line 40) lies on a segment");
+  input.seeds = {seed({2, 2}, "1", 3)};
+  refuse(input, ErrorCode::seed_on_segment,
+         "nested.poly: region seed 3 at (2, 2) lies on a segment");
+  input.seeds.clear();
+  input.holes = {{{8, 4}, 2, 0}};
+  refuse(input, ErrorCode::seed_on_segment, "nested.poly: hole seed 2 at (8, 4) lies on a segment");
+  input = nested();
+  input.seeds = {seed({4, 4}, "1", 3), seed({5, 5}, "2", 4)};
+  refuse(
+      input, ErrorCode::conflicting_seeds,
+      "nested.poly: region seed 3 at (4, 4) and region seed 4 at (5, 5) are in the same face but "
+      "disagree: material '1' and '2'");
+}
+
+TEST(BuildRegionTable, TellsOfRepeatedSeeds) {
+  Input input = nested();
+  input.seeds = {seed({4, 4}, "1", 3), seed({5, 5}, "1", 4)};
+  const auto found = find(input);
+  ASSERT_TRUE(found) << found.error().message;
+  ASSERT_EQ(found->notes.size(), 1U);
+  EXPECT_EQ(found->notes[0].message, "region seed 4 at (5, 5) repeats region seed 3 at (4, 4)");
+}
+
+TEST(BuildRegionTable, RefusesWhatEnclosesNothing) {
+  Input input;
+  input.source = "open.poly";
+  input.points = {{0, 0}, {1, 0}, {1, 1}, {2, 5}};
+  input.segments = {{0, 1, 0, 1, 0, ""}, {1, 2, 0, 2, 0, ""}};
+  EXPECT_EQ(find(input).error().message, "open.poly: the segments enclose nothing");
+  input.points = {{0, 0}, {1, 1}, {2, 2}};
+  EXPECT_EQ(find(input).error().message, "open.poly: all points lie on one line");
+  input.points = {{0, 0}, {1, 1}};
+  input.segments.pop_back();
+  EXPECT_EQ(find(input).error().message, "open.poly: there are fewer than three points");
+  input = nested();
+  input.holes = {{{0.5, 0.5}, 1, 0}, {{1.5, 1.5}, 2, 0}, {{4, 4}, 3, 0}};
+  EXPECT_EQ(find(input).error().code, ErrorCode::nothing_enclosed);
+  EXPECT_EQ(find(input).error().message, "nested.poly: the hole seeds leave no region");
+}
+
+TEST(BuildRegionTable, TakesTheConvexHullOnRequest) {
+  Input input;
+  input.points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2, 2}, {3, 2}};
+  input.segments = {{0, 2, 0, 1, 0, ""}, {1, 2, 0, 2, 0, ""}};
+  Options hull;
+  hull.hull = true;
+  const auto found = find(input, hull);
+  EXPECT_EQ(found.error().code, ErrorCode::point_on_segment);
+  input.points[4] = {1, 2};
+  const auto good = find(input, hull);
+  ASSERT_TRUE(good) << good.error().message;
+  ASSERT_EQ(good->table.regions.size(), 2U);
+  EXPECT_EQ(good->table.hull_sides.size(), 3U);
+  EXPECT_EQ(good->table.isolated_points.size(), 2U);
+  EXPECT_EQ(good->table.regions[0].material_name, "unnamed");
+  input.segments.clear();
+  const auto points_only = find(input, hull);
+  ASSERT_TRUE(points_only) << points_only.error().message;
+  EXPECT_EQ(points_only->table.hull_sides.size(), 4U);
+  input.points.resize(2);
+  EXPECT_EQ(find(input, hull).error().code, ErrorCode::nothing_enclosed);
+}
+
+TEST(BuildRegionTable, WarnsOfNearMisses) {
+  Input input;
+  input.source = "near.poly";
+  add_loop(input, square(0, 4));
+  add_loop(input, {{1, 0x1p-30}, {2, 1}, {1, 2}});
+  const auto found = find(input);
+  ASSERT_TRUE(found) << found.error().message;
+  ASSERT_EQ(found->notes.size(), 1U);
+  EXPECT_EQ(found->notes[0].kind, Note::Kind::warning);
+  EXPECT_EQ(found->notes[0].message,
+            "point 4 at (1, 9.313225746154785e-10) is only 9.313225746154785e-10 away from the "
+            "segment between point 0 at (0, 0) and point 1 at (4, 0)");
+  EXPECT_EQ(found->notes[0].where.at(0), (Point{1, 0x1p-30}));
+}
+
+TEST(BuildRegionTable, DoesNotDependOnScaleOrOrder) {
+  const Input input = testing::checker(8, 3, 5);
+  const auto base = find(input);
+  ASSERT_TRUE(base) << base.error().message;
+  ASSERT_EQ(base->table.regions.size(), 64U);
+  for (const double factor : {0x1p30, 0x1p-30}) {
+    const auto scaled = find(testing::transformed(input, factor));
+    ASSERT_TRUE(scaled);
+    for (std::size_t k = 0; k < 64; ++k) {
+      EXPECT_EQ(scaled->table.regions[k].area, base->table.regions[k].area * factor * factor);
+    }
+  }
+  const auto mixed = find(testing::shuffled(input, 9));
+  ASSERT_TRUE(mixed);
+  for (std::size_t k = 0; k < 64; ++k) {
+    EXPECT_NEAR(mixed->table.regions[k].area, base->table.regions[k].area, 1e-15);
+    EXPECT_EQ(mixed->table.regions[k].material, base->table.regions[k].material);
+    EXPECT_EQ(mixed->table.regions[k].sides, base->table.regions[k].sides);
+  }
+}
+
+}  // namespace
+}  // namespace cover

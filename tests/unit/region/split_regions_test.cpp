@@ -1,0 +1,89 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "cdt/cdt.hpp"
+#include "region/pslg.hpp"
+#include "region/region_graph.hpp"
+#include "support/inputs.hpp"
+#include "support/shapes.hpp"
+
+namespace cover {
+namespace {
+
+std::vector<RegionBoundary> split(const Input& input, const Options& options = {}) {
+  std::vector<Note> notes;
+  const auto pslg = make_pslg(input, options, notes);
+  if (!pslg) throw std::runtime_error(pslg.error().message);
+  const auto table = build_region_table(*pslg, options, notes);
+  if (!table) throw std::runtime_error(table.error().message);
+  const auto out = split_regions(*pslg, *table);
+  for (const RegionBoundary& b : out) {
+    EXPECT_TRUE(std::is_sorted(b.points.begin(), b.points.end()));
+    EXPECT_TRUE(std::is_sorted(b.sides.begin(), b.sides.end()));
+    EXPECT_EQ(b.sides.size(), b.segments.size());
+    EXPECT_EQ(b.sides.size(), table->region(b.id).sides);
+    EXPECT_NEAR(testing::area_of(b), table->region(b.id).area, 1e-12);
+    for (std::size_t k = 0; k < b.points.size(); ++k) {
+      EXPECT_EQ(b.points[k], pslg->points[b.vertices[k].index()]);
+    }
+  }
+  return out;
+}
+
+/// A square from 0 to 4 with a slit that hangs on its left side, a slit of its own, a triangle
+/// that touches its border in one point, and an isolated point.
+Input busy_square() {
+  Input input;
+  input.points = {{0, 0}, {4, 0}, {4, 4}, {0, 4},       {1, 0.5},
+                  {2, 2}, {3, 2}, {3, 3}, {2, 4 - 0.5}, {1, 3}};
+  const std::vector<std::pair<int, int>> pairs{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4},
+                                               {5, 6}, {2, 7}, {7, 8}, {8, 2}};
+  for (const auto& [a, b] : pairs) {
+    InputSegment s;
+    s.a = static_cast<std::uint32_t>(a);
+    s.b = static_cast<std::uint32_t>(b);
+    input.segments.push_back(s);
+  }
+  return input;
+}
+
+TEST(SplitRegions, GivesSlitsBothWaysAndIsolatedPoints) {
+  const auto boundaries = split(busy_square());
+  ASSERT_EQ(boundaries.size(), 2U);
+  const RegionBoundary& outer = boundaries[0];
+  EXPECT_EQ(outer.points.size(), 10U);
+  EXPECT_EQ(outer.sides.size(), 4U + 2 + 2 + 3);
+  EXPECT_EQ(std::count(outer.segments.begin(), outer.segments.end(), SegmentId{5}), 2);
+  EXPECT_EQ(boundaries[1].sides.size(), 3U);
+  for (const RegionBoundary& b : boundaries) {
+    EXPECT_TRUE(triangulate_domain(b.points, b.sides).conflicts.empty());
+  }
+}
+
+TEST(SplitRegions, DependsOnGeometryAlone) {
+  const Input input = testing::checker(5, 4, 2);
+  const auto base = split(input), mixed = split(testing::shuffled(input, 7));
+  ASSERT_EQ(base.size(), 25U);
+  ASSERT_EQ(mixed.size(), base.size());
+  for (std::size_t k = 0; k < base.size(); ++k) {
+    EXPECT_EQ(base[k].points, mixed[k].points);
+    EXPECT_EQ(base[k].sides, mixed[k].sides);
+  }
+}
+
+TEST(SplitRegions, MarksHullSides) {
+  Input input;
+  input.points = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+  input.segments.resize(1);
+  input.segments[0].b = 2;
+  Options hull;
+  hull.hull = true;
+  const auto boundaries = split(input, hull);
+  ASSERT_EQ(boundaries.size(), 1U);
+  EXPECT_EQ(boundaries[0].sides.size(), 6U);
+  EXPECT_EQ(std::count(boundaries[0].segments.begin(), boundaries[0].segments.end(), kHullSide), 4);
+}
+
+}  // namespace
+}  // namespace cover
