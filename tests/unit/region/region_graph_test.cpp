@@ -118,8 +118,8 @@ TEST(BuildRegionTable, UnseededFacesAreVoidUnderTheOtherRule) {
   EXPECT_EQ(found->table.regions[0].name, "silicon");
   EXPECT_EQ(found->table.regions[0].material, 1);
   EXPECT_EQ(found->table.void_seeds.size(), 2U);
-  EXPECT_EQ(found->table.void_segments.size(), 4U);
-  EXPECT_EQ(found->table.void_points.size(), 4U);
+  EXPECT_EQ(found->table.void_segments.size(), 8U);
+  EXPECT_EQ(found->table.void_points.size(), 8U);
 }
 
 TEST(BuildRegionTable, NumbersMaterialsByFirstAppearanceAroundGivenNumbers) {

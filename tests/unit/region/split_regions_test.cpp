@@ -74,9 +74,9 @@ TEST(SplitRegions, DependsOnGeometryAlone) {
 
 TEST(SplitRegions, MarksHullSides) {
   Input input;
-  input.points = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+  input.points = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}};
   input.segments.resize(1);
-  input.segments[0].b = 2;
+  input.segments[0].b = 4;
   Options hull;
   hull.hull = true;
   const auto boundaries = split(input, hull);
