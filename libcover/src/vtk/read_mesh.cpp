@@ -12,27 +12,14 @@
 #include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
-#include <vtkStringOutputWindow.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
+#include "vtk/quiet_vtk.hpp"
+
 namespace cover {
 namespace {
-
-/// Keeps VTK's error messages off the terminal while a reader runs.
-class QuietVtk {
- public:
-  QuietVtk() : before_(vtkOutputWindow::GetInstance()) {
-    vtkOutputWindow::SetInstance(vtkNew<vtkStringOutputWindow>());
-  }
-  ~QuietVtk() { vtkOutputWindow::SetInstance(before_); }
-  QuietVtk(const QuietVtk&) = delete;
-  QuietVtk& operator=(const QuietVtk&) = delete;
-
- private:
-  vtkSmartPointer<vtkOutputWindow> before_;
-};
 
 template <class Reader>
 vtkSmartPointer<vtkUnstructuredGrid> read_with(const std::string& path) {

@@ -2,8 +2,12 @@
 // take: triangles only, the material first and as active scalars, no field data.
 #include <cover/write_mesh.hpp>
 
+#include <vtkNew.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
 #include "io/atomic_file.hpp"
 #include "vtk/grid.hpp"
+#include "vtk/quiet_vtk.hpp"
 
 namespace cover {
 
@@ -11,8 +15,13 @@ Status write_vtu(const Output& output, const std::string& path) {
   Result<AtomicFile> file = AtomicFile::create(path);
   if (!file) return std::move(file).error();
   file->release();
-  if (Status status = write_grid(grid_of(output.mesh), file->temporary_path()); !status) {
-    return status;
+  const QuietVtk quiet;
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetFileName(file->temporary_path().c_str());
+  writer->SetInputData(grid_of(output.mesh));
+  set_encoding(writer);
+  if (writer->Write() == 0) {
+    return Error{ErrorCode::cannot_write, "cannot write " + path, {}, {}};
   }
   return file->commit();
 }

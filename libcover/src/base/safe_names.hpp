@@ -1,0 +1,20 @@
+// Names that any file format, shell and solver script can live with.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cover {
+
+/// `name` with everything but ASCII letters, digits, '_', '-' and '.' replaced by '_'; "unnamed" if
+/// it is empty.
+std::string safe_name(std::string_view name);
+
+/// The safe forms of `names`, all different: the second "Si" becomes "Si_2", and so on.
+///
+/// ENSURES: a name that is safe and occurs once stays as it is.
+std::vector<std::string> unique_safe_names(std::span<const std::string> names);
+
+}  // namespace cover
