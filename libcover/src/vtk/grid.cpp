@@ -79,7 +79,8 @@ vtkSmartPointer<vtkUnstructuredGrid> part_of(const TriMesh& tri, Corners<N>& cor
                            vertices.begin());
     }
   }
-  auto points = vtkSmartPointer<vtkPoints>::New(VTK_DOUBLE);
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
   auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
   ids->SetName("GlobalNodeId");
   for (const int v : vertices) {

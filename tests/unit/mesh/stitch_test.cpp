@@ -42,7 +42,10 @@ struct Patchwork {
     b.segments.clear();
     for (const auto& [i, j] : b.sides)
       b.segments.push_back(segment(b.vertices[i], b.vertices[j], b.id));
-    table.regions.push_back({b.id, 10 * static_cast<int>(b.id.value()), "r", "m", {}, 0, 0});
+    Region region;
+    region.id = b.id;
+    region.material = 10 * static_cast<int>(b.id.value());
+    table.regions.push_back(region);
     boundaries.push_back(std::move(b));
   }
 
