@@ -1,0 +1,46 @@
+// In each triangle the walk leaves by an edge that has the target strictly on its far side; of two
+// such edges, by the one on the side of their common corner on which the line passes. It never
+// turns back over the edge by which it came, and the distance to the target along the line grows
+// from edge to edge, so it ends.
+#include "cdt/sight.hpp"
+
+#include "geom/predicates.hpp"
+
+namespace cover {
+
+Walk walk_straight(const Triangulation& cdt, std::uint32_t start, Point from, Point to) {
+  Walk walk;
+  walk.at.triangle = start;
+  int entered = -1;
+  for (std::size_t step = 0; step <= cdt.triangles.size(); ++step) {
+    const Triangle& f = cdt.triangles[walk.at.triangle];
+    int leave = -1;
+    for (int i = 0; i < 3; ++i) {
+      if (i == entered) continue;
+      const Point a = cdt.points[f.v[static_cast<std::size_t>(next3(i))]];
+      const Point b = cdt.points[f.v[static_cast<std::size_t>(prev3(i))]];
+      if (orientation(a, b, to) != Sign::negative) continue;
+      // Edge i runs from a to b. If an edge was chosen before, the two share a corner.
+      if (leave < 0) {
+        leave = i;
+      } else {
+        const bool shares_a = leave == prev3(i);
+        const Sign side = orientation(from, to, shares_a ? a : b);
+        const bool through_this = shares_a ? side != Sign::positive : side == Sign::positive;
+        if (through_this) leave = i;
+      }
+    }
+    if (leave < 0) {
+      walk.arrived = true;
+      return walk;
+    }
+    walk.at.edge = static_cast<std::uint8_t>(leave);
+    const std::uint32_t next = f.n[static_cast<std::size_t>(leave)];
+    if (next == kNone || f.is_locked(leave)) return walk;
+    entered = cdt.triangles[next].edge_to(walk.at.triangle);
+    walk.at.triangle = next;
+  }
+  return walk;
+}
+
+}  // namespace cover

@@ -1,0 +1,30 @@
+// Straight walks through a triangulation.
+#pragma once
+
+#include <cstdint>
+
+#include "cdt/sides.hpp"
+#include "cdt/triangulation.hpp"
+
+namespace cover {
+
+/// Where a straight walk ended.
+struct Walk {
+  bool arrived = false;
+  EdgeRef at;  ///< arrived: a triangle that contains the target; else the edge that stopped it
+};
+
+/// Walks from `from`, a point of triangle `start`, straight towards `to` until a triangle contains
+/// it (with its boundary) or a locked edge or the outside is in the way.
+///
+/// EXACT: which edges are crossed, for the coordinates as given; `from` may lie outside `start` by
+///        rounding.
+/// Cost:  O(triangles passed)
+Walk walk_straight(const Triangulation& cdt, std::uint32_t start, Point from, Point to);
+
+/// True if walk_straight() arrives.
+inline bool is_seen(const Triangulation& cdt, std::uint32_t start, Point from, Point to) {
+  return walk_straight(cdt, start, from, to).arrived;
+}
+
+}  // namespace cover

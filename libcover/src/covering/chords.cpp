@@ -1,0 +1,105 @@
+// An almond and its neighbour share an interior chord; it occurs once in each direction. So the
+// chords that have no partner are exactly the boundary of the remainder, and that this boundary
+// closes needs no geometry. Tested by tests/unit/covering/chords_test.cpp.
+#include "covering/chords.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cover {
+namespace {
+
+/// A piece as long as allowed must not fall to rounding: the last 0.3 % of nu(A) are not used.
+constexpr double kSpare = 0.003;
+
+double piece_limit(double k, double nu) {
+  return std::acos(std::cos((1 + k) * nu / 2) / std::cos((1 - k) * nu / 2)) / nu;
+}
+
+/// Chords as the arcs have them, uncut.
+std::vector<ArcChord> join_vertices(const ArcLayer& layer) {
+  std::vector<ArcChord> chords;
+  chords.reserve(layer.vertices.size());
+  for (std::uint32_t k = 0; k + 1 < layer.first.size(); ++k) {
+    const auto on_arc = layer.of(k);
+    for (std::size_t i = 0; i + 1 < on_arc.size(); ++i) {
+      chords.push_back({on_arc[i].vertex, on_arc[i + 1].vertex, k, ChordKind::exterior,
+                        on_arc[i].place, on_arc[i + 1].place});
+    }
+  }
+  return chords;
+}
+
+/// Marks chords that have a partner; returns the almonds of those that occur twice.
+std::vector<std::uint32_t> pair_chords(std::vector<ArcChord>& chords, std::size_t points) {
+  constexpr std::uint32_t kEnd = kNone;
+  std::vector<std::uint32_t> head(points, kEnd), next(chords.size(), kEnd);
+  std::vector<std::uint32_t> faults;
+  for (std::uint32_t c = 0; c < chords.size(); ++c) {
+    ArcChord& chord = chords[c];
+    for (std::uint32_t o = head[chord.a]; o != kEnd; o = next[o]) {
+      if (chords[o].b == chord.b) faults.insert(faults.end(), {chord.almond, chords[o].almond});
+    }
+    for (std::uint32_t o = head[chord.b]; o != kEnd; o = next[o]) {
+      if (chords[o].b == chord.a) chord.kind = chords[o].kind = ChordKind::interior;
+    }
+    next[c] = head[chord.a];
+    head[chord.a] = c;
+  }
+  return faults;
+}
+
+}  // namespace
+
+double CutRule::longest_piece(double almond_nu) const {
+  if (paper) return 1.0 / pieces;
+  const double needed = nu / almond_nu + kSpare;
+  if (piece_limit(kPaperCentre, almond_nu) - needed >= 0.5) return 0.5;
+  return std::min(kCentre, piece_limit(kCentre, almond_nu) - needed);
+}
+
+ChordLayer cut_chords(ArcLayer layer, std::span<const Almond> almonds, const CutRule& rule) {
+  std::vector<ArcChord> joined = join_vertices(layer);
+  ChordLayer cut;
+  cut.faults = pair_chords(joined, layer.points.size());
+  cut.points = std::move(layer.points);
+  cut.chords.reserve(4 * joined.size());
+  std::uint32_t almond = 0;
+  cut.first.push_back(0);
+  for (ArcChord chord : joined) {
+    for (; almond < chord.almond; ++almond) {
+      cut.first.push_back(static_cast<std::uint32_t>(cut.chords.size()));
+    }
+    const Almond& a = almonds[chord.almond];
+    if (chord.kind == ChordKind::exterior && !a.has_arc()) chord.kind = ChordKind::fixed;
+    if (chord.kind != ChordKind::exterior || a.kind == AlmondKind::hull_side) {
+      cut.chords.push_back(chord);
+      continue;
+    }
+    const double length = chord.place_b - chord.place_a, longest = rule.longest_piece(a.nu);
+    // 1e-9 of a piece: a sixth of an arc is one piece, not two.
+    const auto count =
+        std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(length / longest - 1e-9)));
+    const double end = chord.place_b;
+    const std::uint32_t last = chord.b;
+    for (std::size_t i = 1; i <= count; ++i) {
+      if (i == count) {
+        chord.b = last;
+        chord.place_b = end;
+      } else {
+        chord.b = static_cast<std::uint32_t>(cut.points.size());
+        chord.place_b = end - length * static_cast<double>(count - i) / static_cast<double>(count);
+        cut.points.push_back(a.at_place(chord.place_b));
+      }
+      cut.chords.push_back(chord);
+      chord.a = chord.b;
+      chord.place_a = chord.place_b;
+    }
+  }
+  while (cut.first.size() <= almonds.size()) {
+    cut.first.push_back(static_cast<std::uint32_t>(cut.chords.size()));
+  }
+  return cut;
+}
+
+}  // namespace cover
