@@ -10,6 +10,7 @@
 
 #include "covering/almond_method.hpp"
 #include "covering/angle_limit.hpp"
+#include "covering/disks/fill_disks.hpp"
 #include "covering/fill_refine.hpp"
 #include "covering/local_frame.hpp"
 #include "covering/measure.hpp"
@@ -19,8 +20,11 @@ namespace cover {
 namespace {
 
 /// DESIGN 5: the fill asked for, then the other, then refinement with ten times the budget.
-FillPlan make_plan(const Options& /*options*/) {
+FillPlan make_plan(const Options& options) {
   FillPlan plan;
+  plan.refine_first = options.fill == Fill::refine;
+  plan.fillers.push_back(make_disk_filler());
+  plan.names.emplace_back("disks");
   plan.fillers.push_back(make_refine_filler(10));
   plan.names.emplace_back("refine with ten times the budget");
   return plan;

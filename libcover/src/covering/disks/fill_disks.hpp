@@ -1,0 +1,47 @@
+// The disk packing fill: nonobtuse triangulation of a polygon with holes.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+
+#include "covering/disks/gap.hpp"
+#include "covering/filler.hpp"
+
+namespace cover {
+
+/// What a packing looked like: for pictures and figures. In the coordinates of the task.
+struct PackingRecord {
+  /// What a disk was put for.
+  enum class Purpose { corner, connection, reduction };
+  struct Disk {
+    Point centre;
+    double radius = 0;
+    Purpose purpose = Purpose::corner;
+  };
+  struct GapCell {
+    disks::GapKind kind = disks::GapKind::good;
+    std::vector<Point> polygon;  ///< centres and tangency points, counter-clockwise
+  };
+  std::vector<Disk> disks;
+  std::vector<GapCell> gaps;
+  std::array<std::size_t, disks::kGapKinds> kinds{};  ///< how many gaps of each kind
+  int attempts = 0;                                   ///< 1 unless rounding made it begin anew
+};
+
+/// The filler. It aims at no angle above 90 degrees; target_reached allows kLargestSnapped.
+///
+/// A chord that is locked, or given in both directions (a slit), cannot be kept whole, because
+/// corner disks put points on every chord. Such a task, and one on which rounding defeats every
+/// attempt, is filled by its constrained Delaunay triangulation, with target_reached = false and a
+/// remark. A task that is no domain at all (its chords cross) gives no triangles.
+///
+/// `record`, if given, receives the packing; it must outlive the filler.
+/// Cost: about 35 vertices per vertex of the task; near O(n log n).
+/// Ref:  bmr_1995
+std::unique_ptr<Filler> make_disk_filler(PackingRecord* record = nullptr);
+
+/// The largest angle that snapping nearly touching disks to contact may leave, in degrees.
+inline constexpr double kLargestSnapped = 90.1;
+
+}  // namespace cover
