@@ -37,8 +37,8 @@ double plain_cdt_seconds(const Output& output) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel>;
   std::vector<Kernel::Point_2> points;
-  for (const auto v : output.mesh.tri.vertices()) {
-    const auto& p = output.mesh.tri.point(v);
+  for (const auto v : output.mesh.tri().vertices()) {
+    const auto& p = output.mesh.tri().point(v);
     points.emplace_back(p[0], p[1]);
   }
   std::vector<std::pair<Kernel::Point_2, Kernel::Point_2>> segments;
