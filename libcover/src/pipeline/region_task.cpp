@@ -21,6 +21,7 @@
 #include "covering/cover_region.hpp"
 #include "covering/measure.hpp"
 #include "pipeline/stage_clock.hpp"
+#include "quality/quality_region.hpp"
 
 namespace cover {
 namespace {
@@ -149,7 +150,9 @@ Result<std::vector<RegionMesh>> mesh_regions(std::span<const RegionBoundary> bou
   Status status =
       for_each_region(boundaries, worker_count(options), "mesh", callbacks, [&](std::size_t k) {
         const StageClock clock;
-        meshes[k] = cover_region(boundaries[k], options, callbacks.stop);
+        meshes[k] = options.method == Method::quality
+                        ? quality_region(boundaries[k], options, callbacks.stop)
+                        : cover_region(boundaries[k], options, callbacks.stop);
         measure(boundaries[k], meshes[k]);
         meshes[k].report.seconds = clock.seconds();
       });

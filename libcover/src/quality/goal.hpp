@@ -1,0 +1,72 @@
+// One number per triangle: how far its angles are from what is wanted, and possible.
+//
+// Everything is kept in cotangents, cot(angle) = (u.v) / (u x v): no square root, no arc tangent,
+// and u x v is twice the area at all three corners. With c the largest and C the smallest
+// cotangent,
+//     excess = max(-c - large,  weight (C - small)),
+// <= 0 where the triangle meets both targets. `weight` = min / (180 - max) makes a small angle
+// x count like the large angle 180 - x / weight does far from the targets, as q in
+// "max(largest, 180 - f smallest)" with f = 1 / weight.
+//
+// What the input forces does not count. A side whose constrained Delaunay triangle has an apex
+// angle above the target keeps that angle (no covering mesh avoids it: Lemma 1), and a corner
+// between two sides is the input's own.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include <cover/angle.hpp>
+#include <cover/point.hpp>
+
+namespace cover {
+
+/// How much worse than the goal the triangle on a side may be without blame, in cotangents.
+struct Allowance {
+  double large = 0;  ///< at the corner opposite to the side
+  double small = 0;  ///< at any corner
+};
+
+/// The targets for all triangles.
+struct Goal {
+  double large = 0;   ///< -cot of the largest angle wanted
+  double small = 0;   ///< cot of the smallest angle wanted
+  double weight = 0;  ///< of the smallest angle; 0: it does not count
+
+  /// REQUIRES: max in (60, 180) degrees, min in [0, 60)
+  static Goal of(Angle max, Angle min);
+};
+
+/// Excess of a triangle without area, or clockwise.
+inline constexpr double kInverted = std::numeric_limits<double>::infinity();
+
+/// Dot products at the corners and twice the area.
+struct Corners {
+  double dot[3];
+  double cross;
+  Corners(Point a, Point b, Point c) {
+    const double ux = b.x - a.x, uy = b.y - a.y;
+    const double vx = c.x - b.x, vy = c.y - b.y;
+    const double wx = a.x - c.x, wy = a.y - c.y;
+    dot[0] = -(ux * wx + uy * wy);
+    dot[1] = -(ux * vx + uy * vy);
+    dot[2] = -(vx * wx + vy * wy);
+    cross = ux * vy - uy * vx;
+  }
+};
+
+/// The excess of a triangle none of whose edges is a side.
+inline double excess(const Goal& goal, Point a, Point b, Point c) {
+  const Corners k(a, b, c);
+  if (!(k.cross > 0)) return kInverted;
+  const double least = std::min({k.dot[0], k.dot[1], k.dot[2]});
+  const double most = std::max({k.dot[0], k.dot[1], k.dot[2]});
+  return std::max(-least - goal.large * k.cross, goal.weight * (most - goal.small * k.cross)) /
+         k.cross;
+}
+
+/// The excess of a triangle with sides. `side[i]` belongs to the edge opposite to corner i, null
+/// where that edge is no side.
+double excess(const Goal& goal, Point a, Point b, Point c, const Allowance* const side[3]);
+
+}  // namespace cover

@@ -1,0 +1,48 @@
+// See merit.hpp. Tested by tests/unit/quality/merit_test.cpp.
+#include "quality/merit.hpp"
+
+#include <cmath>
+
+namespace cover {
+namespace {
+
+/// Cotangents closer than this, relative to 1 or to their size, are equal: rounding.
+constexpr double kSame = 1e-9;
+
+bool less(double a, double b) { return a < b - kSame * std::max(1.0, std::abs(b)); }
+
+}  // namespace
+
+Merit merit_of(const MutableMesh& mesh, const Goal& goal) {
+  Merit merit{goal.large, 0, goal.small, mesh.triangle_count(), true};
+  for (const SideLimit& side : mesh.sides) merit.large = std::max(merit.large, -side.apex_cot);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (mesh.is_hole(t)) continue;
+    const MeshTriangle& triangle = mesh.triangles[t];
+    const Corners k(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
+    bool large = false, small = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double cot = k.cross > 0 ? k.dot[i] / k.cross : -kInverted;
+      merit.large = std::max(merit.large, -cot);
+      const Allowance* side = mesh.allowance(triangle.n[i]);
+      large = large || -cot > goal.large + (side != nullptr ? side->large : 0) + kSame;
+      const bool of_the_input =
+          is_side(triangle.n[(i + 1) % 3]) && is_side(triangle.n[(i + 2) % 3]);
+      if (of_the_input) continue;
+      merit.small = std::max(merit.small, cot);
+      small = small || cot > goal.small * (1 + kSame);
+    }
+    merit.above += large ? 1 : 0;
+    merit.complete = merit.complete && !large && !small;
+  }
+  return merit;
+}
+
+bool is_better(const Merit& a, const Merit& b) {
+  if (less(a.large, b.large) || less(b.large, a.large)) return a.large < b.large;
+  if (a.above != b.above) return a.above < b.above;
+  if (less(a.small, b.small) || less(b.small, a.small)) return a.small < b.small;
+  return a.triangles < b.triangles;
+}
+
+}  // namespace cover

@@ -1,0 +1,23 @@
+// What a region did not reach, for the report.
+#pragma once
+
+#include <vector>
+
+#include <cover/options.hpp>
+#include <cover/report.hpp>
+
+#include "covering/angle_limit.hpp"
+#include "quality/mutable_mesh.hpp"
+#include "region/region_boundary.hpp"
+
+namespace cover {
+
+/// Notes on angles above Options::max_angle or below Options::min_angle, apart by reason: forced by
+/// the input at named segments, or not reached at the places given.
+///
+/// REQUIRES: `mesh` has the goal of the options set; its first points are those of `boundary`
+std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& boundary,
+                                 const AngleLimit& limit, const Options& options,
+                                 bool budget_used_up);
+
+}  // namespace cover

@@ -1,0 +1,115 @@
+// The triangulation of a region while it is being changed: plain arrays, places reused.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <cover/point.hpp>
+
+#include "cdt/sides.hpp"
+#include "cdt/triangulation.hpp"
+#include "quality/goal.hpp"
+
+namespace cover {
+
+/// Set in MeshTriangle::n where the edge is a side: the rest is the index of the side. The two
+/// sides of a slit are two sides, so that nothing ever crosses a side.
+inline constexpr std::uint32_t kSideBit = 0x80000000U;
+constexpr bool is_side(std::uint32_t neighbour) { return (neighbour & kSideBit) != 0; }
+constexpr std::uint32_t side_index(std::uint32_t neighbour) { return neighbour & ~kSideBit; }
+
+/// A counter-clockwise triangle. Edge i is opposite to corner i; n[i] is the triangle or the side
+/// across it.
+struct MeshTriangle {
+  std::array<std::uint32_t, 3> v{kNone, kNone, kNone};
+  std::array<std::uint32_t, 3> n{};
+
+  [[nodiscard]] int corner_of(std::uint32_t w) const { return v[0] == w ? 0 : v[1] == w ? 1 : 2; }
+  /// The edge from a to b. REQUIRES: it is one.
+  [[nodiscard]] int edge_from(std::uint32_t a) const { return prev3(corner_of(a)); }
+};
+
+/// What the constrained Delaunay triangulation says about a side.
+struct SideLimit {
+  double apex_cot = 0;      ///< of the angle at which its triangle's apex sees it: gamma_opt
+  double smallest_cot = 0;  ///< of the smallest angle of that triangle
+};
+
+/// The limits that the constrained Delaunay triangulation sets to its sides.
+std::vector<SideLimit> side_limits(const Triangulation& cdt, std::span<const EdgeRef> side_at);
+
+/// Triangles over fixed vertices (those of the boundary, numbered first) and free ones.
+///
+/// Keeps with every triangle its excess over the goal, which changes with the goal only through
+/// `set_goal`. Triangles and free vertices that were taken away leave holes (v[0] == kNone, home
+/// kNone) that are used again.
+class MutableMesh {
+ public:
+  /// Takes over `triangulation`, whose first `fixed` points stay where they are.
+  /// Side s, with limits[s], is the edge side_at[s].
+  ///
+  /// REQUIRES: the sides are all the edges that border on the outside or must not be crossed
+  MutableMesh(const Triangulation& triangulation, std::uint32_t fixed,
+              std::span<const EdgeRef> side_at, std::vector<SideLimit> limits);
+
+  std::vector<Point> points;
+  std::vector<MeshTriangle> triangles;
+  std::vector<double> excess;       ///< by triangle; -inf for a hole
+  std::vector<std::uint32_t> home;  ///< by vertex: one of its triangles
+  std::vector<SideLimit> sides;
+  std::vector<Allowance> allowances;  ///< by side, for the present goal
+
+  [[nodiscard]] const Goal& goal() const { return goal_; }
+  void set_goal(const Goal& goal);
+
+  [[nodiscard]] bool is_fixed(std::uint32_t v) const { return v < fixed_; }
+  [[nodiscard]] std::uint32_t fixed_vertices() const { return fixed_; }
+  [[nodiscard]] bool is_hole(std::uint32_t t) const { return triangles[t].v[0] == kNone; }
+  [[nodiscard]] std::size_t triangle_count() const {
+    return triangles.size() - free_triangles_.size();
+  }
+
+  [[nodiscard]] Point corner(std::uint32_t t, int i) const {
+    return points[triangles[t].v[static_cast<std::size_t>(i)]];
+  }
+  /// The allowance of the side in place of neighbour `n`, null for a triangle.
+  [[nodiscard]] const Allowance* allowance(std::uint32_t n) const {
+    return is_side(n) ? &allowances[side_index(n)] : nullptr;
+  }
+  /// The excess of a triangle that need not exist, from its corners and what is across its edges.
+  [[nodiscard]] double excess_of(const std::array<std::uint32_t, 3>& v,
+                                 const std::array<std::uint32_t, 3>& n) const;
+
+  /// Tells the triangle or side `n`, across the edge from a to b of `t`, of its new neighbour.
+  void link(std::uint32_t n, std::uint32_t a, std::uint32_t b, std::uint32_t t);
+  /// Computes the excess of `t` anew.
+  void measure(std::uint32_t t) { excess[t] = excess_of(triangles[t].v, triangles[t].n); }
+
+  std::uint32_t add_vertex(Point p);
+  void drop_vertex(std::uint32_t v);
+  std::uint32_t add_triangle();
+  void drop_triangle(std::uint32_t t);
+
+  /// The excess that the two triangles have after a flip of edge i of `t`.
+  ///
+  /// REQUIRES: that edge is no side
+  [[nodiscard]] double excess_after_flip(std::uint32_t t, int i) const;
+  /// Flips edge i of `t`. Both triangles keep their places.
+  ///
+  /// ENSURES: false, and nothing has changed, if exact arithmetic finds one of the new triangles
+  ///          not counter-clockwise
+  bool flip(std::uint32_t t, int i);
+
+  /// Whether exact arithmetic finds all triangles counter-clockwise.
+  [[nodiscard]] bool is_valid() const;
+
+ private:
+  Goal goal_;
+  std::uint32_t fixed_ = 0;
+  std::vector<std::uint32_t> free_triangles_;
+  std::vector<std::uint32_t> free_vertices_;
+};
+
+}  // namespace cover

@@ -1,0 +1,32 @@
+// From the constrained Delaunay triangulation to one that meets the goal, or comes close.
+#pragma once
+
+#include <cstdint>
+#include <stop_token>
+
+#include "quality/merit.hpp"
+#include "quality/mutable_mesh.hpp"
+
+namespace cover {
+
+/// Star evaluations that remain for a region: the unit in which all work on it is counted.
+struct Budget {
+  std::uint64_t left = 0;
+  std::stop_token stop;
+
+  [[nodiscard]] bool is_used_up() const { return left == 0; }
+  void spend(std::uint64_t evaluations) { left -= evaluations < left ? evaluations : left; }
+};
+
+/// Refines and improves a constrained Delaunay triangulation.
+///
+/// REQUIRES: `mesh` is constrained Delaunay
+/// ENSURES:  returns what was reached, by `goal`; nothing promises that it is better than before
+Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget);
+
+/// Improves any triangulation, with the largest angle before all else.
+///
+/// ENSURES: returns what was reached, by `goal`; the largest angle is no larger than before
+Merit improve_largest(MutableMesh& mesh, const Goal& goal, Budget& budget);
+
+}  // namespace cover

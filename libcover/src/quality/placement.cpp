@@ -1,0 +1,191 @@
+// A minimax problem in the plane whose functions are quotients of quadratics. Two methods in turn:
+// - Polyak's subgradient step: the worst triangle alone says in which direction and how far to go
+//   so that it would just meet the level. Where the goal can be met this mostly gets there within
+//   a few steps.
+// - a pattern search around the best place found, with steps halved, for what is left: there two or
+// three
+//   triangles tie and single gradients mislead. Candidates that are worse are dropped at the
+//   first triangle that shows it.
+// Tested by tests/unit/quality/placement_test.cpp.
+#include "quality/placement.hpp"
+
+#include <cmath>
+
+namespace cover {
+namespace {
+
+constexpr double kMargin = 0.03;  ///< aim this far below the goal, to arrive in finite time
+constexpr int kSubgradientSteps = 8;
+constexpr int kFailures = 2;         ///< steps that were none, before the gradients are left
+constexpr double kFirstStep = 0.25;  ///< of the pattern search, times the distance to the loop
+constexpr int kHalvings = 5;
+constexpr int kCandidates = 120;  ///< at most, of the pattern search
+
+}  // namespace
+
+Hole::Hole(const MutableMesh& mesh, const Cavity& cavity)
+    : goal_(&mesh.goal()), size_(cavity.size()) {
+  for (int k = 0; k < size_; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    loop_[i] = mesh.points[cavity.vertex(k)];
+    const Allowance* side = mesh.allowance(cavity.outer(k));
+    allowance_[i] = side != nullptr ? *side : Allowance{};
+    plain_ = plain_ && allowance_[i].large == 0;
+  }
+  loop_[static_cast<std::size_t>(size_)] = loop_[0];
+}
+
+double Hole::excess_at(std::size_t k, Point p) const {
+  const Point a = loop_[k], b = loop_[k + 1];
+  const double ux = a.x - p.x, uy = a.y - p.y, vx = b.x - p.x, vy = b.y - p.y;
+  const double ex = b.x - a.x, ey = b.y - a.y;
+  const double area = ux * vy - uy * vx;
+  if (!(area > 0)) return kInverted;
+  const double apex = ux * vx + uy * vy, at_a = -(ux * ex + uy * ey), at_b = vx * ex + vy * ey;
+  const double most = std::max(apex, std::max(at_a, at_b));
+  if (plain_ || allowance_[k].large == 0) {
+    const double least = std::min(apex, std::min(at_a, at_b));
+    return std::max(-least - goal_->large * area, goal_->weight * (most - goal_->small * area)) /
+           area;
+  }
+  const double at_ends = -std::min(at_a, at_b) - goal_->large * area;
+  const double at_apex = -apex - (goal_->large + allowance_[k].large) * area;
+  const double small = goal_->weight * (most - (goal_->small + allowance_[k].small) * area);
+  return std::max(std::max(at_ends, at_apex), small) / area;
+}
+
+double Hole::worst(Point p, double limit) const {
+  double result = -kInverted;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(size_) && result <= limit; ++k) {
+    result = std::max(result, excess_at(k, p));
+  }
+  return result;
+}
+
+int Hole::worst_edge(Point p, const std::array<bool, Cavity::kCapacity>& skip) const {
+  int result = -1;
+  double most = -kInverted;
+  for (int k = 0; k < size_; ++k) {
+    if (skip[static_cast<std::size_t>(k)]) continue;
+    const double value = excess_at(static_cast<std::size_t>(k), p);
+    if (value > most) {
+      most = value;
+      result = k;
+    }
+  }
+  return result;
+}
+
+Vector Hole::step_to(Point p, double level, double& value) const {
+  value = -kInverted;
+  std::size_t worst = 0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(size_); ++k) {
+    const double here = excess_at(k, p);
+    if (here <= value) continue;
+    value = here;
+    worst = k;
+    if (here == kInverted) return {};
+  }
+  const Vector slope = slope_at(worst, p);
+  const double size = squared_length(slope);
+  return size > 0 ? ((level - value) / size) * slope : Vector{};
+}
+
+Vector Hole::slope_at(std::size_t k, Point p) const {
+  const Point a = loop_[k], b = loop_[k + 1];
+  const Vector u = a - p, v = b - p, e = b - a;
+  const double area = cross(u, v);
+  const double dots[3] = {dot(u, v), -dot(u, e), dot(v, e)};
+  const Vector of_dots[3] = {-1.0 * (u + v), e, -1.0 * e};
+  const Vector of_area = left_normal(e);
+  const Allowance& side = allowance_[k];
+  double value = -kInverted;
+  Vector slope;
+  for (int i = 0; i < 3; ++i) {
+    const double cot = dots[i] / area;
+    const double large = -cot - goal_->large - (i == 0 ? side.large : 0);
+    const double small = goal_->weight * (cot - goal_->small - side.small);
+    if (large <= value && small <= value) continue;
+    value = std::max(large, small);
+    slope = ((large > small ? -1 : goal_->weight) / area) * (of_dots[i] - cot * of_area);
+  }
+  return slope;
+}
+
+double Hole::shortest_spoke(Point p) const {
+  double shortest = kInverted;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(size_); ++k) {
+    shortest = std::min(shortest, squared_length(loop_[k] - p));
+  }
+  return std::sqrt(shortest);
+}
+
+Point Hole::centre() const {
+  Vector sum;
+  for (std::size_t k = 1; k < static_cast<std::size_t>(size_); ++k) {
+    sum = sum + (loop_[k] - loop_[0]);
+  }
+  return loop_[0] + (1.0 / size_) * sum;
+}
+
+namespace {
+
+/// Polyak's steps from `best.at`.
+void follow_gradients(const Hole& hole, Placement& best, std::uint64_t& evaluations) {
+  Point p = best.at;
+  double share = 1;
+  int failures = 0;
+  for (int k = 0; k < kSubgradientSteps; ++k) {
+    double value = kInverted;
+    const Vector step = hole.step_to(p, -kMargin, value);
+    ++evaluations;
+    if (value < best.worst) {
+      best = {p, value};
+      if (value <= 0) return;
+    } else {
+      share /= 2;
+      if (k == 0 || ++failures == kFailures)
+        return;  // k = 0: the start does not see all of the loop
+    }
+    p = value == kInverted ? midpoint(p, best.at) : p + share * step;
+  }
+}
+
+/// Eight directions around `best.at`, the step halved where none of them is better.
+void search_around(const Hole& hole, Placement& best, std::uint64_t& evaluations) {
+  constexpr double kDiagonal = 0.7071067811865476;
+  constexpr Vector kDirections[] = {
+      {1, 0},  {kDiagonal, kDiagonal},   {0, 1},  {-kDiagonal, kDiagonal},
+      {-1, 0}, {-kDiagonal, -kDiagonal}, {0, -1}, {kDiagonal, -kDiagonal}};
+  double step = kFirstStep * hole.shortest_spoke(best.at);
+  int first = 0, left = kCandidates;
+  for (int halvings = 0; halvings <= kHalvings && left > 0;) {
+    bool better = false;
+    for (int d = 0; d < 8 && !better; ++d) {
+      const int direction = (first + d) % 8;
+      const Point p = best.at + step * kDirections[direction];
+      const double value = hole.worst(p, best.worst);
+      ++evaluations;
+      --left;
+      if (!(value < best.worst)) continue;
+      best = {p, value};
+      if (value <= 0) return;
+      first = direction;  // go on that way
+      better = true;
+    }
+    if (better) continue;
+    step /= 2;
+    ++halvings;
+  }
+}
+
+}  // namespace
+
+Placement place(const Hole& hole, Point start, double promising, std::uint64_t& evaluations) {
+  Placement best{start, kInverted};
+  follow_gradients(hole, best, evaluations);
+  if (best.worst > 0 && best.worst < promising) search_around(hole, best, evaluations);
+  return best;
+}
+
+}  // namespace cover

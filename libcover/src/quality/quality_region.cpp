@@ -1,0 +1,206 @@
+// Candidates, cheapest first, each only if those before it left something to be wished:
+//   the constrained Delaunay triangulation as it is,
+//   the same refined and improved (optimise),
+//   the same only improved,
+//   the almond method's result, improved: it carries the proof of promise 3.
+// The last two where the largest angle is missed, and then only if they start with a smaller one or
+// the region is small. Improvement never makes the largest angle larger, so the best of them is no
+// worse than any. Tested by tests/unit/quality/quality_region_test.cpp.
+#include "quality/quality_region.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "cdt/cdt.hpp"
+#include "covering/angle_limit.hpp"
+#include "covering/cover_region.hpp"
+#include "geom/half_edges.hpp"
+#include "geom/predicates.hpp"
+#include "quality/local_frame.hpp"
+#include "quality/missed_targets.hpp"
+#include "quality/mutable_mesh.hpp"
+#include "quality/optimise.hpp"
+
+namespace cover {
+namespace {
+
+constexpr std::uint64_t kEvaluationsPerVertex = 3000;
+constexpr std::uint64_t kEvaluationsAtLeast = 100000;
+constexpr std::size_t kSmallRegion = 64;  ///< points: every candidate is tried and improved
+
+/// A triangulation of the region, in the frame, and what it has reached.
+struct Candidate {
+  MutableMesh mesh;
+  Merit merit;
+  std::string method;
+};
+
+/// Triangles as a RegionMesh has them, with their neighbours and all edges locked.
+Triangulation with_neighbours(std::vector<Point> points, std::span<const IndexTriple> triangles) {
+  Triangulation out;
+  const HalfEdges edges(points.size(), triangles);
+  out.points = std::move(points);
+  out.triangles.resize(triangles.size());
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    out.triangles[t].v = triangles[t];
+    out.triangles[t].locked = 7;  // any edge may be a side: locate_sides looks at locked ones
+    for (std::uint32_t i = 0; i < 3; ++i) {  // half-edge i starts at corner i: opposite to i + 2
+      const std::uint32_t twin = edges.twin(3 * t + i);
+      out.triangles[t].n[(i + 2) % 3] = twin == HalfEdges::kAbsent ? kNone : twin / 3;
+    }
+  }
+  return out;
+}
+
+/// One region in one frame.
+class RegionWork {
+ public:
+  RegionWork(const RegionBoundary& boundary, const Options& options, std::stop_token stop,
+             bool shifted)
+      : boundary_(boundary),
+        options_(options),
+        goal_(Goal::of(options.max_angle, options.min_angle)),
+        frame_(boundary.points, shifted),
+        cdt_(triangulate_domain(frame_.points(), boundary.sides).triangulation),
+        limit_(angle_limit(cdt_, boundary.sides, boundary.segments)),
+        budget_{kEvaluationsAtLeast + kEvaluationsPerVertex * boundary.points.size(), stop} {}
+
+  /// ENSURES: no triangles if rounding on the way back to the plane turned one over
+  RegionMesh run() {
+    Candidate best = best_candidate();
+    RegionMesh out = to_region_mesh(best);
+    best.mesh.set_goal(goal_);
+    out.report.notes = missed_targets(best.mesh, boundary_, limit_, options_, budget_.is_used_up());
+    if (!is_valid(out)) out.triangles.clear();
+    return out;
+  }
+
+  [[nodiscard]] bool is_shifted() const { return frame_.is_shifted(); }
+
+ private:
+  Candidate best_candidate() {
+    Candidate best = as_it_is();
+    if (best.merit.complete) return best;
+    Candidate cdt = best;
+    take_if_better(best, optimised(cdt));
+    if (meets_largest(best)) return best;
+    if (is_promising(cdt, best)) take_if_better(best, improved(std::move(cdt)));
+    if (meets_largest(best)) return best;
+    Candidate almond = from_almonds();
+    if (is_promising(almond, best)) take_if_better(best, improved(std::move(almond)));
+    return best;
+  }
+
+  /// Whether improving `start` may lead to something better than `best`: it is better already, or
+  /// the region is so small that it can be tried in any case.
+  [[nodiscard]] bool is_promising(const Candidate& start, const Candidate& best) const {
+    return !start.mesh.triangles.empty() &&
+           (start.merit.large < best.merit.large || boundary_.points.size() <= kSmallRegion);
+  }
+
+  /// The largest angle is that of the goal, or forced by the region's worst side.
+  [[nodiscard]] bool meets_largest(const Candidate& candidate) const {
+    double target = goal_.large;
+    for (const SideLimit& side : candidate.mesh.sides) target = std::max(target, -side.apex_cot);
+    return candidate.merit.large <= target * (1 + 1e-9);
+  }
+
+  static void take_if_better(Candidate& best, Candidate other) {
+    if (is_better(other.merit, best.merit)) best = std::move(other);
+  }
+
+  [[nodiscard]] Candidate as_it_is() const { return candidate(cdt_, "cdt"); }
+
+  [[nodiscard]] Candidate candidate(const Triangulation& triangles, std::string method) const {
+    Candidate c{MutableMesh(triangles, fixed(), locate_sides(triangles, boundary_.sides),
+                            side_limits(cdt_, limit_.at)),
+                {},
+                std::move(method)};
+    c.mesh.set_goal(goal_);
+    c.merit = merit_of(c.mesh, goal_);
+    return c;
+  }
+
+  [[nodiscard]] Candidate optimised(Candidate c) {
+    c.merit = optimise(c.mesh, goal_, budget_);
+    c.method = "refined, improved";
+    return c;
+  }
+
+  [[nodiscard]] Candidate improved(Candidate c) {
+    c.merit = improve_largest(c.mesh, goal_, budget_);
+    c.method += ", improved";
+    return c;
+  }
+
+  /// The almond method's triangulation: it carries the proof of promise 3.
+  [[nodiscard]] Candidate from_almonds() const {
+    const RegionMesh almond = cover_region(boundary_, options_, budget_.stop);
+    std::vector<Point> points = frame_.points();
+    for (const Point& p : almond.steiner) points.push_back(frame_.from_plane(p));
+    return candidate(with_neighbours(std::move(points), almond.triangles), "almond");
+  }
+
+  [[nodiscard]] RegionMesh to_region_mesh(const Candidate& candidate) const {
+    const MutableMesh& mesh = candidate.mesh;
+    RegionMesh out;
+    std::vector<std::uint32_t> number(mesh.points.size(), kNone);
+    for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
+      if (v < fixed()) {
+        number[v] = v;
+      } else if (mesh.home[v] != kNone) {
+        number[v] = fixed() + static_cast<std::uint32_t>(out.steiner.size());
+        out.steiner.push_back(frame_.to_plane(mesh.points[v]));
+      }
+    }
+    out.triangles.reserve(mesh.triangle_count());
+    for (const MeshTriangle& t : mesh.triangles) {
+      if (t.v[0] != kNone)
+        out.triangles.push_back({number[t.v[0]], number[t.v[1]], number[t.v[2]]});
+    }
+    RegionReport& report = out.report;
+    report.id = boundary_.id;
+    report.method = candidate.method;
+    report.nu_opt = Angle::radians(limit_.nu);
+    report.nu_bound = Angle::radians(limit_.promised_nu());
+    report.forced_above_120 = limit_.above_120;
+    report.forced_above_150 = limit_.above_150;
+    return out;
+  }
+
+  [[nodiscard]] bool is_valid(const RegionMesh& mesh) const {
+    const auto at = [&](std::uint32_t v) {
+      return v < fixed() ? boundary_.points[v] : mesh.steiner[v - fixed()];
+    };
+    for (const auto& [a, b, c] : mesh.triangles) {
+      if (orientation(at(a), at(b), at(c)) != Sign::positive) return false;
+    }
+    return true;
+  }
+
+  [[nodiscard]] std::uint32_t fixed() const {
+    return static_cast<std::uint32_t>(boundary_.points.size());
+  }
+
+  const RegionBoundary& boundary_;
+  const Options& options_;
+  Goal goal_;
+  LocalFrame frame_;
+  Triangulation cdt_;
+  AngleLimit limit_;
+  Budget budget_;
+};
+
+}  // namespace
+
+RegionMesh quality_region(const RegionBoundary& boundary, const Options& options,
+                          std::stop_token stop) {
+  RegionWork shifted(boundary, options, stop, true);
+  RegionMesh mesh = shifted.run();
+  if (mesh.triangles.empty() && shifted.is_shifted()) {
+    mesh = RegionWork(boundary, options, stop, false).run();
+  }
+  return mesh;
+}
+
+}  // namespace cover

@@ -1,0 +1,23 @@
+// The quality method: the best of several candidates for a region, improved.
+#pragma once
+
+#include <stop_token>
+
+#include <cover/options.hpp>
+
+#include "covering/region_mesh.hpp"
+#include "region/region_boundary.hpp"
+
+namespace cover {
+
+/// Triangulates one region without putting a vertex on its boundary, with its largest angle near
+/// the optimum.
+///
+/// ENSURES: promise 3 at least; no worse than the constrained Delaunay triangulation and the
+///          almond method, unless the targets are met. RegionMesh::report::notes says which
+///          targets were missed, where and why.
+/// Threads: pure function of its arguments.
+RegionMesh quality_region(const RegionBoundary& boundary, const Options& options,
+                          std::stop_token stop);
+
+}  // namespace cover

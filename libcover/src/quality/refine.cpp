@@ -1,0 +1,197 @@
+// See refine.hpp. The triangles of a Delaunay cavity, unlike those of `Cavity`, may be many: the
+// first vertex inside a long loop sees most of it. Tested by tests/unit/quality/refine_test.cpp.
+#include "quality/refine.hpp"
+
+#include <cmath>
+
+#include "geom/predicates.hpp"
+#include "geom/vector.hpp"
+
+namespace cover {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+class Refinement {
+ public:
+  Refinement(MutableMesh& mesh, const RefineLimits& limits) : mesh_(mesh), limits_(limits) {
+    const double kappa = std::atan2(1.0, limits.smallest_cot);
+    off_centre_ = 0.475 / std::tan(kappa / 2);  // Triangle's constant
+    stamp_.assign(mesh_.triangles.size(), 0);
+    guarded_.assign(mesh_.triangles.size(), 0);
+    guard_forced();
+  }
+
+  void run() {
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) enqueue(t);
+    std::size_t inserted = 0;
+    for (std::size_t head = 0; head < queue_.size() && inserted < limits_.budget; ++head) {
+      const Entry entry = queue_[head];
+      if (mesh_.triangles[entry.triangle].v != entry.v) continue;
+      if (insert_near(entry.triangle)) ++inserted;
+    }
+  }
+
+ private:
+  struct Entry {
+    std::uint32_t triangle;
+    std::array<std::uint32_t, 3> v;
+  };
+  struct LoopEdge {
+    std::uint32_t a, b, outer;
+  };
+
+  /// Marks the triangles on sides whose apex angle is forced, and on edges of such triangles.
+  void guard_forced() {
+    std::vector<std::uint32_t> stack;
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) stack.push_back(t);
+    while (!stack.empty()) {
+      const std::uint32_t t = stack.back();
+      stack.pop_back();
+      if (guarded_[t] != 0) continue;
+      for (int i = 0; i < 3; ++i) {
+        const std::uint32_t n = mesh_.triangles[t].n[at(i)];
+        if (!is_side(n) && guarded_[n] == 0) continue;
+        const Corners k(mesh_.corner(t, i), mesh_.corner(t, next3(i)), mesh_.corner(t, prev3(i)));
+        if (-k.dot[0] <= mesh_.goal().large * k.cross) continue;
+        guarded_[t] = 1;
+        for (const std::uint32_t other : mesh_.triangles[t].n) {
+          if (!is_side(other)) stack.push_back(other);
+        }
+        break;
+      }
+    }
+  }
+
+  void enqueue(std::uint32_t t) {
+    if (guarded_[t] != 0) return;
+    const Corners k(mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2));
+    for (int i = 0; i < 3; ++i) {
+      const auto& n = mesh_.triangles[t].n;
+      if (k.dot[i] <= limits_.smallest_cot * k.cross) continue;
+      if (is_side(n[at(next3(i))]) && is_side(n[at(prev3(i))])) continue;
+      queue_.push_back({t, mesh_.triangles[t].v});
+      return;
+    }
+  }
+
+  /// The circumcentre of `t`, or the off-centre of its shortest edge where that is nearer.
+  [[nodiscard]] Point centre_of(std::uint32_t t) const {
+    int shortest = 0;
+    double length2 = kInverted;
+    for (int i = 0; i < 3; ++i) {
+      const double l = squared_length(mesh_.corner(t, prev3(i)) - mesh_.corner(t, next3(i)));
+      if (l < length2) {
+        length2 = l;
+        shortest = i;
+      }
+    }
+    const Point a = mesh_.corner(t, next3(shortest)), b = mesh_.corner(t, prev3(shortest));
+    const Vector e = b - a, u = mesh_.corner(t, shortest) - a;
+    const Vector w = mesh_.corner(t, shortest) - b;
+    // The circumcentre is at height |e| cot(apex) / 2 above the middle of e.
+    const double height = std::min(0.5 * dot(u, w) / cross(e, u), off_centre_);
+    return a + (0.5 * e + height * left_normal(e));
+  }
+
+  /// The triangle that contains `p`, from `t` on; kNone if a side is in the way.
+  [[nodiscard]] std::uint32_t locate(std::uint32_t t, Point p) const {
+    std::uint32_t from = kNone;
+    for (;;) {
+      std::uint32_t go = kNone;
+      for (int i = 0; i < 3 && go == kNone; ++i) {
+        const std::uint32_t n = mesh_.triangles[t].n[at(i)];
+        if (n == from) continue;
+        if (orientation(mesh_.corner(t, next3(i)), mesh_.corner(t, prev3(i)), p) ==
+            Sign::negative) {
+          if (is_side(n)) return kNone;
+          go = n;
+        }
+      }
+      if (go == kNone) return t;
+      from = t;
+      t = go;
+    }
+  }
+
+  /// Collects the triangles whose circle contains `p`. False if one of them is guarded or a side
+  /// would be seen from `p` at too large an angle.
+  bool find_cavity(std::uint32_t start, Point p) {
+    ++round_;
+    cavity_.assign(1, start);
+    loop_.clear();
+    stamp_[start] = round_;
+    for (std::size_t k = 0; k < cavity_.size(); ++k) {
+      const std::uint32_t t = cavity_[k];
+      if (guarded_[t] != 0) return false;
+      for (int i = 0; i < 3; ++i) {
+        const std::uint32_t n = mesh_.triangles[t].n[at(i)];
+        if (!is_side(n) && stamp_[n] == round_) continue;
+        if (!is_side(n) && in_circle(mesh_.corner(n, 0), mesh_.corner(n, 1), mesh_.corner(n, 2),
+                                     p) == Sign::positive) {
+          stamp_[n] = round_;
+          cavity_.push_back(n);
+          continue;
+        }
+        const std::uint32_t va = mesh_.triangles[t].v[at(next3(i))];
+        const std::uint32_t vb = mesh_.triangles[t].v[at(prev3(i))];
+        const Point a = mesh_.points[va], b = mesh_.points[vb];
+        if (is_side(n)) {
+          const Corners c(p, a, b);
+          if (!(c.dot[0] >= limits_.apex_cot * c.cross)) return false;
+        }
+        loop_.push_back({va, vb, n});
+      }
+    }
+    for (const LoopEdge& e : loop_) {
+      if (orientation(mesh_.points[e.a], mesh_.points[e.b], p) != Sign::positive) return false;
+    }
+    return true;
+  }
+
+  bool insert_near(std::uint32_t t) {
+    const Point p = centre_of(t);
+    const std::uint32_t start = locate(t, p);
+    if (start == kNone || !find_cavity(start, p)) return false;
+    const std::uint32_t apex = mesh_.add_vertex(p);
+    while (cavity_.size() < loop_.size()) cavity_.push_back(mesh_.add_triangle());
+    stamp_.resize(mesh_.triangles.size(), 0);
+    guarded_.resize(mesh_.triangles.size(), 0);
+    starts_at_.resize(mesh_.points.size());
+    ends_at_.resize(mesh_.points.size());
+    for (std::size_t k = 0; k < loop_.size(); ++k) {
+      starts_at_[loop_[k].a] = cavity_[k];
+      ends_at_[loop_[k].b] = cavity_[k];
+    }
+    for (std::size_t k = 0; k < loop_.size(); ++k) {
+      const LoopEdge& e = loop_[k];
+      const std::uint32_t s = cavity_[k];
+      mesh_.triangles[s] = {{e.a, e.b, apex}, {starts_at_[e.b], ends_at_[e.a], e.outer}};
+      mesh_.link(e.outer, e.a, e.b, s);
+      mesh_.home[e.a] = s;
+    }
+    mesh_.home[apex] = cavity_[0];
+    for (std::size_t k = 0; k < loop_.size(); ++k) {
+      mesh_.measure(cavity_[k]);
+      enqueue(cavity_[k]);
+    }
+    return true;
+  }
+
+  MutableMesh& mesh_;
+  RefineLimits limits_;
+  double off_centre_ = 0;
+  std::vector<Entry> queue_;
+  std::vector<std::uint32_t> stamp_;
+  std::vector<std::uint8_t> guarded_;
+  std::uint32_t round_ = 0;
+  std::vector<std::uint32_t> cavity_;
+  std::vector<LoopEdge> loop_;
+  std::vector<std::uint32_t> starts_at_, ends_at_;
+};
+
+}  // namespace
+
+void refine(MutableMesh& mesh, const RefineLimits& limits) { Refinement(mesh, limits).run(); }
+
+}  // namespace cover

@@ -1,0 +1,97 @@
+// See thin_out.hpp. Tested by tests/unit/quality/thin_out_test.cpp.
+#include "quality/thin_out.hpp"
+
+#include "geom/vector.hpp"
+#include "quality/cavity.hpp"
+#include "quality/placement.hpp"
+#include "quality/polygon.hpp"
+
+namespace cover {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+class Thinner {
+ public:
+  Thinner(MutableMesh& mesh, std::uint64_t budget) : mesh_(mesh), budget_(budget), cavity_(mesh) {}
+
+  ThinOutResult run() {
+    queued_.assign(mesh_.points.size(), 0);
+    for (std::uint32_t v = mesh_.fixed_vertices(); v < mesh_.points.size(); ++v) enqueue(v);
+    std::size_t removed = 0;
+    for (std::size_t head = 0; head < queue_.size() && evaluations_ < budget_; ++head) {
+      const std::uint32_t v = queue_[head];
+      queued_[v] = 0;
+      if (mesh_.home[v] == kNone) continue;
+      if (try_removal(v) || try_merge(v)) {
+        ++removed;
+        for (int k = 0; k < installed_.count; ++k) {
+          for (const std::uint32_t w : mesh_.triangles[installed_.triangles[at(k)]].v) enqueue(w);
+        }
+      }
+    }
+    return {removed, evaluations_};
+  }
+
+ private:
+  void enqueue(std::uint32_t v) {
+    if (mesh_.is_fixed(v) || mesh_.home[v] == kNone || queued_[v] != 0) return;
+    queued_[v] = 1;
+    queue_.push_back(v);
+  }
+
+  /// What the new triangles may be.
+  [[nodiscard]] double limit() const { return std::max(0.0, cavity_.worst()); }
+
+  bool try_removal(std::uint32_t v) {
+    if (!cavity_.start_star(v)) return false;
+    ++evaluations_;
+    Patch patch;
+    return min_max_polygon(mesh_, cavity_, limit(), patch) <= limit() &&
+           install_patch(mesh_, cavity_, patch, installed_);
+  }
+
+  bool try_merge(std::uint32_t v) {
+    Cavity star(mesh_);
+    if (!star.start_star(v)) return false;
+    for (int k = 0; k < star.size(); ++k) {
+      const std::uint32_t u = star.vertex(k);
+      if (mesh_.is_fixed(u)) continue;
+      cavity_ = star;
+      if (!swallow(u)) continue;
+      const Placement placement =
+          place(Hole(mesh_, cavity_), midpoint(mesh_.points[u], mesh_.points[v]), 0, evaluations_);
+      if (placement.worst <= limit() && install_star(mesh_, cavity_, placement.at, installed_)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Grows the cavity until `u` on its loop is inside.
+  bool swallow(std::uint32_t u) {
+    const int before = cavity_.swallowed_count();
+    while (cavity_.swallowed_count() == before) {
+      int k = 0;
+      while (cavity_.vertex(k) != u) ++k;
+      if (!cavity_.grow(k)) return false;
+    }
+    return true;
+  }
+
+  MutableMesh& mesh_;
+  std::uint64_t budget_;
+  std::uint64_t evaluations_ = 0;
+  Cavity cavity_;
+  Installed installed_;
+  std::vector<std::uint32_t> queue_;
+  std::vector<std::uint8_t> queued_;
+};
+
+}  // namespace
+
+ThinOutResult thin_out(MutableMesh& mesh, std::uint64_t budget) {
+  return Thinner(mesh, budget).run();
+}
+
+}  // namespace cover

@@ -1,0 +1,126 @@
+#include "quality/cavity.hpp"
+
+#include "mesh_checks.hpp"
+#include "quality/placement.hpp"
+#include "quality/polygon.hpp"
+
+namespace cover {
+namespace {
+
+using namespace testing;
+
+/// A square of 2 x 2 cells, without the vertex in its middle.
+RegionBoundary window() {
+  return boundary_of({{{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}});
+}
+
+/// Takes in all that can be reached.
+void grow_fully(Cavity& cavity) {
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (int k = 0; k < cavity.size() && !grown; ++k) grown = cavity.grow(k);
+  }
+}
+
+TEST(Cavity, GrowsToADiskAndNotBeyondSides) {
+  const MutableMesh mesh = cdt_mesh(window());
+  Cavity cavity(mesh);
+  cavity.start(0);
+  EXPECT_EQ(cavity.size(), 3);
+  grow_fully(cavity);
+  EXPECT_EQ(cavity.triangle_count(), 6);
+  EXPECT_EQ(cavity.size(), 8);
+  for (int k = 0; k < cavity.size(); ++k) EXPECT_TRUE(is_side(cavity.outer(k)));
+  EXPECT_EQ(cavity.swallowed_count(), 0);
+}
+
+TEST(Cavity, StarThenRemovalGivesSoundMeshes) {
+  const RegionBoundary boundary = window();
+  MutableMesh mesh = cdt_mesh(boundary);
+  Cavity cavity(mesh);
+  cavity.start(0);
+  grow_fully(cavity);
+  Installed installed;
+  ASSERT_TRUE(install_star(mesh, cavity, {1, 1}, installed));
+  EXPECT_EQ(installed.count, 8);
+  EXPECT_EQ(mesh.triangle_count(), 8u);
+  expect_sound(mesh, boundary);
+  EXPECT_LT(worst_excess(mesh), 0);
+
+  const std::uint32_t centre = 8;
+  ASSERT_TRUE(cavity.start_star(centre));
+  EXPECT_EQ(cavity.size(), 8);
+  Patch patch;
+  EXPECT_LT(min_max_polygon(mesh, cavity, kInverted, patch), kInverted);
+  ASSERT_TRUE(install_patch(mesh, cavity, patch, installed));
+  EXPECT_EQ(mesh.triangle_count(), 6u);
+  EXPECT_EQ(mesh.home[centre], kNone);
+  expect_sound(mesh, boundary);
+}
+
+TEST(Cavity, SwallowsAFreeVertex) {
+  const RegionBoundary boundary = window();
+  MutableMesh mesh = cdt_mesh(boundary);
+  Cavity cavity(mesh);
+  cavity.start(0);
+  Installed installed;
+  const Point middle = midpoint(midpoint(mesh.corner(0, 0), mesh.corner(0, 1)), mesh.corner(0, 2));
+  ASSERT_TRUE(install_star(mesh, cavity, middle, installed));
+  expect_sound(mesh, boundary);
+  cavity.start(installed.triangles[0]);
+  while (cavity.swallowed_count() == 0) {
+    int k = 0;
+    while (mesh.is_fixed(cavity.vertex(k))) ++k;
+    ASSERT_TRUE(cavity.grow(k));
+  }
+  EXPECT_EQ(cavity.triangle_count(), 3);
+  EXPECT_EQ(cavity.size(), 3);
+}
+
+TEST(Cavity, RefusesAStarThatIsNotCounterClockwise) {
+  const RegionBoundary boundary = window();
+  MutableMesh mesh = cdt_mesh(boundary);
+  Cavity cavity(mesh);
+  cavity.start(0);
+  Installed installed;
+  EXPECT_FALSE(install_star(mesh, cavity, {5, 5}, installed));
+  EXPECT_FALSE(install_star(mesh, cavity, mesh.corner(0, 1), installed));
+  expect_sound(mesh, boundary);
+}
+
+TEST(Placement, FindsTheMiddleOfARegularPolygon) {
+  const RegionBoundary boundary = boundary_of({regular_polygon(7, 3, {1, 2})});
+  const MutableMesh mesh = cdt_mesh(boundary, Goal::of(Angle::degrees(65), Angle::degrees(50)));
+  Cavity cavity(mesh);
+  cavity.start(0);
+  grow_fully(cavity);
+  std::uint64_t evaluations = 0;
+  const Hole hole(mesh, cavity);
+  const Placement p = place(hole, {2, 2.5}, kInverted, evaluations);
+  EXPECT_LE(p.worst, hole.worst({1, 2}, kInverted) + 2e-2);
+  EXPECT_EQ(p.worst, hole.worst(p.at, kInverted));
+  EXPECT_GT(evaluations, 1u);
+  EXPECT_EQ(place(hole, {9, 9}, kInverted, evaluations).worst, kInverted);
+}
+
+TEST(Polygon, FindsTheBestTriangulation) {
+  // Of a flat hexagon: the zigzag is better than every fan.
+  const RegionBoundary boundary =
+      boundary_of({{{0, 0}, {1, -0.1}, {2, 0}, {2, 1}, {1, 1.1}, {0, 1}}});
+  MutableMesh mesh = cdt_mesh(boundary, Goal::of(Angle::degrees(100), Angle::degrees(0)));
+  Cavity cavity(mesh);
+  cavity.start(0);
+  grow_fully(cavity);
+  ASSERT_EQ(cavity.size(), 6);
+  Patch patch;
+  const double best = min_max_polygon(mesh, cavity, kInverted, patch);
+  EXPECT_EQ(patch.count(), 4);
+  Installed installed;
+  ASSERT_TRUE(install_patch(mesh, cavity, patch, installed));
+  EXPECT_DOUBLE_EQ(worst_excess(mesh), best);
+  EXPECT_LE(best, 0);
+  expect_sound(mesh, boundary);
+}
+
+}  // namespace
+}  // namespace cover

@@ -1,0 +1,124 @@
+#include "quality/quality_region.hpp"
+
+#include "covering/measure.hpp"
+#include "mesh_checks.hpp"
+#include "quality/local_frame.hpp"
+
+namespace cover {
+namespace {
+
+using namespace testing;
+
+RegionMesh measured(const RegionBoundary& boundary, const Options& options = {}) {
+  RegionMesh mesh = quality_region(boundary, options, {});
+  measure(boundary, mesh);
+  return mesh;
+}
+
+double largest(const RegionMesh& mesh) {
+  return mesh.report.quality.largest_nu.supplement().in_degrees();
+}
+
+void expect_covering(const RegionBoundary& boundary, const RegionMesh& mesh) {
+  const std::vector<Point> points = all_points(boundary, mesh);
+  double area = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    ASSERT_EQ(orientation(points[a], points[b], points[c]), Sign::positive);
+    area += cross(points[b] - points[a], points[c] - points[a]) / 2;
+  }
+  EXPECT_NEAR(area, area_of(boundary), 1e-12 * area);
+  const HalfEdges edges(points.size(), mesh.triangles);
+  for (const auto& [a, b] : boundary.sides) EXPECT_NE(edges.find(a, b), HalfEdges::kAbsent);
+  EXPECT_TRUE(mesh.report.bound_held);
+}
+
+TEST(QualityRegion, LeavesAGoodTriangleAlone) {
+  const RegionBoundary boundary = boundary_of({{{0, 0}, {1, 0}, {0.4, 0.9}}});
+  const RegionMesh mesh = measured(boundary);
+  EXPECT_EQ(mesh.triangles.size(), 1u);
+  EXPECT_EQ(mesh.report.method, "cdt");
+  EXPECT_TRUE(mesh.report.notes.empty());
+}
+
+TEST(QualityRegion, MeetsBothTargetsOnASmoothStar) {
+  const RegionBoundary boundary = smooth_star(1000);
+  const RegionMesh mesh = measured(boundary);
+  expect_covering(boundary, mesh);
+  EXPECT_LE(largest(mesh), 100 + 1e-6);
+  EXPECT_GE(mesh.report.quality.smallest.in_degrees(), 19);
+  EXPECT_LE(mesh.triangles.size(), 2950u);
+}
+
+TEST(QualityRegion, MeetsOtherTargets) {
+  const RegionBoundary boundary = smooth_star(400);
+  Options options;
+  options.max_angle = Angle::degrees(110);
+  const RegionMesh mesh = measured(boundary, options);
+  expect_covering(boundary, mesh);
+  EXPECT_LE(largest(mesh), 110 + 1e-6);
+  EXPECT_LE(mesh.triangles.size(), 2.6 * 400);
+}
+
+TEST(QualityRegion, ReachesTheOptimumWhereTheInputForcesIt) {
+  const RegionBoundary boundary = boundary_of({{{0, 0}, {10, 0}, {10, 5}, {5, 0.5}, {0, 5}}});
+  const RegionMesh mesh = measured(boundary);
+  expect_covering(boundary, mesh);
+  EXPECT_NEAR(largest(mesh), mesh.report.nu_opt.supplement().in_degrees(), 1e-6);
+  ASSERT_FALSE(mesh.report.notes.empty());
+  EXPECT_EQ(mesh.report.notes[0].kind, Note::Kind::target_missed);
+  EXPECT_NE(mesh.report.notes[0].message.find("input forces"), std::string::npos);
+}
+
+TEST(QualityRegion, KeepsThePromiseOnRandomStarsWithHoles) {
+  const std::uint64_t seed = test_seed(11);
+  SCOPED_TRACE(seed_trace(seed));
+  std::mt19937_64 random(seed);
+  for (int k = 0; k < 30; ++k) {
+    const int n = 6 + 4 * k;
+    const RegionBoundary boundary =
+        boundary_of({random_star(n, 0.5, random, {3, 4}, 2),
+                     reversed(random_star(n / 2 + 3, 0.3, random, {3, 4}, 0.9))});
+    const RegionMesh mesh = measured(boundary);
+    expect_covering(boundary, mesh);
+    const Triangulation cdt = triangulate_domain(boundary.points, boundary.sides).triangulation;
+    std::vector<IndexTriple> triangles;
+    for (const Triangle& t : cdt.triangles) triangles.push_back(t.v);
+    const double plain =
+        measure_angles(boundary.points, triangles).largest_nu.supplement().in_degrees();
+    EXPECT_LE(largest(mesh), std::max(plain, 100.0) + 1e-6);
+  }
+}
+
+TEST(QualityRegion, DependsOnNeitherUnitNorOrigin) {
+  const std::uint64_t seed = test_seed(3);
+  SCOPED_TRACE(seed_trace(seed));
+  std::mt19937_64 random(seed);
+  Loop loop = random_star(40, 0.4, random);
+  for (Point& p : loop) p = {std::round(p.x * 4096) / 4096, std::round(p.y * 4096) / 4096};
+  const RegionMesh mesh = measured(boundary_of({loop}));
+  Loop scaled = loop, moved = loop;
+  for (Point& p : scaled) p = {p.x * 0x1p-40, p.y * 0x1p-40};
+  for (Point& p : moved) p = {p.x + 1e6, p.y - 3e5};
+  const RegionMesh small = measured(boundary_of({scaled})), far = measured(boundary_of({moved}));
+  EXPECT_EQ(small.triangles, mesh.triangles);
+  EXPECT_EQ(far.triangles, mesh.triangles);
+  ASSERT_EQ(small.steiner.size(), mesh.steiner.size());
+  for (std::size_t k = 0; k < mesh.steiner.size(); ++k) {
+    EXPECT_EQ(small.steiner[k].x, mesh.steiner[k].x * 0x1p-40);
+    EXPECT_NEAR(far.steiner[k].x, mesh.steiner[k].x + 1e6, 1e-9);
+  }
+}
+
+TEST(LocalFrame, ShiftsOnlyWhereThatIsExact) {
+  const LocalFrame exact({{1e6, 1}, {1e6 + 0.5, 2}}, true);
+  EXPECT_TRUE(exact.is_shifted());
+  EXPECT_EQ(exact.points()[1], (Point{0.5, 1}));
+  EXPECT_EQ(exact.to_plane({0.25, 0}), (Point{1e6 + 0.25, 1}));
+  const LocalFrame rounded({{0.1, 0}, {1e6, 1}}, true);
+  EXPECT_FALSE(rounded.is_shifted());
+  EXPECT_EQ(rounded.points()[0], (Point{0.1, 0}));
+  EXPECT_FALSE(LocalFrame({{1, 1}, {2, 2}}, false).is_shifted());
+}
+
+}  // namespace
+}  // namespace cover
