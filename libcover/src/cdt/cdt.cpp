@@ -1,7 +1,7 @@
 // CGAL's Constrained_Delaunay_triangulation_2 with exact predicates and double points.
-// Points go in by CGAL's spatial sort, segments in the order given; afterwards the faces asked
-// for are copied into plain arrays in the order in which CGAL stores them, a function of the
-// order of points and segments alone. Tested by tests/unit/cdt/cdt_test.cpp.
+// Points go in by CGAL's spatial sort, segments in a fixed mixture of their order; afterwards the
+// faces asked for are copied into plain arrays in the order in which CGAL stores them, a function
+// of the order of points and segments alone. Tested by tests/unit/cdt/cdt_test.cpp.
 #include "cdt/cdt.hpp"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -13,6 +13,7 @@
 #include <CGAL/spatial_sort.h>
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 
 #include "geom/predicates.hpp"
@@ -36,15 +37,15 @@ bool strictly_between(Point a, Point p, Point b) {
   return (std::min(a, b) < p) && (p < std::max(a, b));
 }
 
-/// The segment among `segments[0, count)` that segment `s` crosses.
+/// The first segment that crosses segment `s`.
 CdtConflict find_crossing(std::span<const Point> points, std::span<const IndexPair> segments,
                           std::uint32_t s) {
   const Point a = points[segments[s][0]], b = points[segments[s][1]];
-  for (std::uint32_t k = 0; k < s; ++k) {
+  for (std::uint32_t k = 0; k < segments.size(); ++k) {
     const Point c = points[segments[k][0]], d = points[segments[k][1]];
     if (static_cast<int>(orientation(a, b, c)) * static_cast<int>(orientation(a, b, d)) < 0 &&
         static_cast<int>(orientation(c, d, a)) * static_cast<int>(orientation(c, d, b)) < 0) {
-      return {CdtConflict::Kind::crossing, k, s};
+      return {CdtConflict::Kind::crossing, std::min(k, s), std::max(k, s)};
     }
   }
   return {CdtConflict::Kind::crossing, s, s};
@@ -60,16 +61,40 @@ CdtConflict find_point_on(std::span<const Point> points, IndexPair segment, std:
   return {CdtConflict::Kind::point_on_segment, segment[0], s};
 }
 
+/// The numbers below n in rounds, each about eight times as long as the one before; within a round
+/// they ascend. Long segments that all cross the same edges make insertion in a given order
+/// quadratic, in random order not (J. R. Shewchuk, B. C. Brown, CGTA 48 (2015)); the rounds keep
+/// neighbours together all the same. The numbers are mixed by a fixed function: same input, same
+/// order.
+std::vector<std::uint32_t> rounds(std::size_t n) {
+  std::vector<std::pair<int, std::uint32_t>> keyed(n);
+  for (std::uint32_t k = 0; k < n; ++k) {
+    std::uint64_t mixed = (k + 1) * 0x9E3779B97F4A7C15U;  // splitmix64
+    mixed = (mixed ^ mixed >> 30) * 0xBF58476D1CE4E5B9U;
+    mixed = (mixed ^ mixed >> 27) * 0x94D049BB133111EBU;
+    keyed[k] = {-(std::countr_zero(mixed ^ mixed >> 31) / 3), k};
+  }
+  std::sort(keyed.begin(), keyed.end());
+  std::vector<std::uint32_t> order(n);
+  std::transform(keyed.begin(), keyed.end(), order.begin(), [](const auto& e) { return e.second; });
+  return order;
+}
+
 class Builder {
  public:
   Builder(std::span<const Point> points, std::span<const IndexPair> segments)
-      : points_(points), segments_(segments) {}
+      : points_(points), segments_(segments), degree_(points.size()) {
+    for (const auto& [a, b] : segments) {
+      ++degree_[a];
+      ++degree_[b];
+    }
+  }
 
   /// Inserts everything; a conflict stops it.
   std::vector<CdtConflict> insert_all() {
     insert_points();
     if (!conflicts_.empty()) return conflicts_;
-    for (std::uint32_t s = 0; s < segments_.size(); ++s) {
+    for (const std::uint32_t s : rounds(segments_.size())) {
       insert_segment(s);
       if (!conflicts_.empty()) return conflicts_;
     }
@@ -89,7 +114,8 @@ class Builder {
     for (const auto& [a, b] : segments_) {
       FaceHandle f;
       int i = 0;
-      if (!cdt_.is_edge(handles_[a], handles_[b], f, i)) continue;
+      const auto [u, v] = by_degree(a, b);
+      if (!cdt_.is_edge(u, v, f, i)) continue;
       if (f->vertex(Cdt::ccw(i)) != handles_[a]) f = f->neighbor(i);
       if (f->info() != kInside) {
         f->info() = kInside;
@@ -149,8 +175,8 @@ class Builder {
       const std::size_t before = cdt_.number_of_vertices();
       const VertexHandle v = cdt_.insert(sites[k], hint);
       if (cdt_.number_of_vertices() == before) {
-        conflicts_.push_back({CdtConflict::Kind::duplicate_point, std::min(v->info(), k),
-                              std::max(v->info(), k)});
+        conflicts_.push_back(
+            {CdtConflict::Kind::duplicate_point, std::min(v->info(), k), std::max(v->info(), k)});
         return;
       }
       v->info() = k;
@@ -159,8 +185,16 @@ class Builder {
     }
   }
 
+  /// The ends of a segment, the one with fewer segments first: CGAL turns around the first one, and
+  /// the hub of a wheel would make that quadratic.
+  [[nodiscard]] std::pair<VertexHandle, VertexHandle> by_degree(std::uint32_t a,
+                                                                std::uint32_t b) const {
+    if (degree_[b] < degree_[a]) std::swap(a, b);
+    return {handles_[a], handles_[b]};
+  }
+
   void insert_segment(std::uint32_t s) {
-    const VertexHandle a = handles_[segments_[s][0]], b = handles_[segments_[s][1]];
+    const auto [a, b] = by_degree(segments_[s][0], segments_[s][1]);
     FaceHandle f;
     int i = 0;
     if (cdt_.is_edge(a, b, f, i) && f->is_constrained(i)) return;  // CGAL would throw
@@ -175,6 +209,7 @@ class Builder {
 
   std::span<const Point> points_;
   std::span<const IndexPair> segments_;
+  std::vector<std::uint32_t> degree_;  ///< segments at each point
   Cdt cdt_;
   std::vector<VertexHandle> handles_;
   std::vector<CdtConflict> conflicts_;

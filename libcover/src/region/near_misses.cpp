@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "base/describe.hpp"
@@ -13,29 +14,30 @@ namespace cover {
 namespace {
 
 /// What is nearer than this, compared with the edges beside it, is worth a warning. Rounded decimal
-/// drawings miss by 1e-16 to 1e-7 of their size; the thinnest layers that are meant (1 nm on 1 mm)
-/// are just above.
-constexpr double kNear = 5e-7;
+/// drawings miss by 1e-16 to 1e-7 of their size; the thinnest layers that are meant (1.2 nm on 1
+/// mm) lie above.
+constexpr double kNear = 1e-6;
 constexpr std::size_t kMostWarnings = 50;
+constexpr int kMostSteps = 64;  // edges between a point and the segment near it
 
 class NearMisses {
  public:
-  NearMisses(const Pslg& pslg, std::vector<Note>& notes) : pslg_(pslg), notes_(notes) {}
+  NearMisses(const Pslg& pslg, const Triangulation& triangulation, std::vector<Note>& notes)
+      : pslg_(pslg), triangulation_(triangulation), notes_(notes) {}
 
-  /// Looks at edge i of triangle f and the corner opposite to it.
-  void look(const Triangle& f, int i) {
+  /// Looks at corner i of triangle t and the edge opposite to it.
+  void look(std::uint32_t t, int i) {
+    const Triangle& f = triangulation_.triangles[t];
     const std::uint32_t w = f.v[static_cast<std::size_t>(i)];
     const std::uint32_t u = f.v[static_cast<std::size_t>(next3(i))];
     const std::uint32_t v = f.v[static_cast<std::size_t>(prev3(i))];
-    const Point pu = pslg_.points[u], pv = pslg_.points[v], pw = pslg_.points[w];
-    const double uv = length(pv - pu), vw = length(pw - pv), wu = length(pu - pw);
+    const double uv = length(at(v) - at(u)), vw = length(at(w) - at(v)), wu = length(at(u) - at(w));
     if (uv < kNear * std::min(vw, wu)) {
       if (!f.is_locked(i)) points(u, v, uv);
-      return;
+    } else if (!f.is_locked(next3(i)) && !f.is_locked(prev3(i)) &&
+               distance(w, u, v) < kNear * std::min(vw, wu)) {
+      look_across(w, t, i, kNear * std::min(vw, wu));
     }
-    if (!f.is_locked(i) || f.is_locked(next3(i)) || f.is_locked(prev3(i))) return;
-    const double height = cross(pv - pu, pw - pu) / uv;
-    if (height < kNear * std::min(vw, wu)) point_and_segment(w, u, v, height);
   }
 
   /// Says how many more there are than were listed.
@@ -59,6 +61,38 @@ class NearMisses {
          {pslg_.points[u], pslg_.points[v]});
   }
 
+  [[nodiscard]] Point at(std::uint32_t p) const { return pslg_.points[p]; }
+
+  /// The distance of w from the line through u and v.
+  [[nodiscard]] double distance(std::uint32_t w, std::uint32_t u, std::uint32_t v) const {
+    return std::abs(cross(at(v) - at(u), at(w) - at(u))) / length(at(v) - at(u));
+  }
+
+  /// Goes on from point w across edge i of triangle t, as long as edges are nearer than `reach`, to
+  /// the segment behind them.
+  void look_across(std::uint32_t w, std::uint32_t t, int i, double reach) {
+    for (int step = 0; step < kMostSteps; ++step) {
+      const Triangle& f = triangulation_.triangles[t];
+      const std::uint32_t u = f.v[static_cast<std::size_t>(next3(i))];
+      const std::uint32_t v = f.v[static_cast<std::size_t>(prev3(i))];
+      if (f.is_locked(i)) return point_and_segment(w, u, v, distance(w, u, v));
+      const std::uint32_t next = f.n[static_cast<std::size_t>(i)];
+      if (next == kNone) return;
+      const Triangle& g = triangulation_.triangles[next];
+      const int back = g.edge_to(t);
+      // Of the two edges on the far side the one that runs past w: its ends are on both sides of w.
+      const std::uint32_t apex = g.v[static_cast<std::size_t>(back)];
+      const Vector along = at(v) - at(u);
+      i = dot(along, at(apex) - at(w)) > 0 ? next3(back) : prev3(back);
+      t = next;
+      const Triangle& h = triangulation_.triangles[t];
+      if (distance(w, h.v[static_cast<std::size_t>(next3(i))],
+                   h.v[static_cast<std::size_t>(prev3(i))]) >= reach) {
+        return;
+      }
+    }
+  }
+
   void point_and_segment(std::uint32_t w, std::uint32_t u, std::uint32_t v, double distance) {
     if (!is_new({w, std::min(u, v), std::max(u, v)})) return;
     warn(fmt::format("{} is only {} away from the segment between {} and {}", name(w),
@@ -75,6 +109,7 @@ class NearMisses {
   }
 
   const Pslg& pslg_;
+  const Triangulation& triangulation_;
   std::vector<Note>& notes_;
   std::set<std::array<std::uint32_t, 3>> seen_;
 };
@@ -83,9 +118,9 @@ class NearMisses {
 
 void warn_of_near_misses(const Pslg& pslg, const Triangulation& triangulation,
                          std::vector<Note>& notes) {
-  NearMisses misses(pslg, notes);
-  for (const Triangle& f : triangulation.triangles) {
-    for (int i = 0; i < 3; ++i) misses.look(f, i);
+  NearMisses misses(pslg, triangulation, notes);
+  for (std::uint32_t t = 0; t < triangulation.triangles.size(); ++t) {
+    for (int i = 0; i < 3; ++i) misses.look(t, i);
   }
   misses.finish();
 }

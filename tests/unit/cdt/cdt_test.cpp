@@ -71,5 +71,25 @@ TEST(TriangulateHull, NamesWhatIsNoPslg) {
   EXPECT_EQ(r.conflicts[0].second, 5U);
 }
 
+// Each of these takes minutes if something in it is quadratic.
+TEST(TriangulateHull, StandsHubsAndLongChords) {
+  constexpr std::uint32_t kSize = 30000;
+  std::vector<Point> wheel{{0, 0}};
+  std::vector<IndexPair> spokes;
+  for (const Point& p : testing::regular_polygon(kSize)) {
+    spokes.push_back({0, static_cast<std::uint32_t>(wheel.size())});
+    wheel.push_back(p);
+  }
+  EXPECT_EQ(triangulate_hull(wheel, spokes).triangulation.triangles.size(), kSize);
+  std::vector<Point> zigzag;
+  std::vector<IndexPair> chords;
+  for (std::uint32_t k = 0; k < kSize; ++k) {
+    const double t = k / 2 / double{kSize}, bend = t * t * 0x1p-20;
+    zigzag.push_back(k % 2 == 0 ? Point{t * 0x1p-10, bend} : Point{t * 0x1p-10 + 0x1p-28, 1 - bend});
+    if (k > 0) chords.push_back({k - 1, k});
+  }
+  EXPECT_TRUE(triangulate_hull(zigzag, chords).conflicts.empty());
+}
+
 }  // namespace
 }  // namespace cover

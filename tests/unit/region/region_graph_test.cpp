@@ -289,6 +289,18 @@ TEST(BuildRegionTable, WarnsOfNearMisses) {
   EXPECT_EQ(found->notes[0].where.at(0), (Point{1, 0x1p-30}));
 }
 
+TEST(BuildRegionTable, WarnsOfAllPointsNearOneLongSegment) {
+  Input input;
+  add_loop(input, square(0, 8));
+  for (int k = 1; k < 8; ++k) {
+    const double x = k;
+    add_loop(input, {{x, 0x1p-30}, {x + 0.25, 1}, {x - 0.25, 1}});
+  }
+  const auto found = find(input);
+  ASSERT_TRUE(found) << found.error().message;
+  EXPECT_EQ(found->notes.size(), 7U);
+}
+
 TEST(BuildRegionTable, DoesNotDependOnScaleOrOrder) {
   const Input input = testing::checker(8, 3, 5);
   const auto base = find(input);
