@@ -7,6 +7,9 @@
 namespace cover {
 namespace {
 
+constexpr Angle kSixty = Angle::degrees(60);
+constexpr Angle kStraight = Angle::degrees(180);
+
 Error bad_option(std::string message) {
   return {ErrorCode::bad_option, std::move(message), {}, {}};
 }
@@ -18,13 +21,14 @@ Status check_options(const Options& options) {
   if (options.pieces < 2) {
     return bad_option(fmt::format("pieces is {}, but must be at least 2", options.pieces));
   }
-  const double max = options.max_angle.in_degrees(), min = options.min_angle.in_degrees();
-  if (!(max > 60 && max < 180)) {
-    return bad_option(fmt::format("max_angle is {} degrees, but must lie between 60 and 180", max));
-  }
-  if (!(min >= 0 && min < 60)) {
+  const Angle max = options.max_angle, min = options.min_angle;
+  if (!(max > kSixty && max < kStraight)) {
     return bad_option(
-        fmt::format("min_angle is {} degrees, but must be at least 0 and below 60", min));
+        fmt::format("max_angle is {} degrees, but must lie between 60 and 180", max.in_degrees()));
+  }
+  if (!(min >= Angle() && min < kSixty)) {
+    return bad_option(fmt::format("min_angle is {} degrees, but must be at least 0 and below 60",
+                                  min.in_degrees()));
   }
   if (!(options.growth > 1 && std::isfinite(options.growth))) {
     return bad_option(fmt::format("growth is {}, but must be above 1", options.growth));
@@ -34,10 +38,11 @@ Status check_options(const Options& options) {
         fmt::format("weld is {}, but must be at least 0 and below 1 (relative)", *options.weld));
   }
   if (options.split_interfaces) {
-    const double split = options.split_interfaces->in_degrees();
-    if (!(split >= 60 && split < 180)) {
-      return bad_option(fmt::format(
-          "split_interfaces is {} degrees, but must be at least 60 and below 180", split));
+    const Angle split = *options.split_interfaces;
+    if (!(split >= kSixty && split < kStraight)) {
+      return bad_option(
+          fmt::format("split_interfaces is {} degrees, but must be at least 60 and below 180",
+                      split.in_degrees()));
     }
   }
   for (const SizeRule& rule : options.sizes) {

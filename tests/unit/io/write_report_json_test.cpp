@@ -1,0 +1,71 @@
+// The report as JSON: parsed again, complete, and in agreement with the Report.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+#include <cover/cover_mesh.hpp>
+#include <cover/write_mesh.hpp>
+
+#include "support/inputs.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace cover {
+namespace {
+
+nlohmann::json written(const Output& output) {
+  const testing::TemporaryFolder folder;
+  const std::string path = folder.path() / "report.json";
+  const Status status = write_report_json(output, path);
+  EXPECT_TRUE(status);
+  std::ifstream file(path);
+  return nlohmann::json::parse(file);
+}
+
+TEST(WriteReportJson, HoldsWhatTheReportHolds) {
+  const Output output = cover_mesh(testing::checker(3, 4, 5)).value();
+  const nlohmann::json json = written(output);
+  EXPECT_EQ(json["format"], "cover report");
+  EXPECT_EQ(json["mesh"]["triangles"], output.mesh.tri().n_faces());
+  EXPECT_EQ(json["mesh"]["vertices"], output.mesh.tri().n_vertices());
+  EXPECT_EQ(json["input"]["segments"], output.pslg.segments.size());
+  ASSERT_EQ(json["regions"].size(), 9U);
+  std::size_t triangles = 0, angles = 0;
+  for (std::size_t r = 0; r < 9; ++r) {
+    const auto& region = json["regions"][r];
+    const RegionReport& report = output.report.regions[r];
+    EXPECT_EQ(region["id"], r + 1);
+    EXPECT_EQ(region["name"], output.table.regions[r].name);
+    EXPECT_EQ(region["material"], output.table.regions[r].material);
+    EXPECT_EQ(region["method"], report.method);
+    EXPECT_EQ(region["nu_opt_radians"], report.nu_opt.in_radians());
+    EXPECT_EQ(region["largest_nu_radians"], report.quality.largest_nu.in_radians());
+    EXPECT_GE(region["gamma_opt"].get<double>(), 60 - 1e-12);
+    EXPECT_EQ(region["bound_held"], report.bound_held);
+    triangles += region["triangles"].get<std::size_t>();
+    for (const auto& bin : region["histogram"]) angles += bin.get<std::size_t>();
+    EXPECT_EQ(region["box"]["obtuse_sides"], report.box.obtuse_sides);
+  }
+  EXPECT_EQ(json["overall"]["triangles"], triangles);
+  EXPECT_EQ(angles, 3 * triangles);
+  EXPECT_EQ(json["interfaces"].size(), output.table.interfaces.size());
+  EXPECT_GE(json["times"].size(), 4U);
+}
+
+TEST(WriteReportJson, NotesAndStrangeNames) {
+  Output output = cover_mesh(testing::checker(1, 2, 5)).value();
+  output.table.regions[0].name = "no utf-8: \xff \"quoted\"";
+  output.report.regions[0].notes.push_back(
+      {Note::Kind::below_resolution, RegionId{1}, "too flat", {{1.5, -2}}});
+  output.report.regions[0].bound_held = false;
+  output.report.notes.push_back({Note::Kind::change, kVoid, "welded", {}});
+  const nlohmann::json json = written(output);
+  EXPECT_EQ(json["regions"][0]["notes"][0]["kind"], "below_resolution");
+  EXPECT_EQ(json["regions"][0]["notes"][0]["where"][0][1], -2);
+  EXPECT_EQ(json["overall"]["bound_missed"], nlohmann::json::array({1}));
+  EXPECT_EQ(json["notes"][0]["kind"], "change");
+}
+
+}  // namespace
+}  // namespace cover

@@ -1,0 +1,194 @@
+// The whole call: promises on many regions, the same mesh for any number of threads, order of the
+// input, unit and origin; cancelling, progress, options out of range.
+#include <cover/cover_mesh.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <map>
+#include <set>
+#include <thread>
+
+#include <cover/verify.hpp>
+
+#include "support/inputs.hpp"
+
+namespace cover {
+namespace {
+
+Output must_mesh(const Input& input, const Options& options = {}) {
+  Result<Output> output = cover_mesh(input, options);
+  EXPECT_TRUE(output) << output.error().message;
+  return std::move(output).value();
+}
+
+std::string violations(const Output& output) {
+  std::string text;
+  const auto soup = triangle_soup(output.mesh);
+  for (const Violation& v : verify_cover(output.pslg, output.table, soup).violations) {
+    text += v.message + '\n';
+  }
+  return text;
+}
+
+/// A mesh without ids: for each region, found by a point inside, its triangles by coordinates.
+using Shape = std::set<std::array<Point, 3>>;
+
+Shape shape_of(const TriangleSoup& soup, double factor = 1, Point shift = {0, 0}) {
+  Shape shape;
+  for (const auto& t : soup.triangles) {
+    std::array<Point, 3> p;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Point q = soup.points[t[i]];
+      p[i] = {(q.x - shift.x) / factor, (q.y - shift.y) / factor};
+    }
+    std::rotate(p.begin(), std::min_element(p.begin(), p.end()), p.end());
+    shape.insert(p);
+  }
+  return shape;
+}
+
+TEST(CoverMesh, KeepsItsPromises) {
+  const Output output = must_mesh(testing::checker(6, 5, 3));
+  EXPECT_EQ(violations(output), "");
+  EXPECT_EQ(output.report.regions.size(), 36U);
+  EXPECT_EQ(output.table.regions.size(), 36U);
+  EXPECT_NEAR(output.report.quality.area, 1, 1e-12);
+  EXPECT_EQ(output.report.quality.triangles, output.mesh.tri().n_faces());
+  EXPECT_EQ(output.report.input_points + output.report.steiner_vertices,
+            output.mesh.tri().n_vertices());
+}
+
+TEST(CoverMesh, SameMeshForAnyNumberOfThreadsAndAnyRepeat) {
+  const Input input = testing::checker(8, 6, 11);
+  Options options;
+  options.threads = 1;
+  const TriangleSoup first = triangle_soup(must_mesh(input, options).mesh);
+  for (const unsigned threads : {1U, 2U, 2U, 8U, 8U}) {
+    options.threads = threads;
+    const TriangleSoup again = triangle_soup(must_mesh(input, options).mesh);
+    EXPECT_EQ(first.points, again.points);
+    EXPECT_EQ(first.triangles, again.triangles);
+    EXPECT_EQ(first.region, again.region);
+    EXPECT_EQ(first.material, again.material);
+  }
+}
+
+TEST(CoverMesh, SameMeshForAnyOrderOfTheInput) {
+  const Input input = testing::checker(5, 6, 12);
+  const Shape shape = shape_of(triangle_soup(must_mesh(input).mesh));
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    EXPECT_EQ(shape_of(triangle_soup(must_mesh(testing::shuffled(input, seed)).mesh)), shape);
+  }
+}
+
+TEST(CoverMesh, NothingDependsOnTheUnit) {
+  const Input input = testing::checker(4, 7, 13);
+  const TriangleSoup plain = triangle_soup(must_mesh(input).mesh);
+  for (const double factor : {0x1p30, 0x1p-30}) {
+    const TriangleSoup scaled = triangle_soup(must_mesh(testing::transformed(input, factor)).mesh);
+    EXPECT_EQ(scaled.triangles, plain.triangles);
+    EXPECT_EQ(shape_of(scaled, factor), shape_of(plain));
+  }
+}
+
+TEST(CoverMesh, ARegionAloneIsMeshedAsInsideTheWhole) {
+  const Input whole = testing::checker(5, 6, 14);
+  const Output output = must_mesh(whole);
+  const TriangleSoup soup = triangle_soup(output.mesh);
+  for (const RegionId id : {RegionId{1}, RegionId{7}, RegionId{25}}) {
+    Input alone;
+    alone.points = output.pslg.points;
+    for (std::size_t s = 0; s < output.pslg.segments.size(); ++s) {
+      const SegmentSides& sides = output.table.sides[s];
+      if (sides.left != id && sides.right != id) continue;
+      InputSegment segment;
+      segment.a = output.pslg.segments[s].a.value();
+      segment.b = output.pslg.segments[s].b.value();
+      alone.segments.push_back(segment);
+    }
+    TriangleSoup part = soup;
+    part.triangles.clear();
+    for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+      if (soup.region[t] == id.value()) part.triangles.push_back(soup.triangles[t]);
+    }
+    EXPECT_EQ(shape_of(triangle_soup(must_mesh(alone).mesh)), shape_of(part));
+  }
+}
+
+TEST(CoverMesh, StopsWhenAsked) {
+  const Input input = testing::checker(10, 6, 15);
+  std::stop_source stop;
+  Callbacks callbacks;
+  callbacks.stop = stop.get_token();
+  callbacks.progress = [&](const Progress&) { stop.request_stop(); };
+  const Result<Output> output = cover_mesh(input, {}, callbacks);
+  ASSERT_FALSE(output);
+  EXPECT_EQ(output.error().code, ErrorCode::cancelled);
+}
+
+TEST(CoverMesh, ReportsProgressFromOneThreadAtATime) {
+  const Input input = testing::checker(12, 6, 16);
+  Options options;
+  options.threads = 4;
+  std::atomic<int> inside = 0;
+  std::map<std::string, Progress> last;
+  bool in_order = true, alone = true;
+  Callbacks callbacks;
+  callbacks.progress = [&](const Progress& p) {
+    alone = alone && ++inside == 1;
+    Progress& before = last[std::string(p.stage)];
+    in_order = in_order && before.done <= p.done && p.done <= p.total;
+    before = p;
+    --inside;
+  };
+  ASSERT_TRUE(cover_mesh(input, options, callbacks));
+  EXPECT_TRUE(alone);
+  EXPECT_TRUE(in_order);
+  ASSERT_TRUE(last.contains("mesh"));
+  EXPECT_EQ(last["mesh"].done, last["mesh"].total);
+}
+
+TEST(CoverMesh, RefusesOptionsOutOfRange) {
+  const Input input = testing::checker(1, 2, 1);
+  const auto code = [&](auto change) {
+    Options options;
+    change(options);
+    const Result<Output> output = cover_mesh(input, options);
+    return output ? ErrorCode::internal : output.error().code;
+  };
+  EXPECT_EQ(code([](Options& o) { o.pieces = 1; }), ErrorCode::bad_option);
+  EXPECT_EQ(code([](Options& o) { o.max_angle = Angle::degrees(60); }), ErrorCode::bad_option);
+  EXPECT_EQ(code([](Options& o) { o.max_angle = Angle::degrees(std::nan("")); }),
+            ErrorCode::bad_option);
+  EXPECT_EQ(code([](Options& o) { o.min_angle = Angle::degrees(60); }), ErrorCode::bad_option);
+  EXPECT_EQ(code([](Options& o) { o.growth = 1; }), ErrorCode::bad_option);
+  EXPECT_EQ(code([](Options& o) { o.weld = -1e-9; }), ErrorCode::bad_option);
+  EXPECT_EQ(code([](Options& o) { o.split_interfaces = Angle::degrees(30); }),
+            ErrorCode::bad_option);
+  EXPECT_EQ(code([](Options& o) { o.sizes = {{"Si", 0, false}}; }), ErrorCode::bad_option);
+}
+
+TEST(CoverMesh, BadInputIsAnError) {
+  Input input;
+  EXPECT_EQ(cover_mesh(input).error().code, ErrorCode::no_segments);
+  EXPECT_EQ(prepare(input).error().code, ErrorCode::no_segments);
+}
+
+TEST(Prepare, FindsTheLowerBoundsOfCoverMesh) {
+  const Input input = testing::checker(4, 5, 17);
+  const Result<Prepared> prepared = prepare(input);
+  ASSERT_TRUE(prepared) << prepared.error().message;
+  const Output output = must_mesh(input);
+  ASSERT_EQ(prepared->report.regions.size(), output.report.regions.size());
+  for (std::size_t r = 0; r < output.report.regions.size(); ++r) {
+    EXPECT_EQ(prepared->report.regions[r].id, output.report.regions[r].id);
+    EXPECT_GT(prepared->report.regions[r].nu_opt.in_degrees(), 0);
+    EXPECT_EQ(prepared->report.regions[r].quality.triangles, 0U);
+  }
+}
+
+}  // namespace
+}  // namespace cover

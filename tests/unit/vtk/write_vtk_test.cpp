@@ -1,0 +1,202 @@
+// Files in VTK's XML formats, read back with VTK's own readers and looked at as bytes.
+#include <gtest/gtest.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdList.h>
+#include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLMultiBlockDataReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include <cover/cover_mesh.hpp>
+#include <cover/write_mesh.hpp>
+
+#include "support/inputs.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace cover {
+namespace {
+
+namespace fs = std::filesystem;
+
+Output checker_output(unsigned threads = 1) {
+  Options options;
+  options.threads = threads;
+  Result<Output> output = cover_mesh(testing::checker(3, 4, 5), options);
+  EXPECT_TRUE(output) << output.error().message;
+  return std::move(output).value();
+}
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream out;
+  out << file.rdbuf();
+  return out.str();
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> read_vtu(const fs::path& path) {
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+TEST(WriteVtu, VtkReadsBackEveryBit) {
+  const testing::TemporaryFolder folder;
+  const Output output = checker_output();
+  const TriMesh& tri = output.mesh.tri();
+  const fs::path path = folder.path() / "checker.vtu";
+  ASSERT_TRUE(write_vtu(output, path));
+  const auto grid = read_vtu(path);
+  ASSERT_EQ(grid->GetNumberOfPoints(), static_cast<vtkIdType>(tri.n_vertices()));
+  ASSERT_EQ(grid->GetNumberOfCells(), static_cast<vtkIdType>(tri.n_faces()));
+  EXPECT_EQ(grid->GetPoints()->GetDataType(), VTK_DOUBLE);
+  for (const auto v : tri.vertices()) {
+    const double* p = grid->GetPoint(v.idx());
+    EXPECT_EQ(TriMesh::Point(p[0], p[1], p[2]), tri.point(v));
+  }
+  vtkCellData* data = grid->GetCellData();
+  for (const auto f : tri.faces()) {
+    EXPECT_EQ(grid->GetCellType(f.idx()), VTK_TRIANGLE);
+    for (const char* name : {"material", "MaterialID", "mat_id"}) {
+      EXPECT_EQ(data->GetArray(name)->GetTuple1(f.idx()), output.mesh.material(f));
+    }
+    EXPECT_EQ(data->GetArray("RegionId")->GetTuple1(f.idx()), output.mesh.region(f).value());
+    const double largest = data->GetArray("max_angle")->GetTuple1(f.idx());
+    const double smallest = data->GetArray("min_angle")->GetTuple1(f.idx());
+    EXPECT_GE(largest, 60 - 1e-9);
+    EXPECT_LE(smallest, 60 + 1e-9);
+    EXPECT_GT(smallest, 0);
+    EXPECT_LE(largest, output.report.quality.largest_nu.supplement().in_degrees() + 1e-9);
+  }
+}
+
+TEST(WriteVtu, ArraysStandInTheOrderThatReadersWant) {
+  const testing::TemporaryFolder folder;
+  const fs::path path = folder.path() / "checker.vtu";
+  ASSERT_TRUE(write_vtu(checker_output(), path));
+  const auto grid = read_vtu(path);
+  vtkCellData* data = grid->GetCellData();
+  const std::vector<std::pair<std::string, int>> expected{
+      {"material", VTK_INT}, {"MaterialID", VTK_INT},   {"mat_id", VTK_INT},
+      {"RegionId", VTK_INT}, {"max_angle", VTK_DOUBLE}, {"min_angle", VTK_DOUBLE}};
+  ASSERT_EQ(data->GetNumberOfArrays(), static_cast<int>(expected.size()));
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i) {
+    EXPECT_EQ(data->GetArrayName(i), expected[static_cast<std::size_t>(i)].first);
+    EXPECT_EQ(data->GetArray(i)->GetDataType(), expected[static_cast<std::size_t>(i)].second);
+  }
+  EXPECT_EQ(grid->GetFieldData()->GetNumberOfArrays(), 0);
+  const std::string bytes = bytes_of(path);
+  EXPECT_NE(bytes.find("<CellData Scalars=\"material\">"), std::string::npos);
+  EXPECT_NE(bytes.find("header_type=\"UInt64\""), std::string::npos);
+  EXPECT_NE(bytes.find("<AppendedData encoding=\"raw\">"), std::string::npos);
+  EXPECT_EQ(bytes.find("compressor"), std::string::npos);
+  EXPECT_EQ(bytes.find("<FieldData"), std::string::npos);
+}
+
+TEST(WriteVtu, SameBytesForAnyNumberOfThreadsAndAnyRepeat) {
+  const testing::TemporaryFolder folder;
+  std::string first;
+  for (const unsigned threads : {1U, 2U, 8U, 1U, 8U}) {
+    const fs::path path = folder.path() / "checker.vtu";
+    ASSERT_TRUE(write_vtu(checker_output(threads), path));
+    if (first.empty()) first = bytes_of(path);
+    EXPECT_EQ(bytes_of(path), first) << threads << " threads";
+  }
+  EXPECT_FALSE(first.empty());
+}
+
+TEST(WriteVtu, SaysWhatItCannotWrite) {
+  const Output output = checker_output();
+  const Status status = write_vtu(output, "/nowhere/checker.vtu");
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().code, ErrorCode::cannot_write);
+  EXPECT_NE(status.error().message.find("/nowhere/checker.vtu"), std::string::npos);
+}
+
+/// Names of the blocks of block `k`.
+std::map<std::string, vtkSmartPointer<vtkUnstructuredGrid>> blocks_of(vtkMultiBlockDataSet* root,
+                                                                      unsigned k) {
+  std::map<std::string, vtkSmartPointer<vtkUnstructuredGrid>> blocks;
+  auto* group = vtkMultiBlockDataSet::SafeDownCast(root->GetBlock(k));
+  for (unsigned i = 0; group != nullptr && i < group->GetNumberOfBlocks(); ++i) {
+    blocks[group->GetMetaData(i)->Get(vtkCompositeDataSet::NAME())] =
+        vtkUnstructuredGrid::SafeDownCast(group->GetBlock(i));
+  }
+  return blocks;
+}
+
+TEST(WriteVtm, NamedBlocksForRegionsAndInterfaces) {
+  const testing::TemporaryFolder folder;
+  Output output = checker_output();
+  output.table.regions[3].name = "a/b";
+  output.table.regions[4].name = output.table.regions[5].name = "Si";
+  const fs::path path = folder.path() / "checker.vtm";
+  for (int repeat = 0; repeat < 2; ++repeat) {  // the second replaces the first
+    ASSERT_TRUE(write_vtm(output, path));
+    vtkNew<vtkXMLMultiBlockDataReader> reader;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    auto* root = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0));
+    ASSERT_NE(root, nullptr);
+    ASSERT_EQ(root->GetNumberOfBlocks(), 2U);
+    EXPECT_STREQ(root->GetMetaData(0U)->Get(vtkCompositeDataSet::NAME()), "regions");
+    EXPECT_STREQ(root->GetMetaData(1U)->Get(vtkCompositeDataSet::NAME()), "interfaces");
+    const auto regions = blocks_of(root, 0), lines = blocks_of(root, 1);
+    EXPECT_EQ(regions.size(), 9U);
+    EXPECT_EQ(lines.size(), output.table.interfaces.size());
+    EXPECT_TRUE(regions.contains("a_b"));
+    EXPECT_TRUE(regions.contains("Si"));
+    EXPECT_TRUE(regions.contains("Si_2"));
+    vtkIdType cells = 0;
+    for (const auto& [name, grid] : regions) cells += grid->GetNumberOfCells();
+    EXPECT_EQ(cells, static_cast<vtkIdType>(output.mesh.tri().n_faces()));
+  }
+  std::size_t files = 0;
+  for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder.path())) ++files;
+  EXPECT_EQ(files, 2U) << "checker.vtm and the folder of its pieces";
+}
+
+TEST(WriteVtm, LinesHaveTheirLeftRegionOnTheLeft) {
+  const testing::TemporaryFolder folder;
+  const Output output = checker_output();
+  const fs::path path = folder.path() / "checker.vtm";
+  ASSERT_TRUE(write_vtm(output, path));
+  vtkNew<vtkXMLMultiBlockDataReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  const auto lines =
+      blocks_of(vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0)), 1);
+  const TriMesh& tri = output.mesh.tri();
+  std::size_t segments = 0;
+  for (const auto& [name, grid] : lines) {
+    vtkDataArray* ids = grid->GetPointData()->GetArray("GlobalNodeId");
+    ASSERT_NE(ids, nullptr) << name;
+    for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c, ++segments) {
+      vtkNew<vtkIdList> ends;
+      grid->GetCellPoints(c, ends);
+      const auto vertex = [&](int i) {
+        return TriMesh::VertexHandle(static_cast<int>(ids->GetTuple1(ends->GetId(i))));
+      };
+      const auto h = tri.find_halfedge(vertex(0), vertex(1));
+      ASSERT_TRUE(h.is_valid());
+      EXPECT_EQ(grid->GetCellData()->GetArray("LeftRegion")->GetTuple1(c),
+                output.mesh.region(tri.face_handle(h)).value());
+      EXPECT_EQ(grid->GetCellData()->GetArray("LineID")->GetTuple1(c),
+                output.mesh.interface(tri.edge_handle(h)).value());
+    }
+  }
+  EXPECT_EQ(segments, output.pslg.segments.size());
+}
+
+}  // namespace
+}  // namespace cover
