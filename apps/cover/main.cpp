@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <cover/version.hpp>
+
 #include "base/suggest.hpp"
 #include "commands.hpp"
 #include "exit_code.hpp"

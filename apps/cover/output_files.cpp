@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
-#include <system_error>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cover/picture.hpp>
 #include <cover/write_mesh.hpp>
+
+#include "console.hpp"
+#include "io/scratch_folder.hpp"
 
 namespace cover::app {
 namespace {
@@ -20,13 +22,24 @@ struct Format {
   Writer write;
 };
 
+/// The picture that `cover render` makes, with the names that only the run knows.
+template <auto Draw>
+Status draw_with(const Output& output, const std::string& path) {
+  PictureOptions options;
+  options.title = fmt::format("{}: {} triangles", std::filesystem::path(path).stem().string(),
+                              grouped(output.report.quality.triangles));
+  return Draw(picture_of(output), options, path);
+}
+
 const std::vector<Format>& mesh_formats() {
-  static const std::vector<Format> formats{
-      {".vtu", write_vtu},
-      {".vtm", write_vtm},
-      {".poly", [](const Output& output, const std::string& path) {
-         return write_poly(output.pslg, output.table, path);
-       }}};
+  static const std::vector<Format> formats{{".vtu", write_vtu},
+                                           {".vtm", write_vtm},
+                                           {".poly",
+                                            [](const Output& output, const std::string& path) {
+                                              return write_poly(output.pslg, output.table, path);
+                                            }},
+                                           {".svg", draw_with<write_svg>},
+                                           {".png", draw_with<write_png>}};
   return formats;
 }
 
@@ -55,26 +68,6 @@ Result<Writer> find(const std::vector<Format>& formats, const std::string& path)
                {}};
 }
 
-/// A folder of our own that vanishes with its contents.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = std::filesystem::temp_directory_path() / "cover-XXXXXX";
-    if (mkdtemp(name.data()) != nullptr) path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 Status copy_to_stdout(const std::string& path) {
   const Error failed{ErrorCode::cannot_write, "cannot write to standard output", {}, {}};
   std::FILE* file = std::fopen(path.c_str(), "rb");
@@ -99,11 +92,10 @@ std::string mesh_extensions() { return extensions(mesh_formats()); }
 Status write_to(const Writer& writer, const Output& output, const std::string& path,
                 const std::string& extension) {
   if (path != "-") return writer(output, path);
-  const TemporaryFolder folder;
-  if (folder.path().empty()) {
-    return Error{ErrorCode::cannot_write, "cannot create a temporary folder", {}, {}};
-  }
-  const std::string file = folder.path() / ("stdout" + extension);
+  const auto folder =
+      ScratchFolder::beside((std::filesystem::temp_directory_path() / "cover").string());
+  if (!folder) return folder.error();
+  const std::string file = folder->path() / ("stdout" + extension);
   Status written = writer(output, file);
   return written ? copy_to_stdout(file) : written;
 }

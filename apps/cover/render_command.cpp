@@ -1,15 +1,77 @@
-// cover render: a picture of a mesh.
-#include "commands.hpp"
+// cover render: a picture of a mesh, without a display.
+#include <filesystem>
 
 #include <fmt/format.h>
 
-#include "exit_code.hpp"
+#include <cover/picture.hpp>
+#include <cover/read_mesh.hpp>
+
+#include "commands.hpp"
+#include "console.hpp"
+#include "options.hpp"
 
 namespace cover::app {
 
-int run_render(Arguments) {
-  fmt::print(stderr, "cover: error: render is not part of this version\n");
-  return exit_usage;
+int run_render(Arguments arguments) {
+  CLI::App app("Draw a mesh; needs no display", "cover render");
+  app.set_help_flag("-h,--help", "Show this help");
+  app.footer(R"(Examples:
+  cover render device.vtu -o device.svg
+  cover render device.vtu -o device.png --color max_angle
+  cover render device.vtu -o oxide.png --window -60,-10,60,10
+)");
+  std::string path;
+  std::vector<std::string> outputs;
+  std::vector<double> window;
+  PictureOptions options;
+  Verbosity verbosity;
+  bool no_edges = false;
+  app.add_option("mesh", path, "Mesh to draw (.vtu, .vtk)")->type_name("MESH")->required();
+  app.add_option("-o,--output", outputs, "Picture to write (.svg, .png)")
+      ->type_name("FILE")
+      ->allow_extra_args(false)
+      ->required();
+  app.add_option("--color", options.color, "Colour by this cell array, say max_angle")
+      ->type_name("ARRAY");
+  app.add_option("--window", window, "Draw only this part: X0,Y0,X1,Y1")
+      ->type_name("BOX")
+      ->delimiter(',')
+      ->expected(4);
+  app.add_option("--width", options.width, "Width in pixels")
+      ->check(number_in(200, 20000))
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_option("--worst", options.worst, "Mark so many of the largest angles")
+      ->check(number_in(0, 100))
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_flag("--no-edges", no_edges, "Leave out the edges inside regions");
+  app.add_option("--title", options.title, "First line (default: name and largest angle)")
+      ->type_name("TEXT");
+  add_verbosity(app, verbosity);
+  if (const auto code = parse(app, std::move(arguments))) return *code;
+  options.edges = !no_edges;
+  if (!window.empty()) options.window = {{window[0], window[1]}, {window[2], window[3]}};
+
+  const auto log = make_logger(verbosity);
+  Result<MeshFile> mesh = read_mesh(path);
+  if (!mesh) return fail(*log, mesh.error());
+  if (options.title.empty()) {
+    options.title = fmt::format("{}: {} triangles", std::filesystem::path(path).filename().string(),
+                                grouped(mesh->soup.triangles.size()));
+  }
+  const PictureMesh picture{*std::move(mesh), {}, {}, {}};
+  for (const std::string& output : outputs) {
+    const std::string extension = std::filesystem::path(output).extension();
+    if (extension != ".svg" && extension != ".png") {
+      return usage_error(app, fmt::format("cannot draw '{}': possible are .svg, .png", output));
+    }
+    const Status drawn = extension == ".svg" ? write_svg(picture, options, output)
+                                             : write_png(picture, options, output);
+    if (!drawn) return fail(*log, drawn.error());
+    if (!verbosity.quiet) fmt::print("Wrote {}\n", output);
+  }
+  return exit_ok;
 }
 
 }  // namespace cover::app

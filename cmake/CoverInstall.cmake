@@ -1,0 +1,47 @@
+# What `cmake --install` and `cpack` put where: library, headers, CMake package, pkg-config file,
+# program. The package has two components: cover, and vtk for what needs VTK.
+include(CMakePackageConfigHelpers)
+
+set(cover_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/cover)
+
+install(TARGETS cover EXPORT coverTargets
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+        FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(TARGETS cover_vtk EXPORT coverVtkTargets
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(EXPORT coverTargets NAMESPACE cover:: DESTINATION ${cover_package_dir})
+install(EXPORT coverVtkTargets NAMESPACE cover:: DESTINATION ${cover_package_dir})
+
+configure_package_config_file(cmake/coverConfig.cmake.in ${PROJECT_BINARY_DIR}/coverConfig.cmake
+                              INSTALL_DESTINATION ${cover_package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/coverConfigVersion.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/coverConfig.cmake ${PROJECT_BINARY_DIR}/coverConfigVersion.cmake
+        DESTINATION ${cover_package_dir})
+
+# A static library hands its own dependencies on to the final link.
+set(cover_pc_libs "-lOpenMeshCore -lfmt -lmpfr -lgmp -pthread")
+if(BUILD_SHARED_LIBS)
+  set(cover_pc_public "-lOpenMeshCore")
+  set(cover_pc_private "${cover_pc_libs}")
+else()
+  set(cover_pc_public "${cover_pc_libs}")
+  set(cover_pc_private "")
+endif()
+configure_file(cmake/cover.pc.in ${PROJECT_BINARY_DIR}/cover.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/cover.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+if(PROJECT_IS_TOP_LEVEL)
+  set(CPACK_GENERATOR DEB)
+  set(CPACK_PACKAGE_CONTACT "cover maintainers <maintainers@cover.invalid>")
+  set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+  set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+  set(CPACK_DEBIAN_PACKAGE_SECTION science)
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+  # The headers and the static library are in the same package.
+  set(CPACK_DEBIAN_PACKAGE_SUGGESTS
+      "libcgal-dev, libopenmesh-dev, libvtk9-dev, libboost-dev, libfmt-dev, nlohmann-json3-dev")
+  include(CPack)
+endif()

@@ -1,0 +1,63 @@
+// Pictures of a mesh, without a display: SVG, and PNG through VTK's image writer (cover::vtk).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <cover/cover_mesh.hpp>
+#include <cover/point.hpp>
+#include <cover/read_mesh.hpp>
+#include <cover/result.hpp>
+
+namespace cover {
+
+/// A named line of a picture: an interface, an outline or a contact.
+struct PictureLine {
+  std::string name;
+  bool contact = false;  ///< drawn in colour and labelled
+  std::vector<std::array<std::uint32_t, 2>> edges;
+};
+
+/// What is drawn.
+struct PictureMesh {
+  MeshFile mesh;
+  std::map<std::int64_t, std::string> region_names;    ///< by RegionId; missing: "region 7"
+  std::map<std::int64_t, std::string> material_names;  ///< by material; missing: "material 3"
+  std::vector<PictureLine> lines;                      ///< empty: found from the regions
+};
+
+/// A part of the plane.
+struct PictureWindow {
+  Point low;
+  Point high;
+};
+
+/// How it is drawn.
+struct PictureOptions {
+  int width = 1200;                     ///< pixels, >= 200; the height follows from the shape
+  std::string title;                    ///< first line, empty: none
+  std::string color;                    ///< cell array shown by colour; empty: the regions
+  std::optional<PictureWindow> window;  ///< part of the mesh shown; none: all of it
+  int worst = 3;                        ///< so many of the largest angles are marked
+  bool edges = true;                    ///< draw all edges, thin
+};
+
+/// The mesh of a run, with its names.
+PictureMesh picture_of(const Output& output);
+
+/// Draws as SVG.
+///
+/// Errors: bad_option (unknown array, empty window), cannot_write
+Status write_svg(const PictureMesh& mesh, const PictureOptions& options, const std::string& path);
+
+/// The SVG document as text, to be put into a page.
+Result<std::string> svg_text(const PictureMesh& mesh, const PictureOptions& options);
+
+/// Draws as PNG (target cover::vtk). Errors: as write_svg
+Status write_png(const PictureMesh& mesh, const PictureOptions& options, const std::string& path);
+
+}  // namespace cover

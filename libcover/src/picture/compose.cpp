@@ -1,0 +1,437 @@
+// Layout: a title line, the plot with a scale bar, a legend on the right. Edges are drawn thinner
+// where they are short, so that finely meshed parts do not turn black; what is too small to be seen
+// at the given size is left to the zoom window.
+// Tests: tests/unit/picture/picture_test.cpp
+#include "picture/compose.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "geom/vector.hpp"
+#include "picture/labels.hpp"
+#include "picture/legend.hpp"
+#include "picture/mesh_lines.hpp"
+#include "picture/palette.hpp"
+
+namespace cover {
+namespace {
+
+constexpr double kMargin = 16;
+constexpr double kTitle = 30;
+constexpr double kLegend = 210;
+constexpr double kFooter = 34;
+constexpr double kText = 14;
+constexpr Colour kInk{30, 30, 30};
+constexpr Colour kMark{200, 0, 40};
+
+Error bad_option(std::string message) {
+  return {ErrorCode::bad_option, std::move(message), {}, {}};
+}
+
+PictureWindow bounds(const std::vector<Point>& points) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  PictureWindow box{{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
+  for (const Point p : points) {
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+  }
+  return box;
+}
+
+/// The largest of 1, 2, 5 times a power of ten below `length`.
+double round_length(double length) {
+  const double power = std::pow(10.0, std::floor(std::log10(length)));
+  for (const double f : {5.0, 2.0}) {
+    if (f * power <= length) return f * power;
+  }
+  return power;
+}
+
+std::string name_of(const std::map<std::int64_t, std::string>& names, std::int64_t id,
+                    std::string_view kind) {
+  const auto found = names.find(id);
+  return found != names.end() ? found->second : fmt::format("{} {}", kind, id);
+}
+
+/// Largest angle of a triangle in degrees.
+double largest_angle(const TriangleSoup& soup, std::size_t t) {
+  const auto& [a, b, c] = soup.triangles[t];
+  const Point p = soup.points[a], q = soup.points[b], r = soup.points[c];
+  return Angle::radians(std::max({angle_at(q, p, r), angle_at(r, q, p), angle_at(p, r, q)}))
+      .in_degrees();
+}
+
+/// Builds the drawing item by item.
+class Composer {
+ public:
+  Composer(const PictureMesh& mesh, const PictureOptions& options)
+      : mesh_(mesh), soup_(mesh.mesh.soup), options_(options) {}
+
+  Result<Drawing> run() {
+    const PictureWindow window = options_.window ? *options_.window : bounds(soup_.points);
+    if (!(window.low.x < window.high.x) || !(window.low.y < window.high.y)) {
+      return bad_option("the window of the picture is empty");
+    }
+    if (options_.width < 200 || options_.width > 20000) {
+      return bad_option(
+          fmt::format("the width of a picture is 200 to 20000 pixels, not {}", options_.width));
+    }
+    lay_out(window);
+    find_visible();
+    if (options_.color.empty()) {
+      fill_regions();
+    } else if (Status filled = fill_values(); !filled) {
+      return std::move(filled).error();
+    }
+    const MeshLines lines = lines_of(soup_);
+    if (options_.edges) draw_edges(lines);
+    draw_interfaces(lines);
+    frame_and_scale();
+    LabelPlacer placer(drawing_.plot);
+    mark_worst(placer);
+    label_contacts(placer);
+    return std::move(drawing_);
+  }
+
+ private:
+  [[nodiscard]] Point pixel(Point p) const {
+    return {drawing_.plot.x0 + (p.x - window_.low.x) * scale_,
+            drawing_.plot.y1 - (p.y - window_.low.y) * scale_};
+  }
+  [[nodiscard]] Point pixel(std::uint32_t v) const { return pixel(soup_.points[v]); }
+
+  void lay_out(PictureWindow window) {
+    // A whole mesh gets a little air, a window is shown as asked for.
+    if (!options_.window) {
+      const double air =
+          0.02 * std::max(window.high.x - window.low.x, window.high.y - window.low.y);
+      window = {{window.low.x - air, window.low.y - air},
+                {window.high.x + air, window.high.y + air}};
+    }
+    window_ = window;
+    const double w = window.high.x - window.low.x, h = window.high.y - window.low.y;
+    const double wide = options_.width - 3 * kMargin - kLegend;
+    const double top = options_.title.empty() ? kMargin : kMargin + kTitle;
+    // Neither a tower nor a thread: the plot is at least 260 high and at most 1.3 times as high as
+    // wide.
+    const double high = std::clamp(wide * h / w, std::min(260.0, wide), 1.3 * wide);
+    scale_ = std::min(wide / w, high / h);
+    // What the shape leaves free of the box shows more of the plane.
+    window_.low = {window.low.x - (wide / scale_ - w) / 2, window.low.y - (high / scale_ - h) / 2};
+    window_.high = {window_.low.x + wide / scale_, window_.low.y + high / scale_};
+    drawing_.width = options_.width;
+    drawing_.height = static_cast<int>(std::lround(top + high + kFooter));
+    drawing_.plot = {kMargin, top, kMargin + wide, top + high};
+    if (!options_.title.empty()) {
+      add(Label{
+          options_.title, {kMargin, kMargin + 15}, 16, Label::Anchor::start, false, true, kInk});
+    }
+  }
+
+  void find_visible() {
+    for (std::size_t t = 0; t < soup_.triangles.size(); ++t) {
+      PictureWindow box =
+          bounds({soup_.points[soup_.triangles[t][0]], soup_.points[soup_.triangles[t][1]],
+                  soup_.points[soup_.triangles[t][2]]});
+      if (box.low.x <= window_.high.x && box.high.x >= window_.low.x &&
+          box.low.y <= window_.high.y && box.high.y >= window_.low.y) {
+        visible_.push_back(t);
+      }
+    }
+  }
+
+  [[nodiscard]] std::array<Point, 3> corners(std::size_t t) const {
+    const auto& [a, b, c] = soup_.triangles[t];
+    return {pixel(a), pixel(b), pixel(c)};
+  }
+
+  [[nodiscard]] std::int64_t region(std::size_t t) const {
+    return soup_.region.empty() ? 1 : soup_.region[t];
+  }
+  [[nodiscard]] std::int64_t material(std::size_t t) const {
+    return soup_.material.empty() ? region(t) : soup_.material[t];
+  }
+
+  /// What a region is called in the legend. Regions of one text have one colour.
+  [[nodiscard]] std::string legend_text(std::int64_t r, std::int64_t m) const {
+    const std::string name = name_of(mesh_.region_names, r, "region");
+    const std::string what = name_of(mesh_.material_names, m, "material");
+    return name == what ? name : fmt::format("{} ({})", name, what);
+  }
+
+  void fill_regions() {
+    std::map<std::int64_t, std::int64_t> material_of;
+    for (std::size_t t = 0; t < soup_.triangles.size(); ++t) material_of[region(t)] = material(t);
+    // Colours are given over the whole mesh, so that a zoom has those of the full picture.
+    std::map<std::int64_t, std::size_t> rank;
+    for (const auto& entry : material_of) rank.emplace(entry.second, 0);
+    std::size_t next = 0;
+    for (auto& entry : rank) entry.second = next++;
+    std::map<std::int64_t, std::map<std::string, std::size_t>> variants;
+    std::map<std::int64_t, Patch> patches;
+    for (const std::size_t t : visible_) patches[region(t)].triangles.push_back(corners(t));
+    for (const auto& [r, m] : material_of) {
+      auto& known = variants[m];
+      const std::size_t variant = known.emplace(legend_text(r, m), known.size()).first->second;
+      if (!patches.contains(r)) continue;
+      Patch& patch = patches[r];
+      patch.colour = shade(material_colour(rank[m]), variant);
+      legend_.add(patch.colour, legend_text(r, m), name_of(mesh_.material_names, m, "material"));
+      add(std::move(patch));
+    }
+    draw_legend();
+  }
+
+  void draw_legend() {
+    const auto rows_that_fit = static_cast<std::size_t>((drawing_.plot.y1 - drawing_.plot.y0) / 24);
+    const std::vector<Legend::Row> rows = legend_.rows(rows_that_fit);
+    double y = drawing_.plot.y0 + 4;
+    const double x = drawing_.plot.x1 + kMargin;
+    for (std::size_t i = 0; i < rows.size(); ++i, y += 24) {
+      if (i + 1 >= rows_that_fit && rows.size() > rows_that_fit) {
+        add(Label{fmt::format("and {} more", rows.size() - i), {x, y + 13}, kText});
+        break;
+      }
+      swatch(x, y, rows[i].colour);
+      add(Label{shortened(rows[i].text, kLegend - 26), {x + 26, y + 13}, kText});
+    }
+  }
+
+  static std::string shortened(std::string text, double width) {
+    bool cut = false;
+    while (text_width(text, kText) > width && text.size() > 4) {
+      do text.pop_back();
+      while (!text.empty() && (text.back() & 0xC0) == 0x80);
+      cut = true;
+    }
+    return cut ? text + "..." : text;
+  }
+
+  void swatch(double x, double y, Colour colour) {
+    rectangle({x, y, x + 18, y + 16}, colour);
+    Stroke border{kInk, 0.8, 1, false, {}};
+    outline({x, y, x + 18, y + 16}, border);
+    add(std::move(border));
+  }
+
+  Status fill_values() {
+    const auto found = std::find_if(mesh_.mesh.arrays.begin(), mesh_.mesh.arrays.end(),
+                                    [&](const CellArray& a) { return a.name == options_.color; });
+    if (found == mesh_.mesh.arrays.end()) {
+      std::string names;
+      for (const CellArray& array : mesh_.mesh.arrays) {
+        names += (names.empty() ? "" : ", ") + array.name;
+      }
+      return bad_option(
+          fmt::format("the mesh has no cell array '{}'; it has {}", options_.color, names));
+    }
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const std::size_t t : visible_) {
+      if (!std::isfinite(found->values[t])) continue;
+      low = std::min(low, found->values[t]);
+      high = std::max(high, found->values[t]);
+    }
+    constexpr int kSteps = 64;
+    std::vector<Patch> patches(kSteps);
+    for (int i = 0; i < kSteps; ++i) {
+      patches[static_cast<std::size_t>(i)].colour = value_colour(i / (kSteps - 1.0));
+    }
+    for (const std::size_t t : visible_) {
+      const double part = high > low ? (found->values[t] - low) / (high - low) : 0;
+      const auto step = static_cast<std::size_t>(std::clamp(part, 0.0, 1.0) * (kSteps - 1) + 0.5);
+      patches[std::isfinite(part) ? step : 0].triangles.push_back(corners(t));
+    }
+    for (Patch& patch : patches) {
+      if (!patch.triangles.empty()) add(std::move(patch));
+    }
+    legend_of_values(low, high);
+    return ok();
+  }
+
+  void legend_of_values(double low, double high) {
+    const double x = drawing_.plot.x1 + kMargin, top = drawing_.plot.y0 + 34;
+    const double height = std::min(260.0, drawing_.plot.y1 - top - 10);
+    add(Label{shortened(options_.color, kLegend),
+              {x, drawing_.plot.y0 + 14},
+              kText,
+              Label::Anchor::start,
+              false,
+              true,
+              kInk});
+    constexpr int kBands = 65;
+    for (int i = 0; i < kBands; ++i) {
+      const double y = top + height * i / kBands;
+      rectangle({x, y, x + 22, y + height / kBands + 0.5}, value_colour(1 - i / (kBands - 1.0)));
+    }
+    constexpr int kTicks = 5;
+    for (int i = 0; i < kTicks; ++i) {
+      const double y = top + height * i / (kTicks - 1);
+      add(Stroke{kInk, 1, 1, false, {{Point{x + 22, y}, Point{x + 27, y}}}});
+      add(Label{
+          fmt::format("{:.5g}", high + (low - high) * i / (kTicks - 1)), {x + 32, y + 5}, kText});
+    }
+  }
+
+  void draw_edges(const MeshLines& lines) {
+    // Widths in a few classes, so that each class is one item.
+    constexpr std::array kWidths{0.05, 0.1, 0.2, 0.35, 0.5, 0.7};
+    std::array<Stroke, kWidths.size()> strokes;
+    for (std::size_t i = 0; i < kWidths.size(); ++i) {
+      strokes[i] = {{60, 60, 60}, kWidths[i], 0.75, true, {}};
+    }
+    for (const auto& [a, b] : lines.inner) {
+      const Point p = pixel(a), q = pixel(b);
+      if (!shows(p, q)) continue;
+      const double width = 0.04 * length(q - p);
+      std::size_t i = 0;
+      while (i + 1 < kWidths.size() && kWidths[i + 1] <= width) ++i;
+      strokes[i].lines.push_back({p, q});
+    }
+    for (Stroke& stroke : strokes) {
+      if (!stroke.lines.empty()) add(std::move(stroke));
+    }
+  }
+
+  [[nodiscard]] bool shows(Point p, Point q) const {
+    const PixelBox& box = drawing_.plot;
+    return std::max(p.x, q.x) >= box.x0 && std::min(p.x, q.x) <= box.x1 &&
+           std::max(p.y, q.y) >= box.y0 && std::min(p.y, q.y) <= box.y1;
+  }
+
+  void draw_interfaces(const MeshLines& lines) {
+    Stroke strong{kInk, 1.6, 1, true, {}};
+    const auto draw = [&](const std::vector<std::array<std::uint32_t, 2>>& edges, Stroke& stroke) {
+      for (const auto& [a, b] : edges) {
+        const Point p = pixel(a), q = pixel(b);
+        if (shows(p, q)) stroke.lines.push_back({p, q});
+      }
+    };
+    draw(lines.borders, strong);
+    for (const PictureLine& line : mesh_.lines) {
+      if (!line.contact) draw(line.edges, strong);
+    }
+    add(std::move(strong));
+    std::map<std::string, Stroke> contacts;
+    for (const PictureLine& line : mesh_.lines) {
+      if (!line.contact) continue;
+      const auto [at, is_new] = contacts.try_emplace(line.name);
+      if (is_new) at->second = {contact_colour(contacts.size() - 1), 4.5, 1, true, {}};
+      draw(line.edges, at->second);
+    }
+    for (auto& [name, stroke] : contacts) {
+      if (stroke.lines.empty()) continue;
+      contact_marks_.push_back({name, stroke.colour, middle(stroke.lines)});
+      add(std::move(stroke));
+    }
+  }
+
+  /// The middle of the line in the middle of those that are in sight.
+  static Point middle(const std::vector<std::array<Point, 2>>& lines) {
+    const auto& [p, q] = lines[lines.size() / 2];
+    return midpoint(p, q);
+  }
+
+  void frame_and_scale() {
+    const PixelBox& box = drawing_.plot;
+    Stroke frame{{170, 170, 170}, 1, 1, false, {}};
+    outline(box, frame);
+    add(std::move(frame));
+    const double length = round_length((box.x1 - box.x0) / scale_ / 4);
+    const double x = box.x0, y = box.y1 + 20, end = x + length * scale_;
+    add(Stroke{kInk,
+               2,
+               1,
+               false,
+               {{Point{x, y}, Point{end, y}},
+                {Point{x, y - 5}, Point{x, y + 5}},
+                {Point{end, y - 5}, Point{end, y + 5}}}});
+    add(Label{fmt::format("{:g}", length), {end + 8, y + 5}, kText});
+    add(Label{fmt::format("x {:.4g} to {:.4g}, y {:.4g} to {:.4g}", window_.low.x, window_.high.x,
+                          window_.low.y, window_.high.y),
+              {box.x1, y + 5},
+              12,
+              Label::Anchor::end,
+              false,
+              false,
+              {110, 110, 110}});
+  }
+
+  void mark_worst(LabelPlacer& placer) {
+    std::vector<std::pair<double, std::size_t>> angles;
+    for (const std::size_t t : visible_) angles.emplace_back(largest_angle(soup_, t), t);
+    const auto count =
+        std::min(angles.size(), static_cast<std::size_t>(std::max(0, options_.worst)));
+    std::partial_sort(angles.begin(), angles.begin() + static_cast<std::ptrdiff_t>(count),
+                      angles.end(), [](const auto& a, const auto& b) {
+                        return a.first != b.first ? a.first > b.first : a.second < b.second;
+                      });
+    std::vector<Point> centres;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto [p, q, r] = corners(angles[i].second);
+      const Point centre{(p.x + q.x + r.x) / 3, (p.y + q.y + r.y) / 3};
+      centres.push_back(centre);
+      add(Ring{kMark, centre, 7, 2});
+      placer.block({centre.x - 8, centre.y - 8, centre.x + 8, centre.y + 8});
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      Label label{fmt::format("{:.1f}°", angles[i].first),
+                  {},
+                  13,
+                  Label::Anchor::middle,
+                  true,
+                  true,
+                  kMark};
+      if (placer.place(label, centres[i])) add(std::move(label));
+    }
+  }
+
+  void label_contacts(LabelPlacer& placer) {
+    for (const ContactMark& mark : contact_marks_) {
+      Label label{mark.name, {}, kText, Label::Anchor::middle, true, true, mark.colour};
+      if (placer.place(label, mark.at)) add(std::move(label));
+    }
+  }
+
+  void rectangle(const PixelBox& b, Colour colour) {
+    add(Patch{colour,
+              false,
+              {{Point{b.x0, b.y0}, Point{b.x1, b.y0}, Point{b.x1, b.y1}},
+               {Point{b.x0, b.y0}, Point{b.x1, b.y1}, Point{b.x0, b.y1}}}});
+  }
+
+  static void outline(const PixelBox& b, Stroke& stroke) {
+    const Point p{b.x0, b.y0}, q{b.x1, b.y0}, r{b.x1, b.y1}, s{b.x0, b.y1};
+    stroke.lines.insert(stroke.lines.end(), {{p, q}, {q, r}, {r, s}, {s, p}});
+  }
+
+  void add(DrawingItem item) { drawing_.items.push_back(std::move(item)); }
+
+  struct ContactMark {
+    std::string name;
+    Colour colour;
+    Point at;
+  };
+
+  const PictureMesh& mesh_;
+  const TriangleSoup& soup_;
+  const PictureOptions& options_;
+  Drawing drawing_;
+  PictureWindow window_;
+  double scale_ = 1;
+  std::vector<std::size_t> visible_;
+  Legend legend_;
+  std::vector<ContactMark> contact_marks_;
+};
+
+}  // namespace
+
+Result<Drawing> compose(const PictureMesh& mesh, const PictureOptions& options) {
+  return Composer(mesh, options).run();
+}
+
+}  // namespace cover

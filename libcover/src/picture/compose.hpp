@@ -1,0 +1,16 @@
+// From a mesh to a drawing: what is shown where, in which colour.
+#pragma once
+
+#include <cover/picture.hpp>
+#include <cover/result.hpp>
+
+#include "picture/drawing.hpp"
+
+namespace cover {
+
+/// Lays out the picture: title, mesh with interfaces and contacts, marks, scale bar, legend.
+///
+/// Errors: bad_option
+Result<Drawing> compose(const PictureMesh& mesh, const PictureOptions& options);
+
+}  // namespace cover

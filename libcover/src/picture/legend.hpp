@@ -1,0 +1,39 @@
+// Which colour means what.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "picture/drawing.hpp"
+
+namespace cover {
+
+/// Collects the regions of a picture.
+class Legend {
+ public:
+  struct Row {
+    Colour colour;
+    std::string text;
+  };
+
+  void add(Colour colour, std::string region, std::string material) {
+    entries_.push_back({colour, std::move(region), std::move(material)});
+  }
+
+  /// One row per region name or, if those are more than `limit`, per material; rows that stand for
+  /// several regions say for how many.
+  [[nodiscard]] std::vector<Row> rows(std::size_t limit) const;
+
+ private:
+  struct Entry {
+    Colour colour;
+    std::string region;
+    std::string material;
+  };
+
+  [[nodiscard]] std::vector<Row> grouped_by(std::string Entry::*key) const;
+
+  std::vector<Entry> entries_;
+};
+
+}  // namespace cover

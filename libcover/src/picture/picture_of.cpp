@@ -1,0 +1,54 @@
+#include <cover/picture.hpp>
+
+#include <algorithm>
+
+#include "geom/vector.hpp"
+
+namespace cover {
+namespace {
+
+CellArray angles(const TriangleSoup& soup, const char* name, bool largest) {
+  CellArray array{name, {}};
+  for (const auto& [a, b, c] : soup.triangles) {
+    const Point p = soup.points[a], q = soup.points[b], r = soup.points[c];
+    const double at_p = angle_at(q, p, r), at_q = angle_at(r, q, p), at_r = angle_at(p, r, q);
+    array.values.push_back(
+        Angle::radians(largest ? std::max({at_p, at_q, at_r}) : std::min({at_p, at_q, at_r}))
+            .in_degrees());
+  }
+  return array;
+}
+
+}  // namespace
+
+PictureMesh picture_of(const Output& output) {
+  PictureMesh picture;
+  picture.mesh.soup = triangle_soup(output.mesh);
+  picture.mesh.arrays = {angles(picture.mesh.soup, "max_angle", true),
+                         angles(picture.mesh.soup, "min_angle", false)};
+  for (const Region& region : output.table.regions) {
+    picture.region_names[region.id.value()] = region.name;
+    picture.material_names[region.material] = region.material_name;
+  }
+  for (const Interface& line : output.table.interfaces) {
+    picture.lines.push_back({line.name, line.kind == InterfaceKind::contact, {}});
+  }
+  std::map<int, PictureLine> marked;  // a .poly names its contacts by number
+  for (const auto edge : output.mesh.tri().edges()) {
+    const InterfaceId line = output.mesh.interface(edge);
+    if (line == kNoInterface) continue;
+    const std::array<std::uint32_t, 2> ends{static_cast<std::uint32_t>(edge.v0().idx()),
+                                            static_cast<std::uint32_t>(edge.v1().idx())};
+    picture.lines[line.index() - 1].edges.push_back(ends);
+    const int marker = output.mesh.marker(edge);
+    if (marker == 0 || picture.lines[line.index() - 1].contact) continue;
+    PictureLine& contact = marked[marker];
+    contact.name = "marker " + std::to_string(marker);
+    contact.contact = true;
+    contact.edges.push_back(ends);
+  }
+  for (auto& entry : marked) picture.lines.push_back(std::move(entry.second));
+  return picture;
+}
+
+}  // namespace cover

@@ -1,0 +1,123 @@
+// A drawing as SVG: one path per colour, so that no seams show between triangles of one region.
+#include <iterator>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <cover/picture.hpp>
+
+#include "io/atomic_file.hpp"
+#include "picture/compose.hpp"
+
+namespace cover {
+namespace {
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += c;
+    }
+  }
+  return out;
+}
+
+std::string hex(Colour c) { return fmt::format("#{:02x}{:02x}{:02x}", c.r, c.g, c.b); }
+
+constexpr const char* clip(bool clipped) { return clipped ? " clip-path=\"url(#plot)\"" : ""; }
+
+/// Appends items to a document.
+class SvgWriter {
+ public:
+  explicit SvgWriter(std::string& out) : out_(out) {}
+
+  void operator()(const Patch& patch) {
+    const std::string colour = hex(patch.colour);
+    // A hair of its own colour closes the seam to the neighbouring colour.
+    put("<path{} fill=\"{}\" stroke=\"{}\" stroke-width=\"0.3\" d=\"", clip(patch.clipped), colour,
+        colour);
+    for (const auto& [a, b, c] : patch.triangles) {
+      put("M{:.2f} {:.2f}L{:.2f} {:.2f} {:.2f} {:.2f}z", a.x, a.y, b.x, b.y, c.x, c.y);
+    }
+    out_ += "\"/>\n";
+  }
+
+  void operator()(const Stroke& stroke) {
+    put("<path{} fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-opacity=\"{}\" "
+        "stroke-linecap=\"round\" d=\"",
+        clip(stroke.clipped), hex(stroke.colour), stroke.width, stroke.opacity);
+    for (const auto& [a, b] : stroke.lines) {
+      put("M{:.2f} {:.2f}L{:.2f} {:.2f}", a.x, a.y, b.x, b.y);
+    }
+    out_ += "\"/>\n";
+  }
+
+  void operator()(const Ring& ring) {
+    put("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{}\" fill=\"none\" stroke=\"{}\" "
+        "stroke-width=\"{}\"/>\n",
+        ring.centre.x, ring.centre.y, ring.radius, hex(ring.colour), ring.width);
+  }
+
+  void operator()(const Label& label) {
+    const char* anchor = label.anchor == Label::Anchor::start    ? "start"
+                         : label.anchor == Label::Anchor::middle ? "middle"
+                                                                 : "end";
+    put("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{}\" text-anchor=\"{}\" fill=\"{}\"{}{}>{}"
+        "</text>\n",
+        label.at.x, label.at.y, label.size, anchor, hex(label.colour),
+        label.bold ? " font-weight=\"bold\"" : "",
+        label.halo ? " stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"" : "",
+        escaped(label.text));
+  }
+
+ private:
+  template <class... T>
+  void put(fmt::format_string<T...> form, T&&... values) {
+    fmt::format_to(std::back_inserter(out_), form, std::forward<T>(values)...);
+  }
+
+  std::string& out_;
+};
+
+}  // namespace
+
+Result<std::string> svg_text(const PictureMesh& mesh, const PictureOptions& options) {
+  Result<Drawing> composed = compose(mesh, options);
+  if (!composed) return std::move(composed).error();
+  const Drawing& drawing = *composed;
+  const PixelBox& box = drawing.plot;
+  std::string out = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
+      "viewBox=\"0 0 {0} {1}\" font-family=\"Helvetica, Arial, sans-serif\">\n"
+      "<clipPath id=\"plot\"><rect x=\"{2:.1f}\" y=\"{3:.1f}\" width=\"{4:.1f}\" "
+      "height=\"{5:.1f}\"/></clipPath>\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
+      drawing.width, drawing.height, box.x0, box.y0, box.x1 - box.x0, box.y1 - box.y0);
+  SvgWriter writer(out);
+  for (const DrawingItem& item : drawing.items) std::visit(writer, item);
+  out += "</svg>\n";
+  return out;
+}
+
+Status write_svg(const PictureMesh& mesh, const PictureOptions& options, const std::string& path) {
+  const Result<std::string> text = svg_text(mesh, options);
+  if (!text) return text.error();
+  Result<AtomicFile> file = AtomicFile::create(path);
+  if (!file) return std::move(file).error();
+  file->write(*text);
+  return file->commit();
+}
+
+}  // namespace cover

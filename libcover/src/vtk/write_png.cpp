@@ -1,0 +1,118 @@
+// The painted image with its text, through VTK's PNG writer. VTK's FreeType tools bring their own
+// font and need no display.
+#define VTK_DEPRECATION_LEVEL 0  // for letters_of()
+
+#include <array>
+#include <cmath>
+
+#include <vtkFreeTypeTools.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkTextProperty.h>
+#include <vtkVersionMacros.h>
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
+#include <vtkUnicodeString.h>
+#endif
+
+#include <cover/picture.hpp>
+
+#include "io/atomic_file.hpp"
+#include "picture/compose.hpp"
+#include "picture/raster.hpp"
+
+namespace cover {
+namespace {
+
+/// VTK 9.1 takes letters beyond ASCII in this type only, which later versions no longer have.
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
+vtkUnicodeString letters_of(const std::string& text) { return vtkUnicodeString::from_utf8(text); }
+#else
+const std::string& letters_of(const std::string& text) { return text; }
+#endif
+
+/// Letters as opacity; the extent of `letters` is in pixels about the anchor, y upwards.
+bool render(const Label& label, vtkImageData* letters) {
+  vtkNew<vtkTextProperty> style;
+  style->SetFontFamilyToArial();
+  style->SetFontSize(static_cast<int>(std::lround(label.size)));
+  style->SetBold(label.bold ? 1 : 0);
+  style->SetColor(1, 1, 1);
+  switch (label.anchor) {
+    case Label::Anchor::start:
+      style->SetJustificationToLeft();
+      break;
+    case Label::Anchor::middle:
+      style->SetJustificationToCentered();
+      break;
+    case Label::Anchor::end:
+      style->SetJustificationToRight();
+      break;
+  }
+  style->SetVerticalJustificationToBottom();
+  vtkFreeTypeTools* tools = vtkFreeTypeTools::GetInstance();
+  tools->SetScaleToPowerTwo(false);
+  constexpr int kDpi = 72;  // a font size is then in pixels
+  return tools->RenderString(style, letters_of(label.text), kDpi, letters);
+}
+
+void draw(const Label& label, Image& image) {
+  vtkNew<vtkImageData> letters;
+  if (label.text.empty() || !render(label, letters)) return;
+  std::array<int, 6> extent{};
+  letters->GetExtent(extent.data());
+  const int x0 = static_cast<int>(std::lround(label.at.x));
+  const int y0 = static_cast<int>(std::lround(label.at.y));
+  const auto each = [&](auto paint) {
+    for (int y = extent[2]; y <= extent[3]; ++y) {
+      for (int x = extent[0]; x <= extent[1]; ++x) {
+        const auto* rgba = static_cast<unsigned char*>(letters->GetScalarPointer(x, y, 0));
+        if (rgba[3] != 0) paint(x0 + x, y0 - y, rgba[3] / 255.0);
+      }
+    }
+  };
+  if (label.halo) {
+    each([&](int x, int y, double share) {
+      for (int dy = -2; dy <= 2; ++dy) {
+        for (int dx = -2; dx <= 2; ++dx) {
+          if (dx * dx + dy * dy <= 5) image.blend(x + dx, y + dy, {255, 255, 255}, share * 0.6);
+        }
+      }
+    });
+  }
+  each([&](int x, int y, double share) { image.blend(x, y, label.colour, share); });
+}
+
+}  // namespace
+
+Status write_png(const PictureMesh& mesh, const PictureOptions& options, const std::string& path) {
+  Result<Drawing> drawing = compose(mesh, options);
+  if (!drawing) return std::move(drawing).error();
+  Image image = paint(*drawing);
+  for (const DrawingItem& item : drawing->items) {
+    if (const Label* label = std::get_if<Label>(&item)) draw(*label, image);
+  }
+
+  Result<AtomicFile> file = AtomicFile::create(path);
+  if (!file) return std::move(file).error();
+  file->release();
+  vtkNew<vtkImageData> pixels;
+  pixels->SetDimensions(image.width, image.height, 1);
+  pixels->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int y = 0; y < image.height; ++y) {  // VTK counts rows from below
+    const auto row = 3 * static_cast<std::size_t>(image.width);
+    std::copy_n(image.rgb.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * row),
+                row,
+                static_cast<std::uint8_t*>(pixels->GetScalarPointer(0, image.height - 1 - y, 0)));
+  }
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetFileName(file->temporary_path().c_str());
+  writer->SetInputData(pixels);
+  writer->Write();
+  if (writer->GetErrorCode() != 0) {
+    return Error{ErrorCode::cannot_write, "cannot write '" + path + "' as PNG", {}, {}};
+  }
+  return file->commit();
+}
+
+}  // namespace cover

@@ -1,0 +1,42 @@
+#!/usr/bin/env python3
+"""check_includes.py ROOT: a file includes only its own layer or lower ones; CGAL and VTK stay where they belong."""
+import pathlib
+import re
+import sys
+
+ORDER = ['base', 'geom', 'cdt', 'region', 'covering', 'quality', 'mesh', 'pipeline']
+SEES = {layer: set(ORDER[:i + 1]) for i, layer in enumerate(ORDER)}
+SEES['io'] = {'io', 'base', 'geom', 'cdt'}
+SEES['picture'] = SEES['io'] | {'picture'}
+SEES['vtk'] = SEES['picture'] | {'vtk'}
+CGAL = {'geom', 'cdt', 'region'}  # and there in .cpp files only
+
+
+def faults(path, layer):
+    """What `path` includes and must not; layer None is the public interface or a program on top of it."""
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        match = re.match(r'\s*#\s*include\s*(["<])([^">]+)', line)
+        if not match:
+            continue
+        kind, name = match.groups()
+        if kind == '"' and layer and name.split('/')[0] not in SEES[layer]:
+            yield number, f"layer '{layer}' may not include \"{name}\""
+        if kind == '"' and not layer and '/' in name and path.parts[-3] != 'apps':
+            yield number, f'"{name}" is private to the library'
+        if name.startswith('CGAL/') and (layer not in CGAL or path.suffix != '.cpp'):
+            yield number, f'<{name}>: CGAL belongs in .cpp files of {", ".join(sorted(CGAL))}'
+        if re.match(r'vtk\w+\.h', name) and layer != 'vtk':
+            yield number, f'<{name}>: VTK belongs in vtk'
+
+
+def main(root):
+    files = [(p, p.relative_to(root / 'libcover/src').parts[0]) for p in (root / 'libcover/src').rglob('*.[hc]pp')]
+    files += [(p, None) for top in ('libcover/include', 'apps/cover', 'samples') for p in (root / top).rglob('*.[hc]pp')]
+    found = [f'{path.relative_to(root)}:{number}: {what}'
+             for path, layer in sorted(files, key=lambda f: f[0]) for number, what in faults(path, layer)]
+    print('\n'.join(found) or f'{len(files)} files include only their own layer or lower ones')
+    return 1 if found or not files else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main(pathlib.Path(sys.argv[1])))

@@ -1,0 +1,154 @@
+#include <cover/picture.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include <gtest/gtest.h>
+
+#include "picture/compose.hpp"
+#include "picture/palette.hpp"
+#include "picture/raster.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace cover {
+namespace {
+
+/// Two unit squares side by side, of two materials, with a contact on the left.
+PictureMesh two_squares() {
+  PictureMesh mesh;
+  mesh.mesh.soup.points = {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}};
+  mesh.mesh.soup.triangles = {{0, 1, 4}, {0, 4, 5}, {1, 2, 3}, {1, 3, 4}};
+  mesh.mesh.soup.region = {1, 1, 2, 2};
+  mesh.mesh.soup.material = {7, 7, 3, 3};
+  mesh.mesh.arrays = {{"load", {0, 1, 2, 3}}};
+  mesh.region_names = {{1, "core"}, {2, "a < b"}};
+  mesh.material_names = {{7, "silicon"}, {3, "oxide"}};
+  mesh.lines = {{"anode", true, {{0, 5}}}};
+  return mesh;
+}
+
+Colour at(const Image& image, double x, double y) {
+  const auto i = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                      static_cast<std::size_t>(x));
+  return {image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]};
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (auto i = text.find(part); i != std::string::npos; i = text.find(part, i + 1)) ++n;
+  return n;
+}
+
+TEST(Picture, SvgNamesRegionsMaterialsAndContacts) {
+  const auto svg = svg_text(two_squares(), {});
+  ASSERT_TRUE(svg);
+  EXPECT_EQ(count(*svg, ">core (silicon)<"), 1U);
+  EXPECT_EQ(count(*svg, ">a &lt; b (oxide)<"), 1U);
+  EXPECT_EQ(count(*svg, ">anode<"), 1U);
+  EXPECT_EQ(count(*svg, "90.0°"), 3U) << "the three largest angles are marked";
+  EXPECT_TRUE(svg->starts_with("<svg "));
+  EXPECT_TRUE(svg->ends_with("</svg>\n"));
+}
+
+TEST(Picture, PixelsHaveTheColourOfTheirRegion) {
+  PictureOptions options;
+  options.edges = false;
+  options.worst = 0;
+  const auto drawing = compose(two_squares(), options);
+  ASSERT_TRUE(drawing);
+  const Image image = paint(*drawing);
+  const PixelBox& plot = drawing->plot;
+  const double y = (plot.y0 + plot.y1) / 2, w = plot.x1 - plot.x0;
+  // Materials get colours in the order of their numbers: oxide (3) first.
+  EXPECT_EQ(at(image, plot.x0 + 0.3 * w, y), material_colour(1));
+  EXPECT_EQ(at(image, plot.x0 + 0.7 * w, y), material_colour(0));
+  EXPECT_LT(at(image, plot.x0 + 0.5 * w, y).r, 100) << "the interface is strong";
+}
+
+TEST(Picture, NoSeamBetweenTrianglesOfOneColour) {
+  Drawing drawing{40, 40, {0, 0, 40, 40}, {}};
+  const Point o{3.3, 4.1}, p{37.2, 6.6}, q{33.3, 36.9}, r{5.2, 31.4}, c{20.11, 19.77};
+  const Colour red{200, 10, 10};
+  drawing.items.emplace_back(Patch{red, true, {{o, p, c}, {p, q, c}, {q, r, c}, {r, o, c}}});
+  const Image image = paint(drawing);
+  for (int y = 10; y < 30; ++y) {
+    for (int x = 10; x < 30; ++x) ASSERT_EQ(at(image, x, y), red) << x << ' ' << y;
+  }
+}
+
+TEST(Picture, ClippedItemsStayInThePlot) {
+  Drawing drawing{30, 30, {10, 10, 20, 20}, {}};
+  const std::array<Point, 3> all{Point{-100, -100}, Point{200, -100}, Point{0, 300}};
+  drawing.items.emplace_back(Patch{{0, 0, 0}, true, {all}});
+  const Image image = paint(drawing);
+  EXPECT_EQ(at(image, 15, 15), (Colour{0, 0, 0}));
+  EXPECT_EQ(at(image, 9, 15), (Colour{255, 255, 255}));
+  EXPECT_EQ(at(image, 15, 20), (Colour{255, 255, 255}));
+}
+
+TEST(Picture, ValuesGetALegendFromLowToHigh) {
+  PictureOptions options;
+  options.color = "load";
+  const auto svg = svg_text(two_squares(), options);
+  ASSERT_TRUE(svg);
+  for (const char* tick : {">0<", ">0.75<", ">1.5<", ">2.25<", ">3<", ">load<"}) {
+    EXPECT_EQ(count(*svg, tick), 1U) << tick;
+  }
+}
+
+TEST(Picture, ManyRegionsAreListedByMaterial) {
+  PictureMesh mesh = two_squares();
+  mesh.mesh.soup = {};
+  mesh.region_names.clear();
+  for (std::uint32_t i = 0; i < 300; ++i) {
+    const double x = i;
+    mesh.mesh.soup.points.insert(mesh.mesh.soup.points.end(), {{x, 0}, {x + 1, 0}, {x, 90}});
+    mesh.mesh.soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    mesh.mesh.soup.region.push_back(i + 1);
+    mesh.mesh.soup.material.push_back(i % 2 == 0 ? 7 : 3);
+  }
+  const auto svg = svg_text(mesh, {});
+  ASSERT_TRUE(svg);
+  EXPECT_EQ(count(*svg, ">silicon, 150 regions<"), 1U);
+  EXPECT_EQ(count(*svg, ">oxide, 150 regions<"), 1U);
+}
+
+TEST(Picture, MistakesAreExplained) {
+  PictureOptions options;
+  options.color = "stress";
+  auto svg = svg_text(two_squares(), options);
+  ASSERT_FALSE(svg);
+  EXPECT_EQ(svg.error().code, ErrorCode::bad_option);
+  EXPECT_EQ(svg.error().message, "the mesh has no cell array 'stress'; it has load");
+  options = {};
+  options.window = {{1, 1}, {1, 2}};
+  svg = svg_text(two_squares(), options);
+  ASSERT_FALSE(svg);
+  EXPECT_EQ(svg.error().code, ErrorCode::bad_option);
+}
+
+TEST(Picture, PngHasTheSizeOfTheDrawing) {
+  const testing::TemporaryFolder folder;
+  const std::string path = folder.path() / "picture.png";
+  PictureOptions options;
+  options.width = 640;
+  const auto drawing = compose(two_squares(), options);
+  ASSERT_TRUE(drawing);
+  ASSERT_TRUE(write_png(two_squares(), options, path));
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  ASSERT_GT(bytes.size(), 24U);
+  EXPECT_EQ(bytes.substr(1, 3), "PNG");
+  const auto number = [&](std::size_t i) {  // big-endian, in the header chunk
+    int value = 0;
+    for (std::size_t k = i; k < i + 4; ++k)
+      value = 256 * value + static_cast<unsigned char>(bytes[k]);
+    return value;
+  };
+  EXPECT_EQ(number(16), 640);
+  EXPECT_EQ(number(20), drawing->height);
+}
+
+}  // namespace
+}  // namespace cover
