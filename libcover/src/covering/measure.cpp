@@ -1,9 +1,10 @@
-// All angles of a triangle share one cross product, so two arc tangents give all three: that of
-// pi minus the largest, and that of the smallest; the one between is their difference, which loses
-// no digits because it is at least half of the first.
+// All angles of a triangle share one cross product, so each costs one division: its cotangent,
+// which orders angles as well as the angles do and keeps the digits of flat triangles. Arc tangents
+// are taken of the extremes only.
 #include "covering/measure.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -16,35 +17,55 @@
 namespace cover {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kCotangentOf150 = -std::numbers::sqrt3;
 
 /// A triangle from its largest angle's corner on.
 struct Sorted {
-  Point apex;             ///< corner of the largest angle, opposite to the longest edge
-  Point p, q;             ///< the others, counter-clockwise
-  double largest_nu = 0;  ///< pi - largest angle
-  double smallest = 0;
-  double doubled_area = 0;
+  Point apex;  ///< corner of the largest angle, opposite to the longest edge
+  Point p, q;  ///< the others, counter-clockwise; the smallest angle is at `sharp`
+  Point sharp;
+  Point blunt;
 };
 
-Sorted sort_angles(Point a, Point b, Point c) {
+Sorted sort_corners(Point a, Point b, Point c) {
   const double ab = squared_length(b - a), bc = squared_length(c - b), ca = squared_length(a - c);
   Sorted s;
   if (bc >= ab && bc >= ca) {
-    s.apex = a, s.p = b, s.q = c;
+    s = {a, b, c, ab < ca ? c : b, {}};
   } else if (ca >= ab) {
-    s.apex = b, s.p = c, s.q = a;
+    s = {b, c, a, bc < ab ? a : c, {}};
   } else {
-    s.apex = c, s.p = a, s.q = b;
+    s = {c, a, b, ca < bc ? b : a, {}};
   }
-  const Vector u = s.p - s.apex, v = s.q - s.apex;
-  s.doubled_area = cross(u, v);
-  s.largest_nu = std::atan2(std::abs(s.doubled_area), -dot(u, v));
-  // The smallest angle faces the shorter of u and v.
-  const bool u_shorter = squared_length(u) < squared_length(v);
-  const Point at = u_shorter ? s.q : s.p, near = u_shorter ? s.p : s.q;
-  s.smallest = std::atan2(std::abs(s.doubled_area), dot(s.apex - at, near - at));
+  s.blunt = s.sharp == s.p ? s.q : s.p;
   return s;
+}
+
+double cotangent(Point a, Point corner, Point b, double doubled_area) {
+  return dot(a - corner, b - corner) / doubled_area;
+}
+
+double largest_nu_of(Point a, Point b, Point c) {
+  const Sorted s = sort_corners(a, b, c);
+  return accurate_nu_at(s.p, s.apex, s.q);
+}
+
+/// Cotangents of 10, 20, ..., 170 degrees.
+std::array<double, 17> bin_limits() {
+  std::array<double, 17> limits{};
+  for (std::size_t k = 0; k < limits.size(); ++k) {
+    limits[k] = 1 / std::tan(Angle::degrees(10.0 * static_cast<double>(k + 1)).in_radians());
+  }
+  limits[8] = 0;  // 90 degrees, where the tangent is a very large number
+  return limits;
+}
+
+/// The bin of an angle with this cotangent.
+std::size_t bin_of(double cotangent, const std::array<double, 17>& limits) {
+  return static_cast<std::size_t>(
+      std::partition_point(limits.begin(), limits.end(),
+                           [&](double limit) { return cotangent <= limit; }) -
+      limits.begin());
 }
 
 double largest_coordinate(std::span<const Point> points) {
@@ -53,20 +74,10 @@ double largest_coordinate(std::span<const Point> points) {
   return largest;
 }
 
-std::size_t bin_of(double radians) {
-  return std::min<std::size_t>(17, static_cast<std::size_t>(radians * (18 / kPi)));
-}
-
-/// Cotangent of the corner opposite to the half-edge from a to b.
-double opposite_cotangent(Point a, Point b, Point corner) {
-  const Vector u = a - corner, v = b - corner;
-  return dot(u, v) / std::abs(cross(u, v));
-}
-
 /// The triangle with the largest angle.
 IndexTriple worst_triangle(std::span<const Point> points, std::span<const IndexTriple> triangles) {
   const auto nu = [&](const IndexTriple& t) {
-    return sort_angles(points[t[0]], points[t[1]], points[t[2]]).largest_nu;
+    return largest_nu_of(points[t[0]], points[t[1]], points[t[2]]);
   };
   return *std::min_element(triangles.begin(), triangles.end(),
                            [&](const auto& s, const auto& t) { return nu(s) < nu(t); });
@@ -95,25 +106,32 @@ std::vector<Point> all_points(const RegionBoundary& boundary, const RegionMesh& 
 }
 
 Quality measure_angles(std::span<const Point> points, std::span<const IndexTriple> triangles) {
+  const std::array<double, 17> limits = bin_limits();
   Quality quality;
   quality.triangles = triangles.size();
-  double largest_nu = kPi, smallest = kPi;
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  Sorted flattest, sharpest;
   for (const auto& [i, j, k] : triangles) {
-    const Sorted s = sort_angles(points[i], points[j], points[k]);
-    largest_nu = std::min(largest_nu, s.largest_nu);
-    smallest = std::min(smallest, s.smallest);
+    const Sorted s = sort_corners(points[i], points[j], points[k]);
+    const double doubled_area = cross(s.p - s.apex, s.q - s.apex), area = std::abs(doubled_area);
+    const double largest = cotangent(s.p, s.apex, s.q, area);
+    const double smallest = cotangent(s.apex, s.sharp, s.blunt, area);
+    if (largest < lowest) lowest = largest, flattest = s;
+    if (smallest > highest) highest = smallest, sharpest = s;
     if (compare_with_90_degrees(s.p, s.apex, s.q) == Sign::positive) {
       ++quality.obtuse;
       if (compare_with_120_degrees(s.p, s.apex, s.q) == Sign::positive) ++quality.above_120;
-      if (s.largest_nu < kPi / 6) ++quality.above_150;
+      if (largest < kCotangentOf150) ++quality.above_150;
     }
-    ++quality.histogram[bin_of(kPi - s.largest_nu)];
-    ++quality.histogram[bin_of(s.largest_nu - s.smallest)];
-    ++quality.histogram[bin_of(s.smallest)];
-    quality.area += s.doubled_area / 2;
+    ++quality.histogram[bin_of(largest, limits)];
+    ++quality.histogram[bin_of(cotangent(s.apex, s.blunt, s.sharp, area), limits)];
+    ++quality.histogram[bin_of(smallest, limits)];
+    quality.area += doubled_area / 2;
   }
-  quality.largest_nu = Angle::radians(largest_nu);
-  quality.smallest = Angle::radians(smallest);
+  if (!triangles.empty()) {
+    quality.largest_nu = Angle::radians(accurate_nu_at(flattest.p, flattest.apex, flattest.q));
+    quality.smallest = Angle::radians(angle_at(sharpest.apex, sharpest.sharp, sharpest.blunt));
+  }
   return quality;
 }
 
@@ -131,7 +149,8 @@ BoxMethod measure_boxes(std::span<const Point> points, std::span<const IndexTrip
     const Point c = points[half_edges.target(HalfEdges::next(h))];
     // |e| d_e / 2 with d_e = |e| |cot| / 2, the distance from the edge's midpoint to the
     // circumcentre
-    box.box_area += squared_length(b - a) * std::abs(opposite_cotangent(a, b, c)) / 4;
+    const double area = cross(b - a, c - a);
+    box.box_area += squared_length(b - a) * std::abs(cotangent(a, c, b, area)) / 4;
     const std::uint32_t twin = is_side[h] ? HalfEdges::kAbsent : half_edges.twin(h);
     if (twin == HalfEdges::kAbsent) {
       if (compare_with_90_degrees(a, c, b) == Sign::positive) ++box.obtuse_sides;
@@ -170,7 +189,7 @@ bool holds_bound(std::span<const Point> points, std::span<const IndexTriple> tri
   const double largest = largest_coordinate(points);
   return std::all_of(triangles.begin(), triangles.end(), [&](const IndexTriple& t) {
     const Point a = points[t[0]], b = points[t[1]], c = points[t[2]];
-    const double nu = sort_angles(a, b, c).largest_nu;
+    const double nu = largest_nu_of(a, b, c);
     return nu >= nu_bound.in_radians() ||
            nu + angle_rounding(a, b, c, largest) >= nu_bound.in_radians();
   });

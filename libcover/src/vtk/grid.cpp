@@ -106,17 +106,26 @@ vtkSmartPointer<Array> cell_array(const char* name, const Items& items, Value va
   return array;
 }
 
-/// Smallest and largest angle, in degrees.
-std::array<double, 2> extreme_angles(const TriMesh& tri, const std::array<int, 3>& corners) {
-  std::array<Point, 3> p;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const TriMesh::Point& q = tri.point(TriMesh::VertexHandle(corners[i]));
-    p[i] = {q[0], q[1]};
+/// The arrays max_angle and min_angle, in degrees.
+void add_angle_arrays(const TriMesh& tri, const Corners<3>& corners, vtkCellData* data) {
+  std::vector<double> largest, smallest;
+  largest.reserve(corners.size());
+  smallest.reserve(corners.size());
+  for (const auto& cell : corners) {
+    std::array<Point, 3> p;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const TriMesh::Point& q = tri.point(TriMesh::VertexHandle(cell[i]));
+      p[i] = {q[0], q[1]};
+    }
+    const std::array angles{angle_at(p[1], p[0], p[2]), angle_at(p[2], p[1], p[0]),
+                            angle_at(p[0], p[2], p[1])};
+    const auto [low, high] = std::minmax_element(angles.begin(), angles.end());
+    largest.push_back(Angle::radians(*high).in_degrees());
+    smallest.push_back(Angle::radians(*low).in_degrees());
   }
-  const std::array angles{angle_at(p[1], p[0], p[2]), angle_at(p[2], p[1], p[0]),
-                          angle_at(p[0], p[2], p[1])};
-  const auto [low, high] = std::minmax_element(angles.begin(), angles.end());
-  return {Angle::radians(*low).in_degrees(), Angle::radians(*high).in_degrees()};
+  const auto itself = [](double value) { return value; };
+  data->AddArray(cell_array<vtkDoubleArray>("max_angle", largest, itself));
+  data->AddArray(cell_array<vtkDoubleArray>("min_angle", smallest, itself));
 }
 
 /// The arrays of the cells. Several names for one thing: every solver looks for its own, some only
@@ -130,11 +139,7 @@ void add_face_arrays(const Mesh& mesh, std::span<const TriMesh::FaceHandle> face
   data->AddArray(cell_array<vtkIntArray>("mat_id", faces, material));
   data->AddArray(cell_array<vtkIntArray>(
       "RegionId", faces, [&](Face f) { return static_cast<int>(mesh.region(f).value()); }));
-  const auto angles = [&](std::size_t which) {
-    return [&, which](const auto& c) { return extreme_angles(mesh.tri(), c)[which]; };
-  };
-  data->AddArray(cell_array<vtkDoubleArray>("max_angle", corners, angles(1)));
-  data->AddArray(cell_array<vtkDoubleArray>("min_angle", corners, angles(0)));
+  add_angle_arrays(mesh.tri(), corners, data);
 }
 
 /// The half-edge of `edge` with the left region of `line` on its left.
