@@ -31,4 +31,14 @@ std::uint32_t HalfEdges::find(std::uint32_t a, std::uint32_t b) const {
   return found != end && found->target == b ? found->half_edge : kAbsent;
 }
 
+bool HalfEdges::all_different() const {
+  for (std::size_t k = 1; k < sorted_.size(); ++k) {
+    if (sorted_[k - 1].target == sorted_[k].target &&
+        source(sorted_[k - 1].half_edge) == source(sorted_[k].half_edge)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace cover

@@ -27,6 +27,9 @@ class HalfEdges {
   /// The opposite half-edge, or kAbsent where no triangle lies on the other side.
   [[nodiscard]] std::uint32_t twin(std::uint32_t h) const { return find(target(h), source(h)); }
 
+  /// True if no two triangles have the same directed edge.
+  [[nodiscard]] bool all_different() const;
+
   [[nodiscard]] std::uint32_t source(std::uint32_t h) const { return triangles_[h / 3][h % 3]; }
   [[nodiscard]] std::uint32_t target(std::uint32_t h) const { return source(next(h)); }
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(sorted_.size()); }

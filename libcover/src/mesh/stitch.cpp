@@ -1,26 +1,12 @@
-// The mesh is built straight into OpenMesh's arrays. Its add_face() looks for the edges around both
-// ends of each new edge and relinks the boundary after each face; here all faces are known at once,
-// so edges are paired by a sort, and the links along the boundary are set once, at the end:
-//
-//   1. vertices: those of the PSLG that some region uses, then the Steiner vertices of each region;
-//   2. half-edges: an edge is made when its first half-edge comes by, in the order of the faces;
-//   3. around a boundary vertex lie one or more fans of triangles with void between. The boundary
-//      half-edge that arrives at the first edge of a fan goes on along the last edge of the fan
-//      before it. Several fans (regions that meet only in this point) are put in the order of
-//      their directions, so that the boundary loops are those of the void.
-//
-// Tested by tests/unit/mesh/stitch_test.cpp.
+// Regions share nothing but the ids of their boundary vertices, so joining them is arithmetic on
+// numbers: vertices of the PSLG that some region uses come first, then the Steiner vertices of each
+// region. Tested by tests/unit/mesh/stitch_test.cpp.
 #include "mesh/stitch.hpp"
 
-#include <algorithm>
-
-#include "geom/half_edges.hpp"
-#include "geom/predicates.hpp"
+#include "mesh/mesh_builder.hpp"
 
 namespace cover {
 namespace {
-
-using Halfedge = TriMesh::HalfedgeHandle;
 
 /// All triangles by global vertex.
 struct Gathered {
@@ -72,124 +58,11 @@ Gathered gather(const Pslg& pslg, std::span<const RegionBoundary> boundaries,
   return all;
 }
 
-/// A fan of triangles around a boundary vertex, from its first edge counter-clockwise to its last.
-struct Fan {
-  std::uint32_t vertex = 0;
-  std::uint32_t towards = 0;  ///< the other end of the first edge
-  Halfedge arriving;          ///< boundary half-edge along the first edge, towards `vertex`
-  Halfedge leaving;           ///< boundary half-edge along the last edge
-};
-
-class Builder {
- public:
-  explicit Builder(const Gathered& all)
-      : all_(all), pairs_(all.points.size(), all.triangles), half_edge_(pairs_.size()) {}
-
-  void build(Mesh& mesh) {
-    const std::uint32_t edges = number_half_edges();
-    mesh.tri().resize(all_.points.size(), edges, all_.triangles.size());
-    set_vertices(mesh);
-    set_faces(mesh.tri());
-    set_boundary(mesh.tri());
+void set_input_ids(const Gathered& all, Mesh& mesh) {
+  for (std::size_t v = 0; v < all.input_ids.size(); ++v) {
+    mesh.set_input_id(TriMesh::VertexHandle(static_cast<int>(v)), all.input_ids[v]);
   }
-
-  /// The edge between two vertices, invalid if there is none.
-  [[nodiscard]] TriMesh::EdgeHandle edge_between(std::uint32_t a, std::uint32_t b) const {
-    std::uint32_t h = pairs_.find(a, b);
-    if (h == HalfEdges::kAbsent) h = pairs_.find(b, a);
-    return h == HalfEdges::kAbsent ? TriMesh::EdgeHandle() : TriMesh::s_edge_handle(half_edge_[h]);
-  }
-
- private:
-  [[nodiscard]] bool on_boundary(std::uint32_t h) const {
-    return pairs_.twin(h) == HalfEdges::kAbsent;
-  }
-
-  std::uint32_t number_half_edges() {
-    int edges = 0;
-    for (std::uint32_t h = 0; h < pairs_.size(); ++h) {
-      const std::uint32_t twin = pairs_.twin(h);
-      if (twin < h) {
-        half_edge_[h] = Halfedge(half_edge_[twin].idx() + 1);
-      } else {
-        half_edge_[h] = Halfedge(2 * edges++);
-        if (twin == HalfEdges::kAbsent) boundary_.push_back(h);
-      }
-    }
-    return static_cast<std::uint32_t>(edges);
-  }
-
-  void set_vertices(Mesh& mesh) const {
-    for (std::size_t v = 0; v < all_.points.size(); ++v) {
-      const TriMesh::VertexHandle handle(static_cast<int>(v));
-      mesh.tri().set_point(handle, TriMesh::Point(all_.points[v].x, all_.points[v].y, 0));
-      mesh.set_input_id(handle, all_.input_ids[v]);
-    }
-  }
-
-  void set_faces(TriMesh& tri) const {
-    for (std::uint32_t h = 0; h < pairs_.size(); ++h) {
-      const TriMesh::FaceHandle face(static_cast<int>(h / 3));
-      const Halfedge edge = half_edge_[h];
-      const TriMesh::VertexHandle from(static_cast<int>(pairs_.source(h)));
-      tri.set_vertex_handle(edge, TriMesh::VertexHandle(static_cast<int>(pairs_.target(h))));
-      tri.set_vertex_handle(tri.opposite_halfedge_handle(edge), from);
-      tri.set_face_handle(edge, face);
-      tri.set_next_halfedge_handle(edge, half_edge_[HalfEdges::next(h)]);
-      tri.set_halfedge_handle(face, edge);
-      tri.set_halfedge_handle(from, edge);
-    }
-  }
-
-  void set_boundary(TriMesh& tri) const {
-    std::vector<Fan> fans;
-    fans.reserve(boundary_.size());
-    for (const std::uint32_t h : boundary_) fans.push_back(fan_from(h, tri));
-    std::stable_sort(fans.begin(), fans.end(),
-                     [](const Fan& f, const Fan& g) { return f.vertex < g.vertex; });
-    for (auto first = fans.begin(); first != fans.end();) {
-      const auto last =
-          std::find_if(first, fans.end(), [&](const Fan& f) { return f.vertex != first->vertex; });
-      if (last - first > 1) sort_by_direction(first, last);
-      for (auto fan = first; fan != last; ++fan) {
-        const auto before = fan == first ? last - 1 : fan - 1;
-        tri.set_next_halfedge_handle(fan->arriving, before->leaving);
-      }
-      // OpenMesh knows a boundary vertex by its half-edge.
-      tri.set_halfedge_handle(TriMesh::VertexHandle(static_cast<int>(first->vertex)),
-                              first->leaving);
-      first = last;
-    }
-  }
-
-  /// The fan around the source of `first`, an edge without a triangle on its right.
-  [[nodiscard]] Fan fan_from(std::uint32_t first, const TriMesh& tri) const {
-    Fan fan{pairs_.source(first), pairs_.target(first),
-            tri.opposite_halfedge_handle(half_edge_[first]), Halfedge()};
-    std::uint32_t incoming = HalfEdges::previous(first);
-    for (std::uint32_t out = pairs_.twin(incoming); out != HalfEdges::kAbsent && out != first;
-         out = pairs_.twin(incoming)) {
-      incoming = HalfEdges::previous(out);
-    }
-    fan.leaving = tri.opposite_halfedge_handle(half_edge_[incoming]);
-    return fan;
-  }
-
-  /// Counter-clockwise around their common vertex, from straight up on.
-  void sort_by_direction(std::vector<Fan>::iterator first, std::vector<Fan>::iterator last) const {
-    const Point centre = all_.points[first->vertex];
-    std::sort(first, last, [&](const Fan& f, const Fan& g) {
-      const Point p = all_.points[f.towards], q = all_.points[g.towards];
-      if ((p < centre) != (q < centre)) return p < centre;
-      return orientation(centre, p, q) == Sign::positive;
-    });
-  }
-
-  const Gathered& all_;
-  HalfEdges pairs_;
-  std::vector<Halfedge> half_edge_;      ///< OpenMesh's, by ours
-  std::vector<std::uint32_t> boundary_;  ///< half-edges without a twin
-};
+}
 
 void set_regions(const RegionTable& table, std::span<const RegionMesh> meshes, Mesh& mesh) {
   int face = 0;
@@ -202,7 +75,7 @@ void set_regions(const RegionTable& table, std::span<const RegionMesh> meshes, M
 }
 
 void set_segments(const Pslg& pslg, const RegionTable& table, const Gathered& all,
-                  const Builder& builder, Mesh& mesh) {
+                  const MeshBuilder& builder, Mesh& mesh) {
   for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
     const std::uint32_t a = all.vertex_of[pslg.segments[s].a.index()];
     const std::uint32_t b = all.vertex_of[pslg.segments[s].b.index()];
@@ -219,9 +92,9 @@ void set_segments(const Pslg& pslg, const RegionTable& table, const Gathered& al
 Mesh stitch(const Pslg& pslg, const RegionTable& table, std::span<const RegionBoundary> boundaries,
             std::span<const RegionMesh> meshes) {
   const Gathered all = gather(pslg, boundaries, meshes);
-  Mesh mesh;
-  Builder builder(all);
-  builder.build(mesh);
+  const MeshBuilder builder(all.points, all.triangles);
+  Mesh mesh = builder.build();
+  set_input_ids(all, mesh);
   set_regions(table, meshes, mesh);
   set_segments(pslg, table, all, builder, mesh);
   return mesh;
