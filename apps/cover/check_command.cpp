@@ -65,10 +65,8 @@ Examples:
   VerifyOptions verify;
   LibraryOptions library;
   bool no_bound = false;
-  app.add_option("input", path, "Geometry file that was meshed (.poly)")
-      ->type_name("INPUT")
-      ->required();
-  app.add_option("mesh", mesh_path, "Mesh of any tool (.vtu, .vtk)")->type_name("MESH")->required();
+  app.add_option("input", path, kInputHelp)->type_name("")->required();
+  app.add_option("mesh", mesh_path, "Mesh of any tool (.vtu, .vtk)")->type_name("")->required();
   app.add_flag("--allow-split", verify.allow_split, "Segments may have vertices inside");
   app.add_flag("--no-bound", no_bound, "Do not check promise 3");
   app.add_flag("--hull", verify.hull, "The mesh covers the convex hull");

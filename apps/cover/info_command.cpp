@@ -19,9 +19,7 @@ int run_info(Arguments arguments) {
   std::string path;
   Verbosity verbosity;
   LibraryOptions library;
-  app.add_option("input", path, "Geometry file (.poly); '-' reads .poly from stdin")
-      ->type_name("INPUT")
-      ->required();
+  app.add_option("input", path, kInputHelp)->type_name("")->required();
   library.add_cleaning(app);
   add_verbosity(app, verbosity);
   if (const auto code = parse(app, std::move(arguments))) return *code;

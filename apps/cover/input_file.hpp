@@ -8,7 +8,11 @@
 
 namespace cover::app {
 
-/// Reads `path`; `-` is stdin, which must hold Triangle's .poly with its points.
+/// What a subcommand says of its input file.
+inline constexpr const char* kInputHelp =
+    "Geometry: Triangle's .poly, our .json, .geojson, gmsh's .msh; '-' is standard input";
+
+/// Reads `path`; `-` is standard input, whose format follows from how it begins.
 Result<Input> read_geometry(const std::string& path);
 
 }  // namespace cover::app

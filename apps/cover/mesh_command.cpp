@@ -35,8 +35,7 @@ struct MeshCommand {
   explicit MeshCommand() : app("Triangulate all regions of a geometry file", "cover mesh") {
     app.footer(kExamples);
     app.set_help_flag("-h,--help", "Show this help");
-    app.add_option("input", input, "Geometry file (.poly); '-' reads .poly from stdin")
-        ->type_name("INPUT");
+    app.add_option("input", input, kInputHelp)->type_name("");
     app.add_option(
            "-o,--output", outputs,
            fmt::format("File to write, several if repeated: {}; '-' is stdout", mesh_extensions()))
@@ -203,7 +202,7 @@ int run_mesh(Arguments arguments) {
   MeshCommand command;
   if (const auto code = parse(command.app, std::move(arguments))) return *code;
   if (command.print_config) {
-    fmt::print("{}", command.app.config_to_str(true, true));
+    fmt::print("{}", configuration(command.app));
     return exit_ok;
   }
   if (command.input.empty()) return usage_error(command.app, "no input file given");

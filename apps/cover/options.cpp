@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,6 +12,35 @@
 
 namespace cover::app {
 namespace {
+
+/// Help of at most 100 columns.
+class NarrowHelp : public CLI::Formatter {
+ public:
+  NarrowHelp() {
+    column_width(kNames);
+    label("REQUIRED", "");
+  }
+
+  std::string make_option_desc(const CLI::Option* option) const override {
+    std::string out;
+    std::size_t column = 0;
+    std::istringstream words(option->get_description());
+    for (std::string word; words >> word;) {
+      if (column > 0 && column + 1 + word.size() > kDescription) {
+        out += '\n';
+        column = 0;
+      }
+      if (column > 0) ++column, out += ' ';
+      out += word;
+      column += word.size();
+    }
+    return out;
+  }
+
+ private:
+  static constexpr std::size_t kNames = 32;
+  static constexpr std::size_t kDescription = 68;
+};
 
 /// The long names (`--fill`) of all options of a command.
 std::vector<std::string> option_names(const CLI::App& command) {
@@ -82,9 +113,7 @@ void add_verbosity(CLI::App& command, Verbosity& verbosity) {
 }
 
 std::optional<int> parse(CLI::App& command, Arguments arguments) {
-  command.get_formatter()->column_width(34);
-  command.get_formatter()->label("OPTIONS", "[OPTIONS]");
-  command.get_formatter()->label("REQUIRED", "");
+  command.formatter(std::make_shared<NarrowHelp>());
   std::reverse(arguments.begin(), arguments.end());
   try {
     command.parse(std::move(arguments));
@@ -95,6 +124,15 @@ std::optional<int> parse(CLI::App& command, Arguments arguments) {
   } catch (const CLI::ParseError& error) {
     return usage_error(command, explain(command, error));
   }
+}
+
+std::string configuration(const CLI::App& command) {
+  std::istringstream lines(command.config_to_str(true, true));
+  std::string out;
+  for (std::string line; std::getline(lines, line);) {
+    out += (line.ends_with("=\"\"") || line.ends_with("=[]") ? "# " : "") + line + '\n';
+  }
+  return out;
 }
 
 int usage_error(const CLI::App& command, const std::string& message) {
@@ -127,8 +165,11 @@ void LibraryOptions::add_cleaning(CLI::App& command) {
 
 void LibraryOptions::add_meshing(CLI::App& command) {
   const char* group = "Meshing";
-  command.add_option("--method", method_, "almond: proven bound on the largest angle")
-      ->check(one_of({"almond"}))
+  command
+      .add_option("--method", method_,
+                  "quality: good angles, never below the proven bound; almond: the bound alone, "
+                  "the fastest")
+      ->check(one_of({"quality", "almond"}))
       ->type_name("NAME")
       ->capture_default_str()
       ->group(group);
@@ -174,7 +215,7 @@ void LibraryOptions::add_meshing(CLI::App& command) {
 
 Result<Options> LibraryOptions::make() const {
   Options options = options_;
-  options.method = Method::almond;
+  options.method = method_ == "quality" ? Method::quality : Method::almond;
   options.fill = fill_ == "disks" ? Fill::disks : Fill::refine;
   options.overlap = overlap_ == "first"   ? Overlap::first
                     : overlap_ == "error" ? Overlap::error

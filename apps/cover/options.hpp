@@ -27,6 +27,9 @@ void add_verbosity(CLI::App& command, Verbosity& verbosity);
 /// mistake, which is explained on stderr).
 std::optional<int> parse(CLI::App& command, Arguments arguments);
 
+/// The options in force as a --config file. What is not set stands there as a comment.
+std::string configuration(const CLI::App& command);
+
 /// Ends a subcommand with a mistake in its use.
 int usage_error(const CLI::App& command, const std::string& message);
 

@@ -26,7 +26,7 @@ int run_render(Arguments arguments) {
   PictureOptions options;
   Verbosity verbosity;
   bool no_edges = false;
-  app.add_option("mesh", path, "Mesh to draw (.vtu, .vtk)")->type_name("MESH")->required();
+  app.add_option("mesh", path, "Mesh to draw (.vtu, .vtk)")->type_name("")->required();
   app.add_option("-o,--output", outputs, "Picture to write (.svg, .png)")
       ->type_name("FILE")
       ->allow_extra_args(false)

@@ -24,7 +24,7 @@ Result<Input> read_input(const std::string& path);
 /// Reads geometry from memory. `extension` names the format, as ".json"; `source` is what messages
 /// call the text.
 ///
-/// Errors: as read_input; a .poly must hold its points itself.
+/// Errors: as read_input; the .node of a .poly without points is looked for beside `source`.
 Result<Input> parse_input(std::string_view text, std::string_view extension,
                           const std::string& source);
 

@@ -13,6 +13,9 @@
 
 namespace cover {
 
+/// Triangle's .poly; where it has no points they are in the .node beside `source`.
+Result<Input> parse_poly(std::string_view text, const std::string& source);
+
 /// Our own JSON: points and segments, or painted polygons, with curves. See input.schema.json.
 Result<Input> parse_json(std::string_view text, const std::string& source);
 

@@ -21,6 +21,7 @@ struct Format {
 };
 
 constexpr std::array kFormats{
+    Format{".poly", parse_poly},
     Format{".json", parse_json},
     Format{".geojson", parse_geojson},
     Format{".msh", parse_msh},
@@ -43,8 +44,10 @@ Result<Input> parse_input(std::string_view text, std::string_view extension,
                           const std::string& source) {
   for (const Format& format : kFormats)
     if (format.extension == lower(extension)) return format.parse(text, source);
-  std::string known = ".poly";
-  for (const Format& format : kFormats) known += fmt::format(", {}", format.extension);
+  std::string known;
+  for (const Format& format : kFormats) {
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", format.extension);
+  }
   return Error{
       ErrorCode::unsupported_format,
       fmt::format("{}: no reader for files named '*{}'; known: {}", source, extension, known),
@@ -53,11 +56,9 @@ Result<Input> parse_input(std::string_view text, std::string_view extension,
 }
 
 Result<Input> read_input(const std::string& path) {
-  const std::string extension = extension_of(path);
-  if (extension == ".poly") return read_poly(path);
   Result<std::string> text = read_file(path);
   if (!text) return std::move(text).error();
-  return parse_input(*text, extension, path);
+  return parse_input(*text, extension_of(path), path);
 }
 
 }  // namespace cover

@@ -14,6 +14,7 @@
 #include <optional>
 #include <unordered_map>
 
+#include "io/formats.hpp"
 #include "io/text.hpp"
 
 namespace cover {
@@ -268,21 +269,25 @@ std::optional<Error> read_node(const std::string& poly_path, PolyReader& poly, I
 
 }  // namespace
 
-Result<Input> read_poly(const std::string& path) {
-  const Result<std::string> text = read_file(path);
-  if (!text) return text.error();
+Result<Input> parse_poly(std::string_view text, const std::string& source) {
   Input input;
-  input.source = path;
-  PolyReader reader(*text, path);
+  input.source = source;
+  PolyReader reader(text, source);
   if (!reader.read_points(input)) return *reader.error();
   if (input.points.empty()) {
-    if (auto error = read_node(path, reader, input)) return *error;
+    if (auto error = read_node(source, reader, input)) return *error;
   }
   if (!reader.read_segments(input) || !reader.read_holes(input) || !reader.read_regions(input) ||
       !reader.expect_end()) {
     return *reader.error();
   }
   return input;
+}
+
+Result<Input> read_poly(const std::string& path) {
+  const Result<std::string> text = read_file(path);
+  if (!text) return text.error();
+  return parse_poly(*text, path);
 }
 
 }  // namespace cover

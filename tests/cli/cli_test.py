@@ -1,0 +1,284 @@
+#!/usr/bin/env python3
+"""cli_test.py PROGRAM SAMPLES [TEST...]: the program as a user meets it: exit codes, messages, files."""
+import json
+import os
+import pathlib
+import pty
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM, SAMPLES = sys.argv[1], pathlib.Path(sys.argv[2])
+
+SQUARE = '4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n'
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.dir = pathlib.Path(folder.name)
+
+    def run_cover(self, *words, code=0, stdin=None):
+        """Runs the program in the folder of this test; returns stdout and stderr."""
+        done = subprocess.run([PROGRAM, *map(str, words)], cwd=self.dir, input=stdin, text=True, timeout=60,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.assertEqual(done.returncode, code, f'{words}\n{done.stdout}\n{done.stderr}')
+        return done.stdout, done.stderr
+
+    def write(self, name, text):
+        (self.dir / name).write_text(text)
+        return name
+
+    def files(self):
+        return sorted(p.name for p in self.dir.iterdir())
+
+
+class Usage(Case):
+    def test_no_command(self):
+        self.assertIn('Usage: cover', self.run_cover(code=2)[1])
+
+    def test_help_of_every_command(self):
+        self.assertIn('Commands:', self.run_cover('--help')[0])
+        for command in ('mesh', 'info', 'check', 'render'):
+            text = self.run_cover(command, '--help')[0]
+            self.assertIn('Example', text)
+            self.assertLess(max(map(len, text.splitlines())), 121, command)
+
+    def test_version(self):
+        self.assertRegex(self.run_cover('--version')[0], r'^cover \d+\.\d+\.\d+\n.*GPL')
+
+    def test_misspelt_command(self):
+        self.assertEqual(self.run_cover('msh', code=2)[1].splitlines()[0],
+                         "cover: error: unknown command 'msh'; did you mean 'mesh'?")
+
+    def test_misspelt_option(self):
+        error = self.run_cover('mesh', 'a.poly', '-o', 'a.vtu', '--fil=disks', code=2)[1]
+        self.assertIn("unknown option '--fil=disks'; did you mean '--fill'?", error)
+
+    def test_misspelt_word(self):
+        error = self.run_cover('mesh', 'a.poly', '-o', 'a.vtu', '--fill', 'disk', code=2)[1]
+        self.assertIn("'disk' is not one of refine, disks; did you mean 'disks'?", error)
+
+    def test_number_out_of_range(self):
+        self.assertIn('is not between', self.run_cover('mesh', 'a.poly', '--max-angle', '20', code=2)[1])
+
+    def test_nothing_to_do(self):
+        self.assertIn('no input file', self.run_cover('mesh', '-o', 'a.vtu', code=2)[1])
+        self.assertIn('nothing to write', self.run_cover('mesh', 'a.poly', code=2)[1])
+
+    def test_unknown_output_format(self):
+        error = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'a.xyz', code=2)[1]
+        self.assertIn("unknown format '.xyz'; possible are .vtu", error)
+        self.assertEqual(self.files(), [])
+
+
+class Mesh(Case):
+    def test_mesh_report_and_picture(self):
+        out, _ = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '-o', 'd.svg', '--report', 'd.json')
+        self.assertEqual(self.files(), ['d.json', 'd.svg', 'd.vtu'])
+        self.assertIn('Proven bound    held in every region', out)
+        self.assertIn('170-180', out)
+        report = json.loads((self.dir / 'd.json').read_text())
+        self.assertEqual(len(report['regions']), 4)
+        self.assertEqual(sum(r['triangles'] for r in report['regions']), report['mesh']['triangles'])
+        self.assertTrue(all(r['bound_held'] for r in report['regions']))
+        self.run_cover('check', SAMPLES / 'diode.poly', 'd.vtu')
+
+    def test_same_bytes_for_any_number_of_threads(self):
+        for threads in (1, 2, 8):
+            self.run_cover('mesh', SAMPLES / 'coax.poly', '-o', f'{threads}.vtu', '-j', threads, '-q')
+        one = (self.dir / '1.vtu').read_bytes()
+        self.assertEqual(one, (self.dir / '2.vtu').read_bytes())
+        self.assertEqual(one, (self.dir / '8.vtu').read_bytes())
+
+    def test_quiet_says_nothing(self):
+        self.assertEqual(self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '-q'), ('', ''))
+
+    def test_verbose_and_log(self):
+        _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '-v', '--log', 'log')
+        self.assertIn('cover: info: wrote d.vtu', err)
+        self.assertIn('wrote d.vtu', (self.dir / 'log').read_text())
+
+    def test_statistics_as_json(self):
+        out, _ = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--stats', 'json')
+        self.assertEqual(json.loads(out)['format'], 'cover report')
+
+    def test_stdin_to_stdout(self):
+        done = subprocess.run([PROGRAM, 'mesh', '-', '-o', '-'], input=SQUARE.encode(), timeout=60,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue(done.stdout.startswith(b'<?xml') or done.stdout.startswith(b'<VTKFile'), done.stdout[:60])
+        self.assertIn(b'largest angle', done.stderr.lower())
+
+    def test_clean_poly_meshes_the_same(self):
+        self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'a.vtu', '-o', 'clean.poly', '-q')
+        self.run_cover('mesh', 'clean.poly', '-o', 'b.vtu', '-q')
+        self.assertEqual((self.dir / 'a.vtu').read_bytes(), (self.dir / 'b.vtu').read_bytes())
+
+    def test_dry_run_writes_nothing(self):
+        out, _ = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--dry-run')
+        self.assertIn('4 regions', out)
+        self.assertIn('Would write d.vtu', out)
+        self.assertEqual(self.files(), [])
+
+    def test_paper(self):
+        self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--paper', '--pieces', '3', '-q')
+        self.run_cover('check', SAMPLES / 'diode.poly', 'd.vtu')
+
+    def test_require(self):
+        _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--require', 'bound')
+        _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--require', 'non-obtuse', code=6)
+        self.assertIn('required, but not met: non-obtuse', err)
+
+    def test_no_progress_without_a_terminal(self):
+        self.assertNotIn('%', self.run_cover('mesh', SAMPLES / 'coax.poly', '-o', 'd.vtu')[1])
+
+    def test_progress_on_a_terminal(self):
+        master, slave = pty.openpty()
+        done = subprocess.run([PROGRAM, 'mesh', SAMPLES / 'coax.poly', '-o', 'd.vtu'], cwd=self.dir, timeout=60,
+                              stdout=subprocess.DEVNULL, stderr=slave)
+        os.close(slave)
+        self.assertEqual(done.returncode, 0)
+        self.assertIn(b'%', os.read(master, 65536))
+        os.close(master)
+
+
+class Configuration(Case):
+    def test_printed_configuration_can_be_read(self):
+        text, _ = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--fill', 'refine', '--print-config')
+        self.write('job.toml', text)
+        self.run_cover('mesh', '--config', 'job.toml', '-q')
+        self.assertIn('d.vtu', self.files())
+
+    def test_unknown_key(self):
+        self.write('job.toml', 'fil = "refine"\n')
+        _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--config', 'job.toml', code=2)
+        self.assertIn("unknown key 'fil' in the --config file; did you mean '--fill'?", err)
+
+    def test_missing_file(self):
+        _, err = self.run_cover('mesh', 'a.poly', '-o', 'd.vtu', '--config', 'none.toml', code=2)
+        self.assertIn('none.toml', err)
+
+
+class BadInput(Case):
+    """Each fault of the geometry ends with its exit code and a message that names file, ids and place."""
+
+    def refuse(self, text, code, *parts):
+        self.write('bad.poly', text)
+        _, err = self.run_cover('mesh', 'bad.poly', '-o', 'bad.vtu', '--strict', code=code)
+        self.assertTrue(err.startswith('cover: error: '), err)
+        for part in parts:
+            self.assertIn(part, err)
+        self.assertNotIn('bad.vtu', self.files())
+
+    def test_missing_file(self):
+        _, err = self.run_cover('mesh', 'none.poly', '-o', 'a.vtu', code=5)
+        self.assertIn('none.poly', err)
+
+    def test_truncated(self):
+        self.refuse(SQUARE[:30], 5, 'bad.poly')
+
+    def test_not_a_number(self):
+        self.refuse(SQUARE.replace('3 1 1', '3 one 1'), 5, 'bad.poly:4')
+
+    def test_not_finite(self):
+        self.refuse(SQUARE.replace('3 1 1', '3 nan 1'), 3, 'bad.poly:4')
+
+    def test_unknown_point(self):
+        self.refuse(SQUARE.replace('4 4 1\n0', '4 4 9\n0'), 3, 'bad.poly', '9')
+
+    def test_crossing(self):
+        self.refuse(SQUARE.replace('4 0\n1 1 2', '5 0\n5 2 4\n1 1 3'), 3, '(0.5, 0.5)')
+
+    def test_nothing_enclosed(self):
+        self.refuse('2 2 0 0\n1 0 0\n2 1 0\n1 0\n1 1 2\n0\n', 3)
+
+    def test_no_segments(self):
+        self.refuse('2 2 0 0\n1 0 0\n2 1 0\n0 0\n0\n', 3)
+
+    def test_seed_in_the_void(self):
+        self.refuse(SQUARE + '1\n1 5 5 1 -1\n', 3, '(5, 5)')
+
+    def test_folder_that_is_not_there(self):
+        _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'no/such/d.vtu', code=5)
+        self.assertIn('no/such/d.vtu', err)
+
+
+class Check(Case):
+    def setUp(self):
+        super().setUp()
+        self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '-q')
+
+    def test_other_input(self):
+        out, _ = self.run_cover('check', SAMPLES / 'waveguide.poly', 'd.vtu', code=6)
+        self.assertIn('FAILED promise 1', out)
+
+    def test_not_a_mesh(self):
+        self.write('x.vtu', 'nothing')
+        self.assertIn('x.vtu', self.run_cover('check', SAMPLES / 'diode.poly', 'x.vtu', code=5)[1])
+
+    def test_missing_mesh(self):
+        self.assertIn('none.vtu', self.run_cover('check', SAMPLES / 'diode.poly', 'none.vtu', code=5)[1])
+
+
+class Info(Case):
+    def test_regions_and_lines(self):
+        out, _ = self.run_cover('info', SAMPLES / 'mosfet.poly')
+        self.assertIn('9 regions', out)
+        self.assertRegex(out, r'\d+ +material_\w+ +interface +material_\w+ +material_\w+ +\d+ +[\d.]+')
+
+    def test_areas_add_up(self):
+        out, _ = self.run_cover('info', SAMPLES / 'waveguide.poly')
+        areas = [float(line.split()[4]) for line in out.splitlines() if line.strip()[:1].isdigit() and ' material_' in line
+                 and line.split()[3].isdigit()]
+        self.assertEqual(len(areas), 5)
+        self.assertAlmostEqual(sum(areas), 6 * 5, places=3)
+
+
+class Render(Case):
+    def setUp(self):
+        super().setUp()
+        self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '-q')
+
+    def test_both_formats(self):
+        self.run_cover('render', 'd.vtu', '-o', 'd.png', '-o', 'd.svg', '--color', 'max_angle', '--window=-1,-1,1,1')
+        self.assertEqual((self.dir / 'd.png').read_bytes()[1:4], b'PNG')
+        self.assertIn('max_angle', (self.dir / 'd.svg').read_text())
+
+    def test_unknown_array(self):
+        _, err = self.run_cover('render', 'd.vtu', '-o', 'd.png', '--color', 'stress', code=2)
+        self.assertIn("no cell array 'stress'; it has", err)
+
+    def test_unknown_format(self):
+        self.assertIn('.svg, .png', self.run_cover('render', 'd.vtu', '-o', 'd.gif', code=2)[1])
+
+
+class Interrupt(Case):
+    def test_no_file_is_left(self):
+        # Some 50,000 slits in one region: long enough to be caught at work on any machine.
+        n = 300
+        points, segments = ['1 0 0', '2 1 0', '3 1 1', '4 0 1'], ['1 1 2', '2 2 3', '3 3 4', '4 4 1']
+        for i in range(n * n // 2):
+            x, y = (i % n + 1) / (n + 1), (i // n + 1) / (n + 1) * 2
+            points += [f'{2 * i + 5} {x} {y / 1.1}', f'{2 * i + 6} {x + 0.001} {y / 1.1 + 0.0005}']
+            segments.append(f'{i + 5} {2 * i + 5} {2 * i + 6}')
+        self.write('big.poly', f'{len(points)} 2 0 0\n' + '\n'.join(points) + f'\n{len(segments)} 0\n' +
+                   '\n'.join(segments) + '\n0\n')
+        run = subprocess.Popen([PROGRAM, 'mesh', 'big.poly', '-o', 'big.vtu', '--progress', 'on'], cwd=self.dir,
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        seen = b''
+        while b'mesh' not in seen:  # the stage that takes long
+            more = os.read(run.stderr.fileno(), 4096)
+            self.assertTrue(more, seen)
+            seen += more
+        run.send_signal(signal.SIGINT)
+        out, err = run.communicate(timeout=60)
+        self.assertEqual(run.returncode, 130, (seen + err)[-300:])
+        self.assertEqual(self.files(), ['big.poly'])
+
+
+if __name__ == '__main__':
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]], verbosity=1)
