@@ -1,9 +1,10 @@
-// Reading triangle meshes back, from any tool (target cover::vtk).
+// Reading meshes back: triangles of any tool, and all that cover wrote (target cover::vtk).
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include <cover/cover_mesh.hpp>
 #include <cover/result.hpp>
 #include <cover/verify.hpp>
 
@@ -26,5 +27,13 @@ struct MeshFile {
 ///
 /// Errors: cannot_open, syntax, unsupported_format
 Result<MeshFile> read_mesh(const std::string& path);
+
+/// Reads a mesh that cover wrote (.vtu, legacy .vtk or .vtm) as what cover_mesh() returned, as far
+/// as files keep it; see rebuild(). Names, interfaces and markers come from the manifest (.json)
+/// beside it, else from the .vtm; what is missing for want of both is said in the report's notes.
+///
+/// Errors: cannot_open, syntax, unsupported_format; syntax also where the manifest is of another
+/// mesh.
+Result<Output> read_output(const std::string& path);
 
 }  // namespace cover

@@ -84,7 +84,7 @@ void MeshBuilder::set_faces(TriMesh& tri) const {
     tri.set_vertex_handle(tri.opposite_halfedge_handle(edge), from);
     tri.set_face_handle(edge, face);
     tri.set_next_halfedge_handle(edge, half_edge_[HalfEdges::next(h)]);
-    tri.set_halfedge_handle(face, edge);
+    if (h % 3 == 0) tri.set_halfedge_handle(face, edge);  // keeps the order of the corners
     tri.set_halfedge_handle(from, edge);
   }
 }

@@ -189,6 +189,8 @@ vtkSmartPointer<vtkUnstructuredGrid> grid_of_interface(const Mesh& mesh, const I
   data->SetScalars(cell_array<vtkIntArray>("LineID", edges, constant(line.id)));
   data->AddArray(cell_array<vtkIntArray>("LeftRegion", edges, constant(line.left)));
   data->AddArray(cell_array<vtkIntArray>("RightRegion", edges, constant(line.right)));
+  data->AddArray(cell_array<vtkIntArray>(
+      "LineKind", edges, [&](TriMesh::EdgeHandle) { return static_cast<int>(line.kind); }));
   data->AddArray(cell_array<vtkIntArray>("marker", edges,
                                          [&](TriMesh::EdgeHandle e) { return mesh.marker(e); }));
   return grid;

@@ -23,7 +23,7 @@ vtkSmartPointer<vtkUnstructuredGrid> grid_of_region(const Mesh& mesh,
                                                     std::span<const TriMesh::FaceHandle> faces);
 
 /// The edges of one interface as lines with the interface's left region on their left. Cell arrays
-/// LineID, LeftRegion, RightRegion, marker; point array GlobalNodeId.
+/// LineID, LeftRegion, RightRegion, LineKind (0 interface, 1 outline, 2 slit, 3 contact), marker; point array GlobalNodeId.
 vtkSmartPointer<vtkUnstructuredGrid> grid_of_interface(const Mesh& mesh, const Interface& line,
                                                        std::span<const TriMesh::EdgeHandle> edges);
 

@@ -1,27 +1,24 @@
 // VTK writes its errors to the terminal; a library must not.
 #pragma once
 
-#include <vtkNew.h>
-#include <vtkOutputWindow.h>
-#include <vtkSmartPointer.h>
-#include <vtkStringOutputWindow.h>
+#include <vtkObject.h>
 
 namespace cover {
 
 /// Keeps VTK's messages off the terminal while it lives. Errors are asked for by their codes.
 ///
-/// Threads: VTK has one output window for the whole process.
+/// Threads: VTK has one switch for the whole process.
 class QuietVtk {
  public:
-  QuietVtk() : before_(vtkOutputWindow::GetInstance()) {
-    vtkOutputWindow::SetInstance(vtkNew<vtkStringOutputWindow>());
+  QuietVtk() : before_(vtkObject::GetGlobalWarningDisplay()) {
+    vtkObject::GlobalWarningDisplayOff();
   }
-  ~QuietVtk() { vtkOutputWindow::SetInstance(before_); }
+  ~QuietVtk() { vtkObject::SetGlobalWarningDisplay(before_); }
   QuietVtk(const QuietVtk&) = delete;
   QuietVtk& operator=(const QuietVtk&) = delete;
 
  private:
-  vtkSmartPointer<vtkOutputWindow> before_;
+  int before_;
 };
 
 }  // namespace cover

@@ -1,0 +1,44 @@
+// A mesh as the files that cover writes hold it, and back to what cover_mesh() returns.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <cover/cover_mesh.hpp>
+#include <cover/ids.hpp>
+#include <cover/regions.hpp>
+#include <cover/result.hpp>
+#include <cover/verify.hpp>
+
+namespace cover {
+
+/// An edge on an interface.
+struct StoredEdge {
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+  InterfaceId interface;
+  int marker = 0;
+};
+
+/// Triangles with what belongs to them.
+struct StoredMesh {
+  TriangleSoup soup;                  ///< with the region and the material of every triangle
+  std::size_t input_vertices = 0;     ///< so many of the first vertices are no Steiner vertices
+  std::vector<Region> regions;        ///< by RegionId - 1; empty: to be made up from the triangles
+  std::vector<Interface> interfaces;  ///< by InterfaceId - 1, without their segments
+  std::vector<StoredEdge> edges;      ///< of all interfaces
+};
+
+/// Puts a stored mesh together again. The PSLG stays empty and so do the reports of the regions:
+/// no file keeps them. Areas and lengths are measured.
+///
+/// Where `regions` is empty, regions are named after their materials; where `edges` is empty,
+/// every edge between different regions or beside the void lies on a made-up interface.
+///
+/// Errors: syntax, if the arrays are no mesh of regions 1, 2, 3, ...: an index out of range,
+///         triangles that share a directed edge, an unknown region or interface.
+/// Cost:   O(n log n)
+Result<Output> rebuild(const StoredMesh& stored);
+
+}  // namespace cover

@@ -1,0 +1,211 @@
+// Files keep triangles, regions and the edges of interfaces; the rest follows: connectivity, the
+// segments (an edge on an interface is one whole segment), which region lies on which side.
+// Tested by tests/unit/mesh/rebuild_test.cpp.
+#include <cover/stored_mesh.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "covering/measure.hpp"
+#include "geom/vector.hpp"
+#include "mesh/mesh_builder.hpp"
+#include "region/interfaces.hpp"
+
+namespace cover {
+namespace {
+
+class Rebuilder {
+ public:
+  explicit Rebuilder(const StoredMesh& stored)
+      : stored_(stored), soup_(stored.soup), builder_(soup_.points, soup_.triangles) {}
+
+  Result<Output> run() {
+    if (!builder_.is_mesh()) return wrong("triangles overlap: two of them share a directed edge");
+    out_.mesh = builder_.build();
+    out_.table.regions = stored_.regions;
+    if (stored_.regions.empty()) make_up_regions();
+    set_faces();
+    out_.report.quality = measure_angles(soup_.points, soup_.triangles);
+    if (std::optional<Error> error = add_segments()) return *std::move(error);
+    set_vertices();
+    return std::move(out_);
+  }
+
+  /// What must hold before anything is built.
+  static std::optional<Error> check(const StoredMesh& stored) {
+    const TriangleSoup& soup = stored.soup;
+    const std::size_t n = soup.triangles.size();
+    if (soup.region.size() != n || soup.material.size() != n) {
+      return wrong("the mesh has not one region and one material per triangle");
+    }
+    if (!std::all_of(soup.points.begin(), soup.points.end(),
+                     [](const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); })) {
+      return wrong("a coordinate is not finite");
+    }
+    if (stored.input_vertices > soup.points.size()) return wrong("more input points than points");
+    const std::size_t most = stored.regions.empty() ? n : stored.regions.size();
+    for (std::size_t t = 0; t < n; ++t) {
+      for (const std::uint32_t v : soup.triangles[t]) {
+        if (v >= soup.points.size())
+          return wrong(fmt::format("triangle {} has no vertex {}", t, v));
+      }
+      if (soup.region[t] < 1 || soup.region[t] > static_cast<std::int64_t>(most)) {
+        return wrong(fmt::format("triangle {} has RegionId {}, but regions are 1 to {}", t,
+                                 soup.region[t], most));
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static Error wrong(std::string what) { return {ErrorCode::syntax, std::move(what), {}, {}}; }
+
+  [[nodiscard]] RegionId region_of(std::size_t triangle) const {
+    return RegionId(static_cast<std::uint32_t>(soup_.region[triangle]));
+  }
+
+  void make_up_regions() {
+    std::int64_t last = 0;
+    for (const std::int64_t r : soup_.region) last = std::max(last, r);
+    out_.table.regions.resize(static_cast<std::size_t>(last));
+    for (std::size_t r = 0; r < out_.table.regions.size(); ++r) {
+      out_.table.regions[r].id = RegionId(r + 1);
+    }
+    for (std::size_t t = 0; t < soup_.triangles.size(); ++t) {
+      Region& region = out_.table.regions[region_of(t).index() - 1];
+      if (!region.name.empty()) continue;
+      region.material = static_cast<int>(soup_.material[t]);
+      region.name = region.material_name = fmt::format("material_{}", region.material);
+    }
+  }
+
+  void set_faces() {
+    for (Region& region : out_.table.regions) region.area = 0;
+    for (std::size_t t = 0; t < soup_.triangles.size(); ++t) {
+      const TriMesh::FaceHandle face(static_cast<int>(t));
+      out_.mesh.set_region(face, region_of(t));
+      out_.mesh.set_material(face, static_cast<int>(soup_.material[t]));
+      const auto [i, j, k] = soup_.triangles[t];
+      const Point a = soup_.points[i], b = soup_.points[j], c = soup_.points[k];
+      Region& region = out_.table.regions[region_of(t).index() - 1];
+      if (region.area == 0) region.inside = {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
+      region.area += cross(b - a, c - a) / 2;
+    }
+  }
+
+  /// Regions on the left and on the right of the edge from a to b.
+  [[nodiscard]] SegmentSides sides_of(TriMesh::HalfedgeHandle h) const {
+    const TriMesh& tri = out_.mesh.tri();
+    const auto region = [&](TriMesh::HalfedgeHandle side) {
+      const auto face = tri.face_handle(side);
+      return face.is_valid() ? out_.mesh.region(face) : kVoid;
+    };
+    return {region(h), region(tri.opposite_halfedge_handle(h)), kNoInterface};
+  }
+
+  std::optional<Error> add_segments() {
+    if (stored_.edges.empty()) {
+      make_up_interfaces();
+      return std::nullopt;
+    }
+    out_.table.interfaces = stored_.interfaces;
+    for (Interface& line : out_.table.interfaces) {
+      line.length = 0;
+      line.segments.clear();
+    }
+    for (const StoredEdge& edge : stored_.edges) {
+      const std::size_t n = soup_.points.size();
+      const auto handle =
+          edge.a < n && edge.b < n ? builder_.edge_between(edge.a, edge.b) : TriMesh::EdgeHandle();
+      if (!handle.is_valid()) {
+        return wrong(fmt::format("the line from vertex {} to vertex {} is no edge of the mesh",
+                                 edge.a, edge.b));
+      }
+      if (edge.interface == kNoInterface || edge.interface.index() > out_.table.interfaces.size()) {
+        return wrong(fmt::format("there is no interface {}", edge.interface.value()));
+      }
+      add_segment(handle, edge.marker, edge.interface);
+    }
+    return std::nullopt;
+  }
+
+  void make_up_interfaces() {
+    for (const auto edge : out_.mesh.tri().edges()) {
+      const SegmentSides sides = sides_of(out_.mesh.tri().halfedge_handle(edge, 0));
+      if (sides.left != sides.right) add_segment(edge, 0, kNoInterface);
+    }
+    take_points();
+    build_interfaces(out_.pslg, out_.table);
+    for (std::size_t s = 0; s < segment_edge_.size(); ++s) {
+      out_.mesh.set_interface(segment_edge_[s], out_.table.sides[s].interface);
+    }
+  }
+
+  void add_segment(TriMesh::EdgeHandle edge, int marker, InterfaceId interface) {
+    const TriMesh& tri = out_.mesh.tri();
+    const auto h = tri.halfedge_handle(edge, 0);
+    const VertexId a(tri.from_vertex_handle(h).idx()), b(tri.to_vertex_handle(h).idx());
+    input_vertices_ = std::max({input_vertices_, a.index() + 1, b.index() + 1});
+    segment_edge_.push_back(edge);
+    out_.mesh.set_marker(edge, marker);
+    out_.mesh.set_interface(edge, interface);
+    SegmentSides sides = sides_of(h);
+    sides.interface = interface;
+    out_.table.sides.push_back(sides);
+    std::uint32_t name = 0;
+    if (interface != kNoInterface) {
+      Interface& line = out_.table.interfaces[interface.index() - 1];
+      line.segments.emplace_back(out_.pslg.segments.size());
+      line.length += length(soup_.points[b.index()] - soup_.points[a.index()]);
+      if (line.kind == InterfaceKind::contact) name = name_index(line.name);
+    }
+    out_.pslg.segments.push_back({a, b, marker, name});
+  }
+
+  std::uint32_t name_index(const std::string& name) {
+    auto& names = out_.pslg.names;
+    const auto known = std::find(names.begin() + 1, names.end(), name);
+    const auto index = static_cast<std::uint32_t>(known - names.begin());
+    if (known == names.end()) names.push_back(name);
+    return index;
+  }
+
+  /// The points of the PSLG: the first vertices, up to the last one that a segment needs.
+  void take_points() {
+    const auto n = static_cast<std::ptrdiff_t>(std::max(input_vertices_, stored_.input_vertices));
+    out_.pslg.points.assign(soup_.points.begin(), soup_.points.begin() + n);
+    out_.pslg.point_markers.assign(out_.pslg.points.size(), 0);
+    for (long id = 0; id < n; ++id) out_.pslg.point_ids.push_back(id);
+  }
+
+  void set_vertices() {
+    if (out_.pslg.points.empty()) take_points();
+    const std::size_t n = out_.pslg.points.size();
+    for (std::size_t v = 0; v < soup_.points.size(); ++v) {
+      out_.mesh.set_input_id(TriMesh::VertexHandle(static_cast<int>(v)),
+                             v < n ? static_cast<long>(v) : -1);
+    }
+    out_.report.input_points = n;
+    out_.report.input_segments = out_.pslg.segments.size();
+    out_.report.steiner_vertices = soup_.points.size() - n;
+  }
+
+  const StoredMesh& stored_;
+  const TriangleSoup& soup_;
+  MeshBuilder builder_;
+  std::size_t input_vertices_ = 0;                 ///< at least so many
+  std::vector<TriMesh::EdgeHandle> segment_edge_;  ///< by SegmentId
+  Output out_;
+};
+
+}  // namespace
+
+Result<Output> rebuild(const StoredMesh& stored) {
+  if (std::optional<Error> error = Rebuilder::check(stored)) return *std::move(error);
+  return Rebuilder(stored).run();
+}
+
+}  // namespace cover

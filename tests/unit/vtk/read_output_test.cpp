@@ -1,0 +1,239 @@
+// Meshes that cover wrote, read back as what cover_mesh() returned.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include <nlohmann/json.hpp>
+
+#include <cover/cover_mesh.hpp>
+#include <cover/read_mesh.hpp>
+#include <cover/stored_mesh.hpp>
+#include <cover/verify.hpp>
+#include <cover/write_mesh.hpp>
+
+#include "support/inputs.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace cover {
+namespace {
+
+/// A checkerboard with a contact and boundary markers.
+Output device() {
+  Input input = testing::checker(3, 4, 5);
+  input.segments[0].name = input.segments[1].name = "drain";
+  for (std::size_t s = 0; s < input.segments.size(); s += 3) {
+    input.segments[s].marker = static_cast<int>(s) + 1;
+  }
+  Result<Output> output = cover_mesh(input);
+  EXPECT_TRUE(output) << output.error().message;
+  return std::move(output).value();
+}
+
+/// Interface and marker of every edge that has one, by its ends.
+std::map<std::pair<int, int>, std::pair<std::string, int>> edges_of(const Output& output) {
+  std::map<std::pair<int, int>, std::pair<std::string, int>> edges;
+  const TriMesh& tri = output.mesh.tri();
+  for (const auto e : tri.edges()) {
+    const InterfaceId id = output.mesh.interface(e);
+    if (id == kNoInterface) continue;
+    const auto h = tri.halfedge_handle(e, 0);
+    const int a = tri.from_vertex_handle(h).idx(), b = tri.to_vertex_handle(h).idx();
+    edges[std::minmax(a, b)] = {output.table.interfaces[id.index() - 1].name,
+                                output.mesh.marker(e)};
+  }
+  return edges;
+}
+
+void expect_same_mesh(const Output& read, const Output& written) {
+  const TriangleSoup a = triangle_soup(read.mesh), b = triangle_soup(written.mesh);
+  EXPECT_EQ(a.points, b.points);
+  EXPECT_EQ(a.triangles, b.triangles);
+  EXPECT_EQ(a.region, b.region);
+  EXPECT_EQ(a.material, b.material);
+}
+
+/// What a manifest must have, by hand.
+std::string manifest_of(const Output& output) {
+  nlohmann::json json{{"format", "cover mesh manifest"}};
+  const TriMesh& tri = output.mesh.tri();
+  json["counts"] = {{"vertices", tri.n_vertices()},
+                    {"triangles", tri.n_faces()},
+                    {"input_vertices", output.report.input_points}};
+  json["regions"] = nlohmann::json::array();
+  for (const Region& r : output.table.regions) {
+    json["regions"].push_back({{"id", r.id.value()},
+                               {"name", r.name},
+                               {"material", r.material},
+                               {"material_name", r.material_name}});
+  }
+  std::map<std::uint32_t, nlohmann::json> edges, markers;
+  for (const auto e : tri.edges()) {
+    const InterfaceId id = output.mesh.interface(e);
+    if (id == kNoInterface) continue;
+    const auto h = tri.halfedge_handle(e, 0);
+    edges[id.value()].push_back({tri.from_vertex_handle(h).idx(), tri.to_vertex_handle(h).idx()});
+    markers[id.value()].push_back(output.mesh.marker(e));
+  }
+  json["lines"] = nlohmann::json::array();
+  for (const Interface& line : output.table.interfaces) {
+    const char* const kinds[] = {"interface", "outline", "slit", "contact"};
+    json["lines"].push_back({{"id", line.id.value()},
+                             {"name", line.name},
+                             {"kind", kinds[static_cast<int>(line.kind)]},
+                             {"left", line.left.value()},
+                             {"right", line.right.value()},
+                             {"edges", edges[line.id.value()]},
+                             {"markers", markers[line.id.value()]}});
+  }
+  return json.dump();
+}
+
+TEST(ReadOutput, VtuWithTheManifestBesideIt) {
+  const testing::TemporaryFolder folder;
+  Output written = device();
+  written.table.regions[2].name = "Si/\xc3\xa9 \"x\"";
+  const std::string path = folder.path() / "device.vtu";
+  ASSERT_TRUE(write_vtu(written, path));
+  (void)folder.write("device.json", manifest_of(written));
+  const Result<Output> read = read_output(path);
+  ASSERT_TRUE(read) << read.error().message;
+  expect_same_mesh(*read, written);
+  EXPECT_TRUE(read->report.notes.empty());
+  EXPECT_EQ(edges_of(*read), edges_of(written));
+  ASSERT_EQ(read->table.regions.size(), 9U);
+  for (std::size_t r = 0; r < 9; ++r) {
+    EXPECT_EQ(read->table.regions[r].name, written.table.regions[r].name);
+    EXPECT_NEAR(read->table.regions[r].area, written.table.regions[r].area, 1e-15);
+  }
+  for (std::size_t i = 0; i < written.table.interfaces.size(); ++i) {
+    EXPECT_EQ(read->table.interfaces[i].kind, written.table.interfaces[i].kind);
+    EXPECT_NEAR(read->table.interfaces[i].length, written.table.interfaces[i].length, 1e-15);
+  }
+  EXPECT_EQ(read->report.steiner_vertices, written.report.steiner_vertices);
+  // It is a whole Output: the promises can be checked on it.
+  EXPECT_EQ(verify_cover(read->pslg, read->table, triangle_soup(read->mesh)).violation_count, 0U);
+}
+
+TEST(ReadOutput, VtuWithTheVtmBesideIt) {
+  const testing::TemporaryFolder folder;
+  const Output written = device();
+  const std::string path = folder.path() / "device.vtu";
+  ASSERT_TRUE(write_vtu(written, path));
+  ASSERT_TRUE(write_vtm(written, folder.path() / "device.vtm"));
+  // A file of the same name that is no manifest is not in the way.
+  ASSERT_TRUE(write_report_json(written, folder.path() / "device.json"));
+  const Result<Output> read = read_output(path);
+  ASSERT_TRUE(read) << read.error().message;
+  expect_same_mesh(*read, written);
+  EXPECT_EQ(edges_of(*read).size(), edges_of(written).size());
+  EXPECT_EQ(read->table.regions[4].name, "material_1_3");
+  EXPECT_TRUE(std::any_of(read->table.interfaces.begin(), read->table.interfaces.end(),
+                          [](const Interface& line) {
+                            return line.name == "drain" && line.kind == InterfaceKind::contact;
+                          }));
+}
+
+TEST(ReadOutput, VtmAlone) {
+  const testing::TemporaryFolder folder;
+  const Output written = device();
+  const std::string path = folder.path() / "device.vtm";
+  ASSERT_TRUE(write_vtm(written, path));
+  const Result<Output> read = read_output(path);
+  ASSERT_TRUE(read) << read.error().message;
+  expect_same_mesh(*read, written);
+  const auto before = edges_of(written), after = edges_of(*read);
+  ASSERT_EQ(before.size(), after.size());
+  for (const auto& [ends, line] : before) EXPECT_EQ(after.at(ends).second, line.second);
+}
+
+TEST(ReadOutput, WithoutEitherItSaysWhatIsMissing) {
+  const testing::TemporaryFolder folder;
+  const Output written = device();
+  const std::string path = folder.path() / "device.vtu";
+  ASSERT_TRUE(write_vtu(written, path));
+  const Result<Output> read = read_output(path);
+  ASSERT_TRUE(read) << read.error().message;
+  expect_same_mesh(*read, written);
+  ASSERT_EQ(read->report.notes.size(), 1U);
+  EXPECT_NE(read->report.notes[0].message.find("device.json"), std::string::npos);
+  EXPECT_NE(read->report.notes[0].message.find("device.vtm"), std::string::npos);
+  EXPECT_EQ(read->pslg.segments.size(), written.pslg.segments.size());
+}
+
+TEST(ReadOutput, RefusesNamesOfAnotherMesh) {
+  const testing::TemporaryFolder folder;
+  const std::string path = folder.path() / "device.vtu";
+  ASSERT_TRUE(write_vtu(device(), path));
+  const Output other = cover_mesh(testing::checker(2, 3, 1)).value();
+  ASSERT_TRUE(write_vtm(other, folder.path() / "device.vtm"));
+  Result<Output> read = read_output(path);
+  ASSERT_FALSE(read);
+  EXPECT_NE(read.error().message.find("another mesh"), std::string::npos);
+  (void)folder.write("device.json", manifest_of(other));
+  read = read_output(path);
+  ASSERT_FALSE(read);
+  EXPECT_NE(read.error().message.find("device.json"), std::string::npos);
+}
+
+TEST(ReadOutput, SaysWhatIsWrongWithTheFile) {
+  const testing::TemporaryFolder folder;
+  EXPECT_EQ(read_output("/nowhere/x.vtu").error().code, ErrorCode::cannot_open);
+  EXPECT_EQ(read_output("/nowhere/x.vtm").error().code, ErrorCode::cannot_open);
+  EXPECT_EQ(read_output(folder.write("x.vtm", "<VTKFile")).error().code, ErrorCode::syntax);
+  EXPECT_EQ(read_output(folder.write("x.vtu", "rubbish")).error().code, ErrorCode::syntax);
+}
+
+/// Two triangles of two regions.
+StoredMesh two_triangles() {
+  StoredMesh stored;
+  stored.soup.points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  stored.soup.triangles = {{0, 1, 2}, {0, 2, 3}};
+  stored.soup.region = {1, 2};
+  stored.soup.material = {5, 6};
+  return stored;
+}
+
+TEST(Rebuild, MakesUpWhatIsMissing) {
+  const Result<Output> output = rebuild(two_triangles());
+  ASSERT_TRUE(output);
+  EXPECT_EQ(output->table.regions[1].name, "material_6");
+  EXPECT_EQ(output->table.interfaces.size(), 3U);
+  EXPECT_EQ(output->pslg.segments.size(), 5U);
+}
+
+TEST(Rebuild, RefusesWhatIsNoMesh) {
+  const auto message = [](auto change) {
+    StoredMesh stored = two_triangles();
+    change(stored);
+    const Result<Output> output = rebuild(stored);
+    return output ? std::string() : output.error().message;
+  };
+  EXPECT_NE(message([](StoredMesh& s) {
+              s.soup.triangles[1] = {0, 1, 3};
+            }).find("overlap"),
+            std::string::npos);
+  EXPECT_NE(message([](StoredMesh& s) { s.soup.triangles[1][2] = 9; }).find("vertex 9"),
+            std::string::npos);
+  EXPECT_NE(message([](StoredMesh& s) { s.soup.region[0] = 0; }).find("RegionId 0"),
+            std::string::npos);
+  EXPECT_NE(message([](StoredMesh& s) { s.soup.region[0] = 77; }).find("RegionId 77"),
+            std::string::npos);
+  EXPECT_NE(message([](StoredMesh& s) { s.soup.region.pop_back(); }).find("per triangle"),
+            std::string::npos);
+  EXPECT_NE(message([](StoredMesh& s) { s.soup.points[0].x = std::nan(""); }).find("finite"),
+            std::string::npos);
+  EXPECT_NE(message([](StoredMesh& s) {
+              s.edges = {{1, 3, InterfaceId{1}, 0}};
+            }).find("no edge"),
+            std::string::npos);
+  EXPECT_NE(message([](StoredMesh& s) {
+              s.edges = {{0, 1, InterfaceId{1}, 0}};
+            }).find("interface 1"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace cover
