@@ -41,7 +41,7 @@ Row row_of_line(const Element& e, Vector start) {
 
 /// |c|^2 - r^2 without cancellation where the circle passes near the origin.
 double power_of_origin(Vector c, double r) {
-  const double l = length(c);
+  const double l = norm(c);
   return (l - r) * (l + r);
 }
 

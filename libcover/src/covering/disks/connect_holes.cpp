@@ -71,15 +71,18 @@ bool connect_holes(Packing& packing, std::span<const std::array<Index, 2>> pairs
                    double tolerance) {
   if (pairs.empty()) return true;
   std::vector<Index> cluster_of(packing.elements.size(), kNoIndex);
-  for (const Side& s : packing.sides) cluster_of[s.element] = s.cycle;
   Clusters clusters(packing.cycles.size());
+  for (const Side& s : packing.sides) {  // a disk on the boundary may lie on several cycles
+    if (cluster_of[s.element] == kNoIndex) cluster_of[s.element] = s.cycle;
+    clusters.unite(cluster_of[s.element], s.cycle);
+  }
 
   using Entry = std::tuple<double, Index, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   const auto push = [&](Index e, Index f) {
     if (clusters.find(cluster_of[e]) == clusters.find(cluster_of[f])) return;
     const Segment s = shortest(packing.elements[e], packing.elements[f]);
-    queue.emplace(length(s.b - s.a), std::min(e, f), std::max(e, f));
+    queue.emplace(norm(s.b - s.a), std::min(e, f), std::max(e, f));
   };
   for (const auto& [e, f] : pairs) push(e, f);
 
@@ -109,11 +112,7 @@ bool connect_holes(Packing& packing, std::span<const std::array<Index, 2>> pairs
     }
   }
 
-  packing.cycles.clear();
-  for (Side& s : packing.sides) s.cycle = kNoIndex;
-  for (Index s = 0; s < packing.sides.size(); ++s) {
-    if (packing.sides[s].cycle == kNoIndex) packing.add_cycle(s);
-  }
+  packing.find_cycles();
   return true;
 }
 

@@ -21,18 +21,18 @@ Element make_line(Point a, Point b, Index chord) {
   e.shape = Element::Shape::line;
   e.id = chord;
   e.c = a;
-  const double l = length(b - a);
+  const double l = norm(b - a);
   e.d = (1 / l) * (b - a);
   e.to = l;
   return e;
 }
 
 double signed_distance(const Element& e, Point x) {
-  return e.is_disk() ? length(x - e.c) - e.r : cross(e.d, x - e.c);
+  return e.is_disk() ? norm(x - e.c) - e.r : cross(e.d, x - e.c);
 }
 
 double obstacle_distance(const Element& e, Point x) {
-  if (e.is_disk()) return length(x - e.c) - e.r;
+  if (e.is_disk()) return norm(x - e.c) - e.r;
   const double t = dot(e.d, x - e.c);
   if (t < e.from || t > e.to) return std::numeric_limits<double>::infinity();
   return std::abs(cross(e.d, x - e.c));
@@ -41,13 +41,13 @@ double obstacle_distance(const Element& e, Point x) {
 Point contact(const Element& e, Point x) {
   if (e.is_line()) return e.c + dot(e.d, x - e.c) * e.d;
   const Vector v = x - e.c;
-  return e.c + (e.r / length(v)) * v;
+  return e.c + (e.r / norm(v)) * v;
 }
 
 Vector outward(const Element& e, Point q) {
   if (e.is_line()) return left_normal(e.d);
   const Vector v = q - e.c;
-  return (1 / length(v)) * v;
+  return (1 / norm(v)) * v;
 }
 
 double turn(Vector a, Vector b) {

@@ -1,6 +1,7 @@
 // Disks and lines: the elements whose arcs and pieces bound what is not yet filled.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <numbers>
@@ -43,6 +44,10 @@ struct Circle {
   Point c;
   double r = 0;
 };
+
+/// Length of a vector. Packings lie in the unit square, so that the squares neither overflow nor,
+/// for any length that matters there, underflow, and hypot() is not needed.
+inline double norm(Vector v) { return std::sqrt(dot(v, v)); }
 
 /// Distance from `x` to the rim; negative inside a disk and behind a line.
 double signed_distance(const Element& e, Point x);

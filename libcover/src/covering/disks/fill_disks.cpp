@@ -10,9 +10,11 @@
 #include <cmath>
 #include <optional>
 
+#include "covering/disks/boundary_disks.hpp"
 #include "covering/disks/connect_holes.hpp"
 #include "covering/disks/corner_disks.hpp"
 #include "covering/disks/reduce_cycles.hpp"
+#include "covering/disks/unit_frame.hpp"
 #include "geom/predicates.hpp"
 
 namespace cover {
@@ -29,32 +31,6 @@ struct Attempt {
 constexpr std::array<Attempt, 4> kAttempts{
     {{1e-3, 0.46}, {1e-5, 0.47}, {1e-3, 0.42}, {1e-2, 0.45}}};
 
-/// The coordinates of the packing.
-class Frame {
- public:
-  explicit Frame(const std::vector<Point>& points) {
-    if (points.empty()) return;
-    Point high = points[0];
-    origin_ = points[0];
-    for (const Point p : points) {
-      origin_ = {std::min(origin_.x, p.x), std::min(origin_.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    std::frexp(std::max(high.x - origin_.x, high.y - origin_.y), &exponent_);
-  }
-  [[nodiscard]] Point inward(Point p) const {
-    return {std::ldexp(p.x - origin_.x, -exponent_), std::ldexp(p.y - origin_.y, -exponent_)};
-  }
-  [[nodiscard]] Point outward(Point p) const {
-    return {origin_.x + std::ldexp(p.x, exponent_), origin_.y + std::ldexp(p.y, exponent_)};
-  }
-  [[nodiscard]] double outward(double length) const { return std::ldexp(length, exponent_); }
-
- private:
-  Point origin_;
-  int exponent_ = 0;
-};
-
 /// A filling with what its checks found.
 struct Checked {
   Filling filling;
@@ -69,26 +45,22 @@ double largest_angle(Point a, Point b, Point c) {
   return std::max({angle_at(a, b, c), angle_at(b, c, a), angle_at(c, a, b)});
 }
 
-class DiskFiller final : public Filler {
- public:
-  explicit DiskFiller(PackingRecord* record) : record_(record) {}
-  [[nodiscard]] Filling fill(const FillTask& task, std::stop_token stop) const override;
-
- private:
-  PackingRecord* record_;
-};
-
 /// Runs the attempts on one task.
 class TaskRun {
  public:
-  TaskRun(const FillTask& task, const Triangulation& cdt)
-      : task_(task), cdt_(cdt), frame_(task.points) {}
+  /// `radii`: of disks centred on the boundary; empty: disks into the corners.
+  TaskRun(const FillTask& task, const Triangulation& cdt, std::span<const double> radii)
+      : task_(task), cdt_(cdt), frame_(task.points) {
+    for (const double r : radii) radii_.push_back(frame_.inward(r));
+  }
 
   [[nodiscard]] Checked attempt(const Attempt& attempt) const {
     Checked result;
     Packing packing;
     for (const Point p : task_.points) packing.draft.points.push_back(frame_.inward(p));
-    const auto pairs = place_corner_disks(packing, cdt_, task_.chords, attempt.fraction);
+    const auto pairs = radii_.empty()
+                           ? place_corner_disks(packing, cdt_, task_.chords, attempt.fraction)
+                           : place_boundary_disks(packing, cdt_, task_.chords, radii_);
     const std::size_t corner_disks = packing.elements.size();
     if (!connect_holes(packing, pairs, attempt.tolerance)) {
       result.fault = "a hole could not be connected";
@@ -210,7 +182,8 @@ class TaskRun {
 
   const FillTask& task_;
   const Triangulation& cdt_;
-  Frame frame_;
+  disks::UnitFrame frame_;
+  std::vector<double> radii_;  ///< in the frame
 };
 
 /// The constrained Delaunay triangulation as a filling.
@@ -236,7 +209,9 @@ std::string obstacle(const FillTask& task) {
   return {};
 }
 
-Filling DiskFiller::fill(const FillTask& task, std::stop_token stop) const {
+/// Triangulates `task`; see make_disk_filler() and fill_between_disks().
+Filling run_attempts(const FillTask& task, std::span<const double> radii, std::stop_token stop,
+                     PackingRecord* record) {
   std::vector<IndexPair> sides;
   for (const Chord& c : task.chords) sides.push_back({c.a, c.b});
   const CdtResult cdt = triangulate_domain(task.points, sides);
@@ -246,44 +221,56 @@ Filling DiskFiller::fill(const FillTask& task, std::stop_token stop) const {
     none.remark = "the chords bound no domain";
     return none;
   }
-  if (std::string why = obstacle(task); !why.empty()) return plain(cdt.triangulation, why);
-
-  const TaskRun run(task, cdt.triangulation);
+  if (radii.empty()) {
+    if (std::string why = obstacle(task); !why.empty()) return plain(cdt.triangulation, why);
+  }
+  const TaskRun run(task, cdt.triangulation, radii);
   constexpr double kAim = kLargestSnapped * std::numbers::pi / 180;
   std::optional<Checked> best;
-  std::string fault;
+  std::string fault = "stopped";
   int attempts = 0;
   for (const Attempt& a : kAttempts) {
-    if (stop.stop_requested()) break;
-    ++attempts;
+    if (stop.stop_requested() || (best && best->largest_angle <= kAim)) break;
     Checked result = run.attempt(a);
-    if (!result.fault.empty()) {
-      if (fault.empty()) fault = std::move(result.fault);
-      continue;
-    }
+    if (!result.fault.empty() && ++attempts == 1) fault = result.fault;
+    if (!result.fault.empty()) continue;
+    ++attempts;
     if (!best || result.largest_angle < best->largest_angle) best = std::move(result);
-    if (best->largest_angle <= kAim) break;
   }
-  if (!best) {
-    return plain(cdt.triangulation, "rounding defeated the disk packing: " + fault);
-  }
+  if (!best) return plain(cdt.triangulation, "rounding defeated the disk packing: " + fault);
   if (best->largest_angle > kAim) {
     best->filling.target_reached = false;
     best->filling.remark = "rounding of tiny features left an angle of " +
                            std::to_string(best->largest_angle * 180 / std::numbers::pi) +
                            " degrees";
   }
-  if (record_ != nullptr) {
-    *record_ = std::move(best->record);
-    record_->attempts = attempts;
+  if (record != nullptr) {
+    *record = std::move(best->record);
+    record->attempts = attempts;
   }
   return std::move(best->filling);
 }
+
+class DiskFiller final : public Filler {
+ public:
+  explicit DiskFiller(PackingRecord* record) : record_(record) {}
+  [[nodiscard]] Filling fill(const FillTask& task, std::stop_token stop) const override {
+    return run_attempts(task, {}, std::move(stop), record_);
+  }
+
+ private:
+  PackingRecord* record_;
+};
 
 }  // namespace
 
 std::unique_ptr<Filler> make_disk_filler(PackingRecord* record) {
   return std::make_unique<DiskFiller>(record);
+}
+
+Filling fill_between_disks(const FillTask& task, std::span<const double> radii,
+                           std::stop_token stop, PackingRecord* record) {
+  return run_attempts(task, radii, std::move(stop), record);
 }
 
 }  // namespace cover

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <span>
 
 #include "covering/disks/gap.hpp"
 #include "covering/filler.hpp"
@@ -40,6 +41,14 @@ struct PackingRecord {
 /// Cost: about 35 vertices per vertex of the task; near O(n log n).
 /// Ref:  bmr_1995
 std::unique_ptr<Filler> make_disk_filler(PackingRecord* record = nullptr);
+
+/// Triangulates a domain that has disks centred on its whole boundary, without another point on a
+/// chord: fills both sides of an interface so that they fit.
+///
+/// `radii`, by point: see disks::place_boundary_disks().
+/// ENSURES:  as the disk filler; locked chords and slits are welcome.
+Filling fill_between_disks(const FillTask& task, std::span<const double> radii,
+                           std::stop_token stop, PackingRecord* record = nullptr);
 
 /// The largest angle that snapping nearly touching disks to contact may leave, in degrees.
 inline constexpr double kLargestSnapped = 90.1;

@@ -119,7 +119,7 @@ class Family {
     double numerator = 0, denominator = 0;
     if (ej_.is_disk()) {  // |q + r u - c|^2 = (r + r_j)^2
       const Vector w = q - ej_.c;
-      const double l = length(w);
+      const double l = norm(w);
       numerator = (l - ej_.r) * (l + ej_.r);
       denominator = 2 * (ej_.r - dot(u, w));
     } else {  // n . (q + r u - c) = r

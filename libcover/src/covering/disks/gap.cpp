@@ -86,13 +86,13 @@ GapAngles measure(const TriangleDraft& draft, const Gap& gap) {
 void fan(TriangleDraft& draft, const Element& e, Index p, Index q, Index centre) {
   const Point a = draft.points[p], b = draft.points[q];
   const Point middle = midpoint(a, b);
-  const double small = kFlat * length(b - a);
-  if (e.is_disk() && length(e.c - middle) < small) {  // the arc is half the disk
+  const double small = kFlat * norm(b - a);
+  if (e.is_disk() && norm(e.c - middle) < small) {  // the arc is half the disk
     draft.triangle(p, e.id, centre);
     draft.triangle(e.id, q, centre);
     return;
   }
-  if (length(draft.points[centre] - middle) < small) {  // the chord is a diameter
+  if (norm(draft.points[centre] - middle) < small) {  // the chord is a diameter
     if (e.is_disk()) {
       draft.triangle(p, e.id, centre);
       draft.triangle(e.id, q, centre);

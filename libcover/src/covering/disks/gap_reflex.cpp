@@ -32,7 +32,7 @@ void fill_overlap(TriangleDraft& draft, const Half& h) {
     w = h.x.d;
   } else {
     const Vector v = h.x.c - d.c;
-    const double delta = length(v);
+    const double delta = norm(v);
     m = d.c + ((delta * delta + d.r * d.r - h.x.r * h.x.r) / (2 * delta * delta)) * v;
     w = (1 / delta) * left_normal(v);
   }
@@ -85,11 +85,11 @@ GapKind fill_reflex(TriangleDraft& draft, const Gap& gap) {
   const Element& a = gap.e[0];
   const Element& b = gap.e[2];
   const Point on_b = contact(b, a.c);
-  const Vector u = (1 / length(on_b - a.c)) * (on_b - a.c);
+  const Vector u = (1 / norm(on_b - a.c)) * (on_b - a.c);
   const Point on_a = a.c + a.r * u;
   const Point centre = midpoint(on_a, on_b);
   const Index ta = draft.add(on_a), tb = draft.add_on(b, on_b);
-  const Element d = make_disk(centre, length(on_b - on_a) / 2, draft.add(centre));
+  const Element d = make_disk(centre, norm(on_b - on_a) / 2, draft.add(centre));
   // Side 0 runs from t[3] to t[0]: side 1 lies beyond its end, side 3 before its start.
   const bool first = fill_half(draft, {a, gap.e[1], b, d, ta, gap.t[0], gap.t[1], tb});
   const bool second = fill_half(draft, {b, gap.e[3], a, d, tb, gap.t[2], gap.t[3], ta});

@@ -17,7 +17,7 @@ void fill_half(TriangleDraft& draft, const Gap& gap, int k) {
   const Element& second = gap.e[static_cast<std::size_t>((k + 1) & 3)];
   const Index a = gap.begin_of(k), b = gap.end_of(k);
   const Vector ab = draft.points[b] - draft.points[a];
-  const double l = length(ab);
+  const double l = norm(ab);
   const double root = std::sqrt(std::max(0.0, l * l - 4 * first.r * second.r));
   // The root nearer to the smaller disk; the smaller root by the product, without cancellation.
   const double near = 2 * first.r * second.r / (l + root);

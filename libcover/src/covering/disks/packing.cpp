@@ -67,6 +67,14 @@ Index Packing::add_cycle(Index side) {
   return cycle;
 }
 
+void Packing::find_cycles() {
+  cycles.clear();
+  for (Side& s : sides) s.cycle = kNoIndex;
+  for (Index s = 0; s < sides.size(); ++s) {
+    if (sides[s].cycle == kNoIndex) add_cycle(s);
+  }
+}
+
 void Packing::build_index() {
   lines_ = LineTree(elements);
   for (Index e = 0; e < elements.size(); ++e) {

@@ -76,6 +76,8 @@ class Packing {
   void link(Index side, Index next);
   /// Makes the sides reachable from `side` a cycle.
   Index add_cycle(Index side);
+  /// Makes every ring of sides a cycle, in the order of sides.
+  void find_cycles();
   /// To be called once, when all lines and corner disks are there.
   void build_index();
 

@@ -21,8 +21,8 @@
 namespace cover::disks {
 namespace {
 
-constexpr Index kAllCusps = 30;  ///< cycles up to this length are searched all around
-constexpr Index kSample = 14;    ///< of longer ones so many cusps are looked at
+constexpr Index kAllCusps = 16;  ///< cycles up to this length are searched all around
+constexpr Index kSample = 8;     ///< of longer ones so many cusps are looked at
 
 struct UsefulDisk {
   Circle circle;

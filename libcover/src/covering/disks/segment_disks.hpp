@@ -1,0 +1,36 @@
+// Disks on all segments of a plane graph, shared by the regions on both sides.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <cover/point.hpp>
+
+#include "cdt/cdt.hpp"
+
+namespace cover::disks {
+
+/// A disk centred on a segment.
+struct DiskOnSegment {
+  Point centre;
+  double radius = 0;
+};
+
+/// Disks that cover segments and points.
+struct SegmentDisks {
+  std::vector<double> radius;                     ///< of the disk around every point
+  std::vector<std::vector<DiskOnSegment>> chain;  ///< by segment, from its first end to its second;
+                                                  ///< without the disks around its ends
+  bool complete = true;     ///< false: more than `limit` disks would be needed
+  std::size_t crowded = 0;  ///< then: the segment that was being covered
+};
+
+/// Covers every segment by disks centred on it. Consecutive disks touch, no others meet.
+///
+/// REQUIRES: points and segments meet only at points.
+/// Cost:     one query per disk; the number of disks is the integral of 1 / distance to other
+///           segments, and not bounded by the number of segments.
+SegmentDisks cover_segments(std::span<const Point> points, std::span<const IndexPair> segments,
+                            std::size_t limit);
+
+}  // namespace cover::disks
