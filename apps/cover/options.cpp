@@ -168,8 +168,8 @@ void LibraryOptions::add_meshing(CLI::App& command) {
   command
       .add_option("--method", method_,
                   "quality: good angles, never below the proven bound; almond: the bound alone, "
-                  "the fastest")
-      ->check(one_of({"quality", "almond"}))
+                  "the fastest; nonobtuse: no angle above 90 degrees, but segments are split")
+      ->check(one_of({"quality", "almond", "nonobtuse"}))
       ->type_name("NAME")
       ->capture_default_str()
       ->group(group);
@@ -215,7 +215,9 @@ void LibraryOptions::add_meshing(CLI::App& command) {
 
 Result<Options> LibraryOptions::make() const {
   Options options = options_;
-  options.method = method_ == "quality" ? Method::quality : Method::almond;
+  options.method = method_ == "quality"     ? Method::quality
+                   : method_ == "nonobtuse" ? Method::nonobtuse
+                                            : Method::almond;
   options.fill = fill_ == "disks" ? Fill::disks : Fill::refine;
   options.overlap = overlap_ == "first"   ? Overlap::first
                     : overlap_ == "error" ? Overlap::error

@@ -9,6 +9,7 @@
 #include "covering/measure.hpp"
 #include "mesh/stitch.hpp"
 #include "pipeline/check_options.hpp"
+#include "pipeline/nonobtuse.hpp"
 #include "pipeline/region_task.hpp"
 #include "pipeline/stage_clock.hpp"
 #include "region/pslg.hpp"
@@ -65,9 +66,12 @@ Result<Output> cover_mesh(const Input& input, const Options& options, const Call
   if (!prepared) return std::move(prepared).error();
   auto& [pslg, table, report] = *prepared;
 
-  const auto boundaries = split_regions(pslg, table);
+  auto boundaries = split_regions(pslg, table);
   clock.note("split", report.times);
-  Result<std::vector<RegionMesh>> meshes = mesh_regions(boundaries, options, callbacks);
+  Result<std::vector<RegionMesh>> meshes =
+      options.method == Method::nonobtuse
+          ? mesh_nonobtuse(pslg, table, boundaries, options, callbacks)
+          : mesh_regions(boundaries, options, callbacks);
   if (!meshes) return std::move(meshes).error();
   clock.note("mesh", report.times);
   Mesh mesh = stitch(pslg, table, boundaries, *meshes);

@@ -140,20 +140,33 @@ class TaskRun {
     return v < task_.points.size() ? task_.points[v] : filling.added[v - task_.points.size()];
   }
 
-  /// Every directed edge has its opposite, or is one piece of a split chord.
-  [[nodiscard]] bool edges_match(const Filling& filling) const {
-    std::vector<IndexPair> edges;
-    edges.reserve(3 * filling.triangles.size());
-    for (const auto& t : filling.triangles) {
-      for (std::size_t k = 0; k < 3; ++k) edges.push_back({t[k], t[(k + 1) % 3]});
-    }
+  /// The pieces of all chords, with the outside on their left; without slits, whose two sides
+  /// belong to each other.
+  [[nodiscard]] std::vector<IndexPair> outer_edges(const Filling& filling) const {
+    std::vector<IndexPair> pieces, outer;
     auto split = filling.splits.begin();
     for (Index c = 0; c < task_.chords.size(); ++c) {
       Index last = task_.chords[c].a;
       if (split != filling.splits.end() && split->chord == c) {
-        for (const Index v : (split++)->vertices) edges.push_back({v, last}), last = v;
+        for (const Index v : (split++)->vertices) pieces.push_back({v, last}), last = v;
       }
-      edges.push_back({task_.chords[c].b, last});
+      pieces.push_back({task_.chords[c].b, last});
+    }
+    std::sort(pieces.begin(), pieces.end());
+    for (const IndexPair e : pieces) {
+      if (!std::binary_search(pieces.begin(), pieces.end(), IndexPair{e[1], e[0]})) {
+        outer.push_back(e);
+      }
+    }
+    return outer;
+  }
+
+  /// Every directed edge has its opposite and occurs once.
+  [[nodiscard]] bool edges_match(const Filling& filling) const {
+    std::vector<IndexPair> edges = outer_edges(filling);
+    edges.reserve(edges.size() + 3 * filling.triangles.size());
+    for (const auto& t : filling.triangles) {
+      for (std::size_t k = 0; k < 3; ++k) edges.push_back({t[k], t[(k + 1) % 3]});
     }
     std::vector<IndexPair> opposite;
     opposite.reserve(edges.size());

@@ -3,7 +3,7 @@
 // centres. A disk around a point keeps that from what does not end in the point. Between the disks
 // around its ends a segment is covered by one disk if that is small enough, else it is halved.
 // Next to a corner of angle theta, sizes grow geometrically with the distance from it.
-// Tested by tests/unit/covering/nonobtuse_test.cpp.
+// Tested by tests/unit/pipeline/nonobtuse_test.cpp.
 #include "covering/disks/segment_disks.hpp"
 
 #include <algorithm>
@@ -79,8 +79,8 @@ class Cover {
     const Element& line = lines_[s];
     const double middle = from + (to - from) / 2, radius = (to - from) / 2;
     const Point c = line.c + middle * line.d;
-    const double free = distance(c, radius / kShare, [&](Index e) { return e == s; });
-    if (radius <= kShare * free) {
+    const double needed = radius / kShare;
+    if (distance(c, needed, [&](Index e) { return e == s; }) >= needed) {
       result.chain[s].push_back({frame_.outward(c), frame_.outward(radius)});
       return;
     }

@@ -1,0 +1,250 @@
+// Two ways, both ending with a PSLG whose segments are cut and with regions that put no further
+// point on them:
+//  - every region is packed for itself; its points on chords become cuts. Only where no segment has
+//    regions on both sides, since they would put different points on it;
+//  - disks on all segments come first, for all regions together; the cuts are their centres and
+//    tangency points, and every region is packed between them.
+// (Uniting the points of both sides instead, and joining them to the opposite vertices, would keep
+// the mesh conforming but not nonobtuse.) Tested by tests/unit/pipeline/nonobtuse_test.cpp.
+#include "pipeline/nonobtuse.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cdt/cdt.hpp"
+#include "covering/angle_limit.hpp"
+#include "covering/disks/fill_disks.hpp"
+#include "covering/disks/segment_disks.hpp"
+#include "covering/measure.hpp"
+#include "pipeline/region_task.hpp"
+#include "pipeline/stage_clock.hpp"
+#include "region/cut_segments.hpp"
+#include "region/region_graph.hpp"
+
+namespace cover {
+namespace {
+
+FillTask task_of(const RegionBoundary& boundary) {
+  FillTask task;
+  task.points = boundary.points;
+  for (const auto& [a, b] : boundary.sides) task.chords.push_back({a, b, false});
+  return task;
+}
+
+/// Whether some segment has regions on both sides.
+bool shares_segments(const RegionTable& table) {
+  return std::any_of(table.sides.begin(), table.sides.end(),
+                     [](const SegmentSides& s) { return s.left != kVoid && s.right != kVoid; });
+}
+
+class Nonobtuse {
+ public:
+  Nonobtuse(Pslg& pslg, RegionTable& table, std::vector<RegionBoundary>& boundaries,
+            const Options& options, const Callbacks& callbacks)
+      : pslg_(pslg),
+        table_(table),
+        boundaries_(boundaries),
+        options_(options),
+        callbacks_(callbacks),
+        fillings_(boundaries.size()),
+        meshes_(boundaries.size()) {}
+
+  Result<std::vector<RegionMesh>> run() {
+    if (Status status = shares_segments(table_) ? pack_between_segments() : pack_apart(); !status) {
+      return std::move(status).error();
+    }
+    return std::move(meshes_);
+  }
+
+ private:
+  Status for_each(const std::function<void(std::size_t)>& task) {
+    return for_each_region(boundaries_, worker_count(options_), "mesh", callbacks_, task);
+  }
+
+  /// Every region for itself.
+  Status pack_apart() {
+    Status status = for_each([&](std::size_t r) {
+      const StageClock clock;
+      fillings_[r] = make_disk_filler()->fill(task_of(boundaries_[r]), callbacks_.stop);
+      meshes_[r].report.seconds = clock.seconds();
+    });
+    if (!status) return status;
+    const std::vector<std::vector<VertexId>> ids = cut_at_splits();
+    const std::vector<RegionBoundary> before =
+        std::exchange(boundaries_, split_regions(pslg_, table_));
+    for (std::size_t r = 0; r < before.size(); ++r) renumber(before[r], ids[r], r);
+    return for_each([&](std::size_t r) { finish(r); });
+  }
+
+  /// Cuts the segments at what the fillings put on them. Returns, by region, the PSLG vertex of
+  /// every added vertex that lies on a chord, in the order of Filling::splits.
+  std::vector<std::vector<VertexId>> cut_at_splits() {
+    struct Origin {
+      std::size_t region;
+      const ChordSplit* split;
+      bool forward;
+    };
+    std::vector<std::pair<SegmentCut, Origin>> cuts;
+    for (std::size_t r = 0; r < fillings_.size(); ++r) {
+      const RegionBoundary& boundary = boundaries_[r];
+      for (const ChordSplit& split : fillings_[r].splits) {
+        SegmentCut cut{boundary.segments[split.chord], {}};
+        for (const std::uint32_t v : split.vertices) {
+          cut.points.push_back(fillings_[r].added[v - boundary.points.size()]);
+        }
+        const bool forward = boundary.vertices[boundary.sides[split.chord][0]] ==
+                             pslg_.segments[cut.segment.index()].a;
+        if (!forward) std::reverse(cut.points.begin(), cut.points.end());
+        cuts.push_back({std::move(cut), {r, &split, forward}});
+      }
+    }
+    std::sort(cuts.begin(), cuts.end(),
+              [](const auto& x, const auto& y) { return x.first.segment < y.first.segment; });
+    std::vector<std::vector<VertexId>> ids(fillings_.size());
+    for (std::size_t r = 0; r < ids.size(); ++r) ids[r].resize(fillings_[r].added.size());
+    std::size_t next = pslg_.points.size();
+    std::vector<SegmentCut> plain;
+    for (auto& [cut, origin] : cuts) {
+      const std::size_t n = cut.points.size();
+      for (std::size_t k = 0; k < n; ++k) {
+        const std::size_t place = origin.forward ? k : n - 1 - k;
+        ids[origin.region][origin.split->vertices[k] - boundaries_[origin.region].points.size()] =
+            VertexId{next + place};
+      }
+      next += n;
+      plain.push_back(std::move(cut));
+    }
+    cut_segments(pslg_, table_, plain);
+    return ids;
+  }
+
+  /// Puts filling `r`, made over `before`, over the new boundary.
+  void renumber(const RegionBoundary& before, const std::vector<VertexId>& ids, std::size_t r) {
+    const RegionBoundary& after = boundaries_[r];
+    std::vector<std::pair<VertexId, std::uint32_t>> local;
+    for (std::uint32_t k = 0; k < after.vertices.size(); ++k)
+      local.push_back({after.vertices[k], k});
+    std::sort(local.begin(), local.end());
+    const auto local_of = [&](VertexId v) {
+      return std::lower_bound(local.begin(), local.end(), std::pair(v, 0U))->second;
+    };
+    const Filling& filling = fillings_[r];
+    std::vector<std::uint32_t> to;
+    for (const VertexId v : before.vertices) to.push_back(local_of(v));
+    std::vector<bool> on_chord(filling.added.size(), false);
+    for (const ChordSplit& split : filling.splits) {
+      for (const std::uint32_t v : split.vertices) on_chord[v - before.points.size()] = true;
+    }
+    for (std::size_t k = 0; k < filling.added.size(); ++k) {
+      if (on_chord[k]) {
+        to.push_back(local_of(ids[k]));
+      } else {
+        to.push_back(static_cast<std::uint32_t>(after.points.size() + meshes_[r].steiner.size()));
+        meshes_[r].steiner.push_back(filling.added[k]);
+      }
+    }
+    for (const auto& t : filling.triangles)
+      meshes_[r].triangles.push_back({to[t[0]], to[t[1]], to[t[2]]});
+  }
+
+  /// Disks on all segments first.
+  Status pack_between_segments() {
+    std::vector<IndexPair> segments;
+    std::vector<SegmentId> ids;
+    for (std::size_t s = 0; s < pslg_.segments.size(); ++s) {
+      if (table_.sides[s].left == kVoid && table_.sides[s].right == kVoid) continue;
+      segments.push_back({pslg_.segments[s].a.value(), pslg_.segments[s].b.value()});
+      ids.emplace_back(s);
+    }
+    // Ordinary input needs 3 to 10 per segment.
+    const std::size_t limit = 100 * segments.size() + 100'000;
+    const disks::SegmentDisks disks = disks::cover_segments(pslg_.points, segments, limit);
+    if (!disks.complete) return too_close(pslg_.segments[ids[disks.crowded].index()], limit);
+
+    std::vector<double> radius = disks.radius;
+    std::vector<SegmentCut> cuts;
+    for (std::size_t k = 0; k < segments.size(); ++k) {
+      const auto& [a, b] = segments[k];
+      const Point from = pslg_.points[a];
+      const Vector along = pslg_.points[b] - from;
+      const Vector direction = (1 / length(along)) * along;
+      SegmentCut cut{ids[k], {from + disks.radius[a] * direction}};
+      radius.push_back(0);
+      for (const disks::DiskOnSegment& disk : disks.chain[k]) {
+        cut.points.push_back(disk.centre);
+        cut.points.push_back(disk.centre + disk.radius * direction);
+        radius.push_back(disk.radius);
+        radius.push_back(0);
+      }
+      cuts.push_back(std::move(cut));
+    }
+    cut_segments(pslg_, table_, cuts);
+    boundaries_ = split_regions(pslg_, table_);
+    return for_each([&](std::size_t r) {
+      const StageClock clock;
+      std::vector<double> local;
+      for (const VertexId v : boundaries_[r].vertices) local.push_back(radius[v.index()]);
+      fillings_[r] = fill_between_disks(task_of(boundaries_[r]), local, callbacks_.stop);
+      meshes_[r].steiner = fillings_[r].added;
+      meshes_[r].triangles = fillings_[r].triangles;
+      finish(r);
+      meshes_[r].report.seconds = clock.seconds();
+    });
+  }
+
+  [[nodiscard]] Error too_close(const Segment& segment, std::size_t limit) const {
+    const Point a = pslg_.points[segment.a.index()], b = pslg_.points[segment.b.index()];
+    return {ErrorCode::bad_option,
+            fmt::format("method nonobtuse: several regions share segments, and these come so close "
+                        "to each other that more than {} disks would be needed on them, most near "
+                        "the segment from ({}, {}) to ({}, {}); use another method, or mesh the "
+                        "regions one by one",
+                        limit, a.x, a.y, b.x, b.y),
+            {a, b},
+            {}};
+  }
+
+  /// Bounds, figures and notes of a region.
+  void finish(std::size_t r) {
+    const RegionBoundary& boundary = boundaries_[r];
+    RegionMesh& mesh = meshes_[r];
+    mesh.report.id = boundary.id;
+    mesh.report.method = "nonobtuse";
+    const CdtResult cdt = triangulate_domain(boundary.points, boundary.sides);
+    set_limits(angle_limit(cdt.triangulation, boundary.sides, boundary.segments), mesh.report);
+    if (!fillings_[r].target_reached) {
+      mesh.report.notes.push_back(
+          {Note::Kind::target_missed,
+           boundary.id,
+           fmt::format("region {}: {}", boundary.id.value(), fillings_[r].remark),
+           {}});
+    }
+    measure(boundary, mesh);
+  }
+
+  Pslg& pslg_;
+  RegionTable& table_;
+  std::vector<RegionBoundary>& boundaries_;
+  const Options& options_;
+  const Callbacks& callbacks_;
+  std::vector<Filling> fillings_;
+  std::vector<RegionMesh> meshes_;
+};
+
+}  // namespace
+
+Result<std::vector<RegionMesh>> mesh_nonobtuse(Pslg& pslg, RegionTable& table,
+                                               std::vector<RegionBoundary>& boundaries,
+                                               const Options& options, const Callbacks& callbacks) {
+  if (options.hull) {
+    return Error{ErrorCode::bad_option,
+                 "method nonobtuse cannot be combined with hull: it splits the boundary itself",
+                 {},
+                 {}};
+  }
+  return Nonobtuse(pslg, table, boundaries, options, callbacks).run();
+}
+
+}  // namespace cover

@@ -1,0 +1,26 @@
+// Cuts segments of a clean PSLG at points on them, where their regions are known already.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <cover/pslg.hpp>
+#include <cover/regions.hpp>
+
+namespace cover {
+
+/// New points on a segment, from its end a to its end b.
+struct SegmentCut {
+  SegmentId segment;
+  std::vector<Point> points;
+};
+
+/// Replaces each cut segment by its pieces, which keep its marker, name, id, sides and interface.
+///
+/// Pieces of a segment are consecutive. New points come after all others, cut by cut.
+/// REQUIRES: `cuts` in the order of segments, each segment at most once.
+/// ENSURES:  faces and regions are the same, up to rounding of the new points.
+/// Cost:     O(n).
+void cut_segments(Pslg& pslg, RegionTable& table, std::span<const SegmentCut> cuts);
+
+}  // namespace cover

@@ -1,0 +1,116 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include <cover/cover_mesh.hpp>
+#include <cover/verify.hpp>
+
+#include "covering/disks/fill_disks.hpp"
+#include "support/inputs.hpp"
+
+namespace cover {
+namespace {
+
+Options nonobtuse() {
+  Options options;
+  options.method = Method::nonobtuse;
+  options.threads = 1;
+  return options;
+}
+
+/// Meshes, and checks the result against the input as it was before segments were cut.
+Output expect_nonobtuse(const Input& input, const Options& options = nonobtuse()) {
+  Result<Prepared> before = prepare(input, options);
+  EXPECT_TRUE(before.has_value());
+  Result<Output> output = cover_mesh(input, options);
+  EXPECT_TRUE(output.has_value()) << output.error().message;
+  VerifyOptions verify;
+  verify.allow_split = true;
+  const TriangleSoup soup = triangle_soup(output->mesh);
+  for (const Violation& v : verify_cover(before->pslg, before->table, soup, verify).violations) {
+    ADD_FAILURE() << v.message;
+  }
+  // Against the PSLG with cut segments every segment is one edge.
+  for (const Violation& v : verify_cover(output->pslg, output->table, soup).violations) {
+    ADD_FAILURE() << v.message;
+  }
+  EXPECT_GE(output->report.quality.largest_nu.in_degrees(), 180 - kLargestSnapped);
+  return *std::move(output);
+}
+
+Input with_segment(Input input, Point a, Point b) {
+  const auto n = static_cast<std::uint32_t>(input.points.size());
+  input.points.push_back(a);
+  input.points.push_back(b);
+  InputSegment segment;
+  segment.a = n;
+  segment.b = n + 1;
+  segment.marker = 7;
+  input.segments.push_back(segment);
+  return input;
+}
+
+const testing::Loop kSquare{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+
+TEST(Nonobtuse, OneRegionIsPackedForItself) {
+  const Output output = expect_nonobtuse(testing::input_of(kSquare));
+  EXPECT_EQ(output.mesh.tri().n_vertices(), 41U);
+  EXPECT_EQ(output.report.regions[0].method, "nonobtuse");
+}
+
+TEST(Nonobtuse, RegionsShareTheirInterfaces) {
+  expect_nonobtuse(testing::checker(4, 3, 1));
+  expect_nonobtuse(testing::transformed(testing::checker(3, 2, 2), 0x1p-30, {0, 0}));
+}
+
+TEST(Nonobtuse, SlitsAreSplitAlikeFromBothSides) {
+  const Output output = expect_nonobtuse(with_segment(testing::input_of(kSquare), {1, 1}, {2, 3}));
+  double length = 0;
+  for (const auto e : output.mesh.tri().edges()) {
+    if (output.mesh.marker(e) == 7) length += output.mesh.tri().calc_edge_length(e);
+  }
+  EXPECT_NEAR(length, std::sqrt(5.0), 1e-12);
+}
+
+TEST(Nonobtuse, InterfacesKeepTheirLength) {
+  const Input input = testing::checker(3, 2, 3);
+  const Output output = expect_nonobtuse(input);
+  const Result<Prepared> before = prepare(input, nonobtuse());
+  std::map<std::uint32_t, double> found;
+  for (const auto e : output.mesh.tri().edges()) {
+    found[output.mesh.interface(e).value()] += output.mesh.tri().calc_edge_length(e);
+  }
+  for (const Interface& line : before->table.interfaces) {
+    EXPECT_NEAR(found[line.id.value()], line.length, 1e-12) << line.name;
+  }
+}
+
+TEST(Nonobtuse, TheSameForAnyNumberOfThreads) {
+  const Input input = testing::checker(4, 2, 4);
+  Options two = nonobtuse();
+  two.threads = 2;
+  const TriangleSoup a = triangle_soup(cover_mesh(input, nonobtuse())->mesh);
+  const TriangleSoup b = triangle_soup(cover_mesh(input, two)->mesh);
+  EXPECT_EQ(a.points, b.points);
+  EXPECT_EQ(a.triangles, b.triangles);
+}
+
+TEST(Nonobtuse, RefusesWhatItCannotDo) {
+  Options hull = nonobtuse();
+  hull.hull = true;
+  const Result<Output> refused = cover_mesh(testing::input_of(kSquare), hull);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ErrorCode::bad_option);
+
+  // Two slits 1e-7 apart: ten million disks on each.
+  Input close = with_segment(testing::input_of(kSquare), {1, 1}, {3, 1});
+  close = with_segment(close, {1, 1 + 1e-7}, {3, 1 + 1e-7});
+  const Result<Output> crowded = cover_mesh(close, nonobtuse());
+  ASSERT_FALSE(crowded.has_value());
+  EXPECT_EQ(crowded.error().code, ErrorCode::bad_option);
+  EXPECT_EQ(crowded.error().where.size(), 2U);
+}
+
+}  // namespace
+}  // namespace cover
