@@ -17,5 +17,7 @@ int run_info(Arguments arguments);
 int run_check(Arguments arguments);
 /// `cover render`: a picture of a mesh.
 int run_render(Arguments arguments);
+/// `cover convert`: a mesh that cover wrote, in another format.
+int run_convert(Arguments arguments);
 
 }  // namespace cover::app

@@ -28,6 +28,7 @@ constexpr std::array kCommands{
     Command{"info", cover::app::run_info},
     Command{"check", cover::app::run_check},
     Command{"render", cover::app::run_render},
+    Command{"convert", cover::app::run_convert},
 };
 
 constexpr const char* kHelp =
@@ -41,6 +42,7 @@ Commands:
   info    regions, interfaces, possible angles    cover info device.poly
   check   does a mesh keep every promise?         cover check device.poly device.vtu
   render  picture of a mesh                       cover render device.vtu -o device.svg
+  convert another format for a mesh               cover convert device.vtu -o device.vtm
 
   cover COMMAND --help   options of a command
   cover --version        version and licence

@@ -42,7 +42,7 @@ class Usage(Case):
 
     def test_help_of_every_command(self):
         self.assertIn('Commands:', self.run_cover('--help')[0])
-        for command in ('mesh', 'info', 'check', 'render'):
+        for command in ('mesh', 'info', 'check', 'render', 'convert'):
             text = self.run_cover(command, '--help')[0]
             self.assertIn('Example', text)
             self.assertLess(max(map(len, text.splitlines())), 121, command)
@@ -254,6 +254,35 @@ class Render(Case):
 
     def test_unknown_format(self):
         self.assertIn('.svg, .png', self.run_cover('render', 'd.vtu', '-o', 'd.gif', code=2)[1])
+
+
+class Convert(Case):
+    def setUp(self):
+        super().setUp()
+        self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '-o', 'd.vtm', '-o', 'd.poly', '-q')
+
+    def test_names_from_the_vtm(self):
+        _, err = self.run_cover('convert', 'd.vtu', '-o', 'e.vtu', '-o', 'e.vtm')
+        self.assertEqual(err, '')
+        self.assertEqual((self.dir / 'e.vtu').read_bytes(), (self.dir / 'd.vtu').read_bytes())
+        self.assertEqual((self.dir / 'e.vtm').read_text().replace('"e/e_', '"d/d_'), (self.dir / 'd.vtm').read_text())
+
+    def test_from_a_vtm(self):
+        self.run_cover('convert', 'd.vtm', '-o', 'e.vtu')
+        self.assertEqual((self.dir / 'e.vtu').read_bytes(), (self.dir / 'd.vtu').read_bytes())
+        self.run_cover('check', SAMPLES / 'diode.poly', 'e.vtu')
+
+    def test_says_what_is_missing(self):
+        (self.dir / 'd.vtm').unlink()
+        _, err = self.run_cover('convert', 'd.vtu', '-o', 'e.vtm')
+        self.assertIn('neither d.json nor d.vtm is there', err)
+        self.assertIn('e.vtm', self.files())
+
+    def test_not_ours(self):
+        self.write('x.vtu', 'rubbish')
+        _, err = self.run_cover('convert', 'x.vtu', '-o', 'e.vtm', code=5)
+        self.assertIn('x.vtu: not a valid VTK file', err)
+        self.assertNotIn('ERR', err)
 
 
 class Interrupt(Case):

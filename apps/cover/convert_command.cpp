@@ -1,0 +1,57 @@
+// cover convert: a mesh that cover wrote, in another format.
+#include <fmt/format.h>
+
+#include <cover/read_mesh.hpp>
+
+#include "commands.hpp"
+#include "console.hpp"
+#include "options.hpp"
+#include "output_files.hpp"
+
+namespace cover::app {
+
+int run_convert(Arguments arguments) {
+  CLI::App app("Write a mesh that cover wrote in another format", "cover convert");
+  app.set_help_flag("-h,--help", "Show this help");
+  app.footer(R"(Names of regions, interfaces and contacts come from the manifest (.json) or the .vtm beside
+the mesh; what is missing is said.
+
+Examples:
+  cover convert device.vtm -o device.vtu
+  cover convert device.vtu -o device.vtm -o clean.poly
+)");
+  std::string path, format = "vtu";
+  std::vector<std::string> outputs;
+  Verbosity verbosity;
+  app.add_option("mesh", path, "Mesh that cover wrote (.vtu, .vtm, .vtk)")
+      ->type_name("MESH")
+      ->required();
+  app.add_option(
+         "-o,--output", outputs,
+         fmt::format("File to write, several if repeated: {}; '-' is stdout", mesh_extensions()))
+      ->type_name("FILE")
+      ->allow_extra_args(false)
+      ->required();
+  app.add_option("--format", format, "Format of '-o -'")->type_name("EXT")->capture_default_str();
+  add_verbosity(app, verbosity);
+  if (const auto code = parse(app, std::move(arguments))) return *code;
+
+  const auto log = make_logger(verbosity);
+  std::vector<Writer> writers;
+  for (const std::string& output : outputs) {
+    Result<Writer> writer = mesh_writer(output == "-" ? "stdout." + format : output);
+    if (!writer) return usage_error(app, writer.error().message);
+    writers.push_back(*std::move(writer));
+  }
+  const Result<Output> mesh = read_output(path);
+  if (!mesh) return fail(*log, mesh.error());
+  log_notes(*log, mesh->report.notes);
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    const Status written = write_to(writers[k], *mesh, outputs[k], "." + format);
+    if (!written) return fail(*log, written.error());
+    log->info("wrote {}", outputs[k] == "-" ? "to standard output" : outputs[k]);
+  }
+  return exit_ok;
+}
+
+}  // namespace cover::app
