@@ -21,11 +21,20 @@
 namespace cover {
 namespace {
 
+// A file that does not even begin as it should leaves no error code.
+bool can_read(vtkXMLUnstructuredGridReader& reader, const std::string& path) {
+  return reader.CanReadFile(path.c_str()) != 0;
+}
+bool can_read(vtkUnstructuredGridReader& reader, const std::string& /*path*/) {
+  return reader.IsFileUnstructuredGrid() != 0;
+}
+
 template <class Reader>
 vtkSmartPointer<vtkUnstructuredGrid> read_with(const std::string& path) {
   const QuietVtk quiet;
   vtkNew<Reader> reader;
   reader->SetFileName(path.c_str());
+  if (!can_read(*reader, path)) return nullptr;
   reader->Update();
   return reader->GetErrorCode() == 0 ? reader->GetOutput() : nullptr;
 }
