@@ -13,6 +13,7 @@
 
 #include "covering/almond_triangles.hpp"
 #include "covering/arc_layer.hpp"
+#include "covering/arc_walk.hpp"
 #include "geom/predicates.hpp"
 
 namespace cover {
@@ -25,6 +26,8 @@ constexpr double kFlat = 16;
 constexpr double kSlack = 0.005;
 /// After so many trials all almonds are left out.
 constexpr int kTrials = 40;
+/// After so many rounds of waking some almonds, all are woken.
+constexpr int kRounds = 4;
 
 class AlmondMethod {
  public:
@@ -40,6 +43,11 @@ class AlmondMethod {
     least_nu_ = rule.paper ? b : (1 - kSlack) * b;
     find_isolated();
     flatten_below_resolution();
+    for (const Almond& almond : almonds_) awake_kind_.push_back(almond.kind);
+    asleep_.assign(almonds_.size(), false);
+    if (!rule.paper && plan.refine_first) {
+      for (std::uint32_t k = 0; k < almonds_.size(); ++k) put_to_sleep(k);
+    }
   }
 
   AlmondMesh run() {
@@ -48,7 +56,9 @@ class AlmondMethod {
       const double unite = trial == 0 ? 1 : trial < 4 ? 0x1p+10 : 0x1p+20;
       const std::vector<std::uint32_t> faults = try_once(unite);
       if (faults.empty()) break;
-      if (trial < kTrials) {
+      if (wake(faults)) {
+        --trial;
+      } else if (trial < kTrials) {
         repair(faults, /*unite_first=*/trial == 0 && rule_.paper);
       } else {
         for (Almond& almond : almonds_) leave_out(almond);
@@ -60,16 +70,28 @@ class AlmondMethod {
   }
 
  private:
-  /// One trial; returns the almonds at fault, none if mesh_ is complete.
+  /// One trial; returns the almonds at fault or to be woken, none if mesh_ is complete.
   std::vector<std::uint32_t> try_once(double unite) {
     const ChordLayer layer = cut_chords(lay_arcs(input_.cdt, almonds_, unite), almonds_, rule_);
     if (!layer.faults.empty()) return layer.faults;
-    Remainder remainder = find_remainder(layer, isolated_off_arcs(layer));
+    Remainder remainder = find_remainder(layer, almonds_, isolated_off_arcs(layer));
     if (!remainder.faults.empty()) return remainder.faults;
 
     mesh_.points = layer.points;
     mesh_.triangles.clear();
-    const SplitChords splits = add_fill(layer, std::move(remainder));
+    SplitChords splits;
+    splits.first.assign(layer.chords.size() + 1, 0);
+    if (!remainder.chords.empty()) {
+      const std::vector<std::uint32_t> vertex = remainder.vertex, arc_chord = remainder.arc_chord;
+      RemainderFill fill(std::move(remainder), plan_, rule_.nu, stop_);
+      std::vector<std::uint32_t> sleeping;
+      for (const std::uint32_t c : fill.refine()) {
+        const std::uint32_t k = layer.chords[arc_chord[c]].almond;
+        if (asleep_[k]) sleeping.push_back(k);
+      }
+      if (!sleeping.empty()) return sleeping;
+      add_fill(fill.finish(), vertex, arc_chord, splits);
+    }
     const std::vector<std::uint32_t> faults =
         triangulate_almonds(almonds_, layer, splits, rule_, mesh_.points, mesh_.triangles);
     if (!faults.empty()) return faults;
@@ -98,31 +120,25 @@ class AlmondMethod {
     return off;
   }
 
-  SplitChords add_fill(const ChordLayer& layer, Remainder remainder) {
-    std::vector<std::uint32_t> vertex = remainder.vertex;
-    const std::vector<std::uint32_t> arc_chord = remainder.arc_chord;
-    FilledRemainder filled;
-    if (!remainder.chords.empty()) {
-      filled = fill_remainder(std::move(remainder), plan_, rule_.nu, stop_);
-    }
+  /// Takes over the triangles of the remainder, whose vertices and chords have the numbers given,
+  /// and what was put on its chords.
+  void add_fill(FilledRemainder filled, std::vector<std::uint32_t> vertex,
+                std::span<const std::uint32_t> arc_chord, SplitChords& splits) {
     for (std::size_t v = vertex.size(); v < filled.points.size(); ++v) {
       vertex.push_back(static_cast<std::uint32_t>(mesh_.points.size()));
       mesh_.points.push_back(filled.points[v]);
     }
-    mesh_.triangles.reserve(filled.triangles.size() + 2 * layer.chords.size());
+    mesh_.triangles.reserve(filled.triangles.size() + 2 * splits.first.size());
     for (const auto& t : filled.triangles) {
       mesh_.triangles.push_back({vertex[t[0]], vertex[t[1]], vertex[t[2]]});
     }
     mesh_.fallbacks = std::move(filled.fallbacks);
-
-    SplitChords splits;  // chords of the remainder are in the order of the chord layer
-    splits.first.assign(layer.chords.size() + 1, 0);
+    // Chords of the remainder are in the order of the chord layer.
     for (const ChordSplit& split : filled.splits) {
       splits.first[arc_chord[split.chord] + 1] = static_cast<std::uint32_t>(split.vertices.size());
       for (const std::uint32_t v : split.vertices) splits.vertices.push_back(vertex[v]);
     }
     for (std::size_t c = 1; c < splits.first.size(); ++c) splits.first[c] += splits.first[c - 1];
-    return splits;
   }
 
   /// Almonds that cover a point which has no triangle.
@@ -158,6 +174,47 @@ class AlmondMethod {
            fmt::format("is too flat for double coordinates (height {:.3g}, spacing {:.3g})",
                        a.height(), input_.spacing)});
     }
+  }
+
+  void put_to_sleep(std::uint32_t k) {
+    if (almonds_[k].kind == AlmondKind::hull_side) return;
+    almonds_[k].kind = AlmondKind::none;
+    asleep_[k] = true;
+  }
+
+  /// Wakes those of `almonds` that sleep, and with them the sides that pass through an almond
+  /// awake: only their own almonds keep its arc from running on behind them. False if none slept.
+  bool wake(const std::vector<std::uint32_t>& almonds) {
+    std::vector<std::uint32_t> stack;
+    const auto wake_one = [&](std::uint32_t k) {
+      if (k == kNone || !asleep_[k]) return;
+      asleep_[k] = false;
+      almonds_[k].kind = awake_kind_[k];
+      stack.push_back(k);
+    };
+    for (const std::uint32_t k : almonds) wake_one(k);
+    if (stack.empty()) return false;
+    if (++rounds_ >= kRounds) {
+      for (std::uint32_t k = 0; k < almonds_.size(); ++k) wake_one(k);
+      return true;
+    }
+    find_cuts();
+    while (!stack.empty()) {
+      const std::uint32_t k = stack.back();
+      stack.pop_back();
+      auto cut = std::lower_bound(cuts_.begin(), cuts_.end(), Cut{k, 0});
+      for (; cut != cuts_.end() && (*cut)[0] == k; ++cut) wake_one((*cut)[1]);
+    }
+    return true;
+  }
+
+  /// Which sides pass through which almonds, all of them being awake.
+  void find_cuts() {
+    if (rounds_ > 1) return;
+    std::vector<Almond> all = almonds_;
+    for (std::uint32_t k = 0; k < all.size(); ++k) all[k].kind = awake_kind_[k];
+    cuts_ = walk_almonds(input_.cdt, all).cuts;
+    std::sort(cuts_.begin(), cuts_.end());
   }
 
   static void leave_out(Almond& a) {
@@ -226,7 +283,7 @@ class AlmondMethod {
 
   void report_repairs() {
     for (std::uint32_t k = 0; k < almonds_.size(); ++k) {
-      if (repairs_[k] == 0) continue;
+      if (repairs_[k] == 0 || asleep_[k]) continue;
       const Almond& a = almonds_[k];
       std::string what;
       if (a.kind == AlmondKind::none) {
@@ -247,8 +304,13 @@ class AlmondMethod {
   const FillPlan& plan_;
   const std::stop_token& stop_;
   std::vector<Almond> almonds_;
-  std::vector<int> repairs_;  ///< by almond
-  double least_nu_ = 0;       ///< almonds may be made as flat as this
+  using Cut = std::array<std::uint32_t, 2>;
+  std::vector<AlmondKind> awake_kind_;  ///< by almond
+  std::vector<bool> asleep_;            ///< by almond: not needed so far
+  int rounds_ = 0;                      ///< of waking
+  std::vector<Cut> cuts_;               ///< (almond, side through it), in order
+  std::vector<int> repairs_;            ///< by almond
+  double least_nu_ = 0;                 ///< almonds may be made as flat as this
   std::vector<std::uint32_t> isolated_;
   AlmondMesh mesh_;
 };

@@ -17,12 +17,18 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 class Walker {
  public:
   Walker(const Triangulation& cdt, std::span<const Almond> almonds)
-      : cdt_(cdt), almonds_(almonds), seen_(cdt.triangles.size(), kNone) {
+      : cdt_(cdt),
+        almonds_(almonds),
+        seen_(cdt.triangles.size(), kNone),
+        side_of_(cdt.triangles.size(), {kNone, kNone, kNone}) {
     reach_.first_known.reserve(almonds.size() + 1);
+    for (std::uint32_t k = 0; k < almonds.size(); ++k) {
+      side_of_[almonds[k].base.triangle][almonds[k].base.edge] = k;
+    }
   }
 
   Reach run() {
-    for (std::uint32_t k = 0; k < almonds_.size(); ++k) walk(k);
+    for (current_ = 0; current_ < almonds_.size(); ++current_) walk(current_);
     reach_.first_known.push_back(static_cast<std::uint32_t>(reach_.known.size()));
     index_visits();
     return std::move(reach_);
@@ -132,7 +138,9 @@ class Walker {
   std::span<const Almond> almonds_;
   const Almond* almond_ = nullptr;   ///< whose walk it is
   std::size_t start_ = 0;            ///< of its known vertices
+  std::uint32_t current_ = 0;        ///< its number
   std::vector<std::uint32_t> seen_;  ///< by triangle: the last almond that visited it
+  std::vector<std::array<std::uint32_t, 3>> side_of_;  ///< by triangle and edge, kNone if no side
   std::vector<EdgeRef> stack_;  ///< triangles to visit, with the edge by which they are entered
   std::vector<Visit> visits_;
   Reach reach_;

@@ -2,6 +2,7 @@
 // meets.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,6 +24,7 @@ struct Reach {
   std::vector<KnownVertex> known;            ///< u, the vertices inside the arc, v
   std::vector<std::uint32_t> first_visitor;  ///< by triangle, into `visitors`; one more at the end
   std::vector<std::uint32_t> visitors;       ///< almonds whose inside meets the triangle, ascending
+  std::vector<std::array<std::uint32_t, 2>> cuts;  ///< (almond, side that passes through it)
 
   [[nodiscard]] std::span<const KnownVertex> known_of(std::uint32_t almond) const {
     return std::span(known).subspan(first_known[almond],

@@ -21,9 +21,9 @@ class RefineFiller : public Filler {
       filling.remark = "the chords do not bound a domain";
       return filling;
     }
-    Refinement refinement =
-        refine_large_angles(cdt, edges, task.chords, kRefineTarget,
-                            factor_ * refine_budget(task.points.size()), std::move(stop));
+    Refinement refinement = refine_large_angles(
+        cdt, edges, task.chords, {kRefineTarget, 0, factor_ * refine_budget(task.points.size())},
+        std::move(stop));
     filling.target_reached = refinement.target_reached;
     if (!filling.target_reached) filling.remark = "an angle above 145 degrees could not be refined";
     filling.splits = std::move(refinement.splits);

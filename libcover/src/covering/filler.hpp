@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <numbers>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -18,7 +19,10 @@ namespace cover {
 struct Chord {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
-  bool locked = false;   ///< must stay whole
+  bool locked = false;  ///< must stay whole
+  /// Triangles with a corner on this chord are good enough if they keep pi - angle >= nu: beside a
+  /// flat almond nothing better is asked for.
+  double nu = std::numbers::pi;
 };
 
 /// A connected polygon with holes. A vertex may be visited several times; points on no chord are
@@ -30,17 +34,17 @@ struct FillTask {
 
 /// The points that a fill put on a chord, from its end a to its end b.
 struct ChordSplit {
-  std::uint32_t chord = 0;                ///< index into FillTask::chords
-  std::vector<std::uint32_t> vertices;    ///< indices as in Filling::triangles
+  std::uint32_t chord = 0;              ///< index into FillTask::chords
+  std::vector<std::uint32_t> vertices;  ///< indices as in Filling::triangles
 };
 
 /// The triangulation of a FillTask.
 struct Filling {
-  std::vector<Point> added;                              ///< vertex points.size() + k is added[k]
-  std::vector<std::array<std::uint32_t, 3>> triangles;   ///< counter-clockwise
-  std::vector<ChordSplit> splits;                        ///< by chord; only chords that got points
-  bool target_reached = true;                            ///< no angle above what the fill aims at
-  std::string remark;                                    ///< what fell short, empty if nothing
+  std::vector<Point> added;                             ///< vertex points.size() + k is added[k]
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise
+  std::vector<ChordSplit> splits;                       ///< by chord; only chords that got points
+  bool target_reached = true;                           ///< no angle above what the fill aims at
+  std::string remark;                                   ///< what fell short, empty if nothing
 };
 
 /// A way to triangulate a polygon with holes without large angles.

@@ -17,15 +17,24 @@ namespace {
 
 class Refiner {
  public:
-  Refiner(Triangulation& cdt, ChordEdges& edges, std::span<const Chord> chords, double target_nu)
+  Refiner(Triangulation& cdt, ChordEdges& edges, std::span<const Chord> chords,
+          const RefineGoal& goal)
       : cdt_(cdt),
         edges_(edges),
         chords_(chords),
-        tan_target_(std::tan(target_nu)),
+        goal_(goal),
+        tan_target_(cdt.points.size(), std::tan(goal.target_nu)),
         version_(cdt.triangles.size(), 0),
-        in_cavity_(cdt.triangles.size(), 0) {}
+        in_cavity_(cdt.triangles.size(), 0) {
+    for (const Chord& chord : chords) {
+      for (const std::uint32_t v : {chord.a, chord.b}) {
+        tan_target_[v] = std::min(tan_target_[v], tan_target_of(chord));
+      }
+    }
+  }
 
-  Refinement run(std::size_t budget, const std::stop_token& stop) {
+  Refinement run(const std::stop_token& stop) {
+    std::size_t budget = goal_.budget;
     for (std::uint32_t t = 0; t < cdt_.triangles.size(); ++t) enqueue(t);
     Refinement result;
     result.target_reached = true;
@@ -44,6 +53,7 @@ class Refiner {
         queue_.push(bad);
     }
     result.splits = sorted_splits();
+    if (!result.target_reached) result.blocking = find_blocking();
     return result;
   }
 
@@ -79,7 +89,13 @@ class Refiner {
     const int i = longest_edge(corner(f, 0), corner(f, 1), corner(f, 2));
     const Vector u = corner(f, next3(i)) - corner(f, i), v = corner(f, prev3(i)) - corner(f, i);
     const double flat = -dot(u, v), area = std::abs(cross(u, v));
-    if (flat > 0 && area < tan_target_ * flat) queue_.push({area / flat, t, version_[t]});
+    const double target = std::min({tan_target_[f.v[0]], tan_target_[f.v[1]], tan_target_[f.v[2]]});
+    if (flat > 0 && area < target * flat) queue_.push({area / flat, t, version_[t]});
+  }
+
+  /// Targets are below 90 degrees, where the tangent grows.
+  [[nodiscard]] double tan_target_of(const Chord& chord) const {
+    return std::tan(std::min(goal_.target_nu, chord.nu));
   }
 
   /// Inserts a vertex against the large angle of `t`; false if that is not possible.
@@ -117,6 +133,7 @@ class Refiner {
       if (compare_with_90_degrees(a, z, b) != Sign::negative) return split_chord(rim_at(rim));
     }
     if (!fan_is_positive(z)) return false;
+    tan_target_.push_back(std::tan(goal_.target_nu));
     dig(z, nullptr);
     return true;
   }
@@ -137,6 +154,7 @@ class Refiner {
     rim_.erase(split);
     if (!fan_is_positive(z)) return false;
     splits_.push_back({chord, static_cast<std::uint32_t>(cdt_.points.size())});
+    tan_target_.push_back(tan_target_of(chords_[chord]));
     dig(z, &edge);
     return true;
   }
@@ -273,6 +291,43 @@ class Refiner {
     edges_[cavity_[last]][1] = split.chord;
   }
 
+  /// The locked chords on and behind the longest edges of triangles that do not keep `keep_nu`.
+  [[nodiscard]] std::vector<std::uint32_t> find_blocking() {
+    std::vector<std::uint32_t> blocking;
+    const auto add = [&](EdgeRef at) {
+      const std::uint32_t chord = edges_[at.triangle][at.edge];
+      if (chord != kNone && chords_[chord].locked) blocking.push_back(chord);
+    };
+    const double tan_keep = std::tan(goal_.keep_nu);
+    for (std::uint32_t t = 0; t < cdt_.triangles.size(); ++t) {
+      const Triangle& f = cdt_.triangles[t];
+      const int i = longest_edge(corner(f, 0), corner(f, 1), corner(f, 2));
+      const Vector u = corner(f, next3(i)) - corner(f, i), v = corner(f, prev3(i)) - corner(f, i);
+      if (std::abs(cross(u, v)) >= -tan_keep * dot(u, v)) continue;
+      for (std::uint8_t k = 0; k < 3; ++k) add({t, k});
+      const Point centre = circumcentre(f, i);
+      if (is_rim(f, i) || !std::isfinite(centre.x) || !std::isfinite(centre.y)) continue;
+      const Walk walk = walk_straight(
+          cdt_, t, midpoint(corner(f, i), midpoint(corner(f, next3(i)), corner(f, prev3(i)))),
+          centre);
+      if (!walk.arrived) {
+        add(walk.at);
+        continue;
+      }
+      collect_cavity(walk.at.triangle, centre);
+      for (const Rim& rim : rim_) {
+        if (rim.outer != kNone && !rim.locked) continue;
+        if (compare_with_90_degrees(cdt_.points[rim.a], centre, cdt_.points[rim.b]) !=
+            Sign::negative) {
+          add(rim_at(rim));
+        }
+      }
+    }
+    std::sort(blocking.begin(), blocking.end());
+    blocking.erase(std::unique(blocking.begin(), blocking.end()), blocking.end());
+    return blocking;
+  }
+
   struct Split {
     std::uint32_t chord, vertex;
   };
@@ -296,7 +351,8 @@ class Refiner {
   Triangulation& cdt_;
   ChordEdges& edges_;
   std::span<const Chord> chords_;
-  double tan_target_;
+  RefineGoal goal_;
+  std::vector<double> tan_target_;  ///< by vertex; a triangle has the least of its corners'
   std::priority_queue<Bad> queue_;
   std::vector<std::uint32_t> version_;    ///< by triangle; an entry of the queue may be out of date
   std::vector<std::uint32_t> in_cavity_;  ///< by triangle: stamp of the last cavity it was in
@@ -346,8 +402,8 @@ std::vector<std::uint32_t> match_chords(const Triangulation& cdt, std::span<cons
 }
 
 Refinement refine_large_angles(Triangulation& cdt, ChordEdges& edges, std::span<const Chord> chords,
-                               double target_nu, std::size_t budget, std::stop_token stop) {
-  return Refiner(cdt, edges, chords, target_nu).run(budget, stop);
+                               const RefineGoal& goal, std::stop_token stop) {
+  return Refiner(cdt, edges, chords, goal).run(stop);
 }
 
 }  // namespace cover

@@ -27,9 +27,17 @@ std::vector<std::uint32_t> match_chords(const Triangulation& cdt, std::span<cons
 struct Refinement {
   std::vector<ChordSplit> splits;  ///< by chord
   bool target_reached = false;
+  std::vector<std::uint32_t> blocking;  ///< locked chords in the way of triangles below `keep_nu`
 };
 
-/// Inserts vertices until no angle is above pi - `target_nu`, or `budget` insertions are done.
+/// What a refinement aims at.
+struct RefineGoal {
+  double target_nu = 0;    ///< no angle is to be above pi - target_nu, or what its chords allow
+  double keep_nu = 0;      ///< triangles that stay below this are blamed on locked chords
+  std::size_t budget = 0;  ///< insertions
+};
+
+/// Inserts vertices until no angle is above what is aimed at, or the budget is used up.
 ///
 /// A triangle with too large an angle gets its circumcentre. If a chord lies between, or would see
 /// the circumcentre under 90 degrees or more, the chord is split instead: half way, or at a
@@ -42,6 +50,6 @@ struct Refinement {
 ///           138.6 degrees has a ratio of circumradius to shortest edge at which Ruppert's argument
 ///           ends
 Refinement refine_large_angles(Triangulation& cdt, ChordEdges& edges, std::span<const Chord> chords,
-                               double target_nu, std::size_t budget, std::stop_token stop);
+                               const RefineGoal& goal, std::stop_token stop);
 
 }  // namespace cover

@@ -2,6 +2,7 @@
 #include "covering/remainder.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 namespace cover {
 namespace {
@@ -40,9 +41,16 @@ std::vector<std::uint32_t> blame(const Remainder& r, const ChordLayer& layer,
   return almonds;
 }
 
+/// Beside an almond the fill need not be better than the almond itself: 35 degrees for one of 60,
+/// and less in proportion. (Else a flat almond in a narrow place would cost vertices without end.)
+double fill_nu(const Almond& almond) {
+  return almond.kind == AlmondKind::hull_side ? std::numbers::pi : almond.nu * 7 / 12;
+}
+
 }  // namespace
 
-Remainder find_remainder(const ChordLayer& layer, std::span<const std::uint32_t> isolated) {
+Remainder find_remainder(const ChordLayer& layer, std::span<const Almond> almonds,
+                         std::span<const std::uint32_t> isolated) {
   Remainder r;
   std::vector<Point> points;
   std::vector<std::uint32_t> local(layer.points.size(), kNone);
@@ -60,7 +68,7 @@ Remainder find_remainder(const ChordLayer& layer, std::span<const std::uint32_t>
     if (chord.kind == ChordKind::interior) continue;
     const std::uint32_t a = add(chord.a), b = add(chord.b);
     pairs.push_back({a, b});
-    r.chords.push_back({a, b, chord.kind == ChordKind::fixed});
+    r.chords.push_back({a, b, chord.kind == ChordKind::fixed, fill_nu(almonds[chord.almond])});
     r.arc_chord.push_back(c);
   }
   if (r.chords.empty()) return r;
@@ -102,7 +110,7 @@ RemainderPart part_of(const Remainder& remainder, std::span<const std::uint32_t>
   for (const std::uint32_t v : part.vertex) part.task.points.push_back(remainder.cdt.points[v]);
   for (const std::uint32_t c : part.chord) {
     const Chord& chord = remainder.chords[c];
-    part.task.chords.push_back({local(chord.a), local(chord.b), chord.locked});
+    part.task.chords.push_back({local(chord.a), local(chord.b), chord.locked, chord.nu});
   }
   return part;
 }

@@ -29,7 +29,8 @@ struct Remainder {
 /// chords
 ///          that occur in both directions, remainder and almonds then bound each other exactly.
 /// Cost:    O(n log n)
-Remainder find_remainder(const ChordLayer& layer, std::span<const std::uint32_t> isolated);
+Remainder find_remainder(const ChordLayer& layer, std::span<const Almond> almonds,
+                         std::span<const std::uint32_t> isolated);
 
 /// A connected part of a remainder as work for a filler.
 struct RemainderPart {
