@@ -19,6 +19,15 @@ void reuse_places(MutableMesh& mesh, const Cavity& cavity, int count, Installed&
   for (int k = count; k < cavity.triangle_count(); ++k) mesh.drop_triangle(cavity.triangle(k));
 }
 
+/// Whether all triangles from the loop to `p` are counter-clockwise, exactly.
+bool sees_loop(const MutableMesh& mesh, const Cavity& cavity, Point p) {
+  for (int k = 0; k < cavity.size(); ++k) {
+    const Point a = mesh.points[cavity.vertex(k)], b = mesh.points[cavity.vertex(cavity.next(k))];
+    if (orientation(a, b, p) != Sign::positive) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 void Cavity::take(std::uint32_t t) {
@@ -106,11 +115,8 @@ bool Cavity::sees_beyond(int k, Point p) const {
 }
 
 bool install_star(MutableMesh& mesh, const Cavity& cavity, Point p, Installed& installed) {
+  if (!sees_loop(mesh, cavity, p)) return false;
   const int size = cavity.size();
-  for (int k = 0; k < size; ++k) {
-    const Point a = mesh.points[cavity.vertex(k)], b = mesh.points[cavity.vertex(cavity.next(k))];
-    if (orientation(a, b, p) != Sign::positive) return false;
-  }
   for (int k = 0; k < cavity.swallowed_count(); ++k) mesh.drop_vertex(cavity.swallowed(k));
   const std::uint32_t apex = mesh.add_vertex(p);
   reuse_places(mesh, cavity, size, installed);
@@ -126,6 +132,13 @@ bool install_star(MutableMesh& mesh, const Cavity& cavity, Point p, Installed& i
     mesh.measure(t);
   }
   mesh.home[apex] = installed.triangles[0];
+  return true;
+}
+
+bool relocate(MutableMesh& mesh, const Cavity& cavity, Point p) {
+  if (!sees_loop(mesh, cavity, p)) return false;
+  mesh.points[cavity.swallowed(0)] = p;
+  for (int k = 0; k < cavity.triangle_count(); ++k) mesh.measure(cavity.triangle(k));
   return true;
 }
 

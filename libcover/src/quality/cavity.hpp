@@ -52,9 +52,9 @@ class Cavity {
   void erase(int k);
 
   const MutableMesh* mesh_;
-  std::array<Edge, kCapacity> loop_{};
-  std::array<std::uint32_t, kCapacity> triangles_{};
-  std::array<std::uint32_t, kCapacity> swallowed_{};
+  std::array<Edge, kCapacity> loop_;
+  std::array<std::uint32_t, kCapacity> triangles_;
+  std::array<std::uint32_t, kCapacity> swallowed_;
   int size_ = 0;
   int triangle_count_ = 0;
   int swallowed_count_ = 0;
@@ -72,13 +72,13 @@ class Patch {
   [[nodiscard]] const Corner& corners(int k) const { return corners_[static_cast<std::size_t>(k)]; }
 
  private:
-  std::array<Corner, Cavity::kCapacity> corners_{};
+  std::array<Corner, Cavity::kCapacity> corners_;
   int count_ = 0;
 };
 
 /// The new triangles, for whoever has to look at them.
 struct Installed {
-  std::array<std::uint32_t, Cavity::kCapacity> triangles{};
+  std::array<std::uint32_t, Cavity::kCapacity> triangles;
   int count = 0;
 };
 
@@ -87,6 +87,11 @@ struct Installed {
 /// ENSURES: false, and nothing has changed, if exact arithmetic finds a triangle of the star not
 ///          counter-clockwise. Swallowed vertices are dropped.
 bool install_star(MutableMesh& mesh, const Cavity& cavity, Point p, Installed& installed);
+
+/// Moves the vertex that `cavity`, begun with start_star, is the star of.
+///
+/// ENSURES: as install_star; the triangles and the loop remain those of the cavity
+bool relocate(MutableMesh& mesh, const Cavity& cavity, Point p);
 
 /// Replaces the triangles of `cavity` by those of `patch`, whose corners are the loop's.
 ///

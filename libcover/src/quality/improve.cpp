@@ -93,9 +93,12 @@ class Improver {
       const double limit = improvement_of(cavity_.worst());
       const Placement placement = place(Hole(mesh_, cavity_), mesh_.points[v],
                                         kHopeful * cavity_.worst(), result_.evaluations);
-      if (placement.worst < limit && install_star(mesh_, cavity_, placement.at, installed_)) {
+      if (placement.worst < limit && relocate(mesh_, cavity_, placement.at)) {
         ++result_.moves;
-        finish();
+        for (int k = 0; k < cavity_.size(); ++k) {
+          enqueue(cavity_.triangle(k));
+          if (!is_side(cavity_.outer(k))) enqueue(cavity_.outer(k));
+        }
         return true;
       }
     }

@@ -28,7 +28,7 @@ Merit merit_of(const MutableMesh& mesh, const Goal& goal) {
       large = large || -cot > goal.large + (side != nullptr ? side->large : 0) + kSame;
       const bool of_the_input =
           is_side(triangle.n[(i + 1) % 3]) && is_side(triangle.n[(i + 2) % 3]);
-      if (of_the_input) continue;
+      if (of_the_input || goal.weight == 0) continue;
       merit.small = std::max(merit.small, cot);
       small = small || cot > goal.small * (1 + kSame);
     }
@@ -36,6 +36,17 @@ Merit merit_of(const MutableMesh& mesh, const Goal& goal) {
     merit.complete = merit.complete && !large && !small;
   }
   return merit;
+}
+
+bool is_above(const MutableMesh& mesh, std::uint32_t t, const Goal& goal) {
+  if (mesh.is_hole(t)) return false;
+  const Corners k(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Allowance* side = mesh.allowance(mesh.triangles[t].n[i]);
+    const double large = goal.large + (side != nullptr ? side->large : 0) + kSame;
+    if (!(-k.dot[i] <= large * k.cross)) return true;
+  }
+  return false;
 }
 
 bool is_better(const Merit& a, const Merit& b) {

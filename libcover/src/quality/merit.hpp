@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "quality/mutable_mesh.hpp"
 
@@ -20,6 +21,9 @@ struct Merit {
 
 /// Cost: O(triangles)
 Merit merit_of(const MutableMesh& mesh, const Goal& goal);
+
+/// Whether triangle `t` has a larger angle than the goal and its sides allow.
+bool is_above(const MutableMesh& mesh, std::uint32_t t, const Goal& goal);
 
 /// Whether `a` is better: smaller largest angle, then fewer triangles above the goal, then larger
 /// smallest angle, then fewer triangles.

@@ -14,43 +14,43 @@
 namespace cover {
 namespace {
 
-constexpr double kMargin = 0.03;  ///< aim this far below the goal, to arrive in finite time
+constexpr double kMargin = 0.06;  ///< aim this far below the goal, to arrive in finite time
 constexpr int kSubgradientSteps = 8;
 constexpr int kFailures = 2;         ///< steps that were none, before the gradients are left
 constexpr double kFirstStep = 0.25;  ///< of the pattern search, times the distance to the loop
-constexpr int kHalvings = 5;
+constexpr int kHalvings = 4;
 constexpr int kCandidates = 120;  ///< at most, of the pattern search
 
 }  // namespace
 
 Hole::Hole(const MutableMesh& mesh, const Cavity& cavity)
-    : goal_(&mesh.goal()), size_(cavity.size()) {
+    : goal_(&mesh.goal()), edges_(own_.data()), size_(cavity.size()) {
   for (int k = 0; k < size_; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    loop_[i] = mesh.points[cavity.vertex(k)];
-    const Allowance* side = mesh.allowance(cavity.outer(k));
-    allowance_[i] = side != nullptr ? *side : Allowance{};
-    plain_ = plain_ && allowance_[i].large == 0;
+    own_[static_cast<std::size_t>(k)] =
+        edge(mesh.points[cavity.vertex(k)], mesh.points[cavity.vertex(cavity.next(k))],
+             mesh.allowance(cavity.outer(k)));
   }
-  loop_[static_cast<std::size_t>(size_)] = loop_[0];
 }
 
+Hole::Hole(const Goal& goal, std::span<const Edge> edges)
+    : goal_(&goal), edges_(edges.data()), size_(static_cast<int>(edges.size())) {}
+
 double Hole::excess_at(std::size_t k, Point p) const {
-  const Point a = loop_[k], b = loop_[k + 1];
-  const double ux = a.x - p.x, uy = a.y - p.y, vx = b.x - p.x, vy = b.y - p.y;
-  const double ex = b.x - a.x, ey = b.y - a.y;
+  const Edge& edge = edges_[k];
+  const double ux = edge.ax - p.x, uy = edge.ay - p.y, vx = edge.bx - p.x, vy = edge.by - p.y;
+  const double ex = edge.bx - edge.ax, ey = edge.by - edge.ay;
   const double area = ux * vy - uy * vx;
   if (!(area > 0)) return kInverted;
   const double apex = ux * vx + uy * vy, at_a = -(ux * ex + uy * ey), at_b = vx * ex + vy * ey;
   const double most = std::max(apex, std::max(at_a, at_b));
-  if (plain_ || allowance_[k].large == 0) {
+  if (edge.large == 0) {
     const double least = std::min(apex, std::min(at_a, at_b));
     return std::max(-least - goal_->large * area, goal_->weight * (most - goal_->small * area)) /
            area;
   }
   const double at_ends = -std::min(at_a, at_b) - goal_->large * area;
-  const double at_apex = -apex - (goal_->large + allowance_[k].large) * area;
-  const double small = goal_->weight * (most - (goal_->small + allowance_[k].small) * area);
+  const double at_apex = -apex - (goal_->large + edge.large) * area;
+  const double small = goal_->weight * (most - (goal_->small + edge.small) * area);
   return std::max(std::max(at_ends, at_apex), small) / area;
 }
 
@@ -92,19 +92,19 @@ Vector Hole::step_to(Point p, double level, double& value) const {
 }
 
 Vector Hole::slope_at(std::size_t k, Point p) const {
-  const Point a = loop_[k], b = loop_[k + 1];
+  const Edge& edge = edges_[k];
+  const Point a = edge.a(), b = edge.b();
   const Vector u = a - p, v = b - p, e = b - a;
   const double area = cross(u, v);
   const double dots[3] = {dot(u, v), -dot(u, e), dot(v, e)};
   const Vector of_dots[3] = {-1.0 * (u + v), e, -1.0 * e};
   const Vector of_area = left_normal(e);
-  const Allowance& side = allowance_[k];
   double value = -kInverted;
   Vector slope;
   for (int i = 0; i < 3; ++i) {
     const double cot = dots[i] / area;
-    const double large = -cot - goal_->large - (i == 0 ? side.large : 0);
-    const double small = goal_->weight * (cot - goal_->small - side.small);
+    const double large = -cot - goal_->large - (i == 0 ? edge.large : 0);
+    const double small = goal_->weight * (cot - goal_->small - edge.small);
     if (large <= value && small <= value) continue;
     value = std::max(large, small);
     slope = ((large > small ? -1 : goal_->weight) / area) * (of_dots[i] - cot * of_area);
@@ -115,7 +115,7 @@ Vector Hole::slope_at(std::size_t k, Point p) const {
 double Hole::shortest_spoke(Point p) const {
   double shortest = kInverted;
   for (std::size_t k = 0; k < static_cast<std::size_t>(size_); ++k) {
-    shortest = std::min(shortest, squared_length(loop_[k] - p));
+    shortest = std::min(shortest, squared_length(edges_[k].a() - p));
   }
   return std::sqrt(shortest);
 }
@@ -123,9 +123,9 @@ double Hole::shortest_spoke(Point p) const {
 Point Hole::centre() const {
   Vector sum;
   for (std::size_t k = 1; k < static_cast<std::size_t>(size_); ++k) {
-    sum = sum + (loop_[k] - loop_[0]);
+    sum = sum + (edges_[k].a() - edges_[0].a());
   }
-  return loop_[0] + (1.0 / size_) * sum;
+  return edges_[0].a() + (1.0 / size_) * sum;
 }
 
 namespace {
@@ -151,7 +151,8 @@ void follow_gradients(const Hole& hole, Placement& best, std::uint64_t& evaluati
   }
 }
 
-/// Eight directions around `best.at`, the step halved where none of them is better.
+/// Four directions around `best.at`, along the axes and the diagonals in turn; the step is halved
+/// where none of them is better.
 void search_around(const Hole& hole, Placement& best, std::uint64_t& evaluations) {
   constexpr double kDiagonal = 0.7071067811865476;
   constexpr Vector kDirections[] = {
@@ -161,8 +162,8 @@ void search_around(const Hole& hole, Placement& best, std::uint64_t& evaluations
   int first = 0, left = kCandidates;
   for (int halvings = 0; halvings <= kHalvings && left > 0;) {
     bool better = false;
-    for (int d = 0; d < 8 && !better; ++d) {
-      const int direction = (first + d) % 8;
+    for (int d = 0; d < 8 && !better; d += 2) {
+      const int direction = (first + d + halvings % 2) % 8;
       const Point p = best.at + step * kDirections[direction];
       const double value = hole.worst(p, best.worst);
       ++evaluations;

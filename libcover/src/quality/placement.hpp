@@ -3,16 +3,33 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "geom/vector.hpp"
 #include "quality/cavity.hpp"
 
 namespace cover {
 
-/// The loop around a hole as plain coordinates.
+/// The edges around a hole as plain coordinates.
 class Hole {
  public:
+  /// An edge with the hole on its left.
+  struct Edge {
+    double ax, ay, bx, by;  ///< no constructor: many are made and few are used
+    double large, small;    ///< the allowance of the side; zero where the edge is none
+    [[nodiscard]] Point a() const { return {ax, ay}; }
+    [[nodiscard]] Point b() const { return {bx, by}; }
+  };
+  static Edge edge(Point a, Point b, const Allowance* side) {
+    return {
+        a.x, a.y, b.x, b.y, side != nullptr ? side->large : 0, side != nullptr ? side->small : 0};
+  }
+
   Hole(const MutableMesh& mesh, const Cavity& cavity);
+  /// A hole with any number of edges, in any order. REQUIRES: both arguments outlive it
+  Hole(const Goal& goal, std::span<const Edge> edges);
+  Hole(const Hole&) = delete;
+  Hole& operator=(const Hole&) = delete;
 
   /// The worst excess of the star from `p`, or anything above `limit` once that is passed.
   [[nodiscard]] double worst(Point p, double limit) const;
@@ -23,7 +40,7 @@ class Hole {
   [[nodiscard]] int worst_edge(Point p, const std::array<bool, Cavity::kCapacity>& skip) const;
   /// The distance to the nearest vertex of the loop.
   [[nodiscard]] double shortest_spoke(Point p) const;
-  /// The mean of the loop's vertices.
+  /// The mean of the vertices.
   [[nodiscard]] Point centre() const;
 
  private:
@@ -32,10 +49,9 @@ class Hole {
   [[nodiscard]] Vector slope_at(std::size_t k, Point p) const;
 
   const Goal* goal_;
+  const Edge* edges_;
   int size_;
-  bool plain_ = true;  ///< no side has an allowance
-  std::array<Point, Cavity::kCapacity + 1> loop_;
-  std::array<Allowance, Cavity::kCapacity> allowance_;
+  std::array<Edge, Cavity::kCapacity> own_;  ///< behind edges_, for the hole of a cavity
 };
 
 /// A place and the worst excess there.

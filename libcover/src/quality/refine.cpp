@@ -2,7 +2,9 @@
 // first vertex inside a long loop sees most of it. Tested by tests/unit/quality/refine_test.cpp.
 #include "quality/refine.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
@@ -16,17 +18,25 @@ class Refinement {
  public:
   Refinement(MutableMesh& mesh, const RefineLimits& limits) : mesh_(mesh), limits_(limits) {
     const double kappa = std::atan2(1.0, limits.smallest_cot);
-    off_centre_ = 0.475 / std::tan(kappa / 2);  // Triangle's constant
+    off_centre_ = 0.4 / std::tan(kappa / 2);  // 0.5: the new angle is kappa
     stamp_.assign(mesh_.triangles.size(), 0);
     guarded_.assign(mesh_.triangles.size(), 0);
     guard_forced();
+    shortest_exponent_ = shortest_exponent();
   }
 
   void run() {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) enqueue(t);
     std::size_t inserted = 0;
-    for (std::size_t head = 0; head < queue_.size() && inserted < limits_.budget; ++head) {
-      const Entry entry = queue_[head];
+    while (inserted < limits_.budget && first_bucket_ < kBuckets) {
+      Bucket& bucket = buckets_[first_bucket_];
+      if (bucket.head == bucket.entries.size()) {
+        bucket.entries.clear();
+        bucket.head = 0;
+        ++first_bucket_;
+        continue;
+      }
+      const Entry entry = bucket.entries[bucket.head++];
       if (mesh_.triangles[entry.triangle].v != entry.v) continue;
       if (insert_near(entry.triangle)) ++inserted;
     }
@@ -36,6 +46,11 @@ class Refinement {
   struct Entry {
     std::uint32_t triangle;
     std::array<std::uint32_t, 3> v;
+  };
+  /// A queue of triangles whose shortest edges are alike.
+  struct Bucket {
+    std::vector<Entry> entries;
+    std::size_t head = 0;
   };
   struct LoopEdge {
     std::uint32_t a, b, outer;
@@ -63,16 +78,42 @@ class Refinement {
     }
   }
 
+  /// Queues `t` if it has an angle that is too small. Those with the shortest edges come first:
+  /// what is put near them improves the longer ones around for nothing.
   void enqueue(std::uint32_t t) {
     if (guarded_[t] != 0) return;
     const Corners k(mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2));
+    const auto& n = mesh_.triangles[t].n;
     for (int i = 0; i < 3; ++i) {
-      const auto& n = mesh_.triangles[t].n;
       if (k.dot[i] <= limits_.smallest_cot * k.cross) continue;
       if (is_side(n[at(next3(i))]) && is_side(n[at(prev3(i))])) continue;
-      queue_.push_back({t, mesh_.triangles[t].v});
+      // The dot products at the ends of an edge add up to its squared length.
+      const double shortest2 =
+          std::min({k.dot[0] + k.dot[1], k.dot[1] + k.dot[2], k.dot[2] + k.dot[0]});
+      const std::size_t bucket = bucket_of(shortest2);
+      buckets_[bucket].entries.push_back({t, mesh_.triangles[t].v});
+      first_bucket_ = std::min(first_bucket_, bucket);
       return;
     }
+  }
+
+  /// Four buckets per factor of two in length, above the region's shortest edge.
+  [[nodiscard]] std::size_t bucket_of(double length2) const {
+    const int exponent = std::ilogb(length2);
+    const bool upper_half = length2 >= std::ldexp(std::numbers::sqrt2, exponent);
+    const int bucket = 2 * (exponent - shortest_exponent_) + (upper_half ? 1 : 0);
+    return static_cast<std::size_t>(std::clamp(bucket, 0, static_cast<int>(kBuckets) - 1));
+  }
+
+  [[nodiscard]] int shortest_exponent() const {
+    double shortest2 = kInverted;
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      for (int i = 0; i < 3; ++i) {
+        shortest2 = std::min(shortest2,
+                             squared_length(mesh_.corner(t, prev3(i)) - mesh_.corner(t, next3(i))));
+      }
+    }
+    return std::ilogb(shortest2);
   }
 
   /// The circumcentre of `t`, or the off-centre of its shortest edge where that is nearer.
@@ -172,7 +213,6 @@ class Refinement {
     }
     mesh_.home[apex] = cavity_[0];
     for (std::size_t k = 0; k < loop_.size(); ++k) {
-      mesh_.measure(cavity_[k]);
       enqueue(cavity_[k]);
     }
     return true;
@@ -181,7 +221,10 @@ class Refinement {
   MutableMesh& mesh_;
   RefineLimits limits_;
   double off_centre_ = 0;
-  std::vector<Entry> queue_;
+  static constexpr std::size_t kBuckets = 128;
+  std::array<Bucket, kBuckets> buckets_;
+  std::size_t first_bucket_ = kBuckets;
+  int shortest_exponent_ = 0;
   std::vector<std::uint32_t> stamp_;
   std::vector<std::uint8_t> guarded_;
   std::uint32_t round_ = 0;
@@ -192,6 +235,9 @@ class Refinement {
 
 }  // namespace
 
-void refine(MutableMesh& mesh, const RefineLimits& limits) { Refinement(mesh, limits).run(); }
+void refine(MutableMesh& mesh, const RefineLimits& limits) {
+  Refinement(mesh, limits).run();
+  mesh.set_goal(mesh.goal());
+}
 
 }  // namespace cover

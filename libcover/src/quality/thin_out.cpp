@@ -9,6 +9,9 @@
 namespace cover {
 namespace {
 
+constexpr double kHopeless = 0.5;  ///< excess of a first try from which no place is found
+constexpr int kPartners = 2;  ///< neighbours of a vertex that it may be merged with: the nearest
+
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 class Thinner {
@@ -51,21 +54,45 @@ class Thinner {
            install_patch(mesh_, cavity_, patch, installed_);
   }
 
+  /// Replaces `v` and one of the free vertices nearest to it by one vertex.
   bool try_merge(std::uint32_t v) {
     Cavity star(mesh_);
     if (!star.start_star(v)) return false;
-    for (int k = 0; k < star.size(); ++k) {
+    for (int attempt = 0; attempt < kPartners; ++attempt) {
+      const int k = nearest_free(star, v, attempt);
+      if (k < 0) return false;
       const std::uint32_t u = star.vertex(k);
-      if (mesh_.is_fixed(u)) continue;
       cavity_ = star;
       if (!swallow(u)) continue;
-      const Placement placement =
-          place(Hole(mesh_, cavity_), midpoint(mesh_.points[u], mesh_.points[v]), 0, evaluations_);
+      const Hole hole(mesh_, cavity_);
+      const Point middle = midpoint(mesh_.points[u], mesh_.points[v]);
+      ++evaluations_;
+      if (hole.worst(middle, kHopeless) > kHopeless) continue;
+      const Placement placement = place(hole, middle, 0, evaluations_);
       if (placement.worst <= limit() && install_star(mesh_, cavity_, placement.at, installed_)) {
         return true;
       }
     }
     return false;
+  }
+
+  /// The loop index of the free vertex that `rank` others are nearer to `v` than; -1: there is
+  /// none.
+  [[nodiscard]] int nearest_free(const Cavity& star, std::uint32_t v, int rank) const {
+    int result = -1;
+    double last = -1;
+    for (int r = 0; r <= rank; ++r) {
+      double least = kInverted;
+      result = -1;
+      for (int k = 0; k < star.size(); ++k) {
+        const double d = squared_length(mesh_.points[star.vertex(k)] - mesh_.points[v]);
+        if (mesh_.is_fixed(star.vertex(k)) || d <= last || d >= least) continue;
+        least = d;
+        result = k;
+      }
+      last = least;
+    }
+    return result;
   }
 
   /// Grows the cavity until `u` on its loop is inside.

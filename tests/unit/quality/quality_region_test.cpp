@@ -59,6 +59,17 @@ TEST(QualityRegion, MeetsOtherTargets) {
   EXPECT_LE(mesh.triangles.size(), 2.6 * 400);
 }
 
+TEST(QualityRegion, TakesOneStarForARoundRegion) {
+  const RegionBoundary boundary = boundary_of({regular_polygon(1000)});
+  Options options;
+  options.max_angle = Angle::degrees(90);
+  options.min_angle = Angle::degrees(0);
+  const RegionMesh mesh = measured(boundary, options);
+  expect_covering(boundary, mesh);
+  EXPECT_EQ(mesh.steiner.size(), 1u);
+  EXPECT_LT(largest(mesh), 90);
+}
+
 TEST(QualityRegion, ReachesTheOptimumWhereTheInputForcesIt) {
   const RegionBoundary boundary = boundary_of({{{0, 0}, {10, 0}, {10, 5}, {5, 0.5}, {0, 5}}});
   const RegionMesh mesh = measured(boundary);
