@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* kExamples = R"(Examples:
   cover mesh device.poly -o device.vtu
-  cover mesh device.poly -o device.vtu -o device.vtm --report device.json
+  cover mesh device.poly -o device.vtu -o device.vtm --report device.html
   cover mesh device.poly -o device.vtu --require bound,max-angle --max-angle 130
   cover mesh --config job.toml
   generate | cover mesh - -o - --format vtu > device.vtu
@@ -48,7 +48,8 @@ struct MeshCommand {
         ->type_name("EXT")
         ->capture_default_str()
         ->group(files);
-    app.add_option("--report", reports, "Write a report on every region (.json)")
+    app.add_option("--report", reports,
+                   "Write a report on every region: .json for programs, .html to read")
         ->type_name("FILE")
         ->allow_extra_args(false)
         ->group(files);

@@ -12,6 +12,7 @@
 #include <cover/write_mesh.hpp>
 
 #include "console.hpp"
+#include "html_report.hpp"
 #include "io/scratch_folder.hpp"
 
 namespace cover::app {
@@ -44,7 +45,8 @@ const std::vector<Format>& mesh_formats() {
 }
 
 const std::vector<Format>& report_formats() {
-  static const std::vector<Format> formats{{".json", write_report_json}};
+  static const std::vector<Format> formats{{".json", write_report_json},
+                                           {".html", write_report_html}};
   return formats;
 }
 

@@ -12,6 +12,22 @@
 
 namespace cover::app {
 
+namespace {
+
+/// With names and contacts if cover wrote the mesh and its .vtm or .json is there.
+Result<PictureMesh> read_picture(const std::string& path) {
+  const bool blocks = std::filesystem::path(path).extension() == ".vtm";
+  const Result<Output> known = read_output(path);
+  if (blocks) return known ? Result<PictureMesh>(picture_of(*known)) : known.error();
+  Result<MeshFile> mesh = read_mesh(path);
+  if (!mesh) return std::move(mesh).error();
+  PictureMesh picture = known ? picture_of(*known) : PictureMesh();
+  picture.mesh = *std::move(mesh);
+  return picture;
+}
+
+}  // namespace
+
 int run_render(Arguments arguments) {
   CLI::App app("Draw a mesh; needs no display", "cover render");
   app.set_help_flag("-h,--help", "Show this help");
@@ -26,7 +42,10 @@ int run_render(Arguments arguments) {
   PictureOptions options;
   Verbosity verbosity;
   bool no_edges = false;
-  app.add_option("mesh", path, "Mesh to draw (.vtu, .vtk)")->type_name("")->required();
+  app.add_option("mesh", path,
+                 "Mesh to draw (.vtu, .vtk, .vtm); names from the .vtm or .json beside it")
+      ->type_name("")
+      ->required();
   app.add_option("-o,--output", outputs, "Picture to write (.svg, .png)")
       ->type_name("FILE")
       ->allow_extra_args(false)
@@ -54,20 +73,19 @@ int run_render(Arguments arguments) {
   if (!window.empty()) options.window = {{window[0], window[1]}, {window[2], window[3]}};
 
   const auto log = make_logger(verbosity);
-  Result<MeshFile> mesh = read_mesh(path);
-  if (!mesh) return fail(*log, mesh.error());
+  const Result<PictureMesh> picture = read_picture(path);
+  if (!picture) return fail(*log, picture.error());
   if (options.title.empty()) {
     options.title = fmt::format("{}: {} triangles", std::filesystem::path(path).filename().string(),
-                                grouped(mesh->soup.triangles.size()));
+                                grouped(picture->mesh.soup.triangles.size()));
   }
-  const PictureMesh picture{*std::move(mesh), {}, {}, {}};
   for (const std::string& output : outputs) {
     const std::string extension = std::filesystem::path(output).extension();
     if (extension != ".svg" && extension != ".png") {
       return usage_error(app, fmt::format("cannot draw '{}': possible are .svg, .png", output));
     }
-    const Status drawn = extension == ".svg" ? write_svg(picture, options, output)
-                                             : write_png(picture, options, output);
+    const Status drawn = extension == ".svg" ? write_svg(*picture, options, output)
+                                             : write_png(*picture, options, output);
     if (!drawn) return fail(*log, drawn.error());
     if (!verbosity.quiet) fmt::print("Wrote {}\n", output);
   }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "angle_text.hpp"
 #include "console.hpp"
 #include "text_table.hpp"
 
@@ -14,16 +15,6 @@ namespace {
 
 constexpr std::size_t kRows = 20;
 using Align = TextTable::Align;
-
-/// pi - nu in degrees; as a difference where digits would be lost.
-std::string angle_text(Angle nu) {
-  const double degrees = nu.in_degrees();
-  return degrees < 0.005 && degrees > 0 ? fmt::format("180-{:.1e}", degrees)
-                                        : fmt::format("{:.2f}", 180 - degrees);
-}
-
-/// The lowest largest angle that any mesh of the region can have: no triangulation is below 60.
-Angle lowest_nu(const RegionReport& region) { return std::min(region.nu_opt, Angle::degrees(120)); }
 
 std::string plural(std::size_t count, std::string_view noun) {
   return fmt::format("{} {}{}", grouped(count), noun, count == 1 ? "" : "s");
@@ -82,7 +73,7 @@ std::string totals(const Output& output) {
     if (region.quality.largest_nu < report.regions[worst].quality.largest_nu) worst = r;
   }
   std::string out =
-      fmt::format("{}, {} ({} new, none on a segment), {}\n", plural(q.triangles, "triangle"),
+      fmt::format("{}, {} ({} new), {}\n", plural(q.triangles, "triangle"),
                   grouped(output.mesh.tri().n_vertices()) + " vertices",
                   grouped(report.steiner_vertices), plural(report.regions.size(), "region"));
   if (report.regions.empty()) return out;

@@ -43,6 +43,7 @@ struct PictureOptions {
   std::string color;                    ///< cell array shown by colour; empty: the regions
   std::optional<PictureWindow> window;  ///< part of the mesh shown; none: all of it
   int worst = 3;                        ///< so many of the largest angles are marked
+  std::string id = "plot";              ///< differs between the SVGs of one page
   bool edges = true;                    ///< draw all edges, thin
 };
 

@@ -37,12 +37,11 @@ std::string escaped(const std::string& text) {
 
 std::string hex(Colour c) { return fmt::format("#{:02x}{:02x}{:02x}", c.r, c.g, c.b); }
 
-constexpr const char* clip(bool clipped) { return clipped ? " clip-path=\"url(#plot)\"" : ""; }
-
 /// Appends items to a document.
 class SvgWriter {
  public:
-  explicit SvgWriter(std::string& out) : out_(out) {}
+  SvgWriter(std::string& out, const std::string& clip_id)
+      : out_(out), clip_(fmt::format(" clip-path=\"url(#{})\"", clip_id)) {}
 
   void operator()(const Patch& patch) {
     const std::string colour = hex(patch.colour);
@@ -84,12 +83,15 @@ class SvgWriter {
   }
 
  private:
+  [[nodiscard]] std::string clip(bool clipped) const { return clipped ? clip_ : std::string(); }
+
   template <class... T>
   void put(fmt::format_string<T...> form, T&&... values) {
     fmt::format_to(std::back_inserter(out_), form, std::forward<T>(values)...);
   }
 
   std::string& out_;
+  std::string clip_;
 };
 
 }  // namespace
@@ -102,10 +104,10 @@ Result<std::string> svg_text(const PictureMesh& mesh, const PictureOptions& opti
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
       "viewBox=\"0 0 {0} {1}\" font-family=\"Helvetica, Arial, sans-serif\">\n"
-      "<clipPath id=\"plot\"><rect x=\"{2:.1f}\" y=\"{3:.1f}\" width=\"{4:.1f}\" "
+      "<clipPath id=\"{6}\"><rect x=\"{2:.1f}\" y=\"{3:.1f}\" width=\"{4:.1f}\" "
       "height=\"{5:.1f}\"/></clipPath>\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
-      drawing.width, drawing.height, box.x0, box.y0, box.x1 - box.x0, box.y1 - box.y0);
-  SvgWriter writer(out);
+      drawing.width, drawing.height, box.x0, box.y0, box.x1 - box.x0, box.y1 - box.y0, options.id);
+  SvgWriter writer(out, options.id);
   for (const DrawingItem& item : drawing.items) std::visit(writer, item);
   out += "</svg>\n";
   return out;

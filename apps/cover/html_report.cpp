@@ -1,0 +1,324 @@
+// The page is read from the top: first whether the mesh can be trusted, then the figures and
+// pictures that say why, then every region. Large meshes are shown as PNG, since a browser is slow
+// with a hundred thousand paths.
+#include "html_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numeric>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <cover/picture.hpp>
+#include <cover/version.hpp>
+
+#include "angle_text.hpp"
+#include "console.hpp"
+#include "io/atomic_file.hpp"
+#include "io/scratch_folder.hpp"
+#include "io/text.hpp"
+#include "requirements.hpp"
+
+namespace cover::app {
+namespace {
+
+constexpr std::string_view kStyle = R"(
+:root { color-scheme: light; }
+body { font: 15px/1.45 system-ui, "Segoe UI", Helvetica, Arial, sans-serif; color: #1c2430; margin: 0; background: #f4f6f8; }
+main { max-width: 1240px; margin: 0 auto; padding: 24px; }
+h1 { font-size: 22px; margin: 0 0 12px; }
+h2 { font-size: 17px; margin: 32px 0 10px; }
+.verdict { padding: 14px 18px; border-radius: 8px; font-size: 17px; font-weight: 600; }
+.good { background: #dff2e3; color: #14532d; }
+.bad { background: #fbdedd; color: #7f1d1d; }
+.cards { display: flex; flex-wrap: wrap; gap: 12px; margin: 14px 0; }
+.card { background: #fff; border: 1px solid #dde3ea; border-radius: 8px; padding: 10px 16px; min-width: 130px; }
+.card b { display: block; font-size: 22px; font-weight: 650; }
+.card span { color: #5b6675; font-size: 13px; }
+.panel { background: #fff; border: 1px solid #dde3ea; border-radius: 8px; padding: 12px; overflow: auto; }
+.panel img, .panel > svg { max-width: 100%; height: auto; display: block; margin: auto; }
+table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums; }
+th, td { text-align: right; padding: 4px 10px; border-bottom: 1px solid #e8ecf1; white-space: nowrap; }
+th { color: #5b6675; font-weight: 600; font-size: 13px; }
+th.t, td.t { text-align: left; }
+tr.missed td { background: #fbdedd; }
+.scroll { max-height: 560px; overflow: auto; }
+.scroll th { position: sticky; top: 0; background: #fff; }
+.two { display: flex; flex-wrap: wrap; gap: 16px; }
+.two > div { flex: 1 1 420px; }
+li { margin: 3px 0; }
+footer { color: #5b6675; font-size: 13px; margin-top: 28px; }
+)";
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += c;
+    }
+  }
+  return out;
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t block = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      block = block << 8U | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      out += i + k > bytes.size() ? '=' : kDigits[block >> (18 - 6 * k) & 63U];
+    }
+  }
+  return out;
+}
+
+std::string card(std::string_view value, std::string_view what) {
+  return fmt::format("<div class=\"card\"><b>{}</b><span>{}</span></div>\n", value, what);
+}
+
+std::string percent(double part, double whole) {
+  return fmt::format("{:.1f} %", whole > 0 ? 100 * part / whole : 0);
+}
+
+/// One page.
+class Page {
+ public:
+  explicit Page(const Output& output) : output_(output), report_(output.report) {}
+
+  Result<std::string> html(const std::string& title) {
+    out_ = fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+        "<link rel=\"icon\" href=\"data:,\">\n"
+        "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<main>\n<h1>{0}</h1>\n",
+        escaped(title), kStyle);
+    verdict();
+    key_figures();
+    for (const char* color : {"", "max_angle"}) {
+      if (Status drawn = picture(color); !drawn) return std::move(drawn).error();
+    }
+    regions();
+    out_ += "<div class=\"two\">\n";
+    histogram();
+    box_method();
+    out_ += "</div>\n";
+    notes();
+    times();
+    out_ += fmt::format(
+        "<footer>cover {}; angles in degrees, lengths in units of the input.</footer>\n"
+        "</main>\n</body>\n</html>\n",
+        COVER_VERSION);
+    return std::move(out_);
+  }
+
+ private:
+  void verdict() {
+    std::size_t held = 0;
+    for (const RegionReport& region : report_.regions) held += region.bound_held ? 1U : 0U;
+    const bool good = held == report_.regions.size();
+    out_ += fmt::format("<div class=\"verdict {}\">{}</div>\n", good ? "good" : "bad",
+                        good ? "The proven bound on the largest angle holds in every region."
+                             : escaped("The proven bound on the largest angle is missed: " +
+                                       describe_missed_bound(output_) + "."));
+  }
+
+  void key_figures() {
+    const Quality& q = report_.quality;
+    std::size_t forced = 0;
+    double rho = std::numeric_limits<double>::infinity();
+    for (const RegionReport& region : report_.regions) {
+      forced += region.forced_above_120;
+      rho = std::min(rho, region.rho());
+    }
+    out_ += "<div class=\"cards\">\n" + card(angle_text(q.largest_nu) + "°", "largest angle") +
+            card(fmt::format("{:.2f}°", q.smallest.in_degrees()), "smallest angle") +
+            card(fmt::format("{:.2f}", rho), "lowest rho (1 is the optimum)") +
+            card(grouped(q.above_120),
+                 fmt::format("triangles above 120° ({} forced)", grouped(forced))) +
+            card(percent(static_cast<double>(q.obtuse), static_cast<double>(q.triangles)),
+                 "obtuse triangles") +
+            card(grouped(q.triangles), "triangles") +
+            card(grouped(output_.mesh.tri().n_vertices()), "vertices") +
+            card(grouped(report_.steiner_vertices), "of them new") +
+            card(grouped(report_.regions.size()), "regions") +
+            card(grouped(report_.input_segments), "segments") + "</div>\n";
+  }
+
+  Status picture(const std::string& color) {
+    out_ += fmt::format("<h2>{}</h2>\n<div class=\"panel\">\n",
+                        color.empty() ? "Regions, contacts and the worst angles"
+                                      : "Largest angle of each triangle");
+    PictureOptions options;
+    options.color = color;
+    if (!color.empty()) options.id = color;
+    const PictureMesh mesh = picture_of(output_);
+    constexpr std::size_t kLargeMesh = 20000;
+    if (report_.quality.triangles <= kLargeMesh) {
+      Result<std::string> svg = svg_text(mesh, options);
+      if (!svg) return std::move(svg).error();
+      out_ += *svg;
+    } else {
+      const auto folder =
+          ScratchFolder::beside((std::filesystem::temp_directory_path() / "cover").string());
+      if (!folder) return folder.error();
+      const std::string file = folder->path() / "picture.png";
+      if (Status drawn = write_png(mesh, options, file); !drawn) return drawn;
+      const Result<std::string> bytes = read_file(file);
+      if (!bytes) return bytes.error();
+      out_ +=
+          fmt::format("<img alt=\"the mesh\" src=\"data:image/png;base64,{}\">\n", base64(*bytes));
+    }
+    out_ += "</div>\n";
+    return ok();
+  }
+
+  void regions() {
+    constexpr std::size_t kRows = 500;
+    std::vector<std::size_t> order(report_.regions.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return report_.regions[a].rho() < report_.regions[b].rho();
+    });
+    const bool cut = order.size() > kRows;
+    if (cut) order.resize(kRows);
+    out_ += fmt::format(
+        "<h2>Regions, lowest rho first{}</h2>\n<div class=\"panel "
+        "scroll\">\n<table>\n<tr><th>region</th>"
+        "<th class=\"t\">name</th><th "
+        "class=\"t\">material</th><th>area</th><th>triangles</th><th>new "
+        "vertices</th><th>lowest "
+        "possible</th><th>proven</th><th>reached</th><th>smallest</th><th>rho</th>"
+        "<th>above 120 (forced)</th><th>above 150 (forced)</th><th class=\"t\">method</th></tr>\n",
+        cut ? fmt::format(" (the first {})", kRows) : "");
+    for (const std::size_t i : order) {
+      const RegionReport& r = report_.regions[i];
+      const Region& region = output_.table.region(r.id);
+      out_ += fmt::format(
+          "<tr{}><td>{}</td><td class=\"t\">{}</td><td "
+          "class=\"t\">{}</td><td>{:.5g}</td><td>{}</td>"
+          "<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{:.2f}</td><td>{:.2f}</td><td>{} "
+          "({})</td>"
+          "<td>{} ({})</td><td class=\"t\">{}</td></tr>\n",
+          r.bound_held ? "" : " class=\"missed\"", region.id.value(), escaped(region.name),
+          escaped(region.material_name), region.area, grouped(r.quality.triangles),
+          grouped(r.steiner_vertices), angle_text(lowest_nu(r)), angle_text(r.nu_bound),
+          angle_text(r.quality.largest_nu), r.quality.smallest.in_degrees(), r.rho(),
+          grouped(r.quality.above_120), grouped(r.forced_above_120), grouped(r.quality.above_150),
+          grouped(r.forced_above_150), escaped(r.method));
+    }
+    out_ += "</table>\n</div>\n";
+  }
+
+  void histogram() {
+    const auto& bins = report_.quality.histogram;
+    const auto most = static_cast<double>(*std::max_element(bins.begin(), bins.end()));
+    out_ +=
+        "<div>\n<h2>All angles</h2>\n<div class=\"panel\">\n"
+        "<svg viewBox=\"0 0 560 210\" width=\"560\" font-size=\"11\" fill=\"#5b6675\">\n";
+    for (std::size_t i = 0; i < bins.size(); ++i) {
+      const auto k = static_cast<double>(i);
+      const double height = most > 0 ? 160 * static_cast<double>(bins[i]) / most : 0;
+      const double shown = bins[i] > 0 ? std::max(height, 1.5) : 0;
+      out_ += fmt::format(
+          "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"26\" height=\"{:.1f}\" fill=\"{}\"><title>{} to "
+          "{}: "
+          "{}</title></rect>\n<text x=\"{:.1f}\" y=\"195\" text-anchor=\"middle\">{}</text>\n",
+          12 + 29.5 * k, 178 - shown, shown,
+          i >= 15   ? "#c2410c"
+          : i >= 12 ? "#e8a33d"
+                    : "#5b8db8",
+          10 * i, 10 * (i + 1), grouped(bins[i]), 12 + 29.5 * k, 10 * i);
+    }
+    out_ += "<text x=\"543\" y=\"195\" text-anchor=\"middle\">180</text>\n</svg>\n</div>\n</div>\n";
+  }
+
+  void box_method() {
+    BoxMethod sum;
+    double area = 0;
+    for (const RegionReport& region : report_.regions) {
+      sum.obtuse_sides += region.box.obtuse_sides;
+      sum.non_delaunay_edges += region.box.non_delaunay_edges;
+      sum.negative_couplings += region.box.negative_couplings;
+      sum.box_area += region.box.box_area;
+      area += region.quality.area;
+    }
+    const auto row = [&](std::string_view what, const std::string& value) {
+      out_ += fmt::format("<tr><td class=\"t\">{}</td><td>{}</td></tr>\n", what, value);
+    };
+    out_ += "<div>\n<h2>For the box method (finite volumes)</h2>\n<div class=\"panel\">\n<table>\n";
+    row("obtuse triangles", grouped(report_.quality.obtuse));
+    row("sides with an obtuse opposite angle", grouped(sum.obtuse_sides));
+    row("inner edges that are not Delaunay", grouped(sum.non_delaunay_edges));
+    row("negative couplings", grouped(sum.negative_couplings));
+    row("area of all boxes against the true area",
+        fmt::format("{:+.3f} %", area > 0 ? 100 * (sum.box_area - area) / area : 0));
+    out_ +=
+        "</table>\n<p>With zeros above, unsigned boxes are exact; else solvers that use them "
+        "are off by about the last figure, without a warning.</p>\n</div>\n</div>\n";
+  }
+
+  void notes() {
+    std::vector<std::string> lines;
+    for (const Note& note : report_.notes) lines.push_back(note.message);
+    for (const RegionReport& region : report_.regions) {
+      for (const Note& note : region.notes) lines.push_back(note.message);
+    }
+    out_ += "<h2>Changes of the input, warnings, repairs</h2>\n<div class=\"panel\">\n";
+    if (lines.empty()) out_ += "<p>None: the input was meshed as it is.</p>\n";
+    constexpr std::size_t kLines = 200;
+    out_ += "<ul>\n";
+    for (std::size_t i = 0; i < std::min(lines.size(), kLines); ++i) {
+      out_ += fmt::format("<li>{}</li>\n", escaped(lines[i]));
+    }
+    if (lines.size() > kLines) out_ += fmt::format("<li>and {} more</li>\n", lines.size() - kLines);
+    out_ += "</ul>\n</div>\n";
+  }
+
+  void times() {
+    out_ += fmt::format("<h2>Time, on {} thread{}</h2>\n<div class=\"panel\">\n<table>\n",
+                        report_.threads, report_.threads == 1 ? "" : "s");
+    for (const StageTime& stage : report_.times) {
+      out_ += fmt::format("<tr><td class=\"t\">{}</td><td>{:.3f} s</td></tr>\n",
+                          escaped(stage.stage), stage.seconds);
+    }
+    out_ += "</table>\n</div>\n";
+  }
+
+  const Output& output_;
+  const Report& report_;
+  std::string out_;
+};
+
+}  // namespace
+
+Status write_report_html(const Output& output, const std::string& path) {
+  const std::string title = "Mesh report: " + std::filesystem::path(path).stem().string();
+  const Result<std::string> html = Page(output).html(title);
+  if (!html) return html.error();
+  Result<AtomicFile> file = AtomicFile::create(path);
+  if (!file) return std::move(file).error();
+  file->write(*html);
+  return file->commit();
+}
+
+}  // namespace cover::app

@@ -1,0 +1,16 @@
+// The report as one page to read: no scripts, nothing loaded from elsewhere.
+#pragma once
+
+#include <string>
+
+#include <cover/cover_mesh.hpp>
+#include <cover/result.hpp>
+
+namespace cover::app {
+
+/// Writes the page: a verdict, key figures, pictures, regions, angles, box method, notes, times.
+///
+/// Errors: cannot_write
+Status write_report_html(const Output& output, const std::string& path);
+
+}  // namespace cover::app
