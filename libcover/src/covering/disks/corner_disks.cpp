@@ -48,6 +48,7 @@ class CornerDisks {
   [[nodiscard]] const Visit& visit(Index k) const { return visits_.all[k]; }
   [[nodiscard]] Point at(Index vertex) const { return packing_.point(vertex); }
   [[nodiscard]] double clearance(const Visit& visit) const;
+  /// Infinite for an edge seen from outside its triangle: it is hidden, or looked through already.
   [[nodiscard]] double distance_to_edge(Point p, TriangleCorner opposite) const;
   void fill_corner(Index k, double fraction);
   void fill_point(Index k, double fraction);
@@ -66,6 +67,7 @@ double CornerDisks::distance_to_edge(Point p, TriangleCorner opposite) const {
   const Triangle& t = cdt_.triangles[opposite / 3];
   const Point a = at(t.v[(opposite + 1) % 3]), b = at(t.v[(opposite + 2) % 3]);
   const Vector e = b - a, v = p - a;
+  if (cross(e, v) <= 0) return std::numeric_limits<double>::infinity();
   return norm(v - std::clamp(dot(v, e) / squared_length(e), 0.0, 1.0) * e);
 }
 

@@ -14,6 +14,7 @@
 #include "covering/disks/connect_holes.hpp"
 #include "covering/disks/corner_disks.hpp"
 #include "covering/disks/reduce_cycles.hpp"
+#include "covering/disks/thin_out.hpp"
 #include "covering/disks/unit_frame.hpp"
 #include "geom/predicates.hpp"
 
@@ -30,6 +31,9 @@ struct Attempt {
 };
 constexpr std::array<Attempt, 4> kAttempts{
     {{1e-3, 0.46}, {1e-5, 0.47}, {1e-3, 0.42}, {1e-2, 0.45}}};
+
+/// A right angle, with room for rounding.
+constexpr double kRight = std::numbers::pi / 2 + 1e-6;
 
 /// A filling with what its checks found.
 struct Checked {
@@ -49,8 +53,8 @@ double largest_angle(Point a, Point b, Point c) {
 class TaskRun {
  public:
   /// `radii`: of disks centred on the boundary; empty: disks into the corners.
-  TaskRun(const FillTask& task, const Triangulation& cdt, std::span<const double> radii)
-      : task_(task), cdt_(cdt), frame_(task.points) {
+  TaskRun(const FillTask& task, const Triangulation& cdt, std::span<const double> radii, bool thin)
+      : task_(task), cdt_(cdt), frame_(task.points), thin_(thin) {
     for (const double r : radii) radii_.push_back(frame_.inward(r));
   }
 
@@ -73,6 +77,7 @@ class TaskRun {
     }
     note_disks(packing, corner_disks, connected, result.record);
     fill_gaps(packing, attempt.tolerance, result.record);
+    if (thin_) thin_out(packing.draft, static_cast<Index>(task_.points.size()), kRight);
     hand_over(packing, result.filling);
     check(result);
     return result;
@@ -197,6 +202,7 @@ class TaskRun {
   const Triangulation& cdt_;
   disks::UnitFrame frame_;
   std::vector<double> radii_;  ///< in the frame
+  bool thin_;
 };
 
 /// The constrained Delaunay triangulation as a filling.
@@ -224,7 +230,7 @@ std::string obstacle(const FillTask& task) {
 
 /// Triangulates `task`; see make_disk_filler() and fill_between_disks().
 Filling run_attempts(const FillTask& task, std::span<const double> radii, std::stop_token stop,
-                     PackingRecord* record) {
+                     const DiskFillOptions& options) {
   std::vector<IndexPair> sides;
   for (const Chord& c : task.chords) sides.push_back({c.a, c.b});
   const CdtResult cdt = triangulate_domain(task.points, sides);
@@ -237,7 +243,7 @@ Filling run_attempts(const FillTask& task, std::span<const double> radii, std::s
   if (radii.empty()) {
     if (std::string why = obstacle(task); !why.empty()) return plain(cdt.triangulation, why);
   }
-  const TaskRun run(task, cdt.triangulation, radii);
+  const TaskRun run(task, cdt.triangulation, radii, options.thin_out);
   constexpr double kAim = kLargestSnapped * std::numbers::pi / 180;
   std::optional<Checked> best;
   std::string fault = "stopped";
@@ -257,33 +263,33 @@ Filling run_attempts(const FillTask& task, std::span<const double> radii, std::s
                            std::to_string(best->largest_angle * 180 / std::numbers::pi) +
                            " degrees";
   }
-  if (record != nullptr) {
-    *record = std::move(best->record);
-    record->attempts = attempts;
+  if (options.record != nullptr) {
+    *options.record = std::move(best->record);
+    options.record->attempts = attempts;
   }
   return std::move(best->filling);
 }
 
 class DiskFiller final : public Filler {
  public:
-  explicit DiskFiller(PackingRecord* record) : record_(record) {}
+  explicit DiskFiller(const DiskFillOptions& options) : options_(options) {}
   [[nodiscard]] Filling fill(const FillTask& task, std::stop_token stop) const override {
-    return run_attempts(task, {}, std::move(stop), record_);
+    return run_attempts(task, {}, std::move(stop), options_);
   }
 
  private:
-  PackingRecord* record_;
+  DiskFillOptions options_;
 };
 
 }  // namespace
 
-std::unique_ptr<Filler> make_disk_filler(PackingRecord* record) {
-  return std::make_unique<DiskFiller>(record);
+std::unique_ptr<Filler> make_disk_filler(const DiskFillOptions& options) {
+  return std::make_unique<DiskFiller>(options);
 }
 
 Filling fill_between_disks(const FillTask& task, std::span<const double> radii,
-                           std::stop_token stop, PackingRecord* record) {
-  return run_attempts(task, radii, std::move(stop), record);
+                           std::stop_token stop, const DiskFillOptions& options) {
+  return run_attempts(task, radii, std::move(stop), options);
 }
 
 }  // namespace cover
