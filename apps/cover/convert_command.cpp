@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "format_options.hpp"
 #include "options.hpp"
 #include "output_files.hpp"
 
@@ -13,7 +14,8 @@ namespace cover::app {
 int run_convert(Arguments arguments) {
   CLI::App app("Write a mesh that cover wrote in another format", "cover convert");
   app.set_help_flag("-h,--help", "Show this help");
-  app.footer(R"(Names of regions, interfaces and contacts come from the manifest (.json) or the .vtm beside
+  app.footer(
+      R"(Names of regions, interfaces and contacts come from the manifest (.json) or the .vtm beside
 the mesh; what is missing is said.
 
 Examples:
@@ -22,6 +24,7 @@ Examples:
 )");
   std::string path, format = "vtu";
   std::vector<std::string> outputs;
+  FormatOptions formats;
   Verbosity verbosity;
   app.add_option("mesh", path, "Mesh that cover wrote (.vtu, .vtm, .vtk)")
       ->type_name("MESH")
@@ -33,13 +36,15 @@ Examples:
       ->allow_extra_args(false)
       ->required();
   app.add_option("--format", format, "Format of '-o -'")->type_name("EXT")->capture_default_str();
+  formats.add(app, "Files");
   add_verbosity(app, verbosity);
   if (const auto code = parse(app, std::move(arguments))) return *code;
 
   const auto log = make_logger(verbosity);
   std::vector<Writer> writers;
   for (const std::string& output : outputs) {
-    Result<Writer> writer = mesh_writer(output == "-" ? "stdout." + format : output);
+    Result<Writer> writer =
+        mesh_writer(output == "-" ? "stdout." + format : output, formats.make());
     if (!writer) return usage_error(app, writer.error().message);
     writers.push_back(*std::move(writer));
   }

@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "format_options.hpp"
 #include "input_file.hpp"
 #include "interrupt.hpp"
 #include "options.hpp"
@@ -48,6 +49,7 @@ struct MeshCommand {
         ->type_name("EXT")
         ->capture_default_str()
         ->group(files);
+    formats.add(app, files);
     app.add_option("--report", reports,
                    "Write a report on every region: .json for programs, .html to read")
         ->type_name("FILE")
@@ -94,6 +96,7 @@ struct MeshCommand {
   std::vector<std::string> outputs;
   std::vector<std::string> reports;
   std::string format = "vtu";
+  FormatOptions formats;
   std::string stats = "text";
   std::string progress = "auto";
   bool keep_partial = false;
@@ -110,7 +113,8 @@ struct File {
 Result<std::vector<File>> plan_files(const MeshCommand& command) {
   std::vector<File> files;
   for (const std::string& path : command.outputs) {
-    Result<Writer> writer = mesh_writer(path == "-" ? "stdout." + command.format : path);
+    Result<Writer> writer =
+        mesh_writer(path == "-" ? "stdout." + command.format : path, command.formats.make());
     if (!writer) return writer.error();
     files.push_back({path, *writer});
   }
@@ -118,6 +122,9 @@ Result<std::vector<File>> plan_files(const MeshCommand& command) {
     Result<Writer> writer = report_writer(path);
     if (!writer) return writer.error();
     files.push_back({path, *writer});
+  }
+  for (const File& file : files) {
+    if (Status status = spares_input(file.path, command.input); !status) return status.error();
   }
   return files;
 }

@@ -32,14 +32,8 @@ Status draw_with(const Output& output, const std::string& path) {
   return Draw(picture_of(output), options, path);
 }
 
-const std::vector<Format>& mesh_formats() {
-  static const std::vector<Format> formats{{".vtu", write_vtu},
-                                           {".vtm", write_vtm},
-                                           {".poly",
-                                            [](const Output& output, const std::string& path) {
-                                              return write_poly(output.pslg, output.table, path);
-                                            }},
-                                           {".svg", draw_with<write_svg>},
+const std::vector<Format>& picture_formats() {
+  static const std::vector<Format> formats{{".svg", draw_with<write_svg>},
                                            {".png", draw_with<write_png>}};
   return formats;
 }
@@ -85,11 +79,39 @@ Status copy_to_stdout(const std::string& path) {
 
 }  // namespace
 
-Result<Writer> mesh_writer(const std::string& path) { return find(mesh_formats(), path); }
+Result<Writer> mesh_writer(const std::string& path, const WriteOptions& options) {
+  if (Result<Writer> picture = find(picture_formats(), path)) return picture;
+  if (Status status = can_write(path, options); !status) {
+    Error error = std::move(status).error();
+    if (error.code == ErrorCode::unsupported_format) {
+      error.message += fmt::format(", {}", extensions(picture_formats()));
+    }
+    return error;
+  }
+  return Writer([options](const Output& output, const std::string& target) {
+    return write_mesh(output, target, options);
+  });
+}
 
 Result<Writer> report_writer(const std::string& path) { return find(report_formats(), path); }
 
-std::string mesh_extensions() { return extensions(mesh_formats()); }
+Status spares_input(const std::string& path, const std::string& input) {
+  namespace fs = std::filesystem;
+  fs::path in(input), out(path);
+  std::error_code ignored;
+  bool same = fs::equivalent(in, out, ignored);
+  if (out.extension() == ".ele") {
+    same = same ||
+           fs::equivalent(in.replace_extension(".node"), out.replace_extension(".node"), ignored);
+  }
+  if (!same) return ok();
+  return Error{
+      ErrorCode::bad_option, fmt::format("writing '{}' would replace the input", path), {}, {}};
+}
+
+std::string mesh_extensions() {
+  return fmt::format("{}, {}", fmt::join(write_formats(), ", "), extensions(picture_formats()));
+}
 
 Status write_to(const Writer& writer, const Output& output, const std::string& path,
                 const std::string& extension) {

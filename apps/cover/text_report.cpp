@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "angle_text.hpp"
+#include "base/describe.hpp"
 #include "console.hpp"
 #include "text_table.hpp"
 
@@ -134,20 +135,6 @@ std::string times(const Report& report) {
   return out + fmt::format("  total {:.3f} s, {}\n", total, plural(report.threads, "thread"));
 }
 
-const char* kind_text(InterfaceKind kind) {
-  switch (kind) {
-    case InterfaceKind::interface:
-      return "interface";
-    case InterfaceKind::outline:
-      return "outline";
-    case InterfaceKind::slit:
-      return "slit";
-    case InterfaceKind::contact:
-      return "contact";
-  }
-  return "";
-}
-
 std::string region_name(const RegionTable& table, RegionId id) {
   return id == kVoid ? "void" : table.region(id).name;
 }
@@ -201,7 +188,7 @@ std::string info_text(const Prepared& prepared, bool every_region) {
                             [&](std::size_t i) { return -table.interfaces[i].length; });
   for (const std::size_t i : longest) {
     const Interface& line = table.interfaces[i];
-    interfaces.add({fmt::format("{}", line.id.value()), line.name, kind_text(line.kind),
+    interfaces.add({fmt::format("{}", line.id.value()), line.name, describe(line.kind),
                     region_name(table, line.left), region_name(table, line.right),
                     grouped(line.segments.size()), fmt::format("{:.6g}", line.length)});
   }

@@ -94,6 +94,22 @@ class Mesh(Case):
         self.assertEqual(one, (self.dir / '2.vtu').read_bytes())
         self.assertEqual(one, (self.dir / '8.vtu').read_bytes())
 
+    def test_several_formats(self):
+        self.run_cover('mesh', SAMPLES / 'diode.poly', '-q', '--order', 2, '--msh', '4.1', '--no-inner-lines',
+                       *(word for e in ('msh', 'xdmf', 'mesh', 'inp', 'ele', 'vtk') for word in ('-o', f'd.{e}')))
+        self.assertEqual(self.files(), ['d.edge', 'd.ele', 'd.inp', 'd.mesh', 'd.msh', 'd.node', 'd.vtk', 'd.xdmf'])
+        self.assertIn('4.1 0 8', (self.dir / 'd.msh').read_text())
+
+    def test_never_overwrites_its_input(self):
+        poly = (SAMPLES / 'diode.poly').read_bytes()
+        (self.dir / 'd.poly').write_bytes(poly)
+        (self.dir / 'd.node').write_text('points')
+        for out in ('d.poly', './d.poly', 'd.ele'):
+            err = self.run_cover('mesh', 'd.poly', '-o', out, code=2)[1]
+            self.assertIn('would replace the input', err)
+        self.assertEqual((self.dir / 'd.poly').read_bytes(), poly)
+        self.assertEqual((self.dir / 'd.node').read_text(), 'points')
+
     def test_quiet_says_nothing(self):
         self.assertEqual(self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '-q'), ('', ''))
 

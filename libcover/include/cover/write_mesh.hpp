@@ -2,11 +2,35 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <cover/cover_mesh.hpp>
 #include <cover/result.hpp>
 
 namespace cover {
+
+/// What a file should hold where its format leaves a choice.
+struct WriteOptions {
+  int order = 1;                  ///< 2: second-order triangles, a node in the middle of each edge
+  bool inner_lines = true;        ///< false: leave out lines that have a triangle on both sides
+  bool lines = false;             ///< .vtk: line cells after the triangles
+  std::string msh = "2.2";        ///< .msh: version, 2.2 or 4.1
+  std::string inp_element = "S";  ///< .inp: S, CPS, CPE or CAX; the number of nodes is appended
+};
+
+/// Writes `output` in the format that the extension of `path` names. See write_formats().
+///
+/// Errors: those of can_write(); cannot_write
+Status write_mesh(const Output& output, const std::string& path, const WriteOptions& options = {});
+
+/// Tells before the work whether write_mesh() knows the format and the format has what is asked
+/// for.
+///
+/// Errors: unsupported_format, bad_option
+Status can_write(const std::string& path, const WriteOptions& options = {});
+
+/// The extensions that write_mesh() knows, each with its dot.
+std::vector<std::string> write_formats();
 
 /// Writes VTK's XML unstructured grid: triangles only, float64 points, raw appended data, Int32
 /// cell arrays material, MaterialID, mat_id, RegionId, then max_angle and min_angle in degrees.
@@ -20,5 +44,49 @@ Status write_poly(const Pslg& pslg, const RegionTable& table, const std::string&
 
 /// Writes the report as JSON.
 Status write_report_json(const Output& output, const std::string& path);
+
+// Formats in text. Doubles are written so that they read back bit for bit. Numbers of lines and,
+// in .msh, of regions are those of the physical groups in the manifest; names have everything but
+// ASCII letters, digits and `_ . -` replaced by `_`. All of them report cannot_write alone.
+
+/// Writes VTK's legacy format, version 3.0: cell arrays MaterialID, material, mat_id, RegionId.
+/// With options.lines: triangles, then lines; MaterialID (on inner lines -1), ManifoldID (the
+/// number of an inner line, else -1), LineID, RegionId.
+Status write_vtk(const Output& output, const std::string& path, const WriteOptions& options = {});
+
+/// Writes gmsh's format. Physical groups: regions by name, interfaces by the regions on both sides
+/// with the lower one on the left, contacts by name. Elementary tags: RegionId and InterfaceId.
+Status write_msh(const Output& output, const std::string& path, const WriteOptions& options = {});
+
+/// Writes XDMF with all numbers in the XML: the grids `mesh` (MaterialID, RegionId) and `lines`
+/// (LineID, Marker).
+Status write_xdmf(const Output& output, const std::string& path, const WriteOptions& options = {});
+
+/// Writes Medit's format; references are materials and the numbers of lines.
+Status write_medit(const Output& output, const std::string& path, const WriteOptions& options = {});
+
+/// Writes an Abaqus input deck: an ELSET per region group, an NSET per line group. Coordinates have
+/// at most 20 characters, as Abaqus and CalculiX want it; those that need more are rounded.
+Status write_inp(const Output& output, const std::string& path, const WriteOptions& options = {});
+
+/// Writes Triangle's files `path` with the extensions .node, .ele (attributes material and
+/// RegionId) and .edge (lines with the boundary markers of the input; with the numbers of lines if
+/// it has none).
+Status write_triangle(const Output& output, const std::string& path,
+                      const WriteOptions& options = {});
+
+/// Writes Wavefront's .obj with a group per region group, lines as elements of their own.
+Status write_obj(const Output& output, const std::string& path);
+
+/// Writes Geomview's .off.
+Status write_off(const Output& output, const std::string& path);
+
+/// Writes Stanford's .ply, in text, with face properties material and region.
+Status write_ply(const Output& output, const std::string& path);
+
+/// Writes the manifest: what the mesh files cannot hold. Names as the input has them and as the
+/// files have them, numbers of groups, the edges of every line, counts, quality.
+Status write_manifest(const Output& output, const std::string& path,
+                      const WriteOptions& options = {});
 
 }  // namespace cover

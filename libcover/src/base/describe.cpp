@@ -8,6 +8,20 @@ std::string describe(double x) { return fmt::format("{}", x); }
 
 std::string describe(Point p) { return fmt::format("({}, {})", p.x, p.y); }
 
+std::string describe(InterfaceKind kind) {
+  switch (kind) {
+    case InterfaceKind::interface:
+      return "interface";
+    case InterfaceKind::outline:
+      return "outline";
+    case InterfaceKind::slit:
+      return "slit";
+    case InterfaceKind::contact:
+      return "contact";
+  }
+  return "";
+}
+
 std::string counted(std::size_t n, std::string_view singular) {
   return fmt::format("{} {}{}", n, singular, n == 1 ? "" : "s");
 }

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include <cover/point.hpp>
+#include <cover/regions.hpp>
 
 namespace cover {
 
@@ -13,6 +14,9 @@ std::string describe(double x);
 
 /// "(x, y)", each in the shortest form that reads back as the same number.
 std::string describe(Point p);
+
+/// "interface", "outline", "slit", "contact".
+std::string describe(InterfaceKind kind);
 
 /// "1 segment", "3 segments".
 std::string counted(std::size_t n, std::string_view singular);

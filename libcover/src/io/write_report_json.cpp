@@ -27,6 +27,7 @@
 
 #include <cover/write_mesh.hpp>
 
+#include "base/describe.hpp"
 #include "io/atomic_file.hpp"
 
 namespace cover {
@@ -50,20 +51,6 @@ const char* name_of(Note::Kind kind) {
       return "warning";
     case Note::Kind::change:
       return "change";
-  }
-  return "";
-}
-
-const char* name_of(InterfaceKind kind) {
-  switch (kind) {
-    case InterfaceKind::interface:
-      return "interface";
-    case InterfaceKind::outline:
-      return "outline";
-    case InterfaceKind::slit:
-      return "slit";
-    case InterfaceKind::contact:
-      return "contact";
   }
   return "";
 }
@@ -174,7 +161,7 @@ Json interfaces_json(const RegionTable& table) {
   for (const Interface& line : table.interfaces) {
     list.push_back({{"id", line.id.value()},
                     {"name", line.name},
-                    {"kind", name_of(line.kind)},
+                    {"kind", describe(line.kind)},
                     {"left", line.left.value()},
                     {"right", line.right.value()},
                     {"length", line.length},

@@ -35,6 +35,8 @@ vtkSmartPointer<vtkUnstructuredGrid> read_with(const std::string& path) {
   vtkNew<Reader> reader;
   reader->SetFileName(path.c_str());
   if (!can_read(*reader, path)) return nullptr;
+  // Of a legacy file VTK would read the first array alone.
+  if constexpr (std::is_base_of_v<vtkDataReader, Reader>) reader->ReadAllScalarsOn();
   reader->Update();
   return reader->GetErrorCode() == 0 ? reader->GetOutput() : nullptr;
 }

@@ -1,0 +1,30 @@
+#include "format_options.hpp"
+
+namespace cover::app {
+
+void FormatOptions::add(CLI::App& command, const std::string& group) {
+  command.add_option("--order", options_.order, "2: triangles with six nodes")
+      ->type_name("1|2")
+      ->capture_default_str()
+      ->group(group);
+  command.add_option("--msh", options_.msh, "Version of .msh: 2.2 or 4.1")
+      ->type_name("VERSION")
+      ->capture_default_str()
+      ->group(group);
+  command.add_flag("--no-inner-lines", no_inner_lines_, "Leave out lines between two triangles")
+      ->group(group);
+  command.add_flag("--lines", options_.lines, "Lines in .vtk too, as deal.II wants them")
+      ->group(group);
+  command.add_option("--inp-element", options_.inp_element, "Elements of .inp: S, CPS, CPE or CAX")
+      ->type_name("KIND")
+      ->capture_default_str()
+      ->group(group);
+}
+
+WriteOptions FormatOptions::make() const {
+  WriteOptions options = options_;
+  options.inner_lines = !no_inner_lines_;
+  return options;
+}
+
+}  // namespace cover::app

@@ -1,0 +1,94 @@
+// A mesh as the text formats want it: points, triangles, lines, and groups with names and tags.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <cover/cover_mesh.hpp>
+#include <cover/write_mesh.hpp>
+
+namespace cover {
+
+/// Cells with the same number of nodes.
+struct Cells {
+  std::size_t nodes_each = 0;
+  std::vector<std::uint32_t> nodes;  ///< indices into MeshView::points
+
+  [[nodiscard]] std::size_t size() const { return nodes.size() / nodes_each; }
+  /// Corners; then, in second-order cells, the midpoint of each edge, from that of the first two
+  /// corners on.
+  [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t k) const {
+    return std::span(nodes).subspan(k * nodes_each, nodes_each);
+  }
+};
+
+/// A named set of regions or of lines: a physical group, an element set, ...
+struct Group {
+  std::string name;      ///< unique_safe_names() of the originals; unique among regions or among lines
+  std::string original;  ///< as the input has it
+  int tag = 0;           ///< positive, unique over regions and lines
+  int material = 0;      ///< of all its regions; 0 for lines
+};
+
+/// The mesh of a run, ready to be written.
+///
+/// Regions of equal name and material are one group; tags count from 1 in the order of region ids.
+/// Line groups follow: contacts by name; interfaces, outlines and slits by the groups that they
+/// separate. On the left of a line is its lower region that is not the void. Tags are the same
+/// whichever lines are left out.
+struct MeshView {
+  std::size_t corners = 0;    ///< points that are vertices of the mesh; the others are midpoints
+  std::vector<Point> points;  ///< in the order of the mesh
+
+  Cells triangles;                          ///< in the order of the mesh
+  std::vector<RegionId> region;             ///< by triangle
+  std::vector<int> material;                ///< by triangle
+  std::vector<std::uint32_t> region_group;  ///< by RegionId - 1
+  std::vector<Group> region_groups;
+
+  Cells lines;                            ///< by group, then by interface
+  std::vector<InterfaceId> interface;     ///< by line; kNoInterface: of the hull
+  std::vector<std::uint32_t> line_group;  ///< by line
+  std::vector<std::uint8_t> inner;        ///< by line: a triangle on both sides
+  std::vector<int> marker;                ///< by line: boundary marker of the input
+  std::vector<Group> line_groups;         ///< also those whose lines are all left out
+
+  [[nodiscard]] bool second_order() const { return triangles.nodes_each == 6; }
+  [[nodiscard]] const Group& group_of_triangle(std::size_t t) const {
+    return region_groups[region_group[region[t].index() - 1]];
+  }
+  [[nodiscard]] const Group& group_of_line(std::size_t l) const {
+    return line_groups[line_group[l]];
+  }
+};
+
+/// The view of `output` that `options` ask for. Only the mesh and the table of regions and
+/// interfaces are looked at.
+///
+/// Cost: O(n log n) in the number of lines, linear in all else.
+MeshView view_of(const Output& output, const WriteOptions& options);
+
+/// Items by a small key, each list in the order of the items.
+class Buckets {
+ public:
+  /// `key(k)` of each item k below `items` is below `keys`.
+  template <class Key>
+  Buckets(std::size_t keys, std::size_t items, Key key) : first_(keys + 1), items_(items) {
+    for (std::size_t k = 0; k < items; ++k) ++first_[key(k) + 1];
+    for (std::size_t b = 0; b < keys; ++b) first_[b + 1] += first_[b];
+    std::vector<std::size_t> next(first_);
+    for (std::size_t k = 0; k < items; ++k) items_[next[key(k)]++] = k;
+  }
+  [[nodiscard]] std::size_t size() const { return first_.size() - 1; }
+  [[nodiscard]] std::span<const std::size_t> operator[](std::size_t b) const {
+    return std::span(items_).subspan(first_[b], first_[b + 1] - first_[b]);
+  }
+
+ private:
+  std::vector<std::size_t> first_;
+  std::vector<std::size_t> items_;
+};
+
+}  // namespace cover

@@ -1,0 +1,101 @@
+// One table says what each extension stands for, so that formats, help texts and errors agree.
+// Tested by tests/unit/io/write_mesh_test.cpp.
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include <cover/write_mesh.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace cover {
+namespace {
+
+using Writer = Status (*)(const Output&, const std::string& path, const WriteOptions&);
+
+struct Format {
+  const char* extension;
+  bool second_order;  ///< can hold triangles with six nodes, or no triangles at all
+  Writer write;
+};
+
+/// A writer that has no options as one that has.
+template <Status (*write)(const Output&, const std::string&)>
+Status without_options(const Output& output, const std::string& path, const WriteOptions&) {
+  return write(output, path);
+}
+
+Status write_clean_input(const Output& output, const std::string& path, const WriteOptions&) {
+  return write_poly(output.pslg, output.table, path);
+}
+
+constexpr std::array kFormats{
+    Format{".vtu", false, without_options<write_vtu>},
+    Format{".vtm", false, without_options<write_vtm>},
+    Format{".vtk", true, write_vtk},
+    Format{".msh", true, write_msh},
+    Format{".xdmf", true, write_xdmf},
+    Format{".mesh", true, write_medit},
+    Format{".inp", true, write_inp},
+    Format{".ele", true, write_triangle},
+    Format{".obj", false, without_options<write_obj>},
+    Format{".off", false, without_options<write_off>},
+    Format{".ply", false, without_options<write_ply>},
+    Format{".json", true, write_manifest},
+    Format{".poly", true, write_clean_input},
+};
+
+Result<Format> format_of(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  const auto* const found =
+      std::find_if(kFormats.begin(), kFormats.end(),
+                   [&](const Format& format) { return format.extension == extension; });
+  if (found != kFormats.end()) return *found;
+  return Error{ErrorCode::unsupported_format,
+               fmt::format("cannot write '{}': {}; possible are {}", path,
+                           extension.empty() ? "the name has no extension that tells the format"
+                                             : fmt::format("unknown format '{}'", extension),
+                           fmt::join(write_formats(), ", ")),
+               {},
+               {}};
+}
+
+Status bad(std::string message) { return Error{ErrorCode::bad_option, std::move(message), {}, {}}; }
+
+/// Whether the options make sense in any format.
+Status check(const WriteOptions& options) {
+  if (options.order != 1 && options.order != 2)
+    return bad(fmt::format("triangles are of order 1 or 2, not {}", options.order));
+  if (options.msh != "2.2" && options.msh != "4.1")
+    return bad(fmt::format("the version of .msh is 2.2 or 4.1, not {}", options.msh));
+  constexpr std::array kFamilies{"S", "CPS", "CPE", "CAX"};
+  if (std::find(kFamilies.begin(), kFamilies.end(), options.inp_element) == kFamilies.end())
+    return bad(fmt::format("elements of .inp are S, CPS, CPE or CAX, not {}", options.inp_element));
+  return ok();
+}
+
+}  // namespace
+
+std::vector<std::string> write_formats() {
+  std::vector<std::string> extensions;
+  for (const Format& format : kFormats) extensions.emplace_back(format.extension);
+  return extensions;
+}
+
+Status can_write(const std::string& path, const WriteOptions& options) {
+  const Result<Format> format = format_of(path);
+  if (!format) return format.error();
+  if (Status status = check(options); !status) return status;
+  if (options.order == 2 && !format->second_order)
+    return bad(fmt::format("cannot write '{}': {} has no second-order triangles", path,
+                           format->extension));
+  return ok();
+}
+
+Status write_mesh(const Output& output, const std::string& path, const WriteOptions& options) {
+  if (Status status = can_write(path, options); !status) return status;
+  return format_of(path)->write(output, path, options);
+}
+
+}  // namespace cover

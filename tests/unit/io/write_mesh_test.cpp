@@ -1,0 +1,63 @@
+// The dispatch by extension.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include <cover/write_mesh.hpp>
+
+#include "support/temporary_folder.hpp"
+#include "support/written_mesh.hpp"
+
+namespace cover {
+namespace {
+
+TEST(WriteMesh, WritesEveryFormatAndNothingElse) {
+  const Output output = testing::odd_device();
+  for (const std::string& extension : write_formats()) {
+    const testing::TemporaryFolder folder;
+    const std::filesystem::path path = folder.path() / ("x" + extension);
+    const Status status = write_mesh(output, path.string());
+    ASSERT_TRUE(status) << status.error().message;
+    EXPECT_TRUE(std::filesystem::file_size(path) > 0) << extension;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+      EXPECT_EQ(entry.path().stem(), "x") << "left behind";
+  }
+}
+
+TEST(WriteMesh, SecondOrderWhereTheFormatHasIt) {
+  WriteOptions options;
+  options.order = 2;
+  for (const char* path : {"x.msh", "x.vtk", "x.xdmf", "x.mesh", "x.inp", "x.ele", "x.json"})
+    EXPECT_TRUE(can_write(path, options)) << path;
+  for (const char* path : {"x.obj", "x.off", "x.ply"}) {
+    const Status status = can_write(path, options);
+    ASSERT_FALSE(status);
+    EXPECT_EQ(status.error().code, ErrorCode::bad_option);
+    EXPECT_NE(status.error().message.find("no second-order triangles"), std::string::npos);
+  }
+}
+
+TEST(WriteMesh, RefusesWhatItDoesNotKnow) {
+  for (const char* path : {"x", "x.foo", "x.MSH", ".msh"}) {
+    const Status status = can_write(path);
+    ASSERT_FALSE(status) << path;
+    EXPECT_EQ(status.error().code, ErrorCode::unsupported_format);
+    EXPECT_NE(status.error().message.find(".vtu, .vtm, .vtk, .msh"), std::string::npos);
+  }
+  for (const WriteOptions& options :
+       {WriteOptions{.order = 3}, WriteOptions{.msh = "4.0"}, WriteOptions{.inp_element = "C3D"}})
+    EXPECT_EQ(can_write("x.msh", options).error().code, ErrorCode::bad_option);
+}
+
+TEST(WriteMesh, AFolderThatIsNotThere) {
+  const Output output = testing::structured_mesh(2, 1);
+  const testing::TemporaryFolder folder;
+  for (const char* name : {"none/x.msh", "none/x.ele", "none/x.json"}) {
+    const Status status = write_mesh(output, (folder.path() / name).string());
+    ASSERT_FALSE(status) << name;
+    EXPECT_EQ(status.error().code, ErrorCode::cannot_write);
+  }
+}
+
+}  // namespace
+}  // namespace cover
