@@ -55,7 +55,7 @@ const testing::Loop kSquare{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
 
 TEST(Nonobtuse, OneRegionIsPackedForItself) {
   const Output output = expect_nonobtuse(testing::input_of(kSquare));
-  EXPECT_EQ(output.mesh.tri().n_vertices(), 41U);
+  EXPECT_LE(output.mesh.tri().n_vertices(), 41U);
   EXPECT_EQ(output.report.regions[0].method, "nonobtuse");
 }
 
