@@ -32,6 +32,7 @@ main { max-width: 1240px; margin: 0 auto; padding: 24px; }
 h1 { font-size: 22px; margin: 0 0 12px; }
 h2 { font-size: 17px; margin: 32px 0 10px; }
 .verdict { padding: 14px 18px; border-radius: 8px; font-size: 17px; font-weight: 600; }
+.verdict small { font-weight: 400; }
 .good { background: #dff2e3; color: #14532d; }
 .bad { background: #fbdedd; color: #7f1d1d; }
 .cards { display: flex; flex-wrap: wrap; gap: 12px; margin: 14px 0; }
@@ -41,7 +42,7 @@ h2 { font-size: 17px; margin: 32px 0 10px; }
 .panel { background: #fff; border: 1px solid #dde3ea; border-radius: 8px; padding: 12px; overflow: auto; }
 .panel img, .panel > svg { max-width: 100%; height: auto; display: block; margin: auto; }
 table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums; }
-th, td { text-align: right; padding: 4px 10px; border-bottom: 1px solid #e8ecf1; white-space: nowrap; }
+th, td { text-align: right; padding: 4px 8px; border-bottom: 1px solid #e8ecf1; white-space: nowrap; }
 th { color: #5b6675; font-weight: 600; font-size: 13px; }
 th.t, td.t { text-align: left; }
 tr.missed td { background: #fbdedd; }
@@ -136,10 +137,26 @@ class Page {
     std::size_t held = 0;
     for (const RegionReport& region : report_.regions) held += region.bound_held ? 1U : 0U;
     const bool good = held == report_.regions.size();
-    out_ += fmt::format("<div class=\"verdict {}\">{}</div>\n", good ? "good" : "bad",
+    out_ += fmt::format("<div class=\"verdict {}\">{}<br><small>{}</small></div>\n",
+                        good ? "good" : "bad",
                         good ? "The proven bound on the largest angle holds in every region."
                              : escaped("The proven bound on the largest angle is missed: " +
-                                       describe_missed_bound(output_) + "."));
+                                       describe_missed_bound(output_) + "."),
+                        remarks());
+  }
+
+  /// How much there is to read further down.
+  [[nodiscard]] std::string remarks() const {
+    std::size_t changes = 0, others = 0;
+    const auto count = [&](const std::vector<Note>& notes) {
+      for (const Note& note : notes) ++(note.kind == Note::Kind::change ? changes : others);
+    };
+    count(report_.notes);
+    for (const RegionReport& region : report_.regions) count(region.notes);
+    return fmt::format("{}; {}",
+                       changes == 0 ? "The input was meshed as it is"
+                                    : fmt::format("The input was changed in {} places", changes),
+                       others == 0 ? "no remarks" : fmt::format("{} remarks, see below", others));
   }
 
   void key_figures() {
@@ -202,13 +219,11 @@ class Page {
     const bool cut = order.size() > kRows;
     if (cut) order.resize(kRows);
     out_ += fmt::format(
-        "<h2>Regions, lowest rho first{}</h2>\n<div class=\"panel "
-        "scroll\">\n<table>\n<tr><th>region</th>"
-        "<th class=\"t\">name</th><th "
-        "class=\"t\">material</th><th>area</th><th>triangles</th><th>new "
-        "vertices</th><th>lowest "
-        "possible</th><th>proven</th><th>reached</th><th>smallest</th><th>rho</th>"
-        "<th>above 120 (forced)</th><th>above 150 (forced)</th><th class=\"t\">method</th></tr>\n",
+        "<h2>Regions, lowest rho first{}; largest angle: lowest possible, proven, reached</h2>\n"
+        "<div class=\"panel scroll\">\n<table>\n<tr><th>id</th><th class=\"t\">name</th>"
+        "<th class=\"t\">material</th><th>area</th><th>triangles</th><th>new vertices</th>"
+        "<th>lowest</th><th>proven</th><th>reached</th><th>rho</th><th>smallest</th>"
+        "<th>&gt; 120 (forced)</th><th>&gt; 150 (forced)</th><th class=\"t\">method</th></tr>\n",
         cut ? fmt::format(" (the first {})", kRows) : "");
     for (const std::size_t i : order) {
       const RegionReport& r = report_.regions[i];
@@ -222,7 +237,7 @@ class Page {
           r.bound_held ? "" : " class=\"missed\"", region.id.value(), escaped(region.name),
           escaped(region.material_name), region.area, grouped(r.quality.triangles),
           grouped(r.steiner_vertices), angle_text(lowest_nu(r)), angle_text(r.nu_bound),
-          angle_text(r.quality.largest_nu), r.quality.smallest.in_degrees(), r.rho(),
+          angle_text(r.quality.largest_nu), r.rho(), r.quality.smallest.in_degrees(),
           grouped(r.quality.above_120), grouped(r.forced_above_120), grouped(r.quality.above_150),
           grouped(r.forced_above_150), escaped(r.method));
     }

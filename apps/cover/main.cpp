@@ -24,10 +24,8 @@ struct Command {
 };
 
 constexpr std::array kCommands{
-    Command{"mesh", cover::app::run_mesh},
-    Command{"info", cover::app::run_info},
-    Command{"check", cover::app::run_check},
-    Command{"render", cover::app::run_render},
+    Command{"mesh", cover::app::run_mesh},       Command{"info", cover::app::run_info},
+    Command{"check", cover::app::run_check},     Command{"render", cover::app::run_render},
     Command{"convert", cover::app::run_convert},
 };
 

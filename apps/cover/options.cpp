@@ -195,8 +195,17 @@ void LibraryOptions::add_meshing(CLI::App& command) {
       .add_flag("--hull", options_.hull,
                 "Mesh the convex hull; for input that need not enclose anything")
       ->group(group);
-  command.add_option("--max-angle", max_angle_, "Largest angle aimed at and required, in degrees")
+  command
+      .add_option("--max-angle", max_angle_,
+                  "Largest angle that --method quality aims at, and --require max-angle asks for")
       ->check(number_in(60, 180))
+      ->type_name("DEG")
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--min-angle", min_angle_,
+                  "Smallest angle that --method quality aims at, where the largest allows it")
+      ->check(number_in(0, 60))
       ->type_name("DEG")
       ->capture_default_str()
       ->group(group);

@@ -4,6 +4,8 @@ import json
 import os
 import pathlib
 import pty
+import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -11,6 +13,7 @@ import tempfile
 import unittest
 
 PROGRAM, SAMPLES = sys.argv[1], pathlib.Path(sys.argv[2])
+APP = SAMPLES.parent.parent / 'apps/cover'
 
 SQUARE = '4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n'
 
@@ -299,6 +302,59 @@ class Convert(Case):
         _, err = self.run_cover('convert', 'x.vtu', '-o', 'e.vtm', code=5)
         self.assertIn('x.vtu: not a valid VTK file', err)
         self.assertNotIn('ERR', err)
+
+
+class Page(Case):
+    """The HTML report: whole, self-contained, and without an error in a browser."""
+
+    def page(self, sample):
+        self.run_cover('mesh', SAMPLES / sample, '-o', 'd.vtu', '--report', 'd.html', '-q')
+        return (self.dir / 'd.html').read_text()
+
+    def test_says_what_matters(self):
+        text = self.page('diode.poly')
+        for part in ('holds in every region', 'lowest rho', 'marker 1', 'box method', 'Time, on', '<svg '):
+            self.assertIn(part, text)
+        self.assertEqual(text.count('<tr>') + text.count('<tr class'), 1 + 4 + 5 + text.count(' s</td></tr>'))
+
+    def test_loads_nothing(self):
+        text = self.page('diode.poly').replace('http://www.w3.org/2000/svg', '')
+        for word in ('http:', 'https:', '<script', '@import', 'url(http'):
+            self.assertNotIn(word, text)
+
+    @unittest.skipUnless(shutil.which('chromium'), 'chromium is not installed')
+    def test_in_a_browser(self):
+        self.page('mosfet.poly')
+        done = subprocess.run(['chromium', '--headless', '--no-sandbox', '--disable-gpu', '--enable-logging=stderr',
+                               f'--user-data-dir={self.dir / "profile"}', '--dump-dom', f'file://{self.dir}/d.html'],
+                              text=True, timeout=100, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual([line for line in done.stderr.splitlines() if 'CONSOLE' in line], [])
+        for part in ('holds in every region', 'material_3, 3 regions', '</footer>'):
+            self.assertIn(part, done.stdout)
+
+
+class Documents(Case):
+    """Man page and completion know what the program knows."""
+
+    def test_man_page_has_every_option(self):
+        page = (APP / 'cover.1').read_text().replace('\\-', '-')
+        for command in ('mesh', 'info', 'check', 'render', 'convert'):
+            self.assertIn('.B ' + command, page)
+            for option in re.findall(r'^ +(?:-\w,)?(--[a-z-]+)', self.run_cover(command, '--help')[0], re.M):
+                if option != '--help':
+                    self.assertIn(option, page, f'{command} {option}')
+
+    def complete(self, *words):
+        script = (f'source {APP / "completion.bash"}; COMP_WORDS=({PROGRAM} {" ".join(words)}); '
+                  f'COMP_CWORD={len(words)}; _cover; echo "${{COMPREPLY[*]}}"')
+        return subprocess.run(['bash', '-c', script], text=True, timeout=20, stdout=subprocess.PIPE).stdout.split()
+
+    def test_completion(self):
+        self.assertEqual(self.complete('me'), ['mesh'])
+        self.assertEqual(self.complete('mesh', '--fi'), ['--fill'])
+        self.assertEqual(self.complete('mesh', '--fill', 'd'), ['disks'])
+        self.assertIn('--window', self.complete('render', '--'))
 
 
 class Interrupt(Case):
