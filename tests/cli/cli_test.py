@@ -343,7 +343,7 @@ class Documents(Case):
             self.assertIn('.B ' + command, page)
             for option in re.findall(r'^ +(?:-\w,)?(--[a-z-]+)', self.run_cover(command, '--help')[0], re.M):
                 if option != '--help':
-                    self.assertIn(option, page, f'{command} {option}')
+                    self.assertTrue(option in page, f'{option} of {command} is missing in apps/cover/cover.1')
 
     def complete(self, *words):
         script = (f'source {APP / "completion.bash"}; COMP_WORDS=({PROGRAM} {" ".join(words)}); '
