@@ -60,12 +60,13 @@ Examples:
   cover check device.poly device.vtu
   cover check device.poly from_another_tool.vtu --allow-split --no-bound
 )");
-  std::string path, mesh_path;
+  GeometryFile input_file;
+  std::string mesh_path;
   Verbosity verbosity;
   VerifyOptions verify;
   LibraryOptions library;
   bool no_bound = false;
-  app.add_option("input", path, kInputHelp)->type_name("")->required();
+  input_file.add(app)->required();
   app.add_option("mesh", mesh_path, "Mesh of any tool (.vtu, .vtk)")->type_name("")->required();
   app.add_flag("--allow-split", verify.allow_split, "Segments may have vertices inside");
   app.add_flag("--no-bound", no_bound, "Do not check promise 3");
@@ -79,7 +80,7 @@ Examples:
   options->hull = verify.hull;
 
   const auto log = make_logger(verbosity);
-  const Result<Input> input = read_geometry(path);
+  const Result<Input> input = input_file.read();
   if (!input) return fail(*log, input.error());
   const Result<Prepared> prepared = prepare(*input, *options);
   if (!prepared) return fail(*log, prepared.error());

@@ -13,6 +13,7 @@ _cover() {
     --overlap) words="last first error" ;;
     --weld) words="auto off" ;;
     --require) words="bound max-angle delaunay non-obtuse" ;;
+    --unit) words="nm um mm cm m" ;;
     --stats) words="text json" ;;
     --progress) words="auto on off" ;;
     --color) words="max_angle min_angle material RegionId" ;;

@@ -16,10 +16,10 @@ int run_info(Arguments arguments) {
                "cover info");
   app.set_help_flag("-h,--help", "Show this help");
   app.footer("Example:\n  cover info device.poly\n");
-  std::string path;
+  GeometryFile input_file;
   Verbosity verbosity;
   LibraryOptions library;
-  app.add_option("input", path, kInputHelp)->type_name("")->required();
+  input_file.add(app)->required();
   library.add_cleaning(app);
   add_verbosity(app, verbosity);
   if (const auto code = parse(app, std::move(arguments))) return *code;
@@ -27,7 +27,7 @@ int run_info(Arguments arguments) {
   if (!options) return usage_error(app, options.error().message);
 
   const auto log = make_logger(verbosity);
-  const Result<Input> input = read_geometry(path);
+  const Result<Input> input = input_file.read();
   if (!input) return fail(*log, input.error());
   const Result<Prepared> prepared = prepare(*input, *options);
   if (!prepared) return fail(*log, prepared.error());

@@ -5,6 +5,10 @@
 #include <string_view>
 
 #include <cover/read_input.hpp>
+#include <cover/read_vtk_input.hpp>
+#include <cover/units.hpp>
+
+#include "options.hpp"
 
 namespace cover::app {
 namespace {
@@ -17,12 +21,37 @@ std::string_view format_of(std::string_view text) {
   return text.find("\"Feature") != std::string_view::npos ? ".geojson" : ".json";
 }
 
-}  // namespace
-
 Result<Input> read_geometry(const std::string& path) {
-  if (path != "-") return read_input(path);
+  if (path != "-") return is_vtk_input(path) ? read_vtk_input(path) : read_input(path);
   const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
   return parse_input(text, format_of(text), "standard input");
+}
+
+}  // namespace
+
+CLI::Option* GeometryFile::add(CLI::App& command) {
+  const char* group = "Input";
+  command.add_option("--unit", unit_, "What the coordinates mean, for reports: nm, um, mm, cm, m")
+      ->check(one_of({"nm", "um", "mm", "cm", "m"}))
+      ->type_name("UNIT")
+      ->group(group);
+  command.add_option("--scale", scale_, "First multiply all lengths by a power of 10 or 2: 1e-9")
+      ->type_name("F")
+      ->group(group);
+  return command
+      .add_option("input", path_,
+                  "Geometry: Triangle's .poly, our .json, .geojson, gmsh's .msh, VTK's .vtu, .vtp, "
+                  ".vtk; '-' is standard input")
+      ->type_name("");
+}
+
+Result<Input> GeometryFile::read() const {
+  Result<Input> input = read_geometry(path_);
+  if (!input) return input;
+  if (!unit_.empty()) input->unit = unit_;
+  if (scale_ != 1)
+    if (Status status = scale_input(*input, scale_); !status) return std::move(status).error();
+  return input;
 }
 
 }  // namespace cover::app

@@ -3,16 +3,30 @@
 
 #include <string>
 
+#include <CLI/CLI.hpp>
+
 #include <cover/input.hpp>
 #include <cover/result.hpp>
 
 namespace cover::app {
 
-/// What a subcommand says of its input file.
-inline constexpr const char* kInputHelp =
-    "Geometry: Triangle's .poly, our .json, .geojson, gmsh's .msh; '-' is standard input";
+/// The INPUT argument and the options that say what its coordinates mean.
+class GeometryFile {
+ public:
+  /// Adds INPUT, --unit and --scale; returns INPUT.
+  CLI::Option* add(CLI::App& command);
 
-/// Reads `path`; `-` is standard input, whose format follows from how it begins.
-Result<Input> read_geometry(const std::string& path);
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+  /// Reads the file; `-` is standard input, whose format follows from how it begins.
+  ///
+  /// Errors: those of read_input(), read_vtk_input() and scale_input()
+  [[nodiscard]] Result<Input> read() const;
+
+ private:
+  std::string path_;
+  std::string unit_;
+  double scale_ = 1;
+};
 
 }  // namespace cover::app

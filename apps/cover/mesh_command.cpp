@@ -36,7 +36,7 @@ struct MeshCommand {
   explicit MeshCommand() : app("Triangulate all regions of a geometry file", "cover mesh") {
     app.footer(kExamples);
     app.set_help_flag("-h,--help", "Show this help");
-    app.add_option("input", input, kInputHelp)->type_name("");
+    input.add(app);
     app.add_option(
            "-o,--output", outputs,
            fmt::format("File to write, several if repeated: {}; '-' is stdout", mesh_extensions()))
@@ -92,7 +92,7 @@ struct MeshCommand {
   CLI::App app;
   LibraryOptions library;
   Verbosity verbosity;
-  std::string input;
+  GeometryFile input;
   std::vector<std::string> outputs;
   std::vector<std::string> reports;
   std::string format = "vtu";
@@ -124,7 +124,7 @@ Result<std::vector<File>> plan_files(const MeshCommand& command) {
     files.push_back({path, *writer});
   }
   for (const File& file : files) {
-    if (Status status = spares_input(file.path, command.input); !status) return status.error();
+    if (Status status = spares_input(file.path, command.input.path()); !status) return status.error();
   }
   return files;
 }
@@ -213,7 +213,7 @@ int run_mesh(Arguments arguments) {
     fmt::print("{}", configuration(command.app));
     return exit_ok;
   }
-  if (command.input.empty()) return usage_error(command.app, "no input file given");
+  if (command.input.path().empty()) return usage_error(command.app, "no input file given");
   if (command.outputs.empty() && command.reports.empty() && !command.dry_run) {
     return usage_error(command.app, "nothing to write: give -o FILE, --report FILE or --dry-run");
   }
@@ -226,9 +226,9 @@ int run_mesh(Arguments arguments) {
   if (!files) return usage_error(command.app, files.error().message);
 
   const auto log = make_logger(command.verbosity);
-  const Result<Input> input = read_geometry(command.input);
+  const Result<Input> input = command.input.read();
   if (!input) return fail(*log, input.error());
-  log->info("read {}: {} points, {} segments", command.input, input->points.size(),
+  log->info("read {}: {} points, {} segments", command.input.path(), input->points.size(),
             input->segments.size());
   return command.dry_run ? dry_run(command, *input, *options, *log)
                          : run(command, *input, *options, *files, *log);

@@ -82,6 +82,8 @@ struct Report {
   Quality quality;                     ///< over all regions
   std::vector<Note> notes;             ///< about the input as a whole
   std::vector<StageTime> times;
+  std::string unit;                    ///< of the coordinates, as "nm"; empty: not said
+  double scale = 1;                    ///< what the file's coordinates were multiplied by
   std::size_t input_points = 0;
   std::size_t input_segments = 0;
   std::size_t steiner_vertices = 0;

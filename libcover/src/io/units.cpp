@@ -51,6 +51,7 @@ Status scale_input(Input& input, double factor) {
   const double divisor = ten && *ten < 0 ? std::round(1 / factor) : 1;
   const auto scaled = [&](double value) { return divisor > 1 ? value / divisor : value * factor; };
 
+  input.scale *= factor;
   bool finite = true;
   for_each_point(input, [&](Point& p) {
     p = {scaled(p.x), scaled(p.y)};

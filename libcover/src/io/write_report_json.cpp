@@ -2,7 +2,8 @@
 // units of the input; ids are those of the library (regions and interfaces count from 1).
 //
 //   { "format": "cover report", "version": 1,
-//     "input":  { "points", "segments", "void_points": [ids], "void_segments": n },
+//     "input":  { "unit", "scale", "points", "segments", "void_points": [ids],
+//                 "void_segments": n },
 //     "mesh":   { "vertices", "edges", "triangles", "steiner_vertices" },
 //     "overall": LIMITS + QUALITY + { "bound_held": regions, "bound_missed": [region ids],
 //                "methods": {method: regions}, "fallbacks", "rho_smallest", "box": BOX },
@@ -175,7 +176,9 @@ Json input_json(const Output& output) {
   for (const VertexId v : output.table.void_points) {
     void_points.push_back(output.pslg.point_ids[v.index()]);
   }
-  return {{"points", output.report.input_points},
+  return {{"unit", output.report.unit},
+          {"scale", output.report.scale},
+          {"points", output.report.input_points},
           {"segments", output.report.input_segments},
           {"void_points", void_points},
           {"void_segments", output.table.void_segments.size()}};

@@ -23,6 +23,10 @@ Result<Prepared> find_regions(const Input& input, const Options& options, StageC
   if (Status status = check_options(options); !status) return std::move(status).error();
   Prepared prepared;
   Report& report = prepared.report;
+  report.unit = input.unit;
+  report.scale = input.scale;
+  for (const std::string& warning : input.warnings)
+    report.notes.push_back({Note::Kind::warning, kVoid, warning, {}});
   Result<Pslg> pslg = make_pslg(input, options, report.notes);
   if (!pslg) return std::move(pslg).error();
   prepared.pslg = *std::move(pslg);

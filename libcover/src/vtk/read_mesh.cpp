@@ -16,30 +16,10 @@
 #include <vtkUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
-#include "vtk/quiet_vtk.hpp"
+#include "vtk/read_quietly.hpp"
 
 namespace cover {
 namespace {
-
-// A file that does not even begin as it should leaves no error code.
-bool can_read(vtkXMLUnstructuredGridReader& reader, const std::string& path) {
-  return reader.CanReadFile(path.c_str()) != 0;
-}
-bool can_read(vtkUnstructuredGridReader& reader, const std::string& /*path*/) {
-  return reader.IsFileUnstructuredGrid() != 0;
-}
-
-template <class Reader>
-vtkSmartPointer<vtkUnstructuredGrid> read_with(const std::string& path) {
-  const QuietVtk quiet;
-  vtkNew<Reader> reader;
-  reader->SetFileName(path.c_str());
-  if (!can_read(*reader, path)) return nullptr;
-  // Of a legacy file VTK would read the first array alone.
-  if constexpr (std::is_base_of_v<vtkDataReader, Reader>) reader->ReadAllScalarsOn();
-  reader->Update();
-  return reader->GetErrorCode() == 0 ? reader->GetOutput() : nullptr;
-}
 
 std::vector<vtkIdType> triangle_cells(vtkUnstructuredGrid& grid) {
   std::vector<vtkIdType> cells;
@@ -83,9 +63,9 @@ Result<MeshFile> read_mesh(const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension();
   vtkSmartPointer<vtkUnstructuredGrid> grid;
   if (extension == ".vtu") {
-    grid = read_with<vtkXMLUnstructuredGridReader>(path);
+    grid = read_quietly<vtkUnstructuredGrid, vtkXMLUnstructuredGridReader>(path);
   } else if (extension == ".vtk") {
-    grid = read_with<vtkUnstructuredGridReader>(path);
+    grid = read_quietly<vtkUnstructuredGrid, vtkUnstructuredGridReader>(path);
   } else {
     return Error{ErrorCode::unsupported_format,
                  fmt::format("cannot read '{}' as a mesh: possible are .vtu, .vtk", path),

@@ -109,7 +109,8 @@ TEST_P(ReadMsh, TakesTheBordersOfPhysicalGroups) {
   EXPECT_EQ(unnamed_group, 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Versions, ReadMsh, ::testing::Values(kMesh22, kMesh41));
+INSTANTIATE_TEST_SUITE_P(Versions, ReadMsh, ::testing::Values(kMesh22, kMesh41),
+                         [](const auto& sample) { return sample.index == 0 ? "msh22" : "msh41"; });
 
 std::string message(std::string text) {
   const Result<Input> input = parse_msh(text, "dev.msh");

@@ -19,6 +19,7 @@ Input everything() {
 TEST(ScaleInput, RoundsPowersOfTenOnce) {
   Input input = everything();
   ASSERT_TRUE(scale_input(input, 1e-9));
+  EXPECT_EQ(input.scale, 1e-9);
   EXPECT_EQ(input.points[0], (Point{45e-9, -3e-9}));
   EXPECT_EQ(input.holes[0].at, (Point{1e-9, 2e-9}));
   EXPECT_EQ(input.seeds[0].at, (Point{3e-9, 4e-9}));

@@ -1,0 +1,24 @@
+// Reading geometry from VTK's files (target cover::vtk).
+#pragma once
+
+#include <string>
+
+#include <cover/input.hpp>
+#include <cover/result.hpp>
+
+namespace cover {
+
+/// Whether read_vtk_input() knows files named like this: .vtu, .vtp and .vtk.
+bool is_vtk_input(const std::string& path);
+
+/// Reads a plane mesh as geometry: the sides between cells of different material, and those with a
+/// cell on one side only, become the segments. Lines stay, with their number as name and marker.
+///
+/// Material is the first cell array of whole numbers called material, MaterialID, mat_id,
+/// gmsh:physical, medit:ref, CellEntityIds or RegionId, or the only such array there is. Cells may
+/// be triangles, quadrangles, pixels, strips or polygons; of curved cells the corners are taken.
+/// Errors: cannot_open, syntax, unsupported_format, non_finite_coordinate
+/// Cost:   O(n log n)
+Result<Input> read_vtk_input(const std::string& path);
+
+}  // namespace cover

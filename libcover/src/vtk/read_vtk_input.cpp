@@ -1,0 +1,235 @@
+// VTK's readers do the reading; this file turns their data set into a CellMesh, whose borders are
+// the geometry. Tested by tests/unit/vtk/read_vtk_input_test.cpp.
+#include <cover/read_vtk_input.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include <fmt/format.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkDataSetReader.h>
+#include <vtkIdList.h>
+#include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#include "geom/mesh_borders.hpp"
+#include "vtk/read_quietly.hpp"
+
+namespace cover {
+namespace {
+
+constexpr std::array kMaterialArrays{"material",  "MaterialID",    "mat_id",  "gmsh:physical",
+                                     "medit:ref", "CellEntityIds", "RegionId"};
+constexpr std::array kLineArrays{"LineID", "LineId", "gmsh:physical", "medit:ref"};
+
+vtkSmartPointer<vtkDataSet> read_data_set(const std::string& path, const std::string& extension) {
+  if (extension == ".vtu") return read_quietly<vtkDataSet, vtkXMLUnstructuredGridReader>(path);
+  if (extension == ".vtp") return read_quietly<vtkDataSet, vtkXMLPolyDataReader>(path);
+  return read_quietly<vtkDataSet, vtkDataSetReader>(path);
+}
+
+/// The one-component array of whole numbers of that name, if it is there.
+vtkDataArray* integers(vtkDataSet& data, const char* name) {
+  vtkDataArray* array = data.GetCellData()->GetArray(name);
+  if (!array || array->GetNumberOfComponents() != 1) return nullptr;
+  for (vtkIdType c = 0; c < array->GetNumberOfTuples(); ++c) {
+    const double value = array->GetComponent(c, 0);
+    if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max())
+      return nullptr;
+  }
+  return array;
+}
+
+template <class Names>
+vtkDataArray* first_of(vtkDataSet& data, const Names& names) {
+  for (const char* name : names)
+    if (vtkDataArray* array = integers(data, name)) return array;
+  return nullptr;
+}
+
+/// The array of whole numbers, where there is exactly one.
+vtkDataArray* only_array(vtkDataSet& data) {
+  vtkDataArray* only = nullptr;
+  for (int i = 0; i < data.GetCellData()->GetNumberOfArrays(); ++i) {
+    const char* name = data.GetCellData()->GetArrayName(i);
+    vtkDataArray* array = name ? integers(data, name) : nullptr;
+    if (array && only) return nullptr;
+    if (array) only = array;
+  }
+  return only;
+}
+
+int value_of(vtkDataArray& array, vtkIdType cell) {
+  return static_cast<int>(array.GetComponent(cell, 0));
+}
+
+/// The cells of a data set as a CellMesh.
+class Converter {
+ public:
+  Converter(vtkDataSet& data, const std::string& path) : data_(data) { mesh_.source = path; }
+
+  Result<CellMesh> convert() {
+    if (std::optional<Error> error = read_points()) return *error;
+    material_ = first_of(data_, kMaterialArrays);
+    if (!material_) material_ = only_array(data_);
+    line_ = first_of(data_, kLineArrays);
+    vtkNew<vtkIdList> nodes;
+    for (vtkIdType c = 0; c < data_.GetNumberOfCells(); ++c) {
+      data_.GetCellPoints(c, nodes);
+      if (std::optional<Error> error = read_cell(c, *nodes)) return *error;
+    }
+    if (mesh_.cells() == 0 && mesh_.lines.empty())
+      return error(ErrorCode::syntax, "no polygons and no lines in it");
+    return std::move(mesh_);
+  }
+
+ private:
+  [[nodiscard]] Error error(ErrorCode code, const std::string& what) const {
+    return {code, fmt::format("{}: {}", mesh_.source, what), {}, {}};
+  }
+
+  std::optional<Error> read_points() {
+    std::array<double, 3> first{};
+    for (vtkIdType p = 0; p < data_.GetNumberOfPoints(); ++p) {
+      std::array<double, 3> x{};
+      data_.GetPoint(p, x.data());
+      if (p == 0) first = x;
+      if (!std::isfinite(x[0]) || !std::isfinite(x[1]))
+        return error(ErrorCode::non_finite_coordinate, fmt::format("point {} is not finite", p));
+      if (x[2] != first[2])
+        return error(ErrorCode::unsupported_format,
+                     fmt::format("the mesh is not in a plane z = constant: point 0 has z = {}, "
+                                 "point {} {}",
+                                 first[2], p, x[2]));
+      mesh_.points.push_back({x[0], x[1]});
+      mesh_.point_ids.push_back(static_cast<long>(p));
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Error> read_cell(vtkIdType c, vtkIdList& nodes) {
+    for (vtkIdType k = 0; k < nodes.GetNumberOfIds(); ++k)
+      if (nodes.GetId(k) < 0 || nodes.GetId(k) >= data_.GetNumberOfPoints())
+        return error(
+            ErrorCode::id_out_of_range,
+            fmt::format("cell {} has the point {}, which is not there", c, nodes.GetId(k)));
+    switch (data_.GetCellType(c)) {
+      case VTK_EMPTY_CELL:
+      case VTK_VERTEX:
+      case VTK_POLY_VERTEX:
+        return std::nullopt;
+      case VTK_LINE:
+      case VTK_POLY_LINE:
+        add_lines(c, nodes, nodes.GetNumberOfIds());
+        return std::nullopt;
+      case VTK_QUADRATIC_EDGE:
+        add_lines(c, nodes, 2);
+        return std::nullopt;
+      case VTK_TRIANGLE:
+      case VTK_QUADRATIC_TRIANGLE:
+        return add_cell(c, nodes, {0, 1, 2});
+      case VTK_QUAD:
+      case VTK_QUADRATIC_QUAD:
+      case VTK_BIQUADRATIC_QUAD:
+        return add_cell(c, nodes, {0, 1, 2, 3});
+      case VTK_PIXEL:
+        return add_cell(c, nodes, {0, 1, 3, 2});
+      case VTK_TRIANGLE_STRIP:
+        for (vtkIdType k = 2; k < nodes.GetNumberOfIds(); ++k)
+          if (auto failed = add_cell(c, nodes, {k - 2, k - 1, k})) return failed;
+        return std::nullopt;
+      case VTK_POLYGON: {
+        std::vector<vtkIdType> all(static_cast<std::size_t>(nodes.GetNumberOfIds()));
+        for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<vtkIdType>(k);
+        return add_cell(c, nodes, all);
+      }
+      default:
+        return error(ErrorCode::unsupported_format,
+                     fmt::format("cell {} is of VTK's type {}; plane meshes of triangles, "
+                                 "quadrangles and polygons are read",
+                                 c, data_.GetCellType(c)));
+    }
+  }
+
+  void add_lines(vtkIdType c, vtkIdList& nodes, vtkIdType count) {
+    for (vtkIdType k = 0; k + 1 < std::min(count, nodes.GetNumberOfIds()); ++k) {
+      CellMesh::Line line;
+      line.a = static_cast<std::uint32_t>(nodes.GetId(k));
+      line.b = static_cast<std::uint32_t>(nodes.GetId(k + 1));
+      line.id = static_cast<long>(c);
+      const int number = line_ ? value_of(*line_, c) : 0;
+      if (number > 0) {
+        line.marker = number;
+        line.name = std::to_string(number);
+      }
+      mesh_.lines.push_back(std::move(line));
+    }
+  }
+
+  std::optional<Error> add_cell(vtkIdType c, vtkIdList& nodes,
+                                const std::vector<vtkIdType>& corners) {
+    if (!material_) return error(ErrorCode::syntax, no_material());
+    std::vector<std::uint32_t> cell;
+    for (const vtkIdType k : corners)
+      if (k < nodes.GetNumberOfIds()) cell.push_back(static_cast<std::uint32_t>(nodes.GetId(k)));
+    if (cell.size() < 3) return std::nullopt;
+    const auto [at, is_new] =
+        index_.emplace(value_of(*material_, c), static_cast<std::uint32_t>(mesh_.materials.size()));
+    if (is_new) mesh_.materials.push_back(std::to_string(at->first));
+    mesh_.add_cell(cell, at->second);
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::string no_material() const {
+    std::string names;
+    for (int i = 0; i < data_.GetCellData()->GetNumberOfArrays(); ++i)
+      if (const char* name = data_.GetCellData()->GetArrayName(i))
+        names += (names.empty() ? "" : ", ") + std::string(name);
+    return "no cell array of whole numbers called material (or MaterialID, mat_id, ...); " +
+           (names.empty() ? "there are no cell arrays" : "the cell arrays are " + names);
+  }
+
+  vtkDataSet& data_;
+  vtkDataArray* material_ = nullptr;
+  vtkDataArray* line_ = nullptr;
+  std::map<int, std::uint32_t> index_;
+  CellMesh mesh_;
+};
+
+std::string extension_of(const std::string& path) {
+  return std::filesystem::path(path).extension().string();
+}
+
+}  // namespace
+
+bool is_vtk_input(const std::string& path) {
+  const std::string extension = extension_of(path);
+  return extension == ".vtu" || extension == ".vtp" || extension == ".vtk";
+}
+
+Result<Input> read_vtk_input(const std::string& path) {
+  if (!is_vtk_input(path))
+    return Error{ErrorCode::unsupported_format,
+                 fmt::format("{}: not named like a file of VTK: .vtu, .vtp or .vtk", path),
+                 {},
+                 {}};
+  if (!std::filesystem::is_regular_file(path))
+    return Error{ErrorCode::cannot_open, fmt::format("cannot open {}", path), {}, {}};
+  const vtkSmartPointer<vtkDataSet> data = read_data_set(path, extension_of(path));
+  if (!data) return Error{ErrorCode::syntax, fmt::format("{}: VTK cannot read it", path), {}, {}};
+  Result<CellMesh> mesh = Converter(*data, path).convert();
+  if (!mesh) return std::move(mesh).error();
+  return borders_of(*mesh);
+}
+
+}  // namespace cover
