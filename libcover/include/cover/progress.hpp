@@ -10,12 +10,13 @@ namespace cover {
 
 /// One step of a run.
 struct Progress {
-  std::string_view stage;   ///< "regions", "mesh", "stitch", ...
-  std::size_t done = 0;     ///< of `total`, in units of the stage (regions by their weight)
+  std::string_view stage;  ///< "regions", "mesh", "stitch", ...
+  std::size_t done = 0;    ///< of `total`, in units of the stage (regions by their weight)
   std::size_t total = 0;
 };
 
-/// How the caller follows a run. `progress` is called from one thread at a time.
+/// How the caller follows a run. `progress` is called from one thread at a time; what it throws
+/// ends the run and reaches the caller.
 struct Callbacks {
   std::function<void(const Progress&)> progress;
   std::stop_token stop;

@@ -1,6 +1,7 @@
 // A region needs nothing of its neighbours and writes only its own slot of the results, so tasks
 // share nothing but the progress count. The one place where exceptions are caught: what is thrown
-// inside a region (by CGAL, or for lack of memory) becomes the error of that region.
+// inside a region (by CGAL, or for lack of memory) becomes the error of that region. Tested by
+// tests/unit/pipeline/cover_mesh_test.cpp.
 #include "pipeline/region_task.hpp"
 
 #include <algorithm>
@@ -61,7 +62,8 @@ std::vector<Batch> make_batches(std::span<const RegionBoundary> boundaries,
   return batches;
 }
 
-/// Counts what is done and tells the caller, one thread at a time.
+/// Counts what is done and tells the caller, one thread at a time. What the caller's function
+/// throws is kept for the caller's thread.
 class ProgressCount {
  public:
   ProgressCount(std::string_view stage, std::size_t total, const Callbacks& callbacks)
@@ -71,13 +73,26 @@ class ProgressCount {
     if (!callbacks_.progress) return;
     const std::lock_guard lock(mutex_);
     state_.done += cost;
-    callbacks_.progress(state_);
+    if (thrown_) return;
+    try {
+      callbacks_.progress(state_);
+    } catch (...) {
+      thrown_ = std::current_exception();
+      has_thrown_ = true;
+    }
+  }
+
+  [[nodiscard]] bool must_stop() const { return has_thrown_ || callbacks_.stop.stop_requested(); }
+  void rethrow() const {
+    if (thrown_) std::rethrow_exception(thrown_);
   }
 
  private:
   const Callbacks& callbacks_;
   std::mutex mutex_;
   Progress state_;
+  std::exception_ptr thrown_;
+  std::atomic<bool> has_thrown_ = false;
 };
 
 Error task_failed(RegionId region, const char* what) {
@@ -106,7 +121,7 @@ Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned work
 
   const auto run = [&](const Batch& batch) {
     for (std::size_t k = batch.first; k < batch.last; ++k) {
-      if (callbacks.stop.stop_requested()) return;
+      if (progress.must_stop()) return;
       try {
         task(order[k]);
       } catch (const std::exception& e) {
@@ -120,6 +135,7 @@ Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned work
     boost::asio::post(pool, [&run, &batch] { run(batch); });
   }
   pool.join();
+  progress.rethrow();
 
   if (callbacks.stop.stop_requested()) return Error{ErrorCode::cancelled, "interrupted", {}, {}};
   for (std::optional<Error>& error : errors) {

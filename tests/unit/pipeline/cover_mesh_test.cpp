@@ -9,7 +9,7 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <thread>
+#include <stdexcept>
 
 #include <cover/verify.hpp>
 
@@ -149,6 +149,20 @@ TEST(CoverMesh, ReportsProgressFromOneThreadAtATime) {
   EXPECT_TRUE(in_order);
   ASSERT_TRUE(last.contains("mesh"));
   EXPECT_EQ(last["mesh"].done, last["mesh"].total);
+}
+
+TEST(CoverMesh, WhatTheProgressFunctionThrowsReachesTheCaller) {
+  const Input input = testing::checker(12, 6, 16);
+  Options options;
+  options.threads = 3;
+  Callbacks callbacks;
+  int calls = 0;
+  callbacks.progress = [&](const Progress&) {
+    ++calls;
+    throw std::runtime_error("enough");
+  };
+  EXPECT_THROW((void)cover_mesh(input, options, callbacks), std::runtime_error);
+  EXPECT_EQ(calls, 1);
 }
 
 TEST(CoverMesh, RefusesOptionsOutOfRange) {
