@@ -17,8 +17,7 @@ bool is_usable(const TriangleSoup& soup, const std::array<std::uint32_t, 3>& t) 
 
 }  // namespace
 
-SoupEdges::SoupEdges(const TriangleSoup& soup) : soup_(soup) {
-  std::vector<bool> used(soup.points.size(), false);
+SoupEdges::SoupEdges(const TriangleSoup& soup) : soup_(soup), first_(soup.points.size() + 1, 0) {
   edges_.reserve(3 * soup.triangles.size());
   for (std::uint32_t k = 0; k < soup.triangles.size(); ++k) {
     const auto& t = soup.triangles[k];
@@ -26,16 +25,15 @@ SoupEdges::SoupEdges(const TriangleSoup& soup) : soup_(soup) {
       unusable_.push_back(k);
       continue;
     }
-    for (std::size_t i = 0; i < 3; ++i) {
-      edges_.push_back({t[i], t[(i + 1) % 3], k});
-      used[t[i]] = true;
-    }
+    for (std::size_t i = 0; i < 3; ++i) edges_.push_back({t[i], t[(i + 1) % 3], k});
   }
   std::sort(edges_.begin(), edges_.end(), [](const Edge& e, const Edge& f) {
     return std::tie(e.from, e.to, e.triangle) < std::tie(f.from, f.to, f.triangle);
   });
-  for (std::uint32_t v = 0; v < used.size(); ++v) {
-    if (used[v]) by_place_.push_back(v);
+  for (const Edge& e : edges_) ++first_[e.from + 1];
+  for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
+  for (std::uint32_t v = 0; v < soup.points.size(); ++v) {
+    if (first_[v] != first_[v + 1]) by_place_.push_back(v);
   }
   std::sort(by_place_.begin(), by_place_.end(), [&](std::uint32_t a, std::uint32_t b) {
     return std::tie(soup.points[a], a) < std::tie(soup.points[b], b);
@@ -43,19 +41,15 @@ SoupEdges::SoupEdges(const TriangleSoup& soup) : soup_(soup) {
 }
 
 std::span<const SoupEdges::Edge> SoupEdges::leaving(std::uint32_t vertex) const {
-  const auto first = std::partition_point(edges_.begin(), edges_.end(),
-                                          [&](const Edge& e) { return e.from < vertex; });
-  const auto last =
-      std::partition_point(first, edges_.end(), [&](const Edge& e) { return e.from == vertex; });
-  return {first, last};
+  return all().subspan(first_[vertex], first_[vertex + 1] - first_[vertex]);
 }
 
 std::optional<std::size_t> SoupEdges::find(std::uint32_t from, std::uint32_t to) const {
-  const auto it = std::partition_point(edges_.begin(), edges_.end(), [&](const Edge& e) {
-    return std::tie(e.from, e.to) < std::tie(from, to);
-  });
-  if (it == edges_.end() || it->from != from || it->to != to) return std::nullopt;
-  return static_cast<std::size_t>(it - edges_.begin());
+  const auto edges = leaving(from);
+  const auto it =
+      std::partition_point(edges.begin(), edges.end(), [&](const Edge& e) { return e.to < to; });
+  if (it == edges.end() || it->to != to) return std::nullopt;
+  return first_[from] + static_cast<std::size_t>(it - edges.begin());
 }
 
 std::optional<std::uint32_t> SoupEdges::vertex_at(Point p) const {

@@ -42,6 +42,7 @@ class SoupEdges {
 
  private:
   const TriangleSoup& soup_;
+  std::vector<std::size_t> first_;  ///< by vertex, into edges_
   std::vector<Edge> edges_;
   std::vector<std::uint32_t> unusable_;
   std::vector<std::uint32_t> by_place_;  ///< used vertices, by coordinates, then index

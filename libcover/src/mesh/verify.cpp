@@ -18,7 +18,6 @@
 #include <map>
 #include <numbers>
 #include <numeric>
-#include <set>
 
 #include <fmt/format.h>
 
@@ -270,16 +269,16 @@ class Verifier {
       if (known != kVoid && known != region) report_two_regions(all[k], known, region);
       known = region;
     }
-    std::set<RegionId> met;
+    std::vector<bool> met(domain_.nu_opt.size(), false);
     for (const SoupEdges::Edge& e : all) {
       region_[e.triangle] = of_root[root(e.triangle)];
       if (region_[e.triangle] != kVoid) {
-        met.insert(region_[e.triangle]);
+        met[region_[e.triangle].index()] = true;
       } else if (e.from == mesh_.triangles[e.triangle][0]) {
         report_no_region(e.triangle);
       }
     }
-    result_.regions = met.size();
+    result_.regions = static_cast<std::size_t>(std::count(met.begin(), met.end(), true));
   }
 
   void report_two_regions(const SoupEdges::Edge& e, RegionId one, RegionId other) {
