@@ -22,9 +22,4 @@ struct Walk {
 /// Cost:  O(triangles passed)
 Walk walk_straight(const Triangulation& cdt, std::uint32_t start, Point from, Point to);
 
-/// True if walk_straight() arrives.
-inline bool is_seen(const Triangulation& cdt, std::uint32_t start, Point from, Point to) {
-  return walk_straight(cdt, start, from, to).arrived;
-}
-
 }  // namespace cover

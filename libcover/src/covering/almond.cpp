@@ -8,12 +8,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "geom/predicates.hpp"
 #include "region/region_boundary.hpp"
 
 namespace cover {
+namespace {
+
+/// Spacing of doubles as large as the larger of two.
+double spacing(double x, double y) {
+  const double largest = std::max(std::abs(x), std::abs(y));
+  return std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+}
+
+}  // namespace
 
 void Almond::set_nu(double value) {
   nu = value;
@@ -53,7 +63,8 @@ double Almond::place_of_ratio(double r) const {
 double Almond::height() const { return length / 2 * std::tan(nu / 2); }
 
 std::vector<Almond> make_almonds(const Triangulation& cdt, std::span<const IndexPair> sides,
-                                 std::span<const SegmentId> segments, const AngleLimit& limit) {
+                                 std::span<const SegmentId> segments, const AngleLimit& limit,
+                                 Point origin) {
   std::vector<Almond> almonds(sides.size());
   for (std::size_t k = 0; k < sides.size(); ++k) {
     Almond& a = almonds[k];
@@ -65,6 +76,9 @@ std::vector<Almond> make_almonds(const Triangulation& cdt, std::span<const Index
     a.to = cdt.points[a.v];
     a.chord = a.to - a.from;
     a.length = length(a.chord);
+    a.resolution = (std::abs(a.chord.y) * spacing(a.from.x + origin.x, a.to.x + origin.x) +
+                    std::abs(a.chord.x) * spacing(a.from.y + origin.y, a.to.y + origin.y)) /
+                   a.length;
     if (segments[k] == kHullSide) {
       a.kind = AlmondKind::hull_side;
       continue;

@@ -41,6 +41,7 @@ struct Almond {
   Point from, to;            ///< positions of u and v
   Vector chord;              ///< to - from
   double length = 0;         ///< of the chord
+  double resolution = 0;     ///< spacing of the final coordinates across the side, at its ends
   double nu = 0, sin_nu = 0, cos_nu = 1;
 
   /// True if other arcs are to be met with this one.
@@ -71,17 +72,22 @@ struct Almond {
   }
   /// True if `x`, a point of the circle, lies on the arc and not on the rest of the circle.
   [[nodiscard]] bool on_the_arc(Point x) const { return dot(from - x, to - x) < 0; }
-  /// Height of the arc over the side.
+  /// Height of the arc over the side; at an end, a place s, it is about 4 s times that.
   [[nodiscard]] double height() const;
 };
 
+/// Heights over a side below this many spacings of the coordinates cannot be told from zero.
+inline constexpr double kFlat = 16;
+
 /// How far two computed positions of the same point of an arc may be apart, relative to the length
-/// of the side: 64 times the rounding error of a coordinate difference of that length.
-inline constexpr double kRounding = 0x1p-46;
+/// of the side: 8 times the rounding error of a coordinate difference of that length.
+inline constexpr double kRounding = 0x1p-50;
 
 /// One almond per side, as large as the paper makes it. Whether the cap of 120 degrees applies is
-/// decided exactly; where it does not, the apex is on the arc by construction.
+/// decided exactly; where it does not, the apex is on the arc by construction. `origin` is added to
+/// the coordinates in the end, and decides what they can resolve.
 std::vector<Almond> make_almonds(const Triangulation& cdt, std::span<const IndexPair> sides,
-                                 std::span<const SegmentId> segments, const AngleLimit& limit);
+                                 std::span<const SegmentId> segments, const AngleLimit& limit,
+                                 Point origin);
 
 }  // namespace cover

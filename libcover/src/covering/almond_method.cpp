@@ -19,8 +19,6 @@
 namespace cover {
 namespace {
 
-/// Heights of arcs below this many spacings of the coordinates cannot be told from straight lines.
-constexpr double kFlat = 16;
 /// With k = 0.495 the almond triangles keep a little more than half of nu(A); so much may be given
 /// away.
 constexpr double kSlack = 0.005;
@@ -37,7 +35,7 @@ class AlmondMethod {
         rule_(rule),
         plan_(plan),
         stop_(stop),
-        almonds_(make_almonds(input.cdt, input.sides, input.segments, input.limit)),
+        almonds_(make_almonds(input.cdt, input.sides, input.segments, input.limit, input.origin)),
         repairs_(almonds_.size(), 0) {
     const double b = std::min(input.limit.nu, std::numbers::pi / 3);
     least_nu_ = rule.paper ? b : (1 - kSlack) * b;
@@ -45,7 +43,7 @@ class AlmondMethod {
     flatten_below_resolution();
     for (const Almond& almond : almonds_) awake_kind_.push_back(almond.kind);
     asleep_.assign(almonds_.size(), false);
-    if (!rule.paper && plan.refine_first) {
+    if (input.sparing) {
       for (std::uint32_t k = 0; k < almonds_.size(); ++k) put_to_sleep(k);
     }
   }
@@ -167,12 +165,12 @@ class AlmondMethod {
   void flatten_below_resolution() {
     for (std::uint32_t k = 0; k < almonds_.size(); ++k) {
       Almond& a = almonds_[k];
-      if (a.kind != AlmondKind::whole || a.height() >= kFlat * input_.spacing) continue;
+      if (a.kind != AlmondKind::whole || a.height() >= kFlat * a.resolution) continue;
       replace_by_triangle(a);
       mesh_.remarks.push_back(
           {Note::Kind::below_resolution, k,
            fmt::format("is too flat for double coordinates (height {:.3g}, spacing {:.3g})",
-                       a.height(), input_.spacing)});
+                       a.height(), a.resolution)});
     }
   }
 

@@ -22,7 +22,8 @@ struct AlmondInput {
   std::span<const IndexPair> sides;
   std::span<const SegmentId> segments;  ///< by side
   const AngleLimit& limit;
-  double spacing = 0;  ///< of doubles as large as the final coordinates
+  Point origin;          ///< to be added to all coordinates in the end
+  bool sparing = false;  ///< only almonds that turn out to be needed; else one on every side
 };
 
 /// Something to report about a side.

@@ -19,10 +19,10 @@ class Almonds {
           std::vector<Point>& points, std::vector<std::array<std::uint32_t, 3>>& triangles)
       : layer_(layer), splits_(splits), rule_(rule), points_(points), triangles_(triangles) {}
 
-  /// False if a triangle came out clockwise or flat.
+  /// False if rounding made a triangle clockwise, or its angle too large.
   bool triangulate(std::uint32_t k, const Almond& almond) {
     const auto chords = layer_.of(k);
-    positive_ = true;
+    good_ = true;
     if (chords.size() < 2) return true;  // empty
     const std::size_t first = layer_.first[k], last = layer_.first[k + 1] - 1;
     if (const auto longest = long_chord(chords, almond)) {
@@ -35,7 +35,7 @@ class Almonds {
       add(almond.u, almond.v, centre);
       for (std::size_t c = first; c <= last; ++c) fan(centre, c);
     }
-    return positive_;
+    return good_;
   }
 
  private:
@@ -74,7 +74,8 @@ class Almonds {
   }
 
   void add(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    positive_ &= orientation(points_[a], points_[b], points_[c]) == Sign::positive;
+    good_ &= orientation(points_[a], points_[b], points_[c]) == Sign::positive &&
+             (!rule_.promises_bound() || rule_.is_kept_by(points_[a], points_[b], points_[c]));
     triangles_.push_back({a, b, c});
   }
 
@@ -83,7 +84,7 @@ class Almonds {
   const CutRule& rule_;
   std::vector<Point>& points_;
   std::vector<std::array<std::uint32_t, 3>>& triangles_;
-  bool positive_ = true;
+  bool good_ = true;
 };
 
 }  // namespace

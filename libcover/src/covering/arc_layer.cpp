@@ -5,6 +5,7 @@
 #include "covering/arc_layer.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 
 #include "cdt/sight.hpp"
@@ -108,7 +109,7 @@ class Layer {
         meet(almonds_[a], reach_.known_of(a), almonds_[b], reach_.known_of(b));
     for (int i = 0; i < meetings.count; ++i) {
       const Meeting& m = meetings.item[static_cast<std::size_t>(i)];
-      if (!sees(a, m.at) || !sees(b, m.at)) continue;
+      if (!sees(a, m.at, b) || !sees(b, m.at, a)) continue;
       const auto vertex = static_cast<std::uint32_t>(points_.size());
       points_.push_back(m.at);
       entries_.push_back({a, m.place_a, vertex});
@@ -116,9 +117,19 @@ class Layer {
     }
   }
 
-  [[nodiscard]] bool sees(std::uint32_t almond, Point x) const {
+  /// True if nothing lies between a side and a point of its arc and that of `other`. A point of a
+  /// hull side may lie outside by rounding.
+  [[nodiscard]] bool sees(std::uint32_t almond, Point x, std::uint32_t other) const {
     const Almond& a = almonds_[almond];
-    return is_seen(cdt_, a.base.triangle, midpoint(a.from, a.to), x);
+    const Walk walk = walk_straight(cdt_, a.base.triangle, midpoint(a.from, a.to), x);
+    if (walk.arrived) return true;
+    for (const Almond& h : {std::cref(a), std::cref(almonds_[other])}) {
+      if (h.kind == AlmondKind::hull_side && walk.at.triangle == h.base.triangle &&
+          walk.at.edge == h.base.edge) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /// By almond and place; counting sort by almond, since the lists are short.
@@ -141,6 +152,7 @@ class Layer {
   ArcLayer unite_near(double unite) {
     Unions unions(points_.size());
     for (std::size_t k = 0; k + 1 < entries_.size(); ++k) {
+      unite_flat(entries_[k], unions);
       const Entry& e = entries_[k];
       const Entry& f = entries_[k + 1];
       if (e.almond != f.almond || (is_input(e.vertex) && is_input(f.vertex))) continue;
@@ -157,6 +169,17 @@ class Layer {
     }
     layer.points = std::move(points_);
     return layer;
+  }
+
+  /// On a flat arc, a vertex so near to an end that its height over the side cannot be resolved
+  /// becomes that end.
+  void unite_flat(const Entry& e, Unions& unions) const {
+    const Almond& a = almonds_[e.almond];
+    const double height = a.nu * a.length * std::min(e.place, 1 - e.place);
+    if (is_input(e.vertex) || a.kind == AlmondKind::hull_side || height >= kFlat * a.resolution) {
+      return;
+    }
+    unions.unite(e.vertex, e.place < 0.5 ? a.u : a.v);
   }
 
   [[nodiscard]] bool is_input(std::uint32_t vertex) const { return vertex < cdt_.points.size(); }

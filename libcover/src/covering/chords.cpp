@@ -13,7 +13,8 @@ namespace {
 constexpr double kSpare = 0.003;
 
 double piece_limit(double k, double nu) {
-  return std::acos(std::cos((1 + k) * nu / 2) / std::cos((1 - k) * nu / 2)) / nu;
+  // arccos(cos a / cos b) with a + b = nu, a - b = k nu, without the cancellation where nu is tiny.
+  return std::atan(std::sqrt(std::sin(nu) * std::sin(k * nu)) / std::cos((1 + k) * nu / 2)) / nu;
 }
 
 /// Chords as the arcs have them, uncut.
@@ -30,21 +31,52 @@ std::vector<ArcChord> join_vertices(const ArcLayer& layer) {
   return chords;
 }
 
+/// Lists of chords by their first vertex.
+class ChordsFrom {
+ public:
+  ChordsFrom(std::size_t points, std::size_t chords) : head_(points, kNone), next_(chords, kNone) {}
+
+  void add(std::uint32_t c, std::uint32_t from) {
+    next_[c] = head_[from];
+    head_[from] = c;
+  }
+  /// The chord from `a` to `b`, or kNone.
+  [[nodiscard]] std::uint32_t find(const std::vector<ArcChord>& chords, std::uint32_t a,
+                                   std::uint32_t b) const {
+    std::uint32_t c = head_[a];
+    while (c != kNone && chords[c].b != b) c = next_[c];
+    return c;
+  }
+
+ private:
+  std::vector<std::uint32_t> head_, next_;
+};
+
+/// The only chord of an empty almond: the side itself.
+bool is_side(const ArcChord& chord) { return chord.place_a == 0 && chord.place_b == 1; }
+
 /// Marks chords that have a partner; returns the almonds of those that occur twice.
+///
+/// The side of an empty almond is the partner of a chord of the almond that covers it, never of
+/// another side: the two sides of a slit are no neighbours.
 std::vector<std::uint32_t> pair_chords(std::vector<ArcChord>& chords, std::size_t points) {
-  constexpr std::uint32_t kEnd = kNone;
-  std::vector<std::uint32_t> head(points, kEnd), next(chords.size(), kEnd);
+  ChordsFrom sides(points, chords.size()), others(points, chords.size());
   std::vector<std::uint32_t> faults;
   for (std::uint32_t c = 0; c < chords.size(); ++c) {
-    ArcChord& chord = chords[c];
-    for (std::uint32_t o = head[chord.a]; o != kEnd; o = next[o]) {
-      if (chords[o].b == chord.b) faults.insert(faults.end(), {chord.almond, chords[o].almond});
+    const ArcChord& chord = chords[c];
+    if (is_side(chord)) {
+      sides.add(c, chord.a);
+      continue;
     }
-    for (std::uint32_t o = head[chord.b]; o != kEnd; o = next[o]) {
-      if (chords[o].b == chord.a) chord.kind = chords[o].kind = ChordKind::interior;
-    }
-    next[c] = head[chord.a];
-    head[chord.a] = c;
+    const std::uint32_t twin = others.find(chords, chord.a, chord.b);
+    if (twin != kNone) faults.insert(faults.end(), {chord.almond, chords[twin].almond});
+    others.add(c, chord.a);
+  }
+  for (ArcChord& chord : chords) {
+    if (is_side(chord)) continue;
+    std::uint32_t partner = sides.find(chords, chord.b, chord.a);
+    if (partner == kNone) partner = others.find(chords, chord.b, chord.a);
+    if (partner != kNone) chord.kind = chords[partner].kind = ChordKind::interior;
   }
   return faults;
 }
@@ -56,6 +88,13 @@ double CutRule::longest_piece(double almond_nu) const {
   const double needed = nu / almond_nu + kSpare;
   if (piece_limit(kPaperCentre, almond_nu) - needed >= 0.5) return 0.5;
   return std::min(kCentre, piece_limit(kCentre, almond_nu) - needed);
+}
+
+bool CutRule::is_kept_by(Point a, Point b, Point c) const {
+  const double least = std::min({nu_at(b, a, c), nu_at(c, b, a), nu_at(a, c, b)});
+  if (least >= nu) return true;
+  const double shortest = std::min({length(b - a), length(c - b), length(a - c)});
+  return least + rounding / shortest >= nu * (1 - 1e-9);
 }
 
 ChordLayer cut_chords(ArcLayer layer, std::span<const Almond> almonds, const CutRule& rule) {

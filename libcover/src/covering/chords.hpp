@@ -33,7 +33,9 @@ struct ArcChord {
 struct CutRule {
   bool paper = false;  ///< pieces of 1/`pieces` of the arc, centre at k = 1/2
   int pieces = 6;
-  double nu = 0;  ///< what every triangle has to keep: promise 3
+  double nu = 0;        ///< what every triangle has to keep: promise 3
+  double rounding = 0;  ///< a length: over the shortest edge of a triangle, what rounding the
+                        ///< coordinates can change in its angles
 
   /// The longest exterior piece of the arc of an almond, as a part of the arc.
   ///
@@ -42,6 +44,12 @@ struct CutRule {
   /// and never above 1/2. Ref: mitchell_1993_covering, Theorem 5, with the exact constant in place
   /// of 2/3
   [[nodiscard]] double longest_piece(double almond_nu) const;
+
+  /// True if the triangle keeps `nu`, up to rounding of its corners.
+  [[nodiscard]] bool is_kept_by(Point a, Point b, Point c) const;
+
+  /// The publication's own program cut into three: then its bound is not the one of promise 3.
+  [[nodiscard]] bool promises_bound() const { return !paper || pieces >= 5; }
 };
 
 /// The parameter k of an almond's centre Q, which sees the side under pi - (1 - k) nu.

@@ -70,10 +70,12 @@ class Region {
     report.forced_above_150 = limit_.above_150;
   }
 
-  /// A region of one triangle is as good as it gets; else the improvement over the paper: a
-  /// triangulation that keeps the bound needs no Steiner vertex.
+  /// A region of one triangle is as good as it gets, if it may not be split; else the improvement
+  /// over the paper: a triangulation that keeps the bound needs no Steiner vertex.
   [[nodiscard]] bool is_good_enough() const {
-    if (cdt_.triangles.size() == 1) return true;
+    const bool hull = std::find(boundary_.segments.begin(), boundary_.segments.end(), kHullSide) !=
+                      boundary_.segments.end();
+    if (cdt_.triangles.size() == 1 && !hull) return true;
     if (options_.paper) return false;
     const double nu = limit_.promised_nu();
     return std::all_of(cdt_.triangles.begin(), cdt_.triangles.end(), [&](const Triangle& f) {
@@ -91,10 +93,12 @@ class Region {
 
   /// The almond method; false if a triangle is not counter-clockwise in the region's coordinates.
   bool cover() {
-    const CutRule rule{options_.paper, options_.pieces, limit_.promised_nu()};
-    AlmondMesh almonds =
-        mesh_by_almonds({cdt_, boundary_.sides, boundary_.segments, limit_, frame_.spacing()}, rule,
-                        make_plan(options_), stop_);
+    const CutRule rule{options_.paper, options_.pieces, limit_.promised_nu(), frame_.rounding()};
+    // Disk packing puts vertices on every chord, so it needs almonds before every side.
+    const bool sparing = !options_.paper && options_.fill == Fill::refine;
+    AlmondMesh almonds = mesh_by_almonds(
+        {cdt_, boundary_.sides, boundary_.segments, limit_, frame_.origin(), sparing}, rule,
+        make_plan(options_), stop_);
     const std::size_t inputs = boundary_.points.size();
     mesh_.steiner.clear();
     for (std::size_t v = inputs; v < almonds.points.size(); ++v) {

@@ -19,7 +19,7 @@ bool is_exact_difference(double a, double b) {
 LocalFrame::LocalFrame(std::span<const Point> points) {
   double largest = 0;
   for (const Point& p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-  spacing_ = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+  rounding_ = 4 * (std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest);
   const bool exact = std::all_of(points.begin(), points.end(), [&](const Point& p) {
     return is_exact_difference(p.x, points[0].x) && is_exact_difference(p.y, points[0].y);
   });

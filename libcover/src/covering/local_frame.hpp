@@ -21,15 +21,17 @@ class LocalFrame {
   [[nodiscard]] bool is_shifted() const { return origin_ != Point{}; }
   /// Back to the frame of the region; rounded.
   [[nodiscard]] Point restore(Point p) const { return {p.x + origin_.x, p.y + origin_.y}; }
-  /// The spacing of doubles as large as the largest coordinate of the region.
-  [[nodiscard]] double spacing() const { return spacing_; }
+  /// Over the shortest edge of a triangle: what rounding its corners can change in its angles.
+  [[nodiscard]] double rounding() const { return rounding_; }
+  /// What restore() adds.
+  [[nodiscard]] Point origin() const { return origin_; }
   /// Leaves the coordinates as they are.
   void undo(std::span<const Point> points);
 
  private:
   Point origin_;
   std::vector<Point> points_;
-  double spacing_ = 0;
+  double rounding_ = 0;
 };
 
 }  // namespace cover
