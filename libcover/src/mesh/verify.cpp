@@ -234,14 +234,33 @@ class Verifier {
   void check_inner_edges() {
     const auto all = edges_.all();
     for (std::size_t k = 0; k < all.size(); ++k) {
-      if (side_of_[k] != kNoSide || edges_.find(all[k].to, all[k].from)) continue;
-      add(Kind::open_edge, 2,
-          fmt::format(
-              "the {} of triangle {} has no triangle on its other side and is no segment: a "
-              "gap, an overlap or a vertex inside an edge",
-              edge_text(all[k]), all[k].triangle),
-          {at(all[k].from), at(all[k].to)});
+      const bool has_reverse = edges_.find(all[k].to, all[k].from).has_value();
+      if (side_of_[k] != kNoSide) {
+        check_piece(all[k], side_of_[k], has_reverse);
+      } else if (!has_reverse) {
+        add(Kind::open_edge, 2,
+            fmt::format(
+                "the {} of triangle {} has no triangle on its other side and is no segment: a "
+                "gap, an overlap or a vertex inside an edge",
+                edge_text(all[k]), all[k].triangle),
+            {at(all[k].from), at(all[k].to)});
+      }
     }
+  }
+
+  /// A piece of a split side needs a triangle on its other side just where there is a region. Whole
+  /// sides have been looked at.
+  void check_piece(const SoupEdges::Edge& e, std::uint32_t s, bool has_reverse) {
+    const ExpectedSide& side = domain_.sides[s];
+    if (e.from == vertex_[side.a] && e.to == vertex_[side.b]) return;
+    const RegionId other = side.hull ? kVoid : domain_.sides[s ^ 1].region;
+    if (has_reverse == (other != kVoid)) return;
+    add(has_reverse ? Kind::in_void : Kind::open_edge, 2,
+        fmt::format("the {} on the segment from {} to {} {}", edge_text(e), input_point(side.a),
+                    input_point(side.b),
+                    has_reverse ? "has a triangle in the void beside it"
+                                : "is no edge of the triangles on the other side"),
+        {at(e.from), at(e.to)});
   }
 
   /// Carries the regions of the sides over all edges that are no part of one.

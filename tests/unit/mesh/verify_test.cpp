@@ -172,9 +172,9 @@ TEST(Verify, IsolatedPointLeftOut) {
   EXPECT_TRUE(has(v, 1, "point 13 at (1, 5) is no vertex")) << all_of(v);
 }
 
-TEST(Verify, SegmentSplitByAVertex) {
-  Device d;
-  // The interface 1-4 from (6, 0) to (6, 6), cut at its middle on both sides.
+/// Cuts the interface 1-4, from (6, 0) to (6, 6), at its middle; on one of its sides only, if
+/// asked.
+std::uint32_t cut_interface(Device& d, bool one_side = false) {
   const auto middle = static_cast<std::uint32_t>(d.mesh.points.size());
   d.mesh.points.push_back({6, 3});
   const std::size_t before = d.mesh.triangles.size();
@@ -182,7 +182,7 @@ TEST(Verify, SegmentSplitByAVertex) {
     for (std::size_t i = 0; i < 3; ++i) {
       auto& t = d.mesh.triangles[k];
       const std::uint32_t a = t[i], b = t[(i + 1) % 3], c = t[(i + 2) % 3];
-      if (!((a == 1 && b == 4) || (a == 4 && b == 1))) continue;
+      if (!((a == 1 && b == 4) || (a == 4 && b == 1 && !one_side))) continue;
       t = {a, middle, c};
       d.mesh.triangles.push_back({middle, b, c});
       d.mesh.region.push_back(d.mesh.region[k]);
@@ -190,7 +190,13 @@ TEST(Verify, SegmentSplitByAVertex) {
       break;
     }
   }
-  ASSERT_EQ(d.mesh.triangles.size(), before + 2);
+  EXPECT_EQ(d.mesh.triangles.size(), before + (one_side ? 1 : 2));
+  return middle;
+}
+
+TEST(Verify, SegmentSplitByAVertex) {
+  Device d;
+  const std::uint32_t middle = cut_interface(d);
   const Verification v = d.check();
   EXPECT_TRUE(has(v, 1, "from point 2 at (6, 0) to point 5 at (6, 6) is no edge")) << all_of(v);
   const Verification allowed = d.check({.allow_split = true});
@@ -199,6 +205,13 @@ TEST(Verify, SegmentSplitByAVertex) {
   // Off the segment by more than rounding it is no split any more.
   d.mesh.points[middle].x = 6 + 1e-9;
   EXPECT_GT(d.check({.allow_split = true}).violation_count, 0U);
+}
+
+TEST(Verify, SegmentSplitOnOneSideOnly) {
+  Device d;
+  (void)cut_interface(d, true);
+  const Verification v = d.check({.allow_split = true});
+  EXPECT_TRUE(has(v, 2, "no edge of the triangles on the other side")) << all_of(v);
 }
 
 TEST(Verify, HangingVertexInside) {
