@@ -7,7 +7,8 @@ cmake --preset release
 cmake --build --preset release --target cover_cli
 cover=build/release/apps/cover/cover
 mkdir -p out
-"$cover" mesh samples/data/mosfet.poly -o out/mosfet.vtu -o out/mosfet.png --report out/mosfet.json
+"$cover" mesh samples/data/mosfet.poly -o out/mosfet.vtu -o out/mosfet.png -o out/mosfet.vtm \
+  --method quality --report out/mosfet.html
 "$cover" check samples/data/mosfet.poly out/mosfet.vtu
 "$cover" render out/mosfet.vtu -o out/mosfet_gate.png --window=-60,-25,60,25 --color max_angle -q
 cat <<END
@@ -15,5 +16,5 @@ cat <<END
 The mesh is in            $PWD/out/mosfet.vtu   (open it with ParaView)
 its picture in            $PWD/out/mosfet.png
 the gate, by angles, in   $PWD/out/mosfet_gate.png
-what was reached in       $PWD/out/mosfet.json
+what was reached in       $PWD/out/mosfet.html  (open it with a browser)
 END

@@ -46,7 +46,7 @@ class LibraryOptions {
 
  private:
   Options options_;
-  std::string method_ = "almond";
+  std::string method_ = options_.method == Method::quality ? "quality" : "almond";
   std::string fill_ = "refine";
   std::string overlap_ = "last";
   std::string weld_;
