@@ -21,7 +21,10 @@ Result<PictureMesh> read_picture(const std::string& path) {
   if (blocks) return known ? Result<PictureMesh>(picture_of(*known)) : known.error();
   Result<MeshFile> mesh = read_mesh(path);
   if (!mesh) return std::move(mesh).error();
-  PictureMesh picture = known ? picture_of(*known) : PictureMesh();
+  PictureMesh picture;
+  if (known) picture = picture_of(*known);
+  // Lines are by vertex: they hold only where both readers count alike.
+  if (picture.mesh.soup.points != mesh->soup.points) picture = {};
   picture.mesh = *std::move(mesh);
   return picture;
 }

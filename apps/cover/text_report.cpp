@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "angle_text.hpp"
 #include "base/describe.hpp"
@@ -135,6 +137,14 @@ std::string times(const Report& report) {
   return out + fmt::format("  total {:.3f} s, {}\n", total, plural(report.threads, "thread"));
 }
 
+/// The boundary markers on a line, without 0: "11, 12".
+std::string markers(const Pslg& pslg, const Interface& line) {
+  std::set<int> seen;
+  for (const SegmentId id : line.segments) seen.insert(pslg.segments[id.index()].marker);
+  seen.erase(0);
+  return fmt::format("{}", fmt::join(seen, ", "));
+}
+
 std::string region_name(const RegionTable& table, RegionId id) {
   return id == kVoid ? "void" : table.region(id).name;
 }
@@ -183,14 +193,16 @@ std::string info_text(const Prepared& prepared, bool every_region) {
                         {"left", Align::left},
                         {"right", Align::left},
                         {"segments"},
-                        {"length"}});
+                        {"length"},
+                        {"markers", Align::left}});
   const auto longest = rows(table.interfaces.size(), every_region,
                             [&](std::size_t i) { return -table.interfaces[i].length; });
   for (const std::size_t i : longest) {
     const Interface& line = table.interfaces[i];
     interfaces.add({fmt::format("{}", line.id.value()), line.name, describe(line.kind),
                     region_name(table, line.left), region_name(table, line.right),
-                    grouped(line.segments.size()), fmt::format("{:.6g}", line.length)});
+                    grouped(line.segments.size()), fmt::format("{:.6g}", line.length),
+                    markers(prepared.pslg, line)});
   }
   out += "\nInterfaces, outlines and contacts\n" + interfaces.text() +
          more(table.interfaces.size(), longest.size(), "lines, longest first");

@@ -247,6 +247,7 @@ class Info(Case):
     def test_regions_and_lines(self):
         out, _ = self.run_cover('info', SAMPLES / 'mosfet.poly')
         self.assertIn('9 regions', out)
+        self.assertRegex(out, r'material_4_outline .* 13\n')
         self.assertRegex(out, r'\d+ +material_\w+ +interface +material_\w+ +material_\w+ +\d+ +[\d.]+')
 
     def test_areas_add_up(self):

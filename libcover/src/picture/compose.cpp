@@ -21,12 +21,8 @@
 namespace cover {
 namespace {
 
-constexpr double kMargin = 16;
 constexpr double kTitle = 30;
-constexpr double kLegend = 210;
 constexpr double kFooter = 34;
-constexpr double kText = 14;
-constexpr Colour kInk{30, 30, 30};
 constexpr Colour kMark{200, 0, 40};
 
 Error bad_option(std::string message) {
@@ -115,7 +111,7 @@ class Composer {
     }
     window_ = window;
     const double w = window.high.x - window.low.x, h = window.high.y - window.low.y;
-    const double wide = options_.width - 3 * kMargin - kLegend;
+    const double wide = options_.width - 3 * kMargin - kKeyWidth;
     const double top = options_.title.empty() ? kMargin : kMargin + kTitle;
     // Neither a tower nor a thread: the plot is at least 260 high and at most 1.3 times as high as
     // wide.
@@ -184,39 +180,7 @@ class Composer {
       legend_.add(patch.colour, legend_text(r, m), name_of(mesh_.material_names, m, "material"));
       add(std::move(patch));
     }
-    draw_legend();
-  }
-
-  void draw_legend() {
-    const auto rows_that_fit = static_cast<std::size_t>((drawing_.plot.y1 - drawing_.plot.y0) / 24);
-    const std::vector<Legend::Row> rows = legend_.rows(rows_that_fit);
-    double y = drawing_.plot.y0 + 4;
-    const double x = drawing_.plot.x1 + kMargin;
-    for (std::size_t i = 0; i < rows.size(); ++i, y += 24) {
-      if (i + 1 >= rows_that_fit && rows.size() > rows_that_fit) {
-        add(Label{fmt::format("and {} more", rows.size() - i), {x, y + 13}, kText});
-        break;
-      }
-      swatch(x, y, rows[i].colour);
-      add(Label{shortened(rows[i].text, kLegend - 26), {x + 26, y + 13}, kText});
-    }
-  }
-
-  static std::string shortened(std::string text, double width) {
-    bool cut = false;
-    while (text_width(text, kText) > width && text.size() > 4) {
-      do text.pop_back();
-      while (!text.empty() && (text.back() & 0xC0) == 0x80);
-      cut = true;
-    }
-    return cut ? text + "..." : text;
-  }
-
-  void swatch(double x, double y, Colour colour) {
-    rectangle({x, y, x + 18, y + 16}, colour);
-    Stroke border{kInk, 0.8, 1, false, {}};
-    outline({x, y, x + 18, y + 16}, border);
-    add(std::move(border));
+    draw_legend(legend_, drawing_);
   }
 
   Status fill_values() {
@@ -242,39 +206,15 @@ class Composer {
       patches[static_cast<std::size_t>(i)].colour = value_colour(i / (kSteps - 1.0));
     }
     for (const std::size_t t : visible_) {
-      const double part = high > low ? (found->values[t] - low) / (high - low) : 0;
-      const auto step = static_cast<std::size_t>(std::clamp(part, 0.0, 1.0) * (kSteps - 1) + 0.5);
-      patches[std::isfinite(part) ? step : 0].triangles.push_back(corners(t));
+      const double value = found->values[t];
+      const double part = high > low && std::isfinite(value) ? (value - low) / (high - low) : 0;
+      patches[static_cast<std::size_t>(part * (kSteps - 1) + 0.5)].triangles.push_back(corners(t));
     }
     for (Patch& patch : patches) {
       if (!patch.triangles.empty()) add(std::move(patch));
     }
-    legend_of_values(low, high);
+    draw_colour_bar(options_.color, low, high, drawing_);
     return ok();
-  }
-
-  void legend_of_values(double low, double high) {
-    const double x = drawing_.plot.x1 + kMargin, top = drawing_.plot.y0 + 34;
-    const double height = std::min(260.0, drawing_.plot.y1 - top - 10);
-    add(Label{shortened(options_.color, kLegend),
-              {x, drawing_.plot.y0 + 14},
-              kText,
-              Label::Anchor::start,
-              false,
-              true,
-              kInk});
-    constexpr int kBands = 65;
-    for (int i = 0; i < kBands; ++i) {
-      const double y = top + height * i / kBands;
-      rectangle({x, y, x + 22, y + height / kBands + 0.5}, value_colour(1 - i / (kBands - 1.0)));
-    }
-    constexpr int kTicks = 5;
-    for (int i = 0; i < kTicks; ++i) {
-      const double y = top + height * i / (kTicks - 1);
-      add(Stroke{kInk, 1, 1, false, {{Point{x + 22, y}, Point{x + 27, y}}}});
-      add(Label{
-          fmt::format("{:.5g}", high + (low - high) * i / (kTicks - 1)), {x + 32, y + 5}, kText});
-    }
   }
 
   void draw_edges(const MeshLines& lines) {
@@ -339,7 +279,7 @@ class Composer {
   void frame_and_scale() {
     const PixelBox& box = drawing_.plot;
     Stroke frame{{170, 170, 170}, 1, 1, false, {}};
-    outline(box, frame);
+    add_outline(box, frame);
     add(std::move(frame));
     const double length = round_length((box.x1 - box.x0) / scale_ / 4);
     const double x = box.x0, y = box.y1 + 20, end = x + length * scale_;
@@ -395,18 +335,6 @@ class Composer {
       Label label{mark.name, {}, kText, Label::Anchor::middle, true, true, mark.colour};
       if (placer.place(label, mark.at)) add(std::move(label));
     }
-  }
-
-  void rectangle(const PixelBox& b, Colour colour) {
-    add(Patch{colour,
-              false,
-              {{Point{b.x0, b.y0}, Point{b.x1, b.y0}, Point{b.x1, b.y1}},
-               {Point{b.x0, b.y0}, Point{b.x1, b.y1}, Point{b.x0, b.y1}}}});
-  }
-
-  static void outline(const PixelBox& b, Stroke& stroke) {
-    const Point p{b.x0, b.y0}, q{b.x1, b.y0}, r{b.x1, b.y1}, s{b.x0, b.y1};
-    stroke.lines.insert(stroke.lines.end(), {{p, q}, {q, r}, {r, s}, {s, p}});
   }
 
   void add(DrawingItem item) { drawing_.items.push_back(std::move(item)); }

@@ -52,7 +52,7 @@ struct Label {
   Anchor anchor = Anchor::start;
   bool halo = false;  ///< white around the letters, to be read on any ground
   bool bold = false;
-  Colour colour{30, 30, 30};
+  Colour colour{30, 30, 30};  ///< kInk
 };
 
 /// A rectangle in pixels.
@@ -69,6 +69,13 @@ struct Drawing {
   PixelBox plot;  ///< clipped items show only here
   std::vector<DrawingItem> items;
 };
+
+inline constexpr Colour kInk{30, 30, 30};  ///< of lines and letters
+inline constexpr double kMargin = 16;      ///< around and between the parts of a picture
+inline constexpr double kText = 14;        ///< size of ordinary letters
+
+/// The four sides of a box as lines of `stroke`.
+void add_outline(const PixelBox& box, Stroke& stroke);
 
 /// Width of a text in pixels, roughly; good enough to place labels and legends.
 double text_width(const std::string& text, double size);

@@ -12,17 +12,6 @@ bool overlap(const PixelBox& a, const PixelBox& b) {
 
 }  // namespace
 
-double text_width(const std::string& text, double size) {
-  double units = 0;
-  for (const char c : text) {
-    if ((c & 0xC0) == 0x80) continue;  // a further byte of one UTF-8 letter
-    units += c == 'i' || c == 'l' || c == '.' || c == ',' || c == ' ' ? 0.29
-             : c >= 'A' && c <= 'Z'                                   ? 0.68
-                                                                      : 0.56;
-  }
-  return units * size;
-}
-
 bool LabelPlacer::place(Label& label, Point anchor) {
   const double w = text_width(label.text, label.size), h = label.size;
   constexpr std::array<std::array<double, 2>, 8> kSides{

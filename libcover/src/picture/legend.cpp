@@ -1,10 +1,35 @@
 #include "picture/legend.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include <fmt/format.h>
 
+#include "picture/palette.hpp"
+
 namespace cover {
+namespace {
+
+constexpr double kRow = 24;
+
+std::string shortened(std::string text, double width) {
+  bool cut = false;
+  while (text_width(text, kText) > width && text.size() > 4) {
+    do text.pop_back();  // whole letters of UTF-8
+    while (!text.empty() && (text.back() & 0xC0) == 0x80);
+    cut = true;
+  }
+  return cut ? text + "..." : text;
+}
+
+Patch rectangle(const PixelBox& b, Colour colour) {
+  return {colour,
+          false,
+          {{Point{b.x0, b.y0}, Point{b.x1, b.y0}, Point{b.x1, b.y1}},
+           {Point{b.x0, b.y0}, Point{b.x1, b.y1}, Point{b.x0, b.y1}}}};
+}
+
+}  // namespace
 
 std::vector<Legend::Row> Legend::grouped_by(std::string Entry::*key) const {
   std::vector<Row> rows;
@@ -27,6 +52,48 @@ std::vector<Legend::Row> Legend::grouped_by(std::string Entry::*key) const {
 std::vector<Legend::Row> Legend::rows(std::size_t limit) const {
   std::vector<Row> rows = grouped_by(&Entry::region);
   return rows.size() <= limit ? rows : grouped_by(&Entry::material);
+}
+
+void draw_legend(const Legend& legend, Drawing& drawing) {
+  const double x = drawing.plot.x1 + kMargin;
+  double y = drawing.plot.y0 + 4;
+  const auto room = static_cast<std::size_t>((drawing.plot.y1 - drawing.plot.y0) / kRow);
+  const std::vector<Legend::Row> rows = legend.rows(room);
+  for (std::size_t i = 0; i < rows.size(); ++i, y += kRow) {
+    if (i + 1 >= room && rows.size() > room) {
+      drawing.items.emplace_back(
+          Label{fmt::format("and {} more", rows.size() - i), {x, y + 13}, kText});
+      break;
+    }
+    const PixelBox swatch{x, y, x + 18, y + 16};
+    drawing.items.emplace_back(rectangle(swatch, rows[i].colour));
+    Stroke border{kInk, 0.8, 1, false, {}};
+    add_outline(swatch, border);
+    drawing.items.emplace_back(std::move(border));
+    drawing.items.emplace_back(
+        Label{shortened(rows[i].text, kKeyWidth - 26), {x + 26, y + 13}, kText});
+  }
+}
+
+void draw_colour_bar(const std::string& title, double low, double high, Drawing& drawing) {
+  const double x = drawing.plot.x1 + kMargin, top = drawing.plot.y0 + 34;
+  const double height = std::min(260.0, drawing.plot.y1 - top - 10);
+  Label head{shortened(title, kKeyWidth), {x, drawing.plot.y0 + 14}, kText};
+  head.bold = true;
+  drawing.items.emplace_back(std::move(head));
+  constexpr int kBands = 65;
+  for (int i = 0; i < kBands; ++i) {
+    const double y = top + height * i / kBands;
+    drawing.items.emplace_back(
+        rectangle({x, y, x + 22, y + height / kBands + 0.5}, value_colour(1 - i / (kBands - 1.0))));
+  }
+  constexpr int kTicks = 5;
+  for (int i = 0; i < kTicks; ++i) {
+    const double y = top + height * i / (kTicks - 1);
+    const double value = high + (low - high) * i / (kTicks - 1);
+    drawing.items.emplace_back(Stroke{kInk, 1, 1, false, {{Point{x + 22, y}, Point{x + 27, y}}}});
+    drawing.items.emplace_back(Label{fmt::format("{:.5g}", value), {x + 32, y + 5}, kText});
+  }
 }
 
 }  // namespace cover

@@ -1,4 +1,4 @@
-// Which colour means what.
+// Which colour means what: the column on the right of a picture.
 #pragma once
 
 #include <string>
@@ -7,6 +7,9 @@
 #include "picture/drawing.hpp"
 
 namespace cover {
+
+/// Width of the column.
+inline constexpr double kKeyWidth = 210;
 
 /// Collects the regions of a picture.
 class Legend {
@@ -35,5 +38,11 @@ class Legend {
 
   std::vector<Entry> entries_;
 };
+
+/// Draws the rows beside the plot, as many as there is room for.
+void draw_legend(const Legend& legend, Drawing& drawing);
+
+/// Draws value_colour() from `low` to `high` beside the plot, with ticks.
+void draw_colour_bar(const std::string& title, double low, double high, Drawing& drawing);
 
 }  // namespace cover

@@ -1,0 +1,21 @@
+#include "picture/drawing.hpp"
+
+namespace cover {
+
+void add_outline(const PixelBox& b, Stroke& stroke) {
+  const Point p{b.x0, b.y0}, q{b.x1, b.y0}, r{b.x1, b.y1}, s{b.x0, b.y1};
+  stroke.lines.insert(stroke.lines.end(), {{p, q}, {q, r}, {r, s}, {s, p}});
+}
+
+double text_width(const std::string& text, double size) {
+  double units = 0;
+  for (const char c : text) {
+    if ((c & 0xC0) == 0x80) continue;  // a further byte of one UTF-8 letter
+    units += c == 'i' || c == 'l' || c == '.' || c == ',' || c == ' ' ? 0.29
+             : c >= 'A' && c <= 'Z'                                   ? 0.68
+                                                                      : 0.56;
+  }
+  return units * size;
+}
+
+}  // namespace cover
