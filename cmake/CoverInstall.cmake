@@ -28,6 +28,8 @@ else()
   set(cover_pc_public "${cover_pc_libs}")
   set(cover_pc_private "")
 endif()
+# Relative to the file itself, so that the installed tree can be moved.
+file(RELATIVE_PATH cover_pc_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(cmake/cover.pc.in ${PROJECT_BINARY_DIR}/cover.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/cover.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 

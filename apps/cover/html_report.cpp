@@ -16,6 +16,7 @@
 #include <cover/version.hpp>
 
 #include "angle_text.hpp"
+#include "base/markup.hpp"
 #include "console.hpp"
 #include "io/atomic_file.hpp"
 #include "io/scratch_folder.hpp"
@@ -54,29 +55,6 @@ li { margin: 3px 0; }
 footer { color: #5b6675; font-size: 13px; margin-top: 28px; }
 )";
 
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
-
 std::string base64(std::string_view bytes) {
   constexpr std::string_view kDigits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -112,7 +90,7 @@ class Page {
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<link rel=\"icon\" href=\"data:,\">\n"
         "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<main>\n<h1>{0}</h1>\n",
-        escaped(title), kStyle);
+        escaped_markup(title), kStyle);
     verdict();
     key_figures();
     for (const char* color : {"", "max_angle"}) {
@@ -140,8 +118,8 @@ class Page {
     out_ += fmt::format("<div class=\"verdict {}\">{}<br><small>{}</small></div>\n",
                         good ? "good" : "bad",
                         good ? "The proven bound on the largest angle holds in every region."
-                             : escaped("The proven bound on the largest angle is missed: " +
-                                       describe_missed_bound(output_) + "."),
+                             : escaped_markup("The proven bound on the largest angle is missed: " +
+                                              describe_missed_bound(output_) + "."),
                         remarks());
   }
 
@@ -234,12 +212,12 @@ class Page {
           "<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{:.2f}</td><td>{:.2f}</td><td>{} "
           "({})</td>"
           "<td>{} ({})</td><td class=\"t\">{}</td></tr>\n",
-          r.bound_held ? "" : " class=\"missed\"", region.id.value(), escaped(region.name),
-          escaped(region.material_name), region.area, grouped(r.quality.triangles),
+          r.bound_held ? "" : " class=\"missed\"", region.id.value(), escaped_markup(region.name),
+          escaped_markup(region.material_name), region.area, grouped(r.quality.triangles),
           grouped(r.steiner_vertices), angle_text(lowest_nu(r)), angle_text(r.nu_bound),
           angle_text(r.quality.largest_nu), r.rho(), r.quality.smallest.in_degrees(),
           grouped(r.quality.above_120), grouped(r.forced_above_120), grouped(r.quality.above_150),
-          grouped(r.forced_above_150), escaped(r.method));
+          grouped(r.forced_above_150), escaped_markup(r.method));
     }
     out_ += "</table>\n</div>\n";
   }
@@ -303,7 +281,7 @@ class Page {
     constexpr std::size_t kLines = 200;
     out_ += "<ul>\n";
     for (std::size_t i = 0; i < std::min(lines.size(), kLines); ++i) {
-      out_ += fmt::format("<li>{}</li>\n", escaped(lines[i]));
+      out_ += fmt::format("<li>{}</li>\n", escaped_markup(lines[i]));
     }
     if (lines.size() > kLines) out_ += fmt::format("<li>and {} more</li>\n", lines.size() - kLines);
     out_ += "</ul>\n</div>\n";
@@ -314,7 +292,7 @@ class Page {
                         report_.threads, report_.threads == 1 ? "" : "s");
     for (const StageTime& stage : report_.times) {
       out_ += fmt::format("<tr><td class=\"t\">{}</td><td>{:.3f} s</td></tr>\n",
-                          escaped(stage.stage), stage.seconds);
+                          escaped_markup(stage.stage), stage.seconds);
     }
     out_ += "</table>\n</div>\n";
   }

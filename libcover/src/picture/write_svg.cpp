@@ -6,34 +6,12 @@
 
 #include <cover/picture.hpp>
 
+#include "base/markup.hpp"
 #include "io/atomic_file.hpp"
 #include "picture/compose.hpp"
 
 namespace cover {
 namespace {
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 std::string hex(Colour c) { return fmt::format("#{:02x}{:02x}{:02x}", c.r, c.g, c.b); }
 
@@ -79,7 +57,7 @@ class SvgWriter {
         label.at.x, label.at.y, label.size, anchor, hex(label.colour),
         label.bold ? " font-weight=\"bold\"" : "",
         label.halo ? " stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"" : "",
-        escaped(label.text));
+        escaped_markup(label.text));
   }
 
  private:
