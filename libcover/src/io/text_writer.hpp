@@ -59,4 +59,15 @@ class TextWriter {
   std::string buffer_;
 };
 
+/// Writes the file `path` with what `write(out)` puts into it.
+///
+/// Errors: cannot_write
+template <class Write>
+Status write_text(const std::string& path, Write write) {
+  Result<TextWriter> out = TextWriter::create(path);
+  if (!out) return std::move(out).error();
+  write(*out);
+  return out->commit();
+}
+
 }  // namespace cover

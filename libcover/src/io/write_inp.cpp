@@ -8,8 +8,8 @@
 #include <array>
 #include <charconv>
 
-#include "io/mesh_view.hpp"
 #include "base/safe_names.hpp"
+#include "io/mesh_view.hpp"
 #include "io/text_writer.hpp"
 
 namespace cover {
@@ -80,18 +80,16 @@ void write_node_sets(const MeshView& view, TextWriter& out) {
 }  // namespace
 
 Status write_inp(const Output& output, const std::string& path, const WriteOptions& options) {
-  Result<TextWriter> file = TextWriter::create(path);
-  if (!file) return std::move(file).error();
-  TextWriter& out = *file;
   const MeshView view = view_of(output, options);
-  out << "*NODE, NSET=NALL\n";
-  for (std::size_t p = 0; p < view.points.size(); ++p) {
-    out << p + 1 << ", " << coordinate(view.points[p].x) << ", " << coordinate(view.points[p].y)
-        << ", 0\n";
-  }
-  write_elements(view, options.inp_element, out);
-  write_node_sets(view, out);
-  return out.commit();
+  return write_text(path, [&](TextWriter& out) {
+    out << "*NODE, NSET=NALL\n";
+    for (std::size_t p = 0; p < view.points.size(); ++p) {
+      out << p + 1 << ", " << coordinate(view.points[p].x) << ", " << coordinate(view.points[p].y)
+          << ", 0\n";
+    }
+    write_elements(view, options.inp_element, out);
+    write_node_sets(view, out);
+  });
 }
 
 }  // namespace cover

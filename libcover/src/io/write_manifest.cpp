@@ -188,13 +188,10 @@ class ManifestWriter {
 }  // namespace
 
 Status write_manifest(const Output& output, const std::string& path, const WriteOptions& options) {
-  Result<TextWriter> out = TextWriter::create(path);
-  if (!out) return std::move(out).error();
   WriteOptions all = options;
   all.inner_lines = true;
   const MeshView view = view_of(output, all);
-  ManifestWriter(output, view, *out).write();
-  return out->commit();
+  return write_text(path, [&](TextWriter& out) { ManifestWriter(output, view, out).write(); });
 }
 
 }  // namespace cover

@@ -20,20 +20,18 @@ void write_cells(std::string_view keyword, const Cells& cells, Reference referen
 }  // namespace
 
 Status write_medit(const Output& output, const std::string& path, const WriteOptions& options) {
-  Result<TextWriter> file = TextWriter::create(path);
-  if (!file) return std::move(file).error();
-  TextWriter& out = *file;
   const MeshView view = view_of(output, options);
-  out << "MeshVersionFormatted 2\nDimension 2\n\nVertices\n" << view.points.size() << '\n';
-  for (const Point& p : view.points) out << p.x << ' ' << p.y << " 0\n";
-  write_cells(
-      view.second_order() ? "EdgesP2" : "Edges", view.lines,
-      [&](std::size_t l) { return view.group_of_line(l).tag; }, out);
-  write_cells(
-      view.second_order() ? "TrianglesP2" : "Triangles", view.triangles,
-      [&](std::size_t t) { return view.material[t]; }, out);
-  out << "\nEnd\n";
-  return out.commit();
+  return write_text(path, [&](TextWriter& out) {
+    out << "MeshVersionFormatted 2\nDimension 2\n\nVertices\n" << view.points.size() << '\n';
+    for (const Point& p : view.points) out << p.x << ' ' << p.y << " 0\n";
+    write_cells(
+        view.second_order() ? "EdgesP2" : "Edges", view.lines,
+        [&](std::size_t l) { return view.group_of_line(l).tag; }, out);
+    write_cells(
+        view.second_order() ? "TrianglesP2" : "Triangles", view.triangles,
+        [&](std::size_t t) { return view.material[t]; }, out);
+    out << "\nEnd\n";
+  });
 }
 
 }  // namespace cover

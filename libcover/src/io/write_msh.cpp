@@ -1,6 +1,7 @@
 // gmsh's .msh in text. Version 2.2 is what most solvers read, 4.1 what gmsh itself prefers; the
-// elements are the same. Every face is an elementary surface and every interface an elementary
-// curve of its own; names stand at the physical groups.
+// elements are the same. In 2.2 every face is an elementary surface and every interface an
+// elementary curve of its own; in 4.1 there is one entity per physical group and its tag is that of
+// the group, because getfem takes the one for the other.
 //
 // Tested by tests/unit/io/write_msh_test.cpp and, in the solvers, by tests/solvers.
 #include <algorithm>
@@ -13,13 +14,8 @@ namespace {
 
 class MshWriter {
  public:
-  MshWriter(const MeshView& view, std::size_t regions, std::size_t interfaces, TextWriter& out)
-      : view_(view),
-        out_(out),
-        hull_(interfaces + 1),
-        surfaces_(regions, view.triangles.size(),
-                  [&](std::size_t t) { return view.region[t].index() - 1; }),
-        curves_(interfaces + 1, view.lines.size(), [&](std::size_t l) { return curve(l) - 1; }) {}
+  MshWriter(const MeshView& view, std::size_t interfaces, TextWriter& out)
+      : view_(view), hull_(interfaces + 1), out_(out) {}
 
   void write_2() {
     out_ << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
@@ -39,19 +35,26 @@ class MshWriter {
   }
 
   void write_4() {
+    const Buckets curves(view_.line_groups.size(), view_.lines.size(),
+                         [&](std::size_t l) { return view_.line_group[l]; });
+    const Buckets surfaces(view_.region_groups.size(), view_.triangles.size(), [&](std::size_t t) {
+      return view_.region_group[view_.region[t].index() - 1];
+    });
     out_ << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
     names();
-    entities();
+    out_ << "$Entities\n0 " << used(curves) << ' ' << used(surfaces) << " 0\n";
+    entities(view_.line_groups, curves, view_.lines);
+    entities(view_.region_groups, surfaces, view_.triangles);
     const std::size_t points = view_.points.size();
-    out_ << "$Nodes\n1 " << points << " 1 " << points << "\n2 " << first_surface() << " 0 "
-         << points << '\n';
+    // All nodes in one block, as if they lay on the first surface.
+    out_ << "$EndEntities\n$Nodes\n1 " << points << " 1 " << points << "\n2 1 0 " << points << '\n';
     for (std::size_t p = 0; p < points; ++p) out_ << p + 1 << '\n';
     for (const Point& p : view_.points) coordinates(p);
-    out_ << "$EndNodes\n$Elements\n";
     const std::size_t elements = view_.lines.size() + view_.triangles.size();
-    out_ << used(curves_) + used(surfaces_) << ' ' << elements << " 1 " << elements << '\n';
-    blocks_4(1, line_type(), curves_, view_.lines);
-    blocks_4(2, triangle_type(), surfaces_, view_.triangles);
+    out_ << "$EndNodes\n$Elements\n"
+         << used(curves) + used(surfaces) << ' ' << elements << " 1 " << elements << '\n';
+    blocks(1, line_type(), view_.line_groups, curves, view_.lines);
+    blocks(2, triangle_type(), view_.region_groups, surfaces, view_.triangles);
     out_ << "$EndElements\n";
   }
 
@@ -68,12 +71,6 @@ class MshWriter {
     std::size_t n = 0;
     for (std::size_t e = 0; e < entities.size(); ++e) n += entities[e].empty() ? 0 : 1;
     return n;
-  }
-
-  [[nodiscard]] std::size_t first_surface() const {
-    std::size_t e = 0;
-    while (e + 1 < surfaces_.size() && surfaces_[e].empty()) ++e;
-    return e + 1;
   }
 
   void coordinates(const Point& p) { out_ << p.x << ' ' << p.y << " 0\n"; }
@@ -106,40 +103,29 @@ class MshWriter {
     nodes(cell);
   }
 
-  void entities() {
-    out_ << "$Entities\n0 " << used(curves_) << ' ' << used(surfaces_) << " 0\n";
-    for (std::size_t e = 0; e < curves_.size(); ++e) {
-      if (!curves_[e].empty())
-        entity(e + 1, view_.group_of_line(curves_[e].front()).tag, curves_[e], view_.lines);
-    }
-    for (std::size_t e = 0; e < surfaces_.size(); ++e) {
-      if (!surfaces_[e].empty())
-        entity(e + 1, view_.group_of_triangle(surfaces_[e].front()).tag, surfaces_[e],
-               view_.triangles);
-    }
-    out_ << "$EndEntities\n";
-  }
-
-  /// Tag, bounding box, physical group; what bounds it is not said.
-  void entity(std::size_t tag, int physical, std::span<const std::size_t> members,
-              const Cells& cells) {
-    Point low = view_.points[cells[members.front()][0]], high = low;
-    for (const std::size_t k : members) {
-      for (const std::uint32_t node : cells[k]) {
-        const Point& p = view_.points[node];
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  /// Of each group that has cells: tag, bounding box, physical group; not what bounds it.
+  void entities(const std::vector<Group>& groups, const Buckets& members, const Cells& cells) {
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      if (members[g].empty()) continue;
+      Point low = view_.points[cells[members[g].front()][0]], high = low;
+      for (const std::size_t k : members[g]) {
+        for (const std::uint32_t node : cells[k]) {
+          const Point& p = view_.points[node];
+          low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+          high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+        }
       }
+      out_ << groups[g].tag << ' ' << low.x << ' ' << low.y << " 0 " << high.x << ' ' << high.y
+           << " 0 1 " << groups[g].tag << " 0\n";
     }
-    out_ << tag << ' ' << low.x << ' ' << low.y << " 0 " << high.x << ' ' << high.y << " 0 1 "
-         << physical << " 0\n";
   }
 
-  void blocks_4(int dimension, int type, const Buckets& entities, const Cells& cells) {
-    for (std::size_t e = 0; e < entities.size(); ++e) {
-      if (entities[e].empty()) continue;
-      out_ << dimension << ' ' << e + 1 << ' ' << type << ' ' << entities[e].size() << '\n';
-      for (const std::size_t k : entities[e]) {
+  void blocks(int dimension, int type, const std::vector<Group>& groups, const Buckets& members,
+              const Cells& cells) {
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      if (members[g].empty()) continue;
+      out_ << dimension << ' ' << groups[g].tag << ' ' << type << ' ' << members[g].size() << '\n';
+      for (const std::size_t k : members[g]) {
         out_ << ++element_;
         nodes(cells[k]);
       }
@@ -147,26 +133,23 @@ class MshWriter {
   }
 
   const MeshView& view_;
+  std::size_t hull_;  ///< elementary tag of lines without an interface
   TextWriter& out_;
   std::size_t element_ = 0;  ///< number of the last element written
-  std::size_t hull_;         ///< elementary tag of lines without an interface
-  Buckets surfaces_;         ///< triangles by RegionId - 1
-  Buckets curves_;           ///< lines by curve() - 1
 };
 
 }  // namespace
 
 Status write_msh(const Output& output, const std::string& path, const WriteOptions& options) {
-  Result<TextWriter> out = TextWriter::create(path);
-  if (!out) return std::move(out).error();
   const MeshView view = view_of(output, options);
-  MshWriter writer(view, output.table.regions.size(), output.table.interfaces.size(), *out);
-  if (options.msh == "4.1") {
-    writer.write_4();
-  } else {
-    writer.write_2();
-  }
-  return out->commit();
+  return write_text(path, [&](TextWriter& out) {
+    MshWriter writer(view, output.table.interfaces.size(), out);
+    if (options.msh == "4.1") {
+      writer.write_4();
+    } else {
+      writer.write_2();
+    }
+  });
 }
 
 }  // namespace cover

@@ -7,8 +7,8 @@
 
 #include <map>
 
-#include "io/mesh_view.hpp"
 #include "base/safe_names.hpp"
+#include "io/mesh_view.hpp"
 #include "io/text_writer.hpp"
 
 namespace cover {
@@ -74,27 +74,25 @@ void write_arrays(const MeshView& view, std::size_t lines, TextWriter& out) {
 }  // namespace
 
 Status write_vtk(const Output& output, const std::string& path, const WriteOptions& options) {
-  Result<TextWriter> file = TextWriter::create(path);
-  if (!file) return std::move(file).error();
-  TextWriter& out = *file;
   const MeshView view = view_of(output, options);
-  const Cells none{view.lines.nodes_each, {}};
-  const Cells& lines = options.lines ? view.lines : none;
-  const std::size_t cells = view.triangles.size() + lines.size();
+  return write_text(path, [&](TextWriter& out) {
+    const Cells none{view.lines.nodes_each, {}};
+    const Cells& lines = options.lines ? view.lines : none;
+    const std::size_t cells = view.triangles.size() + lines.size();
 
-  out << "# vtk DataFile Version 3.0\n" << title_of(output.table);
-  out << "\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS " << view.points.size() << " double\n";
-  for (const Point& p : view.points) out << p.x << ' ' << p.y << " 0\n";
-  out << "CELLS " << cells << ' ' << cells + view.triangles.nodes.size() + lines.nodes.size()
-      << '\n';
-  write_cells(view.triangles, out);
-  write_cells(lines, out);
-  out << "CELL_TYPES " << cells << '\n';
-  write_types(view.triangles, view.second_order() ? 22 : 5, out);
-  write_types(lines, view.second_order() ? 21 : 3, out);
-  out << "CELL_DATA " << cells << '\n';
-  write_arrays(view, lines.size(), out);
-  return out.commit();
+    out << "# vtk DataFile Version 3.0\n" << title_of(output.table);
+    out << "\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS " << view.points.size() << " double\n";
+    for (const Point& p : view.points) out << p.x << ' ' << p.y << " 0\n";
+    out << "CELLS " << cells << ' ' << cells + view.triangles.nodes.size() + lines.nodes.size()
+        << '\n';
+    write_cells(view.triangles, out);
+    write_cells(lines, out);
+    out << "CELL_TYPES " << cells << '\n';
+    write_types(view.triangles, view.second_order() ? 22 : 5, out);
+    write_types(lines, view.second_order() ? 21 : 3, out);
+    out << "CELL_DATA " << cells << '\n';
+    write_arrays(view, lines.size(), out);
+  });
 }
 
 }  // namespace cover

@@ -69,11 +69,8 @@ class XdmfWriter {
 }  // namespace
 
 Status write_xdmf(const Output& output, const std::string& path, const WriteOptions& options) {
-  Result<TextWriter> out = TextWriter::create(path);
-  if (!out) return std::move(out).error();
   const MeshView view = view_of(output, options);
-  XdmfWriter(view, *out).write();
-  return out->commit();
+  return write_text(path, [&](TextWriter& out) { XdmfWriter(view, out).write(); });
 }
 
 }  // namespace cover

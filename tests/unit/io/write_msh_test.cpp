@@ -118,7 +118,8 @@ class MshParser {
       const long dimension = words_.integer(), tag = words_.integer(), type = words_.integer();
       for (long n = words_.integer(); n > 0; --n) {
         EXPECT_EQ(words_.integer(), next++);
-        element(type, physical_.at({dimension, tag}), tag);
+        EXPECT_EQ(physical_.at({dimension, tag}), tag);
+        element(type, tag, 0);
       }
     }
     EXPECT_EQ(next, elements + 1);
