@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <spdlog/common.h>
 
 #include <cover/version.hpp>
 
@@ -80,6 +81,9 @@ int main(int argc, char** argv) {
   }
   try {
     return run(words.front(), {words.begin() + 1, words.end()});
+  } catch (const spdlog::spdlog_ex& error) {  // the file of --log
+    fmt::print(stderr, "cover: error: {}\n", error.what());
+    return cover::app::exit_files;
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "cover: error: out of memory\n");
   } catch (const std::exception& error) {

@@ -124,7 +124,8 @@ Result<std::vector<File>> plan_files(const MeshCommand& command) {
     files.push_back({path, *writer});
   }
   for (const File& file : files) {
-    if (Status status = spares_input(file.path, command.input.path()); !status) return status.error();
+    if (Status status = spares_input(file.path, command.input.path()); !status)
+      return status.error();
   }
   return files;
 }
@@ -165,8 +166,10 @@ int print_report(const MeshCommand& command, const Output& output, spdlog::logge
   // What is piped out of stdout must be the mesh alone.
   std::FILE* to = command.to_stdout() ? stderr : stdout;
   fmt::print(to, "{}", mesh_text(output, command.verbosity.verbose > 0));
-  for (const std::string& path : command.outputs) {
-    if (path != "-") fmt::print(to, "Wrote {}\n", path);
+  for (const auto& paths : {command.outputs, command.reports}) {
+    for (const std::string& path : paths) {
+      if (path != "-") fmt::print(to, "Wrote {}\n", path);
+    }
   }
   return exit_ok;
 }

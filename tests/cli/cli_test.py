@@ -84,6 +84,8 @@ class Mesh(Case):
         self.assertEqual(self.files(), ['d.json', 'd.svg', 'd.vtu'])
         self.assertIn('Proven bound    held in every region', out)
         self.assertIn('170-180', out)
+        for name in self.files():
+            self.assertIn('Wrote ' + name, out)
         report = json.loads((self.dir / 'd.json').read_text())
         self.assertEqual(len(report['regions']), 4)
         self.assertEqual(sum(r['triangles'] for r in report['regions']), report['mesh']['triangles'])
@@ -120,6 +122,10 @@ class Mesh(Case):
         _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '-v', '--log', 'log')
         self.assertIn('cover: info: wrote d.vtu', err)
         self.assertIn('wrote d.vtu', (self.dir / 'log').read_text())
+
+    def test_log_that_cannot_be_written(self):
+        _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--log', SAMPLES / 'diode.poly/log', code=5)
+        self.assertIn('diode.poly/log', err)
 
     def test_statistics_as_json(self):
         out, _ = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--stats', 'json')
