@@ -1,6 +1,7 @@
 // The clean planar straight-line graph that is meshed: what `-o x.poly` writes.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -30,6 +31,9 @@ struct Pslg {
   std::vector<RegionSeed> seeds;
   std::vector<HoleSeed> holes;
   VoidRule void_rule = VoidRule::holes_only;
+  /// By SegmentId: the seeds of the faces on its left and right, seen from a to b: an index into
+  /// `seeds` plus one, or 0 for the void. Empty: faces are told by the places of seeds and holes.
+  std::vector<std::array<std::uint32_t, 2>> side_seeds;
   std::string source;                      ///< file name for messages
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <cover/angle.hpp>
+#include <cover/error.hpp>
 #include <cover/ids.hpp>
 #include <cover/point.hpp>
 
@@ -27,6 +28,20 @@ struct Note {
   RegionId region;            ///< kVoid: the whole input
   std::string message;        ///< a sentence with coordinates and ids
   std::vector<Point> where;
+};
+
+/// Something that was done to the input to make a clean PSLG of it.
+struct Change {
+  enum class Kind {
+    split,     ///< a segment was cut, where another one crosses or touches it
+    welded,    ///< a point or a segment was moved onto another one
+    dropped,   ///< an element that adds nothing was left out
+    merged,    ///< two elements became one
+  };
+  Kind kind = Kind::split;
+  std::string message;             ///< a sentence with coordinates and ids
+  std::vector<Point> where;
+  std::vector<InputRef> inputs;    ///< the elements concerned
 };
 
 /// Angle statistics of a set of triangles.
@@ -81,6 +96,7 @@ struct Report {
   std::vector<RegionReport> regions;   ///< by RegionId - 1
   Quality quality;                     ///< over all regions
   std::vector<Note> notes;             ///< about the input as a whole
+  std::vector<Change> changes;         ///< every one; the notes sum them up
   std::vector<StageTime> times;
   std::string unit;                    ///< of the coordinates, as "nm"; empty: not said
   double scale = 1;                    ///< what the file's coordinates were multiplied by

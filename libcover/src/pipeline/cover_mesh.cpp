@@ -27,7 +27,7 @@ Result<Prepared> find_regions(const Input& input, const Options& options, StageC
   report.scale = input.scale;
   for (const std::string& warning : input.warnings)
     report.notes.push_back({Note::Kind::warning, kVoid, warning, {}});
-  Result<Pslg> pslg = make_pslg(input, options, report.notes);
+  Result<Pslg> pslg = make_pslg(input, options, report);
   if (!pslg) return std::move(pslg).error();
   prepared.pslg = *std::move(pslg);
   clock.note("clean", report.times);

@@ -135,6 +135,16 @@ std::optional<Error> find_crossings(const Input& input) {
   return point_on_segment(input, c.first, c.second);
 }
 
+/// Complains of the corners of a polygon or a line that are not finite.
+void add_infinite(const std::vector<Point>& points, const char* what, InputRef ref,
+                  Complaint& complaint) {
+  for (const Point& p : points) {
+    if (std::isfinite(p.x) && std::isfinite(p.y)) continue;
+    complaint.add(fmt::format("the corner at {} of {} {} is not finite", describe(p), what, ref.id),
+                  {p}, {ref});
+  }
+}
+
 }  // namespace
 
 std::optional<Error> find_unusable(const Input& input) {
@@ -153,6 +163,14 @@ std::optional<Error> find_unusable(const Input& input) {
     if (std::isfinite(hole.at.x) && std::isfinite(hole.at.y)) continue;
     finite.add(fmt::format("hole seed {}{} is not finite", hole.id, line_suffix(hole.line)),
                {hole.at}, {{InputKind::hole, hole.id}});
+  }
+  for (const InputPolygon& polygon : input.polygons) {
+    for (const auto& ring : polygon.rings) {
+      add_infinite(ring, "polygon", {InputKind::polygon, polygon.id}, finite);
+    }
+  }
+  for (const InputLine& line : input.lines) {
+    add_infinite(line.points, "line", {InputKind::line, line.id}, finite);
   }
   if (!finite.empty()) return finite.error();
   Complaint range(ErrorCode::id_out_of_range, input.source);

@@ -97,8 +97,12 @@ void find_sides(Faces& faces, std::span<const IndexPair> segments) {
 Faces find_faces(std::span<const Point> points, std::span<const IndexPair> segments, bool hull) {
   CdtResult cdt = triangulate_hull(points, segments);
   if (!cdt.conflicts.empty()) throw std::logic_error("find_faces: the segments are no PSLG");
+  return faces_of(std::move(cdt.triangulation), segments, hull);
+}
+
+Faces faces_of(Triangulation triangulation, std::span<const IndexPair> segments, bool hull) {
   Faces faces;
-  faces.triangulation = std::move(cdt.triangulation);
+  faces.triangulation = std::move(triangulation);
   number_faces(faces, hull);
   find_sides(faces, segments);
   return faces;

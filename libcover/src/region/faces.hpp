@@ -30,4 +30,9 @@ struct Faces {
 /// Cost:     O(n log n) expected.
 Faces find_faces(std::span<const Point> points, std::span<const IndexPair> segments, bool hull);
 
+/// The same over a triangulation that is there already, with the segments as its locked edges.
+///
+/// Cost: O(n log n).
+Faces faces_of(Triangulation triangulation, std::span<const IndexPair> segments, bool hull);
+
 }  // namespace cover

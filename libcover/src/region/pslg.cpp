@@ -1,12 +1,27 @@
-// A clean input is taken over as it is. Tested by tests/unit/region/pslg_test.cpp.
+// A clean PSLG is taken over as it is. Anything else goes through the stages of a network:
+//
+//   gather -> weld, cut -> paint polygons -> drop what is hidden -> assemble
+//
+// Even-odd parity is kept by every stage, so it is enough to count it at the end, on the very edges
+// that are handed on: no face is lost or doubled by rounding.
+// Tested by tests/unit/region/pslg_test.cpp and soup_test.cpp.
 #include "region/pslg.hpp"
 
 #include <fmt/core.h>
 
 #include <map>
 
+#include "region/assemble.hpp"
+#include "region/change_report.hpp"
 #include "region/check_pslg.hpp"
 #include "region/complaint.hpp"
+#include "region/lone_points.hpp"
+#include "region/merge_materials.hpp"
+#include "region/network.hpp"
+#include "region/node_edges.hpp"
+#include "region/paint.hpp"
+#include "region/visible_edges.hpp"
+#include "region/weld.hpp"
 
 namespace cover {
 namespace {
@@ -35,22 +50,97 @@ Pslg take_over(const Input& input) {
   return pslg;
 }
 
+/// Drops what other polygons hide and makes the graph of the rest.
+Result<EdgeGraph> paint_over(const Input& input, const Options& options, Network& network,
+                             const EdgeGraph& graph, std::vector<EdgeOwners>& owners,
+                             Report& report) {
+  const std::vector<std::uint32_t> group = group_polygons(input.polygons, options.merge_materials);
+  const auto united = [&](std::vector<EdgeOwners>& sides) {
+    for (EdgeOwners& e : sides) {
+      for (std::uint32_t& p : e) p = p == kNoIndex ? p : group[p];
+    }
+  };
+  Result<std::vector<EdgeOwners>> painted = paint(input, options.overlap, network, graph);
+  if (!painted) return std::move(painted).error();
+  report_polygons(input, network, graph, *painted, report);
+  united(*painted);
+  const std::vector<VisibleEdge> visible = visible_edges(network, graph, *painted);
+  report_splits(input, network, visible, report.changes);
+  network = network_of(visible, network);
+  // Pieces that were united again may differ from the line they make up by rounding.
+  Result<EdgeGraph> clean = node_edges(network);
+  if (!clean) return clean;
+  painted = paint(input, options.overlap, network, *clean);
+  if (!painted) return std::move(painted).error();
+  owners = *std::move(painted);
+  return clean;
+}
+
+/// Polygons say themselves what lies where.
+std::optional<Error> find_seeds_beside_polygons(const Input& input) {
+  if (input.polygons.empty() || (input.seeds.empty() && input.holes.empty())) return {};
+  Complaint complaint(ErrorCode::conflicting_seeds, input.source);
+  for (const RegionSeed& s : input.seeds) {
+    complaint.add(
+        fmt::format("region seed {} stands beside polygons, which say what lies where", s.id),
+        {s.at}, {{InputKind::region_seed, s.id}});
+  }
+  for (const HoleSeed& s : input.holes) {
+    complaint.add(
+        fmt::format("hole seed {} stands beside polygons, which say what lies where", s.id), {s.at},
+        {{InputKind::hole, s.id}});
+  }
+  return complaint.error();
+}
+
+/// Cleans what is no PSLG yet.
+Result<Pslg> clean_up(const Input& input, const Options& options, Report& report) {
+  Network network = gather(input, report.changes);
+  const double weld = options.weld.value_or(input.polygons.empty() ? 0 : kAutoWeld);
+  Result<EdgeGraph> graph = weld_and_node(input, weld, network, report.changes);
+  if (graph && cut_at_lone_points(network, *graph)) graph = node_edges(network);
+  if (!graph) return std::move(graph).error();
+  std::vector<EdgeOwners> owners;
+  if (input.polygons.empty()) {
+    const std::vector<EdgeOwners> none(graph->edges.size(), {kNoIndex, kNoIndex});
+    report_splits(input, network, visible_edges(network, *graph, none), report.changes);
+  } else {
+    graph = paint_over(input, options, network, *graph, owners, report);
+    if (!graph) return std::move(graph).error();
+  }
+  return assemble(input, network, *graph, owners);
+}
+
+bool is_empty(const Input& input) {
+  return input.segments.empty() && input.polygons.empty() && input.lines.empty();
+}
+
 }  // namespace
 
-Result<Pslg> make_pslg(const Input& input, const Options& options, std::vector<Note>&) {
+Result<Pslg> make_pslg(const Input& input, const Options& options, Report& report) {
   if (auto error = find_unusable(input)) return *error;
-  if (!input.polygons.empty() || !input.lines.empty()) {
-    return Error{ErrorCode::unsupported_format,
-                 fmt::format("{}: polygons and lines are not read yet", input.source),
+  if (is_empty(input) && !options.hull) {
+    return Error{ErrorCode::no_segments,
+                 fmt::format("{}: there are no segments and no polygons", input.source),
                  {},
                  {}};
   }
-  if (input.segments.empty() && !options.hull) {
-    return Error{
-        ErrorCode::no_segments, fmt::format("{}: there are no segments", input.source), {}, {}};
+  if (auto error = find_seeds_beside_polygons(input)) return *error;
+  const bool is_plain = input.polygons.empty() && input.lines.empty();
+  std::optional<Error> unclean;
+  if (is_plain) unclean = find_unclean(input);
+  if (unclean && options.strict) return *unclean;
+  const bool keep = is_plain && !unclean && options.weld.value_or(0) <= 0;
+  Result<Pslg> pslg = keep ? take_over(input) : clean_up(input, options, report);
+  if (pslg && options.merge_materials && input.polygons.empty()) {
+    pslg = merge_materials(*std::move(pslg), report);
   }
-  if (auto error = find_unclean(input)) return *error;
-  return take_over(input);
+  if (!pslg) return pslg;
+  if (options.strict) {
+    if (auto error = changes_as_error(input, report.changes)) return *error;
+  }
+  sum_up(report.changes, report.notes);
+  return pslg;
 }
 
 }  // namespace cover

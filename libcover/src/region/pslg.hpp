@@ -1,8 +1,6 @@
 // From input as the user has it to a clean PSLG: the only step that may split an input segment.
 #pragma once
 
-#include <vector>
-
 #include <cover/input.hpp>
 #include <cover/options.hpp>
 #include <cover/pslg.hpp>
@@ -11,11 +9,14 @@
 
 namespace cover {
 
-/// Makes a PSLG of `input`. Every change made to it is appended to `notes`.
+/// Makes a PSLG of `input`. Every change made to it is appended to `report.changes`; they are
+/// summed up, and warnings given, in `report.notes`.
 ///
-/// ENSURES: points are finite and all different; segments meet only at points.
+/// ENSURES: points are finite and all different; segments meet only at points; given points are
+/// kept
+///          bit for bit unless they were welded.
 /// Errors:  ErrorCode 100-199, with ids and coordinates.
-/// Cost:    O(n log n + crossings).
-Result<Pslg> make_pslg(const Input& input, const Options& options, std::vector<Note>& notes);
+/// Cost:    O((n + k) log n) for k crossings.
+Result<Pslg> make_pslg(const Input& input, const Options& options, Report& report);
 
 }  // namespace cover

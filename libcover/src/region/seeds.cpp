@@ -95,9 +95,29 @@ void complain_of_conflict(const RegionSeed& first, const RegionSeed& second, Com
       {first.at, second.at}, {ref_of(first), ref_of(second)});
 }
 
+/// Takes the faces over from what the PSLG says of its sides.
+SeededFaces take_sides(const Pslg& pslg, const Faces& faces) {
+  SeededFaces out;
+  out.seed.resize(faces.count);
+  out.size.resize(faces.count);
+  for (std::size_t f = 0; f < faces.count; ++f) out.is_void.push_back(!faces.open[f]);
+  out.is_void[kOutside] = true;
+  for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::uint32_t face = faces.of_segment[s][k], seed = pslg.side_seeds[s][k];
+      if (seed == 0 || face == kOutside) continue;
+      out.is_void[face] = false;
+      out.seed[face] = seed - 1;
+      out.size[face] = pslg.seeds[seed - 1].size;
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 Result<SeededFaces> apply_seeds(const Pslg& pslg, const Faces& faces, std::vector<Note>& notes) {
+  if (!pslg.side_seeds.empty()) return take_sides(pslg, faces);
   FaceFinder finder(pslg, faces);
   Complaint on_segment(ErrorCode::seed_on_segment, pslg.source);
   const auto hole_faces = faces_of(pslg.holes, finder, on_segment);

@@ -17,10 +17,10 @@ struct Clean {
 };
 
 Clean prepare_clean(const Input& input) {
-  std::vector<Note> notes;
-  auto pslg = make_pslg(input, {}, notes);
+  Report report;
+  auto pslg = make_pslg(input, {}, report);
   if (!pslg) throw std::runtime_error(pslg.error().message);
-  auto table = build_region_table(*pslg, {}, notes);
+  auto table = build_region_table(*pslg, {}, report.notes);
   if (!table) throw std::runtime_error(table.error().message);
   return {std::move(*pslg), std::move(*table)};
 }

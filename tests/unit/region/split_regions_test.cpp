@@ -12,10 +12,10 @@ namespace cover {
 namespace {
 
 std::vector<RegionBoundary> split(const Input& input, const Options& options = {}) {
-  std::vector<Note> notes;
-  const auto pslg = make_pslg(input, options, notes);
+  Report report;
+  const auto pslg = make_pslg(input, options, report);
   if (!pslg) throw std::runtime_error(pslg.error().message);
-  const auto table = build_region_table(*pslg, options, notes);
+  const auto table = build_region_table(*pslg, options, report.notes);
   if (!table) throw std::runtime_error(table.error().message);
   const auto out = split_regions(*pslg, *table);
   for (const RegionBoundary& b : out) {

@@ -1,0 +1,150 @@
+// Tested by tests/unit/region/soup_test.cpp.
+#include "region/assemble.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "region/complaint.hpp"
+
+namespace cover {
+namespace {
+
+/// Fills a Pslg step by step.
+class Assembler {
+ public:
+  Assembler(const Input& input, const Network& network, const EdgeGraph& graph,
+            const std::vector<EdgeOwners>& owners)
+      : input_(input), network_(network), graph_(graph), owners_(owners) {}
+
+  Pslg assemble() {
+    pslg_.source = input_.source;
+    add_points();
+    add_segments();
+    if (owners_.empty()) {
+      pslg_.seeds = input_.seeds;
+      pslg_.holes = input_.holes;
+      pslg_.void_rule = input_.void_rule;
+    } else {
+      add_polygon_seeds();
+    }
+    return std::move(pslg_);
+  }
+
+ private:
+  struct Entry {
+    std::uint32_t input;   ///< index into Input::points; kNoIndex comes last
+    std::uint32_t vertex;  ///< index into Network::points; kNoIndex: on no edge
+    Point at;
+  };
+
+  void add_points() {
+    std::map<Point, std::uint32_t> lone;  // those that were not found on a line
+    for (const LonePoint& p : network_.lone_points) lone.emplace(p.at, p.input);
+    std::vector<Entry> entries;
+    for (std::uint32_t v = 0; v < network_.points.size(); ++v) {
+      const auto same = lone.find(network_.points[v]);
+      const std::uint32_t own = network_.input[v];
+      entries.push_back(
+          {own == kNoIndex && same != lone.end() ? same->second : own, v, network_.points[v]});
+      if (same != lone.end()) lone.erase(same);
+    }
+    for (const auto& [at, k] : lone) entries.push_back({k, kNoIndex, at});
+    std::stable_sort(entries.begin(), entries.end(),
+                     [](const Entry& x, const Entry& y) { return x.input < y.input; });
+    vertex_.resize(network_.points.size());
+    for (const Entry& e : entries) {
+      if (e.vertex != kNoIndex) vertex_[e.vertex] = VertexId{pslg_.points.size()};
+      const bool known = e.input != kNoIndex;
+      pslg_.points.push_back(e.at);
+      pslg_.point_ids.push_back(known ? point_id(input_, e.input) : -1);
+      pslg_.point_markers.push_back(
+          known && !input_.point_markers.empty() ? input_.point_markers[e.input] : 0);
+    }
+  }
+
+  /// The edges in the order of the lines that they belong to.
+  [[nodiscard]] std::vector<std::size_t> edge_order() const {
+    std::vector<std::size_t> order(graph_.edges.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto line = [this](std::size_t e) {
+      return network_.raws[graph_.strands(network_, e).front().raw].origin;
+    };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t e, std::size_t f) { return line(e) < line(f); });
+    return order;
+  }
+
+  void add_segments() {
+    for (const std::size_t e : edge_order()) {
+      auto [a, b] = graph_.edges[e];
+      Segment segment;
+      bool directed = false;
+      for (const Strand& s : graph_.strands(network_, e)) {
+        const Origin origin = network_.raws[s.raw].origin;
+        if (origin.kind == Origin::Kind::ring) continue;
+        if (!std::exchange(directed, true)) std::tie(a, b) = std::pair(s.a, s.b);
+        take_over(origin, segment);
+      }
+      segment.a = vertex_[a];
+      segment.b = vertex_[b];
+      pslg_.segments.push_back(segment);
+      if (owners_.empty()) continue;
+      const bool turned = a != graph_.edges[e][0];
+      pslg_.side_seeds.push_back(
+          {seed_of(owners_[e][turned ? 1 : 0]), seed_of(owners_[e][turned ? 0 : 1])});
+    }
+  }
+
+  void take_over(Origin origin, Segment& segment) {
+    if (origin.kind == Origin::Kind::line) {
+      if (segment.name == 0) segment.name = name_index(input_.lines[origin.index].name);
+      return;
+    }
+    const InputSegment& s = input_.segments[origin.index];
+    if (segment.id < 0) segment.id = s.id;
+    if (segment.marker == 0) segment.marker = s.marker;
+    if (segment.name == 0) segment.name = name_index(s.name);
+  }
+
+  std::uint32_t name_index(const std::string& name) {
+    const auto [entry, is_new] =
+        name_index_.emplace(name, static_cast<std::uint32_t>(pslg_.names.size()));
+    if (is_new) pslg_.names.push_back(name);
+    return entry->second;
+  }
+
+  /// The seed of a polygon is the one of the same index.
+  static std::uint32_t seed_of(std::uint32_t polygon) {
+    return polygon == kNoIndex ? 0 : polygon + 1;
+  }
+
+  void add_polygon_seeds() {
+    for (const InputPolygon& polygon : input_.polygons) {
+      RegionSeed seed;
+      if (!polygon.rings.empty() && !polygon.rings[0].empty()) seed.at = polygon.rings[0][0];
+      seed.material = polygon.material;
+      seed.region = polygon.region;
+      seed.id = polygon.id;
+      pslg_.seeds.push_back(std::move(seed));
+    }
+  }
+
+  const Input& input_;
+  const Network& network_;
+  const EdgeGraph& graph_;
+  const std::vector<EdgeOwners>& owners_;
+  Pslg pslg_;
+  std::vector<VertexId> vertex_;  ///< by point of the network
+  std::map<std::string, std::uint32_t> name_index_{{"", 0}};
+};
+
+}  // namespace
+
+Pslg assemble(const Input& input, const Network& network, const EdgeGraph& graph,
+              const std::vector<EdgeOwners>& owners) {
+  return Assembler(input, network, graph, owners).assemble();
+}
+
+}  // namespace cover

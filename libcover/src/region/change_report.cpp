@@ -1,0 +1,186 @@
+// Tested by tests/unit/region/soup_test.cpp.
+#include "region/change_report.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <string_view>
+#include <tuple>
+
+#include "base/describe.hpp"
+#include "region/complaint.hpp"
+
+namespace cover {
+namespace {
+
+constexpr std::size_t kPlaces = 5;  ///< named in one sentence; the rest is counted
+
+/// "(0, 0), (1, 0) and 3 more places".
+std::string list_of(const std::vector<Point>& where) {
+  std::string out;
+  for (std::size_t k = 0; k < std::min(kPlaces, where.size()); ++k) {
+    out += (k > 0 ? ", " : "") + describe(where[k]);
+  }
+  if (where.size() > kPlaces) {
+    out += " and " + counted(where.size() - kPlaces, "more place");
+  }
+  return out;
+}
+
+/// The polygons that a line of the input shows: those that own a side of the edge.
+bool is_seen(const VisibleEdge& edge, Origin origin) {
+  return origin.kind != Origin::Kind::ring || edge.owners[0] == origin.index ||
+         edge.owners[1] == origin.index;
+}
+
+struct Headline {
+  Change::Kind kind;
+  std::string_view what;
+};
+constexpr std::array<Headline, 4> kHeadlines{{{Change::Kind::merged, "merged"},
+                                              {Change::Kind::dropped, "dropped"},
+                                              {Change::Kind::welded, "welded"},
+                                              {Change::Kind::split, "split"}}};
+
+}  // namespace
+
+void report_splits(const Input& input, const Network& network,
+                   const std::vector<VisibleEdge>& edges, std::vector<Change>& changes) {
+  // Copies of one line, such as a border that two neighbours store, are told once.
+  using Line = std::pair<Point, Point>;
+  std::map<Line, std::pair<std::uint32_t, std::set<Point>>> cuts;
+  for (const VisibleEdge& edge : edges) {
+    for (const std::uint32_t r : edge.raws) {
+      const Raw& raw = network.raws[r];
+      if (!is_seen(edge, raw.origin)) continue;
+      for (const std::uint32_t v : {edge.a, edge.b}) {
+        const Point p = network.points[v];
+        if (p == raw.a || p == raw.b) continue;
+        auto& [first, places] =
+            cuts.try_emplace(std::minmax(raw.a, raw.b), r, std::set<Point>()).first->second;
+        first = std::min(first, r);
+        places.insert(p);
+      }
+    }
+  }
+  std::vector<std::pair<std::uint32_t, std::vector<Point>>> ordered;
+  for (const auto& [line, cut] : cuts) {
+    ordered.emplace_back(cut.first, std::vector<Point>(cut.second.begin(), cut.second.end()));
+  }
+  std::sort(ordered.begin(), ordered.end());
+  for (auto& [raw, where] : ordered) {
+    std::string message =
+        fmt::format("{} was split at {}", name_of_raw(input, network, raw), list_of(where));
+    changes.push_back({Change::Kind::split,
+                       std::move(message),
+                       std::move(where),
+                       {ref_of(input, network.raws[raw].origin)}});
+  }
+}
+
+namespace {
+
+/// By polygon: places where two of its lines cross.
+std::map<std::uint32_t, std::vector<Point>> own_crossings(const Network& network) {
+  std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>>
+      inner;  // point, polygon, raw
+  for (const Strand& s : network.strands) {
+    const Raw& raw = network.raws[s.raw];
+    if (raw.origin.kind != Origin::Kind::ring) continue;
+    for (const std::uint32_t v : {s.a, s.b}) {
+      const Point p = network.points[v];
+      if (p != raw.a && p != raw.b) inner.emplace_back(v, raw.origin.index, s.raw);
+    }
+  }
+  std::sort(inner.begin(), inner.end());
+  inner.erase(std::unique(inner.begin(), inner.end()), inner.end());
+  std::map<std::uint32_t, std::vector<Point>> out;
+  for (std::size_t k = 1; k < inner.size(); ++k) {
+    const auto& [v, polygon, raw] = inner[k];
+    if (std::get<0>(inner[k - 1]) != v || std::get<1>(inner[k - 1]) != polygon) continue;
+    std::vector<Point>& places = out[polygon];
+    if (places.empty() || places.back() != network.points[v]) places.push_back(network.points[v]);
+  }
+  return out;
+}
+
+/// By polygon: ends of the edges on which it lies an even number of times.
+std::map<std::uint32_t, std::vector<Point>> folds(const Network& network, const EdgeGraph& graph,
+                                                  const std::vector<EdgeOwners>& owners) {
+  std::map<std::uint32_t, std::vector<Point>> out;
+  std::map<std::uint32_t, int> times;
+  for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+    if (owners[e][0] != owners[e][1]) continue;
+    times.clear();
+    for (const Strand& s : graph.strands(network, e)) {
+      const Origin origin = network.raws[s.raw].origin;
+      if (origin.kind == Origin::Kind::ring) ++times[origin.index];
+    }
+    for (const auto& [polygon, count] : times) {
+      if (count % 2 != 0) continue;
+      out[polygon].push_back(network.points[graph.edges[e][0]]);
+      out[polygon].push_back(network.points[graph.edges[e][1]]);
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+void report_polygons(const Input& input, const Network& network, const EdgeGraph& graph,
+                     const std::vector<EdgeOwners>& owners, Report& report) {
+  const auto warn = [&](std::string message, std::vector<Point> where) {
+    report.notes.push_back({Note::Kind::warning, kVoid, std::move(message), std::move(where)});
+  };
+  for (auto& [polygon, where] : own_crossings(network)) {
+    std::string message = fmt::format("{} crosses itself at {}; its inside is taken as even-odd",
+                                      name_of_polygon(input, polygon), list_of(where));
+    warn(std::move(message), where);
+  }
+  for (auto& [polygon, where] : folds(network, graph, owners)) {
+    report.changes.push_back(
+        {Change::Kind::dropped,
+         fmt::format("{} folds back on itself along {} between {}; they separate nothing",
+                     name_of_polygon(input, polygon), counted(where.size() / 2, "edge"),
+                     list_of(where)),
+         where,
+         {ref_of(input, {Origin::Kind::ring, polygon})}});
+  }
+  std::vector<bool> seen(input.polygons.size(), false);
+  for (const EdgeOwners& sides : owners) {
+    for (const std::uint32_t p : sides) {
+      if (p != kNoIndex) seen[p] = true;
+    }
+  }
+  for (std::uint32_t p = 0; p < seen.size(); ++p) {
+    if (!seen[p]) warn(name_of_polygon(input, p) + " covers nothing that others leave free", {});
+  }
+}
+
+void sum_up(const std::vector<Change>& changes, std::vector<Note>& notes) {
+  for (const auto& [kind, what] : kHeadlines) {
+    Note note{Note::Kind::change, kVoid, {}, {}};
+    std::size_t count = 0;
+    for (const Change& change : changes) {
+      if (change.kind != kind) continue;
+      if (++count <= kPlaces) note.message += (count > 1 ? "; " : "") + change.message;
+      note.where.insert(note.where.end(), change.where.begin(), change.where.end());
+    }
+    if (count == 0) continue;
+    if (count > kPlaces) note.message += fmt::format("; and {} more", count - kPlaces);
+    note.message = fmt::format("{} {}: {}", count, what, note.message);
+    notes.push_back(std::move(note));
+  }
+}
+
+std::optional<Error> changes_as_error(const Input& input, const std::vector<Change>& changes) {
+  if (changes.empty()) return {};
+  Complaint complaint(ErrorCode::changed_input, input.source);
+  for (const Change& change : changes) complaint.add(change.message, change.where, change.inputs);
+  return complaint.error();
+}
+
+}  // namespace cover

@@ -1,0 +1,193 @@
+// Tested by tests/unit/region/soup_test.cpp.
+#include "region/network.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+#include "base/describe.hpp"
+#include "region/complaint.hpp"
+
+namespace cover {
+
+std::size_t PointPool::Hash::operator()(Point p) const {
+  // Adding zero makes the two zeros, which are equal, the same bits.
+  const std::uint64_t x = std::bit_cast<std::uint64_t>(p.x + 0.0);
+  const std::uint64_t y = std::bit_cast<std::uint64_t>(p.y + 0.0);
+  std::uint64_t mixed = (x ^ std::rotl(y, 32)) * 0x9E3779B97F4A7C15U;
+  mixed = (mixed ^ mixed >> 32) * 0xBF58476D1CE4E5B9U + y;
+  return mixed ^ mixed >> 29;
+}
+
+std::uint32_t PointPool::index_of(Point p) {
+  const auto [entry, is_new] = index_.emplace(p, static_cast<std::uint32_t>(points_.size()));
+  if (is_new) points_.push_back(p);
+  return entry->second;
+}
+
+namespace {
+
+class Gatherer {
+ public:
+  Gatherer(const Input& input, std::vector<Change>& changes) : input_(input), changes_(changes) {}
+
+  Network gather() {
+    add_points();
+    add_segments();
+    for (std::uint32_t p = 0; p < input_.polygons.size(); ++p) add_polygon(p);
+    for (std::uint32_t l = 0; l < input_.lines.size(); ++l) add_line(l);
+    network_.points = pool_.take();
+    network_.input.resize(network_.points.size(), kNoIndex);
+    return std::move(network_);
+  }
+
+ private:
+  /// Only the ends of segments; other points stay apart.
+  void add_points() {
+    std::vector<bool> is_end(input_.points.size(), false);
+    for (const InputSegment& s : input_.segments) is_end[s.a] = is_end[s.b] = true;
+    for (std::uint32_t k = 0; k < input_.points.size(); ++k) {
+      if (is_end[k]) add_point(k, pool_, network_.input);
+    }
+    PointPool all = pool_;
+    std::vector<std::uint32_t> inputs = network_.input;
+    for (std::uint32_t k = 0; k < input_.points.size(); ++k) {
+      if (is_end[k] || !add_point(k, all, inputs)) continue;
+      network_.lone_points.push_back({input_.points[k], k});
+    }
+  }
+
+  /// True if point `k` is the first at its place.
+  bool add_point(std::uint32_t k, PointPool& pool, std::vector<std::uint32_t>& inputs) {
+    const std::uint32_t index = pool.index_of(input_.points[k]);
+    if (index < inputs.size()) {
+      merge_points(k, inputs[index]);
+      return false;
+    }
+    inputs.push_back(k);
+    return true;
+  }
+
+  void merge_points(std::uint32_t point, std::uint32_t first) {
+    changes_.push_back({Change::Kind::merged,
+                        fmt::format("{} and point {} have the same coordinates: they are one point",
+                                    name_of_point(input_, point), point_id(input_, first)),
+                        {input_.points[point]},
+                        {{InputKind::point, point_id(input_, first)},
+                         {InputKind::point, point_id(input_, point)}}});
+  }
+
+  void add_segments() {
+    std::vector<std::array<std::uint32_t, 3>> keys;
+    for (std::uint32_t s = 0; s < input_.segments.size(); ++s) {
+      const InputSegment& segment = input_.segments[s];
+      const Point pa = input_.points[segment.a], pb = input_.points[segment.b];
+      const std::uint32_t a = pool_.index_of(pa), b = pool_.index_of(pb);
+      if (a == b) {
+        drop(s, fmt::format("{} at {} has length zero", name_of_segment(input_, s), describe(pa)),
+             {pa});
+        continue;
+      }
+      keys.push_back({std::min(a, b), std::max(a, b), s});
+      add(a, b, {Origin::Kind::segment, s});
+    }
+    std::sort(keys.begin(), keys.end());
+    for (std::size_t k = 1; k < keys.size(); ++k) {
+      if (keys[k - 1][0] != keys[k][0] || keys[k - 1][1] != keys[k][1]) continue;
+      drop(keys[k][2],
+           fmt::format("{} is the same as segment {}", name_of_segment(input_, keys[k][2]),
+                       input_.segments[keys[k - 1][2]].id),
+           {pool_.points()[keys[k][0]], pool_.points()[keys[k][1]]});
+    }
+  }
+
+  void drop(std::uint32_t segment, std::string message, std::vector<Point> where) {
+    changes_.push_back({Change::Kind::dropped,
+                        std::move(message),
+                        std::move(where),
+                        {{InputKind::segment, input_.segments[segment].id}}});
+  }
+
+  void add_polygon(std::uint32_t p) {
+    const std::size_t before = network_.strands.size();
+    for (const std::vector<Point>& ring : input_.polygons[p].rings) {
+      for (std::size_t k = 0; k < ring.size(); ++k) {
+        add_edge(ring[k], ring[k + 1 < ring.size() ? k + 1 : 0], {Origin::Kind::ring, p});
+      }
+    }
+    if (network_.strands.size() > before + 2) return;
+    changes_.push_back({Change::Kind::dropped,
+                        name_of_polygon(input_, p) + " has fewer than three corners",
+                        {},
+                        {{InputKind::polygon, input_.polygons[p].id}}});
+  }
+
+  void add_line(std::uint32_t l) {
+    const std::vector<Point>& points = input_.lines[l].points;
+    for (std::size_t k = 1; k < points.size(); ++k) {
+      add_edge(points[k - 1], points[k], {Origin::Kind::line, l});
+    }
+  }
+
+  /// Repeated points, such as the closing point of a ring, are ordinary.
+  void add_edge(Point from, Point to, Origin origin) {
+    if (from == to) return;
+    const std::uint32_t a = pool_.index_of(from);
+    add(a, pool_.index_of(to), origin);
+  }
+
+  void add(std::uint32_t a, std::uint32_t b, Origin origin) {
+    network_.strands.push_back({a, b, static_cast<std::uint32_t>(network_.raws.size())});
+    network_.raws.push_back({pool_.points()[a], pool_.points()[b], origin});
+  }
+
+  const Input& input_;
+  std::vector<Change>& changes_;
+  PointPool pool_;
+  Network network_;
+};
+
+}  // namespace
+
+Network gather(const Input& input, std::vector<Change>& changes) {
+  return Gatherer(input, changes).gather();
+}
+
+std::string name_of_polygon(const Input& input, std::uint32_t polygon) {
+  const InputPolygon& p = input.polygons[polygon];
+  const std::string& name = p.region.empty() ? p.material : p.region;
+  return name.empty() ? fmt::format("polygon {}", p.id)
+                      : fmt::format("polygon {} '{}'", p.id, name);
+}
+
+std::string name_of_raw(const Input& input, const Network& network, std::uint32_t raw) {
+  const Raw& r = network.raws[raw];
+  const std::string ends = fmt::format("from {} to {}", describe(r.a), describe(r.b));
+  switch (r.origin.kind) {
+    case Origin::Kind::segment: {
+      const InputSegment& s = input.segments[r.origin.index];
+      return fmt::format("segment {} {}{}", s.id, ends, line_suffix(s.line));
+    }
+    case Origin::Kind::ring:
+      return fmt::format("the edge of {} {}", name_of_polygon(input, r.origin.index), ends);
+    case Origin::Kind::line:
+      break;
+  }
+  return fmt::format("the line '{}' {}", input.lines[r.origin.index].name, ends);
+}
+
+InputRef ref_of(const Input& input, Origin origin) {
+  switch (origin.kind) {
+    case Origin::Kind::segment:
+      return {InputKind::segment, input.segments[origin.index].id};
+    case Origin::Kind::ring:
+      return {InputKind::polygon, input.polygons[origin.index].id};
+    case Origin::Kind::line:
+      break;
+  }
+  return {InputKind::line, input.lines[origin.index].id};
+}
+
+}  // namespace cover

@@ -1,0 +1,87 @@
+// Straight pieces on their way from the input to a clean PSLG, each knowing where it comes from.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include <cover/input.hpp>
+#include <cover/point.hpp>
+#include <cover/report.hpp>
+
+namespace cover {
+
+/// No index.
+inline constexpr std::uint32_t kNoIndex = 0xffffffffU;
+
+/// The element of the input that a piece belongs to.
+struct Origin {
+  enum class Kind : std::uint8_t { segment, ring, line };
+  Kind kind = Kind::segment;
+  std::uint32_t index = 0;  ///< into Input::segments, Input::polygons or Input::lines
+  friend auto operator<=>(const Origin&, const Origin&) = default;
+};
+
+/// A straight line as it was drawn, or as welding bent it.
+struct Raw {
+  Point a;
+  Point b;
+  Origin origin;
+};
+
+/// A piece of a raw line, in its direction.
+struct Strand {
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+  std::uint32_t raw = 0;  ///< index into Network::raws
+};
+
+/// A point on no line.
+struct LonePoint {
+  Point at;
+  std::uint32_t input = 0;  ///< index into Input::points
+};
+
+/// Gives every place one number.
+class PointPool {
+ public:
+  /// The number of the point at `p`, a new one if there is none yet.
+  std::uint32_t index_of(Point p);
+
+  [[nodiscard]] const std::vector<Point>& points() const { return points_; }
+  std::vector<Point> take() { return std::move(points_); }
+
+ private:
+  struct Hash {
+    std::size_t operator()(Point p) const;
+  };
+  std::vector<Point> points_;
+  std::unordered_map<Point, std::uint32_t, Hash> index_;
+};
+
+/// All lines of an input. The strands of a ring are closed: at every point an even number of them
+/// ends. Every step keeps that, so even-odd always says what a polygon covers.
+struct Network {
+  std::vector<Point> points;         ///< all different; each is the end of a strand
+  std::vector<std::uint32_t> input;  ///< by point: index into Input::points, or kNoIndex
+  std::vector<Raw> raws;
+  std::vector<Strand> strands;  ///< none of length zero
+  std::vector<LonePoint> lone_points;
+};
+
+/// Collects the lines of `input`, one strand each; equal points become one.
+///
+/// What is dropped or merged is appended to `changes`.
+/// REQUIRES: find_unusable finds nothing
+/// Cost:     O(n log n).
+Network gather(const Input& input, std::vector<Change>& changes);
+
+/// "segment 3 from (0, 0) to (1, 0) (line 7)", "the edge of polygon 2 from ... to ...".
+std::string name_of_raw(const Input& input, const Network& network, std::uint32_t raw);
+/// The element for programs.
+InputRef ref_of(const Input& input, Origin origin);
+/// "polygon 3", "polygon 3 'gate'".
+std::string name_of_polygon(const Input& input, std::uint32_t polygon);
+
+}  // namespace cover

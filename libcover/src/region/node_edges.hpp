@@ -1,0 +1,41 @@
+// Cutting lines where they meet, until they meet at points only.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <cover/result.hpp>
+
+#include "cdt/cdt.hpp"
+#include "region/network.hpp"
+
+namespace cover {
+
+/// The edges of a network that is clean: no two of them on the same pair of points.
+struct EdgeGraph {
+  std::vector<IndexPair> edges;    ///< smaller index first, ascending
+  std::vector<std::size_t> first;  ///< of edge k: network.strands[first[k], first[k + 1])
+  Triangulation triangulation;     ///< of the hull, with the edges as locked edges
+
+  /// The strands on edge `k` of the network that the graph was made of.
+  [[nodiscard]] std::span<const Strand> strands(const Network& network, std::size_t k) const {
+    return {network.strands.data() + first[k], first[k + 1] - first[k]};
+  }
+};
+
+/// Cuts the strands of `network` at all their common points and sorts them by edge.
+///
+/// Intersections are computed exactly and rounded to the nearest doubles. Rounding moves pieces by
+/// half a unit in the last place, which may make new crossings; so the pieces are cut again until a
+/// pass finds them clean by exact predicates (iterated snap rounding). Ends of lines never move.
+/// ENSURES: points and edges are a PSLG
+/// Errors:  internal if that does not settle
+/// Cost:    O((n + k) log n) a pass for k crossings; one pass per generation of new crossings.
+/// Ref:     D. Halperin, E. Packer, Iterated snap rounding, CGTA 23 (2002)
+Result<EdgeGraph> node_edges(Network& network);
+
+/// Leaves out the points that no strand ends at.
+void compact(Network& network);
+
+}  // namespace cover

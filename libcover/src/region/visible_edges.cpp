@@ -1,0 +1,131 @@
+// Tested by tests/unit/region/paint_test.cpp.
+#include "region/visible_edges.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+namespace cover {
+namespace {
+
+bool is_forced(const Network& network, std::uint32_t raw) {
+  return network.raws[raw].origin.kind != Origin::Kind::ring;
+}
+
+/// Unites edges at points that only hidden edges needed.
+class Uniter {
+ public:
+  Uniter(const Network& network, std::vector<VisibleEdge>& edges)
+      : network_(network),
+        edges_(edges),
+        at_(network.points.size(), {kNoIndex, kNoIndex}),
+        degree_(network.points.size(), 0) {
+    for (std::uint32_t e = 0; e < edges.size(); ++e) {
+      for (const std::uint32_t v : {edges[e].a, edges[e].b}) {
+        if (degree_[v] < 2) at_[v][degree_[v]] = e;
+        ++degree_[v];
+      }
+    }
+  }
+
+  void run() {
+    for (std::uint32_t v = 0; v < at_.size(); ++v) {
+      if (degree_[v] == 2 && network_.input[v] == kNoIndex) unite_at(v);
+    }
+    std::erase_if(edges_, [](const VisibleEdge& e) { return e.raws.empty(); });
+  }
+
+ private:
+  /// Turns edge e so that it ends at v.
+  void turn_to(VisibleEdge& e, std::uint32_t v) {
+    if (e.b == v) return;
+    std::swap(e.a, e.b);
+    std::swap(e.owners[0], e.owners[1]);
+  }
+
+  [[nodiscard]] std::vector<std::uint32_t> forced(const VisibleEdge& e) const {
+    std::vector<std::uint32_t> out;
+    std::copy_if(e.raws.begin(), e.raws.end(), std::back_inserter(out),
+                 [this](std::uint32_t r) { return is_forced(network_, r); });
+    return out;
+  }
+
+  void unite_at(std::uint32_t v) {
+    const std::uint32_t kept = at_[v][0], gone = at_[v][1];
+    VisibleEdge &e = edges_[kept], &f = edges_[gone];
+    turn_to(e, v);
+    turn_to(f, v);
+    std::swap(f.a, f.b);
+    std::swap(f.owners[0], f.owners[1]);
+    if (e.owners != f.owners || forced(e) != forced(f) || e.a == f.b) return;
+    std::vector<std::uint32_t> common;
+    std::set_intersection(e.raws.begin(), e.raws.end(), f.raws.begin(), f.raws.end(),
+                          std::back_inserter(common));
+    const Point p = network_.points[v];
+    std::erase_if(common, [&](std::uint32_t r) {
+      return network_.raws[r].a == p || network_.raws[r].b == p;
+    });
+    if (common.empty()) return;
+    e.b = f.b;
+    e.raws = std::move(common);
+    f.raws.clear();
+    for (std::uint32_t& slot : at_[e.b]) {
+      if (slot == gone) slot = kept;
+    }
+  }
+
+  const Network& network_;
+  std::vector<VisibleEdge>& edges_;
+  std::vector<std::array<std::uint32_t, 2>> at_;  ///< the first two edges at each point
+  std::vector<std::uint32_t> degree_;
+};
+
+}  // namespace
+
+std::vector<VisibleEdge> visible_edges(const Network& network, const EdgeGraph& graph,
+                                       const std::vector<EdgeOwners>& owners) {
+  std::vector<VisibleEdge> out;
+  for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+    VisibleEdge edge{graph.edges[e][0], graph.edges[e][1], owners[e], {}};
+    bool visible = owners[e][0] != owners[e][1];
+    for (const Strand& s : graph.strands(network, e)) {
+      visible |= is_forced(network, s.raw);
+      edge.raws.push_back(s.raw);
+    }
+    if (!visible) continue;
+    edge.raws.erase(std::unique(edge.raws.begin(), edge.raws.end()), edge.raws.end());
+    out.push_back(std::move(edge));
+  }
+  Uniter(network, out).run();
+  return out;
+}
+
+Network network_of(const std::vector<VisibleEdge>& edges, const Network& network) {
+  Network out;
+  out.points = network.points;
+  out.input = network.input;
+  out.lone_points = network.lone_points;
+  const auto add = [&](const VisibleEdge& e, bool forwards, Raw raw) {
+    out.strands.push_back(
+        {forwards ? e.a : e.b, forwards ? e.b : e.a, static_cast<std::uint32_t>(out.raws.size())});
+    out.raws.push_back(raw);
+  };
+  for (const VisibleEdge& e : edges) {
+    const Point a = network.points[e.a], b = network.points[e.b];
+    for (const std::uint32_t owner : e.owners) {
+      if (owner != kNoIndex && e.owners[0] != e.owners[1]) {
+        add(e, true, {a, b, {Origin::Kind::ring, owner}});
+      }
+    }
+    for (const std::uint32_t r : e.raws) {
+      const Raw& raw = network.raws[r];
+      if (!is_forced(network, r)) continue;
+      const bool forwards = (raw.a < raw.b) == (a < b);
+      add(e, forwards, {forwards ? a : b, forwards ? b : a, raw.origin});
+    }
+  }
+  compact(out);
+  return out;
+}
+
+}  // namespace cover
