@@ -30,12 +30,6 @@ std::string list_of(const std::vector<Point>& where) {
   return out;
 }
 
-/// The polygons that a line of the input shows: those that own a side of the edge.
-bool is_seen(const VisibleEdge& edge, Origin origin) {
-  return origin.kind != Origin::Kind::ring || edge.owners[0] == origin.index ||
-         edge.owners[1] == origin.index;
-}
-
 struct Headline {
   Change::Kind kind;
   std::string_view what;
@@ -55,7 +49,6 @@ void report_splits(const Input& input, const Network& network,
   for (const VisibleEdge& edge : edges) {
     for (const std::uint32_t r : edge.raws) {
       const Raw& raw = network.raws[r];
-      if (!is_seen(edge, raw.origin)) continue;
       for (const std::uint32_t v : {edge.a, edge.b}) {
         const Point p = network.points[v];
         if (p == raw.a || p == raw.b) continue;

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <numeric>
+#include <utility>
 
 #include "base/describe.hpp"
 #include "region/face_measures.hpp"
@@ -75,8 +76,8 @@ Result<Pslg> merge_materials(Pslg pslg, Report& report) {
       kept.push_back(s);
       continue;
     }
-    const auto [first, second] =
-        std::minmax(root(left), root(right), [&](auto f, auto g) { return seed[f] < seed[g]; });
+    std::uint32_t first = root(left), second = root(right);
+    if (seed[second] < seed[first]) std::swap(first, second);
     target[second] = first;
     const Point a = pslg.points[segment.a.index()], b = pslg.points[segment.b.index()];
     report.changes.push_back(

@@ -44,10 +44,12 @@ class Gatherer {
   }
 
  private:
-  /// Only the ends of segments; other points stay apart.
+  /// Only the ends of segments with a length; other points stay apart.
   void add_points() {
     std::vector<bool> is_end(input_.points.size(), false);
-    for (const InputSegment& s : input_.segments) is_end[s.a] = is_end[s.b] = true;
+    for (const InputSegment& s : input_.segments) {
+      if (input_.points[s.a] != input_.points[s.b]) is_end[s.a] = is_end[s.b] = true;
+    }
     for (std::uint32_t k = 0; k < input_.points.size(); ++k) {
       if (is_end[k]) add_point(k, pool_, network_.input);
     }
@@ -84,12 +86,12 @@ class Gatherer {
     for (std::uint32_t s = 0; s < input_.segments.size(); ++s) {
       const InputSegment& segment = input_.segments[s];
       const Point pa = input_.points[segment.a], pb = input_.points[segment.b];
-      const std::uint32_t a = pool_.index_of(pa), b = pool_.index_of(pb);
-      if (a == b) {
+      if (pa == pb) {
         drop(s, fmt::format("{} at {} has length zero", name_of_segment(input_, s), describe(pa)),
              {pa});
         continue;
       }
+      const std::uint32_t a = pool_.index_of(pa), b = pool_.index_of(pb);
       keys.push_back({std::min(a, b), std::max(a, b), s});
       add(a, b, {Origin::Kind::segment, s});
     }

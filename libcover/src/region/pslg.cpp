@@ -54,17 +54,11 @@ Pslg take_over(const Input& input) {
 Result<EdgeGraph> paint_over(const Input& input, const Options& options, Network& network,
                              const EdgeGraph& graph, std::vector<EdgeOwners>& owners,
                              Report& report) {
-  const std::vector<std::uint32_t> group = group_polygons(input.polygons, options.merge_materials);
-  const auto united = [&](std::vector<EdgeOwners>& sides) {
-    for (EdgeOwners& e : sides) {
-      for (std::uint32_t& p : e) p = p == kNoIndex ? p : group[p];
-    }
-  };
   Result<std::vector<EdgeOwners>> painted = paint(input, options.overlap, network, graph);
   if (!painted) return std::move(painted).error();
   report_polygons(input, network, graph, *painted, report);
-  united(*painted);
-  const std::vector<VisibleEdge> visible = visible_edges(network, graph, *painted);
+  const std::vector<VisibleEdge> visible = visible_edges(
+      network, graph, *painted, group_polygons(input.polygons, options.merge_materials));
   report_splits(input, network, visible, report.changes);
   network = network_of(visible, network);
   // Pieces that were united again may differ from the line they make up by rounding.
@@ -103,7 +97,7 @@ Result<Pslg> clean_up(const Input& input, const Options& options, Report& report
   std::vector<EdgeOwners> owners;
   if (input.polygons.empty()) {
     const std::vector<EdgeOwners> none(graph->edges.size(), {kNoIndex, kNoIndex});
-    report_splits(input, network, visible_edges(network, *graph, none), report.changes);
+    report_splits(input, network, visible_edges(network, *graph, none, {}), report.changes);
   } else {
     graph = paint_over(input, options, network, *graph, owners, report);
     if (!graph) return std::move(graph).error();

@@ -37,17 +37,16 @@ class Uniter {
 
  private:
   /// Turns edge e so that it ends at v.
-  void turn_to(VisibleEdge& e, std::uint32_t v) {
+  static void turn_to(VisibleEdge& e, std::uint32_t v) {
     if (e.b == v) return;
     std::swap(e.a, e.b);
     std::swap(e.owners[0], e.owners[1]);
   }
 
-  [[nodiscard]] std::vector<std::uint32_t> forced(const VisibleEdge& e) const {
-    std::vector<std::uint32_t> out;
-    std::copy_if(e.raws.begin(), e.raws.end(), std::back_inserter(out),
-                 [this](std::uint32_t r) { return is_forced(network_, r); });
-    return out;
+  [[nodiscard]] bool has_end_at(const VisibleEdge& e, Point p) const {
+    return std::any_of(e.raws.begin(), e.raws.end(), [&](std::uint32_t r) {
+      return network_.raws[r].a == p || network_.raws[r].b == p;
+    });
   }
 
   void unite_at(std::uint32_t v) {
@@ -57,14 +56,11 @@ class Uniter {
     turn_to(f, v);
     std::swap(f.a, f.b);
     std::swap(f.owners[0], f.owners[1]);
-    if (e.owners != f.owners || forced(e) != forced(f) || e.a == f.b) return;
+    const Point p = network_.points[v];
+    if (e.owners != f.owners || e.a == f.b || has_end_at(e, p) || has_end_at(f, p)) return;
     std::vector<std::uint32_t> common;
     std::set_intersection(e.raws.begin(), e.raws.end(), f.raws.begin(), f.raws.end(),
                           std::back_inserter(common));
-    const Point p = network_.points[v];
-    std::erase_if(common, [&](std::uint32_t r) {
-      return network_.raws[r].a == p || network_.raws[r].b == p;
-    });
     if (common.empty()) return;
     e.b = f.b;
     e.raws = std::move(common);
@@ -83,18 +79,23 @@ class Uniter {
 }  // namespace
 
 std::vector<VisibleEdge> visible_edges(const Network& network, const EdgeGraph& graph,
-                                       const std::vector<EdgeOwners>& owners) {
+                                       const std::vector<EdgeOwners>& owners,
+                                       const std::vector<std::uint32_t>& group) {
+  const auto first_of_group = [&](std::uint32_t p) { return p == kNoIndex ? p : group[p]; };
   std::vector<VisibleEdge> out;
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
-    VisibleEdge edge{graph.edges[e][0], graph.edges[e][1], owners[e], {}};
-    bool visible = owners[e][0] != owners[e][1];
+    const auto [left, right] = owners[e];
+    VisibleEdge edge{
+        graph.edges[e][0], graph.edges[e][1], {first_of_group(left), first_of_group(right)}, {}};
+    bool visible = edge.owners[0] != edge.owners[1];
     for (const Strand& s : graph.strands(network, e)) {
-      visible |= is_forced(network, s.raw);
-      edge.raws.push_back(s.raw);
+      const bool forced = is_forced(network, s.raw);
+      const std::uint32_t polygon = network.raws[s.raw].origin.index;
+      visible |= forced;
+      if (!forced && polygon != left && polygon != right) continue;
+      if (edge.raws.empty() || edge.raws.back() != s.raw) edge.raws.push_back(s.raw);
     }
-    if (!visible) continue;
-    edge.raws.erase(std::unique(edge.raws.begin(), edge.raws.end()), edge.raws.end());
-    out.push_back(std::move(edge));
+    if (visible) out.push_back(std::move(edge));
   }
   Uniter(network, out).run();
   return out;

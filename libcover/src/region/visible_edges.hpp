@@ -14,16 +14,19 @@ namespace cover {
 struct VisibleEdge {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
-  EdgeOwners owners{kNoIndex, kNoIndex};  ///< left and right, from a to b
-  std::vector<std::uint32_t> raws;        ///< the lines that it is a piece of, ascending
+  EdgeOwners owners{kNoIndex, kNoIndex};   ///< left and right, from a to b: first of their group
+  std::vector<std::uint32_t> raws;   ///< the lines that show in it, ascending: rings of its owners
+                                     ///< and all segments and lines
 };
 
-/// Drops what separates nothing and unites the pieces of a line that only dropped edges had cut.
+/// Drops what separates nothing and unites pieces that only hidden edges had cut. `group` is that of
+/// group_polygons.
 ///
-/// ENSURES: points of the input stay; united pieces belong to the same lines
+/// ENSURES: points of the input and corners that show stay
 /// Cost:    O(n log n).
 std::vector<VisibleEdge> visible_edges(const Network& network, const EdgeGraph& graph,
-                                       const std::vector<EdgeOwners>& owners);
+                                       const std::vector<EdgeOwners>& owners,
+                                       const std::vector<std::uint32_t>& group);
 
 /// The network of the visible edges alone: each has one strand for every owner beside it, one for
 /// every segment or line on it, and none of a hidden polygon.

@@ -1,0 +1,83 @@
+#include "region/node_edges.hpp"
+
+#include <gtest/gtest.h>
+
+#include "region/lone_points.hpp"
+#include "support/shapes.hpp"
+
+namespace cover {
+namespace {
+
+Input segments_between(std::vector<Point> points, const std::vector<IndexPair>& pairs) {
+  Input input;
+  input.points = std::move(points);
+  for (const auto& [a, b] : pairs) {
+    InputSegment s;
+    s.a = a;
+    s.b = b;
+    s.id = static_cast<long>(input.segments.size());
+    input.segments.push_back(s);
+  }
+  return input;
+}
+
+TEST(NodeEdges, CutsAndKeepsTrackOfLines) {
+  std::vector<Change> changes;
+  Network network = gather(
+      segments_between({{0, 0}, {4, 4}, {0, 4}, {4, 0}, {3, 3}, {5, 5}}, {{0, 1}, {2, 3}, {4, 5}}),
+      changes);
+  const auto graph = node_edges(network);
+  ASSERT_TRUE(graph);
+  EXPECT_EQ(network.points.size(), 7U);
+  EXPECT_EQ(graph->edges.size(), 6U);
+  for (std::size_t e = 0; e < graph->edges.size(); ++e) {
+    for (const Strand& s : graph->strands(network, e)) {
+      const Raw& raw = network.raws[s.raw];
+      EXPECT_EQ(raw.a < raw.b, network.points[s.a] < network.points[s.b]);
+    }
+  }
+  const IndexPair shared{1, 4};  // of the two lines that overlap from (3, 3) to (4, 4)
+  const auto found = std::find(graph->edges.begin(), graph->edges.end(), shared);
+  ASSERT_NE(found, graph->edges.end());
+  EXPECT_EQ(graph->strands(network, static_cast<std::size_t>(found - graph->edges.begin())).size(),
+            2U);
+}
+
+TEST(NodeEdges, SettlesWhereRoundingMakesNewCrossings) {
+  // A pencil of nearly parallel lines through a small box: intersections lie closer than doubles.
+  const std::uint64_t seed = testing::test_seed(6);
+  SCOPED_TRACE(testing::seed_trace(seed));
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> uniform(0, 1e-13);
+  std::vector<Point> points;
+  std::vector<IndexPair> pairs;
+  for (std::uint32_t k = 0; k < 60; ++k) {
+    points.push_back({uniform(random), 1 + uniform(random)});
+    points.push_back({1 + uniform(random), 2 + uniform(random)});
+    pairs.push_back({2 * k, 2 * k + 1});
+  }
+  std::vector<Change> changes;
+  Network network = gather(segments_between(points, pairs), changes);
+  const auto graph = node_edges(network);
+  ASSERT_TRUE(graph) << graph.error().message;
+  EXPECT_TRUE(triangulate_hull(network.points, graph->edges).conflicts.empty());
+}
+
+TEST(CutAtLonePoints, CutsOnlyWhatTheyLieOn) {
+  std::vector<Change> changes;
+  Network network = gather(
+      segments_between({{0, 0}, {4, 0}, {0, 4}, {1, 0}, {3, 0}, {1, 1}, {9, 9}}, {{1, 0}, {0, 2}}),
+      changes);
+  EXPECT_EQ(network.lone_points.size(), 4U);
+  const auto graph = node_edges(network);
+  ASSERT_TRUE(graph);
+  ASSERT_TRUE(cut_at_lone_points(network, *graph));
+  EXPECT_EQ(network.points.size(), 5U);
+  const auto again = node_edges(network);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->edges.size(), 4U);
+  EXPECT_FALSE(cut_at_lone_points(network, *again));
+}
+
+}  // namespace
+}  // namespace cover

@@ -1,0 +1,132 @@
+#include "region/paint.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/soups.hpp"
+
+namespace cover {
+namespace {
+
+using testing::add_polygon;
+using testing::clean;
+using testing::Cleaned;
+using testing::rectangle;
+
+/// Two unit squares that overlap in a quarter.
+Input two_squares() {
+  Input input;
+  input.source = "deck.json";
+  add_polygon(input, rectangle(0, 0, 2, 2), "a");
+  add_polygon(input, rectangle(1, 1, 3, 3), "b");
+  return input;
+}
+
+TEST(Paint, LaterFirstOrNone) {
+  Input input = two_squares();
+  auto out = clean(input);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_EQ(out->area("a"), 3);
+  EXPECT_EQ(out->area("b"), 4);
+  EXPECT_EQ(out->pslg.points.size(), 9U);  // the corner of a inside b is hidden
+  Options options;
+  options.overlap = Overlap::first;
+  out = clean(input, options);
+  EXPECT_EQ(out->area("a"), 4);
+  EXPECT_EQ(out->area("b"), 3);
+  options.overlap = Overlap::error;
+  out = clean(input, options);
+  ASSERT_FALSE(out);
+  EXPECT_EQ(out.error().code, ErrorCode::overlapping_polygons);
+  EXPECT_EQ(out.error().message.substr(0, 57),
+            "deck.json: polygon 1 'a' and polygon 2 'b' overlap at (1.");
+  ASSERT_EQ(out.error().inputs.size(), 2U);
+  EXPECT_EQ(out.error().inputs[1].id, 2);
+  input.polygons[0].priority = 5;
+  out = clean(input, options);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_EQ(out->area("a"), 4);
+}
+
+TEST(Paint, LeavesOutWhatIsHidden) {
+  Input input;
+  add_polygon(input, rectangle(1, 1, 2, 2), "hidden");
+  add_polygon(input, rectangle(0, 0, 3, 3), "top");
+  const auto out = clean(input);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_EQ(out->pslg.segments.size(), 4U);
+  ASSERT_EQ(out->table.regions.size(), 1U);
+  EXPECT_EQ(out->table.regions[0].material, 2);
+  EXPECT_TRUE(out->tells("polygon 1 'hidden' covers nothing that others leave free"));
+}
+
+TEST(Paint, UnitesWhatOnlyHiddenEdgesCut) {
+  Input input;
+  add_polygon(input, rectangle(1, -1, 2, 2), "below");  // crosses the bottom of the next one
+  add_polygon(input, rectangle(0, -3, 3, 3), "above");
+  add_polygon(input, rectangle(0, -3, 3, 0), "last");
+  const auto out = clean(input);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_EQ(out->pslg.segments.size(), 7U);
+  EXPECT_EQ(out->pslg.points.size(), 6U);
+}
+
+TEST(Paint, TakesRingsAsEvenOdd) {
+  Input input;
+  InputPolygon& p = add_polygon(input, rectangle(0, 0, 9, 9), "m");
+  p.rings.push_back(testing::reversed(rectangle(1, 1, 8, 8)));
+  p.rings.push_back(rectangle(2, 2, 3, 3));  // an island in the hole
+  p.rings[0].push_back(p.rings[0].front());  // closed as GeoJSON does
+  add_polygon(input, {{20, 0}, {24, 4}, {24, 0}, {20, 4}}, "bow");
+  const auto out = clean(input);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_EQ(out->area("m"), 81 - 49 + 1);
+  EXPECT_EQ(out->area("bow"), 8);
+  EXPECT_EQ(out->table.regions.size(), 4U);
+  EXPECT_TRUE(out->tells("polygon 2 'bow' crosses itself at (22, 2)"));
+}
+
+TEST(Paint, DropsSlitsOfARing) {
+  Input input;  // a hole that is joined to the outline by an edge taken both ways
+  add_polygon(input,
+              {{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}, {3, 3}, {3, 6}, {6, 6}, {6, 3}, {3, 3}},
+              "keyhole");
+  const auto out = clean(input);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_EQ(out->area("keyhole"), 72);
+  EXPECT_EQ(out->pslg.segments.size(), 8U);
+  EXPECT_TRUE(out->tells("polygon 1 'keyhole' folds back on itself along 1 edge"));
+}
+
+TEST(Paint, KeepsPolygonsApartUnlessNamedOrMerged) {
+  Input input;
+  add_polygon(input, rectangle(0, 0, 1, 1), "Si");
+  add_polygon(input, rectangle(1, 0, 2, 1), "Si");
+  add_polygon(input, rectangle(2, 0, 3, 1), "Si", "bulk");
+  add_polygon(input, rectangle(3, 0, 4, 1), "Si", "bulk");
+  auto out = clean(input);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_EQ(out->table.regions.size(), 3U);
+  EXPECT_EQ(out->table.regions[2].name, "bulk");
+  EXPECT_EQ(out->table.regions[2].area, 2);
+  Options merge;
+  merge.merge_materials = true;
+  out = clean(input, merge);
+  ASSERT_TRUE(out) << out.error().message;
+  ASSERT_EQ(out->table.regions.size(), 1U);
+  EXPECT_EQ(out->table.regions[0].area, 4);
+}
+
+TEST(Paint, LeavesVoidWhereNothingCovers) {
+  Input input;
+  add_polygon(input, rectangle(0, 0, 3, 1), "a");
+  add_polygon(input, rectangle(0, 2, 3, 3), "a");
+  add_polygon(input, rectangle(0, 0, 1, 3), "a");
+  add_polygon(input, rectangle(2, 0, 3, 3), "a");
+  const auto out = clean(input);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_EQ(out->area("a"), 8);
+  EXPECT_EQ(out->table.void_seeds.size(), 1U);
+}
+
+}  // namespace
+}  // namespace cover

@@ -1,0 +1,327 @@
+// Whole soups: random ones, and their areas beside an independent exact overlay.
+// COVER_LONG_SOUPS=n makes the random tests try n soups of each kind instead of a few hundred.
+#include <gtest/gtest.h>
+
+#include <CGAL/Boolean_set_operations_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+
+#include <cstdlib>
+#include <map>
+
+#include "cdt/cdt.hpp"
+#include "support/inputs.hpp"
+#include "support/soups.hpp"
+
+namespace cover {
+namespace {
+
+using testing::add_polygon;
+using testing::clean;
+using testing::Cleaned;
+using testing::rectangle;
+
+int soup_count() {
+  const char* value = std::getenv("COVER_LONG_SOUPS");
+  return value != nullptr ? std::atoi(value) : 150;
+}
+
+/// Points and segments meet only at points, and every named side exists.
+void expect_valid(const Cleaned& out) {
+  std::vector<IndexPair> pairs;
+  for (const Segment& s : out.pslg.segments) pairs.push_back({s.a.value(), s.b.value()});
+  ASSERT_TRUE(triangulate_hull(out.pslg.points, pairs).conflicts.empty());
+  auto sorted = out.pslg.points;
+  std::sort(sorted.begin(), sorted.end());
+  ASSERT_EQ(std::adjacent_find(sorted.begin(), sorted.end()), sorted.end());
+  const auto boundaries = split_regions(out.pslg, out.table);
+  double whole = 0, parts = 0;
+  for (const RegionBoundary& b : boundaries) {
+    whole += testing::area_of(b);
+    parts += out.table.region(b.id).area;
+    ASSERT_FALSE(b.sides.empty());
+  }
+  ASSERT_NEAR(whole, parts, 1e-9 * (1 + parts));
+}
+
+void add_segment(Input& input, Point a, Point b) {
+  InputSegment s;
+  s.a = static_cast<std::uint32_t>(input.points.size());
+  s.b = s.a + 1;
+  s.id = static_cast<long>(input.segments.size());
+  input.points.insert(input.points.end(), {a, b});
+  input.segments.push_back(s);
+}
+
+/// What a generator of random inputs draws from.
+struct Dice {
+  std::mt19937_64 random;
+  double real(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  }
+  int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); }
+};
+
+Input crossing_segments(Dice& dice) {
+  Input input;
+  for (const Point p : {Point{-1, -1}, {2, -1}, {2, 2}, {-1, 2}}) input.points.push_back(p);
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    input.segments.emplace_back();
+    input.segments.back().a = k;
+    input.segments.back().b = (k + 1) % 4;
+  }
+  for (int k = dice.whole(1, 25); k > 0; --k) {
+    add_segment(input, {dice.real(0, 1), dice.real(0, 1)}, {dice.real(0, 1), dice.real(0, 1)});
+  }
+  return input;
+}
+
+/// Segments and points on a coarse grid: everything coincides.
+Input grid_segments(Dice& dice) {
+  Input input = crossing_segments(dice);
+  for (Point& p : input.points) p = {std::round(p.x * 4), std::round(p.y * 4)};
+  for (int k = dice.whole(0, 5); k > 0; --k) {
+    input.points.push_back({double(dice.whole(0, 4)), double(dice.whole(0, 4))});
+  }
+  return input;
+}
+
+Input grid_rectangles(Dice& dice) {
+  Input input;
+  for (int k = dice.whole(1, 12); k > 0; --k) {
+    const int x = dice.whole(0, 5), y = dice.whole(0, 5);
+    add_polygon(input, rectangle(x, y, x + dice.whole(1, 4), y + dice.whole(1, 4)),
+                "m" + std::to_string(dice.whole(0, 3)));
+  }
+  return input;
+}
+
+/// Rectangles whose corners miss the grid by about 1e-12, in all three ways of being ordered.
+Input near_rectangles(Dice& dice) {
+  Input input = grid_rectangles(dice);
+  for (InputPolygon& p : input.polygons) {
+    for (Point& q : p.rings[0])
+      q = {q.x + dice.real(-1e-12, 1e-12), q.y + dice.real(-1e-12, 1e-12)};
+  }
+  return input;
+}
+
+/// Rings of random points: self-intersecting in every way.
+Input wild_rings(Dice& dice) {
+  Input input;
+  const double cell = dice.whole(0, 1) == 0 ? 0 : 0.125;
+  for (int k = dice.whole(1, 4); k > 0; --k) {
+    testing::Loop ring;
+    for (int n = dice.whole(3, 12); n > 0; --n) {
+      Point p{dice.real(0, 1), dice.real(0, 1)};
+      if (cell > 0) p = {std::round(p.x / cell) * cell, std::round(p.y / cell) * cell};
+      ring.push_back(p);
+    }
+    add_polygon(input, ring, "m" + std::to_string(k));
+  }
+  return input;
+}
+
+class RandomSoup : public ::testing::TestWithParam<Input (*)(Dice&)> {};
+
+TEST_P(RandomSoup, BecomesAPslg) {
+  const std::uint64_t seed = testing::test_seed(21);
+  SCOPED_TRACE(testing::seed_trace(seed));
+  Dice dice{std::mt19937_64(seed)};
+  for (int k = 0; k < soup_count(); ++k) {
+    SCOPED_TRACE("soup " + std::to_string(k));
+    const auto out = clean(GetParam()(dice));
+    if (!out) {
+      ASSERT_EQ(out.error().code, ErrorCode::nothing_enclosed) << out.error().message;
+      continue;
+    }
+    ASSERT_NO_FATAL_FAILURE(expect_valid(*out));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, RandomSoup,
+                         ::testing::Values(&crossing_segments, &grid_segments, &grid_rectangles,
+                                           &near_rectangles, &wild_rings));
+
+/// Scaled by a power of two everything is the same; shifted exactly the connectivity is.
+TEST(Soup, DoesNotDependOnUnitOrOrigin) {
+  Dice dice{std::mt19937_64(testing::test_seed(22))};
+  for (int k = 0; k < 20; ++k) {
+    const Input input = crossing_segments(dice);
+    const auto base = clean(input), up = clean(testing::transformed(input, 0x1p30)),
+               down = clean(testing::transformed(input, 0x1p-30));
+    ASSERT_TRUE(base && up && down);
+    ASSERT_EQ(up->pslg.points.size(), base->pslg.points.size());
+    ASSERT_EQ(up->pslg.segments.size(), base->pslg.segments.size());
+    for (std::size_t v = 0; v < base->pslg.points.size(); ++v) {
+      ASSERT_EQ(up->pslg.points[v].x, base->pslg.points[v].x * 0x1p30);
+      ASSERT_EQ(down->pslg.points[v].y, base->pslg.points[v].y * 0x1p-30);
+    }
+    const Input grid = grid_rectangles(dice);
+    Input shifted = grid;
+    for (InputPolygon& p : shifted.polygons) {
+      for (Point& q : p.rings[0]) q = {q.x + 1048576, q.y - 524288};
+    }
+    const auto here = clean(grid), there = clean(shifted);
+    ASSERT_TRUE(here && there);
+    ASSERT_EQ(here->pslg.side_seeds, there->pslg.side_seeds);
+  }
+}
+
+namespace exact {
+
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Polygon = CGAL::Polygon_2<Kernel>;
+using Set = CGAL::Polygon_set_2<Kernel>;
+
+double area(const Set& set) {
+  std::vector<CGAL::Polygon_with_holes_2<Kernel>> parts;
+  set.polygons_with_holes(std::back_inserter(parts));
+  Kernel::FT sum = 0;
+  for (const auto& part : parts) {
+    sum += part.outer_boundary().area();
+    for (auto h = part.holes_begin(); h != part.holes_end(); ++h) sum += h->area();
+  }
+  return CGAL::to_double(sum);
+}
+
+/// Paints simple polygons one over the other.
+std::map<std::string, Set> paint(const Input& input) {
+  std::map<std::string, Set> out;
+  for (const InputPolygon& p : input.polygons) {
+    Polygon polygon;
+    for (const Point& q : p.rings[0]) polygon.push_back(Kernel::Point_2(q.x, q.y));
+    if (polygon.is_clockwise_oriented()) polygon.reverse_orientation();
+    for (auto& [material, set] : out) set.difference(polygon);
+    out[p.material].join(polygon);
+  }
+  return out;
+}
+
+}  // namespace exact
+
+TEST(Soup, PaintsTheAreasOfAnExactOverlay) {
+  const std::uint64_t seed = testing::test_seed(23);
+  SCOPED_TRACE(testing::seed_trace(seed));
+  Dice dice{std::mt19937_64(seed)};
+  for (int k = 0; k < 40; ++k) {
+    Input input;
+    for (int n = dice.whole(2, 8); n > 0; --n) {
+      const Point centre{dice.real(0, 2), dice.real(0, 2)};
+      testing::Loop ring = testing::random_star(dice.whole(3, 14), 0.3, dice.random, centre);
+      if (dice.whole(0, 1) == 0) ring = testing::reversed(ring);
+      add_polygon(input, ring, "m" + std::to_string(dice.whole(0, 3)));
+    }
+    const auto out = clean(input);
+    ASSERT_TRUE(out) << out.error().message;
+    for (const auto& [material, set] : exact::paint(input)) {
+      ASSERT_NEAR(out->area(material), exact::area(set), 1e-12) << material << " of soup " << k;
+    }
+  }
+}
+
+TEST(Soup, ReportsSplitsOfSharedBorders) {
+  Input input;
+  input.source = "t.json";
+  add_polygon(input, rectangle(0, 0, 2, 2), "a");
+  add_polygon(input, rectangle(2, 0, 3, 1), "b");
+  const auto out = clean(input);
+  ASSERT_TRUE(out) << out.error().message;
+  ASSERT_EQ(out->report.changes.size(), 1U);
+  const Change& change = out->report.changes[0];
+  EXPECT_EQ(change.kind, Change::Kind::split);
+  EXPECT_EQ(change.message, "the edge of polygon 1 'a' from (2, 0) to (2, 2) was split at (2, 1)");
+  EXPECT_EQ(change.where, (std::vector<Point>{{2, 1}}));
+  ASSERT_EQ(change.inputs.size(), 1U);
+  EXPECT_EQ(change.inputs[0].id, 1);
+  EXPECT_TRUE(out->tells("1 split: the edge"));
+  Options strict;
+  strict.strict = true;
+  const auto refused = clean(input, strict);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::changed_input);
+  EXPECT_EQ(refused.error().message, "t.json: " + change.message);
+}
+
+TEST(Soup, NeedsNoChangeForSharedBordersThatAgree) {
+  Input input;
+  add_polygon(input, rectangle(0, 0, 1, 1), "a");
+  add_polygon(input, testing::reversed(rectangle(1, 0, 2, 1)), "b");
+  Options strict;
+  strict.strict = true;
+  const auto out = clean(input, strict);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_EQ(out->table.interfaces.size(), 3U);
+}
+
+TEST(Soup, KeepsContactsThroughEverything) {
+  Input input;
+  add_polygon(input, rectangle(0, 0, 4, 4), "Si");
+  add_polygon(input, rectangle(1, 3, 3, 5), "metal");
+  input.lines = {{"gate", {{0.5, 4}, {3.5, 4}}, 1}, {"probe", {{1, 1}, {2, 2}, {3, 1}}, 2}};
+  const auto out = clean(input);
+  ASSERT_TRUE(out) << out.error().message;
+  double gate = 0, probe = 0;
+  for (const Interface& line : out->table.interfaces) {
+    if (line.name == "gate") gate += line.length;
+    if (line.name == "probe") probe += line.length;
+    if (line.name == "gate" || line.name == "probe") {
+      EXPECT_EQ(line.kind, InterfaceKind::contact);
+    }
+  }
+  EXPECT_DOUBLE_EQ(gate, 3);
+  EXPECT_DOUBLE_EQ(probe, 2 * std::sqrt(2));
+}
+
+TEST(Soup, TellsWhatItDoesToSegments) {
+  Input input = testing::input_of({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+  input.points.push_back({0, 0});
+  input.points.push_back({2, 0});
+  input.segments.push_back({0, 1, 0, 50, 0, ""});
+  input.segments.push_back({2, 2, 0, 51, 0, ""});
+  const auto out = clean(input);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_EQ(out->pslg.points.size(), 5U);
+  EXPECT_EQ(out->pslg.segments.size(), 5U);
+  EXPECT_TRUE(out->tells("point 4 at (0, 0) and point 0 have the same coordinates"));
+  EXPECT_TRUE(out->tells("segment 50 from point 0 to point 1 is the same as segment"));
+  EXPECT_TRUE(out->tells("segment 51 from point 2 to point 2 at (4, 4) has length zero"));
+  EXPECT_TRUE(out->tells("was split at (2, 0)"));
+}
+
+TEST(Soup, MergesFacesOfEqualMaterialInAPslg) {
+  Input input = testing::checker(3, 1, 4);
+  for (RegionSeed& s : input.seeds) s.material = "Si";
+  input.seeds[4].material = "core";
+  Options merge;
+  merge.merge_materials = true;
+  const auto out = clean(input, merge);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_EQ(out->table.regions.size(), 2U);
+  EXPECT_NEAR(out->area("Si") + out->area("core"), 1, 1e-12);
+}
+
+TEST(Soup, RefusesSeedsBesidePolygonsAndInfiniteCorners) {
+  Input input;
+  input.source = "x.json";
+  add_polygon(input, rectangle(0, 0, 1, 1), "a");
+  input.holes = {{{0.5, 0.5}, 7, 0}};
+  EXPECT_EQ(clean(input).error().code, ErrorCode::conflicting_seeds);
+  input.holes.clear();
+  input.polygons[0].rings[0][1].x = HUGE_VAL;
+  EXPECT_EQ(clean(input).error().message,
+            "x.json: the corner at (inf, 0) of polygon 1 is not finite");
+}
+
+TEST(Soup, HasNothingToSayOfPolygonsWithoutArea) {
+  Input input;
+  add_polygon(input, {{0, 0}, {1, 1}}, "line");
+  EXPECT_EQ(clean(input).error().code, ErrorCode::nothing_enclosed);
+  add_polygon(input, rectangle(2, 2, 3, 3), "a");
+  const auto out = clean(input);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_TRUE(out->tells("polygon 1 'line' has fewer than three corners"));
+  EXPECT_EQ(out->pslg.points.size(), 4U);
+}
+
+}  // namespace
+}  // namespace cover
