@@ -5,7 +5,8 @@ packages=(git g++ cmake ninja-build ccache
           libcgal-dev libopenmesh-dev libvtk9-dev libboost-dev
           libcli11-dev libfmt-dev libspdlog-dev nlohmann-json3-dev
           libgtest-dev libbenchmark-dev
-          pkg-config python3 python3-numpy python3-vtk9)
+          pkg-config pybind11-dev python3-dev
+          python3 python3-jsonschema python3-numpy python3-vtk9)
 missing=()
 for p in "${packages[@]}"; do
   dpkg-query -W -f='${Status}' "$p" 2>/dev/null | grep -q 'install ok installed' || missing+=("$p")

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 #include <random>
+#include <set>
 #include <string>
 
 namespace cover::testing {
@@ -24,7 +25,96 @@ class Sketch {
     s.id = static_cast<long>(input.segments.size());
     input.segments.push_back(s);
   }
+  void seed(Point at, std::uint64_t material) {
+    RegionSeed s;
+    s.at = at;
+    s.material = std::to_string(material);
+    s.id = static_cast<long>(input.seeds.size());
+    input.seeds.push_back(s);
+  }
   Input input;
+};
+
+/// A square that is cut into convex pieces.
+class Cake {
+ public:
+  explicit Cake(std::uint64_t seed) : random_(seed) {
+    for (const Point p : {Point{0, 0}, {1, 0}, {1, 1}, {0, 1}}) sketch_.point(p);
+    pieces_ = {{0, 1, 2, 3}};
+  }
+
+  /// Cuts the piece with most corners through two of its sides.
+  void cut() {
+    std::uniform_real_distribution<double> part(0.3, 0.7);
+    const auto largest = std::max_element(
+        pieces_.begin(), pieces_.end(),
+        [&](const auto& p, const auto& q) { return longest_side(p) < longest_side(q); });
+    const std::size_t piece = static_cast<std::size_t>(largest - pieces_.begin());
+    const std::size_t n = pieces_[piece].size();
+    const std::size_t i = side_of(pieces_[piece]), j = (i + 1 + n / 2) % n;
+    const std::uint32_t a = pieces_[piece][i], b = pieces_[piece][(i + 1) % n];
+    const std::uint32_t c = pieces_[piece][j], d = pieces_[piece][(j + 1) % n];
+    const std::uint32_t p = split(a, b, part(random_)), q = split(c, d, part(random_));
+    std::vector<std::uint32_t> ring = pieces_[piece];
+    std::rotate(ring.begin(), std::find(ring.begin(), ring.end(), p), ring.end());
+    const auto at = std::find(ring.begin(), ring.end(), q);
+    std::vector<std::uint32_t> first(ring.begin(), at + 1), second(at, ring.end());
+    second.push_back(p);
+    pieces_[piece] = first;
+    pieces_.push_back(second);
+  }
+
+  Input finish() {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
+    for (const auto& ring : pieces_) {
+      Point centre;
+      for (std::size_t k = 0; k < ring.size(); ++k) {
+        const std::uint32_t a = ring[k], b = ring[(k + 1) % ring.size()];
+        if (sides.insert({std::min(a, b), std::max(a, b)}).second) sketch_.segment(a, b);
+        centre.x += at(a).x / static_cast<double>(ring.size());
+        centre.y += at(a).y / static_cast<double>(ring.size());
+      }
+      sketch_.seed(centre, 1 + random_() % 3);
+    }
+    return sketch_.input;
+  }
+
+ private:
+  [[nodiscard]] Point at(std::uint32_t v) const { return sketch_.input.points[v]; }
+
+  /// The first corner of the longest side.
+  [[nodiscard]] std::size_t side_of(const std::vector<std::uint32_t>& ring) const {
+    std::size_t best = 0;
+    for (std::size_t k = 1; k < ring.size(); ++k)
+      if (length(ring, k) > length(ring, best)) best = k;
+    return best;
+  }
+  [[nodiscard]] double length(const std::vector<std::uint32_t>& ring, std::size_t k) const {
+    const Point a = at(ring[k]), b = at(ring[(k + 1) % ring.size()]);
+    return std::hypot(b.x - a.x, b.y - a.y);
+  }
+  [[nodiscard]] double longest_side(const std::vector<std::uint32_t>& ring) const {
+    return length(ring, side_of(ring));
+  }
+
+  /// A new corner on the side ab, in every piece that has it.
+  std::uint32_t split(std::uint32_t a, std::uint32_t b, double t) {
+    const std::uint32_t m =
+        sketch_.point({at(a).x + t * (at(b).x - at(a).x), at(a).y + t * (at(b).y - at(a).y)});
+    for (auto& ring : pieces_) {
+      for (std::size_t k = 0; k < ring.size(); ++k) {
+        const std::uint32_t p = ring[k], q = ring[(k + 1) % ring.size()];
+        if ((p != a || q != b) && (p != b || q != a)) continue;
+        ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(k) + 1, m);
+        break;
+      }
+    }
+    return m;
+  }
+
+  std::mt19937_64 random_;
+  Sketch sketch_;
+  std::vector<std::vector<std::uint32_t>> pieces_;  // counter-clockwise
 };
 
 }  // namespace
@@ -59,11 +149,8 @@ Input checker(int cells, int pieces, std::uint64_t seed) {
       if (i < n) chain(i, j, true, j == 0 || j == n);
       if (j < n) chain(i, j, false, i == 0 || i == n);
       if (i < n && j < n) {
-        RegionSeed s;
-        s.at = {(static_cast<double>(i) + 0.5) * side, (static_cast<double>(j) + 0.5) * side};
-        s.material = std::to_string(1 + (i + j) % 2);
-        s.id = static_cast<long>(sketch.input.seeds.size());
-        sketch.input.seeds.push_back(s);
+        sketch.seed({(static_cast<double>(i) + 0.5) * side, (static_cast<double>(j) + 0.5) * side},
+                    1 + (i + j) % 2);
       }
     }
   }
@@ -96,6 +183,60 @@ Input input_of(const Loop& loop) {
   return sketch.input;
 }
 
+Input random_cells(int cuts, std::uint64_t seed) {
+  Cake cake(seed);
+  for (int k = 0; k < cuts; ++k) cake.cut();
+  return cake.finish();
+}
+
+Input nested_stars(int rings, int n, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> radius(0.75, 1);
+  Sketch sketch;
+  double size = 1;
+  for (int ring = 0; ring < rings; ++ring, size *= 0.6) {
+    const auto first = static_cast<std::uint32_t>(sketch.input.points.size());
+    for (int k = 0; k < n; ++k) {
+      const double r = size * radius(random), angle = 2 * std::numbers::pi * k / n;
+      sketch.point({r * std::cos(angle), r * std::sin(angle)});
+    }
+    for (int k = 0; k < n; ++k)
+      sketch.segment(first + static_cast<std::uint32_t>(k),
+                     first + static_cast<std::uint32_t>((k + 1) % n));
+    // Beside the direction of a corner there is room between the rings: 0.6 < 0.66 < 0.75
+    // cos(pi/n).
+    sketch.seed({0.66 * size, 0.01 * size}, 1 + random() % 3);
+  }
+  return sketch.input;
+}
+
+Input rectangles(int columns, int rows, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> width(-3, 0);
+  const auto lines = [&](int n) {
+    std::vector<double> at{0};
+    for (int k = 0; k < n; ++k) at.push_back(at.back() + std::pow(10.0, width(random)));
+    return at;
+  };
+  const std::vector<double> x = lines(columns), y = lines(rows);
+  Sketch sketch;
+  for (const double yj : y)
+    for (const double xi : x) sketch.point({xi, yj});
+  const auto at = [&](std::size_t i, std::size_t j) {
+    return static_cast<std::uint32_t>(j * x.size() + i);
+  };
+  for (std::size_t j = 0; j < y.size(); ++j) {
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (i + 1 < x.size()) sketch.segment(at(i, j), at(i + 1, j));
+      if (j + 1 < y.size()) sketch.segment(at(i, j), at(i, j + 1));
+      if (i + 1 == x.size() || j + 1 == y.size() || random() % 8 == 0) continue;
+      sketch.seed({(x[i] + x[i + 1]) / 2, (y[j] + y[j + 1]) / 2}, 1 + random() % 3);
+    }
+  }
+  sketch.input.void_rule = VoidRule::unseeded_faces;
+  return sketch.input;
+}
+
 Input shuffled(const Input& input, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::vector<std::uint32_t> order(input.points.size()), place(order.size());
@@ -114,6 +255,7 @@ Input shuffled(const Input& input, std::uint64_t seed) {
     if (random() % 2 == 0) std::swap(s.a, s.b);
   }
   std::shuffle(out.segments.begin(), out.segments.end(), random);
+  std::shuffle(out.seeds.begin(), out.seeds.end(), random);
   return out;
 }
 

@@ -21,7 +21,18 @@ Loop smooth_star(int n, std::uint64_t seed);
 /// One loop as an input without seeds.
 Input input_of(const Loop& loop);
 
-/// The same input with point and segment order shuffled and some segments reversed.
+/// A square cut `cuts` times in two, one convex piece at a time, by a random line; a seed per piece
+/// with material 1 to 3. Corners of a piece lie in the middle of its neighbours' sides, which are
+/// cut there and bent by rounding: angles next to 180 degrees.
+Input random_cells(int cuts, std::uint64_t seed);
+
+/// Star-shaped polygons inside each other, n corners each; a seed between any two.
+Input nested_stars(int rings, int n, std::uint64_t seed);
+
+/// Rectangles between random lines, some far thinner than others; some are void.
+Input rectangles(int columns, int rows, std::uint64_t seed);
+
+/// The same input with the order of points, segments and seeds shuffled and some segments reversed.
 Input shuffled(const Input& input, std::uint64_t seed);
 
 /// The same input with every coordinate multiplied by `factor`, then shifted.

@@ -42,6 +42,9 @@ Status write_vtm(const Output& output, const std::string& path);
 /// Writes the clean PSLG as Triangle's .poly, 17 digits, with region and hole seeds.
 Status write_poly(const Pslg& pslg, const RegionTable& table, const std::string& path);
 
+/// The report as JSON text.
+std::string report_json(const Output& output);
+
 /// Writes the report as JSON.
 Status write_report_json(const Output& output, const std::string& path);
 

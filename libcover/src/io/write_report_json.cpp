@@ -192,7 +192,7 @@ Json mesh_json(const Output& output) {
           {"steiner_vertices", output.report.steiner_vertices}};
 }
 
-Json report_json(const Output& output) {
+Json to_json(const Output& output) {
   const Report& report = output.report;
   Json out{{"format", "cover report"}, {"version", 1}};
   out["input"] = input_json(output);
@@ -214,11 +214,15 @@ Json report_json(const Output& output) {
 
 }  // namespace
 
+std::string report_json(const Output& output) {
+  // Names that are no UTF-8 must not make the report fail.
+  return to_json(output).dump(1, ' ', false, Json::error_handler_t::replace);
+}
+
 Status write_report_json(const Output& output, const std::string& path) {
   Result<AtomicFile> file = AtomicFile::create(path);
   if (!file) return std::move(file).error();
-  // Names that are no UTF-8 must not make the report fail.
-  file->write(report_json(output).dump(1, ' ', false, Json::error_handler_t::replace));
+  file->write(report_json(output));
   file->write("\n");
   return file->commit();
 }

@@ -14,41 +14,15 @@
 #include <cover/verify.hpp>
 
 #include "support/inputs.hpp"
+#include "support/mesh_shape.hpp"
 
 namespace cover {
 namespace {
 
-Output must_mesh(const Input& input, const Options& options = {}) {
-  Result<Output> output = cover_mesh(input, options);
-  EXPECT_TRUE(output) << output.error().message;
-  return std::move(output).value();
-}
-
-std::string violations(const Output& output) {
-  std::string text;
-  const auto soup = triangle_soup(output.mesh);
-  for (const Violation& v : verify_cover(output.pslg, output.table, soup).violations) {
-    text += v.message + '\n';
-  }
-  return text;
-}
-
-/// A mesh without ids: for each region, found by a point inside, its triangles by coordinates.
-using Shape = std::set<std::array<Point, 3>>;
-
-Shape shape_of(const TriangleSoup& soup, double factor = 1, Point shift = {0, 0}) {
-  Shape shape;
-  for (const auto& t : soup.triangles) {
-    std::array<Point, 3> p;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Point q = soup.points[t[i]];
-      p[i] = {(q.x - shift.x) / factor, (q.y - shift.y) / factor};
-    }
-    std::rotate(p.begin(), std::min_element(p.begin(), p.end()), p.end());
-    shape.insert(p);
-  }
-  return shape;
-}
+using testing::must_mesh;
+using testing::Shape;
+using testing::shape_of;
+using testing::violations;
 
 TEST(CoverMesh, KeepsItsPromises) {
   const Output output = must_mesh(testing::checker(6, 5, 3));
@@ -99,22 +73,8 @@ TEST(CoverMesh, ARegionAloneIsMeshedAsInsideTheWhole) {
   const Output output = must_mesh(whole);
   const TriangleSoup soup = triangle_soup(output.mesh);
   for (const RegionId id : {RegionId{1}, RegionId{7}, RegionId{25}}) {
-    Input alone;
-    alone.points = output.pslg.points;
-    for (std::size_t s = 0; s < output.pslg.segments.size(); ++s) {
-      const SegmentSides& sides = output.table.sides[s];
-      if (sides.left != id && sides.right != id) continue;
-      InputSegment segment;
-      segment.a = output.pslg.segments[s].a.value();
-      segment.b = output.pslg.segments[s].b.value();
-      alone.segments.push_back(segment);
-    }
-    TriangleSoup part = soup;
-    part.triangles.clear();
-    for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
-      if (soup.region[t] == id.value()) part.triangles.push_back(soup.triangles[t]);
-    }
-    EXPECT_EQ(shape_of(triangle_soup(must_mesh(alone).mesh)), shape_of(part));
+    const Input alone = testing::region_alone(output, id);
+    EXPECT_EQ(shape_of(triangle_soup(must_mesh(alone).mesh)), shape_of(testing::part_of(soup, id)));
   }
 }
 

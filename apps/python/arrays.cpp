@@ -1,0 +1,97 @@
+#include "arrays.hpp"
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace cover::python {
+namespace {
+
+std::vector<Point> points_from(const Points& array, const char* what) {
+  if (array.size() == 0) return {};
+  if (array.ndim() != 2 || array.shape(1) != 2)
+    throw py::value_error(std::string(what) + " must have the shape (n, 2)");
+  const auto view = array.unchecked<2>();
+  std::vector<Point> points;
+  points.reserve(static_cast<std::size_t>(view.shape(0)));
+  for (py::ssize_t i = 0; i < view.shape(0); ++i) points.push_back({view(i, 0), view(i, 1)});
+  return points;
+}
+
+std::uint32_t index_from(std::int64_t value, std::size_t count) {
+  if (value < 0 || static_cast<std::size_t>(value) >= count)
+    throw py::index_error("segments: there is no point " + std::to_string(value) + ": there are " +
+                          std::to_string(count) + " points");
+  return static_cast<std::uint32_t>(value);
+}
+
+/// A name, or a number as it is written.
+std::string name_from(const py::handle& value) { return py::str(value); }
+
+}  // namespace
+
+Input pslg_from(const Points& points, const Indices& segments, const py::list& regions,
+                const Points& holes) {
+  Input input;
+  input.source = "arrays";
+  input.void_rule = VoidRule::unseeded_faces;
+  input.points = points_from(points, "points");
+  if (segments.size() > 0 && (segments.ndim() != 2 || segments.shape(1) != 2))
+    throw py::value_error("segments must have the shape (m, 2)");
+  const py::ssize_t count = segments.size() / 2;
+  for (py::ssize_t i = 0; i < count; ++i) {
+    InputSegment segment;
+    segment.a = index_from(segments.at(i, 0), input.points.size());
+    segment.b = index_from(segments.at(i, 1), input.points.size());
+    segment.id = static_cast<long>(i);
+    input.segments.push_back(segment);
+  }
+  for (const py::handle& item : regions) {
+    const auto fields = py::reinterpret_borrow<py::sequence>(item);
+    if (fields.size() < 3 || fields.size() > 4)
+      throw py::value_error("a region is (x, y, material) or (x, y, material, name)");
+    RegionSeed seed;
+    seed.at = {fields[0].cast<double>(), fields[1].cast<double>()};
+    seed.material = name_from(fields[2]);
+    if (fields.size() == 4) seed.region = name_from(fields[3]);
+    seed.id = static_cast<long>(input.seeds.size());
+    input.seeds.push_back(std::move(seed));
+  }
+  for (const Point p : points_from(holes, "holes"))
+    input.holes.push_back({p, static_cast<long>(input.holes.size()), 0});
+  return input;
+}
+
+Input soup_from(const py::list& polygons) {
+  Input input;
+  input.source = "polygons";
+  for (const py::handle& item : polygons) {
+    const auto fields = py::reinterpret_borrow<py::sequence>(item);
+    if (fields.size() < 2 || fields.size() > 3)
+      throw py::value_error("a polygon is (material, rings) or (material, rings, name)");
+    InputPolygon polygon;
+    polygon.material = name_from(fields[0]);
+    for (const py::handle& ring : fields[1])
+      polygon.rings.push_back(points_from(Points::ensure(ring), "a ring"));
+    if (fields.size() == 3) polygon.region = name_from(fields[2]);
+    polygon.id = static_cast<long>(input.polygons.size());
+    input.polygons.push_back(std::move(polygon));
+  }
+  return input;
+}
+
+py::array_t<double> array_of(const std::vector<Point>& points) {
+  py::array_t<double> array({points.size(), std::size_t{2}});
+  auto view = array.mutable_unchecked<2>();
+  for (py::ssize_t i = 0; i < view.shape(0); ++i) {
+    view(i, 0) = points[static_cast<std::size_t>(i)].x;
+    view(i, 1) = points[static_cast<std::size_t>(i)].y;
+  }
+  return array;
+}
+
+py::array_t<std::int64_t> array_of(const std::vector<std::int64_t>& values) {
+  return py::array_t<std::int64_t>(static_cast<py::ssize_t>(values.size()), values.data());
+}
+
+}  // namespace cover::python

@@ -1,0 +1,45 @@
+// numpy arrays to geometry and back.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <cover/input.hpp>
+
+namespace cover::python {
+
+namespace py = pybind11;
+
+/// Anything that numpy makes an array of doubles, or of indices, of.
+using Points = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using Indices = py::array_t<std::int64_t, py::array::c_style>;
+
+/// A PSLG; a region is (x, y, material) or (x, y, material, name).
+///
+/// Raises: ValueError where shapes or indices do not fit.
+Input pslg_from(const Points& points, const Indices& segments, const py::list& regions,
+                const Points& holes);
+
+/// Painted polygons; each is (material, rings) or (material, rings, region name).
+Input soup_from(const py::list& polygons);
+
+/// A copy, n x 2.
+py::array_t<double> array_of(const std::vector<Point>& points);
+/// A copy, n x N.
+template <std::size_t N>
+py::array_t<std::uint32_t> array_of(const std::vector<std::array<std::uint32_t, N>>& rows) {
+  py::array_t<std::uint32_t> array({rows.size(), N});
+  auto view = array.mutable_unchecked<2>();
+  for (py::ssize_t i = 0; i < view.shape(0); ++i)
+    for (py::ssize_t j = 0; j < view.shape(1); ++j)
+      view(i, j) = rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+  return array;
+}
+/// A copy.
+py::array_t<std::int64_t> array_of(const std::vector<std::int64_t>& values);
+
+}  // namespace cover::python

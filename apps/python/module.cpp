@@ -1,0 +1,193 @@
+// The Python module: numpy arrays in, numpy arrays out. No geometry here.
+//
+// A run works on a thread of its own without the GIL, while the calling thread looks for signals,
+// so that Ctrl-C stops a run and other Python threads go on. The progress callback takes the GIL
+// for its call only; what it raises stops the run and comes out of the call.
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <future>
+#include <stop_token>
+#include <thread>
+
+#include <pybind11/functional.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <cover/cover_mesh.hpp>
+#include <cover/read_input.hpp>
+#include <cover/read_vtk_input.hpp>
+#include <cover/verify.hpp>
+#include <cover/write_mesh.hpp>
+
+#include "arrays.hpp"
+#include "options.hpp"
+
+namespace py = pybind11;
+
+namespace cover::python {
+namespace {
+
+/// Raises cover.Error (or cover.Cancelled) with the members code, where and inputs.
+[[noreturn]] void raise(const Error& error) {
+  const py::module_ module = py::module_::import("cover");
+  const py::object type = module.attr(error.code == ErrorCode::cancelled ? "Cancelled" : "Error");
+  const py::object raised = type(error.message);
+  raised.attr("code") = static_cast<int>(error.code);
+  py::list where;
+  for (const Point& p : error.where) where.append(py::make_tuple(p.x, p.y));
+  raised.attr("where") = where;
+  PyErr_SetObject(type.ptr(), raised.ptr());
+  throw py::error_already_set();
+}
+
+/// Runs `work(callbacks)` on another thread and waits for it; see the head of this file.
+template <class Work>
+auto run(const py::object& progress, Work work) {
+  std::stop_source stop;
+  std::exception_ptr raised;  // written by the callback, read after the run
+  Callbacks callbacks;
+  callbacks.stop = stop.get_token();
+  if (!progress.is_none()) {
+    callbacks.progress = [&](const Progress& p) {
+      const py::gil_scoped_acquire gil;
+      try {
+        const py::object answer = progress(std::string(p.stage), p.done, p.total);
+        if (answer.ptr() == Py_False) stop.request_stop();
+      } catch (...) {
+        raised = std::current_exception();
+        stop.request_stop();
+      }
+    };
+  }
+  bool interrupted = false;
+  auto result = [&] {
+    const py::gil_scoped_release release;
+    auto future = std::async(std::launch::async, [&] { return work(callbacks); });
+    while (future.wait_for(std::chrono::milliseconds(50)) == std::future_status::timeout) {
+      const py::gil_scoped_acquire gil;
+      if (interrupted || PyErr_CheckSignals() == 0) continue;
+      interrupted = true;
+      stop.request_stop();
+    }
+    return future.get();
+  }();
+  if (raised) std::rethrow_exception(raised);
+  if (interrupted) throw py::error_already_set();  // PyErr_CheckSignals has set it
+  if (!result) raise(result.error());
+  return std::move(result).value();
+}
+
+/// A mesh with everything that is known of it.
+struct PyMesh {
+  Output output;
+  TriangleSoup soup;
+};
+
+PyMesh mesh_input(const Input& input, const py::dict& options, const py::object& progress) {
+  const Options parsed = options_from(options);
+  Output output = run(
+      progress, [&](const Callbacks& callbacks) { return cover_mesh(input, parsed, callbacks); });
+  TriangleSoup soup = triangle_soup(output.mesh);
+  return {std::move(output), std::move(soup)};
+}
+
+Input read_any(const std::string& path) {
+  Result<Input> input = is_vtk_input(path) ? read_vtk_input(path) : read_input(path);
+  if (!input) raise(input.error());
+  return std::move(input).value();
+}
+
+py::array_t<std::int64_t> input_ids(const PyMesh& mesh) {
+  const TriMesh& tri = mesh.output.mesh.tri();
+  std::vector<std::int64_t> ids;
+  ids.reserve(tri.n_vertices());
+  for (const auto v : tri.vertices()) {
+    const long id = mesh.output.mesh.input_id(v);
+    ids.push_back(id < 0 ? -1 : mesh.output.pslg.point_ids[static_cast<std::size_t>(id)]);
+  }
+  return array_of(ids);
+}
+
+/// The edges of each named line, by its name.
+py::dict lines_of(const PyMesh& mesh) {
+  const TriMesh& tri = mesh.output.mesh.tri();
+  std::vector<std::vector<std::array<std::uint32_t, 2>>> edges(mesh.output.table.interfaces.size());
+  for (const auto e : tri.edges()) {
+    const InterfaceId id = mesh.output.mesh.interface(e);
+    if (id == kNoInterface) continue;
+    const auto h = tri.halfedge_handle(e, 0);
+    edges[id.index() - 1].push_back({static_cast<std::uint32_t>(tri.from_vertex_handle(h).idx()),
+                                     static_cast<std::uint32_t>(tri.to_vertex_handle(h).idx())});
+  }
+  py::dict lines;
+  for (const Interface& line : mesh.output.table.interfaces) {
+    const py::str name(line.name);
+    if (!lines.contains(name)) lines[name] = py::list();
+    py::dict piece;
+    piece["left"] = line.left.value();
+    piece["right"] = line.right.value();
+    piece["edges"] = array_of(edges[line.id.index() - 1]);
+    lines[name].cast<py::list>().append(piece);
+  }
+  return lines;
+}
+
+/// The JSON report as a dictionary.
+py::object report_of(const PyMesh& mesh) {
+  return py::module_::import("json").attr("loads")(report_json(mesh.output));
+}
+
+void save(const PyMesh& mesh, const std::string& path) {
+  const Status status = path.ends_with(".vtu")   ? write_vtu(mesh.output, path)
+                        : path.ends_with(".vtm") ? write_vtm(mesh.output, path)
+                                                 : write_mesh(mesh.output, path);
+  if (!status) raise(status.error());
+}
+
+std::vector<std::string> violations(const PyMesh& mesh) {
+  std::vector<std::string> messages;
+  for (const Violation& v : verify_cover(mesh.output.pslg, mesh.output.table, mesh.soup).violations)
+    messages.push_back(v.message);
+  return messages;
+}
+
+}  // namespace
+}  // namespace cover::python
+
+PYBIND11_MODULE(_cover, module) {
+  using namespace cover::python;  // NOLINT: a module is nothing but names
+  module.doc() = "Multi-region triangle meshes with a proven bound on the largest angle";
+
+  py::class_<PyMesh>(module, "Mesh")
+      .def_property_readonly("points", [](const PyMesh& m) { return array_of(m.soup.points); })
+      .def_property_readonly("triangles",
+                             [](const PyMesh& m) { return array_of(m.soup.triangles); })
+      .def_property_readonly("region", [](const PyMesh& m) { return array_of(m.soup.region); })
+      .def_property_readonly("material", [](const PyMesh& m) { return array_of(m.soup.material); })
+      .def_property_readonly("input_id", &input_ids)
+      .def_property_readonly("lines", &lines_of)
+      .def_property_readonly("report", &report_of)
+      .def("save", &save, py::arg("path"))
+      .def("violations", &violations)
+      .def("__repr__", [](const PyMesh& m) {
+        return "<cover.Mesh: " + std::to_string(m.soup.points.size()) + " points, " +
+               std::to_string(m.soup.triangles.size()) + " triangles, " +
+               std::to_string(m.output.table.regions.size()) + " regions>";
+      });
+
+  module.def("mesh_pslg",
+             [](const Points& points, const Indices& segments, const py::list& regions,
+                const Points& holes, const py::dict& options, const py::object& progress) {
+               return mesh_input(pslg_from(points, segments, regions, holes), options, progress);
+             });
+  module.def("mesh_polygons",
+             [](const py::list& polygons, const py::dict& options, const py::object& progress) {
+               return mesh_input(soup_from(polygons), options, progress);
+             });
+  module.def("mesh_file",
+             [](const std::string& path, const py::dict& options, const py::object& progress) {
+               return mesh_input(read_any(path), options, progress);
+             });
+}

@@ -1,0 +1,140 @@
+"""The module from outside; run by ctest with the built package in PYTHONPATH."""
+import math
+import os
+import tempfile
+import threading
+import time
+import unittest
+
+import numpy as np
+
+import cover
+
+SQUARE = np.array([[0, 0], [1, 0], [2, 0], [2, 1], [1, 1], [0, 1]], dtype=float)
+SEGMENTS = np.array([[0, 1], [1, 2], [2, 3], [3, 4], [4, 5], [5, 0], [1, 4]])
+REGIONS = [(0.5, 0.5, 'Si', 'bulk'), (1.5, 0.5, 'SiO2')]
+
+
+def polygon(n, radius=1.0):
+    angles = 2 * math.pi * np.arange(n) / n
+    points = radius * np.column_stack([np.cos(angles), np.sin(angles)])
+    return points, np.column_stack([np.arange(n), (np.arange(n) + 1) % n])
+
+
+class Meshing(unittest.TestCase):
+    def test_arrays(self):
+        mesh = cover.mesh(SQUARE, SEGMENTS, REGIONS)
+        self.assertEqual(mesh.points.shape[1], 2)
+        self.assertEqual(mesh.triangles.shape, (len(mesh.region), 3))
+        np.testing.assert_array_equal(mesh.points[:6], SQUARE)
+        np.testing.assert_array_equal(mesh.input_id[:6], np.arange(6))
+        self.assertTrue((mesh.input_id[6:] == -1).all())
+        corners = mesh.points[mesh.triangles]
+        u, v = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+        areas = (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]) / 2
+        self.assertTrue((areas > 0).all())
+        for region in (1, 2):
+            self.assertAlmostEqual(areas[mesh.region == region].sum(), 1, places=12)
+        self.assertEqual(mesh.violations(), [])
+        self.assertIn('2 regions', repr(mesh))
+
+    def test_lists_will_do(self):
+        mesh = cover.mesh([(0, 0), (1, 0), (0, 1)], [(0, 1), (1, 2), (2, 0)])
+        self.assertEqual(len(mesh.triangles), 1)
+
+    def test_report_and_lines(self):
+        mesh = cover.mesh(SQUARE, SEGMENTS, REGIONS, threads=1)
+        self.assertEqual([r['name'] for r in mesh.report['regions']], ['bulk', 'SiO2'])
+        self.assertEqual(mesh.report['threads'], 1)
+        between = [p for pieces in mesh.lines.values() for p in pieces if (p['left'], p['right']) == (1, 2)]
+        self.assertEqual(len(between), 1)
+        self.assertEqual({frozenset(e) for e in between[0]['edges'].tolist()}, {frozenset((1, 4))})
+
+    def test_holes(self):
+        outer, ring = polygon(12)
+        inner, _ = polygon(12, 0.4)
+        mesh = cover.mesh(np.vstack([outer, inner]), np.vstack([ring, ring + 12]), holes=[(0, 0)])
+        self.assertEqual(len(mesh.report['regions']), 1)
+
+    def test_threads_do_not_matter(self):
+        outer, ring = polygon(300)
+        one = cover.mesh(outer, ring, threads=1)
+        many = cover.mesh(outer, ring, threads=4)
+        np.testing.assert_array_equal(one.points, many.points)
+        np.testing.assert_array_equal(one.triangles, many.triangles)
+
+    def test_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, 'a.vtu')
+            cover.mesh(SQUARE, SEGMENTS, REGIONS).save(path)
+            again = cover.mesh_file(path)
+            self.assertEqual(len(again.report['regions']), 2)
+            with self.assertRaises(cover.Error):
+                again.save(os.path.join(folder, 'a.unknown'))
+
+
+class Mistakes(unittest.TestCase):
+    def test_geometry(self):
+        with self.assertRaises(cover.Error) as caught:
+            cover.mesh([(0, 0), (1, 0), (0, 1)], [(0, 1), (1, 2)])
+        self.assertEqual(caught.exception.code, 109)
+        self.assertIn('enclose', str(caught.exception))
+
+    def test_arguments(self):
+        with self.assertRaises(ValueError):
+            cover.mesh([(0, 0, 0)], [(0, 1)])
+        with self.assertRaises(IndexError):
+            cover.mesh([(0, 0), (1, 0)], [(0, 2)])
+        with self.assertRaises(ValueError):
+            cover.mesh(SQUARE, SEGMENTS, [(0.5, 0.5)])
+        with self.assertRaises(TypeError):
+            cover.mesh(SQUARE, SEGMENTS, REGIONS, colour='red')
+        with self.assertRaises(ValueError):
+            cover.mesh(SQUARE, SEGMENTS, REGIONS, method='best')
+        with self.assertRaises(cover.Error):
+            cover.mesh(SQUARE, SEGMENTS, REGIONS, max_angle=20)
+        with self.assertRaises(cover.Error):
+            cover.mesh_file('nowhere.poly')
+
+
+class Running(unittest.TestCase):
+    POINTS, RING = polygon(4000)
+
+    def test_progress(self):
+        calls = []
+        cover.mesh(self.POINTS, self.RING, progress=lambda *call: calls.append(call))
+        self.assertTrue(calls)
+        for stage, done, total in calls:
+            self.assertIsInstance(stage, str)
+            self.assertLessEqual(done, total)
+
+    def test_cancel(self):
+        with self.assertRaises(cover.Cancelled) as caught:
+            cover.mesh(self.POINTS, self.RING, progress=lambda *_: False)
+        self.assertEqual(caught.exception.code, 300)
+
+    def test_exception_in_callback(self):
+        def progress(*_):
+            raise KeyError('mine')
+        with self.assertRaises(KeyError):
+            cover.mesh(self.POINTS, self.RING, progress=progress)
+
+    def test_other_threads_go_on(self):
+        ticks, done = [], threading.Event()
+
+        def tick():
+            while not done.is_set():
+                ticks.append(time.monotonic())
+                time.sleep(0.001)
+        ticker = threading.Thread(target=tick)
+        ticker.start()
+        start = time.monotonic()
+        cover.mesh(self.POINTS, self.RING)
+        end = time.monotonic()
+        done.set()
+        ticker.join()
+        self.assertTrue([t for t in ticks if start < t < end])
+
+
+if __name__ == '__main__':
+    unittest.main()
