@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "dump_stages.hpp"
 #include "format_options.hpp"
 #include "input_file.hpp"
 #include "interrupt.hpp"
@@ -55,6 +56,10 @@ struct MeshCommand {
         ->type_name("FILE")
         ->allow_extra_args(false)
         ->group(files);
+    app.add_option("--dump-stages", dump_folder,
+                   "Write pictures of the disk packing into this folder (method nonobtuse)")
+        ->type_name("DIR")
+        ->group(files);
     app.add_flag("--keep-partial", keep_partial, "Write files even where a bound was missed")
         ->group(files);
     app.add_flag("--dry-run", dry_run, "Check the input and say what would be done; no mesh")
@@ -99,6 +104,7 @@ struct MeshCommand {
   FormatOptions formats;
   std::string stats = "text";
   std::string progress = "auto";
+  std::string dump_folder;
   bool keep_partial = false;
   bool dry_run = false;
   bool print_config = false;
@@ -182,6 +188,12 @@ int run(const MeshCommand& command, const Input& input, const Options& options,
   Callbacks callbacks;
   callbacks.progress = [&](const Progress& step) { line.update(step); };
   callbacks.stop = interrupt.token();
+  std::vector<PackingRecord> packings;
+  if (!command.dump_folder.empty()) {
+    callbacks.packing = [&](RegionId, const PackingRecord& packing) {
+      packings.push_back(packing);
+    };
+  }
   Result<Output> meshed = cover_mesh(input, options, callbacks);
   line.clear();
   if (!meshed) return fail(log, meshed.error());
@@ -199,6 +211,10 @@ int run(const MeshCommand& command, const Input& input, const Options& options,
     return fail(log, {ErrorCode::cancelled, "interrupted; nothing was written", {}, {}});
   }
   if (const int code = write_files(command, files, output, log); code != exit_ok) return code;
+  if (!command.dump_folder.empty()) {
+    const Status dumped = dump_stages(packings, command.dump_folder);
+    if (!dumped) return fail(log, dumped.error());
+  }
   if (const int code = print_report(command, output, log); code != exit_ok) return code;
   if (!complete) return exit_incomplete;
 
@@ -225,6 +241,10 @@ int run_mesh(Arguments arguments) {
   }
   const Result<Options> options = command.library.make();
   if (!options) return usage_error(command.app, options.error().message);
+  if (!command.dump_folder.empty() && options->method != Method::nonobtuse) {
+    return usage_error(command.app,
+                       "--dump-stages shows disk packings: it needs --method nonobtuse");
+  }
   const Result<std::vector<File>> files = plan_files(command);
   if (!files) return usage_error(command.app, files.error().message);
 

@@ -6,6 +6,9 @@
 #include <stop_token>
 #include <string_view>
 
+#include <cover/ids.hpp>
+#include <cover/packing.hpp>
+
 namespace cover {
 
 /// One step of a run.
@@ -15,10 +18,12 @@ struct Progress {
   std::size_t total = 0;
 };
 
-/// How the caller follows a run. `progress` is called from one thread at a time; what it throws
+/// How the caller follows a run. Each is called from one thread at a time; what `progress` throws
 /// ends the run and reaches the caller.
 struct Callbacks {
   std::function<void(const Progress&)> progress;
+  /// Method nonobtuse: the packing of every region, in region order.
+  std::function<void(RegionId, const PackingRecord&)> packing;
   std::stop_token stop;
 };
 

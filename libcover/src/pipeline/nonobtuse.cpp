@@ -18,6 +18,7 @@
 #include "covering/disks/fill_disks.hpp"
 #include "covering/disks/segment_disks.hpp"
 #include "covering/measure.hpp"
+#include "geom/vector.hpp"
 #include "pipeline/region_task.hpp"
 #include "pipeline/stage_clock.hpp"
 #include "region/cut_segments.hpp"
@@ -49,16 +50,24 @@ class Nonobtuse {
         options_(options),
         callbacks_(callbacks),
         fillings_(boundaries.size()),
-        meshes_(boundaries.size()) {}
+        meshes_(boundaries.size()),
+        packings_(callbacks.packing ? boundaries.size() : 0) {}
 
   Result<std::vector<RegionMesh>> run() {
     if (Status status = shares_segments(table_) ? pack_between_segments() : pack_apart(); !status) {
       return std::move(status).error();
     }
+    for (std::size_t r = 0; r < packings_.size(); ++r) {
+      callbacks_.packing(boundaries_[r].id, packings_[r]);
+    }
     return std::move(meshes_);
   }
 
  private:
+  [[nodiscard]] DiskFillOptions fill_options(std::size_t r) {
+    return {.record = packings_.empty() ? nullptr : &packings_[r]};
+  }
+
   Status for_each(const std::function<void(std::size_t)>& task) {
     return for_each_region(boundaries_, worker_count(options_), "mesh", callbacks_, task);
   }
@@ -67,7 +76,8 @@ class Nonobtuse {
   Status pack_apart() {
     Status status = for_each([&](std::size_t r) {
       const StageClock clock;
-      fillings_[r] = make_disk_filler()->fill(task_of(boundaries_[r]), callbacks_.stop);
+      fillings_[r] =
+          make_disk_filler(fill_options(r))->fill(task_of(boundaries_[r]), callbacks_.stop);
       meshes_[r].report.seconds = clock.seconds();
     });
     if (!status) return status;
@@ -186,7 +196,8 @@ class Nonobtuse {
       const StageClock clock;
       std::vector<double> local;
       for (const VertexId v : boundaries_[r].vertices) local.push_back(radius[v.index()]);
-      fillings_[r] = fill_between_disks(task_of(boundaries_[r]), local, callbacks_.stop);
+      fillings_[r] =
+          fill_between_disks(task_of(boundaries_[r]), local, callbacks_.stop, fill_options(r));
       meshes_[r].steiner = fillings_[r].added;
       meshes_[r].triangles = fillings_[r].triangles;
       finish(r);
@@ -231,6 +242,7 @@ class Nonobtuse {
   const Callbacks& callbacks_;
   std::vector<Filling> fillings_;
   std::vector<RegionMesh> meshes_;
+  std::vector<PackingRecord> packings_;  ///< empty where nobody asks for them
 };
 
 }  // namespace

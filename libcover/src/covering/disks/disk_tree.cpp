@@ -1,4 +1,4 @@
-// Tested by tests/unit/covering/disks_index_test.cpp.
+// Tested by tests/unit/covering/disks_packing_test.cpp.
 #include "covering/disks/disk_tree.hpp"
 
 #include <algorithm>

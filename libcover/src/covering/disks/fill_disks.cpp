@@ -13,6 +13,7 @@
 #include "covering/disks/boundary_disks.hpp"
 #include "covering/disks/connect_holes.hpp"
 #include "covering/disks/corner_disks.hpp"
+#include "covering/disks/gap.hpp"
 #include "covering/disks/reduce_cycles.hpp"
 #include "covering/disks/thin_out.hpp"
 #include "covering/disks/unit_frame.hpp"
@@ -53,8 +54,9 @@ double largest_angle(Point a, Point b, Point c) {
 class TaskRun {
  public:
   /// `radii`: of disks centred on the boundary; empty: disks into the corners.
-  TaskRun(const FillTask& task, const Triangulation& cdt, std::span<const double> radii, bool thin)
-      : task_(task), cdt_(cdt), frame_(task.points), thin_(thin) {
+  TaskRun(const FillTask& task, const Triangulation& cdt, std::span<const double> radii,
+          const DiskFillOptions& options)
+      : task_(task), cdt_(cdt), frame_(task.points), options_(options) {
     for (const double r : radii) radii_.push_back(frame_.inward(r));
   }
 
@@ -75,11 +77,15 @@ class TaskRun {
       result.fault = "a cycle could not be split";
       return result;
     }
-    note_disks(packing, corner_disks, connected, result.record);
+    if (options_.record != nullptr) {
+      note_disks(packing, corner_disks, connected, result.record);
+      note_gaps(packing, result.record);
+    }
     fill_gaps(packing, attempt.tolerance, result.record);
-    if (thin_) thin_out(packing.draft, static_cast<Index>(task_.points.size()), kRight);
+    if (options_.thin_out) thin_out(packing.draft, static_cast<Index>(task_.points.size()), kRight);
     hand_over(packing, result.filling);
     check(result);
+    if (options_.record != nullptr && result.fault.empty()) note_result(result);
     return result;
   }
 
@@ -96,20 +102,41 @@ class TaskRun {
     }
   }
 
-  void fill_gaps(Packing& packing, double tolerance, PackingRecord& record) const {
+  void note_result(Checked& result) const {
+    for (const auto& t : result.filling.triangles) {
+      result.record.triangles.push_back(
+          {point(result.filling, t[0]), point(result.filling, t[1]), point(result.filling, t[2])});
+    }
+    for (const Chord& c : task_.chords) {
+      result.record.outline.push_back({task_.points[c.a], task_.points[c.b]});
+    }
+  }
+
+  [[nodiscard]] static disks::Gap gap_in(const Packing& packing, const disks::Cycle& cycle) {
+    disks::Gap gap;
+    gap.size = static_cast<int>(cycle.size);
+    Index s = cycle.side;
+    for (std::size_t k = 0; k < cycle.size; ++k, s = packing.sides[s].next) {
+      gap.e[k] = packing.element_of(s);
+      gap.t[k] = packing.sides[s].end;
+    }
+    return gap;
+  }
+
+  void note_gaps(const Packing& packing, PackingRecord& record) const {
     for (const disks::Cycle& cycle : packing.cycles) {
-      disks::Gap gap;
-      gap.size = static_cast<int>(cycle.size);
-      Index s = cycle.side;
-      for (std::size_t k = 0; k < cycle.size; ++k, s = packing.sides[s].next) {
-        gap.e[k] = packing.element_of(s);
-        gap.t[k] = packing.sides[s].end;
+      record.gaps.emplace_back();
+      for (const Index v : cell_of(gap_in(packing, cycle))) {
+        record.gaps.back().polygon.push_back(frame_.outward(packing.point(v)));
       }
-      const disks::GapKind kind = fill_gap(packing.draft, gap, tolerance);
+    }
+  }
+
+  void fill_gaps(Packing& packing, double tolerance, PackingRecord& record) const {
+    for (std::size_t k = 0; k < packing.cycles.size(); ++k) {
+      const GapKind kind = fill_gap(packing.draft, gap_in(packing, packing.cycles[k]), tolerance);
       ++record.kinds[static_cast<std::size_t>(kind)];
-      PackingRecord::GapCell cell{kind, {}};
-      for (const Index v : cell_of(gap)) cell.polygon.push_back(frame_.outward(packing.point(v)));
-      record.gaps.push_back(std::move(cell));
+      if (k < record.gaps.size()) record.gaps[k].kind = kind;
     }
   }
 
@@ -202,7 +229,7 @@ class TaskRun {
   const Triangulation& cdt_;
   disks::UnitFrame frame_;
   std::vector<double> radii_;  ///< in the frame
-  bool thin_;
+  const DiskFillOptions& options_;
 };
 
 /// The constrained Delaunay triangulation as a filling.
@@ -243,7 +270,7 @@ Filling run_attempts(const FillTask& task, std::span<const double> radii, std::s
   if (radii.empty()) {
     if (std::string why = obstacle(task); !why.empty()) return plain(cdt.triangulation, why);
   }
-  const TaskRun run(task, cdt.triangulation, radii, options.thin_out);
+  const TaskRun run(task, cdt.triangulation, radii, options);
   constexpr double kAim = kLargestSnapped * std::numbers::pi / 180;
   std::optional<Checked> best;
   std::string fault = "stopped";

@@ -1,39 +1,19 @@
 // The disk packing fill: nonobtuse triangulation of a polygon with holes.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <memory>
 #include <span>
 
-#include "covering/disks/gap.hpp"
+#include <cover/packing.hpp>
+
 #include "covering/filler.hpp"
 
 namespace cover {
 
-/// What a packing looked like: for pictures and figures. In the coordinates of the task.
-struct PackingRecord {
-  /// What a disk was put for.
-  enum class Purpose { corner, connection, reduction };
-  struct Disk {
-    Point centre;
-    double radius = 0;
-    Purpose purpose = Purpose::corner;
-  };
-  struct GapCell {
-    disks::GapKind kind = disks::GapKind::good;
-    std::vector<Point> polygon;  ///< centres and tangency points, counter-clockwise
-  };
-  std::vector<Disk> disks;
-  std::vector<GapCell> gaps;
-  std::array<std::size_t, disks::kGapKinds> kinds{};  ///< how many gaps of each kind
-  int attempts = 0;                                   ///< 1 unless rounding made it begin anew
-};
-
 /// How to fill.
 struct DiskFillOptions {
   bool thin_out = true;             ///< remove vertices that no angle needs; false: as published
-  PackingRecord* record = nullptr;  ///< receives the last packing; must outlive the filler
+  PackingRecord* record = nullptr;  ///< receives the packing; must outlive the filler
 };
 
 /// The filler. It aims at no angle above 90 degrees; target_reached allows kLargestSnapped.

@@ -6,6 +6,7 @@
 // Tested by tests/unit/covering/disks_packing_test.cpp.
 #include "covering/disks/first_contact.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "covering/disks/apollonius.hpp"
@@ -29,6 +30,7 @@ class Family {
     } else {
       limit_ = way_back(ei_, from, packing.point(s.start));
     }
+    if (ei_.is_disk()) limit_ = std::min(limit_, turn(from - ei_.c, infinite_end()));
   }
 
   std::optional<MedialDisk> first() const {
@@ -58,6 +60,15 @@ class Family {
     Circle circle;
     Index element = kNoIndex;  ///< the third that it touches; kNoIndex: something enters it
   };
+
+  /// The normal of disk i where disks of the family become infinitely large, that is, half planes:
+  /// beyond begins another branch, behind the two elements.
+  [[nodiscard]] Vector infinite_end() const {
+    if (ej_.is_line()) return left_normal(ej_.d);
+    const Vector v = ej_.c - ei_.c;
+    const double cosine = std::clamp((ei_.r - ej_.r) / norm(v), -1.0, 1.0);
+    return cosine * v + std::sqrt(1 - cosine * cosine) * left_normal(v);
+  }
 
   /// A disk to start from: one that touches a neighbour of i or j, or else any that is too far.
   [[nodiscard]] std::optional<Upper> start(double& low) const {

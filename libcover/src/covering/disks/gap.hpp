@@ -3,6 +3,9 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
+
+#include <cover/packing.hpp>
 
 #include "covering/disks/packing.hpp"
 
@@ -23,20 +26,6 @@ struct Gap {
   /// The same gap, counted from side k on.
   [[nodiscard]] Gap from_side(int k) const;
 };
-
-/// What can become of a gap.
-enum class GapKind : std::uint8_t {
-  three_disks,     ///< 6 triangles
-  two_disks_line,  ///< 4
-  good,            ///< 16, or 2 less per line
-  cut,             ///< 28, or 2 to 4 less per line
-  reflex,          ///< a disk with an arc above 180 degrees: split by a disk on the centre line
-  reflex_overlap,  ///<   ... one of whose halves is no gap: 12, or fewer by the lines
-  two_lines,       ///< 6
-  touching,        ///< opposite sides touch: two gaps of three sides
-  cell,            ///< rounding spoilt the construction: its polygon was triangulated
-};
-inline constexpr std::size_t kGapKinds = 9;
 
 /// The angles of a gap of four sides. Its four tangency points are cocircular.
 struct GapAngles {
