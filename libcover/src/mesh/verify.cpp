@@ -14,9 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <numbers>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -26,14 +24,13 @@
 #include "geom/vector.hpp"
 #include "mesh/expected_domain.hpp"
 #include "mesh/soup_edges.hpp"
+#include "mesh/verify_bound.hpp"
 
 namespace cover {
 namespace {
 
 constexpr std::uint32_t kNoSide = 0xffffffffU;
 constexpr std::size_t kMostListed = 10;  // of a kind
-
-double spacing(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()) - x; }
 
 class Verifier {
  public:
@@ -214,7 +211,7 @@ class Verifier {
                                                       Point start) const {
     const Point end = at(to);
     const Vector along = end - start;
-    const double tolerance = 8 * spacing(scale_) * length(along);
+    const double tolerance = 8 * spacing_at(scale_) * length(along);
     std::optional<std::size_t> best;
     double best_offset = 0;
     const auto leaving = edges_.leaving(from);
@@ -365,46 +362,19 @@ class Verifier {
     }
   }
 
-  /// The worst triangle of a region, as it is and with rounding in its favour.
-  struct Worst {
-    double nu = std::numbers::pi;
-    double nu_rounded = std::numbers::pi;
-    std::uint32_t triangle = 0;
-  };
-
   void check_bound() {
-    std::vector<Worst> worst(domain_.nu_opt.size());
-    for (std::uint32_t t = 0; t < region_.size(); ++t) {
-      if (region_[t] == kVoid) continue;
-      const auto [a, b, c] = corners(t);
-      const double nu = std::min({nu_at(b, a, c), nu_at(c, b, a), nu_at(a, c, b)});
-      // 4: both ends of both edges at the corner, by half a unit in the last place each way, and
-      // as much again for the coordinates from which they were made.
-      const double shortest = std::min({length(b - a), length(c - b), length(a - c)});
-      const double rounded = nu + 4 * spacing(scale_) / shortest;
-      Worst& w = worst[region_[t].index()];
-      w.nu = std::min(w.nu, nu);
-      if (rounded < w.nu_rounded) w.nu_rounded = rounded, w.triangle = t;
-    }
-    for (const Region& region : table_.regions) {
-      const double bound = std::min(domain_.nu_opt[region.id.index()] / 2, std::numbers::pi / 6);
-      const double needed = bound * (1 - 1e-9);  // rounding of the angles themselves
-      const Worst& w = worst[region.id.index()];
-      if (w.nu_rounded < needed) {
-        const auto [a, b, c] = corners(w.triangle);
-        add(Kind::bound, 3,
-            fmt::format("triangle {} with corners {}, {}, {} in region {} has an angle of {:.9g} "
-                        "degrees; the bound is {:.9g}",
-                        w.triangle, describe(a), describe(b), describe(c), region.id.value(),
-                        degrees(std::numbers::pi - w.nu), degrees(std::numbers::pi - bound)),
-            {a, b, c});
-      } else if (w.nu < needed) {
-        ++result_.within_rounding;
-      }
+    const BoundCheck check = verify_bound(mesh_, region_, domain_, scale_);
+    result_.within_rounding = check.within_rounding;
+    for (const BoundMissed& missed : check.missed) {
+      const auto [a, b, c] = corners(missed.triangle);
+      add(Kind::bound, 3,
+          fmt::format("triangle {} with corners {}, {}, {} in region {} has an angle of {:.9g} "
+                      "degrees; the bound is {:.9g}",
+                      missed.triangle, describe(a), describe(b), describe(c), missed.region.value(),
+                      missed.nu.supplement().in_degrees(), missed.bound.supplement().in_degrees()),
+          {a, b, c});
     }
   }
-
-  static double degrees(double radians) { return Angle::radians(radians).in_degrees(); }
 
   const Pslg& pslg_;
   const RegionTable& table_;
