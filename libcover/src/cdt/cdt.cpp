@@ -197,7 +197,13 @@ class Builder {
     const auto [a, b] = by_degree(segments_[s][0], segments_[s][1]);
     FaceHandle f;
     int i = 0;
-    if (cdt_.is_edge(a, b, f, i) && f->is_constrained(i)) return;  // CGAL would throw
+    if (cdt_.is_edge(a, b, f, i)) {
+      // A Delaunay edge that becomes a constraint leaves the triangulation as it is. (CGAL's own
+      // insertion takes longer for that, and throws if it is a constraint already.)
+      f->set_constraint(i, true);
+      f->neighbor(i)->set_constraint(cdt_.mirror_index(f, i), true);
+      return;
+    }
     try {
       cdt_.insert_constraint(a, b);
     } catch (const Cdt::Intersection_of_constraints_exception&) {

@@ -72,7 +72,11 @@ class AlmondMethod {
   std::vector<std::uint32_t> try_once(double unite) {
     const ChordLayer layer = cut_chords(lay_arcs(input_.cdt, almonds_, unite), almonds_, rule_);
     if (!layer.faults.empty()) return layer.faults;
-    Remainder remainder = find_remainder(layer, almonds_, isolated_off_arcs(layer));
+    const bool no_almonds = std::none_of(almonds_.begin(), almonds_.end(),
+                                         [](const Almond& a) { return a.has_arc(); }) &&
+                            layer.chords.size() == almonds_.size();
+    Remainder remainder = no_almonds ? whole_region(input_.cdt, layer, almonds_)
+                                     : find_remainder(layer, almonds_, isolated_off_arcs(layer));
     if (!remainder.faults.empty()) return remainder.faults;
 
     mesh_.points = layer.points;

@@ -2,6 +2,7 @@
 #include "covering/fill_remainder.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "covering/fill_refine.hpp"
@@ -57,9 +58,9 @@ FilledRemainder RemainderFill::finish() {
 
 bool RemainderFill::all_hold() const {
   const auto& p = r_.cdt.points;
+  const double tan_nu = std::tan(nu_);
   return std::all_of(r_.cdt.triangles.begin(), r_.cdt.triangles.end(), [&](const Triangle& f) {
-    const Point a = p[f.v[0]], b = p[f.v[1]], c = p[f.v[2]];
-    return std::min({nu_at(b, a, c), nu_at(c, b, a), nu_at(a, c, b)}) >= nu_;
+    return !is_flatter(p[f.v[0]], p[f.v[1]], p[f.v[2]], tan_nu);
   });
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <numeric>
 
 namespace cover {
 namespace {
@@ -80,6 +81,24 @@ Remainder find_remainder(const ChordLayer& layer, std::span<const Almond> almond
     return r;
   }
   r.cdt = std::move(result.triangulation);
+  for (const std::uint32_t c : match_chords(r.cdt, r.chords, r.edges)) {
+    r.faults.push_back(layer.chords[r.arc_chord[c]].almond);
+  }
+  return r;
+}
+
+Remainder whole_region(const Triangulation& cdt, const ChordLayer& layer,
+                       std::span<const Almond> almonds) {
+  Remainder r;
+  r.cdt = cdt;
+  r.vertex.resize(cdt.points.size());
+  std::iota(r.vertex.begin(), r.vertex.end(), 0U);
+  for (std::uint32_t c = 0; c < layer.chords.size(); ++c) {
+    const ArcChord& chord = layer.chords[c];
+    const bool locked = chord.kind == ChordKind::fixed;
+    r.chords.push_back({chord.a, chord.b, locked, fill_nu(almonds[chord.almond])});
+    r.arc_chord.push_back(c);
+  }
   for (const std::uint32_t c : match_chords(r.cdt, r.chords, r.edges)) {
     r.faults.push_back(layer.chords[r.arc_chord[c]].almond);
   }

@@ -32,6 +32,10 @@ struct Remainder {
 Remainder find_remainder(const ChordLayer& layer, std::span<const Almond> almonds,
                          std::span<const std::uint32_t> isolated);
 
+/// The remainder where no side has an almond: the region itself, whose triangulation is at hand.
+Remainder whole_region(const Triangulation& cdt, const ChordLayer& layer,
+                       std::span<const Almond> almonds);
+
 /// A connected part of a remainder as work for a filler.
 struct RemainderPart {
   FillTask task;

@@ -26,12 +26,23 @@ constexpr Vector left_normal(Vector v) { return {-v.y, v.x}; }
 constexpr double squared_length(Vector v) { return dot(v, v); }
 inline double length(Vector v) { return std::hypot(v.x, v.y); }
 /// Half way between; written so that it is exact where the sum is.
-constexpr Point midpoint(Point a, Point b) { return {a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2}; }
+constexpr Point midpoint(Point a, Point b) {
+  return {a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2};
+}
 
 /// pi minus the angle a-p-b, in radians, accurate also where that angle is nearly flat.
 inline double nu_at(Point a, Point p, Point b) {
   const Vector u = a - p, v = b - p;
   return std::atan2(std::abs(cross(u, v)), -dot(u, v));
+}
+
+/// True if the triangle has an angle above pi - nu; without an arc tangent.
+///
+/// REQUIRES: nu < pi/2
+inline bool is_flatter(Point a, Point b, Point c, double tan_nu) {
+  const Vector ab = b - a, bc = c - b, ca = a - c;
+  const double area = std::abs(cross(ab, bc)) / tan_nu;
+  return dot(ab, ca) > area || dot(bc, ab) > area || dot(ca, bc) > area;
 }
 
 /// The angle a-p-b in [0, pi], in radians.
