@@ -1,4 +1,4 @@
-// Tested by tests/unit/covering/local_frame_test.cpp.
+// Tested by tests/unit/covering/almond_test.cpp.
 #include "covering/local_frame.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Tested by tests/unit/covering/remainder_test.cpp.
+// Tested by tests/unit/covering/chords_test.cpp.
 #include "covering/remainder.hpp"
 
 #include <algorithm>
