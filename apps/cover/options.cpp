@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "base/suggest.hpp"
+#include "region/weld.hpp"
 
 namespace cover::app {
 namespace {
@@ -233,7 +234,9 @@ Result<Options> LibraryOptions::make() const {
                                           : Overlap::last;
   if (weld_ == "off") {
     options.weld = 0;
-  } else if (!weld_.empty() && weld_ != "auto") {
+  } else if (weld_ == "auto") {
+    options.weld = kAutoWeld;
+  } else if (!weld_.empty()) {
     double tolerance = 0;
     if (!CLI::detail::lexical_cast(weld_, tolerance) || !(tolerance >= 0 && tolerance < 1)) {
       return Error{ErrorCode::bad_option,

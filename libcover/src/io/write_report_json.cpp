@@ -11,7 +11,8 @@
 //                    "input_vertices", "steiner_vertices", "bound_held", "seconds", "notes": NOTES,
 //                    "box": BOX } + LIMITS + QUALITY ],
 //     "interfaces": [ { "id", "name", "kind", "left", "right", "length", "segments" } ],
-//     "notes": NOTES, "threads", "times": [ { "stage", "seconds" } ] }
+//     "notes": NOTES, "changes": [ { "kind", "message", "where", "inputs" } ],
+//     "threads", "times": [ { "stage", "seconds" } ] }
 //
 //   LIMITS   gamma_opt (at least 60: no triangulation is below), nu_opt_radians (pi - gamma_opt,
 //            uncut), bound (the largest angle that promise 3 allows), nu_bound_radians, rho,
@@ -62,6 +63,53 @@ Json to_json(const std::vector<Note>& notes) {
     Json where = Json::array();
     for (const Point& p : note.where) where.push_back({p.x, p.y});
     list.push_back({{"kind", name_of(note.kind)}, {"message", note.message}, {"where", where}});
+  }
+  return list;
+}
+
+const char* name_of(Change::Kind kind) {
+  switch (kind) {
+    case Change::Kind::split:
+      return "split";
+    case Change::Kind::welded:
+      return "welded";
+    case Change::Kind::dropped:
+      return "dropped";
+    case Change::Kind::merged:
+      break;
+  }
+  return "merged";
+}
+
+const char* name_of(InputKind kind) {
+  switch (kind) {
+    case InputKind::point:
+      return "point";
+    case InputKind::segment:
+      return "segment";
+    case InputKind::polygon:
+      return "polygon";
+    case InputKind::hole:
+      return "hole";
+    case InputKind::region_seed:
+      return "region_seed";
+    case InputKind::line:
+      break;
+  }
+  return "line";
+}
+
+Json to_json(const std::vector<Change>& changes) {
+  Json list = Json::array();
+  for (const Change& change : changes) {
+    Json where = Json::array(), inputs = Json::array();
+    for (const Point& p : change.where) where.push_back({p.x, p.y});
+    for (const InputRef& ref : change.inputs)
+      inputs.push_back({{"kind", name_of(ref.kind)}, {"id", ref.id}});
+    list.push_back({{"kind", name_of(change.kind)},
+                    {"message", change.message},
+                    {"where", where},
+                    {"inputs", inputs}});
   }
   return list;
 }
@@ -204,6 +252,7 @@ Json to_json(const Output& output) {
   }
   out["interfaces"] = interfaces_json(output.table);
   out["notes"] = to_json(report.notes);
+  out["changes"] = to_json(report.changes);
   out["threads"] = report.threads;
   out["times"] = Json::array();
   for (const StageTime& time : report.times) {
