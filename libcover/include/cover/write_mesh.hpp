@@ -32,8 +32,9 @@ Status can_write(const std::string& path, const WriteOptions& options = {});
 /// The extensions that write_mesh() knows, each with its dot.
 std::vector<std::string> write_formats();
 
-/// Writes VTK's XML unstructured grid: triangles only, float64 points, raw appended data, Int32
-/// cell arrays material, MaterialID, mat_id, RegionId, then max_angle and min_angle in degrees.
+/// Writes VTK's XML unstructured grid: triangles only, float64 points, raw appended data; cell
+/// arrays material (first, for MFEM), MaterialID, mat_id, RegionId (Int32), max_angle and min_angle
+/// in degrees.
 Status write_vtu(const Output& output, const std::string& path);
 
 /// Writes a multi-block file with one named .vtu per region and per interface beside it.

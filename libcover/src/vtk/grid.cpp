@@ -106,40 +106,41 @@ vtkSmartPointer<Array> cell_array(const char* name, const Items& items, Value va
   return array;
 }
 
-/// The arrays max_angle and min_angle, in degrees.
-void add_angle_arrays(const TriMesh& tri, const Corners<3>& corners, vtkCellData* data) {
-  std::vector<double> largest, smallest;
-  largest.reserve(corners.size());
-  smallest.reserve(corners.size());
-  for (const auto& cell : corners) {
-    std::array<Point, 3> p;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const TriMesh::Point& q = tri.point(TriMesh::VertexHandle(cell[i]));
-      p[i] = {q[0], q[1]};
-    }
-    const std::array angles{angle_at(p[1], p[0], p[2]), angle_at(p[2], p[1], p[0]),
-                            angle_at(p[0], p[2], p[1])};
-    const auto [low, high] = std::minmax_element(angles.begin(), angles.end());
-    largest.push_back(Angle::radians(*high).in_degrees());
-    smallest.push_back(Angle::radians(*low).in_degrees());
+/// The largest and the smallest angle of a triangle, in degrees.
+std::array<double, 2> extreme_angles(const TriMesh& tri, const std::array<int, 3>& cell) {
+  std::array<Point, 3> p;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const TriMesh::Point& q = tri.point(TriMesh::VertexHandle(cell[i]));
+    p[i] = {q[0], q[1]};
   }
-  const auto itself = [](double value) { return value; };
-  data->AddArray(cell_array<vtkDoubleArray>("max_angle", largest, itself));
-  data->AddArray(cell_array<vtkDoubleArray>("min_angle", smallest, itself));
+  const std::array angles{angle_at(p[1], p[0], p[2]), angle_at(p[2], p[1], p[0]),
+                          angle_at(p[0], p[2], p[1])};
+  const auto [low, high] = std::minmax_element(angles.begin(), angles.end());
+  return {Angle::radians(*high).in_degrees(), Angle::radians(*low).in_degrees()};
 }
 
 /// The arrays of the cells. Several names for one thing: every solver looks for its own, some only
 /// for the first array.
+///
+/// Their order is one that meshio can read. It replaces the offset of each appended array by a
+/// larger one, 4/3 of it, and then takes the first array that has the next offset it looks for:
+/// with four arrays of integers in front, every third mesh came out wrong or not at all.
 void add_face_arrays(const Mesh& mesh, std::span<const TriMesh::FaceHandle> faces,
                      const Corners<3>& corners, vtkCellData* data) {
   using Face = TriMesh::FaceHandle;
+  std::vector<std::array<double, 2>> angles;
+  angles.reserve(corners.size());
+  for (const auto& cell : corners) angles.push_back(extreme_angles(mesh.tri(), cell));
   const auto material = [&](Face f) { return mesh.material(f); };
+  const auto region = [&](Face f) { return static_cast<int>(mesh.region(f).value()); };
+  const auto largest = [](const std::array<double, 2>& angle) { return angle[0]; };
+  const auto smallest = [](const std::array<double, 2>& angle) { return angle[1]; };
   data->SetScalars(cell_array<vtkIntArray>("material", faces, material));
   data->AddArray(cell_array<vtkIntArray>("MaterialID", faces, material));
+  data->AddArray(cell_array<vtkDoubleArray>("max_angle", angles, largest));
   data->AddArray(cell_array<vtkIntArray>("mat_id", faces, material));
-  data->AddArray(cell_array<vtkIntArray>(
-      "RegionId", faces, [&](Face f) { return static_cast<int>(mesh.region(f).value()); }));
-  add_angle_arrays(mesh.tri(), corners, data);
+  data->AddArray(cell_array<vtkIntArray>("RegionId", faces, region));
+  data->AddArray(cell_array<vtkDoubleArray>("min_angle", angles, smallest));
 }
 
 /// The half-edge of `edge` with the left region of `line` on its left.

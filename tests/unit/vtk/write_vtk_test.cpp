@@ -87,8 +87,8 @@ TEST(WriteVtu, ArraysStandInTheOrderThatReadersWant) {
   const auto grid = read_vtu(path);
   vtkCellData* data = grid->GetCellData();
   const std::vector<std::pair<std::string, int>> expected{
-      {"material", VTK_INT}, {"MaterialID", VTK_INT},   {"mat_id", VTK_INT},
-      {"RegionId", VTK_INT}, {"max_angle", VTK_DOUBLE}, {"min_angle", VTK_DOUBLE}};
+      {"material", VTK_INT}, {"MaterialID", VTK_INT}, {"max_angle", VTK_DOUBLE},
+      {"mat_id", VTK_INT},   {"RegionId", VTK_INT},   {"min_angle", VTK_DOUBLE}};
   ASSERT_EQ(data->GetNumberOfArrays(), static_cast<int>(expected.size()));
   for (int i = 0; i < data->GetNumberOfArrays(); ++i) {
     EXPECT_EQ(data->GetArrayName(i), expected[static_cast<std::size_t>(i)].first);
