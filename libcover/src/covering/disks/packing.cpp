@@ -150,8 +150,10 @@ Index Packing::nearest_obstacle(Point x, double bound, Index cycle, Index skip1,
     for (Index k = 0; k < cycles[cycle].size; ++k, s = sides[s].next) look_at(sides[s].element);
     return best;
   }
-  lines_.visit(x, bound, look_at);
+  // Disks first: those at the ends of lines are near where the lines themselves do not count, and
+  // the bound that they give saves visiting whole bundles of lines.
   disks_.visit(x, bound, look_at);
+  lines_.visit(x, bound, look_at);
   return best;
 }
 
