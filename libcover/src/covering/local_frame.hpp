@@ -21,6 +21,8 @@ class LocalFrame {
   [[nodiscard]] bool is_shifted() const { return origin_ != Point{}; }
   /// Back to the frame of the region; rounded.
   [[nodiscard]] Point restore(Point p) const { return {p.x + origin_.x, p.y + origin_.y}; }
+  /// Into the frame; rounded.
+  [[nodiscard]] Point enter(Point p) const { return {p.x - origin_.x, p.y - origin_.y}; }
   /// Over the shortest edge of a triangle: what rounding its corners can change in its angles.
   [[nodiscard]] double rounding() const { return rounding_; }
   /// What restore() adds.

@@ -15,10 +15,10 @@
 #include "cdt/cdt.hpp"
 #include "covering/angle_limit.hpp"
 #include "covering/cover_region.hpp"
+#include "covering/local_frame.hpp"
 #include "geom/half_edges.hpp"
 #include "geom/predicates.hpp"
 #include "quality/hub.hpp"
-#include "quality/local_frame.hpp"
 #include "quality/missed_targets.hpp"
 #include "quality/mutable_mesh.hpp"
 #include "quality/optimise.hpp"
@@ -54,6 +54,12 @@ Triangulation with_neighbours(std::vector<Point> points, std::span<const IndexTr
   return out;
 }
 
+LocalFrame frame_of(const RegionBoundary& boundary, bool shifted) {
+  LocalFrame frame(boundary.points);
+  if (!shifted) frame.undo(boundary.points);
+  return frame;
+}
+
 /// One region in one frame.
 class RegionWork {
  public:
@@ -62,7 +68,7 @@ class RegionWork {
       : boundary_(boundary),
         options_(options),
         goal_(Goal::of(options.max_angle, options.min_angle)),
-        frame_(boundary.points, shifted),
+        frame_(frame_of(boundary, shifted)),
         cdt_(triangulate_domain(frame_.points(), boundary.sides).triangulation),
         limit_(angle_limit(cdt_, boundary.sides, boundary.segments)),
         budget_{kEvaluationsAtLeast + kEvaluationsPerVertex * boundary.points.size(), stop} {}
@@ -151,7 +157,7 @@ class RegionWork {
   [[nodiscard]] Candidate from_almonds() const {
     const RegionMesh almond = cover_region(boundary_, options_, budget_.stop);
     std::vector<Point> points = frame_.points();
-    for (const Point& p : almond.steiner) points.push_back(frame_.from_plane(p));
+    for (const Point& p : almond.steiner) points.push_back(frame_.enter(p));
     return candidate(with_neighbours(std::move(points), almond.triangles), "almond");
   }
 
@@ -164,7 +170,7 @@ class RegionWork {
         number[v] = v;
       } else if (mesh.home[v] != kNone) {
         number[v] = fixed() + static_cast<std::uint32_t>(out.steiner.size());
-        out.steiner.push_back(frame_.to_plane(mesh.points[v]));
+        out.steiner.push_back(frame_.restore(mesh.points[v]));
       }
     }
     out.triangles.reserve(mesh.triangle_count());

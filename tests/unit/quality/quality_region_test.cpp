@@ -2,7 +2,6 @@
 
 #include "covering/measure.hpp"
 #include "mesh_checks.hpp"
-#include "quality/local_frame.hpp"
 
 namespace cover {
 namespace {
@@ -118,17 +117,6 @@ TEST(QualityRegion, DependsOnNeitherUnitNorOrigin) {
     EXPECT_EQ(small.steiner[k].x, mesh.steiner[k].x * 0x1p-40);
     EXPECT_NEAR(far.steiner[k].x, mesh.steiner[k].x + 1e6, 1e-9);
   }
-}
-
-TEST(LocalFrame, ShiftsOnlyWhereThatIsExact) {
-  const LocalFrame exact({{1e6, 1}, {1e6 + 0.5, 2}}, true);
-  EXPECT_TRUE(exact.is_shifted());
-  EXPECT_EQ(exact.points()[1], (Point{0.5, 1}));
-  EXPECT_EQ(exact.to_plane({0.25, 0}), (Point{1e6 + 0.25, 1}));
-  const LocalFrame rounded({{0.1, 0}, {1e6, 1}}, true);
-  EXPECT_FALSE(rounded.is_shifted());
-  EXPECT_EQ(rounded.points()[0], (Point{0.1, 0}));
-  EXPECT_FALSE(LocalFrame({{1, 1}, {2, 2}}, false).is_shifted());
 }
 
 }  // namespace
