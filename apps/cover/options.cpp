@@ -211,6 +211,31 @@ void LibraryOptions::add_meshing(CLI::App& command) {
       ->capture_default_str()
       ->group(group);
   command
+      .add_option("--size", sizes_,
+                  "Edge length inside: everywhere (h), or in a region or material (NAME=h)")
+      ->type_name("[NAME=]h")
+      ->group(group);
+  command
+      .add_option("--size-at", sizes_at_,
+                  "Edge length at an interface, a contact or a point (NAME=h)")
+      ->type_name("NAME=h")
+      ->group(group);
+  command
+      .add_option("--growth", options_.growth,
+                  "Ratio of neighbouring edges where sizes differ; above 1")
+      ->check(number_in(1.0001, 100))
+      ->type_name("G")
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option("--split-interfaces", split_interfaces_,
+                  "Cut segments until none forces an angle above DEG (default: 90), and to the "
+                  "lengths of --size-at; both sides get the same points")
+      ->expected(0, 1)
+      ->default_str("90")
+      ->type_name("DEG")
+      ->group(group);
+  command
       .add_option("--require", require_,
                   "Exit with 6 unless this holds: bound, max-angle, delaunay, non-obtuse")
       ->check(one_of({"bound", "max-angle", "delaunay", "non-obtuse"}))
@@ -222,6 +247,22 @@ void LibraryOptions::add_meshing(CLI::App& command) {
       ->capture_default_str()
       ->group(group);
 }
+
+namespace {
+
+/// "NAME=h", or "h" where a name is not needed.
+std::optional<SizeRule> size_rule(const std::string& text, bool at) {
+  const std::size_t equals = text.rfind('=');
+  SizeRule rule;
+  rule.at = at;
+  if (equals != std::string::npos) rule.name = text.substr(0, equals);
+  const std::string number = equals == std::string::npos ? text : text.substr(equals + 1);
+  if (!CLI::detail::lexical_cast(number, rule.size) || !(rule.size > 0)) return std::nullopt;
+  if (at && rule.name.empty()) return std::nullopt;
+  return rule;
+}
+
+}  // namespace
 
 Result<Options> LibraryOptions::make() const {
   Options options = options_;
@@ -248,6 +289,20 @@ Result<Options> LibraryOptions::make() const {
   }
   options.max_angle = Angle::degrees(max_angle_);
   options.min_angle = Angle::degrees(min_angle_);
+  if (split_interfaces_) options.split_interfaces = Angle::degrees(*split_interfaces_);
+  for (const bool at : {false, true}) {
+    for (const std::string& text : at ? sizes_at_ : sizes_) {
+      std::optional<SizeRule> rule = size_rule(text, at);
+      if (!rule) {
+        return Error{ErrorCode::bad_option,
+                     fmt::format("{}: '{}' is not {}=h with a length h above 0",
+                                 at ? "--size-at" : "--size", text, at ? "NAME" : "h or NAME"),
+                     {},
+                     {}};
+      }
+      options.sizes.push_back(*std::move(rule));
+    }
+  }
   for (const std::string& what : require_) {
     options.require.bound |= what == "bound";
     options.require.max_angle |= what == "max-angle";

@@ -52,6 +52,9 @@ class LibraryOptions {
   std::string weld_;
   double max_angle_ = options_.max_angle.in_degrees();
   double min_angle_ = options_.min_angle.in_degrees();
+  std::vector<std::string> sizes_;
+  std::vector<std::string> sizes_at_;
+  std::optional<double> split_interfaces_;
   std::vector<std::string> require_;
 };
 

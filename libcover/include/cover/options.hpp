@@ -42,7 +42,7 @@ struct SizeRule {
 
 /// Options of `cover_mesh`. The default values are those of the command line.
 struct Options {
-  Method method = Method::almond;
+  Method method = Method::quality;
   Fill fill = Fill::refine;
 
   bool paper = false;     ///< the publication as printed: no improvement, k = 1/2, no early accept

@@ -12,6 +12,8 @@
 #include "pipeline/nonobtuse.hpp"
 #include "pipeline/region_task.hpp"
 #include "pipeline/stage_clock.hpp"
+#include "quality/sizes.hpp"
+#include "quality/split_interfaces.hpp"
 #include "region/pslg.hpp"
 #include "region/region_graph.hpp"
 
@@ -35,6 +37,10 @@ Result<Prepared> find_regions(const Input& input, const Options& options, StageC
   if (!table) return std::move(table).error();
   prepared.table = *std::move(table);
   clock.note("regions", report.times);
+  if (Status status = split_interfaces(prepared.pslg, prepared.table, options, report.notes);
+      !status) {
+    return std::move(status).error();
+  }
   report.input_points = prepared.pslg.points.size();
   report.input_segments = prepared.pslg.segments.size();
   report.threads = worker_count(options);
@@ -71,6 +77,9 @@ Result<Output> cover_mesh(const Input& input, const Options& options, const Call
   auto& [pslg, table, report] = *prepared;
 
   auto boundaries = split_regions(pslg, table);
+  if (Status status = resolve_sizes(pslg, table, options, boundaries); !status) {
+    return std::move(status).error();
+  }
   clock.note("split", report.times);
   Result<std::vector<RegionMesh>> meshes =
       options.method == Method::nonobtuse

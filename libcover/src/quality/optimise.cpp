@@ -29,6 +29,8 @@ constexpr double kLightWeight = 1e-4;    ///< of small angles in the light stage
 constexpr double kManyAbove = 0.02;      ///< share of triangles above the goal that is many
 constexpr std::size_t kSmallMesh = 200;  ///< triangles: kicks are cheap
 constexpr double kRefinedTo = 24;        ///< degrees: more than asked for, see stage 1
+constexpr std::size_t kMostSized = 50'000'000;  ///< vertices that sizes may ask for in a region
+constexpr std::uint64_t kEvaluationsPerVertex = 100;  ///< more budget for what refinement adds
 constexpr int kRounds = 3;
 constexpr int kRings = 3;                ///< of triangles around what is left, that make a zone
 constexpr double kStricterLarge = 0.05;  ///< per round, in cotangents: 3 degrees
@@ -89,12 +91,13 @@ void improve_in_rounds(MutableMesh& mesh, const Goal& goal, const Goal& weighted
 
 }  // namespace
 
-Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget) {
+Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeField& sizes) {
   mesh.set_goal(goal);
   RefineLimits limits;
   limits.smallest_cot = 1 / std::tan(kRefinedTo * std::numbers::pi / 180);
-  limits.budget = 20 * mesh.points.size() + 1000;
-  refine(mesh, limits);
+  limits.budget = sizes.is_active() ? kMostSized : 20 * mesh.points.size() + 1000;
+  refine(mesh, limits, sizes);
+  budget.left += kEvaluationsPerVertex * (mesh.points.size() - mesh.fixed_vertices());
   MutableMesh refined = mesh;
   improve_within(mesh, budget);
   Merit merit = merit_of(mesh, goal);
@@ -113,7 +116,7 @@ Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget) {
   improve_in_rounds(mesh, goal, weighted, merit, budget);
   mesh.set_goal(weighted);
   improve_by_kicks(mesh, goal, merit, budget);
-  budget.spend(thin_out(mesh, budget.left).evaluations);
+  if (!sizes.is_active()) budget.spend(thin_out(mesh, budget.left).evaluations);
   return merit_of(mesh, goal);
 }
 

@@ -6,6 +6,7 @@
 
 #include "quality/merit.hpp"
 #include "quality/mutable_mesh.hpp"
+#include "quality/size_field.hpp"
 
 namespace cover {
 
@@ -18,11 +19,12 @@ struct Budget {
   void spend(std::uint64_t evaluations) { left -= evaluations < left ? evaluations : left; }
 };
 
-/// Refines and improves a constrained Delaunay triangulation.
+/// Refines and improves a constrained Delaunay triangulation. With wished sizes nothing is thinned
+/// out.
 ///
 /// REQUIRES: `mesh` is constrained Delaunay
 /// ENSURES:  returns what was reached, by `goal`; nothing promises that it is better than before
-Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget);
+Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeField& sizes = {});
 
 /// Improves any triangulation, with the largest angle before all else.
 ///

@@ -9,6 +9,7 @@
 // no worse than any. Tested by tests/unit/quality/quality_region_test.cpp.
 #include "quality/quality_region.hpp"
 
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -22,6 +23,7 @@
 #include "quality/missed_targets.hpp"
 #include "quality/mutable_mesh.hpp"
 #include "quality/optimise.hpp"
+#include "quality/size_field.hpp"
 
 namespace cover {
 namespace {
@@ -71,6 +73,7 @@ class RegionWork {
         frame_(frame_of(boundary, shifted)),
         cdt_(triangulate_domain(frame_.points(), boundary.sides).triangulation),
         limit_(angle_limit(cdt_, boundary.sides, boundary.segments)),
+        sizes_(boundary, cdt_, options.growth),
         budget_{kEvaluationsAtLeast + kEvaluationsPerVertex * boundary.points.size(), stop} {}
 
   /// ENSURES: no triangles if rounding on the way back to the plane turned one over
@@ -88,6 +91,7 @@ class RegionWork {
  private:
   Candidate best_candidate() {
     Candidate best = as_it_is();
+    if (sizes_.is_active()) return sized(std::move(best));
     if (best.merit.complete) return best;
     Candidate cdt = best;
     std::optional<Candidate> hub = one_star(cdt);
@@ -100,6 +104,14 @@ class RegionWork {
     if (meets_largest(best)) return best;
     Candidate almond = from_almonds();
     if (is_promising(almond, best)) take_if_better(best, improved(std::move(almond)));
+    return best;
+  }
+
+  /// With wished sizes there is one candidate, unless it misses what the almond method proves.
+  Candidate sized(Candidate cdt) {
+    Candidate best = optimised(std::move(cdt));
+    if (best.merit.large <= 1 / std::tan(limit_.promised_nu())) return best;
+    take_if_better(best, improved(from_almonds()));
     return best;
   }
 
@@ -142,7 +154,7 @@ class RegionWork {
   }
 
   [[nodiscard]] Candidate optimised(Candidate c) {
-    c.merit = optimise(c.mesh, goal_, budget_);
+    c.merit = optimise(c.mesh, goal_, budget_, sizes_);
     c.method = "refined, improved";
     return c;
   }
@@ -208,6 +220,7 @@ class RegionWork {
   LocalFrame frame_;
   Triangulation cdt_;
   AngleLimit limit_;
+  SizeField sizes_;
   Budget budget_;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
@@ -14,9 +15,15 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+/// Circumradius allowed, times the size. An equilateral triangle has 0.577; what refinement leaves
+/// is smaller on average than what it must refine, and this makes the number of triangles that of
+/// equilateral ones (measured: within 5 % on discs and squares of 1,000 to 100,000 triangles).
+constexpr double kRadius = 0.75;
+
 class Refinement {
  public:
-  Refinement(MutableMesh& mesh, const RefineLimits& limits) : mesh_(mesh), limits_(limits) {
+  Refinement(MutableMesh& mesh, const RefineLimits& limits, SizeField sizes)
+      : mesh_(mesh), limits_(limits), sizes_(std::move(sizes)) {
     const double kappa = std::atan2(1.0, limits.smallest_cot);
     off_centre_ = 0.4 / std::tan(kappa / 2);  // 0.5: the new angle is kappa
     stamp_.assign(mesh_.triangles.size(), 0);
@@ -78,23 +85,39 @@ class Refinement {
     }
   }
 
-  /// Queues `t` if it has an angle that is too small. Those with the shortest edges come first:
-  /// what is put near them improves the longer ones around for nothing.
+  /// Queues `t` if it has an angle that is too small, or is too large. Those with the shortest
+  /// edges come first: what is put near them improves the longer ones around for nothing.
   void enqueue(std::uint32_t t) {
     if (guarded_[t] != 0) return;
     const Corners k(mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2));
+    if (!has_small_angle(t, k) && !is_too_large(t, k)) return;
+    // The dot products at the ends of an edge add up to its squared length.
+    const double shortest2 =
+        std::min({k.dot[0] + k.dot[1], k.dot[1] + k.dot[2], k.dot[2] + k.dot[0]});
+    const std::size_t bucket = bucket_of(shortest2);
+    buckets_[bucket].entries.push_back({t, mesh_.triangles[t].v});
+    first_bucket_ = std::min(first_bucket_, bucket);
+  }
+
+  /// An angle below the limit that is not one between two sides.
+  [[nodiscard]] bool has_small_angle(std::uint32_t t, const Corners& k) const {
     const auto& n = mesh_.triangles[t].n;
     for (int i = 0; i < 3; ++i) {
       if (k.dot[i] <= limits_.smallest_cot * k.cross) continue;
-      if (is_side(n[at(next3(i))]) && is_side(n[at(prev3(i))])) continue;
-      // The dot products at the ends of an edge add up to its squared length.
-      const double shortest2 =
-          std::min({k.dot[0] + k.dot[1], k.dot[1] + k.dot[2], k.dot[2] + k.dot[0]});
-      const std::size_t bucket = bucket_of(shortest2);
-      buckets_[bucket].entries.push_back({t, mesh_.triangles[t].v});
-      first_bucket_ = std::min(first_bucket_, bucket);
-      return;
+      if (!is_side(n[at(next3(i))]) || !is_side(n[at(prev3(i))])) return true;
     }
+    return false;
+  }
+
+  /// A circumradius above what the size at the circumcentre allows.
+  [[nodiscard]] bool is_too_large(std::uint32_t t, const Corners& k) const {
+    if (!sizes_.is_active()) return false;
+    const double squared = (k.dot[0] + k.dot[1]) * (k.dot[1] + k.dot[2]) * (k.dot[2] + k.dot[0]);
+    const double radius = std::sqrt(squared) / (2 * k.cross);
+    for (const std::uint32_t v : mesh_.triangles[t].v) {
+      if (radius > kRadius * sizes_.near(v, radius)) return true;
+    }
+    return false;
   }
 
   /// Four buckets per factor of two in length, above the region's shortest edge.
@@ -212,14 +235,25 @@ class Refinement {
       mesh_.home[e.a] = s;
     }
     mesh_.home[apex] = cavity_[0];
+    if (sizes_.is_active()) sizes_.set(apex, size_near(p));
     for (std::size_t k = 0; k < loop_.size(); ++k) {
       enqueue(cavity_[k]);
     }
     return true;
   }
 
+  /// The size at `p`, from the vertices of the loop around it.
+  [[nodiscard]] double size_near(Point p) const {
+    double size = sizes_.largest();
+    for (const LoopEdge& e : loop_) {
+      size = std::min(size, sizes_.near(e.a, length(mesh_.points[e.a] - p)));
+    }
+    return size;
+  }
+
   MutableMesh& mesh_;
   RefineLimits limits_;
+  SizeField sizes_;
   double off_centre_ = 0;
   static constexpr std::size_t kBuckets = 128;
   std::array<Bucket, kBuckets> buckets_;
@@ -235,8 +269,8 @@ class Refinement {
 
 }  // namespace
 
-void refine(MutableMesh& mesh, const RefineLimits& limits) {
-  Refinement(mesh, limits).run();
+void refine(MutableMesh& mesh, const RefineLimits& limits, SizeField sizes) {
+  Refinement(mesh, limits, std::move(sizes)).run();
   mesh.set_goal(mesh.goal());
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "quality/mutable_mesh.hpp"
+#include "quality/size_field.hpp"
 
 namespace cover {
 
@@ -14,7 +15,8 @@ struct RefineLimits {
   std::size_t budget = 0;   ///< vertices
 };
 
-/// Inserts circumcentres and off-centres of triangles with small angles. A point is not inserted if
+/// Inserts circumcentres and off-centres of triangles with small angles, and of those that are too
+/// large for `sizes`. A point is not inserted if
 /// - a side lies in the way, or would be seen from it at too large an angle;
 /// - it lies in the circle of a triangle that is the best there is for a side whose angle is
 ///   forced above the goal (or for the edges of such a triangle, if these are forced in turn).
@@ -23,6 +25,6 @@ struct RefineLimits {
 /// REQUIRES: `mesh` is constrained Delaunay, with its goal set
 /// ENSURES:  `mesh` is constrained Delaunay, its excesses measured
 /// Ref:      J. Ruppert, J. Algorithms 18 (1995); A. Uengoer, CGTA 42 (2009)
-void refine(MutableMesh& mesh, const RefineLimits& limits);
+void refine(MutableMesh& mesh, const RefineLimits& limits, SizeField sizes = {});
 
 }  // namespace cover

@@ -26,6 +26,8 @@ struct RegionBoundary {
   std::vector<VertexId> vertices;       ///< their ids in the PSLG
   std::vector<IndexPair> sides;         ///< local, directed, region on the left; slits both ways
   std::vector<SegmentId> segments;      ///< the segment of each side, or kHullSide
+  double size = 0;                      ///< wished edge length inside; 0: none
+  std::vector<double> size_at;          ///< wished edge length by vertex, 0: none; empty: none at all
 };
 
 }  // namespace cover

@@ -1,0 +1,93 @@
+// See sizes.hpp. Tested by tests/unit/quality/sizes_test.cpp.
+#include "quality/sizes.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/suggest.hpp"
+
+namespace cover {
+namespace {
+
+/// Zero stands for "none".
+void lower(double& size, double wished) { size = size == 0 ? wished : std::min(size, wished); }
+
+/// Sets the sizes inside regions. False if no region has that name.
+bool inside(const SizeRule& rule, const RegionTable& table, std::span<RegionBoundary> boundaries) {
+  bool found = false;
+  for (std::size_t r = 0; r < boundaries.size(); ++r) {
+    const Region& region = table.regions[r];
+    if (!rule.name.empty() && rule.name != region.name && rule.name != region.material_name) {
+      continue;
+    }
+    lower(boundaries[r].size, rule.size);
+    found = true;
+  }
+  return found;
+}
+
+/// Sets the sizes at PSLG points. False if no line or point has that name.
+bool at_points(const SizeRule& rule, const Pslg& pslg, const RegionTable& table,
+               std::vector<double>& size_at) {
+  bool found = false;
+  for (const Interface& line : table.interfaces) {
+    if (line.name != rule.name) continue;
+    found = true;
+    for (const SegmentId s : line.segments) {
+      lower(size_at[pslg.segments[s.index()].a.index()], rule.size);
+      lower(size_at[pslg.segments[s.index()].b.index()], rule.size);
+    }
+  }
+  for (std::size_t v = 0; v < pslg.points.size() && !found; ++v) {
+    if (pslg.point_ids[v] < 0 || std::to_string(pslg.point_ids[v]) != rule.name) continue;
+    lower(size_at[v], rule.size);
+    found = true;
+  }
+  return found;
+}
+
+Error unknown_name(const SizeRule& rule, const RegionTable& table) {
+  std::vector<std::string> names;
+  if (rule.at) {
+    for (const Interface& line : table.interfaces) names.push_back(line.name);
+  } else {
+    for (const Region& region : table.regions) {
+      names.push_back(region.name);
+      names.push_back(region.material_name);
+    }
+  }
+  const auto meant = closest(rule.name, names);
+  return {ErrorCode::bad_option,
+          fmt::format("size for '{}': there is no {} of that name{}", rule.name,
+                      rule.at ? "interface, contact or point" : "region or material",
+                      meant ? fmt::format("; did you mean '{}'?", *meant) : ""),
+          {},
+          {}};
+}
+
+}  // namespace
+
+Status resolve_sizes(const Pslg& pslg, const RegionTable& table, const Options& options,
+                     std::span<RegionBoundary> boundaries) {
+  if (options.sizes.empty()) return ok();
+  std::vector<double> size_at(pslg.points.size(), 0);
+  for (const SizeRule& rule : options.sizes) {
+    const bool found =
+        rule.at ? at_points(rule, pslg, table, size_at) : inside(rule, table, boundaries);
+    if (!found) return unknown_name(rule, table);
+  }
+  for (RegionBoundary& boundary : boundaries) {
+    boundary.size_at.clear();
+    for (const VertexId v : boundary.vertices) boundary.size_at.push_back(size_at[v.index()]);
+    if (std::all_of(boundary.size_at.begin(), boundary.size_at.end(),
+                    [](double size) { return size == 0; })) {
+      boundary.size_at.clear();
+    }
+  }
+  return ok();
+}
+
+}  // namespace cover

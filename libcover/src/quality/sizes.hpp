@@ -1,0 +1,24 @@
+// Wished edge lengths: from names in the options to vertices of regions.
+#pragma once
+
+#include <span>
+
+#include <cover/options.hpp>
+#include <cover/pslg.hpp>
+#include <cover/regions.hpp>
+#include <cover/result.hpp>
+
+#include "region/region_boundary.hpp"
+
+namespace cover {
+
+/// Fills RegionBoundary::size and size_at from Options::sizes.
+///
+/// A rule without a name holds everywhere; a rule for a region's or material's name inside it; a
+/// rule `at` a name at the vertices of the interface or contact of that name, or at the point whose
+/// id in the user's file the name is. The smallest of several wins.
+/// Errors: bad_option for a name that nothing has; the message tells those that there are
+Status resolve_sizes(const Pslg& pslg, const RegionTable& table, const Options& options,
+                     std::span<RegionBoundary> boundaries);
+
+}  // namespace cover

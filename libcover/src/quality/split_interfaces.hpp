@@ -1,0 +1,27 @@
+// Cutting segments before regions are split, for users who may touch them.
+#pragma once
+
+#include <vector>
+
+#include <cover/options.hpp>
+#include <cover/pslg.hpp>
+#include <cover/regions.hpp>
+#include <cover/report.hpp>
+#include <cover/result.hpp>
+
+namespace cover {
+
+/// Cuts segments until every side's gamma_opt is at most Options::split_interfaces, and until no
+/// piece is much longer than the sizes wished at its ends. Both sides of a segment get the same
+/// points. Does nothing without that option.
+///
+/// A piece is never shorter than 2^-10 of its segment: where an input angle is so small that more
+/// would be needed, a note says so.
+/// ENSURES: `pslg` and `table` fit each other; a note tells how many points were added, and where
+/// Errors:  bad_option for a size of an unknown name
+/// Cost:    O(n log n) per pass, with about log2 of the largest cut passes
+/// Ref:     mitchell_1993_covering, 1.2; J. Ruppert, J. Algorithms 18 (1995)
+Status split_interfaces(Pslg& pslg, RegionTable& table, const Options& options,
+                        std::vector<Note>& notes);
+
+}  // namespace cover

@@ -1,0 +1,155 @@
+#include "quality/sizes.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "mesh_checks.hpp"
+#include "quality/quality_region.hpp"
+#include "quality/split_interfaces.hpp"
+#include "region/pslg.hpp"
+#include "region/region_graph.hpp"
+
+namespace cover {
+namespace {
+
+using namespace testing;
+
+/// The unit square, its sides cut into n.
+RegionBoundary square(int n) {
+  Loop loop;
+  const Point corners[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
+  for (int c = 0; c < 4; ++c) {
+    for (int k = 0; k < n; ++k) {
+      loop.push_back(corners[c] + (1.0 * k / n) * (corners[c + 1] - corners[c]));
+    }
+  }
+  return boundary_of({loop});
+}
+
+double triangles_for(double area, double size) {
+  return 4 * area / (std::numbers::sqrt3 * size * size);
+}
+
+TEST(Sizes, GiveTheNumberOfTriangles) {
+  for (const double part : {0.7, 1.0, 1.4}) {
+    RegionBoundary boundary = square(30);
+    boundary.size = part / 30;
+    const RegionMesh mesh = quality_region(boundary, {}, {});
+    const double expected = triangles_for(1, boundary.size);
+    EXPECT_NEAR(static_cast<double>(mesh.triangles.size()), expected, 0.15 * expected) << part;
+  }
+}
+
+TEST(Sizes, GrowFromAFinePoint) {
+  RegionBoundary boundary = square(10);
+  boundary.size = 0.1;
+  boundary.size_at.assign(boundary.points.size(), 0);
+  boundary.size_at[0] = 0.005;
+  const RegionMesh mesh = quality_region(boundary, {}, {});
+  double nearest = 1;
+  for (const Point& p : mesh.steiner) {
+    nearest = std::min(nearest, length(p - boundary.points[0]));
+  }
+  EXPECT_LT(nearest, 0.05);
+  EXPECT_GT(mesh.triangles.size(), triangles_for(1, 0.1));
+}
+
+/// Two rectangles side by side, of materials "left" and "right".
+Input two_rectangles() {
+  Input input;
+  input.points = {{0, 0}, {1, 0}, {3, 0}, {3, 1}, {1, 1}, {0, 1}};
+  const std::uint32_t ends[][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 0}, {1, 4}};
+  for (const auto& [a, b] : ends) {
+    InputSegment s;
+    s.a = a;
+    s.b = b;
+    input.segments.push_back(s);
+  }
+  for (const auto& [x, name] : {std::pair(0.5, "left"), std::pair(2.0, "right")}) {
+    RegionSeed seed;
+    seed.at = {x, 0.5};
+    seed.material = name;
+    input.seeds.push_back(seed);
+  }
+  return input;
+}
+
+struct Regions {
+  Pslg pslg;
+  RegionTable table;
+};
+
+Regions regions_of(const Input& input) {
+  std::vector<Note> notes;
+  Regions regions{make_pslg(input, {}, notes).value(), {}};
+  regions.table = build_region_table(regions.pslg, {}, notes).value();
+  return regions;
+}
+
+TEST(Sizes, AreFoundByName) {
+  const Regions regions = regions_of(two_rectangles());
+  auto boundaries = split_regions(regions.pslg, regions.table);
+  Options options;
+  options.sizes = {{"", 0.5, false}, {"right", 0.2, false}};
+  ASSERT_TRUE(resolve_sizes(regions.pslg, regions.table, options, boundaries));
+  EXPECT_EQ(boundaries[0].size, 0.5);
+  EXPECT_EQ(boundaries[1].size, 0.2);
+  EXPECT_TRUE(boundaries[0].size_at.empty());
+  const std::string line = regions.table.interfaces[0].name;
+  options.sizes = {{line, 0.1, true}};
+  ASSERT_TRUE(resolve_sizes(regions.pslg, regions.table, options, boundaries));
+  options.sizes = {{"wrong", 0.1, false}};
+  const Status status = resolve_sizes(regions.pslg, regions.table, options, boundaries);
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().code, ErrorCode::bad_option);
+}
+
+double worst_gamma(const Regions& regions) {
+  double nu = std::numbers::pi;
+  for (const RegionBoundary& b : split_regions(regions.pslg, regions.table)) {
+    const Triangulation cdt = triangulate_domain(b.points, b.sides).triangulation;
+    for (const SideLimit& side : side_limits(cdt, locate_sides(cdt, b.sides))) {
+      nu = std::min(nu, std::atan2(1.0, -side.apex_cot));
+    }
+  }
+  return 180 - nu * 180 / std::numbers::pi;
+}
+
+TEST(SplitInterfaces, CutsUntilNothingForcesALargerAngle) {
+  Input input = two_rectangles();
+  input.points[4] = {1.1, 0.3};  // a notch close to the lower sides
+  Regions regions = regions_of(input);
+  EXPECT_GT(worst_gamma(regions), 100);
+  Options options;
+  options.split_interfaces = Angle::degrees(90);
+  std::vector<Note> notes;
+  const std::size_t before = regions.pslg.points.size();
+  ASSERT_TRUE(split_interfaces(regions.pslg, regions.table, options, notes));
+  EXPECT_LE(worst_gamma(regions), 90 + 1e-6);
+  EXPECT_GT(regions.pslg.points.size(), before);
+  EXPECT_LT(regions.pslg.points.size(), 20 * before);
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_EQ(notes[0].kind, Note::Kind::change);
+}
+
+TEST(SplitInterfaces, EndsAtSharpCorners) {
+  Input input = two_rectangles();
+  input.points[4] = {2.9, 0.01};  // meets the lower right side at a third of a degree
+  Regions regions = regions_of(input);
+  Options options;
+  options.split_interfaces = Angle::degrees(90);
+  std::vector<Note> notes;
+  ASSERT_TRUE(split_interfaces(regions.pslg, regions.table, options, notes));
+  EXPECT_LT(regions.pslg.points.size(), 20000u);
+}
+
+TEST(SplitInterfaces, DoesNothingUnasked) {
+  Regions regions = regions_of(two_rectangles());
+  std::vector<Note> notes;
+  ASSERT_TRUE(split_interfaces(regions.pslg, regions.table, {}, notes));
+  EXPECT_EQ(regions.pslg.points.size(), 6u);
+  EXPECT_TRUE(notes.empty());
+}
+
+}  // namespace
+}  // namespace cover
