@@ -30,7 +30,7 @@ constexpr double kManyAbove = 0.02;      ///< share of triangles above the goal 
 constexpr std::size_t kSmallMesh = 200;  ///< triangles: kicks are cheap
 constexpr double kRefinedTo = 24;        ///< degrees: more than asked for, see stage 1
 constexpr std::size_t kMostSized = 50'000'000;  ///< vertices that sizes may ask for in a region
-constexpr std::uint64_t kEvaluationsPerVertex = 100;  ///< more budget for what refinement adds
+constexpr std::uint64_t kEvaluationsPerVertex = 100;  ///< more budget for what sizes add
 constexpr int kRounds = 3;
 constexpr int kRings = 3;                ///< of triangles around what is left, that make a zone
 constexpr double kStricterLarge = 0.05;  ///< per round, in cotangents: 3 degrees
@@ -97,7 +97,9 @@ Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeFi
   limits.smallest_cot = 1 / std::tan(kRefinedTo * std::numbers::pi / 180);
   limits.budget = sizes.is_active() ? kMostSized : 20 * mesh.points.size() + 1000;
   refine(mesh, limits, sizes);
-  budget.left += kEvaluationsPerVertex * (mesh.points.size() - mesh.fixed_vertices());
+  if (sizes.is_active()) {
+    budget.left += kEvaluationsPerVertex * (mesh.points.size() - mesh.fixed_vertices());
+  }
   MutableMesh refined = mesh;
   improve_within(mesh, budget);
   Merit merit = merit_of(mesh, goal);
