@@ -79,9 +79,9 @@ struct Regions {
 };
 
 Regions regions_of(const Input& input) {
-  std::vector<Note> notes;
-  Regions regions{make_pslg(input, {}, notes).value(), {}};
-  regions.table = build_region_table(regions.pslg, {}, notes).value();
+  Report report;
+  Regions regions{make_pslg(input, {}, report).value(), {}};
+  regions.table = build_region_table(regions.pslg, {}, report.notes).value();
   return regions;
 }
 
