@@ -201,7 +201,8 @@ class Builder {
       // A Delaunay edge that becomes a constraint leaves the triangulation as it is. (CGAL's own
       // insertion takes longer for that, and throws if it is a constraint already.)
       f->set_constraint(i, true);
-      f->neighbor(i)->set_constraint(cdt_.mirror_index(f, i), true);
+      // Where all points are collinear there is no face on either side.
+      if (cdt_.dimension() == 2) f->neighbor(i)->set_constraint(cdt_.mirror_index(f, i), true);
       return;
     }
     try {

@@ -26,7 +26,8 @@ struct EdgeGraph {
 
 /// Cuts the strands of `network` at all their common points and sorts them by edge.
 ///
-/// Intersections are computed exactly and rounded to the nearest doubles. Rounding moves pieces by
+/// Intersections are computed exactly and rounded to the nearest doubles, or to the end of one of
+/// the lines if that is next to it. Rounding moves pieces by
 /// half a unit in the last place, which may make new crossings; so the pieces are cut again until a
 /// pass finds them clean by exact predicates (iterated snap rounding). Ends of lines never move.
 /// ENSURES: points and edges are a PSLG
