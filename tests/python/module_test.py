@@ -72,6 +72,11 @@ class Meshing(unittest.TestCase):
             with self.assertRaises(cover.Error):
                 again.save(os.path.join(folder, 'a.unknown'))
 
+    def test_polygons(self):
+        mesh = cover.mesh_polygons([('Si', [[(0, 0), (4, 0), (4, 4), (0, 4)]]),
+                                    ('SiO2', [[(1, 1), (2, 1), (2, 2), (1, 2)]], 'gate')])
+        self.assertEqual({r['name'] for r in mesh.report['regions']}, {'Si', 'gate'})
+
 
 class Mistakes(unittest.TestCase):
     def test_geometry(self):
