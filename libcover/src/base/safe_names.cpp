@@ -4,6 +4,8 @@
 #include <map>
 #include <set>
 
+#include <fmt/format.h>
+
 namespace cover {
 namespace {
 
@@ -36,7 +38,7 @@ std::vector<std::string> unique_safe_names(std::span<const std::string> names) {
     const std::string stem = safe_name(names[k]);
     int& n = last.emplace(stem, 1).first->second;
     safe[k] = stem;
-    while (!taken.insert(safe[k]).second) safe[k] = stem + '_' + std::to_string(++n);
+    while (!taken.insert(safe[k]).second) safe[k] = fmt::format("{}_{}", stem, ++n);
   }
   return safe;
 }

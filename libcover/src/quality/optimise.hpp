@@ -15,7 +15,8 @@ struct Budget {
   std::uint64_t left = 0;
   std::stop_token stop;
 
-  [[nodiscard]] bool is_used_up() const { return left == 0; }
+  /// Also true once the caller wants to stop: the mesh is then thrown away.
+  [[nodiscard]] bool is_used_up() const { return left == 0 || stop.stop_requested(); }
   void spend(std::uint64_t evaluations) { left -= evaluations < left ? evaluations : left; }
 };
 
