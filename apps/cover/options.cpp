@@ -152,8 +152,9 @@ void LibraryOptions::add_cleaning(CLI::App& command) {
       ->group(group);
   command
       .add_option("--weld", weld_,
-                  "Unite points closer than this part of the local feature size: auto, off or a "
-                  "number (default: auto for polygons, off for segments)")
+                  "Unite ends closer than this part of the drawing's size, at most 1/8 of the "
+                  "shortest line there: auto, off or a number (default: auto for polygons, off "
+                  "for segments)")
       ->type_name("REL")
       ->group(group);
   command.add_flag("--strict", options_.strict, "Any change to the input is an error")
