@@ -167,24 +167,34 @@ void LibraryOptions::add_cleaning(CLI::App& command) {
 
 void LibraryOptions::add_meshing(CLI::App& command) {
   const char* group = "Meshing";
-  command
-      .add_option("--method", method_,
-                  "quality: good angles, never below the proven bound; almond: the bound alone, "
-                  "the fastest; nonobtuse: no angle above 90 degrees, but segments are split")
-      ->check(one_of({"quality", "almond", "nonobtuse"}))
-      ->type_name("NAME")
-      ->capture_default_str()
-      ->group(group);
-  command.add_option("--fill", fill_, "What fills the space between the almonds: refine or disks")
-      ->check(one_of({"refine", "disks"}))
-      ->type_name("NAME")
-      ->capture_default_str()
-      ->group(group);
+  CLI::Option* method =
+      command
+          .add_option("--method", method_,
+                      "quality: good angles, never below the proven bound; almond: the bound "
+                      "alone, the fastest; nonobtuse: no angle above 90 degrees, but segments are "
+                      "split")
+          ->check(one_of({"quality", "almond", "nonobtuse"}))
+          ->type_name("NAME")
+          ->capture_default_str()
+          ->group(group);
+  CLI::Option* fill =
+      command
+          .add_option("--fill", fill_,
+                      "What fills the space between the almonds, refine or disks; implies --method "
+                      "almond")
+          ->check(one_of({"refine", "disks"}))
+          ->type_name("NAME")
+          ->capture_default_str()
+          ->group(group);
   CLI::Option* paper =
       command
           .add_flag("--paper", options_.paper,
-                    "The publication as printed: no improvement of ours, for comparison")
+                    "The publication as printed, for comparison: none of our improvements; implies "
+                    "--method almond")
           ->group(group);
+  command.parse_complete_callback([this, method, fill, paper] {
+    if (method->empty() && (!fill->empty() || !paper->empty())) method_ = "almond";
+  });
   command
       .add_option("--pieces", options_.pieces,
                   "With --paper: pieces of an arc are at most 1/N of it")

@@ -153,6 +153,14 @@ class Mesh(Case):
         self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--paper', '--pieces', '3', '-q')
         self.run_cover('check', SAMPLES / 'diode.poly', 'd.vtu')
 
+    def test_paper_and_fill_imply_the_almond_method(self):
+        for implying in ['--paper'], ['--fill', 'refine'], ['--fill', 'disks']:
+            for method in [], ['--method', 'almond']:
+                self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', f'd{len(method)}.vtu', '-q', *implying, *method)
+            self.assertEqual((self.dir / 'd0.vtu').read_bytes(), (self.dir / 'd2.vtu').read_bytes())
+        _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--paper', '--method', 'quality', code=2)
+        self.assertIn('paper needs method almond', err)
+
     def test_require(self):
         _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--require', 'bound')
         _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--require', 'non-obtuse', code=6)

@@ -45,7 +45,7 @@ struct Options {
   Method method = Method::quality;
   Fill fill = Fill::refine;
 
-  bool paper = false;     ///< the publication as printed: no improvement, k = 1/2, no early accept
+  bool paper = false;     ///< the publication as printed, without our improvements; needs `almond`
   int pieces = 6;         ///< with `paper`: exterior pieces are at most 1/pieces of the arc; >= 2
   bool hull = false;      ///< mesh the convex hull (DESIGN: the paper's PSLG variant)
 

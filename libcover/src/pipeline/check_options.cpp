@@ -21,6 +21,9 @@ Status check_options(const Options& options) {
   if (options.pieces < 2) {
     return bad_option(fmt::format("pieces is {}, but must be at least 2", options.pieces));
   }
+  if (options.paper && options.method != Method::almond) {
+    return bad_option("the publication describes the almond method: paper needs method almond");
+  }
   const Angle max = options.max_angle, min = options.min_angle;
   if (!(max > kSixty && max < kStraight)) {
     return bad_option(

@@ -134,6 +134,7 @@ TEST(CoverMesh, RefusesOptionsOutOfRange) {
     return output ? ErrorCode::internal : output.error().code;
   };
   EXPECT_EQ(code([](Options& o) { o.pieces = 1; }), ErrorCode::bad_option);
+  EXPECT_EQ(code([](Options& o) { o.paper = true; }), ErrorCode::bad_option);
   EXPECT_EQ(code([](Options& o) { o.max_angle = Angle::degrees(60); }), ErrorCode::bad_option);
   EXPECT_EQ(code([](Options& o) { o.max_angle = Angle::degrees(std::nan("")); }),
             ErrorCode::bad_option);
