@@ -15,8 +15,8 @@ namespace cover {
 /// piece is much longer than the sizes wished at its ends. Both sides of a segment get the same
 /// points. Does nothing without that option.
 ///
-/// A piece is never shorter than 2^-10 of its segment: where an input angle is so small that more
-/// would be needed, a note says so.
+/// A side whose triangle is too flat is cut at the foot of that triangle's apex; one that is too
+/// long, half way. Pieces have a least length: where more would be needed, a note says so.
 /// ENSURES: `pslg` and `table` fit each other; a note tells how many points were added, and where
 /// Errors:  bad_option for a size of an unknown name
 /// Cost:    O(n log n) per pass, with about log2 of the largest cut passes

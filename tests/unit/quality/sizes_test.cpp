@@ -131,6 +131,25 @@ TEST(SplitInterfaces, CutsUntilNothingForcesALargerAngle) {
   EXPECT_EQ(notes[0].kind, Note::Kind::change);
 }
 
+TEST(SplitInterfaces, CutsAThinLayerAcross) {
+  Input input;  // 1 by 1e-3, its long walls with three vertices each that do not face each other
+  for (const double x : {0.0, 0.21, 0.5, 0.83, 1.0}) input.points.push_back({x, 0});
+  for (const double x : {1.0, 0.7, 0.44, 0.1, 0.0}) input.points.push_back({x, 1e-3});
+  for (std::uint32_t k = 0; k < 10; ++k) {
+    InputSegment s;
+    s.a = k;
+    s.b = (k + 1) % 10;
+    input.segments.push_back(s);
+  }
+  Regions regions = regions_of(input);
+  Options options;
+  options.split_interfaces = Angle::degrees(90);
+  std::vector<Note> notes;
+  ASSERT_TRUE(split_interfaces(regions.pslg, regions.table, options, notes));
+  EXPECT_EQ(regions.pslg.points.size(), 16u);
+  EXPECT_LE(worst_gamma(regions), 90);
+}
+
 TEST(SplitInterfaces, EndsAtSharpCorners) {
   Input input;
   input.points = {{0, 0}, {10, 0}, {10, 0.05}, {3, 5}};  // a third of a degree at the first
