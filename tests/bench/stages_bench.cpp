@@ -1,36 +1,40 @@
 // The meshing stage beside CGAL's plain constrained Delaunay triangulation of the same output
-// vertices, in the same run: absolute times depend on the machine, the ratio hardly does.
+// vertices, in the same run: absolute times depend on the machine, the ratio hardly does. Both are
+// CPU times, which other programs on the machine disturb less.
 //
 // Counters: us_per_triangle  meshing stage, one thread, per output triangle
 //           ratio            the same, divided by CGAL's time per triangle
 //           steiner          Steiner vertices per input vertex
-//           bytes            growth of the peak resident set per triangle (first run of a case
-//           only)
+//           stage_bytes      per triangle, what the meshing stage needs at its peak; in it its
+//           result bytes            the same for all of cover_mesh, input and output included
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <benchmark/benchmark.h>
-#include <sys/resource.h>
 
-#include <chrono>
-#include <cover/cover_mesh.hpp>
+#include <algorithm>
+#include <ctime>
+#include <functional>
+#include <optional>
+#include <stdexcept>
 #include <string>
 
+#include <cover/cover_mesh.hpp>
+
+#include "heap_peak.hpp"
+#include "pipeline/region_task.hpp"
+#include "region/pslg.hpp"
+#include "region/region_graph.hpp"
 #include "support/inputs.hpp"
 
 namespace {
 
 using namespace cover;
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-double peak_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) * 1024;
+/// CPU seconds of this process.
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 /// Seconds of CGAL's CDT of the output's vertices and segments, in the way that CGAL does fastest:
@@ -49,7 +53,7 @@ double plain_cdt_seconds(const Output& output) {
     if (id >= 0) place[static_cast<std::size_t>(id)] = points.size();
     points.emplace_back(Kernel::Point_2(mesh.point(v)[0], mesh.point(v)[1]), points.size());
   }
-  const auto start = Clock::now();
+  const double start = cpu_seconds();
   Cdt cdt;
   cdt.insert(points.begin(), points.end());
   std::vector<Cdt::Vertex_handle> handles(points.size());
@@ -58,7 +62,7 @@ double plain_cdt_seconds(const Output& output) {
     cdt.insert_constraint(handles[place[s.a.index()]], handles[place[s.b.index()]]);
   }
   benchmark::DoNotOptimize(cdt.number_of_faces());
-  return seconds_since(start);
+  return cpu_seconds() - start;
 }
 
 double stage_seconds(const Report& report, const std::string& stage) {
@@ -76,34 +80,46 @@ Options options_for(const std::string& method) {
   return options;
 }
 
-void mesh_stage(benchmark::State& state, const Input& input, const std::string& method) {
+std::vector<RegionBoundary> boundaries_of(const Input& input, const Options& options) {
+  Report report;
+  const auto pslg = make_pslg(input, options, report);
+  if (!pslg) throw std::runtime_error(pslg.error().message);
+  const auto table = build_region_table(*pslg, options, report.notes);
+  if (!table) throw std::runtime_error(table.error().message);
+  return split_regions(*pslg, *table);
+}
+
+void mesh_stage(benchmark::State& state, const std::function<Input()>& make_input,
+                const std::string& method) {
   const Options options = options_for(method);
-  const double before = peak_bytes();
+  std::optional<Result<Output>> output;
+  const double bytes = bench::heap_peak_of([&] { output = cover_mesh(make_input(), options); });
+  if (!output->has_value()) {
+    state.SkipWithError(output->error().message.c_str());
+    return;
+  }
+  const Report& report = (*output)->report;
+  const auto triangles = static_cast<double>(report.quality.triangles);
+  state.counters["triangles"] = triangles;
+  state.counters["steiner"] =
+      static_cast<double>(report.steiner_vertices) / static_cast<double>(report.input_points);
+  state.counters["bytes"] = bytes / triangles;
+
+  const std::vector<RegionBoundary> boundaries = boundaries_of(make_input(), options);
+  const auto run = [&] { benchmark::DoNotOptimize(mesh_regions(boundaries, options, {})); };
+  state.counters["stage_bytes"] = bench::heap_peak_of(run) / triangles;
   double mesh = 0, cdt = 0;
-  std::size_t triangles = 0, steiner = 0, points = 1;
-  double bytes = 0;
   for (auto _ : state) {
-    const auto output = cover_mesh(input, options);
-    if (!output) {
-      state.SkipWithError(output.error().message.c_str());
-      return;
-    }
-    if (bytes == 0) bytes = peak_bytes() - before;
-    const double seconds = stage_seconds(output->report, "mesh");
+    const double start = cpu_seconds();
+    run();
+    const double seconds = cpu_seconds() - start;
     state.SetIterationTime(seconds);
     mesh += seconds;
-    cdt += plain_cdt_seconds(*output);
-    triangles = output->report.quality.triangles;
-    steiner = output->report.steiner_vertices;
-    points = output->report.input_points;
+    cdt += plain_cdt_seconds(**output);
   }
-  const auto count = static_cast<double>(triangles);
-  state.counters["triangles"] = count;
   state.counters["us_per_triangle"] =
-      1e6 * mesh / (count * static_cast<double>(state.iterations()));
+      1e6 * mesh / (triangles * static_cast<double>(state.iterations()));
   state.counters["ratio"] = mesh / cdt;
-  state.counters["steiner"] = static_cast<double>(steiner) / static_cast<double>(points);
-  state.counters["bytes"] = bytes / count;
 }
 
 /// The same mesh with one thread and with two.
@@ -133,7 +149,8 @@ void register_all() {
       benchmark::RegisterBenchmark(
           (method + "/smooth_star/" + std::to_string(n)).c_str(),
           [=](benchmark::State& state) {
-            mesh_stage(state, testing::input_of(testing::smooth_star(n, 1)), method);
+            mesh_stage(
+                state, [n] { return testing::input_of(testing::smooth_star(n, 1)); }, method);
           })
           ->UseManualTime()
           ->Unit(benchmark::kMillisecond);
@@ -141,7 +158,9 @@ void register_all() {
     for (const int cells : {6, 18, 56, 177}) {  // 1e3 to 1e6 sides
       benchmark::RegisterBenchmark((method + "/checker/" + std::to_string(cells)).c_str(),
                                    [=](benchmark::State& state) {
-                                     mesh_stage(state, testing::checker(cells, 8, 1), method);
+                                     mesh_stage(
+                                         state, [cells] { return testing::checker(cells, 8, 1); },
+                                         method);
                                    })
           ->UseManualTime()
           ->Unit(benchmark::kMillisecond);
