@@ -1,81 +1,241 @@
-// CGAL's surface sweep over segments with lazy exact arithmetic. Each curve carries the indices of
-// the segments that it comes from; overlapping pieces unite theirs.
-// Tested by tests/unit/geom/exact_subdivision_test.cpp.
+// A line that passes over the plane from left to right keeps the segments that it meets in order.
+// It stops at ends and at crossings, where it takes out all segments through the point and puts
+// those that go on back in the order of their slopes. Only neighbours can cross next; whether they
+// do is told by one orientation of given points, because their order is known:
+//
+//     below s, t  above:  they cross later  <=>  the end that comes first is on the wrong side.
+//
+// Touching and overlapping need no case of their own: ends are looked up among the segments, and
+// segments on one line, in the order of their numbers, pass through the same ends.
+// Tested by tests/unit/geom/exact_subdivision_test.cpp, beside all pairs intersected one by one.
 #include "geom/exact_subdivision.hpp"
-
-#include <CGAL/Arr_curve_data_traits_2.h>
-#include <CGAL/Arr_segment_traits_2.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Surface_sweep_2_algorithms.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <memory>
+#include <numeric>
+#include <set>
+#include <utility>
 
 namespace cover {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-
-/// Indices of segments: one nearly always, shared lists where pieces overlap.
-struct Parents {
-  std::uint32_t only = 0;
-  std::shared_ptr<const std::vector<std::uint32_t>> several;
-
-  [[nodiscard]] std::vector<std::uint32_t> list() const {
-    return several ? *several : std::vector<std::uint32_t>{only};
-  }
-  friend bool operator==(const Parents& x, const Parents& y) { return x.list() == y.list(); }
-};
-
-/// For curves that overlap.
-struct Unite {
-  Parents operator()(const Parents& x, const Parents& y) const {
-    const auto a = x.list(), b = y.list();
-    auto both = std::make_shared<std::vector<std::uint32_t>>();
-    std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(*both));
-    return {0, std::move(both)};
-  }
-};
-
-using Traits = CGAL::Arr_curve_data_traits_2<CGAL::Arr_segment_traits_2<Kernel>, Parents, Unite>;
-
-/// The double nearest to an exact number.
-double nearest(const Kernel::FT& lazy) {
-  if (lazy.approx().is_point()) return lazy.approx().inf();
-  const auto& exact = lazy.exact();
-  using Exact = std::decay_t<decltype(exact)>;
-  const double d = CGAL::to_double(exact);
-  const Exact error = exact - Exact(d);
-  if (error == 0) return d;
-  const double other = std::nextafter(d, error > 0 ? HUGE_VAL : -HUGE_VAL);
-  if (!std::isfinite(other)) return d;
-  return CGAL::abs(Exact(exact - Exact(other))) < CGAL::abs(error) ? other : d;
+/// Whether two points are at most two units in the last place of their coordinates apart.
+bool is_next_to(Point p, Point q) {
+  const double size =
+      std::max(std::max(std::abs(p.x), std::abs(p.y)), std::max(std::abs(q.x), std::abs(q.y)));
+  const double reach = 2 * (std::nextafter(size, HUGE_VAL) - size);
+  return std::abs(p.x - q.x) <= reach && std::abs(p.y - q.y) <= reach;
 }
 
-Point rounded(const Kernel::Point_2& p) { return {nearest(p.x()), nearest(p.y())}; }
+class Sweep {
+ public:
+  explicit Sweep(std::span<const PlainSegment> segments)
+      : status_(Order{this}),
+        place_(segments.size(), status_.end()),
+        stop_(segments.size(), 0),
+        rank_(segments.size(), 0) {
+    lines_.reserve(segments.size());
+    ends_.reserve(2 * segments.size());
+    for (const PlainSegment& s : segments) {
+      const auto line = static_cast<std::uint32_t>(lines_.size());
+      lines_.push_back({std::min(s.a, s.b), std::max(s.a, s.b)});
+      ends_.push_back({lines_.back().a, line});
+      ends_.push_back({lines_.back().b, line});
+    }
+    std::sort(ends_.begin(), ends_.end(), [](const End& e, const End& f) {
+      return std::pair(e.at, e.line) < std::pair(f.at, f.line);
+    });
+  }
+  Sweep(const Sweep&) = delete;
+  Sweep& operator=(const Sweep&) = delete;
+
+  Subdivision run() {
+    while (go_on()) {
+      const Place above = take_out();
+      put_back(above);
+    }
+    return finish();
+  }
+
+ private:
+  struct End {
+    Point at;
+    std::uint32_t line;
+  };
+  struct Crossing {
+    SweepPoint at;
+    std::uint32_t below, above;
+  };
+  struct Earlier {
+    bool operator()(const Crossing& c, const Crossing& d) const {
+      if (c.below == d.below && c.above == d.above) return false;
+      return compare(c.at, d.at) == Sign::negative;
+    }
+  };
+  /// From below to above where the sweep stands; lines through its stop as they go on from there.
+  struct Order {
+    using is_transparent = void;
+    const Sweep* sweep;
+    bool operator()(std::uint32_t s, std::uint32_t t) const {
+      if (!sweep->passes_here(s)) return sweep->side_of(s) == Sign::positive;
+      if (!sweep->passes_here(t)) return sweep->side_of(t) == Sign::negative;
+      return sweep->rank_[s] < sweep->rank_[t];
+    }
+    bool operator()(std::uint32_t s, const SweepPoint&) const {
+      return sweep->side_of(s) == Sign::positive;
+    }
+  };
+  using Status = std::set<std::uint32_t, Order>;
+  using Place = Status::iterator;
+
+  [[nodiscard]] bool passes_here(std::uint32_t line) const { return stop_[line] == stops_; }
+  /// On which side of a line the sweep's stop lies.
+  [[nodiscard]] Sign side_of(std::uint32_t line) const {
+    return stop_at_.side_of(lines_[line].a, lines_[line].b);
+  }
+
+  /// Goes on to the next stop. `here_` becomes the lines that are known to pass through it: those
+  /// that begin or end there, or one that crosses.
+  bool go_on() {
+    if (next_ == ends_.size() && crossings_.empty()) return false;
+    ++stops_;
+    here_.clear();
+    const auto crossing = crossings_.begin();
+    Sign order = Sign::negative;  // of the next end and the next crossing
+    if (crossing != crossings_.end()) {
+      order = next_ == ends_.size() ? Sign::positive
+                                    : compare(SweepPoint(ends_[next_].at), crossing->at);
+    }
+    at_end_ = order != Sign::positive;
+    stop_at_ = at_end_ ? SweepPoint(ends_[next_].at) : crossing->at;
+    if (!at_end_) stop_line(crossing->below);
+    if (order != Sign::negative) crossings_.erase(crossing);
+    if (!at_end_) return true;
+    for (const Point at = ends_[next_].at; next_ < ends_.size() && ends_[next_].at == at; ++next_) {
+      stop_line(ends_[next_].line);
+    }
+    return true;
+  }
+
+  void stop_line(std::uint32_t line) {
+    stop_[line] = stops_;
+    here_.push_back(line);
+  }
+
+  /// Takes all lines through the stop out of the status and adds them to `here_`. Returns the place
+  /// above them.
+  Place take_out() {
+    const auto known = std::find_if(here_.begin(), here_.end(), [this](std::uint32_t line) {
+      return place_[line] != status_.end();
+    });
+    Place low = known != here_.end() ? place_[*known] : status_.lower_bound(stop_at_);
+    const auto contains_stop = [this](Place p) {
+      return passes_here(*p) || side_of(*p) == Sign::zero;
+    };
+    Place high = low;
+    while (low != status_.begin() && contains_stop(std::prev(low))) --low;
+    while (high != status_.end() && contains_stop(high)) ++high;
+    for (Place p = low; p != high; ++p) {
+      place_[*p] = status_.end();
+      if (!passes_here(*p)) stop_line(*p);
+    }
+    return status_.erase(low, high);
+  }
+
+  /// Puts the lines that go on back below `above` and looks for their next crossings.
+  void put_back(Place above) {
+    add_node();
+    if (at_end_) {
+      std::erase_if(here_, [this](std::uint32_t l) { return lines_[l].b == stop_at_.rounded(); });
+    }
+    std::sort(here_.begin(), here_.end(), [this](std::uint32_t s, std::uint32_t t) {
+      const Sign turn = cross_sign(lines_[s].a, lines_[s].b, lines_[t].a, lines_[t].b);
+      return turn != Sign::zero ? turn == Sign::positive : s < t;
+    });
+    const Place below = above == status_.begin() ? status_.end() : std::prev(above);
+    for (std::uint32_t k = 0; k < here_.size(); ++k) {
+      rank_[here_[k]] = k;
+      place_[here_[k]] = status_.emplace_hint(above, here_[k]);
+    }
+    if (here_.empty()) {
+      if (below != status_.end() && above != status_.end()) look_ahead(*below, *above);
+      return;
+    }
+    if (below != status_.end()) look_ahead(*below, here_.front());
+    if (above != status_.end()) look_ahead(here_.back(), *above);
+  }
+
+  /// Notes where a line crosses the one next above it, if it does.
+  void look_ahead(std::uint32_t below, std::uint32_t above) {
+    const PlainSegment &s = lines_[below], &t = lines_[above];
+    const bool cross = s.b < t.b ? orientation(t.a, t.b, s.b) == Sign::positive
+                                 : orientation(s.a, s.b, t.b) == Sign::negative;
+    if (cross) crossings_.insert({SweepPoint(s, t), below, above});
+  }
+
+  void add_node() {
+    for (const std::uint32_t line : here_) {
+      visits_.emplace_back(line, static_cast<std::uint32_t>(out_.nodes.size()));
+    }
+    out_.nodes.push_back(at_end_ ? stop_at_.rounded() : place_of_crossing());
+  }
+
+  [[nodiscard]] bool is_end(Point p) const {
+    const auto found = std::lower_bound(ends_.begin(), ends_.end(), p,
+                                        [](const End& e, Point q) { return e.at < q; });
+    return found != ends_.end() && found->at == p;
+  }
+
+  [[nodiscard]] Point place_of_crossing() const {
+    const Point rounded = stop_at_.rounded();
+    const auto ends_next_to_it = [&](std::uint32_t line) {
+      return is_next_to(lines_[line].a, rounded) || is_next_to(lines_[line].b, rounded);
+    };
+    if (std::none_of(here_.begin(), here_.end(), ends_next_to_it) || is_end(rounded)) {
+      return rounded;
+    }
+    Point nearest = lines_[here_.front()].a;
+    for (const std::uint32_t line : here_) {
+      for (const Point end : {lines_[line].a, lines_[line].b}) {
+        const Sign order = stop_at_.compare_distances(end, nearest);
+        if (order == Sign::negative || (order == Sign::zero && end < nearest)) nearest = end;
+      }
+    }
+    return is_next_to(nearest, rounded) ? nearest : rounded;
+  }
+
+  /// Sorts the visits by line.
+  Subdivision finish() {
+    out_.first.assign(lines_.size() + 1, 0);
+    for (const auto& [line, node] : visits_) ++out_.first[line + 1];
+    std::partial_sum(out_.first.begin(), out_.first.end(), out_.first.begin());
+    out_.path.resize(visits_.size());
+    std::vector<std::size_t> next(out_.first.begin(), out_.first.end() - 1);
+    for (const auto& [line, node] : visits_) out_.path[next[line]++] = node;
+    return std::move(out_);
+  }
+
+  std::vector<PlainSegment> lines_;  ///< from the smaller end to the larger one
+  std::vector<End> ends_;            ///< sorted
+  std::size_t next_ = 0;             ///< of ends_
+  std::set<Crossing, Earlier> crossings_;
+  Status status_;
+  std::vector<Place> place_;  ///< by line, status_.end() where it is not there
+
+  SweepPoint stop_at_{Point{}};
+  bool at_end_ = false;  ///< a line begins or ends at the stop
+  std::uint32_t stops_ = 0;
+  std::vector<std::uint32_t> here_;  ///< lines through the stop
+  std::vector<std::uint32_t> stop_;  ///< by line: the last stop that it passed
+  std::vector<std::uint32_t> rank_;  ///< by line: place among those through its last stop
+
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> visits_;  ///< line and node
+  Subdivision out_;
+};
 
 }  // namespace
 
-std::vector<SubSegment> subdivide(std::span<const PlainSegment> segments) {
-  std::vector<Traits::Curve_2> curves;
-  curves.reserve(segments.size());
-  for (std::uint32_t k = 0; k < segments.size(); ++k) {
-    const PlainSegment& s = segments[k];
-    curves.emplace_back(Traits::Base_traits_2::Curve_2(Kernel::Point_2(s.a.x, s.a.y),
-                                                       Kernel::Point_2(s.b.x, s.b.y)),
-                        Parents{k, nullptr});
-  }
-  std::vector<Traits::X_monotone_curve_2> pieces;
-  Traits traits;
-  CGAL::compute_subcurves(curves.begin(), curves.end(), std::back_inserter(pieces), false, traits);
-  std::vector<SubSegment> out;
-  out.reserve(pieces.size());
-  for (const auto& piece : pieces) {
-    out.push_back({rounded(piece.left()), rounded(piece.right()), piece.data().list()});
-  }
-  return out;
-}
+Subdivision subdivide(std::span<const PlainSegment> segments) { return Sweep(segments).run(); }
 
 }  // namespace cover

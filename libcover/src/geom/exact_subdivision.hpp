@@ -1,32 +1,43 @@
 // Where segments cut each other, exactly.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include <cover/point.hpp>
 
+#include "geom/sweep_point.hpp"
+
 namespace cover {
 
-/// A segment between two different points.
-struct PlainSegment {
-  Point a;
-  Point b;
+/// The common points of segments, and the way of each segment through them.
+struct Subdivision {
+  std::vector<Point> nodes;         ///< in lexicographic order before they were rounded
+  std::vector<std::uint32_t> path;  ///< nodes, segment by segment, each from its smaller end on
+  std::vector<std::size_t> first;   ///< of segment s: path[first[s], first[s + 1])
+
+  [[nodiscard]] std::span<const std::uint32_t> path_of(std::size_t segment) const {
+    return {path.data() + first[segment], first[segment + 1] - first[segment]};
+  }
 };
 
-/// A maximal piece of segments between two places where anything ends, touches or crosses.
-struct SubSegment {
-  Point left;  ///< the lexicographically smaller end, rounded to the nearest doubles
-  Point right;
-  std::vector<std::uint32_t> parents;  ///< the segments that it is a piece of, ascending
-};
-
-/// Cuts segments at all their common points.
+/// Cuts segments at all their common points: where they cross, touch, begin or end on each other,
+/// and at the ends of what they share.
 ///
-/// EXACT: what meets where is decided exactly and intersections are computed exactly; only the
-///        coordinates given back are rounded, so that pieces may cross or degenerate by rounding.
-/// Cost:  O((n + k) log n) for k common points: a plane sweep, whatever the shape of the segments.
-std::vector<SubSegment> subdivide(std::span<const PlainSegment> segments);
+/// A node is rounded to the nearest doubles; but if one of the segments through it ends within two
+/// units in the last place of that, it is taken for the nearest of their ends, unless some segment
+/// ends at the rounded place itself. (Between two points so near to each other hardly any double is
+/// left, so that a face there could not even be pointed at.)
+/// EXACT:   what meets where, and in which order
+/// ENSURES: where a node lies at an end after rounding, that end is a node with the very same
+///          coordinates; consecutive nodes of a path are nearer to each other than the ends of the
+///          segment, unless there are but two different ones.
+/// Cost:    O((n + k) log n) for k common points: a plane sweep, whatever the shape of the
+/// segments. Ref:     J. L. Bentley, T. A. Ottmann, IEEE Trans. Computers C-28 (1979); degenerate
+/// cases as in
+///          M. de Berg et al., Computational Geometry (2008), sec. 2.1
+Subdivision subdivide(std::span<const PlainSegment> segments);
 
 }  // namespace cover

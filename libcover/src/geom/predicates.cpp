@@ -4,8 +4,8 @@
 // is checked by the size of the permanent. Tested by tests/unit/geom/predicates_test.cpp.
 #include "geom/predicates.hpp"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
 
 #include <cmath>
 
@@ -15,9 +15,9 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Exact = CGAL::Exact_rational;
 
-constexpr double kEpsilon = 0x1p-53;                                     // half an ulp of 1
-constexpr double kOrientationBound = (3 + 16 * kEpsilon) * kEpsilon;     // Shewchuk, fig. 21
-constexpr double kInCircleBound = (10 + 96 * kEpsilon) * kEpsilon;       // Shewchuk, fig. 23
+constexpr double kEpsilon = 0x1p-53;                                  // half an ulp of 1
+constexpr double kOrientationBound = (3 + 16 * kEpsilon) * kEpsilon;  // Shewchuk, fig. 21
+constexpr double kInCircleBound = (10 + 96 * kEpsilon) * kEpsilon;    // Shewchuk, fig. 23
 constexpr double kSafeSmall = 0x1p-900;  // no product of the filters below has lost bits
 
 Sign sign_of(double x) { return x > 0 ? Sign::positive : x < 0 ? Sign::negative : Sign::zero; }
@@ -39,6 +39,14 @@ Sign orientation(Point a, Point b, Point c) {
   const double permanent = std::abs(left) + std::abs(right);
   if (permanent > kSafeSmall && std::abs(det) > kOrientationBound * permanent) return sign_of(det);
   return static_cast<Sign>(static_cast<int>(CGAL::orientation(to_cgal(a), to_cgal(b), to_cgal(c))));
+}
+
+Sign cross_sign(Point a, Point b, Point c, Point d) {
+  const double left = (b.x - a.x) * (d.y - c.y), right = (b.y - a.y) * (d.x - c.x);
+  const double det = left - right, permanent = std::abs(left) + std::abs(right);
+  if (permanent > kSafeSmall && std::abs(det) > kOrientationBound * permanent) return sign_of(det);
+  const ExactVector u(a, b), v(c, d);
+  return sign_of(Exact(u.x * v.y - u.y * v.x));
 }
 
 Sign in_circle(Point a, Point b, Point c, Point d) {

@@ -14,6 +14,12 @@ enum class Sign { negative = -1, zero = 0, positive = 1 };
 /// Cost:  a few flops; big-number arithmetic only where the filter fails.
 Sign orientation(Point a, Point b, Point c);
 
+/// Positive if the direction from c to d is on the left of the one from a to b, zero if they are
+/// parallel.
+///
+/// EXACT: yes
+Sign cross_sign(Point a, Point b, Point c, Point d);
+
 /// Positive if d lies inside the circle through a, b, c.
 ///
 /// REQUIRES: a, b, c counter-clockwise

@@ -1,13 +1,18 @@
 // A pass first asks for the constrained Delaunay triangulation, which is fast and exact and exists
 // only if the edges are clean; only if they are not, the exact sweep cuts them.
-// Tested by tests/unit/region/node_edges_test.cpp.
+//
+// This ends. A common point x of edges is moved by rounding to r, and no end of an edge through x
+// is nearer to x than r is: r is the double nearest to x, or the nearest of these ends. So an edge
+// ab that is cut at x becomes shorter pieces: |ar| <= |ax| + |xr| <= |ax| + |xb| = |ab|, with
+// equality only if r is b and the edge stays as it is; for a piece between two cuts the same holds.
+// At least one edge through x is cut, because r is an end of all of them only where they meet there
+// anyway. Replacing lengths by finitely many smaller ones, out of the finitely many that doubles
+// inside of the drawing's box can have, comes to an end. Tested by
+// tests/unit/region/node_edges_test.cpp.
 #include "region/node_edges.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
-#include <cmath>
-#include <map>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -15,9 +20,6 @@
 
 namespace cover {
 namespace {
-
-/// In practice two or three passes do; see the long run of the soup tests.
-constexpr int kMostPasses = 40;
 
 IndexPair ends(const Strand& s) { return {std::min(s.a, s.b), std::max(s.a, s.b)}; }
 
@@ -37,67 +39,29 @@ void index_edges(Network& network, EdgeGraph& graph) {
   graph.first.push_back(network.strands.size());
 }
 
-/// Whether two points are at most two units in the last place of their coordinates apart.
-bool is_next_to(Point p, Point q) {
-  const double size =
-      std::max(std::max(std::abs(p.x), std::abs(p.y)), std::max(std::abs(q.x), std::abs(q.y)));
-  const double reach = 2 * (std::nextafter(size, HUGE_VAL) - size);
-  return std::abs(p.x - q.x) <= reach && std::abs(p.y - q.y) <= reach;
-}
-
-/// Takes crossings that are next to an end of a line that crosses there for that end: between the
-/// two no double would be left, so that a face there could not even be pointed at.
-class EndSnapper {
- public:
-  EndSnapper(std::span<const PlainSegment> segments, std::span<const SubSegment> pieces) {
-    for (const SubSegment& piece : pieces) {
-      for (const std::uint32_t parent : piece.parents) {
-        look(piece.left, segments[parent]);
-        look(piece.right, segments[parent]);
-      }
-    }
-  }
-  [[nodiscard]] Point snapped(Point p) const {
-    const auto end = end_.find(p);
-    return end == end_.end() ? p : end->second;
-  }
-
- private:
-  void look(Point p, const PlainSegment& s) {
-    if (p == s.a || p == s.b) return;
-    for (const Point end : {s.a, s.b}) {
-      if (!is_next_to(p, end)) continue;
-      const auto [entry, is_new] = end_.emplace(p, end);
-      if (!is_new) entry->second = std::min(entry->second, end);
-    }
-  }
-  std::map<Point, Point> end_;
-};
-
 /// Replaces the strands by their pieces between common points.
 void cut(Network& network, const EdgeGraph& graph) {
   std::vector<PlainSegment> segments;
   segments.reserve(graph.edges.size());
   for (const auto& [a, b] : graph.edges) segments.push_back({network.points[a], network.points[b]});
-  const std::vector<SubSegment> pieces = subdivide(segments);
-  EndSnapper ends_near(segments, pieces);
+  const Subdivision cuts = subdivide(segments);
+  if (cuts.path.size() == 2 * segments.size()) {
+    throw std::logic_error("node_edges: edges in conflict that do not meet");
+  }
 
   PointPool pool;
   for (const Point& p : network.points) pool.index_of(p);
-  const std::size_t given = pool.points().size();
-  // Given points stay where they are, also those on a line next to its end.
-  const auto index_of = [&](Point p) {
-    const std::uint32_t index = pool.index_of(p);
-    return index < given ? index : pool.index_of(ends_near.snapped(p));
-  };
+  std::vector<std::uint32_t> index;  // of the point of each node
+  for (const Point& p : cuts.nodes) index.push_back(pool.index_of(p));
   std::vector<Strand> strands;
-  strands.reserve(pieces.size());
-  for (const SubSegment& piece : pieces) {
-    const std::uint32_t left = index_of(piece.left), right = index_of(piece.right);
-    if (left == right) continue;  // rounded away
-    for (const std::uint32_t parent : piece.parents) {
-      for (const Strand& s : graph.strands(network, parent)) {
-        const bool rightwards = network.points[s.a] < network.points[s.b];
+  strands.reserve(cuts.path.size());
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    const auto path = cuts.path_of(k);
+    for (const Strand& s : graph.strands(network, k)) {
+      const bool rightwards = network.points[s.a] < network.points[s.b];
+      for (std::size_t i = 1; i < path.size(); ++i) {
+        const std::uint32_t left = index[path[i - 1]], right = index[path[i]];
+        if (left == right) continue;  // rounded away
         strands.push_back({rightwards ? left : right, rightwards ? right : left, s.raw});
       }
     }
@@ -110,9 +74,9 @@ void cut(Network& network, const EdgeGraph& graph) {
 
 }  // namespace
 
-Result<EdgeGraph> node_edges(Network& network) {
+EdgeGraph node_edges(Network& network) {
   EdgeGraph graph;
-  for (int pass = 0; pass < kMostPasses; ++pass) {
+  for (;; ++graph.passes) {
     index_edges(network, graph);
     CdtResult cdt = triangulate_hull(network.points, graph.edges);
     if (cdt.conflicts.empty()) {
@@ -121,11 +85,6 @@ Result<EdgeGraph> node_edges(Network& network) {
     }
     cut(network, graph);
   }
-  return Error{
-      ErrorCode::internal,
-      fmt::format("crossing segments do not settle in {} passes of snap rounding", kMostPasses),
-      {},
-      {}};
 }
 
 void compact(Network& network) {

@@ -5,8 +5,6 @@
 #include <span>
 #include <vector>
 
-#include <cover/result.hpp>
-
 #include "cdt/cdt.hpp"
 #include "region/network.hpp"
 
@@ -17,6 +15,7 @@ struct EdgeGraph {
   std::vector<IndexPair> edges;    ///< smaller index first, ascending
   std::vector<std::size_t> first;  ///< of edge k: network.strands[first[k], first[k + 1])
   Triangulation triangulation;     ///< of the hull, with the edges as locked edges
+  int passes = 0;                  ///< that cut anything
 
   /// The strands on edge `k` of the network that the graph was made of.
   [[nodiscard]] std::span<const Strand> strands(const Network& network, std::size_t k) const {
@@ -27,14 +26,13 @@ struct EdgeGraph {
 /// Cuts the strands of `network` at all their common points and sorts them by edge.
 ///
 /// Intersections are computed exactly and rounded to the nearest doubles, or to the end of one of
-/// the lines if that is next to it. Rounding moves pieces by
-/// half a unit in the last place, which may make new crossings; so the pieces are cut again until a
-/// pass finds them clean by exact predicates (iterated snap rounding). Ends of lines never move.
-/// ENSURES: points and edges are a PSLG
-/// Errors:  internal if that does not settle
+/// the lines if that is next to it. Rounding moves pieces by a few units in the last place, which
+/// may make new crossings; so the pieces are cut again until a pass finds them clean by exact
+/// predicates (iterated snap rounding). Ends of lines never move.
+/// ENSURES: points and edges are a PSLG; it always comes to that (node_edges.cpp)
 /// Cost:    O((n + k) log n) a pass for k crossings; one pass per generation of new crossings.
 /// Ref:     D. Halperin, E. Packer, Iterated snap rounding, CGTA 23 (2002)
-Result<EdgeGraph> node_edges(Network& network);
+EdgeGraph node_edges(Network& network);
 
 /// Leaves out the points that no strand ends at.
 void compact(Network& network);

@@ -62,9 +62,8 @@ Result<EdgeGraph> paint_over(const Input& input, const Options& options, Network
   report_splits(input, network, visible, report.changes);
   network = network_of(visible, network);
   // Pieces that were united again may differ from the line they make up by rounding.
-  Result<EdgeGraph> clean = node_edges(network);
-  if (!clean) return clean;
-  painted = paint(input, options.overlap, network, *clean);
+  EdgeGraph clean = node_edges(network);
+  painted = paint(input, options.overlap, network, clean);
   if (!painted) return std::move(painted).error();
   owners = *std::move(painted);
   return clean;
@@ -91,18 +90,18 @@ std::optional<Error> find_seeds_beside_polygons(const Input& input) {
 Result<Pslg> clean_up(const Input& input, const Options& options, Report& report) {
   Network network = gather(input, report.changes);
   const double weld = options.weld.value_or(input.polygons.empty() ? 0 : kAutoWeld);
-  Result<EdgeGraph> graph = weld_and_node(input, weld, network, report.changes);
-  if (graph && cut_at_lone_points(network, *graph)) graph = node_edges(network);
-  if (!graph) return std::move(graph).error();
+  EdgeGraph graph = weld_and_node(input, weld, network, report.changes);
+  if (cut_at_lone_points(network, graph)) graph = node_edges(network);
   std::vector<EdgeOwners> owners;
   if (input.polygons.empty()) {
-    const std::vector<EdgeOwners> none(graph->edges.size(), {kNoIndex, kNoIndex});
-    report_splits(input, network, visible_edges(network, *graph, none, {}), report.changes);
+    const std::vector<EdgeOwners> none(graph.edges.size(), {kNoIndex, kNoIndex});
+    report_splits(input, network, visible_edges(network, graph, none, {}), report.changes);
   } else {
-    graph = paint_over(input, options, network, *graph, owners, report);
-    if (!graph) return std::move(graph).error();
+    Result<EdgeGraph> painted = paint_over(input, options, network, graph, owners, report);
+    if (!painted) return std::move(painted).error();
+    graph = *std::move(painted);
   }
-  return assemble(input, network, *graph, owners);
+  return assemble(input, network, graph, owners);
 }
 
 bool is_empty(const Input& input) {

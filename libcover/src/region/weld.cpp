@@ -272,16 +272,15 @@ class Welder {
 
 }  // namespace
 
-Result<EdgeGraph> weld_and_node(const Input& input, double relative, Network& network,
-                                std::vector<Change>& changes) {
+EdgeGraph weld_and_node(const Input& input, double relative, Network& network,
+                        std::vector<Change>& changes) {
   if (relative <= 0 || network.points.empty()) return node_edges(network);
   const double tolerance = relative * size_of(network.points);
   for (int round = 0;; ++round) {
     Network noded = network;
-    Result<EdgeGraph> graph = node_edges(noded);
-    if (!graph) return graph;
+    EdgeGraph graph = node_edges(noded);
     const std::vector<double> limit = limits(network, tolerance);
-    Search search(network, noded, *graph, limit);
+    Search search(network, noded, graph, limit);
     if (round < kMostRounds) search.run();
     if (!Welder(input, network, limit, changes).weld(search.pairs, search.lines)) {
       network = std::move(noded);

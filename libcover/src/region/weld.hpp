@@ -5,7 +5,6 @@
 
 #include <cover/input.hpp>
 #include <cover/report.hpp>
-#include <cover/result.hpp>
 
 #include "region/network.hpp"
 #include "region/node_edges.hpp"
@@ -26,7 +25,7 @@ inline constexpr double kAutoWeld = 0x1p-30;
 /// Every weld is appended to `changes`.
 /// REQUIRES: one strand per raw line
 /// Cost:     that of node_edges, a pass more for each generation of welds.
-Result<EdgeGraph> weld_and_node(const Input& input, double relative, Network& network,
-                                std::vector<Change>& changes);
+EdgeGraph weld_and_node(const Input& input, double relative, Network& network,
+                        std::vector<Change>& changes);
 
 }  // namespace cover
