@@ -189,7 +189,7 @@ RandomRegion cells(Random& random) {
   }());
   const auto index = [&](double x, double y) {
     return static_cast<std::uint32_t>(
-        std::lower_bound(boundary.points.begin(), boundary.points.end(), Point{x, y}) -
+        std::find(boundary.points.begin(), boundary.points.end(), Point{x, y}) -
         boundary.points.begin());
   };
   for (const auto& [cell, is_full] : full) {
@@ -298,7 +298,7 @@ RandomRegion random_hull(std::mt19937_64& random) {
       }
     }
   }
-  // Keep the points of the region alone; sketch.points are sorted, as those of a boundary.
+  // Keep the points of the region alone.
   std::vector<std::uint32_t> number(used.size(), 0);
   boundary.points.clear();
   boundary.vertices.clear();

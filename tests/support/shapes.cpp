@@ -6,6 +6,8 @@
 #include <map>
 #include <numbers>
 
+#include "geom/spatial_order.hpp"
+
 namespace cover::testing {
 
 RegionBoundary boundary_of(const std::vector<Loop>& loops, const std::vector<Point>& isolated) {
@@ -16,10 +18,12 @@ RegionBoundary boundary_of(const std::vector<Loop>& loops, const std::vector<Poi
   for (const Point& p : isolated) index.emplace(p, 0U);
   RegionBoundary boundary;
   boundary.id = RegionId{1};
-  for (auto& [point, k] : index) {
-    k = static_cast<std::uint32_t>(boundary.points.size());
-    boundary.points.push_back(point);
-    boundary.vertices.emplace_back(k);
+  std::vector<Point> ascending;
+  for (const auto& [point, unused] : index) ascending.push_back(point);
+  for (const std::uint32_t k : spatial_order(ascending)) {
+    index[ascending[k]] = static_cast<std::uint32_t>(boundary.points.size());
+    boundary.vertices.emplace_back(boundary.points.size());
+    boundary.points.push_back(ascending[k]);
   }
   for (const Loop& loop : loops) {
     for (std::size_t i = 0; i < loop.size(); ++i) {

@@ -1,7 +1,8 @@
 // CGAL's Constrained_Delaunay_triangulation_2 with exact predicates and double points.
 // Points go in by CGAL's spatial sort, segments in a fixed mixture of their order; afterwards the
-// faces asked for are copied into plain arrays in the order in which CGAL stores them, a function
-// of the order of points and segments alone. Tested by tests/unit/cdt/cdt_test.cpp.
+// faces asked for are copied into plain arrays, ordered by their first point and then as CGAL
+// stores them, a function of the order of points and segments alone. Tested by
+// tests/unit/cdt/cdt_test.cpp.
 #include "cdt/cdt.hpp"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -139,18 +140,23 @@ class Builder {
   Triangulation copy_marked() {
     Triangulation out;
     out.points.assign(points_.begin(), points_.end());
-    std::vector<FaceHandle> faces;
+    // A counting sort; next[v] becomes the number of the next face with v as its first point.
+    std::vector<std::uint32_t> next(points_.size() + 1, 0);
     for (auto f = cdt_.finite_faces_begin(); f != cdt_.finite_faces_end(); ++f) {
-      if (f->info() == kInside) faces.push_back(f);
+      if (f->info() == kInside) ++next[first_point(f) + 1];
     }
-    for (auto f = cdt_.all_faces_begin(); f != cdt_.all_faces_end(); ++f) f->info() = kNone;
-    for (std::uint32_t k = 0; k < faces.size(); ++k) faces[k]->info() = k;
-    out.triangles.resize(faces.size());
-    for (std::uint32_t k = 0; k < faces.size(); ++k) {
+    for (std::size_t v = 1; v < next.size(); ++v) next[v] += next[v - 1];
+    out.triangles.resize(next.back());
+    for (auto f = cdt_.all_faces_begin(); f != cdt_.all_faces_end(); ++f) {
+      f->info() = f->info() == kInside ? next[first_point(f)]++ : kNone;
+    }
+    for (auto f = cdt_.finite_faces_begin(); f != cdt_.finite_faces_end(); ++f) {
+      if (f->info() == kNone) continue;
+      Triangle& triangle = out.triangles[f->info()];
       for (int i = 0; i < 3; ++i) {
-        out.triangles[k].v[static_cast<std::size_t>(i)] = faces[k]->vertex(i)->info();
-        out.triangles[k].n[static_cast<std::size_t>(i)] = faces[k]->neighbor(i)->info();
-        out.triangles[k].set_locked(i, faces[k]->is_constrained(i));
+        triangle.v[static_cast<std::size_t>(i)] = f->vertex(i)->info();
+        triangle.n[static_cast<std::size_t>(i)] = f->neighbor(i)->info();
+        triangle.set_locked(i, f->is_constrained(i));
       }
     }
     return out;
@@ -158,6 +164,10 @@ class Builder {
 
  private:
   static constexpr std::uint32_t kInside = 1;
+
+  static std::uint32_t first_point(FaceHandle f) {
+    return std::min({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
+  }
 
   void insert_points() {
     std::vector<Kernel::Point_2> sites;

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
 
+#include "base/bucket_queue.hpp"
 #include "cdt/sight.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
@@ -39,8 +39,7 @@ class Refiner {
     Refinement result;
     result.target_reached = true;
     while (!queue_.empty()) {
-      const Bad bad = queue_.top();
-      queue_.pop();
+      const Bad bad = queue_.pop();
       if (version_[bad.triangle] != bad.version) continue;
       if (budget == 0 || stop.stop_requested()) {
         result.target_reached = false;
@@ -50,7 +49,7 @@ class Refiner {
       if (!treat(bad.triangle)) result.target_reached = false;
       // A chord was split far away: the triangle is still there.
       else if (version_[bad.triangle] == bad.version)
-        queue_.push(bad);
+        enqueue(bad.triangle);
     }
     result.splits = sorted_splits();
     if (!result.target_reached) result.blocking = find_blocking();
@@ -58,13 +57,9 @@ class Refiner {
   }
 
  private:
-  /// A triangle with too large an angle; the flattest comes first.
+  /// A triangle with too large an angle.
   struct Bad {
-    double tan_nu;
     std::uint32_t triangle, version;
-    bool operator<(const Bad& other) const {
-      return tan_nu > other.tan_nu || (tan_nu == other.tan_nu && triangle > other.triangle);
-    }
   };
   /// An edge of the rim of a cavity, the cavity on its left.
   struct Rim {
@@ -84,13 +79,15 @@ class Refiner {
     return ea >= eb && ea >= ec ? 0 : eb >= ec ? 1 : 2;
   }
 
+  /// Queues `t` if it has too large an angle; the flattest come first.
   void enqueue(std::uint32_t t) {
     const Triangle& f = cdt_.triangles[t];
     const int i = longest_edge(corner(f, 0), corner(f, 1), corner(f, 2));
     const Vector u = corner(f, next3(i)) - corner(f, i), v = corner(f, prev3(i)) - corner(f, i);
     const double flat = -dot(u, v), area = std::abs(cross(u, v));
     const double target = std::min({tan_target_[f.v[0]], tan_target_[f.v[1]], tan_target_[f.v[2]]});
-    if (flat > 0 && area < target * flat) queue_.push({area / flat, t, version_[t]});
+    if (!(flat > 0 && area < target * flat)) return;
+    queue_.push(kRightAngle + half_octave(area / flat), {t, version_[t]});
   }
 
   /// Targets are below 90 degrees, where the tangent grows.
@@ -352,8 +349,9 @@ class Refiner {
   ChordEdges& edges_;
   std::span<const Chord> chords_;
   RefineGoal goal_;
-  std::vector<double> tan_target_;  ///< by vertex; a triangle has the least of its corners'
-  std::priority_queue<Bad> queue_;
+  std::vector<double> tan_target_;         ///< by vertex; a triangle has the least of its corners'
+  static constexpr int kRightAngle = 120;  ///< bucket of tan nu = 1; the targets lie below
+  BucketQueue<Bad> queue_;
   std::vector<std::uint32_t> version_;    ///< by triangle; an entry of the queue may be out of date
   std::vector<std::uint32_t> in_cavity_;  ///< by triangle: stamp of the last cavity it was in
   std::uint32_t stamp_ = 0;

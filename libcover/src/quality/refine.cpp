@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
+#include "base/bucket_queue.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 
@@ -29,21 +29,14 @@ class Refinement {
     stamp_.assign(mesh_.triangles.size(), 0);
     guarded_.assign(mesh_.triangles.size(), 0);
     guard_forced();
-    shortest_exponent_ = shortest_exponent();
+    shortest_ = shortest_edge();
   }
 
   void run() {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) enqueue(t);
     std::size_t inserted = 0;
-    while (inserted < limits_.budget && first_bucket_ < kBuckets) {
-      Bucket& bucket = buckets_[first_bucket_];
-      if (bucket.head == bucket.entries.size()) {
-        bucket.entries.clear();
-        bucket.head = 0;
-        ++first_bucket_;
-        continue;
-      }
-      const Entry entry = bucket.entries[bucket.head++];
+    while (inserted < limits_.budget && !queue_.empty()) {
+      const Entry entry = queue_.pop();
       if (mesh_.triangles[entry.triangle].v != entry.v) continue;
       if (insert_near(entry.triangle)) ++inserted;
     }
@@ -53,11 +46,6 @@ class Refinement {
   struct Entry {
     std::uint32_t triangle;
     std::array<std::uint32_t, 3> v;
-  };
-  /// A queue of triangles whose shortest edges are alike.
-  struct Bucket {
-    std::vector<Entry> entries;
-    std::size_t head = 0;
   };
   struct LoopEdge {
     std::uint32_t a, b, outer;
@@ -94,9 +82,7 @@ class Refinement {
     // The dot products at the ends of an edge add up to its squared length.
     const double shortest2 =
         std::min({k.dot[0] + k.dot[1], k.dot[1] + k.dot[2], k.dot[2] + k.dot[0]});
-    const std::size_t bucket = bucket_of(shortest2);
-    buckets_[bucket].entries.push_back({t, mesh_.triangles[t].v});
-    first_bucket_ = std::min(first_bucket_, bucket);
+    queue_.push(half_octave(shortest2) - shortest_, {t, mesh_.triangles[t].v});
   }
 
   /// An angle below the limit that is not one between two sides.
@@ -120,15 +106,8 @@ class Refinement {
     return false;
   }
 
-  /// Four buckets per factor of two in length, above the region's shortest edge.
-  [[nodiscard]] std::size_t bucket_of(double length2) const {
-    const int exponent = std::ilogb(length2);
-    const bool upper_half = length2 >= std::ldexp(std::numbers::sqrt2, exponent);
-    const int bucket = 2 * (exponent - shortest_exponent_) + (upper_half ? 1 : 0);
-    return static_cast<std::size_t>(std::clamp(bucket, 0, static_cast<int>(kBuckets) - 1));
-  }
-
-  [[nodiscard]] int shortest_exponent() const {
+  /// The squared length of the shortest edge, as half_octave() measures it.
+  [[nodiscard]] int shortest_edge() const {
     double shortest2 = kInverted;
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
       for (int i = 0; i < 3; ++i) {
@@ -136,7 +115,7 @@ class Refinement {
                              squared_length(mesh_.corner(t, prev3(i)) - mesh_.corner(t, next3(i))));
       }
     }
-    return std::ilogb(shortest2);
+    return half_octave(shortest2);
   }
 
   /// The circumcentre of `t`, or the off-centre of its shortest edge where that is nearer.
@@ -255,10 +234,8 @@ class Refinement {
   RefineLimits limits_;
   SizeField sizes_;
   double off_centre_ = 0;
-  static constexpr std::size_t kBuckets = 128;
-  std::array<Bucket, kBuckets> buckets_;
-  std::size_t first_bucket_ = kBuckets;
-  int shortest_exponent_ = 0;
+  BucketQueue<Entry> queue_;
+  int shortest_ = 0;
   std::vector<std::uint32_t> stamp_;
   std::vector<std::uint8_t> guarded_;
   std::uint32_t round_ = 0;

@@ -17,9 +17,9 @@ inline constexpr SegmentId kHullSide{0xffffffffU};
 
 /// The boundary of one region.
 ///
-/// Vertices are in lexicographic order of their coordinates and sides in lexicographic order of
-/// their indices, so that all that is computed from a boundary depends on its geometry alone and
-/// not on the order of the input.
+/// Vertices are in spatial order (geom/spatial_order.hpp) and sides in lexicographic order of their
+/// indices, so that all that is computed from a boundary depends on its geometry alone and not on
+/// the order of the input, and neighbours are near each other in memory.
 struct RegionBoundary {
   RegionId id;
   std::vector<Point> points;            ///< local vertices: boundary vertices and isolated points

@@ -1,9 +1,10 @@
 // Sides are dealt out to their regions; then each region sorts its own. Vertices are sorted by
-// their rank among all points, so that coordinates are compared in one sort only. Tested by
-// tests/unit/region/split_regions_test.cpp.
+// their rank among all points, so that points are compared in one sort only, and then laid along a
+// curve. Tested by tests/unit/region/split_regions_test.cpp.
 #include <algorithm>
 #include <numeric>
 
+#include "geom/spatial_order.hpp"
 #include "region/region_graph.hpp"
 
 namespace cover {
@@ -72,18 +73,23 @@ class BoundaryMaker {
 
  private:
   void add_vertices(const Pieces& pieces, RegionBoundary& out) {
-    out.vertices = pieces.isolated;
+    std::vector<VertexId> ascending = pieces.isolated;
     for (const GlobalSide& s : pieces.sides) {
-      out.vertices.push_back(s.from);
-      out.vertices.push_back(s.to);
+      ascending.push_back(s.from);
+      ascending.push_back(s.to);
     }
-    std::sort(out.vertices.begin(), out.vertices.end(),
+    std::sort(ascending.begin(), ascending.end(),
               [this](VertexId u, VertexId v) { return rank_[u.index()] < rank_[v.index()]; });
-    out.vertices.erase(std::unique(out.vertices.begin(), out.vertices.end()), out.vertices.end());
-    for (std::uint32_t k = 0; k < out.vertices.size(); ++k) {
-      const std::size_t v = out.vertices[k].index();
-      local_[v] = k;
-      out.points.push_back(pslg_.points[v]);
+    ascending.erase(std::unique(ascending.begin(), ascending.end()), ascending.end());
+    std::vector<Point> points(ascending.size());
+    std::transform(ascending.begin(), ascending.end(), points.begin(),
+                   [this](VertexId v) { return pslg_.points[v.index()]; });
+    out.vertices.reserve(points.size());
+    out.points.reserve(points.size());
+    for (const std::uint32_t k : spatial_order(points)) {
+      local_[ascending[k].index()] = static_cast<std::uint32_t>(out.points.size());
+      out.vertices.push_back(ascending[k]);
+      out.points.push_back(points[k]);
     }
   }
 

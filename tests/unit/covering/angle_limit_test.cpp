@@ -37,7 +37,9 @@ TEST(AngleLimit, SeesSlitsFromBothSides) {
   const AngleLimit limit = limit_of(boundary);
   EXPECT_NEAR(limit.nu, 2 * std::atan(0.125), 1e-15);
   EXPECT_EQ(limit.above_150, 1U);
-  EXPECT_EQ(boundary.sides[limit.worst_side], (IndexPair{2, 4}));  // from (-1, 0) to (1, 0)
+  const auto& [from, to] = boundary.sides[limit.worst_side];
+  EXPECT_EQ(boundary.points[from], (Point{-1, 0}));
+  EXPECT_EQ(boundary.points[to], (Point{1, 0}));
 }
 
 TEST(AngleLimit, CountsAnglesOf120DegreesExactly) {

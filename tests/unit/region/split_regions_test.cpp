@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cdt/cdt.hpp"
+#include "geom/spatial_order.hpp"
 #include "region/pslg.hpp"
 #include "region/region_graph.hpp"
 #include "support/inputs.hpp"
@@ -19,7 +20,10 @@ std::vector<RegionBoundary> split(const Input& input, const Options& options = {
   if (!table) throw std::runtime_error(table.error().message);
   const auto out = split_regions(*pslg, *table);
   for (const RegionBoundary& b : out) {
-    EXPECT_TRUE(std::is_sorted(b.points.begin(), b.points.end()));
+    std::vector<Point> ascending = b.points;
+    std::sort(ascending.begin(), ascending.end());
+    const std::vector<std::uint32_t> order = spatial_order(ascending);
+    for (std::size_t k = 0; k < order.size(); ++k) EXPECT_EQ(b.points[k], ascending[order[k]]);
     EXPECT_TRUE(std::is_sorted(b.sides.begin(), b.sides.end()));
     EXPECT_EQ(b.sides.size(), b.segments.size());
     EXPECT_EQ(b.sides.size(), table->region(b.id).sides);
