@@ -140,9 +140,7 @@ py::object report_of(const PyMesh& mesh) {
 }
 
 void save(const PyMesh& mesh, const std::string& path) {
-  const Status status = path.ends_with(".vtu")   ? write_vtu(mesh.output, path)
-                        : path.ends_with(".vtm") ? write_vtm(mesh.output, path)
-                                                 : write_mesh(mesh.output, path);
+  const Status status = write_mesh(mesh.output, path);
   if (!status) raise(status.error());
 }
 

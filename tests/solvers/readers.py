@@ -31,7 +31,8 @@ def expected(items, key, size):
 TRIANGLES_OF_GROUP = expected(manifest['regions'], 'group', lambda r: r['triangles'])
 TRIANGLES_OF_MATERIAL = expected(manifest['regions'], 'material', lambda r: r['triangles'])
 TRIANGLES_OF_REGION = expected(manifest['regions'], 'id', lambda r: r['triangles'])
-EDGES_OF_GROUP = expected(manifest['lines'], 'group', lambda l: len(l['edges']))
+EDGES_OF_GROUP = count([tag for line in manifest['lines']
+                        for tag in line.get('groups', [line.get('group')] * len(line['edges']))])
 NAMES = {g['name']: g['tag'] for g in manifest['region_groups'] + manifest['line_groups']}
 
 
@@ -71,6 +72,9 @@ def check_points(what, points):
 
 check('a.vtu material', count(vtk_array(grid, 'material')), TRIANGLES_OF_MATERIAL)
 check('a.vtu RegionId', count(vtk_array(grid, 'RegionId')), TRIANGLES_OF_REGION)
+grid = read_vtk(vtk.vtkXMLUnstructuredGridReader(), folder / 'order2.vtu')
+check_points('VTK order2.vtu', vtk_points(grid))
+check('order2.vtu RegionId', count(vtk_array(grid, 'RegionId')), TRIANGLES_OF_REGION)
 
 for name in ('a.vtk', 'lines.vtk', 'order2.vtk'):
     grid = read_vtk(vtk.vtkUnstructuredGridReader(), folder / name)
@@ -81,12 +85,15 @@ for name in ('a.vtk', 'lines.vtk', 'order2.vtk'):
     if name == 'lines.vtk':
         check(f'VTK {name} lines', count(vtk_array(grid, 'LineID')[~is_triangle]), EDGES_OF_GROUP)
 
-blocks = read_vtk(vtk.vtkXMLMultiBlockDataReader(), folder / 'a.vtm')
-for k, (key, items) in enumerate((('regions', manifest['regions']), ('interfaces', manifest['lines']))):
-    check(f'a.vtm {key}', blocks.GetMetaData(k).Get(vtk.vtkCompositeDataSet.NAME()), key)
-    part = blocks.GetBlock(k)
-    sizes = [part.GetBlock(b).GetNumberOfCells() for b in range(part.GetNumberOfBlocks())]
-    check(f'a.vtm {key} sizes', sizes, [i['triangles'] if k == 0 else len(i['edges']) for i in items])
+for name in ('a.vtm', 'order2.vtm'):
+    blocks = read_vtk(vtk.vtkXMLMultiBlockDataReader(), folder / name)
+    for k, (key, groups, sizes) in enumerate((('regions', 'region_groups', TRIANGLES_OF_GROUP),
+                                              ('interfaces', 'line_groups', EDGES_OF_GROUP))):
+        check(f'{name} {key}', blocks.GetMetaData(k).Get(vtk.vtkCompositeDataSet.NAME()), key)
+        part = blocks.GetBlock(k)
+        found = {part.GetMetaData(b).Get(vtk.vtkCompositeDataSet.NAME()): part.GetBlock(b).GetNumberOfCells()
+                 for b in range(part.GetNumberOfBlocks())}
+        check(f'{name} {key} sizes', found, {g['name']: sizes[g['tag']] for g in manifest[groups]})
 
 for name in ('a.ply', 'a.obj'):
     reader = vtk.vtkPLYReader() if name == 'a.ply' else vtk.vtkOBJReader()

@@ -170,7 +170,7 @@ def solve_readers(job):
                           ('v4.msh', ['--msh', '4.1']), ('a.xdmf', []), ('a.mesh', []), ('a.inp', []),
                           ('a.obj', []), ('a.off', []), ('a.ply', []), ('a.ele', [])):
         job.mesh(name, *options)
-    for name in ('order2.vtk', 'order2.msh', 'order2.xdmf', 'order2.mesh', 'order2.ele'):
+    for name in ('order2.vtu', 'order2.vtm', 'order2.vtk', 'order2.msh', 'order2.xdmf', 'order2.mesh', 'order2.ele'):
         job.mesh(name, '--order', '2')
     job.mesh('v4order2.msh', '--order', '2', '--msh', '4.1')
     job.mesh('a.vtu')  # the manifest of first order

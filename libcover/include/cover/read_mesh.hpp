@@ -23,7 +23,8 @@ struct MeshFile {
   std::vector<CellArray> arrays;  ///< every numeric cell array with one component
 };
 
-/// Reads the triangles of a .vtu or of a legacy .vtk file; other cells are left out.
+/// Reads the triangles of a .vtu or of a legacy .vtk file; other cells are left out. Of triangles
+/// with six nodes the corners are taken, and points that are nothing else are left out.
 ///
 /// Errors: cannot_open, syntax, unsupported_format
 Result<MeshFile> read_mesh(const std::string& path);

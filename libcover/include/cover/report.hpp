@@ -16,41 +16,41 @@ namespace cover {
 /// Anything about a region that the user should know of, with its place.
 struct Note {
   enum class Kind {
-    fallback,           ///< the method asked for did not hold and another one was used
-    repair,             ///< rounding broke a construction; mended by rule
-    below_resolution,   ///< an almond too flat for double coordinates (promise 3)
-    target_missed,      ///< a target of the quality method was not reached
-    bound_missed,       ///< promise 3 does not hold: the run is incomplete
-    warning,            ///< near miss, tiny gap, ...
-    change,             ///< the input was changed: split, welded, dropped, merged
+    fallback,          ///< the method asked for did not hold and another one was used
+    repair,            ///< rounding broke a construction; mended by rule
+    below_resolution,  ///< an almond too flat for double coordinates (promise 3)
+    target_missed,     ///< a target of the quality method was not reached
+    bound_missed,      ///< promise 3 does not hold: the run is incomplete
+    warning,           ///< near miss, tiny gap, ...
+    change,            ///< the input was changed: split, welded, dropped, merged
   };
   Kind kind = Kind::warning;
-  RegionId region;            ///< kVoid: the whole input
-  std::string message;        ///< a sentence with coordinates and ids
+  RegionId region;      ///< kVoid: the whole input
+  std::string message;  ///< a sentence with coordinates and ids
   std::vector<Point> where;
 };
 
 /// Something that was done to the input to make a clean PSLG of it.
 struct Change {
   enum class Kind {
-    split,     ///< a segment was cut, where another one crosses or touches it
-    welded,    ///< a point or a segment was moved onto another one
-    dropped,   ///< an element that adds nothing was left out
-    merged,    ///< two elements became one
+    split,    ///< a segment was cut, where another one crosses or touches it
+    welded,   ///< a point or a segment was moved onto another one
+    dropped,  ///< an element that adds nothing was left out
+    merged,   ///< two elements became one
   };
   Kind kind = Kind::split;
-  std::string message;             ///< a sentence with coordinates and ids
+  std::string message;  ///< a sentence with coordinates and ids
   std::vector<Point> where;
-  std::vector<InputRef> inputs;    ///< the elements concerned
+  std::vector<InputRef> inputs;  ///< the elements concerned
 };
 
 /// Angle statistics of a set of triangles.
 /// Largest angles are kept as nu = pi - angle, which stays accurate for flat triangles.
 struct Quality {
   std::size_t triangles = 0;
-  Angle largest_nu = Angle::degrees(180);   ///< pi - largest angle
-  Angle smallest = Angle::degrees(180);     ///< smallest angle
-  std::size_t obtuse = 0;                   ///< triangles above 90 degrees
+  Angle largest_nu = Angle::degrees(180);  ///< pi - largest angle
+  Angle smallest = Angle::degrees(180);    ///< smallest angle
+  std::size_t obtuse = 0;                  ///< triangles above 90 degrees
   std::size_t above_120 = 0;
   std::size_t above_150 = 0;
   std::array<std::size_t, 18> histogram{};  ///< all angles, bins of 10 degrees
@@ -65,6 +65,19 @@ struct BoxMethod {
   double box_area = 0;                 ///< sum of |e| d_e / 2 with unsigned distances
 };
 
+/// How a mesh came about, so that it can be traced.
+struct Provenance {
+  /// An option of the command line and its value.
+  struct Setting {
+    std::string name;
+    std::string value;
+    friend bool operator==(const Setting&, const Setting&) = default;
+  };
+  std::string source;             ///< the input's file as it was named; empty: unknown
+  std::string version;            ///< of cover; empty: unknown
+  std::vector<Setting> settings;  ///< the method, and whatever differs from its default
+};
+
 /// Seconds.
 struct StageTime {
   std::string stage;
@@ -74,18 +87,18 @@ struct StageTime {
 /// One region of the result.
 struct RegionReport {
   RegionId id;
-  std::string method;            ///< which candidate was kept: "cdt", "almond", ...
-  Angle nu_opt;                  ///< B = pi - gamma_opt: no covering mesh has a larger nu
-  Angle nu_bound;                ///< min(B/2, 30 degrees): the promise
+  std::string method;  ///< which candidate was kept: "cdt", "almond", ...
+  Angle nu_opt;        ///< B = pi - gamma_opt: no covering mesh has a larger nu
+  Angle nu_bound;      ///< min(B/2, 30 degrees): the promise
   Quality quality;
   BoxMethod box;
   std::size_t input_vertices = 0;
   std::size_t steiner_vertices = 0;
-  std::size_t forced_above_120 = 0;   ///< sides whose own gamma_opt is above
+  std::size_t forced_above_120 = 0;  ///< sides whose own gamma_opt is above
   std::size_t forced_above_150 = 0;
-  bool bound_held = false;            ///< promise 3, up to rounding of coordinates
+  bool bound_held = false;  ///< promise 3, up to rounding of coordinates
   std::vector<Note> notes;
-  double seconds = 0;                 ///< of one thread
+  double seconds = 0;  ///< of one thread
 
   /// (pi - gamma) / min(B, pi/2): 1 is the optimum.
   [[nodiscard]] double rho() const;
@@ -93,13 +106,14 @@ struct RegionReport {
 
 /// The whole run.
 struct Report {
-  std::vector<RegionReport> regions;   ///< by RegionId - 1
-  Quality quality;                     ///< over all regions
-  std::vector<Note> notes;             ///< about the input as a whole
-  std::vector<Change> changes;         ///< every one; the notes sum them up
+  std::vector<RegionReport> regions;  ///< by RegionId - 1
+  Quality quality;                    ///< over all regions
+  std::vector<Note> notes;            ///< about the input as a whole
+  std::vector<Change> changes;        ///< every one; the notes sum them up
   std::vector<StageTime> times;
-  std::string unit;                    ///< of the coordinates, as "nm"; empty: not said
-  double scale = 1;                    ///< what the file's coordinates were multiplied by
+  Provenance provenance;
+  std::string unit;  ///< of the coordinates, as "nm"; empty: not said
+  double scale = 1;  ///< what the file's coordinates were multiplied by
   std::size_t input_points = 0;
   std::size_t input_segments = 0;
   std::size_t steiner_vertices = 0;

@@ -28,6 +28,9 @@ struct StoredMesh {
   std::vector<Region> regions;        ///< by RegionId - 1; empty: to be made up from the triangles
   std::vector<Interface> interfaces;  ///< by InterfaceId - 1, without their segments
   std::vector<StoredEdge> edges;      ///< of all interfaces
+  Provenance provenance;              ///< and unit and scale: as in Report
+  std::string unit;
+  double scale = 1;
 };
 
 /// Puts a stored mesh together again. The PSLG stays empty and so do the reports of the regions:

@@ -35,10 +35,12 @@ std::vector<std::string> write_formats();
 /// Writes VTK's XML unstructured grid: triangles only, float64 points, raw appended data; cell
 /// arrays material (first, for MFEM), MaterialID, mat_id, RegionId (Int32), max_angle and min_angle
 /// in degrees.
-Status write_vtu(const Output& output, const std::string& path);
+Status write_vtu(const Output& output, const std::string& path, const WriteOptions& options = {});
 
-/// Writes a multi-block file with one named .vtu per region and per interface beside it.
-Status write_vtm(const Output& output, const std::string& path);
+/// Writes a multi-block file with a named .vtu per group of regions and per group of lines beside
+/// it: the groups are those of the physical groups of .msh, so one name is one block. Lines between
+/// two triangles are always there.
+Status write_vtm(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes the clean PSLG as Triangle's .poly, 17 digits, with region and hole seeds.
 Status write_poly(const Pslg& pslg, const RegionTable& table, const std::string& path);

@@ -6,8 +6,8 @@
 #include <map>
 #include <tuple>
 
-#include "geom/vector.hpp"
 #include "base/safe_names.hpp"
+#include "geom/vector.hpp"
 
 namespace cover {
 namespace {
@@ -56,31 +56,28 @@ void group_regions(const RegionTable& table, MeshView& view) {
 struct Line {
   std::uint32_t group = 0;
   InterfaceId interface;
+  int marker = 0;
   Edge edge;
   friend auto operator<=>(const Line& a, const Line& b) {
-    return std::tuple(a.group, a.interface, a.edge.idx()) <=>
-           std::tuple(b.group, b.interface, b.edge.idx());
+    return std::tuple(a.group, a.interface, a.marker, a.edge.idx()) <=>
+           std::tuple(b.group, b.interface, b.marker, b.edge.idx());
   }
 };
 
-/// Names the groups of lines and tells of each interface to which it belongs.
+/// Names the groups of lines and tells of each line to which it belongs.
 class LineGroups {
  public:
-  LineGroups(const RegionTable& table, const MeshView& view) {
-    for (const Interface& line : table.interfaces) {
-      const bool contact = line.kind == InterfaceKind::contact;
-      const auto group = [&](RegionId region) {
-        return contact || region == kVoid ? 0 : 1 + view.region_group[region.index() - 1];
-      };
-      group_of_interface_.push_back(grouping_.find(
-          {line.kind, group(line.left), group(line.right), line.name}, line.name, 0));
-    }
-  }
+  LineGroups(const RegionTable& table, const MeshView& view) : table_(table), view_(view) {}
 
-  /// kNoInterface: a side of the hull that no segment prescribes.
-  std::uint32_t of(InterfaceId line) {
-    return line == kNoInterface ? grouping_.find({InterfaceKind::outline, 0, 0, "hull"}, "hull", 0)
-                                : group_of_interface_[line.index() - 1];
+  /// A contact by its name, a marked line by its marker as if that were the name of a contact, any
+  /// other line by the groups on its sides.
+  std::uint32_t of(InterfaceId id, int marker) {
+    // A side of the hull that no segment prescribes.
+    if (id == kNoInterface) return find({InterfaceKind::outline, 0, 0, "hull"});
+    const Interface& line = table_.interfaces[id.index() - 1];
+    if (line.kind == InterfaceKind::contact) return find({line.kind, 0, 0, line.name});
+    if (marker != 0) return find({InterfaceKind::contact, 0, 0, std::to_string(marker)});
+    return find({line.kind, group_of(line.left), group_of(line.right), line.name});
   }
 
   std::vector<Group> finish(int first_tag) { return grouping_.finish(first_tag); }
@@ -88,8 +85,15 @@ class LineGroups {
  private:
   /// Kind, groups on the left and on the right counted from 1, name.
   using Key = std::tuple<InterfaceKind, std::uint32_t, std::uint32_t, std::string>;
+
+  std::uint32_t find(const Key& key) { return grouping_.find(key, std::get<std::string>(key), 0); }
+  [[nodiscard]] std::uint32_t group_of(RegionId region) const {
+    return region == kVoid ? 0 : 1 + view_.region_group[region.index() - 1];
+  }
+
+  const RegionTable& table_;
+  const MeshView& view_;
   Grouping<Key> grouping_;
-  std::vector<std::uint32_t> group_of_interface_;
 };
 
 /// The half-edge along `edge` with the region on its left that should lie there.
@@ -163,20 +167,34 @@ class Viewer {
   }
 
   void add_lines() {
+    std::vector<Line> lines = all_lines();
+    // Groups are numbered in this order, whichever lines are left out then.
+    std::sort(lines.begin(), lines.end());
     LineGroups groups(table_, view_);
+    for (const bool hull : {false, true}) {
+      for (Line& line : lines) {
+        if ((line.interface == kNoInterface) == hull)
+          line.group = groups.of(line.interface, line.marker);
+      }
+    }
+    view_.line_groups = groups.finish(static_cast<int>(view_.region_groups.size()) + 1);
+    std::sort(lines.begin(), lines.end());
+    view_.lines.nodes_each = options_.order == 2 ? 3 : 2;
+    for (const Line& line : lines) {
+      if (options_.inner_lines || tri_.is_boundary(line.edge)) add_line(line);
+    }
+  }
+
+  /// On interfaces, and on the hull.
+  [[nodiscard]] std::vector<Line> all_lines() const {
     std::vector<Line> lines;
     for (int e = 0; e < static_cast<int>(tri_.n_edges()); ++e) {
       const Edge edge(e);
-      const InterfaceId line = mesh_.interface(edge);
-      const bool outer = tri_.is_boundary(edge);
-      if (line == kNoInterface && !outer) continue;
-      const std::uint32_t group = groups.of(line);
-      if (outer || options_.inner_lines) lines.push_back({group, line, edge});
+      const InterfaceId interface = mesh_.interface(edge);
+      if (interface != kNoInterface || tri_.is_boundary(edge))
+        lines.push_back({0, interface, mesh_.marker(edge), edge});
     }
-    std::sort(lines.begin(), lines.end());
-    view_.line_groups = groups.finish(static_cast<int>(view_.region_groups.size()) + 1);
-    view_.lines.nodes_each = options_.order == 2 ? 3 : 2;
-    for (const Line& line : lines) add_line(line);
+    return lines;
   }
 
   void add_line(const Line& line) {
@@ -188,7 +206,7 @@ class Viewer {
     view_.interface.push_back(line.interface);
     view_.line_group.push_back(line.group);
     view_.inner.push_back(tri_.is_boundary(line.edge) ? 0 : 1);
-    view_.marker.push_back(mesh_.marker(line.edge));
+    view_.marker.push_back(line.marker);
   }
 
   const Mesh& mesh_;

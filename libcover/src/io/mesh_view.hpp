@@ -26,7 +26,7 @@ struct Cells {
 
 /// A named set of regions or of lines: a physical group, an element set, ...
 struct Group {
-  std::string name;      ///< unique_safe_names() of the originals; unique among regions or among lines
+  std::string name;  ///< unique_safe_names() of the originals; unique among regions or among lines
   std::string original;  ///< as the input has it
   int tag = 0;           ///< positive, unique over regions and lines
   int material = 0;      ///< of all its regions; 0 for lines
@@ -35,9 +35,9 @@ struct Group {
 /// The mesh of a run, ready to be written.
 ///
 /// Regions of equal name and material are one group; tags count from 1 in the order of region ids.
-/// Line groups follow: contacts by name; interfaces, outlines and slits by the groups that they
-/// separate. On the left of a line is its lower region that is not the void. Tags are the same
-/// whichever lines are left out.
+/// Line groups follow: contacts by name; lines with a boundary marker by that, which is then their
+/// name; all others by the groups that they separate. On the left of a line is its lower region
+/// that is not the void. Tags are the same whichever lines are left out.
 struct MeshView {
   std::size_t corners = 0;    ///< points that are vertices of the mesh; the others are midpoints
   std::vector<Point> points;  ///< in the order of the mesh

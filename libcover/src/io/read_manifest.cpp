@@ -6,12 +6,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "io/provenance_json.hpp"
 #include "io/text.hpp"
 
 namespace cover {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;  // settings keep their order
 
 InterfaceKind kind_of(const std::string& word) {
   if (word == "outline") return InterfaceKind::outline;
@@ -51,6 +52,14 @@ void add_line(const Json& json, StoredMesh& stored) {
   stored.interfaces[line.id.index() - 1] = std::move(line);
 }
 
+/// What the mesh was made of and how.
+void read_origin(const Json& json, StoredMesh& stored) {
+  stored.provenance = {json.value("source", ""), json.value("cover", ""),
+                       options_of(json.value("options", Json::object()))};
+  stored.unit = json.value("unit", "");
+  stored.scale = json.value("scale", 1.0);
+}
+
 /// Why the manifest is not that of the mesh; empty if it is.
 std::string misfit(const Json& json, const StoredMesh& stored) {
   const Json& counts = json.at("counts");
@@ -81,6 +90,7 @@ Result<bool> read_manifest(const std::string& path, StoredMesh& stored) {
     stored.regions.clear();
     stored.interfaces.clear();
     stored.edges.clear();
+    read_origin(json, stored);
     stored.input_vertices = json.at("counts").at("input_vertices");
     for (const Json& region : json.at("regions")) stored.regions.push_back(region_of(region));
     for (const Json& line : json.at("lines")) add_line(line, stored);

@@ -2,7 +2,11 @@
 // equal meshes have equal manifests; times stand in the report. Angles are in degrees, vertices
 // count from 0 in the order of the mesh.
 //
-//   { "format": "cover mesh manifest", "format_version": 1, "order",
+//   { "format": "cover mesh manifest", "format_version": 1,
+//     "cover": version, "source": the input's file as it was named, "unit", "scale": what its
+//     coordinates were multiplied by, "options": { name: value }: the method, and what differs from
+//     its default; each of them where it is known,
+//     "order",
 //     "counts":  { "points", "vertices", "input_vertices", "steiner_vertices", "triangles",
 //                  "lines", "regions" },
 //     "quality": QUALITY,
@@ -12,17 +16,21 @@
 //                    "quality": QUALITY, "gamma_opt", "bound_held" } ],
 //     "lines":   [ { "id" (0: the hull), "kind", "name", "left", "right", "group": tag, "length",
 //                    "edges": [[a, b], ...] with the left region on the left,
-//                    "markers": [of the input, by edge] where there are any } ],
+//                    "markers": [of the input, by edge] where there are any,
+//                    "groups": [tags, by edge] instead of "group" where they differ } ],
 //     "warnings": [sentences] }
 //
 //   QUALITY  { "largest_angle", "smallest_angle", "obtuse", "above_120", "above_150" }
 //
 // "quality", "gamma_opt" and "bound_held" are left out for a mesh that was read from a file.
 // Tested by tests/unit/io/write_manifest_test.cpp.
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "base/describe.hpp"
 #include "io/mesh_view.hpp"
+#include "io/provenance_json.hpp"
 #include "io/text_writer.hpp"
 
 namespace cover {
@@ -56,6 +64,7 @@ class ManifestWriter {
 
   void write() {
     out_ << "{\n\"format\": \"cover mesh manifest\",\n\"format_version\": 1,\n";
+    provenance();
     member("order", view_.second_order() ? 2 : 1);
     member("counts", counts());
     if (measured()) member("quality", describe_quality(output_.report.quality));
@@ -70,6 +79,15 @@ class ManifestWriter {
  private:
   void member(std::string_view name, const Json& value) {
     out_ << '"' << name << "\": " << text(value) << ",\n";
+  }
+
+  void provenance() {
+    const auto& [source, version, settings] = output_.report.provenance;
+    if (!version.empty()) member("cover", version);
+    if (!source.empty()) member("source", source);
+    if (!output_.report.unit.empty()) member("unit", output_.report.unit);
+    member("scale", output_.report.scale);
+    if (!settings.empty()) member("options", options_json(output_.report.provenance));
   }
 
   void list(std::string_view name, const std::vector<Json>& items, bool is_last = false) {
@@ -141,10 +159,10 @@ class ManifestWriter {
     for (const Interface& line : interfaces) {
       const auto members = edges[line.id.index()];
       if (members.empty()) continue;
-      Json json{{"id", line.id.value()},       {"kind", describe(line.kind)},
-                {"name", line.name},           {"left", line.left.value()},
-                {"right", line.right.value()}, {"group", view_.group_of_line(members.front()).tag},
-                {"length", line.length},       {"edges", ends(members)}};
+      Json json{{"id", line.id.value()},     {"kind", describe(line.kind)}, {"name", line.name},
+                {"left", line.left.value()}, {"right", line.right.value()}, {"length", line.length},
+                {"edges", ends(members)}};
+      add_groups(members, json);
       if (Json marks = markers(members); !marks.empty()) json["markers"] = std::move(marks);
       list.push_back(std::move(json));
     }
@@ -157,6 +175,17 @@ class ManifestWriter {
     for (const std::size_t l : lines)
       list.push_back(Json::array({view_.lines[l][0], view_.lines[l][1]}));
     return list;
+  }
+
+  /// Lines with boundary markers may be in other groups than the rest of their interface.
+  void add_groups(std::span<const std::size_t> lines, Json& json) const {
+    Json tags = Json::array();
+    for (const std::size_t l : lines) tags.push_back(view_.group_of_line(l).tag);
+    if (std::all_of(tags.begin(), tags.end(), [&](const Json& tag) { return tag == tags[0]; })) {
+      json["group"] = tags[0];
+    } else {
+      json["groups"] = std::move(tags);
+    }
   }
 
   /// Boundary markers of the input, by edge; empty where it has none.

@@ -2,7 +2,8 @@
 // units of the input; ids are those of the library (regions and interfaces count from 1).
 //
 //   { "format": "cover report", "version": 1,
-//     "input":  { "unit", "scale", "points", "segments", "void_points": [ids],
+//     "cover": version, "options": { name: value } as in the manifest,
+//     "input":  { "source", "unit", "scale", "points", "segments", "void_points": [ids],
 //                 "void_segments": n },
 //     "mesh":   { "vertices", "edges", "triangles", "steiner_vertices" },
 //     "overall": LIMITS + QUALITY + { "bound_held": regions, "bound_missed": [region ids],
@@ -31,6 +32,7 @@
 
 #include "base/describe.hpp"
 #include "io/atomic_file.hpp"
+#include "io/provenance_json.hpp"
 
 namespace cover {
 namespace {
@@ -224,7 +226,8 @@ Json input_json(const Output& output) {
   for (const VertexId v : output.table.void_points) {
     void_points.push_back(output.pslg.point_ids[v.index()]);
   }
-  return {{"unit", output.report.unit},
+  return {{"source", output.report.provenance.source},
+          {"unit", output.report.unit},
           {"scale", output.report.scale},
           {"points", output.report.input_points},
           {"segments", output.report.input_segments},
@@ -243,6 +246,8 @@ Json mesh_json(const Output& output) {
 Json to_json(const Output& output) {
   const Report& report = output.report;
   Json out{{"format", "cover report"}, {"version", 1}};
+  out["cover"] = report.provenance.version;
+  out["options"] = options_json(report.provenance);
   out["input"] = input_json(output);
   out["mesh"] = mesh_json(output);
   out["overall"] = overall_json(report);

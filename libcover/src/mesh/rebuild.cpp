@@ -25,6 +25,9 @@ class Rebuilder {
   Result<Output> run() {
     if (!builder_.is_mesh()) return wrong("triangles overlap: two of them share a directed edge");
     out_.mesh = builder_.build();
+    out_.report.provenance = stored_.provenance;
+    out_.report.unit = stored_.unit;
+    out_.report.scale = stored_.scale;
     out_.table.regions = stored_.regions;
     if (stored_.regions.empty()) make_up_regions();
     set_faces();

@@ -6,9 +6,12 @@
 // vertex id; results lie in region order, so the mesh does not depend on the schedule.
 #include <cover/cover_mesh.hpp>
 
+#include <cover/version.hpp>
+
 #include "covering/measure.hpp"
 #include "mesh/stitch.hpp"
 #include "pipeline/check_options.hpp"
+#include "pipeline/describe_options.hpp"
 #include "pipeline/nonobtuse.hpp"
 #include "pipeline/region_task.hpp"
 #include "pipeline/stage_clock.hpp"
@@ -25,6 +28,7 @@ Result<Prepared> find_regions(const Input& input, const Options& options, StageC
   if (Status status = check_options(options); !status) return std::move(status).error();
   Prepared prepared;
   Report& report = prepared.report;
+  report.provenance = {input.source, COVER_VERSION, describe_options(options)};
   report.unit = input.unit;
   report.scale = input.scale;
   for (const std::string& warning : input.warnings)

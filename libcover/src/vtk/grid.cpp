@@ -19,77 +19,71 @@
 namespace cover {
 namespace {
 
-vtkSmartPointer<vtkPoints> points_of(const TriMesh& tri) {
+/// The cells `chosen` of `cells`, with the numbers of their nodes in the whole mesh.
+Cells some_of(const Cells& cells, std::span<const std::size_t> chosen) {
+  Cells some{cells.nodes_each, {}};
+  some.nodes.reserve(cells.nodes_each * chosen.size());
+  for (const std::size_t k : chosen) {
+    const auto nodes = cells[k];
+    some.nodes.insert(some.nodes.end(), nodes.begin(), nodes.end());
+  }
+  return some;
+}
+
+vtkSmartPointer<vtkPoints> points_of(const std::vector<Point>& points) {
   auto coordinates = vtkSmartPointer<vtkDoubleArray>::New();
   coordinates->SetNumberOfComponents(3);
-  const auto values = static_cast<vtkIdType>(3 * tri.n_vertices());
-  if (values > 0) {
-    // VTK wants a pointer to mutable data, but only reads it; 1: the memory stays ours.
-    coordinates->SetArray(const_cast<double*>(tri.points()->data()), values, 1);
+  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(points.size()));
+  double* out = coordinates->GetPointer(0);
+  for (const Point& p : points) {
+    *out++ = p.x;
+    *out++ = p.y;
+    *out++ = 0;
   }
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetData(coordinates);
-  return points;
+  auto result = vtkSmartPointer<vtkPoints>::New();
+  result->SetData(coordinates);
+  return result;
 }
 
-/// Cells of `N` corners each, as indices of vertices.
-template <std::size_t N>
-using Corners = std::vector<std::array<int, N>>;
-
-Corners<3> corners_of(const TriMesh& tri, std::span<const TriMesh::FaceHandle> faces) {
-  Corners<3> corners;
-  corners.reserve(faces.size());
-  for (const TriMesh::FaceHandle face : faces) {
-    const auto h = tri.halfedge_handle(face);
-    corners.push_back({tri.from_vertex_handle(h).idx(), tri.to_vertex_handle(h).idx(),
-                       tri.to_vertex_handle(tri.next_halfedge_handle(h)).idx()});
-  }
-  return corners;
-}
-
-template <std::size_t N>
-vtkSmartPointer<vtkCellArray> cells_of(const Corners<N>& corners) {
+vtkSmartPointer<vtkCellArray> cells_of(const Cells& cells) {
   auto connectivity = vtkSmartPointer<vtkTypeInt64Array>::New();
+  connectivity->SetNumberOfValues(static_cast<vtkIdType>(cells.nodes.size()));
+  std::copy(cells.nodes.begin(), cells.nodes.end(), connectivity->GetPointer(0));
   auto offsets = vtkSmartPointer<vtkTypeInt64Array>::New();
-  const auto size = static_cast<vtkIdType>(corners.size());
-  connectivity->SetNumberOfValues(static_cast<vtkIdType>(N) * size);
+  const auto size = static_cast<vtkIdType>(cells.size());
   offsets->SetNumberOfValues(size + 1);
-  vtkIdType k = 0;
-  for (vtkIdType c = 0; c < size; ++c) {
-    offsets->SetValue(c, k);
-    for (const int v : corners[static_cast<std::size_t>(c)]) connectivity->SetValue(k++, v);
-  }
-  offsets->SetValue(size, k);
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->SetData(offsets, connectivity);
-  return cells;
+  for (vtkIdType c = 0; c <= size; ++c)
+    offsets->SetValue(c, c * static_cast<vtkIdType>(cells.nodes_each));
+  auto array = vtkSmartPointer<vtkCellArray>::New();
+  array->SetData(offsets, connectivity);
+  return array;
 }
 
-/// A grid of its own points: those of `corners`, in the order of their numbers in the whole mesh,
-/// which the point array GlobalNodeId keeps. Renumbers `corners`.
-template <std::size_t N>
-vtkSmartPointer<vtkUnstructuredGrid> part_of(const TriMesh& tri, Corners<N>& corners, int type) {
-  std::vector<int> vertices;
-  for (const auto& cell : corners) vertices.insert(vertices.end(), cell.begin(), cell.end());
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  for (auto& cell : corners) {
-    for (int& v : cell) {
-      v = static_cast<int>(std::lower_bound(vertices.begin(), vertices.end(), v) -
-                           vertices.begin());
-    }
+int type_of_triangles(const MeshView& view) {
+  return view.second_order() ? VTK_QUADRATIC_TRIANGLE : VTK_TRIANGLE;
+}
+
+/// A grid of its own points: those of `cells`, in the order of their numbers in the whole mesh,
+/// which the point array GlobalNodeId keeps.
+vtkSmartPointer<vtkUnstructuredGrid> part_of(const MeshView& view, Cells cells, int type) {
+  std::vector<std::uint32_t> numbers = cells.nodes;
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  for (std::uint32_t& node : cells.nodes) {
+    node = static_cast<std::uint32_t>(std::lower_bound(numbers.begin(), numbers.end(), node) -
+                                      numbers.begin());
   }
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetDataTypeToDouble();
+  std::vector<Point> points;
+  points.reserve(numbers.size());
   auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
   ids->SetName("GlobalNodeId");
-  for (const int v : vertices) {
-    points->InsertNextPoint(tri.point(TriMesh::VertexHandle(v)).data());
-    ids->InsertNextValue(v);
+  for (const std::uint32_t number : numbers) {
+    points.push_back(view.points[number]);
+    ids->InsertNextValue(number);
   }
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  grid->SetPoints(points);
-  grid->SetCells(type, cells_of(corners));
+  grid->SetPoints(points_of(points));
+  grid->SetCells(type, cells_of(cells));
   grid->GetPointData()->SetGlobalIds(ids);
   return grid;
 }
@@ -107,14 +101,10 @@ vtkSmartPointer<Array> cell_array(const char* name, const Items& items, Value va
 }
 
 /// The largest and the smallest angle of a triangle, in degrees.
-std::array<double, 2> extreme_angles(const TriMesh& tri, const std::array<int, 3>& cell) {
-  std::array<Point, 3> p;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const TriMesh::Point& q = tri.point(TriMesh::VertexHandle(cell[i]));
-    p[i] = {q[0], q[1]};
-  }
-  const std::array angles{angle_at(p[1], p[0], p[2]), angle_at(p[2], p[1], p[0]),
-                          angle_at(p[0], p[2], p[1])};
+std::array<double, 2> extreme_angles(const MeshView& view, std::size_t triangle) {
+  const auto corners = view.triangles[triangle];
+  const Point p = view.points[corners[0]], q = view.points[corners[1]], r = view.points[corners[2]];
+  const std::array angles{angle_at(q, p, r), angle_at(r, q, p), angle_at(p, r, q)};
   const auto [low, high] = std::minmax_element(angles.begin(), angles.end());
   return {Angle::radians(*high).in_degrees(), Angle::radians(*low).in_degrees()};
 }
@@ -125,75 +115,59 @@ std::array<double, 2> extreme_angles(const TriMesh& tri, const std::array<int, 3
 /// Their order is one that meshio can read. It replaces the offset of each appended array by a
 /// larger one, 4/3 of it, and then takes the first array that has the next offset it looks for:
 /// with four arrays of integers in front, every third mesh came out wrong or not at all.
-void add_face_arrays(const Mesh& mesh, std::span<const TriMesh::FaceHandle> faces,
-                     const Corners<3>& corners, vtkCellData* data) {
-  using Face = TriMesh::FaceHandle;
+void add_triangle_arrays(const MeshView& view, std::span<const std::size_t> triangles,
+                         vtkCellData* data) {
   std::vector<std::array<double, 2>> angles;
-  angles.reserve(corners.size());
-  for (const auto& cell : corners) angles.push_back(extreme_angles(mesh.tri(), cell));
-  const auto material = [&](Face f) { return mesh.material(f); };
-  const auto region = [&](Face f) { return static_cast<int>(mesh.region(f).value()); };
+  angles.reserve(triangles.size());
+  for (const std::size_t t : triangles) angles.push_back(extreme_angles(view, t));
+  const auto material = [&](std::size_t t) { return view.material[t]; };
+  const auto region = [&](std::size_t t) { return static_cast<int>(view.region[t].value()); };
   const auto largest = [](const std::array<double, 2>& angle) { return angle[0]; };
   const auto smallest = [](const std::array<double, 2>& angle) { return angle[1]; };
-  data->SetScalars(cell_array<vtkIntArray>("material", faces, material));
-  data->AddArray(cell_array<vtkIntArray>("MaterialID", faces, material));
+  data->SetScalars(cell_array<vtkIntArray>("material", triangles, material));
+  data->AddArray(cell_array<vtkIntArray>("MaterialID", triangles, material));
   data->AddArray(cell_array<vtkDoubleArray>("max_angle", angles, largest));
-  data->AddArray(cell_array<vtkIntArray>("mat_id", faces, material));
-  data->AddArray(cell_array<vtkIntArray>("RegionId", faces, region));
+  data->AddArray(cell_array<vtkIntArray>("mat_id", triangles, material));
+  data->AddArray(cell_array<vtkIntArray>("RegionId", triangles, region));
   data->AddArray(cell_array<vtkDoubleArray>("min_angle", angles, smallest));
-}
-
-/// The half-edge of `edge` with the left region of `line` on its left.
-TriMesh::HalfedgeHandle directed(const Mesh& mesh, const Interface& line,
-                                 TriMesh::EdgeHandle edge) {
-  const auto h = mesh.tri().halfedge_handle(edge, 0);
-  const auto face = mesh.tri().face_handle(h);
-  return face.is_valid() && mesh.region(face) == line.left ? h
-                                                           : mesh.tri().halfedge_handle(edge, 1);
 }
 
 }  // namespace
 
-vtkSmartPointer<vtkUnstructuredGrid> grid_of(const Mesh& mesh) {
-  const TriMesh& tri = mesh.tri();
-  std::vector<TriMesh::FaceHandle> faces(tri.faces_begin(), tri.faces_end());
-  const Corners<3> corners = corners_of(tri, faces);
+vtkSmartPointer<vtkUnstructuredGrid> grid_of(const MeshView& view) {
+  std::vector<std::size_t> all(view.triangles.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  grid->SetPoints(points_of(tri));
-  grid->SetCells(VTK_TRIANGLE, cells_of(corners));
-  add_face_arrays(mesh, faces, corners, grid->GetCellData());
+  grid->SetPoints(points_of(view.points));
+  grid->SetCells(type_of_triangles(view), cells_of(view.triangles));
+  add_triangle_arrays(view, all, grid->GetCellData());
   return grid;
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> grid_of_region(const Mesh& mesh,
-                                                    std::span<const TriMesh::FaceHandle> faces) {
-  const Corners<3> corners = corners_of(mesh.tri(), faces);
-  Corners<3> local = corners;
-  auto grid = part_of(mesh.tri(), local, VTK_TRIANGLE);
-  add_face_arrays(mesh, faces, corners, grid->GetCellData());
+vtkSmartPointer<vtkUnstructuredGrid> grid_of_triangles(const MeshView& view,
+                                                       std::span<const std::size_t> triangles) {
+  auto grid = part_of(view, some_of(view.triangles, triangles), type_of_triangles(view));
+  add_triangle_arrays(view, triangles, grid->GetCellData());
   return grid;
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> grid_of_interface(const Mesh& mesh, const Interface& line,
-                                                       std::span<const TriMesh::EdgeHandle> edges) {
-  Corners<2> corners;
-  for (const TriMesh::EdgeHandle edge : edges) {
-    const auto h = directed(mesh, line, edge);
-    corners.push_back(
-        {mesh.tri().from_vertex_handle(h).idx(), mesh.tri().to_vertex_handle(h).idx()});
-  }
-  auto grid = part_of(mesh.tri(), corners, VTK_LINE);
-  const auto constant = [](auto id) {
-    return [value = static_cast<int>(id.value())](TriMesh::EdgeHandle) { return value; };
+vtkSmartPointer<vtkUnstructuredGrid> grid_of_lines(const MeshView& view, const RegionTable& table,
+                                                   std::span<const std::size_t> lines) {
+  auto grid = part_of(view, some_of(view.lines, lines),
+                      view.second_order() ? VTK_QUADRATIC_EDGE : VTK_LINE);
+  const auto number = [](auto id) { return static_cast<int>(id.value()); };
+  const auto line = [&](std::size_t l) -> const Interface& {
+    return table.interfaces[view.interface[l].index() - 1];
   };
-  vtkCellData* data = grid->GetCellData();
-  data->SetScalars(cell_array<vtkIntArray>("LineID", edges, constant(line.id)));
-  data->AddArray(cell_array<vtkIntArray>("LeftRegion", edges, constant(line.left)));
-  data->AddArray(cell_array<vtkIntArray>("RightRegion", edges, constant(line.right)));
-  data->AddArray(cell_array<vtkIntArray>(
-      "LineKind", edges, [&](TriMesh::EdgeHandle) { return static_cast<int>(line.kind); }));
-  data->AddArray(cell_array<vtkIntArray>("marker", edges,
-                                         [&](TriMesh::EdgeHandle e) { return mesh.marker(e); }));
+  const auto add = [&](const char* name, auto value) {
+    grid->GetCellData()->AddArray(cell_array<vtkIntArray>(name, lines, value));
+  };
+  add("LineID", [&](std::size_t l) { return number(view.interface[l]); });
+  add("LeftRegion", [&](std::size_t l) { return number(line(l).left); });
+  add("RightRegion", [&](std::size_t l) { return number(line(l).right); });
+  add("LineKind", [&](std::size_t l) { return static_cast<int>(line(l).kind); });
+  add("marker", [&](std::size_t l) { return view.marker[l]; });
+  grid->GetCellData()->SetActiveScalars("LineID");
   return grid;
 }
 

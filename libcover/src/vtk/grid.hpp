@@ -7,25 +7,27 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLWriter.h>
 
-#include <cover/mesh.hpp>
 #include <cover/regions.hpp>
+
+#include "io/mesh_view.hpp"
 
 namespace cover {
 
-/// All triangles of `mesh`, with the cell arrays that write_vtu() promises.
+/// All triangles, with the cell arrays that write_vtu() promises.
+vtkSmartPointer<vtkUnstructuredGrid> grid_of(const MeshView& view);
+
+/// Some triangles, with the same arrays and the point array GlobalNodeId: the number of a point in
+/// the whole mesh.
+vtkSmartPointer<vtkUnstructuredGrid> grid_of_triangles(const MeshView& view,
+                                                       std::span<const std::size_t> triangles);
+
+/// Some lines, with their left region on the left. Cell arrays LineID (InterfaceId), LeftRegion,
+/// RightRegion, LineKind (0 interface, 1 outline, 2 slit, 3 contact), marker; point array
+/// GlobalNodeId.
 ///
-/// The grid refers to the coordinates of `mesh`, which must outlive it.
-vtkSmartPointer<vtkUnstructuredGrid> grid_of(const Mesh& mesh);
-
-/// The triangles of one region, with the same arrays and the point array GlobalNodeId: the vertex's
-/// number in the whole mesh. `faces` are those of the region.
-vtkSmartPointer<vtkUnstructuredGrid> grid_of_region(const Mesh& mesh,
-                                                    std::span<const TriMesh::FaceHandle> faces);
-
-/// The edges of one interface as lines with the interface's left region on their left. Cell arrays
-/// LineID, LeftRegion, RightRegion, LineKind (0 interface, 1 outline, 2 slit, 3 contact), marker; point array GlobalNodeId.
-vtkSmartPointer<vtkUnstructuredGrid> grid_of_interface(const Mesh& mesh, const Interface& line,
-                                                       std::span<const TriMesh::EdgeHandle> edges);
+/// REQUIRES: each of them is on an interface
+vtkSmartPointer<vtkUnstructuredGrid> grid_of_lines(const MeshView& view, const RegionTable& table,
+                                                   std::span<const std::size_t> lines);
 
 /// How all our files of VTK's XML formats are written: raw appended data, 64-bit sizes, not
 /// compressed.

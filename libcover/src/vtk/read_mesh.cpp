@@ -16,6 +16,7 @@
 #include <vtkUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
+#include "io/second_order.hpp"
 #include "vtk/read_quietly.hpp"
 
 namespace cover {
@@ -24,7 +25,8 @@ namespace {
 std::vector<vtkIdType> triangle_cells(vtkUnstructuredGrid& grid) {
   std::vector<vtkIdType> cells;
   for (vtkIdType c = 0; c < grid.GetNumberOfCells(); ++c) {
-    if (grid.GetCellType(c) == VTK_TRIANGLE) cells.push_back(c);
+    const int type = grid.GetCellType(c);
+    if (type == VTK_TRIANGLE || type == VTK_QUADRATIC_TRIANGLE) cells.push_back(c);
   }
   return cells;
 }
@@ -87,15 +89,15 @@ Result<MeshFile> read_mesh(const std::string& path) {
     grid->GetPoint(p, x.data());
     mesh.soup.points.push_back({x[0], x[1]});
   }
-  vtkNew<vtkIdList> corners;
+  vtkNew<vtkIdList> nodes;
+  std::vector<std::uint32_t> midpoints;
   for (const vtkIdType c : cells) {
-    grid->GetCellPoints(c, corners);
-    std::array<std::uint32_t, 3> triangle{};
-    for (int i = 0; i < 3; ++i) {
-      triangle[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(corners->GetId(i));
-    }
-    mesh.soup.triangles.push_back(triangle);
+    grid->GetCellPoints(c, nodes);
+    const auto node = [&](vtkIdType i) { return static_cast<std::uint32_t>(nodes->GetId(i)); };
+    mesh.soup.triangles.push_back({node(0), node(1), node(2)});
+    for (vtkIdType i = 3; i < nodes->GetNumberOfIds(); ++i) midpoints.push_back(node(i));
   }
+  if (!midpoints.empty()) drop_midpoints(midpoints, mesh.soup);
   mesh.arrays = cell_arrays(*grid, cells);
   mesh.soup.region = integers(mesh.arrays, {"RegionId"});
   mesh.soup.material =

@@ -3,6 +3,7 @@
 // tests/unit/vtk/read_output_test.cpp.
 #include <algorithm>
 #include <filesystem>
+#include <numeric>
 #include <optional>
 
 #include <fmt/format.h>
@@ -20,6 +21,7 @@
 #include <cover/stored_mesh.hpp>
 
 #include "io/read_manifest.hpp"
+#include "io/second_order.hpp"
 #include "vtk/quiet_vtk.hpp"
 
 namespace cover {
@@ -55,57 +57,80 @@ std::vector<Block> blocks_of(vtkMultiBlockDataSet& root, const std::string& grou
 /// Gathers the blocks of a .vtm into one mesh again, by the numbers that vertices have in it.
 class BlockReader {
  public:
-  explicit BlockReader(StoredMesh& stored) : stored_(stored) {}
+  /// `most` is above any number of a vertex, a region or an interface: what the blocks have in all.
+  BlockReader(StoredMesh& stored, std::uint32_t most) : stored_(stored), most_(most) {}
 
   /// False if an array that write_vtm() writes is missing.
-  bool add_region(const Block& block) {
+  bool add_regions(const Block& block) {
     if (!block.grid || !start(*block.grid)) return false;
     vtkDataArray* region = array("RegionId");
     vtkDataArray* material = array("material");
-    if (region == nullptr || material == nullptr || block.grid->GetNumberOfCells() == 0)
-      return false;
-    Region entry;
-    entry.id = RegionId(static_cast<std::uint32_t>(region->GetTuple1(0)));
-    entry.material = static_cast<int>(material->GetTuple1(0));
-    entry.name = block.name;
-    entry.material_name = fmt::format("material_{}", entry.material);
-    stored_.regions.push_back(entry);
-    vtkNew<vtkIdList> ids;
+    if (region == nullptr || material == nullptr) return false;
     for (vtkIdType c = 0; c < grid_->GetNumberOfCells(); ++c) {
-      grid_->GetCellPoints(c, ids);
-      if (ids->GetNumberOfIds() != 3) return false;
-      stored_.soup.triangles.push_back(
-          {vertex(ids->GetId(0)), vertex(ids->GetId(1)), vertex(ids->GetId(2))});
-      stored_.soup.region.push_back(entry.id.value());
-      stored_.soup.material.push_back(entry.material);
+      if (!take_nodes(c, 3)) return false;
+      const std::uint32_t id = number(*region, c);
+      if (id == 0 || id > most_) return false;
+      const int of_material = static_cast<int>(number(*material, c));
+      stored_.soup.triangles.push_back({nodes_[0], nodes_[1], nodes_[2]});
+      stored_.soup.region.push_back(id);
+      stored_.soup.material.push_back(of_material);
+      if (stored_.regions.size() < id) stored_.regions.resize(id);
+      Region& entry = stored_.regions[id - 1];
+      if (entry.material != 0) continue;
+      entry.id = RegionId(id);
+      entry.material = of_material;
+      entry.name = block.name;
+      entry.material_name = fmt::format("material_{}", of_material);
     }
     return true;
   }
 
-  bool add_interface(const Block& block) {
+  bool add_lines(const Block& block) {
     if (!block.grid || !start(*block.grid)) return false;
+    vtkDataArray* line = array("LineID");
     vtkDataArray* left = array("LeftRegion");
     vtkDataArray* right = array("RightRegion");
     vtkDataArray* kind = array("LineKind");
     vtkDataArray* marker = array("marker");
-    if (left == nullptr || right == nullptr || kind == nullptr || marker == nullptr) return false;
-    Interface line;
-    line.id = InterfaceId(stored_.interfaces.size() + 1);
-    line.name = block.name;
-    if (grid_->GetNumberOfCells() > 0) {
-      line.left = RegionId(static_cast<std::uint32_t>(left->GetTuple1(0)));
-      line.right = RegionId(static_cast<std::uint32_t>(right->GetTuple1(0)));
-      line.kind = static_cast<InterfaceKind>(static_cast<int>(kind->GetTuple1(0)));
-    }
-    vtkNew<vtkIdList> ids;
+    if (line == nullptr || left == nullptr || right == nullptr || kind == nullptr ||
+        marker == nullptr)
+      return false;
     for (vtkIdType c = 0; c < grid_->GetNumberOfCells(); ++c) {
-      grid_->GetCellPoints(c, ids);
-      if (ids->GetNumberOfIds() != 2) return false;
-      stored_.edges.push_back({vertex(ids->GetId(0)), vertex(ids->GetId(1)), line.id,
-                               static_cast<int>(marker->GetTuple1(c))});
+      if (!take_nodes(c, 2)) return false;
+      const std::uint32_t id = number(*line, c);
+      if (id == 0 || id > most_) return false;
+      const int mark = static_cast<int>(marker->GetTuple1(c));
+      stored_.edges.push_back({nodes_[0], nodes_[1], InterfaceId(id), mark});
+      if (stored_.interfaces.size() < id) stored_.interfaces.resize(id);
+      Interface& entry = stored_.interfaces[id - 1];
+      entry.id = InterfaceId(id);
+      entry.left = RegionId(number(*left, c));
+      entry.right = RegionId(number(*right, c));
+      entry.kind = static_cast<InterfaceKind>(number(*kind, c) % 4);
+      // The block of marked lines is named after the marker, that of the others after the
+      // interface.
+      if (entry.name.empty() || mark == 0) entry.name = block.name;
     }
-    stored_.interfaces.push_back(std::move(line));
     return true;
+  }
+
+  /// To be called after the last block: triangles in their order again, midpoints left out.
+  void finish() {
+    TriangleSoup& soup = stored_.soup;
+    std::vector<std::size_t> order(soup.triangles.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return soup.region[a] < soup.region[b]; });
+    const TriangleSoup before = soup;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      soup.triangles[k] = before.triangles[order[k]];
+      soup.region[k] = before.region[order[k]];
+      soup.material[k] = before.material[order[k]];
+    }
+    if (midpoints_.empty()) return;
+    const std::vector<std::uint32_t> renumbered = drop_midpoints(midpoints_, soup);
+    for (StoredEdge& edge : stored_.edges)
+      edge = {renumbered[edge.a], renumbered[edge.b], edge.interface, edge.marker};
   }
 
  private:
@@ -117,25 +142,41 @@ class BlockReader {
       return false;
     auto& points = stored_.soup.points;
     for (vtkIdType p = 0; p < grid.GetNumberOfPoints(); ++p) {
-      const double number = global_->GetTuple1(p);
-      if (!(number >= 0 && number < 1e9)) return false;
-      const std::size_t v = vertex(p);
+      const std::uint32_t v = number(*global_, p);
+      if (v > most_) return false;
       if (points.size() <= v) points.resize(v + 1);
       points[v] = {grid.GetPoint(p)[0], grid.GetPoint(p)[1]};
     }
     return true;
   }
 
-  [[nodiscard]] std::uint32_t vertex(vtkIdType p) const {
-    return static_cast<std::uint32_t>(global_->GetTuple1(p));
+  /// The nodes of a cell with `corners` corners, and maybe midpoints, into `nodes_`.
+  bool take_nodes(vtkIdType cell, vtkIdType corners) {
+    grid_->GetCellPoints(cell, ids_);
+    const vtkIdType n = ids_->GetNumberOfIds();
+    if (n < corners) return false;
+    nodes_.clear();
+    for (vtkIdType k = 0; k < n; ++k) nodes_.push_back(number(*global_, ids_->GetId(k)));
+    midpoints_.insert(midpoints_.end(), nodes_.begin() + corners, nodes_.end());
+    return true;
+  }
+
+  /// A number that is not one becomes one that is too large.
+  [[nodiscard]] std::uint32_t number(vtkDataArray& array, vtkIdType k) const {
+    const double value = array.GetTuple1(k);
+    return value >= 0 && value <= most_ ? static_cast<std::uint32_t>(value) : most_ + 1;
   }
   [[nodiscard]] vtkDataArray* array(const char* name) const {
     return grid_->GetCellData()->GetArray(name);
   }
 
   StoredMesh& stored_;
+  std::uint32_t most_;
   vtkUnstructuredGrid* grid_ = nullptr;
   vtkDataArray* global_ = nullptr;
+  vtkNew<vtkIdList> ids_;
+  std::vector<std::uint32_t> nodes_;
+  std::vector<std::uint32_t> midpoints_;
 };
 
 Result<StoredMesh> read_vtm(const std::string& path) {
@@ -149,19 +190,19 @@ Result<StoredMesh> read_vtm(const std::string& path) {
   auto* root = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0));
   if (reader->GetErrorCode() != 0 || root == nullptr) return wrong(path, "not a valid VTK file");
   StoredMesh stored;
-  BlockReader blocks(stored);
+  BlockReader blocks(
+      stored, static_cast<std::uint32_t>(root->GetNumberOfPoints() + root->GetNumberOfCells()));
   for (const Block& block : blocks_of(*root, "regions")) {
-    if (!blocks.add_region(block)) {
+    if (!blocks.add_regions(block)) {
       return wrong(path, fmt::format("block regions/{} lacks what cover writes", block.name));
     }
   }
   for (const Block& block : blocks_of(*root, "interfaces")) {
-    if (!blocks.add_interface(block)) {
+    if (!blocks.add_lines(block)) {
       return wrong(path, fmt::format("block interfaces/{} lacks what cover writes", block.name));
     }
   }
-  std::sort(stored.regions.begin(), stored.regions.end(),
-            [](const Region& a, const Region& b) { return a.id < b.id; });
+  blocks.finish();
   if (stored.regions.empty()) return wrong(path, "no regions in it: not written by cover");
   return stored;
 }

@@ -31,8 +31,8 @@ Status write_clean_input(const Output& output, const std::string& path, const Wr
 }
 
 constexpr std::array kFormats{
-    Format{".vtu", false, without_options<write_vtu>},
-    Format{".vtm", false, without_options<write_vtm>},
+    Format{".vtu", true, write_vtu},
+    Format{".vtm", true, write_vtm},
     Format{".vtk", true, write_vtk},
     Format{".msh", true, write_msh},
     Format{".xdmf", true, write_xdmf},

@@ -1,6 +1,7 @@
-// A block per region and per interface, under the names that people see in ParaView. VTK writes
-// X.vtm and its pieces X/X_*.vtu into a folder beside the target; then both are moved to their
-// places, the pieces first. What an earlier run left there is replaced.
+// A block per group of regions and per group of lines, under the names that people see in ParaView
+// and that .msh has for its physical groups: whoever extracts the block SiO2 gets all of it. VTK
+// writes X.vtm and its pieces X/X_*.vtu into a folder beside the target; then both are moved to
+// their places, the pieces first. What an earlier run left there is replaced.
 #include <cover/write_mesh.hpp>
 
 #include <filesystem>
@@ -12,7 +13,7 @@
 #include <vtkNew.h>
 #include <vtkXMLMultiBlockDataWriter.h>
 
-#include "base/safe_names.hpp"
+#include "io/mesh_view.hpp"
 #include "io/scratch_folder.hpp"
 #include "vtk/grid.hpp"
 #include "vtk/quiet_vtk.hpp"
@@ -28,44 +29,35 @@ void append(vtkMultiBlockDataSet* blocks, vtkDataObject* block, const std::strin
   blocks->GetMetaData(k)->Set(vtkCompositeDataSet::NAME(), name.c_str());
 }
 
-template <class Items>
-std::vector<std::string> block_names(const Items& items) {
-  std::vector<std::string> names;
-  for (const auto& item : items) names.push_back(item.name);
-  return unique_safe_names(names);
+vtkSmartPointer<vtkMultiBlockDataSet> region_blocks(const MeshView& view) {
+  const Buckets members(view.region_groups.size(), view.triangles.size(), [&](std::size_t t) {
+    return view.region_group[view.region[t].index() - 1];
+  });
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (std::size_t g = 0; g < members.size(); ++g)
+    append(blocks, grid_of_triangles(view, members[g]), view.region_groups[g].name);
+  return blocks;
 }
 
-vtkSmartPointer<vtkMultiBlockDataSet> region_blocks(const Output& output) {
-  const Mesh& mesh = output.mesh;
-  std::vector<std::vector<TriMesh::FaceHandle>> faces(output.table.regions.size());
-  for (const auto f : mesh.tri().faces()) faces[mesh.region(f).index() - 1].push_back(f);
-  const std::vector<std::string> names = block_names(output.table.regions);
+vtkSmartPointer<vtkMultiBlockDataSet> line_blocks(const MeshView& view, const RegionTable& table) {
+  const Buckets members(view.line_groups.size(), view.lines.size(),
+                        [&](std::size_t l) { return view.line_group[l]; });
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  for (std::size_t r = 0; r < faces.size(); ++r) {
-    append(blocks, grid_of_region(mesh, faces[r]), names[r]);
+  for (std::size_t g = 0; g < members.size(); ++g) {
+    // Sides of the hull are on no interface, and all in one group.
+    if (view.interface[members[g].front()] != kNoInterface)
+      append(blocks, grid_of_lines(view, table, members[g]), view.line_groups[g].name);
   }
   return blocks;
 }
 
-vtkSmartPointer<vtkMultiBlockDataSet> interface_blocks(const Output& output) {
-  const Mesh& mesh = output.mesh;
-  std::vector<std::vector<TriMesh::EdgeHandle>> edges(output.table.interfaces.size());
-  for (const auto e : mesh.tri().edges()) {
-    const InterfaceId id = mesh.interface(e);
-    if (id != kNoInterface) edges[id.index() - 1].push_back(e);
-  }
-  const std::vector<std::string> names = block_names(output.table.interfaces);
-  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    append(blocks, grid_of_interface(mesh, output.table.interfaces[i], edges[i]), names[i]);
-  }
-  return blocks;
-}
-
-bool write_blocks(const Output& output, const fs::path& file) {
+bool write_blocks(const Output& output, const WriteOptions& options, const fs::path& file) {
+  WriteOptions all = options;
+  all.inner_lines = true;
+  const MeshView view = view_of(output, all);
   vtkNew<vtkMultiBlockDataSet> root;
-  append(root, region_blocks(output), "regions");
-  append(root, interface_blocks(output), "interfaces");
+  append(root, region_blocks(view), "regions");
+  append(root, line_blocks(view, output.table), "interfaces");
   const QuietVtk quiet;
   vtkNew<vtkXMLMultiBlockDataWriter> writer;
   writer->SetFileName(file.c_str());
@@ -76,7 +68,7 @@ bool write_blocks(const Output& output, const fs::path& file) {
 
 }  // namespace
 
-Status write_vtm(const Output& output, const std::string& path) {
+Status write_vtm(const Output& output, const std::string& path, const WriteOptions& options) {
   const fs::path target(path);
   const auto failure = [&](const std::string& why) {
     return Error{ErrorCode::cannot_write, fmt::format("cannot write {}{}", path, why), {}, {}};
@@ -84,7 +76,7 @@ Status write_vtm(const Output& output, const std::string& path) {
   Result<ScratchFolder> scratch = ScratchFolder::beside(path);
   if (!scratch) return std::move(scratch).error();
   const fs::path file = scratch->path() / target.filename();
-  if (!write_blocks(output, file)) return failure("");
+  if (!write_blocks(output, options, file)) return failure("");
 
   const fs::path pieces = fs::path(target).replace_extension();
   std::error_code code;

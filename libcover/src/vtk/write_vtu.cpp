@@ -11,14 +11,14 @@
 
 namespace cover {
 
-Status write_vtu(const Output& output, const std::string& path) {
+Status write_vtu(const Output& output, const std::string& path, const WriteOptions& options) {
   Result<AtomicFile> file = AtomicFile::create(path);
   if (!file) return std::move(file).error();
   file->release();
   const QuietVtk quiet;
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetFileName(file->temporary_path().c_str());
-  writer->SetInputData(grid_of(output.mesh));
+  writer->SetInputData(grid_of(view_of(output, options)));
   set_encoding(writer);
   if (writer->Write() == 0) {
     return Error{ErrorCode::cannot_write, "cannot write " + path, {}, {}};

@@ -44,6 +44,25 @@ TEST(MeshView, AContactOverTwoRegionsIsOneGroup) {
   EXPECT_EQ(std::count(lines.begin(), lines.end(), "drain_contact"), 1);
 }
 
+TEST(MeshView, MarkersMakeGroupsOfTheirOwnAndContactsWin) {
+  Input input;
+  input.points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    InputSegment segment;
+    segment.a = k;
+    segment.b = (k + 1) % 4;
+    segment.marker = k < 3 ? 5 : 0;
+    if (k == 0) segment.name = "gate";
+    input.segments.push_back(segment);
+  }
+  const Output output = cover_mesh(input).value();
+  const MeshView view = view_of(output, {});
+  EXPECT_EQ(names(view.line_groups), (std::vector<std::string>{"unnamed_outline", "5", "gate"}));
+  std::vector<int> sizes(3);
+  for (const std::uint32_t group : view.line_group) ++sizes[group];
+  EXPECT_EQ(sizes, (std::vector<int>{1, 2, 1}));
+}
+
 TEST(MeshView, TagsDoNotDependOnWhatIsLeftOut) {
   const Output output = testing::odd_device();
   WriteOptions outer;

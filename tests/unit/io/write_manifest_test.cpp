@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cover/version.hpp>
 #include <cover/write_mesh.hpp>
 
 #include "support/temporary_folder.hpp"
@@ -57,6 +58,18 @@ TEST_F(WriteManifest, EdgesOfEveryLine) {
       file.lines.push_back({{edge[0], edge[1]}, line["group"], line["id"]});
   }
   testing::expect_same_lines(output_, file);
+}
+
+TEST_F(WriteManifest, HowTheMeshCameAbout) {
+  output_.report.provenance.source = "deck/device.json";
+  output_.report.provenance.settings = {{"method", "quality"}, {"size", "1"}, {"size", "Si=2"}};
+  output_.report.unit = "nm";
+  const json manifest = written();
+  EXPECT_EQ(manifest["source"], "deck/device.json");
+  EXPECT_EQ(manifest["cover"], COVER_VERSION);
+  EXPECT_EQ(manifest["unit"], "nm");
+  EXPECT_EQ(manifest["scale"], 1.0);
+  EXPECT_EQ(manifest["options"], (json{{"method", "quality"}, {"size", {"1", "Si=2"}}}));
 }
 
 TEST_F(WriteManifest, CountsAndQuality) {

@@ -1,0 +1,36 @@
+#include "pipeline/describe_options.hpp"
+
+#include <gtest/gtest.h>
+
+namespace cover {
+namespace {
+
+using Settings = std::vector<Provenance::Setting>;
+
+TEST(DescribeOptions, TheMethodAloneByDefault) {
+  Options options;
+  options.threads = 7;
+  options.require.bound = true;
+  EXPECT_EQ(describe_options(options), (Settings{{"method", "quality"}}));
+}
+
+TEST(DescribeOptions, WhateverDiffersUnderTheNamesOfTheCommandLine) {
+  Options options;
+  options.method = Method::almond;
+  options.paper = true;
+  options.max_angle = Angle::degrees(120);
+  options.sizes = {{"", 0.5, false}, {"oxide", 2, false}, {"gate", 0.1, true}};
+  options.weld = 1e-9;
+  options.overlap = Overlap::error;
+  EXPECT_EQ(describe_options(options), (Settings{{"method", "almond"},
+                                                 {"paper", "true"},
+                                                 {"max-angle", "120"},
+                                                 {"size", "0.5"},
+                                                 {"size", "oxide=2"},
+                                                 {"size-at", "gate=0.1"},
+                                                 {"overlap", "error"},
+                                                 {"weld", "1e-09"}}));
+}
+
+}  // namespace
+}  // namespace cover
