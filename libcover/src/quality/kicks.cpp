@@ -5,15 +5,15 @@
 
 #include "geom/vector.hpp"
 #include "quality/cavity.hpp"
+#include "quality/excerpt.hpp"
 #include "quality/improve.hpp"
 #include "quality/polygon.hpp"
 
 namespace cover {
 namespace {
 
-constexpr std::size_t kSmallMesh = 200;  ///< triangles: any number above the goal is worked on
-constexpr std::size_t kFewAbove = 16;  ///< triangles above the goal that are worked on in any mesh
-constexpr std::uint64_t kCopied = 8;   ///< triangles copied in the time of one star evaluation
+constexpr std::size_t kTriangles = 64;  ///< around the one that is kicked, that may change
+constexpr std::uint64_t kCopied = 8;    ///< triangles copied in the time of one star evaluation
 constexpr int kKinds = 10;  ///< 1 centre, 3 edges to insert on, 3 to flip, 3 corners to remove
 
 /// Changes `mesh` around triangle `t`, for better or worse. False if that kind does not apply.
@@ -43,27 +43,40 @@ bool kick(MutableMesh& mesh, std::uint32_t t, int kind) {
          install_patch(mesh, cavity, patch, installed);
 }
 
+/// Kicks triangle 0 of `mesh` in every way until one makes it better.
+bool kick_and_improve(MutableMesh& mesh, const Goal& goal, Budget& budget) {
+  const Merit before = merit_of(mesh, goal);
+  for (int kind = 0; kind < kKinds && !budget.is_used_up(); ++kind) {
+    MutableMesh trial = mesh;
+    if (!kick(trial, 0, kind)) continue;
+    budget.spend(improve(trial, budget.left).evaluations + before.triangles / kCopied);
+    const Merit now = merit_of(trial, goal);
+    if (now.above > before.above || !is_better(now, before)) continue;
+    mesh = std::move(trial);
+    return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void improve_by_kicks(MutableMesh& mesh, const Goal& goal, Merit& merit, Budget& budget) {
-  if (merit.triangles > kSmallMesh && merit.above > kFewAbove) return;
-  for (bool better = true; better && merit.above > 0;) {
-    better = false;
-    for (std::uint32_t t = 0; t < mesh.triangles.size() && !budget.is_used_up(); ++t) {
-      if (!is_above(mesh, t, goal)) continue;
-      for (int kind = 0; kind < kKinds && merit.above > 0; ++kind) {
-        MutableMesh trial = mesh;
-        if (!kick(trial, t, kind)) continue;
-        budget.spend(improve(trial, budget.left).evaluations + merit.triangles / kCopied);
-        const Merit now = merit_of(trial, goal);
-        if (!is_better(now, merit)) continue;
-        merit = now;
-        mesh = std::move(trial);
-        better = true;
-        break;
-      }
+  if (merit.above == 0) return;
+  std::vector<std::uint32_t> queue;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (is_above(mesh, t, goal)) queue.push_back(t);
+  }
+  for (std::size_t head = 0; head < queue.size() && !budget.is_used_up(); ++head) {
+    const std::uint32_t t = queue[head];
+    if (!is_above(mesh, t, goal)) continue;
+    const Excerpt excerpt(mesh, t, kTriangles);
+    MutableMesh part = excerpt.mesh;
+    if (!kick_and_improve(part, goal, budget)) continue;
+    for (const std::uint32_t changed : excerpt.replace(mesh, part)) {
+      if (is_above(mesh, changed, goal)) queue.push_back(changed);
     }
   }
+  merit = merit_of(mesh, goal);
 }
 
 }  // namespace cover

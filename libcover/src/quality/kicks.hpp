@@ -8,11 +8,12 @@
 namespace cover {
 
 /// Tries, for every triangle with a larger angle than the goal allows: a vertex in its middle or on
-/// one of its edges, a flip, the removal of a vertex; and improves what comes of it. Keeps what is
-/// better by `goal`, and goes on from there.
+/// one of its edges, a flip, the removal of a vertex; and improves what comes of it, for the goal
+/// that `mesh` has set. Keeps what is better by `goal`, and goes on from there.
 ///
-/// REQUIRES: `mesh` is improved, `merit` is its merit by `goal`; the goal it has set is that of the
-/// improvement Cost:     each attempt copies the mesh
+/// REQUIRES: `mesh` is improved, `merit` is its merit by `goal`
+/// ENSURES:  neither the largest angle nor the number of triangles above the goal has grown
+/// Cost:     an attempt looks at some dozens of triangles around, however many there are
 void improve_by_kicks(MutableMesh& mesh, const Goal& goal, Merit& merit, Budget& budget);
 
 }  // namespace cover

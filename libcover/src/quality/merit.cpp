@@ -21,6 +21,10 @@ Merit merit_of(const MutableMesh& mesh, const Goal& goal) {
     const MeshTriangle& triangle = mesh.triangles[t];
     const Corners k(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
     bool large = false, small = false;
+    double allowed = 0;
+    for (const std::uint32_t n : triangle.n) {
+      if (is_side(n)) allowed = std::max(allowed, mesh.allowances[side_index(n)].small);
+    }
     for (std::size_t i = 0; i < 3; ++i) {
       const double cot = k.cross > 0 ? k.dot[i] / k.cross : -kInverted;
       merit.large = std::max(merit.large, -cot);
@@ -29,8 +33,8 @@ Merit merit_of(const MutableMesh& mesh, const Goal& goal) {
       const bool of_the_input =
           is_side(triangle.n[(i + 1) % 3]) && is_side(triangle.n[(i + 2) % 3]);
       if (of_the_input || goal.weight == 0) continue;
-      merit.small = std::max(merit.small, cot);
-      small = small || cot > goal.small * (1 + kSame);
+      merit.small = std::max(merit.small, cot - allowed);
+      small = small || cot - allowed > goal.small * (1 + kSame);
     }
     merit.above += large ? 1 : 0;
     merit.complete = merit.complete && !large && !small;

@@ -16,18 +16,6 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-std::vector<SideLimit> side_limits(const Triangulation& cdt, std::span<const EdgeRef> side_at) {
-  std::vector<SideLimit> limits;
-  limits.reserve(side_at.size());
-  for (const EdgeRef& side : side_at) {
-    const auto& v = cdt.triangles[side.triangle].v;
-    const std::size_t i = side.edge;
-    const Corners k(cdt.points[v[i]], cdt.points[v[(i + 1) % 3]], cdt.points[v[(i + 2) % 3]]);
-    limits.push_back({k.dot[0] / k.cross, std::max({k.dot[0], k.dot[1], k.dot[2]}) / k.cross});
-  }
-  return limits;
-}
-
 MutableMesh::MutableMesh(const Triangulation& triangulation, std::uint32_t fixed,
                          std::span<const EdgeRef> side_at, std::vector<SideLimit> limits)
     : points(triangulation.points),
@@ -51,11 +39,13 @@ void MutableMesh::set_goal(const Goal& goal) {
   goal_ = goal;
   for (std::size_t s = 0; s < sides.size(); ++s) {
     const double forced = -sides[s].apex_cot - goal.large;
+    double small = sides[s].slim_cot;
     allowances[s] = {};
-    if (!(forced > 0)) continue;
-    const double small = sides[s].smallest_cot - goal.small;
-    allowances[s] = {forced + kSlack * std::abs(sides[s].apex_cot),
-                     std::max(0.0, small + kSlack * sides[s].smallest_cot)};
+    if (forced > 0) {
+      small = std::max(small, sides[s].smallest_cot);
+      allowances[s].large = forced + kSlack * std::abs(sides[s].apex_cot);
+    }
+    if (small > goal.small) allowances[s].small = small - goal.small + kSlack * small;
   }
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     if (!is_hole(t)) measure(t);

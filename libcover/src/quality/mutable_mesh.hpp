@@ -11,6 +11,7 @@
 #include "cdt/sides.hpp"
 #include "cdt/triangulation.hpp"
 #include "quality/goal.hpp"
+#include "quality/side_limit.hpp"
 
 namespace cover {
 
@@ -31,15 +32,6 @@ struct MeshTriangle {
   [[nodiscard]] int edge_from(std::uint32_t a) const { return prev3(corner_of(a)); }
 };
 
-/// What the constrained Delaunay triangulation says about a side.
-struct SideLimit {
-  double apex_cot = 0;      ///< of the angle at which its triangle's apex sees it: gamma_opt
-  double smallest_cot = 0;  ///< of the smallest angle of that triangle
-};
-
-/// The limits that the constrained Delaunay triangulation sets to its sides.
-std::vector<SideLimit> side_limits(const Triangulation& cdt, std::span<const EdgeRef> side_at);
-
 /// Triangles over fixed vertices (those of the boundary, numbered first) and free ones.
 ///
 /// Keeps with every triangle its excess over the goal, which changes with the goal only through
@@ -47,6 +39,8 @@ std::vector<SideLimit> side_limits(const Triangulation& cdt, std::span<const Edg
 /// kNone) that are used again.
 class MutableMesh {
  public:
+  /// Nothing.
+  MutableMesh() = default;
   /// Takes over `triangulation`, whose first `fixed` points stay where they are.
   /// Side s, with limits[s], is the edge side_at[s].
   ///

@@ -31,6 +31,7 @@ constexpr std::size_t kSmallMesh = 200;  ///< triangles: kicks are cheap
 constexpr double kRefinedTo = 24;        ///< degrees: more than asked for, see stage 1
 constexpr std::size_t kMostSized = 50'000'000;  ///< vertices that sizes may ask for in a region
 constexpr std::uint64_t kEvaluationsPerVertex = 100;  ///< more budget for what sizes add
+constexpr std::uint64_t kFirstShare = 4;              ///< of the budget for stage 2: one in so many
 constexpr int kRounds = 3;
 constexpr int kRings = 3;                ///< of triangles around what is left, that make a zone
 constexpr double kStricterLarge = 0.05;  ///< per round, in cotangents: 3 degrees
@@ -101,7 +102,9 @@ Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeFi
     budget.left += kEvaluationsPerVertex * (mesh.points.size() - mesh.fixed_vertices());
   }
   MutableMesh refined = mesh;
-  improve_within(mesh, budget);
+  Budget part = budget.share(kFirstShare);
+  improve_within(mesh, part);
+  budget.left += part.left;
   Merit merit = merit_of(mesh, goal);
   Goal weighted = goal;
   if (merit.above > 0) {

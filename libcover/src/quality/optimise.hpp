@@ -17,6 +17,12 @@ struct Budget {
 
   /// Also true once the caller wants to stop: the mesh is then thrown away.
   [[nodiscard]] bool is_used_up() const { return left == 0 || stop.stop_requested(); }
+  /// Takes a part of what is left, one in `parts`, for a stage that must not use up all of it.
+  Budget share(std::uint64_t parts) {
+    const Budget part{left / parts, stop};
+    left -= part.left;
+    return part;
+  }
   void spend(std::uint64_t evaluations) { left -= evaluations < left ? evaluations : left; }
 };
 

@@ -43,7 +43,7 @@ double Hole::excess_at(std::size_t k, Point p) const {
   if (!(area > 0)) return kInverted;
   const double apex = ux * vx + uy * vy, at_a = -(ux * ex + uy * ey), at_b = vx * ex + vy * ey;
   const double most = std::max(apex, std::max(at_a, at_b));
-  if (edge.large == 0) {
+  if (edge.large == 0 && edge.small == 0) {
     const double least = std::min(apex, std::min(at_a, at_b));
     return std::max(-least - goal_->large * area, goal_->weight * (most - goal_->small * area)) /
            area;

@@ -1,0 +1,49 @@
+#include "quality/side_limit.hpp"
+
+#include "mesh_checks.hpp"
+
+namespace cover {
+namespace {
+
+using namespace testing;
+
+/// The limits by side of the boundary.
+std::vector<SideLimit> limits_of(const RegionBoundary& boundary) {
+  const Triangulation cdt = triangulate_domain(boundary.points, boundary.sides).triangulation;
+  return side_limits(cdt, locate_sides(cdt, boundary.sides));
+}
+
+TEST(SideLimit, ASlitAllowsOnlySlimTriangles) {
+  const RegionBoundary slit = boundary_of({{{0, 0}, {1, 0}, {1, 0.01}, {0, 0.01}}});
+  const std::vector<SideLimit> limits = limits_of(slit);
+  for (std::size_t s = 0; s < limits.size(); ++s) {
+    const auto& [a, b] = slit.sides[s];
+    const bool is_long = slit.points[a].y == slit.points[b].y;
+    // Angles x with tan(x) = 0.01 / 0.5 along the slit; free to the middle across it.
+    EXPECT_NEAR(limits[s].slim_cot, is_long ? 50 : 1, 1e-9);
+  }
+}
+
+TEST(SideLimit, ASharpCornerIsTheLimitOfItsSides) {
+  const double cot = 1 / std::tan(0.1);
+  const RegionBoundary needle = boundary_of({{{0, 0}, {1, -0.1}, {1, 0}}});
+  for (const SideLimit& limit : limits_of(needle)) {
+    EXPECT_LE(limit.slim_cot, std::max(cot, 10.0) + 1e-9);
+    EXPECT_GE(limit.slim_cot, 1);
+  }
+}
+
+TEST(SideLimit, NoTriangleOfAnyMeshIsBetter) {
+  const RegionBoundary star = smooth_star(60);
+  MutableMesh mesh = cdt_mesh(star);
+  for (const MeshTriangle& t : mesh.triangles) {
+    const Corners k(mesh.points[t.v[0]], mesh.points[t.v[1]], mesh.points[t.v[2]]);
+    const double smallest = std::max({k.dot[0], k.dot[1], k.dot[2]}) / k.cross;
+    for (const std::uint32_t n : t.n) {
+      if (is_side(n)) EXPECT_GE(smallest, mesh.sides[side_index(n)].slim_cot * (1 - 1e-12));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cover
