@@ -1,4 +1,4 @@
-# pkg_config.sh COMPILER FOLDER SOURCE: what pkg-config says is enough to build and run a program.
+# pkg_config.sh 'COMPILER FLAGS' FOLDER SOURCE: what pkg-config says is enough to build and run a program.
 set -e
 export PKG_CONFIG_PATH=$2
 folder=$(mktemp -d)
