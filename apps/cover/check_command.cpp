@@ -1,5 +1,6 @@
 // cover check: the promises on any mesh, from the files alone.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cover/cover_mesh.hpp>
 #include <cover/read_mesh.hpp>
@@ -44,6 +45,20 @@ int print(const Verification& found, const TriangleSoup& mesh, bool quiet) {
   return exit_ok;
 }
 
+/// The triangles of a mesh. Formats that have groups instead of materials need the manifest beside
+/// the mesh; without it the numbers of the groups count as materials.
+Result<TriangleSoup> read_triangles(const std::string& path, spdlog::logger& log) {
+  Result<MeshFile> mesh = read_mesh(path);
+  if (!mesh) return std::move(mesh).error();
+  if (mesh->second_order)
+    log.warn("{}: triangles with six nodes; what is checked is the mesh of their corners", path);
+  if (mesh->soup.material.empty() && !mesh->group.empty()) {
+    if (const Result<Output> known = read_output(path)) return triangle_soup(known->mesh);
+    mesh->soup.material = mesh->group;
+  }
+  return std::move(mesh->soup);
+}
+
 }  // namespace
 
 int run_check(Arguments arguments) {
@@ -67,7 +82,10 @@ Examples:
   LibraryOptions library;
   bool no_bound = false;
   input_file.add(app)->required();
-  app.add_option("mesh", mesh_path, "Mesh of any tool (.vtu, .vtk)")->type_name("")->required();
+  app.add_option("mesh", mesh_path,
+                 fmt::format("Mesh of any tool: {}", fmt::join(mesh_formats(), ", ")))
+      ->type_name("")
+      ->required();
   app.add_flag("--allow-split", verify.allow_split, "Segments may have vertices inside");
   app.add_flag("--no-bound", no_bound, "Do not check promise 3");
   app.add_flag("--hull", verify.hull, "The mesh covers the convex hull");
@@ -84,9 +102,9 @@ Examples:
   if (!input) return fail(*log, input.error());
   const Result<Prepared> prepared = prepare(*input, *options);
   if (!prepared) return fail(*log, prepared.error());
-  const Result<MeshFile> mesh = read_mesh(mesh_path);
+  const Result<TriangleSoup> mesh = read_triangles(mesh_path, *log);
   if (!mesh) return fail(*log, mesh.error());
-  return print(verify_cover(prepared->pslg, prepared->table, mesh->soup, verify), mesh->soup,
+  return print(verify_cover(prepared->pslg, prepared->table, *mesh, verify), *mesh,
                verbosity.quiet);
 }
 

@@ -1,5 +1,6 @@
 // cover convert: a mesh that cover wrote, in another format.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cover/read_mesh.hpp>
 
@@ -16,17 +17,18 @@ int run_convert(Arguments arguments) {
   app.set_help_flag("-h,--help", "Show this help");
   app.footer(
       R"(Names of regions, interfaces and contacts come from the manifest (.json) or the .vtm beside
-the mesh; what is missing is said.
+the mesh, else from the mesh's own file; what is missing then is said.
 
 Examples:
   cover convert device.vtm -o device.vtu
-  cover convert device.vtu -o device.vtm -o clean.poly
+  cover convert device.msh -o device.vtm -o clean.poly
 )");
   std::string path, format = "vtu";
   std::vector<std::string> outputs;
   FormatOptions formats;
   Verbosity verbosity;
-  app.add_option("mesh", path, "Mesh that cover wrote (.vtu, .vtm, .vtk)")
+  app.add_option("mesh", path,
+                 fmt::format("Mesh that cover wrote: .vtm, {}", fmt::join(mesh_formats(), ", ")))
       ->type_name("MESH")
       ->required();
   app.add_option(

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cover/picture.hpp>
 #include <cover/read_mesh.hpp>
@@ -46,7 +47,8 @@ int run_render(Arguments arguments) {
   Verbosity verbosity;
   bool no_edges = false;
   app.add_option("mesh", path,
-                 "Mesh to draw (.vtu, .vtk, .vtm); names from the .vtm or .json beside it")
+                 fmt::format("Mesh to draw: .vtm, {}; names from the .vtm or .json beside it",
+                             fmt::join(mesh_formats(), ", ")))
       ->type_name("")
       ->required();
   app.add_option("-o,--output", outputs, "Picture to write (.svg, .png)")

@@ -1,15 +1,14 @@
-"""dolfinx 0.5: mesh.xdmf or mesh.msh, then the numbers of Si, SiO2, left, right, interface."""
+"""dolfinx 0.5: mesh.xdmf or mesh.msh, then the problem."""
 import sys
 
-import numpy as np
 import ufl
 from dolfinx import fem, io
 from dolfinx.fem.petsc import LinearProblem
 from mpi4py import MPI
-from petsc4py.PETSc import ScalarType
 
-path = sys.argv[1]
-si, sio2, left, right, between = map(int, sys.argv[2:7])
+from problem import Data
+
+path, data = sys.argv[1], Data(sys.argv[2])
 
 
 def read_xdmf():
@@ -33,18 +32,23 @@ def read_msh():
 
 mesh, cells, facets = read_xdmf() if path.endswith('.xdmf') else read_msh()
 
-k = fem.Function(fem.FunctionSpace(mesh, ('DG', 0)))
-for number, value in ((si, 1.0), (sio2, 4.0)):
-    k.x.array[cells.indices[cells.values == number]] = value
+constants = fem.FunctionSpace(mesh, ('DG', 0))
+k, gx, gy = (fem.Function(constants) for _ in range(3))
+for number, values in data.regions.items():
+    for function, value in zip((k, gx, gy), values):
+        function.x.array[cells.indices[cells.values == number]] = value
 space = fem.FunctionSpace(mesh, ('CG', 1))
 u, v = ufl.TrialFunction(space), ufl.TestFunction(space)
-fixed = [fem.dirichletbc(ScalarType(value),
-                         fem.locate_dofs_topological(space, 1, facets.indices[facets.values == number]), space)
-         for number, value in ((left, 0.0), (right, 1.0))]
-interface = ufl.Measure('dS', domain=mesh, subdomain_data=facets)(between)
-problem = LinearProblem(k * ufl.inner(ufl.grad(u), ufl.grad(v)) * ufl.dx,
-                        fem.Constant(mesh, ScalarType(0.5)) * ufl.avg(v) * interface, bcs=fixed,
+exact = fem.Function(space)
+exact.interpolate(lambda x: data.exact(x[0], x[1]))
+fixed = [fem.dirichletbc(exact, fem.locate_dofs_topological(space, 1, facets.indices[facets.values == number]))
+         for number in data.fixed]
+flux = k * ufl.dot(ufl.as_vector((gx, gy)), ufl.FacetNormal(mesh)) * v
+dS = ufl.Measure('dS', domain=mesh, subdomain_data=facets)
+ds = ufl.Measure('ds', domain=mesh, subdomain_data=facets)
+nothing = fem.Constant(mesh, 0.0) * v * ufl.dx
+sources = sum(((flux('+') + flux('-')) * dS(number) for number in data.inner), nothing)
+sources = sum((flux * ds(number) for number in data.outer), sources)
+problem = LinearProblem(k * ufl.inner(ufl.grad(u), ufl.grad(v)) * ufl.dx, sources, bcs=fixed,
                         petsc_options={'ksp_type': 'preonly', 'pc_type': 'lu'})
-solution = problem.solve().x.array
-x = space.tabulate_dof_coordinates()[:, 0]
-print('largest error', abs(solution - np.where(x < 1, 0.9 * x, 0.9 + 0.1 * (x - 1))).max())
+print('largest error', abs(problem.solve().x.array - exact.x.array).max())

@@ -1,6 +1,8 @@
 // Reading meshes back: triangles of any tool, and all that cover wrote (target cover::vtk).
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,25 +18,45 @@ struct CellArray {
   std::vector<double> values;
 };
 
-/// What a mesh file holds, as far as triangles go.
-struct MeshFile {
-  TriangleSoup soup;              ///< region from RegionId, material from the first of material,
-                                  ///< MaterialID, mat_id, gmsh:physical, medit:ref
-  std::vector<CellArray> arrays;  ///< every numeric cell array with one component
+/// A line cell, as one edge.
+struct MeshLine {
+  std::uint32_t a = 0;  ///< index into TriangleSoup::points
+  std::uint32_t b = 0;
+  std::int64_t group = 0;      ///< number of its group, reference or marker in the file
+  std::int64_t interface = 0;  ///< InterfaceId; 0: the file does not say
+  int marker = 0;              ///< boundary marker of the input
 };
 
-/// Reads the triangles of a .vtu or of a legacy .vtk file; other cells are left out. Of triangles
-/// with six nodes the corners are taken, and points that are nothing else are left out.
+/// What a mesh file holds, as far as triangles and lines go.
+struct MeshFile {
+  TriangleSoup soup;                ///< without materials where the format has groups alone
+  std::vector<CellArray> arrays;    ///< VTK: every numeric cell array with one component
+  std::vector<MeshLine> lines;      ///< not of .vtu and .inp
+  std::vector<std::int64_t> group;  ///< per triangle: its physical group or element set; else empty
+  std::map<std::int64_t, std::string> region_names;  ///< of groups, or of materials
+  std::map<std::int64_t, std::string> line_names;    ///< of groups of lines
+  bool second_order = false;  ///< triangles had six nodes; their corners were taken
+};
+
+/// Reads the triangles of a mesh, and its lines: .vtu, legacy .vtk, gmsh's .msh, .xdmf, Medit's
+/// .mesh, Abaqus' .inp, Triangle's .ele. Other cells are left out. Of triangles with six nodes the
+/// corners are taken, and points that are nothing else are left out.
 ///
-/// Errors: cannot_open, syntax, unsupported_format
+/// Of VTK's cell arrays region is RegionId, material the first of material, MaterialID, mat_id,
+/// gmsh:physical, medit:ref, and the group of lines LineID.
+/// Errors: cannot_open, syntax, truncated, id_out_of_range, non_finite_coordinate,
+///         unsupported_format
 Result<MeshFile> read_mesh(const std::string& path);
 
-/// Reads a mesh that cover wrote (.vtu, legacy .vtk or .vtm) as what cover_mesh() returned, as far
-/// as files keep it; see rebuild(). Names, interfaces and markers come from the manifest (.json)
-/// beside it, else from the .vtm; what is missing for want of both is said in the report's notes.
+/// Reads a mesh that cover wrote, in any format of read_mesh() or as .vtm, as what cover_mesh()
+/// returned, as far as files keep it; see rebuild(). Names, interfaces and markers come from the
+/// manifest (.json) beside it, else from the .vtm beside it, else from the file itself; what is
+/// missing then is said in the report's notes.
 ///
-/// Errors: cannot_open, syntax, unsupported_format; syntax also where the manifest is of another
-/// mesh.
+/// Errors: those of read_mesh(); syntax also where the manifest is of another mesh.
 Result<Output> read_output(const std::string& path);
+
+/// The extensions that read_mesh() knows, each with its dot.
+std::vector<std::string> mesh_formats();
 
 }  // namespace cover

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include <cover/cover_mesh.hpp>
@@ -17,18 +18,20 @@ namespace cover {
 struct StoredEdge {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
-  InterfaceId interface;
+  InterfaceId interface;  ///< where StoredMesh::interfaces has any
   int marker = 0;
+  std::uint32_t name = 0;  ///< of a contact, index into StoredMesh::names; 0: none
 };
 
 /// Triangles with what belongs to them.
 struct StoredMesh {
-  TriangleSoup soup;                  ///< with the region and the material of every triangle
-  std::size_t input_vertices = 0;     ///< so many of the first vertices are no Steiner vertices
-  std::vector<Region> regions;        ///< by RegionId - 1; empty: to be made up from the triangles
-  std::vector<Interface> interfaces;  ///< by InterfaceId - 1, without their segments
-  std::vector<StoredEdge> edges;      ///< of all interfaces
-  Provenance provenance;              ///< and unit and scale: as in Report
+  TriangleSoup soup;                   ///< with the region and the material of every triangle
+  std::size_t input_vertices = 0;      ///< so many of the first vertices are no Steiner vertices
+  std::vector<Region> regions;         ///< by RegionId - 1; empty: to be made up from the triangles
+  std::vector<Interface> interfaces;   ///< by InterfaceId - 1, without their segments; or empty
+  std::vector<std::string> names{""};  ///< of contacts, where there are no interfaces
+  std::vector<StoredEdge> edges;       ///< of all interfaces
+  Provenance provenance;               ///< and unit and scale: as in Report
   std::string unit;
   double scale = 1;
 };
@@ -36,8 +39,9 @@ struct StoredMesh {
 /// Puts a stored mesh together again. The PSLG stays empty and so do the reports of the regions:
 /// no file keeps them. Areas and lengths are measured.
 ///
-/// Where `regions` is empty, regions are named after their materials; where `edges` is empty,
-/// every edge between different regions or beside the void lies on a made-up interface.
+/// Where `regions` is empty, regions are named after their materials; where `interfaces` is empty,
+/// the edges, and every edge between different regions or beside the void, lie on interfaces made
+/// up from their names and sides.
 ///
 /// Errors: syntax, if the arrays are no mesh of regions 1, 2, 3, ...: an index out of range,
 ///         triangles that share a directed edge, an unknown region or interface.

@@ -65,8 +65,8 @@ Status write_vtk(const Output& output, const std::string& path, const WriteOptio
 /// version 2.2, those of the groups in 4.1.
 Status write_msh(const Output& output, const std::string& path, const WriteOptions& options = {});
 
-/// Writes XDMF with all numbers in the XML: the grids `mesh` (MaterialID, RegionId) and `lines`
-/// (LineID, Marker).
+/// Writes XDMF with all numbers in the XML: the grids `mesh` (MaterialID, RegionId, GroupID) and
+/// `lines` (LineID, Marker).
 Status write_xdmf(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes Medit's format; references are materials and the numbers of lines.

@@ -1,11 +1,14 @@
 // Tested by tests/unit/vtk/read_output_test.cpp.
 #include "io/read_manifest.hpp"
 
+#include <deque>
 #include <filesystem>
+#include <map>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "io/complete_mesh.hpp"
 #include "io/provenance_json.hpp"
 #include "io/text.hpp"
 
@@ -74,9 +77,32 @@ std::string misfit(const Json& json, const StoredMesh& stored) {
   return {};
 }
 
+/// The region of each triangle by its place among those of its group; false if the groups of the
+/// mesh are not those of the manifest.
+bool assign_regions(const Json& regions, std::span<const std::int64_t> group, StoredMesh& stored) {
+  struct Share {
+    std::int64_t region;
+    std::size_t left;
+  };
+  std::map<std::int64_t, std::deque<Share>> shares;  // by group; one group where there are none
+  for (const Json& region : regions) {
+    const std::int64_t tag = group.empty() ? 0 : region.at("group").get<std::int64_t>();
+    shares[tag].push_back({region.at("id"), region.at("triangles")});
+  }
+  for (std::size_t t = 0; t < stored.soup.triangles.size(); ++t) {
+    auto& queue = shares[group.empty() ? 0 : group[t]];
+    while (!queue.empty() && queue.front().left == 0) queue.pop_front();
+    if (queue.empty()) return false;
+    --queue.front().left;
+    stored.soup.region.push_back(queue.front().region);
+  }
+  return true;
+}
+
 }  // namespace
 
-Result<bool> read_manifest(const std::string& path, StoredMesh& stored) {
+Result<bool> read_manifest(const std::string& path, std::span<const std::int64_t> group,
+                           StoredMesh& stored) {
   const auto wrong = [&](const std::string& what) {
     return Error{ErrorCode::syntax, fmt::format("{}: {}", path, what), {}, {}};
   };
@@ -94,12 +120,15 @@ Result<bool> read_manifest(const std::string& path, StoredMesh& stored) {
     stored.input_vertices = json.at("counts").at("input_vertices");
     for (const Json& region : json.at("regions")) stored.regions.push_back(region_of(region));
     for (const Json& line : json.at("lines")) add_line(line, stored);
+    if (stored.soup.region.empty() && !assign_regions(json.at("regions"), group, stored))
+      return wrong("it is of another mesh: its groups have other triangles");
   } catch (const Json::exception& error) {
     return wrong(error.what());
   }
   for (std::size_t r = 0; r < stored.regions.size(); ++r) {
     if (stored.regions[r].id != RegionId(r + 1)) return wrong("regions are not in order");
   }
+  if (!take_materials(stored)) return wrong("it is of another mesh: it lacks regions");
   return true;
 }
 

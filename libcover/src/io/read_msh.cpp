@@ -1,68 +1,33 @@
-// gmsh's .msh, versions 2.x and 4.1, ASCII: the mesh is taken apart again into the borders of its
-// physical surfaces and its physical curves, so that a gmsh model can be remeshed.
+// gmsh's .msh as geometry: the mesh is taken apart again into the borders of its physical surfaces
+// and its physical curves, so that a gmsh model can be remeshed.
 //
-// Both versions are read into the same CellMesh. A surface element has the material of its physical
-// group: the group's name, else its number. Surfaces in no group are materials of their own
-// ("surface_7"). Line elements count where they are in a physical group, whose name becomes the
-// contact's, and all of them in a file without surfaces. Of elements of higher order the corners
-// are taken. Sections that are not needed are passed over.
-// Ref: gmsh reference manual, chapter "MSH file format". Tested by tests/unit/io/read_msh_test.cpp.
+// A surface element has the material of its physical group: the group's name, else its number.
+// Surfaces in no group are materials of their own ("surface_7"). Line elements count where they are
+// in a physical group, whose name becomes the contact's, and all of them in a file without
+// surfaces. Of elements of higher order the corners are taken.
+// Tested by tests/unit/io/read_msh_test.cpp.
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <array>
 #include <limits>
 #include <map>
-#include <unordered_map>
 
 #include "geom/mesh_borders.hpp"
 #include "io/formats.hpp"
-#include "io/token_reader.hpp"
+#include "io/msh_file.hpp"
 
 namespace cover {
 namespace {
 
-/// Nodes of an element type, corners first.
-struct ElementType {
-  int number;
-  int dimension;
-  int corners;
-  int nodes;
-};
-
-constexpr std::array kElementTypes{
-    ElementType{15, 0, 1, 1},  ElementType{1, 1, 2, 2},   ElementType{8, 1, 2, 3},
-    ElementType{26, 1, 2, 4},  ElementType{27, 1, 2, 5},  ElementType{28, 1, 2, 6},
-    ElementType{2, 2, 3, 3},   ElementType{9, 2, 3, 6},   ElementType{20, 2, 3, 9},
-    ElementType{21, 2, 3, 10}, ElementType{22, 2, 3, 12}, ElementType{23, 2, 3, 15},
-    ElementType{24, 2, 3, 15}, ElementType{25, 2, 3, 21}, ElementType{3, 2, 4, 4},
-    ElementType{16, 2, 4, 8},  ElementType{10, 2, 4, 9},  ElementType{36, 2, 4, 16},
-    ElementType{37, 2, 4, 25},
-};
-
-/// What an element belongs to.
-struct Membership {
-  long entity = 0;
-  long physical = 0;  ///< 0: none
-};
-
-class MshReader {
+class Converter {
  public:
-  MshReader(std::string_view text, const std::string& source) : tokens_(text, source) {
+  Converter(MshFile file, const std::string& source) : file_(std::move(file)) {
     mesh_.source = source;
+    mesh_.points = std::move(file_.points);
+    mesh_.point_ids = std::move(file_.point_ids);
   }
 
-  Result<Input> read() {
-    read_format();
-    while (!tokens_.failed()) {
-      const std::string_view section = tokens_.word();
-      if (section.empty()) break;
-      read_section(section);
-    }
-    if (!tokens_.failed() && !has_elements_)
-      tokens_.fail(ErrorCode::truncated, "the file has no $Elements");
-    if (!tokens_.failed()) check_plane();
-    if (tokens_.failed()) return tokens_.error();
+  Input convert() {
+    for (const MshElement& element : file_.elements) add(element);
     if (mesh_.cells() == 0) mesh_.lines.insert(mesh_.lines.end(), loose_.begin(), loose_.end());
     Input input = borders_of(mesh_);
     if (second_order_ > 0)
@@ -73,212 +38,41 @@ class MshReader {
   }
 
  private:
-  void read_format() {
-    tokens_.expect("$MeshFormat");
-    const double version = tokens_.real("the version of the format");
-    const long binary = tokens_.integer("the file type, 0 or 1");
-    tokens_.integer("the size of a number");
-    if (tokens_.failed()) return;
-    if (binary != 0)
-      return tokens_.fail(ErrorCode::unsupported_format,
-                          "a binary .msh; write it as text, with gmsh's Mesh.Binary = 0");
-    newer_ = version >= 4;
-    if (!(version >= 2 && version < 3) && version != 4.1)
-      return tokens_.fail(ErrorCode::unsupported_format,
-                          fmt::format("version {} of .msh; versions 2.2 and 4.1 are read "
-                                      "(gmsh -format msh22 or msh41)",
-                                      version));
-    tokens_.expect("$EndMeshFormat");
+  void add(const MshElement& element) {
+    const auto nodes = file_.nodes_of(element);
+    const std::vector<std::uint32_t> corners(nodes.begin(), nodes.begin() + element.corners);
+    second_order_ += element.nodes > element.corners;
+    if (element.dimension == 0 && element.physical != 0) mesh_.kept.push_back(corners[0]);
+    if (element.dimension == 1) add_line(element, corners);
+    if (element.dimension == 2) mesh_.add_cell(corners, material_of(element));
   }
 
-  void read_section(std::string_view section) {
-    if (section.size() < 2 || section[0] != '$')
-      return tokens_.fail(ErrorCode::syntax, "expected the head of a section, as $Nodes");
-    if (section == "$PhysicalNames")
-      read_names();
-    else if (section == "$Entities" && newer_)
-      read_entities();
-    else if (section == "$Nodes")
-      newer_ ? read_node_blocks() : read_nodes();
-    else if (section == "$Elements")
-      newer_ ? read_element_blocks() : read_elements();
-    else
-      return tokens_.skip_past("$End" + std::string(section.substr(1)));
-    tokens_.expect("$End" + std::string(section.substr(1)));
-  }
-
-  void read_names() {
-    const std::size_t n = tokens_.count("physical names");
-    for (std::size_t i = 0; i < n && !tokens_.failed(); ++i) {
-      const long dimension = tokens_.integer("the dimension of a physical group");
-      const long tag = tokens_.integer("the number of a physical group");
-      names_[{dimension, tag}] = tokens_.quoted("the name of a physical group");
-    }
-  }
-
-  void read_entities() {
-    std::array<std::size_t, 4> counts{};
-    for (std::size_t& n : counts) n = tokens_.count("entities");
-    for (long dimension = 0; dimension < 4; ++dimension)
-      for (std::size_t i = 0; i < counts[static_cast<std::size_t>(dimension)]; ++i) {
-        if (tokens_.failed()) return;
-        const long tag = tokens_.integer("the number of an entity");
-        for (int k = dimension == 0 ? 3 : 6; k > 0; --k) tokens_.real("a coordinate");
-        const std::size_t groups = tokens_.count("physical groups");
-        for (std::size_t k = 0; k < groups && !tokens_.failed(); ++k) {
-          const long group = tokens_.integer("the number of a physical group");
-          physical_.try_emplace({dimension, tag}, std::abs(group));
-        }
-        const std::size_t limits = dimension == 0 ? 0 : tokens_.count("bounding entities");
-        for (std::size_t k = 0; k < limits && !tokens_.failed(); ++k)
-          tokens_.integer("a bounding entity");
-      }
-  }
-
-  void read_nodes() {
-    const std::size_t n = tokens_.count("nodes");
-    for (std::size_t i = 0; i < n && !tokens_.failed(); ++i)
-      read_coordinates(tokens_.integer("the number of a node"), 0);
-  }
-
-  void read_node_blocks() {
-    const std::size_t blocks = tokens_.count("blocks of nodes");
-    for (int k = 0; k < 3; ++k) tokens_.integer("the number of nodes and their range");
-    for (std::size_t b = 0; b < blocks && !tokens_.failed(); ++b) {
-      const long dimension = tokens_.integer("the dimension of an entity");
-      tokens_.integer("the number of an entity");
-      const bool parametric = tokens_.integer("whether nodes have parameters") != 0;
-      const std::size_t n = tokens_.count("nodes");
-      std::vector<long> ids;
-      for (std::size_t i = 0; i < n && !tokens_.failed(); ++i)
-        ids.push_back(tokens_.integer("the number of a node"));
-      for (std::size_t i = 0; i < ids.size() && !tokens_.failed(); ++i)
-        read_coordinates(ids[i], parametric ? std::clamp(dimension, 0L, 3L) : 0);
-    }
-  }
-
-  void read_coordinates(long id, long parameters) {
-    const double x = tokens_.real("a coordinate");
-    const double y = tokens_.real("a coordinate");
-    const double z = tokens_.real("a coordinate");
-    for (; parameters > 0; --parameters) tokens_.real("a parameter");
-    if (!index_.emplace(id, static_cast<std::uint32_t>(mesh_.points.size())).second)
-      tokens_.fail(ErrorCode::syntax, fmt::format("node {} is given twice", id));
-    mesh_.points.push_back({x, y});
-    mesh_.point_ids.push_back(id);
-    heights_.push_back(z);
-  }
-
-  void read_elements() {
-    has_elements_ = true;
-    const std::size_t n = tokens_.count("elements");
-    for (std::size_t i = 0; i < n && !tokens_.failed(); ++i) {
-      const long id = tokens_.integer("the number of an element");
-      const ElementType* type = read_type();
-      const std::size_t tags = tokens_.count("tags of an element");
-      Membership member;
-      for (std::size_t k = 0; k < tags && !tokens_.failed(); ++k) {
-        const long tag = tokens_.integer("a tag of an element");
-        if (k == 0) member.physical = std::abs(tag);
-        if (k == 1) member.entity = tag;
-      }
-      if (type) read_element(id, *type, member);
-    }
-  }
-
-  void read_element_blocks() {
-    has_elements_ = true;
-    const std::size_t blocks = tokens_.count("blocks of elements");
-    for (int k = 0; k < 3; ++k) tokens_.integer("the number of elements and their range");
-    for (std::size_t b = 0; b < blocks && !tokens_.failed(); ++b) {
-      const long dimension = tokens_.integer("the dimension of an entity");
-      const long entity = tokens_.integer("the number of an entity");
-      const ElementType* type = read_type();
-      const auto group = physical_.find({dimension, entity});
-      const Membership member{entity, group == physical_.end() ? 0 : group->second};
-      const std::size_t n = tokens_.count("elements");
-      for (std::size_t i = 0; type && i < n && !tokens_.failed(); ++i)
-        read_element(tokens_.integer("the number of an element"), *type, member);
-    }
-  }
-
-  const ElementType* read_type() {
-    const long number = tokens_.integer("the type of an element");
-    const auto* type = std::find_if(kElementTypes.begin(), kElementTypes.end(),
-                                    [&](const ElementType& t) { return t.number == number; });
-    if (type != kElementTypes.end()) return type;
-    tokens_.fail(ErrorCode::unsupported_format,
-                 fmt::format("elements of type {}; points, lines, triangles and quadrangles of a "
-                             "plane mesh are read",
-                             number));
-    return nullptr;
-  }
-
-  void read_element(long id, const ElementType& type, const Membership& member) {
-    corners_.clear();
-    for (int k = 0; k < type.nodes; ++k) {
-      const long node = tokens_.integer("a node of an element");
-      if (k >= type.corners || tokens_.failed()) continue;
-      const auto at = index_.find(node);
-      if (at == index_.end())
-        return tokens_.fail(
-            ErrorCode::id_out_of_range,
-            fmt::format("element {} has the node {}, which is not given", id, node));
-      corners_.push_back(at->second);
-    }
-    if (tokens_.failed()) return;
-    second_order_ += type.nodes > type.corners;
-    in_use_.insert(in_use_.end(), corners_.begin(), corners_.end());
-    if (type.dimension == 0 && member.physical != 0) mesh_.kept.push_back(corners_[0]);
-    if (type.dimension == 1) add_line(id, member);
-    if (type.dimension == 2) mesh_.add_cell(corners_, material_of(member));
-  }
-
-  void add_line(long id, const Membership& member) {
-    CellMesh::Line line{corners_[0], corners_[1], {}, 0, id};
-    if (member.physical == 0) return loose_.push_back(std::move(line));
-    line.name = group_name(1, member.physical);
-    if (member.physical <= std::numeric_limits<int>::max())
-      line.marker = static_cast<int>(member.physical);
+  void add_line(const MshElement& element, const std::vector<std::uint32_t>& ends) {
+    CellMesh::Line line{ends[0], ends[1], {}, 0, element.id};
+    if (element.physical == 0) return loose_.push_back(std::move(line));
+    line.name = group_name(1, element.physical);
+    if (element.physical <= std::numeric_limits<int>::max())
+      line.marker = static_cast<int>(element.physical);
     mesh_.lines.push_back(std::move(line));
   }
 
   std::string group_name(long dimension, long tag) const {
-    const auto name = names_.find({dimension, tag});
-    return name != names_.end() && !name->second.empty() ? name->second : std::to_string(tag);
+    const auto name = file_.names.find({dimension, tag});
+    return name != file_.names.end() && !name->second.empty() ? name->second : std::to_string(tag);
   }
 
-  std::uint32_t material_of(const Membership& member) {
-    const std::string name = member.physical != 0 ? group_name(2, member.physical)
-                                                  : fmt::format("surface_{}", member.entity);
+  std::uint32_t material_of(const MshElement& element) {
+    const std::string name = element.physical != 0 ? group_name(2, element.physical)
+                                                   : fmt::format("surface_{}", element.entity);
     const auto [at, is_new] =
         material_.emplace(name, static_cast<std::uint32_t>(mesh_.materials.size()));
     if (is_new) mesh_.materials.push_back(name);
     return at->second;
   }
 
-  /// All elements must lie at one height.
-  void check_plane() {
-    for (const std::uint32_t p : in_use_)
-      if (heights_[p] != heights_[in_use_.front()])
-        return tokens_.fail(
-            ErrorCode::unsupported_format,
-            fmt::format("the mesh is not in a plane z = constant: node {} has z = {}, node {} {}",
-                        mesh_.point_ids[in_use_.front()], heights_[in_use_.front()],
-                        mesh_.point_ids[p], heights_[p]));
-  }
-
-  TokenReader tokens_;
-  bool newer_ = false;
-  bool has_elements_ = false;
-  std::map<std::pair<long, long>, std::string> names_;  // by dimension and tag
-  std::map<std::pair<long, long>, long> physical_;      // of entities, by dimension and tag
-  std::unordered_map<long, std::uint32_t> index_;       // of nodes
+  MshFile file_;
   std::map<std::string, std::uint32_t> material_;
-  std::vector<double> heights_;         // z by node
-  std::vector<std::uint32_t> in_use_;   // nodes of elements
-  std::vector<std::uint32_t> corners_;  // of the element being read
-  std::vector<CellMesh::Line> loose_;   // line elements in no physical group
+  std::vector<CellMesh::Line> loose_;  // line elements in no physical group
   std::size_t second_order_ = 0;
   CellMesh mesh_;
 };
@@ -286,7 +80,9 @@ class MshReader {
 }  // namespace
 
 Result<Input> parse_msh(std::string_view text, const std::string& source) {
-  return MshReader(text, source).read();
+  Result<MshFile> file = parse_msh_file(text, source);
+  if (!file) return std::move(file).error();
+  return Converter(*std::move(file), source).convert();
 }
 
 }  // namespace cover

@@ -25,6 +25,11 @@ class TokenReader {
   /// The line of the last word that was read, from 1.
   [[nodiscard]] int line() const { return line_; }
 
+  /// Whether no word is left.
+  bool at_end() {
+    skip_blanks();
+    return at_ == text_.size();
+  }
   /// The next word; empty at the end of the text.
   std::string_view word();
   /// What the next words spell; `what` names it in errors. A text that ends is an error.

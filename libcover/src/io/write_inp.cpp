@@ -39,7 +39,7 @@ std::vector<std::string> set_names(const std::vector<Group>& groups) {
       if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
       if (c == '.') c = '_';
     }
-    if (name[0] < 'A' || name[0] > 'Z') name.insert(0, "X");
+    if (name[0] < 'A' || name[0] > 'Z') name.insert(name.begin(), 'X');
     names.push_back(std::move(name));
   }
   return unique_safe_names(names);

@@ -18,6 +18,8 @@ class XdmfWriter {
     begin_grid("mesh", view_.second_order() ? "Triangle_6" : "Triangle", view_.triangles);
     attribute("MaterialID", view_.triangles, [&](std::size_t t) { return view_.material[t]; });
     attribute("RegionId", view_.triangles, [&](std::size_t t) { return view_.region[t].value(); });
+    attribute("GroupID", view_.triangles,
+              [&](std::size_t t) { return view_.group_of_triangle(t).tag; });
     end_grid(view_.region_groups);
     begin_grid("lines", view_.second_order() ? "Edge_3" : "PolyLine", view_.lines);
     attribute("LineID", view_.lines, [&](std::size_t l) { return view_.group_of_line(l).tag; });

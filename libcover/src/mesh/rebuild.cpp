@@ -110,15 +110,13 @@ class Rebuilder {
   }
 
   std::optional<Error> add_segments() {
-    if (stored_.edges.empty()) {
-      make_up_interfaces();
-      return std::nullopt;
-    }
     out_.table.interfaces = stored_.interfaces;
     for (Interface& line : out_.table.interfaces) {
       line.length = 0;
       line.segments.clear();
     }
+    out_.pslg.names = stored_.names;
+    const bool make_up = stored_.interfaces.empty();
     for (const StoredEdge& edge : stored_.edges) {
       const std::size_t n = soup_.points.size();
       const auto handle =
@@ -127,18 +125,24 @@ class Rebuilder {
         return wrong(fmt::format("the line from vertex {} to vertex {} is no edge of the mesh",
                                  edge.a, edge.b));
       }
-      if (edge.interface == kNoInterface || edge.interface.index() > out_.table.interfaces.size()) {
+      if (make_up ? edge.interface != kNoInterface || edge.name >= stored_.names.size()
+                  : edge.interface == kNoInterface ||
+                        edge.interface.index() > stored_.interfaces.size()) {
         return wrong(fmt::format("there is no interface {}", edge.interface.value()));
       }
-      add_segment(handle, edge.marker, edge.interface);
+      add_segment(handle, edge.marker, make_up ? kNoInterface : edge.interface, edge.name);
     }
+    if (make_up) make_up_interfaces();
     return std::nullopt;
   }
 
   void make_up_interfaces() {
+    std::vector<bool> known(out_.mesh.tri().n_edges());
+    for (const auto edge : segment_edge_) known[static_cast<std::size_t>(edge.idx())] = true;
     for (const auto edge : out_.mesh.tri().edges()) {
       const SegmentSides sides = sides_of(out_.mesh.tri().halfedge_handle(edge, 0));
-      if (sides.left != sides.right) add_segment(edge, 0, kNoInterface);
+      if (sides.left != sides.right && !known[static_cast<std::size_t>(edge.idx())])
+        add_segment(edge, 0, kNoInterface, 0);
     }
     take_points();
     build_interfaces(out_.pslg, out_.table);
@@ -147,7 +151,8 @@ class Rebuilder {
     }
   }
 
-  void add_segment(TriMesh::EdgeHandle edge, int marker, InterfaceId interface) {
+  void add_segment(TriMesh::EdgeHandle edge, int marker, InterfaceId interface,
+                   std::uint32_t name) {
     const TriMesh& tri = out_.mesh.tri();
     const auto h = tri.halfedge_handle(edge, 0);
     const VertexId a(tri.from_vertex_handle(h).idx()), b(tri.to_vertex_handle(h).idx());
@@ -158,7 +163,6 @@ class Rebuilder {
     SegmentSides sides = sides_of(h);
     sides.interface = interface;
     out_.table.sides.push_back(sides);
-    std::uint32_t name = 0;
     if (interface != kNoInterface) {
       Interface& line = out_.table.interfaces[interface.index() - 1];
       line.segments.emplace_back(out_.pslg.segments.size());

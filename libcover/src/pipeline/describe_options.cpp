@@ -53,7 +53,7 @@ class Settings {
 
 void add_size(const SizeRule& rule, Settings& settings) {
   const std::string value =
-      rule.name.empty() ? describe(rule.size) : rule.name + '=' + describe(rule.size);
+      rule.name.empty() ? describe(rule.size) : fmt::format("{}={}", rule.name, rule.size);
   settings.add(rule.at ? "size-at" : "size", value);
 }
 

@@ -1,9 +1,8 @@
-// Triangles come from the mesh; names and lines from the manifest or the .vtm beside it, since a
-// .vtu cannot hold them in a way that every reader takes. Tested by
-// tests/unit/vtk/read_output_test.cpp.
+// Triangles come from the mesh; names and lines from the manifest or the .vtm beside it, since most
+// formats cannot hold them all; else what the file itself has is made the best of.
+// Tested by tests/unit/vtk/read_output_test.cpp.
 #include <algorithm>
 #include <filesystem>
-#include <numeric>
 #include <optional>
 
 #include <fmt/format.h>
@@ -20,6 +19,7 @@
 #include <cover/read_mesh.hpp>
 #include <cover/stored_mesh.hpp>
 
+#include "io/complete_mesh.hpp"
 #include "io/read_manifest.hpp"
 #include "io/second_order.hpp"
 #include "vtk/quiet_vtk.hpp"
@@ -117,16 +117,7 @@ class BlockReader {
   /// To be called after the last block: triangles in their order again, midpoints left out.
   void finish() {
     TriangleSoup& soup = stored_.soup;
-    std::vector<std::size_t> order(soup.triangles.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return soup.region[a] < soup.region[b]; });
-    const TriangleSoup before = soup;
-    for (std::size_t k = 0; k < order.size(); ++k) {
-      soup.triangles[k] = before.triangles[order[k]];
-      soup.region[k] = before.region[order[k]];
-      soup.material[k] = before.material[order[k]];
-    }
+    sort_by_region(soup);
     if (midpoints_.empty()) return;
     const std::vector<std::uint32_t> renumbered = drop_midpoints(midpoints_, soup);
     for (StoredEdge& edge : stored_.edges)
@@ -207,18 +198,6 @@ Result<StoredMesh> read_vtm(const std::string& path) {
   return stored;
 }
 
-Result<StoredMesh> read_triangles(const std::string& path) {
-  Result<MeshFile> file = read_mesh(path);
-  if (!file) return std::move(file).error();
-  if (file->soup.region.empty()) {
-    return wrong(path, "no cell array RegionId: not a mesh that cover wrote");
-  }
-  StoredMesh stored;
-  stored.soup = std::move(file->soup);
-  if (stored.soup.material.empty()) stored.soup.material = stored.soup.region;
-  return stored;
-}
-
 /// Names and lines for the triangles of `stored` out of the .vtm of the same mesh.
 Status take_names_from_vtm(const std::string& path, StoredMesh& stored) {
   Result<StoredMesh> named = read_vtm(path);
@@ -227,40 +206,74 @@ Status take_names_from_vtm(const std::string& path, StoredMesh& stored) {
   stored.regions = std::move(named->regions);
   stored.interfaces = std::move(named->interfaces);
   stored.edges = std::move(named->edges);
-  return ok();
+  return take_materials(stored) ? ok() : Status(wrong(path, "it is of another mesh"));
 }
 
-/// Looks beside the mesh for what it cannot hold; returns what stays unknown.
-Result<std::string> complete(const std::string& path, StoredMesh& stored) {
-  const fs::path manifest = fs::path(path).replace_extension(".json");
-  const fs::path vtm = fs::path(path).replace_extension(".vtm");
-  const Result<bool> named = read_manifest(manifest, stored);
-  if (!named) return named.error();
-  if (*named) return std::string();
-  if (!stored.regions.empty()) return std::string();
-  if (fs::is_regular_file(vtm)) {
-    Status status = take_names_from_vtm(vtm, stored);
-    if (!status) return std::move(status).error();
-    return std::string();
+/// What a mesh's own file and those beside it hold.
+class Completion {
+ public:
+  explicit Completion(const std::string& path) : path_(path) {}
+
+  /// A note on what stays unknown, or nothing.
+  [[nodiscard]] const std::string& missing() const { return missing_; }
+
+  Result<StoredMesh> read() {
+    if (fs::path(path_).extension() == ".vtm") return read_blocks();
+    Result<MeshFile> file = read_mesh(path_);
+    if (!file) return std::move(file).error();
+    StoredMesh stored;
+    stored.soup = file->soup;
+    Result<bool> named = read_manifest(beside(".json"), file->group, stored);
+    if (!named) return std::move(named).error();
+    if (!*named && fs::is_regular_file(beside(".vtm")) && !stored.soup.region.empty()) {
+      if (Status status = take_names_from_vtm(beside(".vtm"), stored); !status)
+        return std::move(status).error();
+    } else if (!*named) {
+      if (Status status = complete_alone(*file, stored); !status) return std::move(status).error();
+    }
+    sort_by_region(stored.soup);
+    return stored;
   }
-  return fmt::format(
-      "{} holds no names, contacts and boundary markers, and neither {} nor {} is "
-      "there: regions are named after their materials, lines after their regions",
-      path, manifest.string(), vtm.string());
-}
+
+ private:
+  [[nodiscard]] std::string beside(const char* extension) const {
+    return fs::path(path_).replace_extension(extension);
+  }
+
+  Result<StoredMesh> read_blocks() const {
+    Result<StoredMesh> stored = read_vtm(path_);
+    if (!stored) return stored;
+    const Result<bool> named = read_manifest(beside(".json"), {}, *stored);
+    return named ? std::move(stored) : named.error();
+  }
+
+  Status complete_alone(const MeshFile& file, StoredMesh& stored) {
+    // Medit's format and those that have groups alone cannot tell regions; all others do.
+    const bool tells_regions = file.group.empty() && fs::path(path_).extension() != ".mesh";
+    if (stored.soup.region.empty() && tells_regions)
+      return wrong(path_, "no RegionId of its triangles: not a mesh that cover wrote");
+    const std::string unknown = complete_from_file(file, stored);
+    if (!unknown.empty()) {
+      missing_ = fmt::format("{} holds no {}, and neither {} nor {} is there: they are made up",
+                             path_, unknown, beside(".json"), beside(".vtm"));
+    }
+    return ok();
+  }
+
+  std::string path_;
+  std::string missing_;
+};
 
 }  // namespace
 
 Result<Output> read_output(const std::string& path) {
-  Result<StoredMesh> stored =
-      fs::path(path).extension() == ".vtm" ? read_vtm(path) : read_triangles(path);
+  Completion completion(path);
+  Result<StoredMesh> stored = completion.read();
   if (!stored) return std::move(stored).error();
-  Result<std::string> missing = complete(path, *stored);
-  if (!missing) return std::move(missing).error();
   Result<Output> output = rebuild(*stored);
   if (!output) return wrong(path, output.error().message);
-  if (!missing->empty()) {
-    output->report.notes.push_back({Note::Kind::warning, kVoid, *missing, {}});
+  if (!completion.missing().empty()) {
+    output->report.notes.push_back({Note::Kind::warning, kVoid, completion.missing(), {}});
   }
   return output;
 }

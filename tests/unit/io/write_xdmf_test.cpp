@@ -44,6 +44,7 @@ struct Grid {
   std::vector<WrittenCell> cells;
   std::vector<Point> points;
   std::vector<std::string> names;  ///< of the attributes
+  std::vector<long> group;         ///< by cell
   std::map<long, std::string> groups;
 };
 
@@ -70,8 +71,12 @@ Grid parse_grid(const std::string& text) {
     DataItem values(text, at);
     EXPECT_EQ(values.type, "Int");
     EXPECT_EQ(values.rows, grid.cells.size());
-    for (WrittenCell& cell : grid.cells)
-      (grid.names.size() == 1 ? cell.number : cell.entity) = values.words.integer();
+    for (WrittenCell& cell : grid.cells) {
+      const long value = values.words.integer();
+      if (grid.names.size() == 1) cell.number = value;
+      if (grid.names.size() == 2) cell.entity = value;
+      if (grid.names.size() == 3) grid.group.push_back(value);
+    }
     EXPECT_TRUE(values.words.at_end());
   }
   while (text.find("<Information", at) != std::string::npos) {
@@ -102,7 +107,7 @@ class WriteXdmf : public ::testing::Test {
 TEST_F(WriteXdmf, TwoGrids) {
   auto [mesh, lines] = written({});
   EXPECT_EQ(mesh.topology, "Triangle");
-  EXPECT_EQ(mesh.names, (std::vector<std::string>{"MaterialID", "RegionId"}));
+  EXPECT_EQ(mesh.names, (std::vector<std::string>{"MaterialID", "RegionId", "GroupID"}));
   EXPECT_EQ(lines.topology, "PolyLine");
   EXPECT_EQ(lines.names, (std::vector<std::string>{"LineID", "Marker"}));
   EXPECT_EQ(mesh.points, lines.points);
@@ -113,6 +118,10 @@ TEST_F(WriteXdmf, TwoGrids) {
   const WrittenMesh file{mesh.points, mesh.cells, lines.cells, {}, lines.groups};
   testing::expect_same_triangles(output_, file);
   testing::expect_materials(output_, file);
+  WrittenMesh groups{mesh.points, mesh.cells, {}, mesh.groups, {}};
+  for (std::size_t t = 0; t < groups.triangles.size(); ++t)
+    groups.triangles[t].number = mesh.group.at(t);
+  testing::expect_region_groups(output_, groups);
   testing::expect_same_lines(output_, {mesh.points, {}, lines.cells, {}, lines.groups});
 }
 

@@ -13,8 +13,11 @@
 #include <cover/version.hpp>
 #include <cover/write_mesh.hpp>
 
+#include "io/mesh_view.hpp"
 #include "support/inputs.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/written_mesh.hpp"
+#include "unit/io/written_text.hpp"
 
 namespace cover {
 namespace {
@@ -112,18 +115,159 @@ TEST(ReadOutput, VtmAlone) {
   for (const auto& [ends, line] : before) EXPECT_EQ(after.at(ends).second, line.second);
 }
 
-TEST(ReadOutput, SecondOrder) {
-  const testing::TemporaryFolder folder;
-  const Output written = device();
-  const WriteOptions second{.order = 2};
-  for (const char* name : {"device.vtm", "device.vtu", "device.vtk"}) {
-    const std::string path = folder.path() / name;
-    ASSERT_TRUE(write_mesh(written, path, second));
-    const Result<Output> read = read_output(path);
-    ASSERT_TRUE(read) << name << ": " << read.error().message;
-    expect_same_mesh(*read, written);
-    EXPECT_EQ(edges_of(*read).size(), edges_of(written).size());
+/// A format in which a mesh can be written and read again.
+struct Way {
+  const char* name;
+  WriteOptions options;
+  bool names = false;  ///< the file alone has names of regions and contacts
+  bool materials = true;
+};
+
+const std::vector<Way>& ways() {
+  static const std::vector<Way> all = [] {
+    std::vector<Way> list;
+    for (const int order : {1, 2}) {
+      list.push_back({"x.vtu", {.order = order}});
+      list.push_back({"x.vtk", {.order = order}});
+      list.push_back({"x.vtk", {.order = order, .lines = true}});
+      list.push_back({"x.vtm", {.order = order}, true});
+      list.push_back({"x.msh", {.order = order}, true, false});
+      list.push_back({"x.msh", {.order = order, .inner_lines = false}, true, false});
+      list.push_back({"x.msh", {.order = order, .msh = "4.1"}, true, false});
+      list.push_back({"x.xdmf", {.order = order}, true});
+      list.push_back({"x.mesh", {.order = order}});
+      list.push_back({"x.ele", {.order = order}});
+      list.push_back({"x.inp", {.order = order}, true, false});
+    }
+    return list;
+  }();
+  return all;
+}
+
+std::string describe(const Way& way) {
+  return way.name + std::string(" of order ") + std::to_string(way.options.order) + ", .msh " +
+         way.options.msh + (way.options.lines ? ", with lines" : "") +
+         (way.options.inner_lines ? "" : ", without inner lines");
+}
+
+/// An Abaqus deck has 20 characters for a number, too few for some.
+void expect_same_points(const TriangleSoup& read, const TriangleSoup& written, bool rounded) {
+  if (!rounded) {
+    EXPECT_EQ(read.points, written.points);
+    return;
   }
+  ASSERT_EQ(read.points.size(), written.points.size());
+  for (std::size_t v = 0; v < read.points.size(); ++v) {
+    EXPECT_NEAR(read.points[v].x, written.points[v].x, 1e-15 * std::abs(written.points[v].x));
+    EXPECT_NEAR(read.points[v].y, written.points[v].y, 1e-15 * std::abs(written.points[v].y));
+  }
+}
+
+TEST(ReadOutput, EveryFormatWithTheManifestGivesBackAll) {
+  const Output written = testing::odd_device();
+  const TriangleSoup before = triangle_soup(written.mesh);
+  for (const Way& way : ways()) {
+    SCOPED_TRACE(describe(way));
+    const testing::TemporaryFolder folder;
+    const std::string path = folder.path() / way.name;
+    ASSERT_TRUE(write_mesh(written, path, way.options));
+    ASSERT_TRUE(write_manifest(written, folder.path() / "x.json", way.options));
+    const Result<Output> read = read_output(path);
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_TRUE(read->report.notes.empty());
+    const TriangleSoup after = triangle_soup(read->mesh);
+    expect_same_points(after, before, std::string(way.name) == "x.inp");
+    EXPECT_EQ(after.triangles, before.triangles);
+    EXPECT_EQ(after.region, before.region);
+    EXPECT_EQ(after.material, before.material);
+    EXPECT_EQ(edges_of(*read), edges_of(written));
+    ASSERT_EQ(read->table.regions.size(), written.table.regions.size());
+    for (std::size_t r = 0; r < written.table.regions.size(); ++r) {
+      EXPECT_EQ(read->table.regions[r].name, written.table.regions[r].name);
+      EXPECT_EQ(read->table.regions[r].material_name, written.table.regions[r].material_name);
+    }
+    ASSERT_EQ(read->table.interfaces.size(), written.table.interfaces.size());
+    for (std::size_t i = 0; i < written.table.interfaces.size(); ++i) {
+      EXPECT_EQ(read->table.interfaces[i].name, written.table.interfaces[i].name);
+      EXPECT_EQ(read->table.interfaces[i].kind, written.table.interfaces[i].kind);
+    }
+    // And on into the next format, byte for byte.
+    ASSERT_TRUE(write_msh(written, folder.path() / "before.msh"));
+    ASSERT_TRUE(write_msh(*read, folder.path() / "after.msh"));
+    if (std::string(way.name) != "x.inp") {
+      EXPECT_EQ(testing::content((folder.path() / "after.msh").string()),
+                testing::content((folder.path() / "before.msh").string()));
+    }
+  }
+}
+
+TEST(ReadOutput, EveryFormatAloneGivesBackWhatItHolds) {
+  const Output written = testing::odd_device();
+  const TriangleSoup before = triangle_soup(written.mesh);
+  for (const Way& way : ways()) {
+    SCOPED_TRACE(describe(way));
+    const testing::TemporaryFolder folder;
+    const std::string path = folder.path() / way.name;
+    ASSERT_TRUE(write_mesh(written, path, way.options));
+    const Result<Output> read = read_output(path);
+    ASSERT_TRUE(read) << read.error().message;
+    const TriangleSoup after = triangle_soup(read->mesh);
+    expect_same_points(after, before, std::string(way.name) == "x.inp");
+    EXPECT_EQ(after.triangles.size(), before.triangles.size());
+    EXPECT_EQ(read->table.regions.size(), written.table.regions.size());
+    if (way.materials) {
+      EXPECT_EQ(after.material, before.material);
+    }
+    EXPECT_EQ(read->report.notes.size(), way.names && way.materials ? 0U : 1U);
+    if (!way.names || std::string(way.name) == "x.inp") continue;
+    EXPECT_EQ(read->table.regions[0].name, "Si__n_");
+    const MeshView now = view_of(*read, {}), then = view_of(written, {});
+    for (const char* contact : {"gate", "drain_contact"}) {
+      const auto lines = [&](const MeshView& view) {
+        return std::count_if(
+            view.line_group.begin(), view.line_group.end(),
+            [&](std::uint32_t group) { return view.line_groups[group].name == contact; });
+      };
+      EXPECT_EQ(lines(now), lines(then)) << contact;
+    }
+  }
+}
+
+TEST(ReadOutput, RefusesFormatsWithoutRegions) {
+  const testing::TemporaryFolder folder;
+  for (const char* name : {"x.obj", "x.off", "x.ply"}) {
+    const std::string path = folder.path() / name;
+    ASSERT_TRUE(write_mesh(device(), path));
+    const Result<Output> read = read_output(path);
+    ASSERT_FALSE(read);
+    EXPECT_EQ(read.error().code, ErrorCode::unsupported_format);
+    EXPECT_NE(read.error().message.find("keeps no regions"), std::string::npos);
+  }
+}
+
+TEST(ReadOutput, BrokenFilesAreErrors) {
+  const testing::TemporaryFolder folder;
+  const auto code = [&](const char* name, const std::string& text) {
+    const Result<Output> read = read_output(folder.write(name, text));
+    return read ? ErrorCode::internal : read.error().code;
+  };
+  EXPECT_EQ(code("a.mesh", "MeshVersionFormatted 2\nDimension 2\nVertices 1\n0 0 0\nEnd"),
+            ErrorCode::syntax);
+  EXPECT_EQ(code("b.mesh",
+                 "MeshVersionFormatted 2\nDimension 2\nVertices 1\n0 0 0\n"
+                 "Triangles 1\n1 2 3 1\nEnd"),
+            ErrorCode::id_out_of_range);
+  EXPECT_EQ(code("c.mesh", "MeshVersionFormatted 2\nDimension 2\nVertices 9"),
+            ErrorCode::truncated);
+  EXPECT_EQ(code("a.inp", "*NODE\n1, 0, 0\n*ELEMENT, TYPE=S3, ELSET=A\n1, 1, 2, 3\n"),
+            ErrorCode::id_out_of_range);
+  EXPECT_EQ(code("b.inp", "*NODE\n1, x, 0\n"), ErrorCode::syntax);
+  EXPECT_EQ(code("a.xdmf", "<Xdmf><Domain/></Xdmf>"), ErrorCode::syntax);
+  EXPECT_EQ(code("b.xdmf", "no XML"), ErrorCode::syntax);
+  EXPECT_EQ(code("a.ele", "1 3 2\n"), ErrorCode::cannot_open);
+  (void)folder.write("b.node", "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n");
+  EXPECT_EQ(code("b.ele", "1 3 2\n1 1 2 4 1 1\n"), ErrorCode::id_out_of_range);
+  EXPECT_EQ(code("c.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"), ErrorCode::truncated);
 }
 
 TEST(ReadOutput, TheManifestSaysHowTheMeshCameAbout) {

@@ -1,0 +1,24 @@
+// Tested through the formats, by tests/unit/vtk/read_output_test.cpp.
+#include "io/field_reader.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+namespace cover {
+
+long FieldReader::integer(std::size_t field) {
+  const auto value = field < fields().size() ? parse_integer(fields()[field]) : std::nullopt;
+  if (!value) fail(ErrorCode::syntax, fmt::format("field {} is no integer", field + 1));
+  return value.value_or(0);
+}
+
+double FieldReader::real(std::size_t field) {
+  const auto value = field < fields().size() ? parse_double(fields()[field]) : std::nullopt;
+  if (value && std::isfinite(*value)) return *value;
+  fail(value ? ErrorCode::non_finite_coordinate : ErrorCode::syntax,
+       fmt::format("field {} is no finite number", field + 1));
+  return 0;
+}
+
+}  // namespace cover

@@ -1,0 +1,37 @@
+// Puts a MeshFile together from the cells of a file.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <cover/read_mesh.hpp>
+
+namespace cover {
+
+/// Takes cells of first and second order, and keeps their corners.
+class MeshCollector {
+ public:
+  MeshFile mesh;
+
+  /// Three nodes, or six with the midpoints last. REQUIRES: at least three
+  void add_triangle(std::span<const std::uint32_t> nodes) {
+    mesh.soup.triangles.push_back({nodes[0], nodes[1], nodes[2]});
+    midpoints_.insert(midpoints_.end(), nodes.begin() + 3, nodes.end());
+  }
+  /// Two nodes, or three with the midpoint last. REQUIRES: at least two
+  void add_line(std::span<const std::uint32_t> nodes, std::int64_t group,
+                std::int64_t interface = 0, int marker = 0) {
+    mesh.lines.push_back({nodes[0], nodes[1], group, interface, marker});
+    midpoints_.insert(midpoints_.end(), nodes.begin() + 2, nodes.end());
+  }
+
+  /// The mesh without the points that are midpoints alone.
+  /// REQUIRES: indices of nodes in range
+  MeshFile finish();
+
+ private:
+  std::vector<std::uint32_t> midpoints_;
+};
+
+}  // namespace cover

@@ -1,0 +1,48 @@
+// gmsh's .msh as it stands in the file; what it means is said by who asks.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <cover/point.hpp>
+#include <cover/result.hpp>
+
+namespace cover {
+
+/// A point, line, triangle or quadrangle, of whatever order.
+struct MshElement {
+  long id = 0;
+  int dimension = 0;
+  long physical = 0;           ///< number of the physical group; 0: none
+  long entity = 0;             ///< number of the elementary entity
+  std::size_t first_node = 0;  ///< index into MshFile::nodes
+  std::uint32_t corners = 0;
+  std::uint32_t nodes = 0;
+};
+
+/// Nodes, elements and physical groups.
+struct MshFile {
+  bool has_entities = false;  ///< elements have elementary entities of their own (version 2)
+  std::vector<Point> points;
+  std::vector<long> point_ids;
+  std::vector<std::uint32_t> nodes;  ///< of all elements, corners first; indices into points
+  std::vector<MshElement> elements;
+  std::map<std::pair<long, long>, std::string> names;  ///< of groups, by dimension and number
+
+  [[nodiscard]] std::span<const std::uint32_t> nodes_of(const MshElement& element) const {
+    return std::span(nodes).subspan(element.first_node, element.nodes);
+  }
+};
+
+/// Reads versions 2.x and 4.1 in ASCII. Elements are those of a plane mesh, in one plane.
+///
+/// Errors: syntax, truncated, id_out_of_range, non_finite_coordinate, unsupported_format, with line
+/// Ref:    gmsh reference manual, chapter "MSH file format"
+Result<MshFile> parse_msh_file(std::string_view text, const std::string& source);
+
+}  // namespace cover
