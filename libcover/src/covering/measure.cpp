@@ -95,6 +95,20 @@ Note bound_missed(const RegionReport& report, std::span<const Point> points, Ind
           {a, b, c}};
 }
 
+/// The opposite of every half-edge that is no side; kAbsent for sides.
+std::vector<std::uint32_t> across_edges(std::size_t points, std::span<const IndexTriple> triangles,
+                                        std::span<const IndexPair> sides) {
+  std::vector<std::uint32_t> across = opposite_half_edges(points, triangles);
+  const auto outer = std::count(across.begin(), across.end(), HalfEdges::kAbsent);
+  if (outer == static_cast<std::ptrdiff_t>(sides.size())) return across;
+  const HalfEdges half_edges(points, triangles);  // slits have triangles on both sides
+  for (const auto& [a, b] : sides) {
+    const std::uint32_t h = half_edges.find(a, b);
+    if (h != HalfEdges::kAbsent) across[h] = HalfEdges::kAbsent;
+  }
+  return across;
+}
+
 }  // namespace
 
 std::vector<Point> all_points(const RegionBoundary& boundary, const RegionMesh& mesh) {
@@ -138,24 +152,19 @@ Quality measure_angles(std::span<const Point> points, std::span<const IndexTripl
 BoxMethod measure_boxes(std::span<const Point> points, std::span<const IndexTriple> triangles,
                         std::span<const IndexPair> sides) {
   BoxMethod box;
-  const HalfEdges half_edges(points.size(), triangles);
-  std::vector<bool> is_side(half_edges.size(), false);
-  for (const auto& [a, b] : sides) {
-    const std::uint32_t h = half_edges.find(a, b);
-    if (h != HalfEdges::kAbsent) is_side[h] = true;
-  }
-  for (std::uint32_t h = 0; h < half_edges.size(); ++h) {
-    const Point a = points[half_edges.source(h)], b = points[half_edges.target(h)];
-    const Point c = points[half_edges.target(HalfEdges::next(h))];
+  const std::vector<std::uint32_t> across = across_edges(points.size(), triangles, sides);
+  const auto source = [&](std::uint32_t h) { return points[triangles[h / 3][h % 3]]; };
+  for (std::uint32_t h = 0; h < across.size(); ++h) {
+    const Point a = source(h), b = source(HalfEdges::next(h)), c = source(HalfEdges::previous(h));
     // |e| d_e / 2 with d_e = |e| |cot| / 2, the distance from the edge's midpoint to the
     // circumcentre
     const double area = cross(b - a, c - a);
     box.box_area += squared_length(b - a) * std::abs(cotangent(a, c, b, area)) / 4;
-    const std::uint32_t twin = is_side[h] ? HalfEdges::kAbsent : half_edges.twin(h);
+    const std::uint32_t twin = across[h];
     if (twin == HalfEdges::kAbsent) {
       if (compare_with_90_degrees(a, c, b) == Sign::positive) ++box.obtuse_sides;
     } else if (h < twin) {
-      const Point d = points[half_edges.target(HalfEdges::next(twin))];
+      const Point d = source(HalfEdges::previous(twin));
       if (in_circle(a, b, c, d) == Sign::positive) ++box.non_delaunay_edges;
     }
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace cover {
 
@@ -39,6 +40,32 @@ bool HalfEdges::all_different() const {
     }
   }
   return true;
+}
+
+std::vector<std::uint32_t> opposite_half_edges(std::size_t vertices,
+                                               std::span<const IndexTriple> triangles) {
+  constexpr std::uint32_t kAbsent = HalfEdges::kAbsent;
+  // Half-edges that wait for their opposite hang on the lower one of their ends, in a list whose
+  // links stand where the opposite will.
+  std::vector<std::uint32_t> waiting(vertices, kAbsent), opposite(3 * triangles.size());
+  const auto source = [&](std::uint32_t h) { return triangles[h / 3][h % 3]; };
+  const auto target = [&](std::uint32_t h) { return source(HalfEdges::next(h)); };
+  for (std::uint32_t h = 0; h < opposite.size(); ++h) {
+    const std::uint32_t a = source(h), b = target(h);
+    std::uint32_t* link = &waiting[std::min(a, b)];
+    while (*link != kAbsent && (source(*link) != b || target(*link) != a)) link = &opposite[*link];
+    if (*link == kAbsent) {
+      opposite[h] = waiting[std::min(a, b)];
+      waiting[std::min(a, b)] = h;
+    } else {
+      opposite[h] = *link;
+      *link = std::exchange(opposite[*link], h);
+    }
+  }
+  for (std::uint32_t h : waiting) {  // in vain
+    while (h != kAbsent) h = std::exchange(opposite[h], kAbsent);
+  }
+  return opposite;
 }
 
 }  // namespace cover

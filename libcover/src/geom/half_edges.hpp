@@ -50,4 +50,12 @@ class HalfEdges {
   std::vector<Entry> sorted_;         ///< by source vertex, then target, then half-edge
 };
 
+/// The opposite of every half-edge, numbered as in HalfEdges; kAbsent where there is no triangle on
+/// the other side.
+///
+/// REQUIRES: no two triangles have the same directed edge
+/// Cost:     O(triangles) and 4 bytes per half-edge, for the few edges that a vertex usually has
+std::vector<std::uint32_t> opposite_half_edges(std::size_t vertices,
+                                               std::span<const IndexTriple> triangles);
+
 }  // namespace cover

@@ -70,8 +70,9 @@ class Improver {
       const std::uint32_t u = mesh_.triangles[t].n[at(i)];
       if (is_side(u)) continue;
       const double before = std::max(mesh_.excess[t], mesh_.excess[u]);
-      const double after = mesh_.excess_after_flip(t, i);
-      if (!(after < improvement_of(before))) continue;
+      const double limit = improvement_of(before);
+      const double after = mesh_.excess_after_flip(t, i, limit);
+      if (!(after < limit)) continue;
       if (best_edge < 0 || before - after > best_gain) {
         best_edge = i;
         best_gain = before - after;

@@ -102,7 +102,7 @@ void MutableMesh::drop_triangle(std::uint32_t t) {
   free_triangles_.push_back(t);
 }
 
-double MutableMesh::excess_after_flip(std::uint32_t t, int i) const {
+double MutableMesh::excess_after_flip(std::uint32_t t, int i, double limit) const {
   const MeshTriangle& s = triangles[t];
   const std::uint32_t u = s.n[at(i)];
   const MeshTriangle& o = triangles[u];
@@ -110,7 +110,7 @@ double MutableMesh::excess_after_flip(std::uint32_t t, int i) const {
   const int j = o.edge_from(c);
   const std::uint32_t d = o.v[at(j)];
   const double first = excess_of({a, b, d}, {o.n[at(next3(j))], u, s.n[at(prev3(i))]});
-  if (first == kInverted) return first;
+  if (first > limit) return first;
   return std::max(first, excess_of({a, d, c}, {o.n[at(prev3(j))], s.n[at(next3(i))], t}));
 }
 
@@ -136,6 +136,56 @@ bool MutableMesh::flip(std::uint32_t t, int i) {
   measure(t);
   measure(u);
   return true;
+}
+
+void MutableMesh::arrange() {
+  std::vector<std::uint32_t> order, number(triangles.size(), kNone);
+  order.reserve(triangle_count());
+  const auto visit = [&](std::uint32_t t) {
+    if (number[t] != kNone) return;
+    number[t] = static_cast<std::uint32_t>(order.size());
+    order.push_back(t);
+  };
+  std::vector<std::uint32_t> at_side(sides.size(), kNone);
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    if (is_hole(t)) continue;
+    for (const std::uint32_t n : triangles[t].n) {
+      if (is_side(n)) at_side[side_index(n)] = t;
+    }
+  }
+  for (const std::uint32_t t : at_side) {
+    if (t != kNone) visit(t);
+  }
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    for (const std::uint32_t n : triangles[order[k]].n) {
+      if (!is_side(n)) visit(n);
+    }
+  }
+
+  std::vector<MeshTriangle> sorted(order.size());
+  std::vector<double> sorted_excess(order.size());
+  std::vector<Point> sorted_points(points.begin(), points.begin() + fixed_);
+  std::vector<std::uint32_t> vertex(points.size(), kNone);
+  for (std::uint32_t v = 0; v < fixed_; ++v) vertex[v] = v;
+  home.assign(points.size() - free_vertices_.size(), kNone);
+  for (std::uint32_t k = 0; k < order.size(); ++k) {
+    const MeshTriangle& from = triangles[order[k]];
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (vertex[from.v[i]] == kNone) {
+        vertex[from.v[i]] = static_cast<std::uint32_t>(sorted_points.size());
+        sorted_points.push_back(points[from.v[i]]);
+      }
+      sorted[k].v[i] = vertex[from.v[i]];
+      sorted[k].n[i] = is_side(from.n[i]) ? from.n[i] : number[from.n[i]];
+      home[sorted[k].v[i]] = k;
+    }
+    sorted_excess[k] = excess[order[k]];
+  }
+  points = std::move(sorted_points);
+  triangles = std::move(sorted);
+  excess = std::move(sorted_excess);
+  free_triangles_.clear();
+  free_vertices_.clear();
 }
 
 bool MutableMesh::is_valid() const {

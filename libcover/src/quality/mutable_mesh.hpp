@@ -86,15 +86,20 @@ class MutableMesh {
   std::uint32_t add_triangle();
   void drop_triangle(std::uint32_t t);
 
-  /// The excess that the two triangles have after a flip of edge i of `t`.
+  /// The excess that the two triangles have after a flip of edge i of `t`, or anything above
+  /// `limit` once that is passed.
   ///
   /// REQUIRES: that edge is no side
-  [[nodiscard]] double excess_after_flip(std::uint32_t t, int i) const;
+  [[nodiscard]] double excess_after_flip(std::uint32_t t, int i, double limit) const;
   /// Flips edge i of `t`. Both triangles keep their places.
   ///
   /// ENSURES: false, and nothing has changed, if exact arithmetic finds one of the new triangles
   ///          not counter-clockwise
   bool flip(std::uint32_t t, int i);
+
+  /// Renumbers triangles and free vertices from the sides inwards, so that neighbours are near each
+  /// other in memory and no holes are left.
+  void arrange();
 
   /// Whether exact arithmetic finds all triangles counter-clockwise.
   [[nodiscard]] bool is_valid() const;

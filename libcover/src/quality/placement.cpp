@@ -35,81 +35,90 @@ Hole::Hole(const MutableMesh& mesh, const Cavity& cavity)
 Hole::Hole(const Goal& goal, std::span<const Edge> edges)
     : goal_(&goal), edges_(edges.data()), size_(static_cast<int>(edges.size())) {}
 
-double Hole::excess_at(std::size_t k, Point p) const {
-  const Edge& edge = edges_[k];
+/// An excess as a quotient: many are compared and few are needed.
+struct Hole::Ratio {
+  double above, area;
+  [[nodiscard]] bool is_inverted() const { return !(area > 0); }
+  [[nodiscard]] bool exceeds(double excess) const { return above > excess * area; }
+  [[nodiscard]] bool exceeds(const Ratio& other) const {
+    return above * other.area > other.above * area;
+  }
+  [[nodiscard]] double value() const { return above / area; }
+};
+
+inline Hole::Ratio Hole::excess_at(const Edge& edge, Point p) const {
   const double ux = edge.ax - p.x, uy = edge.ay - p.y, vx = edge.bx - p.x, vy = edge.by - p.y;
   const double ex = edge.bx - edge.ax, ey = edge.by - edge.ay;
   const double area = ux * vy - uy * vx;
-  if (!(area > 0)) return kInverted;
   const double apex = ux * vx + uy * vy, at_a = -(ux * ex + uy * ey), at_b = vx * ex + vy * ey;
   const double most = std::max(apex, std::max(at_a, at_b));
-  if (edge.large == 0 && edge.small == 0) {
-    const double least = std::min(apex, std::min(at_a, at_b));
-    return std::max(-least - goal_->large * area, goal_->weight * (most - goal_->small * area)) /
-           area;
-  }
-  const double at_ends = -std::min(at_a, at_b) - goal_->large * area;
-  const double at_apex = -apex - (goal_->large + edge.large) * area;
+  const double large = std::max(-apex - edge.large * area, -std::min(at_a, at_b));
   const double small = goal_->weight * (most - (goal_->small + edge.small) * area);
-  return std::max(std::max(at_ends, at_apex), small) / area;
+  return {std::max(large - goal_->large * area, small), area};
 }
 
 double Hole::worst(Point p, double limit) const {
-  double result = -kInverted;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(size_) && result <= limit; ++k) {
-    result = std::max(result, excess_at(k, p));
+  Ratio worst{-kInverted, 1};
+  for (const Edge& edge : edges()) {
+    const Ratio here = excess_at(edge, p);
+    if (here.is_inverted()) return kInverted;
+    if (here.exceeds(limit)) return here.value();
+    if (here.exceeds(worst)) worst = here;
   }
-  return result;
+  return worst.value();
 }
 
 int Hole::worst_edge(Point p, const std::array<bool, Cavity::kCapacity>& skip) const {
   int result = -1;
-  double most = -kInverted;
+  Ratio worst{-kInverted, 1};
   for (int k = 0; k < size_; ++k) {
     if (skip[static_cast<std::size_t>(k)]) continue;
-    const double value = excess_at(static_cast<std::size_t>(k), p);
-    if (value > most) {
-      most = value;
-      result = k;
-    }
+    const Ratio here = excess_at(edges_[k], p);
+    if (here.is_inverted()) return k;
+    if (!here.exceeds(worst)) continue;
+    worst = here;
+    result = k;
   }
   return result;
 }
 
 Vector Hole::step_to(Point p, double level, double& value) const {
-  value = -kInverted;
-  std::size_t worst = 0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(size_); ++k) {
-    const double here = excess_at(k, p);
-    if (here <= value) continue;
-    value = here;
-    worst = k;
-    if (here == kInverted) return {};
+  value = kInverted;
+  Ratio worst{-kInverted, 1};
+  const Edge* at = nullptr;
+  for (const Edge& edge : edges()) {
+    const Ratio here = excess_at(edge, p);
+    if (here.is_inverted()) return {};
+    if (!here.exceeds(worst)) continue;
+    worst = here;
+    at = &edge;
   }
-  const Vector slope = slope_at(worst, p);
+  if (at == nullptr) return {};
+  value = worst.value();
+  const Vector slope = slope_at(*at, p);
   const double size = squared_length(slope);
   return size > 0 ? ((level - value) / size) * slope : Vector{};
 }
 
-Vector Hole::slope_at(std::size_t k, Point p) const {
-  const Edge& edge = edges_[k];
+Vector Hole::slope_at(const Edge& edge, Point p) const {
   const Point a = edge.a(), b = edge.b();
   const Vector u = a - p, v = b - p, e = b - a;
   const double area = cross(u, v);
+  // The excess is (factor dot - ...) / area with one of six dot products and factors.
   const double dots[3] = {dot(u, v), -dot(u, e), dot(v, e)};
   const Vector of_dots[3] = {-1.0 * (u + v), e, -1.0 * e};
-  const Vector of_area = left_normal(e);
-  double value = -kInverted;
-  Vector slope;
+  double most = -kInverted, factor = 0;
+  int corner = 0;
   for (int i = 0; i < 3; ++i) {
-    const double cot = dots[i] / area;
-    const double large = -cot - goal_->large - (i == 0 ? edge.large : 0);
-    const double small = goal_->weight * (cot - goal_->small - edge.small);
-    if (large <= value && small <= value) continue;
-    value = std::max(large, small);
-    slope = ((large > small ? -1 : goal_->weight) / area) * (of_dots[i] - cot * of_area);
+    const double large = -dots[i] - (goal_->large + (i == 0 ? edge.large : 0)) * area;
+    const double small = goal_->weight * (dots[i] - (goal_->small + edge.small) * area);
+    if (large <= most && small <= most) continue;
+    most = std::max(large, small);
+    factor = large > small ? -1 : goal_->weight;
+    corner = i;
   }
-  return slope;
+  const double cot = dots[corner] / area;
+  return (factor / area) * (of_dots[corner] - cot * left_normal(e));
 }
 
 double Hole::shortest_spoke(Point p) const {

@@ -44,9 +44,14 @@ class Hole {
   [[nodiscard]] Point centre() const;
 
  private:
-  [[nodiscard]] double excess_at(std::size_t k, Point p) const;
-  /// The gradient of excess_at by p.
-  [[nodiscard]] Vector slope_at(std::size_t k, Point p) const;
+  struct Ratio;
+  [[nodiscard]] std::span<const Edge> edges() const {
+    return {edges_, static_cast<std::size_t>(size_)};
+  }
+  /// The excess of the triangle from an edge to `p`.
+  [[nodiscard]] Ratio excess_at(const Edge& edge, Point p) const;
+  /// Its gradient by p.
+  [[nodiscard]] Vector slope_at(const Edge& edge, Point p) const;
 
   const Goal* goal_;
   const Edge* edges_;

@@ -248,6 +248,7 @@ class Refinement {
 
 void refine(MutableMesh& mesh, const RefineLimits& limits, SizeField sizes) {
   Refinement(mesh, limits, std::move(sizes)).run();
+  mesh.arrange();
   mesh.set_goal(mesh.goal());
 }
 

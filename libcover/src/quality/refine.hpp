@@ -23,7 +23,7 @@ struct RefineLimits {
 /// The triangle is left then.
 ///
 /// REQUIRES: `mesh` is constrained Delaunay, with its goal set
-/// ENSURES:  `mesh` is constrained Delaunay, its excesses measured
+/// ENSURES:  `mesh` is constrained Delaunay, its excesses measured, its numbers arranged
 /// Ref:      J. Ruppert, J. Algorithms 18 (1995); A. Uengoer, CGTA 42 (2009)
 void refine(MutableMesh& mesh, const RefineLimits& limits, SizeField sizes = {});
 

@@ -1,6 +1,8 @@
 #include "quality/mutable_mesh.hpp"
 
 #include "mesh_checks.hpp"
+#include "quality/improve.hpp"
+#include "quality/refine.hpp"
 
 namespace cover {
 namespace {
@@ -41,7 +43,7 @@ TEST(MutableMesh, FlipsAndFlipsBack) {
     return -1;
   };
   const double before = worst_excess(mesh);
-  const double predicted = mesh.excess_after_flip(0, inner_edge());
+  const double predicted = mesh.excess_after_flip(0, inner_edge(), kInverted);
   ASSERT_TRUE(mesh.flip(0, inner_edge()));
   EXPECT_DOUBLE_EQ(worst_excess(mesh), predicted);
   expect_sound(mesh, boundary);
@@ -55,9 +57,38 @@ TEST(MutableMesh, RefusesToFlipTheDiagonalOfAReflexQuadrilateral) {
   MutableMesh mesh = cdt_mesh(boundary);
   for (int i = 0; i < 3; ++i) {
     if (is_side(mesh.triangles[0].n[static_cast<std::size_t>(i)])) continue;
-    EXPECT_EQ(mesh.excess_after_flip(0, i), kInverted);
+    EXPECT_EQ(mesh.excess_after_flip(0, i, kInverted), kInverted);
     EXPECT_FALSE(mesh.flip(0, i));
   }
+  expect_sound(mesh, boundary);
+}
+
+TEST(MutableMesh, IsTheSameMeshAfterArrangement) {
+  const RegionBoundary boundary = smooth_star(60);
+  MutableMesh mesh = cdt_mesh(boundary);
+  RefineLimits limits{.smallest_cot = 2, .budget = 1000};
+  refine(mesh, limits);
+  improve(mesh, 100000);
+  const auto corners = [&] {
+    std::vector<std::array<Point, 3>> all;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      if (mesh.is_hole(t)) continue;
+      all.push_back({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)});
+      std::rotate(all.back().begin(), std::min_element(all.back().begin(), all.back().end()),
+                  all.back().end());
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+  };
+  const auto before = corners();
+  const double worst = worst_excess(mesh);
+  mesh.drop_vertex(mesh.add_vertex({0, 0}));
+  mesh.drop_triangle(mesh.add_triangle());
+  mesh.arrange();
+  EXPECT_EQ(corners(), before);
+  EXPECT_EQ(worst_excess(mesh), worst);
+  EXPECT_EQ(mesh.triangles.size(), mesh.triangle_count());
+  EXPECT_EQ(std::count(mesh.home.begin(), mesh.home.end(), kNone), 0);
   expect_sound(mesh, boundary);
 }
 
