@@ -15,6 +15,8 @@
 #include "pipeline/nonobtuse.hpp"
 #include "pipeline/region_task.hpp"
 #include "pipeline/stage_clock.hpp"
+#include "quality/cut_and_improve.hpp"
+#include "quality/missed_targets.hpp"
 #include "quality/sizes.hpp"
 #include "quality/split_interfaces.hpp"
 #include "region/pslg.hpp"
@@ -90,6 +92,15 @@ Result<Output> cover_mesh(const Input& input, const Options& options, const Call
           ? mesh_nonobtuse(pslg, table, boundaries, options, callbacks)
           : mesh_regions(boundaries, options, callbacks);
   if (!meshes) return std::move(meshes).error();
+  if (options.method == Method::quality &&
+      cut_and_improve(pslg, table, boundaries, *meshes, options, callbacks.stop, report.notes)) {
+    report.input_points = pslg.points.size();
+    report.input_segments = pslg.segments.size();
+    for (std::size_t r = 0; r < boundaries.size(); ++r) {
+      report_again(boundaries[r], options, (*meshes)[r]);
+      measure(boundaries[r], (*meshes)[r]);
+    }
+  }
   clock.note("mesh", report.times);
   Mesh mesh = stitch(pslg, table, boundaries, *meshes);
   collect_reports(*meshes, report);

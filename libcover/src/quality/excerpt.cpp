@@ -14,12 +14,14 @@ using Numbers = std::unordered_map<std::uint32_t, std::uint32_t>;  ///< from the
 
 /// The triangles nearest to `t`, by the number of edges between, and their places in that list.
 std::vector<std::uint32_t> triangles_around(const MutableMesh& whole, std::uint32_t t,
-                                            std::size_t limit, Numbers& local) {
+                                            std::size_t limit,
+                                            std::span<const std::uint32_t> beyond, Numbers& local) {
   std::vector<std::uint32_t> found{t};
   local[t] = 0;
   for (std::size_t k = 0; k < found.size(); ++k) {
-    for (const std::uint32_t n : whole.triangles[found[k]].n) {
-      if (is_side(n) || found.size() >= limit) continue;
+    for (std::uint32_t n : whole.triangles[found[k]].n) {
+      if (is_side(n)) n = beyond.empty() ? kNone : beyond[side_index(n)];
+      if (n == kNone || found.size() >= limit) continue;
       if (local.emplace(n, static_cast<std::uint32_t>(found.size())).second) found.push_back(n);
     }
   }
@@ -31,9 +33,10 @@ constexpr SideLimit kBorder{std::numeric_limits<double>::infinity(), 0, 0};
 
 }  // namespace
 
-Excerpt::Excerpt(const MutableMesh& whole, std::uint32_t t, std::size_t limit) {
+Excerpt::Excerpt(const MutableMesh& whole, std::uint32_t t, std::size_t limit,
+                 std::span<const std::uint32_t> beyond, std::uint32_t spare_of_whole) {
   Numbers triangle_number, vertex_number;
-  triangles_ = triangles_around(whole, t, limit, triangle_number);
+  triangles_ = triangles_around(whole, t, limit, beyond, triangle_number);
   const auto is_inside = [&](std::uint32_t n) {
     return !is_side(n) && triangle_number.contains(n);
   };
@@ -51,6 +54,10 @@ Excerpt::Excerpt(const MutableMesh& whole, std::uint32_t t, std::size_t limit) {
       if (!is_inside(n[i])) number(v[(i + 1) % 3]), number(v[(i + 2) % 3]);
       (whole.is_fixed(v[i]) ? number(v[i]) : inner.push_back(v[i]));
     }
+  }
+  if (spare_of_whole != kNone) {
+    spare = static_cast<std::uint32_t>(vertices_.size());
+    number(spare_of_whole);
   }
   const auto fixed = static_cast<std::uint32_t>(vertices_.size());
   for (const std::uint32_t v : inner) number(v);
@@ -70,7 +77,7 @@ Excerpt::Excerpt(const MutableMesh& whole, std::uint32_t t, std::size_t limit) {
       }
       side_at.push_back({k, static_cast<std::uint8_t>(i)});
       limits.push_back(is_side(n[i]) ? whole.sides[side_index(n[i])] : kBorder);
-      outside_.push_back(n[i]);
+      outside.push_back(n[i]);
     }
   }
   mesh = MutableMesh(part, fixed, side_at, std::move(limits));
@@ -82,7 +89,7 @@ std::vector<std::uint32_t> Excerpt::replace(MutableMesh& whole, const MutableMes
   for (std::uint32_t v = 0; v < part.points.size(); ++v) {
     const bool is_old = v < vertices_.size();
     if (part.home[v] == kNone) {
-      if (is_old) whole.drop_vertex(vertices_[v]);
+      if (is_old && !part.is_fixed(v)) whole.drop_vertex(vertices_[v]);
       continue;
     }
     vertex[v] = is_old ? vertices_[v] : whole.add_vertex(part.points[v]);
@@ -104,7 +111,7 @@ std::vector<std::uint32_t> Excerpt::replace(MutableMesh& whole, const MutableMes
     }
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t n = part.triangles[t].n[i];
-      triangle.n[i] = is_side(n) ? outside_[side_index(n)] : place[n];
+      triangle.n[i] = is_side(n) ? outside[side_index(n)] : place[n];
       if (is_side(n)) {
         whole.link(triangle.n[i], triangle.v[(i + 1) % 3], triangle.v[(i + 2) % 3], place[t]);
       }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "quality/mutable_mesh.hpp"
@@ -14,11 +15,21 @@ namespace cover {
 /// be put in place of these triangles, as long as the whole has not changed there.
 class Excerpt {
  public:
+  /// With `beyond`, by side: the triangle on the other side of its segment, or kNone, the excerpt
+  /// reaches over sides. `spare` is a fixed vertex of the whole that no triangle has yet.
+  ///
   /// REQUIRES: `t` is no hole
   /// Cost:     O(`limit`), the number of triangles, if there are so many
-  Excerpt(const MutableMesh& whole, std::uint32_t t, std::size_t limit);
+  Excerpt(const MutableMesh& whole, std::uint32_t t, std::size_t limit,
+          std::span<const std::uint32_t> beyond = {}, std::uint32_t spare = kNone);
 
   MutableMesh mesh;
+
+  /// By side of `mesh`: the triangle or side of the whole that it stands for. Sides that are added
+  /// to a copy of `mesh` are to be added here before it is put back.
+  std::vector<std::uint32_t> outside;
+  /// The vertex of `mesh` that is the spare one.
+  std::uint32_t spare = kNone;
 
   /// Puts `part`, made from a copy of `mesh`, in place of these triangles.
   ///
@@ -29,7 +40,6 @@ class Excerpt {
  private:
   std::vector<std::uint32_t> triangles_;  ///< by local triangle: its place in the whole
   std::vector<std::uint32_t> vertices_;   ///< by local vertex: its place in the whole
-  std::vector<std::uint32_t> outside_;    ///< by local side: what is beyond it in the whole
 };
 
 }  // namespace cover

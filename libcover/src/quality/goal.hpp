@@ -8,9 +8,9 @@
 // x count like the large angle 180 - x / weight does far from the targets, as q in
 // "max(largest, 180 - f smallest)" with f = 1 / weight.
 //
-// What the input forces does not count: the angle under which a side is seen at least (Lemma 1), the
-// smallest angle that a triangle on a side can have where another side is close (side_limit.hpp),
-// and a corner between two sides, which is the input's own.
+// What the input forces does not count: the angle under which a side is seen at least (Lemma 1),
+// the smallest angle that a triangle on a side can have where another side is close
+// (side_limit.hpp), and a corner between two sides, which is the input's own.
 #pragma once
 
 #include <algorithm>

@@ -7,6 +7,9 @@
 #include <fmt/format.h>
 
 #include "base/describe.hpp"
+#include "cdt/cdt.hpp"
+#include "covering/measure.hpp"
+#include "quality/with_neighbours.hpp"
 
 namespace cover {
 namespace {
@@ -90,6 +93,17 @@ std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& 
                std::move(where_small)));
   }
   return notes;
+}
+
+void report_again(const RegionBoundary& boundary, const Options& options, RegionMesh& mesh) {
+  const Triangulation cdt = triangulate_domain(boundary.points, boundary.sides).triangulation;
+  const AngleLimit limit = angle_limit(cdt, boundary.sides, boundary.segments);
+  const Triangulation all = with_neighbours(all_points(boundary, mesh), mesh.triangles);
+  MutableMesh mutable_mesh(all, static_cast<std::uint32_t>(boundary.points.size()),
+                           locate_sides(all, boundary.sides), side_limits(cdt, limit.at));
+  mutable_mesh.set_goal(Goal::of(options.max_angle, options.min_angle));
+  set_limits(limit, mesh.report);
+  mesh.report.notes = missed_targets(mutable_mesh, boundary, limit, options, false);
 }
 
 }  // namespace cover

@@ -7,6 +7,7 @@
 #include <cover/report.hpp>
 
 #include "covering/angle_limit.hpp"
+#include "covering/region_mesh.hpp"
 #include "quality/mutable_mesh.hpp"
 #include "region/region_boundary.hpp"
 
@@ -19,5 +20,8 @@ namespace cover {
 std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& boundary,
                                  const AngleLimit& limit, const Options& options,
                                  bool budget_used_up);
+
+/// Limits and notes of a region whose boundary and mesh were changed after they were reported.
+void report_again(const RegionBoundary& boundary, const Options& options, RegionMesh& mesh);
 
 }  // namespace cover

@@ -17,13 +17,13 @@
 #include "covering/angle_limit.hpp"
 #include "covering/cover_region.hpp"
 #include "covering/local_frame.hpp"
-#include "geom/half_edges.hpp"
 #include "geom/predicates.hpp"
 #include "quality/hub.hpp"
 #include "quality/missed_targets.hpp"
 #include "quality/mutable_mesh.hpp"
 #include "quality/optimise.hpp"
 #include "quality/size_field.hpp"
+#include "quality/with_neighbours.hpp"
 
 namespace cover {
 namespace {
@@ -38,23 +38,6 @@ struct Candidate {
   Merit merit;
   std::string method;
 };
-
-/// Triangles as a RegionMesh has them, with their neighbours and all edges locked.
-Triangulation with_neighbours(std::vector<Point> points, std::span<const IndexTriple> triangles) {
-  Triangulation out;
-  const std::vector<std::uint32_t> opposite = opposite_half_edges(points.size(), triangles);
-  out.points = std::move(points);
-  out.triangles.resize(triangles.size());
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    out.triangles[t].v = triangles[t];
-    out.triangles[t].locked = 7;  // any edge may be a side: locate_sides looks at locked ones
-    for (std::uint32_t i = 0; i < 3; ++i) {  // half-edge i starts at corner i: opposite to i + 2
-      const std::uint32_t twin = opposite[3 * t + i];
-      out.triangles[t].n[(i + 2) % 3] = twin == HalfEdges::kAbsent ? kNone : twin / 3;
-    }
-  }
-  return out;
-}
 
 LocalFrame frame_of(const RegionBoundary& boundary, bool shifted) {
   LocalFrame frame(boundary.points);
