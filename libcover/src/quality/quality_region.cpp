@@ -2,10 +2,12 @@
 //   the constrained Delaunay triangulation as it is,
 //   one star around a single new vertex,
 //   the constrained Delaunay triangulation refined and improved (optimise),
-//   the star and the constrained Delaunay triangulation only improved,
+//   what is best so far, improved for the region's own target,
+//   the star and the constrained Delaunay triangulation improved in the same way,
 //   the almond method's result, improved: it carries the proof of promise 3.
-// The last three where the largest angle is missed, and then only if they start with a smaller one
-// or the region is small. Improvement never makes the largest angle larger, so the best of them is
+// The last four where the largest angle is missed, and the last three only if they start with a
+// smaller one or the region is small; none may use more than half of what is left of the budget,
+// so that it reaches all. Improvement never makes the largest angle larger, so the best of them is
 // no worse than any. Tested by tests/unit/quality/quality_region_test.cpp.
 #include "quality/quality_region.hpp"
 
@@ -29,7 +31,7 @@ namespace cover {
 namespace {
 
 constexpr std::uint64_t kEvaluationsPerVertex = 3000;
-constexpr std::uint64_t kEvaluationsAtLeast = 100000;
+constexpr std::uint64_t kEvaluationsAtLeast = 5000;
 constexpr std::size_t kSmallRegion = 64;  ///< points: every candidate is tried and improved
 
 /// A triangulation of the region, in the frame, and what it has reached.
@@ -81,6 +83,8 @@ class RegionWork {
     if (hub && hub->merit.complete) return *std::move(hub);
     take_if_better(best, optimised(cdt));
     if (meets_largest(best)) return best;
+    take_if_better(best, improved(best));
+    if (meets_largest(best)) return best;
     if (hub && is_promising(*hub, best)) take_if_better(best, improved(*std::move(hub)));
     if (meets_largest(best)) return best;
     if (is_promising(cdt, best)) take_if_better(best, improved(std::move(cdt)));
@@ -107,9 +111,14 @@ class RegionWork {
 
   /// The largest angle is that of the goal, or forced by the region's worst side.
   [[nodiscard]] bool meets_largest(const Candidate& candidate) const {
+    return candidate.merit.large <= target(candidate.mesh) * (1 + 1e-9);
+  }
+
+  /// -cot of the region's own target: the largest angle of the goal, or what its worst side forces.
+  [[nodiscard]] double target(const MutableMesh& mesh) const {
     double target = goal_.large;
-    for (const SideLimit& side : candidate.mesh.sides) target = std::max(target, -side.apex_cot);
-    return candidate.merit.large <= target * (1 + 1e-9);
+    for (const SideLimit& side : mesh.sides) target = std::max(target, -side.apex_cot);
+    return target;
   }
 
   static void take_if_better(Candidate& best, Candidate other) {
@@ -137,14 +146,22 @@ class RegionWork {
   }
 
   [[nodiscard]] Candidate optimised(Candidate c) {
-    c.merit = optimise(c.mesh, goal_, budget_, sizes_);
+    Budget half = budget_.share(2);  // the rest is for candidates that may start better
+    c.merit = optimise(c.mesh, goal_, half, sizes_);
+    budget_.left += half.left;
     c.method = "refined, improved";
     return c;
   }
 
   [[nodiscard]] Candidate improved(Candidate c) {
-    c.merit = improve_largest(c.mesh, goal_, budget_);
-    c.method += ", improved";
+    // For the region's own target first: all is then done for the triangles that miss it.
+    Goal own = goal_;
+    own.large = target(c.mesh);
+    Budget half = budget_.share(2);
+    if (own.large > goal_.large) improve_largest(c.mesh, own, half);
+    c.merit = improve_largest(c.mesh, goal_, half);
+    budget_.left += half.left;
+    if (!c.method.ends_with(", improved")) c.method += ", improved";
     return c;
   }
 
