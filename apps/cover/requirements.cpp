@@ -7,6 +7,8 @@
 namespace cover::app {
 namespace {
 
+constexpr double kRounding = 1e-9;  ///< radians: what the quality method's targets leave to it
+
 bool below_resolution(const RegionReport& region) {
   return std::any_of(region.notes.begin(), region.notes.end(),
                      [](const Note& note) { return note.kind == Note::Kind::below_resolution; });
@@ -51,8 +53,10 @@ std::vector<std::string> unmet_requirements(const Output& output, const Options&
       [](const RegionReport& r) { return !r.bound_held; });
   const std::string limit =
       fmt::format("max-angle (no angle above {:g} degrees)", options.max_angle.in_degrees());
-  add(require.max_angle, limit.c_str(),
-      [&](const RegionReport& r) { return r.quality.largest_nu < options.max_angle.supplement(); });
+  add(require.max_angle, limit.c_str(), [&](const RegionReport& r) {
+    return r.quality.largest_nu.in_radians() <
+           options.max_angle.supplement().in_radians() - kRounding;
+  });
   add(require.delaunay, "delaunay (no inner edge fails the empty-circle test)",
       [](const RegionReport& r) { return r.box.non_delaunay_edges > 0; });
   add(require.non_obtuse, "non-obtuse (no triangle above 90 degrees)",

@@ -50,7 +50,7 @@ struct Quality {
   std::size_t triangles = 0;
   Angle largest_nu = Angle::degrees(180);  ///< pi - largest angle
   Angle smallest = Angle::degrees(180);    ///< smallest angle
-  std::size_t obtuse = 0;                  ///< triangles above 90 degrees
+  std::size_t obtuse = 0;                  ///< triangles above 90 degrees, by 1e-9 radians
   std::size_t above_120 = 0;
   std::size_t above_150 = 0;
   std::array<std::size_t, 18> histogram{};  ///< all angles, bins of 10 degrees

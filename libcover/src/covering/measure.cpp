@@ -18,6 +18,9 @@ namespace cover {
 namespace {
 
 constexpr double kCotangentOf150 = -std::numbers::sqrt3;
+/// Of cotangents: how far below zero they are counted. Right angles at the feet of perpendiculars
+/// are right up to rounding only, and no solver can tell.
+constexpr double kRightAngle = 1e-9;
 
 /// A triangle from its largest angle's corner on.
 struct Sorted {
@@ -132,7 +135,7 @@ Quality measure_angles(std::span<const Point> points, std::span<const IndexTripl
     const double smallest = cotangent(s.apex, s.sharp, s.blunt, area);
     if (largest < lowest) lowest = largest, flattest = s;
     if (smallest > highest) highest = smallest, sharpest = s;
-    if (compare_with_90_degrees(s.p, s.apex, s.q) == Sign::positive) {
+    if (largest < -kRightAngle) {
       ++quality.obtuse;
       if (compare_with_120_degrees(s.p, s.apex, s.q) == Sign::positive) ++quality.above_120;
       if (largest < kCotangentOf150) ++quality.above_150;
@@ -158,14 +161,15 @@ BoxMethod measure_boxes(std::span<const Point> points, std::span<const IndexTrip
     const Point a = source(h), b = source(HalfEdges::next(h)), c = source(HalfEdges::previous(h));
     // |e| d_e / 2 with d_e = |e| |cot| / 2, the distance from the edge's midpoint to the
     // circumcentre
-    const double area = cross(b - a, c - a);
-    box.box_area += squared_length(b - a) * std::abs(cotangent(a, c, b, area)) / 4;
+    const double cot = cotangent(a, c, b, cross(b - a, c - a));
+    box.box_area += squared_length(b - a) * std::abs(cot) / 4;
     const std::uint32_t twin = across[h];
     if (twin == HalfEdges::kAbsent) {
-      if (compare_with_90_degrees(a, c, b) == Sign::positive) ++box.obtuse_sides;
+      if (cot < -kRightAngle) ++box.obtuse_sides;
     } else if (h < twin) {
       const Point d = source(HalfEdges::previous(twin));
-      if (in_circle(a, b, c, d) == Sign::positive) ++box.non_delaunay_edges;
+      if (in_circle(a, b, c, d) != Sign::positive) continue;
+      if (cot + cotangent(a, d, b, cross(a - b, d - b)) < -kRightAngle) ++box.non_delaunay_edges;
     }
   }
   // cot a + cot b = sin(a + b) / (sin a sin b): negative just where the edge is not Delaunay.

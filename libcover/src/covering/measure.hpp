@@ -15,13 +15,14 @@ namespace cover {
 /// The vertices of a region's mesh: those of the boundary, then the Steiner vertices.
 std::vector<Point> all_points(const RegionBoundary& boundary, const RegionMesh& mesh);
 
-/// Angle statistics of `triangles`. Counts of obtuse triangles and of those above 120 degrees are
-/// exact, all else is rounded.
+/// Angle statistics of `triangles`. The count of those above 120 degrees is exact; one is obtuse
+/// from 1e-9 radians above the right angle.
 Quality measure_angles(std::span<const Point> points, std::span<const IndexTriple> triangles);
 
 /// Box-method figures of `triangles`; `sides` are the directed sides of their region.
 ///
-/// EXACT: the counts; the area is rounded.
+/// EXACT: the counts, but for angles and sums of angles within 1e-9 radians of the limit, which
+///        are as good as right; the area is rounded.
 BoxMethod measure_boxes(std::span<const Point> points, std::span<const IndexTriple> triangles,
                         std::span<const IndexPair> sides);
 

@@ -15,7 +15,7 @@ namespace cover {
 namespace {
 
 constexpr std::size_t kPlaces = 8;  ///< at most, per note
-constexpr double kRounding = 1e-9;  ///< in cotangents
+constexpr double kRounding = 1e-9;  ///< in cotangents, and in radians
 
 Note missed(RegionId region, std::string message, std::vector<Point> where) {
   return {Note::Kind::target_missed, region, std::move(message), std::move(where)};
@@ -24,7 +24,7 @@ Note missed(RegionId region, std::string message, std::vector<Point> where) {
 /// Sides whose own gamma_opt is above the target.
 void note_forced(const RegionBoundary& boundary, const AngleLimit& limit, Angle max,
                  std::vector<Note>& notes) {
-  const double nu = max.supplement().in_radians();
+  const double nu = max.supplement().in_radians() - kRounding;
   std::vector<std::size_t> forced;
   for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
     if (limit.side_nu[s] < nu) forced.push_back(s);

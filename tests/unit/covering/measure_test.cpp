@@ -46,6 +46,20 @@ TEST(MeasureAngles, RightAngleIsNotObtuse) {
   EXPECT_EQ(q.histogram[8] + q.histogram[9], 1U);
 }
 
+TEST(MeasureAngles, RightAnglesThatRoundingMissesAreNotObtuse) {
+  std::vector<Point> points{{0, 0}, {0, 0}, {0, 0}};
+  for (int k = 1; k < 200; ++k) {
+    const double c = std::cos(0.031 * k), s = std::sin(0.031 * k);
+    points[1] = {3 * c, 3 * s};
+    points[2] = {-s, c};
+    EXPECT_EQ(measure_angles(points, std::vector{IndexTriple{0, 1, 2}}).obtuse, 0U) << k;
+    points[2] = {-s - 1e-8 * c, c - 1e-8 * s};
+    EXPECT_EQ(measure_angles(points, std::vector{IndexTriple{0, 1, 2}}).obtuse, 1U) << k;
+    const std::vector<IndexPair> sides{{0, 1}, {1, 2}, {2, 0}};
+    EXPECT_EQ(measure_boxes(points, std::vector{IndexTriple{0, 1, 2}}, sides).obtuse_sides, 1U);
+  }
+}
+
 TEST(MeasureAngles, MergeAddsUp) {
   const std::vector<Point> points{{0, 0}, {1, 0}, {0, 1}, {3, -0.5}};
   const std::vector<IndexTriple> triangles{{0, 1, 2}, {0, 3, 1}};
