@@ -70,7 +70,7 @@ class AlmondMethod {
  private:
   /// One trial; returns the almonds at fault or to be woken, none if mesh_ is complete.
   std::vector<std::uint32_t> try_once(double unite) {
-    const ChordLayer layer = cut_chords(lay_arcs(input_.cdt, almonds_, unite), almonds_, rule_);
+    ChordLayer layer = cut_chords(lay_arcs(input_.cdt, almonds_, unite), almonds_, rule_);
     if (!layer.faults.empty()) return layer.faults;
     const bool no_almonds = std::none_of(almonds_.begin(), almonds_.end(),
                                          [](const Almond& a) { return a.has_arc(); }) &&
@@ -79,12 +79,13 @@ class AlmondMethod {
                                      : find_remainder(layer, almonds_, isolated_off_arcs(layer));
     if (!remainder.faults.empty()) return remainder.faults;
 
-    mesh_.points = layer.points;
+    mesh_.points = std::move(layer.points);
     mesh_.triangles.clear();
     SplitChords splits;
     splits.first.assign(layer.chords.size() + 1, 0);
     if (!remainder.chords.empty()) {
-      const std::vector<std::uint32_t> vertex = remainder.vertex, arc_chord = remainder.arc_chord;
+      std::vector<std::uint32_t> vertex = std::move(remainder.vertex);
+      const std::vector<std::uint32_t> arc_chord = std::move(remainder.arc_chord);
       RemainderFill fill(std::move(remainder), plan_, rule_.nu, stop_);
       std::vector<std::uint32_t> sleeping;
       for (const std::uint32_t c : fill.refine()) {
@@ -92,7 +93,7 @@ class AlmondMethod {
         if (asleep_[k]) sleeping.push_back(k);
       }
       if (!sleeping.empty()) return sleeping;
-      add_fill(fill.finish(), vertex, arc_chord, splits);
+      add_fill(fill.finish(), std::move(vertex), arc_chord, splits);
     }
     const std::vector<std::uint32_t> faults =
         triangulate_almonds(almonds_, layer, splits, rule_, mesh_.points, mesh_.triangles);
@@ -130,7 +131,10 @@ class AlmondMethod {
       vertex.push_back(static_cast<std::uint32_t>(mesh_.points.size()));
       mesh_.points.push_back(filled.points[v]);
     }
-    mesh_.triangles.reserve(filled.triangles.size() + 2 * splits.first.size());
+    // An empty almond has one chord, and no triangle; others have a triangle per piece of chord,
+    // and sometimes one more.
+    const std::size_t inner = splits.first.size() - 1 - almonds_.size();
+    mesh_.triangles.reserve(filled.triangles.size() + 3 * inner + filled.splits.size());
     for (const auto& t : filled.triangles) {
       mesh_.triangles.push_back({vertex[t[0]], vertex[t[1]], vertex[t[2]]});
     }

@@ -81,6 +81,14 @@ std::vector<std::uint32_t> pair_chords(std::vector<ArcChord>& chords, std::size_
   return faults;
 }
 
+/// How many pieces a chord is cut into: exterior ones as the rule says, others not at all.
+std::size_t count_pieces(const ArcChord& chord, const Almond& almond, const CutRule& rule) {
+  if (chord.kind != ChordKind::exterior || almond.kind == AlmondKind::hull_side) return 1;
+  const double length = chord.place_b - chord.place_a, longest = rule.longest_piece(almond.nu);
+  // 1e-9 of a piece: a sixth of an arc is one piece, not two.
+  return std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(length / longest - 1e-9)));
+}
+
 }  // namespace
 
 double CutRule::longest_piece(double almond_nu) const {
@@ -102,24 +110,24 @@ ChordLayer cut_chords(ArcLayer layer, std::span<const Almond> almonds, const Cut
   ChordLayer cut;
   cut.faults = pair_chords(joined, layer.points.size());
   cut.points = std::move(layer.points);
-  cut.chords.reserve(4 * joined.size());
+  std::size_t pieces = 0;
+  for (ArcChord& chord : joined) {
+    const Almond& a = almonds[chord.almond];
+    if (chord.kind == ChordKind::exterior && !a.has_arc()) chord.kind = ChordKind::fixed;
+    pieces += count_pieces(chord, a, rule);
+  }
+  cut.chords.reserve(pieces);
+  cut.points.reserve(cut.points.size() + pieces - joined.size());
   std::uint32_t almond = 0;
+  cut.first.reserve(almonds.size() + 1);
   cut.first.push_back(0);
   for (ArcChord chord : joined) {
     for (; almond < chord.almond; ++almond) {
       cut.first.push_back(static_cast<std::uint32_t>(cut.chords.size()));
     }
     const Almond& a = almonds[chord.almond];
-    if (chord.kind == ChordKind::exterior && !a.has_arc()) chord.kind = ChordKind::fixed;
-    if (chord.kind != ChordKind::exterior || a.kind == AlmondKind::hull_side) {
-      cut.chords.push_back(chord);
-      continue;
-    }
-    const double length = chord.place_b - chord.place_a, longest = rule.longest_piece(a.nu);
-    // 1e-9 of a piece: a sixth of an arc is one piece, not two.
-    const auto count =
-        std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(length / longest - 1e-9)));
-    const double end = chord.place_b;
+    const std::size_t count = count_pieces(chord, a, rule);
+    const double length = chord.place_b - chord.place_a, end = chord.place_b;
     const std::uint32_t last = chord.b;
     for (std::size_t i = 1; i <= count; ++i) {
       if (i == count) {

@@ -43,13 +43,14 @@ std::vector<std::uint32_t> RemainderFill::refine() {
 }
 
 FilledRemainder RemainderFill::finish() {
-  out_.points = r_.cdt.points;
   if (held_) {
+    out_.points = std::move(r_.cdt.points);
     out_.triangles.reserve(r_.cdt.triangles.size());
     for (const Triangle& f : r_.cdt.triangles) out_.triangles.push_back(f.v);
     out_.splits = std::move(refined_);
     return std::move(out_);
   }
+  out_.points = r_.cdt.points;
   for (const auto& members : members_of_parts(r_.cdt)) fill_part(members);
   std::sort(out_.splits.begin(), out_.splits.end(),
             [](const ChordSplit& a, const ChordSplit& b) { return a.chord < b.chord; });

@@ -63,7 +63,13 @@ Remainder find_remainder(const ChordLayer& layer, std::span<const Almond> almond
     }
     return local[v];
   };
+  const auto chords = static_cast<std::size_t>(
+      std::count_if(layer.chords.begin(), layer.chords.end(),
+                    [](const ArcChord& chord) { return chord.kind != ChordKind::interior; }));
   std::vector<IndexPair> pairs;
+  pairs.reserve(chords);
+  r.chords.reserve(chords);
+  r.arc_chord.reserve(chords);
   for (std::uint32_t c = 0; c < layer.chords.size(); ++c) {
     const ArcChord& chord = layer.chords[c];
     if (chord.kind == ChordKind::interior) continue;
@@ -93,6 +99,8 @@ Remainder whole_region(const Triangulation& cdt, const ChordLayer& layer,
   r.cdt = cdt;
   r.vertex.resize(cdt.points.size());
   std::iota(r.vertex.begin(), r.vertex.end(), 0U);
+  r.chords.reserve(layer.chords.size());
+  r.arc_chord.reserve(layer.chords.size());
   for (std::uint32_t c = 0; c < layer.chords.size(); ++c) {
     const ArcChord& chord = layer.chords[c];
     const bool locked = chord.kind == ChordKind::fixed;
