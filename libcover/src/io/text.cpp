@@ -98,6 +98,8 @@ bool LineReader::next() {
 }
 
 Error LineReader::error(ErrorCode code, std::string_view what) const {
+  // Nothing was read yet: the file is empty.
+  if (line_ == 0) return {code, fmt::format("{}: {}", source_, what), {}, {}};
   return {code, fmt::format("{}:{}: {}", source_, line_, what), {}, {}};
 }
 

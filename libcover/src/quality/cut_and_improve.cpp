@@ -3,7 +3,7 @@
 // foot of the obtuse corner or half way, each improved and kicked in turn. The best is kept if
 // there are fewer such triangles, or less bad ones. Triangles are taken in the order of their
 // coordinates, so that the mesh does not depend on the order of the input. Tested by
-// tests/unit/quality/cut_and_improve_test.cpp.
+// tests/unit/pipeline/cut_and_improve_test.cpp.
 #include "quality/cut_and_improve.hpp"
 
 #include <algorithm>
