@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(
     Files, ReadPolyRefuses,
     ::testing::Values(
         Refusal{"empty", "", ErrorCode::truncated,
-                "in.poly:0: the file ends where the number of points should follow"},
+                "in.poly: the file ends where the number of points should follow"},
         Refusal{"points_missing", "3 2 0 0\n1 0 0\n2 1 0\n", ErrorCode::truncated,
                 "in.poly:3: the file ends where point 3 of 3 should follow"},
         Refusal{"segments_missing", "2\n1 0 0\n2 1 0\n2 0\n1 1 2\n", ErrorCode::truncated,
