@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""check_includes.py ROOT: a file includes only its own layer or lower ones; CGAL and VTK stay where they belong."""
+"""check_includes.py ROOT: a file includes only its own layer or lower ones; CGAL and VTK stay where they belong; the
+tests that comments and ARCHITECTURE.md name are there."""
 import pathlib
 import re
 import sys
@@ -12,9 +13,12 @@ SEES['vtk'] = SEES['picture'] | {'vtk'}
 CGAL = {'geom', 'cdt', 'region'}  # and there in .cpp files only
 
 
-def faults(path, layer):
-    """What `path` includes and must not; layer None is the public interface or a program on top of it."""
+def faults(root, path, layer):
+    """What `path` includes or names and must not; layer None is the public interface or a program on top of it."""
     for number, line in enumerate(path.read_text().splitlines(), 1):
+        for test in re.findall(r'tests/[\w/.]+\.(?:cpp|py)', line):
+            if not (root / test).exists():
+                yield number, f'there is no {test}'
         match = re.match(r'\s*#\s*include\s*(["<])([^">]+)', line)
         if not match:
             continue
@@ -33,7 +37,10 @@ def main(root):
     files = [(p, p.relative_to(root / 'libcover/src').parts[0]) for p in (root / 'libcover/src').rglob('*.[hc]pp')]
     files += [(p, None) for top in ('libcover/include', 'apps/cover', 'samples') for p in (root / top).rglob('*.[hc]pp')]
     found = [f'{path.relative_to(root)}:{number}: {what}'
-             for path, layer in sorted(files, key=lambda f: f[0]) for number, what in faults(path, layer)]
+             for path, layer in sorted(files, key=lambda f: f[0]) for number, what in faults(root, path, layer)]
+    architecture = (root / 'libcover/ARCHITECTURE.md').read_text()
+    found += [f'libcover/ARCHITECTURE.md: there is no tests/unit/{test}.cpp'
+              for test in re.findall(r'`(\w+/\w+_test)`', architecture) if not (root / f'tests/unit/{test}.cpp').exists()]
     print('\n'.join(found) or f'{len(files)} files include only their own layer or lower ones')
     return 1 if found or not files else 0
 

@@ -6,7 +6,7 @@
 // three
 //   triangles tie and single gradients mislead. Candidates that are worse are dropped at the
 //   first triangle that shows it.
-// Tested by tests/unit/quality/placement_test.cpp.
+// Tested by tests/unit/quality/cavity_test.cpp.
 #include "quality/placement.hpp"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // best[i][j] is the least possible largest excess of the part of the polygon that the chord from
 // i to j cuts off; it is the minimum over the third corner between them.
-// Tested by tests/unit/quality/polygon_test.cpp.
+// Tested by tests/unit/quality/cavity_test.cpp.
 #include "quality/polygon.hpp"
 
 namespace cover {

@@ -1,5 +1,5 @@
 // See refine.hpp. The triangles of a Delaunay cavity, unlike those of `Cavity`, may be many: the
-// first vertex inside a long loop sees most of it. Tested by tests/unit/quality/refine_test.cpp.
+// first vertex inside a long loop sees most of it. Tested by tests/unit/quality/improve_test.cpp.
 #include "quality/refine.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// See thin_out.hpp. Tested by tests/unit/quality/thin_out_test.cpp.
+// See thin_out.hpp. Tested by tests/unit/quality/improve_test.cpp.
 #include "quality/thin_out.hpp"
 
 #include "geom/vector.hpp"

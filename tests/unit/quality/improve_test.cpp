@@ -107,15 +107,5 @@ TEST(ThinOut, TakesVerticesAwayAndKeepsTheGoal) {
   EXPECT_LE(worst_excess(mesh), std::max(0.0, before));
 }
 
-TEST(Merit, OrdersByLargestThenCountThenSmallestThenTriangles) {
-  const Merit base{1, 5, 3, 100, false};
-  EXPECT_FALSE(is_better(base, base));
-  EXPECT_TRUE(is_better({0.9, 9, 9, 999, false}, base));
-  EXPECT_TRUE(is_better({1, 4, 9, 999, false}, base));
-  EXPECT_TRUE(is_better({1, 5, 2.9, 999, false}, base));
-  EXPECT_TRUE(is_better({1, 5, 3, 99, false}, base));
-  EXPECT_FALSE(is_better({1 - 1e-13, 6, 3, 100, false}, base));
-}
-
 }  // namespace
 }  // namespace cover

@@ -1,0 +1,95 @@
+// Stored arrays become an Output again, or an error says what is wrong with them.
+#include <cover/stored_mesh.hpp>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+
+namespace cover {
+namespace {
+
+/// Two squares side by side, of material 7 and 9: the left one is region 1.
+StoredMesh two_squares() {
+  StoredMesh stored;
+  stored.soup.points = {{0, 0}, {1, 0}, {2, 0}, {0, 1}, {1, 1}, {2, 1}};
+  stored.soup.triangles = {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}};
+  stored.soup.region = {1, 1, 2, 2};
+  stored.soup.material = {7, 7, 9, 9};
+  stored.input_vertices = 6;
+  return stored;
+}
+
+TEST(Rebuild, MakesUpRegionsAndInterfacesWhereNoneAreStored) {
+  const Result<Output> output = rebuild(two_squares());
+  ASSERT_TRUE(output) << output.error().message;
+  ASSERT_EQ(output->table.regions.size(), 2u);
+  EXPECT_EQ(output->table.regions[0].material, 7);
+  EXPECT_EQ(output->table.regions[1].name, "material_9");
+  EXPECT_DOUBLE_EQ(output->table.regions[0].area, 1);
+  EXPECT_EQ(output->mesh.tri().n_faces(), 4u);
+  // One line between the squares, and each one's border to the void.
+  ASSERT_EQ(output->table.interfaces.size(), 3u);
+  double length = 0;
+  for (const Interface& line : output->table.interfaces) {
+    length += line.length;
+    if (line.left != kVoid && line.right != kVoid) {
+      EXPECT_DOUBLE_EQ(line.length, 1);
+    }
+  }
+  EXPECT_DOUBLE_EQ(length, 7);
+  EXPECT_EQ(output->pslg.segments.size(), 7u);
+  EXPECT_EQ(output->report.steiner_vertices, 0u);
+  EXPECT_DOUBLE_EQ(output->report.quality.largest_nu.supplement().in_degrees(), 90);
+}
+
+TEST(Rebuild, KeepsNamesAndMarkersOfEdges) {
+  StoredMesh stored = two_squares();
+  stored.names = {"", "gate"};
+  stored.edges = {{0, 1, kNoInterface, 5, 1}};
+  const Result<Output> output = rebuild(stored);
+  ASSERT_TRUE(output) << output.error().message;
+  bool found = false;
+  for (const auto e : output->mesh.tri().edges()) {
+    if (output->mesh.marker(e) == 0) continue;
+    EXPECT_EQ(output->mesh.marker(e), 5);
+    found = output->table.interfaces[output->mesh.interface(e).index() - 1].name == "gate";
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST(Rebuild, SaysWhatIsWrong) {
+  const struct {
+    std::function<void(StoredMesh&)> damage;
+    std::string message;
+  } cases[] = {
+      {[](StoredMesh& m) { m.soup.region.pop_back(); }, "one region and one material per triangle"},
+      {[](StoredMesh& m) { m.soup.points[2].x = HUGE_VAL; }, "a coordinate is not finite"},
+      {[](StoredMesh& m) { m.input_vertices = 7; }, "more input points than points"},
+      {[](StoredMesh& m) { m.soup.triangles[3][1] = 6; }, "triangle 3 has no vertex 6"},
+      {[](StoredMesh& m) { m.soup.region[1] = 0; }, "triangle 1 has RegionId 0"},
+      {[](StoredMesh& m) {
+         m.soup.triangles[1] = {0, 1, 3};
+       },
+       "triangles overlap"},
+      {[](StoredMesh& m) {
+         m.edges = {{0, 5, kNoInterface, 1, 0}};
+       },
+       "from vertex 0 to vertex 5 is no edge"},
+      {[](StoredMesh& m) {
+         m.edges = {{0, 1, InterfaceId(3), 1, 0}};
+       },
+       "there is no interface 3"},
+  };
+  for (const auto& [damage, message] : cases) {
+    StoredMesh stored = two_squares();
+    damage(stored);
+    const Result<Output> output = rebuild(stored);
+    ASSERT_FALSE(output) << message;
+    EXPECT_EQ(output.error().code, ErrorCode::syntax);
+    EXPECT_NE(output.error().message.find(message), std::string::npos) << output.error().message;
+  }
+}
+
+}  // namespace
+}  // namespace cover

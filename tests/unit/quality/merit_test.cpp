@@ -1,0 +1,62 @@
+// Which of two triangulations is better, and which triangles miss the goal.
+#include "quality/merit.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "mesh_checks.hpp"
+
+namespace cover {
+namespace {
+
+using namespace testing;
+
+double minus_cot(double degrees) { return -1 / std::tan(degrees * std::numbers::pi / 180); }
+
+TEST(Merit, OfASquareIsThatOfItsTwoTriangles) {
+  const RegionBoundary square = boundary_of({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+  const MutableMesh mesh = cdt_mesh(square);
+  const Merit merit = merit_of(mesh, default_goal());
+  EXPECT_TRUE(merit.complete);
+  EXPECT_EQ(merit.above, 0u);
+  EXPECT_EQ(merit.triangles, 2u);
+  EXPECT_DOUBLE_EQ(merit.large, default_goal().large) << "no lower than the goal";
+  EXPECT_DOUBLE_EQ(merit.small, default_goal().small);
+}
+
+TEST(Merit, TellsAnglesThatTheInputForcesFromThoseThatItDoesNot) {
+  // One triangle of 120 degrees: there is no other, so it is forced.
+  const double h = std::sqrt(3) / 6;
+  const RegionBoundary flat = boundary_of({{{0, 0}, {1, 0}, {0.5, h}}});
+  const MutableMesh forced = cdt_mesh(flat);
+  EXPECT_FALSE(is_above(forced, 0, default_goal()));
+  const Merit merit = merit_of(forced, default_goal());
+  EXPECT_EQ(merit.above, 0u);
+  EXPECT_TRUE(merit.complete);
+  EXPECT_NEAR(merit.large, minus_cot(120), 1e-12);
+
+  // A regular 20-gon can have 100 degrees, but not without a new vertex.
+  const MutableMesh fan = cdt_mesh(boundary_of({regular_polygon(20, 1, {0, 0})}));
+  const Merit missed = merit_of(fan, default_goal());
+  EXPECT_GT(missed.above, 0u);
+  EXPECT_FALSE(missed.complete);
+  std::size_t above = 0;
+  for (std::uint32_t t = 0; t < fan.triangles.size(); ++t) {
+    above += is_above(fan, t, default_goal()) ? 1 : 0;
+  }
+  EXPECT_EQ(missed.above, above);
+  EXPECT_GT(missed.large, default_goal().large);
+}
+
+TEST(Merit, OrdersByLargestThenCountThenSmallestThenTriangles) {
+  const Merit base{1, 5, 3, 100, false};
+  EXPECT_FALSE(is_better(base, base));
+  EXPECT_TRUE(is_better({0.9, 9, 9, 999, false}, base));
+  EXPECT_TRUE(is_better({1, 4, 9, 999, false}, base));
+  EXPECT_TRUE(is_better({1, 5, 2.9, 999, false}, base));
+  EXPECT_TRUE(is_better({1, 5, 3, 99, false}, base));
+  EXPECT_FALSE(is_better({1 - 1e-13, 6, 3, 100, false}, base));
+}
+
+}  // namespace
+}  // namespace cover
