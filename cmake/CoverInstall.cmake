@@ -1,5 +1,5 @@
 # What `cmake --install` and `cpack` put where: library, headers, CMake package, pkg-config file,
-# program. The package has two components: cover, and vtk for what needs VTK.
+# program, Python module. The package has two components: cover, and vtk for what needs VTK.
 include(CMakePackageConfigHelpers)
 
 set(cover_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/cover)
@@ -44,6 +44,6 @@ if(PROJECT_IS_TOP_LEVEL)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
   # The headers and the static library are in the same package.
   set(CPACK_DEBIAN_PACKAGE_SUGGESTS
-      "libcgal-dev, libopenmesh-dev, libvtk9-dev, libboost-dev, libfmt-dev, nlohmann-json3-dev")
+      "libcgal-dev, libopenmesh-dev, libvtk9-dev, libboost-dev, libfmt-dev, nlohmann-json3-dev, python3-numpy")
   include(CPack)
 endif()

@@ -113,15 +113,21 @@ std::string mesh_extensions() {
   return fmt::format("{}, {}", fmt::join(write_formats(), ", "), extensions(picture_formats()));
 }
 
-Status write_to(const Writer& writer, const Output& output, const std::string& path,
-                const std::string& extension) {
-  if (path != "-") return writer(output, path);
+Status write_to(const std::string& path, const std::string& extension,
+                const std::function<Status(const std::string&)>& write) {
+  if (path != "-") return write(path);
   const auto folder =
       ScratchFolder::beside((std::filesystem::temp_directory_path() / "cover").string());
   if (!folder) return folder.error();
   const std::string file = folder->path() / ("stdout" + extension);
-  Status written = writer(output, file);
+  Status written = write(file);
   return written ? copy_to_stdout(file) : written;
+}
+
+Status write_to(const Writer& writer, const Output& output, const std::string& path,
+                const std::string& extension) {
+  return write_to(path, extension,
+                  [&](const std::string& target) { return writer(output, target); });
 }
 
 }  // namespace cover::app

@@ -29,7 +29,9 @@ Result<Writer> report_writer(const std::string& path);
 /// The extensions that mesh_writer knows, for help texts.
 std::string mesh_extensions();
 
-/// Writes to `path`; `-` is stdout, where `extension` tells the format.
+/// Writes to `path`; `-` is stdout, where `extension`, with its dot, tells the format.
+Status write_to(const std::string& path, const std::string& extension,
+                const std::function<Status(const std::string&)>& write);
 Status write_to(const Writer& writer, const Output& output, const std::string& path,
                 const std::string& extension);
 

@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "options.hpp"
+#include "output_files.hpp"
 
 namespace cover::app {
 
@@ -40,7 +41,7 @@ int run_render(Arguments arguments) {
   cover render device.vtu -o device.png --color max_angle
   cover render device.vtu -o oxide.png --window -60,-10,60,10
 )");
-  std::string path;
+  std::string path, format = "svg";
   std::vector<std::string> outputs;
   std::vector<double> window;
   PictureOptions options;
@@ -51,10 +52,14 @@ int run_render(Arguments arguments) {
                              fmt::join(mesh_formats(), ", ")))
       ->type_name("")
       ->required();
-  app.add_option("-o,--output", outputs, "Picture to write (.svg, .png)")
+  app.add_option("-o,--output", outputs, "Picture to write (.svg, .png); '-' is stdout")
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->required();
+  app.add_option("--format", format, "Format of '-o -': svg or png")
+      ->check(one_of({"svg", "png"}))
+      ->type_name("EXT")
+      ->capture_default_str();
   app.add_option("--color", options.color, "Colour by this cell array, say max_angle")
       ->type_name("ARRAY");
   app.add_option("--window", window, "Draw only this part: X0,Y0,X1,Y1")
@@ -85,14 +90,17 @@ int run_render(Arguments arguments) {
                                 grouped(picture->mesh.soup.triangles.size()));
   }
   for (const std::string& output : outputs) {
-    const std::string extension = std::filesystem::path(output).extension();
+    const std::string extension =
+        output == "-" ? "." + format : std::filesystem::path(output).extension().string();
     if (extension != ".svg" && extension != ".png") {
       return usage_error(app, fmt::format("cannot draw '{}': possible are .svg, .png", output));
     }
-    const Status drawn = extension == ".svg" ? write_svg(*picture, options, output)
-                                             : write_png(*picture, options, output);
+    const Status drawn = write_to(output, extension, [&](const std::string& target) {
+      return extension == ".svg" ? write_svg(*picture, options, target)
+                                 : write_png(*picture, options, target);
+    });
     if (!drawn) return fail(*log, drawn.error());
-    if (!verbosity.quiet) fmt::print("Wrote {}\n", output);
+    if (!verbosity.quiet && output != "-") fmt::print("Wrote {}\n", output);
   }
   return exit_ok;
 }

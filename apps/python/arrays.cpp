@@ -25,13 +25,27 @@ std::uint32_t index_from(std::int64_t value, std::size_t count) {
   return static_cast<std::uint32_t>(value);
 }
 
+void name_segments(const py::dict& lines, std::vector<InputSegment>& segments) {
+  for (const auto& [name, value] : lines) {
+    const auto indices = Indices::ensure(value);
+    if (!indices || indices.ndim() != 1)
+      throw py::value_error("lines: a name needs a list of segments");
+    for (py::ssize_t i = 0; i < indices.shape(0); ++i) {
+      const std::int64_t s = indices.at(i);
+      if (s < 0 || static_cast<std::size_t>(s) >= segments.size())
+        throw py::index_error("lines: there is no segment " + std::to_string(s));
+      segments[static_cast<std::size_t>(s)].name = py::str(name);
+    }
+  }
+}
+
 /// A name, or a number as it is written.
 std::string name_from(const py::handle& value) { return py::str(value); }
 
 }  // namespace
 
 Input pslg_from(const Points& points, const Indices& segments, const py::list& regions,
-                const Points& holes) {
+                const Points& holes, const py::dict& lines) {
   Input input;
   input.source = "arrays";
   input.void_rule = VoidRule::unseeded_faces;
@@ -46,6 +60,7 @@ Input pslg_from(const Points& points, const Indices& segments, const py::list& r
     segment.id = static_cast<long>(i);
     input.segments.push_back(segment);
   }
+  name_segments(lines, input.segments);
   for (const py::handle& item : regions) {
     const auto fields = py::reinterpret_borrow<py::sequence>(item);
     if (fields.size() < 3 || fields.size() > 4)

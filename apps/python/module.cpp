@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 #include <exception>
+#include <filesystem>
 #include <future>
 #include <stop_token>
 #include <thread>
@@ -16,6 +17,7 @@
 #include <pybind11/stl.h>
 
 #include <cover/cover_mesh.hpp>
+#include <cover/picture.hpp>
 #include <cover/read_input.hpp>
 #include <cover/read_vtk_input.hpp>
 #include <cover/verify.hpp>
@@ -139,8 +141,17 @@ py::object report_of(const PyMesh& mesh) {
   return py::module_::import("json").attr("loads")(report_json(mesh.output));
 }
 
-void save(const PyMesh& mesh, const std::string& path) {
-  const Status status = write_mesh(mesh.output, path);
+/// A mesh file or a picture, as the extension says.
+void save(const PyMesh& mesh, const py::object& path, const py::kwargs& keywords) {
+  const std::filesystem::path file =
+      py::module_::import("os").attr("fspath")(path).cast<std::string>();
+  const WriteOptions options = write_options_from(keywords);
+  const Status status = [&]() -> Status {
+    const py::gil_scoped_release release;
+    if (file.extension() == ".png") return write_png(picture_of(mesh.output), {}, file);
+    if (file.extension() == ".svg") return write_svg(picture_of(mesh.output), {}, file);
+    return write_mesh(mesh.output, file, options);
+  }();
   if (!status) raise(status.error());
 }
 
@@ -175,11 +186,11 @@ PYBIND11_MODULE(_cover, module) {
                std::to_string(m.output.table.regions.size()) + " regions>";
       });
 
-  module.def("mesh_pslg",
-             [](const Points& points, const Indices& segments, const py::list& regions,
-                const Points& holes, const py::dict& options, const py::object& progress) {
-               return mesh_input(pslg_from(points, segments, regions, holes), options, progress);
-             });
+  module.def("mesh_pslg", [](const Points& points, const Indices& segments, const py::list& regions,
+                             const Points& holes, const py::dict& lines, const py::dict& options,
+                             const py::object& progress) {
+    return mesh_input(pslg_from(points, segments, regions, holes, lines), options, progress);
+  });
   module.def("mesh_polygons",
              [](const py::list& polygons, const py::dict& options, const py::object& progress) {
                return mesh_input(soup_from(polygons), options, progress);

@@ -20,6 +20,17 @@ Enum word(const std::string& key, const py::handle& value,
   throw py::value_error(key + " must be one of " + known);
 }
 
+void add_sizes(Options& options, const py::handle& value, bool at) {
+  for (const auto& [name, size] : value.cast<std::map<std::string, double>>())
+    options.sizes.push_back({name, size, at});
+}
+
+/// `None` or False: no; True: 90 degrees; or degrees.
+std::optional<Angle> split_angle(const py::handle& value) {
+  if (value.is_none() || value.ptr() == Py_False) return std::nullopt;
+  return Angle::degrees(value.ptr() == Py_True ? 90 : value.cast<double>());
+}
+
 /// `None` or "auto", "off" or 0, or a number.
 std::optional<double> weld(const py::handle& value) {
   if (value.is_none()) return std::nullopt;
@@ -49,8 +60,11 @@ void set(Options& options, const std::string& key, const py::handle& value) {
   } else if (key == "growth") {
     options.growth = value.cast<double>();
   } else if (key == "sizes") {
-    for (const auto& [name, size] : value.cast<std::map<std::string, double>>())
-      options.sizes.push_back({name, size, false});
+    add_sizes(options, value, false);
+  } else if (key == "sizes_at") {
+    add_sizes(options, value, true);
+  } else if (key == "split_interfaces") {
+    options.split_interfaces = split_angle(value);
   } else if (key == "weld") {
     options.weld = weld(value);
   } else if (key == "strict") {
@@ -71,6 +85,27 @@ void set(Options& options, const std::string& key, const py::handle& value) {
 Options options_from(const py::dict& keywords) {
   Options options;
   for (const auto& [key, value] : keywords) set(options, py::str(key), value);
+  return options;
+}
+
+WriteOptions write_options_from(const py::dict& keywords) {
+  WriteOptions options;
+  for (const auto& [name, value] : keywords) {
+    const std::string key = py::str(name);
+    if (key == "order") {
+      options.order = value.cast<int>();
+    } else if (key == "inner_lines") {
+      options.inner_lines = value.cast<bool>();
+    } else if (key == "lines") {
+      options.lines = value.cast<bool>();
+    } else if (key == "msh") {
+      options.msh = py::str(value);
+    } else if (key == "inp_element") {
+      options.inp_element = py::str(value);
+    } else {
+      throw py::type_error("unexpected option '" + key + "'");
+    }
+  }
   return options;
 }
 

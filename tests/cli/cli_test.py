@@ -282,6 +282,14 @@ class Render(Case):
         self.assertEqual((self.dir / 'd.png').read_bytes()[1:4], b'PNG')
         self.assertIn('max_angle', (self.dir / 'd.svg').read_text())
 
+    def test_to_stdout(self):
+        out, err = self.run_cover('render', 'd.vtu', '-o', '-')
+        self.assertIn('</svg>', out)
+        self.assertEqual(err, '')
+        done = subprocess.run([PROGRAM, 'render', 'd.vtu', '-o', '-', '--format', 'png'], cwd=self.dir, timeout=60,
+                              stdout=subprocess.PIPE)
+        self.assertEqual((done.returncode, done.stdout[1:4]), (0, b'PNG'))
+
     def test_unknown_array(self):
         _, err = self.run_cover('render', 'd.vtu', '-o', 'd.png', '--color', 'stress', code=2)
         self.assertIn("no cell array 'stress'; it has", err)
@@ -359,6 +367,14 @@ class Documents(Case):
             for option in re.findall(r'^ +(?:-\w,)?(--[a-z-]+)', self.run_cover(command, '--help')[0], re.M):
                 if option != '--help':
                     self.assertTrue(option in page, f'{option} of {command} is missing in apps/cover/cover.1')
+
+    @unittest.skipUnless(shutil.which('man'), 'man is not installed')
+    def test_man_page_is_well_formed(self):
+        done = subprocess.run(['man', '--warnings=w', '-l', APP / 'cover.1'], text=True, timeout=60,
+                              env={**os.environ, 'LC_ALL': 'C.UTF-8', 'MANWIDTH': '100', 'MANPAGER': 'cat'},
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.assertEqual((done.returncode, done.stderr), (0, ''))
+        self.assertIn('(.vtu, .vtp, .vtk), of which', ' '.join(done.stdout.split()))
 
     def complete(self, *words):
         script = (f'source {APP / "completion.bash"}; COMP_WORDS=({PROGRAM} {" ".join(words)}); '

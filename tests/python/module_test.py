@@ -1,7 +1,11 @@
 """The module from outside; run by ctest with the built package in PYTHONPATH."""
 import math
 import os
+import pathlib
+import subprocess
+import sys
 import tempfile
+import textwrap
 import threading
 import time
 import unittest
@@ -50,6 +54,23 @@ class Meshing(unittest.TestCase):
         self.assertEqual(len(between), 1)
         self.assertEqual({frozenset(e) for e in between[0]['edges'].tolist()}, {frozenset((1, 4))})
 
+    def test_named_lines(self):
+        mesh = cover.mesh(SQUARE, SEGMENTS, REGIONS, lines={'drain': [5], 'source': np.array([2])})
+        for name, ends in ('drain', {5, 0}), ('source', {2, 3}):
+            (piece,) = mesh.lines[name]
+            self.assertEqual(set(piece['edges'].ravel().tolist()), ends)
+        with self.assertRaises(IndexError):
+            cover.mesh(SQUARE, SEGMENTS, REGIONS, lines={'drain': [7]})
+        with self.assertRaises(ValueError):
+            cover.mesh(SQUARE, SEGMENTS, REGIONS, lines={'drain': [[5]]})
+
+    def test_sizes_and_split_interfaces(self):
+        coarse = cover.mesh(SQUARE, SEGMENTS, REGIONS)
+        fine = cover.mesh(SQUARE, SEGMENTS, REGIONS, lines={'drain': [5]}, sizes={'bulk': 0.2},
+                          sizes_at={'drain': 0.05}, split_interfaces=90)
+        self.assertGreater(len(fine.triangles), len(coarse.triangles))
+        self.assertGreaterEqual(len(fine.lines['drain'][0]['edges']), 10)
+
     def test_holes(self):
         outer, ring = polygon(12)
         inner, _ = polygon(12, 0.4)
@@ -71,6 +92,11 @@ class Meshing(unittest.TestCase):
             self.assertEqual(len(again.report['regions']), 2)
             with self.assertRaises(cover.Error):
                 again.save(os.path.join(folder, 'a.unknown'))
+            again.save(pathlib.Path(folder, 'a.msh'), order=2, msh='4.1')
+            self.assertIn('4.1 0 8', pathlib.Path(folder, 'a.msh').read_text())
+            for name, start in ('a.png', b'\x89PNG'), ('a.svg', b'<svg '):
+                again.save(os.path.join(folder, name))
+                self.assertEqual(pathlib.Path(folder, name).read_bytes()[:len(start)], start)
 
     def test_polygons(self):
         mesh = cover.mesh_polygons([('Si', [[(0, 0), (4, 0), (4, 4), (0, 4)]]),
@@ -123,6 +149,36 @@ class Running(unittest.TestCase):
             raise KeyError('mine')
         with self.assertRaises(KeyError):
             cover.mesh(self.POINTS, self.RING, progress=progress)
+
+    def test_ctrl_c(self):
+        # A run of many seconds in a process of its own; what it prints comes from its own clock.
+        program = textwrap.dedent('''
+            import os, signal, threading, time
+            import cover
+            import numpy as np
+            n = 300
+            x, y = np.meshgrid(np.linspace(0, 1, n), np.linspace(0, 1, n))
+            a = np.column_stack([x.ravel(), y.ravel()])
+            points = np.vstack([a, a + (4e-4, 9e-4), [(-1, -1), (2, -1), (2, 2), (-1, 2)]])
+            k, m = np.arange(n * n), 2 * n * n
+            segments = np.vstack([np.column_stack([k, k + n * n]), [(m, m + 1), (m + 1, m + 2), (m + 2, m + 3), (m + 3, m)]])
+            sent = []
+            def progress(stage, done, total):
+                if stage == 'mesh' and not sent:
+                    sent.append(time.monotonic())
+                    os.kill(os.getpid(), signal.SIGINT)
+            try:
+                cover.mesh(points, segments, progress=progress)
+            except KeyboardInterrupt:
+                print('interrupted after', time.monotonic() - sent[0])
+            cover.mesh([(0, 0), (1, 0), (0, 1)], [(0, 1), (1, 2), (2, 0)])
+            print('and on')
+            ''')
+        done = subprocess.run([sys.executable, '-c', program], text=True, timeout=100,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r'^interrupted after \S+\nand on\n$')
+        self.assertLess(float(done.stdout.split()[2]), 5)
 
     def test_other_threads_go_on(self):
         ticks, done = [], threading.Event()

@@ -5,7 +5,8 @@
     mesh.points, mesh.triangles, mesh.region, mesh.report["overall"]["largest_angle"]
 
 Every segment becomes one edge of the mesh. Options are those of the program, as keywords: method,
-fill, max_angle, min_angle, growth, sizes, overlap, weld, strict, merge_materials, hull, threads.
+fill, max_angle, min_angle, growth, sizes, sizes_at, split_interfaces, overlap, weld, strict,
+merge_materials, hull, threads. Ctrl-C stops a run.
 """
 
 import os as _os
@@ -30,15 +31,16 @@ from ._cover import Mesh, mesh_file as _mesh_file, mesh_polygons as _mesh_polygo
 __all__ = ["Cancelled", "Error", "Mesh", "mesh", "mesh_file", "mesh_polygons"]
 
 
-def mesh(points, segments, regions=(), holes=(), *, progress=None, **options):
+def mesh(points, segments, regions=(), holes=(), *, lines=None, progress=None, **options):
     """Meshes a planar straight-line graph.
 
     points: (n, 2) floats; segments: (m, 2) indices into points; regions: (x, y, material) or
     (x, y, material, name), a point in each region; holes: (k, 2) floats. Where there are regions,
-    a face without one is void; without any, every enclosed face is meshed.
+    a face without one is void; without any, every enclosed face is meshed. lines: of contacts and
+    named interfaces, the indices of their segments by name.
     progress(stage, done, total) is called now and then; returning False raises Cancelled.
     """
-    return _mesh_pslg(points, segments, list(regions), holes, options, progress)
+    return _mesh_pslg(points, segments, list(regions), holes, dict(lines or {}), options, progress)
 
 
 def mesh_polygons(polygons, *, progress=None, **options):

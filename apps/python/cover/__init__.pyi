@@ -1,24 +1,51 @@
-from os import PathLike
+import os
 from typing import Any, Callable, Literal, Mapping, Optional, Sequence, Tuple, TypedDict, Union
 
 import numpy as np
 import numpy.typing as npt
+from typing_extensions import Unpack
 
-Progress = Callable[[str, int, int], Optional[bool]]
-Material = Union[str, int]
-Region = Union[Tuple[float, float, Material], Tuple[float, float, Material, str]]
-Polygon = Union[Tuple[Material, Sequence[npt.ArrayLike]], Tuple[Material, Sequence[npt.ArrayLike], str]]
+__all__ = ["Cancelled", "Error", "Mesh", "mesh", "mesh_file", "mesh_polygons"]
+
+_Progress = Callable[[str, int, int], Optional[bool]]
+_Material = Union[str, int]
+_Region = Union[Tuple[float, float, _Material], Tuple[float, float, _Material, str]]
+_Rings = Sequence[npt.ArrayLike]
+_Polygon = Union[Tuple[_Material, _Rings], Tuple[_Material, _Rings, str]]
+
+class _Options(TypedDict, total=False):
+    method: Literal["quality", "almond", "nonobtuse"]
+    fill: Literal["refine", "disks"]
+    max_angle: float  # degrees, as all angles
+    min_angle: float
+    growth: float
+    sizes: Mapping[str, float]  # by region or material; "" is everywhere
+    sizes_at: Mapping[str, float]  # by contact, interface or point
+    split_interfaces: Union[None, bool, float]
+    overlap: Literal["last", "first", "error"]
+    weld: Union[None, float, Literal["auto", "off"]]
+    strict: bool
+    merge_materials: bool
+    hull: bool
+    threads: int
+
+class _WriteOptions(TypedDict, total=False):
+    order: Literal[1, 2]
+    inner_lines: bool
+    lines: bool
+    msh: Literal["2.2", "4.1"]
+    inp_element: Literal["S", "CPS", "CPE", "CAX"]
+
+class _Line(TypedDict):
+    left: int
+    right: int
+    edges: npt.NDArray[np.uint32]
 
 class Error(Exception):
     code: int
     where: Sequence[Tuple[float, float]]
 
 class Cancelled(Error): ...
-
-class Line(TypedDict):
-    left: int
-    right: int
-    edges: npt.NDArray[np.uint32]
 
 class Mesh:
     @property
@@ -32,35 +59,31 @@ class Mesh:
     @property
     def input_id(self) -> npt.NDArray[np.int64]: ...
     @property
-    def lines(self) -> dict[str, list[Line]]: ...
+    def lines(self) -> dict[str, list[_Line]]: ...
     @property
     def report(self) -> dict[str, Any]: ...
-    def save(self, path: str) -> None: ...
+    def save(self, path: Union[str, os.PathLike[str]], **options: Unpack[_WriteOptions]) -> None: ...
     def violations(self) -> list[str]: ...
 
 def mesh(
     points: npt.ArrayLike,
     segments: npt.ArrayLike,
-    regions: Sequence[Region] = ...,
-    holes: npt.ArrayLike = ...,
+    regions: Sequence[_Region] = (),
+    holes: npt.ArrayLike = (),
     *,
-    progress: Optional[Progress] = ...,
-    method: Literal["quality", "almond", "nonobtuse"] = ...,
-    fill: Literal["refine", "disks"] = ...,
-    max_angle: float = ...,
-    min_angle: float = ...,
-    growth: float = ...,
-    sizes: Mapping[str, float] = ...,
-    overlap: Literal["last", "first", "error"] = ...,
-    weld: Union[None, float, Literal["auto", "off"]] = ...,
-    strict: bool = ...,
-    merge_materials: bool = ...,
-    hull: bool = ...,
-    threads: int = ...,
+    lines: Optional[Mapping[str, npt.ArrayLike]] = None,
+    progress: Optional[_Progress] = None,
+    **options: Unpack[_Options],
 ) -> Mesh: ...
 def mesh_polygons(
-    polygons: Sequence[Polygon], *, progress: Optional[Progress] = ..., **options: Any
+    polygons: Sequence[_Polygon],
+    *,
+    progress: Optional[_Progress] = None,
+    **options: Unpack[_Options],
 ) -> Mesh: ...
 def mesh_file(
-    path: Union[str, PathLike[str]], *, progress: Optional[Progress] = ..., **options: Any
+    path: Union[str, os.PathLike[str]],
+    *,
+    progress: Optional[_Progress] = None,
+    **options: Unpack[_Options],
 ) -> Mesh: ...

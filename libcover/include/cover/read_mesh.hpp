@@ -22,9 +22,8 @@ struct CellArray {
 struct MeshLine {
   std::uint32_t a = 0;  ///< index into TriangleSoup::points
   std::uint32_t b = 0;
-  std::int64_t group = 0;      ///< number of its group, reference or marker in the file
-  std::int64_t interface = 0;  ///< InterfaceId; 0: the file does not say
-  int marker = 0;              ///< boundary marker of the input
+  std::int64_t group = 0;  ///< number of its group, reference or marker in the file
+  int marker = 0;          ///< boundary marker of the input
 };
 
 /// What a mesh file holds, as far as triangles and lines go.

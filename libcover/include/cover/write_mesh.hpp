@@ -61,8 +61,9 @@ Status write_report_json(const Output& output, const std::string& path);
 Status write_vtk(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes gmsh's format. Physical groups: regions by name, interfaces by the regions on both sides
-/// with the lower one on the left, contacts by name. Elementary tags: RegionId and InterfaceId in
-/// version 2.2, those of the groups in 4.1.
+/// with the lower one on the left, contacts by name. Elementary tags in version 2.2: RegionId and
+/// InterfaceId, or a further number where an interface lies in several groups; in 4.1 those of the
+/// groups.
 Status write_msh(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes XDMF with all numbers in the XML: the grids `mesh` (MaterialID, RegionId, GroupID) and

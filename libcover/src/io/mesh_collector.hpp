@@ -20,9 +20,8 @@ class MeshCollector {
     midpoints_.insert(midpoints_.end(), nodes.begin() + 3, nodes.end());
   }
   /// Two nodes, or three with the midpoint last. REQUIRES: at least two
-  void add_line(std::span<const std::uint32_t> nodes, std::int64_t group,
-                std::int64_t interface = 0, int marker = 0) {
-    mesh.lines.push_back({nodes[0], nodes[1], group, interface, marker});
+  void add_line(std::span<const std::uint32_t> nodes, std::int64_t group, int marker = 0) {
+    mesh.lines.push_back({nodes[0], nodes[1], group, marker});
     midpoints_.insert(midpoints_.end(), nodes.begin() + 2, nodes.end());
   }
 

@@ -14,7 +14,7 @@ Result<MeshFile> parse_msh_mesh(std::string_view text, const std::string& source
   for (const MshElement& element : file->elements) {
     const auto nodes = file->nodes_of(element);
     if (element.dimension == 1) {
-      collector.add_line(nodes, element.physical, file->has_entities ? element.entity : 0);
+      collector.add_line(nodes, element.physical);
     } else if (element.dimension == 2 && element.corners == 3) {
       collector.add_triangle(nodes);
       mesh.group.push_back(element.physical);

@@ -1,7 +1,9 @@
 // gmsh's .msh in text. Version 2.2 is what most solvers read, 4.1 what gmsh itself prefers; the
-// elements are the same. In 2.2 every face is an elementary surface and every interface an
-// elementary curve of its own; in 4.1 there is one entity per physical group and its tag is that of
-// the group, because getfem takes the one for the other.
+// elements are the same. In 2.2 every face is an elementary surface, and every interface an
+// elementary curve of its own, or several where boundary markers divide it into groups, because
+// gmsh takes a curve for part of every group that one of its elements names; in 4.1 there is one
+// entity per physical group and its tag is that of the group, because getfem takes the one for the
+// other.
 //
 // Tested by tests/unit/io/write_msh_test.cpp and, in the solvers, by tests/solvers.
 #include <algorithm>
@@ -15,7 +17,7 @@ namespace {
 class MshWriter {
  public:
   MshWriter(const MeshView& view, std::size_t interfaces, TextWriter& out)
-      : view_(view), hull_(interfaces + 1), out_(out) {}
+      : view_(view), interfaces_(interfaces), out_(out) {}
 
   void write_2() {
     out_ << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
@@ -26,8 +28,9 @@ class MshWriter {
       coordinates(view_.points[p]);
     }
     out_ << "$EndNodes\n$Elements\n" << view_.lines.size() + view_.triangles.size() << '\n';
+    const std::vector<std::size_t> curve = curves();
     for (std::size_t l = 0; l < view_.lines.size(); ++l)
-      element_2(line_type(), view_.group_of_line(l).tag, curve(l), view_.lines[l]);
+      element_2(line_type(), view_.group_of_line(l).tag, curve[l], view_.lines[l]);
     for (std::size_t t = 0; t < view_.triangles.size(); ++t)
       element_2(triangle_type(), view_.group_of_triangle(t).tag, view_.region[t].index(),
                 view_.triangles[t]);
@@ -62,9 +65,25 @@ class MshWriter {
   [[nodiscard]] int line_type() const { return view_.second_order() ? 8 : 1; }
   [[nodiscard]] int triangle_type() const { return view_.second_order() ? 9 : 2; }
 
-  /// The elementary tag of a line: its InterfaceId, or the one after the last for the hull.
-  [[nodiscard]] std::size_t curve(std::size_t line) const {
-    return view_.interface[line] == kNoInterface ? hull_ : view_.interface[line].index();
+  /// The elementary tag of each line: its InterfaceId, or the one after the last for the hull, or
+  /// one after that where the interface lies in another group too.
+  [[nodiscard]] std::vector<std::size_t> curves() const {
+    const std::size_t hull = interfaces_ + 1;
+    std::size_t last = hull;
+    std::vector<std::uint8_t> taken(hull + 1);
+    std::vector<std::size_t> tags(view_.lines.size());
+    for (std::size_t l = 0; l < tags.size(); ++l) {
+      const auto same = [&](const auto& of) { return l > 0 && of[l] == of[l - 1]; };
+      if (same(view_.line_group) && same(view_.interface)) {
+        tags[l] = tags[l - 1];
+        continue;
+      }
+      const std::size_t own =
+          view_.interface[l] == kNoInterface ? hull : view_.interface[l].index();
+      tags[l] = taken[own] == 0 ? own : ++last;
+      taken[own] = 1;
+    }
+    return tags;
   }
 
   static std::size_t used(const Buckets& entities) {
@@ -133,7 +152,7 @@ class MshWriter {
   }
 
   const MeshView& view_;
-  std::size_t hull_;  ///< elementary tag of lines without an interface
+  std::size_t interfaces_;
   TextWriter& out_;
   std::size_t element_ = 0;  ///< number of the last element written
 };

@@ -126,7 +126,7 @@ class XdmfReader {
     if (groups->size() != cells->size() || markers->size() != cells->size())
       return wrong("arrays of lines have the wrong size");
     for (std::size_t l = 0; l < cells->size(); ++l)
-      collector_.add_line((*cells)[l], (*groups)[l], 0, static_cast<int>((*markers)[l]));
+      collector_.add_line((*cells)[l], (*groups)[l], static_cast<int>((*markers)[l]));
     collector_.mesh.line_names = names_of(grid);
     return ok();
   }

@@ -3,6 +3,7 @@
 
 #include <cover/write_mesh.hpp>
 
+#include "support/inputs.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/written_mesh.hpp"
 #include "unit/io/written_text.hpp"
@@ -176,6 +177,23 @@ TEST_P(WriteMsh, HullWithoutSegments) {
   const WrittenMesh file = written({});
   EXPECT_EQ(file.lines.size(), 14U);
   EXPECT_EQ(file.line_names, (std::map<long, std::string>{{3, "Si_SiO2"}, {4, "hull"}}));
+}
+
+TEST_P(WriteMsh, NoEntityIsInTwoGroups) {
+  // One interface, of which boundary markers make three groups.
+  Input input = testing::checker(2, 4, 7);
+  for (std::size_t s = 0; s < input.segments.size(); ++s) {
+    input.segments[s].marker = static_cast<int>(s % 3);
+  }
+  output_ = cover_mesh(input).value();
+  const WrittenMesh file = written({});
+  EXPECT_GE(file.line_names.size(), 3U);
+  std::map<long, long> group_of;
+  for (const WrittenCell& line : file.lines) {
+    if (line.entity != 0) {
+      EXPECT_EQ(group_of.emplace(line.entity, line.number).first->second, line.number);
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Versions, WriteMsh, ::testing::Values("2.2", "4.1"),
