@@ -21,7 +21,7 @@
 #include "io/atomic_file.hpp"
 #include "io/scratch_folder.hpp"
 #include "io/text.hpp"
-#include "requirements.hpp"
+#include "verdict.hpp"
 
 namespace cover::app {
 namespace {
@@ -30,15 +30,22 @@ constexpr std::string_view kStyle = R"(
 :root { color-scheme: light; }
 body { font: 15px/1.45 system-ui, "Segoe UI", Helvetica, Arial, sans-serif; color: #1c2430; margin: 0; background: #f4f6f8; }
 main { max-width: 1240px; margin: 0 auto; padding: 24px; }
-h1 { font-size: 22px; margin: 0 0 12px; }
+h1 { font-size: 22px; margin: 0; }
+.origin { color: #5b6675; margin: 2px 0 12px; }
 h2 { font-size: 17px; margin: 32px 0 10px; }
-.verdict { padding: 14px 18px; border-radius: 8px; font-size: 17px; font-weight: 600; }
-.verdict small { font-weight: 400; }
-.good { background: #dff2e3; color: #14532d; }
-.bad { background: #fbdedd; color: #7f1d1d; }
-.cards { display: flex; flex-wrap: wrap; gap: 12px; margin: 14px 0; }
-.card { background: #fff; border: 1px solid #dde3ea; border-radius: 8px; padding: 10px 16px; min-width: 130px; }
-.card b { display: block; font-size: 22px; font-weight: 650; }
+.verdict { padding: 12px 18px; border-radius: 8px; border-left: 8px solid; background: #fff; }
+.verdict h2 { margin: 0 0 6px; font-size: 19px; }
+.verdict td { border: 0; padding: 2px 8px 2px 0; white-space: normal; vertical-align: top; }
+.verdict td:nth-child(2) { font-weight: 600; white-space: nowrap; }
+.mark { font-weight: 700; width: 22px; }
+.verdict.good { border-color: #1a7f3c; } .good h2, .good .mark { color: #1a7f3c; }
+.verdict.caution { border-color: #d08700; } .caution h2, .caution .mark { color: #a86500; }
+.verdict.bad { border-color: #c81e1e; background: #fdeceb; } .bad h2, .bad td { color: #a11616; }
+.verdict tr.good .mark { color: #1a7f3c; } .verdict tr.caution .mark { color: #a86500; }
+.verdict tr.fact td { color: #5b6675; }
+.cards { display: grid; grid-template-columns: repeat(auto-fit, minmax(132px, 1fr)); gap: 10px; margin: 14px 0; }
+.card { background: #fff; border: 1px solid #dde3ea; border-radius: 8px; padding: 8px 12px; }
+.card b { display: block; font-size: 20px; font-weight: 650; }
 .card span { color: #5b6675; font-size: 13px; }
 .panel { background: #fff; border: 1px solid #dde3ea; border-radius: 8px; padding: 12px; overflow: auto; }
 .panel img, .panel > svg { max-width: 100%; height: auto; display: block; margin: auto; }
@@ -46,9 +53,12 @@ table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nu
 th, td { text-align: right; padding: 4px 8px; border-bottom: 1px solid #e8ecf1; white-space: nowrap; }
 th { color: #5b6675; font-weight: 600; font-size: 13px; }
 th.t, td.t { text-align: left; }
+th.group { text-align: center; border-bottom: 0; }
+.regions td, .regions th { font-size: 13px; padding: 3px 6px; }
+.regions td:last-child { white-space: normal; min-width: 120px; }
 tr.missed td { background: #fbdedd; }
 .scroll { max-height: 560px; overflow: auto; }
-.scroll th { position: sticky; top: 0; background: #fff; }
+.scroll thead { position: sticky; top: -12px; background: #fff; }
 .two { display: flex; flex-wrap: wrap; gap: 16px; }
 .two > div { flex: 1 1 420px; }
 li { margin: 3px 0; }
@@ -89,8 +99,9 @@ class Page {
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<link rel=\"icon\" href=\"data:,\">\n"
-        "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<main>\n<h1>{0}</h1>\n",
-        escaped_markup(title), kStyle);
+        "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<main>\n<h1>{0}</h1>\n"
+        "<p class=\"origin\">{2}</p>\n",
+        escaped_markup(title), kStyle, escaped_markup(origin()));
     verdict();
     key_figures();
     for (const char* color : {"", "max_angle"}) {
@@ -112,29 +123,48 @@ class Page {
 
  private:
   void verdict() {
-    std::size_t held = 0;
-    for (const RegionReport& region : report_.regions) held += region.bound_held ? 1U : 0U;
-    const bool good = held == report_.regions.size();
-    out_ += fmt::format("<div class=\"verdict {}\">{}<br><small>{}</small></div>\n",
-                        good ? "good" : "bad",
-                        good ? "The proven bound on the largest angle holds in every region."
-                             : escaped_markup("The proven bound on the largest angle is missed: " +
-                                              describe_missed_bound(output_) + "."),
-                        remarks());
+    using Grade = Finding::Grade;
+    struct Look {
+      const char* style;
+      const char* mark;
+    };
+    const auto look = [](Grade grade) -> Look {
+      switch (grade) {
+        case Grade::good:
+          return {"good", "\u2713"};
+        case Grade::caution:
+          return {"caution", "!"};
+        case Grade::bad:
+          return {"bad", "\u2717"};
+        case Grade::fact:
+          break;
+      }
+      return {"fact", "i"};
+    };
+    const std::vector<Finding> findings = findings_of(output_);
+    const Grade grade = verdict_of(findings);
+    out_ += fmt::format("<div class=\"verdict {}\"><h2>{}</h2>\n<table>\n", look(grade).style,
+                        grade == Grade::good      ? "A good mesh: promises kept, targets reached"
+                        : grade == Grade::caution ? "Promises kept; look at what is marked"
+                                                  : "Do not use: a promise is broken");
+    for (const Finding& finding : findings) {
+      out_ += fmt::format(
+          "<tr class=\"{}\"><td class=\"mark\">{}</td><td class=\"t\">{}</td><td "
+          "class=\"t\">{}</td></tr>\n",
+          look(finding.grade).style, look(finding.grade).mark, finding.what,
+          escaped_markup(finding.text));
+    }
+    out_ += "</table>\n</div>\n";
   }
 
-  /// How much there is to read further down.
-  [[nodiscard]] std::string remarks() const {
-    std::size_t changes = 0, others = 0;
-    const auto count = [&](const std::vector<Note>& notes) {
-      for (const Note& note : notes) ++(note.kind == Note::Kind::change ? changes : others);
-    };
-    count(report_.notes);
-    for (const RegionReport& region : report_.regions) count(region.notes);
-    return fmt::format("{}; {}",
-                       changes == 0 ? "The input was meshed as it is"
-                                    : fmt::format("The input was changed in {} places", changes),
-                       others == 0 ? "no remarks" : fmt::format("{} remarks, see below", others));
+  /// Where the mesh comes from, in one line.
+  [[nodiscard]] std::string origin() const {
+    const Provenance& from = report_.provenance;
+    std::string text = from.source.empty() ? "" : from.source + "; ";
+    for (const Provenance::Setting& setting : from.settings)
+      text += fmt::format("{} {}, ", setting.name, setting.value);
+    if (!report_.unit.empty()) text += fmt::format("coordinates in {}, ", report_.unit);
+    return fmt::format("{}cover {}", text, COVER_VERSION);
   }
 
   void key_figures() {
@@ -147,25 +177,26 @@ class Page {
     }
     out_ += "<div class=\"cards\">\n" + card(angle_text(q.largest_nu) + "°", "largest angle") +
             card(fmt::format("{:.2f}°", q.smallest.in_degrees()), "smallest angle") +
-            card(fmt::format("{:.2f}", rho), "lowest rho (1 is the optimum)") +
-            card(grouped(q.above_120),
-                 fmt::format("triangles above 120° ({} forced)", grouped(forced))) +
+            card(fmt::format("{:.2f}", rho), "lowest rho (1: optimum)") +
+            card(grouped(q.above_120), fmt::format("above 120° ({} forced)", grouped(forced))) +
             card(percent(static_cast<double>(q.obtuse), static_cast<double>(q.triangles)),
                  "obtuse triangles") +
             card(grouped(q.triangles), "triangles") +
-            card(grouped(output_.mesh.tri().n_vertices()), "vertices") +
-            card(grouped(report_.steiner_vertices), "of them new") +
-            card(grouped(report_.regions.size()), "regions") +
-            card(grouped(report_.input_segments), "segments") + "</div>\n";
+            card(grouped(output_.mesh.tri().n_vertices()),
+                 fmt::format("vertices ({} new)", grouped(report_.steiner_vertices))) +
+            card(grouped(report_.regions.size()), "regions") + "</div>\n";
   }
 
   Status picture(const std::string& color) {
     out_ += fmt::format("<h2>{}</h2>\n<div class=\"panel\">\n",
                         color.empty() ? "Regions, contacts and the worst angles"
-                                      : "Largest angle of each triangle");
+                                      : "Largest angle of each triangle, from 60° to 180°");
     PictureOptions options;
     options.color = color;
-    if (!color.empty()) options.id = color;
+    if (!color.empty()) {
+      options.id = color;
+      options.range = {60, 180};  // the same for all meshes, so that a bright spot is a bad one
+    }
     const PictureMesh mesh = picture_of(output_);
     constexpr std::size_t kLargeMesh = 20000;
     if (report_.quality.triangles <= kLargeMesh) {
@@ -197,11 +228,15 @@ class Page {
     const bool cut = order.size() > kRows;
     if (cut) order.resize(kRows);
     out_ += fmt::format(
-        "<h2>Regions, lowest rho first{}; largest angle: lowest possible, proven, reached</h2>\n"
-        "<div class=\"panel scroll\">\n<table>\n<tr><th>id</th><th class=\"t\">name</th>"
+        "<h2>Regions, lowest rho first{}</h2>\n"
+        "<div class=\"panel scroll\">\n<table class=\"regions\">\n<thead>\n<tr><th "
+        "colspan=\"6\"></th>"
+        "<th class=\"group\" colspan=\"3\">largest angle</th><th colspan=\"2\"></th>"
+        "<th class=\"group\" colspan=\"2\">triangles (forced)</th><th></th></tr>\n"
+        "<tr><th>id</th><th class=\"t\">name</th>"
         "<th class=\"t\">material</th><th>area</th><th>triangles</th><th>new vertices</th>"
-        "<th>lowest</th><th>proven</th><th>reached</th><th>rho</th><th>smallest</th>"
-        "<th>&gt; 120 (forced)</th><th>&gt; 150 (forced)</th><th class=\"t\">method</th></tr>\n",
+        "<th>possible</th><th>proven</th><th>reached</th><th>rho</th><th>smallest</th>"
+        "<th>&gt; 120°</th><th>&gt; 150°</th><th class=\"t\">method</th></tr>\n</thead>\n",
         cut ? fmt::format(" (the first {})", kRows) : "");
     for (const std::size_t i : order) {
       const RegionReport& r = report_.regions[i];
@@ -276,7 +311,7 @@ class Page {
     for (const RegionReport& region : report_.regions) {
       for (const Note& note : region.notes) lines.push_back(note.message);
     }
-    out_ += "<h2>Changes of the input, warnings, repairs</h2>\n<div class=\"panel\">\n";
+    out_ += "<h2>Changes of the input, warnings, remarks</h2>\n<div class=\"panel\">\n";
     if (lines.empty()) out_ += "<p>None: the input was meshed as it is.</p>\n";
     constexpr std::size_t kLines = 200;
     out_ += "<ul>\n";

@@ -35,7 +35,9 @@ CLI::Option* GeometryFile::add(CLI::App& command) {
       ->check(one_of({"nm", "um", "mm", "cm", "m"}))
       ->type_name("UNIT")
       ->group(group);
-  command.add_option("--scale", scale_, "Multiply all lengths by this power of 10 or 2 first, say 1e-9")
+  command
+      .add_option("--scale", scale_,
+                  "Multiply all lengths by this power of 10 or 2 first, say 1e-9")
       ->type_name("F")
       ->group(group);
   return command

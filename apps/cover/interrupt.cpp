@@ -26,8 +26,10 @@ void Interrupt::wait(const std::stop_token& done) {
   sigwait(&signals_, &signal);
   if (done.stop_requested()) return;
   source_.request_stop();
-  sigwait(&signals_, &signal);
-  if (!done.stop_requested()) std::_Exit(exit_interrupted);
+  while (!done.stop_requested()) {
+    sigwait(&signals_, &signal);
+    if (!done.stop_requested() && !writing_) std::_Exit(exit_interrupted);
+  }
 }
 
 }  // namespace cover::app

@@ -183,7 +183,7 @@ int print_report(const MeshCommand& command, const Output& output, spdlog::logge
 /// Meshes, writes, reports.
 int run(const MeshCommand& command, const Input& input, const Options& options,
         const std::vector<File>& files, spdlog::logger& log) {
-  const Interrupt interrupt;
+  Interrupt interrupt;
   ProgressLine line(command.show_progress());
   Callbacks callbacks;
   callbacks.progress = [&](const Progress& step) { line.update(step); };
@@ -207,6 +207,7 @@ int run(const MeshCommand& command, const Input& input, const Options& options,
               describe_missed_bound(output));
     return exit_incomplete;
   }
+  interrupt.start_writing();
   if (interrupt.token().stop_requested()) {
     return fail(log, {ErrorCode::cancelled, "interrupted; nothing was written", {}, {}});
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -64,17 +65,23 @@ Result<Writer> find(const std::vector<Format>& formats, const std::string& path)
                {}};
 }
 
-Status copy_to_stdout(const std::string& path) {
-  const Error failed{ErrorCode::cannot_write, "cannot write to standard output", {}, {}};
-  std::FILE* file = std::fopen(path.c_str(), "rb");
-  if (file == nullptr) return failed;
+struct Close {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using OpenFile = std::unique_ptr<std::FILE, Close>;
+
+const Error& stdout_failed() {
+  static const Error error{ErrorCode::cannot_write, "cannot write to standard output", {}, {}};
+  return error;
+}
+
+Status copy_to_stdout(std::FILE* file) {
   std::array<char, 65536> buffer;
   bool good = true;
   for (std::size_t n = 0; good && (n = std::fread(buffer.data(), 1, buffer.size(), file)) > 0;) {
     good = std::fwrite(buffer.data(), 1, n, stdout) == n;
   }
-  std::fclose(file);
-  return good && std::fflush(stdout) == 0 ? ok() : Status(failed);
+  return good && std::fflush(stdout) == 0 ? ok() : Status(stdout_failed());
 }
 
 }  // namespace
@@ -116,12 +123,17 @@ std::string mesh_extensions() {
 Status write_to(const std::string& path, const std::string& extension,
                 const std::function<Status(const std::string&)>& write) {
   if (path != "-") return write(path);
-  const auto folder =
-      ScratchFolder::beside((std::filesystem::temp_directory_path() / "cover").string());
-  if (!folder) return folder.error();
-  const std::string file = folder->path() / ("stdout" + extension);
-  Status written = write(file);
-  return written ? copy_to_stdout(file) : written;
+  OpenFile file;
+  {
+    const auto folder =
+        ScratchFolder::beside((std::filesystem::temp_directory_path() / "cover").string());
+    if (!folder) return folder.error();
+    const std::string name = folder->path() / ("stdout" + extension);
+    if (Status written = write(name); !written) return written;
+    file.reset(std::fopen(name.c_str(), "rb"));
+  }
+  // The folder is gone already: whoever stops reading ends the program in the middle of this.
+  return file ? copy_to_stdout(file.get()) : Status(stdout_failed());
 }
 
 Status write_to(const Writer& writer, const Output& output, const std::string& path,

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <string>
+#include <thread>
 
 #include <cover/progress.hpp>
 
@@ -11,8 +14,12 @@ namespace cover::app {
 /// When progress is shown.
 enum class ShowProgress { automatic, on, off };
 
-/// Draws `stage  [####      ] 41 %  12,300/s  3 s left`, at most ten times a second, and wipes it
-/// when destroyed. `automatic` draws only where stderr is a terminal.
+/// The text of the line: `stage  [####      ] 41 %  12,300/s  3 s left`, or the seconds that the
+/// stage has taken where no rate is known yet.
+std::string progress_text(const Progress& progress, double seconds);
+
+/// Draws the line several times a second, also while the run has nothing to tell, and wipes it when
+/// destroyed. `automatic` draws only where stderr is a terminal.
 class ProgressLine {
  public:
   explicit ProgressLine(ShowProgress show);
@@ -21,17 +28,23 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void update(const Progress& progress);
-  /// Wipes the line, so that something else can be printed.
+  /// Wipes the line and draws no more, so that something else can be printed.
   void clear();
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  bool on_ = false;
+  void draw();  ///< REQUIRES: mutex_ is held
+  void tick(const std::stop_token& stop);
+
+  std::mutex mutex_;  ///< of all that follows
   bool drawn_ = false;
   std::string stage_;
+  Progress progress_;
   Clock::time_point stage_start_;
   Clock::time_point last_;
+  std::condition_variable_any wakes_;
+  std::jthread ticker_;  ///< runs where lines are drawn
 };
 
 }  // namespace cover::app

@@ -43,7 +43,7 @@ int run_render(Arguments arguments) {
 )");
   std::string path, format = "svg";
   std::vector<std::string> outputs;
-  std::vector<double> window;
+  std::vector<double> window, range;
   PictureOptions options;
   Verbosity verbosity;
   bool no_edges = false;
@@ -62,6 +62,10 @@ int run_render(Arguments arguments) {
       ->capture_default_str();
   app.add_option("--color", options.color, "Colour by this cell array, say max_angle")
       ->type_name("ARRAY");
+  app.add_option("--range", range, "Values at both ends of the colours: LOW,HIGH (default: found)")
+      ->type_name("LOW,HIGH")
+      ->delimiter(',')
+      ->expected(2);
   app.add_option("--window", window, "Draw only this part: X0,Y0,X1,Y1")
       ->type_name("BOX")
       ->delimiter(',')
@@ -81,6 +85,8 @@ int run_render(Arguments arguments) {
   if (const auto code = parse(app, std::move(arguments))) return *code;
   options.edges = !no_edges;
   if (!window.empty()) options.window = {{window[0], window[1]}, {window[2], window[3]}};
+
+  if (!range.empty()) options.range = {range[0], range[1]};
 
   const auto log = make_logger(verbosity);
   const Result<PictureMesh> picture = read_picture(path);

@@ -10,6 +10,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 PROGRAM, SAMPLES = sys.argv[1], pathlib.Path(sys.argv[2])
@@ -336,9 +337,23 @@ class Page(Case):
 
     def test_says_what_matters(self):
         text = self.page('diode.poly')
-        for part in ('holds in every region', 'lowest rho', 'marker 1', 'box method', 'Time, on', '<svg '):
+        for part in ('targets reached', 'Valid: no gap', 'holds in all 4 regions', 'Meshed as it is', 'lowest rho',
+                     'marker 1', 'box method', 'Time, on', '<svg ', 'diode.poly; method quality, cover 0.'):
             self.assertIn(part, text)
-        self.assertEqual(text.count('<tr>') + text.count('<tr class'), 1 + 4 + 5 + text.count(' s</td></tr>'))
+        # Findings, two rows of heads and four regions, the box method, times.
+        self.assertEqual(text.count('<tr>') + text.count('<tr class'), 6 + 2 + 4 + 5 + text.count(' s</td></tr>'))
+        self.assertNotIn('class="bad"', text)
+
+    def test_tells_what_to_distrust(self):
+        # A segment that is seen at 179 degrees, and one that a polygon's corner cuts.
+        self.write('d.json', json.dumps({'polygons': [
+            {'material': 'Air', 'rings': [[[0, 0], [100, 0], [100, 0.5], [0, 0.5]]]},
+            {'material': 'Si', 'rings': [[[0, 0.5], [50, 0.5], [50, 20], [0, 20]]]}]}))
+        self.run_cover('mesh', 'd.json', '-o', 'd.vtu', '--report', 'd.html', '-q')
+        text = (self.dir / 'd.html').read_text()
+        for part in ('Promises kept; look at what is marked', 'no mesh with whole segments has less',
+                     'The target of 100° is missed', 'Changed in one place'):
+            self.assertIn(part, text)
 
     def test_loads_nothing(self):
         text = self.page('diode.poly').replace('http://www.w3.org/2000/svg', '')
@@ -353,7 +368,7 @@ class Page(Case):
                               text=True, timeout=100, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual([line for line in done.stderr.splitlines() if 'CONSOLE' in line], [])
-        for part in ('holds in every region', 'material_3, 3 regions', '</footer>'):
+        for part in ('holds in all 9 regions', 'material_3, 3 regions', '</footer>'):
             self.assertIn(part, done.stdout)
 
 
@@ -389,27 +404,65 @@ class Documents(Case):
 
 
 class Interrupt(Case):
-    def test_no_file_is_left(self):
-        # Some 50,000 slits in one region: long enough to be caught at work on any machine.
-        n = 300
+    """No half file is left, whenever the program is stopped."""
+
+    def slits(self, n):
+        """Some n * n / 2 slits in one region."""
         points, segments = ['1 0 0', '2 1 0', '3 1 1', '4 0 1'], ['1 1 2', '2 2 3', '3 3 4', '4 4 1']
         for i in range(n * n // 2):
             x, y = (i % n + 1) / (n + 1), (i // n + 1) / (n + 1) * 2
             points += [f'{2 * i + 5} {x} {y / 1.1}', f'{2 * i + 6} {x + 0.001} {y / 1.1 + 0.0005}']
             segments.append(f'{i + 5} {2 * i + 5} {2 * i + 6}')
-        self.write('big.poly', f'{len(points)} 2 0 0\n' + '\n'.join(points) + f'\n{len(segments)} 0\n' +
-                   '\n'.join(segments) + '\n0\n')
-        run = subprocess.Popen([PROGRAM, 'mesh', 'big.poly', '-o', 'big.vtu', '--progress', 'on'], cwd=self.dir,
-                               stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        return self.write('big.poly', f'{len(points)} 2 0 0\n' + '\n'.join(points) + f'\n{len(segments)} 0\n' +
+                          '\n'.join(segments) + '\n0\n')
+
+    def start(self, *words, **more):
+        run = subprocess.Popen([PROGRAM, 'mesh', *words], cwd=self.dir, stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE, **more)
+        self.addCleanup(run.wait)
+        self.addCleanup(run.kill)
+        self.addCleanup(run.stderr.close)
+        return run
+
+    def test_while_meshing(self):
+        # Long enough to be caught at work on any machine, and to have nothing to tell for seconds.
+        run = self.start(self.slits(300), '-o', 'big.vtu', '--progress', 'on')
         seen = b''
-        while b'mesh' not in seen:  # the stage that takes long
+        while not re.search(rb'mesh .* 0 % +\d+ s', seen):
             more = os.read(run.stderr.fileno(), 4096)
             self.assertTrue(more, seen)
             seen += more
         run.send_signal(signal.SIGINT)
+        sent = time.monotonic()
         out, err = run.communicate(timeout=60)
+        self.assertLess(time.monotonic() - sent, 20)
         self.assertEqual(run.returncode, 130, (seen + err)[-300:])
         self.assertEqual(self.files(), ['big.poly'])
+
+    def test_while_writing(self):
+        names = [f'{k}.{e}' for k in range(4) for e in ('msh', 'vtk', 'mesh', 'vtm')]
+        run = self.start(self.slits(120), '--method', 'almond', *(w for n in names for w in ('-o', n)))
+        while not any(name.startswith('.') for name in self.files()):
+            self.assertIsNone(run.poll(), run.stderr)
+        run.send_signal(signal.SIGINT)
+        time.sleep(0.01)
+        run.send_signal(signal.SIGINT)
+        run.communicate(timeout=60)
+        self.assertIn(run.returncode, (0, 130))
+        files = [name for name in self.files() if name != 'big.poly']
+        self.assertEqual([name for name in files if name.startswith('.')], [])
+        for kind in 'msh', 'vtk', 'mesh':
+            whole = {(self.dir / name).read_bytes() for name in files if name.endswith('.' + kind)}
+            self.assertLessEqual(len(whole), 1, kind)
+
+    def test_when_nobody_reads(self):
+        folder = self.dir / 'tmp'
+        folder.mkdir()
+        run = self.start(self.slits(60), '--method', 'almond', '-o', '-', env={**os.environ, 'TMPDIR': str(folder)})
+        run.stdout.close()
+        run.stderr.read()
+        self.assertNotEqual(run.wait(timeout=60), 0)
+        self.assertEqual(list(folder.iterdir()), [])
 
 
 if __name__ == '__main__':

@@ -41,6 +41,7 @@ struct PictureOptions {
   int width = 1200;                     ///< pixels, >= 200; the height follows from the shape
   std::string title;                    ///< first line, empty: none
   std::string color;                    ///< cell array shown by colour; empty: the regions
+  std::optional<std::array<double, 2>> range;  ///< values at both ends of the colours; none: found
   std::optional<PictureWindow> window;  ///< part of the mesh shown; none: all of it
   int worst = 3;                        ///< so many of the largest angles are marked
   std::string id = "plot";              ///< differs between the SVGs of one page

@@ -13,9 +13,9 @@ namespace cover {
 
 /// One step of a run.
 struct Progress {
-  std::string_view stage;  ///< "regions", "mesh", "stitch", ...
+  std::string_view stage;  ///< "clean", "regions", "mesh", "stitch", ...
   std::size_t done = 0;    ///< of `total`, in units of the stage (regions by their weight)
-  std::size_t total = 0;
+  std::size_t total = 0;   ///< 0: the stage begins, and does not tell how far it is
 };
 
 /// How the caller follows a run. Each is called from one thread at a time; what `progress` throws

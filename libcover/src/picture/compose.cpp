@@ -9,6 +9,7 @@
 #include <limits>
 #include <numeric>
 #include <set>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -37,15 +38,6 @@ PictureWindow bounds(const std::vector<Point>& points) {
     box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
   }
   return box;
-}
-
-/// The largest of 1, 2, 5 times a power of ten below `length`.
-double round_length(double length) {
-  const double power = std::pow(10.0, std::floor(std::log10(length)));
-  for (const double f : {5.0, 2.0}) {
-    if (f * power <= length) return f * power;
-  }
-  return power;
 }
 
 std::string name_of(const std::map<std::int64_t, std::string>& names, std::int64_t id,
@@ -200,6 +192,8 @@ class Composer {
       low = std::min(low, found->values[t]);
       high = std::max(high, found->values[t]);
     }
+    if (options_.range) std::tie(low, high) = std::tie((*options_.range)[0], (*options_.range)[1]);
+    if (!(low <= high)) return bad_option("the range of values is empty");
     constexpr int kSteps = 64;
     std::vector<Patch> patches(kSteps);
     for (int i = 0; i < kSteps; ++i) {
@@ -207,7 +201,9 @@ class Composer {
     }
     for (const std::size_t t : visible_) {
       const double value = found->values[t];
-      const double part = high > low && std::isfinite(value) ? (value - low) / (high - low) : 0;
+      const double part = high > low && std::isfinite(value)
+                              ? std::clamp((value - low) / (high - low), 0.0, 1.0)
+                              : 0;
       patches[static_cast<std::size_t>(part * (kSteps - 1) + 0.5)].triangles.push_back(corners(t));
     }
     for (Patch& patch : patches) {
@@ -281,7 +277,7 @@ class Composer {
     Stroke frame{{170, 170, 170}, 1, 1, false, {}};
     add_outline(box, frame);
     add(std::move(frame));
-    const double length = round_length((box.x1 - box.x0) / scale_ / 4);
+    const double length = round_number((box.x1 - box.x0) / scale_ / 4);
     const double x = box.x0, y = box.y1 + 20, end = x + length * scale_;
     add(Stroke{kInk,
                2,

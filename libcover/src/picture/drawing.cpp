@@ -1,10 +1,20 @@
 #include "picture/drawing.hpp"
 
+#include <cmath>
+
 namespace cover {
 
 void add_outline(const PixelBox& b, Stroke& stroke) {
   const Point p{b.x0, b.y0}, q{b.x1, b.y0}, r{b.x1, b.y1}, s{b.x0, b.y1};
   stroke.lines.insert(stroke.lines.end(), {{p, q}, {q, r}, {r, s}, {s, p}});
+}
+
+double round_number(double value) {
+  const double power = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double f : {5.0, 2.0}) {
+    if (f * power <= value) return f * power;
+  }
+  return power;
 }
 
 double text_width(const std::string& text, double size) {

@@ -1,6 +1,7 @@
 #include "picture/legend.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include <fmt/format.h>
@@ -87,12 +88,18 @@ void draw_colour_bar(const std::string& title, double low, double high, Drawing&
     drawing.items.emplace_back(
         rectangle({x, y, x + 22, y + height / kBands + 0.5}, value_colour(1 - i / (kBands - 1.0))));
   }
-  constexpr int kTicks = 5;
-  for (int i = 0; i < kTicks; ++i) {
-    const double y = top + height * i / (kTicks - 1);
-    const double value = high + (low - high) * i / (kTicks - 1);
+  const auto tick = [&](double value, double y) {
     drawing.items.emplace_back(Stroke{kInk, 1, 1, false, {{Point{x + 22, y}, Point{x + 27, y}}}});
-    drawing.items.emplace_back(Label{fmt::format("{:.5g}", value), {x + 32, y + 5}, kText});
+    drawing.items.emplace_back(Label{fmt::format("{:.4g}", value), {x + 32, y + 5}, kText});
+  };
+  tick(high, top);
+  tick(low, top + height);
+  // Round numbers between, where they do not touch those of the ends.
+  if (!(high - low > 0) || !std::isfinite(high - low)) return;
+  const double step = round_number((high - low) / 4);
+  for (double k = std::ceil(low / step); k * step < high; ++k) {
+    const double y = top + height * (high - k * step) / (high - low);
+    if (y > top + kText && y < top + height - kText) tick(k * step, y);
   }
 }
 

@@ -25,8 +25,16 @@
 namespace cover {
 namespace {
 
+/// Tells the caller that a stage begins, unless the run is to stop.
+Status begin(std::string_view stage, const Callbacks& callbacks) {
+  if (callbacks.stop.stop_requested()) return Error{ErrorCode::cancelled, "interrupted", {}, {}};
+  if (callbacks.progress) callbacks.progress({stage, 0, 0});
+  return ok();
+}
+
 /// Input made clean, without the lower bounds.
-Result<Prepared> find_regions(const Input& input, const Options& options, StageClock& clock) {
+Result<Prepared> find_regions(const Input& input, const Options& options,
+                              const Callbacks& callbacks, StageClock& clock) {
   if (Status status = check_options(options); !status) return std::move(status).error();
   Prepared prepared;
   Report& report = prepared.report;
@@ -35,10 +43,12 @@ Result<Prepared> find_regions(const Input& input, const Options& options, StageC
   report.scale = input.scale;
   for (const std::string& warning : input.warnings)
     report.notes.push_back({Note::Kind::warning, kVoid, warning, {}});
+  if (Status status = begin("clean", callbacks); !status) return std::move(status).error();
   Result<Pslg> pslg = make_pslg(input, options, report);
   if (!pslg) return std::move(pslg).error();
   prepared.pslg = *std::move(pslg);
   clock.note("clean", report.times);
+  if (Status status = begin("regions", callbacks); !status) return std::move(status).error();
   Result<RegionTable> table = build_region_table(prepared.pslg, options, report.notes);
   if (!table) return std::move(table).error();
   prepared.table = *std::move(table);
@@ -66,7 +76,7 @@ void collect_reports(std::vector<RegionMesh>& meshes, Report& report) {
 
 Result<Prepared> prepare(const Input& input, const Options& options, const Callbacks& callbacks) {
   StageClock clock;
-  Result<Prepared> prepared = find_regions(input, options, clock);
+  Result<Prepared> prepared = find_regions(input, options, callbacks, clock);
   if (!prepared) return prepared;
   Result<std::vector<RegionReport>> limits =
       limit_regions(split_regions(prepared->pslg, prepared->table), options, callbacks);
@@ -78,7 +88,7 @@ Result<Prepared> prepare(const Input& input, const Options& options, const Callb
 
 Result<Output> cover_mesh(const Input& input, const Options& options, const Callbacks& callbacks) {
   StageClock clock;
-  Result<Prepared> prepared = find_regions(input, options, clock);
+  Result<Prepared> prepared = find_regions(input, options, callbacks, clock);
   if (!prepared) return std::move(prepared).error();
   auto& [pslg, table, report] = *prepared;
 
@@ -102,6 +112,7 @@ Result<Output> cover_mesh(const Input& input, const Options& options, const Call
     }
   }
   clock.note("mesh", report.times);
+  if (Status status = begin("stitch", callbacks); !status) return std::move(status).error();
   Mesh mesh = stitch(pslg, table, boundaries, *meshes);
   collect_reports(*meshes, report);
   clock.note("stitch", report.times);

@@ -117,6 +117,7 @@ Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned work
   std::size_t total = 0;
   for (const Batch& batch : batches) total += batch.cost;
   ProgressCount progress(stage, total, callbacks);
+  progress.add(0);
   std::vector<std::optional<Error>> errors(boundaries.size());
 
   const auto run = [&](const Batch& batch) {
@@ -169,6 +170,7 @@ Result<std::vector<RegionMesh>> mesh_regions(std::span<const RegionBoundary> bou
         meshes[k] = options.method == Method::quality
                         ? quality_region(boundaries[k], options, callbacks.stop)
                         : cover_region(boundaries[k], options, callbacks.stop);
+        if (callbacks.stop.stop_requested()) return;
         measure(boundaries[k], meshes[k]);
         meshes[k].report.seconds = clock.seconds();
       });

@@ -61,9 +61,11 @@ class RegionWork {
         sizes_(boundary, cdt_, options.growth),
         budget_{kEvaluationsAtLeast + kEvaluationsPerVertex * boundary.points.size(), stop} {}
 
-  /// ENSURES: no triangles if rounding on the way back to the plane turned one over
+  /// ENSURES: no triangles if rounding on the way back to the plane turned one over, or the run is
+  ///          to stop
   RegionMesh run() {
     Candidate best = best_candidate();
+    if (budget_.stop.stop_requested()) return {};
     RegionMesh out = to_region_mesh(best);
     best.mesh.set_goal(goal_);
     out.report.notes = missed_targets(best.mesh, boundary_, limit_, options_, budget_.is_used_up());
@@ -82,13 +84,13 @@ class RegionWork {
     std::optional<Candidate> hub = one_star(cdt);
     if (hub && hub->merit.complete) return *std::move(hub);
     take_if_better(best, optimised(cdt));
-    if (meets_largest(best)) return best;
+    if (is_done(best)) return best;
     take_if_better(best, improved(best));
-    if (meets_largest(best)) return best;
+    if (is_done(best)) return best;
     if (hub && is_promising(*hub, best)) take_if_better(best, improved(*std::move(hub)));
-    if (meets_largest(best)) return best;
+    if (is_done(best)) return best;
     if (is_promising(cdt, best)) take_if_better(best, improved(std::move(cdt)));
-    if (meets_largest(best)) return best;
+    if (is_done(best)) return best;
     Candidate almond = from_almonds();
     if (is_promising(almond, best)) take_if_better(best, improved(std::move(almond)));
     return best;
@@ -109,9 +111,10 @@ class RegionWork {
            (start.merit.large < best.merit.large || boundary_.points.size() <= kSmallRegion);
   }
 
-  /// The largest angle is that of the goal, or forced by the region's worst side.
-  [[nodiscard]] bool meets_largest(const Candidate& candidate) const {
-    return candidate.merit.large <= target(candidate.mesh) * (1 + 1e-9);
+  /// The largest angle is that of the goal, or forced by the region's worst side; or the run is to
+  /// stop.
+  [[nodiscard]] bool is_done(const Candidate& candidate) const {
+    return budget_.stop.stop_requested() || candidate.merit.large <= target(candidate.mesh) * (1 + 1e-9);
   }
 
   /// -cot of the region's own target: the largest angle of the goal, or what its worst side forces.
@@ -230,7 +233,7 @@ RegionMesh quality_region(const RegionBoundary& boundary, const Options& options
                           std::stop_token stop) {
   RegionWork shifted(boundary, options, stop, true);
   RegionMesh mesh = shifted.run();
-  if (mesh.triangles.empty() && shifted.is_shifted()) {
+  if (mesh.triangles.empty() && shifted.is_shifted() && !stop.stop_requested()) {
     mesh = RegionWork(boundary, options, stop, false).run();
   }
   return mesh;

@@ -92,9 +92,22 @@ TEST(Picture, ValuesGetALegendFromLowToHigh) {
   options.color = "load";
   const auto svg = svg_text(two_squares(), options);
   ASSERT_TRUE(svg);
-  for (const char* tick : {">0<", ">0.75<", ">1.5<", ">2.25<", ">3<", ">load<"}) {
+  for (const char* tick : {">0<", ">1<", ">1.5<", ">2<", ">2.5<", ">3<", ">load<"}) {
     EXPECT_EQ(count(*svg, tick), 1U) << tick;
   }
+}
+
+TEST(Picture, ColoursShowTheRangeAskedFor) {
+  PictureOptions options;
+  options.color = "load";
+  options.range = {-4, 1};
+  const auto svg = svg_text(two_squares(), options);
+  ASSERT_TRUE(svg);
+  for (const char* tick : {">-4<", ">-3<", ">-2<", ">-1<", ">0<", ">1<"}) {
+    EXPECT_EQ(count(*svg, tick), 1U) << tick;
+  }
+  options.range = {1, -4};
+  EXPECT_FALSE(svg_text(two_squares(), options));
 }
 
 TEST(Picture, ManyRegionsAreListedByMaterial) {

@@ -1,0 +1,33 @@
+// What decides whether a mesh can be trusted, in a few sentences.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <cover/cover_mesh.hpp>
+
+namespace cover::app {
+
+/// One sentence of a verdict.
+struct Finding {
+  enum class Grade {
+    good,     ///< as it should be
+    caution,  ///< a promise is kept, but a target was missed or the input changed
+    bad,      ///< a promise is broken
+    fact,     ///< neither good nor bad by itself
+  };
+  Grade grade = Grade::good;
+  std::string what;  ///< a word or two
+  std::string text;
+};
+
+/// Checks the promises on the mesh itself, exactly, and compares what was reached with the targets
+/// of the run.
+///
+/// Cost: O(n log n)
+std::vector<Finding> findings_of(const Output& output);
+
+/// The worst grade among them.
+Finding::Grade verdict_of(const std::vector<Finding>& findings);
+
+}  // namespace cover::app
