@@ -26,6 +26,7 @@ enum class ErrorCode {
   conflicting_seeds = 112,
   overlapping_polygons = 113,
   changed_input = 114,
+  other_mesh = 115,
   // 200-299: reading and writing files (exit code 5)
   cannot_open = 200,
   cannot_write = 201,

@@ -49,8 +49,9 @@ Result<MeshFile> read_mesh(const std::string& path);
 
 /// Reads a mesh that cover wrote, in any format of read_mesh() or as .vtm, as what cover_mesh()
 /// returned, as far as files keep it; see rebuild(). Names, interfaces and markers come from the
-/// manifest (.json) beside it, else from the .vtm beside it, else from the file itself; what is
-/// missing then is said in the report's notes.
+/// manifest (.json) beside it, else from the .vtm beside it, else from the file itself. What is
+/// missing then is said in the report's notes, and that midpoints of second-order triangles were
+/// left out.
 ///
 /// Errors: those of read_mesh(); syntax also where the manifest is of another mesh.
 Result<Output> read_output(const std::string& path);

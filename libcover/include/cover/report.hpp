@@ -104,12 +104,20 @@ struct RegionReport {
   [[nodiscard]] double rho() const;
 };
 
+/// What a region had in an existing mesh before it was meshed again.
+struct Replaced {
+  RegionId region;
+  std::size_t triangles = 0;
+  std::size_t steiner_vertices = 0;
+};
+
 /// The whole run.
 struct Report {
   std::vector<RegionReport> regions;  ///< by RegionId - 1
   Quality quality;                    ///< over all regions
   std::vector<Note> notes;            ///< about the input as a whole
   std::vector<Change> changes;        ///< every one; the notes sum them up
+  std::vector<Replaced> replaced;     ///< remesh(): by region; else empty
   std::vector<StageTime> times;
   Provenance provenance;
   std::string unit;  ///< of the coordinates, as "nm"; empty: not said

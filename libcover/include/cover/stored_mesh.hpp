@@ -34,6 +34,7 @@ struct StoredMesh {
   Provenance provenance;               ///< and unit and scale: as in Report
   std::string unit;
   double scale = 1;
+  bool second_order = false;  ///< the file's triangles have six nodes, of which these are corners
 };
 
 /// Puts a stored mesh together again. The PSLG stays empty and so do the reports of the regions:

@@ -27,6 +27,7 @@ struct VerifyOptions {
   bool bound = true;         ///< promise 3, unless allow_split
   bool allow_split = false;  ///< segments may be split by vertices on them
   bool hull = false;         ///< the domain is the convex hull
+  bool materials = true;     ///< every triangle has the material of its region
 };
 
 /// A broken promise.
@@ -43,6 +44,9 @@ struct Verification {
   std::size_t segments_whole = 0;
   std::size_t regions = 0;
   std::size_t within_rounding = 0;  ///< regions that meet the bound up to coordinate rounding
+  /// By triangle: the region of the input that it lies in, kVoid if none is known. Empty where the
+  /// input is no clean planar straight-line graph.
+  std::vector<RegionId> triangle_regions;
 };
 
 /// The mesh of a run as plain arrays.

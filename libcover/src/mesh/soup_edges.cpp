@@ -4,6 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "geom/vector.hpp"
+
 namespace cover {
 namespace {
 
@@ -50,6 +52,39 @@ std::optional<std::size_t> SoupEdges::find(std::uint32_t from, std::uint32_t to)
       std::partition_point(edges.begin(), edges.end(), [&](const Edge& e) { return e.to < to; });
   if (it == edges.end() || it->to != to) return std::nullopt;
   return first_[from] + static_cast<std::size_t>(it - edges.begin());
+}
+
+std::vector<std::size_t> SoupEdges::along(std::uint32_t from, std::uint32_t to,
+                                          double offset) const {
+  std::vector<std::size_t> way;
+  for (std::uint32_t at = from; at != to;) {
+    const auto edge = next_along(from, at, to, offset);
+    if (!edge) return {};
+    way.push_back(*edge);
+    at = edges_[*edge].to;
+  }
+  return way;
+}
+
+/// The edge that leaves `from` along the line from `start` to `to`.
+std::optional<std::size_t> SoupEdges::next_along(std::uint32_t start, std::uint32_t from,
+                                                 std::uint32_t to, double offset) const {
+  const Point origin = soup_.points[start], end = soup_.points[to];
+  const Vector along = end - origin;
+  const double tolerance = offset * length(along);
+  std::optional<std::size_t> best;
+  double best_slope = 0;
+  for (std::size_t k = first_[from]; k < first_[from + 1]; ++k) {
+    const Point p = soup_.points[edges_[k].to];
+    const Vector step = p - soup_.points[from];
+    if (dot(step, along) <= 0 || std::abs(cross(along, p - origin)) > tolerance) continue;
+    if (edges_[k].to != to && dot(end - p, along) <= 0) continue;
+    const double slope = std::abs(cross(along, step)) / length(step);
+    if (best && slope >= best_slope) continue;
+    best = k;
+    best_slope = slope;
+  }
+  return best;
 }
 
 std::optional<std::uint32_t> SoupEdges::vertex_at(Point p) const {

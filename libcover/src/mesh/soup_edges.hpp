@@ -32,6 +32,11 @@ class SoupEdges {
   /// Index in all() of the first edge between two vertices.
   [[nodiscard]] std::optional<std::size_t> find(std::uint32_t from, std::uint32_t to) const;
 
+  /// The edges that lead from one vertex to another along the straight line between them, one after
+  /// the other; none if there is no such way. Their ends may be off the line by `offset`.
+  [[nodiscard]] std::vector<std::size_t> along(std::uint32_t from, std::uint32_t to,
+                                               double offset) const;
+
   /// The triangles set aside.
   [[nodiscard]] std::span<const std::uint32_t> unusable() const { return unusable_; }
 
@@ -41,6 +46,9 @@ class SoupEdges {
   [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> doubles() const;
 
  private:
+  [[nodiscard]] std::optional<std::size_t> next_along(std::uint32_t start, std::uint32_t from,
+                                                      std::uint32_t to, double offset) const;
+
   const TriangleSoup& soup_;
   std::vector<std::size_t> first_;  ///< by vertex, into edges_
   std::vector<Edge> edges_;

@@ -52,8 +52,9 @@ class Verifier {
     check_inner_edges();
     find_regions();
     check_region_ids();
-    check_materials();
+    if (options_.materials) check_materials();
     if (options_.bound && !options_.allow_split) check_bound();
+    result_.triangle_regions = std::move(region_);
     return std::move(result_);
   }
 
@@ -192,40 +193,11 @@ class Verifier {
         {pslg_.points[side.a], pslg_.points[side.b]});
   }
 
-  /// Walks along a split side from vertex to vertex; false if there is no way.
-  bool mark_pieces(std::uint32_t s, std::uint32_t from, const std::uint32_t to) {
-    std::vector<std::size_t> pieces;
-    while (from != to) {
-      const auto piece = next_piece(from, to, pslg_.points[domain_.sides[s].a]);
-      if (!piece) return false;
-      pieces.push_back(*piece);
-      from = edges_.all()[*piece].to;
-    }
+  /// Marks the edges along a split side; false if there is no way.
+  bool mark_pieces(std::uint32_t s, std::uint32_t from, std::uint32_t to) {
+    const std::vector<std::size_t> pieces = edges_.along(from, to, offset_on_segment(scale_));
     for (const std::size_t piece : pieces) side_of_[piece] = s;
-    return true;
-  }
-
-  /// The edge that leaves `from` along the line from `start` to the vertex `to`, up to what
-  /// rounding the coordinates of its end can do.
-  [[nodiscard]] std::optional<std::size_t> next_piece(std::uint32_t from, std::uint32_t to,
-                                                      Point start) const {
-    const Point end = at(to);
-    const Vector along = end - start;
-    const double tolerance = 8 * spacing_at(scale_) * length(along);
-    std::optional<std::size_t> best;
-    double best_offset = 0;
-    const auto leaving = edges_.leaving(from);
-    for (const SoupEdges::Edge& e : leaving) {
-      const Vector step = at(e.to) - at(from);
-      const double offset = std::abs(cross(along, at(e.to) - start));
-      if (dot(step, along) <= 0 || offset > tolerance) continue;
-      if (e.to != to && dot(end - at(e.to), along) <= 0) continue;
-      const double slope = std::abs(cross(along, step)) / length(step);
-      if (best && slope >= best_offset) continue;
-      best = static_cast<std::size_t>(&e - edges_.all().data());
-      best_offset = slope;
-    }
-    return best;
+    return !pieces.empty();
   }
 
   void check_inner_edges() {

@@ -23,6 +23,8 @@ double spacing_at(double x) {
   return std::nextafter(std::abs(x), std::numeric_limits<double>::infinity()) - std::abs(x);
 }
 
+double offset_on_segment(double scale) { return 8 * spacing_at(scale); }
+
 BoundCheck verify_bound(const TriangleSoup& mesh, std::span<const RegionId> region,
                         const ExpectedDomain& domain, double scale) {
   std::vector<Worst> worst(domain.nu_opt.size());

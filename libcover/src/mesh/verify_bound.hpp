@@ -29,6 +29,9 @@ struct BoundCheck {
 
 /// The distance from |x| to the next larger double: what the last place of a coordinate stands for.
 double spacing_at(double x);
+/// How far off a segment a vertex may be that was put on it: what rounding does, where no
+/// coordinate is larger than `scale`.
+double offset_on_segment(double scale);
 
 /// Compares pi - gamma of every region with min((pi - gamma_opt) / 2, pi / 6). `region` is by
 /// triangle, kVoid for triangles to be passed over; `scale` is the largest coordinate.

@@ -6,73 +6,17 @@
 // vertex id; results lie in region order, so the mesh does not depend on the schedule.
 #include <cover/cover_mesh.hpp>
 
-#include <cover/version.hpp>
-
 #include "covering/measure.hpp"
 #include "mesh/stitch.hpp"
-#include "pipeline/check_options.hpp"
-#include "pipeline/describe_options.hpp"
+#include "pipeline/find_regions.hpp"
 #include "pipeline/nonobtuse.hpp"
 #include "pipeline/region_task.hpp"
-#include "pipeline/stage_clock.hpp"
 #include "quality/cut_and_improve.hpp"
 #include "quality/missed_targets.hpp"
 #include "quality/sizes.hpp"
-#include "quality/split_interfaces.hpp"
-#include "region/pslg.hpp"
 #include "region/region_graph.hpp"
 
 namespace cover {
-namespace {
-
-/// Tells the caller that a stage begins, unless the run is to stop.
-Status begin(std::string_view stage, const Callbacks& callbacks) {
-  if (callbacks.stop.stop_requested()) return Error{ErrorCode::cancelled, "interrupted", {}, {}};
-  if (callbacks.progress) callbacks.progress({stage, 0, 0});
-  return ok();
-}
-
-/// Input made clean, without the lower bounds.
-Result<Prepared> find_regions(const Input& input, const Options& options,
-                              const Callbacks& callbacks, StageClock& clock) {
-  if (Status status = check_options(options); !status) return std::move(status).error();
-  Prepared prepared;
-  Report& report = prepared.report;
-  report.provenance = {input.source, COVER_VERSION, describe_options(options)};
-  report.unit = input.unit;
-  report.scale = input.scale;
-  for (const std::string& warning : input.warnings)
-    report.notes.push_back({Note::Kind::warning, kVoid, warning, {}});
-  if (Status status = begin("clean", callbacks); !status) return std::move(status).error();
-  Result<Pslg> pslg = make_pslg(input, options, report);
-  if (!pslg) return std::move(pslg).error();
-  prepared.pslg = *std::move(pslg);
-  clock.note("clean", report.times);
-  if (Status status = begin("regions", callbacks); !status) return std::move(status).error();
-  Result<RegionTable> table = build_region_table(prepared.pslg, options, report.notes);
-  if (!table) return std::move(table).error();
-  prepared.table = *std::move(table);
-  clock.note("regions", report.times);
-  if (Status status = split_interfaces(prepared.pslg, prepared.table, options, report.notes);
-      !status) {
-    return std::move(status).error();
-  }
-  report.input_points = prepared.pslg.points.size();
-  report.input_segments = prepared.pslg.segments.size();
-  report.threads = worker_count(options);
-  return prepared;
-}
-
-/// Moves what the regions report to the whole, in region order.
-void collect_reports(std::vector<RegionMesh>& meshes, Report& report) {
-  for (RegionMesh& mesh : meshes) {
-    merge(report.quality, mesh.report.quality);
-    report.steiner_vertices += mesh.report.steiner_vertices;
-    report.regions.push_back(std::move(mesh.report));
-  }
-}
-
-}  // namespace
 
 Result<Prepared> prepare(const Input& input, const Options& options, const Callbacks& callbacks) {
   StageClock clock;
@@ -112,7 +56,7 @@ Result<Output> cover_mesh(const Input& input, const Options& options, const Call
     }
   }
   clock.note("mesh", report.times);
-  if (Status status = begin("stitch", callbacks); !status) return std::move(status).error();
+  if (Status status = begin_stage("stitch", callbacks); !status) return std::move(status).error();
   Mesh mesh = stitch(pslg, table, boundaries, *meshes);
   collect_reports(*meshes, report);
   clock.note("stitch", report.times);

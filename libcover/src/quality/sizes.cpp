@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/suggest.hpp"
+#include "region/named_regions.hpp"
 
 namespace cover {
 namespace {
@@ -17,16 +18,13 @@ void lower(double& size, double wished) { size = size == 0 ? wished : std::min(s
 
 /// Sets the sizes inside regions. False if no region has that name.
 bool inside(const SizeRule& rule, const RegionTable& table, std::span<RegionBoundary> boundaries) {
-  bool found = false;
-  for (std::size_t r = 0; r < boundaries.size(); ++r) {
-    const Region& region = table.regions[r];
-    if (!rule.name.empty() && rule.name != region.name && rule.name != region.material_name) {
-      continue;
-    }
-    lower(boundaries[r].size, rule.size);
-    found = true;
+  if (rule.name.empty()) {
+    for (RegionBoundary& boundary : boundaries) lower(boundary.size, rule.size);
+    return true;
   }
-  return found;
+  const std::vector<RegionId> regions = named_regions(table, rule.name);
+  for (const RegionId region : regions) lower(boundaries[region.index() - 1].size, rule.size);
+  return !regions.empty();
 }
 
 /// Sets the sizes at PSLG points. False if no line or point has that name.
@@ -50,20 +48,13 @@ bool at_points(const SizeRule& rule, const Pslg& pslg, const RegionTable& table,
 }
 
 Error unknown_name(const SizeRule& rule, const RegionTable& table) {
+  if (!rule.at) return no_such_region(table, "size for", rule.name);
   std::vector<std::string> names;
-  if (rule.at) {
-    for (const Interface& line : table.interfaces) names.push_back(line.name);
-  } else {
-    for (const Region& region : table.regions) {
-      names.push_back(region.name);
-      names.push_back(region.material_name);
-    }
-  }
+  for (const Interface& line : table.interfaces) names.push_back(line.name);
   const auto meant = closest(rule.name, names);
   return {ErrorCode::bad_option,
-          fmt::format("size for '{}': there is no {} of that name{}", rule.name,
-                      rule.at ? "interface, contact or point" : "region or material",
-                      meant ? fmt::format("; did you mean '{}'?", *meant) : ""),
+          fmt::format("size for '{}': there is no interface, contact or point of that name{}",
+                      rule.name, meant ? fmt::format("; did you mean '{}'?", *meant) : ""),
           {},
           {}};
 }

@@ -14,7 +14,7 @@ namespace cover {
 
 /// Fills RegionBoundary::size and size_at from Options::sizes.
 ///
-/// A rule without a name holds everywhere; a rule for a region's or material's name inside it; a
+/// A rule without a name holds everywhere; one with a name in named_regions(); a
 /// rule `at` a name at the vertices of the interface or contact of that name, or at the point whose
 /// id in the user's file the name is. The smallest of several wins.
 /// Errors: bad_option for a name that nothing has; the message tells those that there are

@@ -118,6 +118,7 @@ class BlockReader {
   void finish() {
     TriangleSoup& soup = stored_.soup;
     sort_by_region(soup);
+    stored_.second_order = !midpoints_.empty();
     if (midpoints_.empty()) return;
     const std::vector<std::uint32_t> renumbered = drop_midpoints(midpoints_, soup);
     for (StoredEdge& edge : stored_.edges)
@@ -223,6 +224,7 @@ class Completion {
     if (!file) return std::move(file).error();
     StoredMesh stored;
     stored.soup = file->soup;
+    stored.second_order = file->second_order;
     Result<bool> named = read_manifest(beside(".json"), file->group, stored);
     if (!named) return std::move(named).error();
     if (!*named && fs::is_regular_file(beside(".vtm")) && !stored.soup.region.empty()) {
@@ -272,8 +274,12 @@ Result<Output> read_output(const std::string& path) {
   if (!stored) return std::move(stored).error();
   Result<Output> output = rebuild(*stored);
   if (!output) return wrong(path, output.error().message);
-  if (!completion.missing().empty()) {
-    output->report.notes.push_back({Note::Kind::warning, kVoid, completion.missing(), {}});
+  const auto warn = [&](std::string message) {
+    output->report.notes.push_back({Note::Kind::warning, kVoid, std::move(message), {}});
+  };
+  if (!completion.missing().empty()) warn(completion.missing());
+  if (stored->second_order) {
+    warn(fmt::format("{}: triangles have six nodes, of which the corners are taken", path));
   }
   return output;
 }

@@ -1,0 +1,62 @@
+// Tested by tests/unit/pipeline/cover_mesh_test.cpp.
+#include "pipeline/find_regions.hpp"
+
+#include <utility>
+
+#include <cover/version.hpp>
+
+#include "covering/measure.hpp"
+#include "pipeline/check_options.hpp"
+#include "pipeline/describe_options.hpp"
+#include "pipeline/region_task.hpp"
+#include "quality/split_interfaces.hpp"
+#include "region/pslg.hpp"
+#include "region/region_graph.hpp"
+
+namespace cover {
+
+Status begin_stage(std::string_view stage, const Callbacks& callbacks) {
+  if (callbacks.stop.stop_requested()) return Error{ErrorCode::cancelled, "interrupted", {}, {}};
+  if (callbacks.progress) callbacks.progress({stage, 0, 0});
+  return ok();
+}
+
+Result<Prepared> find_regions(const Input& input, const Options& options,
+                              const Callbacks& callbacks, StageClock& clock) {
+  if (Status status = check_options(options); !status) return std::move(status).error();
+  Prepared prepared;
+  Report& report = prepared.report;
+  report.provenance = {input.source, COVER_VERSION, describe_options(options)};
+  report.unit = input.unit;
+  report.scale = input.scale;
+  for (const std::string& warning : input.warnings)
+    report.notes.push_back({Note::Kind::warning, kVoid, warning, {}});
+  if (Status status = begin_stage("clean", callbacks); !status) return std::move(status).error();
+  Result<Pslg> pslg = make_pslg(input, options, report);
+  if (!pslg) return std::move(pslg).error();
+  prepared.pslg = *std::move(pslg);
+  clock.note("clean", report.times);
+  if (Status status = begin_stage("regions", callbacks); !status) return std::move(status).error();
+  Result<RegionTable> table = build_region_table(prepared.pslg, options, report.notes);
+  if (!table) return std::move(table).error();
+  prepared.table = *std::move(table);
+  clock.note("regions", report.times);
+  if (Status status = split_interfaces(prepared.pslg, prepared.table, options, report.notes);
+      !status) {
+    return std::move(status).error();
+  }
+  report.input_points = prepared.pslg.points.size();
+  report.input_segments = prepared.pslg.segments.size();
+  report.threads = worker_count(options);
+  return prepared;
+}
+
+void collect_reports(std::vector<RegionMesh>& meshes, Report& report) {
+  for (RegionMesh& mesh : meshes) {
+    merge(report.quality, mesh.report.quality);
+    report.steiner_vertices += mesh.report.steiner_vertices;
+    report.regions.push_back(std::move(mesh.report));
+  }
+}
+
+}  // namespace cover

@@ -1,0 +1,28 @@
+// What every run starts and ends with.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include <cover/cover_mesh.hpp>
+
+#include "covering/region_mesh.hpp"
+#include "pipeline/stage_clock.hpp"
+
+namespace cover {
+
+/// Tells the caller that a stage begins, unless the run is to stop.
+///
+/// Errors: cancelled
+Status begin_stage(std::string_view stage, const Callbacks& callbacks);
+
+/// Input made clean and its regions, with segments cut as the options ask; no lower bounds yet.
+///
+/// Errors: ErrorCode 100-199, bad_option, cancelled
+Result<Prepared> find_regions(const Input& input, const Options& options,
+                              const Callbacks& callbacks, StageClock& clock);
+
+/// Moves what the regions report to the report of the whole, in region order.
+void collect_reports(std::vector<RegionMesh>& meshes, Report& report);
+
+}  // namespace cover

@@ -1,0 +1,260 @@
+// The input is prepared as always, except that segments get the cuts that the mesh has. Then the
+// mesh is checked against it as any mesh is (verify_cover), which also tells in which region each
+// triangle lies; the meshes of all other regions are taken out of it, and everything is stitched
+// anew. Tested by tests/unit/pipeline/remesh_test.cpp and tests/property/remesh_property_test.cpp.
+#include <cover/remesh.hpp>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cover/verify.hpp>
+
+#include "base/describe.hpp"
+#include "cdt/cdt.hpp"
+#include "covering/measure.hpp"
+#include "mesh/adopt_cuts.hpp"
+#include "mesh/stitch.hpp"
+#include "pipeline/find_regions.hpp"
+#include "pipeline/region_task.hpp"
+#include "quality/sizes.hpp"
+#include "region/named_regions.hpp"
+#include "region/region_graph.hpp"
+
+namespace cover {
+namespace {
+
+constexpr std::size_t kNamed = 5;  ///< in a message
+
+/// The mesh that is there, by regions of the input.
+class OldMesh {
+ public:
+  explicit OldMesh(const Mesh& mesh) : soup_(triangle_soup(mesh)) {}
+
+  [[nodiscard]] const TriangleSoup& soup() const { return soup_; }
+
+  /// Finds out in which region each triangle lies.
+  ///
+  /// Errors: other_mesh, if the mesh is not one of this input
+  Status find_triangles(const Pslg& pslg, const RegionTable& table, bool hull) {
+    VerifyOptions options;
+    options.bound = false;
+    options.hull = hull;
+    options.materials = false;  // they may have got lost in a file: see other_materials()
+    const Verification found = verify_cover(pslg, table, soup_, options);
+    of_region_.assign(table.regions.size(), {});
+    for (std::uint32_t t = 0; t < found.triangle_regions.size(); ++t) {
+      const RegionId region = found.triangle_regions[t];
+      if (region != kVoid) of_region_[region.index() - 1].push_back(t);
+    }
+    if (found.violations.empty()) {
+      find_vertices(pslg);
+      return ok();
+    }
+    return misfit(pslg, table, found);
+  }
+
+  /// The mesh of one region over its boundary.
+  [[nodiscard]] RegionMesh take(const RegionBoundary& boundary) const {
+    RegionMesh mesh;
+    const auto& own = of_region_[boundary.id.index() - 1];
+    const auto fixed = static_cast<std::uint32_t>(boundary.points.size());
+    std::vector<std::uint32_t> vertices;  // of the old mesh, those of the boundary left out
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> local;
+    for (std::uint32_t k = 0; k < fixed; ++k) {
+      local.emplace_back(vertex_[boundary.vertices[k].index()], k);
+    }
+    std::sort(local.begin(), local.end());
+    const auto on_boundary = [&](std::uint32_t v) {
+      const auto at = std::lower_bound(local.begin(), local.end(), std::pair(v, 0U));
+      return at != local.end() && at->first == v ? at->second : kNone;
+    };
+    for (const std::uint32_t t : own) {
+      for (const std::uint32_t v : soup_.triangles[t]) {
+        if (on_boundary(v) == kNone) vertices.push_back(v);
+      }
+    }
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    for (const std::uint32_t v : vertices) mesh.steiner.push_back(soup_.points[v]);
+    for (const std::uint32_t t : own) {
+      IndexTriple triangle = soup_.triangles[t];
+      for (std::uint32_t& v : triangle) {
+        const std::uint32_t k = on_boundary(v);
+        const auto at = std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin();
+        v = k != kNone ? k : fixed + static_cast<std::uint32_t>(at);
+      }
+      mesh.triangles.push_back(triangle);
+    }
+    return mesh;
+  }
+
+  /// Regions that have another material in the mesh than in the input.
+  [[nodiscard]] std::size_t other_materials(const RegionTable& table) const {
+    return static_cast<std::size_t>(
+        std::count_if(table.regions.begin(), table.regions.end(), [&](const Region& region) {
+          const auto& own = of_region_[region.id.index() - 1];
+          return std::any_of(own.begin(), own.end(),
+                             [&](std::uint32_t t) { return soup_.material[t] != region.material; });
+        }));
+  }
+
+ private:
+  /// The vertex of each point, by VertexId; kNone for those that are none.
+  void find_vertices(const Pslg& pslg) {
+    std::vector<std::pair<Point, std::uint32_t>> places;
+    for (const auto& triangle : soup_.triangles) {
+      for (const std::uint32_t v : triangle) places.emplace_back(soup_.points[v], v);
+    }
+    std::sort(places.begin(), places.end());
+    for (const Point& p : pslg.points) {
+      const auto at = std::lower_bound(places.begin(), places.end(), std::pair(p, 0U));
+      vertex_.push_back(at != places.end() && at->first == p ? at->second : kNone);
+    }
+  }
+
+  [[nodiscard]] Error misfit(const Pslg& pslg, const RegionTable& table,
+                             const Verification& found) const {
+    std::vector<std::string> missing;
+    for (const Region& region : table.regions) {
+      if (of_region_[region.id.index() - 1].empty())
+        missing.push_back(fmt::format("region {} '{}'", region.id.value(), region.name));
+    }
+    const Violation& first = found.violations.front();
+    std::string message =
+        fmt::format("the mesh is not one of {}: {}",
+                    pslg.source.empty() ? "the input" : pslg.source, first.message);
+    if (found.violation_count > 1)
+      message += fmt::format("; {} in all", counted(found.violation_count, "such fault"));
+    if (!missing.empty() && missing.size() < table.regions.size()) {
+      const std::size_t more = missing.size() - std::min(missing.size(), kNamed);
+      missing.resize(missing.size() - more);
+      message += fmt::format("; it has no triangles in {}{}", fmt::join(missing, ", "),
+                             more == 0 ? "" : fmt::format(" and {} more", more));
+    }
+    return {ErrorCode::other_mesh, std::move(message), first.where, {}};
+  }
+
+  TriangleSoup soup_;
+  std::vector<std::vector<std::uint32_t>> of_region_;  ///< triangles, by RegionId - 1
+  std::vector<std::uint32_t> vertex_;                  ///< by VertexId
+};
+
+/// Which regions are meant, by RegionId - 1.
+Result<std::vector<bool>> choose(const RegionTable& table, std::span<const std::string> names) {
+  std::vector<bool> chosen(table.regions.size(), false);
+  for (const std::string& name : names) {
+    const std::vector<RegionId> regions = named_regions(table, name);
+    if (regions.empty()) return no_such_region(table, "only", name);
+    for (const RegionId region : regions) chosen[region.index() - 1] = true;
+  }
+  return chosen;
+}
+
+Error bad_option(std::string message) {
+  return {ErrorCode::bad_option, std::move(message), {}, {}};
+}
+
+/// The options for finding regions: segments stay as the mesh has them.
+Result<Options> options_without_cuts(Options options, std::span<const std::string> only) {
+  if (only.empty()) return bad_option("only: no region to be meshed again is named");
+  if (options.method == Method::nonobtuse) {
+    return bad_option(
+        "method nonobtuse cuts segments, so a region cannot be meshed with it inside a mesh");
+  }
+  options.split_interfaces.reset();
+  return options;
+}
+
+/// Meshes the chosen regions and measures the others, which `meshes` holds already.
+Status fill_in(std::vector<RegionBoundary>& boundaries, const std::vector<bool>& chosen,
+               const Options& options, const Callbacks& callbacks,
+               std::vector<RegionMesh>& meshes) {
+  std::vector<RegionBoundary> again;
+  for (std::size_t r = 0; r < boundaries.size(); ++r) {
+    if (chosen[r]) again.push_back(boundaries[r]);
+  }
+  Result<std::vector<RegionMesh>> made = mesh_regions(again, options, callbacks);
+  if (!made) return std::move(made).error();
+  for (std::size_t k = 0; k < again.size(); ++k) {
+    meshes[again[k].id.index() - 1] = std::move((*made)[k]);
+  }
+  return for_each_region(
+      boundaries, worker_count(options), "measure", callbacks, [&](std::size_t r) {
+        if (chosen[r]) return;
+        const RegionBoundary& boundary = boundaries[r];
+        const CdtResult cdt = triangulate_domain(boundary.points, boundary.sides);
+        RegionReport& report = meshes[r].report;
+        report.id = boundary.id;
+        report.method = "kept";
+        set_limits(angle_limit(cdt.triangulation, boundary.sides, boundary.segments), report);
+        measure(boundary, meshes[r]);
+      });
+}
+
+void tell(std::size_t cuts, std::size_t other_materials, const Options& asked, Report& report) {
+  const auto warn = [&](std::string message) {
+    report.notes.push_back({Note::Kind::warning, kVoid, std::move(message), {}});
+  };
+  if (cuts > 0) {
+    warn(fmt::format("segments are cut as in the mesh, at {}", counted(cuts, "point")));
+  }
+  if (asked.split_interfaces) {
+    warn("split-interfaces: segments stay as they are in the mesh, none is cut");
+  }
+  if (other_materials > 0) {
+    warn(fmt::format("{} in the mesh has another material than in the input, whose material counts",
+                     counted(other_materials, "region")));
+  }
+}
+
+}  // namespace
+
+Result<Output> remesh(const Input& input, const Mesh& onto, std::span<const std::string> only,
+                      const Options& asked, const Callbacks& callbacks) {
+  StageClock clock;
+  const Result<Options> options = options_without_cuts(asked, only);
+  if (!options) return options.error();
+  Result<Prepared> prepared = find_regions(input, *options, callbacks, clock);
+  if (!prepared) return std::move(prepared).error();
+  auto& [pslg, table, report] = *prepared;
+  const Result<std::vector<bool>> chosen = choose(table, only);
+  if (!chosen) return chosen.error();
+  for (const std::string& name : only) report.provenance.settings.push_back({"only", name});
+
+  OldMesh old(onto);
+  const std::size_t cuts = adopt_cuts(pslg, table, old.soup());
+  if (Status status = old.find_triangles(pslg, table, options->hull); !status) {
+    return std::move(status).error();
+  }
+  report.input_points = pslg.points.size();
+  report.input_segments = pslg.segments.size();
+  tell(cuts, old.other_materials(table), asked, report);
+  auto boundaries = split_regions(pslg, table);
+  if (Status status = resolve_sizes(pslg, table, *options, boundaries); !status) {
+    return std::move(status).error();
+  }
+  clock.note("split", report.times);
+
+  std::vector<RegionMesh> meshes;
+  for (const RegionBoundary& boundary : boundaries) {
+    meshes.push_back(old.take(boundary));
+    if (!(*chosen)[meshes.size() - 1]) continue;
+    report.replaced.push_back(
+        {boundary.id, meshes.back().triangles.size(), meshes.back().steiner.size()});
+  }
+  if (Status status = fill_in(boundaries, *chosen, *options, callbacks, meshes); !status) {
+    return std::move(status).error();
+  }
+  clock.note("mesh", report.times);
+  if (Status status = begin_stage("stitch", callbacks); !status) return std::move(status).error();
+  Mesh mesh = stitch(pslg, table, boundaries, meshes);
+  collect_reports(meshes, report);
+  clock.note("stitch", report.times);
+  return Output{std::move(mesh), std::move(pslg), std::move(table), std::move(report)};
+}
+
+}  // namespace cover
