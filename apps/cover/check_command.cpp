@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "input_file.hpp"
+#include "mesh_file.hpp"
 #include "options.hpp"
 
 namespace cover::app {
@@ -45,20 +46,6 @@ int print(const Verification& found, const TriangleSoup& mesh, bool quiet) {
   return exit_ok;
 }
 
-/// The triangles of a mesh. Formats that have groups instead of materials need the manifest beside
-/// the mesh; without it the numbers of the groups count as materials.
-Result<TriangleSoup> read_triangles(const std::string& path, spdlog::logger& log) {
-  Result<MeshFile> mesh = read_mesh(path);
-  if (!mesh) return std::move(mesh).error();
-  if (mesh->second_order)
-    log.warn("{}: triangles with six nodes; what is checked is the mesh of their corners", path);
-  if (mesh->soup.material.empty() && !mesh->group.empty()) {
-    if (const Result<Output> known = read_output(path)) return triangle_soup(known->mesh);
-    mesh->soup.material = mesh->group;
-  }
-  return std::move(mesh->soup);
-}
-
 }  // namespace
 
 int run_check(Arguments arguments) {
@@ -83,7 +70,7 @@ Examples:
   bool no_bound = false;
   input_file.add(app)->required();
   app.add_option("mesh", mesh_path,
-                 fmt::format("Mesh of any tool: {}", fmt::join(mesh_formats(), ", ")))
+                 fmt::format("Mesh of any tool: .vtm, {}", fmt::join(mesh_formats(), ", ")))
       ->type_name("")
       ->required();
   app.add_flag("--allow-split", verify.allow_split, "Segments may have vertices inside");

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cover/cover_mesh.hpp>
+#include <cover/remesh.hpp>
 
 #include "commands.hpp"
 #include "console.hpp"
@@ -12,9 +13,11 @@
 #include "format_options.hpp"
 #include "input_file.hpp"
 #include "interrupt.hpp"
+#include "mesh_file.hpp"
 #include "options.hpp"
 #include "output_files.hpp"
 #include "progress_line.hpp"
+#include "region/named_regions.hpp"
 #include "requirements.hpp"
 #include "text_report.hpp"
 
@@ -25,6 +28,7 @@ constexpr const char* kExamples = R"(Examples:
   cover mesh device.poly -o device.vtu
   cover mesh device.poly -o device.vtu -o device.vtm --report device.html
   cover mesh device.poly -o device.vtu --require bound,max-angle --max-angle 130
+  cover mesh device.poly --only gate oxide --onto device.vtu --size 2 -o finer.vtu
   cover mesh --config job.toml
   generate | cover mesh - -o - --format vtu > device.vtu
 
@@ -45,6 +49,18 @@ struct MeshCommand {
         ->allow_extra_args(false);
     library.add_meshing(app);
     library.add_cleaning(app);
+    const char* again = "Meshing again";
+    CLI::Option* only_option =
+        app.add_option("--only", only, "Mesh only these regions, called as for --size")
+            ->type_name("NAME")
+            ->group(again);
+    CLI::Option* onto_option =
+        app.add_option("--onto", onto,
+                       "Mesh of this input in which they are replaced; all else stays, bit for bit")
+            ->type_name("MESH")
+            ->group(again);
+    only_option->needs(onto_option);
+    onto_option->needs(only_option);
     const char* files = "Files";
     app.add_option("--format", format, "Format of '-o -'")
         ->type_name("EXT")
@@ -98,6 +114,8 @@ struct MeshCommand {
   LibraryOptions library;
   Verbosity verbosity;
   GeometryFile input;
+  std::vector<std::string> only;
+  std::string onto;
   std::vector<std::string> outputs;
   std::vector<std::string> reports;
   std::string format = "vtu";
@@ -142,6 +160,14 @@ int dry_run(const MeshCommand& command, const Input& input, const Options& optio
   if (!prepared) return fail(log, prepared.error());
   log_notes(log, prepared->report.notes);
   fmt::print("{}", info_text(*prepared, command.verbosity.verbose > 0));
+  for (const std::string& name : command.only) {
+    const std::vector<RegionId> regions = named_regions(prepared->table, name);
+    if (regions.empty()) return fail(log, no_such_region(prepared->table, "only", name));
+    for (const RegionId id : regions) {
+      fmt::print("\nWould mesh region {} '{}' again in {}", id.value(),
+                 prepared->table.region(id).name, command.onto);
+    }
+  }
   for (const std::string& path : command.outputs) fmt::print("\nWould write {}", path);
   fmt::print("\n");
   return exit_ok;
@@ -180,6 +206,22 @@ int print_report(const MeshCommand& command, const Output& output, spdlog::logge
   return exit_ok;
 }
 
+/// Makes the mesh, or parts of it again.
+Result<Output> make_mesh(const MeshCommand& command, const Input& input, const Options& options,
+                         const Callbacks& callbacks, spdlog::logger& log) {
+  if (command.onto.empty()) return cover_mesh(input, options, callbacks);
+  const Result<TriangleSoup> onto = read_triangles(command.onto, log);
+  if (!onto) return onto.error();
+  Result<Output> output = remesh(input, *onto, command.only, options, callbacks);
+  if (output) {
+    output->report.provenance.settings.push_back({"onto", command.onto});
+  } else if (output.error().code == ErrorCode::other_mesh) {
+    return Error{ErrorCode::other_mesh, command.onto + ": " + output.error().message,
+                 output.error().where, output.error().inputs};
+  }
+  return output;
+}
+
 /// Meshes, writes, reports.
 int run(const MeshCommand& command, const Input& input, const Options& options,
         const std::vector<File>& files, spdlog::logger& log) {
@@ -194,7 +236,7 @@ int run(const MeshCommand& command, const Input& input, const Options& options,
       packings.push_back(packing);
     };
   }
-  Result<Output> meshed = cover_mesh(input, options, callbacks);
+  Result<Output> meshed = make_mesh(command, input, options, callbacks, log);
   line.clear();
   if (!meshed) return fail(log, meshed.error());
 

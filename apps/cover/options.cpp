@@ -223,13 +223,17 @@ void LibraryOptions::add_meshing(CLI::App& command) {
       ->group(group);
   command
       .add_option("--size", sizes_,
-                  "Edge length inside: everywhere (h), or in a region or material (NAME=h)")
+                  "Edge length inside: everywhere (h), or in a region or material (NAME=h), by "
+                  "name, number "
+                  "of the material, or region:ID")
       ->type_name("[NAME=]h")
+      ->allow_extra_args(false)
       ->group(group);
   command
       .add_option("--size-at", sizes_at_,
                   "Edge length at an interface, a contact or a point (NAME=h)")
       ->type_name("NAME=h")
+      ->allow_extra_args(false)
       ->group(group);
   command
       .add_option("--growth", options_.growth,
@@ -252,6 +256,7 @@ void LibraryOptions::add_meshing(CLI::App& command) {
       ->check(one_of({"bound", "max-angle", "delaunay", "non-obtuse"}))
       ->type_name("WHAT")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->group(group);
   command.add_option("-j,--threads", options_.threads, "Threads; 0: all cores")
       ->type_name("N")

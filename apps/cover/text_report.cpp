@@ -97,6 +97,24 @@ std::string totals(const Output& output) {
   return out;
 }
 
+/// What was meshed again, and what was there before; empty if the whole was meshed.
+std::string replaced_rows(const Output& output) {
+  constexpr std::size_t kNamed = 10;
+  const auto& replaced = output.report.replaced;
+  if (replaced.empty()) return {};
+  std::string out = fmt::format("Meshed again, the other {} kept:\n",
+                                plural(output.table.regions.size() - replaced.size(), "region"));
+  for (std::size_t k = 0; k < std::min(kNamed, replaced.size()); ++k) {
+    const RegionReport& now = output.report.regions[replaced[k].region.index() - 1];
+    out += fmt::format("  region {} '{}': {}, {} new; before: {}, {} new\n", now.id.value(),
+                       output.table.region(now.id).name, plural(now.quality.triangles, "triangle"),
+                       grouped(now.steiner_vertices), plural(replaced[k].triangles, "triangle"),
+                       grouped(replaced[k].steiner_vertices));
+  }
+  if (replaced.size() > kNamed) out += fmt::format("  and {} more\n", replaced.size() - kNamed);
+  return out + '\n';
+}
+
 std::string region_rows(const Output& output, bool every_region) {
   const auto& regions = output.report.regions;
   TextTable table({{"region"},
@@ -152,7 +170,7 @@ std::string region_name(const RegionTable& table, RegionId id) {
 }  // namespace
 
 std::string mesh_text(const Output& output, bool every_region) {
-  std::string out = totals(output);
+  std::string out = replaced_rows(output) + totals(output);
   if (output.report.regions.size() > 1) out += '\n' + region_rows(output, every_region);
   return out + '\n' + histogram(output.report.quality) + '\n' + times(output.report);
 }

@@ -106,6 +106,13 @@ class Mesh(Case):
         self.assertEqual(self.files(), ['d.edge', 'd.ele', 'd.inp', 'd.mesh', 'd.msh', 'd.node', 'd.vtk', 'd.xdmf'])
         self.assertIn('4.1 0 8', (self.dir / 'd.msh').read_text())
 
+    def test_options_before_the_input(self):
+        self.run_cover('mesh', '--size', 1, '--size', '2=0.5', '--require', 'bound', SAMPLES / 'diode.poly', '-o', 'd.vtu', '-q')
+        text, _ = self.run_cover('mesh', '--size', 1, '--size', '2=0.5', SAMPLES / 'diode.poly', '-o', 'e.vtu', '--print-config')
+        self.write('job.toml', text)
+        self.run_cover('mesh', '--config', 'job.toml', '-q')
+        self.assertEqual((self.dir / 'd.vtu').read_bytes(), (self.dir / 'e.vtu').read_bytes())
+
     def test_never_overwrites_its_input(self):
         poly = (SAMPLES / 'diode.poly').read_bytes()
         (self.dir / 'd.poly').write_bytes(poly)
@@ -178,6 +185,84 @@ class Mesh(Case):
         self.assertEqual(done.returncode, 0)
         self.assertIn(b'%', os.read(master, 65536))
         os.close(master)
+
+
+class Remesh(Case):
+    """--only and --onto: some regions again inside a mesh."""
+
+    def setUp(self):
+        super().setUp()
+        self.poly = SAMPLES / 'mosfet.poly'
+        self.run_cover('mesh', self.poly, '-o', 'm.vtu', '-o', 'm.vtm', '-q')
+
+    def again(self, *words, code=0):
+        return self.run_cover('mesh', self.poly, *words, code=code)
+
+    def bytes_of(self, name):
+        return (self.dir / name).read_bytes()
+
+    def test_same_options_give_the_same_bytes(self):
+        for mesh in ('m.vtu', 'm.vtm'):
+            self.again('--only', '2', 'region:9', '--onto', mesh, '-o', 'n.vtu', '-q')
+            self.assertEqual(self.bytes_of('n.vtu'), self.bytes_of('m.vtu'))
+
+    def test_every_format_that_is_read(self):
+        for name in ('m.msh', 'm.vtk', 'm.mesh', 'm.ele', 'm.xdmf'):
+            self.run_cover('convert', 'm.vtu', '-o', name)
+            self.again('--only', 'material_4', '--onto', name, '-o', 'n.vtu', '-q')
+            self.assertEqual(self.bytes_of('n.vtu'), self.bytes_of('m.vtu'), name)
+
+    def test_finer_and_back(self):
+        out, _ = self.again('--only', '2', '--onto', 'm.vtu', '--size', '10', '-o', 'n.vtu', '--report', 'n.json')
+        self.assertIn('Meshed again, the other 7 regions kept:', out)
+        self.assertRegex(out, r"region 2 'material_2': \d+ triangles, \d+ new; before: \d+ triangles")
+        report = json.loads(self.bytes_of('n.json'))
+        self.assertEqual([r['region'] for r in report['replaced']], [2, 5])
+        self.assertEqual(report['overall']['methods']['kept'], 7)
+        self.assertEqual(report['options']['only'], '2')
+        self.assertEqual(report['options']['onto'], 'm.vtu')
+        for before in report['replaced']:
+            self.assertGreater(report['regions'][before['region'] - 1]['triangles'], 2 * before['triangles'])
+        self.run_cover('check', self.poly, 'n.vtu')
+        self.again('--only', '2', '--onto', 'n.vtu', '-o', 'n.vtu', '-q')  # in place
+        self.assertEqual(self.bytes_of('n.vtu'), self.bytes_of('m.vtu'))
+
+    def test_cut_segments_stay_cut(self):
+        self.again('-o', 'c.vtu', '--split-interfaces', '--size-at', 'material_2_outline=2', '-q')
+        _, err = self.again('--only', '4', '--onto', 'c.vtu', '-o', 'n.vtu', '-o', 'n.poly')
+        self.assertIn('segments are cut as in the mesh', err)
+        self.run_cover('check', 'n.poly', 'n.vtu')
+
+    def test_second_order(self):
+        self.again('-o', 's.vtu', '--order', '2', '-q')
+        _, err = self.again('--only', '4', '--onto', 's.vtu', '--order', '2', '-o', 'n.vtu')
+        self.assertIn('six nodes, of which the corners are taken', err)
+        self.assertEqual(self.bytes_of('n.vtu'), self.bytes_of('s.vtu'))
+
+    def test_what_does_not_fit(self):
+        _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '--only', '2', '--onto', 'm.vtu', '-o', 'n.vtu', code=3)
+        self.assertIn('m.vtu: the mesh is not one of', err)
+        self.assertRegex(err, r'point 1 at \(.*\) is no vertex of the mesh')
+        _, err = self.again('--only', 'gate', '--onto', 'm.vtu', '-o', 'n.vtu', code=2)
+        self.assertIn("only 'gate': there is no region or material of that name", err)
+        _, err = self.again('--only', '2', '--onto', 'none.vtu', '-o', 'n.vtu', code=5)
+        self.assertIn('none.vtu', err)
+        _, err = self.again('--only', '2', '--onto', 'm.vtu', '--method', 'nonobtuse', '-o', 'n.vtu', code=2)
+        self.assertIn('cuts segments', err)
+        self.assertNotIn('n.vtu', self.files())
+
+    def test_both_or_none(self):
+        self.assertIn('--onto', self.again('--only', '2', '-o', 'n.vtu', code=2)[1])
+        self.assertIn('--only', self.again('--onto', 'm.vtu', '-o', 'n.vtu', code=2)[1])
+
+    def test_job_file_and_dry_run(self):
+        text, _ = self.again('--only', '2', 'region:9', '--onto', 'm.vtu', '-o', 'n.vtu', '--print-config')
+        self.write('job.toml', text)
+        self.run_cover('mesh', '--config', 'job.toml', '-q')
+        self.assertEqual(self.bytes_of('n.vtu'), self.bytes_of('m.vtu'))
+        out, _ = self.run_cover('mesh', '--config', 'job.toml', '--dry-run')
+        for region in (2, 5, 9):
+            self.assertIn(f'Would mesh region {region} ', out)
 
 
 class Configuration(Case):

@@ -96,7 +96,7 @@ class Remeshing : public ::testing::TestWithParam<Kind> {
     std::vector<bool> again(before.table.regions.size(), false);
     const auto only = choose(random, again);
     const Options options = random_options(random, before.table);
-    const Result<Output> after = remesh(input, before.mesh, only, options);
+    const Result<Output> after = remesh(input, triangle_soup(before.mesh), only, options);
     ASSERT_TRUE(after) << after.error().message;
     EXPECT_EQ(testing::violations(*after), "");
     const TriangleSoup old = triangle_soup(before.mesh), now = triangle_soup(after->mesh);
@@ -137,7 +137,8 @@ TEST_P(Remeshing, WithTheSameOptionsGivesTheSameMesh) {
     const Options options = random_options(random, table);
     const Output before = must_mesh(input, options);
     std::vector<bool> again(table.regions.size(), false);
-    const Result<Output> after = remesh(input, before.mesh, choose(random, again), options);
+    const Result<Output> after =
+        remesh(input, triangle_soup(before.mesh), choose(random, again), options);
     ASSERT_TRUE(after) << after.error().message;
     const TriangleSoup old = triangle_soup(before.mesh), now = triangle_soup(after->mesh);
     EXPECT_EQ(now.points, old.points);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include <cover/cover_mesh.hpp>
+#include <cover/verify.hpp>
 
 namespace cover {
 
@@ -26,7 +27,8 @@ namespace cover {
 ///          bad_option for a name that nothing has, and for Method::nonobtuse, which cuts segments.
 /// Threads: as cover_mesh().
 /// Cost:    O(n log n), and what meshing the named regions costs.
-Result<Output> remesh(const Input& input, const Mesh& onto, std::span<const std::string> only,
-                      const Options& options = {}, const Callbacks& callbacks = {});
+Result<Output> remesh(const Input& input, const TriangleSoup& onto,
+                      std::span<const std::string> only, const Options& options = {},
+                      const Callbacks& callbacks = {});
 
 }  // namespace cover

@@ -11,6 +11,8 @@
 //     "regions": [ { "id", "name", "material", "material_name", "area", "sides", "method",
 //                    "input_vertices", "steiner_vertices", "bound_held", "seconds", "notes": NOTES,
 //                    "box": BOX } + LIMITS + QUALITY ],
+//     "replaced": [ { "region": id, "triangles", "steiner_vertices": before } ], only where regions
+//                 were meshed again inside a mesh; the method of the others is "kept",
 //     "interfaces": [ { "id", "name", "kind", "left", "right", "length", "segments" } ],
 //     "notes": NOTES, "changes": [ { "kind", "message", "where", "inputs" } ],
 //     "threads", "times": [ { "stage", "seconds" } ] }
@@ -254,6 +256,11 @@ Json to_json(const Output& output) {
   out["regions"] = Json::array();
   for (const RegionReport& region : report.regions) {
     out["regions"].push_back(region_json(output.table.region(region.id), region));
+  }
+  for (const Replaced& before : report.replaced) {
+    out["replaced"].push_back({{"region", before.region.value()},
+                               {"triangles", before.triangles},
+                               {"steiner_vertices", before.steiner_vertices}});
   }
   out["interfaces"] = interfaces_json(output.table);
   out["notes"] = to_json(report.notes);

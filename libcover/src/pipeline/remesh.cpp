@@ -32,9 +32,7 @@ constexpr std::size_t kNamed = 5;  ///< in a message
 /// The mesh that is there, by regions of the input.
 class OldMesh {
  public:
-  explicit OldMesh(const Mesh& mesh) : soup_(triangle_soup(mesh)) {}
-
-  [[nodiscard]] const TriangleSoup& soup() const { return soup_; }
+  explicit OldMesh(const TriangleSoup& soup) : soup_(soup) {}
 
   /// Finds out in which region each triangle lies.
   ///
@@ -94,6 +92,7 @@ class OldMesh {
 
   /// Regions that have another material in the mesh than in the input.
   [[nodiscard]] std::size_t other_materials(const RegionTable& table) const {
+    if (soup_.material.size() != soup_.triangles.size()) return 0;
     return static_cast<std::size_t>(
         std::count_if(table.regions.begin(), table.regions.end(), [&](const Region& region) {
           const auto& own = of_region_[region.id.index() - 1];
@@ -138,7 +137,7 @@ class OldMesh {
     return {ErrorCode::other_mesh, std::move(message), first.where, {}};
   }
 
-  TriangleSoup soup_;
+  const TriangleSoup& soup_;
   std::vector<std::vector<std::uint32_t>> of_region_;  ///< triangles, by RegionId - 1
   std::vector<std::uint32_t> vertex_;                  ///< by VertexId
 };
@@ -213,8 +212,9 @@ void tell(std::size_t cuts, std::size_t other_materials, const Options& asked, R
 
 }  // namespace
 
-Result<Output> remesh(const Input& input, const Mesh& onto, std::span<const std::string> only,
-                      const Options& asked, const Callbacks& callbacks) {
+Result<Output> remesh(const Input& input, const TriangleSoup& onto,
+                      std::span<const std::string> only, const Options& asked,
+                      const Callbacks& callbacks) {
   StageClock clock;
   const Result<Options> options = options_without_cuts(asked, only);
   if (!options) return options.error();
@@ -226,7 +226,7 @@ Result<Output> remesh(const Input& input, const Mesh& onto, std::span<const std:
   for (const std::string& name : only) report.provenance.settings.push_back({"only", name});
 
   OldMesh old(onto);
-  const std::size_t cuts = adopt_cuts(pslg, table, old.soup());
+  const std::size_t cuts = adopt_cuts(pslg, table, onto);
   if (Status status = old.find_triangles(pslg, table, options->hull); !status) {
     return std::move(status).error();
   }

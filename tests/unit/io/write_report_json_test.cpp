@@ -51,6 +51,7 @@ TEST(WriteReportJson, HoldsWhatTheReportHolds) {
   EXPECT_EQ(angles, 3 * triangles);
   EXPECT_EQ(json["interfaces"].size(), output.table.interfaces.size());
   EXPECT_GE(json["times"].size(), 4U);
+  EXPECT_FALSE(json.contains("replaced"));
 }
 
 TEST(WriteReportJson, NotesAndStrangeNames) {
@@ -60,11 +61,14 @@ TEST(WriteReportJson, NotesAndStrangeNames) {
       {Note::Kind::below_resolution, RegionId{1}, "too flat", {{1.5, -2}}});
   output.report.regions[0].bound_held = false;
   output.report.notes.push_back({Note::Kind::change, kVoid, "welded", {}});
+  output.report.replaced = {{RegionId{1}, 12, 5}};
   const nlohmann::json json = written(output);
   EXPECT_EQ(json["regions"][0]["notes"][0]["kind"], "below_resolution");
   EXPECT_EQ(json["regions"][0]["notes"][0]["where"][0][1], -2);
   EXPECT_EQ(json["overall"]["bound_missed"], nlohmann::json::array({1}));
   EXPECT_EQ(json["notes"][0]["kind"], "change");
+  EXPECT_EQ(json["replaced"].size(), 1U);
+  EXPECT_EQ(json["replaced"][0]["triangles"], 12);
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 
-#include <cover/stored_mesh.hpp>
 #include <cover/verify.hpp>
 
 #include "support/inputs.hpp"
@@ -45,7 +44,7 @@ std::vector<std::array<Point, 3>> triangles_of(const TriangleSoup& soup, RegionI
 
 Output must_remesh(const Input& input, const Mesh& onto, const Names& only,
                    const Options& options = {}) {
-  Result<Output> output = remesh(input, onto, only, options);
+  Result<Output> output = remesh(input, triangle_soup(onto), only, options);
   EXPECT_TRUE(output) << output.error().message;
   return std::move(output).value();
 }
@@ -178,7 +177,7 @@ TEST(Remesh, TheConvexHull) {
 
 Error refused(const Input& input, const Mesh& onto, const Names& only,
               const Options& options = {}) {
-  const Result<Output> output = remesh(input, onto, only, options);
+  const Result<Output> output = remesh(input, triangle_soup(onto), only, options);
   EXPECT_FALSE(output);
   return output ? Error{} : output.error();
 }
@@ -225,16 +224,15 @@ TEST(Remesh, RefusesAMeshOfSomethingElse) {
   Input fewer = input;  // without the interface
   fewer.segments.erase(fewer.segments.begin() + 1);
   fewer.seeds.pop_back();
-  EXPECT_EQ(remesh(fewer, mesh, Names{"gate"}).has_value(), false);
+  EXPECT_EQ(refused(fewer, mesh, {"gate"}).code, ErrorCode::other_mesh);
 }
 
 TEST(Remesh, RefusesAMeshWithoutARegion) {
   const Input input = odd_input();
-  StoredMesh half;
-  half.soup = testing::part_of(triangle_soup(must_mesh(input).mesh), RegionId{1});
-  const Result<Output> rebuilt = rebuild(half);
-  ASSERT_TRUE(rebuilt);
-  const Error error = refused(input, rebuilt->mesh, {"gate"});
+  const TriangleSoup half = testing::part_of(triangle_soup(must_mesh(input).mesh), RegionId{1});
+  const Result<Output> output = remesh(input, half, Names{"gate"});
+  ASSERT_FALSE(output);
+  const Error& error = output.error();
   EXPECT_EQ(error.code, ErrorCode::other_mesh);
   EXPECT_TRUE(says(error, "no triangles in region 2 'oxide'")) << error.message;
 }
@@ -267,9 +265,36 @@ TEST(Remesh, SaysWhereMaterialsDiffer) {
   EXPECT_EQ(violations(after), "");
 }
 
+TEST(Remesh, TrianglesOfAnyToolWillDo) {
+  // A square cut in two by hand, in an order of its own, and without regions and materials.
+  Input input;
+  input.points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  for (const auto& [a, b] : {std::pair(0U, 1U), {1U, 2U}, {2U, 3U}, {3U, 0U}, {0U, 2U}}) {
+    InputSegment s;
+    s.a = a;
+    s.b = b;
+    input.segments.push_back(s);
+  }
+  TriangleSoup soup;
+  soup.points = {{0.75, 0.25}, {0, 1}, {1, 1}, {0, 0}, {1, 0}, {7, 7}};
+  soup.triangles = {{3, 2, 1}, {0, 3, 4}, {2, 3, 0}, {2, 0, 4}};
+  Options options;
+  options.sizes = {{"", 0.2, false}};
+  const Prepared prepared = prepare(input).value();
+  const bool lower_first = prepared.table.regions[0].inside.x > prepared.table.regions[0].inside.y;
+  const Output after =
+      remesh(input, soup, Names{lower_first ? "region:2" : "region:1"}, options).value();
+  EXPECT_EQ(violations(after), "");
+  const auto kept = triangles_of(triangle_soup(after.mesh), RegionId{lower_first ? 1 : 2});
+  ASSERT_EQ(kept.size(), 3U);
+  EXPECT_EQ(kept[0], (std::array{Point{0.75, 0.25}, Point{0, 0}, Point{1, 0}}));
+  const TriangleSoup now = triangle_soup(after.mesh);
+  EXPECT_TRUE(std::find(now.points.begin(), now.points.end(), Point{7, 7}) == now.points.end());
+}
+
 TEST(Remesh, StopsWhenAsked) {
   const Input input = testing::checker(10, 6, 15);
-  const Mesh mesh = must_mesh(input).mesh;
+  const TriangleSoup mesh = triangle_soup(must_mesh(input).mesh);
   std::stop_source stop;
   Callbacks callbacks;
   callbacks.stop = stop.get_token();
