@@ -11,6 +11,7 @@
 #include "console.hpp"
 #include "dump_stages.hpp"
 #include "format_options.hpp"
+#include "group_text.hpp"
 #include "input_file.hpp"
 #include "interrupt.hpp"
 #include "mesh_file.hpp"
@@ -203,6 +204,7 @@ int print_report(const MeshCommand& command, const Output& output, spdlog::logge
       if (path != "-") fmt::print(to, "Wrote {}\n", path);
     }
   }
+  fmt::print(to, "{}", group_text(output, command.outputs, command.verbosity.verbose > 0));
   return exit_ok;
 }
 

@@ -123,6 +123,15 @@ class Mesh(Case):
         self.assertEqual((self.dir / 'd.poly').read_bytes(), poly)
         self.assertEqual((self.dir / 'd.node').read_text(), 'points')
 
+    def test_tells_the_numbers_in_the_files(self):
+        out, _ = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.msh', '-o', 'd.json')
+        numbers = dict(re.findall(r'^ +(\d+)  (marker \d+|\S+_\S+)$', out.partition('Numbers in the files')[2], re.M))
+        manifest = json.loads((self.dir / 'd.json').read_text())
+        self.assertEqual({int(n): name.replace('marker ', '') for n, name in numbers.items()},
+                         {g['tag']: g['original'] for g in manifest['line_groups']})
+        self.assertRegex(out, r'\n +2 +1  material_1\n')
+        self.assertNotIn('Numbers', self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu')[0])
+
     def test_quiet_says_nothing(self):
         self.assertEqual(self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '-q'), ('', ''))
 
@@ -399,6 +408,23 @@ class Convert(Case):
         self.run_cover('convert', 'd.vtm', '-o', 'e.vtu')
         self.assertEqual((self.dir / 'e.vtu').read_bytes(), (self.dir / 'd.vtu').read_bytes())
         self.run_cover('check', SAMPLES / 'diode.poly', 'e.vtu')
+
+    def test_every_format_into_every_other(self):
+        written = [f'd.{e}' for e in ('vtu', 'vtm', 'vtk', 'msh', 'xdmf', 'mesh', 'inp', 'ele', 'obj', 'off', 'ply',
+                                      'svg', 'png')]
+        words = [word for name in written for word in ('-o', name)]
+        self.run_cover('mesh', SAMPLES / 'mosfet.poly', *words, '-o', 'd.json', '-q')
+        direct = {p.relative_to(self.dir) for p in self.dir.rglob('*.*') if p.suffix not in ('.json', '.poly')}
+        self.assertGreater(len(direct), len(written))  # .node, .edge, the blocks of the .vtm
+        for source in ('d.vtu', 'd.vtm', 'd.vtk', 'd.msh', 'd.xdmf', 'd.mesh', 'd.inp', 'd.ele'):
+            folder = self.dir / ('from_' + source)
+            folder.mkdir()
+            done = subprocess.run([PROGRAM, 'convert', '../' + source, *words], cwd=folder, timeout=60, text=True,
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            self.assertEqual((done.returncode, done.stderr), (0, ''), source)
+            # All coordinates of this device fit into the 20 characters that an .inp has for each.
+            for name in direct:
+                self.assertEqual((folder / name).read_bytes(), (self.dir / name).read_bytes(), f'{source} into {name}')
 
     def test_says_what_is_missing(self):
         (self.dir / 'd.vtm').unlink()

@@ -21,6 +21,7 @@
 #include "io/mesh_collector.hpp"
 #include "io/mesh_formats.hpp"
 #include "io/text.hpp"
+#include "vtk/cell_values.hpp"
 #include "vtk/read_quietly.hpp"
 #include "vtk/read_xdmf.hpp"
 
@@ -41,8 +42,7 @@ std::vector<CellArray> cell_arrays(vtkUnstructuredGrid& grid, const std::vector<
   std::vector<CellArray> arrays;
   for (int i = 0; i < grid.GetCellData()->GetNumberOfArrays(); ++i) {
     vtkDataArray* data = grid.GetCellData()->GetArray(i);
-    if (data == nullptr || data->GetNumberOfComponents() != 1 || data->GetName() == nullptr)
-      continue;
+    if (!is_one_per_cell(data, grid) || data->GetName() == nullptr) continue;
     CellArray array{data->GetName(), {}};
     array.values.reserve(cells.size());
     for (const vtkIdType c : cells) array.values.push_back(data->GetComponent(c, 0));
@@ -57,18 +57,24 @@ std::vector<std::int64_t> integers(const std::vector<CellArray>& arrays,
     const auto found = std::find_if(arrays.begin(), arrays.end(),
                                     [&](const CellArray& array) { return array.name == name; });
     if (found == arrays.end()) continue;
-    return {found->values.begin(), found->values.end()};
+    std::vector<std::int64_t> values;
+    values.reserve(found->values.size());
+    for (const double value : found->values) values.push_back(whole_number(value));
+    return values;
   }
   return {};
 }
 
-/// The nodes of cells, one after the other; false if one of them is out of range.
+/// The nodes of cells, one after the other; false if one of them is out of range, or a cell has
+/// fewer than `least`.
 template <class Add>
-bool each_cell(vtkUnstructuredGrid& grid, const std::vector<vtkIdType>& cells, Add add) {
+bool each_cell(vtkUnstructuredGrid& grid, const std::vector<vtkIdType>& cells, vtkIdType least,
+               Add add) {
   vtkNew<vtkIdList> ids;
   std::vector<std::uint32_t> nodes;
   for (const vtkIdType c : cells) {
     grid.GetCellPoints(c, ids);
+    if (ids->GetNumberOfIds() < least) return false;
     nodes.clear();
     for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i) {
       if (ids->GetId(i) < 0 || ids->GetId(i) >= grid.GetNumberOfPoints()) return false;
@@ -95,13 +101,14 @@ Result<MeshFile> mesh_of(vtkUnstructuredGrid* grid, const std::string& path) {
     grid->GetPoint(p, x.data());
     mesh.soup.points.push_back({x[0], x[1]});
   }
-  bool in_range = each_cell(*grid, cells, [&](vtkIdType, std::span<const std::uint32_t> nodes) {
+  bool in_range = each_cell(*grid, cells, 3, [&](vtkIdType, std::span<const std::uint32_t> nodes) {
     collector.add_triangle(nodes);
   });
-  if (vtkDataArray* number = grid->GetCellData()->GetArray("LineID")) {
+  vtkDataArray* number = grid->GetCellData()->GetArray("LineID");
+  if (is_one_per_cell(number, *grid)) {
     const auto lines = cells_of_types(*grid, VTK_LINE, VTK_QUADRATIC_EDGE);
-    in_range &= each_cell(*grid, lines, [&](vtkIdType c, std::span<const std::uint32_t> nodes) {
-      collector.add_line(nodes, static_cast<std::int64_t>(number->GetTuple1(c)));
+    in_range &= each_cell(*grid, lines, 2, [&](vtkIdType c, std::span<const std::uint32_t> nodes) {
+      collector.add_line(nodes, whole_number(number->GetTuple1(c)));
     });
   }
   if (!in_range) return wrong(path, "a cell has a node that is not there");

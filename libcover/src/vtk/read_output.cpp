@@ -22,6 +22,7 @@
 #include "io/complete_mesh.hpp"
 #include "io/read_manifest.hpp"
 #include "io/second_order.hpp"
+#include "vtk/cell_values.hpp"
 #include "vtk/quiet_vtk.hpp"
 
 namespace cover {
@@ -99,7 +100,7 @@ class BlockReader {
       if (!take_nodes(c, 2)) return false;
       const std::uint32_t id = number(*line, c);
       if (id == 0 || id > most_) return false;
-      const int mark = static_cast<int>(marker->GetTuple1(c));
+      const int mark = static_cast<int>(whole_number(marker->GetTuple1(c)));
       stored_.edges.push_back({nodes_[0], nodes_[1], InterfaceId(id), mark});
       if (stored_.interfaces.size() < id) stored_.interfaces.resize(id);
       Interface& entry = stored_.interfaces[id - 1];
@@ -130,7 +131,8 @@ class BlockReader {
   bool start(vtkUnstructuredGrid& grid) {
     grid_ = &grid;
     global_ = grid.GetPointData()->GetArray("GlobalNodeId");
-    if (global_ == nullptr || global_->GetNumberOfTuples() != grid.GetNumberOfPoints())
+    if (global_ == nullptr || global_->GetNumberOfComponents() != 1 ||
+        global_->GetNumberOfTuples() != grid.GetNumberOfPoints())
       return false;
     auto& points = stored_.soup.points;
     for (vtkIdType p = 0; p < grid.GetNumberOfPoints(); ++p) {
@@ -148,7 +150,11 @@ class BlockReader {
     const vtkIdType n = ids_->GetNumberOfIds();
     if (n < corners) return false;
     nodes_.clear();
-    for (vtkIdType k = 0; k < n; ++k) nodes_.push_back(number(*global_, ids_->GetId(k)));
+    for (vtkIdType k = 0; k < n; ++k) {
+      const vtkIdType node = ids_->GetId(k);
+      if (node < 0 || node >= grid_->GetNumberOfPoints()) return false;
+      nodes_.push_back(number(*global_, node));
+    }
     midpoints_.insert(midpoints_.end(), nodes_.begin() + corners, nodes_.end());
     return true;
   }
@@ -159,7 +165,8 @@ class BlockReader {
     return value >= 0 && value <= most_ ? static_cast<std::uint32_t>(value) : most_ + 1;
   }
   [[nodiscard]] vtkDataArray* array(const char* name) const {
-    return grid_->GetCellData()->GetArray(name);
+    vtkDataArray* found = grid_->GetCellData()->GetArray(name);
+    return is_one_per_cell(found, *grid_) ? found : nullptr;
   }
 
   StoredMesh& stored_;

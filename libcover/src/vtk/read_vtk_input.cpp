@@ -23,6 +23,7 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include "geom/mesh_borders.hpp"
+#include "vtk/cell_values.hpp"
 #include "vtk/read_quietly.hpp"
 
 namespace cover {
@@ -41,7 +42,7 @@ vtkSmartPointer<vtkDataSet> read_data_set(const std::string& path, const std::st
 /// The one-component array of whole numbers of that name, if it is there.
 vtkDataArray* integers(vtkDataSet& data, const char* name) {
   vtkDataArray* array = data.GetCellData()->GetArray(name);
-  if (!array || array->GetNumberOfComponents() != 1) return nullptr;
+  if (!is_one_per_cell(array, data)) return nullptr;
   for (vtkIdType c = 0; c < array->GetNumberOfTuples(); ++c) {
     const double value = array->GetComponent(c, 0);
     if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max())
