@@ -1,13 +1,15 @@
 // What must hold of the whole pipeline on any input, tried on random ones with many regions:
 // its promises; a region meshed alone as inside the whole; the same mesh, ids aside, for any order
 // of points, segments and seeds; the same for any unit, and after shifts that are exact; the same
-// bytes for any number of threads.
+// bytes for any number of threads. And its promises again on graphs without any shape.
 #include <cover/cover_mesh.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <ostream>
+#include <string>
 
 #include <cover/verify.hpp>
 
@@ -144,6 +146,36 @@ TEST_P(Pipeline, DoesNotDependOnTheNumberOfThreads) {
       EXPECT_EQ(more.material, one.material);
     }
   });
+}
+
+/// Promises 1 to 3 on anything: COVER_LONG_GRAPHS says how many graphs, 40 by default.
+TEST(PlanarGraph, KeepsItsPromisesByEveryMethod) {
+  const std::uint64_t first = testing::test_seed(77);
+  const char* count = std::getenv("COVER_LONG_GRAPHS");
+  const std::uint64_t graphs = count != nullptr ? std::stoull(count) : 40;
+  std::size_t meshed = 0;
+  for (std::uint64_t seed = first; seed < first + graphs; ++seed) {
+    SCOPED_TRACE(testing::seed_trace(seed));
+    const int sizes[] = {6, 15, 40, 120};
+    const Input input = testing::planar_graph(sizes[seed % 4], seed);
+    for (int which = 0; which < 4; ++which) {
+      Options options;
+      options.method = which == 0 ? cover::Method::quality : cover::Method::almond;
+      options.paper = which == 2;
+      options.fill = which == 3 ? Fill::disks : Fill::refine;
+      const Result<Output> output = cover_mesh(input, options);
+      if (!output) {
+        EXPECT_EQ(output.error().code, ErrorCode::nothing_enclosed) << output.error().message;
+        break;
+      }
+      ++meshed;
+      EXPECT_EQ(testing::violations(*output), "") << "method " << which;
+      for (const RegionReport& region : output->report.regions) {
+        EXPECT_TRUE(region.bound_held) << "method " << which << ", region " << region.id.value();
+      }
+    }
+  }
+  EXPECT_GT(meshed, graphs);
 }
 
 INSTANTIATE_TEST_SUITE_P(Random, Pipeline,

@@ -237,6 +237,62 @@ Input rectangles(int columns, int rows, std::uint64_t seed) {
   return sketch.input;
 }
 
+Input planar_graph(int n, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> unit(0, 1), sign(-1, 1);
+  std::normal_distribution<double> normal;
+  const auto small = [&] { return std::pow(10, -8 * unit(random)); };
+  const double flat = small();
+  const auto kind = random() % 7;
+  std::vector<Point> points;
+  for (int k = 0; k < n; ++k) {
+    const double turn = 2 * std::numbers::pi * k / n;
+    switch (kind) {
+      case 0:
+        points.push_back({unit(random), unit(random)});
+        break;
+      case 1:
+        points.push_back({std::floor(12 * unit(random)), std::floor(12 * unit(random))});
+        break;
+      case 2:
+        points.push_back({unit(random), flat * unit(random)});
+        break;
+      case 3:
+        points.push_back(
+            {std::copysign(small(), sign(random)), std::copysign(small(), sign(random))});
+        break;
+      case 4:
+        points.push_back({k + 1e-9 * unit(random), k % 7 + 1e-9 * unit(random)});
+        break;
+      case 5:
+        points.push_back(k % 4 == 0 ? Point{0.5 + 1e-6 * unit(random), 0.5 + 1e-6 * unit(random)}
+                                    : Point{std::cos(turn), std::sin(turn)});
+        break;
+      default: {
+        const double size = std::pow(10, -1 - k % 4);
+        points.push_back({k % 3 + size * normal(random), size * normal(random)});
+      }
+    }
+  }
+  const double scale[] = {1, 1, 0x1p40, 0x1p-60, 1e-6}, shift[] = {0, 0, 1000, 1e6};
+  const double factor = scale[random() % 5], far = factor * shift[random() % 4];
+  for (Point& p : points) p = {p.x * factor + far, p.y * factor - far};
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+
+  Sketch sketch;
+  for (const Point& p : points) sketch.point(p);
+  const double kept = 0.4 + 0.2 * static_cast<double>(random() % 4);
+  for (const Triangle& t : triangulate_hull(points, {}).triangulation.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t a = t.v[i], b = t.v[(i + 1) % 3];
+      const bool is_first = a < b || t.n[(i + 2) % 3] == kNone;
+      if (is_first && unit(random) < kept) sketch.segment(a, b);
+    }
+  }
+  return sketch.input;
+}
+
 Input shuffled(const Input& input, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::vector<std::uint32_t> order(input.points.size()), place(order.size());

@@ -32,6 +32,11 @@ Input nested_stars(int rings, int n, std::uint64_t seed);
 /// Rectangles between random lines, some far thinner than others; some are void.
 Input rectangles(int columns, int rows, std::uint64_t seed);
 
+/// Some of the edges of a Delaunay triangulation of at most `n` points that lie awkwardly: on a
+/// lattice, nearly on lines, in clusters, on scales from 1 to 1e-8, far from the origin. So there
+/// are slits, loose edges, pinched vertices, isolated points, very thin regions and void.
+Input planar_graph(int n, std::uint64_t seed);
+
 /// The same input with the order of points, segments and seeds shuffled and some segments reversed.
 Input shuffled(const Input& input, std::uint64_t seed);
 

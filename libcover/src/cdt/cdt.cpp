@@ -109,28 +109,28 @@ class Builder {
     for (auto f = cdt_.finite_faces_begin(); f != cdt_.finite_faces_end(); ++f) f->info() = kInside;
   }
 
-  /// Marks the faces that are reached from the left of a side without crossing a segment.
+  /// Marks the finite faces that are reached from the left of a side without crossing a segment.
+  /// (The outside is reached only if the sides bound no domain; whoever cannot know finds that a
+  /// side has no triangle on its left, or one on its right.)
   void mark_left_of_sides() {
     std::vector<FaceHandle> stack;
+    const auto mark = [&](FaceHandle f) {
+      if (f->info() == kInside || cdt_.is_infinite(f)) return;
+      f->info() = kInside;
+      stack.push_back(f);
+    };
     for (const auto& [a, b] : segments_) {
       FaceHandle f;
       int i = 0;
       const auto [u, v] = by_degree(a, b);
       if (!cdt_.is_edge(u, v, f, i)) continue;
       if (f->vertex(Cdt::ccw(i)) != handles_[a]) f = f->neighbor(i);
-      if (f->info() != kInside) {
-        f->info() = kInside;
-        stack.push_back(f);
-      }
+      mark(f);
       while (!stack.empty()) {
         const FaceHandle g = stack.back();
         stack.pop_back();
         for (int k = 0; k < 3; ++k) {
-          const FaceHandle h = g->neighbor(k);
-          if (!g->is_constrained(k) && h->info() != kInside) {
-            h->info() = kInside;
-            stack.push_back(h);
-          }
+          if (!g->is_constrained(k)) mark(g->neighbor(k));
         }
       }
     }

@@ -42,7 +42,9 @@ CdtResult triangulate_hull(std::span<const Point> points, std::span<const IndexP
 /// Constrained Delaunay triangulation of the domain on the left of the directed `sides`, which are
 /// its locked edges. A slit is given in both directions. Points outside the domain are ignored.
 ///
-/// REQUIRES: the sides bound a domain: around every vertex, domain and void alternate properly.
+/// The sides bound a domain if, around every vertex, domain and void alternate properly. If they do
+/// not, the result is a set of triangles in the convex hull for which some side has no triangle on
+/// its left, or one on its right.
 CdtResult triangulate_domain(std::span<const Point> points, std::span<const IndexPair> sides);
 
 }  // namespace cover

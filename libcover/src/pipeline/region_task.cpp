@@ -103,6 +103,33 @@ Error task_failed(RegionId region, const char* what) {
           {}};
 }
 
+RegionMesh by_almonds(const RegionBoundary& boundary, const Options& options,
+                      const std::stop_token& stop) {
+  RegionMesh mesh = cover_region(boundary, options, stop);
+  measure(boundary, mesh);
+  return mesh;
+}
+
+/// The quality method, unless that misses the bound and the almond method does not. Rounding does
+/// that: improved in a frame of its own, a triangle may lie just inside the bound there.
+RegionMesh by_quality(const RegionBoundary& boundary, const Options& options,
+                      const std::stop_token& stop) {
+  RegionMesh mesh = quality_region(boundary, options, stop);
+  measure(boundary, mesh);
+  if (mesh.report.bound_held || stop.stop_requested()) return mesh;
+  RegionMesh almonds = by_almonds(boundary, options, stop);
+  if (almonds.report.quality.largest_nu <= mesh.report.quality.largest_nu) return mesh;
+  almonds.report.notes.push_back(
+      {Note::Kind::fallback,
+       boundary.id,
+       fmt::format(
+           "region {}: rounding put an improved triangle beyond the bound ({:.6g} degrees); "
+           "the almond method was used instead",
+           boundary.id.value(), mesh.report.quality.largest_nu.supplement().in_degrees()),
+       {}});
+  return almonds;
+}
+
 }  // namespace
 
 unsigned worker_count(const Options& options) {
@@ -168,10 +195,9 @@ Result<std::vector<RegionMesh>> mesh_regions(std::span<const RegionBoundary> bou
       for_each_region(boundaries, worker_count(options), "mesh", callbacks, [&](std::size_t k) {
         const StageClock clock;
         meshes[k] = options.method == Method::quality
-                        ? quality_region(boundaries[k], options, callbacks.stop)
-                        : cover_region(boundaries[k], options, callbacks.stop);
+                        ? by_quality(boundaries[k], options, callbacks.stop)
+                        : by_almonds(boundaries[k], options, callbacks.stop);
         if (callbacks.stop.stop_requested()) return;
-        measure(boundaries[k], meshes[k]);
         meshes[k].report.seconds = clock.seconds();
       });
   if (!status) return std::move(status).error();

@@ -7,7 +7,7 @@
 //   the almond method's result, improved: it carries the proof of promise 3.
 // The last four where the largest angle is missed, and the last three only if they start with a
 // smaller one or the region is small; none may use more than half of what is left of the budget,
-// so that it reaches all. Improvement never makes the largest angle larger, so the best of them is
+// so that it reaches all. What improvement makes worse is kept as it was, so the best of them is
 // no worse than any. Tested by tests/unit/quality/quality_region_test.cpp.
 #include "quality/quality_region.hpp"
 
@@ -87,12 +87,12 @@ class RegionWork {
     if (is_done(best)) return best;
     take_if_better(best, improved(best));
     if (is_done(best)) return best;
-    if (hub && is_promising(*hub, best)) take_if_better(best, improved(*std::move(hub)));
+    if (hub && is_promising(*hub, best)) take_if_better(best, improved(*hub));
     if (is_done(best)) return best;
-    if (is_promising(cdt, best)) take_if_better(best, improved(std::move(cdt)));
+    if (is_promising(cdt, best)) take_if_better(best, improved(cdt));
     if (is_done(best)) return best;
     Candidate almond = from_almonds();
-    if (is_promising(almond, best)) take_if_better(best, improved(std::move(almond)));
+    if (is_promising(almond, best)) take_if_better(best, improved(almond));
     return best;
   }
 
@@ -156,16 +156,20 @@ class RegionWork {
     return c;
   }
 
-  [[nodiscard]] Candidate improved(Candidate c) {
+  /// ENSURES: no worse than `c`. Improvement looks at excesses, where a very small angle may weigh
+  ///          as much as a large one.
+  [[nodiscard]] Candidate improved(const Candidate& c) {
+    Candidate better = c;
     // For the region's own target first: all is then done for the triangles that miss it.
     Goal own = goal_;
     own.large = target(c.mesh);
     Budget half = budget_.share(2);
-    if (own.large > goal_.large) improve_largest(c.mesh, own, half);
-    c.merit = improve_largest(c.mesh, goal_, half);
+    if (own.large > goal_.large) improve_largest(better.mesh, own, half);
+    better.merit = improve_largest(better.mesh, goal_, half);
     budget_.left += half.left;
-    if (!c.method.ends_with(", improved")) c.method += ", improved";
-    return c;
+    if (!is_better(better.merit, c.merit)) return c;
+    if (!better.method.ends_with(", improved")) better.method += ", improved";
+    return better;
   }
 
   /// The almond method's triangulation: it carries the proof of promise 3.

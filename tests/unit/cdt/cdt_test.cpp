@@ -50,6 +50,22 @@ TEST(TriangulateDomain, KeepsSlitsAndIsolatedPoints) {
   EXPECT_EQ(r.triangulation.triangles.size(), 8U);  // 2 * (7 points - 1) - 4 hull edges
 }
 
+TEST(TriangulateDomain, StandsSidesThatBoundNothing) {
+  // Clockwise, with an island that is counter-clockwise: the left of the outer sides is outside.
+  const auto boundary = testing::boundary_of(
+      {testing::reversed({{0, 0}, {4, 0}, {4, 4}, {0, 4}}), {{1, 1}, {2, 1}, {2, 2}, {1, 2}}});
+  const CdtResult r = triangulate_domain(boundary.points, boundary.sides);
+  ASSERT_TRUE(r.conflicts.empty());
+  EXPECT_EQ(r.triangulation.triangles.size(), 2U);
+  EXPECT_DOUBLE_EQ(area(r.triangulation), 1);
+  // A loop that is open: what is on its left runs on to the hull.
+  const std::vector<Point> points{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}};
+  const std::vector<IndexPair> open{{0, 1}, {1, 4}};
+  const CdtResult leaked = triangulate_domain(points, open);
+  expect_consistent(leaked.triangulation);
+  EXPECT_DOUBLE_EQ(area(leaked.triangulation), 4);
+}
+
 TEST(TriangulateHull, NamesWhatIsNoPslg) {
   const std::vector<Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0.5}};
   const std::vector<IndexPair> none, through{{0, 2}}, cross{{1, 3}, {0, 2}};
