@@ -19,6 +19,7 @@
 
 #include "cdt/cdt.hpp"
 #include "covering/angle_limit.hpp"
+#include "covering/chords.hpp"
 #include "covering/cover_region.hpp"
 #include "covering/measure.hpp"
 #include "pipeline/stage_clock.hpp"
@@ -103,31 +104,36 @@ Error task_failed(RegionId region, const char* what) {
           {}};
 }
 
-RegionMesh by_almonds(const RegionBoundary& boundary, const Options& options,
-                      const std::stop_token& stop) {
-  RegionMesh mesh = cover_region(boundary, options, stop);
-  measure(boundary, mesh);
+using RegionMethod = RegionMesh (*)(const RegionBoundary&, const Options&, std::stop_token);
+
+RegionMesh measured(RegionMethod method, const RegionBoundary& boundary, const Options& options,
+                    const std::stop_token& stop) {
+  RegionMesh mesh = method(boundary, options, stop);
+  if (!stop.stop_requested()) measure(boundary, mesh);
   return mesh;
 }
 
-/// The quality method, unless that misses the bound and the almond method does not. Rounding does
-/// that: improved in a frame of its own, a triangle may lie just inside the bound there.
-RegionMesh by_quality(const RegionBoundary& boundary, const Options& options,
-                      const std::stop_token& stop) {
-  RegionMesh mesh = quality_region(boundary, options, stop);
-  measure(boundary, mesh);
-  if (mesh.report.bound_held || stop.stop_requested()) return mesh;
-  RegionMesh almonds = by_almonds(boundary, options, stop);
-  if (almonds.report.quality.largest_nu <= mesh.report.quality.largest_nu) return mesh;
-  almonds.report.notes.push_back(
+/// The method asked for; where that misses the bound, the other one if it is better. It is rounding
+/// that makes them miss: the one in a region as flat as coordinates can be, the other where an
+/// improved triangle lies just inside the bound in the frame in which it was improved.
+RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
+                       const std::stop_token& stop) {
+  const bool quality = options.method == Method::quality;
+  RegionMesh mesh = measured(quality ? quality_region : cover_region, boundary, options, stop);
+  const bool promised = CutRule{options.paper, options.pieces}.promises_bound();
+  if (stop.stop_requested() || mesh.report.bound_held || !promised) return mesh;
+  RegionMesh other = measured(quality ? cover_region : quality_region, boundary, options, stop);
+  if (other.report.quality.largest_nu <= mesh.report.quality.largest_nu) return mesh;
+  other.report.notes.push_back(
       {Note::Kind::fallback,
        boundary.id,
-       fmt::format(
-           "region {}: rounding put an improved triangle beyond the bound ({:.6g} degrees); "
-           "the almond method was used instead",
-           boundary.id.value(), mesh.report.quality.largest_nu.supplement().in_degrees()),
+       fmt::format("region {}: with the {} method, rounding put an angle of {:.12g} degrees beyond "
+                   "the bound; the {} method was used instead",
+                   boundary.id.value(), quality ? "quality" : "almond",
+                   mesh.report.quality.largest_nu.supplement().in_degrees(),
+                   quality ? "almond" : "quality"),
        {}});
-  return almonds;
+  return other;
 }
 
 }  // namespace
@@ -194,10 +200,7 @@ Result<std::vector<RegionMesh>> mesh_regions(std::span<const RegionBoundary> bou
   Status status =
       for_each_region(boundaries, worker_count(options), "mesh", callbacks, [&](std::size_t k) {
         const StageClock clock;
-        meshes[k] = options.method == Method::quality
-                        ? by_quality(boundaries[k], options, callbacks.stop)
-                        : by_almonds(boundaries[k], options, callbacks.stop);
-        if (callbacks.stop.stop_requested()) return;
+        meshes[k] = mesh_region(boundaries[k], options, callbacks.stop);
         meshes[k].report.seconds = clock.seconds();
       });
   if (!status) return std::move(status).error();
