@@ -123,14 +123,20 @@ RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
   const bool promised = CutRule{options.paper, options.pieces}.promises_bound();
   if (stop.stop_requested() || mesh.report.bound_held || !promised) return mesh;
   RegionMesh other = measured(quality ? cover_region : quality_region, boundary, options, stop);
-  if (other.report.quality.largest_nu <= mesh.report.quality.largest_nu) return mesh;
+  if (!mesh.triangles.empty() &&
+      other.report.quality.largest_nu <= mesh.report.quality.largest_nu) {
+    return mesh;
+  }
+  const std::string what =
+      mesh.triangles.empty()
+          ? "turned a triangle over"
+          : fmt::format("put an angle of {:.12g} degrees beyond the bound",
+                        mesh.report.quality.largest_nu.supplement().in_degrees());
   other.report.notes.push_back(
       {Note::Kind::fallback,
        boundary.id,
-       fmt::format("region {}: with the {} method, rounding put an angle of {:.12g} degrees beyond "
-                   "the bound; the {} method was used instead",
-                   boundary.id.value(), quality ? "quality" : "almond",
-                   mesh.report.quality.largest_nu.supplement().in_degrees(),
+       fmt::format("region {}: with the {} method, rounding {}; the {} method was used instead",
+                   boundary.id.value(), quality ? "quality" : "almond", what,
                    quality ? "almond" : "quality"),
        {}});
   return other;
