@@ -113,6 +113,7 @@ class Builder {
   /// (The outside is reached only if the sides bound no domain; whoever cannot know finds that a
   /// side has no triangle on its left, or one on its right.)
   void mark_left_of_sides() {
+    if (cdt_.dimension() < 2) return;  // all points are collinear
     std::vector<FaceHandle> stack;
     const auto mark = [&](FaceHandle f) {
       if (f->info() == kInside || cdt_.is_infinite(f)) return;

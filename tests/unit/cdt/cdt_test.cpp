@@ -64,6 +64,10 @@ TEST(TriangulateDomain, StandsSidesThatBoundNothing) {
   const CdtResult leaked = triangulate_domain(points, open);
   expect_consistent(leaked.triangulation);
   EXPECT_DOUBLE_EQ(area(leaked.triangulation), 4);
+  // Collinear points, as rounding may leave them.
+  const std::vector<Point> line{{0, 0}, {1, 1}, {3, 3}};
+  const std::vector<IndexPair> back_and_forth{{0, 1}, {1, 2}, {2, 1}, {1, 0}};
+  EXPECT_TRUE(triangulate_domain(line, back_and_forth).triangulation.triangles.empty());
 }
 
 TEST(TriangulateHull, NamesWhatIsNoPslg) {
