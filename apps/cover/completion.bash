@@ -7,6 +7,8 @@ _cover() {
     COMPREPLY=($(compgen -W "$words --help --version" -- "$word"))
     return
   fi
+  if [ "$before" = = ]; then before=${COMP_WORDS[COMP_CWORD-2]}; fi      # --method=quality is three words
+  if [ "$word" = = ]; then before=${COMP_WORDS[COMP_CWORD-1]} word=; fi
   case $before in
     --method) words="quality almond nonobtuse" ;;
     --fill) words="refine disks" ;;
@@ -14,11 +16,16 @@ _cover() {
     --weld) words="auto off" ;;
     --require) words="bound max-angle delaunay non-obtuse" ;;
     --unit) words="nm um mm cm m" ;;
+    --order) words="1 2" ;;
+    --msh) words="2.2 4.1" ;;
+    --inp-element) words="S CPS CPE CAX" ;;
+    --format) if [ "$command" = render ]; then words="svg png"; else
+         words="vtu vtk msh xdmf mesh inp obj off ply json poly svg png"; fi ;;
     --stats) words="text json" ;;
     --progress) words="auto on off" ;;
     --color) words="max_angle min_angle material RegionId" ;;
     *) if [[ $word == -* ]]; then
-         words=$("${COMP_WORDS[0]}" "$command" --help | grep -oE -- '^ +(-[a-z],)?--[a-z-]+' | grep -oE -- '--[a-z-]+')
+         words=$("${COMP_WORDS[0]}" "$command" --help | grep -oE -- '^  (-[a-z],)?--[a-z-]+' | grep -oE -- '--[a-z-]+')
        fi ;;
   esac
   # Without words of ours, bash completes file names.

@@ -53,6 +53,7 @@ int usage_error(const std::string& message) {
 }
 
 int run(const std::string& name, Arguments arguments) {
+  if (name == "help" && !arguments.empty()) return run(arguments.front(), {"--help"});
   if (name == "-h" || name == "--help" || name == "help") {
     std::fputs(kHelp, stdout);
     return cover::app::exit_ok;

@@ -169,7 +169,8 @@ int dry_run(const MeshCommand& command, const Input& input, const Options& optio
                  prepared->table.region(id).name, command.onto);
     }
   }
-  for (const std::string& path : command.outputs) fmt::print("\nWould write {}", path);
+  for (const auto& paths : {command.outputs, command.reports})
+    for (const std::string& path : paths) fmt::print("\nWould write {}", path);
   fmt::print("\n");
   return exit_ok;
 }

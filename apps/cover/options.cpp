@@ -70,6 +70,9 @@ std::string explain(const CLI::App& command, const CLI::ParseError& error) {
   if (dynamic_cast<const CLI::ConfigError*>(&error) != nullptr) {
     const std::string text = error.what();
     const std::string key = text.substr(text.rfind(' ') + 1);
+    if (const std::size_t dot = key.find('.'); dot != std::string::npos)
+      return fmt::format("the --config file has a section [{}]; its keys stand without sections",
+                         key.substr(0, dot));
     return fmt::format("unknown key '{}' in the --config file{}", key,
                        did_you_mean(command, "--" + key));
   }
@@ -259,6 +262,7 @@ void LibraryOptions::add_meshing(CLI::App& command) {
       ->allow_extra_args(false)
       ->group(group);
   command.add_option("-j,--threads", options_.threads, "Threads; 0: all cores")
+      ->check(number_in(0, 4096))
       ->type_name("N")
       ->capture_default_str()
       ->group(group);

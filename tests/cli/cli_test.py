@@ -50,6 +50,7 @@ class Usage(Case):
             text = self.run_cover(command, '--help')[0]
             self.assertIn('Example', text)
             self.assertLess(max(map(len, text.splitlines())), 121, command)
+            self.assertEqual(self.run_cover('help', command)[0], text)
 
     def test_version(self):
         self.assertRegex(self.run_cover('--version')[0], r'^cover \d+\.\d+\.\d+\n.*GPL')
@@ -161,9 +162,10 @@ class Mesh(Case):
         self.assertEqual((self.dir / 'a.vtu').read_bytes(), (self.dir / 'b.vtu').read_bytes())
 
     def test_dry_run_writes_nothing(self):
-        out, _ = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--dry-run')
+        out, _ = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--report', 'd.html', '--dry-run')
         self.assertIn('4 regions', out)
         self.assertIn('Would write d.vtu', out)
+        self.assertIn('Would write d.html', out)
         self.assertEqual(self.files(), [])
 
     def test_paper(self):
@@ -285,6 +287,16 @@ class Configuration(Case):
         self.write('job.toml', 'fil = "refine"\n')
         _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--config', 'job.toml', code=2)
         self.assertIn("unknown key 'fil' in the --config file; did you mean '--fill'?", err)
+
+    def test_section(self):
+        self.write('job.toml', '[mesh]\nfill = "refine"\n')
+        _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--config', 'job.toml', code=2)
+        self.assertIn('has a section [mesh]; its keys stand without sections', err)
+
+    def test_wrong_value(self):
+        self.write('job.toml', 'max-angle = "large"\n')
+        _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--config', 'job.toml', code=2)
+        self.assertIn("--max-angle: 'large' is not a number", err)
 
     def test_missing_file(self):
         _, err = self.run_cover('mesh', 'a.poly', '-o', 'd.vtu', '--config', 'none.toml', code=2)
@@ -512,6 +524,11 @@ class Documents(Case):
         self.assertEqual(self.complete('mesh', '--fi'), ['--fill'])
         self.assertEqual(self.complete('mesh', '--fill', 'd'), ['disks'])
         self.assertIn('--window', self.complete('render', '--'))
+        self.assertEqual(self.complete('mesh', '--method', '=', 'qu'), ['quality'])
+        self.assertEqual(self.complete('mesh', '--msh', '='), ['2.2', '4.1'])
+        self.assertEqual(self.complete('render', '--format', 'p'), ['png'])
+        options = self.complete('mesh', '--')
+        self.assertEqual(len(options), len(set(options)))
 
 
 class Interrupt(Case):
