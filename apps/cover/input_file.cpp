@@ -4,6 +4,11 @@
 #include <iterator>
 #include <string_view>
 
+#include <fmt/format.h>
+
+#ifdef COVER_WITH_GMSH
+#include <cover/read_geo.hpp>
+#endif
 #include <cover/read_input.hpp>
 #include <cover/read_vtk_input.hpp>
 #include <cover/units.hpp>
@@ -12,6 +17,12 @@
 
 namespace cover::app {
 namespace {
+
+#ifdef COVER_WITH_GMSH
+constexpr const char* kGmshFormats = ".msh and .geo";
+#else
+constexpr const char* kGmshFormats = ".msh";
+#endif
 
 std::string_view format_of(std::string_view text) {
   const std::size_t start = text.find_first_not_of(" \t\r\n");
@@ -22,6 +33,9 @@ std::string_view format_of(std::string_view text) {
 }
 
 Result<Input> read_geometry(const std::string& path) {
+#ifdef COVER_WITH_GMSH
+  if (path.ends_with(".geo")) return read_geo(path);
+#endif
   if (path != "-") return is_vtk_input(path) ? read_vtk_input(path) : read_input(path);
   const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
   return parse_input(text, format_of(text), "standard input");
@@ -42,8 +56,9 @@ CLI::Option* GeometryFile::add(CLI::App& command) {
       ->group(group);
   return command
       .add_option("input", path_,
-                  "Geometry: Triangle's .poly, our .json, .geojson, gmsh's .msh, VTK's .vtu, .vtp, "
-                  ".vtk; '-' is standard input")
+                  fmt::format("Geometry: Triangle's .poly, our .json, .geojson, gmsh's {}, VTK's .vtu, "
+                              ".vtp, .vtk; '-' is standard input",
+                              kGmshFormats))
       ->type_name("");
 }
 

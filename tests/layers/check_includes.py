@@ -10,6 +10,7 @@ SEES = {layer: set(ORDER[:i + 1]) for i, layer in enumerate(ORDER)}
 SEES['io'] = {'io', 'base', 'geom', 'cdt'}
 SEES['picture'] = SEES['io'] | {'picture'}
 SEES['vtk'] = SEES['picture'] | {'vtk'}
+SEES['gmsh'] = SEES['io'] | {'gmsh'}
 CGAL = {'geom', 'cdt', 'region'}  # and there in .cpp files only
 
 
@@ -29,6 +30,8 @@ def faults(root, path, layer):
             yield number, f'"{name}" is private to the library'
         if name.startswith('CGAL/') and (layer not in CGAL or path.suffix != '.cpp'):
             yield number, f'<{name}>: CGAL belongs in .cpp files of {", ".join(sorted(CGAL))}'
+        if name == 'gmsh.h' and layer != 'gmsh':
+            yield number, f'<{name}>: gmsh belongs in gmsh'
         if re.match(r'vtk\w+\.h', name) and layer != 'vtk':
             yield number, f'<{name}>: VTK belongs in vtk'
 

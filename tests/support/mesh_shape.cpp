@@ -62,7 +62,7 @@ Input region_alone(const Output& output, RegionId region) {
     alone.segments.push_back(segment);
   }
   RegionSeed seed;
-  seed.at = output.table.region(region).inside;
+  seed.at = output.table.region(region).inside.value();
   seed.material = std::to_string(output.table.region(region).material);
   alone.seeds.push_back(seed);
   return alone;

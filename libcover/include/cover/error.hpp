@@ -27,6 +27,7 @@ enum class ErrorCode {
   overlapping_polygons = 113,
   changed_input = 114,
   other_mesh = 115,
+  coordinate_out_of_range = 116,
   // 200-299: reading and writing files (exit code 5)
   cannot_open = 200,
   cannot_write = 201,

@@ -17,7 +17,7 @@ struct Region {
   int material = 0;             ///< positive
   std::string name;             ///< of the region; never empty
   std::string material_name;    ///< never empty
-  Point inside;                 ///< a point strictly inside
+  std::optional<Point> inside;  ///< a point strictly inside; none where there is no double
   double area = 0;
   std::size_t sides = 0;        ///< segments on its boundary, slits counted twice
   std::optional<double> size;   ///< wished edge length, if a seed gives one

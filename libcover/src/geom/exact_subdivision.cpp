@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -20,18 +21,32 @@
 namespace cover {
 namespace {
 
+/// Two units in the last place of the larger coordinate.
+double reach_at(Point p) {
+  const double size = std::max(std::abs(p.x), std::abs(p.y));
+  return 2 * (std::nextafter(size, HUGE_VAL) - size);
+}
+
 /// Whether two points are at most two units in the last place of their coordinates apart.
 bool is_next_to(Point p, Point q) {
-  const double size =
-      std::max(std::max(std::abs(p.x), std::abs(p.y)), std::max(std::abs(q.x), std::abs(q.y)));
-  const double reach = 2 * (std::nextafter(size, HUGE_VAL) - size);
+  const double reach = std::max(reach_at(p), reach_at(q));
   return std::abs(p.x - q.x) <= reach && std::abs(p.y - q.y) <= reach;
 }
 
+bool is_steep(const PlainSegment& s) { return std::abs(s.b.y - s.a.y) > std::abs(s.b.x - s.a.x); }
+
+Point swapped(Point p) { return {p.y, p.x}; }
+
+/// Whether lines pass through the nodes that they nearly pass, and which axis the sweep goes along.
+enum class Snap { off, along_x, along_y };
+
 class Sweep {
  public:
-  explicit Sweep(std::span<const PlainSegment> segments)
-      : status_(Order{this}),
+  explicit Sweep(std::span<const PlainSegment> segments, Snap snap = Snap::off,
+                 bool to_ends = false)
+      : snap_(snap),
+        to_ends_(to_ends),
+        status_(Order{this}),
         place_(segments.size(), status_.end()),
         stop_(segments.size(), 0),
         rank_(segments.size(), 0) {
@@ -145,7 +160,7 @@ class Sweep {
 
   /// Puts the lines that go on back below `above` and looks for their next crossings.
   void put_back(Place above) {
-    add_node();
+    const std::uint32_t node = add_node();
     if (at_end_) {
       std::erase_if(here_, [this](std::uint32_t l) { return lines_[l].b == stop_at_.rounded(); });
     }
@@ -158,12 +173,36 @@ class Sweep {
       rank_[here_[k]] = k;
       place_[here_[k]] = status_.emplace_hint(above, here_[k]);
     }
+    if (snap_ != Snap::off && (to_ends_ || !at_end_) && !attracts_[node]) {
+      attracts_[node] = true;
+      snap_neighbours(node, below, above);
+    }
     if (here_.empty()) {
       if (below != status_.end() && above != status_.end()) look_ahead(*below, *above);
       return;
     }
     if (below != status_.end()) look_ahead(*below, here_.front());
     if (above != status_.end()) look_ahead(here_.back(), *above);
+  }
+
+  /// Leads the flat lines that pass very near the node at the stop through it. They are found by
+  /// going up and down from it, because a steep line in between is nearer still in the direction
+  /// of y.
+  void snap_neighbours(std::uint32_t node, Place below, Place above) {
+    const Point at = out_.nodes[node];
+    const double reach = reach_at(at);
+    const auto look = [&](std::uint32_t line) {
+      const PlainSegment& s = lines_[line];
+      const double away = distance_along_y(s, at);
+      if (!(away <= 2 * reach)) return false;
+      const bool is_near_end = is_next_to(s.a, at) || is_next_to(s.b, at);
+      if (away <= reach && !is_steep(s) && !is_near_end) visits_.emplace_back(line, node);
+      return true;
+    };
+    for (Place p = above; p != status_.end() && look(*p); ++p) {
+    }
+    if (below == status_.end()) return;
+    for (Place p = below; look(*p) && p != status_.begin();) --p;
   }
 
   /// Notes where a line crosses the one next above it, if it does.
@@ -174,11 +213,17 @@ class Sweep {
     if (cross) crossings_.insert({SweepPoint(s, t), below, above});
   }
 
-  void add_node() {
-    for (const std::uint32_t line : here_) {
-      visits_.emplace_back(line, static_cast<std::uint32_t>(out_.nodes.size()));
+  /// The number of the node at the stop. Only without snapping may several be at one place.
+  std::uint32_t add_node() {
+    const Point at = at_end_ ? stop_at_.rounded() : place_of_crossing();
+    auto node = static_cast<std::uint32_t>(out_.nodes.size());
+    if (snap_ != Snap::off) node = node_at_.emplace(at, node).first->second;
+    if (node == out_.nodes.size()) {
+      out_.nodes.push_back(at);
+      attracts_.push_back(false);
     }
-    out_.nodes.push_back(at_end_ ? stop_at_.rounded() : place_of_crossing());
+    for (const std::uint32_t line : here_) visits_.emplace_back(line, node);
+    return node;
   }
 
   [[nodiscard]] bool is_end(Point p) const {
@@ -195,14 +240,24 @@ class Sweep {
     if (std::none_of(here_.begin(), here_.end(), ends_next_to_it) || is_end(rounded)) {
       return rounded;
     }
-    Point nearest = lines_[here_.front()].a;
+    Point nearest = rounded;
+    bool found = false;
     for (const std::uint32_t line : here_) {
       for (const Point end : {lines_[line].a, lines_[line].b}) {
+        if (!is_next_to(end, rounded)) continue;
+        if (!std::exchange(found, true)) nearest = end;
         const Sign order = stop_at_.compare_distances(end, nearest);
-        if (order == Sign::negative || (order == Sign::zero && end < nearest)) nearest = end;
+        if (order == Sign::negative || (order == Sign::zero && is_before(end, nearest))) {
+          nearest = end;
+        }
       }
     }
-    return is_next_to(nearest, rounded) ? nearest : rounded;
+    return nearest;
+  }
+
+  /// The same whichever axis the sweep goes along.
+  [[nodiscard]] bool is_before(Point p, Point q) const {
+    return snap_ == Snap::along_y ? swapped(p) < swapped(q) : p < q;
   }
 
   /// Sorts the visits by line.
@@ -216,6 +271,8 @@ class Sweep {
     return std::move(out_);
   }
 
+  Snap snap_;
+  bool to_ends_;
   std::vector<PlainSegment> lines_;  ///< from the smaller end to the larger one
   std::vector<End> ends_;            ///< sorted
   std::size_t next_ = 0;             ///< of ends_
@@ -230,6 +287,8 @@ class Sweep {
   std::vector<std::uint32_t> stop_;  ///< by line: the last stop that it passed
   std::vector<std::uint32_t> rank_;  ///< by line: place among those through its last stop
 
+  std::map<Point, std::uint32_t> node_at_;  ///< only with snapping
+  std::vector<bool> attracts_;              ///< by node: its neighbours were led through it
   std::vector<std::pair<std::uint32_t, std::uint32_t>> visits_;  ///< line and node
   Subdivision out_;
 };
@@ -237,5 +296,41 @@ class Sweep {
 }  // namespace
 
 Subdivision subdivide(std::span<const PlainSegment> segments) { return Sweep(segments).run(); }
+
+Subdivision subdivide_and_snap(std::span<const PlainSegment> segments, bool to_ends) {
+  std::vector<PlainSegment> turned;
+  turned.reserve(segments.size());
+  for (const PlainSegment& s : segments) turned.push_back({swapped(s.a), swapped(s.b)});
+  const Subdivision flat = Sweep(segments, Snap::along_x, to_ends).run();
+  const Subdivision steep = Sweep(turned, Snap::along_y, to_ends).run();
+
+  Subdivision out;
+  out.nodes = flat.nodes;
+  for (const Point& p : steep.nodes) out.nodes.push_back(swapped(p));
+  out.first.push_back(0);
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    const bool along_y = is_steep(segments[s]);
+    const PlainSegment& line = along_y ? turned[s] : segments[s];
+    const Subdivision& cuts = along_y ? steep : flat;
+    const bool falls = (line.a.x < line.b.x) != (line.a.y < line.b.y);
+    const auto start = static_cast<std::ptrdiff_t>(out.path.size());
+    for (const std::uint32_t node : cuts.path_of(s)) out.path.push_back(node);
+    // All lines of one direction meet the nodes in the same order, whichever is led through them.
+    std::sort(out.path.begin() + start, out.path.end(), [&](std::uint32_t i, std::uint32_t j) {
+      const Point p = cuts.nodes[i], q = cuts.nodes[j];
+      return p.x != q.x ? p.x < q.x : falls ? p.y > q.y : p.y < q.y;
+    });
+    if (along_y) {
+      for (auto k = out.path.begin() + start; k != out.path.end(); ++k) {
+        *k += static_cast<std::uint32_t>(flat.nodes.size());
+      }
+      if ((segments[s].b < segments[s].a) != (line.b < line.a)) {
+        std::reverse(out.path.begin() + start, out.path.end());
+      }
+    }
+    out.first.push_back(out.path.size());
+  }
+  return out;
+}
 
 }  // namespace cover

@@ -1,14 +1,14 @@
 // A crossing is first computed with twice the digits of a double and a bound for the error, which
 // nearly always tells the nearest double; then comparing roundings nearly always tells the order.
-// What is left is decided by rational arithmetic. Tested by tests/unit/geom/sweep_point_test.cpp.
+// What is left is decided by rational arithmetic; where many lines pass nearly through one point,
+// that is the lines and points that coincide. Tested by tests/unit/geom/sweep_point_test.cpp.
 #include "geom/sweep_point.hpp"
 
 #include <CGAL/Exact_rational.h>
 
 #include <cmath>
+#include <limits>
 #include <optional>
-
-#include "geom/double_double.hpp"
 
 namespace cover {
 namespace {
@@ -17,6 +17,7 @@ using Rational = CGAL::Exact_rational;
 
 constexpr double kUnit = 0x1p-100;  // relative error of an operation on DoubleDoubles
 constexpr double kHalfUlp = 0x1p-53;
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
 // Between these no product of the filters below over- or underflows.
 constexpr double kSmall = 0x1p-400, kLarge = 0x1p+400;
 
@@ -38,31 +39,41 @@ struct CrossProduct {
   }
 };
 
-/// A coordinate of a crossing, and whether it is the double.
-struct Coordinate {
-  double nearest;
-  bool is_double;
+/// A coordinate of a crossing as far as the filter knows it.
+struct Estimate {
+  DoubleDouble at;
+  double error = kUnknown;
+  /// The nearest double, if that is beyond doubt; then it is not the coordinate itself, unless the
+  /// error is zero.
+  std::optional<double> nearest;
 };
 
-/// from + num / den * step, if that can be rounded without doubt and is not a double itself.
-std::optional<Coordinate> coordinate(double from, DoubleDouble step, const CrossProduct& num,
-                                     const CrossProduct& den) {
+/// from + num / den * step
+Estimate estimate(double from, DoubleDouble step, const CrossProduct& num,
+                  const CrossProduct& den) {
   const double slope = std::abs(step.high / den.value.high);
   const DoubleDouble way = num.value * step / den.value;
-  const DoubleDouble at = DoubleDouble{from, 0} + way;
+  Estimate out;
+  out.at = DoubleDouble{from, 0} + way;
   // Each error once, and as much again for what the errors do to each other.
-  const double error =
-      2 * (slope * num.error + std::abs(way.high) * (den.error / std::abs(den.value.high)) +
-           4 * kUnit * (std::abs(way.high) + std::abs(at.high)));
-  const double half_gap = (std::abs(at.high) - std::nextafter(std::abs(at.high), 0.0)) / 2;
-  if (!(std::abs(at.low) + error < half_gap && std::abs(at.low) > error)) return {};
-  return Coordinate{at.high, false};
+  out.error = 2 * (slope * num.error + std::abs(way.high) * (den.error / std::abs(den.value.high)) +
+                   4 * kUnit * (std::abs(way.high) + std::abs(out.at.high)));
+  if (!(std::abs(out.at.high) > kSmall && std::abs(way.high) > kSmall)) {
+    out.error = kUnknown;
+    return out;
+  }
+  const double high = std::abs(out.at.high);
+  const double half_gap = (high - std::nextafter(high, 0.0)) / 2;
+  if (std::abs(out.at.low) + out.error < half_gap && std::abs(out.at.low) > out.error) {
+    out.nearest = out.at.high;
+  }
+  return out;
 }
 
 /// The coordinate that one of two segments has everywhere.
-std::optional<Coordinate> common(double sa, double sb, double ta, double tb) {
-  if (sa == sb) return Coordinate{sa, true};
-  if (ta == tb) return Coordinate{ta, true};
+Estimate common(double sa, double sb, double ta, double tb) {
+  if (sa == sb) return {{sa, 0}, 0, sa};
+  if (ta == tb) return {{ta, 0}, 0, ta};
   return {};
 }
 
@@ -76,9 +87,17 @@ double nearest(const Rational& exact) {
   return CGAL::abs(Rational(exact - Rational(other))) < CGAL::abs(error) ? other : d;
 }
 
-Coordinate round_exact(const Rational& exact) {
-  const double d = nearest(exact);
-  return {d, Rational(d) == exact};
+/// Rounds an estimate whose nearest double is in doubt.
+void round_exact(const Rational& exact, Estimate& estimate) {
+  estimate.nearest = nearest(exact);
+  if (Rational(*estimate.nearest) == exact)
+    estimate = {{*estimate.nearest, 0}, 0, estimate.nearest};
+}
+
+/// The sign of a sum if its error cannot change it.
+std::optional<Sign> sign_beyond_doubt(double sum, double error) {
+  if (!(std::abs(sum) > 2 * error)) return {};
+  return sign_of(sum);
 }
 
 }  // namespace
@@ -104,34 +123,40 @@ const SweepPoint::Exact& SweepPoint::exact() const {
   return *exact_;
 }
 
-SweepPoint::SweepPoint(const PlainSegment& s, const PlainSegment& t)
-    : x_is_double_(false), y_is_double_(false), s_(s), t_(t) {
-  auto x = common(s.a.x, s.b.x, t.a.x, t.b.x), y = common(s.a.y, s.b.y, t.a.y, t.b.y);
-  if (!x || !y) {
+SweepPoint::SweepPoint(const PlainSegment& s, const PlainSegment& t) : s_(s), t_(t) {
+  Estimate x = common(s.a.x, s.b.x, t.a.x, t.b.x), y = common(s.a.y, s.b.y, t.a.y, t.b.y);
+  if (!x.nearest || !y.nearest) {
     const DoubleDouble ux = two_difference(s.b.x, s.a.x), uy = two_difference(s.b.y, s.a.y);
     const DoubleDouble vx = two_difference(t.b.x, t.a.x), vy = two_difference(t.b.y, t.a.y);
     const DoubleDouble wx = two_difference(t.a.x, s.a.x), wy = two_difference(t.a.y, s.a.y);
     const CrossProduct num(wx, wy, vx, vy), den(ux, uy, vx, vy);
     if (num.is_safe() && den.is_safe()) {
-      if (!x) x = coordinate(s.a.x, ux, num, den);
-      if (!y) y = coordinate(s.a.y, uy, num, den);
+      if (!x.nearest) x = estimate(s.a.x, ux, num, den);
+      if (!y.nearest) y = estimate(s.a.y, uy, num, den);
     }
-    if (!x) x = round_exact(exact().x);
-    if (!y) y = round_exact(exact().y);
+    x_is_double_ = y_is_double_ = false;
+    if (!x.nearest) round_exact(exact().x, x);
+    if (!y.nearest) round_exact(exact().y, y);
   }
-  rounded_ = {x->nearest, y->nearest};
-  x_is_double_ = x->is_double;
-  y_is_double_ = y->is_double;
+  rounded_ = {*x.nearest, *y.nearest};
+  x_is_double_ = x.error == 0;
+  y_is_double_ = y.error == 0;
+  x_ = x.at;
+  y_ = y.at;
+  x_error_ = x.error;
+  y_error_ = y.error;
 }
 
 Sign compare(const SweepPoint& p, const SweepPoint& q) {
   if (p.rounded_.x != q.rounded_.x) return sign_of(p.rounded_.x - q.rounded_.x);
   if (!p.x_is_double_ || !q.x_is_double_) {
+    if (const auto x = sign_beyond_doubt((p.x_ - q.x_).high, p.x_error_ + q.x_error_)) return *x;
     const Sign x = sign_of(Rational(p.exact().x - q.exact().x));
     if (x != Sign::zero) return x;
   }
   if (p.rounded_.y != q.rounded_.y) return sign_of(p.rounded_.y - q.rounded_.y);
   if (p.y_is_double_ && q.y_is_double_) return Sign::zero;
+  if (const auto y = sign_beyond_doubt((p.y_ - q.y_).high, p.y_error_ + q.y_error_)) return *y;
   return sign_of(Rational(p.exact().y - q.exact().y));
 }
 
@@ -145,9 +170,27 @@ Sign SweepPoint::side_of(Point a, Point b) const {
   if (error > kSmall && error < kLarge && std::abs(left - right) > error) {
     return sign_of(left - right);
   }
+  if (const auto sign = side_estimate(a, b)) return *sign;
   const Rational exact_left = (Rational(b.x) - Rational(a.x)) * (exact().y - Rational(a.y));
   const Rational exact_right = (Rational(b.y) - Rational(a.y)) * (exact().x - Rational(a.x));
   return sign_of(Rational(exact_left - exact_right));
+}
+
+std::optional<Sign> SweepPoint::side_estimate(Point a, Point b) const {
+  const DoubleDouble ux = two_difference(b.x, a.x), uy = two_difference(b.y, a.y);
+  const DoubleDouble wx = x_ - DoubleDouble{a.x, 0}, wy = y_ - DoubleDouble{a.y, 0};
+  const CrossProduct product(ux, uy, wx, wy);
+  const double moved = std::abs(ux.high) * y_error_ + std::abs(uy.high) * x_error_;
+  const double size = std::abs(product.value.high);
+  if (!(size > kSmall && size < kLarge)) return {};
+  // The differences from a are rounded too: by kUnit of themselves.
+  return sign_beyond_doubt(product.value.high, 2 * (product.error + moved));
+}
+
+double distance_along_y(const PlainSegment& s, Point p) {
+  const DoubleDouble ux = two_difference(s.b.x, s.a.x), uy = two_difference(s.b.y, s.a.y);
+  const DoubleDouble wx = two_difference(p.x, s.a.x), wy = two_difference(p.y, s.a.y);
+  return std::abs((ux * wy - uy * wx).high / ux.high);
 }
 
 Sign SweepPoint::compare_distances(Point a, Point b) const {

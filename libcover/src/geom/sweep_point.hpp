@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include <cover/point.hpp>
 
+#include "geom/double_double.hpp"
 #include "geom/predicates.hpp"
 
 namespace cover {
@@ -20,7 +22,7 @@ struct PlainSegment {
 /// Exact coordinates are computed when a question cannot be answered without them, which is rare.
 class SweepPoint {
  public:
-  explicit SweepPoint(Point given) : rounded_(given) {}
+  explicit SweepPoint(Point given) : rounded_(given), x_{given.x, 0}, y_{given.y, 0} {}
   /// REQUIRES: the segments cross in their insides, at one point
   SweepPoint(const PlainSegment& s, const PlainSegment& t);
 
@@ -44,12 +46,22 @@ class SweepPoint {
  private:
   struct Exact;
   [[nodiscard]] const Exact& exact() const;
+  /// side_of, if twice the digits of a double tell it.
+  [[nodiscard]] std::optional<Sign> side_estimate(Point a, Point b) const;
 
   Point rounded_;
   bool x_is_double_ = true;
   bool y_is_double_ = true;
+  DoubleDouble x_, y_;  ///< the coordinates up to these errors
+  double x_error_ = 0;
+  double y_error_ = 0;
   PlainSegment s_, t_;                          ///< only where they cross
   mutable std::shared_ptr<const Exact> exact_;  ///< null: not asked for yet
 };
+
+/// How far p is from the line of s, measured along y; not a number where that overflows.
+///
+/// Accurate to 2^-90 of the coordinates.
+double distance_along_y(const PlainSegment& s, Point p);
 
 }  // namespace cover

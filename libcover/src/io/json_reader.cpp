@@ -89,13 +89,18 @@ void JsonReader::fail(const Json& at, const std::string& what, ErrorCode code) {
       Error{code, fmt::format("{}: {}{}", source_, path.empty() ? "" : path + ": ", what), {}, {}};
 }
 
-bool JsonReader::expect_keys(const Json& object, const std::vector<std::string_view>& keys) {
+bool JsonReader::expect_keys(const Json& object, const std::vector<std::string_view>& keys,
+                             const std::vector<std::string_view>& free) {
   if (!object.is_object()) {
     fail(object, "expected an object, found " + shown(object));
     return false;
   }
   for (const auto& [key, value] : object.items()) {
-    if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
+    if (std::find(keys.begin(), keys.end(), key) != keys.end()) {
+      if (!value.is_null() || std::find(free.begin(), free.end(), key) != free.end()) continue;
+      fail(value, "null says nothing here: leave the key out");
+      return false;
+    }
     const std::vector<std::string> known(keys.begin(), keys.end());
     const std::optional<std::string> meant = closest(key, known);
     fail(value, "unknown key" + (meant ? " (did you mean \"" + *meant + "\"?)" : ""));

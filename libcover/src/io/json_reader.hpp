@@ -36,8 +36,10 @@ class JsonReader {
   /// Keeps `what` as the error, said of the place of `at` in the document; only the first counts.
   void fail(const Json& at, const std::string& what, ErrorCode code = ErrorCode::syntax);
 
-  /// Fails unless `object` is an object all of whose keys are among `keys`.
-  bool expect_keys(const Json& object, const std::vector<std::string_view>& keys);
+  /// Fails unless `object` is an object all of whose keys are among `keys`, and none of whose
+  /// values, but for those of the keys `free`, is null.
+  bool expect_keys(const Json& object, const std::vector<std::string_view>& keys,
+                   const std::vector<std::string_view>& free = {});
   /// The member of an object, or nullptr where it is missing or null.
   static const Json* member(const Json& object, std::string_view key);
   /// The member of an object; fails where it is missing.

@@ -44,6 +44,14 @@ Result<Input> parse_input(std::string_view text, std::string_view extension,
                           const std::string& source) {
   for (const Format& format : kFormats)
     if (format.extension == lower(extension)) return format.parse(text, source);
+  if (lower(extension) == ".geo") {
+    return Error{ErrorCode::unsupported_format,
+                 fmt::format("{}: .geo is read by gmsh's library, without which this was built; "
+                             "'gmsh -2 FILE.geo -o FILE.msh' makes a file that can be read",
+                             source),
+                 {},
+                 {}};
+  }
   std::string known;
   for (const Format& format : kFormats) {
     known += fmt::format("{}{}", known.empty() ? "" : ", ", format.extension);

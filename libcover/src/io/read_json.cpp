@@ -25,6 +25,10 @@ const std::vector<std::string_view> kTopKeys{
     "name",     "source", "license", "notes", "field",    "unit",    "points",
     "segments", "holes",  "regions", "lines", "polygons", "$schema", "chord_error"};
 
+/// Of these nothing is asked.
+const std::vector<std::string_view> kFreeKeys{"name",  "source", "license",
+                                              "notes", "field",  "$schema"};
+
 class InputReader {
  public:
   InputReader(const Json& document, const std::string& source)
@@ -34,7 +38,7 @@ class InputReader {
   }
 
   Result<Input> read() {
-    if (json_.expect_keys(document_, kTopKeys)) {
+    if (json_.expect_keys(document_, kTopKeys, kFreeKeys)) {
       read_header();
       for_each_path([this](const Json& path) { note_arcs(path); });
       read_points();
@@ -50,9 +54,11 @@ class InputReader {
 
  private:
   void read_header() {
-    if (const Json* unit = JsonReader::member(document_, "unit")) input_.unit = json_.text(*unit);
-    if (!input_.unit.empty() && !is_length_unit(input_.unit))
-      json_.fail(document_["unit"], "expected a unit of length: nm, um, mm, cm or m");
+    if (const Json* unit = JsonReader::member(document_, "unit")) {
+      input_.unit = json_.text(*unit);
+      if (!is_length_unit(input_.unit))
+        json_.fail(*unit, "expected a unit of length: nm, um, mm, cm or m");
+    }
     if (const Json* error = JsonReader::member(document_, "chord_error"))
       chord_error_ = json_.positive(*error);
     bool geometry = false;
@@ -85,7 +91,9 @@ class InputReader {
   /// The curve `{"circle": {...}}` or `{"arc": {...}}`.
   std::optional<Arc> read_curve(const Json& item) {
     const Json* circle = JsonReader::member(item, "circle");
-    const Json* curve = circle ? circle : JsonReader::member(item, "arc");
+    const Json* arc_of_item = JsonReader::member(item, "arc");
+    const Json* curve = circle ? circle : arc_of_item;
+    if (circle && arc_of_item) json_.fail(item, "give an \"arc\" or a \"circle\", not both");
     if (!curve) {
       json_.fail(item, "expected a point [x, y], an \"arc\" or a \"circle\"");
       return std::nullopt;
@@ -229,6 +237,8 @@ class InputReader {
     }
     const Json* ends = JsonReader::member(item, "points");
     if (!ends) return add_chain(segment, read_curve_points(item));
+    if (JsonReader::member(item, "circle"))
+      return json_.fail(item, "give \"points\" or a \"circle\", not both");
     if (const Json* arc = JsonReader::member(item, "arc"))
       return add_arc_between(segment, *ends, *arc);
     add_segment(segment, *ends);

@@ -55,12 +55,19 @@ void write_seeds(Text& text, const RegionTable& table) {
     const Point p = table.void_seeds[k];
     fmt::format_to(std::back_inserter(text), "{} {:.17g} {:.17g}\n", k + 1, p.x, p.y);
   }
-  fmt::format_to(std::back_inserter(text), "{}\n", table.regions.size());
+  const auto seeds = std::count_if(table.regions.begin(), table.regions.end(),
+                                   [](const Region& r) { return r.inside.has_value(); });
+  fmt::format_to(std::back_inserter(text), "{}\n", seeds);
   for (const Region& r : table.regions) {
+    if (!r.inside) {
+      fmt::format_to(std::back_inserter(text), "# region {}, {}, {}, holds no double: no seed\n",
+                     r.id.value(), on_one_line(r.name), on_one_line(r.material_name));
+      continue;
+    }
     // The largest area as the reader understands it: of an equilateral triangle of that edge.
     const double area = r.size ? *r.size * *r.size * std::numbers::sqrt3 / 4 : -1;
     fmt::format_to(std::back_inserter(text), "{} {:.17g} {:.17g} {} {:.17g}  # {}, {}\n",
-                   r.id.value(), r.inside.x, r.inside.y, r.material, area, on_one_line(r.name),
+                   r.id.value(), r.inside->x, r.inside->y, r.material, area, on_one_line(r.name),
                    on_one_line(r.material_name));
   }
 }

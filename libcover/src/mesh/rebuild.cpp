@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "covering/measure.hpp"
+#include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 #include "mesh/mesh_builder.hpp"
 #include "region/interfaces.hpp"
@@ -94,7 +95,12 @@ class Rebuilder {
       const auto [i, j, k] = soup_.triangles[t];
       const Point a = soup_.points[i], b = soup_.points[j], c = soup_.points[k];
       Region& region = out_.table.regions[region_of(t).index() - 1];
-      if (region.area == 0) region.inside = {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
+      const Point middle = a + (1.0 / 3) * ((b - a) + (c - a));
+      if (!region.inside && orientation(a, b, middle) == Sign::positive &&
+          orientation(b, c, middle) == Sign::positive &&
+          orientation(c, a, middle) == Sign::positive) {
+        region.inside = middle;
+      }
       region.area += cross(b - a, c - a) / 2;
     }
   }

@@ -33,34 +33,22 @@ class Assembler {
   }
 
  private:
-  struct Entry {
-    std::uint32_t input;   ///< index into Input::points; kNoIndex comes last
-    std::uint32_t vertex;  ///< index into Network::points; kNoIndex: on no edge
-    Point at;
-  };
-
+  /// Points of the input in their order; kNoIndex comes last.
   void add_points() {
-    std::map<Point, std::uint32_t> lone;  // those that were not found on a line
-    for (const LonePoint& p : network_.lone_points) lone.emplace(p.at, p.input);
-    std::vector<Entry> entries;
-    for (std::uint32_t v = 0; v < network_.points.size(); ++v) {
-      const auto same = lone.find(network_.points[v]);
-      const std::uint32_t own = network_.input[v];
-      entries.push_back(
-          {own == kNoIndex && same != lone.end() ? same->second : own, v, network_.points[v]});
-      if (same != lone.end()) lone.erase(same);
-    }
-    for (const auto& [at, k] : lone) entries.push_back({k, kNoIndex, at});
-    std::stable_sort(entries.begin(), entries.end(),
-                     [](const Entry& x, const Entry& y) { return x.input < y.input; });
-    vertex_.resize(network_.points.size());
-    for (const Entry& e : entries) {
-      if (e.vertex != kNoIndex) vertex_[e.vertex] = VertexId{pslg_.points.size()};
-      const bool known = e.input != kNoIndex;
-      pslg_.points.push_back(e.at);
-      pslg_.point_ids.push_back(known ? point_id(input_, e.input) : -1);
-      pslg_.point_markers.push_back(
-          known && !input_.point_markers.empty() ? input_.point_markers[e.input] : 0);
+    std::vector<std::uint32_t> order(network_.points.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(), [this](std::uint32_t v, std::uint32_t w) {
+      return network_.input[v] < network_.input[w];
+    });
+    vertex_.resize(order.size());
+    for (const std::uint32_t v : order) {
+      vertex_[v] = VertexId{pslg_.points.size()};
+      const std::uint32_t k = network_.input[v];
+      const bool known = k != kNoIndex;
+      pslg_.points.push_back(network_.points[v]);
+      pslg_.point_ids.push_back(known ? point_id(input_, k) : -1);
+      pslg_.point_markers.push_back(known && !input_.point_markers.empty() ? input_.point_markers[k]
+                                                                           : 0);
     }
   }
 

@@ -1,6 +1,6 @@
 // Equal points and segments are found by sorting; whatever else keeps the input from being a PSLG
-// also keeps it from having a constrained Delaunay triangulation, whose construction names the
-// place. Tested by tests/unit/region/pslg_test.cpp.
+// also keeps it from having a constrained Delaunay triangulation. Tested by
+// tests/unit/region/pslg_test.cpp.
 #include "region/check_pslg.hpp"
 
 #include <fmt/core.h>
@@ -13,9 +13,8 @@
 
 #include "base/describe.hpp"
 #include "cdt/cdt.hpp"
-#include "geom/predicates.hpp"
-#include "geom/vector.hpp"
 #include "region/complaint.hpp"
+#include "region/list_meetings.hpp"
 
 namespace cover {
 namespace {
@@ -79,100 +78,69 @@ std::optional<Error> find_duplicate_segments(const Input& input) {
   return complaint.error();
 }
 
-/// The intersection of two lines, for messages.
-Point meeting_point(Point a, Point b, Point c, Point d) {
-  const double t = cross(c - a, d - c) / cross(b - a, d - c);
-  return a + t * (b - a);
-}
+/// Above and below these, products of four lengths are no doubles any more.
+constexpr double kLargest = 0x1p250, kSmallest = 0x1p-250;
 
-Error crossing(const Input& input, std::size_t first, std::size_t second) {
-  const InputSegment &s = input.segments[first], &t = input.segments[second];
-  const Point at =
-      meeting_point(input.points[s.a], input.points[s.b], input.points[t.a], input.points[t.b]);
-  Complaint complaint(ErrorCode::crossing_segments, input.source);
-  complaint.add(fmt::format("{} crosses {} near {}", name_of_segment(input, first),
-                            name_of_segment(input, second), describe(at)),
-                {at}, {segment_ref(input, first), segment_ref(input, second)});
-  return complaint.error();
-}
-
-/// The segment that starts at `point`, which lies inside segment `s`, and runs along `s`.
-std::optional<std::size_t> overlapping_segment(const Input& input, std::uint32_t point,
-                                               std::size_t s) {
-  const Point a = input.points[input.segments[s].a], b = input.points[input.segments[s].b];
-  for (std::size_t k = 0; k < input.segments.size(); ++k) {
-    const InputSegment& t = input.segments[k];
-    if (k == s || (t.a != point && t.b != point)) continue;
-    if (orientation(a, b, input.points[t.a == point ? t.b : t.a]) == Sign::zero) return k;
+/// Calls `f` with every place in the input, a function that names it, and its element.
+template <class F>
+void for_each_place(const Input& input, F f) {
+  for (std::size_t k = 0; k < input.points.size(); ++k) {
+    f(
+        input.points[k], [&] { return name_of_point(input, k); }, point_ref(input, k));
   }
+  const auto seed = [&](const char* what, const auto& s, InputKind kind) {
+    f(
+        s.at, [&] { return fmt::format("{} {}{}", what, s.id, line_suffix(s.line)); },
+        InputRef{kind, s.id});
+  };
+  for (const RegionSeed& s : input.seeds) seed("region seed", s, InputKind::region_seed);
+  for (const HoleSeed& s : input.holes) seed("hole seed", s, InputKind::hole);
+  const auto corners = [&](const char* what, const std::vector<Point>& points, InputRef ref) {
+    for (const Point& p : points) {
+      f(
+          p, [&] { return fmt::format("the corner at {} of {} {}", describe(p), what, ref.id); },
+          ref);
+    }
+  };
+  for (const InputPolygon& polygon : input.polygons) {
+    for (const auto& ring : polygon.rings) {
+      corners("polygon", ring, {InputKind::polygon, polygon.id});
+    }
+  }
+  for (const InputLine& line : input.lines) {
+    corners("line", line.points, {InputKind::line, line.id});
+  }
+}
+
+std::optional<Error> find_wild_coordinates(const Input& input) {
+  Complaint infinite(ErrorCode::non_finite_coordinate, input.source);
+  Complaint vast(ErrorCode::coordinate_out_of_range, input.source);
+  double largest = 0;
+  for_each_place(input, [&](Point p, const auto& name, InputRef ref) {
+    const double size = std::max(std::abs(p.x), std::abs(p.y));
+    if (!(std::isfinite(p.x) && std::isfinite(p.y))) {
+      infinite.add(name() + " is not finite", {p}, {ref});
+    } else if (size > kLargest) {
+      vast.add(fmt::format("{} is too far out: coordinates go up to {:.2g}", name(), kLargest), {p},
+               {ref});
+    }
+    largest = std::max(largest, size);
+  });
+  if (!infinite.empty()) return infinite.error();
+  if (largest > 0 && largest < kSmallest) {
+    vast.add(fmt::format("no coordinate is above {}, too little to compute with: at least one must "
+                         "reach {:.2g}",
+                         largest, kSmallest),
+             {}, {});
+  }
+  if (!vast.empty()) return vast.error();
   return {};
-}
-
-Error point_on_segment(const Input& input, std::uint32_t point, std::size_t s) {
-  const Point at = input.points[point];
-  if (const auto other = overlapping_segment(input, point, s)) {
-    Complaint complaint(ErrorCode::overlapping_segments, input.source);
-    complaint.add(fmt::format("{} and {} overlap from {} on", name_of_segment(input, s),
-                              name_of_segment(input, *other), name_of_point(input, point)),
-                  {at}, {segment_ref(input, s), segment_ref(input, *other)});
-    return complaint.error();
-  }
-  Complaint complaint(ErrorCode::point_on_segment, input.source);
-  complaint.add(
-      fmt::format("{} lies inside {}", name_of_point(input, point), name_of_segment(input, s)),
-      {at}, {point_ref(input, point), segment_ref(input, s)});
-  return complaint.error();
-}
-
-std::optional<Error> find_crossings(const Input& input) {
-  std::vector<IndexPair> pairs;
-  pairs.reserve(input.segments.size());
-  for (const InputSegment& s : input.segments) pairs.push_back({s.a, s.b});
-  const CdtResult cdt = triangulate_hull(input.points, pairs);
-  if (cdt.conflicts.empty()) return {};
-  const CdtConflict& c = cdt.conflicts.front();
-  if (c.kind == CdtConflict::Kind::crossing) return crossing(input, c.first, c.second);
-  return point_on_segment(input, c.first, c.second);
-}
-
-/// Complains of the corners of a polygon or a line that are not finite.
-void add_infinite(const std::vector<Point>& points, const char* what, InputRef ref,
-                  Complaint& complaint) {
-  for (const Point& p : points) {
-    if (std::isfinite(p.x) && std::isfinite(p.y)) continue;
-    complaint.add(fmt::format("the corner at {} of {} {} is not finite", describe(p), what, ref.id),
-                  {p}, {ref});
-  }
 }
 
 }  // namespace
 
 std::optional<Error> find_unusable(const Input& input) {
-  Complaint finite(ErrorCode::non_finite_coordinate, input.source);
-  for (std::size_t k = 0; k < input.points.size(); ++k) {
-    const Point p = input.points[k];
-    if (std::isfinite(p.x) && std::isfinite(p.y)) continue;
-    finite.add(name_of_point(input, k) + " is not finite", {p}, {point_ref(input, k)});
-  }
-  for (const RegionSeed& seed : input.seeds) {
-    if (std::isfinite(seed.at.x) && std::isfinite(seed.at.y)) continue;
-    finite.add(fmt::format("region seed {}{} is not finite", seed.id, line_suffix(seed.line)),
-               {seed.at}, {{InputKind::region_seed, seed.id}});
-  }
-  for (const HoleSeed& hole : input.holes) {
-    if (std::isfinite(hole.at.x) && std::isfinite(hole.at.y)) continue;
-    finite.add(fmt::format("hole seed {}{} is not finite", hole.id, line_suffix(hole.line)),
-               {hole.at}, {{InputKind::hole, hole.id}});
-  }
-  for (const InputPolygon& polygon : input.polygons) {
-    for (const auto& ring : polygon.rings) {
-      add_infinite(ring, "polygon", {InputKind::polygon, polygon.id}, finite);
-    }
-  }
-  for (const InputLine& line : input.lines) {
-    add_infinite(line.points, "line", {InputKind::line, line.id}, finite);
-  }
-  if (!finite.empty()) return finite.error();
+  if (auto error = find_wild_coordinates(input)) return error;
   Complaint range(ErrorCode::id_out_of_range, input.source);
   for (std::size_t s = 0; s < input.segments.size(); ++s) {
     const InputSegment& segment = input.segments[s];
@@ -185,11 +153,24 @@ std::optional<Error> find_unusable(const Input& input) {
   return {};
 }
 
+bool is_pslg(const Input& input) {
+  std::vector<IndexPair> pairs;
+  pairs.reserve(input.segments.size());
+  for (const InputSegment& s : input.segments) {
+    if (s.a == s.b) return false;
+    pairs.push_back({std::min(s.a, s.b), std::max(s.a, s.b)});
+  }
+  std::vector<IndexPair> sorted = pairs;
+  std::sort(sorted.begin(), sorted.end());
+  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return false;
+  return triangulate_hull(input.points, pairs).conflicts.empty();
+}
+
 std::optional<Error> find_unclean(const Input& input) {
   if (auto error = find_duplicate_points(input)) return error;
   if (auto error = find_zero_length_segments(input)) return error;
   if (auto error = find_duplicate_segments(input)) return error;
-  return find_crossings(input);
+  return list_meetings(input);
 }
 
 }  // namespace cover

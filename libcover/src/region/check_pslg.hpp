@@ -8,19 +8,26 @@
 
 namespace cover {
 
-/// What makes the points and segments of `input` unusable: an index out of range or a coordinate
-/// that is not finite.
+/// What makes the points and segments of `input` unusable: an index out of range, or a coordinate
+/// that is not finite or so large, or all so small, that lengths could not be multiplied.
 ///
 /// Cost: O(n).
 std::optional<Error> find_unusable(const Input& input);
 
-/// What keeps the points and segments of `input` from being a PSLG: the first kind found of
-/// duplicate points, segments of length zero, duplicate segments (each with all its places), then
-/// the first point on a segment, overlap or crossing.
+/// Whether the points and segments of `input` are a PSLG.
 ///
 /// REQUIRES: find_unusable finds nothing
 /// EXACT:    yes
 /// Cost:     O(n log n) expected.
+bool is_pslg(const Input& input);
+
+/// What keeps the points and segments of `input` from being a PSLG: the first kind found of
+/// duplicate points, segments of length zero, duplicate segments, and crossings, overlaps and
+/// points on segments; with all its places.
+///
+/// REQUIRES: find_unusable finds nothing
+/// EXACT:    yes
+/// Cost:     O((n + k) log n) for k places.
 std::optional<Error> find_unclean(const Input& input);
 
 }  // namespace cover

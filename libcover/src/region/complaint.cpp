@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "base/describe.hpp"
 
 namespace cover {
@@ -16,6 +18,15 @@ void Complaint::add(std::string sentence, std::vector<Point> where, std::vector<
   if (++count_ <= kSentences) sentences_.push_back(std::move(sentence));
   where_.insert(where_.end(), where.begin(), where.end());
   inputs_.insert(inputs_.end(), inputs.begin(), inputs.end());
+}
+
+void Complaint::append(const Complaint& other) {
+  if (empty()) code_ = other.code_;
+  sentences_.insert(sentences_.end(), other.sentences_.begin(), other.sentences_.end());
+  sentences_.resize(std::min(sentences_.size(), kSentences));
+  where_.insert(where_.end(), other.where_.begin(), other.where_.end());
+  inputs_.insert(inputs_.end(), other.inputs_.begin(), other.inputs_.end());
+  count_ += other.count_;
 }
 
 Error Complaint::error() const {

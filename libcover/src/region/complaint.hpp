@@ -17,6 +17,8 @@ class Complaint {
   Complaint(ErrorCode code, std::string source) : code_(code), source_(std::move(source)) {}
 
   void add(std::string sentence, std::vector<Point> where, std::vector<InputRef> inputs);
+  /// Puts all that `other` says behind. An empty complaint takes over the code.
+  void append(const Complaint& other);
 
   [[nodiscard]] bool empty() const { return count_ == 0; }
   [[nodiscard]] Error error() const;

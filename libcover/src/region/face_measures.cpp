@@ -85,7 +85,7 @@ std::vector<FaceMeasure> measure_faces(const Faces& faces) {
     if (area > largest[face]) {
       largest[face] = area;
       out[face].inside = centroid(c);
-      missing[face] = !strictly_inside(c, out[face].inside);
+      missing[face] = !strictly_inside(c, centroid(c));
     }
     for (std::size_t i = 0; i < 3; ++i) {
       if (!f.is_locked(static_cast<int>(i)) && f.n[i] != kNone) continue;
@@ -95,6 +95,9 @@ std::vector<FaceMeasure> measure_faces(const Faces& faces) {
   }
   for (std::size_t f = 0; f < faces.count; ++f) out[f].area = doubled[f].value() / 2;
   search_inside(faces, missing, out);
+  for (std::size_t f = 0; f < faces.count; ++f) {
+    if (missing[f]) out[f].inside.reset();
+  }
   return out;
 }
 

@@ -1,6 +1,7 @@
 // Area, an inner point and the place in the geometric order of every face.
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -13,15 +14,14 @@ namespace cover {
 /// Figures of one face.
 struct FaceMeasure {
   double area = 0;
-  Point inside;                           ///< strictly inside
+  std::optional<Point> inside;            ///< strictly inside; none where no double is
   std::pair<Point, Point> smallest_side;  ///< of the sides with the face on their left
 };
 
 /// Measures all faces; what is said of the outside is meaningless.
 ///
-/// `area` is a compensated sum; `inside` is checked with exact predicates. A face that holds no
-/// double but on its triangulation's edges gets a point there, one without any its largest
-/// triangle's rounded centroid.
+/// `area` is a compensated sum; `inside` is checked with exact predicates. A face that is found to
+/// hold no double but on its triangulation's edges gets a point there.
 /// Cost: O(n).
 std::vector<FaceMeasure> measure_faces(const Faces& faces);
 

@@ -37,7 +37,7 @@ std::vector<std::uint32_t> seeds_by_face(const Faces& faces, const SeededFaces& 
     }
     if (extra == 0) {
       RegionSeed seed;
-      seed.at = measure_faces(faces)[f].inside;
+      seed.at = measure_faces(faces)[f].inside.value_or(Point{});
       seed.material = unnamed;
       seed.region = "unnamed";
       pslg.seeds.push_back(std::move(seed));
@@ -88,6 +88,7 @@ Result<Pslg> merge_materials(Pslg pslg, Report& report) {
          {{InputKind::segment, segment.id}}});
   }
   std::vector<Segment> segments;
+  pslg.side_seeds.clear();
   for (const std::size_t s : kept) {
     segments.push_back(pslg.segments[s]);
     const auto [left, right] = faces.of_segment[s];

@@ -44,32 +44,26 @@ class Gatherer {
   }
 
  private:
-  /// Only the ends of segments with a length; other points stay apart.
+  /// The ends of segments with a length come first; other points are lone.
   void add_points() {
     std::vector<bool> is_end(input_.points.size(), false);
     for (const InputSegment& s : input_.segments) {
       if (input_.points[s.a] != input_.points[s.b]) is_end[s.a] = is_end[s.b] = true;
     }
     for (std::uint32_t k = 0; k < input_.points.size(); ++k) {
-      if (is_end[k]) add_point(k, pool_, network_.input);
+      if (is_end[k]) add_point(k);
     }
-    PointPool all = pool_;
-    std::vector<std::uint32_t> inputs = network_.input;
+    const auto ends = static_cast<std::uint32_t>(network_.input.size());
     for (std::uint32_t k = 0; k < input_.points.size(); ++k) {
-      if (is_end[k] || !add_point(k, all, inputs)) continue;
-      network_.lone_points.push_back({input_.points[k], k});
+      if (!is_end[k]) add_point(k);
     }
+    for (std::uint32_t v = ends; v < network_.input.size(); ++v) network_.lone.push_back(v);
   }
 
-  /// True if point `k` is the first at its place.
-  bool add_point(std::uint32_t k, PointPool& pool, std::vector<std::uint32_t>& inputs) {
-    const std::uint32_t index = pool.index_of(input_.points[k]);
-    if (index < inputs.size()) {
-      merge_points(k, inputs[index]);
-      return false;
-    }
-    inputs.push_back(k);
-    return true;
+  void add_point(std::uint32_t k) {
+    const std::uint32_t index = pool_.index_of(input_.points[k]);
+    if (index < network_.input.size()) return merge_points(k, network_.input[index]);
+    network_.input.push_back(k);
   }
 
   void merge_points(std::uint32_t point, std::uint32_t first) {

@@ -37,12 +37,6 @@ struct Strand {
   std::uint32_t raw = 0;  ///< index into Network::raws
 };
 
-/// A point on no line.
-struct LonePoint {
-  Point at;
-  std::uint32_t input = 0;  ///< index into Input::points
-};
-
 /// Gives every place one number.
 class PointPool {
  public:
@@ -63,11 +57,11 @@ class PointPool {
 /// All lines of an input. The strands of a ring are closed: at every point an even number of them
 /// ends. Every step keeps that, so even-odd always says what a polygon covers.
 struct Network {
-  std::vector<Point> points;         ///< all different; each is the end of a strand
+  std::vector<Point> points;         ///< all different; each is the end of a strand, or lone
   std::vector<std::uint32_t> input;  ///< by point: index into Input::points, or kNoIndex
+  std::vector<std::uint32_t> lone;   ///< points that stay whether a strand ends at them or not
   std::vector<Raw> raws;
   std::vector<Strand> strands;  ///< none of length zero
-  std::vector<LonePoint> lone_points;
 };
 
 /// Collects the lines of `input`, one strand each; equal points become one.

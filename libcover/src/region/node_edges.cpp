@@ -7,11 +7,12 @@
 // equality only if r is b and the edge stays as it is; for a piece between two cuts the same holds.
 // At least one edge through x is cut, because r is an end of all of them only where they meet there
 // anyway. Replacing lengths by finitely many smaller ones, out of the finitely many that doubles
-// inside of the drawing's box can have, comes to an end. Tested by
-// tests/unit/region/node_edges_test.cpp.
+// inside of the drawing's box can have, comes to an end. A lone point is an end like any other: of
+// a segment of length zero. Tested by tests/unit/region/node_edges_test.cpp.
 #include "region/node_edges.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -39,12 +40,41 @@ void index_edges(Network& network, EdgeGraph& graph) {
   graph.first.push_back(network.strands.size());
 }
 
+/// By point: whether it is one of the `old` ones, or some line turns off there. Where lines lie next
+/// to each other, most of their crossings have only the same two neighbours on all of them: these
+/// points are not needed.
+std::vector<bool> needed_points(const Subdivision& cuts, const std::vector<std::uint32_t>& index,
+                                std::size_t lines, std::size_t old, std::size_t count) {
+  std::vector<std::array<std::uint32_t, 2>> neighbours(count, {kNoIndex, kNoIndex});
+  std::vector<bool> needed(count, false);
+  std::fill_n(needed.begin(), old, true);
+  const auto add = [&](std::uint32_t v, std::uint32_t w) {
+    auto& [first, second] = neighbours[v];
+    if (first == w || second == w) return;
+    if (second != kNoIndex) needed[v] = true;
+    (first == kNoIndex ? first : second) = w;
+  };
+  for (std::size_t k = 0; k < lines; ++k) {
+    const auto path = cuts.path_of(k);
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      const std::uint32_t v = index[path[i - 1]], w = index[path[i]];
+      if (v == w) continue;
+      add(v, w);
+      add(w, v);
+    }
+  }
+  return needed;
+}
+
 /// Replaces the strands by their pieces between common points.
 void cut(Network& network, const EdgeGraph& graph) {
   std::vector<PlainSegment> segments;
-  segments.reserve(graph.edges.size());
+  segments.reserve(graph.edges.size() + network.lone.size());
   for (const auto& [a, b] : graph.edges) segments.push_back({network.points[a], network.points[b]});
-  const Subdivision cuts = subdivide(segments);
+  for (const std::uint32_t v : network.lone) {
+    segments.push_back({network.points[v], network.points[v]});
+  }
+  const Subdivision cuts = subdivide_and_snap(segments, graph.passes > 0);
   if (cuts.path.size() == 2 * segments.size()) {
     throw std::logic_error("node_edges: edges in conflict that do not meet");
   }
@@ -53,15 +83,21 @@ void cut(Network& network, const EdgeGraph& graph) {
   for (const Point& p : network.points) pool.index_of(p);
   std::vector<std::uint32_t> index;  // of the point of each node
   for (const Point& p : cuts.nodes) index.push_back(pool.index_of(p));
+  const std::vector<bool> needed =
+      needed_points(cuts, index, graph.edges.size(), network.points.size(), pool.points().size());
   std::vector<Strand> strands;
   strands.reserve(cuts.path.size());
-  for (std::size_t k = 0; k < segments.size(); ++k) {
-    const auto path = cuts.path_of(k);
+  std::vector<std::uint32_t> path;
+  for (std::size_t k = 0; k < graph.edges.size(); ++k) {
+    path.clear();
+    for (const std::uint32_t node : cuts.path_of(k)) {
+      const std::uint32_t v = index[node];
+      if (needed[v] && (path.empty() || path.back() != v)) path.push_back(v);  // or rounded away
+    }
     for (const Strand& s : graph.strands(network, k)) {
       const bool rightwards = network.points[s.a] < network.points[s.b];
       for (std::size_t i = 1; i < path.size(); ++i) {
-        const std::uint32_t left = index[path[i - 1]], right = index[path[i]];
-        if (left == right) continue;  // rounded away
+        const std::uint32_t left = path[i - 1], right = path[i];
         strands.push_back({rightwards ? left : right, rightwards ? right : left, s.raw});
       }
     }
@@ -90,6 +126,7 @@ EdgeGraph node_edges(Network& network) {
 void compact(Network& network) {
   std::vector<std::uint32_t> renumbered(network.points.size(), kNoIndex);
   for (const Strand& s : network.strands) renumbered[s.a] = renumbered[s.b] = 0;
+  for (const std::uint32_t v : network.lone) renumbered[v] = 0;
   std::uint32_t count = 0;
   for (std::uint32_t v = 0; v < renumbered.size(); ++v) {
     if (renumbered[v] == kNoIndex) continue;
@@ -100,6 +137,7 @@ void compact(Network& network) {
   network.points.resize(count);
   network.input.resize(count);
   for (Strand& s : network.strands) s = {renumbered[s.a], renumbered[s.b], s.raw};
+  for (std::uint32_t& v : network.lone) v = renumbered[v];
 }
 
 }  // namespace cover

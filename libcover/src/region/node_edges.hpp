@@ -23,18 +23,19 @@ struct EdgeGraph {
   }
 };
 
-/// Cuts the strands of `network` at all their common points and sorts them by edge.
+/// Cuts the strands of `network` at all their common points, and at lone points on them, and sorts
+/// them by edge.
 ///
 /// Intersections are computed exactly and rounded to the nearest doubles, or to the end of one of
 /// the lines if that is next to it. Rounding moves pieces by a few units in the last place, which
 /// may make new crossings; so the pieces are cut again until a pass finds them clean by exact
-/// predicates (iterated snap rounding). Ends of lines never move.
+/// predicates (iterated snap rounding). Ends of lines and lone points never move.
 /// ENSURES: points and edges are a PSLG; it always comes to that (node_edges.cpp)
 /// Cost:    O((n + k) log n) a pass for k crossings; one pass per generation of new crossings.
 /// Ref:     D. Halperin, E. Packer, Iterated snap rounding, CGTA 23 (2002)
 EdgeGraph node_edges(Network& network);
 
-/// Leaves out the points that no strand ends at.
+/// Leaves out the points that no strand ends at and that are not lone.
 void compact(Network& network);
 
 }  // namespace cover

@@ -139,7 +139,7 @@ class Painter {
   void clash(std::uint32_t face, std::uint32_t p, std::uint32_t q) {
     if (!clashing_.insert(std::minmax(p, q)).second) return;
     if (measures_.empty()) measures_ = measure_faces(faces_);
-    const Point at = measures_[face].inside;
+    const Point at = measures_[face].inside.value_or(measures_[face].smallest_side.first);
     clashes_.add(
         fmt::format("{} and {} overlap at ({}, {})", name_of_polygon(input_, p),
                     name_of_polygon(input_, q), at.x, at.y),

@@ -1,6 +1,6 @@
 // A clean PSLG is taken over as it is. Anything else goes through the stages of a network:
 //
-//   gather -> weld, cut -> paint polygons -> drop what is hidden -> assemble
+//   gather -> weld, cut -> paint polygons -> drop what is hidden -> assemble -> seeds over polygons
 //
 // Even-odd parity is kept by every stage, so it is enough to count it at the end, on the very edges
 // that are handed on: no face is lost or doubled by rounding.
@@ -15,11 +15,11 @@
 #include "region/change_report.hpp"
 #include "region/check_pslg.hpp"
 #include "region/complaint.hpp"
-#include "region/lone_points.hpp"
 #include "region/merge_materials.hpp"
 #include "region/network.hpp"
 #include "region/node_edges.hpp"
 #include "region/paint.hpp"
+#include "region/place_seeds.hpp"
 #include "region/visible_edges.hpp"
 #include "region/weld.hpp"
 
@@ -69,29 +69,11 @@ Result<EdgeGraph> paint_over(const Input& input, const Options& options, Network
   return clean;
 }
 
-/// Polygons say themselves what lies where.
-std::optional<Error> find_seeds_beside_polygons(const Input& input) {
-  if (input.polygons.empty() || (input.seeds.empty() && input.holes.empty())) return {};
-  Complaint complaint(ErrorCode::conflicting_seeds, input.source);
-  for (const RegionSeed& s : input.seeds) {
-    complaint.add(
-        fmt::format("region seed {} stands beside polygons, which say what lies where", s.id),
-        {s.at}, {{InputKind::region_seed, s.id}});
-  }
-  for (const HoleSeed& s : input.holes) {
-    complaint.add(
-        fmt::format("hole seed {} stands beside polygons, which say what lies where", s.id), {s.at},
-        {{InputKind::hole, s.id}});
-  }
-  return complaint.error();
-}
-
 /// Cleans what is no PSLG yet.
 Result<Pslg> clean_up(const Input& input, const Options& options, Report& report) {
   Network network = gather(input, report.changes);
   const double weld = options.weld.value_or(input.polygons.empty() ? 0 : kAutoWeld);
   EdgeGraph graph = weld_and_node(input, weld, network, report.changes);
-  if (cut_at_lone_points(network, graph)) graph = node_edges(network);
   std::vector<EdgeOwners> owners;
   if (input.polygons.empty()) {
     const std::vector<EdgeOwners> none(graph.edges.size(), {kNoIndex, kNoIndex});
@@ -118,14 +100,18 @@ Result<Pslg> make_pslg(const Input& input, const Options& options, Report& repor
                  {},
                  {}};
   }
-  if (auto error = find_seeds_beside_polygons(input)) return *error;
   const bool is_plain = input.polygons.empty() && input.lines.empty();
-  std::optional<Error> unclean;
-  if (is_plain) unclean = find_unclean(input);
-  if (unclean && options.strict) return *unclean;
-  const bool keep = is_plain && !unclean && options.weld.value_or(0) <= 0;
+  const bool is_clean = is_plain && is_pslg(input);
+  if (is_plain && !is_clean && options.strict) {
+    if (auto error = find_unclean(input)) return *error;
+  }
+  const bool keep = is_clean && options.weld.value_or(0) <= 0;
   Result<Pslg> pslg = keep ? take_over(input) : clean_up(input, options, report);
-  if (pslg && options.merge_materials && input.polygons.empty()) {
+  const bool is_seeded = !input.seeds.empty() || !input.holes.empty();
+  if (pslg && is_seeded && !input.polygons.empty()) {
+    pslg = place_seeds(input, *std::move(pslg), report.notes);
+  }
+  if (pslg && options.merge_materials && (is_seeded || input.polygons.empty())) {
     pslg = merge_materials(*std::move(pslg), report);
   }
   if (!pslg) return pslg;

@@ -11,8 +11,8 @@
 
 namespace cover {
 
-/// In place of a segment: a side of the convex hull that no segment prescribes (`--hull`). It borders
-/// on the void, so it may be split.
+/// In place of a segment: a side of the convex hull that no segment prescribes (`--hull`). It
+/// borders on the void, so it may be split.
 inline constexpr SegmentId kHullSide{0xffffffffU};
 
 /// The boundary of one region.
@@ -22,12 +22,12 @@ inline constexpr SegmentId kHullSide{0xffffffffU};
 /// the order of the input, and neighbours are near each other in memory.
 struct RegionBoundary {
   RegionId id;
-  std::vector<Point> points;            ///< local vertices: boundary vertices and isolated points
-  std::vector<VertexId> vertices;       ///< their ids in the PSLG
-  std::vector<IndexPair> sides;         ///< local, directed, region on the left; slits both ways
-  std::vector<SegmentId> segments;      ///< the segment of each side, or kHullSide
-  double size = 0;                      ///< wished edge length inside; 0: none
-  std::vector<double> size_at;          ///< wished edge length by vertex, 0: none; empty: none at all
+  std::vector<Point> points;        ///< local vertices: boundary vertices and isolated points
+  std::vector<VertexId> vertices;   ///< their ids in the PSLG
+  std::vector<IndexPair> sides;     ///< local, directed, region on the left; slits both ways
+  std::vector<SegmentId> segments;  ///< the segment of each side, or kHullSide
+  double size = 0;                  ///< wished edge length inside; 0: none
+  std::vector<double> size_at;      ///< wished edge length by vertex, 0: none; empty: none at all
 };
 
 }  // namespace cover

@@ -3,8 +3,11 @@
 // beside it. Tested by tests/unit/region/region_graph_test.cpp.
 #include "region/region_graph.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
+#include "base/describe.hpp"
 #include "region/face_measures.hpp"
 #include "region/faces.hpp"
 #include "region/interfaces.hpp"
@@ -38,7 +41,7 @@ class TableMaker {
       : pslg_(pslg), faces_(faces), seeded_(seeded), region_of_face_(faces.count) {}
 
   RegionTable make(std::vector<Note>& notes) {
-    add_regions(number_materials(pslg_.seeds, notes));
+    add_regions(number_materials(pslg_.seeds, notes), notes);
     add_sides();
     add_hull_sides();
     add_points();
@@ -47,7 +50,7 @@ class TableMaker {
   }
 
  private:
-  void add_regions(const Materials& materials) {
+  void add_regions(const Materials& materials, std::vector<Note>& notes) {
     const std::vector<FaceMeasure> measures = measure_faces(faces_);
     for (const std::uint32_t face : faces_in_order(pslg_, seeded_, measures)) {
       Region region;
@@ -64,11 +67,29 @@ class TableMaker {
       region.inside = measures[face].inside;
       region.area = measures[face].area;
       region.size = seeded_.size[face];
+      if (!region.inside)
+        warn_of_sliver(fmt::format("region '{}'", region.name), measures[face], notes);
       table_.regions.push_back(std::move(region));
     }
     for (std::size_t f = 1; f < faces_.count; ++f) {
-      if (seeded_.is_void[f]) table_.void_seeds.push_back(measures[f].inside);
+      if (!seeded_.is_void[f]) continue;
+      if (measures[f].inside) {
+        table_.void_seeds.push_back(*measures[f].inside);
+      } else {
+        warn_of_sliver("a void", measures[f], notes);
+      }
     }
+  }
+
+  static void warn_of_sliver(const std::string& what, const FaceMeasure& measure,
+                             std::vector<Note>& notes) {
+    const Point at = measure.smallest_side.first;
+    notes.push_back({Note::Kind::warning,
+                     kVoid,
+                     fmt::format("{} at {} is so thin that no double lies inside: a seed in a "
+                                 ".poly cannot name it",
+                                 what, describe(at)),
+                     {at}});
   }
 
   /// Counts a side of `region`.

@@ -105,7 +105,7 @@ Network network_of(const std::vector<VisibleEdge>& edges, const Network& network
   Network out;
   out.points = network.points;
   out.input = network.input;
-  out.lone_points = network.lone_points;
+  out.lone = network.lone;
   const auto add = [&](const VisibleEdge& e, bool forwards, Raw raw) {
     out.strands.push_back(
         {forwards ? e.a : e.b, forwards ? e.b : e.a, static_cast<std::uint32_t>(out.raws.size())});

@@ -14,13 +14,13 @@ namespace cover {
 struct VisibleEdge {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
-  EdgeOwners owners{kNoIndex, kNoIndex};   ///< left and right, from a to b: first of their group
-  std::vector<std::uint32_t> raws;   ///< the lines that show in it, ascending: rings of its owners
-                                     ///< and all segments and lines
+  EdgeOwners owners{kNoIndex, kNoIndex};  ///< left and right, from a to b: first of their group
+  std::vector<std::uint32_t> raws;  ///< the lines that show in it, ascending: rings of its owners
+                                    ///< and all segments and lines
 };
 
-/// Drops what separates nothing and unites pieces that only hidden edges had cut. `group` is that of
-/// group_polygons.
+/// Drops what separates nothing and unites pieces that only hidden edges had cut. `group` is that
+/// of group_polygons.
 ///
 /// ENSURES: points of the input and corners that show stay
 /// Cost:    O(n log n).

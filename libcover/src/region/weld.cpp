@@ -51,11 +51,14 @@ double distance_from_segment(Point a, Point b, Point w) {
   return std::abs(cross(b - a, w - a)) / length(b - a);
 }
 
-double size_of(const std::vector<Point>& points) {
-  Point low = points.front(), high = low;
-  for (const Point& p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+/// The size of what is drawn; lone points do not count.
+double size_of(const Network& drawing) {
+  Point low = drawing.points[drawing.strands.front().a], high = low;
+  for (const Strand& s : drawing.strands) {
+    for (const Point p : {drawing.points[s.a], drawing.points[s.b]}) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
   }
   return std::max(high.x - low.x, high.y - low.y);
 }
@@ -123,7 +126,7 @@ class Search {
     const Triangle& f = graph_.triangulation.triangles[t];
     const std::uint32_t u = f.v[static_cast<std::size_t>(next3(i))];
     const std::uint32_t v = f.v[static_cast<std::size_t>(prev3(i))];
-    if (u == w || v == w || distance_from_segment(at(u), at(v), at(w)) > limit_[w]) return;
+    if (u == w || v == w || !(distance_from_segment(at(u), at(v), at(w)) <= limit_[w])) return;
     if (f.is_locked(i)) return look_at_edge(w, u, v);
     const std::uint32_t next = f.n[static_cast<std::size_t>(i)];
     if (next == kNone) return;
@@ -136,7 +139,7 @@ class Search {
   void look_at_point(std::uint32_t w, std::uint32_t u) {
     if (u >= limit_.size() || u == w) return;
     const double distance = length(at(u) - at(w));
-    if (distance > std::min(limit_[u], limit_[w])) return;
+    if (!(distance <= std::min(limit_[u], limit_[w]))) return;
     const IndexPair pair{std::min(u, w), std::max(u, w)};
     if (std::binary_search(neighbours_.begin(), neighbours_.end(), pair)) return;
     pairs.push_back({distance, pair[0], pair[1]});
@@ -152,8 +155,8 @@ class Search {
       const double limit = std::min(limit_[w], kFeaturePart * whole);
       const double distance = distance_from_segment(raw.a, raw.b, at(w));
       const double place = place_on(raw.a, raw.b, at(w));
-      if (distance > limit || place * whole <= limit || (1 - place) * whole <= limit) continue;
-      lines.push_back({s.raw, place, w, distance});
+      const bool is_inside = place * whole > limit && (1 - place) * whole > limit;
+      if (distance <= limit && is_inside) lines.push_back({s.raw, place, w, distance});
     }
   }
 
@@ -240,7 +243,8 @@ class Welder {
     Network out;
     out.points = drawing_.points;
     out.input = drawing_.input;
-    out.lone_points = drawing_.lone_points;
+    out.lone = drawing_.lone;
+    for (std::uint32_t& v : out.lone) v = target(v);
     for (const Strand& s : drawing_.strands) {
       std::uint32_t from = target(s.a);
       bends_[s.raw].push_back(s.b);
@@ -274,8 +278,8 @@ class Welder {
 
 EdgeGraph weld_and_node(const Input& input, double relative, Network& network,
                         std::vector<Change>& changes) {
-  if (relative <= 0 || network.points.empty()) return node_edges(network);
-  const double tolerance = relative * size_of(network.points);
+  if (relative <= 0 || network.strands.empty()) return node_edges(network);
+  const double tolerance = relative * size_of(network);
   for (int round = 0;; ++round) {
     Network noded = network;
     EdgeGraph graph = node_edges(noded);

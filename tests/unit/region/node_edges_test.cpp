@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "region/lone_points.hpp"
 #include "support/shapes.hpp"
 
 namespace cover {
@@ -61,18 +60,27 @@ TEST(NodeEdges, SettlesWhereRoundingMakesNewCrossings) {
   EXPECT_TRUE(triangulate_hull(network.points, graph.edges).conflicts.empty());
 }
 
-TEST(CutAtLonePoints, CutsOnlyWhatTheyLieOn) {
+TEST(NodeEdges, CutsAtLonePointsAndKeepsThem) {
   std::vector<Change> changes;
   Network network = gather(
       segments_between({{0, 0}, {4, 0}, {0, 4}, {1, 0}, {3, 0}, {1, 1}, {9, 9}}, {{1, 0}, {0, 2}}),
       changes);
-  EXPECT_EQ(network.lone_points.size(), 4U);
+  EXPECT_EQ(network.lone.size(), 4U);
   const auto graph = node_edges(network);
-  ASSERT_TRUE(cut_at_lone_points(network, graph));
-  EXPECT_EQ(network.points.size(), 5U);
-  const auto again = node_edges(network);
-  EXPECT_EQ(again.edges.size(), 4U);
-  EXPECT_FALSE(cut_at_lone_points(network, again));
+  EXPECT_EQ(network.points.size(), 7U);
+  EXPECT_EQ(graph.edges.size(), 4U);
+}
+
+TEST(NodeEdges, FindsALonePointOnALineThatRoundingBent) {
+  const Point bend{1, 1.0 / 3};              // where (0, 0)-(3, 1) is cut, rounded
+  const Point lone{bend.x / 2, bend.y / 2};  // exactly on what the cut leaves of it
+  std::vector<Change> changes;
+  Network network =
+      gather(segments_between({{0, 0}, {3, 1}, {1, -1}, {1, 1}, lone}, {{0, 1}, {2, 3}}), changes);
+  const auto graph = node_edges(network);
+  EXPECT_EQ(network.points.size(), 6U);
+  EXPECT_EQ(graph.edges.size(), 5U);
+  EXPECT_TRUE(triangulate_hull(network.points, graph.edges).conflicts.empty());
 }
 
 }  // namespace

@@ -100,6 +100,59 @@ TEST(MakePslgStrict, RefusesCrossings) {
   EXPECT_EQ(e.where, (std::vector<Point>{{1, 1}}));
 }
 
+TEST(MakePslgStrict, ListsAllCrossingsOverlapsAndTouches) {
+  // Two crossings, three lines through (10, 1), an overlap, and a T-junction.
+  const Error e = refusal(
+      poly({{0, 0},
+            {4, 0},
+            {1, -1},
+            {1, 1},
+            {2, -1},
+            {2, 1},
+            {9, 0},
+            {11, 2},
+            {9, 2},
+            {11, 0},
+            {10, 0},
+            {10, 2},
+            {0, 5},
+            {3, 5},
+            {1, 5},
+            {4, 5},
+            {2, 4},
+            {2, 5}},
+           {{1, 2}, {3, 4}, {5, 6}, {7, 8}, {9, 10}, {11, 12}, {13, 14}, {15, 16}, {17, 18}}));
+  EXPECT_EQ(e.code, ErrorCode::crossing_segments);
+  EXPECT_EQ(e.where, (std::vector<Point>{{1, 0}, {2, 0}, {10, 1}, {1, 5}, {2, 5}}));
+  EXPECT_NE(
+      e.message.find(
+          "crosses segment 5 from point 9 to point 10 (line 25) and 1 more segment near (10, 1)"),
+      std::string::npos)
+      << e.message;
+  EXPECT_NE(e.message.find("overlap from (1, 5) on"), std::string::npos) << e.message;
+  EXPECT_NE(e.message.find("point 18 at (2, 5) (line 19) lies inside segment 7"), std::string::npos)
+      << e.message;
+}
+
+TEST(MakePslgStrict, CountsCrossingsThatItDoesNotList) {
+  std::vector<Point> points{{0, 0}, {100, 0}};
+  std::vector<std::pair<int, int>> segments{{1, 2}};
+  for (int k = 1; k < 100; ++k) {
+    points.push_back({double(k), -1});
+    points.push_back({double(k), 1});
+    segments.emplace_back(2 * k + 1, 2 * k + 2);
+  }
+  const Error e = refusal(poly(points, segments));
+  EXPECT_EQ(e.where.size(), 99U);
+  EXPECT_NE(e.message.find("; and 94 more like these"), std::string::npos) << e.message;
+}
+
+TEST(MakePslgStrict, RefusesALonePointOnASegment) {
+  const Error e = refusal(poly({{0, 0}, {2, 0}, {1, 0}}, {{1, 2}}));
+  EXPECT_EQ(e.code, ErrorCode::point_on_segment);
+  EXPECT_NE(e.message.find("point 3 at (1, 0) (line 4) lies inside segment 1"), std::string::npos);
+}
+
 TEST(MakePslgStrict, RefusesTJunctions) {
   const Error e = refusal(poly({{0, 0}, {2, 0}, {1, 0}, {1, 2}}, {{1, 2}, {3, 4}}));
   EXPECT_EQ(e.code, ErrorCode::point_on_segment);
@@ -111,7 +164,7 @@ TEST(MakePslgStrict, RefusesTJunctions) {
 TEST(MakePslgStrict, RefusesOverlaps) {
   const Error e = refusal(poly({{0, 0}, {2, 0}, {1, 0}, {3, 0}, {0, 1}}, {{1, 2}, {3, 4}, {1, 5}}));
   EXPECT_EQ(e.code, ErrorCode::overlapping_segments);
-  EXPECT_NE(e.message.find("overlap from point"), std::string::npos) << e.message;
+  EXPECT_NE(e.message.find("overlap from (1, 0) on"), std::string::npos) << e.message;
   EXPECT_EQ(e.inputs.size(), 2U);
 }
 

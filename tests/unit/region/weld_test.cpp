@@ -91,6 +91,26 @@ TEST(Weld, IsOffForSegmentsUnlessAskedFor) {
   EXPECT_EQ(clean(input, weld)->pslg.points.size(), 4U);
 }
 
+TEST(Weld, BendsLinesToLonePointsThatMissThem) {
+  Input input;
+  input.points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.3, 1e-12}, {1e-12, 0}, {1e6, 1e6}};
+  for (const auto& [a, b] : {std::pair{0, 1}, {1, 2}, {2, 3}, {3, 0}}) {
+    InputSegment s;
+    s.a = static_cast<std::uint32_t>(a);
+    s.b = static_cast<std::uint32_t>(b);
+    input.segments.push_back(s);
+  }
+  Options weld;
+  weld.weld = 1e-9;  // of the drawing, whatever points there are beside it
+  const auto out = clean(input, weld);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_EQ(out->pslg.segments.size(), 5U);
+  EXPECT_EQ(out->pslg.points.size(), 6U);
+  EXPECT_TRUE(out->tells("was bent by"));
+  EXPECT_TRUE(out->tells("was moved by"));
+  EXPECT_TRUE(out->table.isolated_points.empty());
+}
+
 TEST(Weld, DoesNotDependOnScaleOrOrder) {
   const auto base = clean(neighbours(1e-12));
   ASSERT_TRUE(base);
