@@ -34,8 +34,9 @@ class GeoReader {
       json_.fail(document_, "no Polygon, MultiPolygon or LineString in it");
     if (json_.failed()) return json_.error();
     if (points_ > 0)
-      input_.warnings.push_back(
-          fmt::format("{} geometries are points: they are left out", points_));
+      input_.warnings.push_back(points_ == 1
+                                    ? std::string("1 geometry is a point: left out")
+                                    : fmt::format("{} geometries are points: left out", points_));
     return std::move(input_);
   }
 

@@ -148,8 +148,13 @@ void report_polygons(const Input& input, const Network& network, const EdgeGraph
       if (p != kNoIndex) seen[p] = true;
     }
   }
+  std::vector<std::size_t> edges(input.polygons.size(), 0);  // those with fewer than 3 were dropped
+  for (const Raw& raw : network.raws) {
+    if (raw.origin.kind == Origin::Kind::ring) ++edges[raw.origin.index];
+  }
   for (std::uint32_t p = 0; p < seen.size(); ++p) {
-    if (!seen[p]) warn(name_of_polygon(input, p) + " covers nothing that others leave free", {});
+    if (!seen[p] && edges[p] > 2)
+      warn(name_of_polygon(input, p) + " covers nothing that others leave free", {});
   }
 }
 

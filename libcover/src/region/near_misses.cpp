@@ -34,7 +34,7 @@ class NearMisses {
     const double uv = length(at(v) - at(u)), vw = length(at(w) - at(v)), wu = length(at(u) - at(w));
     if (uv < kNear * std::min(vw, wu)) {
       if (!f.is_locked(i)) points(u, v, uv);
-    } else if (!f.is_locked(next3(i)) && !f.is_locked(prev3(i)) &&
+    } else if (!f.is_locked(next3(i)) && !f.is_locked(prev3(i)) && is_beside(w, u, v) &&
                distance(w, u, v) < kNear * std::min(vw, wu)) {
       look_across(w, t, i, kNear * std::min(vw, wu));
     }
@@ -63,6 +63,11 @@ class NearMisses {
 
   [[nodiscard]] Point at(std::uint32_t p) const { return pslg_.points[p]; }
 
+  /// Whether the point of the line through u and v that is nearest to w lies between them.
+  [[nodiscard]] bool is_beside(std::uint32_t w, std::uint32_t u, std::uint32_t v) const {
+    return dot(at(v) - at(u), at(w) - at(u)) > 0 && dot(at(u) - at(v), at(w) - at(v)) > 0;
+  }
+
   /// The distance of w from the line through u and v.
   [[nodiscard]] double distance(std::uint32_t w, std::uint32_t u, std::uint32_t v) const {
     return std::abs(cross(at(v) - at(u), at(w) - at(u))) / length(at(v) - at(u));
@@ -75,7 +80,10 @@ class NearMisses {
       const Triangle& f = triangulation_.triangles[t];
       const std::uint32_t u = f.v[static_cast<std::size_t>(next3(i))];
       const std::uint32_t v = f.v[static_cast<std::size_t>(prev3(i))];
-      if (f.is_locked(i)) return point_and_segment(w, u, v, distance(w, u, v));
+      if (f.is_locked(i)) {
+        if (is_beside(w, u, v)) point_and_segment(w, u, v, distance(w, u, v));
+        return;
+      }
       const std::uint32_t next = f.n[static_cast<std::size_t>(i)];
       if (next == kNone) return;
       const Triangle& g = triangulation_.triangles[next];

@@ -40,9 +40,9 @@ void index_edges(Network& network, EdgeGraph& graph) {
   graph.first.push_back(network.strands.size());
 }
 
-/// By point: whether it is one of the `old` ones, or some line turns off there. Where lines lie next
-/// to each other, most of their crossings have only the same two neighbours on all of them: these
-/// points are not needed.
+/// By point: whether it is one of the `old` ones, or some line turns off there. Where lines lie
+/// next to each other, most of their crossings have only the same two neighbours on all of them:
+/// these points are not needed.
 std::vector<bool> needed_points(const Subdivision& cuts, const std::vector<std::uint32_t>& index,
                                 std::size_t lines, std::size_t old, std::size_t count) {
   std::vector<std::array<std::uint32_t, 2>> neighbours(count, {kNoIndex, kNoIndex});

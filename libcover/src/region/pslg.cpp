@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <map>
 
 #include "region/assemble.hpp"
@@ -86,6 +87,12 @@ Result<Pslg> clean_up(const Input& input, const Options& options, Report& report
   return assemble(input, network, graph, owners);
 }
 
+/// Whether there is anything but void beside the segments.
+bool has_region(const Pslg& pslg) {
+  return std::any_of(pslg.side_seeds.begin(), pslg.side_seeds.end(),
+                     [](const auto& sides) { return sides[0] != 0 || sides[1] != 0; });
+}
+
 bool is_empty(const Input& input) {
   return input.segments.empty() && input.polygons.empty() && input.lines.empty();
 }
@@ -115,6 +122,12 @@ Result<Pslg> make_pslg(const Input& input, const Options& options, Report& repor
     pslg = merge_materials(*std::move(pslg), report);
   }
   if (!pslg) return pslg;
+  if (!input.polygons.empty() && !has_region(*pslg)) {
+    return Error{ErrorCode::nothing_enclosed,
+                 fmt::format("{}: no polygon covers anything", input.source),
+                 {},
+                 {}};
+  }
   if (options.strict) {
     if (auto error = changes_as_error(input, report.changes)) return *error;
   }

@@ -225,11 +225,17 @@ class Welder {
          refs(w)});
   }
 
-  /// Lines at ends that were moved in this round wait for the next one.
+  /// Lines at ends that were moved in this round wait for the next one; so do ends that are near to
+  /// the one before, with which they may become one then.
   void bend(const NearLine& line) {
     const Strand& strand = drawing_.strands[line.raw];
     if (moved_[line.w] || moved_[strand.a] || moved_[strand.b]) return;
-    bends_[line.raw].push_back(line.w);
+    std::vector<std::uint32_t>& bends = bends_[line.raw];
+    if (!bends.empty() &&
+        length(drawing_.points[line.w] - drawing_.points[bends.back()]) <= limit_[line.w]) {
+      return;
+    }
+    bends.push_back(line.w);
     changed_ = true;
     changes_.push_back(
         {Change::Kind::welded,

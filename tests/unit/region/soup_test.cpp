@@ -497,12 +497,15 @@ TEST(Soup, RefusesInfiniteCorners) {
 
 TEST(Soup, HasNothingToSayOfPolygonsWithoutArea) {
   Input input;
+  input.source = "x.json";
   add_polygon(input, {{0, 0}, {1, 1}}, "line");
   EXPECT_EQ(clean(input).error().code, ErrorCode::nothing_enclosed);
+  EXPECT_EQ(clean(input).error().message, "x.json: no polygon covers anything");
   add_polygon(input, rectangle(2, 2, 3, 3), "a");
   const auto out = clean(input);
   ASSERT_TRUE(out) << out.error().message;
   EXPECT_TRUE(out->tells("polygon 1 'line' has fewer than three corners"));
+  EXPECT_FALSE(out->tells("covers nothing"));
   EXPECT_EQ(out->pslg.points.size(), 4U);
 }
 

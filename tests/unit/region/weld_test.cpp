@@ -91,6 +91,19 @@ TEST(Weld, IsOffForSegmentsUnlessAskedFor) {
   EXPECT_EQ(clean(input, weld)->pslg.points.size(), 4U);
 }
 
+TEST(Weld, UnitesCornersOnBothSidesOfALineThatMissesThem) {
+  // The line y = 0 between the two corners keeps them out of each other's sight at first.
+  Input input;
+  add_polygon(input, rectangle(0, -2, 20, 0), "substrate");
+  add_polygon(input, rectangle(10.5 - 9e-11, -1, 11, -6e-11), "well");
+  add_polygon(input, {{9.5, -8e-11}, {10.4, -0.4}, {10.5, 9e-11}}, "trench");
+  const auto out = clean(input);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_EQ(out->pslg.points.size(), 4U + 5 + 1);
+  EXPECT_EQ(out->table.regions.size(), 3U);
+  EXPECT_FALSE(out->tells("apart"));
+}
+
 TEST(Weld, BendsLinesToLonePointsThatMissThem) {
   Input input;
   input.points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.3, 1e-12}, {1e-12, 0}, {1e6, 1e6}};
