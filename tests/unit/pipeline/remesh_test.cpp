@@ -281,7 +281,8 @@ TEST(Remesh, TrianglesOfAnyToolWillDo) {
   Options options;
   options.sizes = {{"", 0.2, false}};
   const Prepared prepared = prepare(input).value();
-  const bool lower_first = prepared.table.regions[0].inside.x > prepared.table.regions[0].inside.y;
+  const bool lower_first =
+      prepared.table.regions[0].inside->x > prepared.table.regions[0].inside->y;
   const Output after =
       remesh(input, soup, Names{lower_first ? "region:2" : "region:1"}, options).value();
   EXPECT_EQ(violations(after), "");
