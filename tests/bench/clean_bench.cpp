@@ -71,7 +71,7 @@ Input painted_rectangles(std::size_t n) {
     const double x = uniform(random), y = uniform(random);
     testing::add_polygon(input,
                          testing::rectangle(x, y, x + l * uniform(random), y + l * uniform(random)),
-                         "m" + std::to_string(k % 7));
+                         std::to_string(k % 7));
   }
   return input;
 }
@@ -87,7 +87,7 @@ Input brick_wall(std::size_t n) {
       testing::Loop ring =
           testing::rectangle(k + row % 2 * 0.5, row / 3.0, k + 1 + row % 2 * 0.5, (row + 1) / 3.0);
       for (Point& p : ring) p = {c * p.x - s * p.y, s * p.x + c * p.y};
-      testing::add_polygon(input, ring, "m" + std::to_string(k % 3));
+      testing::add_polygon(input, ring, std::to_string(k % 3));
     }
   }
   return input;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <string_view>
 
 #include "io/atomic_file.hpp"
 
@@ -49,19 +50,40 @@ std::string on_one_line(std::string name) {
   return name;
 }
 
+constexpr std::string_view kUnnamed = "unnamed";
+
+/// Whether a region that no seed can name is unnamed anyway. A reader gives faces without a seed
+/// the material above the largest, so the others of that material must have no seed either.
+bool must_omit_unnamed(const RegionTable& table) {
+  int largest = 0;
+  bool omit = false;
+  for (const Region& r : table.regions) {
+    if (r.material_name != kUnnamed) largest = std::max(largest, r.material);
+    omit |= r.material_name == kUnnamed && !r.inside;
+  }
+  return omit && std::all_of(table.regions.begin(), table.regions.end(), [&](const Region& r) {
+           return r.material_name != kUnnamed || r.material == largest + 1;
+         });
+}
+
 void write_seeds(Text& text, const RegionTable& table) {
   fmt::format_to(std::back_inserter(text), "{}\n", table.void_seeds.size());
   for (std::size_t k = 0; k < table.void_seeds.size(); ++k) {
     const Point p = table.void_seeds[k];
     fmt::format_to(std::back_inserter(text), "{} {:.17g} {:.17g}\n", k + 1, p.x, p.y);
   }
-  const auto seeds = std::count_if(table.regions.begin(), table.regions.end(),
-                                   [](const Region& r) { return r.inside.has_value(); });
-  fmt::format_to(std::back_inserter(text), "{}\n", seeds);
+  const bool omit = must_omit_unnamed(table);
+  const auto has_seed = [&](const Region& r) {
+    return r.inside && !(omit && r.material_name == kUnnamed);
+  };
+  fmt::format_to(std::back_inserter(text), "{}\n",
+                 std::count_if(table.regions.begin(), table.regions.end(), has_seed));
   for (const Region& r : table.regions) {
-    if (!r.inside) {
-      fmt::format_to(std::back_inserter(text), "# region {}, {}, {}, holds no double: no seed\n",
-                     r.id.value(), on_one_line(r.name), on_one_line(r.material_name));
+    if (!has_seed(r)) {
+      if (!r.inside) {
+        fmt::format_to(std::back_inserter(text), "# region {}, {}, {}, holds no double: no seed\n",
+                       r.id.value(), on_one_line(r.name), on_one_line(r.material_name));
+      }
       continue;
     }
     // The largest area as the reader understands it: of an equilateral triangle of that edge.

@@ -1,11 +1,15 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include <cover/read_input.hpp>
 #include <cover/write_mesh.hpp>
 
 #include "region/pslg.hpp"
 #include "region/region_graph.hpp"
 #include "support/inputs.hpp"
+#include "support/soups.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace cover {
@@ -66,6 +70,58 @@ TEST(WritePoly, WritesHolesForUnseededFaces) {
   input.void_rule = VoidRule::unseeded_faces;
   EXPECT_EQ(prepare_clean(input).table.void_seeds.size(), 7U);
   expect_round_trip(input);
+}
+
+/// A square with a triangle between neighbouring doubles in it.
+Input square_with_speck() {
+  const double next = std::nextafter(1.0, 2.0);
+  Input input = testing::input_of({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
+  for (const Point p : {Point{1, 1}, {next, 1}, {1, next}}) input.points.push_back(p);
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    input.segments.emplace_back();
+    input.segments.back().a = 4 + k;
+    input.segments.back().b = 4 + (k + 1) % 3;
+  }
+  return input;
+}
+
+TEST(WritePoly, NeedsNoSeedInAnUnnamedRegionThatHoldsNoDouble) {
+  Input input = square_with_speck();
+  const Clean clean = prepare_clean(input);
+  ASSERT_EQ(clean.table.regions.size(), 2U);
+  EXPECT_EQ(std::count_if(clean.table.regions.begin(), clean.table.regions.end(),
+                          [](const Region& r) { return r.inside.has_value(); }),
+            1);
+  expect_round_trip(input);
+  input.seeds.resize(1);
+  input.seeds[0].at = {0.5, 0.25};
+  input.seeds[0].material = "7";
+  expect_round_trip(input);
+}
+
+TEST(WritePoly, PutsNoSeedBesideARegionThatHoldsNoDouble) {
+  Input input = square_with_speck();
+  input.segments.pop_back();  // the triangle is open: a void of the same shape takes its place
+  input.segments.pop_back();
+  input.segments.pop_back();
+  testing::add_polygon(input, {{0, 0}, {2, 0}, {2, 2}, {0, 2}}, "a");
+  testing::add_polygon(input, {input.points[4], input.points[5], input.points[6]}, "b");
+  Options off;
+  off.weld = 0;
+  Report report;
+  const auto pslg = make_pslg(input, off, report);
+  ASSERT_TRUE(pslg) << pslg.error().message;
+  const auto table = build_region_table(*pslg, {}, report.notes);
+  ASSERT_TRUE(table) << table.error().message;
+  ASSERT_EQ(table->regions.size(), 2U);
+  EXPECT_FALSE(table->regions[1].inside);
+  EXPECT_TRUE(std::any_of(report.notes.begin(), report.notes.end(), [](const Note& n) {
+    return n.message.find("region 'b' at (1, 1) is so thin that no double lies inside") == 0;
+  }));
+  const testing::TemporaryFolder folder;
+  const std::string path = (folder.path() / "x.poly").string();
+  ASSERT_TRUE(write_poly(*pslg, *table, path));
+  EXPECT_EQ(read_poly(path)->seeds.size(), 1U);
 }
 
 TEST(WritePoly, LeavesNothingWhereItCannotWrite) {

@@ -1,7 +1,10 @@
 // The report as JSON: parsed again, complete, and in agreement with the Report.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
+#include <set>
+#include <string>
 
 #include <nlohmann/json.hpp>
 
@@ -9,6 +12,7 @@
 #include <cover/write_mesh.hpp>
 
 #include "support/inputs.hpp"
+#include "support/soups.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace cover {
@@ -52,6 +56,29 @@ TEST(WriteReportJson, HoldsWhatTheReportHolds) {
   EXPECT_EQ(json["interfaces"].size(), output.table.interfaces.size());
   EXPECT_GE(json["times"].size(), 4U);
   EXPECT_FALSE(json.contains("replaced"));
+}
+
+TEST(WriteReportJson, ListsEveryChangeOfTheInput) {
+  Input input;
+  testing::add_polygon(input, testing::rectangle(0, 0, 2, 2), "a");
+  testing::add_polygon(input, testing::rectangle(2, 0, 3, 1), "b");
+  testing::add_polygon(input, testing::rectangle(2 + 1e-12, 1, 3, 2), "c");
+  testing::add_polygon(input, {{5, 5}, {6, 6}}, "d");
+  const Output output = cover_mesh(input).value();
+  const nlohmann::json changes = written(output)["changes"];
+  ASSERT_EQ(changes.size(), output.report.changes.size());
+  std::set<std::string> kinds;
+  for (const auto& change : changes) {
+    kinds.insert(change["kind"]);
+    EXPECT_FALSE(change["message"].get<std::string>().empty());
+    EXPECT_TRUE(change["where"].is_array());
+    EXPECT_EQ(change["inputs"].size(), change["kind"] == "welded" ? change["inputs"].size() : 1U);
+  }
+  EXPECT_EQ(kinds, (std::set<std::string>{"dropped", "split", "welded"}));
+  const auto split = std::find_if(changes.begin(), changes.end(),
+                                  [](const auto& c) { return c["kind"] == "split"; });
+  EXPECT_EQ((*split)["where"], nlohmann::json::parse("[[2.0, 1.0]]"));
+  EXPECT_EQ((*split)["inputs"], nlohmann::json::parse(R"([{"kind": "polygon", "id": 1}])"));
 }
 
 TEST(WriteReportJson, NotesAndStrangeNames) {

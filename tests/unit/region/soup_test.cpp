@@ -340,6 +340,62 @@ TEST(Soup, PaintsTheAreasOfAnExactOverlay) {
   }
 }
 
+TEST(Soup, PaintedAndFlattenedFormsHaveTheSameAreas) {
+  const double ox = 1.2e-3;
+  Input painted, flat;
+  add_polygon(painted, rectangle(-1, -2, 11, 3), "air");
+  add_polygon(painted, rectangle(0, -2, 10, 0), "Si");
+  add_polygon(painted, rectangle(1, -0.5, 3, 0), "n");
+  add_polygon(painted, rectangle(7, -0.5, 9, 0), "n");
+  add_polygon(painted, rectangle(2, 0, 8, ox), "SiO2");
+  add_polygon(painted, rectangle(2.7, -0.1, 7.3, ox), "SiO2");
+  add_polygon(painted, rectangle(3, ox, 7, 1), "gate");
+  add_polygon(flat,
+              {{-1, -2},
+               {0, -2},
+               {0, 0},
+               {2, 0},
+               {2, ox},
+               {3, ox},
+               {3, 1},
+               {7, 1},
+               {7, ox},
+               {8, ox},
+               {8, 0},
+               {10, 0},
+               {10, -2},
+               {11, -2},
+               {11, 3},
+               {-1, 3}},
+              "air");
+  add_polygon(flat,
+              {{0, -2},
+               {10, -2},
+               {10, 0},
+               {9, 0},
+               {9, -0.5},
+               {7, -0.5},
+               {7, -0.1},
+               {3, -0.1},
+               {3, -0.5},
+               {1, -0.5},
+               {1, 0},
+               {0, 0}},
+              "Si");
+  add_polygon(flat, {{1, -0.5}, {3, -0.5}, {3, -0.1}, {2.7, -0.1}, {2.7, 0}, {1, 0}}, "n");
+  add_polygon(flat, {{7, -0.5}, {9, -0.5}, {9, 0}, {7.3, 0}, {7.3, -0.1}, {7, -0.1}}, "n");
+  add_polygon(flat,
+              {{2, 0}, {2.7, 0}, {2.7, -0.1}, {7.3, -0.1}, {7.3, 0}, {8, 0}, {8, ox}, {2, ox}},
+              "SiO2");
+  add_polygon(flat, {{3, ox}, {7, ox}, {7, 1}, {3, 1}}, "gate");
+  const auto one = clean(painted), other = clean(flat);
+  ASSERT_TRUE(one && other);
+  for (const char* material : {"air", "Si", "n", "SiO2", "gate"}) {
+    EXPECT_GT(one->area(material), 0);
+    EXPECT_NEAR(one->area(material), other->area(material), 1e-12) << material;
+  }
+}
+
 TEST(Soup, ReportsSplitsOfSharedBorders) {
   Input input;
   input.source = "t.json";
