@@ -95,6 +95,34 @@ int major_version(std::string_view line) {
   return line.find_first_not_of(" \t\r", 3) == std::string_view::npos ? line[0] - '0' : 0;
 }
 
+/// Whether a line that says how many numbers follow, `POINTS 6 double` or an array's
+/// `name 1 4 int`, names no more than there are letters, and none below 0.
+bool has_possible_counts(std::string_view line, std::int64_t letters) {
+  constexpr std::array<std::string_view, 4> kCounting{"POINTS", "CELL_TYPES", "CELL_DATA",
+                                                      "POINT_DATA"};
+  std::array<std::string_view, 5> words;
+  std::size_t count = 0;
+  for (std::string_view rest = line; count < words.size();) {
+    rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r"), rest.size()));
+    if (rest.empty()) break;
+    const std::size_t end = std::min(rest.find_first_of(" \t\r"), rest.size());
+    words[count++] = rest.substr(0, end);
+    rest.remove_prefix(end);
+  }
+  const auto is_possible = [&](std::string_view word) {
+    const auto value = LegacyText(word).number();
+    return value && *value >= 0 && *value <= letters;
+  };
+  const bool counts = std::find(kCounting.begin(), kCounting.end(), words[0]) != kCounting.end();
+  if (counts && count > 1) return is_possible(words[1]);
+  const auto is_number = [](std::string_view word) {
+    return word.find_first_not_of("-0123456789") == std::string_view::npos;
+  };
+  const bool array =
+      count == 4 && is_number(words[1]) && is_number(words[2]) && !is_number(words[3]);
+  return !array || (is_possible(words[1]) && is_possible(words[2]));
+}
+
 bool is_cell_keyword(std::string_view word) {
   for (const std::string_view keyword : kCellKeywords)
     if (word == keyword) return true;
@@ -131,11 +159,7 @@ bool has_sound_cells(std::string_view legacy_text) {
   while (!text.at_end()) {
     const std::string_view line = text.line();
     const std::size_t end = std::min(line.find(' '), line.size());
-    if (line.substr(0, end) == "POINTS") {
-      const auto count = LegacyText(line.substr(end)).number();
-      if (!count || *count < 0 || *count > static_cast<std::int64_t>(legacy_text.size()))
-        return false;
-    }
+    if (!has_possible_counts(line, static_cast<std::int64_t>(legacy_text.size()))) return false;
     if (!is_cell_keyword(line.substr(0, end))) continue;
     LegacyText numbers(line.substr(end));
     const auto count = numbers.number(), size = numbers.number();
