@@ -27,11 +27,12 @@ double reach_at(Point p) {
   return 2 * (std::nextafter(size, HUGE_VAL) - size);
 }
 
-/// Whether two points are at most two units in the last place of their coordinates apart.
-bool is_next_to(Point p, Point q) {
-  const double reach = std::max(reach_at(p), reach_at(q));
+bool is_within(Point p, Point q, double reach) {
   return std::abs(p.x - q.x) <= reach && std::abs(p.y - q.y) <= reach;
 }
+
+/// Whether two points are at most two units in the last place of their coordinates apart.
+bool is_next_to(Point p, Point q) { return is_within(p, q, std::max(reach_at(p), reach_at(q))); }
 
 bool is_steep(const PlainSegment& s) { return std::abs(s.b.y - s.a.y) > std::abs(s.b.x - s.a.x); }
 
@@ -195,7 +196,8 @@ class Sweep {
       const PlainSegment& s = lines_[line];
       const double away = distance_along_y(s, at);
       if (!(away <= 2 * reach)) return false;
-      const bool is_near_end = is_next_to(s.a, at) || is_next_to(s.b, at);
+      // So the node is nearer to the line than to its ends, and the line becomes shorter pieces.
+      const bool is_near_end = is_within(s.a, at, 2 * reach) || is_within(s.b, at, 2 * reach);
       if (away <= reach && !is_steep(s) && !is_near_end) visits_.emplace_back(line, node);
       return true;
     };

@@ -41,7 +41,7 @@ struct Subdivision {
 Subdivision subdivide(std::span<const PlainSegment> segments);
 
 /// The same, and each segment is led through the nodes that it passes at most two units in the last
-/// place away from, unless they are as near to one of its ends. So segments that lie next to each
+/// place away from, unless they are nearly as near to one of its ends. So segments that lie next to each
 /// other become one, where cutting them at their exact common points would go on for long.
 ///
 /// Only crossings lead lines through them, with `to_ends` also ends of segments. Nodes are in no

@@ -8,7 +8,11 @@
 // At least one edge through x is cut, because r is an end of all of them only where they meet there
 // anyway. Replacing lengths by finitely many smaller ones, out of the finitely many that doubles
 // inside of the drawing's box can have, comes to an end. A lone point is an end like any other: of
-// a segment of length zero. Tested by tests/unit/region/node_edges_test.cpp.
+// a segment of length zero. An edge that is led through a point r beside it, at x, becomes shorter
+// in the same way, because r is nearer to x than its ends are. A crossing that is left out has the
+// same two neighbours on all its edges, which are one edge then; two that crossed there were not
+// the same before, so one of them was cut at a neighbour. Tested by
+// tests/unit/region/node_edges_test.cpp.
 #include "region/node_edges.hpp"
 
 #include <algorithm>
