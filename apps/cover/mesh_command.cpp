@@ -285,7 +285,7 @@ int run_mesh(Arguments arguments) {
   if (command.stats == "json" && command.to_stdout()) {
     return usage_error(command.app, "-o - and --stats json both write to standard output");
   }
-  const Result<Options> options = command.library.make();
+  Result<Options> options = command.library.make();
   if (!options) return usage_error(command.app, options.error().message);
   if (!command.dump_folder.empty() && options->method != Method::nonobtuse) {
     return usage_error(command.app,
@@ -297,6 +297,8 @@ int run_mesh(Arguments arguments) {
   const auto log = make_logger(command.verbosity);
   const Result<Input> input = command.input.read();
   if (!input) return fail(*log, input.error());
+  if (const Status status = command.library.read_size_field(*options); !status)
+    return fail(*log, status.error());
   log->info("read {}: {} points, {} segments", command.input.path(), input->points.size(),
             input->segments.size());
   return command.dry_run ? dry_run(command, *input, *options, *log)

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cover/read_size_field.hpp>
+
 #include "base/suggest.hpp"
 #include "region/weld.hpp"
 
@@ -239,6 +241,17 @@ void LibraryOptions::add_meshing(CLI::App& command) {
       ->allow_extra_args(false)
       ->group(group);
   command
+      .add_option(
+          "--size-field", size_field_,
+          "Background edge lengths: point array (size, h or the only one) of a plane mesh in "
+          ".vtu, .vtp or .vtk; linear between points")
+      ->type_name("FILE")
+      ->group(group);
+  command
+      .add_flag("--no-input-sizes", no_input_sizes_,
+                "Leave out the sizes that regions have in the input (.poly: largest areas)")
+      ->group(group);
+  command
       .add_option("--growth", options_.growth,
                   "Ratio of neighbouring edges where sizes differ; above 1")
       ->check(number_in(1.0001, 100))
@@ -248,7 +261,7 @@ void LibraryOptions::add_meshing(CLI::App& command) {
   command
       .add_option("--split-interfaces", split_interfaces_,
                   "Cut segments until none forces an angle above DEG (default: 90), and to the "
-                  "lengths of --size-at; both sides get the same points")
+                  "lengths that sizes ask for; both sides get the same points")
       ->expected(0, 1)
       ->default_str("90")
       ->type_name("DEG")
@@ -307,6 +320,7 @@ Result<Options> LibraryOptions::make() const {
     }
     options.weld = tolerance;
   }
+  options.input_sizes = !no_input_sizes_;
   options.max_angle = Angle::degrees(max_angle_);
   options.min_angle = Angle::degrees(min_angle_);
   if (split_interfaces_) options.split_interfaces = Angle::degrees(*split_interfaces_);
@@ -330,6 +344,21 @@ Result<Options> LibraryOptions::make() const {
     options.require.non_obtuse |= what == "non-obtuse";
   }
   return options;
+}
+
+Status LibraryOptions::read_size_field(Options& options) const {
+  if (size_field_.empty()) return ok();
+  const Result<SizeSamples> samples = cover::read_size_field(size_field_);
+  if (!samples) return samples.error();
+  Result<SizeFunction> sizes = size_function(*samples, options.growth);
+  if (!sizes) {
+    Error error = std::move(sizes).error();
+    error.message = fmt::format("{}: {}", size_field_, error.message);
+    return error;
+  }
+  options.size_field = *std::move(sizes);
+  options.size_field_name = size_field_;
+  return ok();
 }
 
 }  // namespace cover::app

@@ -41,8 +41,15 @@ class LibraryOptions {
   /// How it is meshed: for `mesh`.
   void add_meshing(CLI::App& command);
 
+  /// Everything but the background sizes.
+  ///
   /// Errors: bad_option
   [[nodiscard]] Result<Options> make() const;
+
+  /// Reads the background sizes, if there are any, into `options`, which make() returned.
+  ///
+  /// Errors: those of read_size_field() and size_function()
+  [[nodiscard]] Status read_size_field(Options& options) const;
 
  private:
   Options options_;
@@ -54,6 +61,8 @@ class LibraryOptions {
   double min_angle_ = options_.min_angle.in_degrees();
   std::vector<std::string> sizes_;
   std::vector<std::string> sizes_at_;
+  std::string size_field_;
+  bool no_input_sizes_ = false;
   std::optional<double> split_interfaces_;
   std::vector<std::string> require_;
 };

@@ -182,25 +182,36 @@ std::string info_text(const Prepared& prepared, bool every_region) {
                                 plural(table.regions.size(), "region"),
                                 plural(table.interfaces.size(), "interface"));
 
-  TextTable regions({{"region"},
-                     {"name", Align::left},
-                     {"material", Align::left},
-                     {"id"},
-                     {"area"},
-                     {"sides"},
-                     {"gamma_opt"},
-                     {"lowest"},
-                     {"proven"}});
+  std::vector<TextTable::Column> columns{{"region"},
+                                         {"name", Align::left},
+                                         {"material", Align::left},
+                                         {"id"},
+                                         {"area"},
+                                         {"sides"},
+                                         {"gamma_opt"},
+                                         {"lowest"},
+                                         {"proven"}};
+  const bool sized = std::any_of(table.regions.begin(), table.regions.end(),
+                                 [](const Region& region) { return region.size.has_value(); });
+  if (sized) columns.push_back({"size"});
+  TextTable regions(std::move(columns));
   const auto& reports = prepared.report.regions;
   const auto order =
       rows(table.regions.size(), every_region, [&](std::size_t i) { return reports[i].nu_opt; });
   for (const std::size_t i : order) {
     const Region& region = table.regions[i];
     const RegionReport& report = reports[i];
-    regions.add({fmt::format("{}", region.id.value()), region.name, region.material_name,
-                 fmt::format("{}", region.material), fmt::format("{:.6g}", region.area),
-                 grouped(region.sides), angle_text(report.nu_opt), angle_text(lowest_nu(report)),
-                 angle_text(report.nu_bound)});
+    std::vector<std::string> cells{fmt::format("{}", region.id.value()),
+                                   region.name,
+                                   region.material_name,
+                                   fmt::format("{}", region.material),
+                                   fmt::format("{:.6g}", region.area),
+                                   grouped(region.sides),
+                                   angle_text(report.nu_opt),
+                                   angle_text(lowest_nu(report)),
+                                   angle_text(report.nu_bound)};
+    if (sized) cells.push_back(region.size ? fmt::format("{:.6g}", *region.size) : "");
+    regions.add(std::move(cells));
   }
   out += "Regions; the largest angle that a mesh can have, in degrees: lowest possible, proven\n" +
          regions.text() + more(table.regions.size(), order.size(), "regions, largest angle first");

@@ -201,6 +201,81 @@ class Mesh(Case):
         os.close(master)
 
 
+class Sizes(Case):
+    """--size, --size-at, --size-field, sizes in the input."""
+
+    def triangles(self, name, *words, code=0):
+        self.run_cover('mesh', name, '-o', 'd.vtu', '--report', 'd.json', '-q', *words, code=code)
+        return json.loads((self.dir / 'd.json').read_text())['mesh']['triangles']
+
+    def fine_square(self, seed=''):
+        """The unit square, its sides cut into 20."""
+        at = [(k / 20, 0) for k in range(20)] + [(1, k / 20) for k in range(20)]
+        at += [(1 - x, 1 - y) for x, y in at]
+        points = ''.join(f'{k + 1} {x} {y}\n' for k, (x, y) in enumerate(at))
+        segments = ''.join(f'{k + 1} {k + 1} {(k + 1) % 80 + 1}\n' for k in range(80))
+        return self.write('fine.poly', f'80 2 0 0\n{points}80 0\n{segments}0\n{seed}')
+
+    def field(self, name, values='0.05 0.05 0.05 0.05', array='h'):
+        return self.write(name, '# vtk DataFile Version 3.0\nh\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 1\n'
+                          f'ORIGIN 0 0 0\nSPACING 1 1 1\nPOINT_DATA 4\nSCALARS {array} double 1\nLOOKUP_TABLE default\n{values}\n')
+
+    def test_field(self):
+        fine = self.fine_square()
+        plain, expected = self.triangles(fine), 4 / 3**0.5 / 0.05**2
+        self.field('h.vtk')
+        self.assertAlmostEqual(self.triangles(fine, '--size-field', 'h.vtk'), expected, delta=0.15 * expected)
+        self.assertLess(plain, expected / 2)
+        settings = json.loads((self.dir / 'd.json').read_text())['options']
+        self.assertEqual(settings['size-field'], 'h.vtk')
+        self.assertEqual(self.triangles(fine, '--size-field', 'h.vtk'), self.triangles(fine, '--size', 0.05))
+
+    def test_what_is_no_field(self):
+        fine = self.fine_square()
+        for values, part in (('1 1 0 1', 'the size at point 2, (0, 1), is 0'), ('1 1 1', 'bad.vtk')):
+            _, err = self.run_cover('mesh', fine, '-o', 'd.vtu', '--size-field', self.field('bad.vtk', values), code=5)
+            self.assertIn('bad.vtk', err)
+            self.assertIn(part, err)
+        _, err = self.run_cover('mesh', fine, '-o', 'd.vtu', '--size-field', 'none.vtu', code=5)
+        self.assertIn('none.vtu', err)
+
+    def test_sizes_in_the_input(self):
+        area = 3**0.5 / 4 * 0.05**2  # of an equilateral triangle with sides of 0.05
+        plain = self.triangles(self.fine_square())
+        for none in (-1, 0):
+            self.assertEqual(self.triangles(self.fine_square(f'1\n1 0.5 0.5 1 {none}\n')), plain)
+        fine = self.fine_square(f'1\n1 0.5 0.5 1 {area}\n')
+        self.assertAlmostEqual(self.triangles(fine), 1 / area, delta=0.15 / area)
+        self.assertEqual(self.triangles(fine, '--no-input-sizes'), plain)
+        self.assertRegex(self.run_cover('info', fine)[0], r'proven +size\n.* 0\.05\n')
+        corners = [[0, 0], [1, 0], [1, 1], [0, 1]]
+        self.write('j.json', json.dumps({'points': corners, 'segments': [[0, 1], [1, 2], [2, 3], [3, 0]],
+                                         'regions': [{'x': 0.5, 'y': 0.5, 'size': 0.1}]}))
+        self.assertGreater(self.triangles('j.json', '--split-interfaces'), 150)
+
+    def test_at_an_interface_a_contact_and_a_point(self):
+        poly = SAMPLES / 'mosfet.poly'
+        plain = self.triangles(poly)
+        for name in ('material_2_outline', 'material_4_outline', '1'):
+            self.assertGreater(self.triangles(poly, '--size-at', f'{name}=0.5'), plain, name)
+        corners = [[0, 0], [1, 0], [1, 1], [0, 1]]
+        self.write('c.json', json.dumps({'points': corners, 'segments': [[0, 1], [1, 2], [2, 3],
+                                         {'points': [3, 0], 'name': 'anode'}]}))
+        _, err = self.run_cover('mesh', 'c.json', '-o', 'd.vtu', '--size-at', 'anode=0.1', '--split-interfaces')
+        self.assertRegex(err, 'segments cut .* points added')
+        _, err = self.run_cover('mesh', 'c.json', '-o', 'd.vtu', '--size-at', 'anod=0.1', code=2)
+        self.assertIn("did you mean 'anode'?", err)
+
+    def test_says_what_stays_larger(self):
+        self.write('s.poly', SQUARE)
+        _, err = self.run_cover('mesh', 's.poly', '-o', 'd.vtu', '--size', 0.1)
+        self.assertIn('4 segments are longer than the sizes asked for there, up to 1 from', err)
+        _, err = self.run_cover('mesh', 's.poly', '-o', 'd.vtu', '--size', 0.1, '--split-interfaces')
+        self.assertNotIn('longer', err)
+        _, err = self.run_cover('mesh', 's.poly', '-o', 'd.vtu', '--size', 0.1, '--method', 'almond')
+        self.assertIn('sizes count with method quality only', err)
+
+
 class Remesh(Case):
     """--only and --onto: some regions again inside a mesh."""
 

@@ -25,7 +25,7 @@ struct RegionSeed {
   Point at;
   std::string material;        ///< name, or the number as written; empty: a number of its own
   std::string region;          ///< name of the region, empty if none
-  std::optional<double> size;  ///< wished edge length (never an area), if the file gives one
+  std::optional<double> size;  ///< wished edge length, if the file gives one; > 0
   long id = 0;
   int line = 0;
 };

@@ -1,25 +1,27 @@
 // Every setting of the mesher, with its unit, default and legal range.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <cover/angle.hpp>
+#include <cover/point.hpp>
 
 namespace cover {
 
 /// How a region is meshed.
 enum class Method {
-  quality,     ///< best of several candidates, improved; never below the almond method's bound
-  almond,      ///< the covering triangulation of mitchell_1993_covering
-  nonobtuse,   ///< disk packing with split boundary (bmr_1995)
+  quality,    ///< best of several candidates, improved; never below the almond method's bound
+  almond,     ///< the covering triangulation of mitchell_1993_covering
+  nonobtuse,  ///< disk packing with split boundary (bmr_1995)
 };
 
 /// How the almond method fills what lies outside the almonds.
 enum class Fill {
-  refine,   ///< Delaunay refinement of large angles
-  disks,    ///< nonobtuse triangulation by disk packing
+  refine,  ///< Delaunay refinement of large angles
+  disks,   ///< nonobtuse triangulation by disk packing
 };
 
 /// Which polygon wins where several cover the same place and have equal priority.
@@ -27,41 +29,49 @@ enum class Overlap { last, first, error };
 
 /// Which properties, when missed, make the run fail.
 struct Requirements {
-  bool bound = false;         ///< promise 3 in every region, without exception
-  bool max_angle = false;     ///< no triangle above max_angle
-  bool delaunay = false;      ///< no inner edge that fails the empty-circle test
-  bool non_obtuse = false;    ///< no triangle above 90 degrees
+  bool bound = false;       ///< promise 3 in every region, without exception
+  bool max_angle = false;   ///< no triangle above max_angle
+  bool delaunay = false;    ///< no inner edge that fails the empty-circle test
+  bool non_obtuse = false;  ///< no triangle above 90 degrees
 };
 
 /// A wished edge length for a material, region, interface, contact or point.
 struct SizeRule {
-  std::string name;       ///< empty: everywhere
-  double size = 0;        ///< length, > 0
-  bool at = false;        ///< true: at the named line or point; false: inside the named region
+  std::string name;  ///< empty: everywhere
+  double size = 0;   ///< length, > 0
+  bool at = false;   ///< true: at the named line or point; false: inside the named region
 };
+
+/// A wished edge length for every place; not finite or not above zero: none there. It may be called
+/// from several threads at a time.
+using SizeFunction = std::function<double(Point)>;
 
 /// Options of `cover_mesh`. The default values are those of the command line.
 struct Options {
   Method method = Method::quality;
   Fill fill = Fill::refine;
 
-  bool paper = false;     ///< the publication as printed, without our improvements; needs `almond`
-  int pieces = 6;         ///< with `paper`: exterior pieces are at most 1/pieces of the arc; >= 2
-  bool hull = false;      ///< mesh the convex hull (DESIGN: the paper's PSLG variant)
+  bool paper = false;  ///< the publication as printed, without our improvements; needs `almond`
+  int pieces = 6;      ///< with `paper`: exterior pieces are at most 1/pieces of the arc; >= 2
+  bool hull = false;   ///< mesh the convex hull (DESIGN: the paper's PSLG variant)
 
-  Angle max_angle = Angle::degrees(100);   ///< target of the quality method, in (60, 180)
-  Angle min_angle = Angle::degrees(20);    ///< second target of the quality method, in [0, 60)
+  Angle max_angle = Angle::degrees(100);  ///< target of the quality method, in (60, 180)
+  Angle min_angle = Angle::degrees(20);   ///< second target of the quality method, in [0, 60)
+  /// Where several sizes hold, among them those of RegionSeed, the smallest counts.
   std::vector<SizeRule> sizes;
-  double growth = 1.3;                     ///< ratio of neighbouring edge lengths, > 1
-  std::optional<Angle> split_interfaces;   ///< cut segments until gamma_opt is at most this
+  bool input_sizes = true;                ///< false: those of the input's regions do not count
+  SizeFunction size_field;                ///< background sizes; empty: none. See size_function()
+  std::string size_field_name;            ///< of the background sizes, for reports
+  double growth = 1.3;                    ///< ratio of neighbouring edge lengths, > 1
+  std::optional<Angle> split_interfaces;  ///< cut segments until gamma_opt is at most this
 
   Overlap overlap = Overlap::last;
-  std::optional<double> weld;     ///< relative tolerance; none: auto for soups, 0 for a PSLG
-  bool strict = false;            ///< any change to the input is an error
-  bool merge_materials = false;   ///< unite touching faces of equal material
+  std::optional<double> weld;    ///< relative tolerance; none: auto for soups, 0 for a PSLG
+  bool strict = false;           ///< any change to the input is an error
+  bool merge_materials = false;  ///< unite touching faces of equal material
 
   Requirements require;
-  unsigned threads = 0;           ///< 0: all cores
+  unsigned threads = 0;  ///< 0: all cores
 };
 
 }  // namespace cover

@@ -10,7 +10,9 @@
 namespace cover {
 
 /// Reads a geometry file; the format follows from its extension:
-/// - `.poly`, Triangle's; points may be in the `.node` beside it;
+/// - `.poly`, Triangle's; points may be in the `.node` beside it. A region's largest area A, above
+///   zero, becomes RegionSeed::size, the edge sqrt(4 A / sqrt 3) of an equilateral triangle of this
+///   area: triangles then have the area A on average, where Triangle makes it the largest;
 /// - `.json`, our own form: points and segments, or painted polygons, with circles and arcs; its
 ///   schema is input.schema.json;
 /// - `.geojson`: areas and lines with the properties material, name and priority;

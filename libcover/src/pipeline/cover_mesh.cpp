@@ -40,6 +40,7 @@ Result<Output> cover_mesh(const Input& input, const Options& options, const Call
   if (Status status = resolve_sizes(pslg, table, options, boundaries); !status) {
     return std::move(status).error();
   }
+  warn_of_sizes(pslg, options, boundaries, report.notes);
   clock.note("split", report.times);
   Result<std::vector<RegionMesh>> meshes =
       options.method == Method::nonobtuse

@@ -70,6 +70,8 @@ std::vector<Provenance::Setting> describe_options(const Options& options) {
   settings.add_angle("max-angle", options.max_angle, defaults.max_angle);
   settings.add_angle("min-angle", options.min_angle, defaults.min_angle);
   for (const SizeRule& rule : options.sizes) add_size(rule, settings);
+  settings.add_flag("no-input-sizes", !options.input_sizes);
+  if (options.size_field) settings.add("size-field", options.size_field_name);
   settings.add_number("growth", options.growth, defaults.growth);
   if (options.split_interfaces)
     settings.add("split-interfaces", Settings::degrees(*options.split_interfaces));

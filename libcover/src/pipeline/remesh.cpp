@@ -168,14 +168,10 @@ Result<Options> options_without_cuts(Options options, std::span<const std::strin
   return options;
 }
 
-/// Meshes the chosen regions and measures the others, which `meshes` holds already.
-Status fill_in(std::vector<RegionBoundary>& boundaries, const std::vector<bool>& chosen,
-               const Options& options, const Callbacks& callbacks,
+/// Meshes the chosen regions, `again`, and measures the others, which `meshes` holds already.
+Status fill_in(std::span<const RegionBoundary> boundaries, std::span<const RegionBoundary> again,
+               const std::vector<bool>& chosen, const Options& options, const Callbacks& callbacks,
                std::vector<RegionMesh>& meshes) {
-  std::vector<RegionBoundary> again;
-  for (std::size_t r = 0; r < boundaries.size(); ++r) {
-    if (chosen[r]) again.push_back(boundaries[r]);
-  }
   Result<std::vector<RegionMesh>> made = mesh_regions(again, options, callbacks);
   if (!made) return std::move(made).error();
   for (std::size_t k = 0; k < again.size(); ++k) {
@@ -240,13 +236,16 @@ Result<Output> remesh(const Input& input, const TriangleSoup& onto,
   clock.note("split", report.times);
 
   std::vector<RegionMesh> meshes;
+  std::vector<RegionBoundary> again;
   for (const RegionBoundary& boundary : boundaries) {
     meshes.push_back(old.take(boundary));
     if (!(*chosen)[meshes.size() - 1]) continue;
+    again.push_back(boundary);
     report.replaced.push_back(
         {boundary.id, meshes.back().triangles.size(), meshes.back().steiner.size()});
   }
-  if (Status status = fill_in(boundaries, *chosen, *options, callbacks, meshes); !status) {
+  warn_of_sizes(pslg, *options, again, report.notes);
+  if (Status status = fill_in(boundaries, again, *chosen, *options, callbacks, meshes); !status) {
     return std::move(status).error();
   }
   clock.note("mesh", report.times);

@@ -58,7 +58,7 @@ class RegionWork {
         frame_(frame_of(boundary, shifted)),
         cdt_(triangulate_domain(frame_.points(), boundary.sides).triangulation),
         limit_(angle_limit(cdt_, boundary.sides, boundary.segments)),
-        sizes_(boundary, cdt_, options.growth),
+        sizes_(boundary, cdt_, options.growth, background_in_frame()),
         budget_{kEvaluationsAtLeast + kEvaluationsPerVertex * boundary.points.size(), stop} {}
 
   /// ENSURES: no triangles if rounding on the way back to the plane turned one over, or the run is
@@ -114,7 +114,8 @@ class RegionWork {
   /// The largest angle is that of the goal, or forced by the region's worst side; or the run is to
   /// stop.
   [[nodiscard]] bool is_done(const Candidate& candidate) const {
-    return budget_.stop.stop_requested() || candidate.merit.large <= target(candidate.mesh) * (1 + 1e-9);
+    return budget_.stop.stop_requested() ||
+           candidate.merit.large <= target(candidate.mesh) * (1 + 1e-9);
   }
 
   /// -cot of the region's own target: the largest angle of the goal, or what its worst side forces.
@@ -126,6 +127,13 @@ class RegionWork {
 
   static void take_if_better(Candidate& best, Candidate other) {
     if (is_better(other.merit, best.merit)) best = std::move(other);
+  }
+
+  [[nodiscard]] SizeFunction background_in_frame() const {
+    if (!options_.size_field) return {};
+    return [&field = options_.size_field, frame = &frame_](Point p) {
+      return field(frame->restore(p));
+    };
   }
 
   [[nodiscard]] Candidate as_it_is() const { return candidate(cdt_, "cdt"); }

@@ -95,15 +95,18 @@ class Refinement {
     return false;
   }
 
-  /// A circumradius above what the size at the circumcentre allows.
+  /// A circumradius above what the size allows: at the circumcentre, as far as the corners tell,
+  /// and at the centroid.
   [[nodiscard]] bool is_too_large(std::uint32_t t, const Corners& k) const {
     if (!sizes_.is_active()) return false;
     const double squared = (k.dot[0] + k.dot[1]) * (k.dot[1] + k.dot[2]) * (k.dot[2] + k.dot[0]);
     const double radius = std::sqrt(squared) / (2 * k.cross);
-    for (const std::uint32_t v : mesh_.triangles[t].v) {
-      if (radius > kRadius * sizes_.near(v, radius)) return true;
-    }
-    return false;
+    const auto& v = mesh_.triangles[t].v;
+    const Point a = mesh_.points[v[0]], b = mesh_.points[v[1]], c = mesh_.points[v[2]];
+    double size = sizes_.largest_at({(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3});
+    for (const std::uint32_t u : v) size = std::min(size, sizes_.near(u, radius));
+    for (const std::uint32_t u : v) size = std::max(size, sizes_.least_near(u, radius));
+    return radius > kRadius * size;
   }
 
   /// The squared length of the shortest edge, as half_octave() measures it.
@@ -214,20 +217,23 @@ class Refinement {
       mesh_.home[e.a] = s;
     }
     mesh_.home[apex] = cavity_[0];
-    if (sizes_.is_active()) sizes_.set(apex, size_near(p));
+    if (sizes_.is_active()) set_size(apex);
     for (std::size_t k = 0; k < loop_.size(); ++k) {
       enqueue(cavity_[k]);
     }
     return true;
   }
 
-  /// The size at `p`, from the vertices of the loop around it.
-  [[nodiscard]] double size_near(Point p) const {
-    double size = sizes_.largest();
+  /// Gives a new vertex its size, from the vertices of the loop around it.
+  void set_size(std::uint32_t vertex) {
+    const Point p = mesh_.points[vertex];
+    double size = sizes_.largest_at(p), least = 0;
     for (const LoopEdge& e : loop_) {
-      size = std::min(size, sizes_.near(e.a, length(mesh_.points[e.a] - p)));
+      const double distance = length(mesh_.points[e.a] - p);
+      size = std::min(size, sizes_.near(e.a, distance));
+      least = std::max(least, sizes_.least_near(e.a, distance));
     }
-    return size;
+    sizes_.set(vertex, size, least);
   }
 
   MutableMesh& mesh_;

@@ -6,16 +6,21 @@
 
 #include <cover/point.hpp>
 
+#include <cover/options.hpp>
+
 #include "cdt/triangulation.hpp"
 #include "region/region_boundary.hpp"
 
 namespace cover {
 
-/// h(x): the region's own size, or less near vertices whose size is smaller, from where it grows
-/// by (growth - 1) per unit of distance: edges that follow each other then grow by that ratio.
+/// h(x): the region's own size or that of the background, the smaller, or less near vertices whose
+/// size is smaller, from where it grows by (growth - 1) per unit of distance: edges that follow
+/// each other then grow by that ratio.
 ///
-/// A boundary vertex has the size given for it; else the mean length of its sides, or the region's
-/// size where that is no more than kNear times as long.
+/// A boundary vertex has the size given for it; else the mean length of its sides, or h(x) without
+/// them where that is no more than kNear times as long. A region's size that no edge of its meshes
+/// can exceed is no wish. Beside sides more than kNear times as long as h(x), sizes are no smaller
+/// than the sides less 0.85 times the distance: angles come before sizes.
 class SizeField {
  public:
   /// How much shorter sides may be than the region's size without a graded zone along them.
@@ -23,9 +28,12 @@ class SizeField {
 
   /// A field without a wish: is_active() is false.
   SizeField() = default;
-  /// REQUIRES: `cdt` has the points of `boundary`, maybe in another frame
+  /// REQUIRES: `cdt` has the points of `boundary`, maybe in another frame, in which `background`
+  /// then
+  ///           is too; not finite or not above zero: no wish at that place
   /// Cost:     O(n log n)
-  SizeField(const RegionBoundary& boundary, const Triangulation& cdt, double growth);
+  SizeField(const RegionBoundary& boundary, const Triangulation& cdt, double growth,
+            SizeFunction background = {});
 
   /// Whether the region has any wish.
   [[nodiscard]] bool is_active() const { return !at_.empty(); }
@@ -33,15 +41,20 @@ class SizeField {
   [[nodiscard]] double at(std::uint32_t v) const { return at_[v]; }
   /// The size at a distance from a vertex, as far as that vertex has a say.
   [[nodiscard]] double near(std::uint32_t v, double distance) const;
-  /// Gives vertex `v`, a new one, its size.
-  void set(std::uint32_t v, double size);
-  /// The region's own size, infinite if it has none.
-  [[nodiscard]] double largest() const { return largest_; }
+  /// What the size is at least at a distance from a vertex, as far as that vertex has a say: where
+  /// sides are long, small triangles beside them would have large angles.
+  [[nodiscard]] double least_near(std::uint32_t v, double distance) const;
+  /// Gives vertex `v`, a new one, its size, and the least there.
+  void set(std::uint32_t v, double size, double least);
+  /// The region's own size or that of the background, the smaller; infinite if there is neither.
+  [[nodiscard]] double largest_at(Point p) const;
 
  private:
   std::vector<double> at_;
+  std::vector<double> least_;
   double slope_ = 0;
   double largest_ = 0;
+  SizeFunction background_;
 };
 
 }  // namespace cover

@@ -7,7 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "base/describe.hpp"
 #include "base/suggest.hpp"
+#include "geom/vector.hpp"
+#include "quality/segment_sizes.hpp"
 #include "region/named_regions.hpp"
 
 namespace cover {
@@ -63,6 +66,9 @@ Error unknown_name(const SizeRule& rule, const RegionTable& table) {
 
 Status resolve_sizes(const Pslg& pslg, const RegionTable& table, const Options& options,
                      std::span<RegionBoundary> boundaries) {
+  for (std::size_t r = 0; r < boundaries.size(); ++r) {
+    boundaries[r].size = options.input_sizes ? table.regions[r].size.value_or(0) : 0;
+  }
   if (options.sizes.empty()) return ok();
   std::vector<double> size_at(pslg.points.size(), 0);
   for (const SizeRule& rule : options.sizes) {
@@ -79,6 +85,49 @@ Status resolve_sizes(const Pslg& pslg, const RegionTable& table, const Options& 
     }
   }
   return ok();
+}
+
+void warn_of_sizes(const Pslg& pslg, const Options& options,
+                   std::span<const RegionBoundary> boundaries, std::vector<Note>& notes) {
+  if (options.method != Method::quality) {
+    if (options.sizes.empty() && !options.size_field) return;
+    notes.push_back({Note::Kind::warning,
+                     kVoid,
+                     fmt::format("sizes count with method quality only{}",
+                                 options.split_interfaces ? ", but for cutting segments" : ""),
+                     {}});
+    return;
+  }
+  std::vector<bool> is_long(pslg.segments.size(), false);
+  std::size_t longest = 0;
+  const auto length_of = [&](std::size_t s) {
+    const Segment& segment = pslg.segments[s];
+    return length(pslg.points[segment.b.index()] - pslg.points[segment.a.index()]);
+  };
+  for (const RegionBoundary& boundary : boundaries) {
+    for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
+      const std::size_t segment = boundary.segments[s].index();
+      if (boundary.segments[s] == kHullSide || is_long[segment]) continue;
+      const auto& [a, b] = boundary.sides[s];
+      SegmentSizes sizes(boundary.points[a], boundary.points[b], options);
+      sizes.add(boundary, s);
+      if (!sizes.is_long()) continue;
+      is_long[segment] = true;
+      if (!is_long[longest] || length_of(segment) > length_of(longest)) longest = segment;
+    }
+  }
+  const auto count = static_cast<std::size_t>(std::count(is_long.begin(), is_long.end(), true));
+  if (count == 0) return;
+  const Segment& segment = pslg.segments[longest];
+  const Point a = pslg.points[segment.a.index()], b = pslg.points[segment.b.index()];
+  notes.push_back({Note::Kind::warning,
+                   kVoid,
+                   fmt::format("{} longer than the sizes asked for there, up to {:.6g} from {} to "
+                               "{}: triangles beside them are larger than asked, since segments "
+                               "stay whole unless --split-interfaces cuts them",
+                               count == 1 ? "1 segment is" : fmt::format("{} segments are", count),
+                               length_of(longest), describe(a), describe(b)),
+                   {a, b}});
 }
 
 }  // namespace cover

@@ -2,17 +2,19 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include <cover/options.hpp>
 #include <cover/pslg.hpp>
 #include <cover/regions.hpp>
+#include <cover/report.hpp>
 #include <cover/result.hpp>
 
 #include "region/region_boundary.hpp"
 
 namespace cover {
 
-/// Fills RegionBoundary::size and size_at from Options::sizes.
+/// Fills RegionBoundary::size and size_at from the sizes of the input's regions and Options::sizes.
 ///
 /// A rule without a name holds everywhere; one with a name in named_regions(); a
 /// rule `at` a name at the vertices of the interface or contact of that name, or at the point whose
@@ -20,5 +22,11 @@ namespace cover {
 /// Errors: bad_option for a name that nothing has; the message tells those that there are
 Status resolve_sizes(const Pslg& pslg, const RegionTable& table, const Options& options,
                      std::span<RegionBoundary> boundaries);
+
+/// Adds a warning if segments are longer than the sizes wished along them: vertices are put on
+/// none, so triangles beside them are larger than wished. Another one if Options::method makes
+/// nothing of sizes.
+void warn_of_sizes(const Pslg& pslg, const Options& options,
+                   std::span<const RegionBoundary> boundaries, std::vector<Note>& notes);
 
 }  // namespace cover

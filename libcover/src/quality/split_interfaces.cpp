@@ -3,8 +3,8 @@
 // the pieces then make right triangles, and where walls are parallel a structured grid comes of it.
 // Half way instead, thin layers with vertices that do not face each other take 10 to 200 times the
 // points; and feet need no care at sharp corners, where they end with a fan of right triangles.
-// What is only too long, or to be seen at less than 90 degrees, is cut half way. Tested by
-// tests/unit/quality/sizes_test.cpp.
+// What is to be seen at less than 90 degrees is cut half way. Segments longer than wished are cut
+// before that, all at once. Tested by tests/unit/quality/sizes_test.cpp.
 #include "quality/split_interfaces.hpp"
 
 #include <algorithm>
@@ -18,6 +18,7 @@
 #include "cdt/cdt.hpp"
 #include "covering/angle_limit.hpp"
 #include "geom/vector.hpp"
+#include "quality/segment_sizes.hpp"
 #include "quality/sizes.hpp"
 #include "region/cut_segments.hpp"
 #include "region/region_graph.hpp"
@@ -28,15 +29,17 @@ namespace {
 constexpr int kPasses = 64;
 constexpr double kFloor = 0x1p-10;      ///< of its segment: the shortest half that is cut in two
 constexpr double kFootFloor = 0x1p-40;  ///< of its segment: the shortest piece beside a foot
-constexpr double kLongPiece = 1.5;      ///< times the wished size: is cut
-constexpr double kRounding = 1e-9;      ///< radians
+constexpr double kThin = 4;  ///< units in the last place: no cut is nearer to a triangle's edges
+constexpr double kRounding = 1e-9;  ///< radians
 constexpr std::size_t kPlaces = 8;
 
 /// What the regions on both sides of a segment want.
 struct Wish {
-  bool cut = false;
-  double nu = std::numbers::pi;  ///< of the worst angle forced on it
+  bool forced = false;           ///< an angle that is too large is forced on it
+  double nu = std::numbers::pi;  ///< of the worst one
   Point apex;                    ///< sees it at that angle
+  std::vector<Point> apexes;     ///< of the triangles on both sides
+  std::optional<SegmentSizes> sizes;
 };
 
 class Splitter {
@@ -80,60 +83,69 @@ class Splitter {
     std::vector<SegmentCut> cuts;
     stuck_.clear();
     for (std::size_t s = 0; s < wishes_.size(); ++s) {
-      if (!wishes_[s].cut) continue;
       const Segment& segment = pslg_.segments[s];
-      if (const auto place = place_on(segment, wishes_[s], whole_[s])) {
-        cuts.push_back({SegmentId{s}, {*place}});
-      } else {
-        stuck_.push_back(midpoint(at(segment.a), at(segment.b)));
+      const Wish& wish = wishes_[s];
+      if (wish.sizes && wish.sizes->is_long()) {
+        cuts.push_back({SegmentId{s}, wish.sizes->cuts()});
+      } else if (wish.forced) {
+        if (const auto place = place_on(segment, wish, whole_[s])) {
+          cuts.push_back({SegmentId{s}, {*place}});
+        } else {
+          stuck_.push_back(midpoint(at(segment.a), at(segment.b)));
+        }
       }
     }
     return cuts;
   }
 
-  /// Notes which sides of a region need a cut, and where.
+  /// Notes what a region wants of its sides.
   void wish(const RegionBoundary& boundary) {
     const Triangulation cdt = triangulate_domain(boundary.points, boundary.sides).triangulation;
     const AngleLimit limit = angle_limit(cdt, boundary.sides, boundary.segments);
     for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
       if (boundary.segments[s] == kHullSide) continue;
-      const bool forced = limit.side_nu[s] < least_nu_;
-      if (!forced && !is_long(boundary, s)) continue;
+      const Segment& segment = pslg_.segments[boundary.segments[s].index()];
       Wish& wish = wishes_[boundary.segments[s].index()];
-      wish.cut = true;
-      if (!forced || limit.side_nu[s] > wish.nu) continue;
-      const EdgeRef& at = limit.at[s];
-      const Point apex = cdt.points[cdt.triangles[at.triangle].v[at.edge]];
+      if (!wish.sizes) wish.sizes.emplace(at(segment.a), at(segment.b), options_);
+      wish.sizes->add(boundary, s);
+      const EdgeRef& edge = limit.at[s];
+      const Point apex = cdt.points[cdt.triangles[edge.triangle].v[edge.edge]];
+      wish.apexes.push_back(apex);
+      if (limit.side_nu[s] >= least_nu_ || limit.side_nu[s] > wish.nu) continue;
       if (limit.side_nu[s] == wish.nu && wish.apex < apex) continue;
+      wish.forced = true;
       wish.nu = limit.side_nu[s];
       wish.apex = apex;
     }
   }
 
-  [[nodiscard]] static bool is_long(const RegionBoundary& boundary, std::size_t s) {
-    if (boundary.size_at.empty()) return false;
-    const auto& [a, b] = boundary.sides[s];
-    double wished = boundary.size_at[a];
-    if (wished == 0 || (boundary.size_at[b] > 0 && boundary.size_at[b] < wished)) {
-      wished = boundary.size_at[b];
-    }
-    return wished > 0 && length(boundary.points[b] - boundary.points[a]) > kLongPiece * wished;
-  }
-
-  /// Where to cut a piece of a segment that is `whole` long; nothing if pieces would be too short.
+  /// Where to cut a piece of a segment that is `whole` long; nothing if pieces would be too short,
+  /// or what lies beside them too thin for rounded points.
   [[nodiscard]] std::optional<Point> place_on(const Segment& piece, const Wish& wish,
                                               double whole) const {
     const Point a = at(piece.a), b = at(piece.b);
     if (wish.nu > std::numbers::pi / 2 - kRounding) {
       if (length_of(piece) < 2 * kFloor * whole) return std::nullopt;
-      return midpoint(a, b);
+      return has_room(a, b, midpoint(a, b), wish) ? std::optional(midpoint(a, b)) : std::nullopt;
     }
     const Vector along = b - a;
     const double from_a = dot(wish.apex - a, along) / squared_length(along);
     const double from_b = dot(wish.apex - b, along) / squared_length(along);
     const Point foot = from_a <= 0.5 ? a + from_a * along : b + from_b * along;
     const double shorter = std::min(length(foot - a), length(foot - b));
-    return shorter > kFootFloor * whole ? std::optional(foot) : std::nullopt;
+    if (shorter <= kFootFloor * whole || !has_room(a, b, foot, wish)) return std::nullopt;
+    return foot;
+  }
+
+  /// Whether `p` on ab keeps away from the other edges of the triangles on both sides, on which
+  /// there may be cuts too: then rounding makes nothing cross.
+  [[nodiscard]] bool has_room(Point a, Point b, Point p, const Wish& wish) const {
+    const double largest = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
+    const double room = kThin * (std::nextafter(largest, 2 * largest) - largest);
+    return std::all_of(wish.apexes.begin(), wish.apexes.end(), [&](Point c) {
+      return std::abs(cross(c - a, p - a)) > room * length(c - a) &&
+             std::abs(cross(c - b, p - b)) > room * length(c - b);
+    });
   }
 
   void apply(const std::vector<SegmentCut>& cuts) {

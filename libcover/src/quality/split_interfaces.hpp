@@ -12,11 +12,13 @@
 namespace cover {
 
 /// Cuts segments until every side's gamma_opt is at most Options::split_interfaces, and until no
-/// piece is much longer than the sizes wished at its ends. Both sides of a segment get the same
-/// points. Does nothing without that option.
+/// piece is much longer than the sizes wished at its ends and along it, by the regions on both
+/// sides or the background. Both sides of a segment get the same points. Does nothing without that
+/// option.
 ///
 /// A side whose triangle is too flat is cut at the foot of that triangle's apex; one that is too
-/// long, half way. Pieces have a least length: where more would be needed, a note says so.
+/// long, into pieces as long as wished. What is cut for angles has a least length: where more would
+/// be needed, a note says so.
 /// ENSURES: `pslg` and `table` fit each other; a note tells how many points were added, and where
 /// Errors:  bad_option for a size of an unknown name
 /// Cost:    O(n log n) per pass, with about log2 of the largest cut passes

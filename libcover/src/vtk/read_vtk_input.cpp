@@ -15,16 +15,11 @@
 #include <vtkCellType.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
-#include <vtkDataSetReader.h>
 #include <vtkIdList.h>
-#include <vtkPolyData.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkXMLPolyDataReader.h>
-#include <vtkXMLUnstructuredGridReader.h>
 
 #include "geom/mesh_borders.hpp"
 #include "vtk/cell_values.hpp"
-#include "vtk/read_quietly.hpp"
+#include "vtk/read_data_set.hpp"
 
 namespace cover {
 namespace {
@@ -32,12 +27,6 @@ namespace {
 constexpr std::array kMaterialArrays{"material",  "MaterialID",    "mat_id",  "gmsh:physical",
                                      "medit:ref", "CellEntityIds", "RegionId"};
 constexpr std::array kLineArrays{"LineID", "LineId", "gmsh:physical", "medit:ref"};
-
-vtkSmartPointer<vtkDataSet> read_data_set(const std::string& path, const std::string& extension) {
-  if (extension == ".vtu") return read_quietly<vtkDataSet, vtkXMLUnstructuredGridReader>(path);
-  if (extension == ".vtp") return read_quietly<vtkDataSet, vtkXMLPolyDataReader>(path);
-  return read_quietly<vtkDataSet, vtkDataSetReader>(path);
-}
 
 /// The one-component array of whole numbers of that name, if it is there.
 vtkDataArray* integers(vtkDataSet& data, const char* name) {
@@ -207,28 +196,17 @@ class Converter {
   CellMesh mesh_;
 };
 
-std::string extension_of(const std::string& path) {
-  return std::filesystem::path(path).extension().string();
-}
-
 }  // namespace
 
 bool is_vtk_input(const std::string& path) {
-  const std::string extension = extension_of(path);
+  const std::string extension = std::filesystem::path(path).extension().string();
   return extension == ".vtu" || extension == ".vtp" || extension == ".vtk";
 }
 
 Result<Input> read_vtk_input(const std::string& path) {
-  if (!is_vtk_input(path))
-    return Error{ErrorCode::unsupported_format,
-                 fmt::format("{}: not named like a file of VTK: .vtu, .vtp or .vtk", path),
-                 {},
-                 {}};
-  if (!std::filesystem::is_regular_file(path))
-    return Error{ErrorCode::cannot_open, fmt::format("cannot open {}", path), {}, {}};
-  const vtkSmartPointer<vtkDataSet> data = read_data_set(path, extension_of(path));
-  if (!data) return Error{ErrorCode::syntax, fmt::format("{}: VTK cannot read it", path), {}, {}};
-  Result<CellMesh> mesh = Converter(*data, path).convert();
+  const Result<vtkSmartPointer<vtkDataSet>> data = read_data_set(path);
+  if (!data) return data.error();
+  Result<CellMesh> mesh = Converter(**data, path).convert();
   if (!mesh) return std::move(mesh).error();
   return borders_of(*mesh);
 }

@@ -20,6 +20,9 @@ TEST(DescribeOptions, WhateverDiffersUnderTheNamesOfTheCommandLine) {
   options.paper = true;
   options.max_angle = Angle::degrees(120);
   options.sizes = {{"", 0.5, false}, {"oxide", 2, false}, {"gate", 0.1, true}};
+  options.input_sizes = false;
+  options.size_field = [](Point) { return 1.0; };
+  options.size_field_name = "h.vtu";
   options.weld = 1e-9;
   options.overlap = Overlap::error;
   EXPECT_EQ(describe_options(options), (Settings{{"method", "almond"},
@@ -28,6 +31,8 @@ TEST(DescribeOptions, WhateverDiffersUnderTheNamesOfTheCommandLine) {
                                                  {"size", "0.5"},
                                                  {"size", "oxide=2"},
                                                  {"size-at", "gate=0.1"},
+                                                 {"no-input-sizes", "true"},
+                                                 {"size-field", "h.vtu"},
                                                  {"overlap", "error"},
                                                  {"weld", "1e-09"}}));
 }

@@ -1,0 +1,20 @@
+// Reading background sizes from VTK's files (target cover::vtk).
+#pragma once
+
+#include <string>
+
+#include <cover/result.hpp>
+#include <cover/size_function.hpp>
+
+namespace cover {
+
+/// Reads edge lengths at points from .vtu, .vtp or any legacy .vtk, for size_function(): the point
+/// array called "size" or "h", or the only one that has one component. Plane cells of any kind are
+/// cut into triangles; other cells and z are passed over.
+///
+/// Errors: cannot_open; unsupported_format; syntax, also where there is no such array. What it
+/// holds
+///         is looked at by size_function().
+Result<SizeSamples> read_size_field(const std::string& path);
+
+}  // namespace cover

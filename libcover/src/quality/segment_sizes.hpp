@@ -1,0 +1,47 @@
+// How long edges along a segment should be.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include <cover/options.hpp>
+
+#include "region/region_boundary.hpp"
+
+namespace cover {
+
+/// A segment, and the edge lengths wished at its ends and along it.
+class SegmentSizes {
+ public:
+  SegmentSizes(Point a, Point b, const Options& options)
+      : a_(std::min(a, b)), b_(std::max(a, b)), reversed_(b < a), options_(&options) {}
+
+  /// Adds the wishes of a region for its side `s`, this segment.
+  void add(const RegionBoundary& boundary, std::size_t s);
+
+  /// Whether the segment should be more than one edge: it is 1.5 times as long as wished.
+  [[nodiscard]] bool is_long() const { return steps().count > kLong; }
+  /// Where to cut it; at most a million pieces. From a to b; the same points from b to a.
+  [[nodiscard]] std::vector<Point> cuts() const;
+
+ private:
+  static constexpr double kLong = 1.5;
+
+  /// Places along the segment, as parts of it, one wished edge apart.
+  struct Steps {
+    std::vector<double> places{0};
+    double count = 0;  ///< of edges up to the end, not whole
+  };
+
+  [[nodiscard]] bool has_wish() const;
+  [[nodiscard]] double size_at(double part) const;
+  [[nodiscard]] Steps steps() const;
+
+  Point a_, b_;  ///< in their order in the plane
+  bool reversed_;
+  const Options* options_;
+  double inside_ = 0;  ///< smallest of the regions; 0: none. As the others
+  double at_a_ = 0, at_b_ = 0;
+};
+
+}  // namespace cover
