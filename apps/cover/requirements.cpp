@@ -14,7 +14,16 @@ bool below_resolution(const RegionReport& region) {
                      [](const Note& note) { return note.kind == Note::Kind::below_resolution; });
 }
 
-bool misses(const RegionReport& region) { return !region.bound_held && !below_resolution(region); }
+/// Regions of the mesh that is there already (--onto) are as they are.
+bool is_made_here(const Report& report, RegionId region) {
+  return report.replaced.empty() ||
+         std::any_of(report.replaced.begin(), report.replaced.end(),
+                     [&](const Replaced& before) { return before.region == region; });
+}
+
+bool misses(const Report& report, const RegionReport& region) {
+  return !region.bound_held && !below_resolution(region) && is_made_here(report, region.id);
+}
 
 template <class Test>
 std::string regions_where(const Output& output, Test test) {
@@ -34,11 +43,14 @@ std::string regions_where(const Output& output, Test test) {
 }  // namespace
 
 bool missed_bound(const Report& report) {
-  return std::any_of(report.regions.begin(), report.regions.end(), misses);
+  return std::any_of(report.regions.begin(), report.regions.end(),
+                     [&](const RegionReport& region) { return misses(report, region); });
 }
 
 std::string describe_missed_bound(const Output& output) {
-  return "the proven bound on the largest angle is missed in " + regions_where(output, misses);
+  return "the proven bound on the largest angle is missed in " +
+         regions_where(output,
+                       [&](const RegionReport& region) { return misses(output.report, region); });
 }
 
 std::vector<std::string> unmet_requirements(const Output& output, const Options& options) {

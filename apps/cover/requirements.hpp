@@ -8,7 +8,8 @@
 
 namespace cover::app {
 
-/// Whether a region misses the proven bound although doubles could hold it.
+/// Whether a region misses the proven bound although doubles could hold it; regions kept of another
+/// mesh aside.
 bool missed_bound(const Report& report);
 /// Says which regions do.
 std::string describe_missed_bound(const Output& output);

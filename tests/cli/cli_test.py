@@ -180,10 +180,44 @@ class Mesh(Case):
         _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--paper', '--method', 'quality', code=2)
         self.assertIn('paper needs method almond', err)
 
+    def require(self, poly, what, code, *words):
+        """Runs with --require; the mesh is written in any case. What the report says overall."""
+        (self.dir / 'd.vtu').unlink(missing_ok=True)
+        _, err = self.run_cover('mesh', poly, '-o', 'd.vtu', '--require', what, '--report', 'd.json', *words, code=code)
+        self.assertIn('d.vtu', self.files())
+        if code == 6:
+            self.assertRegex(err, f'required, but not met: {what} .*, in regions? ')
+        return json.loads((self.dir / 'd.json').read_text())['overall']
+
     def test_require(self):
-        _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--require', 'bound')
-        _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--require', 'non-obtuse', code=6)
-        self.assertIn('required, but not met: non-obtuse', err)
+        square = self.write('square.poly', SQUARE)
+        for what in ('bound', 'max-angle', 'delaunay', 'non-obtuse', 'bound,max-angle,delaunay,non-obtuse'):
+            self.require(square, what, 0)
+        # The last point lies so near the first segment that an angle of 168.6 degrees is forced.
+        flat = self.write('flat.poly', SQUARE.replace('2 1 0', '2 2 0').replace('3 1 1', '3 2 2').replace('4 0 1', '4 1 0.1'))
+        self.assertGreater(self.require(flat, 'non-obtuse', 6)['obtuse'], 0)
+        self.assertGreater(self.require(flat, 'max-angle', 6)['largest_angle'], 168)
+        self.require(flat, 'max-angle', 0, '--max-angle', 170)
+        self.require(flat, 'bound', 0)
+        _, err = self.run_cover('mesh', flat, '-o', 'd.vtu', '--require', 'max-angle,non-obtuse', code=6)
+        self.assertEqual(err.count('required, but not met'), 2)
+        diode = SAMPLES / 'diode.poly'
+        self.assertGreater(self.require(diode, 'delaunay', 6)['box']['non_delaunay_edges'], 0)
+        self.assertEqual(self.require(diode, 'delaunay', 0, '--method', 'almond')['box']['non_delaunay_edges'], 0)
+
+    def test_require_bound_of_what_is_kept(self):
+        # Two squares; the left one was meshed by hand, with an angle of 179.8 degrees.
+        self.write('two.poly', '6 2 0 0\n1 0 0\n2 1 0\n3 2 0\n4 2 1\n5 1 1\n6 0 1\n'
+                   '7 0\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n5 5 6\n6 6 1\n7 2 5\n0\n2\n1 0.5 0.5 1 -1\n2 1.5 0.5 2 -1\n')
+        self.write('hand.node', '7 2 0 0\n1 0 0\n2 1 0\n3 2 0\n4 2 1\n5 1 1\n6 0 1\n7 0.5 0.001\n')
+        self.write('hand.ele', '6 3 1\n1 1 2 7 1\n2 2 5 7 1\n3 5 6 7 1\n4 6 1 7 1\n5 2 3 4 2\n6 2 4 5 2\n')
+        onto = ('--only', '2', '--onto', 'hand.ele', '--size', '0.2')
+        self.assertEqual(self.require('two.poly', 'max-angle', 0, *onto, '--max-angle', 179.9)['bound_missed'], [1])
+        self.require('two.poly', 'bound', 6, *onto)
+        out, err = self.run_cover('mesh', 'two.poly', '-o', 'd.vtu', *onto)
+        self.assertIn('Proven bound    MISSED in 1 of 2 regions', out)
+        self.assertRegex(err, r'region 1: the triangle .* has an angle of 179\.\d+ degrees')
+        self.run_cover('check', 'two.poly', 'd.vtu', '--no-bound')
 
     def test_no_progress_without_a_terminal(self):
         self.assertNotIn('%', self.run_cover('mesh', SAMPLES / 'coax.poly', '-o', 'd.vtu')[1])
