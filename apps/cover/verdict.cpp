@@ -174,7 +174,7 @@ Finding check_box_method(const Output& output) {
   return {Grade::fact, "Finite volumes",
           fmt::format(
               "{} obtuse triangles: the areas of solvers that add up unsigned boxes are off "
-              "by {}. Finite elements use none.",
+              "by {}. It does not matter for finite elements.",
               grouped(obtuse), error < 100 ? fmt::format("{:.1f} %", error) : "more than 100 %")};
 }
 

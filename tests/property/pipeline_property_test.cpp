@@ -23,18 +23,6 @@ namespace {
 using testing::must_mesh;
 using testing::shape_of;
 
-struct Kind {
-  const char* name;
-  Input (*make)(std::uint64_t seed);
-};
-
-const Kind kKinds[] = {
-    {"cells", [](std::uint64_t seed) { return testing::random_cells(24, seed); }},
-    {"stars", [](std::uint64_t seed) { return testing::nested_stars(4, 17, seed); }},
-    {"rectangles", [](std::uint64_t seed) { return testing::rectangles(6, 5, seed); }},
-    {"checker", [](std::uint64_t seed) { return testing::checker(4, 5, seed); }},
-};
-
 struct Method {
   const char* name;
   cover::Method method;
@@ -47,7 +35,7 @@ const Method kMethods[] = {
     {"quality", cover::Method::quality, Fill::refine},
 };
 
-class Pipeline : public ::testing::TestWithParam<std::tuple<Kind, Method>> {
+class Pipeline : public ::testing::TestWithParam<std::tuple<testing::RandomInput, Method>> {
  protected:
   static constexpr std::uint64_t kInputs = 3;
 
@@ -179,7 +167,7 @@ TEST(PlanarGraph, KeepsItsPromisesByEveryMethod) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Random, Pipeline,
-                         ::testing::Combine(::testing::ValuesIn(kKinds),
+                         ::testing::Combine(::testing::ValuesIn(testing::kRandomDevices),
                                             ::testing::ValuesIn(kMethods)),
                          [](const auto& sample) {
                            return std::string(std::get<0>(sample.param).name) + "_" +

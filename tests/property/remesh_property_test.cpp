@@ -21,18 +21,6 @@ namespace {
 
 using testing::must_mesh;
 
-struct Kind {
-  const char* name;
-  Input (*make)(std::uint64_t seed);
-};
-
-const Kind kKinds[] = {
-    {"cells", [](std::uint64_t seed) { return testing::random_cells(24, seed); }},
-    {"stars", [](std::uint64_t seed) { return testing::nested_stars(4, 17, seed); }},
-    {"rectangles", [](std::uint64_t seed) { return testing::rectangles(6, 5, seed); }},
-    {"checker", [](std::uint64_t seed) { return testing::checker(4, 5, seed); }},
-};
-
 /// The corners of every triangle of the regions that are not `again`, in order.
 std::vector<std::array<Point, 3>> rest_of(const TriangleSoup& soup,
                                           const std::vector<bool>& again) {
@@ -45,7 +33,7 @@ std::vector<std::array<Point, 3>> rest_of(const TriangleSoup& soup,
   return list;
 }
 
-class Remeshing : public ::testing::TestWithParam<Kind> {
+class Remeshing : public ::testing::TestWithParam<testing::RandomInput> {
  protected:
   static constexpr std::uint64_t kInputs = 3;
 
@@ -148,7 +136,7 @@ TEST_P(Remeshing, WithTheSameOptionsGivesTheSameMesh) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(Random, Remeshing, ::testing::ValuesIn(kKinds),
+INSTANTIATE_TEST_SUITE_P(Random, Remeshing, ::testing::ValuesIn(testing::kRandomDevices),
                          [](const auto& sample) { return sample.param.name; });
 
 }  // namespace

@@ -91,21 +91,18 @@ def msh(path):
 def medit(path):
     stream = words(path)
     mesh = Mesh(None, [], [], lines=[], line_tags=[])
+    nodes_of = {'Triangles': (3, 3), 'TrianglesP2': (3, 6), 'Edges': (2, 2), 'EdgesP2': (2, 3)}
     for word in stream:
         if word == 'Vertices':
             mesh.points = np.array([take(stream, 3, float)[:2] for _ in range(int(next(stream)))])
-        elif word.startswith('Triangles'):
-            nodes = 6 if word == 'TrianglesP2' else 3
+        elif word in nodes_of:
+            corners, nodes = nodes_of[word]
+            elements, tags = ((mesh.triangles, mesh.tags) if corners == 3 else
+                              (mesh.lines, mesh.line_tags))
             for _ in range(int(next(stream))):
                 row = take(stream, nodes + 1)
-                mesh.triangles.append([n - 1 for n in row[:3]])
-                mesh.tags.append(row[-1])
-        elif word.startswith('Edges'):
-            nodes = 3 if word == 'EdgesP2' else 2
-            for _ in range(int(next(stream))):
-                row = take(stream, nodes + 1)
-                mesh.lines.append([n - 1 for n in row[:2]])
-                mesh.line_tags.append(row[-1])
+                elements.append([n - 1 for n in row[:corners]])
+                tags.append(row[-1])
     return mesh
 
 

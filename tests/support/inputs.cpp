@@ -183,6 +183,14 @@ Input input_of(const Loop& loop) {
   return sketch.input;
 }
 
+Input segments_between(const std::vector<Point>& points,
+                       const std::vector<std::array<std::uint32_t, 2>>& ends) {
+  Sketch sketch;
+  for (const Point& p : points) sketch.point(p);
+  for (const auto& [a, b] : ends) sketch.segment(a, b);
+  return sketch.input;
+}
+
 Input random_cells(int cuts, std::uint64_t seed) {
   Cake cake(seed);
   for (int k = 0; k < cuts; ++k) cake.cut();

@@ -1,7 +1,9 @@
 // Whole inputs for tests and benchmarks: many regions, any size, one seed each.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <vector>
 
 #include <cover/input.hpp>
 
@@ -21,6 +23,10 @@ Loop smooth_star(int n, std::uint64_t seed);
 /// One loop as an input without seeds.
 Input input_of(const Loop& loop);
 
+/// Points and the segments with these ends, ids from 0, without seeds.
+Input segments_between(const std::vector<Point>& points,
+                       const std::vector<std::array<std::uint32_t, 2>>& ends);
+
 /// A square cut `cuts` times in two, one convex piece at a time, by a random line; a seed per piece
 /// with material 1 to 3. Corners of a piece lie in the middle of its neighbours' sides, which are
 /// cut there and bent by rounding: angles next to 180 degrees.
@@ -36,6 +42,18 @@ Input rectangles(int columns, int rows, std::uint64_t seed);
 /// lattice, nearly on lines, in clusters, on scales from 1 to 1e-8, far from the origin. So there
 /// are slits, loose edges, pinched vertices, isolated points, very thin regions and void.
 Input planar_graph(int n, std::uint64_t seed);
+
+/// A generator of devices with several regions each.
+struct RandomInput {
+  const char* name;
+  Input (*make)(std::uint64_t seed);
+};
+inline constexpr RandomInput kRandomDevices[] = {
+    {"cells", [](std::uint64_t seed) { return random_cells(24, seed); }},
+    {"stars", [](std::uint64_t seed) { return nested_stars(4, 17, seed); }},
+    {"rectangles", [](std::uint64_t seed) { return rectangles(6, 5, seed); }},
+    {"checker", [](std::uint64_t seed) { return checker(4, 5, seed); }},
+};
 
 /// The same input with the order of points, segments and seeds shuffled and some segments reversed.
 Input shuffled(const Input& input, std::uint64_t seed);

@@ -61,10 +61,8 @@ TEST(Verdict, TargetsAreThoseOfTheRun) {
 }
 
 TEST(Verdict, AChangedInputIsAReasonToLook) {
-  Input input;
-  input.points = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0}, {1, 2}};
-  for (const auto& [a, b] : {std::pair{0U, 1U}, {1U, 2U}, {2U, 3U}, {3U, 0U}, {4U, 5U}})
-    input.segments.push_back({a, b, 0, 0, 0, ""});
+  const Input input = testing::segments_between({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0}, {1, 2}},
+                                                {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}});
   const auto findings = findings_of(mesh_of(input));
   EXPECT_EQ(verdict_of(findings), Grade::caution);
   EXPECT_EQ(finding(findings, "Input").text, "Changed in 2 places, listed below.");

@@ -13,15 +13,9 @@ namespace {
 
 /// A square of two triangles in which the diagonal is a segment.
 Input square() {
-  Input input;
-  input.points = {{0, 0}, {3, 0}, {3, 3}, {0, 3}};
-  for (const auto& [a, b] : {std::pair(0U, 1U), {1U, 2U}, {2U, 3U}, {3U, 0U}, {2U, 0U}}) {
-    InputSegment s;
-    s.a = a;
-    s.b = b;
-    s.marker = static_cast<int>(10 * a + b);
-    input.segments.push_back(s);
-  }
+  Input input = testing::segments_between({{0, 0}, {3, 0}, {3, 3}, {0, 3}},
+                                          {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {2, 0}});
+  for (InputSegment& s : input.segments) s.marker = static_cast<int>(10 * s.a + s.b);
   return input;
 }
 

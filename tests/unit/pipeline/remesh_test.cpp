@@ -136,16 +136,9 @@ TEST(Remesh, KeepsTheVerticesOfTheMeshInTheirOrder) {
 
 /// Two squares; the left one has a slit and an isolated point, a point lies in the void.
 Input odd_input() {
-  Input input;
-  input.points = {{9, 9}, {0, 0}, {2, 0}, {2, 2},   {0, 2},
-                  {4, 0}, {4, 2}, {1, 1}, {1, 1.5}, {0.5, 0.25}};
-  const std::uint32_t ends[][2] = {{1, 2}, {2, 3}, {3, 4}, {4, 1}, {2, 5}, {5, 6}, {6, 3}, {7, 8}};
-  for (const auto& [a, b] : ends) {
-    InputSegment s;
-    s.a = a;
-    s.b = b;
-    input.segments.push_back(s);
-  }
+  Input input = testing::segments_between(
+      {{9, 9}, {0, 0}, {2, 0}, {2, 2}, {0, 2}, {4, 0}, {4, 2}, {1, 1}, {1, 1.5}, {0.5, 0.25}},
+      {{1, 2}, {2, 3}, {3, 4}, {4, 1}, {2, 5}, {5, 6}, {6, 3}, {7, 8}});
   for (const auto& [x, name] : {std::pair(0.25, "gate"), std::pair(3.0, "oxide")}) {
     RegionSeed seed;
     seed.at = {x, 1.75};
@@ -267,14 +260,8 @@ TEST(Remesh, SaysWhereMaterialsDiffer) {
 
 TEST(Remesh, TrianglesOfAnyToolWillDo) {
   // A square cut in two by hand, in an order of its own, and without regions and materials.
-  Input input;
-  input.points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  for (const auto& [a, b] : {std::pair(0U, 1U), {1U, 2U}, {2U, 3U}, {3U, 0U}, {0U, 2U}}) {
-    InputSegment s;
-    s.a = a;
-    s.b = b;
-    input.segments.push_back(s);
-  }
+  const Input input = testing::segments_between({{0, 0}, {1, 0}, {1, 1}, {0, 1}},
+                                                {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 2}});
   TriangleSoup soup;
   soup.points = {{0.75, 0.25}, {0, 1}, {1, 1}, {0, 0}, {1, 0}, {7, 7}};
   soup.triangles = {{3, 2, 1}, {0, 3, 4}, {2, 3, 0}, {2, 0, 4}};

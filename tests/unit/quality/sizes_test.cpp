@@ -156,15 +156,8 @@ TEST(Sizes, GrowFromAFinePoint) {
 
 /// Two rectangles side by side, of materials "left" and "right".
 Input two_rectangles() {
-  Input input;
-  input.points = {{0, 0}, {1, 0}, {3, 0}, {3, 1}, {1, 1}, {0, 1}};
-  const std::uint32_t ends[][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 0}, {1, 4}};
-  for (const auto& [a, b] : ends) {
-    InputSegment s;
-    s.a = a;
-    s.b = b;
-    input.segments.push_back(s);
-  }
+  Input input = testing::segments_between({{0, 0}, {1, 0}, {3, 0}, {3, 1}, {1, 1}, {0, 1}},
+                                          {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 0}, {1, 4}});
   for (const auto& [x, name] : {std::pair(0.5, "left"), std::pair(2.0, "right")}) {
     RegionSeed seed;
     seed.at = {x, 0.5};
@@ -334,16 +327,10 @@ TEST(SplitInterfaces, CutsToTheSizesOfLinesPointsAndRegions) {
 }
 
 TEST(SplitInterfaces, CutsAThinLayerAcross) {
-  Input input;  // 1 by 1e-3, its long walls with three vertices each that do not face each other
-  for (const double x : {0.0, 0.21, 0.5, 0.83, 1.0}) input.points.push_back({x, 0});
-  for (const double x : {1.0, 0.7, 0.44, 0.1, 0.0}) input.points.push_back({x, 1e-3});
-  for (std::uint32_t k = 0; k < 10; ++k) {
-    InputSegment s;
-    s.a = k;
-    s.b = (k + 1) % 10;
-    input.segments.push_back(s);
-  }
-  Regions regions = regions_of(input);
+  Loop layer;  // 1 by 1e-3, its long walls with three vertices each that do not face each other
+  for (const double x : {0.0, 0.21, 0.5, 0.83, 1.0}) layer.push_back({x, 0});
+  for (const double x : {1.0, 0.7, 0.44, 0.1, 0.0}) layer.push_back({x, 1e-3});
+  Regions regions = regions_of(testing::input_of(layer));
   Options options;
   options.split_interfaces = Angle::degrees(90);
   std::vector<Note> notes;
@@ -353,15 +340,8 @@ TEST(SplitInterfaces, CutsAThinLayerAcross) {
 }
 
 TEST(SplitInterfaces, EndsAtSharpCorners) {
-  Input input;
-  input.points = {{0, 0}, {10, 0}, {10, 0.05}, {3, 5}};  // a third of a degree at the first
-  for (const auto& [a, b] : {std::pair(0U, 1U), {1U, 2U}, {2U, 3U}, {3U, 0U}, {0U, 2U}}) {
-    InputSegment s;
-    s.a = a;
-    s.b = b;
-    input.segments.push_back(s);
-  }
-  Regions regions = regions_of(input);
+  Regions regions = regions_of(testing::segments_between(  // a third of a degree at the first
+      {{0, 0}, {10, 0}, {10, 0.05}, {3, 5}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 2}}));
   Options options;
   options.split_interfaces = Angle::degrees(90);
   std::vector<Note> notes;

@@ -2,23 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "support/inputs.hpp"
 #include "support/shapes.hpp"
 
 namespace cover {
 namespace {
 
-Input segments_between(std::vector<Point> points, const std::vector<IndexPair>& pairs) {
-  Input input;
-  input.points = std::move(points);
-  for (const auto& [a, b] : pairs) {
-    InputSegment s;
-    s.a = a;
-    s.b = b;
-    s.id = static_cast<long>(input.segments.size());
-    input.segments.push_back(s);
-  }
-  return input;
-}
+using testing::segments_between;
 
 TEST(NodeEdges, CutsAndKeepsTrackOfLines) {
   std::vector<Change> changes;

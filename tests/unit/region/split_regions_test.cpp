@@ -38,18 +38,9 @@ std::vector<RegionBoundary> split(const Input& input, const Options& options = {
 /// A square from 0 to 4 with a slit that hangs on its left side, a slit of its own, a triangle
 /// that touches its border in one point, and an isolated point.
 Input busy_square() {
-  Input input;
-  input.points = {{0, 0}, {4, 0}, {4, 4}, {0, 4},       {1, 0.5},
-                  {2, 2}, {3, 2}, {3, 3}, {2, 4 - 0.5}, {1, 3}};
-  const std::vector<std::pair<int, int>> pairs{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4},
-                                               {5, 6}, {2, 7}, {7, 8}, {8, 2}};
-  for (const auto& [a, b] : pairs) {
-    InputSegment s;
-    s.a = static_cast<std::uint32_t>(a);
-    s.b = static_cast<std::uint32_t>(b);
-    input.segments.push_back(s);
-  }
-  return input;
+  return testing::segments_between(
+      {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 0.5}, {2, 2}, {3, 2}, {3, 3}, {2, 4 - 0.5}, {1, 3}},
+      {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4}, {5, 6}, {2, 7}, {7, 8}, {8, 2}});
 }
 
 TEST(SplitRegions, GivesSlitsBothWaysAndIsolatedPoints) {

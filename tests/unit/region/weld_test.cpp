@@ -77,14 +77,8 @@ TEST(Weld, KeepsAThinLayerWhoseCornersMiss) {
 }
 
 TEST(Weld, IsOffForSegmentsUnlessAskedFor) {
-  Input input;
-  input.points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {1e-12, 0}};
-  for (const auto& [a, b] : {std::pair{0, 1}, {1, 2}, {2, 3}, {3, 4}}) {
-    InputSegment s;
-    s.a = static_cast<std::uint32_t>(a);
-    s.b = static_cast<std::uint32_t>(b);
-    input.segments.push_back(s);
-  }
+  const Input input = testing::segments_between({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {1e-12, 0}},
+                                                {{0, 1}, {1, 2}, {2, 3}, {3, 4}});
   EXPECT_EQ(clean(input)->pslg.points.size(), 6U - 1);
   Options weld;
   weld.weld = 1e-9;
@@ -105,14 +99,9 @@ TEST(Weld, UnitesCornersOnBothSidesOfALineThatMissesThem) {
 }
 
 TEST(Weld, BendsLinesToLonePointsThatMissThem) {
-  Input input;
-  input.points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.3, 1e-12}, {1e-12, 0}, {1e6, 1e6}};
-  for (const auto& [a, b] : {std::pair{0, 1}, {1, 2}, {2, 3}, {3, 0}}) {
-    InputSegment s;
-    s.a = static_cast<std::uint32_t>(a);
-    s.b = static_cast<std::uint32_t>(b);
-    input.segments.push_back(s);
-  }
+  const Input input = testing::segments_between(
+      {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.3, 1e-12}, {1e-12, 0}, {1e6, 1e6}},
+      {{0, 1}, {1, 2}, {2, 3}, {3, 0}});
   Options weld;
   weld.weld = 1e-9;  // of the drawing, whatever points there are beside it
   const auto out = clean(input, weld);
