@@ -208,7 +208,7 @@ Input mixture(Dice& dice) {
 /// Whatever the others make, with exponents from one end of the doubles to the other.
 Input vast_range(Dice& dice) {
   Input input = dice.whole(0, 1) == 0 ? wild_rings(dice) : grid_segments(dice);
-  const int most = std::array{1023, 250, 250, 60}[static_cast<std::size_t>(dice.whole(0, 3))];
+  const int most = std::array{1020, 250, 250, 60}[static_cast<std::size_t>(dice.whole(0, 3))];
   const auto stretch = [&](Point& p) {
     p = {std::ldexp(p.x, dice.whole(-most, most)), std::ldexp(p.y, dice.whole(-most, most))};
   };
