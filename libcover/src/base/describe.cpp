@@ -6,6 +6,8 @@ namespace cover {
 
 std::string describe(double x) { return fmt::format("{}", x); }
 
+std::string describe_roughly(double x) { return fmt::format("{:.3g}", x); }
+
 std::string describe(Point p) { return fmt::format("({}, {})", p.x, p.y); }
 
 std::string describe(InterfaceKind kind) {

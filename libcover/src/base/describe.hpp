@@ -12,6 +12,9 @@ namespace cover {
 /// The shortest text that reads back as the same number.
 std::string describe(double x);
 
+/// Three digits, for distances that are only told.
+std::string describe_roughly(double x);
+
 /// "(x, y)", each in the shortest form that reads back as the same number.
 std::string describe(Point p);
 

@@ -6,6 +6,7 @@
 
 #include <set>
 
+#include "base/describe.hpp"
 #include "base/suggest.hpp"
 
 namespace cover {
@@ -171,9 +172,8 @@ std::string JsonReader::name(const Json& value) {
 Point JsonReader::point(const Json& value, bool more_allowed) {
   if (value.is_array() && (value.size() == 2 || (more_allowed && value.size() > 2)))
     return {number(value[0]), number(value[1])};
-  fail(value, value.is_array()
-                  ? fmt::format("expected a point [x, y], found {} numbers", value.size())
-                  : "expected a point [x, y], found " + shown(value));
+  fail(value, value.is_array() ? "expected a point [x, y], found " + counted(value.size(), "number")
+                               : "expected a point [x, y], found " + shown(value));
   return {};
 }
 

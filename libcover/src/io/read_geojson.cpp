@@ -88,15 +88,19 @@ class GeoReader {
     Properties own;
     const long number = features_++;
     if (const Json* properties = JsonReader::member(feature, "properties")) {
-      if (const Json* m = JsonReader::member(*properties, "material"))
-        own.material = json_.name(*m);
-      if (const Json* n = JsonReader::member(*properties, "name")) own.name = json_.name(*n);
+      if (const Json* m = JsonReader::member(*properties, "material")) own.material = read_name(*m);
+      if (const Json* n = JsonReader::member(*properties, "name")) own.name = read_name(*n);
       if (const Json* p = JsonReader::member(*properties, "priority"))
         own.priority = json_.number(*p);
     }
     if (own.material.empty())
       own.material = own.name.empty() ? fmt::format("feature_{}", number) : own.name;
     return own;
+  }
+
+  /// Tables that maps are made from have numbers for names too.
+  std::string read_name(const Json& value) {
+    return value.is_number_float() ? value.dump() : json_.name(value);
   }
 
   std::vector<Point> read_path(const Json& coordinates) {
@@ -110,6 +114,7 @@ class GeoReader {
 
   void read_polygon(const Json& coordinates, const Properties& properties) {
     if (json_.failed()) return;
+    if (coordinates.is_array() && coordinates.empty()) return;  // the RFC: as null
     InputPolygon polygon;
     for (const Json& ring : json_.array(coordinates, "rings"))
       polygon.rings.push_back(read_path(ring));
@@ -122,6 +127,7 @@ class GeoReader {
 
   void read_line(const Json& coordinates, const Properties& properties) {
     if (json_.failed()) return;
+    if (coordinates.is_array() && coordinates.empty()) return;  // the RFC: as null
     InputLine line{properties.name, read_path(coordinates), static_cast<long>(input_.lines.size())};
     if (line.points.size() < 2) json_.fail(coordinates, "a line needs two positions or more");
     input_.lines.push_back(std::move(line));

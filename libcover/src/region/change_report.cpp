@@ -16,7 +16,8 @@
 namespace cover {
 namespace {
 
-constexpr std::size_t kPlaces = 5;  ///< named in one sentence; the rest is counted
+constexpr std::size_t kPlaces = 5;     ///< named in one sentence; the rest is counted
+constexpr std::size_t kSentences = 3;  ///< of each kind of change in a note
 
 /// "(0, 0), (1, 0) and 3 more places".
 std::string list_of(const std::vector<Point>& where) {
@@ -27,6 +28,17 @@ std::string list_of(const std::vector<Point>& where) {
   if (where.size() > kPlaces) {
     out += " and " + counted(where.size() - kPlaces, "more place");
   }
+  return out;
+}
+
+/// "from (0, 0) to (1, 0), from (1, 0) to (1, 1) and 3 more" of pairs of ends.
+std::string list_of_edges(const std::vector<Point>& ends) {
+  std::string out;
+  for (std::size_t k = 0; k < std::min(kPlaces, ends.size() / 2); ++k) {
+    out += fmt::format("{}from {} to {}", k > 0 ? ", " : "", describe(ends[2 * k]),
+                       describe(ends[2 * k + 1]));
+  }
+  if (ends.size() / 2 > kPlaces) out += fmt::format(" and {} more", ends.size() / 2 - kPlaces);
   return out;
 }
 
@@ -100,22 +112,32 @@ std::map<std::uint32_t, std::vector<Point>> own_crossings(const Network& network
   return out;
 }
 
-/// By polygon: ends of the edges on which it lies an even number of times.
-std::map<std::uint32_t, std::vector<Point>> folds(const Network& network, const EdgeGraph& graph,
-                                                  const std::vector<EdgeOwners>& owners) {
-  std::map<std::uint32_t, std::vector<Point>> out;
-  std::map<std::uint32_t, int> times;
+/// Where polygons bound anything, and where they do not.
+struct Coverage {
+  /// By polygon: ends of the edges on which it lies an even number of times, of those that show.
+  std::map<std::uint32_t, std::vector<Point>> folds;
+  std::vector<bool> has_inside;  ///< by polygon: an edge with it on one side alone
+};
+
+Coverage look_at_edges(const Network& network, const EdgeGraph& graph,
+                       const std::vector<EdgeOwners>& owners, std::size_t polygons) {
+  Coverage out;
+  out.has_inside.assign(polygons, false);
+  std::vector<std::uint32_t> here;  // the polygons on an edge, as often as they lie on it
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
-    if (owners[e][0] != owners[e][1]) continue;
-    times.clear();
+    here.clear();
     for (const Strand& s : graph.strands(network, e)) {
       const Origin origin = network.raws[s.raw].origin;
-      if (origin.kind == Origin::Kind::ring) ++times[origin.index];
+      if (origin.kind == Origin::Kind::ring) here.push_back(origin.index);
     }
-    for (const auto& [polygon, count] : times) {
-      if (count % 2 != 0) continue;
-      out[polygon].push_back(network.points[graph.edges[e][0]]);
-      out[polygon].push_back(network.points[graph.edges[e][1]]);
+    std::sort(here.begin(), here.end());
+    for (auto first = here.begin(), last = first; first != here.end(); first = last) {
+      last = std::upper_bound(first, here.end(), *first);
+      const bool is_odd = (last - first) % 2 != 0;
+      if (is_odd) out.has_inside[*first] = true;
+      if (is_odd || owners[e][0] != owners[e][1]) continue;
+      out.folds[*first].push_back(network.points[graph.edges[e][0]]);
+      out.folds[*first].push_back(network.points[graph.edges[e][1]]);
     }
   }
   return out;
@@ -133,12 +155,13 @@ void report_polygons(const Input& input, const Network& network, const EdgeGraph
                                       name_of_polygon(input, polygon), list_of(where));
     warn(std::move(message), where);
   }
-  for (auto& [polygon, where] : folds(network, graph, owners)) {
+  Coverage coverage = look_at_edges(network, graph, owners, input.polygons.size());
+  for (auto& [polygon, where] : coverage.folds) {
     report.changes.push_back(
         {Change::Kind::dropped,
-         fmt::format("{} folds back on itself along {} between {}; they separate nothing",
+         fmt::format("{} folds back on itself along {}, {}: nothing is separated there",
                      name_of_polygon(input, polygon), counted(where.size() / 2, "edge"),
-                     list_of(where)),
+                     list_of_edges(where)),
          where,
          {ref_of(input, {Origin::Kind::ring, polygon})}});
   }
@@ -153,8 +176,11 @@ void report_polygons(const Input& input, const Network& network, const EdgeGraph
     if (raw.origin.kind == Origin::Kind::ring) ++edges[raw.origin.index];
   }
   for (std::uint32_t p = 0; p < seen.size(); ++p) {
-    if (!seen[p] && edges[p] > 2)
-      warn(name_of_polygon(input, p) + " covers nothing that others leave free", {});
+    if (seen[p] || edges[p] <= 2) continue;
+    warn(name_of_polygon(input, p) + (coverage.has_inside[p]
+                                          ? " is wholly covered by others"
+                                          : " has no inside: its edges cancel each other"),
+         {});
   }
 }
 
@@ -164,11 +190,11 @@ void sum_up(const std::vector<Change>& changes, std::vector<Note>& notes) {
     std::size_t count = 0;
     for (const Change& change : changes) {
       if (change.kind != kind) continue;
-      if (++count <= kPlaces) note.message += (count > 1 ? "; " : "") + change.message;
+      if (++count <= kSentences) note.message += (count > 1 ? "; " : "") + change.message;
       note.where.insert(note.where.end(), change.where.begin(), change.where.end());
     }
     if (count == 0) continue;
-    if (count > kPlaces) note.message += fmt::format("; and {} more", count - kPlaces);
+    if (count > kSentences) note.message += fmt::format("; and {} more", count - kSentences);
     note.message = fmt::format("{} {}: {}", count, what, note.message);
     notes.push_back(std::move(note));
   }

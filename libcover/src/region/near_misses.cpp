@@ -57,7 +57,7 @@ class NearMisses {
 
   void points(std::uint32_t u, std::uint32_t v, double distance) {
     if (!is_new({std::min(u, v), std::max(u, v), std::max(u, v)})) return;
-    warn(fmt::format("{} and {} are only {} apart", name(u), name(v), describe(distance)),
+    warn(fmt::format("{} and {} are only {} apart", name(u), name(v), describe_roughly(distance)),
          {pslg_.points[u], pslg_.points[v]});
   }
 
@@ -104,7 +104,7 @@ class NearMisses {
   void point_and_segment(std::uint32_t w, std::uint32_t u, std::uint32_t v, double distance) {
     if (!is_new({w, std::min(u, v), std::max(u, v)})) return;
     warn(fmt::format("{} is only {} away from the segment between {} and {}", name(w),
-                     describe(distance), name(u), name(v)),
+                     describe_roughly(distance), name(u), name(v)),
          {pslg_.points[w]});
   }
 
@@ -131,6 +131,17 @@ void warn_of_near_misses(const Pslg& pslg, const Triangulation& triangulation,
     for (int i = 0; i < 3; ++i) misses.look(t, i);
   }
   misses.finish();
+}
+
+std::string near_misses_behind(const Pslg& pslg, const Triangulation& triangulation) {
+  std::vector<Note> misses;
+  warn_of_near_misses(pslg, triangulation, misses);
+  if (misses.empty()) return {};
+  std::string out = "; " + misses[0].message;
+  if (misses.size() > 1) {
+    out += fmt::format(", and so at {}", counted(misses.size() - 1, "more place"));
+  }
+  return out + " (--weld closes such gaps)";
 }
 
 }  // namespace cover

@@ -1,6 +1,7 @@
 // Warnings about what nearly touches and may have been meant to.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <cover/pslg.hpp>
@@ -18,5 +19,9 @@ namespace cover {
 /// Cost:     O(n).
 void warn_of_near_misses(const Pslg& pslg, const Triangulation& triangulation,
                          std::vector<Note>& notes);
+
+/// The same as an end of a sentence about faces that are not as they should be, "; point 4 at ...
+/// is only ...": where lines do not quite meet, that is why. Empty where nothing nearly touches.
+std::string near_misses_behind(const Pslg& pslg, const Triangulation& triangulation);
 
 }  // namespace cover

@@ -107,17 +107,32 @@ class Gatherer {
   }
 
   void add_polygon(std::uint32_t p) {
-    const std::size_t before = network_.strands.size();
-    for (const std::vector<Point>& ring : input_.polygons[p].rings) {
+    const auto drop = [&](const std::string& what, std::vector<Point> where) {
+      changes_.push_back({Change::Kind::dropped,
+                          what + " has fewer than three corners",
+                          std::move(where),
+                          {{InputKind::polygon, input_.polygons[p].id}}});
+    };
+    const auto& rings = input_.polygons[p].rings;
+    const std::string name = name_of_polygon(input_, p);
+    if (std::none_of(rings.begin(), rings.end(), has_three_corners)) return drop(name, {});
+    for (std::size_t r = 0; r < rings.size(); ++r) {
+      const std::vector<Point>& ring = rings[r];
+      if (!has_three_corners(ring)) {
+        drop(fmt::format("ring {} of {}", r + 1, name), ring);
+        continue;
+      }
       for (std::size_t k = 0; k < ring.size(); ++k) {
         add_edge(ring[k], ring[k + 1 < ring.size() ? k + 1 : 0], {Origin::Kind::ring, p});
       }
     }
-    if (network_.strands.size() > before + 2) return;
-    changes_.push_back({Change::Kind::dropped,
-                        name_of_polygon(input_, p) + " has fewer than three corners",
-                        {},
-                        {{InputKind::polygon, input_.polygons[p].id}}});
+  }
+
+  /// Whether there are three different points one after the other; else the ring encloses nothing.
+  static bool has_three_corners(const std::vector<Point>& ring) {
+    const auto second =
+        std::find_if(ring.begin(), ring.end(), [&](Point q) { return q != ring[0]; });
+    return std::any_of(second, ring.end(), [&](Point q) { return q != ring[0] && q != *second; });
   }
 
   void add_line(std::uint32_t l) {

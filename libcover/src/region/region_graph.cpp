@@ -10,6 +10,7 @@
 #include "base/describe.hpp"
 #include "region/face_measures.hpp"
 #include "region/faces.hpp"
+#include "region/gaps.hpp"
 #include "region/interfaces.hpp"
 #include "region/materials.hpp"
 #include "region/near_misses.hpp"
@@ -172,13 +173,20 @@ Result<RegionTable> build_region_table(const Pslg& pslg, const Options& options,
     return nothing_enclosed(pslg, pslg.points.size() < 3 ? "there are fewer than three points"
                                                          : "all points lie on one line");
   }
-  if (faces.count == 1) return nothing_enclosed(pslg, "the segments enclose nothing");
+  const auto with_near_misses = [&](Error error) {
+    error.message += near_misses_behind(pslg, faces.triangulation);
+    return error;
+  };
+  if (faces.count == 1) {
+    return with_near_misses(nothing_enclosed(pslg, "the segments enclose nothing"));
+  }
   Result<SeededFaces> seeded = apply_seeds(pslg, faces, notes);
-  if (!seeded) return seeded.error();
+  if (!seeded) return with_near_misses(seeded.error());
   if (std::all_of(seeded->is_void.begin(), seeded->is_void.end(), [](bool v) { return v; })) {
     return nothing_enclosed(pslg, "the hole seeds leave no region");
   }
   warn_of_near_misses(pslg, faces.triangulation, notes);
+  warn_of_gaps(pslg, faces, *seeded, notes);
   return TableMaker(pslg, faces, *seeded).make(notes);
 }
 

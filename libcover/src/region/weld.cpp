@@ -220,7 +220,7 @@ class Welder {
     moved_[u] = moved_[w] = changed_ = true;
     changes_.push_back(
         {Change::Kind::welded,
-         fmt::format("{} was moved by {} onto {}", name(w), describe(distance), name(u)),
+         fmt::format("{} was moved by {} onto {}", name(w), describe_roughly(distance), name(u)),
          {drawing_.points[w], drawing_.points[u]},
          refs(w)});
   }
@@ -240,7 +240,7 @@ class Welder {
     changes_.push_back(
         {Change::Kind::welded,
          fmt::format("{} was bent by {} to {}", name_of_raw(input_, drawing_, line.raw),
-                     describe(line.distance), name(line.w)),
+                     describe_roughly(line.distance), name(line.w)),
          {drawing_.points[line.w]},
          {ref_of(input_, drawing_.raws[line.raw].origin)}});
   }

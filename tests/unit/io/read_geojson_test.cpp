@@ -40,6 +40,19 @@ TEST(ReadGeojson, ReadsFeaturesInTheOrderOfTheFile) {
   EXPECT_EQ(input->warnings.size(), 1u);
 }
 
+TEST(ReadGeojson, TakesNumbersForNamesAndEmptyCoordinatesForNull) {
+  const Result<Input> input = parse_geojson(R"({"type": "FeatureCollection", "features": [
+    {"type": "Feature", "properties": {"name": 12.5}, "geometry":
+      {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]}},
+    {"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": []}},
+    {"type": "Feature", "properties": {}, "geometry": {"type": "LineString", "coordinates": []}}]})",
+                                            "map.geojson");
+  ASSERT_TRUE(input.has_value()) << input.error().message;
+  ASSERT_EQ(input->polygons.size(), 1u);
+  EXPECT_EQ(input->polygons[0].material, "12.5");
+  EXPECT_TRUE(input->lines.empty());
+}
+
 TEST(ReadGeojson, ReadsABareGeometry) {
   const Result<Input> input = parse_geojson(
       R"({"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]})", "map.geojson");
@@ -53,7 +66,7 @@ TEST(ReadGeojson, NamesThePlaceOfEveryError) {
   EXPECT_EQ(message(R"({"type": "FeatureCollection", "features": [{"type": "Feature", "geometry":
                         {"type": "Polygon", "coordinates": [[[0, 0], [1]]]}}]})"),
             "map.geojson: features[0].geometry.coordinates[0][1]: expected a point [x, y], found 1 "
-            "numbers");
+            "number");
   EXPECT_EQ(message(R"({"features": []})"), "map.geojson: the key \"type\" is missing");
   EXPECT_EQ(message(R"({"type": "FeatureCollection", "features": []})"),
             "map.geojson: no Polygon, MultiPolygon or LineString in it");

@@ -99,7 +99,7 @@ TEST(ReadJson, NamesThePlaceOfEveryError) {
   EXPECT_EQ(message(R"({"points": [[0, 0], [1, "a"]], "segments": []})"),
             "deck.json: points[1][1]: expected a number, found \"a\"");
   EXPECT_EQ(message(R"({"points": [[0, 0], [1]], "segments": []})"),
-            "deck.json: points[1]: expected a point [x, y], found 1 numbers");
+            "deck.json: points[1]: expected a point [x, y], found 1 number");
   EXPECT_EQ(message(R"({"points": [[0, 0], [1, 0]], "segments": [[0, 2]]})"),
             "deck.json: segments[0][1]: there is no point 2: the points are 0 to 1");
   EXPECT_EQ(message(R"({"polygons": [{"rings": []}]})"),

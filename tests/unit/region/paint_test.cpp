@@ -56,7 +56,7 @@ TEST(Paint, LeavesOutWhatIsHidden) {
   EXPECT_EQ(out->pslg.segments.size(), 4U);
   ASSERT_EQ(out->table.regions.size(), 1U);
   EXPECT_EQ(out->table.regions[0].material, 2);
-  EXPECT_TRUE(out->tells("polygon 1 'hidden' covers nothing that others leave free"));
+  EXPECT_TRUE(out->tells("polygon 1 'hidden' is wholly covered by others"));
 }
 
 TEST(Paint, UnitesWhatOnlyHiddenEdgesCut) {
@@ -94,7 +94,9 @@ TEST(Paint, DropsSlitsOfARing) {
   ASSERT_TRUE(out) << out.error().message;
   EXPECT_EQ(out->area("keyhole"), 72);
   EXPECT_EQ(out->pslg.segments.size(), 8U);
-  EXPECT_TRUE(out->tells("polygon 1 'keyhole' folds back on itself along 1 edge"));
+  EXPECT_TRUE(
+      out->tells("polygon 1 'keyhole' folds back on itself along 1 edge, "
+                 "from (0, 0) to (3, 3): nothing is separated there"));
 }
 
 TEST(Paint, KeepsPolygonsApartUnlessNamedOrMerged) {
@@ -114,6 +116,38 @@ TEST(Paint, KeepsPolygonsApartUnlessNamedOrMerged) {
   ASSERT_TRUE(out) << out.error().message;
   ASSERT_EQ(out->table.regions.size(), 1U);
   EXPECT_EQ(out->table.regions[0].area, 4);
+}
+
+TEST(Paint, TellsPolygonsWithoutAnInsideFromHiddenOnes) {
+  Input input;
+  InputPolygon& twice = add_polygon(input, rectangle(0, 0, 2, 2), "twice");
+  twice.rings.push_back(rectangle(0, 0, 2, 2));
+  add_polygon(input, {{9, 0}, {10, 0}, {11, 0}, {12, 0}}, "flat");
+  InputPolygon& whole = add_polygon(input, rectangle(5, 0, 7, 2), "whole");
+  whole.rings.push_back({{5.5, 1}, {6, 1}, {5.5, 1}});
+  whole.rings.emplace_back();
+  const auto out = clean(input);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_EQ(out->table.regions.size(), 1U);
+  EXPECT_TRUE(out->tells("polygon 1 'twice' has no inside: its edges cancel each other"));
+  EXPECT_TRUE(out->tells("polygon 2 'flat' has no inside"));
+  EXPECT_TRUE(out->tells("ring 2 of polygon 3 'whole' has fewer than three corners"));
+  EXPECT_TRUE(out->tells("ring 3 of polygon 3 'whole' has fewer than three corners"));
+  EXPECT_FALSE(out->tells("polygon 3 'whole' folds back"));
+}
+
+TEST(Paint, WarnsOfThinVoidsBetweenPolygons) {
+  Input input;  // the lower one takes two chords of an arc, the upper one
+  add_polygon(input, {{0, 0}, {4, 0}, {4, 2}, {2, 1.9}, {0, 2}}, "low");
+  add_polygon(input, {{0, 2}, {4, 2}, {4, 4}, {0, 4}}, "up");
+  const auto out = clean(input);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_TRUE(out->tells("polygons leave 1 thin void between them, with an area of 0.2 together"));
+  input.polygons[0].rings[0][3].y = 1;  // a cavity that is meant
+  EXPECT_FALSE(clean(input)->tells("thin void"));
+  input.polygons.pop_back();
+  input.polygons[0].rings = {rectangle(0, 0, 4, 4), rectangle(1, 1, 3, 1.01)};
+  EXPECT_FALSE(clean(input)->tells("thin void"));
 }
 
 TEST(Paint, LeavesVoidWhereNothingCovers) {

@@ -286,9 +286,34 @@ TEST(BuildRegionTable, WarnsOfNearMisses) {
   ASSERT_EQ(found->notes.size(), 1U);
   EXPECT_EQ(found->notes[0].kind, Note::Kind::warning);
   EXPECT_EQ(found->notes[0].message,
-            "point 4 at (1, 9.313225746154785e-10) is only 9.313225746154785e-10 away from the "
+            "point 4 at (1, 9.313225746154785e-10) is only 9.31e-10 away from the "
             "segment between point 0 at (0, 0) and point 1 at (4, 0)");
   EXPECT_EQ(found->notes[0].where.at(0), (Point{1, 0x1p-30}));
+}
+
+TEST(BuildRegionTable, TellsInErrorsThatLinesDoNotQuiteMeet) {
+  Input input;
+  input.source = "near.poly";
+  add_loop(input, square(0, 4));
+  input.points.insert(input.points.end(), {{2, 0x1p-30}, {2, 4 - 0x1p-30}});
+  input.segments.push_back({4, 5, 0, 9, 0, ""});
+  for (const double x : {1.0, 3.0}) {
+    input.seeds.emplace_back();
+    input.seeds.back().at = {x, 1};
+    input.seeds.back().id = static_cast<long>(x);
+    input.seeds.back().material = x > 2 ? "b" : "a";
+  }
+  EXPECT_EQ(
+      find(input).error().message,
+      "near.poly: region seed 1 at (1, 1) and region seed 3 at (3, 1) are in the same face "
+      "but disagree: material 'a' and 'b'; point 4 at (2, 9.313225746154785e-10) is only "
+      "9.31e-10 away from the segment between point 0 at (0, 0) and point 1 at (4, 0), and so "
+      "at 1 more place (--weld closes such gaps)");
+  input.points[4].y = 1;
+  input.points[5].y = 3;
+  EXPECT_EQ(find(input).error().message,
+            "near.poly: region seed 1 at (1, 1) and region seed 3 at (3, 1) are in the same face "
+            "but disagree: material 'a' and 'b'");
 }
 
 TEST(BuildRegionTable, WarnsOfAllPointsNearOneLongSegment) {

@@ -30,7 +30,7 @@ TEST(Weld, ClosesGapsAndSlivers) {
     EXPECT_NEAR(out->area("left"), 1, 1e-9);
   }
   const auto out = clean(neighbours(1e-10));
-  EXPECT_TRUE(out->tells("was moved by 1.0"));
+  EXPECT_TRUE(out->tells("was moved by 1e-10 onto"));
   EXPECT_TRUE(out->tells("the edge of polygon 1 'left' from (1, 0) to (1, 1) was bent by"));
 }
 

@@ -1,0 +1,21 @@
+// Warnings about thin voids between painted polygons.
+#pragma once
+
+#include <vector>
+
+#include <cover/pslg.hpp>
+#include <cover/report.hpp>
+
+#include "region/faces.hpp"
+#include "region/seeds.hpp"
+
+namespace cover {
+
+/// Appends a warning to `notes` if thin voids lie between different polygons: neighbours whose
+/// common border is curved and was cut differently leave them, too wide to be welded.
+///
+/// Cost: O(n).
+void warn_of_gaps(const Pslg& pslg, const Faces& faces, const SeededFaces& seeded,
+                  std::vector<Note>& notes);
+
+}  // namespace cover
