@@ -8,6 +8,7 @@
 
 #include "covering/measure.hpp"
 #include "mesh/stitch.hpp"
+#include "pipeline/errors_as_values.hpp"
 #include "pipeline/find_regions.hpp"
 #include "pipeline/nonobtuse.hpp"
 #include "pipeline/region_task.hpp"
@@ -17,6 +18,23 @@
 #include "region/region_graph.hpp"
 
 namespace cover {
+namespace {
+
+/// Cuts segments again where triangles are left above the target, on request, and measures anew.
+void improve_further(Prepared& prepared, std::vector<RegionBoundary>& boundaries,
+                     std::vector<RegionMesh>& meshes, const Options& options,
+                     const std::stop_token& stop) {
+  auto& [pslg, table, report] = prepared;
+  if (!cut_and_improve(pslg, table, boundaries, meshes, options, stop, report.notes)) return;
+  report.input_points = pslg.points.size();
+  report.input_segments = pslg.segments.size();
+  for (std::size_t r = 0; r < boundaries.size(); ++r) {
+    report_again(boundaries[r], options, meshes[r]);
+    measure(boundaries[r], meshes[r]);
+  }
+}
+
+}  // namespace
 
 Result<Prepared> prepare(const Input& input, const Options& options, const Callbacks& callbacks) {
   StageClock clock;
@@ -36,10 +54,12 @@ Result<Output> cover_mesh(const Input& input, const Options& options, const Call
   if (!prepared) return std::move(prepared).error();
   auto& [pslg, table, report] = *prepared;
 
-  auto boundaries = split_regions(pslg, table);
-  if (Status status = resolve_sizes(pslg, table, options, boundaries); !status) {
-    return std::move(status).error();
-  }
+  std::vector<RegionBoundary> boundaries;
+  Status sized = errors_as_values("split", [&] {
+    boundaries = split_regions(pslg, table);
+    return resolve_sizes(pslg, table, options, boundaries);
+  });
+  if (!sized) return std::move(sized).error();
   warn_of_sizes(pslg, options, boundaries, report.notes);
   clock.note("split", report.times);
   Result<std::vector<RegionMesh>> meshes =
@@ -47,21 +67,21 @@ Result<Output> cover_mesh(const Input& input, const Options& options, const Call
           ? mesh_nonobtuse(pslg, table, boundaries, options, callbacks)
           : mesh_regions(boundaries, options, callbacks);
   if (!meshes) return std::move(meshes).error();
-  if (options.method == Method::quality &&
-      cut_and_improve(pslg, table, boundaries, *meshes, options, callbacks.stop, report.notes)) {
-    report.input_points = pslg.points.size();
-    report.input_segments = pslg.segments.size();
-    for (std::size_t r = 0; r < boundaries.size(); ++r) {
-      report_again(boundaries[r], options, (*meshes)[r]);
-      measure(boundaries[r], (*meshes)[r]);
-    }
+  if (options.method == Method::quality) {
+    Status status = errors_as_values("cut and improve", [&] {
+      improve_further(*prepared, boundaries, *meshes, options, callbacks.stop);
+      return ok();
+    });
+    if (!status) return std::move(status).error();
   }
   clock.note("mesh", report.times);
   if (Status status = begin_stage("stitch", callbacks); !status) return std::move(status).error();
-  Mesh mesh = stitch(pslg, table, boundaries, *meshes);
+  Result<Mesh> mesh = errors_as_values(
+      "stitch", [&] { return Result<Mesh>(stitch(pslg, table, boundaries, *meshes)); });
+  if (!mesh) return std::move(mesh).error();
   collect_reports(*meshes, report);
   clock.note("stitch", report.times);
-  return Output{std::move(mesh), std::move(pslg), std::move(table), std::move(report)};
+  return Output{*std::move(mesh), std::move(pslg), std::move(table), std::move(report)};
 }
 
 }  // namespace cover

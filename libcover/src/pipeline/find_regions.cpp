@@ -8,6 +8,7 @@
 #include "covering/measure.hpp"
 #include "pipeline/check_options.hpp"
 #include "pipeline/describe_options.hpp"
+#include "pipeline/errors_as_values.hpp"
 #include "pipeline/region_task.hpp"
 #include "quality/split_interfaces.hpp"
 #include "region/pslg.hpp"
@@ -32,19 +33,20 @@ Result<Prepared> find_regions(const Input& input, const Options& options,
   for (const std::string& warning : input.warnings)
     report.notes.push_back({Note::Kind::warning, kVoid, warning, {}});
   if (Status status = begin_stage("clean", callbacks); !status) return std::move(status).error();
-  Result<Pslg> pslg = make_pslg(input, options, report);
+  Result<Pslg> pslg = errors_as_values("clean", [&] { return make_pslg(input, options, report); });
   if (!pslg) return std::move(pslg).error();
   prepared.pslg = *std::move(pslg);
   clock.note("clean", report.times);
   if (Status status = begin_stage("regions", callbacks); !status) return std::move(status).error();
-  Result<RegionTable> table = build_region_table(prepared.pslg, options, report.notes);
+  Result<RegionTable> table = errors_as_values(
+      "regions", [&] { return build_region_table(prepared.pslg, options, report.notes); });
   if (!table) return std::move(table).error();
   prepared.table = *std::move(table);
   clock.note("regions", report.times);
-  if (Status status = split_interfaces(prepared.pslg, prepared.table, options, report.notes);
-      !status) {
-    return std::move(status).error();
-  }
+  Status status = errors_as_values("split interfaces", [&] {
+    return split_interfaces(prepared.pslg, prepared.table, options, report.notes);
+  });
+  if (!status) return std::move(status).error();
   report.input_points = prepared.pslg.points.size();
   report.input_segments = prepared.pslg.segments.size();
   report.threads = worker_count(options);

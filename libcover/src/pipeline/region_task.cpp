@@ -1,7 +1,6 @@
 // A region needs nothing of its neighbours and writes only its own slot of the results, so tasks
-// share nothing but the progress count. The one place where exceptions are caught: what is thrown
-// inside a region (by CGAL, or for lack of memory) becomes the error of that region. Tested by
-// tests/unit/pipeline/cover_mesh_test.cpp.
+// share nothing but the progress count. What is thrown inside a region becomes the error of that
+// region. Tested by tests/unit/pipeline/cover_mesh_test.cpp.
 #include "pipeline/region_task.hpp"
 
 #include <algorithm>
@@ -22,6 +21,7 @@
 #include "covering/chords.hpp"
 #include "covering/cover_region.hpp"
 #include "covering/measure.hpp"
+#include "pipeline/errors_as_values.hpp"
 #include "pipeline/stage_clock.hpp"
 #include "quality/quality_region.hpp"
 
@@ -96,14 +96,6 @@ class ProgressCount {
   std::atomic<bool> has_thrown_ = false;
 };
 
-Error task_failed(RegionId region, const char* what) {
-  return {ErrorCode::internal,
-          fmt::format("region {}: {}; this is an error in cover, please report it with the input",
-                      region.value(), what),
-          {},
-          {}};
-}
-
 using RegionMethod = RegionMesh (*)(const RegionBoundary&, const Options&, std::stop_token);
 
 RegionMesh measured(RegionMethod method, const RegionBoundary& boundary, const Options& options,
@@ -162,11 +154,12 @@ Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned work
   const auto run = [&](const Batch& batch) {
     for (std::size_t k = batch.first; k < batch.last; ++k) {
       if (progress.must_stop()) return;
-      try {
+      const std::string doing = fmt::format("region {}", boundaries[order[k]].id.value());
+      Status status = errors_as_values(doing, [&] {
         task(order[k]);
-      } catch (const std::exception& e) {
-        errors[order[k]] = task_failed(boundaries[order[k]].id, e.what());
-      }
+        return ok();
+      });
+      if (!status) errors[order[k]] = std::move(status).error();
     }
     progress.add(batch.cost);
   };
