@@ -6,6 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include <fmt/format.h>
 #include <spdlog/common.h>
 
@@ -72,9 +76,20 @@ int run(const std::string& name, Arguments arguments) {
                                  meant ? fmt::format("; did you mean '{}'?", *meant) : ""));
 }
 
+/// Keeps large arrays apart from small ones, so that each goes back to the system when it is freed.
+/// glibc does so too until the first of them is freed; then it puts ever larger ones among the
+/// small ones, where what is freed stays. A fifth of the memory, and no time that could be
+/// measured.
+void give_back_large_arrays() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 512 * 1024);
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  give_back_large_arrays();
   const std::vector<std::string> words(argv + 1, argv + argc);
   if (words.empty()) {
     std::fputs(kHelp, stderr);

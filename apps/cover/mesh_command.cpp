@@ -210,9 +210,9 @@ int print_report(const MeshCommand& command, const Output& output, spdlog::logge
 }
 
 /// Makes the mesh, or parts of it again.
-Result<Output> make_mesh(const MeshCommand& command, const Input& input, const Options& options,
+Result<Output> make_mesh(const MeshCommand& command, Input input, const Options& options,
                          const Callbacks& callbacks, spdlog::logger& log) {
-  if (command.onto.empty()) return cover_mesh(input, options, callbacks);
+  if (command.onto.empty()) return cover_mesh(std::move(input), options, callbacks);
   const Result<TriangleSoup> onto = read_triangles(command.onto, log);
   if (!onto) return onto.error();
   Result<Output> output = remesh(input, *onto, command.only, options, callbacks);
@@ -226,7 +226,7 @@ Result<Output> make_mesh(const MeshCommand& command, const Input& input, const O
 }
 
 /// Meshes, writes, reports.
-int run(const MeshCommand& command, const Input& input, const Options& options,
+int run(const MeshCommand& command, Input input, const Options& options,
         const std::vector<File>& files, spdlog::logger& log) {
   Interrupt interrupt;
   ProgressLine line(command.show_progress());
@@ -239,7 +239,7 @@ int run(const MeshCommand& command, const Input& input, const Options& options,
       packings.push_back(packing);
     };
   }
-  Result<Output> meshed = make_mesh(command, input, options, callbacks, log);
+  Result<Output> meshed = make_mesh(command, std::move(input), options, callbacks, log);
   line.clear();
   if (!meshed) return fail(log, meshed.error());
 
@@ -295,14 +295,14 @@ int run_mesh(Arguments arguments) {
   if (!files) return usage_error(command.app, files.error().message);
 
   const auto log = make_logger(command.verbosity);
-  const Result<Input> input = command.input.read();
+  Result<Input> input = command.input.read();
   if (!input) return fail(*log, input.error());
   if (const Status status = command.library.read_size_field(*options); !status)
     return fail(*log, status.error());
   log->info("read {}: {} points, {} segments", command.input.path(), input->points.size(),
             input->segments.size());
   return command.dry_run ? dry_run(command, *input, *options, *log)
-                         : run(command, *input, *options, *files, *log);
+                         : run(command, *std::move(input), *options, *files, *log);
 }
 
 }  // namespace cover::app

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """cli_test.py PROGRAM SAMPLES [TEST...]: the program as a user meets it: exit codes, messages, files."""
 import json
+import math
 import os
 import pathlib
 import pty
@@ -308,6 +309,33 @@ class Sizes(Case):
         self.assertNotIn('longer', err)
         _, err = self.run_cover('mesh', 's.poly', '-o', 'd.vtu', '--size', 0.1, '--method', 'almond')
         self.assertIn('sizes count with method quality only', err)
+
+
+class Memory(Case):
+    @staticmethod
+    def peak(*words):
+        """Kilobytes at the most, of a run of the program."""
+        run = subprocess.Popen([PROGRAM, *map(str, words)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        _, status, usage = os.wait4(run.pid, 0)
+        run.returncode = os.waitstatus_to_exitcode(status)
+        return usage.ru_maxrss if run.returncode == 0 else None
+
+    def test_bytes_per_triangle(self):
+        square = self.dir / self.write('square.poly', SQUARE)
+        idle = self.peak('mesh', square, '-o', self.dir / 'square.vtu')
+        if idle > 40000:
+            self.skipTest('a sanitizer takes memory of its own')
+        n = 60000
+        r = [1 + sum(0.25 / k * math.cos(k * 2 * math.pi * i / n + k) for k in (2, 5, 17, 64, 301)) for i in range(n)]
+        points = '\n'.join(f'{i} {r[i] * math.cos(2 * math.pi * i / n)!r} {r[i] * math.sin(2 * math.pi * i / n)!r}'
+                           for i in range(n))
+        segments = '\n'.join(f'{i} {i} {(i + 1) % n}' for i in range(n))
+        star = self.dir / self.write('star.poly', f'{n} 2 0 0\n{points}\n{n} 0\n{segments}\n0\n')
+        for method in ('almond', 'quality'):
+            mesh, report = self.dir / 'star.vtu', self.dir / 'star.json'
+            peak = self.peak('mesh', star, '--method', method, '-j', 1, '-o', mesh, '--report', report)
+            triangles = json.loads(report.read_text())['overall']['triangles']
+            self.assertLess(1024 * (peak - idle) / triangles, 400, method)
 
 
 class Remesh(Case):

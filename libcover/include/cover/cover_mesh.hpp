@@ -16,7 +16,7 @@ namespace cover {
 struct Prepared {
   Pslg pslg;
   RegionTable table;
-  Report report;   ///< gamma_opt and bound per region, changes and warnings; no mesh figures
+  Report report;  ///< gamma_opt and bound per region, changes and warnings; no mesh figures
 };
 
 /// What `cover_mesh` returns.
@@ -50,6 +50,9 @@ Result<Prepared> prepare(const Input& input, const Options& options = {},
 /// Cost:    O(n log n) and the fill's.
 /// Ref:     mitchell_1993_covering
 Result<Output> cover_mesh(const Input& input, const Options& options = {},
+                          const Callbacks& callbacks = {});
+/// The same; `input` is gone as soon as it is no longer needed, which leaves room for the mesh.
+Result<Output> cover_mesh(Input&& input, const Options& options = {},
                           const Callbacks& callbacks = {});
 
 }  // namespace cover

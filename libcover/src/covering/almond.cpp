@@ -34,19 +34,19 @@ void Almond::set_nu(double value) {
 double Almond::power(Point x) const {
   const Vector a = x - from, b = x - to;
   // Twice the area, from the nearer end: the smaller factor makes the smaller error.
-  const double area = squared_length(a) < squared_length(b) ? cross(chord, a) : cross(chord, b);
+  const double area = squared_length(a) < squared_length(b) ? cross(chord(), a) : cross(chord(), b);
   return sin_nu * dot(a, b) + cos_nu * area;
 }
 
 double Almond::power_slope(Point x, Vector d) const {
-  return sin_nu * dot(d, (x - from) + (x - to)) - cos_nu * cross(d, chord);
+  return sin_nu * dot(d, (x - from) + (x - to)) - cos_nu * cross(d, chord());
 }
 
 Point Almond::at_ratio(double r) const {
-  const Vector along = cos_nu * chord, up = sin_nu * left_normal(chord);
-  if (r <= 1) return from + 1 / (1 + 2 * r * cos_nu + r * r) * (r * (along + up) + r * r * chord);
+  const Vector d = chord(), along = cos_nu * d, up = sin_nu * left_normal(d);
+  if (r <= 1) return from + 1 / (1 + 2 * r * cos_nu + r * r) * (r * (along + up) + r * r * d);
   const double q = 1 / r;
-  return to + 1 / (1 + 2 * q * cos_nu + q * q) * (q * (up + -1.0 * along) + -q * q * chord);
+  return to + 1 / (1 + 2 * q * cos_nu + q * q) * (q * (up + -1.0 * along) + -q * q * d);
 }
 
 Point Almond::at_place(double s) const {
@@ -74,10 +74,10 @@ std::vector<Almond> make_almonds(const Triangulation& cdt, std::span<const Index
     a.apex = cdt.triangles[a.base.triangle].v[a.base.edge];
     a.from = cdt.points[a.u];
     a.to = cdt.points[a.v];
-    a.chord = a.to - a.from;
-    a.length = length(a.chord);
-    a.resolution = (std::abs(a.chord.y) * spacing(a.from.x + origin.x, a.to.x + origin.x) +
-                    std::abs(a.chord.x) * spacing(a.from.y + origin.y, a.to.y + origin.y)) /
+    const Vector chord = a.chord();
+    a.length = length(chord);
+    a.resolution = (std::abs(chord.y) * spacing(a.from.x + origin.x, a.to.x + origin.x) +
+                    std::abs(chord.x) * spacing(a.from.y + origin.y, a.to.y + origin.y)) /
                    a.length;
     if (segments[k] == kHullSide) {
       a.kind = AlmondKind::hull_side;

@@ -39,11 +39,11 @@ struct Almond {
   AlmondKind kind = AlmondKind::whole;
   bool apex_limits = false;  ///< the apex sees the side under 120 degrees or more: no cap
   Point from, to;            ///< positions of u and v
-  Vector chord;              ///< to - from
-  double length = 0;         ///< of the chord
+  double length = 0;         ///< of chord()
   double resolution = 0;     ///< spacing of the final coordinates across the side, at its ends
   double nu = 0, sin_nu = 0, cos_nu = 1;
 
+  [[nodiscard]] Vector chord() const { return to - from; }
   /// True if other arcs are to be met with this one.
   [[nodiscard]] bool has_arc() const {
     return kind != AlmondKind::triangle && kind != AlmondKind::none;

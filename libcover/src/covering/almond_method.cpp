@@ -127,6 +127,7 @@ class AlmondMethod {
   /// and what was put on its chords.
   void add_fill(FilledRemainder filled, std::vector<std::uint32_t> vertex,
                 std::span<const std::uint32_t> arc_chord, SplitChords& splits) {
+    mesh_.points.reserve(mesh_.points.size() + filled.points.size() - vertex.size());
     for (std::size_t v = vertex.size(); v < filled.points.size(); ++v) {
       vertex.push_back(static_cast<std::uint32_t>(mesh_.points.size()));
       mesh_.points.push_back(filled.points[v]);

@@ -60,7 +60,7 @@ class Almonds {
                       });
     const double k = half ? kPaperCentre : kCentre;
     return midpoint(almond.from, almond.to) +
-           std::tan((1 - k) * almond.nu / 2) / 2 * left_normal(almond.chord);
+           std::tan((1 - k) * almond.nu / 2) / 2 * left_normal(almond.chord());
   }
 
   /// Triangles between `apex` and the pieces of chord `c`.

@@ -74,11 +74,12 @@ Meetings meet(const Almond& a, std::span<const KnownVertex> known_a, const Almon
   }
   if (common >= 2) return {};
 
-  const Point tangents_meet = a.from + 0.5 * (a.chord + a.sin_nu / a.cos_nu * left_normal(a.chord));
+  const Point tangents_meet =
+      a.from + 0.5 * (a.chord() + a.sin_nu / a.cos_nu * left_normal(a.chord()));
   const double b0 = is_known(a.u) ? 0 : b.power(a.from);
   const double b2 = is_known(a.v) ? 0 : b.power(a.to);
   const double b1 =
-      a.cos_nu * b.power(tangents_meet) - b.sin_nu * squared_length(a.chord) / (4 * a.cos_nu);
+      a.cos_nu * b.power(tangents_meet) - b.sin_nu * squared_length(a.chord()) / (4 * a.cos_nu);
   const Roots roots = common == 1 ? solve_other(b0, b1, b2, shared.ratio) : solve(b0, b1, b2);
 
   Meetings meetings;

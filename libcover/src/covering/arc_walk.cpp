@@ -119,7 +119,7 @@ class Walker {
       if (slope_a * slope_a <= 4 * curvature * almond_->power(a)) return false;
     }
     if (slope_b > slope_a) lowest = std::clamp(-slope_a / (slope_b - slope_a), 0.0, 1.0);
-    return cross(almond_->chord, (a + lowest * d) - almond_->from) > 0;
+    return cross(almond_->chord(), (a + lowest * d) - almond_->from) > 0;
   }
 
   /// Turns the visits into lists by triangle.

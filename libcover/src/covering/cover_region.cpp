@@ -54,7 +54,7 @@ class Region {
 
  private:
   void triangulate() {
-    CdtResult result = triangulate_domain(frame_.points(), boundary_.sides);
+    CdtResult result = triangulate_domain(frame_.take_points(), boundary_.sides);
     if (!result.conflicts.empty())
       throw std::logic_error("the boundary of a region crosses itself");
     cdt_ = std::move(result.triangulation);

@@ -44,9 +44,10 @@ std::vector<std::uint32_t> RemainderFill::refine() {
 
 FilledRemainder RemainderFill::finish() {
   if (held_) {
-    out_.points = std::move(r_.cdt.points);
-    out_.triangles.reserve(r_.cdt.triangles.size());
-    for (const Triangle& f : r_.cdt.triangles) out_.triangles.push_back(f.v);
+    Triangulation cdt = std::move(std::exchange(r_, {}).cdt);  // the rest is given back
+    out_.triangles.reserve(cdt.triangles.size());
+    for (const Triangle& f : cdt.triangles) out_.triangles.push_back(f.v);
+    out_.points = std::move(cdt.points);
     out_.splits = std::move(refined_);
     return std::move(out_);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <cover/point.hpp>
@@ -17,6 +18,8 @@ class LocalFrame {
   explicit LocalFrame(std::span<const Point> points);
 
   [[nodiscard]] const std::vector<Point>& points() const { return points_; }
+  /// The same, handed over: this frame has none from then on.
+  [[nodiscard]] std::vector<Point> take_points() { return std::exchange(points_, {}); }
   /// False if the coordinates are as they were.
   [[nodiscard]] bool is_shifted() const { return origin_ != Point{}; }
   /// Back to the frame of the region; rounded.

@@ -71,17 +71,12 @@ class Refiner {
     bool locked;
   };
 
-  /// Room for an eighth more: a vector that grows doubles, and most regions take less.
   void reserve() {
-    const std::size_t vertices = cdt_.points.size() / 8 * 9;
-    const std::size_t triangles = cdt_.triangles.size() + cdt_.points.size() / 4;
-    cdt_.points.reserve(vertices);
-    tan_target_.reserve(vertices);
-    fan_at_.reserve(vertices);
-    cdt_.triangles.reserve(triangles);
-    edges_.reserve(triangles);
-    version_.reserve(triangles);
-    in_cavity_.reserve(triangles);
+    reserve_for_refinement(cdt_.points.size(), cdt_.triangles.size(), cdt_, edges_);
+    tan_target_.reserve(cdt_.points.capacity());
+    fan_at_.reserve(cdt_.points.capacity());
+    version_.reserve(cdt_.triangles.capacity());
+    in_cavity_.reserve(cdt_.triangles.capacity());
   }
 
   [[nodiscard]] Point corner(const Triangle& f, int i) const {
@@ -411,6 +406,13 @@ std::vector<std::uint32_t> match_chords(const Triangulation& cdt, std::span<cons
     if (!found[c]) faults.push_back(c);
   }
   return faults;
+}
+
+void reserve_for_refinement(std::size_t points, std::size_t triangles, Triangulation& cdt,
+                            ChordEdges& edges) {
+  cdt.points.reserve(points / 8 * 9);
+  cdt.triangles.reserve(triangles + points / 4);
+  edges.reserve(triangles + points / 4);
 }
 
 Refinement refine_large_angles(Triangulation& cdt, ChordEdges& edges, std::span<const Chord> chords,

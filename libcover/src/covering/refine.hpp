@@ -23,6 +23,11 @@ using ChordEdges = std::vector<std::array<std::uint32_t, 3>>;
 std::vector<std::uint32_t> match_chords(const Triangulation& cdt, std::span<const Chord> chords,
                                         ChordEdges& edges);
 
+/// Room for what refinement adds to most regions, an eighth of the vertices: vectors that grow take
+/// twice what they hold. `points` and `triangles`: how many there will be before.
+void reserve_for_refinement(std::size_t points, std::size_t triangles, Triangulation& cdt,
+                            ChordEdges& edges);
+
 /// What a refinement did.
 struct Refinement {
   std::vector<ChordSplit> splits;  ///< by chord

@@ -96,7 +96,9 @@ Remainder find_remainder(const ChordLayer& layer, std::span<const Almond> almond
 Remainder whole_region(const Triangulation& cdt, const ChordLayer& layer,
                        std::span<const Almond> almonds) {
   Remainder r;
-  r.cdt = cdt;
+  reserve_for_refinement(cdt.points.size(), cdt.triangles.size(), r.cdt, r.edges);
+  r.cdt.points.assign(cdt.points.begin(), cdt.points.end());
+  r.cdt.triangles.assign(cdt.triangles.begin(), cdt.triangles.end());
   r.vertex.resize(cdt.points.size());
   std::iota(r.vertex.begin(), r.vertex.end(), 0U);
   r.chords.reserve(layer.chords.size());

@@ -48,9 +48,11 @@ Result<Prepared> prepare(const Input& input, const Options& options, const Callb
   return prepared;
 }
 
-Result<Output> cover_mesh(const Input& input, const Options& options, const Callbacks& callbacks) {
-  StageClock clock;
-  Result<Prepared> prepared = find_regions(input, options, callbacks, clock);
+namespace {
+
+/// All that follows once the regions are known; the input is not needed any more.
+Result<Output> mesh_prepared(Result<Prepared> prepared, const Options& options,
+                             const Callbacks& callbacks, StageClock& clock) {
   if (!prepared) return std::move(prepared).error();
   auto& [pslg, table, report] = *prepared;
 
@@ -82,6 +84,20 @@ Result<Output> cover_mesh(const Input& input, const Options& options, const Call
   collect_reports(*meshes, report);
   clock.note("stitch", report.times);
   return Output{*std::move(mesh), std::move(pslg), std::move(table), std::move(report)};
+}
+
+}  // namespace
+
+Result<Output> cover_mesh(const Input& input, const Options& options, const Callbacks& callbacks) {
+  StageClock clock;
+  return mesh_prepared(find_regions(input, options, callbacks, clock), options, callbacks, clock);
+}
+
+Result<Output> cover_mesh(Input&& input, const Options& options, const Callbacks& callbacks) {
+  StageClock clock;
+  Result<Prepared> prepared = find_regions(input, options, callbacks, clock);
+  input = {};
+  return mesh_prepared(std::move(prepared), options, callbacks, clock);
 }
 
 }  // namespace cover

@@ -163,11 +163,16 @@ Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned work
     }
     progress.add(batch.cost);
   };
-  boost::asio::thread_pool pool(std::min<std::size_t>(workers, batches.size()));
-  for (const Batch& batch : batches) {
-    boost::asio::post(pool, [&run, &batch] { run(batch); });
+  if (std::min<std::size_t>(workers, batches.size()) <= 1) {
+    // Memory that earlier stages gave back is found again by the thread that had it.
+    for (const Batch& batch : batches) run(batch);
+  } else {
+    boost::asio::thread_pool pool(std::min<std::size_t>(workers, batches.size()));
+    for (const Batch& batch : batches) {
+      boost::asio::post(pool, [&run, &batch] { run(batch); });
+    }
+    pool.join();
   }
-  pool.join();
   progress.rethrow();
 
   if (callbacks.stop.stop_requested()) return Error{ErrorCode::cancelled, "interrupted", {}, {}};

@@ -19,8 +19,7 @@ Almond almond_of(Point from, Point to, double nu) {
   Almond a;
   a.u = 0, a.v = 1;
   a.from = from, a.to = to;
-  a.chord = to - from;
-  a.length = length(a.chord);
+  a.length = length(a.chord());
   a.set_nu(nu);
   return a;
 }

@@ -35,6 +35,25 @@ TEST(CoverMesh, KeepsItsPromises) {
             output.mesh.tri().n_vertices());
 }
 
+TEST(CoverMesh, AnInputThatIsHandedOverIsGivenBack) {
+  Input input = testing::checker(4, 5, 3);
+  const Result<Output> kept = cover_mesh(input);
+  ASSERT_TRUE(kept);
+  EXPECT_FALSE(input.segments.empty());
+  const Result<Output> consumed = cover_mesh(std::move(input));
+  ASSERT_TRUE(consumed);
+  EXPECT_EQ(shape_of(triangle_soup(consumed->mesh)), shape_of(triangle_soup(kept->mesh)));
+  EXPECT_EQ(input.points.capacity(), 0U);  // NOLINT(bugprone-use-after-move): that is the promise
+  EXPECT_EQ(input.segments.capacity(), 0U);
+}
+
+TEST(Result, ValuesAreMovedOutOfTemporaries) {
+  Result<std::vector<int>> result = std::vector<int>{1, 2, 3};
+  const int* const before = result->data();
+  const std::vector<int> value = *std::move(result);
+  EXPECT_EQ(value.data(), before);
+}
+
 TEST(CoverMesh, SameMeshForAnyNumberOfThreadsAndAnyRepeat) {
   const Input input = testing::checker(8, 6, 11);
   Options options;
