@@ -125,8 +125,12 @@ class Sweep {
     }
     at_end_ = order != Sign::positive;
     stop_at_ = at_end_ ? SweepPoint(ends_[next_].at) : crossing->at;
-    if (!at_end_) stop_line(crossing->below);
-    if (order != Sign::negative) crossings_.erase(crossing);
+    if (order != Sign::negative) {
+      // Known to pass, so that no sign need be found to be zero, which takes exact arithmetic.
+      stop_line(crossing->below);
+      stop_line(crossing->above);
+      crossings_.erase(crossing);
+    }
     if (!at_end_) return true;
     for (const Point at = ends_[next_].at; next_ < ends_.size() && ends_[next_].at == at; ++next_) {
       stop_line(ends_[next_].line);
