@@ -70,8 +70,8 @@ std::vector<bool> needed_points(const Subdivision& cuts, const std::vector<std::
   return needed;
 }
 
-/// Replaces the strands by their pieces between common points.
-void cut(Network& network, const EdgeGraph& graph) {
+/// Replaces the strands by their pieces between common points. False if there are none.
+bool cut(Network& network, const EdgeGraph& graph) {
   std::vector<PlainSegment> segments;
   segments.reserve(graph.edges.size() + network.lone.size());
   for (const auto& [a, b] : graph.edges) segments.push_back({network.points[a], network.points[b]});
@@ -79,9 +79,7 @@ void cut(Network& network, const EdgeGraph& graph) {
     segments.push_back({network.points[v], network.points[v]});
   }
   const Subdivision cuts = subdivide_and_snap(segments, graph.passes > 0);
-  if (cuts.path.size() == 2 * segments.size()) {
-    throw std::logic_error("node_edges: edges in conflict that do not meet");
-  }
+  if (cuts.path.size() == 2 * segments.size()) return false;
 
   PointPool pool;
   for (const Point& p : network.points) pool.index_of(p);
@@ -110,20 +108,32 @@ void cut(Network& network, const EdgeGraph& graph) {
   network.points = pool.take();
   network.input.resize(network.points.size(), kNoIndex);
   compact(network);
+  return true;
 }
 
 }  // namespace
 
-EdgeGraph node_edges(Network& network) {
+EdgeGraph index_edges(Network& network) {
+  EdgeGraph graph;
+  index_edges(network, graph);
+  return graph;
+}
+
+EdgeGraph node_edges(Network& network, bool may_be_clean) {
   EdgeGraph graph;
   for (;; ++graph.passes) {
     index_edges(network, graph);
-    CdtResult cdt = triangulate_hull(network.points, graph.edges);
-    if (cdt.conflicts.empty()) {
-      graph.triangulation = std::move(cdt.triangulation);
-      return graph;
+    if (may_be_clean) {
+      CdtResult cdt = triangulate_hull(network.points, graph.edges);
+      if (cdt.conflicts.empty()) {
+        graph.triangulation = std::move(cdt.triangulation);
+        return graph;
+      }
     }
-    cut(network, graph);
+    if (!cut(network, graph) && may_be_clean) {
+      throw std::logic_error("node_edges: edges in conflict that do not meet");
+    }
+    may_be_clean = true;
   }
 }
 

@@ -58,10 +58,16 @@ Result<EdgeGraph> paint_over(const Input& input, const Options& options, Network
   Result<std::vector<EdgeOwners>> painted = paint(input, options.overlap, network, graph);
   if (!painted) return std::move(painted).error();
   report_polygons(input, network, graph, *painted, report);
-  const std::vector<VisibleEdge> visible = visible_edges(
+  const VisibleEdges visible = visible_edges(
       network, graph, *painted, group_polygons(input.polygons, options.merge_materials));
-  report_splits(input, network, visible, report.changes);
-  network = network_of(visible, network);
+  report_splits(input, network, visible.edges, report.changes);
+  network = network_of(visible.edges, network);
+  if (!visible.any_united) {
+    for (const VisibleEdge& e : visible.edges) {
+      owners.push_back(e.a < e.b ? e.owners : EdgeOwners{e.owners[1], e.owners[0]});
+    }
+    return index_edges(network);
+  }
   // Pieces that were united again may differ from the line they make up by rounding.
   EdgeGraph clean = node_edges(network);
   painted = paint(input, options.overlap, network, clean);
@@ -70,15 +76,16 @@ Result<EdgeGraph> paint_over(const Input& input, const Options& options, Network
   return clean;
 }
 
-/// Cleans what is no PSLG yet.
+/// Cleans what is no PSLG yet, as is known of segments alone.
 Result<Pslg> clean_up(const Input& input, const Options& options, Report& report) {
   Network network = gather(input, report.changes);
   const double weld = options.weld.value_or(input.polygons.empty() ? 0 : kAutoWeld);
-  EdgeGraph graph = weld_and_node(input, weld, network, report.changes);
+  EdgeGraph graph = weld > 0 ? weld_and_node(input, weld, network, report.changes)
+                             : node_edges(network, !input.polygons.empty() || !input.lines.empty());
   std::vector<EdgeOwners> owners;
   if (input.polygons.empty()) {
     const std::vector<EdgeOwners> none(graph.edges.size(), {kNoIndex, kNoIndex});
-    report_splits(input, network, visible_edges(network, graph, none, {}), report.changes);
+    report_splits(input, network, visible_edges(network, graph, none, {}).edges, report.changes);
   } else {
     Result<EdgeGraph> painted = paint_over(input, options, network, graph, owners, report);
     if (!painted) return std::move(painted).error();

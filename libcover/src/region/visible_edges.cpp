@@ -28,11 +28,12 @@ class Uniter {
     }
   }
 
-  void run() {
+  /// True if any were united.
+  bool run() {
     for (std::uint32_t v = 0; v < at_.size(); ++v) {
       if (degree_[v] == 2 && network_.input[v] == kNoIndex) unite_at(v);
     }
-    std::erase_if(edges_, [](const VisibleEdge& e) { return e.raws.empty(); });
+    return std::erase_if(edges_, [](const VisibleEdge& e) { return e.raws.empty(); }) > 0;
   }
 
  private:
@@ -78,11 +79,11 @@ class Uniter {
 
 }  // namespace
 
-std::vector<VisibleEdge> visible_edges(const Network& network, const EdgeGraph& graph,
-                                       const std::vector<EdgeOwners>& owners,
-                                       const std::vector<std::uint32_t>& group) {
+VisibleEdges visible_edges(const Network& network, const EdgeGraph& graph,
+                           const std::vector<EdgeOwners>& owners,
+                           const std::vector<std::uint32_t>& group) {
   const auto first_of_group = [&](std::uint32_t p) { return p == kNoIndex ? p : group[p]; };
-  std::vector<VisibleEdge> out;
+  VisibleEdges out;
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
     const auto [left, right] = owners[e];
     VisibleEdge edge{
@@ -95,9 +96,9 @@ std::vector<VisibleEdge> visible_edges(const Network& network, const EdgeGraph& 
       if (!forced && polygon != left && polygon != right) continue;
       if (edge.raws.empty() || edge.raws.back() != s.raw) edge.raws.push_back(s.raw);
     }
-    if (visible) out.push_back(std::move(edge));
+    if (visible) out.edges.push_back(std::move(edge));
   }
-  Uniter(network, out).run();
+  out.any_united = Uniter(network, out.edges).run();
   return out;
 }
 

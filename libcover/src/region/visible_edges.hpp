@@ -19,14 +19,19 @@ struct VisibleEdge {
                                     ///< and all segments and lines
 };
 
+struct VisibleEdges {
+  std::vector<VisibleEdge> edges;  ///< in the order of the graph's; some from b to a
+  bool any_united = false;         ///< else they are all edges of the graph
+};
+
 /// Drops what separates nothing and unites pieces that only hidden edges had cut. `group` is that
 /// of group_polygons.
 ///
 /// ENSURES: points of the input and corners that show stay
 /// Cost:    O(n log n).
-std::vector<VisibleEdge> visible_edges(const Network& network, const EdgeGraph& graph,
-                                       const std::vector<EdgeOwners>& owners,
-                                       const std::vector<std::uint32_t>& group);
+VisibleEdges visible_edges(const Network& network, const EdgeGraph& graph,
+                           const std::vector<EdgeOwners>& owners,
+                           const std::vector<std::uint32_t>& group);
 
 /// The network of the visible edges alone: each has one strand for every owner beside it, one for
 /// every segment or line on it, and none of a hidden polygon.
