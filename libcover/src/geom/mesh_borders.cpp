@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <span>
 #include <tuple>
 
 #include "base/describe.hpp"
+#include "base/union_find.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -28,25 +28,6 @@ struct Side {
   [[nodiscard]] bool same_ends(const Side& other) const {
     return low == other.low && high == other.high;
   }
-};
-
-/// Sets of cells.
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  Index find(Index i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  /// The smaller index becomes the name of the set.
-  void unite(Index i, Index j) {
-    i = find(i);
-    j = find(j);
-    parent_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  std::vector<Index> parent_;
 };
 
 class BorderFinder {
@@ -233,7 +214,7 @@ class BorderFinder {
   std::vector<Index> sorted_;
   std::vector<bool> counts_;
   std::vector<Side> sides_;
-  UnionFind pieces_;
+  UnionFind pieces_;  ///< of cells
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <set>
 #include <tuple>
 
+#include "base/union_find.hpp"
 #include "region/complaint.hpp"
 #include "region/face_measures.hpp"
 #include "region/faces.hpp"
@@ -28,6 +29,30 @@ std::vector<std::uint32_t> ranks(const std::vector<InputPolygon>& polygons, Over
   });
   for (std::uint32_t k = 0; k < order.size(); ++k) rank[order[k]] = k;
   return rank;
+}
+
+/// By polygon: a number that it shares with those that make one region with it where they touch.
+std::vector<std::uint32_t> kinds(const std::vector<InputPolygon>& polygons, bool merge) {
+  std::map<std::tuple<std::string, std::string>, std::uint32_t> first;
+  std::vector<std::uint32_t> out;
+  for (std::uint32_t p = 0; p < polygons.size(); ++p) {
+    const InputPolygon& polygon = polygons[p];
+    if (merge ? polygon.material.empty() : polygon.region.empty()) {
+      out.push_back(p);
+      continue;
+    }
+    const std::tuple key(polygon.material, merge ? std::string() : polygon.region);
+    out.push_back(first.emplace(key, p).first->second);
+  }
+  return out;
+}
+
+/// Whether a segment or a line of the input lies on an edge.
+bool is_forced(const Network& network, const EdgeGraph& graph, std::size_t edge) {
+  const auto strands = graph.strands(network, edge);
+  return std::any_of(strands.begin(), strands.end(), [&](const Strand& s) {
+    return network.raws[s.raw].origin.kind != Origin::Kind::ring;
+  });
 }
 
 /// The polygons that an edge flips.
@@ -61,18 +86,46 @@ class Painter {
         rank_(ranks(input.polygons, overlap)),
         clashes_(ErrorCode::overlapping_polygons, input.source) {}
 
-  Result<std::vector<EdgeOwners>> run() {
+  Result<Painting> run(bool merge) {
     link_faces();
     walk();
     if (!clashes_.empty()) return clashes_.error();
-    std::vector<EdgeOwners> out(graph_.edges.size());
-    for (std::size_t e = 0; e < out.size(); ++e) {
-      out[e] = {owner_[faces_.of_segment[e][0]], owner_[faces_.of_segment[e][1]]};
-    }
+    Painting out;
+    out.owners = beside_edges(owner_);
+    out.regions = beside_edges(first_owners(merge));
     return out;
   }
 
  private:
+  [[nodiscard]] std::vector<EdgeOwners> beside_edges(
+      const std::vector<std::uint32_t>& by_face) const {
+    std::vector<EdgeOwners> out;
+    out.reserve(graph_.edges.size());
+    for (const auto& [left, right] : faces_.of_segment) {
+      out.push_back({by_face[left], by_face[right]});
+    }
+    return out;
+  }
+
+  /// By face: the first owner of a face in the same region.
+  [[nodiscard]] std::vector<std::uint32_t> first_owners(bool merge) const {
+    const std::vector<std::uint32_t> kind = kinds(input_.polygons, merge);
+    UnionFind regions(faces_.count);
+    for (std::size_t e = 0; e < graph_.edges.size(); ++e) {
+      const auto [left, right] = faces_.of_segment[e];
+      const std::uint32_t p = owner_[left], q = owner_[right];
+      if (p == kNoIndex || q == kNoIndex || kind[p] != kind[q]) continue;
+      if (!is_forced(network_, graph_, e)) regions.unite(left, right);
+    }
+    std::vector<std::uint32_t> out(faces_.count, kNoIndex);
+    for (std::uint32_t f = 0; f < faces_.count; ++f) {
+      std::uint32_t& first = out[regions.find(f)];
+      first = std::min(first, owner_[f]);
+    }
+    for (std::uint32_t f = 0; f < faces_.count; ++f) out[f] = out[regions.find(f)];
+    return out;
+  }
+
   /// Sorts the edges by the faces beside them.
   void link_faces() {
     first_.assign(faces_.count + 1, 0);
@@ -163,24 +216,9 @@ class Painter {
 
 }  // namespace
 
-std::vector<std::uint32_t> group_polygons(const std::vector<InputPolygon>& polygons, bool merge) {
-  std::map<std::tuple<std::string, std::string>, std::uint32_t> first;
-  std::vector<std::uint32_t> out;
-  for (std::uint32_t p = 0; p < polygons.size(); ++p) {
-    const InputPolygon& polygon = polygons[p];
-    if (merge ? polygon.material.empty() : polygon.region.empty()) {
-      out.push_back(p);
-      continue;
-    }
-    const std::tuple key(polygon.material, merge ? std::string() : polygon.region);
-    out.push_back(first.emplace(key, p).first->second);
-  }
-  return out;
-}
-
-Result<std::vector<EdgeOwners>> paint(const Input& input, Overlap overlap, const Network& network,
-                                      const EdgeGraph& graph) {
-  return Painter(input, overlap, network, graph).run();
+Result<Painting> paint(const Input& input, Overlap overlap, bool merge, const Network& network,
+                       const EdgeGraph& graph) {
+  return Painter(input, overlap, network, graph).run(merge);
 }
 
 }  // namespace cover

@@ -18,18 +18,23 @@ namespace cover {
 /// the void.
 using EdgeOwners = std::array<std::uint32_t, 2>;
 
-/// By polygon: the first polygon that makes one region with it where they touch. With `merge` those
-/// of equal material do, else those of equal material and equal given name.
-std::vector<std::uint32_t> group_polygons(const std::vector<InputPolygon>& polygons, bool merge);
+/// Who owns what, by edge.
+struct Painting {
+  std::vector<EdgeOwners> owners;
+  /// The first of the polygons that make one region where they touch. Regions end at segments and
+  /// lines.
+  std::vector<EdgeOwners> regions;
+};
 
 /// Decides for each edge which polygon owns the face on either side. A face is covered by the
 /// polygons whose rings go round it an odd number of times; of these the one of the highest
-/// priority wins, among equals the last or the first.
+/// priority wins, among equals the last or the first. Faces that touch are one region with `merge`
+/// where they are of equal material, else where their polygons have equal given names too.
 ///
 /// Errors: overlapping_polygons with Overlap::error where the winner is not told by priority.
 /// EXACT:  on the edges given: parities are counted, nothing is measured
 /// Cost:   O(n log n).
-Result<std::vector<EdgeOwners>> paint(const Input& input, Overlap overlap, const Network& network,
-                                      const EdgeGraph& graph);
+Result<Painting> paint(const Input& input, Overlap overlap, bool merge, const Network& network,
+                       const EdgeGraph& graph);
 
 }  // namespace cover

@@ -55,11 +55,11 @@ Pslg take_over(const Input& input) {
 Result<EdgeGraph> paint_over(const Input& input, const Options& options, Network& network,
                              const EdgeGraph& graph, std::vector<EdgeOwners>& owners,
                              Report& report) {
-  Result<std::vector<EdgeOwners>> painted = paint(input, options.overlap, network, graph);
+  const bool merge = options.merge_materials;
+  Result<Painting> painted = paint(input, options.overlap, merge, network, graph);
   if (!painted) return std::move(painted).error();
-  report_polygons(input, network, graph, *painted, report);
-  const VisibleEdges visible = visible_edges(
-      network, graph, *painted, group_polygons(input.polygons, options.merge_materials));
+  report_polygons(input, network, graph, painted->owners, report);
+  const VisibleEdges visible = visible_edges(network, graph, *painted);
   report_splits(input, network, visible.edges, report.changes);
   network = network_of(visible.edges, network);
   if (!visible.any_united) {
@@ -70,9 +70,9 @@ Result<EdgeGraph> paint_over(const Input& input, const Options& options, Network
   }
   // Pieces that were united again may differ from the line they make up by rounding.
   EdgeGraph clean = node_edges(network);
-  painted = paint(input, options.overlap, network, clean);
+  painted = paint(input, options.overlap, merge, network, clean);
   if (!painted) return std::move(painted).error();
-  owners = *std::move(painted);
+  owners = std::move(painted->owners);
   return clean;
 }
 
@@ -85,7 +85,8 @@ Result<Pslg> clean_up(const Input& input, const Options& options, Report& report
   std::vector<EdgeOwners> owners;
   if (input.polygons.empty()) {
     const std::vector<EdgeOwners> none(graph.edges.size(), {kNoIndex, kNoIndex});
-    report_splits(input, network, visible_edges(network, graph, none, {}).edges, report.changes);
+    report_splits(input, network, visible_edges(network, graph, {none, none}).edges,
+                  report.changes);
   } else {
     Result<EdgeGraph> painted = paint_over(input, options, network, graph, owners, report);
     if (!painted) return std::move(painted).error();

@@ -80,14 +80,11 @@ class Uniter {
 }  // namespace
 
 VisibleEdges visible_edges(const Network& network, const EdgeGraph& graph,
-                           const std::vector<EdgeOwners>& owners,
-                           const std::vector<std::uint32_t>& group) {
-  const auto first_of_group = [&](std::uint32_t p) { return p == kNoIndex ? p : group[p]; };
+                           const Painting& painting) {
   VisibleEdges out;
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
-    const auto [left, right] = owners[e];
-    VisibleEdge edge{
-        graph.edges[e][0], graph.edges[e][1], {first_of_group(left), first_of_group(right)}, {}};
+    const auto [left, right] = painting.owners[e];
+    VisibleEdge edge{graph.edges[e][0], graph.edges[e][1], painting.regions[e], {}};
     bool visible = edge.owners[0] != edge.owners[1];
     for (const Strand& s : graph.strands(network, e)) {
       const bool forced = is_forced(network, s.raw);

@@ -14,7 +14,7 @@ namespace cover {
 struct VisibleEdge {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
-  EdgeOwners owners{kNoIndex, kNoIndex};  ///< left and right, from a to b: first of their group
+  EdgeOwners owners{kNoIndex, kNoIndex};  ///< left and right, from a to b: first of their region
   std::vector<std::uint32_t> raws;  ///< the lines that show in it, ascending: rings of its owners
                                     ///< and all segments and lines
 };
@@ -24,14 +24,12 @@ struct VisibleEdges {
   bool any_united = false;         ///< else they are all edges of the graph
 };
 
-/// Drops what separates nothing and unites pieces that only hidden edges had cut. `group` is that
-/// of group_polygons.
+/// Drops what separates nothing and unites pieces that only hidden edges had cut.
 ///
 /// ENSURES: points of the input and corners that show stay
 /// Cost:    O(n log n).
 VisibleEdges visible_edges(const Network& network, const EdgeGraph& graph,
-                           const std::vector<EdgeOwners>& owners,
-                           const std::vector<std::uint32_t>& group);
+                           const Painting& painting);
 
 /// The network of the visible edges alone: each has one strand for every owner beside it, one for
 /// every segment or line on it, and none of a hidden polygon.

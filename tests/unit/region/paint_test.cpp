@@ -118,6 +118,25 @@ TEST(Paint, KeepsPolygonsApartUnlessNamedOrMerged) {
   EXPECT_EQ(out->table.regions[0].area, 4);
 }
 
+TEST(Paint, NamesARegionAfterAPolygonInIt) {
+  Input input;
+  add_polygon(input, rectangle(0, 0, 1, 1), "Si", "left");
+  add_polygon(input, rectangle(1, 0, 2, 1), "SiO2");
+  add_polygon(input, rectangle(2, 0, 3, 1), "Si", "right");
+  add_polygon(input, rectangle(3, 0, 4, 1), "Si");
+  input.polygons.push_back(input.polygons[3]);  // one polygon that shows on both sides of the oxide
+  input.polygons[4].rings = {rectangle(0, 1, 1, 2), rectangle(4, 0, 5, 1)};
+  Options merge;
+  merge.merge_materials = true;
+  const auto out = clean(input, merge);
+  ASSERT_TRUE(out) << out.error().message;
+  ASSERT_EQ(out->table.regions.size(), 3U);
+  EXPECT_EQ(out->table.regions[0].name, "left");
+  EXPECT_EQ(out->table.regions[0].area, 2);
+  EXPECT_EQ(out->table.regions[2].name, "right");
+  EXPECT_EQ(out->table.regions[2].area, 3);
+}
+
 TEST(Paint, TellsPolygonsWithoutAnInsideFromHiddenOnes) {
   Input input;
   InputPolygon& twice = add_polygon(input, rectangle(0, 0, 2, 2), "twice");
