@@ -299,8 +299,9 @@ int run_mesh(Arguments arguments) {
   if (!input) return fail(*log, input.error());
   if (const Status status = command.library.read_size_field(*options); !status)
     return fail(*log, status.error());
-  log->info("read {}: {} points, {} segments", command.input.path(), input->points.size(),
-            input->segments.size());
+  log->info("read {}: {} points, {} segments, {} polygons, {} lines", command.input.path(),
+            input->points.size(), input->segments.size(), input->polygons.size(),
+            input->lines.size());
   return command.dry_run ? dry_run(command, *input, *options, *log)
                          : run(command, *std::move(input), *options, *files, *log);
 }

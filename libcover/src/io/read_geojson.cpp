@@ -3,12 +3,13 @@
 // Properties: `material` (else `name`, else the feature is a material of its own), `name` (of the
 // region or line), `priority`. Coordinates are taken as they are, plane, heights left out; so are
 // points and whatever else a file carries, which the RFC allows. Tested by read_geojson_test.cpp.
+#include "io/read_geojson.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
 
 #include "io/formats.hpp"
-#include "io/json_reader.hpp"
 
 namespace cover {
 namespace {
@@ -143,10 +144,19 @@ class GeoReader {
 
 }  // namespace
 
+bool is_geojson(const Json& document) {
+  const Json* type = JsonReader::member(document, "type");
+  return type && type->is_string();
+}
+
+Result<Input> read_geojson(const Json& document, const std::string& source) {
+  return GeoReader(document, source).read();
+}
+
 Result<Input> parse_geojson(std::string_view text, const std::string& source) {
   Result<Json> document = parse_json_text(text, source);
   if (!document) return std::move(document).error();
-  return GeoReader(*document, source).read();
+  return read_geojson(*document, source);
 }
 
 }  // namespace cover

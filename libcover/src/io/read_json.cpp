@@ -14,6 +14,7 @@
 #include "io/curves.hpp"
 #include "io/formats.hpp"
 #include "io/json_reader.hpp"
+#include "io/read_geojson.hpp"
 
 namespace cover {
 namespace {
@@ -344,6 +345,7 @@ class InputReader {
 Result<Input> parse_json(std::string_view text, const std::string& source) {
   Result<Json> document = parse_json_text(text, source);
   if (!document) return std::move(document).error();
+  if (is_geojson(*document)) return read_geojson(*document, source);
   return InputReader(*document, source).read();
 }
 

@@ -46,6 +46,7 @@ class TableMaker {
     add_sides();
     add_hull_sides();
     add_points();
+    warn_of_lines_in_void(notes);
     build_interfaces(pslg_, table_);
     return std::move(table_);
   }
@@ -107,6 +108,31 @@ class TableMaker {
       count_side(sides.left);
       count_side(sides.right);
       if (sides.left == kVoid && sides.right == kVoid) table_.void_segments.emplace_back(s);
+    }
+  }
+
+  /// Names the contacts, and with them the lines of the input, that do not come to bound anything.
+  void warn_of_lines_in_void(std::vector<Note>& notes) const {
+    std::vector<std::size_t> pieces(pslg_.names.size(), 0), in_void(pieces);
+    std::vector<std::vector<Point>> where(pieces.size());
+    for (const Segment& s : pslg_.segments) ++pieces[s.name];
+    for (const SegmentId id : table_.void_segments) {
+      const Segment& s = pslg_.segments[id.index()];
+      if (in_void[s.name]++ == 0) {
+        where[s.name] = {pslg_.points[s.a.index()], pslg_.points[s.b.index()]};
+      }
+    }
+    for (std::size_t name = 1; name < pieces.size(); ++name) {
+      if (in_void[name] == 0) continue;
+      const std::string part = in_void[name] == pieces[name]
+                                   ? "wholly in the void"
+                                   : fmt::format("in the void with {} of its {}", in_void[name],
+                                                 counted(pieces[name], "segment"));
+      notes.push_back(
+          {Note::Kind::warning, kVoid,
+           fmt::format("'{}' lies {} and is left out there, first from {} to {}", pslg_.names[name],
+                       part, describe(where[name][0]), describe(where[name][1])),
+           std::move(where[name])});
     }
   }
 

@@ -124,6 +124,14 @@ Result<SeededFaces> apply_seeds(const Pslg& pslg, const Faces& faces, std::vecto
   const auto seed_faces = faces_of(pslg.seeds, finder, on_segment);
   if (!on_segment.empty()) return on_segment.error();
 
+  for (std::size_t k = 0; k < pslg.holes.size(); ++k) {
+    if (hole_faces[k] != kOutside) continue;
+    notes.push_back(
+        {Note::Kind::warning,
+         kVoid,
+         name_of_seed(pslg.holes[k]) + " lies outside of all segments: it makes nothing void",
+         {pslg.holes[k].at}});
+  }
   SeededFaces out;
   out.is_void = find_void(pslg, faces, hole_faces, seed_faces);
   out.seed.resize(faces.count);

@@ -60,6 +60,16 @@ TEST(ReadGeojson, ReadsABareGeometry) {
   EXPECT_EQ(input->polygons[0].material, "feature_0");
 }
 
+TEST(ReadGeojson, IsKnownByItsTypeInAJsonFile) {
+  const std::string_view square =
+      R"({"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]})";
+  const Result<Input> input = parse_json(square, "map.json");
+  ASSERT_TRUE(input.has_value()) << input.error().message;
+  EXPECT_EQ(input->polygons.size(), 1u);
+  EXPECT_EQ(parse_json(R"({"type": "Topology"})", "map.json").error().message,
+            "map.json: the type \"Topology\" is not one of GeoJSON");
+}
+
 TEST(ReadGeojson, NamesThePlaceOfEveryError) {
   EXPECT_EQ(message(R"({"type": "Polygo", "coordinates": []})"),
             "map.geojson: the type \"Polygo\" is not one of GeoJSON");

@@ -276,6 +276,34 @@ TEST(BuildRegionTable, TakesTheConvexHullOnRequest) {
   EXPECT_EQ(find(input, hull).error().code, ErrorCode::nothing_enclosed);
 }
 
+TEST(BuildRegionTable, WarnsOfContactsInTheVoid) {
+  Input input;
+  add_loop(input, square(0, 4));
+  input.points.insert(input.points.end(), {{6, 0}, {6, 4}, {5, 2}});
+  input.segments.push_back({4, 5, 0, 4, 0, "lost"});
+  input.segments[1].name = "gate";  // the right side
+  input.segments.push_back({1, 6, 0, 5, 0, "gate"});
+  const auto found = find(input);
+  ASSERT_TRUE(found) << found.error().message;
+  ASSERT_EQ(found->notes.size(), 2U);
+  EXPECT_EQ(found->notes[0].message,
+            "'gate' lies in the void with 1 of its 2 segments and is left out there, first from "
+            "(4, 0) to (5, 2)");
+  EXPECT_EQ(found->notes[1].message,
+            "'lost' lies wholly in the void and is left out there, first from (6, 0) to (6, 4)");
+}
+
+TEST(BuildRegionTable, WarnsOfHoleSeedsOutside) {
+  Input input;
+  add_loop(input, square(0, 4));
+  input.holes = {{{9, 9}, 3, 12}};
+  const auto found = find(input);
+  ASSERT_TRUE(found) << found.error().message;
+  ASSERT_EQ(found->notes.size(), 1U);
+  EXPECT_EQ(found->notes[0].message,
+            "hole seed 3 at (9, 9) (line 12) lies outside of all segments: it makes nothing void");
+}
+
 TEST(BuildRegionTable, WarnsOfNearMisses) {
   Input input;
   input.source = "near.poly";
