@@ -6,35 +6,16 @@
 // vertex id; results lie in region order, so the mesh does not depend on the schedule.
 #include <cover/cover_mesh.hpp>
 
-#include "covering/measure.hpp"
 #include "mesh/stitch.hpp"
+#include "pipeline/cut_until_met.hpp"
 #include "pipeline/errors_as_values.hpp"
 #include "pipeline/find_regions.hpp"
 #include "pipeline/nonobtuse.hpp"
 #include "pipeline/region_task.hpp"
-#include "quality/cut_and_improve.hpp"
-#include "quality/missed_targets.hpp"
 #include "quality/sizes.hpp"
 #include "region/region_graph.hpp"
 
 namespace cover {
-namespace {
-
-/// Cuts segments again where triangles are left above the target, on request, and measures anew.
-void improve_further(Prepared& prepared, std::vector<RegionBoundary>& boundaries,
-                     std::vector<RegionMesh>& meshes, const Options& options,
-                     const std::stop_token& stop) {
-  auto& [pslg, table, report] = prepared;
-  if (!cut_and_improve(pslg, table, boundaries, meshes, options, stop, report.notes)) return;
-  report.input_points = pslg.points.size();
-  report.input_segments = pslg.segments.size();
-  for (std::size_t r = 0; r < boundaries.size(); ++r) {
-    report_again(boundaries[r], options, meshes[r]);
-    measure(boundaries[r], meshes[r]);
-  }
-}
-
-}  // namespace
 
 Result<Prepared> prepare(const Input& input, const Options& options, const Callbacks& callbacks) {
   StageClock clock;
@@ -69,13 +50,8 @@ Result<Output> mesh_prepared(Result<Prepared> prepared, const Options& options,
           ? mesh_nonobtuse(pslg, table, boundaries, options, callbacks)
           : mesh_regions(boundaries, options, callbacks);
   if (!meshes) return std::move(meshes).error();
-  if (options.method == Method::quality) {
-    Status status = errors_as_values("cut and improve", [&] {
-      improve_further(*prepared, boundaries, *meshes, options, callbacks.stop);
-      return ok();
-    });
-    if (!status) return std::move(status).error();
-  }
+  Status met = cut_until_met(*prepared, boundaries, *meshes, options, callbacks);
+  if (!met) return std::move(met).error();
   clock.note("mesh", report.times);
   if (Status status = begin_stage("stitch", callbacks); !status) return std::move(status).error();
   Result<Mesh> mesh = errors_as_values(

@@ -7,24 +7,29 @@
 #include <cover/options.hpp>
 #include <cover/pslg.hpp>
 #include <cover/regions.hpp>
-#include <cover/report.hpp>
 
 #include "covering/region_mesh.hpp"
 #include "region/region_boundary.hpp"
 
 namespace cover {
 
+/// What cut_and_improve left.
+struct CutResult {
+  std::size_t above = 0;        ///< triangles above the target
+  bool budget_used_up = false;  ///< before all of them had been tried
+};
+
 /// Works on the triangles that are left above Options::max_angle by changing the mesh around them,
 /// over segments too, and by cutting segments there: what `split_interfaces`, which sees no mesh,
-/// cannot foresee. Does nothing unless Options::split_interfaces is set. Returns whether it changed
-/// anything: then the reports of the regions are to be made again.
+/// cannot foresee.
 ///
-/// ENSURES: `pslg`, `table`, `boundaries` and `meshes` stay in step; neither the largest angle nor
-/// the number of triangles above the target grows; at most
-///          as many points are added as there were; a note tells how many
-/// Cost:    O(n), and some milliseconds for each triangle that is left
-bool cut_and_improve(Pslg& pslg, RegionTable& table, std::vector<RegionBoundary>& boundaries,
-                     std::vector<RegionMesh>& meshes, const Options& options, std::stop_token stop,
-                     std::vector<Note>& notes);
+/// REQUIRES: no hull sides
+/// ENSURES:  `pslg`, `table`, `boundaries` and `meshes` stay in step, but for the reports of the
+///           meshes; neither the largest angle nor the number of triangles above the target grows;
+///           at most as many points are added as there were
+/// Cost:     O(n log n), and some milliseconds for each triangle that is left
+CutResult cut_and_improve(Pslg& pslg, RegionTable& table, std::vector<RegionBoundary>& boundaries,
+                          std::vector<RegionMesh>& meshes, const Options& options,
+                          std::stop_token stop);
 
 }  // namespace cover

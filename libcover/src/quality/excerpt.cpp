@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 namespace cover {
@@ -12,31 +13,31 @@ namespace {
 
 using Numbers = std::unordered_map<std::uint32_t, std::uint32_t>;  ///< from the whole to the part
 
-/// The triangles nearest to `t`, by the number of edges between, and their places in that list.
-std::vector<std::uint32_t> triangles_around(const MutableMesh& whole, std::uint32_t t,
-                                            std::size_t limit,
-                                            std::span<const std::uint32_t> beyond, Numbers& local) {
-  std::vector<std::uint32_t> found{t};
-  local[t] = 0;
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    for (std::uint32_t n : whole.triangles[found[k]].n) {
-      if (is_side(n)) n = beyond.empty() ? kNone : beyond[side_index(n)];
-      if (n == kNone || found.size() >= limit) continue;
-      if (local.emplace(n, static_cast<std::uint32_t>(found.size())).second) found.push_back(n);
-    }
-  }
-  return found;
-}
-
 /// A limit that allows nothing.
 constexpr SideLimit kBorder{std::numeric_limits<double>::infinity(), 0, 0};
 
 }  // namespace
 
+std::vector<std::uint32_t> triangles_around(const MutableMesh& whole, std::uint32_t t,
+                                            std::size_t limit,
+                                            std::span<const std::uint32_t> beyond) {
+  std::vector<std::uint32_t> found{t};
+  std::unordered_set<std::uint32_t> seen{t};
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    for (std::uint32_t n : whole.triangles[found[k]].n) {
+      if (is_side(n)) n = beyond.empty() ? kNone : beyond[side_index(n)];
+      if (n == kNone || found.size() >= limit) continue;
+      if (seen.insert(n).second) found.push_back(n);
+    }
+  }
+  return found;
+}
+
 Excerpt::Excerpt(const MutableMesh& whole, std::uint32_t t, std::size_t limit,
                  std::span<const std::uint32_t> beyond, std::uint32_t spare_of_whole) {
   Numbers triangle_number, vertex_number;
-  triangles_ = triangles_around(whole, t, limit, beyond, triangle_number);
+  triangles_ = triangles_around(whole, t, limit, beyond);
+  for (std::uint32_t k = 0; k < triangles_.size(); ++k) triangle_number[triangles_[k]] = k;
   const auto is_inside = [&](std::uint32_t n) {
     return !is_side(n) && triangle_number.contains(n);
   };

@@ -9,14 +9,20 @@
 
 namespace cover {
 
+/// The triangles nearest to `t`, by the number of edges between: `limit` of them, if there are so
+/// many. With `beyond`, by side: the triangle on the other side of its segment, or kNone, also over
+/// sides.
+std::vector<std::uint32_t> triangles_around(const MutableMesh& whole, std::uint32_t t,
+                                            std::size_t limit,
+                                            std::span<const std::uint32_t> beyond = {});
+
 /// Some triangles around one of them, as a mesh of its own whose border is locked.
 ///
 /// Triangle 0 is the one in the middle. What an improvement makes of `mesh`, whatever its goal, can
 /// be put in place of these triangles, as long as the whole has not changed there.
 class Excerpt {
  public:
-  /// With `beyond`, by side: the triangle on the other side of its segment, or kNone, the excerpt
-  /// reaches over sides. `spare` is a fixed vertex of the whole that no triangle has yet.
+  /// These are triangles_around(). `spare` is a fixed vertex of the whole that no triangle has yet.
   ///
   /// REQUIRES: `t` is no hole
   /// Cost:     O(`limit`), the number of triangles, if there are so many

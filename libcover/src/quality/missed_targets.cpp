@@ -1,4 +1,4 @@
-// See missed_targets.hpp. Tested by tests/unit/quality/quality_region_test.cpp.
+// See missed_targets.hpp. Tested by tests/unit/quality/missed_targets_test.cpp.
 #include "quality/missed_targets.hpp"
 
 #include <algorithm>
@@ -95,7 +95,8 @@ std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& 
   return notes;
 }
 
-void report_again(const RegionBoundary& boundary, const Options& options, RegionMesh& mesh) {
+void report_again(const RegionBoundary& boundary, const Options& options, bool budget_used_up,
+                  RegionMesh& mesh) {
   const Triangulation cdt = triangulate_domain(boundary.points, boundary.sides).triangulation;
   const AngleLimit limit = angle_limit(cdt, boundary.sides, boundary.segments);
   const Triangulation all = with_neighbours(all_points(boundary, mesh), mesh.triangles);
@@ -103,7 +104,10 @@ void report_again(const RegionBoundary& boundary, const Options& options, Region
                            locate_sides(all, boundary.sides), side_limits(cdt, limit.at));
   mutable_mesh.set_goal(Goal::of(options.max_angle, options.min_angle));
   set_limits(limit, mesh.report);
-  mesh.report.notes = missed_targets(mutable_mesh, boundary, limit, options, false);
+  std::vector<Note>& notes = mesh.report.notes;
+  std::erase_if(notes, [](const Note& note) { return note.kind == Note::Kind::target_missed; });
+  const auto missed = missed_targets(mutable_mesh, boundary, limit, options, budget_used_up);
+  notes.insert(notes.end(), missed.begin(), missed.end());
 }
 
 }  // namespace cover

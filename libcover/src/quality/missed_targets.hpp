@@ -21,7 +21,9 @@ std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& 
                                  const AngleLimit& limit, const Options& options,
                                  bool budget_used_up);
 
-/// Limits and notes of a region whose boundary and mesh were changed after they were reported.
-void report_again(const RegionBoundary& boundary, const Options& options, RegionMesh& mesh);
+/// Limits and notes on missed targets of a region whose boundary and mesh were changed after they
+/// were reported. Its other notes stay.
+void report_again(const RegionBoundary& boundary, const Options& options, bool budget_used_up,
+                  RegionMesh& mesh);
 
 }  // namespace cover

@@ -53,16 +53,43 @@ class Splitter {
     for (const Segment& s : pslg.segments) whole_.push_back(length_of(s));
   }
 
-  Status run(std::vector<Note>& notes) {
-    const std::size_t before = pslg_.points.size();
+  /// Cuts `halved` in any case, where there is room.
+  Status run(std::span<const SegmentId> halved = {}) {
     for (int pass = 0; pass < kPasses; ++pass) {
+      halved_.assign(pslg_.segments.size(), 0);
+      if (pass == 0) {
+        for (const SegmentId s : halved) halved_[s.index()] = 1;
+      }
       Result<std::vector<SegmentCut>> cuts = find_cuts();
       if (!cuts) return std::move(cuts).error();
       if (cuts->empty()) break;
       apply(*cuts);
     }
-    tell(before, notes);
     return ok();
+  }
+
+  /// What was cut since there were `before` points, and what was not.
+  void tell(std::size_t before, std::vector<Note>& notes) const {
+    const auto degrees = options_.split_interfaces->in_degrees();
+    if (pslg_.points.size() > before) {
+      std::vector<Point> where(pslg_.points.begin() + static_cast<std::ptrdiff_t>(before),
+                               pslg_.points.end());
+      where.resize(std::min(where.size(), kPlaces));
+      notes.push_back({Note::Kind::change, kVoid,
+                       fmt::format("segments cut for --split-interfaces {:.6g}: {} added, the "
+                                   "first at {}",
+                                   degrees, counted(pslg_.points.size() - before, "point"),
+                                   describe(where.front())),
+                       std::move(where)});
+    }
+    if (stuck_.empty()) return;
+    std::vector<Point> where = stuck_;
+    where.resize(std::min(where.size(), kPlaces));
+    notes.push_back({Note::Kind::warning, kVoid,
+                     fmt::format("{} would have to be cut too short to force no angle above {:.6g} "
+                                 "degrees, the first near {}",
+                                 counted(stuck_.size(), "segment"), degrees, describe(where[0])),
+                     std::move(where)});
   }
 
  private:
@@ -87,10 +114,10 @@ class Splitter {
       const Wish& wish = wishes_[s];
       if (wish.sizes && wish.sizes->is_long()) {
         cuts.push_back({SegmentId{s}, wish.sizes->cuts()});
-      } else if (wish.forced) {
+      } else if (wish.forced || halved_[s] != 0) {
         if (const auto place = place_on(segment, wish, whole_[s])) {
           cuts.push_back({SegmentId{s}, {*place}});
-        } else {
+        } else if (wish.forced) {
           stuck_.push_back(midpoint(at(segment.a), at(segment.b)));
         }
       }
@@ -164,36 +191,14 @@ class Splitter {
     cut_segments(pslg_, table_, cuts);
   }
 
-  void tell(std::size_t before, std::vector<Note>& notes) const {
-    const auto degrees = options_.split_interfaces->in_degrees();
-    if (pslg_.points.size() > before) {
-      std::vector<Point> where(pslg_.points.begin() + static_cast<std::ptrdiff_t>(before),
-                               pslg_.points.end());
-      where.resize(std::min(where.size(), kPlaces));
-      notes.push_back({Note::Kind::change, kVoid,
-                       fmt::format("segments cut for --split-interfaces {:.6g}: {} added, the "
-                                   "first at {}",
-                                   degrees, counted(pslg_.points.size() - before, "point"),
-                                   describe(where.front())),
-                       std::move(where)});
-    }
-    if (stuck_.empty()) return;
-    std::vector<Point> where = stuck_;
-    where.resize(std::min(where.size(), kPlaces));
-    notes.push_back({Note::Kind::warning, kVoid,
-                     fmt::format("{} would have to be cut too short to force no angle above {:.6g} "
-                                 "degrees, the first near {}",
-                                 counted(stuck_.size(), "segment"), degrees, describe(where[0])),
-                     std::move(where)});
-  }
-
   Pslg& pslg_;
   RegionTable& table_;
   const Options& options_;
   double least_nu_;
-  std::vector<Wish> wishes_;         ///< by segment
-  std::vector<std::uint8_t> dirty_;  ///< by region
-  std::vector<double> whole_;        ///< by segment: length of the segment it is a piece of
+  std::vector<Wish> wishes_;          ///< by segment
+  std::vector<std::uint8_t> dirty_;   ///< by region
+  std::vector<std::uint8_t> halved_;  ///< by segment: to be cut half way if it is not otherwise
+  std::vector<double> whole_;         ///< by segment: length of the segment it is a piece of
   std::vector<Point> stuck_;
 };
 
@@ -202,7 +207,16 @@ class Splitter {
 Status split_interfaces(Pslg& pslg, RegionTable& table, const Options& options,
                         std::vector<Note>& notes) {
   if (!options.split_interfaces) return ok();
-  return Splitter(pslg, table, options).run(notes);
+  const std::size_t before = pslg.points.size();
+  Splitter splitter(pslg, table, options);
+  if (Status status = splitter.run(); !status) return status;
+  splitter.tell(before, notes);
+  return ok();
+}
+
+Status halve_segments(Pslg& pslg, RegionTable& table, const Options& options,
+                      std::span<const SegmentId> segments) {
+  return Splitter(pslg, table, options).run(segments);
 }
 
 }  // namespace cover

@@ -1,6 +1,7 @@
 // Cutting segments before regions are split, for users who may touch them.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <cover/options.hpp>
@@ -25,5 +26,11 @@ namespace cover {
 /// Ref:     mitchell_1993_covering, 1.2; J. Ruppert, J. Algorithms 18 (1995)
 Status split_interfaces(Pslg& pslg, RegionTable& table, const Options& options,
                         std::vector<Note>& notes);
+
+/// Cuts `segments` half way where there is room, and then what split_interfaces would cut.
+///
+/// REQUIRES: Options::split_interfaces; `segments` in order, without repeats
+Status halve_segments(Pslg& pslg, RegionTable& table, const Options& options,
+                      std::span<const SegmentId> segments);
 
 }  // namespace cover

@@ -57,21 +57,55 @@ TEST(CutAndImprove, LeavesNoObtuseTriangleInADeviceOfRectangles) {
   }
 }
 
+/// A border in steps of pixels from one corner of a square with long sides to the middle.
+Input stairs() {
+  const double n = 10, wall = 24;
+  std::vector<Point> steps;
+  for (double k = 0; k < n; ++k) {
+    steps.push_back({k, k});
+    steps.push_back({k + 1, k});
+  }
+  steps.push_back({n, n});
+  Input input;
+  const auto patch = [&](const std::vector<Point>& rest, const char* material) {
+    InputPolygon polygon;
+    polygon.rings = {steps};
+    polygon.rings[0].insert(polygon.rings[0].end(), rest.begin(), rest.end());
+    polygon.material = material;
+    input.polygons.push_back(polygon);
+  };
+  patch({{n, wall}, {-6, wall}, {-6, 0}}, "grain");
+  patch({{wall, n}, {wall, -6}, {0, -6}}, "matrix");
+  return input;
+}
+
+TEST(CutAndImprove, HalvesLongSegmentsBesideShortOnes) {
+  const Output output = mesh_of(stairs());
+  EXPECT_EQ(output.report.quality.obtuse, 0u);
+  EXPECT_LT(output.mesh.tri().n_vertices(), 120u);
+  std::size_t told = 0;
+  for (const Note& note : output.report.notes) {
+    told += note.message.starts_with("segments cut where triangles were left above 90") ? 1 : 0;
+  }
+  EXPECT_EQ(told, 1u);  // once, however many rounds there were
+}
+
 TEST(CutAndImprove, LeavesNoObtuseTriangleInAChecker) {
   const Output output = mesh_of(testing::checker(4, 5, 1));
   EXPECT_LE(output.report.quality.largest_nu.supplement().in_degrees(), 90 + 1e-6);
 }
 
 TEST(CutAndImprove, DependsOnNeitherThreadsNorTheUnit) {
-  const Output one = mesh_of(layers());
-  Options options = no_obtuse_angle();
-  options.threads = 3;
-  const TriangleSoup a = triangle_soup(one.mesh),
-                     b = triangle_soup(mesh_of(layers(), options).mesh);
-  EXPECT_EQ(a.points, b.points);
-  EXPECT_EQ(a.triangles, b.triangles);
-  const Output tiny = mesh_of(testing::transformed(layers(), 0x1p-30, {0, 0}));
-  EXPECT_EQ(triangle_soup(tiny.mesh).triangles, a.triangles);
+  for (const Input& input : {layers(), stairs()}) {
+    const Output one = mesh_of(input);
+    Options options = no_obtuse_angle();
+    options.threads = 3;
+    const TriangleSoup a = triangle_soup(one.mesh), b = triangle_soup(mesh_of(input, options).mesh);
+    EXPECT_EQ(a.points, b.points);
+    EXPECT_EQ(a.triangles, b.triangles);
+    const Output tiny = mesh_of(testing::transformed(input, 0x1p-30, {0, 0}));
+    EXPECT_EQ(triangle_soup(tiny.mesh).triangles, a.triangles);
+  }
 }
 
 TEST(CutAndImprove, DoesNothingUnasked) {

@@ -292,6 +292,23 @@ TEST(SplitInterfaces, CutsUntilNothingForcesALargerAngle) {
   EXPECT_EQ(notes[0].kind, Note::Kind::change);
 }
 
+TEST(SplitInterfaces, HalvesTheSegmentsGivenAndThenForcesNothing) {
+  Regions regions = regions_of(two_rectangles());
+  Options options;
+  options.split_interfaces = Angle::degrees(90);
+  std::vector<Note> notes;
+  ASSERT_TRUE(split_interfaces(regions.pslg, regions.table, options, notes));
+  const std::size_t before = regions.pslg.points.size();
+  const std::vector<SegmentId> right{SegmentId{2}};
+  const Segment cut = regions.pslg.segments[2];
+  const Point middle =
+      midpoint(regions.pslg.points[cut.a.index()], regions.pslg.points[cut.b.index()]);
+  ASSERT_TRUE(halve_segments(regions.pslg, regions.table, options, right));
+  EXPECT_GT(regions.pslg.points.size(), before);
+  EXPECT_EQ(regions.pslg.points[before], middle);
+  EXPECT_LE(worst_gamma(regions), 90 + 1e-6);
+}
+
 /// Segments after cutting for sizes alone.
 Regions cut_for(const Input& input, std::vector<SizeRule> sizes) {
   Regions regions = regions_of(input);
