@@ -19,6 +19,7 @@
 #include "covering/angle_limit.hpp"
 #include "geom/vector.hpp"
 #include "quality/segment_sizes.hpp"
+#include "quality/size_field.hpp"
 #include "quality/sizes.hpp"
 #include "region/cut_segments.hpp"
 #include "region/region_graph.hpp"
@@ -125,9 +126,15 @@ class Splitter {
     return cuts;
   }
 
-  /// Notes what a region wants of its sides.
-  void wish(const RegionBoundary& boundary) {
+  /// Notes what a region wants of its sides: sizes as its mesh will have them, graded from all of
+  /// its boundary, so that no long side is left beside short edges.
+  void wish(RegionBoundary& boundary) {
     const Triangulation cdt = triangulate_domain(boundary.points, boundary.sides).triangulation;
+    const SizeField field(boundary, cdt, options_.growth, options_.size_field);
+    if (field.is_active()) {
+      boundary.size_at.resize(boundary.points.size());
+      for (std::uint32_t v = 0; v < boundary.points.size(); ++v) boundary.size_at[v] = field.at(v);
+    }
     const AngleLimit limit = angle_limit(cdt, boundary.sides, boundary.segments);
     for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
       if (boundary.segments[s] == kHullSide) continue;

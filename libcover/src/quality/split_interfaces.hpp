@@ -18,8 +18,9 @@ namespace cover {
 /// option.
 ///
 /// A side whose triangle is too flat is cut at the foot of that triangle's apex; one that is too
-/// long, into pieces as long as wished. What is cut for angles has a least length: where more would
-/// be needed, a note says so.
+/// long, into pieces as long as wished; sizes grow from the finest places of the regions' borders,
+/// by Options::growth, as in their meshes (SizeField). What is cut for angles has a least length:
+/// where more would be needed, a note says so.
 /// ENSURES: `pslg` and `table` fit each other; a note tells how many points were added, and where
 /// Errors:  bad_option for a size of an unknown name
 /// Cost:    O(n log n) per pass, with about log2 of the largest cut passes

@@ -327,20 +327,30 @@ TEST(SplitInterfaces, CutsToTheSizesOfLinesPointsAndRegions) {
   const auto added = [&](std::vector<SizeRule> sizes) {
     return cut_for(input, std::move(sizes)).pslg.points.size() - 6;
   };
-  // 8 pieces, and from their ends growing ones: ln(3.4) / 0.3 or, to 2, ln(5.8) / 0.3.
-  EXPECT_EQ(added({{"left_right", 0.125, true}}), 7U + 2U * (4U - 1U) + 2U * (6U - 1U));
+  // 8 pieces, and from their ends growing ones: ln(3.4) / 0.3 or, to 2, ln(5.8) / 0.3. The side on
+  // the left, 1 from there, has 0.425 at its ends and two pieces.
+  EXPECT_EQ(added({{"left_right", 0.125, true}}), 7U + 2U * (4U - 1U) + 2U * (6U - 1U) + 1U);
   EXPECT_EQ(added({{"left", 0.25, false}}), 4U * 3U);
   EXPECT_EQ(added({{"", 0.5, false}}), 5U * 1U + 2U * 3U);
   const Regions fine = cut_for(input, {{"anode", 0.125, true}});
   std::size_t on_anode = 0;
   for (const Point& p : fine.pslg.points) on_anode += p.x == 3 ? 1 : 0;
   EXPECT_EQ(on_anode, 9U);
-  const Regions corner = cut_for(input, {{"13", 0.125, true}});
-  EXPECT_GT(corner.pslg.points.size(), 6U);
-  for (std::size_t v = 6; v < corner.pslg.points.size(); ++v) {
-    const Point p = corner.pslg.points[v];
-    EXPECT_TRUE(p.x == 3 || p.y == 1);  // on the segments that meet there
+}
+
+TEST(SplitInterfaces, GradesSegmentsThatArePastAFineOne) {
+  Input input = two_rectangles();
+  input.point_ids = {10, 11, 12, 13, 14, 15};
+  const Regions corner = cut_for(input, {{"13", 0.125, true}});  // at (3, 1)
+  std::size_t opposite = 0;
+  for (const Segment& s : corner.pslg.segments) {
+    const Point a = corner.pslg.points[s.a.index()], b = corner.pslg.points[s.b.index()];
+    if (std::max(a.x, b.x) <= 1) continue;  // of the left rectangle alone
+    const double nearest = std::min(length(a - Point{3, 1}), length(b - Point{3, 1}));
+    EXPECT_LE(length(b - a), 1.5 * (0.125 + 0.3 * (nearest + length(b - a) / 2)));
+    opposite += a.y == 0 && b.y == 0 ? 1 : 0;
   }
+  EXPECT_GT(opposite, 2U);  // pieces of the lower side, which does not meet the corner
 }
 
 TEST(SplitInterfaces, CutsAThinLayerAcross) {
