@@ -320,12 +320,18 @@ Subdivision subdivide_and_snap(std::span<const PlainSegment> segments, bool to_e
     const Subdivision& cuts = along_y ? steep : flat;
     const bool falls = (line.a.x < line.b.x) != (line.a.y < line.b.y);
     const auto start = static_cast<std::ptrdiff_t>(out.path.size());
-    for (const std::uint32_t node : cuts.path_of(s)) out.path.push_back(node);
+    const auto path = cuts.path_of(s);
+    out.path.push_back(path.front());
+    for (const std::uint32_t node : path) {
+      if (node != path.front() && node != path.back()) out.path.push_back(node);
+    }
     // All lines of one direction meet the nodes in the same order, whichever is led through them.
-    std::sort(out.path.begin() + start, out.path.end(), [&](std::uint32_t i, std::uint32_t j) {
+    // A node that rounding moved beyond an end still lies between the ends on the way.
+    std::sort(out.path.begin() + start + 1, out.path.end(), [&](std::uint32_t i, std::uint32_t j) {
       const Point p = cuts.nodes[i], q = cuts.nodes[j];
       return p.x != q.x ? p.x < q.x : falls ? p.y > q.y : p.y < q.y;
     });
+    out.path.push_back(path.back());
     if (along_y) {
       for (auto k = out.path.begin() + start; k != out.path.end(); ++k) {
         *k += static_cast<std::uint32_t>(flat.nodes.size());

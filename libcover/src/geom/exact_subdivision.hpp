@@ -41,12 +41,14 @@ struct Subdivision {
 Subdivision subdivide(std::span<const PlainSegment> segments);
 
 /// The same, and each segment is led through the nodes that it passes at most two units in the last
-/// place away from, unless they are nearly as near to one of its ends. So segments that lie next to each
-/// other become one, where cutting them at their exact common points would go on for long.
+/// place away from, unless they are nearly as near to one of its ends. So segments that lie next to
+/// each other become one, where cutting them at their exact common points would go on for long.
 ///
 /// Only crossings lead lines through them, with `to_ends` also ends of segments. Nodes are in no
 /// order; some may be on no path.
-/// Cost: twice that of subdivide, and the number of segments at each node
+/// ENSURES: as above; a path leads from one end of its segment to the other, also where a node on
+///          it was rounded to a place beyond an end
+/// Cost:    twice that of subdivide, and the number of segments at each node
 Subdivision subdivide_and_snap(std::span<const PlainSegment> segments, bool to_ends);
 
 }  // namespace cover

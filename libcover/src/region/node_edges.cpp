@@ -4,7 +4,8 @@
 // This ends. A common point x of edges is moved by rounding to r, and no end of an edge through x
 // is nearer to x than r is: r is the double nearest to x, or the nearest of these ends. So an edge
 // ab that is cut at x becomes shorter pieces: |ar| <= |ax| + |xr| <= |ax| + |xb| = |ab|, with
-// equality only if r is b and the edge stays as it is; for a piece between two cuts the same holds.
+// equality only if r is b and the edge stays as it is; for a piece between two cuts the same holds,
+// in whatever order they come.
 // At least one edge through x is cut, because r is an end of all of them only where they meet there
 // anyway. Replacing lengths by finitely many smaller ones, out of the finitely many that doubles
 // inside of the drawing's box can have, comes to an end. A lone point is an end like any other: of

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "support/inputs.hpp"
 #include "support/shapes.hpp"
 
@@ -9,6 +11,20 @@ namespace cover {
 namespace {
 
 using testing::segments_between;
+
+/// The strands of every line lead from its first end to its last.
+void expect_chains(const Network& network) {
+  std::map<std::pair<std::uint32_t, Point>, int> ends;  // by line and place
+  for (const Strand& s : network.strands) {
+    --ends[{s.raw, network.points[s.a]}];
+    ++ends[{s.raw, network.points[s.b]}];
+  }
+  for (std::uint32_t r = 0; r < network.raws.size(); ++r) {
+    ++ends[{r, network.raws[r].a}];
+    --ends[{r, network.raws[r].b}];
+  }
+  for (const auto& [end, count] : ends) ASSERT_EQ(count, 0) << "line " << end.first;
+}
 
 TEST(NodeEdges, CutsAndKeepsTrackOfLines) {
   std::vector<Change> changes;
@@ -48,6 +64,28 @@ TEST(NodeEdges, SettlesWhereRoundingMakesNewCrossings) {
   Network network = gather(segments_between(points, pairs), changes);
   const auto graph = node_edges(network);
   EXPECT_TRUE(triangulate_hull(network.points, graph.edges).conflicts.empty());
+  ASSERT_NO_FATAL_FAILURE(expect_chains(network));
+}
+
+TEST(NodeEdges, EndsWhereANodeIsRoundedBeyondTheEndOfALine) {
+  // Seven lines nearly through one point. Where one ends at another, the crossing was rounded to a
+  // point on the far side of that end, and the way through it began there: a piece more each pass.
+  const std::vector<Point> points{
+      {-0.875, 0.22189494409000154}, {1.1326035598656257, -1.0204627865756524},
+      {-0.125, -0.1629700667018784}, {-0.024127061695036534, -0.34356154576680126},
+      {-0.625, 0.1677212554170422},  {0.7128726074882699, -0.897129566057814},
+      {-0.625, 0.8462911009050205},  {0.2459289332937471, -0.8880076319921636},
+      {0.375, -0.822268532491488},   {-0.6856531203173853, 0.4980172534682836},
+      {-0.75, 0.42628434735871523},  {1.3093557588211528, -1.6857581116920919},
+      {0.125, -0.4929613234892326},  {-0.21520634555198986, -0.10326710303405262}};
+  std::vector<IndexPair> pairs;
+  for (std::uint32_t k = 0; k < 14; k += 2) pairs.push_back({k, k + 1});
+  std::vector<Change> changes;
+  Network network = gather(segments_between(points, pairs), changes);
+  const auto graph = node_edges(network);
+  EXPECT_LT(graph.passes, 10);
+  EXPECT_TRUE(triangulate_hull(network.points, graph.edges).conflicts.empty());
+  ASSERT_NO_FATAL_FAILURE(expect_chains(network));
 }
 
 TEST(NodeEdges, CutsAtLonePointsAndKeepsThem) {
