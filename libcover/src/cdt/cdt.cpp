@@ -14,6 +14,7 @@
 #include <CGAL/spatial_sort.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <numeric>
 
@@ -68,16 +69,17 @@ CdtConflict find_point_on(std::span<const Point> points, IndexPair segment, std:
 /// neighbours together all the same. The numbers are mixed by a fixed function: same input, same
 /// order.
 std::vector<std::uint32_t> rounds(std::size_t n) {
-  std::vector<std::pair<int, std::uint32_t>> keyed(n);
-  for (std::uint32_t k = 0; k < n; ++k) {
-    std::uint64_t mixed = (k + 1) * 0x9E3779B97F4A7C15U;  // splitmix64
+  const auto round_of = [](std::uint32_t k) {
+    std::uint64_t mixed = (k + std::uint64_t{1}) * 0x9E3779B97F4A7C15U;  // splitmix64
     mixed = (mixed ^ mixed >> 30) * 0xBF58476D1CE4E5B9U;
     mixed = (mixed ^ mixed >> 27) * 0x94D049BB133111EBU;
-    keyed[k] = {-(std::countr_zero(mixed ^ mixed >> 31) / 3), k};
-  }
-  std::sort(keyed.begin(), keyed.end());
+    return 21 - static_cast<std::size_t>(std::countr_zero(mixed ^ mixed >> 31)) / 3;
+  };
+  std::array<std::uint32_t, 23> next{};  // a counting sort by round
+  for (std::uint32_t k = 0; k < n; ++k) ++next[round_of(k) + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
   std::vector<std::uint32_t> order(n);
-  std::transform(keyed.begin(), keyed.end(), order.begin(), [](const auto& e) { return e.second; });
+  for (std::uint32_t k = 0; k < n; ++k) order[next[round_of(k)]++] = k;
   return order;
 }
 
@@ -171,20 +173,20 @@ class Builder {
   }
 
   void insert_points() {
-    std::vector<Kernel::Point_2> sites;
+    using Site = std::pair<Kernel::Point_2, std::uint32_t>;
+    std::vector<Site> sites;  // and not indices alone: sorting these waits for memory
     sites.reserve(points_.size());
-    for (const Point& p : points_) sites.emplace_back(p.x, p.y);
-    std::vector<std::size_t> order(points_.size());  // the map below has keys of this type
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    using Map = CGAL::Pointer_property_map<Kernel::Point_2>::type;
-    using Traits = CGAL::Spatial_sort_traits_adapter_2<Kernel, Map>;
-    CGAL::spatial_sort(order.begin(), order.end(), Traits(CGAL::make_property_map(sites)));
+    for (const Point& p : points_) {
+      sites.emplace_back(Kernel::Point_2(p.x, p.y), static_cast<std::uint32_t>(sites.size()));
+    }
+    using Map = CGAL::First_of_pair_property_map<Site>;
+    CGAL::spatial_sort(sites.begin(), sites.end(),
+                       CGAL::Spatial_sort_traits_adapter_2<Kernel, Map>());
     handles_.resize(points_.size());
     FaceHandle hint;
-    for (const std::size_t position : order) {
-      const auto k = static_cast<std::uint32_t>(position);
+    for (const auto& [site, k] : sites) {
       const std::size_t before = cdt_.number_of_vertices();
-      const VertexHandle v = cdt_.insert(sites[k], hint);
+      const VertexHandle v = cdt_.insert(site, hint);
       if (cdt_.number_of_vertices() == before) {
         conflicts_.push_back(
             {CdtConflict::Kind::duplicate_point, std::min(v->info(), k), std::max(v->info(), k)});
