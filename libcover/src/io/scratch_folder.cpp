@@ -1,3 +1,4 @@
+// Tested by tests/unit/vtk/write_vtk_test.cpp, where it is used.
 #include "io/scratch_folder.hpp"
 
 #include <fmt/core.h>

@@ -22,10 +22,13 @@ class ScratchFolder {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
+  /// Lets the folder stay with all that is in it.
+  void leave() { path_.clear(); }
+
  private:
   explicit ScratchFolder(std::filesystem::path path) : path_(std::move(path)) {}
 
-  std::filesystem::path path_;  ///< empty: moved from
+  std::filesystem::path path_;  ///< empty: moved from, or left
 };
 
 }  // namespace cover

@@ -195,6 +195,72 @@ TEST(WriteVtm, NamedBlocksForRegionsAndInterfaces) {
   EXPECT_EQ(files, 2U) << "checker.vtm and the folder of its pieces";
 }
 
+/// All files below a folder, by their names in it.
+std::map<std::string, std::string> contents(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file())
+      files[fs::relative(entry.path(), folder).string()] = bytes_of(entry.path());
+  return files;
+}
+
+TEST(WriteVtm, ReplacesItsOwnPiecesOnly) {
+  const testing::TemporaryFolder folder;
+  const fs::path path = folder.path() / "checker.vtm", pieces = folder.path() / "checker";
+  const std::vector<std::string> foreign{"checker/device.poly", "checker/checker_notes.vtu",
+                                         "checker/checker_.vtu", "checker/other_0.vtu",
+                                         "checker/deep/checker_0.vtu"};
+  fs::create_directories(pieces / "deep");
+  for (const std::string& name : foreign) (void)folder.write(name, name);
+  ASSERT_TRUE(write_vtm(checker_output(), path));
+  auto files = contents(folder.path());
+  ASSERT_TRUE(files.contains("checker/checker_1.vtu"));
+  const std::size_t count = files.size();
+  (void)folder.write("checker/checker_99.vtu", "a piece that the next mesh has not");
+  ASSERT_TRUE(write_vtm(checker_output(), path));
+  files = contents(folder.path());
+  EXPECT_EQ(files.size(), count);
+  EXPECT_FALSE(files.contains("checker/checker_99.vtu"));
+  for (const std::string& name : foreign) EXPECT_EQ(files[name], name);
+}
+
+TEST(WriteVtm, LosesNothingWhereItFails) {
+  const testing::TemporaryFolder folder;
+  const Output output = checker_output();
+  const fs::path path = folder.path() / "checker.vtm";
+  // A folder under the name of the file: what comes last cannot be done.
+  fs::create_directories(path / "in the way");
+  (void)folder.write("checker.vtm/input.poly", "1");
+  ASSERT_FALSE(write_vtm(output, path));
+  EXPECT_EQ(contents(folder.path()).size(), 1U);
+  EXPECT_FALSE(fs::exists(folder.path() / "checker"));
+  fs::create_directory(folder.path() / "checker");
+  for (const char* name : {"checker/checker_0.vtu", "checker/checker_77.vtu"})
+    (void)folder.write(name, name);
+  const auto before = contents(folder.path());
+  ASSERT_FALSE(write_vtm(output, path));
+  EXPECT_EQ(contents(folder.path()), before);
+  // A file under the name of the folder.
+  const fs::path other = folder.path() / "device.vtm";
+  (void)folder.write("device", "input");
+  const Status status = write_vtm(output, other);
+  ASSERT_FALSE(status);
+  EXPECT_NE(status.error().message.find("device.vtm"), std::string::npos);
+  EXPECT_EQ(bytes_of(folder.path() / "device"), "input");
+}
+
+TEST(WriteVtm, ReplacesNoPiecesOfOthers) {
+  const testing::TemporaryFolder folder;
+  fs::create_directory(folder.path() / "series");
+  (void)folder.write("series/series_7.vtu", "a step in time");
+  const Status status = write_vtm(checker_output(), folder.path() / "series.vtm");
+  ASSERT_FALSE(status);
+  EXPECT_NE(status.error().message.find("series_7.vtu, which belongs to no series.vtm"),
+            std::string::npos)
+      << status.error().message;
+  EXPECT_EQ(contents(folder.path()).size(), 1U);
+}
+
 TEST(WriteVtm, LinesHaveTheirLeftRegionOnTheLeft) {
   const testing::TemporaryFolder folder;
   const Output output = checker_output();
