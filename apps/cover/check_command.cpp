@@ -83,6 +83,9 @@ Examples:
   Result<Options> options = library.make();
   if (!options) return usage_error(app, options.error().message);
   options->hull = verify.hull;
+  const Status files =
+      check_files({{"", input_file.path()}, {"", mesh_path}}, {log_file(verbosity)});
+  if (!files) return usage_error(app, files.error());
 
   const auto log = make_logger(verbosity);
   const Result<Input> input = input_file.read();

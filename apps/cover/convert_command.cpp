@@ -42,20 +42,25 @@ Examples:
   add_verbosity(app, verbosity);
   if (const auto code = parse(app, std::move(arguments))) return *code;
 
-  const auto log = make_logger(verbosity);
   std::vector<Writer> writers;
+  std::vector<NamedFile> written{log_file(verbosity)};
   for (const std::string& output : outputs) {
     Result<Writer> writer =
         mesh_writer(output == "-" ? "stdout." + format : output, formats.make());
     if (!writer) return usage_error(app, writer.error().message);
     writers.push_back(*std::move(writer));
+    written.push_back({"-o", output, true});
   }
+  if (const Status files = check_files({{"", path, true}}, written); !files)
+    return usage_error(app, files.error());
+
+  const auto log = make_logger(verbosity);
   const Result<Output> mesh = read_output(path);
   if (!mesh) return fail(*log, mesh.error());
   log_notes(*log, mesh->report.notes);
   for (std::size_t k = 0; k < outputs.size(); ++k) {
-    const Status written = write_to(writers[k], *mesh, outputs[k], "." + format);
-    if (!written) return fail(*log, written.error());
+    const Status done = write_to(writers[k], *mesh, outputs[k], "." + format);
+    if (!done) return fail(*log, done.error());
     log->info("wrote {}", outputs[k] == "-" ? "to standard output" : outputs[k]);
   }
   return exit_ok;

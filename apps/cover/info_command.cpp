@@ -25,6 +25,8 @@ int run_info(Arguments arguments) {
   if (const auto code = parse(app, std::move(arguments))) return *code;
   const Result<Options> options = library.make();
   if (!options) return usage_error(app, options.error().message);
+  const Status files = check_files({{"", input_file.path()}}, {log_file(verbosity)});
+  if (!files) return usage_error(app, files.error());
 
   const auto log = make_logger(verbosity);
   const Result<Input> input = input_file.read();

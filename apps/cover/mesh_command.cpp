@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "dump_stages.hpp"
+#include "file_check.hpp"
 #include "format_options.hpp"
 #include "group_text.hpp"
 #include "input_file.hpp"
@@ -107,6 +108,17 @@ struct MeshCommand {
            : progress == "off" || verbosity.quiet ? ShowProgress::off
                                                   : ShowProgress::automatic;
   }
+  [[nodiscard]] std::vector<NamedFile> read_files() const {
+    return {
+        {"", input.path()}, {"--onto", onto, true}, library.size_field_file(), config_file(app)};
+  }
+  [[nodiscard]] std::vector<NamedFile> written_files() const {
+    std::vector<NamedFile> files;
+    for (const std::string& path : outputs) files.push_back({"-o", path, true});
+    for (const std::string& path : reports) files.push_back({"--report", path});
+    files.push_back(log_file(verbosity));
+    return files;
+  }
   [[nodiscard]] bool to_stdout() const {
     return std::find(outputs.begin(), outputs.end(), "-") != outputs.end();
   }
@@ -147,10 +159,6 @@ Result<std::vector<File>> plan_files(const MeshCommand& command) {
     Result<Writer> writer = report_writer(path);
     if (!writer) return writer.error();
     files.push_back({path, *writer});
-  }
-  for (const File& file : files) {
-    if (Status status = spares_input(file.path, command.input.path()); !status)
-      return status.error();
   }
   return files;
 }
@@ -293,6 +301,8 @@ int run_mesh(Arguments arguments) {
   }
   const Result<std::vector<File>> files = plan_files(command);
   if (!files) return usage_error(command.app, files.error().message);
+  const Status checked = check_files(command.read_files(), command.written_files());
+  if (!checked) return usage_error(command.app, checked.error());
 
   const auto log = make_logger(command.verbosity);
   Result<Input> input = command.input.read();

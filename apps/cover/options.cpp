@@ -146,6 +146,23 @@ int usage_error(const CLI::App& command, const std::string& message) {
   return exit_usage;
 }
 
+int usage_error(const CLI::App& command, const Error& error) {
+  const int code = exit_code_of(error.code);
+  if (code == exit_usage) return usage_error(command, error.message);
+  fmt::print(stderr, "cover: error: {}\n", error.message);
+  return code;
+}
+
+NamedFile config_file(const CLI::App& command) {
+  const CLI::Option* option = command.get_config_ptr();
+  return {"--config", option->empty() ? std::string() : option->as<std::string>()};
+}
+
+NamedFile log_file(const Verbosity& verbosity) {
+  // Standard output is no place for a log: `-` is a file of that name.
+  return {"--log", verbosity.log_file == "-" ? "./-" : verbosity.log_file};
+}
+
 void LibraryOptions::add_cleaning(CLI::App& command) {
   const char* group = "Input";
   command

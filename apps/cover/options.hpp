@@ -12,6 +12,7 @@
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "file_check.hpp"
 
 namespace cover::app {
 
@@ -32,6 +33,12 @@ std::string configuration(const CLI::App& command);
 
 /// Ends a subcommand with a mistake in its use.
 int usage_error(const CLI::App& command, const std::string& message);
+/// The same for an error of the library, which may be one of files.
+int usage_error(const CLI::App& command, const Error& error);
+
+/// The file of --config, of --log; with an empty path where there is none.
+NamedFile config_file(const CLI::App& command);
+NamedFile log_file(const Verbosity& verbosity);
 
 /// The options that end in cover::Options.
 class LibraryOptions {
@@ -50,6 +57,9 @@ class LibraryOptions {
   ///
   /// Errors: those of read_size_field() and size_function()
   [[nodiscard]] Status read_size_field(Options& options) const;
+
+  /// The file of --size-field; with an empty path where there is none.
+  [[nodiscard]] NamedFile size_field_file() const { return {"--size-field", size_field_}; }
 
  private:
   Options options_;

@@ -102,20 +102,6 @@ Result<Writer> mesh_writer(const std::string& path, const WriteOptions& options)
 
 Result<Writer> report_writer(const std::string& path) { return find(report_formats(), path); }
 
-Status spares_input(const std::string& path, const std::string& input) {
-  namespace fs = std::filesystem;
-  fs::path in(input), out(path);
-  std::error_code ignored;
-  bool same = fs::equivalent(in, out, ignored);
-  if (out.extension() == ".ele") {
-    same = same ||
-           fs::equivalent(in.replace_extension(".node"), out.replace_extension(".node"), ignored);
-  }
-  if (!same) return ok();
-  return Error{
-      ErrorCode::bad_option, fmt::format("writing '{}' would replace the input", path), {}, {}};
-}
-
 std::string mesh_extensions() {
   return fmt::format("{}, {}", fmt::join(write_formats(), ", "), extensions(picture_formats()));
 }

@@ -19,10 +19,6 @@ using Writer = std::function<Status(const Output&, const std::string& path)>;
 /// bad_option where the format cannot do what `options` ask for.
 Result<Writer> mesh_writer(const std::string& path, const WriteOptions& options);
 
-/// Makes sure that writing `path` does not replace the file `input`, nor a .node beside it.
-/// Errors: bad_option
-Status spares_input(const std::string& path, const std::string& input);
-
 /// The writer of a --report file. Errors: unsupported_format
 Result<Writer> report_writer(const std::string& path);
 

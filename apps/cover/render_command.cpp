@@ -31,6 +31,10 @@ Result<PictureMesh> read_picture(const std::string& path) {
   return picture;
 }
 
+std::string extension_of(const std::string& output, const std::string& format) {
+  return output == "-" ? "." + format : std::filesystem::path(output).extension().string();
+}
+
 }  // namespace
 
 int run_render(Arguments arguments) {
@@ -88,6 +92,16 @@ int run_render(Arguments arguments) {
 
   if (!range.empty()) options.range = {range[0], range[1]};
 
+  std::vector<NamedFile> written{log_file(verbosity)};
+  for (const std::string& output : outputs) {
+    const std::string extension = extension_of(output, format);
+    if (extension != ".svg" && extension != ".png")
+      return usage_error(app, fmt::format("cannot draw '{}': possible are .svg, .png", output));
+    written.push_back({"-o", output});
+  }
+  if (const Status files = check_files({{"", path}}, written); !files)
+    return usage_error(app, files.error());
+
   const auto log = make_logger(verbosity);
   const Result<PictureMesh> picture = read_picture(path);
   if (!picture) return fail(*log, picture.error());
@@ -96,11 +110,7 @@ int run_render(Arguments arguments) {
                                 grouped(picture->mesh.soup.triangles.size()));
   }
   for (const std::string& output : outputs) {
-    const std::string extension =
-        output == "-" ? "." + format : std::filesystem::path(output).extension().string();
-    if (extension != ".svg" && extension != ".png") {
-      return usage_error(app, fmt::format("cannot draw '{}': possible are .svg, .png", output));
-    }
+    const std::string extension = extension_of(output, format);
     const Status drawn = write_to(output, extension, [&](const std::string& target) {
       return extension == ".svg" ? write_svg(*picture, options, target)
                                  : write_png(*picture, options, target);

@@ -236,6 +236,59 @@ class Mesh(Case):
         os.close(master)
 
 
+class Files(Case):
+    """No file that is read is written over, no file is written twice; found out before any work."""
+
+    def setUp(self):
+        super().setUp()
+        (self.dir / 'd.poly').write_bytes((SAMPLES / 'diode.poly').read_bytes())
+        self.run_cover('mesh', 'd.poly', '-o', 'd.vtu', '-o', 'd.vtm', '-q')
+        self.write('h.vtk', '# vtk DataFile Version 3.0')
+        self.write('job.toml', 'max-angle = 110\n')
+
+    def refuse(self, part, *words, code=2):
+        before = {p: p.read_bytes() for p in self.dir.rglob('*.*') if p.is_file()}
+        _, err = self.run_cover(*words, code=code)
+        self.assertIn(part, err)
+        self.assertEqual({p: p.read_bytes() for p in self.dir.rglob('*.*') if p.is_file()}, before, words)
+
+    def test_what_is_read_stays(self):
+        mesh = ('mesh', 'd.poly', '-o', 'e.vtu')
+        self.refuse("writing --log 'd.poly' would replace the input\n", *mesh, '--log', 'd.poly')
+        self.refuse("would replace the input 'd.poly'", *mesh, '--log', './d.poly')
+        self.refuse('the file of --size-field', *mesh, '--size-field', 'h.vtk', '-o', 'h.vtk')
+        self.refuse('the file of --config', *mesh, '--config', 'job.toml', '--log', 'job.toml')
+        self.refuse('the file of --onto', *mesh, '--only', '2', '--onto', 'd.vtu', '--log', 'd.vtu')
+        self.refuse('would replace', 'mesh', 'd/d_0.vtu', '-o', 'd.vtm')
+        os.symlink('d.poly', self.dir / 'link.json')
+        self.refuse('would replace the input', *mesh, '--report', 'link.json')
+        for words in (('info', 'd.poly'), ('check', 'd.poly', 'd.vtu'), ('render', 'd.vtu', '-o', 'e.svg'),
+                      ('convert', 'd.vtu', '-o', 'e.vtu')):
+            self.refuse('would replace the input', *words, '--log', words[1])
+        self.refuse('would replace the input', 'check', 'd.poly', 'd.vtu', '--log', 'd.vtu')
+
+    def test_a_mesh_may_be_replaced_by_its_conversion(self):
+        self.run_cover('convert', 'd.vtu', '-o', 'd.vtu', '--order', 2)
+
+    def test_nothing_is_written_twice(self):
+        mesh = ('mesh', 'd.poly')
+        self.refuse("-o 'x.json' and --report './x.json' would replace each other", *mesh, '-o', 'x.json', '--report',
+                    './x.json')
+        self.refuse('would replace each other', *mesh, '-o', 'x.vtu', '-o', 'x.vtu')
+        self.refuse('would replace each other', *mesh, '-o', 'x.ele', '--log', 'x.node')
+        self.refuse('two files cannot be written to standard output', *mesh, '-o', '-', '-o', '-')
+        self.refuse('two files cannot be written to standard output', 'render', 'd.vtu', '-o', '-', '-o', '-')
+        self.run_cover(*mesh, '-o', 'x.vtu', '--log', '/dev/null', '-q')
+
+    def test_folders_are_there(self):
+        for words in (('-o', 'none/x.vtu'), ('-o', 'x.vtu', '--report', 'none/r.html'),
+                      ('-o', 'x.vtu', '--log', 'none/l')):
+            self.refuse(f'cannot write {words[-1]}: No such file or directory', 'mesh', 'd.poly', *words, code=5)
+            self.refuse('No such file or directory', 'mesh', 'd.poly', *words, '--dry-run', code=5)
+        self.refuse('Is a directory', 'mesh', 'd.poly', '-o', 'x.vtu', '--log', 'd', code=5)
+        self.refuse('cannot write d.poly/x.vtu', 'mesh', 'd.poly', '-o', 'd.poly/x.vtu', code=5)
+
+
 class Sizes(Case):
     """--size, --size-at, --size-field, sizes in the input."""
 
