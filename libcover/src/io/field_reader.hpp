@@ -15,8 +15,9 @@ namespace cover {
 class FieldReader {
  public:
   /// `text` must outlive the reader. A `comment` character ends a line.
-  FieldReader(std::string_view text, const std::string& source, char comment)
-      : lines_(text, source, comment) {}
+  FieldReader(std::string_view text, const std::string& source, char comment,
+              Separator separator = Separator::blank)
+      : lines_(text, source, comment, separator) {}
 
   [[nodiscard]] bool failed() const { return error_.has_value(); }
   /// REQUIRES: failed()
@@ -35,6 +36,8 @@ class FieldReader {
   double real(std::size_t field);
 
  private:
+  [[nodiscard]] std::string hint_at(std::size_t field) const;
+
   LineReader lines_;
   std::optional<Error> error_;
 };

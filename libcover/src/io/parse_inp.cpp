@@ -23,7 +23,8 @@ std::string upper(std::string_view text) {
 
 class InpParser {
  public:
-  InpParser(std::string_view text, const std::string& source) : lines_(text, source, '\0') {}
+  InpParser(std::string_view text, const std::string& source)
+      : lines_(text, source, '\0', Separator::comma) {}
 
   Result<MeshFile> parse() {
     while (lines_.next()) {

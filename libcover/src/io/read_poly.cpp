@@ -1,6 +1,7 @@
 // Triangle's .poly and .node. A .poly has four sections, each headed by a line with its count:
 // points (or none: then they are in the .node of the same name), segments, holes, and optionally
-// regions. Whatever a header announces must be there, and nothing may follow.
+// regions. Whatever a header announces must be there, and nothing may follow. Fields of a line that
+// no header announces are left out, as Triangle does, but with a warning.
 // Format: https://www.cs.cmu.edu/~quake/triangle.poly.html. Tested by
 // tests/unit/io/read_poly_test.cpp.
 #include <cover/read_input.hpp>
@@ -15,17 +16,16 @@
 #include <unordered_map>
 
 #include "io/formats.hpp"
+#include "io/poly_lines.hpp"
 #include "io/text.hpp"
 
 namespace cover {
 namespace {
 
 /// Reads sections into an Input; the first error stops it and stays in `error()`.
-class PolyReader {
+class PolyReader : public PolyLines {
  public:
-  PolyReader(std::string_view text, const std::string& source) : lines_(text, source, '#') {}
-
-  [[nodiscard]] const std::optional<Error>& error() const { return error_; }
+  using PolyLines::PolyLines;
 
   /// Reads the point section. A header with count 0 leaves `input` empty.
   bool read_points(Input& input);
@@ -33,95 +33,15 @@ class PolyReader {
   bool read_holes(Input& input);
   /// The section may be missing.
   bool read_regions(Input& input);
-  /// Nothing but comments may be left.
-  bool expect_end();
   /// Takes the numbering over from the reader of the .node file.
   void take_ids(PolyReader& other) { index_of_id_ = std::move(other.index_of_id_); }
 
  private:
-  bool fail(ErrorCode code, std::string_view what) {
-    error_ = lines_.error(code, what);
-    return false;
-  }
-  bool next_line(std::string_view wanted);
-  bool header(std::string_view section, std::size_t& count);
-  bool integer(std::size_t field, std::string_view what, long& value);
-  bool coordinate(std::size_t field, std::string_view what, double& value);
-  bool position(std::string_view what, Point& at);
-  /// A boundary marker; 0 where the field is missing.
-  bool marker(std::size_t field, std::string_view what, int& value);
   bool end_point(std::size_t field, long segment, std::uint32_t& index);
   bool point(Input& input, long attributes, bool has_markers);
-  /// A count from a header that may not be there (then 0).
-  [[nodiscard]] long optional_count(std::size_t field) const {
-    const auto& f = lines_.fields();
-    return field < f.size() ? parse_integer(f[field]).value_or(0) : 0;
-  }
 
-  LineReader lines_;
-  std::optional<Error> error_;
   std::unordered_map<long, std::uint32_t> index_of_id_;
 };
-
-bool PolyReader::next_line(std::string_view wanted) {
-  if (lines_.next()) return true;
-  return fail(ErrorCode::truncated, fmt::format("the file ends where {} should follow", wanted));
-}
-
-bool PolyReader::header(std::string_view section, std::size_t& count) {
-  long value = 0;
-  if (!next_line(fmt::format("the number of {}", section)) ||
-      !integer(0, fmt::format("the number of {}", section), value)) {
-    return false;
-  }
-  if (value < 0)
-    return fail(ErrorCode::syntax, fmt::format("the number of {} is negative", section));
-  count = static_cast<std::size_t>(value);
-  return true;
-}
-
-bool PolyReader::integer(std::size_t field, std::string_view what, long& value) {
-  const auto& f = lines_.fields();
-  if (field >= f.size()) return fail(ErrorCode::syntax, fmt::format("{} is missing", what));
-  const auto parsed = parse_integer(f[field]);
-  if (!parsed)
-    return fail(ErrorCode::syntax, fmt::format("{}: '{}' is no integer", what, f[field]));
-  value = *parsed;
-  return true;
-}
-
-bool PolyReader::coordinate(std::size_t field, std::string_view what, double& value) {
-  const char* const axis = field == 1 ? "x" : "y";
-  const auto& f = lines_.fields();
-  if (field >= f.size()) {
-    return fail(ErrorCode::syntax, fmt::format("{}: the {} coordinate is missing", what, axis));
-  }
-  const auto parsed = parse_double(f[field]);
-  if (!parsed) {
-    return fail(ErrorCode::syntax,
-                fmt::format("{}: the {} coordinate '{}' is no number", what, axis, f[field]));
-  }
-  if (!std::isfinite(*parsed)) {
-    return fail(ErrorCode::non_finite_coordinate,
-                fmt::format("{}: the {} coordinate '{}' is not finite", what, axis, f[field]));
-  }
-  value = *parsed;
-  return true;
-}
-
-bool PolyReader::position(std::string_view what, Point& at) {
-  return coordinate(1, what, at.x) && coordinate(2, what, at.y);
-}
-
-bool PolyReader::marker(std::size_t field, std::string_view what, int& value) {
-  long read = 0;
-  if (field >= lines_.fields().size()) return true;
-  if (!integer(field, fmt::format("{}: the boundary marker", what), read)) return false;
-  value = static_cast<int>(read);
-  if (value == read) return true;
-  return fail(ErrorCode::syntax,
-              fmt::format("{}: the boundary marker {} is too large", what, read));
-}
 
 bool PolyReader::point(Input& input, long attributes, bool has_markers) {
   long id = 0;
@@ -135,7 +55,8 @@ bool PolyReader::point(Input& input, long attributes, bool has_markers) {
   }
   input.points.push_back(at);
   input.point_ids.push_back(id);
-  input.point_lines.push_back(lines_.line());
+  input.point_lines.push_back(line());
+  check_surplus("a point", static_cast<std::size_t>(3 + attributes + (has_markers ? 1 : 0)));
   if (has_markers) {
     const auto field = static_cast<std::size_t>(3 + attributes);
     return marker(field, fmt::format("point {}", id), input.point_markers.emplace_back(0));
@@ -146,12 +67,11 @@ bool PolyReader::point(Input& input, long attributes, bool has_markers) {
 bool PolyReader::read_points(Input& input) {
   std::size_t count = 0;
   if (!header("points", count)) return false;
-  const long dimension = lines_.fields().size() > 1 ? optional_count(1) : 2;
+  const long dimension = fields().size() > 1 ? optional_count(1) : 2;
   if (dimension != 2) {
-    return fail(ErrorCode::syntax,
-                fmt::format("the dimension is '{}', it must be 2", lines_.fields()[1]));
+    return fail(ErrorCode::syntax, fmt::format("the dimension is '{}', it must be 2", fields()[1]));
   }
-  const long attributes = std::max(0L, optional_count(2));
+  const long attributes = std::clamp(optional_count(2), 0L, 1L << 30U);
   const bool has_markers = optional_count(3) != 0;
   for (std::size_t k = 0; k < count; ++k) {
     if (!next_line(fmt::format("point {} of {}", k + 1, count)) ||
@@ -187,10 +107,11 @@ bool PolyReader::read_segments(Input& input) {
         !end_point(1, segment.id, segment.a) || !end_point(2, segment.id, segment.b)) {
       return false;
     }
-    segment.line = lines_.line();
+    segment.line = line();
     if (has_markers && !marker(3, fmt::format("segment {}", segment.id), segment.marker)) {
       return false;
     }
+    check_surplus("a segment", has_markers ? 4 : 3);
     input.segments.push_back(segment);
   }
   return true;
@@ -206,30 +127,31 @@ bool PolyReader::read_holes(Input& input) {
         !position(fmt::format("hole {}", hole.id), hole.at)) {
       return false;
     }
-    hole.line = lines_.line();
+    hole.line = line();
+    check_surplus("a hole", 3);
     input.holes.push_back(hole);
   }
   return true;
 }
 
 bool PolyReader::read_regions(Input& input) {
-  if (!lines_.next()) return true;
-  long count = 0;
-  if (!integer(0, "the number of regions", count)) return false;
-  for (long k = 0; k < count; ++k) {
+  if (!next()) return true;
+  std::size_t count = 0;
+  if (!announced("regions", count)) return false;
+  for (std::size_t k = 0; k < count; ++k) {
     RegionSeed seed;
     if (!next_line(fmt::format("region {} of {}", k + 1, count)) ||
         !integer(0, "the number of a region", seed.id) ||
         !position(fmt::format("region {}", seed.id), seed.at)) {
       return false;
     }
-    const auto& f = lines_.fields();
-    seed.line = lines_.line();
+    const auto& f = fields();
+    seed.line = line();
     if (f.size() > 3) {
       const auto attribute = parse_double(f[3]);
       if (!attribute || !std::isfinite(*attribute)) {
-        return fail(ErrorCode::syntax,
-                    fmt::format("region {}: the attribute '{}' is no number", seed.id, f[3]));
+        return fail(ErrorCode::syntax, fmt::format("region {}: the attribute '{}' is no number{}",
+                                                   seed.id, f[3], hint_at_comma(f[3])));
       }
       seed.material = f[3];
     }
@@ -237,19 +159,16 @@ bool PolyReader::read_regions(Input& input) {
       const auto area = parse_double(f[4]);
       if (!area || !std::isfinite(*area)) {
         return fail(ErrorCode::syntax,
-                    fmt::format("region {}: the largest area '{}' is no number", seed.id, f[4]));
+                    fmt::format("region {}: the largest area '{}' is no number{}", seed.id, f[4],
+                                hint_at_comma(f[4])));
       }
       // The edge length of the equilateral triangle of that area.
       if (*area > 0) seed.size = std::sqrt(*area * 4 / std::numbers::sqrt3);
     }
+    check_surplus("a region", 5);
     input.seeds.push_back(std::move(seed));
   }
   return true;
-}
-
-bool PolyReader::expect_end() {
-  if (!lines_.next()) return true;
-  return fail(ErrorCode::syntax, "there are more lines than the counts in the file announce");
 }
 
 /// Reads the points of a .poly that has none from the .node beside it.
@@ -263,6 +182,7 @@ std::optional<Error> read_node(const std::string& poly_path, PolyReader& poly, I
   }
   PolyReader reader(*text, path);
   if (!reader.read_points(input) || !reader.expect_end()) return reader.error();
+  reader.report_surplus(input);
   poly.take_ids(reader);
   return {};
 }
@@ -281,6 +201,7 @@ Result<Input> parse_poly(std::string_view text, const std::string& source) {
       !reader.expect_end()) {
     return *reader.error();
   }
+  reader.report_surplus(input);
   return input;
 }
 

@@ -15,7 +15,16 @@
 namespace cover {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\v\f,";
+constexpr std::string_view kBlanks = " \t\r\v\f";
+constexpr std::string_view kBlanksAndCommas = " \t\r\v\f,";
+
+/// A field without the commas that separate it from its neighbours.
+std::string_view without_commas(std::string_view field) {
+  const std::size_t first = field.find_first_not_of(',');
+  return first == std::string_view::npos
+             ? std::string_view()
+             : field.substr(first, field.find_last_not_of(',') + 1 - first);
+}
 
 /// from_chars takes no leading plus sign, files have them.
 std::string_view without_plus(std::string_view field) {
@@ -76,10 +85,17 @@ std::optional<long> parse_integer(std::string_view field) {
   return value;
 }
 
-LineReader::LineReader(std::string_view text, std::string source, char comment)
-    : rest_(text), source_(std::move(source)), comment_(comment) {}
+std::string hint_at_comma(std::string_view field) {
+  return field.find(',') == std::string_view::npos
+             ? std::string()
+             : " (decimals have a point; between numbers stand blanks)";
+}
+
+LineReader::LineReader(std::string_view text, std::string source, char comment, Separator separator)
+    : rest_(text), source_(std::move(source)), comment_(comment), separator_(separator) {}
 
 bool LineReader::next() {
+  const std::string_view blanks = separator_ == Separator::comma ? kBlanksAndCommas : kBlanks;
   fields_.clear();
   while (!rest_.empty()) {
     const std::size_t end = rest_.find('\n');
@@ -87,10 +103,12 @@ bool LineReader::next() {
     rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
     ++line_;
     text = text.substr(0, text.find(comment_));
-    for (std::size_t at = text.find_first_not_of(kBlanks); at != std::string_view::npos;) {
-      const std::size_t stop = text.find_first_of(kBlanks, at);
-      fields_.push_back(text.substr(at, stop == std::string_view::npos ? stop : stop - at));
-      at = stop == std::string_view::npos ? stop : text.find_first_not_of(kBlanks, stop);
+    for (std::size_t at = text.find_first_not_of(blanks); at != std::string_view::npos;) {
+      const std::size_t stop = text.find_first_of(blanks, at);
+      const std::string_view field =
+          without_commas(text.substr(at, stop == std::string_view::npos ? stop : stop - at));
+      if (!field.empty()) fields_.push_back(field);
+      at = stop == std::string_view::npos ? stop : text.find_first_not_of(blanks, stop);
     }
     if (!fields_.empty()) return true;
   }

@@ -23,12 +23,23 @@ std::optional<double> parse_double(std::string_view field);
 /// The integer that the whole of `field` spells; none if it spells none or one that does not fit.
 std::optional<long> parse_integer(std::string_view field);
 
-/// The lines of a text as fields between blanks or commas; comments and empty lines are skipped.
+/// What to add to an error about a field that spells no number: a word on decimal commas, or
+/// nothing.
+std::string hint_at_comma(std::string_view field);
+
+/// What stands between the fields of a line.
+enum class Separator {
+  blank,  ///< blanks; a comma before a blank counts with it, any other is part of its field
+  comma,  ///< blanks or commas
+};
+
+/// The lines of a text as fields; comments and empty lines are skipped.
 class LineReader {
  public:
   /// `text` must outlive the reader; `source` is the file's name for messages. A `comment`
   /// character ends a line.
-  LineReader(std::string_view text, std::string source, char comment);
+  LineReader(std::string_view text, std::string source, char comment,
+             Separator separator = Separator::blank);
 
   /// Goes on to the next line that has a field; false at the end of the text.
   bool next();
@@ -46,6 +57,7 @@ class LineReader {
   std::string_view rest_;
   std::string source_;
   char comment_;
+  Separator separator_;
   int line_ = 0;
   std::vector<std::string_view> fields_;
 };

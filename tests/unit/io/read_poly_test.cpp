@@ -73,6 +73,24 @@ TEST(ReadPoly, NeedsNoMarkersAttributesOrRegions) {
   EXPECT_EQ(input->segments[0].b, 2U);
 }
 
+TEST(ReadPoly, TakesCommasBeforeBlanksAsBlanks) {
+  const auto input = read("3, 2\n0, 0, 0\n1 , 1, 0.5\n2 0, 1\n1\n0 0, 2,\n0\n");
+  ASSERT_TRUE(input) << input.error().message;
+  EXPECT_EQ(input->points, (std::vector<Point>{{0, 0}, {1, 0.5}, {0, 1}}));
+  EXPECT_TRUE(input->warnings.empty());
+}
+
+TEST(ReadPoly, TellsWhatItLeavesOut) {
+  const auto input = read("3 2 0 0\n0 0 0 7\n1 1 0\n2 0 1 8 9\n1 1\n0 0 2 5\n0\n");
+  ASSERT_TRUE(input) << input.error().message;
+  EXPECT_EQ(input->segments[0].marker, 5);
+  ASSERT_EQ(input->warnings.size(), 1U);
+  EXPECT_TRUE(input->warnings[0].ends_with(
+      "in.poly:2: '7' and what follows is left out: the file announces 3 fields for a point; 1 "
+      "more line has too many"))
+      << input->warnings[0];
+}
+
 TEST(ReadPoly, TakesPointsFromTheNodeFile) {
   const TemporaryFolder folder;
   (void)folder.write("in.node", "3 2 0 1\n1 0 0 1\n2 1 0 1\n3 0 1 0\n# made by hand\n");
@@ -117,15 +135,22 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"empty", "", ErrorCode::truncated,
                 "in.poly: the file ends where the number of points should follow"},
         Refusal{"points_missing", "3 2 0 0\n1 0 0\n2 1 0\n", ErrorCode::truncated,
-                "in.poly:3: the file ends where point 3 of 3 should follow"},
-        Refusal{"segments_missing", "2\n1 0 0\n2 1 0\n2 0\n1 1 2\n", ErrorCode::truncated,
-                "in.poly:5: the file ends where segment 2 of 2 should follow"},
+                "in.poly:3: the file ends where point 3 of 3 should follow; are the counts right? "
+                "points: 3 (line 1)"},
+        Refusal{
+            "segments_missing", "2\n1 0 0\n2 1 0\n2 0\n1 1 2\n", ErrorCode::truncated,
+            "in.poly:5: the file ends where segment 2 of 2 should follow; are the counts right? "
+            "points: 2 (line 1), segments: 2 (line 4)"},
         Refusal{"holes_missing", "2\n1 0 0\n2 1 0\n1 0\n1 1 2\n", ErrorCode::truncated,
-                "in.poly:5: the file ends where the number of holes should follow"},
+                "in.poly:5: the file ends where the number of holes should follow; are the counts "
+                "right? "
+                "points: 2 (line 1), segments: 1 (line 4)"},
         Refusal{"region_missing", "2\n1 0 0\n2 1 0\n1 0\n1 1 2\n0\n1\n", ErrorCode::truncated,
-                "in.poly:7: the file ends where region 1 of 1 should follow"},
+                "in.poly:7: the file ends where region 1 of 1 should follow; are the counts right? "
+                "points: 2 (line 1), segments: 1 (line 4), holes: 0 (line 6), regions: 1 (line 7)"},
         Refusal{"coordinate_cut_off", "2\n1 0 0\n2 1\n", ErrorCode::syntax,
-                "in.poly:3: point 2: the y coordinate is missing"},
+                "in.poly:3: point 2: the y coordinate is missing; are the counts right? points: 2 "
+                "(line 1)"},
         Refusal{"coordinate_no_number", "1\n1 0 zero\n", ErrorCode::syntax,
                 "in.poly:2: point 1: the y coordinate 'zero' is no number"},
         Refusal{"coordinate_nan", "1\n1 nan 0\n", ErrorCode::non_finite_coordinate,
@@ -143,6 +168,15 @@ INSTANTIATE_TEST_SUITE_P(
                 "in.poly:1: the dimension is '3', it must be 2"},
         Refusal{"negative_count", "-1 2\n", ErrorCode::syntax,
                 "in.poly:1: the number of points is negative"},
+        Refusal{"decimal_comma", "1\n1 0,5 0,5\n", ErrorCode::syntax,
+                "in.poly:2: point 1: the x coordinate '0,5' is no number (decimals have a point; "
+                "between numbers stand blanks)"},
+        Refusal{"decimal_comma_in_an_area", "2\n1 0 0\n2 1 0\n1 0\n1 1 2\n0\n1\n1 0 0 1 0,1\n",
+                ErrorCode::syntax,
+                "in.poly:8: region 1: the largest area '0,1' is no number (decimals have a point; "
+                "between numbers stand blanks)"},
+        Refusal{"negative_regions", "2\n1 0 0\n2 1 0\n1 0\n1 1 2\n0\n-3\n", ErrorCode::syntax,
+                "in.poly:7: the number of regions is negative"},
         Refusal{"marker", "2\n1 0 0\n2 1 0\n1 1\n1 1 2 x\n0\n", ErrorCode::syntax,
                 "in.poly:5: segment 1: the boundary marker: 'x' is no integer"},
         Refusal{"marker_too_large", "2\n1 0 0\n2 1 0\n1 1\n1 1 2 3000000000\n0\n",
@@ -150,8 +184,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "in.poly:5: segment 1: the boundary marker 3000000000 is too large"},
         Refusal{"attribute", "2\n1 0 0\n2 1 0\n1 0\n1 1 2\n0\n1\n1 0 0 Si\n", ErrorCode::syntax,
                 "in.poly:8: region 1: the attribute 'Si' is no number"},
-        Refusal{"too_many_lines", "2\n1 0 0\n2 1 0\n1 0\n1 1 2\n0\n0\n2 2 1\n", ErrorCode::syntax,
-                "in.poly:8: there are more lines than the counts in the file announce"}),
+        Refusal{
+            "too_many_lines", "2\n1 0 0\n2 1 0\n1 0\n1 1 2\n0\n0\n2 2 1\n", ErrorCode::syntax,
+            "in.poly:8: there are more lines than the counts announce; are the counts right? "
+            "points: 2 (line 1), segments: 1 (line 4), holes: 0 (line 6), regions: 0 (line 7)"}),
     [](const auto& test) { return std::string(test.param.what); });
 
 }  // namespace

@@ -35,7 +35,7 @@ TEST(ParseInteger, RefusesFractionsAndOverflow) {
 }
 
 TEST(LineReader, SkipsCommentsAndCountsLines) {
-  LineReader lines("# head\n\n 1  2,3 # tail\r\n#\nlast", "file.poly", '#');
+  LineReader lines("# head\n\n 1  2, 3 # tail\r\n#\nlast", "file.poly", '#');
   ASSERT_TRUE(lines.next());
   EXPECT_EQ(lines.fields(), (std::vector<std::string_view>{"1", "2", "3"}));
   EXPECT_EQ(lines.line(), 3);
@@ -44,6 +44,18 @@ TEST(LineReader, SkipsCommentsAndCountsLines) {
   EXPECT_EQ(lines.fields().at(0), "last");
   EXPECT_EQ(lines.line(), 5);
   EXPECT_FALSE(lines.next());
+}
+
+TEST(LineReader, LeavesCommasInNumbersUnlessTheySeparate) {
+  const char* text = "1,5, 2 ,\n,,3,4,\n";
+  LineReader blanks(text, "a.poly", '#');
+  ASSERT_TRUE(blanks.next());
+  EXPECT_EQ(blanks.fields(), (std::vector<std::string_view>{"1,5", "2"}));
+  ASSERT_TRUE(blanks.next());
+  EXPECT_EQ(blanks.fields(), (std::vector<std::string_view>{"3,4"}));
+  LineReader commas(text, "a.inp", '#', Separator::comma);
+  ASSERT_TRUE(commas.next());
+  EXPECT_EQ(commas.fields(), (std::vector<std::string_view>{"1", "5", "2"}));
 }
 
 TEST(ReadFile, SaysWhyItCannot) {
