@@ -12,7 +12,7 @@ std::shared_ptr<spdlog::logger> make_logger(const Verbosity& verbosity) {
   auto terminal = std::make_shared<spdlog::sinks::stderr_sink_st>();
   terminal->set_pattern("cover: %l: %v");
   terminal->set_level(verbosity.quiet          ? spdlog::level::err
-                      : verbosity.verbose == 0 ? spdlog::level::warn
+                      : verbosity.verbose <= 0 ? spdlog::level::warn
                       : verbosity.verbose == 1 ? spdlog::level::info
                                                : spdlog::level::debug);
   std::vector<spdlog::sink_ptr> sinks{terminal};

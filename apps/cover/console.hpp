@@ -16,8 +16,8 @@ namespace cover::app {
 
 /// How much is said, and where.
 struct Verbosity {
-  bool quiet = false;    ///< errors only
-  int verbose = 0;       ///< 1: what is done; 2: also the details
+  bool quiet = false;  ///< errors only
+  int verbose = 0;  ///< 1: what is done; 2: also the details; below 0 as 0: a job file says false
   std::string log_file;  ///< also write everything there; empty: nowhere
 };
 

@@ -136,7 +136,14 @@ std::string configuration(const CLI::App& command) {
   std::istringstream lines(command.config_to_str(true, true));
   std::string out;
   for (std::string line; std::getline(lines, line);) {
-    out += (line.ends_with("=\"\"") || line.ends_with("=[]") ? "# " : "") + line + '\n';
+    const std::string name = line.substr(0, line.find('='));
+    const CLI::Option* option = command.get_option_no_throw("--" + name);
+    if (option == nullptr) option = command.get_option_no_throw(name);
+    // A flag given more than once is a list to CLI11, which it cannot read back.
+    if (option != nullptr && option->get_expected_max() == 0 && option->count() > 1)
+      line = fmt::format("{}={}", name, option->count());
+    // A default is not printed as if it were given: it may be the value of an option that is off.
+    out += (option != nullptr && option->count() == 0 ? "# " : "") + line + '\n';
   }
   return out;
 }

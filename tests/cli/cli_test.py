@@ -476,6 +476,28 @@ class Configuration(Case):
         self.run_cover('mesh', '--config', 'job.toml', '-q')
         self.assertIn('d.vtu', self.files())
 
+    def test_a_printed_configuration_does_the_same(self):
+        shutil.copy(SAMPLES / 'diode.poly', self.dir)
+        for words in ([], ['-v'], ['-vv'], ['--split-interfaces'], ['--split-interfaces', '100'], ['--paper', '--pieces', '3'],
+                      ['--size', '1', '--size', '2=0.5', '--growth', '1.5'], ['--method', 'nonobtuse', '--no-inner-lines'],
+                      ['--fill', 'disks'], ['--max-angle', '110', '--min-angle', '0', '--require', 'bound,max-angle'],
+                      ['--merge-materials', '--unit', 'nm', '--scale', '1e-9', '--order', '2', '-q', '-j', '1']):
+            command = ['mesh', 'diode.poly', '-o', 'd.vtu', '-o', 'd.msh', '--report', 'd.json', *words]
+            runs = []
+            self.write('job.toml', self.run_cover(*command, '--print-config')[0])
+            for run in (command, ['mesh', '--config', 'job.toml']):
+                for file in self.dir.glob('d.*'):
+                    file.unlink()
+                said = [re.sub(r'[\d.]+ s\b', '', text) for text in self.run_cover(*run)]  # times
+                files = {file.name: file.read_bytes() for file in self.dir.glob('d.*')}
+                report = re.sub(rb'"seconds": [\d.e-]+', b'', files.pop('d.json'))
+                runs.append((said, files, report))
+            self.assertTrue(runs[0] == runs[1], words)  # too long to be shown
+
+    def test_verbose_false(self):
+        self.write('job.toml', 'verbose=false\n')
+        self.assertEqual(self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--config', 'job.toml')[1], '')
+
     def test_unknown_key(self):
         self.write('job.toml', 'fil = "refine"\n')
         _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--config', 'job.toml', code=2)
