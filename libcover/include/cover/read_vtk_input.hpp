@@ -15,7 +15,8 @@ bool is_vtk_input(const std::string& path);
 /// cell on one side only, become the segments. Lines stay, with their number as name and marker.
 ///
 /// Material is the first cell array of whole numbers called material, MaterialID, mat_id,
-/// gmsh:physical, medit:ref, CellEntityIds or RegionId, or the only such array there is. Cells may
+/// gmsh:physical, medit:ref, CellEntityIds, RegionId, or much like that (MaterialIds, phase,
+/// attribute, region), in whatever case; or the only such array there is. Cells may
 /// be triangles, quadrangles, pixels, strips or polygons; of curved cells the corners are taken.
 /// Errors: cannot_open, syntax, unsupported_format, non_finite_coordinate
 /// Cost:   O(n log n)

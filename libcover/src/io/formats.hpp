@@ -22,7 +22,7 @@ Result<Input> parse_json(std::string_view text, const std::string& source);
 /// GeoJSON: areas, and lines as contacts; properties material, name and priority.
 Result<Input> parse_geojson(std::string_view text, const std::string& source);
 
-/// gmsh's .msh 2.2 and 4.1 in ASCII: the borders of physical surfaces, and physical curves.
+/// gmsh's .msh 2.2 and 4.1, ASCII or binary: the borders of physical surfaces, and physical curves.
 Result<Input> parse_msh(std::string_view text, const std::string& source);
 
 }  // namespace cover

@@ -56,9 +56,10 @@ class MshParser {
     const long binary = tokens_.integer("the file type, 0 or 1");
     tokens_.integer("the size of a number");
     if (tokens_.failed()) return;
-    if (binary != 0)
-      return tokens_.fail(ErrorCode::unsupported_format,
-                          "a binary .msh; write it as text, with gmsh's Mesh.Binary = 0");
+    if (binary != 0 && binary != 1)
+      return tokens_.fail(ErrorCode::syntax,
+                          fmt::format("the file type is {}; 0 is text, 1 binary", binary));
+    binary_ = binary == 1;
     newer_ = version >= 4;
     file_.has_entities = !newer_;
     if (!(version >= 2 && version < 3) && version != 4.1)
@@ -66,8 +67,17 @@ class MshParser {
                           fmt::format("version {} of .msh; versions 2.2 and 4.1 are read "
                                       "(gmsh -format msh22 or msh41)",
                                       version));
+    begin_data();
+    if (binary_ && tokens_.integer("the number one") != 1)
+      return tokens_.fail(ErrorCode::unsupported_format,
+                          "a binary .msh with another order of bytes than this machine's");
+    end_data();
     tokens_.expect("$EndMeshFormat");
   }
+
+  /// Between these, numbers are binary data in a binary file.
+  void begin_data() { tokens_.set_binary(binary_); }
+  void end_data() { tokens_.set_binary(false); }
 
   void read_section(std::string_view section) {
     if (section.size() < 2 || section[0] != '$')
@@ -95,44 +105,51 @@ class MshParser {
   }
 
   void read_entities() {
+    begin_data();
     std::array<std::size_t, 4> counts{};
-    for (std::size_t& n : counts) n = tokens_.count("entities");
+    for (std::size_t& n : counts) n = tokens_.wide_count("entities");
     for (long dimension = 0; dimension < 4; ++dimension)
       for (std::size_t i = 0; i < counts[static_cast<std::size_t>(dimension)]; ++i) {
         if (tokens_.failed()) return;
         const long tag = tokens_.integer("the number of an entity");
         for (int k = dimension == 0 ? 3 : 6; k > 0; --k) tokens_.real("a coordinate");
-        const std::size_t groups = tokens_.count("physical groups");
+        const std::size_t groups = tokens_.wide_count("physical groups");
         for (std::size_t k = 0; k < groups && !tokens_.failed(); ++k) {
           const long group = tokens_.integer("the number of a physical group");
-          physical_.try_emplace({dimension, tag}, std::abs(group));
+          const bool is_first = physical_.try_emplace({dimension, tag}, std::abs(group)).second;
+          if (!is_first && dimension > 0) ++file_.in_several_groups;
         }
-        const std::size_t limits = dimension == 0 ? 0 : tokens_.count("bounding entities");
+        const std::size_t limits = dimension == 0 ? 0 : tokens_.wide_count("bounding entities");
         for (std::size_t k = 0; k < limits && !tokens_.failed(); ++k)
           tokens_.integer("a bounding entity");
       }
+    end_data();
   }
 
   void read_nodes() {
     const std::size_t n = tokens_.count("nodes");
+    begin_data();
     for (std::size_t i = 0; i < n && !tokens_.failed(); ++i)
       read_coordinates(tokens_.integer("the number of a node"), 0);
+    end_data();
   }
 
   void read_node_blocks() {
-    const std::size_t blocks = tokens_.count("blocks of nodes");
-    for (int k = 0; k < 3; ++k) tokens_.integer("the number of nodes and their range");
+    begin_data();
+    const std::size_t blocks = tokens_.wide_count("blocks of nodes");
+    for (int k = 0; k < 3; ++k) tokens_.wide_integer("the number of nodes and their range");
     for (std::size_t b = 0; b < blocks && !tokens_.failed(); ++b) {
       const long dimension = tokens_.integer("the dimension of an entity");
       tokens_.integer("the number of an entity");
       const bool parametric = tokens_.integer("whether nodes have parameters") != 0;
-      const std::size_t n = tokens_.count("nodes");
+      const std::size_t n = tokens_.wide_count("nodes");
       std::vector<long> ids;
       for (std::size_t i = 0; i < n && !tokens_.failed(); ++i)
-        ids.push_back(tokens_.integer("the number of a node"));
+        ids.push_back(tokens_.wide_integer("the number of a node"));
       for (std::size_t i = 0; i < ids.size() && !tokens_.failed(); ++i)
         read_coordinates(ids[i], parametric ? std::clamp(dimension, 0L, 3L) : 0);
     }
+    end_data();
   }
 
   void read_coordinates(long id, long parameters) {
@@ -150,36 +167,58 @@ class MshParser {
   void read_elements() {
     has_elements_ = true;
     const std::size_t n = tokens_.count("elements");
+    if (binary_) return read_element_runs(n);
     for (std::size_t i = 0; i < n && !tokens_.failed(); ++i) {
       const long id = tokens_.integer("the number of an element");
       const ElementType* type = read_type();
       const std::size_t tags = tokens_.count("tags of an element");
-      MshElement element{id, 0, 0, 0, 0, 0, 0};
-      for (std::size_t k = 0; k < tags && !tokens_.failed(); ++k) {
-        const long tag = tokens_.integer("a tag of an element");
-        if (k == 0) element.physical = std::abs(tag);
-        if (k == 1) element.entity = tag;
-      }
-      if (type) read_nodes_of(element, *type);
+      if (type) read_element(id, tags, *type);
     }
+  }
+
+  /// Binary: each head says what type the next elements are of, and how many tags they have.
+  void read_element_runs(std::size_t n) {
+    begin_data();
+    for (std::size_t i = 0; i < n && !tokens_.failed();) {
+      const ElementType* type = read_type();
+      const std::size_t many = tokens_.count("elements of one type");
+      const std::size_t tags = tokens_.count("tags of an element");
+      if (many == 0) tokens_.fail(ErrorCode::syntax, "a head of elements without elements");
+      for (std::size_t k = 0; type && k < many && !tokens_.failed(); ++k, ++i)
+        read_element(tokens_.integer("the number of an element"), tags, *type);
+    }
+    end_data();
+  }
+
+  /// REQUIRES: version 2; its number has been read
+  void read_element(long id, std::size_t tags, const ElementType& type) {
+    MshElement element{id, 0, 0, 0, 0, 0, 0};
+    for (std::size_t k = 0; k < tags && !tokens_.failed(); ++k) {
+      const long tag = tokens_.integer("a tag of an element");
+      if (k == 0) element.physical = std::abs(tag);
+      if (k == 1) element.entity = tag;
+    }
+    read_nodes_of(element, type);
   }
 
   void read_element_blocks() {
     has_elements_ = true;
-    const std::size_t blocks = tokens_.count("blocks of elements");
-    for (int k = 0; k < 3; ++k) tokens_.integer("the number of elements and their range");
+    begin_data();
+    const std::size_t blocks = tokens_.wide_count("blocks of elements");
+    for (int k = 0; k < 3; ++k) tokens_.wide_integer("the number of elements and their range");
     for (std::size_t b = 0; b < blocks && !tokens_.failed(); ++b) {
       const long dimension = tokens_.integer("the dimension of an entity");
       const long entity = tokens_.integer("the number of an entity");
       const ElementType* type = read_type();
       const auto group = physical_.find({dimension, entity});
       const long physical = group == physical_.end() ? 0 : group->second;
-      const std::size_t n = tokens_.count("elements");
+      const std::size_t n = tokens_.wide_count("elements");
       for (std::size_t i = 0; type && i < n && !tokens_.failed(); ++i) {
-        const long id = tokens_.integer("the number of an element");
+        const long id = tokens_.wide_integer("the number of an element");
         read_nodes_of({id, 0, physical, entity, 0, 0, 0}, *type);
       }
     }
+    end_data();
   }
 
   const ElementType* read_type() {
@@ -200,7 +239,8 @@ class MshParser {
     element.corners = static_cast<std::uint32_t>(type.corners);
     element.nodes = static_cast<std::uint32_t>(type.nodes);
     for (int k = 0; k < type.nodes; ++k) {
-      const long node = tokens_.integer("a node of an element");
+      const long node = newer_ ? tokens_.wide_integer("a node of an element")
+                               : tokens_.integer("a node of an element");
       if (tokens_.failed()) return;
       const auto at = index_.find(node);
       if (at == index_.end())
@@ -226,6 +266,7 @@ class MshParser {
 
   TokenReader tokens_;
   bool newer_ = false;
+  bool binary_ = false;
   bool has_elements_ = false;
   std::map<std::pair<long, long>, long> physical_;  // of entities, by dimension and tag
   std::unordered_map<long, std::uint32_t> index_;   // of nodes

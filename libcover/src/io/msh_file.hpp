@@ -33,13 +33,14 @@ struct MshFile {
   std::vector<std::uint32_t> nodes;  ///< of all elements, corners first; indices into points
   std::vector<MshElement> elements;
   std::map<std::pair<long, long>, std::string> names;  ///< of groups, by dimension and number
+  std::size_t in_several_groups = 0;  ///< groups left out: entities have the first one they are in
 
   [[nodiscard]] std::span<const std::uint32_t> nodes_of(const MshElement& element) const {
     return std::span(nodes).subspan(element.first_node, element.nodes);
   }
 };
 
-/// Reads versions 2.x and 4.1 in ASCII. Elements are those of a plane mesh, in one plane.
+/// Reads versions 2.x and 4.1, ASCII or binary. Elements are those of a plane mesh, in one plane.
 ///
 /// Errors: syntax, truncated, id_out_of_range, non_finite_coordinate, unsupported_format, with line
 /// Ref:    gmsh reference manual, chapter "MSH file format"

@@ -58,7 +58,9 @@ Result<Input> parse_input(std::string_view text, std::string_view extension,
   }
   return Error{
       ErrorCode::unsupported_format,
-      fmt::format("{}: no reader for files named '*{}'; known: {}", source, extension, known),
+      fmt::format(
+          "{}: no reader for files named '*{}'; known: {}, and through VTK .vtu, .vtp, .vtk",
+          source, extension, known),
       {},
       {}};
 }

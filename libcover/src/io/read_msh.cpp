@@ -11,6 +11,7 @@
 #include <limits>
 #include <map>
 
+#include "base/describe.hpp"
 #include "geom/mesh_borders.hpp"
 #include "io/formats.hpp"
 #include "io/msh_file.hpp"
@@ -34,6 +35,10 @@ class Converter {
       input.warnings.push_back(fmt::format(
           "{} elements of higher order: their corners are taken, their other nodes left out",
           second_order_));
+    if (file_.in_several_groups > 0)
+      input.warnings.push_back(
+          fmt::format("curves and surfaces are in {}: the first of each counts",
+                      counted(file_.in_several_groups, "further physical group")));
     return input;
   }
 

@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 #include "io/text.hpp"
 
@@ -42,7 +44,32 @@ std::string_view TokenReader::required(std::string_view what) {
   return found;
 }
 
+void TokenReader::set_binary(bool binary) {
+  binary_ = binary;
+  if (!binary) return;
+  while (at_ < text_.size() && text_[at_] != '\n' && is_blank(text_[at_])) ++at_;
+  if (at_ < text_.size() && text_[at_] == '\n') ++at_;
+}
+
+template <class T>
+T TokenReader::bytes(std::string_view what) {
+  T value{};
+  if (text_.size() - at_ < sizeof(T)) {
+    fail(ErrorCode::truncated, fmt::format("the file ends before {}", what));
+    at_ = text_.size();
+    return value;
+  }
+  std::memcpy(&value, text_.data() + at_, sizeof(T));
+  at_ += sizeof(T);
+  return value;
+}
+
+long TokenReader::wide_integer(std::string_view what) {
+  return binary_ ? static_cast<long>(bytes<std::int64_t>(what)) : integer(what);
+}
+
 long TokenReader::integer(std::string_view what) {
+  if (binary_) return bytes<std::int32_t>(what);
   const std::string_view found = required(what);
   const std::optional<long> value = parse_integer(found);
   if (!value) fail(ErrorCode::syntax, fmt::format("expected {}, found '{}'", what, shown(found)));
@@ -50,6 +77,12 @@ long TokenReader::integer(std::string_view what) {
 }
 
 double TokenReader::real(std::string_view what) {
+  if (binary_) {
+    const auto value = bytes<double>(what);
+    if (std::isfinite(value)) return value;
+    fail(ErrorCode::non_finite_coordinate, fmt::format("{} is not finite", what));
+    return 0;
+  }
   const std::string_view found = required(what);
   const std::optional<double> value = parse_double(found);
   if (!value) fail(ErrorCode::syntax, fmt::format("expected {}, found '{}'", what, shown(found)));
@@ -58,8 +91,13 @@ double TokenReader::real(std::string_view what) {
   return failed() ? 0 : *value;
 }
 
-std::size_t TokenReader::count(std::string_view what) {
-  const long value = integer(what);
+std::size_t TokenReader::count(std::string_view what) { return checked_count(integer(what), what); }
+
+std::size_t TokenReader::wide_count(std::string_view what) {
+  return checked_count(wide_integer(what), what);
+}
+
+std::size_t TokenReader::checked_count(long value, std::string_view what) {
   if (value >= 0 && static_cast<std::size_t>(value) <= text_.size() - at_)
     return static_cast<std::size_t>(value);
   if (value < 0)

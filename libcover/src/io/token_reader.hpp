@@ -1,4 +1,5 @@
-// Words and numbers of a text one after the other, wherever its lines break.
+// Words and numbers of a text one after the other, wherever its lines break, or of binary data in
+// between.
 #pragma once
 
 #include <optional>
@@ -34,11 +35,18 @@ class TokenReader {
   std::string_view word();
   /// What the next words spell; `what` names it in errors. A text that ends is an error.
   long integer(std::string_view what);
+  /// The same; as binary data it has 8 bytes and not 4.
+  long wide_integer(std::string_view what);
   /// Finite, that is.
   double real(std::string_view what);
   /// A count: not negative, and no more than there are characters left, as each thing counted needs
   /// some. Loops over it end in time, and memory may be reserved for it.
   std::size_t count(std::string_view what);
+  /// The same; as binary data it has 8 bytes and not 4.
+  std::size_t wide_count(std::string_view what);
+  /// From here on, behind the end of the line, numbers are binary data in the order of this
+  /// machine's bytes; or they are words again.
+  void set_binary(bool binary);
   /// A name in double quotes.
   std::string quoted(std::string_view what);
   /// Passes over words up to and with `end`; fails where it never comes.
@@ -48,6 +56,10 @@ class TokenReader {
 
  private:
   void skip_blanks();
+  /// A number of that type out of the next bytes.
+  template <class T>
+  T bytes(std::string_view what);
+  std::size_t checked_count(long value, std::string_view what);
   /// The next word, or an error where there is none.
   std::string_view required(std::string_view what);
 
@@ -55,6 +67,7 @@ class TokenReader {
   const std::string& source_;
   std::size_t at_ = 0;
   int line_ = 1;
+  bool binary_ = false;
   std::optional<Error> error_;
 };
 

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <limits>
 #include <map>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <vtkCellData.h>
@@ -24,39 +27,62 @@
 namespace cover {
 namespace {
 
-constexpr std::array kMaterialArrays{"material",  "MaterialID",    "mat_id",  "gmsh:physical",
-                                     "medit:ref", "CellEntityIds", "RegionId"};
-constexpr std::array kLineArrays{"LineID", "LineId", "gmsh:physical", "medit:ref"};
+// In lower case; the first that is there counts.
+constexpr std::array kMaterialArrays{
+    "material", "materialid",  "mat_id",     "gmsh:physical", "medit:ref", "cellentityids",
+    "regionid", "materialids", "materials",  "material_id",   "matid",     "mat",
+    "phase",    "attribute",   "attributes", "region",        "region_id", "physical"};
+constexpr std::array kLineArrays{"lineid", "gmsh:physical", "medit:ref"};
 
-/// The one-component array of whole numbers of that name, if it is there.
-vtkDataArray* integers(vtkDataSet& data, const char* name) {
-  vtkDataArray* array = data.GetCellData()->GetArray(name);
-  if (!is_one_per_cell(array, data)) return nullptr;
+/// Whether an array has one number for each cell, a whole one that an int holds.
+bool is_of_integers(vtkDataArray* array, vtkDataSet& data) {
+  if (!is_one_per_cell(array, data)) return false;
   for (vtkIdType c = 0; c < array->GetNumberOfTuples(); ++c) {
     const double value = array->GetComponent(c, 0);
     if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max())
-      return nullptr;
+      return false;
   }
-  return array;
+  return true;
 }
 
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// A cell array that has a name, of numbers of any kind.
+struct NamedArray {
+  std::string name;
+  vtkDataArray* array;
+  bool integers;
+};
+
+std::vector<NamedArray> cell_arrays(vtkDataSet& data) {
+  std::vector<NamedArray> out;
+  for (int i = 0; i < data.GetCellData()->GetNumberOfArrays(); ++i) {
+    const char* name = data.GetCellData()->GetArrayName(i);
+    vtkDataArray* array = data.GetCellData()->GetArray(i);
+    if (name) out.push_back({name, array, is_of_integers(array, data)});
+  }
+  return out;
+}
+
+/// The first array of integers that has one of the names, in whatever case.
 template <class Names>
-vtkDataArray* first_of(vtkDataSet& data, const Names& names) {
-  for (const char* name : names)
-    if (vtkDataArray* array = integers(data, name)) return array;
+vtkDataArray* first_of(const std::vector<NamedArray>& arrays, const Names& names) {
+  for (const char* name : names) {
+    for (const NamedArray& a : arrays)
+      if (a.integers && lower(a.name) == name) return a.array;
+  }
   return nullptr;
 }
 
-/// The array of whole numbers, where there is exactly one.
-vtkDataArray* only_array(vtkDataSet& data) {
-  vtkDataArray* only = nullptr;
-  for (int i = 0; i < data.GetCellData()->GetNumberOfArrays(); ++i) {
-    const char* name = data.GetCellData()->GetArrayName(i);
-    vtkDataArray* array = name ? integers(data, name) : nullptr;
-    if (array && only) return nullptr;
-    if (array) only = array;
-  }
-  return only;
+/// The array of integers, where there is exactly one.
+vtkDataArray* only_array(const std::vector<NamedArray>& arrays) {
+  const auto is_it = [](const NamedArray& a) { return a.integers; };
+  if (std::count_if(arrays.begin(), arrays.end(), is_it) != 1) return nullptr;
+  return std::find_if(arrays.begin(), arrays.end(), is_it)->array;
 }
 
 int value_of(vtkDataArray& array, vtkIdType cell) {
@@ -70,9 +96,10 @@ class Converter {
 
   Result<CellMesh> convert() {
     if (std::optional<Error> error = read_points()) return *error;
-    material_ = first_of(data_, kMaterialArrays);
-    if (!material_) material_ = only_array(data_);
-    line_ = first_of(data_, kLineArrays);
+    arrays_ = cell_arrays(data_);
+    material_ = first_of(arrays_, kMaterialArrays);
+    if (!material_) material_ = only_array(arrays_);
+    line_ = first_of(arrays_, kLineArrays);
     vtkNew<vtkIdList> nodes;
     for (vtkIdType c = 0; c < data_.GetNumberOfCells(); ++c) {
       data_.GetCellPoints(c, nodes);
@@ -182,14 +209,16 @@ class Converter {
 
   [[nodiscard]] std::string no_material() const {
     std::string names;
-    for (int i = 0; i < data_.GetCellData()->GetNumberOfArrays(); ++i)
-      if (const char* name = data_.GetCellData()->GetArrayName(i))
-        names += (names.empty() ? "" : ", ") + std::string(name);
+    for (const NamedArray& a : arrays_) {
+      names += (names.empty() ? "" : ", ") + a.name;
+      if (!a.integers) names += " (no whole numbers)";
+    }
     return "no cell array of whole numbers called material (or MaterialID, mat_id, ...); " +
            (names.empty() ? "there are no cell arrays" : "the cell arrays are " + names);
   }
 
   vtkDataSet& data_;
+  std::vector<NamedArray> arrays_;
   vtkDataArray* material_ = nullptr;
   vtkDataArray* line_ = nullptr;
   std::map<int, std::uint32_t> index_;

@@ -1,5 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <initializer_list>
+
 #include "io/formats.hpp"
 
 namespace cover {
@@ -127,7 +133,9 @@ std::string replaced(std::string_view from, std::string_view to) {
 
 TEST(ReadMshErrors, SayFileAndLine) {
   EXPECT_EQ(message(replaced("2.2 0 8", "2.2 1 8")),
-            "dev.msh:2: a binary .msh; write it as text, with gmsh's Mesh.Binary = 0");
+            "dev.msh:2: a binary .msh with another order of bytes than this machine's");
+  EXPECT_EQ(message(replaced("2.2 0 8", "2.2 7 8")),
+            "dev.msh:2: the file type is 7; 0 is text, 1 binary");
   EXPECT_EQ(message(replaced("2.2 0 8", "4 0 8")),
             "dev.msh:2: version 4 of .msh; versions 2.2 and 4.1 are read (gmsh -format msh22 or "
             "msh41)");
@@ -143,6 +151,81 @@ TEST(ReadMshErrors, SayFileAndLine) {
   EXPECT_NE(message(replaced("6 2 1 3", "6 2 1 4")).find("not in a plane z = constant"),
             std::string::npos);
   EXPECT_NE(message(std::string(kMesh22.substr(0, 300))), "");
+}
+
+/// A file as gmsh writes it with Mesh.Binary = 1.
+class BinaryMsh {
+ public:
+  explicit BinaryMsh(std::string_view version) {
+    text("$MeshFormat\n").text(version).text(" 1 8\n").ints({1}).text("\n$EndMeshFormat\n");
+    text("$PhysicalNames\n1\n2 5 \"Si\"\n$EndPhysicalNames\n");
+  }
+  BinaryMsh& text(std::string_view words) {
+    bytes_ += words;
+    return *this;
+  }
+  BinaryMsh& ints(std::initializer_list<std::int32_t> numbers) { return add(numbers); }
+  BinaryMsh& sizes(std::initializer_list<std::int64_t> numbers) { return add(numbers); }
+  BinaryMsh& reals(std::initializer_list<double> numbers) { return add(numbers); }
+  [[nodiscard]] const std::string& bytes() const { return bytes_; }
+
+ private:
+  template <class T>
+  BinaryMsh& add(std::initializer_list<T> numbers) {
+    for (const T number : numbers) {
+      std::array<char, sizeof(T)> raw{};
+      std::memcpy(raw.data(), &number, sizeof(T));
+      bytes_.append(raw.data(), raw.size());
+    }
+    return *this;
+  }
+  std::string bytes_;
+};
+
+// Two triangles of different groups, one of which has a name, and a line in a third one. Numbers
+// whose bytes are blanks (10, 13, 32) are taken as they are.
+std::string binary22() {
+  BinaryMsh file("2.2");
+  file.text("$Nodes\n4\n").ints({10}).reals({0, 0, 0}).ints({13}).reals({2, 0, 0});
+  file.ints({32}).reals({2, 2, 0}).ints({7}).reals({0, 2, 0}).text("\n$EndNodes\n");
+  file.text("$Elements\n3\n").ints({1, 1, 2}).ints({1, 9, 1, 10, 13});
+  file.ints({2, 2, 2}).ints({2, 5, 1, 10, 13, 32}).ints({3, 6, 2, 10, 32, 7});
+  return file.text("\n$EndElements\n").bytes();
+}
+
+std::string binary41() {
+  BinaryMsh file("4.1");
+  file.text("$Entities\n").sizes({0, 1, 2, 0});
+  file.ints({1}).reals({0, 0, 0, 2, 0, 0}).sizes({2}).ints({9, 8}).sizes({0});
+  file.ints({1}).reals({0, 0, 0, 2, 2, 0}).sizes({1}).ints({5}).sizes({1}).ints({1});
+  file.ints({2}).reals({0, 0, 0, 2, 2, 0}).sizes({1}).ints({6}).sizes({0}).text("\n$EndEntities\n");
+  file.text("$Nodes\n").sizes({1, 4, 7, 32}).ints({2, 1, 0}).sizes({4, 10, 13, 32, 7});
+  file.reals({0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0}).text("\n$EndNodes\n");
+  file.text("$Elements\n").sizes({3, 3, 1, 3}).ints({1, 1, 1}).sizes({1, 1, 10, 13});
+  file.ints({2, 1, 2}).sizes({1, 2, 10, 13, 32}).ints({2, 2, 2}).sizes({1, 3, 10, 32, 7});
+  return file.text("\n$EndElements\n").bytes();
+}
+
+TEST(ReadMshBinary, GivesWhatAsciiDoes) {
+  for (const std::string& whole : {binary22(), binary41()}) {
+    const Result<Input> input = parse_msh(whole, "dev.msh");
+    ASSERT_TRUE(input.has_value()) << input.error().message;
+    EXPECT_EQ(input->points.size(), 4u);
+    EXPECT_EQ(input->points[2], (Point{2, 2}));
+    EXPECT_EQ(input->point_ids[1], 13);
+    EXPECT_EQ(input->segments.size(), 5u);
+    ASSERT_EQ(input->seeds.size(), 2u);
+    EXPECT_EQ(input->seeds[0].material, "Si");
+    EXPECT_EQ(input->seeds[1].material, "6");
+    EXPECT_EQ(std::count_if(input->segments.begin(), input->segments.end(),
+                            [](const InputSegment& s) { return s.name == "9"; }),
+              1);
+    for (std::size_t n = 0; n + 2 < whole.size(); ++n)
+      ASSERT_FALSE(parse_msh(whole.substr(0, n), "dev.msh").has_value()) << n;
+  }
+  EXPECT_TRUE(parse_msh(binary22(), "dev.msh")->warnings.empty());
+  EXPECT_EQ(parse_msh(binary41(), "dev.msh")->warnings.at(0),
+            "curves and surfaces are in 1 further physical group: the first of each counts");
 }
 
 TEST(ReadMshErrors, OfEveryTruncationAreErrors) {

@@ -104,12 +104,28 @@ std::string replaced(std::string_view text, std::string_view from, std::string_v
   return result.replace(at, from.size(), to);
 }
 
+TEST(ReadVtkInputArrays, AreKnownInWhateverCase) {
+  const TemporaryFolder folder;
+  for (const char* name : {"MATERIAL", "MaterialIds", "Attribute"}) {
+    const std::string named = std::string("\"") + name + "\"";
+    const Result<Input> input = read_vtk_input(
+        folder.write("a.vtu", replaced(replaced(kGrid, "RegionId", "id"), "\"material\"", named)));
+    ASSERT_TRUE(input.has_value()) << input.error().message;
+    EXPECT_EQ(input->seeds[1].material, "7") << name;
+  }
+}
+
 TEST(ReadVtkInputErrors, NameTheFile) {
   const std::string no_integers =
       replaced(replaced(kPolyData, "Int32", "Float64"), "3 7<", "3.5 7<");
   EXPECT_EQ(message("a.vtp", no_integers),
             "a.vtp: no cell array of whole numbers called material (or MaterialID, mat_id, ...); "
-            "the cell arrays are phase, stress");
+            "the cell arrays are phase (no whole numbers), stress (no whole numbers)");
+  const std::string two =
+      replaced(replaced(kGrid, "RegionId", "colour"), "\"material\"", "\"kind\"");
+  EXPECT_EQ(message("a.vtu", two),
+            "a.vtu: no cell array of whole numbers called material (or MaterialID, mat_id, ...); "
+            "the cell arrays are colour, kind");
   EXPECT_EQ(message("a.vtu", "no XML"), "a.vtu: VTK cannot read it");
   EXPECT_EQ(message("a.vtk", "no VTK"), "a.vtk: VTK cannot read it");
   EXPECT_EQ(message("a.vtu", replaced(kGrid, "2 1 5<", "2 1 6<")),
