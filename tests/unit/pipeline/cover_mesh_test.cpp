@@ -6,13 +6,18 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <map>
+#include <mutex>
 #include <set>
 #include <stdexcept>
+#include <thread>
 
 #include <cover/verify.hpp>
 
+#include "pipeline/region_task.hpp"
 #include "support/inputs.hpp"
 #include "support/mesh_shape.hpp"
 
@@ -45,6 +50,25 @@ TEST(CoverMesh, AnInputThatIsHandedOverIsGivenBack) {
   EXPECT_EQ(shape_of(triangle_soup(consumed->mesh)), shape_of(triangle_soup(kept->mesh)));
   EXPECT_EQ(input.points.capacity(), 0U);  // NOLINT(bugprone-use-after-move): that is the promise
   EXPECT_EQ(input.segments.capacity(), 0U);
+}
+
+TEST(CoverMesh, SmallRegionsWithFineSizesAreSharedAmongThreads) {
+  RegionBoundary square;
+  square.points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  square.sides = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+  square.size = 0.01;
+  const std::vector<RegionBoundary> squares(4, square);
+  std::mutex mutex;
+  std::condition_variable another;
+  std::set<std::thread::id> threads;
+  const Status status = for_each_region(squares, 2, "mesh", {}, [&](std::size_t) {
+    std::unique_lock lock(mutex);
+    threads.insert(std::this_thread::get_id());
+    another.notify_all();
+    another.wait_for(lock, std::chrono::seconds(20), [&] { return threads.size() == 2; });
+  });
+  EXPECT_TRUE(status);
+  EXPECT_EQ(threads.size(), 2U);
 }
 
 TEST(Result, ValuesAreMovedOutOfTemporaries) {
