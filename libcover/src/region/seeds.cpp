@@ -8,6 +8,7 @@
 
 #include "base/describe.hpp"
 #include "cdt/locate.hpp"
+#include "geom/spatial_order.hpp"
 #include "region/complaint.hpp"
 
 namespace cover {
@@ -55,12 +56,19 @@ InputRef ref_of(const HoleSeed& s) { return {InputKind::hole, s.id}; }
 template <class Seed>
 std::vector<std::uint32_t> faces_of(const std::vector<Seed>& seeds, FaceFinder& finder,
                                     Complaint& complaint) {
+  std::vector<Point> places;
+  places.reserve(seeds.size());
+  for (const Seed& seed : seeds) places.push_back(seed.at);
+  std::vector<std::optional<std::uint32_t>> found(seeds.size());
+  // From each seed to one nearby: short walks.
+  for (const std::uint32_t k : spatial_order(places)) found[k] = finder.face_at(places[k]);
   std::vector<std::uint32_t> out;
   out.reserve(seeds.size());
-  for (const Seed& seed : seeds) {
-    const auto face = finder.face_at(seed.at);
-    if (!face) complaint.add(name_of_seed(seed) + " lies on a segment", {seed.at}, {ref_of(seed)});
-    out.push_back(face.value_or(kOutside));
+  for (std::size_t k = 0; k < seeds.size(); ++k) {
+    if (!found[k]) {
+      complaint.add(name_of_seed(seeds[k]) + " lies on a segment", {places[k]}, {ref_of(seeds[k])});
+    }
+    out.push_back(found[k].value_or(kOutside));
   }
   return out;
 }
