@@ -1,11 +1,14 @@
 // Tested by tests/unit/region/soup_test.cpp.
 #include "region/assemble.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <map>
 #include <numeric>
 #include <utility>
 
+#include "base/describe.hpp"
 #include "region/complaint.hpp"
 
 namespace cover {
@@ -15,13 +18,14 @@ namespace {
 class Assembler {
  public:
   Assembler(const Input& input, const Network& network, const EdgeGraph& graph,
-            const std::vector<EdgeOwners>& owners)
-      : input_(input), network_(network), graph_(graph), owners_(owners) {}
+            const std::vector<EdgeOwners>& owners, std::vector<Note>& notes)
+      : input_(input), network_(network), graph_(graph), owners_(owners), notes_(notes) {}
 
   Pslg assemble() {
     pslg_.source = input_.source;
     add_points();
     add_segments();
+    warn_of_lost_names();
     if (owners_.empty()) {
       pslg_.seeds = input_.seeds;
       pslg_.holes = input_.holes;
@@ -73,7 +77,7 @@ class Assembler {
         const Origin origin = network_.raws[s.raw].origin;
         if (origin.kind == Origin::Kind::ring) continue;
         if (!std::exchange(directed, true)) std::tie(a, b) = std::pair(s.a, s.b);
-        take_over(origin, segment);
+        take_over(origin, segment, graph_.edges[e]);
       }
       segment.a = vertex_[a];
       segment.b = vertex_[b];
@@ -85,15 +89,34 @@ class Assembler {
     }
   }
 
-  void take_over(Origin origin, Segment& segment) {
+  void take_over(Origin origin, Segment& segment, IndexPair edge) {
     if (origin.kind == Origin::Kind::line) {
-      if (segment.name == 0) segment.name = name_index(input_.lines[origin.index].name);
-      return;
+      return take_name(input_.lines[origin.index].name, segment, edge);
     }
     const InputSegment& s = input_.segments[origin.index];
     if (segment.id < 0) segment.id = s.id;
     if (segment.marker == 0) segment.marker = s.marker;
-    if (segment.name == 0) segment.name = name_index(s.name);
+    take_name(s.name, segment, edge);
+  }
+
+  /// The first name counts.
+  void take_name(const std::string& name, Segment& segment, IndexPair edge) {
+    const std::uint32_t index = name_index(name);
+    if (segment.name == 0) segment.name = index;
+    if (index != 0 && segment.name != index) lost_[{index, segment.name}].push_back(edge);
+  }
+
+  void warn_of_lost_names() {
+    for (const auto& [names, edges] : lost_) {
+      const Point a = network_.points[edges[0][0]], b = network_.points[edges[0][1]];
+      notes_.push_back({Note::Kind::warning,
+                        kVoid,
+                        fmt::format("'{0}' and '{1}' both lie on {2}, first from {3} to {4}: "
+                                    "there '{1}' counts",
+                                    pslg_.names[names.first], pslg_.names[names.second],
+                                    counted(edges.size(), "segment"), describe(a), describe(b)),
+                        {a, b}});
+    }
   }
 
   std::uint32_t name_index(const std::string& name) {
@@ -123,16 +146,19 @@ class Assembler {
   const Network& network_;
   const EdgeGraph& graph_;
   const std::vector<EdgeOwners>& owners_;
+  std::vector<Note>& notes_;
   Pslg pslg_;
   std::vector<VertexId> vertex_;  ///< by point of the network
   std::map<std::string, std::uint32_t> name_index_{{"", 0}};
+  /// By two names: the edges that have the second one although the first lies on them too.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<IndexPair>> lost_;
 };
 
 }  // namespace
 
 Pslg assemble(const Input& input, const Network& network, const EdgeGraph& graph,
-              const std::vector<EdgeOwners>& owners) {
-  return Assembler(input, network, graph, owners).assemble();
+              const std::vector<EdgeOwners>& owners, std::vector<Note>& notes) {
+  return Assembler(input, network, graph, owners, notes).assemble();
 }
 
 }  // namespace cover

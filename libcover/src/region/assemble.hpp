@@ -16,8 +16,8 @@ namespace cover {
 /// on it that has one, and runs in the direction of the first segment or line on it.
 ///
 /// Points of the input keep their order; the others follow. `owners` is empty where faces are told
-/// by seeds.
+/// by seeds. Names that are lost where several lie on one edge are told in `notes`.
 Pslg assemble(const Input& input, const Network& network, const EdgeGraph& graph,
-              const std::vector<EdgeOwners>& owners);
+              const std::vector<EdgeOwners>& owners, std::vector<Note>& notes);
 
 }  // namespace cover

@@ -92,13 +92,28 @@ Result<Pslg> clean_up(const Input& input, const Options& options, Report& report
     if (!painted) return std::move(painted).error();
     graph = *std::move(painted);
   }
-  return assemble(input, network, graph, owners);
+  return assemble(input, network, graph, owners, report.notes);
 }
 
 /// Whether there is anything but void beside the segments.
 bool has_region(const Pslg& pslg) {
   return std::any_of(pslg.side_seeds.begin(), pslg.side_seeds.end(),
                      [](const auto& sides) { return sides[0] != 0 || sides[1] != 0; });
+}
+
+/// What was told of polygons, as the end of a sentence.
+std::string why(const Report& report) {
+  constexpr std::size_t kMost = 3;
+  std::vector<std::string> told;
+  for (const Change& change : report.changes) {
+    if (change.kind == Change::Kind::dropped) told.push_back(change.message);
+  }
+  for (const Note& note : report.notes) {
+    if (note.kind == Note::Kind::warning) told.push_back(note.message);
+  }
+  std::string out;
+  for (std::size_t k = 0; k < std::min(kMost, told.size()); ++k) out += "; " + told[k];
+  return out + (told.size() > kMost ? fmt::format("; and {} more", told.size() - kMost) : "");
 }
 
 bool is_empty(const Input& input) {
@@ -132,7 +147,7 @@ Result<Pslg> make_pslg(const Input& input, const Options& options, Report& repor
   if (!pslg) return pslg;
   if (!input.polygons.empty() && !has_region(*pslg)) {
     return Error{ErrorCode::nothing_enclosed,
-                 fmt::format("{}: no polygon covers anything", input.source),
+                 fmt::format("{}: no polygon covers anything{}", input.source, why(report)),
                  {},
                  {}};
   }

@@ -449,6 +449,20 @@ TEST(Soup, KeepsContactsThroughEverything) {
   EXPECT_DOUBLE_EQ(probe, 2 * std::sqrt(2));
 }
 
+TEST(Soup, WarnsOfContactsOnOneSegment) {
+  Input input;
+  add_polygon(input, rectangle(0, 0, 4, 4), "Si");
+  input.lines = {{"gate", {{0, 4}, {3, 4}}, 1}, {"drain", {{1, 4}, {2, 4}}, 2}};
+  input.lines.push_back({"gate", {{2, 4}, {4, 4}}, 3});
+  const auto out = clean(input);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_TRUE(out->tells(
+      "'drain' and 'gate' both lie on 1 segment, first from (1, 4) to (2, 4): there 'gate' "
+      "counts"));
+  input.lines[1].points = {{4, 0}, {4, 1}};
+  EXPECT_FALSE(clean(input)->tells("both lie on"));
+}
+
 TEST(Soup, TellsWhatItDoesToSegments) {
   Input input = testing::input_of({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
   input.points.push_back({0, 0});
@@ -556,7 +570,8 @@ TEST(Soup, HasNothingToSayOfPolygonsWithoutArea) {
   input.source = "x.json";
   add_polygon(input, {{0, 0}, {1, 1}}, "line");
   EXPECT_EQ(clean(input).error().code, ErrorCode::nothing_enclosed);
-  EXPECT_EQ(clean(input).error().message, "x.json: no polygon covers anything");
+  EXPECT_EQ(clean(input).error().message,
+            "x.json: no polygon covers anything; polygon 1 'line' has fewer than three corners");
   add_polygon(input, rectangle(2, 2, 3, 3), "a");
   const auto out = clean(input);
   ASSERT_TRUE(out) << out.error().message;
