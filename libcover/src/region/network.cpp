@@ -12,7 +12,9 @@
 
 namespace cover {
 
-std::size_t PointPool::Hash::operator()(Point p) const {
+namespace {
+
+std::size_t hash(Point p) {
   // Adding zero makes the two zeros, which are equal, the same bits.
   const std::uint64_t x = std::bit_cast<std::uint64_t>(p.x + 0.0);
   const std::uint64_t y = std::bit_cast<std::uint64_t>(p.y + 0.0);
@@ -21,10 +23,28 @@ std::size_t PointPool::Hash::operator()(Point p) const {
   return mixed ^ mixed >> 29;
 }
 
+}  // namespace
+
+std::size_t PointPool::slot_of(Point p) const {
+  const std::size_t mask = slots_.size() - 1;
+  std::size_t slot = hash(p) & mask;
+  while (slots_[slot] != kNoIndex && points_[slots_[slot]] != p) slot = (slot + 1) & mask;
+  return slot;
+}
+
+void PointPool::grow() {
+  slots_.assign(std::max<std::size_t>(16, 2 * slots_.size()), kNoIndex);
+  for (std::uint32_t k = 0; k < points_.size(); ++k) slots_[slot_of(points_[k])] = k;
+}
+
 std::uint32_t PointPool::index_of(Point p) {
-  const auto [entry, is_new] = index_.emplace(p, static_cast<std::uint32_t>(points_.size()));
-  if (is_new) points_.push_back(p);
-  return entry->second;
+  if (2 * points_.size() >= slots_.size()) grow();
+  std::uint32_t& index = slots_[slot_of(p)];
+  if (index == kNoIndex) {
+    index = static_cast<std::uint32_t>(points_.size());
+    points_.push_back(p);
+  }
+  return index;
 }
 
 namespace {

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include <cover/input.hpp>
@@ -47,11 +46,12 @@ class PointPool {
   std::vector<Point> take() { return std::move(points_); }
 
  private:
-  struct Hash {
-    std::size_t operator()(Point p) const;
-  };
+  /// Where the number of `p` stands, or would stand.
+  [[nodiscard]] std::size_t slot_of(Point p) const;
+  void grow();
+
   std::vector<Point> points_;
-  std::unordered_map<Point, std::uint32_t, Hash> index_;
+  std::vector<std::uint32_t> slots_;  ///< a hash table of numbers, half empty; kNoIndex: free
 };
 
 /// All lines of an input. The strands of a ring are closed: at every point an even number of them
