@@ -198,10 +198,11 @@ void LibraryOptions::add_meshing(CLI::App& command) {
   const char* group = "Meshing";
   CLI::Option* method =
       command
-          .add_option("--method", method_,
-                      "quality: good angles, never below the proven bound; almond: the bound "
-                      "alone, the fastest; nonobtuse: no angle above 90 degrees, but segments are "
-                      "split")
+          .add_option(
+              "--method", method_,
+              "quality: good angles, never below the proven bound; almond: the bound "
+              "alone, the fastest; nonobtuse: no angle above 90 degrees, or by rounding 90.1, "
+              "but segments are split")
           ->check(one_of({"quality", "almond", "nonobtuse"}))
           ->type_name("NAME")
           ->capture_default_str()

@@ -85,6 +85,7 @@ std::string totals(const Output& output) {
                      angle_text(q.largest_nu), region.id.value(),
                      output.table.region(region.id).name, angle_text(lowest_nu(region)));
   out += fmt::format("Smallest angle  {:>7.2f}\n", q.smallest.in_degrees());
+  out += fmt::format("Above 90        {:>7}  obtuse triangles\n", grouped(q.obtuse));
   out += fmt::format("Above 120       {:>7}  forced by the input: {}\n", grouped(q.above_120),
                      grouped(forced_120));
   out += fmt::format("Above 150       {:>7}  forced by the input: {}\n", grouped(q.above_150),

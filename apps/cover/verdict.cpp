@@ -12,6 +12,7 @@
 
 #include "angle_text.hpp"
 #include "console.hpp"
+#include "covering/disks/fill_disks.hpp"
 #include "requirements.hpp"
 
 namespace cover::app {
@@ -41,7 +42,7 @@ Targets targets_of(const Output& output) {
     if (name == "max-angle") targets.largest = number_of(value);
     if (name == "min-angle") targets.smallest = number_of(value);
     if (name == "method" && value == "almond") return {};
-    if (name == "method" && value == "nonobtuse") return {90, 0};
+    if (name == "method" && value == "nonobtuse") return {kLargestSnapped, 0};
   }
   return targets;
 }
@@ -99,23 +100,58 @@ Finding check_bound(const Output& output) {
                             grouped(regions.size()))};
 }
 
+/// Regions that miss the target for the largest angle.
+struct Misses {
+  std::size_t best = 0;    ///< no mesh is better
+  std::size_t forced = 0;  ///< no mesh reaches the target, but a better one is not ruled out
+  std::size_t open = 0;    ///< nor is one that reaches the target
+
+  [[nodiscard]] std::size_t all() const { return best + forced + open; }
+};
+
+Misses misses_of(const std::vector<RegionReport>& regions, double nu_target) {
+  constexpr double kSame = 0.9999;  // of 180 degrees less the angle: equal to the digits shown
+  Misses misses;
+  for (const RegionReport& region : regions) {
+    const double nu = region.quality.largest_nu.in_radians();
+    const double lowest = lowest_nu(region).in_radians();
+    if (nu >= nu_target) continue;
+    ++(lowest >= nu_target ? misses.open : nu >= kSame * lowest ? misses.best : misses.forced);
+  }
+  return misses;
+}
+
+/// Whose fault it is.
+std::string reasons(const Misses& misses) {
+  if (misses.best == misses.all()) return ", where no mesh is better";
+  if (misses.forced == misses.all())
+    return ", where no mesh reaches it, though a better one is not ruled out";
+  if (misses.open == misses.all()) return ", where the input does not force it";
+  std::string text;
+  const auto add = [&](std::size_t count, const char* what) {
+    if (count == 0) return;
+    text += fmt::format("{} in {} {}", text.empty() ? ":" : ",", grouped(count), what);
+  };
+  add(misses.best, "no mesh is better");
+  add(misses.forced, "no mesh reaches it, though a better one is not ruled out");
+  add(misses.open, "the input does not force it");
+  return text;
+}
+
 Finding check_largest(const Output& output, double target) {
   const auto& regions = output.report.regions;
   const double nu_target = Angle::degrees(180 - target).in_radians() - kRounding;
-  std::size_t above = 0, forced = 0;
-  const RegionReport* worst = &regions.front();
-  for (const RegionReport& region : regions) {
-    if (region.quality.largest_nu < worst->quality.largest_nu) worst = &region;
-    if (region.quality.largest_nu.in_radians() >= nu_target) continue;
-    ++above;
-    forced += lowest_nu(region).in_radians() < nu_target ? 1 : 0;
-  }
+  const Misses misses = misses_of(regions, nu_target);
+  const RegionReport* worst = &*std::min_element(
+      regions.begin(), regions.end(), [](const RegionReport& a, const RegionReport& b) {
+        return a.quality.largest_nu < b.quality.largest_nu;
+      });
   const std::string largest = angle_text(worst->quality.largest_nu);
   if (target == 0)
     return {Grade::fact, "Largest angle",
             fmt::format("{}°, in {}. The bound was all that was asked for.", largest,
                         quoted_name(output, *worst))};
-  if (above == 0)
+  if (misses.all() == 0)
     return {Grade::good, "Largest angle",
             fmt::format("{}°: the target of {:g}° is reached everywhere.", largest, target)};
   return {
@@ -124,10 +160,7 @@ Finding check_largest(const Output& output, double target) {
           "{}°, in {}; no mesh with whole segments has less than {}° there. The target of {:g}° is "
           "missed in {}{}.",
           largest, quoted_name(output, *worst), angle_text(lowest_nu(*worst)), target,
-          in_regions(above, regions.size()),
-          forced == 0       ? ""
-          : forced == above ? ", where the input forces it"
-                            : fmt::format("; the input forces it in {}", forced))};
+          in_regions(misses.all(), regions.size()), reasons(misses))};
 }
 
 Finding check_smallest(const Output& output, double target) {

@@ -15,7 +15,7 @@ namespace cover {
 enum class Method {
   quality,    ///< best of several candidates, improved; never below the almond method's bound
   almond,     ///< the covering triangulation of mitchell_1993_covering
-  nonobtuse,  ///< disk packing with split boundary (bmr_1995)
+  nonobtuse,  ///< disk packing with split boundary (bmr_1995): 90 degrees, by rounding 90.1
 };
 
 /// How the almond method fills what lies outside the almonds.

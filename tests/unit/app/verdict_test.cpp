@@ -60,6 +60,43 @@ TEST(Verdict, TargetsAreThoseOfTheRun) {
   EXPECT_NE(finding(findings, "Smallest angle").text.find("target of 59°"), std::string::npos);
 }
 
+TEST(Verdict, AMissIsForcedOnlyAsFarAsTheBoundSays) {
+  Output output = mesh_of(testing::checker(3, 4, 5));
+  const auto set = [&](std::size_t region, double reached, double lowest) {
+    output.report.regions[region].quality.largest_nu = Angle::degrees(180 - reached);
+    output.report.regions[region].nu_opt = Angle::degrees(180 - lowest);
+  };
+  const auto says = [&](const std::string& part) {
+    const std::string text = finding(findings_of(output), "Largest angle").text;
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  };
+  set(0, 130, 130);
+  says("missed in 1 of 9 regions, where no mesh is better.");
+  set(0, 130, 119);
+  says("missed in 1 of 9 regions, where no mesh reaches it, though a better one is not ruled out.");
+  set(0, 101, 80);
+  says("missed in 1 of 9 regions, where the input does not force it.");
+  set(1, 130, 119);
+  set(2, 150, 150);
+  set(3, 151, 151);
+  says(
+      "missed in 4 of 9 regions: in 2 no mesh is better, in 1 no mesh reaches it, though a better "
+      "one is not ruled out, in 1 the input does not force it.");
+}
+
+TEST(Verdict, TheNonobtuseMethodHasItsOwnLimit) {
+  Options options;
+  options.method = Method::nonobtuse;
+  Output output = mesh_of(testing::checker(2, 2, 5), options);
+  const auto largest = [&](double angle) {
+    output.report.regions[0].quality.largest_nu = Angle::degrees(180 - angle);
+    return finding(findings_of(output), "Largest angle");
+  };
+  EXPECT_EQ(largest(90.09).grade, Grade::good);
+  EXPECT_NE(largest(90.09).text.find("90.09°: the target of 90.1° is reached"), std::string::npos);
+  EXPECT_EQ(largest(90.2).grade, Grade::caution);
+}
+
 TEST(Verdict, AChangedInputIsAReasonToLook) {
   const Input input = testing::segments_between({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0}, {1, 2}},
                                                 {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}});
