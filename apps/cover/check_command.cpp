@@ -1,4 +1,6 @@
 // cover check: the promises on any mesh, from the files alone.
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -34,16 +36,29 @@ int print(const Verification& found, const TriangleSoup& mesh, bool quiet) {
   }
   if (!found.violations.empty()) return exit_unmet;
   if (!quiet) {
-    fmt::print("Every promise holds: {} triangles, {} regions, {} segments whole",
+    fmt::print("{}: {} triangles, {} region{}, {} segments whole",
+               found.unchecked.empty() ? "Every promise holds" : "All that was checked holds",
                grouped(mesh.triangles.size()), grouped(found.regions),
-               grouped(found.segments_whole));
+               found.regions == 1 ? "" : "s", grouped(found.segments_whole));
     if (found.within_rounding > 0) {
-      fmt::print("; {} regions meet the bound up to the rounding of coordinates",
+      fmt::print("; {} of the regions meet the bound up to the rounding of coordinates",
                  grouped(found.within_rounding));
     }
     fmt::print("\n");
+    for (const std::string& what : found.unchecked) fmt::print("Not checked: {}\n", what);
   }
   return exit_ok;
+}
+
+/// Whether the mesh is sound but for vertices inside segments, and angles.
+bool is_split_only(const Verification& found, const Prepared& prepared, const TriangleSoup& mesh,
+                   VerifyOptions verify) {
+  const auto is_split = [](const Violation& violation) { return violation.promise == 1; };
+  if (verify.allow_split ||
+      std::none_of(found.violations.begin(), found.violations.end(), is_split))
+    return false;
+  verify.allow_split = true;
+  return verify_cover(prepared.pslg, prepared.table, mesh, verify).violations.empty();
 }
 
 }  // namespace
@@ -73,7 +88,8 @@ Examples:
                  fmt::format("Mesh of any tool: .vtm, {}", fmt::join(mesh_formats(), ", ")))
       ->type_name("")
       ->required();
-  app.add_flag("--allow-split", verify.allow_split, "Segments may have vertices inside");
+  app.add_flag("--allow-split", verify.allow_split,
+               "Segments may have vertices inside; promise 3 is not checked then");
   app.add_flag("--no-bound", no_bound, "Do not check promise 3");
   app.add_flag("--hull", verify.hull, "The mesh covers the convex hull");
   library.add_cleaning(app);
@@ -92,10 +108,14 @@ Examples:
   if (!input) return fail(*log, input.error());
   const Result<Prepared> prepared = prepare(*input, *options);
   if (!prepared) return fail(*log, prepared.error());
-  const Result<TriangleSoup> mesh = read_triangles(mesh_path, *log);
+  const Result<MeshTriangles> mesh = read_triangles(mesh_path, *log);
   if (!mesh) return fail(*log, mesh.error());
-  return print(verify_cover(prepared->pslg, prepared->table, *mesh, verify), *mesh,
-               verbosity.quiet);
+  verify.material_numbers = mesh->has_materials;
+  const Verification found = verify_cover(prepared->pslg, prepared->table, mesh->soup, verify);
+  const int code = print(found, mesh->soup, verbosity.quiet);
+  if (is_split_only(found, *prepared, mesh->soup, verify))
+    fmt::print("All else is sound: segments have vertices inside, which --allow-split allows\n");
+  return code;
 }
 
 }  // namespace cover::app

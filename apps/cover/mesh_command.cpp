@@ -221,9 +221,10 @@ int print_report(const MeshCommand& command, const Output& output, spdlog::logge
 Result<Output> make_mesh(const MeshCommand& command, Input input, const Options& options,
                          const Callbacks& callbacks, spdlog::logger& log) {
   if (command.onto.empty()) return cover_mesh(std::move(input), options, callbacks);
-  const Result<TriangleSoup> onto = read_triangles(command.onto, log);
-  if (!onto) return onto.error();
-  Result<Output> output = remesh(input, *onto, command.only, options, callbacks);
+  Result<MeshTriangles> onto = read_triangles(command.onto, log);
+  if (!onto) return std::move(onto).error();
+  if (!onto->has_materials) onto->soup.material.clear();
+  Result<Output> output = remesh(input, onto->soup, command.only, options, callbacks);
   if (output) {
     output->report.provenance.settings.push_back({"onto", command.onto});
   } else if (output.error().code == ErrorCode::other_mesh) {

@@ -5,25 +5,32 @@
 #include <cover/read_mesh.hpp>
 
 #include "console.hpp"
+#include "io/read_manifest.hpp"
 
 namespace cover::app {
 
-Result<TriangleSoup> read_triangles(const std::string& path, spdlog::logger& log) {
+Result<MeshTriangles> read_triangles(const std::string& path, spdlog::logger& log) {
   if (std::filesystem::path(path).extension() == ".vtm") {
     const Result<Output> whole = read_output(path);
     if (!whole) return whole.error();
     log_notes(log, whole->report.notes);
-    return triangle_soup(whole->mesh);
+    return MeshTriangles{triangle_soup(whole->mesh)};
   }
   Result<MeshFile> mesh = read_mesh(path);
   if (!mesh) return std::move(mesh).error();
   if (mesh->second_order)
     log.warn("{}: triangles have six nodes, of which the corners are taken", path);
-  if (mesh->soup.material.empty() && !mesh->group.empty()) {
-    if (const Result<Output> known = read_output(path)) return triangle_soup(known->mesh);
-    mesh->soup.material = mesh->group;
-  }
-  return std::move(mesh->soup);
+  if (!mesh->soup.material.empty() || mesh->group.empty())
+    return MeshTriangles{std::move(mesh->soup)};
+  StoredMesh stored;
+  stored.soup = std::move(mesh->soup);
+  const Result<bool> named =
+      read_manifest(std::filesystem::path(path).replace_extension(".json"), mesh->group, stored);
+  if (named && *named) return MeshTriangles{std::move(stored.soup)};
+  if (!named) log.warn("{}", named.error().message);
+  stored.soup.region.clear();
+  stored.soup.material = mesh->group;
+  return MeshTriangles{std::move(stored.soup), false};
 }
 
 }  // namespace cover::app

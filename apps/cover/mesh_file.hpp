@@ -10,11 +10,19 @@
 
 namespace cover::app {
 
+/// A mesh without its lines.
+struct MeshTriangles {
+  TriangleSoup soup;
+  /// False: the file has groups instead of materials, and no manifest says what they are; then
+  /// soup.material holds the numbers of the groups.
+  bool has_materials = true;
+};
+
 /// The triangles of a mesh, as .vtm or in any format of read_mesh(). Formats that have groups
-/// instead of materials need the manifest beside the mesh; without it the numbers of the groups
-/// count as materials. A warning tells where midpoints of second-order triangles were left out.
+/// instead of materials need the manifest beside the mesh. A warning tells where midpoints of
+/// second-order triangles were left out, and where a manifest is that of another mesh.
 ///
 /// Errors: those of read_mesh() and read_output()
-Result<TriangleSoup> read_triangles(const std::string& path, spdlog::logger& log);
+Result<MeshTriangles> read_triangles(const std::string& path, spdlog::logger& log);
 
 }  // namespace cover::app

@@ -578,6 +578,48 @@ class Check(Case):
         out, _ = self.run_cover('check', SAMPLES / 'waveguide.poly', 'd.vtu', code=6)
         self.assertIn('FAILED promise 1', out)
 
+    def test_groups_instead_of_materials(self):
+        mosfet = SAMPLES / 'mosfet.poly'
+        self.run_cover('mesh', mosfet, '-o', 'm.msh', '-o', 'm.inp', '-q')
+        for name in ('m.msh', 'm.inp'):
+            out, _ = self.run_cover('check', mosfet, name)
+            self.assertIn('All that was checked holds: ', out)
+            self.assertIn('Not checked: which material has which number', out)
+        # A triangle in the group of another region.
+        text = (self.dir / 'm.msh').read_text()
+        wrong, count = re.subn(r'(?m)^(\d+ 2 2) 1 ', r'\1 2 ', text, count=1)
+        self.assertEqual(count, 1)
+        self.write('w.msh', wrong)
+        self.assertIn('FAILED materials', self.run_cover('check', mosfet, 'w.msh', code=6)[0])
+        self.run_cover('mesh', mosfet, '-o', 'm.json', '-q')
+        out, _ = self.run_cover('check', mosfet, 'm.msh')
+        self.assertIn('Every promise holds', out)
+        self.assertNotIn('Not checked', out)
+        manifest = json.loads((self.dir / 'm.json').read_text())
+        manifest['regions'][0]['material'] = 9
+        self.write('m.json', json.dumps(manifest))
+        self.assertIn('FAILED materials', self.run_cover('check', mosfet, 'm.msh', code=6)[0])
+
+    def test_says_what_was_not_checked(self):
+        diode = SAMPLES / 'diode.poly'
+        out, _ = self.run_cover('check', diode, 'd.vtu')
+        self.assertRegex(out, r'^Every promise holds: [\d,]+ triangles, 4 regions, \d+ segments whole\n$')
+        out, _ = self.run_cover('check', diode, 'd.vtu', '--no-bound')
+        self.assertRegex(out, r'^All that was checked holds.*\nNot checked: the bound on the largest angle \(promise 3\)\n$')
+        self.run_cover('mesh', diode, '-o', 's.vtu', '--method', 'nonobtuse', '-q')
+        out, _ = self.run_cover('check', diode, 's.vtu', code=6)
+        self.assertIn('which --allow-split allows', out)
+        out, _ = self.run_cover('check', diode, 's.vtu', '--allow-split')
+        self.assertIn('Not checked: that segments are one edge each (promise 1)\n', out)
+        self.assertIn('Not checked: the bound', out)
+        out, _ = self.run_cover('check', SAMPLES / 'coax.poly', 's.vtu', code=6)
+        self.assertNotIn('--allow-split', out)
+
+    def test_one_region(self):
+        self.write('s.poly', SQUARE)
+        self.run_cover('mesh', 's.poly', '-o', 's.vtu', '-q')
+        self.assertIn(' 1 region, ', self.run_cover('check', 's.poly', 's.vtu')[0])
+
     def test_not_a_mesh(self):
         self.write('x.vtu', 'nothing')
         self.assertIn('x.vtu', self.run_cover('check', SAMPLES / 'diode.poly', 'x.vtu', code=5)[1])

@@ -28,6 +28,9 @@ struct VerifyOptions {
   bool allow_split = false;  ///< segments may be split by vertices on them
   bool hull = false;         ///< the domain is the convex hull
   bool materials = true;     ///< every triangle has the material of its region
+  /// False: materials of the mesh may have other numbers than in the input, as where a file has
+  /// groups instead; but no number stands for two materials.
+  bool material_numbers = true;
 };
 
 /// A broken promise.
@@ -43,7 +46,8 @@ struct Verification {
   std::size_t violation_count = 0;    ///< may exceed what is listed
   std::size_t segments_whole = 0;
   std::size_t regions = 0;
-  std::size_t within_rounding = 0;  ///< regions that meet the bound up to coordinate rounding
+  std::size_t within_rounding = 0;     ///< regions that meet the bound up to coordinate rounding
+  std::vector<std::string> unchecked;  ///< what `options`, or what the mesh lacks, left out
   /// By triangle: the region of the input that it lies in, kVoid if none is known. Empty where the
   /// input is no clean planar straight-line graph.
   std::vector<RegionId> triangle_regions;

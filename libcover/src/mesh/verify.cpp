@@ -25,6 +25,7 @@
 #include "mesh/expected_domain.hpp"
 #include "mesh/soup_edges.hpp"
 #include "mesh/verify_bound.hpp"
+#include "mesh/verify_labels.hpp"
 
 namespace cover {
 namespace {
@@ -52,8 +53,16 @@ class Verifier {
     check_inner_edges();
     find_regions();
     check_region_ids();
-    if (options_.materials) check_materials();
-    if (options_.bound && !options_.allow_split) check_bound();
+    if (options_.allow_split)
+      result_.unchecked.emplace_back("that segments are one edge each (promise 1)");
+    if (options_.bound && !options_.allow_split)
+      check_bound();
+    else
+      result_.unchecked.emplace_back("the bound on the largest angle (promise 3)");
+    if (options_.materials)
+      check_materials();
+    else
+      result_.unchecked.emplace_back("materials");
     result_.triangle_regions = std::move(region_);
     return std::move(result_);
   }
@@ -287,51 +296,39 @@ class Verifier {
   }
 
   void check_region_ids() {
-    if (mesh_.region.empty() || options_.allow_split) return;
+    if (mesh_.region.empty()) return;
     if (mesh_.region.size() != mesh_.triangles.size()) {
       add(Kind::region_id, 2, "the mesh has not one RegionId per triangle", {});
       return;
     }
-    std::map<RegionId, std::int64_t> id_of;
-    std::map<std::int64_t, RegionId> region_of;
-    for (std::uint32_t t = 0; t < region_.size(); ++t) {
-      if (region_[t] == kVoid) continue;
-      const std::int64_t id = mesh_.region[t];
-      const std::int64_t its = id_of.emplace(region_[t], id).first->second;
-      const RegionId its_region = region_of.emplace(id, region_[t]).first->second;
-      if (its == id && its_region == region_[t]) continue;
+    verify_region_ids(mesh_, region_, [&](std::uint32_t t, std::string message) {
       const auto [a, b, c] = corners(t);
-      add(Kind::region_id, 2,
-          fmt::format(
-              "triangle {} at {} has RegionId {}, as others of region {}, but lies in region "
-              "{} with RegionId {}",
-              t, describe(a), id, its_region.value(), region_[t].value(), its),
-          {a, b, c});
-    }
+      add(Kind::region_id, 2, std::move(message), {a, b, c});
+    });
   }
 
   void check_materials() {
     if (mesh_.material.empty()) {
-      if (!pslg_.seeds.empty() && !options_.allow_split) {
+      if (pslg_.seeds.empty()) return;
+      if (options_.allow_split)
+        result_.unchecked.emplace_back("materials, which the mesh has not");
+      else
         add(Kind::material, 4, "the input has materials, but the mesh has no array of materials",
             {});
-      }
       return;
     }
     if (mesh_.material.size() != mesh_.triangles.size()) {
       add(Kind::material, 4, "the mesh has not one material per triangle", {});
       return;
     }
-    for (std::uint32_t t = 0; t < region_.size(); ++t) {
-      if (region_[t] == kVoid) continue;
-      const int wanted = table_.region(region_[t]).material;
-      if (mesh_.material[t] == wanted) continue;
-      const auto [a, b, c] = corners(t);
-      add(Kind::material, 4,
-          fmt::format("triangle {} at {} in region {} has material {} instead of {}", t,
-                      describe(a), region_[t].value(), mesh_.material[t], wanted),
-          {a, b, c});
-    }
+    if (!options_.material_numbers)
+      result_.unchecked.emplace_back(
+          "which material has which number, as the mesh has groups of its own instead");
+    verify_materials(mesh_, region_, table_, options_.material_numbers,
+                     [&](std::uint32_t t, std::string message) {
+                       const auto [a, b, c] = corners(t);
+                       add(Kind::material, 4, std::move(message), {a, b, c});
+                     });
   }
 
   void check_bound() {

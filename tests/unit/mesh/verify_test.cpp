@@ -318,6 +318,38 @@ TEST(Verify, WrongMaterialAndRegionId) {
   EXPECT_TRUE(has(without.check(), 4, "not one material per triangle"));
 }
 
+TEST(Verify, GroupsNeedNotHaveTheNumbersOfMaterials) {
+  Device d;
+  for (auto& material : d.mesh.material) material = material == 7 ? 1 : 4;
+  EXPECT_TRUE(has(d.check(), 4, "has material 1 instead of 7"));
+  const VerifyOptions groups{.material_numbers = false};
+  EXPECT_EQ(all_of(d.check(groups)), "");
+  // A region may be in two groups, but no group in two materials.
+  d.mesh.material[0] = 9;
+  EXPECT_EQ(all_of(d.check(groups)), "");
+  d.mesh.material[0] = 4;
+  EXPECT_TRUE(has(d.check(groups), 4, "in region 1 of material 7")) << all_of(d.check(groups));
+}
+
+TEST(Verify, SaysWhatItDidNotCheck) {
+  Device d;
+  EXPECT_TRUE(d.check().unchecked.empty());
+  EXPECT_EQ(d.check({.bound = false}).unchecked.size(), 1U);
+  EXPECT_EQ(d.check({.materials = false}).unchecked, std::vector<std::string>{"materials"});
+  EXPECT_EQ(d.check({.material_numbers = false}).unchecked.size(), 1U);
+  EXPECT_EQ(d.check({.allow_split = true}).unchecked.size(), 2U);
+  d.mesh.material.clear();
+  EXPECT_EQ(d.check({.allow_split = true}).unchecked.size(), 3U);
+}
+
+TEST(Verify, RegionIdsCountWhereSegmentsMayBeSplit) {
+  Device d;
+  (void)cut_interface(d);
+  EXPECT_EQ(all_of(d.check({.allow_split = true})), "");
+  d.mesh.region[1] = 2;
+  EXPECT_TRUE(has(d.check({.allow_split = true}), 2, "RegionId 2"));
+}
+
 TEST(Verify, BoundMissed) {
   Device d;
   // A Steiner vertex close to an inner edge of some triangle makes an angle near 180 degrees.
