@@ -43,7 +43,10 @@ bool PolyLines::header(std::string_view section, std::size_t& count) {
 
 bool PolyLines::announced(std::string_view section, std::size_t& count) {
   long value = 0;
-  if (!integer(0, fmt::format("the number of {}", section), value)) return false;
+  if (!integer(0, fmt::format("the number of {}", section), value)) {
+    if (counts_.empty()) error_->message += "; is this a .poly or .node file?";
+    return false;
+  }
   if (value < 0)
     return fail(ErrorCode::syntax, fmt::format("the number of {} is negative", section));
   count = static_cast<std::size_t>(value);
@@ -57,8 +60,8 @@ bool PolyLines::integer(std::size_t field, std::string_view what, long& value) {
   if (field >= f.size()) return fail_count(ErrorCode::syntax, fmt::format("{} is missing", what));
   const auto parsed = parse_integer(f[field]);
   if (!parsed) {
-    return fail(ErrorCode::syntax,
-                fmt::format("{}: '{}' is no integer{}", what, f[field], hint_at_comma(f[field])));
+    return fail(ErrorCode::syntax, fmt::format("{}: '{}' is no integer{}", what, legible(f[field]),
+                                               hint_at_comma(f[field])));
   }
   value = *parsed;
   return true;
@@ -74,7 +77,7 @@ bool PolyLines::coordinate(std::size_t field, std::string_view what, double& val
   const auto parsed = parse_double(f[field]);
   if (!parsed) {
     return fail(ErrorCode::syntax, fmt::format("{}: the {} coordinate '{}' is no number{}", what,
-                                               axis, f[field], hint_at_comma(f[field])));
+                                               axis, legible(f[field]), hint_at_comma(f[field])));
   }
   if (!std::isfinite(*parsed)) {
     return fail(ErrorCode::non_finite_coordinate,

@@ -37,6 +37,8 @@ class PolyReader : public PolyLines {
   void take_ids(PolyReader& other) { index_of_id_ = std::move(other.index_of_id_); }
 
  private:
+  /// "; the points are 1 to 7", which tells a numbering from 0 from one from 1.
+  [[nodiscard]] std::string known_points() const;
   bool end_point(std::size_t field, long segment, std::uint32_t& index);
   bool point(Input& input, long attributes, bool has_markers);
 
@@ -50,8 +52,9 @@ bool PolyReader::point(Input& input, long attributes, bool has_markers) {
     return false;
   }
   const auto index = static_cast<std::uint32_t>(input.points.size());
-  if (!index_of_id_.emplace(id, index).second) {
-    return fail(ErrorCode::syntax, fmt::format("there is already a point {}", id));
+  if (const auto [first, is_new] = index_of_id_.emplace(id, index); !is_new) {
+    return fail(ErrorCode::syntax, fmt::format("there is already a point {} (line {})", id,
+                                               input.point_lines[first->second]));
   }
   input.points.push_back(at);
   input.point_ids.push_back(id);
@@ -82,6 +85,14 @@ bool PolyReader::read_points(Input& input) {
   return true;
 }
 
+std::string PolyReader::known_points() const {
+  if (index_of_id_.empty()) return "";
+  const auto [low, high] =
+      std::minmax_element(index_of_id_.begin(), index_of_id_.end(),
+                          [](const auto& a, const auto& b) { return a.first < b.first; });
+  return fmt::format("; the points are {} to {}", low->first, high->first);
+}
+
 bool PolyReader::end_point(std::size_t field, long segment, std::uint32_t& index) {
   long id = 0;
   if (!integer(field, fmt::format("segment {}: the number of an end point", segment), id)) {
@@ -90,7 +101,7 @@ bool PolyReader::end_point(std::size_t field, long segment, std::uint32_t& index
   const auto found = index_of_id_.find(id);
   if (found == index_of_id_.end()) {
     return fail(ErrorCode::id_out_of_range,
-                fmt::format("segment {}: there is no point {}", segment, id));
+                fmt::format("segment {}: there is no point {}{}", segment, id, known_points()));
   }
   index = found->second;
   return true;

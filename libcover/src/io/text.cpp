@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
@@ -83,6 +84,15 @@ std::optional<long> parse_integer(std::string_view field) {
   const auto [end, status] = std::from_chars(field.data(), field.data() + field.size(), value);
   if (end != field.data() + field.size() || status != std::errc()) return {};
   return value;
+}
+
+std::string legible(std::string_view field) {
+  constexpr std::size_t kMost = 40;
+  std::string out(field.substr(0, kMost));
+  for (char& c : out) {
+    if (std::iscntrl(static_cast<unsigned char>(c)) != 0) c = '?';
+  }
+  return field.size() > kMost ? out + "..." : out;
 }
 
 std::string hint_at_comma(std::string_view field) {

@@ -27,6 +27,9 @@ std::optional<long> parse_integer(std::string_view field);
 /// nothing.
 std::string hint_at_comma(std::string_view field);
 
+/// A field as a message can hold it: cut off after 40 bytes, with '?' for what is no letter.
+std::string legible(std::string_view field);
+
 /// What stands between the fields of a line.
 enum class Separator {
   blank,  ///< blanks; a comma before a blank counts with it, any other is part of its field

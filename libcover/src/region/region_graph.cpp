@@ -187,6 +187,34 @@ Error nothing_enclosed(const Pslg& pslg, const char* what) {
       ErrorCode::nothing_enclosed, pslg.source.empty() ? what : pslg.source + ": " + what, {}, {}};
 }
 
+/// "; only one segment ends at point 1 at (0, 0) and at point 4 at (0, 1)": where an outline is
+/// open. Their places are put into `error`.
+void tell_open_ends(const Pslg& pslg, Error& error) {
+  std::vector<std::size_t> degree(pslg.points.size(), 0);
+  for (const Segment& s : pslg.segments) {
+    ++degree[s.a.index()];
+    ++degree[s.b.index()];
+  }
+  std::vector<std::string> names;
+  for (std::size_t v = 0; v < degree.size(); ++v) {
+    if (degree[v] != 1) continue;
+    const std::string place = describe(pslg.points[v]);
+    error.where.push_back(pslg.points[v]);
+    if (pslg.point_ids[v] < 0) {
+      names.push_back(place);
+      continue;
+    }
+    names.push_back(fmt::format("point {} at {}", pslg.point_ids[v], place));
+    error.inputs.push_back({InputKind::point, pslg.point_ids[v]});
+  }
+  if (names.empty()) return;
+  error.message += "; only one segment ends at " + names[0];
+  if (names.size() == 2) error.message += " and at " + names[1];
+  if (names.size() > 2) {
+    error.message += fmt::format(", and so at {}", counted(names.size() - 1, "more point"));
+  }
+}
+
 }  // namespace
 
 Result<RegionTable> build_region_table(const Pslg& pslg, const Options& options,
@@ -204,7 +232,9 @@ Result<RegionTable> build_region_table(const Pslg& pslg, const Options& options,
     return error;
   };
   if (faces.count == 1) {
-    return with_near_misses(nothing_enclosed(pslg, "the segments enclose nothing"));
+    Error error = nothing_enclosed(pslg, "the segments enclose nothing");
+    tell_open_ends(pslg, error);
+    return with_near_misses(std::move(error));
   }
   Result<SeededFaces> seeded = apply_seeds(pslg, faces, notes);
   if (!seeded) return with_near_misses(seeded.error());

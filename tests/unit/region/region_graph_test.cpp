@@ -240,7 +240,11 @@ TEST(BuildRegionTable, RefusesWhatEnclosesNothing) {
   input.source = "open.poly";
   input.points = {{0, 0}, {1, 0}, {1, 1}, {2, 5}};
   input.segments = {{0, 1, 0, 1, 0, ""}, {1, 2, 0, 2, 0, ""}};
-  EXPECT_EQ(find(input).error().message, "open.poly: the segments enclose nothing");
+  EXPECT_EQ(
+      find(input).error().message,
+      "open.poly: the segments enclose nothing; only one segment ends at point 0 at (0, 0) and "
+      "at point 2 at (1, 1)");
+  EXPECT_EQ(find(input).error().where, (std::vector<Point>{{0, 0}, {1, 1}}));
   input.points = {{0, 0}, {1, 1}, {2, 2}};
   EXPECT_EQ(find(input).error().message, "open.poly: all points lie on one line");
   input.points = {{0, 0}, {1, 1}};
