@@ -168,6 +168,30 @@ Input pencil(Dice& dice) {
   return input;
 }
 
+/// Triangles with an edge through one point, exactly or nearly, lines through it, and points at it.
+Input pencil_of_triangles(Dice& dice) {
+  Input input;
+  const Point centre{dice.real(-1, 1), dice.real(-1, 1)};
+  const auto beyond = [&](Point p, double part) {
+    return Point{centre.x + part * (centre.x - p.x), centre.y + part * (centre.y - p.y)};
+  };
+  for (int k = dice.whole(2, 25); k > 0; --k) {
+    const Point p{dice.whole(-8, 8) / 8.0, dice.real(-1, 1)};
+    const Point q = beyond(p, dice.whole(0, 3) == 0 ? 0 : dice.real(0, 2));
+    add_polygon(input, {p, q, {dice.real(-1, 1), dice.real(-1, 1)}},
+                "m" + std::to_string(dice.whole(0, 3)));
+  }
+  for (int k = dice.whole(0, 20); k > 0; --k) {
+    const Point p{dice.real(-1, 1), dice.real(-1, 1)};
+    if (dice.whole(0, 1) == 0) {
+      add_segment(input, p, beyond(p, dice.real(0, 2)));
+    } else {
+      input.points.push_back({centre.x + dice.whole(-4, 4) * 0x1p-53, centre.y});
+    }
+  }
+  return input;
+}
+
 /// Star polygons, bow ties, rings run round twice and spikes.
 Input twisted_rings(Dice& dice) {
   Input input;
@@ -244,7 +268,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, RandomSoup,
                          ::testing::Values(&crossing_segments, &grid_segments, &grid_rectangles,
                                            &near_rectangles, &wild_rings, &collinear_segments,
                                            &near_segments, &pencil, &twisted_rings, &mixture,
-                                           &vast_range));
+                                           &vast_range, &pencil_of_triangles));
 
 TEST(Soup, ThousandsOfSegmentsThroughOnePoint) {
   Input input;
@@ -332,6 +356,20 @@ TEST(Soup, PaintsTheAreasOfAnExactOverlay) {
       if (dice.whole(0, 1) == 0) ring = testing::reversed(ring);
       add_polygon(input, ring, "m" + std::to_string(dice.whole(0, 3)));
     }
+    const auto out = clean(input);
+    ASSERT_TRUE(out) << out.error().message;
+    for (const auto& [material, set] : exact::paint(input)) {
+      ASSERT_NEAR(out->area(material), exact::area(set), 1e-12) << material << " of soup " << k;
+    }
+  }
+}
+
+TEST(Soup, PaintsTheAreasOfAnExactOverlayWhereEdgesMeetNearlyInAPoint) {
+  const std::uint64_t seed = testing::test_seed(24);
+  SCOPED_TRACE(testing::seed_trace(seed));
+  Dice dice{std::mt19937_64(seed)};
+  for (int k = 0; k < 40; ++k) {
+    const Input input = pencil_of_triangles(dice);
     const auto out = clean(input);
     ASSERT_TRUE(out) << out.error().message;
     for (const auto& [material, set] : exact::paint(input)) {
