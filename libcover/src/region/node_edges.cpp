@@ -29,11 +29,16 @@ namespace {
 
 IndexPair ends(const Strand& s) { return {std::min(s.a, s.b), std::max(s.a, s.b)}; }
 
-/// Sorts the strands by edge and lists the edges.
+/// Sorts the strands by edge and lists the edges. What a pass did not cut comes first and is
+/// sorted.
 void index_edges(Network& network, EdgeGraph& graph) {
-  std::sort(network.strands.begin(), network.strands.end(), [](const Strand& x, const Strand& y) {
+  const auto is_before = [](const Strand& x, const Strand& y) {
     return std::tuple(ends(x), x.raw, x.a) < std::tuple(ends(y), y.raw, y.a);
-  });
+  };
+  std::vector<Strand>& strands = network.strands;
+  const auto rest = std::is_sorted_until(strands.begin(), strands.end(), is_before);
+  std::sort(rest, strands.end(), is_before);
+  std::inplace_merge(strands.begin(), rest, strands.end(), is_before);
   graph.edges.clear();
   graph.first.clear();
   for (std::size_t k = 0; k < network.strands.size(); ++k) {
@@ -88,8 +93,8 @@ bool cut(Network& network, const EdgeGraph& graph) {
   for (const Point& p : cuts.nodes) index.push_back(pool.index_of(p));
   const std::vector<bool> needed =
       needed_points(cuts, index, graph.edges.size(), network.points.size(), pool.points().size());
-  std::vector<Strand> strands;
-  strands.reserve(cuts.path.size());
+  std::vector<Strand> strands, pieces;
+  strands.reserve(network.strands.size());
   std::vector<std::uint32_t> path;
   for (std::size_t k = 0; k < graph.edges.size(); ++k) {
     path.clear();
@@ -97,14 +102,20 @@ bool cut(Network& network, const EdgeGraph& graph) {
       const std::uint32_t v = index[node];
       if (needed[v] && (path.empty() || path.back() != v)) path.push_back(v);  // or rounded away
     }
-    for (const Strand& s : graph.strands(network, k)) {
+    const auto whole = graph.strands(network, k);
+    if (path.size() == 2 && cuts.path_of(k).size() == 2) {
+      strands.insert(strands.end(), whole.begin(), whole.end());
+      continue;
+    }
+    for (const Strand& s : whole) {
       const bool rightwards = network.points[s.a] < network.points[s.b];
       for (std::size_t i = 1; i < path.size(); ++i) {
         const std::uint32_t left = path[i - 1], right = path[i];
-        strands.push_back({rightwards ? left : right, rightwards ? right : left, s.raw});
+        pieces.push_back({rightwards ? left : right, rightwards ? right : left, s.raw});
       }
     }
   }
+  strands.insert(strands.end(), pieces.begin(), pieces.end());
   network.strands = std::move(strands);
   network.points = pool.take();
   network.input.resize(network.points.size(), kNoIndex);
