@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "base/describe.hpp"
@@ -23,6 +24,19 @@ struct Void {
   std::uint32_t seed = 0;   ///< of a region beside it
   bool is_between = false;  ///< there are others beside it
 };
+
+/// A tolerance of welding that is certainly above a width, with one digit: what is found of widths
+/// is about half too little.
+double tolerance_above(double width, const std::vector<Point>& points) {
+  Point low = points[0], high = points[0];
+  for (const Point& p : points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  const double relative = 2 * width / std::max(high.x - low.x, high.y - low.y);
+  const double unit = std::pow(10, std::floor(std::log10(relative)));
+  return std::ceil(relative / unit) * unit;
+}
 
 }  // namespace
 
@@ -46,13 +60,14 @@ void warn_of_gaps(const Pslg& pslg, const Faces& faces, const SeededFaces& seede
   for (std::size_t f = 1; f < faces.count; ++f) gaps += is_gap(f);
   if (gaps == 0) return;
   const std::vector<FaceMeasure> measures = measure_faces(faces);
-  double area = 0, largest = 0;
+  double area = 0, largest = 0, widest = 0;
   std::vector<Point> where;
   for (std::size_t f = 1; f < faces.count; ++f) {
     const Void& v = voids[f];
     const double round = v.perimeter * v.perimeter / (4 * std::numbers::pi);
     if (!is_gap(f) || measures[f].area > kThin * round) continue;
     area += measures[f].area;
+    widest = std::max(widest, 2 * measures[f].area / v.perimeter);  // that of a strip
     where.push_back(measures[f].inside.value_or(measures[f].smallest_side.first));
     if (measures[f].area > largest) {
       largest = measures[f].area;
@@ -63,9 +78,10 @@ void warn_of_gaps(const Pslg& pslg, const Faces& faces, const SeededFaces& seede
   notes.push_back({Note::Kind::warning, kVoid,
                    fmt::format("polygons leave {} between them, with an area of {} together, the "
                                "largest at {}: where a common border is drawn in two ways, let one "
-                               "polygon run on below the other",
+                               "polygon run on below the other, or close gaps of this width with "
+                               "--weld {:.0e}",
                                counted(where.size(), "thin void"), describe_roughly(area),
-                               describe(where.front())),
+                               describe(where.front()), tolerance_above(widest, pslg.points)),
                    std::move(where)});
 }
 

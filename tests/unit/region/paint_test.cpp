@@ -162,6 +162,10 @@ TEST(Paint, WarnsOfThinVoidsBetweenPolygons) {
   const auto out = clean(input);
   ASSERT_TRUE(out) << out.error().message;
   EXPECT_TRUE(out->tells("polygons leave 1 thin void between them, with an area of 0.2 together"));
+  EXPECT_TRUE(out->tells("with --weld 3e-02"));
+  Options weld;
+  weld.weld = 3e-2;
+  EXPECT_FALSE(clean(input, weld)->tells("thin void"));
   input.polygons[0].rings[0][3].y = 1;  // a cavity that is meant
   EXPECT_FALSE(clean(input)->tells("thin void"));
   input.polygons.pop_back();
