@@ -9,6 +9,7 @@
 #include "mesh/stitch.hpp"
 #include "pipeline/cut_until_met.hpp"
 #include "pipeline/errors_as_values.hpp"
+#include "pipeline/expected_triangles.hpp"
 #include "pipeline/find_regions.hpp"
 #include "pipeline/nonobtuse.hpp"
 #include "pipeline/region_task.hpp"
@@ -40,7 +41,8 @@ Result<Output> mesh_prepared(Result<Prepared> prepared, const Options& options,
   std::vector<RegionBoundary> boundaries;
   Status sized = errors_as_values("split", [&] {
     boundaries = split_regions(pslg, table);
-    return resolve_sizes(pslg, table, options, boundaries);
+    Status resolved = resolve_sizes(pslg, table, options, boundaries);
+    return resolved ? check_expected_triangles(table, boundaries, options) : resolved;
   });
   if (!sized) return std::move(sized).error();
   warn_of_sizes(pslg, options, boundaries, report.notes);

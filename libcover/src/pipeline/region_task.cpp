@@ -7,7 +7,6 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <numbers>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -22,8 +21,8 @@
 #include "covering/chords.hpp"
 #include "covering/cover_region.hpp"
 #include "covering/measure.hpp"
-#include "geom/vector.hpp"
 #include "pipeline/errors_as_values.hpp"
+#include "pipeline/expected_triangles.hpp"
 #include "pipeline/stage_clock.hpp"
 #include "quality/quality_region.hpp"
 
@@ -40,22 +39,11 @@ struct Batch {
 /// More than any mesh has triangles; sums of it do not overflow.
 constexpr double kMostCost = 0x1p40;
 
-/// How many equilateral triangles with edges of the region's wished size have its area.
-std::size_t wished_triangles(const RegionBoundary& boundary) {
-  if (boundary.size <= 0 || boundary.points.empty()) return 0;
-  const Point origin = boundary.points.front();
-  double doubled_area = 0;
-  for (const auto& [a, b] : boundary.sides) {
-    doubled_area += cross(boundary.points[a] - origin, boundary.points[b] - origin);
-  }
-  const double count = doubled_area * 2 / std::numbers::sqrt3 / (boundary.size * boundary.size);
-  return static_cast<std::size_t>(std::clamp(count, 0.0, kMostCost));
-}
-
 /// Estimated work of a region. All methods are near linear in the size of the boundary and in the
 /// number of triangles.
 std::size_t cost_of(const RegionBoundary& boundary) {
-  return boundary.sides.size() + boundary.points.size() + wished_triangles(boundary);
+  return boundary.sides.size() + boundary.points.size() +
+         static_cast<std::size_t>(std::clamp(most_triangles(boundary), 0.0, kMostCost));
 }
 
 /// Batches are filled up to this cost: some milliseconds of work against microseconds of overhead.

@@ -18,6 +18,7 @@
 #include "covering/measure.hpp"
 #include "mesh/adopt_cuts.hpp"
 #include "mesh/stitch.hpp"
+#include "pipeline/expected_triangles.hpp"
 #include "pipeline/find_regions.hpp"
 #include "pipeline/region_task.hpp"
 #include "quality/sizes.hpp"
@@ -243,6 +244,9 @@ Result<Output> remesh(const Input& input, const TriangleSoup& onto,
     again.push_back(boundary);
     report.replaced.push_back(
         {boundary.id, meshes.back().triangles.size(), meshes.back().steiner.size()});
+  }
+  if (Status status = check_expected_triangles(table, again, *options); !status) {
+    return std::move(status).error();
   }
   warn_of_sizes(pslg, *options, again, report.notes);
   if (Status status = fill_in(boundaries, again, *chosen, *options, callbacks, meshes); !status) {

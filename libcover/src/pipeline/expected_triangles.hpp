@@ -1,0 +1,27 @@
+// How many triangles wished sizes will take.
+#pragma once
+
+#include <span>
+
+#include <cover/options.hpp>
+#include <cover/regions.hpp>
+#include <cover/result.hpp>
+
+#include "region/region_boundary.hpp"
+
+namespace cover {
+
+/// As many triangles as the smallest size wished in a region would take everywhere; 0 without any.
+double most_triangles(const RegionBoundary& boundary);
+
+/// About how many triangles the sizes wished in a region take: the integral of 4 / (sqrt(3) h^2)
+/// over the sizes h that refinement will aim at. Sizes of Options::size_field are not looked at.
+///
+/// Cost: O(n log n); O(n) where there are surely less than a million
+double expected_triangles(const RegionBoundary& boundary, const Options& options);
+
+/// Errors: bad_option if the sizes wished take more triangles than a mesh can hold.
+Status check_expected_triangles(const RegionTable& table,
+                                std::span<const RegionBoundary> boundaries, const Options& options);
+
+}  // namespace cover
