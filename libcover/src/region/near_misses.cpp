@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 #include "base/describe.hpp"
@@ -122,26 +123,35 @@ class NearMisses {
   std::set<std::array<std::uint32_t, 3>> seen_;
 };
 
-}  // namespace
+constexpr const char* kRemedy = " (--weld closes such gaps)";
 
-void warn_of_near_misses(const Pslg& pslg, const Triangulation& triangulation,
-                         std::vector<Note>& notes) {
+std::vector<Note> find_near_misses(const Pslg& pslg, const Triangulation& triangulation) {
+  std::vector<Note> notes;
   NearMisses misses(pslg, triangulation, notes);
   for (std::uint32_t t = 0; t < triangulation.triangles.size(); ++t) {
     for (int i = 0; i < 3; ++i) misses.look(t, i);
   }
   misses.finish();
+  return notes;
+}
+
+}  // namespace
+
+void warn_of_near_misses(const Pslg& pslg, const Triangulation& triangulation,
+                         std::vector<Note>& notes) {
+  std::vector<Note> misses = find_near_misses(pslg, triangulation);
+  if (!misses.empty()) misses[0].message += kRemedy;
+  std::move(misses.begin(), misses.end(), std::back_inserter(notes));
 }
 
 std::string near_misses_behind(const Pslg& pslg, const Triangulation& triangulation) {
-  std::vector<Note> misses;
-  warn_of_near_misses(pslg, triangulation, misses);
+  const std::vector<Note> misses = find_near_misses(pslg, triangulation);
   if (misses.empty()) return {};
   std::string out = "; " + misses[0].message;
   if (misses.size() > 1) {
     out += fmt::format(", and so at {}", counted(misses.size() - 1, "more place"));
   }
-  return out + " (--weld closes such gaps)";
+  return out + kRemedy;
 }
 
 }  // namespace cover

@@ -319,7 +319,7 @@ TEST(BuildRegionTable, WarnsOfNearMisses) {
   EXPECT_EQ(found->notes[0].kind, Note::Kind::warning);
   EXPECT_EQ(found->notes[0].message,
             "point 4 at (1, 9.313225746154785e-10) is only 9.31e-10 away from the "
-            "segment between point 0 at (0, 0) and point 1 at (4, 0)");
+            "segment between point 0 at (0, 0) and point 1 at (4, 0) (--weld closes such gaps)");
   EXPECT_EQ(found->notes[0].where.at(0), (Point{1, 0x1p-30}));
 }
 
