@@ -239,8 +239,10 @@ class Welder {
     changed_ = true;
     changes_.push_back(
         {Change::Kind::welded,
-         fmt::format("{} was bent by {} to {}", name_of_raw(input_, drawing_, line.raw),
-                     describe_roughly(line.distance), name(line.w)),
+         fmt::format(
+             "{} was bent by {} to {}", name_of_raw(input_, drawing_, line.raw),
+             line.distance > 0 ? describe_roughly(line.distance) : "less than rounding tells",
+             name(line.w)),
          {drawing_.points[line.w]},
          {ref_of(input_, drawing_.raws[line.raw].origin)}});
   }
