@@ -23,7 +23,7 @@ _cover() {
          words="vtu vtk msh xdmf mesh inp obj off ply json poly svg png"; fi ;;
     --stats) words="text json" ;;
     --progress) words="auto on off" ;;
-    --color) words="max_angle min_angle material RegionId" ;;
+    --color) words="max_angle min_angle material MaterialID mat_id RegionId" ;;
     *) if [[ $word == -* ]]; then
          words=$("${COMP_WORDS[0]}" "$command" --help | grep -oE -- '^  (-[a-z],)?--[a-z-]+' | grep -oE -- '--[a-z-]+')
        fi ;;

@@ -46,7 +46,7 @@ Examples:
   std::vector<NamedFile> written{log_file(verbosity)};
   for (const std::string& output : outputs) {
     Result<Writer> writer =
-        mesh_writer(output == "-" ? "stdout." + format : output, formats.make());
+        output == "-" ? stdout_writer(format, formats.make()) : mesh_writer(output, formats.make());
     if (!writer) return usage_error(app, writer.error().message);
     writers.push_back(*std::move(writer));
     written.push_back({"-o", output, true});

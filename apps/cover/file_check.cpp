@@ -76,14 +76,23 @@ Status check_folder(const NamedFile& file) {
   return ok();
 }
 
+/// The manifest of X.vtu is X.json; where that is the geometry, the mesh needs another name.
+const char* hint_at_manifest(const NamedFile& out) {
+  return out.is_mesh && fs::path(out.path).extension() == ".json"
+             ? "; the manifest bears the name of the mesh: give both another one, or write a .vtm, "
+               "which holds the names too"
+             : "";
+}
+
 Status check_against(const NamedFile& out, const std::vector<NamedFile>& read) {
   for (const NamedFile& in : read) {
     if (in.path.empty() || in.path == "-" || (in.is_mesh && out.is_mesh)) continue;
-    if (replaces(out.path, in.path, false))
-      return bad(fmt::format("writing {} would replace the input{}", quoted(out),
-                             !in.option.empty()    ? fmt::format(", the file of {}", in.option)
-                             : in.path != out.path ? fmt::format(" '{}'", in.path)
-                                                   : ""));
+    if (!replaces(out.path, in.path, false)) continue;
+    return bad(fmt::format("writing {} would replace the input{}{}", quoted(out),
+                           !in.option.empty()    ? fmt::format(", the file of {}", in.option)
+                           : in.path != out.path ? fmt::format(" '{}'", in.path)
+                                                 : "",
+                           hint_at_manifest(out)));
   }
   return ok();
 }

@@ -235,7 +235,7 @@ class Page {
         "<th class=\"group\" colspan=\"2\">triangles (forced)</th><th></th></tr>\n"
         "<tr><th>id</th><th class=\"t\">name</th>"
         "<th class=\"t\">material</th><th>area</th><th>triangles</th><th>new vertices</th>"
-        "<th>possible</th><th>proven</th><th>reached</th><th>rho</th><th>smallest</th>"
+        "<th>no mesh below</th><th>proven</th><th>reached</th><th>rho</th><th>smallest</th>"
         "<th>&gt; 120°</th><th>&gt; 150°</th><th class=\"t\">method</th></tr>\n</thead>\n",
         cut ? fmt::format(" (the first {})", kRows) : "");
     for (const std::size_t i : order) {

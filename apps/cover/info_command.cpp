@@ -12,7 +12,7 @@
 namespace cover::app {
 
 int run_info(Arguments arguments) {
-  CLI::App app("Show regions, materials, interfaces and the largest angles possible; no mesh",
+  CLI::App app("Show regions, materials, interfaces and bounds on the largest angles; no mesh",
                "cover info");
   app.set_help_flag("-h,--help", "Show this help");
   app.footer("Example:\n  cover info device.poly\n");

@@ -42,10 +42,10 @@ Usage: cover COMMAND [OPTIONS] ...
 
 Commands:
   mesh    triangulate a geometry file             cover mesh device.poly -o device.vtu
-  info    regions, interfaces, possible angles    cover info device.poly
-  check   does a mesh keep every promise?         cover check device.poly device.vtu
-  render  picture of a mesh                       cover render device.vtu -o device.svg
-  convert another format for a mesh               cover convert device.vtu -o device.vtm
+  info    regions, interfaces, bounds on angles   cover info device.poly
+  check   does a mesh keep every promise?         cover check device.poly device.vtm
+  render  picture of a mesh                       cover render device.vtm -o device.svg
+  convert another format for a mesh               cover convert device.vtm -o device.msh
 
   cover COMMAND --help   options of a command
   cover --version        version and licence

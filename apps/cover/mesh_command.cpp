@@ -150,8 +150,8 @@ struct File {
 Result<std::vector<File>> plan_files(const MeshCommand& command) {
   std::vector<File> files;
   for (const std::string& path : command.outputs) {
-    Result<Writer> writer =
-        mesh_writer(path == "-" ? "stdout." + command.format : path, command.formats.make());
+    Result<Writer> writer = path == "-" ? stdout_writer(command.format, command.formats.make())
+                                        : mesh_writer(path, command.formats.make());
     if (!writer) return writer.error();
     files.push_back({path, *writer});
   }

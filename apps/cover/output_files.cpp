@@ -100,6 +100,15 @@ Result<Writer> mesh_writer(const std::string& path, const WriteOptions& options)
   });
 }
 
+Result<Writer> stdout_writer(const std::string& format, const WriteOptions& options) {
+  if (format == "vtm" || format == "ele")
+    return Error{ErrorCode::bad_option,
+                 fmt::format("a mesh in .{} is more than one file: give -o a name for it", format),
+                 {},
+                 {}};
+  return mesh_writer("stdout." + format, options);
+}
+
 Result<Writer> report_writer(const std::string& path) { return find(report_formats(), path); }
 
 std::string mesh_extensions() {

@@ -19,6 +19,10 @@ using Writer = std::function<Status(const Output&, const std::string& path)>;
 /// bad_option where the format cannot do what `options` ask for.
 Result<Writer> mesh_writer(const std::string& path, const WriteOptions& options);
 
+/// The same for standard output, in the format of the extension `format`, which has no dot. Errors:
+/// also bad_option for formats of several files.
+Result<Writer> stdout_writer(const std::string& format, const WriteOptions& options);
+
 /// The writer of a --report file. Errors: unsupported_format
 Result<Writer> report_writer(const std::string& path);
 

@@ -41,9 +41,9 @@ int run_render(Arguments arguments) {
   CLI::App app("Draw a mesh; needs no display", "cover render");
   app.set_help_flag("-h,--help", "Show this help");
   app.footer(R"(Examples:
-  cover render device.vtu -o device.svg
-  cover render device.vtu -o device.png --color max_angle
-  cover render device.vtu -o oxide.png --window -60,-10,60,10
+  cover render device.vtm -o device.svg
+  cover render device.vtm -o device.png --color max_angle
+  cover render device.vtm -o oxide.png --window -60,-10,60,10
 )");
   std::string path, format = "svg";
   std::vector<std::string> outputs;
@@ -83,7 +83,7 @@ int run_render(Arguments arguments) {
       ->type_name("N")
       ->capture_default_str();
   app.add_flag("--no-edges", no_edges, "Leave out the edges inside regions");
-  app.add_option("--title", options.title, "First line (default: name and largest angle)")
+  app.add_option("--title", options.title, "First line (default: name and number of triangles)")
       ->type_name("TEXT");
   add_verbosity(app, verbosity);
   if (const auto code = parse(app, std::move(arguments))) return *code;

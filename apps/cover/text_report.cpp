@@ -81,7 +81,7 @@ std::string totals(const Output& output) {
                   grouped(report.steiner_vertices), plural(report.regions.size(), "region"));
   if (report.regions.empty()) return out;
   const RegionReport& region = report.regions[worst];
-  out += fmt::format("Largest angle   {:>7}  in region {} '{}'; lowest possible there {}\n",
+  out += fmt::format("Largest angle   {:>7}  in region {} '{}'; no mesh is below {} there\n",
                      angle_text(q.largest_nu), region.id.value(),
                      output.table.region(region.id).name, angle_text(lowest_nu(region)));
   out += fmt::format("Smallest angle  {:>7.2f}\n", q.smallest.in_degrees());
@@ -142,8 +142,8 @@ std::string region_rows(const Output& output, bool every_region) {
                above(r.quality.above_150, r.forced_above_150),
                r.method + (r.bound_held ? "" : " (bound missed)")});
   }
-  return "Largest angle per region, in degrees: lowest possible, proven, reached\n" + table.text() +
-         more(regions.size(), order.size(), "regions, lowest rho first");
+  return "Largest angle per region, in degrees: lowest (no mesh is below), proven, reached\n" +
+         table.text() + more(regions.size(), order.size(), "regions, lowest rho first");
 }
 
 std::string times(const Report& report) {
@@ -214,7 +214,7 @@ std::string info_text(const Prepared& prepared, bool every_region) {
     if (sized) cells.push_back(region.size ? fmt::format("{:.6g}", *region.size) : "");
     regions.add(std::move(cells));
   }
-  out += "Regions; the largest angle that a mesh can have, in degrees: lowest possible, proven\n" +
+  out += "Regions; bounds on the largest angle, in degrees: lowest (no mesh is below), proven\n" +
          regions.text() + more(table.regions.size(), order.size(), "regions, largest angle first");
 
   TextTable interfaces({{"line"},

@@ -164,6 +164,12 @@ class Mesh(Case):
         self.assertTrue(done.stdout.startswith(b'<?xml') or done.stdout.startswith(b'<VTKFile'), done.stdout[:60])
         self.assertIn(b'largest angle', done.stderr.lower())
 
+    def test_several_files_do_not_fit_into_stdout(self):
+        for words in (['mesh', SAMPLES / 'diode.poly'], ['convert', 'd.vtu']):
+            for name in ('vtm', 'ele'):
+                _, err = self.run_cover(*words, '-o', '-', '--format', name, code=2)
+                self.assertIn(f'.{name} is more than one file', err)
+
     def test_clean_poly_meshes_the_same(self):
         self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'a.vtu', '-o', 'clean.poly', '-q')
         self.run_cover('mesh', 'clean.poly', '-o', 'b.vtu', '-q')
@@ -273,6 +279,13 @@ class Files(Case):
                       ('convert', 'd.vtu', '-o', 'e.vtu')):
             self.refuse('would replace the input', *words, '--log', words[1])
         self.refuse('would replace the input', 'check', 'd.poly', 'd.vtu', '--log', 'd.vtu')
+
+    def test_a_manifest_needs_a_name_of_its_own(self):
+        shutil.copy(SAMPLES / 'tft.json', self.dir)
+        self.refuse('give both another one, or write a .vtm', 'mesh', 'tft.json', '-o', 'tft.vtu', '-o', 'tft.json')
+        self.run_cover('mesh', 'tft.json', '-o', 'tft.vtm', '-q')
+        self.run_cover('convert', 'tft.vtm', '-o', 'other.msh', '-q')
+        self.assertIn('"gate_contact"', (self.dir / 'other.msh').read_text())
 
     def test_a_mesh_may_be_replaced_by_its_conversion(self):
         self.run_cover('convert', 'd.vtu', '-o', 'd.vtu', '--order', 2)
@@ -778,6 +791,17 @@ class Documents(Case):
         self.assertEqual((done.returncode, done.stderr), (0, ''))
         self.assertIn('(.vtu, .vtp, .vtk), of which', ' '.join(done.stdout.split()))
 
+    def test_formats_are_completed(self):
+        formats = re.search(r'File to write, several if repeated: (.*?);', ' '.join(self.run_cover('mesh', '--help')[0].split()))
+        of_one_file = set(formats[1].split(', ')) - {'.vtm', '.ele'}
+        self.assertEqual({'.' + word for word in self.complete('mesh', '--format', "''")}, of_one_file)
+
+    def test_man_page_has_the_options_of_check(self):
+        page = (APP / 'cover.1').read_text()
+        check = page[page.index('.SH OPTIONS OF CHECK'):page.index('.SH OPTIONS OF RENDER')].replace('\\-', '-')
+        for option in ('--allow-split', '--no-bound', '--hull'):
+            self.assertIn(option, check)
+
     def complete(self, *words):
         script = (f'source {APP / "completion.bash"}; COMP_WORDS=({PROGRAM} {" ".join(words)}); '
                   f'COMP_CWORD={len(words)}; _cover; echo "${{COMPREPLY[*]}}"')
@@ -791,6 +815,7 @@ class Documents(Case):
         self.assertEqual(self.complete('mesh', '--method', '=', 'qu'), ['quality'])
         self.assertEqual(self.complete('mesh', '--msh', '='), ['2.2', '4.1'])
         self.assertEqual(self.complete('render', '--format', 'p'), ['png'])
+        self.assertIn('mat_id', self.complete('render', '--color', ''))
         options = self.complete('mesh', '--')
         self.assertEqual(len(options), len(set(options)))
 

@@ -100,6 +100,12 @@ class Schema(unittest.TestCase):
             self.assertEqual(answer, '')
             self.validator.validate(document)
 
+    def test_samples_are_valid(self):
+        samples = list((SCHEMA.parents[2] / 'samples/data').glob('*.json'))
+        self.assertGreater(len(samples), 0)
+        for sample in samples:
+            self.validator.validate(json.loads(sample.read_text()))
+
     def test_every_key_of_the_schema_is_tried(self):
         used = {step for document in GOOD for path in places(document) for step in path if isinstance(step, str)}
         known = set()

@@ -11,7 +11,7 @@ SEES['io'] = {'io', 'base', 'geom', 'cdt'}
 SEES['picture'] = SEES['io'] | {'picture'}
 SEES['vtk'] = SEES['picture'] | {'vtk'}
 SEES['gmsh'] = SEES['io'] | {'gmsh'}
-CGAL = {'geom', 'cdt', 'region'}  # and there in .cpp files only
+CGAL = {'geom', 'cdt'}  # and there in .cpp files only
 
 
 def faults(root, path, layer):

@@ -25,6 +25,8 @@
 //            histogram (all angles in 18 bins of 10 degrees), meshed_area
 //   BOX      obtuse_sides, non_delaunay_edges, negative_couplings, box_area
 //   NOTES    [ { "kind", "message", "where": [[x, y], ...] } ]
+//
+// Tested by tests/unit/io/write_report_json_test.cpp.
 #include <algorithm>
 #include <map>
 

@@ -1,3 +1,4 @@
+// Tested by tests/unit/mesh/verify_test.cpp.
 #include "mesh/verify_bound.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Tested by tests/unit/pipeline/cover_mesh_test.cpp.
 #include "pipeline/check_options.hpp"
 
 #include <cmath>
