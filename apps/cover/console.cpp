@@ -29,6 +29,8 @@ std::shared_ptr<spdlog::logger> make_logger(const Verbosity& verbosity) {
 
 int fail(spdlog::logger& log, const Error& error) {
   log.error("{}", error.message);
+  if (error.code == ErrorCode::changed_input)
+    log.error("--strict refuses every change; without it, 'cover info' and --report list them all");
   if (error.code == ErrorCode::internal) {
     log.error(
         "This is a defect of cover, not of your input. Please report it with the input file.");

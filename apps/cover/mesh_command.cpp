@@ -1,4 +1,5 @@
 // cover mesh: options, one call of cover_mesh, files, report.
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 
@@ -225,6 +226,13 @@ Result<Output> make_mesh(const MeshCommand& command, Input input, const Options&
   if (!onto) return std::move(onto).error();
   if (!onto->has_materials) onto->soup.material.clear();
   Result<Output> output = remesh(input, onto->soup, command.only, options, callbacks);
+  if (!output && output.error().code == ErrorCode::bad_option &&
+      std::any_of(command.only.begin(), command.only.end(),
+                  [](const std::string& name) { return name.find(',') != name.npos; })) {
+    Error error = std::move(output).error();
+    error.message += "; blanks separate the names of --only";
+    return error;
+  }
   if (output) {
     output->report.provenance.settings.push_back({"onto", command.onto});
   } else if (output.error().code == ErrorCode::other_mesh) {

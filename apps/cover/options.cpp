@@ -11,10 +11,13 @@
 #include <cover/read_size_field.hpp>
 
 #include "base/suggest.hpp"
+#include "pipeline/check_options.hpp"
 #include "region/weld.hpp"
 
 namespace cover::app {
 namespace {
+
+constexpr const char* kMeshing = "Meshing";
 
 /// Help of at most 100 columns.
 class NarrowHelp : public CLI::Formatter {
@@ -44,6 +47,19 @@ class NarrowHelp : public CLI::Formatter {
   static constexpr std::size_t kNames = 32;
   static constexpr std::size_t kDescription = 68;
 };
+
+/// number_in() for an option that also stands alone, and so takes the word behind it for its
+/// number.
+CLI::Validator optional_number_in(Range range) {
+  return {[is_in = number_in(range)](std::string& text) -> std::string {
+            const std::string fault = is_in(text);
+            double ignored = 0;
+            return fault.empty() || CLI::detail::lexical_cast(text, ignored)
+                       ? fault
+                       : fault + "; before a file, write it with '=' and a number";
+          },
+          ""};
+}
 
 /// The long names (`--fill`) of all options of a command.
 std::vector<std::string> option_names(const CLI::App& command) {
@@ -96,14 +112,13 @@ CLI::Validator one_of(std::vector<std::string> words) {
           ""};
 }
 
-CLI::Validator number_in(double low, double high) {
-  return {[low, high](std::string& text) -> std::string {
+CLI::Validator number_in(Range range) {
+  return {[range](std::string& text) -> std::string {
             double value = 0;
-            if (!CLI::detail::lexical_cast(text, value)) {
+            if (!CLI::detail::lexical_cast(text, value))
               return fmt::format("'{}' is not a number", text);
-            }
-            if (value >= low && value <= high) return {};
-            return fmt::format("{} is not between {} and {}", text, low, high);
+            if (range.holds(value)) return {};
+            return fmt::format("{} is not {}", text, describe(range));
           },
           ""};
 }
@@ -195,7 +210,25 @@ void LibraryOptions::add_cleaning(CLI::App& command) {
 }
 
 void LibraryOptions::add_meshing(CLI::App& command) {
-  const char* group = "Meshing";
+  add_method(command);
+  add_targets(command);
+  add_sizes(command);
+  command
+      .add_option("--require", require_,
+                  "Exit with 6 unless this holds: bound, max-angle, delaunay, non-obtuse")
+      ->check(one_of({"bound", "max-angle", "delaunay", "non-obtuse"}))
+      ->type_name("WHAT")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->group(kMeshing);
+  command.add_option("-j,--threads", options_.threads, "Threads; 0: all cores")
+      ->check(number_in({0, 4096}))
+      ->type_name("N")
+      ->capture_default_str()
+      ->group(kMeshing);
+}
+
+void LibraryOptions::add_method(CLI::App& command) {
   CLI::Option* method =
       command
           .add_option(
@@ -206,7 +239,7 @@ void LibraryOptions::add_meshing(CLI::App& command) {
           ->check(one_of({"quality", "almond", "nonobtuse"}))
           ->type_name("NAME")
           ->capture_default_str()
-          ->group(group);
+          ->group(kMeshing);
   CLI::Option* fill =
       command
           .add_option("--fill", fill_,
@@ -215,42 +248,57 @@ void LibraryOptions::add_meshing(CLI::App& command) {
           ->check(one_of({"refine", "disks"}))
           ->type_name("NAME")
           ->capture_default_str()
-          ->group(group);
+          ->group(kMeshing);
   CLI::Option* paper =
       command
           .add_flag("--paper", options_.paper,
                     "The publication as printed, for comparison: none of our improvements; implies "
                     "--method almond")
-          ->group(group);
+          ->group(kMeshing);
   command.parse_complete_callback([this, method, fill, paper] {
     if (method->empty() && (!fill->empty() || !paper->empty())) method_ = "almond";
   });
   command
       .add_option("--pieces", options_.pieces,
                   "With --paper: pieces of an arc are at most 1/N of it")
-      ->check(number_in(2, 1000))
+      ->check(number_in(ranges::kPieces))
       ->type_name("N")
       ->capture_default_str()
       ->needs(paper)
-      ->group(group);
+      ->group(kMeshing);
   command
       .add_flag("--hull", options_.hull,
                 "Mesh the convex hull; for input that need not enclose anything")
-      ->group(group);
+      ->group(kMeshing);
+}
+
+void LibraryOptions::add_targets(CLI::App& command) {
   command
       .add_option("--max-angle", max_angle_,
                   "Largest angle that --method quality aims at, and --require max-angle asks for")
-      ->check(number_in(60, 180))
+      ->check(number_in(ranges::kMaxAngle))
       ->type_name("DEG")
       ->capture_default_str()
-      ->group(group);
+      ->group(kMeshing);
   command
       .add_option("--min-angle", min_angle_,
                   "Smallest angle that --method quality aims at, where the largest allows it")
-      ->check(number_in(0, 60))
+      ->check(number_in(ranges::kMinAngle))
       ->type_name("DEG")
       ->capture_default_str()
-      ->group(group);
+      ->group(kMeshing);
+  command
+      .add_option("--split-interfaces", split_interfaces_,
+                  "Cut segments until none forces an angle above DEG (default: 90), and to the "
+                  "lengths that sizes ask for; both sides get the same points")
+      ->expected(0, 1)
+      ->check(optional_number_in(ranges::kSplitInterfaces))
+      ->default_str("90")
+      ->type_name("DEG")
+      ->group(kMeshing);
+}
+
+void LibraryOptions::add_sizes(CLI::App& command) {
   command
       .add_option("--size", sizes_,
                   "Edge length inside: everywhere (h), or in a region or material (NAME=h), by "
@@ -258,52 +306,31 @@ void LibraryOptions::add_meshing(CLI::App& command) {
                   "of the material, or region:ID")
       ->type_name("[NAME=]h")
       ->allow_extra_args(false)
-      ->group(group);
+      ->group(kMeshing);
   command
       .add_option("--size-at", sizes_at_,
                   "Edge length at an interface, a contact or a point (NAME=h)")
       ->type_name("NAME=h")
       ->allow_extra_args(false)
-      ->group(group);
+      ->group(kMeshing);
   command
       .add_option(
           "--size-field", size_field_,
           "Background edge lengths: point array (size, h or the only one) of a plane mesh in "
           ".vtu, .vtp or .vtk; linear between points")
       ->type_name("FILE")
-      ->group(group);
+      ->group(kMeshing);
   command
       .add_flag("--no-input-sizes", no_input_sizes_,
                 "Leave out the sizes that regions have in the input (.poly: largest areas)")
-      ->group(group);
+      ->group(kMeshing);
   command
       .add_option("--growth", options_.growth,
                   "Ratio of neighbouring edges where sizes differ; above 1")
-      ->check(number_in(1.0001, 100))
+      ->check(number_in(ranges::kGrowth))
       ->type_name("G")
       ->capture_default_str()
-      ->group(group);
-  command
-      .add_option("--split-interfaces", split_interfaces_,
-                  "Cut segments until none forces an angle above DEG (default: 90), and to the "
-                  "lengths that sizes ask for; both sides get the same points")
-      ->expected(0, 1)
-      ->default_str("90")
-      ->type_name("DEG")
-      ->group(group);
-  command
-      .add_option("--require", require_,
-                  "Exit with 6 unless this holds: bound, max-angle, delaunay, non-obtuse")
-      ->check(one_of({"bound", "max-angle", "delaunay", "non-obtuse"}))
-      ->type_name("WHAT")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->group(group);
-  command.add_option("-j,--threads", options_.threads, "Threads; 0: all cores")
-      ->check(number_in(0, 4096))
-      ->type_name("N")
-      ->capture_default_str()
-      ->group(group);
+      ->group(kMeshing);
 }
 
 namespace {
@@ -315,7 +342,8 @@ std::optional<SizeRule> size_rule(const std::string& text, bool at) {
   rule.at = at;
   if (equals != std::string::npos) rule.name = text.substr(0, equals);
   const std::string number = equals == std::string::npos ? text : text.substr(equals + 1);
-  if (!CLI::detail::lexical_cast(number, rule.size) || !(rule.size > 0)) return std::nullopt;
+  if (!CLI::detail::lexical_cast(number, rule.size) || !ranges::kSize.holds(rule.size))
+    return std::nullopt;
   if (at && rule.name.empty()) return std::nullopt;
   return rule;
 }
@@ -337,9 +365,10 @@ Result<Options> LibraryOptions::make() const {
     options.weld = kAutoWeld;
   } else if (!weld_.empty()) {
     double tolerance = 0;
-    if (!CLI::detail::lexical_cast(weld_, tolerance) || !(tolerance >= 0 && tolerance < 1)) {
+    if (!CLI::detail::lexical_cast(weld_, tolerance) || !ranges::kWeld.holds(tolerance)) {
       return Error{ErrorCode::bad_option,
-                   fmt::format("--weld: '{}' is not auto, off or a number in [0, 1)", weld_),
+                   fmt::format("--weld: '{}' is not auto, off or a number, {}", weld_,
+                               describe(ranges::kWeld)),
                    {},
                    {}};
     }

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cover/option_ranges.hpp>
 #include <cover/options.hpp>
 #include <cover/result.hpp>
 
@@ -18,8 +19,8 @@ namespace cover::app {
 
 /// An argument that is one of a few words; a near miss is told the word meant.
 CLI::Validator one_of(std::vector<std::string> words);
-/// An argument in [low, high].
-CLI::Validator number_in(double low, double high);
+/// An argument in a range.
+CLI::Validator number_in(Range range);
 
 /// -q, -v, --log.
 void add_verbosity(CLI::App& command, Verbosity& verbosity);
@@ -62,6 +63,10 @@ class LibraryOptions {
   [[nodiscard]] NamedFile size_field_file() const { return {"--size-field", size_field_}; }
 
  private:
+  void add_method(CLI::App& command);
+  void add_targets(CLI::App& command);
+  void add_sizes(CLI::App& command);
+
   Options options_;
   std::string method_ = options_.method == Method::quality ? "quality" : "almond";
   std::string fill_ = "refine";

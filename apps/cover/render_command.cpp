@@ -1,4 +1,5 @@
 // cover render: a picture of a mesh, without a display.
+#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -7,6 +8,7 @@
 #include <cover/picture.hpp>
 #include <cover/read_mesh.hpp>
 
+#include "base/describe.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "options.hpp"
@@ -29,6 +31,20 @@ Result<PictureMesh> read_picture(const std::string& path) {
   if (picture.mesh.soup.points != mesh->soup.points) picture = {};
   picture.mesh = *std::move(mesh);
   return picture;
+}
+
+/// Warns of a window that shows nothing of the mesh.
+void check_window(const PictureOptions& options, const std::vector<Point>& points,
+                  spdlog::logger& log) {
+  if (!options.window || points.empty()) return;
+  const auto [left, right] =
+      std::minmax_element(points.begin(), points.end(), [](Point a, Point b) { return a.x < b.x; });
+  const auto [low, high] =
+      std::minmax_element(points.begin(), points.end(), [](Point a, Point b) { return a.y < b.y; });
+  const auto& [from, to] = *options.window;
+  if (from.x <= right->x && to.x >= left->x && from.y <= high->y && to.y >= low->y) return;
+  log.warn("the window shows nothing: the mesh lies between {} and {}",
+           describe(Point{left->x, low->y}), describe(Point{right->x, high->y}));
 }
 
 std::string extension_of(const std::string& output, const std::string& format) {
@@ -75,11 +91,11 @@ int run_render(Arguments arguments) {
       ->delimiter(',')
       ->expected(4);
   app.add_option("--width", options.width, "Width in pixels")
-      ->check(number_in(200, 20000))
+      ->check(number_in({200, 20000}))
       ->type_name("N")
       ->capture_default_str();
   app.add_option("--worst", options.worst, "Mark so many of the largest angles")
-      ->check(number_in(0, 100))
+      ->check(number_in({0, 100}))
       ->type_name("N")
       ->capture_default_str();
   app.add_flag("--no-edges", no_edges, "Leave out the edges inside regions");
@@ -105,6 +121,7 @@ int run_render(Arguments arguments) {
   const auto log = make_logger(verbosity);
   const Result<PictureMesh> picture = read_picture(path);
   if (!picture) return fail(*log, picture.error());
+  check_window(options, picture->mesh.soup.points, *log);
   if (options.title.empty()) {
     options.title = fmt::format("{}: {} triangles", std::filesystem::path(path).filename().string(),
                                 grouped(picture->mesh.soup.triangles.size()));

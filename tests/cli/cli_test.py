@@ -69,7 +69,19 @@ class Usage(Case):
         self.assertIn("'disk' is not one of refine, disks; did you mean 'disks'?", error)
 
     def test_number_out_of_range(self):
-        self.assertIn('is not between', self.run_cover('mesh', 'a.poly', '--max-angle', '20', code=2)[1])
+        for option, bad, message in (('max-angle', (20, 60, 180, 'nan'), 'above 60 and below 180'),
+                                     ('min-angle', (-1, 60), 'at least 0 and below 60'),
+                                     ('split-interfaces', (59, 180), 'at least 60 and below 180'),
+                                     ('growth', (1, 'inf'), 'above 1')):
+            for value in bad:
+                err = self.run_cover('mesh', 'a.poly', '-o', 'a.vtu', f'--{option}={value}', code=2)[1]
+                self.assertIn(f'--{option}: {value} is not {message}\n', err)
+        self.assertIn('none.poly', self.run_cover('mesh', 'none.poly', '-o', 'a.vtu', '--split-interfaces=60', '--min-angle=0',
+                                                  '--growth=200', '--max-angle=60.01', code=5)[1])
+
+    def test_an_option_that_takes_the_input_for_its_number(self):
+        err = self.run_cover('mesh', '--split-interfaces', 'a.poly', '-o', 'a.vtu', code=2)[1]
+        self.assertIn("--split-interfaces: 'a.poly' is not a number; before a file, write it with '='", err)
 
     def test_nothing_to_do(self):
         self.assertIn('no input file', self.run_cover('mesh', '-o', 'a.vtu', code=2)[1])
@@ -374,6 +386,10 @@ class Sizes(Case):
         _, err = self.run_cover('mesh', 'c.json', '-o', 'd.vtu', '--size-at', 'anod=0.1', code=2)
         self.assertIn("did you mean 'anode'?", err)
 
+    def test_a_contact_is_no_region(self):
+        _, err = self.run_cover('mesh', SAMPLES / 'tft.json', '-o', 'd.vtu', '--size', 'gate_contact=2', code=2)
+        self.assertIn('an interface or contact has it: ask for a size at that (--size-at)', err)
+
     def test_says_what_stays_larger(self):
         self.write('s.poly', SQUARE)
         _, err = self.run_cover('mesh', 's.poly', '-o', 'd.vtu', '--size', 0.1)
@@ -475,6 +491,10 @@ class Remesh(Case):
         self.assertIn('cuts segments', err)
         self.assertNotIn('n.vtu', self.files())
 
+    def test_names_stand_apart(self):
+        _, err = self.again('--only', '2,4', '--onto', 'm.vtu', '-o', 'n.vtu', code=2)
+        self.assertIn('; blanks separate the names of --only', err)
+
     def test_both_or_none(self):
         self.assertIn('--onto', self.again('--only', '2', '-o', 'n.vtu', code=2)[1])
         self.assertIn('--only', self.again('--onto', 'm.vtu', '-o', 'n.vtu', code=2)[1])
@@ -552,6 +572,10 @@ class BadInput(Case):
     def test_missing_file(self):
         _, err = self.run_cover('mesh', 'none.poly', '-o', 'a.vtu', code=5)
         self.assertIn('none.poly', err)
+
+    def test_strict_says_its_name(self):
+        _, err = self.run_cover('mesh', SAMPLES / 'tft.json', '-o', 'd.vtu', '--strict', code=3)
+        self.assertIn('--strict refuses every change', err)
 
     def test_truncated(self):
         self.refuse(SQUARE[:30], 5, 'bad.poly')
@@ -673,6 +697,11 @@ class Render(Case):
         done = subprocess.run([PROGRAM, 'render', 'd.vtu', '-o', '-', '--format', 'png'], cwd=self.dir, timeout=60,
                               stdout=subprocess.PIPE)
         self.assertEqual((done.returncode, done.stdout[1:4]), (0, b'PNG'))
+
+    def test_empty_window(self):
+        _, err = self.run_cover('render', 'd.vtu', '-o', 'd.svg', '--window=1000,1000,1001,1001')
+        self.assertIn('the window shows nothing: the mesh lies between (', err)
+        self.assertEqual(self.run_cover('render', 'd.vtu', '-o', 'd.svg', '--window=-1,-1,1,1')[1], '')
 
     def test_unknown_array(self):
         _, err = self.run_cover('render', 'd.vtu', '-o', 'd.png', '--color', 'stress', code=2)

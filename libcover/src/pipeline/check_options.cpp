@@ -1,59 +1,57 @@
 // Tested by tests/unit/pipeline/cover_mesh_test.cpp.
 #include "pipeline/check_options.hpp"
 
-#include <cmath>
-
 #include <fmt/format.h>
 
 namespace cover {
 namespace {
 
-constexpr Angle kSixty = Angle::degrees(60);
-constexpr Angle kStraight = Angle::degrees(180);
-
 Error bad_option(std::string message) {
   return {ErrorCode::bad_option, std::move(message), {}, {}};
 }
 
+Status check(const char* name, double value, const Range& range) {
+  if (range.holds(value)) return ok();
+  return bad_option(fmt::format("{} is {}, but must be {}", name, value, describe(range)));
+}
+
+/// `range` is in degrees.
+Status check(const char* name, Angle value, const Range& range) {
+  // In radians, where an angle made of the limit itself is the limit.
+  const Range radians{Angle::degrees(range.low).in_radians(),
+                      Angle::degrees(range.high).in_radians(), range.has_low, range.has_high};
+  if (radians.holds(value.in_radians())) return ok();
+  return bad_option(fmt::format("{} is {:.12g} degrees, but must be {}", name, value.in_degrees(),
+                                describe(range)));
+}
+
 }  // namespace
 
-// The conditions are written so that a NaN fails them.
+std::string describe(const Range& range) {
+  std::string text = fmt::format("{} {}", range.has_low ? "at least" : "above", range.low);
+  if (range.high < ranges::kNoLimit)
+    text += fmt::format(" and {} {}", range.has_high ? "at most" : "below", range.high);
+  return text;
+}
+
 Status check_options(const Options& options) {
-  if (options.pieces < 2) {
-    return bad_option(fmt::format("pieces is {}, but must be at least 2", options.pieces));
-  }
   if (options.paper && options.method != Method::almond) {
     return bad_option("the publication describes the almond method: paper needs method almond");
   }
-  const Angle max = options.max_angle, min = options.min_angle;
-  if (!(max > kSixty && max < kStraight)) {
-    return bad_option(
-        fmt::format("max_angle is {} degrees, but must lie between 60 and 180", max.in_degrees()));
-  }
-  if (!(min >= Angle() && min < kSixty)) {
-    return bad_option(fmt::format("min_angle is {} degrees, but must be at least 0 and below 60",
-                                  min.in_degrees()));
-  }
-  if (!(options.growth > 1 && std::isfinite(options.growth))) {
-    return bad_option(fmt::format("growth is {}, but must be above 1", options.growth));
-  }
-  if (options.weld && !(*options.weld >= 0 && *options.weld < 1)) {
-    return bad_option(
-        fmt::format("weld is {}, but must be at least 0 and below 1 (relative)", *options.weld));
-  }
-  if (options.split_interfaces) {
-    const Angle split = *options.split_interfaces;
-    if (!(split >= kSixty && split < kStraight)) {
-      return bad_option(
-          fmt::format("split_interfaces is {} degrees, but must be at least 60 and below 180",
-                      split.in_degrees()));
-    }
+  for (const Status& status :
+       {check("pieces", options.pieces, ranges::kPieces),
+        check("max_angle", options.max_angle, ranges::kMaxAngle),
+        check("min_angle", options.min_angle, ranges::kMinAngle),
+        check("growth", options.growth, ranges::kGrowth),
+        options.weld ? check("weld", *options.weld, ranges::kWeld) : ok(),
+        options.split_interfaces
+            ? check("split_interfaces", *options.split_interfaces, ranges::kSplitInterfaces)
+            : ok()}) {
+    if (!status) return status;
   }
   for (const SizeRule& rule : options.sizes) {
-    if (!(rule.size > 0 && std::isfinite(rule.size))) {
-      return bad_option(fmt::format("the size for '{}' is {}, but must be a positive length",
-                                    rule.name, rule.size));
-    }
+    const std::string name = fmt::format("the size for '{}'", rule.name);
+    if (Status status = check(name.c_str(), rule.size, ranges::kSize); !status) return status;
   }
   return ok();
 }

@@ -51,9 +51,14 @@ bool at_points(const SizeRule& rule, const Pslg& pslg, const RegionTable& table,
 }
 
 Error unknown_name(const SizeRule& rule, const RegionTable& table) {
-  if (!rule.at) return no_such_region(table, "size for", rule.name);
   std::vector<std::string> names;
   for (const Interface& line : table.interfaces) names.push_back(line.name);
+  if (!rule.at) {
+    Error error = no_such_region(table, "size for", rule.name);
+    if (std::find(names.begin(), names.end(), rule.name) != names.end())
+      error.message += "; an interface or contact has it: ask for a size at that (--size-at)";
+    return error;
+  }
   const auto meant = closest(rule.name, names);
   return {ErrorCode::bad_option,
           fmt::format("size for '{}': there is no interface, contact or point of that name{}",

@@ -187,6 +187,17 @@ TEST(CoverMesh, RefusesOptionsOutOfRange) {
   EXPECT_EQ(code([](Options& o) { o.split_interfaces = Angle::degrees(30); }),
             ErrorCode::bad_option);
   EXPECT_EQ(code([](Options& o) { o.sizes = {{"Si", 0, false}}; }), ErrorCode::bad_option);
+  EXPECT_EQ(code([](Options& o) { o.pieces = 1001; }), ErrorCode::bad_option);
+  // The limits themselves, where they are legal.
+  Options limits;
+  limits.min_angle = Angle::degrees(0);
+  limits.split_interfaces = Angle::degrees(60);
+  limits.weld = 0;
+  EXPECT_TRUE(cover_mesh(input, limits));
+  Options sixty;
+  sixty.max_angle = Angle::degrees(60);
+  EXPECT_EQ(cover_mesh(input, sixty).error().message,
+            "max_angle is 60 degrees, but must be above 60 and below 180");
 }
 
 TEST(CoverMesh, BadInputIsAnError) {
