@@ -192,6 +192,25 @@ Input pencil_of_triangles(Dice& dice) {
   return input;
 }
 
+/// Segments and points on a lattice of a few units in the last place.
+Input lattice_of_doubles(Dice& dice) {
+  Input input;
+  const int size = dice.whole(2, 40);
+  const double unit = std::ldexp(1, -52 + dice.whole(0, 3));
+  const Point centre{dice.whole(0, 1) == 0 ? 1 : dice.real(0.5, 2), dice.real(0.01, 8)};
+  const auto point = [&] {
+    const double step = dice.whole(0, 3) == 0 ? 1000 * unit : unit;
+    return Point{centre.x + step * dice.whole(-size, size),
+                 centre.y + step * dice.whole(-size, size)};
+  };
+  for (int k = dice.whole(3, 60); k > 0; --k) {
+    const Point a = point();
+    add_segment(input, a, point());
+  }
+  for (int k = dice.whole(0, 9); k > 0; --k) input.points.push_back(point());
+  return input;
+}
+
 /// Star polygons, bow ties, rings run round twice and spikes.
 Input twisted_rings(Dice& dice) {
   Input input;
@@ -268,7 +287,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, RandomSoup,
                          ::testing::Values(&crossing_segments, &grid_segments, &grid_rectangles,
                                            &near_rectangles, &wild_rings, &collinear_segments,
                                            &near_segments, &pencil, &twisted_rings, &mixture,
-                                           &vast_range, &pencil_of_triangles));
+                                           &vast_range, &pencil_of_triangles, &lattice_of_doubles));
 
 TEST(Soup, ThousandsOfSegmentsThroughOnePoint) {
   Input input;
