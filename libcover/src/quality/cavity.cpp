@@ -144,22 +144,26 @@ bool relocate(MutableMesh& mesh, const Cavity& cavity, Point p) {
 
 bool install_patch(MutableMesh& mesh, const Cavity& cavity, const Patch& patch,
                    Installed& installed) {
+  const auto point = [&](int corner) {
+    return corner < cavity.size() ? mesh.points[cavity.vertex(corner)] : *patch.inserted;
+  };
   for (int k = 0; k < patch.count(); ++k) {
     const auto& [a, b, c] = patch.corners(k);
-    if (orientation(mesh.points[cavity.vertex(a)], mesh.points[cavity.vertex(b)],
-                    mesh.points[cavity.vertex(c)]) != Sign::positive) {
-      return false;
-    }
+    if (orientation(point(a), point(b), point(c)) != Sign::positive) return false;
   }
   for (int k = 0; k < cavity.swallowed_count(); ++k) mesh.drop_vertex(cavity.swallowed(k));
+  const std::uint32_t apex = patch.inserted ? mesh.add_vertex(*patch.inserted) : kNone;
+  const auto vertex = [&](int corner) {
+    return corner < cavity.size() ? cavity.vertex(corner) : apex;
+  };
   reuse_places(mesh, cavity, patch.count(), installed);
   for (int k = 0; k < patch.count(); ++k) {
     MeshTriangle& t = mesh.triangles[installed.triangles[at(k)]];
     for (std::size_t i = 0; i < 3; ++i) {
       const int from = patch.corners(k)[(i + 1) % 3], to = patch.corners(k)[(i + 2) % 3];
-      t.v[i] = cavity.vertex(patch.corners(k)[i]);
+      t.v[i] = vertex(patch.corners(k)[i]);
       mesh.home[t.v[i]] = installed.triangles[at(k)];
-      if (to == cavity.next(from)) {  // on the loop
+      if (from < cavity.size() && to == cavity.next(from)) {  // on the loop
         t.n[i] = cavity.outer(from);
         mesh.link(t.n[i], cavity.vertex(from), cavity.vertex(to), installed.triangles[at(k)]);
         continue;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "quality/mutable_mesh.hpp"
 
@@ -61,24 +62,30 @@ class Cavity {
   double worst_ = -kInverted;
 };
 
-/// Triangles that are to replace those of a cavity; corners are indices into the loop.
+/// Triangles that are to replace those of a cavity; corners are indices into the loop, or its size
+/// for a new vertex.
 class Patch {
  public:
   using Corner = std::array<int, 3>;
 
-  void clear() { count_ = 0; }
+  std::optional<Point> inserted;  ///< the new vertex
+
+  void clear() {
+    count_ = 0;
+    inserted.reset();
+  }
   void add(int a, int b, int c) { corners_[static_cast<std::size_t>(count_++)] = {a, b, c}; }
   [[nodiscard]] int count() const { return count_; }
   [[nodiscard]] const Corner& corners(int k) const { return corners_[static_cast<std::size_t>(k)]; }
 
  private:
-  std::array<Corner, Cavity::kCapacity> corners_;
+  std::array<Corner, 2 * Cavity::kCapacity> corners_;
   int count_ = 0;
 };
 
 /// The new triangles, for whoever has to look at them.
 struct Installed {
-  std::array<std::uint32_t, Cavity::kCapacity> triangles;
+  std::array<std::uint32_t, 2 * Cavity::kCapacity> triangles;
   int count = 0;
 };
 
@@ -93,7 +100,7 @@ bool install_star(MutableMesh& mesh, const Cavity& cavity, Point p, Installed& i
 /// ENSURES: as install_star; the triangles and the loop remain those of the cavity
 bool relocate(MutableMesh& mesh, const Cavity& cavity, Point p);
 
-/// Replaces the triangles of `cavity` by those of `patch`, whose corners are the loop's.
+/// Replaces the triangles of `cavity` by those of `patch`.
 ///
 /// ENSURES: as install_star
 bool install_patch(MutableMesh& mesh, const Cavity& cavity, const Patch& patch,

@@ -14,7 +14,7 @@ namespace {
 using Numbers = std::unordered_map<std::uint32_t, std::uint32_t>;  ///< from the whole to the part
 
 /// A limit that allows nothing.
-constexpr SideLimit kBorder{std::numeric_limits<double>::infinity(), 0, 0};
+constexpr SideLimit kBorder{std::numeric_limits<double>::infinity(), 0, 0, {}};
 
 }  // namespace
 

@@ -35,6 +35,7 @@ struct Goal {
 
   /// REQUIRES: max in (60, 180) degrees, min in [0, 60)
   static Goal of(Angle max, Angle min);
+  bool operator==(const Goal&) const = default;
 };
 
 /// Excess of a triangle without area, or clockwise.

@@ -7,12 +7,18 @@
 #include "quality/placement.hpp"
 
 namespace cover {
+namespace {
+
+constexpr std::size_t kMostSides = 64;  ///< where small angles count
+
+}  // namespace
 
 std::optional<Triangulation> hub_triangulation(const MutableMesh& mesh,
                                                const RegionBoundary& boundary,
                                                std::uint64_t& evaluations) {
   const std::size_t n = boundary.sides.size();
-  if (n < 4 || n != boundary.points.size()) return std::nullopt;  // isolated points, or pinched
+  if (n < 4 || n != boundary.points.size()) return std::nullopt;      // isolated points, or pinched
+  if (n > kMostSides && mesh.goal().weight > 0) return std::nullopt;  // small angles at the hub
   std::vector<Hole::Edge> edges;
   edges.reserve(n);
   for (std::size_t s = 0; s < n; ++s) {

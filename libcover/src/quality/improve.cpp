@@ -1,7 +1,7 @@
 // See improve.hpp. Tested by tests/unit/quality/improve_test.cpp.
 #include "quality/improve.hpp"
 
-#include <cmath>
+#include <vector>
 
 #include "geom/predicates.hpp"
 #include "quality/cavity.hpp"
@@ -13,8 +13,6 @@ namespace {
 
 constexpr double kLeastGain = 0.01;  ///< of the excess: what a step must win to be worth its time
 constexpr int kLargestCavity = 10;   ///< triangles
-constexpr double kHopeful =
-    1.5;  ///< search further where the first try is at most this times the limit
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -23,8 +21,7 @@ double improvement_of(double worst) { return (1 - kLeastGain) * worst; }
 
 class Improver {
  public:
-  Improver(MutableMesh& mesh, std::uint64_t budget, std::vector<std::uint8_t> zone)
-      : mesh_(mesh), budget_(budget), zone_(std::move(zone)), cavity_(mesh) {}
+  Improver(MutableMesh& mesh, std::uint64_t budget) : mesh_(mesh), budget_(budget), cavity_(mesh) {}
 
   ImproveResult run() {
     queued_.assign(mesh_.triangles.size(), 0);
@@ -45,14 +42,9 @@ class Improver {
  private:
   void enqueue(std::uint32_t t) {
     if (queued_.size() <= t) queued_.resize(mesh_.triangles.size(), 0);
-    if (!(mesh_.excess[t] > 0) || queued_[t] != 0 || !in_zone(t)) return;
+    if (!(mesh_.excess[t] > 0) || queued_[t] != 0) return;
     queued_[t] = 1;
     queue_.push_back(t);
-  }
-
-  [[nodiscard]] bool in_zone(std::uint32_t t) const {
-    const auto& v = mesh_.triangles[t].v;
-    return zone_.empty() || (zone_[v[0]] | zone_[v[1]] | zone_[v[2]]) != 0;
   }
 
   /// Queues a changed triangle and those beside it.
@@ -92,8 +84,8 @@ class Improver {
     for (const std::uint32_t v : corners) {
       if (mesh_.is_fixed(v) || !cavity_.start_star(v)) continue;
       const double limit = improvement_of(cavity_.worst());
-      const Placement placement = place(Hole(mesh_, cavity_), mesh_.points[v],
-                                        kHopeful * cavity_.worst(), result_.evaluations);
+      const Placement placement =
+          place(Hole(mesh_, cavity_), mesh_.points[v], limit, result_.evaluations);
       if (placement.worst < limit && relocate(mesh_, cavity_, placement.at)) {
         ++result_.moves;
         for (int k = 0; k < cavity_.size(); ++k) {
@@ -133,10 +125,15 @@ class Improver {
       Point p = i < 0 ? Hole(mesh_, cavity_).centre() : midpoint_of_loop_edge(t, i);
       for (;;) {
         const Hole hole(mesh_, cavity_);
-        const Placement placement = place(hole, p, 0, result_.evaluations);
-        if (!(placement.worst < kInverted)) break;
-        p = placement.at;
-        const double gain = improvement_of(cavity_.worst()) - placement.worst;
+        const double limit = improvement_of(cavity_.worst());
+        Placement placement{p, kInverted};
+        ++result_.evaluations;
+        if (has_room(mesh_, cavity_, limit)) {
+          placement = place(hole, p, 0, result_.evaluations);
+          if (!(placement.worst < kInverted)) break;
+          p = placement.at;
+        }
+        const double gain = limit - placement.worst;
         if (gain > best_gain || (best_gain == 0 && placement.worst < best.worst)) {
           best_cavity = cavity_;
           best = placement;
@@ -149,7 +146,7 @@ class Improver {
     }
     if (!(best.worst < kInverted)) return false;
     if (best.worst > 0) {
-      best = place(Hole(mesh_, best_cavity), best.at, kHopeful * best_cavity.worst(),
+      best = place(Hole(mesh_, best_cavity), best.at, improvement_of(best_cavity.worst()),
                    result_.evaluations);
     }
     if (!(best.worst < improvement_of(best_cavity.worst()))) return false;
@@ -179,13 +176,11 @@ class Improver {
   }
 
   void finish() {
-    if (!zone_.empty()) zone_.resize(mesh_.points.size(), 1);
     for (int k = 0; k < installed_.count; ++k) changed(installed_.triangles[at(k)]);
   }
 
   MutableMesh& mesh_;
   std::uint64_t budget_;
-  std::vector<std::uint8_t> zone_;
   ImproveResult result_;
   Cavity cavity_;
   Installed installed_;
@@ -195,8 +190,8 @@ class Improver {
 
 }  // namespace
 
-ImproveResult improve(MutableMesh& mesh, std::uint64_t budget, std::vector<std::uint8_t> zone) {
-  return Improver(mesh, budget, std::move(zone)).run();
+ImproveResult improve(MutableMesh& mesh, std::uint64_t budget) {
+  return Improver(mesh, budget).run();
 }
 
 }  // namespace cover

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "quality/mutable_mesh.hpp"
 
@@ -23,8 +22,7 @@ struct ImproveResult {
 ///
 /// Every step lowers the largest excess of the triangles that it touches, or lowers their number
 /// and keeps it: monotone. A triangle for which nothing helped is forgotten until a triangle
-/// beside it changes. With a `zone`, a flag per vertex, only triangles with a vertex in it are
-/// worked on; new vertices are in it. Cost: at most `budget` star evaluations, each O(1).
-ImproveResult improve(MutableMesh& mesh, std::uint64_t budget, std::vector<std::uint8_t> zone = {});
+/// beside it changes. Cost: at most `budget` star evaluations, each O(1).
+ImproveResult improve(MutableMesh& mesh, std::uint64_t budget);
 
 }  // namespace cover

@@ -15,9 +15,9 @@ namespace {
 constexpr std::size_t kTriangles = 64;  ///< around the one that is kicked, that may change
 constexpr double kStricter = 0.1;  ///< the goal that is tried first, in cotangents: 6 degrees less
 constexpr std::uint64_t kCopied = 8;  ///< triangles copied in the time of one star evaluation
-constexpr int kKinds = 10;  ///< 1 centre, 3 edges to insert on, 3 to flip, 3 corners to remove
 
-/// Changes `mesh` around triangle `t`, for better or worse. False if that kind does not apply.
+}  // namespace
+
 bool kick(MutableMesh& mesh, std::uint32_t t, int kind) {
   Cavity cavity(mesh);
   Installed installed;
@@ -43,8 +43,6 @@ bool kick(MutableMesh& mesh, std::uint32_t t, int kind) {
          min_max_polygon(mesh, cavity, kInverted, patch) < kInverted &&
          install_patch(mesh, cavity, patch, installed);
 }
-
-}  // namespace
 
 void improve_with_slack(MutableMesh& mesh, Budget& budget) {
   const Goal aim = mesh.goal();

@@ -7,6 +7,12 @@
 
 namespace cover {
 
+/// Kinds of kicks: a vertex in the middle, on one of three edges, three flips, three removals.
+inline constexpr int kKinds = 10;
+
+/// Changes `mesh` around triangle `t`, for better or worse. False if that kind does not apply.
+bool kick(MutableMesh& mesh, std::uint32_t t, int kind);
+
 /// Improves for a stricter goal first, then for the one set: what ends just short of a goal can be
 /// led past it, as where right angles at a side would have to be met exactly.
 void improve_with_slack(MutableMesh& mesh, Budget& budget);

@@ -9,18 +9,33 @@ namespace {
 /// Cotangents closer than this, relative to 1 or to their size, are equal: rounding.
 constexpr double kSame = 1e-9;
 
-bool less(double a, double b) { return a < b - kSame * std::max(1.0, std::abs(b)); }
+constexpr double kNear = 0.05;  ///< 3 degrees
+
+/// Both miss the target by little.
+bool are_near(const Merit& a, const Merit& b) {
+  return std::min(a.large, b.large) > a.target + kSame &&
+         std::max(a.large, b.large) <= a.target + kNear;
+}
+
+/// Largest angles from 120 to 130 degrees, and from there to 140, are alike.
+bool are_alike(double a, double b) {
+  constexpr double k130 = 0.8390996311772800, k140 = 1.1917535925942100;  // -cot
+  if (std::min(a, b) <= kFarAbove || std::max(a, b) > k140) return false;
+  return (a <= k130) == (b <= k130);
+}
 
 }  // namespace
 
 Merit merit_of(const MutableMesh& mesh, const Goal& goal) {
-  Merit merit{goal.large, 0, goal.small, mesh.triangle_count(), true};
-  for (const SideLimit& side : mesh.sides) merit.large = std::max(merit.large, -side.apex_cot);
+  Merit merit{goal.large, goal.large, 0, 0, goal.small, mesh.triangle_count(), true};
+  for (const SideLimit& side : mesh.sides) merit.target = std::max(merit.target, -side.apex_cot);
+  merit.large = merit.target;
+  const bool is_measured = mesh.goal() == goal;  // what has no excess meets the goal
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (mesh.is_hole(t)) continue;
+    if (mesh.is_hole(t) || (is_measured && mesh.excess[t] <= 0)) continue;
     const MeshTriangle& triangle = mesh.triangles[t];
     const Corners k(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
-    bool large = false, small = false;
+    bool large = false, small = false, far = false;
     double allowed = 0;
     for (const std::uint32_t n : triangle.n) {
       if (is_side(n)) allowed = std::max(allowed, mesh.allowances[side_index(n)].small);
@@ -30,6 +45,8 @@ Merit merit_of(const MutableMesh& mesh, const Goal& goal) {
       merit.large = std::max(merit.large, -cot);
       const Allowance* side = mesh.allowance(triangle.n[i]);
       large = large || -cot > goal.large + (side != nullptr ? side->large : 0) + kSame;
+      far = far ||
+            -cot > std::max(kFarAbove, goal.large + (side != nullptr ? side->large : 0)) + kSame;
       const bool of_the_input =
           is_side(triangle.n[(i + 1) % 3]) && is_side(triangle.n[(i + 2) % 3]);
       if (of_the_input || goal.weight == 0) continue;
@@ -37,6 +54,7 @@ Merit merit_of(const MutableMesh& mesh, const Goal& goal) {
       small = small || cot - allowed > goal.small * (1 + kSame);
     }
     merit.above += large ? 1 : 0;
+    merit.far_above += far ? 1 : 0;
     merit.complete = merit.complete && !large && !small;
   }
   return merit;
@@ -53,10 +71,19 @@ bool is_above(const MutableMesh& mesh, std::uint32_t t, const Goal& goal) {
   return false;
 }
 
+bool is_smaller_cot(double a, double b) { return a < b - kSame * std::max(1.0, std::abs(b)); }
+
 bool is_better(const Merit& a, const Merit& b) {
-  if (less(a.large, b.large) || less(b.large, a.large)) return a.large < b.large;
+  const bool is_same = !is_smaller_cot(a.large, b.large) && !is_smaller_cot(b.large, a.large);
+  const bool is_near = are_near(a, b);
+  if (!is_same && !is_near && !are_alike(a.large, b.large)) return a.large < b.large;
+  if (a.far_above != b.far_above) return a.far_above < b.far_above;
+  if (is_near && a.above != b.above) return a.above < b.above;
+  if (!is_same) return a.large < b.large;
   if (a.above != b.above) return a.above < b.above;
-  if (less(a.small, b.small) || less(b.small, a.small)) return a.small < b.small;
+  if (is_smaller_cot(a.small, b.small) || is_smaller_cot(b.small, a.small)) {
+    return a.small < b.small;
+  }
   return a.triangles < b.triangles;
 }
 

@@ -8,11 +8,16 @@
 
 namespace cover {
 
+/// -cot of 120 degrees: beyond that, triangles count apart.
+inline constexpr double kFarAbove = 0.5773502691896258;
+
 /// What a triangulation has reached, in the order of merit; all in cotangents, smaller is better.
 struct Merit {
-  double large = 0;       ///< -cot of the largest angle, no lower than the region's target
-  std::size_t above = 0;  ///< triangles with a larger angle than the goal and their sides allow
-  double small = 0;       ///< cot of the smallest angle, no lower than the goal
+  double target = 0;          ///< -cot of the region's own target: the goal's, or what is forced
+  double large = 0;           ///< -cot of the largest angle, no lower than that
+  std::size_t above = 0;      ///< triangles with a larger angle than the goal and their sides allow
+  std::size_t far_above = 0;  ///< those of them above 120 degrees
+  double small = 0;           ///< cot of the smallest angle, no lower than the goal
   std::size_t triangles = 0;
 
   /// Whether both targets are met by every triangle.
@@ -25,8 +30,16 @@ Merit merit_of(const MutableMesh& mesh, const Goal& goal);
 /// Whether triangle `t` has a larger angle than the goal and its sides allow.
 bool is_above(const MutableMesh& mesh, std::uint32_t t, const Goal& goal);
 
-/// Whether `a` is better: smaller largest angle, then fewer triangles above the goal, then larger
-/// smallest angle, then fewer triangles.
+/// Whether `a` is smaller than `b`, by more than rounding.
+bool is_smaller_cot(double a, double b);
+
+/// Whether `a` is better: smaller largest angle, then fewer triangles above 120 degrees, then fewer
+/// above the goal, then larger smallest angle, then fewer triangles. Largest angles that miss the
+/// target by 3 degrees at most are alike as long as the triangles above it decide, and so are those
+/// from 120 to 130 degrees, and from there to 140, beside the triangles above 120: at the optimum
+/// two or three triangles share the largest angle, and short of it there may be many.
+///
+/// REQUIRES: the same targets
 bool is_better(const Merit& a, const Merit& b);
 
 }  // namespace cover

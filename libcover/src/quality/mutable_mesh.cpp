@@ -35,18 +35,31 @@ MutableMesh::MutableMesh(const Triangulation& triangulation, std::uint32_t fixed
   }
 }
 
-void MutableMesh::set_goal(const Goal& goal) {
-  goal_ = goal;
-  for (std::size_t s = 0; s < sides.size(); ++s) {
-    const double forced = -sides[s].apex_cot - goal.large;
-    double small = sides[s].slim_cot;
-    allowances[s] = {};
-    if (forced > 0) {
-      small = std::max(small, sides[s].smallest_cot);
-      allowances[s].large = forced + kSlack * std::abs(sides[s].apex_cot);
-    }
-    if (small > goal.small) allowances[s].small = small - goal.small + kSlack * small;
+Allowance allowance_for(const SideLimit& side, const Goal& goal) {
+  Allowance allowance;
+  const double forced = -side.apex_cot - goal.large;
+  double small = side.slim_cot;
+  if (forced > 0) {
+    small = std::max(small, side.smallest_cot);
+    allowance.large = forced + kSlack * std::abs(side.apex_cot);
   }
+  for (const CornerLimit& corner : side.corners) {
+    const bool can_cut_off = corner.ear_large <= goal.large;
+    small =
+        std::max(small, can_cut_off ? std::min(corner.half_cot, corner.ear_cot) : corner.half_cot);
+  }
+  if (small > goal.small) allowance.small = small - goal.small + kSlack * small;
+  return allowance;
+}
+
+void MutableMesh::set_goal(const Goal& goal) {
+  if (goal == goal_) return;
+  goal_ = goal;
+  for (std::size_t s = 0; s < sides.size(); ++s) allowances[s] = allowance_for(sides[s], goal);
+  measure_all();
+}
+
+void MutableMesh::measure_all() {
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     if (!is_hole(t)) measure(t);
   }

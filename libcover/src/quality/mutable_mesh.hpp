@@ -32,6 +32,9 @@ struct MeshTriangle {
   [[nodiscard]] int edge_from(std::uint32_t a) const { return prev3(corner_of(a)); }
 };
 
+/// What `goal` allows to the triangle on a side.
+Allowance allowance_for(const SideLimit& side, const Goal& goal);
+
 /// Triangles over fixed vertices (those of the boundary, numbered first) and free ones.
 ///
 /// Keeps with every triangle its excess over the goal, which changes with the goal only through
@@ -56,7 +59,10 @@ class MutableMesh {
   std::vector<Allowance> allowances;  ///< by side, for the present goal
 
   [[nodiscard]] const Goal& goal() const { return goal_; }
+  /// ENSURES: all excesses are by `goal`, if they were by the goal before
   void set_goal(const Goal& goal);
+  /// Computes all excesses anew.
+  void measure_all();
 
   [[nodiscard]] bool is_fixed(std::uint32_t v) const { return v < fixed_; }
   [[nodiscard]] std::uint32_t fixed_vertices() const { return fixed_; }
@@ -105,7 +111,7 @@ class MutableMesh {
   [[nodiscard]] bool is_valid() const;
 
  private:
-  Goal goal_;
+  Goal goal_{std::numeric_limits<double>::quiet_NaN(), 0, 0};  ///< none yet: equal to no goal
   std::uint32_t fixed_ = 0;
   std::vector<std::uint32_t> free_triangles_;
   std::vector<std::uint32_t> free_vertices_;

@@ -7,8 +7,24 @@
 
 #include "geom/vector.hpp"
 #include "quality/cavity.hpp"
+#include "quality/minimax.hpp"
 
 namespace cover {
+
+/// Linear functions of a step, two per edge of a hole at most.
+class Pieces {
+ public:
+  void clear() { count_ = 0; }
+  /// What does not fit is left out: a model, not a promise.
+  void add(double value, Vector slope) {
+    if (count_ < pieces_.size()) pieces_[count_++] = {value, slope.x, slope.y};
+  }
+  [[nodiscard]] std::span<const LinearPiece> span() const { return {pieces_.data(), count_}; }
+
+ private:
+  std::array<LinearPiece, 2 * Cavity::kCapacity> pieces_;
+  std::size_t count_ = 0;
+};
 
 /// The edges around a hole as plain coordinates.
 class Hole {
@@ -33,9 +49,11 @@ class Hole {
 
   /// The worst excess of the star from `p`, or anything above `limit` once that is passed.
   [[nodiscard]] double worst(Point p, double limit) const;
-  /// A step that lowers the worst excess of the star from `p` to `level` if that one triangle were
-  /// linear; `value` receives the worst excess: infinite where `p` does not see the whole loop.
-  [[nodiscard]] Vector step_to(Point p, double level, double& value) const;
+  /// The worst excess of the star from `p`, and the excesses there as linear functions of the step
+  /// from `p`, but for those that no step as long as `reach` brings above `level`; or anything
+  /// above `limit` once that is passed.
+  [[nodiscard]] double linearise(Point p, double limit, double reach, double level,
+                                 Pieces& pieces) const;
   /// The loop edge with the worst triangle of the star from `p`, but for those to `skip`; -1: none.
   [[nodiscard]] int worst_edge(Point p, const std::array<bool, Cavity::kCapacity>& skip) const;
   /// The distance to the nearest vertex of the loop.
@@ -50,8 +68,6 @@ class Hole {
   }
   /// The excess of the triangle from an edge to `p`.
   [[nodiscard]] Ratio excess_at(const Edge& edge, Point p) const;
-  /// Its gradient by p.
-  [[nodiscard]] Vector slope_at(const Edge& edge, Point p) const;
 
   const Goal* goal_;
   const Edge* edges_;
@@ -59,17 +75,21 @@ class Hole {
   std::array<Edge, Cavity::kCapacity> own_;  ///< behind edges_, for the hole of a cavity
 };
 
+/// Whether all corners of the loop are narrow enough for a star with excesses of at most `limit`:
+/// its edges halve them. Where not, no place needs to be looked for.
+bool has_room(const MutableMesh& mesh, const Cavity& cavity, double limit);
+
 /// A place and the worst excess there.
 struct Placement {
   Point at;
   double worst = kInverted;
 };
 
-/// Looks for a place for a vertex, from `start`. Stops early where all triangles meet the goal, and
-/// after a first attempt that ends at `promising` or above.
+/// Looks for a place for a vertex, from `start`. Stops where all triangles meet the goal, and where
+/// the lowest point of the linear model is at `wanted` or above.
 ///
 /// ENSURES: never worse than `start`; `evaluations` is raised by the stars that were looked at.
 ///          A start that does not see the whole loop is the end, with `worst` infinite.
-Placement place(const Hole& hole, Point start, double promising, std::uint64_t& evaluations);
+Placement place(const Hole& hole, Point start, double wanted, std::uint64_t& evaluations);
 
 }  // namespace cover

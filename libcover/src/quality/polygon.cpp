@@ -3,6 +3,8 @@
 // Tested by tests/unit/quality/cavity_test.cpp.
 #include "quality/polygon.hpp"
 
+#include "geom/vector.hpp"
+
 namespace cover {
 namespace {
 
@@ -19,11 +21,25 @@ void collect(const Table& table, int i, int j, Patch& patch) {
   collect(table, k, j, patch);
 }
 
+/// Whether two corners of the loop can be cut off by a triangle each: every triangulation does.
+bool has_ears(const MutableMesh& mesh, const Cavity& cavity, double limit) {
+  const double largest = mesh.goal().large + limit;
+  int ears = 0;
+  for (int k = 0; k < cavity.size(); ++k) {
+    const Point p = mesh.points[cavity.vertex(cavity.next(k))];
+    const Vector u = mesh.points[cavity.vertex(k)] - p;
+    const Vector v = mesh.points[cavity.vertex(cavity.next(cavity.next(k)))] - p;
+    const double area = cross(v, u);
+    if (area > 0 && -dot(u, v) <= largest * area) ++ears;
+  }
+  return ears >= 2;
+}
+
 }  // namespace
 
 double min_max_polygon(const MutableMesh& mesh, const Cavity& cavity, double limit, Patch& patch) {
   const int size = cavity.size();
-  if (size > kPolygonLimit) return kInverted;
+  if (size > kPolygonLimit || (size > 3 && !has_ears(mesh, cavity, limit))) return kInverted;
   Table table{};
   for (int i = 0; i + 1 < size; ++i) table.best[i][i + 1] = -kInverted;
   for (int length = 2; length < size; ++length) {

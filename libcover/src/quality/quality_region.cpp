@@ -11,6 +11,7 @@
 // no worse than any. Tested by tests/unit/quality/quality_region_test.cpp.
 #include "quality/quality_region.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -68,7 +69,8 @@ class RegionWork {
     if (budget_.stop.stop_requested()) return {};
     RegionMesh out = to_region_mesh(best);
     best.mesh.set_goal(goal_);
-    out.report.notes = missed_targets(best.mesh, boundary_, limit_, options_, budget_.is_used_up());
+    out.report.notes = missed_targets(best.mesh, boundary_, limit_, options_,
+                                      budget_.was_too_small || budget_.is_used_up());
     if (!is_valid(out)) out.triangles.clear();
     return out;
   }
@@ -80,6 +82,7 @@ class RegionWork {
     Candidate best = as_it_is();
     if (sizes_.is_active()) return sized(std::move(best));
     if (best.merit.complete) return best;
+    ceiling_ = best.merit.large;
     Candidate cdt = best;
     std::optional<Candidate> hub = one_star(cdt);
     if (hub && hub->merit.complete) return *std::move(hub);
@@ -92,6 +95,9 @@ class RegionWork {
     if (is_promising(cdt, best)) take_if_better(best, improved(cdt));
     if (is_done(best)) return best;
     Candidate almond = from_almonds();
+    if (almond.mesh.triangles.empty()) return best;
+    ceiling_ = std::min(ceiling_, almond.merit.large);
+    take_if_better(best, almond);
     if (is_promising(almond, best)) take_if_better(best, improved(almond));
     return best;
   }
@@ -115,7 +121,7 @@ class RegionWork {
   /// stop.
   [[nodiscard]] bool is_done(const Candidate& candidate) const {
     return budget_.stop.stop_requested() ||
-           candidate.merit.large <= target(candidate.mesh) * (1 + 1e-9);
+           !is_smaller_cot(target(candidate.mesh), candidate.merit.large);
   }
 
   /// -cot of the region's own target: the largest angle of the goal, or what its worst side forces.
@@ -125,8 +131,11 @@ class RegionWork {
     return target;
   }
 
-  static void take_if_better(Candidate& best, Candidate other) {
-    if (is_better(other.merit, best.merit)) best = std::move(other);
+  /// ENSURES: a largest angle above the ceiling is taken only instead of another one
+  void take_if_better(Candidate& best, Candidate other) const {
+    const bool fits = !is_smaller_cot(ceiling_, other.merit.large);
+    const bool best_fits = !is_smaller_cot(ceiling_, best.merit.large);
+    if (fits == best_fits ? is_better(other.merit, best.merit) : fits) best = std::move(other);
   }
 
   [[nodiscard]] SizeFunction background_in_frame() const {
@@ -159,7 +168,7 @@ class RegionWork {
   [[nodiscard]] Candidate optimised(Candidate c) {
     Budget half = budget_.share(2);  // the rest is for candidates that may start better
     c.merit = optimise(c.mesh, goal_, half, sizes_);
-    budget_.left += half.left;
+    budget_.take_back(half);
     c.method = "refined, improved";
     return c;
   }
@@ -172,9 +181,15 @@ class RegionWork {
     Goal own = goal_;
     own.large = target(c.mesh);
     Budget half = budget_.share(2);
-    if (own.large > goal_.large) improve_largest(better.mesh, own, half);
-    better.merit = improve_largest(better.mesh, goal_, half);
-    budget_.left += half.left;
+    if (own.large > goal_.large) {
+      improve_largest(better.mesh, own, half);
+      better.merit = merit_of(better.mesh, goal_);
+    }
+    // What sides force beyond the goal is allowed beside them, so the largest angle may grow.
+    Candidate further = better;
+    further.merit = improve_largest(further.mesh, goal_, half);
+    take_if_better(better, std::move(further));
+    budget_.take_back(half);
     if (!is_better(better.merit, c.merit)) return c;
     if (!better.method.ends_with(", improved")) better.method += ", improved";
     return better;
@@ -237,6 +252,7 @@ class RegionWork {
   AngleLimit limit_;
   SizeField sizes_;
   Budget budget_;
+  double ceiling_ = kInverted;  ///< -cot of the largest angle of the plain methods
 };
 
 }  // namespace

@@ -255,7 +255,7 @@ class Refinement {
 void refine(MutableMesh& mesh, const RefineLimits& limits, SizeField sizes) {
   Refinement(mesh, limits, std::move(sizes)).run();
   mesh.arrange();
-  mesh.set_goal(mesh.goal());
+  mesh.measure_all();
 }
 
 }  // namespace cover

@@ -8,6 +8,7 @@
 #include "quality/side_limit.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geom/vector.hpp"
 #include "quality/goal.hpp"
@@ -42,6 +43,37 @@ double free_height(const Triangulation& cdt, EdgeRef side) {
   }
 }
 
+bool is_boundary(const Triangulation& cdt, std::uint32_t t, int i) {
+  return cdt.triangles[t].n[static_cast<std::size_t>(i)] == kNone || cdt.triangles[t].is_locked(i);
+}
+
+/// The limit of the corner at the end of `side`, or at its start: we turn around it through the
+/// triangulation until we meet the next side. None from a right angle on.
+CornerLimit corner_limit(const Triangulation& cdt, EdgeRef side, bool at_end) {
+  const auto corner = [&](std::uint32_t t, int i) {
+    return cdt.points[cdt.triangles[t].v[static_cast<std::size_t>(i)]];
+  };
+  std::uint32_t t = side.triangle;
+  int entry = side.edge;
+  const Point p = corner(t, at_end ? prev3(entry) : next3(entry));
+  const Point first = corner(t, at_end ? next3(entry) : prev3(entry));
+  Point last = corner(t, entry);
+  for (;;) {
+    if (dot(first - p, last - p) <= 0) return {};
+    const int exit = at_end ? next3(entry) : prev3(entry);
+    if (is_boundary(cdt, t, exit)) break;
+    const std::uint32_t beyond = cdt.triangles[t].n[static_cast<std::size_t>(exit)];
+    entry = cdt.triangles[beyond].edge_to(t);
+    t = beyond;
+    last = corner(t, entry);
+  }
+  const Corners k = at_end ? Corners(p, last, first) : Corners(p, first, last);
+  if (!(k.cross > 0)) return {};
+  const double cot = k.dot[0] / k.cross;
+  return {cot + std::sqrt(1 + cot * cot), -std::min({k.dot[0], k.dot[1], k.dot[2]}) / k.cross,
+          std::max(k.dot[1], k.dot[2]) / k.cross};
+}
+
 }  // namespace
 
 std::vector<SideLimit> side_limits(const Triangulation& cdt, std::span<const EdgeRef> side_at) {
@@ -51,8 +83,10 @@ std::vector<SideLimit> side_limits(const Triangulation& cdt, std::span<const Edg
     const auto& v = cdt.triangles[side.triangle].v;
     const std::size_t i = side.edge;
     const Corners k(cdt.points[v[i]], cdt.points[v[(i + 1) % 3]], cdt.points[v[(i + 2) % 3]]);
-    limits.push_back({k.dot[0] / k.cross, std::max({k.dot[0], k.dot[1], k.dot[2]}) / k.cross,
-                      1 / (2 * free_height(cdt, side))});
+    limits.push_back({k.dot[0] / k.cross,
+                      std::max({k.dot[0], k.dot[1], k.dot[2]}) / k.cross,
+                      1 / (2 * free_height(cdt, side)),
+                      {corner_limit(cdt, side, false), corner_limit(cdt, side, true)}});
   }
   return limits;
 }

@@ -1,6 +1,7 @@
 // What the input forces on the triangles at a side.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -9,11 +10,20 @@
 
 namespace cover {
 
+/// The corner between a side and the next, in cotangents. Either one triangle cuts it off, the ear,
+/// or edges divide it: then one of the parts has at most half of the angle.
+struct CornerLimit {
+  double half_cot = 0;   ///< of half the angle; 0 from 90 degrees on
+  double ear_large = 0;  ///< -cot of the largest angle of the ear
+  double ear_cot = 0;    ///< cot of the smaller one of its two other angles
+};
+
 /// What the constrained Delaunay triangulation says about a side, in cotangents.
 struct SideLimit {
   double apex_cot = 0;      ///< of gamma_opt: no triangle on the side has a smaller largest angle
   double smallest_cot = 0;  ///< of the smallest angle of the Delaunay triangle, which reaches that
   double slim_cot = 0;      ///< no triangle on the side has a larger smallest angle; at least 1
+  std::array<CornerLimit, 2> corners{};  ///< at its ends
 };
 
 /// The limits of the sides, in the order of `side_at`.

@@ -44,7 +44,7 @@ class Thinner {
   }
 
   /// What the new triangles may be.
-  [[nodiscard]] double limit() const { return std::max(0.0, cavity_.worst()); }
+  [[nodiscard]] double limit() const { return 0; }
 
   bool try_removal(std::uint32_t v) {
     if (!cavity_.start_star(v)) return false;
@@ -63,12 +63,12 @@ class Thinner {
       if (k < 0) return false;
       const std::uint32_t u = star.vertex(k);
       cavity_ = star;
-      if (!swallow(u)) continue;
+      if (!swallow(u) || !has_room(mesh_, cavity_, limit())) continue;
       const Hole hole(mesh_, cavity_);
       const Point middle = midpoint(mesh_.points[u], mesh_.points[v]);
       ++evaluations_;
       if (hole.worst(middle, kHopeless) > kHopeless) continue;
-      const Placement placement = place(hole, middle, 0, evaluations_);
+      const Placement placement = place(hole, middle, limit(), evaluations_);
       if (placement.worst <= limit() && install_star(mesh_, cavity_, placement.at, installed_)) {
         return true;
       }

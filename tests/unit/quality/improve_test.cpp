@@ -84,15 +84,6 @@ TEST(Improve, IsMonotone) {
   }
 }
 
-TEST(Improve, WorksInItsZoneOnly) {
-  const RegionBoundary boundary = smooth_star(100);
-  MutableMesh mesh = cdt_mesh(boundary);
-  std::vector<std::uint8_t> zone(mesh.points.size(), 0);
-  const ImproveResult result = improve(mesh, 1U << 30, zone);
-  EXPECT_EQ(result.evaluations, 0u);
-  EXPECT_EQ(mesh.triangle_count(), 98u);
-}
-
 TEST(ThinOut, TakesVerticesAwayAndKeepsTheGoal) {
   const RegionBoundary boundary = smooth_star(300);
   MutableMesh mesh = cdt_mesh(boundary);

@@ -48,14 +48,39 @@ TEST(Merit, TellsAnglesThatTheInputForcesFromThoseThatItDoesNot) {
   EXPECT_GT(missed.large, default_goal().large);
 }
 
-TEST(Merit, OrdersByLargestThenCountThenSmallestThenTriangles) {
-  const Merit base{1, 5, 3, 100, false};
+TEST(Merit, OrdersByLargestThenFarAboveThenAboveThenSmallestThenTriangles) {
+  const Merit base{0, 2, 5, 3, 3, 100, false};
   EXPECT_FALSE(is_better(base, base));
-  EXPECT_TRUE(is_better({0.9, 9, 9, 999, false}, base));
-  EXPECT_TRUE(is_better({1, 4, 9, 999, false}, base));
-  EXPECT_TRUE(is_better({1, 5, 2.9, 999, false}, base));
-  EXPECT_TRUE(is_better({1, 5, 3, 99, false}, base));
-  EXPECT_FALSE(is_better({1 - 1e-13, 6, 3, 100, false}, base));
+  EXPECT_TRUE(is_better({0, 1.9, 9, 9, 9, 999, false}, base));
+  EXPECT_TRUE(is_better({0, 2, 9, 2, 9, 999, false}, base));
+  EXPECT_TRUE(is_better({0, 2, 4, 3, 9, 999, false}, base));
+  EXPECT_TRUE(is_better({0, 2, 5, 3, 2.9, 999, false}, base));
+  EXPECT_TRUE(is_better({0, 2, 5, 3, 3, 99, false}, base));
+  EXPECT_FALSE(is_better({0, 2 - 1e-13, 6, 3, 3, 100, false}, base));
+}
+
+TEST(Merit, CountsDecideBetweenLargestAnglesThatAreAlike) {
+  // 126 and 124 degrees; 126 and 134; just above the target.
+  const Merit three{0, 0.6745, 5, 3, 3, 100, false}, one{0, 0.7265, 5, 1, 3, 100, false};
+  EXPECT_TRUE(is_better(one, three));
+  EXPECT_FALSE(is_better(three, one));
+  EXPECT_TRUE(is_better(three, {0, 0.9657, 5, 1, 3, 100, false}));
+  const Merit many{0, 0.01, 8, 0, 3, 100, false}, few{0, 0.04, 1, 0, 3, 100, false};
+  EXPECT_TRUE(is_better(few, many));
+  EXPECT_FALSE(is_better(many, few));
+  EXPECT_TRUE(is_better(many, {0, 0.06, 1, 0, 3, 100, false}));
+  EXPECT_TRUE(is_better({0, 0, 0, 0, 9, 100, true}, few));
+}
+
+TEST(Merit, IsTheSameWhetherOrNotTheGoalIsSet) {
+  const RegionBoundary boundary = smooth_star(60);
+  MutableMesh mesh = cdt_mesh(boundary);
+  const Merit set = merit_of(mesh, default_goal());
+  mesh.set_goal(Goal::of(Angle::degrees(130), Angle::degrees(10)));
+  const Merit other = merit_of(mesh, default_goal());
+  EXPECT_EQ(set.large, other.large);
+  EXPECT_EQ(set.above, other.above);
+  EXPECT_EQ(set.far_above, other.far_above);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace {
 
 using namespace testing;
 
-Budget large_budget() { return {100'000'000, {}}; }
+Budget large_budget() { return {100'000'000, {}, false}; }
 
 TEST(Optimise, MeetsTheGoalOnASmoothStar) {
   const RegionBoundary boundary = smooth_star(500);
@@ -26,7 +26,7 @@ TEST(Optimise, MeetsTheGoalOnASmoothStar) {
 TEST(Optimise, StopsWhenTheBudgetIsUsedUp) {
   const RegionBoundary boundary = smooth_star(500);
   MutableMesh mesh = cdt_mesh(boundary);
-  Budget budget{1000, {}};
+  Budget budget{1000, {}, false};
   optimise(mesh, default_goal(), budget);
   EXPECT_TRUE(budget.is_used_up());
   expect_sound(mesh, boundary);

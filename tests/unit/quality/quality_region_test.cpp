@@ -48,6 +48,17 @@ TEST(QualityRegion, MeetsBothTargetsOnASmoothStar) {
   EXPECT_LE(mesh.triangles.size(), 3000u);
 }
 
+TEST(QualityRegion, FindsAPlaceNearASide) {
+  const RegionBoundary boundary = boundary_of({{{0.13020758953298486, 0.5980504977765327},
+                                                {0.13213424753855418, 0.5972036750876587},
+                                                {0.13368151616536372, 0.597225398981256},
+                                                {0.13248801903979057, 0.6008923999539126},
+                                                {0.13084046384018813, 0.6008433984946989}}});
+  const RegionMesh mesh = measured(boundary);
+  expect_covering(boundary, mesh);
+  EXPECT_LE(largest(mesh), 100 + 1e-9);
+}
+
 TEST(QualityRegion, MeetsOtherTargets) {
   const RegionBoundary boundary = smooth_star(400);
   Options options;

@@ -46,5 +46,34 @@ TEST(SideLimit, NoTriangleOfAnyMeshIsBetter) {
   }
 }
 
+TEST(SideLimit, ACornerThatMustBeHalvedIsTheLimitOfItsSides) {
+  // A corner of 30 degrees between sides of length 1 and 3: the triangle across has 143 degrees.
+  const double pi = 3.14159265358979323846, x = pi / 6;
+  const RegionBoundary boundary =
+      boundary_of({{{0, 0}, {3, 0}, {3, 3}, {std::cos(x), std::sin(x)}}});
+  const std::vector<SideLimit> limits = limits_of(boundary);
+  const Goal goal = default_goal();
+  int at_corner = 0;
+  for (std::size_t s = 0; s < limits.size(); ++s) {
+    const auto& [a, b] = boundary.sides[s];
+    const bool is_there = boundary.points[a].x == 0 || boundary.points[b].x == 0;
+    at_corner += is_there ? 1 : 0;
+    const double smallest = goal.small + allowance_for(limits[s], goal).small;
+    if (is_there) {
+      EXPECT_GE(smallest, 1 / std::tan(x / 2) - 1e-9);
+      const auto& [start, end] = limits[s].corners;
+      const CornerLimit& corner = boundary.points[a].x == 0 ? start : end;
+      EXPECT_NEAR(corner.half_cot, 1 / std::tan(x / 2), 1e-9);
+      const double across = std::atan2(std::sin(x), 3 - std::cos(x));
+      EXPECT_NEAR(corner.ear_large, 1 / std::tan(x + across), 1e-9);
+      EXPECT_NEAR(corner.ear_cot, 1 / std::tan(across), 1e-9);
+    }
+    // With 150 degrees allowed, the corner may be cut off.
+    const Goal lax = Goal::of(Angle::degrees(150), Angle::degrees(5));
+    EXPECT_NEAR(allowance_for(limits[s], lax).small, 0, 1e-9);
+  }
+  EXPECT_EQ(at_corner, 2);
+}
+
 }  // namespace
 }  // namespace cover

@@ -1,0 +1,17 @@
+// Out of local optima: what improvement has left, tried again and again in excerpts.
+#pragma once
+
+#include "quality/mutable_mesh.hpp"
+#include "quality/optimise.hpp"
+
+namespace cover {
+
+/// Tries, for every triangle that misses `goal`, several ways to make an excerpt around it better
+/// as a whole, and goes on from there.
+///
+/// ENSURES: the goal of `mesh` is `goal`; neither the largest angle nor the number of triangles
+///          above the goal has grown, and the smallest angle is smaller only if one of these is
+/// Cost:    an attempt looks at some dozens of triangles around, however many there are
+void search_excerpts(MutableMesh& mesh, const Goal& goal, Budget& budget);
+
+}  // namespace cover
