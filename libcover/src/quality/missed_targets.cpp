@@ -50,7 +50,7 @@ void note_forced(const RegionBoundary& boundary, const AngleLimit& limit, Angle 
 
 std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& boundary,
                                  const AngleLimit& limit, const Options& options,
-                                 bool budget_used_up) {
+                                 bool budget_used_up, Point origin) {
   std::vector<Note> notes;
   note_forced(boundary, limit, options.max_angle, notes);
   std::size_t large = 0, small = 0;
@@ -61,7 +61,8 @@ std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& 
     const auto& n = mesh.triangles[t].n;
     const Corners k(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
     for (std::size_t i = 0; i < 3; ++i) {
-      const Point at = mesh.points[mesh.triangles[t].v[i]];
+      const Point in_frame = mesh.points[mesh.triangles[t].v[i]];
+      const Point at{in_frame.x + origin.x, in_frame.y + origin.y};
       const double cot = k.dot[i] / k.cross;
       const Allowance* side = mesh.allowance(n[i]);
       if (-cot > goal.large + (side != nullptr ? side->large : 0) + kRounding) {

@@ -69,8 +69,9 @@ class RegionWork {
     if (budget_.stop.stop_requested()) return {};
     RegionMesh out = to_region_mesh(best);
     best.mesh.set_goal(goal_);
-    out.report.notes = missed_targets(best.mesh, boundary_, limit_, options_,
-                                      budget_.was_too_small || budget_.is_used_up());
+    out.report.notes =
+        missed_targets(best.mesh, boundary_, limit_, options_,
+                       budget_.was_too_small || budget_.is_used_up(), frame_.origin());
     if (!is_valid(out)) out.triangles.clear();
     return out;
   }

@@ -1,5 +1,7 @@
 #include "quality/quality_region.hpp"
 
+#include <algorithm>
+
 #include "covering/measure.hpp"
 #include "mesh_checks.hpp"
 
@@ -46,6 +48,21 @@ TEST(QualityRegion, MeetsBothTargetsOnASmoothStar) {
   EXPECT_LE(largest(mesh), 100 + 1e-6);
   EXPECT_GE(mesh.report.quality.smallest.in_degrees(), 19);
   EXPECT_LE(mesh.triangles.size(), 3000u);
+}
+
+TEST(QualityRegion, NotesTellPlacesOfThePlane) {
+  const Loop thin{{100, 200}, {108, 200}, {108, 200.5}, {101, 200.25}, {100, 200.5}};
+  const RegionBoundary boundary = boundary_of({thin});
+  const RegionMesh mesh = measured(boundary);
+  const std::vector<Point> points = all_points(boundary, mesh);
+  std::size_t places = 0;
+  for (const Note& note : mesh.report.notes) {
+    for (const Point& place : note.where) {
+      ++places;
+      EXPECT_NE(std::find(points.begin(), points.end(), place), points.end());
+    }
+  }
+  EXPECT_GT(places, 2u);
 }
 
 TEST(QualityRegion, FindsAPlaceNearASide) {
