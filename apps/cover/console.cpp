@@ -31,32 +31,32 @@ int fail(spdlog::logger& log, const Error& error) {
   log.error("{}", error.message);
   if (error.code == ErrorCode::changed_input)
     log.error("--strict refuses every change; without it, 'cover info' and --report list them all");
-  if (error.code == ErrorCode::internal) {
-    log.error(
-        "This is a defect of cover, not of your input. Please report it with the input file.");
-  }
   return exit_code_of(error.code);
 }
 
 void log_notes(spdlog::logger& log, std::span<const Note> notes) {
   constexpr std::ptrdiff_t kShown = 10;
-  const auto show = [&](Note::Kind kind, const char* plural, const char* prefix) {
+  const auto show = [&](Note::Kind kind, const char* plural, const char* prefix,
+                        spdlog::level::level_enum shown = spdlog::level::warn) {
     std::ptrdiff_t count = 0;
     for (const Note& note : notes) {
       if (note.kind != kind) continue;
       ++count;
-      const auto level = count <= kShown ? spdlog::level::warn : spdlog::level::debug;
+      const auto level = count <= kShown ? shown : spdlog::level::debug;
       log.log(level, "{}{}", prefix, note.message);
     }
     if (count > kShown) {
-      log.warn("{} further {} are in the report (--report FILE.json) and shown by -vv",
-               count - kShown, plural);
+      log.log(shown, "{} further {} are in the report (--report FILE.json) and shown by -vv",
+              count - kShown, plural);
     }
   };
   show(Note::Kind::change, "changes of the input", "input changed: ");
   show(Note::Kind::warning, "warnings", "");
   show(Note::Kind::below_resolution, "places below the resolution of doubles", "");
   show(Note::Kind::bound_missed, "missed bounds", "");
+  show(Note::Kind::fallback, "remarks on methods", "", spdlog::level::info);
+  show(Note::Kind::target_missed, "missed targets", "", spdlog::level::info);
+  show(Note::Kind::repair, "repairs", "", spdlog::level::debug);
 }
 
 std::string grouped(std::size_t number) {

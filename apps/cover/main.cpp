@@ -103,7 +103,8 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "cover: error: out of memory\n");
   } catch (const std::exception& error) {
-    fmt::print(stderr, "cover: error: {}\n", error.what());
+    fmt::print(stderr, "cover: error: {}; this is an error in cover, please report it\n",
+               error.what());
   }
   return cover::app::exit_internal;
 }

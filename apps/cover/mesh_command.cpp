@@ -168,6 +168,14 @@ int dry_run(const MeshCommand& command, const Input& input, const Options& optio
             spdlog::logger& log) {
   const Result<Prepared> prepared = prepare(input, options);
   if (!prepared) return fail(log, prepared.error());
+  if (!command.onto.empty()) {
+    if (const Result<MeshTriangles> onto = read_triangles(command.onto, log); !onto)
+      return fail(log, onto.error());
+  }
+  for (const SizeRule& rule : options.sizes) {
+    if (!rule.at && !rule.name.empty() && named_regions(prepared->table, rule.name).empty())
+      return fail(log, no_such_region(prepared->table, "size for", rule.name));
+  }
   log_notes(log, prepared->report.notes);
   fmt::print("{}", info_text(*prepared, command.verbosity.verbose > 0));
   for (const std::string& name : command.only) {
@@ -321,6 +329,7 @@ int run_mesh(Arguments arguments) {
   log->info("read {}: {} points, {} segments, {} polygons, {} lines", command.input.path(),
             input->points.size(), input->segments.size(), input->polygons.size(),
             input->lines.size());
+  for (const std::string& option : command.library.ignored(command.app)) log->warn("{}", option);
   return command.dry_run ? dry_run(command, *input, *options, *log)
                          : run(command, *std::move(input), *options, *files, *log);
 }

@@ -400,6 +400,20 @@ Result<Options> LibraryOptions::make() const {
   return options;
 }
 
+std::vector<std::string> LibraryOptions::ignored(const CLI::App& command) const {
+  std::vector<std::string> sentences;
+  const auto check = [&](const char* option, bool counts, const char* when) {
+    if (!counts && command.get_option(option)->count() > 0)
+      sentences.push_back(fmt::format("{} does nothing: it counts with {} only", option, when));
+  };
+  const bool required = std::find(require_.begin(), require_.end(), "max-angle") != require_.end();
+  check("--max-angle", method_ == "quality" || required,
+        "--method quality and --require max-angle");
+  check("--min-angle", method_ == "quality", "--method quality");
+  check("--fill", method_ == "almond", "--method almond");
+  return sentences;
+}
+
 Status LibraryOptions::read_size_field(Options& options) const {
   if (size_field_.empty()) return ok();
   const Result<SizeSamples> samples = cover::read_size_field(size_field_);

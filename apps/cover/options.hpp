@@ -59,6 +59,9 @@ class LibraryOptions {
   /// Errors: those of read_size_field() and size_function()
   [[nodiscard]] Status read_size_field(Options& options) const;
 
+  /// Options that were given but do nothing, a sentence each.
+  [[nodiscard]] std::vector<std::string> ignored(const CLI::App& command) const;
+
   /// The file of --size-field; with an empty path where there is none.
   [[nodiscard]] NamedFile size_field_file() const { return {"--size-field", size_field_}; }
 

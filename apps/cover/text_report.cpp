@@ -126,6 +126,7 @@ std::string region_rows(const Output& output, bool every_region) {
                    {"lowest"},
                    {"proven"},
                    {"reached"},
+                   {"smallest"},
                    {"rho"},
                    {">120 (forced)"},
                    {">150 (forced)"},
@@ -138,6 +139,7 @@ std::string region_rows(const Output& output, bool every_region) {
     table.add({fmt::format("{}", r.id.value()), region.name, region.material_name,
                grouped(r.quality.triangles), grouped(r.steiner_vertices), angle_text(lowest_nu(r)),
                angle_text(r.nu_bound), angle_text(r.quality.largest_nu),
+               fmt::format("{:.2f}", r.quality.smallest.in_degrees()),
                fmt::format("{:.2f}", r.rho()), above(r.quality.above_120, r.forced_above_120),
                above(r.quality.above_150, r.forced_above_150),
                r.method + (r.bound_held ? "" : " (bound missed)")});

@@ -98,6 +98,7 @@ class Mesh(Case):
         out, _ = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '-o', 'd.svg', '--report', 'd.json')
         self.assertEqual(self.files(), ['d.json', 'd.svg', 'd.vtu'])
         self.assertIn('Proven bound    held in every region', out)
+        self.assertRegex(out, r'lowest  proven  reached  smallest ')
         self.assertIn('170-180', out)
         for name in self.files():
             self.assertIn('Wrote ' + name, out)
@@ -156,6 +157,22 @@ class Mesh(Case):
     def test_quiet_says_nothing(self):
         self.assertEqual(self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '-q'), ('', ''))
 
+    def test_options_that_do_nothing(self):
+        def warnings(*words):
+            return self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', *words)[1]
+        self.assertIn('--max-angle does nothing', warnings('--method', 'almond', '--max-angle', 110))
+        self.assertIn('--min-angle does nothing', warnings('--method', 'nonobtuse', '--min-angle', 10))
+        self.assertIn('--fill does nothing', warnings('--method', 'quality', '--fill', 'disks'))
+        for words in (['--fill', 'disks'], ['--max-angle', 110, '--min-angle', 10], ['--method', 'almond'],
+                      ['--method', 'almond', '--max-angle', 170, '--require', 'max-angle']):
+            self.assertEqual(warnings(*words), '', words)
+
+    def test_missed_targets_are_told_with_v(self):
+        flat = self.write('flat.poly', SQUARE.replace('2 1 0', '2 2 0').replace('3 1 1', '3 2 2').replace('4 0 1', '4 1 0.1'))
+        for words, told in (((), False), (('-v',), True)):
+            _, err = self.run_cover('mesh', flat, '-o', 'd.vtu', *words)
+            self.assertEqual('above 100 degrees' in err, told, err)
+
     def test_verbose_and_log(self):
         _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '-v', '--log', 'log')
         self.assertIn('cover: info: wrote d.vtu', err)
@@ -193,6 +210,13 @@ class Mesh(Case):
         self.assertIn('Would write d.vtu', out)
         self.assertIn('Would write d.html', out)
         self.assertEqual(self.files(), [])
+
+    def test_dry_run_finds_wrong_names(self):
+        diode = SAMPLES / 'diode.poly'
+        _, err = self.run_cover('mesh', diode, '--dry-run', '--size', 'gold=1', code=2)
+        self.assertIn("size for 'gold'", err)
+        _, err = self.run_cover('mesh', diode, '--dry-run', '--only', '2', '--onto', 'none.vtu', code=5)
+        self.assertIn('none.vtu', err)
 
     def test_paper(self):
         self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--paper', '--pieces', '3', '-q')
@@ -671,6 +695,12 @@ class Info(Case):
         self.assertIn('9 regions', out)
         self.assertRegex(out, r'material_4_outline .* 13\n')
         self.assertRegex(out, r'\d+ +material_\w+ +interface +material_\w+ +material_\w+ +\d+ +[\d.]+')
+
+    def test_unknown_format(self):
+        self.write('foo.dat', '')
+        _, err = self.run_cover('info', 'foo.dat', code=5)
+        for extension in ('.poly', '.json', '.geojson', '.msh', '.vtu', '.vtp', '.vtk'):
+            self.assertIn(extension, err)
 
     def test_areas_add_up(self):
         out, _ = self.run_cover('info', SAMPLES / 'waveguide.poly')

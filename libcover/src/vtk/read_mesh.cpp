@@ -153,7 +153,8 @@ constexpr std::array kFormats{
 std::string_view reason(std::string_view extension) {
   if (extension == ".obj" || extension == ".off" || extension == ".ply")
     return ", which keeps no regions that could be read back";
-  if (extension == ".json") return ", which has names but no mesh: give the mesh beside it";
+  if (extension == ".json")
+    return ", which is a geometry or names, but no mesh: give the mesh itself";
   return "";
 }
 
