@@ -89,6 +89,17 @@ std::string percent(double part, double whole) {
   return fmt::format("{:.1f} %", whole > 0 ? 100 * part / whole : 0);
 }
 
+/// Where targets are missed: the messages name segments by numbers that only programs know.
+std::string places(const Note& note) {
+  constexpr std::size_t kPlaces = 3;
+  if (note.kind != Note::Kind::target_missed || note.where.empty()) return {};
+  std::string text;
+  for (std::size_t k = 0; k < std::min(kPlaces, note.where.size()); ++k)
+    text += fmt::format("{} ({:.6g}, {:.6g})", k == 0 ? "; near" : ",", note.where[k].x,
+                        note.where[k].y);
+  return text + (note.where.size() > kPlaces ? ", ..." : "");
+}
+
 /// One page.
 class Page {
  public:
@@ -309,7 +320,7 @@ class Page {
     std::vector<std::string> lines;
     for (const Note& note : report_.notes) lines.push_back(note.message);
     for (const RegionReport& region : report_.regions) {
-      for (const Note& note : region.notes) lines.push_back(note.message);
+      for (const Note& note : region.notes) lines.push_back(note.message + places(note));
     }
     out_ += "<h2>Changes of the input, warnings, remarks</h2>\n<div class=\"panel\">\n";
     if (lines.empty()) out_ += "<p>None: the input was meshed as it is.</p>\n";

@@ -813,6 +813,7 @@ class Page(Case):
         for part in ('Promises kept; look at what is marked', 'no mesh with whole segments has less',
                      'The target of 100° is missed in 1 of 2 regions, where no mesh is better', 'Changed in one place'):
             self.assertIn(part, text)
+        self.assertRegex(text, r'<li>region 1: the input forces an angle above 100 degrees.*; near \(')
 
     def test_loads_nothing(self):
         text = self.page('diode.poly').replace('http://www.w3.org/2000/svg', '')
