@@ -55,10 +55,11 @@ CLI::Option* GeometryFile::add(CLI::App& command) {
       ->type_name("F")
       ->group(group);
   return command
-      .add_option("input", path_,
-                  fmt::format("Geometry: Triangle's .poly, our .json, .geojson, gmsh's {}, VTK's .vtu, "
-                              ".vtp, .vtk; '-' is standard input",
-                              kGmshFormats))
+      .add_option(
+          "input", path_,
+          fmt::format("Geometry: Triangle's .poly, our .json, .geojson, gmsh's {}, VTK's .vtu, "
+                      ".vtp, .vtk; '-' is standard input",
+                      kGmshFormats))
       ->type_name("");
 }
 

@@ -79,6 +79,9 @@ std::string totals(const Output& output) {
       fmt::format("{}, {} ({} new), {}\n", plural(q.triangles, "triangle"),
                   grouped(output.mesh.tri().n_vertices()) + " vertices",
                   grouped(report.steiner_vertices), plural(report.regions.size(), "region"));
+  for (const Note& note : report.notes) {
+    if (note.kind == Note::Kind::cut) out += note.message + '\n';
+  }
   if (report.regions.empty()) return out;
   const RegionReport& region = report.regions[worst];
   out += fmt::format("Largest angle   {:>7}  in region {} '{}'; no mesh is below {} there\n",

@@ -405,8 +405,9 @@ class Sizes(Case):
         corners = [[0, 0], [1, 0], [1, 1], [0, 1]]
         self.write('c.json', json.dumps({'points': corners, 'segments': [[0, 1], [1, 2], [2, 3],
                                          {'points': [3, 0], 'name': 'anode'}]}))
-        _, err = self.run_cover('mesh', 'c.json', '-o', 'd.vtu', '--size-at', 'anode=0.1', '--split-interfaces')
-        self.assertRegex(err, 'segments cut .* points added')
+        out, err = self.run_cover('mesh', 'c.json', '-o', 'd.vtu', '--size-at', 'anode=0.1', '--split-interfaces')
+        self.assertRegex(out, 'points added on segments for --split-interfaces 90, the first at')
+        self.assertNotIn('changed', err)
         _, err = self.run_cover('mesh', 'c.json', '-o', 'd.vtu', '--size-at', 'anod=0.1', code=2)
         self.assertIn("did you mean 'anode'?", err)
 

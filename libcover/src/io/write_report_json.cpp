@@ -59,6 +59,8 @@ const char* name_of(Note::Kind kind) {
       return "warning";
     case Note::Kind::change:
       return "change";
+    case Note::Kind::cut:
+      return "cut";
   }
   return "";
 }

@@ -99,11 +99,11 @@ class Rounds {
 /// What was cut since there were `before` points.
 Note note_of_cuts(const Pslg& pslg, std::size_t before, const Options& options) {
   const Point first = pslg.points[before];
-  return {Note::Kind::change,
+  return {Note::Kind::cut,
           kVoid,
-          fmt::format("segments cut where triangles were left above {:.6g} degrees: {} added, the "
+          fmt::format("{} added on segments where triangles were left above {:.6g} degrees, the "
                       "first at {}",
-                      options.max_angle.in_degrees(), counted(pslg.points.size() - before, "point"),
+                      counted(pslg.points.size() - before, "point"), options.max_angle.in_degrees(),
                       describe(first)),
           {first}};
 }

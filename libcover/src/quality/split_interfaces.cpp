@@ -76,10 +76,10 @@ class Splitter {
       std::vector<Point> where(pslg_.points.begin() + static_cast<std::ptrdiff_t>(before),
                                pslg_.points.end());
       where.resize(std::min(where.size(), kPlaces));
-      notes.push_back({Note::Kind::change, kVoid,
-                       fmt::format("segments cut for --split-interfaces {:.6g}: {} added, the "
+      notes.push_back({Note::Kind::cut, kVoid,
+                       fmt::format("{} added on segments for --split-interfaces {:.6g}, the "
                                    "first at {}",
-                                   degrees, counted(pslg_.points.size() - before, "point"),
+                                   counted(pslg_.points.size() - before, "point"), degrees,
                                    describe(where.front())),
                        std::move(where)});
     }

@@ -289,7 +289,7 @@ TEST(SplitInterfaces, CutsUntilNothingForcesALargerAngle) {
   EXPECT_GT(regions.pslg.points.size(), before);
   EXPECT_LT(regions.pslg.points.size(), 20 * before);
   ASSERT_EQ(notes.size(), 1u);
-  EXPECT_EQ(notes[0].kind, Note::Kind::change);
+  EXPECT_EQ(notes[0].kind, Note::Kind::cut);
 }
 
 TEST(SplitInterfaces, HalvesTheSegmentsGivenAndThenForcesNothing) {
