@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "geom/spatial_order.hpp"
+#include "geom/vector.hpp"
 
 namespace cover::testing {
 
@@ -50,6 +51,22 @@ Loop random_star(int n, double smallest, std::mt19937_64& random, Point centre, 
   for (int k = 0; k < n; ++k) {
     const double t = 2 * std::numbers::pi * k / n, r = radius * uniform(random);
     loop.push_back({centre.x + r * std::cos(t), centre.y + r * std::sin(t)});
+  }
+  return loop;
+}
+
+Loop wavy_square(int per_side, double by, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> off(-by, by);
+  const Loop corners{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  Loop loop;
+  for (std::size_t s = 0; s < 4; ++s) {
+    const Point from = corners[s];
+    const Vector along = corners[(s + 1) % 4] - from;
+    loop.push_back(from);
+    for (int k = 1; k < per_side; ++k) {
+      loop.push_back(
+          from + ((static_cast<double>(k) / per_side) * along + off(random) * left_normal(along)));
+    }
   }
   return loop;
 }

@@ -25,6 +25,9 @@ Loop regular_polygon(int n, double radius = 1, Point centre = {0, 0});
 Loop random_star(int n, double smallest, std::mt19937_64& random, Point centre = {0, 0},
                  double radius = 1);
 
+/// A unit square with `per_side` vertices on each side, moved across it at random by up to `by`.
+Loop wavy_square(int per_side, double by, std::mt19937_64& random);
+
 /// The same loop the other way round.
 Loop reversed(Loop loop);
 

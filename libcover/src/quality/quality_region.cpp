@@ -3,9 +3,10 @@
 //   one star around a single new vertex,
 //   the constrained Delaunay triangulation refined and improved (optimise),
 //   what is best so far, improved for the region's own target,
+//   Chew's construction where the boundary is evenly spaced, improved in the same way,
 //   the star and the constrained Delaunay triangulation improved in the same way,
 //   the almond method's result, improved: it carries the proof of promise 3.
-// The last four where the largest angle is missed, and the last three only if they start with a
+// The last five where the largest angle is missed, and the last three only if they start with a
 // smaller one or the region is small; none may use more than half of what is left of the budget,
 // so that it reaches all. What improvement makes worse is kept as it was, so the best of them is
 // no worse than any. Tested by tests/unit/quality/quality_region_test.cpp.
@@ -21,6 +22,7 @@
 #include "covering/cover_region.hpp"
 #include "covering/local_frame.hpp"
 #include "geom/predicates.hpp"
+#include "quality/chew.hpp"
 #include "quality/hub.hpp"
 #include "quality/missed_targets.hpp"
 #include "quality/mutable_mesh.hpp"
@@ -90,6 +92,8 @@ class RegionWork {
     take_if_better(best, optimised(cdt));
     if (is_done(best)) return best;
     take_if_better(best, improved(best));
+    if (is_done(best)) return best;
+    if (std::optional<Candidate> even = evenly_refined(cdt)) take_if_better(best, improved(*even));
     if (is_done(best)) return best;
     if (hub && is_promising(*hub, best)) take_if_better(best, improved(*hub));
     if (is_done(best)) return best;
@@ -164,6 +168,13 @@ class RegionWork {
     budget_.spend(evaluations);
     if (!star) return std::nullopt;
     return candidate(*star, "one star");
+  }
+
+  [[nodiscard]] std::optional<Candidate> evenly_refined(Candidate cdt) const {
+    if (!refine_evenly(cdt.mesh)) return std::nullopt;
+    cdt.merit = merit_of(cdt.mesh, goal_);
+    cdt.method = "evenly refined";
+    return cdt;
   }
 
   [[nodiscard]] Candidate optimised(Candidate c) {

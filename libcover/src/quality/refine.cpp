@@ -98,9 +98,11 @@ class Refinement {
   /// A circumradius above what the size allows: at the circumcentre, as far as the corners tell,
   /// and at the centroid.
   [[nodiscard]] bool is_too_large(std::uint32_t t, const Corners& k) const {
-    if (!sizes_.is_active()) return false;
+    if (!sizes_.is_active() && limits_.largest_radius == kInverted) return false;
     const double squared = (k.dot[0] + k.dot[1]) * (k.dot[1] + k.dot[2]) * (k.dot[2] + k.dot[0]);
     const double radius = std::sqrt(squared) / (2 * k.cross);
+    if (radius > limits_.largest_radius) return true;
+    if (!sizes_.is_active()) return false;
     const auto& v = mesh_.triangles[t].v;
     const Point a = mesh_.points[v[0]], b = mesh_.points[v[1]], c = mesh_.points[v[2]];
     double size = sizes_.largest_at({(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3});

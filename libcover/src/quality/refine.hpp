@@ -10,9 +10,10 @@ namespace cover {
 
 /// What `refine` aims at, and where it stops.
 struct RefineLimits {
-  double smallest_cot = 0;  ///< triangles with a smaller angle get a vertex near them
-  double apex_cot = -0.36;  ///< no new vertex sees a side at a larger angle: 110 degrees
-  std::size_t budget = 0;   ///< vertices
+  double smallest_cot = 0;            ///< triangles with a smaller angle get a vertex near them
+  double largest_radius = kInverted;  ///< so do those with a larger circumradius
+  double apex_cot = -0.36;            ///< no new vertex sees a side at a larger angle: 110 degrees
+  std::size_t budget = 0;             ///< vertices
 };
 
 /// Inserts circumcentres and off-centres of triangles with small angles, and of those that are too

@@ -97,6 +97,23 @@ TEST(QualityRegion, TakesOneStarForARoundRegion) {
   EXPECT_LT(largest(mesh), 90);
 }
 
+// Without the even start, one of these ends with an angle above 90 degrees.
+TEST(QualityRegion, StartsEvenlyWhereRefinementGetsStuck) {
+  std::mt19937_64 random(3);
+  Options options;
+  options.max_angle = Angle::degrees(88);
+  int even = 0, missed = 0;
+  for (int k = 0; k < 60; ++k) {
+    const RegionBoundary boundary = boundary_of({wavy_square(8, 0.08, random)});
+    const RegionMesh mesh = measured(boundary, options);
+    expect_covering(boundary, mesh);
+    if (mesh.report.method == "evenly refined, improved") ++even;
+    if (largest(mesh) > 90 + 1e-6) ++missed;
+  }
+  EXPECT_GT(even, 0);
+  EXPECT_EQ(missed, 0);
+}
+
 TEST(QualityRegion, ReachesTheOptimumWhereTheInputForcesIt) {
   const RegionBoundary boundary = boundary_of({{{0, 0}, {10, 0}, {10, 5}, {5, 0.5}, {0, 5}}});
   const RegionMesh mesh = measured(boundary);
