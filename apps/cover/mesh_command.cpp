@@ -172,10 +172,6 @@ int dry_run(const MeshCommand& command, const Input& input, const Options& optio
     if (const Result<MeshTriangles> onto = read_triangles(command.onto, log); !onto)
       return fail(log, onto.error());
   }
-  for (const SizeRule& rule : options.sizes) {
-    if (!rule.at && !rule.name.empty() && named_regions(prepared->table, rule.name).empty())
-      return fail(log, no_such_region(prepared->table, "size for", rule.name));
-  }
   log_notes(log, prepared->report.notes);
   fmt::print("{}", info_text(*prepared, command.verbosity.verbose > 0));
   for (const std::string& name : command.only) {

@@ -325,11 +325,12 @@ void LibraryOptions::add_sizes(CLI::App& command) {
                 "Leave out the sizes that regions have in the input (.poly: largest areas)")
       ->group(kMeshing);
   command
-      .add_option("--growth", options_.growth,
-                  "Ratio of neighbouring edges where sizes differ; above 1")
+      .add_option(
+          "--growth", options_.growth,
+          "Ratio of neighbouring edges where sizes differ; above 1 (1.3 unless given). Without "
+          "sizes, triangles grow by it from the boundary's own edges")
       ->check(number_in(ranges::kGrowth))
       ->type_name("G")
-      ->capture_default_str()
       ->group(kMeshing);
 }
 
@@ -410,6 +411,8 @@ std::vector<std::string> LibraryOptions::ignored(const CLI::App& command) const 
   check("--max-angle", method_ == "quality" || required,
         "--method quality and --require max-angle");
   check("--min-angle", method_ == "quality", "--method quality");
+  check("--growth", method_ == "quality" || split_interfaces_,
+        "--method quality and --split-interfaces");
   check("--fill", method_ == "almond", "--method almond");
   return sentences;
 }
@@ -418,7 +421,7 @@ Status LibraryOptions::read_size_field(Options& options) const {
   if (size_field_.empty()) return ok();
   const Result<SizeSamples> samples = cover::read_size_field(size_field_);
   if (!samples) return samples.error();
-  Result<SizeFunction> sizes = size_function(*samples, options.growth);
+  Result<SizeFunction> sizes = size_function(*samples, options.growth.value_or(Options::kGrowth));
   if (!sizes) {
     Error error = std::move(sizes).error();
     error.message = fmt::format("{}: {}", size_field_, error.message);

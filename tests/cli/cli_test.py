@@ -213,6 +213,8 @@ class Mesh(Case):
 
     def test_dry_run_finds_wrong_names(self):
         diode = SAMPLES / 'diode.poly'
+        _, err = self.run_cover('mesh', diode, '--dry-run', '--size-at', 'gold=1', code=2)
+        self.assertIn("no interface, contact or point of that name", err)
         _, err = self.run_cover('mesh', diode, '--dry-run', '--size', 'gold=1', code=2)
         self.assertIn("size for 'gold'", err)
         _, err = self.run_cover('mesh', diode, '--dry-run', '--only', '2', '--onto', 'none.vtu', code=5)

@@ -48,6 +48,8 @@ using SizeFunction = std::function<double(Point)>;
 
 /// Options of `cover_mesh`. The default values are those of the command line.
 struct Options {
+  static constexpr double kGrowth = 1.3;
+
   Method method = Method::quality;
   Fill fill = Fill::refine;
 
@@ -62,7 +64,9 @@ struct Options {
   bool input_sizes = true;                ///< false: those of the input's regions do not count
   SizeFunction size_field;                ///< background sizes; empty: none. See size_function()
   std::string size_field_name;            ///< of the background sizes, for reports
-  double growth = 1.3;                    ///< ratio of neighbouring edge lengths, > 1
+  /// Ratio of neighbouring edge lengths, > 1. None: kGrowth where there are sizes; elsewhere triangles
+  /// grow as fast as their angles allow. With it and no sizes, they grow from the boundary's edges.
+  std::optional<double> growth;
   std::optional<Angle> split_interfaces;  ///< cut segments until gamma_opt is at most this
 
   Overlap overlap = Overlap::last;

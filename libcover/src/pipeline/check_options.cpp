@@ -42,7 +42,7 @@ Status check_options(const Options& options) {
        {check("pieces", options.pieces, ranges::kPieces),
         check("max_angle", options.max_angle, ranges::kMaxAngle),
         check("min_angle", options.min_angle, ranges::kMinAngle),
-        check("growth", options.growth, ranges::kGrowth),
+        options.growth ? check("growth", *options.growth, ranges::kGrowth) : ok(),
         options.weld ? check("weld", *options.weld, ranges::kWeld) : ok(),
         options.split_interfaces
             ? check("split_interfaces", *options.split_interfaces, ranges::kSplitInterfaces)

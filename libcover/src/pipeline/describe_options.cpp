@@ -72,7 +72,7 @@ std::vector<Provenance::Setting> describe_options(const Options& options) {
   for (const SizeRule& rule : options.sizes) add_size(rule, settings);
   settings.add_flag("no-input-sizes", !options.input_sizes);
   if (options.size_field) settings.add("size-field", options.size_field_name);
-  settings.add_number("growth", options.growth, defaults.growth);
+  if (options.growth) settings.add("growth", describe(*options.growth));
   if (options.split_interfaces)
     settings.add("split-interfaces", Settings::degrees(*options.split_interfaces));
   if (options.overlap != defaults.overlap) settings.add("overlap", name_of(options.overlap));

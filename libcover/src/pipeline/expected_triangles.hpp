@@ -12,10 +12,12 @@
 namespace cover {
 
 /// As many triangles as the smallest size wished in a region would take everywhere; 0 without any.
+/// Options::size_field and growth are not looked at.
 double most_triangles(const RegionBoundary& boundary);
 
 /// About how many triangles the sizes wished in a region take: the integral of 4 / (sqrt(3) h^2)
-/// over the sizes h that refinement will aim at. Sizes of Options::size_field are not looked at.
+/// over the sizes h that refinement will aim at, once sides are cut that Options::split_interfaces
+/// lets it cut. Of numbers that no mesh can hold, a part.
 ///
 /// Cost: O(n log n); O(n) where there are surely less than a million
 double expected_triangles(const RegionBoundary& boundary, const Options& options);

@@ -9,7 +9,9 @@
 #include "pipeline/check_options.hpp"
 #include "pipeline/describe_options.hpp"
 #include "pipeline/errors_as_values.hpp"
+#include "pipeline/expected_triangles.hpp"
 #include "pipeline/region_task.hpp"
+#include "quality/sizes.hpp"
 #include "quality/split_interfaces.hpp"
 #include "region/pslg.hpp"
 #include "region/region_graph.hpp"
@@ -21,6 +23,18 @@ Status begin_stage(std::string_view stage, const Callbacks& callbacks) {
   if (callbacks.progress) callbacks.progress({stage, 0, 0});
   return ok();
 }
+
+namespace {
+
+/// Before segments are cut for sizes that no mesh can have, or a dry run ends with a wrong name.
+Status check_sizes(const Pslg& pslg, const RegionTable& table, const Options& options) {
+  if (options.sizes.empty() && !options.split_interfaces) return ok();
+  std::vector<RegionBoundary> boundaries = split_regions(pslg, table);
+  Status resolved = resolve_sizes(pslg, table, options, boundaries);
+  return resolved ? check_expected_triangles(table, boundaries, options) : resolved;
+}
+
+}  // namespace
 
 Result<Prepared> find_regions(const Input& input, const Options& options,
                               const Callbacks& callbacks, StageClock& clock) {
@@ -44,7 +58,8 @@ Result<Prepared> find_regions(const Input& input, const Options& options,
   prepared.table = *std::move(table);
   clock.note("regions", report.times);
   Status status = errors_as_values("split interfaces", [&] {
-    return split_interfaces(prepared.pslg, prepared.table, options, report.notes);
+    Status sizes = check_sizes(prepared.pslg, prepared.table, options);
+    return sizes ? split_interfaces(prepared.pslg, prepared.table, options, report.notes) : sizes;
   });
   if (!status) return std::move(status).error();
   report.input_points = prepared.pslg.points.size();

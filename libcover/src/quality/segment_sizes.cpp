@@ -38,7 +38,7 @@ bool SegmentSizes::has_wish() const {
 double SegmentSizes::size_at(double part) const {
   double size = 0;
   lower(size, inside_);
-  const double whole = length(b_ - a_), slope = options_->growth - 1;
+  const double whole = length(b_ - a_), slope = options_->growth.value_or(Options::kGrowth) - 1;
   if (at_a_ > 0) lower(size, at_a_ + slope * part * whole);
   if (at_b_ > 0) lower(size, at_b_ + slope * (1 - part) * whole);
   if (options_->size_field) lower(size, options_->size_field(a_ + part * (b_ - a_)));

@@ -43,12 +43,12 @@ double diagonal(const RegionBoundary& boundary) {
 
 }  // namespace
 
-SizeField::SizeField(const RegionBoundary& boundary, const Triangulation& cdt, double growth,
-                     SizeFunction background)
-    : slope_(growth - 1),
+SizeField::SizeField(const RegionBoundary& boundary, const Triangulation& cdt,
+                     std::optional<double> growth, SizeFunction background)
+    : slope_(growth.value_or(Options::kGrowth) - 1),
       largest_(boundary.size > 0 ? boundary.size : kNoSize),
       background_(std::move(background)) {
-  if (!background_ && boundary.size_at.empty() && largest_ >= diagonal(boundary)) return;
+  if (!growth && !background_ && boundary.size_at.empty() && largest_ >= diagonal(boundary)) return;
   at_ = spacing_of(boundary);
   least_.assign(at_.size(), 0);
   for (std::uint32_t v = 0; v < at_.size(); ++v) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <cover/point.hpp>
@@ -17,6 +18,7 @@ namespace cover {
 /// size is smaller, from where it grows by (growth - 1) per unit of distance: edges that follow
 /// each other then grow by that ratio.
 ///
+/// A growth is a wish of its own, even without sizes.
 /// A boundary vertex has the size given for it; else the mean length of its sides, or h(x) without
 /// them where that is no more than kNear times as long. A region's size that no edge of its meshes
 /// can exceed is no wish. Beside sides more than kNear times as long as h(x), sizes are no smaller
@@ -32,7 +34,7 @@ class SizeField {
   /// then
   ///           is too; not finite or not above zero: no wish at that place
   /// Cost:     O(n log n)
-  SizeField(const RegionBoundary& boundary, const Triangulation& cdt, double growth,
+  SizeField(const RegionBoundary& boundary, const Triangulation& cdt, std::optional<double> growth,
             SizeFunction background = {});
 
   /// Whether the region has any wish.

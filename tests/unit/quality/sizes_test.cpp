@@ -154,6 +154,22 @@ TEST(Sizes, GrowFromAFinePoint) {
   EXPECT_GT(steep, none);
 }
 
+TEST(Sizes, AGrowthAloneCountsFromTheEdgesOfTheBoundary) {
+  const RegionBoundary boundary = boundary_of({regular_polygon(200)});
+  const double side = 2 * 3.14159265 / 200;
+  std::size_t last = quality_region(boundary, {}, {}).triangles.size();
+  for (const double growth : {1.3, 1.1, 1.03}) {
+    Options options;
+    options.growth = growth;
+    const RegionMesh mesh = quality_region(boundary, options, {});
+    const double wished =
+        triangles_between(0, 1, [&](double r) { return side + (growth - 1) * (1 - r); });
+    EXPECT_NEAR(static_cast<double>(mesh.triangles.size()), wished, 0.15 * wished) << growth;
+    EXPECT_GT(mesh.triangles.size(), last);
+    last = mesh.triangles.size();
+  }
+}
+
 /// Two rectangles side by side, of materials "left" and "right".
 Input two_rectangles() {
   Input input = testing::segments_between({{0, 0}, {1, 0}, {3, 0}, {3, 1}, {1, 1}, {0, 1}},
