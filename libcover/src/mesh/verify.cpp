@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include <fmt/format.h>
 
@@ -26,11 +25,11 @@
 #include "mesh/soup_edges.hpp"
 #include "mesh/verify_bound.hpp"
 #include "mesh/verify_labels.hpp"
+#include "mesh/verify_regions.hpp"
 
 namespace cover {
 namespace {
 
-constexpr std::uint32_t kNoSide = 0xffffffffU;
 constexpr std::size_t kMostListed = 10;  // of a kind
 
 class Verifier {
@@ -241,48 +240,20 @@ class Verifier {
         {at(e.from), at(e.to)});
   }
 
-  /// Carries the regions of the sides over all edges that are no part of one.
   void find_regions() {
-    region_.assign(mesh_.triangles.size(), kVoid);
-    const auto all = edges_.all();
-    std::vector<std::uint32_t> parent(mesh_.triangles.size());
-    std::iota(parent.begin(), parent.end(), 0U);
-    const auto root = [&](std::uint32_t t) {
-      while (parent[t] != t) t = parent[t] = parent[parent[t]];
-      return t;
-    };
-    for (std::size_t k = 0; k < all.size(); ++k) {
-      if (side_of_[k] != kNoSide) continue;
-      const auto twin = edges_.find(all[k].to, all[k].from);
-      if (twin && side_of_[*twin] == kNoSide) {
-        parent[root(all[k].triangle)] = root(all[*twin].triangle);
-      }
-    }
-    std::vector<RegionId> of_root(mesh_.triangles.size(), kVoid);
-    for (std::size_t k = 0; k < all.size(); ++k) {
-      if (side_of_[k] == kNoSide) continue;
-      const RegionId region = domain_.sides[side_of_[k]].region;
-      RegionId& known = of_root[root(all[k].triangle)];
-      if (known != kVoid && known != region) report_two_regions(all[k], known, region);
-      known = region;
-    }
-    std::vector<bool> met(domain_.nu_opt.size(), false);
-    for (const SoupEdges::Edge& e : all) {
-      region_[e.triangle] = of_root[root(e.triangle)];
-      if (region_[e.triangle] != kVoid) {
-        met[region_[e.triangle].index()] = true;
-      } else if (e.from == mesh_.triangles[e.triangle][0]) {
-        report_no_region(e.triangle);
-      }
-    }
-    result_.regions = static_cast<std::size_t>(std::count(met.begin(), met.end(), true));
+    TriangleRegions regions = regions_of_triangles(mesh_, edges_, side_of_, domain_);
+    for (const TwoRegions& mixed : regions.mixed) report_two_regions(mixed);
+    for (const std::uint32_t triangle : regions.lost) report_no_region(triangle);
+    result_.regions = regions.count;
+    region_ = std::move(regions.of);
   }
 
-  void report_two_regions(const SoupEdges::Edge& e, RegionId one, RegionId other) {
+  void report_two_regions(const TwoRegions& mixed) {
+    const SoupEdges::Edge& e = edges_.all()[mixed.edge];
     add(Kind::two_regions, 2,
         fmt::format("triangle {} at the {} hangs together with triangles of both region {} and "
                     "region {}",
-                    e.triangle, edge_text(e), one.value(), other.value()),
+                    e.triangle, edge_text(e), mixed.one.value(), mixed.other.value()),
         {at(e.from), at(e.to)});
   }
 
@@ -360,24 +331,6 @@ class Verifier {
 };
 
 }  // namespace
-
-TriangleSoup triangle_soup(const Mesh& mesh) {
-  const TriMesh& tri = mesh.tri();
-  TriangleSoup soup;
-  soup.points.reserve(tri.n_vertices());
-  for (const auto v : tri.vertices()) soup.points.push_back({tri.point(v)[0], tri.point(v)[1]});
-  soup.triangles.reserve(tri.n_faces());
-  for (const auto f : tri.faces()) {
-    const auto h = tri.halfedge_handle(f);
-    soup.triangles.push_back(
-        {static_cast<std::uint32_t>(tri.from_vertex_handle(h).idx()),
-         static_cast<std::uint32_t>(tri.to_vertex_handle(h).idx()),
-         static_cast<std::uint32_t>(tri.to_vertex_handle(tri.next_halfedge_handle(h)).idx())});
-    soup.region.push_back(mesh.region(f).value());
-    soup.material.push_back(mesh.material(f));
-  }
-  return soup;
-}
 
 Verification verify_cover(const Pslg& pslg, const RegionTable& table, const TriangleSoup& mesh,
                           const VerifyOptions& options) {
