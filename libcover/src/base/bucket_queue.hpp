@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <bit>
 #include <cstddef>
-#include <numbers>
+#include <cstdint>
 #include <vector>
 
 namespace cover {
@@ -45,10 +45,12 @@ class BucketQueue {
   std::size_t first_ = kBuckets;
 };
 
-/// Two buckets per factor of two; any number for x = 0.
+/// Two buckets per factor of two, from 1 on: the exponent and the first bit after it.
+///
+/// REQUIRES: x >= 0
 inline int half_octave(double x) {
-  const int exponent = std::ilogb(x);
-  return 2 * exponent + (x >= std::ldexp(std::numbers::sqrt2, exponent) ? 1 : 0);
+  constexpr int kOne = static_cast<int>(std::bit_cast<std::uint64_t>(1.0) >> 51);
+  return static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 51) - kOne;
 }
 
 }  // namespace cover

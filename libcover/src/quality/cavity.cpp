@@ -70,7 +70,7 @@ bool Cavity::grow(int k) {
   const std::uint32_t t = outer(k);
   if (is_side(t) || triangle_count_ == kCapacity) return false;
   const MeshTriangle& s = mesh_->triangles[t];
-  const int after = next(k), before = k == 0 ? size_ - 1 : k - 1;
+  const int after = next(k), before = previous(k);
   const int j = s.edge_from(vertex(after));  // edge j of s runs from the end to the start of k
   const std::uint32_t c = s.v[at(j)];
   const std::uint32_t first = s.n[at(next3(j))];   // across start - c
@@ -121,7 +121,7 @@ bool install_star(MutableMesh& mesh, const Cavity& cavity, Point p, Installed& i
   const std::uint32_t apex = mesh.add_vertex(p);
   reuse_places(mesh, cavity, size, installed);
   for (int k = 0; k < size; ++k) {
-    const int before = k == 0 ? size - 1 : k - 1;
+    const int before = cavity.previous(k);
     const std::uint32_t t = installed.triangles[at(k)];
     const std::uint32_t a = cavity.vertex(k), b = cavity.vertex(cavity.next(k));
     mesh.triangles[t] = {{a, b, apex},

@@ -36,6 +36,7 @@ class Cavity {
   [[nodiscard]] std::uint32_t vertex(int k) const { return loop_[at(k)].from; }
   [[nodiscard]] std::uint32_t outer(int k) const { return loop_[at(k)].outer; }
   [[nodiscard]] int next(int k) const { return k + 1 == size_ ? 0 : k + 1; }
+  [[nodiscard]] int previous(int k) const { return k == 0 ? size_ - 1 : k - 1; }
   [[nodiscard]] int triangle_count() const { return triangle_count_; }
   [[nodiscard]] std::uint32_t triangle(int k) const { return triangles_[at(k)]; }
   [[nodiscard]] int swallowed_count() const { return swallowed_count_; }

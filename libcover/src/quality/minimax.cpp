@@ -4,9 +4,8 @@
 // where they enclose zero is the minimum. Tested by tests/unit/quality/minimax_test.cpp.
 #include "quality/minimax.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 
 namespace cover {
@@ -14,6 +13,7 @@ namespace {
 
 constexpr int kPivots = 12;      ///< at most; three to five are common
 constexpr double kFlat = 1e-12;  ///< squared, times the steepest: a slope that is none
+constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// Up to three pieces that tie for the largest value.
 struct Tie {
@@ -31,8 +31,8 @@ Vector nearest_to_zero(Vector a, Vector b, double& share) {
 
 /// The shortest vector in the convex hull of the tying slopes. Pieces that it does not need leave
 /// the tie: they fall faster.
-Vector shortest_slope(std::span<const LinearPiece> pieces, Tie& tie) {
-  const auto slope = [&](std::size_t k) { return pieces[tie.pieces[k]].slope(); };
+Vector shortest_slope(const LinearPieces& pieces, Tie& tie) {
+  const auto slope = [&](std::size_t k) { return pieces.slope(tie.pieces[k]); };
   if (tie.count == 1) return slope(0);
   if (tie.count == 3) {
     const double a = cross(slope(0), slope(1)), b = cross(slope(1), slope(2)),
@@ -65,39 +65,55 @@ double times_within(Vector step, Vector along, double radius) {
   return c < 0 ? (std::sqrt(b * b - a * c) - b) / a : 0;
 }
 
+/// How often `slope`, with squared length `rate`, can be taken off the step of `from` until each
+/// piece ties with the largest; infinite for those that fall as fast.
+std::array<double, LinearPieces::kCapacity> times_until_ties(const LinearPieces& pieces,
+                                                             const Descent& from, Vector slope,
+                                                             double rate) {
+  std::array<double, LinearPieces::kCapacity> times;
+  for (std::size_t k = 0; k < pieces.count(); ++k) {
+    const double closing = rate - dot(pieces.slope(k), slope);
+    const double until = std::max(from.value - pieces.at(k, from.step), 0.0) / closing;
+    times[k] = closing > 0 ? until : kNever;
+  }
+  return times;
+}
+
 }  // namespace
 
-Descent descend(std::span<const LinearPiece> pieces, double level, double radius) {
+Descent descend(const LinearPieces& pieces, double level, double radius) {
   Tie tie;
   tie.count = 1;
   double steepest = 0;
-  for (std::size_t k = 0; k < pieces.size(); ++k) {
-    if (pieces[k].value > pieces[tie.pieces[0]].value) tie.pieces[0] = k;
-    steepest = std::max(steepest, squared_length(pieces[k].slope()));
+  for (std::size_t k = 0; k < pieces.count(); ++k) {
+    if (pieces.value(k) > pieces.value(tie.pieces[0])) tie.pieces[0] = k;
+    steepest = std::max(steepest, squared_length(pieces.slope(k)));
   }
-  Descent result{{}, pieces[tie.pieces[0]].value, false};
+  Descent result{{}, pieces.value(tie.pieces[0]), false};
   for (int pivot = 0; pivot < kPivots && result.value > level; ++pivot) {
     const Vector slope = shortest_slope(pieces, tie);
     const double rate = squared_length(slope);
     if (!(rate > kFlat * steepest)) break;
-    // As far as the level, the radius, or the first piece that ties.
+    // As far as the level, the first piece that ties, or the radius.
+    auto until = times_until_ties(pieces, result, slope, rate);
+    for (std::size_t k = 0; k < tie.count; ++k) until[tie.pieces[k]] = kNever;
     double times = (result.value - level) / rate;
-    const double within = times_within(result.step, -1.0 * slope, radius);
-    result.is_cut_short = within < times;
-    times = std::min(times, within);
-    std::size_t joins = pieces.size();
-    for (std::size_t k = 0; k < pieces.size(); ++k) {
-      const double closing = rate - dot(pieces[k].slope(), slope);
-      const double gap = result.value - pieces[k].at(result.step);
-      if (!(closing > 0) || gap >= times * closing) continue;
-      if ((tie.count > 0 && tie.pieces[0] == k) || (tie.count > 1 && tie.pieces[1] == k)) continue;
-      times = std::max(gap, 0.0) / closing;
+    std::size_t joins = pieces.count();
+    for (std::size_t k = 0; k < pieces.count(); ++k) {
+      if (!(until[k] < times)) continue;
+      times = until[k];
       joins = k;
     }
-    result.step = result.step - times * slope;
+    Vector step = result.step - times * slope;
+    if (!(squared_length(step) <= radius * radius)) {
+      times = times_within(result.step, -1.0 * slope, radius);
+      step = result.step - times * slope;
+      joins = pieces.count();
+      result.is_cut_short = true;
+    }
+    result.step = step;
     result.value -= times * rate;
-    if (joins == pieces.size()) break;
-    result.is_cut_short = false;
+    if (joins == pieces.count()) break;
     tie.pieces[tie.count++] = joins;
   }
   return result;

@@ -1,19 +1,40 @@
 // The lowest point of the maximum of linear functions in the plane, or a step on the way there.
 #pragma once
 
-#include <span>
+#include <array>
+#include <cstddef>
 
 #include "geom/vector.hpp"
 
 namespace cover {
 
-/// value + slope . step
-struct LinearPiece {
-  double value, slope_x, slope_y;  ///< no constructor: many are made and few are used
-  [[nodiscard]] Vector slope() const { return {slope_x, slope_y}; }
-  [[nodiscard]] double at(Vector step) const {
-    return value + (slope_x * step.x + slope_y * step.y);
+/// Linear functions value + slope . step, by component: several are computed at a time.
+class LinearPieces {
+ public:
+  static constexpr std::size_t kCapacity = 64;
+
+  void clear() { count_ = 0; }
+  /// What does not fit is left out: a model, not a promise.
+  void add(double value, Vector slope) { add_if(true, value, slope); }
+  /// Adds a piece if it `matters`; without a branch, because nobody can predict that.
+  void add_if(bool matters, double value, Vector slope) {
+    if (count_ == kCapacity) return;
+    values_[count_] = value;
+    slopes_x_[count_] = slope.x;
+    slopes_y_[count_] = slope.y;
+    count_ += matters ? 1 : 0;
   }
+
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] double value(std::size_t k) const { return values_[k]; }
+  [[nodiscard]] Vector slope(std::size_t k) const { return {slopes_x_[k], slopes_y_[k]}; }
+  [[nodiscard]] double at(std::size_t k, Vector step) const {
+    return values_[k] + (slopes_x_[k] * step.x + slopes_y_[k] * step.y);
+  }
+
+ private:
+  std::array<double, kCapacity> values_, slopes_x_, slopes_y_;
+  std::size_t count_ = 0;
 };
 
 /// A step, and what the largest piece is there.
@@ -28,6 +49,6 @@ struct Descent {
 ///
 /// REQUIRES: at least one piece
 /// Cost:     O(pieces) per change of the pieces that tie, of which there are few
-Descent descend(std::span<const LinearPiece> pieces, double level, double radius);
+Descent descend(const LinearPieces& pieces, double level, double radius);
 
 }  // namespace cover

@@ -8,6 +8,7 @@
 #include "quality/placement.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace cover {
 namespace {
@@ -80,35 +81,35 @@ int Hole::worst_edge(Point p, const std::array<bool, Cavity::kCapacity>& skip) c
   return result;
 }
 
-double Hole::linearise(Point p, double limit, double reach, double level, Pieces& pieces) const {
+double Hole::linearise(Point p, double limit, double reach, double level,
+                       LinearPieces& pieces) const {
   pieces.clear();
   double worst = -kInverted;
+  const double weight = goal_->weight;
+  const auto add = [&](double excess, Vector slope) {
+    pieces.add_if(excess + reach * (std::abs(slope.x) + std::abs(slope.y)) > level, excess, slope);
+  };
   for (const Edge& edge : edges()) {
     const Vector u = edge.a() - p, v = edge.b() - p, e = edge.b() - edge.a();
     const double area = cross(u, v);
     if (!(area > 0)) return kInverted;
-    // The excess is the largest of six: factor * (cot - bound), at three corners.
+    const double inverse = 1 / area;
+    const Vector across = inverse * left_normal(e);
+    // Cotangents at p, a, b, times the area, and how they change with p. Which of them count
+    // nobody can predict: they are looked up, without a branch.
     const double dots[3] = {dot(u, v), -dot(u, e), dot(v, e)};
-    const double apex = -dots[0] - edge.large * area;
-    const double base = -std::min(dots[1], dots[2]);
-    const int large_at = apex > base ? 0 : dots[1] < dots[2] ? 1 : 2;
+    const Vector of_dots[3] = {-1.0 * (u + v), e, -1.0 * e};
+    const int base_large = dots[1] < dots[2] ? 1 : 2, base_small = 3 - base_large;
+    const double apex = -dots[0] - edge.large * area, base = -dots[base_large];
+    const int large_at = apex > base ? 0 : base_large;
+    const int small_at = dots[0] > dots[base_small] ? 0 : base_small;
     const double large = (std::max(apex, base) - goal_->large * area) / area;
-    const int small_at = dots[0] > std::max(dots[1], dots[2]) ? 0 : dots[1] > dots[2] ? 1 : 2;
-    const double small =
-        goal_->weight * (dots[small_at] - (goal_->small + edge.small) * area) / area;
+    const double small = weight * (dots[small_at] - (goal_->small + edge.small) * area) / area;
     const double value = std::max(large, small);
     if (value > limit) return value;
     worst = std::max(worst, value);
-    const Vector of_dots[3] = {-1.0 * (u + v), e, -1.0 * e};
-    const Vector normal = left_normal(e);
-    const auto add = [&](int at, double factor, double excess) {
-      const double cot = dots[at] / area;
-      const Vector slope = (factor / area) * (of_dots[at] - cot * normal);
-      if (excess + reach * (std::abs(slope.x) + std::abs(slope.y)) > level)
-        pieces.add(excess, slope);
-    };
-    add(large_at, -1, large);
-    if (goal_->weight > 0) add(small_at, goal_->weight, small);
+    add(large, -inverse * (of_dots[large_at] - dots[large_at] * across));
+    if (weight > 0) add(small, inverse * weight * (of_dots[small_at] - dots[small_at] * across));
   }
   return worst;
 }
@@ -133,14 +134,14 @@ namespace {
 
 /// Steps to the lowest point of a linear model of the star, as far as it can be trusted.
 void follow_model(const Hole& hole, Placement& best, double wanted, std::uint64_t& evaluations) {
-  Pieces buffers[2];
-  Pieces *here = &buffers[0], *there = &buffers[1];
+  LinearPieces buffers[2];
+  LinearPieces *here = &buffers[0], *there = &buffers[1];
   double radius = kFirstStep * hole.shortest_spoke(best.at);
   best.worst = hole.linearise(best.at, kInverted, radius, -kMargin, *here);
   evaluations += kStepCost;
   if (!(best.worst > 0) || best.worst == kInverted) return;
   for (int k = 0; k < kModelSteps; ++k) {
-    const Descent down = descend(here->span(), -kMargin, radius);
+    const Descent down = descend(*here, -kMargin, radius);
     const double gain = best.worst - down.value;
     if (!(gain > (best.worst > 1 ? kLeastGainFar : kLeastGain) * best.worst)) return;
     if (!down.is_cut_short && !(down.value < wanted)) return;
@@ -148,7 +149,7 @@ void follow_model(const Hole& hole, Placement& best, double wanted, std::uint64_
     double value = hole.linearise(p, kInverted, 2 * radius, -kMargin, *there);
     evaluations += kStepCost;
     if (value >= best.worst && value < kInverted) {  // back into a valley that is curved
-      p = p + descend(there->span(), -kMargin, length(down.step)).step;
+      p = p + descend(*there, -kMargin, length(down.step)).step;
       value = hole.linearise(p, best.worst, 2 * radius, -kMargin, *there);
       evaluations += kStepCost;
     }
@@ -167,16 +168,18 @@ void follow_model(const Hole& hole, Placement& best, double wanted, std::uint64_
 
 }  // namespace
 
+WidestCorner::WidestCorner(const Goal& goal, double limit) {
+  const double largest = goal.large + limit;  // twice that angle is 180 degrees and another one
+  cot_ = largest > 0 ? (1 - largest * largest) / (2 * largest) : kInverted;
+}
+
 bool has_room(const MutableMesh& mesh, const Cavity& cavity, double limit) {
-  // Twice the largest angle allowed is 180 degrees and an angle with cotangent `twice`.
-  const double largest = mesh.goal().large + limit;
-  const double twice = largest > 0 ? (1 - largest * largest) / (2 * largest) : kInverted;
+  const WidestCorner widest(mesh.goal(), limit);
+  Point before = mesh.points[cavity.vertex(cavity.size() - 1)], p = mesh.points[cavity.vertex(0)];
   for (int k = 0; k < cavity.size(); ++k) {
-    const Point p = mesh.points[cavity.vertex(cavity.next(k))];
-    const Vector u = mesh.points[cavity.vertex(cavity.next(cavity.next(k)))] - p;
-    const Vector v = mesh.points[cavity.vertex(k)] - p;
-    const double area = cross(u, v);
-    if (area < 0 && dot(u, v) > twice * area) return false;
+    const Point after = mesh.points[cavity.vertex(cavity.next(k))];
+    if (!widest.allows(before, p, after)) return false;
+    before = std::exchange(p, after);
   }
   return true;
 }

@@ -11,21 +11,6 @@
 
 namespace cover {
 
-/// Linear functions of a step, two per edge of a hole at most.
-class Pieces {
- public:
-  void clear() { count_ = 0; }
-  /// What does not fit is left out: a model, not a promise.
-  void add(double value, Vector slope) {
-    if (count_ < pieces_.size()) pieces_[count_++] = {value, slope.x, slope.y};
-  }
-  [[nodiscard]] std::span<const LinearPiece> span() const { return {pieces_.data(), count_}; }
-
- private:
-  std::array<LinearPiece, 2 * Cavity::kCapacity> pieces_;
-  std::size_t count_ = 0;
-};
-
 /// The edges around a hole as plain coordinates.
 class Hole {
  public:
@@ -53,7 +38,7 @@ class Hole {
   /// from `p`, but for those that no step as long as `reach` brings above `level`; or anything
   /// above `limit` once that is passed.
   [[nodiscard]] double linearise(Point p, double limit, double reach, double level,
-                                 Pieces& pieces) const;
+                                 LinearPieces& pieces) const;
   /// The loop edge with the worst triangle of the star from `p`, but for those to `skip`; -1: none.
   [[nodiscard]] int worst_edge(Point p, const std::array<bool, Cavity::kCapacity>& skip) const;
   /// The distance to the nearest vertex of the loop.
@@ -75,8 +60,24 @@ class Hole {
   std::array<Edge, Cavity::kCapacity> own_;  ///< behind edges_, for the hole of a cavity
 };
 
-/// Whether all corners of the loop are narrow enough for a star with excesses of at most `limit`:
-/// its edges halve them. Where not, no place needs to be looked for.
+/// Tells corners of a loop that are too wide for a star with excesses of at most `limit`: its edges
+/// halve them.
+class WidestCorner {
+ public:
+  WidestCorner(const Goal& goal, double limit);
+  /// Whether the corner at `p` is narrow enough, between the vertices before and after it.
+  [[nodiscard]] bool allows(Point before, Point p, Point after) const {
+    const Vector u = after - p, v = before - p;
+    const double area = cross(u, v);
+    return !(area < 0 && dot(u, v) > cot_ * area);
+  }
+
+ private:
+  double cot_;  ///< of what the widest corner has beyond 180 degrees
+};
+
+/// Whether all corners of the loop are narrow enough for a star with excesses of at most `limit`.
+/// Where not, no place needs to be looked for.
 bool has_room(const MutableMesh& mesh, const Cavity& cavity, double limit);
 
 /// A place and the worst excess there.

@@ -9,6 +9,7 @@
 namespace cover {
 namespace {
 
+constexpr double kLimit = 0;       ///< excess that new triangles may have
 constexpr double kHopeless = 0.3;  ///< excess of a first try from which no place is found
 constexpr int kPartners = 2;  ///< neighbours of a vertex that it may be merged with: the nearest
 
@@ -16,7 +17,8 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 class Thinner {
  public:
-  Thinner(MutableMesh& mesh, std::uint64_t budget) : mesh_(mesh), budget_(budget), cavity_(mesh) {}
+  Thinner(MutableMesh& mesh, std::uint64_t budget)
+      : mesh_(mesh), budget_(budget), cavity_(mesh), widest_(mesh.goal(), kLimit) {}
 
   ThinOutResult run() {
     queued_.assign(mesh_.points.size(), 0);
@@ -26,7 +28,7 @@ class Thinner {
       const std::uint32_t v = queue_[head];
       queued_[v] = 0;
       if (mesh_.home[v] == kNone) continue;
-      if (try_removal(v) || try_merge(v)) {
+      if (cavity_.start_star(v) && (try_removal() || try_merge(v))) {
         ++removed;
         for (int k = 0; k < installed_.count; ++k) {
           for (const std::uint32_t w : mesh_.triangles[installed_.triangles[at(k)]].v) enqueue(w);
@@ -43,37 +45,48 @@ class Thinner {
     queue_.push_back(v);
   }
 
-  /// What the new triangles may be.
-  [[nodiscard]] double limit() const { return 0; }
-
-  bool try_removal(std::uint32_t v) {
-    if (!cavity_.start_star(v)) return false;
+  /// ENSURES: where it fails, the cavity is the star of `v`
+  bool try_removal() {
     ++evaluations_;
     Patch patch;
-    return min_max_polygon(mesh_, cavity_, limit(), patch) <= limit() &&
+    return min_max_polygon(mesh_, cavity_, kLimit, patch) <= kLimit &&
            install_patch(mesh_, cavity_, patch, installed_);
   }
 
-  /// Replaces `v` and one of the free vertices nearest to it by one vertex.
+  /// Replaces `v`, whose star the cavity is, and one of the free vertices nearest to it by one
+  /// vertex.
   bool try_merge(std::uint32_t v) {
-    Cavity star(mesh_);
-    if (!star.start_star(v)) return false;
+    const Cavity star = cavity_;
     for (int attempt = 0; attempt < kPartners; ++attempt) {
       const int k = nearest_free(star, v, attempt);
       if (k < 0) return false;
+      if (!has_room_beside(star, k)) continue;
       const std::uint32_t u = star.vertex(k);
       cavity_ = star;
-      if (!swallow(u) || !has_room(mesh_, cavity_, limit())) continue;
+      if (!swallow(u) || !has_room(mesh_, cavity_, kLimit)) continue;
       const Hole hole(mesh_, cavity_);
       const Point middle = midpoint(mesh_.points[u], mesh_.points[v]);
       ++evaluations_;
       if (hole.worst(middle, kHopeless) > kHopeless) continue;
-      const Placement placement = place(hole, middle, limit(), evaluations_);
-      if (placement.worst <= limit() && install_star(mesh_, cavity_, placement.at, installed_)) {
+      const Placement placement = place(hole, middle, kLimit, evaluations_);
+      if (placement.worst <= kLimit && install_star(mesh_, cavity_, placement.at, installed_)) {
         return true;
       }
     }
     return false;
+  }
+
+  /// Whether the loop of `star` and that around its vertex k, made one, has room at the corners
+  /// that they share: there most loops are too wide, and this is known before the cavity is grown.
+  [[nodiscard]] bool has_room_beside(const Cavity& star, int k) const {
+    const int before = star.previous(k), after = star.next(k);
+    const auto corner = [&](int i) { return mesh_.points[star.vertex(i)]; };
+    const auto beyond = [&](int i) {  // the corner across loop edge i, which is no side
+      const MeshTriangle& t = mesh_.triangles[star.outer(i)];
+      return mesh_.points[t.v[at(t.edge_from(star.vertex(star.next(i))))]];
+    };
+    return widest_.allows(corner(star.previous(before)), corner(before), beyond(before)) &&
+           widest_.allows(beyond(k), corner(after), corner(star.next(after)));
   }
 
   /// The loop index of the free vertex that `rank` others are nearer to `v` than; -1: there is
@@ -110,6 +123,7 @@ class Thinner {
   std::uint64_t budget_;
   std::uint64_t evaluations_ = 0;
   Cavity cavity_;
+  WidestCorner widest_;
   Installed installed_;
   std::vector<std::uint32_t> queue_;
   std::vector<std::uint8_t> queued_;

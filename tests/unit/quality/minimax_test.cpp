@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <limits>
 #include <random>
-#include <vector>
 
 #include "support/inputs.hpp"
 
@@ -14,17 +13,17 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double largest(const std::vector<LinearPiece>& pieces, Vector step) {
+double largest(const LinearPieces& pieces, Vector step) {
   double value = -kInfinity;
-  for (const LinearPiece& piece : pieces) value = std::max(value, piece.at(step));
+  for (std::size_t k = 0; k < pieces.count(); ++k) value = std::max(value, pieces.at(k, step));
   return value;
 }
 
 TEST(Minimax, GoesDownToTheLowestPoint) {
   // A pyramid with its top down at (1, 2), -3.
-  std::vector<LinearPiece> pieces;
+  LinearPieces pieces;
   for (const Vector slope : {Vector{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-    pieces.push_back({-3 - dot(slope, {1, 2}), slope.x, slope.y});
+    pieces.add(-3 - dot(slope, {1, 2}), slope);
   }
   const Descent down = descend(pieces, -kInfinity, 100);
   EXPECT_NEAR(down.step.x, 1, 1e-12);
@@ -34,7 +33,8 @@ TEST(Minimax, GoesDownToTheLowestPoint) {
 }
 
 TEST(Minimax, StopsAtTheLevelAndAtTheRadius) {
-  const std::vector<LinearPiece> slope{{5, 2, 0}};
+  LinearPieces slope;
+  slope.add(5, {2, 0});
   const Descent level = descend(slope, 1, 100);
   EXPECT_DOUBLE_EQ(level.value, 1);
   EXPECT_DOUBLE_EQ(level.step.x, -2);
@@ -51,9 +51,8 @@ TEST(Minimax, NothingAroundIsLower) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> unit(-1, 1);
   for (int k = 0; k < 200; ++k) {
-    std::vector<LinearPiece> pieces;
-    for (int m = 0; m < 3 + k % 12; ++m)
-      pieces.push_back({unit(random), unit(random), unit(random)});
+    LinearPieces pieces;
+    for (int m = 0; m < 3 + k % 12; ++m) pieces.add(unit(random), {unit(random), unit(random)});
     const double radius = 0.1 + k % 7;
     const Descent down = descend(pieces, -kInfinity, radius);
     EXPECT_NEAR(down.value, largest(pieces, down.step), 1e-9);
@@ -65,6 +64,15 @@ TEST(Minimax, NothingAroundIsLower) {
       EXPECT_GE(largest(pieces, near), down.value - 1e-9);
     }
   }
+}
+
+TEST(Minimax, LeavesOutWhatDoesNotMatterOrFit) {
+  LinearPieces pieces;
+  pieces.add_if(false, 7, {1, 0});
+  EXPECT_EQ(pieces.count(), 0U);
+  for (std::size_t k = 0; k <= LinearPieces::kCapacity; ++k) pieces.add(static_cast<double>(k), {});
+  EXPECT_EQ(pieces.count(), LinearPieces::kCapacity);
+  EXPECT_EQ(descend(pieces, -kInfinity, 1).value, static_cast<double>(LinearPieces::kCapacity - 1));
 }
 
 }  // namespace
