@@ -87,6 +87,8 @@ Excerpt::Excerpt(const MutableMesh& whole, std::uint32_t t, std::size_t limit,
 
 std::vector<std::uint32_t> Excerpt::replace(MutableMesh& whole, const MutableMesh& part) const {
   std::vector<std::uint32_t> vertex(part.points.size(), kNone);
+  for (std::size_t v = part.points.size(); v < vertices_.size(); ++v)
+    whole.drop_vertex(vertices_[v]);
   for (std::uint32_t v = 0; v < part.points.size(); ++v) {
     const bool is_old = v < vertices_.size();
     if (part.home[v] == kNone) {

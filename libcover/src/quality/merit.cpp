@@ -17,11 +17,13 @@ bool are_near(const Merit& a, const Merit& b) {
          std::max(a.large, b.large) <= a.target + kNear;
 }
 
-/// Largest angles from 120 to 130 degrees, and from there to 140, are alike.
-bool are_alike(double a, double b) {
+/// Largest angles from 120 to 130 degrees, and from there to 140, are alike, unless one of them is
+/// the target.
+bool are_alike(const Merit& a, const Merit& b) {
   constexpr double k130 = 0.8390996311772800, k140 = 1.1917535925942100;  // -cot
-  if (std::min(a, b) <= kFarAbove || std::max(a, b) > k140) return false;
-  return (a <= k130) == (b <= k130);
+  const double least = std::min(a.large, b.large), most = std::max(a.large, b.large);
+  if (least <= std::max(kFarAbove, a.target + kSame) || most > k140) return false;
+  return (least <= k130) == (most <= k130);
 }
 
 }  // namespace
@@ -76,7 +78,7 @@ bool is_smaller_cot(double a, double b) { return a < b - kSame * std::max(1.0, s
 bool is_better(const Merit& a, const Merit& b) {
   const bool is_same = !is_smaller_cot(a.large, b.large) && !is_smaller_cot(b.large, a.large);
   const bool is_near = are_near(a, b);
-  if (!is_same && !is_near && !are_alike(a.large, b.large)) return a.large < b.large;
+  if (!is_same && !is_near && !are_alike(a, b)) return a.large < b.large;
   if (a.far_above != b.far_above) return a.far_above < b.far_above;
   if (is_near && a.above != b.above) return a.above < b.above;
   if (!is_same) return a.large < b.large;

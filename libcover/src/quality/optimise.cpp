@@ -6,7 +6,7 @@
 // 3. Where many large angles are left, small angles were in the way from the start: again from the
 //    refined triangulation with a weight for small angles so low that they decide only between
 //    equals ("light").
-// 4. Search in excerpts around what is left.
+// 4. Search in excerpts around what is left; in tiny regions random restarts do better.
 // 5. Thin out.
 // Tested by tests/unit/quality/optimise_test.cpp.
 #include "quality/optimise.hpp"
@@ -91,7 +91,8 @@ Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeFi
   if (has_at_most(merit, kFewAbove)) {
     budget.left += kEvaluationsForFew * std::min(merit.above, kMostOfFew);
   }
-  if (is_worth_a_search(merit)) search_excerpts(mesh, goal, budget);
+  const bool is_tiny = mesh.fixed_vertices() <= kTinyRegion && !sizes.is_active();
+  if (!is_tiny && is_worth_a_search(merit)) search_excerpts(mesh, goal, budget);
   if (!sizes.is_active()) budget.spend(thin_out(mesh, budget.left).evaluations);
   return merit_of(mesh, goal);
 }

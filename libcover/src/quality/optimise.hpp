@@ -10,6 +10,9 @@
 
 namespace cover {
 
+/// Points of a region in which random restarts (restart.hpp) take the place of searches.
+inline constexpr std::size_t kTinyRegion = 16;
+
 /// Star evaluations that remain for a region: the unit in which all work on it is counted.
 struct Budget {
   std::uint64_t left = 0;

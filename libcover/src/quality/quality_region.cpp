@@ -2,14 +2,16 @@
 //   the constrained Delaunay triangulation as it is,
 //   one star around a single new vertex,
 //   the constrained Delaunay triangulation refined and improved (optimise),
+//   in tiny regions, the best of random restarts,
 //   what is best so far, improved for the region's own target,
 //   Chew's construction where the boundary is evenly spaced, improved in the same way,
 //   the star and the constrained Delaunay triangulation improved in the same way,
 //   the almond method's result, improved: it carries the proof of promise 3.
 // The last five where the largest angle is missed, and the last three only if they start with a
 // smaller one or the region is small; none may use more than half of what is left of the budget,
-// so that it reaches all. What improvement makes worse is kept as it was, so the best of them is
-// no worse than any. Tested by tests/unit/quality/quality_region_test.cpp.
+// so that it reaches all. In the end, where few triangles miss the region's own target, these
+// alone are searched. What improvement makes worse is kept as it was, so the best of them is no
+// worse than any. Tested by tests/unit/quality/quality_region_test.cpp.
 #include "quality/quality_region.hpp"
 
 #include <algorithm>
@@ -21,13 +23,15 @@
 #include "covering/angle_limit.hpp"
 #include "covering/cover_region.hpp"
 #include "covering/local_frame.hpp"
-#include "geom/predicates.hpp"
 #include "quality/chew.hpp"
 #include "quality/hub.hpp"
 #include "quality/missed_targets.hpp"
 #include "quality/mutable_mesh.hpp"
 #include "quality/optimise.hpp"
+#include "quality/restart.hpp"
+#include "quality/search.hpp"
 #include "quality/size_field.hpp"
+#include "quality/to_region_mesh.hpp"
 #include "quality/with_neighbours.hpp"
 
 namespace cover {
@@ -35,6 +39,10 @@ namespace {
 
 constexpr std::uint64_t kEvaluationsPerVertex = 3000;
 constexpr std::uint64_t kEvaluationsAtLeast = 5000;
+constexpr std::uint64_t kEvaluationsOfRestarts = 200'000;  ///< far more than they need
+constexpr std::uint64_t kEvaluationsOfSearch = 10'000;     ///< for what the best of them leaves
+constexpr std::size_t kMostOfFew = 16;                     ///< triangles that miss the own target,
+constexpr std::uint64_t kEvaluationsForFew = 100'000;      ///< each with so much more
 constexpr std::size_t kSmallRegion = 64;  ///< points: every candidate is tried and improved
 
 /// A triangulation of the region, in the frame, and what it has reached.
@@ -62,25 +70,31 @@ class RegionWork {
         cdt_(triangulate_domain(frame_.points(), boundary.sides).triangulation),
         limit_(angle_limit(cdt_, boundary.sides, boundary.segments)),
         sizes_(boundary, cdt_, options.growth, background_in_frame()),
-        budget_{kEvaluationsAtLeast + kEvaluationsPerVertex * boundary.points.size(), stop} {}
+        given_(kEvaluationsAtLeast + kEvaluationsPerVertex * boundary.points.size()),
+        budget_{given_, stop} {}
 
   /// ENSURES: no triangles if rounding on the way back to the plane turned one over, or the run is
   ///          to stop
   RegionMesh run() {
     Candidate best = best_candidate();
     if (budget_.stop.stop_requested()) return {};
-    RegionMesh out = to_region_mesh(best);
+    RegionMesh out = reported(best);
     best.mesh.set_goal(goal_);
-    out.report.notes =
-        missed_targets(best.mesh, boundary_, limit_, options_,
-                       budget_.was_too_small || budget_.is_used_up(), frame_.origin());
-    if (!is_valid(out)) out.triangles.clear();
+    out.report.notes = missed_targets(best.mesh, boundary_, limit_, options_, is_budget_used_up(),
+                                      frame_.origin());
     return out;
   }
 
   [[nodiscard]] bool is_shifted() const { return frame_.is_shifted(); }
 
  private:
+  /// More budget may help: something was left undone, and little is left. In tiny regions a hundred
+  /// times the budget helps no more than the restarts that they get.
+  [[nodiscard]] bool is_budget_used_up() const {
+    return boundary_.points.size() > kTinyRegion && budget_.was_too_small &&
+           budget_.left < given_ / 8;
+  }
+
   Candidate best_candidate() {
     Candidate best = as_it_is();
     if (sizes_.is_active()) return sized(std::move(best));
@@ -90,6 +104,8 @@ class RegionWork {
     std::optional<Candidate> hub = one_star(cdt);
     if (hub && hub->merit.complete) return *std::move(hub);
     take_if_better(best, optimised(cdt));
+    const bool is_tiny = boundary_.points.size() <= kTinyRegion;
+    if (is_tiny && !best.merit.complete) take_if_better(best, restarted(best));
     if (is_done(best)) return best;
     take_if_better(best, improved(best));
     if (is_done(best)) return best;
@@ -104,6 +120,7 @@ class RegionWork {
     ceiling_ = std::min(ceiling_, almond.merit.large);
     take_if_better(best, almond);
     if (is_promising(almond, best)) take_if_better(best, improved(almond));
+    if (!is_tiny && !is_done(best)) nearer_to_target(best);
     return best;
   }
 
@@ -134,6 +151,11 @@ class RegionWork {
     double target = goal_.large;
     for (const SideLimit& side : mesh.sides) target = std::max(target, -side.apex_cot);
     return target;
+  }
+
+  /// The goal with the region's own target: all is done then for the triangles that miss that.
+  [[nodiscard]] Goal own_goal(const MutableMesh& mesh) const {
+    return {target(mesh), goal_.small, goal_.weight};
   }
 
   /// ENSURES: a largest angle above the ceiling is taken only instead of another one
@@ -189,9 +211,8 @@ class RegionWork {
   ///          as much as a large one.
   [[nodiscard]] Candidate improved(const Candidate& c) {
     Candidate better = c;
-    // For the region's own target first: all is then done for the triangles that miss it.
-    Goal own = goal_;
-    own.large = target(c.mesh);
+    // For the region's own target first.
+    const Goal own = own_goal(c.mesh);
     Budget half = budget_.share(2);
     if (own.large > goal_.large) {
       improve_largest(better.mesh, own, half);
@@ -207,6 +228,37 @@ class RegionWork {
     return better;
   }
 
+  /// The best of random restarts; where that misses the target for the largest angle, what a
+  /// search makes of it.
+  [[nodiscard]] Candidate restarted(const Candidate& from) const {
+    Candidate best = from;
+    Budget budget{kEvaluationsOfRestarts, budget_.stop};
+    best.mesh = best_restart(from.mesh, goal_, ceiling_, best.merit, budget);
+    if (is_better(best.merit, from.merit)) best.method = "restarted, improved";
+    if (is_done(best) && best.merit.above == 0) return best;
+    Candidate further = best;
+    budget = {kEvaluationsOfSearch, budget_.stop};
+    search_excerpts(further.mesh, goal_, budget);
+    further.merit = merit_of(further.mesh, goal_);
+    take_if_better(best, std::move(further));
+    return best;
+  }
+
+  /// Where few triangles miss the region's own target, and that is not the goal: a search for
+  /// these alone.
+  void nearer_to_target(Candidate& best) const {
+    const Goal own = own_goal(best.mesh);
+    if (own == goal_) return;
+    const std::size_t above = merit_of(best.mesh, own).above;
+    if (above > kMostOfFew) return;
+    Candidate nearer = best;
+    Budget budget{above * kEvaluationsForFew, budget_.stop};
+    search_excerpts(nearer.mesh, own, budget, Effort::most);
+    nearer.mesh.set_goal(goal_);
+    nearer.merit = merit_of(nearer.mesh, goal_);
+    take_if_better(best, std::move(nearer));
+  }
+
   /// The almond method's triangulation: it carries the proof of promise 3.
   [[nodiscard]] Candidate from_almonds() const {
     const RegionMesh almond = cover_region(boundary_, options_, budget_.stop);
@@ -215,23 +267,8 @@ class RegionWork {
     return candidate(with_neighbours(std::move(points), almond.triangles), "almond");
   }
 
-  [[nodiscard]] RegionMesh to_region_mesh(const Candidate& candidate) const {
-    const MutableMesh& mesh = candidate.mesh;
-    RegionMesh out;
-    std::vector<std::uint32_t> number(mesh.points.size(), kNone);
-    for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
-      if (v < fixed()) {
-        number[v] = v;
-      } else if (mesh.home[v] != kNone) {
-        number[v] = fixed() + static_cast<std::uint32_t>(out.steiner.size());
-        out.steiner.push_back(frame_.restore(mesh.points[v]));
-      }
-    }
-    out.triangles.reserve(mesh.triangle_count());
-    for (const MeshTriangle& t : mesh.triangles) {
-      if (t.v[0] != kNone)
-        out.triangles.push_back({number[t.v[0]], number[t.v[1]], number[t.v[2]]});
-    }
+  [[nodiscard]] RegionMesh reported(const Candidate& candidate) const {
+    RegionMesh out = to_region_mesh(candidate.mesh, frame_, boundary_.points);
     RegionReport& report = out.report;
     report.id = boundary_.id;
     report.method = candidate.method;
@@ -240,16 +277,6 @@ class RegionWork {
     report.forced_above_120 = limit_.above_120;
     report.forced_above_150 = limit_.above_150;
     return out;
-  }
-
-  [[nodiscard]] bool is_valid(const RegionMesh& mesh) const {
-    const auto at = [&](std::uint32_t v) {
-      return v < fixed() ? boundary_.points[v] : mesh.steiner[v - fixed()];
-    };
-    for (const auto& [a, b, c] : mesh.triangles) {
-      if (orientation(at(a), at(b), at(c)) != Sign::positive) return false;
-    }
-    return true;
   }
 
   [[nodiscard]] std::uint32_t fixed() const {
@@ -263,6 +290,7 @@ class RegionWork {
   Triangulation cdt_;
   AngleLimit limit_;
   SizeField sizes_;
+  const std::uint64_t given_;  ///< the whole budget
   Budget budget_;
   double ceiling_ = kInverted;  ///< -cot of the largest angle of the plain methods
 };

@@ -7,17 +7,19 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "quality/cavity.hpp"
 #include "quality/excerpt.hpp"
 #include "quality/improve.hpp"
-#include "quality/joint_placement.hpp"
+#include "quality/improve_jointly.hpp"
 #include "quality/kicks.hpp"
-#include "quality/merit.hpp"
 #include "quality/polygon.hpp"
 #include "quality/polygon_with_vertex.hpp"
+#include "quality/restart.hpp"
+#include "quality/standing.hpp"
 
 namespace cover {
 namespace {
@@ -26,78 +28,12 @@ constexpr std::size_t kTriangles = 64;  ///< in an excerpt
 constexpr std::uint64_t kCopied = 8;    ///< triangles copied in the time of one star evaluation
 constexpr double kLightWeight = 1e-4;   ///< of small angles where large ones come first
 constexpr double kStricter = 0.005;     ///< in cotangents: 0.3 degrees
-constexpr double kGain = 0.01;          ///< of an excess, that is worth a change
-constexpr double kSame = 1e-9;          ///< rounding, in cotangents
 constexpr std::uint64_t kLeastShare = 1000;  ///< of the budget, for a triangle
 constexpr std::uint64_t kLeastSpent = 20;    ///< for a triangle: its excerpt alone
 constexpr int kLeastHole = 6;                ///< edges of a hole that is filled anew
-constexpr int kJointly = 3;                  ///< times that several vertices are moved
-constexpr std::size_t kTiny = 32;  ///< triangles of an excerpt, in which pairs of kicks are tried
-constexpr std::size_t kFew = 3;    ///< triangles above the goal, for which they are in any
-
-/// What an excerpt has reached.
-struct Standing {
-  double largest = 0;         ///< -cot of the largest angle, if that is obtuse
-  double large = 0;           ///< the largest excess of a large angle, by what sides allow
-  std::size_t above = 0;      ///< triangles where that is positive
-  std::size_t far_above = 0;  ///< those of them above 120 degrees
-  double small = 0;           ///< the largest excess of a small angle, by what sides allow
-  std::size_t below = 0;      ///< triangles where that is positive
-};
-
-/// Measured by `goal`, whatever goal the excerpt has set.
-Standing standing_of(const MutableMesh& mesh, const Goal& goal) {
-  Standing standing;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (mesh.is_hole(t)) continue;
-    const auto& n = mesh.triangles[t].n;
-    const Corners k(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
-    std::array<Allowance, 3> side{};
-    double allowed = 0, large = -kInverted, small = -kInverted;
-    bool far = false;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!is_side(n[i])) continue;
-      side[i] = allowance_for(mesh.sides[side_index(n[i])], goal);
-      allowed = std::max(allowed, side[i].small);
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double cot = k.dot[i] / k.cross;
-      standing.largest = std::max(standing.largest, -cot);
-      large = std::max(large, -cot - goal.large - side[i].large);
-      far = far || -cot > std::max(kFarAbove, goal.large + side[i].large) + kSame;
-      if (is_side(n[(i + 1) % 3]) && is_side(n[(i + 2) % 3])) continue;
-      small = std::max(small, cot - goal.small - allowed);
-    }
-    standing.large = std::max(standing.large, large);
-    standing.above += large > kSame ? 1 : 0;
-    standing.far_above += far ? 1 : 0;
-    if (goal.weight == 0) continue;
-    standing.small = std::max(standing.small, small);
-    standing.below += small > kSame * goal.small ? 1 : 0;
-  }
-  return standing;
-}
-
-/// Whether the change from `before` to `now` is one for the better, of large angles or, without
-/// harm to these, of small ones.
-bool is_gain(const Standing& now, const Standing& before) {
-  if (now.largest > before.largest || now.large > before.large || now.above > before.above ||
-      now.far_above > before.far_above) {
-    return false;
-  }
-  if (now.above < before.above || now.far_above < before.far_above ||
-      now.large < (1 - kGain) * before.large) {
-    return true;
-  }
-  if (now.below > before.below || now.small > before.small) return false;
-  return now.below < before.below || now.small < (1 - kGain) * before.small;
-}
-
-/// The triangle with the largest excess.
-std::uint32_t worst_of(const MutableMesh& mesh) {
-  return static_cast<std::uint32_t>(std::max_element(mesh.excess.begin(), mesh.excess.end()) -
-                                    mesh.excess.begin());
-}
+constexpr std::array<std::size_t, 3> kRestarted{6, 10, 14};  ///< triangles that are, in turn
+constexpr int kRestarts = 12;
+constexpr std::uint64_t kRestartCost = 300;  ///< star evaluations in the time of a restart
 
 /// Takes in the worst triangle beside the cavity that can be.
 bool grow(const MutableMesh& mesh, Cavity& cavity) {
@@ -117,8 +53,13 @@ bool grow(const MutableMesh& mesh, Cavity& cavity) {
 /// The attempts around one triangle.
 class Attempts {
  public:
-  Attempts(const MutableMesh& part, const Goal& goal, Budget& budget)
-      : part_(part), goal_(goal), light_(goal), before_(standing_of(part, goal)), budget_(budget) {
+  Attempts(const MutableMesh& part, const Goal& goal, Budget& budget, Effort effort)
+      : part_(part),
+        goal_(goal),
+        light_(goal),
+        before_(standing_of(part, goal)),
+        budget_(budget),
+        effort_(effort) {
     light_.weight *= kLightWeight;
     light_.large -= kStricter;
   }
@@ -128,14 +69,12 @@ class Attempts {
     const bool only_small = before_.above == 0;
     const Goal& first = only_small ? goal_ : light_;
     const Goal& second = only_small ? light_ : goal_;
-    if (as_it_is(first, false) || fill_holes(first) || kick(part_, 0, first, false, 0)) return true;
+    if (as_it_is(first, false) || fill_holes(first) || kick(first, false)) return true;
     if (as_it_is(second, false)) return true;
-    if (before_.below > 0 && kick(part_, 0, second, false, 0)) return true;
+    if (before_.below > 0 && kick(second, false)) return true;
     if (as_it_is(first, true)) return true;
-    if (before_.above > 0 && kick(part_, 0, first, true, 0)) return true;
-    const bool is_worth_pairs =
-        part_.triangle_count() <= kTiny || (before_.above > 0 && before_.above <= kFew);
-    return is_worth_pairs && kick(part_, 0, first, false, 1);
+    if (before_.above > 0 && kick(first, true)) return true;
+    return effort_ == Effort::most && before_.above > 0 && start_again(first);
   }
 
   [[nodiscard]] const MutableMesh& result() const { return trial_; }
@@ -152,19 +91,7 @@ class Attempts {
     } else {
       budget_.spend(improve(trial_, budget_.left).evaluations + trial_.triangles.size() / kCopied);
     }
-    if (is_better()) return true;
-    for (int k = 0; k < kJointly && !budget_.is_used_up(); ++k) {
-      const std::uint32_t worst = worst_of(trial_);
-      if (!(trial_.excess[worst] > kSame)) return false;
-      std::uint64_t evaluations = 0;
-      const bool moved = place_jointly(trial_, worst, evaluations);
-      budget_.spend(evaluations);
-      if (!moved) return false;
-      if (is_better()) return true;
-      budget_.spend(improve(trial_, budget_.left).evaluations);
-      if (is_better()) return true;
-    }
-    return false;
+    return improve_jointly(trial_, budget_, [this] { return is_better(); });
   }
 
   bool as_it_is(const Goal& aim, bool slack) {
@@ -195,16 +122,30 @@ class Attempts {
     return false;
   }
 
-  /// Kicks triangle `t` of `from` in every way. What does not get better is kicked again, where it
-  /// is worst then, `more` times.
-  bool kick(const MutableMesh& from, std::uint32_t t, const Goal& aim, bool slack, int more) {
+  /// Kicks the triangle in the middle in every way.
+  bool kick(const Goal& aim, bool slack) {
     for (int kind = 0; kind < kKinds && !budget_.is_used_up(); ++kind) {
-      trial_ = from;
-      if (!cover::kick(trial_, t, kind)) continue;
-      if (improve_trial(aim, slack)) return true;
-      if (more == 0) continue;
-      const MutableMesh kicked = trial_;
-      if (kick(kicked, worst_of(kicked), aim, slack, more - 1)) return true;
+      trial_ = part_;
+      if (cover::kick(trial_, 0, kind) && improve_trial(aim, slack)) return true;
+    }
+    return false;
+  }
+
+  /// Triangulates the inside of the excerpt anew, from one vertex less up to one more at random
+  /// places.
+  bool start_again(const Goal& aim) {
+    for (std::uint32_t k = 0; k < kRestarts && !budget_.is_used_up(); ++k) {
+      const Excerpt inside(part_, 0, kRestarted[k % kRestarted.size()]);
+      const std::size_t count = inside.mesh.points.size() - inside.mesh.fixed_vertices();
+      std::optional<MutableMesh> anew =
+          restart(inside.mesh, std::max<std::size_t>(count + k / kRestarted.size() % 3, 2) - 1, k);
+      budget_.spend(kRestartCost);
+      if (!anew) continue;
+      trial_ = part_;
+      trial_.set_goal(aim);
+      anew->set_goal(aim);
+      inside.replace(trial_, *anew);
+      if (improve_trial(aim, false)) return true;
     }
     return false;
   }
@@ -215,12 +156,14 @@ class Attempts {
   Goal light_;
   Standing before_;
   Budget& budget_;
+  Effort effort_;
 };
 
 /// The triangles that are left, in turn.
 class Search {
  public:
-  Search(MutableMesh& mesh, Budget& budget) : mesh_(mesh), budget_(budget) {}
+  Search(MutableMesh& mesh, Budget& budget, Effort effort)
+      : mesh_(mesh), budget_(budget), effort_(effort) {}
 
   void run() {
     queued_.assign(mesh_.triangles.size(), 0);
@@ -238,7 +181,7 @@ class Search {
   }
 
  private:
-  [[nodiscard]] bool is_left(std::uint32_t t) const { return mesh_.excess[t] > kSame; }
+  [[nodiscard]] bool is_left(std::uint32_t t) const { return mesh_.excess[t] > kSameExcess; }
 
   void enqueue(std::uint32_t t) {
     if (queued_.size() <= t) queued_.resize(mesh_.triangles.size(), 0);
@@ -253,28 +196,27 @@ class Search {
     share.left = std::min(budget_.left, std::max(kLeastShare, budget_.left / shares));
     const std::uint64_t given = share.left;
     const Excerpt excerpt(mesh_, t, kTriangles);
-    Attempts attempts(excerpt.mesh, mesh_.goal(), share);
+    Attempts attempts(excerpt.mesh, mesh_.goal(), share, effort_);
     if (attempts.run()) {
       for (const std::uint32_t changed : excerpt.replace(mesh_, attempts.result())) {
         enqueue(changed);
       }
-    } else if (share.is_used_up()) {
-      budget_.was_too_small = true;
     }
     budget_.spend(std::max(kLeastSpent, given - share.left));
   }
 
   MutableMesh& mesh_;
   Budget& budget_;
+  Effort effort_;
   std::vector<std::uint32_t> queue_;
   std::vector<std::uint8_t> queued_;
 };
 
 }  // namespace
 
-void search_excerpts(MutableMesh& mesh, const Goal& goal, Budget& budget) {
+void search_excerpts(MutableMesh& mesh, const Goal& goal, Budget& budget, Effort effort) {
   mesh.set_goal(goal);
-  Search(mesh, budget).run();
+  Search(mesh, budget, effort).run();
 }
 
 }  // namespace cover

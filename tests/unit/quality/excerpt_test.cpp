@@ -1,7 +1,10 @@
 #include "quality/excerpt.hpp"
 
+#include <algorithm>
+
 #include "mesh_checks.hpp"
 #include "quality/improve.hpp"
+#include "quality/restart.hpp"
 
 namespace cover {
 namespace {
@@ -35,6 +38,16 @@ TEST(Excerpt, OfAllTrianglesIsTheWhole) {
   EXPECT_EQ(worst_excess(excerpt.mesh), worst_excess(mesh));
   excerpt.replace(mesh, excerpt.mesh);
   expect_sound(mesh, boundary);
+}
+
+TEST(Excerpt, DropsVerticesThatAPartHasNoMore) {
+  const RegionBoundary boundary = smooth_star(40);
+  MutableMesh mesh = *restart(cdt_mesh(boundary), 30, 1);
+  const Excerpt excerpt(mesh, 0, 1000);
+  excerpt.replace(mesh, *restart(excerpt.mesh, 4, 2));
+  expect_sound(mesh, boundary);
+  EXPECT_EQ(std::count_if(mesh.home.begin(), mesh.home.end(), [](auto t) { return t != kNone; }),
+            static_cast<std::ptrdiff_t>(boundary.points.size() + 4));
 }
 
 }  // namespace

@@ -65,6 +65,10 @@ TEST(Merit, CountsDecideBetweenLargestAnglesThatAreAlike) {
   EXPECT_TRUE(is_better(one, three));
   EXPECT_FALSE(is_better(three, one));
   EXPECT_TRUE(is_better(three, {0, 0.9657, 5, 1, 3, 100, false}));
+  // The target itself is like nothing else: 126 degrees, forced, against 128.
+  const Merit met{0.7265, 0.7265, 5, 3, 3, 100, false};
+  EXPECT_TRUE(is_better(met, {0.7265, 0.7813, 5, 1, 3, 100, false}));
+  EXPECT_FALSE(is_better({0.7265, 0.7813, 5, 1, 3, 100, false}, met));
   const Merit many{0, 0.01, 8, 0, 3, 100, false}, few{0, 0.04, 1, 0, 3, 100, false};
   EXPECT_TRUE(is_better(few, many));
   EXPECT_FALSE(is_better(many, few));

@@ -124,6 +124,42 @@ TEST(QualityRegion, ReachesTheOptimumWhereTheInputForcesIt) {
   EXPECT_NE(mesh.report.notes[0].message.find("input forces"), std::string::npos);
 }
 
+TEST(QualityRegion, RestartsReachTheTargetInTinyRegions) {
+  const Loop loops[] = {
+      {{0, 0}, {9.08, -4.23}, {34.98, 5.61}, {33.54, 16.78}, {24.91, 25.02}, {21.82, 25.77}},
+      {{0, 0}, {13.18, -1.46}, {13.77, -0.64}, {3.75, 32.63}, {-11.72, 34.7}, {-14.69, 29.7}}};
+  for (const Loop& loop : loops) {
+    const RegionBoundary boundary = boundary_of({loop});
+    const RegionMesh mesh = measured(boundary);
+    expect_covering(boundary, mesh);
+    EXPECT_LE(largest(mesh), 100 + 1e-6);
+    EXPECT_EQ(mesh.report.method, "restarted, improved");
+    for (const Note& note : mesh.report.notes) {
+      EXPECT_EQ(note.message.find("budget"), std::string::npos);
+    }
+  }
+}
+
+TEST(QualityRegion, RestartsWidenSmallAnglesInTinyRegions) {
+  const RegionBoundary boundary = boundary_of(
+      {{{0, 0}, {24.64, -12}, {24.99, 4.94}, {16.68, 13.5}, {-1.46, 10.74}, {-2.7, 8.47}}});
+  const RegionMesh mesh = measured(boundary);
+  expect_covering(boundary, mesh);
+  EXPECT_LE(largest(mesh), 100 + 1e-6);
+  EXPECT_GT(mesh.report.quality.smallest.in_degrees(), 12);
+}
+
+/// The stator of a motor: its narrow place forces 116 degrees on one side and some 120 on another.
+TEST(QualityRegion, ComesNearTheRegionsOwnTargetWhereFewTrianglesMissIt) {
+  const RegionBoundary boundary = boundary_of({regular_polygon(71, 50),
+                                               reversed(regular_polygon(55, 30.5)),
+                                               {{33, -4}, {33, 4}, {42, 5}, {42, -5}},
+                                               {{-33, 4}, {-33, -4}, {-42, -5}, {-42, 5}}});
+  const RegionMesh mesh = measured(boundary);
+  expect_covering(boundary, mesh);
+  EXPECT_LT(largest(mesh), 121);
+}
+
 TEST(QualityRegion, KeepsThePromiseOnRandomStarsWithHoles) {
   const std::uint64_t seed = test_seed(11);
   SCOPED_TRACE(seed_trace(seed));
