@@ -44,12 +44,15 @@ double diagonal(const RegionBoundary& boundary) {
 }  // namespace
 
 SizeField::SizeField(const RegionBoundary& boundary, const Triangulation& cdt,
-                     std::optional<double> growth, SizeFunction background)
+                     std::optional<double> growth, SizeFunction background, VertexId first_cut)
     : slope_(growth.value_or(Options::kGrowth) - 1),
       largest_(boundary.size > 0 ? boundary.size : kNoSize),
       background_(std::move(background)) {
   if (!growth && !background_ && boundary.size_at.empty() && largest_ >= diagonal(boundary)) return;
   at_ = spacing_of(boundary);
+  for (std::size_t v = 0; v < at_.size(); ++v) {
+    if (!boundary.vertices.empty() && !(boundary.vertices[v] < first_cut)) at_[v] = kNoSize;
+  }
   least_.assign(at_.size(), 0);
   for (std::uint32_t v = 0; v < at_.size(); ++v) {
     const double largest = largest_at(cdt.points[v]);

@@ -34,8 +34,9 @@ class SizeField {
   /// then
   ///           is too; not finite or not above zero: no wish at that place
   /// Cost:     O(n log n)
+  /// The lengths of sides do not count at vertices from `first_cut` on.
   SizeField(const RegionBoundary& boundary, const Triangulation& cdt, std::optional<double> growth,
-            SizeFunction background = {});
+            SizeFunction background = {}, VertexId first_cut = VertexId{kNone});
 
   /// Whether the region has any wish.
   [[nodiscard]] bool is_active() const { return !at_.empty(); }

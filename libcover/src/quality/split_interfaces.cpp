@@ -49,6 +49,7 @@ class Splitter {
       : pslg_(pslg),
         table_(table),
         options_(options),
+        first_cut_{static_cast<std::uint32_t>(pslg.points.size())},
         least_nu_(options.split_interfaces->supplement().in_radians() - kRounding),
         dirty_(table.regions.size(), 1) {
     for (const Segment& s : pslg.segments) whole_.push_back(length_of(s));
@@ -130,7 +131,7 @@ class Splitter {
   /// its boundary, so that no long side is left beside short edges.
   void wish(RegionBoundary& boundary) {
     const Triangulation cdt = triangulate_domain(boundary.points, boundary.sides).triangulation;
-    const SizeField field(boundary, cdt, options_.growth, options_.size_field);
+    const SizeField field(boundary, cdt, options_.growth, options_.size_field, first_cut_);
     if (field.is_active()) {
       boundary.size_at.resize(boundary.points.size());
       for (std::uint32_t v = 0; v < boundary.points.size(); ++v) boundary.size_at[v] = field.at(v);
@@ -201,6 +202,9 @@ class Splitter {
   Pslg& pslg_;
   RegionTable& table_;
   const Options& options_;
+  /// Feet of what lies on both sides of a thin layer may be near each other; lengths of pieces
+  /// between them are no wish, or finer pieces would follow from them, and so on.
+  VertexId first_cut_;
   double least_nu_;
   std::vector<Wish> wishes_;          ///< by segment
   std::vector<std::uint8_t> dirty_;   ///< by region

@@ -369,6 +369,30 @@ TEST(SplitInterfaces, GradesSegmentsThatArePastAFineOne) {
   EXPECT_GT(opposite, 2U);  // pieces of the lower side, which does not meet the corner
 }
 
+TEST(SplitInterfaces, CutsStackedThinLayersOnceAndForAll) {
+  std::vector<Point> points;
+  std::vector<std::array<std::uint32_t, 2>> segments;
+  std::uint32_t n = 0;
+  for (const double y : {0.0, 0.3, 0.301, 0.30101, 0.6}) {
+    points.push_back({0, y});
+    points.push_back({1, y});
+    segments.push_back({n, n + 1});
+    if (n > 0) {
+      segments.push_back({n - 2, n});
+      segments.push_back({n - 1, n + 1});
+    }
+    n += 2;
+  }
+  Regions regions = regions_of(testing::segments_between(points, segments));
+  Options options;
+  options.split_interfaces = Angle::degrees(90);
+  options.sizes = {{"", 0.05, false}};
+  std::vector<Note> notes;
+  ASSERT_TRUE(split_interfaces(regions.pslg, regions.table, options, notes));
+  EXPECT_LE(worst_gamma(regions), 90 + 1e-6);
+  EXPECT_LT(regions.pslg.points.size(), 400u) << "15,000 where pieces between feet are wishes";
+}
+
 TEST(SplitInterfaces, CutsAThinLayerAcross) {
   Loop layer;  // 1 by 1e-3, its long walls with three vertices each that do not face each other
   for (const double x : {0.0, 0.21, 0.5, 0.83, 1.0}) layer.push_back({x, 0});
