@@ -9,9 +9,9 @@
 //   the almond method's result, improved: it carries the proof of promise 3.
 // The last five where the largest angle is missed, and the last three only if they start with a
 // smaller one or the region is small; none may use more than half of what is left of the budget,
-// so that it reaches all. In the end, where few triangles miss the region's own target, these
-// alone are searched. What improvement makes worse is kept as it was, so the best of them is no
-// worse than any. Tested by tests/unit/quality/quality_region_test.cpp.
+// so that it reaches all. In the end, where few triangles miss the region's own target or are above
+// 120 degrees, these alone are searched. What improvement makes worse is kept as it was, so the
+// best of them is no worse than any. Tested by tests/unit/quality/quality_region_test.cpp.
 #include "quality/quality_region.hpp"
 
 #include <algorithm>
@@ -41,8 +41,9 @@ constexpr std::uint64_t kEvaluationsPerVertex = 3000;
 constexpr std::uint64_t kEvaluationsAtLeast = 5000;
 constexpr std::uint64_t kEvaluationsOfRestarts = 200'000;  ///< far more than they need
 constexpr std::uint64_t kEvaluationsOfSearch = 10'000;     ///< for what the best of them leaves
-constexpr std::size_t kMostOfFew = 16;                     ///< triangles that miss the own target,
-constexpr std::uint64_t kEvaluationsForFew = 100'000;      ///< each with so much more
+constexpr std::size_t kMostOfFew = 16;                     ///< triangles that are searched at last:
+constexpr std::uint64_t kEvaluationsForOwn = 100'000;      ///< for the region's own target, each
+constexpr std::uint64_t kEvaluationsForFar = 5'000;        ///< for 120 degrees
 constexpr std::size_t kSmallRegion = 64;  ///< points: every candidate is tried and improved
 
 /// A triangulation of the region, in the frame, and what it has reached.
@@ -77,6 +78,7 @@ class RegionWork {
   ///          to stop
   RegionMesh run() {
     Candidate best = best_candidate();
+    if (!sizes_.is_active() && boundary_.points.size() > kTinyRegion) search_what_is_left(best);
     if (budget_.stop.stop_requested()) return {};
     RegionMesh out = reported(best);
     best.mesh.set_goal(goal_);
@@ -120,7 +122,6 @@ class RegionWork {
     ceiling_ = std::min(ceiling_, almond.merit.large);
     take_if_better(best, almond);
     if (is_promising(almond, best)) take_if_better(best, improved(almond));
-    if (!is_tiny && !is_done(best)) nearer_to_target(best);
     return best;
   }
 
@@ -244,19 +245,25 @@ class RegionWork {
     return best;
   }
 
-  /// Where few triangles miss the region's own target, and that is not the goal: a search for
-  /// these alone.
-  void nearer_to_target(Candidate& best) const {
+  /// Searches for the few triangles that miss the region's own target or are above 120 degrees,
+  /// where that is not the goal.
+  void search_what_is_left(Candidate& best) const {
     const Goal own = own_goal(best.mesh);
-    if (own == goal_) return;
-    const std::size_t above = merit_of(best.mesh, own).above;
+    if (!is_done(best) && own != goal_) search_few(best, own, kEvaluationsForOwn);
+    const Goal far{std::max(goal_.large, kFarAbove), goal_.small, goal_.weight};
+    if (best.merit.far_above > 0 && far != goal_) search_few(best, far, kEvaluationsForFar);
+  }
+
+  /// Spends `each` evaluations per triangle at most.
+  void search_few(Candidate& best, const Goal& aim, std::uint64_t each) const {
+    const std::size_t above = merit_of(best.mesh, aim).above;
     if (above > kMostOfFew) return;
-    Candidate nearer = best;
-    Budget budget{above * kEvaluationsForFew, budget_.stop};
-    search_excerpts(nearer.mesh, own, budget, Effort::most);
-    nearer.mesh.set_goal(goal_);
-    nearer.merit = merit_of(nearer.mesh, goal_);
-    take_if_better(best, std::move(nearer));
+    Candidate further = best;
+    Budget budget{above * each, budget_.stop};
+    search_excerpts(further.mesh, aim, budget, Effort::most);
+    further.mesh.set_goal(goal_);
+    further.merit = merit_of(further.mesh, goal_);
+    take_if_better(best, std::move(further));
   }
 
   /// The almond method's triangulation: it carries the proof of promise 3.

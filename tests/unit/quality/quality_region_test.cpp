@@ -160,6 +160,19 @@ TEST(QualityRegion, ComesNearTheRegionsOwnTargetWhereFewTrianglesMissIt) {
   EXPECT_LT(largest(mesh), 121);
 }
 
+/// Without that search, 310 triangles that are not forced.
+TEST(QualityRegion, SearchesForTrianglesAbove120WhereMoreIsForced) {
+  std::mt19937_64 random(5);
+  std::size_t above = 0, forced = 0;
+  for (int k = 0; k < 40; ++k) {
+    const RegionBoundary boundary = boundary_of({random_star(40 + 2 * k, 0.15, random)});
+    const RegionMesh mesh = measured(boundary);
+    above += mesh.report.quality.above_120;
+    forced += mesh.report.forced_above_120;
+  }
+  EXPECT_LT(above - forced, 290u);
+}
+
 TEST(QualityRegion, KeepsThePromiseOnRandomStarsWithHoles) {
   const std::uint64_t seed = test_seed(11);
   SCOPED_TRACE(seed_trace(seed));
