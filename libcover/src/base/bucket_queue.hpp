@@ -29,7 +29,10 @@ class BucketQueue {
     return first_ == kBuckets;
   }
 
-  /// REQUIRES: not empty
+  /// The bucket of the next entry. REQUIRES: empty() has just said no
+  [[nodiscard]] int first() const { return static_cast<int>(first_); }
+
+  /// REQUIRES: as first()
   T pop() {
     Bucket& bucket = buckets_[first_];
     return bucket.entries[bucket.head++];

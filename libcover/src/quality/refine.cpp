@@ -20,6 +20,12 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 /// that of equilateral ones, within 10 % on squares and discs.
 constexpr double kRadius = 0.78;
 
+/// The shortest edges come first, but not over the whole mesh: every bucket would be a way through
+/// all of the memory. Of those as long as each other within a factor of 16, a block of neighbours
+/// is worked off before the next one.
+constexpr int kBlock = 4096;          ///< triangles
+constexpr int kBucketsPerBlock = 16;  ///< two per factor of two, in squared lengths
+
 class Refinement {
  public:
   Refinement(MutableMesh& mesh, const RefineLimits& limits, SizeField sizes)
@@ -35,10 +41,12 @@ class Refinement {
   void run() {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) enqueue(t);
     std::size_t inserted = 0;
-    while (inserted < limits_.budget && !queue_.empty()) {
-      const Entry entry = queue_.pop();
-      if (mesh_.triangles[entry.triangle].v != entry.v) continue;
-      if (insert_near(entry.triangle)) ++inserted;
+    while (inserted < limits_.budget && take_block()) {
+      while (inserted < limits_.budget && !block_.empty()) {
+        const Entry entry = block_.pop();
+        if (mesh_.triangles[entry.triangle].v != entry.v) continue;
+        if (insert_near(entry.triangle)) ++inserted;
+      }
     }
   }
 
@@ -46,9 +54,15 @@ class Refinement {
   struct Entry {
     std::uint32_t triangle;
     std::array<std::uint32_t, 3> v;
+    int bucket;  ///< in a block
   };
   struct LoopEdge {
     std::uint32_t a, b, outer;
+  };
+  /// An edge of a triangle of the cavity, beyond which nobody has looked yet.
+  struct OpenEdge {
+    std::uint32_t triangle;
+    int edge;
   };
 
   /// Marks the triangles on sides whose apex angle is forced, and on edges of such triangles.
@@ -82,7 +96,22 @@ class Refinement {
     // The dot products at the ends of an edge add up to its squared length.
     const double shortest2 =
         std::min({k.dot[0] + k.dot[1], k.dot[1] + k.dot[2], k.dot[2] + k.dot[0]});
-    queue_.push(half_octave(shortest2) - shortest_, {t, mesh_.triangles[t].v});
+    const int bucket = half_octave(shortest2) - shortest_;
+    BucketQueue<Entry>& queue = bucket < block_end_ ? block_ : waiting_;
+    queue.push(&queue == &block_ ? bucket : bucket / kBucketsPerBlock,
+               {t, mesh_.triangles[t].v, bucket});
+  }
+
+  /// Fills the empty block from those that wait; false if there are none.
+  bool take_block() {
+    if (waiting_.empty()) return false;
+    const int first = waiting_.first();
+    block_end_ = (first + 1) * kBucketsPerBlock;
+    for (int k = 0; k < kBlock && !waiting_.empty() && waiting_.first() == first; ++k) {
+      const Entry entry = waiting_.pop();
+      block_.push(entry.bucket, entry);
+    }
+    return true;
   }
 
   /// An angle below the limit that is not one between two sides.
@@ -162,37 +191,43 @@ class Refinement {
     }
   }
 
-  /// Collects the triangles whose circle contains `p`. False if one of them is guarded or a side
-  /// would be seen from `p` at too large an angle.
+  /// Takes a triangle into the cavity; false if it is guarded.
+  bool take(std::uint32_t t) {
+    stamp_[t] = round_;
+    cavity_.push_back(t);
+    return guarded_[t] == 0;
+  }
+
+  /// Collects the triangles whose circle contains `p`, and their loop in order. False if one of
+  /// them is guarded or a side would be seen from `p` at too large an angle.
   bool find_cavity(std::uint32_t start, Point p) {
     ++round_;
-    cavity_.assign(1, start);
+    cavity_.clear();
     loop_.clear();
-    stamp_[start] = round_;
-    for (std::size_t k = 0; k < cavity_.size(); ++k) {
-      const std::uint32_t t = cavity_[k];
-      if (guarded_[t] != 0) return false;
-      for (int i = 0; i < 3; ++i) {
-        const std::uint32_t n = mesh_.triangles[t].n[at(i)];
-        if (!is_side(n) && stamp_[n] == round_) continue;
-        if (!is_side(n) && in_circle(mesh_.corner(n, 0), mesh_.corner(n, 1), mesh_.corner(n, 2),
-                                     p) == Sign::positive) {
-          stamp_[n] = round_;
-          cavity_.push_back(n);
-          continue;
-        }
-        const std::uint32_t va = mesh_.triangles[t].v[at(next3(i))];
-        const std::uint32_t vb = mesh_.triangles[t].v[at(prev3(i))];
-        const Point a = mesh_.points[va], b = mesh_.points[vb];
-        if (is_side(n)) {
-          const Corners c(p, a, b);
-          if (!(c.dot[0] >= limits_.apex_cot * c.cross)) return false;
-        }
-        loop_.push_back({va, vb, n});
+    if (!take(start)) return false;
+    open_ = {{start, 2}, {start, 1}, {start, 0}};  // depth first, counter-clockwise
+    while (!open_.empty()) {
+      const auto [t, i] = open_.back();
+      open_.pop_back();
+      const std::uint32_t n = mesh_.triangles[t].n[at(i)];
+      if (!is_side(n) && stamp_[n] == round_) continue;
+      const std::uint32_t va = mesh_.triangles[t].v[at(next3(i))];
+      const std::uint32_t vb = mesh_.triangles[t].v[at(prev3(i))];
+      if (!is_side(n) && in_circle(mesh_.corner(n, 0), mesh_.corner(n, 1), mesh_.corner(n, 2), p) ==
+                             Sign::positive) {
+        if (!take(n)) return false;
+        const int entry = mesh_.triangles[n].edge_from(vb);
+        open_.push_back({n, prev3(entry)});
+        open_.push_back({n, next3(entry)});
+        continue;
       }
-    }
-    for (const LoopEdge& e : loop_) {
-      if (orientation(mesh_.points[e.a], mesh_.points[e.b], p) != Sign::positive) return false;
+      const Point a = mesh_.points[va], b = mesh_.points[vb];
+      if (is_side(n)) {
+        const Corners c(p, a, b);
+        if (!(c.dot[0] >= limits_.apex_cot * c.cross)) return false;
+      }
+      if (orientation(a, b, p) != Sign::positive) return false;
+      loop_.push_back({va, vb, n});
     }
     return true;
   }
@@ -205,18 +240,14 @@ class Refinement {
     while (cavity_.size() < loop_.size()) cavity_.push_back(mesh_.add_triangle());
     stamp_.resize(mesh_.triangles.size(), 0);
     guarded_.resize(mesh_.triangles.size(), 0);
-    starts_at_.resize(mesh_.points.size());
-    ends_at_.resize(mesh_.points.size());
-    for (std::size_t k = 0; k < loop_.size(); ++k) {
-      starts_at_[loop_[k].a] = cavity_[k];
-      ends_at_[loop_[k].b] = cavity_[k];
-    }
+    std::uint32_t before = cavity_[loop_.size() - 1];
     for (std::size_t k = 0; k < loop_.size(); ++k) {
       const LoopEdge& e = loop_[k];
-      const std::uint32_t s = cavity_[k];
-      mesh_.triangles[s] = {{e.a, e.b, apex}, {starts_at_[e.b], ends_at_[e.a], e.outer}};
+      const std::uint32_t s = cavity_[k], after = cavity_[k + 1 < loop_.size() ? k + 1 : 0];
+      mesh_.triangles[s] = {{e.a, e.b, apex}, {after, before, e.outer}};
       mesh_.link(e.outer, e.a, e.b, s);
       mesh_.home[e.a] = s;
+      before = s;
     }
     mesh_.home[apex] = cavity_[0];
     if (sizes_.is_active()) set_size(apex);
@@ -242,14 +273,16 @@ class Refinement {
   RefineLimits limits_;
   SizeField sizes_;
   double off_centre_ = 0;
-  BucketQueue<Entry> queue_;
+  BucketQueue<Entry> waiting_;  ///< whole blocks apart, in the order in which they came
+  BucketQueue<Entry> block_;    ///< what is worked on, with all that comes from it
+  int block_end_ = 0;           ///< bucket; from there on entries wait
   int shortest_ = 0;
   std::vector<std::uint32_t> stamp_;
   std::vector<std::uint8_t> guarded_;
   std::uint32_t round_ = 0;
   std::vector<std::uint32_t> cavity_;
   std::vector<LoopEdge> loop_;
-  std::vector<std::uint32_t> starts_at_, ends_at_;
+  std::vector<OpenEdge> open_;
 };
 
 }  // namespace
