@@ -30,6 +30,7 @@ constexpr double kLightWeight = 1e-4;   ///< of small angles where large ones co
 constexpr double kStricter = 0.005;     ///< in cotangents: 0.3 degrees
 constexpr std::uint64_t kLeastShare = 1000;  ///< of the budget, for a triangle
 constexpr std::uint64_t kLeastSpent = 20;    ///< for a triangle: its excerpt alone
+constexpr std::size_t kFew = 3;              ///< triangles with small angles, in an excerpt
 constexpr int kLeastHole = 6;                ///< edges of a hole that is filled anew
 constexpr std::array<std::size_t, 3> kRestarted{6, 10, 14};  ///< triangles that are, in turn
 constexpr int kRestarts = 12;
@@ -73,7 +74,8 @@ class Attempts {
     if (as_it_is(second, false)) return true;
     if (before_.below > 0 && kick(second, false)) return true;
     if (as_it_is(first, true)) return true;
-    if (before_.above > 0 && kick(first, true)) return true;
+    const bool is_alone = before_.above > 0 || before_.below <= kFew;
+    if (is_alone && kick(first, true)) return true;
     return effort_ == Effort::most && before_.above > 0 && start_again(first);
   }
 

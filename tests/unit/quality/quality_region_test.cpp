@@ -4,6 +4,7 @@
 
 #include "covering/measure.hpp"
 #include "mesh_checks.hpp"
+#include "support/inputs.hpp"
 
 namespace cover {
 namespace {
@@ -48,6 +49,14 @@ TEST(QualityRegion, MeetsBothTargetsOnASmoothStar) {
   EXPECT_LE(largest(mesh), 100 + 1e-6);
   EXPECT_GE(mesh.report.quality.smallest.in_degrees(), 19);
   EXPECT_LE(mesh.triangles.size(), 3000u);
+}
+
+TEST(QualityRegion, LeavesNoLoneSmallAngle) {
+  for (const std::uint64_t seed : {7, 39}) {
+    SCOPED_TRACE(seed);
+    const RegionMesh mesh = measured(boundary_of({smooth_star(1000, seed)}));
+    EXPECT_GE(mesh.report.quality.smallest.in_degrees(), 20 - 1e-6);
+  }
 }
 
 TEST(QualityRegion, NotesTellPlacesOfThePlane) {
