@@ -12,7 +12,7 @@ namespace cover {
 namespace {
 
 constexpr double kLeastGain = 0.01;  ///< of the excess: what a step must win to be worth its time
-constexpr int kLargestCavity = 7;    ///< triangles
+constexpr int kLargestCavity = 4;    ///< triangles: larger ones succeed once in thirty times
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 

@@ -10,7 +10,7 @@ namespace cover {
 namespace {
 
 constexpr double kLimit = 0;       ///< excess that new triangles may have
-constexpr double kHopeless = 0.3;  ///< excess of a first try from which no place is found
+constexpr double kHopeless = 0.4;  ///< excess of a first try from which no place is found
 constexpr int kPartners = 2;  ///< neighbours of a vertex that it may be merged with: the nearest
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
