@@ -1,6 +1,8 @@
 // A place is drawn in a triangle that is drawn first: where triangles are small there is much to be
 // decided. Places keep their barycentric coordinates, so scaled by a power of two they are the
-// same places. Tested by tests/unit/quality/search_test.cpp.
+// same places. Every other restart of those for the largest angle leaves small angles out: beside
+// a side that is very short, even the lightest weight makes them count for more. Tested by
+// tests/unit/quality/search_test.cpp.
 #include "quality/restart.hpp"
 
 #include <algorithm>
@@ -121,12 +123,14 @@ MutableMesh best_restart(const MutableMesh& mesh, const Goal& goal, double ceili
   for (std::uint32_t k = 0; k < restarts && !budget.is_used_up(); ++k) {
     std::optional<MutableMesh> start = restart(mesh, 1 + k / aims.size() % 3, k);
     budget.spend(kRestartCost);
-    if (start) try_it(*std::move(start), aims[k % aims.size()] - kStricter, kLightWeight);
+    if (start)
+      try_it(*std::move(start), aims[k % aims.size()] - kStricter,
+             only_small || k % 2 == 0 ? kLightWeight : 0);
   }
   // Steps count by what they win of an excess: near the aim, small ones do.
   for (const double part : kPolished) {
     if (!is_smaller_cot(merit.target, merit.large) || budget.is_used_up()) break;
-    try_it(best, merit.large - part * (merit.large - merit.target), part * part * kLightWeight);
+    try_it(best, merit.large - part * (merit.large - merit.target), 0);
   }
   return best;
 }

@@ -136,7 +136,14 @@ TEST(QualityRegion, ReachesTheOptimumWhereTheInputForcesIt) {
 TEST(QualityRegion, RestartsReachTheTargetInTinyRegions) {
   const Loop loops[] = {
       {{0, 0}, {9.08, -4.23}, {34.98, 5.61}, {33.54, 16.78}, {24.91, 25.02}, {21.82, 25.77}},
-      {{0, 0}, {13.18, -1.46}, {13.77, -0.64}, {3.75, 32.63}, {-11.72, 34.7}, {-14.69, 29.7}}};
+      {{0, 0}, {13.18, -1.46}, {13.77, -0.64}, {3.75, 32.63}, {-11.72, 34.7}, {-14.69, 29.7}},
+      // Beside a side that is very short small angles must not count at all.
+      {{0, 0},
+       {19.274188, -14.142221},
+       {23.422413, -13.998735},
+       {36.6339714, 7.1784437},
+       {36.6339579, 7.1784913},
+       {14.279113, 18.279164}}};
   for (const Loop& loop : loops) {
     const RegionBoundary boundary = boundary_of({loop});
     const RegionMesh mesh = measured(boundary);
