@@ -53,22 +53,27 @@ double largest_nu_of(Point a, Point b, Point c) {
   return accurate_nu_at(s.p, s.apex, s.q);
 }
 
-/// Cotangents of 10, 20, ..., 170 degrees.
-std::array<double, 17> bin_limits() {
-  std::array<double, 17> limits{};
-  for (std::size_t k = 0; k < limits.size(); ++k) {
+/// Cotangents of 10, 20, ..., 170 degrees, made up to a whole tree of binary search.
+using BinLimits = std::array<double, 31>;
+
+BinLimits bin_limits() {
+  BinLimits limits;
+  limits.fill(std::numeric_limits<double>::quiet_NaN());  // none of them is reached
+  for (std::size_t k = 0; k < 17; ++k) {
     limits[k] = 1 / std::tan(Angle::degrees(10.0 * static_cast<double>(k + 1)).in_radians());
   }
   limits[8] = 0;  // 90 degrees, where the tangent is a very large number
   return limits;
 }
 
-/// The bin of an angle with this cotangent.
-std::size_t bin_of(double cotangent, const std::array<double, 17>& limits) {
-  return static_cast<std::size_t>(
-      std::partition_point(limits.begin(), limits.end(),
-                           [&](double limit) { return cotangent <= limit; }) -
-      limits.begin());
+/// The bin of an angle with this cotangent: how many limits are no smaller. By additions, because
+/// nobody can predict a branch.
+std::size_t bin_of(double cotangent, const BinLimits& limits) {
+  std::size_t bin = 0;
+  for (std::size_t step = 16; step > 0; step /= 2) {
+    bin += step * static_cast<std::size_t>(cotangent <= limits[bin + step - 1]);
+  }
+  return bin;
 }
 
 double largest_coordinate(std::span<const Point> points) {
@@ -123,7 +128,7 @@ std::vector<Point> all_points(const RegionBoundary& boundary, const RegionMesh& 
 }
 
 Quality measure_angles(std::span<const Point> points, std::span<const IndexTriple> triangles) {
-  const std::array<double, 17> limits = bin_limits();
+  const BinLimits limits = bin_limits();
   Quality quality;
   quality.triangles = triangles.size();
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
@@ -155,21 +160,29 @@ Quality measure_angles(std::span<const Point> points, std::span<const IndexTripl
 BoxMethod measure_boxes(std::span<const Point> points, std::span<const IndexTriple> triangles,
                         std::span<const IndexPair> sides) {
   BoxMethod box;
+  std::vector<double> cots;  // by half-edge: of the angle opposite to it
+  cots.reserve(3 * triangles.size());
+  for (const auto& [i, j, k] : triangles) {
+    const Point corners[3] = {points[i], points[j], points[k]};
+    const double doubled_area = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    for (std::size_t h = 0; h < 3; ++h) {
+      const Point a = corners[h], b = corners[(h + 1) % 3], c = corners[(h + 2) % 3];
+      cots.push_back(cotangent(a, c, b, doubled_area));
+      // |e| d_e / 2 with d_e = |e| |cot| / 2, the distance from the edge's midpoint to the
+      // circumcentre
+      box.box_area += squared_length(b - a) * std::abs(cots.back()) / 4;
+    }
+  }
   const std::vector<std::uint32_t> across = across_edges(points.size(), triangles, sides);
   const auto source = [&](std::uint32_t h) { return points[triangles[h / 3][h % 3]]; };
   for (std::uint32_t h = 0; h < across.size(); ++h) {
-    const Point a = source(h), b = source(HalfEdges::next(h)), c = source(HalfEdges::previous(h));
-    // |e| d_e / 2 with d_e = |e| |cot| / 2, the distance from the edge's midpoint to the
-    // circumcentre
-    const double cot = cotangent(a, c, b, cross(b - a, c - a));
-    box.box_area += squared_length(b - a) * std::abs(cot) / 4;
     const std::uint32_t twin = across[h];
     if (twin == HalfEdges::kAbsent) {
-      if (cot < -kRightAngle) ++box.obtuse_sides;
-    } else if (h < twin) {
-      const Point d = source(HalfEdges::previous(twin));
-      if (in_circle(a, b, c, d) != Sign::positive) continue;
-      if (cot + cotangent(a, d, b, cross(a - b, d - b)) < -kRightAngle) ++box.non_delaunay_edges;
+      if (cots[h] < -kRightAngle) ++box.obtuse_sides;
+    } else if (h < twin && cots[h] + cots[twin] < -kRightAngle &&
+               in_circle(source(h), source(HalfEdges::next(h)), source(HalfEdges::previous(h)),
+                         source(HalfEdges::previous(twin))) == Sign::positive) {
+      ++box.non_delaunay_edges;
     }
   }
   // cot a + cot b = sin(a + b) / (sin a sin b): negative just where the edge is not Delaunay.

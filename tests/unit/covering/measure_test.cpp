@@ -39,6 +39,21 @@ TEST(MeasureAngles, FlatTriangleKeepsItsDigits) {
   EXPECT_EQ(q.above_150, 1U);
 }
 
+TEST(MeasureAngles, EveryAngleHasItsBin) {
+  for (int degrees = 15; degrees < 80; degrees += 10) {  // and what is left, at a right angle
+    const double slope = std::tan(Angle::degrees(degrees).in_radians());
+    const std::vector<Point> points{{0, 0}, {1, 0}, {1, slope}};
+    const Quality q = measure_angles(points, std::vector<IndexTriple>{{0, 1, 2}});
+    const auto bin = static_cast<std::size_t>(degrees / 10);
+    EXPECT_EQ(q.histogram[bin], bin == 4 ? 2U : 1U);
+    EXPECT_EQ(q.histogram[8 - bin], bin == 4 ? 2U : 1U);
+  }
+  const std::vector<Point> line{{0, 0}, {1, 0}, {2, 0}};
+  const Quality flat = measure_angles(line, std::vector<IndexTriple>{{0, 1, 2}});
+  EXPECT_EQ(flat.histogram[17], 1U);
+  EXPECT_EQ(flat.histogram[0], 2U);
+}
+
 TEST(MeasureAngles, RightAngleIsNotObtuse) {
   const std::vector<Point> points{{0.1, 0.1}, {0.3, 0.1}, {0.1, 0.7}};
   const Quality q = measure_angles(points, std::vector{IndexTriple{0, 1, 2}});
@@ -113,8 +128,9 @@ TEST(MeasureBoxes, EdgeThatIsNotDelaunay) {
   EXPECT_EQ(measure_boxes(points, triangles, with_slit).obtuse_sides, 2U);
 }
 
-/// A square of four triangles around C and a right one below it, worked out by hand: |e| d_e / 2 with
-/// d_e the distance from the middle of an edge to the circumcentre, the cotangents of the angles.
+/// A square of four triangles around C and a right one below it, worked out by hand: |e| d_e / 2
+/// with d_e the distance from the middle of an edge to the circumcentre, the cotangents of the
+/// angles.
 ///
 ///   triangle   circumcentre   |e| d_e / 2              sum   area   cotangents
 ///   A B C      (2, -1)        AB 2, BC 5/2, CA 3/2       6      2   A 1, B 3, C -1/2
