@@ -1,6 +1,11 @@
 // See thin_out.hpp. Tested by tests/unit/quality/improve_test.cpp.
 #include "quality/thin_out.hpp"
 
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
 #include "geom/vector.hpp"
 #include "quality/cavity.hpp"
 #include "quality/placement.hpp"
@@ -21,12 +26,12 @@ class Thinner {
       : mesh_(mesh), budget_(budget), cavity_(mesh), widest_(mesh.goal(), kLimit) {}
 
   ThinOutResult run() {
-    queued_.assign(mesh_.points.size(), 0);
+    vertices_.resize(mesh_.points.size());
     for (std::uint32_t v = mesh_.fixed_vertices(); v < mesh_.points.size(); ++v) enqueue(v);
     std::size_t removed = 0;
-    for (std::size_t head = 0; head < queue_.size() && evaluations_ < budget_; ++head) {
-      const std::uint32_t v = queue_[head];
-      queued_[v] = 0;
+    for (; now_ < queue_.size() && evaluations_ < budget_; ++now_) {
+      const std::uint32_t v = queue_[now_];
+      vertices_[v] = {now_, vertices_[v].changed, false, {kNone, kNone}};
       if (mesh_.home[v] == kNone) continue;
       if (cavity_.start_star(v) && (try_removal() || try_merge(v))) {
         ++removed;
@@ -39,10 +44,26 @@ class Thinner {
   }
 
  private:
+  /// What is known of a free vertex. Times are places in the queue.
+  struct Vertex {
+    std::uint32_t looked_at = 0;
+    std::uint32_t changed = 0;  ///< its star
+    bool is_queued = false;
+    std::array<std::uint32_t, kPartners> partners{kNone, kNone};  ///< tried in vain
+  };
+
   void enqueue(std::uint32_t v) {
-    if (mesh_.is_fixed(v) || mesh_.home[v] == kNone || queued_[v] != 0) return;
-    queued_[v] = 1;
+    if (mesh_.is_fixed(v) || mesh_.home[v] == kNone) return;
+    vertices_[v].changed = now_;
+    if (std::exchange(vertices_[v].is_queued, true)) return;
     queue_.push_back(v);
+  }
+
+  /// Whether `u` has been tried with `v`, and both stars are as they were.
+  [[nodiscard]] bool is_known(std::uint32_t u, std::uint32_t v) const {
+    const Vertex& other = vertices_[u];
+    return !other.is_queued && other.looked_at > vertices_[v].changed &&
+           std::find(other.partners.begin(), other.partners.end(), v) != other.partners.end();
   }
 
   /// ENSURES: where it fails, the cavity is the star of `v`
@@ -60,8 +81,9 @@ class Thinner {
     for (int attempt = 0; attempt < kPartners; ++attempt) {
       const int k = nearest_free(star, v, attempt);
       if (k < 0) return false;
-      if (!has_room_beside(star, k)) continue;
       const std::uint32_t u = star.vertex(k);
+      vertices_[v].partners[at(attempt)] = u;
+      if (is_known(u, v) || !has_room_beside(star, k)) continue;
       cavity_ = star;
       if (!swallow(u) || !has_room(mesh_, cavity_, kLimit)) continue;
       const Hole hole(mesh_, cavity_);
@@ -126,7 +148,8 @@ class Thinner {
   WidestCorner widest_;
   Installed installed_;
   std::vector<std::uint32_t> queue_;
-  std::vector<std::uint8_t> queued_;
+  std::uint32_t now_ = 0;
+  std::vector<Vertex> vertices_;
 };
 
 }  // namespace
