@@ -10,6 +10,7 @@ namespace {
 constexpr double kSame = 1e-9;
 
 constexpr double kNear = 0.05;  ///< 3 degrees
+constexpr double kAlike = 1.02;
 
 /// Both miss the target by little.
 bool are_near(const Merit& a, const Merit& b) {
@@ -17,12 +18,14 @@ bool are_near(const Merit& a, const Merit& b) {
          std::max(a.large, b.large) <= a.target + kNear;
 }
 
-/// Largest angles from 120 to 130 degrees, and from there to 140, are alike, unless one of them is
-/// the target.
+/// Largest angles from 120 to 130 degrees, and from there to 140, are alike, and so are those above
+/// whose distances to 180 degrees are; unless one of them is the target.
 bool are_alike(const Merit& a, const Merit& b) {
   constexpr double k130 = 0.8390996311772800, k140 = 1.1917535925942100;  // -cot
   const double least = std::min(a.large, b.large), most = std::max(a.large, b.large);
-  if (least <= std::max(kFarAbove, a.target + kSame) || most > k140) return false;
+  if (least <= std::max(kFarAbove, a.target + kSame)) return false;
+  if (least > k140) return most <= kAlike * least;
+  if (most > k140) return false;
   return (least <= k130) == (most <= k130);
 }
 

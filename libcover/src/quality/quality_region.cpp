@@ -44,7 +44,9 @@ constexpr std::uint64_t kEvaluationsOfSearch = 10'000;     ///< for what the bes
 constexpr std::size_t kMostOfFew = 16;                     ///< triangles that are searched at last:
 constexpr std::uint64_t kEvaluationsForOwn = 100'000;      ///< for the region's own target, each
 constexpr std::uint64_t kEvaluationsForFar = 5'000;        ///< for 120 degrees
-constexpr std::size_t kSmallRegion = 64;  ///< points: every candidate is tried and improved
+constexpr std::size_t kMostPoints = 2000;  ///< of a region that is tried with other goals
+constexpr double kMany = 0.1;              ///< share of triangles above the goal that is many
+constexpr std::size_t kSmallRegion = 64;   ///< points: every candidate is tried and improved
 
 /// A triangulation of the region, in the frame, and what it has reached.
 struct Candidate {
@@ -78,6 +80,7 @@ class RegionWork {
   ///          to stop
   RegionMesh run() {
     Candidate best = best_candidate();
+    try_other_goals(best);
     if (!sizes_.is_active() && boundary_.points.size() > kTinyRegion) search_what_is_left(best);
     if (budget_.stop.stop_requested()) return {};
     RegionMesh out = reported(best);
@@ -128,6 +131,7 @@ class RegionWork {
   /// With wished sizes there is one candidate, unless it misses what the almond method proves.
   Candidate sized(Candidate cdt) {
     Candidate best = optimised(std::move(cdt));
+    if (!is_done(best)) take_if_better(best, improved(best));
     if (best.merit.large <= 1 / std::tan(limit_.promised_nu())) return best;
     take_if_better(best, improved(from_almonds()));
     return best;
@@ -206,6 +210,39 @@ class RegionWork {
     budget_.take_back(half);
     c.method = "refined, improved";
     return c;
+  }
+
+  /// Other goals may lead nearer to the one that was missed. 90 and 30 degrees can be met where
+  /// more cannot; and where many angles are large, they are so beside small ones that are forced.
+  void try_other_goals(Candidate& best) {
+    const std::size_t points = boundary_.points.size();
+    if (sizes_.is_active() || best.merit.complete || points <= kTinyRegion || points > kMostPoints)
+      return;
+    const Angle right = Angle::degrees(90), third = Angle::degrees(30);
+    if (options_.max_angle < right || third < options_.min_angle) {
+      try_goal(best,
+               Goal::of(std::max(options_.max_angle, right), std::min(options_.min_angle, third)));
+    }
+    for (const double part : {0.25, 0.0}) {
+      if (static_cast<double>(best.merit.above) <=
+          kMany * static_cast<double>(best.merit.triangles))
+        return;
+      const Angle min = Angle::radians(part * options_.min_angle.in_radians());
+      try_goal(best, Goal::of(options_.max_angle, min));
+    }
+  }
+
+  void try_goal(Candidate& best, const Goal& goal) {
+    const Goal asked = std::exchange(goal_, goal);
+    const Budget left = std::exchange(budget_, Budget{given_ / 2, budget_.stop});
+    const double ceiling = ceiling_;
+    Candidate other = best_candidate();
+    goal_ = asked;
+    budget_ = left;
+    ceiling_ = ceiling;
+    other.mesh.set_goal(goal_);
+    other.merit = merit_of(other.mesh, goal_);
+    take_if_better(best, std::move(other));
   }
 
   /// ENSURES: no worse than `c`. Improvement looks at excesses, where a very small angle may weigh

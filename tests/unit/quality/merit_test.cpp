@@ -65,6 +65,9 @@ TEST(Merit, CountsDecideBetweenLargestAnglesThatAreAlike) {
   EXPECT_TRUE(is_better(one, three));
   EXPECT_FALSE(is_better(three, one));
   EXPECT_TRUE(is_better(three, {0, 0.9657, 5, 1, 3, 100, false}));
+  // Near 180 degrees what remains counts: 0.187 and 0.186 degrees, against 0.2.
+  EXPECT_TRUE(is_better({0, 306, 90, 30, 9, 100, false}, {0, 305, 90, 80, 9, 100, false}));
+  EXPECT_FALSE(is_better({0, 306, 90, 30, 9, 100, false}, {0, 286, 90, 80, 9, 100, false}));
   // The target itself is like nothing else: 126 degrees, forced, against 128.
   const Merit met{0.7265, 0.7265, 5, 3, 3, 100, false};
   EXPECT_TRUE(is_better(met, {0.7265, 0.7813, 5, 1, 3, 100, false}));

@@ -106,6 +106,36 @@ TEST(QualityRegion, TakesOneStarForARoundRegion) {
   EXPECT_LT(largest(mesh), 90);
 }
 
+// Aiming at 70 degrees from the start leaves 90.6 to 94 degrees in a third of these.
+TEST(QualityRegion, StricterTargetsEndNoWorseThanARightAngle) {
+  std::mt19937_64 random(3);
+  Options options;
+  options.max_angle = Angle::degrees(70);
+  for (int k = 0; k < 12; ++k) {
+    const RegionBoundary boundary = boundary_of({wavy_square(8, 0.08, random)});
+    const RegionMesh mesh = measured(boundary, options);
+    expect_covering(boundary, mesh);
+    EXPECT_LE(largest(mesh), 90 + 1e-6) << k;
+  }
+}
+
+/// Below tips that nearly touch the bottom, all angles are small or large. With one goal, 100
+/// triangles are left above 120 degrees.
+TEST(QualityRegion, KeepsLargeAnglesFewWhereOneIsForced) {
+  Loop loop{{0, 0}, {1, 0}, {1, 0.5}};
+  for (int k = 19; k >= 0; --k) {
+    const double x = (k + 0.5 + 0.2 * std::sin(3.0 * k)) / 20;
+    loop.push_back({x + 0.01, 0.5});
+    loop.push_back({x, 1e-3});
+    loop.push_back({x - 0.01, 0.5});
+  }
+  loop.push_back({0, 0.5});
+  const RegionBoundary boundary = boundary_of({loop});
+  const RegionMesh mesh = measured(boundary);
+  expect_covering(boundary, mesh);
+  EXPECT_LE(mesh.report.quality.above_120, 60u);
+}
+
 // Without the even start, one of these ends with an angle above 90 degrees.
 TEST(QualityRegion, StartsEvenlyWhereRefinementGetsStuck) {
   std::mt19937_64 random(3);
