@@ -68,24 +68,25 @@ Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeFi
   RefineLimits limits;
   limits.smallest_cot = 1 / std::tan(kRefinedTo * std::numbers::pi / 180);
   limits.budget = sizes.is_active() ? kMostSized : 20 * mesh.points.size() + 1000;
+  MutableMesh start = mesh;  // a third of what it becomes: to be refined again is rare
   refine(mesh, limits, sizes);
   if (sizes.is_active()) {
     budget.left += kEvaluationsPerVertex * (mesh.points.size() - mesh.fixed_vertices());
   }
-  MutableMesh refined = mesh;
   Budget part = budget.share(kFirstShare);
   improve_within(mesh, part);
   budget.left += part.left;
   Merit merit = merit_of(mesh, goal);
   if (!has_at_most(merit, kManyAbove)) {
     part = budget.share(kFirstShare);
-    refined.set_goal(light(goal));
-    improve_within(refined, part);
+    refine(start, limits, sizes);
+    start.set_goal(light(goal));
+    improve_within(start, part);
     budget.left += part.left;
-    const Merit now = merit_of(refined, goal);
+    const Merit now = merit_of(start, goal);
     if (is_better(now, merit)) {
       merit = now;
-      mesh = std::move(refined);
+      mesh = std::move(start);
     }
   }
   if (has_at_most(merit, kFewAbove)) {
