@@ -98,6 +98,16 @@ std::string totals(const Output& output) {
                          ? "held in every region"
                          : fmt::format("MISSED in {} of {} regions", report.regions.size() - held,
                                        report.regions.size()));
+  const auto missed =
+      std::count_if(report.regions.begin(), report.regions.end(), [](const RegionReport& r) {
+        return std::any_of(r.notes.begin(), r.notes.end(),
+                           [](const Note& note) { return note.kind == Note::Kind::target_missed; });
+      });
+  if (missed > 0) {
+    out += fmt::format("Targets         missed in {} of {}; -v tells where and why\n",
+                       grouped(static_cast<std::size_t>(missed)),
+                       counted(report.regions.size(), "region"));
+  }
   return out;
 }
 

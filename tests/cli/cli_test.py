@@ -760,22 +760,29 @@ class Convert(Case):
         self.assertEqual((self.dir / 'e.vtu').read_bytes(), (self.dir / 'd.vtu').read_bytes())
         self.run_cover('check', SAMPLES / 'diode.poly', 'e.vtu')
 
-    def test_every_format_into_every_other(self):
+    def compare_ways(self, sources, *options):
+        """A mesh written in every format, and in every format again from what each source holds."""
         written = [f'd.{e}' for e in ('vtu', 'vtm', 'vtk', 'msh', 'xdmf', 'mesh', 'inp', 'ele', 'obj', 'off', 'ply',
                                       'svg', 'png')]
         words = [word for name in written for word in ('-o', name)]
-        self.run_cover('mesh', SAMPLES / 'mosfet.poly', *words, '-o', 'd.json', '-q')
+        self.run_cover('mesh', SAMPLES / 'mosfet.poly', *words, '-o', 'd.json', '-q', *options)
         direct = {p.relative_to(self.dir) for p in self.dir.rglob('*.*') if p.suffix not in ('.json', '.poly')}
         self.assertGreater(len(direct), len(written))  # .node, .edge, the blocks of the .vtm
-        for source in ('d.vtu', 'd.vtm', 'd.vtk', 'd.msh', 'd.xdmf', 'd.mesh', 'd.inp', 'd.ele'):
+        for source in sources:
             folder = self.dir / ('from_' + source)
             folder.mkdir()
             done = subprocess.run([PROGRAM, 'convert', '../' + source, *words], cwd=folder, timeout=60, text=True,
                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
             self.assertEqual((done.returncode, done.stderr), (0, ''), source)
-            # All coordinates of this device fit into the 20 characters that an .inp has for each.
             for name in direct:
                 self.assertEqual((folder / name).read_bytes(), (self.dir / name).read_bytes(), f'{source} into {name}')
+
+    def test_every_format_into_every_other(self):
+        self.compare_ways(('d.vtu', 'd.vtm', 'd.vtk', 'd.msh', 'd.xdmf', 'd.mesh', 'd.ele'))
+
+    def test_abaqus_into_every_other(self):
+        # An .inp has 20 characters for each coordinate: those of the device fit, not of every new vertex.
+        self.compare_ways(('d.inp',), '--max-angle', '178', '--min-angle', '0')
 
     def test_says_what_is_missing(self):
         (self.dir / 'd.vtm').unlink()
