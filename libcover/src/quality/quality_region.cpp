@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -106,7 +107,9 @@ class RegionWork {
     if (best.merit.complete) return best;
     ceiling_ = best.merit.large;
     Candidate cdt = best;
-    std::optional<Candidate> hub = one_star(cdt);
+    std::optional<Candidate> hub;
+    const bool hub_may_do = has_room_around_a_hub();
+    if (hub_may_do) hub = one_star(cdt);
     if (hub && hub->merit.complete) return *std::move(hub);
     take_if_better(best, optimised(cdt));
     const bool is_tiny = boundary_.points.size() <= kTinyRegion;
@@ -116,6 +119,7 @@ class RegionWork {
     if (is_done(best)) return best;
     if (std::optional<Candidate> even = evenly_refined(cdt)) take_if_better(best, improved(*even));
     if (is_done(best)) return best;
+    if (!hub_may_do) hub = one_star(cdt);
     if (hub && is_promising(*hub, best)) take_if_better(best, improved(*hub));
     if (is_done(best)) return best;
     if (is_promising(cdt, best)) take_if_better(best, improved(cdt));
@@ -126,6 +130,13 @@ class RegionWork {
     take_if_better(best, almond);
     if (is_promising(almond, best)) take_if_better(best, improved(almond));
     return best;
+  }
+
+  /// Whether the angles at a vertex that sees all sides can be as large as the goal asks.
+  [[nodiscard]] bool has_room_around_a_hub() const {
+    const double least = std::atan2(1.0, goal_.small);
+    return goal_.weight == 0 ||
+           static_cast<double>(boundary_.sides.size()) * least < 2 * std::numbers::pi;
   }
 
   /// With wished sizes there is one candidate, unless it misses what the almond method proves.
