@@ -124,12 +124,13 @@ class RegionWork {
     tries_.take_if_better(best, tries_.with_goal(Goal::of(max, min), find));
   }
 
-  /// Searches for the few triangles that miss the region's own target or are above 120 degrees,
-  /// where that is not the goal.
+  /// Searches for what is left, if few triangles miss the region's own target, or are above 120
+  /// degrees.
   void search_what_is_left(Candidate& best) const {
-    const Goal goal = tries_.goal(), own = tries_.own_goal(best.mesh);
-    if (!tries_.is_done(best) && own != goal)
-      tries_.take_if_better(best, tries_.searched(best, own, kEvaluationsForOwn));
+    const Goal goal = tries_.goal();
+    if (!tries_.is_done(best))
+      tries_.take_if_better(best,
+                            tries_.searched(best, tries_.own_goal(best.mesh), kEvaluationsForOwn));
     const Goal far{std::max(goal.large, kFarAbove), goal.small, goal.weight};
     if (best.merit.far_above > 0 && far != goal)
       tries_.take_if_better(best, tries_.searched(best, far, kEvaluationsForFar));
