@@ -23,7 +23,7 @@ struct Note {
     bound_missed,      ///< promise 3 does not hold: the run is incomplete
     warning,           ///< near miss, tiny gap, ...
     change,            ///< the input was changed: split, welded, dropped, merged
-    cut,               ///< segments were cut, as Options::split_interfaces asks
+    cut,               ///< segments were cut, as Options::split_interfaces asks; at all places
   };
   Kind kind = Kind::warning;
   RegionId region;      ///< kVoid: the whole input

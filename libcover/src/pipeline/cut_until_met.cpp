@@ -98,14 +98,14 @@ class Rounds {
 
 /// What was cut since there were `before` points.
 Note note_of_cuts(const Pslg& pslg, std::size_t before, const Options& options) {
-  const Point first = pslg.points[before];
-  return {Note::Kind::cut,
-          kVoid,
+  std::vector<Point> where(pslg.points.begin() + static_cast<std::ptrdiff_t>(before),
+                           pslg.points.end());
+  return {Note::Kind::cut, kVoid,
           fmt::format("{} added on segments where triangles were left above {:.6g} degrees, the "
                       "first at {}",
                       counted(pslg.points.size() - before, "point"), options.max_angle.in_degrees(),
-                      describe(first)),
-          {first}};
+                      describe(where.front())),
+          std::move(where)};
 }
 
 }  // namespace

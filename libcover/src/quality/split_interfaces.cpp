@@ -76,7 +76,6 @@ class Splitter {
     if (pslg_.points.size() > before) {
       std::vector<Point> where(pslg_.points.begin() + static_cast<std::ptrdiff_t>(before),
                                pslg_.points.end());
-      where.resize(std::min(where.size(), kPlaces));
       notes.push_back({Note::Kind::cut, kVoid,
                        fmt::format("{} added on segments for --split-interfaces {:.6g}, the "
                                    "first at {}",

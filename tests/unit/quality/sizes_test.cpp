@@ -306,6 +306,7 @@ TEST(SplitInterfaces, CutsUntilNothingForcesALargerAngle) {
   EXPECT_LT(regions.pslg.points.size(), 20 * before);
   ASSERT_EQ(notes.size(), 1u);
   EXPECT_EQ(notes[0].kind, Note::Kind::cut);
+  EXPECT_EQ(notes[0].where.size(), regions.pslg.points.size() - before);
 }
 
 TEST(SplitInterfaces, HalvesTheSegmentsGivenAndThenForcesNothing) {
