@@ -38,6 +38,15 @@ struct Goal {
   bool operator==(const Goal&) const = default;
 };
 
+/// Times the weight of small angles where large ones come first: then they decide only between
+/// equals.
+inline constexpr double kLightWeight = 1e-4;
+/// How far below the goal a trial aims, in cotangents (0.3 degrees): ties between large and small
+/// angles would end just above it.
+inline constexpr double kAimBelow = 0.005;
+/// Cotangents closer than this, relative to 1 or to their size, are equal: rounding.
+inline constexpr double kSameCot = 1e-9;
+
 /// Excess of a triangle without area, or clockwise.
 inline constexpr double kInverted = std::numeric_limits<double>::infinity();
 

@@ -1,8 +1,7 @@
 // See improve.hpp. Tested by tests/unit/quality/improve_test.cpp.
 #include "quality/improve.hpp"
 
-#include <vector>
-
+#include "base/once_queue.hpp"
 #include "geom/predicates.hpp"
 #include "quality/cavity.hpp"
 #include "quality/placement.hpp"
@@ -24,11 +23,9 @@ class Improver {
   Improver(MutableMesh& mesh, std::uint64_t budget) : mesh_(mesh), budget_(budget), cavity_(mesh) {}
 
   ImproveResult run() {
-    queued_.assign(mesh_.triangles.size(), 0);
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) enqueue(t);
-    for (std::size_t head = 0; head < queue_.size(); ++head) {
-      const std::uint32_t t = queue_[head];
-      queued_[t] = 0;
+    while (!queue_.empty()) {
+      const std::uint32_t t = queue_.pop();
       if (!(mesh_.excess[t] > 0)) continue;
       if (result_.evaluations > budget_) {
         result_.budget_used_up = true;
@@ -41,10 +38,7 @@ class Improver {
 
  private:
   void enqueue(std::uint32_t t) {
-    if (queued_.size() <= t) queued_.resize(mesh_.triangles.size(), 0);
-    if (!(mesh_.excess[t] > 0) || queued_[t] != 0) return;
-    queued_[t] = 1;
-    queue_.push_back(t);
+    if (mesh_.excess[t] > 0) queue_.push(t);
   }
 
   /// Queues a changed triangle and those beside it.
@@ -184,8 +178,7 @@ class Improver {
   ImproveResult result_;
   Cavity cavity_;
   Installed installed_;
-  std::vector<std::uint32_t> queue_;
-  std::vector<std::uint8_t> queued_;
+  OnceQueue queue_;
 };
 
 }  // namespace

@@ -28,7 +28,7 @@ bool improve_jointly(MutableMesh& mesh, Budget& budget, IsEnough is_enough) {
   if (is_enough()) return true;
   for (int k = 0; k < kTimes && !budget.is_used_up(); ++k) {
     const std::uint32_t worst = worst_of(mesh);
-    if (!(mesh.excess[worst] > kSameExcess)) return false;
+    if (!(mesh.excess[worst] > kSameCot)) return false;
     std::uint64_t evaluations = 0;
     const bool moved = place_jointly(mesh, worst, evaluations);
     budget.spend(evaluations);

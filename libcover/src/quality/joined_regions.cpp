@@ -13,9 +13,8 @@
 namespace cover {
 namespace {
 
-constexpr double kLightWeight = 1e-4;  ///< of small angles: they only decide between equals
-constexpr std::size_t kNear = 24;      ///< triangles around one, whose sides may be halved
-constexpr double kLong = 0.64;         ///< of the squared length of the longest side: halved too
+constexpr std::size_t kNear = 24;  ///< triangles around one, whose sides may be halved
+constexpr double kLong = 0.64;     ///< of the squared length of the longest side: halved too
 
 }  // namespace
 

@@ -6,15 +6,12 @@
 namespace cover {
 namespace {
 
-/// Cotangents closer than this, relative to 1 or to their size, are equal: rounding.
-constexpr double kSame = 1e-9;
-
-constexpr double kNear = 0.05;  ///< 3 degrees
-constexpr double kAlike = 1.02;
+constexpr double kNear = 0.05;   ///< 3 degrees
+constexpr double kAlike = 1.02;  ///< of cotangents above 140 degrees: of what is left to 180
 
 /// Both miss the target by little.
 bool are_near(const Merit& a, const Merit& b) {
-  return std::min(a.large, b.large) > a.target + kSame &&
+  return std::min(a.large, b.large) > a.target + kSameCot &&
          std::max(a.large, b.large) <= a.target + kNear;
 }
 
@@ -23,7 +20,7 @@ bool are_near(const Merit& a, const Merit& b) {
 bool are_alike(const Merit& a, const Merit& b) {
   constexpr double k130 = 0.8390996311772800, k140 = 1.1917535925942100;  // -cot
   const double least = std::min(a.large, b.large), most = std::max(a.large, b.large);
-  if (least <= std::max(kFarAbove, a.target + kSame)) return false;
+  if (least <= std::max(kFarAbove, a.target + kSameCot)) return false;
   if (least > k140) return most <= kAlike * least;
   if (most > k140) return false;
   return (least <= k130) == (most <= k130);
@@ -49,14 +46,14 @@ Merit merit_of(const MutableMesh& mesh, const Goal& goal) {
       const double cot = k.cross > 0 ? k.dot[i] / k.cross : -kInverted;
       merit.large = std::max(merit.large, -cot);
       const Allowance* side = mesh.allowance(triangle.n[i]);
-      large = large || -cot > goal.large + (side != nullptr ? side->large : 0) + kSame;
+      large = large || -cot > goal.large + (side != nullptr ? side->large : 0) + kSameCot;
       far = far ||
-            -cot > std::max(kFarAbove, goal.large + (side != nullptr ? side->large : 0)) + kSame;
+            -cot > std::max(kFarAbove, goal.large + (side != nullptr ? side->large : 0)) + kSameCot;
       const bool of_the_input =
           is_side(triangle.n[(i + 1) % 3]) && is_side(triangle.n[(i + 2) % 3]);
       if (of_the_input || goal.weight == 0) continue;
       merit.small = std::max(merit.small, cot - allowed);
-      small = small || cot - allowed > goal.small * (1 + kSame);
+      small = small || cot - allowed > goal.small * (1 + kSameCot);
     }
     merit.above += large ? 1 : 0;
     merit.far_above += far ? 1 : 0;
@@ -70,13 +67,13 @@ bool is_above(const MutableMesh& mesh, std::uint32_t t, const Goal& goal) {
   const Corners k(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
   for (std::size_t i = 0; i < 3; ++i) {
     const Allowance* side = mesh.allowance(mesh.triangles[t].n[i]);
-    const double large = goal.large + (side != nullptr ? side->large : 0) + kSame;
+    const double large = goal.large + (side != nullptr ? side->large : 0) + kSameCot;
     if (!(-k.dot[i] <= large * k.cross)) return true;
   }
   return false;
 }
 
-bool is_smaller_cot(double a, double b) { return a < b - kSame * std::max(1.0, std::abs(b)); }
+bool is_smaller_cot(double a, double b) { return a < b - kSameCot * std::max(1.0, std::abs(b)); }
 
 bool is_better(const Merit& a, const Merit& b) {
   const bool is_same = !is_smaller_cot(a.large, b.large) && !is_smaller_cot(b.large, a.large);

@@ -34,10 +34,12 @@ bool is_above(const MutableMesh& mesh, std::uint32_t t, const Goal& goal);
 bool is_smaller_cot(double a, double b);
 
 /// Whether `a` is better: smaller largest angle, then fewer triangles above 120 degrees, then fewer
-/// above the goal, then larger smallest angle, then fewer triangles. Largest angles that miss the
-/// target by 3 degrees at most are alike as long as the triangles above it decide, and so are those
-/// from 120 to 130 degrees, and from there to 140, and above if cotangents differ by 2 %, beside the triangles above 120: at the optimum
-/// two or three triangles share the largest angle, and short of it there may be many.
+/// above the goal, then larger smallest angle, then fewer triangles.
+///
+/// Largest angles are alike, so that the counts decide: those that miss the target by 3 degrees at
+/// most, from 120 to 130 degrees, from there to 140, and above where cotangents differ by 2 % at
+/// most. For at the optimum two or three triangles share the largest angle, and short of it there
+/// may be many.
 ///
 /// REQUIRES: the same targets
 bool is_better(const Merit& a, const Merit& b);

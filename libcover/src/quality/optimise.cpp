@@ -1,7 +1,7 @@
 // The stages for one region, cheapest first; each is left out once the goal is met.
 //
-// 1. Refine until angles are 24 degrees, which spreads vertices well but leaves angles of 132. With
-//    less there are fewer vertices to begin with, but stages 2 to 4 take longer.
+// 1. Refine until angles are 24.5 degrees, which spreads vertices well but leaves angles of 132.
+//    With less there are fewer vertices to begin with, but stages 2 to 4 take longer.
 // 2. Improve both angles at once. Enough for most regions.
 // 3. Where many large angles are left, small angles were in the way from the start: again from the
 //    refined triangulation with a weight for small angles so low that they decide only between
@@ -24,17 +24,16 @@
 namespace cover {
 namespace {
 
-constexpr double kLightWeight = 1e-4;  ///< of small angles in the light stage, times the goal's
-constexpr double kLightSmall = 4;      ///< cotangent there, times the goal's: below 5 degrees
+constexpr double kLightSmall = 4;      ///< times the goal's cotangent, when light: 5 degrees
 constexpr double kManyAbove = 0.02;    ///< share of triangles above the goal that is many
 constexpr double kFewAbove = 0.05;     ///< share that is few, for which more budget is well spent
 constexpr std::size_t kMostOfFew = 4;  ///< triangles, each with so much more:
 constexpr std::uint64_t kEvaluationsForFew = 300'000;
-constexpr double kHopeless = 0.2;               ///< share above which there is no search
-constexpr std::size_t kTinyMesh = 600;          ///< triangles: a search in any case
-constexpr std::size_t kSmallMesh = 200;         ///< triangles: all candidates are searched
-constexpr double kRefinedTo = 24.5;             ///< degrees: more than asked for, see stage 1
-constexpr std::size_t kMostSized = 50'000'000;  ///< vertices that sizes may ask for in a region
+constexpr double kHopeless = 0.2;                 ///< share above which there is no search
+constexpr std::size_t kCheapToSearch = 600;       ///< triangles: however many are left
+constexpr std::size_t kCheapToSearchAgain = 200;  ///< triangles: for every candidate
+constexpr double kRefinedTo = 24.5;               ///< degrees: more than asked for, see stage 1
+constexpr std::size_t kMostSized = 50'000'000;    ///< vertices that sizes may ask for in a region
 constexpr std::uint64_t kEvaluationsPerVertex = 100;  ///< more budget for what sizes add
 constexpr std::uint64_t kFirstShare = 4;              ///< of the budget for stage 2: one in so many
 
@@ -55,10 +54,10 @@ bool has_at_most(const Merit& merit, double share) {
   return static_cast<double>(merit.above) <= share * static_cast<double>(merit.triangles);
 }
 
-/// Where much is left, it is so for reasons that no search changes; but in tiny meshes all can be
+/// Where much is left, it is so for reasons that no search changes; but in small meshes all can be
 /// tried.
 bool is_worth_a_search(const Merit& merit) {
-  return merit.triangles <= kTinyMesh || has_at_most(merit, kHopeless);
+  return merit.triangles <= kCheapToSearch || has_at_most(merit, kHopeless);
 }
 
 }  // namespace
@@ -102,7 +101,7 @@ Merit improve_largest(MutableMesh& mesh, const Goal& goal, Budget& budget) {
   mesh.set_goal(light(goal));
   improve_within(mesh, budget);
   const Merit merit = merit_of(mesh, goal);
-  if (merit.triangles > kSmallMesh || !is_worth_a_search(merit)) return merit;
+  if (merit.triangles > kCheapToSearchAgain || !is_worth_a_search(merit)) return merit;
   search_excerpts(mesh, goal, budget);
   return merit_of(mesh, goal);
 }

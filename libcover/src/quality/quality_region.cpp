@@ -37,64 +37,66 @@ class RegionWork {
  public:
   RegionWork(const RegionBoundary& boundary, const Options& options, std::stop_token stop,
              bool shifted)
-      : boundary_(boundary), options_(options), tries_(boundary, options, stop, shifted) {}
+      : boundary_(boundary), options_(options), candidates_(boundary, options, stop, shifted) {}
 
   /// ENSURES: no triangles if rounding on the way back to the plane turned one over, or the run is
   ///          to stop
   RegionMesh run() {
-    Candidate best = tries_.has_sizes() ? best_sized() : best_candidate();
-    if (!tries_.has_sizes() && !tries_.is_tiny()) {
+    Candidate best = candidates_.has_sizes() ? best_sized() : best_candidate();
+    if (!candidates_.has_sizes() && !candidates_.is_tiny()) {
       aim_elsewhere(best);
       search_what_is_left(best);
     }
-    if (tries_.must_stop()) return {};
+    if (candidates_.must_stop()) return {};
     RegionMesh out = reported(best);
-    best.mesh.set_goal(tries_.goal());
-    out.report.notes = missed_targets(best.mesh, boundary_, tries_.limit(), options_,
-                                      tries_.is_budget_used_up(), tries_.frame().origin());
+    best.mesh.set_goal(candidates_.goal());
+    out.report.notes =
+        missed_targets(best.mesh, boundary_, candidates_.limit(), options_,
+                       candidates_.is_budget_used_up(), candidates_.frame().origin());
     return out;
   }
 
-  [[nodiscard]] bool is_shifted() const { return tries_.frame().is_shifted(); }
+  [[nodiscard]] bool is_shifted() const { return candidates_.frame().is_shifted(); }
 
  private:
   Candidate best_candidate() {
-    Candidate best = tries_.as_it_is();
+    Candidate best = candidates_.as_it_is();
     if (best.merit.complete) return best;
-    tries_.lower_ceiling(best.merit.large);
+    candidates_.lower_ceiling(best.merit.large);
     const Candidate cdt = best;
     std::optional<Candidate> hub;
-    const bool hub_may_do = tries_.has_room_around_a_hub();
-    if (hub_may_do) hub = tries_.one_star(cdt);
+    const bool hub_may_do = candidates_.has_room_around_a_hub();
+    if (hub_may_do) hub = candidates_.one_star(cdt);
     if (hub && hub->merit.complete) return *std::move(hub);
-    tries_.take_if_better(best, tries_.optimised(cdt));
-    if (tries_.is_tiny() && !best.merit.complete)
-      tries_.take_if_better(best, tries_.restarted(best));
-    if (tries_.is_done(best)) return best;
-    tries_.take_if_better(best, tries_.improved(best));
-    if (tries_.is_done(best)) return best;
-    const std::optional<Candidate> even = tries_.evenly_refined(cdt);
-    if (even) tries_.take_if_better(best, tries_.improved(*even));
-    if (tries_.is_done(best)) return best;
-    if (!hub_may_do) hub = tries_.one_star(cdt);
-    if (hub && is_promising(*hub, best)) tries_.take_if_better(best, tries_.improved(*hub));
-    if (tries_.is_done(best)) return best;
-    if (is_promising(cdt, best)) tries_.take_if_better(best, tries_.improved(cdt));
-    if (tries_.is_done(best)) return best;
-    const Candidate almond = tries_.from_almonds();
+    candidates_.take_if_better(best, candidates_.optimised(cdt));
+    if (candidates_.is_tiny() && !best.merit.complete)
+      candidates_.take_if_better(best, candidates_.restarted(best));
+    if (candidates_.is_done(best)) return best;
+    candidates_.take_if_better(best, candidates_.improved(best));
+    if (candidates_.is_done(best)) return best;
+    const std::optional<Candidate> even = candidates_.evenly_refined(cdt);
+    if (even) candidates_.take_if_better(best, candidates_.improved(*even));
+    if (candidates_.is_done(best)) return best;
+    if (!hub_may_do) hub = candidates_.one_star(cdt);
+    if (hub && is_promising(*hub, best))
+      candidates_.take_if_better(best, candidates_.improved(*hub));
+    if (candidates_.is_done(best)) return best;
+    if (is_promising(cdt, best)) candidates_.take_if_better(best, candidates_.improved(cdt));
+    if (candidates_.is_done(best)) return best;
+    const Candidate almond = candidates_.from_almonds();
     if (almond.mesh.triangles.empty()) return best;
-    tries_.lower_ceiling(almond.merit.large);
-    tries_.take_if_better(best, almond);
-    if (is_promising(almond, best)) tries_.take_if_better(best, tries_.improved(almond));
+    candidates_.lower_ceiling(almond.merit.large);
+    candidates_.take_if_better(best, almond);
+    if (is_promising(almond, best)) candidates_.take_if_better(best, candidates_.improved(almond));
     return best;
   }
 
   /// With wished sizes there is one candidate, unless it misses what the almond method proves.
   Candidate best_sized() {
-    Candidate best = tries_.optimised(tries_.as_it_is());
-    if (!tries_.is_done(best)) tries_.take_if_better(best, tries_.improved(best));
-    if (best.merit.large <= 1 / std::tan(tries_.limit().promised_nu())) return best;
-    tries_.take_if_better(best, tries_.improved(tries_.from_almonds()));
+    Candidate best = candidates_.optimised(candidates_.as_it_is());
+    if (!candidates_.is_done(best)) candidates_.take_if_better(best, candidates_.improved(best));
+    if (best.merit.large <= 1 / std::tan(candidates_.limit().promised_nu())) return best;
+    candidates_.take_if_better(best, candidates_.improved(candidates_.from_almonds()));
     return best;
   }
 
@@ -121,36 +123,36 @@ class RegionWork {
 
   void aim_at(Candidate& best, Angle max, Angle min) {
     const auto find = [&] { return best_candidate(); };
-    tries_.take_if_better(best, tries_.with_goal(Goal::of(max, min), find));
+    candidates_.take_if_better(best, candidates_.with_goal(Goal::of(max, min), find));
   }
 
   /// Searches for what is left, if few triangles miss the region's own target, or are above 120
   /// degrees.
   void search_what_is_left(Candidate& best) const {
-    const Goal goal = tries_.goal();
-    if (!tries_.is_done(best))
-      tries_.take_if_better(best,
-                            tries_.searched(best, tries_.own_goal(best.mesh), kEvaluationsForOwn));
+    const Goal goal = candidates_.goal();
+    if (!candidates_.is_done(best))
+      candidates_.take_if_better(
+          best, candidates_.searched(best, candidates_.own_goal(best.mesh), kEvaluationsForOwn));
     const Goal far{std::max(goal.large, kFarAbove), goal.small, goal.weight};
     if (best.merit.far_above > 0 && far != goal)
-      tries_.take_if_better(best, tries_.searched(best, far, kEvaluationsForFar));
+      candidates_.take_if_better(best, candidates_.searched(best, far, kEvaluationsForFar));
   }
 
   [[nodiscard]] RegionMesh reported(const Candidate& candidate) const {
-    RegionMesh out = to_region_mesh(candidate.mesh, tries_.frame(), boundary_.points);
+    RegionMesh out = to_region_mesh(candidate.mesh, candidates_.frame(), boundary_.points);
     RegionReport& report = out.report;
     report.id = boundary_.id;
     report.method = candidate.method;
-    report.nu_opt = Angle::radians(tries_.limit().nu);
-    report.nu_bound = Angle::radians(tries_.limit().promised_nu());
-    report.forced_above_120 = tries_.limit().above_120;
-    report.forced_above_150 = tries_.limit().above_150;
+    report.nu_opt = Angle::radians(candidates_.limit().nu);
+    report.nu_bound = Angle::radians(candidates_.limit().promised_nu());
+    report.forced_above_120 = candidates_.limit().above_120;
+    report.forced_above_150 = candidates_.limit().above_150;
     return out;
   }
 
   const RegionBoundary& boundary_;
   const Options& options_;
-  Candidates tries_;
+  Candidates candidates_;
 };
 
 }  // namespace

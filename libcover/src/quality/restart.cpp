@@ -20,10 +20,6 @@ namespace {
 
 constexpr std::uint32_t kRestarts = 27;         ///< where the target for large angles is missed
 constexpr std::uint32_t kRestartsForSmall = 6;  ///< where only small angles are left
-constexpr std::uint64_t kRestartCost = 300;     ///< star evaluations in the time of a restart
-constexpr double kLightWeight = 1e-4;           ///< of small angles, times the goal's
-constexpr double kStricter = 0.005;             ///< aim so far below the goal, in cotangents
-
 constexpr std::array<double, 3> kPolished{0.2, 0.04, 0.008};  ///< of what is missed: last aims
 
 /// splitmix64: the same numbers with every compiler.
@@ -124,7 +120,7 @@ MutableMesh best_restart(const MutableMesh& mesh, const Goal& goal, double ceili
     std::optional<MutableMesh> start = restart(mesh, 1 + k / aims.size() % 3, k);
     budget.spend(kRestartCost);
     if (start)
-      try_it(*std::move(start), aims[k % aims.size()] - kStricter,
+      try_it(*std::move(start), aims[k % aims.size()] - kAimBelow,
              only_small || k % 2 == 0 ? kLightWeight : 0);
   }
   // Steps count by what they win of an excess: near the aim, small ones do.

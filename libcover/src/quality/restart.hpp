@@ -10,6 +10,9 @@
 
 namespace cover {
 
+/// Star evaluations in the time of a restart.
+inline constexpr std::uint64_t kRestartCost = 300;
+
 /// The constrained Delaunay triangulation of the fixed vertices of `mesh` and `count` free ones at
 /// random places inside, the same ones for the same `number`. The sides are those of `mesh`, and
 /// so is the goal.

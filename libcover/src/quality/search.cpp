@@ -9,8 +9,8 @@
 #include <array>
 #include <optional>
 #include <utility>
-#include <vector>
 
+#include "base/once_queue.hpp"
 #include "quality/cavity.hpp"
 #include "quality/excerpt.hpp"
 #include "quality/improve.hpp"
@@ -26,15 +26,12 @@ namespace {
 
 constexpr std::size_t kTriangles = 64;  ///< in an excerpt
 constexpr std::uint64_t kCopied = 8;    ///< triangles copied in the time of one star evaluation
-constexpr double kLightWeight = 1e-4;   ///< of small angles where large ones come first
-constexpr double kStricter = 0.005;     ///< in cotangents: 0.3 degrees
 constexpr std::uint64_t kLeastShare = 1000;  ///< of the budget, for a triangle
 constexpr std::uint64_t kLeastSpent = 20;    ///< for a triangle: its excerpt alone
 constexpr std::size_t kFew = 3;              ///< triangles with small angles, in an excerpt
 constexpr int kLeastHole = 6;                ///< edges of a hole that is filled anew
 constexpr std::array<std::size_t, 3> kRestarted{6, 10, 14};  ///< triangles that are, in turn
 constexpr int kRestarts = 12;
-constexpr std::uint64_t kRestartCost = 300;  ///< star evaluations in the time of a restart
 
 /// Takes in the worst triangle beside the cavity that can be.
 bool grow(const MutableMesh& mesh, Cavity& cavity) {
@@ -62,7 +59,7 @@ class Attempts {
         budget_(budget),
         effort_(effort) {
     light_.weight *= kLightWeight;
-    light_.large -= kStricter;
+    light_.large -= kAimBelow;
   }
 
   /// ENSURES: true if result() is better than the part
@@ -168,28 +165,24 @@ class Search {
       : mesh_(mesh), budget_(budget), effort_(effort) {}
 
   void run() {
-    queued_.assign(mesh_.triangles.size(), 0);
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) enqueue(t);
-    for (std::size_t head = 0; head < queue_.size(); ++head) {
-      const std::uint32_t t = queue_[head];
-      queued_[t] = 0;
+    while (!queue_.empty()) {
+      const std::size_t shares = queue_.size();
+      const std::uint32_t t = queue_.pop();
       if (!is_left(t)) continue;
       if (budget_.is_used_up()) {
         budget_.was_too_small = true;
         return;
       }
-      try_around(t, queue_.size() - head);
+      try_around(t, shares);
     }
   }
 
  private:
-  [[nodiscard]] bool is_left(std::uint32_t t) const { return mesh_.excess[t] > kSameExcess; }
+  [[nodiscard]] bool is_left(std::uint32_t t) const { return mesh_.excess[t] > kSameCot; }
 
   void enqueue(std::uint32_t t) {
-    if (queued_.size() <= t) queued_.resize(mesh_.triangles.size(), 0);
-    if (!is_left(t) || queued_[t] != 0) return;
-    queued_[t] = 1;
-    queue_.push_back(t);
+    if (is_left(t)) queue_.push(t);
   }
 
   /// Spends on `t` one of `shares` equal shares of the budget at most.
@@ -210,8 +203,7 @@ class Search {
   MutableMesh& mesh_;
   Budget& budget_;
   Effort effort_;
-  std::vector<std::uint32_t> queue_;
-  std::vector<std::uint8_t> queued_;
+  OnceQueue queue_;
 };
 
 }  // namespace

@@ -31,16 +31,16 @@ Standing standing_of(const MutableMesh& mesh, const Goal& goal) {
       const double cot = k.dot[i] / k.cross;
       standing.largest = std::max(standing.largest, -cot);
       large = std::max(large, -cot - goal.large - side[i].large);
-      far = far || -cot > std::max(kFarAbove, goal.large + side[i].large) + kSameExcess;
+      far = far || -cot > std::max(kFarAbove, goal.large + side[i].large) + kSameCot;
       if (is_side(n[(i + 1) % 3]) && is_side(n[(i + 2) % 3])) continue;
       small = std::max(small, cot - goal.small - allowed);
     }
     standing.large = std::max(standing.large, large);
-    standing.above += large > kSameExcess ? 1 : 0;
+    standing.above += large > kSameCot ? 1 : 0;
     standing.far_above += far ? 1 : 0;
     if (goal.weight == 0) continue;
     standing.small = std::max(standing.small, small);
-    standing.below += small > kSameExcess * goal.small ? 1 : 0;
+    standing.below += small > kSameCot * goal.small ? 1 : 0;
   }
   return standing;
 }

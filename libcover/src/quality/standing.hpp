@@ -7,9 +7,6 @@
 
 namespace cover {
 
-/// Rounding, in cotangents.
-inline constexpr double kSameExcess = 1e-9;
-
 /// What an excerpt has reached.
 struct Standing {
   double largest = 0;         ///< -cot of the largest angle, if that is obtuse
