@@ -35,42 +35,18 @@ Merit merit_of(const MutableMesh& mesh, const Goal& goal) {
   const bool is_measured = mesh.goal() == goal;  // what has no excess meets the goal
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (mesh.is_hole(t) || (is_measured && mesh.excess[t] <= 0)) continue;
-    const MeshTriangle& triangle = mesh.triangles[t];
-    const Corners k(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
-    bool large = false, small = false, far = false;
-    double allowed = 0;
-    for (const std::uint32_t n : triangle.n) {
-      if (is_side(n)) allowed = std::max(allowed, mesh.allowances[side_index(n)].small);
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double cot = k.cross > 0 ? k.dot[i] / k.cross : -kInverted;
-      merit.large = std::max(merit.large, -cot);
-      const Allowance* side = mesh.allowance(triangle.n[i]);
-      large = large || -cot > goal.large + (side != nullptr ? side->large : 0) + kSameCot;
-      far = far ||
-            -cot > std::max(kFarAbove, goal.large + (side != nullptr ? side->large : 0)) + kSameCot;
-      const bool of_the_input =
-          is_side(triangle.n[(i + 1) % 3]) && is_side(triangle.n[(i + 2) % 3]);
-      if (of_the_input || goal.weight == 0) continue;
-      merit.small = std::max(merit.small, cot - allowed);
-      small = small || cot - allowed > goal.small * (1 + kSameCot);
-    }
-    merit.above += large ? 1 : 0;
-    merit.far_above += far ? 1 : 0;
-    merit.complete = merit.complete && !large && !small;
+    const Shortfall shortfall = shortfall_of(mesh, t, goal);
+    merit.large = std::max(merit.large, shortfall.largest);
+    if (goal.weight > 0) merit.small = std::max(merit.small, goal.small + shortfall.small);
+    merit.above += shortfall.is_above() ? 1 : 0;
+    merit.far_above += shortfall.is_far ? 1 : 0;
+    merit.complete = merit.complete && !shortfall.is_above() && !shortfall.is_below(goal);
   }
   return merit;
 }
 
 bool is_above(const MutableMesh& mesh, std::uint32_t t, const Goal& goal) {
-  if (mesh.is_hole(t)) return false;
-  const Corners k(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Allowance* side = mesh.allowance(mesh.triangles[t].n[i]);
-    const double large = goal.large + (side != nullptr ? side->large : 0) + kSameCot;
-    if (!(-k.dot[i] <= large * k.cross)) return true;
-  }
-  return false;
+  return !mesh.is_hole(t) && shortfall_of(mesh, t, goal).is_above();
 }
 
 bool is_smaller_cot(double a, double b) { return a < b - kSameCot * std::max(1.0, std::abs(b)); }

@@ -5,11 +5,9 @@
 #include <cstdint>
 
 #include "quality/mutable_mesh.hpp"
+#include "quality/shortfall.hpp"
 
 namespace cover {
-
-/// -cot of 120 degrees: beyond that, triangles count apart.
-inline constexpr double kFarAbove = 0.5773502691896258;
 
 /// What a triangulation has reached, in the order of merit; all in cotangents, smaller is better.
 struct Merit {

@@ -2,9 +2,8 @@
 #include "quality/standing.hpp"
 
 #include <algorithm>
-#include <array>
 
-#include "quality/merit.hpp"
+#include "quality/shortfall.hpp"
 
 namespace cover {
 namespace {
@@ -17,30 +16,13 @@ Standing standing_of(const MutableMesh& mesh, const Goal& goal) {
   Standing standing;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (mesh.is_hole(t)) continue;
-    const auto& n = mesh.triangles[t].n;
-    const Corners k(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
-    std::array<Allowance, 3> side{};
-    double allowed = 0, large = -kInverted, small = -kInverted;
-    bool far = false;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!is_side(n[i])) continue;
-      side[i] = allowance_for(mesh.sides[side_index(n[i])], goal);
-      allowed = std::max(allowed, side[i].small);
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double cot = k.dot[i] / k.cross;
-      standing.largest = std::max(standing.largest, -cot);
-      large = std::max(large, -cot - goal.large - side[i].large);
-      far = far || -cot > std::max(kFarAbove, goal.large + side[i].large) + kSameCot;
-      if (is_side(n[(i + 1) % 3]) && is_side(n[(i + 2) % 3])) continue;
-      small = std::max(small, cot - goal.small - allowed);
-    }
-    standing.large = std::max(standing.large, large);
-    standing.above += large > kSameCot ? 1 : 0;
-    standing.far_above += far ? 1 : 0;
-    if (goal.weight == 0) continue;
-    standing.small = std::max(standing.small, small);
-    standing.below += small > kSameCot * goal.small ? 1 : 0;
+    const Shortfall shortfall = shortfall_of(mesh, t, goal);
+    standing.largest = std::max(standing.largest, shortfall.largest);
+    standing.large = std::max(standing.large, shortfall.large);
+    standing.above += shortfall.is_above() ? 1 : 0;
+    standing.far_above += shortfall.is_far ? 1 : 0;
+    if (goal.weight > 0) standing.small = std::max(standing.small, shortfall.small);
+    standing.below += shortfall.is_below(goal) ? 1 : 0;
   }
   return standing;
 }

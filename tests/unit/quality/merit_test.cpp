@@ -80,14 +80,19 @@ TEST(Merit, CountsDecideBetweenLargestAnglesThatAreAlike) {
 }
 
 TEST(Merit, IsTheSameWhetherOrNotTheGoalIsSet) {
-  const RegionBoundary boundary = smooth_star(60);
-  MutableMesh mesh = cdt_mesh(boundary);
-  const Merit set = merit_of(mesh, default_goal());
-  mesh.set_goal(Goal::of(Angle::degrees(130), Angle::degrees(10)));
-  const Merit other = merit_of(mesh, default_goal());
-  EXPECT_EQ(set.large, other.large);
-  EXPECT_EQ(set.above, other.above);
-  EXPECT_EQ(set.far_above, other.far_above);
+  // The notch of the second one forces an angle above both goals.
+  for (const RegionBoundary& boundary :
+       {smooth_star(60), boundary_of({{{0, 0}, {10, 0}, {10, 5}, {6, 0.5}, {3, 1.5}, {0, 5}}})}) {
+    MutableMesh mesh = cdt_mesh(boundary);
+    const Merit set = merit_of(mesh, default_goal());
+    mesh.set_goal(Goal::of(Angle::degrees(130), Angle::degrees(10)));
+    const Merit other = merit_of(mesh, default_goal());
+    EXPECT_EQ(set.large, other.large);
+    EXPECT_EQ(set.above, other.above);
+    EXPECT_EQ(set.far_above, other.far_above);
+    EXPECT_EQ(set.small, other.small);
+    EXPECT_EQ(set.complete, other.complete);
+  }
 }
 
 }  // namespace
