@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "console.hpp"
-#include "io/mesh_view.hpp"
+#include "io/write_mesh/mesh_view.hpp"
 #include "text_table.hpp"
 
 namespace cover::app {

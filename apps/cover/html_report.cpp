@@ -18,9 +18,9 @@
 #include "angle_text.hpp"
 #include "base/markup.hpp"
 #include "console.hpp"
-#include "io/atomic_file.hpp"
-#include "io/scratch_folder.hpp"
-#include "io/text.hpp"
+#include "io/files/atomic_file.hpp"
+#include "io/files/scratch_folder.hpp"
+#include "io/text/text.hpp"
 #include "verdict.hpp"
 
 namespace cover::app {

@@ -5,7 +5,7 @@
 #include <cover/read_mesh.hpp>
 
 #include "console.hpp"
-#include "io/read_manifest.hpp"
+#include "io/report/read_manifest.hpp"
 
 namespace cover::app {
 

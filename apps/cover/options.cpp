@@ -11,8 +11,8 @@
 #include <cover/read_size_field.hpp>
 
 #include "base/suggest.hpp"
+#include "clean/weld.hpp"
 #include "pipeline/check_options.hpp"
-#include "region/weld.hpp"
 
 namespace cover::app {
 namespace {

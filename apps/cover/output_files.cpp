@@ -14,7 +14,7 @@
 
 #include "console.hpp"
 #include "html_report.hpp"
-#include "io/scratch_folder.hpp"
+#include "io/files/scratch_folder.hpp"
 
 namespace cover::app {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "angle_text.hpp"
 #include "console.hpp"
-#include "covering/disks/fill_disks.hpp"
+#include "disks/fill_disks.hpp"
 #include "requirements.hpp"
 
 namespace cover::app {

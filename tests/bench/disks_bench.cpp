@@ -1,7 +1,7 @@
 // The disk packing fill from 1e2 to 1e5 boundary vertices: time per disk should stay flat.
 #include <benchmark/benchmark.h>
 
-#include "covering/disks/fill_disks.hpp"
+#include "disks/fill_disks.hpp"
 #include "support/filling_checks.hpp"
 #include "support/inputs.hpp"
 #include "support/shapes.hpp"

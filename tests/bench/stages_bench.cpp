@@ -21,11 +21,11 @@
 
 #include <cover/cover_mesh.hpp>
 
+#include "clean/pslg.hpp"
 #include "heap_peak.hpp"
-#include "pipeline/region_task.hpp"
-#include "region/pslg.hpp"
 #include "region/region_graph.hpp"
 #include "support/inputs.hpp"
+#include "tasks/region_task.hpp"
 
 namespace {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "covering/region_mesh.hpp"
 #include "region/region_boundary.hpp"
+#include "target/region_mesh.hpp"
 
 namespace cover::testing {
 

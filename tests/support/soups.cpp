@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "region/pslg.hpp"
+#include "clean/pslg.hpp"
 
 namespace cover::testing {
 

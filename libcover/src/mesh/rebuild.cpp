@@ -9,11 +9,11 @@
 
 #include <fmt/format.h>
 
-#include "covering/measure.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 #include "mesh/mesh_builder.hpp"
 #include "region/interfaces.hpp"
+#include "target/measure.hpp"
 
 namespace cover {
 namespace {

@@ -7,8 +7,8 @@
 #include <cover/pslg.hpp>
 #include <cover/regions.hpp>
 
-#include "covering/region_mesh.hpp"
 #include "region/region_boundary.hpp"
+#include "target/region_mesh.hpp"
 
 namespace cover {
 

@@ -10,7 +10,7 @@
 
 #include <cover/packing.hpp>
 
-#include "io/atomic_file.hpp"
+#include "io/files/atomic_file.hpp"
 
 namespace cover {
 namespace {

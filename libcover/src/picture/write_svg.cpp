@@ -7,7 +7,7 @@
 #include <cover/picture.hpp>
 
 #include "base/markup.hpp"
-#include "io/atomic_file.hpp"
+#include "io/files/atomic_file.hpp"
 #include "picture/compose.hpp"
 
 namespace cover {

@@ -6,15 +6,15 @@
 // vertex id; results lie in region order, so the mesh does not depend on the schedule.
 #include <cover/cover_mesh.hpp>
 
+#include "cuts/cut_until_met.hpp"
 #include "mesh/stitch.hpp"
-#include "pipeline/cut_until_met.hpp"
-#include "pipeline/errors_as_values.hpp"
-#include "pipeline/expected_triangles.hpp"
 #include "pipeline/find_regions.hpp"
 #include "pipeline/nonobtuse.hpp"
-#include "pipeline/region_task.hpp"
-#include "quality/sizes.hpp"
 #include "region/region_graph.hpp"
+#include "sizes/expected_triangles.hpp"
+#include "sizes/sizes.hpp"
+#include "tasks/errors_as_values.hpp"
+#include "tasks/region_task.hpp"
 
 namespace cover {
 

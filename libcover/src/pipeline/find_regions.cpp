@@ -5,16 +5,16 @@
 
 #include <cover/version.hpp>
 
-#include "covering/measure.hpp"
+#include "clean/pslg.hpp"
+#include "cuts/split_interfaces.hpp"
 #include "pipeline/check_options.hpp"
 #include "pipeline/describe_options.hpp"
-#include "pipeline/errors_as_values.hpp"
-#include "pipeline/expected_triangles.hpp"
-#include "pipeline/region_task.hpp"
-#include "quality/sizes.hpp"
-#include "quality/split_interfaces.hpp"
-#include "region/pslg.hpp"
 #include "region/region_graph.hpp"
+#include "sizes/expected_triangles.hpp"
+#include "sizes/sizes.hpp"
+#include "target/measure.hpp"
+#include "tasks/errors_as_values.hpp"
+#include "tasks/region_task.hpp"
 
 namespace cover {
 

@@ -6,8 +6,8 @@
 
 #include <cover/cover_mesh.hpp>
 
-#include "covering/region_mesh.hpp"
-#include "pipeline/stage_clock.hpp"
+#include "target/region_mesh.hpp"
+#include "tasks/stage_clock.hpp"
 
 namespace cover {
 

@@ -14,15 +14,15 @@
 #include <fmt/format.h>
 
 #include "cdt/cdt.hpp"
-#include "covering/angle_limit.hpp"
-#include "covering/disks/fill_disks.hpp"
-#include "covering/disks/segment_disks.hpp"
-#include "covering/measure.hpp"
+#include "cuts/cut_segments.hpp"
+#include "disks/fill_disks.hpp"
+#include "disks/segment_disks.hpp"
 #include "geom/vector.hpp"
-#include "pipeline/region_task.hpp"
-#include "pipeline/stage_clock.hpp"
-#include "region/cut_segments.hpp"
 #include "region/region_graph.hpp"
+#include "target/angle_limit.hpp"
+#include "target/measure.hpp"
+#include "tasks/region_task.hpp"
+#include "tasks/stage_clock.hpp"
 
 namespace cover {
 namespace {

@@ -9,8 +9,8 @@
 #include <cover/regions.hpp>
 #include <cover/result.hpp>
 
-#include "covering/region_mesh.hpp"
 #include "region/region_boundary.hpp"
+#include "target/region_mesh.hpp"
 
 namespace cover {
 

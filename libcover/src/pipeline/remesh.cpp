@@ -15,15 +15,15 @@
 
 #include "base/describe.hpp"
 #include "cdt/cdt.hpp"
-#include "covering/measure.hpp"
-#include "mesh/adopt_cuts.hpp"
+#include "cuts/adopt_cuts.hpp"
 #include "mesh/stitch.hpp"
-#include "pipeline/expected_triangles.hpp"
 #include "pipeline/find_regions.hpp"
-#include "pipeline/region_task.hpp"
-#include "quality/sizes.hpp"
 #include "region/named_regions.hpp"
 #include "region/region_graph.hpp"
+#include "sizes/expected_triangles.hpp"
+#include "sizes/sizes.hpp"
+#include "target/measure.hpp"
+#include "tasks/region_task.hpp"
 
 namespace cover {
 namespace {

@@ -5,9 +5,9 @@
 #include <numbers>
 #include <vector>
 
+#include "almond/almond_region.hpp"
 #include "cdt/cdt.hpp"
 #include "cdt/sides.hpp"
-#include "covering/cover_region.hpp"
 #include "quality/chew.hpp"
 #include "quality/hub.hpp"
 #include "quality/restart.hpp"
@@ -142,7 +142,7 @@ Candidate Candidates::searched(const Candidate& from, const Goal& aim, std::uint
 }
 
 Candidate Candidates::from_almonds() const {
-  const RegionMesh almond = cover_region(boundary_, options_, budget_.stop);
+  const RegionMesh almond = almond_region(boundary_, options_, budget_.stop);
   std::vector<Point> points = frame_.points();
   for (const Point& p : almond.steiner) points.push_back(frame_.enter(p));
   return candidate(with_neighbours(std::move(points), almond.triangles), "almond");

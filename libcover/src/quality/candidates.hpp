@@ -11,14 +11,14 @@
 #include <cover/options.hpp>
 
 #include "cdt/triangulation.hpp"
-#include "covering/angle_limit.hpp"
-#include "covering/local_frame.hpp"
-#include "quality/goal.hpp"
 #include "quality/merit.hpp"
 #include "quality/mutable_mesh.hpp"
 #include "quality/optimise.hpp"
-#include "quality/size_field.hpp"
 #include "region/region_boundary.hpp"
+#include "sizes/size_field.hpp"
+#include "target/angle_limit.hpp"
+#include "target/goal.hpp"
+#include "target/local_frame.hpp"
 
 namespace cover {
 

@@ -10,8 +10,8 @@
 
 #include "base/describe.hpp"
 #include "cdt/cdt.hpp"
-#include "covering/measure.hpp"
 #include "quality/with_neighbours.hpp"
+#include "target/measure.hpp"
 
 namespace cover {
 namespace {

@@ -6,10 +6,10 @@
 #include <cover/options.hpp>
 #include <cover/report.hpp>
 
-#include "covering/angle_limit.hpp"
-#include "covering/region_mesh.hpp"
 #include "quality/mutable_mesh.hpp"
 #include "region/region_boundary.hpp"
+#include "target/angle_limit.hpp"
+#include "target/region_mesh.hpp"
 
 namespace cover {
 

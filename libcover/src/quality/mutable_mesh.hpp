@@ -10,8 +10,8 @@
 
 #include "cdt/sides.hpp"
 #include "cdt/triangulation.hpp"
-#include "quality/goal.hpp"
-#include "quality/side_limit.hpp"
+#include "target/goal.hpp"
+#include "target/side_limit.hpp"
 
 namespace cover {
 

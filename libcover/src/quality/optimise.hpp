@@ -6,7 +6,7 @@
 
 #include "quality/merit.hpp"
 #include "quality/mutable_mesh.hpp"
-#include "quality/size_field.hpp"
+#include "sizes/size_field.hpp"
 
 namespace cover {
 

@@ -5,8 +5,8 @@
 
 #include <cover/options.hpp>
 
-#include "covering/region_mesh.hpp"
 #include "region/region_boundary.hpp"
+#include "target/region_mesh.hpp"
 
 namespace cover {
 

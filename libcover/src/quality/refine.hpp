@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "quality/mutable_mesh.hpp"
-#include "quality/size_field.hpp"
+#include "sizes/size_field.hpp"
 
 namespace cover {
 

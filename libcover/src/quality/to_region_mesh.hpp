@@ -5,9 +5,9 @@
 
 #include <cover/point.hpp>
 
-#include "covering/local_frame.hpp"
-#include "covering/region_mesh.hpp"
 #include "quality/mutable_mesh.hpp"
+#include "target/local_frame.hpp"
+#include "target/region_mesh.hpp"
 
 namespace cover {
 

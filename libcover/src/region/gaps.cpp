@@ -1,4 +1,4 @@
-// Tested by tests/unit/region/paint_test.cpp.
+// Tested by tests/unit/clean/paint_test.cpp.
 #include "region/gaps.hpp"
 
 #include <fmt/core.h>
@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "base/describe.hpp"
+#include "faces/face_measures.hpp"
 #include "geom/vector.hpp"
-#include "region/face_measures.hpp"
 
 namespace cover {
 namespace {

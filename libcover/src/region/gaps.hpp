@@ -6,8 +6,8 @@
 #include <cover/pslg.hpp>
 #include <cover/report.hpp>
 
-#include "region/faces.hpp"
-#include "region/seeds.hpp"
+#include "faces/faces.hpp"
+#include "faces/seeds.hpp"
 
 namespace cover {
 

@@ -8,13 +8,13 @@
 #include <algorithm>
 
 #include "base/describe.hpp"
-#include "region/face_measures.hpp"
-#include "region/faces.hpp"
+#include "faces/face_measures.hpp"
+#include "faces/faces.hpp"
+#include "faces/materials.hpp"
+#include "faces/seeds.hpp"
 #include "region/gaps.hpp"
 #include "region/interfaces.hpp"
-#include "region/materials.hpp"
 #include "region/near_misses.hpp"
-#include "region/seeds.hpp"
 
 namespace cover {
 namespace {

@@ -9,7 +9,7 @@
 
 #include <cover/regions.hpp>
 
-#include "io/mesh_view.hpp"
+#include "io/write_mesh/mesh_view.hpp"
 
 namespace cover {
 

@@ -18,9 +18,9 @@
 #include <vtkUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
-#include "io/mesh_collector.hpp"
-#include "io/mesh_formats.hpp"
-#include "io/text.hpp"
+#include "io/read_mesh/mesh_collector.hpp"
+#include "io/read_mesh/mesh_formats.hpp"
+#include "io/text/text.hpp"
 #include "vtk/cell_values.hpp"
 #include "vtk/read_quietly.hpp"
 #include "vtk/read_xdmf.hpp"

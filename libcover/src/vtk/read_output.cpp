@@ -19,9 +19,9 @@
 #include <cover/read_mesh.hpp>
 #include <cover/stored_mesh.hpp>
 
-#include "io/complete_mesh.hpp"
-#include "io/read_manifest.hpp"
-#include "io/second_order.hpp"
+#include "io/read_mesh/complete_mesh.hpp"
+#include "io/read_mesh/second_order.hpp"
+#include "io/report/read_manifest.hpp"
 #include "vtk/cell_values.hpp"
 #include "vtk/quiet_vtk.hpp"
 

@@ -8,7 +8,7 @@
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
-#include "io/text.hpp"
+#include "io/text/text.hpp"
 #include "vtk/quiet_vtk.hpp"
 #include "vtk/sound_cells.hpp"
 

@@ -12,9 +12,9 @@
 #include <vtkXMLDataElement.h>
 #include <vtkXMLUtilities.h>
 
-#include "io/mesh_collector.hpp"
-#include "io/text.hpp"
-#include "io/token_reader.hpp"
+#include "io/read_mesh/mesh_collector.hpp"
+#include "io/text/text.hpp"
+#include "io/text/token_reader.hpp"
 #include "vtk/quiet_vtk.hpp"
 
 namespace cover {

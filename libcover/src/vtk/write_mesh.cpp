@@ -1,5 +1,5 @@
 // One table says what each extension stands for, so that formats, help texts and errors agree.
-// Tested by tests/unit/io/write_mesh_test.cpp.
+// Tested by tests/unit/io/write_mesh/write_mesh_test.cpp.
 #include <algorithm>
 #include <array>
 #include <filesystem>

@@ -17,7 +17,7 @@
 
 #include <cover/picture.hpp>
 
-#include "io/atomic_file.hpp"
+#include "io/files/atomic_file.hpp"
 #include "picture/compose.hpp"
 #include "picture/raster.hpp"
 

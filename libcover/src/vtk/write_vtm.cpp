@@ -18,8 +18,8 @@
 #include <vtkNew.h>
 #include <vtkXMLMultiBlockDataWriter.h>
 
-#include "io/mesh_view.hpp"
-#include "io/scratch_folder.hpp"
+#include "io/files/scratch_folder.hpp"
+#include "io/write_mesh/mesh_view.hpp"
 #include "vtk/grid.hpp"
 #include "vtk/quiet_vtk.hpp"
 

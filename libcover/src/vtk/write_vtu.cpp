@@ -5,7 +5,7 @@
 #include <vtkNew.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
-#include "io/atomic_file.hpp"
+#include "io/files/atomic_file.hpp"
 #include "vtk/grid.hpp"
 #include "vtk/quiet_vtk.hpp"
 

@@ -8,7 +8,7 @@
 #include "html_report.hpp"
 #include "support/inputs.hpp"
 #include "support/temporary_folder.hpp"
-#include "unit/io/written_text.hpp"
+#include "unit/io/write_mesh/written_text.hpp"
 
 namespace cover::app {
 namespace {

@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "covering/cover_region.hpp"
+#include "almond/almond_region.hpp"
 #include "support/shapes.hpp"
 
 namespace cover {
@@ -25,7 +25,7 @@ struct Patchwork {
 
   explicit Patchwork(const std::vector<std::vector<Loop>>& regions) {
     for (const std::vector<Loop>& loops : regions) add_region(loops);
-    for (const RegionBoundary& b : boundaries) meshes.push_back(cover_region(b, {}, {}));
+    for (const RegionBoundary& b : boundaries) meshes.push_back(almond_region(b, {}, {}));
   }
   [[nodiscard]] Mesh stitched() const { return stitch(pslg, table, boundaries, meshes); }
 

@@ -5,7 +5,7 @@
 
 #include <cover/packing.hpp>
 
-#include "covering/disks/fill_disks.hpp"
+#include "disks/fill_disks.hpp"
 #include "support/filling_checks.hpp"
 #include "support/shapes.hpp"
 #include "support/temporary_folder.hpp"

@@ -17,9 +17,9 @@
 
 #include <cover/verify.hpp>
 
-#include "pipeline/region_task.hpp"
 #include "support/inputs.hpp"
 #include "support/mesh_shape.hpp"
+#include "tasks/region_task.hpp"
 
 namespace cover {
 namespace {

@@ -6,7 +6,7 @@
 #include <cover/cover_mesh.hpp>
 #include <cover/verify.hpp>
 
-#include "covering/disks/fill_disks.hpp"
+#include "disks/fill_disks.hpp"
 #include "support/inputs.hpp"
 
 namespace cover {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "covering/measure.hpp"
 #include "mesh_checks.hpp"
 #include "support/inputs.hpp"
+#include "target/measure.hpp"
 
 namespace cover {
 namespace {

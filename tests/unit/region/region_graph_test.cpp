@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "region/pslg.hpp"
+#include "clean/pslg.hpp"
 #include "support/inputs.hpp"
 #include "support/shapes.hpp"
 

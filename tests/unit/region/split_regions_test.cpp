@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "cdt/cdt.hpp"
+#include "clean/pslg.hpp"
 #include "geom/spatial_order.hpp"
-#include "region/pslg.hpp"
 #include "region/region_graph.hpp"
 #include "support/inputs.hpp"
 #include "support/shapes.hpp"

@@ -13,11 +13,11 @@
 #include <cover/version.hpp>
 #include <cover/write_mesh.hpp>
 
-#include "io/mesh_view.hpp"
+#include "io/write_mesh/mesh_view.hpp"
 #include "support/inputs.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/written_mesh.hpp"
-#include "unit/io/written_text.hpp"
+#include "unit/io/write_mesh/written_text.hpp"
 
 namespace cover {
 namespace {

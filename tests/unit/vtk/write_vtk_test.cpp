@@ -21,7 +21,7 @@
 #include <cover/cover_mesh.hpp>
 #include <cover/write_mesh.hpp>
 
-#include "io/mesh_view.hpp"
+#include "io/write_mesh/mesh_view.hpp"
 #include "support/inputs.hpp"
 #include "support/temporary_folder.hpp"
 

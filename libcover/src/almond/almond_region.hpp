@@ -1,0 +1,21 @@
+// The stages of one region, in order.
+#pragma once
+
+#include <stop_token>
+
+#include <cover/options.hpp>
+
+#include "region/region_boundary.hpp"
+#include "target/region_mesh.hpp"
+
+namespace cover {
+
+/// Triangulates one region without putting a vertex on its boundary.
+///
+/// ENSURES: RegionMesh::report says which method was kept, what it reached, and every repair.
+/// Threads: pure function of its arguments.
+/// Ref:     mitchell_1993_covering
+RegionMesh almond_region(const RegionBoundary& boundary, const Options& options,
+                        std::stop_token stop);
+
+}  // namespace cover

@@ -1,0 +1,423 @@
+// Insertion is Bowyer's and Watson's: the triangles whose circle contains the new vertex are
+// replaced by a fan around it. The cavity is collected, looked at, and only then dug: if a chord on
+// its rim is encroached upon, or the fan would not be counter-clockwise in exact arithmetic,
+// nothing has changed. Tested by tests/unit/almond/fill/refine_large_angles_test.cpp.
+#include "almond/fill/refine_large_angles.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/bucket_queue.hpp"
+#include "cdt/sight.hpp"
+#include "geom/predicates.hpp"
+#include "geom/vector.hpp"
+
+namespace cover {
+namespace {
+
+class Refiner {
+ public:
+  Refiner(Triangulation& cdt, ChordEdges& edges, std::span<const Chord> chords,
+          const RefineGoal& goal)
+      : cdt_(cdt),
+        edges_(edges),
+        chords_(chords),
+        goal_(goal),
+        tan_target_(cdt.points.size(), std::tan(goal.target_nu)),
+        version_(cdt.triangles.size(), 0),
+        in_cavity_(cdt.triangles.size(), 0) {
+    for (const Chord& chord : chords) {
+      for (const std::uint32_t v : {chord.a, chord.b}) {
+        tan_target_[v] = std::min(tan_target_[v], tan_target_of(chord));
+      }
+    }
+  }
+
+  Refinement run(const std::stop_token& stop) {
+    reserve();
+    std::size_t budget = goal_.budget;
+    for (std::uint32_t t = 0; t < cdt_.triangles.size(); ++t) enqueue(t);
+    Refinement result;
+    result.target_reached = true;
+    while (!queue_.empty()) {
+      const Bad bad = queue_.pop();
+      if (version_[bad.triangle] != bad.version) continue;
+      if (budget == 0 || stop.stop_requested()) {
+        result.target_reached = false;
+        break;
+      }
+      --budget;
+      if (!treat(bad.triangle)) result.target_reached = false;
+      // A chord was split far away: the triangle is still there.
+      else if (version_[bad.triangle] == bad.version)
+        enqueue(bad.triangle);
+    }
+    result.splits = sorted_splits();
+    if (!result.target_reached) result.blocking = find_blocking();
+    return result;
+  }
+
+ private:
+  /// A triangle with too large an angle.
+  struct Bad {
+    std::uint32_t triangle, version;
+  };
+  /// An edge of the rim of a cavity, the cavity on its left.
+  struct Rim {
+    std::uint32_t a, b;
+    std::uint32_t outer;  ///< triangle behind it
+    int outer_edge;       ///< its edge there
+    std::uint32_t chord;
+    bool locked;
+  };
+
+  void reserve() {
+    reserve_for_refinement(cdt_.points.size(), cdt_.triangles.size(), cdt_, edges_);
+    tan_target_.reserve(cdt_.points.capacity());
+    fan_at_.reserve(cdt_.points.capacity());
+    version_.reserve(cdt_.triangles.capacity());
+    in_cavity_.reserve(cdt_.triangles.capacity());
+  }
+
+  [[nodiscard]] Point corner(const Triangle& f, int i) const {
+    return cdt_.points[f.v[static_cast<std::size_t>(i)]];
+  }
+
+  static int longest_edge(Point a, Point b, Point c) {
+    const double ea = squared_length(c - b), eb = squared_length(a - c), ec = squared_length(b - a);
+    return ea >= eb && ea >= ec ? 0 : eb >= ec ? 1 : 2;
+  }
+
+  /// Queues `t` if it has too large an angle; the flattest come first.
+  void enqueue(std::uint32_t t) {
+    const Triangle& f = cdt_.triangles[t];
+    const int i = longest_edge(corner(f, 0), corner(f, 1), corner(f, 2));
+    const Vector u = corner(f, next3(i)) - corner(f, i), v = corner(f, prev3(i)) - corner(f, i);
+    const double flat = -dot(u, v), area = std::abs(cross(u, v));
+    const double target = std::min({tan_target_[f.v[0]], tan_target_[f.v[1]], tan_target_[f.v[2]]});
+    if (!(flat > 0 && area < target * flat)) return;
+    queue_.push(kRightAngle + half_octave(area / flat), {t, version_[t]});
+  }
+
+  /// Targets are below 90 degrees, where the tangent grows.
+  [[nodiscard]] double tan_target_of(const Chord& chord) const {
+    return std::tan(std::min(goal_.target_nu, chord.nu));
+  }
+
+  /// Inserts a vertex against the large angle of `t`; false if that is not possible.
+  bool treat(std::uint32_t t) {
+    const Triangle& f = cdt_.triangles[t];
+    const int i = longest_edge(corner(f, 0), corner(f, 1), corner(f, 2));
+    // The circumcentre lies behind the longest edge.
+    if (is_rim(f, i)) return split_chord({t, static_cast<std::uint8_t>(i)});
+    const Point inside = midpoint(corner(f, i), midpoint(corner(f, next3(i)), corner(f, prev3(i))));
+    const Point centre = circumcentre(f, i);
+    if (!std::isfinite(centre.x) || !std::isfinite(centre.y)) {
+      return insert_inside(t, midpoint(corner(f, next3(i)), corner(f, prev3(i))));
+    }
+    const Walk walk = walk_straight(cdt_, t, inside, centre);
+    return walk.arrived ? insert_inside(walk.at.triangle, centre) : split_chord(walk.at);
+  }
+
+  [[nodiscard]] static bool is_rim(const Triangle& f, int i) {
+    return f.is_locked(i) || f.n[static_cast<std::size_t>(i)] == kNone;
+  }
+
+  /// Relative to the corner of the largest angle, whose edges are the short ones.
+  [[nodiscard]] Point circumcentre(const Triangle& f, int apex) const {
+    const Point o = corner(f, apex);
+    const Vector u = corner(f, next3(apex)) - o, v = corner(f, prev3(apex)) - o;
+    const double u2 = squared_length(u), v2 = squared_length(v), d = 2 * cross(u, v);
+    return {o.x + (v.y * u2 - u.y * v2) / d, o.y + (u.x * v2 - v.x * u2) / d};
+  }
+
+  bool insert_inside(std::uint32_t t, Point z) {
+    collect_cavity(t, z);
+    for (const Rim& rim : rim_) {
+      if (rim.outer != kNone && !rim.locked) continue;
+      const Point a = cdt_.points[rim.a], b = cdt_.points[rim.b];
+      if (compare_with_90_degrees(a, z, b) != Sign::negative) return split_chord(rim_at(rim));
+    }
+    if (!fan_is_positive(z)) return false;
+    tan_target_.push_back(std::tan(goal_.target_nu));
+    dig(z, nullptr);
+    return true;
+  }
+
+  /// Splits the boundary edge `at`.
+  bool split_chord(EdgeRef at) {
+    const Triangle& f = cdt_.triangles[at.triangle];
+    const std::uint32_t chord = edges_[at.triangle][at.edge];
+    if (f.n[at.edge] != kNone || chord == kNone || chords_[chord].locked) return false;
+    const std::uint32_t a = f.v[static_cast<std::size_t>(next3(at.edge))];
+    const std::uint32_t b = f.v[static_cast<std::size_t>(prev3(at.edge))];
+    const Point z = split_point(at, cdt_.points[a], cdt_.points[b]);
+    if (z == cdt_.points[a] || z == cdt_.points[b]) return false;
+    collect_cavity(at.triangle, z);
+    const auto split = std::find_if(rim_.begin(), rim_.end(),
+                                    [&](const Rim& rim) { return rim.a == a && rim.b == b; });
+    const Rim edge = *split;
+    rim_.erase(split);
+    if (!fan_is_positive(z)) return false;
+    splits_.push_back({chord, static_cast<std::uint32_t>(cdt_.points.size())});
+    tan_target_.push_back(tan_target_of(chords_[chord]));
+    dig(z, &edge);
+    return true;
+  }
+
+  /// Half way; or, from an end where another chord is within 60 degrees, at a power of two between
+  /// a third and two thirds of the length: chords that meet sharply then get vertices at equal
+  /// distances, which do not encroach upon each other.
+  [[nodiscard]] Point split_point(EdgeRef at, Point a, Point b) const {
+    const bool sharp_a = is_sharp(at, true), sharp_b = !sharp_a && is_sharp(at, false);
+    if (!sharp_a && !sharp_b) return midpoint(a, b);
+    const double length = cover::length(b - a);
+    const double shell = std::ldexp(1.0, std::ilogb(length * (2.0 / 3)));
+    return sharp_a ? a + shell / length * (b - a) : b + shell / length * (a - b);
+  }
+
+  /// True if, turning about an end of the edge, another boundary edge is met within 60 degrees.
+  [[nodiscard]] bool is_sharp(EdgeRef at, bool about_a) const {
+    const Triangle* f = &cdt_.triangles[at.triangle];
+    const std::uint32_t centre =
+        f->v[static_cast<std::size_t>(about_a ? next3(at.edge) : prev3(at.edge))];
+    const Point o = cdt_.points[centre];
+    const Vector u =
+        cdt_.points[f->v[static_cast<std::size_t>(about_a ? prev3(at.edge) : next3(at.edge))]] - o;
+    for (std::uint32_t t = at.triangle;;) {
+      f = &cdt_.triangles[t];
+      const int c = f->corner_of(centre);
+      const int far = about_a ? prev3(c) : next3(c);    // the corner turned to
+      const int leave = about_a ? next3(c) : prev3(c);  // the edge from the centre to it
+      const Vector v = corner(*f, far) - o;
+      const double d = dot(u, v);
+      if (d <= 0 || 4 * d * d < squared_length(u) * squared_length(v)) return false;
+      if (is_rim(*f, leave)) return true;
+      t = f->n[static_cast<std::size_t>(leave)];
+    }
+  }
+
+  /// The triangles around `t` whose circle contains `z`, and the rim around them.
+  void collect_cavity(std::uint32_t t, Point z) {
+    cavity_.clear();
+    rim_.clear();
+    ++stamp_;
+    in_cavity_[t] = stamp_;
+    cavity_.push_back(t);
+    for (std::size_t k = 0; k < cavity_.size(); ++k) {
+      const std::uint32_t at = cavity_[k];
+      const Triangle& f = cdt_.triangles[at];
+      for (int i = 0; i < 3; ++i) {
+        const std::uint32_t next = f.n[static_cast<std::size_t>(i)];
+        if (!is_rim(f, i)) {
+          if (in_cavity_[next] == stamp_) continue;
+          const Triangle& g = cdt_.triangles[next];
+          if (in_circle(corner(g, 0), corner(g, 1), corner(g, 2), z) == Sign::positive) {
+            in_cavity_[next] = stamp_;
+            cavity_.push_back(next);
+            continue;
+          }
+        }
+        rim_.push_back({f.v[static_cast<std::size_t>(next3(i))],
+                        f.v[static_cast<std::size_t>(prev3(i))], next,
+                        next == kNone ? 0 : cdt_.triangles[next].edge_to(at),
+                        edges_[at][static_cast<std::size_t>(i)], f.is_locked(i)});
+      }
+    }
+  }
+
+  /// The inner side of a rim edge that has not been dug yet.
+  [[nodiscard]] EdgeRef rim_at(const Rim& rim) const {
+    for (const std::uint32_t t : cavity_) {
+      const Triangle& f = cdt_.triangles[t];
+      for (int i = 0; i < 3; ++i) {
+        if (f.v[static_cast<std::size_t>(next3(i))] == rim.a &&
+            f.v[static_cast<std::size_t>(prev3(i))] == rim.b) {
+          return {t, static_cast<std::uint8_t>(i)};
+        }
+      }
+    }
+    return {};
+  }
+
+  [[nodiscard]] bool fan_is_positive(Point z) const {
+    return std::all_of(rim_.begin(), rim_.end(), [&](const Rim& rim) {
+      return orientation(z, cdt_.points[rim.a], cdt_.points[rim.b]) == Sign::positive;
+    });
+  }
+
+  /// Replaces the cavity by the fan of `z` over the rim. If `split` is given, that edge was taken
+  /// out of the rim, and `z` lies on it.
+  void dig(Point z, const Rim* split) {
+    const auto vertex = static_cast<std::uint32_t>(cdt_.points.size());
+    cdt_.points.push_back(z);
+    fan_at_.resize(cdt_.points.size());
+    while (cavity_.size() < rim_.size()) {
+      cavity_.push_back(static_cast<std::uint32_t>(cdt_.triangles.size()));
+      cdt_.triangles.emplace_back();
+      edges_.push_back({kNone, kNone, kNone});
+      version_.push_back(0);
+      in_cavity_.push_back(0);
+    }
+    for (std::size_t k = 0; k < rim_.size(); ++k) fan_at_[rim_[k].a] = cavity_[k];
+    for (std::size_t k = 0; k < rim_.size(); ++k) {
+      const Rim& rim = rim_[k];
+      Triangle f;
+      f.v = {vertex, rim.a, rim.b};
+      f.n[0] = rim.outer;
+      f.set_locked(0, rim.locked);
+      if (rim.outer != kNone) {
+        cdt_.triangles[rim.outer].n[static_cast<std::size_t>(rim.outer_edge)] = cavity_[k];
+      }
+      edges_[cavity_[k]] = {rim.chord, kNone, kNone};
+      cdt_.triangles[cavity_[k]] = f;
+    }
+    for (std::size_t k = 0; k < rim_.size(); ++k) {
+      if (split != nullptr && rim_[k].b == split->a) continue;
+      const std::uint32_t next = fan_at_[rim_[k].b];
+      cdt_.triangles[cavity_[k]].n[1] = next;
+      cdt_.triangles[next].n[2] = cavity_[k];
+    }
+    if (split != nullptr) close_fan(*split);
+    for (std::size_t k = 0; k < rim_.size(); ++k) {
+      ++version_[cavity_[k]];
+      enqueue(cavity_[k]);
+    }
+  }
+
+  /// The two outer edges of a fan whose centre lies on the boundary.
+  void close_fan(const Rim& split) {
+    const std::uint32_t first = fan_at_[split.b];
+    cdt_.triangles[first].set_locked(2, split.locked);
+    edges_[first][2] = split.chord;
+    const auto last = static_cast<std::size_t>(
+        std::find_if(rim_.begin(), rim_.end(), [&](const Rim& r) { return r.b == split.a; }) -
+        rim_.begin());
+    cdt_.triangles[cavity_[last]].set_locked(1, split.locked);
+    edges_[cavity_[last]][1] = split.chord;
+  }
+
+  /// The locked chords on and behind the longest edges of triangles that do not keep `keep_nu`.
+  [[nodiscard]] std::vector<std::uint32_t> find_blocking() {
+    std::vector<std::uint32_t> blocking;
+    const auto add = [&](EdgeRef at) {
+      const std::uint32_t chord = edges_[at.triangle][at.edge];
+      if (chord != kNone && chords_[chord].locked) blocking.push_back(chord);
+    };
+    const double tan_keep = std::tan(goal_.keep_nu);
+    for (std::uint32_t t = 0; t < cdt_.triangles.size(); ++t) {
+      const Triangle& f = cdt_.triangles[t];
+      const int i = longest_edge(corner(f, 0), corner(f, 1), corner(f, 2));
+      const Vector u = corner(f, next3(i)) - corner(f, i), v = corner(f, prev3(i)) - corner(f, i);
+      if (std::abs(cross(u, v)) >= -tan_keep * dot(u, v)) continue;
+      for (std::uint8_t k = 0; k < 3; ++k) add({t, k});
+      const Point centre = circumcentre(f, i);
+      if (is_rim(f, i) || !std::isfinite(centre.x) || !std::isfinite(centre.y)) continue;
+      const Walk walk = walk_straight(
+          cdt_, t, midpoint(corner(f, i), midpoint(corner(f, next3(i)), corner(f, prev3(i)))),
+          centre);
+      if (!walk.arrived) {
+        add(walk.at);
+        continue;
+      }
+      collect_cavity(walk.at.triangle, centre);
+      for (const Rim& rim : rim_) {
+        if (rim.outer != kNone && !rim.locked) continue;
+        if (compare_with_90_degrees(cdt_.points[rim.a], centre, cdt_.points[rim.b]) !=
+            Sign::negative) {
+          add(rim_at(rim));
+        }
+      }
+    }
+    std::sort(blocking.begin(), blocking.end());
+    blocking.erase(std::unique(blocking.begin(), blocking.end()), blocking.end());
+    return blocking;
+  }
+
+  struct Split {
+    std::uint32_t chord, vertex;
+  };
+
+  [[nodiscard]] std::vector<ChordSplit> sorted_splits() {
+    const auto along = [&](const Split& s) {
+      const Point a = cdt_.points[chords_[s.chord].a], b = cdt_.points[chords_[s.chord].b];
+      return dot(cdt_.points[s.vertex] - a, b - a);
+    };
+    std::sort(splits_.begin(), splits_.end(), [&](const Split& s, const Split& t) {
+      return s.chord < t.chord || (s.chord == t.chord && along(s) < along(t));
+    });
+    std::vector<ChordSplit> result;
+    for (const Split& split : splits_) {
+      if (result.empty() || result.back().chord != split.chord) result.push_back({split.chord, {}});
+      result.back().vertices.push_back(split.vertex);
+    }
+    return result;
+  }
+
+  Triangulation& cdt_;
+  ChordEdges& edges_;
+  std::span<const Chord> chords_;
+  RefineGoal goal_;
+  std::vector<double> tan_target_;         ///< by vertex; a triangle has the least of its corners'
+  static constexpr int kRightAngle = 120;  ///< bucket of tan nu = 1; the targets lie below
+  BucketQueue<Bad> queue_;
+  std::vector<std::uint32_t> version_;    ///< by triangle; an entry of the queue may be out of date
+  std::vector<std::uint32_t> in_cavity_;  ///< by triangle: stamp of the last cavity it was in
+  std::uint32_t stamp_ = 0;
+  std::vector<std::uint32_t> cavity_;
+  std::vector<Rim> rim_;
+  std::vector<std::uint32_t>
+      fan_at_;  ///< by vertex: new triangle on the rim edge that starts there
+  std::vector<Split> splits_;
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> match_chords(const Triangulation& cdt, std::span<const Chord> chords,
+                                        ChordEdges& edges) {
+  // The chords that start at a vertex form a list; nearly always it has one element.
+  std::vector<std::uint32_t> head(cdt.points.size(), kNone), next(chords.size(), kNone);
+  for (std::uint32_t c = 0; c < chords.size(); ++c) {
+    next[c] = head[chords[c].a];
+    head[chords[c].a] = c;
+  }
+  std::vector<std::uint32_t> faults;
+  std::vector<bool> found(chords.size(), false);
+  edges.assign(cdt.triangles.size(), {kNone, kNone, kNone});
+  for (std::uint32_t t = 0; t < cdt.triangles.size(); ++t) {
+    const Triangle& f = cdt.triangles[t];
+    for (int i = 0; i < 3; ++i) {
+      if (!f.is_locked(i) && f.n[static_cast<std::size_t>(i)] != kNone) continue;
+      const std::uint32_t a = f.v[static_cast<std::size_t>(next3(i))];
+      const std::uint32_t b = f.v[static_cast<std::size_t>(prev3(i))];
+      std::uint32_t c = head[a];
+      while (c != kNone && (chords[c].b != b || found[c])) c = next[c];
+      if (c != kNone) {
+        found[c] = true;
+        edges[t][static_cast<std::size_t>(i)] = c;
+        continue;
+      }
+      for (c = head[b]; c != kNone; c = next[c]) {
+        if (chords[c].b == a) faults.push_back(c);
+      }
+    }
+  }
+  for (std::uint32_t c = 0; c < chords.size(); ++c) {
+    if (!found[c]) faults.push_back(c);
+  }
+  return faults;
+}
+
+void reserve_for_refinement(std::size_t points, std::size_t triangles, Triangulation& cdt,
+                            ChordEdges& edges) {
+  cdt.points.reserve(points / 8 * 9);
+  cdt.triangles.reserve(triangles + points / 4);
+  edges.reserve(triangles + points / 4);
+}
+
+Refinement refine_large_angles(Triangulation& cdt, ChordEdges& edges, std::span<const Chord> chords,
+                               const RefineGoal& goal, std::stop_token stop) {
+  return Refiner(cdt, edges, chords, goal).run(stop);
+}
+
+}  // namespace cover

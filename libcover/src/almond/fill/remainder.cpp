@@ -1,0 +1,168 @@
+// Tested by tests/unit/almond/chords_test.cpp.
+#include "almond/fill/remainder.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <numeric>
+
+namespace cover {
+namespace {
+
+/// Almonds whose chords meet vertex `v` of the remainder.
+void blame_vertex(const Remainder& r, const ChordLayer& layer, std::uint32_t v,
+                  std::vector<std::uint32_t>& almonds) {
+  for (std::size_t c = 0; c < r.chords.size(); ++c) {
+    if (r.chords[c].a == v || r.chords[c].b == v) {
+      almonds.push_back(layer.chords[r.arc_chord[c]].almond);
+    }
+  }
+}
+
+/// The almonds that a conflict of the constrained triangulation points at.
+std::vector<std::uint32_t> blame(const Remainder& r, const ChordLayer& layer,
+                                 const CdtConflict& conflict) {
+  std::vector<std::uint32_t> almonds;
+  const auto chord = [&](std::uint32_t c) {
+    almonds.push_back(layer.chords[r.arc_chord[c]].almond);
+  };
+  switch (conflict.kind) {
+    case CdtConflict::Kind::duplicate_point:
+      blame_vertex(r, layer, conflict.first, almonds);
+      blame_vertex(r, layer, conflict.second, almonds);
+      break;
+    case CdtConflict::Kind::point_on_segment:
+      blame_vertex(r, layer, conflict.first, almonds);
+      chord(conflict.second);
+      break;
+    case CdtConflict::Kind::crossing:
+      chord(conflict.first);
+      chord(conflict.second);
+      break;
+  }
+  return almonds;
+}
+
+/// Beside an almond the fill need not be better than the almond itself: 35 degrees for one of 60,
+/// and less in proportion. (Else a flat almond in a narrow place would cost vertices without end.)
+double fill_nu(const Almond& almond) {
+  return almond.kind == AlmondKind::hull_side ? std::numbers::pi : almond.nu * 7 / 12;
+}
+
+}  // namespace
+
+Remainder find_remainder(const ChordLayer& layer, std::span<const Almond> almonds,
+                         std::span<const std::uint32_t> isolated) {
+  Remainder r;
+  std::vector<Point> points;
+  std::vector<std::uint32_t> local(layer.points.size(), kNone);
+  const auto add = [&](std::uint32_t v) {
+    if (local[v] == kNone) {
+      local[v] = static_cast<std::uint32_t>(r.vertex.size());
+      r.vertex.push_back(v);
+      points.push_back(layer.points[v]);
+    }
+    return local[v];
+  };
+  const auto chords = static_cast<std::size_t>(
+      std::count_if(layer.chords.begin(), layer.chords.end(),
+                    [](const ArcChord& chord) { return chord.kind != ChordKind::interior; }));
+  std::vector<IndexPair> pairs;
+  pairs.reserve(chords);
+  r.chords.reserve(chords);
+  r.arc_chord.reserve(chords);
+  for (std::uint32_t c = 0; c < layer.chords.size(); ++c) {
+    const ArcChord& chord = layer.chords[c];
+    if (chord.kind == ChordKind::interior) continue;
+    const std::uint32_t a = add(chord.a), b = add(chord.b);
+    pairs.push_back({a, b});
+    r.chords.push_back({a, b, chord.kind == ChordKind::fixed, fill_nu(almonds[chord.almond])});
+    r.arc_chord.push_back(c);
+  }
+  if (r.chords.empty()) return r;
+  for (const std::uint32_t v : isolated) add(v);
+
+  CdtResult result = triangulate_domain(points, pairs);
+  if (!result.conflicts.empty()) {
+    r.faults = blame(r, layer, result.conflicts.front());
+    return r;
+  }
+  r.cdt = std::move(result.triangulation);
+  for (const std::uint32_t c : match_chords(r.cdt, r.chords, r.edges)) {
+    r.faults.push_back(layer.chords[r.arc_chord[c]].almond);
+  }
+  return r;
+}
+
+Remainder whole_region(const Triangulation& cdt, const ChordLayer& layer,
+                       std::span<const Almond> almonds) {
+  Remainder r;
+  reserve_for_refinement(cdt.points.size(), cdt.triangles.size(), r.cdt, r.edges);
+  r.cdt.points.assign(cdt.points.begin(), cdt.points.end());
+  r.cdt.triangles.assign(cdt.triangles.begin(), cdt.triangles.end());
+  r.vertex.resize(cdt.points.size());
+  std::iota(r.vertex.begin(), r.vertex.end(), 0U);
+  r.chords.reserve(layer.chords.size());
+  r.arc_chord.reserve(layer.chords.size());
+  for (std::uint32_t c = 0; c < layer.chords.size(); ++c) {
+    const ArcChord& chord = layer.chords[c];
+    const bool locked = chord.kind == ChordKind::fixed;
+    r.chords.push_back({chord.a, chord.b, locked, fill_nu(almonds[chord.almond])});
+    r.arc_chord.push_back(c);
+  }
+  for (const std::uint32_t c : match_chords(r.cdt, r.chords, r.edges)) {
+    r.faults.push_back(layer.chords[r.arc_chord[c]].almond);
+  }
+  return r;
+}
+
+RemainderPart part_of(const Remainder& remainder, std::span<const std::uint32_t> members,
+                      std::size_t known) {
+  RemainderPart part;
+  std::vector<std::uint32_t> vertices, chords;
+  for (const std::uint32_t t : members) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t v = remainder.cdt.triangles[t].v[i], c = remainder.edges[t][i];
+      if (v < known) vertices.push_back(v);
+      if (c != kNone) chords.push_back(c);
+    }
+  }
+  for (auto* list : {&vertices, &chords}) {
+    std::sort(list->begin(), list->end());
+    list->erase(std::unique(list->begin(), list->end()), list->end());
+  }
+  part.vertex = std::move(vertices);
+  part.chord = std::move(chords);
+  const auto local = [&](std::uint32_t v) {
+    return static_cast<std::uint32_t>(std::lower_bound(part.vertex.begin(), part.vertex.end(), v) -
+                                      part.vertex.begin());
+  };
+  for (const std::uint32_t v : part.vertex) part.task.points.push_back(remainder.cdt.points[v]);
+  for (const std::uint32_t c : part.chord) {
+    const Chord& chord = remainder.chords[c];
+    part.task.chords.push_back({local(chord.a), local(chord.b), chord.locked, chord.nu});
+  }
+  return part;
+}
+
+std::vector<std::uint32_t> connected_parts(const Triangulation& cdt) {
+  std::vector<std::uint32_t> part(cdt.triangles.size(), kNone), stack;
+  std::uint32_t count = 0;
+  for (std::uint32_t start = 0; start < cdt.triangles.size(); ++start) {
+    if (part[start] != kNone) continue;
+    part[start] = count;
+    stack.push_back(start);
+    while (!stack.empty()) {
+      const std::uint32_t t = stack.back();
+      stack.pop_back();
+      for (const std::uint32_t next : cdt.triangles[t].n) {
+        if (next == kNone || part[next] != kNone) continue;
+        part[next] = count;
+        stack.push_back(next);
+      }
+    }
+    ++count;
+  }
+  return part;
+}
+
+}  // namespace cover

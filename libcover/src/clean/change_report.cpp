@@ -1,0 +1,210 @@
+// Tested by tests/unit/clean/soup_test.cpp.
+#include "clean/change_report.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <string_view>
+#include <tuple>
+
+#include "base/complaint.hpp"
+#include "base/describe.hpp"
+
+namespace cover {
+namespace {
+
+constexpr std::size_t kPlaces = 5;     ///< named in one sentence; the rest is counted
+constexpr std::size_t kSentences = 3;  ///< of each kind of change in a note
+
+/// "(0, 0), (1, 0) and 3 more places".
+std::string list_of(const std::vector<Point>& where) {
+  std::string out;
+  for (std::size_t k = 0; k < std::min(kPlaces, where.size()); ++k) {
+    out += (k > 0 ? ", " : "") + describe(where[k]);
+  }
+  if (where.size() > kPlaces) {
+    out += " and " + counted(where.size() - kPlaces, "more place");
+  }
+  return out;
+}
+
+/// "from (0, 0) to (1, 0), from (1, 0) to (1, 1) and 3 more" of pairs of ends.
+std::string list_of_edges(const std::vector<Point>& ends) {
+  std::string out;
+  for (std::size_t k = 0; k < std::min(kPlaces, ends.size() / 2); ++k) {
+    out += fmt::format("{}from {} to {}", k > 0 ? ", " : "", describe(ends[2 * k]),
+                       describe(ends[2 * k + 1]));
+  }
+  if (ends.size() / 2 > kPlaces) out += fmt::format(" and {} more", ends.size() / 2 - kPlaces);
+  return out;
+}
+
+struct Headline {
+  Change::Kind kind;
+  std::string_view what;
+};
+constexpr std::array<Headline, 4> kHeadlines{{{Change::Kind::merged, "merged"},
+                                              {Change::Kind::dropped, "dropped"},
+                                              {Change::Kind::welded, "welded"},
+                                              {Change::Kind::split, "split"}}};
+
+}  // namespace
+
+void report_splits(const Input& input, const Network& network,
+                   const std::vector<VisibleEdge>& edges, std::vector<Change>& changes) {
+  // Copies of one line, such as a border that two neighbours store, are told once.
+  using Line = std::pair<Point, Point>;
+  std::map<Line, std::pair<std::uint32_t, std::set<Point>>> cuts;
+  for (const VisibleEdge& edge : edges) {
+    for (const std::uint32_t r : edge.raws) {
+      const Raw& raw = network.raws[r];
+      for (const std::uint32_t v : {edge.a, edge.b}) {
+        const Point p = network.points[v];
+        if (p == raw.a || p == raw.b) continue;
+        auto& [first, places] =
+            cuts.try_emplace(std::minmax(raw.a, raw.b), r, std::set<Point>()).first->second;
+        first = std::min(first, r);
+        places.insert(p);
+      }
+    }
+  }
+  std::vector<std::pair<std::uint32_t, std::vector<Point>>> ordered;
+  for (const auto& [line, cut] : cuts) {
+    ordered.emplace_back(cut.first, std::vector<Point>(cut.second.begin(), cut.second.end()));
+  }
+  std::sort(ordered.begin(), ordered.end());
+  for (auto& [raw, where] : ordered) {
+    std::string message =
+        fmt::format("{} was split at {}", name_of_raw(input, network, raw), list_of(where));
+    changes.push_back({Change::Kind::split,
+                       std::move(message),
+                       std::move(where),
+                       {ref_of(input, network.raws[raw].origin)}});
+  }
+}
+
+namespace {
+
+/// By polygon: places where two of its lines cross.
+std::map<std::uint32_t, std::vector<Point>> own_crossings(const Network& network) {
+  std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>>
+      inner;  // point, polygon, raw
+  for (const Strand& s : network.strands) {
+    const Raw& raw = network.raws[s.raw];
+    if (raw.origin.kind != Origin::Kind::ring) continue;
+    for (const std::uint32_t v : {s.a, s.b}) {
+      const Point p = network.points[v];
+      if (p != raw.a && p != raw.b) inner.emplace_back(v, raw.origin.index, s.raw);
+    }
+  }
+  std::sort(inner.begin(), inner.end());
+  inner.erase(std::unique(inner.begin(), inner.end()), inner.end());
+  std::map<std::uint32_t, std::vector<Point>> out;
+  for (std::size_t k = 1; k < inner.size(); ++k) {
+    const auto& [v, polygon, raw] = inner[k];
+    if (std::get<0>(inner[k - 1]) != v || std::get<1>(inner[k - 1]) != polygon) continue;
+    std::vector<Point>& places = out[polygon];
+    if (places.empty() || places.back() != network.points[v]) places.push_back(network.points[v]);
+  }
+  return out;
+}
+
+/// Where polygons bound anything, and where they do not.
+struct Coverage {
+  /// By polygon: ends of the edges on which it lies an even number of times, of those that show.
+  std::map<std::uint32_t, std::vector<Point>> folds;
+  std::vector<bool> has_inside;  ///< by polygon: an edge with it on one side alone
+};
+
+Coverage look_at_edges(const Network& network, const EdgeGraph& graph,
+                       const std::vector<EdgeOwners>& owners, std::size_t polygons) {
+  Coverage out;
+  out.has_inside.assign(polygons, false);
+  std::vector<std::uint32_t> here;  // the polygons on an edge, as often as they lie on it
+  for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+    here.clear();
+    for (const Strand& s : graph.strands(network, e)) {
+      const Origin origin = network.raws[s.raw].origin;
+      if (origin.kind == Origin::Kind::ring) here.push_back(origin.index);
+    }
+    std::sort(here.begin(), here.end());
+    for (auto first = here.begin(), last = first; first != here.end(); first = last) {
+      last = std::upper_bound(first, here.end(), *first);
+      const bool is_odd = (last - first) % 2 != 0;
+      if (is_odd) out.has_inside[*first] = true;
+      if (is_odd || owners[e][0] != owners[e][1]) continue;
+      out.folds[*first].push_back(network.points[graph.edges[e][0]]);
+      out.folds[*first].push_back(network.points[graph.edges[e][1]]);
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+void report_polygons(const Input& input, const Network& network, const EdgeGraph& graph,
+                     const std::vector<EdgeOwners>& owners, Report& report) {
+  const auto warn = [&](std::string message, std::vector<Point> where) {
+    report.notes.push_back({Note::Kind::warning, kVoid, std::move(message), std::move(where)});
+  };
+  for (auto& [polygon, where] : own_crossings(network)) {
+    std::string message = fmt::format("{} crosses itself at {}; its inside is taken as even-odd",
+                                      name_of_polygon(input, polygon), list_of(where));
+    warn(std::move(message), where);
+  }
+  Coverage coverage = look_at_edges(network, graph, owners, input.polygons.size());
+  for (auto& [polygon, where] : coverage.folds) {
+    report.changes.push_back(
+        {Change::Kind::dropped,
+         fmt::format("{} folds back on itself along {}, {}: nothing is separated there",
+                     name_of_polygon(input, polygon), counted(where.size() / 2, "edge"),
+                     list_of_edges(where)),
+         where,
+         {ref_of(input, {Origin::Kind::ring, polygon})}});
+  }
+  std::vector<bool> seen(input.polygons.size(), false);
+  for (const EdgeOwners& sides : owners) {
+    for (const std::uint32_t p : sides) {
+      if (p != kNoIndex) seen[p] = true;
+    }
+  }
+  std::vector<std::size_t> edges(input.polygons.size(), 0);  // those with fewer than 3 were dropped
+  for (const Raw& raw : network.raws) {
+    if (raw.origin.kind == Origin::Kind::ring) ++edges[raw.origin.index];
+  }
+  for (std::uint32_t p = 0; p < seen.size(); ++p) {
+    if (seen[p] || edges[p] <= 2) continue;
+    warn(name_of_polygon(input, p) + (coverage.has_inside[p]
+                                          ? " is wholly covered by others"
+                                          : " has no inside: its edges cancel each other"),
+         {});
+  }
+}
+
+void sum_up(const std::vector<Change>& changes, std::vector<Note>& notes) {
+  for (const auto& [kind, what] : kHeadlines) {
+    Note note{Note::Kind::change, kVoid, {}, {}};
+    std::size_t count = 0;
+    for (const Change& change : changes) {
+      if (change.kind != kind) continue;
+      if (++count <= kSentences) note.message += (count > 1 ? "; " : "") + change.message;
+      note.where.insert(note.where.end(), change.where.begin(), change.where.end());
+    }
+    if (count == 0) continue;
+    if (count > kSentences) note.message += fmt::format("; and {} more", count - kSentences);
+    note.message = fmt::format("{} {}: {}", count, what, note.message);
+    notes.push_back(std::move(note));
+  }
+}
+
+std::optional<Error> changes_as_error(const Input& input, const std::vector<Change>& changes) {
+  if (changes.empty()) return {};
+  Complaint complaint(ErrorCode::changed_input, input.source);
+  for (const Change& change : changes) complaint.add(change.message, change.where, change.inputs);
+  return complaint.error();
+}
+
+}  // namespace cover

@@ -1,0 +1,33 @@
+// What was done to the input, in words.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <cover/error.hpp>
+#include <cover/input.hpp>
+#include <cover/report.hpp>
+
+#include "clean/network.hpp"
+#include "clean/node_edges.hpp"
+#include "clean/paint.hpp"
+#include "clean/visible_edges.hpp"
+
+namespace cover {
+
+/// Appends a change for every line of which a piece is visible and that had to be cut.
+void report_splits(const Input& input, const Network& network,
+                   const std::vector<VisibleEdge>& edges, std::vector<Change>& changes);
+
+/// Appends a warning for every polygon that crosses itself or of which nothing is visible, and a
+/// change for every one that folds back on itself, where that separates nothing.
+void report_polygons(const Input& input, const Network& network, const EdgeGraph& graph,
+                     const std::vector<EdgeOwners>& owners, Report& report);
+
+/// Appends a note for each kind of change with the number of them and the first few.
+void sum_up(const std::vector<Change>& changes, std::vector<Note>& notes);
+
+/// All changes as the error of `--strict`; none if there are none.
+std::optional<Error> changes_as_error(const Input& input, const std::vector<Change>& changes);
+
+}  // namespace cover

@@ -1,0 +1,48 @@
+// Cutting lines where they meet, until they meet at points only.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "cdt/cdt.hpp"
+#include "clean/network.hpp"
+
+namespace cover {
+
+/// The edges of a network: no two of them on the same pair of points.
+struct EdgeGraph {
+  std::vector<IndexPair> edges;    ///< smaller index first, ascending
+  std::vector<std::size_t> first;  ///< of edge k: network.strands[first[k], first[k + 1])
+  Triangulation triangulation;     ///< of the hull, with the edges as locked edges, if it was made
+  int passes = 0;                  ///< that cut anything
+
+  /// The strands on edge `k` of the network that the graph was made of.
+  [[nodiscard]] std::span<const Strand> strands(const Network& network, std::size_t k) const {
+    return {network.strands.data() + first[k], first[k + 1] - first[k]};
+  }
+};
+
+/// Sorts the strands of `network` by edge; makes no triangulation.
+///
+/// Cost: O(n log n).
+EdgeGraph index_edges(Network& network);
+
+/// Cuts the strands of `network` at all their common points, and at lone points on them, and sorts
+/// them by edge.
+///
+/// Intersections are computed exactly and rounded to the nearest doubles, or to the end of one of
+/// the lines if that is next to it. Rounding moves pieces by a few units in the last place, which
+/// may make new crossings; so the pieces are cut again until a pass finds them clean by exact
+/// predicates (iterated snap rounding). Ends of lines and lone points never move.
+/// ENSURES: points and edges are a PSLG; it always comes to that (node_edges.cpp)
+/// Cost:    O((n + k) log n) a pass for k crossings; one pass per generation of new crossings.
+/// Ref:     D. Halperin, E. Packer, Iterated snap rounding, CGTA 23 (2002)
+///
+/// Where it is known that strands meet inside, `may_be_clean` saves the test.
+EdgeGraph node_edges(Network& network, bool may_be_clean = true);
+
+/// Leaves out the points that no strand ends at and that are not lone.
+void compact(Network& network);
+
+}  // namespace cover

@@ -1,0 +1,40 @@
+// Who wins where polygons overlap.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <cover/input.hpp>
+#include <cover/options.hpp>
+#include <cover/result.hpp>
+
+#include "clean/network.hpp"
+#include "clean/node_edges.hpp"
+
+namespace cover {
+
+/// What lies beside an edge, seen from its smaller to its larger index: a polygon, or kNoIndex for
+/// the void.
+using EdgeOwners = std::array<std::uint32_t, 2>;
+
+/// Who owns what, by edge.
+struct Painting {
+  std::vector<EdgeOwners> owners;
+  /// The first of the polygons that make one region where they touch. Regions end at segments and
+  /// lines.
+  std::vector<EdgeOwners> regions;
+};
+
+/// Decides for each edge which polygon owns the face on either side. A face is covered by the
+/// polygons whose rings go round it an odd number of times; of these the one of the highest
+/// priority wins, among equals the last or the first. Faces that touch are one region with `merge`
+/// where they are of equal material, else where their polygons have equal given names too.
+///
+/// Errors: overlapping_polygons with Overlap::error where the winner is not told by priority.
+/// EXACT:  on the edges given: parities are counted, nothing is measured
+/// Cost:   O(n log n).
+Result<Painting> paint(const Input& input, Overlap overlap, bool merge, const Network& network,
+                       const EdgeGraph& graph);
+
+}  // namespace cover

@@ -1,0 +1,161 @@
+// A clean PSLG is taken over as it is. Anything else goes through the stages of a network:
+//
+//   gather -> weld, cut -> paint polygons -> drop what is hidden -> assemble -> seeds over polygons
+//
+// Even-odd parity is kept by every stage, so it is enough to count it at the end, on the very edges
+// that are handed on: no face is lost or doubled by rounding.
+// Tested by tests/unit/clean/pslg_test.cpp and soup_test.cpp.
+#include "clean/pslg.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+
+#include "base/complaint.hpp"
+#include "clean/assemble.hpp"
+#include "clean/change_report.hpp"
+#include "clean/check_pslg.hpp"
+#include "clean/merge_materials.hpp"
+#include "clean/network.hpp"
+#include "clean/node_edges.hpp"
+#include "clean/paint.hpp"
+#include "clean/visible_edges.hpp"
+#include "clean/weld.hpp"
+#include "faces/place_seeds.hpp"
+
+namespace cover {
+namespace {
+
+/// The points and segments of a clean input.
+Pslg take_over(const Input& input) {
+  Pslg pslg;
+  pslg.source = input.source;
+  pslg.points = input.points;
+  for (std::size_t k = 0; k < input.points.size(); ++k) {
+    pslg.point_ids.push_back(point_id(input, k));
+  }
+  pslg.point_markers = input.point_markers;
+  pslg.point_markers.resize(input.points.size());
+  std::map<std::string, std::uint32_t> name_index{{"", 0}};
+  pslg.segments.reserve(input.segments.size());
+  for (const InputSegment& s : input.segments) {
+    const auto [name, is_new] =
+        name_index.emplace(s.name, static_cast<std::uint32_t>(pslg.names.size()));
+    if (is_new) pslg.names.push_back(s.name);
+    pslg.segments.push_back({VertexId{s.a}, VertexId{s.b}, s.marker, name->second, s.id});
+  }
+  pslg.seeds = input.seeds;
+  pslg.holes = input.holes;
+  pslg.void_rule = input.void_rule;
+  return pslg;
+}
+
+/// Drops what other polygons hide and makes the graph of the rest.
+Result<EdgeGraph> paint_over(const Input& input, const Options& options, Network& network,
+                             const EdgeGraph& graph, std::vector<EdgeOwners>& owners,
+                             Report& report) {
+  const bool merge = options.merge_materials;
+  Result<Painting> painted = paint(input, options.overlap, merge, network, graph);
+  if (!painted) return std::move(painted).error();
+  report_polygons(input, network, graph, painted->owners, report);
+  const VisibleEdges visible = visible_edges(network, graph, *painted);
+  report_splits(input, network, visible.edges, report.changes);
+  network = network_of(visible.edges, network);
+  if (!visible.any_united) {
+    for (const VisibleEdge& e : visible.edges) {
+      owners.push_back(e.a < e.b ? e.owners : EdgeOwners{e.owners[1], e.owners[0]});
+    }
+    return index_edges(network);
+  }
+  // Pieces that were united again may differ from the line they make up by rounding.
+  EdgeGraph clean = node_edges(network);
+  painted = paint(input, options.overlap, merge, network, clean);
+  if (!painted) return std::move(painted).error();
+  owners = std::move(painted->owners);
+  return clean;
+}
+
+/// Cleans what is no PSLG yet, as is known of segments alone.
+Result<Pslg> clean_up(const Input& input, const Options& options, Report& report) {
+  Network network = gather(input, report.changes);
+  const double weld = options.weld.value_or(input.polygons.empty() ? 0 : kAutoWeld);
+  EdgeGraph graph = weld > 0 ? weld_and_node(input, weld, network, report.changes)
+                             : node_edges(network, !input.polygons.empty() || !input.lines.empty());
+  std::vector<EdgeOwners> owners;
+  if (input.polygons.empty()) {
+    const std::vector<EdgeOwners> none(graph.edges.size(), {kNoIndex, kNoIndex});
+    report_splits(input, network, visible_edges(network, graph, {none, none}).edges,
+                  report.changes);
+  } else {
+    Result<EdgeGraph> painted = paint_over(input, options, network, graph, owners, report);
+    if (!painted) return std::move(painted).error();
+    graph = *std::move(painted);
+  }
+  return assemble(input, network, graph, owners, report.notes);
+}
+
+/// Whether there is anything but void beside the segments.
+bool has_region(const Pslg& pslg) {
+  return std::any_of(pslg.side_seeds.begin(), pslg.side_seeds.end(),
+                     [](const auto& sides) { return sides[0] != 0 || sides[1] != 0; });
+}
+
+/// What was told of polygons, as the end of a sentence.
+std::string why(const Report& report) {
+  constexpr std::size_t kMost = 3;
+  std::vector<std::string> told;
+  for (const Change& change : report.changes) {
+    if (change.kind == Change::Kind::dropped) told.push_back(change.message);
+  }
+  for (const Note& note : report.notes) {
+    if (note.kind == Note::Kind::warning) told.push_back(note.message);
+  }
+  std::string out;
+  for (std::size_t k = 0; k < std::min(kMost, told.size()); ++k) out += "; " + told[k];
+  return out + (told.size() > kMost ? fmt::format("; and {} more", told.size() - kMost) : "");
+}
+
+bool is_empty(const Input& input) {
+  return input.segments.empty() && input.polygons.empty() && input.lines.empty();
+}
+
+}  // namespace
+
+Result<Pslg> make_pslg(const Input& input, const Options& options, Report& report) {
+  if (auto error = find_unusable(input)) return *error;
+  if (is_empty(input) && !options.hull) {
+    return Error{ErrorCode::no_segments,
+                 fmt::format("{}: there are no segments and no polygons", input.source),
+                 {},
+                 {}};
+  }
+  const bool is_plain = input.polygons.empty() && input.lines.empty();
+  const bool is_clean = is_plain && is_pslg(input);
+  if (is_plain && !is_clean && options.strict) {
+    if (auto error = find_unclean(input)) return *error;
+  }
+  const bool keep = is_clean && options.weld.value_or(0) <= 0;
+  Result<Pslg> pslg = keep ? take_over(input) : clean_up(input, options, report);
+  const bool is_seeded = !input.seeds.empty() || !input.holes.empty();
+  if (pslg && is_seeded && !input.polygons.empty()) {
+    pslg = place_seeds(input, *std::move(pslg), report.notes);
+  }
+  if (pslg && options.merge_materials && (is_seeded || input.polygons.empty())) {
+    pslg = merge_materials(*std::move(pslg), report);
+  }
+  if (!pslg) return pslg;
+  if (!input.polygons.empty() && !has_region(*pslg)) {
+    return Error{ErrorCode::nothing_enclosed,
+                 fmt::format("{}: no polygon covers anything{}", input.source, why(report)),
+                 {},
+                 {}};
+  }
+  if (options.strict) {
+    if (auto error = changes_as_error(input, report.changes)) return *error;
+  }
+  sum_up(report.changes, report.notes);
+  return pslg;
+}
+
+}  // namespace cover

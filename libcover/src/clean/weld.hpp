@@ -1,0 +1,31 @@
+// Closing gaps and slivers where a drawing misses itself by the last bits.
+#pragma once
+
+#include <vector>
+
+#include <cover/input.hpp>
+#include <cover/report.hpp>
+
+#include "clean/network.hpp"
+#include "clean/node_edges.hpp"
+
+namespace cover {
+
+/// The tolerance of `--weld auto`, relative to the size of the drawing: decimal rounding of
+/// coordinates and of what programs compute from them misses by less.
+inline constexpr double kAutoWeld = 0x1p-30;
+
+/// Cuts the strands of `network` as node_edges does, but first unites ends of lines that are nearer
+/// to each other than the tolerance, and bends lines to ends that are nearer to them.
+///
+/// The tolerance at an end is `relative` times the size of the drawing, and never more than an
+/// eighth of the shortest line that ends there. So a layer, however thin, whose drawing has an edge
+/// across it stays: nothing at its corners moves by more than an eighth of that edge. An edge is
+/// never shrunk to a point.
+/// Every weld is appended to `changes`.
+/// REQUIRES: one strand per raw line
+/// Cost:     that of node_edges, a pass more for each generation of welds.
+EdgeGraph weld_and_node(const Input& input, double relative, Network& network,
+                        std::vector<Change>& changes);
+
+}  // namespace cover

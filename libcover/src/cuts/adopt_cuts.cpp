@@ -1,0 +1,105 @@
+// A segment that is no edge of the mesh is followed from vertex to vertex; a vertex that is a point
+// of the input already lies on no other segment, so it ends the search. Tested by
+// tests/unit/cuts/adopt_cuts_test.cpp.
+#include "cuts/adopt_cuts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "cuts/cut_segments.hpp"
+#include "cuts/renumber_points.hpp"
+#include "verify/soup_edges.hpp"
+#include "verify/verify_bound.hpp"
+
+namespace cover {
+namespace {
+
+class Adopter {
+ public:
+  Adopter(Pslg& pslg, RegionTable& table, const TriangleSoup& mesh)
+      : pslg_(pslg),
+        table_(table),
+        mesh_(mesh),
+        edges_(mesh),
+        is_input_(mesh.points.size(), false) {
+    double largest = 0;
+    for (const Point& p : pslg.points) {
+      largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+      vertex_.push_back(edges_.vertex_at(p));
+      if (vertex_.back()) is_input_[*vertex_.back()] = true;
+    }
+    offset_ = offset_on_segment(largest);
+  }
+
+  std::size_t run() {
+    const std::size_t before = pslg_.points.size();
+    std::vector<SegmentCut> cuts;
+    for (std::size_t s = 0; s < pslg_.segments.size(); ++s) {
+      const std::vector<std::uint32_t> on_it = vertices_on(s);
+      if (on_it.empty()) continue;
+      cuts.push_back({SegmentId{s}, {}});
+      for (const std::uint32_t v : on_it) {
+        cuts.back().points.push_back(mesh_.points[v]);
+        vertex_.emplace_back(v);
+      }
+    }
+    cut_segments(pslg_, table_, cuts);
+    order_as_in_mesh();
+    return pslg_.points.size() - before;
+  }
+
+ private:
+  /// The vertices inside a segment, from its end a to its end b.
+  [[nodiscard]] std::vector<std::uint32_t> vertices_on(std::size_t s) const {
+    const Segment& segment = pslg_.segments[s];
+    const auto a = vertex_[segment.a.index()], b = vertex_[segment.b.index()];
+    const SegmentSides& sides = table_.sides[s];
+    if (!a || !b || (sides.left == kVoid && sides.right == kVoid)) return {};
+    const bool forward = sides.left != kVoid;  // edges have their triangle on the left
+    const std::uint32_t from = forward ? *a : *b, to = forward ? *b : *a;
+    if (edges_.find(from, to)) return {};
+    std::vector<std::uint32_t> vertices;
+    for (const std::size_t edge : edges_.along(from, to, offset_)) {
+      vertices.push_back(edges_.all()[edge].to);
+    }
+    if (vertices.empty()) return {};
+    vertices.pop_back();  // the segment's end
+    if (std::any_of(vertices.begin(), vertices.end(), [&](auto v) { return is_input_[v]; })) {
+      return {};
+    }
+    if (!forward) std::reverse(vertices.begin(), vertices.end());
+    return vertices;
+  }
+
+  void order_as_in_mesh() {
+    std::vector<std::size_t> places, order;
+    for (std::size_t v = 0; v < vertex_.size(); ++v) {
+      if (vertex_[v]) places.push_back(v);
+    }
+    order = places;
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t u, std::size_t v) { return *vertex_[u] < *vertex_[v]; });
+    if (order == places) return;
+    std::vector<VertexId> new_ids;
+    for (std::size_t v = 0; v < vertex_.size(); ++v) new_ids.emplace_back(v);
+    for (std::size_t k = 0; k < order.size(); ++k) new_ids[order[k]] = VertexId{places[k]};
+    renumber_points(pslg_, table_, new_ids);
+  }
+
+  Pslg& pslg_;
+  RegionTable& table_;
+  const TriangleSoup& mesh_;
+  SoupEdges edges_;
+  std::vector<bool> is_input_;                        ///< by vertex of the mesh
+  std::vector<std::optional<std::uint32_t>> vertex_;  ///< of the mesh, by VertexId
+  double offset_ = 0;
+};
+
+}  // namespace
+
+std::size_t adopt_cuts(Pslg& pslg, RegionTable& table, const TriangleSoup& mesh) {
+  return Adopter(pslg, table, mesh).run();
+}
+
+}  // namespace cover

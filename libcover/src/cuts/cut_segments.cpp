@@ -1,0 +1,66 @@
+// Tested by tests/unit/cuts/cut_segments_test.cpp.
+#include "cuts/cut_segments.hpp"
+
+#include <utility>
+
+namespace cover {
+namespace {
+
+/// The pieces of every old segment, as a range of new ids.
+using Pieces = std::vector<std::pair<std::size_t, std::size_t>>;
+
+/// Replaces segments by their pieces. `against[k]`: list entry k runs from b to a.
+void replace(std::vector<SegmentId>& list, const Pieces& pieces, const std::vector<bool>& against) {
+  std::vector<SegmentId> out;
+  for (const SegmentId s : list) {
+    const auto [first, last] = pieces[s.index()];
+    for (std::size_t k = first; k < last; ++k) {
+      out.emplace_back(against[s.index()] ? last - 1 - (k - first) : k);
+    }
+  }
+  list = std::move(out);
+}
+
+}  // namespace
+
+void cut_segments(Pslg& pslg, RegionTable& table, std::span<const SegmentCut> cuts) {
+  std::vector<Segment> segments;
+  std::vector<SegmentSides> sides;
+  Pieces pieces;
+  auto cut = cuts.begin();
+  for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+    const std::size_t first = segments.size();
+    Segment piece = pslg.segments[s];
+    if (cut != cuts.end() && cut->segment.index() == s) {
+      for (const Point p : cut->points) {
+        piece.b = VertexId{pslg.points.size()};
+        pslg.points.push_back(p);
+        pslg.point_ids.push_back(-1);
+        pslg.point_markers.push_back(piece.marker);
+        segments.push_back(piece);
+        piece.a = piece.b;
+      }
+      ++cut;
+    }
+    piece.b = pslg.segments[s].b;
+    segments.push_back(piece);
+    sides.resize(segments.size(), table.sides[s]);
+    pieces.emplace_back(first, segments.size());
+    const std::size_t added = segments.size() - first - 1;
+    for (const RegionId r : {table.sides[s].left, table.sides[s].right}) {
+      if (r != kVoid) table.regions[r.index() - 1].sides += added;
+    }
+  }
+  std::vector<bool> against(pieces.size(), false);
+  for (const Interface& line : table.interfaces) {
+    for (const SegmentId s : line.segments) {
+      against[s.index()] = table.sides[s.index()].left != line.left;
+    }
+  }
+  for (Interface& line : table.interfaces) replace(line.segments, pieces, against);
+  replace(table.void_segments, pieces, against);
+  pslg.segments = std::move(segments);
+  table.sides = std::move(sides);
+}
+
+}  // namespace cover

@@ -1,0 +1,149 @@
+// Long segments beside short ones are what makes targets hard: no vertex may lie near the middle of
+// a side that is to be seen at 90 degrees, and there the vertices for its neighbours are wanted. So
+// a few triangles are worked on where they are (cut_and_improve); if some are left, the longest
+// segments near each are halved, and the regions beside them are meshed anew. Tested by
+// tests/unit/cuts/cut_and_improve_test.cpp.
+#include "cuts/cut_until_met.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/describe.hpp"
+#include "cuts/cut_and_improve.hpp"
+#include "cuts/joined_regions.hpp"
+#include "cuts/split_interfaces.hpp"
+#include "quality/missed_targets.hpp"
+#include "region/region_graph.hpp"
+#include "sizes/sizes.hpp"
+#include "target/measure.hpp"
+#include "tasks/errors_as_values.hpp"
+#include "tasks/region_task.hpp"
+
+namespace cover {
+namespace {
+
+constexpr int kRounds = 6;
+constexpr std::size_t kMostPoints = 4;  ///< times those at first: then there are no more rounds
+constexpr std::size_t kMany =
+    4;  ///< one triangle above for so many points is too many for a search
+
+/// What is cut and meshed, in step.
+struct State {
+  Pslg pslg;
+  RegionTable table;
+  std::vector<RegionBoundary> boundaries;
+  std::vector<RegionMesh> meshes;
+  CutResult left;
+};
+
+class Rounds {
+ public:
+  Rounds(const Options& options, const Callbacks& callbacks)
+      : options_(options),
+        callbacks_(callbacks),
+        goal_(Goal::of(options.max_angle, options.min_angle)) {}
+
+  /// Halves segments beside the triangles that are left and meshes again.
+  Status halve(State& state) const {
+    std::vector<RegionBoundary> boundaries;
+    Status cut = errors_as_values("cut segments", [&] { return cut_further(state, boundaries); });
+    if (!cut) return cut;
+    std::vector<std::size_t> changed;
+    std::vector<RegionBoundary> again;
+    for (std::size_t r = 0; r < boundaries.size(); ++r) {
+      if (boundaries[r].vertices == state.boundaries[r].vertices) continue;
+      changed.push_back(r);
+      again.push_back(boundaries[r]);
+    }
+    Result<std::vector<RegionMesh>> meshes = mesh_regions(again, options_, callbacks_);
+    if (!meshes) return std::move(meshes).error();
+    for (std::size_t k = 0; k < changed.size(); ++k) {
+      state.meshes[changed[k]] = std::move((*meshes)[k]);
+    }
+    state.boundaries = std::move(boundaries);
+    return ok();
+  }
+
+  /// Works on the triangles above the target if they are few; counts them.
+  Status improve(State& state) const {
+    return errors_as_values("cut and improve", [&] {
+      state.left = {joined(state).triangles_above().size(), false};
+      if (state.left.above > 0 && kMany * state.left.above <= state.pslg.points.size()) {
+        state.left = cut_and_improve(state.pslg, state.table, state.boundaries, state.meshes,
+                                     options_, callbacks_.stop);
+      }
+      return ok();
+    });
+  }
+
+ private:
+  [[nodiscard]] JoinedRegions joined(const State& state) const {
+    return {state.pslg, state.boundaries, state.meshes, goal_};
+  }
+
+  Status cut_further(State& state, std::vector<RegionBoundary>& boundaries) const {
+    const std::vector<SegmentId> halved = joined(state).segments_to_halve();
+    if (Status status = halve_segments(state.pslg, state.table, options_, halved); !status) {
+      return status;
+    }
+    boundaries = split_regions(state.pslg, state.table);
+    return resolve_sizes(state.pslg, state.table, options_, boundaries);
+  }
+
+  const Options& options_;
+  const Callbacks& callbacks_;
+  Goal goal_;
+};
+
+/// What was cut since there were `before` points.
+Note note_of_cuts(const Pslg& pslg, std::size_t before, const Options& options) {
+  std::vector<Point> where(pslg.points.begin() + static_cast<std::ptrdiff_t>(before),
+                           pslg.points.end());
+  return {Note::Kind::cut, kVoid,
+          fmt::format("{} added on segments where triangles were left above {:.6g} degrees, the "
+                      "first at {}",
+                      counted(pslg.points.size() - before, "point"), options.max_angle.in_degrees(),
+                      describe(where.front())),
+          std::move(where)};
+}
+
+}  // namespace
+
+Status cut_until_met(Prepared& prepared, std::vector<RegionBoundary>& boundaries,
+                     std::vector<RegionMesh>& meshes, const Options& options,
+                     const Callbacks& callbacks) {
+  auto& [pslg, table, report] = prepared;
+  if (!options.split_interfaces || options.method != Method::quality || !table.hull_sides.empty()) {
+    return ok();
+  }
+  const std::size_t points = pslg.points.size();
+  const Rounds rounds(options, callbacks);
+  State best{std::move(pslg), std::move(table), std::move(boundaries), std::move(meshes), {}};
+  Status status = rounds.improve(best);
+  State now = best;
+  for (int k = 0; k < kRounds && status && best.left.above > 0 &&
+                  now.pslg.points.size() < kMostPoints * points;
+       ++k) {
+    status = rounds.halve(now);
+    if (status) status = rounds.improve(now);
+    if (status && now.left.above < best.left.above) best = now;
+  }
+  if (!status) return status;
+  pslg = std::move(best.pslg);
+  table = std::move(best.table);
+  boundaries = std::move(best.boundaries);
+  meshes = std::move(best.meshes);
+  report.input_points = pslg.points.size();
+  report.input_segments = pslg.segments.size();
+  return errors_as_values("measure", [&] {
+    for (std::size_t r = 0; r < boundaries.size(); ++r) {
+      report_again(boundaries[r], options, best.left.budget_used_up, meshes[r]);
+      measure(boundaries[r], meshes[r]);
+    }
+    if (pslg.points.size() > points) report.notes.push_back(note_of_cuts(pslg, points, options));
+    return ok();
+  });
+}
+
+}  // namespace cover

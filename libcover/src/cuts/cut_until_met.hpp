@@ -1,0 +1,26 @@
+// Segments cut until every region meets the target.
+#pragma once
+
+#include <vector>
+
+#include <cover/cover_mesh.hpp>
+
+#include "region/region_boundary.hpp"
+#include "target/region_mesh.hpp"
+
+namespace cover {
+
+/// With Options::split_interfaces and the quality method: while triangles are left above
+/// Options::max_angle, changes the mesh around them and cuts segments there. The result with fewest
+/// such triangles is kept. Does nothing without that option, nor for a hull.
+///
+/// ENSURES: `prepared`, `boundaries` and `meshes` stay in step; a note tells how many points were
+///          added
+/// Errors:  cancelled, internal
+/// Cost:    some milliseconds for each triangle that is left and, per round, the cost of meshing
+///          the regions whose segments were cut
+Status cut_until_met(Prepared& prepared, std::vector<RegionBoundary>& boundaries,
+                     std::vector<RegionMesh>& meshes, const Options& options,
+                     const Callbacks& callbacks);
+
+}  // namespace cover

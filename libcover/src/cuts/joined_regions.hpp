@@ -1,0 +1,84 @@
+// All regions of an input as one mesh whose sides know what lies beyond them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <cover/pslg.hpp>
+
+#include "cuts/cut_segments.hpp"
+#include "quality/excerpt.hpp"
+#include "quality/mutable_mesh.hpp"
+#include "region/region_boundary.hpp"
+#include "target/local_frame.hpp"
+#include "target/region_mesh.hpp"
+
+namespace cover {
+
+/// The meshes of all regions in one, to be changed over segments, which may be cut.
+///
+/// Vertices are the points of the PSLG, room for as many cuts, and Steiner vertices.
+class JoinedRegions {
+ public:
+  /// REQUIRES: `boundaries` and `meshes` are of the regions of `pslg`, in their order; no hull
+  ///           sides
+  /// Cost:     O(n log n)
+  JoinedRegions(const Pslg& pslg, std::span<const RegionBoundary> boundaries,
+                std::span<const RegionMesh> meshes, const Goal& goal);
+
+  [[nodiscard]] const MutableMesh& mesh() const { return mesh_; }
+
+  /// The triangles with an angle above the goal, in the order of their coordinates: it does not
+  /// depend on the order of the input.
+  [[nodiscard]] std::vector<std::uint32_t> triangles_above() const;
+
+  /// The longest segments beside the region's triangles around each of triangles_above(), with
+  /// those nearly as long, in order.
+  [[nodiscard]] std::vector<SegmentId> segments_to_halve() const;
+
+  /// The side on the other side of the segment; kNone: the void.
+  [[nodiscard]] std::uint32_t partner(std::uint32_t s) const { return partner_[s]; }
+
+  [[nodiscard]] std::size_t points() const { return points_; }  ///< of the PSLG
+  [[nodiscard]] std::size_t cuts() const { return cuts_; }
+  [[nodiscard]] bool may_cut() const { return cuts_ < points_; }
+  [[nodiscard]] bool has_changed() const { return has_changed_; }
+
+  /// Triangles around `t`, over segments too; its spare vertex is for a cut, if there may be one.
+  [[nodiscard]] Excerpt excerpt_around(std::uint32_t t, std::size_t triangles) const;
+
+  /// Puts `part`, made of `excerpt.mesh`, in its place. With `side`, that side of the excerpt was
+  /// cut at the excerpt's spare vertex: then the sides that were added for its second half, and for
+  /// that of its partner if it has one, follow all others. Returns the triangles that changed.
+  std::vector<std::uint32_t> put_back(Excerpt& excerpt, const MutableMesh& part,
+                                      std::uint32_t side);
+
+  /// The new points, by segment.
+  [[nodiscard]] std::vector<SegmentCut> segment_cuts(const Pslg& pslg) const;
+  /// Whether rounding on the way back to the plane turns no triangle over.
+  [[nodiscard]] bool is_valid() const;
+  /// The meshes of the regions, over the boundaries that `pslg` has after the cuts.
+  void separate(const Pslg& pslg, std::span<const RegionBoundary> boundaries,
+                std::vector<RegionMesh>& meshes) const;
+
+ private:
+  std::uint32_t add_side(std::uint32_t parent, Excerpt& excerpt);
+  [[nodiscard]] std::vector<std::uint32_t> regions_of_triangles() const;
+
+  Goal goal_;
+  LocalFrame frame_;
+  bool has_changed_ = false;
+  std::size_t points_;  ///< of the PSLG; then come cuts, then Steiner vertices
+  std::size_t first_steiner_ = 0;
+  std::size_t cuts_ = 0;
+  MutableMesh mesh_;
+  std::vector<std::uint32_t> region_;   ///< by side: the index of its region
+  std::vector<std::uint32_t> segment_;  ///< by side: the segment that it is a piece of
+  std::vector<std::uint32_t> partner_;  ///< by side: the one on the other side; kNone: void
+  std::vector<std::uint32_t> beyond_;   ///< by side: the triangle there; kNone: void
+  std::vector<std::pair<std::uint32_t, Point>> cut_points_;  ///< with their segments
+};
+
+}  // namespace cover

@@ -1,0 +1,232 @@
+// Passes over the regions that changed: every side that its apex sees at too large an angle marks
+// its segment; then all marked segments are cut at once, each at the foot of its apex: the apex and
+// the pieces then make right triangles, and where walls are parallel a structured grid comes of it.
+// Half way instead, thin layers with vertices that do not face each other take 10 to 200 times the
+// points; and feet need no care at sharp corners, where they end with a fan of right triangles.
+// What is to be seen at less than 90 degrees is cut half way. Segments longer than wished are cut
+// before that, all at once. Tested by tests/unit/sizes/sizes_test.cpp.
+#include "cuts/split_interfaces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/describe.hpp"
+#include "cdt/cdt.hpp"
+#include "cuts/cut_segments.hpp"
+#include "geom/vector.hpp"
+#include "region/region_graph.hpp"
+#include "sizes/segment_sizes.hpp"
+#include "sizes/size_field.hpp"
+#include "sizes/sizes.hpp"
+#include "target/angle_limit.hpp"
+
+namespace cover {
+namespace {
+
+constexpr int kPasses = 64;
+constexpr double kFloor = 0x1p-10;      ///< of its segment: the shortest half that is cut in two
+constexpr double kFootFloor = 0x1p-40;  ///< of its segment: the shortest piece beside a foot
+constexpr double kThin = 4;  ///< units in the last place: no cut is nearer to a triangle's edges
+constexpr double kRounding = 1e-9;  ///< radians
+constexpr std::size_t kPlaces = 8;
+
+/// What the regions on both sides of a segment want.
+struct Wish {
+  bool forced = false;           ///< an angle that is too large is forced on it
+  double nu = std::numbers::pi;  ///< of the worst one
+  Point apex;                    ///< sees it at that angle
+  std::vector<Point> apexes;     ///< of the triangles on both sides
+  std::optional<SegmentSizes> sizes;
+};
+
+class Splitter {
+ public:
+  Splitter(Pslg& pslg, RegionTable& table, const Options& options)
+      : pslg_(pslg),
+        table_(table),
+        options_(options),
+        first_cut_{static_cast<std::uint32_t>(pslg.points.size())},
+        least_nu_(options.split_interfaces->supplement().in_radians() - kRounding),
+        dirty_(table.regions.size(), 1) {
+    for (const Segment& s : pslg.segments) whole_.push_back(length_of(s));
+  }
+
+  /// Cuts `halved` in any case, where there is room.
+  Status run(std::span<const SegmentId> halved = {}) {
+    for (int pass = 0; pass < kPasses; ++pass) {
+      halved_.assign(pslg_.segments.size(), 0);
+      if (pass == 0) {
+        for (const SegmentId s : halved) halved_[s.index()] = 1;
+      }
+      Result<std::vector<SegmentCut>> cuts = find_cuts();
+      if (!cuts) return std::move(cuts).error();
+      if (cuts->empty()) break;
+      apply(*cuts);
+    }
+    return ok();
+  }
+
+  /// What was cut since there were `before` points, and what was not.
+  void tell(std::size_t before, std::vector<Note>& notes) const {
+    const auto degrees = options_.split_interfaces->in_degrees();
+    if (pslg_.points.size() > before) {
+      std::vector<Point> where(pslg_.points.begin() + static_cast<std::ptrdiff_t>(before),
+                               pslg_.points.end());
+      notes.push_back({Note::Kind::cut, kVoid,
+                       fmt::format("{} added on segments for --split-interfaces {:.6g}, the "
+                                   "first at {}",
+                                   counted(pslg_.points.size() - before, "point"), degrees,
+                                   describe(where.front())),
+                       std::move(where)});
+    }
+    if (stuck_.empty()) return;
+    std::vector<Point> where = stuck_;
+    where.resize(std::min(where.size(), kPlaces));
+    notes.push_back({Note::Kind::warning, kVoid,
+                     fmt::format("{} would have to be cut too short to force no angle above {:.6g} "
+                                 "degrees, the first near {}",
+                                 counted(stuck_.size(), "segment"), degrees, describe(where[0])),
+                     std::move(where)});
+  }
+
+ private:
+  [[nodiscard]] Point at(VertexId v) const { return pslg_.points[v.index()]; }
+  [[nodiscard]] double length_of(const Segment& s) const { return length(at(s.b) - at(s.a)); }
+
+  /// One cut for every segment that a region that changed wants shorter.
+  Result<std::vector<SegmentCut>> find_cuts() {
+    std::vector<RegionBoundary> boundaries = split_regions(pslg_, table_);
+    if (Status status = resolve_sizes(pslg_, table_, options_, boundaries); !status) {
+      return std::move(status).error();
+    }
+    wishes_.assign(pslg_.segments.size(), {});
+    for (std::size_t r = 0; r < boundaries.size(); ++r) {
+      if (dirty_[r] != 0) wish(boundaries[r]);
+    }
+    std::fill(dirty_.begin(), dirty_.end(), std::uint8_t{0});
+    std::vector<SegmentCut> cuts;
+    stuck_.clear();
+    for (std::size_t s = 0; s < wishes_.size(); ++s) {
+      const Segment& segment = pslg_.segments[s];
+      const Wish& wish = wishes_[s];
+      if (wish.sizes && wish.sizes->is_long()) {
+        cuts.push_back({SegmentId{s}, wish.sizes->cuts()});
+      } else if (wish.forced || halved_[s] != 0) {
+        if (const auto place = place_on(segment, wish, whole_[s])) {
+          cuts.push_back({SegmentId{s}, {*place}});
+        } else if (wish.forced) {
+          stuck_.push_back(midpoint(at(segment.a), at(segment.b)));
+        }
+      }
+    }
+    return cuts;
+  }
+
+  /// Notes what a region wants of its sides: sizes as its mesh will have them, graded from all of
+  /// its boundary, so that no long side is left beside short edges.
+  void wish(RegionBoundary& boundary) {
+    const Triangulation cdt = triangulate_domain(boundary.points, boundary.sides).triangulation;
+    const SizeField field(boundary, cdt, options_.growth, options_.size_field, first_cut_);
+    if (field.is_active()) {
+      boundary.size_at.resize(boundary.points.size());
+      for (std::uint32_t v = 0; v < boundary.points.size(); ++v) boundary.size_at[v] = field.at(v);
+    }
+    const AngleLimit limit = angle_limit(cdt, boundary.sides, boundary.segments);
+    for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
+      if (boundary.segments[s] == kHullSide) continue;
+      const Segment& segment = pslg_.segments[boundary.segments[s].index()];
+      Wish& wish = wishes_[boundary.segments[s].index()];
+      if (!wish.sizes) wish.sizes.emplace(at(segment.a), at(segment.b), options_);
+      wish.sizes->add(boundary, s);
+      const EdgeRef& edge = limit.at[s];
+      const Point apex = cdt.points[cdt.triangles[edge.triangle].v[edge.edge]];
+      wish.apexes.push_back(apex);
+      if (limit.side_nu[s] >= least_nu_ || limit.side_nu[s] > wish.nu) continue;
+      if (limit.side_nu[s] == wish.nu && wish.apex < apex) continue;
+      wish.forced = true;
+      wish.nu = limit.side_nu[s];
+      wish.apex = apex;
+    }
+  }
+
+  /// Where to cut a piece of a segment that is `whole` long; nothing if pieces would be too short,
+  /// or what lies beside them too thin for rounded points.
+  [[nodiscard]] std::optional<Point> place_on(const Segment& piece, const Wish& wish,
+                                              double whole) const {
+    const Point a = at(piece.a), b = at(piece.b);
+    if (wish.nu > std::numbers::pi / 2 - kRounding) {
+      if (length_of(piece) < 2 * kFloor * whole) return std::nullopt;
+      return has_room(a, b, midpoint(a, b), wish) ? std::optional(midpoint(a, b)) : std::nullopt;
+    }
+    const Vector along = b - a;
+    const double from_a = dot(wish.apex - a, along) / squared_length(along);
+    const double from_b = dot(wish.apex - b, along) / squared_length(along);
+    const Point foot = from_a <= 0.5 ? a + from_a * along : b + from_b * along;
+    const double shorter = std::min(length(foot - a), length(foot - b));
+    if (shorter <= kFootFloor * whole || !has_room(a, b, foot, wish)) return std::nullopt;
+    return foot;
+  }
+
+  /// Whether `p` on ab keeps away from the other edges of the triangles on both sides, on which
+  /// there may be cuts too: then rounding makes nothing cross.
+  [[nodiscard]] bool has_room(Point a, Point b, Point p, const Wish& wish) const {
+    const double largest = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
+    const double room = kThin * (std::nextafter(largest, 2 * largest) - largest);
+    return std::all_of(wish.apexes.begin(), wish.apexes.end(), [&](Point c) {
+      return std::abs(cross(c - a, p - a)) > room * length(c - a) &&
+             std::abs(cross(c - b, p - b)) > room * length(c - b);
+    });
+  }
+
+  void apply(const std::vector<SegmentCut>& cuts) {
+    std::vector<double> whole;
+    auto cut = cuts.begin();
+    for (std::size_t s = 0; s < whole_.size(); ++s) {
+      whole.push_back(whole_[s]);
+      if (cut == cuts.end() || cut->segment.index() != s) continue;
+      whole.insert(whole.end(), cut->points.size(), whole_[s]);
+      for (const RegionId r : {table_.sides[s].left, table_.sides[s].right}) {
+        if (r != kVoid) dirty_[r.index() - 1] = 1;
+      }
+      ++cut;
+    }
+    whole_ = std::move(whole);
+    cut_segments(pslg_, table_, cuts);
+  }
+
+  Pslg& pslg_;
+  RegionTable& table_;
+  const Options& options_;
+  /// Feet of what lies on both sides of a thin layer may be near each other; lengths of pieces
+  /// between them are no wish, or finer pieces would follow from them, and so on.
+  VertexId first_cut_;
+  double least_nu_;
+  std::vector<Wish> wishes_;          ///< by segment
+  std::vector<std::uint8_t> dirty_;   ///< by region
+  std::vector<std::uint8_t> halved_;  ///< by segment: to be cut half way if it is not otherwise
+  std::vector<double> whole_;         ///< by segment: length of the segment it is a piece of
+  std::vector<Point> stuck_;
+};
+
+}  // namespace
+
+Status split_interfaces(Pslg& pslg, RegionTable& table, const Options& options,
+                        std::vector<Note>& notes) {
+  if (!options.split_interfaces) return ok();
+  const std::size_t before = pslg.points.size();
+  Splitter splitter(pslg, table, options);
+  if (Status status = splitter.run(); !status) return status;
+  splitter.tell(before, notes);
+  return ok();
+}
+
+Status halve_segments(Pslg& pslg, RegionTable& table, const Options& options,
+                      std::span<const SegmentId> segments) {
+  return Splitter(pslg, table, options).run(segments);
+}
+
+}  // namespace cover

@@ -1,0 +1,47 @@
+// Dynamic programming over diagonals. Tested by tests/unit/disks/disks_gap_test.cpp.
+#include "disks/gaps/small_polygon.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "geom/predicates.hpp"
+
+namespace cover::disks {
+
+double largest_angle(Point a, Point b, Point c) {
+  if (orientation(a, b, c) != Sign::positive) return kImpossible;
+  return std::max({angle_at(a, b, c), angle_at(b, c, a), angle_at(c, a, b)});
+}
+
+SmallPolygon::SmallPolygon(std::span<const Point> corners) : size_(corners.size()) {
+  for (std::size_t span = 2; span < size_; ++span) {
+    for (std::size_t i = 0; i + span < size_; ++i) {
+      const std::size_t j = i + span;
+      cost_[i][j] = kImpossible;
+      for (std::size_t k = i + 1; k < j; ++k) {
+        const double parts = std::max(cost_[i][k], cost_[k][j]);
+        if (parts >= cost_[i][j]) continue;
+        const double cost =
+            std::max(parts, disks::largest_angle(corners[i], corners[k], corners[j]));
+        if (cost < cost_[i][j]) cost_[i][j] = cost, apex_[i][j] = static_cast<Index>(k);
+      }
+    }
+  }
+}
+
+std::vector<std::array<Index, 3>> SmallPolygon::triangles() const {
+  std::vector<std::array<Index, 3>> result;
+  std::vector<std::pair<Index, Index>> open{{0, static_cast<Index>(size_ - 1)}};
+  while (!open.empty()) {
+    const auto [i, j] = open.back();
+    open.pop_back();
+    if (j < i + 2) continue;
+    const Index k = apex_[i][j];
+    result.push_back({i, k, j});
+    open.push_back({i, k});
+    open.push_back({k, j});
+  }
+  return result;
+}
+
+}  // namespace cover::disks

@@ -1,0 +1,76 @@
+// Tested by tests/unit/disks/disks_primitives_test.cpp.
+#include "disks/packing/disk.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace cover::disks {
+
+Element make_disk(Point centre, double radius, Index vertex) {
+  Element e;
+  e.shape = Element::Shape::disk;
+  e.id = vertex;
+  e.c = centre;
+  e.r = radius;
+  return e;
+}
+
+Element make_line(Point a, Point b, Index chord) {
+  Element e;
+  e.shape = Element::Shape::line;
+  e.id = chord;
+  e.c = a;
+  const double l = norm(b - a);
+  e.d = (1 / l) * (b - a);
+  e.to = l;
+  return e;
+}
+
+double signed_distance(const Element& e, Point x) {
+  return e.is_disk() ? norm(x - e.c) - e.r : cross(e.d, x - e.c);
+}
+
+double obstacle_distance(const Element& e, Point x) {
+  if (e.is_disk()) return norm(x - e.c) - e.r;
+  const double t = dot(e.d, x - e.c);
+  if (t < e.from || t > e.to) return std::numeric_limits<double>::infinity();
+  return std::abs(cross(e.d, x - e.c));
+}
+
+Point contact(const Element& e, Point x) {
+  if (e.is_line()) return e.c + dot(e.d, x - e.c) * e.d;
+  const Vector v = x - e.c;
+  return e.c + (e.r / norm(v)) * v;
+}
+
+Vector outward(const Element& e, Point q) {
+  if (e.is_line()) return left_normal(e.d);
+  const Vector v = q - e.c;
+  return (1 / norm(v)) * v;
+}
+
+double turn(Vector a, Vector b) {
+  const double angle = std::atan2(cross(a, b), dot(a, b));
+  return angle < 0 ? angle + kFullTurn : angle;
+}
+
+double way_back(const Element& e, Point from, Point to) {
+  return e.is_disk() ? turn(from - e.c, to - e.c) : dot(e.d, from - to);
+}
+
+Point circumcentre(Point a, Point b, Point c) {
+  // From the vertex with the widest angle the two other sides are shortest: least cancellation.
+  const std::array<Point, 3> p{a, b, c};
+  std::size_t k = 0;
+  double longest = -1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double l = squared_length(p[(i + 1) % 3] - p[(i + 2) % 3]);
+    if (l > longest) longest = l, k = i;
+  }
+  const Vector u = p[(k + 1) % 3] - p[k], v = p[(k + 2) % 3] - p[k];
+  const double u2 = squared_length(u), v2 = squared_length(v), twice = 2 * cross(u, v);
+  return p[k] + Vector{(u2 * v.y - v2 * u.y) / twice, (v2 * u.x - u2 * v.x) / twice};
+}
+
+}  // namespace cover::disks

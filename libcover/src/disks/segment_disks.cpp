@@ -1,0 +1,108 @@
+// A disk may be as large as 0.45 times the distance of its centre from everything that is not its
+// own segment: two disks on different segments are then less than 0.9 times the distance of their
+// centres. A disk around a point keeps that from what does not end in the point. Between the disks
+// around its ends a segment is covered by one disk if that is small enough, else it is halved.
+// Next to a corner of angle theta, sizes grow geometrically with the distance from it.
+// Tested by tests/unit/pipeline/nonobtuse_test.cpp.
+#include "disks/segment_disks.hpp"
+
+#include <algorithm>
+
+#include "disks/packing/line_tree.hpp"
+#include "disks/unit_frame.hpp"
+
+namespace cover::disks {
+namespace {
+
+constexpr double kShare = 0.45;
+
+class Cover {
+ public:
+  Cover(std::span<const Point> points, std::span<const IndexPair> segments, std::size_t limit)
+      : frame_({points.begin(), points.end()}), segments_(segments), limit_(limit) {
+    for (const Point p : points) points_.push_back(frame_.inward(p));
+    std::vector<bool> isolated(points.size(), true);
+    for (const auto& [a, b] : segments) {
+      lines_.push_back(make_line(points_[a], points_[b], static_cast<Index>(lines_.size())));
+      ends_.push_back({a, b});
+      isolated[a] = isolated[b] = false;
+    }
+    for (Index p = 0; p < points_.size(); ++p) {
+      if (!isolated[p]) continue;
+      Element point;
+      point.shape = Element::Shape::line;
+      point.c = points_[p];
+      point.d = {1, 0};
+      lines_.push_back(point);
+      ends_.push_back({p, p});
+    }
+    tree_ = LineTree(lines_);
+  }
+
+  SegmentDisks run() {
+    SegmentDisks result;
+    result.chain.resize(segments_.size());
+    std::vector<double> radius(points_.size(), 1);
+    for (Index p = 0; p < points_.size(); ++p) {
+      radius[p] = kShare * distance(points_[p], 2,
+                                    [&](Index e) { return ends_[e][0] == p || ends_[e][1] == p; });
+    }
+    for (Index s = 0; s < segments_.size(); ++s) {
+      for (const Index p : segments_[s]) radius[p] = std::min(radius[p], kShare * lines_[s].to);
+    }
+    for (Index s = 0; s < segments_.size() && result.complete; ++s) {
+      const auto& [a, b] = segments_[s];
+      cover(s, radius[a], lines_[s].to - radius[b], result);
+      if (!result.complete) result.crowded = s;
+    }
+    for (const double r : radius) result.radius.push_back(frame_.outward(r));
+    return result;
+  }
+
+ private:
+  /// Distance from `x` to the nearest segment or isolated point that is not skipped.
+  template <class Skip>
+  [[nodiscard]] double distance(Point x, double bound, Skip skip) const {
+    tree_.visit(x, bound, [&](Index e) {
+      if (skip(e)) return bound;
+      const Element& line = lines_[e];
+      const double t = std::clamp(dot(line.d, x - line.c), line.from, line.to);
+      return bound = std::min(bound, norm(x - (line.c + t * line.d)));
+    });
+    return bound;
+  }
+
+  /// Covers the piece [from, to] of segment `s`.
+  void cover(Index s, double from, double to, SegmentDisks& result) {
+    if (++count_ > limit_) result.complete = false;
+    if (!result.complete) return;
+    const Element& line = lines_[s];
+    const double middle = from + (to - from) / 2, radius = (to - from) / 2;
+    const Point c = line.c + middle * line.d;
+    const double needed = radius / kShare;
+    if (distance(c, needed, [&](Index e) { return e == s; }) >= needed) {
+      result.chain[s].push_back({frame_.outward(c), frame_.outward(radius)});
+      return;
+    }
+    cover(s, from, middle, result);
+    cover(s, middle, to, result);
+  }
+
+  UnitFrame frame_;
+  std::span<const IndexPair> segments_;
+  std::size_t limit_;
+  std::size_t count_ = 0;
+  std::vector<Point> points_;
+  std::vector<Element> lines_;  ///< segments, then isolated points
+  std::vector<IndexPair> ends_;
+  LineTree tree_;
+};
+
+}  // namespace
+
+SegmentDisks cover_segments(std::span<const Point> points, std::span<const IndexPair> segments,
+                            std::size_t limit) {
+  return Cover(points, segments, limit).run();
+}
+
+}  // namespace cover::disks

@@ -1,0 +1,179 @@
+// Tested by tests/unit/region/region_graph_test.cpp.
+#include "faces/seeds.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "base/complaint.hpp"
+#include "base/describe.hpp"
+#include "cdt/locate.hpp"
+#include "geom/spatial_order.hpp"
+
+namespace cover {
+namespace {
+
+/// Finds faces; a seed on a segment or at its end has none.
+class FaceFinder {
+ public:
+  FaceFinder(const Pslg& pslg, const Faces& faces)
+      : faces_(faces), locator_(faces.triangulation), ends_segment_(pslg.points.size()) {
+    for (const Segment& s : pslg.segments) {
+      ends_segment_[s.a.index()] = true;
+      ends_segment_[s.b.index()] = true;
+    }
+  }
+
+  std::optional<std::uint32_t> face_at(Point p) {
+    const Location at = locator_.locate(p);
+    if (at.kind == Location::Kind::outside) return kOutside;
+    const Triangle& f = faces_.triangulation.triangles[at.triangle];
+    if (at.kind == Location::Kind::on_edge && f.is_locked(at.index)) return {};
+    if (at.kind == Location::Kind::on_vertex &&
+        ends_segment_[f.v[static_cast<std::size_t>(at.index)]]) {
+      return {};
+    }
+    return faces_.of_triangle[at.triangle];
+  }
+
+ private:
+  const Faces& faces_;
+  Locator locator_;
+  std::vector<bool> ends_segment_;
+};
+
+std::string name_of_seed(std::string_view kind, long id, Point at, int line) {
+  return fmt::format("{} seed {} at {}{}", kind, id, describe(at), line_suffix(line));
+}
+std::string name_of_seed(const RegionSeed& s) { return name_of_seed("region", s.id, s.at, s.line); }
+std::string name_of_seed(const HoleSeed& s) { return name_of_seed("hole", s.id, s.at, s.line); }
+
+InputRef ref_of(const RegionSeed& s) { return {InputKind::region_seed, s.id}; }
+InputRef ref_of(const HoleSeed& s) { return {InputKind::hole, s.id}; }
+
+/// The faces of some seeds, or a complaint about those on segments.
+template <class Seed>
+std::vector<std::uint32_t> faces_of(const std::vector<Seed>& seeds, FaceFinder& finder,
+                                    Complaint& complaint) {
+  std::vector<Point> places;
+  places.reserve(seeds.size());
+  for (const Seed& seed : seeds) places.push_back(seed.at);
+  std::vector<std::optional<std::uint32_t>> found(seeds.size());
+  // From each seed to one nearby: short walks.
+  for (const std::uint32_t k : spatial_order(places)) found[k] = finder.face_at(places[k]);
+  std::vector<std::uint32_t> out;
+  out.reserve(seeds.size());
+  for (std::size_t k = 0; k < seeds.size(); ++k) {
+    if (!found[k]) {
+      complaint.add(name_of_seed(seeds[k]) + " lies on a segment", {places[k]}, {ref_of(seeds[k])});
+    }
+    out.push_back(found[k].value_or(kOutside));
+  }
+  return out;
+}
+
+std::vector<bool> find_void(const Pslg& pslg, const Faces& faces,
+                            const std::vector<std::uint32_t>& hole_faces,
+                            const std::vector<std::uint32_t>& seed_faces) {
+  std::vector<bool> is_void(faces.count, false);
+  if (pslg.void_rule == VoidRule::unseeded_faces && !pslg.seeds.empty()) {
+    // Open faces have faces of their own only where the hull is the domain: they are meshed.
+    for (std::size_t f = 0; f < faces.count; ++f) is_void[f] = !faces.open[f];
+    for (const std::uint32_t f : seed_faces) is_void[f] = false;
+  }
+  for (const std::uint32_t f : hole_faces) is_void[f] = true;
+  is_void[kOutside] = true;
+  return is_void;
+}
+
+/// Two seeds of one face agree if what both say is the same.
+bool agree(const RegionSeed& a, const RegionSeed& b) {
+  return (a.material == b.material) &&
+         (a.region == b.region || a.region.empty() || b.region.empty());
+}
+
+void complain_of_conflict(const RegionSeed& first, const RegionSeed& second, Complaint& complaint) {
+  const bool materials = first.material != second.material;
+  complaint.add(
+      fmt::format("{} and {} are in the same face but disagree: {} '{}' and '{}'",
+                  name_of_seed(first), name_of_seed(second), materials ? "material" : "region",
+                  materials ? first.material : first.region,
+                  materials ? second.material : second.region),
+      {first.at, second.at}, {ref_of(first), ref_of(second)});
+}
+
+/// Takes the faces over from what the PSLG says of its sides.
+SeededFaces take_sides(const Pslg& pslg, const Faces& faces) {
+  SeededFaces out;
+  out.seed.resize(faces.count);
+  out.size.resize(faces.count);
+  for (std::size_t f = 0; f < faces.count; ++f) out.is_void.push_back(!faces.open[f]);
+  out.is_void[kOutside] = true;
+  for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::uint32_t face = faces.of_segment[s][k], seed = pslg.side_seeds[s][k];
+      if (seed == 0 || face == kOutside) continue;
+      out.is_void[face] = false;
+      out.seed[face] = seed - 1;
+      out.size[face] = pslg.seeds[seed - 1].size;
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+Result<SeededFaces> apply_seeds(const Pslg& pslg, const Faces& faces, std::vector<Note>& notes) {
+  if (!pslg.side_seeds.empty()) return take_sides(pslg, faces);
+  FaceFinder finder(pslg, faces);
+  Complaint on_segment(ErrorCode::seed_on_segment, pslg.source);
+  const auto hole_faces = faces_of(pslg.holes, finder, on_segment);
+  const auto seed_faces = faces_of(pslg.seeds, finder, on_segment);
+  if (!on_segment.empty()) return on_segment.error();
+
+  for (std::size_t k = 0; k < pslg.holes.size(); ++k) {
+    if (hole_faces[k] != kOutside) continue;
+    notes.push_back(
+        {Note::Kind::warning,
+         kVoid,
+         name_of_seed(pslg.holes[k]) + " lies outside of all segments: it makes nothing void",
+         {pslg.holes[k].at}});
+  }
+  SeededFaces out;
+  out.is_void = find_void(pslg, faces, hole_faces, seed_faces);
+  out.seed.resize(faces.count);
+  out.size.resize(faces.count);
+  Complaint in_void(ErrorCode::seed_in_void, pslg.source);
+  Complaint conflict(ErrorCode::conflicting_seeds, pslg.source);
+  for (std::size_t k = 0; k < pslg.seeds.size(); ++k) {
+    const RegionSeed& seed = pslg.seeds[k];
+    const std::uint32_t face = seed_faces[k];
+    if (out.is_void[face]) {
+      in_void.add(name_of_seed(seed) +
+                      (face == kOutside ? " lies outside of all segments" : " lies in a hole"),
+                  {seed.at}, {ref_of(seed)});
+      continue;
+    }
+    if (seed.size) out.size[face] = std::min(*seed.size, out.size[face].value_or(*seed.size));
+    if (!out.seed[face]) {
+      out.seed[face] = k;
+      continue;
+    }
+    const RegionSeed& first = pslg.seeds[*out.seed[face]];
+    if (agree(first, seed)) {
+      notes.push_back({Note::Kind::warning,
+                       kVoid,
+                       fmt::format("{} repeats {}", name_of_seed(seed), name_of_seed(first)),
+                       {seed.at}});
+      if (first.region.empty() && !seed.region.empty()) out.seed[face] = k;
+    } else {
+      complain_of_conflict(first, seed, conflict);
+    }
+  }
+  if (!in_void.empty()) return in_void.error();
+  if (!conflict.empty()) return conflict.error();
+  return out;
+}
+
+}  // namespace cover

@@ -1,0 +1,30 @@
+// What the seeds of a PSLG say about its faces.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include <cover/pslg.hpp>
+#include <cover/report.hpp>
+#include <cover/result.hpp>
+
+#include "faces/faces.hpp"
+
+namespace cover {
+
+/// By face: whether it is void, and the region seed that speaks for it.
+struct SeededFaces {
+  std::vector<bool> is_void;
+  std::vector<std::optional<std::size_t>> seed;  ///< index into Pslg::seeds; the first of several
+  std::vector<std::optional<double>> size;       ///< the smallest that a seed wishes
+};
+
+/// Finds the faces of all seeds and decides which faces are void.
+///
+/// Repeated seeds are told in `notes`.
+/// Errors: seed_on_segment, seed_in_void, conflicting_seeds, each with all its seeds.
+/// Cost:   O(seeds * sqrt(n)) typically.
+Result<SeededFaces> apply_seeds(const Pslg& pslg, const Faces& faces, std::vector<Note>& notes);
+
+}  // namespace cover

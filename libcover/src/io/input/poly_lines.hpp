@@ -1,0 +1,74 @@
+// The lines of Triangle's .poly and .node: fields as numbers, sections headed by their counts.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <cover/input.hpp>
+
+#include "io/text/text.hpp"
+
+namespace cover {
+
+/// A LineReader whose readings say whether they went well; the first error stays in `error()`, with
+/// file and line. `what` names in errors what is read.
+class PolyLines {
+ public:
+  PolyLines(std::string_view text, const std::string& source) : lines_(text, source, '#') {}
+
+  [[nodiscard]] const std::optional<Error>& error() const { return error_; }
+
+  /// Nothing but comments may be left.
+  bool expect_end();
+  /// Adds what was left out to the warnings of `input`.
+  void report_surplus(Input& input) const;
+
+ protected:
+  bool fail(ErrorCode code, std::string_view what) {
+    error_ = lines_.error(code, what);
+    return false;
+  }
+
+  /// Goes on to the next line; false at the end of the text.
+  bool next() { return lines_.next(); }
+  bool next_line(std::string_view wanted);
+  /// The next line, which begins with a count.
+  bool header(std::string_view section, std::size_t& count);
+  /// The count that this line begins with.
+  bool announced(std::string_view section, std::size_t& count);
+  /// Notes that a line of the kind `what` has more fields than the `expected` ones.
+  void check_surplus(std::string_view what, std::size_t expected);
+
+  [[nodiscard]] int line() const { return lines_.line(); }
+  [[nodiscard]] const std::vector<std::string_view>& fields() const { return lines_.fields(); }
+  bool integer(std::size_t field, std::string_view what, long& value);
+  /// Fields 1 and 2.
+  bool position(std::string_view what, Point& at);
+  /// A boundary marker; 0 where the field is missing.
+  bool marker(std::size_t field, std::string_view what, int& value);
+  /// A count from a header that may not be there (then 0).
+  [[nodiscard]] long optional_count(std::size_t field) const {
+    const auto& f = fields();
+    return field < f.size() ? parse_integer(f[field]).value_or(0) : 0;
+  }
+
+ private:
+  /// Fields that are left out.
+  struct Surplus {
+    std::string first;      ///< where, and what
+    std::size_t lines = 0;  ///< that have some
+  };
+
+  /// An error that a wrong count may be the cause of.
+  bool fail_count(ErrorCode code, std::string_view what);
+  bool coordinate(std::size_t field, std::string_view what, double& value);
+
+  LineReader lines_;
+  std::optional<Error> error_;
+  std::string counts_;  ///< what the headers so far announce, in words
+  Surplus surplus_;
+};
+
+}  // namespace cover

@@ -1,0 +1,162 @@
+// GeoJSON (RFC 7946): each Polygon and MultiPolygon a painted area, each LineString a named line.
+//
+// Properties: `material` (else `name`, else the feature is a material of its own), `name` (of the
+// region or line), `priority`. Coordinates are taken as they are, plane, heights left out; so are
+// points and whatever else a file carries, which the RFC allows. Tested by read_geojson_test.cpp.
+#include "io/input/read_geojson.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "io/input/formats.hpp"
+
+namespace cover {
+namespace {
+
+class GeoReader {
+ public:
+  GeoReader(const Json& document, const std::string& source)
+      : document_(document), json_(document, source) {
+    input_.source = source;
+  }
+
+  Result<Input> read() {
+    push(document_, Properties{});
+    while (!waiting_.empty() && !json_.failed()) {
+      const auto [object, properties] = std::move(waiting_.back());
+      waiting_.pop_back();
+      const std::size_t before = waiting_.size();
+      read_object(*object, properties);
+      // What lies in the object comes next, and in its order: later polygons win over earlier ones.
+      std::reverse(waiting_.begin() + static_cast<std::ptrdiff_t>(before), waiting_.end());
+    }
+    if (!json_.failed() && input_.polygons.empty() && input_.lines.empty())
+      json_.fail(document_, "no Polygon, MultiPolygon or LineString in it");
+    if (json_.failed()) return json_.error();
+    if (points_ > 0)
+      input_.warnings.push_back(points_ == 1
+                                    ? std::string("1 geometry is a point: left out")
+                                    : fmt::format("{} geometries are points: left out", points_));
+    return std::move(input_);
+  }
+
+ private:
+  /// What a feature says of its geometry.
+  struct Properties {
+    std::string material;
+    std::string name;
+    std::optional<double> priority;
+  };
+
+  void push(const Json& object, const Properties& properties) {
+    waiting_.emplace_back(&object, properties);
+  }
+
+  void read_object(const Json& object, const Properties& properties) {
+    if (!object.is_object()) return json_.fail(object, "expected a GeoJSON object");
+    const std::string type = json_.text(json_.required(object, "type"));
+    if (json_.failed()) return;
+    const auto coordinates = [&]() -> const Json& {
+      return json_.array(json_.required(object, "coordinates"), "coordinates");
+    };
+    if (type == "FeatureCollection") {
+      for (const Json& f : json_.array(json_.required(object, "features"), "features"))
+        push(f, properties);
+    } else if (type == "Feature") {
+      const Json* geometry = JsonReader::member(object, "geometry");
+      const Properties own = read_properties(object);
+      if (geometry) push(*geometry, own);
+    } else if (type == "GeometryCollection") {
+      for (const Json& g : json_.array(json_.required(object, "geometries"), "geometries"))
+        push(g, properties);
+    } else if (type == "Polygon") {
+      read_polygon(coordinates(), properties);
+    } else if (type == "MultiPolygon") {
+      for (const Json& polygon : coordinates()) read_polygon(polygon, properties);
+    } else if (type == "LineString") {
+      read_line(coordinates(), properties);
+    } else if (type == "MultiLineString") {
+      for (const Json& line : coordinates()) read_line(line, properties);
+    } else if (type == "Point" || type == "MultiPoint") {
+      ++points_;
+    } else {
+      json_.fail(object, fmt::format("the type \"{}\" is not one of GeoJSON", type));
+    }
+  }
+
+  Properties read_properties(const Json& feature) {
+    Properties own;
+    const long number = features_++;
+    if (const Json* properties = JsonReader::member(feature, "properties")) {
+      if (const Json* m = JsonReader::member(*properties, "material")) own.material = read_name(*m);
+      if (const Json* n = JsonReader::member(*properties, "name")) own.name = read_name(*n);
+      if (const Json* p = JsonReader::member(*properties, "priority"))
+        own.priority = json_.number(*p);
+    }
+    if (own.material.empty())
+      own.material = own.name.empty() ? fmt::format("feature_{}", number) : own.name;
+    return own;
+  }
+
+  /// Tables that maps are made from have numbers for names too.
+  std::string read_name(const Json& value) {
+    return value.is_number_float() ? value.dump() : json_.name(value);
+  }
+
+  std::vector<Point> read_path(const Json& coordinates) {
+    std::vector<Point> path;
+    for (const Json& position : json_.array(coordinates, "positions")) {
+      if (json_.failed()) break;
+      path.push_back(json_.point(position, true));
+    }
+    return path;
+  }
+
+  void read_polygon(const Json& coordinates, const Properties& properties) {
+    if (json_.failed()) return;
+    if (coordinates.is_array() && coordinates.empty()) return;  // the RFC: as null
+    InputPolygon polygon;
+    for (const Json& ring : json_.array(coordinates, "rings"))
+      polygon.rings.push_back(read_path(ring));
+    polygon.material = properties.material.empty() ? "feature_0" : properties.material;
+    polygon.region = properties.name;
+    polygon.priority = properties.priority;
+    polygon.id = static_cast<long>(input_.polygons.size());
+    input_.polygons.push_back(std::move(polygon));
+  }
+
+  void read_line(const Json& coordinates, const Properties& properties) {
+    if (json_.failed()) return;
+    if (coordinates.is_array() && coordinates.empty()) return;  // the RFC: as null
+    InputLine line{properties.name, read_path(coordinates), static_cast<long>(input_.lines.size())};
+    if (line.points.size() < 2) json_.fail(coordinates, "a line needs two positions or more");
+    input_.lines.push_back(std::move(line));
+  }
+
+  const Json& document_;
+  JsonReader json_;
+  Input input_;
+  std::vector<std::pair<const Json*, Properties>> waiting_;  // a stack
+  long features_ = 0;
+  std::size_t points_ = 0;
+};
+
+}  // namespace
+
+bool is_geojson(const Json& document) {
+  const Json* type = JsonReader::member(document, "type");
+  return type && type->is_string();
+}
+
+Result<Input> read_geojson(const Json& document, const std::string& source) {
+  return GeoReader(document, source).read();
+}
+
+Result<Input> parse_geojson(std::string_view text, const std::string& source) {
+  Result<Json> document = parse_json_text(text, source);
+  if (!document) return std::move(document).error();
+  return read_geojson(*document, source);
+}
+
+}  // namespace cover

@@ -1,0 +1,18 @@
+// GeoJSON in files that are not named so.
+#pragma once
+
+#include <string>
+
+#include <cover/input.hpp>
+
+#include "io/text/json_reader.hpp"
+
+namespace cover {
+
+/// Whether a document says of what type it is, as GeoJSON does and our own form does not.
+bool is_geojson(const Json& document);
+
+/// Reads a parsed document; else as parse_geojson.
+Result<Input> read_geojson(const Json& document, const std::string& source);
+
+}  // namespace cover

@@ -1,0 +1,20 @@
+// Tested by tests/unit/vtk/read_output_test.cpp.
+#include "io/read_mesh/mesh_collector.hpp"
+
+#include "io/read_mesh/second_order.hpp"
+
+namespace cover {
+
+MeshFile MeshCollector::finish() {
+  mesh.second_order = !midpoints_.empty();
+  if (!midpoints_.empty()) {
+    const std::vector<std::uint32_t> renumbered = drop_midpoints(midpoints_, mesh.soup);
+    for (MeshLine& line : mesh.lines) {
+      line.a = renumbered[line.a];
+      line.b = renumbered[line.b];
+    }
+  }
+  return std::move(mesh);
+}
+
+}  // namespace cover

@@ -1,0 +1,135 @@
+// Tested by tests/unit/vtk/read_output_test.cpp.
+#include "io/report/read_manifest.hpp"
+
+#include <deque>
+#include <filesystem>
+#include <map>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "io/read_mesh/complete_mesh.hpp"
+#include "io/report/provenance_json.hpp"
+#include "io/text/text.hpp"
+
+namespace cover {
+namespace {
+
+using Json = nlohmann::ordered_json;  // settings keep their order
+
+InterfaceKind kind_of(const std::string& word) {
+  if (word == "outline") return InterfaceKind::outline;
+  if (word == "slit") return InterfaceKind::slit;
+  if (word == "contact") return InterfaceKind::contact;
+  return InterfaceKind::interface;
+}
+
+Region region_of(const Json& json) {
+  Region region;
+  region.id = RegionId(json.at("id").get<std::uint32_t>());
+  region.name = json.at("name");
+  region.material = json.at("material");
+  region.material_name = json.at("material_name");
+  return region;
+}
+
+void add_line(const Json& json, StoredMesh& stored) {
+  Interface line;
+  line.id = InterfaceId(json.at("id").get<std::uint32_t>());
+  if (line.id == kNoInterface) return;  // the hull: no segments
+  line.kind = kind_of(json.at("kind"));
+  line.name = json.at("name");
+  line.left = RegionId(json.at("left").get<std::uint32_t>());
+  line.right = RegionId(json.at("right").get<std::uint32_t>());
+  const Json markers = json.value("markers", Json::array());
+  const Json& edges = json.at("edges");
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const int marker = k < markers.size() ? markers[k].get<int>() : 0;
+    stored.edges.push_back({edges[k].at(0), edges[k].at(1), line.id, marker});
+  }
+  // Lines without an edge in the mesh are not listed, but keep their numbers.
+  for (auto k = stored.interfaces.size(); k < line.id.index(); ++k) {
+    stored.interfaces.emplace_back();
+    stored.interfaces[k].id = InterfaceId(k + 1);
+  }
+  stored.interfaces[line.id.index() - 1] = std::move(line);
+}
+
+/// What the mesh was made of and how.
+void read_origin(const Json& json, StoredMesh& stored) {
+  stored.provenance = {json.value("source", ""), json.value("cover", ""),
+                       options_of(json.value("options", Json::object()))};
+  stored.unit = json.value("unit", "");
+  stored.scale = json.value("scale", 1.0);
+}
+
+/// Why the manifest is not that of the mesh; empty if it is.
+std::string misfit(const Json& json, const StoredMesh& stored) {
+  const Json& counts = json.at("counts");
+  const TriangleSoup& soup = stored.soup;
+  if (counts.at("vertices") != soup.points.size() ||
+      counts.at("triangles") != soup.triangles.size()) {
+    return fmt::format("it is of another mesh: {} vertices and {} triangles instead of {} and {}",
+                       counts.at("vertices").get<std::size_t>(),
+                       counts.at("triangles").get<std::size_t>(), soup.points.size(),
+                       soup.triangles.size());
+  }
+  return {};
+}
+
+/// The region of each triangle by its place among those of its group; false if the groups of the
+/// mesh are not those of the manifest.
+bool assign_regions(const Json& regions, std::span<const std::int64_t> group, StoredMesh& stored) {
+  struct Share {
+    std::int64_t region;
+    std::size_t left;
+  };
+  std::map<std::int64_t, std::deque<Share>> shares;  // by group; one group where there are none
+  for (const Json& region : regions) {
+    const std::int64_t tag = group.empty() ? 0 : region.at("group").get<std::int64_t>();
+    shares[tag].push_back({region.at("id"), region.at("triangles")});
+  }
+  for (std::size_t t = 0; t < stored.soup.triangles.size(); ++t) {
+    auto& queue = shares[group.empty() ? 0 : group[t]];
+    while (!queue.empty() && queue.front().left == 0) queue.pop_front();
+    if (queue.empty()) return false;
+    --queue.front().left;
+    stored.soup.region.push_back(queue.front().region);
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<bool> read_manifest(const std::string& path, std::span<const std::int64_t> group,
+                           StoredMesh& stored) {
+  const auto wrong = [&](const std::string& what) {
+    return Error{ErrorCode::syntax, fmt::format("{}: {}", path, what), {}, {}};
+  };
+  if (!std::filesystem::is_regular_file(path)) return false;
+  const Result<std::string> text = read_file(path);
+  if (!text) return text.error();
+  const Json json = Json::parse(*text, nullptr, false);
+  if (!json.is_object() || json.value("format", Json()) != "cover mesh manifest") return false;
+  try {
+    if (const std::string what = misfit(json, stored); !what.empty()) return wrong(what);
+    stored.regions.clear();
+    stored.interfaces.clear();
+    stored.edges.clear();
+    read_origin(json, stored);
+    stored.input_vertices = json.at("counts").at("input_vertices");
+    for (const Json& region : json.at("regions")) stored.regions.push_back(region_of(region));
+    for (const Json& line : json.at("lines")) add_line(line, stored);
+    if (stored.soup.region.empty() && !assign_regions(json.at("regions"), group, stored))
+      return wrong("it is of another mesh: its groups have other triangles");
+  } catch (const Json::exception& error) {
+    return wrong(error.what());
+  }
+  for (std::size_t r = 0; r < stored.regions.size(); ++r) {
+    if (stored.regions[r].id != RegionId(r + 1)) return wrong("regions are not in order");
+  }
+  if (!take_materials(stored)) return wrong("it is of another mesh: it lacks regions");
+  return true;
+}
+
+}  // namespace cover

@@ -1,0 +1,295 @@
+// The report as JSON. Angles are in degrees unless the name says radians; lengths and areas are in
+// units of the input; ids are those of the library (regions and interfaces count from 1).
+//
+//   { "format": "cover report", "version": 1,
+//     "cover": version, "options": { name: value } as in the manifest,
+//     "input":  { "source", "unit", "scale", "points", "segments", "void_points": [ids],
+//                 "void_segments": n },
+//     "mesh":   { "vertices", "edges", "triangles", "steiner_vertices" },
+//     "overall": LIMITS + QUALITY + { "bound_held": regions, "bound_missed": [region ids],
+//                "methods": {method: regions}, "fallbacks", "rho_smallest", "box": BOX },
+//     "regions": [ { "id", "name", "material", "material_name", "area", "sides", "method",
+//                    "input_vertices", "steiner_vertices", "bound_held", "seconds", "notes": NOTES,
+//                    "box": BOX } + LIMITS + QUALITY ],
+//     "replaced": [ { "region": id, "triangles", "steiner_vertices": before } ], only where regions
+//                 were meshed again inside a mesh; the method of the others is "kept",
+//     "interfaces": [ { "id", "name", "kind", "left", "right", "length", "segments" } ],
+//     "notes": NOTES, "changes": [ { "kind", "message", "where", "inputs" } ],
+//     "threads", "times": [ { "stage", "seconds" } ] }
+//
+//   LIMITS   gamma_opt (at least 60: no triangulation is below), nu_opt_radians (pi - gamma_opt,
+//            uncut), bound (the largest angle that promise 3 allows), nu_bound_radians, rho,
+//            forced_above_120, forced_above_150
+//   QUALITY  triangles, largest_angle, largest_nu_radians (pi - largest angle, which keeps the
+//            digits of flat triangles), smallest_angle, obtuse, above_120, above_150,
+//            histogram (all angles in 18 bins of 10 degrees), meshed_area
+//   BOX      obtuse_sides, non_delaunay_edges, negative_couplings, box_area
+//   NOTES    [ { "kind", "message", "where": [[x, y], ...] } ]
+//
+// Tested by tests/unit/io/report/write_report_json_test.cpp.
+#include <algorithm>
+#include <map>
+
+#include <nlohmann/json.hpp>
+
+#include <cover/write_mesh.hpp>
+
+#include "base/describe.hpp"
+#include "io/files/atomic_file.hpp"
+#include "io/report/provenance_json.hpp"
+
+namespace cover {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* name_of(Note::Kind kind) {
+  switch (kind) {
+    case Note::Kind::fallback:
+      return "fallback";
+    case Note::Kind::repair:
+      return "repair";
+    case Note::Kind::below_resolution:
+      return "below_resolution";
+    case Note::Kind::target_missed:
+      return "target_missed";
+    case Note::Kind::bound_missed:
+      return "bound_missed";
+    case Note::Kind::warning:
+      return "warning";
+    case Note::Kind::change:
+      return "change";
+    case Note::Kind::cut:
+      return "cut";
+  }
+  return "";
+}
+
+Json to_json(const std::vector<Note>& notes) {
+  Json list = Json::array();
+  for (const Note& note : notes) {
+    Json where = Json::array();
+    for (const Point& p : note.where) where.push_back({p.x, p.y});
+    list.push_back({{"kind", name_of(note.kind)}, {"message", note.message}, {"where", where}});
+  }
+  return list;
+}
+
+const char* name_of(Change::Kind kind) {
+  switch (kind) {
+    case Change::Kind::split:
+      return "split";
+    case Change::Kind::welded:
+      return "welded";
+    case Change::Kind::dropped:
+      return "dropped";
+    case Change::Kind::merged:
+      break;
+  }
+  return "merged";
+}
+
+const char* name_of(InputKind kind) {
+  switch (kind) {
+    case InputKind::point:
+      return "point";
+    case InputKind::segment:
+      return "segment";
+    case InputKind::polygon:
+      return "polygon";
+    case InputKind::hole:
+      return "hole";
+    case InputKind::region_seed:
+      return "region_seed";
+    case InputKind::line:
+      break;
+  }
+  return "line";
+}
+
+Json to_json(const std::vector<Change>& changes) {
+  Json list = Json::array();
+  for (const Change& change : changes) {
+    Json where = Json::array(), inputs = Json::array();
+    for (const Point& p : change.where) where.push_back({p.x, p.y});
+    for (const InputRef& ref : change.inputs)
+      inputs.push_back({{"kind", name_of(ref.kind)}, {"id", ref.id}});
+    list.push_back({{"kind", name_of(change.kind)},
+                    {"message", change.message},
+                    {"where", where},
+                    {"inputs", inputs}});
+  }
+  return list;
+}
+
+Json to_json(const BoxMethod& box) {
+  return {{"obtuse_sides", box.obtuse_sides},
+          {"non_delaunay_edges", box.non_delaunay_edges},
+          {"negative_couplings", box.negative_couplings},
+          {"box_area", box.box_area}};
+}
+
+void add_limits(const RegionReport& report, Json& out) {
+  const Angle lowest = std::min(report.nu_opt, Angle::degrees(120));
+  out["gamma_opt"] = lowest.supplement().in_degrees();
+  out["nu_opt_radians"] = report.nu_opt.in_radians();
+  out["bound"] = report.nu_bound.supplement().in_degrees();
+  out["nu_bound_radians"] = report.nu_bound.in_radians();
+  out["rho"] = report.rho();
+  out["forced_above_120"] = report.forced_above_120;
+  out["forced_above_150"] = report.forced_above_150;
+}
+
+void add_quality(const Quality& quality, Json& out) {
+  out["triangles"] = quality.triangles;
+  out["largest_angle"] = quality.largest_nu.supplement().in_degrees();
+  out["largest_nu_radians"] = quality.largest_nu.in_radians();
+  out["smallest_angle"] = quality.smallest.in_degrees();
+  out["obtuse"] = quality.obtuse;
+  out["above_120"] = quality.above_120;
+  out["above_150"] = quality.above_150;
+  out["histogram"] = quality.histogram;
+  out["meshed_area"] = quality.area;
+}
+
+Json region_json(const Region& region, const RegionReport& report) {
+  Json out{{"id", region.id.value()},
+           {"name", region.name},
+           {"material", region.material},
+           {"material_name", region.material_name},
+           {"area", region.area},
+           {"sides", region.sides},
+           {"method", report.method},
+           {"input_vertices", report.input_vertices},
+           {"steiner_vertices", report.steiner_vertices},
+           {"bound_held", report.bound_held}};
+  add_limits(report, out);
+  add_quality(report.quality, out);
+  out["box"] = to_json(report.box);
+  out["notes"] = to_json(report.notes);
+  out["seconds"] = report.seconds;
+  return out;
+}
+
+/// The run as if it were one region.
+RegionReport sum_of(const Report& report) {
+  RegionReport sum;
+  sum.nu_opt = sum.nu_bound = Angle::degrees(180);
+  sum.quality = report.quality;
+  for (const RegionReport& region : report.regions) {
+    sum.nu_opt = std::min(sum.nu_opt, region.nu_opt);
+    sum.nu_bound = std::min(sum.nu_bound, region.nu_bound);
+    sum.forced_above_120 += region.forced_above_120;
+    sum.forced_above_150 += region.forced_above_150;
+    sum.box.obtuse_sides += region.box.obtuse_sides;
+    sum.box.non_delaunay_edges += region.box.non_delaunay_edges;
+    sum.box.negative_couplings += region.box.negative_couplings;
+    sum.box.box_area += region.box.box_area;
+  }
+  return sum;
+}
+
+Json overall_json(const Report& report) {
+  const RegionReport sum = sum_of(report);
+  Json out = Json::object();
+  add_limits(sum, out);
+  add_quality(sum.quality, out);
+  out["box"] = to_json(sum.box);
+  Json missed = Json::array();
+  std::map<std::string, std::size_t> methods;
+  std::size_t fallbacks = 0;
+  double smallest_rho = sum.rho();
+  for (const RegionReport& region : report.regions) {
+    if (!region.bound_held) missed.push_back(region.id.value());
+    ++methods[region.method];
+    smallest_rho = std::min(smallest_rho, region.rho());
+    for (const Note& note : region.notes) fallbacks += note.kind == Note::Kind::fallback ? 1 : 0;
+  }
+  out["rho_smallest"] = smallest_rho;
+  out["bound_held"] = report.regions.size() - missed.size();
+  out["bound_missed"] = missed;
+  out["methods"] = methods;
+  out["fallbacks"] = fallbacks;
+  return out;
+}
+
+Json interfaces_json(const RegionTable& table) {
+  Json list = Json::array();
+  for (const Interface& line : table.interfaces) {
+    list.push_back({{"id", line.id.value()},
+                    {"name", line.name},
+                    {"kind", describe(line.kind)},
+                    {"left", line.left.value()},
+                    {"right", line.right.value()},
+                    {"length", line.length},
+                    {"segments", line.segments.size()}});
+  }
+  return list;
+}
+
+Json input_json(const Output& output) {
+  Json void_points = Json::array();
+  for (const VertexId v : output.table.void_points) {
+    void_points.push_back(output.pslg.point_ids[v.index()]);
+  }
+  return {{"source", output.report.provenance.source},
+          {"unit", output.report.unit},
+          {"scale", output.report.scale},
+          {"points", output.report.input_points},
+          {"segments", output.report.input_segments},
+          {"void_points", void_points},
+          {"void_segments", output.table.void_segments.size()}};
+}
+
+Json mesh_json(const Output& output) {
+  const TriMesh& tri = output.mesh.tri();
+  return {{"vertices", tri.n_vertices()},
+          {"edges", tri.n_edges()},
+          {"triangles", tri.n_faces()},
+          {"steiner_vertices", output.report.steiner_vertices}};
+}
+
+Json to_json(const Output& output) {
+  const Report& report = output.report;
+  Json out{{"format", "cover report"}, {"version", 1}};
+  out["cover"] = report.provenance.version;
+  out["options"] = options_json(report.provenance);
+  out["input"] = input_json(output);
+  out["mesh"] = mesh_json(output);
+  out["overall"] = overall_json(report);
+  out["regions"] = Json::array();
+  for (const RegionReport& region : report.regions) {
+    out["regions"].push_back(region_json(output.table.region(region.id), region));
+  }
+  for (const Replaced& before : report.replaced) {
+    out["replaced"].push_back({{"region", before.region.value()},
+                               {"triangles", before.triangles},
+                               {"steiner_vertices", before.steiner_vertices}});
+  }
+  out["interfaces"] = interfaces_json(output.table);
+  out["notes"] = to_json(report.notes);
+  out["changes"] = to_json(report.changes);
+  out["threads"] = report.threads;
+  out["times"] = Json::array();
+  for (const StageTime& time : report.times) {
+    out["times"].push_back({{"stage", time.stage}, {"seconds", time.seconds}});
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string report_json(const Output& output) {
+  // Names that are no UTF-8 must not make the report fail.
+  return to_json(output).dump(1, ' ', false, Json::error_handler_t::replace);
+}
+
+Status write_report_json(const Output& output, const std::string& path) {
+  Result<AtomicFile> file = AtomicFile::create(path);
+  if (!file) return std::move(file).error();
+  file->write(report_json(output));
+  file->write("\n");
+  return file->commit();
+}
+
+}  // namespace cover

@@ -1,0 +1,225 @@
+// Groups first, from the tables alone, so that tags do not depend on what is left out; then cells.
+// Tested by tests/unit/io/write_mesh/mesh_view_test.cpp.
+#include "io/write_mesh/mesh_view.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "base/safe_names.hpp"
+#include "geom/vector.hpp"
+
+namespace cover {
+namespace {
+
+using Edge = TriMesh::EdgeHandle;
+using Halfedge = TriMesh::HalfedgeHandle;
+
+/// Groups in the order in which their keys come up.
+template <class Key>
+class Grouping {
+ public:
+  /// The group of `key`; a new one gets `name` and `material`.
+  std::uint32_t find(const Key& key, const std::string& name, int material) {
+    const auto [at, is_new] = index_.emplace(key, static_cast<std::uint32_t>(groups_.size()));
+    if (is_new) groups_.push_back({{}, name, 0, material});
+    return at->second;
+  }
+
+  /// The groups with their names made safe and tags from `first_tag` on.
+  std::vector<Group> finish(int first_tag) {
+    std::vector<std::string> names;
+    for (const Group& group : groups_) names.push_back(group.original);
+    names = unique_safe_names(names);
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      groups_[g].name = names[g];
+      groups_[g].tag = first_tag + static_cast<int>(g);
+    }
+    return std::move(groups_);
+  }
+
+ private:
+  std::map<Key, std::uint32_t> index_;
+  std::vector<Group> groups_;
+};
+
+void group_regions(const RegionTable& table, MeshView& view) {
+  Grouping<std::tuple<std::string, int>> grouping;
+  for (const Region& region : table.regions) {
+    view.region_group.push_back(
+        grouping.find({region.name, region.material}, region.name, region.material));
+  }
+  view.region_groups = grouping.finish(1);
+}
+
+/// A line of the mesh before lines are put in order.
+struct Line {
+  std::uint32_t group = 0;
+  InterfaceId interface;
+  int marker = 0;
+  Edge edge;
+  friend auto operator<=>(const Line& a, const Line& b) {
+    return std::tuple(a.group, a.interface, a.marker, a.edge.idx()) <=>
+           std::tuple(b.group, b.interface, b.marker, b.edge.idx());
+  }
+};
+
+/// Names the groups of lines and tells of each line to which it belongs.
+class LineGroups {
+ public:
+  LineGroups(const RegionTable& table, const MeshView& view) : table_(table), view_(view) {}
+
+  /// A contact by its name, a marked line by its marker as if that were the name of a contact, any
+  /// other line by the groups on its sides.
+  std::uint32_t of(InterfaceId id, int marker) {
+    // A side of the hull that no segment prescribes.
+    if (id == kNoInterface) return find({InterfaceKind::outline, 0, 0, "hull"});
+    const Interface& line = table_.interfaces[id.index() - 1];
+    if (line.kind == InterfaceKind::contact) return find({line.kind, 0, 0, line.name});
+    if (marker != 0) return find({InterfaceKind::contact, 0, 0, std::to_string(marker)});
+    return find({line.kind, group_of(line.left), group_of(line.right), line.name});
+  }
+
+  std::vector<Group> finish(int first_tag) { return grouping_.finish(first_tag); }
+
+ private:
+  /// Kind, groups on the left and on the right counted from 1, name.
+  using Key = std::tuple<InterfaceKind, std::uint32_t, std::uint32_t, std::string>;
+
+  std::uint32_t find(const Key& key) { return grouping_.find(key, std::get<std::string>(key), 0); }
+  [[nodiscard]] std::uint32_t group_of(RegionId region) const {
+    return region == kVoid ? 0 : 1 + view_.region_group[region.index() - 1];
+  }
+
+  const RegionTable& table_;
+  const MeshView& view_;
+  Grouping<Key> grouping_;
+};
+
+/// The half-edge along `edge` with the region on its left that should lie there.
+Halfedge directed(const Mesh& mesh, const RegionTable& table, Edge edge) {
+  const TriMesh& tri = mesh.tri();
+  const Halfedge h = TriMesh::s_halfedge_handle(edge, 0),
+                 back = TriMesh::s_halfedge_handle(edge, 1);
+  if (tri.is_boundary(h)) return back;
+  if (tri.is_boundary(back)) return h;
+  const InterfaceId line = mesh.interface(edge);
+  const RegionId left = table.interfaces[line.index() - 1].left;
+  return mesh.region(tri.face_handle(h)) == left ? h : back;
+}
+
+class Viewer {
+ public:
+  Viewer(const Output& output, const WriteOptions& options)
+      : mesh_(output.mesh), tri_(output.mesh.tri()), table_(output.table), options_(options) {}
+
+  MeshView make() {
+    group_regions(table_, view_);
+    add_points();
+    add_triangles();
+    add_lines();
+    return std::move(view_);
+  }
+
+ private:
+  [[nodiscard]] Point at(int v) const {
+    const TriMesh::Point& p = tri_.point(TriMesh::VertexHandle(v));
+    return {p[0], p[1]};
+  }
+
+  /// The point in the middle of an edge.
+  [[nodiscard]] std::uint32_t midpoint_of(Halfedge h) const {
+    return static_cast<std::uint32_t>(view_.corners) +
+           static_cast<std::uint32_t>(TriMesh::s_edge_handle(h).idx());
+  }
+
+  void add_points() {
+    view_.corners = tri_.n_vertices();
+    view_.points.reserve(tri_.n_vertices() + (options_.order == 2 ? tri_.n_edges() : 0));
+    for (int v = 0; v < static_cast<int>(tri_.n_vertices()); ++v) view_.points.push_back(at(v));
+    if (options_.order != 2) return;
+    for (const Edge e : tri_.edges()) {
+      const Halfedge h = TriMesh::s_halfedge_handle(e, 0);
+      view_.points.push_back(
+          midpoint(at(tri_.from_vertex_handle(h).idx()), at(tri_.to_vertex_handle(h).idx())));
+    }
+  }
+
+  void add_triangles() {
+    view_.triangles.nodes_each = options_.order == 2 ? 6 : 3;
+    std::vector<std::uint32_t>& nodes = view_.triangles.nodes;
+    nodes.reserve(view_.triangles.nodes_each * tri_.n_faces());
+    view_.region.reserve(tri_.n_faces());
+    view_.material.reserve(tri_.n_faces());
+    for (int f = 0; f < static_cast<int>(tri_.n_faces()); ++f) {
+      const TriMesh::FaceHandle face(f);
+      const Halfedge first = tri_.halfedge_handle(face);
+      const Halfedge second = tri_.next_halfedge_handle(first);
+      const Halfedge third = tri_.next_halfedge_handle(second);
+      for (const Halfedge h : {first, second, third})
+        nodes.push_back(static_cast<std::uint32_t>(tri_.from_vertex_handle(h).idx()));
+      if (options_.order == 2) {
+        for (const Halfedge h : {first, second, third}) nodes.push_back(midpoint_of(h));
+      }
+      view_.region.push_back(mesh_.region(face));
+      view_.material.push_back(mesh_.material(face));
+    }
+  }
+
+  void add_lines() {
+    std::vector<Line> lines = all_lines();
+    // Groups are numbered in this order, whichever lines are left out then.
+    std::sort(lines.begin(), lines.end());
+    LineGroups groups(table_, view_);
+    for (const bool hull : {false, true}) {
+      for (Line& line : lines) {
+        if ((line.interface == kNoInterface) == hull)
+          line.group = groups.of(line.interface, line.marker);
+      }
+    }
+    view_.line_groups = groups.finish(static_cast<int>(view_.region_groups.size()) + 1);
+    std::sort(lines.begin(), lines.end());
+    view_.lines.nodes_each = options_.order == 2 ? 3 : 2;
+    for (const Line& line : lines) {
+      if (options_.inner_lines || tri_.is_boundary(line.edge)) add_line(line);
+    }
+  }
+
+  /// On interfaces, and on the hull.
+  [[nodiscard]] std::vector<Line> all_lines() const {
+    std::vector<Line> lines;
+    for (int e = 0; e < static_cast<int>(tri_.n_edges()); ++e) {
+      const Edge edge(e);
+      const InterfaceId interface = mesh_.interface(edge);
+      if (interface != kNoInterface || tri_.is_boundary(edge))
+        lines.push_back({0, interface, mesh_.marker(edge), edge});
+    }
+    return lines;
+  }
+
+  void add_line(const Line& line) {
+    const Halfedge h = directed(mesh_, table_, line.edge);
+    std::vector<std::uint32_t>& nodes = view_.lines.nodes;
+    nodes.push_back(static_cast<std::uint32_t>(tri_.from_vertex_handle(h).idx()));
+    nodes.push_back(static_cast<std::uint32_t>(tri_.to_vertex_handle(h).idx()));
+    if (options_.order == 2) nodes.push_back(midpoint_of(h));
+    view_.interface.push_back(line.interface);
+    view_.line_group.push_back(line.group);
+    view_.inner.push_back(tri_.is_boundary(line.edge) ? 0 : 1);
+    view_.marker.push_back(line.marker);
+  }
+
+  const Mesh& mesh_;
+  const TriMesh& tri_;
+  const RegionTable& table_;
+  const WriteOptions& options_;
+  MeshView view_;
+};
+
+}  // namespace
+
+MeshView view_of(const Output& output, const WriteOptions& options) {
+  return Viewer(output, options).make();
+}
+
+}  // namespace cover

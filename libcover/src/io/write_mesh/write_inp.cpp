@@ -1,0 +1,95 @@
+// Abaqus' input deck, as CalculiX and Elmer read it too: nodes, elements in one set per region
+// group, nodes of each line group in a set. Names of sets are case-insensitive and begin with a
+// letter. Both programs read the first 20 characters of a number and no more, so a coordinate that
+// is longer would lose its exponent: it is rounded to the digits that fit.
+//
+// Tested by tests/unit/io/write_mesh/write_inp_test.cpp and, in CalculiX, by tests/solvers.
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "base/safe_names.hpp"
+#include "io/files/text_writer.hpp"
+#include "io/write_mesh/mesh_view.hpp"
+
+namespace cover {
+namespace {
+
+constexpr std::size_t kLongestNumber = 20;
+
+/// `x` in at most kLongestNumber characters: exactly if it fits, else as precisely as it does.
+std::string coordinate(double x) {
+  std::array<char, 32> digits;
+  char* const begin = digits.data();
+  const auto text = [&](std::to_chars_result end) { return std::string(begin, end.ptr); };
+  std::string out = text(std::to_chars(begin, begin + digits.size(), x));
+  for (int precision = 17; out.size() > kLongestNumber; --precision) {
+    out =
+        text(std::to_chars(begin, begin + digits.size(), x, std::chars_format::general, precision));
+  }
+  return out;
+}
+
+/// The names of the groups as names of sets.
+std::vector<std::string> set_names(const std::vector<Group>& groups) {
+  std::vector<std::string> names;
+  for (const Group& group : groups) {
+    std::string name = group.name;
+    for (char& c : name) {
+      if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+      if (c == '.') c = '_';
+    }
+    if (name[0] < 'A' || name[0] > 'Z') name.insert(name.begin(), 'X');
+    names.push_back(std::move(name));
+  }
+  return unique_safe_names(names);
+}
+
+void write_elements(const MeshView& view, const std::string& family, TextWriter& out) {
+  const std::vector<std::string> names = set_names(view.region_groups);
+  const Buckets sets(view.region_groups.size(), view.triangles.size(),
+                     [&](std::size_t t) { return view.region_group[view.region[t].index() - 1]; });
+  for (std::size_t g = 0; g < sets.size(); ++g) {
+    out << "*ELEMENT, TYPE=" << family << view.triangles.nodes_each << ", ELSET=" << names[g]
+        << '\n';
+    for (const std::size_t t : sets[g]) {
+      out << t + 1;
+      for (const std::uint32_t node : view.triangles[t]) out << ", " << node + 1;
+      out << '\n';
+    }
+  }
+}
+
+void write_node_sets(const MeshView& view, TextWriter& out) {
+  const std::vector<std::string> names = set_names(view.line_groups);
+  const Buckets sets(view.line_groups.size(), view.lines.size(),
+                     [&](std::size_t l) { return view.line_group[l]; });
+  for (std::size_t g = 0; g < sets.size(); ++g) {
+    if (sets[g].empty()) continue;
+    std::vector<std::uint32_t> nodes;
+    for (const std::size_t l : sets[g]) {
+      nodes.insert(nodes.end(), view.lines[l].begin(), view.lines[l].end());
+    }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    out << "*NSET, NSET=" << names[g] << '\n';
+    for (const std::uint32_t node : nodes) out << node + 1 << ",\n";
+  }
+}
+
+}  // namespace
+
+Status write_inp(const Output& output, const std::string& path, const WriteOptions& options) {
+  const MeshView view = view_of(output, options);
+  return write_text(path, [&](TextWriter& out) {
+    out << "*NODE, NSET=NALL\n";
+    for (std::size_t p = 0; p < view.points.size(); ++p) {
+      out << p + 1 << ", " << coordinate(view.points[p].x) << ", " << coordinate(view.points[p].y)
+          << ", 0\n";
+    }
+    write_elements(view, options.inp_element, out);
+    write_node_sets(view, out);
+  });
+}
+
+}  // namespace cover

@@ -1,0 +1,174 @@
+// gmsh's .msh in text. Version 2.2 is what most solvers read, 4.1 what gmsh itself prefers; the
+// elements are the same. In 2.2 every face is an elementary surface, and every interface an
+// elementary curve of its own, or several where boundary markers divide it into groups, because
+// gmsh takes a curve for part of every group that one of its elements names; in 4.1 there is one
+// entity per physical group and its tag is that of the group, because getfem takes the one for the
+// other.
+//
+// Tested by tests/unit/io/write_mesh/write_msh_test.cpp and, in the solvers, by tests/solvers.
+#include <algorithm>
+
+#include "io/files/text_writer.hpp"
+#include "io/write_mesh/mesh_view.hpp"
+
+namespace cover {
+namespace {
+
+class MshWriter {
+ public:
+  MshWriter(const MeshView& view, std::size_t interfaces, TextWriter& out)
+      : view_(view), interfaces_(interfaces), out_(out) {}
+
+  void write_2() {
+    out_ << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
+    names();
+    out_ << "$Nodes\n" << view_.points.size() << '\n';
+    for (std::size_t p = 0; p < view_.points.size(); ++p) {
+      out_ << p + 1 << ' ';
+      coordinates(view_.points[p]);
+    }
+    out_ << "$EndNodes\n$Elements\n" << view_.lines.size() + view_.triangles.size() << '\n';
+    const std::vector<std::size_t> curve = curves();
+    for (std::size_t l = 0; l < view_.lines.size(); ++l)
+      element_2(line_type(), view_.group_of_line(l).tag, curve[l], view_.lines[l]);
+    for (std::size_t t = 0; t < view_.triangles.size(); ++t)
+      element_2(triangle_type(), view_.group_of_triangle(t).tag, view_.region[t].index(),
+                view_.triangles[t]);
+    out_ << "$EndElements\n";
+  }
+
+  void write_4() {
+    const Buckets curves(view_.line_groups.size(), view_.lines.size(),
+                         [&](std::size_t l) { return view_.line_group[l]; });
+    const Buckets surfaces(view_.region_groups.size(), view_.triangles.size(), [&](std::size_t t) {
+      return view_.region_group[view_.region[t].index() - 1];
+    });
+    out_ << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
+    names();
+    out_ << "$Entities\n0 " << used(curves) << ' ' << used(surfaces) << " 0\n";
+    entities(view_.line_groups, curves, view_.lines);
+    entities(view_.region_groups, surfaces, view_.triangles);
+    const std::size_t points = view_.points.size();
+    // All nodes in one block, as if they lay on the first surface.
+    out_ << "$EndEntities\n$Nodes\n1 " << points << " 1 " << points << "\n2 1 0 " << points << '\n';
+    for (std::size_t p = 0; p < points; ++p) out_ << p + 1 << '\n';
+    for (const Point& p : view_.points) coordinates(p);
+    const std::size_t elements = view_.lines.size() + view_.triangles.size();
+    out_ << "$EndNodes\n$Elements\n"
+         << used(curves) + used(surfaces) << ' ' << elements << " 1 " << elements << '\n';
+    blocks(1, line_type(), view_.line_groups, curves, view_.lines);
+    blocks(2, triangle_type(), view_.region_groups, surfaces, view_.triangles);
+    out_ << "$EndElements\n";
+  }
+
+ private:
+  [[nodiscard]] int line_type() const { return view_.second_order() ? 8 : 1; }
+  [[nodiscard]] int triangle_type() const { return view_.second_order() ? 9 : 2; }
+
+  /// The elementary tag of each line: its InterfaceId, or the one after the last for the hull, or
+  /// one after that where the interface lies in another group too.
+  [[nodiscard]] std::vector<std::size_t> curves() const {
+    const std::size_t hull = interfaces_ + 1;
+    std::size_t last = hull;
+    std::vector<std::uint8_t> taken(hull + 1);
+    std::vector<std::size_t> tags(view_.lines.size());
+    for (std::size_t l = 0; l < tags.size(); ++l) {
+      const auto same = [&](const auto& of) { return l > 0 && of[l] == of[l - 1]; };
+      if (same(view_.line_group) && same(view_.interface)) {
+        tags[l] = tags[l - 1];
+        continue;
+      }
+      const std::size_t own =
+          view_.interface[l] == kNoInterface ? hull : view_.interface[l].index();
+      tags[l] = taken[own] == 0 ? own : ++last;
+      taken[own] = 1;
+    }
+    return tags;
+  }
+
+  static std::size_t used(const Buckets& entities) {
+    std::size_t n = 0;
+    for (std::size_t e = 0; e < entities.size(); ++e) n += entities[e].empty() ? 0 : 1;
+    return n;
+  }
+
+  void coordinates(const Point& p) { out_ << p.x << ' ' << p.y << " 0\n"; }
+
+  /// Names of the groups that have elements.
+  void names() {
+    std::vector<std::uint8_t> has_lines(view_.line_groups.size());
+    for (const std::uint32_t group : view_.line_group) has_lines[group] = 1;
+    const auto lines = std::count(has_lines.begin(), has_lines.end(), 1);
+    out_ << "$PhysicalNames\n"
+         << static_cast<std::size_t>(lines) + view_.region_groups.size() << '\n';
+    for (std::size_t g = 0; g < view_.line_groups.size(); ++g) {
+      if (has_lines[g] != 0) name(1, view_.line_groups[g]);
+    }
+    for (const Group& group : view_.region_groups) name(2, group);
+    out_ << "$EndPhysicalNames\n";
+  }
+  void name(int dimension, const Group& group) {
+    out_ << dimension << ' ' << group.tag << " \"" << group.name << "\"\n";
+  }
+
+  void nodes(std::span<const std::uint32_t> nodes) {
+    for (const std::uint32_t node : nodes) out_ << ' ' << node + 1;
+    out_ << '\n';
+  }
+
+  void element_2(int type, int physical, std::size_t elementary,
+                 std::span<const std::uint32_t> cell) {
+    out_ << ++element_ << ' ' << type << " 2 " << physical << ' ' << elementary;
+    nodes(cell);
+  }
+
+  /// Of each group that has cells: tag, bounding box, physical group; not what bounds it.
+  void entities(const std::vector<Group>& groups, const Buckets& members, const Cells& cells) {
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      if (members[g].empty()) continue;
+      Point low = view_.points[cells[members[g].front()][0]], high = low;
+      for (const std::size_t k : members[g]) {
+        for (const std::uint32_t node : cells[k]) {
+          const Point& p = view_.points[node];
+          low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+          high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+        }
+      }
+      out_ << groups[g].tag << ' ' << low.x << ' ' << low.y << " 0 " << high.x << ' ' << high.y
+           << " 0 1 " << groups[g].tag << " 0\n";
+    }
+  }
+
+  void blocks(int dimension, int type, const std::vector<Group>& groups, const Buckets& members,
+              const Cells& cells) {
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      if (members[g].empty()) continue;
+      out_ << dimension << ' ' << groups[g].tag << ' ' << type << ' ' << members[g].size() << '\n';
+      for (const std::size_t k : members[g]) {
+        out_ << ++element_;
+        nodes(cells[k]);
+      }
+    }
+  }
+
+  const MeshView& view_;
+  std::size_t interfaces_;
+  TextWriter& out_;
+  std::size_t element_ = 0;  ///< number of the last element written
+};
+
+}  // namespace
+
+Status write_msh(const Output& output, const std::string& path, const WriteOptions& options) {
+  const MeshView view = view_of(output, options);
+  return write_text(path, [&](TextWriter& out) {
+    MshWriter writer(view, output.table.interfaces.size(), out);
+    if (options.msh == "4.1") {
+      writer.write_4();
+    } else {
+      writer.write_2();
+    }
+  });
+}
+
+}  // namespace cover

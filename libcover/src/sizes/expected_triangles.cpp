@@ -1,0 +1,168 @@
+// Sizes grow away from fine places and beside long sides, so the wished size alone says too much:
+// the field that refinement follows is sampled in every triangle of the region's constrained
+// Delaunay triangulation. Tested by tests/unit/sizes/expected_triangles_test.cpp.
+#include "sizes/expected_triangles.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "cdt/cdt.hpp"
+#include "geom/vector.hpp"
+#include "sizes/size_field.hpp"
+
+namespace cover {
+namespace {
+
+/// OpenMesh numbers half-edges, three per triangle and those of the boundary, by int.
+constexpr double kMostTriangles = std::numeric_limits<int>::max() / 3.0;
+/// Fewer are not worth a closer look.
+constexpr double kFew = 1e6;
+/// Samples along the edge of a triangle; fewer where there are many triangles.
+constexpr int kSamples = 4;
+constexpr std::size_t kManyTriangles = 20'000;
+/// What a sample stands for is looked at more closely if it takes more triangles: near the tip of a
+/// cone of sizes, one sample says far too much.
+constexpr double kMostInSample = 1e3;
+constexpr int kDeepest = 20;
+
+double triangles_in(double area, double size) {
+  return area * 4 / (std::numbers::sqrt3 * size * size);
+}
+
+double area_of(const RegionBoundary& boundary) {
+  const Point origin = boundary.points.front();
+  double doubled_area = 0;
+  for (const auto& [a, b] : boundary.sides) {
+    doubled_area += cross(boundary.points[a] - origin, boundary.points[b] - origin);
+  }
+  return doubled_area / 2;
+}
+
+/// The smallest size wished anywhere in the region, by its boundary; infinite if there is none.
+double smallest_wish(const RegionBoundary& boundary) {
+  double smallest = std::numeric_limits<double>::infinity();
+  if (boundary.size > 0) smallest = boundary.size;
+  for (const double size : boundary.size_at) {
+    if (size > 0) smallest = std::min(smallest, size);
+  }
+  return smallest;
+}
+
+double shortest_side(const RegionBoundary& boundary) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const auto& [a, b] : boundary.sides)
+    shortest = std::min(shortest, length(boundary.points[b] - boundary.points[a]));
+  return shortest;
+}
+
+/// The integral over the triangles of a region's constrained Delaunay triangulation.
+class Estimate {
+ public:
+  Estimate(const RegionBoundary& boundary, const Options& options)
+      : cdt_(triangulate_domain(boundary.points, boundary.sides).triangulation),
+        sizes_(boundary, cdt_, options.growth, options.size_field),
+        will_be_cut_(options.split_interfaces),
+        samples_(cdt_.triangles.size() > kManyTriangles ? 1 : kSamples) {}
+
+  /// More than a mesh holds: at least as many.
+  [[nodiscard]] double triangles() const {
+    if (!sizes_.is_active()) return static_cast<double>(cdt_.triangles.size());
+    double count = 0;
+    for (const Triangle& t : cdt_.triangles) {
+      const Point a = cdt_.points[t.v[0]];
+      add(t, {a, cdt_.points[t.v[1]] - a, cdt_.points[t.v[2]] - a}, samples_, 0, count);
+      if (count > kMostTriangles) break;
+    }
+    return count;
+  }
+
+ private:
+  /// A part of a triangle: a corner and the edges from there.
+  struct Part {
+    Point a;
+    Vector u, v;
+  };
+
+  /// Adds what `part` of `t` takes, cut by parallels to its edges into as many parts as `samples`
+  /// squared; its size is that in the middle.
+  void add(const Triangle& t, const Part& part, int samples, int depth, double& count) const {
+    const double step = 1.0 / samples;
+    const auto at = [&](double i, double j) {
+      return part.a + i * step * part.u + j * step * part.v;
+    };
+    const auto add_one = [&](const Part& small) {
+      const Point middle = small.a + 1.0 / 3 * (small.u + small.v);
+      const double here = triangles_in(cross(small.u, small.v) / 2, size_in(t, middle));
+      if (here <= kMostInSample || depth == kDeepest) {
+        count += here;
+      } else if (count <= kMostTriangles) {
+        add(t, small, 2, depth + 1, count);
+      }
+    };
+    const Vector u = step * part.u, v = step * part.v;
+    for (int i = 0; i < samples; ++i) {
+      for (int j = 0; i + j < samples; ++j) {
+        add_one({at(i, j), u, v});
+        if (i + j + 1 < samples) add_one({at(i + 1, j + 1), -1.0 * u, -1.0 * v});
+      }
+    }
+  }
+
+  /// The size that refinement aims at in a place inside a triangle.
+  [[nodiscard]] double size_in(const Triangle& t, Point p) const {
+    double wished = sizes_.largest_at(p), least = 0;
+    for (const std::uint32_t v : t.v) {
+      const double distance = length(p - cdt_.points[v]);
+      wished = std::min(wished, sizes_.near(v, distance));
+      least = std::max(least, sizes_.least_near(v, distance));
+    }
+    return will_be_cut_ ? wished : std::max(wished, least);
+  }
+
+  Triangulation cdt_;
+  SizeField sizes_;
+  bool will_be_cut_;  ///< long sides: then they do not enlarge the triangles beside them
+  int samples_;
+};
+
+}  // namespace
+
+double most_triangles(const RegionBoundary& boundary) {
+  return triangles_in(area_of(boundary), smallest_wish(boundary));
+}
+
+double expected_triangles(const RegionBoundary& boundary, const Options& options) {
+  double most = most_triangles(boundary);
+  if (options.growth)
+    most = std::max(most, triangles_in(area_of(boundary), shortest_side(boundary)));
+  if (!options.size_field && !(most > kFew)) return most;
+  return Estimate(boundary, options).triangles();
+}
+
+Status check_expected_triangles(const RegionTable& table,
+                                std::span<const RegionBoundary> boundaries,
+                                const Options& options) {
+  if (options.method != Method::quality) return ok();
+  double all = 0, most = 0;
+  const Region* worst = nullptr;
+  for (const RegionBoundary& boundary : boundaries) {
+    const double expected = expected_triangles(boundary, options);
+    all += expected;
+    if (expected <= most) continue;
+    most = expected;
+    worst = &table.region(boundary.id);
+  }
+  if (all <= kMostTriangles) return ok();
+  return Error{
+      ErrorCode::bad_option,
+      fmt::format("the sizes asked for take more triangles than a mesh can hold, {:.2g}; most of "
+                  "them in region {} '{}'",
+                  kMostTriangles, worst->id.value(), worst->name),
+      {},
+      {}};
+}
+
+}  // namespace cover

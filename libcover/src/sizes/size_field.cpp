@@ -1,0 +1,91 @@
+// Sizes spread along the edges of the triangulation. Tested by tests/unit/sizes/sizes_test.cpp.
+#include "sizes/size_field.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "geom/vector.hpp"
+#include "sizes/spread_sizes.hpp"
+
+namespace cover {
+namespace {
+
+/// How fast sizes may fall beside long sides, per unit of distance. Targets of 100 and 20 degrees
+/// are met so; with 1, small angles of 10 to 18 degrees are left.
+constexpr double kFall = 0.85;
+constexpr double kNoSize = std::numeric_limits<double>::infinity();
+
+/// The mean length of the sides at each vertex; infinite where there are none.
+std::vector<double> spacing_of(const RegionBoundary& boundary) {
+  std::vector<double> sum(boundary.points.size(), 0);
+  std::vector<int> count(boundary.points.size(), 0);
+  for (const auto& [a, b] : boundary.sides) {
+    const double l = length(boundary.points[b] - boundary.points[a]);
+    sum[a] += l;
+    sum[b] += l;
+    ++count[a];
+    ++count[b];
+  }
+  for (std::size_t v = 0; v < sum.size(); ++v) sum[v] = count[v] > 0 ? sum[v] / count[v] : kNoSize;
+  return sum;
+}
+
+/// No edge of a mesh is longer.
+double diagonal(const RegionBoundary& boundary) {
+  Point low{kNoSize, kNoSize}, high{-kNoSize, -kNoSize};
+  for (const Point& p : boundary.points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  return length(high - low);
+}
+
+}  // namespace
+
+SizeField::SizeField(const RegionBoundary& boundary, const Triangulation& cdt,
+                     std::optional<double> growth, SizeFunction background, VertexId first_cut)
+    : slope_(growth.value_or(Options::kGrowth) - 1),
+      largest_(boundary.size > 0 ? boundary.size : kNoSize),
+      background_(std::move(background)) {
+  if (!growth && !background_ && boundary.size_at.empty() && largest_ >= diagonal(boundary)) return;
+  at_ = spacing_of(boundary);
+  for (std::size_t v = 0; v < at_.size(); ++v) {
+    if (!boundary.vertices.empty() && !(boundary.vertices[v] < first_cut)) at_[v] = kNoSize;
+  }
+  least_.assign(at_.size(), 0);
+  for (std::uint32_t v = 0; v < at_.size(); ++v) {
+    const double largest = largest_at(cdt.points[v]);
+    if (at_[v] > kNear * largest && at_[v] < kNoSize) least_[v] = at_[v];
+    if (at_[v] * kNear >= largest) at_[v] = largest;
+    const double given = boundary.size_at.empty() ? 0 : boundary.size_at[v];
+    if (given > 0) at_[v] = std::min(given, largest);
+  }
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (const Triangle& t : cdt.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) edges.emplace_back(t.v[i], t.v[(i + 1) % 3]);
+  }
+  spread_sizes(cdt.points, edges, slope_, at_);
+}
+
+double SizeField::largest_at(Point p) const {
+  if (!background_) return largest_;
+  const double size = background_(p);
+  return size > 0 ? std::min(largest_, size) : largest_;
+}
+
+double SizeField::near(std::uint32_t v, double distance) const {
+  return std::min(largest_, at_[v] + slope_ * distance);
+}
+
+double SizeField::least_near(std::uint32_t v, double distance) const {
+  return least_[v] - kFall * distance;
+}
+
+void SizeField::set(std::uint32_t v, double size, double least) {
+  if (at_.size() <= v) at_.resize(v + 1, largest_), least_.resize(v + 1, 0);
+  at_[v] = size;
+  least_[v] = least;
+}
+
+}  // namespace cover

@@ -1,0 +1,138 @@
+// See sizes.hpp. Tested by tests/unit/sizes/sizes_test.cpp.
+#include "sizes/sizes.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/describe.hpp"
+#include "base/suggest.hpp"
+#include "geom/vector.hpp"
+#include "region/named_regions.hpp"
+#include "sizes/segment_sizes.hpp"
+
+namespace cover {
+namespace {
+
+/// Zero stands for "none".
+void lower(double& size, double wished) { size = size == 0 ? wished : std::min(size, wished); }
+
+/// Sets the sizes inside regions. False if no region has that name.
+bool inside(const SizeRule& rule, const RegionTable& table, std::span<RegionBoundary> boundaries) {
+  if (rule.name.empty()) {
+    for (RegionBoundary& boundary : boundaries) lower(boundary.size, rule.size);
+    return true;
+  }
+  const std::vector<RegionId> regions = named_regions(table, rule.name);
+  for (const RegionId region : regions) lower(boundaries[region.index() - 1].size, rule.size);
+  return !regions.empty();
+}
+
+/// Sets the sizes at PSLG points. False if no line or point has that name.
+bool at_points(const SizeRule& rule, const Pslg& pslg, const RegionTable& table,
+               std::vector<double>& size_at) {
+  bool found = false;
+  for (const Interface& line : table.interfaces) {
+    if (line.name != rule.name) continue;
+    found = true;
+    for (const SegmentId s : line.segments) {
+      lower(size_at[pslg.segments[s.index()].a.index()], rule.size);
+      lower(size_at[pslg.segments[s.index()].b.index()], rule.size);
+    }
+  }
+  for (std::size_t v = 0; v < pslg.points.size() && !found; ++v) {
+    if (pslg.point_ids[v] < 0 || std::to_string(pslg.point_ids[v]) != rule.name) continue;
+    lower(size_at[v], rule.size);
+    found = true;
+  }
+  return found;
+}
+
+Error unknown_name(const SizeRule& rule, const RegionTable& table) {
+  std::vector<std::string> names;
+  for (const Interface& line : table.interfaces) names.push_back(line.name);
+  if (!rule.at) {
+    Error error = no_such_region(table, "size for", rule.name);
+    if (std::find(names.begin(), names.end(), rule.name) != names.end())
+      error.message += "; an interface or contact has it: ask for a size at that (--size-at)";
+    return error;
+  }
+  const auto meant = closest(rule.name, names);
+  return {ErrorCode::bad_option,
+          fmt::format("size for '{}': there is no interface, contact or point of that name{}",
+                      rule.name, meant ? fmt::format("; did you mean '{}'?", *meant) : ""),
+          {},
+          {}};
+}
+
+}  // namespace
+
+Status resolve_sizes(const Pslg& pslg, const RegionTable& table, const Options& options,
+                     std::span<RegionBoundary> boundaries) {
+  for (std::size_t r = 0; r < boundaries.size(); ++r) {
+    boundaries[r].size = options.input_sizes ? table.regions[r].size.value_or(0) : 0;
+  }
+  if (options.sizes.empty()) return ok();
+  std::vector<double> size_at(pslg.points.size(), 0);
+  for (const SizeRule& rule : options.sizes) {
+    const bool found =
+        rule.at ? at_points(rule, pslg, table, size_at) : inside(rule, table, boundaries);
+    if (!found) return unknown_name(rule, table);
+  }
+  for (RegionBoundary& boundary : boundaries) {
+    boundary.size_at.clear();
+    for (const VertexId v : boundary.vertices) boundary.size_at.push_back(size_at[v.index()]);
+    if (std::all_of(boundary.size_at.begin(), boundary.size_at.end(),
+                    [](double size) { return size == 0; })) {
+      boundary.size_at.clear();
+    }
+  }
+  return ok();
+}
+
+void warn_of_sizes(const Pslg& pslg, const Options& options,
+                   std::span<const RegionBoundary> boundaries, std::vector<Note>& notes) {
+  if (options.method != Method::quality) {
+    if (options.sizes.empty() && !options.size_field) return;
+    notes.push_back({Note::Kind::warning,
+                     kVoid,
+                     fmt::format("sizes count with method quality only{}",
+                                 options.split_interfaces ? ", but for cutting segments" : ""),
+                     {}});
+    return;
+  }
+  std::vector<bool> is_long(pslg.segments.size(), false);
+  std::size_t longest = 0;
+  const auto length_of = [&](std::size_t s) {
+    const Segment& segment = pslg.segments[s];
+    return length(pslg.points[segment.b.index()] - pslg.points[segment.a.index()]);
+  };
+  for (const RegionBoundary& boundary : boundaries) {
+    for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
+      const std::size_t segment = boundary.segments[s].index();
+      if (boundary.segments[s] == kHullSide || is_long[segment]) continue;
+      const auto& [a, b] = boundary.sides[s];
+      SegmentSizes sizes(boundary.points[a], boundary.points[b], options);
+      sizes.add(boundary, s);
+      if (!sizes.is_long()) continue;
+      is_long[segment] = true;
+      if (!is_long[longest] || length_of(segment) > length_of(longest)) longest = segment;
+    }
+  }
+  const auto count = static_cast<std::size_t>(std::count(is_long.begin(), is_long.end(), true));
+  if (count == 0) return;
+  const Segment& segment = pslg.segments[longest];
+  const Point a = pslg.points[segment.a.index()], b = pslg.points[segment.b.index()];
+  notes.push_back({Note::Kind::warning,
+                   kVoid,
+                   fmt::format("{} longer than the sizes asked for there, up to {:.6g} from {} to "
+                               "{}: triangles beside them are larger than asked, since segments "
+                               "stay whole unless --split-interfaces cuts them",
+                               count == 1 ? "1 segment is" : fmt::format("{} segments are", count),
+                               length_of(longest), describe(a), describe(b)),
+                   {a, b}});
+}
+
+}  // namespace cover

@@ -1,0 +1,65 @@
+// Nothing but a pass over the sides. The care goes into nu of flat triangles: with a gap of 1e-9
+// the cross product of rounded differences keeps 7 digits, so there the differences are taken with
+// their rounding errors and the 2x2 determinant by fused multiply-add (Kahan).
+// Tested by tests/unit/target/angle_limit_test.cpp.
+#include "target/angle_limit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geom/predicates.hpp"
+#include "geom/vector.hpp"
+#include "region/region_boundary.hpp"
+
+namespace cover {
+namespace {
+
+/// high + low is exactly a - b.
+struct Difference {
+  double high, low;
+  Difference(double a, double b) : high(a - b) {
+    const double b_part = a - high, a_part = high + b_part;
+    low = (a - a_part) - (b - b_part);
+  }
+};
+
+/// p q - r s with a relative error of 2^-52.
+double determinant(double p, double q, double r, double s) {
+  const double rs = r * s;
+  return std::fma(p, q, -rs) + std::fma(-r, s, rs);
+}
+
+}  // namespace
+
+double accurate_nu_at(Point a, Point p, Point b) {
+  const Difference ux(a.x, p.x), uy(a.y, p.y), vx(b.x, p.x), vy(b.y, p.y);
+  const double cross =
+      determinant(ux.high, vy.high, uy.high, vx.high) +
+      ((ux.high * vy.low - uy.high * vx.low) + (ux.low * vy.high - uy.low * vx.high));
+  return std::atan2(std::abs(cross), -(ux.high * vx.high + uy.high * vy.high));
+}
+
+double AngleLimit::promised_nu() const { return std::min(nu / 2, std::numbers::pi / 6); }
+
+AngleLimit angle_limit(const Triangulation& cdt, std::span<const IndexPair> sides,
+                       std::span<const SegmentId> segments) {
+  AngleLimit limit;
+  limit.at = locate_sides(cdt, sides);
+  limit.side_nu.assign(sides.size(), std::numbers::pi);
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    if (segments[s] == kHullSide || limit.at[s].triangle == kNone) continue;
+    const Point u = cdt.points[sides[s][0]], v = cdt.points[sides[s][1]];
+    const Point apex = cdt.points[cdt.triangles[limit.at[s].triangle].v[limit.at[s].edge]];
+    const double nu = accurate_nu_at(u, apex, v);
+    limit.side_nu[s] = nu;
+    if (compare_with_120_degrees(u, apex, v) == Sign::positive) ++limit.above_120;
+    if (nu < std::numbers::pi / 6) ++limit.above_150;
+    if (nu < limit.nu) {
+      limit.nu = nu;
+      limit.worst_side = s;
+    }
+  }
+  return limit;
+}
+
+}  // namespace cover

@@ -1,0 +1,28 @@
+// Tested by tests/unit/almond/almond_test.cpp.
+#include "target/local_frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geom/double_double.hpp"
+
+namespace cover {
+LocalFrame::LocalFrame(std::span<const Point> points) {
+  double largest = 0;
+  for (const Point& p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  rounding_ = 4 * (std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest);
+  const bool exact = std::all_of(points.begin(), points.end(), [&](const Point& p) {
+    return two_difference(p.x, points[0].x).low == 0 && two_difference(p.y, points[0].y).low == 0;
+  });
+  if (exact && !points.empty()) origin_ = points[0];
+  points_.reserve(points.size());
+  for (const Point& p : points) points_.push_back({p.x - origin_.x, p.y - origin_.y});
+}
+
+void LocalFrame::undo(std::span<const Point> points) {
+  origin_ = {};
+  points_.assign(points.begin(), points.end());
+}
+
+}  // namespace cover

@@ -1,0 +1,246 @@
+// All angles of a triangle share one cross product, so each costs one division: its cotangent,
+// which orders angles as well as the angles do and keeps the digits of flat triangles. Arc tangents
+// are taken of the extremes only.
+#include "target/measure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "geom/predicates.hpp"
+#include "geom/vector.hpp"
+
+namespace cover {
+namespace {
+
+constexpr double kCotangentOf150 = -std::numbers::sqrt3;
+/// Of cotangents: how far below zero they are counted. Right angles at the feet of perpendiculars
+/// are right up to rounding only, and no solver can tell.
+constexpr double kRightAngle = 1e-9;
+
+/// A triangle from its largest angle's corner on.
+struct Sorted {
+  Point apex;  ///< corner of the largest angle, opposite to the longest edge
+  Point p, q;  ///< the others, counter-clockwise; the smallest angle is at `sharp`
+  Point sharp;
+  Point blunt;
+};
+
+Sorted sort_corners(Point a, Point b, Point c) {
+  const double ab = squared_length(b - a), bc = squared_length(c - b), ca = squared_length(a - c);
+  Sorted s;
+  if (bc >= ab && bc >= ca) {
+    s = {a, b, c, ab < ca ? c : b, {}};
+  } else if (ca >= ab) {
+    s = {b, c, a, bc < ab ? a : c, {}};
+  } else {
+    s = {c, a, b, ca < bc ? b : a, {}};
+  }
+  s.blunt = s.sharp == s.p ? s.q : s.p;
+  return s;
+}
+
+double cotangent(Point a, Point corner, Point b, double doubled_area) {
+  return dot(a - corner, b - corner) / doubled_area;
+}
+
+double largest_nu_of(Point a, Point b, Point c) {
+  const Sorted s = sort_corners(a, b, c);
+  return accurate_nu_at(s.p, s.apex, s.q);
+}
+
+/// Cotangents of 10, 20, ..., 170 degrees, made up to a whole tree of binary search.
+using BinLimits = std::array<double, 31>;
+
+BinLimits bin_limits() {
+  BinLimits limits;
+  limits.fill(std::numeric_limits<double>::quiet_NaN());  // none of them is reached
+  for (std::size_t k = 0; k < 17; ++k) {
+    limits[k] = 1 / std::tan(Angle::degrees(10.0 * static_cast<double>(k + 1)).in_radians());
+  }
+  limits[8] = 0;  // 90 degrees, where the tangent is a very large number
+  return limits;
+}
+
+/// The bin of an angle with this cotangent: how many limits are no smaller. By additions, because
+/// nobody can predict a branch.
+std::size_t bin_of(double cotangent, const BinLimits& limits) {
+  std::size_t bin = 0;
+  for (std::size_t step = 16; step > 0; step /= 2) {
+    bin += step * static_cast<std::size_t>(cotangent <= limits[bin + step - 1]);
+  }
+  return bin;
+}
+
+double largest_coordinate(std::span<const Point> points) {
+  double largest = 0;
+  for (const Point& p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  return largest;
+}
+
+/// The triangle with the largest angle.
+IndexTriple worst_triangle(std::span<const Point> points, std::span<const IndexTriple> triangles) {
+  const auto nu = [&](const IndexTriple& t) {
+    return largest_nu_of(points[t[0]], points[t[1]], points[t[2]]);
+  };
+  return *std::min_element(triangles.begin(), triangles.end(),
+                           [&](const auto& s, const auto& t) { return nu(s) < nu(t); });
+}
+
+Note bound_missed(const RegionReport& report, std::span<const Point> points, IndexTriple worst) {
+  const Point a = points[worst[0]], b = points[worst[1]], c = points[worst[2]];
+  return {Note::Kind::bound_missed,
+          report.id,
+          fmt::format("region {}: the triangle ({}, {}), ({}, {}), ({}, {}) has an angle of {:.9g} "
+                      "degrees; the bound is {:.9g}",
+                      report.id.value(), a.x, a.y, b.x, b.y, c.x, c.y,
+                      report.quality.largest_nu.supplement().in_degrees(),
+                      report.nu_bound.supplement().in_degrees()),
+          {a, b, c}};
+}
+
+/// The opposite of every half-edge that is no side; kAbsent for sides.
+std::vector<std::uint32_t> across_edges(std::size_t points, std::span<const IndexTriple> triangles,
+                                        std::span<const IndexPair> sides) {
+  std::vector<std::uint32_t> across = opposite_half_edges(points, triangles);
+  const auto outer = std::count(across.begin(), across.end(), HalfEdges::kAbsent);
+  if (outer == static_cast<std::ptrdiff_t>(sides.size())) return across;
+  const HalfEdges half_edges(points, triangles);  // slits have triangles on both sides
+  for (const auto& [a, b] : sides) {
+    const std::uint32_t h = half_edges.find(a, b);
+    if (h != HalfEdges::kAbsent) across[h] = HalfEdges::kAbsent;
+  }
+  return across;
+}
+
+}  // namespace
+
+std::vector<Point> all_points(const RegionBoundary& boundary, const RegionMesh& mesh) {
+  std::vector<Point> points;
+  points.reserve(boundary.points.size() + mesh.steiner.size());
+  points.insert(points.end(), boundary.points.begin(), boundary.points.end());
+  points.insert(points.end(), mesh.steiner.begin(), mesh.steiner.end());
+  return points;
+}
+
+Quality measure_angles(std::span<const Point> points, std::span<const IndexTriple> triangles) {
+  const BinLimits limits = bin_limits();
+  Quality quality;
+  quality.triangles = triangles.size();
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  Sorted flattest, sharpest;
+  for (const auto& [i, j, k] : triangles) {
+    const Sorted s = sort_corners(points[i], points[j], points[k]);
+    const double doubled_area = cross(s.p - s.apex, s.q - s.apex), area = std::abs(doubled_area);
+    const double largest = cotangent(s.p, s.apex, s.q, area);
+    const double smallest = cotangent(s.apex, s.sharp, s.blunt, area);
+    if (largest < lowest) lowest = largest, flattest = s;
+    if (smallest > highest) highest = smallest, sharpest = s;
+    if (largest < -kRightAngle) {
+      ++quality.obtuse;
+      if (compare_with_120_degrees(s.p, s.apex, s.q) == Sign::positive) ++quality.above_120;
+      if (largest < kCotangentOf150) ++quality.above_150;
+    }
+    ++quality.histogram[bin_of(largest, limits)];
+    ++quality.histogram[bin_of(cotangent(s.apex, s.blunt, s.sharp, area), limits)];
+    ++quality.histogram[bin_of(smallest, limits)];
+    quality.area += doubled_area / 2;
+  }
+  if (!triangles.empty()) {
+    quality.largest_nu = Angle::radians(accurate_nu_at(flattest.p, flattest.apex, flattest.q));
+    quality.smallest = Angle::radians(angle_at(sharpest.apex, sharpest.sharp, sharpest.blunt));
+  }
+  return quality;
+}
+
+BoxMethod measure_boxes(std::span<const Point> points, std::span<const IndexTriple> triangles,
+                        std::span<const IndexPair> sides) {
+  BoxMethod box;
+  std::vector<double> cots;  // by half-edge: of the angle opposite to it
+  cots.reserve(3 * triangles.size());
+  for (const auto& [i, j, k] : triangles) {
+    const Point corners[3] = {points[i], points[j], points[k]};
+    const double doubled_area = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    for (std::size_t h = 0; h < 3; ++h) {
+      const Point a = corners[h], b = corners[(h + 1) % 3], c = corners[(h + 2) % 3];
+      cots.push_back(cotangent(a, c, b, doubled_area));
+      // |e| d_e / 2 with d_e = |e| |cot| / 2, the distance from the edge's midpoint to the
+      // circumcentre
+      box.box_area += squared_length(b - a) * std::abs(cots.back()) / 4;
+    }
+  }
+  const std::vector<std::uint32_t> across = across_edges(points.size(), triangles, sides);
+  const auto source = [&](std::uint32_t h) { return points[triangles[h / 3][h % 3]]; };
+  for (std::uint32_t h = 0; h < across.size(); ++h) {
+    const std::uint32_t twin = across[h];
+    if (twin == HalfEdges::kAbsent) {
+      if (cots[h] < -kRightAngle) ++box.obtuse_sides;
+    } else if (h < twin && cots[h] + cots[twin] < -kRightAngle &&
+               in_circle(source(h), source(HalfEdges::next(h)), source(HalfEdges::previous(h)),
+                         source(HalfEdges::previous(twin))) == Sign::positive) {
+      ++box.non_delaunay_edges;
+    }
+  }
+  // cot a + cot b = sin(a + b) / (sin a sin b): negative just where the edge is not Delaunay.
+  box.negative_couplings = box.non_delaunay_edges + box.obtuse_sides;
+  return box;
+}
+
+void merge(Quality& sum, const Quality& part) {
+  sum.triangles += part.triangles;
+  sum.largest_nu = std::min(sum.largest_nu, part.largest_nu);
+  sum.smallest = std::min(sum.smallest, part.smallest);
+  sum.obtuse += part.obtuse;
+  sum.above_120 += part.above_120;
+  sum.above_150 += part.above_150;
+  for (std::size_t i = 0; i < sum.histogram.size(); ++i) sum.histogram[i] += part.histogram[i];
+  sum.area += part.area;
+}
+
+double angle_rounding(Point a, Point b, Point c, double largest_coordinate) {
+  const double shortest = std::min({length(b - a), length(c - b), length(a - c)});
+  const double spacing =
+      std::nextafter(largest_coordinate, std::numeric_limits<double>::infinity()) -
+      largest_coordinate;
+  // Each of two corners moves by at most spacing / sqrt 2 against the third along either edge.
+  return 4 * spacing / shortest;
+}
+
+bool holds_bound(std::span<const Point> points, std::span<const IndexTriple> triangles,
+                 Angle nu_bound) {
+  const double largest = largest_coordinate(points);
+  return std::all_of(triangles.begin(), triangles.end(), [&](const IndexTriple& t) {
+    const Point a = points[t[0]], b = points[t[1]], c = points[t[2]];
+    const double nu = largest_nu_of(a, b, c);
+    return nu >= nu_bound.in_radians() ||
+           nu + angle_rounding(a, b, c, largest) >= nu_bound.in_radians();
+  });
+}
+
+void set_limits(const AngleLimit& limit, RegionReport& report) {
+  report.nu_opt = Angle::radians(limit.nu);
+  report.nu_bound = Angle::radians(limit.promised_nu());
+  report.forced_above_120 = limit.above_120;
+  report.forced_above_150 = limit.above_150;
+}
+
+void measure(const RegionBoundary& boundary, RegionMesh& mesh) {
+  const std::vector<Point> points = all_points(boundary, mesh);
+  RegionReport& report = mesh.report;
+  report.quality = measure_angles(points, mesh.triangles);
+  report.box = measure_boxes(points, mesh.triangles, boundary.sides);
+  report.input_vertices = boundary.points.size();
+  report.steiner_vertices = mesh.steiner.size();
+  report.bound_held =
+      !mesh.triangles.empty() && (report.quality.largest_nu >= report.nu_bound ||
+                                  holds_bound(points, mesh.triangles, report.nu_bound));
+  if (!report.bound_held && !mesh.triangles.empty()) {
+    report.notes.push_back(bound_missed(report, points, worst_triangle(points, mesh.triangles)));
+  }
+}
+
+}  // namespace cover

@@ -1,0 +1,49 @@
+// What a triangulation has reached: angles, and what a box method will meet.
+#pragma once
+
+#include <span>
+
+#include <cover/report.hpp>
+
+#include "geom/half_edges.hpp"
+#include "region/region_boundary.hpp"
+#include "target/angle_limit.hpp"
+#include "target/region_mesh.hpp"
+
+namespace cover {
+
+/// The vertices of a region's mesh: those of the boundary, then the Steiner vertices.
+std::vector<Point> all_points(const RegionBoundary& boundary, const RegionMesh& mesh);
+
+/// Angle statistics of `triangles`. The count of those above 120 degrees is exact; one is obtuse
+/// from 1e-9 radians above the right angle.
+Quality measure_angles(std::span<const Point> points, std::span<const IndexTriple> triangles);
+
+/// Box-method figures of `triangles`; `sides` are the directed sides of their region.
+///
+/// EXACT: the counts, but for angles and sums of angles within 1e-9 radians of the limit, which
+///        are as good as right; the area is rounded.
+BoxMethod measure_boxes(std::span<const Point> points, std::span<const IndexTriple> triangles,
+                        std::span<const IndexPair> sides);
+
+/// Adds the statistics of other triangles.
+void merge(Quality& sum, const Quality& part);
+
+/// What rounding a triangle's corners to double can change in its angles, in radians: a few units
+/// in the last place of the largest coordinate over the shortest edge.
+double angle_rounding(Point a, Point b, Point c, double largest_coordinate);
+
+/// True if every triangle keeps pi - angle >= nu_bound, up to angle_rounding() of that triangle.
+bool holds_bound(std::span<const Point> points, std::span<const IndexTriple> triangles,
+                 Angle nu_bound);
+
+/// Fills in what the sides of a region allow at best: nu_opt, nu_bound, forced counts.
+void set_limits(const AngleLimit& limit, RegionReport& report);
+
+/// Fills `mesh.report` from the triangles: quality, box, numbers of vertices, and bound_held from
+/// nu_bound. Where the bound is missed a note names the worst triangle.
+///
+/// REQUIRES: report.id and report.nu_bound are set
+void measure(const RegionBoundary& boundary, RegionMesh& mesh);
+
+}  // namespace cover

@@ -1,0 +1,220 @@
+// A region needs nothing of its neighbours and writes only its own slot of the results, so tasks
+// share nothing but the progress count. What is thrown inside a region becomes the error of that
+// region. Tested by tests/unit/pipeline/cover_mesh_test.cpp.
+#include "tasks/region_task.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include <fmt/format.h>
+#include <boost/asio/post.hpp>
+#include <boost/asio/thread_pool.hpp>
+
+#include "almond/almond_region.hpp"
+#include "almond/chords.hpp"
+#include "cdt/cdt.hpp"
+#include "quality/quality_region.hpp"
+#include "sizes/expected_triangles.hpp"
+#include "target/angle_limit.hpp"
+#include "target/measure.hpp"
+#include "tasks/errors_as_values.hpp"
+#include "tasks/stage_clock.hpp"
+
+namespace cover {
+namespace {
+
+/// Region indices [first, last) of the order in which regions are meshed.
+struct Batch {
+  std::size_t first = 0;
+  std::size_t last = 0;
+  std::size_t cost = 0;
+};
+
+/// More than any mesh has triangles; sums of it do not overflow.
+constexpr double kMostCost = 0x1p40;
+
+/// Estimated work of a region. All methods are near linear in the size of the boundary and in the
+/// number of triangles.
+std::size_t cost_of(const RegionBoundary& boundary) {
+  return boundary.sides.size() + boundary.points.size() +
+         static_cast<std::size_t>(std::clamp(most_triangles(boundary), 0.0, kMostCost));
+}
+
+/// Batches are filled up to this cost: some milliseconds of work against microseconds of overhead.
+constexpr std::size_t kBatchCost = 1000;
+
+std::vector<std::size_t> largest_first(std::span<const RegionBoundary> boundaries) {
+  std::vector<std::size_t> order(boundaries.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return cost_of(boundaries[a]) > cost_of(boundaries[b]);
+  });
+  return order;
+}
+
+std::vector<Batch> make_batches(std::span<const RegionBoundary> boundaries,
+                                std::span<const std::size_t> order) {
+  std::vector<Batch> batches;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    if (batches.empty() || batches.back().cost >= kBatchCost) batches.push_back({k, k, 0});
+    batches.back().last = k + 1;
+    batches.back().cost += cost_of(boundaries[order[k]]);
+  }
+  return batches;
+}
+
+/// Counts what is done and tells the caller, one thread at a time. What the caller's function
+/// throws is kept for the caller's thread.
+class ProgressCount {
+ public:
+  ProgressCount(std::string_view stage, std::size_t total, const Callbacks& callbacks)
+      : callbacks_(callbacks), state_{stage, 0, total} {}
+
+  void add(std::size_t cost) {
+    if (!callbacks_.progress) return;
+    const std::lock_guard lock(mutex_);
+    state_.done += cost;
+    if (thrown_) return;
+    try {
+      callbacks_.progress(state_);
+    } catch (...) {
+      thrown_ = std::current_exception();
+      has_thrown_ = true;
+    }
+  }
+
+  [[nodiscard]] bool must_stop() const { return has_thrown_ || callbacks_.stop.stop_requested(); }
+  void rethrow() const {
+    if (thrown_) std::rethrow_exception(thrown_);
+  }
+
+ private:
+  const Callbacks& callbacks_;
+  std::mutex mutex_;
+  Progress state_;
+  std::exception_ptr thrown_;
+  std::atomic<bool> has_thrown_ = false;
+};
+
+using RegionMethod = RegionMesh (*)(const RegionBoundary&, const Options&, std::stop_token);
+
+RegionMesh measured(RegionMethod method, const RegionBoundary& boundary, const Options& options,
+                    const std::stop_token& stop) {
+  RegionMesh mesh = method(boundary, options, stop);
+  if (!stop.stop_requested()) measure(boundary, mesh);
+  return mesh;
+}
+
+/// The method asked for; where that misses the bound, the other one if it is better. It is rounding
+/// that makes them miss: the one in a region as flat as coordinates can be, the other where an
+/// improved triangle lies just inside the bound in the frame in which it was improved.
+RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
+                       const std::stop_token& stop) {
+  const bool quality = options.method == Method::quality;
+  RegionMesh mesh = measured(quality ? quality_region : almond_region, boundary, options, stop);
+  const bool promised = CutRule{options.paper, options.pieces}.promises_bound();
+  if (stop.stop_requested() || mesh.report.bound_held || !promised) return mesh;
+  RegionMesh other = measured(quality ? almond_region : quality_region, boundary, options, stop);
+  if (!mesh.triangles.empty() &&
+      other.report.quality.largest_nu <= mesh.report.quality.largest_nu) {
+    return mesh;
+  }
+  const std::string what =
+      mesh.triangles.empty()
+          ? "turned a triangle over"
+          : fmt::format("put an angle of {:.12g} degrees beyond the bound",
+                        mesh.report.quality.largest_nu.supplement().in_degrees());
+  other.report.notes.push_back(
+      {Note::Kind::fallback,
+       boundary.id,
+       fmt::format("region {}: with the {} method, rounding {}; the {} method was used instead",
+                   boundary.id.value(), quality ? "quality" : "almond", what,
+                   quality ? "almond" : "quality"),
+       {}});
+  return other;
+}
+
+}  // namespace
+
+unsigned worker_count(const Options& options) {
+  return options.threads != 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
+}
+
+Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned workers,
+                       std::string_view stage, const Callbacks& callbacks,
+                       const std::function<void(std::size_t)>& task) {
+  const std::vector<std::size_t> order = largest_first(boundaries);
+  const std::vector<Batch> batches = make_batches(boundaries, order);
+  std::size_t total = 0;
+  for (const Batch& batch : batches) total += batch.cost;
+  ProgressCount progress(stage, total, callbacks);
+  progress.add(0);
+  std::vector<std::optional<Error>> errors(boundaries.size());
+
+  const auto run = [&](const Batch& batch) {
+    for (std::size_t k = batch.first; k < batch.last; ++k) {
+      if (progress.must_stop()) return;
+      const std::string doing = fmt::format("region {}", boundaries[order[k]].id.value());
+      Status status = errors_as_values(doing, [&] {
+        task(order[k]);
+        return ok();
+      });
+      if (!status) errors[order[k]] = std::move(status).error();
+    }
+    progress.add(batch.cost);
+  };
+  if (std::min<std::size_t>(workers, batches.size()) <= 1) {
+    // Memory that earlier stages gave back is found again by the thread that had it.
+    for (const Batch& batch : batches) run(batch);
+  } else {
+    boost::asio::thread_pool pool(std::min<std::size_t>(workers, batches.size()));
+    for (const Batch& batch : batches) {
+      boost::asio::post(pool, [&run, &batch] { run(batch); });
+    }
+    pool.join();
+  }
+  progress.rethrow();
+
+  if (callbacks.stop.stop_requested()) return Error{ErrorCode::cancelled, "interrupted", {}, {}};
+  for (std::optional<Error>& error : errors) {
+    if (error) return std::move(*error);
+  }
+  return ok();
+}
+
+Result<std::vector<RegionReport>> limit_regions(std::span<const RegionBoundary> boundaries,
+                                                const Options& options,
+                                                const Callbacks& callbacks) {
+  std::vector<RegionReport> reports(boundaries.size());
+  Status status =
+      for_each_region(boundaries, worker_count(options), "limits", callbacks, [&](std::size_t k) {
+        const RegionBoundary& boundary = boundaries[k];
+        const CdtResult cdt = triangulate_domain(boundary.points, boundary.sides);
+        set_limits(angle_limit(cdt.triangulation, boundary.sides, boundary.segments), reports[k]);
+        reports[k].id = boundary.id;
+        reports[k].input_vertices = boundary.points.size();
+      });
+  if (!status) return std::move(status).error();
+  return reports;
+}
+
+Result<std::vector<RegionMesh>> mesh_regions(std::span<const RegionBoundary> boundaries,
+                                             const Options& options, const Callbacks& callbacks) {
+  std::vector<RegionMesh> meshes(boundaries.size());
+  Status status =
+      for_each_region(boundaries, worker_count(options), "mesh", callbacks, [&](std::size_t k) {
+        const StageClock clock;
+        meshes[k] = mesh_region(boundaries[k], options, callbacks.stop);
+        meshes[k].report.seconds = clock.seconds();
+      });
+  if (!status) return std::move(status).error();
+  return meshes;
+}
+
+}  // namespace cover

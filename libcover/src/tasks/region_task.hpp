@@ -1,0 +1,40 @@
+// Regions as tasks of a thread pool.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <cover/options.hpp>
+#include <cover/progress.hpp>
+#include <cover/result.hpp>
+
+#include "region/region_boundary.hpp"
+#include "target/region_mesh.hpp"
+
+namespace cover {
+
+/// The number of workers that `options` ask for: at least one.
+unsigned worker_count(const Options& options);
+
+/// Calls `task` with the index of every boundary, on a pool of `workers` threads, the largest
+/// boundaries first. Tiny regions travel in batches, so that ten thousand of them cost no more
+/// than one big one.
+///
+/// ENSURES: the error of the first region (by index) that failed, whatever the schedule was.
+/// Errors:  cancelled; internal if a task threw.
+/// Threads: `task` runs in several threads at a time, `callbacks.progress` in one.
+Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned workers,
+                       std::string_view stage, const Callbacks& callbacks,
+                       const std::function<void(std::size_t)>& task);
+
+/// The lower bounds of every region, without a mesh; in region order.
+Result<std::vector<RegionReport>> limit_regions(std::span<const RegionBoundary> boundaries,
+                                                const Options& options, const Callbacks& callbacks);
+
+/// Meshes and measures every region; results in region order.
+Result<std::vector<RegionMesh>> mesh_regions(std::span<const RegionBoundary> boundaries,
+                                             const Options& options, const Callbacks& callbacks);
+
+}  // namespace cover

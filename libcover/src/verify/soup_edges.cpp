@@ -1,0 +1,107 @@
+#include "verify/soup_edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "geom/vector.hpp"
+
+namespace cover {
+namespace {
+
+bool is_usable(const TriangleSoup& soup, const std::array<std::uint32_t, 3>& t) {
+  const auto is_finite = [&](std::uint32_t v) {
+    return v < soup.points.size() && std::isfinite(soup.points[v].x) &&
+           std::isfinite(soup.points[v].y);
+  };
+  return std::all_of(t.begin(), t.end(), is_finite) && t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+}
+
+}  // namespace
+
+SoupEdges::SoupEdges(const TriangleSoup& soup) : soup_(soup), first_(soup.points.size() + 1, 0) {
+  edges_.reserve(3 * soup.triangles.size());
+  for (std::uint32_t k = 0; k < soup.triangles.size(); ++k) {
+    const auto& t = soup.triangles[k];
+    if (!is_usable(soup, t)) {
+      unusable_.push_back(k);
+      continue;
+    }
+    for (std::size_t i = 0; i < 3; ++i) edges_.push_back({t[i], t[(i + 1) % 3], k});
+  }
+  std::sort(edges_.begin(), edges_.end(), [](const Edge& e, const Edge& f) {
+    return std::tie(e.from, e.to, e.triangle) < std::tie(f.from, f.to, f.triangle);
+  });
+  for (const Edge& e : edges_) ++first_[e.from + 1];
+  for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
+  for (std::uint32_t v = 0; v < soup.points.size(); ++v) {
+    if (first_[v] != first_[v + 1]) by_place_.push_back(v);
+  }
+  std::sort(by_place_.begin(), by_place_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::tie(soup.points[a], a) < std::tie(soup.points[b], b);
+  });
+}
+
+std::span<const SoupEdges::Edge> SoupEdges::leaving(std::uint32_t vertex) const {
+  return all().subspan(first_[vertex], first_[vertex + 1] - first_[vertex]);
+}
+
+std::optional<std::size_t> SoupEdges::find(std::uint32_t from, std::uint32_t to) const {
+  const auto edges = leaving(from);
+  const auto it =
+      std::partition_point(edges.begin(), edges.end(), [&](const Edge& e) { return e.to < to; });
+  if (it == edges.end() || it->to != to) return std::nullopt;
+  return first_[from] + static_cast<std::size_t>(it - edges.begin());
+}
+
+std::vector<std::size_t> SoupEdges::along(std::uint32_t from, std::uint32_t to,
+                                          double offset) const {
+  std::vector<std::size_t> way;
+  for (std::uint32_t at = from; at != to;) {
+    const auto edge = next_along(from, at, to, offset);
+    if (!edge) return {};
+    way.push_back(*edge);
+    at = edges_[*edge].to;
+  }
+  return way;
+}
+
+/// The edge that leaves `from` along the line from `start` to `to`.
+std::optional<std::size_t> SoupEdges::next_along(std::uint32_t start, std::uint32_t from,
+                                                 std::uint32_t to, double offset) const {
+  const Point origin = soup_.points[start], end = soup_.points[to];
+  const Vector along = end - origin;
+  const double tolerance = offset * length(along);
+  std::optional<std::size_t> best;
+  double best_slope = 0;
+  for (std::size_t k = first_[from]; k < first_[from + 1]; ++k) {
+    const Point p = soup_.points[edges_[k].to];
+    const Vector step = p - soup_.points[from];
+    if (dot(step, along) <= 0 || std::abs(cross(along, p - origin)) > tolerance) continue;
+    if (edges_[k].to != to && dot(end - p, along) <= 0) continue;
+    const double slope = std::abs(cross(along, step)) / length(step);
+    if (best && slope >= best_slope) continue;
+    best = k;
+    best_slope = slope;
+  }
+  return best;
+}
+
+std::optional<std::uint32_t> SoupEdges::vertex_at(Point p) const {
+  const auto it = std::partition_point(by_place_.begin(), by_place_.end(),
+                                       [&](std::uint32_t v) { return soup_.points[v] < p; });
+  if (it == by_place_.end() || soup_.points[*it] != p) return std::nullopt;
+  return *it;
+}
+
+std::vector<std::array<std::uint32_t, 2>> SoupEdges::doubles() const {
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  for (std::size_t k = 1; k < by_place_.size(); ++k) {
+    if (soup_.points[by_place_[k - 1]] == soup_.points[by_place_[k]]) {
+      pairs.push_back({by_place_[k - 1], by_place_[k]});
+    }
+  }
+  return pairs;
+}
+
+}  // namespace cover

@@ -1,0 +1,340 @@
+// Every promise as a look-up in sorted arrays. The chain of reasoning:
+//
+//   - all triangles are counter-clockwise, exactly, so they cover a point as often as the sum of
+//     their directed edges winds around it;
+//   - edges that are no part of a segment cancel: each has its reverse;
+//   - so what is left of the edges of one region's triangles are pieces of segments with that
+//     region on their left. Every such side is there, once: the sum is the region's boundary,
+//     which winds once around its inside and not at all around the rest.
+//
+// Thus the triangles of a region cover it without gaps or overlap, and no tolerance was used.
+// What is broken is listed by kind. Tested by tests/unit/verify/verify_test.cpp, which damages good
+// meshes in every way it can think of.
+#include <cover/verify.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "base/describe.hpp"
+#include "geom/predicates.hpp"
+#include "geom/vector.hpp"
+#include "verify/expected_domain.hpp"
+#include "verify/soup_edges.hpp"
+#include "verify/verify_bound.hpp"
+#include "verify/verify_labels.hpp"
+#include "verify/verify_regions.hpp"
+
+namespace cover {
+namespace {
+
+constexpr std::size_t kMostListed = 10;  // of a kind
+
+class Verifier {
+ public:
+  Verifier(const Pslg& pslg, const RegionTable& table, const TriangleSoup& mesh,
+           const VerifyOptions& options)
+      : pslg_(pslg), table_(table), mesh_(mesh), options_(options), edges_(mesh) {
+    for (const Point& p : pslg.points) scale_ = std::max({scale_, std::abs(p.x), std::abs(p.y)});
+  }
+
+  Verification run() {
+    domain_ = expected_domain(pslg_, table_, options_.hull);
+    if (!domain_.conflicts.empty()) {
+      add(Kind::input, 1, "the input is no clean planar straight-line graph", {});
+      return std::move(result_);
+    }
+    check_triangles();
+    check_points();
+    check_sides();
+    check_inner_edges();
+    find_regions();
+    check_region_ids();
+    if (options_.allow_split)
+      result_.unchecked.emplace_back("that segments are one edge each (promise 1)");
+    if (options_.bound && !options_.allow_split)
+      check_bound();
+    else
+      result_.unchecked.emplace_back("the bound on the largest angle (promise 3)");
+    if (options_.materials)
+      check_materials();
+    else
+      result_.unchecked.emplace_back("materials");
+    result_.triangle_regions = std::move(region_);
+    return std::move(result_);
+  }
+
+ private:
+  enum class Kind {
+    input,
+    unusable,
+    orientation,
+    doubled,
+    overlap,
+    point,
+    segment,
+    in_void,
+    open_edge,
+    no_region,
+    two_regions,
+    region_id,
+    material,
+    bound,
+  };
+
+  void add(Kind kind, int promise, std::string message, std::vector<Point> where) {
+    ++result_.violation_count;
+    if (++listed_[kind] <= kMostListed) {
+      result_.violations.push_back({promise, std::move(message), std::move(where)});
+    }
+  }
+
+  // What is on its way into messages.
+  [[nodiscard]] Point at(std::uint32_t vertex) const { return mesh_.points[vertex]; }
+  [[nodiscard]] std::array<Point, 3> corners(std::uint32_t triangle) const {
+    const auto& t = mesh_.triangles[triangle];
+    return {at(t[0]), at(t[1]), at(t[2])};
+  }
+  [[nodiscard]] std::string input_point(std::uint32_t v) const {
+    const long id = pslg_.point_ids.empty() ? static_cast<long>(v) : pslg_.point_ids[v];
+    const std::string where = describe(pslg_.points[v]);
+    return id < 0 ? "the point at " + where : fmt::format("point {} at {}", id, where);
+  }
+  [[nodiscard]] std::string edge_text(const SoupEdges::Edge& e) const {
+    return fmt::format("edge {}-{} from {} to {}", e.from, e.to, describe(at(e.from)),
+                       describe(at(e.to)));
+  }
+
+  void check_triangles() {
+    for (const std::uint32_t k : edges_.unusable()) {
+      const auto& t = mesh_.triangles[k];
+      add(Kind::unusable, 2,
+          fmt::format("triangle {} has the corners {}, {}, {}: one of them does not exist, is not "
+                      "finite or occurs twice",
+                      k, t[0], t[1], t[2]),
+          {});
+    }
+    for (const SoupEdges::Edge& e : edges_.all()) {
+      if (e.from != mesh_.triangles[e.triangle][0]) continue;  // once per triangle
+      const auto [a, b, c] = corners(e.triangle);
+      const Sign sign = orientation(a, b, c);
+      if (sign == Sign::positive) continue;
+      add(Kind::orientation, 2,
+          fmt::format("triangle {} with corners {}, {}, {} is {}", e.triangle, describe(a),
+                      describe(b), describe(c), sign == Sign::zero ? "flat" : "clockwise"),
+          {a, b, c});
+    }
+    for (const auto& [v, w] : edges_.doubles()) {
+      add(Kind::doubled, 2, fmt::format("vertices {} and {} are both at {}", v, w, describe(at(v))),
+          {at(v)});
+    }
+    const auto all = edges_.all();
+    for (std::size_t k = 1; k < all.size(); ++k) {
+      if (all[k - 1].from != all[k].from || all[k - 1].to != all[k].to) continue;
+      add(Kind::overlap, 2,
+          fmt::format("triangles {} and {} overlap: both have the {}", all[k - 1].triangle,
+                      all[k].triangle, edge_text(all[k])),
+          {at(all[k].from), at(all[k].to)});
+    }
+  }
+
+  void check_points() {
+    vertex_.assign(pslg_.points.size(), std::nullopt);
+    for (std::uint32_t v = 0; v < pslg_.points.size(); ++v) {
+      if (domain_.point_region[v] == kVoid) continue;
+      vertex_[v] = edges_.vertex_at(pslg_.points[v]);
+      if (!vertex_[v]) {
+        add(Kind::point, 1, input_point(v) + " is no vertex of the mesh", {pslg_.points[v]});
+      }
+    }
+  }
+
+  void check_sides() {
+    side_of_.assign(edges_.all().size(), kNoSide);
+    const std::size_t segment_sides = 2 * pslg_.segments.size();
+    for (std::uint32_t s = 0; s < segment_sides; s += 2) {
+      if (domain_.sides[s].region == kVoid && domain_.sides[s + 1].region == kVoid) continue;
+      const bool whole = check_side(s) & check_side(s + 1);  // both are to be looked at
+      result_.segments_whole += whole ? 1 : 0;
+    }
+    for (auto s = static_cast<std::uint32_t>(segment_sides); s < domain_.sides.size(); ++s) {
+      check_side(s);
+    }
+  }
+
+  /// Marks the edges along a side; true if the side is one edge, or one without a triangle in the
+  /// void.
+  bool check_side(std::uint32_t s) {
+    const ExpectedSide& side = domain_.sides[s];
+    const auto from = vertex_[side.a], to = vertex_[side.b];
+    if (!from || !to) return false;  // said already
+    const auto edge = edges_.find(*from, *to);
+    if (side.region == kVoid) {
+      if (edge) report_in_void(side, edges_.all()[*edge]);
+      return !edge;
+    }
+    if (edge) {
+      side_of_[*edge] = s;
+      return true;
+    }
+    if (!((options_.allow_split || side.hull) && mark_pieces(s, *from, *to))) {
+      report_broken_side(side, edges_.find(*to, *from).has_value());
+    }
+    return false;
+  }
+
+  void report_in_void(const ExpectedSide& side, const SoupEdges::Edge& edge) {
+    add(Kind::in_void, 2,
+        fmt::format("triangle {} lies in the void beside the segment from {} to {}", edge.triangle,
+                    input_point(side.a), input_point(side.b)),
+        {pslg_.points[side.a], pslg_.points[side.b]});
+  }
+
+  void report_broken_side(const ExpectedSide& side, bool has_reverse) {
+    add(Kind::segment, 1,
+        fmt::format("the {} from {} to {} {} in region {}", side.hull ? "hull side" : "segment",
+                    input_point(side.a), input_point(side.b),
+                    has_reverse ? "has no triangle on its side" : "is no edge of the mesh",
+                    side.region.value()),
+        {pslg_.points[side.a], pslg_.points[side.b]});
+  }
+
+  /// Marks the edges along a split side; false if there is no way.
+  bool mark_pieces(std::uint32_t s, std::uint32_t from, std::uint32_t to) {
+    const std::vector<std::size_t> pieces = edges_.along(from, to, offset_on_segment(scale_));
+    for (const std::size_t piece : pieces) side_of_[piece] = s;
+    return !pieces.empty();
+  }
+
+  void check_inner_edges() {
+    const auto all = edges_.all();
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const bool has_reverse = edges_.find(all[k].to, all[k].from).has_value();
+      if (side_of_[k] != kNoSide) {
+        check_piece(all[k], side_of_[k], has_reverse);
+      } else if (!has_reverse) {
+        add(Kind::open_edge, 2,
+            fmt::format(
+                "the {} of triangle {} has no triangle on its other side and is no segment: a "
+                "gap, an overlap or a vertex inside an edge",
+                edge_text(all[k]), all[k].triangle),
+            {at(all[k].from), at(all[k].to)});
+      }
+    }
+  }
+
+  /// A piece of a split side needs a triangle on its other side just where there is a region. Whole
+  /// sides have been looked at.
+  void check_piece(const SoupEdges::Edge& e, std::uint32_t s, bool has_reverse) {
+    const ExpectedSide& side = domain_.sides[s];
+    if (e.from == vertex_[side.a] && e.to == vertex_[side.b]) return;
+    const RegionId other = side.hull ? kVoid : domain_.sides[s ^ 1].region;
+    if (has_reverse == (other != kVoid)) return;
+    add(has_reverse ? Kind::in_void : Kind::open_edge, 2,
+        fmt::format("the {} on the segment from {} to {} {}", edge_text(e), input_point(side.a),
+                    input_point(side.b),
+                    has_reverse ? "has a triangle in the void beside it"
+                                : "is no edge of the triangles on the other side"),
+        {at(e.from), at(e.to)});
+  }
+
+  void find_regions() {
+    TriangleRegions regions = regions_of_triangles(mesh_, edges_, side_of_, domain_);
+    for (const TwoRegions& mixed : regions.mixed) report_two_regions(mixed);
+    for (const std::uint32_t triangle : regions.lost) report_no_region(triangle);
+    result_.regions = regions.count;
+    region_ = std::move(regions.of);
+  }
+
+  void report_two_regions(const TwoRegions& mixed) {
+    const SoupEdges::Edge& e = edges_.all()[mixed.edge];
+    add(Kind::two_regions, 2,
+        fmt::format("triangle {} at the {} hangs together with triangles of both region {} and "
+                    "region {}",
+                    e.triangle, edge_text(e), mixed.one.value(), mixed.other.value()),
+        {at(e.from), at(e.to)});
+  }
+
+  void report_no_region(std::uint32_t triangle) {
+    const auto [a, b, c] = corners(triangle);
+    add(Kind::no_region, 2,
+        fmt::format(
+            "triangle {} with corners {}, {}, {} hangs together with no segment of a region",
+            triangle, describe(a), describe(b), describe(c)),
+        {a, b, c});
+  }
+
+  void check_region_ids() {
+    if (mesh_.region.empty()) return;
+    if (mesh_.region.size() != mesh_.triangles.size()) {
+      add(Kind::region_id, 2, "the mesh has not one RegionId per triangle", {});
+      return;
+    }
+    verify_region_ids(mesh_, region_, [&](std::uint32_t t, std::string message) {
+      const auto [a, b, c] = corners(t);
+      add(Kind::region_id, 2, std::move(message), {a, b, c});
+    });
+  }
+
+  void check_materials() {
+    if (mesh_.material.empty()) {
+      if (pslg_.seeds.empty()) return;
+      if (options_.allow_split)
+        result_.unchecked.emplace_back("materials, which the mesh has not");
+      else
+        add(Kind::material, 4, "the input has materials, but the mesh has no array of materials",
+            {});
+      return;
+    }
+    if (mesh_.material.size() != mesh_.triangles.size()) {
+      add(Kind::material, 4, "the mesh has not one material per triangle", {});
+      return;
+    }
+    if (!options_.material_numbers)
+      result_.unchecked.emplace_back(
+          "which material has which number, as the mesh has groups of its own instead");
+    verify_materials(mesh_, region_, table_, options_.material_numbers,
+                     [&](std::uint32_t t, std::string message) {
+                       const auto [a, b, c] = corners(t);
+                       add(Kind::material, 4, std::move(message), {a, b, c});
+                     });
+  }
+
+  void check_bound() {
+    const BoundCheck check = verify_bound(mesh_, region_, domain_, scale_);
+    result_.within_rounding = check.within_rounding;
+    for (const BoundMissed& missed : check.missed) {
+      const auto [a, b, c] = corners(missed.triangle);
+      add(Kind::bound, 3,
+          fmt::format("triangle {} with corners {}, {}, {} in region {} has an angle of {:.9g} "
+                      "degrees; the bound is {:.9g}",
+                      missed.triangle, describe(a), describe(b), describe(c), missed.region.value(),
+                      missed.nu.supplement().in_degrees(), missed.bound.supplement().in_degrees()),
+          {a, b, c});
+    }
+  }
+
+  const Pslg& pslg_;
+  const RegionTable& table_;
+  const TriangleSoup& mesh_;
+  const VerifyOptions& options_;
+  SoupEdges edges_;
+  double scale_ = 0;  ///< largest coordinate
+  ExpectedDomain domain_;
+  std::vector<std::optional<std::uint32_t>> vertex_;  ///< of the mesh, by VertexId
+  std::vector<std::uint32_t> side_of_;                ///< by edge, index into domain_.sides
+  std::vector<RegionId> region_;                      ///< by triangle
+  std::map<Kind, std::size_t> listed_;
+  Verification result_;
+};
+
+}  // namespace
+
+Verification verify_cover(const Pslg& pslg, const RegionTable& table, const TriangleSoup& mesh,
+                          const VerifyOptions& options) {
+  return Verifier(pslg, table, mesh, options).run();
+}
+
+}  // namespace cover

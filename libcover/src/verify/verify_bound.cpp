@@ -1,0 +1,59 @@
+// Tested by tests/unit/verify/verify_test.cpp.
+#include "verify/verify_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "geom/vector.hpp"
+
+namespace cover {
+namespace {
+
+/// The worst triangle of a region, as it is and with rounding in its favour.
+struct Worst {
+  double nu = std::numbers::pi;
+  double nu_rounded = std::numbers::pi;
+  std::uint32_t triangle = 0;
+};
+
+}  // namespace
+
+double spacing_at(double x) {
+  return std::nextafter(std::abs(x), std::numeric_limits<double>::infinity()) - std::abs(x);
+}
+
+double offset_on_segment(double scale) { return 8 * spacing_at(scale); }
+
+BoundCheck verify_bound(const TriangleSoup& mesh, std::span<const RegionId> region,
+                        const ExpectedDomain& domain, double scale) {
+  std::vector<Worst> worst(domain.nu_opt.size());
+  for (std::uint32_t t = 0; t < region.size(); ++t) {
+    if (region[t] == kVoid) continue;
+    const auto& v = mesh.triangles[t];
+    const Point a = mesh.points[v[0]], b = mesh.points[v[1]], c = mesh.points[v[2]];
+    const double nu = std::min({nu_at(b, a, c), nu_at(c, b, a), nu_at(a, c, b)});
+    // 4: both ends of both edges at the corner, by half a unit in the last place each way, and
+    // as much again for the coordinates from which they were made.
+    const double shortest = std::min({length(b - a), length(c - b), length(a - c)});
+    const double rounded = nu + 4 * spacing_at(scale) / shortest;
+    Worst& w = worst[region[t].index()];
+    w.nu = std::min(w.nu, nu);
+    if (rounded < w.nu_rounded) w.nu_rounded = rounded, w.triangle = t;
+  }
+  BoundCheck check;
+  for (std::uint32_t r = 1; r < worst.size(); ++r) {
+    const double bound = std::min(domain.nu_opt[r] / 2, std::numbers::pi / 6);
+    const double needed = bound * (1 - 1e-9);  // rounding of the angles themselves
+    if (worst[r].nu_rounded < needed) {
+      check.missed.push_back(
+          {RegionId(r), worst[r].triangle, Angle::radians(worst[r].nu), Angle::radians(bound)});
+    } else if (worst[r].nu < needed) {
+      ++check.within_rounding;
+    }
+  }
+  return check;
+}
+
+}  // namespace cover

@@ -1,0 +1,41 @@
+// Promise 3 on a mesh whose triangles are known to fill the regions: for verify_cover().
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <cover/angle.hpp>
+#include <cover/ids.hpp>
+#include <cover/verify.hpp>
+
+#include "verify/expected_domain.hpp"
+
+namespace cover {
+
+/// A region that misses its bound, as pi minus angle.
+struct BoundMissed {
+  RegionId region;
+  std::uint32_t triangle = 0;  ///< the one that misses it most
+  Angle nu;                    ///< the smallest of the region
+  Angle bound;
+};
+
+/// All regions against their bounds.
+struct BoundCheck {
+  std::vector<BoundMissed> missed;  ///< by region
+  std::size_t within_rounding = 0;  ///< regions that keep it up to the rounding of coordinates
+};
+
+/// The distance from |x| to the next larger double: what the last place of a coordinate stands for.
+double spacing_at(double x);
+/// How far off a segment a vertex may be that was put on it: what rounding does, where no
+/// coordinate is larger than `scale`.
+double offset_on_segment(double scale);
+
+/// Compares pi - gamma of every region with min((pi - gamma_opt) / 2, pi / 6). `region` is by
+/// triangle, kVoid for triangles to be passed over; `scale` is the largest coordinate.
+BoundCheck verify_bound(const TriangleSoup& mesh, std::span<const RegionId> region,
+                        const ExpectedDomain& domain, double scale);
+
+}  // namespace cover

@@ -1,0 +1,70 @@
+#include "almond/almond_region.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "support/region_oracle.hpp"
+#include "support/shapes.hpp"
+
+namespace cover {
+namespace {
+
+using testing::boundary_of;
+using testing::Loop;
+using testing::reversed;
+
+Options paper(int pieces = 6) {
+  Options options;
+  options.paper = true;
+  options.pieces = pieces;
+  return options;
+}
+
+/// Meshes in both modes and checks every promise.
+void expect_covered(const RegionBoundary& boundary) {
+  for (const Options& options : {Options{}, paper()}) {
+    const RegionMesh mesh = almond_region(boundary, options, {});
+    EXPECT_EQ(testing::judge_region(boundary, mesh), "") << (options.paper ? "paper" : "default");
+    for (const Note& note : mesh.report.notes) {
+      if (std::getenv("COVER_SHOW_NOTES") != nullptr) std::printf("%s\n", note.message.c_str());
+    }
+  }
+}
+
+TEST(CoverRegion, TriangleStaysAsItIs) {
+  const auto boundary = boundary_of({{{0, 0}, {1, 0}, {0.4, 0.7}}});
+  const RegionMesh mesh = almond_region(boundary, paper(), {});
+  EXPECT_EQ(mesh.triangles.size(), 1U);
+  EXPECT_EQ(mesh.report.method, "cdt");
+}
+
+TEST(CoverRegion, Square) { expect_covered(boundary_of({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}})); }
+
+TEST(CoverRegion, RegularPolygons) {
+  for (const int n : {4, 5, 6, 7, 8, 12, 30, 100, 1000}) {
+    SCOPED_TRACE(n);
+    expect_covered(boundary_of({testing::regular_polygon(n)}));
+  }
+}
+
+TEST(CoverRegion, RandomStars) {
+  const std::uint64_t seed = testing::test_seed(1);
+  SCOPED_TRACE(testing::seed_trace(seed));
+  std::mt19937_64 random(seed);
+  const char* many = std::getenv("COVER_MANY");
+  const int count = many != nullptr ? std::atoi(many) : 40;
+  for (int k = 0; k < count; ++k) {
+    SCOPED_TRACE(k);
+    const int n = 4 + static_cast<int>(random() % 60);
+    const double smallest = std::pow(10.0, -0.7 * static_cast<double>(random() % 6));
+    expect_covered(boundary_of({testing::random_star(n, smallest, random)}));
+    if (HasFailure() && many == nullptr) return;
+  }
+}
+
+}  // namespace
+}  // namespace cover

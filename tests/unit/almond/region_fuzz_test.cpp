@@ -1,0 +1,128 @@
+// Regions of every awkward kind at random. COVER_FUZZ=n runs n of them instead of a few hundred.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "almond/almond_method.hpp"
+#include "almond/almond_region.hpp"
+#include "support/random_regions.hpp"
+#include "support/region_oracle.hpp"
+#include "support/shapes.hpp"
+#include "target/local_frame.hpp"
+
+namespace cover {
+namespace {
+
+int fuzz_count(int fallback) {
+  const char* value = std::getenv("COVER_FUZZ");
+  return value != nullptr ? std::atoi(value) : fallback;
+}
+
+/// Stops at the first failure unless many cases were asked for.
+bool stop_early() { return std::getenv("COVER_FUZZ") == nullptr; }
+
+void expect_covered(const RegionBoundary& boundary, const Options& options) {
+  const RegionMesh mesh = almond_region(boundary, options, {});
+  EXPECT_EQ(testing::judge_region(boundary, mesh), "");
+  if (std::getenv("COVER_SHOW_NOTES") != nullptr) {
+    for (const Note& note : mesh.report.notes) std::printf("  %s\n", note.message.c_str());
+  }
+}
+
+void run(int count, std::uint64_t seed, const Options& options,
+         testing::RandomRegion (*make)(std::mt19937_64&)) {
+  for (int k = 0; k < count; ++k) {
+    std::mt19937_64 random(seed + static_cast<std::uint64_t>(k));
+    const testing::RandomRegion region = make(random);
+    SCOPED_TRACE(testing::seed_trace(seed + static_cast<std::uint64_t>(k)) + " " + region.kind);
+    expect_covered(region.boundary, options);
+    if (::testing::Test::HasFailure() && stop_early()) return;
+  }
+}
+
+TEST(RegionFuzz, Default) {
+  run(fuzz_count(300), testing::test_seed(1), {}, testing::random_region);
+}
+
+TEST(RegionFuzz, Paper) {
+  Options options;
+  options.paper = true;
+  run(fuzz_count(300), testing::test_seed(1), options, testing::random_region);
+}
+
+/// The almond method with an almond on every side and the improved cuts, which the default uses
+/// only where it has to.
+RegionMesh mesh_with_all_almonds(const RegionBoundary& boundary) {
+  const Triangulation cdt = triangulate_domain(boundary.points, boundary.sides).triangulation;
+  const AngleLimit limit = angle_limit(cdt, boundary.sides, boundary.segments);
+  const FillPlan plan;
+  AlmondMesh almonds = mesh_by_almonds(
+      {cdt, boundary.sides, boundary.segments, limit, {}, false},
+      {false, 6, limit.promised_nu(), LocalFrame(boundary.points).rounding()}, plan, {});
+  RegionMesh mesh;
+  mesh.steiner.assign(almonds.points.begin() + static_cast<std::ptrdiff_t>(boundary.points.size()),
+                      almonds.points.end());
+  mesh.triangles = std::move(almonds.triangles);
+  mesh.report.nu_bound = Angle::radians(limit.promised_nu());
+  return mesh;
+}
+
+TEST(RegionFuzz, AllAlmonds) {
+  const std::uint64_t seed = testing::test_seed(1);
+  for (int k = 0; k < fuzz_count(300); ++k) {
+    std::mt19937_64 random(seed + static_cast<std::uint64_t>(k));
+    const testing::RandomRegion region = testing::random_region(random);
+    SCOPED_TRACE(testing::seed_trace(seed + static_cast<std::uint64_t>(k)) + " " + region.kind);
+    EXPECT_EQ(testing::judge_region(region.boundary, mesh_with_all_almonds(region.boundary)), "");
+    if (HasFailure() && stop_early()) return;
+  }
+}
+
+/// Promise 5: scaled by a power of two, everything is the same; shifted exactly, too.
+TEST(RegionFuzz, UnitAndOriginDoNotMatter) {
+  const std::uint64_t seed = testing::test_seed(1);
+  for (int k = 0; k < fuzz_count(100); ++k) {
+    std::mt19937_64 random(seed + static_cast<std::uint64_t>(k));
+    testing::RandomRegion region = testing::random_region(random);
+    SCOPED_TRACE(testing::seed_trace(seed + static_cast<std::uint64_t>(k)) + " " + region.kind);
+    Options options;
+    options.paper = k % 2 == 0;
+    const RegionMesh mesh = almond_region(region.boundary, options, {});
+    for (const double factor : {0x1p+30, 0x1p-30}) {
+      const auto scaled = testing::transformed(region.boundary, factor, {});
+      const RegionMesh other = almond_region(scaled, options, {});
+      EXPECT_EQ(testing::judge_region(scaled, other), "");
+      EXPECT_EQ(mesh.triangles, other.triangles);
+    }
+    // On a grid of 2^-20 a shift by 2^20 is exact.
+    for (Point& p : region.boundary.points) {
+      p = {std::round(std::ldexp(p.x, 20)), std::round(std::ldexp(p.y, 20))};
+    }
+    if (std::adjacent_find(region.boundary.points.begin(), region.boundary.points.end()) !=
+        region.boundary.points.end()) {
+      continue;
+    }
+    if (region.kind != "cells" && region.kind != "regular") continue;  // rounding may cross others
+    const RegionMesh gridded = almond_region(region.boundary, options, {});
+    const auto shifted = testing::transformed(region.boundary, 1, {0x1p+40, -0x1p+40});
+    const RegionMesh other = almond_region(shifted, options, {});
+    EXPECT_EQ(testing::judge_region(shifted, other), "");
+    EXPECT_EQ(gridded.triangles, other.triangles);
+    if (HasFailure() && stop_early()) return;
+  }
+}
+
+TEST(RegionFuzz, Hull) {
+  for (const bool paper : {false, true}) {
+    Options options;
+    options.hull = true;
+    options.paper = paper;
+    run(fuzz_count(300), testing::test_seed(1), options, testing::random_hull);
+  }
+}
+
+}  // namespace
+}  // namespace cover

@@ -1,0 +1,57 @@
+#include "cuts/cut_segments.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cover/cover_mesh.hpp>
+
+#include "region/region_graph.hpp"
+#include "support/inputs.hpp"
+
+namespace cover {
+namespace {
+
+TEST(CutSegments, PiecesTakeThePlaceOfTheirSegment) {
+  Result<Prepared> prepared = prepare(testing::checker(2, 1, 1));
+  ASSERT_TRUE(prepared.has_value());
+  Pslg pslg = prepared->pslg;
+  RegionTable table = prepared->table;
+  const std::size_t segments = pslg.segments.size(), points = pslg.points.size();
+
+  const Segment cut = pslg.segments[3];
+  const SegmentSides sides = table.sides[3];
+  const Point a = pslg.points[cut.a.index()], b = pslg.points[cut.b.index()];
+  const Point p{a.x + (b.x - a.x) / 4, a.y + (b.y - a.y) / 4};
+  const Point q{a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2};
+  const std::vector<SegmentCut> cuts{{SegmentId{3}, {p, q}}};
+  cut_segments(pslg, table, cuts);
+
+  ASSERT_EQ(pslg.segments.size(), segments + 2);
+  ASSERT_EQ(table.sides.size(), segments + 2);
+  ASSERT_EQ(pslg.points.size(), points + 2);
+  EXPECT_EQ(pslg.points[points], p);
+  EXPECT_EQ(pslg.segments[3].a, cut.a);
+  EXPECT_EQ(pslg.segments[3].b, VertexId{points});
+  EXPECT_EQ(pslg.segments[4].b, VertexId{points + 1});
+  EXPECT_EQ(pslg.segments[5].b, cut.b);
+  for (std::size_t k = 3; k < 6; ++k) {
+    EXPECT_EQ(table.sides[k].left, sides.left);
+    EXPECT_EQ(table.sides[k].interface, sides.interface);
+  }
+  std::size_t listed = 0;
+  for (const Interface& line : table.interfaces) {
+    for (const SegmentId s : line.segments) {
+      EXPECT_EQ(table.sides[s.index()].interface, line.id);
+      ++listed;
+    }
+  }
+  EXPECT_EQ(listed, segments + 2);
+  std::size_t all_sides = 0;
+  for (const RegionBoundary& boundary : split_regions(pslg, table)) {
+    EXPECT_EQ(boundary.sides.size(), table.region(boundary.id).sides);
+    all_sides += boundary.sides.size();
+  }
+  EXPECT_GT(all_sides, segments);
+}
+
+}  // namespace
+}  // namespace cover

@@ -1,0 +1,87 @@
+#include <gtest/gtest.h>
+
+#include "io/input/formats.hpp"
+
+namespace cover {
+namespace {
+
+std::string message(std::string_view text) {
+  const Result<Input> input = parse_geojson(text, "map.geojson");
+  EXPECT_FALSE(input.has_value());
+  return input ? "" : input.error().message;
+}
+
+TEST(ReadGeojson, ReadsFeaturesInTheOrderOfTheFile) {
+  const Result<Input> input =
+      parse_geojson(R"({"type": "FeatureCollection", "crs": {}, "features": [
+    {"type": "Feature", "properties": {"material": "Si", "name": "bulk", "priority": 2}, "geometry":
+      {"type": "GeometryCollection", "geometries": [
+        {"type": "MultiPolygon", "coordinates": [[[[0, 0], [1, 0], [1, 1], [0, 0]]],
+                                                 [[[5, 0], [6, 0], [6, 1], [5, 0]]]]},
+        {"type": "LineString", "coordinates": [[0, 0, 7.5], [1, 0, 7.5]]}]}},
+    {"type": "Feature", "properties": {"name": 4, "population": 3},  "geometry":
+      {"type": "Polygon", "coordinates": [[[0, 0], [9, 0], [9, 9], [0, 0]], [[7, 1], [8, 1], [8, 2], [7, 1]]]}},
+    {"type": "Feature", "properties": null, "geometry":
+      {"type": "Polygon", "coordinates": [[[0, 0], [9, 0], [9, 9], [0, 0]]]}},
+    {"type": "Feature", "properties": {}, "geometry": null},
+    {"type": "Feature", "properties": {}, "geometry": {"type": "Point", "coordinates": [1, 1]}}]})",
+                    "map.geojson");
+  ASSERT_TRUE(input.has_value()) << input.error().message;
+  ASSERT_EQ(input->polygons.size(), 4u);
+  EXPECT_EQ(input->polygons[0].material, "Si");
+  EXPECT_EQ(input->polygons[1].region, "bulk");
+  EXPECT_EQ(input->polygons[1].priority, 2);
+  EXPECT_EQ(input->polygons[1].rings[0][0], (Point{5, 0}));
+  EXPECT_EQ(input->polygons[2].material, "4");
+  EXPECT_EQ(input->polygons[2].rings.size(), 2u);
+  EXPECT_EQ(input->polygons[3].material, "feature_2");
+  ASSERT_EQ(input->lines.size(), 1u);
+  EXPECT_EQ(input->lines[0].name, "bulk");
+  EXPECT_EQ(input->warnings.size(), 1u);
+}
+
+TEST(ReadGeojson, TakesNumbersForNamesAndEmptyCoordinatesForNull) {
+  const Result<Input> input = parse_geojson(R"({"type": "FeatureCollection", "features": [
+    {"type": "Feature", "properties": {"name": 12.5}, "geometry":
+      {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]}},
+    {"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": []}},
+    {"type": "Feature", "properties": {}, "geometry": {"type": "LineString", "coordinates": []}}]})",
+                                            "map.geojson");
+  ASSERT_TRUE(input.has_value()) << input.error().message;
+  ASSERT_EQ(input->polygons.size(), 1u);
+  EXPECT_EQ(input->polygons[0].material, "12.5");
+  EXPECT_TRUE(input->lines.empty());
+}
+
+TEST(ReadGeojson, ReadsABareGeometry) {
+  const Result<Input> input = parse_geojson(
+      R"({"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]})", "map.geojson");
+  ASSERT_TRUE(input.has_value()) << input.error().message;
+  EXPECT_EQ(input->polygons[0].material, "feature_0");
+}
+
+TEST(ReadGeojson, IsKnownByItsTypeInAJsonFile) {
+  const std::string_view square =
+      R"({"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]})";
+  const Result<Input> input = parse_json(square, "map.json");
+  ASSERT_TRUE(input.has_value()) << input.error().message;
+  EXPECT_EQ(input->polygons.size(), 1u);
+  EXPECT_EQ(parse_json(R"({"type": "Topology"})", "map.json").error().message,
+            "map.json: the type \"Topology\" is not one of GeoJSON");
+}
+
+TEST(ReadGeojson, NamesThePlaceOfEveryError) {
+  EXPECT_EQ(message(R"({"type": "Polygo", "coordinates": []})"),
+            "map.geojson: the type \"Polygo\" is not one of GeoJSON");
+  EXPECT_EQ(message(R"({"type": "FeatureCollection", "features": [{"type": "Feature", "geometry":
+                        {"type": "Polygon", "coordinates": [[[0, 0], [1]]]}}]})"),
+            "map.geojson: features[0].geometry.coordinates[0][1]: expected a point [x, y], found 1 "
+            "number");
+  EXPECT_EQ(message(R"({"features": []})"), "map.geojson: the key \"type\" is missing");
+  EXPECT_EQ(message(R"({"type": "FeatureCollection", "features": []})"),
+            "map.geojson: no Polygon, MultiPolygon or LineString in it");
+  EXPECT_EQ(message("7"), "map.geojson: expected a GeoJSON object");
+}
+
+}  // namespace
+}  // namespace cover

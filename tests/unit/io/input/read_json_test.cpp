@@ -1,0 +1,175 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include <cover/read_input.hpp>
+
+#include "io/input/formats.hpp"
+
+namespace cover {
+namespace {
+
+Input read(std::string_view text) {
+  Result<Input> input = parse_json(text, "deck.json");
+  EXPECT_TRUE(input.has_value()) << (input ? "" : input.error().message);
+  return input ? *input : Input{};
+}
+
+std::string message(std::string_view text) {
+  const Result<Input> input = parse_json(text, "deck.json");
+  EXPECT_FALSE(input.has_value());
+  return input ? "" : input.error().message;
+}
+
+TEST(ReadJson, ReadsAPslg) {
+  const Input input = read(R"({
+    "name": "two", "unit": "um", "points": [[0, 0], [1, 0], [1, 1.5e-3], [0, 1]],
+    "segments": [[0, 1], [1, 2], {"points": [2, 3], "name": "gate", "marker": 7}, [3, 0]],
+    "holes": [[0.5, 0.25]],
+    "regions": [{"x": 0.1, "y": 0.2, "material": "Si", "region": "bulk", "size": 0.5},
+                {"x": 0.3, "y": 0.2, "material": 4}]})");
+  EXPECT_EQ(input.unit, "um");
+  EXPECT_EQ(input.void_rule, VoidRule::unseeded_faces);
+  ASSERT_EQ(input.points.size(), 4u);
+  EXPECT_EQ(input.points[2], (Point{1, 1.5e-3}));
+  ASSERT_EQ(input.segments.size(), 4u);
+  EXPECT_EQ(input.segments[2].a, 2u);
+  EXPECT_EQ(input.segments[2].name, "gate");
+  EXPECT_EQ(input.segments[2].marker, 7);
+  EXPECT_EQ(input.segments[3].id, 3);
+  ASSERT_EQ(input.holes.size(), 1u);
+  ASSERT_EQ(input.seeds.size(), 2u);
+  EXPECT_EQ(input.seeds[0].region, "bulk");
+  EXPECT_EQ(input.seeds[0].size, 0.5);
+  EXPECT_EQ(input.seeds[1].material, "4");
+}
+
+TEST(ReadJson, ReadsASoupWithLines) {
+  const Input input = read(R"({
+    "polygons": [{"material": "Si", "rings": [[[0, 0], [4, 0], [4, 4]], [[1, 0.5], [2, 0.5], [2, 1]]]},
+                 {"material": "Ox", "region": "cap", "priority": 2.5, "rings": [[[0, 0], [1, 0], [1, 1]]]}],
+    "lines": [{"name": "drain", "points": [[0, 0], [1, 0]]},
+              {"points": [[0, 0], [1, 0], [1, 1]], "closed": true}]})");
+  ASSERT_EQ(input.polygons.size(), 2u);
+  EXPECT_EQ(input.polygons[0].rings.size(), 2u);
+  EXPECT_EQ(input.polygons[1].priority, 2.5);
+  EXPECT_EQ(input.polygons[1].region, "cap");
+  EXPECT_EQ(input.polygons[1].id, 1);
+  ASSERT_EQ(input.lines.size(), 2u);
+  EXPECT_EQ(input.lines[0].name, "drain");
+  EXPECT_EQ(input.lines[1].points.size(), 4u);
+}
+
+TEST(ReadJson, CutsCurvesOnceForBothNeighbours) {
+  const Input input = read(R"({
+    "chord_error": 0.01,
+    "polygons": [
+      {"material": "air", "rings": [[[-2, -2], [2, -2], [2, 2], [-2, 2]],
+                                    [{"circle": {"centre": [0, 0], "radius": 1}}]]},
+      {"material": "iron", "rings": [[[0, 0], {"arc": {"centre": [0, 0], "radius": 1, "from": 10, "to": 200}}]]}]})");
+  const std::vector<Point>& circle = input.polygons[0].rings[1];
+  const std::vector<Point>& sector = input.polygons[1].rings[0];
+  EXPECT_EQ(circle.front(), circle.back());
+  EXPECT_GT(sector.size(), 10u);
+  EXPECT_EQ(sector[0], (Point{0, 0}));
+  for (std::size_t k = 1; k < sector.size(); ++k)
+    EXPECT_NE(std::find(circle.begin(), circle.end(), sector[k]), circle.end());
+}
+
+TEST(ReadJson, TurnsCurvesIntoSegmentsOfAPslg) {
+  const Input input = read(R"({
+    "points": [[1, 0], [-1, 0], [0, 3]],
+    "segments": [{"points": [0, 1], "arc": {"centre": [0, 0], "chords": 4}, "name": "top"},
+                 {"arc": {"centre": [0, 0], "radius": 1, "from": 180, "to": 360, "chords": 4}},
+                 {"circle": {"centre": [0, 0], "radius": 3, "chords": 8}}]})");
+  EXPECT_EQ(input.segments.size(), 16u);
+  EXPECT_EQ(input.points.size(), 3u + 3 + 3 + 7);  // ends and (0, 3) are points of the file
+  EXPECT_EQ(input.segments[0].a, 0u);
+  EXPECT_EQ(input.segments[3].b, 1u);
+  EXPECT_EQ(input.segments[4].a, 1u);
+  EXPECT_EQ(input.segments[7].b, 0u);
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(input.segments[k].name, "top");
+}
+
+TEST(ReadJson, NamesThePlaceOfEveryError) {
+  EXPECT_EQ(message(R"({"points": [], "segments": [], "regoins": []})"),
+            "deck.json: regoins: unknown key (did you mean \"regions\"?)");
+  EXPECT_EQ(message(R"({"polygons": [{"materail": "a", "rings": []}]})"),
+            "deck.json: polygons[0].materail: unknown key (did you mean \"material\"?)");
+  EXPECT_EQ(message(R"({"points": [[0, 0], [1, "a"]], "segments": []})"),
+            "deck.json: points[1][1]: expected a number, found \"a\"");
+  EXPECT_EQ(message(R"({"points": [[0, 0], [1]], "segments": []})"),
+            "deck.json: points[1]: expected a point [x, y], found 1 number");
+  EXPECT_EQ(message(R"({"points": [[0, 0], [1, 0]], "segments": [[0, 2]]})"),
+            "deck.json: segments[0][1]: there is no point 2: the points are 0 to 1");
+  EXPECT_EQ(message(R"({"polygons": [{"rings": []}]})"),
+            "deck.json: polygons[0]: the key \"material\" is missing");
+  EXPECT_EQ(message("{}"), "deck.json: found no \"points\", \"segments\" or \"polygons\"");
+  EXPECT_EQ(message("[]"), "deck.json: expected an object, found an array");
+  EXPECT_EQ(message(R"({"points": [], "points": []})"),
+            "deck.json: the key \"points\" is given twice in one object");
+  EXPECT_EQ(message(R"({"points": [], "unit": "inch"})"),
+            "deck.json: unit: expected a unit of length: nm, um, mm, cm or m");
+}
+
+TEST(ReadJson, SaysLineAndColumnOfBrokenSyntax) {
+  const std::string text = message("{\"points\": [[0, 0],\n  [1, ]]}");
+  EXPECT_NE(text.find("line 2, column 7"), std::string::npos) << text;
+  EXPECT_NE(message("{\"points\": [[1e999, 0]]}").find("number overflow"), std::string::npos);
+  message("");
+  message("{\"points\": [[NaN, 0]]}");
+}
+
+TEST(ReadJson, RefusesImpossibleCurves) {
+  const auto ring = [](const std::string& item) {
+    return message(R"({"polygons": [{"material": "a", "rings": [[)" + item + "]]}]}");
+  };
+  EXPECT_EQ(
+      ring(R"({"circle": {"centre": [0, 0], "radius": 0, "chords": 8}})"),
+      "deck.json: polygons[0].rings[0][0].circle.radius: expected a number above zero, found 0");
+  EXPECT_EQ(ring(R"({"circle": {"centre": [0, 0], "radius": 1}})"),
+            "deck.json: polygons[0].rings[0][0].circle: give \"chords\" or \"chord_error\" (or "
+            "\"chord_error\" for all curves)");
+  EXPECT_EQ(
+      ring(R"({"arc": {"centre": [0, 0], "radius": 1, "from": 0, "to": 400, "chords": 3}})"),
+      "deck.json: polygons[0].rings[0][0].arc: an arc spans more than 0 and at most 360 degrees");
+  EXPECT_NE(ring(R"({"circle": {"centre": [0, 0], "radius": 1, "chord_error": 1e-18}})")
+                .find("more than 4194304 points"),
+            std::string::npos);
+  EXPECT_NE(message(R"({"points": [[1, 0], [3, 0]], "segments": [{"points": [0, 1],
+                        "arc": {"centre": [0, 0], "chords": 3}}]})")
+                .find("are not equally far from the centre"),
+            std::string::npos);
+}
+
+TEST(ReadJson, LimitsTheCurvePointsOfAFileAsAWhole) {
+  std::string text = R"({"polygons": [)";
+  for (int k = 0; k < 20; ++k)
+    text +=
+        std::string(k ? "," : "") +
+        R"({"material": "a", "rings": [[{"circle": {"centre": [0, 0], "radius": 1, "chords": 400000}}]]})";
+  EXPECT_NE(message(text + "]}").find("more than 4194304 points"), std::string::npos);
+}
+
+TEST(ReadJson, SurvivesDeepNesting) {
+  const std::string open(200000, '['), close(200000, ']');
+  EXPECT_NE(message("{\"points\": [" + open + close + "]}"), "");
+  EXPECT_NE(message(open), "");
+}
+
+TEST(ReadJson, ReadsEveryCaseThatIsThere) {
+  const std::filesystem::path folder = COVER_CASES_DIR;
+  if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << "no folder " << folder;
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".json") continue;
+    const Result<Input> input = read_input(entry.path().string());
+    ASSERT_TRUE(input.has_value()) << input.error().message;
+    EXPECT_TRUE(!input->segments.empty() || !input->polygons.empty()) << entry.path();
+    ++files;
+  }
+  EXPECT_GT(files, 0);
+}
+
+}  // namespace
+}  // namespace cover
