@@ -5,6 +5,7 @@
 #include <cover/read_input.hpp>
 
 #include "io/input/formats.hpp"
+#include "support/cases_folder.hpp"
 
 namespace cover {
 namespace {
@@ -158,7 +159,7 @@ TEST(ReadJson, SurvivesDeepNesting) {
 }
 
 TEST(ReadJson, ReadsEveryCaseThatIsThere) {
-  const std::filesystem::path folder = COVER_CASES_DIR;
+  const std::filesystem::path folder = cases_folder();
   if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << "no folder " << folder;
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
