@@ -8,11 +8,11 @@
 
 #include "clean/pslg.hpp"
 #include "cuts/split_interfaces.hpp"
-#include "mesh_checks.hpp"
 #include "quality/quality_region.hpp"
 #include "region/region_graph.hpp"
 #include "support/inputs.hpp"
 #include "target/measure.hpp"
+#include "unit/quality/mesh_checks.hpp"
 
 namespace cover {
 namespace {

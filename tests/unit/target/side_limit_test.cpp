@@ -1,6 +1,6 @@
 #include "target/side_limit.hpp"
 
-#include "mesh_checks.hpp"
+#include "unit/quality/mesh_checks.hpp"
 
 namespace cover {
 namespace {
