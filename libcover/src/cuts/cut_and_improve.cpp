@@ -15,8 +15,8 @@
 #include "cuts/joined_regions.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
-#include "quality/kicks.hpp"
-#include "quality/merit.hpp"
+#include "quality/fault/merit.hpp"
+#include "quality/repair/kicks.hpp"
 #include "region/region_graph.hpp"
 
 namespace cover {

@@ -13,7 +13,7 @@
 #include "cuts/cut_and_improve.hpp"
 #include "cuts/joined_regions.hpp"
 #include "cuts/split_interfaces.hpp"
-#include "quality/missed_targets.hpp"
+#include "quality/fault/missed_targets.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/sizes.hpp"
 #include "target/measure.hpp"

@@ -7,8 +7,8 @@
 #include "cdt/cdt.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
-#include "quality/merit.hpp"
-#include "quality/with_neighbours.hpp"
+#include "quality/fault/merit.hpp"
+#include "quality/mutable/with_neighbours.hpp"
 
 namespace cover {
 namespace {

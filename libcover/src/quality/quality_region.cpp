@@ -19,9 +19,9 @@
 #include <optional>
 #include <utility>
 
-#include "quality/candidates.hpp"
-#include "quality/missed_targets.hpp"
-#include "quality/to_region_mesh.hpp"
+#include "quality/fault/missed_targets.hpp"
+#include "quality/mutable/to_region_mesh.hpp"
+#include "quality/plan/candidates.hpp"
 
 namespace cover {
 namespace {

@@ -8,7 +8,7 @@
 #include "cdt/cdt.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
-#include "quality/mutable_mesh.hpp"
+#include "quality/mutable/mutable_mesh.hpp"
 #include "support/shapes.hpp"
 
 namespace cover::testing {

@@ -1,0 +1,68 @@
+// See merit.hpp. Tested by tests/unit/quality/fault/merit_test.cpp.
+#include "quality/fault/merit.hpp"
+
+#include <cmath>
+
+namespace cover {
+namespace {
+
+constexpr double kNear = 0.05;   ///< 3 degrees
+constexpr double kAlike = 1.02;  ///< of cotangents above 140 degrees: of what is left to 180
+
+/// Both miss the target by little.
+bool are_near(const Merit& a, const Merit& b) {
+  return std::min(a.large, b.large) > a.target + kSameCot &&
+         std::max(a.large, b.large) <= a.target + kNear;
+}
+
+/// Largest angles from 120 to 130 degrees, and from there to 140, are alike, and so are those above
+/// whose distances to 180 degrees are; unless one of them is the target.
+bool are_alike(const Merit& a, const Merit& b) {
+  constexpr double k130 = 0.8390996311772800, k140 = 1.1917535925942100;  // -cot
+  const double least = std::min(a.large, b.large), most = std::max(a.large, b.large);
+  if (least <= std::max(kFarAbove, a.target + kSameCot)) return false;
+  if (least > k140) return most <= kAlike * least;
+  if (most > k140) return false;
+  return (least <= k130) == (most <= k130);
+}
+
+}  // namespace
+
+Merit merit_of(const MutableMesh& mesh, const Goal& goal) {
+  Merit merit{goal.large, goal.large, 0, 0, goal.small, mesh.triangle_count(), true};
+  for (const SideLimit& side : mesh.sides) merit.target = std::max(merit.target, -side.apex_cot);
+  merit.large = merit.target;
+  const bool is_measured = mesh.goal() == goal;  // what has no excess meets the goal
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (mesh.is_hole(t) || (is_measured && mesh.excess[t] <= 0)) continue;
+    const Shortfall shortfall = shortfall_of(mesh, t, goal);
+    merit.large = std::max(merit.large, shortfall.largest);
+    if (goal.weight > 0) merit.small = std::max(merit.small, goal.small + shortfall.small);
+    merit.above += shortfall.is_above() ? 1 : 0;
+    merit.far_above += shortfall.is_far ? 1 : 0;
+    merit.complete = merit.complete && !shortfall.is_above() && !shortfall.is_below(goal);
+  }
+  return merit;
+}
+
+bool is_above(const MutableMesh& mesh, std::uint32_t t, const Goal& goal) {
+  return !mesh.is_hole(t) && shortfall_of(mesh, t, goal).is_above();
+}
+
+bool is_smaller_cot(double a, double b) { return a < b - kSameCot * std::max(1.0, std::abs(b)); }
+
+bool is_better(const Merit& a, const Merit& b) {
+  const bool is_same = !is_smaller_cot(a.large, b.large) && !is_smaller_cot(b.large, a.large);
+  const bool is_near = are_near(a, b);
+  if (!is_same && !is_near && !are_alike(a, b)) return a.large < b.large;
+  if (a.far_above != b.far_above) return a.far_above < b.far_above;
+  if (is_near && a.above != b.above) return a.above < b.above;
+  if (!is_same) return a.large < b.large;
+  if (a.above != b.above) return a.above < b.above;
+  if (is_smaller_cot(a.small, b.small) || is_smaller_cot(b.small, a.small)) {
+    return a.small < b.small;
+  }
+  return a.triangles < b.triangles;
+}
+
+}  // namespace cover

@@ -1,0 +1,45 @@
+// Which of two triangulations of a region is better.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "quality/fault/shortfall.hpp"
+#include "quality/mutable/mutable_mesh.hpp"
+
+namespace cover {
+
+/// What a triangulation has reached, in the order of merit; all in cotangents, smaller is better.
+struct Merit {
+  double target = 0;          ///< -cot of the region's own target: the goal's, or what is forced
+  double large = 0;           ///< -cot of the largest angle, no lower than that
+  std::size_t above = 0;      ///< triangles with a larger angle than the goal and their sides allow
+  std::size_t far_above = 0;  ///< those of them above 120 degrees
+  double small = 0;           ///< cot of the smallest angle, no lower than the goal
+  std::size_t triangles = 0;
+
+  /// Whether both targets are met by every triangle.
+  bool complete = false;
+};
+
+/// Cost: O(triangles)
+Merit merit_of(const MutableMesh& mesh, const Goal& goal);
+
+/// Whether triangle `t` has a larger angle than the goal and its sides allow.
+bool is_above(const MutableMesh& mesh, std::uint32_t t, const Goal& goal);
+
+/// Whether `a` is smaller than `b`, by more than rounding.
+bool is_smaller_cot(double a, double b);
+
+/// Whether `a` is better: smaller largest angle, then fewer triangles above 120 degrees, then fewer
+/// above the goal, then larger smallest angle, then fewer triangles.
+///
+/// Largest angles are alike, so that the counts decide: those that miss the target by 3 degrees at
+/// most, from 120 to 130 degrees, from there to 140, and above where cotangents differ by 2 % at
+/// most. For at the optimum two or three triangles share the largest angle, and short of it there
+/// may be many.
+///
+/// REQUIRES: the same targets
+bool is_better(const Merit& a, const Merit& b);
+
+}  // namespace cover

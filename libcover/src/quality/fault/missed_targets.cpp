@@ -1,0 +1,145 @@
+// See missed_targets.hpp. Tested by tests/unit/quality/fault/missed_targets_test.cpp.
+#include "quality/fault/missed_targets.hpp"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "base/describe.hpp"
+#include "cdt/cdt.hpp"
+#include "quality/mutable/with_neighbours.hpp"
+#include "target/measure.hpp"
+
+namespace cover {
+namespace {
+
+constexpr std::size_t kPlaces = 8;  ///< at most, per note
+constexpr std::size_t kNamed = 3;   ///< of them in its text
+constexpr double kRounding = 1e-9;  ///< in cotangents, and in radians
+
+Note missed(RegionId region, std::string message, std::vector<Point> where) {
+  return {Note::Kind::target_missed, region, std::move(message), std::move(where)};
+}
+
+/// "N angles above 100 degrees remain", with the verb that N asks for.
+std::string remaining(std::size_t count, std::string_view what, Angle limit) {
+  return fmt::format("{} {} {:.6g} degrees {}", counted(count, "angle"), what, limit.in_degrees(),
+                     count == 1 ? "remains" : "remain");
+}
+
+/// Segments whose own gamma_opt is above the target, worst first. A segment may be two sides.
+void note_forced(const RegionBoundary& boundary, const AngleLimit& limit, Angle max,
+                 std::vector<Note>& notes) {
+  const double nu = max.supplement().in_radians() - kRounding;
+  std::vector<std::size_t> forced;
+  for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
+    if (limit.side_nu[s] < nu) forced.push_back(s);
+  }
+  if (forced.empty()) return;
+  std::stable_sort(forced.begin(), forced.end(), [&](std::size_t a, std::size_t b) {
+    return limit.side_nu[a] < limit.side_nu[b];
+  });
+  std::set<SegmentId> segments;
+  std::vector<Point> where;
+  std::string ends;
+  for (const std::size_t s : forced) {
+    if (!segments.insert(boundary.segments[s]).second || segments.size() > kPlaces) continue;
+    const Point a = boundary.points[boundary.sides[s][0]];
+    const Point b = boundary.points[boundary.sides[s][1]];
+    where.push_back(a);
+    if (segments.size() > kNamed) continue;
+    ends += fmt::format("{}from {} to {}", ends.empty() ? "" : ", ", describe(a), describe(b));
+  }
+  notes.push_back(missed(
+      boundary.id,
+      fmt::format(
+          "region {}: the input forces an angle above {:.6g} degrees, up to {:.6g}, at {}: "
+          "{}{}",
+          boundary.id.value(), max.in_degrees(), Angle::radians(limit.nu).supplement().in_degrees(),
+          counted(segments.size(), "segment"), ends, segments.size() > kNamed ? ", ..." : ""),
+      std::move(where)));
+}
+
+}  // namespace
+
+std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& boundary,
+                                 const AngleLimit& limit, const Options& options,
+                                 bool budget_used_up, Point origin) {
+  std::vector<Note> notes;
+  note_forced(boundary, limit, options.max_angle, notes);
+  std::size_t large = 0, small = 0, forced_small = 0;
+  std::vector<Point> where_large, where_small, where_forced;
+  const Goal& goal = mesh.goal();
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (mesh.is_hole(t)) continue;
+    const auto& n = mesh.triangles[t].n;
+    const Corners k(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
+    double allowed = 0;
+    for (const std::uint32_t across : n) {
+      if (is_side(across)) allowed = std::max(allowed, mesh.allowance(across)->small);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Point in_frame = mesh.points[mesh.triangles[t].v[i]];
+      const Point at{in_frame.x + origin.x, in_frame.y + origin.y};
+      const double cot = k.dot[i] / k.cross;
+      const Allowance* side = mesh.allowance(n[i]);
+      if (-cot > goal.large + (side != nullptr ? side->large : 0) + kRounding) {
+        ++large;
+        if (where_large.size() < kPlaces) where_large.push_back(at);
+      }
+      const bool of_the_input = is_side(n[(i + 1) % 3]) && is_side(n[(i + 2) % 3]);
+      if (goal.weight == 0 || of_the_input || cot <= goal.small * (1 + kRounding)) continue;
+      if (allowed > 0) {  // no triangle on that side is without such an angle
+        ++forced_small;
+        if (where_forced.size() < kPlaces) where_forced.push_back(at);
+      } else {
+        ++small;
+        if (where_small.size() < kPlaces) where_small.push_back(at);
+      }
+    }
+  }
+  const std::string why = budget_used_up ? " (the budget of the region was used up)" : "";
+  const std::string region = fmt::format("region {}: ", boundary.id.value());
+  if (large > 0) {
+    notes.push_back(missed(
+        boundary.id,
+        region + remaining(large, "above", options.max_angle) + ", not known to be forced" + why,
+        std::move(where_large)));
+  }
+  if (small > 0) {
+    const std::string also = forced_small > 0
+                                 ? fmt::format(", beside {} that sides force", forced_small)
+                                 : std::string();
+    notes.push_back(missed(boundary.id,
+                           region + remaining(small, "below", options.min_angle) +
+                               ", not known to be forced" + also + why,
+                           std::move(where_small)));
+  } else if (forced_small > 0) {
+    notes.push_back(
+        missed(boundary.id,
+               fmt::format("{}sides near each other force {} below {:.6g} degrees", region,
+                           counted(forced_small, "angle"), options.min_angle.in_degrees()),
+               std::move(where_forced)));
+  }
+  return notes;
+}
+
+void report_again(const RegionBoundary& boundary, const Options& options, bool budget_used_up,
+                  RegionMesh& mesh) {
+  const Triangulation cdt = triangulate_domain(boundary.points, boundary.sides).triangulation;
+  const AngleLimit limit = angle_limit(cdt, boundary.sides, boundary.segments);
+  const Triangulation all = with_neighbours(all_points(boundary, mesh), mesh.triangles);
+  MutableMesh mutable_mesh(all, static_cast<std::uint32_t>(boundary.points.size()),
+                           locate_sides(all, boundary.sides), side_limits(cdt, limit.at));
+  mutable_mesh.set_goal(Goal::of(options.max_angle, options.min_angle));
+  set_limits(limit, mesh.report);
+  std::vector<Note>& notes = mesh.report.notes;
+  std::erase_if(notes, [](const Note& note) { return note.kind == Note::Kind::target_missed; });
+  const auto missed = missed_targets(mutable_mesh, boundary, limit, options, budget_used_up);
+  notes.insert(notes.end(), missed.begin(), missed.end());
+}
+
+}  // namespace cover

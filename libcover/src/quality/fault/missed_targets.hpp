@@ -1,0 +1,30 @@
+// What a region did not reach, for the report.
+#pragma once
+
+#include <vector>
+
+#include <cover/options.hpp>
+#include <cover/report.hpp>
+
+#include "quality/mutable/mutable_mesh.hpp"
+#include "region/region_boundary.hpp"
+#include "target/angle_limit.hpp"
+#include "target/region_mesh.hpp"
+
+namespace cover {
+
+/// Notes on angles above Options::max_angle or below Options::min_angle, apart by reason: forced by
+/// the input at named segments, or not reached at the places given.
+///
+/// REQUIRES: `mesh` has the goal of the options set; its first points are those of `boundary`, less
+///           `origin`
+std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& boundary,
+                                 const AngleLimit& limit, const Options& options,
+                                 bool budget_used_up, Point origin = {});
+
+/// Limits and notes on missed targets of a region whose boundary and mesh were changed after they
+/// were reported. Its other notes stay.
+void report_again(const RegionBoundary& boundary, const Options& options, bool budget_used_up,
+                  RegionMesh& mesh);
+
+}  // namespace cover

@@ -1,0 +1,32 @@
+// By how much a triangle misses a goal.
+#pragma once
+
+#include <cstdint>
+
+#include "quality/mutable/mutable_mesh.hpp"
+
+namespace cover {
+
+/// -cot of 120 degrees: beyond that, triangles count apart.
+inline constexpr double kFarAbove = 0.5773502691896258;
+
+/// What a triangle has beyond the goal and what its sides allow; all in cotangents. Angles between
+/// two sides are the input's own, and none of them counts as small.
+struct Shortfall {
+  double largest = -kInverted;  ///< -cot of the largest angle
+  double large = -kInverted;    ///< that beyond the goal, at the corner where it is most
+  double small = -kInverted;    ///< cot of the smallest angle beyond the goal
+  bool is_far = false;          ///< an angle above 120 degrees that is not allowed
+
+  [[nodiscard]] bool is_above() const { return large > kSameCot; }
+  [[nodiscard]] bool is_below(const Goal& goal) const {
+    return goal.weight > 0 && small > kSameCot * goal.small;
+  }
+};
+
+/// By `goal`, whatever goal the mesh has set.
+///
+/// REQUIRES: `t` is no hole
+Shortfall shortfall_of(const MutableMesh& mesh, std::uint32_t t, const Goal& goal);
+
+}  // namespace cover

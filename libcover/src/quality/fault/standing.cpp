@@ -1,0 +1,43 @@
+// See standing.hpp. Tested by tests/unit/quality/repair/search_test.cpp.
+#include "quality/fault/standing.hpp"
+
+#include <algorithm>
+
+#include "quality/fault/shortfall.hpp"
+
+namespace cover {
+namespace {
+
+constexpr double kGain = 0.01;  ///< of an excess, that is worth a change
+
+}  // namespace
+
+Standing standing_of(const MutableMesh& mesh, const Goal& goal) {
+  Standing standing;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (mesh.is_hole(t)) continue;
+    const Shortfall shortfall = shortfall_of(mesh, t, goal);
+    standing.largest = std::max(standing.largest, shortfall.largest);
+    standing.large = std::max(standing.large, shortfall.large);
+    standing.above += shortfall.is_above() ? 1 : 0;
+    standing.far_above += shortfall.is_far ? 1 : 0;
+    if (goal.weight > 0) standing.small = std::max(standing.small, shortfall.small);
+    standing.below += shortfall.is_below(goal) ? 1 : 0;
+  }
+  return standing;
+}
+
+bool is_gain(const Standing& now, const Standing& before) {
+  if (now.largest > before.largest || now.large > before.large || now.above > before.above ||
+      now.far_above > before.far_above) {
+    return false;
+  }
+  if (now.above < before.above || now.far_above < before.far_above ||
+      now.large < (1 - kGain) * before.large) {
+    return true;
+  }
+  if (now.below > before.below || now.small > before.small) return false;
+  return now.below < before.below || now.small < (1 - kGain) * before.small;
+}
+
+}  // namespace cover

@@ -1,0 +1,27 @@
+// What an excerpt has reached, for deciding whether a change to it is one for the better.
+#pragma once
+
+#include <cstddef>
+
+#include "quality/mutable/mutable_mesh.hpp"
+
+namespace cover {
+
+/// What an excerpt has reached.
+struct Standing {
+  double largest = 0;         ///< -cot of the largest angle, if that is obtuse
+  double large = 0;           ///< the largest excess of a large angle, by what sides allow
+  std::size_t above = 0;      ///< triangles where that is positive
+  std::size_t far_above = 0;  ///< those of them above 120 degrees
+  double small = 0;           ///< the largest excess of a small angle, by what sides allow
+  std::size_t below = 0;      ///< triangles where that is positive
+};
+
+/// Measured by `goal`, whatever goal the excerpt has set.
+Standing standing_of(const MutableMesh& mesh, const Goal& goal);
+
+/// Whether the change from `before` to `now` is one for the better, of large angles or, without
+/// harm to these, of small ones.
+bool is_gain(const Standing& now, const Standing& before);
+
+}  // namespace cover

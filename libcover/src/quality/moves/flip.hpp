@@ -1,0 +1,19 @@
+// Another diagonal of two triangles.
+#pragma once
+
+#include "quality/moves/piece.hpp"
+
+namespace cover {
+
+/// Flips the edge of `t` where that wins most.
+///
+///        c             c
+///       /|\           / \         .
+///      / | \         /   \        .
+///     a t|u d  ->   a-----d
+///      \ | /         \   /
+///       \|/           \ /
+///        b             b
+bool try_flip(Piece& piece, std::uint32_t t);
+
+}  // namespace cover

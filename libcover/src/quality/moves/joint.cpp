@@ -1,0 +1,208 @@
+// Sequential linear programming: the excess of each triangle around is made linear in the places of
+// its corners, the lowest point of that within a box is tried, and the box grows or shrinks as the
+// triangles follow the model or not. Tested by tests/unit/quality/repair/search_test.cpp.
+#include "quality/moves/joint.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "geom/predicates.hpp"
+#include "geom/vector.hpp"
+#include "quality/optimum/linear_program.hpp"
+
+namespace cover {
+namespace {
+
+constexpr std::size_t kVertices = 6;
+constexpr int kSteps = 10;
+constexpr double kFirstBox = 0.25;  ///< times the shortest edge at a vertex
+constexpr double kLeastBox = 0.002;
+constexpr double kLeastGain = 0.01;      ///< of the excess
+constexpr double kMargin = 0.02;         ///< aim so far below the goal
+constexpr std::uint64_t kStepCost = 60;  ///< star evaluations in the time of one step
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+class JointPlacement {
+ public:
+  JointPlacement(MutableMesh& mesh, std::uint32_t t) : mesh_(mesh) {
+    choose_vertices(t);
+    for (const std::uint32_t v : vertices_) {
+      before_.push_back(mesh_.points[v]);
+      reach_.push_back(std::sqrt(shortest2_at(v)));
+    }
+  }
+
+  bool run(std::uint64_t& evaluations) {
+    if (vertices_.size() < 2) return false;
+    double worst = worst_now();
+    const double first = worst;
+    double box = kFirstBox;
+    std::vector<double> step;
+    for (int k = 0; k < kSteps && worst > 0 && box >= kLeastBox; ++k) {
+      evaluations += kStepCost;
+      const double expected = std::max(lowest_in_box(model(box), step), -kMargin);
+      if (!(worst - expected > kLeastGain * worst)) break;
+      const std::vector<Point> old = places();
+      for (std::size_t m = 0; m < vertices_.size(); ++m) {
+        mesh_.points[vertices_[m]] =
+            old[m] + box * reach_[m] * Vector{step[2 * m], step[2 * m + 1]};
+      }
+      const double now = worst_now();
+      if (!(now < worst)) {
+        put(old);
+        box /= 3;
+        continue;
+      }
+      const double kept = (worst - now) / (worst - expected);
+      worst = now;
+      if (kept > 0.75) box *= 2;
+      if (kept < 0.25) box /= 2;
+    }
+    if (!(worst < first) || !is_valid()) {
+      put(before_);
+      return false;
+    }
+    for (const std::uint32_t s : triangles_) mesh_.measure(s);
+    return true;
+  }
+
+ private:
+  /// Free corners of `t`, then free vertices beside those, as long as there is room.
+  void choose_vertices(std::uint32_t t) {
+    for (const std::uint32_t v : mesh_.triangles[t].v) take(v);
+    for (std::size_t m = 0; m < vertices_.size() && vertices_.size() < kVertices; ++m) {
+      for_star(vertices_[m], [&](std::uint32_t s) {
+        for (const std::uint32_t v : mesh_.triangles[s].v) take(v);
+      });
+    }
+    for (const std::uint32_t v : vertices_) {
+      for_star(v, [&](std::uint32_t s) { triangles_.push_back(s); });
+    }
+    std::sort(triangles_.begin(), triangles_.end());
+    triangles_.erase(std::unique(triangles_.begin(), triangles_.end()), triangles_.end());
+  }
+
+  void take(std::uint32_t v) {
+    if (mesh_.is_fixed(v) || vertices_.size() == kVertices || index_of(v) < vertices_.size())
+      return;
+    vertices_.push_back(v);
+  }
+
+  /// The place of `v` among the vertices that move; their number if it does not.
+  [[nodiscard]] std::size_t index_of(std::uint32_t v) const {
+    return static_cast<std::size_t>(std::find(vertices_.begin(), vertices_.end(), v) -
+                                    vertices_.begin());
+  }
+
+  template <class Visit>
+  void for_star(std::uint32_t v, Visit visit) const {
+    std::uint32_t s = mesh_.home[v];
+    do {
+      visit(s);
+      s = mesh_.triangles[s].n[at(next3(mesh_.triangles[s].corner_of(v)))];
+    } while (s != mesh_.home[v]);
+  }
+
+  [[nodiscard]] double shortest2_at(std::uint32_t v) const {
+    double shortest = kInverted;
+    for_star(v, [&](std::uint32_t s) {
+      for (const std::uint32_t w : mesh_.triangles[s].v) {
+        if (w != v)
+          shortest = std::min(shortest, squared_length(mesh_.points[w] - mesh_.points[v]));
+      }
+    });
+    return shortest;
+  }
+
+  [[nodiscard]] double worst_now() const {
+    double worst = -kInverted;
+    for (const std::uint32_t s : triangles_) {
+      worst = std::max(worst, mesh_.excess_of(mesh_.triangles[s].v, mesh_.triangles[s].n));
+    }
+    return worst;
+  }
+
+  [[nodiscard]] bool is_valid() const {
+    return std::all_of(triangles_.begin(), triangles_.end(), [&](std::uint32_t s) {
+      return orientation(mesh_.corner(s, 0), mesh_.corner(s, 1), mesh_.corner(s, 2)) ==
+             Sign::positive;
+    });
+  }
+
+  [[nodiscard]] std::vector<Point> places() const {
+    std::vector<Point> result;
+    for (const std::uint32_t v : vertices_) result.push_back(mesh_.points[v]);
+    return result;
+  }
+  void put(const std::vector<Point>& places) {
+    for (std::size_t m = 0; m < vertices_.size(); ++m) mesh_.points[vertices_[m]] = places[m];
+  }
+
+  /// The excesses as functions of the steps, in boxes.
+  [[nodiscard]] LinearFunctions model(double box) const {
+    LinearFunctions f;
+    f.dimension = 2 * vertices_.size();
+    for (const std::uint32_t s : triangles_) {
+      const MeshTriangle& triangle = mesh_.triangles[s];
+      const Corners k(mesh_.corner(s, 0), mesh_.corner(s, 1), mesh_.corner(s, 2));
+      double allowed = 0;
+      for (const std::uint32_t n : triangle.n) {
+        if (is_side(n)) allowed = std::max(allowed, mesh_.allowances[side_index(n)].small);
+      }
+      double large = -kInverted, small = -kInverted;
+      int large_at = 0, small_at = 0;
+      for (int i = 0; i < 3; ++i) {
+        const double cot = k.dot[i] / k.cross;
+        const Allowance* side = mesh_.allowance(triangle.n[at(i)]);
+        const double above = -cot - mesh_.goal().large - (side != nullptr ? side->large : 0);
+        if (above > large) large = above, large_at = i;
+        if (is_side(triangle.n[at(next3(i))]) && is_side(triangle.n[at(prev3(i))])) continue;
+        const double below = mesh_.goal().weight * (cot - mesh_.goal().small - allowed);
+        if (below > small) small = below, small_at = i;
+      }
+      add(f, s, k, large_at, large, -1, box);
+      if (mesh_.goal().weight > 0 && small > -kInverted) {
+        add(f, s, k, small_at, small, mesh_.goal().weight, box);
+      }
+    }
+    return f;
+  }
+
+  /// Adds `factor` times the cotangent at corner i of `s`, whose value is `value` now.
+  void add(LinearFunctions& f, std::uint32_t s, const Corners& k, int i, double value,
+           double factor, double box) const {
+    const std::size_t row = f.rows.size();
+    f.rows.resize(row + 1 + f.dimension, 0.0);
+    f.rows[row] = value;
+    const Point a = mesh_.corner(s, i);
+    const Vector u = mesh_.corner(s, next3(i)) - a, v = mesh_.corner(s, prev3(i)) - a;
+    const double cot = k.dot[i] / k.cross;
+    const Vector by_b = (factor / k.cross) * (v + cot * left_normal(v));
+    const Vector by_c = (factor / k.cross) * (u - cot * left_normal(u));
+    const std::array<std::pair<int, Vector>, 3> by{
+        {{next3(i), by_b}, {prev3(i), by_c}, {i, -1.0 * (by_b + by_c)}}};
+    for (const auto& [corner, slope] : by) {
+      const std::size_t m = index_of(mesh_.triangles[s].v[at(corner)]);
+      if (m == vertices_.size()) continue;
+      f.rows[row + 1 + 2 * m] = box * reach_[m] * slope.x;
+      f.rows[row + 2 + 2 * m] = box * reach_[m] * slope.y;
+    }
+  }
+
+  MutableMesh& mesh_;
+  std::vector<std::uint32_t> vertices_;   ///< that move
+  std::vector<std::uint32_t> triangles_;  ///< around them
+  std::vector<Point> before_;
+  std::vector<double> reach_;  ///< by vertex: its shortest edge at first
+};
+
+}  // namespace
+
+bool place_jointly(MutableMesh& mesh, std::uint32_t t, std::uint64_t& evaluations) {
+  return JointPlacement(mesh, t).run(evaluations);
+}
+
+}  // namespace cover

@@ -1,0 +1,53 @@
+// What a move changes, and what it leaves behind.
+//
+// A move takes a triangle that misses the goal and tries to make the triangles around it better:
+//     bool try_it(Piece& piece, std::uint32_t t);
+// The keep-rule is the same for all: the largest excess of the triangles that are replaced goes
+// down by what is worth the time (improvement_of), or, with fewer triangles, does not go up.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "quality/mutable/cavity.hpp"
+#include "quality/mutable/mutable_mesh.hpp"
+
+namespace cover {
+
+/// The excess that a step on triangles with largest excess `worst` must stay below.
+inline double improvement_of(double worst) {
+  constexpr double kLeastGain = 0.01;  // of the excess: what a step must win to be worth its time
+  return (1 - kLeastGain) * worst;
+}
+
+/// A triangulation that moves are made on, with their buffers.
+struct Piece {
+  explicit Piece(MutableMesh& whole) : mesh(whole), cavity(whole) {}
+
+  MutableMesh& mesh;
+  Cavity cavity;
+  Installed installed;
+  std::vector<std::uint32_t> again;  ///< triangles to be looked at again after a move, in order
+  std::uint64_t evaluations = 0;     ///< stars looked at so far
+
+  /// A changed triangle and those beside it are to be looked at again.
+  void look_around(std::uint32_t t) {
+    again.push_back(t);
+    for (const std::uint32_t n : mesh.triangles[t].n) {
+      if (!is_side(n)) again.push_back(n);
+    }
+  }
+  void look_around_installed() {
+    for (int k = 0; k < installed.count; ++k) {
+      look_around(installed.triangles[static_cast<std::size_t>(k)]);
+    }
+  }
+};
+
+/// Tries something around triangle `t`.
+///
+/// ENSURES: false, and nothing has changed, if that helps nothing; else Piece::again has grown
+using Move = bool (*)(Piece& piece, std::uint32_t t);
+
+}  // namespace cover

@@ -1,0 +1,25 @@
+// See remove.hpp. Tested by tests/unit/quality/repair/improve_test.cpp.
+#include "quality/moves/remove.hpp"
+
+#include "quality/optimum/min_max_polygon.hpp"
+
+namespace cover {
+
+bool try_remove(Piece& piece, std::uint32_t t) {
+  MutableMesh& mesh = piece.mesh;
+  Cavity& cavity = piece.cavity;
+  const std::array<std::uint32_t, 3> corners = mesh.triangles[t].v;
+  for (const std::uint32_t v : corners) {
+    if (mesh.is_fixed(v) || !cavity.start_star(v) || cavity.size() > kPolygonLimit) continue;
+    Patch patch;
+    const double worst = min_max_polygon(mesh, cavity, cavity.worst(), patch);
+    ++piece.evaluations;
+    if (worst <= cavity.worst() && install_patch(mesh, cavity, patch, piece.installed)) {
+      piece.look_around_installed();
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace cover

@@ -1,0 +1,12 @@
+// A vertex taken away.
+#pragma once
+
+#include "quality/moves/piece.hpp"
+
+namespace cover {
+
+/// Takes away a free corner of `t` and triangulates its star anew, where that is no worse: fewer
+/// triangles are a gain.
+bool try_remove(Piece& piece, std::uint32_t t);
+
+}  // namespace cover

@@ -1,0 +1,75 @@
+// See restar.hpp. Tested by tests/unit/quality/repair/improve_test.cpp.
+#include "quality/moves/restar.hpp"
+
+#include <algorithm>
+
+#include "geom/vector.hpp"
+#include "quality/optimum/placement.hpp"
+
+namespace cover {
+namespace {
+
+constexpr int kLargestCavity = 4;  ///< triangles: larger ones succeed once in thirty times
+
+/// Grows the cavity across the edge with the worst triangle among those that can be taken in and
+/// whose new vertex `p` sees.
+bool grow_towards(Cavity& cavity, Point p, const Hole& hole) {
+  std::array<bool, Cavity::kCapacity> tried{};
+  for (int count = 0; count < 4; ++count) {
+    const int k = hole.worst_edge(p, tried);
+    if (k < 0) return false;
+    tried[static_cast<std::size_t>(k)] = true;
+    if (!cavity.sees_beyond(k, p)) continue;
+    if (cavity.grow(k)) return true;
+  }
+  return false;
+}
+
+/// The middle of the edge of `t` that loop edge i of Cavity::start is.
+Point midpoint_of_loop_edge(const MutableMesh& mesh, std::uint32_t t, int i) {
+  return midpoint(mesh.corner(t, i), mesh.corner(t, next3(i)));
+}
+
+}  // namespace
+
+bool try_restar(Piece& piece, std::uint32_t t) {
+  MutableMesh& mesh = piece.mesh;
+  Cavity& cavity = piece.cavity;
+  Cavity best_cavity(mesh);
+  Placement best;
+  double best_gain = 0;
+  for (int i = -1; i < 3; ++i) {
+    cavity.start(t);
+    if (i >= 0 && !cavity.grow(i)) continue;
+    Point p = i < 0 ? Hole(mesh, cavity).centre() : midpoint_of_loop_edge(mesh, t, i);
+    for (;;) {
+      const Hole hole(mesh, cavity);
+      const double limit = improvement_of(cavity.worst());
+      Placement placement{p, kInverted};
+      ++piece.evaluations;
+      if (has_room(mesh, cavity, limit)) {
+        placement = place(hole, p, 0, piece.evaluations);
+        if (!(placement.worst < kInverted)) break;
+        p = placement.at;
+      }
+      const double gain = limit - placement.worst;
+      if (gain > best_gain || (best_gain == 0 && placement.worst < best.worst)) {
+        best_cavity = cavity;
+        best = placement;
+        best_gain = std::max(gain, 0.0);
+      }
+      if (placement.worst <= 0 || cavity.triangle_count() >= kLargestCavity) break;
+      if (!grow_towards(cavity, p, hole)) break;
+    }
+    if (best_gain > 0 && best.worst <= 0) break;
+  }
+  if (!(best.worst < kInverted)) return false;
+  const double limit = improvement_of(best_cavity.worst());
+  if (best.worst > 0) best = place(Hole(mesh, best_cavity), best.at, limit, piece.evaluations);
+  if (!(best.worst < limit)) return false;
+  if (!install_star(mesh, best_cavity, best.at, piece.installed)) return false;
+  piece.look_around_installed();
+  return true;
+}
+
+}  // namespace cover

@@ -1,0 +1,12 @@
+// A hole of a few triangles filled with a star around a new vertex.
+#pragma once
+
+#include "quality/moves/piece.hpp"
+
+namespace cover {
+
+/// Grows a hole from `t`, alone or with each of its neighbours, and puts a vertex into it, well
+/// placed. The best hole is filled.
+bool try_restar(Piece& piece, std::uint32_t t);
+
+}  // namespace cover

@@ -1,0 +1,183 @@
+// See cavity.hpp. Tested by tests/unit/quality/mutable/cavity_test.cpp.
+#include "quality/mutable/cavity.hpp"
+
+#include "geom/predicates.hpp"
+#include "geom/vector.hpp"
+
+namespace cover {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Gives the places of the old triangles to `count` new ones, takes more or gives some back.
+void reuse_places(MutableMesh& mesh, const Cavity& cavity, int count, Installed& installed) {
+  installed.count = count;
+  for (int k = 0; k < count; ++k) {
+    installed.triangles[at(k)] =
+        k < cavity.triangle_count() ? cavity.triangle(k) : mesh.add_triangle();
+  }
+  for (int k = count; k < cavity.triangle_count(); ++k) mesh.drop_triangle(cavity.triangle(k));
+}
+
+/// Whether all triangles from the loop to `p` are counter-clockwise, exactly.
+bool sees_loop(const MutableMesh& mesh, const Cavity& cavity, Point p) {
+  for (int k = 0; k < cavity.size(); ++k) {
+    const Point a = mesh.points[cavity.vertex(k)], b = mesh.points[cavity.vertex(cavity.next(k))];
+    if (orientation(a, b, p) != Sign::positive) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void Cavity::take(std::uint32_t t) {
+  triangles_[at(triangle_count_++)] = t;
+  worst_ = std::max(worst_, mesh_->excess[t]);
+}
+
+void Cavity::erase(int k) {
+  for (int m = k; m + 1 < size_; ++m) loop_[at(m)] = loop_[at(m + 1)];
+  --size_;
+}
+
+void Cavity::start(std::uint32_t t) {
+  const MeshTriangle& s = mesh_->triangles[t];
+  size_ = 3;
+  triangle_count_ = swallowed_count_ = 0;
+  worst_ = -kInverted;
+  for (int i = 0; i < 3; ++i) loop_[at(i)] = {s.v[at(i)], s.n[at(prev3(i))]};
+  take(t);
+}
+
+bool Cavity::start_star(std::uint32_t v) {
+  size_ = triangle_count_ = 0;
+  swallowed_count_ = 1;
+  swallowed_[0] = v;
+  worst_ = -kInverted;
+  std::uint32_t t = mesh_->home[v];
+  do {
+    if (size_ == kCapacity) return false;
+    const MeshTriangle& s = mesh_->triangles[t];
+    const int i = s.corner_of(v);
+    loop_[at(size_++)] = {s.v[at(next3(i))], s.n[at(i)]};
+    take(t);
+    t = s.n[at(next3(i))];
+  } while (t != mesh_->home[v]);
+  return true;
+}
+
+bool Cavity::grow(int k) {
+  const std::uint32_t t = outer(k);
+  if (is_side(t) || triangle_count_ == kCapacity) return false;
+  const MeshTriangle& s = mesh_->triangles[t];
+  const int after = next(k), before = previous(k);
+  const int j = s.edge_from(vertex(after));  // edge j of s runs from the end to the start of k
+  const std::uint32_t c = s.v[at(j)];
+  const std::uint32_t first = s.n[at(next3(j))];   // across start - c
+  const std::uint32_t second = s.n[at(prev3(j))];  // across c - end
+  if (outer(after) == t) {  // c is the end of the next edge: the vertex between is swallowed
+    const std::uint32_t inner = vertex(after);
+    if (size_ <= 3 || mesh_->is_fixed(inner)) return false;
+    loop_[at(k)].outer = first;
+    swallowed_[at(swallowed_count_++)] = inner;
+    take(t);
+    erase(after);
+    return true;
+  }
+  if (outer(before) == t) {
+    const std::uint32_t inner = vertex(k);
+    if (size_ <= 3 || mesh_->is_fixed(inner)) return false;
+    loop_[at(before)].outer = second;
+    swallowed_[at(swallowed_count_++)] = inner;
+    take(t);
+    erase(k);
+    return true;
+  }
+  if (size_ == kCapacity) return false;
+  for (int m = 0; m < size_; ++m) {
+    if (vertex(m) == c) return false;
+  }
+  for (int m = size_; m > k + 1; --m) loop_[at(m)] = loop_[at(m - 1)];
+  ++size_;
+  loop_[at(k)].outer = first;
+  loop_[at(k + 1)] = {c, second};
+  take(t);
+  return true;
+}
+
+bool Cavity::sees_beyond(int k, Point p) const {
+  const std::uint32_t t = outer(k);
+  if (is_side(t)) return false;
+  const MeshTriangle& s = mesh_->triangles[t];
+  const Point c = mesh_->points[s.v[at(s.edge_from(vertex(next(k))))]];
+  const Vector to_a = mesh_->points[vertex(k)] - p, to_b = mesh_->points[vertex(next(k))] - p;
+  return cross(to_a, c - p) > 0 && cross(c - p, to_b) > 0;
+}
+
+bool install_star(MutableMesh& mesh, const Cavity& cavity, Point p, Installed& installed) {
+  if (!sees_loop(mesh, cavity, p)) return false;
+  const int size = cavity.size();
+  for (int k = 0; k < cavity.swallowed_count(); ++k) mesh.drop_vertex(cavity.swallowed(k));
+  const std::uint32_t apex = mesh.add_vertex(p);
+  reuse_places(mesh, cavity, size, installed);
+  for (int k = 0; k < size; ++k) {
+    const int before = cavity.previous(k);
+    const std::uint32_t t = installed.triangles[at(k)];
+    const std::uint32_t a = cavity.vertex(k), b = cavity.vertex(cavity.next(k));
+    mesh.triangles[t] = {{a, b, apex},
+                         {installed.triangles[at(cavity.next(k))], installed.triangles[at(before)],
+                          cavity.outer(k)}};
+    mesh.link(cavity.outer(k), a, b, t);
+    mesh.home[a] = t;
+    mesh.measure(t);
+  }
+  mesh.home[apex] = installed.triangles[0];
+  return true;
+}
+
+bool relocate(MutableMesh& mesh, const Cavity& cavity, Point p) {
+  if (!sees_loop(mesh, cavity, p)) return false;
+  mesh.points[cavity.swallowed(0)] = p;
+  for (int k = 0; k < cavity.triangle_count(); ++k) mesh.measure(cavity.triangle(k));
+  return true;
+}
+
+bool install_patch(MutableMesh& mesh, const Cavity& cavity, const Patch& patch,
+                   Installed& installed) {
+  const auto point = [&](int corner) {
+    return corner < cavity.size() ? mesh.points[cavity.vertex(corner)] : *patch.inserted;
+  };
+  for (int k = 0; k < patch.count(); ++k) {
+    const auto& [a, b, c] = patch.corners(k);
+    if (orientation(point(a), point(b), point(c)) != Sign::positive) return false;
+  }
+  for (int k = 0; k < cavity.swallowed_count(); ++k) mesh.drop_vertex(cavity.swallowed(k));
+  const std::uint32_t apex = patch.inserted ? mesh.add_vertex(*patch.inserted) : kNone;
+  const auto vertex = [&](int corner) {
+    return corner < cavity.size() ? cavity.vertex(corner) : apex;
+  };
+  reuse_places(mesh, cavity, patch.count(), installed);
+  for (int k = 0; k < patch.count(); ++k) {
+    MeshTriangle& t = mesh.triangles[installed.triangles[at(k)]];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int from = patch.corners(k)[(i + 1) % 3], to = patch.corners(k)[(i + 2) % 3];
+      t.v[i] = vertex(patch.corners(k)[i]);
+      mesh.home[t.v[i]] = installed.triangles[at(k)];
+      if (from < cavity.size() && to == cavity.next(from)) {  // on the loop
+        t.n[i] = cavity.outer(from);
+        mesh.link(t.n[i], cavity.vertex(from), cavity.vertex(to), installed.triangles[at(k)]);
+        continue;
+      }
+      for (int m = 0; m < patch.count(); ++m) {  // inside: another triangle has it backwards
+        const Patch::Corner& other = patch.corners(m);
+        for (std::size_t j = 0; j < 3; ++j) {
+          if (other[j] == to && other[(j + 1) % 3] == from) t.n[i] = installed.triangles[at(m)];
+        }
+      }
+    }
+  }
+  for (int k = 0; k < patch.count(); ++k) mesh.measure(installed.triangles[at(k)]);
+  return true;
+}
+
+}  // namespace cover

@@ -1,0 +1,212 @@
+// See mutable_mesh.hpp. Tested by tests/unit/quality/mutable/mutable_mesh_test.cpp.
+#include "quality/mutable/mutable_mesh.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "geom/predicates.hpp"
+
+namespace cover {
+namespace {
+
+/// Rounding slack of an allowance: the same triangle from another corner must not count as worse.
+constexpr double kSlack = 1e-12;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+MutableMesh::MutableMesh(const Triangulation& triangulation, std::uint32_t fixed,
+                         std::span<const EdgeRef> side_at, std::vector<SideLimit> limits)
+    : points(triangulation.points),
+      triangles(triangulation.triangles.size()),
+      excess(triangulation.triangles.size(), 0),
+      home(triangulation.points.size(), kNone),
+      sides(std::move(limits)),
+      allowances(sides.size()),
+      fixed_(fixed) {
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    const Triangle& from = triangulation.triangles[t];
+    triangles[t] = {from.v, from.n};
+    for (const std::uint32_t v : from.v) home[v] = t;
+  }
+  for (std::uint32_t s = 0; s < side_at.size(); ++s) {
+    triangles[side_at[s].triangle].n[side_at[s].edge] = kSideBit | s;
+  }
+}
+
+Allowance allowance_for(const SideLimit& side, const Goal& goal) {
+  Allowance allowance;
+  const double forced = -side.apex_cot - goal.large;
+  double small = side.slim_cot;
+  if (forced > 0) {
+    small = std::max(small, side.smallest_cot);
+    allowance.large = forced + kSlack * std::abs(side.apex_cot);
+  }
+  for (const CornerLimit& corner : side.corners) {
+    const bool can_cut_off = corner.ear_large <= goal.large;
+    small =
+        std::max(small, can_cut_off ? std::min(corner.half_cot, corner.ear_cot) : corner.half_cot);
+  }
+  if (small > goal.small) allowance.small = small - goal.small + kSlack * small;
+  return allowance;
+}
+
+void MutableMesh::set_goal(const Goal& goal) {
+  if (goal == goal_) return;
+  goal_ = goal;
+  for (std::size_t s = 0; s < sides.size(); ++s) allowances[s] = allowance_for(sides[s], goal);
+  measure_all();
+}
+
+void MutableMesh::measure_all() {
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    if (!is_hole(t)) measure(t);
+  }
+}
+
+double MutableMesh::excess_of(const std::array<std::uint32_t, 3>& v,
+                              const std::array<std::uint32_t, 3>& n) const {
+  const Point a = points[v[0]], b = points[v[1]], c = points[v[2]];
+  if (((n[0] | n[1] | n[2]) & kSideBit) == 0) return cover::excess(goal_, a, b, c);
+  const Allowance* const side[3] = {allowance(n[0]), allowance(n[1]), allowance(n[2])};
+  return cover::excess(goal_, a, b, c, side);
+}
+
+void MutableMesh::link(std::uint32_t n, std::uint32_t a, std::uint32_t b, std::uint32_t t) {
+  if (is_side(n)) return;
+  MeshTriangle& other = triangles[n];
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (other.v[(k + 1) % 3] == b && other.v[(k + 2) % 3] == a) other.n[k] = t;
+  }
+}
+
+std::uint32_t MutableMesh::add_vertex(Point p) {
+  if (!free_vertices_.empty()) {
+    const std::uint32_t v = free_vertices_.back();
+    free_vertices_.pop_back();
+    points[v] = p;
+    return v;
+  }
+  points.push_back(p);
+  home.push_back(kNone);
+  return static_cast<std::uint32_t>(points.size() - 1);
+}
+
+void MutableMesh::drop_vertex(std::uint32_t v) {
+  home[v] = kNone;
+  free_vertices_.push_back(v);
+}
+
+std::uint32_t MutableMesh::add_triangle() {
+  if (!free_triangles_.empty()) {
+    const std::uint32_t t = free_triangles_.back();
+    free_triangles_.pop_back();
+    return t;
+  }
+  triangles.emplace_back();
+  excess.push_back(0);
+  return static_cast<std::uint32_t>(triangles.size() - 1);
+}
+
+void MutableMesh::drop_triangle(std::uint32_t t) {
+  triangles[t].v[0] = kNone;
+  excess[t] = -kInverted;
+  free_triangles_.push_back(t);
+}
+
+double MutableMesh::excess_after_flip(std::uint32_t t, int i, double limit) const {
+  const MeshTriangle& s = triangles[t];
+  const std::uint32_t u = s.n[at(i)];
+  const MeshTriangle& o = triangles[u];
+  const std::uint32_t a = s.v[at(i)], b = s.v[at(next3(i))], c = s.v[at(prev3(i))];
+  const int j = o.edge_from(c);
+  const std::uint32_t d = o.v[at(j)];
+  const double first = excess_of({a, b, d}, {o.n[at(next3(j))], u, s.n[at(prev3(i))]});
+  if (first > limit) return first;
+  return std::max(first, excess_of({a, d, c}, {o.n[at(prev3(j))], s.n[at(next3(i))], t}));
+}
+
+bool MutableMesh::flip(std::uint32_t t, int i) {
+  MeshTriangle& s = triangles[t];
+  const std::uint32_t u = s.n[at(i)];
+  MeshTriangle& o = triangles[u];
+  const std::uint32_t a = s.v[at(i)], b = s.v[at(next3(i))], c = s.v[at(prev3(i))];
+  const int j = o.edge_from(c);
+  const std::uint32_t d = o.v[at(j)];
+  if (orientation(points[a], points[b], points[d]) != Sign::positive ||
+      orientation(points[a], points[d], points[c]) != Sign::positive) {
+    return false;
+  }
+  const std::uint32_t ab = s.n[at(prev3(i))], ca = s.n[at(next3(i))];
+  const std::uint32_t bd = o.n[at(next3(j))], dc = o.n[at(prev3(j))];
+  s = {{a, b, d}, {bd, u, ab}};
+  o = {{a, d, c}, {dc, ca, t}};
+  link(bd, b, d, t);
+  link(ca, c, a, u);
+  home[a] = home[b] = home[d] = t;
+  home[c] = u;
+  measure(t);
+  measure(u);
+  return true;
+}
+
+void MutableMesh::arrange() {
+  std::vector<std::uint32_t> order, number(triangles.size(), kNone);
+  order.reserve(triangle_count());
+  const auto visit = [&](std::uint32_t t) {
+    if (number[t] != kNone) return;
+    number[t] = static_cast<std::uint32_t>(order.size());
+    order.push_back(t);
+  };
+  std::vector<std::uint32_t> at_side(sides.size(), kNone);
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    if (is_hole(t)) continue;
+    for (const std::uint32_t n : triangles[t].n) {
+      if (is_side(n)) at_side[side_index(n)] = t;
+    }
+  }
+  for (const std::uint32_t t : at_side) {
+    if (t != kNone) visit(t);
+  }
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    for (const std::uint32_t n : triangles[order[k]].n) {
+      if (!is_side(n)) visit(n);
+    }
+  }
+
+  std::vector<MeshTriangle> sorted(order.size());
+  std::vector<double> sorted_excess(order.size());
+  std::vector<Point> sorted_points(points.begin(), points.begin() + fixed_);
+  std::vector<std::uint32_t> vertex(points.size(), kNone);
+  for (std::uint32_t v = 0; v < fixed_; ++v) vertex[v] = v;
+  home.assign(points.size() - free_vertices_.size(), kNone);
+  for (std::uint32_t k = 0; k < order.size(); ++k) {
+    const MeshTriangle& from = triangles[order[k]];
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (vertex[from.v[i]] == kNone) {
+        vertex[from.v[i]] = static_cast<std::uint32_t>(sorted_points.size());
+        sorted_points.push_back(points[from.v[i]]);
+      }
+      sorted[k].v[i] = vertex[from.v[i]];
+      sorted[k].n[i] = is_side(from.n[i]) ? from.n[i] : number[from.n[i]];
+      home[sorted[k].v[i]] = k;
+    }
+    sorted_excess[k] = excess[order[k]];
+  }
+  points = std::move(sorted_points);
+  triangles = std::move(sorted);
+  excess = std::move(sorted_excess);
+  free_triangles_.clear();
+  free_vertices_.clear();
+}
+
+bool MutableMesh::is_valid() const {
+  for (const MeshTriangle& t : triangles) {
+    if (t.v[0] == kNone) continue;
+    if (orientation(points[t.v[0]], points[t.v[1]], points[t.v[2]]) != Sign::positive) return false;
+  }
+  return true;
+}
+
+}  // namespace cover

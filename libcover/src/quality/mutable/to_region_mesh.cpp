@@ -1,0 +1,36 @@
+// See to_region_mesh.hpp. Tested by tests/unit/quality/quality_region_test.cpp.
+#include "quality/mutable/to_region_mesh.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "geom/predicates.hpp"
+
+namespace cover {
+
+RegionMesh to_region_mesh(const MutableMesh& mesh, const LocalFrame& frame,
+                          std::span<const Point> points) {
+  RegionMesh out;
+  const auto fixed = static_cast<std::uint32_t>(points.size());
+  std::vector<std::uint32_t> number(mesh.points.size(), kNone);
+  for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
+    if (v < fixed) {
+      number[v] = v;
+    } else if (mesh.home[v] != kNone) {
+      number[v] = fixed + static_cast<std::uint32_t>(out.steiner.size());
+      out.steiner.push_back(frame.restore(mesh.points[v]));
+    }
+  }
+  out.triangles.reserve(mesh.triangle_count());
+  for (const MeshTriangle& t : mesh.triangles) {
+    if (t.v[0] != kNone) out.triangles.push_back({number[t.v[0]], number[t.v[1]], number[t.v[2]]});
+  }
+  const auto at = [&](std::uint32_t v) { return v < fixed ? points[v] : out.steiner[v - fixed]; };
+  const bool is_valid = std::all_of(out.triangles.begin(), out.triangles.end(), [&](const auto& t) {
+    return orientation(at(t[0]), at(t[1]), at(t[2])) == Sign::positive;
+  });
+  if (!is_valid) out.triangles.clear();
+  return out;
+}
+
+}  // namespace cover

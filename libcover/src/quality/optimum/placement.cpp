@@ -1,0 +1,193 @@
+// A minimax problem in the plane whose functions are quotients of quadratics: sequential linear
+// programming. The excesses are made linear at the best place so far, the lowest point of these
+// within a trusted distance is tried (minimax.hpp), and that distance grows or shrinks as they
+// follow the model or not. Where three triangles tie, which is the rule, this converges fast; a
+// pattern search took three times the evaluations and stuck where two triangles tie. What the model
+// promises tells early where there is nothing to be had.
+// Tested by tests/unit/quality/mutable/cavity_test.cpp.
+#include "quality/optimum/placement.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace cover {
+namespace {
+
+constexpr double kMargin = 0.1;  ///< aim this far below the goal, to arrive in finite time
+constexpr int kModelSteps = 8;
+constexpr std::uint64_t kStepCost = 8;  ///< star evaluations in the time of one step
+constexpr double kFirstStep = 0.5;      ///< times the distance to the loop
+constexpr double kLeastGain = 0.1;      ///< of the excess: less is not worth a step;
+constexpr double kLeastGainFar = 0.01;  ///< beyond 140 degrees, where each degree is a large part
+
+}  // namespace
+
+Hole::Hole(const MutableMesh& mesh, const Cavity& cavity)
+    : goal_(&mesh.goal()), edges_(own_.data()), size_(cavity.size()) {
+  for (int k = 0; k < size_; ++k) {
+    own_[static_cast<std::size_t>(k)] =
+        edge(mesh.points[cavity.vertex(k)], mesh.points[cavity.vertex(cavity.next(k))],
+             mesh.allowance(cavity.outer(k)));
+  }
+}
+
+Hole::Hole(const Goal& goal, std::span<const Edge> edges)
+    : goal_(&goal), edges_(edges.data()), size_(static_cast<int>(edges.size())) {}
+
+/// An excess as a quotient: many are compared and few are needed.
+struct Hole::Ratio {
+  double above, area;
+  [[nodiscard]] bool is_inverted() const { return !(area > 0); }
+  [[nodiscard]] bool exceeds(double excess) const { return above > excess * area; }
+  [[nodiscard]] bool exceeds(const Ratio& other) const {
+    return above * other.area > other.above * area;
+  }
+  [[nodiscard]] double value() const { return above / area; }
+};
+
+inline Hole::Ratio Hole::excess_at(const Edge& edge, Point p) const {
+  const double ux = edge.ax - p.x, uy = edge.ay - p.y, vx = edge.bx - p.x, vy = edge.by - p.y;
+  const double ex = edge.bx - edge.ax, ey = edge.by - edge.ay;
+  const double area = ux * vy - uy * vx;
+  const double apex = ux * vx + uy * vy, at_a = -(ux * ex + uy * ey), at_b = vx * ex + vy * ey;
+  const double most = std::max(apex, std::max(at_a, at_b));
+  const double large = std::max(-apex - edge.large * area, -std::min(at_a, at_b));
+  const double small = goal_->weight * (most - (goal_->small + edge.small) * area);
+  return {std::max(large - goal_->large * area, small), area};
+}
+
+double Hole::worst(Point p, double limit) const {
+  Ratio worst{-kInverted, 1};
+  for (const Edge& edge : edges()) {
+    const Ratio here = excess_at(edge, p);
+    if (here.is_inverted()) return kInverted;
+    if (here.exceeds(limit)) return here.value();
+    if (here.exceeds(worst)) worst = here;
+  }
+  return worst.value();
+}
+
+int Hole::worst_edge(Point p, const std::array<bool, Cavity::kCapacity>& skip) const {
+  int result = -1;
+  Ratio worst{-kInverted, 1};
+  for (int k = 0; k < size_; ++k) {
+    if (skip[static_cast<std::size_t>(k)]) continue;
+    const Ratio here = excess_at(edges_[k], p);
+    if (here.is_inverted()) return k;
+    if (!here.exceeds(worst)) continue;
+    worst = here;
+    result = k;
+  }
+  return result;
+}
+
+double Hole::linearise(Point p, double limit, double reach, double level,
+                       LinearPieces& pieces) const {
+  pieces.clear();
+  double worst = -kInverted;
+  const double weight = goal_->weight;
+  const auto add = [&](double excess, Vector slope) {
+    pieces.add_if(excess + reach * (std::abs(slope.x) + std::abs(slope.y)) > level, excess, slope);
+  };
+  for (const Edge& edge : edges()) {
+    const Vector u = edge.a() - p, v = edge.b() - p, e = edge.b() - edge.a();
+    const double area = cross(u, v);
+    if (!(area > 0)) return kInverted;
+    const double inverse = 1 / area;
+    const Vector across = inverse * left_normal(e);
+    // Cotangents at p, a, b, times the area, and how they change with p. Which of them count
+    // nobody can predict: they are looked up, without a branch.
+    const double dots[3] = {dot(u, v), -dot(u, e), dot(v, e)};
+    const Vector of_dots[3] = {-1.0 * (u + v), e, -1.0 * e};
+    const int base_large = dots[1] < dots[2] ? 1 : 2, base_small = 3 - base_large;
+    const double apex = -dots[0] - edge.large * area, base = -dots[base_large];
+    const int large_at = apex > base ? 0 : base_large;
+    const int small_at = dots[0] > dots[base_small] ? 0 : base_small;
+    const double large = (std::max(apex, base) - goal_->large * area) / area;
+    const double small = weight * (dots[small_at] - (goal_->small + edge.small) * area) / area;
+    const double value = std::max(large, small);
+    if (value > limit) return value;
+    worst = std::max(worst, value);
+    add(large, -inverse * (of_dots[large_at] - dots[large_at] * across));
+    if (weight > 0) add(small, inverse * weight * (of_dots[small_at] - dots[small_at] * across));
+  }
+  return worst;
+}
+
+double Hole::shortest_spoke(Point p) const {
+  double shortest = kInverted;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(size_); ++k) {
+    shortest = std::min(shortest, squared_length(edges_[k].a() - p));
+  }
+  return std::sqrt(shortest);
+}
+
+Point Hole::centre() const {
+  Vector sum;
+  for (std::size_t k = 1; k < static_cast<std::size_t>(size_); ++k) {
+    sum = sum + (edges_[k].a() - edges_[0].a());
+  }
+  return edges_[0].a() + (1.0 / size_) * sum;
+}
+
+namespace {
+
+/// Steps to the lowest point of a linear model of the star, as far as it can be trusted.
+void follow_model(const Hole& hole, Placement& best, double wanted, std::uint64_t& evaluations) {
+  LinearPieces buffers[2];
+  LinearPieces *here = &buffers[0], *there = &buffers[1];
+  double radius = kFirstStep * hole.shortest_spoke(best.at);
+  best.worst = hole.linearise(best.at, kInverted, radius, -kMargin, *here);
+  evaluations += kStepCost;
+  if (!(best.worst > 0) || best.worst == kInverted) return;
+  for (int k = 0; k < kModelSteps; ++k) {
+    const Descent down = descend(*here, -kMargin, radius);
+    const double gain = best.worst - down.value;
+    if (!(gain > (best.worst > 1 ? kLeastGainFar : kLeastGain) * best.worst)) return;
+    if (!down.is_cut_short && !(down.value < wanted)) return;
+    Point p = best.at + down.step;
+    double value = hole.linearise(p, kInverted, 2 * radius, -kMargin, *there);
+    evaluations += kStepCost;
+    if (value >= best.worst && value < kInverted) {  // back into a valley that is curved
+      p = p + descend(*there, -kMargin, length(down.step)).step;
+      value = hole.linearise(p, best.worst, 2 * radius, -kMargin, *there);
+      evaluations += kStepCost;
+    }
+    if (!(value < best.worst)) {
+      radius = length(down.step) / 2;
+      continue;
+    }
+    const double kept = (best.worst - value) / gain;
+    best = {p, value};
+    if (value <= 0) return;
+    if (kept < 0.25) radius = length(down.step) / 2;
+    if (kept > 0.75 && down.is_cut_short) radius *= 2;
+    std::swap(here, there);
+  }
+}
+
+}  // namespace
+
+WidestCorner::WidestCorner(const Goal& goal, double limit) {
+  const double largest = goal.large + limit;  // twice that angle is 180 degrees and another one
+  cot_ = largest > 0 ? (1 - largest * largest) / (2 * largest) : kInverted;
+}
+
+bool has_room(const MutableMesh& mesh, const Cavity& cavity, double limit) {
+  const WidestCorner widest(mesh.goal(), limit);
+  Point before = mesh.points[cavity.vertex(cavity.size() - 1)], p = mesh.points[cavity.vertex(0)];
+  for (int k = 0; k < cavity.size(); ++k) {
+    const Point after = mesh.points[cavity.vertex(cavity.next(k))];
+    if (!widest.allows(before, p, after)) return false;
+    before = std::exchange(p, after);
+  }
+  return true;
+}
+
+Placement place(const Hole& hole, Point start, double wanted, std::uint64_t& evaluations) {
+  Placement best{start, kInverted};
+  follow_model(hole, best, wanted, evaluations);
+  return best;
+}
+
+}  // namespace cover

@@ -1,0 +1,161 @@
+// See candidates.hpp. Tested by tests/unit/quality/quality_region_test.cpp.
+#include "quality/plan/candidates.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "almond/almond_region.hpp"
+#include "cdt/cdt.hpp"
+#include "cdt/sides.hpp"
+#include "quality/mutable/with_neighbours.hpp"
+#include "quality/repair/search.hpp"
+#include "quality/starts/even_refinement.hpp"
+#include "quality/starts/one_star.hpp"
+#include "quality/starts/restart.hpp"
+
+namespace cover {
+namespace {
+
+constexpr std::uint64_t kEvaluationsPerVertex = 3000;
+constexpr std::uint64_t kEvaluationsAtLeast = 5000;
+constexpr std::uint64_t kEvaluationsOfRestarts = 200'000;  ///< far more than they need
+constexpr std::uint64_t kEvaluationsOfSearch = 10'000;     ///< for what the best of them leaves
+constexpr std::size_t kFew = 16;                           ///< triangles that are searched
+
+LocalFrame frame_of(const RegionBoundary& boundary, bool shifted) {
+  LocalFrame frame(boundary.points);
+  if (!shifted) frame.undo(boundary.points);
+  return frame;
+}
+
+}  // namespace
+
+Candidates::Candidates(const RegionBoundary& boundary, const Options& options, std::stop_token stop,
+                       bool shifted)
+    : boundary_(boundary),
+      options_(options),
+      goal_(Goal::of(options.max_angle, options.min_angle)),
+      frame_(frame_of(boundary, shifted)),
+      cdt_(triangulate_domain(frame_.points(), boundary.sides).triangulation),
+      limit_(angle_limit(cdt_, boundary.sides, boundary.segments)),
+      sizes_(boundary, cdt_, options.growth, background_in_frame()),
+      given_(kEvaluationsAtLeast + kEvaluationsPerVertex * boundary.points.size()),
+      budget_{given_, stop} {}
+
+SizeFunction Candidates::background_in_frame() const {
+  if (!options_.size_field) return {};
+  return
+      [&field = options_.size_field, frame = &frame_](Point p) { return field(frame->restore(p)); };
+}
+
+bool Candidates::is_budget_used_up() const {
+  return !is_tiny() && budget_.was_too_small && budget_.left < given_ / 8;
+}
+
+Goal Candidates::own_goal(const MutableMesh& mesh) const {
+  Goal own = goal_;
+  for (const SideLimit& side : mesh.sides) own.large = std::max(own.large, -side.apex_cot);
+  return own;
+}
+
+Candidate Candidates::candidate(const Triangulation& triangles, std::string method) const {
+  const auto fixed = static_cast<std::uint32_t>(boundary_.points.size());
+  return measured({MutableMesh(triangles, fixed, locate_sides(triangles, boundary_.sides),
+                               side_limits(cdt_, limit_.at)),
+                   {},
+                   std::move(method)});
+}
+
+Candidate Candidates::measured(Candidate c) const {
+  c.mesh.set_goal(goal_);
+  c.merit = merit_of(c.mesh, goal_);
+  return c;
+}
+
+bool Candidates::has_room_around_a_hub() const {
+  const double least = std::atan2(1.0, goal_.small);
+  return goal_.weight == 0 ||
+         static_cast<double>(boundary_.sides.size()) * least < 2 * std::numbers::pi;
+}
+
+std::optional<Candidate> Candidates::one_star(const Candidate& cdt) {
+  std::uint64_t evaluations = 0;
+  const auto star = hub_triangulation(cdt.mesh, boundary_, evaluations);
+  budget_.spend(evaluations);
+  if (!star) return std::nullopt;
+  return candidate(*star, "one star");
+}
+
+std::optional<Candidate> Candidates::evenly_refined(Candidate cdt) const {
+  if (!refine_evenly(cdt.mesh)) return std::nullopt;
+  cdt.method = "evenly refined";
+  return measured(std::move(cdt));
+}
+
+Candidate Candidates::optimised(Candidate cdt) {
+  Budget half = budget_.share(2);  // the rest is for candidates that may start better
+  cdt.merit = optimise(cdt.mesh, goal_, half, sizes_);
+  budget_.take_back(half);
+  cdt.method = "refined, improved";
+  return cdt;
+}
+
+Candidate Candidates::improved(const Candidate& c) {
+  Candidate better = c;
+  const Goal own = own_goal(c.mesh);
+  Budget half = budget_.share(2);
+  if (own != goal_) {
+    improve_largest(better.mesh, own, half);
+    better.merit = merit_of(better.mesh, goal_);
+  }
+  // What sides force beyond the goal is allowed beside them, so the largest angle may grow.
+  Candidate further = better;
+  further.merit = improve_largest(further.mesh, goal_, half);
+  take_if_better(better, std::move(further));
+  budget_.take_back(half);
+  if (!is_better(better.merit, c.merit)) return c;
+  if (!better.method.ends_with(", improved")) better.method += ", improved";
+  return better;
+}
+
+Candidate Candidates::restarted(const Candidate& from) const {
+  Candidate best = from;
+  Budget budget{kEvaluationsOfRestarts, budget_.stop};
+  best.mesh = best_restart(from.mesh, goal_, ceiling_, best.merit, budget);
+  if (is_better(best.merit, from.merit)) best.method = "restarted, improved";
+  if (is_done(best) && best.merit.above == 0) return best;
+  Candidate further = best;
+  budget = {kEvaluationsOfSearch, budget_.stop};
+  search_excerpts(further.mesh, goal_, budget);
+  take_if_better(best, measured(std::move(further)));
+  return best;
+}
+
+Candidate Candidates::searched(const Candidate& from, const Goal& aim, std::uint64_t each) const {
+  const std::size_t above = merit_of(from.mesh, aim).above;
+  if (above > kFew) return from;
+  Candidate further = from;
+  Budget budget{above * each, budget_.stop};
+  search_excerpts(further.mesh, aim, budget, Effort::most);
+  return measured(std::move(further));
+}
+
+Candidate Candidates::from_almonds() const {
+  const RegionMesh almond = almond_region(boundary_, options_, budget_.stop);
+  std::vector<Point> points = frame_.points();
+  for (const Point& p : almond.steiner) points.push_back(frame_.enter(p));
+  return candidate(with_neighbours(std::move(points), almond.triangles), "almond");
+}
+
+bool Candidates::is_done(const Candidate& candidate) const {
+  return must_stop() || !is_smaller_cot(own_goal(candidate.mesh).large, candidate.merit.large);
+}
+
+void Candidates::take_if_better(Candidate& best, Candidate other) const {
+  const bool fits = !is_smaller_cot(ceiling_, other.merit.large);
+  const bool best_fits = !is_smaller_cot(ceiling_, best.merit.large);
+  if (fits == best_fits ? is_better(other.merit, best.merit) : fits) best = std::move(other);
+}
+
+}  // namespace cover

@@ -1,0 +1,121 @@
+// Triangulations of one region in a frame of its own: made, improved, and compared.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <utility>
+
+#include <cover/options.hpp>
+
+#include "cdt/triangulation.hpp"
+#include "quality/fault/merit.hpp"
+#include "quality/mutable/mutable_mesh.hpp"
+#include "quality/plan/optimise.hpp"
+#include "region/region_boundary.hpp"
+#include "sizes/size_field.hpp"
+#include "target/angle_limit.hpp"
+#include "target/goal.hpp"
+#include "target/local_frame.hpp"
+
+namespace cover {
+
+/// A triangulation of the region, in the frame, and what it has reached.
+struct Candidate {
+  MutableMesh mesh;
+  Merit merit;  ///< by the goal that was aimed at when it was made
+  std::string method;
+};
+
+/// What can be tried on a region. All that is tried shares one budget; none that improves something
+/// may use more than half of what is left, so that it reaches all.
+class Candidates {
+ public:
+  /// REQUIRES: `boundary` and `options` outlive this object
+  Candidates(const RegionBoundary& boundary, const Options& options, std::stop_token stop,
+             bool shifted);
+  Candidates(const Candidates&) = delete;
+  Candidates& operator=(const Candidates&) = delete;
+
+  [[nodiscard]] const LocalFrame& frame() const { return frame_; }
+  [[nodiscard]] const AngleLimit& limit() const { return limit_; }
+  [[nodiscard]] bool has_sizes() const { return sizes_.is_active(); }
+  /// At most 16 points: random restarts then find what there is.
+  [[nodiscard]] bool is_tiny() const { return boundary_.points.size() <= kTinyRegion; }
+  [[nodiscard]] bool must_stop() const { return budget_.stop.stop_requested(); }
+  /// More budget may help: something was left undone, and little is left. In tiny regions a hundred
+  /// times the budget helps no more than the restarts that they get.
+  [[nodiscard]] bool is_budget_used_up() const;
+
+  [[nodiscard]] const Goal& goal() const { return goal_; }
+  /// The goal with the region's own target: the largest angle of the goal, or what its worst side
+  /// forces.
+  [[nodiscard]] Goal own_goal(const MutableMesh& mesh) const;
+
+  /// The constrained Delaunay triangulation.
+  [[nodiscard]] Candidate as_it_is() const { return candidate(cdt_, "cdt"); }
+  /// One star around a single new vertex, if there is one that sees all sides.
+  [[nodiscard]] std::optional<Candidate> one_star(const Candidate& cdt);
+  /// Whether the angles at such a vertex can be as large as the goal asks.
+  [[nodiscard]] bool has_room_around_a_hub() const;
+  /// Chew's construction, where the boundary is evenly spaced.
+  [[nodiscard]] std::optional<Candidate> evenly_refined(Candidate cdt) const;
+  /// The constrained Delaunay triangulation refined and improved; nothing promises that it is
+  /// better.
+  [[nodiscard]] Candidate optimised(Candidate cdt);
+  /// Improved for the region's own target first, then for the goal.
+  ///
+  /// ENSURES: no worse than `c`. Improvement looks at excesses, where a very small angle may weigh
+  ///          as much as a large one.
+  [[nodiscard]] Candidate improved(const Candidate& c);
+  /// The best of random restarts; where that misses the target for the largest angle, what a
+  /// search makes of it.
+  [[nodiscard]] Candidate restarted(const Candidate& from) const;
+  /// What a search makes of the triangles that miss `aim`, if they are few, with `each` evaluations
+  /// for each at most, besides the budget.
+  [[nodiscard]] Candidate searched(const Candidate& from, const Goal& aim,
+                                   std::uint64_t each) const;
+  /// The almond method's triangulation: it carries the proof of promise 3. Empty if the run is to
+  /// stop.
+  [[nodiscard]] Candidate from_almonds() const;
+  /// What `find` makes when it aims at another goal, with half the budget of a region.
+  template <class Find>
+  [[nodiscard]] Candidate with_goal(const Goal& goal, Find find) {
+    const Goal asked = std::exchange(goal_, goal);
+    const Budget budget = std::exchange(budget_, Budget{given_ / 2, budget_.stop});
+    const double ceiling = std::exchange(ceiling_, kInverted);
+    Candidate found = find();
+    goal_ = asked;
+    budget_ = budget;
+    ceiling_ = ceiling;
+    return measured(std::move(found));
+  }
+
+  /// The largest angle is that of the goal, or forced by the region's worst side; or the run is to
+  /// stop.
+  [[nodiscard]] bool is_done(const Candidate& candidate) const;
+  /// A largest angle, as -cot, above which a candidate is taken only instead of another such one.
+  void lower_ceiling(double large) { ceiling_ = std::min(ceiling_, large); }
+  void take_if_better(Candidate& best, Candidate other) const;
+
+ private:
+  [[nodiscard]] SizeFunction background_in_frame() const;
+  [[nodiscard]] Candidate candidate(const Triangulation& triangles, std::string method) const;
+  /// With its merit by the present goal.
+  [[nodiscard]] Candidate measured(Candidate c) const;
+
+  const RegionBoundary& boundary_;
+  const Options& options_;
+  Goal goal_;
+  LocalFrame frame_;
+  Triangulation cdt_;
+  AngleLimit limit_;
+  SizeField sizes_;
+  std::uint64_t given_;  ///< the whole budget
+  Budget budget_;
+  double ceiling_ = kInverted;
+};
+
+}  // namespace cover

@@ -1,0 +1,109 @@
+// The stages for one region, cheapest first; each is left out once the goal is met.
+//
+// 1. Refine until angles are 24.5 degrees, which spreads vertices well but leaves angles of 132.
+//    With less there are fewer vertices to begin with, but stages 2 to 4 take longer.
+// 2. Improve both angles at once. Enough for most regions.
+// 3. Where many large angles are left, small angles were in the way from the start: again from the
+//    refined triangulation with a weight for small angles so low that they decide only between
+//    equals ("light").
+// 4. Search in excerpts around what is left; in tiny regions random restarts do better.
+// 5. Thin out.
+// Tested by tests/unit/quality/plan/optimise_test.cpp.
+#include "quality/plan/optimise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "quality/repair/improve.hpp"
+#include "quality/repair/search.hpp"
+#include "quality/repair/thin_out.hpp"
+#include "quality/starts/delaunay_refinement.hpp"
+
+namespace cover {
+namespace {
+
+constexpr double kLightSmall = 4;      ///< times the goal's cotangent, when light: 5 degrees
+constexpr double kManyAbove = 0.02;    ///< share of triangles above the goal that is many
+constexpr double kFewAbove = 0.05;     ///< share that is few, for which more budget is well spent
+constexpr std::size_t kMostOfFew = 4;  ///< triangles, each with so much more:
+constexpr std::uint64_t kEvaluationsForFew = 300'000;
+constexpr double kHopeless = 0.2;                 ///< share above which there is no search
+constexpr std::size_t kCheapToSearch = 600;       ///< triangles: however many are left
+constexpr std::size_t kCheapToSearchAgain = 200;  ///< triangles: for every candidate
+constexpr double kRefinedTo = 24.5;               ///< degrees: more than asked for, see stage 1
+constexpr std::size_t kMostSized = 50'000'000;    ///< vertices that sizes may ask for in a region
+constexpr std::uint64_t kEvaluationsPerVertex = 100;  ///< more budget for what sizes add
+constexpr std::uint64_t kFirstShare = 4;              ///< of the budget for stage 2: one in so many
+
+Goal light(Goal goal) {
+  goal.weight *= kLightWeight;
+  goal.small *= kLightSmall;
+  return goal;
+}
+
+void improve_within(MutableMesh& mesh, Budget& budget) {
+  const ImproveResult result = improve(mesh, budget.left);
+  budget.spend(result.evaluations);
+  budget.was_too_small = budget.was_too_small || result.budget_used_up;
+}
+
+/// Whether at most `share` of the triangles are above the goal.
+bool has_at_most(const Merit& merit, double share) {
+  return static_cast<double>(merit.above) <= share * static_cast<double>(merit.triangles);
+}
+
+/// Where much is left, it is so for reasons that no search changes; but in small meshes all can be
+/// tried.
+bool is_worth_a_search(const Merit& merit) {
+  return merit.triangles <= kCheapToSearch || has_at_most(merit, kHopeless);
+}
+
+}  // namespace
+
+Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeField& sizes) {
+  mesh.set_goal(goal);
+  RefineLimits limits;
+  limits.smallest_cot = 1 / std::tan(kRefinedTo * std::numbers::pi / 180);
+  limits.budget = sizes.is_active() ? kMostSized : 20 * mesh.points.size() + 1000;
+  MutableMesh start = mesh;  // a third of what it becomes: to be refined again is rare
+  refine(mesh, limits, sizes);
+  if (sizes.is_active()) {
+    budget.left += kEvaluationsPerVertex * (mesh.points.size() - mesh.fixed_vertices());
+  }
+  Budget part = budget.share(kFirstShare);
+  improve_within(mesh, part);
+  budget.left += part.left;
+  Merit merit = merit_of(mesh, goal);
+  if (!has_at_most(merit, kManyAbove)) {
+    part = budget.share(kFirstShare);
+    refine(start, limits, sizes);
+    start.set_goal(light(goal));
+    improve_within(start, part);
+    budget.left += part.left;
+    const Merit now = merit_of(start, goal);
+    if (is_better(now, merit)) {
+      merit = now;
+      mesh = std::move(start);
+    }
+  }
+  if (has_at_most(merit, kFewAbove)) {
+    budget.left += kEvaluationsForFew * std::min(merit.above, kMostOfFew);
+  }
+  const bool is_tiny = mesh.fixed_vertices() <= kTinyRegion && !sizes.is_active();
+  if (!is_tiny && is_worth_a_search(merit)) search_excerpts(mesh, goal, budget);
+  if (!sizes.is_active()) budget.spend(thin_out(mesh, budget.left).evaluations);
+  return merit_of(mesh, goal);
+}
+
+Merit improve_largest(MutableMesh& mesh, const Goal& goal, Budget& budget) {
+  mesh.set_goal(light(goal));
+  improve_within(mesh, budget);
+  const Merit merit = merit_of(mesh, goal);
+  if (merit.triangles > kCheapToSearchAgain || !is_worth_a_search(merit)) return merit;
+  search_excerpts(mesh, goal, budget);
+  return merit_of(mesh, goal);
+}
+
+}  // namespace cover

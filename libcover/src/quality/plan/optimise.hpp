@@ -1,0 +1,23 @@
+// From the constrained Delaunay triangulation to one that meets the goal, or comes close.
+#pragma once
+
+#include "quality/effort/budget.hpp"
+#include "quality/fault/merit.hpp"
+#include "quality/mutable/mutable_mesh.hpp"
+#include "sizes/size_field.hpp"
+
+namespace cover {
+
+/// Refines and improves a constrained Delaunay triangulation. With wished sizes nothing is thinned
+/// out.
+///
+/// REQUIRES: `mesh` is constrained Delaunay
+/// ENSURES:  returns what was reached, by `goal`; nothing promises that it is better than before
+Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeField& sizes = {});
+
+/// Improves any triangulation, with the largest angle before all else.
+///
+/// ENSURES: returns what was reached, by `goal`; the largest angle is no larger than before
+Merit improve_largest(MutableMesh& mesh, const Goal& goal, Budget& budget);
+
+}  // namespace cover

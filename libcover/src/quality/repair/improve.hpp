@@ -1,0 +1,24 @@
+// Local improvement of the triangles that miss the goal.
+#pragma once
+
+#include <cstdint>
+
+#include "quality/mutable/mutable_mesh.hpp"
+
+namespace cover {
+
+/// What an improvement took, and whether it was cut short.
+struct ImproveResult {
+  std::uint64_t evaluations = 0;  ///< stars looked at: the unit of the budget
+  bool budget_used_up = false;
+};
+
+/// Works on every triangle with a positive excess until none is left that can be made better, by
+/// the moves flip, relocate, remove and restar, in this order.
+///
+/// Every step lowers the largest excess of the triangles that it touches, or lowers their number
+/// and keeps it: monotone. A triangle for which nothing helped is forgotten until a triangle
+/// beside it changes. Cost: at most `budget` star evaluations, each O(1).
+ImproveResult improve(MutableMesh& mesh, std::uint64_t budget);
+
+}  // namespace cover

@@ -1,0 +1,60 @@
+// See kicks.hpp. Tested by tests/unit/quality/plan/optimise_test.cpp.
+#include "quality/repair/kicks.hpp"
+
+#include <utility>
+
+#include "quality/moves/kick.hpp"
+#include "quality/mutable/excerpt.hpp"
+#include "quality/repair/improve.hpp"
+
+namespace cover {
+namespace {
+
+constexpr std::size_t kTriangles = 64;  ///< around the one that is kicked, that may change
+constexpr double kStricter = 0.1;  ///< the goal that is tried first, in cotangents: 6 degrees less
+constexpr std::uint64_t kCopied = 8;  ///< triangles copied in the time of one star evaluation
+
+}  // namespace
+
+void improve_with_slack(MutableMesh& mesh, Budget& budget) {
+  const Goal aim = mesh.goal();
+  mesh.set_goal({aim.large - kStricter, aim.small * (1 - kStricter), aim.weight});
+  budget.spend(improve(mesh, budget.left).evaluations);
+  mesh.set_goal(aim);
+  budget.spend(improve(mesh, budget.left).evaluations + mesh.triangles.size() / kCopied);
+}
+
+bool kick_and_improve(MutableMesh& mesh, const Goal& goal, Budget& budget) {
+  const Merit before = merit_of(mesh, goal);
+  for (int kind = 0; kind < kKinds && !budget.is_used_up(); ++kind) {
+    MutableMesh trial = mesh;
+    if (!kick(trial, 0, kind)) continue;
+    improve_with_slack(trial, budget);
+    const Merit now = merit_of(trial, goal);
+    if (now.above > before.above || !is_better(now, before)) continue;
+    mesh = std::move(trial);
+    return true;
+  }
+  return false;
+}
+
+void improve_by_kicks(MutableMesh& mesh, const Goal& goal, Merit& merit, Budget& budget) {
+  if (merit.above == 0) return;
+  std::vector<std::uint32_t> queue;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (is_above(mesh, t, goal)) queue.push_back(t);
+  }
+  for (std::size_t head = 0; head < queue.size() && !budget.is_used_up(); ++head) {
+    const std::uint32_t t = queue[head];
+    if (!is_above(mesh, t, goal)) continue;
+    const Excerpt excerpt(mesh, t, kTriangles);
+    MutableMesh part = excerpt.mesh;
+    if (!kick_and_improve(part, goal, budget)) continue;
+    for (const std::uint32_t changed : excerpt.replace(mesh, part)) {
+      if (is_above(mesh, changed, goal)) queue.push_back(changed);
+    }
+  }
+  merit = merit_of(mesh, goal);
+}
+
+}  // namespace cover

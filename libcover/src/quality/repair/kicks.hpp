@@ -1,0 +1,26 @@
+// Kicks, each followed by improvement, tried in excerpts.
+#pragma once
+
+#include "quality/effort/budget.hpp"
+#include "quality/fault/merit.hpp"
+#include "quality/mutable/mutable_mesh.hpp"
+
+namespace cover {
+
+/// Improves for a stricter goal first, then for the one set: what ends just short of a goal can be
+/// led past it, as where right angles at a side would have to be met exactly.
+void improve_with_slack(MutableMesh& mesh, Budget& budget);
+
+/// Kicks triangle 0 of `mesh` in every way, as below, until one makes it better by `goal`.
+bool kick_and_improve(MutableMesh& mesh, const Goal& goal, Budget& budget);
+
+/// Tries, for every triangle with a larger angle than the goal allows: a vertex in its middle or on
+/// one of its edges, a flip, the removal of a vertex; and improves what comes of it, for the goal
+/// that `mesh` has set. Keeps what is better by `goal`, and goes on from there.
+///
+/// REQUIRES: `mesh` is improved, `merit` is its merit by `goal`
+/// ENSURES:  neither the largest angle nor the number of triangles above the goal has grown
+/// Cost:     an attempt looks at some dozens of triangles around, however many there are
+void improve_by_kicks(MutableMesh& mesh, const Goal& goal, Merit& merit, Budget& budget);
+
+}  // namespace cover

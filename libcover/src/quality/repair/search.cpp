@@ -1,0 +1,217 @@
+// A triangle that is left is often held by neighbours that meet the goal just so. Each attempt
+// changes a copy of an excerpt: improvement with hardly any weight for small angles, or with all of
+// it; holes of growing size filled anew with one vertex; kicks, then improvement; where one vertex
+// at a time is stuck, several at once. A trial aims a little below the goal, or ties between large
+// and small angles would end just above it. Tested by tests/unit/quality/repair/search_test.cpp.
+#include "quality/repair/search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "base/once_queue.hpp"
+#include "quality/fault/standing.hpp"
+#include "quality/moves/kick.hpp"
+#include "quality/mutable/cavity.hpp"
+#include "quality/mutable/excerpt.hpp"
+#include "quality/optimum/min_max_polygon.hpp"
+#include "quality/optimum/min_max_polygon_with_vertex.hpp"
+#include "quality/repair/improve.hpp"
+#include "quality/repair/improve_jointly.hpp"
+#include "quality/repair/kicks.hpp"
+#include "quality/starts/restart.hpp"
+
+namespace cover {
+namespace {
+
+constexpr std::size_t kTriangles = 64;  ///< in an excerpt
+constexpr std::uint64_t kCopied = 8;    ///< triangles copied in the time of one star evaluation
+constexpr std::uint64_t kLeastShare = 1000;  ///< of the budget, for a triangle
+constexpr std::uint64_t kLeastSpent = 20;    ///< for a triangle: its excerpt alone
+constexpr std::size_t kFew = 3;              ///< triangles with small angles, in an excerpt
+constexpr int kLeastHole = 6;                ///< edges of a hole that is filled anew
+constexpr std::array<std::size_t, 3> kRestarted{6, 10, 14};  ///< triangles that are, in turn
+constexpr int kRestarts = 12;
+
+/// Takes in the worst triangle beside the cavity that can be.
+bool grow(const MutableMesh& mesh, Cavity& cavity) {
+  std::array<bool, Cavity::kCapacity> tried{};
+  for (;;) {
+    int best = -1;
+    for (int k = 0; k < cavity.size(); ++k) {
+      if (tried[static_cast<std::size_t>(k)] || is_side(cavity.outer(k))) continue;
+      if (best < 0 || mesh.excess[cavity.outer(k)] > mesh.excess[cavity.outer(best)]) best = k;
+    }
+    if (best < 0) return false;
+    tried[static_cast<std::size_t>(best)] = true;
+    if (cavity.grow(best)) return true;
+  }
+}
+
+/// The attempts around one triangle.
+class Attempts {
+ public:
+  Attempts(const MutableMesh& part, const Goal& goal, Budget& budget, Effort effort)
+      : part_(part),
+        goal_(goal),
+        light_(goal),
+        before_(standing_of(part, goal)),
+        budget_(budget),
+        effort_(effort) {
+    light_.weight *= kLightWeight;
+    light_.large -= kAimBelow;
+  }
+
+  /// ENSURES: true if result() is better than the part
+  bool run() {
+    const bool only_small = before_.above == 0;
+    const Goal& first = only_small ? goal_ : light_;
+    const Goal& second = only_small ? light_ : goal_;
+    if (as_it_is(first, false) || fill_holes(first) || kick(first, false)) return true;
+    if (as_it_is(second, false)) return true;
+    if (before_.below > 0 && kick(second, false)) return true;
+    if (as_it_is(first, true)) return true;
+    const bool is_alone = before_.above > 0 || before_.below <= kFew;
+    if (is_alone && kick(first, true)) return true;
+    return effort_ == Effort::most && before_.above > 0 && start_again(first);
+  }
+
+  [[nodiscard]] const MutableMesh& result() const { return trial_; }
+
+ private:
+  [[nodiscard]] bool is_better() const { return is_gain(standing_of(trial_, goal_), before_); }
+
+  /// Improves the trial for `aim`, a vertex at a time and then several at once. With `slack` for a
+  /// much stricter goal before.
+  bool improve_trial(const Goal& aim, bool slack) {
+    trial_.set_goal(aim);
+    if (slack) {
+      improve_with_slack(trial_, budget_);
+    } else {
+      budget_.spend(improve(trial_, budget_.left).evaluations + trial_.triangles.size() / kCopied);
+    }
+    return improve_jointly(trial_, budget_, [this] { return is_better(); });
+  }
+
+  bool as_it_is(const Goal& aim, bool slack) {
+    trial_ = part_;
+    return improve_trial(aim, slack);
+  }
+
+  /// Takes out triangles around the one in the middle, more and more, and fills the hole.
+  bool fill_holes(const Goal& aim) {
+    MutableMesh start = part_;
+    start.set_goal(aim);
+    Cavity cavity(start);
+    cavity.start(0);
+    for (bool grown = true; grown && !budget_.is_used_up();) {
+      grown = cavity.size() < kPolygonLimit && grow(start, cavity);
+      if (cavity.size() == 3 || (grown && cavity.size() < kLeastHole)) continue;
+      std::uint64_t evaluations = 0;
+      Patch patch;
+      const double worst =
+          min_max_polygon_with_vertex(start, cavity, cavity.worst(), patch, evaluations);
+      budget_.spend(evaluations);
+      if (!(worst < cavity.worst())) continue;
+      trial_ = start;
+      Installed installed;
+      if (!install_patch(trial_, cavity, patch, installed)) continue;
+      if (is_better() || improve_trial(aim, false)) return true;
+    }
+    return false;
+  }
+
+  /// Kicks the triangle in the middle in every way.
+  bool kick(const Goal& aim, bool slack) {
+    for (int kind = 0; kind < kKinds && !budget_.is_used_up(); ++kind) {
+      trial_ = part_;
+      if (cover::kick(trial_, 0, kind) && improve_trial(aim, slack)) return true;
+    }
+    return false;
+  }
+
+  /// Triangulates the inside of the excerpt anew, from one vertex less up to one more at random
+  /// places.
+  bool start_again(const Goal& aim) {
+    for (std::uint32_t k = 0; k < kRestarts && !budget_.is_used_up(); ++k) {
+      const Excerpt inside(part_, 0, kRestarted[k % kRestarted.size()]);
+      const std::size_t count = inside.mesh.points.size() - inside.mesh.fixed_vertices();
+      std::optional<MutableMesh> anew =
+          restart(inside.mesh, std::max<std::size_t>(count + k / kRestarted.size() % 3, 2) - 1, k);
+      budget_.spend(kRestartCost);
+      if (!anew) continue;
+      trial_ = part_;
+      trial_.set_goal(aim);
+      anew->set_goal(aim);
+      inside.replace(trial_, *anew);
+      if (improve_trial(aim, false)) return true;
+    }
+    return false;
+  }
+
+  const MutableMesh& part_;
+  MutableMesh trial_;
+  const Goal& goal_;
+  Goal light_;
+  Standing before_;
+  Budget& budget_;
+  Effort effort_;
+};
+
+/// The triangles that are left, in turn.
+class Search {
+ public:
+  Search(MutableMesh& mesh, Budget& budget, Effort effort)
+      : mesh_(mesh), budget_(budget), effort_(effort) {}
+
+  void run() {
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) enqueue(t);
+    while (!queue_.empty()) {
+      const std::size_t shares = queue_.size();
+      const std::uint32_t t = queue_.pop();
+      if (!is_left(t)) continue;
+      if (budget_.is_used_up()) {
+        budget_.was_too_small = true;
+        return;
+      }
+      try_around(t, shares);
+    }
+  }
+
+ private:
+  [[nodiscard]] bool is_left(std::uint32_t t) const { return mesh_.excess[t] > kSameCot; }
+
+  void enqueue(std::uint32_t t) {
+    if (is_left(t)) queue_.push(t);
+  }
+
+  /// Spends on `t` one of `shares` equal shares of the budget at most.
+  void try_around(std::uint32_t t, std::size_t shares) {
+    Budget share = budget_;
+    share.left = std::min(budget_.left, std::max(kLeastShare, budget_.left / shares));
+    const std::uint64_t given = share.left;
+    const Excerpt excerpt(mesh_, t, kTriangles);
+    Attempts attempts(excerpt.mesh, mesh_.goal(), share, effort_);
+    if (attempts.run()) {
+      for (const std::uint32_t changed : excerpt.replace(mesh_, attempts.result())) {
+        enqueue(changed);
+      }
+    }
+    budget_.spend(std::max(kLeastSpent, given - share.left));
+  }
+
+  MutableMesh& mesh_;
+  Budget& budget_;
+  Effort effort_;
+  OnceQueue queue_;
+};
+
+}  // namespace
+
+void search_excerpts(MutableMesh& mesh, const Goal& goal, Budget& budget, Effort effort) {
+  mesh.set_goal(goal);
+  Search(mesh, budget, effort).run();
+}
+
+}  // namespace cover

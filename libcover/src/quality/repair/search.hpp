@@ -1,0 +1,24 @@
+// Out of local optima: what improvement has left, tried again and again in excerpts.
+#pragma once
+
+#include "quality/effort/budget.hpp"
+#include "quality/mutable/mutable_mesh.hpp"
+
+namespace cover {
+
+/// How much is tried for a triangle.
+enum class Effort {
+  usual,
+  most,  ///< at last random restarts, worth their time where few triangles are left
+};
+
+/// Tries, for every triangle that misses `goal`, several ways to make an excerpt around it better
+/// as a whole, and goes on from there.
+///
+/// ENSURES: the goal of `mesh` is `goal`; neither the largest angle nor the number of triangles
+///          above the goal has grown, and the smallest angle is smaller only if one of these is
+/// Cost:    an attempt looks at some dozens of triangles around, however many there are
+void search_excerpts(MutableMesh& mesh, const Goal& goal, Budget& budget,
+                     Effort effort = Effort::usual);
+
+}  // namespace cover

@@ -1,0 +1,297 @@
+// See delaunay_refinement.hpp. The triangles of a Delaunay cavity, unlike those of `Cavity`, may be
+// many: the first vertex inside a long loop sees most of it. Tested by
+// tests/unit/quality/repair/improve_test.cpp.
+#include "quality/starts/delaunay_refinement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/bucket_queue.hpp"
+#include "geom/predicates.hpp"
+#include "geom/vector.hpp"
+
+namespace cover {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Circumradius allowed, times the size. An equilateral triangle has 0.577; what refinement leaves
+/// is smaller on average than what it may leave, and with this factor the number of triangles is
+/// that of equilateral ones, within 10 % on squares and discs.
+constexpr double kRadius = 0.78;
+
+/// The shortest edges come first, but not over the whole mesh: every bucket would be a way through
+/// all of the memory. Of those as long as each other within a factor of 16, a block of neighbours
+/// is worked off before the next one.
+constexpr int kBlock = 4096;          ///< triangles
+constexpr int kBucketsPerBlock = 16;  ///< two per factor of two, in squared lengths
+
+class Refinement {
+ public:
+  Refinement(MutableMesh& mesh, const RefineLimits& limits, SizeField sizes)
+      : mesh_(mesh), limits_(limits), sizes_(std::move(sizes)) {
+    const double kappa = std::atan2(1.0, limits.smallest_cot);
+    off_centre_ = 0.4 / std::tan(kappa / 2);  // 0.5: the new angle is kappa
+    stamp_.assign(mesh_.triangles.size(), 0);
+    guarded_.assign(mesh_.triangles.size(), 0);
+    guard_forced();
+    shortest_ = shortest_edge();
+  }
+
+  void run() {
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) enqueue(t);
+    std::size_t inserted = 0;
+    while (inserted < limits_.budget && take_block()) {
+      while (inserted < limits_.budget && !block_.empty()) {
+        const Entry entry = block_.pop();
+        if (mesh_.triangles[entry.triangle].v != entry.v) continue;
+        if (insert_near(entry.triangle)) ++inserted;
+      }
+    }
+  }
+
+ private:
+  struct Entry {
+    std::uint32_t triangle;
+    std::array<std::uint32_t, 3> v;
+    int bucket;  ///< in a block
+  };
+  struct LoopEdge {
+    std::uint32_t a, b, outer;
+  };
+  /// An edge of a triangle of the cavity, beyond which nobody has looked yet.
+  struct OpenEdge {
+    std::uint32_t triangle;
+    int edge;
+  };
+
+  /// Marks the triangles on sides whose apex angle is forced, and on edges of such triangles.
+  void guard_forced() {
+    std::vector<std::uint32_t> stack;
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) stack.push_back(t);
+    while (!stack.empty()) {
+      const std::uint32_t t = stack.back();
+      stack.pop_back();
+      if (guarded_[t] != 0) continue;
+      for (int i = 0; i < 3; ++i) {
+        const std::uint32_t n = mesh_.triangles[t].n[at(i)];
+        if (!is_side(n) && guarded_[n] == 0) continue;
+        const Corners k(mesh_.corner(t, i), mesh_.corner(t, next3(i)), mesh_.corner(t, prev3(i)));
+        if (-k.dot[0] <= mesh_.goal().large * k.cross) continue;
+        guarded_[t] = 1;
+        for (const std::uint32_t other : mesh_.triangles[t].n) {
+          if (!is_side(other)) stack.push_back(other);
+        }
+        break;
+      }
+    }
+  }
+
+  /// Queues `t` if it has an angle that is too small, or is too large. Those with the shortest
+  /// edges come first: what is put near them improves the longer ones around for nothing.
+  void enqueue(std::uint32_t t) {
+    if (guarded_[t] != 0) return;
+    const Corners k(mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2));
+    if (!has_small_angle(t, k) && !is_too_large(t, k)) return;
+    // The dot products at the ends of an edge add up to its squared length.
+    const double shortest2 =
+        std::min({k.dot[0] + k.dot[1], k.dot[1] + k.dot[2], k.dot[2] + k.dot[0]});
+    const int bucket = half_octave(shortest2) - shortest_;
+    BucketQueue<Entry>& queue = bucket < block_end_ ? block_ : waiting_;
+    queue.push(&queue == &block_ ? bucket : bucket / kBucketsPerBlock,
+               {t, mesh_.triangles[t].v, bucket});
+  }
+
+  /// Fills the empty block from those that wait; false if there are none.
+  bool take_block() {
+    if (waiting_.empty()) return false;
+    const int first = waiting_.first();
+    block_end_ = (first + 1) * kBucketsPerBlock;
+    for (int k = 0; k < kBlock && !waiting_.empty() && waiting_.first() == first; ++k) {
+      const Entry entry = waiting_.pop();
+      block_.push(entry.bucket, entry);
+    }
+    return true;
+  }
+
+  /// An angle below the limit that is not one between two sides.
+  [[nodiscard]] bool has_small_angle(std::uint32_t t, const Corners& k) const {
+    const auto& n = mesh_.triangles[t].n;
+    for (int i = 0; i < 3; ++i) {
+      if (k.dot[i] <= limits_.smallest_cot * k.cross) continue;
+      if (!is_side(n[at(next3(i))]) || !is_side(n[at(prev3(i))])) return true;
+    }
+    return false;
+  }
+
+  /// A circumradius above what the size allows: at the circumcentre, as far as the corners tell,
+  /// and at the centroid.
+  [[nodiscard]] bool is_too_large(std::uint32_t t, const Corners& k) const {
+    if (!sizes_.is_active() && limits_.largest_radius == kInverted) return false;
+    const double squared = (k.dot[0] + k.dot[1]) * (k.dot[1] + k.dot[2]) * (k.dot[2] + k.dot[0]);
+    const double radius = std::sqrt(squared) / (2 * k.cross);
+    if (radius > limits_.largest_radius) return true;
+    if (!sizes_.is_active()) return false;
+    const auto& v = mesh_.triangles[t].v;
+    const Point a = mesh_.points[v[0]], b = mesh_.points[v[1]], c = mesh_.points[v[2]];
+    double size = sizes_.largest_at({(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3});
+    for (const std::uint32_t u : v) size = std::min(size, sizes_.near(u, radius));
+    for (const std::uint32_t u : v) size = std::max(size, sizes_.least_near(u, radius));
+    return radius > kRadius * size;
+  }
+
+  /// The squared length of the shortest edge, as half_octave() measures it.
+  [[nodiscard]] int shortest_edge() const {
+    double shortest2 = kInverted;
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      for (int i = 0; i < 3; ++i) {
+        shortest2 = std::min(shortest2,
+                             squared_length(mesh_.corner(t, prev3(i)) - mesh_.corner(t, next3(i))));
+      }
+    }
+    return half_octave(shortest2);
+  }
+
+  /// The circumcentre of `t`, or the off-centre of its shortest edge where that is nearer.
+  [[nodiscard]] Point centre_of(std::uint32_t t) const {
+    int shortest = 0;
+    double length2 = kInverted;
+    for (int i = 0; i < 3; ++i) {
+      const double l = squared_length(mesh_.corner(t, prev3(i)) - mesh_.corner(t, next3(i)));
+      if (l < length2) {
+        length2 = l;
+        shortest = i;
+      }
+    }
+    const Point a = mesh_.corner(t, next3(shortest)), b = mesh_.corner(t, prev3(shortest));
+    const Vector e = b - a, u = mesh_.corner(t, shortest) - a;
+    const Vector w = mesh_.corner(t, shortest) - b;
+    // The circumcentre is at height |e| cot(apex) / 2 above the middle of e.
+    const double height = std::min(0.5 * dot(u, w) / cross(e, u), off_centre_);
+    return a + (0.5 * e + height * left_normal(e));
+  }
+
+  /// The triangle that contains `p`, from `t` on; kNone if a side is in the way.
+  [[nodiscard]] std::uint32_t locate(std::uint32_t t, Point p) const {
+    std::uint32_t from = kNone;
+    for (;;) {
+      std::uint32_t go = kNone;
+      for (int i = 0; i < 3 && go == kNone; ++i) {
+        const std::uint32_t n = mesh_.triangles[t].n[at(i)];
+        if (n == from) continue;
+        if (orientation(mesh_.corner(t, next3(i)), mesh_.corner(t, prev3(i)), p) ==
+            Sign::negative) {
+          if (is_side(n)) return kNone;
+          go = n;
+        }
+      }
+      if (go == kNone) return t;
+      from = t;
+      t = go;
+    }
+  }
+
+  /// Takes a triangle into the cavity; false if it is guarded.
+  bool take(std::uint32_t t) {
+    stamp_[t] = round_;
+    cavity_.push_back(t);
+    return guarded_[t] == 0;
+  }
+
+  /// Collects the triangles whose circle contains `p`, and their loop in order. False if one of
+  /// them is guarded or a side would be seen from `p` at too large an angle.
+  bool find_cavity(std::uint32_t start, Point p) {
+    ++round_;
+    cavity_.clear();
+    loop_.clear();
+    if (!take(start)) return false;
+    open_ = {{start, 2}, {start, 1}, {start, 0}};  // depth first, counter-clockwise
+    while (!open_.empty()) {
+      const auto [t, i] = open_.back();
+      open_.pop_back();
+      const std::uint32_t n = mesh_.triangles[t].n[at(i)];
+      if (!is_side(n) && stamp_[n] == round_) continue;
+      const std::uint32_t va = mesh_.triangles[t].v[at(next3(i))];
+      const std::uint32_t vb = mesh_.triangles[t].v[at(prev3(i))];
+      if (!is_side(n) && in_circle(mesh_.corner(n, 0), mesh_.corner(n, 1), mesh_.corner(n, 2), p) ==
+                             Sign::positive) {
+        if (!take(n)) return false;
+        const int entry = mesh_.triangles[n].edge_from(vb);
+        open_.push_back({n, prev3(entry)});
+        open_.push_back({n, next3(entry)});
+        continue;
+      }
+      const Point a = mesh_.points[va], b = mesh_.points[vb];
+      if (is_side(n)) {
+        const Corners c(p, a, b);
+        if (!(c.dot[0] >= limits_.apex_cot * c.cross)) return false;
+      }
+      if (orientation(a, b, p) != Sign::positive) return false;
+      loop_.push_back({va, vb, n});
+    }
+    return true;
+  }
+
+  bool insert_near(std::uint32_t t) {
+    const Point p = centre_of(t);
+    const std::uint32_t start = locate(t, p);
+    if (start == kNone || !find_cavity(start, p)) return false;
+    const std::uint32_t apex = mesh_.add_vertex(p);
+    while (cavity_.size() < loop_.size()) cavity_.push_back(mesh_.add_triangle());
+    stamp_.resize(mesh_.triangles.size(), 0);
+    guarded_.resize(mesh_.triangles.size(), 0);
+    std::uint32_t before = cavity_[loop_.size() - 1];
+    for (std::size_t k = 0; k < loop_.size(); ++k) {
+      const LoopEdge& e = loop_[k];
+      const std::uint32_t s = cavity_[k], after = cavity_[k + 1 < loop_.size() ? k + 1 : 0];
+      mesh_.triangles[s] = {{e.a, e.b, apex}, {after, before, e.outer}};
+      mesh_.link(e.outer, e.a, e.b, s);
+      mesh_.home[e.a] = s;
+      before = s;
+    }
+    mesh_.home[apex] = cavity_[0];
+    if (sizes_.is_active()) set_size(apex);
+    for (std::size_t k = 0; k < loop_.size(); ++k) {
+      enqueue(cavity_[k]);
+    }
+    return true;
+  }
+
+  /// Gives a new vertex its size, from the vertices of the loop around it.
+  void set_size(std::uint32_t vertex) {
+    const Point p = mesh_.points[vertex];
+    double size = sizes_.largest_at(p), least = 0;
+    for (const LoopEdge& e : loop_) {
+      const double distance = length(mesh_.points[e.a] - p);
+      size = std::min(size, sizes_.near(e.a, distance));
+      least = std::max(least, sizes_.least_near(e.a, distance));
+    }
+    sizes_.set(vertex, size, least);
+  }
+
+  MutableMesh& mesh_;
+  RefineLimits limits_;
+  SizeField sizes_;
+  double off_centre_ = 0;
+  BucketQueue<Entry> waiting_;  ///< whole blocks apart, in the order in which they came
+  BucketQueue<Entry> block_;    ///< what is worked on, with all that comes from it
+  int block_end_ = 0;           ///< bucket; from there on entries wait
+  int shortest_ = 0;
+  std::vector<std::uint32_t> stamp_;
+  std::vector<std::uint8_t> guarded_;
+  std::uint32_t round_ = 0;
+  std::vector<std::uint32_t> cavity_;
+  std::vector<LoopEdge> loop_;
+  std::vector<OpenEdge> open_;
+};
+
+}  // namespace
+
+void refine(MutableMesh& mesh, const RefineLimits& limits, SizeField sizes) {
+  Refinement(mesh, limits, std::move(sizes)).run();
+  mesh.arrange();
+  mesh.measure_all();
+}
+
+}  // namespace cover

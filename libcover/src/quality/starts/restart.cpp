@@ -1,0 +1,134 @@
+// A place is drawn in a triangle that is drawn first: where triangles are small there is much to be
+// decided. Places keep their barycentric coordinates, so scaled by a power of two they are the
+// same places. Every other restart of those for the largest angle leaves small angles out: beside
+// a side that is very short, even the lightest weight makes them count for more. Tested by
+// tests/unit/quality/repair/search_test.cpp.
+#include "quality/starts/restart.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "cdt/cdt.hpp"
+#include "cdt/sides.hpp"
+#include "geom/vector.hpp"
+#include "quality/repair/improve_jointly.hpp"
+
+namespace cover {
+namespace {
+
+constexpr std::uint32_t kRestarts = 27;         ///< where the target for large angles is missed
+constexpr std::uint32_t kRestartsForSmall = 6;  ///< where only small angles are left
+constexpr std::array<double, 3> kPolished{0.2, 0.04, 0.008};  ///< of what is missed: last aims
+
+/// splitmix64: the same numbers with every compiler.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+  /// In [0, 1).
+  double next() {
+    state_ += 0x9E3779B97F4A7C15U;
+    std::uint64_t mixed = state_;
+    mixed = (mixed ^ (mixed >> 30)) * 0xBF58476D1CE4E5B9U;
+    mixed = (mixed ^ (mixed >> 27)) * 0x94D049BB133111EBU;
+    return static_cast<double>((mixed ^ (mixed >> 31)) >> 11) * 0x1p-53;
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+/// A side and its number.
+using NumberedSide = std::pair<IndexPair, std::uint32_t>;
+
+std::vector<NumberedSide> sides_in_order(const MutableMesh& mesh) {
+  std::vector<NumberedSide> sides;
+  for (const MeshTriangle& t : mesh.triangles) {
+    if (t.v[0] == kNone) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (is_side(t.n[i]))
+        sides.push_back({{t.v[(i + 1) % 3], t.v[(i + 2) % 3]}, side_index(t.n[i])});
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  return sides;
+}
+
+}  // namespace
+
+std::optional<MutableMesh> restart(const MutableMesh& mesh, std::size_t count,
+                                   std::uint32_t number) {
+  const std::uint32_t fixed = mesh.fixed_vertices();
+  std::vector<Point> points(mesh.points.begin(), mesh.points.begin() + fixed);
+  std::vector<std::uint32_t> present;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!mesh.is_hole(t)) present.push_back(t);
+  }
+  Random random(number);
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto drawn =
+        static_cast<std::size_t>(random.next() * static_cast<double>(present.size()));
+    double u = random.next(), v = random.next();
+    if (u + v > 1) u = 1 - u, v = 1 - v;
+    const Point a = mesh.corner(present[drawn], 0);
+    const Vector to_b = mesh.corner(present[drawn], 1) - a,
+                 to_c = mesh.corner(present[drawn], 2) - a;
+    points.push_back(a + u * to_b + v * to_c);
+  }
+
+  const std::vector<NumberedSide> sides = sides_in_order(mesh);
+  std::vector<IndexPair> pairs;
+  for (const auto& [pair, side] : sides) pairs.push_back(pair);
+  const CdtResult cdt = triangulate_domain(points, pairs);
+  if (!cdt.conflicts.empty()) return std::nullopt;
+  const std::vector<EdgeRef> found = locate_sides(cdt.triangulation, pairs);
+  std::vector<EdgeRef> side_at(mesh.sides.size());
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    if (found[k].triangle == kNone) return std::nullopt;
+    side_at[sides[k].second] = found[k];
+  }
+  MutableMesh result(cdt.triangulation, fixed, side_at, mesh.sides);
+  for (std::uint32_t v = fixed; v < result.points.size(); ++v) {
+    if (result.home[v] == kNone) return std::nullopt;
+  }
+  result.set_goal(mesh.goal());
+  return result;
+}
+
+MutableMesh best_restart(const MutableMesh& mesh, const Goal& goal, double ceiling, Merit& merit,
+                         Budget& budget) {
+  MutableMesh best = mesh;
+  /// Improves `trial` with the largest angle first, down to -cot `aim`; keeps it if it is better.
+  const auto try_it = [&](MutableMesh trial, double aim, double light) {
+    trial.set_goal({aim, goal.small, light * goal.weight});
+    budget.spend(improve(trial, budget.left).evaluations);
+    improve_jointly(trial, budget, [] { return false; });
+    trial.set_goal(goal);
+    const Merit reached = merit_of(trial, goal);
+    if (is_smaller_cot(ceiling, reached.large) || !is_better(reached, merit)) return;
+    merit = reached;
+    best = std::move(trial);
+  };
+
+  // What is aimed at, in turn: the region's own target; the goal; few triangles above 120 degrees.
+  const std::array<double, 3> aims{merit.target, goal.large,
+                                   std::max(goal.large, std::min(kFarAbove, merit.target))};
+  const bool only_small = merit.above == 0 && !is_smaller_cot(merit.target, merit.large);
+  const std::uint32_t restarts = only_small ? kRestartsForSmall : kRestarts;
+  for (std::uint32_t k = 0; k < restarts && !budget.is_used_up(); ++k) {
+    std::optional<MutableMesh> start = restart(mesh, 1 + k / aims.size() % 3, k);
+    budget.spend(kRestartCost);
+    if (start)
+      try_it(*std::move(start), aims[k % aims.size()] - kAimBelow,
+             only_small || k % 2 == 0 ? kLightWeight : 0);
+  }
+  // Steps count by what they win of an excess: near the aim, small ones do.
+  for (const double part : kPolished) {
+    if (!is_smaller_cot(merit.target, merit.large) || budget.is_used_up()) break;
+    try_it(best, merit.large - part * (merit.large - merit.target), 0);
+  }
+  return best;
+}
+
+}  // namespace cover

@@ -1,0 +1,108 @@
+#include "quality/mutable/mutable_mesh.hpp"
+
+#include "../mesh_checks.hpp"
+#include "quality/repair/improve.hpp"
+#include "quality/starts/delaunay_refinement.hpp"
+
+namespace cover {
+namespace {
+
+using namespace testing;
+
+RegionBoundary square() { return boundary_of({{{0, 0}, {1, 0}, {1, 1}, {0, 1.1}}}); }
+
+TEST(MutableMesh, TakesOverATriangulation) {
+  const RegionBoundary boundary = smooth_star(60);
+  const MutableMesh mesh = cdt_mesh(boundary);
+  EXPECT_EQ(mesh.triangle_count(), 58u);
+  EXPECT_EQ(mesh.fixed_vertices(), 60u);
+  expect_sound(mesh, boundary);
+}
+
+TEST(MutableMesh, CutsSlitsOpen) {
+  RegionBoundary boundary = boundary_of({{{0, 0}, {2, 0}, {2, 2}, {0, 2}}}, {{0.5, 1}, {1.5, 1}});
+  const auto index = [&](Point p) {
+    return static_cast<std::uint32_t>(std::find(boundary.points.begin(), boundary.points.end(), p) -
+                                      boundary.points.begin());
+  };
+  const std::uint32_t a = index({0.5, 1}), b = index({1.5, 1});
+  boundary.sides.push_back({a, b});
+  boundary.sides.push_back({b, a});
+  std::sort(boundary.sides.begin(), boundary.sides.end());
+  boundary.segments.resize(boundary.sides.size());
+  expect_sound(cdt_mesh(boundary), boundary);
+}
+
+TEST(MutableMesh, FlipsAndFlipsBack) {
+  const RegionBoundary boundary = square();
+  MutableMesh mesh = cdt_mesh(boundary);
+  const auto inner_edge = [&] {
+    for (int i = 0; i < 3; ++i) {
+      if (!is_side(mesh.triangles[0].n[static_cast<std::size_t>(i)])) return i;
+    }
+    return -1;
+  };
+  const double before = worst_excess(mesh);
+  const double predicted = mesh.excess_after_flip(0, inner_edge(), kInverted);
+  ASSERT_TRUE(mesh.flip(0, inner_edge()));
+  EXPECT_DOUBLE_EQ(worst_excess(mesh), predicted);
+  expect_sound(mesh, boundary);
+  ASSERT_TRUE(mesh.flip(0, inner_edge()));
+  EXPECT_DOUBLE_EQ(worst_excess(mesh), before);
+  expect_sound(mesh, boundary);
+}
+
+TEST(MutableMesh, RefusesToFlipTheDiagonalOfAReflexQuadrilateral) {
+  const RegionBoundary boundary = boundary_of({{{0, 0}, {4, 0}, {1, 1}, {0, 4}}});
+  MutableMesh mesh = cdt_mesh(boundary);
+  for (int i = 0; i < 3; ++i) {
+    if (is_side(mesh.triangles[0].n[static_cast<std::size_t>(i)])) continue;
+    EXPECT_EQ(mesh.excess_after_flip(0, i, kInverted), kInverted);
+    EXPECT_FALSE(mesh.flip(0, i));
+  }
+  expect_sound(mesh, boundary);
+}
+
+TEST(MutableMesh, IsTheSameMeshAfterArrangement) {
+  const RegionBoundary boundary = smooth_star(60);
+  MutableMesh mesh = cdt_mesh(boundary);
+  RefineLimits limits{.smallest_cot = 2, .budget = 1000};
+  refine(mesh, limits);
+  improve(mesh, 100000);
+  const auto corners = [&] {
+    std::vector<std::array<Point, 3>> all;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      if (mesh.is_hole(t)) continue;
+      all.push_back({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)});
+      std::rotate(all.back().begin(), std::min_element(all.back().begin(), all.back().end()),
+                  all.back().end());
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+  };
+  const auto before = corners();
+  const double worst = worst_excess(mesh);
+  mesh.drop_vertex(mesh.add_vertex({0, 0}));
+  mesh.drop_triangle(mesh.add_triangle());
+  mesh.arrange();
+  EXPECT_EQ(corners(), before);
+  EXPECT_EQ(worst_excess(mesh), worst);
+  EXPECT_EQ(mesh.triangles.size(), mesh.triangle_count());
+  EXPECT_EQ(std::count(mesh.home.begin(), mesh.home.end(), kNone), 0);
+  expect_sound(mesh, boundary);
+}
+
+TEST(MutableMesh, ForcedTrianglesMeetTheGoal) {
+  // The long side sees the tip of the notch at an angle that no mesh can avoid.
+  const RegionBoundary boundary = boundary_of({{{0, 0}, {10, 0}, {10, 5}, {5, 0.5}, {0, 5}}});
+  MutableMesh mesh = cdt_mesh(boundary, Goal::of(Angle::degrees(100), Angle::degrees(0)));
+  std::size_t forced = 0;
+  for (std::uint32_t s = 0; s < mesh.sides.size(); ++s) forced += mesh.allowances[s].large > 0;
+  EXPECT_GE(forced, 1u);
+  EXPECT_LE(worst_excess(mesh), 0);
+  mesh.set_goal(Goal::of(Angle::degrees(175), Angle::degrees(0)));
+  for (const Allowance& a : mesh.allowances) EXPECT_EQ(a.large, 0);
+}
+
+}  // namespace
+}  // namespace cover

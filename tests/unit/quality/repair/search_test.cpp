@@ -1,0 +1,129 @@
+#include "quality/repair/search.hpp"
+
+#include "../mesh_checks.hpp"
+#include "quality/fault/merit.hpp"
+#include "quality/moves/joint.hpp"
+#include "quality/repair/improve.hpp"
+#include "quality/starts/delaunay_refinement.hpp"
+#include "quality/starts/restart.hpp"
+
+namespace cover {
+namespace {
+
+using namespace testing;
+
+/// Improved as far as single vertices go, for a goal that is hard to meet.
+MutableMesh stuck_mesh(const RegionBoundary& boundary) {
+  MutableMesh mesh = cdt_mesh(boundary, Goal::of(Angle::degrees(93), Angle::degrees(25)));
+  RefineLimits limits;
+  limits.smallest_cot = 2.2;
+  limits.budget = 1000;
+  refine(mesh, limits);
+  improve(mesh, 1U << 30);
+  return mesh;
+}
+
+std::size_t left_in(const MutableMesh& mesh) {
+  return static_cast<std::size_t>(
+      std::count_if(mesh.excess.begin(), mesh.excess.end(), [](double e) { return e > 1e-9; }));
+}
+
+TEST(Search, FindsWhatImprovementDoesNot) {
+  const RegionBoundary boundary = smooth_star(300);
+  MutableMesh mesh = stuck_mesh(boundary);
+  const Goal goal = mesh.goal();
+  const Merit before = merit_of(mesh, goal);
+  const std::size_t left = left_in(mesh);
+  ASSERT_GT(left, 0u);
+  Budget budget{100'000'000, {}, false};
+  search_excerpts(mesh, goal, budget);
+  expect_sound(mesh, boundary);
+  EXPECT_FALSE(is_better(before, merit_of(mesh, goal)));
+  EXPECT_LT(3 * left_in(mesh), left);
+}
+
+TEST(Search, NeverMakesItWorseAndSaysWhenTheBudgetEnds) {
+  const std::uint64_t seed = test_seed(29);
+  SCOPED_TRACE(seed_trace(seed));
+  std::mt19937_64 random(seed);
+  bool was_too_small = false;
+  for (int k = 0; k < 12; ++k) {
+    const RegionBoundary boundary = boundary_of({random_star(6 + 2 * k, 0.4, random)});
+    MutableMesh mesh = cdt_mesh(boundary);
+    const Merit before = merit_of(mesh, default_goal());
+    Budget budget{300, {}, false};
+    search_excerpts(mesh, default_goal(), budget);
+    expect_sound(mesh, boundary);
+    EXPECT_FALSE(is_better(before, merit_of(mesh, default_goal())));
+    was_too_small = was_too_small || budget.was_too_small;
+  }
+  EXPECT_TRUE(was_too_small);
+}
+
+TEST(Restart, CoversTheSameDomainFromTheSamePlaces) {
+  const RegionBoundary boundary = smooth_star(60);
+  const MutableMesh mesh = cdt_mesh(boundary);
+  for (std::uint32_t number = 0; number < 20; ++number) {
+    const std::optional<MutableMesh> anew = restart(mesh, 1 + number, number);
+    ASSERT_TRUE(anew);
+    expect_sound(*anew, boundary);
+    EXPECT_EQ(anew->points.size(), boundary.points.size() + 1 + number);
+    EXPECT_TRUE(anew->goal() == mesh.goal());
+    EXPECT_EQ(anew->points, restart(mesh, 1 + number, number)->points);
+    EXPECT_NE(anew->points, restart(mesh, 1 + number, number + 1)->points);
+  }
+}
+
+TEST(Restart, TheBestIsNoWorseAndKeepsTheCeiling) {
+  const RegionBoundary boundary = boundary_of(
+      {{{0, 0}, {9.08, -4.23}, {34.98, 5.61}, {33.54, 16.78}, {24.91, 25.02}, {21.82, 25.77}}});
+  const MutableMesh mesh = cdt_mesh(boundary);
+  const Merit before = merit_of(mesh, default_goal());
+  Merit merit = before;
+  Budget budget{1'000'000, {}};
+  const MutableMesh best = best_restart(mesh, default_goal(), before.large, merit, budget);
+  expect_sound(best, boundary);
+  EXPECT_TRUE(is_better(merit, before));
+  EXPECT_FALSE(is_better(merit, merit_of(best, default_goal())));
+  EXPECT_LT(budget.left, 1'000'000u);
+
+  merit = before;
+  const double none = default_goal().large - 1;
+  EXPECT_EQ(best_restart(mesh, default_goal(), none, merit, budget).points, mesh.points);
+  EXPECT_EQ(merit.large, before.large);
+}
+
+TEST(Search, RestartsInsideOfExcerptsLeaveASoundMesh) {
+  const RegionBoundary boundary = smooth_star(300);
+  MutableMesh mesh = stuck_mesh(boundary);
+  const Goal goal = Goal::of(Angle::degrees(85), Angle::degrees(0));
+  const double before = merit_of(mesh, goal).large;
+  Budget budget{3'000'000, {}};
+  search_excerpts(mesh, goal, budget, Effort::most);
+  expect_sound(mesh, boundary);
+  EXPECT_LE(merit_of(mesh, goal).large, before);
+}
+
+TEST(JointPlacement, MovesWhereSingleVerticesAreStuck) {
+  const RegionBoundary boundary = smooth_star(300);
+  MutableMesh mesh = stuck_mesh(boundary);
+  std::size_t moved = 0;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!(mesh.excess[t] > 1e-9)) continue;
+    const double before = worst_excess(mesh);
+    const std::vector<double> excess = mesh.excess;
+    std::uint64_t evaluations = 0;
+    if (!place_jointly(mesh, t, evaluations)) {
+      EXPECT_EQ(mesh.excess, excess);
+      continue;
+    }
+    ++moved;
+    EXPECT_GT(evaluations, 0u);
+    EXPECT_LE(worst_excess(mesh), before);
+  }
+  EXPECT_GT(moved, 0u);
+  expect_sound(mesh, boundary);
+}
+
+}  // namespace
+}  // namespace cover
