@@ -3,7 +3,9 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bash cmake/install_dependencies.sh
-cmake --preset release
+# A first build compiles whole folders at once; a build folder that is there stays as it was set up.
+[ -f build/release/CMakeCache.txt ] || whole=-DCOVER_UNITY_BUILD=ON
+cmake --preset release ${whole:-}
 cmake --build --preset release
 # The solvers of others that are installed (tests/solvers/install.sh); without them this takes a second.
 ctest --test-dir build/release -L solvers --output-on-failure

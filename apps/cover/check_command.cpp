@@ -1,7 +1,6 @@
 // cover check: the promises on any mesh, from the files alone.
 #include <algorithm>
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cover/cover_mesh.hpp>

@@ -1,5 +1,4 @@
 // cover convert: a mesh that cover wrote, in another format.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cover/read_mesh.hpp>

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "console.hpp"
 #include "io/write_mesh/mesh_view.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <cover/cover_mesh.hpp>
+#include <cover/output.hpp>
 
 namespace cover::app {
 

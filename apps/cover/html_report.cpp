@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cover/picture.hpp>
 #include <cover/version.hpp>
@@ -193,7 +193,7 @@ class Page {
             card(percent(static_cast<double>(q.obtuse), static_cast<double>(q.triangles)),
                  "obtuse triangles") +
             card(grouped(q.triangles), "triangles") +
-            card(grouped(output_.mesh.tri().n_vertices()),
+            card(grouped(output_.mesh.vertices()),
                  fmt::format("vertices ({} new)", grouped(report_.steiner_vertices))) +
             card(grouped(report_.regions.size()), "regions") + "</div>\n";
   }

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include <cover/cover_mesh.hpp>
+#include <cover/output.hpp>
 #include <cover/result.hpp>
 
 namespace cover::app {

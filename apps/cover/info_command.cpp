@@ -1,5 +1,5 @@
 // cover info: what an input holds and what can be reached on it.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cover/cover_mesh.hpp>
 

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <string_view>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #ifdef COVER_WITH_GMSH
 #include <cover/read_geo.hpp>

@@ -10,7 +10,7 @@
 #include <malloc.h>
 #endif
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <spdlog/common.h>
 
 #include <cover/version.hpp>

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <cstdio>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cover/cover_mesh.hpp>
 #include <cover/remesh.hpp>

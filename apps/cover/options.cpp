@@ -5,7 +5,6 @@
 #include <memory>
 #include <sstream>
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cover/read_size_field.hpp>

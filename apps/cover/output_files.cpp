@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <memory>
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cover/picture.hpp>

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cover/picture.hpp>

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include <cover/cover_mesh.hpp>
+#include <cover/options.hpp>
+#include <cover/output.hpp>
 
 namespace cover::app {
 

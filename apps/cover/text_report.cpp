@@ -5,7 +5,6 @@
 #include <set>
 #include <vector>
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "angle_text.hpp"
@@ -77,7 +76,7 @@ std::string totals(const Output& output) {
   }
   std::string out =
       fmt::format("{}, {} ({} new), {}\n", plural(q.triangles, "triangle"),
-                  grouped(output.mesh.tri().n_vertices()) + " vertices",
+                  grouped(output.mesh.vertices()) + " vertices",
                   grouped(report.steiner_vertices), plural(report.regions.size(), "region"));
   for (const Note& note : report.notes) {
     if (note.kind == Note::Kind::cut) out += note.message + '\n';

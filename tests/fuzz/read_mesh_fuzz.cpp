@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include <cover/mesh.hpp>
 #include <cover/read_mesh.hpp>
 #include <cover/read_vtk_input.hpp>
 

@@ -4,28 +4,11 @@
 #include <cover/input.hpp>
 #include <cover/mesh.hpp>
 #include <cover/options.hpp>
+#include <cover/output.hpp>
 #include <cover/progress.hpp>
-#include <cover/pslg.hpp>
-#include <cover/regions.hpp>
-#include <cover/report.hpp>
 #include <cover/result.hpp>
 
 namespace cover {
-
-/// Input made clean: what is meshed, and what it took.
-struct Prepared {
-  Pslg pslg;
-  RegionTable table;
-  Report report;  ///< gamma_opt and bound per region, changes and warnings; no mesh figures
-};
-
-/// What `cover_mesh` returns.
-struct Output {
-  Mesh mesh;
-  Pslg pslg;
-  RegionTable table;
-  Report report;
-};
 
 /// Cleans the input, finds its regions and their lower bounds; makes no mesh.
 ///

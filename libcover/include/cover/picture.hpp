@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <cover/cover_mesh.hpp>
+#include <cover/output.hpp>
 #include <cover/point.hpp>
 #include <cover/read_mesh.hpp>
 #include <cover/result.hpp>

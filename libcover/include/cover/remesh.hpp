@@ -4,7 +4,11 @@
 #include <span>
 #include <string>
 
-#include <cover/cover_mesh.hpp>
+#include <cover/input.hpp>
+#include <cover/options.hpp>
+#include <cover/output.hpp>
+#include <cover/progress.hpp>
+#include <cover/result.hpp>
 #include <cover/verify.hpp>
 
 namespace cover {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <cover/cover_mesh.hpp>
+#include <cover/output.hpp>
 #include <cover/ids.hpp>
 #include <cover/regions.hpp>
 #include <cover/result.hpp>

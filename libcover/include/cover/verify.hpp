@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <cover/angle.hpp>
-#include <cover/mesh.hpp>
+#include <cover/mesh_class.hpp>
 #include <cover/point.hpp>
 #include <cover/pslg.hpp>
 #include <cover/regions.hpp>

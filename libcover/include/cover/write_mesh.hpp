@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <cover/cover_mesh.hpp>
+#include <cover/output.hpp>
 #include <cover/result.hpp>
 
 namespace cover {

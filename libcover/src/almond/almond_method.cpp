@@ -9,7 +9,7 @@
 #include <numbers>
 #include <optional>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "almond/almond_triangles.hpp"
 #include "almond/arc_layer.hpp"

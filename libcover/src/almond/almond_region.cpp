@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "almond/almond_method.hpp"
 #include "almond/fill/fill_refine.hpp"

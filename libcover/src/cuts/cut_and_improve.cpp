@@ -23,7 +23,7 @@ namespace cover {
 namespace {
 
 constexpr std::size_t kTriangles = 64;  ///< in an excerpt
-constexpr std::uint32_t kNear = 16;     ///< triangles of it whose sides may be cut
+constexpr std::uint32_t kCutAround = 16;     ///< triangles of it whose sides may be cut
 constexpr double kEnd = 0.01;           ///< of a side: no cut is nearer to its ends
 constexpr std::uint64_t kEvaluationsPerPoint = 20000;
 constexpr std::uint64_t kEvaluationsAtLeast = 3'000'000;
@@ -121,7 +121,7 @@ class Search {
   bool try_cuts(const Excerpt& excerpt, Trial& best, Budget& budget) const {
     std::vector<Trial> trials;
     const std::uint32_t last =
-        std::min(kNear, static_cast<std::uint32_t>(excerpt.mesh.triangles.size()));
+        std::min(kCutAround, static_cast<std::uint32_t>(excerpt.mesh.triangles.size()));
     for (std::uint32_t t = 0; t < last && !budget.is_used_up(); ++t) {
       for (int e = 0; e < 3; ++e) {
         const std::uint32_t n = excerpt.mesh.triangles[t].n[static_cast<std::size_t>(e)];

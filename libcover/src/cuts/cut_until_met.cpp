@@ -7,7 +7,7 @@
 
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/describe.hpp"
 #include "cuts/cut_and_improve.hpp"

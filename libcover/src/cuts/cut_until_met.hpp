@@ -3,7 +3,10 @@
 
 #include <vector>
 
-#include <cover/cover_mesh.hpp>
+#include <cover/options.hpp>
+#include <cover/output.hpp>
+#include <cover/progress.hpp>
+#include <cover/result.hpp>
 
 #include "region/region_boundary.hpp"
 #include "target/region_mesh.hpp"

@@ -13,7 +13,7 @@
 namespace cover {
 namespace {
 
-constexpr std::size_t kNear = 24;  ///< triangles around one, whose sides may be halved
+constexpr std::size_t kHalvedAround = 24;  ///< triangles around one, whose sides may be halved
 constexpr double kLong = 0.64;     ///< of the squared length of the longest side: halved too
 
 }  // namespace
@@ -92,7 +92,7 @@ std::vector<SegmentId> JoinedRegions::segments_to_halve() const {
   std::vector<SegmentId> found;
   for (const std::uint32_t above : triangles_above()) {
     std::vector<std::pair<double, std::uint32_t>> sides;  // with their squared lengths
-    for (const std::uint32_t t : triangles_around(mesh_, above, kNear)) {
+    for (const std::uint32_t t : triangles_around(mesh_, above, kHalvedAround)) {
       for (int i = 0; i < 3; ++i) {
         const std::uint32_t n = mesh_.triangles[t].n[static_cast<std::size_t>(i)];
         if (!is_side(n)) continue;

@@ -12,7 +12,7 @@
 #include <numbers>
 #include <optional>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/describe.hpp"
 #include "cdt/cdt.hpp"

@@ -3,7 +3,6 @@
 // in which rings. Tested by tests/unit/gmsh/read_geo_test.cpp.
 #include <cover/read_geo.hpp>
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gmsh.h>
 

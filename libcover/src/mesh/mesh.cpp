@@ -3,12 +3,22 @@
 
 namespace cover {
 
-Mesh::Mesh() : tri_(std::make_unique<TriMesh>()) {
-  tri_->add_property(keys_.region, "cover:region");
-  tri_->add_property(keys_.material, "cover:material");
-  tri_->add_property(keys_.input, "cover:input_id");
-  tri_->add_property(keys_.interface, "cover:interface");
-  tri_->add_property(keys_.marker, "cover:marker");
+Mesh::Mesh() : data_(std::make_unique<Data>()) {
+  data_->tri.add_property(data_->region, "cover:region");
+  data_->tri.add_property(data_->material, "cover:material");
+  data_->tri.add_property(data_->input, "cover:input_id");
+  data_->tri.add_property(data_->interface, "cover:interface");
+  data_->tri.add_property(data_->marker, "cover:marker");
 }
+Mesh::Mesh(const Mesh& other) : data_(std::make_unique<Data>(*other.data_)) {}
+Mesh::Mesh(Mesh&& other) noexcept = default;
+Mesh& Mesh::operator=(Mesh other) noexcept {
+  data_ = std::move(other.data_);
+  return *this;
+}
+Mesh::~Mesh() = default;
+
+std::size_t Mesh::vertices() const { return data_->tri.n_vertices(); }
+std::size_t Mesh::triangles() const { return data_->tri.n_faces(); }
 
 }  // namespace cover

@@ -13,6 +13,8 @@
 
 #include <algorithm>
 
+#include <cover/mesh.hpp>
+
 #include "geom/predicates.hpp"
 
 namespace cover {

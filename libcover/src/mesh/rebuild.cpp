@@ -1,13 +1,14 @@
 // Files keep triangles, regions and the edges of interfaces; the rest follows: connectivity, the
 // segments (an edge on an interface is one whole segment), which region lies on which side.
 // Tested by tests/unit/mesh/rebuild_test.cpp.
+#include <cover/mesh.hpp>
 #include <cover/stored_mesh.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include <cover/mesh.hpp>
+#include <cover/mesh_class.hpp>
 #include <cover/pslg.hpp>
 #include <cover/regions.hpp>
 

@@ -11,8 +11,9 @@
 #include <set>
 #include <tuple>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
+#include "base/errors.hpp"
 #include "geom/vector.hpp"
 #include "picture/labels.hpp"
 #include "picture/legend.hpp"
@@ -25,10 +26,6 @@ namespace {
 constexpr double kTitle = 30;
 constexpr double kFooter = 34;
 constexpr Colour kMark{200, 0, 40};
-
-Error bad_option(std::string message) {
-  return {ErrorCode::bad_option, std::move(message), {}, {}};
-}
 
 PictureWindow bounds(const std::vector<Point>& points) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -1,3 +1,4 @@
+#include <cover/mesh.hpp>
 #include <cover/picture.hpp>
 
 #include <algorithm>

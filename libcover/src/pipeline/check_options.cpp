@@ -1,14 +1,12 @@
 // Tested by tests/unit/pipeline/cover_mesh_test.cpp.
 #include "pipeline/check_options.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
+
+#include "base/errors.hpp"
 
 namespace cover {
 namespace {
-
-Error bad_option(std::string message) {
-  return {ErrorCode::bad_option, std::move(message), {}, {}};
-}
 
 Status check(const char* name, double value, const Range& range) {
   if (range.holds(value)) return ok();

@@ -1,7 +1,7 @@
 // Tested by tests/unit/pipeline/describe_options_test.cpp.
 #include "pipeline/describe_options.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/describe.hpp"
 

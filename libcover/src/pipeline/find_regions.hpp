@@ -4,7 +4,10 @@
 #include <string_view>
 #include <vector>
 
-#include <cover/cover_mesh.hpp>
+#include <cover/options.hpp>
+#include <cover/output.hpp>
+#include <cover/progress.hpp>
+#include <cover/result.hpp>
 
 #include "target/region_mesh.hpp"
 #include "tasks/stage_clock.hpp"

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "cdt/cdt.hpp"
 #include "cuts/cut_segments.hpp"

@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cover/verify.hpp>
 
 #include "base/describe.hpp"
+#include "base/errors.hpp"
 #include "cdt/cdt.hpp"
 #include "cuts/adopt_cuts.hpp"
 #include "mesh/stitch.hpp"
@@ -152,10 +152,6 @@ Result<std::vector<bool>> choose(const RegionTable& table, std::span<const std::
     for (const RegionId region : regions) chosen[region.index() - 1] = true;
   }
   return chosen;
-}
-
-Error bad_option(std::string message) {
-  return {ErrorCode::bad_option, std::move(message), {}, {}};
 }
 
 /// The options for finding regions: segments stay as the mesh has them.

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "cdt/cdt.hpp"
 #include "geom/vector.hpp"

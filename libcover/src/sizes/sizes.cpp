@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/describe.hpp"
 #include "base/suggest.hpp"
@@ -17,16 +17,16 @@ namespace cover {
 namespace {
 
 /// Zero stands for "none".
-void lower(double& size, double wished) { size = size == 0 ? wished : std::min(size, wished); }
+void make_smaller(double& size, double wished) { size = size == 0 ? wished : std::min(size, wished); }
 
 /// Sets the sizes inside regions. False if no region has that name.
 bool inside(const SizeRule& rule, const RegionTable& table, std::span<RegionBoundary> boundaries) {
   if (rule.name.empty()) {
-    for (RegionBoundary& boundary : boundaries) lower(boundary.size, rule.size);
+    for (RegionBoundary& boundary : boundaries) make_smaller(boundary.size, rule.size);
     return true;
   }
   const std::vector<RegionId> regions = named_regions(table, rule.name);
-  for (const RegionId region : regions) lower(boundaries[region.index() - 1].size, rule.size);
+  for (const RegionId region : regions) make_smaller(boundaries[region.index() - 1].size, rule.size);
   return !regions.empty();
 }
 
@@ -38,13 +38,13 @@ bool at_points(const SizeRule& rule, const Pslg& pslg, const RegionTable& table,
     if (line.name != rule.name) continue;
     found = true;
     for (const SegmentId s : line.segments) {
-      lower(size_at[pslg.segments[s.index()].a.index()], rule.size);
-      lower(size_at[pslg.segments[s.index()].b.index()], rule.size);
+      make_smaller(size_at[pslg.segments[s.index()].a.index()], rule.size);
+      make_smaller(size_at[pslg.segments[s.index()].b.index()], rule.size);
     }
   }
   for (std::size_t v = 0; v < pslg.points.size() && !found; ++v) {
     if (pslg.point_ids[v] < 0 || std::to_string(pslg.point_ids[v]) != rule.name) continue;
-    lower(size_at[v], rule.size);
+    make_smaller(size_at[v], rule.size);
     found = true;
   }
   return found;

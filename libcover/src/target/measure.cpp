@@ -9,7 +9,7 @@
 #include <limits>
 #include <numbers>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"

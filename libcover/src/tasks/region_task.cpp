@@ -12,7 +12,7 @@
 #include <string>
 #include <thread>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <boost/asio/post.hpp>
 #include <boost/asio/thread_pool.hpp>
 

@@ -1,4 +1,5 @@
 // The way from our own mesh to arrays that verify_cover() trusts with nothing.
+#include <cover/mesh.hpp>
 #include <cover/verify.hpp>
 
 namespace cover {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <vtkDataSetReader.h>
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>

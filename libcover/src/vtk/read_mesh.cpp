@@ -7,7 +7,6 @@
 #include <array>
 #include <filesystem>
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -18,6 +17,7 @@
 #include <vtkUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
+#include "base/errors.hpp"
 #include "io/read_mesh/mesh_collector.hpp"
 #include "io/read_mesh/mesh_formats.hpp"
 #include "io/text/text.hpp"
@@ -85,14 +85,10 @@ bool each_cell(vtkUnstructuredGrid& grid, const std::vector<vtkIdType>& cells, v
   return true;
 }
 
-Error wrong(const std::string& path, std::string_view what) {
-  return {ErrorCode::syntax, fmt::format("{}: {}", path, what), {}, {}};
-}
-
 Result<MeshFile> mesh_of(vtkUnstructuredGrid* grid, const std::string& path) {
-  if (grid == nullptr) return wrong(path, "not a valid VTK file");
+  if (grid == nullptr) return wrong_file(path, "not a valid VTK file");
   const auto cells = cells_of_types(*grid, VTK_TRIANGLE, VTK_QUADRATIC_TRIANGLE);
-  if (cells.empty()) return wrong(path, "no triangles in it");
+  if (cells.empty()) return wrong_file(path, "no triangles in it");
   MeshCollector collector;
   MeshFile& mesh = collector.mesh;
   mesh.soup.points.reserve(static_cast<std::size_t>(grid->GetNumberOfPoints()));
@@ -111,7 +107,7 @@ Result<MeshFile> mesh_of(vtkUnstructuredGrid* grid, const std::string& path) {
       collector.add_line(nodes, whole_number(number->GetTuple1(c)));
     });
   }
-  if (!in_range) return wrong(path, "a cell has a node that is not there");
+  if (!in_range) return wrong_file(path, "a cell has a node that is not there");
   mesh.arrays = cell_arrays(*grid, cells);
   mesh.soup.region = integers(mesh.arrays, {"RegionId"});
   mesh.soup.material =
@@ -179,7 +175,7 @@ Result<MeshFile> read_mesh(const std::string& path) {
   if (!std::filesystem::is_regular_file(path))
     return Error{ErrorCode::cannot_open, fmt::format("cannot open '{}'", path), {}, {}};
   Result<MeshFile> mesh = format->read(path);
-  if (mesh && mesh->soup.triangles.empty()) return wrong(path, "no triangles in it");
+  if (mesh && mesh->soup.triangles.empty()) return wrong_file(path, "no triangles in it");
   return mesh;
 }
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <optional>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkIdList.h>
@@ -19,6 +19,7 @@
 #include <cover/read_mesh.hpp>
 #include <cover/stored_mesh.hpp>
 
+#include "base/errors.hpp"
 #include "io/read_mesh/complete_mesh.hpp"
 #include "io/read_mesh/second_order.hpp"
 #include "io/report/read_manifest.hpp"
@@ -29,10 +30,6 @@ namespace cover {
 namespace {
 
 namespace fs = std::filesystem;
-
-Error wrong(const std::string& path, std::string_view what) {
-  return {ErrorCode::syntax, fmt::format("{}: {}", path, what), {}, {}};
-}
 
 /// One block: a grid and its name.
 struct Block {
@@ -187,22 +184,22 @@ Result<StoredMesh> read_vtm(const std::string& path) {
   reader->SetFileName(path.c_str());
   reader->Update();
   auto* root = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0));
-  if (reader->GetErrorCode() != 0 || root == nullptr) return wrong(path, "not a valid VTK file");
+  if (reader->GetErrorCode() != 0 || root == nullptr) return wrong_file(path, "not a valid VTK file");
   StoredMesh stored;
   BlockReader blocks(
       stored, static_cast<std::uint32_t>(root->GetNumberOfPoints() + root->GetNumberOfCells()));
   for (const Block& block : blocks_of(*root, "regions")) {
     if (!blocks.add_regions(block)) {
-      return wrong(path, fmt::format("block regions/{} lacks what cover writes", block.name));
+      return wrong_file(path, fmt::format("block regions/{} lacks what cover writes", block.name));
     }
   }
   for (const Block& block : blocks_of(*root, "interfaces")) {
     if (!blocks.add_lines(block)) {
-      return wrong(path, fmt::format("block interfaces/{} lacks what cover writes", block.name));
+      return wrong_file(path, fmt::format("block interfaces/{} lacks what cover writes", block.name));
     }
   }
   blocks.finish();
-  if (stored.regions.empty()) return wrong(path, "no regions in it: not written by cover");
+  if (stored.regions.empty()) return wrong_file(path, "no regions in it: not written by cover");
   return stored;
 }
 
@@ -210,11 +207,11 @@ Result<StoredMesh> read_vtm(const std::string& path) {
 Status take_names_from_vtm(const std::string& path, StoredMesh& stored) {
   Result<StoredMesh> named = read_vtm(path);
   if (!named) return std::move(named).error();
-  if (named->soup.points != stored.soup.points) return wrong(path, "it is of another mesh");
+  if (named->soup.points != stored.soup.points) return wrong_file(path, "it is of another mesh");
   stored.regions = std::move(named->regions);
   stored.interfaces = std::move(named->interfaces);
   stored.edges = std::move(named->edges);
-  return take_materials(stored) ? ok() : Status(wrong(path, "it is of another mesh"));
+  return take_materials(stored) ? ok() : Status(wrong_file(path, "it is of another mesh"));
 }
 
 /// What a mesh's own file and those beside it hold.
@@ -260,7 +257,7 @@ class Completion {
     // Medit's format and those that have groups alone cannot tell regions; all others do.
     const bool tells_regions = file.group.empty() && fs::path(path_).extension() != ".mesh";
     if (stored.soup.region.empty() && tells_regions)
-      return wrong(path_, "no RegionId of its triangles: not a mesh that cover wrote");
+      return wrong_file(path_, "no RegionId of its triangles: not a mesh that cover wrote");
     const std::string unknown = complete_from_file(file, stored);
     if (!unknown.empty()) {
       missing_ = fmt::format("{} holds no {}, and neither {} nor {} is there: they are made up",
@@ -280,7 +277,7 @@ Result<Output> read_output(const std::string& path) {
   Result<StoredMesh> stored = completion.read();
   if (!stored) return std::move(stored).error();
   Result<Output> output = rebuild(*stored);
-  if (!output) return wrong(path, output.error().message);
+  if (!output) return wrong_file(path, output.error().message);
   const auto warn = [&](std::string message) {
     output->report.notes.push_back({Note::Kind::warning, kVoid, std::move(message), {}});
   };

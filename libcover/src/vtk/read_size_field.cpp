@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <vtkCell.h>
 #include <vtkDataArray.h>
@@ -12,14 +11,11 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 
+#include "base/errors.hpp"
 #include "vtk/read_data_set.hpp"
 
 namespace cover {
 namespace {
-
-Error wrong(const std::string& path, std::string_view what) {
-  return {ErrorCode::syntax, fmt::format("{}: {}", path, what), {}, {}};
-}
 
 /// The sizes by point, or what there is instead.
 Result<vtkDataArray*> find_sizes(vtkDataSet& data, const std::string& path) {
@@ -39,8 +35,8 @@ Result<vtkDataArray*> find_sizes(vtkDataSet& data, const std::string& path) {
     }
   }
   if (found.size() == 1) return found.front();
-  if (found.empty()) return wrong(path, "no point array with one component, of edge lengths");
-  return wrong(path,
+  if (found.empty()) return wrong_file(path, "no point array with one component, of edge lengths");
+  return wrong_file(path,
                fmt::format("which point array has the edge lengths? None of {} is called size "
                            "or h",
                            fmt::join(names, ", ")));

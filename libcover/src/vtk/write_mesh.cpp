@@ -6,7 +6,6 @@
 
 #include <cover/write_mesh.hpp>
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace cover {

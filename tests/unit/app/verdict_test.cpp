@@ -5,6 +5,9 @@
 
 #include <algorithm>
 
+#include <cover/cover_mesh.hpp>
+#include <cover/options.hpp>
+
 #include "html_report.hpp"
 #include "support/inputs.hpp"
 #include "support/temporary_folder.hpp"

@@ -1,4 +1,5 @@
 // Stored arrays become an Output again, or an error says what is wrong with them.
+#include <cover/mesh.hpp>
 #include <cover/stored_mesh.hpp>
 
 #include <gtest/gtest.h>

@@ -8,6 +8,8 @@
 #include <map>
 #include <set>
 
+#include <cover/mesh.hpp>
+
 #include "almond/almond_region.hpp"
 #include "support/shapes.hpp"
 

@@ -5,7 +5,7 @@
 // read_json_test.cpp.
 #include <cover/units.hpp>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <limits>

@@ -1,7 +1,6 @@
 // Tested by tests/unit/vtk/read_output_test.cpp.
 #include "io/read_mesh/complete_mesh.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -28,6 +28,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cover/mesh.hpp>
+
 #include "base/describe.hpp"
 #include "io/files/text_writer.hpp"
 #include "io/report/provenance_json.hpp"

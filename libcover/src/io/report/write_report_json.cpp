@@ -32,6 +32,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cover/mesh.hpp>
 #include <cover/write_mesh.hpp>
 
 #include "base/describe.hpp"

@@ -2,7 +2,7 @@
 // address of its value.
 #include "io/text/json_reader.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <set>
 

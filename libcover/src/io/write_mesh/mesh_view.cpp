@@ -6,6 +6,8 @@
 #include <map>
 #include <tuple>
 
+#include <cover/mesh.hpp>
+
 #include "base/safe_names.hpp"
 #include "geom/vector.hpp"
 

@@ -3,7 +3,7 @@
 // lines stand in ManifoldID because deal.II takes boundary ids on the boundary only.
 //
 // Tested by tests/unit/io/write_mesh/write_vtk_test.cpp and, in the solvers, by tests/solvers.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <map>
 

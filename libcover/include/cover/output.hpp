@@ -1,0 +1,26 @@
+// What the calls of the library hand out.
+#pragma once
+
+#include <cover/mesh_class.hpp>
+#include <cover/pslg.hpp>
+#include <cover/regions.hpp>
+#include <cover/report.hpp>
+
+namespace cover {
+
+/// Input made clean: what is meshed, and what it took.
+struct Prepared {
+  Pslg pslg;
+  RegionTable table;
+  Report report;  ///< gamma_opt and bound per region, changes and warnings; no mesh figures
+};
+
+/// What `cover_mesh` returns.
+struct Output {
+  Mesh mesh;
+  Pslg pslg;
+  RegionTable table;
+  Report report;
+};
+
+}  // namespace cover

@@ -1,0 +1,21 @@
+// Errors that many files make.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <cover/error.hpp>
+
+namespace cover {
+
+/// An option that cannot be meant.
+inline Error bad_option(std::string message) {
+  return {ErrorCode::bad_option, std::move(message), {}, {}};
+}
+
+/// A file that does not hold what it should: "PATH: WHAT".
+inline Error wrong_file(const std::string& path, std::string_view what) {
+  return {ErrorCode::syntax, path + ": " + std::string(what), {}, {}};
+}
+
+}  // namespace cover
