@@ -6,10 +6,10 @@ import re
 import sys
 
 GROUND = ['base', 'geom', 'cdt']
-ORDER = GROUND + ['faces', 'clean', 'region', 'target', 'sizes', 'disks', 'almond', 'quality', 'tasks', 'cuts']
+ORDER = GROUND + ['limits', 'faces', 'clean', 'region', 'target', 'sizes', 'disks', 'almond', 'quality', 'tasks', 'cuts']
 SEES = {layer: set(ORDER[:i + 1]) for i, layer in enumerate(ORDER)}
 # What judges meshes shares no code with what makes them.
-SEES['verify'] = {'verify', *GROUND}
+SEES['verify'] = {'verify', 'limits', *GROUND}
 SEES['cuts'].add('verify')
 SEES['mesh'] = SEES['target'] | {'mesh'}
 SEES['pipeline'] = {*ORDER, 'verify', 'mesh', 'pipeline'}

@@ -1,0 +1,333 @@
+// The triangle on the side ab has its apex at p. Boxes of the angles at a and b are quadrilaterals
+// of the plane, and near a or b they are as fine as anywhere. A box is out if one of the following
+// holds for all of it (docs/limits.md has the proofs):
+//
+//   - an angle of the triangle is out of the range, or leaves less than the least one to the rest
+//     of a corner;
+//   - the triangle contains an input vertex, or its edges cross a side (shadow);
+//   - p lies in the clear zone of a side (zone): that would force an angle above `most`;
+//   - a vertex w joined to a and beyond the edge ap sees that edge under more than `most` (wedge);
+//   - from ap to the next side at a lengths would have to grow faster than triangles with such
+//     angles can, or a vertex beyond ap is so near that one of them would contain it.
+//
+// Zones, shadows and wedges are convex, so four corners tell. Each test leaves room for many times
+// the rounding of what it compares, so the search is a proof. The apex that is the other end of the
+// next side (an ear) leaves no rest of a corner and is looked at by itself.
+// Tested by tests/unit/limits/limit_prover_test.cpp.
+#include "limits/apex_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace cover {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr std::size_t kTriangles = 24;  ///< around a side, whose sides are obstacles
+constexpr double kSmallestBox = 1e-7;   ///< in radians: not cut any more
+constexpr double kProbed = 0.05;        ///< in radians: larger boxes are probed in the middle
+constexpr double kRounding = 1e-13;     ///< relative: of places in the frame, with room to spare
+constexpr double kFlat = 1e-6;  ///< an apex under less is too far away for its place to be known
+
+double angle_of(double x, double y) { return std::atan2(y, x); }
+
+}  // namespace
+
+ApexSearch::ApexSearch(const RegionView& view, ClearZones& zones, const FanGrowth& growth)
+    : view_(view),
+      zones_(zones),
+      growth_(growth),
+      range_(growth.range()),
+      cot_(std::cos(zones.angle()) / std::sin(zones.angle())) {}
+
+ApexSearch::Place ApexSearch::local(std::uint32_t v) const {
+  if (v == ends_[0]) return {0, 0, kRounding};
+  if (v == ends_[1]) return {1, 0, kRounding};
+  const Vector w = view_.point(v) - origin_;
+  const double x = dot(w, along_) / length_, y = cross(along_, w) / length_;
+  return {x, y, kRounding * (1 + std::abs(x) + std::abs(y))};
+}
+
+void ApexSearch::enter(std::uint32_t s) {
+  const RegionSide& side = view_.sides()[s];
+  ends_ = {side.a, side.b};
+  origin_ = view_.point(side.a);
+  const Vector v = view_.point(side.b) - origin_;
+  length_ = length(v);
+  along_ = (1 / length_) * v;
+  const Corner &start = view_.corner(side.start), &end = view_.corner(side.end);
+  enter_end(a_, start, false);
+  enter_end(b_, end, true);
+  is_triangle_ = start.last - start.first == 2 && end.last - end.first == 2 &&
+                 view_.seen_from(start).back().vertex == view_.seen_from(end).front().vertex;
+  collect_obstacles(side);
+}
+
+void ApexSearch::enter_end(End& end, const Corner& corner, bool reversed) {
+  const auto seen = view_.seen_from(corner);
+  end.corner = corner.angle;
+  end.seen.clear();
+  end.direction.clear();
+  end.distance.clear();
+  for (std::size_t k = 1; k < seen.size(); ++k) {
+    const Sighted& w = reversed ? seen[seen.size() - 1 - k] : seen[k];
+    end.seen.push_back(local(w.vertex));
+    end.direction.push_back(reversed ? corner.angle - w.direction : w.direction);
+    end.distance.push_back(length(view_.point(w.vertex) - view_.point(corner.vertex)) / length_);
+  }
+}
+
+void ApexSearch::collect_obstacles(const RegionSide& side) {
+  const Triangulation& cdt = view_.cdt();
+  vertices_.clear();
+  obstacles_.clear();
+  visited_.assign(1, side.triangle);
+  for (std::size_t k = 0; k < visited_.size(); ++k) {
+    const Triangle& f = cdt.triangles[visited_[k]];
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t s = view_.side_at(visited_[k], i);
+      if (s == kNone) {
+        const std::uint32_t next = f.n[static_cast<std::size_t>(i)];
+        if (visited_.size() < kTriangles &&
+            std::find(visited_.begin(), visited_.end(), next) == visited_.end()) {
+          visited_.push_back(next);
+          const Triangle& g = cdt.triangles[next];
+          vertices_.push_back(local(g.v[static_cast<std::size_t>(g.edge_to(visited_[k]))]));
+        }
+        continue;
+      }
+      const RegionSide& other = view_.sides()[s];
+      const ClearZones::State& zone = zones_.of(s);
+      obstacles_.push_back({local(other.a), local(other.b),
+                            local(view_.seen_from(view_.corner(other.start)).back().vertex),
+                            local(view_.seen_from(view_.corner(other.end)).front().vertex),
+                            zone.clear, zone.cut_at_start, zone.cut_at_end, false, false});
+      Obstacle& o = obstacles_.back();
+      const double ux = o.d.x - o.c.x, uy = o.d.y - o.c.y;
+      const double at_a = uy * o.c.x - ux * o.c.y, at_b = at_a - uy;
+      const double room = 8 * (o.c.fuzz + o.d.fuzz) * (1 + std::abs(ux) + std::abs(uy));
+      o.faces_a = at_a > room;
+      o.faces_b = at_b > room;
+    }
+  }
+  vertices_.push_back(local(cdt.triangles[side.triangle].v[static_cast<std::size_t>(side.edge)]));
+  last_ban_ = Ban::zone;
+  last_which_ = 0;
+}
+
+bool ApexSearch::angles_are_in_range(double x, double y, double z) const {
+  return std::min({x, y, z}) >= range_.least - kAngleSlack &&
+         std::max({x, y, z}) <= range_.most + kAngleSlack;
+}
+
+bool ApexSearch::reaches_next(const End& end, double low, double high, double near,
+                              double far) const {
+  if (high < range_.least - kAngleSlack) return false;
+  const double next = end.distance.back();
+  const double ratio = std::max(next / far, near / next);
+  if (ratio <= 1) {
+    // Isosceles triangles do, if some number of them fills the angle.
+    return range_.least == 0 || std::floor((high + kAngleSlack) / range_.least) >=
+                                    std::ceil((low - kAngleSlack) / range_.most);
+  }
+  const double can = growth_.log_ratio(std::max(low, 0.0), high);
+  return can >= 0 && std::log(ratio) <= can + 4 * kAngleSlack;
+}
+
+bool ApexSearch::ear_is_possible(bool at_a) const {
+  const End &near = at_a ? a_ : b_, &far = at_a ? b_ : a_;
+  if (near.corner >= kPi - kAngleSlack) return false;
+  const Place& p = near.seen.back();
+  if (!(p.y > 0)) return false;
+  const double alpha = angle_of(p.x, p.y), beta = angle_of(1 - p.x, p.y);
+  if (!angles_are_in_range(alpha, beta, kPi - alpha - beta)) return false;
+  if (is_triangle_) return true;
+  // The rest of the other corner.
+  const double rest = far.corner - (at_a ? beta : alpha);
+  const double edge = std::hypot(p.x - (at_a ? 1 : 0), p.y);
+  return reaches_next(far, rest - kAngleSlack, rest + kAngleSlack, edge, edge);
+}
+
+bool ApexSearch::is_in_wedge(const Place& at, double turn, const Place& w, const Place& p) const {
+  // w is beyond the ray from `at` to p, and the angle at w between the two is above most.
+  const double ux = at.x - w.x, uy = at.y - w.y, vx = p.x - w.x, vy = p.y - w.y;
+  const double c = turn * (ux * vy - uy * vx), d = ux * vx + uy * vy;
+  const double room =
+      (p.fuzz + w.fuzz) * (std::abs(ux) + std::abs(uy) + std::abs(vx) + std::abs(vy));
+  return c > room && d - cot_ * c < -room * (1 + std::abs(cot_));
+}
+
+bool ApexSearch::is_in(Ban ban, std::size_t which, const Place& p) const {
+  const auto left_of = [&p](const Place& c, const Place& d, double turn) {
+    const double ux = d.x - c.x, uy = d.y - c.y, vx = p.x - c.x, vy = p.y - c.y;
+    return turn * (ux * vy - uy * vx) >
+           (p.fuzz + c.fuzz + d.fuzz) * (std::abs(ux) + std::abs(uy) + std::abs(vx) + std::abs(vy));
+  };
+  switch (ban) {
+    case Ban::zone: {
+      const Obstacle& o = obstacles_[which];
+      if (!o.has_zone) return false;
+      const double ux = o.c.x - p.x, uy = o.c.y - p.y, vx = o.d.x - p.x, vy = o.d.y - p.y;
+      const double c = ux * vy - uy * vx, d = ux * vx + uy * vy;
+      const double room = (p.fuzz + o.c.fuzz + o.d.fuzz) *
+                          (std::abs(ux) + std::abs(uy) + std::abs(vx) + std::abs(vy));
+      return c > room && d - cot_ * c < -room * (1 + std::abs(cot_)) &&
+             (!o.cut_at_start || left_of(o.before, o.c, 1)) &&
+             (!o.cut_at_end || left_of(o.d, o.after, 1));
+    }
+    case Ban::shadow_of_a:
+    case Ban::shadow_of_b: {
+      const Obstacle& o = obstacles_[which];
+      if (!(ban == Ban::shadow_of_a ? o.faces_a : o.faces_b)) return false;
+      const Place from{ban == Ban::shadow_of_a ? 0.0 : 1.0, 0, kRounding};
+      return left_of(o.c, o.d, -1) && left_of(from, o.c, 1) && left_of(from, o.d, -1);
+    }
+    case Ban::wedge_at_a:
+      return is_in_wedge({0, 0, 0}, 1, a_.seen[which], p);
+    case Ban::wedge_at_b:
+      return is_in_wedge({1, 0, 0}, -1, b_.seen[which], p);
+  }
+  return false;
+}
+
+bool ApexSearch::is_tip_of(Ban ban, std::size_t which, const Place& p) const {
+  // A zone is convex and has the ends of its side on its rim. So a triangle that has one of them as
+  // corner lies in the zone, but for that, if both other corners do.
+  if (ban != Ban::zone || p.y != 0 || !obstacles_[which].has_zone) return false;
+  const Obstacle& o = obstacles_[which];
+  const double end = p.x < 0.5 ? 0 : 1;
+  return (o.d.x == end && o.d.y == 0) || (o.c.x == end && o.c.y == 0);
+}
+
+bool ApexSearch::is_banned(const Place (&corners)[4]) {
+  const auto all_in = [&](Ban ban, std::size_t which) {
+    for (const Place& p : corners) {
+      if (!is_in(ban, which, p) && !is_tip_of(ban, which, p)) return false;
+    }
+    last_ban_ = ban;
+    last_which_ = which;
+    return true;
+  };
+  if (!obstacles_.empty() && all_in(last_ban_, last_which_)) return true;
+  for (std::size_t k = 0; k < obstacles_.size(); ++k) {
+    if (all_in(Ban::zone, k) || all_in(Ban::shadow_of_a, k) || all_in(Ban::shadow_of_b, k))
+      return true;
+  }
+  for (std::size_t k = 0; k < a_.seen.size(); ++k) {
+    if (all_in(Ban::wedge_at_a, k)) return true;
+  }
+  for (std::size_t k = 0; k < b_.seen.size(); ++k) {
+    if (all_in(Ban::wedge_at_b, k)) return true;
+  }
+  return false;
+}
+
+bool ApexSearch::contains_vertex(const Box& box) const {
+  // All triangles of the box contain that of its two smallest angles.
+  for (const Place& w : vertices_) {
+    if (!(w.y > w.fuzz)) continue;
+    if (w.x * box.a[0].sine - w.y * box.a[0].cosine > 4 * w.fuzz &&
+        (1 - w.x) * box.b[0].sine - w.y * box.b[0].cosine > 4 * w.fuzz)
+      return true;
+  }
+  return false;
+}
+
+bool ApexSearch::end_is_out(const End& end, double low, double high, double near,
+                            double far) const {
+  // `low` to `high`: the angle at this end; `near` to `far`: the length of the new edge.
+  const double rest_low = end.corner - high, rest_high = end.corner - low;
+  if (!reaches_next(end, rest_low - kAngleSlack, rest_high + kAngleSlack, near, far)) return true;
+  if (range_.least == 0) return false;
+  for (std::size_t k = 0; k < end.seen.size(); ++k) {
+    const double beyond = end.direction[k] - low;
+    if (end.direction[k] < high + kAngleSlack || beyond > kPi / 2) continue;
+    if (end.distance[k] < near &&
+        end.distance[k] < near * growth_.least_reach(beyond) * (1 - kAngleSlack))
+      return true;
+  }
+  return false;
+}
+
+bool ApexSearch::is_out(const Box& box) {
+  const double sum_low = box.a[0].angle + box.b[0].angle;
+  const double sum_high = box.a[1].angle + box.b[1].angle;
+  if (sum_low > kPi - range_.least + kAngleSlack) return true;
+  if (sum_high < kPi - range_.most - kAngleSlack) return true;
+  if (contains_vertex(box)) return true;
+  if (sum_high > kPi - kFlat) {
+    // From a sum of 90 degrees on, the nearest apex is that of the smallest angles.
+    if (sum_low < kPi / 2 || sum_low > kPi - kFlat / 2) return sum_low > kPi / 2;
+    const double sine = std::sin(sum_low) + kRounding;
+    return std::min(box.a[0].sine, box.b[0].sine) > sine * view_.diameter() / length_;
+  }
+  Place corners[4];
+  double near_a = 1e300, far_a = 0, near_b = 1e300, far_b = 0;
+  for (int k = 0; k < 4; ++k) {
+    const Direction &a = box.a[k & 1], &b = box.b[k >> 1];
+    const double sine = a.sine * b.cosine + a.cosine * b.sine;
+    const double to_a = b.sine / sine, to_b = a.sine / sine;
+    const double fuzz = kRounding * (1 + to_a) / sine;
+    corners[k] = {to_a * a.cosine, to_a * a.sine, fuzz};
+    if (b.sine == 0 && a.sine > 0) corners[k] = {0, 0, 0};
+    if (a.sine == 0 && b.sine > 0) corners[k] = {1, 0, 0};
+    near_a = std::min(near_a, to_a);
+    far_a = std::max(far_a, to_a);
+    near_b = std::min(near_b, to_b);
+    far_b = std::max(far_b, to_b);
+  }
+  if (is_banned(corners)) return true;
+  // The lengths sin b / sin (a + b) and sin a / sin (a + b) have their extremes at the corners,
+  // but for the least ones where a + b passes 90 degrees: there sin (a + b) is 1.
+  if (sum_low < kPi / 2 && sum_high > kPi / 2) {
+    near_a = std::min({near_a, box.b[0].sine, box.b[1].sine});
+    near_b = std::min({near_b, box.a[0].sine, box.a[1].sine});
+  }
+  return end_is_out(a_, box.a[0].angle, box.a[1].angle, near_a, far_a) ||
+         end_is_out(b_, box.b[0].angle, box.b[1].angle, near_b, far_b);
+}
+
+bool ApexSearch::has_none(std::uint32_t side, std::uint64_t& budget) {
+  enter(side);
+  if (ear_is_possible(true) || ear_is_possible(false)) return false;
+  if (is_triangle_) return true;
+  const double least = range_.least;
+  const double most_a = std::min({range_.most, kPi - 2 * least, a_.corner - least});
+  const double most_b = std::min({range_.most, kPi - 2 * least, b_.corner - least});
+  if (most_a < least - kAngleSlack || most_b < least - kAngleSlack) return true;
+  const auto direction = [](double angle) {
+    return Direction{angle, std::sin(angle), std::cos(angle)};
+  };
+  const double from = std::max(0.0, least - kAngleSlack);
+  stack_.assign(1, {{direction(from), direction(most_a + kAngleSlack)},
+                    {direction(from), direction(most_b + kAngleSlack)}});
+  while (!stack_.empty()) {
+    if (budget == 0) return false;
+    --budget;
+    const Box box = stack_.back();
+    stack_.pop_back();
+    if (is_out(box)) continue;
+    const double wide = box.a[1].angle - box.a[0].angle, high = box.b[1].angle - box.b[0].angle;
+    if (std::max(wide, high) < kSmallestBox) return false;
+    const bool cut_a = wide > high;
+    const Direction middle = direction(cut_a ? (box.a[0].angle + box.a[1].angle) / 2
+                                             : (box.b[0].angle + box.b[1].angle) / 2);
+    if (std::max(wide, high) > kProbed) {
+      // A place that nothing forbids ends the search at once.
+      const Direction other = direction(cut_a ? (box.b[0].angle + box.b[1].angle) / 2
+                                              : (box.a[0].angle + box.a[1].angle) / 2);
+      const Direction &at_a = cut_a ? middle : other, &at_b = cut_a ? other : middle;
+      if (at_a.angle + at_b.angle < kPi - kFlat && !is_out({{at_a, at_a}, {at_b, at_b}}))
+        return false;
+    }
+    Box first = box, second = box;
+    (cut_a ? first.a : first.b)[1] = middle;
+    (cut_a ? second.a : second.b)[0] = middle;
+    stack_.push_back(second);
+    stack_.push_back(first);
+  }
+  return true;
+}
+
+}  // namespace cover

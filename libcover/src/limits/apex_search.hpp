@@ -1,0 +1,100 @@
+// Whether the triangle on a side can have any apex at all.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "geom/vector.hpp"
+#include "limits/angle_range.hpp"
+#include "limits/clear_zones.hpp"
+#include "limits/fan_growth.hpp"
+#include "limits/region_view.hpp"
+
+namespace cover {
+
+/// Searches the plane for apices of the triangle on a side, for a mesh all of whose angles are in a
+/// range, by branch and bound over boxes of its angles at the ends of the side.
+class ApexSearch {
+ public:
+  /// REQUIRES: no vertex sees a side under more than range.most; `zones` are for range.most; all
+  ///           outlive this
+  ApexSearch(const RegionView& view, ClearZones& zones, const FanGrowth& growth);
+
+  /// True: no covering mesh has a triangle on this side, with all angles in the range. False: it
+  /// may have one.
+  ///
+  /// `budget` is the number of boxes that may be looked at; what was used is taken off it.
+  /// EXACT: a proof, up to kAngleSlack in favour of a mesh
+  /// Ref:   docs/limits.md
+  bool has_none(std::uint32_t side, std::uint64_t& budget);
+
+ private:
+  /// An angle with its sine and cosine.
+  struct Direction {
+    double angle, sine, cosine;
+  };
+  /// Apices whose angles at the ends of the side lie between two each.
+  struct Box {
+    Direction a[2], b[2];
+  };
+  /// A place in the frame of the side, which leads from (0, 0) to (1, 0), and how far rounding may
+  /// have moved it.
+  struct Place {
+    double x, y, fuzz;
+  };
+  /// A side that an apex must keep clear of.
+  struct Obstacle {
+    Place c, d, before, after;
+    bool has_zone, cut_at_start, cut_at_end;
+    bool faces_a, faces_b;  ///< the ends of the side lie strictly on its left
+  };
+  /// An end of the side.
+  struct End {
+    double corner = 0;        ///< angle of the region there
+    std::vector<Place> seen;  ///< joined to it, in the order in which they are met from the side
+    std::vector<double> direction;
+    std::vector<double> distance;
+  };
+  /// What an obstacle, or a vertex seen from an end, forbids: a convex set each.
+  enum class Ban : std::uint8_t { zone, shadow_of_a, shadow_of_b, wedge_at_a, wedge_at_b };
+
+  void enter(std::uint32_t side);
+  void enter_end(End& end, const Corner& corner, bool reversed);
+  void collect_obstacles(const RegionSide& side);
+  [[nodiscard]] Place local(std::uint32_t v) const;
+  [[nodiscard]] bool ear_is_possible(bool at_a) const;
+  [[nodiscard]] bool angles_are_in_range(double x, double y, double z) const;
+  [[nodiscard]] bool reaches_next(const End& end, double low, double high, double near,
+                                  double far) const;
+  [[nodiscard]] bool is_in(Ban ban, std::size_t which, const Place& p) const;
+  [[nodiscard]] bool is_in_wedge(const Place& at, double turn, const Place& w,
+                                 const Place& p) const;
+  [[nodiscard]] bool is_tip_of(Ban ban, std::size_t which, const Place& p) const;
+  [[nodiscard]] bool is_banned(const Place (&corners)[4]);
+  [[nodiscard]] bool is_out(const Box& box);
+  [[nodiscard]] bool contains_vertex(const Box& box) const;
+  [[nodiscard]] bool end_is_out(const End& end, double low, double high, double near,
+                                double far) const;
+
+  const RegionView& view_;
+  ClearZones& zones_;
+  const FanGrowth& growth_;
+  AngleRange range_;
+  double cot_;  ///< of the angle of zones
+
+  std::array<std::uint32_t, 2> ends_{};
+  Point origin_;
+  Vector along_;  ///< unit vector
+  double length_ = 1;
+  End a_, b_;
+  bool is_triangle_ = false;  ///< the region is one triangle
+  std::vector<Place> vertices_;
+  std::vector<Obstacle> obstacles_;
+  std::vector<std::uint32_t> visited_;
+  Ban last_ban_ = Ban::zone;
+  std::size_t last_which_ = 0;
+  std::vector<Box> stack_;
+};
+
+}  // namespace cover

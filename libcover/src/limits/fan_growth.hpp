@@ -1,0 +1,39 @@
+// How fast the edges at a vertex can become longer, from one to the next.
+#pragma once
+
+#include "limits/angle_range.hpp"
+
+namespace cover {
+
+/// Bounds the lengths of the edges around a vertex: triangles side by side, whose angles are all in
+/// a range and sum up to `angle` at the vertex, lead from an edge to one that is at most
+/// exp(log_ratio(angle, angle)) times as long, and no less than its reciprocal.
+class FanGrowth {
+ public:
+  /// REQUIRES: range.least <= 60 degrees <= range.most
+  explicit FanGrowth(AngleRange range);
+
+  /// An upper bound of the logarithm of the ratio, for angles at the vertex from `low` to `high`;
+  /// negative if no triangles can have such a sum.
+  ///
+  /// Cost: O(1); at most O(high / least)
+  [[nodiscard]] double log_ratio(double low, double high) const;
+
+  /// The least part of the length of the first edge to which its far side can come down within
+  /// `angle` of it: a vertex in that direction that is nearer than this lies in a triangle.
+  [[nodiscard]] double least_reach(double angle) const;
+
+  [[nodiscard]] AngleRange range() const { return range_; }
+
+ private:
+  [[nodiscard]] double of_one(double angle) const;
+  [[nodiscard]] double concave(double angle) const;
+
+  AngleRange range_;
+  double steepest_from_ = 0;  ///< up to here the concave majorant is a straight line,
+  double start_ = 0;          ///< which begins with this at the least angle
+  double slope_ = 0;
+  double peak_ = 0;  ///< the angle at which one triangle grows most
+};
+
+}  // namespace cover

@@ -1,0 +1,101 @@
+// A question is settled by one side. The side that settled the last one is asked first: the
+// questions of prove() differ in a degree or two. Tested by
+// tests/unit/limits/limit_prover_test.cpp.
+#include "limits/limit_prover.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "limits/apex_search.hpp"
+#include "limits/clear_zones.hpp"
+#include "limits/fan_growth.hpp"
+
+namespace cover {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kDegree = kPi / 180;
+constexpr double kSixty = kPi / 3;
+/// Questions are put at these distances beyond what was reached, until one is settled; then once
+/// more beside it. A limit within the first is no gap, within the second it is near.
+constexpr std::array kLadder{1e-6 * kDegree, kDegree};
+constexpr std::array kFarther{3 * kDegree, 10 * kDegree};
+
+}  // namespace
+
+LimitProver::LimitProver(const Triangulation& cdt) : view_(cdt), nu_opt_(kPi) {
+  for (const RegionSide& side : view_.sides()) nu_opt_ = std::min(nu_opt_, side.nu_opt);
+}
+
+bool LimitProver::refutes(AngleRange range, std::uint64_t& budget, const ProofEffort& effort) {
+  const double lemma_1 = kPi - nu_opt_;
+  if (range.most < std::max(lemma_1, kSixty) - kAngleSlack) return true;
+  if (range.least > std::min(nu_opt_ / 2, kSixty) + kAngleSlack) return true;
+  range.most = std::max(range.most, lemma_1) + kAngleSlack;
+  if (range.most >= kPi) return false;
+  const FanGrowth growth(range);
+  ClearZones zones(view_, range.most);
+  ApexSearch search(view_, zones, growth);
+  const auto sides = static_cast<std::uint32_t>(view_.sides().size());
+  for (std::uint32_t k = 0; k < sides && budget > 0; ++k) {
+    const std::uint32_t s = (last_refuter_ + k) % sides;
+    std::uint64_t share = std::min(budget, effort.per_search);
+    const std::uint64_t given = share;
+    const bool settled = search.has_none(s, share);
+    budget -= given - share;
+    if (!settled) continue;
+    last_refuter_ = s;
+    return true;
+  }
+  return false;
+}
+
+ProvenLimits LimitProver::prove(const ReachedAngles& reached, const ReachedAngles& wanted,
+                                const ProofEffort& effort) {
+  const double lowest = std::max(kPi - nu_opt_, kSixty);
+  const double largest = kPi - reached.largest_nu.in_radians();
+  const double smallest = reached.smallest.in_radians();
+  std::uint64_t budget = effort.per_region + effort.per_side * view_.sides().size();
+
+  double largest_limit = lowest;
+  if (reached.largest_nu < wanted.largest_nu) {
+    const auto ask = [&](double gap) {
+      if (largest - gap <= largest_limit) return true;
+      if (!refutes({largest - gap, 0}, budget, effort)) return false;
+      largest_limit = largest - gap;
+      return true;
+    };
+    if (ask(kLadder[1])) {
+      ask(kLadder[0]);
+    } else {
+      for (const double gap : kFarther) {
+        if (ask(gap)) break;
+      }
+    }
+  }
+
+  const double most = kPi - std::min(reached.largest_nu, wanted.largest_nu).in_radians();
+  double smallest_limit = std::min((kPi - lowest) / 2, kSixty);
+  if (reached.smallest < wanted.smallest) {
+    const auto ask = [&](double gap) {
+      if (smallest + gap >= smallest_limit) return true;
+      if (!refutes({most, smallest + gap}, budget, effort)) return false;
+      smallest_limit = smallest + gap;
+      return true;
+    };
+    if (ask(kLadder[1])) {
+      ask(kLadder[0]);
+    } else {
+      for (const double gap : kFarther) {
+        if (ask(gap)) break;
+      }
+    }
+  }
+  // Rounding of the mesh's own coordinates must not make it better than its limit.
+  return {Angle::radians(kPi - std::min(largest_limit, largest)),
+          Angle::radians(std::max(smallest_limit, smallest)), Angle::radians(kPi - most)};
+}
+
+}  // namespace cover

@@ -1,0 +1,68 @@
+// What no covering mesh of a region can have better, whatever vertices are put into it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <cover/angle.hpp>
+
+#include "cdt/triangulation.hpp"
+#include "limits/angle_range.hpp"
+#include "limits/region_view.hpp"
+
+namespace cover {
+
+/// The worst angles of a mesh.
+struct ReachedAngles {
+  Angle largest_nu;  ///< pi minus the largest
+  Angle smallest;
+};
+
+/// Proven limits of a region. What was reached is no better than they are.
+struct ProvenLimits {
+  Angle largest_nu;  ///< no covering mesh has a larger pi - largest angle
+  Angle smallest;    ///< no covering mesh whose largest angle is at most pi - under has more
+  Angle under;       ///< as pi minus angle
+};
+
+/// How hard a limit is looked for, in boxes (about 0.2 us each).
+struct ProofEffort {
+  std::uint64_t per_side = 20;     ///< for a whole region, times its sides,
+  std::uint64_t per_region = 400;  ///< and this
+  std::uint64_t per_search = 400;  ///< for one side and one question
+};
+
+/// Proves limits of one region.
+class LimitProver {
+ public:
+  /// REQUIRES: `cdt` is the constrained Delaunay triangulation of the region; its outer and its
+  ///           locked edges are the sides, each of which is an edge of every mesh in question. It
+  ///           outlives the prover.
+  /// Cost:     O(triangles)
+  explicit LimitProver(const Triangulation& cdt);
+
+  /// pi - gamma_opt: Lemma 1.
+  [[nodiscard]] double nu_opt() const { return nu_opt_; }
+
+  /// True: no covering mesh has all angles in `range`. False: not known.
+  ///
+  /// EXACT: a proof (docs/limits.md), with kAngleSlack in favour of a mesh
+  /// Cost:  O(sides), and the boxes that are taken off `budget`
+  bool refutes(AngleRange range, std::uint64_t& budget, const ProofEffort& effort = {});
+
+  /// The limits beside what a mesh has reached: of the largest angle where that is above
+  /// `wanted.largest_nu` allows, of the smallest one where it is below `wanted.smallest`, among the
+  /// meshes whose largest angle is no larger than reached or wanted. Lemma 1 and what follows from
+  /// it where nothing better is found.
+  ///
+  /// REQUIRES: a covering mesh of this region has reached that
+  ProvenLimits prove(const ReachedAngles& reached, const ReachedAngles& wanted,
+                     const ProofEffort& effort = {});
+
+ private:
+  RegionView view_;
+  double nu_opt_;
+  std::uint32_t last_refuter_ = 0;  ///< the side that settled the last question
+};
+
+}  // namespace cover

@@ -1,0 +1,71 @@
+// A region as its sides see it: corners between sides, and what is seen from them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "cdt/triangulation.hpp"
+
+namespace cover {
+
+/// The vertices that a constrained Delaunay triangulation joins to the vertex of a corner.
+struct Sighted {
+  std::uint32_t vertex = 0;
+  double direction = 0;  ///< turned from the corner's first side, counter-clockwise, in radians
+};
+
+/// A corner of a region: between the side that leaves its vertex and the next one to the left.
+struct Corner {
+  std::uint32_t vertex = 0;
+  std::uint32_t first = 0;  ///< its Sighted ones: [first, last), the ends of both sides with them
+  std::uint32_t last = 0;
+  double angle = 0;  ///< between the sides, up to 2 pi
+};
+
+/// A directed side, with the region on its left.
+struct RegionSide {
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+  std::uint32_t triangle = 0;  ///< on its left
+  int edge = 0;                ///< of the triangle
+  std::uint32_t start = 0;     ///< the corner at a
+  std::uint32_t end = 0;       ///< the corner at b
+  double nu_opt = 0;           ///< pi minus the angle under which the best vertex sees it
+};
+
+/// All sides and corners of one region.
+class RegionView {
+ public:
+  /// REQUIRES: `cdt` is the constrained Delaunay triangulation of a region; its outer and its
+  ///           locked edges are the sides. It outlives the view.
+  /// Cost:     O(triangles)
+  explicit RegionView(const Triangulation& cdt);
+
+  [[nodiscard]] const Triangulation& cdt() const { return cdt_; }
+  [[nodiscard]] std::span<const RegionSide> sides() const { return sides_; }
+  [[nodiscard]] const Corner& corner(std::uint32_t c) const { return corners_[c]; }
+  [[nodiscard]] std::span<const Sighted> seen_from(const Corner& c) const {
+    return std::span(sighted_).subspan(c.first, c.last - c.first);
+  }
+  /// No two points of the region are farther apart.
+  [[nodiscard]] double diameter() const { return diameter_; }
+  [[nodiscard]] Point point(std::uint32_t v) const { return cdt_.points[v]; }
+  /// The side at edge `edge` of triangle `t`; kNone: that edge is no side.
+  [[nodiscard]] std::uint32_t side_at(std::uint32_t t, int edge) const {
+    return side_of_[3 * t + static_cast<std::uint32_t>(edge)];
+  }
+
+ private:
+  void find_sides();
+  void walk_corner(std::uint32_t side);
+
+  const Triangulation& cdt_;
+  double diameter_ = 0;
+  std::vector<RegionSide> sides_;
+  std::vector<std::uint32_t> side_of_;  ///< by half-edge
+  std::vector<Corner> corners_;         ///< corner i begins with side i
+  std::vector<Sighted> sighted_;
+};
+
+}  // namespace cover
