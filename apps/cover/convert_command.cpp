@@ -6,6 +6,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "format_options.hpp"
+#include "interrupt.hpp"
 #include "options.hpp"
 #include "output_files.hpp"
 
@@ -54,11 +55,12 @@ Examples:
     return usage_error(app, files.error());
 
   const auto log = make_logger(verbosity);
+  Interrupt interrupt;
   const Result<Output> mesh = read_output(path);
   if (!mesh) return fail(*log, mesh.error());
   log_notes(*log, mesh->report.notes);
   for (std::size_t k = 0; k < outputs.size(); ++k) {
-    const Status done = write_to(writers[k], *mesh, outputs[k], "." + format);
+    const Status done = write_to(writers[k], *mesh, outputs[k], "." + format, interrupt.token());
     if (!done) return fail(*log, done.error());
     log->info("wrote {}", outputs[k] == "-" ? "to standard output" : outputs[k]);
   }

@@ -216,7 +216,7 @@ class Page {
       out_ += *svg;
     } else {
       const auto folder =
-          ScratchFolder::beside((std::filesystem::temp_directory_path() / "cover").string());
+          ScratchFolder::beside((std::filesystem::temp_directory_path() / "cover-picture").string());
       if (!folder) return folder.error();
       const std::string file = folder->path() / "picture.png";
       if (Status drawn = write_png(mesh, options, file); !drawn) return drawn;

@@ -2,11 +2,34 @@
 
 #include <pthread.h>
 
+#include <cstdio>
 #include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <string>
+#include <system_error>
 
 #include "exit_code.hpp"
 
 namespace cover::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Removes the temporary files that this process has open. Without /proc they stay until their
+/// files are written again.
+void remove_open_temporary_files() {
+  std::error_code ignored;
+  for (fs::directory_iterator entry("/proc/self/fd", ignored), end; !ignored && entry != end;
+       entry.increment(ignored)) {
+    std::error_code gone;
+    const fs::path path = fs::read_symlink(entry->path(), gone);
+    const std::string name = path.filename();
+    if (!gone && name.starts_with('.') && name.ends_with(".tmp")) fs::remove(path, gone);
+  }
+}
+
+}  // namespace
 
 Interrupt::Interrupt() {
   sigemptyset(&signals_);
@@ -26,10 +49,12 @@ void Interrupt::wait(const std::stop_token& done) {
   sigwait(&signals_, &signal);
   if (done.stop_requested()) return;
   source_.request_stop();
-  while (!done.stop_requested()) {
-    sigwait(&signals_, &signal);
-    if (!done.stop_requested() && !writing_) std::_Exit(exit_interrupted);
-  }
+  constexpr timespec kPatience{0, 900'000'000};
+  sigtimedwait(&signals_, nullptr, &kPatience);
+  if (done.stop_requested() || finished_) return;
+  remove_open_temporary_files();
+  std::fputs("cover: interrupted\n", stderr);
+  std::_Exit(exit_interrupted);
 }
 
 }  // namespace cover::app

@@ -8,8 +8,9 @@
 
 namespace cover::app {
 
-/// While it lives, SIGINT and SIGTERM ask the run to stop; a second one ends the program at once,
-/// but never in the middle of writing files, so that no half file is left.
+/// While it lives, SIGINT and SIGTERM ask the run to stop. Whatever does not heed that within a
+/// second is ended with the program, and so it is by a second signal; no file is half written then,
+/// since files get their names when they are whole.
 ///
 /// A thread of its own waits for the signals, because a signal handler may not touch a stop_source.
 /// REQUIRES: made before any other thread, so that all threads inherit the blocked signals.
@@ -21,15 +22,15 @@ class Interrupt {
   Interrupt& operator=(const Interrupt&) = delete;
 
   [[nodiscard]] std::stop_token token() const { return source_.get_token(); }
-  /// From here on a second signal changes nothing.
-  void start_writing() { writing_ = true; }
+  /// To be called when all files are written: from here on signals change nothing.
+  void finish() { finished_ = true; }
 
  private:
   void wait(const std::stop_token& done);
 
   sigset_t signals_{};
   std::stop_source source_;
-  std::atomic<bool> writing_ = false;
+  std::atomic<bool> finished_ = false;
   std::jthread waiter_;
 };
 

@@ -193,10 +193,10 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 int write_files(const MeshCommand& command, const std::vector<File>& files, Output& output,
-                spdlog::logger& log) {
+                const std::stop_token& stop, spdlog::logger& log) {
   const auto start = std::chrono::steady_clock::now();
   for (const File& file : files) {
-    const Status written = write_to(file.write, output, file.path, "." + command.format);
+    const Status written = write_to(file.write, output, file.path, "." + command.format, stop);
     if (!written) return fail(log, written.error());
     log.info("wrote {}", file.path == "-" ? "to standard output" : file.path);
   }
@@ -273,15 +273,16 @@ int run(const MeshCommand& command, Input input, const Options& options,
               describe_missed_bound(output));
     return exit_incomplete;
   }
-  interrupt.start_writing();
   if (interrupt.token().stop_requested()) {
     return fail(log, {ErrorCode::cancelled, "interrupted; nothing was written", {}, {}});
   }
-  if (const int code = write_files(command, files, output, log); code != exit_ok) return code;
+  if (const int code = write_files(command, files, output, interrupt.token(), log); code != exit_ok)
+    return code;
   if (!command.dump_folder.empty()) {
     const Status dumped = dump_stages(packings, command.dump_folder);
     if (!dumped) return fail(log, dumped.error());
   }
+  interrupt.finish();
   if (const int code = print_report(command, output, log); code != exit_ok) return code;
   if (!complete) return exit_incomplete;
 

@@ -25,7 +25,7 @@ struct Format {
 
 /// The picture that `cover render` makes, with the names that only the run knows.
 template <auto Draw>
-Status draw_with(const Output& output, const std::string& path) {
+Status draw_with(const Output& output, const std::string& path, const std::stop_token&) {
   PictureOptions options;
   options.title = fmt::format("{}: {} triangles", std::filesystem::path(path).stem().string(),
                               grouped(output.report.quality.triangles));
@@ -38,9 +38,14 @@ const std::vector<Format>& picture_formats() {
   return formats;
 }
 
+template <auto Write>
+Status report_with(const Output& output, const std::string& path, const std::stop_token&) {
+  return Write(output, path);
+}
+
 const std::vector<Format>& report_formats() {
-  static const std::vector<Format> formats{{".json", write_report_json},
-                                           {".html", write_report_html}};
+  static const std::vector<Format> formats{{".json", report_with<write_report_json>},
+                                           {".html", report_with<write_report_html>}};
   return formats;
 }
 
@@ -94,9 +99,12 @@ Result<Writer> mesh_writer(const std::string& path, const WriteOptions& options)
     }
     return error;
   }
-  return Writer([options](const Output& output, const std::string& target) {
-    return write_mesh(output, target, options);
-  });
+  return Writer(
+      [options](const Output& output, const std::string& target, const std::stop_token& stop) {
+        WriteOptions stopped = options;
+        stopped.stop = stop;
+        return write_mesh(output, target, stopped);
+      });
 }
 
 Result<Writer> stdout_writer(const std::string& format, const WriteOptions& options) {
@@ -120,7 +128,7 @@ Status write_to(const std::string& path, const std::string& extension,
   OpenFile file;
   {
     const auto folder =
-        ScratchFolder::beside((std::filesystem::temp_directory_path() / "cover").string());
+        ScratchFolder::beside((std::filesystem::temp_directory_path() / "cover-stdout").string());
     if (!folder) return folder.error();
     const std::string name = folder->path() / ("stdout" + extension);
     if (Status written = write(name); !written) return written;
@@ -131,9 +139,9 @@ Status write_to(const std::string& path, const std::string& extension,
 }
 
 Status write_to(const Writer& writer, const Output& output, const std::string& path,
-                const std::string& extension) {
+                const std::string& extension, const std::stop_token& stop) {
   return write_to(path, extension,
-                  [&](const std::string& target) { return writer(output, target); });
+                  [&](const std::string& target) { return writer(output, target, stop); });
 }
 
 }  // namespace cover::app

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,9 @@
 
 namespace cover::app {
 
-/// Writes one kind of file.
-using Writer = std::function<Status(const Output&, const std::string& path)>;
+/// Writes one kind of file; a requested stop ends that with `cancelled`.
+using Writer =
+    std::function<Status(const Output&, const std::string& path, const std::stop_token& stop)>;
 
 /// The writer for what `path` ends in. Errors: unsupported_format, naming what is possible;
 /// bad_option where the format cannot do what `options` ask for.
@@ -33,6 +35,6 @@ std::string mesh_extensions();
 Status write_to(const std::string& path, const std::string& extension,
                 const std::function<Status(const std::string&)>& write);
 Status write_to(const Writer& writer, const Output& output, const std::string& path,
-                const std::string& extension);
+                const std::string& extension, const std::stop_token& stop = {});
 
 }  // namespace cover::app

@@ -1,6 +1,10 @@
-// Writing results. Every file is written to a temporary name in its folder and renamed.
+// Writing results. Every file is written to a temporary name in its folder, brought to the disk and
+// renamed: whatever happens, a name stands for the whole old file or the whole new one. Symbolic
+// links stay, and a file that is replaced hands its permissions on. What a killed run has left
+// behind is removed when its file is written again.
 #pragma once
 
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -16,11 +20,12 @@ struct WriteOptions {
   bool lines = false;             ///< .vtk: line cells after the triangles
   std::string msh = "2.2";        ///< .msh: version, 2.2 or 4.1
   std::string inp_element = "S";  ///< .inp: S, CPS, CPE or CAX; the number of nodes is appended
+  std::stop_token stop = {};      ///< ends the writing with `cancelled`; all is as it was then
 };
 
 /// Writes `output` in the format that the extension of `path` names. See write_formats().
 ///
-/// Errors: those of can_write(); cannot_write
+/// Errors: those of can_write(); cannot_write; cancelled
 Status write_mesh(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Tells before the work whether write_mesh() knows the format and the format has what is asked
@@ -39,7 +44,8 @@ Status write_vtu(const Output& output, const std::string& path, const WriteOptio
 
 /// Writes a multi-block file with a named .vtu per group of regions and per group of lines beside
 /// it: the groups are those of the physical groups of .msh, so one name is one block. Lines between
-/// two triangles are always there.
+/// two triangles are always there. The pieces of X.vtm are X/X_K_HASH.vtu, with the hash of their
+/// content; those of an X.vtm that is replaced are removed.
 Status write_vtm(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes the clean PSLG as Triangle's .poly, 17 digits, with region and hole seeds.
@@ -53,7 +59,7 @@ Status write_report_json(const Output& output, const std::string& path);
 
 // Formats in text. Doubles are written so that they read back bit for bit. Numbers of lines and,
 // in .msh, of regions are those of the physical groups in the manifest; names have everything but
-// ASCII letters, digits and `_ . -` replaced by `_`. All of them report cannot_write alone.
+// ASCII letters, digits and `_ . -` replaced by `_`. All of them report cannot_write and cancelled.
 
 /// Writes VTK's legacy format, version 3.0: cell arrays MaterialID, material, mat_id, RegionId.
 /// With options.lines: triangles, then lines; MaterialID (on inner lines -1), ManifoldID (the
@@ -84,13 +90,13 @@ Status write_triangle(const Output& output, const std::string& path,
                       const WriteOptions& options = {});
 
 /// Writes Wavefront's .obj with a group per region group, lines as elements of their own.
-Status write_obj(const Output& output, const std::string& path);
+Status write_obj(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes Geomview's .off.
-Status write_off(const Output& output, const std::string& path);
+Status write_off(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes Stanford's .ply, in text, with face properties material and region.
-Status write_ply(const Output& output, const std::string& path);
+Status write_ply(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes the manifest: what the mesh files cannot hold. Names as the input has them and as the
 /// files have them, numbers of groups, the edges of every line, counts, quality.

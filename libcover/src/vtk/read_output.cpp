@@ -181,7 +181,10 @@ Result<StoredMesh> read_vtm(const std::string& path) {
   }
   const QuietVtk quiet;
   vtkNew<vtkXMLMultiBlockDataReader> reader;
-  reader->SetFileName(path.c_str());
+  // The pieces are beside the file that a link leads to.
+  std::error_code ignored;
+  const fs::path file = fs::canonical(path, ignored);
+  reader->SetFileName((ignored ? path : file.string()).c_str());
   reader->Update();
   auto* root = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0));
   if (reader->GetErrorCode() != 0 || root == nullptr) return wrong_file(path, "not a valid VTK file");

@@ -19,29 +19,17 @@ struct Format {
   Writer write;
 };
 
-/// A writer that has no options as one that has.
-template <Status (*write)(const Output&, const std::string&)>
-Status without_options(const Output& output, const std::string& path, const WriteOptions&) {
-  return write(output, path);
-}
-
 Status write_clean_input(const Output& output, const std::string& path, const WriteOptions&) {
   return write_poly(output.pslg, output.table, path);
 }
 
 constexpr std::array kFormats{
-    Format{".vtu", true, write_vtu},
-    Format{".vtm", true, write_vtm},
-    Format{".vtk", true, write_vtk},
-    Format{".msh", true, write_msh},
-    Format{".xdmf", true, write_xdmf},
-    Format{".mesh", true, write_medit},
-    Format{".inp", true, write_inp},
-    Format{".ele", true, write_triangle},
-    Format{".obj", false, without_options<write_obj>},
-    Format{".off", false, without_options<write_off>},
-    Format{".ply", false, without_options<write_ply>},
-    Format{".json", true, write_manifest},
+    Format{".vtu", true, write_vtu},          Format{".vtm", true, write_vtm},
+    Format{".vtk", true, write_vtk},          Format{".msh", true, write_msh},
+    Format{".xdmf", true, write_xdmf},        Format{".mesh", true, write_medit},
+    Format{".inp", true, write_inp},          Format{".ele", true, write_triangle},
+    Format{".obj", false, write_obj},         Format{".off", false, write_off},
+    Format{".ply", false, write_ply},         Format{".json", true, write_manifest},
     Format{".poly", true, write_clean_input},
 };
 

@@ -10,6 +10,7 @@
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkVersionMacros.h>
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
 #include <vtkUnicodeString.h>
@@ -93,9 +94,6 @@ Status write_png(const PictureMesh& mesh, const PictureOptions& options, const s
     if (const Label* label = std::get_if<Label>(&item)) draw(*label, image);
   }
 
-  Result<AtomicFile> file = AtomicFile::create(path);
-  if (!file) return std::move(file).error();
-  file->release();
   vtkNew<vtkImageData> pixels;
   pixels->SetDimensions(image.width, image.height, 1);
   pixels->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
@@ -106,12 +104,17 @@ Status write_png(const PictureMesh& mesh, const PictureOptions& options, const s
                 static_cast<std::uint8_t*>(pixels->GetScalarPointer(0, image.height - 1 - y, 0)));
   }
   vtkNew<vtkPNGWriter> writer;
-  writer->SetFileName(file->temporary_path().c_str());
+  writer->SetWriteToMemory(1);
   writer->SetInputData(pixels);
   writer->Write();
-  if (writer->GetErrorCode() != 0) {
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  if (writer->GetErrorCode() != 0 || bytes == nullptr) {
     return Error{ErrorCode::cannot_write, "cannot write '" + path + "' as PNG", {}, {}};
   }
+  Result<AtomicFile> file = AtomicFile::create(path);
+  if (!file) return std::move(file).error();
+  file->write({reinterpret_cast<const char*>(bytes->GetPointer(0)),
+               static_cast<std::size_t>(bytes->GetNumberOfValues())});
   return file->commit();
 }
 

@@ -17,8 +17,11 @@
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <stop_token>
+#include <vector>
 
 #include <cover/cover_mesh.hpp>
+#include <cover/read_mesh.hpp>
 #include <cover/write_mesh.hpp>
 
 #include "io/write_mesh/mesh_view.hpp"
@@ -207,39 +210,56 @@ std::map<std::string, std::string> contents(const fs::path& folder) {
 TEST(WriteVtm, ReplacesItsOwnPiecesOnly) {
   const testing::TemporaryFolder folder;
   const fs::path path = folder.path() / "checker.vtm", pieces = folder.path() / "checker";
-  const std::vector<std::string> foreign{"checker/device.poly", "checker/checker_notes.vtu",
-                                         "checker/checker_.vtu", "checker/other_0.vtu",
-                                         "checker/deep/checker_0.vtu"};
+  const std::vector<std::string> foreign{
+      "checker/device.poly", "checker/checker_notes.vtu", "checker/checker_.vtu",
+      "checker/other_0.vtu", "checker/deep/checker_0.vtu",
+      // As ParaView numbers the files of a time series.
+      "checker/checker_7.vtu", "checker/checker_8_0123456789abcdeg.vtu"};
   fs::create_directories(pieces / "deep");
   for (const std::string& name : foreign) (void)folder.write(name, name);
   ASSERT_TRUE(write_vtm(checker_output(), path));
-  auto files = contents(folder.path());
-  ASSERT_TRUE(files.contains("checker/checker_1.vtu"));
-  const std::size_t count = files.size();
-  (void)folder.write("checker/checker_99.vtu", "a piece that the next mesh has not");
+  const auto first = contents(folder.path());
+  // What a killed run leaves behind, and a piece of a .vtm that VTK wrote.
+  (void)folder.write("checker/checker_99_0123456789abcdef.vtu", "");
+  (void)folder.write("checker/.checker.3.tmp", "");
+  (void)folder.write(".checker.vtm.0.tmp", "");
   ASSERT_TRUE(write_vtm(checker_output(), path));
-  files = contents(folder.path());
-  EXPECT_EQ(files.size(), count);
-  EXPECT_FALSE(files.contains("checker/checker_99.vtu"));
-  for (const std::string& name : foreign) EXPECT_EQ(files[name], name);
+  EXPECT_EQ(contents(folder.path()), first) << "same bytes, same names, nothing else";
+  (void)folder.write("checker.vtm", "<DataSet index=\"0\" file=\"checker/checker_99.vtu\"/>");
+  (void)folder.write("checker/checker_99.vtu", "");
+  ASSERT_TRUE(write_vtm(checker_output(), path));
+  EXPECT_EQ(contents(folder.path()), first);
+  Output other = checker_output();
+  other.table.regions[3].material = 77;
+  ASSERT_TRUE(write_vtm(other, path));
+  const auto second = contents(folder.path());
+  EXPECT_NE(second, first);
+  for (const std::string& name : foreign) EXPECT_EQ(second.at(name), name);
+  ASSERT_TRUE(write_vtm(checker_output(), path));
+  EXPECT_EQ(contents(folder.path()), first);
+}
+
+TEST(WriteVtm, MendsADamagedPiece) {
+  const testing::TemporaryFolder folder;
+  const fs::path path = folder.path() / "checker.vtm";
+  ASSERT_TRUE(write_vtm(checker_output(), path));
+  const auto whole = contents(folder.path());
+  for (const auto& entry : fs::directory_iterator(folder.path() / "checker"))
+    fs::resize_file(entry.path(), 10);
+  ASSERT_TRUE(write_vtm(checker_output(), path));
+  EXPECT_EQ(contents(folder.path()), whole);
 }
 
 TEST(WriteVtm, LosesNothingWhereItFails) {
   const testing::TemporaryFolder folder;
   const Output output = checker_output();
   const fs::path path = folder.path() / "checker.vtm";
-  // A folder under the name of the file: what comes last cannot be done.
+  // A folder under the name of the file.
   fs::create_directories(path / "in the way");
   (void)folder.write("checker.vtm/input.poly", "1");
   ASSERT_FALSE(write_vtm(output, path));
   EXPECT_EQ(contents(folder.path()).size(), 1U);
   EXPECT_FALSE(fs::exists(folder.path() / "checker"));
-  fs::create_directory(folder.path() / "checker");
-  for (const char* name : {"checker/checker_0.vtu", "checker/checker_77.vtu"})
-    (void)folder.write(name, name);
-  const auto before = contents(folder.path());
-  ASSERT_FALSE(write_vtm(output, path));
-  EXPECT_EQ(contents(folder.path()), before);
   // A file under the name of the folder.
   const fs::path other = folder.path() / "device.vtm";
   (void)folder.write("device", "input");
@@ -249,16 +269,42 @@ TEST(WriteVtm, LosesNothingWhereItFails) {
   EXPECT_EQ(bytes_of(folder.path() / "device"), "input");
 }
 
-TEST(WriteVtm, ReplacesNoPiecesOfOthers) {
+TEST(WriteVtm, HeedsAStop) {
   const testing::TemporaryFolder folder;
-  fs::create_directory(folder.path() / "series");
-  (void)folder.write("series/series_7.vtu", "a step in time");
-  const Status status = write_vtm(checker_output(), folder.path() / "series.vtm");
+  const fs::path path = folder.path() / "checker.vtm";
+  WriteOptions stopped;
+  std::stop_source source;
+  source.request_stop();
+  stopped.stop = source.get_token();
+  Status status = write_vtm(checker_output(), path, stopped);
   ASSERT_FALSE(status);
-  EXPECT_NE(status.error().message.find("series_7.vtu, which belongs to no series.vtm"),
-            std::string::npos)
-      << status.error().message;
-  EXPECT_EQ(contents(folder.path()).size(), 1U);
+  EXPECT_EQ(status.error().code, ErrorCode::cancelled);
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+  ASSERT_TRUE(write_vtm(checker_output(), path));
+  const auto before = contents(folder.path());
+  Output other = checker_output();
+  other.table.regions[3].material = 77;
+  status = write_vtm(other, path, stopped);
+  ASSERT_FALSE(status);
+  EXPECT_EQ(contents(folder.path()), before);
+}
+
+TEST(WriteVtm, KeepsPermissionsAndLinks) {
+  const testing::TemporaryFolder folder;
+  const fs::path link = folder.path() / "link.vtm", path = folder.path() / "real" / "checker.vtm";
+  fs::create_directory(folder.path() / "real");
+  fs::create_symlink("real/checker.vtm", link);
+  (void)folder.write("real/checker.vtm", "");
+  fs::permissions(path, fs::perms(0600));
+  ASSERT_TRUE(write_vtm(checker_output(), link));
+  EXPECT_TRUE(fs::is_symlink(link));
+  for (const auto& entry : fs::recursive_directory_iterator(folder.path() / "real")) {
+    EXPECT_EQ(entry.status().permissions(), fs::perms(entry.is_directory() ? 0700 : 0600))
+        << entry.path();
+  }
+  const Result<Output> read = read_output(link);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->mesh.tri().n_faces(), checker_output().mesh.tri().n_faces());
 }
 
 TEST(WriteVtm, LinesHaveTheirLeftRegionOnTheLeft) {

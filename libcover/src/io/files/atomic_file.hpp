@@ -1,62 +1,47 @@
 // A file that appears whole or not at all.
 #pragma once
 
-#include <cstdio>
-#include <memory>
+#include <filesystem>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
-#include <cover/error.hpp>
 #include <cover/result.hpp>
+
+#include "io/files/temporary_file.hpp"
 
 namespace cover {
 
 /// Writes to a temporary name in the folder of the target; `commit` renames. A file that is never
-/// committed leaves nothing behind, and what stood under its name stays as it was.
+/// committed leaves nothing behind, and what stood under its name stays as it was. Only a process
+/// that is killed leaves a temporary file behind, which goes when the name is written to again.
 ///
-/// A target that exists and is no regular file (/dev/null, a pipe) is written to directly.
+/// A symbolic link stays one: what it leads to is replaced. A file that is replaced hands its
+/// permissions on, and its owner where that is allowed. A target that exists and is no regular file
+/// (/dev/null, a pipe) is written to directly.
 /// Threads: one writer per object; several objects may have the same target, the last commit wins.
 class AtomicFile {
  public:
-  /// Creates the temporary file.
+  /// Creates the temporary file. A requested stop fails the file.
   ///
   /// Errors: cannot_write, with the reason that the system gives.
-  static Result<AtomicFile> create(const std::string& path);
-
-  AtomicFile(AtomicFile&& other) noexcept;
-  AtomicFile& operator=(AtomicFile&& other) noexcept;
-  AtomicFile(const AtomicFile&) = delete;
-  AtomicFile& operator=(const AtomicFile&) = delete;
-  ~AtomicFile();
+  static Result<AtomicFile> create(const std::string& path, std::stop_token stop = {});
 
   /// Appends `bytes`. A failure is kept and reported by `commit`.
-  void write(std::string_view bytes);
+  void write(std::string_view bytes) { file_.write(bytes); }
 
-  /// The name to give to a library that opens its files itself; call `release` first.
-  [[nodiscard]] const std::string& temporary_path() const { return temporary_; }
-  /// Closes the file, so that others can write to `temporary_path`; `write` may not follow.
-  void release();
-
-  /// Closes and renames; to be called once.
+  /// Has the file on the disk and renames it; to be called once.
   ///
-  /// Errors: cannot_write, also for what an earlier `write` met (disk full, ...).
+  /// Errors: cannot_write, also for what an earlier `write` met (disk full, ...); cancelled
   Status commit();
 
  private:
-  struct Closer {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-
-  AtomicFile() = default;
-  /// Removes the temporary file of an object that was never committed.
-  void discard();
-  /// The error for `path_`, with the system's reason `number`.
-  [[nodiscard]] Error failure(int number) const;
+  AtomicFile(std::string path, std::filesystem::path target, TemporaryFile file)
+      : path_(std::move(path)), target_(std::move(target)), file_(std::move(file)) {}
 
   std::string path_;
-  std::string temporary_;  ///< empty: nothing to remove
-  std::unique_ptr<std::FILE, Closer> file_;
-  int first_failure_ = 0;  ///< errno of the first write that failed
+  std::filesystem::path target_;  ///< empty: written to directly
+  TemporaryFile file_;
 };
 
 }  // namespace cover

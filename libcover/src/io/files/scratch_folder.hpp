@@ -1,4 +1,4 @@
-// A place for files that are to be moved to their names all at once.
+// A place for files that nobody else should see.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,8 @@
 
 namespace cover {
 
-/// A new, hidden folder beside a target path; removed with what is left in it.
+/// A new, hidden folder beside a target path; removed with what is left in it. It is locked while
+/// its object lives: those that killed runs have left behind are removed with the next one.
 class ScratchFolder {
  public:
   /// Errors: cannot_write, with the reason that the system gives.
@@ -22,13 +23,11 @@ class ScratchFolder {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-  /// Lets the folder stay with all that is in it.
-  void leave() { path_.clear(); }
-
  private:
-  explicit ScratchFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  ScratchFolder(std::filesystem::path path, int lock) : path_(std::move(path)), lock_(lock) {}
 
-  std::filesystem::path path_;  ///< empty: moved from, or left
+  std::filesystem::path path_;  ///< empty: moved from
+  int lock_ = -1;
 };
 
 }  // namespace cover

@@ -16,9 +16,9 @@ namespace cover {
 /// reads back as the same double.
 class TextWriter {
  public:
-  /// Errors: cannot_write
-  static Result<TextWriter> create(const std::string& path) {
-    Result<AtomicFile> file = AtomicFile::create(path);
+  /// Errors: cannot_write; cancelled, by commit()
+  static Result<TextWriter> create(const std::string& path, std::stop_token stop = {}) {
+    Result<AtomicFile> file = AtomicFile::create(path, std::move(stop));
     if (!file) return std::move(file).error();
     return TextWriter(std::move(*file));
   }
@@ -61,10 +61,10 @@ class TextWriter {
 
 /// Writes the file `path` with what `write(out)` puts into it.
 ///
-/// Errors: cannot_write
+/// Errors: cannot_write; cancelled
 template <class Write>
-Status write_text(const std::string& path, Write write) {
-  Result<TextWriter> out = TextWriter::create(path);
+Status write_text(const std::string& path, std::stop_token stop, Write write) {
+  Result<TextWriter> out = TextWriter::create(path, std::move(stop));
   if (!out) return std::move(out).error();
   write(*out);
   return out->commit();

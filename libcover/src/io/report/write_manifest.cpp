@@ -222,7 +222,7 @@ Status write_manifest(const Output& output, const std::string& path, const Write
   WriteOptions all = options;
   all.inner_lines = true;
   const MeshView view = view_of(output, all);
-  return write_text(path, [&](TextWriter& out) { ManifestWriter(output, view, out).write(); });
+  return write_text(path, options.stop, [&](TextWriter& out) { ManifestWriter(output, view, out).write(); });
 }
 
 }  // namespace cover

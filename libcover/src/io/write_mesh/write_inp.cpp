@@ -81,7 +81,7 @@ void write_node_sets(const MeshView& view, TextWriter& out) {
 
 Status write_inp(const Output& output, const std::string& path, const WriteOptions& options) {
   const MeshView view = view_of(output, options);
-  return write_text(path, [&](TextWriter& out) {
+  return write_text(path, options.stop, [&](TextWriter& out) {
     out << "*NODE, NSET=NALL\n";
     for (std::size_t p = 0; p < view.points.size(); ++p) {
       out << p + 1 << ", " << coordinate(view.points[p].x) << ", " << coordinate(view.points[p].y)

@@ -21,7 +21,7 @@ void write_cells(std::string_view keyword, const Cells& cells, Reference referen
 
 Status write_medit(const Output& output, const std::string& path, const WriteOptions& options) {
   const MeshView view = view_of(output, options);
-  return write_text(path, [&](TextWriter& out) {
+  return write_text(path, options.stop, [&](TextWriter& out) {
     out << "MeshVersionFormatted 2\nDimension 2\n\nVertices\n" << view.points.size() << '\n';
     for (const Point& p : view.points) out << p.x << ' ' << p.y << " 0\n";
     write_cells(

@@ -161,7 +161,7 @@ class MshWriter {
 
 Status write_msh(const Output& output, const std::string& path, const WriteOptions& options) {
   const MeshView view = view_of(output, options);
-  return write_text(path, [&](TextWriter& out) {
+  return write_text(path, options.stop, [&](TextWriter& out) {
     MshWriter writer(view, output.table.interfaces.size(), out);
     if (options.msh == "4.1") {
       writer.write_4();

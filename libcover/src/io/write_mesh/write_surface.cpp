@@ -17,9 +17,9 @@ void write_points(const MeshView& view, std::string_view before, TextWriter& out
 
 }  // namespace
 
-Status write_obj(const Output& output, const std::string& path) {
+Status write_obj(const Output& output, const std::string& path, const WriteOptions& options) {
   const MeshView view = view_of(output, {});
-  return write_text(path, [&](TextWriter& out) {
+  return write_text(path, options.stop, [&](TextWriter& out) {
     write_points(view, "v ", out);
     const Group* current = nullptr;
     for (std::size_t t = 0; t < view.triangles.size(); ++t) {
@@ -41,9 +41,9 @@ Status write_obj(const Output& output, const std::string& path) {
   });
 }
 
-Status write_off(const Output& output, const std::string& path) {
+Status write_off(const Output& output, const std::string& path, const WriteOptions& options) {
   const MeshView view = view_of(output, {});
-  return write_text(path, [&](TextWriter& out) {
+  return write_text(path, options.stop, [&](TextWriter& out) {
     out << "OFF\n" << view.points.size() << ' ' << view.triangles.size() << " 0\n";
     write_points(view, "", out);
     for (std::size_t t = 0; t < view.triangles.size(); ++t) {
@@ -54,9 +54,9 @@ Status write_off(const Output& output, const std::string& path) {
   });
 }
 
-Status write_ply(const Output& output, const std::string& path) {
+Status write_ply(const Output& output, const std::string& path, const WriteOptions& options) {
   const MeshView view = view_of(output, {});
-  return write_text(path, [&](TextWriter& out) {
+  return write_text(path, options.stop, [&](TextWriter& out) {
     out << "ply\nformat ascii 1.0\nelement vertex " << view.points.size()
         << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
         << view.triangles.size()

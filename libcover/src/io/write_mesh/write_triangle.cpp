@@ -44,7 +44,8 @@ Status write_triangle(const Output& output, const std::string& path, const Write
   std::vector<TextWriter> files;
   for (const char* extension : {".node", ".ele", ".edge"}) {
     Result<TextWriter> file =
-        TextWriter::create(std::filesystem::path(path).replace_extension(extension).string());
+        TextWriter::create(std::filesystem::path(path).replace_extension(extension).string(),
+                           options.stop);
     if (!file) return std::move(file).error();
     files.push_back(std::move(*file));
   }

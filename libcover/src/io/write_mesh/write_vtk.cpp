@@ -75,7 +75,7 @@ void write_arrays(const MeshView& view, std::size_t lines, TextWriter& out) {
 
 Status write_vtk(const Output& output, const std::string& path, const WriteOptions& options) {
   const MeshView view = view_of(output, options);
-  return write_text(path, [&](TextWriter& out) {
+  return write_text(path, options.stop, [&](TextWriter& out) {
     const Cells none{view.lines.nodes_each, {}};
     const Cells& lines = options.lines ? view.lines : none;
     const std::size_t cells = view.triangles.size() + lines.size();

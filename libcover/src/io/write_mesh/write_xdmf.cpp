@@ -72,7 +72,7 @@ class XdmfWriter {
 
 Status write_xdmf(const Output& output, const std::string& path, const WriteOptions& options) {
   const MeshView view = view_of(output, options);
-  return write_text(path, [&](TextWriter& out) { XdmfWriter(view, out).write(); });
+  return write_text(path, options.stop, [&](TextWriter& out) { XdmfWriter(view, out).write(); });
 }
 
 }  // namespace cover

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <stop_token>
+#include <vector>
 
 #include "support/temporary_folder.hpp"
 
@@ -51,15 +53,99 @@ TEST(AtomicFile, LeavesTheOldFileWhenNotCommitted) {
   EXPECT_EQ(files_in(folder.path()), 1U);
 }
 
-TEST(AtomicFile, LetsALibraryWriteUnderTheTemporaryName) {
+TEST(AtomicFile, KeepsSymbolicLinks) {
+  const TemporaryFolder folder;
+  const fs::path link = folder.path() / "link.txt", inner = folder.path() / "inner";
+  fs::create_directory(inner);
+  const fs::path target = inner / "mesh.txt";
+  fs::create_symlink("second.txt", link);
+  fs::create_symlink("inner/mesh.txt", folder.path() / "second.txt");
+  for (const char* text :
+       {"first", "again"}) {  // where the links lead nowhere, and where there is one
+    auto file = AtomicFile::create(link.string());
+    ASSERT_TRUE(file) << file.error().message;
+    file->write(text);
+    ASSERT_TRUE(file->commit());
+    EXPECT_EQ(content(target), text);
+    EXPECT_TRUE(fs::is_symlink(link));
+  }
+  EXPECT_EQ(files_in(inner), 1U);
+  fs::create_symlink("circle.txt", folder.path() / "circle.txt");
+  const auto endless = AtomicFile::create((folder.path() / "circle.txt").string());
+  ASSERT_FALSE(endless);
+  EXPECT_EQ(endless.error().code, ErrorCode::cannot_write);
+}
+
+TEST(AtomicFile, HandsPermissionsOn) {
   const TemporaryFolder folder;
   const fs::path path = folder.path() / "mesh.txt";
+  for (const auto mode : {fs::perms(0600), fs::perms(0664), fs::perms(0444)}) {
+    std::ofstream(path) << "old";
+    fs::permissions(path, mode);
+    auto file = AtomicFile::create(path.string());
+    ASSERT_TRUE(file);
+    // Nobody reads in the meantime what they could not read before.
+    for (const auto& entry : fs::directory_iterator(folder.path()))
+      EXPECT_EQ(entry.status().permissions() & ~mode & fs::perms(0044), fs::perms::none);
+    file->write("new");
+    ASSERT_TRUE(file->commit());
+    EXPECT_EQ(content(path), "new");
+    EXPECT_EQ(fs::status(path).permissions(), mode);
+    fs::remove(path);
+  }
+}
+
+TEST(AtomicFile, RemovesWhatKilledRunsLeftBehind) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "mesh.txt";
+  for (const char* name : {".mesh.txt.0.tmp", ".mesh.txt.17.tmp"}) (void)folder.write(name, "half");
+  const std::vector<std::string> foreign{".other.txt.0.tmp", ".mesh.txt.x.tmp", ".mesh.txt.tmp",
+                                         "mesh.txt.0.tmp"};
+  for (const std::string& name : foreign) (void)folder.write(name, "not ours");
+  auto in_work = AtomicFile::create(path.string());
+  ASSERT_TRUE(in_work);
+  EXPECT_EQ(files_in(folder.path()), foreign.size() + 1);
   auto file = AtomicFile::create(path.string());
   ASSERT_TRUE(file);
-  file->release();
-  std::ofstream(file->temporary_path()) << "by others";
+  EXPECT_EQ(files_in(folder.path()), foreign.size() + 2);
   ASSERT_TRUE(file->commit());
-  EXPECT_EQ(content(path), "by others");
+  in_work->write("last");
+  ASSERT_TRUE(in_work->commit());
+  EXPECT_EQ(content(path), "last");
+  EXPECT_EQ(files_in(folder.path()), foreign.size() + 1);
+}
+
+TEST(AtomicFile, HeedsAStop) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "mesh.txt";
+  std::ofstream(path) << "old";
+  for (const bool before : {true, false}) {
+    std::stop_source stop;
+    auto file = AtomicFile::create(path.string(), stop.get_token());
+    ASSERT_TRUE(file);
+    if (before) stop.request_stop();
+    file->write("new");
+    stop.request_stop();
+    const Status status = file->commit();
+    ASSERT_FALSE(status);
+    EXPECT_EQ(status.error().code, ErrorCode::cancelled);
+    EXPECT_EQ(content(path), "old");
+    EXPECT_EQ(files_in(folder.path()), 1U);
+  }
+}
+
+TEST(AtomicFile, SaysThatTheDiskIsFull) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  const TemporaryFolder folder;
+  const fs::path link = folder.path() / "mesh.txt";
+  fs::create_symlink("/dev/full", link);
+  auto file = AtomicFile::create(link.string());
+  ASSERT_TRUE(file);
+  file->write("new");
+  const Status status = file->commit();
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().code, ErrorCode::cannot_write);
+  EXPECT_NE(status.error().message.find("No space left on device"), std::string::npos);
 }
 
 TEST(AtomicFile, SaysWhyAFileCannotBeWritten) {

@@ -19,10 +19,10 @@ using testing::WrittenMesh;
 class WriteSurface : public ::testing::Test {
  protected:
   /// The words of the file that `write` makes.
-  testing::Words written(Status (*write)(const Output&, const std::string&),
+  testing::Words written(Status (*write)(const Output&, const std::string&, const WriteOptions&),
                          const char* extension) {
     const std::string path = (folder_.path() / "x").string() + extension;
-    const Status status = write(output_, path);
+    const Status status = write(output_, path, {});
     EXPECT_TRUE(status) << status.error().message;
     TriMesh tri;
     EXPECT_TRUE(OpenMesh::IO::read_mesh(tri, path));

@@ -1,0 +1,223 @@
+// Tested by tests/unit/vtk/write_vtk_test.cpp and tests/faults.
+#include "io/files/piece_folder.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <fstream>
+#include <sstream>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace cover {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kHashDigits = 16;
+
+/// FNV-1a with 64 bits: names must differ where contents do, and nobody wants them to be alike.
+class Hash {
+ public:
+  void add(std::string_view bytes) {
+    constexpr std::uint64_t kPrime = 0x100000001b3;
+    for (const char c : bytes) value_ = (value_ ^ static_cast<unsigned char>(c)) * kPrime;
+  }
+  [[nodiscard]] std::string text() const { return fmt::format("{:016x}", value_); }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325;
+};
+
+bool is_decimal(char c) { return c >= '0' && c <= '9'; }
+bool is_hash_digit(char c) { return is_decimal(c) || (c >= 'a' && c <= 'f'); }
+
+/// Whether we give this name to a piece of STEM.vtm: STEM_K_HASH.vtu; or with `old`, VTK:
+/// STEM_K.vtu.
+bool is_piece(std::string_view name, const std::string& stem, bool old) {
+  const std::string head = stem + '_';
+  constexpr std::string_view kTail = ".vtu";
+  if (!name.starts_with(head) || !name.ends_with(kTail)) return false;
+  if (name.size() <= head.size() + kTail.size()) return false;
+  name = name.substr(head.size(), name.size() - head.size() - kTail.size());
+  if (!old) {
+    if (name.size() < kHashDigits + 2) return false;
+    const std::string_view hash = name.substr(name.size() - kHashDigits);
+    if (!std::all_of(hash.begin(), hash.end(), is_hash_digit)) return false;
+    name.remove_suffix(kHashDigits);
+    if (name.back() != '_') return false;
+    name.remove_suffix(1);
+  }
+  return std::all_of(name.begin(), name.end(), is_decimal);
+}
+
+/// The names of files in a .vtm, without their folder.
+std::unordered_set<std::string> names_in(const fs::path& vtm) {
+  std::ostringstream text;
+  text << std::ifstream(vtm, std::ios::binary).rdbuf();
+  const std::string all = text.str();
+  constexpr std::string_view kFile = "file=\"";
+  std::unordered_set<std::string> names;
+  for (std::size_t at = all.find(kFile); at != all.npos; at = all.find(kFile, at)) {
+    at += kFile.size();
+    const std::size_t end = all.find('"', at);
+    if (end == all.npos) break;
+    names.insert(fs::path(all.substr(at, end - at)).filename());
+  }
+  return names;
+}
+
+/// Permissions of a folder from which whoever may read a file of these can read it.
+mode_t of_folder(const std::optional<FileOwner>& owner) {
+  constexpr mode_t kAll = 0777, kOwn = 0700, kRead = 0444;
+  return owner ? (owner->mode & kAll) | ((owner->mode & kRead) >> 2U) | kOwn : kAll;
+}
+
+bool is_folder(const fs::path& path, int file) {
+  struct stat named {
+  }, opened{};
+  return stat(path.c_str(), &named) == 0 && fstat(file, &opened) == 0 &&
+         named.st_ino == opened.st_ino && named.st_dev == opened.st_dev;
+}
+
+Error cancelled(const std::string& shown) {
+  return {ErrorCode::cancelled, fmt::format("interrupted; {} was not written", shown), {}, {}};
+}
+
+}  // namespace
+
+fs::path PieceFolder::folder() const { return target_.parent_path() / stem_; }
+
+Result<PieceFolder> PieceFolder::open(const fs::path& target, const std::string& shown,
+                                      std::stop_token stop) {
+  PieceFolder out;
+  out.target_ = target;
+  out.stem_ = target.stem();
+  out.shown_ = shown;
+  out.stop_ = std::move(stop);
+  out.owner_ = owner_of(target);
+  if (Status status = out.lock(); !status) return std::move(status).error();
+  remove_leftovers(out.folder(), out.stem_);
+  remove_leftovers(target.parent_path(), target.filename().string());
+  out.named_before_ = names_in(target);
+  return out;
+}
+
+Status PieceFolder::lock() {
+  const fs::path path = folder();
+  const auto failure = [&](int number) {
+    return cannot_write(fmt::format("{}, with its pieces in the folder {}", shown_, path.string()),
+                        number);
+  };
+  while (true) {
+    if (mkdir(path.c_str(), of_folder(owner_)) == 0) {
+      is_made_ = true;
+    } else if (errno != EEXIST) {
+      return failure(errno);
+    }
+    lock_ = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (lock_ < 0) return failure(errno);
+    while (flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      if (stop_.stop_requested()) return cancelled(shown_);
+      constexpr std::chrono::milliseconds kPause(20);
+      std::this_thread::sleep_for(kPause);
+    }
+    // Who had the lock may have removed the folder.
+    if (is_folder(path, lock_)) return ok();
+    close(std::exchange(lock_, -1));
+    is_made_ = false;
+  }
+}
+
+PieceFolder::PieceFolder(PieceFolder&& other) noexcept
+    : target_(std::move(other.target_)),
+      stem_(std::move(other.stem_)),
+      shown_(std::move(other.shown_)),
+      stop_(std::move(other.stop_)),
+      owner_(other.owner_),
+      lock_(std::exchange(other.lock_, -1)),
+      is_made_(other.is_made_),
+      named_before_(std::move(other.named_before_)),
+      pieces_(std::move(other.pieces_)),
+      made_(std::move(other.made_)) {}
+
+PieceFolder::~PieceFolder() {
+  if (lock_ < 0) return;
+  for (const std::string& piece : made_) unlink((folder() / piece).c_str());
+  if (is_made_) rmdir(folder().c_str());
+  close(lock_);
+}
+
+Result<std::string> PieceFolder::add(const std::function<void(const ByteSink&)>& write) {
+  Result<TemporaryFile> file = TemporaryFile::beside(folder() / stem_, shown_, owner_, stop_);
+  if (!file) return std::move(file).error();
+  Hash hash;
+  write([&](std::string_view bytes) {
+    hash.add(bytes);
+    file->write(bytes);
+  });
+  std::string name = fmt::format("{}_{}_{}.vtu", stem_, pieces_.size(), hash.text());
+  const fs::path path = folder() / name;
+  const bool is_new = access(path.c_str(), F_OK) != 0;
+  if (is_new) made_.push_back(name);
+  if (Status status = file->rename(path); !status) return std::move(status).error();
+  pieces_.push_back(name);
+  return fmt::format("{}/{}", stem_, name);
+}
+
+/// Has the pieces on the disk before a file names them. One after the other costs a millisecond
+/// each; where they are many, the whole file system at once costs less.
+Status PieceFolder::sync_pieces() {
+  constexpr std::size_t kFew = 100;
+#ifdef __linux__
+  if (pieces_.size() > kFew) {
+    return syncfs(lock_) == 0 ? ok() : Status(cannot_write(shown_, errno));
+  }
+#endif
+  for (const std::string& piece : pieces_) {
+    const int file = ::open((folder() / piece).c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) return cannot_write(shown_, errno);
+    const int number = fsync(file) == 0 ? 0 : errno;
+    close(file);
+    if (number != 0) return cannot_write(shown_, number);
+    if (stop_.stop_requested()) return cancelled(shown_);
+  }
+  return sync_folder(folder(), shown_);
+}
+
+Status PieceFolder::commit(std::string_view text) {
+  Result<TemporaryFile> file = TemporaryFile::beside(target_, shown_, owner_, stop_);
+  if (!file) return std::move(file).error();
+  file->write(text);
+  file->sync();
+  if (Status status = sync_pieces(); !status) return status;
+  if (Status status = file->rename(target_); !status) return status;
+  made_.clear();
+  is_made_ = false;
+  remove_old_pieces();
+  return sync_folder(target_.parent_path(), shown_);
+}
+
+void PieceFolder::remove_old_pieces() {
+  const std::unordered_set<std::string> now(pieces_.begin(), pieces_.end());
+  std::vector<fs::path> old;
+  std::error_code ignored;
+  for (fs::directory_iterator entry(folder(), ignored), end; !ignored && entry != end;
+       entry.increment(ignored)) {
+    const std::string name = entry->path().filename();
+    // Without a hash, ParaView numbers the files of a time series in the same way.
+    const bool ours = is_piece(name, stem_, false) ||
+                      (is_piece(name, stem_, true) && named_before_.contains(name));
+    if (ours && !now.contains(name)) old.push_back(entry->path());
+  }
+  for (const fs::path& path : old) unlink(path.c_str());
+}
+
+}  // namespace cover

@@ -1,0 +1,169 @@
+// What stands in a file, and in which order, follows from what its readers take: triangles only,
+// the material first and as active scalars, no field data. Tested by
+// tests/unit/vtk/write_vtk_test.cpp.
+#include "io/write_mesh/vtu_parts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <numeric>
+
+#include "geom/vector.hpp"
+
+namespace cover {
+namespace {
+
+/// VTK's numbers of the types of cells.
+enum CellType : std::uint8_t {
+  kLine = 3,
+  kTriangle = 5,
+  kQuadraticEdge = 21,
+  kQuadraticTriangle = 22
+};
+
+CellType type_of_triangles(const MeshView& view) {
+  return view.second_order() ? kQuadraticTriangle : kTriangle;
+}
+
+/// Points and cells; `point(p)` is a place.
+template <class Place>
+void add_cells(const Cells& cells, CellType type, std::size_t points, Place place, VtuGrid& grid) {
+  grid.points = points;
+  grid.cells = cells.size();
+  constexpr std::size_t kDimensions = 3;
+  grid.coordinates = {"type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"",
+                      points * kDimensions * sizeof(double), [points, place](BinaryWriter& out) {
+                        for (std::size_t p = 0; p < points; ++p) {
+                          const Point at = place(p);
+                          out.put(at.x);
+                          out.put(at.y);
+                          out.put(0.0);
+                        }
+                      }};
+  grid.connectivity.push_back(vtu_array<std::int64_t>(
+      "connectivity", cells.nodes.size(), [&cells](std::size_t k) { return cells.nodes[k]; }));
+  grid.connectivity.push_back(
+      vtu_array<std::int64_t>("offsets", cells.size(),
+                              [each = cells.nodes_each](std::size_t k) { return (k + 1) * each; }));
+  grid.connectivity.push_back(
+      vtu_array<std::uint8_t>("types", cells.size(), [type](std::size_t) { return type; }));
+}
+
+/// Some cells on points of their own: those of the cells, in the order of their numbers in the
+/// whole mesh.
+struct Part {
+  Part(const Cells& all, std::span<const std::size_t> chosen) : cells{all.nodes_each, {}} {
+    cells.nodes.reserve(cells.nodes_each * chosen.size());
+    for (const std::size_t k : chosen) {
+      const auto nodes = all[k];
+      cells.nodes.insert(cells.nodes.end(), nodes.begin(), nodes.end());
+    }
+    numbers = cells.nodes;
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    for (std::uint32_t& node : cells.nodes) {
+      node = static_cast<std::uint32_t>(std::lower_bound(numbers.begin(), numbers.end(), node) -
+                                        numbers.begin());
+    }
+  }
+
+  /// The part as a grid that refers to it and to `view`.
+  [[nodiscard]] VtuGrid grid(const MeshView& view, CellType type) const {
+    VtuGrid out;
+    out.point_attributes = " GlobalIds=\"GlobalNodeId\"";
+    VtuArray ids = vtu_array<std::int64_t>("GlobalNodeId", numbers.size(),
+                                           [this](std::size_t p) { return numbers[p]; });
+    ids.attributes += " IdType=\"1\"";
+    out.point_data.push_back(std::move(ids));
+    add_cells(
+        cells, type, numbers.size(),
+        [this, &view](std::size_t p) { return view.points[numbers[p]]; }, out);
+    return out;
+  }
+
+  Cells cells;
+  std::vector<std::uint32_t> numbers;  ///< by point: in the whole mesh
+};
+
+/// The largest and the smallest angle of a triangle, in degrees.
+std::array<double, 2> extreme_angles(const MeshView& view, std::size_t triangle) {
+  const auto corners = view.triangles[triangle];
+  const Point p = view.points[corners[0]], q = view.points[corners[1]], r = view.points[corners[2]];
+  const std::array angles{angle_at(q, p, r), angle_at(r, q, p), angle_at(p, r, q)};
+  const auto [low, high] = std::minmax_element(angles.begin(), angles.end());
+  return {Angle::radians(*high).in_degrees(), Angle::radians(*low).in_degrees()};
+}
+
+/// The arrays of the triangles that are given, in which the grid then refers to `triangles` and
+/// `view`. Several names for one thing: every solver looks for its own, some only for the first
+/// array.
+///
+/// Their order is one that meshio can read. It replaces the offset of each appended array by a
+/// larger one, 4/3 of it, and then takes the first array that has the next offset it looks for:
+/// with four arrays of integers in front, every third mesh came out wrong or not at all.
+void add_triangle_arrays(const MeshView& view, std::span<const std::size_t> triangles,
+                         VtuGrid& grid) {
+  std::vector<std::array<double, 2>> angles;
+  angles.reserve(triangles.size());
+  for (const std::size_t t : triangles) angles.push_back(extreme_angles(view, t));
+  const auto extremes =
+      std::make_shared<const std::vector<std::array<double, 2>>>(std::move(angles));
+  const auto add = [&]<class T>(T, const char* name, auto value) {
+    grid.cell_data.push_back(vtu_array<T>(name, triangles.size(), value));
+  };
+  const auto material = [&view, triangles](std::size_t k) { return view.material[triangles[k]]; };
+  const auto region = [&view, triangles](std::size_t k) {
+    return view.region[triangles[k]].value();
+  };
+  const auto largest = [extremes](std::size_t k) { return (*extremes)[k][0]; };
+  const auto smallest = [extremes](std::size_t k) { return (*extremes)[k][1]; };
+  grid.cell_attributes = " Scalars=\"material\"";
+  add(std::int32_t{}, "material", material);
+  add(std::int32_t{}, "MaterialID", material);
+  add(double{}, "max_angle", largest);
+  add(std::int32_t{}, "mat_id", material);
+  add(std::int32_t{}, "RegionId", region);
+  add(double{}, "min_angle", smallest);
+}
+
+}  // namespace
+
+void write_whole(const MeshView& view, const ByteSink& sink) {
+  std::vector<std::size_t> all(view.triangles.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  VtuGrid grid;
+  add_cells(
+      view.triangles, type_of_triangles(view), view.points.size(),
+      [&view](std::size_t p) { return view.points[p]; }, grid);
+  add_triangle_arrays(view, all, grid);
+  write_vtu_bytes(grid, sink);
+}
+
+void write_triangles(const MeshView& view, std::span<const std::size_t> triangles,
+                     const ByteSink& sink) {
+  const Part part(view.triangles, triangles);
+  VtuGrid grid = part.grid(view, type_of_triangles(view));
+  add_triangle_arrays(view, triangles, grid);
+  write_vtu_bytes(grid, sink);
+}
+
+void write_lines(const MeshView& view, const RegionTable& table, std::span<const std::size_t> lines,
+                 const ByteSink& sink) {
+  const Part part(view.lines, lines);
+  VtuGrid grid = part.grid(view, view.second_order() ? kQuadraticEdge : kLine);
+  const auto line = [&](std::size_t k) -> const Interface& {
+    return table.interfaces[view.interface[lines[k]].index() - 1];
+  };
+  const auto add = [&](const char* name, auto value) {
+    grid.cell_data.push_back(vtu_array<std::int32_t>(name, lines.size(), value));
+  };
+  add("LineID", [&](std::size_t k) { return view.interface[lines[k]].value(); });
+  add("LeftRegion", [&](std::size_t k) { return line(k).left.value(); });
+  add("RightRegion", [&](std::size_t k) { return line(k).right.value(); });
+  add("LineKind", [&](std::size_t k) { return static_cast<int>(line(k).kind); });
+  add("marker", [&](std::size_t k) { return view.marker[lines[k]]; });
+  grid.cell_attributes = " Scalars=\"LineID\"";
+  write_vtu_bytes(grid, sink);
+}
+
+}  // namespace cover

@@ -1,0 +1,109 @@
+// A block per group of regions and per group of lines, under the names that people see in ParaView
+// and that .msh has for its physical groups: whoever extracts the block SiO2 gets all of it. The
+// blocks are files in a folder beside the target. Tested by tests/unit/vtk/write_vtk_test.cpp.
+#include <cover/write_mesh.hpp>
+
+#include <bit>
+#include <cerrno>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "base/markup.hpp"
+#include "io/files/piece_folder.hpp"
+#include "io/write_mesh/mesh_view.hpp"
+#include "io/write_mesh/vtu_parts.hpp"
+
+namespace cover {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The text of a .vtm, which grows as the pieces do.
+class VtmWriter {
+ public:
+  VtmWriter(const Output& output, const MeshView& view, PieceFolder& folder)
+      : output_(output), view_(view), folder_(folder) {}
+
+  Result<std::string> text() {
+    text_ = fmt::format(
+        "<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\" byte_order=\"{}\" "
+        "header_type=\"UInt64\">\n  <vtkMultiBlockDataSet>\n",
+        std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian");
+    if (Status status = block(0, "regions", [&] { return regions(); }); !status)
+      return std::move(status).error();
+    if (Status status = block(1, "interfaces", [&] { return interfaces(); }); !status)
+      return std::move(status).error();
+    text_ += "  </vtkMultiBlockDataSet>\n</VTKFile>\n";
+    return std::move(text_);
+  }
+
+ private:
+  template <class Write>
+  Status block(int index, const char* name, Write write) {
+    text_ += fmt::format("    <Block name=\"{}\" index=\"{}\">\n", name, index);
+    Status status = write();
+    text_ += "    </Block>\n";
+    return status;
+  }
+
+  Status data_set(std::size_t index, const std::string& name,
+                  const std::function<void(const ByteSink&)>& write) {
+    Result<std::string> file = folder_.add(write);
+    if (!file) return std::move(file).error();
+    text_ += fmt::format("      <DataSet index=\"{}\" name=\"{}\" file=\"{}\"/>\n", index,
+                         escaped_markup(name), escaped_markup(*file));
+    return ok();
+  }
+
+  Status regions() {
+    const Buckets members(view_.region_groups.size(), view_.triangles.size(), [&](std::size_t t) {
+      return view_.region_group[view_.region[t].index() - 1];
+    });
+    for (std::size_t g = 0; g < members.size(); ++g) {
+      Status status = data_set(g, view_.region_groups[g].name, [&](const ByteSink& sink) {
+        write_triangles(view_, members[g], sink);
+      });
+      if (!status) return status;
+    }
+    return ok();
+  }
+
+  Status interfaces() {
+    const Buckets members(view_.line_groups.size(), view_.lines.size(),
+                          [&](std::size_t l) { return view_.line_group[l]; });
+    std::size_t index = 0;
+    for (std::size_t g = 0; g < members.size(); ++g) {
+      // Sides of the hull are on no interface, and all in one group.
+      if (view_.interface[members[g].front()] == kNoInterface) continue;
+      Status status = data_set(index++, view_.line_groups[g].name, [&](const ByteSink& sink) {
+        write_lines(view_, output_.table, members[g], sink);
+      });
+      if (!status) return status;
+    }
+    return ok();
+  }
+
+  const Output& output_;
+  const MeshView& view_;
+  PieceFolder& folder_;
+  std::string text_;
+};
+
+}  // namespace
+
+Status write_vtm(const Output& output, const std::string& path, const WriteOptions& options) {
+  const Result<fs::path> target = end_of_links(path);
+  if (!target) return target.error();
+  std::error_code ignored;
+  if (fs::is_directory(*target, ignored)) return cannot_write(path, EISDIR);
+  Result<PieceFolder> folder = PieceFolder::open(*target, path, options.stop);
+  if (!folder) return std::move(folder).error();
+  WriteOptions all = options;
+  all.inner_lines = true;
+  const MeshView view = view_of(output, all);
+  const Result<std::string> text = VtmWriter(output, view, *folder).text();
+  return text ? folder->commit(*text) : Status(text.error());
+}
+
+}  // namespace cover
