@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <numbers>
 #include <optional>
+#include <unordered_set>
 
 #include <fmt/core.h>
 
@@ -40,6 +41,9 @@ class AlmondMethod {
     const double b = std::min(input.limit.nu, std::numbers::pi / 3);
     least_nu_ = rule.paper ? b : (1 - kSlack) * b;
     find_isolated();
+    for (const Almond& a : almonds_) {
+      if (a.kind == AlmondKind::hull_side) hull_triangles_.insert(a.base.triangle);
+    }
     flatten_below_resolution();
     for (const Almond& almond : almonds_) awake_kind_.push_back(almond.kind);
     asleep_.assign(almonds_.size(), false);
@@ -228,8 +232,10 @@ class AlmondMethod {
     if (a.kind != AlmondKind::hull_side) a.kind = AlmondKind::none;
   }
 
-  static void replace_by_triangle(Almond& a) {
-    a.kind = a.apex_limits ? AlmondKind::triangle : AlmondKind::none;
+  /// A side of the hull may be split, the side's triangle not: none where the two share an edge.
+  void replace_by_triangle(Almond& a) const {
+    const bool fits = a.apex_limits && !hull_triangles_.contains(a.base.triangle);
+    a.kind = fits ? AlmondKind::triangle : AlmondKind::none;
   }
 
   void repair(std::vector<std::uint32_t> faults, bool unite_first) {
@@ -317,6 +323,7 @@ class AlmondMethod {
   int rounds_ = 0;                      ///< of waking
   std::vector<Cut> cuts_;               ///< (almond, side through it), in order
   std::vector<int> repairs_;            ///< by almond
+  std::unordered_set<std::uint32_t> hull_triangles_;  ///< with a side of the hull
   double least_nu_ = 0;                 ///< almonds may be made as flat as this
   std::vector<std::uint32_t> isolated_;
   AlmondMesh mesh_;

@@ -4,12 +4,12 @@
 #include "almond/almond_region.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include <fmt/core.h>
 
 #include "almond/almond_method.hpp"
 #include "almond/fill/fill_refine.hpp"
+#include "cdt/region_cdt.hpp"
 #include "disks/fill_disks.hpp"
 #include "geom/predicates.hpp"
 #include "target/angle_limit.hpp"
@@ -54,10 +54,7 @@ class Region {
 
  private:
   void triangulate() {
-    CdtResult result = triangulate_domain(frame_.take_points(), boundary_.sides);
-    if (!result.conflicts.empty())
-      throw std::logic_error("the boundary of a region crosses itself");
-    cdt_ = std::move(result.triangulation);
+    cdt_ = triangulate_region(frame_.take_points(), boundary_.sides);
     limit_ = angle_limit(cdt_, boundary_.sides, boundary_.segments);
   }
 

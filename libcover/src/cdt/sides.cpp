@@ -8,7 +8,9 @@ namespace cover {
 
 std::vector<EdgeRef> locate_sides(const Triangulation& cdt, std::span<const IndexPair> sides) {
   std::vector<std::uint32_t> first(cdt.points.size() + 1, 0);
-  for (const IndexPair& side : sides) ++first[side[0] + 1];
+  for (const IndexPair& side : sides) {
+    if (side[0] < cdt.points.size()) ++first[side[0] + 1];
+  }
   for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
 
   std::vector<EdgeRef> at(sides.size());

@@ -18,6 +18,7 @@ struct EdgeRef {
 
 /// The triangle on the left of each directed side.
 ///
+/// A side of points that the triangulation has not is nowhere.
 /// REQUIRES: `sides` in lexicographic order
 /// Cost:     O(triangles + sides), for the few sides that usually leave a vertex
 std::vector<EdgeRef> locate_sides(const Triangulation& cdt, std::span<const IndexPair> sides);

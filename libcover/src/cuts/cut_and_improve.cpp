@@ -18,6 +18,8 @@
 #include "quality/fault/merit.hpp"
 #include "quality/repair/kicks.hpp"
 #include "region/region_graph.hpp"
+#include "target/measure.hpp"
+#include "target/whole_mesh.hpp"
 
 namespace cover {
 namespace {
@@ -199,10 +201,22 @@ CutResult cut_and_improve(Pslg& pslg, RegionTable& table, std::vector<RegionBoun
   const std::size_t before = joined.triangles_above().size();
   const bool budget_used_up = Search(joined, goal).run(stop);
   if (!joined.has_changed() || !joined.is_valid()) return {before, budget_used_up};
-  const std::vector<SegmentCut> cuts = joined.segment_cuts(pslg);
-  cut_segments(pslg, table, cuts);
-  boundaries = split_regions(pslg, table);
-  joined.separate(pslg, boundaries, meshes);
+  Pslg cut_pslg = pslg;
+  RegionTable cut_table = table;
+  cut_segments(cut_pslg, cut_table, joined.segment_cuts(pslg));
+  std::vector<RegionBoundary> cut_boundaries = split_regions(cut_pslg, cut_table);
+  std::vector<RegionMesh> cut_meshes = meshes;
+  joined.separate(cut_pslg, cut_boundaries, cut_meshes);
+  for (std::size_t r = 0; r < cut_meshes.size(); ++r) {  // cuts may be too near to each other
+    const RegionBoundary& boundary = cut_boundaries[r];
+    if (find_fault({all_points(boundary, cut_meshes[r]), cut_meshes[r].triangles, boundary.sides,
+                    boundary.segments, boundary.points.size()}))
+      return {before, budget_used_up};
+  }
+  pslg = std::move(cut_pslg);
+  table = std::move(cut_table);
+  boundaries = std::move(cut_boundaries);
+  meshes = std::move(cut_meshes);
   return {joined.triangles_above().size(), budget_used_up};
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "cdt/cdt.hpp"
+#include "cdt/region_cdt.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 #include "quality/fault/merit.hpp"
@@ -42,7 +43,7 @@ JoinedRegions::JoinedRegions(const Pslg& pslg, std::span<const RegionBoundary> b
     for (const auto& [a, b, c] : meshes[r].triangles) {
       triangles.push_back({global(a), global(b), global(c)});
     }
-    const Triangulation cdt = triangulate_domain(boundary.points, boundary.sides).triangulation;
+    const Triangulation cdt = triangulate_region(boundary.points, boundary.sides);
     const std::vector<SideLimit> limits = side_limits(cdt, locate_sides(cdt, boundary.sides));
     for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
       sides.push_back({{global(boundary.sides[s][0]), global(boundary.sides[s][1])},

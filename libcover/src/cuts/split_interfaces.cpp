@@ -11,11 +11,14 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include <fmt/core.h>
 
 #include "base/describe.hpp"
+#include "base/fault.hpp"
 #include "cdt/cdt.hpp"
+#include "cdt/region_cdt.hpp"
 #include "cuts/cut_segments.hpp"
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"
@@ -32,6 +35,7 @@ constexpr double kFloor = 0x1p-10;      ///< of its segment: the shortest half t
 constexpr double kFootFloor = 0x1p-40;  ///< of its segment: the shortest piece beside a foot
 constexpr double kThin = 4;  ///< units in the last place: no cut is nearer to a triangle's edges
 constexpr double kRounding = 1e-9;  ///< radians
+constexpr int kTrials = 8;  ///< single cuts are taken back so often, then all of a broken region
 constexpr std::size_t kPlaces = 8;
 
 /// What the regions on both sides of a segment want.
@@ -53,19 +57,27 @@ class Splitter {
         least_nu_(options.split_interfaces->supplement().in_radians() - kRounding),
         dirty_(table.regions.size(), 1) {
     for (const Segment& s : pslg.segments) whole_.push_back(length_of(s));
+    rigid_.assign(pslg.segments.size(), 0);
   }
 
   /// Cuts `halved` in any case, where there is room.
   Status run(std::span<const SegmentId> halved = {}) {
-    for (int pass = 0; pass < kPasses; ++pass) {
+    for (int pass = 0; pass < kPasses;) {
       halved_.assign(pslg_.segments.size(), 0);
       if (pass == 0) {
         for (const SegmentId s : halved) halved_[s.index()] = 1;
       }
       Result<std::vector<SegmentCut>> cuts = find_cuts();
       if (!cuts) return std::move(cuts).error();
+      if (!broken_.empty()) {
+        take_back();
+        continue;
+      }
       if (cuts->empty()) break;
-      apply(*cuts);
+      ++pass;
+      if (pass == kPasses) break;  // nobody would look at what these cuts break
+      before_ = Before{pslg_, table_, whole_, rigid_, *std::move(cuts), 0};
+      apply(before_->cuts);
     }
     return ok();
   }
@@ -104,6 +116,7 @@ class Splitter {
       return std::move(status).error();
     }
     wishes_.assign(pslg_.segments.size(), {});
+    broken_.clear();
     for (std::size_t r = 0; r < boundaries.size(); ++r) {
       if (dirty_[r] != 0) wish(boundaries[r]);
     }
@@ -113,7 +126,9 @@ class Splitter {
     for (std::size_t s = 0; s < wishes_.size(); ++s) {
       const Segment& segment = pslg_.segments[s];
       const Wish& wish = wishes_[s];
-      if (wish.sizes && wish.sizes->is_long()) {
+      if (rigid_[s] != 0) {
+        if (wish.forced) stuck_.push_back(midpoint(at(segment.a), at(segment.b)));
+      } else if (wish.sizes && wish.sizes->is_long()) {
         cuts.push_back({SegmentId{s}, wish.sizes->cuts()});
       } else if (wish.forced || halved_[s] != 0) {
         if (const auto place = place_on(segment, wish, whole_[s])) {
@@ -129,7 +144,12 @@ class Splitter {
   /// Notes what a region wants of its sides: sizes as its mesh will have them, graded from all of
   /// its boundary, so that no long side is left beside short edges.
   void wish(RegionBoundary& boundary) {
-    const Triangulation cdt = triangulate_domain(boundary.points, boundary.sides).triangulation;
+    CdtResult result = triangulate_domain(boundary.points, boundary.sides);
+    if (const auto fault = find_fault(result, boundary.points, boundary.sides)) {
+      note_broken(boundary, *fault);
+      return;
+    }
+    const Triangulation cdt = std::move(result.triangulation);
     const SizeField field(boundary, cdt, options_.growth, options_.size_field, first_cut_);
     if (field.is_active()) {
       boundary.size_at.resize(boundary.points.size());
@@ -182,21 +202,83 @@ class Splitter {
     });
   }
 
+  /// Notes the points whose cuts made `boundary` bound nothing.
+  void note_broken(const RegionBoundary& boundary, const BoundaryFault& fault) {
+    if (!before_) throw Fault(fault.what, fault.where);
+    const std::size_t old = before_->pslg.points.size();
+    const std::size_t known = broken_.size();
+    if (before_->trials < kTrials) {
+      for (const std::uint32_t v : fault.points) {
+        if (boundary.vertices[v].index() >= old) broken_.push_back(boundary.vertices[v]);
+      }
+    }
+    if (broken_.size() > known) return;
+    for (const VertexId v : boundary.vertices) {  // all that is new in this region
+      if (v.index() >= old) broken_.push_back(v);
+    }
+    if (broken_.size() == known) throw Fault(fault.what, fault.where);
+  }
+
+  /// Makes the last cuts anew without those that broke something; what they are on is cut no more.
+  void take_back() {
+    std::sort(broken_.begin(), broken_.end());
+    Before before = *std::exchange(before_, std::nullopt);
+    std::vector<SegmentCut> cuts;
+    std::size_t next = before.pslg.points.size();
+    for (SegmentCut& cut : before.cuts) {
+      const VertexId first{next};
+      next += cut.points.size();
+      const auto broken = std::lower_bound(broken_.begin(), broken_.end(), first);
+      if (broken == broken_.end() || broken->index() >= next) {
+        cuts.push_back(std::move(cut));
+        continue;
+      }
+      before.rigid[cut.segment.index()] = 1;
+      mark_dirty(before.table.sides[cut.segment.index()]);
+    }
+    pslg_ = before.pslg;
+    table_ = before.table;
+    whole_ = before.whole;
+    rigid_ = before.rigid;
+    before.cuts = std::move(cuts);
+    ++before.trials;
+    before_ = std::move(before);
+    apply(before_->cuts);
+  }
+
+  void mark_dirty(const SegmentSides& sides) {
+    for (const RegionId r : {sides.left, sides.right}) {
+      if (r != kVoid) dirty_[r.index() - 1] = 1;
+    }
+  }
+
   void apply(const std::vector<SegmentCut>& cuts) {
     std::vector<double> whole;
+    std::vector<std::uint8_t> rigid;
     auto cut = cuts.begin();
     for (std::size_t s = 0; s < whole_.size(); ++s) {
       whole.push_back(whole_[s]);
+      rigid.push_back(rigid_[s]);
       if (cut == cuts.end() || cut->segment.index() != s) continue;
       whole.insert(whole.end(), cut->points.size(), whole_[s]);
-      for (const RegionId r : {table_.sides[s].left, table_.sides[s].right}) {
-        if (r != kVoid) dirty_[r.index() - 1] = 1;
-      }
+      rigid.insert(rigid.end(), cut->points.size(), rigid_[s]);
+      mark_dirty(table_.sides[s]);
       ++cut;
     }
     whole_ = std::move(whole);
+    rigid_ = std::move(rigid);
     cut_segments(pslg_, table_, cuts);
   }
+
+  /// What was before the last cuts, and these.
+  struct Before {
+    Pslg pslg;
+    RegionTable table;
+    std::vector<double> whole;
+    std::vector<std::uint8_t> rigid;
+    std::vector<SegmentCut> cuts;
+    int trials = 0;  ///< so many of them were taken back
+  };
 
   Pslg& pslg_;
   RegionTable& table_;
@@ -209,7 +291,10 @@ class Splitter {
   std::vector<std::uint8_t> dirty_;   ///< by region
   std::vector<std::uint8_t> halved_;  ///< by segment: to be cut half way if it is not otherwise
   std::vector<double> whole_;         ///< by segment: length of the segment it is a piece of
+  std::vector<std::uint8_t> rigid_;   ///< by segment: rounded cuts on it broke something
   std::vector<Point> stuck_;
+  std::optional<Before> before_;
+  std::vector<VertexId> broken_;  ///< cuts that broke something
 };
 
 }  // namespace

@@ -18,8 +18,12 @@ constexpr double kShare = 0.45;
 
 class Cover {
  public:
-  Cover(std::span<const Point> points, std::span<const IndexPair> segments, std::size_t limit)
-      : frame_({points.begin(), points.end()}), segments_(segments), limit_(limit) {
+  Cover(std::span<const Point> points, std::span<const IndexPair> segments, double smallest,
+        std::size_t limit)
+      : frame_({points.begin(), points.end()}),
+        segments_(segments),
+        smallest_(frame_.inward(smallest)),
+        limit_(limit) {
     for (const Point p : points) points_.push_back(frame_.inward(p));
     std::vector<bool> isolated(points.size(), true);
     for (const auto& [a, b] : segments) {
@@ -50,16 +54,24 @@ class Cover {
     for (Index s = 0; s < segments_.size(); ++s) {
       for (const Index p : segments_[s]) radius[p] = std::min(radius[p], kShare * lines_[s].to);
     }
-    for (Index s = 0; s < segments_.size() && result.complete; ++s) {
+    for (Index s = 0; s < segments_.size() && is_complete(result); ++s) {
       const auto& [a, b] = segments_[s];
-      cover(s, radius[a], lines_[s].to - radius[b], result);
-      if (!result.complete) result.crowded = s;
+      if (std::min(radius[a], radius[b]) < smallest_) {
+        result.obstacle = SegmentDisks::Obstacle::too_small;
+      } else {
+        cover(s, radius[a], lines_[s].to - radius[b], result);
+      }
+      result.crowded = s;
     }
     for (const double r : radius) result.radius.push_back(frame_.outward(r));
     return result;
   }
 
  private:
+  static bool is_complete(const SegmentDisks& result) {
+    return result.obstacle == SegmentDisks::Obstacle::none;
+  }
+
   /// Distance from `x` to the nearest segment or isolated point that is not skipped.
   template <class Skip>
   [[nodiscard]] double distance(Point x, double bound, Skip skip) const {
@@ -74,10 +86,11 @@ class Cover {
 
   /// Covers the piece [from, to] of segment `s`.
   void cover(Index s, double from, double to, SegmentDisks& result) {
-    if (++count_ > limit_) result.complete = false;
-    if (!result.complete) return;
-    const Element& line = lines_[s];
     const double middle = from + (to - from) / 2, radius = (to - from) / 2;
+    if (!(radius >= smallest_)) result.obstacle = SegmentDisks::Obstacle::too_small;
+    if (++count_ > limit_) result.obstacle = SegmentDisks::Obstacle::too_many;
+    if (!is_complete(result)) return;
+    const Element& line = lines_[s];
     const Point c = line.c + middle * line.d;
     const double needed = radius / kShare;
     if (distance(c, needed, [&](Index e) { return e == s; }) >= needed) {
@@ -90,6 +103,7 @@ class Cover {
 
   UnitFrame frame_;
   std::span<const IndexPair> segments_;
+  double smallest_;
   std::size_t limit_;
   std::size_t count_ = 0;
   std::vector<Point> points_;
@@ -101,8 +115,8 @@ class Cover {
 }  // namespace
 
 SegmentDisks cover_segments(std::span<const Point> points, std::span<const IndexPair> segments,
-                            std::size_t limit) {
-  return Cover(points, segments, limit).run();
+                            double smallest, std::size_t limit) {
+  return Cover(points, segments, smallest, limit).run();
 }
 
 }  // namespace cover::disks

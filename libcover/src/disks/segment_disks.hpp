@@ -21,16 +21,19 @@ struct SegmentDisks {
   std::vector<double> radius;                     ///< of the disk around every point
   std::vector<std::vector<DiskOnSegment>> chain;  ///< by segment, from its first end to its second;
                                                   ///< without the disks around its ends
-  bool complete = true;     ///< false: more than `limit` disks would be needed
+  /// Why it is not complete: more than `limit` disks would be needed, or one that is too small.
+  enum class Obstacle { none, too_many, too_small };
+  Obstacle obstacle = Obstacle::none;
   std::size_t crowded = 0;  ///< then: the segment that was being covered
 };
 
-/// Covers every segment by disks centred on it. Consecutive disks touch, no others meet.
+/// Covers every segment by disks centred on it. Consecutive disks touch, no others meet. No disk
+/// is smaller than `smallest`, the size that coordinates can hold.
 ///
 /// REQUIRES: points and segments meet only at points.
 /// Cost:     one query per disk; the number of disks is the integral of 1 / distance to other
 ///           segments, and not bounded by the number of segments.
 SegmentDisks cover_segments(std::span<const Point> points, std::span<const IndexPair> segments,
-                            std::size_t limit);
+                            double smallest, std::size_t limit);
 
 }  // namespace cover::disks

@@ -9,11 +9,17 @@
 #include "pipeline/nonobtuse.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include <fmt/core.h>
 
-#include "cdt/cdt.hpp"
+#include "base/describe.hpp"
+#include "cdt/region_cdt.hpp"
 #include "cuts/cut_segments.hpp"
 #include "disks/fill_disks.hpp"
 #include "disks/segment_disks.hpp"
@@ -21,6 +27,7 @@
 #include "region/region_graph.hpp"
 #include "target/angle_limit.hpp"
 #include "target/measure.hpp"
+#include "target/whole_mesh.hpp"
 #include "tasks/region_task.hpp"
 #include "tasks/stage_clock.hpp"
 
@@ -33,6 +40,12 @@ FillTask task_of(const RegionBoundary& boundary) {
   for (const auto& [a, b] : boundary.sides) task.chords.push_back({a, b, false});
   return task;
 }
+
+using Obstacle = disks::SegmentDisks::Obstacle;
+using PslgEnds = std::array<Point, 2>;
+
+/// Spacings of the coordinates: the smallest radius of a disk whose centre and ends stay apart.
+constexpr double kSmallest = 8;
 
 /// Whether some segment has regions on both sides.
 bool shares_segments(const RegionTable& table) {
@@ -51,6 +64,7 @@ class Nonobtuse {
         callbacks_(callbacks),
         fillings_(boundaries.size()),
         meshes_(boundaries.size()),
+        faults_(boundaries.size()),
         packings_(callbacks.packing ? boundaries.size() : 0) {}
 
   Result<std::vector<RegionMesh>> run() {
@@ -85,7 +99,8 @@ class Nonobtuse {
     const std::vector<RegionBoundary> before =
         std::exchange(boundaries_, split_regions(pslg_, table_));
     for (std::size_t r = 0; r < before.size(); ++r) renumber(before[r], ids[r], r);
-    return for_each([&](std::size_t r) { finish(r); });
+    status = for_each([&](std::size_t r) { finish(r); });
+    return status ? first_fault() : status;
   }
 
   /// Cuts the segments at what the fillings put on them. Returns, by region, the PSLG vertex of
@@ -170,8 +185,13 @@ class Nonobtuse {
     }
     // Ordinary input needs 3 to 10 per segment.
     const std::size_t limit = 100 * segments.size() + 100'000;
-    const disks::SegmentDisks disks = disks::cover_segments(pslg_.points, segments, limit);
-    if (!disks.complete) return too_close(pslg_.segments[ids[disks.crowded].index()], limit);
+    const double smallest = kSmallest * spacing_of_coordinates();
+    const disks::SegmentDisks disks =
+        disks::cover_segments(pslg_.points, segments, smallest, limit);
+    const Segment* const crowded =
+        disks.obstacle == Obstacle::none ? nullptr : &pslg_.segments[ids[disks.crowded].index()];
+    if (disks.obstacle == Obstacle::too_many) return too_close(*crowded, limit);
+    if (disks.obstacle == Obstacle::too_small) return too_small(*crowded, smallest);
 
     std::vector<double> radius = disks.radius;
     std::vector<SegmentCut> cuts;
@@ -192,8 +212,12 @@ class Nonobtuse {
     }
     cut_segments(pslg_, table_, cuts);
     boundaries_ = split_regions(pslg_, table_);
-    return for_each([&](std::size_t r) {
+    Status status = for_each([&](std::size_t r) {
       const StageClock clock;
+      const RegionBoundary& boundary = boundaries_[r];
+      faults_[r] = find_fault(triangulate_domain(boundary.points, boundary.sides), boundary.points,
+                              boundary.sides);
+      if (faults_[r]) return;
       std::vector<double> local;
       for (const VertexId v : boundaries_[r].vertices) local.push_back(radius[v.index()]);
       fillings_[r] =
@@ -203,18 +227,56 @@ class Nonobtuse {
       finish(r);
       meshes_[r].report.seconds = clock.seconds();
     });
+    return status ? first_fault() : status;
+  }
+
+  /// The region that rounding broke, if there is one.
+  [[nodiscard]] Status first_fault() const {
+    for (std::size_t r = 0; r < faults_.size(); ++r) {
+      if (!faults_[r]) continue;
+      return Error{ErrorCode::meshing_incomplete,
+                   fmt::format("method nonobtuse: region {} needs points on its segments that are "
+                               "nearer to each other than coordinates can tell: {}; use another "
+                               "method",
+                               boundaries_[r].id.value(), faults_[r]->what),
+                   faults_[r]->where,
+                   {}};
+    }
+    return ok();
+  }
+
+  /// The distance of doubles at the largest coordinate.
+  [[nodiscard]] double spacing_of_coordinates() const {
+    double largest = 0;
+    for (const Point& p : pslg_.points)
+      largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+    return std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+  }
+
+  [[nodiscard]] static Error at_segment(const PslgEnds& ends, const std::string& why) {
+    return {ErrorCode::bad_option,
+            fmt::format("method nonobtuse: several regions share segments, and these come so close "
+                        "to each other that {}, most near the segment from {} to {}; use another "
+                        "method, or mesh the regions one by one",
+                        why, describe(ends[0]), describe(ends[1])),
+            {ends[0], ends[1]},
+            {}};
+  }
+
+  [[nodiscard]] Error too_small(const Segment& segment, double smallest) const {
+    return at_segment(ends_of(segment),
+                      fmt::format("disks smaller than {} would be needed on them, which rounded "
+                                  "coordinates cannot hold",
+                                  describe_roughly(smallest)));
+  }
+
+  [[nodiscard]] PslgEnds ends_of(const Segment& segment) const {
+    return {pslg_.points[segment.a.index()], pslg_.points[segment.b.index()]};
   }
 
   [[nodiscard]] Error too_close(const Segment& segment, std::size_t limit) const {
-    const Point a = pslg_.points[segment.a.index()], b = pslg_.points[segment.b.index()];
-    return {ErrorCode::bad_option,
-            fmt::format("method nonobtuse: several regions share segments, and these come so close "
-                        "to each other that more than {} disks would be needed on them, most near "
-                        "the segment from ({}, {}) to ({}, {}); use another method, or mesh the "
-                        "regions one by one",
-                        limit, a.x, a.y, b.x, b.y),
-            {a, b},
-            {}};
+    return at_segment(ends_of(segment),
+                      fmt::format("more than {} disks would be needed on them", limit));
   }
 
   /// Bounds, figures and notes of a region.
@@ -224,6 +286,8 @@ class Nonobtuse {
     mesh.report.id = boundary.id;
     mesh.report.method = "nonobtuse";
     const CdtResult cdt = triangulate_domain(boundary.points, boundary.sides);
+    faults_[r] = find_fault(cdt, boundary.points, boundary.sides);
+    if (faults_[r]) return;
     set_limits(angle_limit(cdt.triangulation, boundary.sides, boundary.segments), mesh.report);
     if (!fillings_[r].target_reached) {
       mesh.report.notes.push_back(
@@ -232,6 +296,8 @@ class Nonobtuse {
            fmt::format("region {}: {}", boundary.id.value(), fillings_[r].remark),
            {}});
     }
+    faults_[r] = find_fault({all_points(boundary, mesh), mesh.triangles, boundary.sides,
+                             boundary.segments, boundary.points.size()});
     measure(boundary, mesh);
   }
 
@@ -242,6 +308,7 @@ class Nonobtuse {
   const Callbacks& callbacks_;
   std::vector<Filling> fillings_;
   std::vector<RegionMesh> meshes_;
+  std::vector<std::optional<BoundaryFault>> faults_;  ///< by region: what rounding broke
   std::vector<PackingRecord> packings_;  ///< empty where nobody asks for them
 };
 

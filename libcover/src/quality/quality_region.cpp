@@ -96,7 +96,9 @@ class RegionWork {
     Candidate best = candidates_.optimised(candidates_.as_it_is());
     if (!candidates_.is_done(best)) candidates_.take_if_better(best, candidates_.improved(best));
     if (best.merit.large <= 1 / std::tan(candidates_.limit().promised_nu())) return best;
-    candidates_.take_if_better(best, candidates_.improved(candidates_.from_almonds()));
+    const Candidate almond = candidates_.from_almonds();
+    if (!almond.mesh.triangles.empty())
+      candidates_.take_if_better(best, candidates_.improved(almond));
     return best;
   }
 

@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include "cdt/cdt.hpp"
+#include "cdt/region_cdt.hpp"
 #include "geom/vector.hpp"
 #include "sizes/size_field.hpp"
 
@@ -62,7 +63,7 @@ double shortest_side(const RegionBoundary& boundary) {
 class Estimate {
  public:
   Estimate(const RegionBoundary& boundary, const Options& options)
-      : cdt_(triangulate_domain(boundary.points, boundary.sides).triangulation),
+      : cdt_(triangulate_region(boundary.points, boundary.sides)),
         sizes_(boundary, cdt_, options.growth, options.size_field),
         will_be_cut_(options.split_interfaces),
         samples_(cdt_.triangles.size() > kManyTriangles ? 1 : kSamples) {}

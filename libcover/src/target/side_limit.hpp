@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct SideLimit {
   double slim_cot = 0;      ///< no triangle on the side has a larger smallest angle; at least 1
   std::array<CornerLimit, 2> corners{};  ///< at its ends
 };
+
+/// A limit that allows nothing.
+inline constexpr SideLimit kNoLimit{std::numeric_limits<double>::infinity(), 0, 0, {}};
 
 /// The limits of the sides, in the order of `side_at`.
 ///

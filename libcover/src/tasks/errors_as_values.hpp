@@ -7,6 +7,8 @@
 
 #include <cover/result.hpp>
 
+#include "base/fault.hpp"
+
 namespace cover {
 
 /// An error in cover itself, with what it was doing and what was thrown.
@@ -20,6 +22,10 @@ template <class Body>
 std::invoke_result_t<Body> errors_as_values(std::string_view doing, Body body) {
   try {
     return body();
+  } catch (const Fault& e) {
+    Error error = internal_error(doing, e.what());
+    error.where = e.where();
+    return error;
   } catch (const std::exception& e) {
     return internal_error(doing, e.what());
   }

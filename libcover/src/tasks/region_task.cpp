@@ -18,11 +18,13 @@
 
 #include "almond/almond_region.hpp"
 #include "almond/chords.hpp"
-#include "cdt/cdt.hpp"
+#include "base/fault.hpp"
+#include "cdt/region_cdt.hpp"
 #include "quality/quality_region.hpp"
 #include "sizes/expected_triangles.hpp"
 #include "target/angle_limit.hpp"
 #include "target/measure.hpp"
+#include "target/whole_mesh.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/stage_clock.hpp"
 
@@ -104,11 +106,53 @@ class ProgressCount {
 
 using RegionMethod = RegionMesh (*)(const RegionBoundary&, const Options&, std::stop_token);
 
-RegionMesh measured(RegionMethod method, const RegionBoundary& boundary, const Options& options,
-                    const std::stop_token& stop) {
-  RegionMesh mesh = method(boundary, options, stop);
-  if (!stop.stop_requested()) measure(boundary, mesh);
+/// A mesh, and why it does not fill its region, if it does not: then it has no triangles.
+struct Attempt {
+  RegionMesh mesh;
+  std::optional<BoundaryFault> fault;
+};
+
+Attempt attempt(RegionMethod method, const RegionBoundary& boundary, const Options& options,
+                const std::stop_token& stop) {
+  Attempt out{method(boundary, options, stop), {}};
+  if (stop.stop_requested()) return out;
+  RegionMesh& mesh = out.mesh;
+  const std::vector<Point> points = all_points(boundary, mesh);
+  out.fault = find_fault(
+      {points, mesh.triangles, boundary.sides, boundary.segments, boundary.points.size()});
+  if (out.fault) {
+    mesh.steiner.clear();
+    mesh.triangles.clear();
+  }
+  measure(boundary, mesh);
+  return out;
+}
+
+/// The constrained Delaunay triangulation, which no rounding can break.
+RegionMesh plain_region(const RegionBoundary& boundary, const Options&, std::stop_token) {
+  const Triangulation cdt = triangulate_region(boundary.points, boundary.sides);
+  RegionMesh mesh;
+  mesh.report.id = boundary.id;
+  mesh.report.method = "cdt";
+  set_limits(angle_limit(cdt, boundary.sides, boundary.segments), mesh.report);
+  mesh.triangles.reserve(cdt.triangles.size());
+  for (const Triangle& t : cdt.triangles) mesh.triangles.push_back(t.v);
   return mesh;
+}
+
+/// What became of a method that was not used.
+Note note_of_fallback(const RegionBoundary& boundary, const Attempt& attempt, std::string_view from,
+                      std::string_view to) {
+  const RegionReport& report = attempt.mesh.report;
+  std::string what =
+      attempt.fault
+          ? "broke the mesh (" + attempt.fault->what + ")"
+          : fmt::format("put an angle of {:.12g} degrees beyond the bound",
+                        report.quality.largest_nu.supplement().in_degrees());
+  return {Note::Kind::fallback, boundary.id,
+          fmt::format("region {}: with the {} method, rounding {}; the {} was used instead",
+                      boundary.id.value(), from, what, to),
+          attempt.fault ? attempt.fault->where : std::vector<Point>{}};
 }
 
 /// The method asked for; where that misses the bound, the other one if it is better. It is rounding
@@ -117,27 +161,29 @@ RegionMesh measured(RegionMethod method, const RegionBoundary& boundary, const O
 RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
                        const std::stop_token& stop) {
   const bool quality = options.method == Method::quality;
-  RegionMesh mesh = measured(quality ? quality_region : almond_region, boundary, options, stop);
+  const std::string_view asked = quality ? "quality" : "almond";
+  const std::string_view second = quality ? "almond" : "quality";
+  Attempt first = attempt(quality ? quality_region : almond_region, boundary, options, stop);
   const bool promised = CutRule{options.paper, options.pieces}.promises_bound();
-  if (stop.stop_requested() || mesh.report.bound_held || !promised) return mesh;
-  RegionMesh other = measured(quality ? almond_region : quality_region, boundary, options, stop);
-  if (!mesh.triangles.empty() &&
-      other.report.quality.largest_nu <= mesh.report.quality.largest_nu) {
-    return mesh;
+  const bool will_do = !first.fault && (first.mesh.report.bound_held || !promised);
+  if (stop.stop_requested() || will_do) return std::move(first.mesh);
+  Attempt other = attempt(quality ? almond_region : quality_region, boundary, options, stop);
+  if (stop.stop_requested()) return std::move(other.mesh);
+  if (first.fault && other.fault) {
+    Attempt plain = attempt(plain_region, boundary, options, stop);
+    if (plain.fault) throw Fault(plain.fault->what, std::move(plain.fault->where));
+    plain.mesh.report.notes.push_back(
+        note_of_fallback(boundary, first, asked, "constrained Delaunay triangulation"));
+    plain.mesh.report.notes.push_back(
+        note_of_fallback(boundary, other, second, "constrained Delaunay triangulation"));
+    return std::move(plain.mesh);
   }
-  const std::string what =
-      mesh.triangles.empty()
-          ? "turned a triangle over"
-          : fmt::format("put an angle of {:.12g} degrees beyond the bound",
-                        mesh.report.quality.largest_nu.supplement().in_degrees());
-  other.report.notes.push_back(
-      {Note::Kind::fallback,
-       boundary.id,
-       fmt::format("region {}: with the {} method, rounding {}; the {} method was used instead",
-                   boundary.id.value(), quality ? "quality" : "almond", what,
-                   quality ? "almond" : "quality"),
-       {}});
-  return other;
+  if (!first.fault && (other.fault || other.mesh.report.quality.largest_nu <=
+                                          first.mesh.report.quality.largest_nu))
+    return std::move(first.mesh);
+  other.mesh.report.notes.push_back(
+      note_of_fallback(boundary, first, asked, fmt::format("{} method", second)));
+  return std::move(other.mesh);
 }
 
 }  // namespace
@@ -195,8 +241,8 @@ Result<std::vector<RegionReport>> limit_regions(std::span<const RegionBoundary> 
   Status status =
       for_each_region(boundaries, worker_count(options), "limits", callbacks, [&](std::size_t k) {
         const RegionBoundary& boundary = boundaries[k];
-        const CdtResult cdt = triangulate_domain(boundary.points, boundary.sides);
-        set_limits(angle_limit(cdt.triangulation, boundary.sides, boundary.segments), reports[k]);
+        const Triangulation cdt = triangulate_region(boundary.points, boundary.sides);
+        set_limits(angle_limit(cdt, boundary.sides, boundary.segments), reports[k]);
         reports[k].id = boundary.id;
         reports[k].input_vertices = boundary.points.size();
       });

@@ -47,8 +47,12 @@ class Finder {
   /// The region of each triangle, carried from the sides over edges that are no segments.
   void flood_regions() {
     std::unordered_map<std::uint64_t, RegionId> left_of;
-    left_of.reserve(domain_.sides.size());
+    left_of.reserve(domain_.sides.size() + table_.hull_sides.size());
     for (const ExpectedSide& side : domain_.sides) left_of[key(side.a, side.b)] = side.region;
+    if (hull_) {  // where there are no segments, nothing else tells
+      for (const HullSide& side : table_.hull_sides)
+        left_of[key(side.a.value(), side.b.value())] = side.region;
+    }
     region_.assign(triangles_.size(), kVoid);
     std::vector<std::uint32_t> stack;
     const auto reach = [&](std::uint32_t t, RegionId region) {
@@ -58,9 +62,11 @@ class Finder {
     };
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
       for (int i = 0; i < 3; ++i) {
-        if (!triangles_[t].is_locked(i)) continue;
+        const bool is_outer = triangles_[t].n[static_cast<std::size_t>(i)] == kNone;
+        if (!triangles_[t].is_locked(i) && !is_outer) continue;
         const auto [a, b] = edge(triangles_[t], i);
-        reach(t, left_of.at(key(a, b)));
+        const auto found = left_of.find(key(a, b));
+        if (found != left_of.end()) reach(t, found->second);
       }
       while (!stack.empty()) {
         const std::uint32_t from = stack.back();

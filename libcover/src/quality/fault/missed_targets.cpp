@@ -10,6 +10,7 @@
 
 #include "base/describe.hpp"
 #include "cdt/cdt.hpp"
+#include "cdt/region_cdt.hpp"
 #include "quality/mutable/with_neighbours.hpp"
 #include "target/measure.hpp"
 
@@ -129,7 +130,7 @@ std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& 
 
 void report_again(const RegionBoundary& boundary, const Options& options, bool budget_used_up,
                   RegionMesh& mesh) {
-  const Triangulation cdt = triangulate_domain(boundary.points, boundary.sides).triangulation;
+  const Triangulation cdt = triangulate_region(boundary.points, boundary.sides);
   const AngleLimit limit = angle_limit(cdt, boundary.sides, boundary.segments);
   const Triangulation all = with_neighbours(all_points(boundary, mesh), mesh.triangles);
   MutableMesh mutable_mesh(all, static_cast<std::uint32_t>(boundary.points.size()),

@@ -3,7 +3,6 @@
 // Tested by tests/unit/quality/mutable/excerpt_test.cpp.
 #include "quality/mutable/excerpt.hpp"
 
-#include <limits>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -12,10 +11,6 @@ namespace cover {
 namespace {
 
 using Numbers = std::unordered_map<std::uint32_t, std::uint32_t>;  ///< from the whole to the part
-
-/// A limit that allows nothing.
-constexpr SideLimit kBorder{std::numeric_limits<double>::infinity(), 0, 0, {}};
-
 }  // namespace
 
 std::vector<std::uint32_t> triangles_around(const MutableMesh& whole, std::uint32_t t,
@@ -77,7 +72,7 @@ Excerpt::Excerpt(const MutableMesh& whole, std::uint32_t t, std::size_t limit,
         continue;
       }
       side_at.push_back({k, static_cast<std::uint8_t>(i)});
-      limits.push_back(is_side(n[i]) ? whole.sides[side_index(n[i])] : kBorder);
+      limits.push_back(is_side(n[i]) ? whole.sides[side_index(n[i])] : kNoLimit);
       outside.push_back(n[i]);
     }
   }

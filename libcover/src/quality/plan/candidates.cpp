@@ -7,7 +7,9 @@
 
 #include "almond/almond_region.hpp"
 #include "cdt/cdt.hpp"
+#include "cdt/region_cdt.hpp"
 #include "cdt/sides.hpp"
+#include "quality/mutable/split_hull.hpp"
 #include "quality/mutable/with_neighbours.hpp"
 #include "quality/repair/search.hpp"
 #include "quality/starts/even_refinement.hpp"
@@ -37,7 +39,7 @@ Candidates::Candidates(const RegionBoundary& boundary, const Options& options, s
       options_(options),
       goal_(Goal::of(options.max_angle, options.min_angle)),
       frame_(frame_of(boundary, shifted)),
-      cdt_(triangulate_domain(frame_.points(), boundary.sides).triangulation),
+      cdt_(triangulate_region(frame_.points(), boundary.sides)),
       limit_(angle_limit(cdt_, boundary.sides, boundary.segments)),
       sizes_(boundary, cdt_, options.growth, background_in_frame()),
       given_(kEvaluationsAtLeast + kEvaluationsPerVertex * boundary.points.size()),
@@ -144,8 +146,14 @@ Candidate Candidates::searched(const Candidate& from, const Goal& aim, std::uint
 Candidate Candidates::from_almonds() const {
   const RegionMesh almond = almond_region(boundary_, options_, budget_.stop);
   std::vector<Point> points = frame_.points();
+  if (almond.triangles.empty()) return {};
   for (const Point& p : almond.steiner) points.push_back(frame_.enter(p));
-  return candidate(with_neighbours(std::move(points), almond.triangles), "almond");
+  Triangulation triangles = with_neighbours(std::move(points), almond.triangles);
+  const SplitSides sides = locate_split_sides(triangles, boundary_);
+  std::vector<SideLimit> limits = side_limits(cdt_, limit_.at);
+  for (const std::uint32_t s : sides.split) limits[s] = kNoLimit;
+  limits.resize(sides.at.size(), kNoLimit);
+  return measured({MutableMesh(triangles, sides.fixed, sides.at, std::move(limits)), {}, "almond"});
 }
 
 bool Candidates::is_done(const Candidate& candidate) const {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cdt/cdt.hpp"
+#include "cdt/region_cdt.hpp"
 #include "cdt/sides.hpp"
 #include "geom/vector.hpp"
 #include "quality/repair/improve_jointly.hpp"
@@ -81,17 +82,13 @@ std::optional<MutableMesh> restart(const MutableMesh& mesh, std::size_t count,
   std::vector<IndexPair> pairs;
   for (const auto& [pair, side] : sides) pairs.push_back(pair);
   const CdtResult cdt = triangulate_domain(points, pairs);
-  if (!cdt.conflicts.empty()) return std::nullopt;
+  if (find_fault(cdt, points, pairs)) return std::nullopt;  // rounding put a place outside
   const std::vector<EdgeRef> found = locate_sides(cdt.triangulation, pairs);
   std::vector<EdgeRef> side_at(mesh.sides.size());
   for (std::size_t k = 0; k < sides.size(); ++k) {
-    if (found[k].triangle == kNone) return std::nullopt;
     side_at[sides[k].second] = found[k];
   }
   MutableMesh result(cdt.triangulation, fixed, side_at, mesh.sides);
-  for (std::uint32_t v = fixed; v < result.points.size(); ++v) {
-    if (result.home[v] == kNone) return std::nullopt;
-  }
   result.set_goal(mesh.goal());
   return result;
 }

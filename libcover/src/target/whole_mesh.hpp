@@ -1,0 +1,32 @@
+// Whether triangles fill a region.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include <cover/ids.hpp>
+#include <cover/point.hpp>
+
+#include "cdt/region_cdt.hpp"
+#include "geom/half_edges.hpp"
+
+namespace cover {
+
+/// Triangles, and the boundary that they should have.
+struct MeshOfRegion {
+  std::span<const Point> points;  ///< those of the boundary first
+  std::span<const IndexTriple> triangles;
+  std::span<const IndexPair> sides;     ///< in lexicographic order
+  std::span<const SegmentId> segments;  ///< by side
+  std::size_t boundary_points = 0;
+};
+
+/// Why the triangles do not fill the region once, if they do not: one is not counter-clockwise, a
+/// side is no edge, an edge on the outside is no side, an edge occurs twice, a point of the
+/// boundary has no triangle. Sides of the hull may be split, by points near them.
+///
+/// EXACT: yes, up to where the points on split sides of the hull lie
+/// Cost:  O(triangles), for the few edges that a vertex usually has
+std::optional<BoundaryFault> find_fault(const MeshOfRegion& mesh);
+
+}  // namespace cover
