@@ -318,13 +318,13 @@ class AlmondMethod {
   const std::stop_token& stop_;
   std::vector<Almond> almonds_;
   using Cut = std::array<std::uint32_t, 2>;
-  std::vector<AlmondKind> awake_kind_;  ///< by almond
-  std::vector<bool> asleep_;            ///< by almond: not needed so far
-  int rounds_ = 0;                      ///< of waking
-  std::vector<Cut> cuts_;               ///< (almond, side through it), in order
-  std::vector<int> repairs_;            ///< by almond
+  std::vector<AlmondKind> awake_kind_;                ///< by almond
+  std::vector<bool> asleep_;                          ///< by almond: not needed so far
+  int rounds_ = 0;                                    ///< of waking
+  std::vector<Cut> cuts_;                             ///< (almond, side through it), in order
+  std::vector<int> repairs_;                          ///< by almond
   std::unordered_set<std::uint32_t> hull_triangles_;  ///< with a side of the hull
-  double least_nu_ = 0;                 ///< almonds may be made as flat as this
+  double least_nu_ = 0;                               ///< almonds may be made as flat as this
   std::vector<std::uint32_t> isolated_;
   AlmondMesh mesh_;
 };

@@ -156,7 +156,7 @@ class Region {
 }  // namespace
 
 RegionMesh almond_region(const RegionBoundary& boundary, const Options& options,
-                        std::stop_token stop) {
+                         std::stop_token stop) {
   return Region(boundary, options, std::move(stop)).run();
 }
 

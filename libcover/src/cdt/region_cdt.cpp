@@ -38,7 +38,8 @@ BoundaryFault describe_conflict(const CdtConflict& conflict, std::span<const Poi
     case CdtConflict::Kind::point_on_segment:
       return fault_at("the point " + describe(points[p]) + " lies on the side " + text(other),
                       points, {p, sides[other][0], sides[other][1]});
-    case CdtConflict::Kind::crossing: break;
+    case CdtConflict::Kind::crossing:
+      break;
   }
   return fault_at("the sides " + text(p) + " and " + text(other) + " cross", points,
                   {sides[p][0], sides[p][1], sides[other][0], sides[other][1]});
@@ -62,8 +63,8 @@ std::optional<BoundaryFault> find_fault(const CdtResult& cdt, std::span<const Po
         (!has_right(triangulation, at[s]) ||
          std::binary_search(sides.begin(), sides.end(), IndexPair{v, u})))
       continue;
-    const char* const what = at[s].triangle == kNone ? " has no triangle on its left"
-                                                     : " has a triangle on its right";
+    const char* const what =
+        at[s].triangle == kNone ? " has no triangle on its left" : " has a triangle on its right";
     return fault_at("the side " + side_text(points[u], points[v]) + what, points, {u, v});
   }
   std::vector<bool> used(points.size(), false);

@@ -248,8 +248,7 @@ class Nonobtuse {
   /// The distance of doubles at the largest coordinate.
   [[nodiscard]] double spacing_of_coordinates() const {
     double largest = 0;
-    for (const Point& p : pslg_.points)
-      largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+    for (const Point& p : pslg_.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
     return std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
   }
 
@@ -309,7 +308,7 @@ class Nonobtuse {
   std::vector<Filling> fillings_;
   std::vector<RegionMesh> meshes_;
   std::vector<std::optional<BoundaryFault>> faults_;  ///< by region: what rounding broke
-  std::vector<PackingRecord> packings_;  ///< empty where nobody asks for them
+  std::vector<PackingRecord> packings_;               ///< empty where nobody asks for them
 };
 
 }  // namespace

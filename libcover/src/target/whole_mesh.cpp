@@ -78,9 +78,8 @@ class Finder {
 
   void collect_open_edges() {
     for (std::uint32_t h = 0; h < edges_.size(); ++h) {
-      const bool is_whole_side =
-          std::binary_search(mesh_.sides.begin(), mesh_.sides.end(),
-                             IndexPair{edges_.source(h), edges_.target(h)});
+      const bool is_whole_side = std::binary_search(mesh_.sides.begin(), mesh_.sides.end(),
+                                                    IndexPair{edges_.source(h), edges_.target(h)});
       if (!is_whole_side && edges_.twin(h) == HalfEdges::kAbsent)
         open_.push_back({edges_.source(h), h});
     }

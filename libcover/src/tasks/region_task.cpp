@@ -144,11 +144,10 @@ RegionMesh plain_region(const RegionBoundary& boundary, const Options&, std::sto
 Note note_of_fallback(const RegionBoundary& boundary, const Attempt& attempt, std::string_view from,
                       std::string_view to) {
   const RegionReport& report = attempt.mesh.report;
-  std::string what =
-      attempt.fault
-          ? "broke the mesh (" + attempt.fault->what + ")"
-          : fmt::format("put an angle of {:.12g} degrees beyond the bound",
-                        report.quality.largest_nu.supplement().in_degrees());
+  std::string what = attempt.fault
+                         ? "broke the mesh (" + attempt.fault->what + ")"
+                         : fmt::format("put an angle of {:.12g} degrees beyond the bound",
+                                       report.quality.largest_nu.supplement().in_degrees());
   return {Note::Kind::fallback, boundary.id,
           fmt::format("region {}: with the {} method, rounding {}; the {} was used instead",
                       boundary.id.value(), from, what, to),
@@ -178,8 +177,8 @@ RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
         note_of_fallback(boundary, other, second, "constrained Delaunay triangulation"));
     return std::move(plain.mesh);
   }
-  if (!first.fault && (other.fault || other.mesh.report.quality.largest_nu <=
-                                          first.mesh.report.quality.largest_nu))
+  if (!first.fault &&
+      (other.fault || other.mesh.report.quality.largest_nu <= first.mesh.report.quality.largest_nu))
     return std::move(first.mesh);
   other.mesh.report.notes.push_back(
       note_of_fallback(boundary, first, asked, fmt::format("{} method", second)));

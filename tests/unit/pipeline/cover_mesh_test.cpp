@@ -29,6 +29,51 @@ using testing::Shape;
 using testing::shape_of;
 using testing::violations;
 
+/// Points without segments, whose hull is meshed.
+Input scattered(const std::vector<Point>& points) { return testing::segments_between(points, {}); }
+
+TEST(CoverMesh, MeshesTheHullOfPointsThatAreNearALine) {
+  // The second method splits sides of the hull; the first one goes on from there.
+  Options options;
+  options.hull = true;
+  options.threads = 1;
+  const std::vector<std::vector<Point>> inputs{{{1, 5}, {7, 4}, {2, 0}, {6, 9}},
+                                               {{0, 0}, {1, 8}, {2, 9}, {0, 1}},
+                                               {{4, 900}, {7, 500}, {2, 100}, {6, 800}},
+                                               {{4, 2}, {4, 0}, {6, 1}, {8, 1}, {12, 2}, {12, 0}}};
+  for (const std::vector<Point>& points : inputs) {
+    const Result<Output> output = cover_mesh(scattered(points), options);
+    ASSERT_TRUE(output.has_value()) << output.error().message;
+    VerifyOptions verify;
+    verify.hull = true;
+    const Verification found =
+        verify_cover(output->pslg, output->table, triangle_soup(output->mesh), verify);
+    EXPECT_TRUE(found.violations.empty()) << found.violations.front().message;
+    EXPECT_EQ(found.regions, 1U);
+  }
+}
+
+TEST(CoverMesh, CutsThatRoundingBreaksAreTakenBack) {
+  // Segments that end some units in the last place from each other: feet on them coincide.
+  Options options;
+  options.split_interfaces = Angle::degrees(90);
+  options.threads = 1;
+  const double ulp = 0x1p-50;
+  const Result<Output> output = cover_mesh(
+      testing::segments_between({{0, 0},
+                                 {8, 4},
+                                 {8, 4 + 4 * ulp},
+                                 {0, 2 * ulp},
+                                 {3, 1.5 + 8 * ulp},
+                                 {5, 2.5 + 9 * ulp},
+                                 {4, 9}},
+                                {{0, 1}, {1, 2}, {2, 5}, {5, 4}, {4, 3}, {3, 0}, {2, 6}, {6, 3}}),
+      options);
+  ASSERT_TRUE(output.has_value()) << output.error().message;
+  const Verification found = verify_cover(output->pslg, output->table, triangle_soup(output->mesh));
+  for (const Violation& v : found.violations) EXPECT_EQ(v.promise, 3) << v.message;
+}
+
 TEST(CoverMesh, KeepsItsPromises) {
   const Output output = must_mesh(testing::checker(6, 5, 3));
   EXPECT_EQ(violations(output), "");

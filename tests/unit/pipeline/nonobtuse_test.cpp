@@ -53,6 +53,18 @@ Input with_segment(Input input, Point a, Point b) {
 
 const testing::Loop kSquare{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
 
+TEST(Nonobtuse, RefusesDisksThatCoordinatesCannotHold) {
+  // A point 1e-16 from a segment, among coordinates of 8.
+  Input input = testing::segments_between({{0, 0}, {8, 0}, {8, 8}, {0, 8}, {5, 6}, {1e-16, 3}},
+                                          {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {2, 4}});
+  const Result<Output> refused = cover_mesh(input, nonobtuse());
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ErrorCode::bad_option);
+  EXPECT_NE(refused.error().message.find("rounded coordinates cannot hold"), std::string::npos)
+      << refused.error().message;
+  EXPECT_EQ(refused.error().where, std::vector<Point>({{0, 8}, {0, 0}}));
+}
+
 TEST(Nonobtuse, OneRegionIsPackedForItself) {
   const Output output = expect_nonobtuse(testing::input_of(kSquare));
   EXPECT_LE(output.mesh.tri().n_vertices(), 41U);

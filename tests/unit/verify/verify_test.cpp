@@ -436,6 +436,24 @@ TEST(Verify, HullSidesMayBeSplit) {
   EXPECT_GT(d.check({.hull = true}).violation_count, 0U);
 }
 
+TEST(Verify, AHullWithoutSegmentsIsOneRegion) {
+  Device d;
+  d.pslg = {};
+  d.table = {};
+  d.pslg.points = {{0, 0}, {8, 0}, {0, 8}, {2, 2}};
+  for (const auto& [a, b] : {std::pair{0U, 1U}, {1U, 2U}, {2U, 0U}})
+    d.table.hull_sides.push_back({VertexId{a}, VertexId{b}, RegionId{1}});
+  d.table.regions.resize(1);
+  d.table.regions[0].id = RegionId{1};
+  d.table.regions[0].material = 1;
+  d.mesh = {};
+  d.mesh.points = d.pslg.points;
+  d.mesh.triangles = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  EXPECT_EQ(all_of(d.check({.hull = true})), "");
+  d.mesh.triangles.pop_back();
+  EXPECT_GT(d.check({.hull = true}).violation_count, 0U);
+}
+
 TEST(Verify, ScaledAndShiftedMeshesAreTheSame) {
   for (const double factor : {0x1p-40, 1.0, 0x1p40}) {
     for (const double shift : {0.0, 1024.0}) {

@@ -144,6 +144,8 @@ bool relocate(MutableMesh& mesh, const Cavity& cavity, Point p) {
 
 bool install_patch(MutableMesh& mesh, const Cavity& cavity, const Patch& patch,
                    Installed& installed) {
+  // Where rounding leaves a triangle of the cavity flat, no patch at all may count as no worse.
+  if (patch.count() != cavity.size() - 2 + (patch.inserted ? 2 : 0)) return false;
   const auto point = [&](int corner) {
     return corner < cavity.size() ? mesh.points[cavity.vertex(corner)] : *patch.inserted;
   };

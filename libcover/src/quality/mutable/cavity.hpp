@@ -103,7 +103,7 @@ bool relocate(MutableMesh& mesh, const Cavity& cavity, Point p);
 
 /// Replaces the triangles of `cavity` by those of `patch`.
 ///
-/// ENSURES: as install_star
+/// ENSURES: as install_star; false, too, if the patch has not as many triangles as fill the cavity
 bool install_patch(MutableMesh& mesh, const Cavity& cavity, const Patch& patch,
                    Installed& installed);
 

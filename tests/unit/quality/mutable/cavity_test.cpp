@@ -104,6 +104,18 @@ TEST(Placement, FindsTheMiddleOfARegularPolygon) {
   EXPECT_EQ(place(hole, {9, 9}, kInverted, evaluations).worst, kInverted);
 }
 
+TEST(Cavity, IsNotFilledByTooFewTriangles) {
+  MutableMesh mesh = cdt_mesh(window());
+  Cavity cavity(mesh);
+  cavity.start(0);
+  grow_fully(cavity);
+  Installed installed;
+  Patch patch;  // what is found where rounding leaves every triangle flat
+  EXPECT_FALSE(install_patch(mesh, cavity, patch, installed));
+  EXPECT_EQ(mesh.triangle_count(), 6U);
+  expect_sound(mesh, window());
+}
+
 TEST(Polygon, FindsTheBestTriangulation) {
   // Of a flat hexagon: the zigzag is better than every fan.
   const RegionBoundary boundary =

@@ -1,0 +1,85 @@
+#include "target/whole_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "cdt/cdt.hpp"
+#include "geom/vector.hpp"
+#include "support/shapes.hpp"
+
+namespace cover {
+namespace {
+
+/// A region, and its constrained Delaunay triangulation as bare triangles.
+struct Region {
+  RegionBoundary boundary;
+  std::vector<Point> points;
+  std::vector<IndexTriple> triangles;
+
+  explicit Region(RegionBoundary of) : boundary(std::move(of)), points(boundary.points) {
+    for (const Triangle& t : triangulate_domain(points, boundary.sides).triangulation.triangles)
+      triangles.push_back(t.v);
+  }
+  [[nodiscard]] std::string fault() const {
+    const auto found =
+        find_fault({points, triangles, boundary.sides, boundary.segments, boundary.points.size()});
+    return found ? found->what : "";
+  }
+};
+
+Region square() {
+  return Region(
+      testing::boundary_of({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {3, 2}}}, {{1, 3}}));
+}
+
+TEST(WholeMesh, FindsNothingWhereAllIsThere) { EXPECT_EQ(square().fault(), ""); }
+
+TEST(WholeMesh, FindsEveryKindOfDamage) {
+  Region region = square();
+  for (std::size_t t = 0; t < region.triangles.size(); ++t) {
+    Region less = region;
+    less.triangles.erase(less.triangles.begin() + static_cast<std::ptrdiff_t>(t));
+    EXPECT_NE(less.fault(), "") << t;
+    Region twice = region;
+    twice.triangles.push_back(twice.triangles[t]);
+    EXPECT_NE(twice.fault(), "") << t;
+    Region turned = region;
+    std::swap(turned.triangles[t][0], turned.triangles[t][1]);
+    EXPECT_NE(turned.fault(), "") << t;
+  }
+  Region lost = region;
+  lost.boundary.points.push_back({2, 3});  // as if it were a point of the boundary
+  lost.points.push_back({2, 3});
+  EXPECT_NE(lost.fault().find("(2, 3)"), std::string::npos);
+  Region empty = region;
+  empty.triangles.clear();
+  EXPECT_NE(empty.fault(), "");
+  // One that is a side from one of its two sides only.
+  Region half = region;
+  const auto slit =
+      std::find_if(half.boundary.sides.begin(), half.boundary.sides.end(), [&](const IndexPair& s) {
+        return half.points[s[0]] == Point{1, 1} && half.points[s[1]] == Point{3, 2};
+      });
+  ASSERT_NE(slit, half.boundary.sides.end());
+  half.boundary.segments.erase(half.boundary.segments.begin() +
+                               (slit - half.boundary.sides.begin()));
+  half.boundary.sides.erase(slit);
+  EXPECT_NE(half.fault(), "");
+}
+
+TEST(WholeMesh, SidesOfTheHullMayBeSplit) {
+  Region region(testing::boundary_of({{{0, 0}, {4, 0}, {0, 4}}}));
+  ASSERT_EQ(region.triangles.size(), 1U);
+  const IndexTriple t = region.triangles[0];
+  region.points.push_back(midpoint(region.points[t[0]], region.points[t[1]]));
+  region.triangles = {{t[0], 3, t[2]}, {3, t[1], t[2]}};
+  EXPECT_NE(region.fault(), "");
+  std::fill(region.boundary.segments.begin(), region.boundary.segments.end(), kHullSide);
+  EXPECT_EQ(region.fault(), "");
+  region.triangles.pop_back();
+  EXPECT_NE(region.fault(), "");
+}
+
+}  // namespace
+}  // namespace cover
