@@ -16,6 +16,7 @@
 #include "clean/assemble.hpp"
 #include "clean/change_report.hpp"
 #include "clean/check_pslg.hpp"
+#include "clean/loose_ends.hpp"
 #include "clean/merge_materials.hpp"
 #include "clean/network.hpp"
 #include "clean/node_edges.hpp"
@@ -131,6 +132,14 @@ Result<Pslg> make_pslg(const Input& input, const Options& options, Report& repor
                  {}};
   }
   const bool is_plain = input.polygons.empty() && input.lines.empty();
+  if (is_plain && !options.weld) {
+    if (const auto joined = join_loose_ends(input, report.changes)) {
+      if (options.strict) return *changes_as_error(input, report.changes);
+      Options as_it_is = options;
+      as_it_is.weld = 0;
+      return make_pslg(*joined, as_it_is, report);
+    }
+  }
   const bool is_clean = is_plain && is_pslg(input);
   if (is_plain && !is_clean && options.strict) {
     if (auto error = find_unclean(input)) return *error;

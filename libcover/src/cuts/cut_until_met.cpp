@@ -24,6 +24,7 @@ namespace cover {
 namespace {
 
 constexpr int kRounds = 6;
+constexpr int kInVain = 2;              ///< rounds in a row: more of them only cut
 constexpr std::size_t kMostPoints = 4;  ///< times those at first: then there are no more rounds
 constexpr std::size_t kMany =
     4;  ///< one triangle above for so many points is too many for a search
@@ -122,12 +123,15 @@ Status cut_until_met(Prepared& prepared, std::vector<RegionBoundary>& boundaries
   State best{std::move(pslg), std::move(table), std::move(boundaries), std::move(meshes), {}};
   Status status = rounds.improve(best);
   State now = best;
-  for (int k = 0; k < kRounds && status && best.left.above > 0 &&
+  int in_vain = 0;  // rounds since the last one that left fewer triangles
+  for (int k = 0; k < kRounds && status && best.left.above > 0 && in_vain < kInVain &&
                   now.pslg.points.size() < kMostPoints * points;
        ++k) {
     status = rounds.halve(now);
     if (status) status = rounds.improve(now);
-    if (status && now.left.above < best.left.above) best = now;
+    const bool is_better = status && now.left.above < best.left.above;
+    in_vain = is_better ? 0 : in_vain + 1;
+    if (is_better) best = now;
   }
   if (!status) return status;
   pslg = std::move(best.pslg);

@@ -120,6 +120,7 @@ class Splitter {
     for (std::size_t r = 0; r < boundaries.size(); ++r) {
       if (dirty_[r] != 0) wish(boundaries[r]);
     }
+    if (before_ && broken_.empty()) look_at_void();
     std::fill(dirty_.begin(), dirty_.end(), std::uint8_t{0});
     std::vector<SegmentCut> cuts;
     stuck_.clear();
@@ -200,6 +201,28 @@ class Splitter {
       return std::abs(cross(c - a, p - a)) > room * length(c - a) &&
              std::abs(cross(c - b, p - b)) > room * length(c - b);
     });
+  }
+
+  /// What lies in the void belongs to no region, and cuts must not meet it either.
+  void look_at_void() {
+    if (table_.void_segments.empty() && table_.void_points.empty()) return;
+    std::vector<IndexPair> segments;
+    segments.reserve(pslg_.segments.size());
+    for (const Segment& s : pslg_.segments) segments.push_back({s.a.value(), s.b.value()});
+    const CdtResult cdt = triangulate_hull(pslg_.points, segments);
+    for (const CdtConflict& conflict : cdt.conflicts) {
+      const bool first_is_point = conflict.kind != CdtConflict::Kind::crossing;
+      const bool second_is_point = conflict.kind == CdtConflict::Kind::duplicate_point;
+      const auto note = [&](std::uint32_t k, bool is_point) {
+        const IndexPair ends = is_point ? IndexPair{k, k} : segments[k];
+        for (const std::uint32_t v : ends) {
+          if (v >= before_->pslg.points.size()) broken_.emplace_back(v);
+        }
+      };
+      note(conflict.first, first_is_point);
+      note(conflict.second, second_is_point);
+      if (broken_.empty()) throw Fault("segments meet in the void", {});
+    }
   }
 
   /// Notes the points whose cuts made `boundary` bound nothing.

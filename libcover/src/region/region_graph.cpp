@@ -6,8 +6,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <optional>
+#include <span>
 
 #include "base/describe.hpp"
+#include "clean/loose_ends.hpp"
+#include "clean/weld.hpp"
 #include "faces/face_measures.hpp"
 #include "faces/faces.hpp"
 #include "faces/materials.hpp"
@@ -215,6 +219,42 @@ void tell_open_ends(const Pslg& pslg, Error& error) {
   }
 }
 
+/// Segments that enclose nothing although they nearly meet: what is left of a drawing whose lines
+/// miss each other. Nothing where welding was decided upon, or there is no such segment.
+std::optional<Error> open_beside_gaps(const Pslg& pslg, std::span<const IndexPair> segments,
+                                      const RegionTable& table, const Options& options) {
+  if (options.weld || table.void_segments.empty() || !pslg.side_seeds.empty()) return std::nullopt;
+  Point low = pslg.points[segments[0][0]], high = low;
+  for (const IndexPair& segment : segments) {
+    for (const std::uint32_t v : segment) {
+      const Point p = pslg.points[v];
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  }
+  const double reach = kAutoWeld * std::max(high.x - low.x, high.y - low.y);
+  std::vector<bool> in_void(pslg.points.size(), false);
+  for (const SegmentId s : table.void_segments) {
+    for (const std::uint32_t v : segments[s.index()]) in_void[v] = true;
+  }
+  std::vector<LooseGap> gaps = find_loose_gaps(pslg.points, segments, reach);
+  std::erase_if(gaps, [&](const LooseGap& gap) { return !in_void[gap.loose]; });
+  if (gaps.empty()) return std::nullopt;
+  const Point at = pslg.points[gaps[0].loose];
+  return Error{
+      ErrorCode::nothing_enclosed,
+      fmt::format("{}{} nothing, and {} of lines nearly meet another, the first at {}, {} away: "
+                  "--weld auto closes such gaps, --weld off meshes what is closed",
+                  pslg.source.empty() ? "" : pslg.source + ": ",
+                  table.void_segments.size() == 1
+                      ? "1 segment encloses"
+                      : counted(table.void_segments.size(), "segment") + " enclose",
+                  gaps.size() == 1 ? "1 end" : counted(gaps.size(), "end"), describe(at),
+                  describe_roughly(gaps[0].distance)),
+      {at, pslg.points[gaps[0].other]},
+      {}};
+}
+
 }  // namespace
 
 Result<RegionTable> build_region_table(const Pslg& pslg, const Options& options,
@@ -243,7 +283,9 @@ Result<RegionTable> build_region_table(const Pslg& pslg, const Options& options,
   }
   warn_of_near_misses(pslg, faces.triangulation, notes);
   warn_of_gaps(pslg, faces, *seeded, notes);
-  return TableMaker(pslg, faces, *seeded).make(notes);
+  RegionTable table = TableMaker(pslg, faces, *seeded).make(notes);
+  if (auto error = open_beside_gaps(pslg, pairs, table, options)) return *std::move(error);
+  return table;
 }
 
 }  // namespace cover

@@ -33,9 +33,10 @@ class SoupEdges {
   [[nodiscard]] std::optional<std::size_t> find(std::uint32_t from, std::uint32_t to) const;
 
   /// The edges that lead from one vertex to another along the straight line between them, one after
-  /// the other; none if there is no such way. Their ends may be off the line by `offset`.
-  [[nodiscard]] std::vector<std::size_t> along(std::uint32_t from, std::uint32_t to,
-                                               double offset) const;
+  /// the other; none if there is no such way. Their ends may be off the line by `offset`. With
+  /// `outer`, they have no triangle on their other side.
+  [[nodiscard]] std::vector<std::size_t> along(std::uint32_t from, std::uint32_t to, double offset,
+                                               bool outer = false) const;
 
   /// The triangles set aside.
   [[nodiscard]] std::span<const std::uint32_t> unusable() const { return unusable_; }
@@ -47,7 +48,8 @@ class SoupEdges {
 
  private:
   [[nodiscard]] std::optional<std::size_t> next_along(std::uint32_t start, std::uint32_t from,
-                                                      std::uint32_t to, double offset) const;
+                                                      std::uint32_t to, double offset,
+                                                      bool outer) const;
 
   const TriangleSoup& soup_;
   std::vector<std::size_t> first_;  ///< by vertex, into edges_

@@ -203,7 +203,9 @@ class Verifier {
 
   /// Marks the edges along a split side; false if there is no way.
   bool mark_pieces(std::uint32_t s, std::uint32_t from, std::uint32_t to) {
-    const std::vector<std::size_t> pieces = edges_.along(from, to, offset_on_segment(scale_));
+    const bool is_outer = domain_.sides[s].hull || domain_.sides[s ^ 1].region == kVoid;
+    const std::vector<std::size_t> pieces =
+        edges_.along(from, to, offset_on_segment(scale_), is_outer);
     for (const std::size_t piece : pieces) side_of_[piece] = s;
     return !pieces.empty();
   }

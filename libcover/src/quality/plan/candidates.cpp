@@ -15,6 +15,8 @@
 #include "quality/starts/even_refinement.hpp"
 #include "quality/starts/one_star.hpp"
 #include "quality/starts/restart.hpp"
+#include "target/measure.hpp"
+#include "target/whole_mesh.hpp"
 
 namespace cover {
 namespace {
@@ -145,8 +147,10 @@ Candidate Candidates::searched(const Candidate& from, const Goal& aim, std::uint
 
 Candidate Candidates::from_almonds() const {
   const RegionMesh almond = almond_region(boundary_, options_, budget_.stop);
+  if (find_fault({all_points(boundary_, almond), almond.triangles, boundary_.sides,
+                  boundary_.segments, boundary_.points.size()}))
+    return {};  // stopped, or broken by rounding
   std::vector<Point> points = frame_.points();
-  if (almond.triangles.empty()) return {};
   for (const Point& p : almond.steiner) points.push_back(frame_.enter(p));
   Triangulation triangles = with_neighbours(std::move(points), almond.triangles);
   const SplitSides sides = locate_split_sides(triangles, boundary_);

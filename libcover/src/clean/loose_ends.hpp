@@ -1,0 +1,37 @@
+// Ends of lines that miss another end by next to nothing.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <cover/input.hpp>
+#include <cover/report.hpp>
+
+#include "cdt/cdt.hpp"
+
+namespace cover {
+
+/// An end of one line alone, and another end near it.
+struct LooseGap {
+  std::uint32_t loose = 0;
+  std::uint32_t other = 0;
+  double distance = 0;
+};
+
+/// The gaps of at most `reach` between an end of one segment alone and the end nearest to it, of a
+/// segment that does not join the two; by `loose`.
+///
+/// Cost: O(n log n), unless many ends are near one.
+std::vector<LooseGap> find_loose_gaps(std::span<const Point> points,
+                                      std::span<const IndexPair> segments, double reach);
+
+/// The input with loose ends joined to ends that are within 4 units in the last place of its
+/// largest coordinate: no program that computes such ends twice can do better. Nothing if there are
+/// none. Every one is appended to `changes`.
+///
+/// REQUIRES: indices in range, coordinates finite
+std::optional<Input> join_loose_ends(const Input& input, std::vector<Change>& changes);
+
+}  // namespace cover
