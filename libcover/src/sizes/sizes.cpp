@@ -2,6 +2,8 @@
 #include "sizes/sizes.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,8 +18,12 @@
 namespace cover {
 namespace {
 
+constexpr double kLeastSpacings = 32;  ///< of coordinates: the shortest edge that can be asked for
+
 /// Zero stands for "none".
-void make_smaller(double& size, double wished) { size = size == 0 ? wished : std::min(size, wished); }
+void make_smaller(double& size, double wished) {
+  size = size == 0 ? wished : std::min(size, wished);
+}
 
 /// Sets the sizes inside regions. False if no region has that name.
 bool inside(const SizeRule& rule, const RegionTable& table, std::span<RegionBoundary> boundaries) {
@@ -26,7 +32,8 @@ bool inside(const SizeRule& rule, const RegionTable& table, std::span<RegionBoun
     return true;
   }
   const std::vector<RegionId> regions = named_regions(table, rule.name);
-  for (const RegionId region : regions) make_smaller(boundaries[region.index() - 1].size, rule.size);
+  for (const RegionId region : regions)
+    make_smaller(boundaries[region.index() - 1].size, rule.size);
   return !regions.empty();
 }
 
@@ -67,6 +74,26 @@ Error unknown_name(const SizeRule& rule, const RegionTable& table) {
           {}};
 }
 
+/// Sizes that coordinates cannot hold: cut at such lengths, rounded points would coincide.
+Status check_spacing(const Pslg& pslg, const RegionTable& table, const Options& options) {
+  double largest = 0;
+  for (const Point& p : pslg.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  const double spacing = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const SizeRule& rule : options.sizes) smallest = std::min(smallest, rule.size);
+  for (const Region& region : table.regions) {
+    if (options.input_sizes && region.size) smallest = std::min(smallest, *region.size);
+  }
+  if (!(smallest < kLeastSpacings * spacing)) return ok();
+  return Error{ErrorCode::bad_option,
+               fmt::format("the size {} is too small: coordinates as large as {} are {} apart, and "
+                           "edges need {} times that",
+                           describe_roughly(smallest), describe_roughly(largest),
+                           describe_roughly(spacing), kLeastSpacings),
+               {},
+               {}};
+}
+
 }  // namespace
 
 Status resolve_sizes(const Pslg& pslg, const RegionTable& table, const Options& options,
@@ -74,6 +101,7 @@ Status resolve_sizes(const Pslg& pslg, const RegionTable& table, const Options& 
   for (std::size_t r = 0; r < boundaries.size(); ++r) {
     boundaries[r].size = options.input_sizes ? table.regions[r].size.value_or(0) : 0;
   }
+  if (Status status = check_spacing(pslg, table, options); !status) return status;
   if (options.sizes.empty()) return ok();
   std::vector<double> size_at(pslg.points.size(), 0);
   for (const SizeRule& rule : options.sizes) {

@@ -109,6 +109,22 @@ TEST(Sizes, GiveTheNumberOfTrianglesOfABackground) {
   }
 }
 
+TEST(Sizes, AreRefusedWhereCoordinatesCannotHoldThem) {
+  // Doubles are an eighth apart there.
+  const Input far = transformed(input_of({{0, 0}, {10, 0}, {10, 10}, {0, 10}}), 1, {1e15, 0});
+  Options options;
+  options.threads = 1;
+  options.sizes = {{"", 5, false}};
+  EXPECT_TRUE(cover_mesh(far, options).has_value());
+  options.split_interfaces = Angle::degrees(90);
+  options.sizes = {{"", 0.5, false}};
+  const Result<Output> refused = cover_mesh(far, options);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ErrorCode::bad_option);
+  EXPECT_NE(refused.error().message.find("0.125 apart"), std::string::npos)
+      << refused.error().message;
+}
+
 TEST(Sizes, TheSmallestCounts) {
   RegionBoundary boundary = square(30);
   boundary.size = 1.0 / 30;
