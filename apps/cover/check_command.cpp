@@ -91,7 +91,7 @@ Examples:
                "Segments may have vertices inside; promise 3 is not checked then");
   app.add_flag("--no-bound", no_bound, "Do not check promise 3");
   app.add_flag("--hull", verify.hull, "The mesh covers the convex hull");
-  library.add_cleaning(app);
+  library.add(app, OptionGroup::cleaning);
   add_verbosity(app, verbosity);
   if (const auto code = parse(app, std::move(arguments))) return *code;
   verify.bound = !no_bound;

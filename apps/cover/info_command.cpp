@@ -20,7 +20,7 @@ int run_info(Arguments arguments) {
   Verbosity verbosity;
   LibraryOptions library;
   input_file.add(app)->required();
-  library.add_cleaning(app);
+  library.add(app, OptionGroup::cleaning);
   add_verbosity(app, verbosity);
   if (const auto code = parse(app, std::move(arguments))) return *code;
   const Result<Options> options = library.make();

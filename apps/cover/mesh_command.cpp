@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include <cover/cover_mesh.hpp>
+#include <cover/read_size_field.hpp>
 #include <cover/remesh.hpp>
 
 #include "commands.hpp"
@@ -50,8 +51,8 @@ struct MeshCommand {
            fmt::format("File to write, several if repeated: {}; '-' is stdout", mesh_extensions()))
         ->type_name("FILE")
         ->allow_extra_args(false);
-    library.add_meshing(app);
-    library.add_cleaning(app);
+    library.add(app, OptionGroup::meshing);
+    library.add(app, OptionGroup::cleaning);
     const char* again = "Meshing again";
     CLI::Option* only_option =
         app.add_option("--only", only, "Mesh only these regions, called as for --size")
@@ -321,12 +322,11 @@ int run_mesh(Arguments arguments) {
   const auto log = make_logger(command.verbosity);
   Result<Input> input = command.input.read();
   if (!input) return fail(*log, input.error());
-  if (const Status status = command.library.read_size_field(*options); !status)
-    return fail(*log, status.error());
+  if (const Status status = load_size_field(*options); !status) return fail(*log, status.error());
   log->info("read {}: {} points, {} segments, {} polygons, {} lines", command.input.path(),
             input->points.size(), input->segments.size(), input->polygons.size(),
             input->lines.size());
-  for (const std::string& option : command.library.ignored(command.app)) log->warn("{}", option);
+  for (const std::string& option : command.library.ignored()) log->warn("{}", option);
   return command.dry_run ? dry_run(command, *input, *options, *log)
                          : run(command, *std::move(input), *options, *files, *log);
 }

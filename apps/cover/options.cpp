@@ -5,18 +5,12 @@
 #include <memory>
 #include <sstream>
 
-#include <fmt/ranges.h>
-
-#include <cover/read_size_field.hpp>
+#include <fmt/core.h>
 
 #include "base/suggest.hpp"
-#include "clean/weld.hpp"
-#include "pipeline/check_options.hpp"
 
 namespace cover::app {
 namespace {
-
-constexpr const char* kMeshing = "Meshing";
 
 /// Help of at most 100 columns.
 class NarrowHelp : public CLI::Formatter {
@@ -46,19 +40,6 @@ class NarrowHelp : public CLI::Formatter {
   static constexpr std::size_t kNames = 32;
   static constexpr std::size_t kDescription = 68;
 };
-
-/// number_in() for an option that also stands alone, and so takes the word behind it for its
-/// number.
-CLI::Validator optional_number_in(Range range) {
-  return {[is_in = number_in(range)](std::string& text) -> std::string {
-            const std::string fault = is_in(text);
-            double ignored = 0;
-            return fault.empty() || CLI::detail::lexical_cast(text, ignored)
-                       ? fault
-                       : fault + "; before a file, write it with '=' and a number";
-          },
-          ""};
-}
 
 /// The long names (`--fill`) of all options of a command.
 std::vector<std::string> option_names(const CLI::App& command) {
@@ -103,10 +84,8 @@ std::string explain(const CLI::App& command, const CLI::ParseError& error) {
 
 CLI::Validator one_of(std::vector<std::string> words) {
   return {[words = std::move(words)](std::string& word) -> std::string {
-            if (std::find(words.begin(), words.end(), word) != words.end()) return {};
-            const auto meant = closest(word, words);
-            return fmt::format("'{}' is not one of {}{}", word, fmt::join(words, ", "),
-                               meant ? fmt::format("; did you mean '{}'?", *meant) : "");
+            const bool known = std::find(words.begin(), words.end(), word) != words.end();
+            return known ? std::string() : not_one_of(word, words);
           },
           ""};
 }
@@ -184,251 +163,101 @@ NamedFile log_file(const Verbosity& verbosity) {
   return {"--log", verbosity.log_file == "-" ? "./-" : verbosity.log_file};
 }
 
-void LibraryOptions::add_cleaning(CLI::App& command) {
-  const char* group = "Input";
-  command
-      .add_option("--overlap", overlap_,
-                  "Which of several painted polygons wins: last, first, or error")
-      ->check(one_of({"last", "first", "error"}))
-      ->type_name("WHICH")
-      ->capture_default_str()
-      ->group(group);
-  command
-      .add_option("--weld", weld_,
-                  "Unite ends closer than this part of the drawing's size, at most 1/8 of the "
-                  "shortest line there: auto, off or a number (default: auto for polygons, off "
-                  "for segments)")
-      ->type_name("REL")
-      ->group(group);
-  command.add_flag("--strict", options_.strict, "Any change to the input is an error")
-      ->group(group);
-  command
-      .add_flag("--merge-materials", options_.merge_materials,
-                "Unite touching faces of equal material")
-      ->group(group);
-}
-
-void LibraryOptions::add_meshing(CLI::App& command) {
-  add_method(command);
-  add_targets(command);
-  add_sizes(command);
-  command
-      .add_option("--require", require_,
-                  "Exit with 6 unless this holds: bound, max-angle, delaunay, non-obtuse")
-      ->check(one_of({"bound", "max-angle", "delaunay", "non-obtuse"}))
-      ->type_name("WHAT")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->group(kMeshing);
-  command.add_option("-j,--threads", options_.threads, "Threads; 0: all cores")
-      ->check(number_in({0, 4096}))
-      ->type_name("N")
-      ->capture_default_str()
-      ->group(kMeshing);
-}
-
-void LibraryOptions::add_method(CLI::App& command) {
-  CLI::Option* method =
-      command
-          .add_option(
-              "--method", method_,
-              "quality: good angles, never below the proven bound; almond: the bound "
-              "alone, the fastest; nonobtuse: no angle above 90 degrees, or by rounding 90.1, "
-              "but segments are split")
-          ->check(one_of({"quality", "almond", "nonobtuse"}))
-          ->type_name("NAME")
-          ->capture_default_str()
-          ->group(kMeshing);
-  CLI::Option* fill =
-      command
-          .add_option("--fill", fill_,
-                      "What fills the space between the almonds, refine or disks; implies --method "
-                      "almond")
-          ->check(one_of({"refine", "disks"}))
-          ->type_name("NAME")
-          ->capture_default_str()
-          ->group(kMeshing);
-  CLI::Option* paper =
-      command
-          .add_flag("--paper", options_.paper,
-                    "The publication as printed, for comparison: none of our improvements; implies "
-                    "--method almond")
-          ->group(kMeshing);
-  command.parse_complete_callback([this, method, fill, paper] {
-    if (method->empty() && (!fill->empty() || !paper->empty())) method_ = "almond";
-  });
-  command
-      .add_option("--pieces", options_.pieces,
-                  "With --paper: pieces of an arc are at most 1/N of it")
-      ->check(number_in(ranges::kPieces))
-      ->type_name("N")
-      ->capture_default_str()
-      ->needs(paper)
-      ->group(kMeshing);
-  command
-      .add_flag("--hull", options_.hull,
-                "Mesh the convex hull; for input that need not enclose anything")
-      ->group(kMeshing);
-}
-
-void LibraryOptions::add_targets(CLI::App& command) {
-  command
-      .add_option("--max-angle", max_angle_,
-                  "Largest angle that --method quality aims at, and --require max-angle asks for")
-      ->check(number_in(ranges::kMaxAngle))
-      ->type_name("DEG")
-      ->capture_default_str()
-      ->group(kMeshing);
-  command
-      .add_option("--min-angle", min_angle_,
-                  "Smallest angle that --method quality aims at, where the largest allows it")
-      ->check(number_in(ranges::kMinAngle))
-      ->type_name("DEG")
-      ->capture_default_str()
-      ->group(kMeshing);
-  command
-      .add_option("--split-interfaces", split_interfaces_,
-                  "Cut segments until none forces an angle above DEG (default: 90), and to the "
-                  "lengths that sizes ask for; both sides get the same points")
-      ->expected(0, 1)
-      ->check(optional_number_in(ranges::kSplitInterfaces))
-      ->default_str("90")
-      ->type_name("DEG")
-      ->group(kMeshing);
-}
-
-void LibraryOptions::add_sizes(CLI::App& command) {
-  command
-      .add_option("--size", sizes_,
-                  "Edge length inside: everywhere (h), or in a region or material (NAME=h), by "
-                  "name, number "
-                  "of the material, or region:ID")
-      ->type_name("[NAME=]h")
-      ->allow_extra_args(false)
-      ->group(kMeshing);
-  command
-      .add_option("--size-at", sizes_at_,
-                  "Edge length at an interface, a contact or a point (NAME=h)")
-      ->type_name("NAME=h")
-      ->allow_extra_args(false)
-      ->group(kMeshing);
-  command
-      .add_option(
-          "--size-field", size_field_,
-          "Background edge lengths: point array (size, h or the only one) of a plane mesh in "
-          ".vtu, .vtp or .vtk; linear between points")
-      ->type_name("FILE")
-      ->group(kMeshing);
-  command
-      .add_flag("--no-input-sizes", no_input_sizes_,
-                "Leave out the sizes that regions have in the input (.poly: largest areas)")
-      ->group(kMeshing);
-  command
-      .add_option(
-          "--growth", options_.growth,
-          "Ratio of neighbouring edges where sizes differ; above 1 (1.3 unless given). Without "
-          "sizes, triangles grow by it from the boundary's own edges")
-      ->check(number_in(ranges::kGrowth))
-      ->type_name("G")
-      ->group(kMeshing);
-}
-
 namespace {
 
-/// "NAME=h", or "h" where a name is not needed.
-std::optional<SizeRule> size_rule(const std::string& text, bool at) {
-  const std::size_t equals = text.rfind('=');
-  SizeRule rule;
-  rule.at = at;
-  if (equals != std::string::npos) rule.name = text.substr(0, equals);
-  const std::string number = equals == std::string::npos ? text : text.substr(equals + 1);
-  if (!CLI::detail::lexical_cast(number, rule.size) || !ranges::kSize.holds(rule.size))
-    return std::nullopt;
-  if (at && rule.name.empty()) return std::nullopt;
-  return rule;
+/// An argument that the option takes.
+CLI::Validator value_of(const OptionEntry& entry) {
+  return {[&entry](std::string& text) -> std::string {
+            Options ignored;
+            const Status status = entry.set(entry, text, ignored);
+            if (status) return {};
+            // An option that also stands alone takes the word behind it for its value.
+            double number = 0;
+            return entry.alone.empty() || CLI::detail::lexical_cast(text, number)
+                       ? status.error().message
+                       : status.error().message + "; before a file, write it with '=' and a number";
+          },
+          ""};
+}
+
+std::string names_of(const OptionEntry& entry) {
+  return entry.letter != 0 ? fmt::format("-{},--{}", entry.letter, entry.name)
+                           : fmt::format("--{}", entry.name);
 }
 
 }  // namespace
 
-Result<Options> LibraryOptions::make() const {
-  Options options = options_;
-  options.method = method_ == "quality"     ? Method::quality
-                   : method_ == "nonobtuse" ? Method::nonobtuse
-                                            : Method::almond;
-  options.fill = fill_ == "disks" ? Fill::disks : Fill::refine;
-  options.overlap = overlap_ == "first"   ? Overlap::first
-                    : overlap_ == "error" ? Overlap::error
-                                          : Overlap::last;
-  if (weld_ == "off") {
-    options.weld = 0;
-  } else if (weld_ == "auto") {
-    options.weld = kAutoWeld;
-  } else if (!weld_.empty()) {
-    double tolerance = 0;
-    if (!CLI::detail::lexical_cast(weld_, tolerance) || !ranges::kWeld.holds(tolerance)) {
-      return Error{ErrorCode::bad_option,
-                   fmt::format("--weld: '{}' is not auto, off or a number, {}", weld_,
-                               describe(ranges::kWeld)),
-                   {},
-                   {}};
-    }
-    options.weld = tolerance;
+void LibraryOptions::add(CLI::App& command, OptionGroup group) {
+  for (const OptionEntry& entry : option_table())
+    if (entry.group == group) add(command, entry);
+  for (const Written& written : written_) {
+    if (!written.entry->needs.empty() && written.entry->group == group)
+      written.option->needs("--" + std::string(written.entry->needs));
   }
-  options.input_sizes = !no_input_sizes_;
-  options.max_angle = Angle::degrees(max_angle_);
-  options.min_angle = Angle::degrees(min_angle_);
-  if (split_interfaces_) options.split_interfaces = Angle::degrees(*split_interfaces_);
-  for (const bool at : {false, true}) {
-    for (const std::string& text : at ? sizes_at_ : sizes_) {
-      std::optional<SizeRule> rule = size_rule(text, at);
-      if (!rule) {
-        return Error{ErrorCode::bad_option,
-                     fmt::format("{}: '{}' is not {}=h with a length h above 0",
-                                 at ? "--size-at" : "--size", text, at ? "NAME" : "h or NAME"),
-                     {},
-                     {}};
-      }
-      options.sizes.push_back(*std::move(rule));
-    }
-  }
-  for (const std::string& what : require_) {
-    options.require.bound |= what == "bound";
-    options.require.max_angle |= what == "max-angle";
-    options.require.delaunay |= what == "delaunay";
-    options.require.non_obtuse |= what == "non-obtuse";
-  }
-  return options;
 }
 
-std::vector<std::string> LibraryOptions::ignored(const CLI::App& command) const {
+void LibraryOptions::add(CLI::App& command, const OptionEntry& entry) {
+  Written& written = written_.emplace_back(Written{&entry, nullptr, {}, false});
+  const std::string help(entry.help);
+  if (entry.kind == OptionKind::flag) {
+    written.option = command.add_flag(names_of(entry), written.flag, help);
+  } else {
+    written.option = command.add_option(names_of(entry), written.values, help)
+                         ->check(value_of(entry))
+                         ->type_name(std::string(entry.placeholder))
+                         ->default_str(default_text(entry))
+                         ->allow_extra_args(false);
+    if (!entry.repeats) {
+      written.option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+    }
+    if (entry.kind == OptionKind::words) written.option->delimiter(',');
+    if (!entry.alone.empty()) {
+      written.option->expected(0, 1)->default_str(std::string(entry.alone));
+    }
+  }
+  written.option->group(entry.group == OptionGroup::cleaning ? "Input" : "Meshing");
+}
+
+Result<OptionReader> LibraryOptions::read() const {
+  OptionReader reader;
+  for (const Written& written : written_) {
+    if (written.option->count() == 0) continue;
+    std::vector<std::string> values = written.values;
+    if (written.entry->kind == OptionKind::flag) values = {written.flag ? "true" : "false"};
+    for (const std::string& value : values) {
+      Status status = reader.set(*written.entry, value);
+      if (status) continue;
+      Error error = std::move(status).error();
+      error.message = fmt::format("--{}: {}", written.entry->name, error.message);
+      return error;
+    }
+  }
+  return reader;
+}
+
+Result<Options> LibraryOptions::make() const {
+  Result<OptionReader> reader = read();
+  if (!reader) return std::move(reader).error();
+  return reader->result();
+}
+
+std::vector<std::string> LibraryOptions::ignored() const {
+  const Result<OptionReader> reader = read();
   std::vector<std::string> sentences;
-  const auto check = [&](const char* option, bool counts, const char* when) {
-    if (!counts && command.get_option(option)->count() > 0)
-      sentences.push_back(fmt::format("{} does nothing: it counts with {} only", option, when));
-  };
-  const bool required = std::find(require_.begin(), require_.end(), "max-angle") != require_.end();
-  check("--max-angle", method_ == "quality" || required,
-        "--method quality and --require max-angle");
-  check("--min-angle", method_ == "quality", "--method quality");
-  check("--growth", method_ == "quality" || split_interfaces_,
-        "--method quality and --split-interfaces");
-  check("--fill", method_ == "almond", "--method almond");
+  if (!reader) return sentences;
+  for (const OptionEntry* entry : reader->idle()) {
+    sentences.push_back(
+        fmt::format("--{} does nothing: it counts with {} only", entry->name, entry->counts_with));
+  }
   return sentences;
 }
 
-Status LibraryOptions::read_size_field(Options& options) const {
-  if (size_field_.empty()) return ok();
-  const Result<SizeSamples> samples = cover::read_size_field(size_field_);
-  if (!samples) return samples.error();
-  Result<SizeFunction> sizes = size_function(*samples, options.growth.value_or(Options::kGrowth));
-  if (!sizes) {
-    Error error = std::move(sizes).error();
-    error.message = fmt::format("{}: {}", size_field_, error.message);
-    return error;
+NamedFile LibraryOptions::size_field_file() const {
+  for (const Written& written : written_) {
+    if (written.entry->name == "size-field" && !written.values.empty())
+      return {"--size-field", written.values.back()};
   }
-  options.size_field = *std::move(sizes);
-  options.size_field_name = size_field_;
-  return ok();
+  return {"--size-field", ""};
 }
 
 }  // namespace cover::app

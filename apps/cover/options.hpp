@@ -1,14 +1,14 @@
 // Command line options as the library's Options, and what all subcommands share.
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
-#include <cover/option_ranges.hpp>
-#include <cover/options.hpp>
+#include <cover/option_table.hpp>
 #include <cover/result.hpp>
 
 #include "commands.hpp"
@@ -41,48 +41,36 @@ int usage_error(const CLI::App& command, const Error& error);
 NamedFile config_file(const CLI::App& command);
 NamedFile log_file(const Verbosity& verbosity);
 
-/// The options that end in cover::Options.
+/// The options that end in cover::Options: those of option_table().
 class LibraryOptions {
  public:
-  /// How the input is cleaned: for `mesh`, `info`, `check`.
-  void add_cleaning(CLI::App& command);
-  /// How it is meshed: for `mesh`.
-  void add_meshing(CLI::App& command);
+  /// Adds all options of a group.
+  void add(CLI::App& command, OptionGroup group);
 
   /// Everything but the background sizes.
   ///
   /// Errors: bad_option
   [[nodiscard]] Result<Options> make() const;
 
-  /// Reads the background sizes, if there are any, into `options`, which make() returned.
-  ///
-  /// Errors: those of read_size_field() and size_function()
-  [[nodiscard]] Status read_size_field(Options& options) const;
-
   /// Options that were given but do nothing, a sentence each.
-  [[nodiscard]] std::vector<std::string> ignored(const CLI::App& command) const;
+  [[nodiscard]] std::vector<std::string> ignored() const;
 
   /// The file of --size-field; with an empty path where there is none.
-  [[nodiscard]] NamedFile size_field_file() const { return {"--size-field", size_field_}; }
+  [[nodiscard]] NamedFile size_field_file() const;
 
  private:
-  void add_method(CLI::App& command);
-  void add_targets(CLI::App& command);
-  void add_sizes(CLI::App& command);
+  /// An option as it was written.
+  struct Written {
+    const OptionEntry* entry;
+    CLI::Option* option = nullptr;
+    std::vector<std::string> values;
+    bool flag = false;
+  };
 
-  Options options_;
-  std::string method_ = options_.method == Method::quality ? "quality" : "almond";
-  std::string fill_ = "refine";
-  std::string overlap_ = "last";
-  std::string weld_;
-  double max_angle_ = options_.max_angle.in_degrees();
-  double min_angle_ = options_.min_angle.in_degrees();
-  std::vector<std::string> sizes_;
-  std::vector<std::string> sizes_at_;
-  std::string size_field_;
-  bool no_input_sizes_ = false;
-  std::optional<double> split_interfaces_;
-  std::vector<std::string> require_;
+  void add(CLI::App& command, const OptionEntry& entry);
+  [[nodiscard]] Result<OptionReader> read() const;
+
+  std::deque<Written> written_;  ///< which CLI11 points into
 };
 
 }  // namespace cover::app

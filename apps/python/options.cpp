@@ -1,91 +1,153 @@
 #include "options.hpp"
 
-#include <map>
+#include <algorithm>
 #include <string>
 
-#include <pybind11/stl.h>
+#include <cover/option_table.hpp>
+#include <cover/read_size_field.hpp>
 
 namespace py = pybind11;
 
 namespace cover::python {
 namespace {
 
-template <class Enum>
-Enum word(const std::string& key, const py::handle& value,
-          const std::map<std::string, Enum>& words) {
-  const auto at = words.find(value.cast<std::string>());
-  if (at != words.end()) return at->second;
-  std::string known;
-  for (const auto& [name, ignored] : words) known += (known.empty() ? "" : ", ") + name;
-  throw py::value_error(key + " must be one of " + known);
+/// As Python would print it, short.
+std::string shown(const py::handle& value) {
+  constexpr std::size_t kMost = 60;
+  std::string text = py::repr(value);
+  return text.size() > kMost ? text.substr(0, kMost) + "..." : text;
 }
 
-void add_sizes(Options& options, const py::handle& value, bool at) {
-  for (const auto& [name, size] : value.cast<std::map<std::string, double>>())
-    options.sizes.push_back({name, size, at});
-}
-
-/// `None` or False: no; True: 90 degrees; or degrees.
-std::optional<Angle> split_angle(const py::handle& value) {
-  if (value.is_none() || value.ptr() == Py_False) return std::nullopt;
-  return Angle::degrees(value.ptr() == Py_True ? 90 : value.cast<double>());
-}
-
-/// `None` or "auto", "off" or 0, or a number.
-std::optional<double> weld(const py::handle& value) {
-  if (value.is_none()) return std::nullopt;
-  if (!py::isinstance<py::str>(value)) return value.cast<double>();
-  const auto text = value.cast<std::string>();
-  if (text == "off") return 0;
-  if (text == "auto") return std::nullopt;
-  throw py::value_error("weld must be auto, off or a number");
-}
-
-void set(Options& options, const std::string& key, const py::handle& value) {
-  if (key == "method") {
-    options.method = word<Method>(key, value,
-                                  {{"quality", Method::quality},
-                                   {"almond", Method::almond},
-                                   {"nonobtuse", Method::nonobtuse}});
-  } else if (key == "fill") {
-    options.fill = word<Fill>(key, value, {{"refine", Fill::refine}, {"disks", Fill::disks}});
-  } else if (key == "overlap") {
-    options.overlap = word<Overlap>(
-        key, value,
-        {{"last", Overlap::last}, {"first", Overlap::first}, {"error", Overlap::error}});
-  } else if (key == "max_angle") {
-    options.max_angle = Angle::degrees(value.cast<double>());
-  } else if (key == "min_angle") {
-    options.min_angle = Angle::degrees(value.cast<double>());
-  } else if (key == "growth") {
-    options.growth = value.cast<double>();
-  } else if (key == "sizes") {
-    add_sizes(options, value, false);
-  } else if (key == "sizes_at") {
-    add_sizes(options, value, true);
-  } else if (key == "split_interfaces") {
-    options.split_interfaces = split_angle(value);
-  } else if (key == "weld") {
-    options.weld = weld(value);
-  } else if (key == "strict") {
-    options.strict = value.cast<bool>();
-  } else if (key == "merge_materials") {
-    options.merge_materials = value.cast<bool>();
-  } else if (key == "hull") {
-    options.hull = value.cast<bool>();
-  } else if (key == "threads") {
-    options.threads = value.cast<unsigned>();
-  } else {
-    throw py::type_error("unexpected option '" + key + "'");
+/// What is expected, for whoever gave something of another type.
+std::string expected(const OptionEntry& entry) {
+  switch (entry.kind) {
+    case OptionKind::flag:
+      return "True or False";
+    case OptionKind::word:
+    case OptionKind::words: {
+      std::string text = entry.kind == OptionKind::word ? "one of" : "some of";
+      for (const std::string_view word : entry.words()) text += " " + std::string(word);
+      return text;
+    }
+    case OptionKind::whole:
+      return "a whole number";
+    case OptionKind::number:
+      return "a number";
+    case OptionKind::angle:
+      return "a number of degrees";
+    case OptionKind::text:
+      break;
   }
+  return std::string(entry.help);
+}
+
+/// A keyword argument as texts for the table.
+class Value {
+ public:
+  Value(std::string key, const OptionEntry& entry) : key_(std::move(key)), entry_(entry) {}
+
+  std::vector<std::string> texts(const py::handle& value) const {
+    if (value.is_none()) return {};
+    if (py::isinstance<py::dict>(value) || py::hasattr(value, "items")) return sizes(value);
+    const bool is_text = py::isinstance<py::str>(value) || py::hasattr(value, "__fspath__");
+    if (entry_.repeats && !is_text && py::isinstance<py::iterable>(value)) {
+      std::vector<std::string> all;
+      for (const py::handle& item : value) all.push_back(text(item));
+      return all;
+    }
+    return split(text(value));
+  }
+
+  [[noreturn]] void refuse(const std::string& message) const {
+    throw py::value_error(key_ + ": " + message);
+  }
+
+ private:
+  [[noreturn]] void refuse_type(const py::handle& value) const {
+    throw py::type_error(key_ + ": " + shown(value) + " is not " + expected(entry_));
+  }
+
+  /// "bound,max-angle" as on the command line.
+  [[nodiscard]] std::vector<std::string> split(std::string text) const {
+    std::vector<std::string> parts;
+    std::size_t comma = text.find(',');
+    while (entry_.kind == OptionKind::words && comma != std::string::npos) {
+      parts.push_back(text.substr(0, comma));
+      text.erase(0, comma + 1);
+      comma = text.find(',');
+    }
+    parts.push_back(std::move(text));
+    return parts;
+  }
+
+  /// Lengths by the name of what has them; the empty name is everywhere.
+  [[nodiscard]] std::vector<std::string> sizes(const py::handle& value) const {
+    if (!entry_.repeats || entry_.kind != OptionKind::text) refuse_type(value);
+    std::vector<std::string> all;
+    for (const py::handle& item : value.attr("items")()) {
+      const auto pair = py::reinterpret_borrow<py::tuple>(item);
+      const std::string name = py::str(pair[0]);
+      all.push_back((name.empty() ? "" : name + "=") + text(pair[1]));
+    }
+    return all;
+  }
+
+  [[nodiscard]] std::string text(const py::handle& value) const {
+    const bool is_bool = py::isinstance<py::bool_>(value);
+    if (entry_.kind == OptionKind::flag) {
+      if (!is_bool) refuse_type(value);
+      return value.ptr() == Py_True ? "true" : "false";
+    }
+    if (is_bool) {
+      if (entry_.alone.empty()) refuse_type(value);
+      return std::string(entry_.alone);
+    }
+    if (py::isinstance<py::str>(value)) return py::str(value);
+    if (py::hasattr(value, "__fspath__")) return py::str(value.attr("__fspath__")());
+    // numpy's numbers too; a whole number stays one.
+    if (PyIndex_Check(value.ptr()) != 0) return py::str(py::int_(py::reinterpret_borrow<py::object>(value)));
+    if (PyNumber_Check(value.ptr()) == 0 || PyComplex_Check(value.ptr()) != 0) refuse_type(value);
+    return py::repr(py::float_(py::reinterpret_borrow<py::object>(value)));
+  }
+
+  std::string key_;
+  const OptionEntry& entry_;
+};
+
+/// The option that a keyword names, and whether the keyword says the opposite of it.
+struct Named {
+  const OptionEntry* entry = nullptr;
+  bool opposite = false;
+};
+
+Named find_keyword(const std::string& key) {
+  if (key == "sizes" || key == "sizes_at") return {find_option(key == "sizes" ? "size" : "size-at")};
+  if (key.find('-') != std::string::npos) return {};
+  if (const OptionEntry* entry = find_option(key)) return {entry};
+  // input_sizes=False is no_input_sizes=True.
+  const OptionEntry* entry = find_option("no_" + key);
+  return {entry, entry != nullptr};
 }
 
 }  // namespace
 
 Options options_from(const py::dict& keywords) {
-  Options options;
-  for (const auto& [key, value] : keywords) set(options, py::str(key), value);
-  return options;
+  OptionReader reader;
+  for (const auto& [name, value] : keywords) {
+    const std::string key = py::str(name);
+    const Named named = find_keyword(key);
+    if (named.entry == nullptr) throw py::type_error("unexpected option '" + key + "'");
+    const Value argument(key, *named.entry);
+    if (value.ptr() == Py_False && !named.entry->alone.empty()) continue;
+    for (std::string& text : argument.texts(value)) {
+      if (named.opposite) text = text == "true" ? "false" : "true";
+      const Status status = reader.set(*named.entry, text);
+      if (!status) argument.refuse(status.error().message);
+    }
+  }
+  Result<Options> options = reader.result();
+  if (!options) throw py::value_error(options.error().message);
+  return *std::move(options);
 }
 
 WriteOptions write_options_from(const py::dict& keywords) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <string>
 
 namespace cover {
 
@@ -21,6 +22,7 @@ struct Range {
 /// Those of the members of Options; angles in degrees.
 namespace ranges {
 inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+inline constexpr Range kAll{-kNoLimit, kNoLimit};
 inline constexpr Range kPieces{2, 1000};
 inline constexpr Range kMaxAngle{60, 180, false, false};
 inline constexpr Range kMinAngle{0, 60, true, false};
@@ -28,6 +30,14 @@ inline constexpr Range kSplitInterfaces{60, 180, true, false};
 inline constexpr Range kGrowth{1, kNoLimit, false, false};
 inline constexpr Range kWeld{0, 1, true, false};
 inline constexpr Range kSize{0, kNoLimit, false, false};
+inline constexpr Range kThreads{0, 4096};
 }  // namespace ranges
+
+/// "above 60 and below 180", "at least 0 and below 1", "above 1".
+std::string describe(const Range& range);
+
+/// What Options::weld is with `auto`, relative to the size of the drawing: decimal rounding of
+/// coordinates and of what programs compute from them misses by less.
+inline constexpr double kAutoWeld = 0x1p-30;
 
 }  // namespace cover

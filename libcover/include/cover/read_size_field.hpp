@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include <cover/options.hpp>
 #include <cover/result.hpp>
 #include <cover/size_function.hpp>
 
@@ -16,5 +17,11 @@ namespace cover {
 /// holds
 ///         is looked at by size_function().
 Result<SizeSamples> read_size_field(const std::string& path);
+
+/// Makes Options::size_field of the file that Options::size_field_name names. Does nothing where
+/// there is no name, or the function already.
+///
+/// Errors: those of read_size_field() and size_function()
+Status load_size_field(Options& options);
 
 }  // namespace cover

@@ -4,6 +4,9 @@
 #include <numeric>
 #include <vector>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 namespace cover {
 namespace {
 
@@ -42,6 +45,12 @@ std::optional<std::string> closest(std::string_view word, std::span<const std::s
     }
   }
   return found;
+}
+
+std::string not_one_of(std::string_view word, std::span<const std::string> candidates) {
+  const auto meant = closest(word, candidates);
+  return fmt::format("'{}' is not one of {}{}", word, fmt::join(candidates, ", "),
+                     meant ? fmt::format("; did you mean '{}'?", *meant) : "");
 }
 
 }  // namespace cover

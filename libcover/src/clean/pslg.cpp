@@ -7,10 +7,12 @@
 // Tested by tests/unit/clean/pslg_test.cpp and soup_test.cpp.
 #include "clean/pslg.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <map>
+
+#include <fmt/core.h>
+
+#include <cover/option_ranges.hpp>
 
 #include "base/complaint.hpp"
 #include "clean/assemble.hpp"

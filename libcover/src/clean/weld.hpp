@@ -11,10 +11,6 @@
 
 namespace cover {
 
-/// The tolerance of `--weld auto`, relative to the size of the drawing: decimal rounding of
-/// coordinates and of what programs compute from them misses by less.
-inline constexpr double kAutoWeld = 0x1p-30;
-
 /// Cuts the strands of `network` as node_edges does, but first unites ends of lines that are nearer
 /// to each other than the tolerance, and bends lines to ends that are nearer to them.
 ///

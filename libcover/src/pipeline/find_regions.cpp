@@ -3,12 +3,11 @@
 
 #include <utility>
 
+#include <cover/option_table.hpp>
 #include <cover/version.hpp>
 
 #include "clean/pslg.hpp"
 #include "cuts/split_interfaces.hpp"
-#include "pipeline/check_options.hpp"
-#include "pipeline/describe_options.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/expected_triangles.hpp"
 #include "sizes/sizes.hpp"

@@ -1,4 +1,4 @@
-#include "pipeline/describe_options.hpp"
+#include <cover/option_table.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,206 @@
+// Rows of tables of options: how a value of each kind is read, written and checked.
+//
+//   whole<&Options::pieces>({.name = "pieces", .range = ranges::kPieces, .help = "..."})
+//
+// A row is made of its member and of what is said about it; everything else follows from the type
+// of the member.
+#pragma once
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <type_traits>
+
+#include <fmt/format.h>
+
+#include <cover/option_table.hpp>
+
+#include "base/describe.hpp"
+#include "base/suggest.hpp"
+
+namespace cover::option_kinds {
+
+inline Error bad_option(std::string message) {
+  return {ErrorCode::bad_option, std::move(message), {}, {}};
+}
+
+/// A number that fills the whole text.
+template <class Number>
+std::optional<Number> parse(std::string_view text) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  Number value{};
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (end != text.data() + text.size() || status != std::errc()) return std::nullopt;
+  return value;
+}
+
+/// A number in the range of the row.
+template <class Target>
+Result<double> number_of(const OptionOf<Target>& row, std::string_view text) {
+  const std::optional<double> value = parse<double>(text);
+  if (!value) return bad_option(fmt::format("'{}' is not a number", text));
+  if (!row.range.holds(*value))
+    return bad_option(fmt::format("{} is not {}", text, describe(row.range)));
+  return *value;
+}
+
+/// The position of a word among those of the row.
+template <class Target>
+Result<std::size_t> word_of(const OptionOf<Target>& row, std::string_view text) {
+  const auto words = row.words();
+  const auto at = std::find(words.begin(), words.end(), text);
+  if (at != words.end()) return static_cast<std::size_t>(at - words.begin());
+  return bad_option(not_one_of(text, std::vector<std::string>(words.begin(), words.end())));
+}
+
+/// Why a value that `range` does not hold is refused; `name` is that of the member.
+template <class Target>
+Error out_of_range(const OptionOf<Target>& row, const std::string& value) {
+  std::string name(row.name);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return bad_option(fmt::format("{} is {}, but must be {}", name, value, describe(row.range)));
+}
+
+template <auto Member>
+struct MemberOf;
+template <class TargetType, class ValueType, ValueType TargetType::*Member>
+struct MemberOf<Member> {
+  using Target = TargetType;
+  using Value = ValueType;
+};
+template <auto Member>
+using TargetOf = typename MemberOf<Member>::Target;
+template <auto Member>
+using ValueOf = typename MemberOf<Member>::Value;
+
+template <class T>
+struct Content {
+  using Type = T;
+};
+template <class T>
+struct Content<std::optional<T>> {
+  using Type = T;
+};
+
+/// The value of a member, which may be optional.
+template <class T>
+const T* content(const T& member) {
+  return &member;
+}
+template <class T>
+const T* content(const std::optional<T>& member) {
+  return member ? &*member : nullptr;
+}
+
+/// A bool that is `Given` where the option stands alone.
+template <auto Member, bool Given = true>
+constexpr auto flag(OptionOf<TargetOf<Member>> row) {
+  using Row = OptionOf<TargetOf<Member>>;
+  row.kind = OptionKind::flag;
+  row.set = [](const Row&, std::string_view text, TargetOf<Member>& target) -> Status {
+    if (text != "true" && text != "false")
+      return bad_option(fmt::format("'{}' is not true or false", text));
+    target.*Member = (text == "true") == Given;
+    return ok();
+  };
+  row.get = [](const Row&, const TargetOf<Member>& target) {
+    return target.*Member == Given ? std::vector<std::string>{"true"} : std::vector<std::string>();
+  };
+  return row;
+}
+
+/// An enumeration whose words stand in the order of its values.
+template <auto Member>
+constexpr auto word(OptionOf<TargetOf<Member>> row) {
+  using Row = OptionOf<TargetOf<Member>>;
+  row.kind = OptionKind::word;
+  row.set = [](const Row& self, std::string_view text, TargetOf<Member>& target) -> Status {
+    const Result<std::size_t> found = word_of(self, text);
+    if (!found) return found.error();
+    target.*Member = static_cast<ValueOf<Member>>(*found);
+    return ok();
+  };
+  row.get = [](const Row& self, const TargetOf<Member>& target) {
+    return std::vector{std::string(self.words()[static_cast<std::size_t>(target.*Member)])};
+  };
+  return row;
+}
+
+/// A whole number.
+template <auto Member>
+constexpr auto whole(OptionOf<TargetOf<Member>> row) {
+  using Row = OptionOf<TargetOf<Member>>;
+  row.kind = OptionKind::whole;
+  row.set = [](const Row& self, std::string_view text, TargetOf<Member>& target) -> Status {
+    const Result<double> value = number_of(self, text);
+    if (!value) return value.error();
+    const std::optional<ValueOf<Member>> whole = parse<ValueOf<Member>>(text);
+    if (!whole) return bad_option(fmt::format("{} is not a whole number", text));
+    target.*Member = *whole;
+    return ok();
+  };
+  row.get = [](const Row&, const TargetOf<Member>& target) {
+    return std::vector{std::to_string(target.*Member)};
+  };
+  row.check = [](const Row& self, const TargetOf<Member>& target) -> Status {
+    if (self.range.holds(static_cast<double>(target.*Member))) return ok();
+    return out_of_range(self, std::to_string(target.*Member));
+  };
+  return row;
+}
+
+/// A double, or one that need not be there.
+template <auto Member>
+constexpr auto number(OptionOf<TargetOf<Member>> row) {
+  using Row = OptionOf<TargetOf<Member>>;
+  row.kind = OptionKind::number;
+  row.set = [](const Row& self, std::string_view text, TargetOf<Member>& target) -> Status {
+    const Result<double> value = number_of(self, text);
+    if (!value) return value.error();
+    target.*Member = *value;
+    return ok();
+  };
+  row.get = [](const Row&, const TargetOf<Member>& target) {
+    const double* value = content(target.*Member);
+    return value != nullptr ? std::vector{describe(*value)} : std::vector<std::string>();
+  };
+  row.check = [](const Row& self, const TargetOf<Member>& target) -> Status {
+    const double* value = content(target.*Member);
+    if (value == nullptr || self.range.holds(*value)) return ok();
+    return out_of_range(self, describe(*value));
+  };
+  return row;
+}
+
+/// An Angle, or one that need not be there; range and values in degrees.
+template <auto Member>
+constexpr auto angle(OptionOf<TargetOf<Member>> row) {
+  using Row = OptionOf<TargetOf<Member>>;
+  row.kind = OptionKind::angle;
+  row.unit = "degrees";
+  row.placeholder = "DEG";
+  row.set = [](const Row& self, std::string_view text, TargetOf<Member>& target) -> Status {
+    const Result<double> value = number_of(self, text);
+    if (!value) return value.error();
+    target.*Member = Angle::degrees(*value);
+    return ok();
+  };
+  row.get = [](const Row&, const TargetOf<Member>& target) {
+    const Angle* value = content(target.*Member);
+    // As it was given: degrees are kept as radians, which costs the last digits.
+    return value != nullptr ? std::vector{fmt::format("{:.12g}", value->in_degrees())}
+                            : std::vector<std::string>();
+  };
+  row.check = [](const Row& self, const TargetOf<Member>& target) -> Status {
+    const Angle* value = content(target.*Member);
+    // In radians, where an angle made of the limit itself is the limit.
+    const Range radians{Angle::degrees(self.range.low).in_radians(),
+                        Angle::degrees(self.range.high).in_radians(), self.range.has_low,
+                        self.range.has_high};
+    if (value == nullptr || radians.holds(value->in_radians())) return ok();
+    return out_of_range(self, fmt::format("{:.12g} degrees", value->in_degrees()));
+  };
+  return row;
+}
+
+}  // namespace cover::option_kinds

@@ -1,0 +1,290 @@
+// The table, and the few options whose values are of no common kind.
+#include <cover/option_table.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "options/option_kinds.hpp"
+
+namespace cover {
+namespace {
+
+using option_kinds::angle;
+using option_kinds::bad_option;
+using option_kinds::flag;
+using option_kinds::number;
+using option_kinds::parse;
+using option_kinds::whole;
+using option_kinds::word;
+
+using Texts = std::vector<std::string>;
+
+/// auto, off or a number.
+constexpr OptionEntry weld(OptionEntry row) {
+  row.kind = OptionKind::text;
+  row.set = [](const OptionEntry& self, std::string_view text, Options& options) -> Status {
+    const std::optional<double> value = text == "off"    ? 0
+                                        : text == "auto" ? kAutoWeld
+                                                         : parse<double>(text);
+    if (!value || !self.range.holds(*value)) {
+      return bad_option(
+          fmt::format("'{}' is not auto, off or a number, {}", text, describe(self.range)));
+    }
+    options.weld = value;
+    return ok();
+  };
+  row.get = [](const OptionEntry&, const Options& options) {
+    return options.weld ? Texts{describe(*options.weld)} : Texts();
+  };
+  row.check = number<&Options::weld>({}).check;
+  return row;
+}
+
+/// Of `sizes`, those inside regions or those `At` lines and points.
+template <bool At>
+constexpr OptionEntry sizes(OptionEntry row) {
+  row.kind = OptionKind::text;
+  row.repeats = true;
+  row.unit = "length";
+  row.range = ranges::kSize;
+  row.set = [](const OptionEntry& self, std::string_view text, Options& options) -> Status {
+    const std::size_t equals = text.rfind('=');
+    const bool named = equals != std::string_view::npos;
+    SizeRule rule{std::string(named ? text.substr(0, equals) : ""), 0, At};
+    const std::optional<double> size = parse<double>(named ? text.substr(equals + 1) : text);
+    if (!size || !self.range.holds(*size) || (At && rule.name.empty())) {
+      return bad_option(
+          fmt::format("'{}' is not {}=h with a length h above 0", text, At ? "NAME" : "h or NAME"));
+    }
+    rule.size = *size;
+    options.sizes.push_back(std::move(rule));
+    return ok();
+  };
+  row.get = [](const OptionEntry&, const Options& options) {
+    Texts texts;
+    for (const SizeRule& rule : options.sizes) {
+      if (rule.at != At) continue;
+      texts.push_back(rule.name.empty() ? describe(rule.size)
+                                        : fmt::format("{}={}", rule.name, rule.size));
+    }
+    return texts;
+  };
+  row.check = [](const OptionEntry& self, const Options& options) -> Status {
+    for (const SizeRule& rule : options.sizes) {
+      if (rule.at != At || self.range.holds(rule.size)) continue;
+      return bad_option(fmt::format("the size for '{}' is {}, but must be {}", rule.name, rule.size,
+                                    describe(self.range)));
+    }
+    return ok();
+  };
+  return row;
+}
+
+/// A file, which whoever can read it makes Options::size_field of.
+constexpr OptionEntry size_field(OptionEntry row) {
+  row.kind = OptionKind::text;
+  row.unit = "length";
+  row.set = [](const OptionEntry&, std::string_view text, Options& options) -> Status {
+    if (text.empty()) return bad_option("a file is needed");
+    options.size_field_name = text;
+    return ok();
+  };
+  row.get = [](const OptionEntry&, const Options& options) {
+    return options.size_field || !options.size_field_name.empty() ? Texts{options.size_field_name}
+                                                                  : Texts();
+  };
+  row.check = [](const OptionEntry&, const Options& options) -> Status {
+    if (options.size_field || options.size_field_name.empty()) return ok();
+    return bad_option(fmt::format("size_field: {} has not been read", options.size_field_name));
+  };
+  return row;
+}
+
+constexpr std::array kRequirements{&Requirements::bound, &Requirements::max_angle,
+                                   &Requirements::delaunay, &Requirements::non_obtuse};
+
+/// Members of Requirements, in the order of the words.
+constexpr OptionEntry requirements(OptionEntry row) {
+  row.kind = OptionKind::words;
+  row.repeats = true;
+  row.set = [](const OptionEntry& self, std::string_view text, Options& options) -> Status {
+    const Result<std::size_t> found = option_kinds::word_of(self, text);
+    if (!found) return found.error();
+    options.require.*kRequirements.at(*found) = true;
+    return ok();
+  };
+  row.get = [](const OptionEntry& self, const Options& options) {
+    Texts texts;
+    for (std::size_t k = 0; k < kRequirements.size(); ++k)
+      if (options.require.*kRequirements[k]) texts.emplace_back(self.words()[k]);
+    return texts;
+  };
+  return row;
+}
+
+bool is_quality(const Options& options) { return options.method == Method::quality; }
+
+// clang-format off
+constexpr OptionEntry kTable[] = {
+    word<&Options::method>({
+        .name = "method", .placeholder = "NAME",
+        .word_list = {"quality", "almond", "nonobtuse"},
+        .help = "quality: good angles, never below the proven bound; almond: the bound alone, the "
+                "fastest; nonobtuse: no angle above 90 degrees, or by rounding 90.1, but segments "
+                "are split",
+        .more = "The report says how many triangles are above 90 degrees; --require non-obtuse "
+                "allows none."}),
+    word<&Options::fill>({
+        .name = "fill", .placeholder = "NAME",
+        .word_list = {"refine", "disks"},
+        .implies = "almond",
+        .help = "What fills the space between the almonds, refine or disks; implies --method "
+                "almond",
+        .counts_with = "--method almond",
+        .counts = [](const Options& o) { return o.method == Method::almond; }}),
+    flag<&Options::paper>({
+        .name = "paper",
+        .implies = "almond",
+        .help = "The publication as printed, for comparison: none of our improvements; implies "
+                "--method almond"}),
+    whole<&Options::pieces>({
+        .name = "pieces", .placeholder = "N",
+        .range = ranges::kPieces,
+        .needs = "paper",
+        .help = "With --paper: pieces of an arc are at most 1/N of it"}),
+    flag<&Options::hull>({
+        .name = "hull",
+        .help = "Mesh the convex hull; for input that need not enclose anything"}),
+    angle<&Options::max_angle>({
+        .name = "max-angle",
+        .range = ranges::kMaxAngle,
+        .help = "Largest angle that --method quality aims at, and --require max-angle asks for",
+        .counts_with = "--method quality and --require max-angle",
+        .counts = [](const Options& o) { return is_quality(o) || o.require.max_angle; }}),
+    angle<&Options::min_angle>({
+        .name = "min-angle",
+        .range = ranges::kMinAngle,
+        .help = "Smallest angle that --method quality aims at, where the largest allows it",
+        .counts_with = "--method quality",
+        .counts = is_quality}),
+    sizes<false>({
+        .name = "size", .placeholder = "[NAME=]h",
+        .help = "Edge length inside: everywhere (h), or in a region or material (NAME=h), by name, "
+                "number of the material, or region:ID",
+        .more = "The ID is the number that reports give a region. Where several sizes hold, the "
+                "smallest counts."}),
+    sizes<true>({
+        .name = "size-at", .placeholder = "NAME=h",
+        .help = "Edge length at an interface, a contact or a point (NAME=h)",
+        .more = "A point is called by its number in the input. Beside segments that are longer "
+                "than asked, triangles are larger."}),
+    flag<&Options::input_sizes, false>({
+        .name = "no-input-sizes",
+        .help = "Leave out the sizes that regions have in the input (.poly: largest areas)",
+        .more = "Those are \"size\" in JSON; in .poly the largest area A of a region line, where "
+                "it is above zero, which means the edge length sqrt(4A/sqrt 3). They count without "
+                "being asked (Triangle needs -a), and triangles have the area A on average."}),
+    size_field({
+        .name = "size-field", .placeholder = "FILE",
+        .help = "Background edge lengths: point array (size, h or the only one) of a plane mesh in "
+                ".vtu, .vtp or .vtk; linear between points",
+        .more = "In the unit of the coordinates. Outside, what holds at the nearest place. Lengths "
+                "are lowered where they differ faster than --growth allows."}),
+    number<&Options::growth>({
+        .name = "growth", .placeholder = "G",
+        .range = ranges::kGrowth,
+        .help = "Ratio of neighbouring edges where sizes differ; above 1 (1.3 unless given). "
+                "Without sizes, triangles grow by it from the boundary's own edges",
+        .more = "Without this option and without sizes, they grow as fast as their angles allow.",
+        .counts_with = "--method quality and --split-interfaces",
+        .counts = [](const Options& o) { return is_quality(o) || o.split_interfaces; }}),
+    angle<&Options::split_interfaces>({
+        .name = "split-interfaces",
+        .range = ranges::kSplitInterfaces,
+        .alone = "90",
+        .help = "Cut segments until none forces an angle above DEG (default: 90), and to the "
+                "lengths that sizes ask for; both sides get the same points"}),
+    word<&Options::overlap>({
+        .name = "overlap", .placeholder = "WHICH",
+        .word_list = {"last", "first", "error"},
+        .help = "Which of several painted polygons wins: last, first, or error",
+        .group = OptionGroup::cleaning}),
+    weld({
+        .name = "weld", .placeholder = "REL", .unit = "part of the drawing's size",
+        .range = ranges::kWeld,
+        .help = "Unite ends closer than this part of the drawing's size, at most 1/8 of the "
+                "shortest line there: auto, off or a number (default: auto for polygons, off for "
+                "segments)",
+        .group = OptionGroup::cleaning}),
+    flag<&Options::strict>({
+        .name = "strict",
+        .help = "Any change to the input is an error",
+        .group = OptionGroup::cleaning}),
+    flag<&Options::merge_materials>({
+        .name = "merge-materials",
+        .help = "Unite touching faces of equal material",
+        .group = OptionGroup::cleaning}),
+    requirements({
+        .name = "require", .placeholder = "WHAT",
+        .word_list = {"bound", "max-angle", "delaunay", "non-obtuse"},
+        .shapes_mesh = false,
+        .help = "Exit with 6 unless this holds: bound, max-angle, delaunay, non-obtuse"}),
+    whole<&Options::threads>({
+        .name = "threads", .letter = 'j', .placeholder = "N",
+        .range = ranges::kThreads,
+        .shapes_mesh = false,
+        .help = "Threads; 0: all cores",
+        .more = "The mesh does not depend on it."}),
+};
+// clang-format on
+
+}  // namespace
+
+std::span<const OptionEntry> option_table() { return kTable; }
+
+const OptionEntry* find_option(std::string_view name) {
+  const auto same = [](char a, char b) { return a == (b == '_' ? '-' : b); };
+  for (const OptionEntry& entry : kTable) {
+    if (std::equal(entry.name.begin(), entry.name.end(), name.begin(), name.end(), same))
+      return &entry;
+  }
+  return nullptr;
+}
+
+std::string default_text(const OptionEntry& entry) {
+  return fmt::format("{}", fmt::join(entry.get(entry, Options()), ","));
+}
+
+std::vector<Provenance::Setting> describe_options(const Options& options) {
+  std::vector<Provenance::Setting> settings;
+  for (const OptionEntry& entry : kTable) {
+    if (!entry.shapes_mesh) continue;
+    Texts values = entry.get(entry, options);
+    if (entry.name != "method" && values == entry.get(entry, Options())) continue;
+    for (std::string& value : values) settings.push_back({std::string(entry.name), value});
+  }
+  return settings;
+}
+
+Status check_options(const Options& options) {
+  if (options.paper && options.method != Method::almond) {
+    return bad_option("the publication describes the almond method: paper needs method almond");
+  }
+  for (const OptionEntry& entry : kTable) {
+    if (entry.check == nullptr) continue;
+    if (Status status = entry.check(entry, options); !status) return status;
+  }
+  return ok();
+}
+
+std::string describe(const Range& range) {
+  std::string text = fmt::format("{} {}", range.has_low ? "at least" : "above", range.low);
+  if (range.high < ranges::kNoLimit)
+    text += fmt::format(" and {} {}", range.has_high ? "at most" : "below", range.high);
+  return text;
+}
+
+}  // namespace cover

@@ -1,0 +1,187 @@
+#include <cover/option_table.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace cover {
+namespace {
+
+/// Values that the option takes, other than its default.
+std::vector<std::string> values_of(const OptionEntry& entry) {
+  switch (entry.kind) {
+    case OptionKind::flag:
+      return {"true"};
+    case OptionKind::word:
+    case OptionKind::words:
+      return {std::string(entry.words().back())};
+    case OptionKind::whole:
+      return {"7"};
+    case OptionKind::number:
+    case OptionKind::angle:
+      return {std::isfinite(entry.range.high)
+                  ? std::to_string((entry.range.low + entry.range.high) / 2)
+                  : std::to_string(entry.range.low + 1.5)};
+    case OptionKind::text:
+      break;
+  }
+  if (entry.name == "weld") return {"0.25"};
+  if (entry.name == "size-field") return {"h.vtu"};
+  return {"a=0.5", "b c=0x=2"};
+}
+
+TEST(OptionTable, EveryRowIsWhole) {
+  std::set<std::string_view> names;
+  std::set<char> letters;
+  for (const OptionEntry& entry : option_table()) {
+    SCOPED_TRACE(entry.name);
+    EXPECT_TRUE(names.insert(entry.name).second);
+    EXPECT_TRUE(entry.letter == 0 || letters.insert(entry.letter).second);
+    EXPECT_FALSE(entry.help.empty());
+    EXPECT_EQ(entry.placeholder.empty(), entry.kind == OptionKind::flag);
+    EXPECT_EQ(entry.words().empty(),
+              entry.kind != OptionKind::word && entry.kind != OptionKind::words);
+    EXPECT_EQ(entry.counts == nullptr, entry.counts_with.empty());
+    EXPECT_TRUE(entry.needs.empty() || find_option(entry.needs) != nullptr);
+    for (const std::string_view word : entry.words())
+      EXPECT_NE(entry.help.find(word), std::string_view::npos) << word;
+    ASSERT_NE(entry.set, nullptr);
+    ASSERT_NE(entry.get, nullptr);
+    // Whatever has a range is checked against it.
+    const bool ranged = entry.range.low > -ranges::kNoLimit || entry.range.high < ranges::kNoLimit;
+    EXPECT_TRUE(!ranged || entry.check != nullptr);
+    EXPECT_TRUE(ranged || (entry.kind != OptionKind::number && entry.kind != OptionKind::angle &&
+                           entry.kind != OptionKind::whole));
+  }
+}
+
+TEST(OptionTable, EveryOptionIsFoundUnderItsNameInPythonToo) {
+  for (const OptionEntry& entry : option_table()) {
+    std::string name(entry.name);
+    EXPECT_EQ(find_option(name), &entry);
+    std::replace(name.begin(), name.end(), '-', '_');
+    EXPECT_EQ(find_option(name), &entry);
+  }
+  EXPECT_EQ(find_option("max"), nullptr);
+  EXPECT_EQ(find_option("max-angles"), nullptr);
+  EXPECT_EQ(find_option(""), nullptr);
+}
+
+TEST(OptionTable, WhatIsSetIsToldAndSetAgain) {
+  for (const OptionEntry& entry : option_table()) {
+    SCOPED_TRACE(entry.name);
+    Options options;
+    for (const std::string& value : values_of(entry)) {
+      const Status status = entry.set(entry, value, options);
+      ASSERT_TRUE(status) << status.error().message;
+    }
+    const std::vector<std::string> told = entry.get(entry, options);
+    EXPECT_NE(told, entry.get(entry, Options()));
+    Options again;
+    for (const std::string& value : told) ASSERT_TRUE(entry.set(entry, value, again));
+    EXPECT_EQ(entry.get(entry, again), told);
+    // No other option changes with it.
+    for (const OptionEntry& other : option_table())
+      if (&other != &entry) EXPECT_EQ(other.get(other, options), other.get(other, Options()));
+  }
+}
+
+TEST(OptionTable, ProvenanceHasWhateverShapesTheMesh) {
+  for (const OptionEntry& entry : option_table()) {
+    SCOPED_TRACE(entry.name);
+    Options options;
+    for (const std::string& value : values_of(entry)) ASSERT_TRUE(entry.set(entry, value, options));
+    const auto settings = describe_options(options);
+    EXPECT_EQ(std::any_of(settings.begin(), settings.end(),
+                          [&](const auto& setting) { return setting.name == entry.name; }),
+              entry.shapes_mesh);
+  }
+}
+
+TEST(OptionTable, RangesHoldForTextAndForMembersAlike) {
+  for (const OptionEntry& entry : option_table()) {
+    SCOPED_TRACE(entry.name);
+    if (entry.kind == OptionKind::text || entry.check == nullptr) continue;
+    for (const auto& [limit, inside] : {std::pair(entry.range.low, entry.range.has_low),
+                                        std::pair(entry.range.high, entry.range.has_high)}) {
+      if (!std::isfinite(limit)) continue;
+      const std::string text = fmt::format("{}", limit);
+      Options options;
+      EXPECT_EQ(entry.set(entry, text, options).has_value(), inside) << text;
+      EXPECT_TRUE(entry.check(entry, options)) << text;
+      const double step = limit == entry.range.low ? -1 : 1;
+      EXPECT_FALSE(entry.set(entry, fmt::format("{}", limit + step), options)) << text;
+    }
+    Options options;
+    for (const char* bad : {"nan", "inf", "-inf", "", "x", "1x", "1 ", "0x10", "--1"})
+      EXPECT_FALSE(entry.set(entry, bad, options)) << bad;
+  }
+}
+
+TEST(OptionTable, TextThatIsNoValueIsRefusedInWords) {
+  const auto message = [](const char* name, std::string_view value) {
+    const OptionEntry* entry = find_option(name);
+    Options options;
+    const Status status = entry->set(*entry, value, options);
+    EXPECT_FALSE(status) << name;
+    EXPECT_EQ(status.error().code, ErrorCode::bad_option);
+    return status.error().message;
+  };
+  EXPECT_EQ(message("fill", "disk"), "'disk' is not one of refine, disks; did you mean 'disks'?");
+  EXPECT_EQ(message("max-angle", "60"), "60 is not above 60 and below 180");
+  EXPECT_EQ(message("threads", "1.5"), "1.5 is not a whole number");
+  EXPECT_EQ(message("threads", "-1"), "-1 is not at least 0 and at most 4096");
+  EXPECT_EQ(message("hull", "yes"), "'yes' is not true or false");
+  EXPECT_EQ(message("size", "a=0"), "'a=0' is not h or NAME=h with a length h above 0");
+  EXPECT_EQ(message("size-at", "1"), "'1' is not NAME=h with a length h above 0");
+  EXPECT_EQ(message("weld", "on"), "'on' is not auto, off or a number, at least 0 and below 1");
+}
+
+TEST(OptionReader, WhatIsImpliedCountsUnlessAMethodIsGiven) {
+  const auto method = [](std::vector<std::pair<const char*, const char*>> words) {
+    OptionReader reader;
+    for (const auto& [name, value] : words) EXPECT_TRUE(reader.set(*find_option(name), value));
+    return reader.result()->method;
+  };
+  EXPECT_EQ(method({}), Method::quality);
+  EXPECT_EQ(method({{"fill", "refine"}}), Method::almond);
+  EXPECT_EQ(method({{"paper", "true"}}), Method::almond);
+  EXPECT_EQ(method({{"paper", "false"}}), Method::quality);
+  EXPECT_EQ(method({{"fill", "disks"}, {"method", "nonobtuse"}}), Method::nonobtuse);
+}
+
+TEST(OptionReader, WhatIsNeededMustBeThere) {
+  OptionReader reader;
+  ASSERT_TRUE(reader.set(*find_option("pieces"), "3"));
+  ASSERT_FALSE(reader.result());
+  EXPECT_EQ(reader.result().error().message, "pieces needs paper");
+  ASSERT_TRUE(reader.set(*find_option("paper"), "true"));
+  ASSERT_TRUE(reader.result());
+  EXPECT_EQ(reader.result()->pieces, 3);
+}
+
+TEST(OptionReader, TellsWhatHasNoEffect) {
+  OptionReader reader;
+  for (const auto& [name, value] : {std::pair("method", "almond"), std::pair("max-angle", "110"),
+                                    std::pair("growth", "2"), std::pair("growth", "3")})
+    ASSERT_TRUE(reader.set(*find_option(name), value));
+  EXPECT_EQ(reader.idle(), (std::vector{find_option("max-angle"), find_option("growth")}));
+  ASSERT_TRUE(reader.set(*find_option("require"), "max-angle"));
+  ASSERT_TRUE(reader.set(*find_option("split-interfaces"), "100"));
+  EXPECT_TRUE(reader.idle().empty());
+}
+
+TEST(CheckOptions, BackgroundSizesMustHaveBeenRead) {
+  Options options;
+  options.size_field_name = "h.vtu";
+  ASSERT_FALSE(check_options(options));
+  EXPECT_EQ(check_options(options).error().message, "size_field: h.vtu has not been read");
+  options.size_field = [](Point) { return 1.0; };
+  EXPECT_TRUE(check_options(options));
+}
+
+}  // namespace
+}  // namespace cover
