@@ -3,6 +3,7 @@
 // A run works on a thread of its own without the GIL, while the calling thread looks for signals,
 // so that Ctrl-C stops a run and other Python threads go on. The progress callback takes the GIL
 // for its call only; what it raises stops the run and comes out of the call.
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <exception>
@@ -17,32 +18,22 @@
 #include <pybind11/stl.h>
 
 #include <cover/cover_mesh.hpp>
+#include <cover/option_table.hpp>
 #include <cover/picture.hpp>
 #include <cover/read_input.hpp>
+#include <cover/read_size_field.hpp>
 #include <cover/read_vtk_input.hpp>
 #include <cover/verify.hpp>
 #include <cover/write_mesh.hpp>
 
 #include "arrays.hpp"
 #include "options.hpp"
+#include "raise.hpp"
 
 namespace py = pybind11;
 
 namespace cover::python {
 namespace {
-
-/// Raises cover.Error (or cover.Cancelled) with the members code, where and inputs.
-[[noreturn]] void raise(const Error& error) {
-  const py::module_ module = py::module_::import("cover");
-  const py::object type = module.attr(error.code == ErrorCode::cancelled ? "Cancelled" : "Error");
-  const py::object raised = type(error.message);
-  raised.attr("code") = static_cast<int>(error.code);
-  py::list where;
-  for (const Point& p : error.where) where.append(py::make_tuple(p.x, p.y));
-  raised.attr("where") = where;
-  PyErr_SetObject(type.ptr(), raised.ptr());
-  throw py::error_already_set();
-}
 
 /// Runs `work(callbacks)` on another thread and waits for it; see the head of this file.
 template <class Work>
@@ -88,7 +79,8 @@ struct PyMesh {
 };
 
 PyMesh mesh_input(const Input& input, const py::dict& options, const py::object& progress) {
-  const Options parsed = options_from(options);
+  Options parsed = options_from(options);
+  if (const Status status = load_size_field(parsed); !status) raise(status.error());
   Output output = run(
       progress, [&](const Callbacks& callbacks) { return cover_mesh(input, parsed, callbacks); });
   TriangleSoup soup = triangle_soup(output.mesh);
@@ -134,6 +126,34 @@ py::dict lines_of(const PyMesh& mesh) {
     lines[name].cast<py::list>().append(piece);
   }
   return lines;
+}
+
+/// A row of the table of options, for those who make forms or documents of it.
+py::dict describe(const OptionEntry& entry) {
+  constexpr std::array kKinds{"flag", "word", "words", "whole", "number", "angle", "text"};
+  py::dict row;
+  row["name"] = std::string(entry.name);
+  row["kind"] = kKinds.at(static_cast<std::size_t>(entry.kind));
+  row["unit"] = std::string(entry.unit);
+  row["low"] = entry.range.low;
+  row["high"] = entry.range.high;
+  row["has_low"] = entry.range.has_low;
+  row["has_high"] = entry.range.has_high;
+  py::list words;
+  for (const std::string_view word : entry.words()) words.append(std::string(word));
+  row["words"] = words;
+  row["default"] = default_text(entry);
+  row["repeats"] = entry.repeats;
+  row["shapes_mesh"] = entry.shapes_mesh;
+  row["cleaning"] = entry.group == OptionGroup::cleaning;
+  row["help"] = std::string(entry.help);
+  return row;
+}
+
+py::list described_options() {
+  py::list rows;
+  for (const OptionEntry& entry : option_table()) rows.append(describe(entry));
+  return rows;
 }
 
 /// The JSON report as a dictionary.
@@ -186,6 +206,7 @@ PYBIND11_MODULE(_cover, module) {
                std::to_string(m.output.table.regions.size()) + " regions>";
       });
 
+  module.def("options", &described_options);
   module.def("mesh_pslg", [](const Points& points, const Indices& segments, const py::list& regions,
                              const Points& holes, const py::dict& lines, const py::dict& options,
                              const py::object& progress) {

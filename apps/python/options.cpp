@@ -4,7 +4,8 @@
 #include <string>
 
 #include <cover/option_table.hpp>
-#include <cover/read_size_field.hpp>
+
+#include "raise.hpp"
 
 namespace py = pybind11;
 
@@ -58,8 +59,9 @@ class Value {
     return split(text(value));
   }
 
-  [[noreturn]] void refuse(const std::string& message) const {
-    throw py::value_error(key_ + ": " + message);
+  [[noreturn]] void refuse(Error error) const {
+    error.message = key_ + ": " + error.message;
+    raise(error);
   }
 
  private:
@@ -105,7 +107,8 @@ class Value {
     if (py::isinstance<py::str>(value)) return py::str(value);
     if (py::hasattr(value, "__fspath__")) return py::str(value.attr("__fspath__")());
     // numpy's numbers too; a whole number stays one.
-    if (PyIndex_Check(value.ptr()) != 0) return py::str(py::int_(py::reinterpret_borrow<py::object>(value)));
+    if (PyIndex_Check(value.ptr()) != 0)
+      return py::str(py::int_(py::reinterpret_borrow<py::object>(value)));
     if (PyNumber_Check(value.ptr()) == 0 || PyComplex_Check(value.ptr()) != 0) refuse_type(value);
     return py::repr(py::float_(py::reinterpret_borrow<py::object>(value)));
   }
@@ -121,7 +124,8 @@ struct Named {
 };
 
 Named find_keyword(const std::string& key) {
-  if (key == "sizes" || key == "sizes_at") return {find_option(key == "sizes" ? "size" : "size-at")};
+  if (key == "sizes" || key == "sizes_at")
+    return {find_option(key == "sizes" ? "size" : "size-at")};
   if (key.find('-') != std::string::npos) return {};
   if (const OptionEntry* entry = find_option(key)) return {entry};
   // input_sizes=False is no_input_sizes=True.
@@ -141,12 +145,11 @@ Options options_from(const py::dict& keywords) {
     if (value.ptr() == Py_False && !named.entry->alone.empty()) continue;
     for (std::string& text : argument.texts(value)) {
       if (named.opposite) text = text == "true" ? "false" : "true";
-      const Status status = reader.set(*named.entry, text);
-      if (!status) argument.refuse(status.error().message);
+      if (Status status = reader.set(*named.entry, text); !status) argument.refuse(status.error());
     }
   }
   Result<Options> options = reader.result();
-  if (!options) throw py::value_error(options.error().message);
+  if (!options) raise(options.error());
   return *std::move(options);
 }
 

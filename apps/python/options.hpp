@@ -8,10 +8,15 @@
 
 namespace cover::python {
 
-/// Raises: TypeError for a keyword that is none, ValueError for a value that is not allowed.
+/// Options of option_table() by their names with '_' for '-', and as the plural `sizes`, `sizes_at`
+/// and without the `no_`. None leaves one out.
+///
+/// Raises: TypeError for a keyword that is none and a value of another kind, OptionError for a
+/// value
+///         that is not allowed.
 Options options_from(const pybind11::dict& keywords);
 
-/// What a file should hold. Raises: as options_from
+/// What a file should hold. Raises: TypeError
 WriteOptions write_options_from(const pybind11::dict& keywords);
 
 }  // namespace cover::python

@@ -4,9 +4,9 @@
     mesh = cover.mesh(points, segments, regions=[(0.5, 0.5, "Si")])
     mesh.points, mesh.triangles, mesh.region, mesh.report["overall"]["largest_angle"]
 
-Every segment becomes one edge of the mesh. Options are those of the program, as keywords: method,
-fill, max_angle, min_angle, growth, sizes, sizes_at, split_interfaces, overlap, weld, strict,
-merge_materials, hull, threads. Ctrl-C stops a run.
+Every segment becomes one edge of the mesh. Options are those of `cover mesh` by the same names, as
+keywords with '_' for '-': max_angle=110, no_input_sizes=True. options() lists them. Sizes may be a
+length or lengths by name: size={"": 1, "gate": 0.1}. Ctrl-C stops a run.
 """
 
 import os as _os
@@ -22,13 +22,23 @@ class Error(Exception):
     where = ()
 
 
+class OptionError(Error, ValueError):
+    """A value that an option does not take."""
+
+
 class Cancelled(Error):
     """The progress callback returned False."""
 
 
-from ._cover import Mesh, mesh_file as _mesh_file, mesh_polygons as _mesh_polygons, mesh_pslg as _mesh_pslg  # noqa: E402
+from ._cover import Mesh, options as _options  # noqa: E402
+from ._cover import mesh_file as _mesh_file, mesh_polygons as _mesh_polygons, mesh_pslg as _mesh_pslg  # noqa: E402
 
-__all__ = ["Cancelled", "Error", "Mesh", "mesh", "mesh_file", "mesh_polygons"]
+__all__ = ["Cancelled", "Error", "Mesh", "OptionError", "mesh", "mesh_file", "mesh_polygons", "options"]
+
+
+def options():
+    """The table of options: name, kind, unit, range, words, default and help of each."""
+    return _options()
 
 
 def mesh(points, segments, regions=(), holes=(), *, lines=None, progress=None, **options):

@@ -5,12 +5,13 @@ import numpy as np
 import numpy.typing as npt
 from typing_extensions import Unpack
 
-__all__ = ["Cancelled", "Error", "Mesh", "mesh", "mesh_file", "mesh_polygons"]
+__all__ = ["Cancelled", "Error", "Mesh", "OptionError", "mesh", "mesh_file", "mesh_polygons", "options"]
 
 _Progress = Callable[[str, int, int], Optional[bool]]
 _Material = Union[str, int]
 _Region = Union[Tuple[float, float, _Material], Tuple[float, float, _Material, str]]
 _Rings = Sequence[npt.ArrayLike]
+_Sizes = Union[float, str, Sequence[str], Mapping[str, float]]
 _Polygon = Union[Tuple[_Material, _Rings], Tuple[_Material, _Rings, str]]
 
 class _Options(TypedDict, total=False):
@@ -18,15 +19,23 @@ class _Options(TypedDict, total=False):
     fill: Literal["refine", "disks"]
     max_angle: float  # degrees, as all angles
     min_angle: float
-    growth: float
-    sizes: Mapping[str, float]  # by region or material; "" is everywhere
-    sizes_at: Mapping[str, float]  # by contact, interface or point
+    growth: Optional[float]
+    size: _Sizes  # by region or material; "" is everywhere
+    sizes: _Sizes  # the same
+    size_at: _Sizes  # by contact, interface or point
+    sizes_at: _Sizes
+    no_input_sizes: bool
+    input_sizes: bool
+    size_field: Union[None, str, os.PathLike[str]]
     split_interfaces: Union[None, bool, float]
     overlap: Literal["last", "first", "error"]
-    weld: Union[None, float, Literal["auto", "off"]]
+    weld: Union[None, float, str]  # "auto", "off"
     strict: bool
     merge_materials: bool
     hull: bool
+    paper: bool
+    pieces: int
+    require: Union[str, Sequence[str]]
     threads: int
 
 class _WriteOptions(TypedDict, total=False):
@@ -45,6 +54,7 @@ class Error(Exception):
     code: int
     where: Sequence[Tuple[float, float]]
 
+class OptionError(Error, ValueError): ...
 class Cancelled(Error): ...
 
 class Mesh:
@@ -81,6 +91,7 @@ def mesh_polygons(
     progress: Optional[_Progress] = None,
     **options: Unpack[_Options],
 ) -> Mesh: ...
+def options() -> list[dict[str, Any]]: ...
 def mesh_file(
     path: Union[str, os.PathLike[str]],
     *,

@@ -84,8 +84,10 @@ TEST(OptionTable, WhatIsSetIsToldAndSetAgain) {
     for (const std::string& value : told) ASSERT_TRUE(entry.set(entry, value, again));
     EXPECT_EQ(entry.get(entry, again), told);
     // No other option changes with it.
-    for (const OptionEntry& other : option_table())
-      if (&other != &entry) EXPECT_EQ(other.get(other, options), other.get(other, Options()));
+    for (const OptionEntry& other : option_table()) {
+      if (&other == &entry) continue;
+      EXPECT_EQ(other.get(other, options), other.get(other, Options())) << other.name;
+    }
   }
 }
 

@@ -1,0 +1,34 @@
+#include "raise.hpp"
+
+#include <pybind11/pybind11.h>
+
+namespace py = pybind11;
+
+namespace cover::python {
+namespace {
+
+const char* type_of(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::cancelled:
+      return "Cancelled";
+    case ErrorCode::bad_option:
+      return "OptionError";
+    default:
+      return "Error";
+  }
+}
+
+}  // namespace
+
+void raise(const Error& error) {
+  const py::object type = py::module_::import("cover").attr(type_of(error.code));
+  const py::object raised = type(error.message);
+  raised.attr("code") = static_cast<int>(error.code);
+  py::list where;
+  for (const Point& p : error.where) where.append(py::make_tuple(p.x, p.y));
+  raised.attr("where") = where;
+  PyErr_SetObject(type.ptr(), raised.ptr());
+  throw py::error_already_set();
+}
+
+}  // namespace cover::python

@@ -1,0 +1,12 @@
+// Errors of the library as exceptions of Python.
+#pragma once
+
+#include <cover/error.hpp>
+
+namespace cover::python {
+
+/// Raises cover.Error, or one of its kinds (Cancelled, OptionError), with the members code and
+/// where.
+[[noreturn]] void raise(const Error& error);
+
+}  // namespace cover::python

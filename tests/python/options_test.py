@@ -1,0 +1,219 @@
+#!/usr/bin/env python3
+"""options_test.py PROGRAM ROOT: every option of the table is an option of the program, a key of job files, a keyword of
+Python, a line of provenance, help, manual and completion, everywhere with the same name, values and range."""
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import cover
+
+PROGRAM, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
+# Two materials, one above the other, and a contact.
+GEOMETRY = {'polygons': [{'material': 'Si', 'rings': [[[0, 0], [4, 0], [4, 2], [0, 2]]]},
+                         {'material': 'SiO2', 'rings': [[[0, 2], [4, 2], [4, 3], [0, 3]]]}],
+            'lines': [{'name': 'anode', 'points': [[0, 0], [4, 0]]}]}
+TABLE = cover.options()
+# Background sizes of 1 everywhere.
+FIELD = '''# vtk DataFile Version 3.0
+sizes
+ASCII
+DATASET POLYDATA
+POINTS 3 double
+-100 -100 0 100 -100 0 0 100 0
+POLYGONS 1 4
+3 0 1 2
+POINT_DATA 3
+SCALARS size double 1
+LOOKUP_TABLE default
+1 1 1
+'''
+# What else must be given.
+NEEDS = {'pieces': {'paper': True}}
+TEXTS = {'size': ['SiO2=0.5', '1'], 'size-at': ['anode=0.25'], 'size-field': ['field.vtk'], 'weld': ['off', 'auto', '1e-06']}
+
+
+def values(row):
+    """Legal values, as texts."""
+    if row['kind'] == 'flag':
+        return ['true']
+    if row['words']:
+        return row['words']
+    if row['kind'] in ('whole', 'number', 'angle'):
+        high = row['high'] if math.isfinite(row['high']) else row['low'] + 5
+        return [f'{(row["low"] + high) / 2:.0f}', f'{row["low"] + 1 if row["kind"] == "whole" else row["low"] + 0.5:g}']
+    return TEXTS[row['name']]
+
+
+def beyond(row):
+    """Numbers that the option must not take."""
+    if row['kind'] not in ('whole', 'number', 'angle'):
+        return []
+    limits = [(row['low'], row['has_low'], -1), (row['high'], row['has_high'], 1)]
+    return [limit + (step if legal else 0) for limit, legal, step in limits if math.isfinite(limit)]
+
+
+def python_value(row, text):
+    if row['kind'] == 'flag':
+        return text == 'true'
+    if row['kind'] == 'whole':
+        return int(text)
+    try:
+        return float(text)
+    except ValueError:
+        return text
+
+
+class Options(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.dir = pathlib.Path(folder.name)
+        (self.dir / 'field.vtk').write_text(FIELD)
+        self.device = self.dir / 'device.json'
+        self.device.write_text(json.dumps(GEOMETRY))
+
+    def run_cover(self, *words, code=0):
+        done = subprocess.run([PROGRAM, *map(str, words)], cwd=self.dir, text=True, timeout=100, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE)
+        self.assertEqual(done.returncode, code, f'{words}\n{done.stdout}\n{done.stderr}')
+        return done.stdout, done.stderr
+
+    def test_documents(self):
+        command, manual = self.run_cover('mesh', '--help')[0], (ROOT / 'apps/cover/cover.1').read_text()
+        printed = self.run_cover('mesh', '--print-config')[0]
+        completion = (ROOT / 'apps/cover/completion.bash').read_text()
+        for row in TABLE:
+            with self.subTest(row['name']):
+                self.assertRegex(command, rf'(?m)^  (-\w,)?--{row["name"]} ')
+                self.assertRegex(printed, rf'(?m)^# {row["name"]}=')
+                self.assertIn(f'\\-\\-{row["name"]}'.replace('-', '\\-').replace('\\\\', '\\'), manual)
+                if row['words']:
+                    self.assertIn(f'--{row["name"]}) words="{" ".join(row["words"])}"', completion)
+
+    def test_default(self):
+        printed = self.run_cover('mesh', '--print-config')[0]
+        for row in TABLE:
+            with self.subTest(row['name']):
+                if row['default'] and row['kind'] != 'flag':
+                    self.assertRegex(printed, rf'(?m)^# {row["name"]}="?{row["default"]}"?$')
+                    keywords = {row['name'].replace('-', '_'): python_value(row, row['default'])}
+                    made = cover.mesh_file(self.device, **keywords, **NEEDS.get(row['name'], {}))
+                    implied = 'implies --method almond' in row['help'] or row['name'] in NEEDS
+                    self.assertEqual({k: v for k, v in made.report['options'].items() if k != 'paper'},
+                                     {'method': 'almond' if implied else 'quality'})
+
+    def test_the_same_everywhere(self):
+        for row in TABLE:
+            with self.subTest(row['name']):
+                name, key = row['name'], row['name'].replace('-', '_')
+                more = NEEDS.get(name, {})
+                for text in values(row):
+                    keywords = {key: python_value(row, text)} | more
+                    made = cover.mesh_file(self.device, **keywords) if name != 'size-field' else \
+                        cover.mesh_file(self.device, size_field=self.dir / 'field.vtk')
+                    flag = [f'--{name}'] if row['kind'] == 'flag' else [f'--{name}', text]
+                    told = []
+                    (self.dir / 'job.toml').write_text(''.join(f'{k}=true\n' for k in more) + (
+                        f'{name}={text}\n' if row['kind'] == 'flag' else f'{name}="{text}"\n'))
+                    for words in ([*flag, *(f'--{k}' for k in more)], ['--config', 'job.toml']):
+                        # A requirement may be missed.
+                        done = subprocess.run([PROGRAM, 'mesh', 'device.json', '-q', '--report', 'r.json', *words], cwd=self.dir,
+                                              timeout=100, text=True, stderr=subprocess.PIPE)
+                        self.assertIn(done.returncode, (0, 6) if name == 'require' else (0,), f'{words} {done.stderr}')
+                        told.append(json.loads((self.dir / 'r.json').read_text()))
+                    self.assertEqual(told[0]['options'], told[1]['options'], text)
+                    self.assertEqual(told[0]['overall'], told[1]['overall'], text)
+                    mine = made.report
+                    if name == 'size-field':
+                        self.assertEqual(pathlib.Path(mine['options'].pop(name)).name, told[0]['options'].pop(name))
+                    self.assertEqual(mine['options'], told[0]['options'], text)
+                    self.assertEqual(mine['overall'], told[0]['overall'], text)
+                    is_default = text in row['default'].split(',')
+                    shown = name in mine['options'] or name == 'size-field'
+                    self.assertEqual(shown, name == 'method' or (row['shapes_mesh'] and not is_default), text)
+
+    def test_ranges(self):
+        for row in TABLE:
+            with self.subTest(row['name']):
+                name = row['name']
+                more = NEEDS.get(name, {})
+                for number in beyond(row):
+                    text = f'{number:g}'
+                    (self.dir / 'job.toml').write_text(f'{name}={text}\n')
+                    flags = [f'--{k}' for k in more]
+                    errors = [self.run_cover('mesh', 'device.json', '-o', 'd.vtu', *words, *flags, code=2)[1].split('\n')[0]
+                              for words in ([f'--{name}={text}'], ['--config', 'job.toml'])]
+                    self.assertEqual(errors[0], errors[1])
+                    with self.assertRaises(cover.OptionError) as caught:
+                        cover.mesh_file(self.device, **{name.replace('-', '_'): number}, **more)
+                    reason = errors[0].split(f'--{name}: ')[1].split(';')[0]
+                    self.assertIn(reason.split(' is not ')[1], str(caught.exception))
+
+    def test_words(self):
+        for row in TABLE:
+            with self.subTest(row['name']):
+                if not row['words']:
+                    continue
+                error = self.run_cover('mesh', 'device.json', '-o', 'd.vtu', f'--{row["name"]}', 'x', code=2)[1]
+                reason = f"'x' is not one of {', '.join(row['words'])}"
+                self.assertIn(f'--{row["name"]}: {reason}', error)
+                with self.assertRaises(cover.OptionError) as caught:
+                    cover.mesh_file(self.device, **{row['name'].replace('-', '_'): 'x'})
+                self.assertEqual(str(caught.exception), f"{row['name'].replace('-', '_')}: {reason}")
+
+
+class Keywords(unittest.TestCase):
+    RING = [(0, 1), (1, 2), (2, 3), (3, 0)]
+
+    def settings(self, **options):
+        return cover.mesh([(0, 0), (1, 0), (1, 1), (0, 1)], self.RING, **options).report['options']
+
+    def test_none_leaves_an_option_out(self):
+        for row in TABLE:
+            self.assertEqual(self.settings(**{row['name'].replace('-', '_'): None}), {'method': 'quality'})
+
+    def test_sizes_in_every_form(self):
+        for form in (0.5, '0.5', ['0.5'], [0.5], {'': 0.5}, {'': '0.5'}):
+            for key in ('size', 'sizes'):
+                self.assertEqual(self.settings(**{key: form})['size'], '0.5')
+
+    def test_opposites(self):
+        self.assertEqual(self.settings(input_sizes=False), {'method': 'quality', 'no-input-sizes': 'true'})
+        self.assertEqual(self.settings(input_sizes=True), {'method': 'quality'})
+        self.assertEqual(self.settings(split_interfaces=True)['split-interfaces'], '90')
+        self.assertEqual(self.settings(split_interfaces=False), {'method': 'quality'})
+
+    def test_numbers_of_numpy(self):
+        import numpy as np
+        self.assertEqual(self.settings(max_angle=np.float64(110.5), threads=np.int64(1))['max-angle'], '110.5')
+        self.assertEqual(self.settings(max_angle=np.float32(110.5))['max-angle'], '110.5')
+
+    def test_errors_in_words(self):
+        for options, kind, message in (
+                (dict(threads=-1), cover.OptionError, 'threads: -1 is not at least 0 and at most 4096'),
+                (dict(threads=1.5), cover.OptionError, 'threads: 1.5 is not a whole number'),
+                (dict(strict='yes'), TypeError, "strict: 'yes' is not True or False"),
+                (dict(max_angle=True), TypeError, 'max_angle: True is not a number of degrees'),
+                (dict(max_angle=[1]), TypeError, 'max_angle: [1] is not a number of degrees'),
+                (dict(max_angle={'a': 1}), TypeError, "max_angle: {'a': 1} is not a number of degrees"),
+                (dict(max_angle=1j), TypeError, 'max_angle: 1j is not a number of degrees'),
+                (dict(growth=math.nan), cover.OptionError, 'growth: nan is not above 1'),
+                (dict(require=['bound', 'bond']), cover.OptionError,
+                 "require: 'bond' is not one of bound, max-angle, delaunay, non-obtuse; did you mean 'bound'?"),
+                (dict(sizes={'a': 0}), cover.OptionError, "sizes: 'a=0' is not h or NAME=h with a length h above 0"),
+                (dict(size_at=0.1), cover.OptionError, "size_at: '0.1' is not NAME=h with a length h above 0"),
+                (dict(pieces=3), cover.OptionError, 'pieces needs paper'),
+                ({'max-angle': 120}, TypeError, "unexpected option 'max-angle'"),
+                (dict(max_angel=120), TypeError, "unexpected option 'max_angel'")):
+            with self.assertRaises(kind) as caught:
+                self.settings(**options)
+            self.assertIn(message, str(caught.exception), options)
+        self.assertEqual(cover.OptionError.__mro__[1:3], (cover.Error, ValueError))
+
+
+if __name__ == '__main__':
+    unittest.main(argv=sys.argv[:1])
