@@ -40,7 +40,7 @@ class Stub(unittest.TestCase):
                              [a.arg for a in node.args.kwonlyargs], name)
             defaults = [ast.literal_eval(d) for d in node.args.defaults + node.args.kw_defaults]
             self.assertEqual([p.default for p in parameters if p.default is not p.empty], defaults, name)
-            self.assertEqual([p.name for p in parameters if p.kind == p.VAR_KEYWORD], [node.args.kwarg.arg], name)
+            self.assertEqual([p.name for p in parameters if p.kind == p.VAR_KEYWORD], [node.args.kwarg.arg] if node.args.kwarg else [], name)
 
     def test_members(self):
         hinted = {node.name for node in CLASSES['Mesh'].body}
