@@ -25,4 +25,8 @@ Result<Input> parse_geojson(std::string_view text, const std::string& source);
 /// gmsh's .msh 2.2 and 4.1, ASCII or binary: the borders of physical surfaces, and physical curves.
 Result<Input> parse_msh(std::string_view text, const std::string& source);
 
+/// A plane mesh in a file of VTK's, named by its extension: see read_vtk_input().
+Result<Input> parse_vtk_input(std::string_view text, std::string_view extension,
+                              const std::string& source);
+
 }  // namespace cover

@@ -3,13 +3,11 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <array>
-#include <cctype>
-#include <filesystem>
 
 #include "io/input/formats.hpp"
 #include "io/text/text.hpp"
+#include "io/vtk_files/read_data_set.hpp"
 
 namespace cover {
 namespace {
@@ -27,24 +25,15 @@ constexpr std::array kFormats{
     Format{".msh", parse_msh},
 };
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
-}
-
-std::string extension_of(const std::string& path) {
-  return lower(std::filesystem::path(path).extension().string());
-}
-
 }  // namespace
 
 Result<Input> parse_input(std::string_view text, std::string_view extension,
                           const std::string& source) {
+  const std::string wanted = lower(extension);
   for (const Format& format : kFormats)
-    if (format.extension == lower(extension)) return format.parse(text, source);
-  if (lower(extension) == ".geo") {
+    if (format.extension == wanted) return format.parse(text, source);
+  if (is_data_set(wanted)) return parse_vtk_input(text, wanted, source);
+  if (wanted == ".geo") {
     return Error{ErrorCode::unsupported_format,
                  fmt::format("{}: .geo is read by gmsh's library, without which this was built; "
                              "'gmsh -2 FILE.geo -o FILE.msh' makes a file that can be read",
@@ -56,13 +45,11 @@ Result<Input> parse_input(std::string_view text, std::string_view extension,
   for (const Format& format : kFormats) {
     known += fmt::format("{}{}", known.empty() ? "" : ", ", format.extension);
   }
-  return Error{
-      ErrorCode::unsupported_format,
-      fmt::format(
-          "{}: no reader for files named '*{}'; known: {}, and through VTK .vtu, .vtp, .vtk",
-          source, extension, known),
-      {},
-      {}};
+  return Error{ErrorCode::unsupported_format,
+               fmt::format("{}: no reader for files named '*{}'; known: {}, .vtu, .vtp, .vti, .vtk",
+                           source, extension, known),
+               {},
+               {}};
 }
 
 Result<Input> read_input(const std::string& path) {

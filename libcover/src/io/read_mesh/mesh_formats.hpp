@@ -24,6 +24,10 @@ Result<MeshFile> parse_medit(std::string_view text, const std::string& source);
 /// Triangles come in the order of their numbers. Node sets are not read: they do not tell edges.
 Result<MeshFile> parse_inp(std::string_view text, const std::string& source);
 
+/// XDMF with all numbers in the XML, as write_xdmf() has it: the grid `mesh` with its attributes
+/// MaterialID, RegionId and GroupID, and the grid `lines` with LineID and Marker.
+Result<MeshFile> parse_xdmf(std::string_view text, const std::string& source);
+
 /// Triangle's .ele, with the .node and, if it is there, the .edge beside it. The first attribute
 /// is the material, the second the region; boundary markers of edges are the groups of lines.
 Result<MeshFile> read_triangle(const std::string& path);

@@ -1,3 +1,4 @@
+#include <cover/read_input.hpp>
 #include <cover/read_vtk_input.hpp>
 
 #include <gtest/gtest.h>
@@ -115,6 +116,24 @@ TEST(ReadVtkInputArrays, AreKnownInWhateverCase) {
   }
 }
 
+TEST(ReadVtkInputFiles, HaveExtensionsInWhateverCase) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(is_vtk_input("A.VTU"));
+  EXPECT_TRUE(read_vtk_input(folder.write("A.VTU", kGrid)));
+  EXPECT_TRUE(read_vtk_input(folder.write("A.Vtk", kLegacy)));
+  const auto parsed = parse_input(kPolyData, ".VTP", "standard input");
+  ASSERT_TRUE(parsed) << parsed.error().message;
+  EXPECT_EQ(parsed->segments.size(), 7U);
+}
+
+TEST(ReadVtkInputFiles, ThatAreCutOffSaySo) {
+  for (std::size_t size = 0; size + 1 < kGrid.size(); size += 7) {
+    const auto input = parse_input(kGrid.substr(0, size), ".vtu", "a.vtu");
+    ASSERT_FALSE(input);
+    EXPECT_EQ(input.error().code, ErrorCode::truncated) << input.error().message;
+  }
+}
+
 TEST(ReadVtkInputErrors, NameTheFile) {
   const std::string no_integers =
       replaced(replaced(kPolyData, "Int32", "Float64"), "3 7<", "3.5 7<");
@@ -126,8 +145,9 @@ TEST(ReadVtkInputErrors, NameTheFile) {
   EXPECT_EQ(message("a.vtu", two),
             "a.vtu: no cell array of whole numbers called material (or MaterialID, mat_id, ...); "
             "the cell arrays are colour, kind");
-  EXPECT_EQ(message("a.vtu", "no XML"), "a.vtu: VTK cannot read it");
-  EXPECT_EQ(message("a.vtk", "no VTK"), "a.vtk: VTK cannot read it");
+  EXPECT_EQ(message("a.vtu", "no XML"), "a.vtu:1: no valid XML: syntax error");
+  EXPECT_EQ(message("a.vtk", "no VTK"),
+            "a.vtk:1: no file of VTK: it does not begin with '# vtk DataFile Version'");
   EXPECT_EQ(message("a.vtu", replaced(kGrid, "2 1 5<", "2 1 6<")),
             "a.vtu: the mesh is not in a plane z = constant: point 0 has z = 5, point 5 6");
   EXPECT_EQ(message("a.vtu", replaced(kGrid, "8 9<", "8 10<")),

@@ -2,19 +2,15 @@
 // formats cannot hold them all; else what the file itself has is made the best of.
 // Tested by tests/unit/vtk/read_output_test.cpp.
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <limits>
 #include <optional>
+#include <set>
+#include <system_error>
+#include <utility>
 
 #include <fmt/core.h>
-#include <vtkCellData.h>
-#include <vtkDataArray.h>
-#include <vtkIdList.h>
-#include <vtkInformation.h>
-#include <vtkMultiBlockDataSet.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkXMLMultiBlockDataReader.h>
 
 #include <cover/read_mesh.hpp>
 #include <cover/stored_mesh.hpp>
@@ -23,34 +19,73 @@
 #include "io/read_mesh/complete_mesh.hpp"
 #include "io/read_mesh/second_order.hpp"
 #include "io/report/read_manifest.hpp"
-#include "vtk/cell_values.hpp"
-#include "vtk/quiet_vtk.hpp"
+#include "io/text/text.hpp"
+#include "io/text/xml_tree.hpp"
+#include "io/vtk_files/read_data_set.hpp"
+#include "io/vtk_files/whole_number.hpp"
 
 namespace cover {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// One block: a grid and its name.
+/// One block of a group: a grid and its name.
 struct Block {
+  std::string group;
   std::string name;
-  vtkSmartPointer<vtkUnstructuredGrid> grid;
+  DataSetFile file;
 };
 
-std::vector<Block> blocks_of(vtkMultiBlockDataSet& root, const std::string& group_name) {
-  std::vector<Block> blocks;
-  for (unsigned g = 0; g < root.GetNumberOfBlocks(); ++g) {
-    auto* group = vtkMultiBlockDataSet::SafeDownCast(root.GetBlock(g));
-    const char* name = root.GetMetaData(g)->Get(vtkCompositeDataSet::NAME());
-    if (group == nullptr || name == nullptr || name != group_name) continue;
-    for (unsigned k = 0; k < group->GetNumberOfBlocks(); ++k) {
-      const char* own = group->GetMetaData(k)->Get(vtkCompositeDataSet::NAME());
-      blocks.push_back(
-          {own == nullptr ? "" : own, vtkUnstructuredGrid::SafeDownCast(group->GetBlock(k))});
+/// The files that a .vtm names, read: those of `<Block name="...">` and no deeper.
+class BlockFiles {
+ public:
+  explicit BlockFiles(const std::string& path) : path_(path) {}
+
+  Result<std::vector<Block>> read() {
+    const Result<std::string> text = read_file(path_);
+    if (!text) return text.error();
+    const Result<XmlTree> tree = parse_xml(*text, path_);
+    if (!tree) return tree.error();
+    const XmlElement* root = tree->root.child("vtkMultiBlockDataSet");
+    if (tree->root.name != "VTKFile" || root == nullptr)
+      return wrong_file(path_, "not a valid VTK file: no multi-block data set");
+    for (const XmlElement& group : root->children) {
+      if (group.name != "Block") continue;
+      for (const XmlElement& block : group.children) {
+        if (block.name != "DataSet") continue;
+        if (Status status = read_block(group.value("name"), block); !status)
+          return std::move(status).error();
+      }
     }
+    return std::move(blocks_);
   }
-  return blocks;
-}
+
+ private:
+  Status read_block(std::string_view group, const XmlElement& element) {
+    const std::string_view file = element.value("file");
+    if (file.empty()) return ok();  // a block without cells has none
+    // The pieces are beside the file that a link leads to.
+    std::error_code ignored;
+    const fs::path canonical = fs::canonical(path_, ignored);
+    const fs::path piece = (ignored ? fs::path(path_) : canonical).parent_path() / file;
+    // Else a small file could name a large one a thousand times.
+    if (!seen_.insert(piece.lexically_normal()).second)
+      return wrong_file(path_, fmt::format("two blocks have the file '{}'", legible(file)));
+    if (!fs::is_regular_file(piece))
+      return Error{ErrorCode::cannot_open,
+                   fmt::format("{}: there is no file '{}' of a block", path_, legible(file)),
+                   {},
+                   {}};
+    Result<DataSetFile> data = read_data_set(piece);
+    if (!data) return std::move(data).error();
+    blocks_.push_back({std::string(group), std::string(element.value("name")), std::move(*data)});
+    return ok();
+  }
+
+  const std::string& path_;
+  std::set<fs::path> seen_;
+  std::vector<Block> blocks_;
+};
 
 /// Gathers the blocks of a .vtm into one mesh again, by the numbers that vertices have in it.
 class BlockReader {
@@ -60,11 +95,11 @@ class BlockReader {
 
   /// False if an array that write_vtm() writes is missing.
   bool add_regions(const Block& block) {
-    if (!block.grid || !start(*block.grid)) return false;
-    vtkDataArray* region = array("RegionId");
-    vtkDataArray* material = array("material");
+    if (!start(block.file.data)) return false;
+    const NumberArray* region = data_->array_of_cells("RegionId");
+    const NumberArray* material = data_->array_of_cells("material");
     if (region == nullptr || material == nullptr) return false;
-    for (vtkIdType c = 0; c < grid_->GetNumberOfCells(); ++c) {
+    for (std::size_t c = 0; c < data_->cell_count(); ++c) {
       if (!take_nodes(c, 3)) return false;
       const std::uint32_t id = number(*region, c);
       if (id == 0 || id > most_) return false;
@@ -84,20 +119,20 @@ class BlockReader {
   }
 
   bool add_lines(const Block& block) {
-    if (!block.grid || !start(*block.grid)) return false;
-    vtkDataArray* line = array("LineID");
-    vtkDataArray* left = array("LeftRegion");
-    vtkDataArray* right = array("RightRegion");
-    vtkDataArray* kind = array("LineKind");
-    vtkDataArray* marker = array("marker");
+    if (!start(block.file.data)) return false;
+    const NumberArray* line = data_->array_of_cells("LineID");
+    const NumberArray* left = data_->array_of_cells("LeftRegion");
+    const NumberArray* right = data_->array_of_cells("RightRegion");
+    const NumberArray* kind = data_->array_of_cells("LineKind");
+    const NumberArray* marker = data_->array_of_cells("marker");
     if (line == nullptr || left == nullptr || right == nullptr || kind == nullptr ||
         marker == nullptr)
       return false;
-    for (vtkIdType c = 0; c < grid_->GetNumberOfCells(); ++c) {
+    for (std::size_t c = 0; c < data_->cell_count(); ++c) {
       if (!take_nodes(c, 2)) return false;
       const std::uint32_t id = number(*line, c);
       if (id == 0 || id > most_) return false;
-      const int mark = static_cast<int>(whole_number(marker->GetTuple1(c)));
+      const int mark = static_cast<int>(whole_number(value(*marker, c)));
       stored_.edges.push_back({nodes_[0], nodes_[1], InterfaceId(id), mark});
       if (stored_.interfaces.size() < id) stored_.interfaces.resize(id);
       Interface& entry = stored_.interfaces[id - 1];
@@ -125,82 +160,67 @@ class BlockReader {
 
  private:
   /// Takes the points of a block, which may be those of other blocks too.
-  bool start(vtkUnstructuredGrid& grid) {
-    grid_ = &grid;
-    global_ = grid.GetPointData()->GetArray("GlobalNodeId");
-    if (global_ == nullptr || global_->GetNumberOfComponents() != 1 ||
-        global_->GetNumberOfTuples() != grid.GetNumberOfPoints())
-      return false;
+  bool start(const DataSet& data) {
+    data_ = &data;
+    global_ = data.array_of_points("GlobalNodeId");
+    if (global_ == nullptr) return data.point_count() == 0;
     auto& points = stored_.soup.points;
-    for (vtkIdType p = 0; p < grid.GetNumberOfPoints(); ++p) {
+    for (std::size_t p = 0; p < data.point_count(); ++p) {
       const std::uint32_t v = number(*global_, p);
       if (v > most_) return false;
-      if (points.size() <= v) points.resize(v + 1);
-      points[v] = {grid.GetPoint(p)[0], grid.GetPoint(p)[1]};
+      if (points.size() <= v) points.resize(v + std::size_t{1});
+      const DataSet::Coordinates x = data.point(p);
+      points[v] = {x[0], x[1]};
     }
     return true;
   }
 
   /// The nodes of a cell with `corners` corners, and maybe midpoints, into `nodes_`.
-  bool take_nodes(vtkIdType cell, vtkIdType corners) {
-    grid_->GetCellPoints(cell, ids_);
-    const vtkIdType n = ids_->GetNumberOfIds();
-    if (n < corners) return false;
+  bool take_nodes(std::size_t cell, std::size_t corners) {
+    std::array<std::uint32_t, 8> room{};
+    const auto nodes = data_->nodes(cell, room);
+    if (nodes.size() < corners) return false;
     nodes_.clear();
-    for (vtkIdType k = 0; k < n; ++k) {
-      const vtkIdType node = ids_->GetId(k);
-      if (node < 0 || node >= grid_->GetNumberOfPoints()) return false;
-      nodes_.push_back(number(*global_, node));
-    }
-    midpoints_.insert(midpoints_.end(), nodes_.begin() + corners, nodes_.end());
+    for (const std::uint32_t node : nodes) nodes_.push_back(number(*global_, node));
+    midpoints_.insert(midpoints_.end(), nodes_.begin() + static_cast<std::ptrdiff_t>(corners),
+                      nodes_.end());
     return true;
   }
 
-  /// A number that is not one becomes one that is too large.
-  [[nodiscard]] std::uint32_t number(vtkDataArray& array, vtkIdType k) const {
-    const double value = array.GetTuple1(k);
-    return value >= 0 && value <= most_ ? static_cast<std::uint32_t>(value) : most_ + 1;
+  static double value(const NumberArray& array, std::size_t k) {
+    return array.visit([k](auto numbers) { return static_cast<double>(numbers[k]); });
   }
-  [[nodiscard]] vtkDataArray* array(const char* name) const {
-    vtkDataArray* found = grid_->GetCellData()->GetArray(name);
-    return is_one_per_cell(found, *grid_) ? found : nullptr;
+  /// A number that is not one becomes one that is too large.
+  [[nodiscard]] std::uint32_t number(const NumberArray& array, std::size_t k) const {
+    const double found = value(array, k);
+    return found >= 0 && found <= most_ ? static_cast<std::uint32_t>(found) : most_ + 1;
   }
 
   StoredMesh& stored_;
   std::uint32_t most_;
-  vtkUnstructuredGrid* grid_ = nullptr;
-  vtkDataArray* global_ = nullptr;
-  vtkNew<vtkIdList> ids_;
+  const DataSet* data_ = nullptr;
+  const NumberArray* global_ = nullptr;
   std::vector<std::uint32_t> nodes_;
   std::vector<std::uint32_t> midpoints_;
 };
 
 Result<StoredMesh> read_vtm(const std::string& path) {
-  if (!fs::is_regular_file(path)) {
-    return Error{ErrorCode::cannot_open, fmt::format("cannot open '{}'", path), {}, {}};
-  }
-  const QuietVtk quiet;
-  vtkNew<vtkXMLMultiBlockDataReader> reader;
-  // The pieces are beside the file that a link leads to.
-  std::error_code ignored;
-  const fs::path file = fs::canonical(path, ignored);
-  reader->SetFileName((ignored ? path : file.string()).c_str());
-  reader->Update();
-  auto* root = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0));
-  if (reader->GetErrorCode() != 0 || root == nullptr) return wrong_file(path, "not a valid VTK file");
+  const Result<std::vector<Block>> files = BlockFiles(path).read();
+  if (!files) return files.error();
+  std::size_t most = 0;
+  for (const Block& block : *files)
+    most += block.file.data.point_count() + block.file.data.cell_count();
+  constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max() - 1;
   StoredMesh stored;
-  BlockReader blocks(
-      stored, static_cast<std::uint32_t>(root->GetNumberOfPoints() + root->GetNumberOfCells()));
-  for (const Block& block : blocks_of(*root, "regions")) {
-    if (!blocks.add_regions(block)) {
-      return wrong_file(path, fmt::format("block regions/{} lacks what cover writes", block.name));
-    }
-  }
-  for (const Block& block : blocks_of(*root, "interfaces")) {
-    if (!blocks.add_lines(block)) {
-      return wrong_file(path, fmt::format("block interfaces/{} lacks what cover writes", block.name));
-    }
-  }
+  BlockReader blocks(stored, static_cast<std::uint32_t>(std::min(most, kMost)));
+  const auto lacks = [&](const Block& block) {
+    return wrong_file(path, fmt::format("block {}/{} lacks what cover writes", legible(block.group),
+                                        legible(block.name)));
+  };
+  for (const Block& block : *files)
+    if (block.group == "regions" && !blocks.add_regions(block)) return lacks(block);
+  for (const Block& block : *files)
+    if (block.group == "interfaces" && !blocks.add_lines(block)) return lacks(block);
   blocks.finish();
   if (stored.regions.empty()) return wrong_file(path, "no regions in it: not written by cover");
   return stored;
@@ -226,7 +246,7 @@ class Completion {
   [[nodiscard]] const std::string& missing() const { return missing_; }
 
   Result<StoredMesh> read() {
-    if (fs::path(path_).extension() == ".vtm") return read_blocks();
+    if (extension_of(path_) == ".vtm") return read_blocks();
     Result<MeshFile> file = read_mesh(path_);
     if (!file) return std::move(file).error();
     StoredMesh stored;
@@ -258,7 +278,7 @@ class Completion {
 
   Status complete_alone(const MeshFile& file, StoredMesh& stored) {
     // Medit's format and those that have groups alone cannot tell regions; all others do.
-    const bool tells_regions = file.group.empty() && fs::path(path_).extension() != ".mesh";
+    const bool tells_regions = file.group.empty() && extension_of(path_) != ".mesh";
     if (stored.soup.region.empty() && tells_regions)
       return wrong_file(path_, "no RegionId of its triangles: not a mesh that cover wrote");
     const std::string unknown = complete_from_file(file, stored);

@@ -4,16 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include <vtkDataArray.h>
-#include <vtkDataSet.h>
-
 namespace cover {
-
-/// Whether there is an array, with one value for each cell.
-inline bool is_one_per_cell(vtkDataArray* array, vtkDataSet& data) {
-  return array != nullptr && array->GetNumberOfComponents() == 1 &&
-         array->GetNumberOfTuples() == data.GetNumberOfCells();
-}
 
 /// The value as an integer; 0 if doubles do not count that far, or it is no number.
 inline std::int64_t whole_number(double value) {

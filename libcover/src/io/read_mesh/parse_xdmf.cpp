@@ -1,56 +1,32 @@
-// VTK's XML parser makes a tree; numbers stand in its leaves. Its own XDMF reader is left alone: it
-// brings HDF5 along and crashes on broken files. Tested by tests/unit/vtk/read_output_test.cpp.
-#include "vtk/read_xdmf.hpp"
-
-#include <cstring>
-#include <filesystem>
+// Numbers stand in the leaves of the XML. VTK's own XDMF reader was left alone from the start: it
+// brings HDF5 along and crashes on broken files. Tested by
+// tests/unit/vtk/read_output_test.cpp.
 #include <type_traits>
 #include <utility>
 
 #include <fmt/core.h>
-#include <vtkSmartPointer.h>
-#include <vtkXMLDataElement.h>
-#include <vtkXMLUtilities.h>
 
 #include "io/read_mesh/mesh_collector.hpp"
+#include "io/read_mesh/mesh_formats.hpp"
 #include "io/text/text.hpp"
 #include "io/text/token_reader.hpp"
-#include "vtk/quiet_vtk.hpp"
+#include "io/text/xml_tree.hpp"
 
 namespace cover {
 namespace {
 
-using Element = vtkXMLDataElement;
-
-std::string attribute(Element& element, const char* name) {
-  const char* value = element.GetAttribute(name);
-  return value == nullptr ? "" : value;
-}
-
-/// The nested element called `tag` whose attribute Name is `name` (any if nullptr), or nullptr.
-Element* find(Element& parent, const char* tag, const char* name = nullptr) {
-  for (int k = 0; k < parent.GetNumberOfNestedElements(); ++k) {
-    Element* child = parent.GetNestedElement(k);
-    if (std::strcmp(child->GetName(), tag) != 0) continue;
-    if (name == nullptr || attribute(*child, "Name") == name) return child;
-  }
-  return nullptr;
-}
-
 class XdmfReader {
  public:
-  explicit XdmfReader(const std::string& path) : path_(path) {}
+  XdmfReader(std::string_view text, const std::string& path) : text_(text), path_(path) {}
 
   Result<MeshFile> read() {
-    const QuietVtk quiet;
-    const auto root =
-        vtkSmartPointer<Element>::Take(vtkXMLUtilities::ReadElementFromFile(path_.c_str()));
-    if (!root) return wrong("not valid XML");
-    Element* domain = find(*root, "Domain");
-    Element* triangles = domain == nullptr ? nullptr : find(*domain, "Grid", "mesh");
+    const Result<XmlTree> tree = parse_xml(text_, path_);
+    if (!tree) return tree.error();
+    const XmlElement* domain = tree->root.child("Domain");
+    const XmlElement* triangles = domain == nullptr ? nullptr : domain->child("Grid", "mesh");
     if (triangles == nullptr) return wrong("there is no grid 'mesh': not written by cover");
     if (Status status = read_triangles(*triangles); !status) return std::move(status).error();
-    if (Element* lines = find(*domain, "Grid", "lines")) {
+    if (const XmlElement* lines = domain->child("Grid", "lines")) {
       if (Status status = read_lines(*lines); !status) return std::move(status).error();
     }
     return collector_.finish();
@@ -62,21 +38,20 @@ class XdmfReader {
   }
 
   /// The text of the data item inside `parent`.
-  Result<std::string_view> data_in(Element* parent) const {
-    Element* item = parent == nullptr ? nullptr : find(*parent, "DataItem");
+  Result<std::string_view> data_in(const XmlElement* parent) const {
+    const XmlElement* item = parent == nullptr ? nullptr : parent->child("DataItem");
     if (item == nullptr) return wrong("a data item is missing");
-    if (attribute(*item, "Format") != "XML")
+    if (item->value("Format") != "XML")
       return Error{ErrorCode::unsupported_format,
                    fmt::format("{}: numbers outside the XML are not read", path_),
                    {},
                    {}};
-    const char* text = item->GetCharacterData();
-    return std::string_view(text == nullptr ? "" : text);
+    return item->text;
   }
 
   /// All numbers of an item. `Number` is long or double.
   template <class Number>
-  Result<std::vector<Number>> numbers_in(Element* parent) const {
+  Result<std::vector<Number>> numbers_in(const XmlElement* parent) const {
     const Result<std::string_view> text = data_in(parent);
     if (!text) return text.error();
     TokenReader tokens(*text, path_);
@@ -93,8 +68,8 @@ class XdmfReader {
     return numbers;
   }
 
-  Status read_triangles(Element& grid) {
-    auto coordinates = numbers_in<double>(find(grid, "Geometry"));
+  Status read_triangles(const XmlElement& grid) {
+    auto coordinates = numbers_in<double>(grid.child("Geometry"));
     if (!coordinates) return std::move(coordinates).error();
     for (std::size_t k = 0; k + 1 < coordinates->size(); k += 2)
       collector_.mesh.soup.points.push_back({(*coordinates)[k], (*coordinates)[k + 1]});
@@ -105,7 +80,7 @@ class XdmfReader {
     for (const auto& [name, values] : {std::pair{"MaterialID", &soup.material},
                                        {"RegionId", &soup.region},
                                        {"GroupID", &collector_.mesh.group}}) {
-      Element* array = find(grid, "Attribute", name);
+      const XmlElement* array = grid.child("Attribute", name);
       if (array == nullptr) continue;
       auto numbers = numbers_in<long>(array);
       if (!numbers) return std::move(numbers).error();
@@ -116,12 +91,12 @@ class XdmfReader {
     return ok();
   }
 
-  Status read_lines(Element& grid) {
+  Status read_lines(const XmlElement& grid) {
     const auto cells = cells_of(grid, 2);
     if (!cells) return cells.error();
-    auto groups = numbers_in<long>(find(grid, "Attribute", "LineID"));
+    auto groups = numbers_in<long>(grid.child("Attribute", "LineID"));
     if (!groups) return std::move(groups).error();
-    auto markers = numbers_in<long>(find(grid, "Attribute", "Marker"));
+    auto markers = numbers_in<long>(grid.child("Attribute", "Marker"));
     if (!markers) return std::move(markers).error();
     if (groups->size() != cells->size() || markers->size() != cells->size())
       return wrong("arrays of lines have the wrong size");
@@ -132,12 +107,12 @@ class XdmfReader {
   }
 
   /// The nodes of each cell, of which each has `corners` corners and maybe midpoints.
-  Result<std::vector<std::vector<std::uint32_t>>> cells_of(Element& grid,
+  Result<std::vector<std::vector<std::uint32_t>>> cells_of(const XmlElement& grid,
                                                            std::size_t corners) const {
-    Element* topology = find(grid, "Topology");
+    const XmlElement* topology = grid.child("Topology");
     const auto nodes = numbers_in<long>(topology);
     if (!nodes) return nodes.error();
-    const std::size_t each = attribute(*topology, "NodesPerElement") == std::to_string(corners)
+    const std::size_t each = topology->value("NodesPerElement") == std::to_string(corners)
                                  ? corners
                                  : 2 * corners - (corners == 2 ? 1 : 0);
     if (nodes->size() % each != 0) return wrong("a grid with other cells than triangles or lines");
@@ -156,27 +131,25 @@ class XdmfReader {
   }
 
   /// The names of groups, by number.
-  static std::map<std::int64_t, std::string> names_of(Element& grid) {
+  static std::map<std::int64_t, std::string> names_of(const XmlElement& grid) {
     std::map<std::int64_t, std::string> names;
-    for (int k = 0; k < grid.GetNumberOfNestedElements(); ++k) {
-      Element* child = grid.GetNestedElement(k);
-      if (std::strcmp(child->GetName(), "Information") != 0) continue;
-      if (const auto number = parse_integer(attribute(*child, "Value")))
-        names.emplace(*number, attribute(*child, "Name"));
+    for (const XmlElement& child : grid.children) {
+      if (child.name != "Information") continue;
+      if (const auto number = parse_integer(child.value("Value")))
+        names.emplace(*number, child.value("Name"));
     }
     return names;
   }
 
-  std::string path_;
+  std::string_view text_;
+  const std::string& path_;
   MeshCollector collector_;
 };
 
 }  // namespace
 
-Result<MeshFile> read_xdmf(const std::string& path) {
-  if (!std::filesystem::is_regular_file(path))
-    return Error{ErrorCode::cannot_open, fmt::format("cannot open '{}'", path), {}, {}};
-  return XdmfReader(path).read();
+Result<MeshFile> parse_xdmf(std::string_view text, const std::string& source) {
+  return XdmfReader(text, source).read();
 }
 
 }  // namespace cover

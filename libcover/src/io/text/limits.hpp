@@ -1,0 +1,35 @@
+// What files may announce. A file is somebody else's: whatever its header says, reading takes
+// memory and time in proportion to the bytes that are there.
+//
+// | what                                     | limit |
+// |------------------------------------------|-----------------------------------------------------|
+// | points, nodes of cells                   | below 2^32 - 1, as their numbers have 32 bits | |
+// numbers announced in text                | half the characters that are left, and one          |
+// | numbers announced as bytes               | the bytes that are left; base64: 3/4 of them | |
+// what compressed or shared data unfolds to | kUnfolding bytes for each of the file's, and        |
+// |                                          | kFreeUnfolding | | points of a lattice
+// (STRUCTURED_POINTS)  | kLatticePoints for each byte of the file            | | elements of XML,
+// one in the other        | kXmlDepth                                           | | elements of XML
+// in all                   | kXmlElements                                        | | entities and
+// external files of XML       | none                                                | | values in
+// JSON, one in the other         | kJsonDepth                                          | | files of
+// a .vtm                          | each once                                           |
+//
+// Tested by tests/unit/io/text/limits_test.cpp.
+#pragma once
+
+#include <cstddef>
+
+namespace cover {
+
+/// Meshes that VTK's writers compress become 2 to 40 times smaller; zlib at its best makes 1 byte
+/// of 1032, lzma of many more.
+inline constexpr std::size_t kUnfolding = 100;
+inline constexpr std::size_t kFreeUnfolding = std::size_t{64} << 20U;
+/// Each cell or point of a lattice has at least one number, of at least one byte; a row of n cells
+/// has 2 (n + 1) points.
+inline constexpr std::size_t kLatticePoints = 4;
+inline constexpr std::size_t kXmlDepth = 64;
+inline constexpr std::size_t kXmlElements = 1'000'000;
+
+}  // namespace cover
