@@ -17,7 +17,8 @@ namespace cover {
 ///   schema is input.schema.json;
 /// - `.geojson`: areas and lines with the properties material, name and priority;
 /// - `.msh`, gmsh's 2.2 and 4.1 in ASCII: the borders of the physical surfaces and the physical
-///   curves. `cover::vtk` reads VTK's files: read_vtk_input().
+///   curves;
+/// - `.vtu`, `.vtp`, `.vti` and legacy `.vtk`: see read_vtk_input().
 ///
 /// Errors: cannot_open, syntax, truncated, id_out_of_range, non_finite_coordinate,
 ///         unsupported_format; messages name file and line, in JSON the path.

@@ -1,4 +1,4 @@
-// Reading meshes back: triangles of any tool, and all that cover wrote (target cover::vtk).
+// Reading meshes back: triangles of any tool, and all that cover wrote.
 #pragma once
 
 #include <cstdint>

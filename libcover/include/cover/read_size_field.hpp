@@ -1,4 +1,4 @@
-// Reading background sizes from VTK's files (target cover::vtk).
+// Reading background sizes from VTK's files, without VTK.
 #pragma once
 
 #include <string>
@@ -9,13 +9,12 @@
 
 namespace cover {
 
-/// Reads edge lengths at points from .vtu, .vtp or any legacy .vtk, for size_function(): the point
-/// array called "size" or "h", or the only one that has one component. Plane cells of any kind are
-/// cut into triangles; other cells and z are passed over.
+/// Reads edge lengths at points from .vtu, .vtp, .vti or any legacy .vtk, for size_function(): the
+/// point array called "size" or "h", or the only one that has one component. Plane cells of any
+/// kind are cut into triangles; other cells and z are passed over.
 ///
-/// Errors: cannot_open; unsupported_format; syntax, also where there is no such array. What it
-/// holds
-///         is looked at by size_function().
+/// Errors: cannot_open; unsupported_format; truncated; syntax, also where there is no such array.
+///         What it holds is looked at by size_function().
 Result<SizeSamples> read_size_field(const std::string& path);
 
 /// Makes Options::size_field of the file that Options::size_field_name names. Does nothing where

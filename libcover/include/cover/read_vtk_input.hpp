@@ -1,4 +1,4 @@
-// Reading geometry from VTK's files (target cover::vtk).
+// Reading geometry from VTK's files, without VTK.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace cover {
 
-/// Whether read_vtk_input() knows files named like this: .vtu, .vtp and .vtk.
+/// Whether read_vtk_input() knows files named like this: .vtu, .vtp, .vti and .vtk, in whatever
+/// case.
 bool is_vtk_input(const std::string& path);
 
 /// Reads a plane mesh as geometry: the sides between cells of different material, and those with a
@@ -18,7 +19,7 @@ bool is_vtk_input(const std::string& path);
 /// gmsh:physical, medit:ref, CellEntityIds, RegionId, or much like that (MaterialIds, phase,
 /// attribute, region), in whatever case; or the only such array there is. Cells may
 /// be triangles, quadrangles, pixels, strips or polygons; of curved cells the corners are taken.
-/// Errors: cannot_open, syntax, unsupported_format, non_finite_coordinate
+/// Errors: cannot_open, syntax, truncated, unsupported_format, non_finite_coordinate
 /// Cost:   O(n log n)
 Result<Input> read_vtk_input(const std::string& path);
 

@@ -85,7 +85,7 @@ void add_arrays(vtkDataSetAttributes* data, vtkIdType items) {
   vtkNew<vtkDoubleArray> doubles;
   doubles->SetName("doubles");
   for (vtkIdType k = 0; k < items; ++k)
-    doubles->InsertNextValue(static_cast<double>(k * k) * std::pow(2, k - 40));
+    doubles->InsertNextValue(static_cast<double>(k * k) * 0.25 - 3);
   data->AddArray(doubles);
 }
 
@@ -207,8 +207,8 @@ void expect_same(const std::string& path, vtkDataSet& written) {
     const auto nodes = data.nodes(static_cast<std::size_t>(c), room);
     EXPECT_TRUE(std::equal(nodes.begin(), nodes.end(), ids->begin(), ids->end())) << "cell " << c;
   }
-  EXPECT_EQ(arrays_of(data.point_arrays), arrays_of(written.GetPointData()));
-  EXPECT_EQ(arrays_of(data.cell_arrays), arrays_of(written.GetCellData()));
+  EXPECT_TRUE(arrays_of(data.point_arrays) == arrays_of(written.GetPointData()));
+  EXPECT_TRUE(arrays_of(data.cell_arrays) == arrays_of(written.GetCellData()));
 }
 
 vtkSmartPointer<vtkDataSet> with_arrays(vtkSmartPointer<vtkDataSet> data) {

@@ -268,7 +268,7 @@ TEST(ReadOutput, BrokenFilesAreErrors) {
   EXPECT_EQ(code("a.ele", "1 3 2\n"), ErrorCode::cannot_open);
   (void)folder.write("b.node", "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n");
   EXPECT_EQ(code("b.ele", "1 3 2\n1 1 2 4 1 1\n"), ErrorCode::id_out_of_range);
-  // Legacy files that VTK's own reader crashes on: cells shorter or longer than they say.
+  // Legacy files that VTK's reader crashed on: cells shorter or longer than they say.
   const std::string head = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n";
   const std::string points = "POINTS 3 double\n0 0 0 1 0 0 0 1 0\n";
   const std::string rest =
@@ -277,7 +277,7 @@ TEST(ReadOutput, BrokenFilesAreErrors) {
   EXPECT_EQ(code("b.vtk", head + points + "CELLS 1 9\n3 0 1 2\n" + rest), ErrorCode::syntax);
   EXPECT_EQ(code("c.vtk", head + points + "CELLS 1 4\n3 0 1 7\n" + rest), ErrorCode::syntax);
   EXPECT_EQ(code("d.vtk", head + "POINTS 99999999 double\n0 0 0\nCELLS 1 4\n3 0 1 2\n" + rest),
-            ErrorCode::syntax);
+            ErrorCode::truncated);
   EXPECT_EQ(code("e.vtk", "# vtk DataFile Version 3\nx\nASCII\n" + points), ErrorCode::syntax);
   EXPECT_TRUE(read_output(folder.write("f.vtk", head + points + "CELLS 1 4\n3 0 1 2\n" + rest)));
   EXPECT_EQ(code("c.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"), ErrorCode::truncated);
@@ -335,7 +335,7 @@ TEST(ReadOutput, SaysWhatIsWrongWithTheFile) {
   const testing::TemporaryFolder folder;
   EXPECT_EQ(read_output("/nowhere/x.vtu").error().code, ErrorCode::cannot_open);
   EXPECT_EQ(read_output("/nowhere/x.vtm").error().code, ErrorCode::cannot_open);
-  EXPECT_EQ(read_output(folder.write("x.vtm", "<VTKFile")).error().code, ErrorCode::syntax);
+  EXPECT_EQ(read_output(folder.write("x.vtm", "<VTKFile")).error().code, ErrorCode::truncated);
   EXPECT_EQ(read_output(folder.write("x.vtu", "rubbish")).error().code, ErrorCode::syntax);
 }
 

@@ -131,7 +131,7 @@ Status DataSet::add_cells(const NumberArray& connectivity, const std::vector<std
   if (bad < offsets.back()) {
     const auto cell = std::upper_bound(offsets.begin(), offsets.end(), bad) - offsets.begin() - 1;
     return Error{
-        ErrorCode::id_out_of_range,
+        ErrorCode::syntax,
         fmt::format("cell {} has the point {}, which is not there: there are {}",
                     types_.size() + static_cast<std::size_t>(cell),
                     connectivity.visit([&](auto n) { return fmt::format("{}", n[bad]); }), points),

@@ -14,7 +14,7 @@ namespace cover {
 /// appended data, compressed or not. Arrays with one number for each item are read; of others, the
 /// names are kept. `text` must outlive the data set.
 ///
-/// Errors: syntax, truncated, id_out_of_range, unsupported_format, where it announces more than
+/// Errors: syntax, truncated, unsupported_format, where it announces more than
 ///         limits.hpp allows.
 /// Cost:   O(bytes, and what they unfold to)
 Result<DataSet> parse_vtk_xml(std::string_view text, const std::string& source);
