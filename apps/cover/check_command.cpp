@@ -7,8 +7,10 @@
 #include <cover/read_mesh.hpp>
 #include <cover/verify.hpp>
 
+#include "base/describe.hpp"
 #include "commands.hpp"
 #include "console.hpp"
+#include "cuts/adopt_cuts.hpp"
 #include "input_file.hpp"
 #include "mesh_file.hpp"
 #include "options.hpp"
@@ -60,6 +62,43 @@ bool is_split_only(const Verification& found, const Prepared& prepared, const Tr
   return verify_cover(prepared.pslg, prepared.table, mesh, verify).violations.empty();
 }
 
+/// The negative couplings of a mesh that has cut segments or not.
+Verification couplings_of(const Prepared& prepared, const TriangleSoup& mesh,
+                          VerifyOptions verify) {
+  Pslg pslg = prepared.pslg;
+  RegionTable table = prepared.table;
+  adopt_cuts(pslg, table, mesh);  // a piece of a segment is a side of its own
+  verify.allow_split = verify.box_method = true;
+  return verify_cover(pslg, table, mesh, verify);
+}
+
+int print_couplings(const Verification& found, bool quiet) {
+  constexpr std::size_t kListed = 20;
+  using Kind = NegativeCoupling::Kind;
+  const auto& all = found.negative_couplings;
+  const auto count = [&](Kind kind) {
+    return grouped(static_cast<std::size_t>(std::count_if(
+        all.begin(), all.end(), [&](const NegativeCoupling& c) { return c.kind == kind; })));
+  };
+  if (all.empty()) {
+    if (!quiet)
+      fmt::print("Box method: no negative coupling; {} obtuse triangles\n", grouped(found.obtuse));
+    return exit_ok;
+  }
+  fmt::print(
+      "FAILED box method: {} negative couplings: {} on inner edges, {} on sides that a "
+      "vertex of the boundary encroaches, {} on other sides\n",
+      grouped(all.size()), count(Kind::inside), count(Kind::encroached), count(Kind::given_up));
+  for (std::size_t k = 0; k < std::min(kListed, all.size()); ++k) {
+    const NegativeCoupling& c = all[k];
+    fmt::print("    region {}: {} from {} to {}, {} {}\n", c.region.value(),
+               c.kind == Kind::inside ? "inner edge" : "side", describe(c.a), describe(c.b),
+               c.kind == Kind::encroached ? "encroached by" : "seen from", describe(c.apex));
+  }
+  if (all.size() > kListed) fmt::print("    ... and {} more\n", grouped(all.size() - kListed));
+  return exit_unmet;
+}
+
 }  // namespace
 
 int run_check(Arguments arguments) {
@@ -81,7 +120,7 @@ Examples:
   Verbosity verbosity;
   VerifyOptions verify;
   LibraryOptions library;
-  bool no_bound = false;
+  bool no_bound = false, box_method = false;
   input_file.add(app)->required();
   app.add_option("mesh", mesh_path,
                  fmt::format("Mesh of any tool: .vtm, {}", fmt::join(mesh_formats(), ", ")))
@@ -91,6 +130,8 @@ Examples:
                "Segments may have vertices inside; promise 3 is not checked then");
   app.add_flag("--no-bound", no_bound, "Do not check promise 3");
   app.add_flag("--hull", verify.hull, "The mesh covers the convex hull");
+  app.add_flag("--box-method", box_method,
+               "List negative couplings of the box method, by exact signs; 6 if there is one");
   library.add(app, OptionGroup::cleaning);
   add_verbosity(app, verbosity);
   if (const auto code = parse(app, std::move(arguments))) return *code;
@@ -114,7 +155,9 @@ Examples:
   const int code = print(found, mesh->soup, verbosity.quiet);
   if (is_split_only(found, *prepared, mesh->soup, verify))
     fmt::print("All else is sound: segments have vertices inside, which --allow-split allows\n");
-  return code;
+  if (!box_method) return code;
+  const int boxes = print_couplings(couplings_of(*prepared, mesh->soup, verify), verbosity.quiet);
+  return code == exit_ok ? boxes : code;
 }
 
 }  // namespace cover::app

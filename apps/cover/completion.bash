@@ -14,7 +14,7 @@ _cover() {
     --fill) words="refine disks" ;;
     --overlap) words="last first error" ;;
     --weld) words="auto off" ;;
-    --require) words="bound max-angle delaunay non-obtuse" ;;
+    --require) words="bound max-angle delaunay non-obtuse box-method" ;;
     --unit) words="nm um mm cm m" ;;
     --order) words="1 2" ;;
     --msh) words="2.2 4.1" ;;

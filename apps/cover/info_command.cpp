@@ -33,7 +33,10 @@ int run_info(Arguments arguments) {
   if (!input) return fail(*log, input.error());
   const Result<Prepared> prepared = prepare(*input, *options);
   if (!prepared) return fail(*log, prepared.error());
-  fmt::print("{}", info_text(*prepared, verbosity.verbose > 0));
+  const Result<BoxCosts> costs = box_costs(*prepared, *options);
+  if (!costs) return fail(*log, costs.error());
+  fmt::print("{}{}", info_text(*prepared, verbosity.verbose > 0),
+             box_costs_text(*costs, verbosity.verbose > 0));
   std::fflush(stdout);
   log_notes(*log, prepared->report.notes);
   for (const RegionReport& region : prepared->report.regions) log_notes(*log, region.notes);

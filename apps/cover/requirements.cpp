@@ -73,6 +73,8 @@ std::vector<std::string> unmet_requirements(const Output& output, const Options&
       [](const RegionReport& r) { return r.box.non_delaunay_edges > 0; });
   add(require.non_obtuse, "non-obtuse (no triangle above 90 degrees)",
       [](const RegionReport& r) { return r.quality.obtuse > 0; });
+  add(require.box_method, "box-method (no negative coupling of the box method)",
+      [](const RegionReport& r) { return r.box.negative_couplings > 0; });
   return unmet;
 }
 

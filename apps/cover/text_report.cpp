@@ -258,4 +258,29 @@ std::string info_text(const Prepared& prepared, bool every_region) {
   return out;
 }
 
+std::string box_costs_text(const BoxCosts& costs, bool every_side) {
+  std::string out = fmt::format(
+      "\nBox method: {} of {} {} a vertex in the open diametral disk, which forces a negative "
+      "coupling\n",
+      grouped(costs.encroached_sides), plural(costs.sides, "side"),
+      costs.encroached_sides == 1 ? "has" : "have");
+  out += fmt::format(
+      "  segments whole                        {:>7} negative couplings are forced\n"
+      "  none negative (--box-method)          {:>7} cuts before meshing; proven to be needed: {}\n"
+      "  no obtuse angle (--split-interfaces)  {:>7} cuts before meshing\n",
+      grouped(costs.encroached_sides), grouped(costs.cuts), grouped(costs.least_cuts),
+      grouped(costs.cuts_for_right_angles));
+  if (costs.uncut > 0)
+    out += fmt::format("  {} cannot be cut often enough in double coordinates\n",
+                       plural(costs.uncut, "segment"));
+  const std::size_t shown =
+      every_side ? costs.encroached.size() : std::min(kRows, costs.encroached.size());
+  for (std::size_t k = 0; k < shown; ++k) {
+    const NegativeCoupling& c = costs.encroached[k];
+    out += fmt::format("  region {}: the side from {} to {} by {}\n", c.region.value(),
+                       cover::describe(c.a), cover::describe(c.b), cover::describe(c.apex));
+  }
+  return out + more(costs.encroached.size(), shown, "sides");
+}
+
 }  // namespace cover::app

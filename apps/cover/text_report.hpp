@@ -14,4 +14,7 @@ std::string mesh_text(const Output& output, bool every_region);
 /// What an input holds and what can be reached on it: regions and interfaces.
 std::string info_text(const Prepared& prepared, bool every_region);
 
+/// What the box method costs: encroached sides, cuts needed and planned for each grade.
+std::string box_costs_text(const BoxCosts& costs, bool every_side);
+
 }  // namespace cover::app

@@ -21,7 +21,7 @@ namespace {
 using Grade = Finding::Grade;
 
 /// Radians that a target may be missed by: what the quality method leaves to rounding.
-constexpr double kRounding = 1e-9;
+constexpr double kAngleRounding = 1e-9;
 
 /// What the run aimed at, in degrees; 0: nothing.
 struct Targets {
@@ -140,7 +140,7 @@ std::string reasons(const Misses& misses) {
 
 Finding check_largest(const Output& output, double target) {
   const auto& regions = output.report.regions;
-  const double nu_target = Angle::degrees(180 - target).in_radians() - kRounding;
+  const double nu_target = Angle::degrees(180 - target).in_radians() - kAngleRounding;
   const Misses misses = misses_of(regions, nu_target);
   const RegionReport* worst = &*std::min_element(
       regions.begin(), regions.end(), [](const RegionReport& a, const RegionReport& b) {
@@ -165,7 +165,7 @@ Finding check_largest(const Output& output, double target) {
 
 Finding check_smallest(const Output& output, double target) {
   const auto& regions = output.report.regions;
-  const double limit = Angle::degrees(target).in_radians() - kRounding;
+  const double limit = Angle::degrees(target).in_radians() - kAngleRounding;
   const auto below = static_cast<std::size_t>(std::count_if(
       regions.begin(), regions.end(),
       [&](const RegionReport& r) { return r.quality.smallest.in_radians() < limit; }));

@@ -257,6 +257,26 @@ class Mesh(Case):
         self.assertGreater(self.require(diode, 'delaunay', 6)['box']['non_delaunay_edges'], 0)
         self.assertEqual(self.require(diode, 'delaunay', 0, '--method', 'almond')['box']['non_delaunay_edges'], 0)
 
+    def test_box_method(self):
+        # A point over the lid of a box, and two beside each other in it.
+        box = self.write('box.poly', '6 2 0 0\n1 0 0\n2 10 0\n3 10 6\n4 0 6\n5 4 1\n6 6 1\n'
+                         '4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n')
+        out, _ = self.run_cover('info', box)
+        self.assertRegex(out, 'Box method: 1 of 4 sides has a vertex in the open diametral disk')
+        self.assertRegex(out, r'none negative \(--box-method\) +2 cuts before meshing; proven to be needed: 2')
+        self.assertEqual(self.require(box, 'box-method', 6)['box']['negative_encroached'], 1)
+        out, _ = self.run_cover('check', box, 'd.vtu', '--box-method', code=6)
+        self.assertRegex(out, r'FAILED box method: \d negative couplings: 0 on inner edges, 1 on sides that a vertex')
+        self.assertIn('side from (0, 0) to (10, 0), encroached by (', out)
+        overall = self.require(box, 'box-method', 0, '--box-method')
+        self.assertEqual(overall['box']['negative_couplings'], 0)
+        report = json.loads((self.dir / 'd.json').read_text())
+        self.assertEqual([cut['reason'] for cut in report['box_cuts']], ['encroached'] * 2)
+        out, _ = self.run_cover('check', box, 'd.vtu', '--box-method', '--allow-split')
+        self.assertIn('Box method: no negative coupling', out)
+        err = self.run_cover('mesh', box, '-o', 'd.vtu', '--box-method', '--hull', code=2)[1]
+        self.assertIn('box_method', err)
+
     def test_require_bound_of_what_is_kept(self):
         # Two squares; the left one was meshed by hand, with an angle of 179.8 degrees.
         self.write('two.poly', '6 2 0 0\n1 0 0\n2 1 0\n3 2 0\n4 2 1\n5 1 1\n6 0 1\n'

@@ -10,12 +10,31 @@
 
 namespace cover {
 
+/// What it takes to be without negative couplings in the box method, found without a mesh.
+struct BoxCosts {
+  std::size_t sides = 0;               ///< of all regions
+  std::size_t encroached_sides = 0;    ///< each forces one negative coupling, until it is cut
+  std::size_t encroached_segments = 0;
+  std::size_t least_cuts = 0;  ///< proven: no fewer cuts on straight segments will do
+  std::size_t cuts = 0;        ///< points that Options::box_method puts on segments before meshing
+  std::size_t uncut = 0;       ///< segments left encroached, as doubles have no room for more cuts
+  std::size_t cuts_for_right_angles = 0;  ///< those that Options::split_interfaces = 90 degrees puts
+  std::vector<NegativeCoupling> encroached;  ///< by region, then side
+};
+
 /// Cleans the input, finds its regions and their lower bounds; makes no mesh.
 ///
 /// Errors: ErrorCode 100-199; Error::inputs holds the ids at fault.
 /// Cost:   O(n log n).
 Result<Prepared> prepare(const Input& input, const Options& options = {},
                          const Callbacks& callbacks = {});
+
+/// What the box method costs on a prepared input, before any mesh is made.
+///
+/// Errors: cancelled, bad_option
+/// Cost:   O(n log n) for each pass of cuts
+Result<BoxCosts> box_costs(const Prepared& prepared, const Options& options = {},
+                           const Callbacks& callbacks = {});
 
 /// Triangulates every region of `input` and returns one mesh whose regions share
 /// their boundary vertices and edges.

@@ -33,6 +33,7 @@ struct Requirements {
   bool max_angle = false;   ///< no triangle above max_angle
   bool delaunay = false;    ///< no inner edge that fails the empty-circle test
   bool non_obtuse = false;  ///< no triangle above 90 degrees
+  bool box_method = false;  ///< no negative coupling of the box method, by exact signs
 };
 
 /// A wished edge length for a material, region, interface, contact or point.
@@ -61,12 +62,14 @@ struct Options {
   Angle min_angle = Angle::degrees(20);   ///< second target of the quality method, in [0, 60)
   /// Where several sizes hold, among them those of RegionSeed, the smallest counts.
   std::vector<SizeRule> sizes;
-  bool input_sizes = true;                ///< false: those of the input's regions do not count
-  SizeFunction size_field;                ///< background sizes; empty: none. See size_function()
-  std::string size_field_name;            ///< of the background sizes, for reports
-  /// Ratio of neighbouring edge lengths, > 1. None: kGrowth where there are sizes; elsewhere triangles
-  /// grow as fast as their angles allow. With it and no sizes, they grow from the boundary's edges.
+  bool input_sizes = true;      ///< false: those of the input's regions do not count
+  SizeFunction size_field;      ///< background sizes; empty: none. See size_function()
+  std::string size_field_name;  ///< of the background sizes, for reports
+  /// Ratio of neighbouring edge lengths, > 1. None: kGrowth where there are sizes; elsewhere
+  /// triangles grow as fast as their angles allow. With it and no sizes, they grow from the
+  /// boundary's edges.
   std::optional<double> growth;
+  bool box_method = false;  ///< cut segments until no coupling of the box method is negative
   std::optional<Angle> split_interfaces;  ///< cut segments until gamma_opt is at most this
 
   Overlap overlap = Overlap::last;

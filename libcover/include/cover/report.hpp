@@ -60,10 +60,40 @@ struct Quality {
 
 /// What the box method (finite volumes) will meet.
 struct BoxMethod {
-  std::size_t obtuse_sides = 0;        ///< sides with an obtuse opposite angle
-  std::size_t non_delaunay_edges = 0;  ///< inner edges with a + b > pi
-  std::size_t negative_couplings = 0;  ///< cot a + cot b < 0 inside, cot a < 0 at sides
-  double box_area = 0;                 ///< sum of |e| d_e / 2 with unsigned distances
+  std::size_t obtuse_sides = 0;        ///< sides with an obtuse opposite angle, by 1e-9 radians
+  std::size_t non_delaunay_edges = 0;  ///< inner edges with a + b > pi, by 1e-9
+  /// cot a + cot b < 0 inside, cot a < 0 at sides: the exact signs. Those at sides that a vertex
+  /// of the boundary encroaches cannot be helped without cuts.
+  std::size_t negative_couplings = 0;
+  std::size_t negative_inside = 0;      ///< those of them on inner edges
+  std::size_t negative_encroached = 0;  ///< those on sides that a vertex of the boundary encroaches
+  std::size_t negative_given_up = 0;    ///< those on other sides: given up for the angle
+  double box_area = 0;                  ///< sum of |e| d_e / 2 with unsigned distances
+};
+
+/// An edge with a negative coupling in one region.
+struct NegativeCoupling {
+  enum class Kind {
+    inside,      ///< an inner edge that is not locally Delaunay
+    encroached,  ///< a side with a visible vertex of the boundary in its open diametral disk
+    given_up,    ///< any other side
+  };
+  Kind kind = Kind::inside;
+  RegionId region;
+  Point a, b;  ///< the edge, with the region on its left
+  Point apex;  ///< the corner opposite to it; of an encroached side: the vertex that encroaches it
+};
+
+/// A cut that the box method asked for.
+struct BoxCut {
+  enum class Reason {
+    encroached,         ///< by a vertex of the input
+    encroached_by_cut,  ///< by a vertex that was put on another segment
+    given_up,           ///< a mesh had a negative coupling there for the sake of its angles
+  };
+  Point at;
+  Reason reason = Reason::encroached;
+  Point by;  ///< the vertex that encroached the segment, or saw it at too large an angle
 };
 
 /// How a mesh came about, so that it can be traced.
@@ -93,6 +123,7 @@ struct RegionReport {
   Angle nu_bound;      ///< min(B/2, 30 degrees): the promise
   Quality quality;
   BoxMethod box;
+  std::vector<NegativeCoupling> couplings;  ///< the negative ones
   std::size_t input_vertices = 0;
   std::size_t steiner_vertices = 0;
   std::size_t forced_above_120 = 0;  ///< sides whose own gamma_opt is above
@@ -118,6 +149,7 @@ struct Report {
   Quality quality;                    ///< over all regions
   std::vector<Note> notes;            ///< about the input as a whole
   std::vector<Change> changes;        ///< every one; the notes sum them up
+  std::vector<BoxCut> box_cuts;       ///< Options::box_method: all of them, with their reasons
   std::vector<Replaced> replaced;     ///< remesh(): by region; else empty
   std::vector<StageTime> times;
   Provenance provenance;

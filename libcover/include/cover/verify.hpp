@@ -11,6 +11,7 @@
 #include <cover/point.hpp>
 #include <cover/pslg.hpp>
 #include <cover/regions.hpp>
+#include <cover/report.hpp>
 
 namespace cover {
 
@@ -31,6 +32,7 @@ struct VerifyOptions {
   /// False: materials of the mesh may have other numbers than in the input, as where a file has
   /// groups instead; but no number stands for two materials.
   bool material_numbers = true;
+  bool box_method = false;  ///< list negative couplings; they are no violations
 };
 
 /// A broken promise.
@@ -51,6 +53,10 @@ struct Verification {
   /// By triangle: the region of the input that it lies in, kVoid if none is known. Empty where the
   /// input is no clean planar straight-line graph.
   std::vector<RegionId> triangle_regions;
+  /// With VerifyOptions::box_method: every edge with a negative coupling in its region, by exact
+  /// signs, inner edges first. A side is encroached if a point of the PSLG encroaches it.
+  std::vector<NegativeCoupling> negative_couplings;
+  std::size_t obtuse = 0;  ///< with box_method: triangles with an angle above 90 degrees, exactly
 };
 
 /// The mesh of a run as plain arrays.

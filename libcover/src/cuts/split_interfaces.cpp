@@ -20,6 +20,7 @@
 #include "cdt/cdt.hpp"
 #include "cdt/region_cdt.hpp"
 #include "cuts/cut_segments.hpp"
+#include "cuts/room_on_segment.hpp"
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/segment_sizes.hpp"
@@ -33,8 +34,7 @@ namespace {
 constexpr int kPasses = 64;
 constexpr double kFloor = 0x1p-10;      ///< of its segment: the shortest half that is cut in two
 constexpr double kFootFloor = 0x1p-40;  ///< of its segment: the shortest piece beside a foot
-constexpr double kThin = 4;  ///< units in the last place: no cut is nearer to a triangle's edges
-constexpr double kRounding = 1e-9;  ///< radians
+constexpr double kRounding = 1e-9;      ///< radians
 constexpr int kTrials = 8;  ///< single cuts are taken back so often, then all of a broken region
 constexpr std::size_t kPlaces = 8;
 
@@ -181,26 +181,17 @@ class Splitter {
     const Point a = at(piece.a), b = at(piece.b);
     if (wish.nu > std::numbers::pi / 2 - kRounding) {
       if (length_of(piece) < 2 * kFloor * whole) return std::nullopt;
-      return has_room(a, b, midpoint(a, b), wish) ? std::optional(midpoint(a, b)) : std::nullopt;
+      return has_room_on_segment(a, b, midpoint(a, b), wish.apexes) ? std::optional(midpoint(a, b))
+                                                                    : std::nullopt;
     }
     const Vector along = b - a;
     const double from_a = dot(wish.apex - a, along) / squared_length(along);
     const double from_b = dot(wish.apex - b, along) / squared_length(along);
     const Point foot = from_a <= 0.5 ? a + from_a * along : b + from_b * along;
     const double shorter = std::min(length(foot - a), length(foot - b));
-    if (shorter <= kFootFloor * whole || !has_room(a, b, foot, wish)) return std::nullopt;
+    if (shorter <= kFootFloor * whole || !has_room_on_segment(a, b, foot, wish.apexes))
+      return std::nullopt;
     return foot;
-  }
-
-  /// Whether `p` on ab keeps away from the other edges of the triangles on both sides, on which
-  /// there may be cuts too: then rounding makes nothing cross.
-  [[nodiscard]] bool has_room(Point a, Point b, Point p, const Wish& wish) const {
-    const double largest = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
-    const double room = kThin * (std::nextafter(largest, 2 * largest) - largest);
-    return std::all_of(wish.apexes.begin(), wish.apexes.end(), [&](Point c) {
-      return std::abs(cross(c - a, p - a)) > room * length(c - a) &&
-             std::abs(cross(c - b, p - b)) > room * length(c - b);
-    });
   }
 
   /// What lies in the void belongs to no region, and cuts must not meet it either.

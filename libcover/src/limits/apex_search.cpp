@@ -23,7 +23,6 @@
 namespace cover {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr std::size_t kTriangles = 24;  ///< around a side, whose sides are obstacles
 constexpr double kSmallestBox = 1e-7;   ///< in radians: not cut any more
 constexpr double kProbed = 0.05;        ///< in radians: larger boxes are probed in the middle
@@ -137,11 +136,11 @@ bool ApexSearch::reaches_next(const End& end, double low, double high, double ne
 
 bool ApexSearch::ear_is_possible(bool at_a) const {
   const End &near = at_a ? a_ : b_, &far = at_a ? b_ : a_;
-  if (near.corner >= kPi - kAngleSlack) return false;
+  if (near.corner >= std::numbers::pi - kAngleSlack) return false;
   const Place& p = near.seen.back();
   if (!(p.y > 0)) return false;
   const double alpha = angle_of(p.x, p.y), beta = angle_of(1 - p.x, p.y);
-  if (!angles_are_in_range(alpha, beta, kPi - alpha - beta)) return false;
+  if (!angles_are_in_range(alpha, beta, std::numbers::pi - alpha - beta)) return false;
   if (is_triangle_) return true;
   // The rest of the other corner.
   const double rest = far.corner - (at_a ? beta : alpha);
@@ -242,7 +241,7 @@ bool ApexSearch::end_is_out(const End& end, double low, double high, double near
   if (range_.least == 0) return false;
   for (std::size_t k = 0; k < end.seen.size(); ++k) {
     const double beyond = end.direction[k] - low;
-    if (end.direction[k] < high + kAngleSlack || beyond > kPi / 2) continue;
+    if (end.direction[k] < high + kAngleSlack || beyond > std::numbers::pi / 2) continue;
     if (end.distance[k] < near &&
         end.distance[k] < near * growth_.least_reach(beyond) * (1 - kAngleSlack))
       return true;
@@ -253,12 +252,13 @@ bool ApexSearch::end_is_out(const End& end, double low, double high, double near
 bool ApexSearch::is_out(const Box& box) {
   const double sum_low = box.a[0].angle + box.b[0].angle;
   const double sum_high = box.a[1].angle + box.b[1].angle;
-  if (sum_low > kPi - range_.least + kAngleSlack) return true;
-  if (sum_high < kPi - range_.most - kAngleSlack) return true;
+  if (sum_low > std::numbers::pi - range_.least + kAngleSlack) return true;
+  if (sum_high < std::numbers::pi - range_.most - kAngleSlack) return true;
   if (contains_vertex(box)) return true;
-  if (sum_high > kPi - kFlat) {
+  if (sum_high > std::numbers::pi - kFlat) {
     // From a sum of 90 degrees on, the nearest apex is that of the smallest angles.
-    if (sum_low < kPi / 2 || sum_low > kPi - kFlat / 2) return sum_low > kPi / 2;
+    if (sum_low < std::numbers::pi / 2 || sum_low > std::numbers::pi - kFlat / 2)
+      return sum_low > std::numbers::pi / 2;
     const double sine = std::sin(sum_low) + kRounding;
     return std::min(box.a[0].sine, box.b[0].sine) > sine * view_.diameter() / length_;
   }
@@ -280,7 +280,7 @@ bool ApexSearch::is_out(const Box& box) {
   if (is_banned(corners)) return true;
   // The lengths sin b / sin (a + b) and sin a / sin (a + b) have their extremes at the corners,
   // but for the least ones where a + b passes 90 degrees: there sin (a + b) is 1.
-  if (sum_low < kPi / 2 && sum_high > kPi / 2) {
+  if (sum_low < std::numbers::pi / 2 && sum_high > std::numbers::pi / 2) {
     near_a = std::min({near_a, box.b[0].sine, box.b[1].sine});
     near_b = std::min({near_b, box.a[0].sine, box.a[1].sine});
   }
@@ -293,8 +293,8 @@ bool ApexSearch::has_none(std::uint32_t side, std::uint64_t& budget) {
   if (ear_is_possible(true) || ear_is_possible(false)) return false;
   if (is_triangle_) return true;
   const double least = range_.least;
-  const double most_a = std::min({range_.most, kPi - 2 * least, a_.corner - least});
-  const double most_b = std::min({range_.most, kPi - 2 * least, b_.corner - least});
+  const double most_a = std::min({range_.most, std::numbers::pi - 2 * least, a_.corner - least});
+  const double most_b = std::min({range_.most, std::numbers::pi - 2 * least, b_.corner - least});
   if (most_a < least - kAngleSlack || most_b < least - kAngleSlack) return true;
   const auto direction = [](double angle) {
     return Direction{angle, std::sin(angle), std::cos(angle)};
@@ -318,7 +318,8 @@ bool ApexSearch::has_none(std::uint32_t side, std::uint64_t& budget) {
       const Direction other = direction(cut_a ? (box.b[0].angle + box.b[1].angle) / 2
                                               : (box.a[0].angle + box.a[1].angle) / 2);
       const Direction &at_a = cut_a ? middle : other, &at_b = cut_a ? other : middle;
-      if (at_a.angle + at_b.angle < kPi - kFlat && !is_out({{at_a, at_a}, {at_b, at_b}}))
+      if (at_a.angle + at_b.angle < std::numbers::pi - kFlat &&
+          !is_out({{at_a, at_a}, {at_b, at_b}}))
         return false;
     }
     Box first = box, second = box;

@@ -16,16 +16,16 @@
 namespace cover {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kLogSlack = 1e-8;  ///< per triangle: rounding, and the tangent found by bisection
 
 }  // namespace
 
 FanGrowth::FanGrowth(AngleRange range) : range_(range) {
   if (!(range.least > 0)) return;
-  peak_ = std::clamp(kPi / 2 - range.least, range.least, kPi - 2 * range.least);
-  const double kink = kPi - range.most - range.least;
-  peak_ = std::clamp(kink, peak_, kPi - 2 * range.least);
+  peak_ = std::clamp(std::numbers::pi / 2 - range.least, range.least,
+                     std::numbers::pi - 2 * range.least);
+  const double kink = std::numbers::pi - range.most - range.least;
+  peak_ = std::clamp(kink, peak_, std::numbers::pi - 2 * range.least);
   start_ = std::max(0.0, of_one(range.least));
   steepest_from_ = range.least;
   if (!(kink > range.least)) return;
@@ -42,8 +42,8 @@ FanGrowth::FanGrowth(AngleRange range) : range_(range) {
 }
 
 double FanGrowth::of_one(double angle) const {
-  const double y = std::max(range_.least, kPi - angle - range_.most);
-  const double z = kPi - angle - y;
+  const double y = std::max(range_.least, std::numbers::pi - angle - range_.most);
+  const double z = std::numbers::pi - angle - y;
   if (z < range_.least - kAngleSlack) return -1;
   return std::max(0.0, std::log(std::sin(z) / std::sin(y)));
 }
@@ -55,7 +55,8 @@ double FanGrowth::concave(double angle) const {
 double FanGrowth::log_ratio(double low, double high) const {
   if (!(range_.least > 0)) {
     // Thin triangles lead anywhere, if the angle is large enough for one of them.
-    if (high >= kPi - range_.most - 4 * kAngleSlack) return std::numeric_limits<double>::infinity();
+    if (high >= std::numbers::pi - range_.most - 4 * kAngleSlack)
+      return std::numeric_limits<double>::infinity();
     return std::max(0.0, std::log(std::sin(range_.most) / std::sin(high + range_.most))) +
            kLogSlack;
   }
@@ -81,8 +82,8 @@ double FanGrowth::least_reach(double angle) const {
   if (!(range_.least > 0)) return 0;
   const double pieces = std::floor((angle + kAngleSlack) / range_.least) + 1;
   if (pieces > 8) return 0;
-  const double one =
-      std::sin(range_.least) / std::sin(std::min(angle / pieces + range_.least, kPi / 2));
+  const double one = std::sin(range_.least) /
+                     std::sin(std::min(angle / pieces + range_.least, std::numbers::pi / 2));
   return std::pow(one, pieces) * (1 - kLogSlack);
 }
 

@@ -15,9 +15,8 @@
 namespace cover {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kDegree = kPi / 180;
-constexpr double kSixty = kPi / 3;
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kSixty = std::numbers::pi / 3;
 /// Questions are put at these distances beyond what was reached, until one is settled; then once
 /// more beside it. A limit within the first is no gap, within the second it is near.
 constexpr std::array kLadder{1e-6 * kDegree, kDegree};
@@ -25,16 +24,16 @@ constexpr std::array kFarther{3 * kDegree, 10 * kDegree};
 
 }  // namespace
 
-LimitProver::LimitProver(const Triangulation& cdt) : view_(cdt), nu_opt_(kPi) {
+LimitProver::LimitProver(const Triangulation& cdt) : view_(cdt), nu_opt_(std::numbers::pi) {
   for (const RegionSide& side : view_.sides()) nu_opt_ = std::min(nu_opt_, side.nu_opt);
 }
 
 bool LimitProver::refutes(AngleRange range, std::uint64_t& budget, const ProofEffort& effort) {
-  const double lemma_1 = kPi - nu_opt_;
+  const double lemma_1 = std::numbers::pi - nu_opt_;
   if (range.most < std::max(lemma_1, kSixty) - kAngleSlack) return true;
   if (range.least > std::min(nu_opt_ / 2, kSixty) + kAngleSlack) return true;
   range.most = std::max(range.most, lemma_1) + kAngleSlack;
-  if (range.most >= kPi) return false;
+  if (range.most >= std::numbers::pi) return false;
   const FanGrowth growth(range);
   ClearZones zones(view_, range.most);
   ApexSearch search(view_, zones, growth);
@@ -54,8 +53,8 @@ bool LimitProver::refutes(AngleRange range, std::uint64_t& budget, const ProofEf
 
 ProvenLimits LimitProver::prove(const ReachedAngles& reached, const ReachedAngles& wanted,
                                 const ProofEffort& effort) {
-  const double lowest = std::max(kPi - nu_opt_, kSixty);
-  const double largest = kPi - reached.largest_nu.in_radians();
+  const double lowest = std::max(std::numbers::pi - nu_opt_, kSixty);
+  const double largest = std::numbers::pi - reached.largest_nu.in_radians();
   const double smallest = reached.smallest.in_radians();
   std::uint64_t budget = effort.per_region + effort.per_side * view_.sides().size();
 
@@ -76,8 +75,9 @@ ProvenLimits LimitProver::prove(const ReachedAngles& reached, const ReachedAngle
     }
   }
 
-  const double most = kPi - std::min(reached.largest_nu, wanted.largest_nu).in_radians();
-  double smallest_limit = std::min((kPi - lowest) / 2, kSixty);
+  const double most =
+      std::numbers::pi - std::min(reached.largest_nu, wanted.largest_nu).in_radians();
+  double smallest_limit = std::min((std::numbers::pi - lowest) / 2, kSixty);
   if (reached.smallest < wanted.smallest) {
     const auto ask = [&](double gap) {
       if (smallest + gap >= smallest_limit) return true;
@@ -94,8 +94,9 @@ ProvenLimits LimitProver::prove(const ReachedAngles& reached, const ReachedAngle
     }
   }
   // Rounding of the mesh's own coordinates must not make it better than its limit.
-  return {Angle::radians(kPi - std::min(largest_limit, largest)),
-          Angle::radians(std::max(smallest_limit, smallest)), Angle::radians(kPi - most)};
+  return {Angle::radians(std::numbers::pi - std::min(largest_limit, largest)),
+          Angle::radians(std::max(smallest_limit, smallest)),
+          Angle::radians(std::numbers::pi - most)};
 }
 
 }  // namespace cover

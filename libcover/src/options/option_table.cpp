@@ -104,7 +104,8 @@ constexpr OptionEntry size_field(OptionEntry row) {
 }
 
 constexpr std::array kRequirements{&Requirements::bound, &Requirements::max_angle,
-                                   &Requirements::delaunay, &Requirements::non_obtuse};
+                                   &Requirements::delaunay, &Requirements::non_obtuse,
+                                   &Requirements::box_method};
 
 /// Members of Requirements, in the order of the words.
 constexpr OptionEntry requirements(OptionEntry row) {
@@ -170,6 +171,10 @@ constexpr OptionEntry kTable[] = {
         .help = "Smallest angle that --method quality aims at, where the largest allows it",
         .counts_with = "--method quality",
         .counts = is_quality}),
+    flag<&Options::box_method>({
+        .name = "box-method",
+        .help = "Cut segments until no coupling of the box method (finite volumes on Voronoi "
+                "boxes) is negative; both sides get the same points"}),
     sizes<false>({
         .name = "size", .placeholder = "[NAME=]h",
         .help = "Edge length inside: everywhere (h), or in a region or material (NAME=h), by name, "
@@ -229,9 +234,9 @@ constexpr OptionEntry kTable[] = {
         .group = OptionGroup::cleaning}),
     requirements({
         .name = "require", .placeholder = "WHAT",
-        .word_list = {"bound", "max-angle", "delaunay", "non-obtuse"},
+        .word_list = {"bound", "max-angle", "delaunay", "non-obtuse", "box-method"},
         .shapes_mesh = false,
-        .help = "Exit with 6 unless this holds: bound, max-angle, delaunay, non-obtuse"}),
+        .help = "Exit with 6 unless this holds: bound, max-angle, delaunay, non-obtuse, box-method"}),
     whole<&Options::threads>({
         .name = "threads", .letter = 'j', .placeholder = "N",
         .range = ranges::kThreads,
@@ -273,6 +278,12 @@ Status check_options(const Options& options) {
   if (options.paper && options.method != Method::almond) {
     return bad_option("the publication describes the almond method: paper needs method almond");
   }
+  if (options.box_method && options.method == Method::almond)
+    return bad_option("box_method needs method quality: the almond method minds no couplings");
+  if (options.box_method && options.method == Method::nonobtuse)
+    return bad_option("box_method needs method quality: method nonobtuse cuts segments by itself");
+  if (options.box_method && options.hull)
+    return bad_option("box_method cuts segments, and sides of a hull are none: not with hull");
   for (const OptionEntry& entry : kTable) {
     if (entry.check == nullptr) continue;
     if (Status status = entry.check(entry, options); !status) return status;

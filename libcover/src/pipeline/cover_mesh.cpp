@@ -6,6 +6,7 @@
 // vertex id; results lie in region order, so the mesh does not depend on the schedule.
 #include <cover/cover_mesh.hpp>
 
+#include "cuts/cut_for_boxes.hpp"
 #include "cuts/cut_until_met.hpp"
 #include "mesh/stitch.hpp"
 #include "pipeline/find_regions.hpp"
@@ -54,6 +55,8 @@ Result<Output> mesh_prepared(Result<Prepared> prepared, const Options& options,
   if (!meshes) return std::move(meshes).error();
   Status met = cut_until_met(*prepared, boundaries, *meshes, options, callbacks);
   if (!met) return std::move(met).error();
+  Status coupled = cut_until_coupled(*prepared, boundaries, *meshes, options, callbacks);
+  if (!coupled) return std::move(coupled).error();
   clock.note("mesh", report.times);
   if (Status status = begin_stage("stitch", callbacks); !status) return std::move(status).error();
   Result<Mesh> mesh = errors_as_values(

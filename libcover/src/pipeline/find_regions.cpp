@@ -7,6 +7,7 @@
 #include <cover/version.hpp>
 
 #include "clean/pslg.hpp"
+#include "cuts/cut_for_boxes.hpp"
 #include "cuts/split_interfaces.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/expected_triangles.hpp"
@@ -58,7 +59,10 @@ Result<Prepared> find_regions(const Input& input, const Options& options,
   clock.note("regions", report.times);
   Status status = errors_as_values("split interfaces", [&] {
     Status sizes = check_sizes(prepared.pslg, prepared.table, options);
-    return sizes ? split_interfaces(prepared.pslg, prepared.table, options, report.notes) : sizes;
+    if (!sizes) return sizes;
+    Status split = split_interfaces(prepared.pslg, prepared.table, options, report.notes);
+    if (split) cut_for_boxes(prepared, options);
+    return split;
   });
   if (!status) return std::move(status).error();
   report.input_points = prepared.pslg.points.size();

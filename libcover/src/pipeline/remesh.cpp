@@ -161,6 +161,8 @@ Result<Options> options_without_cuts(Options options, std::span<const std::strin
     return bad_option(
         "method nonobtuse cuts segments, so a region cannot be meshed with it inside a mesh");
   }
+  if (options.box_method)
+    return bad_option("box_method cuts segments, so it does not go with only");
   options.split_interfaces.reset();
   return options;
 }

@@ -11,6 +11,8 @@
 
 #include <fmt/core.h>
 
+#include "box/encroached_sides.hpp"
+#include "cdt/couplings.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 
@@ -103,20 +105,6 @@ Note bound_missed(const RegionReport& report, std::span<const Point> points, Ind
           {a, b, c}};
 }
 
-/// The opposite of every half-edge that is no side; kAbsent for sides.
-std::vector<std::uint32_t> across_edges(std::size_t points, std::span<const IndexTriple> triangles,
-                                        std::span<const IndexPair> sides) {
-  std::vector<std::uint32_t> across = opposite_half_edges(points, triangles);
-  const auto outer = std::count(across.begin(), across.end(), HalfEdges::kAbsent);
-  if (outer == static_cast<std::ptrdiff_t>(sides.size())) return across;
-  const HalfEdges half_edges(points, triangles);  // slits have triangles on both sides
-  for (const auto& [a, b] : sides) {
-    const std::uint32_t h = half_edges.find(a, b);
-    if (h != HalfEdges::kAbsent) across[h] = HalfEdges::kAbsent;
-  }
-  return across;
-}
-
 }  // namespace
 
 std::vector<Point> all_points(const RegionBoundary& boundary, const RegionMesh& mesh) {
@@ -185,9 +173,44 @@ BoxMethod measure_boxes(std::span<const Point> points, std::span<const IndexTrip
       ++box.non_delaunay_edges;
     }
   }
-  // cot a + cot b = sin(a + b) / (sin a sin b): negative just where the edge is not Delaunay.
-  box.negative_couplings = box.non_delaunay_edges + box.obtuse_sides;
   return box;
+}
+
+std::vector<NegativeCoupling> measure_couplings(const RegionBoundary& boundary,
+                                                const RegionMesh& mesh,
+                                                std::span<const Point> points, BoxMethod& box) {
+  std::vector<NegativeCoupling> found;
+  const std::vector<NegativeEdge> negative =
+      negative_edges(points, mesh.triangles, boundary.sides);
+  const bool has_sides = std::any_of(negative.begin(), negative.end(),
+                                     [](const NegativeEdge& e) { return e.is_side; });
+  std::vector<std::uint32_t> encroached_by(boundary.sides.size(), kNone);
+  if (has_sides) {
+    const Triangulation cdt = triangulate_domain(boundary.points, boundary.sides).triangulation;
+    for (const EncroachedSide& e : encroached_sides(cdt, locate_sides(cdt, boundary.sides)))
+      encroached_by[e.side] = e.vertex;
+  }
+  for (const NegativeEdge& e : negative) {
+    auto kind = NegativeCoupling::Kind::inside;
+    Point apex = points[e.apex];
+    if (e.is_side) {
+      const auto side = std::lower_bound(boundary.sides.begin(), boundary.sides.end(), e.edge);
+      const std::uint32_t by =
+          encroached_by[static_cast<std::size_t>(side - boundary.sides.begin())];
+      kind = by == kNone ? NegativeCoupling::Kind::given_up : NegativeCoupling::Kind::encroached;
+      if (by != kNone) apex = boundary.points[by];
+    }
+    found.push_back({kind, boundary.id, points[e.edge[0]], points[e.edge[1]], apex});
+  }
+  const auto count = [&](NegativeCoupling::Kind kind) {
+    return static_cast<std::size_t>(std::count_if(
+        found.begin(), found.end(), [&](const NegativeCoupling& c) { return c.kind == kind; }));
+  };
+  box.negative_couplings = found.size();
+  box.negative_inside = count(NegativeCoupling::Kind::inside);
+  box.negative_encroached = count(NegativeCoupling::Kind::encroached);
+  box.negative_given_up = count(NegativeCoupling::Kind::given_up);
+  return found;
 }
 
 void merge(Quality& sum, const Quality& part) {
@@ -233,6 +256,7 @@ void measure(const RegionBoundary& boundary, RegionMesh& mesh) {
   RegionReport& report = mesh.report;
   report.quality = measure_angles(points, mesh.triangles);
   report.box = measure_boxes(points, mesh.triangles, boundary.sides);
+  report.couplings = measure_couplings(boundary, mesh, points, report.box);
   report.input_vertices = boundary.points.size();
   report.steiner_vertices = mesh.steiner.size();
   report.bound_held =

@@ -19,12 +19,21 @@ std::vector<Point> all_points(const RegionBoundary& boundary, const RegionMesh& 
 /// from 1e-9 radians above the right angle.
 Quality measure_angles(std::span<const Point> points, std::span<const IndexTriple> triangles);
 
-/// Box-method figures of `triangles`; `sides` are the directed sides of their region.
+/// Box-method figures of `triangles`, but for negative couplings; `sides` are the directed sides of
+/// their region.
 ///
 /// EXACT: the counts, but for angles and sums of angles within 1e-9 radians of the limit, which
 ///        are as good as right; the area is rounded.
 BoxMethod measure_boxes(std::span<const Point> points, std::span<const IndexTriple> triangles,
                         std::span<const IndexPair> sides);
+
+/// The edges of a region's mesh with a negative coupling; counted in `box`.
+///
+/// EXACT: yes
+/// Cost:  O(n), O(n log n) where a side has one
+std::vector<NegativeCoupling> measure_couplings(const RegionBoundary& boundary,
+                                                const RegionMesh& mesh,
+                                                std::span<const Point> points, BoxMethod& box);
 
 /// Adds the statistics of other triangles.
 void merge(Quality& sum, const Quality& part);

@@ -39,19 +39,21 @@ class Finder {
   void add_segment_sides() {
     for (std::size_t s = 0; s < pslg_.segments.size(); ++s) {
       const auto [a, b] = std::array{pslg_.segments[s].a.value(), pslg_.segments[s].b.value()};
-      domain_.sides.push_back({a, b, table_.sides[s].left, false});
-      domain_.sides.push_back({b, a, table_.sides[s].right, false});
+      domain_.sides.push_back({a, b, table_.sides[s].left, false, a});
+      domain_.sides.push_back({b, a, table_.sides[s].right, false, b});
     }
   }
 
   /// The region of each triangle, carried from the sides over edges that are no segments.
   void flood_regions() {
-    std::unordered_map<std::uint64_t, RegionId> left_of;
-    left_of.reserve(domain_.sides.size() + table_.hull_sides.size());
-    for (const ExpectedSide& side : domain_.sides) left_of[key(side.a, side.b)] = side.region;
+    std::unordered_map<std::uint64_t, std::size_t> side_at;
+    side_at.reserve(domain_.sides.size());
+    for (std::size_t s = 0; s < domain_.sides.size(); ++s)
+      side_at[key(domain_.sides[s].a, domain_.sides[s].b)] = s;
+    std::unordered_map<std::uint64_t, RegionId> hull_side;
     if (hull_) {  // where there are no segments, nothing else tells
       for (const HullSide& side : table_.hull_sides)
-        left_of[key(side.a.value(), side.b.value())] = side.region;
+        hull_side[key(side.a.value(), side.b.value())] = side.region;
     }
     region_.assign(triangles_.size(), kVoid);
     std::vector<std::uint32_t> stack;
@@ -65,8 +67,12 @@ class Finder {
         const bool is_outer = triangles_[t].n[static_cast<std::size_t>(i)] == kNone;
         if (!triangles_[t].is_locked(i) && !is_outer) continue;
         const auto [a, b] = edge(triangles_[t], i);
-        const auto found = left_of.find(key(a, b));
-        if (found != left_of.end()) reach(t, found->second);
+        if (const auto side = side_at.find(key(a, b)); side != side_at.end()) {
+          domain_.sides[side->second].apex = triangles_[t].v[static_cast<std::size_t>(i)];
+          reach(t, domain_.sides[side->second].region);
+        } else if (const auto outer = hull_side.find(key(a, b)); outer != hull_side.end()) {
+          reach(t, outer->second);
+        }
       }
       while (!stack.empty()) {
         const std::uint32_t from = stack.back();
@@ -89,7 +95,7 @@ class Finder {
         double& nu = domain_.nu_opt[region.index()];
         nu = std::min(nu, nu_at(pslg_.points[a], pslg_.points[apex], pslg_.points[b]));
       } else if (hull_ && t.n[static_cast<std::size_t>(i)] == kNone) {
-        domain_.sides.push_back({a, b, region, true});
+        domain_.sides.push_back({a, b, region, true, apex});
       }
     }
   }

@@ -18,6 +18,8 @@ struct ExpectedSide {
   std::uint32_t b = 0;
   RegionId region;    ///< kVoid: no triangle may lie here
   bool hull = false;  ///< a side of the hull that is no segment: it may be split
+  /// VertexId of the point that sees the side under the largest angle; its own where none does.
+  std::uint32_t apex = 0;
 };
 
 /// The domain of a PSLG.

@@ -24,6 +24,7 @@
 #include "verify/expected_domain.hpp"
 #include "verify/soup_edges.hpp"
 #include "verify/verify_bound.hpp"
+#include "verify/verify_boxes.hpp"
 #include "verify/verify_labels.hpp"
 #include "verify/verify_regions.hpp"
 
@@ -62,6 +63,7 @@ class Verifier {
       check_materials();
     else
       result_.unchecked.emplace_back("materials");
+    if (options_.box_method) check_couplings();
     result_.triangle_regions = std::move(region_);
     return std::move(result_);
   }
@@ -302,6 +304,12 @@ class Verifier {
                        const auto [a, b, c] = corners(t);
                        add(Kind::material, 4, std::move(message), {a, b, c});
                      });
+  }
+
+  void check_couplings() {
+    BoxCheck check = verify_boxes(mesh_, edges_, side_of_, domain_, region_, pslg_.points);
+    result_.negative_couplings = std::move(check.negative);
+    result_.obtuse = check.obtuse;
   }
 
   void check_bound() {

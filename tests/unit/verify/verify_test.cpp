@@ -415,6 +415,46 @@ TEST(Verify, EmptyMeshLacksEverything) {
   EXPECT_EQ(v.regions, 0U);
 }
 
+TEST(Verify, NegativeCouplingsAreListedOnRequestAndNoViolations) {
+  Device device;
+  EXPECT_TRUE(device.check().negative_couplings.empty());
+  VerifyOptions options;
+  options.box_method = true;
+  Verification found = device.check(options);
+  EXPECT_TRUE(found.violations.empty());
+  // The plain constrained Delaunay triangulation: sides that a point encroaches, nothing else.
+  ASSERT_FALSE(found.negative_couplings.empty());
+  for (const NegativeCoupling& c : found.negative_couplings) {
+    EXPECT_EQ(c.kind, NegativeCoupling::Kind::encroached);
+    EXPECT_GT((c.a.x - c.apex.x) * (c.apex.x - c.b.x) + (c.a.y - c.apex.y) * (c.apex.y - c.b.y), 0);
+  }
+  EXPECT_GT(found.obtuse, 0U);
+  // The square without anything in it, with a vertex too near a side: that is nobody's fault.
+  device = {};
+  const std::size_t before = found.negative_couplings.size();
+  auto& mesh = device.mesh;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (mesh.region[t] != 2) continue;
+    mesh.triangles.erase(mesh.triangles.begin() + long(t));
+    mesh.region.erase(mesh.region.begin() + long(t));
+    mesh.material.erase(mesh.material.begin() + long(t--));
+  }
+  const auto v = static_cast<std::uint32_t>(mesh.points.size());
+  mesh.points.push_back({9, 1});
+  for (const auto& [a, b] : {std::array{1U, 2U}, {2U, 3U}, {3U, 4U}, {4U, 1U}}) {
+    mesh.triangles.push_back({a, b, v});
+    mesh.region.push_back(2);
+    mesh.material.push_back(3);
+  }
+  found = device.check(options);
+  EXPECT_EQ(found.negative_couplings.size(), before + 1);
+  EXPECT_TRUE(
+      std::any_of(found.negative_couplings.begin(), found.negative_couplings.end(),
+                  [](const NegativeCoupling& c) {
+                    return c.kind == NegativeCoupling::Kind::given_up && c.apex == Point{9, 1};
+                  }));
+}
+
 TEST(Verify, HullSidesMayBeSplit) {
   // A segment in the middle of four points: the domain is their hull.
   Device d;

@@ -15,6 +15,7 @@
 //                 were meshed again inside a mesh; the method of the others is "kept",
 //     "interfaces": [ { "id", "name", "kind", "left", "right", "length", "segments" } ],
 //     "notes": NOTES, "changes": [ { "kind", "message", "where", "inputs" } ],
+//     "box_cuts": [ { "at": [x, y], "reason", "by": [x, y] } ], only with --box-method,
 //     "threads", "times": [ { "stage", "seconds" } ] }
 //
 //   LIMITS   gamma_opt (at least 60: no triangulation is below), nu_opt_radians (pi - gamma_opt,
@@ -23,7 +24,11 @@
 //   QUALITY  triangles, largest_angle, largest_nu_radians (pi - largest angle, which keeps the
 //            digits of flat triangles), smallest_angle, obtuse, above_120, above_150,
 //            histogram (all angles in 18 bins of 10 degrees), meshed_area
-//   BOX      obtuse_sides, non_delaunay_edges, negative_couplings, box_area
+//   BOX      obtuse_sides, non_delaunay_edges (both by more than rounding), negative_couplings
+//   (exact
+//            signs), those of them inside, on encroached sides and on sides given up for the angle:
+//            negative_inside, negative_encroached, negative_given_up; box_area; of regions also
+//            "negative": [ { "kind", "edge": [[x, y], [x, y]], "apex": [x, y] } ]
 //   NOTES    [ { "kind", "message", "where": [[x, y], ...] } ]
 //
 // Tested by tests/unit/io/report/write_report_json_test.cpp.
@@ -127,7 +132,54 @@ Json to_json(const BoxMethod& box) {
   return {{"obtuse_sides", box.obtuse_sides},
           {"non_delaunay_edges", box.non_delaunay_edges},
           {"negative_couplings", box.negative_couplings},
+          {"negative_inside", box.negative_inside},
+          {"negative_encroached", box.negative_encroached},
+          {"negative_given_up", box.negative_given_up},
           {"box_area", box.box_area}};
+}
+
+const char* name_of(NegativeCoupling::Kind kind) {
+  switch (kind) {
+    case NegativeCoupling::Kind::inside:
+      return "inside";
+    case NegativeCoupling::Kind::encroached:
+      return "encroached";
+    case NegativeCoupling::Kind::given_up:
+      break;
+  }
+  return "given_up";
+}
+
+Json to_json(const std::vector<NegativeCoupling>& couplings) {
+  Json list = Json::array();
+  for (const NegativeCoupling& c : couplings) {
+    list.push_back({{"kind", name_of(c.kind)},
+                    {"edge", {{c.a.x, c.a.y}, {c.b.x, c.b.y}}},
+                    {"apex", {c.apex.x, c.apex.y}}});
+  }
+  return list;
+}
+
+const char* name_of(BoxCut::Reason reason) {
+  switch (reason) {
+    case BoxCut::Reason::encroached:
+      return "encroached";
+    case BoxCut::Reason::encroached_by_cut:
+      return "encroached_by_cut";
+    case BoxCut::Reason::given_up:
+      break;
+  }
+  return "given_up";
+}
+
+Json to_json(const std::vector<BoxCut>& cuts) {
+  Json list = Json::array();
+  for (const BoxCut& cut : cuts) {
+    list.push_back({{"at", {cut.at.x, cut.at.y}},
+                    {"reason", name_of(cut.reason)},
+                    {"by", {cut.by.x, cut.by.y}}});
+  }
+  return list;
 }
 
 void add_limits(const RegionReport& report, Json& out) {
@@ -167,6 +219,7 @@ Json region_json(const Region& region, const RegionReport& report) {
   add_limits(report, out);
   add_quality(report.quality, out);
   out["box"] = to_json(report.box);
+  out["box"]["negative"] = to_json(report.couplings);
   out["notes"] = to_json(report.notes);
   out["seconds"] = report.seconds;
   return out;
@@ -185,6 +238,9 @@ RegionReport sum_of(const Report& report) {
     sum.box.obtuse_sides += region.box.obtuse_sides;
     sum.box.non_delaunay_edges += region.box.non_delaunay_edges;
     sum.box.negative_couplings += region.box.negative_couplings;
+    sum.box.negative_inside += region.box.negative_inside;
+    sum.box.negative_encroached += region.box.negative_encroached;
+    sum.box.negative_given_up += region.box.negative_given_up;
     sum.box.box_area += region.box.box_area;
   }
   return sum;
@@ -270,6 +326,7 @@ Json to_json(const Output& output) {
   out["interfaces"] = interfaces_json(output.table);
   out["notes"] = to_json(report.notes);
   out["changes"] = to_json(report.changes);
+  if (!report.box_cuts.empty()) out["box_cuts"] = to_json(report.box_cuts);
   out["threads"] = report.threads;
   out["times"] = Json::array();
   for (const StageTime& time : report.times) {

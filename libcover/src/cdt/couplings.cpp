@@ -1,0 +1,45 @@
+// cot a + cot b = sin(a + b) / (sin a sin b), so the sum is negative just where a + b is above 180
+// degrees: where each of the two triangles has the other's corner inside its circle.
+// Tested by tests/unit/cdt/couplings_test.cpp.
+#include "cdt/couplings.hpp"
+
+#include <algorithm>
+
+#include "geom/predicates.hpp"
+
+namespace cover {
+
+std::vector<std::uint32_t> across_edges(std::size_t points, std::span<const IndexTriple> triangles,
+                                        std::span<const IndexPair> sides) {
+  std::vector<std::uint32_t> across = opposite_half_edges(points, triangles);
+  const auto outer = std::count(across.begin(), across.end(), HalfEdges::kAbsent);
+  if (outer == static_cast<std::ptrdiff_t>(sides.size())) return across;
+  const HalfEdges half_edges(points, triangles);  // slits have triangles on both sides
+  for (const auto& [a, b] : sides) {
+    const std::uint32_t h = half_edges.find(a, b);
+    if (h != HalfEdges::kAbsent) across[h] = HalfEdges::kAbsent;
+  }
+  return across;
+}
+
+std::vector<NegativeEdge> negative_edges(std::span<const Point> points,
+                                         std::span<const IndexTriple> triangles,
+                                         std::span<const IndexPair> sides) {
+  const std::vector<std::uint32_t> across = across_edges(points.size(), triangles, sides);
+  const auto source = [&](std::uint32_t h) { return triangles[h / 3][h % 3]; };
+  std::vector<NegativeEdge> found;
+  for (std::uint32_t h = 0; h < across.size(); ++h) {
+    const std::uint32_t a = source(h), b = source(HalfEdges::next(h)),
+                        c = source(HalfEdges::previous(h)), twin = across[h];
+    if (twin == HalfEdges::kAbsent) {
+      if (compare_with_90_degrees(points[a], points[c], points[b]) == Sign::positive)
+        found.push_back({{a, b}, c, true});
+    } else if (h < twin && in_circle(points[a], points[b], points[c],
+                                     points[source(HalfEdges::previous(twin))]) == Sign::positive) {
+      found.push_back({{a, b}, c, false});
+    }
+  }
+  return found;
+}
+
+}  // namespace cover

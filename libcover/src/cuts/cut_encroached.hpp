@@ -1,0 +1,26 @@
+// Cutting the segments on which the input forces a negative coupling of the box method.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <cover/pslg.hpp>
+#include <cover/regions.hpp>
+#include <cover/report.hpp>
+
+namespace cover {
+
+/// Cuts segments until no side has a visible vertex in its open diametral disk. Only segments that
+/// are encroached are cut, by the input or by cuts of others, and each as often as it must be for
+/// the vertices there are; where there is a choice, so that the cut encroaches no other side. Both
+/// sides of a segment get the same points. Hull sides are passed over.
+///
+/// `cuts` gets what was cut, with the reasons; `stuck` the middles of pieces that doubles leave no
+/// room to cut. Vertices from `first_cut` on are cuts.
+/// ENSURES: `pslg` and `table` fit each other
+/// Cost:    O(n log n) per pass
+/// Ref:     docs/box_method.md
+void cut_encroached(Pslg& pslg, RegionTable& table, VertexId first_cut, std::vector<BoxCut>& cuts,
+                    std::vector<Point>& stuck);
+
+}  // namespace cover

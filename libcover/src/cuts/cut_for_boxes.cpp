@@ -1,0 +1,196 @@
+// A mesh keeps a negative coupling on a side only where the bound or a target needs a vertex in its
+// diametral disk. Cut at the foot of that vertex, the side has two smaller disks without it. Tested
+// by tests/unit/cuts/cut_for_boxes_test.cpp.
+#include "cuts/cut_for_boxes.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/describe.hpp"
+#include "cuts/cut_encroached.hpp"
+#include "cuts/cut_segments.hpp"
+#include "cuts/room_on_segment.hpp"
+#include "geom/vector.hpp"
+#include "region/region_graph.hpp"
+#include "sizes/sizes.hpp"
+#include "target/measure.hpp"
+#include "tasks/errors_as_values.hpp"
+#include "tasks/region_task.hpp"
+
+namespace cover {
+namespace {
+
+constexpr int kRounds = 24;
+constexpr double kEnd = 0.1;  ///< of a side: a cut nearer to its ends goes to the middle instead
+constexpr std::size_t kPlaces = 8;
+
+void warn_of_stuck(const std::vector<Point>& stuck, std::vector<Note>& notes) {
+  if (stuck.empty()) return;
+  std::vector<Point> where = stuck;
+  where.resize(std::min(where.size(), kPlaces));
+  notes.push_back({Note::Kind::warning, kVoid,
+                   fmt::format("{} would have to be cut too short to be without a negative "
+                               "coupling, the first near {}",
+                               counted(stuck.size(), "segment"), describe(where[0])),
+                   std::move(where)});
+}
+
+void tell_cuts(Report& report) {
+  std::erase_if(report.notes, [](const Note& note) {
+    return note.kind == Note::Kind::cut && note.message.ends_with("for --box-method");
+  });
+  if (report.box_cuts.empty()) return;
+  std::map<BoxCut::Reason, std::size_t> by;
+  std::vector<Point> where;
+  for (const BoxCut& cut : report.box_cuts) {
+    ++by[cut.reason];
+    where.push_back(cut.at);
+  }
+  report.notes.push_back(
+      {Note::Kind::cut, kVoid,
+       fmt::format("{} added on segments ({} where points of the input encroach them, {} where "
+                   "such cuts do, {} where angles need it) for --box-method",
+                   counted(where.size(), "point"), by[BoxCut::Reason::encroached],
+                   by[BoxCut::Reason::encroached_by_cut], by[BoxCut::Reason::given_up]),
+       std::move(where)});
+}
+
+/// A side with a negative coupling.
+struct NegativeSide {
+  SegmentId segment;
+  Point apex;
+};
+
+/// What is cut and meshed, in step.
+class Rounds {
+ public:
+  Rounds(Prepared& prepared, std::vector<RegionBoundary>& boundaries,
+         std::vector<RegionMesh>& meshes, const Options& options, const Callbacks& callbacks)
+      : prepared_(prepared),
+        boundaries_(boundaries),
+        meshes_(meshes),
+        options_(options),
+        callbacks_(callbacks) {}
+
+  Status run() {
+    for (int round = 0; round < kRounds; ++round) {
+      const std::vector<SegmentCut> cuts = choose();
+      if (cuts.empty()) break;
+      if (Status status = cut_and_mesh(cuts); !status) return status;
+    }
+    std::size_t left = 0;
+    std::vector<Point> where;
+    for (const RegionMesh& mesh : meshes_) {
+      left += mesh.report.couplings.size();
+      for (const NegativeCoupling& c : mesh.report.couplings) {
+        if (where.size() < kPlaces) where.push_back(midpoint(c.a, c.b));
+      }
+    }
+    if (left > 0)
+      prepared_.report.notes.push_back(
+          {Note::Kind::warning, kVoid,
+           fmt::format("box-method: {} left, the first at {}", counted(left, "negative coupling"),
+                       describe(where[0])),
+           where});
+    return ok();
+  }
+
+ private:
+  [[nodiscard]] std::vector<SegmentCut> choose() const {
+    const Pslg& pslg = prepared_.pslg;
+    std::map<SegmentId, Point> apexes;
+    for (std::size_t r = 0; r < boundaries_.size(); ++r) {
+      for (const NegativeSide& side : negative_sides(boundaries_[r], meshes_[r]))
+        apexes.emplace(side.segment, side.apex);
+    }
+    std::vector<SegmentCut> cuts;
+    for (const auto& [segment, apex] : apexes) {
+      const Segment& s = pslg.segments[segment.index()];
+      const Point a = pslg.points[s.a.index()], b = pslg.points[s.b.index()];
+      const Vector along = b - a;
+      const double share = dot(apex - a, along) / squared_length(along);
+      const Point foot = share > kEnd && share < 1 - kEnd ? a + share * along : midpoint(a, b);
+      if (has_room_on_segment(a, b, foot, std::vector<Point>{apex}))
+        cuts.push_back({segment, {foot}});
+    }
+    return cuts;
+  }
+
+  static std::vector<NegativeSide> negative_sides(const RegionBoundary& boundary,
+                                                  const RegionMesh& mesh) {
+    std::map<std::pair<Point, Point>, Point> apexes;
+    for (const NegativeCoupling& c : mesh.report.couplings) {
+      if (c.kind != NegativeCoupling::Kind::inside) apexes[{c.a, c.b}] = c.apex;
+    }
+    std::vector<NegativeSide> found;
+    if (apexes.empty()) return found;
+    for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
+      const auto at = apexes.find(
+          {boundary.points[boundary.sides[s][0]], boundary.points[boundary.sides[s][1]]});
+      if (at != apexes.end() && boundary.segments[s] != kHullSide)
+        found.push_back({boundary.segments[s], at->second});
+    }
+    return found;
+  }
+
+  Status cut_and_mesh(const std::vector<SegmentCut>& cuts) {
+    auto& [pslg, table, report] = prepared_;
+    std::vector<RegionBoundary> boundaries;
+    std::vector<std::size_t> changed;
+    std::vector<RegionBoundary> again;
+    Status status = errors_as_values("cut segments", [&] {
+      for (const SegmentCut& cut : cuts)
+        report.box_cuts.push_back({cut.points[0], BoxCut::Reason::given_up, cut.points[0]});
+      cut_segments(pslg, table, cuts);
+      std::vector<Point> stuck;
+      cut_encroached(pslg, table, VertexId{0U}, report.box_cuts, stuck);
+      boundaries = split_regions(pslg, table);
+      return resolve_sizes(pslg, table, options_, boundaries);
+    });
+    if (!status) return status;
+    for (std::size_t r = 0; r < boundaries.size(); ++r) {
+      if (boundaries[r].vertices == boundaries_[r].vertices) continue;
+      changed.push_back(r);
+      again.push_back(boundaries[r]);
+    }
+    Result<std::vector<RegionMesh>> meshes = mesh_regions(again, options_, callbacks_);
+    if (!meshes) return std::move(meshes).error();
+    for (std::size_t k = 0; k < changed.size(); ++k) meshes_[changed[k]] = std::move((*meshes)[k]);
+    boundaries_ = std::move(boundaries);
+    return ok();
+  }
+
+  Prepared& prepared_;
+  std::vector<RegionBoundary>& boundaries_;
+  std::vector<RegionMesh>& meshes_;
+  const Options& options_;
+  const Callbacks& callbacks_;
+};
+
+}  // namespace
+
+void cut_for_boxes(Prepared& prepared, const Options& options) {
+  if (!options.box_method) return;
+  auto& [pslg, table, report] = prepared;
+  std::vector<Point> stuck;
+  cut_encroached(pslg, table, VertexId{pslg.points.size()}, report.box_cuts, stuck);
+  warn_of_stuck(stuck, report.notes);
+  tell_cuts(report);
+}
+
+Status cut_until_coupled(Prepared& prepared, std::vector<RegionBoundary>& boundaries,
+                         std::vector<RegionMesh>& meshes, const Options& options,
+                         const Callbacks& callbacks) {
+  if (!options.box_method) return ok();
+  Status status = Rounds(prepared, boundaries, meshes, options, callbacks).run();
+  if (!status) return status;
+  tell_cuts(prepared.report);
+  prepared.report.input_points = prepared.pslg.points.size();
+  prepared.report.input_segments = prepared.pslg.segments.size();
+  return ok();
+}
+
+}  // namespace cover

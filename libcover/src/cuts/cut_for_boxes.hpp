@@ -1,0 +1,28 @@
+// Segments cut until the box method has no negative coupling.
+#pragma once
+
+#include <vector>
+
+#include <cover/cover_mesh.hpp>
+
+#include "region/region_boundary.hpp"
+#include "target/region_mesh.hpp"
+
+namespace cover {
+
+/// With Options::box_method: cuts the segments that are encroached (cut_encroached), before there
+/// is a mesh. Adds to Report::box_cuts; a note tells what doubles left no room to cut.
+void cut_for_boxes(Prepared& prepared, const Options& options);
+
+/// With Options::box_method: as long as sides have a negative coupling in the meshes, for the sake
+/// of their angles, cuts these and meshes the regions beside them again.
+///
+/// ENSURES: `prepared`, `boundaries` and `meshes` stay in step; notes tell how many points were
+///          added, and a warning names what is left
+/// Errors:  cancelled, internal
+/// Cost:    per round, that of meshing the regions whose segments were cut
+Status cut_until_coupled(Prepared& prepared, std::vector<RegionBoundary>& boundaries,
+                         std::vector<RegionMesh>& meshes, const Options& options,
+                         const Callbacks& callbacks);
+
+}  // namespace cover
