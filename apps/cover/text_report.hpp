@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include <cover/cover_mesh.hpp>
 #include <cover/output.hpp>
 
 namespace cover::app {

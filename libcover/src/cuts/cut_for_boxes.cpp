@@ -23,8 +23,9 @@
 namespace cover {
 namespace {
 
-constexpr int kRounds = 24;
-constexpr double kEnd = 0.1;  ///< of a side: a cut nearer to its ends goes to the middle instead
+constexpr int kBoxRounds = 24;
+constexpr double kEndPart =
+    0.1;  ///< of a side: a cut nearer to its ends goes to the middle instead
 constexpr std::size_t kPlaces = 8;
 
 void warn_of_stuck(const std::vector<Point>& stuck, std::vector<Note>& notes) {
@@ -65,10 +66,10 @@ struct NegativeSide {
 };
 
 /// What is cut and meshed, in step.
-class Rounds {
+class BoxRounds {
  public:
-  Rounds(Prepared& prepared, std::vector<RegionBoundary>& boundaries,
-         std::vector<RegionMesh>& meshes, const Options& options, const Callbacks& callbacks)
+  BoxRounds(Prepared& prepared, std::vector<RegionBoundary>& boundaries,
+            std::vector<RegionMesh>& meshes, const Options& options, const Callbacks& callbacks)
       : prepared_(prepared),
         boundaries_(boundaries),
         meshes_(meshes),
@@ -76,7 +77,7 @@ class Rounds {
         callbacks_(callbacks) {}
 
   Status run() {
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kBoxRounds; ++round) {
       const std::vector<SegmentCut> cuts = choose();
       if (cuts.empty()) break;
       if (Status status = cut_and_mesh(cuts); !status) return status;
@@ -112,7 +113,8 @@ class Rounds {
       const Point a = pslg.points[s.a.index()], b = pslg.points[s.b.index()];
       const Vector along = b - a;
       const double share = dot(apex - a, along) / squared_length(along);
-      const Point foot = share > kEnd && share < 1 - kEnd ? a + share * along : midpoint(a, b);
+      const Point foot =
+          share > kEndPart && share < 1 - kEndPart ? a + share * along : midpoint(a, b);
       if (has_room_on_segment(a, b, foot, std::vector<Point>{apex}))
         cuts.push_back({segment, {foot}});
     }
@@ -185,7 +187,7 @@ Status cut_until_coupled(Prepared& prepared, std::vector<RegionBoundary>& bounda
                          std::vector<RegionMesh>& meshes, const Options& options,
                          const Callbacks& callbacks) {
   if (!options.box_method) return ok();
-  Status status = Rounds(prepared, boundaries, meshes, options, callbacks).run();
+  Status status = BoxRounds(prepared, boundaries, meshes, options, callbacks).run();
   if (!status) return status;
   tell_cuts(prepared.report);
   prepared.report.input_points = prepared.pslg.points.size();
