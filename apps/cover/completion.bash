@@ -12,6 +12,8 @@ _cover() {
   case $before in
     --method) words="quality almond nonobtuse" ;;
     --fill) words="refine disks" ;;
+    --prefer) words="balanced largest" ;;
+    --effort) words="fast normal thorough" ;;
     --overlap) words="last first error" ;;
     --weld) words="auto off" ;;
     --require) words="bound max-angle delaunay non-obtuse box-method" ;;

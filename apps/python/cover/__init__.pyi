@@ -19,6 +19,9 @@ class _Options(TypedDict, total=False):
     fill: Literal["refine", "disks"]
     max_angle: float  # degrees, as all angles
     min_angle: float
+    prefer: Literal["balanced", "largest"]
+    effort: Literal["fast", "normal", "thorough"]
+    box_method: bool
     growth: Optional[float]
     size: _Sizes  # by region or material; "" is everywhere
     sizes: _Sizes  # the same

@@ -171,6 +171,21 @@ constexpr OptionEntry kTable[] = {
         .help = "Smallest angle that --method quality aims at, where the largest allows it",
         .counts_with = "--method quality",
         .counts = is_quality}),
+    word<&Options::prefer>({
+        .name = "prefer", .placeholder = "NAME",
+        .word_list = {"balanced", "largest"},
+        .help = "balanced: large and small angles weigh alike; largest: the smaller largest angle, "
+                "whatever the smallest pays",
+        .more = "Below --max-angle 95, largest holds in any case.",
+        .counts_with = "--method quality",
+        .counts = is_quality}),
+    word<&Options::effort>({
+        .name = "effort", .placeholder = "NAME",
+        .word_list = {"fast", "normal", "thorough"},
+        .help = "How much the quality method tries: fast refines and improves once, normal does "
+                "what pays for its time, thorough all there is",
+        .counts_with = "--method quality",
+        .counts = is_quality}),
     flag<&Options::box_method>({
         .name = "box-method",
         .help = "Cut segments until no coupling of the box method (finite volumes on Voronoi "
