@@ -30,6 +30,7 @@ class _Options(TypedDict, total=False):
     no_input_sizes: bool
     input_sizes: bool
     size_field: Union[None, str, os.PathLike[str]]
+    box_method: bool
     split_interfaces: Union[None, bool, float]
     overlap: Literal["last", "first", "error"]
     weld: Union[None, float, str]  # "auto", "off"

@@ -22,6 +22,42 @@ std::vector<std::uint32_t> across_edges(std::size_t points, std::span<const Inde
   return across;
 }
 
+std::size_t make_delaunay(std::span<const Point> points, std::vector<IndexTriple>& triangles,
+                          std::span<const IndexPair> sides) {
+  std::vector<std::uint32_t> across = across_edges(points.size(), triangles, sides);
+  const auto source = [&](std::uint32_t h) { return triangles[h / 3][h % 3]; };
+  std::vector<std::uint32_t> stack;
+  for (std::uint32_t h = 0; h < across.size(); ++h) stack.push_back(h);
+  std::size_t flips = 0;
+  while (!stack.empty()) {
+    const std::uint32_t h = stack.back();
+    stack.pop_back();
+    const std::uint32_t twin = across[h];
+    if (twin == HalfEdges::kAbsent) continue;
+    const std::uint32_t a = source(h), b = source(HalfEdges::next(h)),
+                        c = source(HalfEdges::previous(h)), d = source(HalfEdges::previous(twin));
+    if (in_circle(points[a], points[b], points[c], points[d]) != Sign::positive) continue;
+    // d inside the circle and beyond ab: the four corners are those of a convex quadrilateral.
+    const std::uint32_t t = h / 3, u = twin / 3;
+    const std::uint32_t ca = across[HalfEdges::previous(h)], ad = across[HalfEdges::next(twin)];
+    const std::uint32_t db = across[HalfEdges::previous(twin)], bc = across[HalfEdges::next(h)];
+    triangles[t] = {c, a, d};
+    triangles[u] = {d, b, c};
+    const auto join = [&](std::uint32_t edge, std::uint32_t other) {
+      across[edge] = other;
+      if (other != HalfEdges::kAbsent) across[other] = edge;
+    };
+    join(3 * t, ca);
+    join(3 * t + 1, ad);
+    join(3 * t + 2, 3 * u + 2);
+    join(3 * u, db);
+    join(3 * u + 1, bc);
+    for (const std::uint32_t edge : {3 * t, 3 * t + 1, 3 * u, 3 * u + 1}) stack.push_back(edge);
+    ++flips;
+  }
+  return flips;
+}
+
 std::vector<NegativeEdge> negative_edges(std::span<const Point> points,
                                          std::span<const IndexTriple> triangles,
                                          std::span<const IndexPair> sides) {

@@ -36,4 +36,14 @@ std::vector<NegativeEdge> negative_edges(std::span<const Point> points,
                                          std::span<const IndexTriple> triangles,
                                          std::span<const IndexPair> sides);
 
+/// Flips inner edges until all of them are locally Delaunay, and none has a negative coupling;
+/// returns how many. Triangles keep their places in the list, two by two.
+///
+/// REQUIRES: triangles counter-clockwise, exactly
+/// ENSURES:  they are the constrained Delaunay triangulation of their corners
+/// EXACT:    yes
+/// Cost:     O(n), and what each flip entails: few for a mesh with good angles
+std::size_t make_delaunay(std::span<const Point> points, std::vector<IndexTriple>& triangles,
+                          std::span<const IndexPair> sides);
+
 }  // namespace cover

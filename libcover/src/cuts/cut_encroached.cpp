@@ -16,7 +16,7 @@
 #include "box/encroached_sides.hpp"
 #include "box/least_cuts.hpp"
 #include "box/obstacles.hpp"
-#include "cdt/cdt.hpp"
+#include "cdt/region_cdt.hpp"
 #include "cuts/cut_segments.hpp"
 #include "cuts/room_on_segment.hpp"
 #include "geom/predicates.hpp"
@@ -26,17 +26,18 @@
 namespace cover {
 namespace {
 
-constexpr int kPasses = 256;
-constexpr std::size_t kFeet = 8;       ///< obstacles whose feet are tried for a cut, the nearest
-constexpr double kMargin = 0x1p-44;    ///< of a segment: how far cuts keep from where they may be
-constexpr double kShortest = 0x1p-45;  ///< of a segment: no piece is shorter
+constexpr int kCutPasses = 256;
+constexpr std::size_t kFeet = 8;  ///< obstacles whose feet are tried for a cut, the nearest
+constexpr double kPlaceMargin =
+    0x1p-44;  ///< of a segment: how far cuts keep from where they may be
+constexpr double kShortestPiece = 0x1p-45;  ///< of a segment: no piece is shorter
 
 /// One region in one pass.
-class View {
+class RegionView {
  public:
-  explicit View(RegionBoundary boundary)
+  explicit RegionView(RegionBoundary boundary)
       : boundary_(std::move(boundary)),
-        cdt_(triangulate_domain(boundary_.points, boundary_.sides).triangulation),
+        cdt_(triangulate_region(boundary_.points, boundary_.sides)),
         at_(locate_sides(cdt_, boundary_.sides)),
         found_(encroached_sides(cdt_, at_)),
         is_encroached_(boundary_.sides.size(), 0),
@@ -149,7 +150,7 @@ class Cutter {
         dirty_(table.regions.size(), 1) {}
 
   void run() {
-    for (int pass = 0; pass < kPasses; ++pass) {
+    for (int pass = 0; pass < kCutPasses; ++pass) {
       boundaries_ = split_regions(pslg_, table_);
       views_.clear();
       views_.resize(boundaries_.size());
@@ -165,7 +166,7 @@ class Cutter {
  private:
   [[nodiscard]] Point at(VertexId v) const { return pslg_.points[v.index()]; }
 
-  View& view(std::size_t region) {
+  RegionView& view(std::size_t region) {
     if (!views_[region]) views_[region].emplace(boundaries_[region]);
     return *views_[region];
   }
@@ -186,7 +187,7 @@ class Cutter {
     std::vector<std::uint32_t> index(pslg_.segments.size(), kNone);
     for (std::size_t r = 0; r < boundaries_.size(); ++r) {
       if (dirty_[r] == 0) continue;
-      View& v = view(r);
+      RegionView& v = view(r);
       dirty_[r] = v.encroached().empty() ? 0 : 1;
       for (const EncroachedSide& e : v.encroached()) add(v, e, index, found);
     }
@@ -198,7 +199,7 @@ class Cutter {
     return found;
   }
 
-  void add(View& v, const EncroachedSide& e, std::vector<std::uint32_t>& index,
+  void add(RegionView& v, const EncroachedSide& e, std::vector<std::uint32_t>& index,
            std::vector<Encroached>& found) const {
     const SegmentId id = v.boundary().segments[e.side];
     if (id == kHullSide) return;
@@ -256,8 +257,8 @@ class Cutter {
     std::vector<Point> places;
     double start = 0;
     for (std::size_t k = 0; k < earliest.size(); ++k) {
-      const double low = std::max(earliest[k], start + kShortest);
-      const double high = std::min(longest_piece(e.obstacles, start, 0), 1 - kShortest);
+      const double low = std::max(earliest[k], start + kShortestPiece);
+      const double high = std::min(longest_piece(e.obstacles, start, 0), 1 - kShortestPiece);
       const auto place = best_place(e, low, high, apexes);
       if (!place) return {};
       start = *place;
@@ -306,7 +307,7 @@ class Cutter {
                                                    double high) const {
     const Segment& segment = pslg_.segments[e.segment.index()];
     const Point a = at(segment.a), b = at(segment.b);
-    const double margin = std::min(kMargin, (high - low) / 4);
+    const double margin = std::min(kPlaceMargin, (high - low) / 4);
     const auto is_between = [&](double t) { return t > low + margin && t < high - margin; };
     std::vector<double> shells, places;
     std::vector<std::pair<double, double>> feet;
@@ -354,9 +355,9 @@ class Cutter {
   std::vector<BoxCut>& done_;
   std::vector<Point>& stuck_;
   std::vector<RegionBoundary> boundaries_;
-  std::vector<std::optional<View>> views_;       ///< by region, of the present pass
-  std::vector<std::vector<SegmentSide>> sides_;  ///< by segment
-  std::vector<std::uint8_t> dirty_;              ///< by region
+  std::vector<std::optional<RegionView>> views_;  ///< by region, of the present pass
+  std::vector<std::vector<SegmentSide>> sides_;   ///< by segment
+  std::vector<std::uint8_t> dirty_;               ///< by region
 };
 
 }  // namespace

@@ -10,10 +10,12 @@
 #include <fmt/format.h>
 
 #include "base/describe.hpp"
+#include "cdt/couplings.hpp"
 #include "cuts/cut_encroached.hpp"
 #include "cuts/cut_segments.hpp"
 #include "cuts/room_on_segment.hpp"
 #include "geom/vector.hpp"
+#include "quality/fault/missed_targets.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/sizes.hpp"
 #include "target/measure.hpp"
@@ -23,15 +25,15 @@
 namespace cover {
 namespace {
 
-constexpr int kBoxRounds = 24;
-constexpr double kEndPart =
+constexpr int kCouplingRounds = 24;
+constexpr double kNearEnd =
     0.1;  ///< of a side: a cut nearer to its ends goes to the middle instead
-constexpr std::size_t kPlaces = 8;
+constexpr std::size_t kPlacesTold = 8;
 
 void warn_of_stuck(const std::vector<Point>& stuck, std::vector<Note>& notes) {
   if (stuck.empty()) return;
   std::vector<Point> where = stuck;
-  where.resize(std::min(where.size(), kPlaces));
+  where.resize(std::min(where.size(), kPlacesTold));
   notes.push_back({Note::Kind::warning, kVoid,
                    fmt::format("{} would have to be cut too short to be without a negative "
                                "coupling, the first near {}",
@@ -66,10 +68,11 @@ struct NegativeSide {
 };
 
 /// What is cut and meshed, in step.
-class BoxRounds {
+class CouplingRounds {
  public:
-  BoxRounds(Prepared& prepared, std::vector<RegionBoundary>& boundaries,
-            std::vector<RegionMesh>& meshes, const Options& options, const Callbacks& callbacks)
+  CouplingRounds(Prepared& prepared, std::vector<RegionBoundary>& boundaries,
+                 std::vector<RegionMesh>& meshes, const Options& options,
+                 const Callbacks& callbacks)
       : prepared_(prepared),
         boundaries_(boundaries),
         meshes_(meshes),
@@ -77,7 +80,8 @@ class BoxRounds {
         callbacks_(callbacks) {}
 
   Status run() {
-    for (int round = 0; round < kBoxRounds; ++round) {
+    for (std::size_t r = 0; r < meshes_.size(); ++r) flip(r);
+    for (int round = 0; round < kCouplingRounds; ++round) {
       const std::vector<SegmentCut> cuts = choose();
       if (cuts.empty()) break;
       if (Status status = cut_and_mesh(cuts); !status) return status;
@@ -87,7 +91,7 @@ class BoxRounds {
     for (const RegionMesh& mesh : meshes_) {
       left += mesh.report.couplings.size();
       for (const NegativeCoupling& c : mesh.report.couplings) {
-        if (where.size() < kPlaces) where.push_back(midpoint(c.a, c.b));
+        if (where.size() < kPlacesTold) where.push_back(midpoint(c.a, c.b));
       }
     }
     if (left > 0)
@@ -100,6 +104,17 @@ class BoxRounds {
   }
 
  private:
+  /// Makes the mesh of a region constrained Delaunay; the bound comes first.
+  void flip(std::size_t r) {
+    RegionMesh flipped = meshes_[r];
+    if (make_delaunay(all_points(boundaries_[r], flipped), flipped.triangles,
+                      boundaries_[r].sides) == 0)
+      return;
+    report_again(boundaries_[r], options_, false, flipped);
+    measure(boundaries_[r], flipped);
+    if (flipped.report.bound_held || !meshes_[r].report.bound_held) meshes_[r] = std::move(flipped);
+  }
+
   [[nodiscard]] std::vector<SegmentCut> choose() const {
     const Pslg& pslg = prepared_.pslg;
     std::map<SegmentId, Point> apexes;
@@ -114,7 +129,7 @@ class BoxRounds {
       const Vector along = b - a;
       const double share = dot(apex - a, along) / squared_length(along);
       const Point foot =
-          share > kEndPart && share < 1 - kEndPart ? a + share * along : midpoint(a, b);
+          share > kNearEnd && share < 1 - kNearEnd ? a + share * along : midpoint(a, b);
       if (has_room_on_segment(a, b, foot, std::vector<Point>{apex}))
         cuts.push_back({segment, {foot}});
     }
@@ -162,6 +177,7 @@ class BoxRounds {
     if (!meshes) return std::move(meshes).error();
     for (std::size_t k = 0; k < changed.size(); ++k) meshes_[changed[k]] = std::move((*meshes)[k]);
     boundaries_ = std::move(boundaries);
+    for (const std::size_t r : changed) flip(r);
     return ok();
   }
 
@@ -187,7 +203,7 @@ Status cut_until_coupled(Prepared& prepared, std::vector<RegionBoundary>& bounda
                          std::vector<RegionMesh>& meshes, const Options& options,
                          const Callbacks& callbacks) {
   if (!options.box_method) return ok();
-  Status status = BoxRounds(prepared, boundaries, meshes, options, callbacks).run();
+  Status status = CouplingRounds(prepared, boundaries, meshes, options, callbacks).run();
   if (!status) return status;
   tell_cuts(prepared.report);
   prepared.report.input_points = prepared.pslg.points.size();

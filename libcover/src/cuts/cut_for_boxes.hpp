@@ -15,7 +15,8 @@ namespace cover {
 void cut_for_boxes(Prepared& prepared, const Options& options);
 
 /// With Options::box_method: as long as sides have a negative coupling in the meshes, for the sake
-/// of their angles, cuts these and meshes the regions beside them again.
+/// of their angles, cuts these and meshes the regions beside them again. Edges inside that are not
+/// Delaunay are flipped.
 ///
 /// ENSURES: `prepared`, `boundaries` and `meshes` stay in step; notes tell how many points were
 ///          added, and a warning names what is left

@@ -9,13 +9,14 @@
 namespace cover {
 namespace {
 
-constexpr double kThin = 4;  ///< units in the last place: no cut is nearer to a triangle's edges
+constexpr double kThinnest =
+    4;  ///< units in the last place: no cut is nearer to a triangle's edges
 
 }  // namespace
 
 bool has_room_on_segment(Point a, Point b, Point p, std::span<const Point> apexes) {
   const double largest = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
-  const double room = kThin * (std::nextafter(largest, 2 * largest) - largest);
+  const double room = kThinnest * (std::nextafter(largest, 2 * largest) - largest);
   return std::all_of(apexes.begin(), apexes.end(), [&](Point c) {
     return std::abs(cross(c - a, p - a)) > room * length(c - a) &&
            std::abs(cross(c - b, p - b)) > room * length(c - b);

@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
+
+#include "geom/predicates.hpp"
+#include "geom/vector.hpp"
 
 namespace cover {
 namespace {
@@ -47,6 +51,41 @@ TEST(Couplings, ASlitHasTwoSides) {
   const std::vector<NegativeEdge> found = negative_edges(points, triangles, with_slit);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_TRUE(found[0].is_side);
+}
+
+TEST(Couplings, FlipsMakeAnyTriangulationDelaunay) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> place(0, 1);
+  for (int trial = 0; trial < 50; ++trial) {
+    // A fan around a corner of the square, over points that were never asked.
+    std::vector<Point> points{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    std::vector<IndexTriple> triangles{{0, 1, 2}, {0, 2, 3}};
+    for (int k = 0; k < 30; ++k) {
+      const Point p{place(random), place(random)};
+      const auto v = static_cast<std::uint32_t>(points.size());
+      points.push_back(p);
+      for (std::size_t t = 0; t < triangles.size(); ++t) {
+        const auto [a, b, c] = triangles[t];
+        if (orientation(points[a], points[b], p) != Sign::positive ||
+            orientation(points[b], points[c], p) != Sign::positive ||
+            orientation(points[c], points[a], p) != Sign::positive)
+          continue;
+        triangles[t] = {a, b, v};
+        triangles.push_back({b, c, v});
+        triangles.push_back({c, a, v});
+        break;
+      }
+    }
+    EXPECT_GT(make_delaunay(points, triangles, kSides), 0U);
+    EXPECT_EQ(make_delaunay(points, triangles, kSides), 0U);
+    for (const NegativeEdge& e : negative_edges(points, triangles, kSides)) EXPECT_TRUE(e.is_side);
+    double area = 0;
+    for (const auto& [a, b, c] : triangles) {
+      EXPECT_EQ(orientation(points[a], points[b], points[c]), Sign::positive);
+      area += cross(points[b] - points[a], points[c] - points[a]) / 2;
+    }
+    EXPECT_NEAR(area, 1, 1e-12);
+  }
 }
 
 }  // namespace
