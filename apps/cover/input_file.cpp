@@ -1,8 +1,11 @@
 #include "input_file.hpp"
 
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <string_view>
+#include <system_error>
 
 #include <fmt/core.h>
 
@@ -10,7 +13,6 @@
 #include <cover/read_geo.hpp>
 #endif
 #include <cover/read_input.hpp>
-#include <cover/read_vtk_input.hpp>
 #include <cover/units.hpp>
 
 #include "options.hpp"
@@ -27,6 +29,8 @@ constexpr const char* kGmshFormats = ".msh";
 std::string_view format_of(std::string_view text) {
   const std::size_t start = text.find_first_not_of(" \t\r\n");
   const char first = start == std::string_view::npos ? ' ' : text[start];
+  if (text.starts_with("# vtk DataFile")) return ".vtk";
+  if (first == '<') return ".vtu";  // and VTK's other data sets in XML: their root tells
   if (first == '$') return ".msh";
   if (first != '{') return ".poly";
   return text.find("\"Feature") != std::string_view::npos ? ".geojson" : ".json";
@@ -36,9 +40,17 @@ Result<Input> read_geometry(const std::string& path) {
 #ifdef COVER_WITH_GMSH
   if (path.ends_with(".geo")) return read_geo(path);
 #endif
-  if (path != "-") return is_vtk_input(path) ? read_vtk_input(path) : read_input(path);
-  const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
-  return parse_input(text, format_of(text), "standard input");
+  if (path == "-") {
+    const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
+    return parse_input(text, format_of(text), "standard input");
+  }
+  const std::filesystem::path file(path);
+  std::error_code ignored;
+  // A pipe, as a shell's <(...), has no extension that would tell.
+  if (file.has_extension() || !std::filesystem::is_fifo(file, ignored)) return read_input(path);
+  std::ifstream pipe(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(pipe), {}};
+  return parse_input(text, format_of(text), path);
 }
 
 }  // namespace
@@ -58,7 +70,7 @@ CLI::Option* GeometryFile::add(CLI::App& command) {
       .add_option(
           "input", path_,
           fmt::format("Geometry: Triangle's .poly, our .json, .geojson, gmsh's {}, VTK's .vtu, "
-                      ".vtp, .vtk; '-' is standard input",
+                      ".vtp, .vti, .vtk; '-' is standard input",
                       kGmshFormats))
       ->type_name("");
 }

@@ -186,6 +186,32 @@ class Mesh(Case):
         out, _ = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--stats', 'json')
         self.assertEqual(json.loads(out)['format'], 'cover report')
 
+    def test_meshes_of_vtk_come_through_pipes_and_in_capitals(self):
+        self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '-o', 'd.vtk', '-q')
+        mesh = (self.dir / 'd.vtu').read_bytes()
+        (self.dir / 'D.VTU').write_bytes(mesh)
+        self.run_cover('mesh', 'D.VTU', '-o', 'file.vtu', '-q')
+        expected = (self.dir / 'file.vtu').read_bytes()
+        for name in ('d.vtu', 'd.vtk'):
+            done = subprocess.run([PROGRAM, 'mesh', '-', '-o', 'x.vtu', '-q'], cwd=self.dir, timeout=60,
+                                  input=(self.dir / name).read_bytes(), stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            self.assertEqual((done.returncode, done.stderr), (0, b''))
+            self.assertEqual((self.dir / 'x.vtu').read_bytes(), expected)
+        os.mkfifo(self.dir / 'pipe')
+        with subprocess.Popen([PROGRAM, 'mesh', 'pipe', '-o', 'y.vtu', '-q'], cwd=self.dir) as run:
+            (self.dir / 'pipe').write_bytes(mesh)
+            self.assertEqual(run.wait(60), 0)
+        self.assertEqual((self.dir / 'y.vtu').read_bytes(), expected)
+
+    def test_files_of_vtk_that_are_cut_off_say_so(self):
+        self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '-q')
+        mesh = (self.dir / 'd.vtu').read_bytes()
+        for size in (0, 100, len(mesh) // 2, len(mesh) - 2000):
+            (self.dir / 'cut.vtu').write_bytes(mesh[:size])
+            for words in (('mesh', 'cut.vtu', '-o', 'x.vtu'), ('render', 'cut.vtu', '-o', 'x.svg')):
+                _, err = self.run_cover(*words, code=5)
+                self.assertIn('cut off', err)
+
     def test_stdin_to_stdout(self):
         done = subprocess.run([PROGRAM, 'mesh', '-', '-o', '-'], input=SQUARE.encode(), timeout=60,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE)
@@ -883,7 +909,7 @@ class Documents(Case):
                               env={**os.environ, 'LC_ALL': 'C.UTF-8', 'MANWIDTH': '100', 'MANPAGER': 'cat'},
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.assertEqual((done.returncode, done.stderr), (0, ''))
-        self.assertIn('(.vtu, .vtp, .vtk), of which', ' '.join(done.stdout.split()))
+        self.assertIn('(.vtu, .vtp, .vti, .vtk), of which', ' '.join(done.stdout.split()))
 
     def test_formats_are_completed(self):
         formats = re.search(r'File to write, several if repeated: (.*?);', ' '.join(self.run_cover('mesh', '--help')[0].split()))

@@ -210,7 +210,7 @@ constexpr OptionEntry kTable[] = {
     size_field({
         .name = "size-field", .placeholder = "FILE",
         .help = "Background edge lengths: point array (size, h or the only one) of a plane mesh in "
-                ".vtu, .vtp or .vtk; linear between points",
+                ".vtu, .vtp, .vti or .vtk; linear between points",
         .more = "In the unit of the coordinates. Outside, what holds at the nearest place. Lengths "
                 "are lowered where they differ faster than --growth allows."}),
     number<&Options::growth>({

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cerrno>
 #include <charconv>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -46,6 +47,9 @@ double out_of_range_value(std::string_view field) {
   return negative ? -size : size;
 }
 
+/// Sizes above this are believed byte by byte: sparse files can announce anything.
+constexpr std::uintmax_t kMostAtOnce = std::uintmax_t{1} << 30U;
+
 Error cannot_open(const std::string& path, int number) {
   return {ErrorCode::cannot_open,
           fmt::format("cannot open {}: {}", path, std::strerror(number)),
@@ -62,6 +66,12 @@ Result<std::string> read_file(const std::string& path) {
                                                              &std::fclose);
   if (!file) return cannot_open(path, errno);
   std::string text;
+  // A file's size is known and saves copies; a pipe's is not.
+  const std::uintmax_t size = std::filesystem::file_size(path, ignored);
+  if (!ignored && size <= kMostAtOnce) {
+    text.resize(static_cast<std::size_t>(size));
+    text.resize(std::fread(text.data(), 1, text.size(), file.get()));
+  }
   char buffer[1 << 16];
   while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, file.get())) {
     text.append(buffer, n);
