@@ -12,6 +12,7 @@
 #include "console.hpp"
 #include "cuts/adopt_cuts.hpp"
 #include "input_file.hpp"
+#include "limits_text.hpp"
 #include "mesh_file.hpp"
 #include "options.hpp"
 
@@ -46,6 +47,10 @@ int print(const Verification& found, const TriangleSoup& mesh, bool quiet) {
                  grouped(found.within_rounding));
     }
     fmt::print("\n");
+    LimitCounts limits;
+    for (const RegionLimits& region : found.limits) limits.add(region);
+    if (const std::string text = limits_text(limits); !text.empty())
+      fmt::print("Regions beside their targets and proven limits: {}\n", text);
     for (const std::string& what : found.unchecked) fmt::print("Not checked: {}\n", what);
   }
   return exit_ok;

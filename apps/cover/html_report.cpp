@@ -21,6 +21,7 @@
 #include "io/files/atomic_file.hpp"
 #include "io/files/scratch_folder.hpp"
 #include "io/text/text.hpp"
+#include "limits_text.hpp"
 #include "verdict.hpp"
 
 namespace cover::app {
@@ -182,9 +183,11 @@ class Page {
     const Quality& q = report_.quality;
     std::size_t forced = 0;
     double rho = std::numeric_limits<double>::infinity();
+    LimitCounts limits;
     for (const RegionReport& region : report_.regions) {
       forced += region.forced_above_120;
       rho = std::min(rho, region.rho());
+      limits.add(region.limits);
     }
     out_ += "<div class=\"cards\">\n" + card(angle_text(q.largest_nu) + "°", "largest angle") +
             card(fmt::format("{:.2f}°", q.smallest.in_degrees()), "smallest angle") +
@@ -196,6 +199,8 @@ class Page {
             card(grouped(output_.mesh.vertices()),
                  fmt::format("vertices ({} new)", grouped(report_.steiner_vertices))) +
             card(grouped(report_.regions.size()), "regions") + "</div>\n";
+    if (const std::string text = limits_text(limits); !text.empty())
+      out_ += fmt::format("<p>Regions beside their targets and proven limits: {}.</p>\n", text);
   }
 
   Status picture(const std::string& color) {

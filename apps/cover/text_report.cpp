@@ -10,6 +10,7 @@
 #include "angle_text.hpp"
 #include "base/describe.hpp"
 #include "console.hpp"
+#include "limits_text.hpp"
 #include "text_table.hpp"
 
 namespace cover::app {
@@ -67,9 +68,11 @@ std::string totals(const Output& output) {
   const Report& report = output.report;
   const Quality& q = report.quality;
   std::size_t held = 0, forced_120 = 0, forced_150 = 0, worst = 0;
+  LimitCounts limits;
   for (std::size_t r = 0; r < report.regions.size(); ++r) {
     const RegionReport& region = report.regions[r];
     held += region.bound_held ? 1 : 0;
+    limits.add(region.limits);
     forced_120 += region.forced_above_120;
     forced_150 += region.forced_above_150;
     if (region.quality.largest_nu < report.regions[worst].quality.largest_nu) worst = r;
@@ -106,6 +109,8 @@ std::string totals(const Output& output) {
     out += fmt::format("Targets         missed in {} of {}; -v tells where and why\n",
                        grouped(static_cast<std::size_t>(missed)),
                        counted(report.regions.size(), "region"));
+    if (const std::string text = limits_text(limits); !text.empty())
+      out += fmt::format("Proven limits   {}\n", text);
   }
   return out;
 }

@@ -21,7 +21,6 @@ class _Options(TypedDict, total=False):
     min_angle: float
     prefer: Literal["balanced", "largest"]
     effort: Literal["fast", "normal", "thorough"]
-    box_method: bool
     growth: Optional[float]
     size: _Sizes  # by region or material; "" is everywhere
     sizes: _Sizes  # the same

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <cover/angle.hpp>
+#include <cover/limits.hpp>
 #include <cover/mesh_class.hpp>
 #include <cover/point.hpp>
 #include <cover/pslg.hpp>
@@ -25,10 +26,12 @@ struct TriangleSoup {
 
 /// What to ask of a mesh.
 struct VerifyOptions {
-  bool bound = true;         ///< promise 3, unless allow_split
-  bool allow_split = false;  ///< segments may be split by vertices on them
-  bool hull = false;         ///< the domain is the convex hull
-  bool materials = true;     ///< every triangle has the material of its region
+  bool bound = true;                      ///< promise 3, unless allow_split
+  bool allow_split = false;               ///< segments may be split by vertices on them
+  bool hull = false;                      ///< the domain is the convex hull
+  Angle max_angle = Angle::degrees(100);  ///< targets, beside which limits are looked for
+  Angle min_angle = Angle::degrees(20);
+  bool materials = true;  ///< every triangle has the material of its region
   /// False: materials of the mesh may have other numbers than in the input, as where a file has
   /// groups instead; but no number stands for two materials.
   bool material_numbers = true;
@@ -48,7 +51,10 @@ struct Verification {
   std::size_t violation_count = 0;    ///< may exceed what is listed
   std::size_t segments_whole = 0;
   std::size_t regions = 0;
-  std::size_t within_rounding = 0;     ///< regions that meet the bound up to coordinate rounding
+  std::size_t within_rounding = 0;  ///< regions that meet the bound up to coordinate rounding
+  /// By RegionId - 1: what no mesh can have better. Empty where segments or hull sides may be
+  /// split, or a promise is broken.
+  std::vector<RegionLimits> limits;
   std::vector<std::string> unchecked;  ///< what `options`, or what the mesh lacks, left out
   /// By triangle: the region of the input that it lies in, kVoid if none is known. Empty where the
   /// input is no clean planar straight-line graph.

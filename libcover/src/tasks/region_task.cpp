@@ -19,7 +19,9 @@
 #include "almond/almond_region.hpp"
 #include "almond/chords.hpp"
 #include "base/fault.hpp"
+#include "cdt/cdt.hpp"
 #include "cdt/region_cdt.hpp"
+#include "limits/region_limits.hpp"
 #include "quality/quality_region.hpp"
 #include "sizes/expected_triangles.hpp"
 #include "target/angle_limit.hpp"
@@ -154,6 +156,21 @@ Note note_of_fallback(const RegionBoundary& boundary, const Attempt& attempt, st
           attempt.fault ? attempt.fault->where : std::vector<Point>{}};
 }
 
+/// What no mesh of the region can have better. Hull sides may be split, so that nothing is known of
+/// meshes there.
+RegionLimits limits_of(const RegionBoundary& boundary, const Quality& quality,
+                       const Options& options) {
+  const auto& segments = boundary.segments;
+  if (quality.triangles == 0 ||
+      std::find(segments.begin(), segments.end(), kHullSide) != segments.end())
+    return {};
+  const ReachedAngles reached{quality.largest_nu, quality.smallest};
+  const ReachedAngles wanted{options.max_angle.supplement(), options.min_angle};
+  if (meets(reached, wanted)) return region_limits({}, reached, wanted);
+  const CdtResult cdt = triangulate_domain(boundary.points, boundary.sides);
+  return region_limits(cdt.triangulation, reached, wanted);
+}
+
 /// The method asked for; where that misses the bound, the other one if it is better. It is rounding
 /// that makes them miss: the one in a region as flat as coordinates can be, the other where an
 /// improved triangle lies just inside the bound in the frame in which it was improved.
@@ -256,6 +273,9 @@ Result<std::vector<RegionMesh>> mesh_regions(std::span<const RegionBoundary> bou
       for_each_region(boundaries, worker_count(options), "mesh", callbacks, [&](std::size_t k) {
         const StageClock clock;
         meshes[k] = mesh_region(boundaries[k], options, callbacks.stop);
+        RegionReport& report = meshes[k].report;
+        if (!callbacks.stop.stop_requested())
+          report.limits = limits_of(boundaries[k], report.quality, options);
         meshes[k].report.seconds = clock.seconds();
       });
   if (!status) return std::move(status).error();

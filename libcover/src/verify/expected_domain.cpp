@@ -32,6 +32,8 @@ class Finder {
     domain_.point_region.assign(pslg_.points.size(), kVoid);
     domain_.nu_opt.assign(table_.regions.size() + 1, std::numbers::pi);
     for (std::size_t t = 0; t < triangles_.size(); ++t) visit(triangles_[t], region_[t]);
+    domain_.cdt = {pslg_.points, std::move(triangles_)};
+    domain_.cdt_region = std::move(region_);
     return std::move(domain_);
   }
 

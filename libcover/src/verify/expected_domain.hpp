@@ -27,6 +27,8 @@ struct ExpectedDomain {
   std::vector<ExpectedSide> sides;     ///< two per segment, in order; then those of the hull
   std::vector<RegionId> point_region;  ///< by VertexId: some region at the point; kVoid: none
   std::vector<double> nu_opt;          ///< by RegionId, in radians; pi where nothing is forced
+  Triangulation cdt;                   ///< of the whole PSLG,
+  std::vector<RegionId> cdt_region;    ///< and the region of each of its triangles
   std::vector<CdtConflict> conflicts;  ///< not empty: the PSLG is not clean, all else is empty
 };
 

@@ -26,6 +26,7 @@
 #include "verify/verify_bound.hpp"
 #include "verify/verify_boxes.hpp"
 #include "verify/verify_labels.hpp"
+#include "verify/verify_limits.hpp"
 #include "verify/verify_regions.hpp"
 
 namespace cover {
@@ -64,6 +65,9 @@ class Verifier {
     else
       result_.unchecked.emplace_back("materials");
     if (options_.box_method) check_couplings();
+    if (result_.violation_count == 0 && !options_.allow_split && !options_.hull)
+      result_.limits = verify_limits(mesh_, region_, domain_,
+                                     {options_.max_angle.supplement(), options_.min_angle});
     result_.triangle_regions = std::move(region_);
     return std::move(result_);
   }

@@ -171,7 +171,7 @@ std::vector<AngleRange> refuted_ranges(const Triangulation& cdt) {
   return ranges;
 }
 
-RegionBoundary region_for_brute_force(std::mt19937_64& random) {
+RegionBoundary random_boundary(std::mt19937_64& random) {
   const auto uniform = [&](double a, double b) {
     return std::uniform_real_distribution<double>(a, b)(random);
   };
@@ -211,6 +211,16 @@ RegionBoundary region_for_brute_force(std::mt19937_64& random) {
       while (region.boundary.points.size() > 24) region = random_region(random);
       return region.boundary;
     }
+  }
+}
+
+/// A boundary that encloses a region: the random hole may stick out.
+RegionBoundary region_for_brute_force(std::mt19937_64& random) {
+  for (;;) {
+    RegionBoundary boundary = random_boundary(random);
+    const CdtResult cdt = triangulate_domain(boundary.points, boundary.sides);
+    if (!cdt.conflicts.empty() || cdt.triangulation.triangles.empty()) continue;
+    if (RegionView(cdt.triangulation).sides().size() == boundary.sides.size()) return boundary;
   }
 }
 

@@ -7,10 +7,11 @@
 //                 "void_segments": n },
 //     "mesh":   { "vertices", "edges", "triangles", "steiner_vertices" },
 //     "overall": LIMITS + QUALITY + { "bound_held": regions, "bound_missed": [region ids],
-//                "methods": {method: regions}, "fallbacks", "rho_smallest", "box": BOX },
+//                "methods": {method: regions}, "fallbacks", "rho_smallest", "box": BOX,
+//                "limits": { "largest": {standing: regions}, "smallest": {standing: regions} } },
 //     "regions": [ { "id", "name", "material", "material_name", "area", "sides", "method",
 //                    "input_vertices", "steiner_vertices", "bound_held", "seconds", "notes": NOTES,
-//                    "box": BOX } + LIMITS + QUALITY ],
+//                    "box": BOX, "limits": PROVEN } + LIMITS + QUALITY ],
 //     "replaced": [ { "region": id, "triangles", "steiner_vertices": before } ], only where regions
 //                 were meshed again inside a mesh; the method of the others is "kept",
 //     "interfaces": [ { "id", "name", "kind", "left", "right", "length", "segments" } ],
@@ -21,6 +22,10 @@
 //   LIMITS   gamma_opt (at least 60: no triangulation is below), nu_opt_radians (pi - gamma_opt,
 //            uncut), bound (the largest angle that promise 3 allows), nu_bound_radians, rho,
 //            forced_above_120, forced_above_150
+//   PROVEN   largest, smallest: how the angles reached stand: "met" (the target), "optimal", "near"
+//            (within a degree of the limit), "open", "unknown"; where a target is missed also
+//            largest_angle and smallest_angle, the limits, under (no mesh whose largest angle is at
+//            most this has a larger smallest one), largest_gap and smallest_gap
 //   QUALITY  triangles, largest_angle, largest_nu_radians (pi - largest angle, which keeps the
 //            digits of flat triangles), smallest_angle, obtuse, above_120, above_150,
 //            histogram (all angles in 18 bins of 10 degrees), meshed_area
@@ -205,6 +210,30 @@ void add_quality(const Quality& quality, Json& out) {
   out["meshed_area"] = quality.area;
 }
 
+Json limits_json(const RegionReport& report) {
+  const RegionLimits& limits = report.limits;
+  Json out{{"largest", describe(limits.of_largest)}, {"smallest", describe(limits.of_smallest)}};
+  const auto missed = [](Standing s) { return s != Standing::met && s != Standing::unknown; };
+  if (missed(limits.of_largest)) {
+    out["largest_angle"] = limits.largest_nu.supplement().in_degrees();
+    out["largest_gap"] = limits.largest_nu.in_degrees() - report.quality.largest_nu.in_degrees();
+  }
+  if (missed(limits.of_smallest)) {
+    out["smallest_angle"] = limits.smallest.in_degrees();
+    out["under"] = limits.under.supplement().in_degrees();
+    out["smallest_gap"] = limits.smallest.in_degrees() - report.quality.smallest.in_degrees();
+  }
+  return out;
+}
+
+Json counts_json(const std::array<std::size_t, kStandings>& counts) {
+  Json out = Json::object();
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    if (counts[k] > 0) out[describe(static_cast<Standing>(k))] = counts[k];
+  }
+  return out;
+}
+
 Json region_json(const Region& region, const RegionReport& report) {
   Json out{{"id", region.id.value()},
            {"name", region.name},
@@ -220,6 +249,7 @@ Json region_json(const Region& region, const RegionReport& report) {
   add_quality(report.quality, out);
   out["box"] = to_json(report.box);
   out["box"]["negative"] = to_json(report.couplings);
+  out["limits"] = limits_json(report);
   out["notes"] = to_json(report.notes);
   out["seconds"] = report.seconds;
   return out;
@@ -255,10 +285,12 @@ Json overall_json(const Report& report) {
   Json missed = Json::array();
   std::map<std::string, std::size_t> methods;
   std::size_t fallbacks = 0;
+  LimitCounts limits;
   double smallest_rho = sum.rho();
   for (const RegionReport& region : report.regions) {
     if (!region.bound_held) missed.push_back(region.id.value());
     ++methods[region.method];
+    limits.add(region.limits);
     smallest_rho = std::min(smallest_rho, region.rho());
     for (const Note& note : region.notes) fallbacks += note.kind == Note::Kind::fallback ? 1 : 0;
   }
@@ -267,6 +299,8 @@ Json overall_json(const Report& report) {
   out["bound_missed"] = missed;
   out["methods"] = methods;
   out["fallbacks"] = fallbacks;
+  out["limits"] = {{"largest", counts_json(limits.largest)},
+                   {"smallest", counts_json(limits.smallest)}};
   return out;
 }
 

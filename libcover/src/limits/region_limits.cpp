@@ -1,0 +1,60 @@
+// Tested by tests/unit/limits/region_limits_test.cpp.
+#include "limits/region_limits.hpp"
+
+namespace cover {
+namespace {
+
+constexpr double kMet = 1e-9;      ///< radians: a target is met up to rounding
+constexpr double kNothing = 1e-5;  ///< degrees: no gap
+constexpr double kNear = 1 + kNothing;
+
+Standing standing_of(bool met, Angle reached, Angle limit) {
+  if (met) return Standing::met;
+  const double gap = limit.in_degrees() - reached.in_degrees();
+  return gap <= kNothing ? Standing::optimal : gap <= kNear ? Standing::near : Standing::open;
+}
+
+bool is_reached(Angle reached, Angle wanted) {
+  return reached.in_radians() >= wanted.in_radians() - kMet;
+}
+
+}  // namespace
+
+const char* describe(Standing standing) {
+  switch (standing) {
+    case Standing::met:
+      return "met";
+    case Standing::optimal:
+      return "optimal";
+    case Standing::near:
+      return "near";
+    case Standing::open:
+      return "open";
+    case Standing::unknown:
+      break;
+  }
+  return "unknown";
+}
+
+bool meets(const ReachedAngles& reached, const ReachedAngles& wanted) {
+  return is_reached(reached.largest_nu, wanted.largest_nu) &&
+         is_reached(reached.smallest, wanted.smallest);
+}
+
+RegionLimits region_limits(const Triangulation& cdt, const ReachedAngles& reached,
+                           const ReachedAngles& wanted) {
+  RegionLimits limits;
+  limits.of_largest = limits.of_smallest = Standing::met;
+  if (meets(reached, wanted)) return limits;
+  const ProvenLimits proven = LimitProver(cdt).prove(reached, wanted);
+  limits.largest_nu = proven.largest_nu;
+  limits.smallest = proven.smallest;
+  limits.under = proven.under;
+  limits.of_largest = standing_of(is_reached(reached.largest_nu, wanted.largest_nu),
+                                  reached.largest_nu, proven.largest_nu);
+  limits.of_smallest =
+      standing_of(is_reached(reached.smallest, wanted.smallest), reached.smallest, proven.smallest);
+  return limits;
+}
+
+}  // namespace cover

@@ -1,0 +1,20 @@
+// The limits of a region beside what a mesh of it has reached.
+#pragma once
+
+#include <cover/limits.hpp>
+
+#include "limits/limit_prover.hpp"
+
+namespace cover {
+
+/// Looks for limits where a target is missed.
+///
+/// REQUIRES: `cdt` as for LimitProver; a covering mesh of the region has reached `reached`
+/// Cost:     nothing where both targets are met; else O(triangles) and ProofEffort
+RegionLimits region_limits(const Triangulation& cdt, const ReachedAngles& reached,
+                           const ReachedAngles& wanted);
+
+/// True if both targets are met: no limit is looked for.
+bool meets(const ReachedAngles& reached, const ReachedAngles& wanted);
+
+}  // namespace cover

@@ -1,0 +1,82 @@
+// A region's triangles of the constrained Delaunay triangulation of the whole are its own
+// triangulation: what is beyond its sides is out of sight. Tested by
+// tests/unit/verify/verify_limits_test.cpp.
+#include "verify/verify_limits.hpp"
+
+#include <algorithm>
+
+#include "geom/vector.hpp"
+#include "limits/region_limits.hpp"
+
+namespace cover {
+namespace {
+
+/// Cuts regions out of the whole, one after the other.
+class Cutter {
+ public:
+  explicit Cutter(const ExpectedDomain& domain)
+      : whole_(domain.cdt),
+        local_triangle_(domain.cdt.triangles.size(), kNone),
+        local_point_(domain.cdt.points.size(), kNone) {}
+
+  const Triangulation& cut(std::span<const std::uint32_t> triangles) {
+    part_.points.clear();
+    part_.triangles.clear();
+    points_.clear();
+    for (std::uint32_t k = 0; k < triangles.size(); ++k) local_triangle_[triangles[k]] = k;
+    for (const std::uint32_t t : triangles) {
+      Triangle f = whole_.triangles[t];
+      for (std::uint32_t& v : f.v) v = local(v);
+      for (std::uint32_t& n : f.n) n = n == kNone ? kNone : local_triangle_[n];
+      part_.triangles.push_back(f);
+    }
+    for (const std::uint32_t t : triangles) local_triangle_[t] = kNone;
+    for (const std::uint32_t v : points_) local_point_[v] = kNone;
+    return part_;
+  }
+
+ private:
+  std::uint32_t local(std::uint32_t v) {
+    if (local_point_[v] == kNone) {
+      local_point_[v] = static_cast<std::uint32_t>(part_.points.size());
+      part_.points.push_back(whole_.points[v]);
+      points_.push_back(v);
+    }
+    return local_point_[v];
+  }
+
+  const Triangulation& whole_;
+  Triangulation part_;
+  std::vector<std::uint32_t> local_triangle_, local_point_, points_;
+};
+
+}  // namespace
+
+std::vector<RegionLimits> verify_limits(const TriangleSoup& mesh, std::span<const RegionId> region,
+                                        const ExpectedDomain& domain, const ReachedAngles& wanted) {
+  const std::size_t regions = domain.nu_opt.size();  // with the void
+  std::vector<ReachedAngles> reached(regions, {Angle::degrees(180), Angle::degrees(180)});
+  for (std::size_t t = 0; t < region.size(); ++t) {
+    if (region[t] == kVoid) continue;
+    const auto& v = mesh.triangles[t];
+    ReachedAngles& worst = reached[region[t].index()];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Point a = mesh.points[v[i]], b = mesh.points[v[(i + 1) % 3]];
+      const Point c = mesh.points[v[(i + 2) % 3]];
+      worst.largest_nu = std::min(worst.largest_nu, Angle::radians(nu_at(b, a, c)));
+      worst.smallest = std::min(worst.smallest, Angle::radians(angle_at(b, a, c)));
+    }
+  }
+  std::vector<std::vector<std::uint32_t>> triangles(regions);
+  for (std::uint32_t t = 0; t < domain.cdt_region.size(); ++t) {
+    const std::size_t r = domain.cdt_region[t].index();
+    if (domain.cdt_region[t] != kVoid && !meets(reached[r], wanted)) triangles[r].push_back(t);
+  }
+  Cutter cutter(domain);
+  std::vector<RegionLimits> limits;
+  for (std::size_t r = 1; r < regions; ++r)
+    limits.push_back(region_limits(cutter.cut(triangles[r]), reached[r], wanted));
+  return limits;
+}
+
+}  // namespace cover

@@ -1,0 +1,52 @@
+#include "limits/region_limits.hpp"
+
+#include <gtest/gtest.h>
+
+#include "cdt/cdt.hpp"
+#include "support/shapes.hpp"
+
+namespace cover {
+namespace {
+
+using namespace testing;
+
+const ReachedAngles kWanted{Angle::degrees(80), Angle::degrees(20)};
+
+Triangulation cdt_of(const Loop& loop) {
+  const RegionBoundary boundary = boundary_of({loop});
+  return triangulate_domain(boundary.points, boundary.sides).triangulation;
+}
+
+ReachedAngles reached(double largest, double smallest) {
+  return {Angle::degrees(180 - largest), Angle::degrees(smallest)};
+}
+
+TEST(RegionLimits, ATriangleIsOptimal) {
+  const Triangulation cdt = cdt_of({{0, 0}, {1, 0}, {0.1, 0.1}});
+  const double largest = 180 - 45 - std::atan2(0.1, 0.9) * 180 / std::numbers::pi;
+  const RegionLimits limits =
+      region_limits(cdt, reached(largest, std::atan2(0.1, 0.9) * 180 / std::numbers::pi), kWanted);
+  EXPECT_EQ(limits.of_largest, Standing::optimal);
+  EXPECT_EQ(limits.of_smallest, Standing::optimal);
+}
+
+TEST(RegionLimits, StandingsFollowTheGap) {
+  // 10 long and 1 high: no triangle on a long side has all angles above 11.31 degrees.
+  const Triangulation cdt = cdt_of({{0, 0}, {10, 0}, {10, 1}, {0, 1}});
+  const RegionLimits near = region_limits(cdt, reached(100, 10.8), kWanted);
+  EXPECT_EQ(near.of_largest, Standing::met);
+  EXPECT_EQ(near.of_smallest, Standing::near);
+  EXPECT_NEAR(near.smallest.in_degrees(), 11.8, 1e-9);
+  EXPECT_NEAR(near.under.in_degrees(), 80, 1e-9);
+  EXPECT_EQ(region_limits(cdt, reached(100, 0.1), kWanted).of_smallest, Standing::open);
+  EXPECT_EQ(region_limits(cdt, reached(100, 20), kWanted).of_smallest, Standing::met);
+  EXPECT_EQ(region_limits(cdt, reached(170, 5), kWanted).of_largest, Standing::open);
+}
+
+TEST(RegionLimits, StandingsHaveNames) {
+  EXPECT_STREQ(describe(Standing::optimal), "optimal");
+  EXPECT_STREQ(describe(Standing::unknown), "unknown");
+}
+
+}  // namespace
+}  // namespace cover
