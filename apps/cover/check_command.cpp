@@ -5,12 +5,12 @@
 
 #include <cover/cover_mesh.hpp>
 #include <cover/read_mesh.hpp>
+#include <cover/remesh.hpp>
 #include <cover/verify.hpp>
 
 #include "base/describe.hpp"
 #include "commands.hpp"
 #include "console.hpp"
-#include "cuts/adopt_cuts.hpp"
 #include "input_file.hpp"
 #include "limits_text.hpp"
 #include "mesh_file.hpp"
@@ -104,6 +104,18 @@ int print_couplings(const Verification& found, bool quiet) {
   return exit_unmet;
 }
 
+/// The option by which the run that made the mesh cut segments, as its manifest tells; else empty.
+std::string cutting_option(const std::string& path) {
+  const Result<Output> known = read_output(path);
+  if (!known) return {};
+  for (const auto& [name, value] : known->report.provenance.settings) {
+    if (name == "split-interfaces" || name == "box-method" ||
+        (name == "method" && value == "nonobtuse"))
+      return fmt::format("--{} {}", name, value);
+  }
+  return {};
+}
+
 }  // namespace
 
 int run_check(Arguments arguments) {
@@ -151,15 +163,26 @@ Examples:
   const auto log = make_logger(verbosity);
   const Result<Input> input = input_file.read();
   if (!input) return fail(*log, input.error());
-  const Result<Prepared> prepared = prepare(*input, *options);
+  Result<Prepared> prepared = prepare(*input, *options);
   if (!prepared) return fail(*log, prepared.error());
   const Result<MeshTriangles> mesh = read_triangles(mesh_path, *log);
   if (!mesh) return fail(*log, mesh.error());
   verify.material_numbers = mesh->has_materials;
-  const Verification found = verify_cover(prepared->pslg, prepared->table, mesh->soup, verify);
+  Verification found = verify_cover(prepared->pslg, prepared->table, mesh->soup, verify);
+  if (is_split_only(found, *prepared, mesh->soup, verify)) {
+    const std::string option = cutting_option(mesh_path);
+    if (option.empty()) {
+      fmt::print(
+          "Segments have vertices inside; all else is sound. If they were to be cut, as by "
+          "--split-interfaces, --box-method or --method nonobtuse, add --allow-split\n");
+    } else {
+      const std::size_t cuts = adopt_cuts(prepared->pslg, prepared->table, mesh->soup);
+      if (!verbosity.quiet)
+        fmt::print("Segments are cut at {} points by the run itself: {}\n", grouped(cuts), option);
+      found = verify_cover(prepared->pslg, prepared->table, mesh->soup, verify);
+    }
+  }
   const int code = print(found, mesh->soup, verbosity.quiet);
-  if (is_split_only(found, *prepared, mesh->soup, verify))
-    fmt::print("All else is sound: segments have vertices inside, which --allow-split allows\n");
   if (!box_method) return code;
   const int boxes = print_couplings(couplings_of(*prepared, mesh->soup, verify), verbosity.quiet);
   return code == exit_ok ? boxes : code;

@@ -96,8 +96,7 @@ std::string places(const Note& note) {
   if (note.kind != Note::Kind::target_missed || note.where.empty()) return {};
   std::string text;
   for (std::size_t k = 0; k < std::min(kPlaces, note.where.size()); ++k)
-    text += fmt::format("{} ({:.6g}, {:.6g})", k == 0 ? "; near" : ",", note.where[k].x,
-                        note.where[k].y);
+    text += fmt::format("{} ({}, {})", k == 0 ? "; near" : ",", note.where[k].x, note.where[k].y);
   return text + (note.where.size() > kPlaces ? ", ..." : "");
 }
 
@@ -190,14 +189,16 @@ class Page {
       limits.add(region.limits);
     }
     out_ += "<div class=\"cards\">\n" + card(angle_text(q.largest_nu) + "°", "largest angle") +
-            card(fmt::format("{:.2f}°", q.smallest.in_degrees()), "smallest angle") +
+            card(small_angle_text(q.smallest) + "°", "smallest angle") +
             card(fmt::format("{:.2f}", rho), "lowest rho (1: optimum)") +
             card(grouped(q.above_120), fmt::format("above 120° ({} forced)", grouped(forced))) +
             card(percent(static_cast<double>(q.obtuse), static_cast<double>(q.triangles)),
                  "obtuse triangles") +
             card(grouped(q.triangles), "triangles") +
             card(grouped(output_.mesh.vertices()),
-                 fmt::format("vertices ({} new)", grouped(report_.steiner_vertices))) +
+                 fmt::format("vertices ({} new)",
+                             grouped(report_.steiner_vertices + output_.pslg.points.size() -
+                                     report_.uncut_points))) +
             card(grouped(report_.regions.size()), "regions") + "</div>\n";
     if (const std::string text = limits_text(limits); !text.empty())
       out_ += fmt::format("<p>Regions beside their targets and proven limits: {}.</p>\n", text);
@@ -260,13 +261,13 @@ class Page {
       out_ += fmt::format(
           "<tr{}><td>{}</td><td class=\"t\">{}</td><td "
           "class=\"t\">{}</td><td>{:.5g}</td><td>{}</td>"
-          "<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{:.2f}</td><td>{:.2f}</td><td>{} "
+          "<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{:.2f}</td><td>{}</td><td>{} "
           "({})</td>"
           "<td>{} ({})</td><td class=\"t\">{}</td></tr>\n",
           r.bound_held ? "" : " class=\"missed\"", region.id.value(), escaped_markup(region.name),
           escaped_markup(region.material_name), region.area, grouped(r.quality.triangles),
           grouped(r.steiner_vertices), angle_text(lowest_nu(r)), angle_text(r.nu_bound),
-          angle_text(r.quality.largest_nu), r.rho(), r.quality.smallest.in_degrees(),
+          angle_text(r.quality.largest_nu), r.rho(), small_angle_text(r.quality.smallest),
           grouped(r.quality.above_120), grouped(r.forced_above_120), grouped(r.quality.above_150),
           grouped(r.forced_above_150), escaped_markup(r.method));
     }
@@ -315,7 +316,7 @@ class Page {
     row("inner edges that are not Delaunay", grouped(sum.non_delaunay_edges));
     row("negative couplings", grouped(sum.negative_couplings));
     row("area of all boxes against the true area",
-        fmt::format("{:+.3f} %", area > 0 ? 100 * (sum.box_area - area) / area : 0));
+        percent_text(area > 0 ? 100 * (sum.box_area - area) / area : 0, 3));
     out_ +=
         "</table>\n<p>With zeros above, unsigned boxes are exact; else solvers that use them "
         "are off by about the last figure, without a warning.</p>\n</div>\n</div>\n";

@@ -70,7 +70,7 @@ CLI::Option* GeometryFile::add(CLI::App& command) {
       .add_option(
           "input", path_,
           fmt::format("Geometry: Triangle's .poly, our .json, .geojson, gmsh's {}, VTK's .vtu, "
-                      ".vtp, .vti, .vtk; '-' is standard input",
+                      ".vtp, .vti, .vtk; '-' is standard input, known by how it begins",
                       kGmshFormats))
       ->type_name("");
 }

@@ -8,6 +8,7 @@
 #include <cover/cover_mesh.hpp>
 #include <cover/read_size_field.hpp>
 #include <cover/remesh.hpp>
+#include <cover/write_mesh.hpp>
 
 #include "commands.hpp"
 #include "console.hpp"
@@ -48,7 +49,9 @@ struct MeshCommand {
     input.add(app);
     app.add_option(
            "-o,--output", outputs,
-           fmt::format("File to write, several if repeated: {}; '-' is stdout", mesh_extensions()))
+           fmt::format(
+               "File to write, several if repeated: {}; '-' is stdout, in the format of --format",
+               mesh_extensions()))
         ->type_name("FILE")
         ->allow_extra_args(false);
     library.add(app, OptionGroup::meshing);
@@ -174,15 +177,19 @@ int dry_run(const MeshCommand& command, const Input& input, const Options& optio
       return fail(log, onto.error());
   }
   log_notes(log, prepared->report.notes);
-  fmt::print("{}", info_text(*prepared, command.verbosity.verbose > 0));
+  const bool as_json = command.stats == "json";
+  if (as_json) fmt::print("{}\n", report_json(*prepared));
+  if (!as_json) fmt::print("{}", info_text(*prepared, command.verbosity.verbose > 0));
   for (const std::string& name : command.only) {
     const std::vector<RegionId> regions = named_regions(prepared->table, name);
     if (regions.empty()) return fail(log, no_such_region(prepared->table, "only", name));
     for (const RegionId id : regions) {
+      if (as_json) continue;
       fmt::print("\nWould mesh region {} '{}' again in {}", id.value(),
                  prepared->table.region(id).name, command.onto);
     }
   }
+  if (as_json) return exit_ok;
   for (const auto& paths : {command.outputs, command.reports})
     for (const std::string& path : paths) fmt::print("\nWould write {}", path);
   fmt::print("\n");

@@ -77,10 +77,12 @@ std::string totals(const Output& output) {
     forced_150 += region.forced_above_150;
     if (region.quality.largest_nu < report.regions[worst].quality.largest_nu) worst = r;
   }
-  std::string out =
-      fmt::format("{}, {} ({} new), {}\n", plural(q.triangles, "triangle"),
-                  grouped(output.mesh.vertices()) + " vertices",
-                  grouped(report.steiner_vertices), plural(report.regions.size(), "region"));
+  const std::size_t cuts = output.pslg.points.size() - report.uncut_points;
+  std::string out = fmt::format(
+      "{}, {} ({} new{}), {}\n", plural(q.triangles, "triangle"),
+      grouped(output.mesh.vertices()) + " vertices", grouped(report.steiner_vertices + cuts),
+      cuts > 0 ? fmt::format(", {} of them on segments", grouped(cuts)) : "",
+      plural(report.regions.size(), "region"));
   for (const Note& note : report.notes) {
     if (note.kind == Note::Kind::cut) out += note.message + '\n';
   }
@@ -89,7 +91,7 @@ std::string totals(const Output& output) {
   out += fmt::format("Largest angle   {:>7}  in region {} '{}'; no mesh is below {} there\n",
                      angle_text(q.largest_nu), region.id.value(),
                      output.table.region(region.id).name, angle_text(lowest_nu(region)));
-  out += fmt::format("Smallest angle  {:>7.2f}\n", q.smallest.in_degrees());
+  out += fmt::format("Smallest angle  {:>7}\n", small_angle_text(q.smallest));
   out += fmt::format("Above 90        {:>7}  obtuse triangles\n", grouped(q.obtuse));
   out += fmt::format("Above 120       {:>7}  forced by the input: {}\n", grouped(q.above_120),
                      grouped(forced_120));
@@ -156,8 +158,8 @@ std::string region_rows(const Output& output, bool every_region) {
     table.add({fmt::format("{}", r.id.value()), region.name, region.material_name,
                grouped(r.quality.triangles), grouped(r.steiner_vertices), angle_text(lowest_nu(r)),
                angle_text(r.nu_bound), angle_text(r.quality.largest_nu),
-               fmt::format("{:.2f}", r.quality.smallest.in_degrees()),
-               fmt::format("{:.2f}", r.rho()), above(r.quality.above_120, r.forced_above_120),
+               small_angle_text(r.quality.smallest), fmt::format("{:.2f}", r.rho()),
+               above(r.quality.above_120, r.forced_above_120),
                above(r.quality.above_150, r.forced_above_150),
                r.method + (r.bound_held ? "" : " (bound missed)")});
   }

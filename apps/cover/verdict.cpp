@@ -76,11 +76,17 @@ Finding check_mesh(const Output& output) {
                             ? fmt::format(", and {} more", grouped(found.violation_count - 1))
                             : "")};
   }
-  return {Grade::good, "Mesh",
-          fmt::format(
-              "Valid: no gap, no overlap, no hanging vertex, in exact arithmetic. Each of the {} "
-              "segments is one edge, each input point a vertex, bit for bit.",
-              grouped(found.segments_whole))};
+  const std::size_t more = output.pslg.segments.size() - output.report.uncut_segments;
+  const bool is_cut = output.report.uncut_segments > 0 && more > 0;
+  const std::string segments =
+      is_cut ? fmt::format("The {} segments are cut into {}, as was asked for; each piece",
+                           grouped(found.segments_whole - more), grouped(found.segments_whole))
+             : fmt::format("Each of the {} segments", grouped(found.segments_whole));
+  return {
+      Grade::good, "Mesh",
+      fmt::format("Valid: no gap, no overlap, no hanging vertex, in exact arithmetic. {} is one "
+                  "edge, each input point a vertex, bit for bit.",
+                  segments)};
 }
 
 Finding check_bound(const Output& output) {
@@ -169,7 +175,7 @@ Finding check_smallest(const Output& output, double target) {
   const auto below = static_cast<std::size_t>(std::count_if(
       regions.begin(), regions.end(),
       [&](const RegionReport& r) { return r.quality.smallest.in_radians() < limit; }));
-  const std::string smallest = fmt::format("{:.2f}°", output.report.quality.smallest.in_degrees());
+  const std::string smallest = small_angle_text(output.report.quality.smallest) + "°";
   if (target == 0) return {Grade::fact, "Smallest angle", smallest + "; none was asked for."};
   if (below == 0)
     return {Grade::good, "Smallest angle",
@@ -184,10 +190,13 @@ Finding check_input(const Output& output) {
   const std::size_t changes = output.report.changes.size();
   std::size_t remarks = 0;
   for (const Note& note : output.report.notes) remarks += note.kind == Note::Kind::warning ? 1 : 0;
-  std::string text = changes == 0 ? "Meshed as it is"
-                     : changes == 1
-                         ? "Changed in one place, listed below"
-                         : fmt::format("Changed in {} places, listed below", grouped(changes));
+  std::string text =
+      changes == 0   ? "Meshed as it is"
+      : changes == 1 ? "Changed in one place, told below"
+                     : fmt::format(
+                           "Changed in {} places, of which the first of each kind are told below; "
+                           "all stand in the JSON report",
+                           grouped(changes));
   if (remarks > 0) text += fmt::format("; {} warning{}", grouped(remarks), remarks == 1 ? "" : "s");
   return {changes + remarks == 0 ? Grade::good : Grade::caution, "Input", text + "."};
 }

@@ -586,6 +586,18 @@ class Remesh(Case):
             self.assertIn(f'Would mesh region {region} ', out)
 
 
+class DryRun(Case):
+    def test_json(self):
+        out, _ = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--dry-run', '--stats', 'json')
+        report = json.loads(out)
+        self.assertEqual(report['format'], 'cover input report')
+        self.assertEqual([report['input'][k] for k in ('points', 'segments')], [150, 153])
+        self.assertEqual(len(report['regions']), 4)
+        self.assertAlmostEqual(report['regions'][0]['gamma_opt'], 62.14824277768956)
+        self.assertEqual(len(report['interfaces']), 9)
+        self.assertEqual(self.files(), [])
+
+
 class Configuration(Case):
     def test_printed_configuration_can_be_read(self):
         text, _ = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--fill', 'refine', '--print-config')
@@ -669,6 +681,11 @@ class BadInput(Case):
     def test_crossing(self):
         self.refuse(SQUARE.replace('4 0\n1 1 2', '5 0\n5 2 4\n1 1 3'), 3, '(0.5, 0.5)')
 
+    def test_what_would_mesh_it_is_said(self):
+        text = SQUARE.replace('4 0\n1 1 2', '3 0\n1 1 2').replace('4 4 1\n', '')
+        self.refuse(text, 3, '--weld auto', '--hull meshes the convex hull')
+        self.run_cover('mesh', 'bad.poly', '-o', 'hull.vtu', '--hull', '-q')
+
     def test_nothing_enclosed(self):
         self.refuse('2 2 0 0\n1 0 0\n2 1 0\n1 0\n1 1 2\n0\n', 3)
 
@@ -722,12 +739,30 @@ class Check(Case):
         self.assertRegex(out, r'^All that was checked holds.*\nNot checked: the bound on the largest angle \(promise 3\)\n$')
         self.run_cover('mesh', diode, '-o', 's.vtu', '--method', 'nonobtuse', '-q')
         out, _ = self.run_cover('check', diode, 's.vtu', code=6)
-        self.assertIn('which --allow-split allows', out)
+        self.assertIn('add --allow-split', out.splitlines()[0])
+        # A run that tells of its cuts is taken at its word, and its promises are checked on the pieces.
+        self.run_cover('mesh', diode, '-o', 's.vtm', '-o', 's.json', '--method', 'nonobtuse', '-q')
+        for mesh in ('s.vtm', 's.vtu'):
+            out, _ = self.run_cover('check', diode, mesh)
+            self.assertRegex(out, r'^Segments are cut at \d+ points by the run itself: --method nonobtuse\nEvery promise holds')
+        (self.dir / 's.json').unlink()
         out, _ = self.run_cover('check', diode, 's.vtu', '--allow-split')
         self.assertIn('Not checked: that segments are one edge each (promise 1)\n', out)
         self.assertIn('Not checked: the bound', out)
         out, _ = self.run_cover('check', SAMPLES / 'coax.poly', 's.vtu', code=6)
         self.assertNotIn('--allow-split', out)
+
+    def test_cuts_of_split_interfaces(self):
+        plate = SAMPLES / 'plate.poly'
+        out, _ = self.run_cover('mesh', plate, '-o', 's.msh', '-o', 's.json', '--report', 's.html', '--split-interfaces')
+        self.assertRegex(out, r'\(\d+ new, 7 of them on segments\)')
+        self.assertIn('The 27 segments are cut into 34, as was asked for; each piece is one edge',
+                      (self.dir / 's.html').read_text())
+        out, _ = self.run_cover('check', plate, 's.msh')
+        self.assertRegex(out, r'^Segments are cut at 7 points by the run itself: --split-interfaces 90\nEvery promise holds')
+        (self.dir / 's.json').unlink()
+        out, _ = self.run_cover('check', plate, 's.msh', code=6)
+        self.assertIn('--split-interfaces, --box-method or --method nonobtuse, add --allow-split', out.splitlines()[0])
 
     def test_one_region(self):
         self.write('s.poly', SQUARE)

@@ -28,6 +28,7 @@ struct PictureMesh {
   std::map<std::int64_t, std::string> region_names;    ///< by RegionId; missing: "region 7"
   std::map<std::int64_t, std::string> material_names;  ///< by material; missing: "material 3"
   std::vector<PictureLine> lines;                      ///< empty: found from the regions
+  std::string unit;                                    ///< of the coordinates; empty: not said
 };
 
 /// A part of the plane.
@@ -38,14 +39,14 @@ struct PictureWindow {
 
 /// How it is drawn.
 struct PictureOptions {
-  int width = 1200;                     ///< pixels, >= 200; the height follows from the shape
-  std::string title;                    ///< first line, empty: none
-  std::string color;                    ///< cell array shown by colour; empty: the regions
+  int width = 1200;   ///< pixels, >= 200; the height follows from the shape
+  std::string title;  ///< first line, empty: none
+  std::string color;  ///< cell array shown by colour; empty: the regions
   std::optional<std::array<double, 2>> range;  ///< values at both ends of the colours; none: found
-  std::optional<PictureWindow> window;  ///< part of the mesh shown; none: all of it
-  int worst = 3;                        ///< so many of the largest angles are marked
-  std::string id = "plot";              ///< differs between the SVGs of one page
-  bool edges = true;                    ///< draw all edges, thin
+  std::optional<PictureWindow> window;         ///< part of the mesh shown; none: all of it
+  int worst = 3;                               ///< so many of the largest angles are marked
+  std::string id = "plot";                     ///< differs between the SVGs of one page
+  bool edges = true;                           ///< draw all edges, thin
 };
 
 /// The mesh of a run, with its names.

@@ -55,7 +55,8 @@ struct Quality {
   std::size_t obtuse = 0;                  ///< triangles above 90 degrees, by 1e-9 radians
   std::size_t above_120 = 0;
   std::size_t above_150 = 0;
-  std::array<std::size_t, 18> histogram{};  ///< all angles, bins of 10 degrees
+  std::array<std::size_t, 18> histogram{};  ///< all angles, bins of 10 degrees; of right
+                                            ///< angles, as for `obtuse`, that of 80 to 90
   double area = 0;
 };
 
@@ -155,11 +156,13 @@ struct Report {
   std::vector<Replaced> replaced;     ///< remesh(): by region; else empty
   std::vector<StageTime> times;
   Provenance provenance;
-  std::string unit;  ///< of the coordinates, as "nm"; empty: not said
-  double scale = 1;  ///< what the file's coordinates were multiplied by
-  std::size_t input_points = 0;
-  std::size_t input_segments = 0;
-  std::size_t steiner_vertices = 0;
+  std::string unit;                ///< of the coordinates, as "nm"; empty: not said
+  double scale = 1;                ///< what the file's coordinates were multiplied by
+  std::size_t input_points = 0;    ///< of the clean input, with those that cut segments
+  std::size_t input_segments = 0;  ///< pieces of cut segments count
+  std::size_t uncut_points = 0;    ///< of the clean input, before any segment was cut
+  std::size_t uncut_segments = 0;
+  std::size_t steiner_vertices = 0;  ///< inside regions: without those that cut segments
   unsigned threads = 1;
 };
 

@@ -54,6 +54,9 @@ Status write_poly(const Pslg& pslg, const RegionTable& table, const std::string&
 /// The report as JSON text.
 std::string report_json(const Output& output);
 
+/// What is known before there is a mesh.
+std::string report_json(const Prepared& prepared);
+
 /// Writes the report as JSON.
 Status write_report_json(const Output& output, const std::string& path);
 

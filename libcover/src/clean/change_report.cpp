@@ -53,17 +53,38 @@ constexpr std::array<Headline, 4> kHeadlines{{{Change::Kind::merged, "merged"},
 
 }  // namespace
 
+namespace {
+
+/// The corners of all polygons, sorted.
+std::vector<Point> corners_of_polygons(const Network& network) {
+  std::vector<Point> corners;
+  for (const Raw& raw : network.raws) {
+    if (raw.origin.kind != Origin::Kind::ring) continue;
+    corners.push_back(raw.a);
+    corners.push_back(raw.b);
+  }
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+}  // namespace
+
 void report_splits(const Input& input, const Network& network,
                    const std::vector<VisibleEdge>& edges, std::vector<Change>& changes) {
   // Copies of one line, such as a border that two neighbours store, are told once.
   using Line = std::pair<Point, Point>;
   std::map<Line, std::pair<std::uint32_t, std::set<Point>>> cuts;
+  const std::vector<Point> corners = corners_of_polygons(network);
   for (const VisibleEdge& edge : edges) {
     for (const std::uint32_t r : edge.raws) {
       const Raw& raw = network.raws[r];
       for (const std::uint32_t v : {edge.a, edge.b}) {
         const Point p = network.points[v];
         if (p == raw.a || p == raw.b) continue;
+        // That a polygon's side ends in the middle of another's is what painting is for.
+        if (raw.origin.kind == Origin::Kind::ring &&
+            std::binary_search(corners.begin(), corners.end(), p))
+          continue;
         auto& [first, places] =
             cuts.try_emplace(std::minmax(raw.a, raw.b), r, std::set<Point>()).first->second;
         first = std::min(first, r);

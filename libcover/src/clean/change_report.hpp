@@ -15,7 +15,8 @@
 
 namespace cover {
 
-/// Appends a change for every line of which a piece is visible and that had to be cut.
+/// Appends a change for every line of which a piece is visible and that had to be cut, save for a
+/// polygon's side at the corner of another polygon.
 void report_splits(const Input& input, const Network& network,
                    const std::vector<VisibleEdge>& edges, std::vector<Change>& changes);
 

@@ -1,7 +1,7 @@
 // A segment that is no edge of the mesh is followed from vertex to vertex; a vertex that is a point
 // of the input already lies on no other segment, so it ends the search. Tested by
 // tests/unit/cuts/adopt_cuts_test.cpp.
-#include "cuts/adopt_cuts.hpp"
+#include <cover/remesh.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -26,6 +26,7 @@ namespace {
 constexpr double kTitle = 30;
 constexpr double kFooter = 34;
 constexpr Colour kMark{200, 0, 40};
+constexpr double kRing = 8;  ///< radius of a mark with its line
 
 PictureWindow bounds(const std::vector<Point>& points) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -269,6 +270,14 @@ class Composer {
     return midpoint(p, q);
   }
 
+  /// A coordinate to a thousandth of the window.
+  [[nodiscard]] std::string place(double x) const {
+    const double extent = std::max(window_.high.x - window_.low.x, window_.high.y - window_.low.y);
+    const double largest = std::max(std::abs(x), extent);
+    const int digits = static_cast<int>(std::ceil(std::log10(largest / extent)));
+    return fmt::format("{:.{}g}", x, std::clamp(digits + 4, 4, 17));
+  }
+
   void frame_and_scale() {
     const PixelBox& box = drawing_.plot;
     Stroke frame{{170, 170, 170}, 1, 1, false, {}};
@@ -283,9 +292,11 @@ class Composer {
                {{Point{x, y}, Point{end, y}},
                 {Point{x, y - 5}, Point{x, y + 5}},
                 {Point{end, y - 5}, Point{end, y + 5}}}});
-    add(Label{fmt::format("{:g}", length), {end + 8, y + 5}, kText});
-    add(Label{fmt::format("x {:.4g} to {:.4g}, y {:.4g} to {:.4g}", window_.low.x, window_.high.x,
-                          window_.low.y, window_.high.y),
+    add(Label{fmt::format("{:g}{}{}", length, mesh_.unit.empty() ? "" : " ", mesh_.unit),
+              {end + 8, y + 5},
+              kText});
+    add(Label{fmt::format("x {} to {}, y {} to {}", place(window_.low.x), place(window_.high.x),
+                          place(window_.low.y), place(window_.high.y)),
               {box.x1, y + 5},
               12,
               Label::Anchor::end,
@@ -306,9 +317,12 @@ class Composer {
     std::vector<Point> centres;
     for (std::size_t i = 0; i < count; ++i) {
       const auto [p, q, r] = corners(angles[i].second);
-      const Point centre{(p.x + q.x + r.x) / 3, (p.y + q.y + r.y) / 3};
+      // A triangle that is seen in part may have its middle outside.
+      const PixelBox& box = drawing_.plot;
+      const Point centre{std::clamp((p.x + q.x + r.x) / 3, box.x0 + kRing, box.x1 - kRing),
+                         std::clamp((p.y + q.y + r.y) / 3, box.y0 + kRing, box.y1 - kRing)};
       centres.push_back(centre);
-      add(Ring{kMark, centre, 7, 2});
+      add(Ring{kMark, centre, kRing - 1, 2});
       placer.block({centre.x - 8, centre.y - 8, centre.x + 8, centre.y + 8});
     }
     for (std::size_t i = 0; i < count; ++i) {

@@ -25,6 +25,7 @@ CellArray angles(const TriangleSoup& soup, const char* name, bool largest) {
 PictureMesh picture_of(const Output& output) {
   PictureMesh picture;
   picture.mesh.soup = triangle_soup(output.mesh);
+  picture.unit = output.report.unit;
   picture.mesh.arrays = {angles(picture.mesh.soup, "max_angle", true),
                          angles(picture.mesh.soup, "min_angle", false)};
   for (const Region& region : output.table.regions) {

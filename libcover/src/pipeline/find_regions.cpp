@@ -57,6 +57,8 @@ Result<Prepared> find_regions(const Input& input, const Options& options,
   if (!table) return std::move(table).error();
   prepared.table = *std::move(table);
   clock.note("regions", report.times);
+  report.uncut_points = prepared.pslg.points.size();
+  report.uncut_segments = prepared.pslg.segments.size();
   Status status = errors_as_values("split interfaces", [&] {
     Status sizes = check_sizes(prepared.pslg, prepared.table, options);
     if (!sizes) return sizes;

@@ -15,7 +15,6 @@
 #include "base/describe.hpp"
 #include "base/errors.hpp"
 #include "cdt/cdt.hpp"
-#include "cuts/adopt_cuts.hpp"
 #include "mesh/stitch.hpp"
 #include "pipeline/find_regions.hpp"
 #include "region/named_regions.hpp"

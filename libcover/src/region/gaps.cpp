@@ -25,6 +25,34 @@ struct Void {
   bool is_between = false;  ///< there are others beside it
 };
 
+/// Voids that are so many times as wide as the next narrower ones are meant: errors of drawing have
+/// one size.
+constexpr double kMeant = 8;
+
+/// A thin void, as wide as a strip of its area and perimeter.
+struct Gap {
+  double width = 0;
+  double area = 0;
+  Point where;
+
+  friend auto operator<=>(const Gap&, const Gap&) = default;
+};
+
+/// Leaves out the gaps, sorted by width, above the widest step between two widths, if it is wide.
+/// Returns: how many they were
+std::size_t leave_out_meant(std::vector<Gap>& gaps) {
+  std::size_t first = gaps.size();
+  double widest_step = kMeant;
+  for (std::size_t k = 1; k < gaps.size(); ++k) {
+    if (gaps[k].width < widest_step * gaps[k - 1].width) continue;
+    widest_step = gaps[k].width / gaps[k - 1].width;
+    first = k;
+  }
+  const std::size_t meant = gaps.size() - first;
+  gaps.resize(first);
+  return meant;
+}
+
 /// A tolerance of welding that is certainly above a width, with one digit: what is found of widths
 /// is about half too little.
 double tolerance_above(double width, const std::vector<Point>& points) {
@@ -40,7 +68,7 @@ double tolerance_above(double width, const std::vector<Point>& points) {
 
 }  // namespace
 
-void warn_of_gaps(const Pslg& pslg, const Faces& faces, const SeededFaces& seeded,
+void warn_of_gaps(const Pslg& pslg, const Faces& faces, const SeededFaces& seeded, double weld,
                   std::vector<Note>& notes) {
   if (pslg.side_seeds.empty()) return;
   std::vector<Void> voids(faces.count);
@@ -60,29 +88,44 @@ void warn_of_gaps(const Pslg& pslg, const Faces& faces, const SeededFaces& seede
   for (std::size_t f = 1; f < faces.count; ++f) gaps += is_gap(f);
   if (gaps == 0) return;
   const std::vector<FaceMeasure> measures = measure_faces(faces);
-  double area = 0, largest = 0, widest = 0;
-  std::vector<Point> where;
+  std::vector<Gap> found;
   for (std::size_t f = 1; f < faces.count; ++f) {
     const Void& v = voids[f];
     const double round = v.perimeter * v.perimeter / (4 * std::numbers::pi);
     if (!is_gap(f) || measures[f].area > kThin * round) continue;
-    area += measures[f].area;
-    widest = std::max(widest, 2 * measures[f].area / v.perimeter);  // that of a strip
-    where.push_back(measures[f].inside.value_or(measures[f].smallest_side.first));
-    if (measures[f].area > largest) {
-      largest = measures[f].area;
-      std::swap(where.front(), where.back());
-    }
+    found.push_back({2 * measures[f].area / v.perimeter, measures[f].area,
+                     measures[f].inside.value_or(measures[f].smallest_side.first)});
   }
-  if (where.empty()) return;
-  notes.push_back({Note::Kind::warning, kVoid,
-                   fmt::format("polygons leave {} between them, with an area of {} together, the "
-                               "largest at {}: where a common border is drawn in two ways, let one "
-                               "polygon run on below the other, or close gaps of this width with "
-                               "--weld {:.0e}",
-                               counted(where.size(), "thin void"), describe_roughly(area),
-                               describe(where.front()), tolerance_above(widest, pslg.points)),
-                   std::move(where)});
+  if (found.empty()) return;
+  std::sort(found.begin(), found.end());
+  const std::size_t meant = leave_out_meant(found);
+  const double widest = found.back().width;
+  // The largest first.
+  std::sort(found.begin(), found.end(), [](const Gap& a, const Gap& b) {
+    return a.area != b.area ? a.area > b.area : a.where < b.where;
+  });
+  double area = 0;
+  std::vector<Point> where;
+  for (const Gap& gap : found) {
+    area += gap.area;
+    where.push_back(gap.where);
+  }
+  const double tolerance = tolerance_above(widest, pslg.points);
+  notes.push_back(
+      {Note::Kind::warning, kVoid,
+       fmt::format(
+           "polygons leave {} between them, with an area of {} together, the largest at {}{}: "
+           "where "
+           "a common border is drawn in two ways, let one polygon run on below the other{}",
+           counted(where.size(), "thin void"), describe_roughly(area), describe(where.front()),
+           meant == 0
+               ? std::string()
+               : fmt::format(" ({} far wider {})", meant,
+                             meant == 1 ? "one is taken as meant" : "ones are taken as meant"),
+           tolerance > weld
+               ? fmt::format(", or close gaps of this width with --weld {:.0e}", tolerance)
+               : std::string("; --weld is held back there by the shortest lines")),
+       std::move(where)});
 }
 
 }  // namespace cover

@@ -104,8 +104,10 @@ class NearMisses {
 
   void point_and_segment(std::uint32_t w, std::uint32_t u, std::uint32_t v, double distance) {
     if (!is_new({w, std::min(u, v), std::max(u, v)})) return;
-    warn(fmt::format("{} is only {} away from the segment between {} and {}", name(w),
-                     describe_roughly(distance), name(u), name(v)),
+    const std::string apart = distance > 0 ? fmt::format("only {} away", describe_roughly(distance))
+                                           : std::string("less than doubles can tell away");
+    warn(fmt::format("{} is {} from the segment between {} and {}", name(w), apart, name(u),
+                     name(v)),
          {pslg_.points[w]});
   }
 

@@ -11,6 +11,8 @@
 #include <optional>
 #include <span>
 
+#include <cover/option_ranges.hpp>
+
 #include "base/describe.hpp"
 #include "clean/loose_ends.hpp"
 #include "clean/weld.hpp"
@@ -257,6 +259,13 @@ std::optional<Error> open_beside_gaps(const Pslg& pslg, std::span<const IndexPai
       {}};
 }
 
+/// What might mesh it after all.
+void tell_remedies(const Pslg& pslg, const Options& options, Error& error) {
+  if (options.weld.value_or(0) < kAutoWeld && !error.where.empty())
+    error.message += "; --weld auto unites ends that miss each other by rounding";
+  if (pslg.points.size() > 2) error.message += "; --hull meshes the convex hull around them";
+}
+
 }  // namespace
 
 Result<RegionTable> build_region_table(const Pslg& pslg, const Options& options,
@@ -276,6 +285,7 @@ Result<RegionTable> build_region_table(const Pslg& pslg, const Options& options,
   if (faces.count == 1) {
     Error error = nothing_enclosed(pslg, "the segments enclose nothing");
     tell_open_ends(pslg, error);
+    tell_remedies(pslg, options, error);
     return with_near_misses(std::move(error));
   }
   Result<SeededFaces> seeded = apply_seeds(pslg, faces, notes);
@@ -284,7 +294,7 @@ Result<RegionTable> build_region_table(const Pslg& pslg, const Options& options,
     return nothing_enclosed(pslg, "the hole seeds leave no region");
   }
   warn_of_near_misses(pslg, faces.triangulation, notes);
-  warn_of_gaps(pslg, faces, *seeded, notes);
+  warn_of_gaps(pslg, faces, *seeded, options.weld.value_or(kAutoWeld), notes);
   RegionTable table = TableMaker(pslg, faces, *seeded).make(notes);
   if (auto error = open_beside_gaps(pslg, pairs, table, options)) return *std::move(error);
   return table;

@@ -64,7 +64,8 @@ BinLimits bin_limits() {
   for (std::size_t k = 0; k < 17; ++k) {
     limits[k] = 1 / std::tan(Angle::degrees(10.0 * static_cast<double>(k + 1)).in_radians());
   }
-  limits[8] = 0;  // 90 degrees, where the tangent is a very large number
+  // A right angle, up to rounding, is not above 90 degrees: the upper bins hold the obtuse ones.
+  limits[8] = std::nextafter(-kRightAngle, -1);
   return limits;
 }
 

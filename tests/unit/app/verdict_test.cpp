@@ -105,7 +105,10 @@ TEST(Verdict, AChangedInputIsAReasonToLook) {
                                                 {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}});
   const auto findings = findings_of(mesh_of(input));
   EXPECT_EQ(verdict_of(findings), Grade::caution);
-  EXPECT_EQ(finding(findings, "Input").text, "Changed in 2 places, listed below.");
+  EXPECT_EQ(
+      finding(findings, "Input").text,
+      "Changed in 2 places, of which the first of each kind are told below; all stand in the JSON "
+      "report.");
   EXPECT_EQ(finding(findings, "Mesh").grade, Grade::good);
 }
 

@@ -453,11 +453,26 @@ TEST(Soup, PaintedAndFlattenedFormsHaveTheSameAreas) {
   }
 }
 
-TEST(Soup, ReportsSplitsOfSharedBorders) {
+TEST(Soup, ACornerOnTheSideOfAnotherPolygonIsNoChange) {
+  Input input;
+  add_polygon(input, rectangle(0, 0, 2, 2), "a");
+  add_polygon(input, rectangle(2, 0, 3, 1), "b");
+  Options strict;
+  strict.strict = true;
+  const auto out = clean(input, strict);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_TRUE(out->report.changes.empty());
+  EXPECT_TRUE(out->report.notes.empty());
+  // A contact has no corners to end at: where it meets a side, the side is split.
+  input.lines = {{"probe", {{-1, 1}, {1, 1}}, 1}};
+  EXPECT_FALSE(clean(input, strict));
+}
+
+TEST(Soup, ReportsSplitsWherePolygonsCross) {
   Input input;
   input.source = "t.json";
   add_polygon(input, rectangle(0, 0, 2, 2), "a");
-  add_polygon(input, rectangle(2, 0, 3, 1), "b");
+  add_polygon(input, rectangle(1, 0, 3, 1), "b");
   const auto out = clean(input);
   ASSERT_TRUE(out) << out.error().message;
   ASSERT_EQ(out->report.changes.size(), 1U);

@@ -1,4 +1,4 @@
-#include "cuts/adopt_cuts.hpp"
+#include <cover/remesh.hpp>
 
 #include <gtest/gtest.h>
 

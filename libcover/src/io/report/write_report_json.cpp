@@ -5,7 +5,8 @@
 //     "cover": version, "options": { name: value } as in the manifest,
 //     "input":  { "source", "unit", "scale", "points", "segments", "void_points": [ids],
 //                 "void_segments": n },
-//     "mesh":   { "vertices", "edges", "triangles", "steiner_vertices" },
+//     "mesh":   { "vertices", "edges", "triangles", "steiner_vertices": new ones inside regions,
+//                 "cut_vertices": new ones on segments },
 //     "overall": LIMITS + QUALITY + { "bound_held": regions, "bound_missed": [region ids],
 //                "methods": {method: regions}, "fallbacks", "rho_smallest", "box": BOX,
 //                "limits": { "largest": {standing: regions}, "smallest": {standing: regions} } },
@@ -18,6 +19,11 @@
 //     "notes": NOTES, "changes": [ { "kind", "message", "where", "inputs" } ],
 //     "box_cuts": [ { "at": [x, y], "reason", "by": [x, y] } ], only with --box-method,
 //     "threads", "times": [ { "stage", "seconds" } ] }
+//
+// Of an input that was not meshed: "format": "cover input report", "version", "cover", "options",
+// "input", "regions": [ { "id", "name", "material", "material_name", "area", "sides", "size" where
+// it has one, "gamma_opt", "bound", "forced_above_120", "forced_above_150" } ], "interfaces",
+// "notes", "changes".
 //
 //   LIMITS   gamma_opt (at least 60: no triangulation is below), nu_opt_radians (pi - gamma_opt,
 //            uncut), bound (the largest angle that promise 3 allows), nu_bound_radians, rho,
@@ -118,19 +124,15 @@ const char* name_of(InputKind kind) {
   return "line";
 }
 
-Json to_json(const std::vector<Change>& changes) {
-  Json list = Json::array();
-  for (const Change& change : changes) {
-    Json where = Json::array(), inputs = Json::array();
-    for (const Point& p : change.where) where.push_back({p.x, p.y});
-    for (const InputRef& ref : change.inputs)
-      inputs.push_back({{"kind", name_of(ref.kind)}, {"id", ref.id}});
-    list.push_back({{"kind", name_of(change.kind)},
-                    {"message", change.message},
-                    {"where", where},
-                    {"inputs", inputs}});
-  }
-  return list;
+Json to_json(const Change& change) {
+  Json where = Json::array(), inputs = Json::array();
+  for (const Point& p : change.where) where.push_back({p.x, p.y});
+  for (const InputRef& ref : change.inputs)
+    inputs.push_back({{"kind", name_of(ref.kind)}, {"id", ref.id}});
+  return {{"kind", name_of(change.kind)},
+          {"message", change.message},
+          {"where", where},
+          {"inputs", inputs}};
 }
 
 Json to_json(const BoxMethod& box) {
@@ -187,9 +189,13 @@ Json to_json(const std::vector<BoxCut>& cuts) {
   return list;
 }
 
+/// No triangulation is below 60 degrees.
+double lowest_angle(const RegionReport& report) {
+  return std::min(report.nu_opt, Angle::degrees(120)).supplement().in_degrees();
+}
+
 void add_limits(const RegionReport& report, Json& out) {
-  const Angle lowest = std::min(report.nu_opt, Angle::degrees(120));
-  out["gamma_opt"] = lowest.supplement().in_degrees();
+  out["gamma_opt"] = lowest_angle(report);
   out["nu_opt_radians"] = report.nu_opt.in_radians();
   out["bound"] = report.nu_bound.supplement().in_degrees();
   out["nu_bound_radians"] = report.nu_bound.in_radians();
@@ -304,32 +310,23 @@ Json overall_json(const Report& report) {
   return out;
 }
 
-Json interfaces_json(const RegionTable& table) {
-  Json list = Json::array();
-  for (const Interface& line : table.interfaces) {
-    list.push_back({{"id", line.id.value()},
-                    {"name", line.name},
-                    {"kind", describe(line.kind)},
-                    {"left", line.left.value()},
-                    {"right", line.right.value()},
-                    {"length", line.length},
-                    {"segments", line.segments.size()}});
-  }
-  return list;
+Json to_json(const Interface& line) {
+  return {{"id", line.id.value()},           {"name", line.name},
+          {"kind", describe(line.kind)},     {"left", line.left.value()},
+          {"right", line.right.value()},     {"length", line.length},
+          {"segments", line.segments.size()}};
 }
 
-Json input_json(const Output& output) {
+Json input_json(const Pslg& pslg, const RegionTable& table, const Report& report) {
   Json void_points = Json::array();
-  for (const VertexId v : output.table.void_points) {
-    void_points.push_back(output.pslg.point_ids[v.index()]);
-  }
-  return {{"source", output.report.provenance.source},
-          {"unit", output.report.unit},
-          {"scale", output.report.scale},
-          {"points", output.report.input_points},
-          {"segments", output.report.input_segments},
+  for (const VertexId v : table.void_points) void_points.push_back(pslg.point_ids[v.index()]);
+  return {{"source", report.provenance.source},
+          {"unit", report.unit},
+          {"scale", report.scale},
+          {"points", report.input_points},
+          {"segments", report.input_segments},
           {"void_points", void_points},
-          {"void_segments", output.table.void_segments.size()}};
+          {"void_segments", table.void_segments.size()}};
 }
 
 Json mesh_json(const Output& output) {
@@ -337,43 +334,120 @@ Json mesh_json(const Output& output) {
   return {{"vertices", tri.n_vertices()},
           {"edges", tri.n_edges()},
           {"triangles", tri.n_faces()},
-          {"steiner_vertices", output.report.steiner_vertices}};
+          {"steiner_vertices", output.report.steiner_vertices},
+          {"cut_vertices", output.pslg.points.size() - output.report.uncut_points}};
 }
 
-Json to_json(const Output& output) {
-  const Report& report = output.report;
-  Json out{{"format", "cover report"}, {"version", 1}};
-  out["cover"] = report.provenance.version;
-  out["options"] = options_json(report.provenance);
-  out["input"] = input_json(output);
-  out["mesh"] = mesh_json(output);
-  out["overall"] = overall_json(report);
-  out["regions"] = Json::array();
-  for (const RegionReport& region : report.regions) {
-    out["regions"].push_back(region_json(output.table.region(region.id), region));
+/// An object, member by member: all of a report at once takes ten times the memory of its text.
+class ObjectText {
+ public:
+  void add(std::string_view name, const Json& value) {
+    begin(name);
+    text_ += dump(value, 1);
   }
-  for (const Replaced& before : report.replaced) {
-    out["replaced"].push_back({{"region", before.region.value()},
-                               {"triangles", before.triangles},
-                               {"steiner_vertices", before.steiner_vertices}});
+
+  /// A list of what `item` makes of 0, 1, ..., count - 1.
+  template <class Item>
+  void add_list(std::string_view name, std::size_t count, Item item) {
+    begin(name);
+    text_ += '[';
+    for (std::size_t k = 0; k < count; ++k) {
+      text_ += k == 0 ? "\n  " : ",\n  ";
+      text_ += dump(item(k), 2);
+    }
+    text_ += count == 0 ? "]" : "\n ]";
   }
-  out["interfaces"] = interfaces_json(output.table);
-  out["notes"] = to_json(report.notes);
-  out["changes"] = to_json(report.changes);
-  if (!report.box_cuts.empty()) out["box_cuts"] = to_json(report.box_cuts);
-  out["threads"] = report.threads;
-  out["times"] = Json::array();
-  for (const StageTime& time : report.times) {
-    out["times"].push_back({{"stage", time.stage}, {"seconds", time.seconds}});
+
+  std::string finish() {
+    text_ += "\n}";
+    return std::move(text_);
   }
-  return out;
+
+ private:
+  void begin(std::string_view name) {
+    text_ += text_.empty() ? "{\n " : ",\n ";
+    text_ += Json(name).dump() + ": ";
+  }
+
+  /// Each line but the first goes in by `level` blanks. No other line begins in a text of JSON.
+  static std::string dump(const Json& value, std::size_t level) {
+    // Names that are no UTF-8 must not make the report fail.
+    const std::string flush = value.dump(1, ' ', false, Json::error_handler_t::replace);
+    std::string text;
+    for (const char c : flush) {
+      text += c;
+      if (c == '\n') text.append(level, ' ');
+    }
+    return text;
+  }
+
+  std::string text_;
+};
+
+void add_origin(const char* format, const Report& report, ObjectText& out) {
+  out.add("format", format);
+  out.add("version", 1);
+  out.add("cover", report.provenance.version);
+  out.add("options", options_json(report.provenance));
+}
+
+void add_lines_and_remarks(const RegionTable& table, const Report& report, ObjectText& out) {
+  out.add_list("interfaces", table.interfaces.size(),
+               [&](std::size_t k) { return to_json(table.interfaces[k]); });
+  out.add("notes", to_json(report.notes));
+  out.add_list("changes", report.changes.size(),
+               [&](std::size_t k) { return to_json(report.changes[k]); });
 }
 
 }  // namespace
 
 std::string report_json(const Output& output) {
-  // Names that are no UTF-8 must not make the report fail.
-  return to_json(output).dump(1, ' ', false, Json::error_handler_t::replace);
+  const Report& report = output.report;
+  ObjectText out;
+  add_origin("cover report", report, out);
+  out.add("input", input_json(output.pslg, output.table, report));
+  out.add("mesh", mesh_json(output));
+  out.add("overall", overall_json(report));
+  out.add_list("regions", report.regions.size(), [&](std::size_t k) {
+    return region_json(output.table.region(report.regions[k].id), report.regions[k]);
+  });
+  if (!report.replaced.empty()) {
+    out.add_list("replaced", report.replaced.size(), [&](std::size_t k) {
+      const Replaced& before = report.replaced[k];
+      return Json{{"region", before.region.value()},
+                  {"triangles", before.triangles},
+                  {"steiner_vertices", before.steiner_vertices}};
+    });
+  }
+  add_lines_and_remarks(output.table, report, out);
+  if (!report.box_cuts.empty()) out.add("box_cuts", to_json(report.box_cuts));
+  out.add("threads", report.threads);
+  out.add_list("times", report.times.size(), [&](std::size_t k) {
+    return Json{{"stage", report.times[k].stage}, {"seconds", report.times[k].seconds}};
+  });
+  return out.finish();
+}
+
+std::string report_json(const Prepared& prepared) {
+  const Report& report = prepared.report;
+  ObjectText out;
+  add_origin("cover input report", report, out);
+  out.add("input", input_json(prepared.pslg, prepared.table, report));
+  out.add_list("regions", report.regions.size(), [&](std::size_t k) {
+    const Region& region = prepared.table.region(report.regions[k].id);
+    Json json{{"id", region.id.value()},     {"name", region.name},
+              {"material", region.material}, {"material_name", region.material_name},
+              {"area", region.area},         {"sides", region.sides}};
+    if (region.size) json["size"] = *region.size;
+    const RegionReport& limits = report.regions[k];
+    json["gamma_opt"] = lowest_angle(limits);
+    json["bound"] = limits.nu_bound.supplement().in_degrees();
+    json["forced_above_120"] = limits.forced_above_120;
+    json["forced_above_150"] = limits.forced_above_150;
+    return json;
+  });
+  add_lines_and_remarks(prepared.table, report, out);
+  return out.finish();
 }
 
 Status write_report_json(const Output& output, const std::string& path) {
