@@ -7,7 +7,9 @@
 namespace cover::python {
 namespace {
 
-std::vector<Point> points_from(const Points& array, const char* what) {
+std::vector<Point> points_from(const py::handle& value, const char* what) {
+  const Points array = Points::ensure(value);
+  if (!array) throw py::type_error(std::string(what) + " must be numbers of the shape (n, 2)");
   if (array.size() == 0) return {};
   if (array.ndim() != 2 || array.shape(1) != 2)
     throw py::value_error(std::string(what) + " must have the shape (n, 2)");
@@ -16,6 +18,19 @@ std::vector<Point> points_from(const Points& array, const char* what) {
   points.reserve(static_cast<std::size_t>(view.shape(0)));
   for (py::ssize_t i = 0; i < view.shape(0); ++i) points.push_back({view(i, 0), view(i, 1)});
   return points;
+}
+
+/// Whole numbers: those that are written as 1.0 count, 1.5 does not.
+Indices indices_from(const py::handle& value, const char* what) {
+  const auto array = py::array::ensure(value);
+  if (!array) throw py::type_error(std::string(what) + " must be indices");
+  const char kind = array.dtype().kind();
+  if (array.size() == 0 || kind == 'i' || kind == 'u') return Indices::ensure(array);
+  if (kind != 'f') throw py::type_error(std::string(what) + " must be indices: whole numbers");
+  const Indices indices = Indices::ensure(array.attr("astype")("int64"));
+  if (!py::bool_(array.attr("__eq__")(indices).attr("all")()))
+    throw py::value_error(std::string(what) + " must be indices: whole numbers, of 0 and more");
+  return indices;
 }
 
 std::uint32_t index_from(std::int64_t value, std::size_t count) {
@@ -27,9 +42,8 @@ std::uint32_t index_from(std::int64_t value, std::size_t count) {
 
 void name_segments(const py::dict& lines, std::vector<InputSegment>& segments) {
   for (const auto& [name, value] : lines) {
-    const auto indices = Indices::ensure(value);
-    if (!indices || indices.ndim() != 1)
-      throw py::value_error("lines: a name needs a list of segments");
+    const Indices indices = indices_from(value, "lines");
+    if (indices.ndim() != 1) throw py::value_error("lines: a name needs a list of segments");
     for (py::ssize_t i = 0; i < indices.shape(0); ++i) {
       const std::int64_t s = indices.at(i);
       if (s < 0 || static_cast<std::size_t>(s) >= segments.size())
@@ -44,12 +58,13 @@ std::string name_from(const py::handle& value) { return py::str(value); }
 
 }  // namespace
 
-Input pslg_from(const Points& points, const Indices& segments, const py::list& regions,
-                const Points& holes, const py::dict& lines) {
+Input pslg_from(const py::object& points, const py::object& ends, const py::list& regions,
+                const py::object& holes, const py::dict& lines) {
   Input input;
   input.source = "arrays";
   input.void_rule = VoidRule::unseeded_faces;
   input.points = points_from(points, "points");
+  const Indices segments = indices_from(ends, "segments");
   if (segments.size() > 0 && (segments.ndim() != 2 || segments.shape(1) != 2))
     throw py::value_error("segments must have the shape (m, 2)");
   const py::ssize_t count = segments.size() / 2;
@@ -86,8 +101,7 @@ Input soup_from(const py::list& polygons) {
       throw py::value_error("a polygon is (material, rings) or (material, rings, name)");
     InputPolygon polygon;
     polygon.material = name_from(fields[0]);
-    for (const py::handle& ring : fields[1])
-      polygon.rings.push_back(points_from(Points::ensure(ring), "a ring"));
+    for (const py::handle& ring : fields[1]) polygon.rings.push_back(points_from(ring, "a ring"));
     if (fields.size() == 3) polygon.region = name_from(fields[2]);
     polygon.id = static_cast<long>(input.polygons.size());
     input.polygons.push_back(std::move(polygon));

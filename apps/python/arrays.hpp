@@ -21,9 +21,9 @@ using Indices = py::array_t<std::int64_t, py::array::c_style>;
 /// A PSLG; a region is (x, y, material) or (x, y, material, name); `lines` has the indices of
 /// segments by the name of a contact or interface.
 ///
-/// Raises: ValueError, IndexError where shapes or indices do not fit.
-Input pslg_from(const Points& points, const Indices& segments, const py::list& regions,
-                const Points& holes, const py::dict& lines);
+/// Raises: TypeError, ValueError, IndexError where kinds, shapes or indices do not fit.
+Input pslg_from(const py::object& points, const py::object& segments, const py::list& regions,
+                const py::object& holes, const py::dict& lines);
 
 /// Painted polygons; each is (material, rings) or (material, rings, region name).
 Input soup_from(const py::list& polygons);

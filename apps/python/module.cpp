@@ -24,6 +24,7 @@
 #include <cover/read_size_field.hpp>
 #include <cover/read_vtk_input.hpp>
 #include <cover/verify.hpp>
+#include <cover/version.hpp>
 #include <cover/write_mesh.hpp>
 
 #include "arrays.hpp"
@@ -189,6 +190,8 @@ PYBIND11_MODULE(_cover, module) {
   using namespace cover::python;  // NOLINT: a module is nothing but names
   module.doc() = "Multi-region triangle meshes with a proven bound on the largest angle";
 
+  module.attr("__version__") = COVER_VERSION;
+
   py::class_<PyMesh>(module, "Mesh")
       .def_property_readonly("points", [](const PyMesh& m) { return array_of(m.soup.points); })
       .def_property_readonly("triangles",
@@ -207,11 +210,12 @@ PYBIND11_MODULE(_cover, module) {
       });
 
   module.def("options", &described_options);
-  module.def("mesh_pslg", [](const Points& points, const Indices& segments, const py::list& regions,
-                             const Points& holes, const py::dict& lines, const py::dict& options,
-                             const py::object& progress) {
-    return mesh_input(pslg_from(points, segments, regions, holes, lines), options, progress);
-  });
+  module.def(
+      "mesh_pslg", [](const py::object& points, const py::object& segments, const py::list& regions,
+                      const py::object& holes, const py::dict& lines, const py::dict& options,
+                      const py::object& progress) {
+        return mesh_input(pslg_from(points, segments, regions, holes, lines), options, progress);
+      });
   module.def("mesh_polygons",
              [](const py::list& polygons, const py::dict& options, const py::object& progress) {
                return mesh_input(soup_from(polygons), options, progress);

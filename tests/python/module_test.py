@@ -1,4 +1,5 @@
 """The module from outside; run by ctest with the built package in PYTHONPATH."""
+import importlib.util
 import math
 import os
 import pathlib
@@ -8,7 +9,9 @@ import tempfile
 import textwrap
 import threading
 import time
+import types
 import unittest
+import unittest.mock
 
 import numpy as np
 
@@ -104,6 +107,40 @@ class Meshing(unittest.TestCase):
         self.assertEqual({r['name'] for r in mesh.report['regions']}, {'Si', 'gate'})
 
 
+class Conversions(unittest.TestCase):
+    def setUp(self):
+        self.mesh = cover.mesh(SQUARE, SEGMENTS, REGIONS, lines={'drain': [5]})
+
+    def test_version(self):
+        self.assertEqual(cover.__version__, self.mesh.report['cover'])
+
+    @unittest.skipUnless(importlib.util.find_spec('vtkmodules'), "VTK's Python modules are not installed")
+    def test_vtk(self):
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+        grid = self.mesh.to_vtk()
+        self.assertEqual(grid.GetNumberOfCells(), len(self.mesh.triangles))
+        np.testing.assert_array_equal(vtk_to_numpy(grid.GetPoints().GetData())[:, :2], self.mesh.points)
+        for t, corners in enumerate(self.mesh.triangles):
+            ids = grid.GetCell(t).GetPointIds()
+            self.assertEqual([ids.GetId(k) for k in range(3)], corners.tolist())
+        for name, values in ('RegionId', self.mesh.region), ('material', self.mesh.material):
+            np.testing.assert_array_equal(vtk_to_numpy(grid.GetCellData().GetArray(name)), values)
+
+    def test_meshio(self):
+        # A stand-in where meshio is not installed: what it would be given.
+        given = {}
+        module = types.ModuleType('meshio')
+        module.Mesh = lambda points, cells, **data: given.update(points=points, cells=cells, **data)
+        with unittest.mock.patch.dict(sys.modules, meshio=module):
+            self.mesh.to_meshio()
+        self.assertEqual([kind for kind, _ in given['cells']], ['triangle', 'line'])
+        for values in given['cell_data'].values():
+            self.assertEqual([len(v) for v in values], [len(cells) for _, cells in given['cells']])
+        drain = given['field_data']['drain'][0]
+        edges = given['cells'][1][1][given['cell_data']['LineId'][1] == drain]
+        self.assertEqual(set(edges.ravel().tolist()), {5, 0})
+
+
 class Mistakes(unittest.TestCase):
     def test_geometry(self):
         with self.assertRaises(cover.Error) as caught:
@@ -116,6 +153,15 @@ class Mistakes(unittest.TestCase):
             cover.mesh([(0, 0, 0)], [(0, 1)])
         with self.assertRaises(IndexError):
             cover.mesh([(0, 0), (1, 0)], [(0, 2)])
+        np.testing.assert_array_equal(cover.mesh(SQUARE, np.array(SEGMENTS, float), REGIONS).triangles,
+                                      cover.mesh(SQUARE, SEGMENTS, REGIONS).triangles)
+        for segments, kind in (([(0, 1.5)], ValueError), ([(0, math.nan)], ValueError), ([('a', 'b')], TypeError)):
+            with self.assertRaises(kind) as caught:
+                cover.mesh([(0, 0), (1, 0)], segments)
+            self.assertIn('segments must be indices: whole numbers', str(caught.exception))
+        with self.assertRaises(TypeError) as caught:
+            cover.mesh([('a', 'b')], [(0, 0)])
+        self.assertIn('points must be numbers', str(caught.exception))
         with self.assertRaises(ValueError):
             cover.mesh(SQUARE, SEGMENTS, [(0.5, 0.5)])
         with self.assertRaises(TypeError):

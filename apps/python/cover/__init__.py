@@ -30,7 +30,7 @@ class Cancelled(Error):
     """The progress callback returned False."""
 
 
-from ._cover import Mesh, options as _options  # noqa: E402
+from ._cover import Mesh, __version__, options as _options  # noqa: E402
 from ._cover import mesh_file as _mesh_file, mesh_polygons as _mesh_polygons, mesh_pslg as _mesh_pslg  # noqa: E402
 
 __all__ = ["Cancelled", "Error", "Mesh", "OptionError", "mesh", "mesh_file", "mesh_polygons", "options"]
@@ -65,3 +65,50 @@ def mesh_polygons(polygons, *, progress=None, **options):
 def mesh_file(path, *, progress=None, **options):
     """Meshes a geometry file: .poly, .json, .geojson, .msh, .vtu, .vtp or .vtk."""
     return _mesh_file(_os.fspath(path), options, progress)
+
+
+def _to_vtk(self):
+    """The triangles as a vtkUnstructuredGrid with the cell arrays RegionId and material; needs VTK's own modules."""
+    import numpy as np
+    from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkCommonDataModel import VTK_TRIANGLE, vtkCellArray, vtkUnstructuredGrid
+
+    points = vtkPoints()
+    places = self.points
+    points.SetData(numpy_to_vtk(np.column_stack([places, np.zeros(len(places))]), deep=True))
+    cells = vtkCellArray()
+    triangles = self.triangles
+    cells.SetData(3, numpy_to_vtkIdTypeArray(triangles.ravel().astype(np.int64), deep=True))
+    grid = vtkUnstructuredGrid()
+    grid.SetPoints(points)
+    grid.SetCells(VTK_TRIANGLE, cells)
+    for name, values in ("RegionId", self.region), ("material", self.material):
+        array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
+        array.SetName(name)
+        grid.GetCellData().AddArray(array)
+    return grid
+
+
+def _to_meshio(self):
+    """A meshio.Mesh: triangles with RegionId and material, lines with their number in LineId, of which
+    field_data has the names; needs meshio."""
+    import meshio
+    import numpy as np
+
+    lines = [(name, piece["edges"]) for name, pieces in self.lines.items() for piece in pieces]
+    edges = [edges for _, edges in lines if len(edges)]
+    names = {name: k + 1 for k, name in enumerate(self.lines)}
+    numbers = [np.full(len(edges), names[name]) for name, edges in lines if len(edges)]
+    cells = [("triangle", self.triangles)]
+    data = {"RegionId": [self.region], "material": [self.material], "LineId": [np.zeros(len(self.triangles), int)]}
+    if edges:
+        cells.append(("line", np.concatenate(edges)))
+        none = np.zeros(sum(map(len, edges)), int)
+        for name, values in ("RegionId", none), ("material", none), ("LineId", np.concatenate(numbers)):
+            data[name].append(values)
+    field_data = {name: np.array([number, 1]) for name, number in names.items()}
+    return meshio.Mesh(self.points, cells, cell_data=data, field_data=field_data)
+
+
+Mesh.to_vtk, Mesh.to_meshio = _to_vtk, _to_meshio

@@ -7,6 +7,8 @@ from typing_extensions import Unpack
 
 __all__ = ["Cancelled", "Error", "Mesh", "OptionError", "mesh", "mesh_file", "mesh_polygons", "options"]
 
+__version__: str
+
 _Progress = Callable[[str, int, int], Optional[bool]]
 _Material = Union[str, int]
 _Region = Union[Tuple[float, float, _Material], Tuple[float, float, _Material, str]]
@@ -77,6 +79,8 @@ class Mesh:
     def report(self) -> dict[str, Any]: ...
     def save(self, path: Union[str, os.PathLike[str]], **options: Unpack[_WriteOptions]) -> None: ...
     def violations(self) -> list[str]: ...
+    def to_vtk(self) -> Any: ...
+    def to_meshio(self) -> Any: ...
 
 def mesh(
     points: npt.ArrayLike,
