@@ -70,7 +70,7 @@ struct Options {
 
   bool paper = false;  ///< the publication as printed, without our improvements; needs `almond`
   int pieces = 6;      ///< with `paper`: exterior pieces are at most 1/pieces of the arc; >= 2
-  bool hull = false;   ///< mesh the convex hull (DESIGN: the paper's PSLG variant)
+  bool hull = false;   ///< mesh the convex hull: the paper's variant for any PSLG
 
   Angle max_angle = Angle::degrees(100);  ///< target of the quality method, in (60, 180)
   Angle min_angle = Angle::degrees(20);   ///< second target of the quality method, in [0, 60)

@@ -40,7 +40,7 @@ struct VerifyOptions {
 
 /// A broken promise.
 struct Violation {
-  int promise = 0;      ///< 1 to 3 of the README; 4 is materials
+  int promise = 0;      ///< as numbered in the README
   std::string message;  ///< what is broken, with ids and coordinates
   std::vector<Point> where;
 };

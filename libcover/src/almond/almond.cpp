@@ -1,9 +1,9 @@
-// With d = v - u, n its left normal and c, s the cosine and sine of nu, the arc is the rational
-// curve
+// With d = v - u, n its left normal and c, s the cosine and sine of nu, the arc is the curve
 //     X(r) = u + (r (c d + s n) + r^2 d) / (1 + 2 r c + r^2),
 // the conic with control points u, the meeting point of the tangents, and v, and weights 1, c, 1.
 // Its equation is s (u-X).(v-X) + c (u-X)x(v-X) = 0, which says that the angle at X is pi - nu.
-// Both stay well scaled for nu from 0 to pi/3. Tested by tests/unit/almond/almond_test.cpp.
+// Both stay well scaled for nu from 0 to pi/3.
+// Tested by tests/unit/almond/almond_test.cpp.
 #include "almond/almond.hpp"
 
 #include <algorithm>

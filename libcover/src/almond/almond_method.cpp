@@ -2,7 +2,8 @@
 // fault; these are made a little flatter (any nu between min(B, 60 degrees) and nu(A) keeps Theorem
 // 1), then as flat as that allows, then replaced by the side's own triangle, then left out; and all
 // is laid out anew. A region with no almonds left is its own remainder, which cannot fail, so this
-// ends. Tested by tests/unit/almond/almond_region_test.cpp.
+// ends.
+// Tested by tests/unit/almond/almond_region_test.cpp.
 #include "almond/almond_method.hpp"
 
 #include <algorithm>

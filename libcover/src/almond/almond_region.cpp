@@ -19,7 +19,7 @@
 namespace cover {
 namespace {
 
-/// DESIGN 5: the fill asked for, then the other, then refinement with ten times the budget.
+/// The fill asked for, then the other, then refinement with ten times the budget.
 FillPlan make_plan(const Options& options) {
   FillPlan plan;
   plan.refine_first = options.fill == Fill::refine;

@@ -26,7 +26,8 @@ struct SplitChords {
 ///
 /// Every triangle keeps rule.nu, whatever vertices lie on exterior chords.
 /// Returns the almonds with a triangle that is not counter-clockwise in exact arithmetic or does
-/// not keep rule.nu. Ref: mitchell_1993_covering, Theorems 4 and 5
+/// not keep rule.nu.
+/// Ref: mitchell_1993_covering, Theorems 4 and 5
 std::vector<std::uint32_t> triangulate_almonds(
     std::span<const Almond> almonds, const ChordLayer& layer, const SplitChords& splits,
     const CutRule& rule, std::vector<Point>& points,

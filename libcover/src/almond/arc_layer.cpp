@@ -1,7 +1,8 @@
 // Two almonds can meet in a visible point only inside a triangle that both of them reach. Of the
 // pairs found so, those whose sides are too far apart are dropped; the others are met once each,
 // and a meeting counts if both sides see it, which a straight walk through the triangulation
-// decides with exact predicates. Tested by tests/unit/almond/chords_test.cpp.
+// decides with exact predicates.
+// Tested by tests/unit/almond/chords_test.cpp.
 #include "almond/arc_layer.hpp"
 
 #include <algorithm>

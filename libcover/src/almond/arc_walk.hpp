@@ -40,8 +40,9 @@ struct Reach {
 /// it.
 ///
 /// A vertex whose distance from an arc is within the rounding error of its coordinates is taken to
-/// lie on it: polygonised circles are full of them. Cost: O(triangles visited), about two to six
-/// per almond Ref:  mitchell_1993_covering, section 3
+/// lie on it: polygonised circles are full of them.
+/// Cost: O(triangles visited), about two to six per almond
+/// Ref:  mitchell_1993_covering, section 3
 Reach walk_almonds(const Triangulation& cdt, std::span<const Almond> almonds);
 
 }  // namespace cover

@@ -1,6 +1,7 @@
 // An almond and its neighbour share an interior chord; it occurs once in each direction. So the
 // chords that have no partner are exactly the boundary of the remainder, and that this boundary
-// closes needs no geometry. Tested by tests/unit/almond/chords_test.cpp.
+// closes needs no geometry.
+// Tested by tests/unit/almond/chords_test.cpp.
 #include "almond/chords.hpp"
 
 #include <algorithm>

@@ -14,8 +14,7 @@ namespace cover {
 enum class ChordKind : std::uint8_t {
   interior,  ///< another almond, or (the paper's "locked") a segment whose own almond is empty
   exterior,  ///< the remainder
-  fixed,     ///< the remainder, but the chord must stay whole: it stands in for an arc that is not
-             ///< there
+  fixed,     ///< the remainder, but the chord must stay whole: there is no arc, it stands in for one
 };
 
 /// A chord of the arc of `almond` from `a` to `b`, in the direction from u to v.
@@ -41,8 +40,8 @@ struct CutRule {
   ///
   /// A triangle between the centre Q and a piece of j of the arc keeps (g - j) nu(A), with
   /// g = arccos(cos((1+k) nu/2) / cos((1-k) nu/2)) / nu. So j is as large as g - nu/nu(A) allows,
-  /// and never above 1/2. Ref: mitchell_1993_covering, Theorem 5, with the exact constant in place
-  /// of 2/3
+  /// and never above 1/2.
+  /// Ref: mitchell_1993_covering, Theorem 5, with the exact constant in place of 2/3
   [[nodiscard]] double longest_piece(double almond_nu) const;
 
   /// True if the triangle keeps `nu`, up to rounding of its corners.
@@ -71,8 +70,9 @@ struct ChordLayer {
 /// Makes the chords of all arcs, tells interior from exterior ones, and cuts the latter.
 ///
 /// A chord is interior just where another arc has the same two vertices as neighbours in the
-/// opposite order: then that arc's almond is entered at one and left at the other. Cost: O(n) Ref:
-/// mitchell_1993_covering, section 3
+/// opposite order: then that arc's almond is entered at one and left at the other.
+/// Cost: O(n)
+/// Ref:  mitchell_1993_covering, section 3
 ChordLayer cut_chords(ArcLayer layer, std::span<const Almond> almonds, const CutRule& rule);
 
 }  // namespace cover

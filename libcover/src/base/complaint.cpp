@@ -1,3 +1,4 @@
+// Tested by tests/unit/clean/pslg_test.cpp.
 #include "base/complaint.hpp"
 
 #include <fmt/core.h>

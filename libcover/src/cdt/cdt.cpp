@@ -1,8 +1,8 @@
 // CGAL's Constrained_Delaunay_triangulation_2 with exact predicates and double points.
 // Points go in by CGAL's spatial sort, segments in a fixed mixture of their order; afterwards the
 // faces asked for are copied into plain arrays, ordered by their first point and then as CGAL
-// stores them, a function of the order of points and segments alone. Tested by
-// tests/unit/cdt/cdt_test.cpp.
+// stores them, a function of the order of points and segments alone.
+// Tested by tests/unit/cdt/cdt_test.cpp.
 #include "cdt/cdt.hpp"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>

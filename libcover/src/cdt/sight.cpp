@@ -1,7 +1,8 @@
 // In each triangle the walk leaves by an edge that has the target strictly on its far side; of two
 // such edges, by the one on the side of their common corner on which the line passes. It never
 // turns back over the edge by which it came, and the distance to the target along the line grows
-// from edge to edge, so it ends. Tested by tests/unit/almond/fill/refine_large_angles_test.cpp.
+// from edge to edge, so it ends.
+// Tested by tests/unit/almond/fill/refine_large_angles_test.cpp.
 #include "cdt/sight.hpp"
 
 #include "geom/predicates.hpp"

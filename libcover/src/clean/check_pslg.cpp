@@ -1,6 +1,6 @@
 // Equal points and segments are found by sorting; whatever else keeps the input from being a PSLG
-// also keeps it from having a constrained Delaunay triangulation. Tested by
-// tests/unit/clean/pslg_test.cpp.
+// also keeps it from having a constrained Delaunay triangulation.
+// Tested by tests/unit/clean/pslg_test.cpp.
 #include "clean/check_pslg.hpp"
 
 #include <fmt/core.h>

@@ -12,8 +12,8 @@
 // a segment of length zero. An edge that is led through a point r beside it, at x, becomes shorter
 // in the same way, because r is nearer to x than its ends are. A crossing that is left out has the
 // same two neighbours on all its edges, which are one edge then; two that crossed there were not
-// the same before, so one of them was cut at a neighbour. Tested by
-// tests/unit/clean/node_edges_test.cpp.
+// the same before, so one of them was cut at a neighbour.
+// Tested by tests/unit/clean/node_edges_test.cpp.
 #include "clean/node_edges.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // The faces are walked along a tree that spans their neighbourhood, starting outside, where nothing
 // covers. Crossing an edge flips every polygon that has an odd number of strands on it, so the set
-// of covering polygons is kept up to date step by step and never built anew. Tested by
-// tests/unit/clean/paint_test.cpp.
+// of covering polygons is kept up to date step by step and never built anew.
+// Tested by tests/unit/clean/paint_test.cpp.
 #include "clean/paint.hpp"
 
 #include <fmt/core.h>

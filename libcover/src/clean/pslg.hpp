@@ -13,8 +13,7 @@ namespace cover {
 /// summed up, and warnings given, in `report.notes`.
 ///
 /// ENSURES: points are finite and all different; segments meet only at points; given points are
-/// kept
-///          bit for bit unless they were welded.
+///          kept bit for bit unless they were welded.
 /// Errors:  ErrorCode 100-199, with ids and coordinates.
 /// Cost:    O((n + k) log n) for k crossings.
 Result<Pslg> make_pslg(const Input& input, const Options& options, Report& report);

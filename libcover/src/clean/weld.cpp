@@ -2,7 +2,8 @@
 // each end of a line over all triangles that come nearer than the tolerance. So the search sees
 // only what is in sight, and costs no more where lines are long and dense. Welds are then made in
 // the drawing before noding, so that no crossing of two versions of one border leaves a trace; the
-// rest is done again until nothing is left to weld. Tested by tests/unit/clean/weld_test.cpp.
+// rest is done again until nothing is left to weld.
+// Tested by tests/unit/clean/weld_test.cpp.
 #include "clean/weld.hpp"
 
 #include <fmt/core.h>

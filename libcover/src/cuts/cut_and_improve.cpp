@@ -2,8 +2,8 @@
 // left, an excerpt over segments is tried: kicks first, then cuts of the segments near by, at the
 // foot of the obtuse corner or half way, each improved and kicked in turn. The best is kept if
 // there are fewer such triangles, or less bad ones. Triangles are taken in the order of their
-// coordinates, so that the mesh does not depend on the order of the input. Tested by
-// tests/unit/cuts/cut_and_improve_test.cpp.
+// coordinates, so that the mesh does not depend on the order of the input.
+// Tested by tests/unit/cuts/cut_and_improve_test.cpp.
 #include "cuts/cut_and_improve.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // Long segments beside short ones are what makes targets hard: no vertex may lie near the middle of
 // a side that is to be seen at 90 degrees, and there the vertices for its neighbours are wanted. So
 // a few triangles are worked on where they are (cut_and_improve); if some are left, the longest
-// segments near each are halved, and the regions beside them are meshed anew. Tested by
-// tests/unit/cuts/cut_and_improve_test.cpp.
+// segments near each are halved, and the regions beside them are meshed anew.
+// Tested by tests/unit/cuts/cut_and_improve_test.cpp.
 #include "cuts/cut_until_met.hpp"
 
 #include <utility>

@@ -1,4 +1,5 @@
-// See joined_regions.hpp. Tested by tests/unit/cuts/cut_and_improve_test.cpp.
+// See joined_regions.hpp.
+// Tested by tests/unit/cuts/cut_and_improve_test.cpp.
 #include "cuts/joined_regions.hpp"
 
 #include <algorithm>

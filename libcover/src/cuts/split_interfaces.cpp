@@ -4,7 +4,8 @@
 // Half way instead, thin layers with vertices that do not face each other take 10 to 200 times the
 // points; and feet need no care at sharp corners, where they end with a fan of right triangles.
 // What is to be seen at less than 90 degrees is cut half way. Segments longer than wished are cut
-// before that, all at once. Tested by tests/unit/sizes/sizes_test.cpp.
+// before that, all at once.
+// Tested by tests/unit/sizes/sizes_test.cpp.
 #include "cuts/split_interfaces.hpp"
 
 #include <algorithm>

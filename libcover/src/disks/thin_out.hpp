@@ -9,7 +9,8 @@ namespace cover::disks {
 /// an angle above `limit` (radians). Compacts the vertices.
 ///
 /// The packing makes every triangle right-angled, so that each can be proved; most of that is more
-/// than nonobtuse needs. Vertices on a chord are removed likewise, from its one side. Cost: O(n).
+/// than nonobtuse needs. Vertices on a chord are removed likewise, from its one side.
+/// Cost: O(n)
 void thin_out(TriangleDraft& draft, Index first, double limit);
 
 }  // namespace cover::disks

@@ -1,7 +1,8 @@
 // All sides of all cells are sorted by their ends, so that equal sides stand together: a side is
 // inner where exactly two cells of one material claim it and no line runs along it. Cells joined by
 // inner sides form a piece, found by union-find, and each piece gets one seed, inside its largest
-// cell. Tested by tests/unit/geom/mesh_borders_test.cpp.
+// cell.
+// Tested by tests/unit/geom/mesh_borders_test.cpp.
 #include "geom/mesh_borders.hpp"
 
 #include <algorithm>

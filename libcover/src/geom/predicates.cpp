@@ -1,5 +1,5 @@
-// What the filters in the header leave, and the rarer predicates with theirs. Tested by
-// tests/unit/geom/predicates_test.cpp.
+// What the filters in the header leave, and the rarer predicates with theirs.
+// Tested by tests/unit/geom/predicates_test.cpp.
 #include "geom/predicates.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

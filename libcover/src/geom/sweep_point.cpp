@@ -1,7 +1,8 @@
 // A crossing is first computed with twice the digits of a double and a bound for the error, which
 // nearly always tells the nearest double; then comparing roundings nearly always tells the order.
 // What is left is decided by rational arithmetic; where many lines pass nearly through one point,
-// that is the lines and points that coincide. Tested by tests/unit/geom/sweep_point_test.cpp.
+// that is the lines and points that coincide.
+// Tested by tests/unit/geom/sweep_point_test.cpp.
 #include "geom/sweep_point.hpp"
 
 #include <CGAL/Exact_rational.h>

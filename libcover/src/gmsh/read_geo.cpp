@@ -1,6 +1,7 @@
 // gmsh is asked for the mesh of the curves only. Of each surface the curves around it are taken, an
 // even number of times not at all, and laid end to end; inside is even-odd, so it does not matter
-// in which rings. Tested by tests/unit/gmsh/read_geo_test.cpp.
+// in which rings.
+// Tested by tests/unit/gmsh/read_geo_test.cpp.
 #include <cover/read_geo.hpp>
 
 #include <fmt/ranges.h>

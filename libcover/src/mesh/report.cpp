@@ -1,3 +1,4 @@
+// Tested by tests/unit/io/report/write_report_json_test.cpp.
 #include <cover/report.hpp>
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // Regions share nothing but the ids of their boundary vertices, so joining them is arithmetic on
 // numbers: vertices of the PSLG that some region uses come first, then the Steiner vertices of each
-// region. Tested by tests/unit/mesh/stitch_test.cpp.
+// region.
+// Tested by tests/unit/mesh/stitch_test.cpp.
 #include <cover/mesh.hpp>
 
 #include "mesh/stitch.hpp"

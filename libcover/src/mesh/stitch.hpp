@@ -14,9 +14,9 @@ namespace cover {
 
 /// One conforming mesh of all regions.
 ///
-/// REQUIRES: boundaries and meshes by RegionId - 1; every side of a boundary is an edge of its
-/// mesh. ENSURES:  the order of vertices, faces and edges depends on the arguments alone. Cost:
-/// O(n).
+/// REQUIRES: boundaries and meshes by RegionId - 1; every side of a boundary is an edge of its mesh
+/// ENSURES:  the order of vertices, faces and edges depends on the arguments alone
+/// Cost:     O(n)
 Mesh stitch(const Pslg& pslg, const RegionTable& table, std::span<const RegionBoundary> boundaries,
             std::span<const RegionMesh> meshes);
 

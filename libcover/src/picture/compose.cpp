@@ -2,6 +2,7 @@
 // where they are short, so that finely meshed parts do not turn black; what is too small to be seen
 // at the given size is left to the zoom window.
 // Tests: tests/unit/picture/picture_test.cpp
+// Tested by tests/unit/picture/picture_test.cpp.
 #include "picture/compose.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Tested by tests/unit/picture/picture_test.cpp.
 #include "picture/palette.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Tested by tests/unit/picture/picture_test.cpp.
 #include <cover/mesh.hpp>
 #include <cover/picture.hpp>
 

@@ -1,4 +1,5 @@
 // A drawing as SVG: one path per colour, so that no seams show between triangles of one region.
+// Tested by tests/unit/picture/picture_test.cpp.
 #include <iterator>
 #include <string>
 

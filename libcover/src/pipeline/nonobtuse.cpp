@@ -5,7 +5,8 @@
 //  - disks on all segments come first, for all regions together; the cuts are their centres and
 //    tangency points, and every region is packed between them.
 // (Uniting the points of both sides instead, and joining them to the opposite vertices, would keep
-// the mesh conforming but not nonobtuse.) Tested by tests/unit/pipeline/nonobtuse_test.cpp.
+// the mesh conforming but not nonobtuse.)
+// Tested by tests/unit/pipeline/nonobtuse_test.cpp.
 #include "pipeline/nonobtuse.hpp"
 
 #include <algorithm>

@@ -1,7 +1,8 @@
 // The input is prepared as always, except that segments get the cuts that the mesh has. Then the
 // mesh is checked against it as any mesh is (verify_cover), which also tells in which region each
 // triangle lies; the meshes of all other regions are taken out of it, and everything is stitched
-// anew. Tested by tests/unit/pipeline/remesh_test.cpp and tests/property/remesh_property_test.cpp.
+// anew.
+// Tested by tests/unit/pipeline/remesh_test.cpp and tests/property/remesh_property_test.cpp.
 #include <cover/remesh.hpp>
 
 #include <algorithm>

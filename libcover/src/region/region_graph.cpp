@@ -1,6 +1,7 @@
 // Faces come from one triangulation of everything (faces.hpp); seeds decide which are void and what
 // the others are made of; then regions are numbered and every segment and point is told what lies
-// beside it. Tested by tests/unit/region/region_graph_test.cpp.
+// beside it.
+// Tested by tests/unit/region/region_graph_test.cpp.
 #include "region/region_graph.hpp"
 
 #include <cover/option_ranges.hpp>

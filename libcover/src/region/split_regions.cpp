@@ -1,6 +1,7 @@
 // Sides are dealt out to their regions; then each region sorts its own. Vertices are sorted by
 // their rank among all points, so that points are compared in one sort only, and then laid along a
-// curve. Tested by tests/unit/region/split_regions_test.cpp.
+// curve.
+// Tested by tests/unit/region/split_regions_test.cpp.
 #include <algorithm>
 #include <numeric>
 

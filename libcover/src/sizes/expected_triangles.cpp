@@ -1,6 +1,7 @@
 // Sizes grow away from fine places and beside long sides, so the wished size alone says too much:
 // the field that refinement follows is sampled in every triangle of the region's constrained
-// Delaunay triangulation. Tested by tests/unit/sizes/expected_triangles_test.cpp.
+// Delaunay triangulation.
+// Tested by tests/unit/sizes/expected_triangles_test.cpp.
 #include "sizes/expected_triangles.hpp"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // Steps of the wished length are taken from the end that comes first in the plane, so that the
 // points do not depend on the direction of the segment, and then stretched so that the last one
-// ends at the other end. Tested by tests/unit/sizes/segment_sizes_test.cpp.
+// ends at the other end.
+// Tested by tests/unit/sizes/segment_sizes_test.cpp.
 #include "sizes/segment_sizes.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// Sizes spread along the edges of the triangulation. Tested by tests/unit/sizes/sizes_test.cpp.
+// Sizes spread along the edges of the triangulation.
+// Tested by tests/unit/sizes/sizes_test.cpp.
 #include "sizes/size_field.hpp"
 
 #include <algorithm>

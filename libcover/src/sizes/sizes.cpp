@@ -1,4 +1,5 @@
-// See sizes.hpp. Tested by tests/unit/sizes/sizes_test.cpp.
+// See sizes.hpp.
+// Tested by tests/unit/sizes/sizes_test.cpp.
 #include "sizes/sizes.hpp"
 
 #include <algorithm>

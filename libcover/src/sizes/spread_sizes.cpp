@@ -1,4 +1,5 @@
-// Smallest first, as shortest paths are found. Tested by tests/unit/sizes/size_function_test.cpp.
+// Smallest first, as shortest paths are found.
+// Tested by tests/unit/sizes/size_function_test.cpp.
 #include "sizes/spread_sizes.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// See goal.hpp. Tested by tests/unit/target/goal_test.cpp.
+// See goal.hpp.
+// Tested by tests/unit/target/goal_test.cpp.
 #include "target/goal.hpp"
 
 #include <cmath>

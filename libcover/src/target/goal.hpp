@@ -1,8 +1,7 @@
 // One number per triangle: how far its angles are from what is wanted, and possible.
 //
 // Everything is kept in cotangents, cot(angle) = (u.v) / (u x v): no square root, no arc tangent,
-// and u x v is twice the area at all three corners. With c the largest and C the smallest
-// cotangent,
+// and u x v is twice the area at all three corners. With c the least and C the largest cotangent,
 //     excess = max(-c - large,  weight (C - small)),
 // <= 0 where the triangle meets both targets. `weight` = min / (180 - max) makes a small angle
 // x count like the large angle 180 - x / weight does far from the targets, as q in

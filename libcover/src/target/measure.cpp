@@ -196,8 +196,10 @@ std::vector<NegativeCoupling> measure_couplings(const RegionBoundary& boundary,
     Point apex = points[e.apex];
     if (e.is_side) {
       const auto side = std::lower_bound(boundary.sides.begin(), boundary.sides.end(), e.edge);
+      // A side of the hull may have been split: its pieces are no sides of the boundary.
+      const bool is_whole = side != boundary.sides.end() && *side == e.edge;
       const std::uint32_t by =
-          encroached_by[static_cast<std::size_t>(side - boundary.sides.begin())];
+          is_whole ? encroached_by[static_cast<std::size_t>(side - boundary.sides.begin())] : kNone;
       kind = by == kNone ? NegativeCoupling::Kind::given_up : NegativeCoupling::Kind::encroached;
       if (by != kNone) apex = boundary.points[by];
     }

@@ -4,7 +4,8 @@
 // perpendicular bisector of UV below its apex: we walk up the bisector through the triangulation
 // until we meet one. (Vertices in T(x) need no look: up to pi - 2x >= gamma_opt it lies in the
 // circle of the Delaunay triangle on UV, where none is in sight. Beyond that the largest angle is
-// forced as well.) Tested by tests/unit/target/side_limit_test.cpp.
+// forced as well.)
+// Tested by tests/unit/target/side_limit_test.cpp.
 #include "target/side_limit.hpp"
 
 #include <algorithm>

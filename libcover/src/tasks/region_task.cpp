@@ -1,6 +1,7 @@
 // A region needs nothing of its neighbours and writes only its own slot of the results, so tasks
 // share nothing but the progress count. What is thrown inside a region becomes the error of that
-// region. Tested by tests/unit/pipeline/cover_mesh_test.cpp.
+// region.
+// Tested by tests/unit/pipeline/cover_mesh_test.cpp.
 #include "tasks/region_task.hpp"
 
 #include <algorithm>

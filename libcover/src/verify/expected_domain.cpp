@@ -1,3 +1,4 @@
+// Tested by tests/unit/verify/verify_test.cpp.
 #include "verify/expected_domain.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // The way from our own mesh to arrays that verify_cover() trusts with nothing.
+// Tested by tests/unit/verify/verify_test.cpp.
 #include <cover/mesh.hpp>
 #include <cover/verify.hpp>
 

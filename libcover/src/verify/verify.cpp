@@ -8,7 +8,8 @@
 //     which winds once around its inside and not at all around the rest.
 //
 // Thus the triangles of a region cover it without gaps or overlap, and no tolerance was used.
-// What is broken is listed by kind. Tested by tests/unit/verify/verify_test.cpp, which damages good
+// What is broken is listed by kind.
+// Tested by tests/unit/verify/verify_test.cpp, which damages good
 // meshes in every way it can think of.
 #include <cover/verify.hpp>
 

@@ -1,4 +1,5 @@
-// See verify_regions.hpp. Tested by tests/unit/verify/verify_test.cpp.
+// See verify_regions.hpp.
+// Tested by tests/unit/verify/verify_test.cpp.
 #include "verify/verify_regions.hpp"
 
 #include <algorithm>

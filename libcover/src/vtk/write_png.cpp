@@ -1,5 +1,6 @@
 // The painted image with its text, through VTK's PNG writer. VTK's FreeType tools bring their own
 // font and need no display.
+// Tested by tests/unit/picture/picture_test.cpp.
 #define VTK_DEPRECATION_LEVEL 0  // for letters_of()
 
 #include <array>

@@ -26,7 +26,7 @@ TEST(Couplings, AreFoundOneUnitInTheLastPlaceBeyond) {
   std::vector<NegativeEdge> found = negative_edges(points, triangles, kSides);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_FALSE(found[0].is_side);
-  EXPECT_EQ(found[0].edge, (IndexPair{0, 2}));
+  EXPECT_EQ(found[0].edge, (IndexPair{2, 0}));
   points[3] = {-std::nextafter(0.0, 1.0), 1};
   EXPECT_TRUE(negative_edges(points, triangles, kSides).empty());
 }

@@ -1,7 +1,8 @@
 // Insertion is Bowyer's and Watson's: the triangles whose circle contains the new vertex are
 // replaced by a fan around it. The cavity is collected, looked at, and only then dug: if a chord on
 // its rim is encroached upon, or the fan would not be counter-clockwise in exact arithmetic,
-// nothing has changed. Tested by tests/unit/almond/fill/refine_large_angles_test.cpp.
+// nothing has changed.
+// Tested by tests/unit/almond/fill/refine_large_angles_test.cpp.
 #include "almond/fill/refine_large_angles.hpp"
 
 #include <algorithm>

@@ -19,7 +19,9 @@ using ChordEdges = std::vector<std::array<std::uint32_t, 3>>;
 ///
 /// Returns the chords at fault: those that are no edge with the domain on their left, and those
 /// whose edge has the domain on its right although no chord runs the other way. Empty: the chords
-/// are the boundary of `cdt`, all of it and nothing else. EXACT: yes Cost:  O(triangles + chords)
+/// are the boundary of `cdt`, all of it and nothing else.
+/// EXACT: yes
+/// Cost:  O(triangles + chords)
 std::vector<std::uint32_t> match_chords(const Triangulation& cdt, std::span<const Chord> chords,
                                         ChordEdges& edges);
 
@@ -47,13 +49,14 @@ struct RefineGoal {
 /// A triangle with too large an angle gets its circumcentre. If a chord lies between, or would see
 /// the circumcentre under 90 degrees or more, the chord is split instead: half way, or at a
 /// distance that is a power of two from an end where it meets another chord sharply. Locked chords
-/// stay whole. REQUIRES: `cdt` is a constrained Delaunay triangulation whose chords are matched
+/// stay whole.
+///
+/// REQUIRES: `cdt` is a constrained Delaunay triangulation whose chords are matched
 /// ENSURES:  it still is, with new vertices at the end of its points; old triangles are replaced
 /// EXACT:    topology by exact predicates
 /// Ref:      Miller, Pav, Walkington 2003, with the largest angle as the only goal: a triangle
-/// above
-///           138.6 degrees has a ratio of circumradius to shortest edge at which Ruppert's argument
-///           ends
+///           above 138.6 degrees has a ratio of circumradius to shortest edge at which Ruppert's
+///           argument ends
 Refinement refine_large_angles(Triangulation& cdt, ChordEdges& edges, std::span<const Chord> chords,
                                const RefineGoal& goal, std::stop_token stop);
 

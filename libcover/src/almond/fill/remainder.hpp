@@ -26,8 +26,8 @@ struct Remainder {
 /// the chords bound a domain that lies on their left, or what rounding broke is named.
 ///
 /// ENSURES: without faults the chords are the whole boundary of `cdt`; together with interior
-/// chords
-///          that occur in both directions, remainder and almonds then bound each other exactly.
+///          chords that occur in both directions, remainder and almonds then bound each other
+///          exactly.
 /// Cost:    O(n log n)
 Remainder find_remainder(const ChordLayer& layer, std::span<const Almond> almonds,
                          std::span<const std::uint32_t> isolated);

@@ -1,6 +1,7 @@
 // Which construction a gap gets, and the check of what it made. Every triangle is right-angled by
 // construction; what can go wrong is that a foot falls outside its segment, and then the areas no
-// longer add up. Tested by tests/unit/disks/disks_gap_test.cpp.
+// longer add up.
+// Tested by tests/unit/disks/gaps/gap_test.cpp.
 #include "disks/gaps/gap.hpp"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // The last resort of a gap: its polygon of centres and tangency points, at most eight corners, is
 // triangulated by its own corners or by a star from a point inside, whichever has the smaller
 // largest angle. Conformity is untouched, since the polygon's edges stay whole.
+// Tested by tests/unit/disks/gaps/gap_test.cpp.
 #include <algorithm>
 
 #include "disks/gaps/gap.hpp"

@@ -11,6 +11,7 @@
 //            T_i--s_i--T_l     golden section. A cut with positive slack existed in each of
 //                 i            134,000 sampled gaps; none is known to fail but where opposite
 //                              sides nearly touch, which is split beforehand.
+// Tested by tests/unit/disks/gaps/gap_test.cpp.
 #include "disks/gaps/gap.hpp"
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 //    common tangents of D and A and of D and B in P_A and P_B, which have equal tangents to all
 //    three elements and so right angles at their contacts; the foot M of D's centre on the axis
 //    lies between the centres. 12 triangles, fewer by those of the centre of a line.
+// Tested by tests/unit/disks/gaps/gap_test.cpp.
 #include "disks/gaps/gap.hpp"
 
 namespace cover::disks {

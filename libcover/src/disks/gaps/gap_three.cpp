@@ -3,6 +3,7 @@
 // (c, T, I). Two disks and a line: the common tangent of the disks meets the line in M, and
 // tangents from M are equally long, so that M is also the middle between the contacts A, B on the
 // line; radii are at right angles to tangents: 4 triangles.
+// Tested by tests/unit/disks/gaps/gap_test.cpp.
 #include "disks/gaps/gap.hpp"
 
 namespace cover::disks {

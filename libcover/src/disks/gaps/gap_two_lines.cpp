@@ -2,6 +2,7 @@
 // point M that sees the two centres at a right angle: |AM| |MB| = r0 r2, which has a solution
 // because disjoint disks have |AB|^2 >= 4 r0 r2. Three right triangles per line, which meet in the
 // line of centres: 6.
+// Tested by tests/unit/disks/gaps/gap_test.cpp.
 #include "disks/gaps/gap.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// Dynamic programming over diagonals. Tested by tests/unit/disks/disks_gap_test.cpp.
+// Dynamic programming over diagonals.
+// Tested by tests/unit/disks/gaps/gap_test.cpp.
 #include "disks/gaps/small_polygon.hpp"
 
 #include <algorithm>

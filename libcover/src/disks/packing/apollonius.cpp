@@ -2,7 +2,8 @@
 // touching a disk (c, r) a quadric, |x - c|^2 = (rho + r)^2; all these quadrics have the same
 // quadratic part x^2 + y^2 - rho^2, so the difference of two is linear. Two linear rows give a line
 // z0 + lambda v; the remaining disk gives a quadratic equation for lambda. One routine covers all
-// mixtures of disks and lines. Tested by tests/unit/disks/disks_primitives_test.cpp.
+// mixtures of disks and lines.
+// Tested by tests/unit/disks/packing/apollonius_test.cpp.
 #include "disks/packing/apollonius.hpp"
 
 #include <cmath>

@@ -4,7 +4,8 @@
 // With phi = theta / 2k <= 60 degrees all of it lies within t (1 + sin phi) / cos phi of the
 // corner, which is made a fraction below 1/2 of the corner's clearance: so corners cannot touch
 // each other or foreign chords. The clearance is that of what is visible inside the sector, found
-// by flooding the triangulation from there. Tested by tests/unit/disks/fill_disks_test.cpp.
+// by flooding the triangulation from there.
+// Tested by tests/unit/disks/fill_disks_test.cpp.
 #include "disks/packing/corner_disks.hpp"
 
 #include <algorithm>

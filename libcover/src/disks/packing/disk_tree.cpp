@@ -1,4 +1,4 @@
-// Tested by tests/unit/disks/disks_packing_test.cpp.
+// Tested by tests/unit/disks/packing/packing_test.cpp.
 #include "disks/packing/disk_tree.hpp"
 
 #include <algorithm>

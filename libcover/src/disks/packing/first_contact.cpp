@@ -3,7 +3,7 @@
 // disk, replace it by the disk of the family that touches this obstacle: progress falls, and after
 // about two rounds nothing enters any more. Where an obstacle has no such disk (it is reached only
 // from behind, after others), bisect the progress instead.
-// Tested by tests/unit/disks/disks_packing_test.cpp.
+// Tested by tests/unit/disks/packing/packing_test.cpp.
 #include "disks/packing/first_contact.hpp"
 
 #include <algorithm>

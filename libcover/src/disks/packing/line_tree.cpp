@@ -1,6 +1,6 @@
 // Built top-down: the axis of a node is the main axis of the second moments of its end points, and
 // the lines are halved by their middles along whichever of the two axes spreads these more.
-// Tested by tests/unit/disks/disks_packing_test.cpp.
+// Tested by tests/unit/disks/packing/packing_test.cpp.
 #include "disks/packing/line_tree.hpp"
 
 #include <algorithm>

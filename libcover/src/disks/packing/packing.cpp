@@ -1,6 +1,6 @@
 // Sides are found by the place of a point on the rim of its element; the elements by a scan of the
 // cycle while that is short, by the trees when it is long.
-// Tested by tests/unit/disks/disks_packing_test.cpp.
+// Tested by tests/unit/disks/packing/packing_test.cpp.
 #include "disks/packing/packing.hpp"
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 // Symmetric input gives disks with four and more contacts as a rule. All are found by distance
 // and split at once; a contact ignored would stop the next search at its start.
 // Among several cusps the largest disk is taken: larger disks, fewer small gaps.
-// Tested by tests/unit/disks/disks_packing_test.cpp.
+// Tested by tests/unit/disks/packing/packing_test.cpp.
 #include "disks/packing/reduce_cycles.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// Which reader a file wants is told by its extension. Tested by tests/unit/io/read_*_test.cpp.
+// Which reader a file wants is told by its extension.
+// Tested by tests/unit/io/input/read_json_test.cpp and those beside it.
 #include <cover/read_input.hpp>
 
 #include <fmt/core.h>

@@ -1,8 +1,8 @@
 // Our own JSON form; apps/cover/input.schema.json says it in full.
 //
 // The document is walked twice: first all arcs are shown to the CurveCutter, which must know every
-// end on a circle before it cuts it; then everything is read in order. Tested by
-// read_json_test.cpp.
+// end on a circle before it cuts it; then everything is read in order.
+// Tested by read_json_test.cpp.
 #include <cover/units.hpp>
 
 #include <fmt/core.h>

@@ -2,8 +2,8 @@
 // points (or none: then they are in the .node of the same name), segments, holes, and optionally
 // regions. Whatever a header announces must be there, and nothing may follow. Fields of a line that
 // no header announces are left out, as Triangle does, but with a warning.
-// Format: https://www.cs.cmu.edu/~quake/triangle.poly.html. Tested by
-// tests/unit/io/input/read_poly_test.cpp.
+// Format: https://www.cs.cmu.edu/~quake/triangle.poly.html.
+// Tested by tests/unit/io/input/read_poly_test.cpp.
 #include <cover/read_input.hpp>
 
 #include <fmt/core.h>

@@ -1,4 +1,4 @@
-// Tested through the formats, by tests/unit/vtk/read_output_test.cpp.
+// Tested by tests/unit/vtk/read_output_test.cpp, through the formats.
 #include "io/text/field_reader.hpp"
 
 #include <fmt/core.h>

@@ -1,5 +1,6 @@
 // Numbers are read by std::from_chars: no locale, correctly rounded, and the whole field must be
-// used up. Tested by tests/unit/io/text/text_test.cpp.
+// used up.
+// Tested by tests/unit/io/text/text_test.cpp.
 #include "io/text/text.hpp"
 
 #include <fmt/core.h>

@@ -1,6 +1,7 @@
 // Triangle's .poly with everything in one file. Each region gets a seed with its material and each
 // enclosed void face a hole, so that a reader needs no rule about unseeded faces; names, for which
-// the format has no place, stand in comments. Tested by tests/unit/io/write_mesh/write_poly_test.cpp.
+// the format has no place, stand in comments.
+// Tested by tests/unit/io/write_mesh/write_poly_test.cpp.
 #include <cover/write_mesh.hpp>
 
 #include <fmt/format.h>

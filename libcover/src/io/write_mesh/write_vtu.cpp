@@ -1,4 +1,4 @@
-// The default format.
+// The default format. Tested by tests/unit/io/write_mesh/write_mesh_test.cpp.
 #include <cover/write_mesh.hpp>
 
 #include "io/files/atomic_file.hpp"

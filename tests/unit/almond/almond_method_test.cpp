@@ -43,11 +43,11 @@ void run(int count, std::uint64_t seed, const Options& options,
   }
 }
 
-TEST(RegionFuzz, Default) {
+TEST(AlmondMethodOnRandomRegions, Default) {
   run(fuzz_count(300), testing::test_seed(1), {}, testing::random_region);
 }
 
-TEST(RegionFuzz, Paper) {
+TEST(AlmondMethodOnRandomRegions, Paper) {
   Options options;
   options.paper = true;
   run(fuzz_count(300), testing::test_seed(1), options, testing::random_region);
@@ -70,7 +70,7 @@ RegionMesh mesh_with_all_almonds(const RegionBoundary& boundary) {
   return mesh;
 }
 
-TEST(RegionFuzz, AllAlmonds) {
+TEST(AlmondMethodOnRandomRegions, AllAlmonds) {
   const std::uint64_t seed = testing::test_seed(1);
   for (int k = 0; k < fuzz_count(300); ++k) {
     std::mt19937_64 random(seed + static_cast<std::uint64_t>(k));
@@ -82,7 +82,7 @@ TEST(RegionFuzz, AllAlmonds) {
 }
 
 /// Promise 5: scaled by a power of two, everything is the same; shifted exactly, too.
-TEST(RegionFuzz, UnitAndOriginDoNotMatter) {
+TEST(AlmondMethodOnRandomRegions, UnitAndOriginDoNotMatter) {
   const std::uint64_t seed = testing::test_seed(1);
   for (int k = 0; k < fuzz_count(100); ++k) {
     std::mt19937_64 random(seed + static_cast<std::uint64_t>(k));
@@ -115,7 +115,7 @@ TEST(RegionFuzz, UnitAndOriginDoNotMatter) {
   }
 }
 
-TEST(RegionFuzz, Hull) {
+TEST(AlmondMethodOnRandomRegions, Hull) {
   for (const bool paper : {false, true}) {
     Options options;
     options.hull = true;
