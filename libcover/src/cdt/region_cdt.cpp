@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/describe.hpp"
-#include "base/fault.hpp"
+#include "base/internal_fault.hpp"
 #include "cdt/sides.hpp"
 
 namespace cover {
@@ -80,7 +80,7 @@ std::optional<BoundaryFault> find_fault(const CdtResult& cdt, std::span<const Po
 Triangulation triangulate_region(std::span<const Point> points, std::span<const IndexPair> sides) {
   CdtResult cdt = triangulate_domain(points, sides);
   if (auto fault = find_fault(cdt, points, sides))
-    throw Fault(fault->what, std::move(fault->where));
+    throw InternalFault(fault->what, std::move(fault->where));
   return std::move(cdt.triangulation);
 }
 

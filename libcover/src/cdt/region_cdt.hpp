@@ -31,7 +31,7 @@ std::optional<BoundaryFault> find_fault(const CdtResult& cdt, std::span<const Po
 /// The constrained Delaunay triangulation of a region: every side has a triangle on its left, every
 /// point is a corner.
 ///
-/// Errors: throws a Fault if the sides do not bound a region
+/// Errors: throws an InternalFault if the sides do not bound a region
 Triangulation triangulate_region(std::span<const Point> points, std::span<const IndexPair> sides);
 
 }  // namespace cover

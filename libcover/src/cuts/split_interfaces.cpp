@@ -17,7 +17,7 @@
 #include <fmt/core.h>
 
 #include "base/describe.hpp"
-#include "base/fault.hpp"
+#include "base/internal_fault.hpp"
 #include "cdt/cdt.hpp"
 #include "cdt/region_cdt.hpp"
 #include "cuts/cut_segments.hpp"
@@ -213,13 +213,13 @@ class Splitter {
       };
       note(conflict.first, first_is_point);
       note(conflict.second, second_is_point);
-      if (broken_.empty()) throw Fault("segments meet in the void", {});
+      if (broken_.empty()) throw InternalFault("segments meet in the void", {});
     }
   }
 
   /// Notes the points whose cuts made `boundary` bound nothing.
   void note_broken(const RegionBoundary& boundary, const BoundaryFault& fault) {
-    if (!before_) throw Fault(fault.what, fault.where);
+    if (!before_) throw InternalFault(fault.what, fault.where);
     const std::size_t old = before_->pslg.points.size();
     const std::size_t known = broken_.size();
     if (before_->trials < kTrials) {
@@ -231,7 +231,7 @@ class Splitter {
     for (const VertexId v : boundary.vertices) {  // all that is new in this region
       if (v.index() >= old) broken_.push_back(v);
     }
-    if (broken_.size() == known) throw Fault(fault.what, fault.where);
+    if (broken_.size() == known) throw InternalFault(fault.what, fault.where);
   }
 
   /// Makes the last cuts anew without those that broke something; what they are on is cut no more.

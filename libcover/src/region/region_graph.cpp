@@ -4,8 +4,6 @@
 // Tested by tests/unit/region/region_graph_test.cpp.
 #include "region/region_graph.hpp"
 
-#include <cover/option_ranges.hpp>
-
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 
 #include <cover/result.hpp>
 
-#include "base/fault.hpp"
+#include "base/internal_fault.hpp"
 
 namespace cover {
 
@@ -22,7 +22,7 @@ template <class Body>
 std::invoke_result_t<Body> errors_as_values(std::string_view doing, Body body) {
   try {
     return body();
-  } catch (const Fault& e) {
+  } catch (const InternalFault& e) {
     Error error = internal_error(doing, e.what());
     error.where = e.where();
     return error;

@@ -19,7 +19,7 @@
 
 #include "almond/almond_region.hpp"
 #include "almond/chords.hpp"
-#include "base/fault.hpp"
+#include "base/internal_fault.hpp"
 #include "cdt/cdt.hpp"
 #include "cdt/region_cdt.hpp"
 #include "limits/region_limits.hpp"
@@ -188,7 +188,7 @@ RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
   if (stop.stop_requested()) return std::move(other.mesh);
   if (first.fault && other.fault) {
     Attempt plain = attempt(plain_region, boundary, options, stop);
-    if (plain.fault) throw Fault(plain.fault->what, std::move(plain.fault->where));
+    if (plain.fault) throw InternalFault(plain.fault->what, std::move(plain.fault->where));
     plain.mesh.report.notes.push_back(
         note_of_fallback(boundary, first, asked, "constrained Delaunay triangulation"));
     plain.mesh.report.notes.push_back(

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/fault.hpp"
+#include "base/internal_fault.hpp"
 #include "support/shapes.hpp"
 
 namespace cover {
@@ -62,7 +62,7 @@ TEST(RegionCdt, ThrowsAFaultWithThePlace) {
   try {
     triangulate_region(boundary.points, boundary.sides);
     FAIL() << "no fault";
-  } catch (const Fault& fault) {
+  } catch (const InternalFault& fault) {
     EXPECT_EQ(fault.where(), std::vector<Point>({{5, 1}}));
   }
 }

@@ -12,8 +12,8 @@ constexpr double kGain = 0.01;  ///< of an excess, that is worth a change
 
 }  // namespace
 
-Standing standing_of(const MutableMesh& mesh, const Goal& goal) {
-  Standing standing;
+GoalStanding standing_of(const MutableMesh& mesh, const Goal& goal) {
+  GoalStanding standing;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (mesh.is_hole(t)) continue;
     const Shortfall shortfall = shortfall_of(mesh, t, goal);
@@ -27,7 +27,7 @@ Standing standing_of(const MutableMesh& mesh, const Goal& goal) {
   return standing;
 }
 
-bool is_gain(const Standing& now, const Standing& before) {
+bool is_gain(const GoalStanding& now, const GoalStanding& before) {
   if (now.largest > before.largest || now.large > before.large || now.above > before.above ||
       now.far_above > before.far_above) {
     return false;

@@ -8,7 +8,7 @@
 namespace cover {
 
 /// What an excerpt has reached.
-struct Standing {
+struct GoalStanding {
   double largest = 0;         ///< -cot of the largest angle, if that is obtuse
   double large = 0;           ///< the largest excess of a large angle, by what sides allow
   std::size_t above = 0;      ///< triangles where that is positive
@@ -18,10 +18,10 @@ struct Standing {
 };
 
 /// Measured by `goal`, whatever goal the excerpt has set.
-Standing standing_of(const MutableMesh& mesh, const Goal& goal);
+GoalStanding standing_of(const MutableMesh& mesh, const Goal& goal);
 
 /// Whether the change from `before` to `now` is one for the better, of large angles or, without
 /// harm to these, of small ones.
-bool is_gain(const Standing& now, const Standing& before);
+bool is_gain(const GoalStanding& now, const GoalStanding& before);
 
 }  // namespace cover

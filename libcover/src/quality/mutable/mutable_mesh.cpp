@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/fault.hpp"
+#include "base/internal_fault.hpp"
 #include "geom/predicates.hpp"
 
 namespace cover {
@@ -32,13 +32,13 @@ MutableMesh::MutableMesh(const Triangulation& triangulation, std::uint32_t fixed
     for (const std::uint32_t v : from.v) home[v] = t;
   }
   for (std::uint32_t s = 0; s < side_at.size(); ++s) {
-    if (side_at[s].triangle == kNone) throw Fault("a side is no edge of the triangulation", {});
+    if (side_at[s].triangle == kNone) throw InternalFault("a side is no edge of the triangulation", {});
     triangles[side_at[s].triangle].n[side_at[s].edge] = kSideBit | s;
   }
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     for (int i = 0; i < 3; ++i) {
       if (triangles[t].n[at(i)] == kNone)
-        throw Fault("an edge of the triangulation has nothing on its other side",
+        throw InternalFault("an edge of the triangulation has nothing on its other side",
                     {corner(t, next3(i)), corner(t, prev3(i))});
     }
   }

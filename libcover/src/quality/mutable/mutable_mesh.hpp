@@ -48,7 +48,7 @@ class MutableMesh {
   /// Side s, with limits[s], is the edge side_at[s].
   ///
   /// REQUIRES: the sides are all the edges that border on the outside or must not be crossed
-  /// Errors:   throws a Fault if a side is nowhere, or an edge on the outside is no side
+  /// Errors:   throws an InternalFault if a side is nowhere, or an edge on the outside is no side
   MutableMesh(const Triangulation& triangulation, std::uint32_t fixed,
               std::span<const EdgeRef> side_at, std::vector<SideLimit> limits);
 

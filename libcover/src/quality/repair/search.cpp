@@ -154,7 +154,7 @@ class Attempts {
   MutableMesh trial_;
   const Goal& goal_;
   Goal light_;
-  Standing before_;
+  GoalStanding before_;
   Budget& budget_;
   Trials trials_;
 };

@@ -12,9 +12,9 @@ namespace cover {
 
 /// Thrown where going on would read or write what is not there. Becomes an internal error that
 /// carries the places (pipeline/errors_as_values).
-class Fault : public std::logic_error {
+class InternalFault : public std::logic_error {
  public:
-  Fault(const std::string& what, std::vector<Point> where)
+  InternalFault(const std::string& what, std::vector<Point> where)
       : std::logic_error(what), where_(std::move(where)) {}
   [[nodiscard]] const std::vector<Point>& where() const { return where_; }
 
