@@ -24,7 +24,7 @@ struct Merit {
   /// Whether both targets are met by every triangle.
   bool complete = false;
 
-  Fault fault;             ///< the worst of all triangles
+  Fault fault{};           ///< the worst of all triangles
   double sum = 0;          ///< of their faults
   std::size_t missed = 0;  ///< triangles that have one
 };

@@ -171,6 +171,14 @@ Candidate Candidates::improved_within(const Candidate& c, std::uint64_t evaluati
   return better;
 }
 
+Candidate Candidates::restarted_within(const Candidate& from, std::uint64_t evaluations) const {
+  Candidate best = from;
+  Budget budget{evaluations, budget_.stop};
+  best.mesh = best_restart(from.mesh, goal_, ceiling_, best.merit, budget);
+  best.method = "restarted, improved";
+  return measured(std::move(best));
+}
+
 Candidate Candidates::restarted(const Candidate& from) const {
   Candidate best = from;
   Budget budget{kEvaluationsOfRestarts, budget_.stop};

@@ -70,13 +70,13 @@ class Candidates {
   /// ENSURES: no worse than `c`. Improvement looks at excesses, where a very small angle may weigh
   ///          as much as a large one.
   [[nodiscard]] Candidate improved(const Candidate& c);
-  /// So small that improving it once more costs little.
-  [[nodiscard]] bool is_cheap(const Candidate& c) const { return c.merit.triangles <= 600; }
   /// The same with a budget of its own.
   [[nodiscard]] Candidate improved_within(const Candidate& c, std::uint64_t evaluations);
   /// What becomes of `from` when its angles above -cot `large` are narrowed at the price of small
   /// angles, as little of them as leads there; or `best` if that is better.
   [[nodiscard]] Candidate narrowed(const Candidate& best, const Candidate& from, double large);
+  /// The best of random restarts.
+  [[nodiscard]] Candidate restarted_within(const Candidate& from, std::uint64_t evaluations) const;
   /// The best of random restarts; where that misses the target for the largest angle, what a
   /// search makes of it.
   [[nodiscard]] Candidate restarted(const Candidate& from) const;

@@ -55,25 +55,12 @@ bool has_at_most(const Merit& merit, double share) {
   return static_cast<double>(merit.above) <= share * static_cast<double>(merit.triangles);
 }
 
-/// A search whose cost is bounded by the size of the mesh and by what there is to gain.
-void search_few(MutableMesh& mesh, const Goal& goal, const Merit& merit, Budget& budget) {
-  const auto triangles = static_cast<double>(merit.triangles);
-  if (merit.missed == 0 || mesh.fixed_vertices() <= kTinyRegion ||
-      static_cast<double>(merit.missed) >
-          std::max(effort::kFewMissed * triangles, static_cast<double>(effort::kFewAtLeast))) {
-    return;
-  }
-  Budget part = budget.share(1);
-  // In a large region that is nearly clean, all it takes is little beside what has been done.
-  const std::uint64_t most = merit.triangles > kCheapToSearch
-                                 ? part.left
-                                 : std::max(effort::kSearchPerTriangle * merit.triangles,
-                                            effort::kSearchPerMissed * merit.missed);
-  const std::uint64_t kept = part.left - std::min(part.left, most);
-  part.left -= kept;
-  search_excerpts(mesh, goal, part);
-  part.left += kept;
-  budget.take_back(part);
+/// Whether a large mesh misses so little that a search for all of it takes little beside what has
+/// been done.
+bool is_nearly_clean(const Merit& merit) {
+  return merit.triangles > kCheapToSearch && merit.missed > 0 &&
+         static_cast<double>(merit.missed) <=
+             effort::kFewMissed * static_cast<double>(merit.triangles);
 }
 
 /// Where much is left, it is so for reasons that no search changes; but in small meshes all can be
@@ -120,7 +107,7 @@ Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeFi
       mesh = std::move(start);
     }
   }
-  if (search == Search::few) search_few(mesh, goal, merit, budget);
+  if (search == Search::few && is_nearly_clean(merit)) search = Search::usual;
   if (search == Search::usual && has_at_most(merit, kFewAbove)) {
     budget.left += kEvaluationsForFew * std::min(merit.above, kMostOfFew);
   }

@@ -16,13 +16,15 @@ bool has_room_around_a_hub(const Progress& p) { return p.make.has_room_around_a_
 bool is_missed(const Progress& p) { return !p.best.merit.complete; }
 bool is_tiny_and_missed(const Progress& p) { return p.make.is_tiny() && is_missed(p); }
 bool has_far(const Progress& p) { return p.best.merit.far_above > 0; }
+bool is_tiny_and_near(const Progress& p) {
+  return is_tiny_and_missed(p) && p.cdt.mesh.fixed_vertices() >= effort::kPointsToRestart &&
+         p.best.merit.fault.worst() <= effort::kNearMiss;
+}
 /// So few that they are likely to be mended; in tiny regions nothing is.
 bool few_are_missed(const Progress& p) {
   const Merit& merit = p.best.merit;
-  const double few = std::max(effort::kFewMissed * static_cast<double>(merit.triangles),
-                              static_cast<double>(effort::kFewAtLeast));
-  return !p.make.is_tiny() && p.make.is_cheap(p.best) && merit.missed > 0 &&
-         static_cast<double>(merit.missed) <= few;
+  return !p.make.is_tiny() && merit.triangles <= effort::kSmallMesh && merit.missed > 0 &&
+         merit.missed <= effort::kFewInSmall;
 }
 bool is_beyond_bound(const Progress& p) { return !p.make.order().is_within_bound(p.best.merit); }
 bool refined_is_beyond_bound(const Progress& p) {
@@ -86,6 +88,9 @@ void improved_again(Progress& p) {
   take(p, p.make.improved_within(p.best, most));
   if (!p.best.merit.complete) take(p, p.make.improved_within(p.cdt, most));
 }
+void a_few_restarts(Progress& p) {
+  take(p, p.make.restarted_within(p.best, effort::kRestartsOfTiny));
+}
 /// The proof of promise 3 comes with the almonds.
 void bound_kept(Progress& p) {
   Candidate almond = p.make.from_almonds();
@@ -109,6 +114,7 @@ constexpr std::array kBalanced{
     Step{"one star", has_room_around_a_hub, best_star, StopWhen::complete},
     Step{"refined, improved, few searched", always, refined_and_searched, StopWhen::complete},
     Step{"the same within the bound", refined_is_beyond_bound, within_bound},
+    Step{"random restarts, a few", is_tiny_and_near, a_few_restarts, StopWhen::complete},
     Step{"best and cdt, improved", few_are_missed, improved_again, StopWhen::complete},
     Step{"the same with fewer angles above 120 degrees", has_far, with_fewer_far},
     Step{"almonds", is_beyond_bound, bound_kept},
