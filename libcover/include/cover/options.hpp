@@ -27,6 +27,20 @@ enum class Fill {
 /// Which polygon wins where several cover the same place and have equal priority.
 enum class Overlap { last, first, error };
 
+/// Which of two triangulations of a region the quality method takes for the better one.
+enum class Prefer {
+  balanced,  ///< fewer angles above 120 degrees, unless an angle degenerates for it; then the smaller
+             ///< fault, in which large and small angles weigh alike
+  largest,   ///< the smaller largest angle, whatever the smallest one pays for it
+};
+
+/// How much the quality method tries.
+enum class Effort {
+  fast,      ///< refine and improve once
+  normal,    ///< what pays for its time
+  thorough,  ///< all there is
+};
+
 /// Which properties, when missed, make the run fail.
 struct Requirements {
   bool bound = false;       ///< promise 3 in every region, without exception
@@ -59,6 +73,9 @@ struct Options {
 
   Angle max_angle = Angle::degrees(100);  ///< target of the quality method, in (60, 180)
   Angle min_angle = Angle::degrees(20);   ///< second target of the quality method, in [0, 60)
+  Prefer prefer = Prefer::balanced;  ///< of the quality method
+  Effort effort = Effort::normal;    ///< of the quality method
+
   /// Where several sizes hold, among them those of RegionSeed, the smallest counts.
   std::vector<SizeRule> sizes;
   bool input_sizes = true;                ///< false: those of the input's regions do not count

@@ -1,17 +1,11 @@
-// Candidates, cheapest first, each only if those before it left something to be wished:
-//   the constrained Delaunay triangulation as it is,
-//   one star around a single new vertex,
-//   the constrained Delaunay triangulation refined and improved (optimise),
-//   in tiny regions, the best of random restarts,
-//   what is best so far, improved for the region's own target,
-//   Chew's construction where the boundary is evenly spaced, improved in the same way,
-//   the star and the constrained Delaunay triangulation improved in the same way,
-//   the almond method's result, improved: it carries the proof of promise 3.
-// The last five where the largest angle is missed, and the last three only if they start with a
-// smaller one or the region is small. Where the goal is missed still, the same again with other
-// goals; and where few triangles miss the region's own target or are above 120 degrees, a search
-// for these alone. What improvement makes worse is kept as it was, so the best of them is no worse
-// than any. Tested by tests/unit/quality/quality_region_test.cpp.
+// 1. The region is put into a frame of its own (target/local_frame).
+// 2. Steps of a plan make candidates, cheapest first (plan/plan: tables by preference and effort).
+//    The best is kept (fault/merit).
+// 3. By Prefer::largest, and with all effort: where the goal is missed still, the same again with
+//    other goals. Where few triangles miss the region's own target or are above 120 degrees, a
+//    search for these alone.
+// 4. Where rounding on the way back turned a triangle over, all again in the frame of the input.
+// Tested by tests/unit/quality/quality_region_test.cpp.
 #include "quality/quality_region.hpp"
 
 #include <algorithm>
@@ -22,11 +16,11 @@
 #include "quality/fault/missed_targets.hpp"
 #include "quality/mutable/to_region_mesh.hpp"
 #include "quality/plan/candidates.hpp"
+#include "quality/plan/plan.hpp"
 
 namespace cover {
 namespace {
 
-constexpr std::size_t kSmallRegion = 64;   ///< points: every candidate is tried and improved
 constexpr std::size_t kMostPoints = 2000;  ///< of a region that is tried with other goals
 constexpr double kMany = 0.1;              ///< share of triangles above the goal that is many
 constexpr std::uint64_t kEvaluationsForOwn = 100'000;  ///< per triangle above the own target
@@ -42,8 +36,11 @@ class RegionWork {
   /// ENSURES: no triangles if rounding on the way back to the plane turned one over, or the run is
   ///          to stop
   RegionMesh run() {
-    Candidate best = candidates_.has_sizes() ? best_sized() : best_candidate();
-    if (!candidates_.has_sizes() && !candidates_.is_tiny()) {
+    Candidate best = best_candidate();
+    const bool goes_on =
+        options_.effort == Effort::thorough ||
+        (options_.effort == Effort::normal && preference(options_) == Prefer::largest);
+    if (goes_on && !candidates_.has_sizes() && !candidates_.is_tiny()) {
       aim_elsewhere(best);
       search_what_is_left(best);
     }
@@ -60,51 +57,7 @@ class RegionWork {
 
  private:
   Candidate best_candidate() {
-    Candidate best = candidates_.as_it_is();
-    if (best.merit.complete) return best;
-    candidates_.lower_ceiling(best.merit.large);
-    const Candidate cdt = best;
-    std::optional<Candidate> hub;
-    const bool hub_may_do = candidates_.has_room_around_a_hub();
-    if (hub_may_do) hub = candidates_.one_star(cdt);
-    if (hub && hub->merit.complete) return *std::move(hub);
-    candidates_.take_if_better(best, candidates_.optimised(cdt));
-    if (candidates_.is_tiny() && !best.merit.complete)
-      candidates_.take_if_better(best, candidates_.restarted(best));
-    if (candidates_.is_done(best)) return best;
-    candidates_.take_if_better(best, candidates_.improved(best));
-    if (candidates_.is_done(best)) return best;
-    const std::optional<Candidate> even = candidates_.evenly_refined(cdt);
-    if (even) candidates_.take_if_better(best, candidates_.improved(*even));
-    if (candidates_.is_done(best)) return best;
-    if (!hub_may_do) hub = candidates_.one_star(cdt);
-    if (hub && is_promising(*hub, best))
-      candidates_.take_if_better(best, candidates_.improved(*hub));
-    if (candidates_.is_done(best)) return best;
-    if (is_promising(cdt, best)) candidates_.take_if_better(best, candidates_.improved(cdt));
-    if (candidates_.is_done(best)) return best;
-    const Candidate almond = candidates_.from_almonds();
-    if (almond.mesh.triangles.empty()) return best;
-    candidates_.lower_ceiling(almond.merit.large);
-    candidates_.take_if_better(best, almond);
-    if (is_promising(almond, best)) candidates_.take_if_better(best, candidates_.improved(almond));
-    return best;
-  }
-
-  /// With wished sizes there is one candidate, unless it misses what the almond method proves.
-  Candidate best_sized() {
-    Candidate best = candidates_.optimised(candidates_.as_it_is());
-    if (!candidates_.is_done(best)) candidates_.take_if_better(best, candidates_.improved(best));
-    if (best.merit.large <= 1 / std::tan(candidates_.limit().promised_nu())) return best;
-    candidates_.take_if_better(best, candidates_.improved(candidates_.from_almonds()));
-    return best;
-  }
-
-  /// Whether improving `start` may lead to something better than `best`: it is better already, or
-  /// the region is so small that it can be tried in any case.
-  [[nodiscard]] bool is_promising(const Candidate& start, const Candidate& best) const {
-    return !start.mesh.triangles.empty() &&
-           (start.merit.large < best.merit.large || boundary_.points.size() <= kSmallRegion);
+    return run_plan(plan_for(options_, candidates_.has_sizes()), candidates_);
   }
 
   /// Other goals may lead nearer to the one that was missed. 90 and 30 degrees can be met where

@@ -11,7 +11,14 @@ namespace {
 
 using namespace testing;
 
-RegionMesh measured(const RegionBoundary& boundary, const Options& options = {}) {
+/// The largest angle comes first.
+Options for_largest() {
+  Options options;
+  options.prefer = Prefer::largest;
+  return options;
+}
+
+RegionMesh measured(const RegionBoundary& boundary, const Options& options = for_largest()) {
   RegionMesh mesh = quality_region(boundary, options, {});
   measure(boundary, mesh);
   return mesh;
@@ -87,7 +94,7 @@ TEST(QualityRegion, FindsAPlaceNearASide) {
 
 TEST(QualityRegion, MeetsOtherTargets) {
   const RegionBoundary boundary = smooth_star(400);
-  Options options;
+  Options options = for_largest();
   options.max_angle = Angle::degrees(110);
   const RegionMesh mesh = measured(boundary, options);
   expect_covering(boundary, mesh);
@@ -97,7 +104,7 @@ TEST(QualityRegion, MeetsOtherTargets) {
 
 TEST(QualityRegion, TakesOneStarForARoundRegion) {
   const RegionBoundary boundary = boundary_of({regular_polygon(1000)});
-  Options options;
+  Options options = for_largest();
   options.max_angle = Angle::degrees(90);
   options.min_angle = Angle::degrees(0);
   const RegionMesh mesh = measured(boundary, options);
@@ -109,7 +116,7 @@ TEST(QualityRegion, TakesOneStarForARoundRegion) {
 // Aiming at 70 degrees from the start leaves 90.6 to 94 degrees in a third of these.
 TEST(QualityRegion, StricterTargetsEndNoWorseThanARightAngle) {
   std::mt19937_64 random(3);
-  Options options;
+  Options options = for_largest();
   options.max_angle = Angle::degrees(70);
   for (int k = 0; k < 12; ++k) {
     const RegionBoundary boundary = boundary_of({wavy_square(8, 0.08, random)});
@@ -139,7 +146,7 @@ TEST(QualityRegion, KeepsLargeAnglesFewWhereOneIsForced) {
 // Without the even start, one of these ends with an angle above 90 degrees.
 TEST(QualityRegion, StartsEvenlyWhereRefinementGetsStuck) {
   std::mt19937_64 random(3);
-  Options options;
+  Options options = for_largest();
   options.max_angle = Angle::degrees(88);
   int even = 0, missed = 0;
   for (int k = 0; k < 60; ++k) {
@@ -257,6 +264,47 @@ TEST(QualityRegion, DependsOnNeitherUnitNorOrigin) {
     EXPECT_EQ(small.steiner[k].x, mesh.steiner[k].x * 0x1p-40);
     EXPECT_NEAR(far.steiner[k].x, mesh.steiner[k].x + 1e6, 1e-9);
   }
+}
+
+/// With the largest angle first, 102.57 degrees are paid for with a smallest angle of 0.0004.
+TEST(QualityRegion, BuysNoFractionOfADegreeWithADegenerateTriangle) {
+  const RegionBoundary boundary = boundary_of({{{10.733, 14.397},
+                                                {16.397, 13.805},
+                                                {21.806, 12.845},
+                                                {27.141, 12.863},
+                                                {26.328, 19.793},
+                                                {24.322, 26.763},
+                                                {23.408, 34.323},
+                                                {0.734, 28.151},
+                                                {3.697, 23.199},
+                                                {7.953, 19.441}}});
+  const RegionMesh mesh = measured(boundary, Options{});
+  expect_covering(boundary, mesh);
+  EXPECT_GT(mesh.report.quality.smallest.in_degrees(), 10);
+  EXPECT_LT(largest(mesh), 110);
+}
+
+/// The bound holds with every effort, and no effort leaves an angle that is degenerate beside those
+/// of the plain triangulation.
+TEST(QualityRegion, EveryEffortKeepsTheBoundOnRandomPolygons) {
+  std::mt19937_64 random(5);
+  for (int k = 0; k < 40; ++k) {
+    SCOPED_TRACE(k);
+    const RegionBoundary boundary = boundary_of({wavy_square(3, 0.3, random)});
+    for (const Effort effort : {Effort::fast, Effort::normal}) {
+      Options options;
+      options.effort = effort;
+      expect_covering(boundary, measured(boundary, options));
+    }
+  }
+}
+
+TEST(QualityRegion, BalancedMeetsBothTargetsWhereTheyCanBeMet) {
+  const RegionBoundary boundary = smooth_star(1000);
+  const RegionMesh mesh = measured(boundary, Options{});
+  expect_covering(boundary, mesh);
+  EXPECT_LE(largest(mesh), 100 + 1e-6);
+  EXPECT_GE(mesh.report.quality.smallest.in_degrees(), 20 - 1e-6);
 }
 
 }  // namespace

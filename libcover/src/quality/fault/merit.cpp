@@ -1,13 +1,19 @@
 // See merit.hpp. Tested by tests/unit/quality/fault/merit_test.cpp.
 #include "quality/fault/merit.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <tuple>
 
 namespace cover {
 namespace {
 
-constexpr double kNear = 0.05;   ///< 3 degrees
-constexpr double kAlike = 1.02;  ///< of cotangents above 140 degrees: of what is left to 180
+constexpr double kNear = 0.05;  ///< 3 degrees
+/// Who asks for a smaller largest angle than this means it, and not what balances it.
+const Angle kStrict = Angle::degrees(95);
+constexpr double kAlikeFault = 1e-3;  ///< faults that differ by less are the same
+constexpr double kAlike = 1.02;       ///< of cotangents above 140 degrees: of what is left to 180
 
 /// Both miss the target by little.
 bool are_near(const Merit& a, const Merit& b) {
@@ -29,7 +35,7 @@ bool are_alike(const Merit& a, const Merit& b) {
 }  // namespace
 
 Merit merit_of(const MutableMesh& mesh, const Goal& goal) {
-  Merit merit{goal.large, goal.large, 0, 0, goal.small, mesh.triangle_count(), true};
+  Merit merit{goal.large, goal.large, 0, 0, goal.small, mesh.triangle_count(), true, {}, 0, 0};
   for (const SideLimit& side : mesh.sides) merit.target = std::max(merit.target, -side.apex_cot);
   merit.large = merit.target;
   const bool is_measured = mesh.goal() == goal;  // what has no excess meets the goal
@@ -40,6 +46,11 @@ Merit merit_of(const MutableMesh& mesh, const Goal& goal) {
     if (goal.weight > 0) merit.small = std::max(merit.small, goal.small + shortfall.small);
     merit.above += shortfall.is_above() ? 1 : 0;
     merit.far_above += shortfall.is_far ? 1 : 0;
+    const Fault& fault = shortfall.fault;
+    merit.fault.wide = std::max(merit.fault.wide, fault.wide);
+    merit.fault.narrow = std::max(merit.fault.narrow, fault.narrow);
+    merit.sum += fault.worst();
+    merit.missed += fault.worst() > 0 ? 1 : 0;
     merit.complete = merit.complete && !shortfall.is_above() && !shortfall.is_below(goal);
   }
   return merit;
@@ -63,6 +74,21 @@ bool is_better(const Merit& a, const Merit& b) {
     return a.small < b.small;
   }
   return a.triangles < b.triangles;
+}
+
+Prefer preference(const Options& options) {
+  return options.max_angle < kStrict ? Prefer::largest : options.prefer;
+}
+
+bool Order::is_better(const Merit& a, const Merit& b) const {
+  if (prefer == Prefer::largest) return cover::is_better(a, b);
+  const auto steps = [](double fault) { return std::lround(fault / kAlikeFault); };
+  const auto key = [&](const Merit& m) {
+    const long fault = steps(m.fault.worst());
+    return std::tuple(!is_within_bound(m), m.fault.worst() > degenerate ? fault : 0, m.far_above,
+                      fault, m.missed, m.sum, m.triangles);
+  };
+  return key(a) < key(b);
 }
 
 }  // namespace cover

@@ -4,6 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <cover/options.hpp>
+
+#include "quality/fault/fault.hpp"
 #include "quality/fault/shortfall.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
 
@@ -20,6 +23,10 @@ struct Merit {
 
   /// Whether both targets are met by every triangle.
   bool complete = false;
+
+  Fault fault{};           ///< the worst of all triangles
+  double sum = 0;          ///< of their faults
+  std::size_t missed = 0;  ///< triangles that have one
 };
 
 /// Cost: O(triangles)
@@ -31,8 +38,8 @@ bool is_above(const MutableMesh& mesh, std::uint32_t t, const Goal& goal);
 /// Whether `a` is smaller than `b`, by more than rounding.
 bool is_smaller_cot(double a, double b);
 
-/// Whether `a` is better: smaller largest angle, then fewer triangles above 120 degrees, then fewer
-/// above the goal, then larger smallest angle, then fewer triangles.
+/// Whether `a` is better by Prefer::largest: smaller largest angle, then fewer triangles above 120
+/// degrees, then fewer above the goal, then larger smallest angle, then fewer triangles.
 ///
 /// Largest angles are alike, so that the counts decide: those that miss the target by 3 degrees at
 /// most, from 120 to 130 degrees, from there to 140, and above where cotangents differ by 2 % at
@@ -41,5 +48,26 @@ bool is_smaller_cot(double a, double b);
 ///
 /// REQUIRES: the same targets
 bool is_better(const Merit& a, const Merit& b);
+
+/// What is preferred: Options::prefer, but the largest angle where less than 95 degrees is asked
+/// for.
+Prefer preference(const Options& options);
+
+/// How triangulations of one region are compared.
+struct Order {
+  Prefer prefer = Prefer::largest;
+  /// Faults beyond this count before all else: no number of angles above 120 degrees is worth them.
+  /// 5.6 degrees beside a target of 20, or 157.6 beside 100.
+  double degenerate = 0.72;
+  double bound = kInverted;  ///< -cot of the largest angle that is promised: beyond is worse
+
+  /// By Prefer::balanced: within the bound; the smaller fault if one of them is degenerate; then
+  /// fewer triangles above 120 degrees, the smaller fault, fewer triangles that have one, the
+  /// smaller sum of faults, fewer triangles. A strict weak ordering.
+  ///
+  /// REQUIRES: both merits are by the same goal
+  [[nodiscard]] bool is_better(const Merit& a, const Merit& b) const;
+  [[nodiscard]] bool is_within_bound(const Merit& merit) const { return merit.large <= bound; }
+};
 
 }  // namespace cover

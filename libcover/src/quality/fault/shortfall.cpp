@@ -9,18 +9,21 @@ namespace cover {
 Shortfall shortfall_of(const MutableMesh& mesh, std::uint32_t t, const Goal& goal) {
   const auto& n = mesh.triangles[t].n;
   const Corners k(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
-  std::array<double, 3> allowed_large{};
+  const bool is_set = mesh.goal() == goal;
+  std::array<Allowance, 3> other;  // by a goal that is not the one set
+  SideAllowances sides{};
   double allowed_small = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     if (!is_side(n[i])) continue;
-    const Allowance allowance = allowance_for(mesh.sides[side_index(n[i])], goal);
-    allowed_large[i] = allowance.large;
-    allowed_small = std::max(allowed_small, allowance.small);
+    if (!is_set) other[i] = allowance_for(mesh.sides[side_index(n[i])], goal);
+    sides[i] = is_set ? mesh.allowance(n[i]) : &other[i];
+    allowed_small = std::max(allowed_small, sides[i]->small);
   }
   Shortfall shortfall;
+  shortfall.fault = fault_of(k, sides, goal);
   for (std::size_t i = 0; i < 3; ++i) {
     const double cot = k.cross > 0 ? k.dot[i] / k.cross : -kInverted;
-    const double limit = goal.large + allowed_large[i];
+    const double limit = goal.large + (sides[i] != nullptr ? sides[i]->large : 0);
     shortfall.largest = std::max(shortfall.largest, -cot);
     shortfall.large = std::max(shortfall.large, -cot - limit);
     shortfall.is_far = shortfall.is_far || -cot > std::max(kFarAbove, limit) + kSameCot;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "quality/fault/fault.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
 
 namespace cover {
@@ -17,6 +18,7 @@ struct Shortfall {
   double large = -kInverted;    ///< that beyond the goal, at the corner where it is most
   double small = -kInverted;    ///< cot of the smallest angle beyond the goal
   bool is_far = false;          ///< an angle above 120 degrees that is not allowed
+  Fault fault;                  ///< the same on one scale
 
   [[nodiscard]] bool is_above() const { return large > kSameCot; }
   [[nodiscard]] bool is_below(const Goal& goal) const {

@@ -8,7 +8,9 @@
 #include "almond/almond_region.hpp"
 #include "cdt/cdt.hpp"
 #include "cdt/sides.hpp"
+#include "quality/effort/effort.hpp"
 #include "quality/mutable/with_neighbours.hpp"
+#include "quality/repair/improve.hpp"
 #include "quality/repair/search.hpp"
 #include "quality/starts/even_refinement.hpp"
 #include "quality/starts/one_star.hpp"
@@ -21,7 +23,8 @@ constexpr std::uint64_t kEvaluationsPerVertex = 3000;
 constexpr std::uint64_t kEvaluationsAtLeast = 5000;
 constexpr std::uint64_t kEvaluationsOfRestarts = 200'000;  ///< far more than they need
 constexpr std::uint64_t kEvaluationsOfSearch = 10'000;     ///< for what the best of them leaves
-constexpr std::size_t kFew = 16;                           ///< triangles that are searched
+constexpr std::size_t kSmallRegion = 64;  ///< points: every candidate is tried and improved
+constexpr std::size_t kFew = 16;          ///< triangles that are searched
 
 LocalFrame frame_of(const RegionBoundary& boundary, bool shifted) {
   LocalFrame frame(boundary.points);
@@ -93,9 +96,9 @@ std::optional<Candidate> Candidates::evenly_refined(Candidate cdt) const {
   return measured(std::move(cdt));
 }
 
-Candidate Candidates::optimised(Candidate cdt) {
+Candidate Candidates::optimised(Candidate cdt, Search search) {
   Budget half = budget_.share(2);  // the rest is for candidates that may start better
-  cdt.merit = optimise(cdt.mesh, goal_, half, sizes_);
+  cdt.merit = optimise(cdt.mesh, goal_, half, sizes_, order_, search);
   budget_.take_back(half);
   cdt.method = "refined, improved";
   return cdt;
@@ -114,16 +117,69 @@ Candidate Candidates::improved(const Candidate& c) {
   further.merit = improve_largest(further.mesh, goal_, half);
   take_if_better(better, std::move(further));
   budget_.take_back(half);
-  if (!is_better(better.merit, c.merit)) return c;
+  if (!order_.is_better(better.merit, c.merit)) return c;
   if (!better.method.ends_with(", improved")) better.method += ", improved";
   return better;
+}
+
+Candidate Candidates::narrowed(const Candidate& best, const Candidate& from, double large) {
+  Candidate found = best;
+  const std::uint64_t before = budget_.left;
+  const std::uint64_t most = std::min(before, effort::kNarrowedPerTriangle * from.merit.triangles);
+  budget_.left = most;
+  const double smallest = std::atan2(1.0, goal_.small);
+  Candidate trial = from;
+  for (const double part : effort::kSmallestParts) {
+    if (1 - part > order_.degenerate || budget_.is_used_up()) break;
+    Goal aim{std::max(goal_.large, large - effort::kAimBelowLimit), goal_.small, goal_.weight};
+    if (goal_.weight > 0) {
+      aim.small = 1 / std::tan(part * smallest);
+      aim.weight = part * smallest / (std::numbers::pi - std::atan2(1.0, -aim.large));
+    }
+    trial.mesh.set_goal(aim);
+    budget_.spend(improve(trial.mesh, budget_.left).evaluations);
+    trial = measured(std::move(trial));
+    if (order_.is_better(trial.merit, found.merit)) found = trial;
+    if (trial.merit.large <= large || (large == kFarAbove && trial.merit.far_above == 0)) break;
+  }
+  budget_.left = before - (most - budget_.left);
+  if (!found.method.ends_with(", improved")) found.method += ", improved";
+  return found;
+}
+
+void Candidates::compare_with(const Candidate& cdt) {
+  order_.prefer = preference(options_);
+  order_.bound = 1 / std::tan(limit_.promised_nu());
+  if (order_.prefer == Prefer::largest) lower_ceiling(cdt.merit.large);
+}
+
+bool Candidates::is_promising(const Candidate& start, const Candidate& best) const {
+  return !start.mesh.triangles.empty() &&
+         (start.merit.large < best.merit.large || boundary_.points.size() <= kSmallRegion);
+}
+
+Candidate Candidates::improved_within(const Candidate& c, std::uint64_t evaluations) {
+  const std::uint64_t before = budget_.left;
+  budget_.left = std::min(before, evaluations);
+  const std::uint64_t given = budget_.left;
+  Candidate better = improved(c);
+  budget_.left = before - (given - std::min(given, budget_.left));
+  return better;
+}
+
+Candidate Candidates::restarted_within(const Candidate& from, std::uint64_t evaluations) const {
+  Candidate best = from;
+  Budget budget{evaluations, budget_.stop};
+  best.mesh = best_restart(from.mesh, goal_, ceiling_, best.merit, budget);
+  best.method = "restarted, improved";
+  return measured(std::move(best));
 }
 
 Candidate Candidates::restarted(const Candidate& from) const {
   Candidate best = from;
   Budget budget{kEvaluationsOfRestarts, budget_.stop};
   best.mesh = best_restart(from.mesh, goal_, ceiling_, best.merit, budget);
-  if (is_better(best.merit, from.merit)) best.method = "restarted, improved";
+  if (order_.is_better(best.merit, from.merit)) best.method = "restarted, improved";
   if (is_done(best) && best.merit.above == 0) return best;
   Candidate further = best;
   budget = {kEvaluationsOfSearch, budget_.stop};
@@ -137,7 +193,7 @@ Candidate Candidates::searched(const Candidate& from, const Goal& aim, std::uint
   if (above > kFew) return from;
   Candidate further = from;
   Budget budget{above * each, budget_.stop};
-  search_excerpts(further.mesh, aim, budget, Effort::most);
+  search_excerpts(further.mesh, aim, budget, Trials::with_restarts);
   return measured(std::move(further));
 }
 
@@ -155,7 +211,7 @@ bool Candidates::is_done(const Candidate& candidate) const {
 void Candidates::take_if_better(Candidate& best, Candidate other) const {
   const bool fits = !is_smaller_cot(ceiling_, other.merit.large);
   const bool best_fits = !is_smaller_cot(ceiling_, best.merit.large);
-  if (fits == best_fits ? is_better(other.merit, best.merit) : fits) best = std::move(other);
+  if (fits == best_fits ? order_.is_better(other.merit, best.merit) : fits) best = std::move(other);
 }
 
 }  // namespace cover

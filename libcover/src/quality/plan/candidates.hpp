@@ -64,12 +64,19 @@ class Candidates {
   [[nodiscard]] std::optional<Candidate> evenly_refined(Candidate cdt) const;
   /// The constrained Delaunay triangulation refined and improved; nothing promises that it is
   /// better.
-  [[nodiscard]] Candidate optimised(Candidate cdt);
+  [[nodiscard]] Candidate optimised(Candidate cdt, Search search);
   /// Improved for the region's own target first, then for the goal.
   ///
   /// ENSURES: no worse than `c`. Improvement looks at excesses, where a very small angle may weigh
   ///          as much as a large one.
   [[nodiscard]] Candidate improved(const Candidate& c);
+  /// The same with a budget of its own.
+  [[nodiscard]] Candidate improved_within(const Candidate& c, std::uint64_t evaluations);
+  /// What becomes of `from` when its angles above -cot `large` are narrowed at the price of small
+  /// angles, as little of them as leads there; or `best` if that is better.
+  [[nodiscard]] Candidate narrowed(const Candidate& best, const Candidate& from, double large);
+  /// The best of random restarts.
+  [[nodiscard]] Candidate restarted_within(const Candidate& from, std::uint64_t evaluations) const;
   /// The best of random restarts; where that misses the target for the largest angle, what a
   /// search makes of it.
   [[nodiscard]] Candidate restarted(const Candidate& from) const;
@@ -99,6 +106,14 @@ class Candidates {
   /// A largest angle, as -cot, above which a candidate is taken only instead of another such one.
   void lower_ceiling(double large) { ceiling_ = std::min(ceiling_, large); }
   void take_if_better(Candidate& best, Candidate other) const;
+  /// How candidates are compared.
+  [[nodiscard]] const Order& order() const { return order_; }
+  /// From now on candidates are compared as for a region with this constrained Delaunay
+  /// triangulation; by Prefer::largest none with a larger angle is taken instead of it.
+  void compare_with(const Candidate& cdt);
+  /// Whether improving `start` may lead to something better than `best`: it is better already, or
+  /// the region is so small that it can be tried in any case.
+  [[nodiscard]] bool is_promising(const Candidate& start, const Candidate& best) const;
 
  private:
   [[nodiscard]] SizeFunction background_in_frame() const;
@@ -116,6 +131,7 @@ class Candidates {
   std::uint64_t given_;  ///< the whole budget
   Budget budget_;
   double ceiling_ = kInverted;
+  Order order_;
 };
 
 }  // namespace cover

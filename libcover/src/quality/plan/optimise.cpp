@@ -16,6 +16,7 @@
 #include <numbers>
 #include <utility>
 
+#include "quality/effort/effort.hpp"
 #include "quality/repair/improve.hpp"
 #include "quality/repair/search.hpp"
 #include "quality/repair/thin_out.hpp"
@@ -54,6 +55,14 @@ bool has_at_most(const Merit& merit, double share) {
   return static_cast<double>(merit.above) <= share * static_cast<double>(merit.triangles);
 }
 
+/// Whether a large mesh misses so little that a search for all of it takes little beside what has
+/// been done.
+bool is_nearly_clean(const Merit& merit) {
+  return merit.triangles > kCheapToSearch && merit.missed > 0 &&
+         static_cast<double>(merit.missed) <=
+             effort::kFewMissed * static_cast<double>(merit.triangles);
+}
+
 /// Where much is left, it is so for reasons that no search changes; but in small meshes all can be
 /// tried.
 bool is_worth_a_search(const Merit& merit) {
@@ -62,37 +71,49 @@ bool is_worth_a_search(const Merit& merit) {
 
 }  // namespace
 
-Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeField& sizes) {
+Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeField& sizes,
+               const Order& order, Search search) {
   mesh.set_goal(goal);
   RefineLimits limits;
   limits.smallest_cot = 1 / std::tan(kRefinedTo * std::numbers::pi / 180);
   limits.budget = sizes.is_active() ? kMostSized : 20 * mesh.points.size() + 1000;
-  MutableMesh start = mesh;  // a third of what it becomes: to be refined again is rare
+  const bool may_start_again = search == Search::usual;
+  MutableMesh start;  // a third of what it becomes: to be refined again is rare
+  if (may_start_again) start = mesh;
   refine(mesh, limits, sizes);
   if (sizes.is_active()) {
     budget.left += kEvaluationsPerVertex * (mesh.points.size() - mesh.fixed_vertices());
   }
   Budget part = budget.share(kFirstShare);
+  std::uint64_t kept = 0;
+  if (search != Search::usual) {
+    const std::uint64_t most = effort::kImprovePerTriangle * mesh.triangle_count();
+    kept = part.left - std::min(part.left, most);
+    part.left -= kept;
+  }
   improve_within(mesh, part);
+  part.left += kept;
   budget.left += part.left;
   Merit merit = merit_of(mesh, goal);
-  if (!has_at_most(merit, kManyAbove)) {
+  if (may_start_again && !has_at_most(merit, kManyAbove)) {
     part = budget.share(kFirstShare);
     refine(start, limits, sizes);
     start.set_goal(light(goal));
     improve_within(start, part);
     budget.left += part.left;
     const Merit now = merit_of(start, goal);
-    if (is_better(now, merit)) {
+    if (order.is_better(now, merit)) {
       merit = now;
       mesh = std::move(start);
     }
   }
-  if (has_at_most(merit, kFewAbove)) {
+  if (search == Search::few && is_nearly_clean(merit)) search = Search::usual;
+  if (search == Search::usual && has_at_most(merit, kFewAbove)) {
     budget.left += kEvaluationsForFew * std::min(merit.above, kMostOfFew);
   }
   const bool is_tiny = mesh.fixed_vertices() <= kTinyRegion && !sizes.is_active();
-  if (!is_tiny && is_worth_a_search(merit)) search_excerpts(mesh, goal, budget);
+  if (search == Search::usual && !is_tiny && is_worth_a_search(merit))
+    search_excerpts(mesh, goal, budget);
   if (!sizes.is_active()) budget.spend(thin_out(mesh, budget.left).evaluations);
   return merit_of(mesh, goal);
 }

@@ -8,12 +8,20 @@
 
 namespace cover {
 
+/// What is searched after improvement.
+enum class Search {
+  none,
+  few,    ///< where few triangles are left, and not for long
+  usual,  ///< wherever there is hope
+};
+
 /// Refines and improves a constrained Delaunay triangulation. With wished sizes nothing is thinned
 /// out.
 ///
 /// REQUIRES: `mesh` is constrained Delaunay
 /// ENSURES:  returns what was reached, by `goal`; nothing promises that it is better than before
-Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeField& sizes = {});
+Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeField& sizes = {},
+               const Order& order = {}, Search search = Search::usual);
 
 /// Improves any triangulation, with the largest angle before all else.
 ///

@@ -52,13 +52,13 @@ bool grow(const MutableMesh& mesh, Cavity& cavity) {
 /// The attempts around one triangle.
 class Attempts {
  public:
-  Attempts(const MutableMesh& part, const Goal& goal, Budget& budget, Effort effort)
+  Attempts(const MutableMesh& part, const Goal& goal, Budget& budget, Trials trials)
       : part_(part),
         goal_(goal),
         light_(goal),
         before_(standing_of(part, goal)),
         budget_(budget),
-        effort_(effort) {
+        trials_(trials) {
     light_.weight *= kLightWeight;
     light_.large -= kAimBelow;
   }
@@ -74,7 +74,7 @@ class Attempts {
     if (as_it_is(first, true)) return true;
     const bool is_alone = before_.above > 0 || before_.below <= kFew;
     if (is_alone && kick(first, true)) return true;
-    return effort_ == Effort::most && before_.above > 0 && start_again(first);
+    return trials_ == Trials::with_restarts && before_.above > 0 && start_again(first);
   }
 
   [[nodiscard]] const MutableMesh& result() const { return trial_; }
@@ -156,14 +156,14 @@ class Attempts {
   Goal light_;
   Standing before_;
   Budget& budget_;
-  Effort effort_;
+  Trials trials_;
 };
 
 /// The triangles that are left, in turn.
 class Search {
  public:
-  Search(MutableMesh& mesh, Budget& budget, Effort effort)
-      : mesh_(mesh), budget_(budget), effort_(effort) {}
+  Search(MutableMesh& mesh, Budget& budget, Trials trials)
+      : mesh_(mesh), budget_(budget), trials_(trials) {}
 
   void run() {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) enqueue(t);
@@ -192,7 +192,7 @@ class Search {
     share.left = std::min(budget_.left, std::max(kLeastShare, budget_.left / shares));
     const std::uint64_t given = share.left;
     const Excerpt excerpt(mesh_, t, kTriangles);
-    Attempts attempts(excerpt.mesh, mesh_.goal(), share, effort_);
+    Attempts attempts(excerpt.mesh, mesh_.goal(), share, trials_);
     if (attempts.run()) {
       for (const std::uint32_t changed : excerpt.replace(mesh_, attempts.result())) {
         enqueue(changed);
@@ -203,15 +203,15 @@ class Search {
 
   MutableMesh& mesh_;
   Budget& budget_;
-  Effort effort_;
+  Trials trials_;
   OnceQueue queue_;
 };
 
 }  // namespace
 
-void search_excerpts(MutableMesh& mesh, const Goal& goal, Budget& budget, Effort effort) {
+void search_excerpts(MutableMesh& mesh, const Goal& goal, Budget& budget, Trials trials) {
   mesh.set_goal(goal);
-  Search(mesh, budget, effort).run();
+  Search(mesh, budget, trials).run();
 }
 
 }  // namespace cover

@@ -7,9 +7,9 @@
 namespace cover {
 
 /// How much is tried for a triangle.
-enum class Effort {
+enum class Trials {
   usual,
-  most,  ///< at last random restarts, worth their time where few triangles are left
+  with_restarts,  ///< at random, at last: worth their time where few triangles are left
 };
 
 /// Tries, for every triangle that misses `goal`, several ways to make an excerpt around it better
@@ -19,6 +19,6 @@ enum class Effort {
 ///          above the goal has grown, and the smallest angle is smaller only if one of these is
 /// Cost:    an attempt looks at some dozens of triangles around, however many there are
 void search_excerpts(MutableMesh& mesh, const Goal& goal, Budget& budget,
-                     Effort effort = Effort::usual);
+                     Trials trials = Trials::usual);
 
 }  // namespace cover

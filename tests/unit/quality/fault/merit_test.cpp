@@ -95,5 +95,23 @@ TEST(Merit, IsTheSameWhetherOrNotTheGoalIsSet) {
   }
 }
 
+Merit with_fault(double wide, double narrow, std::size_t far_above, double large = 1) {
+  Merit merit;
+  merit.large = large;
+  merit.fault = {wide, narrow};
+  merit.far_above = far_above;
+  return merit;
+}
+
+TEST(Order, BalancesWideAndNarrow) {
+  const Order order{Prefer::balanced, 0.72, 10};
+  EXPECT_TRUE(order.is_better(with_fault(0.1, 0.2, 0), with_fault(0.05, 0.3, 0)));
+  EXPECT_FALSE(order.is_better(with_fault(0.05, 0.3, 0), with_fault(0.1, 0.2, 0)));
+  EXPECT_TRUE(order.is_better(with_fault(0.1, 0.6, 0), with_fault(0.3, 0.2, 1)));   // 120 degrees
+  EXPECT_FALSE(order.is_better(with_fault(0.1, 0.8, 0), with_fault(0.3, 0.2, 1)));  // degenerate
+  EXPECT_TRUE(order.is_better(with_fault(0.1, 0.8, 0), with_fault(0.9, 0.2, 1)));
+  EXPECT_TRUE(order.is_better(with_fault(0, 0.9, 0, 9), with_fault(0, 0.1, 0, 11)));  // the bound
+}
+
 }  // namespace
 }  // namespace cover

@@ -1,0 +1,39 @@
+// What the plan of a region may cost: budgets and shares, in one place.
+//
+// One star evaluation takes some 0.1 us. Figures are from tests/bench/region_faults.py on Voronoi
+// cells, parcels and maps, where nothing else is said.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace cover::effort {
+
+/// Targets for the smallest angle, in parts of the goal's, with which angles above 120 degrees or
+/// the bound are narrowed, in turn. Coarser steps leave the smallest angles smaller than need be.
+inline constexpr std::array<double, 10> kSmallestParts{0.75, 0.6,  0.45, 0.36, 0.285,
+                                                       0.22, 0.16, 0.11, 0.06, 0.018};
+inline constexpr double kAimBelowLimit = 0.008;             ///< aimed at below these, in cotangents
+inline constexpr std::uint64_t kNarrowedPerTriangle = 100;  ///< star evaluations for that, at most
+inline constexpr std::uint64_t kImprovePerTriangle = 100;   ///< star evaluations after refinement
+
+/// Where at most this share of the triangles of a large mesh misses the goal, they are searched for
+/// one by one: on clean input that ends at the goal, on maps nearly all that is left is forced.
+inline constexpr double kFewMissed = 0.02;
+
+/// Small meshes in which few triangles miss the goal are improved once more, from two starts. On
+/// 900 wavy squares the last 3 reach the goal by that.
+inline constexpr std::size_t kSmallMesh = 600;
+inline constexpr std::size_t kFewInSmall = 6;
+inline constexpr std::uint64_t kLastPerTriangle = 250;  ///< star evaluations for that, each
+
+/// Tiny regions that miss the goal by no more than this fault (109 degrees, 17.8 degrees) get
+/// random restarts, if they have so many points: of 1,000 inclusions 4 reach the goal by that.
+/// Those with fewer points gain nothing in ten times the time of all else: what they miss is
+/// forced.
+inline constexpr double kNearMiss = 0.11;
+inline constexpr std::size_t kPointsToRestart = 9;
+inline constexpr std::uint64_t kRestartsOfTiny = 20'000;  ///< star evaluations for that
+
+}  // namespace cover::effort

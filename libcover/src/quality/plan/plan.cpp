@@ -1,0 +1,187 @@
+// See plan.hpp. Tested by tests/unit/quality/quality_region_test.cpp.
+#include "quality/plan/plan.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "quality/effort/effort.hpp"
+
+namespace cover {
+namespace {
+
+using StopWhen = Step::StopWhen;
+
+bool always(const Progress&) { return true; }
+bool has_room_around_a_hub(const Progress& p) { return p.make.has_room_around_a_hub(); }
+bool is_missed(const Progress& p) { return !p.best.merit.complete; }
+bool is_tiny_and_missed(const Progress& p) { return p.make.is_tiny() && is_missed(p); }
+bool has_far(const Progress& p) { return p.best.merit.far_above > 0; }
+bool is_tiny_and_near(const Progress& p) {
+  return is_tiny_and_missed(p) && p.cdt.mesh.fixed_vertices() >= effort::kPointsToRestart &&
+         p.best.merit.fault.worst() <= effort::kNearMiss;
+}
+/// So few that they are likely to be mended; in tiny regions nothing is.
+bool few_are_missed(const Progress& p) {
+  const Merit& merit = p.best.merit;
+  return !p.make.is_tiny() && merit.triangles <= effort::kSmallMesh && merit.missed > 0 &&
+         merit.missed <= effort::kFewInSmall;
+}
+bool is_beyond_bound(const Progress& p) { return !p.make.order().is_within_bound(p.best.merit); }
+bool refined_is_beyond_bound(const Progress& p) {
+  return !p.make.order().is_within_bound(p.refined.merit);
+}
+bool is_missed_by_largest(const Progress& p) { return !p.make.is_done(p.best); }
+
+void take(Progress& p, Candidate other) { p.make.take_if_better(p.best, std::move(other)); }
+
+void as_it_is(Progress& p) {
+  p.cdt = p.best = p.make.as_it_is();
+  p.make.compare_with(p.cdt);
+}
+void one_star(Progress& p) {
+  p.star = p.make.one_star(p.cdt);
+  if (p.star && p.star->merit.complete) p.best = *p.star;
+}
+void best_star(Progress& p) {
+  one_star(p);
+  if (p.star) take(p, *p.star);
+}
+void refined(Progress& p) {
+  p.refined = p.make.optimised(p.cdt, Search::none);
+  take(p, p.refined);
+}
+void refined_and_searched(Progress& p) {
+  p.refined = p.make.optimised(p.cdt, Search::few);
+  take(p, p.refined);
+}
+void refined_and_searched_all(Progress& p) {
+  p.refined = p.make.optimised(p.cdt, Search::usual);
+  take(p, p.refined);
+}
+void sized(Progress& p) { p.best = p.make.optimised(p.cdt, Search::usual); }
+void within_bound(Progress& p) {
+  p.best = p.make.narrowed(p.best, p.refined, p.make.order().bound);
+}
+void with_fewer_far(Progress& p) { p.best = p.make.narrowed(p.best, p.refined, kFarAbove); }
+void restarted(Progress& p) { take(p, p.make.restarted(p.best)); }
+void improved(Progress& p) { take(p, p.make.improved(p.best)); }
+void evenly_refined(Progress& p) {
+  const std::optional<Candidate> even = p.make.evenly_refined(p.cdt);
+  if (even) take(p, p.make.improved(*even));
+}
+void star_improved(Progress& p) {
+  if (!p.make.has_room_around_a_hub()) p.star = p.make.one_star(p.cdt);
+  if (p.star && p.make.is_promising(*p.star, p.best)) take(p, p.make.improved(*p.star));
+}
+void cdt_improved(Progress& p) {
+  if (p.make.is_promising(p.cdt, p.best)) take(p, p.make.improved(p.cdt));
+}
+void almonds_improved(Progress& p) {
+  const Candidate almond = p.make.from_almonds();
+  if (almond.mesh.triangles.empty()) return;
+  p.make.lower_ceiling(almond.merit.large);
+  take(p, almond);
+  if (p.make.is_promising(almond, p.best)) take(p, p.make.improved(almond));
+}
+void improved_again(Progress& p) {
+  const std::uint64_t most = effort::kLastPerTriangle * p.best.merit.triangles;
+  take(p, p.make.improved_within(p.best, most));
+  if (!p.best.merit.complete) take(p, p.make.improved_within(p.cdt, most));
+}
+void a_few_restarts(Progress& p) {
+  take(p, p.make.restarted_within(p.best, effort::kRestartsOfTiny));
+}
+/// The proof of promise 3 comes with the almonds.
+void bound_kept(Progress& p) {
+  Candidate almond = p.make.from_almonds();
+  if (!almond.mesh.triangles.empty()) take(p, std::move(almond));
+}
+void bound_kept_sized(Progress& p) { take(p, p.make.improved(p.make.from_almonds())); }
+
+constexpr std::array kFast{
+    Step{"cdt", always, as_it_is, StopWhen::complete},
+    Step{"one star", has_room_around_a_hub, best_star, StopWhen::complete},
+    Step{"refined, improved", always, refined, StopWhen::complete},
+    Step{"the same within the bound", refined_is_beyond_bound, within_bound},
+    Step{"almonds", is_beyond_bound, bound_kept},
+};
+
+constexpr std::array kBalanced{
+    Step{"cdt", always, as_it_is, StopWhen::complete},
+    Step{"one star", has_room_around_a_hub, best_star, StopWhen::complete},
+    Step{"refined, improved, few searched", always, refined_and_searched, StopWhen::complete},
+    Step{"the same within the bound", refined_is_beyond_bound, within_bound},
+    Step{"random restarts, a few", is_tiny_and_near, a_few_restarts, StopWhen::complete},
+    Step{"best and cdt, improved", few_are_missed, improved_again, StopWhen::complete},
+    Step{"the same with fewer angles above 120 degrees", has_far, with_fewer_far},
+    Step{"almonds", is_beyond_bound, bound_kept},
+};
+
+/// All there is, by the balanced measure.
+constexpr std::array kThorough{
+    Step{"cdt", always, as_it_is, StopWhen::complete},
+    Step{"one star", always, best_star, StopWhen::complete},
+    Step{"refined, improved, searched", always, refined_and_searched_all, StopWhen::complete},
+    Step{"the same within the bound", refined_is_beyond_bound, within_bound},
+    Step{"the same with fewer angles above 120 degrees", has_far, with_fewer_far},
+    Step{"random restarts", is_tiny_and_missed, restarted, StopWhen::complete},
+    Step{"best, improved", always, improved, StopWhen::complete},
+    Step{"evenly refined, improved", always, evenly_refined, StopWhen::complete},
+    Step{"one star, improved", always, star_improved, StopWhen::complete},
+    Step{"cdt, improved", always, cdt_improved, StopWhen::complete},
+    Step{"almonds, improved", always, almonds_improved},
+};
+
+// Each only if those before left something to be wished of the largest angle.
+constexpr std::array kLargest{
+    Step{"cdt", always, as_it_is, StopWhen::complete},
+    Step{"one star", has_room_around_a_hub, one_star, StopWhen::complete},
+    Step{"refined, improved, searched", always, refined_and_searched_all},
+    Step{"random restarts", is_tiny_and_missed, restarted, StopWhen::done},
+    Step{"best, improved", is_missed_by_largest, improved, StopWhen::done},
+    Step{"evenly refined, improved", always, evenly_refined, StopWhen::done},
+    Step{"one star, improved", always, star_improved, StopWhen::done},
+    Step{"cdt, improved", always, cdt_improved, StopWhen::done},
+    Step{"almonds, improved", always, almonds_improved},
+};
+
+// With wished sizes there is one candidate, unless it misses what the almond method proves.
+constexpr std::array kSized{
+    Step{"cdt", always, as_it_is},
+    Step{"refined, improved", always, sized},
+    Step{"best, improved", is_missed_by_largest, improved},
+    Step{"almonds, improved", is_beyond_bound, bound_kept_sized},
+};
+
+bool is_enough(const Step& step, const Progress& p) {
+  switch (step.stop) {
+    case StopWhen::never:
+      return false;
+    case StopWhen::complete:
+      return p.best.merit.complete;
+    case StopWhen::done:
+      return p.make.is_done(p.best);
+  }
+  return false;
+}
+
+}  // namespace
+
+std::span<const Step> plan_for(const Options& options, bool has_sizes) {
+  if (has_sizes) return kSized;
+  if (options.effort == Effort::fast) return kFast;
+  if (preference(options) == Prefer::largest) return kLargest;
+  return options.effort == Effort::thorough ? std::span<const Step>(kThorough) : kBalanced;
+}
+
+Candidate run_plan(std::span<const Step> plan, Candidates& candidates) {
+  Progress progress{candidates, {}, {}, {}, {}};
+  for (const Step& step : plan) {
+    if (candidates.must_stop()) break;
+    if (step.is_due(progress)) step.run(progress);
+    if (is_enough(step, progress)) break;
+  }
+  return std::move(progress.best);
+}
+
+}  // namespace cover

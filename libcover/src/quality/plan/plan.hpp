@@ -1,0 +1,41 @@
+// What is tried on a region, in which order, and when it is enough: one table for each way to
+// prefer and each effort.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include <cover/options.hpp>
+
+#include "quality/plan/candidates.hpp"
+
+namespace cover {
+
+/// What the steps of a plan have made so far.
+struct Progress {
+  Candidates& make;
+  Candidate cdt, refined, best;
+  std::optional<Candidate> star;
+};
+
+/// One step of a plan.
+struct Step {
+  enum class StopWhen {
+    never,
+    complete,  ///< both targets are met by every triangle
+    done,      ///< the largest angle is that of the goal, or what the region's worst side forces
+  };
+  std::string_view start;  ///< what is improved, and how
+  bool (*is_due)(const Progress&);
+  void (*run)(Progress&);
+  StopWhen stop = StopWhen::never;  ///< no further steps then
+};
+
+/// The plan for a region; its steps are commented with what they gain and cost.
+std::span<const Step> plan_for(const Options& options, bool has_sizes);
+
+/// Runs the steps of `plan` in turn. The best is no worse than any of them.
+Candidate run_plan(std::span<const Step> plan, Candidates& candidates);
+
+}  // namespace cover
