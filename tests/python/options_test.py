@@ -203,7 +203,7 @@ class Keywords(unittest.TestCase):
                 (dict(max_angle=1j), TypeError, 'max_angle: 1j is not a number of degrees'),
                 (dict(growth=math.nan), cover.OptionError, 'growth: nan is not above 1'),
                 (dict(require=['bound', 'bond']), cover.OptionError,
-                 "require: 'bond' is not one of bound, max-angle, delaunay, non-obtuse; did you mean 'bound'?"),
+                 "require: 'bond' is not one of bound, max-angle, delaunay, non-obtuse, box-method; did you mean 'bound'?"),
                 (dict(sizes={'a': 0}), cover.OptionError, "sizes: 'a=0' is not h or NAME=h with a length h above 0"),
                 (dict(size_at=0.1), cover.OptionError, "size_at: '0.1' is not NAME=h with a length h above 0"),
                 (dict(pieces=3), cover.OptionError, 'pieces needs paper'),

@@ -475,20 +475,25 @@ TEST(Soup, ReportsSplitsWherePolygonsCross) {
   add_polygon(input, rectangle(1, 0, 3, 1), "b");
   const auto out = clean(input);
   ASSERT_TRUE(out) << out.error().message;
-  ASSERT_EQ(out->report.changes.size(), 1U);
-  const Change& change = out->report.changes[0];
+  // They cross: the edges of both are split.
+  ASSERT_EQ(out->report.changes.size(), 2U);
+  const auto found = std::find_if(
+      out->report.changes.begin(), out->report.changes.end(), [](const Change& c) {
+        return c.message == "the edge of polygon 1 'a' from (2, 0) to (2, 2) was split at (2, 1)";
+      });
+  ASSERT_NE(found, out->report.changes.end());
+  const Change& change = *found;
   EXPECT_EQ(change.kind, Change::Kind::split);
-  EXPECT_EQ(change.message, "the edge of polygon 1 'a' from (2, 0) to (2, 2) was split at (2, 1)");
   EXPECT_EQ(change.where, (std::vector<Point>{{2, 1}}));
   ASSERT_EQ(change.inputs.size(), 1U);
   EXPECT_EQ(change.inputs[0].id, 1);
-  EXPECT_TRUE(out->tells("1 split: the edge"));
+  EXPECT_TRUE(out->tells("2 split: the edge"));
   Options strict;
   strict.strict = true;
   const auto refused = clean(input, strict);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::changed_input);
-  EXPECT_EQ(refused.error().message, "t.json: " + change.message);
+  EXPECT_NE(refused.error().message.find(change.message), std::string::npos);
 }
 
 TEST(Soup, NeedsNoChangeForSharedBordersThatAgree) {
