@@ -31,11 +31,10 @@ endif()
 # Relative to the file itself, so that the installed tree can be moved.
 file(RELATIVE_PATH cover_pc_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(cmake/cover.pc.in ${PROJECT_BINARY_DIR}/cover.pc @ONLY)
-# VTK's libraries bear its version in their names.
+# By their files: VTK's libraries bear its version in their names, which imported targets do not know.
 set(cover_pc_vtk "")
 foreach(component ${COVER_VTK_COMPONENTS})
-  string(APPEND cover_pc_vtk " -L$<TARGET_LINKER_FILE_DIR:VTK::${component}>"
-         " -l$<TARGET_LINKER_FILE_BASE_NAME:VTK::${component}>")
+  string(APPEND cover_pc_vtk " $<TARGET_LINKER_FILE:VTK::${component}>")
 endforeach()
 configure_file(cmake/cover-vtk.pc.in ${PROJECT_BINARY_DIR}/cover-vtk.pc.in @ONLY)
 file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/cover-vtk.pc INPUT ${PROJECT_BINARY_DIR}/cover-vtk.pc.in)
