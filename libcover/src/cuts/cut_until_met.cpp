@@ -24,7 +24,9 @@ namespace cover {
 namespace {
 
 constexpr int kRounds = 6;
-constexpr int kInVain = 2;              ///< rounds in a row: more of them only cut
+/// Rounds in a row that left no fewer triangles above a target below 90 degrees: more of them only
+/// cut. Towards 90 degrees all rounds may be needed: flat layers get worse before they get better.
+constexpr int kInVain = 2;
 constexpr std::size_t kMostPoints = 4;  ///< times those at first: then there are no more rounds
 constexpr std::size_t kMany =
     4;  ///< one triangle above for so many points is too many for a search
@@ -123,8 +125,9 @@ Status cut_until_met(Prepared& prepared, std::vector<RegionBoundary>& boundaries
   State best{std::move(pslg), std::move(table), std::move(boundaries), std::move(meshes), {}};
   Status status = rounds.improve(best);
   State now = best;
+  const int most_in_vain = options.max_angle < Angle::degrees(90) ? kInVain : kRounds;
   int in_vain = 0;  // rounds since the last one that left fewer triangles
-  for (int k = 0; k < kRounds && status && best.left.above > 0 && in_vain < kInVain &&
+  for (int k = 0; k < kRounds && status && best.left.above > 0 && in_vain < most_in_vain &&
                   now.pslg.points.size() < kMostPoints * points;
        ++k) {
     status = rounds.halve(now);
