@@ -38,6 +38,7 @@ enum class ErrorCode {
   cancelled = 300,
   meshing_incomplete = 301,
   requirement_not_met = 302,
+  out_of_memory = 303,
   // 400-499: options (exit code 2)
   bad_option = 400,
   // 900: a promise inside the library was broken; please report (exit code 1)

@@ -41,6 +41,12 @@ enum class Effort {
   thorough,  ///< all there is
 };
 
+/// Whether angles give way to the box method's couplings or the other way round.
+enum class Couplings {
+  first,  ///< no negative coupling that the boundary does not force; targets give way, the bound never
+  last,   ///< targets come first
+};
+
 /// Which properties, when missed, make the run fail.
 struct Requirements {
   bool bound = false;       ///< promise 3 in every region, without exception
@@ -55,6 +61,25 @@ struct SizeRule {
   std::string name;  ///< empty: everywhere
   double size = 0;   ///< length, > 0
   bool at = false;   ///< true: at the named line or point; false: inside the named region
+};
+
+/// Layers of thin triangles along a line.
+struct LayerRule {
+  std::string line;    ///< interface, contact, outline or inner line, as `cover info` names it
+  std::string region;  ///< the side on which the layers lie; empty: both
+  double first = 0;    ///< thickness of the first layer, > 0; length
+  double growth = 1;   ///< thickness of a layer over that of the one before, >= 1
+  int count = 0;       ///< layers; 0: until triangles are about isotropic
+};
+
+/// Two chains of segments that are images of each other under an isometry.
+struct PeriodicRule {
+  enum class Map { translation, rotation, mirror };
+  std::string from;  ///< name of one chain
+  std::string to;    ///< name of its image
+  Map map = Map::translation;
+  Point centre;                           ///< of a rotation
+  Angle angle = Angle::degrees(0);  ///< of a rotation, counter-clockwise
 };
 
 /// A wished edge length for every place; not finite or not above zero: none there. It may be called
@@ -76,6 +101,7 @@ struct Options {
   Angle min_angle = Angle::degrees(20);   ///< second target of the quality method, in [0, 60)
   Prefer prefer = Prefer::balanced;  ///< of the quality method
   Effort effort = Effort::normal;    ///< of the quality method
+  Couplings couplings = Couplings::first;  ///< of the quality method
 
   /// Where several sizes hold, among them those of RegionSeed, the smallest counts.
   std::vector<SizeRule> sizes;
@@ -88,6 +114,8 @@ struct Options {
   std::optional<double> growth;
   bool box_method = false;  ///< cut segments until no coupling of the box method is negative
   std::optional<Angle> split_interfaces;  ///< cut segments until gamma_opt is at most this
+  std::vector<LayerRule> layers;
+  std::vector<PeriodicRule> periodic;
 
   Overlap overlap = Overlap::last;
   std::optional<double> weld;    ///< relative tolerance; none: auto for soups, 0 for a PSLG
