@@ -11,6 +11,7 @@
 
 #include "almond/arc_meeting.hpp"
 #include "almond/arc_walk.hpp"
+#include "base/union_find.hpp"
 #include "cdt/sight.hpp"
 #include "geom/vector.hpp"
 
@@ -61,26 +62,6 @@ std::vector<Pair> find_pairs(const Triangulation& cdt, std::span<const Almond> a
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
 }
-
-/// Vertices that were found to be one.
-class Unions {
- public:
-  explicit Unions(std::size_t size) : parent_(size) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-  }
-  std::uint32_t find(std::uint32_t v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-  /// The lower one stays, so input vertices stay where they are.
-  void unite(std::uint32_t v, std::uint32_t w) {
-    v = find(v), w = find(w);
-    parent_[std::max(v, w)] = std::min(v, w);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 class Layer {
  public:
@@ -151,7 +132,8 @@ class Layer {
   }
 
   ArcLayer unite_near(double unite) {
-    Unions unions(points_.size());
+    // The lower one of two stays, so input vertices stay where they are.
+    UnionFind unions(points_.size());
     for (std::size_t k = 0; k + 1 < entries_.size(); ++k) {
       unite_flat(entries_[k], unions);
       const Entry& e = entries_[k];
@@ -174,7 +156,7 @@ class Layer {
 
   /// On a flat arc, a vertex so near to an end that its height over the side cannot be resolved
   /// becomes that end.
-  void unite_flat(const Entry& e, Unions& unions) const {
+  void unite_flat(const Entry& e, UnionFind& unions) const {
     const Almond& a = almonds_[e.almond];
     const double height = a.nu * a.length * std::min(e.place, 1 - e.place);
     if (is_input(e.vertex) || a.kind == AlmondKind::hull_side || height >= kFlat * a.resolution) {
@@ -187,7 +169,7 @@ class Layer {
 
   /// The vertices of one arc: the ends as they are, inner ones that were not united with an end or
   /// with their predecessor.
-  void append_arc(std::size_t almond, Unions& unions, ArcLayer& layer) const {
+  void append_arc(std::size_t almond, UnionFind& unions, ArcLayer& layer) const {
     const Almond& a = almonds_[almond];
     layer.vertices.push_back({a.u, 0});
     for (std::uint32_t k = first_[almond]; k < first_[almond + 1]; ++k) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "geom/box.hpp"
 #include "geom/vector.hpp"
 #include "sizes/spread_sizes.hpp"
 
@@ -34,12 +35,8 @@ std::vector<double> spacing_of(const RegionBoundary& boundary) {
 
 /// No edge of a mesh is longer.
 double diagonal(const RegionBoundary& boundary) {
-  Point low{kNoSize, kNoSize}, high{-kNoSize, -kNoSize};
-  for (const Point& p : boundary.points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  return length(high - low);
+  const Box box = box_of(boundary.points);
+  return length(box.high - box.low);
 }
 
 }  // namespace

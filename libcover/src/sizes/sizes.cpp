@@ -12,6 +12,7 @@
 
 #include "base/describe.hpp"
 #include "base/suggest.hpp"
+#include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 #include "region/named_regions.hpp"
 #include "sizes/segment_sizes.hpp"
@@ -77,22 +78,21 @@ Error unknown_name(const SizeRule& rule, const RegionTable& table) {
 
 /// Sizes that coordinates cannot hold: cut at such lengths, rounded points would coincide.
 Status check_spacing(const Pslg& pslg, const RegionTable& table, const Options& options) {
-  double largest = 0;
-  for (const Point& p : pslg.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-  const double spacing = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+  const double spacing = spacing_of(pslg.points);
   double smallest = std::numeric_limits<double>::infinity();
   for (const SizeRule& rule : options.sizes) smallest = std::min(smallest, rule.size);
   for (const Region& region : table.regions) {
     if (options.input_sizes && region.size) smallest = std::min(smallest, *region.size);
   }
   if (!(smallest < kLeastSpacings * spacing)) return ok();
-  return Error{ErrorCode::bad_option,
-               fmt::format("the size {} is too small: coordinates as large as {} are {} apart, and "
-                           "edges need {} times that",
-                           describe_roughly(smallest), describe_roughly(largest),
-                           describe_roughly(spacing), kLeastSpacings),
-               {},
-               {}};
+  return Error{
+      ErrorCode::bad_option,
+      fmt::format("the size {} is too small: coordinates as large as {} are {} apart, and "
+                  "edges need {} times that",
+                  describe_roughly(smallest), describe_roughly(largest_coordinate(pslg.points)),
+                  describe_roughly(spacing), kLeastSpacings),
+      {},
+      {}};
 }
 
 }  // namespace
