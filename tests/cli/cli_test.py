@@ -495,14 +495,16 @@ class Memory(Case):
         square = self.dir / self.write('square.poly', SQUARE)
         if self.peak('mesh', square, '-o', self.dir / 'square.vtu') > 40000:
             self.skipTest('a sanitizer takes memory of its own')
-        stars = [self.star(n) for n in (20000, 80000)]
-        for method in ('almond', 'quality'):
+        # The smaller one, too, takes more than this interpreter, whose own peak a child inherits.
+        stars = [self.star(n) for n in (60000, 120000)]
+        # The almond method makes hardly more triangles than there are points, which take memory, too.
+        for method, most in (('almond', 460), ('quality', 350)):
             peaks, triangles = [], []
             for star in stars:  # what the program needs for any mesh cancels out
                 mesh, report = self.dir / 'star.vtu', self.dir / 'star.json'
                 peaks.append(self.peak('mesh', star, '--method', method, '-j', 1, '-o', mesh, '--report', report))
                 triangles.append(json.loads(report.read_text())['overall']['triangles'])
-            self.assertLess(1024 * (peaks[1] - peaks[0]) / (triangles[1] - triangles[0]), 400,
+            self.assertLess(1024 * (peaks[1] - peaks[0]) / (triangles[1] - triangles[0]), most,
                             (method, peaks, triangles))
 
 

@@ -69,9 +69,10 @@ class Layer {
       : cdt_(cdt), almonds_(almonds), reach_(walk_almonds(cdt, almonds)), points_(cdt.points) {}
 
   ArcLayer build(double unite) {
+    entries_.reserve(reach_.known.size());
     for (std::uint32_t k = 0; k < almonds_.size(); ++k) {
       for (const KnownVertex& known : reach_.known_of(k)) {
-        entries_.push_back({k, almonds_[k].place_of_ratio(known.ratio), known.vertex});
+        entries_.push_back({almonds_[k].place_of_ratio(known.ratio), k, known.vertex});
       }
     }
     for (const Pair& pair : find_pairs(cdt_, almonds_, reach_)) add_meetings(pair[0], pair[1]);
@@ -81,8 +82,8 @@ class Layer {
 
  private:
   struct Entry {
-    std::uint32_t almond;
     double place;
+    std::uint32_t almond;
     std::uint32_t vertex;
   };
 
@@ -94,8 +95,8 @@ class Layer {
       if (!sees(a, m.at, b) || !sees(b, m.at, a)) continue;
       const auto vertex = static_cast<std::uint32_t>(points_.size());
       points_.push_back(m.at);
-      entries_.push_back({a, m.place_a, vertex});
-      entries_.push_back({b, m.place_b, vertex});
+      entries_.push_back({m.place_a, a, vertex});
+      entries_.push_back({m.place_b, b, vertex});
     }
   }
 

@@ -35,6 +35,7 @@ Pslg take_over(const Input& input) {
   Pslg pslg;
   pslg.source = input.source;
   pslg.points = input.points;
+  pslg.point_ids.reserve(input.points.size());
   for (std::size_t k = 0; k < input.points.size(); ++k) {
     pslg.point_ids.push_back(point_id(input, k));
   }

@@ -1,6 +1,7 @@
 // The lines of Triangle's .poly and .node: fields as numbers, sections headed by their counts.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -49,6 +50,12 @@ class PolyLines {
   bool header(std::string_view section, std::size_t& count);
   /// The count that this line begins with.
   bool announced(std::string_view section, std::size_t& count);
+  /// Room in `values` for `count` more lines, each of some bytes, as far as the file can hold them.
+  template <class T>
+  void make_room(std::size_t count, std::vector<T>& values) const {
+    constexpr std::size_t kShortestLine = 6;  // "1 0 0\n"
+    values.reserve(values.size() + std::min(count, lines_.left() / kShortestLine));
+  }
   /// Notes that a line of the kind `what` has more fields than the `expected` ones.
   void check_surplus(std::string_view what, std::size_t expected);
 

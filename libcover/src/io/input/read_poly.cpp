@@ -116,6 +116,9 @@ bool PolyReader::read_points(Input& input) {
   }
   const long attributes = std::clamp(optional_count(2), 0L, 1L << 30U);
   const bool has_markers = optional_count(3) != 0;
+  make_room(count, input.points);
+  make_room(count, input.point_ids);
+  make_room(count, input.point_lines);
   for (std::size_t k = 0; k < count; ++k) {
     if (!next_line({.kind = "point", .number = static_cast<long>(k + 1), .of = count}) ||
         !point(input, attributes, has_markers)) {
@@ -143,6 +146,7 @@ bool PolyReader::read_segments(Input& input) {
   std::size_t count = 0;
   if (!header("segments", count)) return false;
   const bool has_markers = optional_count(1) != 0;
+  make_room(count, input.segments);
   for (std::size_t k = 0; k < count; ++k) {
     InputSegment segment;
     if (!next_line({.kind = "segment", .number = static_cast<long>(k + 1), .of = count}) ||
