@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace cover {
 namespace {
@@ -36,11 +37,32 @@ std::array<DoubleDouble, 2> cosine_and_sine(double degrees) {
   return {c, s};
 }
 
-/// Of an angle in degrees: the whole number or the half of one that it is up to rounding.
-double without_rounding(double degrees) {
+/// The multiple of 2^-10 degrees that an angle is up to rounding.
+std::optional<double> in_whole_parts(Angle angle) {
   constexpr double kParts = 1 << 10;
-  const double nearest = std::round(degrees * kParts) / kParts;
-  return std::abs(nearest - degrees) <= kSameAngle ? nearest : degrees;
+  const double nearest = std::round(angle.in_degrees() * kParts) / kParts;
+  if (std::abs(nearest - angle.in_degrees()) > kSameAngle) return std::nullopt;
+  return nearest;
+}
+
+/// Cosine and sine of any angle; radians that stand for round degrees are taken for these.
+std::array<DoubleDouble, 2> cosine_and_sine(Angle angle) {
+  const std::optional<double> round = in_whole_parts(angle);
+  if (!round) {
+    const auto radians = static_cast<long double>(angle.in_radians());
+    return {parts_of_long(std::cos(radians)), parts_of_long(std::sin(radians))};
+  }
+  constexpr double kTurn = 360, kQuarter = 90;
+  double degrees = std::fmod(*round, kTurn);
+  if (degrees < 0) degrees += kTurn;
+  const double quarters = std::floor(degrees / kQuarter);
+  auto [c, s] = cosine_and_sine(degrees - kQuarter * quarters);
+  for (int k = 0; k < static_cast<int>(quarters); ++k) {
+    const DoubleDouble old = c;
+    c = -s;
+    s = old;
+  }
+  return {c, s};
 }
 
 /// `map` with the shift that keeps `centre`, or takes it to `to`.
@@ -75,16 +97,7 @@ Isometry with_shift(Isometry map, DoubleDouble x0, DoubleDouble y0) {
 Isometry translation_by(Vector by) { return with_shift({}, {by.x, 0}, {by.y, 0}); }
 
 Isometry rotation_about(Point centre, Angle angle) {
-  constexpr double kTurn = 360, kQuarter = 90;
-  double degrees = std::fmod(without_rounding(angle.in_degrees()), kTurn);
-  if (degrees < 0) degrees += kTurn;
-  const double quarters = std::floor(degrees / kQuarter);
-  auto [c, s] = cosine_and_sine(degrees - kQuarter * quarters);
-  for (int k = 0; k < static_cast<int>(quarters); ++k) {
-    const DoubleDouble old = c;
-    c = -s;
-    s = old;
-  }
+  const auto [c, s] = cosine_and_sine(angle);
   Isometry map;
   map.xx = map.yy = parts_of(c);
   map.yx = parts_of(s);
