@@ -15,8 +15,8 @@ PROGRAM, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
 # Two materials, one above the other, and a contact.
 GEOMETRY = {'polygons': [{'material': 'Si', 'rings': [[[0, 0], [4, 0], [4, 2], [0, 2]]]},
                          {'material': 'SiO2', 'rings': [[[0, 2], [4, 2], [4, 3], [0, 3]]]}],
-            'lines': [{'name': 'anode', 'points': [[0, 0], [4, 0]]}, {'name': 'left', 'points': [[0, 0], [0, 3]]},
-                      {'name': 'right', 'points': [[4, 0], [4, 3]]}]}
+            'lines': [{'name': 'anode', 'points': [[0, 0], [4, 0]]}, {'name': 'left', 'points': [[0, 0], [0, 2], [0, 3]]},
+                      {'name': 'right', 'points': [[4, 0], [4, 2], [4, 3]]}]}
 TABLE = cover.options()
 # Background sizes of 1 everywhere.
 FIELD = '''# vtk DataFile Version 3.0
