@@ -59,6 +59,9 @@ Status check(const WriteOptions& options) {
   constexpr std::array kFamilies{"S", "CPS", "CPE", "CAX"};
   if (std::find(kFamilies.begin(), kFamilies.end(), options.inp_element) == kFamilies.end())
     return bad(fmt::format("elements of .inp are S, CPS, CPE or CAX, not {}", options.inp_element));
+  constexpr std::array kIds{"", "region", "material", "name"};
+  if (std::find(kIds.begin(), kIds.end(), options.ids) == kIds.end())
+    return bad(fmt::format("ids are region, material or name, not {}", options.ids));
   return ok();
 }
 
