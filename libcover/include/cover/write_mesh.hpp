@@ -15,10 +15,10 @@ namespace cover {
 
 /// What a file should hold where its format leaves a choice.
 struct WriteOptions {
-  int order = 1;                  ///< 2: second-order triangles, a node in the middle of each edge
-  bool inner_lines = true;        ///< false: leave out lines that have a triangle on both sides
-  bool lines = false;             ///< .vtk: line cells after the triangles
-  std::string msh = "2.2";        ///< .msh: version, 2.2 or 4.1
+  int order = 1;            ///< 2: second-order triangles, a node in the middle of each edge
+  bool inner_lines = true;  ///< false: leave out lines that have a triangle on both sides
+  bool lines = false;       ///< .vtk: line cells after the triangles
+  std::string msh = "2.2";  ///< .msh: version, 2.2 or 4.1
   /// The numbers that solvers know triangles by: `region`: RegionId; `material`; `name`: of the group
   /// of equal name and material. Empty: the group in .msh, the material elsewhere. The array
   /// `material` is the material always. See the formats; not in .vtu, .vtm, .vtkhdf.

@@ -33,7 +33,8 @@ TEST(SafeNames, ManyEqualNamesAreAllDifferent) {
 }
 
 TEST(LegibleNames, KeepUtf8) {
-  const std::string name = "Gr\xc3\xb6\xc3\x9f\x65 \xc2\xb5m \xe6\x97\xa5\xe6\x9c\xac \xf0\x9f\x98\x80";
+  const std::string name =
+      "Gr\xc3\xb6\xc3\x9f\x65 \xc2\xb5m \xe6\x97\xa5\xe6\x9c\xac \xf0\x9f\x98\x80";
   EXPECT_EQ(legible_name(name), name);
   EXPECT_EQ(legible_name(""), "unnamed");
   EXPECT_EQ(legible_name("a\"b\n\t\x7f"), "a_b___");

@@ -65,7 +65,8 @@ Json describe_quality(const Quality& quality) {
 
 class ManifestWriter {
  public:
-  ManifestWriter(const Output& output, const MeshView& view, const std::string& ids, TextWriter& out)
+  ManifestWriter(const Output& output, const MeshView& view, const std::string& ids,
+                 TextWriter& out)
       : output_(output), view_(view), ids_(ids), out_(out) {}
 
   void write() {
@@ -125,7 +126,8 @@ class ManifestWriter {
   static std::vector<Json> groups(const std::vector<Group>& groups) {
     std::vector<Json> list;
     const std::vector<std::string> sets = abaqus_names(groups);
-    for (std::size_t g = 0; g < groups.size(); ++g) list.push_back(describe_group(groups[g], sets[g]));
+    for (std::size_t g = 0; g < groups.size(); ++g)
+      list.push_back(describe_group(groups[g], sets[g]));
     return list;
   }
 
@@ -229,7 +231,9 @@ Status write_manifest(const Output& output, const std::string& path, const Write
   WriteOptions all = options;
   all.inner_lines = true;
   const MeshView view = view_of(output, all);
-  return write_text(path, options.stop, [&](TextWriter& out) { ManifestWriter(output, view, options.ids, out).write(); });
+  return write_text(path, options.stop, [&](TextWriter& out) {
+    ManifestWriter(output, view, options.ids, out).write();
+  });
 }
 
 }  // namespace cover

@@ -26,8 +26,8 @@ struct Cells {
 
 /// A named set of regions or of lines: a physical group, an element set, ...
 struct Group {
-  std::string name;   ///< unique_safe_names() of the originals, among regions or among lines
-  std::string label;  ///< unique_legible_names() of them: for formats that bear UTF-8
+  std::string name;      ///< unique_safe_names() of the originals, among regions or among lines
+  std::string label;     ///< unique_legible_names() of them: for formats that bear UTF-8
   std::string original;  ///< as the input has it
   int tag = 0;           ///< positive, unique over regions and lines
   int material = 0;      ///< of all its regions; 0 for lines

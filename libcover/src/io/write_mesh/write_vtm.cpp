@@ -121,12 +121,12 @@ class VtmWriter {
       text_ += fmt::format("    <Option Name=\"{}\" Value=\"{}\"/>\n", attribute(setting.name),
                            attribute(setting.value));
     for (const Region& region : output_.table.regions)
-      text_ += fmt::format("    <Region Id=\"{}\" Name=\"{}\" Material=\"{}\"/>\n",
-                           region.id.value(), attribute(region.name),
-                           attribute(region.material_name));
+      text_ +=
+          fmt::format("    <Region Id=\"{}\" Name=\"{}\" Material=\"{}\"/>\n", region.id.value(),
+                      attribute(region.name), attribute(region.material_name));
     for (const Interface& line : output_.table.interfaces)
-      text_ += fmt::format("    <Line Id=\"{}\" Name=\"{}\"/>\n", line.id.value(),
-                           attribute(line.name));
+      text_ +=
+          fmt::format("    <Line Id=\"{}\" Name=\"{}\"/>\n", line.id.value(), attribute(line.name));
     text_ += "  </CoverNames>\n";
   }
 

@@ -55,7 +55,8 @@ class XdmfWriter {
   /// Names with their numbers, for people and scripts; readers skip them.
   void end_grid(const std::vector<Group>& groups) {
     for (const Group& group : groups)
-      out_ << "<Information Name=\"" << escaped_markup(group.label) << "\" Value=\"" << group.tag << "\"/>\n";
+      out_ << "<Information Name=\"" << escaped_markup(group.label) << "\" Value=\"" << group.tag
+           << "\"/>\n";
     out_ << "</Grid>\n";
   }
 

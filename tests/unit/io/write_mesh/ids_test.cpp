@@ -110,8 +110,8 @@ TEST_F(Ids, CountAsTheyShould) {
     EXPECT_EQ(set_of(xdmf.soup.material), materials_);
     EXPECT_EQ(set_of(xdmf.group), ids.empty() ? names : numbers);
     const std::string text = testing::content(folder_.path() / "x.xdmf");
-    EXPECT_EQ(text.find("<Attribute"),
-              text.find(ids.empty() ? "<Attribute Name=\"MaterialID\"" : "<Attribute Name=\"GroupID\""));
+    EXPECT_EQ(text.find("<Attribute"), text.find(ids.empty() ? "<Attribute Name=\"MaterialID\""
+                                                             : "<Attribute Name=\"GroupID\""));
   }
 }
 
