@@ -17,6 +17,7 @@ namespace cover {
 namespace {
 
 constexpr double kLogSlack = 1e-8;  ///< per triangle: rounding, and the tangent found by bisection
+constexpr int kMostInFan = 96;  ///< larger fans are not bounded: what they prove is next to nothing
 
 }  // namespace
 
@@ -76,7 +77,8 @@ double FanGrowth::log_ratio(double low, double high, double enough) const {
     return best >= enough;
   };
   int fewest = std::max(1, static_cast<int>(std::ceil((low - kAngleSlack) / range_.most)));
-  int most = std::max(1, static_cast<int>((high + kAngleSlack) / least));
+  const double room = (high + kAngleSlack) / least;
+  int most = room > kMostInFan ? kMostInFan + 1 : std::max(1, static_cast<int>(room));
   if (fewest > most) return best;
   if (fewest == 1 && (take(1, value_of(1)) || most == 1)) return best;
   fewest = std::max(fewest, 2);
@@ -101,6 +103,7 @@ double FanGrowth::log_ratio(double low, double high, double enough) const {
       fewest = middle + 1;
     }
   }
+  if (fewest > kMostInFan) return std::numeric_limits<double>::infinity();
   take(fewest, value_of(fewest));
   return best;
 }

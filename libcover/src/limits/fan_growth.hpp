@@ -16,10 +16,10 @@ class FanGrowth {
   explicit FanGrowth(AngleRange range);
 
   /// An upper bound of the logarithm of the ratio, for angles at the vertex from `low` to `high`;
-  /// negative if no triangles can have such a sum. Where it is `enough` or more, whatever is found
-  /// first that is.
+  /// negative if no triangles can have such a sum, infinite if the bound still grows with the 96th
+  /// triangle. Where it is `enough` or more, whatever is found first that is.
   ///
-  /// Cost: O(log(high / least))
+  /// Cost: O(1)
   [[nodiscard]] double log_ratio(double low, double high,
                                  double enough = std::numeric_limits<double>::infinity()) const;
 

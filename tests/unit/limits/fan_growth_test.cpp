@@ -1,6 +1,7 @@
 #include "limits/fan_growth.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -37,7 +38,7 @@ TEST(FanGrowth, NoTrianglesWithoutRoom) {
   EXPECT_LT(stiff.log_ratio(80 * kDegree, 90 * kDegree), 0);
 }
 
-// Fans side by side are a fan; with angles from a thousandth of a degree on there are thousands.
+// Fans side by side are a fan; with angles from a thousandth of a degree on there are more than are counted.
 TEST(FanGrowth, TwoFansGrowNoFasterThanOneOfBoth) {
   std::mt19937_64 random(test_seed(2));
   const auto uniform = [&](double a, double b) {
@@ -56,6 +57,20 @@ TEST(FanGrowth, TwoFansGrowNoFasterThanOneOfBoth) {
       EXPECT_EQ(growth.log_ratio(a + b, a + b, enough) >= enough, of_both >= enough);
     }
   }
+}
+
+TEST(FanGrowth, FansOfVeryManyTrianglesAreNotBounded) {
+  // Where all angles may be flat, isosceles triangles double the edge each: no walk over 1e10.
+  for (const double least : {0.5, 1e-8, 1e-300}) {
+    const FanGrowth growth({std::numbers::pi - least * kDegree, least * kDegree});
+    EXPECT_EQ(growth.log_ratio(0, std::numbers::pi), std::numeric_limits<double>::infinity())
+        << least;
+  }
+  const FanGrowth wide({176 * kDegree, 2 * kDegree});
+  EXPECT_NEAR(wide.log_ratio(0, std::numbers::pi), 90 * std::log(2), 1);
+  // Fans of few triangles keep their bound, however small the least angle is beside them.
+  EXPECT_LT(FanGrowth({100 * kDegree, 2 * kDegree}).log_ratio(0, std::numbers::pi), 100);
+  EXPECT_LT(FanGrowth({100 * kDegree, 1e-8 * kDegree}).log_ratio(0, 2e-8 * kDegree), 100);
 }
 
 TEST(FanGrowth, NoRandomFanGrowsFaster) {
