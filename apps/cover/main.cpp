@@ -2,8 +2,10 @@
 #include <array>
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #ifdef __GLIBC__
@@ -100,8 +102,13 @@ int main(int argc, char** argv) {
   } catch (const spdlog::spdlog_ex& error) {  // the file of --log
     fmt::print(stderr, "cover: error: {}\n", error.what());
     return cover::app::exit_files;
-  } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "cover: error: out of memory\n");
+  } catch (const std::bad_alloc&) {  // fmt would need more
+    std::fputs("cover: error: out of memory\n", stderr);
+    return cover::app::exit_memory;
+  } catch (const std::system_error& error) {  // no thread, for which there must be a stack
+    fmt::print(stderr, "cover: error: the system has no more threads or memory: {}\n",
+               error.what());
+    return cover::app::exit_memory;
   } catch (const std::exception& error) {
     fmt::print(stderr, "cover: error: {}; this is an error in cover, please report it\n",
                error.what());

@@ -6,6 +6,7 @@ import os
 import pathlib
 import pty
 import re
+import resource
 import shutil
 import signal
 import subprocess
@@ -504,6 +505,34 @@ class Memory(Case):
                 triangles.append(json.loads(report.read_text())['overall']['triangles'])
             self.assertLess(1024 * (peaks[1] - peaks[0]) / (triangles[1] - triangles[0]), 400,
                             (method, peaks, triangles))
+
+
+    def test_out_of_memory(self):
+        """An error of its own, whenever memory ends, and files as they were."""
+        square = self.dir / self.write('square.poly', SQUARE)
+        mesh, star = self.dir / 'm.vtu', self.star(20000)
+
+        def run_within(megabytes, source):
+            limit = megabytes << 20
+            return subprocess.run([PROGRAM, 'mesh', source, '-o', mesh, '-q'], timeout=60, capture_output=True, text=True,
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
+
+        if run_within(150, square).returncode != 0:
+            self.skipTest('a sanitizer takes memory of its own')
+        before, ends = mesh.read_bytes(), []
+        for megabytes in range(70, 200, 6):
+            run = run_within(megabytes, star)
+            ends.append(run.returncode)
+            if run.returncode == 0:
+                break
+            if run.returncode == 127:  # the system's own: libraries do not fit
+                continue
+            self.assertEqual(run.returncode, 7, run.stderr)
+            self.assertRegex(run.stderr, r'^cover: error: .*memory')
+            self.assertEqual(mesh.read_bytes(), before)
+            self.assertEqual(self.files(), ['20000.poly', 'm.vtu', 'square.poly'])
+        self.assertEqual(ends[-1], 0)
+        self.assertIn(7, ends)
 
 
 class Remesh(Case):

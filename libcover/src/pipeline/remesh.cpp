@@ -15,6 +15,7 @@
 
 #include "base/describe.hpp"
 #include "base/errors.hpp"
+#include "base/out_of_memory.hpp"
 #include "cdt/cdt.hpp"
 #include "mesh/stitch.hpp"
 #include "pipeline/find_regions.hpp"
@@ -205,11 +206,9 @@ void tell(std::size_t cuts, std::size_t other_materials, const Options& asked, R
   }
 }
 
-}  // namespace
-
-Result<Output> remesh(const Input& input, const TriangleSoup& onto,
-                      std::span<const std::string> only, const Options& asked,
-                      const Callbacks& callbacks) {
+Result<Output> mesh_again(const Input& input, const TriangleSoup& onto,
+                          std::span<const std::string> only, const Options& asked,
+                          const Callbacks& callbacks) {
   StageClock clock;
   const Result<Options> options = options_without_cuts(asked, only);
   if (!options) return options.error();
@@ -256,6 +255,15 @@ Result<Output> remesh(const Input& input, const TriangleSoup& onto,
   collect_reports(meshes, report);
   clock.note("stitch", report.times);
   return Output{std::move(mesh), std::move(pslg), std::move(table), std::move(report)};
+}
+
+}  // namespace
+
+Result<Output> remesh(const Input& input, const TriangleSoup& onto,
+                      std::span<const std::string> only, const Options& options,
+                      const Callbacks& callbacks) {
+  return memory_as_value("remesh",
+                         [&] { return mesh_again(input, onto, only, options, callbacks); });
 }
 
 }  // namespace cover

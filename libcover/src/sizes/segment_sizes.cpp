@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "geom/vector.hpp"
+#include "sizes/ask_size.hpp"
 
 namespace cover {
 namespace {
@@ -42,7 +43,7 @@ double SegmentSizes::size_at(double part) const {
   const double whole = length(b_ - a_), slope = options_->growth.value_or(Options::kGrowth) - 1;
   if (at_a_ > 0) lower(size, at_a_ + slope * part * whole);
   if (at_b_ > 0) lower(size, at_b_ + slope * (1 - part) * whole);
-  if (options_->size_field) lower(size, options_->size_field(a_ + part * (b_ - a_)));
+  if (options_->size_field) lower(size, ask_size(options_->size_field, a_ + part * (b_ - a_)));
   return size > 0 ? size : std::numeric_limits<double>::infinity();
 }
 

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "base/errors.hpp"
+#include "base/out_of_memory.hpp"
 #include "cdt/cdt.hpp"
 #include "geom/predicates.hpp"
 #include "io/vtk_files/read_data_set.hpp"
@@ -188,17 +189,19 @@ Result<SizeSamples> read_size_field(const std::string& path) {
 }
 
 Status load_size_field(Options& options) {
-  if (options.size_field || options.size_field_name.empty()) return ok();
-  const Result<SizeSamples> samples = read_size_field(options.size_field_name);
-  if (!samples) return samples.error();
-  Result<SizeFunction> sizes = size_function(*samples, options.growth.value_or(Options::kGrowth));
-  if (!sizes) {
-    Error error = std::move(sizes).error();
-    error.message = fmt::format("{}: {}", options.size_field_name, error.message);
-    return error;
-  }
-  options.size_field = *std::move(sizes);
-  return ok();
+  return memory_as_value(options.size_field_name, [&]() -> Status {
+    if (options.size_field || options.size_field_name.empty()) return ok();
+    const Result<SizeSamples> samples = read_size_field(options.size_field_name);
+    if (!samples) return samples.error();
+    Result<SizeFunction> sizes = size_function(*samples, options.growth.value_or(Options::kGrowth));
+    if (!sizes) {
+      Error error = std::move(sizes).error();
+      error.message = fmt::format("{}: {}", options.size_field_name, error.message);
+      return error;
+    }
+    options.size_field = *std::move(sizes);
+    return ok();
+  });
 }
 
 }  // namespace cover
