@@ -10,6 +10,7 @@
 #include <cover/remesh.hpp>
 #include <cover/write_mesh.hpp>
 
+#include "base/printable.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "dump_stages.hpp"
@@ -186,7 +187,7 @@ int dry_run(const MeshCommand& command, const Input& input, const Options& optio
     for (const RegionId id : regions) {
       if (as_json) continue;
       fmt::print("\nWould mesh region {} '{}' again in {}", id.value(),
-                 prepared->table.region(id).name, command.onto);
+                 printable(prepared->table.region(id).name), command.onto);
     }
   }
   if (as_json) return exit_ok;

@@ -9,6 +9,7 @@
 
 #include "angle_text.hpp"
 #include "base/describe.hpp"
+#include "base/printable.hpp"
 #include "console.hpp"
 #include "limits_text.hpp"
 #include "text_table.hpp"
@@ -84,13 +85,13 @@ std::string totals(const Output& output) {
       cuts > 0 ? fmt::format(", {} of them on segments", grouped(cuts)) : "",
       plural(report.regions.size(), "region"));
   for (const Note& note : report.notes) {
-    if (note.kind == Note::Kind::cut) out += note.message + '\n';
+    if (note.kind == Note::Kind::cut) out += printable(note.message) + '\n';
   }
   if (report.regions.empty()) return out;
   const RegionReport& region = report.regions[worst];
   out += fmt::format("Largest angle   {:>7}  in region {} '{}'; no mesh is below {} there\n",
                      angle_text(q.largest_nu), region.id.value(),
-                     output.table.region(region.id).name, angle_text(lowest_nu(region)));
+                     printable(output.table.region(region.id).name), angle_text(lowest_nu(region)));
   out += fmt::format("Smallest angle  {:>7}\n", small_angle_text(q.smallest));
   out += fmt::format("Above 90        {:>7}  obtuse triangles\n", grouped(q.obtuse));
   out += fmt::format("Above 120       {:>7}  forced by the input: {}\n", grouped(q.above_120),
@@ -127,8 +128,9 @@ std::string replaced_rows(const Output& output) {
   for (std::size_t k = 0; k < std::min(kNamed, replaced.size()); ++k) {
     const RegionReport& now = output.report.regions[replaced[k].region.index() - 1];
     out += fmt::format("  region {} '{}': {}, {} new; before: {}, {} new\n", now.id.value(),
-                       output.table.region(now.id).name, plural(now.quality.triangles, "triangle"),
-                       grouped(now.steiner_vertices), plural(replaced[k].triangles, "triangle"),
+                       printable(output.table.region(now.id).name),
+                       plural(now.quality.triangles, "triangle"), grouped(now.steiner_vertices),
+                       plural(replaced[k].triangles, "triangle"),
                        grouped(replaced[k].steiner_vertices));
   }
   if (replaced.size() > kNamed) out += fmt::format("  and {} more\n", replaced.size() - kNamed);

@@ -14,6 +14,7 @@ import sys
 import tempfile
 import time
 import unittest
+from xml.etree import ElementTree
 
 PROGRAM, SAMPLES = sys.argv[1], pathlib.Path(sys.argv[2])
 APP = SAMPLES.parent.parent / 'apps/cover'
@@ -627,6 +628,30 @@ class DryRun(Case):
         self.assertAlmostEqual(report['regions'][0]['gamma_opt'], 62.14824277768956)
         self.assertEqual(len(report['interfaces']), 9)
         self.assertEqual(self.files(), [])
+
+
+class StrangeNames(Case):
+    """Names that would steer a terminal or break a file."""
+
+    def test_control_characters(self):
+        name = 'a\x1b[31m\nb\u202e<'
+        self.write('d.json', json.dumps({'points': [[0, 0], [1, 0], [1, 1], [0, 1]],
+                                         'segments': [[0, 1], [1, 2], [2, 3], [3, 0]],
+                                         'regions': [{'x': 0.5, 'y': 0.5, 'material': name, 'region': name + '2'}]}))
+        outputs = ['m.vtu', 'm.vtm', 'm.svg', 'm.json']
+        texts = [*self.run_cover('mesh', 'd.json', *(f'-o{o}' for o in outputs), '--report', 'r.html', '-v'),
+                 *self.run_cover('info', 'd.json', '-v'),
+                 *self.run_cover('mesh', 'd.json', '-o', 'n.vtu', '--size', 'x=1', code=2),
+                 *self.run_cover('check', 'd.json', 'm.vtm')]
+        texts += [(self.dir / f).read_text() for f in ('m.svg', 'm.vtm', 'r.html')]
+        for text in texts:
+            self.assertNotIn('\x1b', text)
+            self.assertNotIn('\u202e', text)
+            self.assertNotRegex(text, 'a.{0,9}\n *b.{0,9}<')
+        self.assertIn(r'a\x1b[31m\nb\u202e<', texts[0])
+        self.assertIn(r'a\x1b[31m\nb\u202e<', ''.join(ElementTree.parse(self.dir / 'm.svg').getroot().itertext()))
+        ElementTree.parse(self.dir / 'm.vtm')
+        self.assertEqual(json.loads((self.dir / 'm.json').read_text())['regions'][0]['name'], name + '2')
 
 
 class Configuration(Case):
