@@ -1,6 +1,7 @@
 #include "text_report.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
 #include <vector>
@@ -265,6 +266,16 @@ std::string info_text(const Prepared& prepared, bool every_region) {
                        plural(table.void_segments.size(), "segment"));
   }
   return out;
+}
+
+std::string estimate_text(const Estimate& estimate) {
+  constexpr double kMegabyte = 1e6;
+  std::string out =
+      fmt::format("\nA mesh takes about {:.2g} triangles and {} MB of memory", estimate.triangles,
+                  grouped(static_cast<std::size_t>(estimate.bytes / kMegabyte)));
+  if (std::isfinite(estimate.available))
+    out += fmt::format(" of {}", grouped(static_cast<std::size_t>(estimate.available / kMegabyte)));
+  return out + "\n";
 }
 
 std::string box_costs_text(const BoxCosts& costs, bool every_side) {

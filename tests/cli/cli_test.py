@@ -630,6 +630,26 @@ class DryRun(Case):
         self.assertEqual(self.files(), [])
 
 
+    def test_estimate(self):
+        self.write('s.poly', SQUARE)
+        fine = ('--split-interfaces', '--size', '0.02')
+        out, _ = self.run_cover('mesh', 's.poly', '-o', 's.vtu', '--dry-run', *fine)
+        about = float(re.search(r'A mesh takes about ([0-9.e+]+) triangles and \d+ MB of memory', out)[1])
+        made, _ = self.run_cover('mesh', 's.poly', '-o', 's.vtu', *fine)
+        made = float(re.match(r'([0-9,]+) triangles', made)[1].replace(',', ''))
+        self.assertLess(abs(about - made), 0.3 * made)
+
+    def test_what_does_not_fit(self):
+        self.write('s.poly', SQUARE)
+        if os.sysconf('SC_PHYS_PAGES') * os.sysconf('SC_PAGE_SIZE') > 6e10:
+            self.skipTest('it might fit')
+        begin = time.monotonic()
+        _, err = self.run_cover('mesh', 's.poly', '-o', 's.vtu', '--split-interfaces', '--size', '6e-5', code=7)
+        self.assertLess(time.monotonic() - begin, 10)
+        self.assertRegex(err, r'the sizes asked for take about 6.4e\+08 triangles and 108 GB of memory, and there are ')
+        self.assertEqual(self.files(), ['s.poly'])
+
+
 class StrangeNames(Case):
     """Names that would steer a terminal or break a file."""
 
