@@ -5,7 +5,7 @@ import numpy as np
 import numpy.typing as npt
 from typing_extensions import Unpack
 
-__all__ = ["Cancelled", "Error", "Mesh", "OptionError", "mesh", "mesh_file", "mesh_polygons", "options"]
+__all__ = ["Cancelled", "Error", "Mesh", "OptionError", "OutOfMemory", "mesh", "mesh_file", "mesh_polygons", "options"]
 
 __version__: str
 
@@ -64,6 +64,7 @@ class Error(Exception):
     where: Sequence[Tuple[float, float]]
 
 class OptionError(Error, ValueError): ...
+class OutOfMemory(Error, MemoryError): ...
 class Cancelled(Error): ...
 
 class Mesh:
