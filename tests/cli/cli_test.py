@@ -1163,7 +1163,7 @@ class Page(Case):
         self.assertEqual(said['modes'], ['regions', 'largest', 'smallest', 'coupling', 'gap'])
         self.assertEqual(said['marked'], said['hovered'], said)
         self.assertTrue(said['scroll'], 'wider than the window')
-        first = re.search(r'<tr[^>]* data-region="\d+">(.*?)</tr>', dom).group(1)
+        first = re.search(r'<tr[^>]* data-region="\d+"[^>]*>(.*?)</tr>', dom).group(1)
         self.assertIn(f'>{said["largest"]:.2f}<', first)
         self.assertIn('couplings', said['tip'])
 

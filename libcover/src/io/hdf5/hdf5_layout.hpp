@@ -23,6 +23,7 @@ class Hdf5Bytes {
 
   std::uint64_t end = 0;  ///< length of the file
   bool lacks_memory = false;
+  std::shared_ptr<void> file;  ///< what the driver calls an open file; one at a time
 
  private:
   static constexpr std::size_t kPage = 4096;
