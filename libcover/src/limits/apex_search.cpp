@@ -82,14 +82,17 @@ void ApexSearch::collect_obstacles(const RegionSide& side) {
   vertices_.clear();
   obstacles_.clear();
   visited_.assign(1, side.triangle);
+  stamp_.resize(cdt.triangles.size(), 0);
+  ++round_;
+  stamp_[side.triangle] = round_;
   for (std::size_t k = 0; k < visited_.size(); ++k) {
     const Triangle& f = cdt.triangles[visited_[k]];
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t s = view_.side_at(visited_[k], i);
       if (s == kNone) {
         const std::uint32_t next = f.n[static_cast<std::size_t>(i)];
-        if (visited_.size() < kTriangles &&
-            std::find(visited_.begin(), visited_.end(), next) == visited_.end()) {
+        if (visited_.size() < kTriangles && stamp_[next] != round_) {
+          stamp_[next] = round_;
           visited_.push_back(next);
           const Triangle& g = cdt.triangles[next];
           vertices_.push_back(local(g.v[static_cast<std::size_t>(g.edge_to(visited_[k]))]));
@@ -98,11 +101,19 @@ void ApexSearch::collect_obstacles(const RegionSide& side) {
       }
       const RegionSide& other = view_.sides()[s];
       const ClearZones::State& zone = zones_.of(s);
-      obstacles_.push_back({local(other.a), local(other.b),
-                            local(view_.seen_from(view_.corner(other.start)).back().vertex),
-                            local(view_.seen_from(view_.corner(other.end)).front().vertex),
-                            zone.clear, zone.cut_at_start, zone.cut_at_end, false, false});
+      obstacles_.push_back({local(other.a),
+                            local(other.b),
+                            {},
+                            {},
+                            zone.clear,
+                            zone.cut_at_start,
+                            zone.cut_at_end,
+                            false,
+                            false});
       Obstacle& o = obstacles_.back();
+      if (zone.cut_at_start)
+        o.before = local(view_.seen_from(view_.corner(other.start)).back().vertex);
+      if (zone.cut_at_end) o.after = local(view_.seen_from(view_.corner(other.end)).front().vertex);
       const double ux = o.d.x - o.c.x, uy = o.d.y - o.c.y;
       const double at_a = uy * o.c.x - ux * o.c.y, at_b = at_a - uy;
       const double room = 8 * (o.c.fuzz + o.d.fuzz) * (1 + std::abs(ux) + std::abs(uy));

@@ -45,7 +45,8 @@ class ApexSearch {
   };
   /// A side that an apex must keep clear of.
   struct Obstacle {
-    Place c, d, before, after;
+    Place c, d;
+    Place before, after;  ///< known where the zone is cut there
     bool has_zone, cut_at_start, cut_at_end;
     bool faces_a, faces_b;  ///< the ends of the side lie strictly on its left
   };
@@ -97,6 +98,8 @@ class ApexSearch {
   std::vector<Place> vertices_;
   std::vector<Obstacle> obstacles_;
   std::vector<std::uint32_t> visited_;
+  std::vector<std::uint32_t> stamp_;  ///< by triangle: the last round in which it was visited
+  std::uint32_t round_ = 0;
   Ban last_ban_ = Ban::zone;
   std::size_t last_which_ = 0;
   std::vector<Box> stack_;

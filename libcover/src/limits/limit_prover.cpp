@@ -21,16 +21,10 @@ constexpr double kSixty = std::numbers::pi / 3;
 constexpr double kNearQuestion = kDegree, kExactQuestion = 1e-6 * kDegree,
                  kFarQuestion = 5 * kDegree;
 
-/// Puts the questions: near by, and then nearer or farther.
-template <class Ask>
-void put_questions(Ask is_out, const ProofEffort& effort) {
-  ProofEffort quick = effort;
-  quick.per_search = effort.at_first;  // what is exact is mostly seen at once
-  if (is_out(kNearQuestion, effort)) {
-    is_out(kExactQuestion, quick);
-  } else {
-    is_out(kFarQuestion, effort);
-  }
+/// The effort for what is exact, which is mostly seen at once.
+ProofEffort quick(ProofEffort effort) {
+  effort.per_search = effort.at_first;
+  return effort;
 }
 
 }  // namespace
@@ -72,6 +66,25 @@ bool LimitProver::refutes(AngleRange range, std::uint64_t& budget, const ProofEf
   return false;
 }
 
+bool LimitProver::is_near(const ReachedAngles& reached, const ReachedAngles& wanted,
+                          const ProofEffort& effort) {
+  const double lowest = std::max(std::numbers::pi - nu_opt_, kSixty);
+  std::uint64_t budget = effort.per_region + effort.per_side * view_.sides().size();
+  const auto misses = [](Angle angle, Angle target) {
+    return angle.in_radians() < target.in_radians() - kAngleSlack;
+  };
+  if (misses(reached.largest_nu, wanted.largest_nu)) {
+    const double most = std::numbers::pi - reached.largest_nu.in_radians() - kNearQuestion;
+    if (most > lowest && !refutes({most, 0}, budget, effort)) return false;
+  }
+  if (!misses(reached.smallest, wanted.smallest)) return true;
+  const double least = reached.smallest.in_radians() + kNearQuestion;
+  if (least >= std::min((std::numbers::pi - lowest) / 2, kSixty)) return true;
+  const double most =
+      std::numbers::pi - std::min(reached.largest_nu, wanted.largest_nu).in_radians();
+  return refutes({most, least}, budget, effort);
+}
+
 ProvenLimits LimitProver::prove(const ReachedAngles& reached, const ReachedAngles& wanted,
                                 const ProofEffort& effort) {
   const double lowest = std::max(std::numbers::pi - nu_opt_, kSixty);
@@ -87,7 +100,8 @@ ProvenLimits LimitProver::prove(const ReachedAngles& reached, const ReachedAngle
       largest_limit = largest - gap;
       return true;
     };
-    put_questions(ask, effort);
+    // What is open by a degree is hardly ever closed by five.
+    if (ask(kNearQuestion, effort)) ask(kExactQuestion, quick(effort));
   }
 
   const double most =
@@ -100,7 +114,11 @@ ProvenLimits LimitProver::prove(const ReachedAngles& reached, const ReachedAngle
       smallest_limit = smallest + gap;
       return true;
     };
-    put_questions(ask, effort);
+    if (ask(kNearQuestion, effort)) {
+      ask(kExactQuestion, quick(effort));
+    } else {
+      ask(kFarQuestion, effort);
+    }
   }
   // Rounding of the mesh's own coordinates must not make it better than its limit.
   return {Angle::radians(std::numbers::pi - std::min(largest_limit, largest)),

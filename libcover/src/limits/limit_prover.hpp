@@ -60,6 +60,13 @@ class LimitProver {
   ProvenLimits prove(const ReachedAngles& reached, const ReachedAngles& wanted,
                      const ProofEffort& effort = {});
 
+  /// Whether a mesh that has reached that is within a degree of its limits: what prove() says in
+  /// full, by its first questions.
+  ///
+  /// REQUIRES: as prove()
+  bool is_near(const ReachedAngles& reached, const ReachedAngles& wanted,
+               const ProofEffort& effort = {});
+
  private:
   RegionView view_;
   double nu_opt_;
