@@ -17,6 +17,7 @@ SEES['pipeline'] = {*ORDER, 'verify', 'mesh', 'pipeline'}
 SEES['io'] = {'io', *GROUND}
 SEES['picture'] = SEES['io'] | {'picture'}
 SEES['vtk'] = SEES['picture'] | {'vtk'}
+SEES['dxf'] = SEES['io'] | {'dxf'}
 SEES['gmsh'] = SEES['io'] | {'gmsh'}
 CGAL = {'geom', 'cdt'}  # and there in .cpp files only
 
@@ -39,6 +40,8 @@ def faults(root, path, layer):
             yield number, f'<{name}>: CGAL belongs in .cpp files of {", ".join(sorted(CGAL))}'
         if name == 'gmsh.h' and layer != 'gmsh':
             yield number, f'<{name}>: gmsh belongs in gmsh'
+        if name.startswith('dxflib/') and layer != 'dxf':
+            yield number, f'<{name}>: dxflib belongs in dxf'
         if re.match(r'vtk\w+\.h', name) and layer != 'vtk':
             yield number, f'<{name}>: VTK belongs in vtk'
 

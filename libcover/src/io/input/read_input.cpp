@@ -1,12 +1,14 @@
 // Which reader a file wants is told by its extension.
 // Tested by tests/unit/io/input/read_json_test.cpp and those beside it.
 #include <cover/read_input.hpp>
+#include <cover/units.hpp>
 
 #include <fmt/core.h>
 
 #include <array>
 
 #include "io/input/formats.hpp"
+#include "io/layout/read_gds.hpp"
 #include "io/text/text.hpp"
 #include "io/vtk_files/read_data_set.hpp"
 
@@ -26,37 +28,64 @@ constexpr std::array kFormats{
     Format{".msh", parse_msh},
 };
 
+/// Formats that others turn into one that is read here, and how.
+struct OtherFormat {
+  std::string_view extension;
+  std::string_view what;
+};
+
+constexpr std::array kOtherFormats{
+    OtherFormat{".geo",
+                ".geo is read by gmsh's library, without which this was built; "
+                "'gmsh -2 FILE.geo -o FILE.msh' makes a file that can be read"},
+    OtherFormat{".oas",
+                "OASIS is not read; KLayout's 'strm2gds FILE.oas FILE.gds' makes a file "
+                "that can be read"},
+    OtherFormat{".dxf",
+                ".dxf is read by dxflib, without which this was built; "
+                "'ogr2ogr -f GeoJSON FILE.geojson FILE.dxf' makes a file that can be read, "
+                "with chords for arcs"},
+};
+
+Error unknown_format(std::string_view extension, const std::string& source) {
+  for (const OtherFormat& other : kOtherFormats) {
+    if (other.extension != lower(extension)) continue;
+    return {ErrorCode::unsupported_format, fmt::format("{}: {}", source, other.what), {}, {}};
+  }
+  std::string known;
+  for (const Format& format : kFormats) known += fmt::format("{}, ", format.extension);
+  return {ErrorCode::unsupported_format,
+          fmt::format("{}: no reader for files named '*{}'; known: {}.gds, .vtu, .vtp, .vti, .vtk",
+                      source, extension, known),
+          {},
+          {}};
+}
+
+Result<Input> parse_format(std::string_view text, const std::string& extension,
+                           const std::string& source, const ReadOptions& options) {
+  for (const Format& format : kFormats)
+    if (format.extension == extension) return format.parse(text, source);
+  if (is_data_set(extension)) return parse_vtk_input(text, extension, source);
+  if (is_layout(extension)) return parse_gds(text, source, options);
+  return unknown_format(extension, source);
+}
+
 }  // namespace
 
 Result<Input> parse_input(std::string_view text, std::string_view extension,
-                          const std::string& source) {
-  const std::string wanted = lower(extension);
-  for (const Format& format : kFormats)
-    if (format.extension == wanted) return format.parse(text, source);
-  if (is_data_set(wanted)) return parse_vtk_input(text, wanted, source);
-  if (wanted == ".geo") {
-    return Error{ErrorCode::unsupported_format,
-                 fmt::format("{}: .geo is read by gmsh's library, without which this was built; "
-                             "'gmsh -2 FILE.geo -o FILE.msh' makes a file that can be read",
-                             source),
-                 {},
-                 {}};
-  }
-  std::string known;
-  for (const Format& format : kFormats) {
-    known += fmt::format("{}{}", known.empty() ? "" : ", ", format.extension);
-  }
-  return Error{ErrorCode::unsupported_format,
-               fmt::format("{}: no reader for files named '*{}'; known: {}, .vtu, .vtp, .vti, .vtk",
-                           source, extension, known),
-               {},
-               {}};
+                          const std::string& source, const ReadOptions& options) {
+  if (const Status status = check_read_options(options); !status) return status.error();
+  const std::string format = lower(options.format.empty() ? extension : options.format);
+  Result<Input> input = parse_format(text, format, source, options);
+  if (!input) return input;
+  if (Status status = apply_units(*input, options); !status) return std::move(status).error();
+  return input;
 }
 
-Result<Input> read_input(const std::string& path) {
+Result<Input> read_input(const std::string& path, const ReadOptions& options) {
   Result<std::string> text = read_file(path);
   if (!text) return std::move(text).error();
-  return parse_input(*text, extension_of(path), path);
+  return parse_input(*text, extension_of(path), path, options);
 }
 
 }  // namespace cover
