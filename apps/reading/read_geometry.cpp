@@ -6,6 +6,9 @@
 #ifdef COVER_WITH_DXF
 #include <cover/read_dxf.hpp>
 #endif
+#ifdef COVER_WITH_GDAL
+#include <cover/read_gdal.hpp>
+#endif
 #ifdef COVER_WITH_GMSH
 #include <cover/read_geo.hpp>
 #endif
@@ -30,6 +33,9 @@ std::string known_formats() {
 #ifdef COVER_WITH_DXF
   text += ", drawings in .dxf";
 #endif
+#ifdef COVER_WITH_GDAL
+  text += ", maps in .shp, .gpkg, .fgb, .gml, .kml";
+#endif
   return text;
 }
 
@@ -53,6 +59,13 @@ Result<Input> read_geometry(const std::string& path, const ReadOptions& options)
 #endif
 #ifdef COVER_WITH_DXF
   if (format == ".dxf") return read_dxf(path, options);
+#endif
+#ifdef COVER_WITH_GDAL
+  // Of GeoJSON, what our own reader does not do.
+  const bool is_chosen = !options.crs.empty() || !options.layers.empty() ||
+                         !options.material_field.empty() || !options.name_field.empty() ||
+                         !options.priority_field.empty();
+  if (is_map(format) || (format == ".geojson" && is_chosen)) return read_gdal(path, options);
 #endif
   return read_input(path, options);
 }

@@ -18,7 +18,7 @@ std::string format_of_name(const std::string& path);
 
 /// Reads a file, with the components that are built in.
 ///
-/// Errors: those of read_input(), read_geo() and read_dxf()
+/// Errors: those of read_input(), read_geo(), read_dxf() and read_gdal()
 Result<Input> read_geometry(const std::string& path, const ReadOptions& options);
 
 /// Reads geometry from memory; `source` is what messages call it. REQUIRES: a format in the options

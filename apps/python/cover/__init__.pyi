@@ -54,6 +54,10 @@ class _ReadOptions(TypedDict, total=False):
     window: Union[str, Tuple[float, float, float, float]]
     chord_error: float
     chord_angle: float  # degrees
+    material_field: str
+    name_field: str
+    priority_field: str
+    crs: str
 
 class _FileOptions(_Options, _ReadOptions, total=False): ...
 

@@ -31,6 +31,11 @@ struct ReadOptions {
   std::optional<Window> window;        ///< of a layout: what is outside is cut off
   std::optional<double> chord_error;   ///< how far a chord may be from its curve, a length > 0
   double chord_angle = 5;              ///< what a chord may turn by, in degrees, in (0, 120]
+
+  std::string material_field;  ///< of a map: the attribute that is the material
+  std::string name_field;      ///< that is the name of the region or line
+  std::string priority_field;  ///< that says which polygon wins where they overlap
+  std::string crs;             ///< as "EPSG:25832": what a map is projected to; empty: nothing
 };
 
 using ReadOptionEntry = OptionOf<ReadOptions>;

@@ -16,6 +16,7 @@
 
 #include "dxf/drawing.hpp"
 #include "dxf/dxf_groups.hpp"
+#include "dxf/ends.hpp"
 #include "dxf/place_blocks.hpp"
 #include "dxf/spline.hpp"
 #include "geom/vector.hpp"
@@ -41,6 +42,11 @@ class DxfConverter {
     choose_layers();
     for (const Placed<DxfCurve>& curve : placed_.curves)
       if (is_read(curve)) note(curve);
+    ends_ = CurveEnds(size_);
+    for (const Placed<DxfCurve>& curve : placed_.curves)
+      if (is_read(curve)) note_given_ends(curve);
+    for (const Placed<DxfCurve>& curve : placed_.curves)
+      if (is_read(curve)) note_arc_ends(curve);
     for (const Placed<DxfCurve>& curve : placed_.curves) {
       if (!is_read(curve)) continue;
       add(curve);
@@ -92,9 +98,44 @@ class DxfConverter {
     return out;
   }
 
+  /// Shows arcs to the cutter, and finds out how large the drawing is.
   void note(const Placed<DxfCurve>& curve) {
+    const auto reach = [&](Point p) {
+      const Point q = curve.place(p);
+      if (std::isfinite(q.x) && std::isfinite(q.y))
+        size_ = std::max({size_, std::abs(q.x), std::abs(q.y)});
+    };
+    if (const auto* line = std::get_if<BulgePolyline>(&curve.thing->shape))
+      for (const BulgeCorner& corner : line->corners) reach(corner.at);
+    if (const auto* spline = std::get_if<DxfSpline>(&curve.thing->shape))
+      for (const Point p : spline->controls) reach(p);
+    if (const auto* e = std::get_if<DxfEllipse>(&curve.thing->shape)) {
+      reach({e->centre.x + e->major.x, e->centre.y + e->major.y});
+      reach({e->centre.x - e->major.x, e->centre.y - e->major.y});
+    }
+    if (const auto* arc = std::get_if<DxfArc>(&curve.thing->shape)) {
+      reach({arc->centre.x + arc->radius, arc->centre.y + arc->radius});
+      reach({arc->centre.x - arc->radius, arc->centre.y - arc->radius});
+      if (curve.place.is_similar()) cutter_.add(placed(*arc, curve.place));
+    }
+  }
+
+  void note_given_ends(const Placed<DxfCurve>& curve) {
+    if (const auto* line = std::get_if<BulgePolyline>(&curve.thing->shape))
+      for (const BulgeCorner& corner : line->corners) ends_.add(curve.place(corner.at));
+    const auto* spline = std::get_if<DxfSpline>(&curve.thing->shape);
+    if (spline == nullptr || spline->controls.empty()) return;
+    ends_.add(curve.place(spline->controls.front()));
+    ends_.add(curve.place(spline->controls.back()));
+  }
+
+  void note_arc_ends(const Placed<DxfCurve>& curve) {
     const auto* arc = std::get_if<DxfArc>(&curve.thing->shape);
-    if (arc != nullptr && curve.place.is_similar()) cutter_.add(placed(*arc, curve.place));
+    if (arc == nullptr || !curve.place.is_similar()) return;
+    const Arc seen = placed(*arc, curve.place);
+    if (seen.full()) return;
+    ends_.add(point_on_circle(seen.centre, seen.radius, seen.from));
+    ends_.add(point_on_circle(seen.centre, seen.radius, seen.to));
   }
 
   void add(const Placed<DxfCurve>& curve) {
@@ -178,8 +219,7 @@ class DxfConverter {
     InputSegment segment;
     if (layer_ != nullptr) segment.name = *layer_;
     for (std::size_t k = 0; k + 1 < path->size(); ++k) {
-      const Point a = (*path)[k], b = (*path)[k + 1];
-      if (a == b) continue;
+      Point a = (*path)[k], b = (*path)[k + 1];
       if (!std::isfinite(a.x) || !std::isfinite(a.y) || !std::isfinite(b.x) ||
           !std::isfinite(b.y)) {
         error_ = Error{ErrorCode::non_finite_coordinate,
@@ -189,6 +229,9 @@ class DxfConverter {
                        {}};
         return;
       }
+      a = ends_.same(a);
+      b = ends_.same(b);
+      if (a == b) continue;
       segment.a = index_of(a);
       segment.b = index_of(b);
       segment.id = number_;
@@ -250,6 +293,8 @@ class DxfConverter {
   const ReadOptions& options_;
   Input input_;
   CurveCutter cutter_;
+  double size_ = 0;  ///< largest coordinate
+  CurveEnds ends_{0};
   std::map<Point, std::uint32_t> indices_;
   bool named_ = false;
   const std::string* layer_ = nullptr;  ///< of the curve that is added; nullptr: no name

@@ -87,6 +87,9 @@ bool is_format(const ReadOptions& options, Extensions... extensions) {
   return ((options.format == extensions) || ...);
 }
 bool is_layout(const ReadOptions& o) { return is_format(o, ".gds", ".gds2", ".gdsii"); }
+bool is_map(const ReadOptions& o) {
+  return is_format(o, ".shp", ".gpkg", ".fgb", ".gml", ".kml", ".geojson");
+}
 bool is_drawing(const ReadOptions& o) { return is_format(o, ".dxf"); }
 
 // clang-format off
@@ -106,8 +109,8 @@ constexpr ReadOptionEntry kReadTable[] = {
     texts<&ReadOptions::layers>({
         .name = "layer", .placeholder = "NAME",
         .help = "Read this layer only, several if repeated: a name, or 68/20 in a layout",
-        .counts_with = "drawings and layouts",
-        .counts = [](const ReadOptions& o) { return is_layout(o) || is_drawing(o); }}),
+        .counts_with = "drawings, layouts and maps",
+        .counts = [](const ReadOptions& o) { return is_layout(o) || is_drawing(o) || is_map(o); }}),
     texts<&ReadOptions::layer_map>({
         .name = "layer-map", .placeholder = "MAP",
         .help = "Layers of a layout by name: 68/20=met1, or a file of such lines; the last lies on "
@@ -140,8 +143,29 @@ constexpr ReadOptionEntry kReadTable[] = {
         .name = "chord-angle", .placeholder = "DEG",
         .range = ranges::kChordAngle,
         .help = "What a chord may turn by along a curve of a drawing; 5 degrees unless given",
-        .counts_with = "drawings and layouts",
-        .counts = [](const ReadOptions& o) { return is_layout(o) || is_drawing(o); }}),
+        .counts_with = "drawings, layouts and maps",
+        .counts = [](const ReadOptions& o) { return is_layout(o) || is_drawing(o) || is_map(o); }}),
+    text<&ReadOptions::material_field>({
+        .name = "material-field", .placeholder = "NAME",
+        .help = "Attribute of a map that is the material; 'material' unless given, else 'name'",
+        .counts_with = "maps",
+        .counts = is_map}),
+    text<&ReadOptions::name_field>({
+        .name = "name-field", .placeholder = "NAME",
+        .help = "Attribute of a map that is the name of the region or contact; 'name' unless given",
+        .counts_with = "maps",
+        .counts = is_map}),
+    text<&ReadOptions::priority_field>({
+        .name = "priority-field", .placeholder = "NAME",
+        .help = "Attribute of a map of which the higher wins where polygons overlap; 'priority' unless "
+                "given",
+        .counts_with = "maps",
+        .counts = is_map}),
+    text<&ReadOptions::crs>({
+        .name = "crs", .placeholder = "CRS",
+        .help = "Project a map to these coordinates, as EPSG:25832",
+        .counts_with = "maps",
+        .counts = is_map}),
 };
 // clang-format on
 

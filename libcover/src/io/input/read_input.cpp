@@ -34,7 +34,16 @@ struct OtherFormat {
   std::string_view what;
 };
 
+constexpr std::string_view kOfMaps =
+    "maps other than GeoJSON are read by GDAL, from files and in builds that have it; "
+    "'ogr2ogr -f GeoJSON OUT.geojson FILE' makes a file that can be read";
+
 constexpr std::array kOtherFormats{
+    OtherFormat{".shp", kOfMaps},
+    OtherFormat{".gpkg", kOfMaps},
+    OtherFormat{".fgb", kOfMaps},
+    OtherFormat{".gml", kOfMaps},
+    OtherFormat{".kml", kOfMaps},
     OtherFormat{".geo",
                 ".geo is read by gmsh's library, without which this was built; "
                 "'gmsh -2 FILE.geo -o FILE.msh' makes a file that can be read"},
@@ -61,8 +70,21 @@ Error unknown_format(std::string_view extension, const std::string& source) {
           {}};
 }
 
+/// Whether something of a map is chosen that only GDAL does.
+bool is_for_gdal(const ReadOptions& o) {
+  return !o.layers.empty() || !o.crs.empty() || !o.material_field.empty() ||
+         !o.name_field.empty() || !o.priority_field.empty();
+}
+
 Result<Input> parse_format(std::string_view text, const std::string& extension,
                            const std::string& source, const ReadOptions& options) {
+  if (extension == ".geojson" && is_for_gdal(options))
+    return Error{ErrorCode::bad_option,
+                 fmt::format("{}: choosing layers, attributes or a projection takes GDAL, which "
+                             "reads from files and in builds that have it",
+                             source),
+                 {},
+                 {}};
   for (const Format& format : kFormats)
     if (format.extension == extension) return format.parse(text, source);
   if (is_data_set(extension)) return parse_vtk_input(text, extension, source);
