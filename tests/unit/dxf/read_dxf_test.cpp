@@ -352,7 +352,7 @@ TEST(ReadDxf, EveryCutOffFileIsAnError) {
 
 TEST(ReadDxf, ReadsMotorsOfOthers) {
   for (const auto& [name, regions] :
-       {std::pair("stator_concentrated.dxf", 19U), std::pair("reluctance_caseA.dxf", 7U)}) {
+       {std::pair("stator_concentrated.dxf", 26U), std::pair("reluctance_caseA.dxf", 7U)}) {
     const auto path = cases_folder() / "formats" / name;
     if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
     const Result<Input> input = read_dxf(path.string());
