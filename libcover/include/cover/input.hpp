@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <cover/plane_field.hpp>
 #include <cover/point.hpp>
 
 namespace cover {
@@ -44,6 +46,7 @@ struct InputPolygon {
   std::string region;              ///< empty if none
   std::optional<double> priority;  ///< larger wins over smaller, and over the order
   long id = 0;
+  std::optional<double> size;  ///< wished edge length where it is seen, if the file gives one; > 0
 };
 
 /// A named open or closed polyline that must appear in the mesh: a contact.
@@ -75,6 +78,8 @@ struct Input {
   VoidRule void_rule = VoidRule::holes_only;
   std::vector<InputPolygon> polygons;
   std::vector<InputLine> lines;
+  std::shared_ptr<const PlaneField>
+      field;  ///< values that the file has beside its geometry: doping
 };
 
 }  // namespace cover

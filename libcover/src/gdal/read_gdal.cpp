@@ -59,6 +59,7 @@ struct FeatureWords {
   std::string material;
   std::string name;
   std::optional<double> priority;
+  std::optional<double> size;
 };
 
 class MapReader {
@@ -141,6 +142,7 @@ class MapReader {
   void read_layer(OGRLayer& layer) {
     material_ = field_of(layer, options_.material_field, "material", "material_field");
     name_ = field_of(layer, options_.name_field, "name", "name_field");
+    size_ = field_of(layer, "", "size", "");
     priority_ = field_of(layer, options_.priority_field, "priority", "priority_field");
     Result<MapProjection> projection = projection_of(layer.GetSpatialRef(), options_.crs);
     if (!projection) {
@@ -169,6 +171,16 @@ class MapReader {
     return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
   }
 
+  /// A length; whatever else a table calls so is left out, as of GeoJSON.
+  std::optional<double> size_of(const OGRFeature& feature) {
+    const OGRFieldType type = feature.GetFieldDefnRef(size_)->GetType();
+    const bool is_number = type == OFTReal || type == OFTInteger || type == OFTInteger64;
+    const double size = is_number ? feature.GetFieldAsDouble(size_) : 0;
+    if (size > 0 && std::isfinite(size)) return size;
+    ++no_sizes_;
+    return std::nullopt;
+  }
+
   FeatureWords words_of(const OGRFeature& feature) {
     FeatureWords words;
     words.material = text_of(feature, material_);
@@ -178,6 +190,7 @@ class MapReader {
     if (words.priority && !std::isfinite(*words.priority))
       fail(ErrorCode::syntax,
            fmt::format("feature {}: the priority is no number", feature.GetFID()));
+    if (size_ >= 0 && feature.IsFieldSetAndNotNull(size_) != 0) words.size = size_of(feature);
     if (words.material.empty())
       words.material = words.name.empty() ? fmt::format("feature_{}", features_) : words.name;
     return words;
@@ -250,6 +263,7 @@ class MapReader {
     out.material = words_.material;
     out.region = words_.name;
     out.priority = words_.priority;
+    out.size = words_.size;
     out.id = static_cast<long>(input_.polygons.size());
     input_.polygons.push_back(std::move(out));
   }
@@ -268,6 +282,9 @@ class MapReader {
       input_.warnings.push_back(points_ == 1
                                     ? std::string("1 geometry is a point: left out")
                                     : fmt::format("{} geometries are points: left out", points_));
+    if (no_sizes_ > 0)
+      input_.warnings.push_back(fmt::format(
+          "the attribute 'size' of {} features is no length above 0: left out", no_sizes_));
     if (others_ > 0)
       input_.warnings.push_back(
           fmt::format("{} geometries are surfaces in space: left out", others_));
@@ -281,11 +298,11 @@ class MapReader {
   QuietGdal quiet_;
   Input input_;
   MapProjection projection_;
-  int material_ = -1, name_ = -1, priority_ = -1;  ///< numbers of attributes
+  int material_ = -1, name_ = -1, priority_ = -1, size_ = -1;  ///< numbers of attributes
   FeatureWords words_;
   GIntBig fid_ = 0;
   long features_ = 0;
-  std::size_t points_ = 0, others_ = 0;
+  std::size_t points_ = 0, others_ = 0, no_sizes_ = 0;
   bool degrees_ = false;
   std::optional<Error> error_;
 };

@@ -3,18 +3,23 @@
 #include "sizes/sizes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <fmt/core.h>
 
 #include "base/describe.hpp"
+#include "base/expression.hpp"
 #include "base/suggest.hpp"
+#include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 #include "region/named_regions.hpp"
 #include "sizes/segment_sizes.hpp"
+#include "sizes/size_field.hpp"
 
 namespace cover {
 namespace {
@@ -26,16 +31,32 @@ void make_smaller(double& size, double wished) {
   size = size == 0 ? wished : std::min(size, wished);
 }
 
+/// Adds the size of a rule, or its function, to those inside a region.
+void add_rule(const SizeRule& rule, const SizeFunction& function, RegionBoundary& boundary) {
+  if (!function) return make_smaller(boundary.size, rule.size);
+  boundary.size_function = smaller_of(boundary.size_function, function);
+}
+
 /// Sets the sizes inside regions. False if no region has that name.
-bool inside(const SizeRule& rule, const RegionTable& table, std::span<RegionBoundary> boundaries) {
+bool inside(const SizeRule& rule, const SizeFunction& function, const RegionTable& table,
+            std::span<RegionBoundary> boundaries) {
   if (rule.name.empty()) {
-    for (RegionBoundary& boundary : boundaries) make_smaller(boundary.size, rule.size);
+    for (RegionBoundary& boundary : boundaries) add_rule(rule, function, boundary);
     return true;
   }
   const std::vector<RegionId> regions = named_regions(table, rule.name);
-  for (const RegionId region : regions)
-    make_smaller(boundaries[region.index() - 1].size, rule.size);
+  for (const RegionId region : regions) add_rule(rule, function, boundaries[region.index() - 1]);
   return !regions.empty();
+}
+
+/// The expression of a rule; an empty function where it has none.
+Result<SizeFunction> function_of(const SizeRule& rule) {
+  if (rule.expression.empty()) return SizeFunction();
+  static const std::array<std::string, 2> kPlace{"x", "y"};
+  Result<Expression> formula = Expression::parse(rule.expression, kPlace);
+  if (!formula) return std::move(formula).error();
+  const auto shared = std::make_shared<const Expression>(*std::move(formula));
+  return SizeFunction([shared](Point p) { return (*shared)(std::array{p.x, p.y}); });
 }
 
 /// Sets the sizes at PSLG points. False if no line or point has that name.
@@ -77,22 +98,23 @@ Error unknown_name(const SizeRule& rule, const RegionTable& table) {
 
 /// Sizes that coordinates cannot hold: cut at such lengths, rounded points would coincide.
 Status check_spacing(const Pslg& pslg, const RegionTable& table, const Options& options) {
-  double largest = 0;
-  for (const Point& p : pslg.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-  const double spacing = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+  const double spacing = spacing_of(pslg.points);
   double smallest = std::numeric_limits<double>::infinity();
-  for (const SizeRule& rule : options.sizes) smallest = std::min(smallest, rule.size);
+  for (const SizeRule& rule : options.sizes) {
+    if (rule.expression.empty()) smallest = std::min(smallest, rule.size);
+  }
   for (const Region& region : table.regions) {
     if (options.input_sizes && region.size) smallest = std::min(smallest, *region.size);
   }
   if (!(smallest < kLeastSpacings * spacing)) return ok();
-  return Error{ErrorCode::bad_option,
-               fmt::format("the size {} is too small: coordinates as large as {} are {} apart, and "
-                           "edges need {} times that",
-                           describe_roughly(smallest), describe_roughly(largest),
-                           describe_roughly(spacing), kLeastSpacings),
-               {},
-               {}};
+  return Error{
+      ErrorCode::bad_option,
+      fmt::format("the size {} is too small: coordinates as large as {} are {} apart, and "
+                  "edges need {} times that",
+                  describe_roughly(smallest), describe_roughly(largest_coordinate(pslg.points)),
+                  describe_roughly(spacing), kLeastSpacings),
+      {},
+      {}};
 }
 
 }  // namespace
@@ -101,13 +123,16 @@ Status resolve_sizes(const Pslg& pslg, const RegionTable& table, const Options& 
                      std::span<RegionBoundary> boundaries) {
   for (std::size_t r = 0; r < boundaries.size(); ++r) {
     boundaries[r].size = options.input_sizes ? table.regions[r].size.value_or(0) : 0;
+    boundaries[r].size_function = {};
   }
   if (Status status = check_spacing(pslg, table, options); !status) return status;
   if (options.sizes.empty()) return ok();
   std::vector<double> size_at(pslg.points.size(), 0);
   for (const SizeRule& rule : options.sizes) {
-    const bool found =
-        rule.at ? at_points(rule, pslg, table, size_at) : inside(rule, table, boundaries);
+    const Result<SizeFunction> function = function_of(rule);
+    if (!function) return function.error();
+    const bool found = rule.at ? at_points(rule, pslg, table, size_at)
+                               : inside(rule, *function, table, boundaries);
     if (!found) return unknown_name(rule, table);
   }
   for (RegionBoundary& boundary : boundaries) {

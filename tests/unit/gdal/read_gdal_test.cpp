@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 /// Two parcels, one with a courtyard and one of two parts, and a field; in degrees.
 const char* const kParcels = R"({"type": "FeatureCollection", "features": [
-  {"type": "Feature", "properties": {"material": "house", "name": "7/1", "priority": 2, "landuse": "built", "nr": 12, "value": 1.5},
+  {"type": "Feature", "properties": {"material": "house", "name": "7/1", "priority": 2, "size": 0.125, "landuse": "built", "nr": 12, "value": 1.5},
    "geometry": {"type": "Polygon", "coordinates": [[[8.5, 49.25], [8.75, 49.25], [8.75, 49.5], [8.5, 49.5], [8.5, 49.25]],
                                                    [[8.5625, 49.3125], [8.5625, 49.375], [8.625, 49.375], [8.625, 49.3125], [8.5625, 49.3125]]]}},
   {"type": "Feature", "properties": {"material": null, "name": "7/2", "priority": 1, "landuse": "green", "nr": 13, "value": 2},
@@ -100,8 +100,10 @@ TEST_F(ReadGdal, AGeoJsonIsWhatOurOwnReaderMakesOfIt) {
     EXPECT_EQ(input.polygons[k].material, own->polygons[k].material);
     EXPECT_EQ(input.polygons[k].region, own->polygons[k].region);
     EXPECT_EQ(input.polygons[k].priority, own->polygons[k].priority);
+    EXPECT_EQ(input.polygons[k].size, own->polygons[k].size);
     EXPECT_EQ(input.polygons[k].id, own->polygons[k].id);
   }
+  EXPECT_EQ(input.polygons[0].size, 0.125);
   EXPECT_EQ(mesh_of(input), mesh_of(*own));
 }
 
