@@ -86,6 +86,10 @@ std::string totals(const Output& output) {
   for (const Note& note : report.notes) {
     if (note.kind == Note::Kind::cut) out += note.message + '\n';
   }
+  for (const PeriodicNodes& nodes : output.periodic) {
+    out += fmt::format("Periodic        {:>7}  pairs of vertices on '{}' and '{}'\n",
+                       grouped(nodes.vertices.size()), nodes.rule.from, nodes.rule.to);
+  }
   if (report.regions.empty()) return out;
   const RegionReport& region = report.regions[worst];
   out += fmt::format("Largest angle   {:>7}  in region {} '{}'; no mesh is below {} there\n",

@@ -93,6 +93,49 @@ class Usage(Case):
         self.assertEqual(self.files(), [])
 
 
+class Periodic(Case):
+    CELL = {'points': [[0, 0], [2, 0], [2, 1], [0, 1]],
+            'segments': [[0, 1], {'points': [1, 2], 'name': 'right'}, [2, 3], {'points': [3, 0], 'name': 'left=1'}]}
+
+    def setUp(self):
+        super().setUp()
+        self.write('cell.json', json.dumps(self.CELL))
+
+    def test_what_cuts_one_side_cuts_the_other(self):
+        out, _ = self.run_cover('mesh', 'cell.json', '--periodic', '"left=1"=right', '--split-interfaces', '--size', '0.3',
+                                '--size-at', 'right=0.1', '-o', 'a.msh', '-o', 'a.json', '-o', 'a.vtk')
+        self.assertRegex(out, r"Periodic +\d+  pairs of vertices on 'left=1' and 'right'")
+        rule, = json.loads((self.dir / 'a.json').read_text())['periodic']
+        self.assertGreater(len(rule['vertices']), 8)
+        self.assertEqual(len(rule['edges']), len(rule['vertices']) - 1)
+        self.assertIn('$Periodic', (self.dir / 'a.msh').read_text())
+        self.assertIn('SCALARS PeriodicNode', (self.dir / 'a.vtk').read_text())
+        self.assertIn('none without a partner', self.run_cover('check', 'cell.json', 'a.vtk', '--periodic', '"left=1"=right')[0])
+        self.run_cover('convert', 'a.vtk', '-o', 'b.msh')
+        self.assertIn('$Periodic', (self.dir / 'b.msh').read_text())
+
+    def test_check_finds_vertices_without_a_partner(self):
+        self.run_cover('mesh', 'cell.json', '--split-interfaces', '--size-at', 'right=0.1', '-o', 'a.vtu')
+        out, _ = self.run_cover('check', 'cell.json', 'a.vtu', '--allow-split', '--periodic', '"left=1"=right', code=6)
+        self.assertRegex(out, r"FAILED periodic 'left=1' and 'right': \d+ points without a partner, the first at \(2, ")
+
+    def test_in_the_input(self):
+        self.write('cell.json', json.dumps({**self.CELL, 'periodic': [['left=1', 'right']]}))
+        self.run_cover('mesh', 'cell.json', '-o', 'a.vtu', '--box-method')
+        self.assertIn('Periodic: 2 pairs', self.run_cover('check', 'cell.json', 'a.vtu')[0])
+
+    def test_what_cannot_be_is_refused_and_nothing_is_written(self):
+        for rule, what in (('"left=1"=rihgt', "did you mean 'right'?"),
+                           ('right=right', 'a line cannot be taken to itself'),
+                           ('"left=1"=right@0,0:360', 'takes every line to itself'),
+                           ('"left=1"=right@0,0:20', 'the lines do not match: (0, 1) of'),
+                           ('left', "'left' is not A=B, A=B@x,y:degrees or A=B@mirror")):
+            self.assertIn(what, self.run_cover('mesh', 'cell.json', '--periodic', rule, '-o', 'a.vtu', code=2)[1])
+        self.assertIn('periodic needs another method', self.run_cover(
+            'mesh', 'cell.json', '--periodic', '"left=1"=right', '--method', 'nonobtuse', '-o', 'a.vtu', code=2)[1])
+        self.assertEqual(self.files(), ['cell.json'])
+
+
 class Mesh(Case):
     def test_mesh_report_and_picture(self):
         out, _ = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '-o', 'd.svg', '--report', 'd.json')

@@ -16,7 +16,8 @@ PROGRAM, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
 # Two materials, one above the other, and a contact.
 GEOMETRY = {'polygons': [{'material': 'Si', 'rings': [[[0, 0], [4, 0], [4, 2], [0, 2]]]},
                          {'material': 'SiO2', 'rings': [[[0, 2], [4, 2], [4, 3], [0, 3]]]}],
-            'lines': [{'name': 'anode', 'points': [[0, 0], [4, 0]]}]}
+            'lines': [{'name': 'anode', 'points': [[0, 0], [4, 0]]}, {'name': 'left', 'points': [[0, 0], [0, 2], [0, 3]]},
+                      {'name': 'right', 'points': [[4, 0], [4, 2], [4, 3]]}]}
 TABLE = cover.options()
 READ_TABLE = cover.read_options()
 # Background sizes of 1 everywhere.
@@ -36,7 +37,8 @@ LOOKUP_TABLE default
 # What else must be given.
 NEEDS = {'pieces': {'paper': True}, 'size-of': {'size_field': 'field.vtk'},
          'size-step': {'size_of': 'asinh', 'size_field': 'field.vtk'}}
-TEXTS = {'size': ['SiO2=0.5', '1'], 'size-at': ['anode=0.25'], 'size-field': ['field.vtk'], 'size-of': ['asinh', '2*size+x'], 'weld': ['off', 'auto', '1e-06']}
+TEXTS = {'size': ['SiO2=0.5', '1'], 'size-at': ['anode=0.25'], 'size-field': ['field.vtk'], 'size-of': ['asinh', '2*size+x'], 'weld': ['off', 'auto', '1e-06'],
+         'periodic': ['left=right', 'left=right@mirror']}
 
 
 def values(row):

@@ -37,6 +37,7 @@ class _Options(TypedDict, total=False):
     split_interfaces: Union[None, bool, float]
     overlap: Literal["last", "first", "error"]
     weld: Union[None, float, str]  # "auto", "off"
+    periodic: Union[str, Sequence[str]]  # "left=right", "a=b@x,y:degrees", "a=b@mirror"
     strict: bool
     merge_materials: bool
     hull: bool
@@ -95,6 +96,8 @@ class Mesh:
     def input_id(self) -> npt.NDArray[np.int64]: ...
     @property
     def lines(self) -> dict[str, list[_Line]]: ...
+    @property
+    def periodic(self) -> list[dict[str, Any]]: ...  # "from", "to", "vertices" (pairs), "edges"
     @property
     def report(self) -> dict[str, Any]: ...
     def save(self, path: Union[str, os.PathLike[str]], **options: Unpack[_WriteOptions]) -> None: ...

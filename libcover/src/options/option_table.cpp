@@ -9,6 +9,7 @@
 
 #include "base/expression.hpp"
 #include "options/option_kinds.hpp"
+#include "options/periodic_rule.hpp"
 
 namespace cover {
 namespace {
@@ -129,6 +130,80 @@ constexpr OptionEntry size_of(OptionEntry row) {
   };
   row.get = [](const OptionEntry&, const Options& options) {
     return options.size_of.empty() ? Texts() : Texts{options.size_of};
+  };
+  return row;
+}
+
+/// A name at the beginning of `text`, in quotation marks or up to one of `ends`; it is taken off.
+std::optional<std::string> take_name(std::string_view& text, std::string_view ends) {
+  const bool is_quoted = text.starts_with('"');
+  const std::size_t stop = is_quoted ? text.find('"', 1) : text.find_first_of(ends);
+  if (is_quoted && stop == text.npos) return std::nullopt;
+  const std::string name(text.substr(is_quoted ? 1 : 0, is_quoted ? stop - 1 : stop));
+  text.remove_prefix(stop == text.npos ? text.size() : stop + (is_quoted ? 1 : 0));
+  if (name.empty()) return std::nullopt;
+  return name;
+}
+
+/// What stands behind the @ of a pair of sides.
+bool take_map(std::string_view text, PeriodicRule& rule) {
+  if (text == "mirror") {
+    rule.map = PeriodicRule::Map::mirror;
+    return true;
+  }
+  const std::size_t comma = text.find(','), colon = text.find(':');
+  if (comma == text.npos || colon == text.npos || colon < comma) return false;
+  const auto x = parse<double>(text.substr(0, comma));
+  const auto y = parse<double>(text.substr(comma + 1, colon - comma - 1));
+  const auto degrees = parse<double>(text.substr(colon + 1));
+  if (!x || !y || !degrees) return false;
+  rule.map = PeriodicRule::Map::rotation;
+  rule.centre = {*x, *y};
+  rule.angle = Angle::degrees(*degrees);
+  return true;
+}
+
+std::string quoted(const std::string& name) {
+  return name.find_first_of("=@\"") == name.npos ? name : '"' + name + '"';
+}
+
+/// A pair of sides and the map that takes the one to the other.
+constexpr OptionEntry periodic(OptionEntry row) {
+  row.kind = OptionKind::text;
+  row.repeats = true;
+  row.set = [](const OptionEntry&, std::string_view text, Options& options) -> Status {
+    PeriodicRule rule;
+    std::string_view rest = text;
+    const auto from = take_name(rest, "=");
+    bool good = from && rest.starts_with('=');
+    if (good) rest.remove_prefix(1);
+    const auto to = good ? take_name(rest, "@") : std::nullopt;
+    good = to && (rest.empty() || (rest.starts_with('@') && take_map(rest.substr(1), rule)));
+    if (!good)
+      return bad_option(fmt::format(
+          "'{}' is not A=B, A=B@x,y:degrees or A=B@mirror with the names of two lines", text));
+    rule.from = *from;
+    rule.to = *to;
+    options.periodic.push_back(std::move(rule));
+    return ok();
+  };
+  row.get = [](const OptionEntry&, const Options& options) {
+    Texts texts;
+    for (const PeriodicRule& rule : options.periodic) {
+      std::string text = quoted(rule.from) + "=" + quoted(rule.to);
+      if (rule.map == PeriodicRule::Map::mirror) text += "@mirror";
+      if (rule.map == PeriodicRule::Map::rotation)
+        text +=
+            fmt::format("@{},{}:{:.12g}", rule.centre.x, rule.centre.y, rule.angle.in_degrees());
+      texts.push_back(std::move(text));
+    }
+    return texts;
+  };
+  row.check = [](const OptionEntry&, const Options& options) -> Status {
+    for (const PeriodicRule& rule : options.periodic) {
+      if (Status status = check_rule(rule); !status) return status;
+    }
+    return ok();
   };
   return row;
 }
@@ -284,6 +359,15 @@ constexpr OptionEntry kTable[] = {
                 "shortest line there: auto, off or a number (default: auto for polygons, off for "
                 "segments)",
         .group = OptionGroup::cleaning}),
+    periodic({
+        .name = "periodic", .placeholder = "A=B",
+        .help = "Make the lines A and B images of each other, and whatever cuts one of them cut "
+                "both: by translation (A=B), rotation (A=B@x,y:degrees) or reflection (A=B@mirror)",
+        .more = "Names are those of contacts, interfaces and outlines that info shows, or boundary "
+                "markers; a name with = or @ stands in quotation marks. Points that only one of "
+                "the lines has are put on the other. Pairs of nodes stand in .msh, in the array "
+                "PeriodicNode of VTK's files and in the manifest. Not with --method nonobtuse.",
+        .group = OptionGroup::cleaning}),
     flag<&Options::strict>({
         .name = "strict",
         .help = "Any change to the input is an error",
@@ -342,6 +426,8 @@ Status check_options(const Options& options) {
     return bad_option("box_method needs method quality: the almond method minds no couplings");
   if (options.box_method && options.method == Method::nonobtuse)
     return bad_option("box_method needs method quality: method nonobtuse cuts segments by itself");
+  if (!options.periodic.empty() && options.method == Method::nonobtuse)
+    return bad_option("periodic needs another method: method nonobtuse cuts segments by itself");
   if (options.box_method && options.hull)
     return bad_option("box_method cuts segments, and sides of a hull are none: not with hull");
   for (const OptionEntry& entry : kTable) {

@@ -8,6 +8,7 @@
 
 #include "cuts/cut_for_boxes.hpp"
 #include "cuts/cut_until_met.hpp"
+#include "mesh/periodic_nodes.hpp"
 #include "mesh/stitch.hpp"
 #include "pipeline/find_regions.hpp"
 #include "pipeline/nonobtuse.hpp"
@@ -34,8 +35,9 @@ Result<Prepared> prepare(const Input& input, const Options& options, const Callb
 namespace {
 
 /// All that follows once the regions are known; the input is not needed any more.
-Result<Output> mesh_prepared(Result<Prepared> prepared, const Options& options,
-                             const Callbacks& callbacks, StageClock& clock) {
+Result<Output> mesh_prepared(Result<Prepared> prepared, const std::vector<PeriodicRule>& rules,
+                             const Options& options, const Callbacks& callbacks,
+                             StageClock& clock) {
   if (!prepared) return std::move(prepared).error();
   auto& [pslg, table, report] = *prepared;
 
@@ -63,22 +65,26 @@ Result<Output> mesh_prepared(Result<Prepared> prepared, const Options& options,
       "stitch", [&] { return Result<Mesh>(stitch(pslg, table, boundaries, *meshes)); });
   if (!mesh) return std::move(mesh).error();
   collect_reports(*meshes, report);
+  std::vector<PeriodicNodes> periodic = periodic_nodes(pslg, rules, *mesh);
   clock.note("stitch", report.times);
-  return Output{*std::move(mesh), std::move(pslg), std::move(table), std::move(report)};
+  return Output{*std::move(mesh), std::move(pslg), std::move(table), std::move(report),
+                std::move(periodic)};
 }
 
 }  // namespace
 
 Result<Output> cover_mesh(const Input& input, const Options& options, const Callbacks& callbacks) {
   StageClock clock;
-  return mesh_prepared(find_regions(input, options, callbacks, clock), options, callbacks, clock);
+  return mesh_prepared(find_regions(input, options, callbacks, clock),
+                       periodic_rules(input, options), options, callbacks, clock);
 }
 
 Result<Output> cover_mesh(Input&& input, const Options& options, const Callbacks& callbacks) {
   StageClock clock;
   Result<Prepared> prepared = find_regions(input, options, callbacks, clock);
+  const std::vector<PeriodicRule> rules = periodic_rules(input, options);
   input = {};
-  return mesh_prepared(std::move(prepared), options, callbacks, clock);
+  return mesh_prepared(std::move(prepared), rules, options, callbacks, clock);
 }
 
 }  // namespace cover

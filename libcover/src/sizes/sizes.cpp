@@ -31,29 +31,26 @@ void make_smaller(double& size, double wished) {
   size = size == 0 ? wished : std::min(size, wished);
 }
 
-/// Adds the size of a rule, or its function, to those inside a region.
-void add_rule(const SizeRule& rule, const SizeFunction& function, RegionBoundary& boundary) {
-  if (!function) return make_smaller(boundary.size, rule.size);
-  boundary.size_function = smaller_of(boundary.size_function, function);
+/// Adds the size of a rule, or its expression, to those inside a region.
+void add_rule(const SizeRule& rule, RegionBoundary& boundary) {
+  if (rule.expression.empty()) return make_smaller(boundary.size, rule.size);
+  boundary.size_expressions.push_back(rule.expression);
 }
 
 /// Sets the sizes inside regions. False if no region has that name.
-bool inside(const SizeRule& rule, const SizeFunction& function, const RegionTable& table,
-            std::span<RegionBoundary> boundaries) {
+bool inside(const SizeRule& rule, const RegionTable& table, std::span<RegionBoundary> boundaries) {
   if (rule.name.empty()) {
-    for (RegionBoundary& boundary : boundaries) add_rule(rule, function, boundary);
+    for (RegionBoundary& boundary : boundaries) add_rule(rule, boundary);
     return true;
   }
   const std::vector<RegionId> regions = named_regions(table, rule.name);
-  for (const RegionId region : regions) add_rule(rule, function, boundaries[region.index() - 1]);
+  for (const RegionId region : regions) add_rule(rule, boundaries[region.index() - 1]);
   return !regions.empty();
 }
 
-/// The expression of a rule; an empty function where it has none.
-Result<SizeFunction> function_of(const SizeRule& rule) {
-  if (rule.expression.empty()) return SizeFunction();
+Result<SizeFunction> function_of(const std::string& expression) {
   static const std::array<std::string, 2> kPlace{"x", "y"};
-  Result<Expression> formula = Expression::parse(rule.expression, kPlace);
+  Result<Expression> formula = Expression::parse(expression, kPlace);
   if (!formula) return std::move(formula).error();
   const auto shared = std::make_shared<const Expression>(*std::move(formula));
   return SizeFunction([shared](Point p) { return (*shared)(std::array{p.x, p.y}); });
@@ -119,23 +116,32 @@ Status check_spacing(const Pslg& pslg, const RegionTable& table, const Options& 
 
 }  // namespace
 
+Status read_expressions(RegionBoundary& boundary) {
+  for (const std::string& expression : boundary.size_expressions) {
+    Result<SizeFunction> function = function_of(expression);
+    if (!function) return std::move(function).error();
+    boundary.size_function = smaller_of(boundary.size_function, *std::move(function));
+  }
+  return ok();
+}
+
 Status resolve_sizes(const Pslg& pslg, const RegionTable& table, const Options& options,
                      std::span<RegionBoundary> boundaries) {
   for (std::size_t r = 0; r < boundaries.size(); ++r) {
     boundaries[r].size = options.input_sizes ? table.regions[r].size.value_or(0) : 0;
+    boundaries[r].size_expressions.clear();
     boundaries[r].size_function = {};
   }
   if (Status status = check_spacing(pslg, table, options); !status) return status;
   if (options.sizes.empty()) return ok();
   std::vector<double> size_at(pslg.points.size(), 0);
   for (const SizeRule& rule : options.sizes) {
-    const Result<SizeFunction> function = function_of(rule);
-    if (!function) return function.error();
-    const bool found = rule.at ? at_points(rule, pslg, table, size_at)
-                               : inside(rule, *function, table, boundaries);
+    const bool found =
+        rule.at ? at_points(rule, pslg, table, size_at) : inside(rule, table, boundaries);
     if (!found) return unknown_name(rule, table);
   }
   for (RegionBoundary& boundary : boundaries) {
+    if (Status status = read_expressions(boundary); !status) return status;
     boundary.size_at.clear();
     for (const VertexId v : boundary.vertices) boundary.size_at.push_back(size_at[v.index()]);
     if (std::all_of(boundary.size_at.begin(), boundary.size_at.end(),

@@ -43,14 +43,16 @@ auto members(T& mesh) {
 
 template <Either<RegionBoundary> T>
 auto members(T& boundary) {
-  auto& [id, points, vertices, sides, segments, size, size_at] = boundary;
-  return std::tie(id, points, vertices, sides, segments, size, size_at);
+  auto& [id, points, vertices, sides, segments, size, size_at, size_expressions, size_function] =
+      boundary;
+  static_cast<void>(size_function);
+  return std::tie(id, points, vertices, sides, segments, size, size_at, size_expressions);
 }
 
 template <Either<SizeRule> T>
 auto members(T& rule) {
-  auto& [name, size, at] = rule;
-  return std::tie(name, size, at);
+  auto& [name, size, at, expression] = rule;
+  return std::tie(name, size, at, expression);
 }
 
 template <Either<LayerRule> T>
@@ -68,13 +70,14 @@ auto members(T& rule) {
 template <Either<Options> T>
 auto members(T& options) {
   auto& [method, fill, paper, pieces, hull, max_angle, min_angle, prefer, effort, couplings, sizes,
-         input_sizes, size_field, size_field_name, growth, box_method, split_interfaces, layers,
-         periodic, overlap, weld, strict, merge_materials, require, threads] = options;
+         input_sizes, size_field, size_field_name, size_of, size_step, growth, box_method,
+         split_interfaces, layers, periodic, overlap, weld, strict, merge_materials, require,
+         threads] = options;
   static_cast<void>(size_field);
   return std::tie(method, fill, paper, pieces, hull, max_angle, min_angle, prefer, effort,
-                  couplings, sizes, input_sizes, size_field_name, growth, box_method,
-                  split_interfaces, layers, periodic, overlap, weld, strict, merge_materials,
-                  require, threads);
+                  couplings, sizes, input_sizes, size_field_name, size_of, size_step, growth,
+                  box_method, split_interfaces, layers, periodic, overlap, weld, strict,
+                  merge_materials, require, threads);
 }
 
 /// As it lies in memory.

@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "sizes/sizes.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/region_bytes.hpp"
 #include "tasks/region_task.hpp"
@@ -93,7 +94,10 @@ Result<std::vector<RegionMesh>> share_out_regions(std::span<const RegionBoundary
 
 Bytes mesh_region_bytes(std::span<const std::byte> boundary, const Options& options,
                         const std::stop_token& stop) {
-  const Result<RegionBoundary> read = boundary_of_bytes(boundary);
+  Result<RegionBoundary> read = boundary_of_bytes(boundary);
+  if (read) {
+    if (Status status = read_expressions(*read); !status) read = std::move(status).error();
+  }
   return to_bytes(read ? try_region(*read, options, stop) : Result<RegionMesh>(read.error()));
 }
 

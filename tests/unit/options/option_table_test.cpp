@@ -31,6 +31,7 @@ std::vector<std::string> values_of(const OptionEntry& entry) {
   if (entry.name == "weld") return {"0.25"};
   if (entry.name == "size-field") return {"h.vtu"};
   if (entry.name == "size-of") return {"asinh"};
+  if (entry.name == "periodic") return {"a=b", "\"x=1\"=c d@mirror", "e=f@-1,2.5:45"};
   return {"a=0.5", "b c=0x=2"};
 }
 

@@ -44,7 +44,7 @@ TEST(ShareOut, TheMeshIsTheSameWhereverARegionIsMeshed) {
         Options options;
         options.method = method;
         options.threads = 1;
-        options.sizes = {{"1", 0.05, false}};
+        options.sizes = {{"1", 0.05, false, ""}, {"", 0, false, "0.1 + 0.05*x"}};
         options.max_angle = Angle::degrees(101.3);
         if (cut) options.split_interfaces = Angle::degrees(95);
         Callbacks callbacks;

@@ -32,6 +32,8 @@ void for_each_point(Input& input, F f) {
       for (Point& p : ring) f(p);
   for (InputLine& line : input.lines)
     for (Point& p : line.points) f(p);
+  for (ArcCircle& circle : input.circles) f(circle.centre);
+  for (PeriodicRule& rule : input.periodic) f(rule.centre);
 }
 
 }  // namespace
@@ -74,6 +76,7 @@ Status scale_input(Input& input, double factor) {
     for (Point& p : field.points) p = {scaled(p.x), scaled(p.y)};
     input.field = std::make_shared<const PlaneField>(std::move(field));
   }
+  for (ArcCircle& circle : input.circles) circle.radius = scaled(circle.radius);
   if (!finite)
     return Error{ErrorCode::non_finite_coordinate,
                  fmt::format("{}: scaled by {}, coordinates are too large for a double",

@@ -16,6 +16,8 @@
 //     "replaced": [ { "region": id, "triangles", "steiner_vertices": before } ], only where regions
 //                 were meshed again inside a mesh; the method of the others is "kept",
 //     "interfaces": [ { "id", "name", "kind", "left", "right", "length", "segments" } ],
+//     "periodic": [ { "from", "to", "map", ... as in the manifest, "vertices": pairs, "edges":
+//                 pairs } ] where there are any,
 //     "notes": NOTES, "changes": [ { "kind", "message", "where", "inputs" } ],
 //     "box_cuts": [ { "at": [x, y], "reason", "by": [x, y] } ], only with --box-method,
 //     "threads", "times": [ { "stage", "seconds" } ] }
@@ -53,6 +55,7 @@
 
 #include "base/describe.hpp"
 #include "io/files/atomic_file.hpp"
+#include "io/report/periodic_json.hpp"
 #include "io/report/provenance_json.hpp"
 
 namespace cover {
@@ -417,6 +420,14 @@ std::string report_json(const Output& output) {
       return Json{{"region", before.region.value()},
                   {"triangles", before.triangles},
                   {"steiner_vertices", before.steiner_vertices}};
+    });
+  }
+  if (!output.periodic.empty()) {
+    out.add_list("periodic", output.periodic.size(), [&](std::size_t k) {
+      Json json = periodic_json(output.periodic[k]);
+      json["vertices"] = output.periodic[k].vertices.size();
+      json["edges"] = output.periodic[k].edges.size();
+      return json;
     });
   }
   add_lines_and_remarks(output.table, report, out);

@@ -7,6 +7,9 @@
 //
 // Tested by tests/unit/io/write_mesh/write_msh_test.cpp and, in the solvers, by tests/solvers.
 #include <algorithm>
+#include <array>
+#include <map>
+#include <set>
 
 #include "geom/box.hpp"
 #include "io/files/text_writer.hpp"
@@ -36,6 +39,7 @@ class MshWriter {
       element_2(triangle_type(), view_.group_of_triangle(t).tag, view_.region[t].index(),
                 view_.triangles[t]);
     out_ << "$EndElements\n";
+    periodic(false, [&](std::size_t l) { return curve[l]; });
   }
 
   void write_4() {
@@ -60,6 +64,8 @@ class MshWriter {
     blocks(1, line_type(), view_.line_groups, curves, view_.lines);
     blocks(2, triangle_type(), view_.region_groups, surfaces, view_.triangles);
     out_ << "$EndElements\n";
+    periodic(true,
+             [&](std::size_t l) { return static_cast<std::size_t>(view_.group_of_line(l).tag); });
   }
 
  private:
@@ -146,6 +152,44 @@ class MshWriter {
         nodes(cells[k]);
       }
     }
+  }
+
+  /// A curve that is the image of another one, with pairs of nodes: its own and that of the other.
+  struct Link {
+    Isometry map;
+    std::set<std::array<std::uint32_t, 2>> nodes;
+  };
+
+  /// Pairs of curves; `tag(l)` is the elementary tag of line l. Nodes that are their own images are
+  /// left out: they ask for nothing, and some readers would follow them for ever.
+  template <class Tag>
+  void periodic(bool is_version_4, Tag tag) {
+    std::map<std::array<std::size_t, 3>, Link> links;  // by rule, image and original
+    for (std::size_t r = 0; r < view_.periodic.size(); ++r) {
+      const PeriodicLines& rule = view_.periodic[r];
+      for (std::size_t k = 0; k < rule.lines.size(); ++k) {
+        const auto [from, to] = rule.lines[k];
+        Link& link = links[{r, tag(to), tag(from)}];
+        link.map = rule.map;
+        for (const auto& [original, image] : rule.corners[k]) {
+          if (original != image) link.nodes.insert({image, original});
+        }
+        if (view_.second_order()) link.nodes.insert({view_.lines[to][2], view_.lines[from][2]});
+      }
+    }
+    if (links.empty()) return;
+    out_ << "$Periodic\n" << links.size() << '\n';
+    for (const auto& [key, link] : links) {
+      out_ << "1 " << key[1] << ' ' << key[2] << '\n' << (is_version_4 ? "16" : "Affine");
+      const Isometry& m = link.map;
+      for (const double c : {m.xx[0], m.xy[0], 0.0, m.x0[0], m.yx[0], m.yy[0], 0.0, m.y0[0], 0.0,
+                             0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0})
+        out_ << ' ' << (c == 0 ? 0.0 : c);  // no -0
+      out_ << '\n' << link.nodes.size() << '\n';
+      for (const auto& [image, original] : link.nodes)
+        out_ << image + 1 << ' ' << original + 1 << '\n';
+    }
+    out_ << "$EndPeriodic\n";
   }
 
   const MeshView& view_;
