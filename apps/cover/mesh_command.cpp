@@ -229,7 +229,9 @@ int print_report(const MeshCommand& command, const Output& output, spdlog::logge
       if (path != "-") fmt::print(to, "Wrote {}\n", path);
     }
   }
-  fmt::print(to, "{}", group_text(output, command.outputs, command.verbosity.verbose > 0));
+  fmt::print(
+      to, "{}",
+      group_text(output, command.outputs, command.formats.make(), command.verbosity.verbose > 0));
   return exit_ok;
 }
 

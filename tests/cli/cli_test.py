@@ -966,8 +966,8 @@ class Convert(Case):
 
     def compare_ways(self, sources, *options):
         """A mesh written in every format, and in every format again from what each source holds."""
-        written = [f'd.{e}' for e in ('vtu', 'vtm', 'vtk', 'msh', 'xdmf', 'mesh', 'inp', 'ele', 'obj', 'off', 'ply',
-                                      'svg', 'png')]
+        written = [f'd.{e}' for e in ('vtu', 'vtm', 'vtkhdf', 'vtk', 'msh', 'xdmf', 'mesh', 'inp', 'ele', 'obj', 'off',
+                                      'ply', 'svg', 'png')]
         words = [word for name in written for word in ('-o', name)]
         self.run_cover('mesh', SAMPLES / 'mosfet.poly', *words, '-o', 'd.json', '-q', *options)
         direct = {p.relative_to(self.dir) for p in self.dir.rglob('*.*') if p.suffix not in ('.json', '.poly')}
@@ -982,7 +982,7 @@ class Convert(Case):
                 self.assertEqual((folder / name).read_bytes(), (self.dir / name).read_bytes(), f'{source} into {name}')
 
     def test_every_format_into_every_other(self):
-        self.compare_ways(('d.vtu', 'd.vtm', 'd.vtk', 'd.msh', 'd.xdmf', 'd.mesh', 'd.ele'))
+        self.compare_ways(('d.vtu', 'd.vtm', 'd.vtkhdf', 'd.vtk', 'd.msh', 'd.xdmf', 'd.mesh', 'd.ele'))
 
     def test_abaqus_into_every_other(self):
         # An .inp has 20 characters for each coordinate: those of the device fit, not of every new vertex.
@@ -1011,10 +1011,10 @@ class Page(Case):
     def test_says_what_matters(self):
         text = self.page('diode.poly')
         for part in ('targets reached', 'Valid: no gap', 'holds in all 4 regions', 'Meshed as it is', 'lowest rho',
-                     'marker 1', 'box method', 'Time, on', '<svg ', 'diode.poly; method quality, cover 0.'):
+                     'marker 1', 'box method', 'Time, on', '<svg ', 'id="mesh-view"', 'diode.poly; method quality, cover 0.'):
             self.assertIn(part, text)
         # Findings, two rows of heads and four regions, the box method, times.
-        self.assertEqual(text.count('<tr>') + text.count('<tr class'), 6 + 2 + 4 + 5 + text.count(' s</td></tr>'))
+        self.assertEqual(text.count('<tr>') + text.count('<tr class') + text.count('<tr data'), 6 + 2 + 4 + 5 + text.count(' s</td></tr>'))
         self.assertNotIn('class="bad"', text)
 
     def test_tells_what_to_distrust(self):
@@ -1032,19 +1032,127 @@ class Page(Case):
 
     def test_loads_nothing(self):
         text = self.page('diode.poly').replace('http://www.w3.org/2000/svg', '')
-        for word in ('http:', 'https:', '<script', '@import', 'url(http'):
+        for word in ('http:', 'https:', ' src="http', 'import(', 'fetch(', 'XMLHttpRequest', 'WebSocket', '@import', 'url(http'):
             self.assertNotIn(word, text)
+        for tag in re.findall(r'<(?:script|link|img|iframe)[^>]*>', text):
+            self.assertFalse(re.search(r'(?:src|href)="(?!data:)', tag), tag)
 
-    @unittest.skipUnless(shutil.which('chromium'), 'chromium is not installed')
-    def test_in_a_browser(self):
-        self.page('mosfet.poly')
-        done = subprocess.run(['chromium', '--headless', '--no-sandbox', '--disable-gpu', '--enable-logging=stderr',
-                               f'--user-data-dir={self.dir / "profile"}', '--dump-dom', f'file://{self.dir}/d.html'],
+    def test_names_cannot_leave_their_place(self):
+        name = '</script><script>alert(1)</script><!--'
+        self.write('d.json', json.dumps({'polygons': [
+            {'material': name, 'region': name, 'rings': [[[0, 0], [1, 0], [1, 1], [0, 1]]]}]}))
+        self.run_cover('mesh', 'd.json', '-o', 'd.vtu', '--report', 'd.html', '-q')
+        text = (self.dir / 'd.html').read_text()
+        self.assertEqual(text.count('<script'), 2)
+        self.assertNotIn('<!--', text)
+        data = json.loads(text.split('id="mesh-data">')[1].split('</script>')[0])
+        self.assertEqual(data['regions'][0][0], name)
+
+    def browse(self, script, *flags):
+        """The page with a script behind its own: what that writes into the body's `data-said`."""
+        page = self.dir / 'd.html'
+        page.write_text(page.read_text().replace('</body>', f'<script>{script}</script></body>'))
+        done = subprocess.run(['chromium', '--headless', '--no-sandbox', '--enable-logging=stderr', '--use-gl=angle',
+                               '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--virtual-time-budget=4000', '--force-prefers-reduced-motion',
+                               f'--user-data-dir={self.dir / "profile"}', *flags, '--dump-dom', f'file://{page}'],
                               text=True, timeout=100, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual([line for line in done.stderr.splitlines() if 'CONSOLE' in line], [])
-        for part in ('holds in all 9 regions', 'material_3, 3 regions', '</footer>'):
-            self.assertIn(part, done.stdout)
+        return done.stdout
+
+    @unittest.skipUnless(shutil.which('chromium'), 'chromium is not installed: the page is not tried in a browser')
+    def test_in_a_browser(self):
+        self.page('mosfet.poly')
+        # A click on the first row, and on to every colour; then a look at the middle.
+        script = """
+          const root = document.getElementById('mesh-view'), said = {};
+          said.ready = root.dataset.ready;
+          document.querySelector('tr[data-region]').click();
+          const choose = document.getElementById('mesh-mode');
+          for (const option of choose.options) { choose.value = option.value; choose.onchange(); }
+          said.modes = [...choose.options].map(o => o.value);
+          setTimeout(() => {
+            const box = root.querySelector('canvas.over').getBoundingClientRect();
+            root.querySelector('canvas.over').dispatchEvent(new PointerEvent('pointermove',
+              { clientX: box.left + box.width / 2, clientY: box.top + box.height / 2, pointerType: 'mouse' }));
+            const m = root.meshView;
+            said.tip = root.querySelector('.tip').textContent;
+            said.marked = m.marked; said.hovered = m.hovered; said.largest = m.largest(m.marked); said.count = m.count;
+            said.scroll = document.documentElement.scrollWidth <= innerWidth;
+            document.body.dataset.said = JSON.stringify(said);
+          }, 2000);"""
+        dom = self.browse(script)
+        for part in ('holds in all 9 regions', '</footer>'):
+            self.assertIn(part, dom)
+        said = json.loads(re.search(r'data-said="([^"]*)"', dom).group(1).replace('&quot;', '"'))
+        self.assertIn(said['ready'], ('webgl', 'canvas'))
+        self.assertEqual(said['modes'], ['regions', 'largest', 'smallest', 'coupling', 'gap'])
+        self.assertEqual(said['marked'], said['hovered'], said)
+        self.assertTrue(said['scroll'], 'wider than the window')
+        first = re.search(r'<tr[^>]* data-region="\d+">(.*?)</tr>', dom).group(1)
+        self.assertIn(f'>{said["largest"]:.2f}<', first)
+        self.assertIn('couplings', said['tip'])
+
+    def test_bytes_per_triangle(self):
+        self.page('motor_slot.poly')
+        text = (self.dir / 'd.html').read_text()
+        data = json.loads(text.split('id="mesh-data">')[1].split('</script>')[0])
+        arrays = sum(len(data[k]) for k in ('points', 'corners', 'lines', 'angles'))
+        self.assertLess(arrays / data['all'], 40)
+
+
+class Names(Case):
+    """Names and numbers on their way out: as they are, or told what they became."""
+    NAMES = ('Größe µm 日本', 'a/b "c" <d>&', 'Si', 'si')
+
+    def setUp(self):
+        super().setUp()
+        squares = [{'material': 'Stoff ' + name, 'region': name,
+                    'rings': [[[k, 0], [k + 1, 0], [k + 1, 1], [k, 1]]]} for k, name in enumerate(self.NAMES)]
+        self.write('d.json', json.dumps({'polygons': squares, 'lines': [{'name': 'Kontakt Ä', 'points': [[0, 0], [1, 0]]}]}))
+
+    def regions_of(self, mesh):
+        self.run_cover('convert', mesh, '-o', 'out.json', '-q')
+        return [(r['name'], r['material_name']) for r in json.loads((self.dir / 'out.json').read_text())['regions']]
+
+    def test_survive_alone_in_files_that_bear_them(self):
+        for mesh in ('m.vtm', 'm.vtkhdf'):
+            self.run_cover('mesh', 'd.json', '-o', mesh, '-q')
+            self.assertEqual(self.regions_of(mesh), [(n, 'Stoff ' + n) for n in self.NAMES], mesh)
+
+    def test_in_msh_and_xdmf(self):
+        self.run_cover('mesh', 'd.json', '-o', 'm.msh', '-o', 'm.xdmf', '-q')
+        text = (self.dir / 'm.msh').read_text()
+        for name in ('Größe µm 日本', 'a/b _c_ <d>&', 'Kontakt Ä'):
+            self.assertIn(f'"{name}"', text)
+        self.assertIn('Name="a/b _c_ &lt;d&gt;&amp;"', (self.dir / 'm.xdmf').read_text())
+
+    def test_where_they_cannot_it_is_told(self):
+        out, _ = self.run_cover('mesh', 'd.json', '-o', 'm.inp', '-o', 'm.json')
+        sets = re.findall(r'ELSET=(\S+)', (self.dir / 'm.inp').read_text())
+        self.assertEqual(len(set(sets)), 4)  # Si and si are two
+        groups = json.loads((self.dir / 'm.json').read_text())['region_groups']
+        self.assertEqual([g.get('set', g['name']) for g in groups], sets)
+        self.assertEqual([g['original'] for g in groups], list(self.NAMES))
+        for name, made in zip(self.NAMES, sets):
+            if made != name.upper():
+                self.assertRegex(out, re.escape(made) + r' +' + re.escape(name.replace('"', '_')))
+        self.assertRegex(out, r'KONTAKT___ +Kontakt Ä')
+        self.assertNotIn('in .inp', self.run_cover('mesh', self.write('s.poly', SQUARE), '-o', 's.inp')[0])
+
+    def test_ids(self):
+        squares = [{'material': 'Cu', 'region': f'coil {k}', 'rings': [[[2 * k, 0], [2 * k + 1, 0], [2 * k + 1, 1], [2 * k, 1]]]}
+                   for k in range(6)]
+        self.write('coils.json', json.dumps({'polygons': squares}))
+        labels = {}
+        for ids in ('region', 'material', 'name'):
+            out, _ = self.run_cover('mesh', 'coils.json', '-o', 'm.mesh', '--ids', ids)
+            self.assertIn(f'Numbers in the files, by {ids}:', out)
+            rows = (self.dir / 'm.mesh').read_text().split('Triangles')[1].splitlines()[2:]
+            labels[ids] = len({row.split()[3] for row in rows if len(row.split()) == 4})
+        self.assertEqual(labels, {'region': 6, 'material': 1, 'name': 6})
+        _, err = self.run_cover('mesh', 'coils.json', '-o', 'm.mesh', '--ids', 'colour', code=2)
+        self.assertIn('ids are region, material or name, not colour', err)
 
 
 class Layouts(Case):

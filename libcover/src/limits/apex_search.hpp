@@ -67,12 +67,17 @@ class ApexSearch {
   [[nodiscard]] bool angles_are_in_range(double x, double y, double z) const;
   [[nodiscard]] bool reaches_next(const End& end, double low, double high, double near,
                                   double far) const;
-  [[nodiscard]] bool is_in(Ban ban, std::size_t which, const Place& p) const;
+  template <Ban ban>
+  [[nodiscard]] bool is_in(std::size_t which, const Place& p) const;
   [[nodiscard]] bool is_in_wedge(const Place& at, double turn, const Place& w,
                                  const Place& p) const;
-  [[nodiscard]] bool is_tip_of(Ban ban, std::size_t which, const Place& p) const;
+  [[nodiscard]] bool is_tip_of_zone(std::size_t which, const Place& p) const;
+  template <Ban ban>
+  [[nodiscard]] bool are_in(std::size_t which, const Place (&corners)[4]);
+  [[nodiscard]] bool are_in_last(const Place (&corners)[4]);
   [[nodiscard]] bool is_banned(const Place (&corners)[4]);
   [[nodiscard]] bool is_out(const Box& box);
+  [[nodiscard]] bool nothing_forbids(const Direction& at_a, const Direction& at_b);
   [[nodiscard]] bool contains_vertex(const Box& box) const;
   [[nodiscard]] bool end_is_out(const End& end, double low, double high, double near,
                                 double far) const;

@@ -27,9 +27,10 @@ struct ProvenLimits {
 
 /// How hard a limit is looked for, in boxes (about 0.2 us each).
 struct ProofEffort {
-  std::uint64_t per_side = 20;     ///< for a whole region, times its sides,
+  std::uint64_t per_side = 10;     ///< for a whole region, times its sides,
   std::uint64_t per_region = 400;  ///< and this
-  std::uint64_t per_search = 400;  ///< for one side and one question
+  std::uint64_t per_search = 400;  ///< for one side and one question,
+  std::uint64_t at_first = 16;     ///< of which so many before the next side is asked
 };
 
 /// Proves limits of one region.
@@ -63,6 +64,7 @@ class LimitProver {
   RegionView view_;
   double nu_opt_;
   std::uint32_t last_refuter_ = 0;  ///< the side that settled the last question
+  std::vector<std::uint32_t> undecided_;
 };
 
 }  // namespace cover

@@ -24,13 +24,13 @@ Status write_clean_input(const Output& output, const std::string& path, const Wr
 }
 
 constexpr std::array kFormats{
-    Format{".vtu", true, write_vtu},          Format{".vtm", true, write_vtm},
-    Format{".vtkhdf", true, write_vtkhdf},    Format{".vtk", true, write_vtk},
-    Format{".msh", true, write_msh},          Format{".xdmf", true, write_xdmf},
-    Format{".mesh", true, write_medit},       Format{".inp", true, write_inp},
-    Format{".ele", true, write_triangle},     Format{".obj", false, write_obj},
-    Format{".off", false, write_off},         Format{".ply", false, write_ply},
-    Format{".json", true, write_manifest},    Format{".poly", true, write_clean_input},
+    Format{".vtu", true, write_vtu},       Format{".vtm", true, write_vtm},
+    Format{".vtkhdf", true, write_vtkhdf}, Format{".vtk", true, write_vtk},
+    Format{".msh", true, write_msh},       Format{".xdmf", true, write_xdmf},
+    Format{".mesh", true, write_medit},    Format{".inp", true, write_inp},
+    Format{".ele", true, write_triangle},  Format{".obj", false, write_obj},
+    Format{".off", false, write_off},      Format{".ply", false, write_ply},
+    Format{".json", true, write_manifest}, Format{".poly", true, write_clean_input},
 };
 
 Result<Format> format_of(const std::string& path) {
@@ -59,6 +59,9 @@ Status check(const WriteOptions& options) {
   constexpr std::array kFamilies{"S", "CPS", "CPE", "CAX"};
   if (std::find(kFamilies.begin(), kFamilies.end(), options.inp_element) == kFamilies.end())
     return bad(fmt::format("elements of .inp are S, CPS, CPE or CAX, not {}", options.inp_element));
+  constexpr std::array kIds{"", "region", "material", "name"};
+  if (std::find(kIds.begin(), kIds.end(), options.ids) == kIds.end())
+    return bad(fmt::format("ids are region, material or name, not {}", options.ids));
   return ok();
 }
 

@@ -58,8 +58,37 @@ bool render(const Label& label, vtkImageData* letters) {
   return tools->RenderString(style, letters_of(label.text), kDpi, letters);
 }
 
-void draw(const Label& label, Image& image) {
+bool has_ink(const Label& label) {
   vtkNew<vtkImageData> letters;
+  if (!render(label, letters)) return false;
+  std::array<int, 6> extent{};
+  letters->GetExtent(extent.data());
+  for (int y = extent[2]; y <= extent[3]; ++y) {
+    for (int x = extent[0]; x <= extent[1]; ++x)
+      if (static_cast<unsigned char*>(letters->GetScalarPointer(x, y, 0))[3] != 0) return true;
+  }
+  return false;
+}
+
+/// The text with '?' for each character that the font does not have: it would be left out, and two
+/// names could look alike.
+std::string in_the_font(const Label& label) {
+  const auto goes_on = [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) == 0x80; };
+  std::string out;
+  for (std::size_t at = 0; at < label.text.size();) {
+    std::size_t end = at + 1;
+    while (end < label.text.size() && goes_on(label.text[end])) ++end;
+    Label one = label;
+    one.text = label.text.substr(at, end - at);
+    out += end == at + 1 || has_ink(one) ? one.text : "?";
+    at = end;
+  }
+  return out;
+}
+
+void draw(Label label, Image& image) {
+  vtkNew<vtkImageData> letters;
+  label.text = in_the_font(label);
   if (label.text.empty() || !render(label, letters)) return;
   std::array<int, 6> extent{};
   letters->GetExtent(extent.data());

@@ -70,7 +70,8 @@ TEST(WriteVtkHdf, VtkReadsWhatItReadsFromVtu) {
       a->GetCellPoints(c, of_a);
       b->GetCellPoints(c, of_b);
       ASSERT_EQ(of_a->GetNumberOfIds(), of_b->GetNumberOfIds());
-      for (vtkIdType k = 0; k < of_a->GetNumberOfIds(); ++k) EXPECT_EQ(of_a->GetId(k), of_b->GetId(k));
+      for (vtkIdType k = 0; k < of_a->GetNumberOfIds(); ++k)
+        EXPECT_EQ(of_a->GetId(k), of_b->GetId(k));
     }
     ASSERT_EQ(a->GetCellData()->GetNumberOfArrays(), b->GetCellData()->GetNumberOfArrays());
     for (int k = 0; k < b->GetCellData()->GetNumberOfArrays(); ++k) {
@@ -113,7 +114,8 @@ TEST(WriteVtkHdf, AloneGivesBackAll) {
       ASSERT_TRUE(write_mesh(written, folder.path() / (std::string("a-") + name)));
       ASSERT_TRUE(write_mesh(*read, folder.path() / (std::string("b-") + name)));
     }
-    EXPECT_EQ(testing::content(folder.path() / "a-x.msh"), testing::content(folder.path() / "b-x.msh"));
+    EXPECT_EQ(testing::content(folder.path() / "a-x.msh"),
+              testing::content(folder.path() / "b-x.msh"));
     for (std::size_t r = 0; r < written.table.regions.size(); ++r) {
       EXPECT_EQ(read->table.regions[r].name, written.table.regions[r].name);
       EXPECT_EQ(read->table.regions[r].material_name, written.table.regions[r].material_name);

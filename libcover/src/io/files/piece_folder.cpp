@@ -36,6 +36,20 @@ class Hash {
   std::uint64_t value_ = 0xcbf29ce484222325;
 };
 
+/// Whether a file has so many bytes, with this hash: a power failure may have left less.
+bool holds(const fs::path& path, std::size_t size, const Hash& hash) {
+  struct stat status {};
+  if (lstat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode) ||
+      static_cast<std::size_t>(status.st_size) != size)
+    return false;
+  std::ifstream file(path, std::ios::binary);
+  std::string piece(1 << 16, '\0');
+  Hash found;
+  while (file.read(piece.data(), static_cast<std::streamsize>(piece.size())), file.gcount() > 0)
+    found.add(std::string_view(piece).substr(0, static_cast<std::size_t>(file.gcount())));
+  return found.text() == hash.text();
+}
+
 bool is_decimal(char c) { return c >= '0' && c <= '9'; }
 bool is_hash_digit(char c) { return is_decimal(c) || (c >= 'a' && c <= 'f'); }
 
@@ -155,19 +169,37 @@ PieceFolder::~PieceFolder() {
   close(lock_);
 }
 
+/// A small piece is put together in memory first: of thousands, most may be there already, and
+/// replacing a file makes the file system wait for the disk.
 Result<std::string> PieceFolder::add(const std::function<void(const ByteSink&)>& write) {
-  Result<TemporaryFile> file = TemporaryFile::beside(folder() / stem_, shown_, owner_, stop_);
-  if (!file) return std::move(file).error();
+  constexpr std::size_t kSmall = 1 << 20;
+  std::string small;
+  std::optional<Result<TemporaryFile>> file;
+  const auto create = [&] {
+    file.emplace(TemporaryFile::beside(folder() / stem_, shown_, owner_, stop_));
+    if (*file) (*file)->write(small);
+  };
   Hash hash;
+  std::size_t size = 0;
   write([&](std::string_view bytes) {
     hash.add(bytes);
-    file->write(bytes);
+    size += bytes.size();
+    if (!file && size > kSmall) create();
+    if (!file)
+      small += bytes;
+    else if (*file)
+      (*file)->write(bytes);
   });
   std::string name = fmt::format("{}_{}_{}.vtu", stem_, pieces_.size(), hash.text());
   const fs::path path = folder() / name;
-  const bool is_new = access(path.c_str(), F_OK) != 0;
-  if (is_new) made_.push_back(name);
-  if (Status status = file->rename(path); !status) return std::move(status).error();
+  if (stop_.stop_requested()) return cancelled(shown_);
+  if (!holds(path, size, hash)) {
+    if (!file) create();
+    if (!*file) return std::move(*file).error();
+    const bool is_new = access(path.c_str(), F_OK) != 0;
+    if (is_new) made_.push_back(name);
+    if (Status status = (*file)->rename(path); !status) return std::move(status).error();
+  }
   pieces_.push_back(name);
   return fmt::format("{}/{}", stem_, name);
 }

@@ -65,8 +65,8 @@ herr_t read_layout(H5FD_t* file, H5FD_mem_t /*type*/, hid_t /*dxpl*/, haddr_t at
   return 0;
 }
 
-herr_t write_layout(H5FD_t* file, H5FD_mem_t /*type*/, hid_t /*dxpl*/, haddr_t at,
-                    std::size_t size, const void* bytes) {
+herr_t write_layout(H5FD_t* file, H5FD_mem_t /*type*/, hid_t /*dxpl*/, haddr_t at, std::size_t size,
+                    const void* bytes) {
   LayoutFile& layout = own(file);
   layout.written = std::max(layout.written, at + size);
   return layout.bytes->write(at, {static_cast<const char*>(bytes), size}) ? 0 : -1;

@@ -116,8 +116,8 @@ class Maker {
     const hsize_t count = what.numbers.size();
     const Handle space(is_text ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &count, nullptr),
                        H5Sclose);
-    const Handle made(
-        H5Acreate2(group, what.name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    const Handle made(H5Acreate2(group, what.name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
+                      H5Aclose);
     const void* value = is_text ? static_cast<const void*>(what.text.c_str()) : what.numbers.data();
     return made.is_open() && H5Awrite(made, type, value) >= 0;
   }
@@ -132,8 +132,7 @@ class Maker {
     const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     if (H5Pset_layout(creation, H5D_CONTIGUOUS) < 0 ||
         H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY) < 0 ||
-        H5Pset_fill_time(creation, fill) < 0 ||
-        H5Pset_obj_track_times(creation, false) < 0)
+        H5Pset_fill_time(creation, fill) < 0 || H5Pset_obj_track_times(creation, false) < 0)
       return -1;
     return H5Dcreate2(file_, path.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
   }
@@ -158,9 +157,8 @@ class Maker {
                       H5Dclose);
     std::vector<const char*> begins;
     for (const std::string& text : what.texts) begins.push_back(text.c_str());
-    return made.is_open() &&
-           (begins.empty() ||
-            H5Dwrite(made, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, begins.data()) >= 0);
+    return made.is_open() && (begins.empty() || H5Dwrite(made, type, H5S_ALL, H5S_ALL, H5P_DEFAULT,
+                                                         begins.data()) >= 0);
   }
 
   hid_t file_;

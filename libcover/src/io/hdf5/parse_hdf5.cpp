@@ -115,8 +115,7 @@ Type parse_type(Reader in) {
   const auto size = static_cast<std::size_t>(in.number(4));
   const unsigned kind = head & 15U;
   if (kind == kText) return {Hdf5Value::Kind::texts, {}, size, false, {}};
-  if (kind == kVlen && (bits & 15U) == 1)
-    return {Hdf5Value::Kind::texts, {}, size, true, {}};
+  if (kind == kVlen && (bits & 15U) == 1) return {Hdf5Value::Kind::texts, {}, size, true, {}};
   if (kind != kWhole && kind != kFloat) return other_type("neither numbers nor texts");
   if ((bits & 1U) != (std::endian::native == std::endian::big ? 1U : 0U))
     return other_type("numbers in the other order of bytes");
@@ -134,8 +133,11 @@ Type parse_type(Reader in) {
   const bool is_float = size == 4 && exponent_at == 23 && exponent == 8 && mantissa == 23 &&
                         bias == 127 && mantissa_at == 0;
   if (!is_double && !is_float) return other_type("floating-point numbers of an odd kind");
-  return {Hdf5Value::Kind::numbers, is_double ? NumberType::float64 : NumberType::float32, size,
-          false, {}};
+  return {Hdf5Value::Kind::numbers,
+          is_double ? NumberType::float64 : NumberType::float32,
+          size,
+          false,
+          {}};
 }
 
 /// Section IV.A.2.b.
@@ -183,7 +185,8 @@ class Hdf5Parser {
     budget_ -= bytes;
   }
   void expect(Reader& in, std::string_view signature) {
-    if (in.take(signature.size()) != signature) fail(fmt::format("no {} where one should be", signature));
+    if (in.take(signature.size()) != signature)
+      fail(fmt::format("no {} where one should be", signature));
   }
 
   /// The address of the root group. Section II.
@@ -417,7 +420,8 @@ class Hdf5Parser {
     const std::uint64_t version = in.number(1), flags = in.number(1);
     if (version < 1 || version > 3) return;
     if (version > 1 && flags != 0) return;  // with a type or a shape that is shared
-    const std::uint64_t name_size = in.number(2), type_size = in.number(2), space_size = in.number(2);
+    const std::uint64_t name_size = in.number(2), type_size = in.number(2),
+                        space_size = in.number(2);
     if (version == 3) in.skip(1);
     const auto part = [&](std::uint64_t size) {
       const std::string_view out = in.take(size);
@@ -427,7 +431,8 @@ class Hdf5Parser {
     std::string_view name = part(name_size);
     name = name.substr(0, name.find('\0'));
     const std::string_view type = part(type_size), space = part(space_size);
-    Hdf5Value read = value(parse_type(Reader(type)), parse_space(Reader(space)), in.take(in.left()));
+    Hdf5Value read =
+        value(parse_type(Reader(type)), parse_space(Reader(space)), in.take(in.left()));
     object.attributes.emplace(std::string(name), std::move(read));
   }
 

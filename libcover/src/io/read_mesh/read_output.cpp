@@ -42,6 +42,9 @@ class BlockFiles {
  public:
   explicit BlockFiles(const std::string& path) : path_(path) {}
 
+  /// What stands behind the blocks; nothing in files of old versions.
+  [[nodiscard]] const std::optional<XmlElement>& names() const { return names_; }
+
   Result<std::vector<Block>> read() {
     const Result<std::string> text = read_file(path_);
     if (!text) return text.error();
@@ -58,6 +61,7 @@ class BlockFiles {
           return std::move(status).error();
       }
     }
+    if (const XmlElement* names = tree->root.child("CoverNames")) names_ = *names;
     return std::move(blocks_);
   }
 
@@ -86,7 +90,35 @@ class BlockFiles {
   const std::string& path_;
   std::set<fs::path> seen_;
   std::vector<Block> blocks_;
+  std::optional<XmlElement> names_;
 };
+
+/// Takes over the names and the origin; those of regions and lines that are not there are left.
+void take_names(const XmlElement& names, StoredMesh& stored) {
+  const auto text = [](const XmlElement& element, const char* name) {
+    return std::string(element.value(name));
+  };
+  stored.provenance.source = text(names, "Source");
+  stored.provenance.version = text(names, "Version");
+  stored.unit = text(names, "Unit");
+  stored.scale = parse_double(names.value("Scale")).value_or(1);
+  const long points = parse_integer(names.value("InputVertices")).value_or(0);
+  if (points > 0 && static_cast<std::size_t>(points) <= stored.soup.points.size())
+    stored.input_vertices = static_cast<std::size_t>(points);
+  for (const XmlElement& element : names.children) {
+    if (element.name == "Option")
+      stored.provenance.settings.push_back({text(element, "Name"), text(element, "Value")});
+    const long id = parse_integer(element.value("Id")).value_or(0);
+    if (id < 1) continue;
+    const std::size_t k = static_cast<std::size_t>(id) - 1;
+    if (element.name == "Region" && k < stored.regions.size()) {
+      stored.regions[k].name = text(element, "Name");
+      stored.regions[k].material_name = text(element, "Material");
+    } else if (element.name == "Line" && k < stored.interfaces.size()) {
+      stored.interfaces[k].name = text(element, "Name");
+    }
+  }
+}
 
 /// Gathers the blocks of a .vtm into one mesh again, by the numbers that vertices have in it.
 class BlockReader {
@@ -206,7 +238,8 @@ class BlockReader {
 };
 
 Result<StoredMesh> read_vtm(const std::string& path) {
-  const Result<std::vector<Block>> files = BlockFiles(path).read();
+  BlockFiles reader(path);
+  const Result<std::vector<Block>> files = reader.read();
   if (!files) return files.error();
   std::size_t most = 0;
   for (const Block& block : *files)
@@ -223,6 +256,7 @@ Result<StoredMesh> read_vtm(const std::string& path) {
   for (const Block& block : *files)
     if (block.group == "interfaces" && !blocks.add_lines(block)) return lacks(block);
   blocks.finish();
+  if (reader.names()) take_names(*reader.names(), stored);
   if (stored.regions.empty()) return wrong_file(path, "no regions in it: not written by cover");
   return stored;
 }
@@ -235,6 +269,10 @@ Status take_names_from_vtm(const std::string& path, StoredMesh& stored) {
   stored.regions = std::move(named->regions);
   stored.interfaces = std::move(named->interfaces);
   stored.edges = std::move(named->edges);
+  stored.provenance = std::move(named->provenance);
+  stored.unit = std::move(named->unit);
+  stored.scale = named->scale;
+  stored.input_vertices = named->input_vertices;
   return take_materials(stored) ? ok() : Status(wrong_file(path, "it is of another mesh"));
 }
 

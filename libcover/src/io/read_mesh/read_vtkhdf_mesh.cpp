@@ -118,7 +118,8 @@ void take_origin(const VtkHdfFile& file, const FieldReaderHdf& fields, StoredMes
   for (std::size_t k = 0; names != nullptr && values != nullptr && k < names->size(); ++k)
     if (k < values->size()) stored.provenance.settings.push_back({(*names)[k], (*values)[k]});
   const Hdf5Value* scale = file.field("Scale", Kind::numbers);
-  if (scale != nullptr && scale->type == NumberType::float64 && scale->bytes.size() == sizeof(double))
+  if (scale != nullptr && scale->type == NumberType::float64 &&
+      scale->bytes.size() == sizeof(double))
     stored.scale = NumberView<double>(scale->bytes.data(), 1)[0];
 }
 

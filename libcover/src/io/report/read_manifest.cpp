@@ -132,6 +132,7 @@ Result<bool> read_manifest(const std::string& path, std::span<const std::int64_t
   for (std::size_t r = 0; r < stored.regions.size(); ++r) {
     if (stored.regions[r].id != RegionId(r + 1)) return wrong("regions are not in order");
   }
+  stored.soup.material.clear();  // which may be other numbers, by WriteOptions::ids
   if (!take_materials(stored)) return wrong("it is of another mesh: it lacks regions");
   return true;
 }

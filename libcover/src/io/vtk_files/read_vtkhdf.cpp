@@ -99,7 +99,8 @@ class GridReader {
   }
 
   Status read_piece(std::size_t piece) {
-    const std::size_t points = count("NumberOfPoints", piece), cells = count("NumberOfCells", piece);
+    const std::size_t points = count("NumberOfPoints", piece),
+                      cells = count("NumberOfCells", piece);
     const auto places = next("Points", 3 * points, points_);
     const auto nodes = next("Connectivity", count("NumberOfConnectivityIds", piece), nodes_);
     const auto ends = next("Offsets", cells + 1, offsets_);

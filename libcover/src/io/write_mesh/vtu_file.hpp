@@ -34,7 +34,11 @@ constexpr NumberType number_type() {
 /// The array of `value(0)`, ..., `value(size - 1)`, each a T.
 template <class T, class Value>
 VtuArray vtu_array(std::string_view name, std::size_t size, Value value) {
-  return {number_type<T>(), std::string(name), 1, {}, size * sizeof(T),
+  return {number_type<T>(),
+          std::string(name),
+          1,
+          {},
+          size * sizeof(T),
           [size, value = std::move(value)](BinaryWriter& out) {
             for (std::size_t k = 0; k < size; ++k) out.put(static_cast<T>(value(k)));
           }};

@@ -30,8 +30,12 @@ void add_cells(const Cells& cells, CellType type, std::size_t points, Place plac
   grid.points = points;
   grid.cells = cells.size();
   constexpr std::size_t kDimensions = 3;
-  grid.coordinates = {NumberType::float64, "Points", kDimensions, {},
-                      points * kDimensions * sizeof(double), [points, place](BinaryWriter& out) {
+  grid.coordinates = {NumberType::float64,
+                      "Points",
+                      kDimensions,
+                      {},
+                      points * kDimensions * sizeof(double),
+                      [points, place](BinaryWriter& out) {
                         for (std::size_t p = 0; p < points; ++p) {
                           const Point at = place(p);
                           out.put(at.x);
@@ -145,7 +149,8 @@ VtuGrid whole_grid(const MeshView& view) {
       [&view](std::size_t p) { return view.points[p]; }, grid);
   add_periodic_nodes(
       view, view.points.size(), [](std::size_t p) { return p; }, grid);
-  add_triangle_arrays(view, view.triangles.size(), [](std::size_t k) { return k; }, grid);
+  add_triangle_arrays(
+      view, view.triangles.size(), [](std::size_t k) { return k; }, grid);
   return grid;
 }
 

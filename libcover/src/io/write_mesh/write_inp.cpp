@@ -8,7 +8,6 @@
 #include <array>
 #include <charconv>
 
-#include "base/safe_names.hpp"
 #include "io/files/text_writer.hpp"
 #include "io/write_mesh/mesh_view.hpp"
 
@@ -30,23 +29,8 @@ std::string coordinate(double x) {
   return out;
 }
 
-/// The names of the groups as names of sets.
-std::vector<std::string> set_names(const std::vector<Group>& groups) {
-  std::vector<std::string> names;
-  for (const Group& group : groups) {
-    std::string name = group.name;
-    for (char& c : name) {
-      if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-      if (c == '.') c = '_';
-    }
-    if (name[0] < 'A' || name[0] > 'Z') name.insert(name.begin(), 'X');
-    names.push_back(std::move(name));
-  }
-  return unique_safe_names(names);
-}
-
 void write_elements(const MeshView& view, const std::string& family, TextWriter& out) {
-  const std::vector<std::string> names = set_names(view.region_groups);
+  const std::vector<std::string> names = abaqus_names(view.region_groups);
   const Buckets sets(view.region_groups.size(), view.triangles.size(),
                      [&](std::size_t t) { return view.region_group[view.region[t].index() - 1]; });
   for (std::size_t g = 0; g < sets.size(); ++g) {
@@ -61,7 +45,7 @@ void write_elements(const MeshView& view, const std::string& family, TextWriter&
 }
 
 void write_node_sets(const MeshView& view, TextWriter& out) {
-  const std::vector<std::string> names = set_names(view.line_groups);
+  const std::vector<std::string> names = abaqus_names(view.line_groups);
   const Buckets sets(view.line_groups.size(), view.lines.size(),
                      [&](std::size_t l) { return view.line_group[l]; });
   for (std::size_t g = 0; g < sets.size(); ++g) {

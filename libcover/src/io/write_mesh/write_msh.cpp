@@ -115,7 +115,7 @@ class MshWriter {
     out_ << "$EndPhysicalNames\n";
   }
   void name(int dimension, const Group& group) {
-    out_ << dimension << ' ' << group.tag << " \"" << group.name << "\"\n";
+    out_ << dimension << ' ' << group.tag << " \"" << group.label << "\"\n";
   }
 
   void nodes(std::span<const std::uint32_t> nodes) {

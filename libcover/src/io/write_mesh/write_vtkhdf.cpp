@@ -26,8 +26,7 @@ class VtkHdfContent {
   Hdf5Content make() {
     for (const char* group : {"", "CellData", "PointData", "FieldData"})
       content_.groups.push_back(kRoot + group);
-    content_.attributes = {{kRoot, "Version", {1, 0}, {}},
-                           {kRoot, "Type", {}, "UnstructuredGrid"}};
+    content_.attributes = {{kRoot, "Version", {1, 0}, {}}, {kRoot, "Type", {}, "UnstructuredGrid"}};
     cells();
     regions();
     lines();
@@ -61,7 +60,8 @@ class VtkHdfContent {
     const std::vector<Interface>& all = output_.table.interfaces;
     texts("LineName", all, [](const Interface& line) { return line.name; });
     const auto of_line = [&](const char* name, auto value) {
-      numbers<std::int32_t>(name, all.size(), [&all, value](std::size_t k) { return value(all[k]); });
+      numbers<std::int32_t>(name, all.size(),
+                            [&all, value](std::size_t k) { return value(all[k]); });
     };
     of_line("LineKind", [](const Interface& line) { return static_cast<int>(line.kind); });
     of_line("LeftRegion", [](const Interface& line) { return line.left.value(); });
@@ -72,9 +72,8 @@ class VtkHdfContent {
     });
     nodes.components = each;
     add(kFields, "LineNodes", nodes);
-    numbers<std::int32_t>("LineID", lines_.size(), [this](std::size_t k) {
-      return view_.interface[lines_[k]].value();
-    });
+    numbers<std::int32_t>("LineID", lines_.size(),
+                          [this](std::size_t k) { return view_.interface[lines_[k]].value(); });
     numbers<std::int32_t>("LineMarker", lines_.size(),
                           [this](std::size_t k) { return view_.marker[lines_[k]]; });
   }
