@@ -9,6 +9,7 @@
 #include <cover/verify.hpp>
 
 #include "base/describe.hpp"
+#include "base/printable.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "cuts/periodic_sides.hpp"
@@ -32,7 +33,7 @@ int print(const Verification& found, const TriangleSoup& mesh, bool quiet) {
   for (const Violation& violation : found.violations) {
     const std::string what =
         violation.promise == 4 ? "materials" : fmt::format("promise {}", violation.promise);
-    fmt::print("FAILED {}: {}{}\n", what, violation.message, place(violation));
+    fmt::print("FAILED {}: {}{}\n", what, printable(violation.message), place(violation));
   }
   if (found.violation_count > found.violations.size()) {
     fmt::print("... and {} more\n", grouped(found.violation_count - found.violations.size()));
@@ -52,7 +53,8 @@ int print(const Verification& found, const TriangleSoup& mesh, bool quiet) {
     for (const RegionLimits& region : found.limits) limits.add(region);
     if (const std::string text = limits_text(limits); !text.empty())
       fmt::print("Regions beside their targets and proven limits: {}\n", text);
-    for (const std::string& what : found.unchecked) fmt::print("Not checked: {}\n", what);
+    for (const std::string& what : found.unchecked)
+      fmt::print("Not checked: {}\n", printable(what));
   }
   return exit_ok;
 }

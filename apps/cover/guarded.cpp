@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <system_error>
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -35,8 +36,14 @@ int guarded(std::string_view program, const std::function<int()>& command) {
   } catch (const spdlog::spdlog_ex& error) {  // the file of --log
     fmt::print(stderr, "{}: error: {}\n", program, error.what());
     return exit_files;
-  } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "{}: error: out of memory\n", program);
+  } catch (const std::bad_alloc&) {  // fmt would need more
+    std::fprintf(stderr, "%.*s: error: out of memory\n", static_cast<int>(program.size()),
+                 program.data());
+    return exit_memory;
+  } catch (const std::system_error& error) {  // no thread, for which there must be a stack
+    fmt::print(stderr, "{}: error: the system has no more threads or memory: {}\n", program,
+               error.what());
+    return exit_memory;
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}: error: {}; this is an error in cover, please report it\n", program,
                error.what());

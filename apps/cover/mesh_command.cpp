@@ -6,10 +6,12 @@
 #include <fmt/core.h>
 
 #include <cover/cover_mesh.hpp>
+#include <cover/estimate.hpp>
 #include <cover/read_size_field.hpp>
 #include <cover/remesh.hpp>
 #include <cover/write_mesh.hpp>
 
+#include "base/printable.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "dump_stages.hpp"
@@ -38,7 +40,7 @@ constexpr const char* kExamples = R"(Examples:
   generate | cover mesh - -o - --format vtu > device.vtu
 
 Exit codes: 0 done, 1 defect of cover, 2 usage, 3 bad geometry, 4 bound missed (nothing
-written), 5 files, 6 --require not met, 130 interrupted.
+written), 5 files, 6 --require not met, 7 out of memory, 130 interrupted.
 )";
 
 /// Everything that the command line of `cover mesh` says.
@@ -85,7 +87,9 @@ struct MeshCommand {
         ->group(files);
     app.add_flag("--keep-partial", keep_partial, "Write files even where a bound was missed")
         ->group(files);
-    app.add_flag("--dry-run", dry_run, "Check the input and say what would be done; no mesh")
+    app.add_flag(
+           "--dry-run", dry_run,
+           "Check the input, say what would be done and estimate triangles and memory; no mesh")
         ->group(files)
         ->configurable(false);
     app.set_config("--config", "", "Read options from a TOML file")
@@ -182,14 +186,18 @@ int dry_run(const MeshCommand& command, const Input& input, const Options& optio
   log_notes(log, prepared->report.notes);
   const bool as_json = command.stats == "json";
   if (as_json) fmt::print("{}\n", report_json(*prepared));
-  if (!as_json) fmt::print("{}", info_text(*prepared, command.verbosity.verbose > 0));
+  if (!as_json) {
+    const Result<Estimate> all = estimate(*prepared, options);
+    if (!all) return fail(log, all.error());
+    fmt::print("{}{}", info_text(*prepared, command.verbosity.verbose > 0), estimate_text(*all));
+  }
   for (const std::string& name : command.only) {
     const std::vector<RegionId> regions = named_regions(prepared->table, name);
     if (regions.empty()) return fail(log, no_such_region(prepared->table, "only", name));
     for (const RegionId id : regions) {
       if (as_json) continue;
       fmt::print("\nWould mesh region {} '{}' again in {}", id.value(),
-                 prepared->table.region(id).name, command.onto);
+                 printable(prepared->table.region(id).name), command.onto);
     }
   }
   if (as_json) return exit_ok;

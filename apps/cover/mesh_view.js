@@ -444,7 +444,8 @@ function goTo(region) {
   marked = t;
   const xs = [0, 1, 2].map(k => X(corners[3 * t + k])), ys = [0, 1, 2].map(k => Y(corners[3 * t + k]));
   const size = Math.max(Math.max(...xs) - Math.min(...xs), Math.max(...ys) - Math.min(...ys), 1);
-  fly({ x: (Math.max(...xs) + Math.min(...xs)) / 2, y: (Math.max(...ys) + Math.min(...ys)) / 2,
+  // The centroid lies inside, however flat the triangle is.
+  fly({ x: (xs[0] + xs[1] + xs[2]) / 3, y: (ys[0] + ys[1] + ys[2]) / 3,
     s: limited(Math.min(width, height) / 4 / size) });
 }
 const table = document.querySelector('table.regions');

@@ -76,7 +76,7 @@ int main(int argc, char** argv) {
                              : guarded_serve(rank);
   // A rank that cannot go on, and a run that was interrupted, wait for nobody.
   if (code == cover::app::exit_interrupted || code == cover::app::exit_internal ||
-      (rank > 0 && code != cover::app::exit_ok))
+      code == cover::app::exit_memory || (rank > 0 && code != cover::app::exit_ok))
     MPI_Abort(MPI_COMM_WORLD, code);
   if (rank == 0) cover::mpi::dismiss_ranks();
   MPI_Finalize();

@@ -6,6 +6,7 @@ import os
 import pathlib
 import pty
 import re
+import resource
 import shutil
 import signal
 import subprocess
@@ -13,6 +14,7 @@ import sys
 import tempfile
 import time
 import unittest
+from xml.etree import ElementTree
 
 PROGRAM, SAMPLES = sys.argv[1], pathlib.Path(sys.argv[2])
 APP = SAMPLES.parent.parent / 'apps/cover'
@@ -616,6 +618,34 @@ class Memory(Case):
                             (method, peaks, triangles))
 
 
+    def test_out_of_memory(self):
+        """An error of its own, whenever memory ends, and files as they were."""
+        square = self.dir / self.write('square.poly', SQUARE)
+        mesh, star = self.dir / 'm.vtu', self.star(20000)
+
+        def run_within(megabytes, source):
+            limit = megabytes << 20
+            return subprocess.run([PROGRAM, 'mesh', source, '-o', mesh, '-q'], timeout=60, capture_output=True, text=True,
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
+
+        if run_within(150, square).returncode != 0:
+            self.skipTest('a sanitizer takes memory of its own')
+        before, ends = mesh.read_bytes(), []
+        for megabytes in range(70, 200, 6):
+            run = run_within(megabytes, star)
+            ends.append(run.returncode)
+            if run.returncode == 0:
+                break
+            if run.returncode == 127:  # the system's own: libraries do not fit
+                continue
+            self.assertEqual(run.returncode, 7, run.stderr)
+            self.assertRegex(run.stderr, r'^cover: error: .*memory')
+            self.assertEqual(mesh.read_bytes(), before)
+            self.assertEqual(self.files(), ['20000.poly', 'm.vtu', 'square.poly'])
+        self.assertEqual(ends[-1], 0)
+        self.assertIn(7, ends)
+
+
 class Remesh(Case):
     """--only and --onto: some regions again inside a mesh."""
 
@@ -708,6 +738,50 @@ class DryRun(Case):
         self.assertAlmostEqual(report['regions'][0]['gamma_opt'], 62.14824277768956)
         self.assertEqual(len(report['interfaces']), 9)
         self.assertEqual(self.files(), [])
+
+
+    def test_estimate(self):
+        self.write('s.poly', SQUARE)
+        fine = ('--split-interfaces', '--size', '0.02')
+        out, _ = self.run_cover('mesh', 's.poly', '-o', 's.vtu', '--dry-run', *fine)
+        about = float(re.search(r'A mesh takes about ([0-9.e+]+) triangles and \d+ MB of memory', out)[1])
+        made, _ = self.run_cover('mesh', 's.poly', '-o', 's.vtu', *fine)
+        made = float(re.match(r'([0-9,]+) triangles', made)[1].replace(',', ''))
+        self.assertLess(abs(about - made), 0.3 * made)
+
+    def test_what_does_not_fit(self):
+        self.write('s.poly', SQUARE)
+        if os.sysconf('SC_PHYS_PAGES') * os.sysconf('SC_PAGE_SIZE') > 6e10:
+            self.skipTest('it might fit')
+        begin = time.monotonic()
+        _, err = self.run_cover('mesh', 's.poly', '-o', 's.vtu', '--split-interfaces', '--size', '6e-5', code=7)
+        self.assertLess(time.monotonic() - begin, 10)
+        self.assertRegex(err, r'the sizes asked for take about 6.4e\+08 triangles and 108 GB of memory, and there are ')
+        self.assertEqual(self.files(), ['s.poly'])
+
+
+class StrangeNames(Case):
+    """Names that would steer a terminal or break a file."""
+
+    def test_control_characters(self):
+        name = 'a\x1b[31m\nb\u202e<'
+        self.write('d.json', json.dumps({'points': [[0, 0], [1, 0], [1, 1], [0, 1]],
+                                         'segments': [[0, 1], [1, 2], [2, 3], [3, 0]],
+                                         'regions': [{'x': 0.5, 'y': 0.5, 'material': name, 'region': name + '2'}]}))
+        outputs = ['m.vtu', 'm.vtm', 'm.svg', 'm.json']
+        texts = [*self.run_cover('mesh', 'd.json', *(f'-o{o}' for o in outputs), '--report', 'r.html', '-v'),
+                 *self.run_cover('info', 'd.json', '-v'),
+                 *self.run_cover('mesh', 'd.json', '-o', 'n.vtu', '--size', 'x=1', code=2),
+                 *self.run_cover('check', 'd.json', 'm.vtm')]
+        texts += [(self.dir / f).read_text() for f in ('m.svg', 'm.vtm', 'r.html')]
+        for text in texts:
+            self.assertNotIn('\x1b', text)
+            self.assertNotIn('\u202e', text)
+            self.assertNotRegex(text, 'a.{0,9}\n *b.{0,9}<')
+        self.assertIn(r'a\x1b[31m\nb\u202e<', texts[0])
+        self.assertIn(r'a\x1b[31m\nb\u202e<', ''.join(ElementTree.parse(self.dir / 'm.svg').getroot().itertext()))
+        ElementTree.parse(self.dir / 'm.vtm')
+        self.assertEqual(json.loads((self.dir / 'm.json').read_text())['regions'][0]['name'], name + '2')
 
 
 class Configuration(Case):

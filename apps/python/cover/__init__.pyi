@@ -5,7 +5,11 @@ import numpy as np
 import numpy.typing as npt
 from typing_extensions import Unpack
 
+<<<<<<< HEAD
 __all__ = ["Cancelled", "Error", "Mesh", "OptionError", "mesh", "mesh_file", "mesh_polygons", "options", "read_options"]
+=======
+__all__ = ["Cancelled", "Error", "Mesh", "OptionError", "OutOfMemory", "mesh", "mesh_file", "mesh_polygons", "options"]
+>>>>>>> w/int
 
 __version__: str
 
@@ -82,6 +86,7 @@ class Error(Exception):
     where: Sequence[Tuple[float, float]]
 
 class OptionError(Error, ValueError): ...
+class OutOfMemory(Error, MemoryError): ...
 class Cancelled(Error): ...
 
 class Mesh:

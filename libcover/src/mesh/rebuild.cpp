@@ -10,6 +10,7 @@
 
 #include <fmt/core.h>
 
+#include "base/out_of_memory.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 #include "mesh/mesh_builder.hpp"
@@ -251,8 +252,10 @@ class Rebuilder {
 }  // namespace
 
 Result<Output> rebuild(const StoredMesh& stored) {
-  if (std::optional<Error> error = Rebuilder::check(stored)) return *std::move(error);
-  return Rebuilder(stored).run();
+  return memory_as_value("rebuild", [&]() -> Result<Output> {
+    if (std::optional<Error> error = Rebuilder::check(stored)) return *std::move(error);
+    return Rebuilder(stored).run();
+  });
 }
 
 }  // namespace cover

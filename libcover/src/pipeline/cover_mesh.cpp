@@ -6,6 +6,7 @@
 // vertex id; results lie in region order, so the mesh does not depend on the schedule.
 #include <cover/cover_mesh.hpp>
 
+#include "base/out_of_memory.hpp"
 #include "cuts/cut_for_boxes.hpp"
 #include "cuts/cut_until_met.hpp"
 #include "mesh/periodic_nodes.hpp"
@@ -21,15 +22,17 @@
 namespace cover {
 
 Result<Prepared> prepare(const Input& input, const Options& options, const Callbacks& callbacks) {
-  StageClock clock;
-  Result<Prepared> prepared = find_regions(input, options, callbacks, clock);
-  if (!prepared) return prepared;
-  Result<std::vector<RegionReport>> limits =
-      limit_regions(split_regions(prepared->pslg, prepared->table), options, callbacks);
-  if (!limits) return std::move(limits).error();
-  prepared->report.regions = *std::move(limits);
-  clock.note("limits", prepared->report.times);
-  return prepared;
+  return memory_as_value("prepare", [&]() -> Result<Prepared> {
+    StageClock clock;
+    Result<Prepared> prepared = find_regions(input, options, callbacks, clock);
+    if (!prepared) return prepared;
+    Result<std::vector<RegionReport>> limits =
+        limit_regions(split_regions(prepared->pslg, prepared->table), options, callbacks);
+    if (!limits) return std::move(limits).error();
+    prepared->report.regions = *std::move(limits);
+    clock.note("limits", prepared->report.times);
+    return prepared;
+  });
 }
 
 namespace {
@@ -74,17 +77,21 @@ Result<Output> mesh_prepared(Result<Prepared> prepared, const std::vector<Period
 }  // namespace
 
 Result<Output> cover_mesh(const Input& input, const Options& options, const Callbacks& callbacks) {
-  StageClock clock;
-  return mesh_prepared(find_regions(input, options, callbacks, clock),
-                       periodic_rules(input, options), options, callbacks, clock);
+  return memory_as_value("mesh", [&]() -> Result<Output> {
+    StageClock clock;
+    return mesh_prepared(find_regions(input, options, callbacks, clock),
+                         periodic_rules(input, options), options, callbacks, clock);
+  });
 }
 
 Result<Output> cover_mesh(Input&& input, const Options& options, const Callbacks& callbacks) {
-  StageClock clock;
-  Result<Prepared> prepared = find_regions(input, options, callbacks, clock);
-  const std::vector<PeriodicRule> rules = periodic_rules(input, options);
-  input = {};
-  return mesh_prepared(std::move(prepared), rules, options, callbacks, clock);
+  return memory_as_value("mesh", [&]() -> Result<Output> {
+    StageClock clock;
+    Result<Prepared> prepared = find_regions(input, options, callbacks, clock);
+    const std::vector<PeriodicRule> rules = periodic_rules(input, options);
+    input = {};
+    return mesh_prepared(std::move(prepared), rules, options, callbacks, clock);
+  });
 }
 
 }  // namespace cover

@@ -15,6 +15,7 @@
 
 #include "base/describe.hpp"
 #include "base/errors.hpp"
+#include "base/out_of_memory.hpp"
 #include "cdt/cdt.hpp"
 #include "cuts/periodic_sides.hpp"
 #include "mesh/periodic_nodes.hpp"
@@ -207,11 +208,9 @@ void tell(std::size_t cuts, std::size_t other_materials, const Options& asked, R
   }
 }
 
-}  // namespace
-
-Result<Output> remesh(const Input& input, const TriangleSoup& onto,
-                      std::span<const std::string> only, const Options& asked,
-                      const Callbacks& callbacks) {
+Result<Output> mesh_again(const Input& input, const TriangleSoup& onto,
+                          std::span<const std::string> only, const Options& asked,
+                          const Callbacks& callbacks) {
   StageClock clock;
   const Result<Options> options = options_without_cuts(asked, only);
   if (!options) return options.error();
@@ -267,6 +266,15 @@ Result<Output> remesh(const Input& input, const TriangleSoup& onto,
   std::vector<PeriodicNodes> periodic = periodic_nodes(pslg, rules, mesh);
   return Output{std::move(mesh), std::move(pslg), std::move(table), std::move(report),
                 std::move(periodic)};
+}
+
+}  // namespace
+
+Result<Output> remesh(const Input& input, const TriangleSoup& onto,
+                      std::span<const std::string> only, const Options& options,
+                      const Callbacks& callbacks) {
+  return memory_as_value("remesh",
+                         [&] { return mesh_again(input, onto, only, options, callbacks); });
 }
 
 }  // namespace cover

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "geom/vector.hpp"
+#include "sizes/ask_size.hpp"
 
 namespace cover {
 namespace {
@@ -45,7 +46,7 @@ double SegmentSizes::size_at(double part) const {
   if (at_a_ > 0) lower(size, at_a_ + slope * part * whole);
   if (at_b_ > 0) lower(size, at_b_ + slope * (1 - part) * whole);
   const Point here = a_ + part * (b_ - a_);
-  if (options_->size_field) lower(size, options_->size_field(here));
+  if (options_->size_field) lower(size, ask_size(options_->size_field, here));
   for (const SizeFunction* function : functions_)
     if (function != nullptr) lower(size, (*function)(here));
   return size > 0 ? size : std::numeric_limits<double>::infinity();

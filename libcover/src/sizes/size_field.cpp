@@ -9,6 +9,7 @@
 
 #include "geom/box.hpp"
 #include "geom/vector.hpp"
+#include "sizes/ask_size.hpp"
 #include "sizes/spread_sizes.hpp"
 
 namespace cover {
@@ -88,7 +89,7 @@ SizeField::SizeField(const RegionBoundary& boundary, const Triangulation& cdt,
 
 double SizeField::largest_at(Point p) const {
   if (!background_) return largest_;
-  const double size = background_(p);
+  const double size = ask_size(background_, p);
   return size > 0 ? std::min(largest_, size) : largest_;
 }
 

@@ -5,6 +5,7 @@
 #include "tasks/region_task.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <exception>
 #include <mutex>
@@ -14,8 +15,6 @@
 #include <thread>
 
 #include <fmt/core.h>
-#include <boost/asio/post.hpp>
-#include <boost/asio/thread_pool.hpp>
 
 #include "almond/almond_region.hpp"
 #include "almond/chords.hpp"
@@ -29,6 +28,7 @@
 #include "target/measure.hpp"
 #include "target/whole_mesh.hpp"
 #include "tasks/errors_as_values.hpp"
+#include "tasks/run_all.hpp"
 #include "tasks/share_out_regions.hpp"
 #include "tasks/stage_clock.hpp"
 
@@ -240,8 +240,10 @@ Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned work
   const auto run = [&](const Batch& batch) {
     for (std::size_t k = batch.first; k < batch.last; ++k) {
       if (progress.must_stop()) return;
-      const std::string doing = fmt::format("region {}", boundaries[order[k]].id.value());
-      Status status = errors_as_values(doing, [&] {
+      std::array<char, 32> name{};  // no allocation, which may fail
+      const auto end =
+          fmt::format_to_n(name.data(), name.size(), "region {}", boundaries[order[k]].id.value());
+      Status status = errors_as_values({name.data(), end.size}, [&] {
         task(order[k]);
         return ok();
       });
@@ -249,16 +251,7 @@ Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned work
     }
     progress.add(batch.cost);
   };
-  if (std::min<std::size_t>(workers, batches.size()) <= 1) {
-    // Memory that earlier stages gave back is found again by the thread that had it.
-    for (const Batch& batch : batches) run(batch);
-  } else {
-    boost::asio::thread_pool pool(std::min<std::size_t>(workers, batches.size()));
-    for (const Batch& batch : batches) {
-      boost::asio::post(pool, [&run, &batch] { run(batch); });
-    }
-    pool.join();
-  }
+  run_all(batches.size(), workers, [&](std::size_t k) { run(batches[k]); });
   progress.rethrow();
 
   if (callbacks.stop.stop_requested()) return Error{ErrorCode::cancelled, "interrupted", {}, {}};

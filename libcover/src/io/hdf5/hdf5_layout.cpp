@@ -69,7 +69,8 @@ herr_t write_layout(H5FD_t* file, H5FD_mem_t /*type*/, hid_t /*dxpl*/, haddr_t a
                     const void* bytes) {
   LayoutFile& layout = own(file);
   layout.written = std::max(layout.written, at + size);
-  return layout.bytes->write(at, {static_cast<const char*>(bytes), size}) ? 0 : -1;
+  layout.bytes->write(at, {static_cast<const char*>(bytes), size});
+  return 0;  // always: a file that the library cannot close crashes it at the end of the program
 }
 
 H5FD_class_t layout_class() {
@@ -97,7 +98,7 @@ H5FD_class_t layout_class() {
 
 }  // namespace
 
-bool Hdf5Bytes::write(std::uint64_t at, std::string_view bytes) {
+void Hdf5Bytes::write(std::uint64_t at, std::string_view bytes) {
   try {
     while (!bytes.empty()) {
       std::unique_ptr<Page>& page = pages_[at / kPage];
@@ -108,9 +109,8 @@ bool Hdf5Bytes::write(std::uint64_t at, std::string_view bytes) {
       at += size;
     }
   } catch (const std::bad_alloc&) {
-    return false;
+    lacks_memory = true;
   }
-  return true;
 }
 
 void Hdf5Bytes::read(std::uint64_t at, std::size_t size, char* out) const {

@@ -7,6 +7,7 @@
 
 #include <array>
 
+#include "base/out_of_memory.hpp"
 #include "io/input/formats.hpp"
 #include "io/layout/read_gds.hpp"
 #include "io/text/text.hpp"
@@ -34,6 +35,7 @@ struct OtherFormat {
   std::string_view what;
 };
 
+<<<<<<< HEAD
 constexpr std::string_view kOfMaps =
     "maps other than GeoJSON are read by GDAL, from files and in builds that have it; "
     "'ogr2ogr -f GeoJSON OUT.geojson FILE' makes a file that can be read";
@@ -108,6 +110,42 @@ Result<Input> read_input(const std::string& path, const ReadOptions& options) {
   Result<std::string> text = read_file(path);
   if (!text) return std::move(text).error();
   return parse_input(*text, extension_of(path), path, options);
+=======
+Result<Input> parse_input(std::string_view text, std::string_view extension,
+                          const std::string& source) {
+  return memory_as_value(source, [&]() -> Result<Input> {
+    const std::string wanted = lower(extension);
+    for (const Format& format : kFormats)
+      if (format.extension == wanted) return format.parse(text, source);
+    if (is_data_set(wanted)) return parse_vtk_input(text, wanted, source);
+    if (wanted == ".geo") {
+      return Error{ErrorCode::unsupported_format,
+                   fmt::format("{}: .geo is read by gmsh's library, without which this was built; "
+                               "'gmsh -2 FILE.geo -o FILE.msh' makes a file that can be read",
+                               source),
+                   {},
+                   {}};
+    }
+    std::string known;
+    for (const Format& format : kFormats) {
+      known += fmt::format("{}{}", known.empty() ? "" : ", ", format.extension);
+    }
+    return Error{
+        ErrorCode::unsupported_format,
+        fmt::format("{}: no reader for files named '*{}'; known: {}, .vtu, .vtp, .vti, .vtk",
+                    source, extension, known),
+        {},
+        {}};
+  });
+}
+
+Result<Input> read_input(const std::string& path) {
+  return memory_as_value(path, [&]() -> Result<Input> {
+    Result<std::string> text = read_file(path);
+    if (!text) return std::move(text).error();
+    return parse_input(*text, extension_of(path), path);
+  });
+>>>>>>> w/int
 }
 
 }  // namespace cover

@@ -15,6 +15,7 @@
 #include <optional>
 #include <unordered_map>
 
+#include "base/out_of_memory.hpp"
 #include "io/input/formats.hpp"
 #include "io/input/poly_lines.hpp"
 #include "io/text/text.hpp"
@@ -252,9 +253,11 @@ Result<Input> parse_poly(std::string_view text, const std::string& source) {
 }
 
 Result<Input> read_poly(const std::string& path) {
-  const Result<std::string> text = read_file(path);
-  if (!text) return text.error();
-  return parse_poly(*text, path);
+  return memory_as_value(path, [&]() -> Result<Input> {
+    const Result<std::string> text = read_file(path);
+    if (!text) return text.error();
+    return parse_poly(*text, path);
+  });
 }
 
 }  // namespace cover

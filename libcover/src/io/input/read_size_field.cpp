@@ -11,6 +11,7 @@
 
 #include "base/errors.hpp"
 #include "base/expression.hpp"
+#include "base/out_of_memory.hpp"
 #include "geom/vector.hpp"
 #include "io/input/plane_fields.hpp"
 
@@ -124,20 +125,22 @@ Result<SizeSamples> read_size_field(const std::string& path, const std::string& 
 }
 
 Status load_size_field(Options& options) {
-  if (options.size_field || options.size_field_name.empty()) return ok();
-  const std::string& path = options.size_field_name;
-  const Result<SizeSamples> samples =
-      options.size_of.empty() ? read_size_field(path)
-                              : read_size_field(path, options.size_of, options.size_step);
-  if (!samples) return samples.error();
-  Result<SizeFunction> sizes = size_function(*samples, options.growth.value_or(Options::kGrowth));
-  if (!sizes) {
-    Error error = std::move(sizes).error();
-    error.message = fmt::format("{}: {}", path, error.message);
-    return error;
-  }
-  options.size_field = *std::move(sizes);
-  return ok();
+  return memory_as_value(options.size_field_name, [&]() -> Status {
+    if (options.size_field || options.size_field_name.empty()) return ok();
+    const std::string& path = options.size_field_name;
+    const Result<SizeSamples> samples =
+        options.size_of.empty() ? read_size_field(path)
+                                : read_size_field(path, options.size_of, options.size_step);
+    if (!samples) return samples.error();
+    Result<SizeFunction> sizes = size_function(*samples, options.growth.value_or(Options::kGrowth));
+    if (!sizes) {
+      Error error = std::move(sizes).error();
+      error.message = fmt::format("{}: {}", path, error.message);
+      return error;
+    }
+    options.size_field = *std::move(sizes);
+    return ok();
+  });
 }
 
 }  // namespace cover

@@ -54,6 +54,7 @@
 #include <cover/write_mesh.hpp>
 
 #include "base/describe.hpp"
+#include "base/out_of_memory.hpp"
 #include "io/files/atomic_file.hpp"
 #include "io/report/periodic_json.hpp"
 #include "io/report/provenance_json.hpp"
@@ -462,11 +463,13 @@ std::string report_json(const Prepared& prepared) {
 }
 
 Status write_report_json(const Output& output, const std::string& path) {
-  Result<AtomicFile> file = AtomicFile::create(path);
-  if (!file) return std::move(file).error();
-  file->write(report_json(output));
-  file->write("\n");
-  return file->commit();
+  return memory_as_value(path, [&]() -> Status {
+    Result<AtomicFile> file = AtomicFile::create(path);
+    if (!file) return std::move(file).error();
+    file->write(report_json(output));
+    file->write("\n");
+    return file->commit();
+  });
 }
 
 }  // namespace cover

@@ -17,6 +17,7 @@
 #include "quality/starts/even_refinement.hpp"
 #include "quality/starts/one_star.hpp"
 #include "quality/starts/restart.hpp"
+#include "sizes/ask_size.hpp"
 #include "target/measure.hpp"
 #include "target/whole_mesh.hpp"
 
@@ -53,7 +54,9 @@ Candidates::Candidates(const RegionBoundary& boundary, const Options& options, s
 SizeFunction Candidates::background_in_frame() const {
   SizeFunction field = background_of(boundary_, options_);
   if (!field) return {};
-  return [field = std::move(field), frame = &frame_](Point p) { return field(frame->restore(p)); };
+  return [field = std::move(field), frame = &frame_](Point p) {
+    return ask_size(field, frame->restore(p));
+  };
 }
 
 bool Candidates::is_budget_used_up() const {
