@@ -37,11 +37,8 @@ class Cancelled(Error):
 from ._cover import Mesh, __version__, options as _options, read_options as _read_options  # noqa: E402
 from ._cover import mesh_file as _mesh_file, mesh_polygons as _mesh_polygons, mesh_pslg as _mesh_pslg  # noqa: E402
 
-<<<<<<< HEAD
-__all__ = ["Cancelled", "Error", "Mesh", "OptionError", "mesh", "mesh_file", "mesh_polygons", "options", "read_options"]
-=======
-__all__ = ["Cancelled", "Error", "Mesh", "OptionError", "OutOfMemory", "mesh", "mesh_file", "mesh_polygons", "options"]
->>>>>>> w/int
+__all__ = ["Cancelled", "Error", "Mesh", "OptionError", "OutOfMemory", "mesh", "mesh_file", "mesh_polygons", "options",
+           "read_options"]
 
 
 def options():

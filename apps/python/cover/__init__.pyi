@@ -5,11 +5,8 @@ import numpy as np
 import numpy.typing as npt
 from typing_extensions import Unpack
 
-<<<<<<< HEAD
-__all__ = ["Cancelled", "Error", "Mesh", "OptionError", "mesh", "mesh_file", "mesh_polygons", "options", "read_options"]
-=======
-__all__ = ["Cancelled", "Error", "Mesh", "OptionError", "OutOfMemory", "mesh", "mesh_file", "mesh_polygons", "options"]
->>>>>>> w/int
+__all__ = ["Cancelled", "Error", "Mesh", "OptionError", "OutOfMemory", "mesh", "mesh_file", "mesh_polygons", "options",
+           "read_options"]
 
 __version__: str
 

@@ -14,6 +14,7 @@
 
 #include <cover/units.hpp>
 
+#include "base/out_of_memory.hpp"
 #include "dxf/drawing.hpp"
 #include "dxf/dxf_groups.hpp"
 #include "dxf/ends.hpp"
@@ -332,9 +333,10 @@ void tell_left_out(Input& input, const CheckedDxf& checked, const DxfDrawing& dr
 
 }  // namespace
 
-Result<Input> parse_dxf(std::string_view text, const std::string& source,
-                        const ReadOptions& options) {
-  if (const Status status = check_read_options(options); !status) return status.error();
+namespace {
+
+Result<Input> input_of_dxf(std::string_view text, const std::string& source,
+                           const ReadOptions& options) {
   const Result<CheckedDxf> checked = check_dxf(text, source);
   if (!checked) return checked.error();
   const Result<DxfDrawing> drawing = build_drawing(*checked, source);
@@ -349,8 +351,16 @@ Result<Input> parse_dxf(std::string_view text, const std::string& source,
   return input;
 }
 
+}  // namespace
+
+Result<Input> parse_dxf(std::string_view text, const std::string& source,
+                        const ReadOptions& options) {
+  if (const Status status = check_read_options(options); !status) return status.error();
+  return memory_as_value(source, [&] { return input_of_dxf(text, source, options); });
+}
+
 Result<Input> read_dxf(const std::string& path, const ReadOptions& options) {
-  const Result<std::string> text = read_file(path);
+  const Result<std::string> text = memory_as_value(path, [&] { return read_file(path); });
   if (!text) return text.error();
   return parse_dxf(*text, path, options);
 }

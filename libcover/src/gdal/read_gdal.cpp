@@ -18,6 +18,7 @@
 
 #include <cover/units.hpp>
 
+#include "base/out_of_memory.hpp"
 #include "gdal/map_projection.hpp"
 #include "gdal/quiet_gdal.hpp"
 
@@ -321,7 +322,7 @@ Result<Input> read_gdal(const std::string& path, const ReadOptions& options) {
   if (!std::filesystem::is_regular_file(path, ignored))
     return Error{ErrorCode::cannot_open, fmt::format("cannot open {}: no such file", path), {}, {}};
   register_drivers();
-  Result<Input> input = MapReader(path, options).read();
+  Result<Input> input = memory_as_value(path, [&] { return MapReader(path, options).read(); });
   if (!input) return input;
   if (Status status = apply_units(*input, options); !status) return std::move(status).error();
   return input;

@@ -35,7 +35,6 @@ struct OtherFormat {
   std::string_view what;
 };
 
-<<<<<<< HEAD
 constexpr std::string_view kOfMaps =
     "maps other than GeoJSON are read by GDAL, from files and in builds that have it; "
     "'ogr2ogr -f GeoJSON OUT.geojson FILE' makes a file that can be read";
@@ -100,52 +99,17 @@ Result<Input> parse_input(std::string_view text, std::string_view extension,
                           const std::string& source, const ReadOptions& options) {
   if (const Status status = check_read_options(options); !status) return status.error();
   const std::string format = lower(options.format.empty() ? extension : options.format);
-  Result<Input> input = parse_format(text, format, source, options);
+  Result<Input> input =
+      memory_as_value(source, [&] { return parse_format(text, format, source, options); });
   if (!input) return input;
   if (Status status = apply_units(*input, options); !status) return std::move(status).error();
   return input;
 }
 
 Result<Input> read_input(const std::string& path, const ReadOptions& options) {
-  Result<std::string> text = read_file(path);
+  Result<std::string> text = memory_as_value(path, [&] { return read_file(path); });
   if (!text) return std::move(text).error();
   return parse_input(*text, extension_of(path), path, options);
-=======
-Result<Input> parse_input(std::string_view text, std::string_view extension,
-                          const std::string& source) {
-  return memory_as_value(source, [&]() -> Result<Input> {
-    const std::string wanted = lower(extension);
-    for (const Format& format : kFormats)
-      if (format.extension == wanted) return format.parse(text, source);
-    if (is_data_set(wanted)) return parse_vtk_input(text, wanted, source);
-    if (wanted == ".geo") {
-      return Error{ErrorCode::unsupported_format,
-                   fmt::format("{}: .geo is read by gmsh's library, without which this was built; "
-                               "'gmsh -2 FILE.geo -o FILE.msh' makes a file that can be read",
-                               source),
-                   {},
-                   {}};
-    }
-    std::string known;
-    for (const Format& format : kFormats) {
-      known += fmt::format("{}{}", known.empty() ? "" : ", ", format.extension);
-    }
-    return Error{
-        ErrorCode::unsupported_format,
-        fmt::format("{}: no reader for files named '*{}'; known: {}, .vtu, .vtp, .vti, .vtk",
-                    source, extension, known),
-        {},
-        {}};
-  });
-}
-
-Result<Input> read_input(const std::string& path) {
-  return memory_as_value(path, [&]() -> Result<Input> {
-    Result<std::string> text = read_file(path);
-    if (!text) return std::move(text).error();
-    return parse_input(*text, extension_of(path), path);
-  });
->>>>>>> w/int
 }
 
 }  // namespace cover
