@@ -12,6 +12,19 @@ install(TARGETS cover_vtk EXPORT coverVtkTargets
 install(EXPORT coverTargets NAMESPACE cover:: DESTINATION ${cover_package_dir})
 install(EXPORT coverVtkTargets NAMESPACE cover:: DESTINATION ${cover_package_dir})
 
+# Readers that are there where the libraries are that they read by.
+set(cover_readers "")
+foreach(reader dxf gdal)
+  string(TOUPPER ${reader} READER)
+  if(COVER_WITH_${READER})
+    list(APPEND cover_readers ${reader})
+    install(TARGETS cover_${reader} EXPORT cover_${reader}Targets
+            LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+            FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+    install(EXPORT cover_${reader}Targets NAMESPACE cover:: DESTINATION ${cover_package_dir})
+  endif()
+endforeach()
+
 configure_package_config_file(cmake/coverConfig.cmake.in ${PROJECT_BINARY_DIR}/coverConfig.cmake
                               INSTALL_DESTINATION ${cover_package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/coverConfigVersion.cmake

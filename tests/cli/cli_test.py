@@ -1229,6 +1229,73 @@ class Names(Case):
         self.assertIn('ids are region, material or name, not colour', err)
 
 
+class Layouts(Case):
+    """What is said of reading beside the file; options_test.py tests the options themselves."""
+    MAP = ('--layer-map', SAMPLES / 'finfet.map')
+
+    def materials(self, *words):
+        self.run_cover('mesh', *words, '--method', 'almond', '-o', 'm.json', '-q')
+        return [r['material_name'] for r in json.loads((self.dir / 'm.json').read_text())['regions']]
+
+    def test_a_layout_from_a_pipe(self):
+        data = (SAMPLES / 'finfet.gds').read_bytes()
+        for words in ('-',), ('-', '--input-format', 'GDS'), ('-', '--input-format', '.gds'):
+            done = subprocess.run([PROGRAM, 'info', *words, *map(str, self.MAP)], input=data, cwd=self.dir, timeout=60,
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn(b'HfO2', done.stdout)
+
+    def test_the_format_counts_and_not_the_name(self):
+        (self.dir / 'layout.poly').write_bytes((SAMPLES / 'finfet.gds').read_bytes())
+        self.run_cover('info', 'layout.poly', code=5)
+        self.assertIn('L6D0', self.run_cover('info', 'layout.poly', '--input-format', 'gds')[0])
+        self.write('square.GDS', SQUARE)
+        self.run_cover('info', 'square.GDS', code=5)
+        self.run_cover('info', 'square.GDS', '--input-format', 'poly')
+
+    def test_layers_and_windows(self):
+        fins = self.materials(SAMPLES / 'finfet.gds', *self.MAP)
+        self.assertEqual(fins.count('SiO2'), 2)
+        one = self.materials(SAMPLES / 'finfet.gds', *self.MAP, '--window=-0.015,0.01,0.015,0.08')
+        self.assertEqual(one.count('SiO2'), 1)
+        self.assertEqual(set(self.materials(SAMPLES / 'finfet.gds', '--layer', '1', '--layer', '2/0')), {'L1D0', 'L2D0'})
+        self.assertEqual(set(self.materials(SAMPLES / 'finfet.gds', *self.MAP, '--layer', 'TiN')), {'TiN'})
+
+    def test_options_that_do_nothing_are_told(self):
+        self.write('a.poly', SQUARE)
+        for command in ('info', 'a.poly'), ('mesh', 'a.poly', '-o', 'a.vtu'):
+            error = self.run_cover(*command, '--cell', 'TOP', '--unit', 'nm')[1]
+            self.assertIn('--cell does nothing: it counts with layouts only', error)
+            self.assertNotIn('--unit', error)
+
+    def test_scales_that_round_are_told(self):
+        self.write('a.poly', SQUARE.replace('3 1 1', '3 1.1 1.3'))
+        error = self.run_cover('mesh', 'a.poly', '--scale', '25.4', '--unit', 'mm', '-o', 'a.json')[1]
+        self.assertIn('2 of 8 coordinates times 25.4 are rounded', error)
+        told = json.loads((self.dir / 'a.json').read_text())
+        self.assertEqual((told['unit'], told['scale']), ('mm', 25.4))
+        self.assertNotIn('rounded', self.run_cover('mesh', 'a.poly', '--scale', '1e-9', '-o', 'a.json')[1])
+
+    def test_what_cannot_be_read_is_told_how_to_convert(self):
+        self.write('a.oas', '%SEMI-OASIS')
+        self.assertIn("KLayout's 'strm2gds FILE.oas FILE.gds'", self.run_cover('info', 'a.oas', code=5)[1])
+        formats = ' '.join(self.run_cover('info', '--help')[0].split())
+        for extension, words in (('.dxf', 'ogr2ogr -f GeoJSON'), ('.gpkg', 'ogr2ogr -f GeoJSON')):
+            if extension not in formats:
+                self.write('a' + extension, '')
+                self.assertIn(words, self.run_cover('info', 'a' + extension, code=5)[1])
+
+    def test_bad_layouts(self):
+        data = (SAMPLES / 'finfet.gds').read_bytes()
+        (self.dir / 'cut.gds').write_bytes(data[:-20])
+        self.assertRegex(self.run_cover('info', 'cut.gds', code=5)[1], r'cut\.gds: byte \d+: ')
+        (self.dir / 'a.gds').write_bytes(data)
+        self.assertIn("there is no cell 'X'", self.run_cover('info', 'a.gds', '--cell', 'X', code=2)[1])
+        self.assertIn('no.map', self.run_cover('info', 'a.gds', '--layer-map', 'no.map', code=5)[1])
+        self.assertIn("'1=' is not LAYER/DATATYPE=NAME", self.run_cover('info', 'a.gds', '--layer-map', '1=', code=2)[1])
+        self.run_cover('mesh', 'a.gds', '--layer-map', 'a.vtu', '-o', 'a.vtu', code=2)
+
+
 class Documents(Case):
     """Man page and completion know what the program knows."""
 

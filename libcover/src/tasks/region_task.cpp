@@ -48,22 +48,29 @@ constexpr double kMostCost = 0x1p40;
 /// Batches are filled up to this cost: some milliseconds of work against microseconds of overhead.
 constexpr std::size_t kBatchCost = 1000;
 
-std::vector<std::size_t> largest_first(std::span<const RegionBoundary> boundaries) {
-  std::vector<std::size_t> order(boundaries.size());
+/// By region. Each takes time in proportion to its sides, so none is computed twice.
+std::vector<std::size_t> costs_of(std::span<const RegionBoundary> boundaries) {
+  std::vector<std::size_t> costs;
+  costs.reserve(boundaries.size());
+  for (const RegionBoundary& boundary : boundaries) costs.push_back(cost_of(boundary));
+  return costs;
+}
+
+std::vector<std::size_t> largest_first(std::span<const std::size_t> costs) {
+  std::vector<std::size_t> order(costs.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return cost_of(boundaries[a]) > cost_of(boundaries[b]);
-  });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return costs[a] > costs[b]; });
   return order;
 }
 
-std::vector<Batch> make_batches(std::span<const RegionBoundary> boundaries,
+std::vector<Batch> make_batches(std::span<const std::size_t> costs,
                                 std::span<const std::size_t> order) {
   std::vector<Batch> batches;
   for (std::size_t k = 0; k < order.size(); ++k) {
     if (batches.empty() || batches.back().cost >= kBatchCost) batches.push_back({k, k, 0});
     batches.back().last = k + 1;
-    batches.back().cost += cost_of(boundaries[order[k]]);
+    batches.back().cost += costs[order[k]];
   }
   return batches;
 }
@@ -221,8 +228,9 @@ unsigned worker_count(const Options& options) {
 Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned workers,
                        std::string_view stage, const Callbacks& callbacks,
                        const std::function<void(std::size_t)>& task) {
-  const std::vector<std::size_t> order = largest_first(boundaries);
-  const std::vector<Batch> batches = make_batches(boundaries, order);
+  const std::vector<std::size_t> costs = costs_of(boundaries);
+  const std::vector<std::size_t> order = largest_first(costs);
+  const std::vector<Batch> batches = make_batches(costs, order);
   std::size_t total = 0;
   for (const Batch& batch : batches) total += batch.cost;
   ProgressCount progress(stage, total, callbacks);

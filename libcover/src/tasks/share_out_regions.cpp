@@ -31,13 +31,13 @@ class Jobs final : public RegionJobs {
         callbacks_(callbacks),
         meshes_(boundaries.size()),
         progress_{"mesh", 0, 0} {
-    for (const RegionBoundary& boundary : boundaries) progress_.total += cost_of(boundary);
+    costs_.reserve(boundaries.size());
+    for (const RegionBoundary& boundary : boundaries) costs_.push_back(cost_of(boundary));
+    for (const std::size_t cost : costs_) progress_.total += cost;
   }
 
   [[nodiscard]] std::size_t size() const override { return boundaries_.size(); }
-  [[nodiscard]] std::size_t cost(std::size_t region) const override {
-    return cost_of(boundaries_[region]);
-  }
+  [[nodiscard]] std::size_t cost(std::size_t region) const override { return costs_[region]; }
   [[nodiscard]] Bytes boundary(std::size_t region) const override {
     return to_bytes(boundaries_[region]);
   }
@@ -68,11 +68,13 @@ class Jobs final : public RegionJobs {
     meshes_[region] = std::move(mesh);
     if (!callbacks_.progress) return;
     const std::lock_guard lock(mutex_);
-    progress_.done += cost_of(boundaries_[region]);
+    progress_.done += costs_[region];
     callbacks_.progress(progress_);
   }
 
   std::span<const RegionBoundary> boundaries_;
+  /// By region. Each takes time in proportion to its sides, and sorting asks for them again and again.
+  std::vector<std::size_t> costs_;
   const Options& options_;
   const Callbacks& callbacks_;
   std::vector<std::optional<Result<RegionMesh>>> meshes_;
