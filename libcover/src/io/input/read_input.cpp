@@ -6,6 +6,8 @@
 
 #include <array>
 
+#include "io/images/raster.hpp"
+#include "io/images/read_image.hpp"
 #include "io/input/formats.hpp"
 #include "io/text/text.hpp"
 #include "io/vtk_files/read_data_set.hpp"
@@ -20,10 +22,9 @@ struct Format {
 };
 
 constexpr std::array kFormats{
-    Format{".poly", parse_poly},
-    Format{".json", parse_json},
-    Format{".geojson", parse_geojson},
-    Format{".msh", parse_msh},
+    Format{".poly", parse_poly}, Format{".json", parse_json}, Format{".geojson", parse_geojson},
+    Format{".msh", parse_msh},   Format{".tif", parse_tif},   Format{".str", parse_suprem},
+    Format{".cmd", parse_sde},   Format{".scm", parse_sde},
 };
 
 }  // namespace
@@ -31,6 +32,9 @@ constexpr std::array kFormats{
 Result<Input> parse_input(std::string_view text, std::string_view extension,
                           const std::string& source) {
   const std::string wanted = lower(extension);
+  // TCAD's TIF has the extension of a picture.
+  if (is_image(wanted) && (wanted != ".tif" || is_tiff(text)))
+    return parse_image(text, wanted, source);
   for (const Format& format : kFormats)
     if (format.extension == wanted) return format.parse(text, source);
   if (is_data_set(wanted)) return parse_vtk_input(text, wanted, source);
@@ -46,11 +50,13 @@ Result<Input> parse_input(std::string_view text, std::string_view extension,
   for (const Format& format : kFormats) {
     known += fmt::format("{}{}", known.empty() ? "" : ", ", format.extension);
   }
-  return Error{ErrorCode::unsupported_format,
-               fmt::format("{}: no reader for files named '*{}'; known: {}, .vtu, .vtp, .vti, .vtk",
-                           source, extension, known),
-               {},
-               {}};
+  return Error{
+      ErrorCode::unsupported_format,
+      fmt::format("{}: no reader for files named '*{}'; known: {}, .vtu, .vtp, .vti, .vtk, "
+                  ".png, .bmp, .tiff, .nrrd, .mha",
+                  source, extension, known),
+      {},
+      {}};
 }
 
 Result<Input> read_input(const std::string& path) {

@@ -31,5 +31,14 @@ inline constexpr std::size_t kFreeUnfolding = std::size_t{64} << 20U;
 inline constexpr std::size_t kLatticePoints = 4;
 inline constexpr std::size_t kXmlDepth = 64;
 inline constexpr std::size_t kXmlElements = 1'000'000;
+/// Pixels of a picture: these, and so many for each byte of the file.
+inline constexpr std::size_t kImagePixels = std::size_t{1} << 23U;
+inline constexpr std::size_t kImageUnfolding = 1000;
+inline constexpr std::size_t kImageRegions = std::size_t{1} << 18U;
+/// Commands of drawing programs: lists, or calls, one in the other; evaluations; characters of a
+/// text, or items of a list, that they put together.
+inline constexpr std::size_t kSchemeDepth = 100;
+inline constexpr std::size_t kSchemeSteps = 200'000;
+inline constexpr std::size_t kSchemeText = 10'000;
 
 }  // namespace cover
