@@ -3,6 +3,7 @@
 set -euo pipefail
 packages=(git g++ cmake ninja-build ccache
           libcgal-dev libopenmesh-dev libvtk9-dev libboost-dev
+          libdxflib-dev libgdal-dev
           libcli11-dev libfmt-dev libspdlog-dev nlohmann-json3-dev
           libexpat1-dev zlib1g-dev liblzma-dev liblz4-dev
           libgtest-dev libbenchmark-dev dpkg-dev file

@@ -156,13 +156,15 @@ Examples:
   Result<Options> options = library.make();
   if (!options) return usage_error(app, options.error().message);
   options->hull = verify.hull;
-  const Status files =
-      check_files({{"", input_file.path()}, {"", mesh_path}}, {log_file(verbosity)});
+  std::vector<NamedFile> read_files = input_file.read_files();
+  read_files.push_back({"", mesh_path});
+  const Status files = check_files(read_files, {log_file(verbosity)});
   if (!files) return usage_error(app, files.error());
 
   const auto log = make_logger(verbosity);
   const Result<Input> input = input_file.read();
   if (!input) return fail(*log, input.error());
+  for (const std::string& option : input_file.ignored()) log->warn("{}", option);
   Result<Prepared> prepared = prepare(*input, *options);
   if (!prepared) return fail(*log, prepared.error());
   const Result<MeshTriangles> mesh = read_triangles(mesh_path, *log);

@@ -25,12 +25,13 @@ int run_info(Arguments arguments) {
   if (const auto code = parse(app, std::move(arguments))) return *code;
   const Result<Options> options = library.make();
   if (!options) return usage_error(app, options.error().message);
-  const Status files = check_files({{"", input_file.path()}}, {log_file(verbosity)});
+  const Status files = check_files(input_file.read_files(), {log_file(verbosity)});
   if (!files) return usage_error(app, files.error());
 
   const auto log = make_logger(verbosity);
   const Result<Input> input = input_file.read();
   if (!input) return fail(*log, input.error());
+  for (const std::string& option : input_file.ignored()) log->warn("{}", option);
   const Result<Prepared> prepared = prepare(*input, *options);
   if (!prepared) return fail(*log, prepared.error());
   const Result<BoxCosts> costs = box_costs(*prepared, *options);

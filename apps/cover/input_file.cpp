@@ -1,5 +1,6 @@
 #include "input_file.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -9,24 +10,18 @@
 
 #include <fmt/core.h>
 
-#ifdef COVER_WITH_GMSH
-#include <cover/read_geo.hpp>
-#endif
-#include <cover/read_input.hpp>
-#include <cover/units.hpp>
-
-#include "options.hpp"
+#include "read_geometry.hpp"
 
 namespace cover::app {
 namespace {
 
-#ifdef COVER_WITH_GMSH
-constexpr const char* kGmshFormats = ".msh and .geo";
-#else
-constexpr const char* kGmshFormats = ".msh";
-#endif
-
 std::string_view format_of(std::string_view text) {
+  if (text.starts_with(std::string_view("\x00\x06\x00\x02", 4))) return ".gds";
+  if (text.starts_with("\x89PNG")) return ".png";
+  if (text.starts_with("NRRD")) return ".nrrd";
+  if (text.starts_with("h TIF") || text.starts_with(std::string_view("II*\0", 4)) ||
+      text.starts_with(std::string_view("MM\0*", 4)))
+    return ".tif";
   const std::size_t start = text.find_first_not_of(" \t\r\n");
   const char first = start == std::string_view::npos ? ' ' : text[start];
   if (text.starts_with("# vtk DataFile")) return ".vtk";
@@ -36,52 +31,79 @@ std::string_view format_of(std::string_view text) {
   return text.find("\"Feature") != std::string_view::npos ? ".geojson" : ".json";
 }
 
-Result<Input> read_geometry(const std::string& path) {
-#ifdef COVER_WITH_GMSH
-  if (path.ends_with(".geo")) return read_geo(path);
-#endif
-  if (path == "-") {
-    const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
-    return parse_input(text, format_of(text), "standard input");
-  }
-  const std::filesystem::path file(path);
-  std::error_code ignored;
-  // A pipe, as a shell's <(...), has no extension that would tell.
-  if (file.has_extension() || !std::filesystem::is_fifo(file, ignored)) return read_input(path);
-  std::ifstream pipe(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(pipe), {}};
-  return parse_input(text, format_of(text), path);
+Result<Input> read_stream(std::istream& stream, const std::string& name, ReadOptions& options) {
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (options.format.empty()) options.format = format_of(text);
+  return reading::parse_geometry(text, name, options);
 }
 
 }  // namespace
 
 CLI::Option* GeometryFile::add(CLI::App& command) {
-  const char* group = "Input";
-  command.add_option("--unit", unit_, "What the coordinates mean, for reports: nm, um, mm, cm, m")
-      ->check(one_of({"nm", "um", "mm", "cm", "m"}))
-      ->type_name("UNIT")
-      ->group(group);
-  command
-      .add_option("--scale", scale_,
-                  "Multiply all lengths by this power of 10 or 2 first, say 1e-9")
-      ->type_name("F")
-      ->group(group);
+  for (const ReadOptionEntry& entry : read_option_table()) {
+    written_.push_back({&entry, default_text(entry), nullptr, {}, false});
+    written_.back().add_to(command, "Input");
+  }
   return command
-      .add_option(
-          "input", path_,
-          fmt::format("Geometry: Triangle's .poly, our .json, .geojson, gmsh's {}, VTK's .vtu, "
-                      ".vtp, .vti, .vtk; '-' is standard input, known by how it begins",
-                      kGmshFormats))
+      .add_option("input", path_,
+                  fmt::format("Geometry: {}; '-' is standard input, known by how it begins",
+                              reading::known_formats()))
       ->type_name("");
 }
 
-Result<Input> GeometryFile::read() const {
-  Result<Input> input = read_geometry(path_);
-  if (!input) return input;
-  if (!unit_.empty()) input->unit = unit_;
-  if (scale_ != 1)
-    if (Status status = scale_input(*input, scale_); !status) return std::move(status).error();
-  return input;
+std::vector<NamedFile> GeometryFile::read_files() const {
+  std::vector<NamedFile> files{{"", path_}};
+  for (const auto& written : written_) {
+    if (written.entry->name == "legend")
+      for (const std::string& text : written.values) files.push_back({"--legend", text});
+    if (written.entry->name != "layer-map") continue;
+    for (const std::string& text : written.values)
+      if (text.find('=') == std::string::npos) files.push_back({"--layer-map", text});
+  }
+  return files;
+}
+
+Result<Input> GeometryFile::read() {
+  for (const auto& written : written_) {
+    for (const std::string& text : written.texts()) {
+      // They were checked when the command line was.
+      const Status status = written.entry->set(*written.entry, text, options_);
+      if (!status) return status.error();
+    }
+  }
+  if (path_ == "-") return read_stream(std::cin, "standard input", options_);
+  const std::filesystem::path file(path_);
+  std::error_code ignored;
+  // A pipe, as a shell's <(...), has no extension that would tell.
+  if (!file.has_extension() && std::filesystem::is_fifo(file, ignored)) {
+    std::ifstream pipe(file, std::ios::binary);
+    return read_stream(pipe, path_, options_);
+  }
+  if (options_.format.empty()) options_.format = reading::format_of_name(path_);
+  return reading::read_geometry(path_, options_);
+}
+
+std::vector<std::string> GeometryFile::ignored() const {
+  std::vector<std::string> sentences;
+  for (const auto& written : written_) {
+    if (written.option->count() == 0 || written.entry->counts == nullptr ||
+        written.entry->counts(options_))
+      continue;
+    sentences.push_back(fmt::format("--{} does nothing: it counts with {} only",
+                                    written.entry->name, written.entry->counts_with));
+  }
+  return sentences;
+}
+
+std::vector<Provenance::Setting> GeometryFile::settings() const {
+  std::vector<Provenance::Setting> settings;
+  for (Provenance::Setting& setting : describe_read_options(options_)) {
+    const bool given = std::any_of(written_.begin(), written_.end(), [&](const auto& written) {
+      return written.entry->name == setting.name && written.option->count() > 0;
+    });
+    if (given) settings.push_back(std::move(setting));
+  }
+  return settings;
 }
 
 }  // namespace cover::app

@@ -6,27 +6,37 @@
 #include <CLI/CLI.hpp>
 
 #include <cover/input.hpp>
+#include <cover/read_options.hpp>
 #include <cover/result.hpp>
+
+#include "options.hpp"
 
 namespace cover::app {
 
-/// The INPUT argument and the options that say what its coordinates mean.
+/// The INPUT argument and the options of read_option_table().
 class GeometryFile {
  public:
-  /// Adds INPUT, --unit and --scale; returns INPUT.
+  /// Adds INPUT and the options; returns INPUT.
   CLI::Option* add(CLI::App& command);
 
   [[nodiscard]] const std::string& path() const { return path_; }
+  /// The file of --layer-map; with an empty path where there is none.
+  [[nodiscard]] std::vector<NamedFile> read_files() const;
 
   /// Reads the file; `-` is standard input, whose format follows from how it begins.
   ///
-  /// Errors: those of read_input(), read_vtk_input() and scale_input()
-  [[nodiscard]] Result<Input> read() const;
+  /// Errors: those of read_input() and of the readers that are built in
+  [[nodiscard]] Result<Input> read();
+
+  /// Options that were given but do nothing, a sentence each. REQUIRES: read() was called
+  [[nodiscard]] std::vector<std::string> ignored() const;
+  /// Options of reading that the mesh can be traced to. REQUIRES: read() was called
+  [[nodiscard]] std::vector<Provenance::Setting> settings() const;
 
  private:
   std::string path_;
-  std::string unit_;
-  double scale_ = 1;
+  ReadOptions options_;
+  std::deque<WrittenOption<ReadOptions>> written_;  ///< which CLI11 points into
 };
 
 }  // namespace cover::app

@@ -114,8 +114,11 @@ struct MeshCommand {
                                                   : ShowProgress::automatic;
   }
   [[nodiscard]] std::vector<NamedFile> read_files() const {
-    return {
-        {"", input.path()}, {"--onto", onto, true}, library.size_field_file(), config_file(app)};
+    std::vector<NamedFile> files = input.read_files();
+    files.push_back({"--onto", onto, true});
+    files.push_back(library.size_field_file());
+    files.push_back(config_file(app));
+    return files;
   }
   [[nodiscard]] std::vector<NamedFile> written_files() const {
     std::vector<NamedFile> files;
@@ -273,6 +276,8 @@ int run(const MeshCommand& command, Input input, const Options& options,
   if (!meshed) return fail(log, meshed.error());
 
   Output& output = *meshed;
+  for (Provenance::Setting& setting : command.input.settings())
+    output.report.provenance.settings.push_back(std::move(setting));
   log_notes(log, output.report.notes);
   for (const RegionReport& region : output.report.regions) log_notes(log, region.notes);
   const bool complete = !missed_bound(output.report);
@@ -334,6 +339,7 @@ int run_mesh(Arguments arguments) {
             input->points.size(), input->segments.size(), input->polygons.size(),
             input->lines.size());
   for (const std::string& option : command.library.ignored()) log->warn("{}", option);
+  for (const std::string& option : command.input.ignored()) log->warn("{}", option);
   return command.dry_run ? dry_run(command, *input, *options, *log)
                          : run(command, *std::move(input), *options, *files, *log);
 }

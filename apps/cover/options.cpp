@@ -166,9 +166,10 @@ NamedFile log_file(const Verbosity& verbosity) {
 namespace {
 
 /// An argument that the option takes.
-CLI::Validator value_of(const OptionEntry& entry) {
+template <class Target>
+CLI::Validator value_of(const OptionOf<Target>& entry) {
   return {[&entry](std::string& text) -> std::string {
-            Options ignored;
+            Target ignored;
             const Status status = entry.set(entry, text, ignored);
             if (status) return {};
             // An option that also stands alone takes the word behind it for its value.
@@ -180,51 +181,58 @@ CLI::Validator value_of(const OptionEntry& entry) {
           ""};
 }
 
-std::string names_of(const OptionEntry& entry) {
+template <class Target>
+std::string names_of(const OptionOf<Target>& entry) {
   return entry.letter != 0 ? fmt::format("-{},--{}", entry.letter, entry.name)
                            : fmt::format("--{}", entry.name);
 }
 
 }  // namespace
 
+template <class Target>
+void WrittenOption<Target>::add_to(CLI::App& command, const char* group) {
+  const std::string help(entry->help);
+  if (entry->kind == OptionKind::flag) {
+    option = command.add_flag(names_of(*entry), flag, help);
+  } else {
+    option = command.add_option(names_of(*entry), values, help)
+                 ->check(value_of(*entry))
+                 ->type_name(std::string(entry->placeholder))
+                 ->default_str(default_text)
+                 ->allow_extra_args(false);
+    if (!entry->repeats) option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+    if (entry->kind == OptionKind::words) option->delimiter(',');
+    if (!entry->alone.empty()) option->expected(0, 1)->default_str(std::string(entry->alone));
+  }
+  option->group(group);
+}
+
+template <class Target>
+std::vector<std::string> WrittenOption<Target>::texts() const {
+  if (option->count() == 0) return {};
+  if (entry->kind == OptionKind::flag) return {flag ? "true" : "false"};
+  return values;
+}
+
+template struct WrittenOption<Options>;
+template struct WrittenOption<ReadOptions>;
+
 void LibraryOptions::add(CLI::App& command, OptionGroup group) {
-  for (const OptionEntry& entry : option_table())
-    if (entry.group == group) add(command, entry);
-  for (const Written& written : written_) {
+  for (const OptionEntry& entry : option_table()) {
+    if (entry.group != group) continue;
+    written_.push_back({&entry, default_text(entry), nullptr, {}, false});
+    written_.back().add_to(command, group == OptionGroup::cleaning ? "Input" : "Meshing");
+  }
+  for (const WrittenOption<Options>& written : written_) {
     if (!written.entry->needs.empty() && written.entry->group == group)
       written.option->needs("--" + std::string(written.entry->needs));
   }
 }
 
-void LibraryOptions::add(CLI::App& command, const OptionEntry& entry) {
-  Written& written = written_.emplace_back(Written{&entry, nullptr, {}, false});
-  const std::string help(entry.help);
-  if (entry.kind == OptionKind::flag) {
-    written.option = command.add_flag(names_of(entry), written.flag, help);
-  } else {
-    written.option = command.add_option(names_of(entry), written.values, help)
-                         ->check(value_of(entry))
-                         ->type_name(std::string(entry.placeholder))
-                         ->default_str(default_text(entry))
-                         ->allow_extra_args(false);
-    if (!entry.repeats) {
-      written.option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::Throw);
-    }
-    if (entry.kind == OptionKind::words) written.option->delimiter(',');
-    if (!entry.alone.empty()) {
-      written.option->expected(0, 1)->default_str(std::string(entry.alone));
-    }
-  }
-  written.option->group(entry.group == OptionGroup::cleaning ? "Input" : "Meshing");
-}
-
 Result<OptionReader> LibraryOptions::read() const {
   OptionReader reader;
-  for (const Written& written : written_) {
-    if (written.option->count() == 0) continue;
-    std::vector<std::string> values = written.values;
-    if (written.entry->kind == OptionKind::flag) values = {written.flag ? "true" : "false"};
-    for (const std::string& value : values) {
+  for (const WrittenOption<Options>& written : written_) {
+    for (const std::string& value : written.texts()) {
       Status status = reader.set(*written.entry, value);
       if (status) continue;
       Error error = std::move(status).error();
@@ -253,7 +261,7 @@ std::vector<std::string> LibraryOptions::ignored() const {
 }
 
 NamedFile LibraryOptions::size_field_file() const {
-  for (const Written& written : written_) {
+  for (const WrittenOption<Options>& written : written_) {
     if (written.entry->name == "size-field" && !written.values.empty())
       return {"--size-field", written.values.back()};
   }

@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cover/option_table.hpp>
+#include <cover/read_options.hpp>
 #include <cover/result.hpp>
 
 #include "commands.hpp"
@@ -41,6 +42,21 @@ int usage_error(const CLI::App& command, const Error& error);
 NamedFile config_file(const CLI::App& command);
 NamedFile log_file(const Verbosity& verbosity);
 
+/// An option of a table as it was written.
+template <class Target>
+struct WrittenOption {
+  const OptionOf<Target>* entry;
+  std::string default_text;
+  CLI::Option* option = nullptr;
+  std::vector<std::string> values;
+  bool flag = false;
+
+  /// Adds the option to a command, which keeps pointers to this.
+  void add_to(CLI::App& command, const char* group);
+  /// As texts for the table; none where it was not given.
+  [[nodiscard]] std::vector<std::string> texts() const;
+};
+
 /// The options that end in cover::Options: those of option_table().
 class LibraryOptions {
  public:
@@ -59,18 +75,9 @@ class LibraryOptions {
   [[nodiscard]] NamedFile size_field_file() const;
 
  private:
-  /// An option as it was written.
-  struct Written {
-    const OptionEntry* entry;
-    CLI::Option* option = nullptr;
-    std::vector<std::string> values;
-    bool flag = false;
-  };
-
-  void add(CLI::App& command, const OptionEntry& entry);
   [[nodiscard]] Result<OptionReader> read() const;
 
-  std::deque<Written> written_;  ///< which CLI11 points into
+  std::deque<WrittenOption<Options>> written_;  ///< which CLI11 points into
 };
 
 }  // namespace cover::app

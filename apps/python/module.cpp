@@ -21,8 +21,8 @@
 #include <cover/option_table.hpp>
 #include <cover/picture.hpp>
 #include <cover/read_input.hpp>
+#include <cover/read_options.hpp>
 #include <cover/read_size_field.hpp>
-#include <cover/read_vtk_input.hpp>
 #include <cover/verify.hpp>
 #include <cover/version.hpp>
 #include <cover/write_mesh.hpp>
@@ -31,6 +31,7 @@
 #include "options.hpp"
 #include "pickle.hpp"
 #include "raise.hpp"
+#include "read_geometry.hpp"
 
 namespace py = pybind11;
 
@@ -90,10 +91,18 @@ PyMesh mesh_input(const Input& input, const py::dict& options, const py::object&
   return {std::move(output), std::move(soup), {}};
 }
 
-Input read_any(const std::string& path) {
-  Result<Input> input = is_vtk_input(path) ? read_vtk_input(path) : read_input(path);
+/// Meshes a file; its options are those of reading and of meshing.
+PyMesh mesh_file(const std::string& path, py::dict keywords, const py::object& progress) {
+  const ReadOptions options = take_read_options(keywords);
+  Result<Input> input = [&] {
+    const py::gil_scoped_release release;
+    return reading::read_geometry(path, options);
+  }();
   if (!input) raise(input.error());
-  return std::move(input).value();
+  PyMesh mesh = mesh_input(*input, keywords, progress);
+  for (Provenance::Setting& setting : describe_read_options(options))
+    mesh.output.report.provenance.settings.push_back(std::move(setting));
+  return mesh;
 }
 
 py::array_t<std::int64_t> input_ids(const PyMesh& mesh) {
@@ -131,8 +140,9 @@ py::dict lines_of(const PyMesh& mesh) {
   return lines;
 }
 
-/// A row of the table of options, for those who make forms or documents of it.
-py::dict describe(const OptionEntry& entry) {
+/// A row of a table of options, for those who make forms or documents of it.
+template <class Target>
+py::dict describe(const OptionOf<Target>& entry) {
   constexpr std::array kKinds{"flag", "word", "words", "whole", "number", "angle", "text"};
   py::dict row;
   row["name"] = std::string(entry.name);
@@ -156,6 +166,12 @@ py::dict describe(const OptionEntry& entry) {
 py::list described_options() {
   py::list rows;
   for (const OptionEntry& entry : option_table()) rows.append(describe(entry));
+  return rows;
+}
+
+py::list described_read_options() {
+  py::list rows;
+  for (const ReadOptionEntry& entry : read_option_table()) rows.append(describe(entry));
   return rows;
 }
 
@@ -230,6 +246,7 @@ PYBIND11_MODULE(_cover, module) {
       });
 
   module.def("options", &described_options);
+  module.def("read_options", &described_read_options);
   module.def(
       "mesh_pslg", [](const py::object& points, const py::object& segments, const py::list& regions,
                       const py::object& holes, const py::dict& lines, const py::dict& options,
@@ -245,8 +262,5 @@ PYBIND11_MODULE(_cover, module) {
              [](const py::list& polygons, const py::dict& options, const py::object& progress) {
                return mesh_input(soup_from(polygons), options, progress);
              });
-  module.def("mesh_file",
-             [](const std::string& path, const py::dict& options, const py::object& progress) {
-               return mesh_input(read_any(path), options, progress);
-             });
+  module.def("mesh_file", &mesh_file);
 }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include <cover/option_table.hpp>
+#include <cover/read_options.hpp>
 
 #include "raise.hpp"
 
@@ -20,7 +21,8 @@ std::string shown(const py::handle& value) {
 }
 
 /// What is expected, for whoever gave something of another type.
-std::string expected(const OptionEntry& entry) {
+template <class Target>
+std::string expected(const OptionOf<Target>& entry) {
   switch (entry.kind) {
     case OptionKind::flag:
       return "True or False";
@@ -43,14 +45,17 @@ std::string expected(const OptionEntry& entry) {
 }
 
 /// A keyword argument as texts for the table.
+template <class Target>
 class Value {
  public:
-  Value(std::string key, const OptionEntry& entry) : key_(std::move(key)), entry_(entry) {}
+  Value(std::string key, const OptionOf<Target>& entry) : key_(std::move(key)), entry_(entry) {}
 
   std::vector<std::string> texts(const py::handle& value) const {
     if (value.is_none()) return {};
     if (py::isinstance<py::dict>(value) || py::hasattr(value, "items")) return sizes(value);
     const bool is_text = py::isinstance<py::str>(value) || py::hasattr(value, "__fspath__");
+    if (entry_.name == "window" && !is_text && py::isinstance<py::iterable>(value))
+      return {joined(value)};
     if (entry_.repeats && !is_text && py::isinstance<py::iterable>(value)) {
       std::vector<std::string> all;
       for (const py::handle& item : value) all.push_back(text(item));
@@ -80,6 +85,13 @@ class Value {
     }
     parts.push_back(std::move(text));
     return parts;
+  }
+
+  /// (0, 0, 2, 1) as "0,0,2,1".
+  [[nodiscard]] std::string joined(const py::handle& values) const {
+    std::string all;
+    for (const py::handle& item : values) all += (all.empty() ? "" : ",") + text(item);
+    return all;
   }
 
   /// Lengths by the name of what has them; the empty name is everywhere.
@@ -114,7 +126,7 @@ class Value {
   }
 
   std::string key_;
-  const OptionEntry& entry_;
+  const OptionOf<Target>& entry_;
 };
 
 /// The option that a keyword names, and whether the keyword says the opposite of it.
@@ -141,7 +153,7 @@ Options options_from(const py::dict& keywords) {
     const std::string key = py::str(name);
     const Named named = find_keyword(key);
     if (named.entry == nullptr) throw py::type_error("unexpected option '" + key + "'");
-    const Value argument(key, *named.entry);
+    const Value<Options> argument(key, *named.entry);
     if (value.ptr() == Py_False && !named.entry->alone.empty()) continue;
     for (std::string& text : argument.texts(value)) {
       if (named.opposite) text = text == "true" ? "false" : "true";
@@ -151,6 +163,26 @@ Options options_from(const py::dict& keywords) {
   Result<Options> options = reader.result();
   if (!options) raise(options.error());
   return *std::move(options);
+}
+
+ReadOptions take_read_options(py::dict& keywords) {
+  ReadOptions options;
+  py::dict rest;
+  for (const auto& [name, value] : keywords) {
+    const std::string key = py::str(name);
+    const ReadOptionEntry* entry =
+        key.find('-') == std::string::npos ? find_read_option(key) : nullptr;
+    if (entry == nullptr) {
+      rest[name] = value;
+      continue;
+    }
+    const Value<ReadOptions> argument(key, *entry);
+    for (const std::string& text : argument.texts(value))
+      if (const Status status = entry->set(*entry, text, options); !status)
+        argument.refuse(status.error());
+  }
+  keywords = rest;
+  return options;
 }
 
 WriteOptions write_options_from(const py::dict& keywords) {

@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include <cover/options.hpp>
+#include <cover/read_options.hpp>
 #include <cover/write_mesh.hpp>
 
 namespace cover::python {
@@ -15,6 +16,9 @@ namespace cover::python {
 /// value
 ///         that is not allowed.
 Options options_from(const pybind11::dict& keywords);
+
+/// Takes the options of read_option_table() out of `keywords`. Raises: as options_from()
+ReadOptions take_read_options(pybind11::dict& keywords);
 
 /// What a file should hold. Raises: TypeError
 WriteOptions write_options_from(const pybind11::dict& keywords);

@@ -38,8 +38,9 @@ py::array_t<std::int64_t> pickled_edges(const Mesh& mesh) {
     if (mesh.interface(e) == kNoInterface) continue;
     const auto h = tri.halfedge_handle(e, 0);
     for (const std::int64_t value :
-         {std::int64_t{tri.from_vertex_handle(h).idx()}, std::int64_t{tri.to_vertex_handle(h).idx()},
-          std::int64_t{mesh.interface(e).value()}, std::int64_t{mesh.marker(e)}})
+         {std::int64_t{tri.from_vertex_handle(h).idx()},
+          std::int64_t{tri.to_vertex_handle(h).idx()}, std::int64_t{mesh.interface(e).value()},
+          std::int64_t{mesh.marker(e)}})
       rows.push_back(value);
   }
   return array_of(rows).reshape({-1, 4});
@@ -57,8 +58,8 @@ py::array_t<std::int64_t> pickled_ids(const Output& output) {
 template <class Number>
 py::array_t<Number, py::array::c_style> array_in(const py::handle& value, py::ssize_t columns) {
   const auto array = py::array_t<Number, py::array::c_style>::ensure(value);
-  const bool fits = array && (columns == 1 ? array.ndim() == 1
-                                           : array.ndim() == 2 && array.shape(1) == columns);
+  const bool fits =
+      array && (columns == 1 ? array.ndim() == 1 : array.ndim() == 2 && array.shape(1) == columns);
   if (!fits) throw py::value_error("this is no state of a cover.Mesh");
   return array;
 }

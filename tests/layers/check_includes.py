@@ -17,6 +17,8 @@ SEES['pipeline'] = {*ORDER, 'verify', 'mesh', 'pipeline'}
 SEES['io'] = {'io', *GROUND}
 SEES['picture'] = SEES['io'] | {'picture'}
 SEES['vtk'] = SEES['picture'] | {'vtk'}
+SEES['dxf'] = SEES['io'] | {'dxf'}
+SEES['gdal'] = SEES['io'] | {'gdal'}
 SEES['gmsh'] = SEES['io'] | {'gmsh'}
 CGAL = {'geom', 'cdt'}  # and there in .cpp files only
 
@@ -39,6 +41,10 @@ def faults(root, path, layer):
             yield number, f'<{name}>: CGAL belongs in .cpp files of {", ".join(sorted(CGAL))}'
         if name == 'gmsh.h' and layer != 'gmsh':
             yield number, f'<{name}>: gmsh belongs in gmsh'
+        if name.startswith('dxflib/') and layer != 'dxf':
+            yield number, f'<{name}>: dxflib belongs in dxf'
+        if re.match(r'(ogr|cpl_|gdal)\w*\.h$', name) and layer != 'gdal':
+            yield number, f'<{name}>: GDAL belongs in gdal'
         if re.match(r'vtk\w+\.h', name) and layer != 'vtk':
             yield number, f'<{name}>: VTK belongs in vtk'
 

@@ -18,6 +18,7 @@ GEOMETRY = {'polygons': [{'material': 'Si', 'rings': [[[0, 0], [4, 0], [4, 2], [
                          {'material': 'SiO2', 'rings': [[[0, 2], [4, 2], [4, 3], [0, 3]]]}],
             'lines': [{'name': 'anode', 'points': [[0, 0], [4, 0]]}]}
 TABLE = cover.options()
+READ_TABLE = cover.read_options()
 # Background sizes of 1 everywhere.
 FIELD = '''# vtk DataFile Version 3.0
 sizes
@@ -177,6 +178,78 @@ class Options(unittest.TestCase):
                 with self.assertRaises(cover.OptionError) as caught:
                     cover.mesh_file(self.device, **{row['name'].replace('-', '_'): 'x'})
                 self.assertEqual(str(caught.exception), f"{row['name'].replace('-', '_')}: {reason}")
+
+
+class Reading(Options):
+    """The options of reading: the same in the program, in job files and in Python."""
+    VALUES = {'unit': ['mm'], 'scale': ['25.4'], 'input-format': ['gds'], 'layer': ['1', 'L2D0'], 'layer-map': ['1/0=fin', 'a.map'],
+              'label-layer': ['1'], 'cell': ['TT'], 'window': ['-0.5,-0.25,0.75,1'], 'chord-error': ['0.001'], 'chord-angle': ['30'], 'material-field': ['landuse'], 'name-field': ['nr'],
+              'priority-field': ['rank'], 'crs': ['EPSG:25832'], 'no-smooth': ['true'], 'legend': ['legend.csv']}
+    # A layout that is cut to what the options leave of it.
+    LAYOUT = ROOT / 'tests/fuzz/seeds/gds/all.gds'
+
+    def setUp(self):
+        super().setUp()
+        (self.dir / 'a.map').write_text('2=oxide\n3/1=metal # a path\n')
+        self.device = self.dir / 'device.gds'
+        self.device.write_bytes(self.LAYOUT.read_bytes())
+
+    def test_documents(self):
+        manual = (ROOT / 'apps/cover/cover.1').read_text().replace('\\-', '-')
+        for command in 'mesh', 'info', 'check':
+            told = self.run_cover(command, '--help')[0]
+            for row in READ_TABLE:
+                self.assertIn(f'--{row["name"]} ', told)
+                self.assertIn(f'--{row["name"]}', manual)
+
+    def test_default(self):
+        printed = self.run_cover('mesh', '--print-config')[0]
+        for row in READ_TABLE:
+            self.assertRegex(printed, rf'(?m)^# {row["name"]}=.*{row["default"]}')
+
+    def test_the_same_everywhere(self):
+        self.assertEqual(set(self.VALUES), {row['name'] for row in READ_TABLE})
+        for row in READ_TABLE:
+            name, texts = row['name'], self.VALUES[row['name']]
+            with self.subTest(name):
+                value = [python_value(row, text) for text in texts]
+                paths = [self.dir / v if v == 'a.map' else v for v in value] if row['repeats'] else value[0]
+                made = cover.mesh_file(self.device, **{name.replace('-', '_'): paths}).report
+                quoted = ', '.join(f'"{text}"' for text in texts)
+                if row['kind'] == 'flag':
+                    quoted = texts[0]
+                (self.dir / 'job.toml').write_text(f'{name}=[{quoted}]\n' if row['repeats'] else f'{name}={quoted}\n')
+                flags = [f'--{name}'] if row['kind'] == 'flag' else [word for text in texts for word in (f'--{name}', text)]
+                for words in (flags, ['--config', 'job.toml']):
+                    self.run_cover('mesh', 'device.gds', '-q', '--report', 'r.json', *words)
+                    told = json.loads((self.dir / 'r.json').read_text())
+                    for key in 'overall', 'unit', 'scale':
+                        self.assertEqual(told.get(key), made.get(key), key)
+                    self.assertEqual(str(told['options'].get(name)).replace('a.map', ''),
+                                     str(made['options'].get(name)).replace(str(self.dir / 'a.map'), ''))
+                    self.assertEqual(name in told['options'], name not in ('unit', 'scale'))
+
+    def test_ranges(self):
+        for row in READ_TABLE:
+            for number in beyond(row):
+                error = self.run_cover('mesh', 'device.gds', '-o', 'd.vtu', f'--{row["name"]}={number:g}', code=2)[1]
+                with self.assertRaises(cover.OptionError) as caught:
+                    cover.mesh_file(self.device, **{row['name'].replace('-', '_'): number})
+                self.assertIn(str(caught.exception).split(': ')[1], error)
+
+    def test_words(self):
+        with self.assertRaises(cover.OptionError):
+            cover.mesh_file(self.device, unit='km')
+        with self.assertRaises(TypeError):
+            cover.mesh_file(self.device, layers='1')
+        with self.assertRaises(TypeError):
+            cover.mesh([(0, 0), (1, 0), (0, 1)], [(0, 1), (1, 2), (2, 0)], layer='1')
+        self.assertIn('no.map', self.run_cover('mesh', 'device.gds', '-o', 'd.vtu', '--layer-map', 'no.map', code=5)[1])
+
+    def test_windows_in_every_form(self):
+        made = [cover.mesh_file(self.device, window=form).report['options']['window']
+                for form in ('0,0,0.5,0.5', (0, 0, 0.5, 0.5), [0, 0, '0.5', 0.5])]
+        self.assertEqual(made, ['0,0,0.5,0.5'] * 3)
 
 
 class Keywords(unittest.TestCase):

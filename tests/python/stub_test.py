@@ -24,7 +24,7 @@ WRITE_OPTIONS = dict(order=2, inner_lines=False, lines=False, msh='4.1', inp_ele
 
 
 def keys(name):
-    return {item.target.id for item in CLASSES[name].body}
+    return {item.target.id for item in CLASSES[name].body if isinstance(item, ast.AnnAssign)}
 
 
 class Stub(unittest.TestCase):
@@ -55,6 +55,10 @@ class Stub(unittest.TestCase):
         cover.mesh(SQUARE, RING, sizes={'': 1}, sizes_at={}, input_sizes=False)
         with self.assertRaises(TypeError):
             cover.mesh(SQUARE, RING, order=2)
+
+    def test_options_of_reading(self):
+        self.assertEqual(keys('_ReadOptions'), {row['name'].replace('-', '_') for row in cover.read_options()})
+        self.assertFalse(keys('_ReadOptions') & keys('_Options'))
 
     def test_options_of_files(self):
         self.assertEqual(keys('_WriteOptions'), set(WRITE_OPTIONS))

@@ -31,15 +31,20 @@ class Cancelled(Error):
     """The progress callback returned False."""
 
 
-from ._cover import Mesh, __version__, options as _options  # noqa: E402
+from ._cover import Mesh, __version__, options as _options, read_options as _read_options  # noqa: E402
 from ._cover import mesh_file as _mesh_file, mesh_polygons as _mesh_polygons, mesh_pslg as _mesh_pslg, mesh_text as _mesh_text  # noqa: E402
 
-__all__ = ["Cancelled", "Error", "Mesh", "OptionError", "mesh", "mesh_file", "mesh_polygons", "options"]
+__all__ = ["Cancelled", "Error", "Mesh", "OptionError", "mesh", "mesh_file", "mesh_polygons", "options", "read_options"]
 
 
 def options():
     """The table of options: name, kind, unit, range, words, default and help of each."""
     return _options()
+
+
+def read_options():
+    """The table of what mesh_file() takes beside options(): how a file is to be read."""
+    return _read_options()
 
 
 def mesh(points, segments, regions=(), holes=(), *, lines=None, progress=None, **options):
@@ -107,7 +112,11 @@ def _number(value):
 
 
 def mesh_file(path, *, progress=None, **options):
-    """Meshes a geometry file: .poly, .json, .geojson, .msh, .vtu, .vtp or .vtk."""
+    """Meshes a geometry file of any format that `cover mesh` reads.
+
+    Options are those of meshing and those of reading, which read_options() lists: layer_map="layers.map",
+    window=(0, 0, 2, 1), scale=1e-3.
+    """
     return _mesh_file(_os.fspath(path), options, progress)
 
 

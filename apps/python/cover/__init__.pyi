@@ -5,7 +5,7 @@ import numpy as np
 import numpy.typing as npt
 from typing_extensions import Unpack
 
-__all__ = ["Cancelled", "Error", "Mesh", "OptionError", "mesh", "mesh_file", "mesh_polygons", "options"]
+__all__ = ["Cancelled", "Error", "Mesh", "OptionError", "mesh", "mesh_file", "mesh_polygons", "options", "read_options"]
 
 __version__: str
 
@@ -45,6 +45,27 @@ class _Options(TypedDict, total=False):
     pieces: int
     require: Union[str, Sequence[str]]
     threads: int
+
+class _ReadOptions(TypedDict, total=False):
+    unit: Literal["nm", "um", "mm", "cm", "m"]
+    scale: float
+    input_format: str
+    layer: Union[str, Sequence[str]]
+    layer_map: Union[str, os.PathLike[str], Sequence[Union[str, os.PathLike[str]]]]
+    label_layer: str
+    cell: str
+    window: Union[str, Tuple[float, float, float, float]]
+    chord_error: float
+    chord_angle: float  # degrees
+    material_field: str
+    name_field: str
+    priority_field: str
+    crs: str
+    no_smooth: bool
+    smooth: bool
+    legend: Union[str, os.PathLike[str]]
+
+class _FileOptions(_Options, _ReadOptions, total=False): ...
 
 class _WriteOptions(TypedDict, total=False):
     order: Literal[1, 2]
@@ -106,9 +127,10 @@ def mesh_polygons(
     **options: Unpack[_Options],
 ) -> Mesh: ...
 def options() -> list[dict[str, Any]]: ...
+def read_options() -> list[dict[str, Any]]: ...
 def mesh_file(
     path: Union[str, os.PathLike[str]],
     *,
     progress: Optional[_Progress] = None,
-    **options: Unpack[_Options],
+    **options: Unpack[_FileOptions],
 ) -> Mesh: ...

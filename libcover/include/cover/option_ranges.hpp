@@ -19,7 +19,7 @@ struct Range {
   }
 };
 
-/// Those of the members of Options; angles in degrees.
+/// Those of the members of Options and ReadOptions; angles in degrees.
 namespace ranges {
 inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 inline constexpr Range kAll{-kNoLimit, kNoLimit};
@@ -31,6 +31,9 @@ inline constexpr Range kGrowth{1, kNoLimit, false, false};
 inline constexpr Range kWeld{0, 1, true, false};
 inline constexpr Range kSize{0, kNoLimit, false, false};
 inline constexpr Range kThreads{0, 4096};
+inline constexpr Range kScale{0, kNoLimit, false, false};
+inline constexpr Range kChordError{0, kNoLimit, false, false};
+inline constexpr Range kChordAngle{0, 120, false, true};
 }  // namespace ranges
 
 /// "above 60 and below 180", "at least 0 and below 1", "above 1".

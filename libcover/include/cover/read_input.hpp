@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include <cover/input.hpp>
+#include <cover/read_options.hpp>
 #include <cover/result.hpp>
 
 namespace cover {
@@ -18,6 +19,7 @@ namespace cover {
 /// - `.geojson`: areas and lines with the properties material, name and priority;
 /// - `.msh`, gmsh's 2.2 and 4.1 in ASCII: the borders of the physical surfaces and the physical
 ///   curves;
+/// - `.gds`, GDSII: a layout, flattened; see `cover/read_options.hpp` for what can be chosen of it;
 /// - `.tif`, the meshes of TSUPREM-4 and MEDICI, and `.str`, those of SUPREM-IV: the borders of
 ///   their regions, electrodes of a .tif, and what they have at nodes as Input::field;
 /// - `.cmd` and `.scm`, commands of the Sentaurus Structure Editor: regions, materials, contacts;
@@ -26,15 +28,16 @@ namespace cover {
 /// - `.vtu`, `.vtp`, `.vti` and legacy `.vtk`: see read_vtk_input().
 ///
 /// Errors: cannot_open, syntax, truncated, id_out_of_range, non_finite_coordinate,
-///         unsupported_format; messages name file and line, in JSON the path.
-Result<Input> read_input(const std::string& path);
+///         unsupported_format; messages name file and line, in JSON the path; those of
+///         check_read_options() and apply_units().
+Result<Input> read_input(const std::string& path, const ReadOptions& options = {});
 
-/// Reads geometry from memory. `extension` names the format, as ".json"; `source` is what messages
-/// call the text.
+/// Reads geometry from memory. `extension` names the format, as ".json", unless the options do;
+/// `source` is what messages call the text.
 ///
 /// Errors: as read_input; the .node of a .poly without points is looked for beside `source`.
 Result<Input> parse_input(std::string_view text, std::string_view extension,
-                          const std::string& source);
+                          const std::string& source, const ReadOptions& options = {});
 
 /// Reads Triangle's .poly format.
 Result<Input> read_poly(const std::string& path);

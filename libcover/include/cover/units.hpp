@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include <cover/input.hpp>
+#include <cover/read_options.hpp>
 #include <cover/result.hpp>
 
 namespace cover {
@@ -11,11 +12,18 @@ namespace cover {
 /// nm, um, mm, cm or m.
 bool is_length_unit(std::string_view unit);
 
-/// Multiplies all lengths of `input` by a power of two or of ten, as 1e-9: powers of two exactly,
-/// powers of ten with each coordinate rounded once, so that 45 nm becomes the double 4.5e-8.
+/// Multiplies all lengths of `input`: by powers of two exactly; by powers of ten with each coordinate
+/// rounded once, so that 45 nm becomes the double 4.5e-8; by any other factor as the nearest double
+/// to coordinate times `factor`. How many coordinates this rounds is told in `input.warnings`, as
+/// points on one line need not stay so.
 ///
-/// Errors: bad_option where `factor` is neither; non_finite_coordinate where a coordinate
-/// overflows.
+/// Errors: bad_option where `factor` is not above zero and finite; non_finite_coordinate where a
+/// coordinate overflows.
 Status scale_input(Input& input, double factor);
+
+/// What options ask of all formats alike: the unit, then the scale.
+///
+/// Errors: as scale_input()
+Status apply_units(Input& input, const ReadOptions& options);
 
 }  // namespace cover

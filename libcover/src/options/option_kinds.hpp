@@ -172,6 +172,37 @@ constexpr auto number(OptionOf<TargetOf<Member>> row) {
   return row;
 }
 
+/// Text as it is, of which there may be none.
+template <auto Member>
+constexpr auto text(OptionOf<TargetOf<Member>> row) {
+  using Row = OptionOf<TargetOf<Member>>;
+  row.kind = OptionKind::text;
+  row.set = [](const Row& self, std::string_view value, TargetOf<Member>& target) -> Status {
+    if (value.empty()) return bad_option(fmt::format("{} is needed", self.placeholder));
+    target.*Member = value;
+    return ok();
+  };
+  row.get = [](const Row&, const TargetOf<Member>& target) {
+    return (target.*Member).empty() ? std::vector<std::string>() : std::vector{target.*Member};
+  };
+  return row;
+}
+
+/// Texts, one each time that the option is given.
+template <auto Member>
+constexpr auto texts(OptionOf<TargetOf<Member>> row) {
+  using Row = OptionOf<TargetOf<Member>>;
+  row.kind = OptionKind::text;
+  row.repeats = true;
+  row.set = [](const Row& self, std::string_view value, TargetOf<Member>& target) -> Status {
+    if (value.empty()) return bad_option(fmt::format("{} is needed", self.placeholder));
+    (target.*Member).emplace_back(value);
+    return ok();
+  };
+  row.get = [](const Row&, const TargetOf<Member>& target) { return target.*Member; };
+  return row;
+}
+
 /// An Angle, or one that need not be there; range and values in degrees.
 template <auto Member>
 constexpr auto angle(OptionOf<TargetOf<Member>> row) {

@@ -1,3 +1,4 @@
+// Tested by tests/unit/io/images/decode_test.cpp.
 #include "io/images/image_data.hpp"
 
 #include <fmt/format.h>

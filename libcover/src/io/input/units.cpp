@@ -42,22 +42,28 @@ bool is_length_unit(std::string_view unit) {
 }
 
 Status scale_input(Input& input, double factor) {
+  if (!(factor > 0 && std::isfinite(factor)))
+    return Error{
+        ErrorCode::bad_option, fmt::format("the scale {} is not a number above 0", factor), {}, {}};
   int exponent = 0;
-  const bool power_of_two = factor > 0 && std::frexp(factor, &exponent) == 0.5;
+  const bool power_of_two = std::frexp(factor, &exponent) == 0.5;
   const std::optional<int> ten = power_of_ten(factor);
-  if (!power_of_two && !ten)
-    return Error{ErrorCode::bad_option,
-                 fmt::format("the scale {} is neither a power of ten nor of two", factor),
-                 {},
-                 {}};
   const double divisor = ten && *ten < 0 ? std::round(1 / factor) : 1;
   const auto scaled = [&](double value) { return divisor > 1 ? value / divisor : value * factor; };
 
   input.scale *= factor;
   bool finite = true;
+  std::size_t rounded = 0, coordinates = 0;
+  const auto scale = [&](double& value) {
+    const double product = scaled(value);
+    finite &= std::isfinite(product);
+    ++coordinates;
+    if (!power_of_two && !ten && std::fma(value, factor, -product) != 0) ++rounded;
+    value = product;
+  };
   for_each_point(input, [&](Point& p) {
-    p = {scaled(p.x), scaled(p.y)};
-    finite &= std::isfinite(p.x) && std::isfinite(p.y);
+    scale(p.x);
+    scale(p.y);
   });
   for (RegionSeed& seed : input.seeds)
     if (seed.size) seed.size = scaled(*seed.size);
@@ -74,7 +80,17 @@ Status scale_input(Input& input, double factor) {
                              input.source, factor),
                  {},
                  {}};
+  if (rounded > 0)
+    input.warnings.push_back(fmt::format(
+        "{} of {} coordinates times {} are rounded to the nearest double: points that were on one "
+        "line may not be so any more",
+        rounded, coordinates, factor));
   return ok();
+}
+
+Status apply_units(Input& input, const ReadOptions& options) {
+  if (!options.unit.empty()) input.unit = options.unit;
+  return options.scale == 1 ? ok() : scale_input(input, options.scale);
 }
 
 }  // namespace cover

@@ -1,19 +1,24 @@
 // What files may announce. A file is somebody else's: whatever its header says, reading takes
 // memory and time in proportion to the bytes that are there.
 //
-// | what                                     | limit |
+// clang-format off
+// | what                                     | limit                                               |
 // |------------------------------------------|-----------------------------------------------------|
-// | points, nodes of cells                   | below 2^32 - 1, as their numbers have 32 bits | |
-// numbers announced in text                | half the characters that are left, and one          |
-// | numbers announced as bytes               | the bytes that are left; base64: 3/4 of them | |
-// what compressed or shared data unfolds to | kUnfolding bytes for each of the file's, and        |
-// |                                          | kFreeUnfolding | | points of a lattice
-// (STRUCTURED_POINTS)  | kLatticePoints for each byte of the file            | | elements of XML,
-// one in the other        | kXmlDepth                                           | | elements of XML
-// in all                   | kXmlElements                                        | | entities and
-// external files of XML       | none                                                | | values in
-// JSON, one in the other         | kJsonDepth                                          | | files of
-// a .vtm                          | each once                                           |
+// | points, nodes of cells                   | below 2^32 - 1, as their numbers have 32 bits       |
+// | numbers announced in text                | half the characters that are left, and one          |
+// | numbers announced as bytes               | the bytes that are left; base64: 3/4 of them        |
+// | what compressed or shared data unfold to | kUnfolding bytes for each of the file's, and        |
+// |                                          | kFreeUnfolding                                      |
+// | points of a lattice (STRUCTURED_POINTS)  | kLatticePoints for each byte of the file            |
+// | elements of XML, one in the other        | kXmlDepth                                           |
+// | elements of XML in all                   | kXmlElements                                        |
+// | entities and external files of XML       | none                                                |
+// | values in JSON, one in the other         | kJsonDepth                                          |
+// | files of a .vtm                          | each once                                           |
+// | shapes of a layout or drawing that cells | as many as the file has itself, and kLayoutShapes,  |
+// | or blocks repeat, and their points       | kLayoutPoints                                       |
+// | cells or blocks, one in the other        | kCellDepth                                          |
+// clang-format on
 //
 // Tested by tests/unit/io/text/limits_test.cpp.
 #pragma once
@@ -40,5 +45,9 @@ inline constexpr std::size_t kImageRegions = std::size_t{1} << 18U;
 inline constexpr std::size_t kSchemeDepth = 100;
 inline constexpr std::size_t kSchemeSteps = 200'000;
 inline constexpr std::size_t kSchemeText = 10'000;
+/// A few bytes of a layout put a cell into rows and columns of another one.
+inline constexpr std::size_t kLayoutShapes = std::size_t{1} << 21U;
+inline constexpr std::size_t kLayoutPoints = std::size_t{1} << 24U;
+inline constexpr std::size_t kCellDepth = 256;
 
 }  // namespace cover

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace cover {
 namespace {
 
@@ -33,11 +35,32 @@ TEST(ScaleInput, RoundsPowersOfTenOnce) {
   EXPECT_EQ(input.lines[0].points[0], (Point{8e-9, 9e-9}));
 }
 
-TEST(ScaleInput, TakesPowersOfTwoAndNothingElse) {
+TEST(ScaleInput, TakesPowersOfTwoExactly) {
   Input input = everything();
   ASSERT_TRUE(scale_input(input, 0x1p-70));
   EXPECT_EQ(input.points[0].x, 45 * 0x1p-70);
-  for (const double factor : {3.0, 0.0, -1.0, 1e-9 * 1.5, 1e40}) {
+  EXPECT_TRUE(input.warnings.empty());
+}
+
+TEST(ScaleInput, TellsHowManyCoordinatesOtherFactorsRound) {
+  Input inches = everything();
+  ASSERT_TRUE(scale_input(inches, 25.4));
+  EXPECT_EQ(inches.scale, 25.4);
+  EXPECT_EQ(inches.points[0], (Point{45 * 25.4, -3 * 25.4}));
+  EXPECT_EQ(inches.seeds[0].size, 5 * 25.4);
+  ASSERT_EQ(inches.warnings.size(), 1U);
+  // 10 coordinates, of which 1, 2, 4 and 8 need no more digits than the factor has.
+  EXPECT_EQ(inches.warnings[0].substr(0, 43), "6 of 10 coordinates times 25.4 are rounded ");
+
+  Input exact = everything();
+  ASSERT_TRUE(scale_input(exact, 3));
+  EXPECT_EQ(exact.points[0], (Point{135, -9}));
+  EXPECT_TRUE(exact.warnings.empty());
+}
+
+TEST(ScaleInput, RefusesWhatIsNoFactor) {
+  Input input = everything();
+  for (const double factor : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
     const Status status = scale_input(input, factor);
     ASSERT_FALSE(status.has_value()) << factor;
     EXPECT_EQ(status.error().code, ErrorCode::bad_option);

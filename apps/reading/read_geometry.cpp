@@ -1,0 +1,82 @@
+#include "read_geometry.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#ifdef COVER_WITH_DXF
+#include <cover/read_dxf.hpp>
+#endif
+#ifdef COVER_WITH_GDAL
+#include <cover/read_gdal.hpp>
+#endif
+#ifdef COVER_WITH_GMSH
+#include <cover/read_geo.hpp>
+#endif
+#include <cover/read_input.hpp>
+#include <cover/units.hpp>
+
+namespace cover::reading {
+namespace {
+
+std::string format_in(const std::string& path, const ReadOptions& options) {
+  return options.format.empty() ? format_of_name(path) : options.format;
+}
+
+}  // namespace
+
+std::string known_formats() {
+  std::string text = "Triangle's .poly, our .json, .geojson, gmsh's .msh";
+#ifdef COVER_WITH_GMSH
+  text += " and .geo";
+#endif
+  text += ", VTK's .vtu, .vtp, .vti, .vtk, layouts in .gds, TCAD's .tif, .str, .cmd, pictures in "
+          ".png, .bmp, .tif, .nrrd, .mha";
+#ifdef COVER_WITH_DXF
+  text += ", drawings in .dxf";
+#endif
+#ifdef COVER_WITH_GDAL
+  text += ", maps in .shp, .gpkg, .fgb, .gml, .kml";
+#endif
+  return text;
+}
+
+std::string format_of_name(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return extension;
+}
+
+Result<Input> read_geometry(const std::string& path, const ReadOptions& options) {
+  [[maybe_unused]] const std::string format = format_in(path, options);
+#ifdef COVER_WITH_GMSH
+  if (format == ".geo") {
+    Result<Input> input = read_geo(path);
+    if (!input) return input;
+    if (Status status = apply_units(*input, options); !status) return std::move(status).error();
+    return input;
+  }
+#endif
+#ifdef COVER_WITH_DXF
+  if (format == ".dxf") return read_dxf(path, options);
+#endif
+#ifdef COVER_WITH_GDAL
+  // Of GeoJSON, what our own reader does not do.
+  const bool is_chosen = !options.crs.empty() || !options.layers.empty() ||
+                         !options.material_field.empty() || !options.name_field.empty() ||
+                         !options.priority_field.empty();
+  if (is_map(format) || (format == ".geojson" && is_chosen)) return read_gdal(path, options);
+#endif
+  return read_input(path, options);
+}
+
+Result<Input> parse_geometry(std::string_view text, const std::string& source,
+                             const ReadOptions& options) {
+#ifdef COVER_WITH_DXF
+  if (options.format == ".dxf") return parse_dxf(text, source, options);
+#endif
+  return parse_input(text, options.format, source, options);
+}
+
+}  // namespace cover::reading

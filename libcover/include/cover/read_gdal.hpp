@@ -1,0 +1,29 @@
+// Reading maps through GDAL. In the component cover::gdal, which is there where GDAL is.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <cover/input.hpp>
+#include <cover/read_options.hpp>
+#include <cover/result.hpp>
+
+namespace cover {
+
+/// Whether read_gdal() reads files with this extension, in lower case: .shp, .gpkg, .fgb, .gml and
+/// .kml.
+bool is_map(std::string_view extension);
+
+/// Reads polygons and lines of a map, with the meaning that read_input() gives to those of GeoJSON
+/// (which is read too): polygons are painted, lines are contacts, points are left out. Attributes
+/// called material, name and priority count, in whatever case, unless the options name others.
+///
+/// Of several layers those that `options.layers` names are read, in the order of the file. With
+/// `options.crs`, coordinates are projected by PROJ; without, longitudes and latitudes are taken as
+/// they are, which `Input::warnings` tells. Curves become chords as in drawings. Files are never
+/// written, nor is anything fetched from a network.
+/// Errors: cannot_open, syntax, unsupported_format, bad_option, non_finite_coordinate
+/// Cost:   GDAL's
+Result<Input> read_gdal(const std::string& path, const ReadOptions& options = {});
+
+}  // namespace cover

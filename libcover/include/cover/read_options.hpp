@@ -1,0 +1,64 @@
+// What readers of geometry are told beside the file, and the table of it for those who ask people.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <cover/option_table.hpp>
+#include <cover/point.hpp>
+#include <cover/report.hpp>
+
+namespace cover {
+
+/// A part of the plane. REQUIRES: low.x < high.x, low.y < high.y
+struct Window {
+  Point low;
+  Point high;
+};
+
+/// How a geometry file is to be understood. Readers look at what concerns their format only.
+struct ReadOptions {
+  std::string format;  ///< extension that names the format, as ".gds"; empty: the file's own
+  std::string unit;    ///< nm, um, mm, cm or m, whatever the file says; empty: what it says
+  double scale = 1;    ///< all lengths are multiplied by this; > 0
+
+  std::vector<std::string> layers;     ///< what is read, by name or as "68/20"; empty: all
+  std::vector<std::string> layer_map;  ///< "68/20=met1", or files of such lines: see read_gds()
+  std::string label_layer;             ///< whose texts name regions; empty: texts are left out
+  std::string cell;                    ///< of a layout: the one that is drawn; empty: the top cell
+  std::optional<Window> window;        ///< of a layout: what is outside is cut off
+  std::optional<double> chord_error;   ///< how far a chord may be from its curve, a length > 0
+  double chord_angle = 5;              ///< what a chord may turn by, in degrees, in (0, 120]
+
+  std::string material_field;  ///< of a map: the attribute that is the material
+  std::string name_field;      ///< that is the name of the region or line
+  std::string priority_field;  ///< that says which polygon wins where they overlap
+  std::string crs;             ///< as "EPSG:25832": what a map is projected to; empty: nothing
+
+  bool smooth = true;  ///< of a picture: borders are smoothed; false: they are the sides of pixels
+  std::string legend;  ///< of a picture: a file of lines "#ff0000,copper" or "7,grain"; empty: none
+};
+
+using ReadOptionEntry = OptionOf<ReadOptions>;
+
+/// The options of readers, in the order in which help lists them. Rows whose `counts` is set ask
+/// for ReadOptions::format.
+std::span<const ReadOptionEntry> read_option_table();
+
+/// The entry of that name, in which '_' counts as '-'; nullptr if there is none.
+const ReadOptionEntry* find_read_option(std::string_view name);
+
+/// The value that counts unless another is given; empty: none.
+std::string default_text(const ReadOptionEntry& entry);
+
+/// Whatever is not at its default, but unit and scale, which reports have anyway.
+std::vector<Provenance::Setting> describe_read_options(const ReadOptions& options);
+
+/// Are all options in their legal ranges?
+///
+/// Errors: bad_option; the message names the option, its value and the legal range.
+Status check_read_options(const ReadOptions& options);
+
+}  // namespace cover

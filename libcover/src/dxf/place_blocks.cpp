@@ -1,0 +1,137 @@
+// Tested by tests/unit/dxf/read_dxf_test.cpp.
+#include "dxf/place_blocks.hpp"
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <set>
+
+#include <fmt/core.h>
+
+#include "io/text/limits.hpp"
+#include "io/text/text.hpp"
+
+namespace cover {
+namespace {
+
+/// Where the point (column, row) of an insert takes its block; quarters of a turn are exact.
+Affine place_of(const DxfInsert& insert, Point base, int column, int row) {
+  const double turn = std::fmod(insert.angle, 360);
+  double cosine = std::cos(turn * std::numbers::pi / 180);
+  double sine = std::sin(turn * std::numbers::pi / 180);
+  if (std::fmod(turn, 90) == 0) {
+    cosine = std::round(cosine);
+    sine = std::round(sine);
+  }
+  const double right = column * insert.column_step, up = row * insert.row_step;
+  const Affine turned{cosine, -sine,  insert.at.x + cosine * right - sine * up,
+                      sine,   cosine, insert.at.y + sine * right + cosine * up};
+  const Affine scaled{insert.scale_x,          0, -insert.scale_x * base.x, 0, insert.scale_y,
+                      -insert.scale_y * base.y};
+  const Affine placed = turned.after(scaled);
+  return insert.mirrored ? Affine{-1, 0, 0, 0, 1, 0}.after(placed) : placed;
+}
+
+class Placer {
+ public:
+  Placer(const DxfDrawing& drawing, const std::string& source)
+      : drawing_(drawing), source_(source) {
+    own_ = drawing.model.curves.size() + drawing.model.texts.size() + drawing.model.inserts.size();
+    for (const auto& [name, block] : drawing.blocks)
+      own_ += block.curves.size() + block.texts.size() + block.inserts.size();
+  }
+
+  Result<PlacedDrawing> run() {
+    const double amount = amount_of(drawing_.model, 0);
+    if (!error_ && amount > static_cast<double>(kLayoutShapes + own_))
+      fail(fmt::format("blocks make {:.6g} things of {}, at most {} are drawn", amount, own_,
+                       kLayoutShapes + own_));
+    if (!error_) place(drawing_.model, Affine(), nullptr);
+    if (error_) return *std::move(error_);
+    out_.missing.assign(missing_.begin(), missing_.end());
+    return std::move(out_);
+  }
+
+ private:
+  void fail(const std::string& what) {
+    if (!error_)
+      error_ = Error{ErrorCode::unsupported_format, fmt::format("{}: {}", source_, what), {}, {}};
+  }
+
+  const DxfBlock* find(const std::string& name) {
+    const auto found = drawing_.blocks.find(name);
+    if (found != drawing_.blocks.end()) return &found->second;
+    missing_.insert(legible(name));
+    return nullptr;
+  }
+
+  /// How much a block draws with everything in it; infinite after an error.
+  double amount_of(const DxfBlock& block, std::size_t depth) {
+    const auto known = amounts_.find(&block);
+    if (known != amounts_.end()) {
+      if (known->second < 0) fail("a block contains itself");
+      return known->second;
+    }
+    if (depth > kCellDepth) fail(fmt::format("more than {} blocks, one in the other", kCellDepth));
+    if (error_) return 0;
+    amounts_[&block] = -1;  // being counted
+    double amount = static_cast<double>(block.curves.size() + block.texts.size());
+    for (const DxfInsert& insert : block.inserts) {
+      const DxfBlock* inner = find(insert.block);
+      const double times = static_cast<double>(insert.columns) * insert.rows;
+      if (inner != nullptr) amount += times * std::max(1.0, amount_of(*inner, depth + 1));
+      if (error_) break;
+    }
+    amounts_[&block] = amount;
+    return amount;
+  }
+
+  void place(const DxfBlock& block, const Affine& at, const std::string* layer) {
+    const auto layer_of = [&](const std::string& own) {
+      return layer != nullptr && own == "0" ? layer : &own;
+    };
+    for (const DxfCurve& curve : block.curves)
+      out_.curves.push_back({&curve, at, layer_of(curve.layer)});
+    for (const DxfText& text : block.texts) out_.texts.push_back({&text, at, layer_of(text.layer)});
+    for (const DxfInsert& insert : block.inserts) {
+      const DxfBlock* inner = find(insert.block);
+      if (inner == nullptr) continue;
+      for (int row = 0; row < insert.rows; ++row)
+        for (int column = 0; column < insert.columns; ++column)
+          place(*inner, at.after(place_of(insert, inner->base, column, row)),
+                layer_of(insert.layer));
+    }
+  }
+
+  const DxfDrawing& drawing_;
+  const std::string& source_;
+  std::size_t own_ = 0;
+  std::map<const DxfBlock*, double> amounts_;
+  std::set<std::string> missing_;
+  PlacedDrawing out_;
+  std::optional<Error> error_;
+};
+
+}  // namespace
+
+Affine Affine::after(const Affine& inner) const {
+  return {a * inner.a + b * inner.d, a * inner.b + b * inner.e, a * inner.c + b * inner.f + c,
+          d * inner.a + e * inner.d, d * inner.b + e * inner.e, d * inner.c + e * inner.f + f};
+}
+
+bool Affine::is_identity() const {
+  return a == 1 && b == 0 && c == 0 && d == 0 && e == 1 && f == 0;
+}
+
+bool Affine::is_similar() const {
+  const double size = std::hypot(a, d);
+  const double off = is_mirrored() ? std::hypot(a + e, b - d) : std::hypot(a - e, b + d);
+  return size > 0 && off <= 1e-12 * size;
+}
+
+Result<PlacedDrawing> place_blocks(const DxfDrawing& drawing, const std::string& source) {
+  return Placer(drawing, source).run();
+}
+
+}  // namespace cover

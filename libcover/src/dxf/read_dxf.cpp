@@ -1,0 +1,358 @@
+// The file is checked group by group, dxflib builds a drawing of what is left, blocks are placed,
+// and curves are cut: first all arcs are shown to the CurveCutter, then points are asked for.
+// Tested by tests/unit/dxf/read_dxf_test.cpp.
+#include <cover/read_dxf.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cover/units.hpp>
+
+#include "dxf/drawing.hpp"
+#include "dxf/dxf_groups.hpp"
+#include "dxf/ends.hpp"
+#include "dxf/place_blocks.hpp"
+#include "dxf/spline.hpp"
+#include "geom/vector.hpp"
+#include "io/input/curves.hpp"
+#include "io/text/text.hpp"
+
+namespace cover {
+namespace {
+
+/// More points than this from the curves of one file are taken for a mistake.
+constexpr std::size_t kMostDxfPoints = std::size_t{1} << 22U;
+
+using Path = std::vector<Point>;
+
+class DxfConverter {
+ public:
+  DxfConverter(const PlacedDrawing& placed, const std::string& source, const ReadOptions& options)
+      : placed_(placed), options_(options) {
+    input_.source = source;
+  }
+
+  Result<Input> run() {
+    choose_layers();
+    for (const Placed<DxfCurve>& curve : placed_.curves)
+      if (is_read(curve)) note(curve);
+    ends_ = CurveEnds(size_);
+    for (const Placed<DxfCurve>& curve : placed_.curves)
+      if (is_read(curve)) note_given_ends(curve);
+    for (const Placed<DxfCurve>& curve : placed_.curves)
+      if (is_read(curve)) note_arc_ends(curve);
+    for (const Placed<DxfCurve>& curve : placed_.curves) {
+      if (!is_read(curve)) continue;
+      add(curve);
+      if (error_) return *std::move(error_);
+    }
+    add_texts();
+    if (error_) return *std::move(error_);
+    if (input_.segments.empty())
+      return Error{ErrorCode::syntax,
+                   fmt::format("{}: no line or curve in it{}", input_.source,
+                               options_.layers.empty() ? "" : " on the layers that are read"),
+                   {},
+                   {}};
+    tell();
+    return std::move(input_);
+  }
+
+ private:
+  [[nodiscard]] bool is_read(const Placed<DxfCurve>& curve) const {
+    return options_.layers.empty() || std::find(options_.layers.begin(), options_.layers.end(),
+                                                *curve.layer) != options_.layers.end();
+  }
+
+  /// A name that all segments have tells nothing.
+  void choose_layers() {
+    std::set<std::string> layers;
+    for (const Placed<DxfCurve>& curve : placed_.curves)
+      if (is_read(curve)) layers.insert(*curve.layer);
+    named_ = layers.size() > 1;
+  }
+
+  [[nodiscard]] double step_for(double radius) const {
+    return options_.chord_error && radius > 0
+               ? std::min(options_.chord_angle, step_for_chord_error(radius, *options_.chord_error))
+               : options_.chord_angle;
+  }
+
+  /// The arc as it is seen in the drawing. REQUIRES: place.is_similar()
+  [[nodiscard]] Arc placed(const DxfArc& arc, const Affine& place) const {
+    Arc out{place(arc.centre), arc.radius, arc.from, arc.to, 0};
+    if (!place.is_identity()) {
+      out.radius *= std::hypot(place.a, place.d);
+      const double turn = std::atan2(place.d, place.a) * 180 / std::numbers::pi;
+      const double way = place.is_mirrored() ? -1 : 1;
+      out.from = turn + way * arc.from;
+      out.to = turn + way * arc.to;
+    }
+    out.step = step_for(out.radius);
+    return out;
+  }
+
+  /// Shows arcs to the cutter, and finds out how large the drawing is.
+  void note(const Placed<DxfCurve>& curve) {
+    const auto reach = [&](Point p) {
+      const Point q = curve.place(p);
+      if (std::isfinite(q.x) && std::isfinite(q.y))
+        size_ = std::max({size_, std::abs(q.x), std::abs(q.y)});
+    };
+    if (const auto* line = std::get_if<BulgePolyline>(&curve.thing->shape))
+      for (const BulgeCorner& corner : line->corners) reach(corner.at);
+    if (const auto* spline = std::get_if<DxfSpline>(&curve.thing->shape))
+      for (const Point p : spline->controls) reach(p);
+    if (const auto* e = std::get_if<DxfEllipse>(&curve.thing->shape)) {
+      reach({e->centre.x + e->major.x, e->centre.y + e->major.y});
+      reach({e->centre.x - e->major.x, e->centre.y - e->major.y});
+    }
+    if (const auto* arc = std::get_if<DxfArc>(&curve.thing->shape)) {
+      reach({arc->centre.x + arc->radius, arc->centre.y + arc->radius});
+      reach({arc->centre.x - arc->radius, arc->centre.y - arc->radius});
+      if (curve.place.is_similar()) cutter_.add(placed(*arc, curve.place));
+    }
+  }
+
+  void note_given_ends(const Placed<DxfCurve>& curve) {
+    if (const auto* line = std::get_if<BulgePolyline>(&curve.thing->shape))
+      for (const BulgeCorner& corner : line->corners) ends_.add(curve.place(corner.at));
+    const auto* spline = std::get_if<DxfSpline>(&curve.thing->shape);
+    if (spline == nullptr || spline->controls.empty()) return;
+    ends_.add(curve.place(spline->controls.front()));
+    ends_.add(curve.place(spline->controls.back()));
+  }
+
+  void note_arc_ends(const Placed<DxfCurve>& curve) {
+    const auto* arc = std::get_if<DxfArc>(&curve.thing->shape);
+    if (arc == nullptr || !curve.place.is_similar()) return;
+    const Arc seen = placed(*arc, curve.place);
+    if (seen.full()) return;
+    ends_.add(point_on_circle(seen.centre, seen.radius, seen.from));
+    ends_.add(point_on_circle(seen.centre, seen.radius, seen.to));
+  }
+
+  void add(const Placed<DxfCurve>& curve) {
+    layer_ = named_ && *curve.layer != "0" ? curve.layer : nullptr;
+    std::visit([&](const auto& shape) { add(shape, curve.place); }, curve.thing->shape);
+    ++number_;
+  }
+
+  void add(const DxfArc& arc, const Affine& place) {
+    if (place.is_similar()) return add_path(cutter_.points(placed(arc, place), room()));
+    add(DxfEllipse{arc.centre, {arc.radius, 0}, {0, arc.radius}, arc.from, arc.to}, place);
+  }
+
+  void add(const DxfEllipse& e, const Affine& place) {
+    const Affine shape{e.major.x, e.minor.x, e.centre.x, e.major.y, e.minor.y, e.centre.y};
+    const Affine whole = place.after(shape);
+    const double radius = std::max(std::hypot(whole.a, whole.d), std::hypot(whole.b, whole.e));
+    const double pieces = std::max(e.to - e.from == 360 ? 3.0 : 1.0,
+                                   std::ceil((e.to - e.from) / step_for(radius) - 1e-9));
+    if (!(pieces < static_cast<double>(room()))) return too_many();
+    Path path;
+    for (double k = 0; k <= pieces; ++k)
+      path.push_back(whole(point_on_circle({0, 0}, 1, e.from + (e.to - e.from) * k / pieces)));
+    if (e.to - e.from == 360) path.back() = path.front();
+    add_path(std::move(path));
+  }
+
+  void add(const BulgePolyline& line, const Affine& place) {
+    const std::size_t n = line.corners.size();
+    for (std::size_t k = 0; k + (line.closed ? 0 : 1) < n; ++k) {
+      const BulgeCorner& corner = line.corners[k];
+      add_bulge(corner.at, line.corners[(k + 1) % n].at, corner.bulge, place);
+    }
+  }
+
+  void add_bulge(Point a, Point b, double bulge, const Affine& place) {
+    const Point centre = midpoint(a, b) + ((1 - bulge * bulge) / (4 * bulge)) * left_normal(b - a);
+    if (a == b || bulge == 0 || !std::isfinite(centre.x) || !std::isfinite(centre.y))
+      return add_path(Path{place(a), place(b)});
+    const double radius =
+        length(a - centre) * std::max(std::hypot(place.a, place.d), std::hypot(place.b, place.e));
+    const double step = step_for(radius);
+    if (!place.is_similar()) {
+      auto path = cut_arc_between(a, b, centre, bulge < 0, step, room());
+      if (path)
+        for (Point& p : *path) p = place(p);
+      return add_path(std::move(path));
+    }
+    const bool clockwise = (bulge < 0) != place.is_mirrored();
+    add_path(cut_arc_between(place(a), place(b), place(centre), clockwise, step, room()));
+  }
+
+  void add(const DxfSpline& spline, const Affine& place) {
+    const double size = std::max(std::hypot(place.a, place.d), std::hypot(place.b, place.e));
+    std::optional<double> error = options_.chord_error;
+    if (error && size > 0) *error /= size;
+    auto path = spline_points(spline, options_.chord_angle, error);
+    if (!path) {
+      ++bad_splines_;
+      return;
+    }
+    if (spline.controls.empty()) ++fit_splines_;
+    for (Point& p : *path) p = place(p);
+    add_path(std::move(path));
+  }
+
+  [[nodiscard]] std::size_t room() const { return kMostDxfPoints - input_.segments.size(); }
+
+  void too_many() {
+    if (!error_)
+      error_ = Error{ErrorCode::unsupported_format,
+                     fmt::format("{}: the curves of this file have more than {} points; is the "
+                                 "chord error given in the unit of the file?",
+                                 input_.source, kMostDxfPoints),
+                     {},
+                     {}};
+  }
+
+  void add_path(std::optional<Path> path) {
+    if (!path || path->size() > room()) return too_many();
+    InputSegment segment;
+    if (layer_ != nullptr) segment.name = *layer_;
+    for (std::size_t k = 0; k + 1 < path->size(); ++k) {
+      Point a = (*path)[k], b = (*path)[k + 1];
+      if (!std::isfinite(a.x) || !std::isfinite(a.y) || !std::isfinite(b.x) ||
+          !std::isfinite(b.y)) {
+        error_ = Error{ErrorCode::non_finite_coordinate,
+                       fmt::format("{}: a curve has coordinates that are too large for a double",
+                                   input_.source),
+                       {},
+                       {}};
+        return;
+      }
+      a = ends_.same(a);
+      b = ends_.same(b);
+      if (a == b) continue;
+      segment.a = index_of(a);
+      segment.b = index_of(b);
+      segment.id = number_;
+      input_.segments.push_back(segment);
+    }
+  }
+
+  std::uint32_t index_of(Point p) {
+    const auto next = static_cast<std::uint32_t>(input_.points.size());
+    const auto [at, is_new] = indices_.emplace(p, next);
+    if (is_new) input_.points.push_back(p);
+    return at->second;
+  }
+
+  void add_texts() {
+    for (const Placed<DxfText>& text : placed_.texts) {
+      if (options_.label_layer.empty() || *text.layer != options_.label_layer) {
+        ++other_texts_;
+        continue;
+      }
+      const Point at = text.place(text.thing->at);
+      const std::string& words = text.thing->text;
+      const auto id = static_cast<long>(input_.seeds.size() + input_.holes.size());
+      if (lower(words) == "void") {
+        input_.holes.push_back({at, id, 0});
+        continue;
+      }
+      const std::size_t slash = std::min(words.find('/'), words.size());
+      RegionSeed seed;
+      seed.at = at;
+      seed.material = words.substr(0, slash);
+      if (slash < words.size()) seed.region = words.substr(slash + 1);
+      seed.id = id;
+      if (!seed.material.empty() || !seed.region.empty()) input_.seeds.push_back(std::move(seed));
+    }
+    if (options_.label_layer.empty() || !input_.seeds.empty() || !input_.holes.empty()) return;
+    error_ =
+        Error{ErrorCode::bad_option,
+              fmt::format("{}: no text is on the layer '{}'", input_.source, options_.label_layer),
+              {},
+              {}};
+  }
+
+  void tell() {
+    const auto warn = [&](std::size_t count, std::string_view what) {
+      if (count > 0) input_.warnings.push_back(fmt::format("{} {}", count, what));
+    };
+    warn(fit_splines_, "splines have fit points only: they are joined by straight lines");
+    warn(bad_splines_, "splines whose knots do not fit their points are left out");
+    if (options_.label_layer.empty())
+      warn(other_texts_,
+           "texts are left out; --label-layer makes names of regions of those on one layer");
+    if (!placed_.missing.empty())
+      input_.warnings.push_back(fmt::format("blocks that are inserted and not there: {}",
+                                            fmt::join(placed_.missing, ", ")));
+  }
+
+  const PlacedDrawing& placed_;
+  const ReadOptions& options_;
+  Input input_;
+  CurveCutter cutter_;
+  double size_ = 0;  ///< largest coordinate
+  CurveEnds ends_{0};
+  std::map<Point, std::uint32_t> indices_;
+  bool named_ = false;
+  const std::string* layer_ = nullptr;  ///< of the curve that is added; nullptr: no name
+  long number_ = 0;                     ///< of the curve
+  std::size_t bad_splines_ = 0, fit_splines_ = 0, other_texts_ = 0;
+  std::optional<Error> error_;
+};
+
+/// Notes what the drawing says of its unit.
+void set_unit(Input& input, int unit, const ReadOptions& options) {
+  static const std::map<int, const char*> kUnits{
+      {4, "mm"}, {5, "cm"}, {6, "m"}, {12, "nm"}, {13, "um"}};
+  if (const auto known = kUnits.find(unit); known != kUnits.end()) {
+    input.unit = known->second;
+  } else if (unit == 1 && options.unit.empty()) {
+    input.warnings.emplace_back("the drawing is in inches: --scale 25.4 --unit mm makes it mm");
+  }
+}
+
+void tell_left_out(Input& input, const CheckedDxf& checked, const DxfDrawing& drawing) {
+  std::vector<std::string> kinds;
+  for (const auto& [kind, count] : checked.left_out)
+    kinds.push_back(fmt::format("{} {}", count, kind));
+  constexpr std::size_t kMostNamed = 20;
+  if (kinds.size() > kMostNamed) kinds.resize(kMostNamed);
+  if (!kinds.empty())
+    input.warnings.push_back(fmt::format("entities that are not read: {}", fmt::join(kinds, ", ")));
+  if (drawing.tilted > 0)
+    input.warnings.push_back(
+        fmt::format("{} entities are not in the plane: left out", drawing.tilted));
+  if (drawing.meshes > 0)
+    input.warnings.push_back(
+        fmt::format("{} polylines are surfaces or run through space: left out", drawing.meshes));
+}
+
+}  // namespace
+
+Result<Input> parse_dxf(std::string_view text, const std::string& source,
+                        const ReadOptions& options) {
+  if (const Status status = check_read_options(options); !status) return status.error();
+  const Result<CheckedDxf> checked = check_dxf(text, source);
+  if (!checked) return checked.error();
+  const Result<DxfDrawing> drawing = build_drawing(*checked, source);
+  if (!drawing) return drawing.error();
+  const Result<PlacedDrawing> placed = place_blocks(*drawing, source);
+  if (!placed) return placed.error();
+  Result<Input> input = DxfConverter(*placed, source, options).run();
+  if (!input) return input;
+  tell_left_out(*input, *checked, *drawing);
+  set_unit(*input, checked->unit, options);
+  if (Status status = apply_units(*input, options); !status) return std::move(status).error();
+  return input;
+}
+
+Result<Input> read_dxf(const std::string& path, const ReadOptions& options) {
+  const Result<std::string> text = read_file(path);
+  if (!text) return text.error();
+  return parse_dxf(*text, path, options);
+}
+
+}  // namespace cover

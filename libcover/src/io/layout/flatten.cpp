@@ -1,0 +1,479 @@
+// How much there is to draw is counted cell by cell before anything is drawn; in a window, where
+// that says nothing, cells, rows and instances that are looked at are counted.
+// Tested by tests/unit/io/layout/read_gds_test.cpp.
+#include "io/layout/flatten.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "io/input/curves.hpp"
+#include "io/layout/path_outline.hpp"
+#include "io/layout/window.hpp"
+#include "io/text/limits.hpp"
+#include "io/text/text.hpp"
+
+namespace cover {
+namespace {
+
+/// Where the points of a cell lie: p -> (a x + b y + c, d x + e y + f).
+struct Placement {
+  double a = 1, b = 0, c = 0, d = 0, e = 1, f = 0;
+  double magnification = 1;
+
+  [[nodiscard]] Point operator()(Point p) const {
+    return {a * p.x + b * p.y + c, d * p.x + e * p.y + f};
+  }
+  /// First `inner`, then this.
+  [[nodiscard]] Placement after(const Placement& inner) const {
+    return {a * inner.a + b * inner.d,          a * inner.b + b * inner.e,
+            a * inner.c + b * inner.f + c,      d * inner.a + e * inner.d,
+            d * inner.b + e * inner.e,          d * inner.c + e * inner.f + f,
+            magnification * inner.magnification};
+  }
+};
+
+/// Without its place. Quarters of a turn are exact.
+Placement placement_of(const GdsReference& reference) {
+  const double turn = std::fmod(reference.angle, 360);
+  double cosine = std::cos(turn * std::numbers::pi / 180);
+  double sine = std::sin(turn * std::numbers::pi / 180);
+  if (std::fmod(turn, 90) == 0) {
+    cosine = std::round(cosine);
+    sine = std::round(sine);
+  }
+  const double m = reference.magnification, mirror = reference.mirrored ? -1 : 1;
+  return {m * cosine, -m * sine * mirror, 0, m * sine, m * cosine * mirror, 0, m};
+}
+
+struct Box {
+  double low_x = std::numeric_limits<double>::infinity();
+  double low_y = low_x;
+  double high_x = -low_x;
+  double high_y = -low_x;
+
+  [[nodiscard]] bool empty() const { return !(low_x <= high_x); }
+  void add(Point p) {
+    low_x = std::min(low_x, p.x);
+    low_y = std::min(low_y, p.y);
+    high_x = std::max(high_x, p.x);
+    high_y = std::max(high_y, p.y);
+  }
+  void add(const Box& other) {
+    if (other.empty()) return;
+    add(Point{other.low_x, other.low_y});
+    add(Point{other.high_x, other.high_y});
+  }
+  [[nodiscard]] bool meets(const Box& other) const {
+    return low_x <= other.high_x && other.low_x <= high_x && low_y <= other.high_y &&
+           other.low_y <= high_y;
+  }
+  [[nodiscard]] Box grown(double by) const {
+    Box box = *this;
+    box.low_x -= by, box.low_y -= by, box.high_x += by, box.high_y += by;
+    return box;
+  }
+};
+
+Box placed(const Box& box, const Placement& place) {
+  Box out;
+  if (box.empty()) return out;
+  for (const double x : {box.low_x, box.high_x})
+    for (const double y : {box.low_y, box.high_y}) out.add(place({x, y}));
+  return out;
+}
+
+Point point_of(GdsPoint p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+
+/// Numbers of an array from which on, and up to which, its boxes meet a window.
+struct Span {
+  double first;
+  double last;
+  /// Keeps those k for which low + k step <= window_high and high + k step >= window_low.
+  void keep(double low, double high, double step, double window_low, double window_high) {
+    if (step == 0) {
+      if (low > window_high || high < window_low) last = first - 1;
+      return;
+    }
+    double from = (window_low - high) / step, to = (window_high - low) / step;
+    if (step < 0) std::swap(from, to);
+    first = std::max(first, std::floor(from));  // one too many does no harm
+    last = std::min(last, std::ceil(to));
+  }
+};
+
+class Flattener {
+ public:
+  Flattener(const GdsLibrary& library, const std::string& source, const ReadOptions& options,
+            LayerMap& layers)
+      : library_(library), options_(options), layers_(layers) {
+    input_.source = source;
+    for (const GdsCell& cell : library.cells)
+      most_shapes_ += cell.shapes.size() + cell.texts.size() + cell.references.size();
+    most_points_ += library.points.size();
+    per_unit_ = std::round(1 / library.unit);
+    if (!(std::abs(per_unit_ * library.unit - 1) < 1e-9 && per_unit_ < 1e15)) per_unit_ = 0;
+  }
+
+  Result<Input> run() {
+    input_.unit = unit_of_user();
+    const std::optional<std::uint32_t> top = top_cell();
+    if (top) measure(*top);
+    if (!error_ && !options_.label_layer.empty()) set_label_layer();
+    if (!error_ && options_.window) window_ = window_in_units(*options_.window);
+    if (!error_ && !options_.window) check_amount(totals_[*top]);
+    if (!error_) draw(*top, Placement());
+    if (error_) return *std::move(error_);
+    tell();
+    return std::move(input_);
+  }
+
+ private:
+  /// What a cell has in it, with all that its references bring.
+  struct Total {
+    double shapes = 0;
+    double points = 0;
+    Box box;
+    enum class State { unknown, open, done } state = State::unknown;
+  };
+
+  void fail(ErrorCode code, const std::string& what) {
+    if (!error_) error_ = Error{code, fmt::format("{}: {}", input_.source, what), {}, {}};
+  }
+
+  /// The unit of the coordinates, if it has a name here.
+  [[nodiscard]] std::string unit_of_user() const {
+    const double metres = library_.metres / library_.unit;
+    constexpr std::array<std::pair<double, const char*>, 5> kUnits{
+        {{1e-9, "nm"}, {1e-6, "um"}, {1e-3, "mm"}, {1e-2, "cm"}, {1, "m"}}};
+    for (const auto& [size, name] : kUnits)
+      if (std::abs(metres / size - 1) < 1e-9) return name;
+    return "";
+  }
+
+  std::optional<std::uint32_t> top_cell() {
+    const std::vector<GdsCell>& cells = library_.cells;
+    totals_.resize(cells.size());
+    if (!options_.cell.empty()) {
+      for (std::uint32_t k = 0; k < cells.size(); ++k)
+        if (cells[k].name == options_.cell) return k;
+      fail(ErrorCode::bad_option, fmt::format("there is no cell '{}'", options_.cell));
+      return std::nullopt;
+    }
+    std::vector<bool> referred(cells.size());
+    for (const GdsCell& cell : cells)
+      for (const GdsReference& reference : cell.references) referred[reference.cell] = true;
+    std::vector<std::uint32_t> tops;
+    for (std::uint32_t k = 0; k < cells.size(); ++k)
+      if (!referred[k]) tops.push_back(k);
+    if (tops.size() == 1) return tops.front();
+    if (cells.empty()) {
+      fail(ErrorCode::syntax, "there is no cell in it");
+    } else if (tops.empty()) {
+      fail(ErrorCode::unsupported_format, "every cell is in another one: cells contain themselves");
+    } else {
+      constexpr std::size_t kMostNamed = 8;
+      std::vector<std::string> names;
+      for (std::size_t k = 0; k < std::min(tops.size(), kMostNamed); ++k)
+        names.push_back(legible(cells[tops[k]].name));
+      if (tops.size() > kMostNamed) names.emplace_back("...");
+      fail(ErrorCode::bad_option, fmt::format("it has {} top cells ({}): name one by --cell",
+                                              tops.size(), fmt::join(names, ", ")));
+    }
+    return std::nullopt;
+  }
+
+  /// Fills totals_ for a cell and all in it, without recursion of the program.
+  void measure(std::uint32_t top) {
+    struct Step {
+      std::uint32_t cell;
+      std::size_t next;
+    };
+    std::vector<Step> path{{top, 0}};
+    totals_[top].state = Total::State::open;
+    while (!path.empty()) {
+      Step& step = path.back();
+      const GdsCell& cell = library_.cells[step.cell];
+      if (step.next == cell.references.size()) {
+        sum_up(step.cell);
+        path.pop_back();
+        continue;
+      }
+      const std::uint32_t inner = cell.references[step.next++].cell;
+      Total& total = totals_[inner];
+      if (total.state == Total::State::open)
+        return fail(
+            ErrorCode::unsupported_format,
+            fmt::format("the cell '{}' contains itself", legible(library_.cells[inner].name)));
+      if (total.state == Total::State::done) continue;
+      if (path.size() >= kCellDepth)
+        return fail(ErrorCode::unsupported_format,
+                    fmt::format("more than {} cells, one in the other", kCellDepth));
+      total.state = Total::State::open;
+      path.push_back({inner, 0});
+    }
+  }
+
+  void sum_up(std::uint32_t number) {
+    const GdsCell& cell = library_.cells[number];
+    Total& total = totals_[number];
+    for (const GdsShape& shape : cell.shapes) {
+      ++total.shapes;
+      total.points += shape.count;
+      total.box.add(box_of(shape));
+    }
+    for (const GdsText& text : cell.texts) {
+      ++total.shapes;
+      total.box.add(point_of(text.at));
+    }
+    for (const GdsReference& reference : cell.references) {
+      const Total& inner = totals_[reference.cell];
+      const double times = static_cast<double>(reference.columns) * reference.rows;
+      total.shapes += times * std::max(1.0, inner.shapes);  // an empty cell takes time too
+      total.points += times * inner.points;
+      const Placement place = placement_of(reference);
+      const Box box = placed(inner.box, place);
+      if (box.empty()) continue;
+      for (const double column : {0.0, reference.columns - 1.0})
+        for (const double row : {0.0, reference.rows - 1.0}) {
+          const Point at = at_of(reference, column, row);
+          Box moved = box;
+          moved.low_x += at.x, moved.high_x += at.x, moved.low_y += at.y, moved.high_y += at.y;
+          total.box.add(moved);
+        }
+    }
+    total.state = Total::State::done;
+  }
+
+  [[nodiscard]] Box box_of(const GdsShape& shape) const {
+    Box box;
+    for (std::uint32_t k = 0; k < shape.count; ++k)
+      box.add(point_of(library_.points[shape.first + k]));
+    if (shape.path == GdsShape::kPolygon) return box;
+    const GdsPath& path = library_.paths[shape.path];
+    // A mitre reaches twice as far as the side.
+    const double width = std::abs(static_cast<double>(path.width));
+    const double more =
+        std::max({0.0, static_cast<double>(path.begin), static_cast<double>(path.end)});
+    return box.grown(width + more);
+  }
+
+  static Point at_of(const GdsReference& reference, double column, double row) {
+    const auto& [first, columns, rows] = reference.at;
+    const auto along = [&](auto member) {
+      const double start = first.*member;
+      return start + (columns.*member - start) * column / reference.columns +
+             (rows.*member - start) * row / reference.rows;
+    };
+    return {along(&GdsPoint::x), along(&GdsPoint::y)};
+  }
+
+  void check_amount(const Total& total) {
+    if (total.shapes > static_cast<double>(most_shapes_) ||
+        total.points > static_cast<double>(most_points_))
+      too_much(fmt::format("{:.6g} shapes with {:.6g} points", total.shapes, total.points));
+  }
+
+  void too_much(const std::string& what) {
+    fail(ErrorCode::unsupported_format,
+         fmt::format("the layout has {}, at most {} and {} are drawn: choose a part by --window or "
+                     "--cell",
+                     what, most_shapes_, most_points_));
+  }
+
+  /// Counts one more thing that is looked at; false after too many.
+  bool count(std::size_t points) {
+    looked_at_ += 1;
+    points_ += points;
+    if (looked_at_ > most_shapes_ || points_ > most_points_)
+      too_much("too many shapes in the window");
+    return !error_;
+  }
+
+  void set_label_layer() {
+    label_ = parse_layer_pattern(options_.label_layer);
+    if (!label_)
+      fail(ErrorCode::bad_option,
+           fmt::format("label_layer: '{}' is not a layer, as 68 or 68/5", options_.label_layer));
+  }
+
+  /// The window in units of the database.
+  [[nodiscard]] Box window_in_units(const Window& window) const {
+    Box box;
+    box.add(Point{window.low.x / library_.unit, window.low.y / library_.unit});
+    box.add(Point{window.high.x / library_.unit, window.high.y / library_.unit});
+    return box.grown(1);  // what rounding might do; exactly it is cut later
+  }
+
+  void draw(std::uint32_t number, const Placement& place) {
+    const GdsCell& cell = library_.cells[number];
+    for (const GdsShape& shape : cell.shapes) {
+      if (!count(shape.count)) return;
+      if (window_ && !placed(box_of(shape), place).meets(*window_)) continue;
+      draw(shape, place);
+    }
+    for (const GdsText& text : cell.texts) {
+      if (!count(1)) return;
+      draw(text, place);
+    }
+    for (const GdsReference& reference : cell.references) {
+      draw(reference, place);
+      if (error_) return;
+    }
+  }
+
+  void draw(const GdsReference& reference, const Placement& place) {
+    Placement inner = placement_of(reference);
+    const Box& whole = totals_[reference.cell].box;
+    if (whole.empty()) return;
+    const Box box = placed(whole, place.after(inner));
+    const Placement steps = place;
+    const Point first = at_of(reference, 0, 0), next = at_of(reference, 1, 0);
+    const double step_x = steps.a * (next.x - first.x) + steps.b * (next.y - first.y);
+    const double step_y = steps.d * (next.x - first.x) + steps.e * (next.y - first.y);
+    for (double row = 0; row < reference.rows; ++row) {
+      Span span{0, reference.columns - 1.0};
+      if (window_) {
+        if (!count(0)) return;
+        const Point start = at_of(reference, 0, row);
+        const double x = place.a * start.x + place.b * start.y;
+        const double y = place.d * start.x + place.e * start.y;
+        span.keep(box.low_x + x, box.high_x + x, step_x, window_->low_x, window_->high_x);
+        span.keep(box.low_y + y, box.high_y + y, step_y, window_->low_y, window_->high_y);
+      }
+      for (double column = span.first; column <= span.last; ++column) {
+        if (!count(0)) return;
+        const Point at = at_of(reference, column, row);
+        inner.c = at.x;
+        inner.f = at.y;
+        draw(reference.cell, place.after(inner));
+        if (error_) return;
+      }
+    }
+  }
+
+  /// A point in units of the database, in the unit of the user.
+  [[nodiscard]] Point in_user_unit(Point p) const {
+    if (per_unit_ > 0) return {p.x / per_unit_, p.y / per_unit_};
+    return {p.x * library_.unit, p.y * library_.unit};
+  }
+
+  void draw(const GdsShape& shape, const Placement& place) {
+    const NamedLayer* layer = layers_.find(shape.layer);
+    if (layer == nullptr) return;
+    std::vector<Point> points;
+    points.reserve(shape.count);
+    for (std::uint32_t k = 0; k < shape.count; ++k)
+      points.push_back(point_of(library_.points[shape.first + k]));
+    if (shape.path == GdsShape::kPolygon) return add_polygon(std::move(points), *layer, place);
+    const GdsPath& path = library_.paths[shape.path];
+    if (path.width == 0) return add_line(points, *layer, place);
+    WidePath wide;
+    wide.line = std::move(points);
+    wide.half_width = path.width / 2.0;
+    if (path.width < 0) wide.half_width /= -place.magnification;
+    wide.round = path.ends == 1;
+    wide.step = options_.chord_angle;
+    wide.begin = path.ends == 2 ? wide.half_width : path.ends == 4 ? path.begin : 0;
+    wide.end = path.ends == 2 ? wide.half_width : path.ends == 4 ? path.end : 0;
+    if (wide.round && options_.chord_error)
+      wide.step = std::min(
+          wide.step, step_for_chord_error(wide.half_width * library_.unit * place.magnification,
+                                          *options_.chord_error));
+    for (std::vector<Point>& polygon : path_polygons(std::move(wide))) {
+      if (!count(polygon.size())) return;
+      add_polygon(std::move(polygon), *layer, place);
+    }
+  }
+
+  void move(std::vector<Point>& points, const Placement& place) const {
+    for (Point& p : points) p = in_user_unit(place(p));
+  }
+
+  void add_polygon(std::vector<Point> points, const NamedLayer& layer, const Placement& place) {
+    move(points, place);
+    if (options_.window) points = clip_polygon(std::move(points), *options_.window);
+    if (points.empty()) return;
+    InputPolygon polygon;
+    polygon.material = polygon.region = layer.name;
+    polygon.priority = layer.height;
+    polygon.id = static_cast<long>(input_.polygons.size());
+    polygon.rings.push_back(std::move(points));
+    input_.polygons.push_back(std::move(polygon));
+  }
+
+  void add_line(std::vector<Point> points, const NamedLayer& layer, const Placement& place) {
+    move(points, place);
+    std::vector<std::vector<Point>> pieces;
+    if (options_.window) {
+      pieces = clip_line(points, *options_.window);
+    } else {
+      pieces.push_back(std::move(points));
+    }
+    for (std::vector<Point>& piece : pieces)
+      input_.lines.push_back(
+          {layer.name, std::move(piece), static_cast<long>(input_.lines.size())});
+  }
+
+  void draw(const GdsText& text, const Placement& place) {
+    if (!label_ || !label_->matches(text.layer) || text.text.empty()) return;
+    const Point at = in_user_unit(place(point_of(text.at)));
+    if (options_.window) {
+      const auto& [low, high] = *options_.window;
+      if (!(low.x < at.x && at.x < high.x && low.y < at.y && at.y < high.y)) return;
+    }
+    RegionSeed seed;
+    seed.at = at;
+    seed.region = text.text;
+    seed.id = static_cast<long>(input_.seeds.size());
+    input_.seeds.push_back(std::move(seed));
+  }
+
+  void tell() {
+    if (const std::size_t n = library_.left_out; n > 0)
+      input_.warnings.push_back(fmt::format(
+          "{} without an area left out", n == 1 ? "1 shape is" : fmt::format("{} shapes are", n)));
+    if (library_.absolute > 0)
+      input_.warnings.push_back(fmt::format(
+          "{} cells are placed with absolute angle or size: taken as relative", library_.absolute));
+    if (options_.layer_map.empty()) return;
+    std::vector<std::string> names;
+    for (const GdsLayer layer : layers_.left_out())
+      names.push_back(fmt::format("{}/{}", layer.layer, layer.type));
+    constexpr std::size_t kMostNamed = 20;
+    const bool all = names.size() <= kMostNamed;
+    if (!all) names.resize(kMostNamed);
+    if (!names.empty())
+      input_.warnings.push_back(
+          fmt::format("layers that the layer map does not have are left out: {}{}",
+                      fmt::join(names, ", "), all ? "" : ", ..."));
+  }
+
+  const GdsLibrary& library_;
+  const ReadOptions& options_;
+  LayerMap& layers_;
+  Input input_;
+  std::vector<Total> totals_;  ///< by cell
+  std::optional<Box> window_;  ///< in units of the database
+  std::optional<LayerPattern> label_;
+  double per_unit_ = 0;  ///< database units in one of the user, where that is a whole number
+  std::size_t most_shapes_ = kLayoutShapes;  ///< and what the file has itself
+  std::size_t most_points_ = kLayoutPoints;
+  std::size_t looked_at_ = 0;
+  std::size_t points_ = 0;
+  std::optional<Error> error_;
+};
+
+}  // namespace
+
+Result<Input> flatten(const GdsLibrary& library, const std::string& source,
+                      const ReadOptions& options, LayerMap& layers) {
+  return Flattener(library, source, options, layers).run();
+}
+
+}  // namespace cover

@@ -1,0 +1,223 @@
+// Tested by tests/unit/options/read_option_table_test.cpp.
+#include <cover/read_options.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/ranges.h>
+
+#include "options/option_kinds.hpp"
+
+namespace cover {
+namespace {
+
+using option_kinds::bad_option;
+using option_kinds::flag;
+using option_kinds::number;
+using option_kinds::parse;
+using option_kinds::text;
+using option_kinds::texts;
+
+/// An extension, with or without its dot.
+constexpr ReadOptionEntry format_name(ReadOptionEntry row) {
+  row = text<&ReadOptions::format>(row);
+  row.set = [](const ReadOptionEntry&, std::string_view value, ReadOptions& options) -> Status {
+    if (value.empty() || value == ".") return bad_option("an extension is needed, as gds");
+    options.format = value.front() == '.' ? std::string(value) : "." + std::string(value);
+    return ok();
+  };
+  return row;
+}
+
+/// One of a few words, or none.
+constexpr ReadOptionEntry unit_name(ReadOptionEntry row) {
+  row = text<&ReadOptions::unit>(row);
+  row.kind = OptionKind::word;
+  row.set = [](const ReadOptionEntry& self, std::string_view value,
+               ReadOptions& options) -> Status {
+    const Result<std::size_t> found = option_kinds::word_of(self, value);
+    if (!found) return found.error();
+    options.unit = value;
+    return ok();
+  };
+  return row;
+}
+
+bool is_window(const Window& w) {
+  return w.low.x < w.high.x && w.low.y < w.high.y && std::isfinite(w.low.x) &&
+         std::isfinite(w.low.y) && std::isfinite(w.high.x) && std::isfinite(w.high.y);
+}
+
+/// Four numbers with commas between them.
+constexpr ReadOptionEntry window(ReadOptionEntry row) {
+  row.kind = OptionKind::text;
+  row.set = [](const ReadOptionEntry&, std::string_view value, ReadOptions& options) -> Status {
+    std::array<double, 4> numbers{};
+    std::string_view rest = value;
+    bool good = true;
+    for (double& n : numbers) {
+      const std::size_t comma = &n == &numbers.back() ? rest.size() : rest.find(',');
+      const std::optional<double> parsed = parse<double>(rest.substr(0, comma));
+      good &= parsed.has_value() && comma != std::string_view::npos;
+      if (!good) break;
+      n = *parsed;
+      rest.remove_prefix(std::min(rest.size(), comma + 1));
+    }
+    const Window made{{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
+    if (!good || !is_window(made))
+      return bad_option(
+          fmt::format("'{}' is not x0,y0,x1,y1 with x0 below x1 and y0 below y1", value));
+    options.window = made;
+    return ok();
+  };
+  row.get = [](const ReadOptionEntry&, const ReadOptions& options) {
+    if (!options.window) return std::vector<std::string>();
+    const auto& [low, high] = *options.window;
+    return std::vector{fmt::format("{},{},{},{}", low.x, low.y, high.x, high.y)};
+  };
+  row.check = [](const ReadOptionEntry&, const ReadOptions& options) -> Status {
+    if (!options.window || is_window(*options.window)) return ok();
+    return bad_option("window has its low corner beyond its high one");
+  };
+  return row;
+}
+
+template <class... Extensions>
+bool is_format(const ReadOptions& options, Extensions... extensions) {
+  return ((options.format == extensions) || ...);
+}
+bool is_layout(const ReadOptions& o) { return is_format(o, ".gds", ".gds2", ".gdsii"); }
+bool is_map(const ReadOptions& o) {
+  return is_format(o, ".shp", ".gpkg", ".fgb", ".gml", ".kml", ".geojson");
+}
+bool is_drawing(const ReadOptions& o) { return is_format(o, ".dxf"); }
+bool is_picture(const ReadOptions& o) {
+  return is_format(o, ".png", ".bmp", ".tif", ".tiff", ".nrrd", ".mha");
+}
+
+// clang-format off
+constexpr ReadOptionEntry kReadTable[] = {
+    unit_name({
+        .name = "unit", .placeholder = "UNIT",
+        .word_list = {"nm", "um", "mm", "cm", "m"},
+        .help = "What the coordinates mean, for reports: nm, um, mm, cm, m"}),
+    number<&ReadOptions::scale>({
+        .name = "scale", .placeholder = "F",
+        .range = ranges::kScale,
+        .help = "Multiply all lengths by F first, say 1e-9, or 25.4 for inches to mm; told where "
+                "it rounds"}),
+    format_name({
+        .name = "input-format", .placeholder = "EXT",
+        .help = "Format of the input, whatever its name; also for '-' and pipes"}),
+    texts<&ReadOptions::layers>({
+        .name = "layer", .placeholder = "NAME",
+        .help = "Read this layer only, several if repeated: a name, or 68/20 in a layout",
+        .counts_with = "drawings, layouts and maps",
+        .counts = [](const ReadOptions& o) { return is_layout(o) || is_drawing(o) || is_map(o); }}),
+    texts<&ReadOptions::layer_map>({
+        .name = "layer-map", .placeholder = "MAP",
+        .help = "Layers of a layout by name: 68/20=met1, or a file of such lines; the last lies on "
+                "top, and what is not there is left out",
+        .counts_with = "layouts",
+        .counts = is_layout}),
+    text<&ReadOptions::label_layer>({
+        .name = "label-layer", .placeholder = "NAME",
+        .help = "Texts on this layer name the regions in which they stand: MATERIAL, "
+                "MATERIAL/REGION or void in a drawing, REGION in a layout",
+        .counts_with = "drawings and layouts",
+        .counts = [](const ReadOptions& o) { return is_layout(o) || is_drawing(o); }}),
+    text<&ReadOptions::cell>({
+        .name = "cell", .placeholder = "NAME",
+        .help = "Cell of a layout; its top cell unless given",
+        .counts_with = "layouts",
+        .counts = is_layout}),
+    window({
+        .name = "window", .placeholder = "X0,Y0,X1,Y1",
+        .help = "Part of a layout; what is outside is cut off",
+        .counts_with = "layouts",
+        .counts = is_layout}),
+    number<&ReadOptions::chord_error>({
+        .name = "chord-error", .placeholder = "E",
+        .range = ranges::kChordError,
+        .help = "How far a chord may be from the curve of a drawing, as a length in the file's unit",
+        .counts_with = "drawings and layouts",
+        .counts = [](const ReadOptions& o) { return is_layout(o) || is_drawing(o); }}),
+    number<&ReadOptions::chord_angle>({
+        .name = "chord-angle", .placeholder = "DEG",
+        .range = ranges::kChordAngle,
+        .help = "What a chord may turn by along a curve of a drawing; 5 degrees unless given",
+        .counts_with = "drawings, layouts and maps",
+        .counts = [](const ReadOptions& o) { return is_layout(o) || is_drawing(o) || is_map(o); }}),
+    text<&ReadOptions::material_field>({
+        .name = "material-field", .placeholder = "NAME",
+        .help = "Attribute of a map that is the material; 'material' unless given, else 'name'",
+        .counts_with = "maps",
+        .counts = is_map}),
+    text<&ReadOptions::name_field>({
+        .name = "name-field", .placeholder = "NAME",
+        .help = "Attribute of a map that is the name of the region or contact; 'name' unless given",
+        .counts_with = "maps",
+        .counts = is_map}),
+    text<&ReadOptions::priority_field>({
+        .name = "priority-field", .placeholder = "NAME",
+        .help = "Attribute of a map of which the higher wins where polygons overlap; 'priority' unless "
+                "given",
+        .counts_with = "maps",
+        .counts = is_map}),
+    text<&ReadOptions::crs>({
+        .name = "crs", .placeholder = "CRS",
+        .help = "Project a map to these coordinates, as EPSG:25832",
+        .counts_with = "maps",
+        .counts = is_map}),
+    flag<&ReadOptions::smooth, false>({
+        .name = "no-smooth",
+        .help = "Borders of a picture are the sides of its pixels, not curves along them",
+        .counts_with = "pictures",
+        .counts = is_picture}),
+    text<&ReadOptions::legend>({
+        .name = "legend", .placeholder = "FILE",
+        .help = "Names of the labels of a picture: lines #ff0000,copper or 7,grain; void is no "
+                "material",
+        .counts_with = "pictures",
+        .counts = is_picture}),
+};
+// clang-format on
+
+}  // namespace
+
+std::span<const ReadOptionEntry> read_option_table() { return kReadTable; }
+
+const ReadOptionEntry* find_read_option(std::string_view name) {
+  const auto same = [](char a, char b) { return a == (b == '_' ? '-' : b); };
+  for (const ReadOptionEntry& entry : kReadTable) {
+    if (std::equal(entry.name.begin(), entry.name.end(), name.begin(), name.end(), same))
+      return &entry;
+  }
+  return nullptr;
+}
+
+std::string default_text(const ReadOptionEntry& entry) {
+  return fmt::format("{}", fmt::join(entry.get(entry, ReadOptions()), ","));
+}
+
+std::vector<Provenance::Setting> describe_read_options(const ReadOptions& options) {
+  std::vector<Provenance::Setting> settings;
+  for (const ReadOptionEntry& entry : kReadTable) {
+    if (entry.name == "unit" || entry.name == "scale") continue;
+    std::vector<std::string> values = entry.get(entry, options);
+    if (values == entry.get(entry, ReadOptions())) continue;
+    for (std::string& value : values) settings.push_back({std::string(entry.name), value});
+  }
+  return settings;
+}
+
+Status check_read_options(const ReadOptions& options) {
+  for (const ReadOptionEntry& entry : kReadTable) {
+    if (entry.check == nullptr) continue;
+    if (Status status = entry.check(entry, options); !status) return status;
+  }
+  return ok();
+}
+
+}  // namespace cover

@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+"""pages_test.py PROGRAM SAMPLES PAGE [MODULE]: runs the commands of a page in samples/, as they stand there, and looks at what
+they made. Commands of programs that are not installed are left out."""
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+PROGRAM, SAMPLES, PAGE = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve(), sys.argv[3]
+MODULE = sys.argv[4] if len(sys.argv) > 4 else ''
+
+
+def run_page(folder):
+    """The output of all commands."""
+    (folder / 'bin').mkdir()
+    (folder / 'bin/cover').symlink_to(PROGRAM)
+    environment = {**os.environ, 'PATH': f'{folder / "bin"}:{os.environ["PATH"]}', 'PYTHONPATH': MODULE}
+    blocks = re.findall(r'^```sh\n(.*?)^```', (SAMPLES / f'{PAGE}.md').read_text(), re.M | re.S)
+    assert blocks, f'no commands in {PAGE}.md'
+    text = ''
+    for command in '\n'.join(blocks).replace('\\\n', ' ').splitlines():
+        name = command.split()[0]
+        if not shutil.which(name, path=environment['PATH']) or (name == 'python3' and 'values' in command and not MODULE):
+            print(f'left out: {command}')
+            continue
+        done = subprocess.run(['bash', '-c', command], cwd=folder / 'samples', env=environment, text=True, timeout=100,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        print(f'$ {command}\n{done.stdout}')
+        assert done.returncode == 0, f'exit code {done.returncode}'
+        text += done.stdout
+    return text
+
+
+
+def contacts(program, path):
+    """Names of regions and lines of a mesh that has them, by its conversion to a manifest."""
+    subprocess.run([program, 'convert', path, '-o', path.with_suffix('.json'), '-q'], check=True, timeout=100)
+    told = json.loads(path.with_suffix('.json').read_text())
+    return [region['name'] for region in told['regions']], {line['name'] for line in told['interfaces']}
+
+
+def check_finfet(folder, _):
+    regions, lines = contacts(PROGRAM, folder / 'finfet.vtm')
+    assert sorted(regions) == ['gate metal', 'hafnium oxide', 'oxide', 'oxide', 'silicon'] + 3 * ['trench oxide'], regions
+    assert {'gate', 'bulk'} <= lines, lines
+    assert '"gate"' in (folder / 'finfet.msh').read_text()
+    regions, _ = contacts(PROGRAM, folder / 'one_fin.vtm')
+    assert sorted(regions) == ['gate metal', 'hafnium oxide', 'oxide', 'silicon', 'trench oxide', 'trench oxide'], regions
+    assert (folder / 'finfet.png').stat().st_size > 10000
+
+
+def check_motor(folder, text):
+    regions, lines = contacts(PROGRAM, folder / 'motor.vtm')
+    assert sorted(regions) == sorted(['A+', 'A-', 'B+', 'B-', 'C+', 'C-', 'gap', 'rotor', 'stator']), regions
+    assert 'frame' in lines, lines
+    labels = {line.split()[3] for line in triangles_of(folder / 'motor.mesh')}
+    assert len(labels) == 9, labels
+    if shutil.which('FreeFem++-nw'):
+        found = re.search(r'flux of A: (\S+), of B: (\S+), of C: (\S+)', text)
+        flux = [float(x) for x in found.groups()]
+        # Three phases with currents 1, -1/2, -1/2: so are their fluxes, by symmetry.
+        assert flux[0] > 0 and abs(flux[1] / flux[0] + 0.5) < 0.01 and abs(flux[2] / flux[0] + 0.5) < 0.01, flux
+
+
+def triangles_of(path):
+    lines = path.read_text().splitlines()
+    start = lines.index('Triangles')
+    return lines[start + 2:start + 2 + int(lines[start + 1])]
+
+
+def check_parcels(folder, text):
+    told = json.loads((folder / 'parcels.json').read_text())
+    assert len(told['regions']) == 5000
+    assert {region['material'] for region in told['regions']} == {'house', 'garden', 'field', 'forest', 'road'}
+    assert told['unit'] == 'm'
+    if MODULE:
+        parcels, hectares, value = re.search(r'(\d+) parcels, ([\d.]+) ha, ([\d.]+) per square metre', text).groups()
+        # 0.04 degrees of longitude at 49.5 degrees are 2.9 km, 0.015 of latitude 1.67 km.
+        assert parcels == '5000' and 470 < float(hectares) < 500 and 450 < float(value) < 550, text
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        shutil.copytree(SAMPLES, folder / 'samples')
+        text = run_page(folder)
+        globals()[f'check_{PAGE}'](folder / 'samples', text)
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,1 @@
+<?xml version="1.0"?><f:all xmlns:f="f" xmlns:gml="http://www.opengis.net/gml"><gml:featureMember><f:p fid="p.0"><f:geom><gml:Polygon srsName="EPSG:25832"><gml:outerBoundaryIs><gml:LinearRing><gml:coordinates>0,0 1,0 1,1 0,0</gml:coordinates></gml:LinearRing></gml:outerBoundaryIs></gml:Polygon></f:geom><f:name>lake</f:name></f:p></gml:featureMember></f:all>

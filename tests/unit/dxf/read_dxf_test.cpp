@@ -1,0 +1,367 @@
+#include <cover/read_dxf.hpp>
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <set>
+
+#include "support/cases_folder.hpp"
+#include "support/dxf_writer.hpp"
+#include "support/soups.hpp"
+
+namespace cover {
+namespace {
+
+using testing::DxfWriter;
+
+Input read(const std::string& text, const ReadOptions& options = {}) {
+  Result<Input> input = parse_dxf(text, "a.dxf", options);
+  EXPECT_TRUE(input) << input.error().message;
+  return input ? *input : Input();
+}
+
+std::string message(const std::string& text, const ReadOptions& options = {}) {
+  const auto start = std::chrono::steady_clock::now();
+  const Result<Input> input = parse_dxf(text, "a.dxf", options);
+  EXPECT_FALSE(input);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+  return input ? "" : input.error().message;
+}
+
+/// The area of all regions.
+double area_of(const Input& input) {
+  const auto out = testing::clean(input);
+  EXPECT_TRUE(out) << out.error().message;
+  double area = 0;
+  if (out)
+    for (const Region& region : out->table.regions) area += region.area;
+  return area;
+}
+
+double area_of(DxfWriter& drawing, double chord_angle = 5) {
+  ReadOptions options;
+  options.chord_angle = chord_angle;
+  return area_of(read(drawing.finish(), options));
+}
+
+/// Of the disk of radius 1, cut into n chords.
+double polygon_area(int n) { return n / 2.0 * std::sin(2 * M_PI / n); }
+
+TEST(ReadDxf, LinesMeetWhereTheyAreTheSame) {
+  DxfWriter d;
+  d.begin_entities().line("0", 0, 0, 0.1, 0).line("0", 0.1, 0, 0.1, 0.2).line("0", 0.1, 0.2, 0, 0);
+  const Input input = read(d.finish());
+  EXPECT_EQ(input.points.size(), 3U);
+  EXPECT_EQ(input.segments.size(), 3U);
+  EXPECT_EQ(input.segments[2].id, 2);
+  EXPECT_TRUE(input.segments[0].name.empty());
+  EXPECT_DOUBLE_EQ(area_of(input), 0.01);
+}
+
+TEST(ReadDxf, CirclesAndArcsShareTheirPoints) {
+  DxfWriter d;
+  // A sector of 60 degrees of the circle, by the doubles that a program computes.
+  const double x = std::cos(M_PI / 3), y = std::sin(M_PI / 3);
+  d.begin_entities().circle("0", 0, 0, 1).line("0", 0, 0, 1, 0).line("0", 0, 0, x, y);
+  d.entity("ARC", "0", {{10, 0}, {20, 0}, {40, 1}, {50, 0}, {51, 60}});
+  const auto out = testing::clean(read(d.finish()));
+  ASSERT_TRUE(out) << out.error().message;
+  ASSERT_EQ(out->table.regions.size(), 2U);
+  EXPECT_EQ(out->pslg.segments.size(), 72U + 2);
+  EXPECT_NEAR(out->table.regions[0].area + out->table.regions[1].area, polygon_area(72), 1e-12);
+}
+
+TEST(ReadDxf, EndsThatMissByRoundingAreTheSame) {
+  // Six arcs, end to end, about centres that are off by a few units in the last place.
+  DxfWriter d;
+  d.begin_entities();
+  std::vector<Point> corners;
+  for (int k = 0; k < 6; ++k)
+    corners.push_back({100 + std::cos(k * M_PI / 3) * (1 + 1e-13), std::sin(k * M_PI / 3)});
+  for (int k = 0; k < 6; ++k) {
+    d.entity(
+        "ARC", "0",
+        {{10, 100 + k * 2e-14}, {20, -k * 1e-16}, {40, 1}, {50, 60.0 * k}, {51, 60.0 * k + 60}});
+    d.line("0", 100, 0, corners[static_cast<std::size_t>(k)].x,
+           corners[static_cast<std::size_t>(k)].y);
+  }
+  const Input input = read(d.finish());
+  EXPECT_EQ(input.points.size(), 73U);
+  const auto out = testing::clean(input);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_EQ(out->table.regions.size(), 6U);
+  EXPECT_TRUE(out->report.changes.empty());
+}
+
+TEST(ReadDxf, AnArcOverZeroDegreesGoesOn) {
+  DxfWriter d;
+  d.begin_entities().entity("ARC", "0", {{10, 0}, {20, 0}, {40, 1}, {50, 270}, {51, 90}});
+  d.line("0", 0, 1, 0, -1);
+  EXPECT_NEAR(area_of(d), polygon_area(72) / 2, 1e-12);
+}
+
+TEST(ReadDxf, BulgesAreArcs) {
+  // Two half circles; the second one is drawn clockwise into the square.
+  DxfWriter d;
+  d.begin_entities().entity(
+      "LWPOLYLINE", "0", {{90, 2}, {70, 1}, {10, -1}, {20, 0}, {42, 1}, {10, 1}, {20, 0}, {42, 1}});
+  EXPECT_NEAR(area_of(d), polygon_area(72), 1e-12);
+  DxfWriter bitten;
+  bitten.begin_entities().entity("LWPOLYLINE", "0",
+                                 {{90, 4},
+                                  {70, 1},
+                                  {10, 0},
+                                  {20, 0},
+                                  {42, -1},
+                                  {10, 2},
+                                  {20, 0},
+                                  {10, 2},
+                                  {20, 2},
+                                  {10, 0},
+                                  {20, 2}});
+  EXPECT_NEAR(area_of(bitten), 4 - polygon_area(72) / 2, 1e-12);
+  DxfWriter old;
+  old.begin_entities().entity("POLYLINE", "0", {{66, 1}, {70, 1}});
+  old.entity("VERTEX", "0", {{10, -1}, {20, 0}, {42, 1}})
+      .entity("VERTEX", "0", {{10, 1}, {20, 0}, {42, 1}});
+  old.group(0, "SEQEND");
+  EXPECT_NEAR(area_of(old), polygon_area(72), 1e-12);
+}
+
+TEST(ReadDxf, ChordsKeepToAngleAndError) {
+  DxfWriter d;
+  d.begin_entities().circle("0", 5, 5, 1);
+  EXPECT_NEAR(area_of(d, 10), polygon_area(36), 1e-12);
+  ReadOptions options;
+  options.chord_error = 1e-4;
+  const Input input = read(d.finish(), options);
+  for (const InputSegment& s : input.segments) {
+    const Point a = input.points[s.a], b = input.points[s.b];
+    EXPECT_LE(1 - std::hypot((a.x + b.x) / 2 - 5, (a.y + b.y) / 2 - 5), 1.0001e-4);
+  }
+  EXPECT_LT(input.segments.size(), 260U);
+}
+
+TEST(ReadDxf, EllipsesAndSplines) {
+  DxfWriter whole;
+  whole.begin_entities().entity(
+      "ELLIPSE", "0",
+      {{10, 1}, {20, 1}, {11, 0}, {21, 2}, {40, 0.5}, {41, 0}, {42, 6.283185307179586}});
+  EXPECT_NEAR(area_of(whole), 2 * polygon_area(72), 1e-12);
+  DxfWriter half;
+  half.begin_entities().entity(
+      "ELLIPSE", "0",
+      {{10, 0}, {20, 0}, {11, 2}, {21, 0}, {40, 0.5}, {41, 0}, {42, 3.141592653589793}});
+  half.line("0", -2, 0, 2, 0);
+  EXPECT_NEAR(area_of(half), polygon_area(72), 1e-9);
+  DxfWriter spline;
+  spline.begin_entities().entity("SPLINE", "0",
+                                 {{70, 8},
+                                  {71, 2},
+                                  {72, 6},
+                                  {73, 3},
+                                  {74, 0},
+                                  {40, 0},
+                                  {40, 0},
+                                  {40, 0},
+                                  {40, 1},
+                                  {40, 1},
+                                  {40, 1},
+                                  {10, 0},
+                                  {20, 0},
+                                  {10, 1},
+                                  {20, 2},
+                                  {10, 2},
+                                  {20, 0}});
+  spline.line("0", 2, 0, 0, 0);
+  EXPECT_NEAR(area_of(spline, 0.5), 4.0 / 3, 1e-4);  // a parabola of height 1 over 2
+}
+
+TEST(ReadDxf, BlocksAreMovedTurnedScaledAndMirrored) {
+  DxfWriter d;
+  d.begin_blocks().begin_block("tooth", 1, 0);
+  d.entity("ARC", "0", {{10, 1}, {20, 0}, {40, 1}, {50, 0}, {51, 90}})
+      .line("side", 1, 0, 2, 0)
+      .line("0", 1, 0, 1, 1);
+  d.end_block().begin_block("two").insert("tooth", "0", {{10, 0}, {20, 0}});
+  d.insert("tooth", "far", {{10, 0}, {20, 0}, {41, 1}, {42, 1}, {50, 180}})
+      .end_block()
+      .end_section();
+  d.begin_entities().insert("two", "iron", {{10, 10}, {20, 0}, {41, 2}, {42, 2}, {50, 90}});
+  d.insert("tooth", "mirror", {{10, 20}, {20, 0}, {41, -1}, {42, 1}});
+  d.insert("tooth", "oval", {{10, 30}, {20, 0}, {41, 2}, {42, 1}, {70, 2}, {71, 1}, {44, 5}});
+  const Input input = read(d.finish());
+  const double quarter = polygon_area(72) / 4;
+  EXPECT_NEAR(area_of(input), quarter * (4 + 4 + 1 + 2 + 2), 1e-9);
+  std::set<std::string> names;
+  for (const InputSegment& s : input.segments) names.insert(s.name);
+  EXPECT_EQ(names, (std::set<std::string>{"iron", "far", "mirror", "oval", "side"}));
+  // Turned by quarters, corners are exact; mirrored, the arc bulges to the left.
+  std::set<Point> points(input.points.begin(), input.points.end());
+  for (const Point p : {Point{10, 2}, Point{8, 0}, Point{10, -2}, Point{12, 0}, Point{19, 0},
+                        Point{20, 1}, Point{37, 0}})
+    EXPECT_EQ(points.count(p), 1U) << p.x << ' ' << p.y;
+}
+
+TEST(ReadDxf, FromBehindXIsNegated) {
+  DxfWriter d;
+  d.begin_entities().entity(
+      "ARC", "0", {{10, 3}, {20, 0}, {40, 1}, {50, 0}, {51, 90}, {210, 0}, {220, 0}, {230, -1}});
+  d.line("0", -4, 0, -3, 1);
+  const Input input = read(d.finish());
+  std::set<Point> points(input.points.begin(), input.points.end());
+  EXPECT_EQ(points.count({-4, 0}) + points.count({-3, 1}), 2U);
+  EXPECT_NEAR(area_of(input), polygon_area(72) / 4 - 0.5, 1e-12);
+  DxfWriter tilted;
+  tilted.begin_entities().circle("0", 0, 0, 1);
+  tilted.entity("CIRCLE", "0", {{10, 0}, {20, 0}, {40, 9}, {210, 1}, {220, 0}, {230, 0}});
+  EXPECT_NEAR(area_of(tilted), polygon_area(72), 1e-12);
+}
+
+TEST(ReadDxf, LayersNameSegmentsAndAreChosen) {
+  DxfWriter d;
+  d.begin_entities().circle("rotor", 0, 0, 1).circle("stator", 0, 0, 2).circle("0", 0, 0, 3);
+  std::map<std::string, int> names;
+  for (const InputSegment& s : read(d.finish()).segments) ++names[s.name];
+  EXPECT_EQ(names, (std::map<std::string, int>{{"", 72}, {"rotor", 72}, {"stator", 72}}));
+  ReadOptions options;
+  options.layers = {"stator"};
+  const Input input = read(d.finish(), options);
+  EXPECT_EQ(input.segments.size(), 72U);
+  EXPECT_TRUE(input.segments[0].name.empty());  // as all are there
+  options.layers = {"coil"};
+  EXPECT_EQ(message(d.finish(), options),
+            "a.dxf: no line or curve in it on the layers that are read");
+}
+
+TEST(ReadDxf, TextsOfTheLabelLayerNameRegions) {
+  DxfWriter d;
+  d.begin_entities()
+      .circle("0", 0, 0, 1)
+      .circle("0", 5, 0, 1)
+      .circle("0", 10, 0, 1)
+      .circle("0", 15, 0, 1);
+  d.text("labels", 0, 0, "copper/A+")
+      .text("labels", 5, 0, "copper/A-")
+      .text("notes", 100, 0, "Motor");
+  d.entity("MTEXT", "labels", {{10, 10}, {20, 0}}).group(1, "{\\fArial|b0;void}");
+  ReadOptions options;
+  options.label_layer = "labels";
+  const auto out = testing::clean(read(d.finish(), options));
+  ASSERT_TRUE(out) << out.error().message;
+  ASSERT_EQ(out->table.regions.size(), 3U);
+  std::set<std::string> names;
+  for (const Region& region : out->table.regions)
+    names.insert(region.material_name + ":" + region.name);
+  EXPECT_EQ(names.count("copper:A+") + names.count("copper:A-"), 2U);
+  EXPECT_EQ(read(d.finish()).warnings.size(), 1U);
+  options.label_layer = "label";
+  EXPECT_EQ(message(d.finish(), options), "a.dxf: no text is on the layer 'label'");
+}
+
+TEST(ReadDxf, UnitsAndWhatIsLeftOutAreTold) {
+  DxfWriter d;
+  d.group(0, "SECTION")
+      .group(2, "HEADER")
+      .group(9, "$INSUNITS")
+      .group(70, 1)
+      .group(9, "$X")
+      .group(70, 4)
+      .end_section();
+  d.begin_entities()
+      .circle("0", 0, 0, 1)
+      .entity("HATCH", "0", {{91, 1000000000}})
+      .entity("POINT", "0", {{10, 0}});
+  const Input input = read(d.finish());
+  ASSERT_EQ(input.warnings.size(), 2U);
+  EXPECT_EQ(input.warnings[0], "entities that are not read: 1 HATCH, 1 POINT");
+  EXPECT_NE(input.warnings[1].find("inches"), std::string::npos);
+  ReadOptions options;
+  options.unit = "mm";
+  options.scale = 25.4;
+  EXPECT_NEAR(area_of(read(d.finish(), options)), 25.4 * 25.4 * polygon_area(72), 1e-9);
+}
+
+TEST(ReadDxf, BadFilesAreRefused) {
+  EXPECT_EQ(message(""), "a.dxf:0: the file ends without EOF");
+  EXPECT_EQ(message("hello\nworld\n"), "a.dxf:1: 'hello' is no group code of DXF");
+  EXPECT_NE(message("AutoCAD Binary DXF\r\n").find("binary DXF"), std::string::npos);
+  EXPECT_NE(message("AC1015").find("DWG"), std::string::npos);
+  DxfWriter empty;
+  EXPECT_EQ(message(empty.begin_entities().finish()), "a.dxf: no line or curve in it");
+  DxfWriter comma;
+  comma.begin_entities().group(0, "LINE").group(10, "1,5");
+  EXPECT_EQ(message(comma.finish()),
+            "a.dxf:8: '1,5' is no number (decimals have a point; between numbers stand blanks)");
+  DxfWriter infinite;
+  infinite.begin_entities().group(0, "LINE").group(10, "1e999");
+  EXPECT_NE(message(infinite.finish()).find("not finite"), std::string::npos);
+  DxfWriter self;
+  self.begin_blocks().begin_block("a").insert("b", "0", {{10, 0}}).end_block();
+  self.begin_block("b").insert("a", "0", {{10, 0}}).end_block().end_section();
+  self.begin_entities().insert("a", "0", {{10, 0}});
+  EXPECT_EQ(message(self.finish()), "a.dxf: a block contains itself");
+  DxfWriter lost;
+  lost.begin_entities().circle("0", 0, 0, 1).insert("nowhere", "0", {{10, 0}});
+  EXPECT_EQ(read(lost.finish()).warnings.back(), "blocks that are inserted and not there: nowhere");
+}
+
+TEST(ReadDxf, BombsAndLiesAreRefusedAtOnce) {
+  DxfWriter array;
+  array.begin_blocks().begin_block("a").circle("0", 0, 0, 1).end_block().end_section();
+  array.begin_entities().insert("a", "0", {{10, 0}, {70, 1000000000}, {71, 1000000000}});
+  EXPECT_NE(message(array.finish()).find("blocks make 1e+18 things"), std::string::npos);
+  DxfWriter empty;
+  empty.begin_blocks().begin_block("a").end_block().end_section();
+  empty.begin_entities().insert("a", "0", {{10, 0}, {70, 1000000000}, {71, 1000000000}});
+  EXPECT_NE(message(empty.finish()).find("blocks make 1e+18 things"), std::string::npos);
+  DxfWriter nested;
+  nested.begin_blocks().begin_block("b0").circle("0", 0, 0, 1).end_block();
+  for (int k = 1; k < 40; ++k) {
+    nested.begin_block("b" + std::to_string(k));
+    for (int n = 0; n < 9; ++n) nested.insert("b" + std::to_string(k - 1), "0", {{10, n}});
+    nested.end_block();
+  }
+  nested.end_section().begin_entities().insert("b39", "0", {{10, 0}});
+  EXPECT_NE(message(nested.finish()).find("blocks make"), std::string::npos);
+  DxfWriter fine;
+  fine.begin_entities().circle("0", 0, 0, 1);
+  ReadOptions options;
+  options.chord_error = 1e-30;
+  EXPECT_NE(message(fine.finish(), options).find("have more than 4194304 points"),
+            std::string::npos);
+  // Counts are believed by nobody.
+  DxfWriter lies;
+  lies.begin_entities().entity(
+      "LWPOLYLINE", "0",
+      {{90, 2000000000}, {70, 1}, {10, 0}, {20, 0}, {10, 1}, {20, 0}, {10, 0}, {20, 1}});
+  lies.entity("SPLINE", "0",
+              {{71, 2}, {72, 2000000000}, {73, 2000000000}, {74, 2000000000}, {10, 0}, {20, 0}});
+  EXPECT_DOUBLE_EQ(area_of(read(lies.finish())), 0.5);
+}
+
+TEST(ReadDxf, EveryCutOffFileIsAnError) {
+  DxfWriter d;
+  d.begin_blocks().begin_block("a").circle("0", 0, 0, 1).end_block().end_section();
+  d.begin_entities().insert("a", "0", {{10, 0}, {20, 0}}).line("x", 0, 0, 5, 5);
+  const std::string text = d.finish();
+  for (std::size_t n = 0; n + 2 < text.size(); ++n)  // EO is no EOF
+    EXPECT_FALSE(parse_dxf(text.substr(0, n), "a.dxf")) << n;
+}
+
+TEST(ReadDxf, ReadsMotorsOfOthers) {
+  for (const auto& [name, regions] :
+       {std::pair("stator_concentrated.dxf", 19U), std::pair("reluctance_caseA.dxf", 7U)}) {
+    const auto path = cases_folder() / "formats" / name;
+    if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
+    const Result<Input> input = read_dxf(path.string());
+    ASSERT_TRUE(input) << input.error().message;
+    const auto out = testing::clean(*input);
+    ASSERT_TRUE(out) << out.error().message;
+    EXPECT_EQ(out->table.regions.size(), regions) << name;
+  }
+}
+
+}  // namespace
+}  // namespace cover

@@ -1,0 +1,263 @@
+#include <cover/read_gdal.hpp>
+
+#include <gdal_utils.h>
+#include <gtest/gtest.h>
+#include <ogrsf_frmts.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include <cover/cover_mesh.hpp>
+#include <cover/read_input.hpp>
+#include <cover/verify.hpp>
+
+#include "support/soups.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace cover {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Two parcels, one with a courtyard and one of two parts, and a field; in degrees.
+const char* const kParcels = R"({"type": "FeatureCollection", "features": [
+  {"type": "Feature", "properties": {"material": "house", "name": "7/1", "priority": 2, "landuse": "built", "nr": 12, "value": 1.5},
+   "geometry": {"type": "Polygon", "coordinates": [[[8.5, 49.25], [8.75, 49.25], [8.75, 49.5], [8.5, 49.5], [8.5, 49.25]],
+                                                   [[8.5625, 49.3125], [8.5625, 49.375], [8.625, 49.375], [8.625, 49.3125], [8.5625, 49.3125]]]}},
+  {"type": "Feature", "properties": {"material": null, "name": "7/2", "priority": 1, "landuse": "green", "nr": 13, "value": 2},
+   "geometry": {"type": "MultiPolygon", "coordinates": [[[[8.75, 49.25], [9, 49.25], [9, 49.5], [8.75, 49.5], [8.75, 49.25]]],
+                                                        [[[9.25, 49.25], [9.5, 49.25], [9.5, 49.5], [9.25, 49.25]]]]}},
+  {"type": "Feature", "properties": {"material": null, "name": null, "priority": null, "landuse": null, "nr": null, "value": null},
+   "geometry": {"type": "Polygon", "coordinates": [[[8.25, 49], [9.75, 49], [9.75, 49.75], [8.25, 49.75], [8.25, 49]]]}}]})";
+
+class ReadGdal : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() { GDALAllRegister(); }
+
+  std::string parcels() { return folder_.write("parcels.geojson", kParcels); }
+
+  /// The parcels in another format, with further arguments as of ogr2ogr.
+  std::string converted(const std::string& name, std::vector<std::string> more = {}) {
+    const std::string from = parcels(), to = (folder_.path() / name).string();
+    std::vector<char*> words;
+    for (std::string& word : more) words.push_back(word.data());
+    words.push_back(nullptr);
+    GDALVectorTranslateOptions* options = GDALVectorTranslateOptionsNew(words.data(), nullptr);
+    GDALDatasetH source = GDALOpenEx(from.c_str(), GDAL_OF_VECTOR, nullptr, nullptr, nullptr);
+    int failed = 0;
+    GDALDatasetH made = GDALVectorTranslate(to.c_str(), nullptr, 1, &source, options, &failed);
+    EXPECT_EQ(failed, 0) << name;
+    GDALClose(made);
+    GDALClose(source);
+    GDALVectorTranslateOptionsFree(options);
+    return to;
+  }
+
+  Input read(const std::string& path, const ReadOptions& options = {}) {
+    Result<Input> input = read_gdal(path, options);
+    EXPECT_TRUE(input) << input.error().message;
+    return input ? *input : Input();
+  }
+  static std::string message(const std::string& path, const ReadOptions& options = {}) {
+    const Result<Input> input = read_gdal(path, options);
+    EXPECT_FALSE(input) << path;
+    return input ? "" : input.error().message;
+  }
+
+  testing::TemporaryFolder folder_;
+};
+
+/// Corners of all triangles with their regions' names and materials, sorted.
+using Triangles = std::vector<std::tuple<std::string, std::string, std::array<Point, 3>>>;
+Triangles mesh_of(const Input& input) {
+  const Result<Output> out = cover_mesh(input);
+  EXPECT_TRUE(out) << out.error().message;
+  if (!out) return {};
+  const TriangleSoup soup = triangle_soup(out->mesh);
+  Triangles all;
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+    std::array<Point, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) corners.at(k) = soup.points[soup.triangles[t][k]];
+    std::sort(corners.begin(), corners.end());
+    const Region& region = out->table.regions[static_cast<std::size_t>(soup.region[t]) - 1];
+    all.emplace_back(region.name, region.material_name, corners);
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+TEST_F(ReadGdal, AGeoJsonIsWhatOurOwnReaderMakesOfIt) {
+  const Result<Input> own = read_input(parcels());
+  ASSERT_TRUE(own);
+  const Input input = read(parcels());
+  ASSERT_EQ(input.polygons.size(), own->polygons.size());
+  for (std::size_t k = 0; k < input.polygons.size(); ++k) {
+    EXPECT_EQ(input.polygons[k].rings, own->polygons[k].rings);
+    EXPECT_EQ(input.polygons[k].material, own->polygons[k].material);
+    EXPECT_EQ(input.polygons[k].region, own->polygons[k].region);
+    EXPECT_EQ(input.polygons[k].priority, own->polygons[k].priority);
+    EXPECT_EQ(input.polygons[k].id, own->polygons[k].id);
+  }
+  EXPECT_EQ(mesh_of(input), mesh_of(*own));
+}
+
+TEST_F(ReadGdal, EveryFormatGivesTheSameMesh) {
+  const Triangles expected = mesh_of(*read_input(parcels()));
+  for (const char* name : {"p.gpkg", "p.shp", "p.fgb", "p.gml"}) {
+    SCOPED_TRACE(name);
+    // FlatGeobuf is read in the order of its index otherwise.
+    const std::string path = converted(
+        name, std::string(name) == "p.fgb" ? std::vector<std::string>{"-lco", "SPATIAL_INDEX=NO"}
+                                           : std::vector<std::string>{});
+    const auto before = std::distance(fs::directory_iterator(folder_.path()), {});
+    EXPECT_EQ(mesh_of(read(path)), expected);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), {}), before)
+        << "files were made";
+  }
+}
+
+TEST_F(ReadGdal, AttributesAreChosen) {
+  ReadOptions options;
+  options.material_field = "LANDUSE";
+  options.name_field = "nr";
+  options.priority_field = "value";
+  const Input input = read(converted("p.gpkg"), options);
+  ASSERT_EQ(input.polygons.size(), 4U);
+  EXPECT_EQ(input.polygons[0].material, "built");
+  EXPECT_EQ(input.polygons[1].material, "green");
+  EXPECT_EQ(input.polygons[2].region, "13");
+  EXPECT_EQ(input.polygons[0].priority, 1.5);
+  EXPECT_EQ(input.polygons[3].material, "feature_2");
+  EXPECT_FALSE(input.polygons[3].priority.has_value());
+  options.name_field = "value";
+  EXPECT_EQ(read(converted("p.shp"), options).polygons[1].region, "2.0");
+  options.material_field = "use";
+  EXPECT_NE(message(converted("p.fgb"), options).find("has no attribute 'use'; its attributes: "),
+            std::string::npos);
+}
+
+TEST_F(ReadGdal, DegreesAreToldAndProjected) {
+  const Input degrees = read(converted("p.gpkg"));
+  ASSERT_EQ(degrees.warnings.size(), 1U);
+  EXPECT_NE(degrees.warnings[0].find("longitudes and latitudes"), std::string::npos);
+  ReadOptions options;
+  options.crs = "EPSG:25832";
+  const Input metres = read(converted("p.gpkg"), options);
+  EXPECT_TRUE(metres.warnings.empty());
+  EXPECT_EQ(metres.unit, "m");
+  // On the middle meridian of zone 32, nine degrees, x is 500 km; a degree is some 111 km.
+  EXPECT_NEAR(metres.polygons[1].rings[0][1].x, 500000, 1e-3);
+  EXPECT_NEAR(metres.polygons[1].rings[0][2].y - metres.polygons[1].rings[0][1].y, 0.25 * 111200,
+              50);
+  EXPECT_NEAR(metres.polygons[1].rings[0][1].y, 5455250, 2000);
+  const Input again = read(converted("q.gpkg", {"-t_srs", "EPSG:25832"}));
+  EXPECT_EQ(again.unit, "m");
+  EXPECT_NEAR(again.polygons[0].rings[0][2].x, metres.polygons[0].rings[0][2].x, 1e-6);
+  options.crs = "EPSG:0";
+  EXPECT_EQ(message(converted("r.gpkg"), options),
+            "crs: PROJ does not know 'EPSG:0'; as EPSG:25832");
+}
+
+TEST_F(ReadGdal, WithoutASystemNothingIsProjected) {
+  const std::string path = converted("p.shp");
+  fs::remove(folder_.path() / "p.prj");
+  EXPECT_TRUE(read(path).warnings.empty());
+  ReadOptions options;
+  options.crs = "EPSG:25832";
+  EXPECT_EQ(message(path, options),
+            "crs: the layer does not say in which system its coordinates are");
+}
+
+TEST_F(ReadGdal, LayersAreChosen) {
+  const std::string path = converted("p.gpkg", {"-nln", "parcels"});
+  GDALDatasetH dataset =
+      GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE, nullptr, nullptr, nullptr);
+  OGRLayer* roads =
+      GDALDataset::FromHandle(dataset)->CreateLayer("roads", nullptr, wkbLineString, nullptr);
+  OGRFieldDefn field("name", OFTString);
+  ASSERT_EQ(roads->CreateField(&field), OGRERR_NONE);
+  OGRFeature feature(roads->GetLayerDefn());
+  feature.SetField("name", "B 3");
+  OGRLineString line;
+  line.addPoint(8.5, 49.4);
+  line.addPoint(9, 49.4);
+  feature.SetGeometry(&line);
+  ASSERT_EQ(roads->CreateFeature(&feature), OGRERR_NONE);
+  GDALClose(dataset);
+  EXPECT_EQ(message(path),
+            path + ": it has 2 layers (parcels, roads): name those to be read by --layer");
+  ReadOptions options;
+  options.layers = {"roads", "parcels"};
+  const Input input = read(path, options);
+  EXPECT_EQ(input.polygons.size(), 4U);
+  ASSERT_EQ(input.lines.size(), 1U);
+  EXPECT_EQ(input.lines[0].name, "B 3");
+  options.layers = {"rails"};
+  EXPECT_EQ(message(path, options),
+            path + ": there is no layer 'rails'; its layers: parcels, roads");
+}
+
+TEST_F(ReadGdal, CurvesBecomeChords) {
+  const std::string path = (folder_.path() / "c.gpkg").string();
+  GDALDataset* made = GetGDALDriverManager()->GetDriverByName("GPKG")->Create(path.c_str(), 0, 0, 0,
+                                                                              GDT_Unknown, nullptr);
+  OGRLayer* layer = made->CreateLayer("c", nullptr, wkbCurvePolygon, nullptr);
+  OGRFeature feature(layer->GetLayerDefn());
+  OGRGeometry* disk = nullptr;
+  ASSERT_EQ(OGRGeometryFactory::createFromWkt("CURVEPOLYGON(CIRCULARSTRING(1 0, -1 0, 1 0))",
+                                              nullptr, &disk),
+            OGRERR_NONE);
+  feature.SetGeometryDirectly(disk);
+  ASSERT_EQ(layer->CreateFeature(&feature), OGRERR_NONE);
+  GDALClose(made);
+  for (const double angle : {5.0, 30.0}) {
+    ReadOptions options;
+    options.chord_angle = angle;
+    const Input input = read(path, options);
+    const std::vector<Point>& ring = input.polygons[0].rings[0];
+    const double chords = static_cast<double>(ring.size()) - 1;
+    EXPECT_TRUE(chords >= 360 / angle && chords <= 360 / angle + 1) << chords;
+    for (const Point p : ring) EXPECT_NEAR(std::hypot(p.x, p.y), 1, 1e-12);
+  }
+}
+
+TEST_F(ReadGdal, KmlIsReadToo) {
+  const Input input = read(folder_.write(
+      "a.kml", R"(<?xml version="1.0"?><kml xmlns="http://www.opengis.net/kml/2.2"><Document>
+    <Placemark><name>lake</name><Polygon><outerBoundaryIs><LinearRing><coordinates>8,49 9,49 9,50 8,49</coordinates></LinearRing></outerBoundaryIs></Polygon></Placemark>
+    <Placemark><name>spot</name><Point><coordinates>8,49</coordinates></Point></Placemark></Document></kml>)"));
+  ASSERT_EQ(input.polygons.size(), 1U);
+  EXPECT_EQ(input.polygons[0].material, "lake");
+  EXPECT_EQ(input.warnings.size(), 2U);
+}
+
+TEST_F(ReadGdal, BrokenFilesAreRefused) {
+  EXPECT_NE(message("/nonexistent.gpkg").find("cannot open"), std::string::npos);
+  EXPECT_NE(message("/vsicurl/http://localhost/a.gpkg").find("cannot open"), std::string::npos);
+  EXPECT_NE(message(folder_.write("text.shp", "hello")).find("GDAL: "), std::string::npos);
+  for (const char* name : {"p.gpkg", "p.shp", "p.fgb", "p.gml", "p.kml"}) {
+    SCOPED_TRACE(name);
+    const std::string path = converted(name);
+    std::ifstream whole(path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(whole), {}};
+    int refused = 0;
+    for (const std::size_t part : {0, 1, 2, 4, 8, 9}) {
+      const auto start = std::chrono::steady_clock::now();
+      std::ofstream(path, std::ios::binary) << bytes.substr(0, bytes.size() * part / 10);
+      const Result<Input> input = read_gdal(path);
+      refused += input ? 0 : 1;
+      if (!input) {
+        EXPECT_FALSE(input.error().message.empty());
+      }
+      EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+    }
+    EXPECT_GE(refused, 5);
+  }
+}
+
+}  // namespace
+}  // namespace cover
