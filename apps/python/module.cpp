@@ -236,7 +236,7 @@ PYBIND11_MODULE(_cover, module) {
           [](const PyMesh& m) { return pickled(m.output, m.soup, report_text(m)); },
           [](const py::tuple& state) {
             auto [output, report] = unpickled(state);
-            TriangleSoup soup = triangle_soup(output.mesh);
+            cover::TriangleSoup soup = cover::triangle_soup(output.mesh);
             return PyMesh{std::move(output), std::move(soup), std::move(report)};
           }))
       .def("__repr__", [](const PyMesh& m) {

@@ -187,8 +187,8 @@ class RawDecoder {
     };
     raster_.pixel_width = spacing(0);
     raster_.pixel_height = spacing(1);
-    raster_.corner = {of_axis(layout_.origin, 0, 0.5) - spacing(0) / 2,
-                      of_axis(layout_.origin, 1, 0.5) - spacing(1) / 2};
+    raster_.corner = {of_axis(layout_.origin, 0, spacing(0) / 2) - spacing(0) / 2,
+                      of_axis(layout_.origin, 1, spacing(1) / 2) - spacing(1) / 2};
     read_numbers();
     if (error_) return *error_;
     return std::move(raster_);

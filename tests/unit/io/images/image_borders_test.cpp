@@ -26,7 +26,7 @@ LabelImage image_of(std::size_t width, std::size_t height,
       image.labels.push_back(label(x, y));
       most = std::max(most, image.labels.back());
     }
-  for (std::uint32_t k = 0; k <= most; ++k) image.names.push_back({std::to_string(k), false});
+  for (std::uint32_t k = 0; k <= most; ++k) image.names.push_back({"m" + std::to_string(k), false});
   return image;
 }
 
@@ -172,7 +172,7 @@ TEST(ImageBorders, EveryPictureOfThreeByThreePixels) {
     LabelImage image =
         image_of(3, 3, [&](auto, auto) { return static_cast<std::uint32_t>(random() % 3); });
     image.names.resize(3);
-    for (std::uint32_t n = 0; n < 3; ++n) image.names[n].name = std::to_string(n);
+    for (std::uint32_t n = 0; n < 3; ++n) image.names[n].name = "m" + std::to_string(n);
     image.names[0].is_void = k % 2 == 0;
     if (std::all_of(image.labels.begin(), image.labels.end(), [](auto l) { return l == 0; }))
       continue;

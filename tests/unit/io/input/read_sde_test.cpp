@@ -93,7 +93,7 @@ TEST(ReadSde, ContactsEndAtCornersAndCrossings) {
   EXPECT_EQ(points("side"), (Points{{0, 2}, {0, 0.5}}));
   EXPECT_EQ(points("via").size(), 5U);
   ASSERT_EQ(input.warnings.size(), 1U);
-  EXPECT_EQ(input.warnings[0], "a.cmd:11: contact 'nowhere': no edge at (2, 1): left out");
+  EXPECT_EQ(input.warnings[0], "a.cmd:12: contact 'nowhere': no edge at (2, 1): left out");
 }
 
 TEST(ReadSde, WhatIsNotUnderstoodIsNamed) {
