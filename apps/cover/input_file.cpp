@@ -17,6 +17,11 @@ namespace {
 
 std::string_view format_of(std::string_view text) {
   if (text.starts_with(std::string_view("\x00\x06\x00\x02", 4))) return ".gds";
+  if (text.starts_with("\x89PNG")) return ".png";
+  if (text.starts_with("NRRD")) return ".nrrd";
+  if (text.starts_with("h TIF") || text.starts_with(std::string_view("II*\0", 4)) ||
+      text.starts_with(std::string_view("MM\0*", 4)))
+    return ".tif";
   const std::size_t start = text.find_first_not_of(" \t\r\n");
   const char first = start == std::string_view::npos ? ' ' : text[start];
   if (text.starts_with("# vtk DataFile")) return ".vtk";
@@ -49,6 +54,8 @@ CLI::Option* GeometryFile::add(CLI::App& command) {
 std::vector<NamedFile> GeometryFile::read_files() const {
   std::vector<NamedFile> files{{"", path_}};
   for (const auto& written : written_) {
+    if (written.entry->name == "legend")
+      for (const std::string& text : written.values) files.push_back({"--legend", text});
     if (written.entry->name != "layer-map") continue;
     for (const std::string& text : written.values)
       if (text.find('=') == std::string::npos) files.push_back({"--layer-map", text});

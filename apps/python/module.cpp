@@ -20,6 +20,7 @@
 #include <cover/cover_mesh.hpp>
 #include <cover/option_table.hpp>
 #include <cover/picture.hpp>
+#include <cover/read_input.hpp>
 #include <cover/read_options.hpp>
 #include <cover/read_size_field.hpp>
 #include <cover/verify.hpp>
@@ -28,6 +29,7 @@
 
 #include "arrays.hpp"
 #include "options.hpp"
+#include "pickle.hpp"
 #include "raise.hpp"
 #include "read_geometry.hpp"
 
@@ -77,6 +79,7 @@ auto run(const py::object& progress, Work work) {
 struct PyMesh {
   Output output;
   TriangleSoup soup;
+  std::string report;  ///< of a mesh that was pickled, as JSON; else empty
 };
 
 PyMesh mesh_input(const Input& input, const py::dict& options, const py::object& progress) {
@@ -85,7 +88,7 @@ PyMesh mesh_input(const Input& input, const py::dict& options, const py::object&
   Output output = run(
       progress, [&](const Callbacks& callbacks) { return cover_mesh(input, parsed, callbacks); });
   TriangleSoup soup = triangle_soup(output.mesh);
-  return {std::move(output), std::move(soup)};
+  return {std::move(output), std::move(soup), {}};
 }
 
 /// Meshes a file; its options are those of reading and of meshing.
@@ -186,9 +189,20 @@ py::list described_read_options() {
   return rows;
 }
 
+std::string report_text(const PyMesh& mesh) {
+  return mesh.report.empty() ? report_json(mesh.output) : mesh.report;
+}
+
 /// The JSON report as a dictionary.
 py::object report_of(const PyMesh& mesh) {
-  return py::module_::import("json").attr("loads")(report_json(mesh.output));
+  return py::module_::import("json").attr("loads")(report_text(mesh));
+}
+
+/// Geometry in one of the formats of text.
+Input read_text(const std::string& text, const std::string& extension, const std::string& source) {
+  Result<Input> input = parse_input(text, extension, source);
+  if (!input) raise(input.error());
+  return std::move(input).value();
 }
 
 /// A mesh file or a picture, as the extension says.
@@ -233,6 +247,13 @@ PYBIND11_MODULE(_cover, module) {
       .def_property_readonly("report", &report_of)
       .def("save", &save, py::arg("path"))
       .def("violations", &violations)
+      .def(py::pickle(
+          [](const PyMesh& m) { return pickled(m.output, m.soup, report_text(m)); },
+          [](const py::tuple& state) {
+            auto [output, report] = unpickled(state);
+            cover::TriangleSoup soup = cover::triangle_soup(output.mesh);
+            return PyMesh{std::move(output), std::move(soup), std::move(report)};
+          }))
       .def("__repr__", [](const PyMesh& m) {
         return "<cover.Mesh: " + std::to_string(m.soup.points.size()) + " points, " +
                std::to_string(m.soup.triangles.size()) + " triangles, " +
@@ -247,6 +268,11 @@ PYBIND11_MODULE(_cover, module) {
                       const py::object& progress) {
         return mesh_input(pslg_from(points, segments, regions, holes, lines), options, progress);
       });
+  module.def("mesh_text", [](const std::string& text, const std::string& extension,
+                             const std::string& source, const py::dict& options,
+                             const py::object& progress) {
+    return mesh_input(read_text(text, extension, source), options, progress);
+  });
   module.def("mesh_polygons",
              [](const py::list& polygons, const py::dict& options, const py::object& progress) {
                return mesh_input(soup_from(polygons), options, progress);

@@ -87,6 +87,32 @@ def check_parcels(folder, text):
         assert parcels == '5000' and 470 < float(hectares) < 500 and 450 < float(value) < 550, text
 
 
+def check_grains(folder, text):
+    told = json.loads((folder / 'grains.json').read_text())
+    # At sharp corners of 20 grains a pixel stands alone.
+    assert len(told['regions']) == 1020 and len({region['material'] for region in told['regions']}) == 1000
+    assert told['unit'] == 'um'
+    assert abs(sum(region['area'] for region in told['regions']) - 256**2) < 1e-6 * 256**2
+    areas = sorted(region['area'] for region in told['regions'])
+    assert areas[0] > 0.1 and 40 < areas[510] < 70 and areas[-1] < 400, areas
+    assert (folder / 'grains.png').stat().st_size > 10000
+    regions, _ = contacts(PROGRAM, folder / 'phases.vtm')
+    assert len(regions) == 1018 and regions.count('ferrite') == 2, len(regions)
+
+
+def check_tcad(folder, text):
+    for name, materials in ('nmos', ['Oxide', 'Poly', 'Si']), ('str', ['Poly', 'Si', 'SiO2']):
+        regions, lines = contacts(PROGRAM, folder / f'{name}.vtm')
+        assert sorted(regions) == materials, regions
+        if name == 'nmos':
+            assert {'source', 'drain', 'gate', 'bulk'} <= lines, lines
+    regions, lines = contacts(PROGRAM, folder / 'deck.vtm')
+    assert sorted(regions) == ['R.Bulk', 'R.Gate', 'R.GateOx', 'R.Spacer', 'R.Spacer'], regions
+    assert {'source', 'drain', 'gate', 'bulk'} <= lines, lines
+    for words in 'not understood and left out: sdegeo:fillet-2d (line 37)', 'commands of doping and meshing are left out':
+        assert words in text, words
+
+
 def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)

@@ -186,7 +186,7 @@ class Reading(Options):
     """The options of reading: the same in the program, in job files and in Python."""
     VALUES = {'unit': ['mm'], 'scale': ['25.4'], 'input-format': ['gds'], 'layer': ['1', 'L2D0'], 'layer-map': ['1/0=fin', 'a.map'],
               'label-layer': ['1'], 'cell': ['TT'], 'window': ['-0.5,-0.25,0.75,1'], 'chord-error': ['0.001'], 'chord-angle': ['30'], 'material-field': ['landuse'], 'name-field': ['nr'],
-              'priority-field': ['rank'], 'crs': ['EPSG:25832']}
+              'priority-field': ['rank'], 'crs': ['EPSG:25832'], 'no-smooth': ['true'], 'legend': ['legend.csv']}
     # A layout that is cut to what the options leave of it.
     LAYOUT = ROOT / 'tests/fuzz/seeds/gds/all.gds'
 
@@ -218,8 +218,11 @@ class Reading(Options):
                 paths = [self.dir / v if v == 'a.map' else v for v in value] if row['repeats'] else value[0]
                 made = cover.mesh_file(self.device, **{name.replace('-', '_'): paths}).report
                 quoted = ', '.join(f'"{text}"' for text in texts)
+                if row['kind'] == 'flag':
+                    quoted = texts[0]
                 (self.dir / 'job.toml').write_text(f'{name}=[{quoted}]\n' if row['repeats'] else f'{name}={quoted}\n')
-                for words in ([word for text in texts for word in (f'--{name}', text)], ['--config', 'job.toml']):
+                flags = [f'--{name}'] if row['kind'] == 'flag' else [word for text in texts for word in (f'--{name}', text)]
+                for words in (flags, ['--config', 'job.toml']):
                     self.run_cover('mesh', 'device.gds', '-q', '--report', 'r.json', *words)
                     told = json.loads((self.dir / 'r.json').read_text())
                     for key in 'overall', 'unit', 'scale':

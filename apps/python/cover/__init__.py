@@ -9,6 +9,7 @@ keywords with '_' for '-': max_angle=110, no_input_sizes=True. options() lists t
 length or lengths by name: size={"": 1, "gate": 0.1}. Ctrl-C stops a run.
 """
 
+import json as _json
 import os as _os
 
 
@@ -35,7 +36,7 @@ class Cancelled(Error):
 
 
 from ._cover import Mesh, __version__, options as _options, read_options as _read_options  # noqa: E402
-from ._cover import mesh_file as _mesh_file, mesh_polygons as _mesh_polygons, mesh_pslg as _mesh_pslg  # noqa: E402
+from ._cover import mesh_file as _mesh_file, mesh_polygons as _mesh_polygons, mesh_pslg as _mesh_pslg, mesh_text as _mesh_text  # noqa: E402
 
 __all__ = ["Cancelled", "Error", "Mesh", "OptionError", "OutOfMemory", "mesh", "mesh_file", "mesh_polygons", "options",
            "read_options"]
@@ -63,13 +64,56 @@ def mesh(points, segments, regions=(), holes=(), *, lines=None, progress=None, *
     return _mesh_pslg(points, segments, list(regions), holes, dict(lines or {}), options, progress)
 
 
-def mesh_polygons(polygons, *, progress=None, **options):
-    """Meshes painted polygons, each (material, rings) or (material, rings, name).
+def _plain(path):
+    """A path as JSON has it: points as pairs, curves as dictionaries."""
+    return [item if isinstance(item, dict) else [float(x) for x in item] for item in path]
 
-    A ring is (n, 2) floats, closed implicitly; inside is even-odd. Where polygons overlap the later
-    one wins, or as the option overlap says.
+
+def _is_curved(path):
+    return any(isinstance(item, dict) for item in path) if not hasattr(path, "dtype") else False
+
+
+def _document(polygon):
+    """A polygon as JSON has it; the names and numbers of a tuple are those of mesh_polygons()."""
+    if not isinstance(polygon, dict):
+        polygon = dict(zip(("material", "rings", "region"), polygon))
+    return {**polygon, "rings": [_plain(ring) for ring in polygon.get("rings", ())]}
+
+
+def mesh_polygons(polygons, *, lines=None, holes=(), chord_error=None, unit=None, progress=None, **options):
+    """Meshes painted polygons, each (material, rings), (material, rings, name), or a dictionary with the keys
+    material, rings, region, priority, size, as in JSON.
+
+    A ring is (n, 2) floats, closed implicitly; inside is even-odd. Among its points may stand curves, as
+    {"circle": {"centre": (0, 0), "radius": 1}} or {"arc": {"centre": (0, 0), "radius": 1, "from": 0, "to": 90}},
+    each with "chords" or "chord_error", unless chord_error says it for all. Where polygons overlap the higher
+    priority wins, then the later one, or as the option overlap says.
+    lines: contacts, paths by name; a name may have a list of paths. holes: (k, 2) floats, a point in each void.
     """
-    return _mesh_polygons(list(polygons), options, progress)
+    polygons = list(polygons)
+    simple = not lines and not len(holes) and unit is None and all(
+        not isinstance(p, dict) and not any(_is_curved(ring) for ring in p[1]) for p in polygons)
+    if simple:
+        return _mesh_polygons(polygons, options, progress)
+    document = {"polygons": [_document(p) for p in polygons], "lines": [], "holes": _plain(holes)}
+    for name, paths in (lines or {}).items():
+        # One path begins with a point or a curve, a list of them with a path.
+        first = paths[0] if len(paths) else ()
+        one = isinstance(first, dict) or (len(first) == 2 and not any(isinstance(x, dict) or hasattr(x, "__len__") for x in first))
+        for path in [paths] if one else paths:
+            document["lines"].append({"name": str(name), "points": _plain(path)})
+    if chord_error is not None:
+        document["chord_error"] = float(chord_error)
+    if unit is not None:
+        document["unit"] = unit
+    return _mesh_text(_json.dumps(document, default=_number), ".json", "polygons", options, progress)
+
+
+def _number(value):
+    """numpy's numbers and arrays, for JSON."""
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    raise TypeError(f"{value!r} is no number, text, list or dictionary")
 
 
 def mesh_file(path, *, progress=None, **options):

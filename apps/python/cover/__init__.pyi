@@ -13,9 +13,10 @@ __version__: str
 _Progress = Callable[[str, int, int], Optional[bool]]
 _Material = Union[str, int]
 _Region = Union[Tuple[float, float, _Material], Tuple[float, float, _Material, str]]
-_Rings = Sequence[npt.ArrayLike]
+_Path = Union[npt.ArrayLike, Sequence[Union[Tuple[float, float], Mapping[str, Any]]]]  # with arcs and circles
+_Rings = Sequence[_Path]
 _Sizes = Union[float, str, Sequence[str], Mapping[str, Union[float, str]]]
-_Polygon = Union[Tuple[_Material, _Rings], Tuple[_Material, _Rings, str]]
+_Polygon = Union[Tuple[_Material, _Rings], Tuple[_Material, _Rings, str], Mapping[str, Any]]
 
 class _Options(TypedDict, total=False):
     method: Literal["quality", "almond", "nonobtuse"]
@@ -62,6 +63,9 @@ class _ReadOptions(TypedDict, total=False):
     name_field: str
     priority_field: str
     crs: str
+    no_smooth: bool
+    smooth: bool
+    legend: Union[str, os.PathLike[str]]
 
 class _FileOptions(_Options, _ReadOptions, total=False): ...
 
@@ -121,6 +125,10 @@ def mesh(
 def mesh_polygons(
     polygons: Sequence[_Polygon],
     *,
+    lines: Optional[Mapping[str, Union[_Path, Sequence[_Path]]]] = None,
+    holes: npt.ArrayLike = (),
+    chord_error: Optional[float] = None,
+    unit: Optional[Literal["nm", "um", "mm", "cm", "m"]] = None,
     progress: Optional[_Progress] = None,
     **options: Unpack[_Options],
 ) -> Mesh: ...

@@ -20,6 +20,11 @@ namespace cover {
 /// - `.msh`, gmsh's 2.2 and 4.1 in ASCII: the borders of the physical surfaces and the physical
 ///   curves;
 /// - `.gds`, GDSII: a layout, flattened; see `cover/read_options.hpp` for what can be chosen of it;
+/// - `.tif`, the meshes of TSUPREM-4 and MEDICI, and `.str`, those of SUPREM-IV: the borders of
+///   their regions, electrodes of a .tif, and what they have at nodes as Input::field;
+/// - `.cmd` and `.scm`, commands of the Sentaurus Structure Editor: regions, materials, contacts;
+/// - `.png`, `.bmp`, `.tif`, `.tiff`, `.nrrd`, `.mha`, pictures of labels: a region for each set of
+///   pixels of one label that hang together by their sides, with smooth borders;
 /// - `.vtu`, `.vtp`, `.vti` and legacy `.vtk`: see read_vtk_input().
 ///
 /// Errors: cannot_open, syntax, truncated, id_out_of_range, non_finite_coordinate,

@@ -13,6 +13,7 @@ namespace cover {
 namespace {
 
 using option_kinds::bad_option;
+using option_kinds::flag;
 using option_kinds::number;
 using option_kinds::parse;
 using option_kinds::text;
@@ -91,6 +92,9 @@ bool is_map(const ReadOptions& o) {
   return is_format(o, ".shp", ".gpkg", ".fgb", ".gml", ".kml", ".geojson");
 }
 bool is_drawing(const ReadOptions& o) { return is_format(o, ".dxf"); }
+bool is_picture(const ReadOptions& o) {
+  return is_format(o, ".png", ".bmp", ".tif", ".tiff", ".nrrd", ".mha");
+}
 
 // clang-format off
 constexpr ReadOptionEntry kReadTable[] = {
@@ -166,6 +170,17 @@ constexpr ReadOptionEntry kReadTable[] = {
         .help = "Project a map to these coordinates, as EPSG:25832",
         .counts_with = "maps",
         .counts = is_map}),
+    flag<&ReadOptions::smooth, false>({
+        .name = "no-smooth",
+        .help = "Borders of a picture are the sides of its pixels, not curves along them",
+        .counts_with = "pictures",
+        .counts = is_picture}),
+    text<&ReadOptions::legend>({
+        .name = "legend", .placeholder = "FILE",
+        .help = "Names of the labels of a picture: lines #ff0000,copper or 7,grain; void is no "
+                "material",
+        .counts_with = "pictures",
+        .counts = is_picture}),
 };
 // clang-format on
 

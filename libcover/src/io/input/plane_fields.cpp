@@ -13,6 +13,7 @@
 #include "base/errors.hpp"
 #include "cdt/cdt.hpp"
 #include "geom/predicates.hpp"
+#include "io/input/formats.hpp"
 #include "io/text/text.hpp"
 #include "io/vtk_files/read_data_set.hpp"
 
@@ -270,6 +271,14 @@ Result<PlaneField> read_plane_field(const std::string& path) {
     const Result<std::string> text = read_file(path);
     if (!text) return text.error();
     return parse_csv_field(*text, path);
+  }
+  if (extension == ".tif" || extension == ".str") {
+    const Result<std::string> text = read_file(path);
+    if (!text) return text.error();
+    const Result<Input> input =
+        extension == ".str" ? parse_suprem(*text, path) : parse_tif(*text, path);
+    if (!input) return input.error();
+    return input->field ? *input->field : PlaneField();
   }
   const Result<DataSetFile> file = read_data_set(path);
   if (!file) return file.error();

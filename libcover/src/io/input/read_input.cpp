@@ -8,6 +8,8 @@
 #include <array>
 
 #include "base/out_of_memory.hpp"
+#include "io/images/raster.hpp"
+#include "io/images/read_image.hpp"
 #include "io/input/formats.hpp"
 #include "io/layout/read_gds.hpp"
 #include "io/text/text.hpp"
@@ -23,10 +25,9 @@ struct Format {
 };
 
 constexpr std::array kFormats{
-    Format{".poly", parse_poly},
-    Format{".json", parse_json},
-    Format{".geojson", parse_geojson},
-    Format{".msh", parse_msh},
+    Format{".poly", parse_poly}, Format{".json", parse_json}, Format{".geojson", parse_geojson},
+    Format{".msh", parse_msh},   Format{".tif", parse_tif},   Format{".str", parse_suprem},
+    Format{".cmd", parse_sde},   Format{".scm", parse_sde},
 };
 
 /// Formats that others turn into one that is read here, and how.
@@ -65,8 +66,10 @@ Error unknown_format(std::string_view extension, const std::string& source) {
   std::string known;
   for (const Format& format : kFormats) known += fmt::format("{}, ", format.extension);
   return {ErrorCode::unsupported_format,
-          fmt::format("{}: no reader for files named '*{}'; known: {}.gds, .vtu, .vtp, .vti, .vtk",
-                      source, extension, known),
+          fmt::format(
+              "{}: no reader for files named '*{}'; known: {}.gds, .vtu, .vtp, .vti, .vtk, .png, "
+              ".bmp, .tiff, .nrrd, .mha",
+              source, extension, known),
           {},
           {}};
 }
@@ -75,6 +78,17 @@ Error unknown_format(std::string_view extension, const std::string& source) {
 bool is_for_gdal(const ReadOptions& o) {
   return !o.layers.empty() || !o.crs.empty() || !o.material_field.empty() ||
          !o.name_field.empty() || !o.priority_field.empty();
+}
+
+Result<Input> parse_picture(std::string_view data, const std::string& extension,
+                            const std::string& source, const ReadOptions& options) {
+  ImageOptions image{options.smooth, {}, options.legend};
+  if (!options.legend.empty()) {
+    Result<std::string> legend = read_file(options.legend);
+    if (!legend) return std::move(legend).error();
+    image.legend = *std::move(legend);
+  }
+  return parse_image(data, extension, source, image);
 }
 
 Result<Input> parse_format(std::string_view text, const std::string& extension,
@@ -86,6 +100,9 @@ Result<Input> parse_format(std::string_view text, const std::string& extension,
                              source),
                  {},
                  {}};
+  // TCAD's TIF has the extension of a picture.
+  if (is_image(extension) && (extension != ".tif" || is_tiff(text)))
+    return parse_picture(text, extension, source, options);
   for (const Format& format : kFormats)
     if (format.extension == extension) return format.parse(text, source);
   if (is_data_set(extension)) return parse_vtk_input(text, extension, source);

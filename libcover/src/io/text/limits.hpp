@@ -36,6 +36,15 @@ inline constexpr std::size_t kFreeUnfolding = std::size_t{64} << 20U;
 inline constexpr std::size_t kLatticePoints = 4;
 inline constexpr std::size_t kXmlDepth = 64;
 inline constexpr std::size_t kXmlElements = 1'000'000;
+/// Pixels of a picture: these, and so many for each byte of the file.
+inline constexpr std::size_t kImagePixels = std::size_t{1} << 23U;
+inline constexpr std::size_t kImageUnfolding = 1000;
+inline constexpr std::size_t kImageRegions = std::size_t{1} << 18U;
+/// Commands of drawing programs: lists, or calls, one in the other; evaluations; characters of a
+/// text, or items of a list, that they put together.
+inline constexpr std::size_t kSchemeDepth = 100;
+inline constexpr std::size_t kSchemeSteps = 200'000;
+inline constexpr std::size_t kSchemeText = 10'000;
 /// A few bytes of a layout put a cell into rows and columns of another one.
 inline constexpr std::size_t kLayoutShapes = std::size_t{1} << 21U;
 inline constexpr std::size_t kLayoutPoints = std::size_t{1} << 24U;

@@ -1,0 +1,150 @@
+#include "pickle.hpp"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <cover/mesh.hpp>
+#include <cover/stored_mesh.hpp>
+
+#include "arrays.hpp"
+#include "raise.hpp"
+
+namespace py = pybind11;
+
+namespace cover::python {
+namespace {
+
+py::list pickled_regions(const RegionTable& table) {
+  py::list out;
+  for (const Region& region : table.regions)
+    out.append(py::make_tuple(region.material, region.name, region.material_name, region.sides,
+                              region.size));
+  return out;
+}
+
+py::list pickled_interfaces(const RegionTable& table) {
+  py::list out;
+  for (const Interface& line : table.interfaces)
+    out.append(py::make_tuple(static_cast<int>(line.kind), line.name, line.left.value(),
+                              line.right.value()));
+  return out;
+}
+
+/// Edges on interfaces: vertices, interface, marker.
+py::array_t<std::int64_t> pickled_edges(const Mesh& mesh) {
+  const TriMesh& tri = mesh.tri();
+  std::vector<std::int64_t> rows;
+  for (const auto e : tri.edges()) {
+    if (mesh.interface(e) == kNoInterface) continue;
+    const auto h = tri.halfedge_handle(e, 0);
+    for (const std::int64_t value :
+         {std::int64_t{tri.from_vertex_handle(h).idx()},
+          std::int64_t{tri.to_vertex_handle(h).idx()}, std::int64_t{mesh.interface(e).value()},
+          std::int64_t{mesh.marker(e)}})
+      rows.push_back(value);
+  }
+  return array_of(rows).reshape({-1, 4});
+}
+
+py::array_t<std::int64_t> pickled_ids(const Output& output) {
+  std::vector<std::int64_t> ids;
+  for (const auto v : output.mesh.tri().vertices()) {
+    const long id = output.mesh.input_id(v);
+    ids.push_back(id < 0 ? -1 : output.pslg.point_ids[static_cast<std::size_t>(id)]);
+  }
+  return array_of(ids);
+}
+
+template <class Number>
+py::array_t<Number, py::array::c_style> array_in(const py::handle& value, py::ssize_t columns) {
+  const auto array = py::array_t<Number, py::array::c_style>::ensure(value);
+  const bool fits =
+      array && (columns == 1 ? array.ndim() == 1 : array.ndim() == 2 && array.shape(1) == columns);
+  if (!fits) throw py::value_error("this is no state of a cover.Mesh");
+  return array;
+}
+
+std::vector<std::int64_t> numbers_in(const py::handle& value) {
+  const auto array = array_in<std::int64_t>(value, 1);
+  return {array.data(), array.data() + array.size()};
+}
+
+void take_names(const py::tuple& state, StoredMesh& stored) {
+  for (const py::handle& item : state[6].cast<py::list>()) {
+    const auto row = item.cast<py::tuple>();
+    Region region;
+    region.id = RegionId(stored.regions.size() + 1);
+    region.material = row[0].cast<int>();
+    region.name = row[1].cast<std::string>();
+    region.material_name = row[2].cast<std::string>();
+    region.sides = row[3].cast<std::size_t>();
+    region.size = row[4].cast<std::optional<double>>();
+    stored.regions.push_back(std::move(region));
+  }
+  for (const py::handle& item : state[7].cast<py::list>()) {
+    const auto row = item.cast<py::tuple>();
+    Interface line;
+    line.id = InterfaceId(stored.interfaces.size() + 1);
+    const int kind = row[0].cast<int>();
+    if (kind < 0 || kind > static_cast<int>(InterfaceKind::contact))
+      throw py::value_error("this is no state of a cover.Mesh");
+    line.kind = static_cast<InterfaceKind>(kind);
+    line.name = row[1].cast<std::string>();
+    line.left = RegionId(row[2].cast<std::uint32_t>());
+    line.right = RegionId(row[3].cast<std::uint32_t>());
+    stored.interfaces.push_back(std::move(line));
+  }
+}
+
+std::vector<StoredEdge> edges_in(const py::handle& value) {
+  const auto rows = array_in<std::int64_t>(value, 4);
+  const auto view = rows.unchecked<2>();
+  std::vector<StoredEdge> edges;
+  for (py::ssize_t k = 0; k < view.shape(0); ++k) {
+    StoredEdge edge;
+    edge.a = static_cast<std::uint32_t>(view(k, 0));
+    edge.b = static_cast<std::uint32_t>(view(k, 1));
+    edge.interface = InterfaceId(static_cast<std::uint32_t>(view(k, 2)));
+    edge.marker = static_cast<int>(view(k, 3));
+    edges.push_back(edge);
+  }
+  return edges;
+}
+
+}  // namespace
+
+py::tuple pickled(const Output& output, const TriangleSoup& soup, const std::string& report) {
+  return py::make_tuple(kPickleVersion, array_of(soup.points), array_of(soup.triangles),
+                        array_of(soup.region), array_of(soup.material), pickled_ids(output),
+                        pickled_regions(output.table), pickled_interfaces(output.table),
+                        pickled_edges(output.mesh), output.pslg.points.size(), output.report.unit,
+                        output.report.scale, report);
+}
+
+std::pair<Output, std::string> unpickled(const py::tuple& state) {
+  constexpr std::size_t kMembers = 13;
+  if (state.size() != kMembers || state[0].cast<int>() != kPickleVersion)
+    throw py::value_error("this is no state of a cover.Mesh, or of another version");
+  StoredMesh stored;
+  const auto points = array_in<double>(state[1], 2);
+  for (py::ssize_t k = 0; k < points.shape(0); ++k)
+    stored.soup.points.push_back({points.at(k, 0), points.at(k, 1)});
+  const auto triangles = array_in<std::uint32_t>(state[2], 3);
+  for (py::ssize_t k = 0; k < triangles.shape(0); ++k)
+    stored.soup.triangles.push_back({triangles.at(k, 0), triangles.at(k, 1), triangles.at(k, 2)});
+  stored.soup.region = numbers_in(state[3]);
+  stored.soup.material = numbers_in(state[4]);
+  const std::vector<std::int64_t> ids = numbers_in(state[5]);
+  take_names(state, stored);
+  stored.edges = edges_in(state[8]);
+  stored.input_vertices = state[9].cast<std::size_t>();
+  stored.unit = state[10].cast<std::string>();
+  stored.scale = state[11].cast<double>();
+  Result<Output> output = rebuild(stored);
+  if (!output) raise(output.error());
+  for (std::size_t v = 0; v < output->pslg.point_ids.size() && v < ids.size(); ++v)
+    output->pslg.point_ids[v] = static_cast<long>(ids[v]);
+  return {std::move(output).value(), state[12].cast<std::string>()};
+}
+
+}  // namespace cover::python

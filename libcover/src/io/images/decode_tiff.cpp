@@ -1,0 +1,276 @@
+// TIFF 6.0: the first picture of a file, in strips, grey, colour or with a palette; without
+// compression or with PackBits, LZW or deflate. Tested by tests/unit/io/images/decode_test.cpp.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "io/images/image_data.hpp"
+
+namespace cover {
+namespace {
+
+/// At most `size` bytes.
+std::string unpack_bits(std::string_view data, std::size_t size) {
+  std::string out;
+  for (std::size_t at = 0; at + 1 < data.size() && out.size() < size;) {
+    const auto n = static_cast<signed char>(data[at]);
+    if (n >= 0) {
+      out += data.substr(at + 1, static_cast<std::size_t>(n) + 1);
+      at += static_cast<std::size_t>(n) + 2;
+    } else {
+      if (n != -128) out.append(static_cast<std::size_t>(1 - n), data[at + 1]);
+      at += 2;
+    }
+  }
+  out.resize(std::min(out.size(), size));
+  return out;
+}
+
+/// At most `size` bytes; ends where the codes make no sense.
+std::string unpack_lzw(std::string_view data, std::size_t size) {
+  constexpr std::size_t kClear = 256, kEnd = 257, kFirst = 258, kMost = 4096;
+  struct Entry {
+    std::size_t before;
+    std::size_t length;
+    char last;
+  };
+  std::vector<Entry> table;
+  const auto reset = [&] {
+    table.resize(kFirst);
+    for (std::size_t k = 0; k < kFirst; ++k) table[k] = {kMost, 1, static_cast<char>(k)};
+  };
+  std::string out;
+  const auto append = [&](std::size_t code) {
+    const std::size_t length = table[code].length;
+    out.resize(out.size() + length);
+    for (std::size_t k = out.size(); code != kMost; code = table[code].before)
+      out[--k] = table[code].last;
+    return out[out.size() - length];
+  };
+  reset();
+  std::size_t before = kMost, bit = 0;
+  while (out.size() < size) {
+    const std::size_t n = table.size();
+    const std::size_t width = n < 511 ? 9 : n < 1023 ? 10 : n < 2047 ? 11 : 12;
+    if (bit + width > 8 * data.size()) break;
+    std::size_t code = 0;
+    for (std::size_t k = 0; k < width; ++k, ++bit)
+      code = code << 1U | (static_cast<unsigned char>(data[bit / 8]) >> (7 - bit % 8) & 1U);
+    if (code == kEnd) break;
+    if (code == kClear) {
+      reset();
+      before = kMost;
+      continue;
+    }
+    if (before == kMost) {
+      if (code >= kClear) break;
+      append(code);
+    } else {
+      if (code > table.size() || table.size() >= kMost) break;
+      const bool is_new = code == table.size();
+      const std::size_t old_size = out.size();
+      const char first = append(is_new ? before : code);
+      if (is_new) out += out[old_size];
+      table.push_back({before, table[before].length + 1, first});
+    }
+    before = code;
+  }
+  out.resize(std::min(out.size(), size));
+  return out;
+}
+
+class TiffDecoder {
+ public:
+  TiffDecoder(std::string_view data, const std::string& source)
+      : data_(data), source_(source), big_endian_(data.starts_with("MM")) {}
+
+  Result<Raster> decode() {
+    read_directory();
+    if (!error_) read_layout();
+    if (!error_) read_strips();
+    if (error_) return *error_;
+    return std::move(raster_);
+  }
+
+ private:
+  enum Tag : std::uint64_t {
+    kWidth = 256,
+    kHeight = 257,
+    kBits = 258,
+    kCompression = 259,
+    kPhotometric = 262,
+    kStripOffsets = 273,
+    kSamples = 277,
+    kRowsPerStrip = 278,
+    kStripBytes = 279,
+    kPlanar = 284,
+    kPredictor = 317,
+    kColourMap = 320,
+    kTileWidth = 322,
+    kSampleFormat = 339
+  };
+
+  void fail(ErrorCode code, const std::string& what) {
+    if (!error_) error_ = Error{code, fmt::format("{}: {}", source_, what), {}, {}};
+  }
+
+  static bool is_looked_at(std::uint64_t name) {
+    return (name >= kWidth && name <= kPhotometric) || name == kStripOffsets || name == kSamples ||
+           name == kRowsPerStrip || name == kStripBytes || name == kPlanar || name == kPredictor ||
+           name == kColourMap || name == kTileWidth || name == kSampleFormat;
+  }
+
+  /// 0, and an error, where the file ends.
+  std::uint64_t number(std::size_t at, std::size_t bytes) {
+    if (at <= data_.size() && bytes <= data_.size() - at)
+      return number_at(data_, at, bytes, big_endian_);
+    fail(ErrorCode::truncated, "the file ends before what its directory names");
+    return 0;
+  }
+
+  void read_directory() {
+    if (!is_tiff(data_)) return fail(ErrorCode::syntax, "this is no TIFF");
+    const std::uint64_t at = number(4, 4), count = number(at, 2);
+    constexpr std::size_t kEntry = 12;
+    for (std::uint64_t k = 0; k < count && !error_; ++k) {
+      const std::uint64_t entry = at + 2 + k * kEntry, type = number(entry + 2, 2);
+      const std::uint64_t values = number(entry + 4, 4), bytes = type == 3 ? 2 : type == 4 ? 4 : 1;
+      const std::uint64_t name = number(entry, 2);
+      // What is not looked at may be of any length.
+      if ((type != 1 && type != 3 && type != 4) || !is_looked_at(name) || tags_.contains(name))
+        continue;
+      const std::uint64_t first = values * bytes <= 4 ? entry + 8 : number(entry + 8, 4);
+      if (first > data_.size() || values > (data_.size() - first) / bytes)
+        return fail(ErrorCode::truncated, "the file ends before what its directory names");
+      std::vector<std::uint64_t>& list = tags_[name];
+      for (std::uint64_t v = 0; v < values; ++v) list.push_back(number(first + v * bytes, bytes));
+    }
+  }
+
+  [[nodiscard]] std::uint64_t tag(Tag name, std::uint64_t otherwise) const {
+    const auto found = tags_.find(name);
+    return found != tags_.end() && !found->second.empty() ? found->second[0] : otherwise;
+  }
+
+  void read_layout() {
+    const std::uint64_t width = tag(kWidth, 0), height = tag(kHeight, 0);
+    bits_ = tag(kBits, 1);
+    samples_ = tag(kSamples, 1);
+    photometric_ = tag(kPhotometric, 1);
+    compression_ = tag(kCompression, 1);
+    const auto unsupported = [&](const std::string& what) {
+      fail(ErrorCode::unsupported_format, "TIFF " + what + "; convert it to PNG");
+    };
+    if (tags_.contains(kTileWidth)) return unsupported("in tiles");
+    if (bits_ != 1 && bits_ != 8 && bits_ != 16 && bits_ != 32)
+      return unsupported(fmt::format("with {} bits for a number", bits_));
+    if (bits_ < 8 && samples_ != 1) return unsupported("of colours with one bit");
+    if (samples_ == 0 || samples_ > 8 || (samples_ > 1 && tag(kPlanar, 1) != 1))
+      return unsupported(fmt::format("with {} planes", samples_));
+    if (photometric_ > 3) return unsupported(fmt::format("of the colours {}", photometric_));
+    if (photometric_ == 2 && samples_ < 3)
+      return unsupported("of colours with fewer than 3 numbers");
+    if (tag(kSampleFormat, 1) > 2) return unsupported("of other than whole numbers");
+    if (compression_ != 1 && compression_ != 5 && compression_ != 8 && compression_ != 32773 &&
+        compression_ != 32946)
+      return unsupported(fmt::format("with compression {}", compression_));
+    if ((error_ = check_pixels(width, height, data_.size(), source_))) return;
+    raster_.width = width;
+    raster_.height = height;
+    raster_.is_colour = photometric_ >= 2;
+    raster_.is_signed = tag(kSampleFormat, 1) == 2;
+    raster_.pixels.resize(width * height);
+  }
+
+  void read_strips() {
+    const std::uint64_t rows =
+        std::clamp<std::uint64_t>(tag(kRowsPerStrip, raster_.height), 1, raster_.height);
+    const std::uint64_t row_bytes = (raster_.width * samples_ * bits_ + 7) / 8;
+    const auto& offsets = tags_[kStripOffsets];
+    const auto& lengths = tags_[kStripBytes];
+    const std::uint64_t strips = (raster_.height + rows - 1) / rows;
+    if (offsets.size() < strips || lengths.size() < strips)
+      return fail(ErrorCode::truncated, "the picture has fewer strips than it announces");
+    for (std::uint64_t s = 0; s < strips && !error_; ++s) {
+      const std::uint64_t first = s * rows,
+                          last = std::min<std::uint64_t>(first + rows, raster_.height);
+      if (offsets[s] > data_.size() || lengths[s] > data_.size() - offsets[s])
+        return fail(ErrorCode::truncated, "the file ends in the middle of the picture");
+      std::string bytes =
+          unpacked(data_.substr(offsets[s], lengths[s]), (last - first) * row_bytes);
+      if (bytes.size() != (last - first) * row_bytes)
+        return fail(ErrorCode::truncated,
+                    "the picture has fewer pixels than it announces, or its data are damaged");
+      for (std::uint64_t row = first; row < last; ++row)
+        read_row(std::string_view(bytes).substr((row - first) * row_bytes, row_bytes),
+                 raster_.height - 1 - row);
+    }
+  }
+
+  [[nodiscard]] std::string unpacked(std::string_view strip, std::size_t size) const {
+    if (compression_ == 1) return std::string(strip.substr(0, size));
+    if (compression_ == 5) return unpack_lzw(strip, size);
+    if (compression_ == 32773) return unpack_bits(strip, size);
+    return inflate_stream(strip, size);
+  }
+
+  void read_row(std::string_view line, std::size_t y) {
+    std::vector<std::uint64_t> left(samples_, 0);
+    const std::uint64_t mask = bits_ >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits_) - 1;
+    const bool differences = tag(kPredictor, 1) == 2 && bits_ >= 8;
+    std::vector<std::uint64_t> value(samples_);
+    for (std::size_t x = 0; x < raster_.width; ++x) {
+      for (std::size_t c = 0; c < samples_; ++c) {
+        value[c] = bits_ == 1
+                       ? static_cast<unsigned char>(line[x / 8]) >> (7 - x % 8) & 1U
+                       : number_at(line, (x * samples_ + c) * bits_ / 8, bits_ / 8, big_endian_);
+        if (differences) value[c] = (value[c] + left[c]) & mask;
+        left[c] = value[c];
+      }
+      raster_.pixels[y * raster_.width + x] = pixel(value);
+    }
+  }
+
+  std::uint64_t pixel(const std::vector<std::uint64_t>& value) {
+    if (photometric_ == 2) {
+      if (samples_ > 3 && value[3] == 0) return kNoPixel;
+      const auto wide = [&](std::uint64_t v) {
+        return bits_ == 8 ? v * 257 : bits_ == 32 ? v >> 16U : v;
+      };
+      return wide(value[0]) << 32U | wide(value[1]) << 16U | wide(value[2]);
+    }
+    if (photometric_ == 3) {
+      const std::vector<std::uint64_t>& map = tags_[kColourMap];
+      const std::size_t n = map.size() / 3;
+      if (value[0] < n)
+        return map[value[0]] << 32U | map[n + value[0]] << 16U | map[2 * n + value[0]];
+      fail(ErrorCode::syntax, fmt::format("there is no colour {} in the palette", value[0]));
+      return 0;
+    }
+    if (raster_.is_signed && bits_ < 64 && (value[0] >> (bits_ - 1)) != 0)
+      return value[0] | ~((std::uint64_t{1} << bits_) - 1);
+    return value[0];
+  }
+
+  std::string_view data_;
+  const std::string& source_;
+  bool big_endian_;
+  std::map<std::uint64_t, std::vector<std::uint64_t>> tags_;
+  std::uint64_t bits_ = 8, samples_ = 1, photometric_ = 1, compression_ = 1;
+  Raster raster_;
+  std::optional<Error> error_;
+};
+
+}  // namespace
+
+bool is_tiff(std::string_view data) {
+  return data.starts_with(std::string_view("II*\0", 4)) ||
+         data.starts_with(std::string_view("MM\0*", 4));
+}
+
+Result<Raster> decode_tiff(std::string_view data, const std::string& source) {
+  return TiffDecoder(data, source).decode();
+}
+
+}  // namespace cover

@@ -1,0 +1,44 @@
+// Pictures as numbers, and the readers that make them of files.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <cover/point.hpp>
+#include <cover/result.hpp>
+
+namespace cover {
+
+/// A pixel without anything: fully transparent.
+inline constexpr std::uint64_t kNoPixel = ~std::uint64_t{0};
+
+/// A number for each pixel: a grey value or label; or a colour, 16 bits for each of red, green, blue.
+struct Raster {
+  std::size_t width = 0;
+  std::size_t height = 0;
+  std::vector<std::uint64_t> pixels;  ///< by rows from the lowest one, in each from the left
+  bool is_colour = false;
+  bool is_signed = false;  ///< numbers are those of std::int64_t
+  Point corner;            ///< the lower left one
+  double pixel_width = 1;
+  double pixel_height = 1;
+};
+
+/// Readers by format. `source` is the file's name for messages. More pixels than a file of its size
+/// can have (kImagePixels) are refused before there is memory for them.
+///
+/// Errors: syntax, truncated, unsupported_format
+/// Cost:   O(pixels + length of data)
+Result<Raster> decode_png(std::string_view data, const std::string& source);
+Result<Raster> decode_bmp(std::string_view data, const std::string& source);
+Result<Raster> decode_tiff(std::string_view data, const std::string& source);
+Result<Raster> decode_nrrd(std::string_view data, const std::string& source);
+Result<Raster> decode_mha(std::string_view data, const std::string& source);
+
+/// Whether data begin as a TIFF picture does: the extension .tif has other users.
+bool is_tiff(std::string_view data);
+
+}  // namespace cover

@@ -1,0 +1,142 @@
+// Tested by tests/unit/io/images/read_image_test.cpp.
+#include "io/images/read_image.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include "base/describe.hpp"
+#include "io/images/image_borders.hpp"
+#include "io/images/raster.hpp"
+#include "io/text/limits.hpp"
+#include "io/text/text.hpp"
+
+namespace cover {
+namespace {
+
+struct ImageFormat {
+  std::string_view extension;
+  Result<Raster> (*decode)(std::string_view data, const std::string& source);
+};
+constexpr std::array kImageFormats{
+    ImageFormat{".png", decode_png},   ImageFormat{".bmp", decode_bmp},
+    ImageFormat{".tif", decode_tiff},  ImageFormat{".tiff", decode_tiff},
+    ImageFormat{".nrrd", decode_nrrd}, ImageFormat{".mha", decode_mha},
+};
+
+/// "#ff0000", of 16 bits for each "#ffff00000000"; or the number.
+std::string label_of(const Raster& raster, std::uint64_t pixel) {
+  if (!raster.is_colour)
+    return raster.is_signed ? fmt::format("{}", static_cast<std::int64_t>(pixel))
+                            : fmt::format("{}", pixel);
+  const std::array<std::uint64_t, 3> rgb{pixel >> 32U & 0xffffU, pixel >> 16U & 0xffffU,
+                                         pixel & 0xffffU};
+  const bool narrow =
+      std::all_of(rgb.begin(), rgb.end(), [](std::uint64_t c) { return c % 257 == 0; });
+  if (narrow) return fmt::format("#{:02x}{:02x}{:02x}", rgb[0] / 257, rgb[1] / 257, rgb[2] / 257);
+  return fmt::format("#{:04x}{:04x}{:04x}", rgb[0], rgb[1], rgb[2]);
+}
+
+using Legend = std::map<std::string, std::string, std::less<>>;
+
+Result<Legend> parse_legend(const ImageOptions& options) {
+  Legend legend;
+  std::string_view rest = options.legend;
+  for (int line = 1; !rest.empty(); ++line) {
+    const std::size_t end = rest.find('\n');
+    std::string_view text = rest.substr(0, end);
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
+    if (text.empty()) continue;
+    const std::size_t comma = text.find(',');
+    const auto wrong = [&](std::string_view what) {
+      return Error{
+          ErrorCode::syntax, fmt::format("{}:{}: {}", options.legend_source, line, what), {}, {}};
+    };
+    if (comma == std::string_view::npos || comma == 0 || comma + 1 == text.size())
+      return wrong("expected a label and a name, as #ff0000,copper or 7,grain");
+    if (!legend.emplace(lower(text.substr(0, comma)), text.substr(comma + 1)).second)
+      return wrong(
+          fmt::format("the label '{}' stands there a second time", legible(text.substr(0, comma))));
+  }
+  return legend;
+}
+
+/// Numbers the labels in the order in which they first appear, from above.
+LabelImage labelled(const Raster& raster, const Legend& legend) {
+  LabelImage image;
+  image.width = raster.width;
+  image.height = raster.height;
+  image.labels.resize(raster.pixels.size());
+  std::unordered_map<std::uint64_t, std::uint32_t> index;
+  for (std::size_t y = raster.height; y-- > 0;) {
+    for (std::size_t p = y * raster.width; p < (y + 1) * raster.width; ++p) {
+      const auto [at, is_new] =
+          index.emplace(raster.pixels[p], static_cast<std::uint32_t>(index.size()));
+      image.labels[p] = at->second;
+      if (!is_new) continue;
+      LabelImage::Label label{"void", true};
+      if (raster.pixels[p] != kNoPixel) {
+        label.name = label_of(raster, raster.pixels[p]);
+        const auto named = legend.find(label.name);
+        if (named != legend.end()) label.name = named->second;
+        label.is_void = named != legend.end() && named->second == "void";
+      }
+      image.names.push_back(std::move(label));
+    }
+  }
+  return image;
+}
+
+void warn(const ImageBorders& borders, std::vector<std::string>& warnings) {
+  if (borders.tiny > 0)
+    warnings.push_back(
+        fmt::format("{} of fewer than 4 pixels: is the picture a photograph, or were "
+                    "its edges softened?",
+                    counted(borders.tiny, "region")));
+  if (borders.less_smoothed > 0)
+    warnings.push_back(fmt::format("{} of {} smoothed less, where others are near",
+                                   counted(borders.less_smoothed, "border"), borders.smoothed));
+}
+
+}  // namespace
+
+bool is_image(std::string_view extension) {
+  return std::any_of(kImageFormats.begin(), kImageFormats.end(),
+                     [&](const ImageFormat& format) { return format.extension == extension; });
+}
+
+Result<Input> parse_image(std::string_view data, std::string_view extension,
+                          const std::string& source, const ImageOptions& options) {
+  const auto* const format =
+      std::find_if(kImageFormats.begin(), kImageFormats.end(),
+                   [&](const ImageFormat& f) { return f.extension == extension; });
+  if (format == kImageFormats.end())
+    return Error{ErrorCode::unsupported_format,
+                 fmt::format("{}: no reader for pictures named '*{}'", source, extension),
+                 {},
+                 {}};
+  const Result<Legend> legend = parse_legend(options);
+  if (!legend) return legend.error();
+  const Result<Raster> raster = format->decode(data, source);
+  if (!raster) return raster.error();
+  const LabelImage image = labelled(*raster, *legend);
+  Result<ImageBorders> borders = borders_of(image, options.smooth, source);
+  if (!borders) return std::move(borders).error();
+  Input input;
+  input.source = source;
+  input.polygons = std::move(borders->polygons);
+  warn(*borders, input.warnings);
+  for (InputPolygon& polygon : input.polygons) {
+    for (std::vector<Point>& ring : polygon.rings)
+      for (Point& p : ring)
+        p = {raster->corner.x + p.x * raster->pixel_width,
+             raster->corner.y + p.y * raster->pixel_height};
+  }
+  return input;
+}
+
+}  // namespace cover

@@ -1,0 +1,11 @@
+; deck
+(define W 2.0) (define (twice x) (* 2 x))
+(sdegeo:set-default-boolean "ABA")
+(sdegeo:create-rectangle (position 0 0 0) (position (twice W) W 0) "Silicon" "R.Body")
+(sdegeo:create-polygon (list (position 0 2 0) (position 1 2 0) (position 0 3 0)) "SiO2" "R.Ox")
+(sdegeo:create-circle (position 3 1 0) 0.5 "Cu" "R.W")
+(sdegeo:insert-vertex (position 0 1 0))
+(sdegeo:set-current-contact-set "g")
+(let* ((a 1)) (if (and (> a 0) (not #f)) (sdegeo:define-2d-contact (find-edge-id (position 0 0.5 0)))))
+(sdegeo:set-contact (find-region-id "R.W") "w")
+(sdedr:define-constant-profile "p" "Boron" 1e17)

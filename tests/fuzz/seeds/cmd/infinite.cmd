@@ -1,0 +1,1 @@
+(sdegeo:create-rectangle (position 0 0 0) (position (/ 1 0) (log -1) 0) "a" "b")

@@ -1,0 +1,2 @@
+(define (f x) (begin (f x) (f x)))
+(f 1)

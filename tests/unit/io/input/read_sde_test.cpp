@@ -1,0 +1,151 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include <fmt/format.h>
+
+#include "io/input/formats.hpp"
+#include "support/soups.hpp"
+
+namespace cover {
+namespace {
+
+Input read(const std::string& text) {
+  Result<Input> input = parse_sde(text, "a.cmd");
+  EXPECT_TRUE(input) << input.error().message;
+  return input ? *input : Input();
+}
+
+std::string refusal(const std::string& text) {
+  const Result<Input> input = parse_sde(text, "a.cmd");
+  EXPECT_FALSE(input) << text;
+  return input ? "" : input.error().message;
+}
+
+constexpr const char* kBody =
+    "(sdegeo:create-rectangle (position 0 0 0) (position 4 2 0) \"Silicon\" \"R.Body\")\n";
+
+TEST(ReadSde, BodiesOfDefinedLengths) {
+  const Input input = read(R"(; a comment
+(sde:clear)
+(define W 2.0) #| another
+one |#
+(define (twice x) (* 2 x))
+(sdegeo:create-rectangle
+  (position 0.0 0.0 0.0)
+  (position (+ W 1 (- 1)) (/ (twice W) 4) 0.0)
+  "Silicon" "R.Body")
+(let* ((a 1) (b (+ a 1)))
+  (if (> b a) (sdegeo:create-polygon (list (position 0 1 0) (position a 1 0) (position 0 b 0) (position 0 1 0))
+    (string-append "Si" "O2") "R.Ox")
+    (no-such-command)))
+(sdegeo:create-circle (position 5 5 0) (max 0.5 0.25) "Cu" "R.Wire")
+)");
+  EXPECT_TRUE(input.warnings.empty()) << input.warnings[0];
+  EXPECT_EQ(input.unit, "um");
+  ASSERT_EQ(input.polygons.size(), 3U);
+  EXPECT_EQ(input.polygons[0].material, "Silicon");
+  EXPECT_EQ(input.polygons[0].region, "R.Body");
+  EXPECT_EQ(input.polygons[0].rings[0], (std::vector<Point>{{0, 0}, {2, 0}, {2, 1}, {0, 1}}));
+  EXPECT_EQ(input.polygons[1].material, "SiO2");
+  EXPECT_EQ(input.polygons[1].rings[0], (std::vector<Point>{{0, 1}, {1, 1}, {0, 2}}));
+  EXPECT_EQ(input.polygons[2].rings[0].size(), 72U);
+}
+
+TEST(ReadSde, BooleansSayWhoWins) {
+  const Input input = read(std::string(kBody) + R"(
+(sdegeo:create-rectangle (position 1 1 0) (position 2 3 0) "Oxide" "over")
+(sdegeo:set-default-boolean "BAB")
+(sdegeo:create-rectangle (position 3 1 0) (position 5 3 0) "Nitride" "under")
+(sdegeo:set-default-boolean "ABA")
+(sdegeo:create-rectangle (position 3 0 0) (position 4 0.5 0) "Metal" "last"))");
+  const auto cleaned = testing::clean(input);
+  ASSERT_TRUE(cleaned) << cleaned.error().message;
+  EXPECT_DOUBLE_EQ(cleaned->area("Silicon"), 8 - 1 - 0.5);
+  EXPECT_DOUBLE_EQ(cleaned->area("Oxide"), 2);
+  EXPECT_DOUBLE_EQ(cleaned->area("Nitride"), 4 - 1);
+  EXPECT_DOUBLE_EQ(cleaned->area("Metal"), 0.5);
+}
+
+TEST(ReadSde, ContactsEndAtCornersAndCrossings) {
+  const Input input = read(std::string(kBody) + R"(
+(sdegeo:create-rectangle (position 1 2 0) (position 3 2.5 0) "Oxide" "R.Ox")
+(sdegeo:create-rectangle (position 3.5 -1 0) (position 3.75 0.5 0) "Metal" "R.Via")
+(sdegeo:insert-vertex (position 0 0.5 0))
+(sdegeo:define-contact-set "source" 4 (color:rgb 1 0 0) "##")
+(sdegeo:set-current-contact-set "source")
+(sdegeo:set-contact-edges (find-edge-id (position 0.5 2 0)))
+(sdegeo:define-2d-contact (find-edge-id (position 2 2.5 0)) "gate")
+(sdegeo:define-2d-contact (list (car (find-edge-id (position 1 0 0)))) "bulk")
+(sdegeo:define-2d-contact (find-edge-id (position 0 1 0)) "side")
+(sdegeo:define-2d-contact (find-edge-id (position 2 1 0)) "nowhere")
+(sdegeo:set-contact (find-region-id "R.Via") "via"))");
+  ASSERT_EQ(input.lines.size(), 5U);
+  const auto points = [&](const std::string& name) {
+    for (const InputLine& line : input.lines)
+      if (line.name == name) return line.points;
+    return std::vector<Point>();
+  };
+  using Points = std::vector<Point>;
+  EXPECT_EQ(points("source"), (Points{{1, 2}, {0, 2}}));  // to the corner of the oxide
+  EXPECT_EQ(points("gate"), (Points{{3, 2.5}, {1, 2.5}}));
+  EXPECT_EQ(points("bulk"), (Points{{0, 0}, {3.5, 0}}));  // to the crossing with the via
+  EXPECT_EQ(points("side"), (Points{{0, 2}, {0, 0.5}}));
+  EXPECT_EQ(points("via").size(), 5U);
+  ASSERT_EQ(input.warnings.size(), 1U);
+  EXPECT_EQ(input.warnings[0], "a.cmd:12: contact 'nowhere': no edge at (2, 1): left out");
+}
+
+TEST(ReadSde, WhatIsNotUnderstoodIsNamed) {
+  const Input input = read(std::string("#if @x@ == 1\n") + kBody + R"(#endif
+(sdegeo:create-rectangle (position 0 0 0) (position Width 2 0) "Silicon" "R")
+(sdegeo:fillet-2d (find-vertex-id (position 0 0 0)) 0.5)
+(sdegeo:fillet-2d (find-vertex-id (position 4 0 0)) 0.5)
+(sdegeo:create-cuboid (position 0 0 0) (position 1 1 1) "Silicon" "box")
+(sdegeo:set-default-boolean "XX")
+(sdedr:define-constant-profile "p" "Boron" 1e17)
+(sdedr:define-constant-profile "q" "Boron" 1e17)
+(sde:build-mesh "snmesh" "" "a"))");
+  EXPECT_EQ(input.polygons.size(), 1U);
+  ASSERT_EQ(input.warnings.size(), 2U);
+  EXPECT_EQ(input.warnings[0],
+            "not understood and left out: Width (line 4), a line of the preprocessor (line 1, 2 "
+            "times), sdegeo:create-cuboid (line 7), sdegeo:create-rectangle (line 4), "
+            "sdegeo:fillet-2d (line 5, 2 times), sdegeo:set-default-boolean \"XX\" (line 8)");
+  EXPECT_EQ(input.warnings[1],
+            "commands of doping and meshing are left out: sde (line 11), sdedr (line 9, 2 times)");
+}
+
+TEST(ReadSde, Mistakes) {
+  EXPECT_EQ(refusal("(define x 1"), "a.cmd:1: this parenthesis is not closed");
+  EXPECT_EQ(refusal("\n)"), "a.cmd:2: this parenthesis closes nothing");
+  EXPECT_EQ(refusal("\n\"abc"), "a.cmd:2: this text has no end");
+  EXPECT_EQ(refusal("#| abc"), "a.cmd:1: this comment has no end");
+  EXPECT_EQ(refusal("(foo)"),
+            "a.cmd: no sdegeo:create-rectangle, -polygon or -circle that is understood; not "
+            "understood: foo (line 1)");
+  EXPECT_EQ(
+      refusal("(sdegeo:create-rectangle (position 0 0 0) (position (/ 1 0) 2 0) \"a\" \"b\")"),
+      "a.cmd:1: a coordinate is not finite");
+}
+
+/// Programs that would run for ever, or write books, end soon.
+TEST(ReadSde, HostilePrograms) {
+  EXPECT_NE(refusal(std::string(100000, '(')).find("too many lists one in the other"),
+            std::string::npos);
+  EXPECT_NE(refusal("(define (f x) (f x))\n(f 1)").find("a.cmd:1: too many calls one in the other"),
+            std::string::npos);
+  EXPECT_NE(refusal("(define (f n) (if (> n 0) (begin (f (- n 1)) (f (- n 1))) 0))\n(f 40)")
+                .find("too many"),
+            std::string::npos);
+  std::string doubling = "(define a \"xxxxxxxxxxxxxxxx\")\n", lists = "(define a (list 1 2 3 4))\n";
+  for (int k = 0; k < 60; ++k) {
+    doubling += "(define a (string-append a a))\n";
+    lists += "(define a (list a a))\n";
+  }
+  EXPECT_NE(refusal(doubling).find("this puts too long a text together"), std::string::npos);
+  EXPECT_NE(refusal(lists).find("this makes too long a list"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace cover
