@@ -9,6 +9,7 @@
 
 #include "cuts/cut_segments.hpp"
 #include "cuts/renumber_points.hpp"
+#include "geom/arc.hpp"
 #include "verify/soup_edges.hpp"
 #include "verify/verify_bound.hpp"
 
@@ -36,7 +37,11 @@ class Adopter {
     const std::size_t before = pslg_.points.size();
     std::vector<SegmentCut> cuts;
     for (std::size_t s = 0; s < pslg_.segments.size(); ++s) {
-      const std::vector<std::uint32_t> on_it = vertices_on(s);
+      std::vector<std::uint32_t> on_it = vertices_on_arc(s);
+      if (on_it.empty()) {
+        on_it = vertices_on(s);
+        if (!on_it.empty()) straighten(pslg_.segments[s]);
+      }
       if (on_it.empty()) continue;
       cuts.push_back({SegmentId{s}, {}});
       for (const std::uint32_t v : on_it) {
@@ -68,6 +73,39 @@ class Adopter {
     if (std::any_of(vertices.begin(), vertices.end(), [&](auto v) { return is_input_[v]; })) {
       return {};
     }
+    if (!forward) std::reverse(vertices.begin(), vertices.end());
+    return vertices;
+  }
+
+  /// The vertices on the arc over a chord, from its end a to its end b: the nearest one along the
+  /// arc follows each.
+  [[nodiscard]] std::vector<std::uint32_t> vertices_on_arc(std::size_t s) const {
+    const Segment& segment = pslg_.segments[s];
+    const ArcCircle* circle = circle_of(pslg_, segment);
+    const auto a = vertex_[segment.a.index()], b = vertex_[segment.b.index()];
+    const SegmentSides& sides = table_.sides[s];
+    if (circle == nullptr || !a || !b || (sides.left == kVoid && sides.right == kVoid)) return {};
+    const bool forward = sides.left != kVoid;
+    const std::uint32_t from = forward ? *a : *b, to = forward ? *b : *a;
+    const ArcOver arc(*circle, mesh_.points[from], mesh_.points[to]);
+    std::vector<std::uint32_t> vertices;
+    double done = 0;
+    for (std::uint32_t here = from; here != to; here = vertices.back()) {
+      std::optional<std::uint32_t> next;
+      double nearest = 0;
+      for (const SoupEdges::Edge& edge : edges_.leaving(here)) {
+        const Point p = mesh_.points[edge.to];
+        if (edge.to != to && !arc.is_on_circle(p)) continue;
+        const double share = edge.to == to ? 1 : arc.share_of(p);
+        if (share <= done || share > 1 || (next && share >= nearest)) continue;
+        next = edge.to;
+        nearest = share;
+      }
+      if (!next || (*next != to && is_input_[*next])) return {};
+      done = nearest;
+      vertices.push_back(*next);
+    }
+    vertices.pop_back();  // the segment's end
     if (!forward) std::reverse(vertices.begin(), vertices.end());
     return vertices;
   }
