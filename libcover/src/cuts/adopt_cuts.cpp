@@ -10,6 +10,7 @@
 #include "cuts/cut_segments.hpp"
 #include "cuts/renumber_points.hpp"
 #include "geom/arc.hpp"
+#include "geom/vector.hpp"
 #include "verify/soup_edges.hpp"
 #include "verify/verify_bound.hpp"
 
@@ -78,7 +79,7 @@ class Adopter {
   }
 
   /// The vertices on the arc over a chord, from its end a to its end b: the nearest one along the
-  /// arc follows each.
+  /// arc follows each. Between two of them there may be others on the chord.
   [[nodiscard]] std::vector<std::uint32_t> vertices_on_arc(std::size_t s) const {
     const Segment& segment = pslg_.segments[s];
     const ArcCircle* circle = circle_of(pslg_, segment);
@@ -88,26 +89,61 @@ class Adopter {
     const bool forward = sides.left != kVoid;
     const std::uint32_t from = forward ? *a : *b, to = forward ? *b : *a;
     const ArcOver arc(*circle, mesh_.points[from], mesh_.points[to]);
-    std::vector<std::uint32_t> vertices;
-    double done = 0;
-    for (std::uint32_t here = from; here != to; here = vertices.back()) {
-      std::optional<std::uint32_t> next;
-      double nearest = 0;
-      for (const SoupEdges::Edge& edge : edges_.leaving(here)) {
-        const Point p = mesh_.points[edge.to];
-        if (edge.to != to && !arc.is_on_circle(p)) continue;
-        const double share = edge.to == to ? 1 : arc.share_of(p);
-        if (share <= done || share > 1 || (next && share >= nearest)) continue;
-        next = edge.to;
-        nearest = share;
-      }
-      if (!next || (*next != to && is_input_[*next])) return {};
-      done = nearest;
-      vertices.push_back(*next);
+    std::vector<std::uint32_t> vertices{from};
+    for (double done = 0; done < 1;) {
+      const std::vector<std::uint32_t> way = way_to_next(arc, vertices.back(), to, done);
+      if (way.empty()) return {};
+      vertices.insert(vertices.end(), way.begin(), way.end());
     }
+    vertices.erase(vertices.begin());
     vertices.pop_back();  // the segment's end
     if (!forward) std::reverse(vertices.begin(), vertices.end());
     return vertices;
+  }
+
+  /// The straight way over edges from `here` to the nearest vertex of the arc beyond the share
+  /// `done` of it, which moves there; `to` is the arc's end.
+  [[nodiscard]] std::vector<std::uint32_t> way_to_next(const ArcOver& arc, std::uint32_t here,
+                                                       std::uint32_t to, double& done) const {
+    std::vector<std::uint32_t> best;
+    double nearest = 0;
+    for (const SoupEdges::Edge& edge : edges_.leaving(here)) {
+      const std::vector<std::uint32_t> way = straight_way(arc, here, edge.to, to);
+      if (way.empty()) continue;
+      const double share = way.back() == to ? 1 : arc.share_of(mesh_.points[way.back()]);
+      if (share <= done || share > 1 || (!best.empty() && share >= nearest)) continue;
+      best = way;
+      nearest = share;
+    }
+    done = nearest;
+    return best;
+  }
+
+  /// From `next`, a neighbour of `here`, on in the same direction up to a vertex of the arc; empty
+  /// if there is none, or a point of the input is in the way.
+  [[nodiscard]] std::vector<std::uint32_t> straight_way(const ArcOver& arc, std::uint32_t here,
+                                                        std::uint32_t next,
+                                                        std::uint32_t to) const {
+    const Point start = mesh_.points[here];
+    const Vector along = mesh_.points[next] - start;
+    std::vector<std::uint32_t> way{next};
+    while (way.back() != to) {
+      const std::uint32_t v = way.back();
+      if (is_input_[v]) return {};
+      if (arc.is_on_circle(mesh_.points[v])) break;
+      const double share = arc.share_of(mesh_.points[v]);
+      if (share < 0 || share > 1) return {};
+      std::optional<std::uint32_t> following;
+      for (const SoupEdges::Edge& edge : edges_.leaving(v)) {
+        const Vector step = mesh_.points[edge.to] - start;
+        if (dot(along, step) > dot(along, mesh_.points[v] - start) &&
+            std::abs(cross(along, step)) <= offset_ * length(step))  // off the line as it was begun
+          following = edge.to;
+      }
+      if (!following) return {};
+      way.push_back(*following);
+    }
+    return way;
   }
 
   void order_as_in_mesh() {
