@@ -256,12 +256,13 @@ Result<Output> make_mesh(const MeshCommand& command, Input input, const Options&
 
 /// Meshes, writes, reports.
 int run(const MeshCommand& command, Input input, const Options& options,
-        const std::vector<File>& files, spdlog::logger& log) {
+        const std::vector<File>& files, ShareOut share_out, spdlog::logger& log) {
   Interrupt interrupt;
   ProgressLine line(command.show_progress());
   Callbacks callbacks;
   callbacks.progress = [&](const Progress& step) { line.update(step); };
   callbacks.stop = interrupt.token();
+  callbacks.share_out = std::move(share_out);
   std::vector<PackingRecord> packings;
   if (!command.dump_folder.empty()) {
     callbacks.packing = [&](RegionId, const PackingRecord& packing) {
@@ -301,7 +302,7 @@ int run(const MeshCommand& command, Input input, const Options& options,
 
 }  // namespace
 
-int run_mesh(Arguments arguments) {
+int run_mesh(Arguments arguments, ShareOut share_out) {
   MeshCommand command;
   if (const auto code = parse(command.app, std::move(arguments))) return *code;
   if (command.print_config) {
@@ -335,7 +336,7 @@ int run_mesh(Arguments arguments) {
             input->lines.size());
   for (const std::string& option : command.library.ignored()) log->warn("{}", option);
   return command.dry_run ? dry_run(command, *input, *options, *log)
-                         : run(command, *std::move(input), *options, *files, *log);
+                         : run(command, *std::move(input), *options, *files, std::move(share_out), *log);
 }
 
 }  // namespace cover::app

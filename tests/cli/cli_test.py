@@ -515,6 +515,71 @@ class Sizes(Case):
         _, err = self.run_cover('mesh', fine, '-o', 'd.vtu', '--size-field', 'none.vtu', code=5)
         self.assertIn('none.vtu', err)
 
+    def test_expressions(self):
+        fine = self.fine_square()
+        expected = self.triangles(fine, '--size', 0.05)
+        self.assertEqual(self.triangles(fine, '--size', '0.1/2 + 0*x'), expected)
+        settings = json.loads((self.dir / 'd.json').read_text())['options']
+        self.assertEqual(settings['size'], '0.1/2 + 0*x')
+        graded = self.triangles(fine, '--size', '0.05 + 0.5*x')
+        self.assertLess(graded, expected / 2)
+        self.assertEqual(self.triangles(fine, '--size', '1=0.05 + 0.5*x'), graded)  # the material 1
+        self.assertLess(self.triangles(fine, '--size', 'sqrt(-1 - x)'), expected / 2)  # nothing is asked
+        error = self.run_cover('mesh', fine, '-o', 'd.vtu', '--size', '0.1 + y)', code=2)[1]
+        self.assertIn("--size: '0.1 + y)', column 8: ')' does not belong here", error)
+
+    def test_tables_of_points(self):
+        fine = self.fine_square()
+        expected = self.triangles(fine, '--size-field', self.field('h.vtk', '0.05 0.05 0.3 0.3'))
+        table = self.write('h.csv', 'x,y,h\n0,0,0.05\n0,1,0.05\n1,0,0.3\n1,1,0.3\n')
+        self.assertAlmostEqual(self.triangles(fine, '--size-field', table), expected, delta=0.02 * expected)
+        error = self.run_cover('mesh', fine, '-o', 'd.vtu', '--size-field', self.write('h.csv', '0,0,1\n1,0\n'), code=5)[1]
+        self.assertIn('h.csv:2: expected 3 numbers, found 2', error)
+
+    def test_values_are_resolved(self):
+        """asinh of a doping that falls over 20 decades: it changes by at most the step on nearly every inner edge."""
+        n = 60
+        def doping(x):
+            return 1e20 * math.exp(-60 * x * x) - 1e15
+        values = '\n'.join(repr(doping(i / n)) for _ in range(n + 1) for i in range(n + 1))
+        self.write('doping.vtk', f'''# vtk DataFile Version 3.0
+doping
+ASCII
+DATASET STRUCTURED_POINTS
+DIMENSIONS {n + 1} {n + 1} 1
+ORIGIN 0 0 0
+SPACING {1 / n} {1 / n} 1
+POINT_DATA {(n + 1)**2}
+SCALARS doping double 1
+LOOKUP_TABLE default
+{values}
+''')
+        square = self.write('square.poly', SQUARE)
+        step = 2
+        self.run_cover('mesh', square, '-o', 'd.json', '-o', 'd.obj', '--split-interfaces', 150, '--size-field', 'doping.vtk',
+                       '--size-of', 'asinh(doping/1e15)', '--size-step', step)
+        points, edges = [], set()
+        for line in (self.dir / 'd.obj').read_text().splitlines():
+            words = line.split()
+            if line.startswith('v '):
+                points.append((float(words[1]), float(words[2])))
+            if line.startswith('f '):
+                t = [int(word.split('/')[0]) - 1 for word in words[1:]]
+                edges |= {tuple(sorted((t[k], t[k - 1]))) for k in range(3)}
+
+        def value(x):  # linear between the samples, as sizes are made
+            cell = min(int(x * n), n - 1)
+            a, b = (math.asinh(doping(i / n) / 1e15) for i in (cell, cell + 1))
+            return a + (x * n - cell) * (b - a)
+        changes = sorted(abs(value(points[a][0]) - value(points[b][0])) for a, b in edges)
+        self.assertGreater(len(changes), 500)
+        self.assertLess(len(changes), 20000)
+        too_large = sum(change > step for change in changes)
+        self.assertLess(too_large, 0.01 * len(changes), changes[-20:])
+        self.assertLess(changes[-1], 1.5 * step)
+        error = self.run_cover('mesh', square, '-o', 'd.vtu', '--size-of', 'asinh', code=2)[1]
+        self.assertIn('size-field', error)
+
     def test_sizes_in_the_input(self):
         area = 3**0.5 / 4 * 0.05**2  # of an equilateral triangle with sides of 0.05
         plain = self.triangles(self.fine_square())
@@ -577,14 +642,16 @@ class Memory(Case):
         square = self.dir / self.write('square.poly', SQUARE)
         if self.peak('mesh', square, '-o', self.dir / 'square.vtu') > 40000:
             self.skipTest('a sanitizer takes memory of its own')
-        stars = [self.star(n) for n in (20000, 80000)]
-        for method in ('almond', 'quality'):
+        # The smaller one, too, takes more than this interpreter, whose own peak a child inherits.
+        stars = [self.star(n) for n in (60000, 120000)]
+        # The almond method makes hardly more triangles than there are points, which take memory, too.
+        for method, most in (('almond', 460), ('quality', 350)):
             peaks, triangles = [], []
             for star in stars:  # what the program needs for any mesh cancels out
                 mesh, report = self.dir / 'star.vtu', self.dir / 'star.json'
                 peaks.append(self.peak('mesh', star, '--method', method, '-j', 1, '-o', mesh, '--report', report))
                 triangles.append(json.loads(report.read_text())['overall']['triangles'])
-            self.assertLess(1024 * (peaks[1] - peaks[0]) / (triangles[1] - triangles[0]), 400,
+            self.assertLess(1024 * (peaks[1] - peaks[0]) / (triangles[1] - triangles[0]), most,
                             (method, peaks, triangles))
 
 

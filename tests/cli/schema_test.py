@@ -28,7 +28,7 @@ GOOD = [
                   {'circle': {'centre': [0, 0], 'radius': 4, 'chords': 12}},
                   {'circle': {'centre': [0, 0], 'radius': 5, 'chord_error': 0.2}}]},
     {'polygons': [{'material': 'Si', 'rings': [[[0, 0], [4, 0], [4, 4]], [[2, 1], [3, 1], [3, 2]]]},
-                  {'material': 4, 'region': 'cap', 'priority': -2.5, 'rings': [[[0, 0], [1, 0], [1, 1]]]},
+                  {'material': 4, 'region': 'cap', 'priority': -2.5, 'size': 0.25, 'rings': [[[0, 0], [1, 0], [1, 1]]]},
                   {'material': 'Cu', 'rings': [[{'circle': {'centre': [9, 9], 'radius': 1, 'chords': 8}}]]},
                   {'material': 'Fe', 'rings': [[[0, 0], {'arc': {'centre': [0, 0], 'radius': 2, 'from': 90, 'to': 0,
                                                                  'chord_error': 0.1}}], []]}],

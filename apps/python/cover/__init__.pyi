@@ -13,7 +13,7 @@ _Progress = Callable[[str, int, int], Optional[bool]]
 _Material = Union[str, int]
 _Region = Union[Tuple[float, float, _Material], Tuple[float, float, _Material, str]]
 _Rings = Sequence[npt.ArrayLike]
-_Sizes = Union[float, str, Sequence[str], Mapping[str, float]]
+_Sizes = Union[float, str, Sequence[str], Mapping[str, Union[float, str]]]
 _Polygon = Union[Tuple[_Material, _Rings], Tuple[_Material, _Rings, str]]
 
 class _Options(TypedDict, total=False):
@@ -24,13 +24,15 @@ class _Options(TypedDict, total=False):
     prefer: Literal["balanced", "largest"]
     effort: Literal["fast", "normal", "thorough"]
     growth: Optional[float]
-    size: _Sizes  # by region or material; "" is everywhere
+    size: _Sizes  # by region or material; "" is everywhere; an expression of x and y for a length
     sizes: _Sizes  # the same
     size_at: _Sizes  # by contact, interface or point
     sizes_at: _Sizes
     no_input_sizes: bool
     input_sizes: bool
     size_field: Union[None, str, os.PathLike[str]]
+    size_of: Optional[str]  # "asinh", "asinh(doping)"
+    size_step: float
     box_method: bool
     split_interfaces: Union[None, bool, float]
     overlap: Literal["last", "first", "error"]

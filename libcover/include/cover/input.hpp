@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <cover/arcs.hpp>
 #include <cover/options.hpp>
+#include <cover/plane_field.hpp>
 #include <cover/point.hpp>
 
 namespace cover {
@@ -47,6 +49,7 @@ struct InputPolygon {
   std::string region;              ///< empty if none
   std::optional<double> priority;  ///< larger wins over smaller, and over the order
   long id = 0;
+  std::optional<double> size;  ///< wished edge length where it is seen, if the file gives one; > 0
   /// By ring and point: the circle of the segment from that point on, as in InputSegment; a ring
   /// without any may be left out.
   std::vector<std::vector<std::uint32_t>> circles{};
@@ -82,6 +85,8 @@ struct Input {
   VoidRule void_rule = VoidRule::holes_only;
   std::vector<InputPolygon> polygons;
   std::vector<InputLine> lines;
+  std::shared_ptr<const PlaneField>
+      field;  ///< values that the file has beside its geometry: doping
   std::vector<ArcCircle> circles;      ///< of segments, rings and lines that are chords of arcs
   std::vector<PeriodicRule> periodic;  ///< beside those of Options::periodic
 };

@@ -42,6 +42,13 @@ std::vector<std::string> write_formats();
 /// in degrees.
 Status write_vtu(const Output& output, const std::string& path, const WriteOptions& options = {});
 
+/// Writes VTK's format in HDF5 (VTKHDF 1.0, an unstructured grid of one piece): the triangles and
+/// cell arrays of write_vtu(), and as field data the names of regions, materials and lines, the
+/// edges of all lines, and where the mesh comes from. So one file holds all that read_output()
+/// wants.
+Status write_vtkhdf(const Output& output, const std::string& path,
+                    const WriteOptions& options = {});
+
 /// Writes a multi-block file with a named .vtu per group of regions and per group of lines beside
 /// it: the groups are those of the physical groups of .msh, so one name is one block. Lines between
 /// two triangles are always there. The pieces of X.vtm are X/X_K_HASH.vtu, with the hash of their

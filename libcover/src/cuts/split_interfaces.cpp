@@ -155,7 +155,8 @@ class Splitter {
       return;
     }
     const Triangulation cdt = std::move(result.triangulation);
-    const SizeField field(boundary, cdt, options_.growth, options_.size_field, first_cut_);
+    const SizeField field(boundary, cdt, options_.growth, background_of(boundary, options_),
+                          first_cut_);
     if (field.is_active()) {
       boundary.size_at.resize(boundary.points.size());
       for (std::uint32_t v = 0; v < boundary.points.size(); ++v) boundary.size_at[v] = field.at(v);

@@ -17,6 +17,7 @@ namespace cover {
 namespace {
 
 constexpr double kLogSlack = 1e-8;  ///< per triangle: rounding, and the tangent found by bisection
+constexpr int kMostInFan = 96;  ///< larger fans are not bounded: what they prove is next to nothing
 
 }  // namespace
 
@@ -62,10 +63,12 @@ double FanGrowth::log_ratio(double low, double high) const {
   }
   if (high < range_.least - kAngleSlack) return -1;
   const double least = range_.least;
-  const auto most_triangles = static_cast<int>((high + kAngleSlack) / least);
+  const double room = (high + kAngleSlack) / least;
+  const int most_triangles = room > kMostInFan ? kMostInFan + 1 : static_cast<int>(room);
   const int fewest = std::max(1, static_cast<int>(std::ceil((low - kAngleSlack) / range_.most)));
   double best = -1, previous = -1;
   for (int k = fewest; k <= std::max(most_triangles, 1); ++k) {
+    if (k > kMostInFan) return std::numeric_limits<double>::infinity();
     const double from = std::max(low / k, least), to = std::min(high / k, range_.most);
     if (from > to + kAngleSlack) continue;
     const double angle = std::clamp(peak_, std::min(from, to), std::max(from, to));

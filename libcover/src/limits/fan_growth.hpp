@@ -14,9 +14,10 @@ class FanGrowth {
   explicit FanGrowth(AngleRange range);
 
   /// An upper bound of the logarithm of the ratio, for angles at the vertex from `low` to `high`;
-  /// negative if no triangles can have such a sum.
+  /// negative if no triangles can have such a sum, infinite if the bound still grows with the 96th
+  /// triangle.
   ///
-  /// Cost: O(1); at most O(high / least)
+  /// Cost: O(1)
   [[nodiscard]] double log_ratio(double low, double high) const;
 
   /// The least part of the length of the first edge to which its far side can come down within

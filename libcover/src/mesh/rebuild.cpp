@@ -55,6 +55,11 @@ class Rebuilder {
       return wrong("a coordinate is not finite");
     }
     if (stored.input_vertices > soup.points.size()) return wrong("more input points than points");
+    for (const Interface& line : stored.interfaces) {
+      if (std::max(line.left.index(), line.right.index()) > stored.regions.size())
+        return wrong(fmt::format("interface {} has a side in region {}, which is not there",
+                                 line.id.value(), std::max(line.left.value(), line.right.value())));
+    }
     const std::size_t most = stored.regions.empty() ? n : stored.regions.size();
     for (std::size_t t = 0; t < n; ++t) {
       for (const std::uint32_t v : soup.triangles[t]) {

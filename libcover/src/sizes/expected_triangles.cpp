@@ -65,7 +65,7 @@ class Estimate {
  public:
   Estimate(const RegionBoundary& boundary, const Options& options)
       : cdt_(triangulate_region(boundary.points, boundary.sides)),
-        sizes_(boundary, cdt_, options.growth, options.size_field),
+        sizes_(boundary, cdt_, options.growth, background_of(boundary, options)),
         will_be_cut_(options.split_interfaces),
         samples_(cdt_.triangles.size() > kManyTriangles ? 1 : kSamples) {}
 
@@ -140,7 +140,7 @@ double expected_triangles(const RegionBoundary& boundary, const Options& options
   double most = most_triangles(boundary);
   if (options.growth)
     most = std::max(most, triangles_in(area_of(boundary), shortest_side(boundary)));
-  if (!options.size_field && !(most > kFew)) return most;
+  if (!options.size_field && !boundary.size_function && !(most > kFew)) return most;
   return Estimate(boundary, options).triangles();
 }
 

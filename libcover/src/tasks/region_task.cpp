@@ -29,6 +29,7 @@
 #include "target/measure.hpp"
 #include "target/whole_mesh.hpp"
 #include "tasks/errors_as_values.hpp"
+#include "tasks/share_out_regions.hpp"
 #include "tasks/stage_clock.hpp"
 
 namespace cover {
@@ -43,13 +44,6 @@ struct Batch {
 
 /// More than any mesh has triangles; sums of it do not overflow.
 constexpr double kMostCost = 0x1p40;
-
-/// Estimated work of a region. All methods are near linear in the size of the boundary and in the
-/// number of triangles.
-std::size_t cost_of(const RegionBoundary& boundary) {
-  return boundary.sides.size() + boundary.points.size() +
-         static_cast<std::size_t>(std::clamp(most_triangles(boundary), 0.0, kMostCost));
-}
 
 /// Batches are filled up to this cost: some milliseconds of work against microseconds of overhead.
 constexpr std::size_t kBatchCost = 1000;
@@ -205,6 +199,21 @@ RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
 
 }  // namespace
 
+std::size_t cost_of(const RegionBoundary& boundary) {
+  return boundary.sides.size() + boundary.points.size() +
+         static_cast<std::size_t>(std::clamp(most_triangles(boundary), 0.0, kMostCost));
+}
+
+RegionMesh mesh_one_region(const RegionBoundary& boundary, const Options& options,
+                           const std::stop_token& stop) {
+  const StageClock clock;
+  RegionMesh mesh = mesh_region(boundary, options, stop);
+  if (!stop.stop_requested())
+    mesh.report.limits = limits_of(boundary, mesh.report.quality, options);
+  mesh.report.seconds = clock.seconds();
+  return mesh;
+}
+
 unsigned worker_count(const Options& options) {
   return options.threads != 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
 }
@@ -269,16 +278,11 @@ Result<std::vector<RegionReport>> limit_regions(std::span<const RegionBoundary> 
 
 Result<std::vector<RegionMesh>> mesh_regions(std::span<const RegionBoundary> boundaries,
                                              const Options& options, const Callbacks& callbacks) {
+  if (callbacks.share_out) return share_out_regions(boundaries, options, callbacks);
   std::vector<RegionMesh> meshes(boundaries.size());
-  Status status =
-      for_each_region(boundaries, worker_count(options), "mesh", callbacks, [&](std::size_t k) {
-        const StageClock clock;
-        meshes[k] = mesh_region(boundaries[k], options, callbacks.stop);
-        RegionReport& report = meshes[k].report;
-        if (!callbacks.stop.stop_requested())
-          report.limits = limits_of(boundaries[k], report.quality, options);
-        meshes[k].report.seconds = clock.seconds();
-      });
+  Status status = for_each_region(
+      boundaries, worker_count(options), "mesh", callbacks,
+      [&](std::size_t k) { meshes[k] = mesh_one_region(boundaries[k], options, callbacks.stop); });
   if (!status) return std::move(status).error();
   return meshes;
 }

@@ -33,7 +33,17 @@ Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned work
 Result<std::vector<RegionReport>> limit_regions(std::span<const RegionBoundary> boundaries,
                                                 const Options& options, const Callbacks& callbacks);
 
-/// Meshes and measures every region; results in region order.
+/// Estimated work of a region. All methods are near linear in the size of the boundary and in the
+/// number of triangles.
+std::size_t cost_of(const RegionBoundary& boundary);
+
+/// Meshes and measures one region, and proves limits of what it misses.
+///
+/// Throws: what the method throws
+RegionMesh mesh_one_region(const RegionBoundary& boundary, const Options& options,
+                           const std::stop_token& stop);
+
+/// Meshes and measures every region, as Callbacks::share_out says; results in region order.
 Result<std::vector<RegionMesh>> mesh_regions(std::span<const RegionBoundary> boundaries,
                                              const Options& options, const Callbacks& callbacks);
 

@@ -17,8 +17,8 @@
 namespace cover {
 namespace {
 
-constexpr std::size_t kMostListed = 10;
-constexpr double kMiddleRounding = 0x1p-40;  ///< of an edge and its place
+constexpr std::size_t kFaultsListed = 10;
+constexpr double kOffMiddle = 0x1p-40;  ///< of an edge and its place
 
 class CurvedVerifier {
  public:
@@ -36,7 +36,7 @@ class CurvedVerifier {
   using Ends = std::pair<Point, Point>;
 
   void add(std::string message, std::vector<Point> where) {
-    if (result_.violations.size() < kMostListed)
+    if (result_.violations.size() < kFaultsListed)
       result_.violations.push_back({2, std::move(message), std::move(where)});
     ++result_.violation_count;
   }
@@ -74,7 +74,7 @@ class CurvedVerifier {
       const Point m = found->second, straight = midpoint(a, b);
       const double size =
           std::max({length(b - a), std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
-      const auto is_at = [&](Point p) { return length(m - p) <= kMiddleRounding * size; };
+      const auto is_at = [&](Point p) { return length(m - p) <= kOffMiddle * size; };
       const ArcCircle* circle = circle_of(pslg_, s);
       if (circle != nullptr && is_at(ArcOver(*circle, a, b).middle())) {
         ++result_.on_arcs;

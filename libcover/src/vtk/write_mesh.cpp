@@ -25,12 +25,12 @@ Status write_clean_input(const Output& output, const std::string& path, const Wr
 
 constexpr std::array kFormats{
     Format{".vtu", true, write_vtu},          Format{".vtm", true, write_vtm},
-    Format{".vtk", true, write_vtk},          Format{".msh", true, write_msh},
-    Format{".xdmf", true, write_xdmf},        Format{".mesh", true, write_medit},
-    Format{".inp", true, write_inp},          Format{".ele", true, write_triangle},
-    Format{".obj", false, write_obj},         Format{".off", false, write_off},
-    Format{".ply", false, write_ply},         Format{".json", true, write_manifest},
-    Format{".poly", true, write_clean_input},
+    Format{".vtkhdf", true, write_vtkhdf},    Format{".vtk", true, write_vtk},
+    Format{".msh", true, write_msh},          Format{".xdmf", true, write_xdmf},
+    Format{".mesh", true, write_medit},       Format{".inp", true, write_inp},
+    Format{".ele", true, write_triangle},     Format{".obj", false, write_obj},
+    Format{".off", false, write_off},         Format{".ply", false, write_ply},
+    Format{".json", true, write_manifest},    Format{".poly", true, write_clean_input},
 };
 
 Result<Format> format_of(const std::string& path) {

@@ -1,6 +1,7 @@
 #include "limits/fan_growth.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -35,6 +36,20 @@ TEST(FanGrowth, NoTrianglesWithoutRoom) {
   EXPECT_GE(growth.log_ratio(101 * kDegree, 101 * kDegree), 0);
   const FanGrowth stiff({70 * kDegree, 50 * kDegree});
   EXPECT_LT(stiff.log_ratio(80 * kDegree, 90 * kDegree), 0);
+}
+
+TEST(FanGrowth, FansOfVeryManyTrianglesAreNotBounded) {
+  // Where all angles may be flat, isosceles triangles double the edge each: no walk over 1e10.
+  for (const double least : {0.5, 1e-8, 1e-300}) {
+    const FanGrowth growth({std::numbers::pi - least * kDegree, least * kDegree});
+    EXPECT_EQ(growth.log_ratio(0, std::numbers::pi), std::numeric_limits<double>::infinity())
+        << least;
+  }
+  const FanGrowth wide({176 * kDegree, 2 * kDegree});
+  EXPECT_NEAR(wide.log_ratio(0, std::numbers::pi), 90 * std::log(2), 1);
+  // Fans of few triangles keep their bound, however small the least angle is beside them.
+  EXPECT_LT(FanGrowth({100 * kDegree, 2 * kDegree}).log_ratio(0, std::numbers::pi), 100);
+  EXPECT_LT(FanGrowth({100 * kDegree, 1e-8 * kDegree}).log_ratio(0, 2e-8 * kDegree), 100);
 }
 
 TEST(FanGrowth, NoRandomFanGrowsFaster) {

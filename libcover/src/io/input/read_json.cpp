@@ -334,11 +334,12 @@ class InputReader {
 
   void read_polygons() {
     for_each("polygons", [&](const Json& item, long id) {
-      if (!json_.expect_keys(item, {"material", "region", "priority", "rings"})) return;
+      if (!json_.expect_keys(item, {"material", "region", "priority", "size", "rings"})) return;
       InputPolygon polygon;
       polygon.material = json_.name(json_.required(item, "material"));
       polygon.region = name_of(item, "region");
       if (const Json* p = JsonReader::member(item, "priority")) polygon.priority = json_.number(*p);
+      if (const Json* size = JsonReader::member(item, "size")) polygon.size = json_.positive(*size);
       for (const Json& ring : json_.array(json_.required(item, "rings"), "rings"))
         add_ring(read_path(ring), polygon);
       polygon.id = id;

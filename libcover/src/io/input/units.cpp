@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace cover {
 namespace {
@@ -61,6 +63,13 @@ Status scale_input(Input& input, double factor) {
   });
   for (RegionSeed& seed : input.seeds)
     if (seed.size) seed.size = scaled(*seed.size);
+  for (InputPolygon& polygon : input.polygons)
+    if (polygon.size) polygon.size = scaled(*polygon.size);
+  if (input.field) {
+    PlaneField field = *input.field;
+    for (Point& p : field.points) p = {scaled(p.x), scaled(p.y)};
+    input.field = std::make_shared<const PlaneField>(std::move(field));
+  }
   for (ArcCircle& circle : input.circles) circle.radius = scaled(circle.radius);
   if (!finite)
     return Error{ErrorCode::non_finite_coordinate,

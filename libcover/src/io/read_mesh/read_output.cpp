@@ -17,6 +17,7 @@
 
 #include "base/errors.hpp"
 #include "io/read_mesh/complete_mesh.hpp"
+#include "io/read_mesh/read_vtkhdf_mesh.hpp"
 #include "io/read_mesh/second_order.hpp"
 #include "io/report/read_manifest.hpp"
 #include "io/text/text.hpp"
@@ -247,8 +248,38 @@ class Completion {
 
   Result<StoredMesh> read() {
     if (extension_of(path_) == ".vtm") return read_blocks();
+    if (extension_of(path_) == ".vtkhdf") {
+      Result<VtkHdfMesh> file = read_vtkhdf_mesh(path_);
+      if (!file) return std::move(file).error();
+      return file->has_names ? read_named(*std::move(file)) : complete(std::move(file->mesh));
+    }
     Result<MeshFile> file = read_mesh(path_);
-    if (!file) return std::move(file).error();
+    return file ? complete(*std::move(file)) : std::move(file).error();
+  }
+
+ private:
+  [[nodiscard]] std::string beside(const char* extension) const {
+    return fs::path(path_).replace_extension(extension);
+  }
+
+  /// A file that holds all that cover knows.
+  Result<StoredMesh> read_named(VtkHdfMesh file) const {
+    StoredMesh stored = std::move(file.names);
+    stored.soup = std::move(file.mesh.soup);
+    stored.second_order = file.mesh.second_order;
+    for (const MeshLine& line : file.mesh.lines) {
+      if (line.group < 1 || line.group > static_cast<std::int64_t>(stored.interfaces.size()))
+        return wrong_file(path_, fmt::format("there is no interface {}", line.group));
+      stored.edges.push_back(
+          {line.a, line.b, InterfaceId(static_cast<std::uint32_t>(line.group)), line.marker});
+    }
+    if (!take_materials(stored)) return wrong_file(path_, "it lacks regions");
+    sort_by_region(stored.soup);
+    return stored;
+  }
+
+  Result<StoredMesh> complete(MeshFile read) {
+    const MeshFile* file = &read;
     StoredMesh stored;
     stored.soup = file->soup;
     stored.second_order = file->second_order;
@@ -262,11 +293,6 @@ class Completion {
     }
     sort_by_region(stored.soup);
     return stored;
-  }
-
- private:
-  [[nodiscard]] std::string beside(const char* extension) const {
-    return fs::path(path_).replace_extension(extension);
   }
 
   Result<StoredMesh> read_blocks() const {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <numeric>
 
 #include "geom/vector.hpp"
 
@@ -31,7 +30,7 @@ void add_cells(const Cells& cells, CellType type, std::size_t points, Place plac
   grid.points = points;
   grid.cells = cells.size();
   constexpr std::size_t kDimensions = 3;
-  grid.coordinates = {"type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"",
+  grid.coordinates = {NumberType::float64, "Points", kDimensions, {},
                       points * kDimensions * sizeof(double), [points, place](BinaryWriter& out) {
                         for (std::size_t p = 0; p < points; ++p) {
                           const Point at = place(p);
@@ -83,7 +82,7 @@ struct Part {
     out.point_attributes = " GlobalIds=\"GlobalNodeId\"";
     VtuArray ids = vtu_array<std::int64_t>("GlobalNodeId", numbers.size(),
                                            [this](std::size_t p) { return numbers[p]; });
-    ids.attributes += " IdType=\"1\"";
+    ids.more = " IdType=\"1\"";
     out.point_data.push_back(std::move(ids));
     add_periodic_nodes(
         view, numbers.size(), [this](std::size_t p) { return numbers[p]; }, out);
@@ -106,27 +105,26 @@ std::array<double, 2> extreme_angles(const MeshView& view, std::size_t triangle)
   return {Angle::radians(*high).in_degrees(), Angle::radians(*low).in_degrees()};
 }
 
-/// The arrays of the triangles that are given, in which the grid then refers to `triangles` and
+/// The arrays of the triangles number(0), ..., number(triangles - 1); the grid then refers to
 /// `view`. Several names for one thing: every solver looks for its own, some only for the first
 /// array.
 ///
 /// Their order is one that meshio can read. It replaces the offset of each appended array by a
 /// larger one, 4/3 of it, and then takes the first array that has the next offset it looks for:
 /// with four arrays of integers in front, every third mesh came out wrong or not at all.
-void add_triangle_arrays(const MeshView& view, std::span<const std::size_t> triangles,
+template <class Number>
+void add_triangle_arrays(const MeshView& view, std::size_t triangles, Number number,
                          VtuGrid& grid) {
   std::vector<std::array<double, 2>> angles;
-  angles.reserve(triangles.size());
-  for (const std::size_t t : triangles) angles.push_back(extreme_angles(view, t));
+  angles.reserve(triangles);
+  for (std::size_t k = 0; k < triangles; ++k) angles.push_back(extreme_angles(view, number(k)));
   const auto extremes =
       std::make_shared<const std::vector<std::array<double, 2>>>(std::move(angles));
   const auto add = [&]<class T>(T, const char* name, auto value) {
-    grid.cell_data.push_back(vtu_array<T>(name, triangles.size(), value));
+    grid.cell_data.push_back(vtu_array<T>(name, triangles, value));
   };
-  const auto material = [&view, triangles](std::size_t k) { return view.material[triangles[k]]; };
-  const auto region = [&view, triangles](std::size_t k) {
-    return view.region[triangles[k]].value();
-  };
+  const auto material = [&view, number](std::size_t k) { return view.material[number(k)]; };
+  const auto region = [&view, number](std::size_t k) { return view.region[number(k)].value(); };
   const auto largest = [extremes](std::size_t k) { return (*extremes)[k][0]; };
   const auto smallest = [extremes](std::size_t k) { return (*extremes)[k][1]; };
   grid.cell_attributes = " Scalars=\"material\"";
@@ -140,24 +138,27 @@ void add_triangle_arrays(const MeshView& view, std::span<const std::size_t> tria
 
 }  // namespace
 
-void write_whole(const MeshView& view, const ByteSink& sink) {
-  std::vector<std::size_t> all(view.triangles.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
+VtuGrid whole_grid(const MeshView& view) {
   VtuGrid grid;
   add_cells(
       view.triangles, type_of_triangles(view), view.points.size(),
       [&view](std::size_t p) { return view.points[p]; }, grid);
   add_periodic_nodes(
       view, view.points.size(), [](std::size_t p) { return p; }, grid);
-  add_triangle_arrays(view, all, grid);
-  write_vtu_bytes(grid, sink);
+  add_triangle_arrays(view, view.triangles.size(), [](std::size_t k) { return k; }, grid);
+  return grid;
+}
+
+void write_whole(const MeshView& view, const ByteSink& sink) {
+  write_vtu_bytes(whole_grid(view), sink);
 }
 
 void write_triangles(const MeshView& view, std::span<const std::size_t> triangles,
                      const ByteSink& sink) {
   const Part part(view.triangles, triangles);
   VtuGrid grid = part.grid(view, type_of_triangles(view));
-  add_triangle_arrays(view, triangles, grid);
+  add_triangle_arrays(
+      view, triangles.size(), [triangles](std::size_t k) { return triangles[k]; }, grid);
   write_vtu_bytes(grid, sink);
 }
 

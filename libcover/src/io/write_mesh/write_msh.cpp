@@ -11,6 +11,7 @@
 #include <map>
 #include <set>
 
+#include "geom/box.hpp"
 #include "io/files/text_writer.hpp"
 #include "io/write_mesh/mesh_view.hpp"
 
@@ -132,16 +133,12 @@ class MshWriter {
   void entities(const std::vector<Group>& groups, const Buckets& members, const Cells& cells) {
     for (std::size_t g = 0; g < groups.size(); ++g) {
       if (members[g].empty()) continue;
-      Point low = view_.points[cells[members[g].front()][0]], high = low;
+      Box box;
       for (const std::size_t k : members[g]) {
-        for (const std::uint32_t node : cells[k]) {
-          const Point& p = view_.points[node];
-          low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-          high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-        }
+        for (const std::uint32_t node : cells[k]) box.add(view_.points[node]);
       }
-      out_ << groups[g].tag << ' ' << low.x << ' ' << low.y << " 0 " << high.x << ' ' << high.y
-           << " 0 1 " << groups[g].tag << " 0\n";
+      out_ << groups[g].tag << ' ' << box.low.x << ' ' << box.low.y << " 0 " << box.high.x << ' '
+           << box.high.y << " 0 1 " << groups[g].tag << " 0\n";
     }
   }
 

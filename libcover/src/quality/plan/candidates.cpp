@@ -51,9 +51,9 @@ Candidates::Candidates(const RegionBoundary& boundary, const Options& options, s
       budget_{given_, stop} {}
 
 SizeFunction Candidates::background_in_frame() const {
-  if (!options_.size_field) return {};
-  return
-      [&field = options_.size_field, frame = &frame_](Point p) { return field(frame->restore(p)); };
+  SizeFunction field = background_of(boundary_, options_);
+  if (!field) return {};
+  return [field = std::move(field), frame = &frame_](Point p) { return field(frame->restore(p)); };
 }
 
 bool Candidates::is_budget_used_up() const {
