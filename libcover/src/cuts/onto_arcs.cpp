@@ -184,7 +184,7 @@ std::vector<SegmentCut> onto_arcs(Pslg& pslg, const RegionTable& table,
 }
 
 void warn_of_straight_arcs(const Pslg& pslg, std::vector<Note>& notes) {
-  constexpr std::size_t kPlacesTold = 8;
+  constexpr std::size_t kStraightTold = 8;
   std::vector<Point> where;
   for (const Segment& s : pslg.segments) {
     if ((s.circle & kStraightened) != 0)
@@ -193,7 +193,7 @@ void warn_of_straight_arcs(const Pslg& pslg, std::vector<Note>& notes) {
   if (where.empty()) return;
   const std::size_t count = where.size();
   const Point first = where[0];
-  where.resize(std::min(count, kPlacesTold));
+  where.resize(std::min(count, kStraightTold));
   notes.push_back(
       {Note::Kind::warning, kVoid,
        fmt::format("{} of arcs {} straight, the first at {}: {} cut on the chord, since "
