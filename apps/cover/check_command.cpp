@@ -7,6 +7,7 @@
 #include <cover/read_mesh.hpp>
 #include <cover/remesh.hpp>
 #include <cover/verify.hpp>
+#include <cover/verify_curved.hpp>
 
 #include "base/describe.hpp"
 #include "base/printable.hpp"
@@ -70,6 +71,27 @@ bool is_split_only(const Verification& found, const Prepared& prepared, const Tr
   return verify_cover(prepared.pslg, prepared.table, mesh, verify).violations.empty();
 }
 
+/// An input that was cut as a mesh is.
+struct CutInput {
+  Pslg pslg;
+  RegionTable table;
+  std::size_t points = 0;
+  Verification found;
+};
+
+/// Where a mesh is sound but for vertices on arcs, which are beside their chords: the input with
+/// these vertices, on which all promises hold.
+std::optional<CutInput> cut_on_arcs(const Verification& found, const Prepared& prepared,
+                                    const TriangleSoup& mesh, const VerifyOptions& verify) {
+  if (found.violations.empty() || prepared.pslg.circles.empty()) return std::nullopt;
+  CutInput cut{prepared.pslg, prepared.table, 0, {}};
+  cut.points = adopt_cuts(cut.pslg, cut.table, mesh);
+  if (cut.points == 0) return std::nullopt;
+  cut.found = verify_cover(cut.pslg, cut.table, mesh, verify);
+  if (!cut.found.violations.empty()) return std::nullopt;
+  return cut;
+}
+
 /// The negative couplings of a mesh that has cut segments or not.
 Verification couplings_of(const Prepared& prepared, const TriangleSoup& mesh,
                           VerifyOptions verify) {
@@ -105,6 +127,24 @@ int print_couplings(const Verification& found, bool quiet) {
   }
   if (all.size() > kListed) fmt::print("    ... and {} more\n", grouped(all.size() - kListed));
   return exit_unmet;
+}
+
+/// Whether the middle nodes of a mesh of second order are sound; nothing is said of others.
+int print_curved(const Pslg& pslg, const MeshTriangles& mesh, bool quiet) {
+  if (mesh.middles.size() != mesh.soup.triangles.size()) return exit_ok;
+  const CurvedVerification found = verify_curved(pslg, mesh.soup, mesh.middles);
+  for (const Violation& violation : found.violations)
+    fmt::print("FAILED second order: {}{}\n", violation.message, place(violation));
+  if (found.violation_count > found.violations.size())
+    fmt::print("... and {} more\n", grouped(found.violation_count - found.violations.size()));
+  if (!found.violations.empty()) return exit_unmet;
+  if (!quiet)
+    fmt::print("Second order: every Jacobian is positive everywhere; {} edges lie on arcs{}\n",
+               grouped(found.on_arcs),
+               found.straight == 0
+                   ? ""
+                   : fmt::format(", {} of arcs are straight", grouped(found.straight)));
+  return exit_ok;
 }
 
 /// Whether the sides that `rules` name have partners for all their vertices and edges in the mesh.
@@ -199,7 +239,22 @@ Examples:
   if (!mesh) return fail(*log, mesh.error());
   verify.material_numbers = mesh->has_materials;
   Verification found = verify_cover(prepared->pslg, prepared->table, mesh->soup, verify);
-  if (is_split_only(found, *prepared, mesh->soup, verify)) {
+  if (const auto cut = cut_on_arcs(found, *prepared, mesh->soup, verify)) {
+    const std::string option = cutting_option(mesh_path);
+    if (!verify.allow_split && option.empty()) {
+      fmt::print(
+          "Arcs are cut at {} points on them; all else is sound. If they were to be cut, add "
+          "--allow-split\n",
+          grouped(cut->points));
+    } else {
+      if (!verbosity.quiet)
+        fmt::print("Segments are cut at {} points, those of arcs on their circles{}{}\n",
+                   grouped(cut->points), option.empty() ? "" : ": ", option);
+      found = cut->found;
+      prepared->pslg = cut->pslg;
+      prepared->table = cut->table;
+    }
+  } else if (is_split_only(found, *prepared, mesh->soup, verify)) {
     const std::string option = cutting_option(mesh_path);
     if (option.empty()) {
       fmt::print(
@@ -217,6 +272,7 @@ Examples:
   rules.insert(rules.end(), input->periodic.begin(), input->periodic.end());
   const int sides = print_periodic(*prepared, rules, mesh->soup, verbosity.quiet);
   code = code == exit_ok ? sides : code;
+  if (code == exit_ok) code = print_curved(prepared->pslg, *mesh, verbosity.quiet);
   if (!box_method) return code;
   const int boxes = print_couplings(couplings_of(*prepared, mesh->soup, verify), verbosity.quiet);
   return code == exit_ok ? boxes : code;

@@ -16,6 +16,7 @@ struct MeshTriangles {
   /// False: the file has groups instead of materials, and no manifest says what they are; then
   /// soup.material holds the numbers of the groups.
   bool has_materials = true;
+  std::vector<std::array<Point, 3>> middles{};  ///< as MeshFile::middles
 };
 
 /// The triangles of a mesh, as .vtm or in any format of read_mesh(). Formats that have groups

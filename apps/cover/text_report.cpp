@@ -8,6 +8,8 @@
 
 #include <fmt/ranges.h>
 
+#include <cover/curved_mesh.hpp>
+
 #include "angle_text.hpp"
 #include "base/describe.hpp"
 #include "base/printable.hpp"
@@ -66,6 +68,23 @@ std::string histogram(const Quality& quality) {
   return out;
 }
 
+std::string arcs_text(const Output& output) {
+  if (output.pslg.circles.empty()) return {};
+  const CurvedMesh curved = curved_mesh(output);
+  if (curved.edges.empty()) return {};
+  const auto straight = static_cast<std::size_t>(
+      std::count_if(curved.edges.begin(), curved.edges.end(),
+                    [](const CurvedEdge& edge) { return edge.is_straight; }));
+  const double area = std::accumulate(curved.areas.begin(), curved.areas.end(), 0.0);
+  std::string out =
+      fmt::format("On arcs         {:>7}  edges; with --order 2 the area is {:.10g}\n",
+                  grouped(curved.edges.size()), area);
+  if (straight > 0)
+    out += fmt::format("  {} of them stay straight, or triangles beside them would not be valid\n",
+                       grouped(straight));
+  return out;
+}
+
 std::string totals(const Output& output) {
   const Report& report = output.report;
   const Quality& q = report.quality;
@@ -92,6 +111,7 @@ std::string totals(const Output& output) {
     out += fmt::format("Periodic        {:>7}  pairs of vertices on '{}' and '{}'\n",
                        grouped(nodes.vertices.size()), nodes.rule.from, nodes.rule.to);
   }
+  out += arcs_text(output);
   if (report.regions.empty()) return out;
   const RegionReport& region = report.regions[worst];
   out += fmt::format("Largest angle   {:>7}  in region {} '{}'; no mesh is below {} there\n",

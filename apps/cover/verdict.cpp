@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
 
 #include <fmt/core.h>
 
+#include <cover/curved_mesh.hpp>
 #include <cover/verify.hpp>
 
 #include "angle_text.hpp"
@@ -192,6 +194,22 @@ Finding describe_pairs(const PeriodicNodes& nodes) {
                       nodes.rule.from, nodes.rule.to, grouped(nodes.vertices.size()))};
 }
 
+/// Edges on arcs, where there are any.
+std::optional<Finding> describe_arcs(const Output& output) {
+  if (output.pslg.circles.empty()) return std::nullopt;
+  const CurvedMesh curved = curved_mesh(output);
+  if (curved.edges.empty()) return std::nullopt;
+  const auto straight = static_cast<std::size_t>(
+      std::count_if(curved.edges.begin(), curved.edges.end(),
+                    [](const CurvedEdge& edge) { return edge.is_straight; }));
+  const std::string text =
+      fmt::format("{} edges have their ends on arcs; triangles of second order are valid with them",
+                  grouped(curved.edges.size()));
+  if (straight == 0) return Finding{Grade::good, "Arcs", text + "."};
+  return Finding{Grade::caution, "Arcs",
+                 fmt::format("{}, but for {} that stay straight.", text, grouped(straight))};
+}
+
 Finding check_input(const Output& output) {
   const std::size_t changes = output.report.changes.size();
   std::size_t remarks = 0;
@@ -236,6 +254,7 @@ std::vector<Finding> findings_of(const Output& output) {
     findings.push_back(check_smallest(output, targets.smallest));
   }
   for (const PeriodicNodes& nodes : output.periodic) findings.push_back(describe_pairs(nodes));
+  if (const auto arcs = describe_arcs(output)) findings.push_back(*arcs);
   findings.push_back(check_input(output));
   findings.push_back(check_box_method(output));
   return findings;

@@ -18,6 +18,7 @@
 #include <pybind11/stl.h>
 
 #include <cover/cover_mesh.hpp>
+#include <cover/curved_mesh.hpp>
 #include <cover/option_table.hpp>
 #include <cover/picture.hpp>
 #include <cover/read_input.hpp>
@@ -154,6 +155,25 @@ py::list periodic_of(const PyMesh& mesh) {
   return rules;
 }
 
+/// Edges on arcs with the middle nodes that order=2 gives them, and areas of regions with them.
+py::dict arcs_of(const PyMesh& mesh) {
+  const CurvedMesh curved = curved_mesh(mesh.output);
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  std::vector<Point> middles;
+  py::list straight;
+  for (const CurvedEdge& edge : curved.edges) {
+    edges.push_back({edge.a, edge.b});
+    middles.push_back(edge.middle);
+    straight.append(edge.is_straight);
+  }
+  py::dict arcs;
+  arcs["edges"] = array_of(edges);
+  arcs["middles"] = array_of(middles);
+  arcs["straight"] = straight;
+  arcs["areas"] = py::cast(curved.areas);
+  return arcs;
+}
+
 /// A row of a table of options, for those who make forms or documents of it.
 template <class Target>
 py::dict describe(const OptionOf<Target>& entry) {
@@ -244,6 +264,7 @@ PYBIND11_MODULE(_cover, module) {
       .def_property_readonly("input_id", &input_ids)
       .def_property_readonly("lines", &lines_of)
       .def_property_readonly("periodic", &periodic_of)
+      .def_property_readonly("arcs", &arcs_of)
       .def_property_readonly("report", &report_of)
       .def("save", &save, py::arg("path"))
       .def("violations", &violations)

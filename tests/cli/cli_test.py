@@ -138,6 +138,45 @@ class Periodic(Case):
         self.assertEqual(self.files(), ['cell.json'])
 
 
+class Arcs(Case):
+    CUT = ['--split-interfaces=150', '--size', '0.3']
+
+    def test_cuts_and_middle_nodes_lie_on_arcs(self):
+        coax = SAMPLES / 'coax_arcs.json'
+        out, _ = self.run_cover('mesh', coax, *self.CUT, '--order', '2', '-o', 'a.msh', '-o', 'a.json', '--report', 'r.json')
+        self.assertRegex(out, r'On arcs +\d+  edges; with --order 2 the area is 9\.42')
+        area, = (a['area'] for a in json.loads((self.dir / 'r.json').read_text())['arcs']['areas'])
+        self.assertLess(abs(area / (3 * math.pi) - 1), 1e-4)
+        arcs = json.loads((self.dir / 'a.json').read_text())['arcs']
+        self.assertEqual([a['radius'] for a in arcs], [1, 2])
+        out, _ = self.run_cover('check', coax, 'a.msh')
+        self.assertRegex(out, r'Segments are cut at \d+ points, those of arcs on their circles: --split-interfaces 150')
+        self.assertRegex(out, r'every Jacobian is positive everywhere; \d+ edges lie on arcs\n')
+        # Kept by files: converted, the arcs are there again.
+        self.run_cover('mesh', coax, *self.CUT, '-o', 'b.vtk', '-o', 'b.json', '-q')
+        self.run_cover('convert', 'b.vtk', '-o', 'c.msh', '--order', '2')
+        self.assertIn('edges lie on arcs', self.run_cover('check', coax, 'c.msh', '--allow-split')[0])
+
+    def test_check_refuses_what_is_off_its_arc(self):
+        coax = SAMPLES / 'coax_arcs.json'
+        self.run_cover('mesh', coax, *self.CUT, '--order', '2', '-o', 'a.vtk', '-o', 'a.json', '-q')
+        lines = (self.dir / 'a.vtk').read_text().splitlines()
+        corners = json.loads((self.dir / 'a.json').read_text())['counts']['vertices']
+        first = next(k for k, line in enumerate(lines) if line.startswith('POINTS')) + 1
+        moved = next(k for k in range(first + corners, len(lines))
+                     if abs(math.hypot(*map(float, lines[k].split()[:2])) - 2) < 1e-12)
+        x, y = map(float, lines[moved].split()[:2])
+        lines[moved] = f'{x * 0.9999!r} {y * 0.9999!r} 0'
+        self.write('a.vtk', '\n'.join(lines) + '\n')
+        self.assertIn('FAILED second order: the middle node', self.run_cover('check', coax, 'a.vtk', code=6)[0])
+
+    def test_ends_off_the_circle_are_refused(self):
+        self.write('a.json', json.dumps({'points': [[1, 0], [0, 1.1]], 'segments': [
+            {'points': [0, 1], 'arc': {'centre': [0, 0], 'chords': 4}}, [0, 1]]}))
+        self.assertIn('are not equally far from the centre: 1 and 1.1', self.run_cover('mesh', 'a.json', '-o', 'a.vtu', code=5)[1])
+        self.assertEqual(self.files(), ['a.json'])
+
+
 class Mesh(Case):
     def test_mesh_report_and_picture(self):
         out, _ = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '-o', 'd.svg', '--report', 'd.json')

@@ -46,6 +46,30 @@ class Meshing(unittest.TestCase):
         self.assertEqual(mesh.violations(), [])
         self.assertIn('2 regions', repr(mesh))
 
+    def test_periodic_sides(self):
+        lines = {'left': [5], 'right': [2]}
+        mesh = cover.mesh(SQUARE, SEGMENTS, REGIONS, lines=lines, periodic='left=right', split_interfaces=90, size=0.2)
+        rule, = mesh.periodic
+        self.assertEqual((rule['from'], rule['to']), ('left', 'right'))
+        pairs = rule['vertices']
+        self.assertGreater(len(pairs), 4)
+        self.assertEqual(rule['edges'].shape, (len(pairs) - 1, 4))
+        np.testing.assert_array_equal(mesh.points[pairs[:, 0]] + [2, 0], mesh.points[pairs[:, 1]])
+        with self.assertRaisesRegex(cover.OptionError, "did you mean 'right'"):
+            cover.mesh(SQUARE, SEGMENTS, REGIONS, lines=lines, periodic=['left=rigth'])
+
+    def test_arcs(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / 'disc.json'
+            path.write_text('{"segments": [{"circle": {"centre": [1, 2], "radius": 3, "chords": 6}}]}')
+            mesh = cover.mesh_file(path, split_interfaces=120, size=0.5)
+        arcs = mesh.arcs
+        self.assertGreater(len(arcs['edges']), 20)
+        for points in (mesh.points[arcs['edges'].ravel()], arcs['middles']):
+            np.testing.assert_allclose(np.hypot(*(points - [1, 2]).T), 3, rtol=1e-14)
+        self.assertFalse(any(arcs['straight']))
+        self.assertAlmostEqual(arcs['areas'][0], 9 * math.pi, places=4)
+
     def test_lists_will_do(self):
         mesh = cover.mesh([(0, 0), (1, 0), (0, 1)], [(0, 1), (1, 2), (2, 0)])
         self.assertEqual(len(mesh.triangles), 1)

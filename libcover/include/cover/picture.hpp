@@ -29,6 +29,7 @@ struct PictureMesh {
   std::map<std::int64_t, std::string> material_names;  ///< by material; missing: "material 3"
   std::vector<PictureLine> lines;                      ///< empty: found from the regions
   std::string unit;                                    ///< of the coordinates; empty: not said
+  std::vector<std::vector<std::uint32_t>> periodic{};  ///< by rule: vertices with partners, marked
 };
 
 /// A part of the plane.

@@ -1,6 +1,7 @@
 // Reading meshes back: triangles of any tool, and all that cover wrote.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -35,6 +36,9 @@ struct MeshFile {
   std::map<std::int64_t, std::string> region_names;  ///< of groups, or of materials
   std::map<std::int64_t, std::string> line_names;    ///< of groups of lines
   bool second_order = false;  ///< triangles had six nodes; their corners were taken
+  /// By triangle, where all have six nodes: the middle nodes, from that of the first edge on. Not of
+  /// .ele and .vtm.
+  std::vector<std::array<Point, 3>> middles{};
 };
 
 /// Reads the triangles of a mesh, and its lines: .vtu, legacy .vtk, .vtkhdf, gmsh's .msh, .xdmf, Medit's

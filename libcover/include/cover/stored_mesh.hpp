@@ -1,6 +1,7 @@
 // A mesh as the files that cover writes hold it, and back to what cover_mesh() returns.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -23,6 +24,12 @@ struct StoredEdge {
   std::uint32_t name = 0;  ///< of a contact, index into StoredMesh::names; 0: none
 };
 
+/// Edges that are chords of one circle.
+struct StoredArc {
+  ArcCircle circle;
+  std::vector<std::array<std::uint32_t, 2>> edges;
+};
+
 /// Triangles with what belongs to them.
 struct StoredMesh {
   TriangleSoup soup;                   ///< with the region and the material of every triangle
@@ -32,6 +39,7 @@ struct StoredMesh {
   std::vector<std::string> names{""};  ///< of contacts, where there are no interfaces
   std::vector<StoredEdge> edges;       ///< of all interfaces
   std::vector<PeriodicNodes> periodic;
+  std::vector<StoredArc> arcs;
   Provenance provenance;               ///< and unit and scale: as in Report
   std::string unit;
   double scale = 1;

@@ -23,6 +23,7 @@
 #include "clean/network.hpp"
 #include "clean/node_edges.hpp"
 #include "clean/paint.hpp"
+#include "clean/remember_arcs.hpp"
 #include "clean/visible_edges.hpp"
 #include "clean/weld.hpp"
 #include "faces/place_seeds.hpp"
@@ -134,6 +135,7 @@ bool is_empty(const Input& input) {
 
 Result<Pslg> make_pslg(const Input& input, const Options& options, Report& report) {
   if (auto error = find_unusable(input)) return *error;
+  if (auto error = find_bad_arcs(input)) return *error;
   if (is_empty(input) && !options.hull) {
     return Error{ErrorCode::no_segments,
                  fmt::format("{}: there are no segments and no polygons", input.source),
@@ -173,6 +175,7 @@ Result<Pslg> make_pslg(const Input& input, const Options& options, Report& repor
     if (auto error = changes_as_error(input, report.changes)) return *error;
   }
   sum_up(report.changes, report.notes);
+  remember_arcs(input, *pslg, report.notes);
   return pslg;
 }
 

@@ -9,6 +9,8 @@
 
 #include "cuts/cut_segments.hpp"
 #include "cuts/renumber_points.hpp"
+#include "geom/arc.hpp"
+#include "geom/vector.hpp"
 #include "verify/soup_edges.hpp"
 #include "verify/verify_bound.hpp"
 
@@ -36,7 +38,11 @@ class Adopter {
     const std::size_t before = pslg_.points.size();
     std::vector<SegmentCut> cuts;
     for (std::size_t s = 0; s < pslg_.segments.size(); ++s) {
-      const std::vector<std::uint32_t> on_it = vertices_on(s);
+      std::vector<std::uint32_t> on_it = vertices_on_arc(s);
+      if (on_it.empty()) {
+        on_it = vertices_on(s);
+        if (!on_it.empty()) straighten(pslg_.segments[s]);
+      }
       if (on_it.empty()) continue;
       cuts.push_back({SegmentId{s}, {}});
       for (const std::uint32_t v : on_it) {
@@ -70,6 +76,74 @@ class Adopter {
     }
     if (!forward) std::reverse(vertices.begin(), vertices.end());
     return vertices;
+  }
+
+  /// The vertices on the arc over a chord, from its end a to its end b: the nearest one along the
+  /// arc follows each. Between two of them there may be others on the chord.
+  [[nodiscard]] std::vector<std::uint32_t> vertices_on_arc(std::size_t s) const {
+    const Segment& segment = pslg_.segments[s];
+    const ArcCircle* circle = circle_of(pslg_, segment);
+    const auto a = vertex_[segment.a.index()], b = vertex_[segment.b.index()];
+    const SegmentSides& sides = table_.sides[s];
+    if (circle == nullptr || !a || !b || (sides.left == kVoid && sides.right == kVoid)) return {};
+    const bool forward = sides.left != kVoid;
+    const std::uint32_t from = forward ? *a : *b, to = forward ? *b : *a;
+    const ArcOver arc(*circle, mesh_.points[from], mesh_.points[to]);
+    std::vector<std::uint32_t> vertices{from};
+    for (double done = 0; done < 1;) {
+      const std::vector<std::uint32_t> way = way_to_next(arc, vertices.back(), to, done);
+      if (way.empty()) return {};
+      vertices.insert(vertices.end(), way.begin(), way.end());
+    }
+    vertices.erase(vertices.begin());
+    vertices.pop_back();  // the segment's end
+    if (!forward) std::reverse(vertices.begin(), vertices.end());
+    return vertices;
+  }
+
+  /// The straight way over edges from `here` to the nearest vertex of the arc beyond the share
+  /// `done` of it, which moves there; `to` is the arc's end.
+  [[nodiscard]] std::vector<std::uint32_t> way_to_next(const ArcOver& arc, std::uint32_t here,
+                                                       std::uint32_t to, double& done) const {
+    std::vector<std::uint32_t> best;
+    double nearest = 0;
+    for (const SoupEdges::Edge& edge : edges_.leaving(here)) {
+      const std::vector<std::uint32_t> way = straight_way(arc, here, edge.to, to);
+      if (way.empty()) continue;
+      const double share = way.back() == to ? 1 : arc.share_of(mesh_.points[way.back()]);
+      if (share <= done || share > 1 || (!best.empty() && share >= nearest)) continue;
+      best = way;
+      nearest = share;
+    }
+    done = nearest;
+    return best;
+  }
+
+  /// From `next`, a neighbour of `here`, on in the same direction up to a vertex of the arc; empty
+  /// if there is none, or a point of the input is in the way.
+  [[nodiscard]] std::vector<std::uint32_t> straight_way(const ArcOver& arc, std::uint32_t here,
+                                                        std::uint32_t next,
+                                                        std::uint32_t to) const {
+    const Point start = mesh_.points[here];
+    const Vector along = mesh_.points[next] - start;
+    std::vector<std::uint32_t> way{next};
+    while (way.back() != to) {
+      const std::uint32_t v = way.back();
+      if (is_input_[v]) return {};
+      if (arc.is_on_circle(mesh_.points[v])) break;
+      const double share = arc.share_of(mesh_.points[v]);
+      if (share < 0 || share > 1) return {};
+      std::optional<std::uint32_t> following;
+      for (const SoupEdges::Edge& edge : edges_.leaving(v)) {
+        const Vector step = mesh_.points[edge.to] - start;
+        if (dot(along, step) > dot(along, mesh_.points[v] - start) &&
+            std::abs(cross(along, step)) <= offset_ * length(step))  // off the line as it was begun
+          following = edge.to;
+      }
+      if (!following) return {};
+      way.push_back(*following);
+    }
+    return way;
   }
 
   void order_as_in_mesh() {

@@ -10,6 +10,7 @@
 #include "cuts/cut_encroached.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -19,6 +20,7 @@
 #include "cdt/region_cdt.hpp"
 #include "cuts/cut_segments.hpp"
 #include "cuts/mirror_cuts.hpp"
+#include "cuts/onto_arcs.hpp"
 #include "cuts/room_on_segment.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
@@ -221,6 +223,7 @@ class Cutter {
   std::vector<SegmentCut> choose(const std::vector<Encroached>& found) {
     const PeriodicClasses classes(pslg_);
     std::vector<SegmentCut> cuts;
+    std::map<SegmentId, BoxCut> told;  // reasons
     for (const Encroached& e : found) {
       const std::vector<SegmentCut> images = classes.images({e.segment, places_on(e)});
       if (!has_room(images)) {
@@ -234,13 +237,21 @@ class Cutter {
       for (const SegmentCut& cut : images) {
         for (const Point p : cut.points) {
           for (const SegmentSide& s : sides_[cut.segment.index()]) view(s.region).touch(s.side, p);
-          done_.push_back({p, reason, e.by});
         }
+        told.emplace(cut.segment, BoxCut{{}, reason, e.by});
         cuts.push_back(cut);
       }
     }
     std::sort(cuts.begin(), cuts.end(),
               [](const SegmentCut& x, const SegmentCut& y) { return x.segment < y.segment; });
+    cuts = onto_arcs(pslg_, table_, std::move(cuts));
+    for (const SegmentCut& cut : cuts) {
+      BoxCut& done = told.at(cut.segment);
+      for (const Point p : cut.points) {
+        done.at = p;
+        done_.push_back(done);
+      }
+    }
     return cuts;
   }
 

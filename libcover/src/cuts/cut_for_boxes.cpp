@@ -14,6 +14,7 @@
 #include "cuts/cut_encroached.hpp"
 #include "cuts/cut_segments.hpp"
 #include "cuts/mirror_cuts.hpp"
+#include "cuts/onto_arcs.hpp"
 #include "cuts/room_on_segment.hpp"
 #include "geom/vector.hpp"
 #include "quality/fault/missed_targets.hpp"
@@ -134,7 +135,8 @@ class CouplingRounds {
       if (has_room_on_segment(a, b, foot, std::vector<Point>{apex}))
         cuts.push_back({segment, {foot}});
     }
-    return PeriodicClasses(pslg).with_images(std::move(cuts));
+    return onto_arcs(prepared_.pslg, prepared_.table,
+                     PeriodicClasses(pslg).with_images(std::move(cuts)));
   }
 
   static std::vector<NegativeSide> negative_sides(const RegionBoundary& boundary,

@@ -3,6 +3,9 @@
 
 #include <utility>
 
+#include "geom/arc.hpp"
+#include "geom/vector.hpp"
+
 namespace cover {
 namespace {
 
@@ -39,6 +42,33 @@ std::vector<SegmentPair> pairs_of_pieces(const std::vector<SegmentPair>& pairs,
   return out;
 }
 
+/// What a region on the left of a chord loses where points beside it come in its place, and how
+/// much longer the way is.
+struct Bend {
+  double area = 0;
+  double length = 0;
+};
+
+Bend bend_of(Point a, Point b, const std::vector<Point>& points) {
+  Bend bend{0, -length(b - a)};
+  Point before = a;
+  for (const Point p : points) {
+    bend.area -= cross(before - a, p - a) / 2;
+    bend.length += length(p - before);
+    before = p;
+  }
+  bend.area -= cross(before - a, b - a) / 2;
+  bend.length += length(b - before);
+  return bend;
+}
+
+void apply_bend(const Bend& bend, const SegmentSides& sides, RegionTable& table) {
+  if (sides.left != kVoid) table.regions[sides.left.index() - 1].area -= bend.area;
+  if (sides.right != kVoid) table.regions[sides.right.index() - 1].area += bend.area;
+  if (sides.interface != kNoInterface)
+    table.interfaces[sides.interface.index() - 1].length += bend.length;
+}
+
 }  // namespace
 
 void cut_segments(Pslg& pslg, RegionTable& table, std::span<const SegmentCut> cuts) {
@@ -51,6 +81,9 @@ void cut_segments(Pslg& pslg, RegionTable& table, std::span<const SegmentCut> cu
     const std::size_t first = segments.size();
     Segment piece = pslg.segments[s];
     if (cut != cuts.end() && cut->segment.index() == s) {
+      if (circle_of(pslg, piece) != nullptr)
+        apply_bend(bend_of(pslg.points[piece.a.index()], pslg.points[piece.b.index()], cut->points),
+                   table.sides[s], table);
       for (const Point p : cut->points) {
         piece.b = VertexId{pslg.points.size()};
         pslg.points.push_back(p);

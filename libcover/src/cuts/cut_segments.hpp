@@ -21,7 +21,8 @@ struct SegmentCut {
 ///
 /// Pieces of a segment are consecutive. New points come after all others, cut by cut.
 /// REQUIRES: `cuts` in the order of segments, each segment at most once.
-/// ENSURES:  faces and regions are the same, up to rounding of the new points.
+/// ENSURES:  faces and regions are the same, up to rounding of the new points; where these lie
+///           beside a chord of an arc, areas and lengths follow.
 /// Cost:     O(n).
 void cut_segments(Pslg& pslg, RegionTable& table, std::span<const SegmentCut> cuts);
 

@@ -7,6 +7,7 @@
 
 #include "cdt/cdt.hpp"
 #include "cdt/region_cdt.hpp"
+#include "geom/arc.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 #include "quality/fault/merit.hpp"
@@ -25,9 +26,12 @@ JoinedRegions::JoinedRegions(const Pslg& pslg, std::span<const RegionBoundary> b
     : goal_(goal),
       frame_(pslg.points),
       points_(pslg.points.size()),
-      is_periodic_(pslg.segments.size(), 0) {
+      is_bound_(pslg.segments.size(), 0) {
   for (const SegmentPair& pair : pslg.periodic)
-    is_periodic_[pair.from.index()] = is_periodic_[pair.to.index()] = 1;
+    is_bound_[pair.from.index()] = is_bound_[pair.to.index()] = 1;
+  for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+    if (circle_of(pslg, pslg.segments[s]) != nullptr) is_bound_[s] = 1;
+  }
   std::vector<Point> points = frame_.points();
   points.resize(2 * points_);  // room for as many cuts
   first_steiner_ = points.size();

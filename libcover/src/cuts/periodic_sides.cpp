@@ -29,7 +29,7 @@ namespace {
 
 constexpr double kRoundingOfDigits = 0x1p-49;  ///< of the largest coordinate: not told
 constexpr std::size_t kShiftsTried = 8;
-constexpr std::size_t kPlacesTold = 10;
+constexpr std::size_t kUnmatchedTold = 10;
 
 Error periodic_error(const PeriodicRule& rule, const std::string& what,
                      std::vector<Point> where = {}) {
@@ -400,7 +400,7 @@ class Completion {
                                    first.vertex) != match.from_alone.end();
     std::vector<Point> where;
     for (const Lost& lost : worst) {
-      if (where.size() < kPlacesTold) where.push_back(pslg_.points[lost.vertex.index()]);
+      if (where.size() < kUnmatchedTold) where.push_back(pslg_.points[lost.vertex.index()]);
     }
     return periodic_error(
         rule,
@@ -569,7 +569,7 @@ std::optional<Error> unmatched(const Pslg& pslg, const PeriodicRule& rule,
   if (!where.empty()) {
     const std::size_t count = where.size();
     const Point first = where[0];
-    where.resize(std::min(count, kPlacesTold));
+    where.resize(std::min(count, kUnmatchedTold));
     return periodic_error(rule,
                           fmt::format("{} without a partner, the first at {}",
                                       counted(count, "point"), describe(first)),

@@ -22,6 +22,7 @@
 #include "cdt/region_cdt.hpp"
 #include "cuts/cut_segments.hpp"
 #include "cuts/mirror_cuts.hpp"
+#include "cuts/onto_arcs.hpp"
 #include "cuts/room_on_segment.hpp"
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"
@@ -142,7 +143,7 @@ class Splitter {
         }
       }
     }
-    return classes.with_images(std::move(cuts));
+    return onto_arcs(pslg_, table_, classes.with_images(std::move(cuts)));
   }
 
   /// Notes what a region wants of its sides: sizes as its mesh will have them, graded from all of

@@ -8,10 +8,13 @@
 #include <gmsh.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <vector>
@@ -57,6 +60,16 @@ class Session {
 
 /// A piece of a curve, by indices into Input::points.
 using Piece = std::pair<std::uint32_t, std::uint32_t>;
+
+/// The circle through three points; nothing if they lie nearly on a line.
+std::optional<ArcCircle> circle_through(Point a, Point b, Point c) {
+  constexpr double kFlat = 1e-6;
+  const double bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
+  const double doubled = 2 * (bx * cy - by * cx), b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
+  if (!(std::abs(doubled) > kFlat * (b2 + c2))) return std::nullopt;
+  const double x = (cy * b2 - by * c2) / doubled, y = (bx * c2 - cx * b2) / doubled;
+  return ArcCircle{{a.x + x, a.y + y}, std::hypot(x, y)};
+}
 
 class Reader {
  public:
@@ -138,13 +151,35 @@ class Reader {
     std::vector<std::vector<std::size_t>> elements, nodes;
     gmsh::model::mesh::getElements(types, elements, nodes, 1, tag);
     std::vector<Piece>& pieces = pieces_[tag];
+    const std::uint32_t circle = circle_of(tag);
     for (std::size_t t = 0; t < types.size(); ++t) {
       if (elements[t].empty()) continue;
       const std::size_t step = nodes[t].size() / elements[t].size();  // the first two are the ends
       for (std::size_t k = 0; k < nodes[t].size(); k += step) {
         pieces.emplace_back(index_.at(nodes[t][k]), index_.at(nodes[t][k + 1]));
+        if (circle != 0) {
+          circle_of_piece_[pieces.back()] = circle;
+          circle_of_piece_[{pieces.back().second, pieces.back().first}] = circle;
+        }
       }
     }
+  }
+
+  /// The number of the circle that a curve is an arc of, as in InputSegment; 0 if it is none.
+  std::uint32_t circle_of(int tag) {
+    std::string type;
+    gmsh::model::getType(1, tag, type);
+    if (type != "Circle") return 0;
+    std::vector<double> low, high, at;
+    gmsh::model::getParametrizationBounds(1, tag, low, high);
+    // Places that are apart on a whole circle too.
+    constexpr double kParts = 3;
+    const double step = (high[0] - low[0]) / kParts;
+    gmsh::model::getValue(1, tag, {low[0], low[0] + step, low[0] + 2 * step}, at);
+    const auto circle = circle_through({at[0], at[1]}, {at[3], at[4]}, {at[6], at[7]});
+    if (!circle) return 0;
+    input_.circles.push_back(*circle);
+    return static_cast<std::uint32_t>(input_.circles.size());
   }
 
   static std::vector<int> groups_of(int dimension, int tag) {
@@ -189,12 +224,13 @@ class Reader {
     polygon.material =
         groups.empty() ? fmt::format("surface_{}", tag) : name_of_group(2, groups.front());
     polygon.id = tag;
-    polygon.rings = rings_of({sides.begin(), sides.end()});
+    polygon.rings = rings_of({sides.begin(), sides.end()}, polygon.circles);
     input_.polygons.push_back(std::move(polygon));
   }
 
   /// Lays pieces end to end. Each point is the end of an even number of them.
-  std::vector<std::vector<Point>> rings_of(const std::vector<Piece>& pieces) {
+  std::vector<std::vector<Point>> rings_of(const std::vector<Piece>& pieces,
+                                           std::vector<std::vector<std::uint32_t>>& circles) {
     std::multimap<std::uint32_t, std::size_t> at;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       at.emplace(pieces[k].first, k);
@@ -205,10 +241,13 @@ class Reader {
     for (std::size_t start = 0; start < pieces.size(); ++start) {
       if (done[start]) continue;
       std::vector<Point> ring;
+      std::vector<std::uint32_t> circle;
       std::uint32_t here = pieces[start].first;
       for (std::size_t k = start; k != pieces.size();) {
         done[k] = true;
         ring.push_back(input_.points[here]);
+        const auto arc = circle_of_piece_.find(pieces[k]);
+        circle.push_back(arc == circle_of_piece_.end() ? 0 : arc->second);
         here = pieces[k].first == here ? pieces[k].second : pieces[k].first;
         k = pieces.size();
         for (auto [entry, end] = at.equal_range(here); entry != end; ++entry) {
@@ -216,6 +255,7 @@ class Reader {
         }
       }
       rings.push_back(std::move(ring));
+      circles.push_back(std::move(circle));
     }
     return rings;
   }
@@ -233,6 +273,8 @@ class Reader {
     for (const auto& [a, b] : pieces_[tag]) {
       segment.a = a;
       segment.b = b;
+      const auto arc = circle_of_piece_.find({a, b});
+      segment.circle = arc == circle_of_piece_.end() ? 0 : arc->second;
       input_.segments.push_back(segment);
     }
   }
@@ -259,6 +301,7 @@ class Reader {
   Input input_;
   std::map<std::size_t, std::uint32_t> index_;  ///< of input_.points, by gmsh's node
   std::map<int, std::vector<Piece>> pieces_;    ///< by curve
+  std::map<Piece, std::uint32_t> circle_of_piece_;  ///< either way round: its number
   std::vector<bool> used_;                      ///< by point
 };
 

@@ -5,7 +5,9 @@
 #include <cover/stored_mesh.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include <fmt/core.h>
@@ -38,6 +40,7 @@ class Rebuilder {
     if (std::optional<Error> error = add_segments()) return *std::move(error);
     set_vertices();
     if (std::optional<Error> error = add_periodic()) return *std::move(error);
+    if (std::optional<Error> error = add_arcs()) return *std::move(error);
     return std::move(out_);
   }
 
@@ -174,6 +177,31 @@ class Rebuilder {
       }
     }
     out_.periodic = stored_.periodic;
+    return std::nullopt;
+  }
+
+  std::optional<Error> add_arcs() {
+    if (stored_.arcs.empty()) return std::nullopt;
+    std::map<std::array<std::uint32_t, 2>, std::size_t> segment_of;
+    for (std::size_t s = 0; s < out_.pslg.segments.size(); ++s) {
+      const Segment& segment = out_.pslg.segments[s];
+      const std::uint32_t a = segment.a.value(), b = segment.b.value();
+      segment_of.emplace(std::array{std::min(a, b), std::max(a, b)}, s);
+    }
+    for (const StoredArc& arc : stored_.arcs) {
+      const Point c = arc.circle.centre;
+      if (!(std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(arc.circle.radius) &&
+            arc.circle.radius > 0))
+        return wrong("an arc has no circle");
+      out_.pslg.circles.push_back(arc.circle);
+      for (const auto& [a, b] : arc.edges) {
+        const auto found = segment_of.find({std::min(a, b), std::max(a, b)});
+        if (found == segment_of.end())
+          return wrong(fmt::format("the arc from vertex {} to vertex {} is on no line", a, b));
+        out_.pslg.segments[found->second].circle =
+            static_cast<std::uint32_t>(out_.pslg.circles.size());
+      }
+    }
     return std::nullopt;
   }
 

@@ -258,6 +258,20 @@ class Composer {
       contact_marks_.push_back({name, stroke.colour, middle(stroke.lines)});
       add(std::move(stroke));
     }
+    mark_partners();
+  }
+
+  /// A small ring around each vertex that has a partner on a periodic side; further rules have
+  /// larger ones.
+  void mark_partners() {
+    constexpr double kSmallest = 4, kStep = 3, kLine = 1.5;
+    double radius = kSmallest;
+    for (const std::vector<std::uint32_t>& vertices : mesh_.periodic) {
+      for (const std::uint32_t v : vertices) {
+        if (shows(pixel(v), pixel(v))) add(Ring{kInk, pixel(v), radius, kLine});
+      }
+      radius += kStep;
+    }
   }
 
   /// The middle of the line in the middle of those that are in sight.

@@ -50,6 +50,10 @@ PictureMesh picture_of(const Output& output) {
     contact.contact = true;
     contact.edges.push_back(ends);
   }
+  for (const PeriodicNodes& nodes : output.periodic) {
+    std::vector<std::uint32_t>& vertices = picture.periodic.emplace_back();
+    for (const auto& pair : nodes.vertices) vertices.insert(vertices.end(), pair.begin(), pair.end());
+  }
   for (auto& entry : marked) picture.lines.push_back(std::move(entry.second));
   return picture;
 }

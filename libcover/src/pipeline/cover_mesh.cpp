@@ -9,6 +9,7 @@
 #include "base/out_of_memory.hpp"
 #include "cuts/cut_for_boxes.hpp"
 #include "cuts/cut_until_met.hpp"
+#include "cuts/onto_arcs.hpp"
 #include "mesh/periodic_nodes.hpp"
 #include "mesh/stitch.hpp"
 #include "pipeline/find_regions.hpp"
@@ -62,6 +63,7 @@ Result<Output> mesh_prepared(Result<Prepared> prepared, const std::vector<Period
   if (!met) return std::move(met).error();
   Status coupled = cut_until_coupled(*prepared, boundaries, *meshes, options, callbacks);
   if (!coupled) return std::move(coupled).error();
+  warn_of_straight_arcs(pslg, report.notes);
   clock.note("mesh", report.times);
   if (Status status = begin_stage("stitch", callbacks); !status) return std::move(status).error();
   Result<Mesh> mesh = errors_as_values(

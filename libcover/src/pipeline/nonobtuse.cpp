@@ -24,6 +24,7 @@
 #include "cuts/cut_segments.hpp"
 #include "disks/fill_disks.hpp"
 #include "disks/segment_disks.hpp"
+#include "geom/arc.hpp"
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"
@@ -320,6 +321,7 @@ Result<std::vector<RegionMesh>> mesh_nonobtuse(Pslg& pslg, RegionTable& table,
                  {},
                  {}};
   }
+  for (Segment& s : pslg.segments) straighten(s);  // disks lie on chords
   return Nonobtuse(pslg, table, boundaries, options, callbacks).run();
 }
 

@@ -52,6 +52,23 @@ Physical Surface("iron", 7) = {1}; Physical Surface(9) = {2}; Physical Curve("ga
   EXPECT_TRUE(out->report.changes.empty());
 }
 
+TEST_F(ReadGeo, RemembersCircles) {
+  const auto input = read(kDisk + "Physical Curve(\"rim\") = {5}; Physical Surface(1) = {1, 2};");
+  ASSERT_TRUE(input) << input.error().message;
+  ASSERT_EQ(input->circles.size(), 2U);  // of two curves
+  for (const ArcCircle& circle : input->circles) {
+    EXPECT_NEAR(circle.centre.x, 2, 1e-12);
+    EXPECT_NEAR(circle.centre.y, 2, 1e-12);
+    EXPECT_NEAR(circle.radius, 1, 1e-12);
+  }
+  for (const InputSegment& s : input->segments) EXPECT_EQ(s.circle, 1U);
+  const auto out = testing::clean(*input);
+  ASSERT_TRUE(out) << out.error().message;
+  std::size_t chords = 0;
+  for (const Segment& s : out->pslg.segments) chords += s.circle != 0 ? 1 : 0;
+  EXPECT_EQ(chords, 16U);
+}
+
 TEST_F(ReadGeo, LeavesOutSurfacesThatAreNotPhysicalWhereSomeAre) {
   const auto input = read(kDisk + "Physical Surface(\"iron\") = {1};");
   ASSERT_TRUE(input) << input.error().message;

@@ -51,6 +51,17 @@ TEST(Picture, SvgNamesRegionsMaterialsAndContacts) {
   EXPECT_TRUE(svg->ends_with("</svg>\n"));
 }
 
+TEST(Picture, VerticesWithPartnersHaveRings) {
+  PictureMesh mesh = two_squares();
+  const std::size_t before = count(*svg_text(mesh, {}), "<circle");
+  mesh.periodic = {{0, 2, 5, 3}, {0, 5}};
+  EXPECT_EQ(count(*svg_text(mesh, {}), "<circle"), before + 6);
+  PictureOptions part;
+  part.worst = 0;
+  part.window = PictureWindow{{-0.5, -0.5}, {0.5, 0.5}};
+  EXPECT_EQ(count(*svg_text(mesh, part), "<circle"), 2U);  // those of one vertex
+}
+
 TEST(Picture, PixelsHaveTheColourOfTheirRegion) {
   PictureOptions options;
   options.edges = false;

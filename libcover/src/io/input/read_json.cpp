@@ -147,23 +147,56 @@ class InputReader {
     return std::move(*points);
   }
 
-  std::vector<Point> read_curve_points(const Json& item) {
+  /// Points one after the other, and circles of the chords from each to the next, as in
+  /// InputSegment.
+  struct Path {
+    std::vector<Point> points;
+    std::vector<std::uint32_t> circles;
+  };
+
+  /// The number of a circle in the input.
+  std::uint32_t number_of(const ArcCircle& circle) {
+    const auto next = static_cast<std::uint32_t>(input_.circles.size() + 1);
+    const auto [at, is_new] = circles_.emplace(circle, next);
+    if (is_new) input_.circles.push_back(circle);
+    return at->second;
+  }
+
+  static Path chords(std::vector<Point> points, std::uint32_t circle) {
+    Path path{std::move(points), {}};
+    path.circles.assign(path.points.size(), circle);
+    if (!path.circles.empty()) path.circles.back() = 0;
+    return path;
+  }
+
+  Path read_curve_points(const Json& item) {
     const std::optional<Arc> arc = read_curve(item);
     if (!arc) return {};
-    return limited(item, cutter_.points(*arc, kMostCurvePoints - curve_points_));
+    return chords(limited(item, cutter_.points(*arc, kMostCurvePoints - curve_points_)),
+                  number_of({arc->centre, arc->radius}));
   }
 
   /// A path of points and curves. Where two pieces meet in the same point it is taken once.
-  std::vector<Point> read_path(const Json& value) {
-    std::vector<Point> path;
+  Path read_path(const Json& value) {
+    Path path;
+    const auto add = [&](Point p, std::uint32_t circle) {
+      path.points.push_back(p);
+      path.circles.push_back(circle);
+    };
     for (const Json& item : json_.array(value, "points and curves")) {
       if (json_.failed()) break;
       if (item.is_object()) {
         if (!json_.expect_keys(item, {"arc", "circle"})) break;
-        for (const Point p : read_curve_points(item))
-          if (path.empty() || path.back() != p) path.push_back(p);
+        const Path curve = read_curve_points(item);
+        for (std::size_t k = 0; k < curve.points.size(); ++k) {
+          if (!path.points.empty() && path.points.back() == curve.points[k]) {
+            path.circles.back() = curve.circles[k];
+          } else {
+            add(curve.points[k], curve.circles[k]);
+          }
+        }
       } else {
-        path.push_back(json_.point(item));
+        add(json_.point(item), 0);
       }
     }
     return path;
@@ -265,14 +298,17 @@ class InputReader {
     const double step = read_step(arc, std::max(from_a, std::numeric_limits<double>::min()),
                                   std::abs(sweep_between(a, b, centre, turn)), 1);
     if (json_.failed()) return;
-    add_chain(segment, limited(arc, cut_arc_between(a, b, centre, turn, step,
-                                                    kMostCurvePoints - curve_points_)));
+    std::vector<Point> points =
+        limited(arc, cut_arc_between(a, b, centre, turn, step, kMostCurvePoints - curve_points_));
+    add_chain(segment,
+              chords(std::move(points), number_of({centre, from_a + (from_b - from_a) / 2})));
   }
 
-  void add_chain(InputSegment segment, const std::vector<Point>& points) {
-    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-      segment.a = index_of(points[k]);
-      segment.b = index_of(points[k + 1]);
+  void add_chain(InputSegment segment, const Path& path) {
+    for (std::size_t k = 0; k + 1 < path.points.size(); ++k) {
+      segment.a = index_of(path.points[k]);
+      segment.b = index_of(path.points[k + 1]);
+      segment.circle = path.circles[k];
       input_.segments.push_back(segment);
     }
   }
@@ -305,10 +341,15 @@ class InputReader {
       if (const Json* p = JsonReader::member(item, "priority")) polygon.priority = json_.number(*p);
       if (const Json* size = JsonReader::member(item, "size")) polygon.size = json_.positive(*size);
       for (const Json& ring : json_.array(json_.required(item, "rings"), "rings"))
-        polygon.rings.push_back(read_path(ring));
+        add_ring(read_path(ring), polygon);
       polygon.id = id;
       input_.polygons.push_back(std::move(polygon));
     });
+  }
+
+  static void add_ring(Path path, InputPolygon& polygon) {
+    polygon.rings.push_back(std::move(path.points));
+    polygon.circles.push_back(std::move(path.circles));
   }
 
   void read_lines() {
@@ -316,7 +357,9 @@ class InputReader {
       if (!json_.expect_keys(item, {"name", "points", "closed"})) return;
       InputLine line;
       line.name = name_of(item, "name");
-      line.points = read_path(json_.required(item, "points"));
+      Path path = read_path(json_.required(item, "points"));
+      line.points = std::move(path.points);
+      line.circles = std::move(path.circles);
       const Json* closed = JsonReader::member(item, "closed");
       if (closed && json_.boolean(*closed) && !line.points.empty())
         line.points.push_back(line.points.front());
@@ -367,6 +410,7 @@ class InputReader {
   std::size_t given_points_ = 0;
   std::size_t curve_points_ = 0;
   std::map<Point, std::uint32_t> indices_;
+  std::map<ArcCircle, std::uint32_t> circles_;  ///< their numbers
 };
 
 }  // namespace

@@ -7,6 +7,10 @@ namespace cover {
 
 MeshFile MeshCollector::finish() {
   mesh.second_order = !midpoints_.empty();
+  if (middles_.size() == mesh.soup.triangles.size()) {
+    const auto at = [&](std::uint32_t p) { return mesh.soup.points[p]; };
+    for (const auto& [a, b, c] : middles_) mesh.middles.push_back({at(a), at(b), at(c)});
+  }
   if (!midpoints_.empty()) {
     const std::vector<std::uint32_t> renumbered = drop_midpoints(midpoints_, mesh.soup);
     for (MeshLine& line : mesh.lines) {

@@ -1,6 +1,7 @@
 // Puts a MeshFile together from the cells of a file.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,6 +19,7 @@ class MeshCollector {
   void add_triangle(std::span<const std::uint32_t> nodes) {
     mesh.soup.triangles.push_back({nodes[0], nodes[1], nodes[2]});
     midpoints_.insert(midpoints_.end(), nodes.begin() + 3, nodes.end());
+    if (nodes.size() == 6) middles_.push_back({nodes[3], nodes[4], nodes[5]});
   }
   /// Two nodes, or three with the midpoint last. REQUIRES: at least two
   void add_line(std::span<const std::uint32_t> nodes, std::int64_t group, int marker = 0) {
@@ -31,6 +33,7 @@ class MeshCollector {
 
  private:
   std::vector<std::uint32_t> midpoints_;
+  std::vector<std::array<std::uint32_t, 3>> middles_;  ///< of triangles with six nodes
 };
 
 }  // namespace cover

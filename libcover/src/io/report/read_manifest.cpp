@@ -118,10 +118,14 @@ Result<bool> read_manifest(const std::string& path, std::span<const std::int64_t
     stored.interfaces.clear();
     stored.edges.clear();
     stored.periodic.clear();
+    stored.arcs.clear();
     read_origin(json, stored);
     stored.input_vertices = json.at("counts").at("input_vertices");
     for (const Json& region : json.at("regions")) stored.regions.push_back(region_of(region));
     for (const Json& line : json.at("lines")) add_line(line, stored);
+    for (const Json& arc : json.value("arcs", Json::array()))
+      stored.arcs.push_back({{{arc.at("centre").at(0), arc.at("centre").at(1)}, arc.at("radius")},
+                             arc.at("edges").get<decltype(StoredArc::edges)>()});
     for (const Json& pair : json.value("periodic", Json::array()))
       stored.periodic.push_back(periodic_of(pair));
     if (stored.soup.region.empty() && !assign_regions(json.at("regions"), group, stored))

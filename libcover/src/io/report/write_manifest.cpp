@@ -25,6 +25,9 @@
 //                     "centre", "angle": of a rotation,
 //                     "vertices": [[a, its image], ...],
 //                     "edges": [[a, b, their images], ...] } ] where there are any,
+//     "arcs":    [ { "centre", "radius", "edges": [[a, b], ...], the shorter arcs between these
+//                    vertices, "straight": those of "order" 2 that are straight since triangles
+//                    beside them would not be proven valid } ] where there are any,
 //     "warnings": [sentences] }
 //
 //   QUALITY  { "largest_angle", "smallest_angle", "obtuse", "above_120", "above_150" }
@@ -35,6 +38,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cover/curved_mesh.hpp>
 #include <cover/mesh.hpp>
 
 #include "base/describe.hpp"
@@ -87,6 +91,7 @@ class ManifestWriter {
     list("regions", regions());
     list("lines", lines());
     if (!output_.periodic.empty()) list("periodic", periodic());
+    if (!output_.pslg.circles.empty()) list("arcs", arcs());
     list("warnings", warnings(), true);
     out_ << "}\n";
   }
@@ -222,6 +227,24 @@ class ManifestWriter {
       Json json = periodic_json(nodes);
       json["vertices"] = nodes.vertices;
       json["edges"] = nodes.edges;
+      list.push_back(std::move(json));
+    }
+    return list;
+  }
+
+  [[nodiscard]] std::vector<Json> arcs() const {
+    const auto& circles = output_.pslg.circles;
+    std::vector<Json> edges(circles.size(), Json::array()), straight(edges), list;
+    for (const CurvedEdge& edge : curved_mesh(output_).edges) {
+      edges[edge.circle].push_back({edge.a, edge.b});
+      if (edge.is_straight) straight[edge.circle].push_back({edge.a, edge.b});
+    }
+    for (std::size_t c = 0; c < circles.size(); ++c) {
+      if (edges[c].empty()) continue;
+      Json json{{"centre", {circles[c].centre.x, circles[c].centre.y}},
+                {"radius", circles[c].radius},
+                {"edges", std::move(edges[c])}};
+      if (!straight[c].empty()) json["straight"] = std::move(straight[c]);
       list.push_back(std::move(json));
     }
     return list;

@@ -18,6 +18,8 @@
 //     "interfaces": [ { "id", "name", "kind", "left", "right", "length", "segments" } ],
 //     "periodic": [ { "from", "to", "map", ... as in the manifest, "vertices": pairs, "edges":
 //                 pairs } ] where there are any,
+//     "arcs": { "edges": on arcs, "straight": those of them that --order 2 cannot curve, "where":
+//                 [[x, y]], "areas": with curved edges, by region } where there are any,
 //     "notes": NOTES, "changes": [ { "kind", "message", "where", "inputs" } ],
 //     "box_cuts": [ { "at": [x, y], "reason", "by": [x, y] } ], only with --box-method,
 //     "threads", "times": [ { "stage", "seconds" } ] }
@@ -50,6 +52,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cover/curved_mesh.hpp>
 #include <cover/mesh.hpp>
 #include <cover/write_mesh.hpp>
 
@@ -388,6 +391,21 @@ class ObjectText {
   std::string text_;
 };
 
+Json to_json(const Output& output, const CurvedMesh& curved) {
+  Json where = Json::array();
+  for (const CurvedEdge& edge : curved.edges) {
+    if (edge.is_straight) where.push_back({edge.middle.x, edge.middle.y});
+  }
+  const std::size_t straight = where.size();
+  Json areas = Json::array();
+  for (std::size_t r = 0; r < curved.areas.size(); ++r)
+    areas.push_back({{"region", output.table.regions[r].id.value()}, {"area", curved.areas[r]}});
+  return {{"edges", curved.edges.size()},
+          {"straight", straight},
+          {"where", std::move(where)},
+          {"areas", std::move(areas)}};
+}
+
 void add_origin(const char* format, const Report& report, ObjectText& out) {
   out.add("format", format);
   out.add("version", 1);
@@ -431,6 +449,7 @@ std::string report_json(const Output& output) {
       return json;
     });
   }
+  if (!output.pslg.circles.empty()) out.add("arcs", to_json(output, curved_mesh(output)));
   add_lines_and_remarks(output.table, report, out);
   if (!report.box_cuts.empty()) out.add("box_cuts", to_json(report.box_cuts));
   out.add("threads", report.threads);

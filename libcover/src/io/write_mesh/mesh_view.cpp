@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include <cover/curved_mesh.hpp>
 #include <cover/mesh.hpp>
 
 #include "base/safe_names.hpp"
@@ -130,7 +131,8 @@ Halfedge directed(const Mesh& mesh, const RegionTable& table, Edge edge) {
 class Viewer {
  public:
   Viewer(const Output& output, const WriteOptions& options)
-      : mesh_(output.mesh),
+      : output_(output),
+        mesh_(output.mesh),
         tri_(output.mesh.tri()),
         table_(output.table),
         periodic_(output.periodic),
@@ -167,6 +169,9 @@ class Viewer {
       view_.points.push_back(
           midpoint(at(tri_.from_vertex_handle(h).idx()), at(tri_.to_vertex_handle(h).idx())));
     }
+    if (output_.pslg.circles.empty()) return;
+    for (const CurvedEdge& edge : curved_mesh(output_).edges)
+      view_.points[midpoint_of(between(edge.a, edge.b))] = edge.middle;
   }
 
   void add_triangles() {
@@ -263,6 +268,7 @@ class Viewer {
     view_.periodic_node = periodic_classes(all, view_.points.size());
   }
 
+  const Output& output_;
   const Mesh& mesh_;
   const TriMesh& tri_;
   const RegionTable& table_;

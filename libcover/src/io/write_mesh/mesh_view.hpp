@@ -18,8 +18,8 @@ struct Cells {
   std::vector<std::uint32_t> nodes;  ///< indices into MeshView::points
 
   [[nodiscard]] std::size_t size() const { return nodes.size() / nodes_each; }
-  /// Corners; then, in second-order cells, the midpoint of each edge, from that of the first two
-  /// corners on.
+  /// Corners; then, in second-order cells, the middle node of each edge, from that of the first two
+  /// corners on: see curved_mesh().
   [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t k) const {
     return std::span(nodes).subspan(k * nodes_each, nodes_each);
   }

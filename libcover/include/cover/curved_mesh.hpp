@@ -1,0 +1,36 @@
+// A mesh with its edges on arcs curved: triangles of second order whose Jacobians are positive.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <cover/output.hpp>
+#include <cover/point.hpp>
+
+namespace cover {
+
+/// An edge between two vertices of an arc.
+struct CurvedEdge {
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+  std::uint32_t circle = 0;  ///< index into Pslg::circles
+  Point middle;              ///< its node: on the arc, or where is_straight the middle of the chord
+  bool is_straight = false;  ///< on the arc, a triangle beside it would not be proven valid
+};
+
+/// What Output::mesh is with triangles of second order.
+struct CurvedMesh {
+  std::vector<CurvedEdge> edges;  ///< in the order of the segments of Output::pslg
+  std::vector<double> areas;      ///< by RegionId - 1: inside edges through the nodes
+};
+
+/// Puts the middle nodes of edges on arcs where segments are chords of arcs.
+///
+/// ENSURES: the Jacobian of every triangle is positive everywhere, by the coefficients of
+///          Bernstein's form in safely rounded arithmetic; where it would not be proven, edges of
+///          the triangle are straight
+/// Cost:    O(n)
+CurvedMesh curved_mesh(const Output& output);
+
+}  // namespace cover

@@ -1,0 +1,151 @@
+// Chords are known again by the very coordinates of their ends, which cleaning keeps wherever it
+// leaves a line whole.
+// Tested by tests/unit/clean/remember_arcs_test.cpp.
+#include "clean/remember_arcs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "base/complaint.hpp"
+#include "base/describe.hpp"
+#include "geom/arc.hpp"
+#include "geom/vector.hpp"
+
+namespace cover {
+namespace {
+
+constexpr double kOffCircle = 1e-3;       ///< of the radius: the ends of a chord are not on it
+constexpr double kLongestChord = 1.8;     ///< of the radius; of 120 degrees it is 1.73
+constexpr double kBesideChord = 0x1p-40;  ///< of a chord: a piece of it is as near
+
+/// Calls `f` with the ends and the circle of every chord, and the element that it belongs to.
+template <class F>
+void for_each_chord(const Input& input, F f) {
+  for (const InputSegment& s : input.segments) {
+    if (s.circle != 0)
+      f(input.points[s.a], input.points[s.b], s.circle, InputRef{InputKind::segment, s.id});
+  }
+  const auto path = [&](const std::vector<Point>& points, const std::vector<std::uint32_t>& circles,
+                        bool is_closed, InputRef ref) {
+    for (std::size_t k = 0; k < std::min(points.size(), circles.size()); ++k) {
+      if (circles[k] == 0 || (k + 1 == points.size() && !is_closed)) continue;
+      f(points[k], points[k + 1 < points.size() ? k + 1 : 0], circles[k], ref);
+    }
+  };
+  for (const InputPolygon& polygon : input.polygons) {
+    for (std::size_t r = 0; r < std::min(polygon.rings.size(), polygon.circles.size()); ++r)
+      path(polygon.rings[r], polygon.circles[r], true, {InputKind::polygon, polygon.id});
+  }
+  for (const InputLine& line : input.lines)
+    path(line.points, line.circles, false, {InputKind::line, line.id});
+}
+
+const char* describe_kind(InputKind kind) {
+  return kind == InputKind::polygon ? "polygon" : kind == InputKind::line ? "line" : "segment";
+}
+
+/// Whether a segment of `pslg` runs along the chord ab from one of its ends.
+class PieceFinder {
+ public:
+  explicit PieceFinder(const Pslg& pslg) : pslg_(pslg) {
+    for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+      for (const VertexId v : {pslg.segments[s].a, pslg.segments[s].b})
+        at_.emplace(pslg.points[v.index()], s);
+    }
+  }
+
+  [[nodiscard]] bool has_piece(Point a, Point b) const {
+    for (const auto& [end, other] : {std::pair(a, b), std::pair(b, a)}) {
+      const auto [first, last] = at_.equal_range(end);
+      for (auto k = first; k != last; ++k) {
+        const Segment& s = pslg_.segments[k->second];
+        const Point p = pslg_.points[s.a.index()], q = pslg_.points[s.b.index()];
+        const Vector along = other - end, step = (p == end ? q : p) - end;
+        if (dot(along, step) > 0 && length(step) < length(along) &&
+            std::abs(cross(along, step)) <= kBesideChord * squared_length(along))
+          return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  const Pslg& pslg_;
+  std::multimap<Point, std::size_t> at_;
+};
+
+}  // namespace
+
+std::optional<Error> find_bad_arcs(const Input& input) {
+  Complaint range(ErrorCode::id_out_of_range, input.source);
+  Complaint off(ErrorCode::coordinate_out_of_range, input.source);
+  for_each_chord(input, [&](Point a, Point b, std::uint32_t number, InputRef ref) {
+    const std::string name = fmt::format("{} {}", describe_kind(ref.kind), ref.id);
+    if (number > input.circles.size()) {
+      range.add(fmt::format("{} is a chord of a circle that does not exist", name), {a, b}, {ref});
+      return;
+    }
+    const ArcCircle& circle = input.circles[number - 1];
+    const bool is_circle = std::isfinite(circle.centre.x) && std::isfinite(circle.centre.y) &&
+                           std::isfinite(circle.radius) && circle.radius > 0;
+    if (!is_circle) {
+      off.add(fmt::format("{} is a chord of a circle about {} with the radius {}", name,
+                          describe(circle.centre), circle.radius),
+              {a, b}, {ref});
+      return;
+    }
+    for (const Point end : {a, b}) {
+      const double distance = std::abs(length(end - circle.centre) - circle.radius);
+      if (distance <= kOffCircle * circle.radius) continue;
+      off.add(
+          fmt::format("the end {} of an arc of {} is off its circle about {} with the radius {} "
+                      "by {}",
+                      describe(end), name, describe(circle.centre), describe(circle.radius),
+                      describe_roughly(distance)),
+          {end}, {ref});
+    }
+  });
+  if (!range.empty()) return range.error();
+  if (!off.empty()) return off.error();
+  return std::nullopt;
+}
+
+void remember_arcs(const Input& input, Pslg& pslg, std::vector<Note>& notes) {
+  if (input.circles.empty()) return;
+  pslg.circles = input.circles;
+  std::map<std::pair<Point, Point>, std::uint32_t> chords;
+  for_each_chord(input, [&](Point a, Point b, std::uint32_t circle, InputRef) {
+    // Of half a circle there would be no telling on which side of the chord it lies.
+    if (a != b && length(b - a) < kLongestChord * input.circles[circle - 1].radius)
+      chords.emplace(std::minmax(a, b), circle);
+  });
+  for (Segment& s : pslg.segments) {
+    const Point a = pslg.points[s.a.index()], b = pslg.points[s.b.index()];
+    s.circle = 0;
+    const auto found = chords.find(std::minmax(a, b));
+    if (found == chords.end()) continue;
+    s.circle = found->second;
+    chords.erase(found);
+  }
+  if (chords.empty()) return;
+  const PieceFinder pieces(pslg);
+  std::vector<Point> where;
+  for (const auto& [ends, circle] : chords) {
+    if (pieces.has_piece(ends.first, ends.second))
+      where.push_back(midpoint(ends.first, ends.second));
+  }
+  if (where.empty()) return;
+  const std::size_t count = where.size();
+  constexpr std::size_t kPlacesTold = 8;
+  std::string message = fmt::format(
+      "{} of arcs, the first at {}, {} cut or touched by other lines; the pieces stay straight",
+      counted(count, "chord"), describe(where[0]), count == 1 ? "is" : "are");
+  where.resize(std::min(count, kPlacesTold));
+  notes.push_back({Note::Kind::warning, kVoid, std::move(message), std::move(where)});
+}
+
+}  // namespace cover

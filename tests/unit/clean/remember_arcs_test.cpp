@@ -1,0 +1,84 @@
+#include "clean/remember_arcs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include <cover/cover_mesh.hpp>
+
+#include "geom/arc.hpp"
+#include "support/arc_devices.hpp"
+
+namespace cover {
+namespace {
+
+std::size_t chords_of(const Pslg& pslg) {
+  return static_cast<std::size_t>(
+      std::count_if(pslg.segments.begin(), pslg.segments.end(),
+                    [&](const Segment& s) { return circle_of(pslg, s) != nullptr; }));
+}
+
+TEST(RememberArcs, CleanInputsKeepAllChords) {
+  Input input;
+  testing::add_circle(input, {1, 2}, 3, 8);
+  const Result<Prepared> prepared = prepare(input);
+  ASSERT_TRUE(prepared) << prepared.error().message;
+  EXPECT_EQ(chords_of(prepared->pslg), 8U);
+  EXPECT_EQ(prepared->pslg.circles, input.circles);
+}
+
+TEST(RememberArcs, ChordsThatLinesCutStayStraightAndAreTold) {
+  Input input;
+  testing::add_circle(input, {0, 0}, 1, 8);
+  input.points.push_back({-2, 0.1});
+  input.points.push_back({2, 0.1});
+  InputSegment line;
+  line.a = 8, line.b = 9, line.id = 8;
+  input.segments.push_back(line);
+  const Result<Prepared> prepared = prepare(input);
+  ASSERT_TRUE(prepared) << prepared.error().message;
+  EXPECT_EQ(chords_of(prepared->pslg), 6U);
+  EXPECT_TRUE(std::any_of(
+      prepared->report.notes.begin(), prepared->report.notes.end(),
+      [](const Note& note) { return note.message.starts_with("2 chords of arcs, the first at"); }));
+}
+
+TEST(RememberArcs, PaintedRingsAndLinesRemember) {
+  Input circle;
+  testing::add_circle(circle, {0, 0}, 1, 12);
+  Input input;
+  input.circles = circle.circles;
+  InputPolygon below, above;
+  below.rings = {{{-3, -3}, {3, -3}, {3, 3}, {-3, 3}}};
+  below.material = "a";
+  above.rings = {circle.points};
+  above.circles = {std::vector<std::uint32_t>(12, 1)};
+  above.material = "b";
+  input.polygons = {below, above};
+  const Result<Prepared> prepared = prepare(input);
+  ASSERT_TRUE(prepared) << prepared.error().message;
+  EXPECT_EQ(chords_of(prepared->pslg), 12U);
+}
+
+TEST(RememberArcs, EndsOffTheirCircleAreRefusedWithPlaces) {
+  Input input;
+  testing::add_circle(input, {0, 0}, 1, 8);
+  input.points[3].x -= 0.01;
+  const Result<Prepared> off = prepare(input);
+  ASSERT_FALSE(off);
+  EXPECT_EQ(off.error().code, ErrorCode::coordinate_out_of_range);
+  EXPECT_NE(off.error().message.find("is off its circle about (0, 0)"), std::string::npos);
+  ASSERT_FALSE(off.error().where.empty());
+  EXPECT_EQ(off.error().where[0], input.points[3]);
+  Input none;
+  testing::add_circle(none, {0, 0}, 1, 8);
+  none.segments[5].circle = 7;
+  EXPECT_EQ(prepare(none).error().code, ErrorCode::id_out_of_range);
+  none.segments[5].circle = 1;
+  none.circles[0].radius = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(prepare(none).error().code, ErrorCode::coordinate_out_of_range);
+}
+
+}  // namespace
+}  // namespace cover
