@@ -33,7 +33,7 @@ LOOKUP_TABLE default
 '''
 # What else must be given.
 NEEDS = {'pieces': {'paper': True}}
-TEXTS = {'size': ['SiO2=0.5', '1'], 'size-at': ['anode=0.25'], 'size-field': ['field.vtk'], 'weld': ['off', 'auto', '1e-06']}
+TEXTS = {'size': ['SiO2=0.5', '1'], 'size-at': ['anode=0.25'], 'layers': ['anode=0.25,1.5,2'], 'size-field': ['field.vtk'], 'weld': ['off', 'auto', '1e-06']}
 
 
 def values(row):

@@ -14,6 +14,7 @@ _Material = Union[str, int]
 _Region = Union[Tuple[float, float, _Material], Tuple[float, float, _Material, str]]
 _Rings = Sequence[npt.ArrayLike]
 _Sizes = Union[float, str, Sequence[str], Mapping[str, float]]
+_Layers = Union[str, Sequence[str], Mapping[str, Union[str, Sequence[float]]]]
 _Polygon = Union[Tuple[_Material, _Rings], Tuple[_Material, _Rings, str]]
 
 class _Options(TypedDict, total=False):
@@ -32,6 +33,7 @@ class _Options(TypedDict, total=False):
     input_sizes: bool
     size_field: Union[None, str, os.PathLike[str]]
     box_method: bool
+    layers: _Layers  # by line, or line@region: first, growth[, count]
     split_interfaces: Union[None, bool, float]
     overlap: Literal["last", "first", "error"]
     weld: Union[None, float, str]  # "auto", "off"

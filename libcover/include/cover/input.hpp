@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <cover/options.hpp>
 #include <cover/point.hpp>
 
 namespace cover {
@@ -75,6 +76,7 @@ struct Input {
   VoidRule void_rule = VoidRule::holes_only;
   std::vector<InputPolygon> polygons;
   std::vector<InputLine> lines;
+  std::vector<LayerRule> layers;  ///< before Options::layers, which win over them
 };
 
 }  // namespace cover

@@ -8,6 +8,7 @@
 
 #include "cuts/cut_for_boxes.hpp"
 #include "cuts/cut_until_met.hpp"
+#include "layers/layer_rules.hpp"
 #include "mesh/stitch.hpp"
 #include "pipeline/find_regions.hpp"
 #include "pipeline/nonobtuse.hpp"
@@ -19,8 +20,9 @@
 
 namespace cover {
 
-Result<Prepared> prepare(const Input& input, const Options& options, const Callbacks& callbacks) {
+Result<Prepared> prepare(const Input& input, const Options& asked, const Callbacks& callbacks) {
   StageClock clock;
+  const Options options = with_layers_of(input, asked);
   Result<Prepared> prepared = find_regions(input, options, callbacks, clock);
   if (!prepared) return prepared;
   Result<std::vector<RegionReport>> limits =
@@ -43,6 +45,7 @@ Result<Output> mesh_prepared(Result<Prepared> prepared, const Options& options,
   Status sized = errors_as_values("split", [&] {
     boundaries = split_regions(pslg, table);
     Status resolved = resolve_sizes(pslg, table, options, boundaries);
+    if (resolved) resolved = resolve_layers(pslg, table, options, boundaries);
     return resolved ? check_expected_triangles(table, boundaries, options) : resolved;
   });
   if (!sized) return std::move(sized).error();
@@ -69,13 +72,15 @@ Result<Output> mesh_prepared(Result<Prepared> prepared, const Options& options,
 
 }  // namespace
 
-Result<Output> cover_mesh(const Input& input, const Options& options, const Callbacks& callbacks) {
+Result<Output> cover_mesh(const Input& input, const Options& asked, const Callbacks& callbacks) {
   StageClock clock;
+  const Options options = with_layers_of(input, asked);
   return mesh_prepared(find_regions(input, options, callbacks, clock), options, callbacks, clock);
 }
 
-Result<Output> cover_mesh(Input&& input, const Options& options, const Callbacks& callbacks) {
+Result<Output> cover_mesh(Input&& input, const Options& asked, const Callbacks& callbacks) {
   StageClock clock;
+  const Options options = with_layers_of(input, asked);
   Result<Prepared> prepared = find_regions(input, options, callbacks, clock);
   input = {};
   return mesh_prepared(std::move(prepared), options, callbacks, clock);

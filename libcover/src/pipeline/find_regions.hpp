@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include <cover/input.hpp>
 #include <cover/options.hpp>
 #include <cover/output.hpp>
 #include <cover/progress.hpp>
@@ -24,6 +25,9 @@ Status begin_stage(std::string_view stage, const Callbacks& callbacks);
 /// Errors: ErrorCode 100-199, bad_option, cancelled
 Result<Prepared> find_regions(const Input& input, const Options& options,
                               const Callbacks& callbacks, StageClock& clock);
+
+/// The options with the layers that the input asks for before their own.
+Options with_layers_of(const Input& input, const Options& options);
 
 /// Moves what the regions report to the report of the whole, in region order.
 void collect_reports(std::vector<RegionMesh>& meshes, Report& report);

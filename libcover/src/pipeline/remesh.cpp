@@ -16,6 +16,7 @@
 #include "base/describe.hpp"
 #include "base/errors.hpp"
 #include "cdt/cdt.hpp"
+#include "layers/layer_rules.hpp"
 #include "mesh/stitch.hpp"
 #include "pipeline/find_regions.hpp"
 #include "region/named_regions.hpp"
@@ -211,7 +212,7 @@ Result<Output> remesh(const Input& input, const TriangleSoup& onto,
                       std::span<const std::string> only, const Options& asked,
                       const Callbacks& callbacks) {
   StageClock clock;
-  const Result<Options> options = options_without_cuts(asked, only);
+  const Result<Options> options = options_without_cuts(with_layers_of(input, asked), only);
   if (!options) return options.error();
   Result<Prepared> prepared = find_regions(input, *options, callbacks, clock);
   if (!prepared) return std::move(prepared).error();
@@ -232,6 +233,8 @@ Result<Output> remesh(const Input& input, const TriangleSoup& onto,
   if (Status status = resolve_sizes(pslg, table, *options, boundaries); !status) {
     return std::move(status).error();
   }
+  if (Status status = resolve_layers(pslg, table, *options, boundaries); !status)
+    return std::move(status).error();
   clock.note("split", report.times);
 
   std::vector<RegionMesh> meshes;

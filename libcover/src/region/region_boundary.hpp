@@ -28,6 +28,9 @@ struct RegionBoundary {
   std::vector<SegmentId> segments;  ///< the segment of each side, or kHullSide
   double size = 0;                  ///< wished edge length inside; 0: none
   std::vector<double> size_at;      ///< wished edge length by vertex, 0: none; empty: none at all
+  std::vector<std::uint32_t> layers;  ///< by side: which of Options::layers plus one; empty: none
+  /// Part of a region, whose bound counts for both: what misses its own gets no almonds.
+  bool is_part = false;
 };
 
 }  // namespace cover

@@ -22,7 +22,9 @@
 #include "base/internal_fault.hpp"
 #include "cdt/cdt.hpp"
 #include "cdt/region_cdt.hpp"
+#include "layers/layered_region.hpp"
 #include "limits/region_limits.hpp"
+#include "quality/fault/missed_targets.hpp"
 #include "quality/quality_region.hpp"
 #include "sizes/expected_triangles.hpp"
 #include "target/angle_limit.hpp"
@@ -182,7 +184,8 @@ RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
   const std::string_view second = quality ? "almond" : "quality";
   Attempt first = attempt(quality ? quality_region : almond_region, boundary, options, stop);
   const bool promised = CutRule{options.paper, options.pieces}.promises_bound();
-  const bool will_do = !first.fault && (first.mesh.report.bound_held || !promised);
+  const bool will_do =
+      !first.fault && (first.mesh.report.bound_held || !promised || boundary.is_part);
   if (stop.stop_requested() || will_do) return std::move(first.mesh);
   Attempt other = attempt(quality ? almond_region : quality_region, boundary, options, stop);
   if (stop.stop_requested()) return std::move(other.mesh);
@@ -201,6 +204,19 @@ RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
   other.mesh.report.notes.push_back(
       note_of_fallback(boundary, first, asked, fmt::format("{} method", second)));
   return std::move(other.mesh);
+}
+
+/// The region, and its layers if it has some.
+RegionMesh mesh_with_its_layers(const RegionBoundary& boundary, const Options& options,
+                                const std::stop_token& stop) {
+  const auto mesh_rest = [&](const RegionBoundary& rest) {
+    return mesh_region(rest, options, stop);
+  };
+  if (!has_layers(boundary)) return mesh_rest(boundary);
+  RegionMesh mesh = mesh_with_layers(boundary, options, mesh_rest, stop);
+  if (mesh.layer_triangles > 0 && options.method == Method::quality && !stop.stop_requested())
+    report_again(boundary, options, false, mesh);
+  return mesh;
 }
 
 }  // namespace
@@ -273,7 +289,7 @@ Result<std::vector<RegionMesh>> mesh_regions(std::span<const RegionBoundary> bou
   Status status =
       for_each_region(boundaries, worker_count(options), "mesh", callbacks, [&](std::size_t k) {
         const StageClock clock;
-        meshes[k] = mesh_region(boundaries[k], options, callbacks.stop);
+        meshes[k] = mesh_with_its_layers(boundaries[k], options, callbacks.stop);
         RegionReport& report = meshes[k].report;
         if (!callbacks.stop.stop_requested())
           report.limits = limits_of(boundaries[k], report.quality, options);

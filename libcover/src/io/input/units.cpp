@@ -59,6 +59,7 @@ Status scale_input(Input& input, double factor) {
   });
   for (RegionSeed& seed : input.seeds)
     if (seed.size) seed.size = scaled(*seed.size);
+  for (LayerRule& rule : input.layers) rule.first = scaled(rule.first);
   if (!finite)
     return Error{ErrorCode::non_finite_coordinate,
                  fmt::format("{}: scaled by {}, coordinates are too large for a double",
