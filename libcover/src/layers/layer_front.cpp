@@ -3,7 +3,8 @@
 // row asks for its own thickness and half of it more, and where that overlaps the front or another
 // cell, the edge below gets no row, now or later. What is left of a line are chains. Over a chain
 // the row has a vertex for each vertex between two edges, more around corners (offsets); at its
-// ends it tapers off, the last cell being a triangle, unless the wall there goes up at about a
+// ends it tapers off, the last cell being a triangle, several rows in one vertex as long as angles
+// are small there, unless the wall there goes up at about a
 // right angle and has a vertex at the height of the row.
 // Tested by tests/unit/layers/layer_front_test.cpp.
 #include "layers/layer_front.hpp"
@@ -20,7 +21,8 @@
 namespace cover::layers {
 namespace {
 
-constexpr double kFree = 0.5;         ///< of a layer's thickness: what stays free above it
+constexpr double kFree = 0.5;  ///< of a layer's thickness: what stays free above it
+constexpr double kSteepest = 0.17364817766693033;  ///< sine of half of kMitre
 constexpr double kSameHeight = 1e-6;  ///< of a layer's thickness: vertices of a wall that serve it
 
 double diagonal(const std::vector<Point>& points) {
@@ -195,6 +197,16 @@ bool LayerFront::meets_after(std::uint32_t n) const {
          meets(node.normal, wall, start_of(wall), end_of(wall), node);
 }
 
+/// Whether a row may end in the vertex where the one below ended, with a triangle more on that
+/// slope, whose other end is node `at`: as long as angles beside it are no larger than in a mitre.
+bool LayerFront::fans(std::uint32_t slope, std::uint32_t at, Point end) const {
+  const Offset& offset = nodes_[at].offset;
+  if (!nodes_[slope].slope || nodes_[slope].rows != row_ || row_ == 0) return false;
+  if (offset.kind != Offset::Kind::plain) return false;
+  const Vector down = end - start_of(at);
+  return dot(down, offset.along) >= -kSteepest * length(down) * length(offset.along);
+}
+
 /// Finds out which chains end at a vertex of a wall. A wall that is the end of a later chain is
 /// taken from it.
 void LayerFront::find_meetings(std::vector<Chain>& chains) {
@@ -222,7 +234,11 @@ void LayerFront::find_meetings(std::vector<Chain>& chains) {
     const std::uint32_t first = chain.nodes.front(), last = chain.nodes.back();
     chain.first_met = take(c, nodes_[first].prev, [&] { return meets_before(first); });
     chain.last_met = take(c, nodes_[last].next, [&] { return meets_after(last); });
-    if (chain.nodes.size() > 1 || chain.first_met || chain.last_met || chain.waits) continue;
+    const std::uint32_t before = nodes_[first].prev, after = nodes_[last].next;
+    chain.first_fans = fans(before, first, start_of(before));
+    chain.last_fans = fans(after, after, end_of(after));
+    const bool ends = chain.first_met || chain.last_met || chain.first_fans || chain.last_fans;
+    if (chain.nodes.size() > 1 || ends || chain.waits) continue;
     stop(last, LayerStop::end);
     chain.nodes.clear();
   }
@@ -247,6 +263,14 @@ std::vector<LayerFront::Cell> LayerFront::cells_of(const Chain& chain) {
   const auto tops_at = [&](std::size_t i) {
     return tops_of(nodes_[chain.nodes[i % count]].offset, below);
   };
+  if (chain.first_fans) {
+    const std::uint32_t n = chain.nodes.front();
+    cells.push_back({{start_of(nodes_[n].prev), start_of(n), nodes_[n].offset.at(high)}, {n, n}});
+  }
+  if (chain.last_fans) {
+    const std::uint32_t n = chain.nodes.back(), slope = nodes_[n].next;
+    cells.push_back({{end_of(n), end_of(slope), nodes_[slope].offset.at(high)}, {n, n}});
+  }
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t n = chain.nodes[i];
     const Point a = start_of(n), b = end_of(n);
@@ -265,8 +289,10 @@ std::vector<LayerFront::Cell> LayerFront::cells_of(const Chain& chain) {
       cell.guard = {a, b, tops.front().at(high)};
     } else if (chain.last_met) {
       cell.guard = {a, b, end_of(nodes_[n].next)};
+    } else if (chain.last_fans) {
+      cell.guard = {a, b, nodes_[nodes_[n].next].offset.at(high)};
     }
-    if (i > 0 || chain.closed) {
+    if (i > 0 || chain.closed || chain.first_fans) {
       const Point top = tops_at(i).back().at(high);
       cell.guard.corners[static_cast<std::size_t>(cell.guard.count++)] = top;
     } else if (chain.first_met) {
@@ -335,10 +361,10 @@ bool LayerFront::add_quad(const std::array<std::uint32_t, 4>& v,
 }
 
 /// Adds the vertices over the start of edge `n` to a row.
-void LayerFront::add_tops(const std::vector<Offset>& tops, std::uint32_t n, Row& row) {
+void LayerFront::add_tops(const std::vector<Offset>& tops, std::uint32_t n, double total,
+                          Row& row) {
   const Node& node = nodes_[n];
   const Node& before = nodes_[node.prev];
-  const double total = thickness_of(node).total(row_ + 1);
   for (std::size_t j = 0; j < tops.size(); ++j) {
     row.tops.push_back(tops[j]);
     row.vertices.push_back(static_cast<std::uint32_t>(boundary_.points.size() + added_.size()));
@@ -366,9 +392,10 @@ void LayerFront::lay_chain(Chain chain) {
     chain.last_met = meets_after(last);
   }
   const std::size_t count = chain.nodes.size();
-  if (count == 1 && !chain.closed && !chain.first_met && !chain.last_met)
-    return stop(first, LayerStop::end);
+  const bool ends_well = chain.first_met || chain.last_met || chain.first_fans || chain.last_fans;
+  if (count == 1 && !chain.closed && !ends_well) return stop(first, LayerStop::end);
   const double below = thickness_of(nodes_[first]).total(row_);
+  const double total = thickness_of(nodes_[first]).total(row_ + 1);
   const std::size_t added = added_.size();
   Row row;
   bool sound = true;
@@ -389,15 +416,30 @@ void LayerFront::lay_chain(Chain chain) {
   };
   const auto add_vertex = [&](std::uint32_t n) {
     const std::vector<Offset> tops = tops_of(nodes_[n].offset, below);
-    add_tops(tops, n, row);
+    add_tops(tops, n, total, row);
     close_corner(n, tops.size());
   };
   const auto add_end = [&](std::uint32_t vertex) {
     row.tops.emplace_back();
     row.vertices.push_back(vertex);
   };
+  const auto add_slope = [&](std::uint32_t below_it) {
+    Node edge = nodes_[below_it];
+    edge.beside = true;
+    row.edges.push_back(edge);
+  };
+  const auto add_triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    sound &= orientation(at(a), at(b), at(c)) == Sign::positive;
+    row.triangles.push_back({a, b, c});
+  };
   if (chain.closed) {
     add_vertex(first);
+  } else if (chain.first_fans) {
+    const std::uint32_t slope = nodes_[first].prev;
+    add_end(nodes_[slope].vertex);
+    add_slope(slope);
+    add_vertex(first);
+    add_triangle(nodes_[slope].vertex, nodes_[first].vertex, row.vertices.back());
   } else {
     add_end(nodes_[chain.first_met ? nodes_[first].prev : first].vertex);
   }
@@ -411,9 +453,11 @@ void LayerFront::lay_chain(Chain chain) {
     edge.beside = node.beside;
     edge.normal = node.normal;
     edge.reach = node.reach;
-    const bool tapers_left = i == 0 && !chain.closed && !chain.first_met;
-    const bool tapers_right = i + 1 == count && !chain.closed && !chain.last_met;
-    if (tapers_left || tapers_right) edge.rule = 0;
+    const bool tapers_left = i == 0 && !chain.closed && !chain.first_met && !chain.first_fans;
+    const bool tapers_right =
+        i + 1 == count && !chain.closed && !chain.last_met && !chain.last_fans;
+    edge.slope = tapers_left || tapers_right;
+    if (edge.slope) edge.rule = 0;
     row.edges.push_back(edge);
     const std::uint32_t a = node.vertex, b = nodes_[node.next].vertex;
     std::uint32_t right = 0;
@@ -423,17 +467,24 @@ void LayerFront::lay_chain(Chain chain) {
       right = row.vertices[corner];
     } else if (chain.closed) {
       right = row.vertices.front();
+    } else if (chain.last_fans) {
+      add_vertex(node.next);
+      right = row.vertices.back();
     } else {
       right = chain.last_met ? nodes_[nodes_[node.next].next].vertex : b;
       add_end(right);
     }
     if (tapers_left || tapers_right) {
-      const std::uint32_t apex = tapers_left ? right : left;
-      sound &= orientation(at(a), at(b), at(apex)) == Sign::positive;
-      row.triangles.push_back({a, b, apex});
+      add_triangle(a, b, tapers_left ? right : left);
     } else {
       sound &= add_quad({a, b, right, left}, row.triangles);
     }
+  }
+  if (chain.last_fans) {
+    const std::uint32_t slope = nodes_[last].next, end = nodes_[nodes_[slope].next].vertex;
+    add_slope(slope);
+    add_triangle(nodes_[slope].vertex, end, row.vertices.back());
+    add_end(end);
   }
   if (!sound) {
     added_.resize(added);
@@ -475,8 +526,9 @@ void LayerFront::link_row(const Chain& chain, const Row& row) {
   for (const std::uint32_t n : chain.nodes) nodes_[n].alive = false;
   std::vector<std::uint32_t> at_top(tops, kNone);
   if (!chain.closed) {
-    at_top.front() = chain.first_met ? wall : first;
-    at_top.back() = chain.last_met ? nodes_[beyond].next : beyond;
+    at_top.front() = chain.first_met || chain.first_fans ? wall : first;
+    at_top.back() = chain.last_met || chain.last_fans ? nodes_[beyond].next : beyond;
+    if (chain.last_fans) nodes_[beyond].alive = false;
     if (chain.first_met) stop(wall, LayerStop::corner);
     if (chain.last_met) {
       stop(beyond, LayerStop::corner);

@@ -67,6 +67,7 @@ class LayerFront {
     std::uint32_t origin = 0;  ///< the side over which the edge lies; kNone: it has no layers
     std::uint32_t rule = 0;    ///< of the next row: index + 1; 0: there is none
     int rows = 0;              ///< below the edge
+    bool slope = false;        ///< a row tapered off here
     bool beside = false;       ///< over a corner of the line, beside `origin`
     Vector normal;             ///< of the edge, unit length, into the region
     double reach = 0;          ///< length that counts as the edge's if it is longer
@@ -77,7 +78,8 @@ class LayerFront {
   struct Chain {
     std::vector<std::uint32_t> nodes;
     bool closed = false;
-    bool first_met = false, last_met = false;  ///< the row ends in a vertex of the wall there
+    bool first_met = false, last_met = false;    ///< the row ends in a vertex of the wall there
+    bool first_fans = false, last_fans = false;  ///< further cells start where the row below ended
     bool waits = false;  ///< a wall is yet to get its own row, and may be met then
   };
 
@@ -105,13 +107,14 @@ class LayerFront {
                            const Node& node) const;
   [[nodiscard]] bool meets_before(std::uint32_t n) const;
   [[nodiscard]] bool meets_after(std::uint32_t n) const;
+  [[nodiscard]] bool fans(std::uint32_t slope, std::uint32_t at, Point end) const;
   void find_meetings(std::vector<Chain>& chains);
   void stop(std::uint32_t n, LayerStop why);
 
   [[nodiscard]] std::vector<Cell> cells_of(const Chain& chain);
   bool make_room(const std::vector<Chain>& chains);
   void lay_chain(Chain chain);
-  void add_tops(const std::vector<Offset>& tops, std::uint32_t n, Row& row);
+  void add_tops(const std::vector<Offset>& tops, std::uint32_t n, double total, Row& row);
   [[nodiscard]] bool add_quad(const std::array<std::uint32_t, 4>& v,
                               std::vector<IndexTriple>& triangles) const;
   void set_next(Node& edge, double length);

@@ -97,19 +97,33 @@ TEST(LayerFront, TapersOffTowardsWallsThatMayNotBeCut) {
   const Drawing drawing = box(10, 10, 5);
   const Laid laid(drawing.boundary, {"", "", 0.001, 2, 3});
   EXPECT_TRUE(laid.is_simple());
-  EXPECT_LE(laid.quality.largest_nu.supplement().in_degrees(), 90 + 1e-9);
-  // Row k has k - 1 edges less on either side; its cells at both ends are triangles.
-  EXPECT_EQ(laid.front.triangles().size(), 2 * (10 + 8 + 6) - 2 * 3U);
+  EXPECT_LE(laid.quality.largest_nu.supplement().in_degrees(), 90.3);
+  // All rows end in the corners, with a triangle each over the last segments.
+  EXPECT_EQ(laid.front.triangles().size(), 3 * (2 * 8 + 2U));
   const auto& sides = laid.front.sides();
   for (std::uint32_t s = 0; s < 10; ++s) {
-    EXPECT_EQ(sides[s].rows, std::min({static_cast<int>(s), 9 - static_cast<int>(s), 3})) << s;
-    EXPECT_EQ(sides[s].stop, sides[s].rows < 3 ? LayerStop::end : LayerStop::none) << s;
+    const bool last = s == 0 || s == 9;
+    EXPECT_EQ(sides[s].rows, last ? 0 : 3) << s;
+    EXPECT_EQ(sides[s].stop, last ? LayerStop::end : LayerStop::none) << s;
   }
   std::vector<double> heights;
   for (const Point& p : laid.front.added()) heights.push_back(p.y);
   std::sort(heights.begin(), heights.end());
   heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
   EXPECT_EQ(heights, (std::vector<double>{0.001, 0.003, 0.007}));
+}
+
+TEST(LayerFront, StepsDownOneSegmentPerRowWhereRowsAreThick) {
+  const Drawing drawing = box(10, 10, 50);
+  const Laid laid(drawing.boundary, {"", "", 0.5, 1.01, 3});
+  EXPECT_TRUE(laid.is_simple());
+  EXPECT_LE(laid.quality.largest_nu.supplement().in_degrees(), 90 + 1e-9);
+  // Row k has k - 1 edges less on either side; its cells at both ends are triangles.
+  EXPECT_EQ(laid.front.triangles().size(), 2 * (10 + 8 + 6) - 2 * 3U);
+  for (std::uint32_t s = 0; s < 10; ++s) {
+    const int from_end = static_cast<int>(std::min(s, 9 - s));
+    EXPECT_EQ(laid.front.sides()[s].rows, std::min(from_end, 3)) << s;
+  }
 }
 
 TEST(LayerFront, RunsUpToWallsWithVerticesAtItsHeights) {
