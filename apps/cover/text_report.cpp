@@ -162,6 +162,33 @@ std::string replaced_rows(const Output& output) {
   return out + '\n';
 }
 
+/// "8 of 8 layers", "5 to 8 layers", "no layers".
+std::string layer_count(const LayerReport& layers) {
+  if (layers.most == 0) return "no layers";
+  const std::string range = layers.fewest == layers.most
+                                ? fmt::format("{}", layers.most)
+                                : fmt::format("{} to {}", layers.fewest, layers.most);
+  return layers.asked.count > 0 ? fmt::format("{} of {} layers", range, layers.asked.count)
+                                : range + (layers.most == 1 ? " layer" : " layers");
+}
+
+/// What became of the layers that were asked for, line by line.
+std::string layer_rows(const Output& output) {
+  std::string out;
+  for (const RegionReport& region : output.report.regions) {
+    for (const LayerReport& layers : region.layers) {
+      out += fmt::format("  {} in {}: {}, {:.6g} thick; {} of {} complete", layers.asked.line,
+                         output.table.region(region.id).name, layer_count(layers), layers.thickness,
+                         grouped(layers.complete), plural(layers.segments, "segment"));
+      for (const LayerReport::Short& part : layers.cut_short)
+        out += fmt::format("; on {} {}, the first at {}", grouped(part.segments),
+                           describe(part.why), describe(part.at));
+      out += '\n';
+    }
+  }
+  return out.empty() ? out : "\nLayers\n" + out;
+}
+
 std::string region_rows(const Output& output, bool every_region) {
   const auto& regions = output.report.regions;
   TextTable table({{"region"},
@@ -221,6 +248,7 @@ std::string region_name(const RegionTable& table, RegionId id) {
 std::string mesh_text(const Output& output, bool every_region) {
   std::string out = replaced_rows(output) + totals(output);
   if (output.report.regions.size() > 1) out += '\n' + region_rows(output, every_region);
+  out += layer_rows(output);
   return out + '\n' + histogram(output.report.quality) + '\n' + times(output.report);
 }
 

@@ -479,6 +479,47 @@ class Files(Case):
         self.refuse('cannot write d.poly/x.vtu', 'mesh', 'd.poly', '-o', 'd.poly/x.vtu', code=5)
 
 
+class Layers(Case):
+    """--layers, and "layers" in JSON."""
+
+    def report(self, *words):
+        out, err = self.run_cover('mesh', *words, '-o', 'd.vtu', '-o', 'd.json', '--report', 'r.json')
+        self.run_cover('check', words[0], 'd.vtu', *(['--allow-split'] if '--split-interfaces' in words else []))
+        return json.loads((self.dir / 'r.json').read_text()), out, err
+
+    def test_on_a_mosfet(self):
+        given = SAMPLES / 'mosfet_layers.json'
+        fine = ['--split-interfaces', '--size-at', 'channel_oxide=20', '--size-at', 'oxide_gate=20']
+        report, out, _ = self.report(given, *fine)
+        regions = {region['name']: region for region in report['regions']}
+        [channel], [oxide] = regions['channel']['layers'], regions['oxide']['layers']
+        self.assertEqual((channel['line'], channel['first'], channel['growth'], channel['count']), ('channel_oxide', 0.2, 1.3, 0))
+        self.assertGreater(channel['most'], 12)
+        self.assertEqual((oxide['fewest'], oxide['most'], oxide['complete']), (3, 3, oxide['segments']))
+        self.assertAlmostEqual(oxide['thickness'], 0.9, delta=1e-12)
+        self.assertAlmostEqual(regions['oxide']['largest_angle'], 90, delta=1e-6)
+        self.assertTrue(all(region['bound_held'] for region in report['regions']))
+        self.assertIn('channel_oxide in oxide: 3 of 3 layers, 0.9 thick', out)
+        self.assertEqual(report['options']['layers'], ['channel_oxide@channel=0.2,1.3,0', 'channel_oxide@oxide=0.3,1,3'])
+        # The command line wins.
+        report = self.report(given, *fine, '--layers', 'channel_oxide@oxide=0.4,1,2')[0]
+        regions = {region['name']: region for region in report['regions']}
+        self.assertEqual(regions['oxide']['layers'][0]['most'], 2)
+
+    def test_that_cannot_be(self):
+        given = SAMPLES / 'mosfet_layers.json'
+        for layers, part in (('channel_oxid=1,2', "did you mean 'channel_oxide'?"),
+                             ('channel_oxide@gate=1,2', "region 'gate' is not beside that line, but 'channel' and 'oxide'"),
+                             ('channel_oxide@oxide=1.3,1,1', "no thinner than region 2 'oxide', which is 1.2"),
+                             ('channel_oxide=-1,2', 'the first layer is -1, but must be above 0'),
+                             ('channel_oxide=nan,2', 'the first layer is nan'),
+                             ('channel_oxide=1,0.5', 'the growth is 0.5, but must be at least 1')):
+            _, err = self.run_cover('mesh', given, '-o', 'd.vtu', '--layers', layers, code=2)
+            self.assertIn(part, err)
+            self.assertFalse((self.dir / 'd.vtu').exists())
+        self.run_cover('mesh', given, '-o', 'd.vtu', '--method', 'nonobtuse', code=2)
+
+
 class Sizes(Case):
     """--size, --size-at, --size-field, sizes in the input."""
 

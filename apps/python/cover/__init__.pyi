@@ -16,6 +16,7 @@ _Region = Union[Tuple[float, float, _Material], Tuple[float, float, _Material, s
 _Path = Union[npt.ArrayLike, Sequence[Union[Tuple[float, float], Mapping[str, Any]]]]  # with arcs and circles
 _Rings = Sequence[_Path]
 _Sizes = Union[float, str, Sequence[str], Mapping[str, Union[float, str]]]
+_Layers = Union[str, Sequence[str], Mapping[str, Union[str, Sequence[float]]]]
 _Polygon = Union[Tuple[_Material, _Rings], Tuple[_Material, _Rings, str], Mapping[str, Any]]
 
 class _Options(TypedDict, total=False):
@@ -36,6 +37,7 @@ class _Options(TypedDict, total=False):
     size_of: Optional[str]  # "asinh", "asinh(doping)"
     size_step: float
     box_method: bool
+    layers: _Layers  # by line, or line@region: first, growth[, count]
     split_interfaces: Union[None, bool, float]
     overlap: Literal["last", "first", "error"]
     weld: Union[None, float, str]  # "auto", "off"

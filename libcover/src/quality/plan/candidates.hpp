@@ -41,6 +41,7 @@ class Candidates {
 
   [[nodiscard]] const LocalFrame& frame() const { return frame_; }
   [[nodiscard]] const AngleLimit& limit() const { return limit_; }
+  [[nodiscard]] bool is_part() const { return boundary_.is_part; }
   [[nodiscard]] bool has_sizes() const { return sizes_.is_active(); }
   /// At most 16 points: random restarts then find what there is.
   [[nodiscard]] bool is_tiny() const { return boundary_.points.size() <= kTinyRegion; }
