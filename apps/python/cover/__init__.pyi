@@ -66,7 +66,6 @@ class _ReadOptions(TypedDict, total=False):
     priority_field: str
     crs: str
     no_smooth: bool
-    smooth: bool
     legend: Union[str, os.PathLike[str]]
 
 class _FileOptions(_Options, _ReadOptions, total=False): ...
