@@ -187,14 +187,14 @@ class Page {
   }
 
   void regions() {
-    constexpr std::size_t kRows = 500;
+    constexpr std::size_t kMostRows = 500;
     std::vector<std::size_t> order(report_.regions.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
       return report_.regions[a].rho() < report_.regions[b].rho();
     });
-    const bool cut = order.size() > kRows;
-    if (cut) order.resize(kRows);
+    const bool cut = order.size() > kMostRows;
+    if (cut) order.resize(kMostRows);
     out_ += fmt::format(
         "<h2>Regions, lowest rho first{}</h2>\n"
         "<div class=\"panel scroll\">\n<table class=\"regions\">\n<thead>\n<tr><th "
@@ -205,7 +205,7 @@ class Page {
         "<th class=\"t\">material</th><th>area</th><th>triangles</th><th>new vertices</th>"
         "<th>no mesh below</th><th>proven</th><th>reached</th><th>rho</th><th>smallest</th>"
         "<th>&gt; 120°</th><th>&gt; 150°</th><th class=\"t\">method</th></tr>\n</thead>\n",
-        cut ? fmt::format(" (the first {})", kRows) : "");
+        cut ? fmt::format(" (the first {})", kMostRows) : "");
     for (const std::size_t i : order) {
       const RegionReport& r = report_.regions[i];
       const Region& region = output_.table.region(r.id);

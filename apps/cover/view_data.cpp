@@ -62,7 +62,7 @@ class ViewData {
     json["counts"] = counts_;
     json["all"] = view_.triangles.size();
     json["regions"] = regions();
-    std::string out = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    std::string out = json.dump(-1, ' ', true, Json::error_handler_t::replace);
     // Nothing in it may end the element that it stands in, or begin another.
     for (std::size_t at = out.find('<'); at != out.npos; at = out.find('<', at))
       out.replace(at, 1, "\\u003c");

@@ -100,6 +100,8 @@ Status write_medit(const Output& output, const std::string& path, const WriteOpt
 
 /// Writes an Abaqus input deck: an ELSET per region group, an NSET per line group. Coordinates have
 /// at most 20 characters, as Abaqus and CalculiX want it; those that need more are rounded.
+///
+/// Errors: cannot_write, with places, also where that flattens triangles or turns them over
 Status write_inp(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes Triangle's files `path` with the extensions .node, .ele (attributes material and

@@ -8,6 +8,8 @@
 
 #include <fmt/ranges.h>
 
+#include "base/out_of_memory.hpp"
+
 namespace cover {
 namespace {
 
@@ -74,18 +76,22 @@ std::vector<std::string> write_formats() {
 }
 
 Status can_write(const std::string& path, const WriteOptions& options) {
-  const Result<Format> format = format_of(path);
-  if (!format) return format.error();
-  if (Status status = check(options); !status) return status;
-  if (options.order == 2 && !format->second_order)
-    return bad(fmt::format("cannot write '{}': {} has no second-order triangles", path,
-                           format->extension));
-  return ok();
+  return memory_as_value(path, [&]() -> Status {
+    const Result<Format> format = format_of(path);
+    if (!format) return format.error();
+    if (Status status = check(options); !status) return status;
+    if (options.order == 2 && !format->second_order)
+      return bad(fmt::format("cannot write '{}': {} has no second-order triangles", path,
+                             format->extension));
+    return ok();
+  });
 }
 
 Status write_mesh(const Output& output, const std::string& path, const WriteOptions& options) {
-  if (Status status = can_write(path, options); !status) return status;
-  return format_of(path)->write(output, path, options);
+  return memory_as_value(path, [&]() -> Status {
+    if (Status status = can_write(path, options); !status) return status;
+    return format_of(path)->write(output, path, options);
+  });
 }
 
 }  // namespace cover

@@ -16,6 +16,8 @@
 
 #include <fmt/format.h>
 
+#include "io/files/names_in_folder.hpp"
+
 namespace cover {
 namespace {
 
@@ -107,25 +109,24 @@ Error cancelled(const std::string& shown) {
 
 }  // namespace
 
-fs::path PieceFolder::folder() const { return target_.parent_path() / stem_; }
-
 Result<PieceFolder> PieceFolder::open(const fs::path& target, const std::string& shown,
                                       std::stop_token stop) {
   PieceFolder out;
   out.target_ = target;
   out.stem_ = target.stem();
+  out.folder_ = target.parent_path() / out.stem_;
   out.shown_ = shown;
   out.stop_ = std::move(stop);
   out.owner_ = owner_of(target);
   if (Status status = out.lock(); !status) return std::move(status).error();
-  remove_leftovers(out.folder(), out.stem_);
+  remove_leftovers(out.folder_, out.stem_);
   remove_leftovers(target.parent_path(), target.filename().string());
   out.named_before_ = names_in(target);
   return out;
 }
 
 Status PieceFolder::lock() {
-  const fs::path path = folder();
+  const fs::path& path = folder_;
   const auto failure = [&](int number) {
     return cannot_write(fmt::format("{}, with its pieces in the folder {}", shown_, path.string()),
                         number);
@@ -153,6 +154,7 @@ Status PieceFolder::lock() {
 PieceFolder::PieceFolder(PieceFolder&& other) noexcept
     : target_(std::move(other.target_)),
       stem_(std::move(other.stem_)),
+      folder_(std::move(other.folder_)),
       shown_(std::move(other.shown_)),
       stop_(std::move(other.stop_)),
       owner_(other.owner_),
@@ -164,8 +166,9 @@ PieceFolder::PieceFolder(PieceFolder&& other) noexcept
 
 PieceFolder::~PieceFolder() {
   if (lock_ < 0) return;
-  for (const std::string& piece : made_) unlink((folder() / piece).c_str());
-  if (is_made_) rmdir(folder().c_str());
+  // Without an allocation, which may fail.
+  for (const std::string& piece : made_) unlinkat(lock_, piece.c_str(), 0);
+  if (is_made_) rmdir(folder_.c_str());
   close(lock_);
 }
 
@@ -176,7 +179,7 @@ Result<std::string> PieceFolder::add(const std::function<void(const ByteSink&)>&
   std::string small;
   std::optional<Result<TemporaryFile>> file;
   const auto create = [&] {
-    file.emplace(TemporaryFile::beside(folder() / stem_, shown_, owner_, stop_));
+    file.emplace(TemporaryFile::beside(folder_ / stem_, shown_, owner_, stop_));
     if (*file) (*file)->write(small);
   };
   Hash hash;
@@ -191,7 +194,7 @@ Result<std::string> PieceFolder::add(const std::function<void(const ByteSink&)>&
       (*file)->write(bytes);
   });
   std::string name = fmt::format("{}_{}_{}.vtu", stem_, pieces_.size(), hash.text());
-  const fs::path path = folder() / name;
+  const fs::path path = folder_ / name;
   if (stop_.stop_requested()) return cancelled(shown_);
   if (!holds(path, size, hash)) {
     if (!file) create();
@@ -214,14 +217,14 @@ Status PieceFolder::sync_pieces() {
   }
 #endif
   for (const std::string& piece : pieces_) {
-    const int file = ::open((folder() / piece).c_str(), O_RDONLY | O_CLOEXEC);
+    const int file = ::open((folder_ / piece).c_str(), O_RDONLY | O_CLOEXEC);
     if (file < 0) return cannot_write(shown_, errno);
     const int number = fsync(file) == 0 ? 0 : errno;
     close(file);
     if (number != 0) return cannot_write(shown_, number);
     if (stop_.stop_requested()) return cancelled(shown_);
   }
-  return sync_folder(folder(), shown_);
+  return sync_folder(folder_, shown_);
 }
 
 Status PieceFolder::commit(std::string_view text) {
@@ -239,17 +242,12 @@ Status PieceFolder::commit(std::string_view text) {
 
 void PieceFolder::remove_old_pieces() {
   const std::unordered_set<std::string> now(pieces_.begin(), pieces_.end());
-  std::vector<fs::path> old;
-  std::error_code ignored;
-  for (fs::directory_iterator entry(folder(), ignored), end; !ignored && entry != end;
-       entry.increment(ignored)) {
-    const std::string name = entry->path().filename();
+  for (const std::string& name : names_in_folder(folder_)) {
     // Without a hash, ParaView numbers the files of a time series in the same way.
     const bool ours = is_piece(name, stem_, false) ||
                       (is_piece(name, stem_, true) && named_before_.contains(name));
-    if (ours && !now.contains(name)) old.push_back(entry->path());
+    if (ours && !now.contains(name)) unlinkat(lock_, name.c_str(), 0);
   }
-  for (const fs::path& path : old) unlink(path.c_str());
 }
 
 }  // namespace cover

@@ -53,10 +53,10 @@ class PieceFolder {
   Status lock();
   Status sync_pieces();
   void remove_old_pieces();
-  [[nodiscard]] std::filesystem::path folder() const;
 
   std::filesystem::path target_;
   std::string stem_;
+  std::filesystem::path folder_;
   std::string shown_;
   std::stop_token stop_;
   std::optional<FileOwner> owner_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 #include <new>
+#include <utility>
 
 #if H5_VERSION_GE(1, 13, 0)
 #include <H5FDdevelop.h>
@@ -30,16 +31,18 @@ LayoutFile& own(H5FD_t* file) { return *reinterpret_cast<LayoutFile*>(file); }
 const LayoutFile& own(const H5FD_t* file) { return *reinterpret_cast<const LayoutFile*>(file); }
 
 H5FD_t* open_layout(const char* /*name*/, unsigned /*flags*/, hid_t properties, haddr_t /*most*/) {
+  // It is there already: what fails halfway through the library crashes it later.
   const auto* info = static_cast<const LayoutInfo*>(H5Pget_driver_info(properties));
-  auto* file = info == nullptr ? nullptr : new (std::nothrow) LayoutFile;
-  if (file == nullptr) return nullptr;
+  if (info == nullptr) return nullptr;
+  auto* file = static_cast<LayoutFile*>((*info->bytes)->file.get());
+  *file = LayoutFile{};
   file->bytes = *info->bytes;
   return &file->library;
 }
 
 herr_t close_layout(H5FD_t* file) {
   own(file).bytes->end = own(file).allocated;
-  delete &own(file);
+  const std::shared_ptr<Hdf5Bytes> last = std::move(own(file).bytes);
   return 0;
 }
 
@@ -69,7 +72,8 @@ herr_t write_layout(H5FD_t* file, H5FD_mem_t /*type*/, hid_t /*dxpl*/, haddr_t a
                     const void* bytes) {
   LayoutFile& layout = own(file);
   layout.written = std::max(layout.written, at + size);
-  return layout.bytes->write(at, {static_cast<const char*>(bytes), size}) ? 0 : -1;
+  layout.bytes->write(at, {static_cast<const char*>(bytes), size});
+  return 0;  // always: a file that the library cannot close crashes it at the end of the program
 }
 
 H5FD_class_t layout_class() {
@@ -97,7 +101,7 @@ H5FD_class_t layout_class() {
 
 }  // namespace
 
-bool Hdf5Bytes::write(std::uint64_t at, std::string_view bytes) {
+void Hdf5Bytes::write(std::uint64_t at, std::string_view bytes) {
   try {
     while (!bytes.empty()) {
       std::unique_ptr<Page>& page = pages_[at / kPage];
@@ -108,16 +112,15 @@ bool Hdf5Bytes::write(std::uint64_t at, std::string_view bytes) {
       at += size;
     }
   } catch (const std::bad_alloc&) {
-    return false;
+    lacks_memory = true;
   }
-  return true;
 }
 
 void Hdf5Bytes::read(std::uint64_t at, std::size_t size, char* out) const {
   while (size > 0) {
     const std::size_t from = at % kPage, now = std::min(kPage - from, size);
     const auto page = pages_.find(at / kPage);
-    if (page == pages_.end())
+    if (page == pages_.end() || page->second == nullptr)
       std::memset(out, 0, now);
     else
       std::memcpy(out, page->second->data() + from, now);
@@ -128,6 +131,7 @@ void Hdf5Bytes::read(std::uint64_t at, std::size_t size, char* out) const {
 }
 
 Hdf5Layout::Hdf5Layout() : bytes_(std::make_shared<Hdf5Bytes>()) {
+  bytes_->file = std::make_shared<LayoutFile>();
   const H5FD_class_t driver = layout_class();
   driver_ = H5FDregister(&driver);
 }

@@ -16,12 +16,14 @@ namespace cover {
 /// no room.
 class Hdf5Bytes {
  public:
-  /// Overwrites what is there. False where memory does not last.
-  bool write(std::uint64_t at, std::string_view bytes);
+  /// Overwrites what is there; where memory does not last, lacks_memory tells.
+  void write(std::uint64_t at, std::string_view bytes);
   /// What was written, and zeros.
   void read(std::uint64_t at, std::size_t size, char* out) const;
 
   std::uint64_t end = 0;  ///< length of the file
+  bool lacks_memory = false;
+  std::shared_ptr<void> file;  ///< what the driver calls an open file; one at a time
 
  private:
   static constexpr std::size_t kPage = 4096;

@@ -186,8 +186,10 @@ Status write_hdf5(const Hdf5Content& content, const ByteSink& sink) {
   Handle file(layout.create(), H5Fclose);
   Maker maker(file);
   // The library has no disk to wait for: memory is all that it can lack.
-  if (!file.is_open() || !maker.make(content) || !file.close())
-    return Error{ErrorCode::out_of_memory, "HDF5's library cannot lay out the file", {}, {}};
+  if (!file.is_open() || !maker.make(content) || !file.close() || layout.bytes().lacks_memory) {
+    return Error{
+        ErrorCode::out_of_memory, "out of memory: HDF5's library cannot lay out the file", {}, {}};
+  }
   BinaryWriter out(sink);
   std::uint64_t at = 0;
   for (const Extent& extent : std::move(maker).extents()) {

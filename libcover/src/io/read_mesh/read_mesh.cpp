@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "base/errors.hpp"
+#include "base/out_of_memory.hpp"
 #include "io/read_mesh/mesh_formats.hpp"
 #include "io/read_mesh/mesh_of_data_set.hpp"
 #include "io/read_mesh/read_vtkhdf_mesh.hpp"
@@ -67,18 +68,21 @@ std::vector<std::string> mesh_formats() {
 }
 
 Result<MeshFile> read_mesh(const std::string& path) {
-  const std::string extension = extension_of(path);
-  const auto* const format = std::find_if(
-      kFormats.begin(), kFormats.end(), [&](const Format& f) { return f.extension == extension; });
-  if (format == kFormats.end())
-    return Error{ErrorCode::unsupported_format,
-                 fmt::format("cannot read '{}' as a mesh{}: possible are {}", path,
-                             reason(extension), fmt::join(mesh_formats(), ", ")),
-                 {},
-                 {}};
-  Result<MeshFile> mesh = format->read(path);
-  if (mesh && mesh->soup.triangles.empty()) return wrong_file(path, "no triangles in it");
-  return mesh;
+  return memory_as_value(path, [&]() -> Result<MeshFile> {
+    const std::string extension = extension_of(path);
+    const auto* const format = std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& f) {
+      return f.extension == extension;
+    });
+    if (format == kFormats.end())
+      return Error{ErrorCode::unsupported_format,
+                   fmt::format("cannot read '{}' as a mesh{}: possible are {}", path,
+                               reason(extension), fmt::join(mesh_formats(), ", ")),
+                   {},
+                   {}};
+    Result<MeshFile> mesh = format->read(path);
+    if (mesh && mesh->soup.triangles.empty()) return wrong_file(path, "no triangles in it");
+    return mesh;
+  });
 }
 
 }  // namespace cover

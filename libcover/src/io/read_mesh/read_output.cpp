@@ -16,6 +16,7 @@
 #include <cover/stored_mesh.hpp>
 
 #include "base/errors.hpp"
+#include "base/out_of_memory.hpp"
 #include "io/read_mesh/complete_mesh.hpp"
 #include "io/read_mesh/read_vtkhdf_mesh.hpp"
 #include "io/read_mesh/second_order.hpp"
@@ -360,19 +361,22 @@ class Completion {
 }  // namespace
 
 Result<Output> read_output(const std::string& path) {
-  Completion completion(path);
-  Result<StoredMesh> stored = completion.read();
-  if (!stored) return std::move(stored).error();
-  Result<Output> output = rebuild(*stored);
-  if (!output) return wrong_file(path, output.error().message);
-  const auto warn = [&](std::string message) {
-    output->report.notes.push_back({Note::Kind::warning, kVoid, std::move(message), {}});
-  };
-  if (!completion.missing().empty()) warn(completion.missing());
-  if (stored->second_order) {
-    warn(fmt::format("{}: triangles have six nodes, of which the corners are taken", path));
-  }
-  return output;
+  return memory_as_value(path, [&]() -> Result<Output> {
+    Completion completion(path);
+    Result<StoredMesh> stored = completion.read();
+    if (!stored) return std::move(stored).error();
+    Result<Output> output = rebuild(*stored);
+    if (!output && output.error().code == ErrorCode::out_of_memory) return output;
+    if (!output) return wrong_file(path, output.error().message);
+    const auto warn = [&](std::string message) {
+      output->report.notes.push_back({Note::Kind::warning, kVoid, std::move(message), {}});
+    };
+    if (!completion.missing().empty()) warn(completion.missing());
+    if (stored->second_order) {
+      warn(fmt::format("{}: triangles have six nodes, of which the corners are taken", path));
+    }
+    return output;
+  });
 }
 
 }  // namespace cover

@@ -20,6 +20,11 @@
 //                    "edges": [[a, b], ...] with the left region on the left,
 //                    "markers": [of the input, by edge] where there are any,
 //                    "groups": [tags, by edge] instead of "group" where they differ } ],
+//     "periodic": [ { "from", "to": names, "map": "translation", "rotation" or "mirror",
+//                     "matrix": [[xx, xy, x0], [yx, yy, y0]], which takes "from" to "to",
+//                     "centre", "angle": of a rotation,
+//                     "vertices": [[a, its image], ...],
+//                     "edges": [[a, b, their images], ...] } ] where there are any,
 //     "warnings": [sentences] }
 //
 //   QUALITY  { "largest_angle", "smallest_angle", "obtuse", "above_120", "above_150" }
@@ -34,6 +39,7 @@
 
 #include "base/describe.hpp"
 #include "io/files/text_writer.hpp"
+#include "io/report/periodic_json.hpp"
 #include "io/report/provenance_json.hpp"
 #include "io/write_mesh/mesh_view.hpp"
 
@@ -80,6 +86,7 @@ class ManifestWriter {
     list("line_groups", groups(view_.line_groups));
     list("regions", regions());
     list("lines", lines());
+    if (!output_.periodic.empty()) list("periodic", periodic());
     list("warnings", warnings(), true);
     out_ << "}\n";
   }
@@ -207,6 +214,17 @@ class ManifestWriter {
       marked |= view_.marker[l] != 0;
     }
     return marked ? list : Json::array();
+  }
+
+  [[nodiscard]] std::vector<Json> periodic() const {
+    std::vector<Json> list;
+    for (const PeriodicNodes& nodes : output_.periodic) {
+      Json json = periodic_json(nodes);
+      json["vertices"] = nodes.vertices;
+      json["edges"] = nodes.edges;
+      list.push_back(std::move(json));
+    }
+    return list;
   }
 
   [[nodiscard]] std::vector<Json> warnings() const {

@@ -130,13 +130,18 @@ Halfedge directed(const Mesh& mesh, const RegionTable& table, Edge edge) {
 class Viewer {
  public:
   Viewer(const Output& output, const WriteOptions& options)
-      : mesh_(output.mesh), tri_(output.mesh.tri()), table_(output.table), options_(options) {}
+      : mesh_(output.mesh),
+        tri_(output.mesh.tri()),
+        table_(output.table),
+        periodic_(output.periodic),
+        options_(options) {}
 
   MeshView make() {
     group_regions(table_, options_.ids, view_);
     add_points();
     add_triangles();
     add_lines();
+    if (!periodic_.empty()) add_periodic();
     return std::move(view_);
   }
 
@@ -228,9 +233,40 @@ class Viewer {
     view_.marker.push_back(line.marker);
   }
 
+  /// The edge between two vertices, which is there.
+  [[nodiscard]] Halfedge between(std::uint32_t u, std::uint32_t v) const {
+    return tri_.find_halfedge(TriMesh::VertexHandle(static_cast<int>(u)),
+                              TriMesh::VertexHandle(static_cast<int>(v)));
+  }
+
+  void add_periodic() {
+    std::map<std::array<std::uint32_t, 2>, std::uint32_t> line_of;
+    for (std::uint32_t l = 0; l < view_.lines.size(); ++l) {
+      const auto ends = view_.lines[l];
+      line_of.emplace(std::array{ends[0], ends[1]}, l);
+      line_of.emplace(std::array{ends[1], ends[0]}, l);
+    }
+    std::vector<PeriodicNodes> all = periodic_;
+    for (PeriodicNodes& nodes : all) {
+      PeriodicLines lines{nodes.map, {}, {}};
+      for (const auto& [a, b, a2, b2] : nodes.edges) {
+        const auto from = line_of.find({a, b}), to = line_of.find({a2, b2});
+        if (from != line_of.end() && to != line_of.end()) {
+          lines.lines.push_back({from->second, to->second});
+          lines.corners.push_back({{{a, a2}, {b, b2}}});
+        }
+        if (options_.order == 2)
+          nodes.vertices.push_back({midpoint_of(between(a, b)), midpoint_of(between(a2, b2))});
+      }
+      view_.periodic.push_back(std::move(lines));
+    }
+    view_.periodic_node = periodic_classes(all, view_.points.size());
+  }
+
   const Mesh& mesh_;
   const TriMesh& tri_;
   const RegionTable& table_;
+  const std::vector<PeriodicNodes>& periodic_;
   const WriteOptions& options_;
   MeshView view_;
 };

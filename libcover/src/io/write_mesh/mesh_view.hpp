@@ -1,6 +1,7 @@
 // A mesh as the text formats want it: points, triangles, lines, and groups with names and tags.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -33,6 +34,16 @@ struct Group {
   int material = 0;      ///< of all its regions; 0 for lines
 };
 
+/// Lines that are images of each other by one rule.
+struct PeriodicLines {
+  Isometry map;
+  /// Indices of a line and its image.
+  std::vector<std::array<std::uint32_t, 2>> lines;
+  /// By pair of lines: corners of the first and of the second one that are images of each other, in
+  /// the order of the first one.
+  std::vector<std::array<std::array<std::uint32_t, 2>, 2>> corners;
+};
+
 /// The mesh of a run, ready to be written.
 ///
 /// Regions of equal name and material are one group; tags count from 1 in the order of region ids.
@@ -58,6 +69,11 @@ struct MeshView {
   std::vector<int> marker;                ///< by line: boundary marker of the input
   std::vector<Group> line_groups;         ///< also those whose lines are all left out
 
+  std::vector<PeriodicLines> periodic;  ///< by rule, without lines that are left out
+  /// By point: the smallest point that it is joined to by periodic sides; empty where there are
+  /// none.
+  std::vector<std::uint32_t> periodic_node;
+
   [[nodiscard]] bool second_order() const { return triangles.nodes_each == 6; }
   [[nodiscard]] const Group& group_of_triangle(std::size_t t) const {
     return region_groups[region_group[region[t].index() - 1]];
@@ -72,8 +88,8 @@ struct MeshView {
   }
 };
 
-/// The view of `output` that `options` ask for. Only the mesh and the table of regions and
-/// interfaces are looked at.
+/// The view of `output` that `options` ask for. Only the mesh, the table of regions and interfaces,
+/// and periodic sides are looked at.
 ///
 /// Cost: O(n log n) in the number of lines, linear in all else.
 MeshView view_of(const Output& output, const WriteOptions& options);

@@ -52,6 +52,16 @@ void add_cells(const Cells& cells, CellType type, std::size_t points, Place plac
       vtu_array<std::uint8_t>("types", cells.size(), [type](std::size_t) { return type; }));
 }
 
+/// The class of each point, where there are periodic sides; `number(p)` is its number in the whole
+/// mesh.
+template <class Number>
+void add_periodic_nodes(const MeshView& view, std::size_t points, Number number, VtuGrid& grid) {
+  if (view.periodic_node.empty()) return;
+  grid.point_data.push_back(vtu_array<std::int64_t>(
+      "PeriodicNode", points,
+      [&view, number](std::size_t p) { return view.periodic_node[number(p)]; }));
+}
+
 /// Some cells on points of their own: those of the cells, in the order of their numbers in the
 /// whole mesh.
 struct Part {
@@ -78,6 +88,8 @@ struct Part {
                                            [this](std::size_t p) { return numbers[p]; });
     ids.more = " IdType=\"1\"";
     out.point_data.push_back(std::move(ids));
+    add_periodic_nodes(
+        view, numbers.size(), [this](std::size_t p) { return numbers[p]; }, out);
     add_cells(
         cells, type, numbers.size(),
         [this, &view](std::size_t p) { return view.points[numbers[p]]; }, out);
@@ -135,6 +147,8 @@ VtuGrid whole_grid(const MeshView& view) {
   add_cells(
       view.triangles, type_of_triangles(view), view.points.size(),
       [&view](std::size_t p) { return view.points[p]; }, grid);
+  add_periodic_nodes(
+      view, view.points.size(), [](std::size_t p) { return p; }, grid);
   add_triangle_arrays(
       view, view.triangles.size(), [](std::size_t k) { return k; }, grid);
   return grid;

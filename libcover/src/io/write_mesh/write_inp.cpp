@@ -1,13 +1,19 @@
 // Abaqus' input deck, as CalculiX and Elmer read it too: nodes, elements in one set per region
 // group, nodes of each line group in a set. Names of sets are case-insensitive and begin with a
 // letter. Both programs read the first 20 characters of a number and no more, so a coordinate that
-// is longer would lose its exponent: it is rounded to the digits that fit.
+// is longer would lose its exponent: it is rounded to the digits that fit. A mesh that has triangles
+// too thin for that is refused.
 //
 // Tested by tests/unit/io/write_mesh/write_inp_test.cpp and, in CalculiX, by tests/solvers.
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <utility>
 
+#include <fmt/format.h>
+
+#include "base/describe.hpp"
+#include "geom/predicates.hpp"
 #include "io/files/text_writer.hpp"
 #include "io/write_mesh/mesh_view.hpp"
 
@@ -15,6 +21,8 @@ namespace cover {
 namespace {
 
 constexpr std::size_t kLongestNumber = 20;
+
+constexpr std::size_t kMostPlaces = 10;  ///< places in an error
 
 /// `x` in at most kLongestNumber characters: exactly if it fits, else as precisely as it does.
 std::string coordinate(double x) {
@@ -27,6 +35,48 @@ std::string coordinate(double x) {
         text(std::to_chars(begin, begin + digits.size(), x, std::chars_format::general, precision));
   }
   return out;
+}
+
+/// The coordinate that is read back.
+double read_back(double x) {
+  const std::string text = coordinate(x);
+  double out = x;
+  std::from_chars(text.data(), text.data() + text.size(), out);
+  return out;
+}
+
+/// Whether readers see every triangle the way round that it is.
+///
+/// Errors: cannot_write, with the places of triangles that rounding flattens or turns over
+Status check_rounding(const MeshView& view, const std::string& path) {
+  std::vector<Point> seen;
+  seen.reserve(view.points.size());
+  bool is_rounded = false;
+  for (const Point& p : view.points) {
+    seen.push_back({read_back(p.x), read_back(p.y)});
+    is_rounded = is_rounded || seen.back() != p;
+  }
+  if (!is_rounded) return ok();
+  std::size_t count = 0;
+  std::vector<Point> where;
+  for (std::size_t t = 0; t < view.triangles.size(); ++t) {
+    const auto nodes = view.triangles[t];
+    const auto turn = [&](const std::vector<Point>& points) {
+      return orientation(points[nodes[0]], points[nodes[1]], points[nodes[2]]);
+    };
+    if (turn(seen) == turn(view.points)) continue;
+    if (++count <= kMostPlaces) where.push_back(view.points[nodes[0]]);
+  }
+  if (count == 0) return ok();
+  return Error{
+      ErrorCode::cannot_write,
+      fmt::format(
+          "cannot write {}: its readers take 20 characters of a number, and rounded to them {} "
+          "flat or turned over, the first at {}; other formats keep all digits",
+          path, counted(count, "triangle") + (count == 1 ? " is" : " are"),
+          describe(where.front())),
+      std::move(where),
+      {}};
 }
 
 void write_elements(const MeshView& view, const std::string& family, TextWriter& out) {
@@ -65,6 +115,7 @@ void write_node_sets(const MeshView& view, TextWriter& out) {
 
 Status write_inp(const Output& output, const std::string& path, const WriteOptions& options) {
   const MeshView view = view_of(output, options);
+  if (Status status = check_rounding(view, path); !status) return status;
   return write_text(path, options.stop, [&](TextWriter& out) {
     out << "*NODE, NSET=NALL\n";
     for (std::size_t p = 0; p < view.points.size(); ++p) {

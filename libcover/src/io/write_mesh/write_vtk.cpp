@@ -94,6 +94,10 @@ Status write_vtk(const Output& output, const std::string& path, const WriteOptio
     write_types(lines, view.second_order() ? 21 : 3, out);
     out << "CELL_DATA " << cells << '\n';
     write_arrays(view, lines.size(), out);
+    if (view.periodic_node.empty()) return;
+    out << "POINT_DATA " << view.points.size()
+        << "\nSCALARS PeriodicNode int 1\nLOOKUP_TABLE default\n";
+    for (const std::uint32_t node : view.periodic_node) out << node << '\n';
   });
 }
 
