@@ -13,10 +13,12 @@
 #include <optional>
 #include <utility>
 
+#include "cdt/couplings.hpp"
 #include "quality/fault/missed_targets.hpp"
 #include "quality/mutable/to_region_mesh.hpp"
 #include "quality/plan/candidates.hpp"
 #include "quality/plan/plan.hpp"
+#include "target/measure.hpp"
 
 namespace cover {
 namespace {
@@ -76,7 +78,7 @@ class RegionWork {
 
   void aim_at(Candidate& best, Angle max, Angle min) {
     const auto find = [&] { return best_candidate(); };
-    candidates_.take_if_better(best, candidates_.with_goal(Goal::of(max, min), find));
+    candidates_.take_if_better(best, candidates_.with_goal(candidates_.goal_for(max, min), find));
   }
 
   /// Searches for what is left, if few triangles miss the region's own target, or are above 120
@@ -86,13 +88,14 @@ class RegionWork {
     if (!candidates_.is_done(best))
       candidates_.take_if_better(
           best, candidates_.searched(best, candidates_.own_goal(best.mesh), kEvaluationsForOwn));
-    const Goal far{std::max(goal.large, kFarAbove), goal.small, goal.weight};
+    const Goal far = goal.with(std::max(goal.large, kFarAbove), goal.small, goal.weight);
     if (best.merit.far_above > 0 && far != goal)
       candidates_.take_if_better(best, candidates_.searched(best, far, kEvaluationsForFar));
   }
 
   [[nodiscard]] RegionMesh reported(const Candidate& candidate) const {
     RegionMesh out = to_region_mesh(candidate.mesh, candidates_.frame(), boundary_.points);
+    if (options_.couplings == Couplings::first) flip_in_the_plane(out);
     RegionReport& report = out.report;
     report.id = boundary_.id;
     report.method = candidate.method;
@@ -101,6 +104,16 @@ class RegionWork {
     report.forced_above_120 = candidates_.limit().above_120;
     report.forced_above_150 = candidates_.limit().above_150;
     return out;
+  }
+
+  /// Rounding on the way back may have made an edge negative that was not, and the frame knows of
+  /// none.
+  void flip_in_the_plane(RegionMesh& out) const {
+    std::vector<IndexTriple> triangles = out.triangles;
+    const std::vector<Point> points = all_points(boundary_, out);
+    if (make_delaunay(points, triangles, boundary_.sides) == 0) return;
+    if (holds_bound(points, triangles, Angle::radians(candidates_.limit().promised_nu())))
+      out.triangles = std::move(triangles);
   }
 
   const RegionBoundary& boundary_;

@@ -35,7 +35,7 @@ bool are_alike(const Merit& a, const Merit& b) {
 }  // namespace
 
 Merit merit_of(const MutableMesh& mesh, const Goal& goal) {
-  Merit merit{goal.large, goal.large, 0, 0, goal.small, mesh.triangle_count(), true, {}, 0, 0};
+  Merit merit{goal.large, goal.large, 0, 0, goal.small, mesh.triangle_count(), true, {}, 0, 0, 0};
   for (const SideLimit& side : mesh.sides) merit.target = std::max(merit.target, -side.apex_cot);
   merit.large = merit.target;
   const bool is_measured = mesh.goal() == goal;  // what has no excess meets the goal
@@ -51,7 +51,9 @@ Merit merit_of(const MutableMesh& mesh, const Goal& goal) {
     merit.fault.narrow = std::max(merit.fault.narrow, fault.narrow);
     merit.sum += fault.worst();
     merit.missed += fault.worst() > 0 ? 1 : 0;
-    merit.complete = merit.complete && !shortfall.is_above() && !shortfall.is_below(goal);
+    merit.negative += shortfall.negative;
+    merit.complete = merit.complete && !shortfall.is_above() && !shortfall.is_below(goal) &&
+                     shortfall.negative == 0;
   }
   return merit;
 }
@@ -81,6 +83,10 @@ Prefer preference(const Options& options) {
 }
 
 bool Order::is_better(const Merit& a, const Merit& b) const {
+  if (a.negative != b.negative) {
+    const bool is_within = is_within_bound(a);
+    return is_within != is_within_bound(b) ? is_within : a.negative < b.negative;
+  }
   if (prefer == Prefer::largest) return cover::is_better(a, b);
   const auto steps = [](double fault) { return std::lround(fault / kAlikeFault); };
   const auto key = [&](const Merit& m) {

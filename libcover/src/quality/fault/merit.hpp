@@ -27,6 +27,8 @@ struct Merit {
   Fault fault{};           ///< the worst of all triangles
   double sum = 0;          ///< of their faults
   std::size_t missed = 0;  ///< triangles that have one
+
+  std::size_t negative = 0;  ///< couplings that count and are negative
 };
 
 /// Cost: O(triangles)
@@ -61,7 +63,10 @@ struct Order {
   double degenerate = 0.72;
   double bound = kInverted;  ///< -cot of the largest angle that is promised: beyond is worse
 
-  /// By Prefer::balanced: within the bound; the smaller fault if one of them is degenerate; then
+  /// Within the bound; with fewer negative couplings, where they count. Then, by Prefer::largest,
+  /// as above.
+  ///
+  /// By Prefer::balanced: the smaller fault if one of them is degenerate; then
   /// fewer triangles above 120 degrees, the smaller fault, fewer triangles that have one, the
   /// smaller sum of faults, fewer triangles. A strict weak ordering.
   ///

@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "quality/effort/effort.hpp"
+#include "quality/mutable/delaunay_flips.hpp"
 #include "quality/repair/improve.hpp"
 #include "quality/repair/search.hpp"
 #include "quality/repair/thin_out.hpp"
@@ -69,12 +70,39 @@ bool is_worth_a_search(const Merit& merit) {
   return merit.triangles <= kCheapToSearch || has_at_most(merit, kHopeless);
 }
 
+/// The couplings of sides, beside angles.
+Goal with_sides(Goal goal) {
+  if (goal.coupling.weight > 0) goal.coupling = {1, false, kInverted};
+  return goal;
+}
+
+/// The couplings of all edges, beside angles.
+Goal with_edges(Goal goal) {
+  goal.coupling = {1, true, kInverted};
+  return goal;
+}
+
 }  // namespace
 
-Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeField& sizes,
+void mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search search) {
+  make_delaunay(mesh);
+  mesh.set_goal(with_edges(goal));
+  improve_within(mesh, budget);
+  make_delaunay(mesh);
+  mesh.set_goal(goal);
+  mesh.measure_all();
+  improve_within(mesh, budget);
+  const Merit merit = merit_of(mesh, goal);
+  if (search == Search::few && is_nearly_clean(merit)) search = Search::usual;
+  if (search == Search::usual && is_worth_a_search(merit)) search_excerpts(mesh, goal, budget);
+}
+
+Merit optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const SizeField& sizes,
                const Order& order, Search search) {
+  const Goal goal = with_sides(asked);
   mesh.set_goal(goal);
   RefineLimits limits;
+  limits.keeps_couplings = goal.coupling.weight > 0;
   limits.smallest_cot = 1 / std::tan(kRefinedTo * std::numbers::pi / 180);
   limits.budget = sizes.is_active() ? kMostSized : 20 * mesh.points.size() + 1000;
   const bool may_start_again = search == Search::usual;
@@ -115,7 +143,8 @@ Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeFi
   if (search == Search::usual && !is_tiny && is_worth_a_search(merit))
     search_excerpts(mesh, goal, budget);
   if (!sizes.is_active()) budget.spend(thin_out(mesh, budget.left).evaluations);
-  return merit_of(mesh, goal);
+  if (goal != asked) mind_couplings(mesh, asked, budget, is_tiny ? Search::none : search);
+  return merit_of(mesh, asked);
 }
 
 Merit improve_largest(MutableMesh& mesh, const Goal& goal, Budget& budget) {

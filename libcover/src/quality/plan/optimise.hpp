@@ -23,6 +23,9 @@ enum class Search {
 Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeField& sizes = {},
                const Order& order = {}, Search search = Search::usual);
 
+/// Makes a triangulation constrained Delaunay and improves it with couplings before angles.
+void mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search search);
+
 /// Improves any triangulation, with the largest angle before all else.
 ///
 /// ENSURES: returns what was reached, by `goal`; the largest angle is no larger than before

@@ -94,7 +94,9 @@ void a_few_restarts(Progress& p) {
 /// The proof of promise 3 comes with the almonds.
 void bound_kept(Progress& p) {
   Candidate almond = p.make.from_almonds();
-  if (!almond.mesh.triangles.empty()) take(p, std::move(almond));
+  if (almond.mesh.triangles.empty()) return;
+  take(p, p.make.coupled(almond));
+  take(p, std::move(almond));
 }
 void bound_kept_sized(Progress& p) {
   const Candidate almond = p.make.from_almonds();
