@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "cdt/couplings.hpp"
+#include "geom/predicates.hpp"
 #include "quality/fault/missed_targets.hpp"
 #include "quality/mutable/to_region_mesh.hpp"
 #include "quality/plan/candidates.hpp"
@@ -48,7 +49,8 @@ class RegionWork {
     }
     if (candidates_.must_stop()) return {};
     RegionMesh out = reported(best);
-    best.mesh.set_goal(candidates_.goal());
+    const Goal& goal = candidates_.goal();
+    if (!best.mesh.goal().has_same_angles(goal)) best.mesh.set_goal(goal);
     out.report.notes =
         missed_targets(best.mesh, boundary_, candidates_.limit(), options_,
                        candidates_.is_budget_used_up(), candidates_.frame().origin());
@@ -95,7 +97,8 @@ class RegionWork {
 
   [[nodiscard]] RegionMesh reported(const Candidate& candidate) const {
     RegionMesh out = to_region_mesh(candidate.mesh, candidates_.frame(), boundary_.points);
-    if (options_.couplings == Couplings::first) flip_in_the_plane(out);
+    if (options_.couplings == Couplings::first && has_negative(candidate.mesh))
+      flip_in_the_plane(out);
     RegionReport& report = out.report;
     report.id = boundary_.id;
     report.method = candidate.method;
@@ -106,8 +109,27 @@ class RegionWork {
     return out;
   }
 
-  /// Rounding on the way back may have made an edge negative that was not, and the frame knows of
-  /// none.
+  /// Whether an inner edge has a negative coupling in the plane: rounding on the way back may have
+  /// made it so.
+  [[nodiscard]] bool has_negative(const MutableMesh& mesh) const {
+    const auto at = [&](std::uint32_t v) {
+      return v < boundary_.points.size() ? boundary_.points[v]
+                                         : candidates_.frame().restore(mesh.points[v]);
+    };
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      if (mesh.is_hole(t)) continue;
+      const auto& [v, n] = mesh.triangles[t];
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (is_side(n[i]) || n[i] < t) continue;
+        const MeshTriangle& other = mesh.triangles[n[i]];
+        const std::uint32_t beyond =
+            other.v[static_cast<std::size_t>(other.edge_from(v[(i + 2) % 3]))];
+        if (in_circle(at(v[0]), at(v[1]), at(v[2]), at(beyond)) == Sign::positive) return true;
+      }
+    }
+    return false;
+  }
+
   void flip_in_the_plane(RegionMesh& out) const {
     std::vector<IndexTriple> triangles = out.triangles;
     const std::vector<Point> points = all_points(boundary_, out);

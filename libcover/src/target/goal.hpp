@@ -30,12 +30,15 @@ struct Allowance {
   double small = 0;  ///< at any corner
   /// The least cotangent at the corner opposite to the side that is no fault of couplings.
   double least_cot = -std::numeric_limits<double>::infinity();
+  /// Below this the triangle counts as inverted.
+  double lowest_cot = -std::numeric_limits<double>::infinity();
 };
 
 /// What negative couplings count for, beside angles.
 struct CouplingGoal {
   double weight = 0;    ///< of what a sum of cotangents lacks; 0: couplings do not count
   bool inside = false;  ///< inner edges count too, not only sides
+  bool strict = false;  ///< a negative one on an inner edge counts like an inverted triangle
   /// -cot of an angle. Larger ones weigh more than any coupling.
   double bound = std::numeric_limits<double>::infinity();
   bool operator==(const CouplingGoal&) const = default;
@@ -53,6 +56,10 @@ struct Goal {
   /// Other angles, the same couplings.
   [[nodiscard]] Goal with(double new_large, double new_small, double new_weight) const {
     return {new_large, new_small, new_weight, coupling};
+  }
+  /// Whether the targets are the same, whatever couplings count for.
+  [[nodiscard]] bool has_same_angles(const Goal& other) const {
+    return large == other.large && small == other.small && weight == other.weight;
   }
   bool operator==(const Goal&) const = default;
 };
@@ -99,15 +106,6 @@ inline double excess(const Goal& goal, Point a, Point b, Point c) {
   const double most = std::max({k.dot[0], k.dot[1], k.dot[2]});
   return std::max(-least - goal.large * k.cross, goal.weight * (most - goal.small * k.cross)) /
          k.cross;
-}
-
-/// What couplings and the bound add to the excess of a triangle with the cotangent `cot` at the
-/// corner opposite to an edge, where `least_cot` is what couplings ask for.
-///
-/// REQUIRES: goal.coupling.weight > 0
-inline double coupling_excess(const Goal& goal, double cot, double least_cot) {
-  return std::max(goal.coupling.weight * (least_cot - cot),
-                  kBoundFirst * (-cot - goal.coupling.bound));
 }
 
 /// The excess of a triangle with sides. `side[i]` belongs to the edge opposite to corner i, null

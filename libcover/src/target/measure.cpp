@@ -118,6 +118,7 @@ std::vector<Point> all_points(const RegionBoundary& boundary, const RegionMesh& 
 
 Quality measure_angles(std::span<const Point> points, std::span<const IndexTriple> triangles) {
   const BinLimits limits = bin_limits();
+  const double farthest = largest_coordinate(points);
   Quality quality;
   quality.triangles = triangles.size();
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
@@ -130,7 +131,7 @@ Quality measure_angles(std::span<const Point> points, std::span<const IndexTripl
     if (largest < lowest) lowest = largest, flattest = s;
     if (smallest > highest) highest = smallest, sharpest = s;
     if (largest < -kRightAngle) {
-      ++quality.obtuse;
+      if (-largest > angle_rounding(s.apex, s.p, s.q, farthest)) ++quality.obtuse;
       if (compare_with_120_degrees(s.p, s.apex, s.q) == Sign::positive) ++quality.above_120;
       if (largest < kCotangentOf150) ++quality.above_150;
     }
@@ -181,8 +182,7 @@ std::vector<NegativeCoupling> measure_couplings(const RegionBoundary& boundary,
                                                 const RegionMesh& mesh,
                                                 std::span<const Point> points, BoxMethod& box) {
   std::vector<NegativeCoupling> found;
-  const std::vector<NegativeEdge> negative =
-      negative_edges(points, mesh.triangles, boundary.sides);
+  const std::vector<NegativeEdge> negative = negative_edges(points, mesh.triangles, boundary.sides);
   const bool has_sides = std::any_of(negative.begin(), negative.end(),
                                      [](const NegativeEdge& e) { return e.is_side; });
   std::vector<std::uint32_t> encroached_by(boundary.sides.size(), kNone);

@@ -27,6 +27,7 @@ struct SideLimit {
   std::array<CornerLimit, 2> corners{};  ///< at its ends
   /// A smaller cotangent opposite to the side is a negative coupling that counts; -inf: none does.
   double least_cot = -std::numeric_limits<double>::infinity();
+  bool is_inner = false;  ///< it stands for an inner edge of a larger mesh
 };
 
 /// A limit that allows nothing.

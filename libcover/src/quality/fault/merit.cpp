@@ -38,7 +38,10 @@ Merit merit_of(const MutableMesh& mesh, const Goal& goal) {
   Merit merit{goal.large, goal.large, 0, 0, goal.small, mesh.triangle_count(), true, {}, 0, 0, 0};
   for (const SideLimit& side : mesh.sides) merit.target = std::max(merit.target, -side.apex_cot);
   merit.large = merit.target;
-  const bool is_measured = mesh.goal() == goal;  // what has no excess meets the goal
+  // What has no excess meets the goal, whatever its couplings weigh.
+  const bool is_measured = mesh.goal().has_same_angles(goal) &&
+                           mesh.goal().coupling.inside == goal.coupling.inside &&
+                           (mesh.goal().coupling.weight > 0) == (goal.coupling.weight > 0);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (mesh.is_hole(t) || (is_measured && mesh.excess[t] <= 0)) continue;
     const Shortfall shortfall = shortfall_of(mesh, t, goal);

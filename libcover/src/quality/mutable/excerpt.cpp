@@ -72,10 +72,11 @@ Excerpt::Excerpt(const MutableMesh& whole, std::uint32_t t, std::size_t limit,
         continue;
       }
       side_at.push_back({k, static_cast<std::uint8_t>(i)});
-      limits.push_back(is_side(n[i]) ? whole.sides[side_index(n[i])] : kNoLimit);
-      if (!is_side(n[i]) && whole.goal().coupling.inside)
-        limits.back().least_cot = -whole.cot_opposite(n[i], v[(i + 2) % 3]);
       outside.push_back(n[i]);
+      limits.push_back(is_side(n[i]) ? whole.sides[side_index(n[i])] : kNoLimit);
+      if (is_side(n[i]) || !whole.goal().coupling.inside) continue;
+      limits.back().least_cot = -whole.cot_opposite(n[i], v[(i + 2) % 3]);
+      limits.back().is_inner = true;
     }
   }
   mesh = MutableMesh(part, fixed, side_at, std::move(limits));

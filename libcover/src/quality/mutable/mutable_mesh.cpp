@@ -32,14 +32,15 @@ MutableMesh::MutableMesh(const Triangulation& triangulation, std::uint32_t fixed
     for (const std::uint32_t v : from.v) home[v] = t;
   }
   for (std::uint32_t s = 0; s < side_at.size(); ++s) {
-    if (side_at[s].triangle == kNone) throw InternalFault("a side is no edge of the triangulation", {});
+    if (side_at[s].triangle == kNone)
+      throw InternalFault("a side is no edge of the triangulation", {});
     triangles[side_at[s].triangle].n[side_at[s].edge] = kSideBit | s;
   }
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     for (int i = 0; i < 3; ++i) {
       if (triangles[t].n[at(i)] == kNone)
         throw InternalFault("an edge of the triangulation has nothing on its other side",
-                    {corner(t, next3(i)), corner(t, prev3(i))});
+                            {corner(t, next3(i)), corner(t, prev3(i))});
     }
   }
 }
@@ -58,10 +59,14 @@ Allowance allowance_for(const SideLimit& side, const Goal& goal) {
         std::max(small, can_cut_off ? std::min(corner.half_cot, corner.ear_cot) : corner.half_cot);
   }
   if (small > goal.small) allowance.small = small - goal.small + kSlack * small;
-  if (goal.coupling.weight > 0)
+  if (goal.coupling.weight > 0) {
     allowance.least_cot =
         std::min(side.least_cot + kLeastCoupling,
                  std::max(side.least_cot, side.apex_cot - kSlack * (1 + std::abs(side.apex_cot))));
+    if (side.is_inner && goal.coupling.strict) {
+      allowance.lowest_cot = side.least_cot - kSameCot * (1 + std::abs(side.least_cot));
+    }
+  }
   return allowance;
 }
 
@@ -80,9 +85,11 @@ void MutableMesh::measure_all() {
 
 double MutableMesh::excess_of(const std::array<std::uint32_t, 3>& v,
                               const std::array<std::uint32_t, 3>& n) const {
-  if (goal_.coupling.weight > 0) return coupled_excess(v, n);
+  const CouplingGoal& coupling = goal_.coupling;
+  const bool has_sides = ((n[0] | n[1] | n[2]) & kSideBit) != 0;
+  if (coupling.weight > 0 && (has_sides || coupling.inside)) return coupled_excess(v, n);
   const Point a = points[v[0]], b = points[v[1]], c = points[v[2]];
-  if (((n[0] | n[1] | n[2]) & kSideBit) == 0) return cover::excess(goal_, a, b, c);
+  if (!has_sides) return cover::excess(goal_, a, b, c);
   const Allowance* const side[3] = {allowance(n[0]), allowance(n[1]), allowance(n[2])};
   return cover::excess(goal_, a, b, c, side);
 }
@@ -91,20 +98,26 @@ double MutableMesh::coupled_excess(const std::array<std::uint32_t, 3>& v,
                                    const std::array<std::uint32_t, 3>& n) const {
   const Point a = points[v[0]], b = points[v[1]], c = points[v[2]];
   const Allowance* const side[3] = {allowance(n[0]), allowance(n[1]), allowance(n[2])};
-  double worst = cover::excess(goal_, a, b, c, side);
+  const bool has_sides = ((n[0] | n[1] | n[2]) & kSideBit) != 0;
+  double worst = has_sides ? cover::excess(goal_, a, b, c, side) : cover::excess(goal_, a, b, c);
   if (worst == kInverted) return kInverted;
   const Corners k(a, b, c);
+  const double inverse = 1 / k.cross;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double cot = k.dot[i] / k.cross;
-    worst = std::max(worst, coupling_excess(goal_, cot,
-                                            side[i] != nullptr ? side[i]->least_cot : -kInverted));
-    if (side[i] != nullptr || !goal_.coupling.inside || n[i] == kSomeTriangle) continue;
+    const double cot = k.dot[i] * inverse;
+    worst = std::max(worst, kBoundFirst * (-cot - goal_.coupling.bound));
+    if (side[i] != nullptr) {
+      if (cot < side[i]->lowest_cot) return kInverted;
+      worst = std::max(worst, goal_.coupling.weight * (side[i]->least_cot - cot));
+      continue;
+    }
+    if (!goal_.coupling.inside || n[i] == kSomeTriangle) continue;
     const std::uint32_t from = v[(i + 2) % 3];
     const double sum = cot + cot_opposite(n[i], from);
     if (sum >= kLeastCoupling) continue;
     const auto& o = triangles[n[i]];
-    const bool is_given = is_fixed(v[0]) && is_fixed(v[1]) && is_fixed(v[2]) &&
-                          is_fixed(o.v[at(o.edge_from(from))]);
+    const bool is_given =
+        is_fixed(v[0]) && is_fixed(v[1]) && is_fixed(v[2]) && is_fixed(o.v[at(o.edge_from(from))]);
     worst = std::max(worst, inner_excess(sum, is_given));
   }
   return worst;

@@ -91,6 +91,7 @@ class MutableMesh {
   /// cotangents add up to `sum`.
   [[nodiscard]] double inner_excess(double sum, bool is_given) const {
     const double least = is_given ? -kSameCot : kLeastCoupling;
+    if (goal_.coupling.strict && sum < std::min(least, 0.0)) return kInverted;
     return goal_.coupling.weight * (least - sum);
   }
 

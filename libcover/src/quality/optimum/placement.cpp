@@ -28,9 +28,10 @@ Hole::Hole(const MutableMesh& mesh, const Cavity& cavity)
     own_[static_cast<std::size_t>(k)] =
         edge(mesh.points[cavity.vertex(k)], mesh.points[cavity.vertex(cavity.next(k))],
              mesh.allowance(cavity.outer(k)));
-    if (goal_->coupling.inside && !is_side(cavity.outer(k)))
-      own_[static_cast<std::size_t>(k)].least_cot =
-          kLeastCoupling - mesh.cot_opposite(cavity.outer(k), cavity.vertex(cavity.next(k)));
+    if (!goal_->coupling.inside || is_side(cavity.outer(k))) continue;
+    const double lowest = -mesh.cot_opposite(cavity.outer(k), cavity.vertex(cavity.next(k)));
+    own_[static_cast<std::size_t>(k)].least_cot = lowest + kLeastCoupling;
+    if (goal_->coupling.strict) own_[static_cast<std::size_t>(k)].lowest_cot = lowest;
   }
 }
 
@@ -58,6 +59,7 @@ inline Hole::Ratio Hole::excess_at(const Edge& edge, Point p) const {
   const double small = goal_->weight * (most - (goal_->small + edge.small) * area);
   const double worst = std::max(large - goal_->large * area, small);
   if (!(goal_->coupling.weight > 0) || !(area > 0)) return {worst, area};
+  if (apex < edge.lowest_cot * area) return {worst, -1};
   const double coupling = goal_->coupling.weight * (edge.least_cot * area - apex);
   const double beyond =
       kBoundFirst * (-std::min(apex, std::min(at_a, at_b)) - goal_->coupling.bound * area);
@@ -108,7 +110,8 @@ double Hole::worst(Point p, double limit) const {
   double most = worst.value();
   Spokes spokes;
   const auto look = [&](double excess, Vector) {
-    most = std::max(most, goal_->coupling.weight * excess);
+    const bool is_negative = goal_->coupling.strict && excess > kLeastCoupling;
+    most = std::max(most, is_negative ? kInverted : goal_->coupling.weight * excess);
   };
   for (const Edge& edge : edges()) {
     const Vector u = edge.a() - p, v = edge.b() - p, e = edge.b() - edge.a();
@@ -147,6 +150,7 @@ double Hole::linearise(Point p, double limit, double reach, double level,
     add(by * excess, by * slope);
   };
   const auto add_spoke = [&](double excess, Vector slope) {
+    if (coupling.strict && excess > kLeastCoupling) worst = kInverted;
     add_weighted(coupling.weight, excess, slope);
   };
   Spokes spokes;
@@ -176,8 +180,9 @@ double Hole::linearise(Point p, double limit, double reach, double level,
       return Spokes::Cot{inverse * dots[i], inverse * (of_dots[i] - dots[i] * across)};
     };
     const Spokes::Cot opposite = cot(0);
+    if (opposite.value < edge.lowest_cot) return kInverted;
     if (edge.least_cot > -kInverted)
-      add_spoke(edge.least_cot - opposite.value, -1.0 * opposite.slope);
+      add_weighted(coupling.weight, edge.least_cot - opposite.value, -1.0 * opposite.slope);
     if (coupling.bound < kInverted) {
       const int widest = dots[0] < dots[base_large] ? 0 : base_large;
       const Spokes::Cot least = cot(widest);

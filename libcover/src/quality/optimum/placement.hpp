@@ -19,12 +19,20 @@ class Hole {
     double ax, ay, bx, by;  ///< no constructor: many are made and few are used
     double large, small;    ///< the allowance of the side; zero where the edge is none
     double least_cot;       ///< at the new vertex, for the coupling of the edge; -inf: any
+    double lowest_cot;      ///< below this the triangle counts as inverted
     [[nodiscard]] Point a() const { return {ax, ay}; }
     [[nodiscard]] Point b() const { return {bx, by}; }
   };
   static Edge edge(Point a, Point b, const Allowance* side) {
     const Allowance allowance = side != nullptr ? *side : Allowance();
-    return {a.x, a.y, b.x, b.y, allowance.large, allowance.small, allowance.least_cot};
+    return {a.x,
+            a.y,
+            b.x,
+            b.y,
+            allowance.large,
+            allowance.small,
+            allowance.least_cot,
+            allowance.lowest_cot};
   }
 
   Hole(const MutableMesh& mesh, const Cavity& cavity);

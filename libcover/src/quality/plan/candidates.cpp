@@ -48,7 +48,7 @@ std::vector<SideLimit> limits_of(const Triangulation& cdt, const AngleLimit& lim
 Goal goal_of(const Options& options, const AngleLimit& limit) {
   Goal goal = Goal::of(options.max_angle, options.min_angle);
   if (options.couplings == Couplings::first)
-    goal.coupling = {kCouplingFirst, true, (1 - kSameCot) / std::tan(limit.promised_nu())};
+    goal.coupling = {kCouplingFirst, true, true, (1 - kSameCot) / std::tan(limit.promised_nu())};
   return goal;
 }
 
@@ -85,10 +85,10 @@ Goal Candidates::own_goal(const MutableMesh& mesh) const {
 
 Candidate Candidates::candidate(const Triangulation& triangles, std::string method) const {
   const auto fixed = static_cast<std::uint32_t>(boundary_.points.size());
-  return coupled({MutableMesh(triangles, fixed, locate_sides(triangles, boundary_.sides),
-                              side_limits_),
-                  {},
-                  std::move(method)});
+  return coupled(
+      {MutableMesh(triangles, fixed, locate_sides(triangles, boundary_.sides), side_limits_),
+       {},
+       std::move(method)});
 }
 
 Candidate Candidates::coupled(Candidate c) const {
