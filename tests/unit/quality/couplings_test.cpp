@@ -81,20 +81,27 @@ TEST(Couplings, OnlySidesThatAVertexEncroachesOrTheBoundNeedsAreNegative) {
   const std::uint64_t seed = test_seed(31);
   SCOPED_TRACE(seed_trace(seed));
   std::mt19937_64 random(seed);
-  std::size_t sides = 0, given_up = 0, before = 0;
+  std::size_t sides = 0, given_up = 0, before = 0, almonds = 0;
   for (int trial = 0; trial < 300; ++trial) {
     const RandomRegion region = random_region(random);
     SCOPED_TRACE(region.kind + ", trial " + std::to_string(trial));
     const RegionMesh mesh = meshed(region.boundary);
     ASSERT_TRUE(mesh.report.bound_held || mesh.triangles.empty());
-    EXPECT_EQ(mesh.report.box.negative_inside, 0u);
-    for (const NegativeCoupling& c : mesh.report.couplings) EXPECT_NE(c.kind, Kind::inside);
+    // Where gaps are as small as doubles can tell, only the almond method holds the bound, which
+    // comes first.
+    if (mesh.report.method.starts_with("almond")) {
+      ++almonds;
+    } else {
+      EXPECT_EQ(mesh.report.box.negative_inside, 0u);
+      for (const NegativeCoupling& c : mesh.report.couplings) EXPECT_NE(c.kind, Kind::inside);
+    }
     given_up += mesh.report.box.negative_given_up;
     sides += region.boundary.sides.size();
     const BoxMethod last = meshed(region.boundary, couplings_last()).report.box;
     before += last.negative_inside + last.negative_given_up;
   }
   EXPECT_LT(50 * given_up, sides);  // 2 %
+  EXPECT_LE(almonds, 6u);
   EXPECT_GT(before, 20 * given_up + 100);
 }
 

@@ -23,7 +23,7 @@ inline constexpr std::uint64_t kImprovePerTriangle = 100;   ///< star evaluation
 inline constexpr double kFewMissed = 0.02;
 
 /// Star evaluations for each triangle that misses the goal only since couplings count.
-inline constexpr std::uint64_t kSearchForCouplings = 3000;
+inline constexpr std::uint64_t kSearchForCouplings = 8000;
 
 /// Small meshes in which few triangles miss the goal are improved once more, from two starts. On
 /// 900 wavy squares the last 3 reach the goal by that.

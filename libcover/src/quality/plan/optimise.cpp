@@ -108,7 +108,8 @@ Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search
   // Flips may pass through what is not Delaunay as long as couplings weigh no more than angles.
   const Goal soft = with_edges(goal);
   Merit merit = improve_what_changed(soft);
-  if (was_met && is_due(search, merit)) {
+  const bool is_near = merit.fault.worst() <= effort::kNearMiss;
+  if ((was_met || is_near) && is_due(search, merit)) {
     Budget part = budget;
     part.left = std::min<std::uint64_t>(part.left, effort::kSearchForCouplings * merit.missed);
     const std::uint64_t given = part.left;

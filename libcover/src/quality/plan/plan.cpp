@@ -95,8 +95,10 @@ void a_few_restarts(Progress& p) {
 void bound_kept(Progress& p) {
   Candidate almond = p.make.from_almonds();
   if (almond.mesh.triangles.empty()) return;
-  take(p, p.make.coupled(almond));
+  Candidate flipped = p.make.coupled(almond);
+  take(p, flipped);
   take(p, std::move(almond));
+  if (p.best.merit.negative > 0) p.best = p.make.narrowed(p.best, flipped, p.make.order().bound);
 }
 void bound_kept_sized(Progress& p) {
   const Candidate almond = p.make.from_almonds();
