@@ -97,8 +97,7 @@ class RegionWork {
 
   [[nodiscard]] RegionMesh reported(const Candidate& candidate) const {
     RegionMesh out = to_region_mesh(candidate.mesh, candidates_.frame(), boundary_.points);
-    if (options_.couplings == Couplings::first && has_negative(candidate.mesh))
-      flip_in_the_plane(out);
+    if (minds_couplings(options_) && has_negative(candidate.mesh)) flip_in_the_plane(out);
     RegionReport& report = out.report;
     report.id = boundary_.id;
     report.method = candidate.method;

@@ -85,6 +85,11 @@ Prefer preference(const Options& options) {
   return options.max_angle < kStrict ? Prefer::largest : options.prefer;
 }
 
+bool minds_couplings(const Options& options) {
+  const bool cuts_for_angles = options.split_interfaces.has_value() && !options.box_method;
+  return options.couplings == Couplings::first && !cuts_for_angles;
+}
+
 bool Order::is_better(const Merit& a, const Merit& b) const {
   if (a.negative != b.negative) {
     const bool is_within = is_within_bound(a);

@@ -55,6 +55,10 @@ bool is_better(const Merit& a, const Merit& b);
 /// for.
 Prefer preference(const Options& options);
 
+/// Whether couplings come before targets: Options::couplings, but not where segments may be cut for
+/// angles instead.
+bool minds_couplings(const Options& options);
+
 /// How triangulations of one region are compared.
 struct Order {
   Prefer prefer = Prefer::largest;

@@ -41,13 +41,13 @@ LocalFrame frame_of(const RegionBoundary& boundary, bool shifted) {
 std::vector<SideLimit> limits_of(const Triangulation& cdt, const AngleLimit& limit,
                                  const Options& options) {
   std::vector<SideLimit> limits = side_limits(cdt, limit.at);
-  if (options.couplings == Couplings::first) mind_free_sides(cdt, limit.at, limits);
+  if (minds_couplings(options)) mind_free_sides(cdt, limit.at, limits);
   return limits;
 }
 
 Goal goal_of(const Options& options, const AngleLimit& limit) {
   Goal goal = Goal::of(options.max_angle, options.min_angle);
-  if (options.couplings == Couplings::first)
+  if (minds_couplings(options))
     goal.coupling = {kCouplingFirst, true, true, (1 - kSameCot) / std::tan(limit.promised_nu())};
   return goal;
 }
