@@ -20,7 +20,7 @@ install(FILES ${PROJECT_BINARY_DIR}/coverConfig.cmake ${PROJECT_BINARY_DIR}/cove
         DESTINATION ${cover_package_dir})
 
 # A static library hands its own dependencies on to the final link.
-set(cover_pc_libs "-lOpenMeshCore -lfmt -lexpat -lz -llzma -llz4 -lmpfr -lgmp -pthread")
+set(cover_pc_libs "-lOpenMeshCore -lfmt -lexpat -lz -llzma -llz4 -l${COVER_HDF5_NAME} -lmpfr -lgmp -pthread")
 if(BUILD_SHARED_LIBS)
   set(cover_pc_public "-lOpenMeshCore")
   set(cover_pc_private "${cover_pc_libs}")
@@ -52,6 +52,6 @@ if(PROJECT_IS_TOP_LEVEL)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
   # The headers and the static library are in the same package.
   set(CPACK_DEBIAN_PACKAGE_SUGGESTS
-      "libcgal-dev, libopenmesh-dev, libvtk9-dev, libboost-dev, libfmt-dev, nlohmann-json3-dev, libexpat1-dev, zlib1g-dev, liblzma-dev, liblz4-dev, python3-numpy")
+      "libcgal-dev, libopenmesh-dev, libvtk9-dev, libboost-dev, libfmt-dev, nlohmann-json3-dev, libexpat1-dev, zlib1g-dev, liblzma-dev, liblz4-dev, libhdf5-dev, python3-numpy")
   include(CPack)
 endif()

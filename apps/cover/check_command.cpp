@@ -9,8 +9,10 @@
 #include <cover/verify.hpp>
 
 #include "base/describe.hpp"
+#include "base/printable.hpp"
 #include "commands.hpp"
 #include "console.hpp"
+#include "cuts/periodic_sides.hpp"
 #include "input_file.hpp"
 #include "limits_text.hpp"
 #include "mesh_file.hpp"
@@ -31,7 +33,7 @@ int print(const Verification& found, const TriangleSoup& mesh, bool quiet) {
   for (const Violation& violation : found.violations) {
     const std::string what =
         violation.promise == 4 ? "materials" : fmt::format("promise {}", violation.promise);
-    fmt::print("FAILED {}: {}{}\n", what, violation.message, place(violation));
+    fmt::print("FAILED {}: {}{}\n", what, printable(violation.message), place(violation));
   }
   if (found.violation_count > found.violations.size()) {
     fmt::print("... and {} more\n", grouped(found.violation_count - found.violations.size()));
@@ -51,7 +53,8 @@ int print(const Verification& found, const TriangleSoup& mesh, bool quiet) {
     for (const RegionLimits& region : found.limits) limits.add(region);
     if (const std::string text = limits_text(limits); !text.empty())
       fmt::print("Regions beside their targets and proven limits: {}\n", text);
-    for (const std::string& what : found.unchecked) fmt::print("Not checked: {}\n", what);
+    for (const std::string& what : found.unchecked)
+      fmt::print("Not checked: {}\n", printable(what));
   }
   return exit_ok;
 }
@@ -104,6 +107,29 @@ int print_couplings(const Verification& found, bool quiet) {
   return exit_unmet;
 }
 
+/// Whether the sides that `rules` name have partners for all their vertices and edges in the mesh.
+int print_periodic(const Prepared& prepared, const std::vector<PeriodicRule>& rules,
+                   const TriangleSoup& mesh, bool quiet) {
+  Pslg pslg = prepared.pslg;
+  RegionTable table = prepared.table;
+  adopt_cuts(pslg, table, mesh);
+  int code = exit_ok;
+  for (const PeriodicRule& rule : rules) {
+    const Result<SidesMatch> match = match_sides(pslg, table, rule);
+    const std::optional<Error> fault =
+        match ? unmatched(pslg, rule, *match) : std::optional(match.error());
+    if (fault) {
+      fmt::print("FAILED {}\n", fault->message);
+      for (const Point& p : fault->where) fmt::print("    at ({:.17g}, {:.17g})\n", p.x, p.y);
+      code = exit_unmet;
+    } else if (!quiet) {
+      fmt::print("Periodic: {} pairs of vertices on {}, none without a partner\n",
+                 grouped(match->vertices.size()), describe(rule));
+    }
+  }
+  return code;
+}
+
 /// The option by which the run that made the mesh cut segments, as its manifest tells; else empty.
 std::string cutting_option(const std::string& path) {
   const Result<Output> known = read_output(path);
@@ -126,11 +152,13 @@ int run_check(Arguments arguments) {
   1  every input point is a vertex, bit for bit; every segment is one edge of the mesh
   2  the triangles are valid, conform, and cover each region exactly
   3  the largest angle of each region keeps the proven bound
-and every triangle has the material of its region.
+and every triangle has the material of its region. With --periodic, or such pairs in the input, every
+vertex and edge of these lines has a partner.
 
 Examples:
   cover check device.poly device.vtu
   cover check device.poly from_another_tool.vtu --allow-split --no-bound
+  cover check cell.json cell.msh --periodic left=right
 )");
   GeometryFile input_file;
   std::string mesh_path;
@@ -182,7 +210,11 @@ Examples:
       found = verify_cover(prepared->pslg, prepared->table, mesh->soup, verify);
     }
   }
-  const int code = print(found, mesh->soup, verbosity.quiet);
+  int code = print(found, mesh->soup, verbosity.quiet);
+  std::vector<PeriodicRule> rules = options->periodic;
+  rules.insert(rules.end(), input->periodic.begin(), input->periodic.end());
+  const int sides = print_periodic(*prepared, rules, mesh->soup, verbosity.quiet);
+  code = code == exit_ok ? sides : code;
   if (!box_method) return code;
   const int boxes = print_couplings(couplings_of(*prepared, mesh->soup, verify), verbosity.quiet);
   return code == exit_ok ? boxes : code;

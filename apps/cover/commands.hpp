@@ -4,13 +4,15 @@
 #include <string>
 #include <vector>
 
+#include <cover/share_out.hpp>
+
 namespace cover::app {
 
 /// What follows the name of the subcommand.
 using Arguments = std::vector<std::string>;
 
-/// `cover mesh`: triangulates a geometry file.
-int run_mesh(Arguments arguments);
+/// `cover mesh`: triangulates a geometry file; with `share_out`, in other processes as well.
+int run_mesh(Arguments arguments, ShareOut share_out = {});
 /// `cover info`: regions, interfaces and what can be reached; no mesh.
 int run_info(Arguments arguments);
 /// `cover check`: the promises, on any mesh.

@@ -21,9 +21,10 @@ _cover() {
     --unit) words="nm um mm cm m" ;;
     --order) words="1 2" ;;
     --msh) words="2.2 4.1" ;;
+    --ids) words="region material name" ;;
     --inp-element) words="S CPS CPE CAX" ;;
     --format) if [ "$command" = render ]; then words="svg png"; else
-         words="vtu vtk msh xdmf mesh inp obj off ply json poly svg png"; fi ;;
+         words="vtu vtkhdf vtk msh xdmf mesh inp obj off ply json poly svg png"; fi ;;
     --stats) words="text json" ;;
     --progress) words="auto on off" ;;
     --color) words="max_angle min_angle material MaterialID mat_id RegionId" ;;

@@ -1,16 +1,47 @@
 #include "console.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/sinks/stdout_sinks.h>
 
+#include "base/printable.hpp"
+
 namespace cover::app {
+
+namespace {
+
+/// Messages quote names and texts of files, which must not steer the terminal.
+class PrintableFormatter : public spdlog::formatter {
+ public:
+  explicit PrintableFormatter(std::string pattern)
+      : pattern_(std::move(pattern)), inner_(pattern_) {}
+
+  void format(const spdlog::details::log_msg& message, spdlog::memory_buf_t& out) override {
+    const std::string text = printable({message.payload.data(), message.payload.size()});
+    spdlog::details::log_msg shown = message;
+    shown.payload = text;
+    inner_.format(shown, out);
+  }
+  [[nodiscard]] std::unique_ptr<spdlog::formatter> clone() const override {
+    return std::make_unique<PrintableFormatter>(pattern_);
+  }
+
+ private:
+  std::string pattern_;
+  spdlog::pattern_formatter inner_;
+};
+
+}  // namespace
 
 std::shared_ptr<spdlog::logger> make_logger(const Verbosity& verbosity) {
   auto terminal = std::make_shared<spdlog::sinks::stderr_sink_st>();
-  terminal->set_pattern("cover: %l: %v");
+  terminal->set_formatter(std::make_unique<PrintableFormatter>("cover: %l: %v"));
   terminal->set_level(verbosity.quiet          ? spdlog::level::err
                       : verbosity.verbose <= 0 ? spdlog::level::warn
                       : verbosity.verbose == 1 ? spdlog::level::info
@@ -18,7 +49,7 @@ std::shared_ptr<spdlog::logger> make_logger(const Verbosity& verbosity) {
   std::vector<spdlog::sink_ptr> sinks{terminal};
   if (!verbosity.log_file.empty()) {
     auto file = std::make_shared<spdlog::sinks::basic_file_sink_st>(verbosity.log_file, true);
-    file->set_pattern("%Y-%m-%d %H:%M:%S.%e %-7l %v");
+    file->set_formatter(std::make_unique<PrintableFormatter>("%Y-%m-%d %H:%M:%S.%e %-7l %v"));
     sinks.push_back(file);
   }
   auto log = std::make_shared<spdlog::logger>("cover", sinks.begin(), sinks.end());

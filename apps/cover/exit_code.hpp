@@ -13,6 +13,7 @@ enum ExitCode : int {
   exit_incomplete = 4,  ///< a region misses the proven bound; nothing was written
   exit_files = 5,       ///< reading or writing
   exit_unmet = 6,       ///< --require or `check` failed
+  exit_memory = 7,      ///< less memory than the run needs
   exit_interrupted = 130,
 };
 
@@ -25,6 +26,8 @@ constexpr ExitCode exit_code_of(ErrorCode code) {
       return exit_incomplete;
     case ErrorCode::requirement_not_met:
       return exit_unmet;
+    case ErrorCode::out_of_memory:
+      return exit_memory;
     default:
       break;
   }

@@ -15,6 +15,12 @@ void FormatOptions::add(CLI::App& command, const std::string& group) {
       ->group(group);
   command.add_flag("--lines", options_.lines, "Lines in .vtk too, as deal.II wants them")
       ->group(group);
+  command
+      .add_option("--ids", options_.ids,
+                  "Numbers of triangles for solvers: region, material or name; unless given, "
+                  "name in .msh, else material")
+      ->type_name("WHAT")
+      ->group(group);
   command.add_option("--inp-element", options_.inp_element, "Elements of .inp: S, CPS, CPE or CAX")
       ->type_name("KIND")
       ->capture_default_str()

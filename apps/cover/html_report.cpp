@@ -1,6 +1,6 @@
-// The page is read from the top: first whether the mesh can be trusted, then the figures and
-// pictures that say why, then every region. Large meshes are shown as PNG, since a browser is slow
-// with a hundred thousand paths.
+// The page is read from the top: first whether the mesh can be trusted, then the figures and the mesh
+// itself that say why, then every region. Without scripts there is a picture: of large meshes as
+// PNG, since a browser is slow with a hundred thousand paths.
 #include "html_report.hpp"
 
 #include <algorithm>
@@ -17,70 +17,18 @@
 
 #include "angle_text.hpp"
 #include "base/markup.hpp"
+#include "base64_text.hpp"
 #include "console.hpp"
 #include "io/files/atomic_file.hpp"
 #include "io/files/scratch_folder.hpp"
 #include "io/text/text.hpp"
 #include "limits_text.hpp"
+#include "page_files.hpp"
 #include "verdict.hpp"
+#include "view_data.hpp"
 
 namespace cover::app {
 namespace {
-
-constexpr std::string_view kStyle = R"(
-:root { color-scheme: light; }
-body { font: 15px/1.45 system-ui, "Segoe UI", Helvetica, Arial, sans-serif; color: #1c2430; margin: 0; background: #f4f6f8; }
-main { max-width: 1240px; margin: 0 auto; padding: 24px; }
-h1 { font-size: 22px; margin: 0; }
-.origin { color: #5b6675; margin: 2px 0 12px; }
-h2 { font-size: 17px; margin: 32px 0 10px; }
-.verdict { padding: 12px 18px; border-radius: 8px; border-left: 8px solid; background: #fff; }
-.verdict h2 { margin: 0 0 6px; font-size: 19px; }
-.verdict td { border: 0; padding: 2px 8px 2px 0; white-space: normal; vertical-align: top; }
-.verdict td:nth-child(2) { font-weight: 600; white-space: nowrap; }
-.mark { font-weight: 700; width: 22px; }
-.verdict.good { border-color: #1a7f3c; } .good h2, .good .mark { color: #1a7f3c; }
-.verdict.caution { border-color: #d08700; } .caution h2, .caution .mark { color: #a86500; }
-.verdict.bad { border-color: #c81e1e; background: #fdeceb; } .bad h2, .bad td { color: #a11616; }
-.verdict tr.good .mark { color: #1a7f3c; } .verdict tr.caution .mark { color: #a86500; }
-.verdict tr.fact td { color: #5b6675; }
-.cards { display: grid; grid-template-columns: repeat(auto-fit, minmax(132px, 1fr)); gap: 10px; margin: 14px 0; }
-.card { background: #fff; border: 1px solid #dde3ea; border-radius: 8px; padding: 8px 12px; }
-.card b { display: block; font-size: 20px; font-weight: 650; }
-.card span { color: #5b6675; font-size: 13px; }
-.panel { background: #fff; border: 1px solid #dde3ea; border-radius: 8px; padding: 12px; overflow: auto; }
-.panel img, .panel > svg { max-width: 100%; height: auto; display: block; margin: auto; }
-table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums; }
-th, td { text-align: right; padding: 4px 8px; border-bottom: 1px solid #e8ecf1; white-space: nowrap; }
-th { color: #5b6675; font-weight: 600; font-size: 13px; }
-th.t, td.t { text-align: left; }
-th.group { text-align: center; border-bottom: 0; }
-.regions td, .regions th { font-size: 13px; padding: 3px 6px; }
-.regions td:last-child { white-space: normal; min-width: 120px; }
-tr.missed td { background: #fbdedd; }
-.scroll { max-height: 560px; overflow: auto; }
-.scroll thead { position: sticky; top: -12px; background: #fff; }
-.two { display: flex; flex-wrap: wrap; gap: 16px; }
-.two > div { flex: 1 1 420px; }
-li { margin: 3px 0; }
-footer { color: #5b6675; font-size: 13px; margin-top: 28px; }
-)";
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t block = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      block = block << 8U | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      out += i + k > bytes.size() ? '=' : kDigits[block >> (18 - 6 * k) & 63U];
-    }
-  }
-  return out;
-}
 
 std::string card(std::string_view value, std::string_view what) {
   return fmt::format("<div class=\"card\"><b>{}</b><span>{}</span></div>\n", value, what);
@@ -112,12 +60,12 @@ class Page {
         "<link rel=\"icon\" href=\"data:,\">\n"
         "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<main>\n<h1>{0}</h1>\n"
         "<p class=\"origin\">{2}</p>\n",
-        escaped_markup(title), kStyle, escaped_markup(origin()));
+        escaped_markup(title), kPageStyle, escaped_markup(origin()));
     verdict();
     key_figures();
-    for (const char* color : {"", "max_angle"}) {
-      if (Status drawn = picture(color); !drawn) return std::move(drawn).error();
-    }
+    out_ += "<h2>The mesh</h2>\n<div class=\"panel view\" id=\"mesh-view\">\n<noscript>\n";
+    if (Status drawn = picture(); !drawn) return std::move(drawn).error();
+    out_ += "</noscript>\n</div>\n";
     regions();
     out_ += "<div class=\"two\">\n";
     histogram();
@@ -127,8 +75,10 @@ class Page {
     times();
     out_ += fmt::format(
         "<footer>cover {}; angles in degrees, lengths in units of the input.</footer>\n"
-        "</main>\n</body>\n</html>\n",
+        "</main>\n",
         COVER_VERSION);
+    view();
+    out_ += "</body>\n</html>\n";
     return std::move(out_);
   }
 
@@ -204,20 +154,12 @@ class Page {
       out_ += fmt::format("<p>Regions beside their targets and proven limits: {}.</p>\n", text);
   }
 
-  Status picture(const std::string& color) {
-    out_ += fmt::format("<h2>{}</h2>\n<div class=\"panel\">\n",
-                        color.empty() ? "Regions, contacts and the worst angles"
-                                      : "Largest angle of each triangle, from 60° to 180°");
-    PictureOptions options;
-    options.color = color;
-    if (!color.empty()) {
-      options.id = color;
-      options.range = {60, 180};  // the same for all meshes, so that a bright spot is a bad one
-    }
+  /// For who has no scripts.
+  Status picture() {
     const PictureMesh mesh = picture_of(output_);
-    constexpr std::size_t kLargeMesh = 20000;
+    constexpr std::size_t kLargeMesh = 2000;
     if (report_.quality.triangles <= kLargeMesh) {
-      Result<std::string> svg = svg_text(mesh, options);
+      Result<std::string> svg = svg_text(mesh, {});
       if (!svg) return std::move(svg).error();
       out_ += *svg;
     } else {
@@ -225,25 +167,34 @@ class Page {
           (std::filesystem::temp_directory_path() / "cover-picture").string());
       if (!folder) return folder.error();
       const std::string file = folder->path() / "picture.png";
-      if (Status drawn = write_png(mesh, options, file); !drawn) return drawn;
+      if (Status drawn = write_png(mesh, {}, file); !drawn) return drawn;
       const Result<std::string> bytes = read_file(file);
       if (!bytes) return bytes.error();
-      out_ +=
-          fmt::format("<img alt=\"the mesh\" src=\"data:image/png;base64,{}\">\n", base64(*bytes));
+      out_ += fmt::format("<img alt=\"the mesh\" src=\"data:image/png;base64,{}\">\n",
+                          base64_text(*bytes));
     }
-    out_ += "</div>\n";
     return ok();
   }
 
+  /// The mesh to play with, at the end of the page: all else is there before it.
+  void view() {
+    constexpr std::size_t kMost = 500'000;  // 14 MB of text
+    out_ += "<script type=\"application/json\" id=\"mesh-data\">";
+    out_ += view_data(output_, kMost);
+    out_ += "</script>\n<script>";
+    out_ += kMeshViewScript;
+    out_ += "</script>\n";
+  }
+
   void regions() {
-    constexpr std::size_t kRows = 500;
+    constexpr std::size_t kMostRows = 500;
     std::vector<std::size_t> order(report_.regions.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
       return report_.regions[a].rho() < report_.regions[b].rho();
     });
-    const bool cut = order.size() > kRows;
-    if (cut) order.resize(kRows);
+    const bool cut = order.size() > kMostRows;
+    if (cut) order.resize(kMostRows);
     out_ += fmt::format(
         "<h2>Regions, lowest rho first{}</h2>\n"
         "<div class=\"panel scroll\">\n<table class=\"regions\">\n<thead>\n<tr><th "
@@ -254,22 +205,23 @@ class Page {
         "<th class=\"t\">material</th><th>area</th><th>triangles</th><th>new vertices</th>"
         "<th>no mesh below</th><th>proven</th><th>reached</th><th>rho</th><th>smallest</th>"
         "<th>&gt; 120°</th><th>&gt; 150°</th><th class=\"t\">method</th></tr>\n</thead>\n",
-        cut ? fmt::format(" (the first {})", kRows) : "");
+        cut ? fmt::format(" (the first {})", kMostRows) : "");
     for (const std::size_t i : order) {
       const RegionReport& r = report_.regions[i];
       const Region& region = output_.table.region(r.id);
       out_ += fmt::format(
-          "<tr{}><td>{}</td><td class=\"t\">{}</td><td "
+          "<tr{} data-region=\"{}\"><td>{}</td><td class=\"t\">{}</td><td "
           "class=\"t\">{}</td><td>{:.5g}</td><td>{}</td>"
           "<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{:.2f}</td><td>{}</td><td>{} "
           "({})</td>"
           "<td>{} ({})</td><td class=\"t\">{}</td></tr>\n",
-          r.bound_held ? "" : " class=\"missed\"", region.id.value(), escaped_markup(region.name),
-          escaped_markup(region.material_name), region.area, grouped(r.quality.triangles),
-          grouped(r.steiner_vertices), angle_text(lowest_nu(r)), angle_text(r.nu_bound),
-          angle_text(r.quality.largest_nu), r.rho(), small_angle_text(r.quality.smallest),
-          grouped(r.quality.above_120), grouped(r.forced_above_120), grouped(r.quality.above_150),
-          grouped(r.forced_above_150), escaped_markup(r.method));
+          r.bound_held ? "" : " class=\"missed\"", region.id.value(), region.id.value(),
+          escaped_markup(region.name), escaped_markup(region.material_name), region.area,
+          grouped(r.quality.triangles), grouped(r.steiner_vertices), angle_text(lowest_nu(r)),
+          angle_text(r.nu_bound), angle_text(r.quality.largest_nu), r.rho(),
+          small_angle_text(r.quality.smallest), grouped(r.quality.above_120),
+          grouped(r.forced_above_120), grouped(r.quality.above_150), grouped(r.forced_above_150),
+          escaped_markup(r.method));
     }
     out_ += "</table>\n</div>\n";
   }
@@ -279,7 +231,7 @@ class Page {
     const auto most = static_cast<double>(*std::max_element(bins.begin(), bins.end()));
     out_ +=
         "<div>\n<h2>All angles</h2>\n<div class=\"panel\">\n"
-        "<svg viewBox=\"0 0 560 210\" width=\"560\" font-size=\"11\" fill=\"#5b6675\">\n";
+        "<svg class=\"histogram\" viewBox=\"0 0 560 210\" width=\"560\" font-size=\"11\">\n";
     for (std::size_t i = 0; i < bins.size(); ++i) {
       const auto k = static_cast<double>(i);
       const double height = most > 0 ? 160 * static_cast<double>(bins[i]) / most : 0;
@@ -289,9 +241,9 @@ class Page {
           "{}: "
           "{}</title></rect>\n<text x=\"{:.1f}\" y=\"195\" text-anchor=\"middle\">{}</text>\n",
           12 + 29.5 * k, 178 - shown, shown,
-          i >= 15   ? "#c2410c"
-          : i >= 12 ? "#e8a33d"
-                    : "#5b8db8",
+          i >= 15   ? "var(--bar-150)"
+          : i >= 12 ? "var(--bar-120)"
+                    : "var(--bar)",
           10 * i, 10 * (i + 1), grouped(bins[i]), 12 + 29.5 * k, 10 * i);
     }
     out_ += "<text x=\"543\" y=\"195\" text-anchor=\"middle\">180</text>\n</svg>\n</div>\n</div>\n";
@@ -341,7 +293,9 @@ class Page {
     for (std::size_t i = 0; i < std::min(lines.size(), kLines); ++i) {
       out_ += fmt::format("<li>{}</li>\n", escaped_markup(lines[i]));
     }
-    if (lines.size() > kLines) out_ += fmt::format("<li>and {} more</li>\n", lines.size() - kLines);
+    if (lines.size() > kLines)
+      out_ += fmt::format("<li>and {} more, which a report in JSON lists</li>\n",
+                          grouped(lines.size() - kLines));
     out_ += "</ul>\n</div>\n";
   }
 

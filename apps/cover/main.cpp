@@ -1,23 +1,18 @@
 // The program: finds the subcommand and runs it.
 #include <array>
 #include <cstdio>
-#include <exception>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
-
 #include <fmt/core.h>
-#include <spdlog/common.h>
 
 #include <cover/version.hpp>
 
 #include "base/suggest.hpp"
 #include "commands.hpp"
 #include "exit_code.hpp"
+#include "guarded.hpp"
 
 namespace {
 
@@ -28,9 +23,13 @@ struct Command {
   int (*run)(Arguments);
 };
 
+int mesh_here(Arguments arguments) { return cover::app::run_mesh(std::move(arguments)); }
+
 constexpr std::array kCommands{
-    Command{"mesh", cover::app::run_mesh},       Command{"info", cover::app::run_info},
-    Command{"check", cover::app::run_check},     Command{"render", cover::app::run_render},
+    Command{"mesh", mesh_here},
+    Command{"info", cover::app::run_info},
+    Command{"check", cover::app::run_check},
+    Command{"render", cover::app::run_render},
     Command{"convert", cover::app::run_convert},
 };
 
@@ -76,35 +75,15 @@ int run(const std::string& name, Arguments arguments) {
                                  meant ? fmt::format("; did you mean '{}'?", *meant) : ""));
 }
 
-/// Keeps large arrays apart from small ones, so that each goes back to the system when it is freed.
-/// glibc does so too until the first of them is freed; then it puts ever larger ones among the
-/// small ones, where what is freed stays. A fifth of the memory, and no time that could be
-/// measured.
-void give_back_large_arrays() {
-#ifdef __GLIBC__
-  mallopt(M_MMAP_THRESHOLD, 512 * 1024);
-#endif
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  give_back_large_arrays();
   const std::vector<std::string> words(argv + 1, argv + argc);
   if (words.empty()) {
     std::fputs(kHelp, stderr);
     return cover::app::exit_usage;
   }
-  try {
+  return cover::app::guarded("cover", [&] {
     return run(words.front(), {words.begin() + 1, words.end()});
-  } catch (const spdlog::spdlog_ex& error) {  // the file of --log
-    fmt::print(stderr, "cover: error: {}\n", error.what());
-    return cover::app::exit_files;
-  } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "cover: error: out of memory\n");
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "cover: error: {}; this is an error in cover, please report it\n",
-               error.what());
-  }
-  return cover::app::exit_internal;
+  });
 }

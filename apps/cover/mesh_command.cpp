@@ -6,10 +6,12 @@
 #include <fmt/core.h>
 
 #include <cover/cover_mesh.hpp>
+#include <cover/estimate.hpp>
 #include <cover/read_size_field.hpp>
 #include <cover/remesh.hpp>
 #include <cover/write_mesh.hpp>
 
+#include "base/printable.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "dump_stages.hpp"
@@ -38,7 +40,7 @@ constexpr const char* kExamples = R"(Examples:
   generate | cover mesh - -o - --format vtu > device.vtu
 
 Exit codes: 0 done, 1 defect of cover, 2 usage, 3 bad geometry, 4 bound missed (nothing
-written), 5 files, 6 --require not met, 130 interrupted.
+written), 5 files, 6 --require not met, 7 out of memory, 130 interrupted.
 )";
 
 /// Everything that the command line of `cover mesh` says.
@@ -85,7 +87,9 @@ struct MeshCommand {
         ->group(files);
     app.add_flag("--keep-partial", keep_partial, "Write files even where a bound was missed")
         ->group(files);
-    app.add_flag("--dry-run", dry_run, "Check the input and say what would be done; no mesh")
+    app.add_flag(
+           "--dry-run", dry_run,
+           "Check the input, say what would be done and estimate triangles and memory; no mesh")
         ->group(files)
         ->configurable(false);
     app.set_config("--config", "", "Read options from a TOML file")
@@ -179,14 +183,18 @@ int dry_run(const MeshCommand& command, const Input& input, const Options& optio
   log_notes(log, prepared->report.notes);
   const bool as_json = command.stats == "json";
   if (as_json) fmt::print("{}\n", report_json(*prepared));
-  if (!as_json) fmt::print("{}", info_text(*prepared, command.verbosity.verbose > 0));
+  if (!as_json) {
+    const Result<Estimate> all = estimate(*prepared, options);
+    if (!all) return fail(log, all.error());
+    fmt::print("{}{}", info_text(*prepared, command.verbosity.verbose > 0), estimate_text(*all));
+  }
   for (const std::string& name : command.only) {
     const std::vector<RegionId> regions = named_regions(prepared->table, name);
     if (regions.empty()) return fail(log, no_such_region(prepared->table, "only", name));
     for (const RegionId id : regions) {
       if (as_json) continue;
       fmt::print("\nWould mesh region {} '{}' again in {}", id.value(),
-                 prepared->table.region(id).name, command.onto);
+                 printable(prepared->table.region(id).name), command.onto);
     }
   }
   if (as_json) return exit_ok;
@@ -226,7 +234,9 @@ int print_report(const MeshCommand& command, const Output& output, spdlog::logge
       if (path != "-") fmt::print(to, "Wrote {}\n", path);
     }
   }
-  fmt::print(to, "{}", group_text(output, command.outputs, command.verbosity.verbose > 0));
+  fmt::print(
+      to, "{}",
+      group_text(output, command.outputs, command.formats.make(), command.verbosity.verbose > 0));
   return exit_ok;
 }
 
@@ -256,12 +266,13 @@ Result<Output> make_mesh(const MeshCommand& command, Input input, const Options&
 
 /// Meshes, writes, reports.
 int run(const MeshCommand& command, Input input, const Options& options,
-        const std::vector<File>& files, spdlog::logger& log) {
+        const std::vector<File>& files, ShareOut share_out, spdlog::logger& log) {
   Interrupt interrupt;
   ProgressLine line(command.show_progress());
   Callbacks callbacks;
   callbacks.progress = [&](const Progress& step) { line.update(step); };
   callbacks.stop = interrupt.token();
+  callbacks.share_out = std::move(share_out);
   std::vector<PackingRecord> packings;
   if (!command.dump_folder.empty()) {
     callbacks.packing = [&](RegionId, const PackingRecord& packing) {
@@ -301,7 +312,7 @@ int run(const MeshCommand& command, Input input, const Options& options,
 
 }  // namespace
 
-int run_mesh(Arguments arguments) {
+int run_mesh(Arguments arguments, ShareOut share_out) {
   MeshCommand command;
   if (const auto code = parse(command.app, std::move(arguments))) return *code;
   if (command.print_config) {
@@ -335,7 +346,7 @@ int run_mesh(Arguments arguments) {
             input->lines.size());
   for (const std::string& option : command.library.ignored()) log->warn("{}", option);
   return command.dry_run ? dry_run(command, *input, *options, *log)
-                         : run(command, *std::move(input), *options, *files, *log);
+                         : run(command, *std::move(input), *options, *files, std::move(share_out), *log);
 }
 
 }  // namespace cover::app

@@ -1,6 +1,7 @@
 #include "text_report.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
 #include <vector>
@@ -9,6 +10,7 @@
 
 #include "angle_text.hpp"
 #include "base/describe.hpp"
+#include "base/printable.hpp"
 #include "console.hpp"
 #include "limits_text.hpp"
 #include "text_table.hpp"
@@ -112,13 +114,17 @@ std::string totals(const Output& output) {
       cuts > 0 ? fmt::format(", {} of them on segments", grouped(cuts)) : "",
       plural(report.regions.size(), "region"));
   for (const Note& note : report.notes) {
-    if (note.kind == Note::Kind::cut) out += note.message + '\n';
+    if (note.kind == Note::Kind::cut) out += printable(note.message) + '\n';
+  }
+  for (const PeriodicNodes& nodes : output.periodic) {
+    out += fmt::format("Periodic        {:>7}  pairs of vertices on '{}' and '{}'\n",
+                       grouped(nodes.vertices.size()), nodes.rule.from, nodes.rule.to);
   }
   if (report.regions.empty()) return out;
   const RegionReport& region = report.regions[worst];
   out += fmt::format("Largest angle   {:>7}  in region {} '{}'; no mesh is below {} there\n",
                      angle_text(q.largest_nu), region.id.value(),
-                     output.table.region(region.id).name, angle_text(lowest_nu(region)));
+                     printable(output.table.region(region.id).name), angle_text(lowest_nu(region)));
   out += fmt::format("Smallest angle  {:>7}\n", small_angle_text(q.smallest));
   out += fmt::format("Above 90        {:>7}  obtuse triangles\n", grouped(q.obtuse));
   out += fmt::format("Above 120       {:>7}  forced by the input: {}\n", grouped(q.above_120),
@@ -156,8 +162,9 @@ std::string replaced_rows(const Output& output) {
   for (std::size_t k = 0; k < std::min(kNamed, replaced.size()); ++k) {
     const RegionReport& now = output.report.regions[replaced[k].region.index() - 1];
     out += fmt::format("  region {} '{}': {}, {} new; before: {}, {} new\n", now.id.value(),
-                       output.table.region(now.id).name, plural(now.quality.triangles, "triangle"),
-                       grouped(now.steiner_vertices), plural(replaced[k].triangles, "triangle"),
+                       printable(output.table.region(now.id).name),
+                       plural(now.quality.triangles, "triangle"), grouped(now.steiner_vertices),
+                       plural(replaced[k].triangles, "triangle"),
                        grouped(replaced[k].steiner_vertices));
   }
   if (replaced.size() > kNamed) out += fmt::format("  and {} more\n", replaced.size() - kNamed);
@@ -292,6 +299,16 @@ std::string info_text(const Prepared& prepared, bool every_region) {
                        plural(table.void_segments.size(), "segment"));
   }
   return out;
+}
+
+std::string estimate_text(const Estimate& estimate) {
+  constexpr double kMegabyte = 1e6;
+  std::string out =
+      fmt::format("\nA mesh takes about {:.2g} triangles and {} MB of memory", estimate.triangles,
+                  grouped(static_cast<std::size_t>(estimate.bytes / kMegabyte)));
+  if (std::isfinite(estimate.available))
+    out += fmt::format(" of {}", grouped(static_cast<std::size_t>(estimate.available / kMegabyte)));
+  return out + "\n";
 }
 
 std::string box_costs_text(const BoxCosts& costs, bool every_side) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include <cover/cover_mesh.hpp>
+#include <cover/estimate.hpp>
 #include <cover/output.hpp>
 
 namespace cover::app {
@@ -14,6 +15,9 @@ std::string mesh_text(const Output& output, bool every_region);
 
 /// What an input holds and what can be reached on it: regions and interfaces.
 std::string info_text(const Prepared& prepared, bool every_region);
+
+/// What a mesh will take.
+std::string estimate_text(const Estimate& estimate);
 
 /// What the box method costs: encroached sides, cuts needed and planned for each grade.
 std::string box_costs_text(const BoxCosts& costs, bool every_side);

@@ -18,8 +18,10 @@ class TextTable {
 
   explicit TextTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
 
+  /// Cells may hold anything: see printable().
+  ///
   /// REQUIRES: as many cells as columns
-  void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+  void add(std::vector<std::string> cells);
   [[nodiscard]] std::string text(const std::string& indent = "  ") const;
 
  private:

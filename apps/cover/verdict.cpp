@@ -186,6 +186,12 @@ Finding check_smallest(const Output& output, double target) {
               smallest, target, in_regions(below, regions.size()))};
 }
 
+Finding describe_pairs(const PeriodicNodes& nodes) {
+  return {Grade::good, "Periodic",
+          fmt::format("'{}' and '{}' have {} pairs of vertices, none without a partner.",
+                      nodes.rule.from, nodes.rule.to, grouped(nodes.vertices.size()))};
+}
+
 Finding check_input(const Output& output) {
   const std::size_t changes = output.report.changes.size();
   std::size_t remarks = 0;
@@ -229,6 +235,7 @@ std::vector<Finding> findings_of(const Output& output) {
     findings.push_back(check_largest(output, targets.largest));
     findings.push_back(check_smallest(output, targets.smallest));
   }
+  for (const PeriodicNodes& nodes : output.periodic) findings.push_back(describe_pairs(nodes));
   findings.push_back(check_input(output));
   findings.push_back(check_box_method(output));
   return findings;

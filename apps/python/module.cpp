@@ -129,6 +129,20 @@ py::dict lines_of(const PyMesh& mesh) {
   return lines;
 }
 
+/// Pairs of vertices and edges on periodic sides, by rule.
+py::list periodic_of(const PyMesh& mesh) {
+  py::list rules;
+  for (const PeriodicNodes& nodes : mesh.output.periodic) {
+    py::dict rule;
+    rule["from"] = nodes.rule.from;
+    rule["to"] = nodes.rule.to;
+    rule["vertices"] = array_of(nodes.vertices);
+    rule["edges"] = array_of(nodes.edges);
+    rules.append(rule);
+  }
+  return rules;
+}
+
 /// A row of the table of options, for those who make forms or documents of it.
 py::dict describe(const OptionEntry& entry) {
   constexpr std::array kKinds{"flag", "word", "words", "whole", "number", "angle", "text"};
@@ -200,6 +214,7 @@ PYBIND11_MODULE(_cover, module) {
       .def_property_readonly("material", [](const PyMesh& m) { return array_of(m.soup.material); })
       .def_property_readonly("input_id", &input_ids)
       .def_property_readonly("lines", &lines_of)
+      .def_property_readonly("periodic", &periodic_of)
       .def_property_readonly("report", &report_of)
       .def("save", &save, py::arg("path"))
       .def("violations", &violations)

@@ -165,6 +165,8 @@ WriteOptions write_options_from(const py::dict& keywords) {
       options.lines = value.cast<bool>();
     } else if (key == "msh") {
       options.msh = py::str(value);
+    } else if (key == "ids") {
+      options.ids = py::str(value);
     } else if (key == "inp_element") {
       options.inp_element = py::str(value);
     } else {

@@ -13,6 +13,8 @@ const char* type_of(ErrorCode code) {
       return "Cancelled";
     case ErrorCode::bad_option:
       return "OptionError";
+    case ErrorCode::out_of_memory:
+      return "OutOfMemory";
     default:
       return "Error";
   }

@@ -5,7 +5,7 @@
 
 namespace cover::python {
 
-/// Raises cover.Error, or one of its kinds (Cancelled, OptionError), with the members code and
+/// Raises cover.Error, or one of its kinds (Cancelled, OptionError, OutOfMemory), with the members code and
 /// where.
 [[noreturn]] void raise(const Error& error);
 

@@ -6,6 +6,7 @@ import os
 import pathlib
 import pty
 import re
+import resource
 import shutil
 import signal
 import subprocess
@@ -13,6 +14,7 @@ import sys
 import tempfile
 import time
 import unittest
+from xml.etree import ElementTree
 
 PROGRAM, SAMPLES = sys.argv[1], pathlib.Path(sys.argv[2])
 APP = SAMPLES.parent.parent / 'apps/cover'
@@ -91,6 +93,49 @@ class Usage(Case):
         error = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'a.xyz', code=2)[1]
         self.assertIn("unknown format '.xyz'; possible are .vtu", error)
         self.assertEqual(self.files(), [])
+
+
+class Periodic(Case):
+    CELL = {'points': [[0, 0], [2, 0], [2, 1], [0, 1]],
+            'segments': [[0, 1], {'points': [1, 2], 'name': 'right'}, [2, 3], {'points': [3, 0], 'name': 'left=1'}]}
+
+    def setUp(self):
+        super().setUp()
+        self.write('cell.json', json.dumps(self.CELL))
+
+    def test_what_cuts_one_side_cuts_the_other(self):
+        out, _ = self.run_cover('mesh', 'cell.json', '--periodic', '"left=1"=right', '--split-interfaces', '--size', '0.3',
+                                '--size-at', 'right=0.1', '-o', 'a.msh', '-o', 'a.json', '-o', 'a.vtk')
+        self.assertRegex(out, r"Periodic +\d+  pairs of vertices on 'left=1' and 'right'")
+        rule, = json.loads((self.dir / 'a.json').read_text())['periodic']
+        self.assertGreater(len(rule['vertices']), 8)
+        self.assertEqual(len(rule['edges']), len(rule['vertices']) - 1)
+        self.assertIn('$Periodic', (self.dir / 'a.msh').read_text())
+        self.assertIn('SCALARS PeriodicNode', (self.dir / 'a.vtk').read_text())
+        self.assertIn('none without a partner', self.run_cover('check', 'cell.json', 'a.vtk', '--periodic', '"left=1"=right')[0])
+        self.run_cover('convert', 'a.vtk', '-o', 'b.msh')
+        self.assertIn('$Periodic', (self.dir / 'b.msh').read_text())
+
+    def test_check_finds_vertices_without_a_partner(self):
+        self.run_cover('mesh', 'cell.json', '--split-interfaces', '--size-at', 'right=0.1', '-o', 'a.vtu')
+        out, _ = self.run_cover('check', 'cell.json', 'a.vtu', '--allow-split', '--periodic', '"left=1"=right', code=6)
+        self.assertRegex(out, r"FAILED periodic 'left=1' and 'right': \d+ points without a partner, the first at \(2, ")
+
+    def test_in_the_input(self):
+        self.write('cell.json', json.dumps({**self.CELL, 'periodic': [['left=1', 'right']]}))
+        self.run_cover('mesh', 'cell.json', '-o', 'a.vtu', '--box-method')
+        self.assertIn('Periodic: 2 pairs', self.run_cover('check', 'cell.json', 'a.vtu')[0])
+
+    def test_what_cannot_be_is_refused_and_nothing_is_written(self):
+        for rule, what in (('"left=1"=rihgt', "did you mean 'right'?"),
+                           ('right=right', 'a line cannot be taken to itself'),
+                           ('"left=1"=right@0,0:360', 'takes every line to itself'),
+                           ('"left=1"=right@0,0:20', 'the lines do not match: (0, 1) of'),
+                           ('left', "'left' is not A=B, A=B@x,y:degrees or A=B@mirror")):
+            self.assertIn(what, self.run_cover('mesh', 'cell.json', '--periodic', rule, '-o', 'a.vtu', code=2)[1])
+        self.assertIn('periodic needs another method', self.run_cover(
+            'mesh', 'cell.json', '--periodic', '"left=1"=right', '--method', 'nonobtuse', '-o', 'a.vtu', code=2)[1])
+        self.assertEqual(self.files(), ['cell.json'])
 
 
 class Mesh(Case):
@@ -455,6 +500,71 @@ class Sizes(Case):
         _, err = self.run_cover('mesh', fine, '-o', 'd.vtu', '--size-field', 'none.vtu', code=5)
         self.assertIn('none.vtu', err)
 
+    def test_expressions(self):
+        fine = self.fine_square()
+        expected = self.triangles(fine, '--size', 0.05)
+        self.assertEqual(self.triangles(fine, '--size', '0.1/2 + 0*x'), expected)
+        settings = json.loads((self.dir / 'd.json').read_text())['options']
+        self.assertEqual(settings['size'], '0.1/2 + 0*x')
+        graded = self.triangles(fine, '--size', '0.05 + 0.5*x')
+        self.assertLess(graded, expected / 2)
+        self.assertEqual(self.triangles(fine, '--size', '1=0.05 + 0.5*x'), graded)  # the material 1
+        self.assertLess(self.triangles(fine, '--size', 'sqrt(-1 - x)'), expected / 2)  # nothing is asked
+        error = self.run_cover('mesh', fine, '-o', 'd.vtu', '--size', '0.1 + y)', code=2)[1]
+        self.assertIn("--size: '0.1 + y)', column 8: ')' does not belong here", error)
+
+    def test_tables_of_points(self):
+        fine = self.fine_square()
+        expected = self.triangles(fine, '--size-field', self.field('h.vtk', '0.05 0.05 0.3 0.3'))
+        table = self.write('h.csv', 'x,y,h\n0,0,0.05\n0,1,0.05\n1,0,0.3\n1,1,0.3\n')
+        self.assertAlmostEqual(self.triangles(fine, '--size-field', table), expected, delta=0.02 * expected)
+        error = self.run_cover('mesh', fine, '-o', 'd.vtu', '--size-field', self.write('h.csv', '0,0,1\n1,0\n'), code=5)[1]
+        self.assertIn('h.csv:2: expected 3 numbers, found 2', error)
+
+    def test_values_are_resolved(self):
+        """asinh of a doping that falls over 20 decades: it changes by at most the step on nearly every inner edge."""
+        n = 60
+        def doping(x):
+            return 1e20 * math.exp(-60 * x * x) - 1e15
+        values = '\n'.join(repr(doping(i / n)) for _ in range(n + 1) for i in range(n + 1))
+        self.write('doping.vtk', f'''# vtk DataFile Version 3.0
+doping
+ASCII
+DATASET STRUCTURED_POINTS
+DIMENSIONS {n + 1} {n + 1} 1
+ORIGIN 0 0 0
+SPACING {1 / n} {1 / n} 1
+POINT_DATA {(n + 1)**2}
+SCALARS doping double 1
+LOOKUP_TABLE default
+{values}
+''')
+        square = self.write('square.poly', SQUARE)
+        step = 2
+        self.run_cover('mesh', square, '-o', 'd.json', '-o', 'd.obj', '--split-interfaces', 150, '--size-field', 'doping.vtk',
+                       '--size-of', 'asinh(doping/1e15)', '--size-step', step)
+        points, edges = [], set()
+        for line in (self.dir / 'd.obj').read_text().splitlines():
+            words = line.split()
+            if line.startswith('v '):
+                points.append((float(words[1]), float(words[2])))
+            if line.startswith('f '):
+                t = [int(word.split('/')[0]) - 1 for word in words[1:]]
+                edges |= {tuple(sorted((t[k], t[k - 1]))) for k in range(3)}
+
+        def value(x):  # linear between the samples, as sizes are made
+            cell = min(int(x * n), n - 1)
+            a, b = (math.asinh(doping(i / n) / 1e15) for i in (cell, cell + 1))
+            return a + (x * n - cell) * (b - a)
+        changes = sorted(abs(value(points[a][0]) - value(points[b][0])) for a, b in edges)
+        self.assertGreater(len(changes), 500)
+        self.assertLess(len(changes), 20000)
+        too_large = sum(change > step for change in changes)
+        self.assertLess(too_large, 0.01 * len(changes), changes[-20:])
+        self.assertLess(changes[-1], 1.5 * step)
+        error = self.run_cover('mesh', square, '-o', 'd.vtu', '--size-of', 'asinh', code=2)[1]
+        self.assertIn('size-field', error)
+
     def test_sizes_in_the_input(self):
         area = 3**0.5 / 4 * 0.05**2  # of an equilateral triangle with sides of 0.05
         plain = self.triangles(self.fine_square())
@@ -517,15 +627,45 @@ class Memory(Case):
         square = self.dir / self.write('square.poly', SQUARE)
         if self.peak('mesh', square, '-o', self.dir / 'square.vtu') > 40000:
             self.skipTest('a sanitizer takes memory of its own')
-        stars = [self.star(n) for n in (20000, 80000)]
-        for method in ('almond', 'quality'):
+        # The smaller one, too, takes more than this interpreter, whose own peak a child inherits.
+        stars = [self.star(n) for n in (60000, 120000)]
+        # The almond method makes hardly more triangles than there are points, which take memory, too.
+        for method, most in (('almond', 460), ('quality', 350)):
             peaks, triangles = [], []
             for star in stars:  # what the program needs for any mesh cancels out
                 mesh, report = self.dir / 'star.vtu', self.dir / 'star.json'
                 peaks.append(self.peak('mesh', star, '--method', method, '-j', 1, '-o', mesh, '--report', report))
                 triangles.append(json.loads(report.read_text())['overall']['triangles'])
-            self.assertLess(1024 * (peaks[1] - peaks[0]) / (triangles[1] - triangles[0]), 400,
+            self.assertLess(1024 * (peaks[1] - peaks[0]) / (triangles[1] - triangles[0]), most,
                             (method, peaks, triangles))
+
+
+    def test_out_of_memory(self):
+        """An error of its own, whenever memory ends, and files as they were."""
+        square = self.dir / self.write('square.poly', SQUARE)
+        mesh, star = self.dir / 'm.vtu', self.star(20000)
+
+        def run_within(megabytes, source):
+            limit = megabytes << 20
+            return subprocess.run([PROGRAM, 'mesh', source, '-o', mesh, '-q'], timeout=60, capture_output=True, text=True,
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
+
+        if run_within(150, square).returncode != 0:
+            self.skipTest('a sanitizer takes memory of its own')
+        before, ends = mesh.read_bytes(), []
+        for megabytes in range(70, 200, 6):
+            run = run_within(megabytes, star)
+            ends.append(run.returncode)
+            if run.returncode == 0:
+                break
+            if run.returncode == 127:  # the system's own: libraries do not fit
+                continue
+            self.assertEqual(run.returncode, 7, run.stderr)
+            self.assertRegex(run.stderr, r'^cover: error: .*memory')
+            self.assertEqual(mesh.read_bytes(), before)
+            self.assertEqual(self.files(), ['20000.poly', 'm.vtu', 'square.poly'])
+        self.assertEqual(ends[-1], 0)
+        self.assertIn(7, ends)
 
 
 class Remesh(Case):
@@ -620,6 +760,50 @@ class DryRun(Case):
         self.assertAlmostEqual(report['regions'][0]['gamma_opt'], 62.14824277768956)
         self.assertEqual(len(report['interfaces']), 9)
         self.assertEqual(self.files(), [])
+
+
+    def test_estimate(self):
+        self.write('s.poly', SQUARE)
+        fine = ('--split-interfaces', '--size', '0.02')
+        out, _ = self.run_cover('mesh', 's.poly', '-o', 's.vtu', '--dry-run', *fine)
+        about = float(re.search(r'A mesh takes about ([0-9.e+]+) triangles and \d+ MB of memory', out)[1])
+        made, _ = self.run_cover('mesh', 's.poly', '-o', 's.vtu', *fine)
+        made = float(re.match(r'([0-9,]+) triangles', made)[1].replace(',', ''))
+        self.assertLess(abs(about - made), 0.3 * made)
+
+    def test_what_does_not_fit(self):
+        self.write('s.poly', SQUARE)
+        if os.sysconf('SC_PHYS_PAGES') * os.sysconf('SC_PAGE_SIZE') > 6e10:
+            self.skipTest('it might fit')
+        begin = time.monotonic()
+        _, err = self.run_cover('mesh', 's.poly', '-o', 's.vtu', '--split-interfaces', '--size', '6e-5', code=7)
+        self.assertLess(time.monotonic() - begin, 10)
+        self.assertRegex(err, r'the sizes asked for take about 6.4e\+08 triangles and 108 GB of memory, and there are ')
+        self.assertEqual(self.files(), ['s.poly'])
+
+
+class StrangeNames(Case):
+    """Names that would steer a terminal or break a file."""
+
+    def test_control_characters(self):
+        name = 'a\x1b[31m\nb\u202e<'
+        self.write('d.json', json.dumps({'points': [[0, 0], [1, 0], [1, 1], [0, 1]],
+                                         'segments': [[0, 1], [1, 2], [2, 3], [3, 0]],
+                                         'regions': [{'x': 0.5, 'y': 0.5, 'material': name, 'region': name + '2'}]}))
+        outputs = ['m.vtu', 'm.vtm', 'm.svg', 'm.json']
+        texts = [*self.run_cover('mesh', 'd.json', *(f'-o{o}' for o in outputs), '--report', 'r.html', '-v'),
+                 *self.run_cover('info', 'd.json', '-v'),
+                 *self.run_cover('mesh', 'd.json', '-o', 'n.vtu', '--size', 'x=1', code=2),
+                 *self.run_cover('check', 'd.json', 'm.vtm')]
+        texts += [(self.dir / f).read_text() for f in ('m.svg', 'm.vtm', 'r.html')]
+        for text in texts:
+            self.assertNotIn('\x1b', text)
+            self.assertNotIn('\u202e', text)
+            self.assertNotRegex(text, 'a.{0,9}\n *b.{0,9}<')
+        self.assertIn(r'a\x1b[31m\nb\u202e<', texts[0])
+        self.assertIn(r'a\x1b[31m\nb\u202e<', ''.join(ElementTree.parse(self.dir / 'm.svg').getroot().itertext()))
+        ElementTree.parse(self.dir / 'm.vtm')
+        self.assertEqual(json.loads((self.dir / 'm.json').read_text())['regions'][0]['name'], name + '2')
 
 
 class Configuration(Case):
@@ -878,8 +1062,8 @@ class Convert(Case):
 
     def compare_ways(self, sources, *options):
         """A mesh written in every format, and in every format again from what each source holds."""
-        written = [f'd.{e}' for e in ('vtu', 'vtm', 'vtk', 'msh', 'xdmf', 'mesh', 'inp', 'ele', 'obj', 'off', 'ply',
-                                      'svg', 'png')]
+        written = [f'd.{e}' for e in ('vtu', 'vtm', 'vtkhdf', 'vtk', 'msh', 'xdmf', 'mesh', 'inp', 'ele', 'obj', 'off',
+                                      'ply', 'svg', 'png')]
         words = [word for name in written for word in ('-o', name)]
         self.run_cover('mesh', SAMPLES / 'mosfet.poly', *words, '-o', 'd.json', '-q', *options)
         direct = {p.relative_to(self.dir) for p in self.dir.rglob('*.*') if p.suffix not in ('.json', '.poly')}
@@ -894,7 +1078,7 @@ class Convert(Case):
                 self.assertEqual((folder / name).read_bytes(), (self.dir / name).read_bytes(), f'{source} into {name}')
 
     def test_every_format_into_every_other(self):
-        self.compare_ways(('d.vtu', 'd.vtm', 'd.vtk', 'd.msh', 'd.xdmf', 'd.mesh', 'd.ele'))
+        self.compare_ways(('d.vtu', 'd.vtm', 'd.vtkhdf', 'd.vtk', 'd.msh', 'd.xdmf', 'd.mesh', 'd.ele'))
 
     def test_abaqus_into_every_other(self):
         # An .inp has 20 characters for each coordinate: those of the device fit, not of every new vertex.
@@ -923,10 +1107,10 @@ class Page(Case):
     def test_says_what_matters(self):
         text = self.page('diode.poly')
         for part in ('targets reached', 'Valid: no gap', 'holds in all 4 regions', 'Meshed as it is', 'lowest rho',
-                     'marker 1', 'box method', 'Time, on', '<svg ', 'diode.poly; method quality, cover 0.'):
+                     'marker 1', 'box method', 'Time, on', '<svg ', 'id="mesh-view"', 'diode.poly; method quality, cover 0.'):
             self.assertIn(part, text)
         # Findings, two rows of heads and four regions, the box method, times.
-        self.assertEqual(text.count('<tr>') + text.count('<tr class'), 6 + 2 + 4 + 8 + text.count(' s</td></tr>'))
+        self.assertEqual(text.count('<tr>') + text.count('<tr class') + text.count('<tr data'), 6 + 2 + 4 + 8 + text.count(' s</td></tr>'))
         self.assertNotIn('class="bad"', text)
 
     def test_tells_what_to_distrust(self):
@@ -944,19 +1128,127 @@ class Page(Case):
 
     def test_loads_nothing(self):
         text = self.page('diode.poly').replace('http://www.w3.org/2000/svg', '')
-        for word in ('http:', 'https:', '<script', '@import', 'url(http'):
+        for word in ('http:', 'https:', ' src="http', 'import(', 'fetch(', 'XMLHttpRequest', 'WebSocket', '@import', 'url(http'):
             self.assertNotIn(word, text)
+        for tag in re.findall(r'<(?:script|link|img|iframe)[^>]*>', text):
+            self.assertFalse(re.search(r'(?:src|href)="(?!data:)', tag), tag)
 
-    @unittest.skipUnless(shutil.which('chromium'), 'chromium is not installed')
-    def test_in_a_browser(self):
-        self.page('mosfet.poly')
-        done = subprocess.run(['chromium', '--headless', '--no-sandbox', '--disable-gpu', '--enable-logging=stderr',
-                               f'--user-data-dir={self.dir / "profile"}', '--dump-dom', f'file://{self.dir}/d.html'],
+    def test_names_cannot_leave_their_place(self):
+        name = '</script><script>alert(1)</script><!--'
+        self.write('d.json', json.dumps({'polygons': [
+            {'material': name, 'region': name, 'rings': [[[0, 0], [1, 0], [1, 1], [0, 1]]]}]}))
+        self.run_cover('mesh', 'd.json', '-o', 'd.vtu', '--report', 'd.html', '-q')
+        text = (self.dir / 'd.html').read_text()
+        self.assertEqual(text.count('<script'), 2)
+        self.assertNotIn('<!--', text)
+        data = json.loads(text.split('id="mesh-data">')[1].split('</script>')[0])
+        self.assertEqual(data['regions'][0][0], name)
+
+    def browse(self, script, *flags):
+        """The page with a script behind its own: what that writes into the body's `data-said`."""
+        page = self.dir / 'd.html'
+        page.write_text(page.read_text().replace('</body>', f'<script>{script}</script></body>'))
+        done = subprocess.run(['chromium', '--headless', '--no-sandbox', '--enable-logging=stderr', '--use-gl=angle',
+                               '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--virtual-time-budget=4000', '--force-prefers-reduced-motion',
+                               f'--user-data-dir={self.dir / "profile"}', *flags, '--dump-dom', f'file://{page}'],
                               text=True, timeout=100, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual([line for line in done.stderr.splitlines() if 'CONSOLE' in line], [])
-        for part in ('holds in all 9 regions', 'material_3, 3 regions', '</footer>'):
-            self.assertIn(part, done.stdout)
+        return done.stdout
+
+    @unittest.skipUnless(shutil.which('chromium'), 'chromium is not installed: the page is not tried in a browser')
+    def test_in_a_browser(self):
+        self.page('mosfet.poly')
+        # A click on the first row, and on to every colour; then a look at the middle.
+        script = """
+          const root = document.getElementById('mesh-view'), said = {};
+          said.ready = root.dataset.ready;
+          document.querySelector('tr[data-region]').click();
+          const choose = document.getElementById('mesh-mode');
+          for (const option of choose.options) { choose.value = option.value; choose.onchange(); }
+          said.modes = [...choose.options].map(o => o.value);
+          setTimeout(() => {
+            const box = root.querySelector('canvas.over').getBoundingClientRect();
+            root.querySelector('canvas.over').dispatchEvent(new PointerEvent('pointermove',
+              { clientX: box.left + box.width / 2, clientY: box.top + box.height / 2, pointerType: 'mouse' }));
+            const m = root.meshView;
+            said.tip = root.querySelector('.tip').textContent;
+            said.marked = m.marked; said.hovered = m.hovered; said.largest = m.largest(m.marked); said.count = m.count;
+            said.scroll = document.documentElement.scrollWidth <= innerWidth;
+            document.body.dataset.said = JSON.stringify(said);
+          }, 2000);"""
+        dom = self.browse(script)
+        for part in ('holds in all 9 regions', '</footer>'):
+            self.assertIn(part, dom)
+        said = json.loads(re.search(r'data-said="([^"]*)"', dom).group(1).replace('&quot;', '"'))
+        self.assertIn(said['ready'], ('webgl', 'canvas'))
+        self.assertEqual(said['modes'], ['regions', 'largest', 'smallest', 'coupling', 'gap'])
+        self.assertEqual(said['marked'], said['hovered'], said)
+        self.assertTrue(said['scroll'], 'wider than the window')
+        first = re.search(r'<tr[^>]* data-region="\d+"[^>]*>(.*?)</tr>', dom).group(1)
+        self.assertIn(f'>{said["largest"]:.2f}<', first)
+        self.assertIn('couplings', said['tip'])
+
+    def test_bytes_per_triangle(self):
+        self.page('motor_slot.poly')
+        text = (self.dir / 'd.html').read_text()
+        data = json.loads(text.split('id="mesh-data">')[1].split('</script>')[0])
+        arrays = sum(len(data[k]) for k in ('points', 'corners', 'lines', 'angles'))
+        self.assertLess(arrays / data['all'], 40)
+
+
+class Names(Case):
+    """Names and numbers on their way out: as they are, or told what they became."""
+    NAMES = ('Größe µm 日本', 'a/b "c" <d>&', 'Si', 'si')
+
+    def setUp(self):
+        super().setUp()
+        squares = [{'material': 'Stoff ' + name, 'region': name,
+                    'rings': [[[k, 0], [k + 1, 0], [k + 1, 1], [k, 1]]]} for k, name in enumerate(self.NAMES)]
+        self.write('d.json', json.dumps({'polygons': squares, 'lines': [{'name': 'Kontakt Ä', 'points': [[0, 0], [1, 0]]}]}))
+
+    def regions_of(self, mesh):
+        self.run_cover('convert', mesh, '-o', 'out.json', '-q')
+        return [(r['name'], r['material_name']) for r in json.loads((self.dir / 'out.json').read_text())['regions']]
+
+    def test_survive_alone_in_files_that_bear_them(self):
+        for mesh in ('m.vtm', 'm.vtkhdf'):
+            self.run_cover('mesh', 'd.json', '-o', mesh, '-q')
+            self.assertEqual(self.regions_of(mesh), [(n, 'Stoff ' + n) for n in self.NAMES], mesh)
+
+    def test_in_msh_and_xdmf(self):
+        self.run_cover('mesh', 'd.json', '-o', 'm.msh', '-o', 'm.xdmf', '-q')
+        text = (self.dir / 'm.msh').read_text()
+        for name in ('Größe µm 日本', 'a/b _c_ <d>&', 'Kontakt Ä'):
+            self.assertIn(f'"{name}"', text)
+        self.assertIn('Name="a/b _c_ &lt;d&gt;&amp;"', (self.dir / 'm.xdmf').read_text())
+
+    def test_where_they_cannot_it_is_told(self):
+        out, _ = self.run_cover('mesh', 'd.json', '-o', 'm.inp', '-o', 'm.json')
+        sets = re.findall(r'ELSET=(\S+)', (self.dir / 'm.inp').read_text())
+        self.assertEqual(len(set(sets)), 4)  # Si and si are two
+        groups = json.loads((self.dir / 'm.json').read_text())['region_groups']
+        self.assertEqual([g.get('set', g['name']) for g in groups], sets)
+        self.assertEqual([g['original'] for g in groups], list(self.NAMES))
+        for name, made in zip(self.NAMES, sets):
+            if made != name.upper():
+                self.assertRegex(out, re.escape(made) + r' +' + re.escape(name.replace('"', '_')))
+        self.assertRegex(out, r'KONTAKT___ +Kontakt Ä')
+        self.assertNotIn('in .inp', self.run_cover('mesh', self.write('s.poly', SQUARE), '-o', 's.inp')[0])
+
+    def test_ids(self):
+        squares = [{'material': 'Cu', 'region': f'coil {k}', 'rings': [[[2 * k, 0], [2 * k + 1, 0], [2 * k + 1, 1], [2 * k, 1]]]}
+                   for k in range(6)]
+        self.write('coils.json', json.dumps({'polygons': squares}))
+        labels = {}
+        for ids in ('region', 'material', 'name'):
+            out, _ = self.run_cover('mesh', 'coils.json', '-o', 'm.mesh', '--ids', ids)
+            self.assertIn(f'Numbers in the files, by {ids}:', out)
+            rows = (self.dir / 'm.mesh').read_text().split('Triangles')[1].splitlines()[2:]
+            labels[ids] = len({row.split()[3] for row in rows if len(row.split()) == 4})
+        self.assertEqual(labels, {'region': 6, 'material': 1, 'name': 6})
+        _, err = self.run_cover('mesh', 'coils.json', '-o', 'm.mesh', '--ids', 'colour', code=2)
+        self.assertIn('ids are region, material or name, not colour', err)
 
 
 class Documents(Case):

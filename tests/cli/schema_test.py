@@ -28,7 +28,7 @@ GOOD = [
                   {'circle': {'centre': [0, 0], 'radius': 4, 'chords': 12}},
                   {'circle': {'centre': [0, 0], 'radius': 5, 'chord_error': 0.2}}]},
     {'polygons': [{'material': 'Si', 'rings': [[[0, 0], [4, 0], [4, 4]], [[2, 1], [3, 1], [3, 2]]]},
-                  {'material': 4, 'region': 'cap', 'priority': -2.5, 'rings': [[[0, 0], [1, 0], [1, 1]]]},
+                  {'material': 4, 'region': 'cap', 'priority': -2.5, 'size': 0.25, 'rings': [[[0, 0], [1, 0], [1, 1]]]},
                   {'material': 'Cu', 'rings': [[{'circle': {'centre': [9, 9], 'radius': 1, 'chords': 8}}]]},
                   {'material': 'Fe', 'rings': [[[0, 0], {'arc': {'centre': [0, 0], 'radius': 2, 'from': 90, 'to': 0,
                                                                  'chord_error': 0.1}}], []]}],
@@ -36,13 +36,17 @@ GOOD = [
                {'points': [{'arc': {'centre': [0, 0], 'radius': 2, 'from': 0, 'to': 90, 'chords': 3}}], 'closed': False}],
      'regions': [{'x': 9, 'y': 9, 'size': 1}], 'holes': []},
     {'lines': [{'points': [[0, 0], [1, 0], [1, 1]], 'closed': True}]},
+    {'points': [[0, 0], [1, 0], [1, 1], [0, 1]],
+     'segments': [[0, 1], {'points': [1, 2], 'name': 'a'}, [2, 3], {'points': [3, 0], 'name': 2}],
+     'periodic': [['a', 2], {'from': 'a', 'to': 'b', 'mirror': True}, {'from': 3, 'to': 'c', 'mirror': False},
+                  {'from': 'd', 'to': 'e', 'rotation': {'centre': [0, 1], 'angle': -45.5}}]},
     {'segments': [{'circle': {'centre': [0, 0], 'radius': 3, 'chords': 8}}]},
 ]
 
 VALUES = [None, True, False, 0, 1, -1, 2.5, -0.5, 1e300, 10**12, 10**30, '', 'um', 'x', [], {}, [1], [0, 0], [0, 1, 2],
           {'x': 1}, {'circle': {'centre': [0, 0], 'radius': 1, 'chords': 5}}]
 KEYS = {'circle': {'centre': [0, 0], 'radius': 1, 'chords': 5}, 'chords': 5, 'chord_error': 0.1, 'name': 'a', 'points': [0, 1],
-        'arc': {'centre': [0, 0], 'radius': 1, 'from': 0, 'to': 90, 'chords': 3}, 'unknown': 1, 'clockwise': True}
+        'arc': {'centre': [0, 0], 'radius': 1, 'from': 0, 'to': 90, 'chords': 3}, 'unknown': 1, 'clockwise': True, 'mirror': True}
 
 
 def places(value, path=()):

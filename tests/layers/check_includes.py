@@ -37,6 +37,8 @@ def faults(root, path, layer):
             yield number, f'"{name}" is private to the library'
         if name.startswith('CGAL/') and (layer not in CGAL or path.suffix != '.cpp'):
             yield number, f'<{name}>: CGAL belongs in .cpp files of {", ".join(sorted(CGAL))}'
+        if re.match(r'(hdf5|H5\w+)\.h$', name) and '/io/hdf5/' not in path.as_posix():
+            yield number, f'<{name}>: HDF5 belongs in io/hdf5'
         if name == 'gmsh.h' and layer != 'gmsh':
             yield number, f'<{name}>: gmsh belongs in gmsh'
         if re.match(r'vtk\w+\.h', name) and layer != 'vtk':

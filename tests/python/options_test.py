@@ -3,6 +3,7 @@
 Python, a line of provenance, help, manual and completion, everywhere with the same name, values and range."""
 import json
 import math
+import os
 import pathlib
 import subprocess
 import sys
@@ -15,7 +16,8 @@ PROGRAM, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
 # Two materials, one above the other, and a contact.
 GEOMETRY = {'polygons': [{'material': 'Si', 'rings': [[[0, 0], [4, 0], [4, 2], [0, 2]]]},
                          {'material': 'SiO2', 'rings': [[[0, 2], [4, 2], [4, 3], [0, 3]]]}],
-            'lines': [{'name': 'anode', 'points': [[0, 0], [4, 0]]}]}
+            'lines': [{'name': 'anode', 'points': [[0, 0], [4, 0]]}, {'name': 'left', 'points': [[0, 0], [0, 2], [0, 3]]},
+                      {'name': 'right', 'points': [[4, 0], [4, 2], [4, 3]]}]}
 TABLE = cover.options()
 # Background sizes of 1 everywhere.
 FIELD = '''# vtk DataFile Version 3.0
@@ -32,8 +34,10 @@ LOOKUP_TABLE default
 1 1 1
 '''
 # What else must be given.
-NEEDS = {'pieces': {'paper': True}}
-TEXTS = {'size': ['SiO2=0.5', '1'], 'size-at': ['anode=0.25'], 'size-field': ['field.vtk'], 'weld': ['off', 'auto', '1e-06']}
+NEEDS = {'pieces': {'paper': True}, 'size-of': {'size_field': 'field.vtk'},
+         'size-step': {'size_of': 'asinh', 'size_field': 'field.vtk'}}
+TEXTS = {'size': ['SiO2=0.5', '1'], 'size-at': ['anode=0.25'], 'size-field': ['field.vtk'], 'size-of': ['asinh', '2*size+x'], 'weld': ['off', 'auto', '1e-06'],
+         'periodic': ['left=right', 'left=right@mirror']}
 
 
 def values(row):
@@ -56,6 +60,13 @@ def beyond(row):
     return [limit + (step if legal else 0) for limit, legal, step in limits if math.isfinite(limit)]
 
 
+def as_flags(needed):
+    """The options that another one needs, as words and as lines of a job file."""
+    names = {key.replace('_', '-'): value for key, value in needed.items()}
+    return ([f'--{name}' if value is True else f'--{name}={value}' for name, value in names.items()],
+            ''.join(f'{name}=true\n' if value is True else f'{name}="{value}"\n' for name, value in names.items()))
+
+
 def python_value(row, text):
     if row['kind'] == 'flag':
         return text == 'true'
@@ -72,6 +83,8 @@ class Options(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.dir = pathlib.Path(folder.name)
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(self.dir)
         (self.dir / 'field.vtk').write_text(FIELD)
         self.device = self.dir / 'device.json'
         self.device.write_text(json.dumps(GEOMETRY))
@@ -102,8 +115,9 @@ class Options(unittest.TestCase):
                     self.assertRegex(printed, rf'(?m)^# {row["name"]}="?{row["default"]}"?$')
                     keywords = {row['name'].replace('-', '_'): python_value(row, row['default'])}
                     made = cover.mesh_file(self.device, **keywords, **NEEDS.get(row['name'], {}))
-                    implied = 'implies --method almond' in row['help'] or row['name'] in NEEDS
-                    self.assertEqual({k: v for k, v in made.report['options'].items() if k != 'paper'},
+                    needed = NEEDS.get(row['name'], {})
+                    implied = 'implies --method almond' in row['help'] or 'paper' in needed
+                    self.assertEqual({k: v for k, v in made.report['options'].items() if k.replace('-', '_') not in needed},
                                      {'method': 'almond' if implied else 'quality'})
 
     def test_the_same_everywhere(self):
@@ -117,9 +131,10 @@ class Options(unittest.TestCase):
                         cover.mesh_file(self.device, size_field=self.dir / 'field.vtk')
                     flag = [f'--{name}'] if row['kind'] == 'flag' else [f'--{name}', text]
                     told = []
-                    (self.dir / 'job.toml').write_text(''.join(f'{k}=true\n' for k in more) + (
+                    words_of_more, lines_of_more = as_flags(more)
+                    (self.dir / 'job.toml').write_text(lines_of_more + (
                         f'{name}={text}\n' if row['kind'] == 'flag' else f'{name}="{text}"\n'))
-                    for words in ([*flag, *(f'--{k}' for k in more)], ['--config', 'job.toml']):
+                    for words in ([*flag, *words_of_more], ['--config', 'job.toml']):
                         # A requirement may be missed.
                         done = subprocess.run([PROGRAM, 'mesh', 'device.json', '-q', '--report', 'r.json', *words], cwd=self.dir,
                                               timeout=100, text=True, stderr=subprocess.PIPE)
@@ -144,7 +159,7 @@ class Options(unittest.TestCase):
                 for number in beyond(row):
                     text = f'{number:g}'
                     (self.dir / 'job.toml').write_text(f'{name}={text}\n')
-                    flags = [f'--{k}' for k in more]
+                    flags = as_flags(more)[0]
                     errors = [self.run_cover('mesh', 'device.json', '-o', 'd.vtu', *words, *flags, code=2)[1].split('\n')[0]
                               for words in ([f'--{name}={text}'], ['--config', 'job.toml'])]
                     self.assertEqual(errors[0], errors[1])

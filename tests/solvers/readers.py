@@ -54,8 +54,8 @@ GRID = read_vtk(vtk.vtkXMLUnstructuredGridReader(), folder / 'a.vtu')
 POINTS = vtk_points(GRID)
 REGION = {r['id']: r for r in manifest['regions']}
 GROUP = {g['tag']: g['name'] for g in manifest['region_groups'] + manifest['line_groups']}
-NAMES = {(2, g['name']): g['tag'] for g in manifest['region_groups']}
-NAMES.update({(1, g['name']): g['tag'] for g in manifest['line_groups']})
+NAMES = {(2, g.get('label', g['name'])): g['tag'] for g in manifest['region_groups']}
+NAMES.update({(1, g.get('label', g['name'])): g['tag'] for g in manifest['line_groups']})
 
 
 def turned(triangle):

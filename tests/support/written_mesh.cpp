@@ -258,6 +258,7 @@ void expect_same_lines(const Output& output, const WrittenMesh& file, const Expe
   std::map<LineKey, long> number_of;
   std::map<long, LineKey> key_of;
   std::set<long> region_numbers;
+  const auto form = file.names_are_utf8 ? legible_name : safe_name;
   for (const WrittenCell& cell : file.triangles) region_numbers.insert(cell.number);
   for (const WrittenCell& cell : file.lines) {
     const Ends ends{cell.nodes.at(0), cell.nodes.at(1)};
@@ -272,7 +273,7 @@ void expect_same_lines(const Output& output, const WrittenMesh& file, const Expe
     expect_one_to_one(number_of, key_of, key_of_line(output, line), cell.number);
     EXPECT_GT(cell.number, 0);
     if (!file.line_names.empty()) {
-      EXPECT_EQ(file.line_names.at(cell.number).rfind(safe_name(line.name), 0), 0U);
+      EXPECT_EQ(file.line_names.at(cell.number).rfind(form(line.name), 0), 0U);
       EXPECT_FALSE(region_numbers.contains(cell.number));
     }
     if (cell.entity != 0) {
@@ -302,11 +303,12 @@ void expect_region_groups(const Output& output, const WrittenMesh& file) {
   const auto faces = faces_by_corners(output);
   std::map<std::tuple<std::string, int>, long> number_of;
   std::map<long, std::tuple<std::string, int>> key_of;
+  const auto form = file.names_are_utf8 ? legible_name : safe_name;
   for (const WrittenCell& cell : file.triangles) {
     const auto face = faces.at(corners_of(cell));
     const Region& region = output.table.region(output.mesh.region(face));
     expect_one_to_one(number_of, key_of, {region.name, region.material}, cell.number);
-    EXPECT_EQ(file.region_names.at(cell.number).rfind(safe_name(region.name), 0), 0U);
+    EXPECT_EQ(file.region_names.at(cell.number).rfind(form(region.name), 0), 0U);
     if (cell.entity != 0) {
       EXPECT_EQ(cell.entity, static_cast<long>(region.id.value()));
     }

@@ -36,6 +36,7 @@ struct WrittenMesh {
   std::vector<WrittenCell> lines;
   std::map<long, std::string> region_names;  ///< by number; empty: the format has none
   std::map<long, std::string> line_names;    ///< by number; empty: the format has none
+  bool names_are_utf8 = false;               ///< else letters that any program takes
 };
 
 /// What a WrittenMesh is compared with.

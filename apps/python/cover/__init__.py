@@ -26,6 +26,10 @@ class OptionError(Error, ValueError):
     """A value that an option does not take."""
 
 
+class OutOfMemory(Error, MemoryError):
+    """Less memory than the run needs."""
+
+
 class Cancelled(Error):
     """The progress callback returned False."""
 
@@ -33,7 +37,7 @@ class Cancelled(Error):
 from ._cover import Mesh, __version__, options as _options  # noqa: E402
 from ._cover import mesh_file as _mesh_file, mesh_polygons as _mesh_polygons, mesh_pslg as _mesh_pslg  # noqa: E402
 
-__all__ = ["Cancelled", "Error", "Mesh", "OptionError", "mesh", "mesh_file", "mesh_polygons", "options"]
+__all__ = ["Cancelled", "Error", "Mesh", "OptionError", "OutOfMemory", "mesh", "mesh_file", "mesh_polygons", "options"]
 
 
 def options():

@@ -5,7 +5,7 @@ import numpy as np
 import numpy.typing as npt
 from typing_extensions import Unpack
 
-__all__ = ["Cancelled", "Error", "Mesh", "OptionError", "mesh", "mesh_file", "mesh_polygons", "options"]
+__all__ = ["Cancelled", "Error", "Mesh", "OptionError", "OutOfMemory", "mesh", "mesh_file", "mesh_polygons", "options"]
 
 __version__: str
 
@@ -13,7 +13,7 @@ _Progress = Callable[[str, int, int], Optional[bool]]
 _Material = Union[str, int]
 _Region = Union[Tuple[float, float, _Material], Tuple[float, float, _Material, str]]
 _Rings = Sequence[npt.ArrayLike]
-_Sizes = Union[float, str, Sequence[str], Mapping[str, float]]
+_Sizes = Union[float, str, Sequence[str], Mapping[str, Union[float, str]]]
 _Polygon = Union[Tuple[_Material, _Rings], Tuple[_Material, _Rings, str]]
 
 class _Options(TypedDict, total=False):
@@ -25,17 +25,20 @@ class _Options(TypedDict, total=False):
     effort: Literal["fast", "normal", "thorough"]
     couplings: Literal["first", "last"]
     growth: Optional[float]
-    size: _Sizes  # by region or material; "" is everywhere
+    size: _Sizes  # by region or material; "" is everywhere; an expression of x and y for a length
     sizes: _Sizes  # the same
     size_at: _Sizes  # by contact, interface or point
     sizes_at: _Sizes
     no_input_sizes: bool
     input_sizes: bool
     size_field: Union[None, str, os.PathLike[str]]
+    size_of: Optional[str]  # "asinh", "asinh(doping)"
+    size_step: float
     box_method: bool
     split_interfaces: Union[None, bool, float]
     overlap: Literal["last", "first", "error"]
     weld: Union[None, float, str]  # "auto", "off"
+    periodic: Union[str, Sequence[str]]  # "left=right", "a=b@x,y:degrees", "a=b@mirror"
     strict: bool
     merge_materials: bool
     hull: bool
@@ -49,6 +52,7 @@ class _WriteOptions(TypedDict, total=False):
     inner_lines: bool
     lines: bool
     msh: Literal["2.2", "4.1"]
+    ids: Literal["region", "material", "name"]
     inp_element: Literal["S", "CPS", "CPE", "CAX"]
 
 class _Line(TypedDict):
@@ -61,6 +65,7 @@ class Error(Exception):
     where: Sequence[Tuple[float, float]]
 
 class OptionError(Error, ValueError): ...
+class OutOfMemory(Error, MemoryError): ...
 class Cancelled(Error): ...
 
 class Mesh:
@@ -76,6 +81,8 @@ class Mesh:
     def input_id(self) -> npt.NDArray[np.int64]: ...
     @property
     def lines(self) -> dict[str, list[_Line]]: ...
+    @property
+    def periodic(self) -> list[dict[str, Any]]: ...  # "from", "to", "vertices" (pairs), "edges"
     @property
     def report(self) -> dict[str, Any]: ...
     def save(self, path: Union[str, os.PathLike[str]], **options: Unpack[_WriteOptions]) -> None: ...

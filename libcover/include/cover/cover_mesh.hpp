@@ -12,13 +12,14 @@ namespace cover {
 
 /// What it takes to be without negative couplings in the box method, found without a mesh.
 struct BoxCosts {
-  std::size_t sides = 0;               ///< of all regions
-  std::size_t encroached_sides = 0;    ///< each forces one negative coupling, until it is cut
+  std::size_t sides = 0;             ///< of all regions
+  std::size_t encroached_sides = 0;  ///< each forces one negative coupling, until it is cut
   std::size_t encroached_segments = 0;
   std::size_t least_cuts = 0;  ///< proven: no fewer cuts on straight segments will do
   std::size_t cuts = 0;        ///< points that Options::box_method puts on segments before meshing
   std::size_t uncut = 0;       ///< segments left encroached, as doubles have no room for more cuts
-  std::size_t cuts_for_right_angles = 0;  ///< those that Options::split_interfaces = 90 degrees puts
+  std::size_t cuts_for_right_angles =
+      0;  ///< those that Options::split_interfaces = 90 degrees puts
   std::vector<NegativeCoupling> encroached;  ///< by region, then side
 };
 
@@ -46,7 +47,8 @@ Result<BoxCosts> box_costs(const Prepared& prepared, const Options& options = {}
 ///  (3) per region, pi - gamma >= min((pi - gamma_opt) / 2, pi / 6), up to what rounding the
 ///      coordinates can change; exceptions are named in the report.
 /// Units:   coordinates as given, one length unit throughout.
-/// Errors:  ErrorCode 100-199 (input), 300 (cancelled), 400 (options), 900 (ours, please report).
+/// Errors:  ErrorCode 100-199 (input), 300 (cancelled), 303 (out of memory), 400 (options; also what
+///          Options::size_field threw), 900 (ours, please report).
 /// Threads: safe to call from several threads; uses options.threads workers. The result is
 ///          bit-identical for every number of threads.
 /// Cost:    O(n log n) and the fill's.

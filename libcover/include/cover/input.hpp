@@ -2,10 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <cover/arcs.hpp>
+#include <cover/options.hpp>
+#include <cover/plane_field.hpp>
 #include <cover/point.hpp>
 
 namespace cover {
@@ -18,6 +22,7 @@ struct InputSegment {
   long id = 0;          ///< the id under which the user's file knows it
   int line = 0;         ///< line of the file, 0 if unknown
   std::string name;     ///< name of the contact or interface it belongs to, empty if none
+  std::uint32_t circle = 0;  ///< index into Input::circles plus one; 0: a straight line
 };
 
 /// "The region around this point is made of this material."
@@ -44,6 +49,10 @@ struct InputPolygon {
   std::string region;              ///< empty if none
   std::optional<double> priority;  ///< larger wins over smaller, and over the order
   long id = 0;
+  std::optional<double> size;  ///< wished edge length where it is seen, if the file gives one; > 0
+  /// By ring and point: the circle of the segment from that point on, as in InputSegment; a ring
+  /// without any may be left out.
+  std::vector<std::vector<std::uint32_t>> circles{};
 };
 
 /// A named open or closed polyline that must appear in the mesh: a contact.
@@ -51,6 +60,7 @@ struct InputLine {
   std::string name;
   std::vector<Point> points;
   long id = 0;
+  std::vector<std::uint32_t> circles{};  ///< by point, as in InputPolygon; may be left out
 };
 
 /// Which bounded faces of a PSLG are void.
@@ -75,6 +85,10 @@ struct Input {
   VoidRule void_rule = VoidRule::holes_only;
   std::vector<InputPolygon> polygons;
   std::vector<InputLine> lines;
+  std::shared_ptr<const PlaneField>
+      field;  ///< values that the file has beside its geometry: doping
+  std::vector<ArcCircle> circles;      ///< of segments, rings and lines that are chords of arcs
+  std::vector<PeriodicRule> periodic;  ///< beside those of Options::periodic
 };
 
 }  // namespace cover

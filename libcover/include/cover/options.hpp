@@ -31,7 +31,7 @@ enum class Overlap { last, first, error };
 enum class Prefer {
   balanced,  ///< fewer angles above 120 degrees, unless an angle degenerates for it; then the smaller
              ///< fault, in which large and small angles weigh alike
-  largest,   ///< the smaller largest angle, whatever the smallest one pays for it
+  largest,  ///< the smaller largest angle, whatever the smallest one pays for it
 };
 
 /// How much the quality method tries.
@@ -44,7 +44,7 @@ enum class Effort {
 /// Whether angles give way to the box method's couplings or the other way round.
 enum class Couplings {
   first,  ///< no negative coupling that the boundary does not force; targets give way, the bound never
-  last,   ///< targets come first
+  last,  ///< targets come first
 };
 
 /// Which properties, when missed, make the run fail.
@@ -59,8 +59,11 @@ struct Requirements {
 /// A wished edge length for a material, region, interface, contact or point.
 struct SizeRule {
   std::string name;  ///< empty: everywhere
-  double size = 0;   ///< length, > 0
+  double size = 0;   ///< length, > 0; no meaning where there is an expression
   bool at = false;   ///< true: at the named line or point; false: inside the named region
+  /// The length as a function of the place, "0.1 + 0.3*abs(y)"; empty: `size`. See Expression. Where
+  /// it is no number above zero there is no wish. Not with `at`.
+  std::string expression{};
 };
 
 /// Layers of thin triangles along a line.
@@ -78,7 +81,7 @@ struct PeriodicRule {
   std::string from;  ///< name of one chain
   std::string to;    ///< name of its image
   Map map = Map::translation;
-  Point centre;                           ///< of a rotation
+  Point centre;                     ///< of a rotation
   Angle angle = Angle::degrees(0);  ///< of a rotation, counter-clockwise
 };
 
@@ -97,10 +100,10 @@ struct Options {
   int pieces = 6;      ///< with `paper`: exterior pieces are at most 1/pieces of the arc; >= 2
   bool hull = false;   ///< mesh the convex hull: the paper's variant for any PSLG
 
-  Angle max_angle = Angle::degrees(100);  ///< target of the quality method, in (60, 180)
-  Angle min_angle = Angle::degrees(20);   ///< second target of the quality method, in [0, 60)
-  Prefer prefer = Prefer::balanced;  ///< of the quality method
-  Effort effort = Effort::normal;    ///< of the quality method
+  Angle max_angle = Angle::degrees(100);   ///< target of the quality method, in (60, 180)
+  Angle min_angle = Angle::degrees(20);    ///< second target of the quality method, in [0, 60)
+  Prefer prefer = Prefer::balanced;        ///< of the quality method
+  Effort effort = Effort::normal;          ///< of the quality method
   Couplings couplings = Couplings::first;  ///< of the quality method
 
   /// Where several sizes hold, among them those of RegionSeed, the smallest counts.
@@ -108,6 +111,11 @@ struct Options {
   bool input_sizes = true;      ///< false: those of the input's regions do not count
   SizeFunction size_field;      ///< background sizes; empty: none. See size_function()
   std::string size_field_name;  ///< of the background sizes, for reports
+  /// The file of the background sizes holds no lengths but values, of which this is a function: its
+  /// name, "asinh", or an expression of the arrays' names. Sizes are such that it changes by at most
+  /// size_step from one end of an edge to the other. Empty: lengths.
+  std::string size_of;
+  double size_step = 1;  ///< > 0
   /// Ratio of neighbouring edge lengths, > 1. None: kGrowth where there are sizes; elsewhere
   /// triangles grow as fast as their angles allow. With it and no sizes, they grow from the
   /// boundary's edges.

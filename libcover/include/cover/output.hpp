@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cover/mesh_class.hpp>
+#include <cover/periodic.hpp>
 #include <cover/pslg.hpp>
 #include <cover/regions.hpp>
 #include <cover/report.hpp>
@@ -21,6 +22,7 @@ struct Output {
   Pslg pslg;
   RegionTable table;
   Report report;
+  std::vector<PeriodicNodes> periodic{};  ///< by rule: Options::periodic, then Input::periodic
 };
 
 }  // namespace cover

@@ -8,6 +8,7 @@
 
 #include <cover/ids.hpp>
 #include <cover/packing.hpp>
+#include <cover/share_out.hpp>
 
 namespace cover {
 
@@ -25,6 +26,9 @@ struct Callbacks {
   /// Method nonobtuse: the packing of every region, in region order.
   std::function<void(RegionId, const PackingRecord&)> packing;
   std::stop_token stop;
+  /// Has regions meshed in other processes as well; empty: all are meshed here. Methods quality and
+  /// almond.
+  ShareOut share_out;
 };
 
 }  // namespace cover

@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include <cover/arcs.hpp>
 #include <cover/ids.hpp>
 #include <cover/input.hpp>
+#include <cover/periodic.hpp>
 #include <cover/point.hpp>
 
 namespace cover {
@@ -19,6 +21,7 @@ struct Segment {
   int marker = 0;                 ///< boundary marker, 0 if none
   std::uint32_t name = 0;         ///< index into Pslg::names; 0 is "no name"
   long id = -1;                   ///< of the user's file; -1: none
+  std::uint32_t circle = 0;       ///< index into Pslg::circles plus one; 0: a straight line
 };
 
 /// Points and segments that meet only at points. Made by `make_pslg` alone.
@@ -34,6 +37,9 @@ struct Pslg {
   /// By SegmentId: the seeds of the faces on its left and right, seen from a to b: an index into
   /// `seeds` plus one, or 0 for the void. Empty: faces are told by the places of seeds and holes.
   std::vector<std::array<std::uint32_t, 2>> side_seeds;
+  std::vector<ArcCircle> circles;          ///< of the segments that are chords of arcs
+  std::vector<SegmentPair> periodic;       ///< segments that are images of each other
+  std::vector<Isometry> isometries;        ///< of `periodic`, one for each rule
   std::string source;                      ///< file name for messages
 };
 

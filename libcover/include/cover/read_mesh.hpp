@@ -37,7 +37,7 @@ struct MeshFile {
   bool second_order = false;  ///< triangles had six nodes; their corners were taken
 };
 
-/// Reads the triangles of a mesh, and its lines: .vtu, legacy .vtk, gmsh's .msh, .xdmf, Medit's
+/// Reads the triangles of a mesh, and its lines: .vtu, legacy .vtk, .vtkhdf, gmsh's .msh, .xdmf, Medit's
 /// .mesh, Abaqus' .inp, Triangle's .ele. Other cells are left out. Of triangles with six nodes the
 /// corners are taken, and points that are nothing else are left out.
 ///
@@ -48,8 +48,8 @@ struct MeshFile {
 Result<MeshFile> read_mesh(const std::string& path);
 
 /// Reads a mesh that cover wrote, in any format of read_mesh() or as .vtm, as what cover_mesh()
-/// returned, as far as files keep it; see rebuild(). Names, interfaces and markers come from the
-/// manifest (.json) beside it, else from the .vtm beside it, else from the file itself. What is
+/// returned, as far as files keep it; see rebuild(). A .vtkhdf holds all of it. Else names,
+/// interfaces and markers come from the manifest (.json) beside it, else from the .vtm beside it, else from the file itself. What is
 /// missing then is said in the report's notes, and that midpoints of second-order triangles were
 /// left out.
 ///

@@ -31,6 +31,7 @@ struct StoredMesh {
   std::vector<Interface> interfaces;   ///< by InterfaceId - 1, without their segments; or empty
   std::vector<std::string> names{""};  ///< of contacts, where there are no interfaces
   std::vector<StoredEdge> edges;       ///< of all interfaces
+  std::vector<PeriodicNodes> periodic;
   Provenance provenance;               ///< and unit and scale: as in Report
   std::string unit;
   double scale = 1;

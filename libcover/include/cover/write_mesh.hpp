@@ -15,10 +15,14 @@ namespace cover {
 
 /// What a file should hold where its format leaves a choice.
 struct WriteOptions {
-  int order = 1;                  ///< 2: second-order triangles, a node in the middle of each edge
-  bool inner_lines = true;        ///< false: leave out lines that have a triangle on both sides
-  bool lines = false;             ///< .vtk: line cells after the triangles
-  std::string msh = "2.2";        ///< .msh: version, 2.2 or 4.1
+  int order = 1;            ///< 2: second-order triangles, a node in the middle of each edge
+  bool inner_lines = true;  ///< false: leave out lines that have a triangle on both sides
+  bool lines = false;       ///< .vtk: line cells after the triangles
+  std::string msh = "2.2";  ///< .msh: version, 2.2 or 4.1
+  /// The numbers that solvers know triangles by: `region`: RegionId; `material`; `name`: of the group
+  /// of equal name and material. Empty: the group in .msh, the material elsewhere. The array
+  /// `material` is the material always. See the formats; not in .vtu, .vtm, .vtkhdf.
+  std::string ids = {};
   std::string inp_element = "S";  ///< .inp: S, CPS, CPE or CAX; the number of nodes is appended
   std::stop_token stop = {};      ///< ends the writing with `cancelled`; all is as it was then
 };
@@ -42,9 +46,18 @@ std::vector<std::string> write_formats();
 /// in degrees.
 Status write_vtu(const Output& output, const std::string& path, const WriteOptions& options = {});
 
+/// Writes VTK's format in HDF5 (VTKHDF 1.0, an unstructured grid of one piece): the triangles and
+/// cell arrays of write_vtu(), and as field data the names of regions, materials and lines, the
+/// edges of all lines, and where the mesh comes from. So one file holds all that read_output()
+/// wants.
+Status write_vtkhdf(const Output& output, const std::string& path,
+                    const WriteOptions& options = {});
+
 /// Writes a multi-block file with a named .vtu per group of regions and per group of lines beside
-/// it: the groups are those of the physical groups of .msh, so one name is one block. Lines between
-/// two triangles are always there. The pieces of X.vtm are X/X_K_HASH.vtu, with the hash of their
+/// it: the groups are those of the physical groups of .msh, so one name is one block. Where more
+/// than a hundred groups of lines are, those between regions are one block, `lines`. Lines between
+/// two triangles are always there. Names of materials and of lines, and where the mesh comes from,
+/// stand in the .vtm behind the blocks. The pieces of X.vtm are X/X_K_HASH.vtu, with the hash of their
 /// content; those of an X.vtm that is replaced are removed.
 Status write_vtm(const Output& output, const std::string& path, const WriteOptions& options = {});
 
@@ -61,12 +74,15 @@ std::string report_json(const Prepared& prepared);
 Status write_report_json(const Output& output, const std::string& path);
 
 // Formats in text. Doubles are written so that they read back bit for bit. Numbers of lines and,
-// in .msh, of regions are those of the physical groups in the manifest; names have everything but
-// ASCII letters, digits and `_ . -` replaced by `_`. All of them report cannot_write and cancelled.
+// in .msh and with WriteOptions::ids, of regions are those of the physical groups in the manifest.
+// Names in .msh and .xdmf are in UTF-8, with `_` for control characters and double quotes; in .vtk,
+// .inp and .obj everything but ASCII letters, digits and `_ . -` is replaced by `_`. All names of a
+// kind are different; the manifest has both, and those as they were. All of them report cannot_write and cancelled.
 
 /// Writes VTK's legacy format, version 3.0: cell arrays MaterialID, material, mat_id, RegionId.
 /// With options.lines: triangles, then lines; MaterialID (on inner lines -1), ManifoldID (the
-/// number of an inner line, else -1), LineID, RegionId.
+/// number of an inner line, else -1), LineID, RegionId. With options.ids, these are in MaterialID
+/// and mat_id, and there is always a `material`.
 Status write_vtk(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes gmsh's format. Physical groups: regions by name, interfaces by the regions on both sides
@@ -76,18 +92,20 @@ Status write_vtk(const Output& output, const std::string& path, const WriteOptio
 Status write_msh(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes XDMF with all numbers in the XML: the grids `mesh` (MaterialID, RegionId, GroupID) and
-/// `lines` (LineID, Marker).
+/// `lines` (LineID, Marker). With options.ids, GroupID comes first, which is what dolfinx takes.
 Status write_xdmf(const Output& output, const std::string& path, const WriteOptions& options = {});
 
-/// Writes Medit's format; references are materials and the numbers of lines.
+/// Writes Medit's format; references are materials, or with options.ids these, and the numbers of lines.
 Status write_medit(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes an Abaqus input deck: an ELSET per region group, an NSET per line group. Coordinates have
 /// at most 20 characters, as Abaqus and CalculiX want it; those that need more are rounded.
+///
+/// Errors: cannot_write, with places, also where that flattens triangles or turns them over
 Status write_inp(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes Triangle's files `path` with the extensions .node, .ele (attributes material and
-/// RegionId) and .edge (lines with the boundary markers of the input; with the numbers of lines if
+/// RegionId; with options.ids these, RegionId, material) and .edge (lines with the boundary markers of the input; with the numbers of lines if
 /// it has none).
 Status write_triangle(const Output& output, const std::string& path,
                       const WriteOptions& options = {});

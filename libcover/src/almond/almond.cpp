@@ -12,16 +12,14 @@
 #include <numbers>
 
 #include "geom/predicates.hpp"
+#include "geom/ulp.hpp"
 #include "region/region_boundary.hpp"
 
 namespace cover {
 namespace {
 
 /// Spacing of doubles as large as the larger of two.
-double spacing(double x, double y) {
-  const double largest = std::max(std::abs(x), std::abs(y));
-  return std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
-}
+double spacing(double x, double y) { return spacing_at(std::max(std::abs(x), std::abs(y))); }
 
 }  // namespace
 

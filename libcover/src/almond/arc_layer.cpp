@@ -11,6 +11,7 @@
 
 #include "almond/arc_meeting.hpp"
 #include "almond/arc_walk.hpp"
+#include "base/union_find.hpp"
 #include "cdt/sight.hpp"
 #include "geom/vector.hpp"
 
@@ -62,35 +63,16 @@ std::vector<Pair> find_pairs(const Triangulation& cdt, std::span<const Almond> a
   return pairs;
 }
 
-/// Vertices that were found to be one.
-class Unions {
- public:
-  explicit Unions(std::size_t size) : parent_(size) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-  }
-  std::uint32_t find(std::uint32_t v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-  /// The lower one stays, so input vertices stay where they are.
-  void unite(std::uint32_t v, std::uint32_t w) {
-    v = find(v), w = find(w);
-    parent_[std::max(v, w)] = std::min(v, w);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 class Layer {
  public:
   Layer(const Triangulation& cdt, std::span<const Almond> almonds)
       : cdt_(cdt), almonds_(almonds), reach_(walk_almonds(cdt, almonds)), points_(cdt.points) {}
 
   ArcLayer build(double unite) {
+    entries_.reserve(reach_.known.size());
     for (std::uint32_t k = 0; k < almonds_.size(); ++k) {
       for (const KnownVertex& known : reach_.known_of(k)) {
-        entries_.push_back({k, almonds_[k].place_of_ratio(known.ratio), known.vertex});
+        entries_.push_back({almonds_[k].place_of_ratio(known.ratio), k, known.vertex});
       }
     }
     for (const Pair& pair : find_pairs(cdt_, almonds_, reach_)) add_meetings(pair[0], pair[1]);
@@ -100,8 +82,8 @@ class Layer {
 
  private:
   struct Entry {
-    std::uint32_t almond;
     double place;
+    std::uint32_t almond;
     std::uint32_t vertex;
   };
 
@@ -113,8 +95,8 @@ class Layer {
       if (!sees(a, m.at, b) || !sees(b, m.at, a)) continue;
       const auto vertex = static_cast<std::uint32_t>(points_.size());
       points_.push_back(m.at);
-      entries_.push_back({a, m.place_a, vertex});
-      entries_.push_back({b, m.place_b, vertex});
+      entries_.push_back({m.place_a, a, vertex});
+      entries_.push_back({m.place_b, b, vertex});
     }
   }
 
@@ -151,7 +133,8 @@ class Layer {
   }
 
   ArcLayer unite_near(double unite) {
-    Unions unions(points_.size());
+    // The lower one of two stays, so input vertices stay where they are.
+    UnionFind unions(points_.size());
     for (std::size_t k = 0; k + 1 < entries_.size(); ++k) {
       unite_flat(entries_[k], unions);
       const Entry& e = entries_[k];
@@ -174,7 +157,7 @@ class Layer {
 
   /// On a flat arc, a vertex so near to an end that its height over the side cannot be resolved
   /// becomes that end.
-  void unite_flat(const Entry& e, Unions& unions) const {
+  void unite_flat(const Entry& e, UnionFind& unions) const {
     const Almond& a = almonds_[e.almond];
     const double height = a.nu * a.length * std::min(e.place, 1 - e.place);
     if (is_input(e.vertex) || a.kind == AlmondKind::hull_side || height >= kFlat * a.resolution) {
@@ -187,7 +170,7 @@ class Layer {
 
   /// The vertices of one arc: the ends as they are, inner ones that were not united with an end or
   /// with their predecessor.
-  void append_arc(std::size_t almond, Unions& unions, ArcLayer& layer) const {
+  void append_arc(std::size_t almond, UnionFind& unions, ArcLayer& layer) const {
     const Almond& a = almonds_[almond];
     layer.vertices.push_back({a.u, 0});
     for (std::uint32_t k = first_[almond]; k < first_[almond + 1]; ++k) {

@@ -22,6 +22,7 @@ class Walker {
         seen_(cdt.triangles.size(), kNone),
         side_of_(cdt.triangles.size(), {kNone, kNone, kNone}) {
     reach_.first_known.reserve(almonds.size() + 1);
+    reach_.known.reserve(2 * almonds.size());
     for (std::uint32_t k = 0; k < almonds.size(); ++k) {
       side_of_[almonds[k].base.triangle][almonds[k].base.edge] = k;
     }

@@ -1,11 +1,13 @@
 #include "base/markup.hpp"
 
+#include "base/printable.hpp"
+
 namespace cover {
 
 std::string escaped_markup(std::string_view text) {
   std::string out;
   out.reserve(text.size());
-  for (const char c : text) {
+  for (const char c : printable(text)) {
     switch (c) {
       case '&':
         out += "&amp;";

@@ -12,6 +12,13 @@ namespace cover {
 /// it is empty.
 std::string safe_name(std::string_view name);
 
+/// `name` as people read it: UTF-8 as it is, with '_' for control characters, double quotes and
+/// bytes that are no UTF-8; "unnamed" if it is empty.
+std::string legible_name(std::string_view name);
+
+/// The legible forms of `names`, all different, as unique_safe_names() does it.
+std::vector<std::string> unique_legible_names(std::span<const std::string> names);
+
 /// The safe forms of `names`, all different: the second "Si" becomes "Si_2", and so on.
 ///
 /// ENSURES: a name that is safe and occurs once stays as it is.

@@ -14,11 +14,9 @@
 #include <CGAL/spatial_sort.h>
 
 #include <algorithm>
-#include <array>
-#include <bit>
-#include <numeric>
 
 #include "geom/predicates.hpp"
+#include "geom/rounds.hpp"
 
 namespace cover {
 namespace {
@@ -63,26 +61,6 @@ CdtConflict find_point_on(std::span<const Point> points, IndexPair segment, std:
   return {CdtConflict::Kind::point_on_segment, segment[0], s};
 }
 
-/// The numbers below n in rounds, each about eight times as long as the one before; within a round
-/// they ascend. Long segments that all cross the same edges make insertion in a given order
-/// quadratic, in random order not (J. R. Shewchuk, B. C. Brown, CGTA 48 (2015)); the rounds keep
-/// neighbours together all the same. The numbers are mixed by a fixed function: same input, same
-/// order.
-std::vector<std::uint32_t> rounds(std::size_t n) {
-  const auto round_of = [](std::uint32_t k) {
-    std::uint64_t mixed = (k + std::uint64_t{1}) * 0x9E3779B97F4A7C15U;  // splitmix64
-    mixed = (mixed ^ mixed >> 30) * 0xBF58476D1CE4E5B9U;
-    mixed = (mixed ^ mixed >> 27) * 0x94D049BB133111EBU;
-    return 21 - static_cast<std::size_t>(std::countr_zero(mixed ^ mixed >> 31)) / 3;
-  };
-  std::array<std::uint32_t, 23> next{};  // a counting sort by round
-  for (std::uint32_t k = 0; k < n; ++k) ++next[round_of(k) + 1];
-  std::partial_sum(next.begin(), next.end(), next.begin());
-  std::vector<std::uint32_t> order(n);
-  for (std::uint32_t k = 0; k < n; ++k) order[next[round_of(k)]++] = k;
-  return order;
-}
-
 class Builder {
  public:
   Builder(std::span<const Point> points, std::span<const IndexPair> segments)
@@ -93,7 +71,8 @@ class Builder {
     }
   }
 
-  /// Inserts everything; a conflict stops it.
+  /// Inserts everything; a conflict stops it. Long segments that all cross the same edges make
+  /// insertion in a given order quadratic, in random order not (shewchuk_brown_2015).
   std::vector<CdtConflict> insert_all() {
     insert_points();
     if (!conflicts_.empty()) return conflicts_;
@@ -172,8 +151,36 @@ class Builder {
     return std::min({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
   }
 
+  using Site = std::pair<Kernel::Point_2, std::uint32_t>;
+
+  /// As long as all points are on one line, CGAL passes all of them for the next one. Where so many
+  /// come first, one that is off their line is taken before them. False if there is none.
+  static bool leave_first_line(std::vector<Site>& sites) {
+    constexpr std::ptrdiff_t kMany = 100;
+    if (static_cast<std::ptrdiff_t>(sites.size()) <= kMany) return true;
+    const auto is_off = [&](const Site& site) {
+      return CGAL::orientation(sites[0].first, sites[1].first, site.first) != CGAL::COLLINEAR;
+    };
+    const auto off = std::find_if(sites.begin() + 2, sites.end(), is_off);
+    if (off == sites.end()) return sites[0].first == sites[1].first;
+    if (off - sites.begin() > kMany) std::rotate(sites.begin() + 2, off, off + 1);
+    return true;
+  }
+
+  /// What CGAL would find if all points are on one line, without triangles.
+  void order_along_line(std::vector<Site>& sites) {
+    std::sort(sites.begin(), sites.end());
+    rank_.resize(sites.size());
+    for (std::uint32_t k = 0; k < sites.size(); ++k) {
+      rank_[sites[k].second] = k;
+      if (k == 0 || sites[k].first != sites[k - 1].first) continue;
+      conflicts_.push_back(
+          {CdtConflict::Kind::duplicate_point, sites[k - 1].second, sites[k].second});
+      return;
+    }
+  }
+
   void insert_points() {
-    using Site = std::pair<Kernel::Point_2, std::uint32_t>;
     std::vector<Site> sites;  // and not indices alone: sorting these waits for memory
     sites.reserve(points_.size());
     for (const Point& p : points_) {
@@ -182,6 +189,7 @@ class Builder {
     using Map = CGAL::First_of_pair_property_map<Site>;
     CGAL::spatial_sort(sites.begin(), sites.end(),
                        CGAL::Spatial_sort_traits_adapter_2<Kernel, Map>());
+    if (!leave_first_line(sites)) return order_along_line(sites);
     handles_.resize(points_.size());
     FaceHandle hint;
     for (const auto& [site, k] : sites) {
@@ -207,6 +215,12 @@ class Builder {
   }
 
   void insert_segment(std::uint32_t s) {
+    if (!rank_.empty()) {
+      const std::uint32_t i = rank_[segments_[s][0]], j = rank_[segments_[s][1]];
+      if (std::max(i, j) - std::min(i, j) > 1)
+        conflicts_.push_back(find_point_on(points_, segments_[s], s));
+      return;
+    }
     const auto [a, b] = by_degree(segments_[s][0], segments_[s][1]);
     FaceHandle f;
     int i = 0;
@@ -232,6 +246,7 @@ class Builder {
   std::vector<std::uint32_t> degree_;  ///< segments at each point
   Cdt cdt_;
   std::vector<VertexHandle> handles_;
+  std::vector<std::uint32_t> rank_;  ///< of points along a line that has all of them, if many
   std::vector<CdtConflict> conflicts_;
 };
 

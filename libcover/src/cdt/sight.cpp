@@ -13,7 +13,7 @@ Walk walk_straight(const Triangulation& cdt, std::uint32_t start, Point from, Po
   Walk walk;
   walk.at.triangle = start;
   int entered = -1;
-  for (std::size_t step = 0; step <= cdt.triangles.size(); ++step) {
+  for (; walk.passed <= cdt.triangles.size(); ++walk.passed) {
     const Triangle& f = cdt.triangles[walk.at.triangle];
     int leave = -1;
     for (int i = 0; i < 3; ++i) {

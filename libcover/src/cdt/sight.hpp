@@ -1,6 +1,7 @@
 // Straight walks through a triangulation.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "cdt/sides.hpp"
@@ -12,6 +13,7 @@ namespace cover {
 struct Walk {
   bool arrived = false;
   EdgeRef at;  ///< arrived: a triangle that contains the target; else the edge that stopped it
+  std::size_t passed = 0;  ///< triangles
 };
 
 /// Walks from `from`, a point of triangle `start`, straight towards `to` until a triangle contains

@@ -11,6 +11,7 @@
 
 #include "base/complaint.hpp"
 #include "base/describe.hpp"
+#include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -84,12 +85,10 @@ std::vector<LooseGap> find_loose_gaps(std::span<const Point> points,
 }
 
 std::optional<Input> join_loose_ends(const Input& input, std::vector<Change>& changes) {
-  double largest = 0;
-  for (const Point& p : input.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-  const double spacing = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
   std::vector<IndexPair> segments;
   for (const InputSegment& s : input.segments) segments.push_back({s.a, s.b});
-  std::vector<LooseGap> gaps = find_loose_gaps(input.points, segments, kUnits * spacing);
+  std::vector<LooseGap> gaps =
+      find_loose_gaps(input.points, segments, kUnits * spacing_of(input.points));
   // Equal coordinates are one point anyway.
   std::erase_if(gaps, [](const LooseGap& gap) { return gap.distance == 0; });
   if (gaps.empty()) return std::nullopt;

@@ -3,10 +3,11 @@
 
 #include <fmt/core.h>
 
-#include <numeric>
+#include <algorithm>
 #include <utility>
 
 #include "base/describe.hpp"
+#include "base/union_find.hpp"
 #include "faces/face_measures.hpp"
 #include "faces/faces.hpp"
 #include "faces/materials.hpp"
@@ -62,12 +63,8 @@ Result<Pslg> merge_materials(Pslg pslg, Report& report) {
     const std::string& m = pslg.seeds[x - 1].material;
     return x == y || (!m.empty() && m == pslg.seeds[y - 1].material);
   };
-  std::vector<std::uint32_t> target(faces.count);  // faces that become one, as a forest
-  std::iota(target.begin(), target.end(), 0U);
-  const auto root = [&](std::uint32_t f) {
-    while (target[f] != f) f = target[f] = target[target[f]];
-    return f;
-  };
+  UnionFind united(faces.count);
+  std::vector<std::uint32_t> first_seed = seed;  // by face that stands for its set
   std::vector<std::size_t> kept;
   for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
     const auto [left, right] = faces.of_segment[s];
@@ -76,9 +73,10 @@ Result<Pslg> merge_materials(Pslg pslg, Report& report) {
       kept.push_back(s);
       continue;
     }
-    std::uint32_t first = root(left), second = root(right);
-    if (seed[second] < seed[first]) std::swap(first, second);
-    target[second] = first;
+    const std::uint32_t first =
+        std::min(first_seed[united.find(left)], first_seed[united.find(right)]);
+    united.unite(left, right);
+    first_seed[united.find(left)] = first;
     const Point a = pslg.points[segment.a.index()], b = pslg.points[segment.b.index()];
     report.changes.push_back(
         {Change::Kind::merged,
@@ -92,7 +90,7 @@ Result<Pslg> merge_materials(Pslg pslg, Report& report) {
   for (const std::size_t s : kept) {
     segments.push_back(pslg.segments[s]);
     const auto [left, right] = faces.of_segment[s];
-    pslg.side_seeds.push_back({seed[root(left)], seed[root(right)]});
+    pslg.side_seeds.push_back({first_seed[united.find(left)], first_seed[united.find(right)]});
   }
   pslg.segments = std::move(segments);
   return pslg;

@@ -92,7 +92,9 @@ class Painter {
     if (!clashes_.empty()) return clashes_.error();
     Painting out;
     out.owners = beside_edges(owner_);
-    out.regions = beside_edges(first_owners(merge));
+    const std::vector<std::uint32_t> first = first_owners(merge);
+    out.regions = beside_edges(first);
+    out.sizes = smallest_sizes(first);
     return out;
   }
 
@@ -103,6 +105,19 @@ class Painter {
     out.reserve(graph_.edges.size());
     for (const auto& [left, right] : faces_.of_segment) {
       out.push_back({by_face[left], by_face[right]});
+    }
+    return out;
+  }
+
+  /// By polygon; see Painting::sizes. `first`: by face.
+  [[nodiscard]] std::vector<std::optional<double>> smallest_sizes(
+      const std::vector<std::uint32_t>& first) const {
+    std::vector<std::optional<double>> out(input_.polygons.size());
+    for (std::uint32_t f = 0; f < faces_.count; ++f) {
+      if (owner_[f] == kNoIndex || !input_.polygons[owner_[f]].size) continue;
+      const double wished = *input_.polygons[owner_[f]].size;
+      std::optional<double>& size = out[first[f]];
+      size = std::min(wished, size.value_or(wished));
     }
     return out;
   }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <cover/input.hpp>
@@ -24,6 +25,8 @@ struct Painting {
   /// The first of the polygons that make one region where they touch. Regions end at segments and
   /// lines.
   std::vector<EdgeOwners> regions;
+  /// By polygon, of regions whose first it is: the smallest size that their polygons wish.
+  std::vector<std::optional<double>> sizes;
 };
 
 /// Decides for each edge which polygon owns the face on either side. A face is covered by the

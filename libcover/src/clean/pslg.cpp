@@ -35,6 +35,7 @@ Pslg take_over(const Input& input) {
   Pslg pslg;
   pslg.source = input.source;
   pslg.points = input.points;
+  pslg.point_ids.reserve(input.points.size());
   for (std::size_t k = 0; k < input.points.size(); ++k) {
     pslg.point_ids.push_back(point_id(input, k));
   }
@@ -54,14 +55,16 @@ Pslg take_over(const Input& input) {
   return pslg;
 }
 
-/// Drops what other polygons hide and makes the graph of the rest.
+/// Drops what other polygons hide and makes the graph of the rest; `sizes` are those of
+/// Painting::sizes.
 Result<EdgeGraph> paint_over(const Input& input, const Options& options, Network& network,
                              const EdgeGraph& graph, std::vector<EdgeOwners>& owners,
-                             Report& report) {
+                             std::vector<std::optional<double>>& sizes, Report& report) {
   const bool merge = options.merge_materials;
   Result<Painting> painted = paint(input, options.overlap, merge, network, graph);
   if (!painted) return std::move(painted).error();
   report_polygons(input, network, graph, painted->owners, report);
+  sizes = std::move(painted->sizes);
   const VisibleEdges visible = visible_edges(network, graph, *painted);
   report_splits(input, network, visible.edges, report.changes);
   network = network_of(visible.edges, network);
@@ -86,16 +89,20 @@ Result<Pslg> clean_up(const Input& input, const Options& options, Report& report
   EdgeGraph graph = weld > 0 ? weld_and_node(input, weld, network, report.changes)
                              : node_edges(network, !input.polygons.empty() || !input.lines.empty());
   std::vector<EdgeOwners> owners;
+  std::vector<std::optional<double>> sizes;
   if (input.polygons.empty()) {
     const std::vector<EdgeOwners> none(graph.edges.size(), {kNoIndex, kNoIndex});
-    report_splits(input, network, visible_edges(network, graph, {none, none}).edges,
+    report_splits(input, network, visible_edges(network, graph, {none, none, {}}).edges,
                   report.changes);
   } else {
-    Result<EdgeGraph> painted = paint_over(input, options, network, graph, owners, report);
+    Result<EdgeGraph> painted = paint_over(input, options, network, graph, owners, sizes, report);
     if (!painted) return std::move(painted).error();
     graph = *std::move(painted);
   }
-  return assemble(input, network, graph, owners, report.notes);
+  Pslg pslg = assemble(input, network, graph, owners, report.notes);
+  if (owners.empty()) return pslg;  // no polygon is seen
+  for (std::size_t p = 0; p < sizes.size(); ++p) pslg.seeds[p].size = sizes[p];
+  return pslg;
 }
 
 /// Whether there is anything but void beside the segments.

@@ -15,6 +15,7 @@
 #include <tuple>
 
 #include "base/describe.hpp"
+#include "geom/box.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -54,14 +55,12 @@ double distance_from_segment(Point a, Point b, Point w) {
 
 /// The size of what is drawn; lone points do not count.
 double size_of(const Network& drawing) {
-  Point low = drawing.points[drawing.strands.front().a], high = low;
+  Box box;
   for (const Strand& s : drawing.strands) {
-    for (const Point p : {drawing.points[s.a], drawing.points[s.b]}) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
+    box.add(drawing.points[s.a]);
+    box.add(drawing.points[s.b]);
   }
-  return std::max(high.x - low.x, high.y - low.y);
+  return box.extent();
 }
 
 /// How far each end of a line may be from what it is welded to.

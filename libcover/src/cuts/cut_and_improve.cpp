@@ -128,6 +128,7 @@ class Search {
       for (int e = 0; e < 3; ++e) {
         const std::uint32_t n = excerpt.mesh.triangles[t].n[static_cast<std::size_t>(e)];
         if (!is_side(n) || !is_side(excerpt.outside[side_index(n)])) continue;
+        if (!whole_.is_free(side_index(excerpt.outside[side_index(n)]))) continue;
         const Point a = excerpt.mesh.corner(t, next3(e)), b = excerpt.mesh.corner(t, prev3(e));
         for (const Point& place : places_on(a, b, excerpt.mesh)) {
           if (auto trial = cut_at(excerpt, side_index(n), place, budget)) {

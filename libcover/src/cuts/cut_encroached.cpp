@@ -18,6 +18,7 @@
 #include "box/obstacles.hpp"
 #include "cdt/region_cdt.hpp"
 #include "cuts/cut_segments.hpp"
+#include "cuts/mirror_cuts.hpp"
 #include "cuts/room_on_segment.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
@@ -218,32 +219,56 @@ class Cutter {
   }
 
   std::vector<SegmentCut> choose(const std::vector<Encroached>& found) {
+    const PeriodicClasses classes(pslg_);
     std::vector<SegmentCut> cuts;
     for (const Encroached& e : found) {
-      const std::vector<Point> points = places_on(e);
-      if (points.empty()) {
+      const std::vector<SegmentCut> images = classes.images({e.segment, places_on(e)});
+      if (!has_room(images)) {
         const Segment& s = pslg_.segments[e.segment.index()];
         stuck_.push_back(midpoint(at(s.a), at(s.b)));
         continue;
       }
-      const auto& sides = sides_[e.segment.index()];
-      const bool waits = std::any_of(points.begin(), points.end(), [&](Point p) {
-        return std::any_of(sides.begin(), sides.end(), [&](const SegmentSide& s) {
-          return view(s.region).is_touched(s.side, p);
-        });
-      });
-      if (waits) continue;
+      if (waits(images)) continue;
       const BoxCut::Reason reason =
           e.vertex < first_cut_ ? BoxCut::Reason::encroached : BoxCut::Reason::encroached_by_cut;
-      for (const Point p : points) {
-        for (const SegmentSide& s : sides) view(s.region).touch(s.side, p);
-        done_.push_back({p, reason, e.by});
+      for (const SegmentCut& cut : images) {
+        for (const Point p : cut.points) {
+          for (const SegmentSide& s : sides_[cut.segment.index()]) view(s.region).touch(s.side, p);
+          done_.push_back({p, reason, e.by});
+        }
+        cuts.push_back(cut);
       }
-      cuts.push_back({e.segment, points});
     }
     std::sort(cuts.begin(), cuts.end(),
               [](const SegmentCut& x, const SegmentCut& y) { return x.segment < y.segment; });
     return cuts;
+  }
+
+  /// Whether there are points, and images of them have room too.
+  bool has_room(const std::vector<SegmentCut>& images) {
+    if (images[0].points.empty()) return false;
+    return images.size() == 1 ||
+           std::all_of(images.begin(), images.end(), [&](const SegmentCut& cut) {
+             const Segment& segment = pslg_.segments[cut.segment.index()];
+             std::vector<Point> apexes;
+             for (const SegmentSide& s : sides_[cut.segment.index()])
+               apexes.push_back(view(s.region).apex(s.side));
+             return std::all_of(cut.points.begin(), cut.points.end(), [&](Point p) {
+               return has_room_on_segment(at(segment.a), at(segment.b), p, apexes);
+             });
+           });
+  }
+
+  /// Whether other cuts have changed the surroundings of one of these.
+  bool waits(const std::vector<SegmentCut>& images) {
+    return std::any_of(images.begin(), images.end(), [&](const SegmentCut& cut) {
+      const auto& sides = sides_[cut.segment.index()];
+      return std::any_of(cut.points.begin(), cut.points.end(), [&](Point p) {
+        return std::any_of(sides.begin(), sides.end(), [&](const SegmentSide& s) {
+          return view(s.region).is_touched(s.side, p);
+        });
+      });
+    });
   }
 
   /// Where to cut; empty if there is no room.

@@ -13,6 +13,7 @@
 #include "cdt/couplings.hpp"
 #include "cuts/cut_encroached.hpp"
 #include "cuts/cut_segments.hpp"
+#include "cuts/mirror_cuts.hpp"
 #include "cuts/room_on_segment.hpp"
 #include "geom/vector.hpp"
 #include "quality/fault/missed_targets.hpp"
@@ -133,7 +134,7 @@ class CouplingRounds {
       if (has_room_on_segment(a, b, foot, std::vector<Point>{apex}))
         cuts.push_back({segment, {foot}});
     }
-    return cuts;
+    return PeriodicClasses(pslg).with_images(std::move(cuts));
   }
 
   static std::vector<NegativeSide> negative_sides(const RegionBoundary& boundary,

@@ -21,11 +21,30 @@ void replace(std::vector<SegmentId>& list, const Pieces& pieces, const std::vect
   list = std::move(out);
 }
 
+/// Pairs of pieces. A pair whose segments are not cut alike is dropped.
+std::vector<SegmentPair> pairs_of_pieces(const std::vector<SegmentPair>& pairs,
+                                         const Pieces& pieces) {
+  std::vector<SegmentPair> out;
+  for (SegmentPair pair : pairs) {
+    const auto [from, from_end] = pieces[pair.from.index()];
+    const auto [to, to_end] = pieces[pair.to.index()];
+    const std::size_t count = from_end - from;
+    if (to_end - to != count) continue;
+    for (std::size_t k = 0; k < count; ++k) {
+      pair.from = SegmentId{from + k};
+      pair.to = SegmentId{pair.turned ? to_end - 1 - k : to + k};
+      out.push_back(pair);
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 void cut_segments(Pslg& pslg, RegionTable& table, std::span<const SegmentCut> cuts) {
   std::vector<Segment> segments;
   std::vector<SegmentSides> sides;
+  std::vector<std::array<std::uint32_t, 2>> seeds;
   Pieces pieces;
   auto cut = cuts.begin();
   for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
@@ -45,6 +64,7 @@ void cut_segments(Pslg& pslg, RegionTable& table, std::span<const SegmentCut> cu
     piece.b = pslg.segments[s].b;
     segments.push_back(piece);
     sides.resize(segments.size(), table.sides[s]);
+    if (!pslg.side_seeds.empty()) seeds.resize(segments.size(), pslg.side_seeds[s]);
     pieces.emplace_back(first, segments.size());
     const std::size_t added = segments.size() - first - 1;
     for (const RegionId r : {table.sides[s].left, table.sides[s].right}) {
@@ -60,6 +80,8 @@ void cut_segments(Pslg& pslg, RegionTable& table, std::span<const SegmentCut> cu
   for (Interface& line : table.interfaces) replace(line.segments, pieces, against);
   replace(table.void_segments, pieces, against);
   pslg.segments = std::move(segments);
+  pslg.side_seeds = std::move(seeds);
+  pslg.periodic = pairs_of_pieces(pslg.periodic, pieces);
   table.sides = std::move(sides);
 }
 

@@ -15,7 +15,9 @@ struct SegmentCut {
   std::vector<Point> points;
 };
 
-/// Replaces each cut segment by its pieces, which keep its marker, name, id, sides and interface.
+/// Replaces each cut segment by its pieces, which keep its marker, name, id, circle, sides and
+/// interface. Pieces of periodic segments are pairs as long as both were cut alike, see
+/// with_images(); else neither is periodic any more.
 ///
 /// Pieces of a segment are consecutive. New points come after all others, cut by cut.
 /// REQUIRES: `cuts` in the order of segments, each segment at most once.

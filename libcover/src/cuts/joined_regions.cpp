@@ -22,7 +22,12 @@ constexpr double kLong = 0.64;     ///< of the squared length of the longest sid
 
 JoinedRegions::JoinedRegions(const Pslg& pslg, std::span<const RegionBoundary> boundaries,
                              std::span<const RegionMesh> meshes, const Goal& goal)
-    : goal_(goal), frame_(pslg.points), points_(pslg.points.size()) {
+    : goal_(goal),
+      frame_(pslg.points),
+      points_(pslg.points.size()),
+      is_periodic_(pslg.segments.size(), 0) {
+  for (const SegmentPair& pair : pslg.periodic)
+    is_periodic_[pair.from.index()] = is_periodic_[pair.to.index()] = 1;
   std::vector<Point> points = frame_.points();
   points.resize(2 * points_);  // room for as many cuts
   first_steiner_ = points.size();

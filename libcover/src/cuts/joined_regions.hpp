@@ -41,6 +41,9 @@ class JoinedRegions {
   /// The side on the other side of the segment; kNone: the void.
   [[nodiscard]] std::uint32_t partner(std::uint32_t s) const { return partner_[s]; }
 
+  /// Whether the segment of side `s` may be cut alone: those of periodic sides may not.
+  [[nodiscard]] bool is_free(std::uint32_t s) const { return is_periodic_[segment_[s]] == 0; }
+
   [[nodiscard]] std::size_t points() const { return points_; }  ///< of the PSLG
   [[nodiscard]] std::size_t cuts() const { return cuts_; }
   [[nodiscard]] bool may_cut() const { return cuts_ < points_; }
@@ -76,6 +79,7 @@ class JoinedRegions {
   MutableMesh mesh_;
   std::vector<std::uint32_t> region_;   ///< by side: the index of its region
   std::vector<std::uint32_t> segment_;  ///< by side: the segment that it is a piece of
+  std::vector<std::uint8_t> is_periodic_;  ///< by segment
   std::vector<std::uint32_t> partner_;  ///< by side: the one on the other side; kNone: void
   std::vector<std::uint32_t> beyond_;   ///< by side: the triangle there; kNone: void
   std::vector<std::pair<std::uint32_t, Point>> cut_points_;  ///< with their segments

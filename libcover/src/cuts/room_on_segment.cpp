@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -15,8 +16,7 @@ constexpr double kThinnest =
 }  // namespace
 
 bool has_room_on_segment(Point a, Point b, Point p, std::span<const Point> apexes) {
-  const double largest = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
-  const double room = kThinnest * (std::nextafter(largest, 2 * largest) - largest);
+  const double room = kThinnest * spacing_of(std::array{a, b});
   return std::all_of(apexes.begin(), apexes.end(), [&](Point c) {
     return std::abs(cross(c - a, p - a)) > room * length(c - a) &&
            std::abs(cross(c - b, p - b)) > room * length(c - b);

@@ -21,6 +21,7 @@
 #include "cdt/cdt.hpp"
 #include "cdt/region_cdt.hpp"
 #include "cuts/cut_segments.hpp"
+#include "cuts/mirror_cuts.hpp"
 #include "cuts/room_on_segment.hpp"
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"
@@ -112,6 +113,7 @@ class Splitter {
 
   /// One cut for every segment that a region that changed wants shorter.
   Result<std::vector<SegmentCut>> find_cuts() {
+    const PeriodicClasses classes(pslg_);
     std::vector<RegionBoundary> boundaries = split_regions(pslg_, table_);
     if (Status status = resolve_sizes(pslg_, table_, options_, boundaries); !status) {
       return std::move(status).error();
@@ -140,7 +142,7 @@ class Splitter {
         }
       }
     }
-    return cuts;
+    return classes.with_images(std::move(cuts));
   }
 
   /// Notes what a region wants of its sides: sizes as its mesh will have them, graded from all of
@@ -152,7 +154,8 @@ class Splitter {
       return;
     }
     const Triangulation cdt = std::move(result.triangulation);
-    const SizeField field(boundary, cdt, options_.growth, options_.size_field, first_cut_);
+    const SizeField field(boundary, cdt, options_.growth, background_of(boundary, options_),
+                          first_cut_);
     if (field.is_active()) {
       boundary.size_at.resize(boundary.points.size());
       for (std::uint32_t v = 0; v < boundary.points.size(); ++v) boundary.size_at[v] = field.at(v);
@@ -238,19 +241,23 @@ class Splitter {
   void take_back() {
     std::sort(broken_.begin(), broken_.end());
     Before before = *std::exchange(before_, std::nullopt);
-    std::vector<SegmentCut> cuts;
+    std::vector<SegmentId> rigid;
     std::size_t next = before.pslg.points.size();
-    for (SegmentCut& cut : before.cuts) {
+    for (const SegmentCut& cut : before.cuts) {
       const VertexId first{next};
       next += cut.points.size();
       const auto broken = std::lower_bound(broken_.begin(), broken_.end(), first);
-      if (broken == broken_.end() || broken->index() >= next) {
-        cuts.push_back(std::move(cut));
-        continue;
-      }
-      before.rigid[cut.segment.index()] = 1;
-      mark_dirty(before.table.sides[cut.segment.index()]);
+      if (broken != broken_.end() && broken->index() < next) rigid.push_back(cut.segment);
     }
+    rigid = PeriodicClasses(before.pslg).with_classes(std::move(rigid));
+    for (const SegmentId s : rigid) {
+      before.rigid[s.index()] = 1;
+      mark_dirty(before.table.sides[s.index()]);
+    }
+    std::vector<SegmentCut> cuts = std::move(before.cuts);
+    std::erase_if(cuts, [&](const SegmentCut& cut) {
+      return std::binary_search(rigid.begin(), rigid.end(), cut.segment);
+    });
     pslg_ = before.pslg;
     table_ = before.table;
     whole_ = before.whole;

@@ -1,11 +1,12 @@
 // The coordinates of a packing.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include <cover/point.hpp>
+
+#include "geom/box.hpp"
 
 namespace cover::disks {
 
@@ -15,13 +16,9 @@ class UnitFrame {
  public:
   explicit UnitFrame(const std::vector<Point>& points) {
     if (points.empty()) return;
-    Point high = points[0];
-    origin_ = points[0];
-    for (const Point p : points) {
-      origin_ = {std::min(origin_.x, p.x), std::min(origin_.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    std::frexp(std::max(high.x - origin_.x, high.y - origin_.y), &exponent_);
+    const Box box = box_of(points);
+    origin_ = box.low;
+    std::frexp(box.extent(), &exponent_);
   }
   [[nodiscard]] Point inward(Point p) const {
     return {std::ldexp(p.x - origin_.x, -exponent_), std::ldexp(p.y - origin_.y, -exponent_)};

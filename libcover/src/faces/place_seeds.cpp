@@ -34,13 +34,15 @@ Result<Pslg> place_seeds(const Input& input, Pslg pslg, std::vector<Note>& notes
   std::sort(seeds.begin(), seeds.end());
   for (const auto& [k, f] : seeds) {
     RegionSeed seed = input.seeds[k];
+    seed.size = seeded->size[f];
     if (of_face[f] != 0) {
       const RegionSeed& polygon = pslg.seeds[of_face[f] - 1];
       const bool same = seed.material.empty() || seed.material == polygon.material;
       if (same) seed.material = polygon.material;
       if (same && seed.region.empty()) seed.region = polygon.region;
+      if (same && polygon.size)
+        seed.size = std::min(*polygon.size, seed.size.value_or(*polygon.size));
     }
-    seed.size = seeded->size[f];
     pslg.seeds.push_back(std::move(seed));
     of_face[f] = static_cast<std::uint32_t>(pslg.seeds.size());
   }

@@ -42,6 +42,22 @@ bool HalfEdges::all_different() const {
   return true;
 }
 
+namespace {
+
+/// Lists are left for sorting where so many of their links were passed on average: at hubs.
+constexpr std::size_t kPassedPerHalfEdge = 16;
+
+/// O(n log n), whatever vertices have in common.
+std::vector<std::uint32_t> sorted_opposites(std::size_t vertices,
+                                            std::span<const IndexTriple> triangles) {
+  const HalfEdges half_edges(vertices, triangles);
+  std::vector<std::uint32_t> opposite(3 * triangles.size());
+  for (std::uint32_t h = 0; h < opposite.size(); ++h) opposite[h] = half_edges.twin(h);
+  return opposite;
+}
+
+}  // namespace
+
 std::vector<std::uint32_t> opposite_half_edges(std::size_t vertices,
                                                std::span<const IndexTriple> triangles) {
   constexpr std::uint32_t kAbsent = HalfEdges::kAbsent;
@@ -50,10 +66,15 @@ std::vector<std::uint32_t> opposite_half_edges(std::size_t vertices,
   std::vector<std::uint32_t> waiting(vertices, kAbsent), opposite(3 * triangles.size());
   const auto source = [&](std::uint32_t h) { return triangles[h / 3][h % 3]; };
   const auto target = [&](std::uint32_t h) { return source(HalfEdges::next(h)); };
+  std::size_t passed = 0;
   for (std::uint32_t h = 0; h < opposite.size(); ++h) {
     const std::uint32_t a = source(h), b = target(h);
     std::uint32_t* link = &waiting[std::min(a, b)];
-    while (*link != kAbsent && (source(*link) != b || target(*link) != a)) link = &opposite[*link];
+    while (*link != kAbsent && (source(*link) != b || target(*link) != a)) {
+      link = &opposite[*link];
+      ++passed;
+    }
+    if (passed > kPassedPerHalfEdge * opposite.size()) return sorted_opposites(vertices, triangles);
     if (*link == kAbsent) {
       opposite[h] = waiting[std::min(a, b)];
       waiting[std::min(a, b)] = h;

@@ -82,14 +82,17 @@ void ApexSearch::collect_obstacles(const RegionSide& side) {
   vertices_.clear();
   obstacles_.clear();
   visited_.assign(1, side.triangle);
+  stamp_.resize(cdt.triangles.size(), 0);
+  ++round_;
+  stamp_[side.triangle] = round_;
   for (std::size_t k = 0; k < visited_.size(); ++k) {
     const Triangle& f = cdt.triangles[visited_[k]];
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t s = view_.side_at(visited_[k], i);
       if (s == kNone) {
         const std::uint32_t next = f.n[static_cast<std::size_t>(i)];
-        if (visited_.size() < kTriangles &&
-            std::find(visited_.begin(), visited_.end(), next) == visited_.end()) {
+        if (visited_.size() < kTriangles && stamp_[next] != round_) {
+          stamp_[next] = round_;
           visited_.push_back(next);
           const Triangle& g = cdt.triangles[next];
           vertices_.push_back(local(g.v[static_cast<std::size_t>(g.edge_to(visited_[k]))]));
@@ -98,11 +101,19 @@ void ApexSearch::collect_obstacles(const RegionSide& side) {
       }
       const RegionSide& other = view_.sides()[s];
       const ClearZones::State& zone = zones_.of(s);
-      obstacles_.push_back({local(other.a), local(other.b),
-                            local(view_.seen_from(view_.corner(other.start)).back().vertex),
-                            local(view_.seen_from(view_.corner(other.end)).front().vertex),
-                            zone.clear, zone.cut_at_start, zone.cut_at_end, false, false});
+      obstacles_.push_back({local(other.a),
+                            local(other.b),
+                            {},
+                            {},
+                            zone.clear,
+                            zone.cut_at_start,
+                            zone.cut_at_end,
+                            false,
+                            false});
       Obstacle& o = obstacles_.back();
+      if (zone.cut_at_start)
+        o.before = local(view_.seen_from(view_.corner(other.start)).back().vertex);
+      if (zone.cut_at_end) o.after = local(view_.seen_from(view_.corner(other.end)).front().vertex);
       const double ux = o.d.x - o.c.x, uy = o.d.y - o.c.y;
       const double at_a = uy * o.c.x - ux * o.c.y, at_b = at_a - uy;
       const double room = 8 * (o.c.fuzz + o.d.fuzz) * (1 + std::abs(ux) + std::abs(uy));
@@ -130,8 +141,9 @@ bool ApexSearch::reaches_next(const End& end, double low, double high, double ne
     return range_.least == 0 || std::floor((high + kAngleSlack) / range_.least) >=
                                     std::ceil((low - kAngleSlack) / range_.most);
   }
-  const double can = growth_.log_ratio(std::max(low, 0.0), high);
-  return can >= 0 && std::log(ratio) <= can + 4 * kAngleSlack;
+  const double wanted = std::log(ratio) - 4 * kAngleSlack;
+  return growth_.log_ratio(std::max(low, 0.0), high, std::max(wanted, 0.0)) >=
+         std::max(wanted, 0.0);
 }
 
 bool ApexSearch::ear_is_possible(bool at_a) const {
@@ -157,67 +169,83 @@ bool ApexSearch::is_in_wedge(const Place& at, double turn, const Place& w, const
   return c > room && d - cot_ * c < -room * (1 + std::abs(cot_));
 }
 
-bool ApexSearch::is_in(Ban ban, std::size_t which, const Place& p) const {
+template <ApexSearch::Ban ban>
+bool ApexSearch::is_in(std::size_t which, const Place& p) const {
   const auto left_of = [&p](const Place& c, const Place& d, double turn) {
     const double ux = d.x - c.x, uy = d.y - c.y, vx = p.x - c.x, vy = p.y - c.y;
     return turn * (ux * vy - uy * vx) >
            (p.fuzz + c.fuzz + d.fuzz) * (std::abs(ux) + std::abs(uy) + std::abs(vx) + std::abs(vy));
   };
-  switch (ban) {
-    case Ban::zone: {
-      const Obstacle& o = obstacles_[which];
-      if (!o.has_zone) return false;
-      const double ux = o.c.x - p.x, uy = o.c.y - p.y, vx = o.d.x - p.x, vy = o.d.y - p.y;
-      const double c = ux * vy - uy * vx, d = ux * vx + uy * vy;
-      const double room = (p.fuzz + o.c.fuzz + o.d.fuzz) *
-                          (std::abs(ux) + std::abs(uy) + std::abs(vx) + std::abs(vy));
-      return c > room && d - cot_ * c < -room * (1 + std::abs(cot_)) &&
-             (!o.cut_at_start || left_of(o.before, o.c, 1)) &&
-             (!o.cut_at_end || left_of(o.d, o.after, 1));
-    }
-    case Ban::shadow_of_a:
-    case Ban::shadow_of_b: {
-      const Obstacle& o = obstacles_[which];
-      if (!(ban == Ban::shadow_of_a ? o.faces_a : o.faces_b)) return false;
-      const Place from{ban == Ban::shadow_of_a ? 0.0 : 1.0, 0, kRounding};
-      return left_of(o.c, o.d, -1) && left_of(from, o.c, 1) && left_of(from, o.d, -1);
-    }
-    case Ban::wedge_at_a:
-      return is_in_wedge({0, 0, 0}, 1, a_.seen[which], p);
-    case Ban::wedge_at_b:
-      return is_in_wedge({1, 0, 0}, -1, b_.seen[which], p);
+  if constexpr (ban == Ban::wedge_at_a) {
+    return is_in_wedge({0, 0, 0}, 1, a_.seen[which], p);
+  } else if constexpr (ban == Ban::wedge_at_b) {
+    return is_in_wedge({1, 0, 0}, -1, b_.seen[which], p);
+  } else if constexpr (ban == Ban::zone) {
+    const Obstacle& o = obstacles_[which];
+    if (!o.has_zone) return false;
+    const double ux = o.c.x - p.x, uy = o.c.y - p.y, vx = o.d.x - p.x, vy = o.d.y - p.y;
+    const double c = ux * vy - uy * vx, d = ux * vx + uy * vy;
+    const double room = (p.fuzz + o.c.fuzz + o.d.fuzz) *
+                        (std::abs(ux) + std::abs(uy) + std::abs(vx) + std::abs(vy));
+    return c > room && d - cot_ * c < -room * (1 + std::abs(cot_)) &&
+           (!o.cut_at_start || left_of(o.before, o.c, 1)) &&
+           (!o.cut_at_end || left_of(o.d, o.after, 1));
+  } else {
+    const Obstacle& o = obstacles_[which];
+    if (!(ban == Ban::shadow_of_a ? o.faces_a : o.faces_b)) return false;
+    const Place from{ban == Ban::shadow_of_a ? 0.0 : 1.0, 0, kRounding};
+    return left_of(o.c, o.d, -1) && left_of(from, o.c, 1) && left_of(from, o.d, -1);
   }
-  return false;
 }
 
-bool ApexSearch::is_tip_of(Ban ban, std::size_t which, const Place& p) const {
+bool ApexSearch::is_tip_of_zone(std::size_t which, const Place& p) const {
   // A zone is convex and has the ends of its side on its rim. So a triangle that has one of them as
   // corner lies in the zone, but for that, if both other corners do.
-  if (ban != Ban::zone || p.y != 0 || !obstacles_[which].has_zone) return false;
+  if (p.y != 0 || !obstacles_[which].has_zone) return false;
   const Obstacle& o = obstacles_[which];
   const double end = p.x < 0.5 ? 0 : 1;
   return (o.d.x == end && o.d.y == 0) || (o.c.x == end && o.c.y == 0);
 }
 
+template <ApexSearch::Ban ban>
+bool ApexSearch::are_in(std::size_t which, const Place (&corners)[4]) {
+  for (const Place& p : corners) {
+    if (is_in<ban>(which, p)) continue;
+    if (ban != Ban::zone || !is_tip_of_zone(which, p)) return false;
+  }
+  last_ban_ = ban;
+  last_which_ = which;
+  return true;
+}
+
+bool ApexSearch::are_in_last(const Place (&corners)[4]) {
+  switch (last_ban_) {
+    case Ban::zone:
+      return !obstacles_.empty() && are_in<Ban::zone>(last_which_, corners);
+    case Ban::shadow_of_a:
+      return are_in<Ban::shadow_of_a>(last_which_, corners);
+    case Ban::shadow_of_b:
+      return are_in<Ban::shadow_of_b>(last_which_, corners);
+    case Ban::wedge_at_a:
+      return are_in<Ban::wedge_at_a>(last_which_, corners);
+    case Ban::wedge_at_b:
+      return are_in<Ban::wedge_at_b>(last_which_, corners);
+  }
+  return false;
+}
+
 bool ApexSearch::is_banned(const Place (&corners)[4]) {
-  const auto all_in = [&](Ban ban, std::size_t which) {
-    for (const Place& p : corners) {
-      if (!is_in(ban, which, p) && !is_tip_of(ban, which, p)) return false;
-    }
-    last_ban_ = ban;
-    last_which_ = which;
-    return true;
-  };
-  if (!obstacles_.empty() && all_in(last_ban_, last_which_)) return true;
+  if (are_in_last(corners)) return true;
   for (std::size_t k = 0; k < obstacles_.size(); ++k) {
-    if (all_in(Ban::zone, k) || all_in(Ban::shadow_of_a, k) || all_in(Ban::shadow_of_b, k))
+    if (are_in<Ban::zone>(k, corners) || are_in<Ban::shadow_of_a>(k, corners) ||
+        are_in<Ban::shadow_of_b>(k, corners))
       return true;
   }
   for (std::size_t k = 0; k < a_.seen.size(); ++k) {
-    if (all_in(Ban::wedge_at_a, k)) return true;
+    if (are_in<Ban::wedge_at_a>(k, corners)) return true;
   }
   for (std::size_t k = 0; k < b_.seen.size(); ++k) {
-    if (all_in(Ban::wedge_at_b, k)) return true;
+    if (are_in<Ban::wedge_at_b>(k, corners)) return true;
   }
   return false;
 }
@@ -288,6 +316,11 @@ bool ApexSearch::is_out(const Box& box) {
          end_is_out(b_, box.b[0].angle, box.b[1].angle, near_b, far_b);
 }
 
+bool ApexSearch::nothing_forbids(const Direction& at_a, const Direction& at_b) {
+  return at_a.angle + at_b.angle < std::numbers::pi - kFlat &&
+         !is_out({{at_a, at_a}, {at_b, at_b}});
+}
+
 bool ApexSearch::has_none(std::uint32_t side, std::uint64_t& budget) {
   enter(side);
   if (ear_is_possible(true) || ear_is_possible(false)) return false;
@@ -299,6 +332,8 @@ bool ApexSearch::has_none(std::uint32_t side, std::uint64_t& budget) {
   const auto direction = [](double angle) {
     return Direction{angle, std::sin(angle), std::cos(angle)};
   };
+  if (nothing_forbids(direction(std::numbers::pi / 3), direction(std::numbers::pi / 3)))
+    return false;
   const double from = std::max(0.0, least - kAngleSlack);
   stack_.assign(1, {{direction(from), direction(most_a + kAngleSlack)},
                     {direction(from), direction(most_b + kAngleSlack)}});
@@ -317,10 +352,7 @@ bool ApexSearch::has_none(std::uint32_t side, std::uint64_t& budget) {
       // A place that nothing forbids ends the search at once.
       const Direction other = direction(cut_a ? (box.b[0].angle + box.b[1].angle) / 2
                                               : (box.a[0].angle + box.a[1].angle) / 2);
-      const Direction &at_a = cut_a ? middle : other, &at_b = cut_a ? other : middle;
-      if (at_a.angle + at_b.angle < std::numbers::pi - kFlat &&
-          !is_out({{at_a, at_a}, {at_b, at_b}}))
-        return false;
+      if (cut_a ? nothing_forbids(middle, other) : nothing_forbids(other, middle)) return false;
     }
     Box first = box, second = box;
     (cut_a ? first.a : first.b)[1] = middle;

@@ -45,7 +45,8 @@ class ApexSearch {
   };
   /// A side that an apex must keep clear of.
   struct Obstacle {
-    Place c, d, before, after;
+    Place c, d;
+    Place before, after;  ///< known where the zone is cut there
     bool has_zone, cut_at_start, cut_at_end;
     bool faces_a, faces_b;  ///< the ends of the side lie strictly on its left
   };
@@ -67,12 +68,17 @@ class ApexSearch {
   [[nodiscard]] bool angles_are_in_range(double x, double y, double z) const;
   [[nodiscard]] bool reaches_next(const End& end, double low, double high, double near,
                                   double far) const;
-  [[nodiscard]] bool is_in(Ban ban, std::size_t which, const Place& p) const;
+  template <Ban ban>
+  [[nodiscard]] bool is_in(std::size_t which, const Place& p) const;
   [[nodiscard]] bool is_in_wedge(const Place& at, double turn, const Place& w,
                                  const Place& p) const;
-  [[nodiscard]] bool is_tip_of(Ban ban, std::size_t which, const Place& p) const;
+  [[nodiscard]] bool is_tip_of_zone(std::size_t which, const Place& p) const;
+  template <Ban ban>
+  [[nodiscard]] bool are_in(std::size_t which, const Place (&corners)[4]);
+  [[nodiscard]] bool are_in_last(const Place (&corners)[4]);
   [[nodiscard]] bool is_banned(const Place (&corners)[4]);
   [[nodiscard]] bool is_out(const Box& box);
+  [[nodiscard]] bool nothing_forbids(const Direction& at_a, const Direction& at_b);
   [[nodiscard]] bool contains_vertex(const Box& box) const;
   [[nodiscard]] bool end_is_out(const End& end, double low, double high, double near,
                                 double far) const;
@@ -92,6 +98,8 @@ class ApexSearch {
   std::vector<Place> vertices_;
   std::vector<Obstacle> obstacles_;
   std::vector<std::uint32_t> visited_;
+  std::vector<std::uint32_t> stamp_;  ///< by triangle: the last round in which it was visited
+  std::uint32_t round_ = 0;
   Ban last_ban_ = Ban::zone;
   std::size_t last_which_ = 0;
   std::vector<Box> stack_;

@@ -17,6 +17,7 @@ namespace cover {
 namespace {
 
 constexpr double kLogSlack = 1e-8;  ///< per triangle: rounding, and the tangent found by bisection
+constexpr int kMostInFan = 96;  ///< larger fans are not bounded: what they prove is next to nothing
 
 }  // namespace
 
@@ -27,6 +28,7 @@ FanGrowth::FanGrowth(AngleRange range) : range_(range) {
   const double kink = std::numbers::pi - range.most - range.least;
   peak_ = std::clamp(kink, peak_, std::numbers::pi - 2 * range.least);
   start_ = std::max(0.0, of_one(range.least));
+  at_peak_ = of_one(peak_);
   steepest_from_ = range.least;
   if (!(kink > range.least)) return;
   // The slope of the chord from the start grows up to the tangent point and falls after it.
@@ -49,10 +51,11 @@ double FanGrowth::of_one(double angle) const {
 }
 
 double FanGrowth::concave(double angle) const {
+  if (angle == peak_ && peak_ >= steepest_from_) return at_peak_;
   return angle < steepest_from_ ? start_ + slope_ * (angle - range_.least) : of_one(angle);
 }
 
-double FanGrowth::log_ratio(double low, double high) const {
+double FanGrowth::log_ratio(double low, double high, double enough) const {
   if (!(range_.least > 0)) {
     // Thin triangles lead anywhere, if the angle is large enough for one of them.
     if (high >= std::numbers::pi - range_.most - 4 * kAngleSlack)
@@ -62,19 +65,46 @@ double FanGrowth::log_ratio(double low, double high) const {
   }
   if (high < range_.least - kAngleSlack) return -1;
   const double least = range_.least;
-  const auto most_triangles = static_cast<int>((high + kAngleSlack) / least);
-  const int fewest = std::max(1, static_cast<int>(std::ceil((low - kAngleSlack) / range_.most)));
-  double best = -1, previous = -1;
-  for (int k = fewest; k <= std::max(most_triangles, 1); ++k) {
+  const auto value_of = [&](int k) {
     const double from = std::max(low / k, least), to = std::min(high / k, range_.most);
-    if (from > to + kAngleSlack) continue;
     const double angle = std::clamp(peak_, std::min(from, to), std::max(from, to));
-    const double value = k == 1 ? of_one(angle) : k * concave(angle);
-    if (value < 0) continue;
-    best = std::max(best, value + k * kLogSlack);
-    if (k > 1 && value < previous) break;
-    if (k > 1) previous = value;
+    return k == 1 ? of_one(angle) : k * concave(angle);
+  };
+  double best = -1;
+  // True if that is enough. The slack is that of k + 1, which may be as good but for rounding.
+  const auto take = [&](int k, double value) {
+    if (value >= 0) best = std::max(best, value + (k + 1) * kLogSlack);
+    return best >= enough;
+  };
+  int fewest = std::max(1, static_cast<int>(std::ceil((low - kAngleSlack) / range_.most)));
+  const double room = (high + kAngleSlack) / least;
+  int most = room > kMostInFan ? kMostInFan + 1 : std::max(1, static_cast<int>(room));
+  if (fewest > most) return best;
+  if (fewest == 1 && (take(1, value_of(1)) || most == 1)) return best;
+  fewest = std::max(fewest, 2);
+  // The best k is where the values stop growing; first near the beginning, where it mostly is.
+  for (int step = 4; fewest < most; step *= 4) {
+    const int middle = std::min(fewest + step, most) - 1;
+    const double value = value_of(middle);
+    if (take(middle, value)) return best;
+    if (value_of(middle + 1) < value) {
+      most = middle;
+      break;
+    }
+    fewest = middle + 1;
   }
+  while (fewest < most) {
+    const int middle = (fewest + most) / 2;
+    const double value = value_of(middle);
+    if (take(middle, value)) return best;
+    if (value_of(middle + 1) < value) {
+      most = middle;
+    } else {
+      fewest = middle + 1;
+    }
+  }
+  if (fewest > kMostInFan) return std::numeric_limits<double>::infinity();
+  take(fewest, value_of(fewest));
   return best;
 }
 

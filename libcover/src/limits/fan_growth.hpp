@@ -1,6 +1,8 @@
 // How fast the edges at a vertex can become longer, from one to the next.
 #pragma once
 
+#include <limits>
+
 #include "limits/angle_range.hpp"
 
 namespace cover {
@@ -14,10 +16,12 @@ class FanGrowth {
   explicit FanGrowth(AngleRange range);
 
   /// An upper bound of the logarithm of the ratio, for angles at the vertex from `low` to `high`;
-  /// negative if no triangles can have such a sum.
+  /// negative if no triangles can have such a sum, infinite if the bound still grows with the 96th
+  /// triangle. Where it is `enough` or more, whatever is found first that is.
   ///
-  /// Cost: O(1); at most O(high / least)
-  [[nodiscard]] double log_ratio(double low, double high) const;
+  /// Cost: O(1)
+  [[nodiscard]] double log_ratio(double low, double high,
+                                 double enough = std::numeric_limits<double>::infinity()) const;
 
   /// The least part of the length of the first edge to which its far side can come down within
   /// `angle` of it: a vertex in that direction that is nearer than this lies in a triangle.
@@ -33,7 +37,8 @@ class FanGrowth {
   double steepest_from_ = 0;  ///< up to here the concave majorant is a straight line,
   double start_ = 0;          ///< which begins with this at the least angle
   double slope_ = 0;
-  double peak_ = 0;  ///< the angle at which one triangle grows most
+  double peak_ = 0;     ///< the angle at which one triangle grows most
+  double at_peak_ = 0;  ///< so much
 };
 
 }  // namespace cover

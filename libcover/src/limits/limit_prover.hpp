@@ -27,9 +27,10 @@ struct ProvenLimits {
 
 /// How hard a limit is looked for, in boxes (about 0.2 us each).
 struct ProofEffort {
-  std::uint64_t per_side = 20;     ///< for a whole region, times its sides,
+  std::uint64_t per_side = 10;     ///< for a whole region, times its sides,
   std::uint64_t per_region = 400;  ///< and this
-  std::uint64_t per_search = 400;  ///< for one side and one question
+  std::uint64_t per_search = 400;  ///< for one side and one question,
+  std::uint64_t at_first = 16;     ///< of which so many before the next side is asked
 };
 
 /// Proves limits of one region.
@@ -59,10 +60,18 @@ class LimitProver {
   ProvenLimits prove(const ReachedAngles& reached, const ReachedAngles& wanted,
                      const ProofEffort& effort = {});
 
+  /// Whether a mesh that has reached that is within a degree of its limits: what prove() says in
+  /// full, by its first questions.
+  ///
+  /// REQUIRES: as prove()
+  bool is_near(const ReachedAngles& reached, const ReachedAngles& wanted,
+               const ProofEffort& effort = {});
+
  private:
   RegionView view_;
   double nu_opt_;
   std::uint32_t last_refuter_ = 0;  ///< the side that settled the last question
+  std::vector<std::uint32_t> undecided_;
 };
 
 }  // namespace cover

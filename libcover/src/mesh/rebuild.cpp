@@ -10,6 +10,7 @@
 
 #include <fmt/core.h>
 
+#include "base/out_of_memory.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 #include "mesh/mesh_builder.hpp"
@@ -36,6 +37,7 @@ class Rebuilder {
     out_.report.quality = measure_angles(soup_.points, soup_.triangles);
     if (std::optional<Error> error = add_segments()) return *std::move(error);
     set_vertices();
+    if (std::optional<Error> error = add_periodic()) return *std::move(error);
     return std::move(out_);
   }
 
@@ -51,6 +53,11 @@ class Rebuilder {
       return wrong("a coordinate is not finite");
     }
     if (stored.input_vertices > soup.points.size()) return wrong("more input points than points");
+    for (const Interface& line : stored.interfaces) {
+      if (std::max(line.left.index(), line.right.index()) > stored.regions.size())
+        return wrong(fmt::format("interface {} has a side in region {}, which is not there",
+                                 line.id.value(), std::max(line.left.value(), line.right.value())));
+    }
     const std::size_t most = stored.regions.empty() ? n : stored.regions.size();
     for (std::size_t t = 0; t < n; ++t) {
       for (const std::uint32_t v : soup.triangles[t]) {
@@ -143,6 +150,33 @@ class Rebuilder {
     return std::nullopt;
   }
 
+  std::optional<Error> add_periodic() {
+    const TriMesh& tri = out_.mesh.tri();
+    const auto is_edge = [&](std::uint32_t a, std::uint32_t b) {
+      const std::size_t n = soup_.points.size();
+      return a < n && b < n &&
+             tri.find_halfedge(TriMesh::VertexHandle(static_cast<int>(a)),
+                               TriMesh::VertexHandle(static_cast<int>(b)))
+                 .is_valid();
+    };
+    for (const PeriodicNodes& nodes : stored_.periodic) {
+      for (const auto& [a, b, a2, b2] : nodes.edges) {
+        if (!is_edge(a, b) || !is_edge(a2, b2))
+          return wrong(
+              fmt::format("the periodic edges from vertex {} to {} and from {} to {} are "
+                          "no edges of the mesh",
+                          a, b, a2, b2));
+      }
+      for (const auto& pair : nodes.vertices) {
+        if (std::max(pair[0], pair[1]) >= soup_.points.size())
+          return wrong(fmt::format("the periodic vertices {} and {} are not both in the mesh",
+                                   pair[0], pair[1]));
+      }
+    }
+    out_.periodic = stored_.periodic;
+    return std::nullopt;
+  }
+
   void make_up_interfaces() {
     std::vector<bool> known(out_.mesh.tri().n_edges());
     for (const auto edge : segment_edge_) known[static_cast<std::size_t>(edge.idx())] = true;
@@ -218,8 +252,10 @@ class Rebuilder {
 }  // namespace
 
 Result<Output> rebuild(const StoredMesh& stored) {
-  if (std::optional<Error> error = Rebuilder::check(stored)) return *std::move(error);
-  return Rebuilder(stored).run();
+  return memory_as_value("rebuild", [&]() -> Result<Output> {
+    if (std::optional<Error> error = Rebuilder::check(stored)) return *std::move(error);
+    return Rebuilder(stored).run();
+  });
 }
 
 }  // namespace cover

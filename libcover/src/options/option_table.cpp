@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/expression.hpp"
 #include "options/option_kinds.hpp"
+#include "options/periodic_rule.hpp"
 
 namespace cover {
 namespace {
@@ -21,6 +23,8 @@ using option_kinds::whole;
 using option_kinds::word;
 
 using Texts = std::vector<std::string>;
+
+const std::array<std::string, 2> kPlace{"x", "y"};
 
 /// auto, off or a number.
 constexpr OptionEntry weld(OptionEntry row) {
@@ -54,12 +58,18 @@ constexpr OptionEntry sizes(OptionEntry row) {
     const std::size_t equals = text.rfind('=');
     const bool named = equals != std::string_view::npos;
     SizeRule rule{std::string(named ? text.substr(0, equals) : ""), 0, At};
-    const std::optional<double> size = parse<double>(named ? text.substr(equals + 1) : text);
-    if (!size || !self.range.holds(*size) || (At && rule.name.empty())) {
+    const std::string_view value = named ? text.substr(equals + 1) : text;
+    const std::optional<double> size = parse<double>(value);
+    if ((size && !self.range.holds(*size)) || (At && (!size || rule.name.empty())) ||
+        value.empty()) {
       return bad_option(
           fmt::format("'{}' is not {}=h with a length h above 0", text, At ? "NAME" : "h or NAME"));
     }
-    rule.size = *size;
+    if (!size) {
+      if (const auto formula = Expression::parse(value, kPlace); !formula) return formula.error();
+      rule.expression = value;
+    }
+    rule.size = size.value_or(0);
     options.sizes.push_back(std::move(rule));
     return ok();
   };
@@ -67,14 +77,21 @@ constexpr OptionEntry sizes(OptionEntry row) {
     Texts texts;
     for (const SizeRule& rule : options.sizes) {
       if (rule.at != At) continue;
-      texts.push_back(rule.name.empty() ? describe(rule.size)
-                                        : fmt::format("{}={}", rule.name, rule.size));
+      const std::string size = rule.expression.empty() ? describe(rule.size) : rule.expression;
+      texts.push_back(rule.name.empty() ? size : fmt::format("{}={}", rule.name, size));
     }
     return texts;
   };
   row.check = [](const OptionEntry& self, const Options& options) -> Status {
     for (const SizeRule& rule : options.sizes) {
-      if (rule.at != At || self.range.holds(rule.size)) continue;
+      if (rule.at != At) continue;
+      if (!rule.expression.empty()) {
+        if (At) return bad_option("sizes at lines and points are lengths, not expressions");
+        const auto formula = Expression::parse(rule.expression, kPlace);
+        if (!formula) return formula.error();
+        continue;
+      }
+      if (self.range.holds(rule.size)) continue;
       return bad_option(fmt::format("the size for '{}' is {}, but must be {}", rule.name, rule.size,
                                     describe(self.range)));
     }
@@ -99,6 +116,94 @@ constexpr OptionEntry size_field(OptionEntry row) {
   row.check = [](const OptionEntry&, const Options& options) -> Status {
     if (options.size_field || options.size_field_name.empty()) return ok();
     return bad_option(fmt::format("size_field: {} has not been read", options.size_field_name));
+  };
+  return row;
+}
+
+/// What the sizes of the file shall follow: a function of its values.
+constexpr OptionEntry size_of(OptionEntry row) {
+  row.kind = OptionKind::text;
+  row.set = [](const OptionEntry&, std::string_view text, Options& options) -> Status {
+    if (text.empty()) return bad_option("a function or an expression is needed");
+    options.size_of = text;
+    return ok();
+  };
+  row.get = [](const OptionEntry&, const Options& options) {
+    return options.size_of.empty() ? Texts() : Texts{options.size_of};
+  };
+  return row;
+}
+
+/// A name at the beginning of `text`, in quotation marks or up to one of `ends`; it is taken off.
+std::optional<std::string> take_name(std::string_view& text, std::string_view ends) {
+  const bool is_quoted = text.starts_with('"');
+  const std::size_t stop = is_quoted ? text.find('"', 1) : text.find_first_of(ends);
+  if (is_quoted && stop == text.npos) return std::nullopt;
+  const std::string name(text.substr(is_quoted ? 1 : 0, is_quoted ? stop - 1 : stop));
+  text.remove_prefix(stop == text.npos ? text.size() : stop + (is_quoted ? 1 : 0));
+  if (name.empty()) return std::nullopt;
+  return name;
+}
+
+/// What stands behind the @ of a pair of sides.
+bool take_map(std::string_view text, PeriodicRule& rule) {
+  if (text == "mirror") {
+    rule.map = PeriodicRule::Map::mirror;
+    return true;
+  }
+  const std::size_t comma = text.find(','), colon = text.find(':');
+  if (comma == text.npos || colon == text.npos || colon < comma) return false;
+  const auto x = parse<double>(text.substr(0, comma));
+  const auto y = parse<double>(text.substr(comma + 1, colon - comma - 1));
+  const auto degrees = parse<double>(text.substr(colon + 1));
+  if (!x || !y || !degrees) return false;
+  rule.map = PeriodicRule::Map::rotation;
+  rule.centre = {*x, *y};
+  rule.angle = Angle::degrees(*degrees);
+  return true;
+}
+
+std::string quoted(const std::string& name) {
+  return name.find_first_of("=@\"") == name.npos ? name : '"' + name + '"';
+}
+
+/// A pair of sides and the map that takes the one to the other.
+constexpr OptionEntry periodic(OptionEntry row) {
+  row.kind = OptionKind::text;
+  row.repeats = true;
+  row.set = [](const OptionEntry&, std::string_view text, Options& options) -> Status {
+    PeriodicRule rule;
+    std::string_view rest = text;
+    const auto from = take_name(rest, "=");
+    bool good = from && rest.starts_with('=');
+    if (good) rest.remove_prefix(1);
+    const auto to = good ? take_name(rest, "@") : std::nullopt;
+    good = to && (rest.empty() || (rest.starts_with('@') && take_map(rest.substr(1), rule)));
+    if (!good)
+      return bad_option(fmt::format(
+          "'{}' is not A=B, A=B@x,y:degrees or A=B@mirror with the names of two lines", text));
+    rule.from = *from;
+    rule.to = *to;
+    options.periodic.push_back(std::move(rule));
+    return ok();
+  };
+  row.get = [](const OptionEntry&, const Options& options) {
+    Texts texts;
+    for (const PeriodicRule& rule : options.periodic) {
+      std::string text = quoted(rule.from) + "=" + quoted(rule.to);
+      if (rule.map == PeriodicRule::Map::mirror) text += "@mirror";
+      if (rule.map == PeriodicRule::Map::rotation)
+        text +=
+            fmt::format("@{},{}:{:.12g}", rule.centre.x, rule.centre.y, rule.angle.in_degrees());
+      texts.push_back(std::move(text));
+    }
+    return texts;
+  };
+  row.check = [](const OptionEntry&, const Options& options) -> Status {
+    for (const PeriodicRule& rule : options.periodic) {
+      if (Status status = check_rule(rule); !status) return status;
+    }
+    return ok();
   };
   return row;
 }
@@ -201,8 +306,10 @@ constexpr OptionEntry kTable[] = {
     sizes<false>({
         .name = "size", .placeholder = "[NAME=]h",
         .help = "Edge length inside: everywhere (h), or in a region or material (NAME=h), by name, "
-                "number of the material, or region:ID",
-        .more = "The ID is the number that reports give a region. Where several sizes hold, the "
+                "number of the material, or region:ID; a number or an expression of x and y",
+        .more = "The ID is the number that reports give a region. Expressions, as 0.1+0.3*abs(y), "
+                "have + - * / ^, pi, min, max, abs, sqrt, exp, log, sin, cos, asinh, tanh; where "
+                "they are no number above zero they ask for nothing. Where several sizes hold, the "
                 "smallest counts."}),
     sizes<true>({
         .name = "size-at", .placeholder = "NAME=h",
@@ -218,9 +325,22 @@ constexpr OptionEntry kTable[] = {
     size_field({
         .name = "size-field", .placeholder = "FILE",
         .help = "Background edge lengths: point array (size, h or the only one) of a plane mesh in "
-                ".vtu, .vtp, .vti or .vtk; linear between points",
+                ".vtu, .vtp, .vti or .vtk, or points x,y,h in .csv; linear between points",
         .more = "In the unit of the coordinates. Outside, what holds at the nearest place. Lengths "
-                "are lowered where they differ faster than --growth allows."}),
+                "are lowered where they differ faster than --growth allows. Points of a .csv are "
+                "joined by their Delaunay triangulation."}),
+    size_of({
+        .name = "size-of", .placeholder = "F",
+        .needs = "size-field",
+        .help = "Take the values of --size-field for what is to be resolved, not for lengths: a "
+                "function (asinh) of the only array, or an expression of arrays, as asinh(doping)",
+        .more = "Edges are as long as this changes by --size-step along them. The functions are "
+                "those of --size; names of arrays with other characters stand in single quotes."}),
+    number<&Options::size_step>({
+        .name = "size-step", .placeholder = "S",
+        .range = ranges::kSize,
+        .needs = "size-of",
+        .help = "The largest change of what --size-of names along an edge"}),
     number<&Options::growth>({
         .name = "growth", .placeholder = "G",
         .range = ranges::kGrowth,
@@ -246,6 +366,15 @@ constexpr OptionEntry kTable[] = {
         .help = "Unite ends closer than this part of the drawing's size, at most 1/8 of the "
                 "shortest line there: auto, off or a number (default: auto for polygons, off for "
                 "segments)",
+        .group = OptionGroup::cleaning}),
+    periodic({
+        .name = "periodic", .placeholder = "A=B",
+        .help = "Make the lines A and B images of each other, and whatever cuts one of them cut "
+                "both: by translation (A=B), rotation (A=B@x,y:degrees) or reflection (A=B@mirror)",
+        .more = "Names are those of contacts, interfaces and outlines that info shows, or boundary "
+                "markers; a name with = or @ stands in quotation marks. Points that only one of "
+                "the lines has are put on the other. Pairs of nodes stand in .msh, in the array "
+                "PeriodicNode of VTK's files and in the manifest. Not with --method nonobtuse.",
         .group = OptionGroup::cleaning}),
     flag<&Options::strict>({
         .name = "strict",
@@ -305,6 +434,8 @@ Status check_options(const Options& options) {
     return bad_option("box_method needs method quality: the almond method minds no couplings");
   if (options.box_method && options.method == Method::nonobtuse)
     return bad_option("box_method needs method quality: method nonobtuse cuts segments by itself");
+  if (!options.periodic.empty() && options.method == Method::nonobtuse)
+    return bad_option("periodic needs another method: method nonobtuse cuts segments by itself");
   if (options.box_method && options.hull)
     return bad_option("box_method cuts segments, and sides of a hull are none: not with hull");
   for (const OptionEntry& entry : kTable) {

@@ -15,6 +15,7 @@
 #include <fmt/core.h>
 
 #include "base/errors.hpp"
+#include "geom/box.hpp"
 #include "geom/vector.hpp"
 #include "picture/labels.hpp"
 #include "picture/legend.hpp"
@@ -29,14 +30,9 @@ constexpr double kFooter = 34;
 constexpr Colour kMark{200, 0, 40};
 constexpr double kRing = 8;  ///< radius of a mark with its line
 
-PictureWindow bounds(const std::vector<Point>& points) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  PictureWindow box{{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
-  for (const Point p : points) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
-  return box;
+PictureWindow window_around(std::span<const Point> points) {
+  const Box box = box_of(points);
+  return {box.low, box.high};
 }
 
 std::string name_of(const std::map<std::int64_t, std::string>& names, std::int64_t id,
@@ -60,7 +56,7 @@ class Composer {
       : mesh_(mesh), soup_(mesh.mesh.soup), options_(options) {}
 
   Result<Drawing> run() {
-    const PictureWindow window = options_.window ? *options_.window : bounds(soup_.points);
+    const PictureWindow window = options_.window ? *options_.window : window_around(soup_.points);
     if (!(window.low.x < window.high.x) || !(window.low.y < window.high.y)) {
       return bad_option("the window of the picture is empty");
     }
@@ -122,9 +118,8 @@ class Composer {
 
   void find_visible() {
     for (std::size_t t = 0; t < soup_.triangles.size(); ++t) {
-      PictureWindow box =
-          bounds({soup_.points[soup_.triangles[t][0]], soup_.points[soup_.triangles[t][1]],
-                  soup_.points[soup_.triangles[t][2]]});
+      Box box;
+      for (const std::uint32_t v : soup_.triangles[t]) box.add(soup_.points[v]);
       if (box.low.x <= window_.high.x && box.high.x >= window_.low.x &&
           box.low.y <= window_.high.y && box.high.y >= window_.low.y) {
         visible_.push_back(t);

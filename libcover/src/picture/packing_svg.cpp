@@ -10,6 +10,7 @@
 
 #include <cover/packing.hpp>
 
+#include "geom/box.hpp"
 #include "io/files/atomic_file.hpp"
 
 namespace cover {
@@ -79,20 +80,16 @@ class PackingSvg {
   }
 
   void find_frame() {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    Point low{kInfinity, kInfinity}, high{-kInfinity, -kInfinity};
+    Box box;
     for (const PackingRecord& packing : packings_) {
       for (const auto& line : packing.outline) {
-        for (const Point p : line) {
-          low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-          high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-        }
+        for (const Point p : line) box.add(p);
       }
     }
-    if (!(high.x > low.x && high.y > low.y)) low = {0, 0}, high = {1, 1};
-    low_ = low;
-    scale_ = (width_ - 2 * kMargin) / (high.x - low.x);
-    height_ = (high.y - low.y) * scale_ + 2 * kMargin;
+    if (!(box.width() > 0 && box.height() > 0)) box = {{0, 0}, {1, 1}};
+    low_ = box.low;
+    scale_ = (width_ - 2 * kMargin) / box.width();
+    height_ = box.height() * scale_ + 2 * kMargin;
   }
 
   [[nodiscard]] Point pixel(Point p) const {

@@ -8,6 +8,7 @@
 #include <cover/picture.hpp>
 
 #include "base/markup.hpp"
+#include "base/out_of_memory.hpp"
 #include "io/files/atomic_file.hpp"
 #include "picture/compose.hpp"
 
@@ -76,29 +77,34 @@ class SvgWriter {
 }  // namespace
 
 Result<std::string> svg_text(const PictureMesh& mesh, const PictureOptions& options) {
-  Result<Drawing> composed = compose(mesh, options);
-  if (!composed) return std::move(composed).error();
-  const Drawing& drawing = *composed;
-  const PixelBox& box = drawing.plot;
-  std::string out = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
-      "viewBox=\"0 0 {0} {1}\" font-family=\"Helvetica, Arial, sans-serif\">\n"
-      "<clipPath id=\"{6}\"><rect x=\"{2:.1f}\" y=\"{3:.1f}\" width=\"{4:.1f}\" "
-      "height=\"{5:.1f}\"/></clipPath>\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
-      drawing.width, drawing.height, box.x0, box.y0, box.x1 - box.x0, box.y1 - box.y0, options.id);
-  SvgWriter writer(out, options.id);
-  for (const DrawingItem& item : drawing.items) std::visit(writer, item);
-  out += "</svg>\n";
-  return out;
+  return memory_as_value("picture", [&]() -> Result<std::string> {
+    Result<Drawing> composed = compose(mesh, options);
+    if (!composed) return std::move(composed).error();
+    const Drawing& drawing = *composed;
+    const PixelBox& box = drawing.plot;
+    std::string out = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
+        "viewBox=\"0 0 {0} {1}\" font-family=\"Helvetica, Arial, sans-serif\">\n"
+        "<clipPath id=\"{6}\"><rect x=\"{2:.1f}\" y=\"{3:.1f}\" width=\"{4:.1f}\" "
+        "height=\"{5:.1f}\"/></clipPath>\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
+        drawing.width, drawing.height, box.x0, box.y0, box.x1 - box.x0, box.y1 - box.y0,
+        options.id);
+    SvgWriter writer(out, options.id);
+    for (const DrawingItem& item : drawing.items) std::visit(writer, item);
+    out += "</svg>\n";
+    return out;
+  });
 }
 
 Status write_svg(const PictureMesh& mesh, const PictureOptions& options, const std::string& path) {
-  const Result<std::string> text = svg_text(mesh, options);
-  if (!text) return text.error();
-  Result<AtomicFile> file = AtomicFile::create(path);
-  if (!file) return std::move(file).error();
-  file->write(*text);
-  return file->commit();
+  return memory_as_value(path, [&]() -> Status {
+    const Result<std::string> text = svg_text(mesh, options);
+    if (!text) return text.error();
+    Result<AtomicFile> file = AtomicFile::create(path);
+    if (!file) return std::move(file).error();
+    file->write(*text);
+    return file->commit();
+  });
 }
 
 }  // namespace cover

@@ -1,6 +1,7 @@
 // Tested by tests/unit/cuts/cut_encroached_test.cpp.
 #include <cover/cover_mesh.hpp>
 
+#include "base/out_of_memory.hpp"
 #include "box/forced_cuts.hpp"
 #include "cdt/cdt.hpp"
 #include "cuts/cut_encroached.hpp"
@@ -10,9 +11,10 @@
 #include "tasks/region_task.hpp"
 
 namespace cover {
+namespace {
 
-Result<BoxCosts> box_costs(const Prepared& prepared, const Options& options,
-                           const Callbacks& callbacks) {
+Result<BoxCosts> count_costs(const Prepared& prepared, const Options& options,
+                             const Callbacks& callbacks) {
   const auto& [pslg, table, report] = prepared;
   const std::vector<RegionBoundary> boundaries = split_regions(pslg, table);
   std::vector<std::vector<EncroachedSegment>> encroached(boundaries.size());
@@ -52,6 +54,13 @@ Result<BoxCosts> box_costs(const Prepared& prepared, const Options& options,
   });
   if (!cut) return std::move(cut).error();
   return costs;
+}
+
+}  // namespace
+
+Result<BoxCosts> box_costs(const Prepared& prepared, const Options& options,
+                           const Callbacks& callbacks) {
+  return memory_as_value("box method", [&] { return count_costs(prepared, options, callbacks); });
 }
 
 }  // namespace cover

@@ -6,8 +6,10 @@
 // vertex id; results lie in region order, so the mesh does not depend on the schedule.
 #include <cover/cover_mesh.hpp>
 
+#include "base/out_of_memory.hpp"
 #include "cuts/cut_for_boxes.hpp"
 #include "cuts/cut_until_met.hpp"
+#include "mesh/periodic_nodes.hpp"
 #include "mesh/stitch.hpp"
 #include "pipeline/find_regions.hpp"
 #include "pipeline/nonobtuse.hpp"
@@ -20,22 +22,25 @@
 namespace cover {
 
 Result<Prepared> prepare(const Input& input, const Options& options, const Callbacks& callbacks) {
-  StageClock clock;
-  Result<Prepared> prepared = find_regions(input, options, callbacks, clock);
-  if (!prepared) return prepared;
-  Result<std::vector<RegionReport>> limits =
-      limit_regions(split_regions(prepared->pslg, prepared->table), options, callbacks);
-  if (!limits) return std::move(limits).error();
-  prepared->report.regions = *std::move(limits);
-  clock.note("limits", prepared->report.times);
-  return prepared;
+  return memory_as_value("prepare", [&]() -> Result<Prepared> {
+    StageClock clock;
+    Result<Prepared> prepared = find_regions(input, options, callbacks, clock);
+    if (!prepared) return prepared;
+    Result<std::vector<RegionReport>> limits =
+        limit_regions(split_regions(prepared->pslg, prepared->table), options, callbacks);
+    if (!limits) return std::move(limits).error();
+    prepared->report.regions = *std::move(limits);
+    clock.note("limits", prepared->report.times);
+    return prepared;
+  });
 }
 
 namespace {
 
 /// All that follows once the regions are known; the input is not needed any more.
-Result<Output> mesh_prepared(Result<Prepared> prepared, const Options& options,
-                             const Callbacks& callbacks, StageClock& clock) {
+Result<Output> mesh_prepared(Result<Prepared> prepared, const std::vector<PeriodicRule>& rules,
+                             const Options& options, const Callbacks& callbacks,
+                             StageClock& clock) {
   if (!prepared) return std::move(prepared).error();
   auto& [pslg, table, report] = *prepared;
 
@@ -63,22 +68,30 @@ Result<Output> mesh_prepared(Result<Prepared> prepared, const Options& options,
       "stitch", [&] { return Result<Mesh>(stitch(pslg, table, boundaries, *meshes)); });
   if (!mesh) return std::move(mesh).error();
   collect_reports(*meshes, report);
+  std::vector<PeriodicNodes> periodic = periodic_nodes(pslg, rules, *mesh);
   clock.note("stitch", report.times);
-  return Output{*std::move(mesh), std::move(pslg), std::move(table), std::move(report)};
+  return Output{*std::move(mesh), std::move(pslg), std::move(table), std::move(report),
+                std::move(periodic)};
 }
 
 }  // namespace
 
 Result<Output> cover_mesh(const Input& input, const Options& options, const Callbacks& callbacks) {
-  StageClock clock;
-  return mesh_prepared(find_regions(input, options, callbacks, clock), options, callbacks, clock);
+  return memory_as_value("mesh", [&]() -> Result<Output> {
+    StageClock clock;
+    return mesh_prepared(find_regions(input, options, callbacks, clock),
+                         periodic_rules(input, options), options, callbacks, clock);
+  });
 }
 
 Result<Output> cover_mesh(Input&& input, const Options& options, const Callbacks& callbacks) {
-  StageClock clock;
-  Result<Prepared> prepared = find_regions(input, options, callbacks, clock);
-  input = {};
-  return mesh_prepared(std::move(prepared), options, callbacks, clock);
+  return memory_as_value("mesh", [&]() -> Result<Output> {
+    StageClock clock;
+    Result<Prepared> prepared = find_regions(input, options, callbacks, clock);
+    const std::vector<PeriodicRule> rules = periodic_rules(input, options);
+    input = {};
+    return mesh_prepared(std::move(prepared), rules, options, callbacks, clock);
+  });
 }
 
 }  // namespace cover

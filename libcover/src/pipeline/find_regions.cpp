@@ -8,6 +8,7 @@
 
 #include "clean/pslg.hpp"
 #include "cuts/cut_for_boxes.hpp"
+#include "cuts/periodic_sides.hpp"
 #include "cuts/split_interfaces.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/expected_triangles.hpp"
@@ -36,6 +37,12 @@ Status check_sizes(const Pslg& pslg, const RegionTable& table, const Options& op
 
 }  // namespace
 
+std::vector<PeriodicRule> periodic_rules(const Input& input, const Options& options) {
+  std::vector<PeriodicRule> rules = options.periodic;
+  rules.insert(rules.end(), input.periodic.begin(), input.periodic.end());
+  return rules;
+}
+
 Result<Prepared> find_regions(const Input& input, const Options& options,
                               const Callbacks& callbacks, StageClock& clock) {
   if (Status status = check_options(options); !status) return std::move(status).error();
@@ -56,6 +63,11 @@ Result<Prepared> find_regions(const Input& input, const Options& options,
       "regions", [&] { return build_region_table(prepared.pslg, options, report.notes); });
   if (!table) return std::move(table).error();
   prepared.table = *std::move(table);
+  Status joined = errors_as_values("periodic sides", [&] {
+    return join_periodic_sides(prepared.pslg, prepared.table, periodic_rules(input, options),
+                               options, report);
+  });
+  if (!joined) return std::move(joined).error();
   clock.note("regions", report.times);
   report.uncut_points = prepared.pslg.points.size();
   report.uncut_segments = prepared.pslg.segments.size();

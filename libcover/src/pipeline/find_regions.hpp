@@ -25,6 +25,9 @@ Status begin_stage(std::string_view stage, const Callbacks& callbacks);
 Result<Prepared> find_regions(const Input& input, const Options& options,
                               const Callbacks& callbacks, StageClock& clock);
 
+/// The rules of the options, then those of the input.
+std::vector<PeriodicRule> periodic_rules(const Input& input, const Options& options);
+
 /// Moves what the regions report to the report of the whole, in region order.
 void collect_reports(std::vector<RegionMesh>& meshes, Report& report);
 

@@ -24,6 +24,7 @@
 #include "cuts/cut_segments.hpp"
 #include "disks/fill_disks.hpp"
 #include "disks/segment_disks.hpp"
+#include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"
 #include "target/angle_limit.hpp"
@@ -247,11 +248,7 @@ class Nonobtuse {
   }
 
   /// The distance of doubles at the largest coordinate.
-  [[nodiscard]] double spacing_of_coordinates() const {
-    double largest = 0;
-    for (const Point& p : pslg_.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-    return std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
-  }
+  [[nodiscard]] double spacing_of_coordinates() const { return spacing_of(pslg_.points); }
 
   [[nodiscard]] static Error at_segment(const PslgEnds& ends, const std::string& why) {
     return {ErrorCode::bad_option,

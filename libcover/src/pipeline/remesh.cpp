@@ -15,7 +15,10 @@
 
 #include "base/describe.hpp"
 #include "base/errors.hpp"
+#include "base/out_of_memory.hpp"
 #include "cdt/cdt.hpp"
+#include "cuts/periodic_sides.hpp"
+#include "mesh/periodic_nodes.hpp"
 #include "mesh/stitch.hpp"
 #include "pipeline/find_regions.hpp"
 #include "region/named_regions.hpp"
@@ -205,11 +208,9 @@ void tell(std::size_t cuts, std::size_t other_materials, const Options& asked, R
   }
 }
 
-}  // namespace
-
-Result<Output> remesh(const Input& input, const TriangleSoup& onto,
-                      std::span<const std::string> only, const Options& asked,
-                      const Callbacks& callbacks) {
+Result<Output> mesh_again(const Input& input, const TriangleSoup& onto,
+                          std::span<const std::string> only, const Options& asked,
+                          const Callbacks& callbacks) {
   StageClock clock;
   const Result<Options> options = options_without_cuts(asked, only);
   if (!options) return options.error();
@@ -221,7 +222,14 @@ Result<Output> remesh(const Input& input, const TriangleSoup& onto,
   for (const std::string& name : only) report.provenance.settings.push_back({"only", name});
 
   OldMesh old(onto);
+  const std::vector<PeriodicRule> rules = periodic_rules(input, *options);
   const std::size_t cuts = adopt_cuts(pslg, table, onto);
+  for (const PeriodicRule& rule : rules) {
+    const Result<SidesMatch> match = match_sides(pslg, table, rule);
+    if (!match) return match.error();
+    if (auto fault = unmatched(pslg, rule, *match))
+      return Error{ErrorCode::other_mesh, std::move(fault->message), fault->where, {}};
+  }
   if (Status status = old.find_triangles(pslg, table, options->hull); !status) {
     return std::move(status).error();
   }
@@ -255,7 +263,18 @@ Result<Output> remesh(const Input& input, const TriangleSoup& onto,
   Mesh mesh = stitch(pslg, table, boundaries, meshes);
   collect_reports(meshes, report);
   clock.note("stitch", report.times);
-  return Output{std::move(mesh), std::move(pslg), std::move(table), std::move(report)};
+  std::vector<PeriodicNodes> periodic = periodic_nodes(pslg, rules, mesh);
+  return Output{std::move(mesh), std::move(pslg), std::move(table), std::move(report),
+                std::move(periodic)};
+}
+
+}  // namespace
+
+Result<Output> remesh(const Input& input, const TriangleSoup& onto,
+                      std::span<const std::string> only, const Options& options,
+                      const Callbacks& callbacks) {
+  return memory_as_value("remesh",
+                         [&] { return mesh_again(input, onto, only, options, callbacks); });
 }
 
 }  // namespace cover

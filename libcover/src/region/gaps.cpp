@@ -9,6 +9,7 @@
 
 #include "base/describe.hpp"
 #include "faces/face_measures.hpp"
+#include "geom/box.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -56,12 +57,7 @@ std::size_t leave_out_meant(std::vector<Gap>& gaps) {
 /// A tolerance of welding that is certainly above a width, with one digit: what is found of widths
 /// is about half too little.
 double tolerance_above(double width, const std::vector<Point>& points) {
-  Point low = points[0], high = points[0];
-  for (const Point& p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  const double relative = 2 * width / std::max(high.x - low.x, high.y - low.y);
+  const double relative = 2 * width / box_of(points).extent();
   const double unit = std::pow(10, std::floor(std::log10(relative)));
   return std::ceil(relative / unit) * unit;
 }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include <cover/ids.hpp>
+#include <cover/options.hpp>
 #include <cover/point.hpp>
 
 #include "cdt/cdt.hpp"
@@ -28,6 +30,8 @@ struct RegionBoundary {
   std::vector<SegmentId> segments;  ///< the segment of each side, or kHullSide
   double size = 0;                  ///< wished edge length inside; 0: none
   std::vector<double> size_at;      ///< wished edge length by vertex, 0: none; empty: none at all
+  std::vector<std::string> size_expressions;  ///< of size_function, which is the least of them
+  SizeFunction size_function;  ///< wished edge length by place, beside Options::size_field
 };
 
 }  // namespace cover

@@ -19,6 +19,7 @@
 #include "faces/faces.hpp"
 #include "faces/materials.hpp"
 #include "faces/seeds.hpp"
+#include "geom/box.hpp"
 #include "region/gaps.hpp"
 #include "region/interfaces.hpp"
 #include "region/near_misses.hpp"
@@ -227,15 +228,11 @@ void tell_open_ends(const Pslg& pslg, Error& error) {
 std::optional<Error> open_beside_gaps(const Pslg& pslg, std::span<const IndexPair> segments,
                                       const RegionTable& table, const Options& options) {
   if (options.weld || table.void_segments.empty() || !pslg.side_seeds.empty()) return std::nullopt;
-  Point low = pslg.points[segments[0][0]], high = low;
+  Box box;
   for (const IndexPair& segment : segments) {
-    for (const std::uint32_t v : segment) {
-      const Point p = pslg.points[v];
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
+    for (const std::uint32_t v : segment) box.add(pslg.points[v]);
   }
-  const double reach = kAutoWeld * std::max(high.x - low.x, high.y - low.y);
+  const double reach = kAutoWeld * box.extent();
   std::vector<bool> in_void(pslg.points.size(), false);
   for (const SegmentId s : table.void_segments) {
     for (const std::uint32_t v : segments[s.index()]) in_void[v] = true;

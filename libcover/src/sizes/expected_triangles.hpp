@@ -7,6 +7,7 @@
 #include <cover/regions.hpp>
 #include <cover/result.hpp>
 
+#include "base/machine_memory.hpp"
 #include "region/region_boundary.hpp"
 
 namespace cover {
@@ -22,8 +23,13 @@ double most_triangles(const RegionBoundary& boundary);
 /// Cost: O(n log n); O(n) where there are surely less than a million
 double expected_triangles(const RegionBoundary& boundary, const Options& options);
 
-/// Errors: bad_option if the sizes wished take more triangles than a mesh can hold.
+/// About as many bytes as a run takes for so many triangles and sides of regions.
+double memory_for(double triangles, std::size_t sides);
+
+/// Errors: bad_option if the sizes wished take more triangles than a mesh can hold; out_of_memory
+///         if these surely take more memory than `memory` bytes
 Status check_expected_triangles(const RegionTable& table,
-                                std::span<const RegionBoundary> boundaries, const Options& options);
+                                std::span<const RegionBoundary> boundaries, const Options& options,
+                                double memory = machine_memory());
 
 }  // namespace cover

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "geom/vector.hpp"
+#include "sizes/ask_size.hpp"
 
 namespace cover {
 namespace {
@@ -24,6 +25,8 @@ void lower(double& size, double wished) {
 
 void SegmentSizes::add(const RegionBoundary& boundary, std::size_t s) {
   lower(inside_, boundary.size);
+  if (boundary.size_function)
+    functions_[functions_[0] == nullptr ? 0 : 1] = &boundary.size_function;
   if (boundary.size_at.empty()) return;
   const auto& [from, to] = boundary.sides[s];
   const bool forward = boundary.points[from] == a_;
@@ -32,7 +35,7 @@ void SegmentSizes::add(const RegionBoundary& boundary, std::size_t s) {
 }
 
 bool SegmentSizes::has_wish() const {
-  return inside_ > 0 || at_a_ > 0 || at_b_ > 0 || options_->size_field;
+  return inside_ > 0 || at_a_ > 0 || at_b_ > 0 || options_->size_field || functions_[0] != nullptr;
 }
 
 /// Infinite where nothing is wished.
@@ -42,7 +45,10 @@ double SegmentSizes::size_at(double part) const {
   const double whole = length(b_ - a_), slope = options_->growth.value_or(Options::kGrowth) - 1;
   if (at_a_ > 0) lower(size, at_a_ + slope * part * whole);
   if (at_b_ > 0) lower(size, at_b_ + slope * (1 - part) * whole);
-  if (options_->size_field) lower(size, options_->size_field(a_ + part * (b_ - a_)));
+  const Point here = a_ + part * (b_ - a_);
+  if (options_->size_field) lower(size, ask_size(options_->size_field, here));
+  for (const SizeFunction* function : functions_)
+    if (function != nullptr) lower(size, (*function)(here));
   return size > 0 ? size : std::numeric_limits<double>::infinity();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include <cover/options.hpp>
@@ -16,7 +17,10 @@ class SegmentSizes {
   SegmentSizes(Point a, Point b, const Options& options)
       : a_(std::min(a, b)), b_(std::max(a, b)), reversed_(b < a), options_(&options) {}
 
-  /// Adds the wishes of a region for its side `s`, this segment.
+  /// Adds the wishes of a region for its side `s`, this segment. The region's function is asked
+  /// later.
+  ///
+  /// REQUIRES: `boundary` outlives this
   void add(const RegionBoundary& boundary, std::size_t s);
 
   /// Whether the segment should be more than one edge: it is 1.5 times as long as wished.
@@ -40,6 +44,7 @@ class SegmentSizes {
   Point a_, b_;  ///< in their order in the plane
   bool reversed_;
   const Options* options_;
+  std::array<const SizeFunction*, 2> functions_{};  ///< of the regions beside it
   double inside_ = 0;  ///< smallest of the regions; 0: none. As the others
   double at_a_ = 0, at_b_ = 0;
 };

@@ -3,10 +3,13 @@
 #include "sizes/size_field.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
+#include "geom/box.hpp"
 #include "geom/vector.hpp"
+#include "sizes/ask_size.hpp"
 #include "sizes/spread_sizes.hpp"
 
 namespace cover {
@@ -34,15 +37,30 @@ std::vector<double> spacing_of(const RegionBoundary& boundary) {
 
 /// No edge of a mesh is longer.
 double diagonal(const RegionBoundary& boundary) {
-  Point low{kNoSize, kNoSize}, high{-kNoSize, -kNoSize};
-  for (const Point& p : boundary.points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  return length(high - low);
+  const Box box = box_of(boundary.points);
+  return length(box.high - box.low);
+}
+
+/// Zero where a function wishes nothing.
+double wish_of(const SizeFunction& function, Point p) {
+  const double size = function(p);
+  return size > 0 && std::isfinite(size) ? size : 0;
 }
 
 }  // namespace
+
+SizeFunction smaller_of(SizeFunction a, SizeFunction b) {
+  if (!a) return b;
+  if (!b) return a;
+  return [a = std::move(a), b = std::move(b)](Point p) {
+    const double first = wish_of(a, p), second = wish_of(b, p);
+    return first > 0 && second > 0 ? std::min(first, second) : std::max(first, second);
+  };
+}
+
+SizeFunction background_of(const RegionBoundary& boundary, const Options& options) {
+  return smaller_of(options.size_field, boundary.size_function);
+}
 
 SizeField::SizeField(const RegionBoundary& boundary, const Triangulation& cdt,
                      std::optional<double> growth, SizeFunction background, VertexId first_cut)
@@ -71,7 +89,7 @@ SizeField::SizeField(const RegionBoundary& boundary, const Triangulation& cdt,
 
 double SizeField::largest_at(Point p) const {
   if (!background_) return largest_;
-  const double size = background_(p);
+  const double size = ask_size(background_, p);
   return size > 0 ? std::min(largest_, size) : largest_;
 }
 

@@ -14,6 +14,12 @@
 
 namespace cover {
 
+/// Where both are, the smaller; an empty function wishes nothing.
+SizeFunction smaller_of(SizeFunction a, SizeFunction b);
+
+/// The background sizes that hold in a region: Options::size_field and RegionBoundary::size_function.
+SizeFunction background_of(const RegionBoundary& boundary, const Options& options);
+
 /// h(x): the region's own size or that of the background, the smaller, or less near vertices whose
 /// size is smaller, from where it grows by (growth - 1) per unit of distance: edges that follow
 /// each other then grow by that ratio.

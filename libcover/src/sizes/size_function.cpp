@@ -15,6 +15,7 @@
 #include <boost/iterator/function_output_iterator.hpp>
 
 #include "base/describe.hpp"
+#include "base/out_of_memory.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 #include "sizes/spread_sizes.hpp"
@@ -178,9 +179,11 @@ Status check(const SizeSamples& samples) {
 }  // namespace
 
 Result<SizeFunction> size_function(const SizeSamples& samples, double growth) {
-  if (Status status = check(samples); !status) return std::move(status).error();
-  const auto sizes = std::make_shared<const Interpolation>(samples, growth);
-  return SizeFunction([sizes](Point p) { return sizes->at(p); });
+  return memory_as_value("size function", [&]() -> Result<SizeFunction> {
+    if (Status status = check(samples); !status) return std::move(status).error();
+    const auto sizes = std::make_shared<const Interpolation>(samples, growth);
+    return SizeFunction([sizes](Point p) { return sizes->at(p); });
+  });
 }
 
 }  // namespace cover

@@ -3,18 +3,23 @@
 #include "sizes/sizes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <fmt/core.h>
 
 #include "base/describe.hpp"
+#include "base/expression.hpp"
 #include "base/suggest.hpp"
+#include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 #include "region/named_regions.hpp"
 #include "sizes/segment_sizes.hpp"
+#include "sizes/size_field.hpp"
 
 namespace cover {
 namespace {
@@ -26,16 +31,29 @@ void make_smaller(double& size, double wished) {
   size = size == 0 ? wished : std::min(size, wished);
 }
 
+/// Adds the size of a rule, or its expression, to those inside a region.
+void add_rule(const SizeRule& rule, RegionBoundary& boundary) {
+  if (rule.expression.empty()) return make_smaller(boundary.size, rule.size);
+  boundary.size_expressions.push_back(rule.expression);
+}
+
 /// Sets the sizes inside regions. False if no region has that name.
 bool inside(const SizeRule& rule, const RegionTable& table, std::span<RegionBoundary> boundaries) {
   if (rule.name.empty()) {
-    for (RegionBoundary& boundary : boundaries) make_smaller(boundary.size, rule.size);
+    for (RegionBoundary& boundary : boundaries) add_rule(rule, boundary);
     return true;
   }
   const std::vector<RegionId> regions = named_regions(table, rule.name);
-  for (const RegionId region : regions)
-    make_smaller(boundaries[region.index() - 1].size, rule.size);
+  for (const RegionId region : regions) add_rule(rule, boundaries[region.index() - 1]);
   return !regions.empty();
+}
+
+Result<SizeFunction> function_of(const std::string& expression) {
+  static const std::array<std::string, 2> kPlace{"x", "y"};
+  Result<Expression> formula = Expression::parse(expression, kPlace);
+  if (!formula) return std::move(formula).error();
+  const auto shared = std::make_shared<const Expression>(*std::move(formula));
+  return SizeFunction([shared](Point p) { return (*shared)(std::array{p.x, p.y}); });
 }
 
 /// Sets the sizes at PSLG points. False if no line or point has that name.
@@ -77,30 +95,42 @@ Error unknown_name(const SizeRule& rule, const RegionTable& table) {
 
 /// Sizes that coordinates cannot hold: cut at such lengths, rounded points would coincide.
 Status check_spacing(const Pslg& pslg, const RegionTable& table, const Options& options) {
-  double largest = 0;
-  for (const Point& p : pslg.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-  const double spacing = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+  const double spacing = spacing_of(pslg.points);
   double smallest = std::numeric_limits<double>::infinity();
-  for (const SizeRule& rule : options.sizes) smallest = std::min(smallest, rule.size);
+  for (const SizeRule& rule : options.sizes) {
+    if (rule.expression.empty()) smallest = std::min(smallest, rule.size);
+  }
   for (const Region& region : table.regions) {
     if (options.input_sizes && region.size) smallest = std::min(smallest, *region.size);
   }
   if (!(smallest < kLeastSpacings * spacing)) return ok();
-  return Error{ErrorCode::bad_option,
-               fmt::format("the size {} is too small: coordinates as large as {} are {} apart, and "
-                           "edges need {} times that",
-                           describe_roughly(smallest), describe_roughly(largest),
-                           describe_roughly(spacing), kLeastSpacings),
-               {},
-               {}};
+  return Error{
+      ErrorCode::bad_option,
+      fmt::format("the size {} is too small: coordinates as large as {} are {} apart, and "
+                  "edges need {} times that",
+                  describe_roughly(smallest), describe_roughly(largest_coordinate(pslg.points)),
+                  describe_roughly(spacing), kLeastSpacings),
+      {},
+      {}};
 }
 
 }  // namespace
+
+Status read_expressions(RegionBoundary& boundary) {
+  for (const std::string& expression : boundary.size_expressions) {
+    Result<SizeFunction> function = function_of(expression);
+    if (!function) return std::move(function).error();
+    boundary.size_function = smaller_of(boundary.size_function, *std::move(function));
+  }
+  return ok();
+}
 
 Status resolve_sizes(const Pslg& pslg, const RegionTable& table, const Options& options,
                      std::span<RegionBoundary> boundaries) {
   for (std::size_t r = 0; r < boundaries.size(); ++r) {
     boundaries[r].size = options.input_sizes ? table.regions[r].size.value_or(0) : 0;
+    boundaries[r].size_expressions.clear();
+    boundaries[r].size_function = {};
   }
   if (Status status = check_spacing(pslg, table, options); !status) return status;
   if (options.sizes.empty()) return ok();
@@ -111,6 +141,7 @@ Status resolve_sizes(const Pslg& pslg, const RegionTable& table, const Options& 
     if (!found) return unknown_name(rule, table);
   }
   for (RegionBoundary& boundary : boundaries) {
+    if (Status status = read_expressions(boundary); !status) return status;
     boundary.size_at.clear();
     for (const VertexId v : boundary.vertices) boundary.size_at.push_back(size_at[v.index()]);
     if (std::all_of(boundary.size_at.begin(), boundary.size_at.end(),

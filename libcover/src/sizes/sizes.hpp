@@ -23,6 +23,12 @@ namespace cover {
 Status resolve_sizes(const Pslg& pslg, const RegionTable& table, const Options& options,
                      std::span<RegionBoundary> boundaries);
 
+/// Makes RegionBoundary::size_function of its size_expressions.
+///
+/// REQUIRES: it is empty
+/// Errors:   bad_option for what is no expression of x and y
+Status read_expressions(RegionBoundary& boundary);
+
 /// Adds a warning if segments are longer than the sizes wished along them: vertices are put on
 /// none, so triangles beside them are larger than wished. Another one if Options::method makes
 /// nothing of sizes.

@@ -6,12 +6,11 @@
 #include <limits>
 
 #include "geom/double_double.hpp"
+#include "geom/ulp.hpp"
 
 namespace cover {
 LocalFrame::LocalFrame(std::span<const Point> points) {
-  double largest = 0;
-  for (const Point& p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-  rounding_ = 4 * (std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest);
+  rounding_ = 4 * spacing_of(points);
   const bool exact = std::all_of(points.begin(), points.end(), [&](const Point& p) {
     return two_difference(p.x, points[0].x).low == 0 && two_difference(p.y, points[0].y).low == 0;
   });

@@ -14,6 +14,7 @@
 #include "box/encroached_sides.hpp"
 #include "cdt/couplings.hpp"
 #include "geom/predicates.hpp"
+#include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -77,12 +78,6 @@ std::size_t bin_of(double cotangent, const BinLimits& limits) {
     bin += step * static_cast<std::size_t>(cotangent <= limits[bin + step - 1]);
   }
   return bin;
-}
-
-double largest_coordinate(std::span<const Point> points) {
-  double largest = 0;
-  for (const Point& p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-  return largest;
 }
 
 /// The triangle with the largest angle.
@@ -229,9 +224,7 @@ void merge(Quality& sum, const Quality& part) {
 
 double angle_rounding(Point a, Point b, Point c, double largest_coordinate) {
   const double shortest = std::min({length(b - a), length(c - b), length(a - c)});
-  const double spacing =
-      std::nextafter(largest_coordinate, std::numeric_limits<double>::infinity()) -
-      largest_coordinate;
+  const double spacing = spacing_at(largest_coordinate);
   // Each of two corners moves by at most spacing / sqrt 2 against the third along either edge.
   return 4 * spacing / shortest;
 }

@@ -5,6 +5,7 @@
 #include "tasks/region_task.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <exception>
 #include <mutex>
@@ -14,8 +15,6 @@
 #include <thread>
 
 #include <fmt/core.h>
-#include <boost/asio/post.hpp>
-#include <boost/asio/thread_pool.hpp>
 
 #include "almond/almond_region.hpp"
 #include "almond/chords.hpp"
@@ -29,6 +28,8 @@
 #include "target/measure.hpp"
 #include "target/whole_mesh.hpp"
 #include "tasks/errors_as_values.hpp"
+#include "tasks/run_all.hpp"
+#include "tasks/share_out_regions.hpp"
 #include "tasks/stage_clock.hpp"
 
 namespace cover {
@@ -43,13 +44,6 @@ struct Batch {
 
 /// More than any mesh has triangles; sums of it do not overflow.
 constexpr double kMostCost = 0x1p40;
-
-/// Estimated work of a region. All methods are near linear in the size of the boundary and in the
-/// number of triangles.
-std::size_t cost_of(const RegionBoundary& boundary) {
-  return boundary.sides.size() + boundary.points.size() +
-         static_cast<std::size_t>(std::clamp(most_triangles(boundary), 0.0, kMostCost));
-}
 
 /// Batches are filled up to this cost: some milliseconds of work against microseconds of overhead.
 constexpr std::size_t kBatchCost = 1000;
@@ -205,6 +199,21 @@ RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
 
 }  // namespace
 
+std::size_t cost_of(const RegionBoundary& boundary) {
+  return boundary.sides.size() + boundary.points.size() +
+         static_cast<std::size_t>(std::clamp(most_triangles(boundary), 0.0, kMostCost));
+}
+
+RegionMesh mesh_one_region(const RegionBoundary& boundary, const Options& options,
+                           const std::stop_token& stop) {
+  const StageClock clock;
+  RegionMesh mesh = mesh_region(boundary, options, stop);
+  if (!stop.stop_requested())
+    mesh.report.limits = limits_of(boundary, mesh.report.quality, options);
+  mesh.report.seconds = clock.seconds();
+  return mesh;
+}
+
 unsigned worker_count(const Options& options) {
   return options.threads != 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
 }
@@ -223,8 +232,10 @@ Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned work
   const auto run = [&](const Batch& batch) {
     for (std::size_t k = batch.first; k < batch.last; ++k) {
       if (progress.must_stop()) return;
-      const std::string doing = fmt::format("region {}", boundaries[order[k]].id.value());
-      Status status = errors_as_values(doing, [&] {
+      std::array<char, 32> name{};  // no allocation, which may fail
+      const auto end =
+          fmt::format_to_n(name.data(), name.size(), "region {}", boundaries[order[k]].id.value());
+      Status status = errors_as_values({name.data(), end.size}, [&] {
         task(order[k]);
         return ok();
       });
@@ -232,16 +243,7 @@ Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned work
     }
     progress.add(batch.cost);
   };
-  if (std::min<std::size_t>(workers, batches.size()) <= 1) {
-    // Memory that earlier stages gave back is found again by the thread that had it.
-    for (const Batch& batch : batches) run(batch);
-  } else {
-    boost::asio::thread_pool pool(std::min<std::size_t>(workers, batches.size()));
-    for (const Batch& batch : batches) {
-      boost::asio::post(pool, [&run, &batch] { run(batch); });
-    }
-    pool.join();
-  }
+  run_all(batches.size(), workers, [&](std::size_t k) { run(batches[k]); });
   progress.rethrow();
 
   if (callbacks.stop.stop_requested()) return Error{ErrorCode::cancelled, "interrupted", {}, {}};
@@ -269,16 +271,11 @@ Result<std::vector<RegionReport>> limit_regions(std::span<const RegionBoundary> 
 
 Result<std::vector<RegionMesh>> mesh_regions(std::span<const RegionBoundary> boundaries,
                                              const Options& options, const Callbacks& callbacks) {
+  if (callbacks.share_out) return share_out_regions(boundaries, options, callbacks);
   std::vector<RegionMesh> meshes(boundaries.size());
-  Status status =
-      for_each_region(boundaries, worker_count(options), "mesh", callbacks, [&](std::size_t k) {
-        const StageClock clock;
-        meshes[k] = mesh_region(boundaries[k], options, callbacks.stop);
-        RegionReport& report = meshes[k].report;
-        if (!callbacks.stop.stop_requested())
-          report.limits = limits_of(boundaries[k], report.quality, options);
-        meshes[k].report.seconds = clock.seconds();
-      });
+  Status status = for_each_region(
+      boundaries, worker_count(options), "mesh", callbacks,
+      [&](std::size_t k) { meshes[k] = mesh_one_region(boundaries[k], options, callbacks.stop); });
   if (!status) return std::move(status).error();
   return meshes;
 }

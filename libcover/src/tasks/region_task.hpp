@@ -1,4 +1,4 @@
-// Regions as tasks of a thread pool.
+// Regions as tasks for several threads.
 #pragma once
 
 #include <functional>
@@ -18,12 +18,12 @@ namespace cover {
 /// The number of workers that `options` ask for: at least one.
 unsigned worker_count(const Options& options);
 
-/// Calls `task` with the index of every boundary, on a pool of `workers` threads, the largest
+/// Calls `task` with the index of every boundary, on `workers` threads, the largest
 /// boundaries first. Tiny regions travel in batches, so that ten thousand of them cost no more
 /// than one big one.
 ///
 /// ENSURES: the error of the first region (by index) that failed, whatever the schedule was.
-/// Errors:  cancelled; internal if a task threw.
+/// Errors:  cancelled; those of errors_as_values() if a task threw.
 /// Threads: `task` runs in several threads at a time, `callbacks.progress` in one.
 Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned workers,
                        std::string_view stage, const Callbacks& callbacks,
@@ -33,7 +33,17 @@ Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned work
 Result<std::vector<RegionReport>> limit_regions(std::span<const RegionBoundary> boundaries,
                                                 const Options& options, const Callbacks& callbacks);
 
-/// Meshes and measures every region; results in region order.
+/// Estimated work of a region. All methods are near linear in the size of the boundary and in the
+/// number of triangles.
+std::size_t cost_of(const RegionBoundary& boundary);
+
+/// Meshes and measures one region, and proves limits of what it misses.
+///
+/// Throws: what the method throws
+RegionMesh mesh_one_region(const RegionBoundary& boundary, const Options& options,
+                           const std::stop_token& stop);
+
+/// Meshes and measures every region, as Callbacks::share_out says; results in region order.
 Result<std::vector<RegionMesh>> mesh_regions(std::span<const RegionBoundary> boundaries,
                                              const Options& options, const Callbacks& callbacks);
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -19,10 +20,6 @@ struct Worst {
 };
 
 }  // namespace
-
-double spacing_at(double x) {
-  return std::nextafter(std::abs(x), std::numeric_limits<double>::infinity()) - std::abs(x);
-}
 
 double offset_on_segment(double scale) { return 8 * spacing_at(scale); }
 

@@ -27,8 +27,6 @@ struct BoundCheck {
   std::size_t within_rounding = 0;  ///< regions that keep it up to the rounding of coordinates
 };
 
-/// The distance from |x| to the next larger double: what the last place of a coordinate stands for.
-double spacing_at(double x);
 /// How far off a segment a vertex may be that was put on it: what rounding does, where no
 /// coordinate is larger than `scale`.
 double offset_on_segment(double scale);

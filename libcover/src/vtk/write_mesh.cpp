@@ -8,6 +8,8 @@
 
 #include <fmt/ranges.h>
 
+#include "base/out_of_memory.hpp"
+
 namespace cover {
 namespace {
 
@@ -24,13 +26,13 @@ Status write_clean_input(const Output& output, const std::string& path, const Wr
 }
 
 constexpr std::array kFormats{
-    Format{".vtu", true, write_vtu},          Format{".vtm", true, write_vtm},
-    Format{".vtk", true, write_vtk},          Format{".msh", true, write_msh},
-    Format{".xdmf", true, write_xdmf},        Format{".mesh", true, write_medit},
-    Format{".inp", true, write_inp},          Format{".ele", true, write_triangle},
-    Format{".obj", false, write_obj},         Format{".off", false, write_off},
-    Format{".ply", false, write_ply},         Format{".json", true, write_manifest},
-    Format{".poly", true, write_clean_input},
+    Format{".vtu", true, write_vtu},       Format{".vtm", true, write_vtm},
+    Format{".vtkhdf", true, write_vtkhdf}, Format{".vtk", true, write_vtk},
+    Format{".msh", true, write_msh},       Format{".xdmf", true, write_xdmf},
+    Format{".mesh", true, write_medit},    Format{".inp", true, write_inp},
+    Format{".ele", true, write_triangle},  Format{".obj", false, write_obj},
+    Format{".off", false, write_off},      Format{".ply", false, write_ply},
+    Format{".json", true, write_manifest}, Format{".poly", true, write_clean_input},
 };
 
 Result<Format> format_of(const std::string& path) {
@@ -59,6 +61,9 @@ Status check(const WriteOptions& options) {
   constexpr std::array kFamilies{"S", "CPS", "CPE", "CAX"};
   if (std::find(kFamilies.begin(), kFamilies.end(), options.inp_element) == kFamilies.end())
     return bad(fmt::format("elements of .inp are S, CPS, CPE or CAX, not {}", options.inp_element));
+  constexpr std::array kIds{"", "region", "material", "name"};
+  if (std::find(kIds.begin(), kIds.end(), options.ids) == kIds.end())
+    return bad(fmt::format("ids are region, material or name, not {}", options.ids));
   return ok();
 }
 
@@ -71,18 +76,22 @@ std::vector<std::string> write_formats() {
 }
 
 Status can_write(const std::string& path, const WriteOptions& options) {
-  const Result<Format> format = format_of(path);
-  if (!format) return format.error();
-  if (Status status = check(options); !status) return status;
-  if (options.order == 2 && !format->second_order)
-    return bad(fmt::format("cannot write '{}': {} has no second-order triangles", path,
-                           format->extension));
-  return ok();
+  return memory_as_value(path, [&]() -> Status {
+    const Result<Format> format = format_of(path);
+    if (!format) return format.error();
+    if (Status status = check(options); !status) return status;
+    if (options.order == 2 && !format->second_order)
+      return bad(fmt::format("cannot write '{}': {} has no second-order triangles", path,
+                             format->extension));
+    return ok();
+  });
 }
 
 Status write_mesh(const Output& output, const std::string& path, const WriteOptions& options) {
-  if (Status status = can_write(path, options); !status) return status;
-  return format_of(path)->write(output, path, options);
+  return memory_as_value(path, [&]() -> Status {
+    if (Status status = can_write(path, options); !status) return status;
+    return format_of(path)->write(output, path, options);
+  });
 }
 
 }  // namespace cover

@@ -19,6 +19,7 @@
 
 #include <cover/picture.hpp>
 
+#include "base/out_of_memory.hpp"
 #include "io/files/atomic_file.hpp"
 #include "picture/compose.hpp"
 #include "picture/raster.hpp"
@@ -58,8 +59,37 @@ bool render(const Label& label, vtkImageData* letters) {
   return tools->RenderString(style, letters_of(label.text), kDpi, letters);
 }
 
-void draw(const Label& label, Image& image) {
+bool has_ink(const Label& label) {
   vtkNew<vtkImageData> letters;
+  if (!render(label, letters)) return false;
+  std::array<int, 6> extent{};
+  letters->GetExtent(extent.data());
+  for (int y = extent[2]; y <= extent[3]; ++y) {
+    for (int x = extent[0]; x <= extent[1]; ++x)
+      if (static_cast<unsigned char*>(letters->GetScalarPointer(x, y, 0))[3] != 0) return true;
+  }
+  return false;
+}
+
+/// The text with '?' for each character that the font does not have: it would be left out, and two
+/// names could look alike.
+std::string in_the_font(const Label& label) {
+  const auto goes_on = [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) == 0x80; };
+  std::string out;
+  for (std::size_t at = 0; at < label.text.size();) {
+    std::size_t end = at + 1;
+    while (end < label.text.size() && goes_on(label.text[end])) ++end;
+    Label one = label;
+    one.text = label.text.substr(at, end - at);
+    out += end == at + 1 || has_ink(one) ? one.text : "?";
+    at = end;
+  }
+  return out;
+}
+
+void draw(Label label, Image& image) {
+  vtkNew<vtkImageData> letters;
+  label.text = in_the_font(label);
   if (label.text.empty() || !render(label, letters)) return;
   std::array<int, 6> extent{};
   letters->GetExtent(extent.data());
@@ -88,35 +118,37 @@ void draw(const Label& label, Image& image) {
 }  // namespace
 
 Status write_png(const PictureMesh& mesh, const PictureOptions& options, const std::string& path) {
-  Result<Drawing> drawing = compose(mesh, options);
-  if (!drawing) return std::move(drawing).error();
-  Image image = paint(*drawing);
-  for (const DrawingItem& item : drawing->items) {
-    if (const Label* label = std::get_if<Label>(&item)) draw(*label, image);
-  }
+  return memory_as_value(path, [&]() -> Status {
+    Result<Drawing> drawing = compose(mesh, options);
+    if (!drawing) return std::move(drawing).error();
+    Image image = paint(*drawing);
+    for (const DrawingItem& item : drawing->items) {
+      if (const Label* label = std::get_if<Label>(&item)) draw(*label, image);
+    }
 
-  vtkNew<vtkImageData> pixels;
-  pixels->SetDimensions(image.width, image.height, 1);
-  pixels->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  for (int y = 0; y < image.height; ++y) {  // VTK counts rows from below
-    const auto row = 3 * static_cast<std::size_t>(image.width);
-    std::copy_n(image.rgb.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * row),
-                row,
-                static_cast<std::uint8_t*>(pixels->GetScalarPointer(0, image.height - 1 - y, 0)));
-  }
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetWriteToMemory(1);
-  writer->SetInputData(pixels);
-  writer->Write();
-  vtkUnsignedCharArray* bytes = writer->GetResult();
-  if (writer->GetErrorCode() != 0 || bytes == nullptr) {
-    return Error{ErrorCode::cannot_write, "cannot write '" + path + "' as PNG", {}, {}};
-  }
-  Result<AtomicFile> file = AtomicFile::create(path);
-  if (!file) return std::move(file).error();
-  file->write({reinterpret_cast<const char*>(bytes->GetPointer(0)),
-               static_cast<std::size_t>(bytes->GetNumberOfValues())});
-  return file->commit();
+    vtkNew<vtkImageData> pixels;
+    pixels->SetDimensions(image.width, image.height, 1);
+    pixels->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    for (int y = 0; y < image.height; ++y) {  // VTK counts rows from below
+      const auto row = 3 * static_cast<std::size_t>(image.width);
+      std::copy_n(
+          image.rgb.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * row), row,
+          static_cast<std::uint8_t*>(pixels->GetScalarPointer(0, image.height - 1 - y, 0)));
+    }
+    vtkNew<vtkPNGWriter> writer;
+    writer->SetWriteToMemory(1);
+    writer->SetInputData(pixels);
+    writer->Write();
+    vtkUnsignedCharArray* bytes = writer->GetResult();
+    if (writer->GetErrorCode() != 0 || bytes == nullptr) {
+      return Error{ErrorCode::cannot_write, "cannot write '" + path + "' as PNG", {}, {}};
+    }
+    Result<AtomicFile> file = AtomicFile::create(path);
+    if (!file) return std::move(file).error();
+    file->write({reinterpret_cast<const char*>(bytes->GetPointer(0)),
+                 static_cast<std::size_t>(bytes->GetNumberOfValues())});
+    return file->commit();
+  });
 }
 
 }  // namespace cover

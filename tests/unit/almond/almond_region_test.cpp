@@ -51,6 +51,21 @@ TEST(CoverRegion, RegularPolygons) {
   }
 }
 
+// The triangles across a long arc are thin, each circle holds them all, and the chord stops every
+// try until its almond is awake: minutes, if each try passes them all.
+TEST(CoverRegion, ALongArcOverItsChord) {
+  constexpr int kSize = 20000;
+  Loop arc;
+  for (int k = 0; k <= kSize; ++k) {
+    const double x = 2.0 * k / kSize - 1;
+    arc.push_back({x, x * x});
+  }
+  const auto boundary = boundary_of({arc});
+  const RegionMesh mesh = almond_region(boundary, {}, {});
+  EXPECT_EQ(testing::judge_region(boundary, mesh), "");
+  EXPECT_EQ(mesh.report.method, "almond");
+}
+
 TEST(CoverRegion, RandomStars) {
   const std::uint64_t seed = testing::test_seed(1);
   SCOPED_TRACE(testing::seed_trace(seed));

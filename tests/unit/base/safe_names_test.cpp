@@ -32,5 +32,26 @@ TEST(SafeNames, ManyEqualNamesAreAllDifferent) {
   EXPECT_EQ(std::set<std::string>(safe.begin(), safe.end()).size(), 5000U);
 }
 
+TEST(LegibleNames, KeepUtf8) {
+  const std::string name =
+      "Gr\xc3\xb6\xc3\x9f\x65 \xc2\xb5m \xe6\x97\xa5\xe6\x9c\xac \xf0\x9f\x98\x80";
+  EXPECT_EQ(legible_name(name), name);
+  EXPECT_EQ(legible_name(""), "unnamed");
+  EXPECT_EQ(legible_name("a\"b\n\t\x7f"), "a_b___");
+  // Cut off, overlong, a surrogate, beyond the last, a lone follower.
+  EXPECT_EQ(legible_name("x\xe6\x97"), "x__");
+  EXPECT_EQ(legible_name("\xc0\x80"), "__");
+  EXPECT_EQ(legible_name("\xe0\x80\x80"), "___");
+  EXPECT_EQ(legible_name("\xed\xa0\x80"), "___");
+  EXPECT_EQ(legible_name("\xf4\x90\x80\x80"), "____");
+  EXPECT_EQ(legible_name("\x80z"), "_z");
+}
+
+TEST(LegibleNames, DoNotCollide) {
+  EXPECT_EQ(unique_legible_names(Names{"a\"", "a_", "a\n"}), (Names{"a__2", "a_", "a__3"}));
+  EXPECT_EQ(unique_legible_names(Names{"\xc3\xa4", "\xc3\xa4", "\xc3\xb6"}),
+            (Names{"\xc3\xa4", "\xc3\xa4_2", "\xc3\xb6"}));
+}
+
 }  // namespace
 }  // namespace cover

@@ -43,7 +43,8 @@ TEST(TriangulateDomain, LeavesHolesAndTheOutsideEmpty) {
 }
 
 TEST(TriangulateDomain, KeepsSlitsAndIsolatedPoints) {
-  auto boundary = testing::boundary_of({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {2, 2}}}, {{3, 1}});
+  auto boundary =
+      testing::boundary_of({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {2, 2}}}, {{3, 1}});
   const CdtResult r = triangulate_domain(boundary.points, boundary.sides);
   ASSERT_TRUE(r.conflicts.empty());
   expect_consistent(r.triangulation);
@@ -105,10 +106,47 @@ TEST(TriangulateHull, StandsHubsAndLongChords) {
   std::vector<IndexPair> chords;
   for (std::uint32_t k = 0; k < kSize; ++k) {
     const double t = k / 2 / double{kSize}, bend = t * t * 0x1p-20;
-    zigzag.push_back(k % 2 == 0 ? Point{t * 0x1p-10, bend} : Point{t * 0x1p-10 + 0x1p-28, 1 - bend});
+    zigzag.push_back(k % 2 == 0 ? Point{t * 0x1p-10, bend}
+                                : Point{t * 0x1p-10 + 0x1p-28, 1 - bend});
     if (k > 0) chords.push_back({k - 1, k});
   }
   EXPECT_TRUE(triangulate_hull(zigzag, chords).conflicts.empty());
+}
+
+// Nor may these be: nearly all points, or all of them, on one line.
+TEST(TriangulateHull, StandsManyPointsOnALine) {
+  constexpr std::uint32_t kSize = 100000;
+  std::vector<Point> points;
+  std::vector<IndexPair> row;
+  for (std::uint32_t k = 0; k < kSize; ++k) {
+    points.push_back({static_cast<double>(k), 2.0 * k});
+    if (k > 0) row.push_back({k - 1, k});
+  }
+  const CdtResult flat = triangulate_hull(points, row);
+  EXPECT_TRUE(flat.conflicts.empty());
+  EXPECT_TRUE(flat.triangulation.triangles.empty());
+  row.push_back({7, 9});
+  const CdtResult over = triangulate_hull(points, row);
+  row.pop_back();
+  ASSERT_EQ(over.conflicts.size(), 1U);
+  EXPECT_EQ(over.conflicts[0].kind, CdtConflict::Kind::point_on_segment);
+  EXPECT_EQ(over.conflicts[0].first, 8U);
+  points.push_back(points[77]);
+  const CdtResult flat_twice = triangulate_hull(points, row);
+  points.pop_back();
+  ASSERT_EQ(flat_twice.conflicts.size(), 1U);
+  EXPECT_EQ(flat_twice.conflicts[0].kind, CdtConflict::Kind::duplicate_point);
+  EXPECT_EQ(flat_twice.conflicts[0].second, kSize);
+  points.push_back({0, 1e5});
+  const CdtResult fan = triangulate_hull(points, row);
+  ASSERT_TRUE(fan.conflicts.empty());
+  EXPECT_EQ(fan.triangulation.triangles.size(), kSize - 1);
+  expect_consistent(fan.triangulation);
+  points.push_back(points[77]);
+  const CdtResult twice = triangulate_hull(points, row);
+  ASSERT_EQ(twice.conflicts.size(), 1U);
+  EXPECT_EQ(twice.conflicts[0].kind, CdtConflict::Kind::duplicate_point);
+  EXPECT_EQ(twice.conflicts[0].first, 77U);
 }
 
 }  // namespace

@@ -289,6 +289,36 @@ INSTANTIATE_TEST_SUITE_P(Kinds, RandomSoup,
                                            &near_segments, &pencil, &twisted_rings, &mixture,
                                            &vast_range, &pencil_of_triangles, &lattice_of_doubles));
 
+TEST(Soup, SizesOfPolygons) {
+  Input input;
+  add_polygon(input, rectangle(0, 0, 2, 2), "Si", "bulk").size = 0.5;
+  add_polygon(input, rectangle(2, 0, 4, 2), "Si", "bulk").size = 0.25;
+  add_polygon(input, rectangle(4, 0, 6, 2), "Si", "other");
+  add_polygon(input, rectangle(0, 2, 6, 3), "Ox").size = 0.125;
+  add_polygon(input, rectangle(1, 2, 2, 3), "Me");  // hides some of it
+  const auto sizes = [&](const Options& options) {
+    std::map<std::string, std::optional<double>> out;
+    const Result<Cleaned> cleaned = clean(input, options);
+    EXPECT_TRUE(cleaned);
+    for (const Region& region : cleaned->table.regions) out[region.name] = region.size;
+    return out;
+  };
+  using Sizes = std::map<std::string, std::optional<double>>;
+  EXPECT_EQ(sizes({}),
+            (Sizes{{"bulk", 0.25}, {"other", std::nullopt}, {"Ox", 0.125}, {"Me", std::nullopt}}));
+  Options merge;
+  merge.merge_materials = true;
+  EXPECT_EQ(sizes(merge).at("bulk"), 0.25);
+  // A seed over a polygon may wish smaller ones, and takes the polygon's place with its own.
+  input.seeds.push_back({{1, 1}, "Si", "", 0.125, 0, 0});
+  input.seeds.push_back({{5, 1}, "Si", "", 2.0, 1, 0});
+  input.seeds.push_back({{0.5, 2.5}, "Air", "", std::nullopt, 2, 0});
+  const Sizes seeded = sizes({});
+  EXPECT_EQ(seeded.at("bulk"), 0.125);
+  EXPECT_EQ(seeded.at("other"), 2.0);
+  EXPECT_EQ(seeded.at("Air"), std::nullopt);
+}
+
 TEST(Soup, ThousandsOfSegmentsThroughOnePoint) {
   Input input;
   constexpr int kSegments = 4000;
@@ -477,8 +507,8 @@ TEST(Soup, ReportsSplitsWherePolygonsCross) {
   ASSERT_TRUE(out) << out.error().message;
   // They cross: the edges of both are split.
   ASSERT_EQ(out->report.changes.size(), 2U);
-  const auto found = std::find_if(
-      out->report.changes.begin(), out->report.changes.end(), [](const Change& c) {
+  const auto found =
+      std::find_if(out->report.changes.begin(), out->report.changes.end(), [](const Change& c) {
         return c.message == "the edge of polygon 1 'a' from (2, 0) to (2, 2) was split at (2, 1)";
       });
   ASSERT_NE(found, out->report.changes.end());

@@ -34,6 +34,18 @@ TEST(HalfEdges, OppositeOnesAgreeWithASearch) {
   }
 }
 
+// A hub that has the lowest number of all; with 1e5 triangles this takes minutes if it is quadratic.
+TEST(HalfEdges, OppositeOnesAroundAHub) {
+  for (const std::uint32_t spokes : {3U, 30U, 100000U}) {
+    std::vector<IndexTriple> wheel;
+    for (std::uint32_t k = 0; k < spokes; ++k) wheel.push_back({0, 1 + k, 1 + (k + 1) % spokes});
+    const HalfEdges edges(spokes + 1, wheel);
+    const std::vector<std::uint32_t> opposite = opposite_half_edges(spokes + 1, wheel);
+    ASSERT_EQ(opposite.size(), edges.size());
+    for (std::uint32_t h = 0; h < edges.size(); ++h) ASSERT_EQ(opposite[h], edges.twin(h));
+  }
+}
+
 TEST(HalfEdges, OppositeOnesOfNothing) { EXPECT_TRUE(opposite_half_edges(3, {}).empty()); }
 
 }  // namespace

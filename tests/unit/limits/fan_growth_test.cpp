@@ -1,6 +1,7 @@
 #include "limits/fan_growth.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -35,6 +36,41 @@ TEST(FanGrowth, NoTrianglesWithoutRoom) {
   EXPECT_GE(growth.log_ratio(101 * kDegree, 101 * kDegree), 0);
   const FanGrowth stiff({70 * kDegree, 50 * kDegree});
   EXPECT_LT(stiff.log_ratio(80 * kDegree, 90 * kDegree), 0);
+}
+
+// Fans side by side are a fan; with angles from a thousandth of a degree on there are more than are counted.
+TEST(FanGrowth, TwoFansGrowNoFasterThanOneOfBoth) {
+  std::mt19937_64 random(test_seed(2));
+  const auto uniform = [&](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(random);
+  };
+  for (int round = 0; round < 5000; ++round) {
+    const FanGrowth growth(
+        {uniform(65, 175) * kDegree, std::pow(10, uniform(-3, std::log10(55))) * kDegree});
+    const double a = uniform(0, 180) * kDegree, b = uniform(0, 180) * kDegree;
+    const double of_a = growth.log_ratio(a, a), of_b = growth.log_ratio(b, b);
+    if (of_a < 0 || of_b < 0) continue;
+    const double of_both = growth.log_ratio(a + b, a + b);
+    EXPECT_GE(of_both, (of_a + of_b) * (1 - 1e-6) - 1e-3);
+    EXPECT_GE(growth.log_ratio(a, a + b), std::max(of_a, of_both) - 1e-3);
+    for (const double enough : {0.5 * of_both, of_both, 1.1 * of_both + 1e-3}) {
+      EXPECT_EQ(growth.log_ratio(a + b, a + b, enough) >= enough, of_both >= enough);
+    }
+  }
+}
+
+TEST(FanGrowth, FansOfVeryManyTrianglesAreNotBounded) {
+  // Where all angles may be flat, isosceles triangles double the edge each: no walk over 1e10.
+  for (const double least : {0.5, 1e-8, 1e-300}) {
+    const FanGrowth growth({std::numbers::pi - least * kDegree, least * kDegree});
+    EXPECT_EQ(growth.log_ratio(0, std::numbers::pi), std::numeric_limits<double>::infinity())
+        << least;
+  }
+  const FanGrowth wide({176 * kDegree, 2 * kDegree});
+  EXPECT_NEAR(wide.log_ratio(0, std::numbers::pi), 90 * std::log(2), 1);
+  // Fans of few triangles keep their bound, however small the least angle is beside them.
+  EXPECT_LT(FanGrowth({100 * kDegree, 2 * kDegree}).log_ratio(0, std::numbers::pi), 100);
+  EXPECT_LT(FanGrowth({100 * kDegree, 1e-8 * kDegree}).log_ratio(0, 2e-8 * kDegree), 100);
 }
 
 TEST(FanGrowth, NoRandomFanGrowsFaster) {

@@ -316,19 +316,36 @@ TEST(LimitProver, TwoStepsGoBeyondLemmaOne) {
 
 TEST(LimitProver, WhatIsProvenIsNoBetterThanWhatIsReached) {
   std::mt19937_64 random(test_seed(8));
+  int near = 0;
   for (int k = 0; k < 60; ++k) {
     const RegionBoundary boundary = region_for_brute_force(random);
     const Triangulation cdt = cdt_of(boundary);
     const Angles angles = angles_of(cdt);
     LimitProver prover(cdt);
-    const ProvenLimits limits =
-        prover.prove({Angle::radians(kPi - angles.largest), Angle::radians(angles.smallest)},
-                     {Angle::degrees(80), Angle::degrees(20)});
+    const ReachedAngles reached{Angle::radians(kPi - angles.largest),
+                                Angle::radians(angles.smallest)};
+    const ReachedAngles wanted{Angle::degrees(80), Angle::degrees(20)};
+    const ProvenLimits limits = prover.prove(reached, wanted);
+    // What is within a degree is told so by the first questions alone.
+    const bool largest_is_near =
+        angles.largest <= 100 * kDegree ||
+        limits.largest_nu.in_degrees() <= 181 + 1e-9 - angles.largest / kDegree;
+    const bool smallest_is_near =
+        angles.smallest >= 20 * kDegree ||
+        limits.smallest.in_degrees() <= angles.smallest / kDegree + 1 + 1e-9;
+    if (largest_is_near && smallest_is_near) {
+      EXPECT_TRUE(LimitProver(cdt).is_near(reached, wanted));
+      ++near;
+    }
+    if (LimitProver(cdt).is_near(reached, wanted)) {
+      EXPECT_TRUE(largest_is_near);
+    }
     EXPECT_GE(limits.largest_nu.in_radians(), kPi - angles.largest - 1e-12);
     EXPECT_LE(limits.largest_nu.in_radians(), prover.nu_opt() + 1e-12);
     EXPECT_GE(limits.smallest.in_radians(), angles.smallest - 1e-12);
     EXPECT_LE(limits.smallest.in_degrees(), 60 + 1e-9);
   }
+  EXPECT_GT(near, 0);
 }
 
 TEST(LimitProver, TheOrderOfTrianglesDoesNotMatterToWhatIsProven) {

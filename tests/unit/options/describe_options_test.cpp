@@ -20,6 +20,9 @@ TEST(DescribeOptions, WhateverDiffersUnderTheNamesOfTheCommandLine) {
   options.paper = true;
   options.max_angle = Angle::degrees(120);
   options.sizes = {{"", 0.5, false}, {"oxide", 2, false}, {"gate", 0.1, true}};
+  options.sizes.push_back({"Si", 0, false, "0.1+abs(y)"});
+  options.size_of = "asinh";
+  options.size_step = 0.5;
   options.input_sizes = false;
   options.size_field = [](Point) { return 1.0; };
   options.size_field_name = "h.vtu";
@@ -30,9 +33,12 @@ TEST(DescribeOptions, WhateverDiffersUnderTheNamesOfTheCommandLine) {
                                                  {"max-angle", "120"},
                                                  {"size", "0.5"},
                                                  {"size", "oxide=2"},
+                                                 {"size", "Si=0.1+abs(y)"},
                                                  {"size-at", "gate=0.1"},
                                                  {"no-input-sizes", "true"},
                                                  {"size-field", "h.vtu"},
+                                                 {"size-of", "asinh"},
+                                                 {"size-step", "0.5"},
                                                  {"overlap", "error"},
                                                  {"weld", "1e-09"}}));
 }

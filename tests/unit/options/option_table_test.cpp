@@ -30,6 +30,8 @@ std::vector<std::string> values_of(const OptionEntry& entry) {
   }
   if (entry.name == "weld") return {"0.25"};
   if (entry.name == "size-field") return {"h.vtu"};
+  if (entry.name == "size-of") return {"asinh"};
+  if (entry.name == "periodic") return {"a=b", "\"x=1\"=c d@mirror", "e=f@-1,2.5:45"};
   return {"a=0.5", "b c=0x=2"};
 }
 
@@ -138,6 +140,9 @@ TEST(OptionTable, TextThatIsNoValueIsRefusedInWords) {
   EXPECT_EQ(message("threads", "-1"), "-1 is not at least 0 and at most 4096");
   EXPECT_EQ(message("hull", "yes"), "'yes' is not true or false");
   EXPECT_EQ(message("size", "a=0"), "'a=0' is not h or NAME=h with a length h above 0");
+  EXPECT_EQ(message("size", "a="), "'a=' is not h or NAME=h with a length h above 0");
+  EXPECT_EQ(message("size", "a=1+*x"), "'1+*x', column 3: expected a number or a name, not '*'");
+  EXPECT_EQ(message("size-at", "gate=x"), "'gate=x' is not NAME=h with a length h above 0");
   EXPECT_EQ(message("size-at", "1"), "'1' is not NAME=h with a length h above 0");
   EXPECT_EQ(message("weld", "on"), "'on' is not auto, off or a number, at least 0 and below 1");
 }

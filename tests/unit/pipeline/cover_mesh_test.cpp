@@ -213,6 +213,26 @@ TEST(CoverMesh, WhatTheProgressFunctionThrowsReachesTheCaller) {
   EXPECT_EQ(calls, 1);
 }
 
+TEST(CoverMesh, WhatASizeFunctionThrowsIsAnErrorThatSaysSo) {
+  const Input input = testing::checker(3, 3, 18);
+  Options options;
+  options.threads = 3;
+  for (const bool split : {false, true}) {
+    if (split) options.split_interfaces = Angle::degrees(90);
+    options.size_field = [](Point) -> double { throw std::runtime_error("no data here"); };
+    const Result<Output> failed = cover_mesh(input, options);
+    ASSERT_FALSE(failed.has_value());
+    EXPECT_EQ(failed.error().code, ErrorCode::bad_option) << failed.error().message;
+    EXPECT_NE(failed.error().message.find("no data here"), std::string::npos);
+    EXPECT_EQ(failed.error().message.find("error in cover"), std::string::npos);
+    EXPECT_EQ(failed.error().where.size(), 1U);
+    options.size_field = [](Point) -> double { throw 7; };
+    EXPECT_EQ(cover_mesh(input, options).error().code, ErrorCode::bad_option);
+    options.size_field = [](Point) -> double { throw std::bad_alloc(); };
+    EXPECT_EQ(cover_mesh(input, options).error().code, ErrorCode::out_of_memory);
+  }
+}
+
 TEST(CoverMesh, RefusesOptionsOutOfRange) {
   const Input input = testing::checker(1, 2, 1);
   const auto code = [&](auto change) {

@@ -1,3 +1,4 @@
+#include "sizes/size_field.hpp"
 #include "sizes/sizes.hpp"
 
 #include <algorithm>
@@ -245,6 +246,48 @@ TEST(Sizes, OfTheInputCount) {
   options.input_sizes = false;
   ASSERT_TRUE(resolve_sizes(regions.pslg, regions.table, options, boundaries));
   EXPECT_EQ(boundaries[0].size, 0.5);
+}
+
+TEST(Sizes, ExpressionsHoldWhereTheyAreAsked) {
+  const Regions regions = regions_of(two_rectangles());
+  auto boundaries = split_regions(regions.pslg, regions.table);
+  Options options;
+  options.sizes = {{"", 0, false, "x - 1"}, {"right", 0, false, "0.5"}, {"right", 0.75, false}};
+  ASSERT_TRUE(resolve_sizes(regions.pslg, regions.table, options, boundaries));
+  EXPECT_EQ(boundaries[0].size, 0);
+  EXPECT_EQ(boundaries[1].size, 0.75);
+  EXPECT_EQ(boundaries[0].size_function({1.25, 0}), 0.25);
+  EXPECT_EQ(boundaries[1].size_function({1.25, 0}), 0.25);
+  EXPECT_EQ(boundaries[1].size_function({2.5, 0}), 0.5);
+  EXPECT_EQ(boundaries[1].size_function({0.5, 0}), 0.5);  // -0.5 is no wish
+  const SizeFunction all = background_of(boundaries[1], options);
+  EXPECT_EQ(all({1.25, 0}), 0.25);
+  options.size_field = [](Point) { return 0.125; };
+  EXPECT_EQ(background_of(boundaries[1], options)({1.25, 0}), 0.125);
+  options.sizes.clear();
+  ASSERT_TRUE(resolve_sizes(regions.pslg, regions.table, options, boundaries));
+  EXPECT_FALSE(boundaries[0].size_function);
+  options.sizes = {{"", 0, false, "x -"}};
+  EXPECT_EQ(resolve_sizes(regions.pslg, regions.table, options, boundaries).error().code,
+            ErrorCode::bad_option);
+}
+
+/// A mesh that an expression grades has as many triangles as one that a function grades alike; only
+/// the region that is named has them.
+TEST(Sizes, AnExpressionGradesTheMesh) {
+  Options options;
+  options.sizes = {{"right", 0, false, "0.02 + 0.1*abs(x - 2)"}};
+  options.split_interfaces = Angle::degrees(120);
+  const Result<Output> output = cover_mesh(two_rectangles(), options);
+  ASSERT_TRUE(output) << output.error().message;
+  // The integral of 4 / (sqrt(3) h^2).
+  const double expected = 4 / std::sqrt(3.0) * 2 * (1 / 0.02 - 1 / 0.12) / 0.1;
+  const auto triangles = [&](std::size_t region) {
+    return static_cast<double>(output->report.regions[region].quality.triangles);
+  };
+  EXPECT_GT(triangles(1), 0.7 * expected);
+  EXPECT_LT(triangles(1), 1.6 * expected);
+  EXPECT_LT(triangles(0), 0.2 * expected);
 }
 
 TEST(Sizes, AtAnInterfaceAContactAndAPoint) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <new>
+#include <vector>
 
 #include "region/region_graph.hpp"
 
@@ -31,6 +33,22 @@ TEST(ErrorsAsValues, MakesAnErrorOfABrokenPromise) {
   EXPECT_EQ(table.error().message,
             "regions: find_faces: the segments are no PSLG; this is an error in cover, please "
             "report it with the input");
+}
+
+TEST(ErrorsAsValues, LackOfMemoryIsAnErrorOfItsOwn) {
+  const auto failed =
+      errors_as_values("a stage with a long name", []() -> Status { throw std::bad_alloc(); });
+  EXPECT_EQ(failed.error().code, ErrorCode::out_of_memory);
+  EXPECT_EQ(failed.error().message, "a stage with a long name: out of memory");
+}
+
+TEST(ErrorsAsValues, WhatACallerThrowsIsNoErrorInCover) {
+  const auto failed = errors_as_values("sizes", []() -> Status {
+    throw CallerFault("the size function failed at (1, 2): no data", {1, 2});
+  });
+  EXPECT_EQ(failed.error().code, ErrorCode::bad_option);
+  EXPECT_EQ(failed.error().message, "the size function failed at (1, 2): no data");
+  EXPECT_EQ(failed.error().where, std::vector<Point>({{1, 2}}));
 }
 
 }  // namespace

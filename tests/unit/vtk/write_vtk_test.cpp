@@ -13,6 +13,7 @@
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <array>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -184,9 +185,9 @@ TEST(WriteVtm, NamedBlocksForRegionsAndInterfaces) {
     const MeshView view = view_of(output, {});
     EXPECT_EQ(regions.size(), view.region_groups.size());
     EXPECT_EQ(lines.size(), view.line_groups.size());
-    for (const Group& group : view.region_groups) EXPECT_TRUE(regions.contains(group.name));
-    for (const Group& group : view.line_groups) EXPECT_TRUE(lines.contains(group.name));
-    EXPECT_TRUE(regions.contains("a_b"));
+    for (const Group& group : view.region_groups) EXPECT_TRUE(regions.contains(group.label));
+    for (const Group& group : view.line_groups) EXPECT_TRUE(lines.contains(group.label));
+    EXPECT_TRUE(regions.contains("a/b"));
     EXPECT_TRUE(regions.contains("Si"));
     EXPECT_TRUE(regions.contains("Si_2"));
     vtkIdType cells = 0;
@@ -196,6 +197,76 @@ TEST(WriteVtm, NamedBlocksForRegionsAndInterfaces) {
   std::size_t files = 0;
   for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder.path())) ++files;
   EXPECT_EQ(files, 2U) << "checker.vtm and the folder of its pieces";
+}
+
+/// Many cells in a row, each of a name of its own, with a contact at the bottom.
+Output row_of_parcels(int count) {
+  Input input;
+  for (int k = 0; k <= count; ++k) {
+    input.points.push_back({1.0 * k, 0});
+    input.points.push_back({1.0 * k, 1});
+  }
+  const auto add = [&](int a, int b, const char* name) {
+    InputSegment segment;
+    segment.a = static_cast<std::uint32_t>(a);
+    segment.b = static_cast<std::uint32_t>(b);
+    segment.name = name;
+    input.segments.push_back(segment);
+  };
+  for (int k = 0; k <= count; ++k) add(2 * k, 2 * k + 1, "");
+  for (int k = 0; k < count; ++k) add(2 * k, 2 * k + 2, k < 3 ? "road" : "");
+  for (int k = 0; k < count; ++k) add(2 * k + 1, 2 * k + 3, "");
+  Result<Output> output = cover_mesh(std::move(input));
+  EXPECT_TRUE(output);
+  for (Region& region : output->table.regions) {
+    region.name = "parcel " + std::to_string(region.id.value());
+    region.material_name = "f\xc3\xa4rm";
+  }
+  return std::move(output).value();
+}
+
+TEST(WriteVtm, OneFilePerNameAtMostAndOneForAllLinesOfMany) {
+  const testing::TemporaryFolder folder;
+  const Output output = row_of_parcels(150);
+  const fs::path path = folder.path() / "map.vtm";
+  ASSERT_TRUE(write_vtm(output, path));
+  std::size_t files = 0;
+  for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder.path() / "map")) ++files;
+  EXPECT_EQ(files, 150U + 2U) << "regions, the road, all other lines";
+  vtkNew<vtkXMLMultiBlockDataReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  const auto blocks =
+      blocks_of(vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0)), 1);
+  ASSERT_EQ(blocks.size(), 2U);
+  EXPECT_EQ(blocks.at("road")->GetNumberOfCells(), 3);
+  EXPECT_EQ(blocks.at("lines")->GetNumberOfCells() + 3,
+            static_cast<vtkIdType>(output.pslg.segments.size()));
+  const Result<Output> read = read_output(path);
+  ASSERT_TRUE(read) << read.error().message;
+  for (std::size_t r = 0; r < 150; ++r) {
+    EXPECT_EQ(read->table.regions[r].name, output.table.regions[r].name);
+    EXPECT_EQ(read->table.regions[r].material_name, "f\xc3\xa4rm");
+  }
+  ASSERT_EQ(read->table.interfaces.size(), output.table.interfaces.size());
+  for (std::size_t k = 0; k < output.table.interfaces.size(); ++k)
+    EXPECT_EQ(read->table.interfaces[k].name, output.table.interfaces[k].name);
+}
+
+TEST(WriteVtm, PiecesThatAreThereAreNotTouched) {
+  const testing::TemporaryFolder folder;
+  const fs::path path = folder.path() / "map.vtm", pieces = folder.path() / "map";
+  ASSERT_TRUE(write_vtm(row_of_parcels(20), path));
+  const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(1);
+  for (const auto& entry : fs::directory_iterator(pieces)) fs::last_write_time(entry, long_ago);
+  Output other = row_of_parcels(20);
+  other.mesh.set_material(other.mesh.tri().face_handle(0), 77);
+  ASSERT_TRUE(write_vtm(other, path));
+  std::size_t old = 0, fresh = 0;
+  for (const auto& entry : fs::directory_iterator(pieces))
+    ++(fs::last_write_time(entry) < long_ago + std::chrono::minutes(1) ? old : fresh);
+  EXPECT_EQ(fresh, 1U);
+  EXPECT_GT(old, 20U);
 }
 
 /// All files below a folder, by their names in it.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/bucket_queue.hpp"
 #include "cdt/sight.hpp"
@@ -48,6 +49,10 @@ class Refiner {
         break;
       }
       --budget;
+      if (wasted_ > most_wasted()) {
+        result.target_reached = false;
+        break;
+      }
       if (!treat(bad.triangle)) result.target_reached = false;
       // A chord was split far away: the triangle is still there.
       else if (version_[bad.triangle] == bad.version)
@@ -59,6 +64,11 @@ class Refiner {
   }
 
  private:
+  /// Triangles passed in vain, because of locked chords, after which it is not tried any longer: a
+  /// few dozen are normal for a triangle that cannot be mended; where long thin triangles lie side
+  /// by side, each of them may pass all others.
+  [[nodiscard]] std::size_t most_wasted() const { return 10000 + 100 * cdt_.triangles.size(); }
+
   /// A triangle with too large an angle.
   struct Bad {
     std::uint32_t triangle, version;
@@ -107,6 +117,7 @@ class Refiner {
 
   /// Inserts a vertex against the large angle of `t`; false if that is not possible.
   bool treat(std::uint32_t t) {
+    passed_ = 0;
     const Triangle& f = cdt_.triangles[t];
     const int i = longest_edge(corner(f, 0), corner(f, 1), corner(f, 2));
     // The circumcentre lies behind the longest edge.
@@ -117,6 +128,7 @@ class Refiner {
       return insert_inside(t, midpoint(corner(f, next3(i)), corner(f, prev3(i))));
     }
     const Walk walk = walk_straight(cdt_, t, inside, centre);
+    passed_ = walk.passed;
     return walk.arrived ? insert_inside(walk.at.triangle, centre) : split_chord(walk.at);
   }
 
@@ -133,11 +145,9 @@ class Refiner {
   }
 
   bool insert_inside(std::uint32_t t, Point z) {
-    collect_cavity(t, z);
-    for (const Rim& rim : rim_) {
-      if (rim.outer != kNone && !rim.locked) continue;
-      const Point a = cdt_.points[rim.a], b = cdt_.points[rim.b];
-      if (compare_with_90_degrees(a, z, b) != Sign::negative) return split_chord(rim_at(rim));
+    if (!collect_cavity(t, z, /*until_encroached=*/true)) {
+      passed_ += cavity_.size();
+      return split_chord(rim_at(rim_.back()));
     }
     if (!fan_is_positive(z)) return false;
     tan_target_.push_back(std::tan(goal_.target_nu));
@@ -149,7 +159,12 @@ class Refiner {
   bool split_chord(EdgeRef at) {
     const Triangle& f = cdt_.triangles[at.triangle];
     const std::uint32_t chord = edges_[at.triangle][at.edge];
-    if (f.n[at.edge] != kNone || chord == kNone || chords_[chord].locked) return false;
+    if (chord != kNone && chords_[chord].locked) {
+      wasted_ += std::exchange(passed_, 0);
+      met_locked_.push_back(chord);
+      return false;
+    }
+    if (f.n[at.edge] != kNone || chord == kNone) return false;
     const std::uint32_t a = f.v[static_cast<std::size_t>(next3(at.edge))];
     const std::uint32_t b = f.v[static_cast<std::size_t>(prev3(at.edge))];
     const Point z = split_point(at, cdt_.points[a], cdt_.points[b]);
@@ -198,8 +213,10 @@ class Refiner {
     }
   }
 
-  /// The triangles around `t` whose circle contains `z`, and the rim around them.
-  void collect_cavity(std::uint32_t t, Point z) {
+  /// The triangles around `t` whose circle contains `z`, and the rim around them. False if asked to
+  /// stop at a boundary edge that `z` encroaches upon, and there is one: the last of the rim so far.
+  /// (Cavities may have all triangles, and most tries end so.)
+  bool collect_cavity(std::uint32_t t, Point z, bool until_encroached = false) {
     cavity_.clear();
     rim_.clear();
     ++stamp_;
@@ -223,8 +240,14 @@ class Refiner {
                         f.v[static_cast<std::size_t>(prev3(i))], next,
                         next == kNone ? 0 : cdt_.triangles[next].edge_to(at),
                         edges_[at][static_cast<std::size_t>(i)], f.is_locked(i)});
+        if (until_encroached && is_rim(f, i) && is_encroached(rim_.back(), z)) return false;
       }
     }
+    return true;
+  }
+
+  [[nodiscard]] bool is_encroached(const Rim& rim, Point z) const {
+    return compare_with_90_degrees(cdt_.points[rim.a], z, cdt_.points[rim.b]) != Sign::negative;
   }
 
   /// The inner side of a rim edge that has not been dug yet.
@@ -298,9 +321,12 @@ class Refiner {
     edges_[cavity_[last]][1] = split.chord;
   }
 
-  /// The locked chords on and behind the longest edges of triangles that do not keep `keep_nu`.
+  /// The locked chords on and behind the longest edges of triangles that do not keep `keep_nu`; if
+  /// too much was wasted, those that were met instead of those behind.
   [[nodiscard]] std::vector<std::uint32_t> find_blocking() {
     std::vector<std::uint32_t> blocking;
+    const bool in_a_hurry = wasted_ > most_wasted();
+    if (in_a_hurry) blocking = met_locked_;
     const auto add = [&](EdgeRef at) {
       const std::uint32_t chord = edges_[at.triangle][at.edge];
       if (chord != kNone && chords_[chord].locked) blocking.push_back(chord);
@@ -312,6 +338,7 @@ class Refiner {
       const Vector u = corner(f, next3(i)) - corner(f, i), v = corner(f, prev3(i)) - corner(f, i);
       if (std::abs(cross(u, v)) >= -tan_keep * dot(u, v)) continue;
       for (std::uint8_t k = 0; k < 3; ++k) add({t, k});
+      if (in_a_hurry) continue;
       const Point centre = circumcentre(f, i);
       if (is_rim(f, i) || !std::isfinite(centre.x) || !std::isfinite(centre.y)) continue;
       const Walk walk = walk_straight(
@@ -324,10 +351,7 @@ class Refiner {
       collect_cavity(walk.at.triangle, centre);
       for (const Rim& rim : rim_) {
         if (rim.outer != kNone && !rim.locked) continue;
-        if (compare_with_90_degrees(cdt_.points[rim.a], centre, cdt_.points[rim.b]) !=
-            Sign::negative) {
-          add(rim_at(rim));
-        }
+        if (is_encroached(rim, centre)) add(rim_at(rim));
       }
     }
     std::sort(blocking.begin(), blocking.end());
@@ -370,6 +394,9 @@ class Refiner {
   std::vector<std::uint32_t>
       fan_at_;  ///< by vertex: new triangle on the rim edge that starts there
   std::vector<Split> splits_;
+  std::size_t passed_ = 0;                 ///< triangles, by the try at hand
+  std::size_t wasted_ = 0;                 ///< triangles passed by tries that a locked chord ended
+  std::vector<std::uint32_t> met_locked_;  ///< chords, by these tries
 };
 
 }  // namespace

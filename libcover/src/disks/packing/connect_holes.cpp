@@ -11,27 +11,11 @@
 #include <queue>
 #include <tuple>
 
+#include "base/union_find.hpp"
 #include "disks/packing/reduce_cycles.hpp"
 
 namespace cover::disks {
 namespace {
-
-/// Which cycles hang together. Smallest label represents.
-class Clusters {
- public:
-  explicit Clusters(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  Index find(Index k) {
-    while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
-    return k;
-  }
-  void unite(Index a, Index b) {
-    a = find(a), b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<Index> parent_;
-};
 
 struct Segment {
   Point a, b;
@@ -71,7 +55,7 @@ bool connect_holes(Packing& packing, std::span<const std::array<Index, 2>> pairs
                    double tolerance) {
   if (pairs.empty()) return true;
   std::vector<Index> cluster_of(packing.elements.size(), kNoIndex);
-  Clusters clusters(packing.cycles.size());
+  UnionFind clusters(packing.cycles.size());
   for (const Side& s : packing.sides) {  // a disk on the boundary may lie on several cycles
     if (cluster_of[s.element] == kNoIndex) cluster_of[s.element] = s.cycle;
     clusters.unite(cluster_of[s.element], s.cycle);

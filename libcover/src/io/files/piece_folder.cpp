@@ -16,6 +16,8 @@
 
 #include <fmt/format.h>
 
+#include "io/files/names_in_folder.hpp"
+
 namespace cover {
 namespace {
 
@@ -35,6 +37,20 @@ class Hash {
  private:
   std::uint64_t value_ = 0xcbf29ce484222325;
 };
+
+/// Whether a file has so many bytes, with this hash: a power failure may have left less.
+bool holds(const fs::path& path, std::size_t size, const Hash& hash) {
+  struct stat status {};
+  if (lstat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode) ||
+      static_cast<std::size_t>(status.st_size) != size)
+    return false;
+  std::ifstream file(path, std::ios::binary);
+  std::string piece(1 << 16, '\0');
+  Hash found;
+  while (file.read(piece.data(), static_cast<std::streamsize>(piece.size())), file.gcount() > 0)
+    found.add(std::string_view(piece).substr(0, static_cast<std::size_t>(file.gcount())));
+  return found.text() == hash.text();
+}
 
 bool is_decimal(char c) { return c >= '0' && c <= '9'; }
 bool is_hash_digit(char c) { return is_decimal(c) || (c >= 'a' && c <= 'f'); }
@@ -93,25 +109,24 @@ Error cancelled(const std::string& shown) {
 
 }  // namespace
 
-fs::path PieceFolder::folder() const { return target_.parent_path() / stem_; }
-
 Result<PieceFolder> PieceFolder::open(const fs::path& target, const std::string& shown,
                                       std::stop_token stop) {
   PieceFolder out;
   out.target_ = target;
   out.stem_ = target.stem();
+  out.folder_ = target.parent_path() / out.stem_;
   out.shown_ = shown;
   out.stop_ = std::move(stop);
   out.owner_ = owner_of(target);
   if (Status status = out.lock(); !status) return std::move(status).error();
-  remove_leftovers(out.folder(), out.stem_);
+  remove_leftovers(out.folder_, out.stem_);
   remove_leftovers(target.parent_path(), target.filename().string());
   out.named_before_ = names_in(target);
   return out;
 }
 
 Status PieceFolder::lock() {
-  const fs::path path = folder();
+  const fs::path& path = folder_;
   const auto failure = [&](int number) {
     return cannot_write(fmt::format("{}, with its pieces in the folder {}", shown_, path.string()),
                         number);
@@ -139,6 +154,7 @@ Status PieceFolder::lock() {
 PieceFolder::PieceFolder(PieceFolder&& other) noexcept
     : target_(std::move(other.target_)),
       stem_(std::move(other.stem_)),
+      folder_(std::move(other.folder_)),
       shown_(std::move(other.shown_)),
       stop_(std::move(other.stop_)),
       owner_(other.owner_),
@@ -150,24 +166,43 @@ PieceFolder::PieceFolder(PieceFolder&& other) noexcept
 
 PieceFolder::~PieceFolder() {
   if (lock_ < 0) return;
-  for (const std::string& piece : made_) unlink((folder() / piece).c_str());
-  if (is_made_) rmdir(folder().c_str());
+  // Without an allocation, which may fail.
+  for (const std::string& piece : made_) unlinkat(lock_, piece.c_str(), 0);
+  if (is_made_) rmdir(folder_.c_str());
   close(lock_);
 }
 
+/// A small piece is put together in memory first: of thousands, most may be there already, and
+/// replacing a file makes the file system wait for the disk.
 Result<std::string> PieceFolder::add(const std::function<void(const ByteSink&)>& write) {
-  Result<TemporaryFile> file = TemporaryFile::beside(folder() / stem_, shown_, owner_, stop_);
-  if (!file) return std::move(file).error();
+  constexpr std::size_t kSmall = 1 << 20;
+  std::string small;
+  std::optional<Result<TemporaryFile>> file;
+  const auto create = [&] {
+    file.emplace(TemporaryFile::beside(folder_ / stem_, shown_, owner_, stop_));
+    if (*file) (*file)->write(small);
+  };
   Hash hash;
+  std::size_t size = 0;
   write([&](std::string_view bytes) {
     hash.add(bytes);
-    file->write(bytes);
+    size += bytes.size();
+    if (!file && size > kSmall) create();
+    if (!file)
+      small += bytes;
+    else if (*file)
+      (*file)->write(bytes);
   });
   std::string name = fmt::format("{}_{}_{}.vtu", stem_, pieces_.size(), hash.text());
-  const fs::path path = folder() / name;
-  const bool is_new = access(path.c_str(), F_OK) != 0;
-  if (is_new) made_.push_back(name);
-  if (Status status = file->rename(path); !status) return std::move(status).error();
+  const fs::path path = folder_ / name;
+  if (stop_.stop_requested()) return cancelled(shown_);
+  if (!holds(path, size, hash)) {
+    if (!file) create();
+    if (!*file) return std::move(*file).error();
+    const bool is_new = access(path.c_str(), F_OK) != 0;
+    if (is_new) made_.push_back(name);
+    if (Status status = (*file)->rename(path); !status) return std::move(status).error();
+  }
   pieces_.push_back(name);
   return fmt::format("{}/{}", stem_, name);
 }
@@ -182,14 +217,14 @@ Status PieceFolder::sync_pieces() {
   }
 #endif
   for (const std::string& piece : pieces_) {
-    const int file = ::open((folder() / piece).c_str(), O_RDONLY | O_CLOEXEC);
+    const int file = ::open((folder_ / piece).c_str(), O_RDONLY | O_CLOEXEC);
     if (file < 0) return cannot_write(shown_, errno);
     const int number = fsync(file) == 0 ? 0 : errno;
     close(file);
     if (number != 0) return cannot_write(shown_, number);
     if (stop_.stop_requested()) return cancelled(shown_);
   }
-  return sync_folder(folder(), shown_);
+  return sync_folder(folder_, shown_);
 }
 
 Status PieceFolder::commit(std::string_view text) {
@@ -207,17 +242,12 @@ Status PieceFolder::commit(std::string_view text) {
 
 void PieceFolder::remove_old_pieces() {
   const std::unordered_set<std::string> now(pieces_.begin(), pieces_.end());
-  std::vector<fs::path> old;
-  std::error_code ignored;
-  for (fs::directory_iterator entry(folder(), ignored), end; !ignored && entry != end;
-       entry.increment(ignored)) {
-    const std::string name = entry->path().filename();
+  for (const std::string& name : names_in_folder(folder_)) {
     // Without a hash, ParaView numbers the files of a time series in the same way.
     const bool ours = is_piece(name, stem_, false) ||
                       (is_piece(name, stem_, true) && named_before_.contains(name));
-    if (ours && !now.contains(name)) old.push_back(entry->path());
+    if (ours && !now.contains(name)) unlinkat(lock_, name.c_str(), 0);
   }
-  for (const fs::path& path : old) unlink(path.c_str());
 }
 
 }  // namespace cover

@@ -38,7 +38,7 @@ class PieceFolder {
   /// Removes what was added, unless it was committed.
   ~PieceFolder();
 
-  /// Adds a piece that `write` writes. The result is its name as X.vtm wants it.
+  /// Adds a piece that `write` writes; one that is there already, whole, stays as it is. The result is its name as X.vtm wants it.
   ///
   /// Errors: cannot_write; cancelled
   Result<std::string> add(const std::function<void(const ByteSink&)>& write);
@@ -53,10 +53,10 @@ class PieceFolder {
   Status lock();
   Status sync_pieces();
   void remove_old_pieces();
-  [[nodiscard]] std::filesystem::path folder() const;
 
   std::filesystem::path target_;
   std::string stem_;
+  std::filesystem::path folder_;
   std::string shown_;
   std::stop_token stop_;
   std::optional<FileOwner> owner_;

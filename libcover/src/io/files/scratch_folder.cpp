@@ -8,12 +8,13 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <new>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
+#include "io/files/names_in_folder.hpp"
 #include "io/files/temporary_file.hpp"
 
 namespace cover {
@@ -40,17 +41,12 @@ int lock(const fs::path& path, bool must_lock) {
 }
 
 void remove_dead_folders(const fs::path& folder, const std::string& head) {
-  std::error_code ignored;
-  std::vector<fs::path> found;
-  for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
-       entry.increment(ignored)) {
-    const std::string name = entry->path().filename();
-    if (name.starts_with(head) && name.size() == head.size() + kLetters.size())
-      found.push_back(entry->path());
-  }
-  for (const fs::path& path : found) {
+  for (const std::string& name : names_in_folder(folder)) {
+    if (!name.starts_with(head) || name.size() != head.size() + kLetters.size()) continue;
+    const fs::path path = folder / name;
     const int file = lock(path, true);
     if (file < 0) continue;
+    std::error_code ignored;
     fs::remove_all(path, ignored);
     close(file);
   }
@@ -82,8 +78,12 @@ ScratchFolder& ScratchFolder::operator=(ScratchFolder&& other) noexcept {
 }
 
 ScratchFolder::~ScratchFolder() {
-  std::error_code ignored;
-  if (!path_.empty()) fs::remove_all(path_, ignored);
+  try {
+    std::error_code ignored;
+    if (!path_.empty()) fs::remove_all(path_, ignored);
+  } catch (const std::bad_alloc&) {
+    // The next run removes it.
+  }
   if (lock_ >= 0) close(lock_);
 }
 

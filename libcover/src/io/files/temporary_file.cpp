@@ -17,6 +17,8 @@
 
 #include <fmt/format.h>
 
+#include "io/files/names_in_folder.hpp"
+
 namespace cover {
 namespace {
 
@@ -101,8 +103,7 @@ Result<TemporaryFile> TemporaryFile::beside(const fs::path& target, const std::s
   // What the old file keeps from others, the new one does too, from its first byte on.
   const mode_t mode = owner ? owner->mode & kNewFile : kNewFile;
   for (int n = 0; n < kMostNames; ++n) {
-    const fs::path name =
-        target.parent_path() / fmt::format(".{}.{}.tmp", target.filename().string(), n);
+    fs::path name = target.parent_path() / fmt::format(".{}.{}.tmp", target.filename().string(), n);
     out.file_ = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
     if (out.file_ < 0) {
       if (errno != EEXIST) return cannot_write(shown, errno);
@@ -110,7 +111,7 @@ Result<TemporaryFile> TemporaryFile::beside(const fs::path& target, const std::s
     }
     const bool is_taken = flock(out.file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
     if (!is_taken && is_name_of(name, out.file_)) {
-      out.path_ = name;
+      out.path_ = std::move(name);  // which needs no memory, so that the file is surely removed
       return out;
     }
     close(std::exchange(out.file_, -1));  // taken for a dead one and removed by another run
@@ -212,15 +213,10 @@ Status TemporaryFile::rename(const fs::path& target) {
 }
 
 void remove_leftovers(const fs::path& folder, std::string_view name) {
-  std::error_code ignored;
   // Names first: what is removed while a folder is read may make it skip others.
-  std::vector<fs::path> found;
-  for (fs::directory_iterator entry(folder.empty() ? "." : folder, ignored), end; entry != end;
-       entry.increment(ignored)) {
-    if (ignored) break;
-    if (is_temporary(entry->path().filename().string(), name)) found.push_back(entry->path());
+  for (const std::string& found : names_in_folder(folder)) {
+    if (is_temporary(found, name)) remove_if_dead(folder / found);
   }
-  for (const fs::path& path : found) remove_if_dead(path);
 }
 
 Status sync_folder(const fs::path& folder, const std::string& shown) {

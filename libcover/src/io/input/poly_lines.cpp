@@ -7,10 +7,18 @@
 
 namespace cover {
 
-bool PolyLines::next_line(std::string_view wanted) {
+std::string Wanted::text() const {
+  std::string words(kind);
+  if (number) words += fmt::format(" {}", *number);
+  words += part;
+  if (of) words += fmt::format(" of {}", *of);
+  return words;
+}
+
+bool PolyLines::next_line(const Wanted& wanted) {
   if (lines_.next()) return true;
   return fail_count(ErrorCode::truncated,
-                    fmt::format("the file ends where {} should follow", wanted));
+                    fmt::format("the file ends where {} should follow", wanted.text()));
 }
 
 bool PolyLines::fail_count(ErrorCode code, std::string_view what) {
@@ -38,12 +46,12 @@ void PolyLines::report_surplus(Input& input) const {
 }
 
 bool PolyLines::header(std::string_view section, std::size_t& count) {
-  return next_line(fmt::format("the number of {}", section)) && announced(section, count);
+  return next_line({.kind = "the number of ", .part = section}) && announced(section, count);
 }
 
 bool PolyLines::announced(std::string_view section, std::size_t& count) {
   long value = 0;
-  if (!integer(0, fmt::format("the number of {}", section), value)) {
+  if (!integer(0, {.kind = "the number of ", .part = section}, value)) {
     if (counts_.empty()) error_->message += "; is this a .poly or .node file?";
     return false;
   }
@@ -55,50 +63,55 @@ bool PolyLines::announced(std::string_view section, std::size_t& count) {
   return true;
 }
 
-bool PolyLines::integer(std::size_t field, std::string_view what, long& value) {
+bool PolyLines::integer(std::size_t field, const Wanted& what, long& value) {
   const auto& f = lines_.fields();
-  if (field >= f.size()) return fail_count(ErrorCode::syntax, fmt::format("{} is missing", what));
+  if (field >= f.size())
+    return fail_count(ErrorCode::syntax, fmt::format("{} is missing", what.text()));
   const auto parsed = parse_integer(f[field]);
   if (!parsed) {
-    return fail(ErrorCode::syntax, fmt::format("{}: '{}' is no integer{}", what, legible(f[field]),
-                                               hint_at_comma(f[field])));
+    return fail(ErrorCode::syntax, fmt::format("{}: '{}' is no integer{}", what.text(),
+                                               legible(f[field]), hint_at_comma(f[field])));
   }
   value = *parsed;
   return true;
 }
 
-bool PolyLines::coordinate(std::size_t field, std::string_view what, double& value) {
+bool PolyLines::coordinate(std::size_t field, const Wanted& what, double& value) {
   const char* const axis = field == 1 ? "x" : "y";
   const auto& f = lines_.fields();
   if (field >= f.size()) {
     return fail_count(ErrorCode::syntax,
-                      fmt::format("{}: the {} coordinate is missing", what, axis));
+                      fmt::format("{}: the {} coordinate is missing", what.text(), axis));
   }
   const auto parsed = parse_double(f[field]);
   if (!parsed) {
-    return fail(ErrorCode::syntax, fmt::format("{}: the {} coordinate '{}' is no number{}", what,
-                                               axis, legible(f[field]), hint_at_comma(f[field])));
+    return fail(ErrorCode::syntax,
+                fmt::format("{}: the {} coordinate '{}' is no number{}", what.text(), axis,
+                            legible(f[field]), hint_at_comma(f[field])));
   }
   if (!std::isfinite(*parsed)) {
-    return fail(ErrorCode::non_finite_coordinate,
-                fmt::format("{}: the {} coordinate '{}' is not finite", what, axis, f[field]));
+    return fail(
+        ErrorCode::non_finite_coordinate,
+        fmt::format("{}: the {} coordinate '{}' is not finite", what.text(), axis, f[field]));
   }
   value = *parsed;
   return true;
 }
 
-bool PolyLines::position(std::string_view what, Point& at) {
+bool PolyLines::position(const Wanted& what, Point& at) {
   return coordinate(1, what, at.x) && coordinate(2, what, at.y);
 }
 
-bool PolyLines::marker(std::size_t field, std::string_view what, int& value) {
+bool PolyLines::marker(std::size_t field, const Wanted& what, int& value) {
   long read = 0;
   if (field >= lines_.fields().size()) return true;
-  if (!integer(field, fmt::format("{}: the boundary marker", what), read)) return false;
+  Wanted part = what;
+  part.part = ": the boundary marker";
+  if (!integer(field, part, read)) return false;
   value = static_cast<int>(read);
   if (value == read) return true;
   return fail(ErrorCode::syntax,
-              fmt::format("{}: the boundary marker {} is too large", what, read));
+              fmt::format("{}: the boundary marker {} is too large", what.text(), read));
 }
 
 bool PolyLines::expect_end() {

@@ -1,6 +1,7 @@
 // The lines of Triangle's .poly and .node: fields as numbers, sections headed by their counts.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +12,17 @@
 #include "io/text/text.hpp"
 
 namespace cover {
+
+/// What is being read, in words that are put together for an error only: they would take longer
+/// than the reading.
+struct Wanted {
+  std::string_view kind;               ///< "point"
+  std::optional<long> number = {};     ///< as the file has it
+  std::string_view part = {};          ///< of the element; ": the boundary marker"
+  std::optional<std::size_t> of = {};  ///< how many there are
+
+  [[nodiscard]] std::string text() const;
+};
 
 /// A LineReader whose readings say whether they went well; the first error stays in `error()`, with
 /// file and line. `what` names in errors what is read.
@@ -33,21 +45,27 @@ class PolyLines {
 
   /// Goes on to the next line; false at the end of the text.
   bool next() { return lines_.next(); }
-  bool next_line(std::string_view wanted);
+  bool next_line(const Wanted& wanted);
   /// The next line, which begins with a count.
   bool header(std::string_view section, std::size_t& count);
   /// The count that this line begins with.
   bool announced(std::string_view section, std::size_t& count);
+  /// Room in `values` for `count` more lines, each of some bytes, as far as the file can hold them.
+  template <class T>
+  void make_room(std::size_t count, std::vector<T>& values) const {
+    constexpr std::size_t kShortestLine = 6;  // "1 0 0\n"
+    values.reserve(values.size() + std::min(count, lines_.left() / kShortestLine));
+  }
   /// Notes that a line of the kind `what` has more fields than the `expected` ones.
   void check_surplus(std::string_view what, std::size_t expected);
 
   [[nodiscard]] int line() const { return lines_.line(); }
   [[nodiscard]] const std::vector<std::string_view>& fields() const { return lines_.fields(); }
-  bool integer(std::size_t field, std::string_view what, long& value);
+  bool integer(std::size_t field, const Wanted& what, long& value);
   /// Fields 1 and 2.
-  bool position(std::string_view what, Point& at);
+  bool position(const Wanted& what, Point& at);
   /// A boundary marker; 0 where the field is missing.
-  bool marker(std::size_t field, std::string_view what, int& value);
+  bool marker(std::size_t field, const Wanted& what, int& value);
   /// A count from a header that may not be there (then 0).
   [[nodiscard]] long optional_count(std::size_t field) const {
     const auto& f = fields();
@@ -63,7 +81,7 @@ class PolyLines {
 
   /// An error that a wrong count may be the cause of.
   bool fail_count(ErrorCode code, std::string_view what);
-  bool coordinate(std::size_t field, std::string_view what, double& value);
+  bool coordinate(std::size_t field, const Wanted& what, double& value);
 
   LineReader lines_;
   std::optional<Error> error_;

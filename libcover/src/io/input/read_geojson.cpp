@@ -1,7 +1,7 @@
 // GeoJSON (RFC 7946): each Polygon and MultiPolygon a painted area, each LineString a named line.
 //
 // Properties: `material` (else `name`, else the feature is a material of its own), `name` (of the
-// region or line), `priority`. Coordinates are taken as they are, plane, heights left out; so are
+// region or line), `priority`, `size` (the wished edge length inside). Coordinates are taken as they are, plane, heights left out; so are
 // points and whatever else a file carries, which the RFC allows. Tested by read_geojson_test.cpp.
 #include "io/input/read_geojson.hpp"
 
@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "base/describe.hpp"
 #include "io/input/formats.hpp"
 
 namespace cover {
@@ -38,6 +39,10 @@ class GeoReader {
       input_.warnings.push_back(points_ == 1
                                     ? std::string("1 geometry is a point: left out")
                                     : fmt::format("{} geometries are points: left out", points_));
+    if (no_sizes_ > 0)
+      input_.warnings.push_back(
+          fmt::format("the property 'size' of {} is no length above 0: left out",
+                      counted(no_sizes_, "feature")));
     return std::move(input_);
   }
 
@@ -47,6 +52,7 @@ class GeoReader {
     std::string material;
     std::string name;
     std::optional<double> priority;
+    std::optional<double> size;
   };
 
   void push(const Json& object, const Properties& properties) {
@@ -93,10 +99,18 @@ class GeoReader {
       if (const Json* n = JsonReader::member(*properties, "name")) own.name = read_name(*n);
       if (const Json* p = JsonReader::member(*properties, "priority"))
         own.priority = json_.number(*p);
+      if (const Json* s = JsonReader::member(*properties, "size")) own.size = read_size(*s);
     }
     if (own.material.empty())
       own.material = own.name.empty() ? fmt::format("feature_{}", number) : own.name;
     return own;
+  }
+
+  /// A length; whatever else a table calls so is left out.
+  std::optional<double> read_size(const Json& value) {
+    if (value.is_number() && value.get<double>() > 0) return json_.positive(value);
+    ++no_sizes_;
+    return std::nullopt;
   }
 
   /// Tables that maps are made from have numbers for names too.
@@ -122,6 +136,7 @@ class GeoReader {
     polygon.material = properties.material.empty() ? "feature_0" : properties.material;
     polygon.region = properties.name;
     polygon.priority = properties.priority;
+    polygon.size = properties.size;
     polygon.id = static_cast<long>(input_.polygons.size());
     input_.polygons.push_back(std::move(polygon));
   }
@@ -140,6 +155,7 @@ class GeoReader {
   std::vector<std::pair<const Json*, Properties>> waiting_;  // a stack
   long features_ = 0;
   std::size_t points_ = 0;
+  std::size_t no_sizes_ = 0;
 };
 
 }  // namespace

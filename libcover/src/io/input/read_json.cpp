@@ -23,8 +23,8 @@ namespace {
 constexpr std::size_t kMostCurvePoints = std::size_t{1} << 22;
 
 const std::vector<std::string_view> kTopKeys{
-    "name",     "source", "license", "notes", "field",    "unit",    "points",
-    "segments", "holes",  "regions", "lines", "polygons", "$schema", "chord_error"};
+    "name",  "source",  "license", "notes",    "field",   "unit",        "points",  "segments",
+    "holes", "regions", "lines",   "polygons", "$schema", "chord_error", "periodic"};
 
 /// Of these nothing is asked.
 const std::vector<std::string_view> kFreeKeys{"name",  "source", "license",
@@ -48,6 +48,7 @@ class InputReader {
       read_regions();
       read_polygons();
       read_lines();
+      read_periodic();
     }
     if (json_.failed()) return json_.error();
     return std::move(input_);
@@ -297,11 +298,12 @@ class InputReader {
 
   void read_polygons() {
     for_each("polygons", [&](const Json& item, long id) {
-      if (!json_.expect_keys(item, {"material", "region", "priority", "rings"})) return;
+      if (!json_.expect_keys(item, {"material", "region", "priority", "size", "rings"})) return;
       InputPolygon polygon;
       polygon.material = json_.name(json_.required(item, "material"));
       polygon.region = name_of(item, "region");
       if (const Json* p = JsonReader::member(item, "priority")) polygon.priority = json_.number(*p);
+      if (const Json* size = JsonReader::member(item, "size")) polygon.size = json_.positive(*size);
       for (const Json& ring : json_.array(json_.required(item, "rings"), "rings"))
         polygon.rings.push_back(read_path(ring));
       polygon.id = id;
@@ -321,6 +323,33 @@ class InputReader {
       if (line.points.size() < 2) json_.fail(item, "a line needs two points or more");
       line.id = id;
       input_.lines.push_back(std::move(line));
+    });
+  }
+
+  /// ["left", "right"], or {"from", "to"} with "rotation": {"centre", "angle"} or "mirror": true.
+  void read_periodic() {
+    for_each("periodic", [&](const Json& item, long) {
+      PeriodicRule rule;
+      if (item.is_array()) {
+        if (item.size() != 2) return json_.fail(item, "expected the names of two lines");
+        rule.from = json_.name(item[0]);
+        rule.to = json_.name(item[1]);
+      } else {
+        if (!json_.expect_keys(item, {"from", "to", "rotation", "mirror"})) return;
+        rule.from = json_.name(json_.required(item, "from"));
+        rule.to = json_.name(json_.required(item, "to"));
+        const Json* rotation = JsonReader::member(item, "rotation");
+        const Json* mirror = JsonReader::member(item, "mirror");
+        if (rotation && mirror)
+          return json_.fail(item, "give a \"rotation\" or a \"mirror\", not both");
+        if (mirror && json_.boolean(*mirror)) rule.map = PeriodicRule::Map::mirror;
+        if (rotation && json_.expect_keys(*rotation, {"centre", "angle"})) {
+          rule.map = PeriodicRule::Map::rotation;
+          rule.centre = json_.point(json_.required(*rotation, "centre"));
+          rule.angle = Angle::degrees(json_.number(json_.required(*rotation, "angle")));
+        }
+      }
+      input_.periodic.push_back(std::move(rule));
     });
   }
 

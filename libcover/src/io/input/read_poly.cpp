@@ -15,12 +15,56 @@
 #include <optional>
 #include <unordered_map>
 
+#include "base/out_of_memory.hpp"
 #include "io/input/formats.hpp"
 #include "io/input/poly_lines.hpp"
 #include "io/text/text.hpp"
 
 namespace cover {
 namespace {
+
+/// Which index a number of the file stands for.
+class Numbering {
+ public:
+  /// Adds the next index; returns the one that had the number before, if one had it.
+  std::optional<std::uint32_t> add(long id) {
+    if (others_.empty() && (size_ == 0 || from_first(id) == size_)) {
+      if (size_ == 0) first_ = id;
+      ++size_;
+      return {};
+    }
+    if (const auto known = find(id)) return known;
+    others_.emplace(id, static_cast<std::uint32_t>(size_ + others_.size()));
+    return {};
+  }
+  [[nodiscard]] std::optional<std::uint32_t> find(long id) const {
+    if (from_first(id) < size_) return static_cast<std::uint32_t>(from_first(id));
+    const auto found = others_.find(id);
+    if (found == others_.end()) return {};
+    return found->second;
+  }
+  /// "; the points are 1 to 7", which tells a numbering from 0 from one from 1.
+  [[nodiscard]] std::string known() const {
+    if (size_ == 0) return "";
+    long low = first_, high = first_ + static_cast<long>(size_) - 1;
+    for (const auto& [id, index] : others_) {
+      low = std::min(low, id);
+      high = std::max(high, id);
+    }
+    return fmt::format("; the points are {} to {}", low, high);
+  }
+
+ private:
+  /// How far `id` is from the first number; modulo 2^64, as any number may stand in a file.
+  [[nodiscard]] std::uint64_t from_first(long id) const {
+    return static_cast<std::uint64_t>(id) - static_cast<std::uint64_t>(first_);
+  }
+
+  // Nearly all files count: the first numbers need no table.
+  long first_ = 0;
+  std::size_t size_ = 0;
+  std::unordered_map<long, std::uint32_t> others_;
+};
 
 /// Reads sections into an Input; the first error stops it and stays in `error()`.
 class PolyReader : public PolyLines {
@@ -34,27 +78,24 @@ class PolyReader : public PolyLines {
   /// The section may be missing.
   bool read_regions(Input& input);
   /// Takes the numbering over from the reader of the .node file.
-  void take_ids(PolyReader& other) { index_of_id_ = std::move(other.index_of_id_); }
+  void take_ids(PolyReader& other) { numbering_ = std::move(other.numbering_); }
 
  private:
-  /// "; the points are 1 to 7", which tells a numbering from 0 from one from 1.
-  [[nodiscard]] std::string known_points() const;
   bool end_point(std::size_t field, long segment, std::uint32_t& index);
   bool point(Input& input, long attributes, bool has_markers);
 
-  std::unordered_map<long, std::uint32_t> index_of_id_;
+  Numbering numbering_;
 };
 
 bool PolyReader::point(Input& input, long attributes, bool has_markers) {
   long id = 0;
   Point at;
-  if (!integer(0, "the number of a point", id) || !position(fmt::format("point {}", id), at)) {
+  if (!integer(0, {"the number of a point"}, id) || !position({"point", id}, at)) {
     return false;
   }
-  const auto index = static_cast<std::uint32_t>(input.points.size());
-  if (const auto [first, is_new] = index_of_id_.emplace(id, index); !is_new) {
+  if (const auto first = numbering_.add(id)) {
     return fail(ErrorCode::syntax, fmt::format("there is already a point {} (line {})", id,
-                                               input.point_lines[first->second]));
+                                               input.point_lines[*first]));
   }
   input.points.push_back(at);
   input.point_ids.push_back(id);
@@ -62,7 +103,7 @@ bool PolyReader::point(Input& input, long attributes, bool has_markers) {
   check_surplus("a point", static_cast<std::size_t>(3 + attributes + (has_markers ? 1 : 0)));
   if (has_markers) {
     const auto field = static_cast<std::size_t>(3 + attributes);
-    return marker(field, fmt::format("point {}", id), input.point_markers.emplace_back(0));
+    return marker(field, {"point", id}, input.point_markers.emplace_back(0));
   }
   return true;
 }
@@ -76,8 +117,11 @@ bool PolyReader::read_points(Input& input) {
   }
   const long attributes = std::clamp(optional_count(2), 0L, 1L << 30U);
   const bool has_markers = optional_count(3) != 0;
+  make_room(count, input.points);
+  make_room(count, input.point_ids);
+  make_room(count, input.point_lines);
   for (std::size_t k = 0; k < count; ++k) {
-    if (!next_line(fmt::format("point {} of {}", k + 1, count)) ||
+    if (!next_line({.kind = "point", .number = static_cast<long>(k + 1), .of = count}) ||
         !point(input, attributes, has_markers)) {
       return false;
     }
@@ -85,25 +129,17 @@ bool PolyReader::read_points(Input& input) {
   return true;
 }
 
-std::string PolyReader::known_points() const {
-  if (index_of_id_.empty()) return "";
-  const auto [low, high] =
-      std::minmax_element(index_of_id_.begin(), index_of_id_.end(),
-                          [](const auto& a, const auto& b) { return a.first < b.first; });
-  return fmt::format("; the points are {} to {}", low->first, high->first);
-}
-
 bool PolyReader::end_point(std::size_t field, long segment, std::uint32_t& index) {
   long id = 0;
-  if (!integer(field, fmt::format("segment {}: the number of an end point", segment), id)) {
+  if (!integer(field, {"segment", segment, ": the number of an end point"}, id)) {
     return false;
   }
-  const auto found = index_of_id_.find(id);
-  if (found == index_of_id_.end()) {
+  const auto found = numbering_.find(id);
+  if (!found) {
     return fail(ErrorCode::id_out_of_range,
-                fmt::format("segment {}: there is no point {}{}", segment, id, known_points()));
+                fmt::format("segment {}: there is no point {}{}", segment, id, numbering_.known()));
   }
-  index = found->second;
+  index = *found;
   return true;
 }
 
@@ -111,15 +147,16 @@ bool PolyReader::read_segments(Input& input) {
   std::size_t count = 0;
   if (!header("segments", count)) return false;
   const bool has_markers = optional_count(1) != 0;
+  make_room(count, input.segments);
   for (std::size_t k = 0; k < count; ++k) {
     InputSegment segment;
-    if (!next_line(fmt::format("segment {} of {}", k + 1, count)) ||
-        !integer(0, "the number of a segment", segment.id) ||
+    if (!next_line({.kind = "segment", .number = static_cast<long>(k + 1), .of = count}) ||
+        !integer(0, {"the number of a segment"}, segment.id) ||
         !end_point(1, segment.id, segment.a) || !end_point(2, segment.id, segment.b)) {
       return false;
     }
     segment.line = line();
-    if (has_markers && !marker(3, fmt::format("segment {}", segment.id), segment.marker)) {
+    if (has_markers && !marker(3, {"segment", segment.id}, segment.marker)) {
       return false;
     }
     check_surplus("a segment", has_markers ? 4 : 3);
@@ -133,9 +170,8 @@ bool PolyReader::read_holes(Input& input) {
   if (!header("holes", count)) return false;
   for (std::size_t k = 0; k < count; ++k) {
     HoleSeed hole;
-    if (!next_line(fmt::format("hole {} of {}", k + 1, count)) ||
-        !integer(0, "the number of a hole", hole.id) ||
-        !position(fmt::format("hole {}", hole.id), hole.at)) {
+    if (!next_line({.kind = "hole", .number = static_cast<long>(k + 1), .of = count}) ||
+        !integer(0, {"the number of a hole"}, hole.id) || !position({"hole", hole.id}, hole.at)) {
       return false;
     }
     hole.line = line();
@@ -151,9 +187,9 @@ bool PolyReader::read_regions(Input& input) {
   if (!announced("regions", count)) return false;
   for (std::size_t k = 0; k < count; ++k) {
     RegionSeed seed;
-    if (!next_line(fmt::format("region {} of {}", k + 1, count)) ||
-        !integer(0, "the number of a region", seed.id) ||
-        !position(fmt::format("region {}", seed.id), seed.at)) {
+    if (!next_line({.kind = "region", .number = static_cast<long>(k + 1), .of = count}) ||
+        !integer(0, {"the number of a region"}, seed.id) ||
+        !position({"region", seed.id}, seed.at)) {
       return false;
     }
     const auto& f = fields();
@@ -217,9 +253,11 @@ Result<Input> parse_poly(std::string_view text, const std::string& source) {
 }
 
 Result<Input> read_poly(const std::string& path) {
-  const Result<std::string> text = read_file(path);
-  if (!text) return text.error();
-  return parse_poly(*text, path);
+  return memory_as_value(path, [&]() -> Result<Input> {
+    const Result<std::string> text = read_file(path);
+    if (!text) return text.error();
+    return parse_poly(*text, path);
+  });
 }
 
 }  // namespace cover

@@ -14,6 +14,7 @@
 
 #include <fmt/core.h>
 
+#include "base/out_of_memory.hpp"
 #include "geom/mesh_borders.hpp"
 #include "io/input/formats.hpp"
 #include "io/text/text.hpp"
@@ -219,11 +220,13 @@ Result<Input> parse_vtk_input(std::string_view text, std::string_view extension,
 }
 
 Result<Input> read_vtk_input(const std::string& path) {
-  const std::string extension = extension_of(path);
-  if (!is_data_set(extension)) return parse_vtk_input({}, extension, path);
-  const Result<std::string> text = read_file(path);
-  if (!text) return text.error();
-  return parse_vtk_input(*text, extension, path);
+  return memory_as_value(path, [&]() -> Result<Input> {
+    const std::string extension = extension_of(path);
+    if (!is_data_set(extension)) return parse_vtk_input({}, extension, path);
+    const Result<std::string> text = read_file(path);
+    if (!text) return text.error();
+    return parse_vtk_input(*text, extension, path);
+  });
 }
 
 }  // namespace cover

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace cover {
 namespace {
@@ -30,6 +32,8 @@ void for_each_point(Input& input, F f) {
       for (Point& p : ring) f(p);
   for (InputLine& line : input.lines)
     for (Point& p : line.points) f(p);
+  for (ArcCircle& circle : input.circles) f(circle.centre);
+  for (PeriodicRule& rule : input.periodic) f(rule.centre);
 }
 
 }  // namespace
@@ -59,6 +63,14 @@ Status scale_input(Input& input, double factor) {
   });
   for (RegionSeed& seed : input.seeds)
     if (seed.size) seed.size = scaled(*seed.size);
+  for (InputPolygon& polygon : input.polygons)
+    if (polygon.size) polygon.size = scaled(*polygon.size);
+  if (input.field) {
+    PlaneField field = *input.field;
+    for (Point& p : field.points) p = {scaled(p.x), scaled(p.y)};
+    input.field = std::make_shared<const PlaneField>(std::move(field));
+  }
+  for (ArcCircle& circle : input.circles) circle.radius = scaled(circle.radius);
   if (!finite)
     return Error{ErrorCode::non_finite_coordinate,
                  fmt::format("{}: scaled by {}, coordinates are too large for a double",

@@ -29,7 +29,7 @@ Result<MeshFile> parse_inp(std::string_view text, const std::string& source);
 Result<MeshFile> parse_xdmf(std::string_view text, const std::string& source);
 
 /// Triangle's .ele, with the .node and, if it is there, the .edge beside it. The first attribute
-/// is the material, the second the region; boundary markers of edges are the groups of lines.
+/// is the material, the second the region; of three the last is the material; boundary markers of edges are the groups of lines.
 Result<MeshFile> read_triangle(const std::string& path);
 
 }  // namespace cover

@@ -16,7 +16,9 @@
 #include <cover/stored_mesh.hpp>
 
 #include "base/errors.hpp"
+#include "base/out_of_memory.hpp"
 #include "io/read_mesh/complete_mesh.hpp"
+#include "io/read_mesh/read_vtkhdf_mesh.hpp"
 #include "io/read_mesh/second_order.hpp"
 #include "io/report/read_manifest.hpp"
 #include "io/text/text.hpp"
@@ -41,6 +43,9 @@ class BlockFiles {
  public:
   explicit BlockFiles(const std::string& path) : path_(path) {}
 
+  /// What stands behind the blocks; nothing in files of old versions.
+  [[nodiscard]] const std::optional<XmlElement>& names() const { return names_; }
+
   Result<std::vector<Block>> read() {
     const Result<std::string> text = read_file(path_);
     if (!text) return text.error();
@@ -57,6 +62,7 @@ class BlockFiles {
           return std::move(status).error();
       }
     }
+    if (const XmlElement* names = tree->root.child("CoverNames")) names_ = *names;
     return std::move(blocks_);
   }
 
@@ -85,7 +91,35 @@ class BlockFiles {
   const std::string& path_;
   std::set<fs::path> seen_;
   std::vector<Block> blocks_;
+  std::optional<XmlElement> names_;
 };
+
+/// Takes over the names and the origin; those of regions and lines that are not there are left.
+void take_names(const XmlElement& names, StoredMesh& stored) {
+  const auto text = [](const XmlElement& element, const char* name) {
+    return std::string(element.value(name));
+  };
+  stored.provenance.source = text(names, "Source");
+  stored.provenance.version = text(names, "Version");
+  stored.unit = text(names, "Unit");
+  stored.scale = parse_double(names.value("Scale")).value_or(1);
+  const long points = parse_integer(names.value("InputVertices")).value_or(0);
+  if (points > 0 && static_cast<std::size_t>(points) <= stored.soup.points.size())
+    stored.input_vertices = static_cast<std::size_t>(points);
+  for (const XmlElement& element : names.children) {
+    if (element.name == "Option")
+      stored.provenance.settings.push_back({text(element, "Name"), text(element, "Value")});
+    const long id = parse_integer(element.value("Id")).value_or(0);
+    if (id < 1) continue;
+    const std::size_t k = static_cast<std::size_t>(id) - 1;
+    if (element.name == "Region" && k < stored.regions.size()) {
+      stored.regions[k].name = text(element, "Name");
+      stored.regions[k].material_name = text(element, "Material");
+    } else if (element.name == "Line" && k < stored.interfaces.size()) {
+      stored.interfaces[k].name = text(element, "Name");
+    }
+  }
+}
 
 /// Gathers the blocks of a .vtm into one mesh again, by the numbers that vertices have in it.
 class BlockReader {
@@ -205,7 +239,8 @@ class BlockReader {
 };
 
 Result<StoredMesh> read_vtm(const std::string& path) {
-  const Result<std::vector<Block>> files = BlockFiles(path).read();
+  BlockFiles reader(path);
+  const Result<std::vector<Block>> files = reader.read();
   if (!files) return files.error();
   std::size_t most = 0;
   for (const Block& block : *files)
@@ -222,6 +257,7 @@ Result<StoredMesh> read_vtm(const std::string& path) {
   for (const Block& block : *files)
     if (block.group == "interfaces" && !blocks.add_lines(block)) return lacks(block);
   blocks.finish();
+  if (reader.names()) take_names(*reader.names(), stored);
   if (stored.regions.empty()) return wrong_file(path, "no regions in it: not written by cover");
   return stored;
 }
@@ -234,6 +270,10 @@ Status take_names_from_vtm(const std::string& path, StoredMesh& stored) {
   stored.regions = std::move(named->regions);
   stored.interfaces = std::move(named->interfaces);
   stored.edges = std::move(named->edges);
+  stored.provenance = std::move(named->provenance);
+  stored.unit = std::move(named->unit);
+  stored.scale = named->scale;
+  stored.input_vertices = named->input_vertices;
   return take_materials(stored) ? ok() : Status(wrong_file(path, "it is of another mesh"));
 }
 
@@ -247,8 +287,38 @@ class Completion {
 
   Result<StoredMesh> read() {
     if (extension_of(path_) == ".vtm") return read_blocks();
+    if (extension_of(path_) == ".vtkhdf") {
+      Result<VtkHdfMesh> file = read_vtkhdf_mesh(path_);
+      if (!file) return std::move(file).error();
+      return file->has_names ? read_named(*std::move(file)) : complete(std::move(file->mesh));
+    }
     Result<MeshFile> file = read_mesh(path_);
-    if (!file) return std::move(file).error();
+    return file ? complete(*std::move(file)) : std::move(file).error();
+  }
+
+ private:
+  [[nodiscard]] std::string beside(const char* extension) const {
+    return fs::path(path_).replace_extension(extension);
+  }
+
+  /// A file that holds all that cover knows.
+  Result<StoredMesh> read_named(VtkHdfMesh file) const {
+    StoredMesh stored = std::move(file.names);
+    stored.soup = std::move(file.mesh.soup);
+    stored.second_order = file.mesh.second_order;
+    for (const MeshLine& line : file.mesh.lines) {
+      if (line.group < 1 || line.group > static_cast<std::int64_t>(stored.interfaces.size()))
+        return wrong_file(path_, fmt::format("there is no interface {}", line.group));
+      stored.edges.push_back(
+          {line.a, line.b, InterfaceId(static_cast<std::uint32_t>(line.group)), line.marker});
+    }
+    if (!take_materials(stored)) return wrong_file(path_, "it lacks regions");
+    sort_by_region(stored.soup);
+    return stored;
+  }
+
+  Result<StoredMesh> complete(MeshFile read) {
+    const MeshFile* file = &read;
     StoredMesh stored;
     stored.soup = file->soup;
     stored.second_order = file->second_order;
@@ -262,11 +332,6 @@ class Completion {
     }
     sort_by_region(stored.soup);
     return stored;
-  }
-
- private:
-  [[nodiscard]] std::string beside(const char* extension) const {
-    return fs::path(path_).replace_extension(extension);
   }
 
   Result<StoredMesh> read_blocks() const {
@@ -296,19 +361,22 @@ class Completion {
 }  // namespace
 
 Result<Output> read_output(const std::string& path) {
-  Completion completion(path);
-  Result<StoredMesh> stored = completion.read();
-  if (!stored) return std::move(stored).error();
-  Result<Output> output = rebuild(*stored);
-  if (!output) return wrong_file(path, output.error().message);
-  const auto warn = [&](std::string message) {
-    output->report.notes.push_back({Note::Kind::warning, kVoid, std::move(message), {}});
-  };
-  if (!completion.missing().empty()) warn(completion.missing());
-  if (stored->second_order) {
-    warn(fmt::format("{}: triangles have six nodes, of which the corners are taken", path));
-  }
-  return output;
+  return memory_as_value(path, [&]() -> Result<Output> {
+    Completion completion(path);
+    Result<StoredMesh> stored = completion.read();
+    if (!stored) return std::move(stored).error();
+    Result<Output> output = rebuild(*stored);
+    if (!output && output.error().code == ErrorCode::out_of_memory) return output;
+    if (!output) return wrong_file(path, output.error().message);
+    const auto warn = [&](std::string message) {
+      output->report.notes.push_back({Note::Kind::warning, kVoid, std::move(message), {}});
+    };
+    if (!completion.missing().empty()) warn(completion.missing());
+    if (stored->second_order) {
+      warn(fmt::format("{}: triangles have six nodes, of which the corners are taken", path));
+    }
+    return output;
+  });
 }
 
 }  // namespace cover

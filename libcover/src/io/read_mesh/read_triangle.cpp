@@ -84,7 +84,8 @@ class TriangleReader {
       for (std::size_t k = 0; k < n; ++k) nodes.at(k) = vertex(table, k + 1);
       if (table.failed()) return;
       collector_.add_triangle(std::span<const std::uint32_t>(nodes).first(n));
-      if (attributes >= 1) collector_.mesh.soup.material.push_back(table.integer(n + 1));
+      if (attributes >= 1)
+        collector_.mesh.soup.material.push_back(table.integer(n + (attributes == 3 ? 3 : 1)));
       if (attributes >= 2) collector_.mesh.soup.region.push_back(table.integer(n + 2));
     }
   }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/read_mesh/complete_mesh.hpp"
+#include "io/report/periodic_json.hpp"
 #include "io/report/provenance_json.hpp"
 #include "io/text/text.hpp"
 
@@ -116,10 +117,13 @@ Result<bool> read_manifest(const std::string& path, std::span<const std::int64_t
     stored.regions.clear();
     stored.interfaces.clear();
     stored.edges.clear();
+    stored.periodic.clear();
     read_origin(json, stored);
     stored.input_vertices = json.at("counts").at("input_vertices");
     for (const Json& region : json.at("regions")) stored.regions.push_back(region_of(region));
     for (const Json& line : json.at("lines")) add_line(line, stored);
+    for (const Json& pair : json.value("periodic", Json::array()))
+      stored.periodic.push_back(periodic_of(pair));
     if (stored.soup.region.empty() && !assign_regions(json.at("regions"), group, stored))
       return wrong("it is of another mesh: its groups have other triangles");
   } catch (const Json::exception& error) {
@@ -128,6 +132,7 @@ Result<bool> read_manifest(const std::string& path, std::span<const std::int64_t
   for (std::size_t r = 0; r < stored.regions.size(); ++r) {
     if (stored.regions[r].id != RegionId(r + 1)) return wrong("regions are not in order");
   }
+  stored.soup.material.clear();  // which may be other numbers, by WriteOptions::ids
   if (!take_materials(stored)) return wrong("it is of another mesh: it lacks regions");
   return true;
 }

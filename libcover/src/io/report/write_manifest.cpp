@@ -6,19 +6,25 @@
 //     "cover": version, "source": the input's file as it was named, "unit", "scale": what its
 //     coordinates were multiplied by, "options": { name: value }: the method, and what differs from
 //     its default; each of them where it is known,
-//     "order",
+//     "order", "ids": WriteOptions::ids, where set,
 //     "counts":  { "points", "vertices", "input_vertices", "steiner_vertices", "triangles",
 //                  "lines", "regions" }; input_vertices with those that cut segments,
 //                  steiner_vertices are the others,
 //     "quality": QUALITY,
-//     "region_groups": [ { "tag", "name", "original", "material" } ],
-//     "line_groups":   [ { "tag", "name", "original" } ],
+//     "region_groups": [ { "tag", "name": in .vtk and .obj, "original", "label": in formats with
+//                          UTF-8, and "set": in .inp, each if it is not the name, "material" } ],
+//     "line_groups":   [ the same, without "material" ],
 //     "regions": [ { "id", "name", "material", "material_name", "group": tag, "triangles", "area",
 //                    "quality": QUALITY, "gamma_opt", "bound_held" } ],
 //     "lines":   [ { "id" (0: the hull), "kind", "name", "left", "right", "group": tag, "length",
 //                    "edges": [[a, b], ...] with the left region on the left,
 //                    "markers": [of the input, by edge] where there are any,
 //                    "groups": [tags, by edge] instead of "group" where they differ } ],
+//     "periodic": [ { "from", "to": names, "map": "translation", "rotation" or "mirror",
+//                     "matrix": [[xx, xy, x0], [yx, yy, y0]], which takes "from" to "to",
+//                     "centre", "angle": of a rotation,
+//                     "vertices": [[a, its image], ...],
+//                     "edges": [[a, b, their images], ...] } ] where there are any,
 //     "warnings": [sentences] }
 //
 //   QUALITY  { "largest_angle", "smallest_angle", "obtuse", "above_120", "above_150" }
@@ -33,6 +39,7 @@
 
 #include "base/describe.hpp"
 #include "io/files/text_writer.hpp"
+#include "io/report/periodic_json.hpp"
 #include "io/report/provenance_json.hpp"
 #include "io/write_mesh/mesh_view.hpp"
 
@@ -46,8 +53,10 @@ std::string text(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-Json describe_group(const Group& group) {
+Json describe_group(const Group& group, const std::string& set) {
   Json json{{"tag", group.tag}, {"name", group.name}, {"original", group.original}};
+  if (group.label != group.name) json["label"] = group.label;
+  if (set != group.name) json["set"] = set;
   if (group.material != 0) json["material"] = group.material;
   return json;
 }
@@ -62,19 +71,22 @@ Json describe_quality(const Quality& quality) {
 
 class ManifestWriter {
  public:
-  ManifestWriter(const Output& output, const MeshView& view, TextWriter& out)
-      : output_(output), view_(view), out_(out) {}
+  ManifestWriter(const Output& output, const MeshView& view, const std::string& ids,
+                 TextWriter& out)
+      : output_(output), view_(view), ids_(ids), out_(out) {}
 
   void write() {
     out_ << "{\n\"format\": \"cover mesh manifest\",\n\"format_version\": 1,\n";
     provenance();
     member("order", view_.second_order() ? 2 : 1);
+    if (!ids_.empty()) member("ids", ids_);
     member("counts", counts());
     if (measured()) member("quality", describe_quality(output_.report.quality));
     list("region_groups", groups(view_.region_groups));
     list("line_groups", groups(view_.line_groups));
     list("regions", regions());
     list("lines", lines());
+    if (!output_.periodic.empty()) list("periodic", periodic());
     list("warnings", warnings(), true);
     out_ << "}\n";
   }
@@ -120,7 +132,9 @@ class ManifestWriter {
 
   static std::vector<Json> groups(const std::vector<Group>& groups) {
     std::vector<Json> list;
-    for (const Group& group : groups) list.push_back(describe_group(group));
+    const std::vector<std::string> sets = abaqus_names(groups);
+    for (std::size_t g = 0; g < groups.size(); ++g)
+      list.push_back(describe_group(groups[g], sets[g]));
     return list;
   }
 
@@ -202,6 +216,17 @@ class ManifestWriter {
     return marked ? list : Json::array();
   }
 
+  [[nodiscard]] std::vector<Json> periodic() const {
+    std::vector<Json> list;
+    for (const PeriodicNodes& nodes : output_.periodic) {
+      Json json = periodic_json(nodes);
+      json["vertices"] = nodes.vertices;
+      json["edges"] = nodes.edges;
+      list.push_back(std::move(json));
+    }
+    return list;
+  }
+
   [[nodiscard]] std::vector<Json> warnings() const {
     std::vector<Json> list;
     const auto add = [&](const std::vector<Note>& notes) {
@@ -214,6 +239,7 @@ class ManifestWriter {
 
   const Output& output_;
   const MeshView& view_;
+  const std::string& ids_;
   TextWriter& out_;
 };
 
@@ -223,7 +249,9 @@ Status write_manifest(const Output& output, const std::string& path, const Write
   WriteOptions all = options;
   all.inner_lines = true;
   const MeshView view = view_of(output, all);
-  return write_text(path, options.stop, [&](TextWriter& out) { ManifestWriter(output, view, out).write(); });
+  return write_text(path, options.stop, [&](TextWriter& out) {
+    ManifestWriter(output, view, options.ids, out).write();
+  });
 }
 
 }  // namespace cover

@@ -16,6 +16,8 @@
 //     "replaced": [ { "region": id, "triangles", "steiner_vertices": before } ], only where regions
 //                 were meshed again inside a mesh; the method of the others is "kept",
 //     "interfaces": [ { "id", "name", "kind", "left", "right", "length", "segments" } ],
+//     "periodic": [ { "from", "to", "map", ... as in the manifest, "vertices": pairs, "edges":
+//                 pairs } ] where there are any,
 //     "notes": NOTES, "changes": [ { "kind", "message", "where", "inputs" } ],
 //     "box_cuts": [ { "at": [x, y], "reason", "by": [x, y] } ], only with --box-method,
 //     "threads", "times": [ { "stage", "seconds" } ] }
@@ -52,7 +54,9 @@
 #include <cover/write_mesh.hpp>
 
 #include "base/describe.hpp"
+#include "base/out_of_memory.hpp"
 #include "io/files/atomic_file.hpp"
+#include "io/report/periodic_json.hpp"
 #include "io/report/provenance_json.hpp"
 
 namespace cover {
@@ -419,6 +423,14 @@ std::string report_json(const Output& output) {
                   {"steiner_vertices", before.steiner_vertices}};
     });
   }
+  if (!output.periodic.empty()) {
+    out.add_list("periodic", output.periodic.size(), [&](std::size_t k) {
+      Json json = periodic_json(output.periodic[k]);
+      json["vertices"] = output.periodic[k].vertices.size();
+      json["edges"] = output.periodic[k].edges.size();
+      return json;
+    });
+  }
   add_lines_and_remarks(output.table, report, out);
   if (!report.box_cuts.empty()) out.add("box_cuts", to_json(report.box_cuts));
   out.add("threads", report.threads);
@@ -451,11 +463,13 @@ std::string report_json(const Prepared& prepared) {
 }
 
 Status write_report_json(const Output& output, const std::string& path) {
-  Result<AtomicFile> file = AtomicFile::create(path);
-  if (!file) return std::move(file).error();
-  file->write(report_json(output));
-  file->write("\n");
-  return file->commit();
+  return memory_as_value(path, [&]() -> Status {
+    Result<AtomicFile> file = AtomicFile::create(path);
+    if (!file) return std::move(file).error();
+    file->write(report_json(output));
+    file->write("\n");
+    return file->commit();
+  });
 }
 
 }  // namespace cover

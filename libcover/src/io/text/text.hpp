@@ -50,6 +50,8 @@ class LineReader {
   LineReader(std::string_view text, std::string source, char comment,
              Separator separator = Separator::blank);
 
+  /// Bytes that have not been read: no header may announce more lines.
+  [[nodiscard]] std::size_t left() const { return rest_.size(); }
   /// Goes on to the next line that has a field; false at the end of the text.
   bool next();
 

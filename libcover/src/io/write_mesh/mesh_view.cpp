@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include <cover/mesh.hpp>
@@ -24,18 +25,22 @@ class Grouping {
   /// The group of `key`; a new one gets `name` and `material`.
   std::uint32_t find(const Key& key, const std::string& name, int material) {
     const auto [at, is_new] = index_.emplace(key, static_cast<std::uint32_t>(groups_.size()));
-    if (is_new) groups_.push_back({{}, name, 0, material});
+    if (is_new) groups_.push_back({{}, {}, name, 0, material});
     return at->second;
   }
 
-  /// The groups with their names made safe and tags from `first_tag` on.
-  std::vector<Group> finish(int first_tag) {
+  /// The groups with their names made safe and the lowest tags that are not `taken`, from
+  /// `first_tag` on.
+  std::vector<Group> finish(int first_tag, const std::set<int>& taken = {}) {
     std::vector<std::string> names;
     for (const Group& group : groups_) names.push_back(group.original);
+    const std::vector<std::string> labels = unique_legible_names(names);
     names = unique_safe_names(names);
-    for (std::size_t g = 0; g < groups_.size(); ++g) {
+    for (std::size_t g = 0; g < groups_.size(); ++g, ++first_tag) {
+      while (taken.contains(first_tag)) ++first_tag;
       groups_[g].name = names[g];
-      groups_[g].tag = first_tag + static_cast<int>(g);
+      groups_[g].label = labels[g];
+      groups_[g].tag = first_tag;
     }
     return std::move(groups_);
   }
@@ -45,13 +50,21 @@ class Grouping {
   std::vector<Group> groups_;
 };
 
-void group_regions(const RegionTable& table, MeshView& view) {
-  Grouping<std::tuple<std::string, int>> grouping;
+void group_regions(const RegionTable& table, const std::string& ids, MeshView& view) {
+  const bool by_region = ids == "region", by_material = ids == "material";
+  Grouping<std::tuple<std::string, std::uint32_t, int>> grouping;
   for (const Region& region : table.regions) {
+    const std::string& name = by_material ? region.material_name : region.name;
     view.region_group.push_back(
-        grouping.find({region.name, region.material}, region.name, region.material));
+        grouping.find({by_material ? std::string() : name, by_region ? region.id.value() : 0,
+                       by_region ? 0 : region.material},
+                      name, region.material));
   }
-  view.region_groups = grouping.finish(1);
+  view.region_groups = grouping.finish(1);  // by regions, these are their ids
+  if (by_material) {
+    for (Group& group : view.region_groups) group.tag = group.material;
+  }
+  view.has_ids = !ids.empty();
 }
 
 /// A line of the mesh before lines are put in order.
@@ -82,7 +95,11 @@ class LineGroups {
     return find({line.kind, group_of(line.left), group_of(line.right), line.name});
   }
 
-  std::vector<Group> finish(int first_tag) { return grouping_.finish(first_tag); }
+  std::vector<Group> finish() {
+    std::set<int> taken;
+    for (const Group& group : view_.region_groups) taken.insert(group.tag);
+    return grouping_.finish(static_cast<int>(taken.size()) + 1, taken);
+  }
 
  private:
   /// Kind, groups on the left and on the right counted from 1, name.
@@ -113,13 +130,18 @@ Halfedge directed(const Mesh& mesh, const RegionTable& table, Edge edge) {
 class Viewer {
  public:
   Viewer(const Output& output, const WriteOptions& options)
-      : mesh_(output.mesh), tri_(output.mesh.tri()), table_(output.table), options_(options) {}
+      : mesh_(output.mesh),
+        tri_(output.mesh.tri()),
+        table_(output.table),
+        periodic_(output.periodic),
+        options_(options) {}
 
   MeshView make() {
-    group_regions(table_, view_);
+    group_regions(table_, options_.ids, view_);
     add_points();
     add_triangles();
     add_lines();
+    if (!periodic_.empty()) add_periodic();
     return std::move(view_);
   }
 
@@ -179,7 +201,7 @@ class Viewer {
           line.group = groups.of(line.interface, line.marker);
       }
     }
-    view_.line_groups = groups.finish(static_cast<int>(view_.region_groups.size()) + 1);
+    view_.line_groups = groups.finish();
     std::sort(lines.begin(), lines.end());
     view_.lines.nodes_each = options_.order == 2 ? 3 : 2;
     for (const Line& line : lines) {
@@ -211,9 +233,40 @@ class Viewer {
     view_.marker.push_back(line.marker);
   }
 
+  /// The edge between two vertices, which is there.
+  [[nodiscard]] Halfedge between(std::uint32_t u, std::uint32_t v) const {
+    return tri_.find_halfedge(TriMesh::VertexHandle(static_cast<int>(u)),
+                              TriMesh::VertexHandle(static_cast<int>(v)));
+  }
+
+  void add_periodic() {
+    std::map<std::array<std::uint32_t, 2>, std::uint32_t> line_of;
+    for (std::uint32_t l = 0; l < view_.lines.size(); ++l) {
+      const auto ends = view_.lines[l];
+      line_of.emplace(std::array{ends[0], ends[1]}, l);
+      line_of.emplace(std::array{ends[1], ends[0]}, l);
+    }
+    std::vector<PeriodicNodes> all = periodic_;
+    for (PeriodicNodes& nodes : all) {
+      PeriodicLines lines{nodes.map, {}, {}};
+      for (const auto& [a, b, a2, b2] : nodes.edges) {
+        const auto from = line_of.find({a, b}), to = line_of.find({a2, b2});
+        if (from != line_of.end() && to != line_of.end()) {
+          lines.lines.push_back({from->second, to->second});
+          lines.corners.push_back({{{a, a2}, {b, b2}}});
+        }
+        if (options_.order == 2)
+          nodes.vertices.push_back({midpoint_of(between(a, b)), midpoint_of(between(a2, b2))});
+      }
+      view_.periodic.push_back(std::move(lines));
+    }
+    view_.periodic_node = periodic_classes(all, view_.points.size());
+  }
+
   const Mesh& mesh_;
   const TriMesh& tri_;
   const RegionTable& table_;
+  const std::vector<PeriodicNodes>& periodic_;
   const WriteOptions& options_;
   MeshView view_;
 };
@@ -222,6 +275,20 @@ class Viewer {
 
 MeshView view_of(const Output& output, const WriteOptions& options) {
   return Viewer(output, options).make();
+}
+
+std::vector<std::string> abaqus_names(const std::vector<Group>& groups) {
+  std::vector<std::string> names;
+  for (const Group& group : groups) {
+    std::string name = group.name;
+    for (char& c : name) {
+      if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+      if (c == '.') c = '_';
+    }
+    if (name[0] < 'A' || name[0] > 'Z') name.insert(name.begin(), 'X');
+    names.push_back(std::move(name));
+  }
+  return unique_safe_names(names);
 }
 
 }  // namespace cover

@@ -1,6 +1,7 @@
 // A mesh as the text formats want it: points, triangles, lines, and groups with names and tags.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -26,16 +27,28 @@ struct Cells {
 
 /// A named set of regions or of lines: a physical group, an element set, ...
 struct Group {
-  std::string name;  ///< unique_safe_names() of the originals; unique among regions or among lines
+  std::string name;      ///< unique_safe_names() of the originals, among regions or among lines
+  std::string label;     ///< unique_legible_names() of them: for formats that bear UTF-8
   std::string original;  ///< as the input has it
   int tag = 0;           ///< positive, unique over regions and lines
   int material = 0;      ///< of all its regions; 0 for lines
 };
 
+/// Lines that are images of each other by one rule.
+struct PeriodicLines {
+  Isometry map;
+  /// Indices of a line and its image.
+  std::vector<std::array<std::uint32_t, 2>> lines;
+  /// By pair of lines: corners of the first and of the second one that are images of each other, in
+  /// the order of the first one.
+  std::vector<std::array<std::array<std::uint32_t, 2>, 2>> corners;
+};
+
 /// The mesh of a run, ready to be written.
 ///
 /// Regions of equal name and material are one group; tags count from 1 in the order of region ids.
-/// Line groups follow: contacts by name; lines with a boundary marker by that, which is then their
+/// With WriteOptions::ids, each region is a group whose tag is its id, or each material is one whose
+/// tag is its number. Line groups follow, with the tags that are left: contacts by name; lines with a boundary marker by that, which is then their
 /// name; all others by the groups that they separate. On the left of a line is its lower region
 /// that is not the void. Tags are the same whichever lines are left out.
 struct MeshView {
@@ -47,6 +60,7 @@ struct MeshView {
   std::vector<int> material;                ///< by triangle
   std::vector<std::uint32_t> region_group;  ///< by RegionId - 1
   std::vector<Group> region_groups;
+  bool has_ids = false;  ///< WriteOptions::ids is set
 
   Cells lines;                            ///< by group, then by interface
   std::vector<InterfaceId> interface;     ///< by line; kNoInterface: of the hull
@@ -55,20 +69,34 @@ struct MeshView {
   std::vector<int> marker;                ///< by line: boundary marker of the input
   std::vector<Group> line_groups;         ///< also those whose lines are all left out
 
+  std::vector<PeriodicLines> periodic;  ///< by rule, without lines that are left out
+  /// By point: the smallest point that it is joined to by periodic sides; empty where there are
+  /// none.
+  std::vector<std::uint32_t> periodic_node;
+
   [[nodiscard]] bool second_order() const { return triangles.nodes_each == 6; }
   [[nodiscard]] const Group& group_of_triangle(std::size_t t) const {
     return region_groups[region_group[region[t].index() - 1]];
+  }
+  /// The number of a triangle for solvers that know one alone: its material, or with
+  /// WriteOptions::ids the tag of its group.
+  [[nodiscard]] int number_of_triangle(std::size_t t) const {
+    return has_ids ? group_of_triangle(t).tag : material[t];
   }
   [[nodiscard]] const Group& group_of_line(std::size_t l) const {
     return line_groups[line_group[l]];
   }
 };
 
-/// The view of `output` that `options` ask for. Only the mesh and the table of regions and
-/// interfaces are looked at.
+/// The view of `output` that `options` ask for. Only the mesh, the table of regions and interfaces,
+/// and periodic sides are looked at.
 ///
 /// Cost: O(n log n) in the number of lines, linear in all else.
 MeshView view_of(const Output& output, const WriteOptions& options);
+
+/// What the groups of regions and lines are called as sets of Abaqus: in capitals, beginning with a
+/// letter, unique among the groups given.
+std::vector<std::string> abaqus_names(const std::vector<Group>& groups);
 
 /// Items by a small key, each list in the order of the items.
 class Buckets {

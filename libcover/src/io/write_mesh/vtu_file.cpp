@@ -3,8 +3,24 @@
 // for a file, however small. Tested by tests/unit/vtk/write_vtk_test.cpp, against VTK's reader.
 #include "io/write_mesh/vtu_file.hpp"
 
+#include <bit>
+#include <span>
+
+#include <fmt/format.h>
+
 namespace cover {
 namespace {
+
+/// How an array is announced.
+std::string vtu_attributes(const VtuArray& array) {
+  const char* type = array.type == NumberType::float64 ? "Float64"
+                     : array.type == NumberType::int32 ? "Int32"
+                     : array.type == NumberType::int64 ? "Int64"
+                                                       : "UInt8";
+  std::string text = fmt::format("type=\"{}\" Name=\"{}\"", type, array.name);
+  if (array.components > 1) text += fmt::format(" NumberOfComponents=\"{}\"", array.components);
+  return text + array.more;
+}
 
 class VtuWriter {
  public:
@@ -35,7 +51,7 @@ class VtuWriter {
     out_.put(fmt::format("      <{}>\n", start));
     for (const VtuArray& array : arrays) {
       out_.put(fmt::format("        <DataArray {} format=\"appended\" offset=\"{}\"/>\n",
-                           array.attributes, offset_));
+                           vtu_attributes(array), offset_));
       offset_ += sizeof array.bytes + array.bytes;
       announced_.push_back(&array);
     }

@@ -1,69 +1,44 @@
 // VTK's XML format for one unstructured grid, as bytes.
 #pragma once
 
-#include <bit>
 #include <cstdint>
-#include <cstring>
 #include <functional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
 
-#include <fmt/format.h>
-
-#include "io/files/byte_sink.hpp"
+#include "io/files/binary_writer.hpp"
+#include "io/vtk_files/number_array.hpp"
 
 namespace cover {
 
-/// Gathers numbers into pieces that are worth a call.
-class BinaryWriter {
- public:
-  explicit BinaryWriter(const ByteSink& sink) : sink_(sink) { buffer_.reserve(2 * kFull); }
-  ~BinaryWriter() = default;
-  BinaryWriter(const BinaryWriter&) = delete;
-  BinaryWriter& operator=(const BinaryWriter&) = delete;
-
-  void put(std::string_view bytes) {
-    buffer_.append(bytes);
-    if (buffer_.size() >= kFull) flush();
-  }
-  template <class T>
-  void put(T value) requires std::is_arithmetic_v<T> {
-    put(std::string_view(reinterpret_cast<const char*>(&value), sizeof value));
-  }
-  void flush() {
-    sink_(buffer_);
-    buffer_.clear();
-  }
-
- private:
-  static constexpr std::size_t kFull = 1 << 16;
-
-  const ByteSink& sink_;
-  std::string buffer_;
-};
-
-/// One array of a grid: how it is announced, and its values when they are wanted.
+/// One array of a grid: what it is, and its values when they are wanted.
 struct VtuArray {
-  std::string attributes;  ///< type, Name, NumberOfComponents
+  NumberType type = NumberType::float64;
+  std::string name;
+  std::size_t components = 1;
+  std::string more;  ///< further attributes in XML, with a blank in front
   std::uint64_t bytes = 0;
   std::function<void(BinaryWriter&)> write;
 };
 
 template <class T>
-constexpr std::string_view vtu_type() {
-  if constexpr (std::is_same_v<T, double>) return "Float64";
-  if constexpr (std::is_same_v<T, std::int32_t>) return "Int32";
-  if constexpr (std::is_same_v<T, std::int64_t>) return "Int64";
-  if constexpr (std::is_same_v<T, std::uint8_t>) return "UInt8";
+constexpr NumberType number_type() {
+  if constexpr (std::is_same_v<T, double>) return NumberType::float64;
+  if constexpr (std::is_same_v<T, std::int32_t>) return NumberType::int32;
+  if constexpr (std::is_same_v<T, std::int64_t>) return NumberType::int64;
+  if constexpr (std::is_same_v<T, std::uint8_t>) return NumberType::uint8;
 }
 
 /// The array of `value(0)`, ..., `value(size - 1)`, each a T.
 template <class T, class Value>
 VtuArray vtu_array(std::string_view name, std::size_t size, Value value) {
-  return {fmt::format("type=\"{}\" Name=\"{}\"", vtu_type<T>(), name), size * sizeof(T),
+  return {number_type<T>(),
+          std::string(name),
+          1,
+          {},
+          size * sizeof(T),
           [size, value = std::move(value)](BinaryWriter& out) {
             for (std::size_t k = 0; k < size; ++k) out.put(static_cast<T>(value(k)));
           }};

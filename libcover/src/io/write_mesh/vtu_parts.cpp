@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <numeric>
 
 #include "geom/vector.hpp"
 
@@ -31,8 +30,12 @@ void add_cells(const Cells& cells, CellType type, std::size_t points, Place plac
   grid.points = points;
   grid.cells = cells.size();
   constexpr std::size_t kDimensions = 3;
-  grid.coordinates = {"type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"",
-                      points * kDimensions * sizeof(double), [points, place](BinaryWriter& out) {
+  grid.coordinates = {NumberType::float64,
+                      "Points",
+                      kDimensions,
+                      {},
+                      points * kDimensions * sizeof(double),
+                      [points, place](BinaryWriter& out) {
                         for (std::size_t p = 0; p < points; ++p) {
                           const Point at = place(p);
                           out.put(at.x);
@@ -47,6 +50,16 @@ void add_cells(const Cells& cells, CellType type, std::size_t points, Place plac
                               [each = cells.nodes_each](std::size_t k) { return (k + 1) * each; }));
   grid.connectivity.push_back(
       vtu_array<std::uint8_t>("types", cells.size(), [type](std::size_t) { return type; }));
+}
+
+/// The class of each point, where there are periodic sides; `number(p)` is its number in the whole
+/// mesh.
+template <class Number>
+void add_periodic_nodes(const MeshView& view, std::size_t points, Number number, VtuGrid& grid) {
+  if (view.periodic_node.empty()) return;
+  grid.point_data.push_back(vtu_array<std::int64_t>(
+      "PeriodicNode", points,
+      [&view, number](std::size_t p) { return view.periodic_node[number(p)]; }));
 }
 
 /// Some cells on points of their own: those of the cells, in the order of their numbers in the
@@ -73,8 +86,10 @@ struct Part {
     out.point_attributes = " GlobalIds=\"GlobalNodeId\"";
     VtuArray ids = vtu_array<std::int64_t>("GlobalNodeId", numbers.size(),
                                            [this](std::size_t p) { return numbers[p]; });
-    ids.attributes += " IdType=\"1\"";
+    ids.more = " IdType=\"1\"";
     out.point_data.push_back(std::move(ids));
+    add_periodic_nodes(
+        view, numbers.size(), [this](std::size_t p) { return numbers[p]; }, out);
     add_cells(
         cells, type, numbers.size(),
         [this, &view](std::size_t p) { return view.points[numbers[p]]; }, out);
@@ -94,27 +109,26 @@ std::array<double, 2> extreme_angles(const MeshView& view, std::size_t triangle)
   return {Angle::radians(*high).in_degrees(), Angle::radians(*low).in_degrees()};
 }
 
-/// The arrays of the triangles that are given, in which the grid then refers to `triangles` and
+/// The arrays of the triangles number(0), ..., number(triangles - 1); the grid then refers to
 /// `view`. Several names for one thing: every solver looks for its own, some only for the first
 /// array.
 ///
 /// Their order is one that meshio can read. It replaces the offset of each appended array by a
 /// larger one, 4/3 of it, and then takes the first array that has the next offset it looks for:
 /// with four arrays of integers in front, every third mesh came out wrong or not at all.
-void add_triangle_arrays(const MeshView& view, std::span<const std::size_t> triangles,
+template <class Number>
+void add_triangle_arrays(const MeshView& view, std::size_t triangles, Number number,
                          VtuGrid& grid) {
   std::vector<std::array<double, 2>> angles;
-  angles.reserve(triangles.size());
-  for (const std::size_t t : triangles) angles.push_back(extreme_angles(view, t));
+  angles.reserve(triangles);
+  for (std::size_t k = 0; k < triangles; ++k) angles.push_back(extreme_angles(view, number(k)));
   const auto extremes =
       std::make_shared<const std::vector<std::array<double, 2>>>(std::move(angles));
   const auto add = [&]<class T>(T, const char* name, auto value) {
-    grid.cell_data.push_back(vtu_array<T>(name, triangles.size(), value));
+    grid.cell_data.push_back(vtu_array<T>(name, triangles, value));
   };
-  const auto material = [&view, triangles](std::size_t k) { return view.material[triangles[k]]; };
-  const auto region = [&view, triangles](std::size_t k) {
-    return view.region[triangles[k]].value();
-  };
+  const auto material = [&view, number](std::size_t k) { return view.material[number(k)]; };
+  const auto region = [&view, number](std::size_t k) { return view.region[number(k)].value(); };
   const auto largest = [extremes](std::size_t k) { return (*extremes)[k][0]; };
   const auto smallest = [extremes](std::size_t k) { return (*extremes)[k][1]; };
   grid.cell_attributes = " Scalars=\"material\"";
@@ -128,22 +142,28 @@ void add_triangle_arrays(const MeshView& view, std::span<const std::size_t> tria
 
 }  // namespace
 
-void write_whole(const MeshView& view, const ByteSink& sink) {
-  std::vector<std::size_t> all(view.triangles.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
+VtuGrid whole_grid(const MeshView& view) {
   VtuGrid grid;
   add_cells(
       view.triangles, type_of_triangles(view), view.points.size(),
       [&view](std::size_t p) { return view.points[p]; }, grid);
-  add_triangle_arrays(view, all, grid);
-  write_vtu_bytes(grid, sink);
+  add_periodic_nodes(
+      view, view.points.size(), [](std::size_t p) { return p; }, grid);
+  add_triangle_arrays(
+      view, view.triangles.size(), [](std::size_t k) { return k; }, grid);
+  return grid;
+}
+
+void write_whole(const MeshView& view, const ByteSink& sink) {
+  write_vtu_bytes(whole_grid(view), sink);
 }
 
 void write_triangles(const MeshView& view, std::span<const std::size_t> triangles,
                      const ByteSink& sink) {
   const Part part(view.triangles, triangles);
   VtuGrid grid = part.grid(view, type_of_triangles(view));
-  add_triangle_arrays(view, triangles, grid);
+  add_triangle_arrays(
+      view, triangles.size(), [triangles](std::size_t k) { return triangles[k]; }, grid);
   write_vtu_bytes(grid, sink);
 }
 

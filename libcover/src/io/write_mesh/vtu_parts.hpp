@@ -10,6 +10,9 @@
 
 namespace cover {
 
+/// All triangles, with the cell arrays that write_vtu() promises; refers to `view`.
+VtuGrid whole_grid(const MeshView& view);
+
 /// All triangles, with the cell arrays that write_vtu() promises.
 void write_whole(const MeshView& view, const ByteSink& sink);
 

@@ -1,14 +1,19 @@
 // Abaqus' input deck, as CalculiX and Elmer read it too: nodes, elements in one set per region
 // group, nodes of each line group in a set. Names of sets are case-insensitive and begin with a
 // letter. Both programs read the first 20 characters of a number and no more, so a coordinate that
-// is longer would lose its exponent: it is rounded to the digits that fit.
+// is longer would lose its exponent: it is rounded to the digits that fit. A mesh that has triangles
+// too thin for that is refused.
 //
 // Tested by tests/unit/io/write_mesh/write_inp_test.cpp and, in CalculiX, by tests/solvers.
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <utility>
 
-#include "base/safe_names.hpp"
+#include <fmt/format.h>
+
+#include "base/describe.hpp"
+#include "geom/predicates.hpp"
 #include "io/files/text_writer.hpp"
 #include "io/write_mesh/mesh_view.hpp"
 
@@ -16,6 +21,8 @@ namespace cover {
 namespace {
 
 constexpr std::size_t kLongestNumber = 20;
+
+constexpr std::size_t kMostPlaces = 10;  ///< places in an error
 
 /// `x` in at most kLongestNumber characters: exactly if it fits, else as precisely as it does.
 std::string coordinate(double x) {
@@ -30,23 +37,50 @@ std::string coordinate(double x) {
   return out;
 }
 
-/// The names of the groups as names of sets.
-std::vector<std::string> set_names(const std::vector<Group>& groups) {
-  std::vector<std::string> names;
-  for (const Group& group : groups) {
-    std::string name = group.name;
-    for (char& c : name) {
-      if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-      if (c == '.') c = '_';
-    }
-    if (name[0] < 'A' || name[0] > 'Z') name.insert(name.begin(), 'X');
-    names.push_back(std::move(name));
+/// The coordinate that is read back.
+double read_back(double x) {
+  const std::string text = coordinate(x);
+  double out = x;
+  std::from_chars(text.data(), text.data() + text.size(), out);
+  return out;
+}
+
+/// Whether readers see every triangle the way round that it is.
+///
+/// Errors: cannot_write, with the places of triangles that rounding flattens or turns over
+Status check_rounding(const MeshView& view, const std::string& path) {
+  std::vector<Point> seen;
+  seen.reserve(view.points.size());
+  bool is_rounded = false;
+  for (const Point& p : view.points) {
+    seen.push_back({read_back(p.x), read_back(p.y)});
+    is_rounded = is_rounded || seen.back() != p;
   }
-  return unique_safe_names(names);
+  if (!is_rounded) return ok();
+  std::size_t count = 0;
+  std::vector<Point> where;
+  for (std::size_t t = 0; t < view.triangles.size(); ++t) {
+    const auto nodes = view.triangles[t];
+    const auto turn = [&](const std::vector<Point>& points) {
+      return orientation(points[nodes[0]], points[nodes[1]], points[nodes[2]]);
+    };
+    if (turn(seen) == turn(view.points)) continue;
+    if (++count <= kMostPlaces) where.push_back(view.points[nodes[0]]);
+  }
+  if (count == 0) return ok();
+  return Error{
+      ErrorCode::cannot_write,
+      fmt::format(
+          "cannot write {}: its readers take 20 characters of a number, and rounded to them {} "
+          "flat or turned over, the first at {}; other formats keep all digits",
+          path, counted(count, "triangle") + (count == 1 ? " is" : " are"),
+          describe(where.front())),
+      std::move(where),
+      {}};
 }
 
 void write_elements(const MeshView& view, const std::string& family, TextWriter& out) {
-  const std::vector<std::string> names = set_names(view.region_groups);
+  const std::vector<std::string> names = abaqus_names(view.region_groups);
   const Buckets sets(view.region_groups.size(), view.triangles.size(),
                      [&](std::size_t t) { return view.region_group[view.region[t].index() - 1]; });
   for (std::size_t g = 0; g < sets.size(); ++g) {
@@ -61,7 +95,7 @@ void write_elements(const MeshView& view, const std::string& family, TextWriter&
 }
 
 void write_node_sets(const MeshView& view, TextWriter& out) {
-  const std::vector<std::string> names = set_names(view.line_groups);
+  const std::vector<std::string> names = abaqus_names(view.line_groups);
   const Buckets sets(view.line_groups.size(), view.lines.size(),
                      [&](std::size_t l) { return view.line_group[l]; });
   for (std::size_t g = 0; g < sets.size(); ++g) {
@@ -81,6 +115,7 @@ void write_node_sets(const MeshView& view, TextWriter& out) {
 
 Status write_inp(const Output& output, const std::string& path, const WriteOptions& options) {
   const MeshView view = view_of(output, options);
+  if (Status status = check_rounding(view, path); !status) return status;
   return write_text(path, options.stop, [&](TextWriter& out) {
     out << "*NODE, NSET=NALL\n";
     for (std::size_t p = 0; p < view.points.size(); ++p) {

@@ -29,7 +29,7 @@ Status write_medit(const Output& output, const std::string& path, const WriteOpt
         [&](std::size_t l) { return view.group_of_line(l).tag; }, out);
     write_cells(
         view.second_order() ? "TrianglesP2" : "Triangles", view.triangles,
-        [&](std::size_t t) { return view.material[t]; }, out);
+        [&](std::size_t t) { return view.number_of_triangle(t); }, out);
     out << "\nEnd\n";
   });
 }

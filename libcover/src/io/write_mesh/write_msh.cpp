@@ -7,7 +7,11 @@
 //
 // Tested by tests/unit/io/write_mesh/write_msh_test.cpp and, in the solvers, by tests/solvers.
 #include <algorithm>
+#include <array>
+#include <map>
+#include <set>
 
+#include "geom/box.hpp"
 #include "io/files/text_writer.hpp"
 #include "io/write_mesh/mesh_view.hpp"
 
@@ -35,6 +39,7 @@ class MshWriter {
       element_2(triangle_type(), view_.group_of_triangle(t).tag, view_.region[t].index(),
                 view_.triangles[t]);
     out_ << "$EndElements\n";
+    periodic(false, [&](std::size_t l) { return curve[l]; });
   }
 
   void write_4() {
@@ -59,6 +64,8 @@ class MshWriter {
     blocks(1, line_type(), view_.line_groups, curves, view_.lines);
     blocks(2, triangle_type(), view_.region_groups, surfaces, view_.triangles);
     out_ << "$EndElements\n";
+    periodic(true,
+             [&](std::size_t l) { return static_cast<std::size_t>(view_.group_of_line(l).tag); });
   }
 
  private:
@@ -108,7 +115,7 @@ class MshWriter {
     out_ << "$EndPhysicalNames\n";
   }
   void name(int dimension, const Group& group) {
-    out_ << dimension << ' ' << group.tag << " \"" << group.name << "\"\n";
+    out_ << dimension << ' ' << group.tag << " \"" << group.label << "\"\n";
   }
 
   void nodes(std::span<const std::uint32_t> nodes) {
@@ -126,16 +133,12 @@ class MshWriter {
   void entities(const std::vector<Group>& groups, const Buckets& members, const Cells& cells) {
     for (std::size_t g = 0; g < groups.size(); ++g) {
       if (members[g].empty()) continue;
-      Point low = view_.points[cells[members[g].front()][0]], high = low;
+      Box box;
       for (const std::size_t k : members[g]) {
-        for (const std::uint32_t node : cells[k]) {
-          const Point& p = view_.points[node];
-          low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-          high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-        }
+        for (const std::uint32_t node : cells[k]) box.add(view_.points[node]);
       }
-      out_ << groups[g].tag << ' ' << low.x << ' ' << low.y << " 0 " << high.x << ' ' << high.y
-           << " 0 1 " << groups[g].tag << " 0\n";
+      out_ << groups[g].tag << ' ' << box.low.x << ' ' << box.low.y << " 0 " << box.high.x << ' '
+           << box.high.y << " 0 1 " << groups[g].tag << " 0\n";
     }
   }
 
@@ -149,6 +152,44 @@ class MshWriter {
         nodes(cells[k]);
       }
     }
+  }
+
+  /// A curve that is the image of another one, with pairs of nodes: its own and that of the other.
+  struct Link {
+    Isometry map;
+    std::set<std::array<std::uint32_t, 2>> nodes;
+  };
+
+  /// Pairs of curves; `tag(l)` is the elementary tag of line l. Nodes that are their own images are
+  /// left out: they ask for nothing, and some readers would follow them for ever.
+  template <class Tag>
+  void periodic(bool is_version_4, Tag tag) {
+    std::map<std::array<std::size_t, 3>, Link> links;  // by rule, image and original
+    for (std::size_t r = 0; r < view_.periodic.size(); ++r) {
+      const PeriodicLines& rule = view_.periodic[r];
+      for (std::size_t k = 0; k < rule.lines.size(); ++k) {
+        const auto [from, to] = rule.lines[k];
+        Link& link = links[{r, tag(to), tag(from)}];
+        link.map = rule.map;
+        for (const auto& [original, image] : rule.corners[k]) {
+          if (original != image) link.nodes.insert({image, original});
+        }
+        if (view_.second_order()) link.nodes.insert({view_.lines[to][2], view_.lines[from][2]});
+      }
+    }
+    if (links.empty()) return;
+    out_ << "$Periodic\n" << links.size() << '\n';
+    for (const auto& [key, link] : links) {
+      out_ << "1 " << key[1] << ' ' << key[2] << '\n' << (is_version_4 ? "16" : "Affine");
+      const Isometry& m = link.map;
+      for (const double c : {m.xx[0], m.xy[0], 0.0, m.x0[0], m.yx[0], m.yy[0], 0.0, m.y0[0], 0.0,
+                             0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0})
+        out_ << ' ' << (c == 0 ? 0.0 : c);  // no -0
+      out_ << '\n' << link.nodes.size() << '\n';
+      for (const auto& [image, original] : link.nodes)
+        out_ << image + 1 << ' ' << original + 1 << '\n';
+    }
+    out_ << "$EndPeriodic\n";
   }
 
   const MeshView& view_;

@@ -12,6 +12,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "base/out_of_memory.hpp"
 #include "io/files/atomic_file.hpp"
 
 namespace cover {
@@ -98,17 +99,19 @@ void write_seeds(Text& text, const RegionTable& table) {
 }  // namespace
 
 Status write_poly(const Pslg& pslg, const RegionTable& table, const std::string& path) {
-  Text text;
-  fmt::format_to(std::back_inserter(text), "# points\n");
-  write_points(text, pslg);
-  fmt::format_to(std::back_inserter(text), "# segments\n");
-  write_segments(text, pslg);
-  fmt::format_to(std::back_inserter(text), "# holes, then regions: material, area, name\n");
-  write_seeds(text, table);
-  Result<AtomicFile> file = AtomicFile::create(path);
-  if (!file) return file.error();
-  file->write({text.data(), text.size()});
-  return file->commit();
+  return memory_as_value(path, [&]() -> Status {
+    Text text;
+    fmt::format_to(std::back_inserter(text), "# points\n");
+    write_points(text, pslg);
+    fmt::format_to(std::back_inserter(text), "# segments\n");
+    write_segments(text, pslg);
+    fmt::format_to(std::back_inserter(text), "# holes, then regions: material, area, name\n");
+    write_seeds(text, table);
+    Result<AtomicFile> file = AtomicFile::create(path);
+    if (!file) return file.error();
+    file->write({text.data(), text.size()});
+    return file->commit();
+  });
 }
 
 }  // namespace cover

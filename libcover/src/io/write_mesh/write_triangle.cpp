@@ -17,14 +17,17 @@ void write_nodes(const MeshView& view, TextWriter& out) {
 }
 
 void write_elements(const MeshView& view, TextWriter& out) {
-  out << view.triangles.size() << ' ' << view.triangles.nodes_each << " 2\n";
+  out << view.triangles.size() << ' ' << view.triangles.nodes_each
+      << (view.has_ids ? " 3\n" : " 2\n");
   for (std::size_t t = 0; t < view.triangles.size(); ++t) {
     const auto nodes = view.triangles[t];
     out << t + 1;
     for (const std::uint32_t node : nodes.first(3)) out << ' ' << node + 1;
     // Triangle names the midpoint opposite the first corner first.
     if (nodes.size() == 6) out << ' ' << nodes[4] + 1 << ' ' << nodes[5] + 1 << ' ' << nodes[3] + 1;
-    out << ' ' << view.material[t] << ' ' << view.region[t].value() << '\n';
+    out << ' ' << view.number_of_triangle(t) << ' ' << view.region[t].value();
+    if (view.has_ids) out << ' ' << view.material[t];
+    out << '\n';
   }
 }
 
@@ -43,9 +46,8 @@ Status write_triangle(const Output& output, const std::string& path, const Write
   const MeshView view = view_of(output, options);
   std::vector<TextWriter> files;
   for (const char* extension : {".node", ".ele", ".edge"}) {
-    Result<TextWriter> file =
-        TextWriter::create(std::filesystem::path(path).replace_extension(extension).string(),
-                           options.stop);
+    Result<TextWriter> file = TextWriter::create(
+        std::filesystem::path(path).replace_extension(extension).string(), options.stop);
     if (!file) return std::move(file).error();
     files.push_back(std::move(*file));
   }

@@ -59,16 +59,18 @@ void write_arrays(const MeshView& view, std::size_t lines, TextWriter& out) {
   const auto outer = [&](std::size_t l) { return view.inner[l] != 0 ? -1 : number(l); };
   const auto inner = [&](std::size_t l) { return view.inner[l] != 0 ? number(l) : -1; };
   const auto zero = [](std::size_t) { return 0; };
-  write_array("MaterialID", view, lines, material, outer, out);
+  const auto solver = [&](std::size_t t) { return view.number_of_triangle(t); };
+  write_array("MaterialID", view, lines, solver, outer, out);
   if (lines > 0) {
     write_array(
         "ManifoldID", view, lines, [](std::size_t) { return -1; }, inner, out);
     write_array("LineID", view, lines, zero, number, out);
   } else {
     write_array("material", view, lines, material, zero, out);
-    write_array("mat_id", view, lines, material, zero, out);
+    write_array("mat_id", view, lines, solver, zero, out);
   }
   write_array("RegionId", view, lines, region, zero, out);
+  if (lines > 0 && view.has_ids) write_array("material", view, lines, material, zero, out);
 }
 
 }  // namespace
@@ -92,6 +94,10 @@ Status write_vtk(const Output& output, const std::string& path, const WriteOptio
     write_types(lines, view.second_order() ? 21 : 3, out);
     out << "CELL_DATA " << cells << '\n';
     write_arrays(view, lines.size(), out);
+    if (view.periodic_node.empty()) return;
+    out << "POINT_DATA " << view.points.size()
+        << "\nSCALARS PeriodicNode int 1\nLOOKUP_TABLE default\n";
+    for (const std::uint32_t node : view.periodic_node) out << node << '\n';
   });
 }
 

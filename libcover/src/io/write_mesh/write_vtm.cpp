@@ -1,6 +1,8 @@
 // A block per group of regions and per group of lines, under the names that people see in ParaView
 // and that .msh has for its physical groups: whoever extracts the block SiO2 gets all of it. The
-// blocks are files in a folder beside the target. Tested by tests/unit/vtk/write_vtk_test.cpp.
+// blocks are files in a folder beside the target. What blocks cannot hold, names of materials above
+// all, stands in an element behind them that VTK does not look at. Tested by tests/unit/vtk/write_vtk_test.cpp.
+#include <cover/mesh.hpp>
 #include <cover/write_mesh.hpp>
 
 #include <bit>
@@ -10,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "base/markup.hpp"
+#include "base/safe_names.hpp"
 #include "io/files/piece_folder.hpp"
 #include "io/write_mesh/mesh_view.hpp"
 #include "io/write_mesh/vtu_parts.hpp"
@@ -18,6 +21,10 @@ namespace cover {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// So many groups of lines have blocks of their own; where there are more, nobody looks for one by
+/// its name, and all lines between regions are one block, told apart by LineID.
+constexpr std::size_t kMostLineBlocks = 100;
 
 /// The text of a .vtm, which grows as the pieces do.
 class VtmWriter {
@@ -34,7 +41,9 @@ class VtmWriter {
       return std::move(status).error();
     if (Status status = block(1, "interfaces", [&] { return interfaces(); }); !status)
       return std::move(status).error();
-    text_ += "  </vtkMultiBlockDataSet>\n</VTKFile>\n";
+    text_ += "  </vtkMultiBlockDataSet>\n";
+    names();
+    text_ += "</VTKFile>\n";
     return std::move(text_);
   }
 
@@ -61,7 +70,7 @@ class VtmWriter {
       return view_.region_group[view_.region[t].index() - 1];
     });
     for (std::size_t g = 0; g < members.size(); ++g) {
-      Status status = data_set(g, view_.region_groups[g].name, [&](const ByteSink& sink) {
+      Status status = data_set(g, view_.region_groups[g].label, [&](const ByteSink& sink) {
         write_triangles(view_, members[g], sink);
       });
       if (!status) return status;
@@ -73,15 +82,73 @@ class VtmWriter {
     const Buckets members(view_.line_groups.size(), view_.lines.size(),
                           [&](std::size_t l) { return view_.line_group[l]; });
     std::size_t index = 0;
+    const auto add = [&](const std::string& name, std::span<const std::size_t> lines) {
+      return data_set(index++, name, [&](const ByteSink& sink) {
+        write_lines(view_, output_.table, lines, sink);
+      });
+    };
+    const bool many = members.size() > kMostLineBlocks;
+    std::vector<std::size_t> others;
     for (std::size_t g = 0; g < members.size(); ++g) {
       // Sides of the hull are on no interface, and all in one group.
       if (view_.interface[members[g].front()] == kNoInterface) continue;
-      Status status = data_set(index++, view_.line_groups[g].name, [&](const ByteSink& sink) {
-        write_lines(view_, output_.table, members[g], sink);
-      });
-      if (!status) return status;
+      if (many && !has_own_name(members[g].front())) {
+        others.insert(others.end(), members[g].begin(), members[g].end());
+        continue;
+      }
+      if (Status status = add(view_.line_groups[g].label, members[g]); !status) return status;
     }
-    return ok();
+    return others.empty() ? ok() : add("lines", others);
+  }
+
+  /// Whether a line is called by a contact or a marker, and not by what it separates.
+  [[nodiscard]] bool has_own_name(std::size_t line) const {
+    const Interface& of = output_.table.interfaces[view_.interface[line].index() - 1];
+    return of.kind == InterfaceKind::contact || view_.marker[line] != 0;
+  }
+
+  void names() {
+    std::size_t input_points = 0;
+    for (const auto v : output_.mesh.tri().vertices())
+      input_points += output_.mesh.input_id(v) >= 0 ? 1 : 0;
+    const Report& report = output_.report;
+    text_ += fmt::format(
+        "  <CoverNames InputVertices=\"{}\" Source=\"{}\" Version=\"{}\" Unit=\"{}\" "
+        "Scale=\"{}\">\n",
+        input_points, attribute(report.provenance.source), attribute(report.provenance.version),
+        attribute(report.unit), report.scale);
+    for (const Provenance::Setting& setting : report.provenance.settings)
+      text_ += fmt::format("    <Option Name=\"{}\" Value=\"{}\"/>\n", attribute(setting.name),
+                           attribute(setting.value));
+    for (const Region& region : output_.table.regions)
+      text_ +=
+          fmt::format("    <Region Id=\"{}\" Name=\"{}\" Material=\"{}\"/>\n", region.id.value(),
+                      attribute(region.name), attribute(region.material_name));
+    for (const Interface& line : output_.table.interfaces)
+      text_ +=
+          fmt::format("    <Line Id=\"{}\" Name=\"{}\"/>\n", line.id.value(), attribute(line.name));
+    text_ += "  </CoverNames>\n";
+  }
+
+  /// A text as the value of an attribute of XML.
+  static std::string attribute(const std::string& text) {
+    if (text.empty()) return text;
+    // Double quotes, which escaped_markup() bears, are the only thing that is not the same twice.
+    std::string out, piece;
+    const auto put = [&] {
+      if (!piece.empty()) out += escaped_markup(legible_name(piece));
+      piece.clear();
+    };
+    for (const char c : text) {
+      if (c == '"') {
+        put();
+        out += "&quot;";
+      } else {
+        piece += c;
+      }
+    }
+    put();
+    return out;
   }
 
   const Output& output_;
@@ -101,6 +168,7 @@ Status write_vtm(const Output& output, const std::string& path, const WriteOptio
   if (!folder) return std::move(folder).error();
   WriteOptions all = options;
   all.inner_lines = true;
+  all.ids.clear();
   const MeshView view = view_of(output, all);
   const Result<std::string> text = VtmWriter(output, view, *folder).text();
   return text ? folder->commit(*text) : Status(text.error());

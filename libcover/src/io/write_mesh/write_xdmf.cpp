@@ -2,6 +2,7 @@
 // the triangles from one and the tags of edges from another; it takes the first attribute of each.
 //
 // Tested by tests/unit/io/write_mesh/write_xdmf_test.cpp and, in dolfinx, by tests/solvers.
+#include "base/markup.hpp"
 #include "io/files/text_writer.hpp"
 #include "io/write_mesh/mesh_view.hpp"
 
@@ -16,10 +17,12 @@ class XdmfWriter {
     out_ << "<?xml version=\"1.0\"?>\n<!DOCTYPE Xdmf SYSTEM \"Xdmf.dtd\" []>\n"
             "<Xdmf Version=\"3.0\">\n<Domain>\n";
     begin_grid("mesh", view_.second_order() ? "Triangle_6" : "Triangle", view_.triangles);
+    // dolfinx takes the first.
+    const bool groups_first = view_.has_ids;
+    if (groups_first) group_attribute();
     attribute("MaterialID", view_.triangles, [&](std::size_t t) { return view_.material[t]; });
     attribute("RegionId", view_.triangles, [&](std::size_t t) { return view_.region[t].value(); });
-    attribute("GroupID", view_.triangles,
-              [&](std::size_t t) { return view_.group_of_triangle(t).tag; });
+    if (!groups_first) group_attribute();
     end_grid(view_.region_groups);
     begin_grid("lines", view_.second_order() ? "Edge_3" : "PolyLine", view_.lines);
     attribute("LineID", view_.lines, [&](std::size_t l) { return view_.group_of_line(l).tag; });
@@ -44,10 +47,16 @@ class XdmfWriter {
     out_ << "</DataItem>\n</Geometry>\n";
   }
 
+  void group_attribute() {
+    attribute("GroupID", view_.triangles,
+              [&](std::size_t t) { return view_.group_of_triangle(t).tag; });
+  }
+
   /// Names with their numbers, for people and scripts; readers skip them.
   void end_grid(const std::vector<Group>& groups) {
     for (const Group& group : groups)
-      out_ << "<Information Name=\"" << group.name << "\" Value=\"" << group.tag << "\"/>\n";
+      out_ << "<Information Name=\"" << escaped_markup(group.label) << "\" Value=\"" << group.tag
+           << "\"/>\n";
     out_ << "</Grid>\n";
   }
 

@@ -1,6 +1,7 @@
 // See candidates.hpp. Tested by tests/unit/quality/quality_region_test.cpp.
 #include "quality/plan/candidates.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "cdt/cdt.hpp"
 #include "cdt/region_cdt.hpp"
 #include "cdt/sides.hpp"
+#include "limits/limit_prover.hpp"
 #include "quality/effort/effort.hpp"
 #include "quality/mutable/delaunay_flips.hpp"
 #include "quality/mutable/split_hull.hpp"
@@ -18,6 +20,7 @@
 #include "quality/starts/even_refinement.hpp"
 #include "quality/starts/one_star.hpp"
 #include "quality/starts/restart.hpp"
+#include "sizes/ask_size.hpp"
 #include "target/measure.hpp"
 #include "target/whole_mesh.hpp"
 
@@ -68,9 +71,11 @@ Candidates::Candidates(const RegionBoundary& boundary, const Options& options, s
       budget_{given_, stop} {}
 
 SizeFunction Candidates::background_in_frame() const {
-  if (!options_.size_field) return {};
-  return
-      [&field = options_.size_field, frame = &frame_](Point p) { return field(frame->restore(p)); };
+  SizeFunction field = background_of(boundary_, options_);
+  if (!field) return {};
+  return [field = std::move(field), frame = &frame_](Point p) {
+    return ask_size(field, frame->restore(p));
+  };
 }
 
 bool Candidates::is_budget_used_up() const {
@@ -242,6 +247,15 @@ Candidate Candidates::from_almonds() const {
 bool Candidates::is_done(const Candidate& candidate) const {
   if (candidate.merit.negative > 0) return must_stop();
   return must_stop() || !is_smaller_cot(own_goal(candidate.mesh).large, candidate.merit.large);
+}
+
+bool Candidates::is_near_its_limits(const Candidate& candidate) const {
+  const auto& segments = boundary_.segments;
+  if (std::find(segments.begin(), segments.end(), kHullSide) != segments.end()) return false;
+  const Merit& merit = candidate.merit;
+  return LimitProver(cdt_).is_near(
+      {Angle::radians(std::atan2(1.0, merit.large)), Angle::radians(std::atan2(1.0, merit.small))},
+      {options_.max_angle.supplement(), options_.min_angle});
 }
 
 void Candidates::take_if_better(Candidate& best, Candidate other) const {

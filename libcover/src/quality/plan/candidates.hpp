@@ -111,6 +111,9 @@ class Candidates {
   /// The largest angle is that of the goal, or forced by the region's worst side; or the run is to
   /// stop.
   [[nodiscard]] bool is_done(const Candidate& candidate) const;
+  /// No mesh of the region is better than `candidate` by more than a degree, in what it misses: this
+  /// is proven, and a search would be in vain.
+  [[nodiscard]] bool is_near_its_limits(const Candidate& candidate) const;
   /// A largest angle, as -cot, above which a candidate is taken only instead of another such one.
   void lower_ceiling(double large) { ceiling_ = std::min(ceiling_, large); }
   void take_if_better(Candidate& best, Candidate other) const;

@@ -18,13 +18,13 @@ bool is_tiny_and_missed(const Progress& p) { return p.make.is_tiny() && is_misse
 bool has_far(const Progress& p) { return p.best.merit.far_above > 0; }
 bool is_tiny_and_near(const Progress& p) {
   return is_tiny_and_missed(p) && p.cdt.mesh.fixed_vertices() >= effort::kPointsToRestart &&
-         p.best.merit.fault.worst() <= effort::kNearMiss;
+         p.best.merit.fault.worst() <= effort::kNearMiss && !p.make.is_near_its_limits(p.best);
 }
 /// So few that they are likely to be mended; in tiny regions nothing is.
 bool few_are_missed(const Progress& p) {
   const Merit& merit = p.best.merit;
   return !p.make.is_tiny() && merit.triangles <= effort::kSmallMesh && merit.missed > 0 &&
-         merit.missed <= effort::kFewInSmall;
+         merit.missed <= effort::kFewInSmall && !p.make.is_near_its_limits(p.best);
 }
 bool is_beyond_bound(const Progress& p) { return !p.make.order().is_within_bound(p.best.merit); }
 bool refined_is_beyond_bound(const Progress& p) {

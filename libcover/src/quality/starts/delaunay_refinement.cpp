@@ -9,6 +9,7 @@
 
 #include "base/bucket_queue.hpp"
 #include "geom/predicates.hpp"
+#include "geom/rounds.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -26,6 +27,8 @@ constexpr double kRadius = 0.78;
 /// is worked off before the next one.
 constexpr int kBlock = 4096;          ///< triangles
 constexpr int kBucketsPerBlock = 16;  ///< two per factor of two, in squared lengths
+
+constexpr std::size_t kLargeFan = 1024;  ///< triangles around a new vertex, queued in rounds
 
 class Refinement {
  public:
@@ -253,10 +256,19 @@ class Refinement {
     }
     mesh_.home[apex] = cavity_[0];
     if (sizes_.is_active()) set_size(apex);
-    for (std::size_t k = 0; k < loop_.size(); ++k) {
-      enqueue(cavity_[k]);
-    }
+    enqueue_fan();
     return true;
+  }
+
+  /// A vertex that was put beside a triangle of a large fan replaces all of the fan that its circles
+  /// reach, which may be all; and so do those beside its neighbours, one after the other, if they
+  /// come next. In rounds they divide the fan.
+  void enqueue_fan() {
+    if (loop_.size() <= kLargeFan) {
+      for (std::size_t k = 0; k < loop_.size(); ++k) enqueue(cavity_[k]);
+    } else {
+      for (const std::uint32_t k : rounds(loop_.size())) enqueue(cavity_[k]);
+    }
   }
 
   /// Gives a new vertex its size, from the vertices of the loop around it.

@@ -53,6 +53,24 @@ TEST(ReadGeojson, TakesNumbersForNamesAndEmptyCoordinatesForNull) {
   EXPECT_TRUE(input->lines.empty());
 }
 
+TEST(ReadGeojson, SizesAreLengthsAboveZero) {
+  const auto feature = [](const std::string& size) {
+    return R"({"type": "Feature", "properties": {"size": )" + size + R"(}, "geometry":
+      {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]}})";
+  };
+  const Result<Input> input =
+      parse_geojson(R"({"type": "FeatureCollection", "features": [)" + feature("0.25") + "," +
+                        feature("0") + "," + feature("\"XL\"") + "," + feature("null") + "]}",
+                    "map.geojson");
+  ASSERT_TRUE(input.has_value()) << input.error().message;
+  ASSERT_EQ(input->polygons.size(), 4u);
+  EXPECT_EQ(input->polygons[0].size, 0.25);
+  for (std::size_t k = 1; k < 4; ++k) EXPECT_FALSE(input->polygons[k].size) << k;
+  EXPECT_EQ(
+      input->warnings,
+      std::vector<std::string>{"the property 'size' of 2 features is no length above 0: left out"});
+}
+
 TEST(ReadGeojson, ReadsABareGeometry) {
   const Result<Input> input = parse_geojson(
       R"({"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]})", "map.geojson");

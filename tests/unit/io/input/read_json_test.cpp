@@ -113,6 +113,18 @@ TEST(ReadJson, NamesThePlaceOfEveryError) {
             "deck.json: unit: expected a unit of length: nm, um, mm, cm or m");
 }
 
+TEST(ReadJson, PolygonsHaveSizes) {
+  const auto input = parse_json(R"({"polygons": [
+    {"material": "a", "size": 0.5, "rings": [[[0, 0], [1, 0], [1, 1]]]},
+    {"material": "b", "rings": [[[0, 0], [1, 0], [1, 1]]]}]})",
+                                "deck.json");
+  ASSERT_TRUE(input) << input.error().message;
+  EXPECT_EQ(input->polygons[0].size, 0.5);
+  EXPECT_FALSE(input->polygons[1].size);
+  EXPECT_EQ(message(R"({"polygons": [{"material": "a", "size": 0, "rings": []}]})"),
+            "deck.json: polygons[0].size: expected a number above zero, found 0");
+}
+
 TEST(ReadJson, SaysLineAndColumnOfBrokenSyntax) {
   const std::string text = message("{\"points\": [[0, 0],\n  [1, ]]}");
   EXPECT_NE(text.find("line 2, column 7"), std::string::npos) << text;

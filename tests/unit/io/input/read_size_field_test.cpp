@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "support/temporary_folder.hpp"
 
 namespace cover {
@@ -83,8 +85,76 @@ TEST(ReadSizeField, WhatIsNone) {
   EXPECT_EQ(read("h.vtk", legacy("VECTORS v double\n1 0 0 1 0 0 1 0 0 1 0 0 1 0 0\n")).error().code,
             ErrorCode::syntax);
   EXPECT_EQ(read("h.vtk", "rubbish").error().code, ErrorCode::syntax);
-  EXPECT_EQ(read("h.csv", "1,2").error().code, ErrorCode::unsupported_format);
+  EXPECT_EQ(read("h.txt", "1,2").error().code, ErrorCode::unsupported_format);
   EXPECT_EQ(read_size_field("none.vtu").error().code, ErrorCode::cannot_open);
+}
+
+TEST(ReadSizeField, TablesOfPoints) {
+  const auto field = read("h.CSV", "# x y h\n0,0,1\n1, 0, 2\n\n0 1 3\n1,1,4\n1,1,4\n");
+  ASSERT_TRUE(field) << field.error().message;
+  EXPECT_EQ(field->points.size(), 4U);
+  EXPECT_EQ(field->triangles.size(), 2U);
+  const SizeFunction size = size_function(*field, 100).value();
+  EXPECT_DOUBLE_EQ(size({0.25, 0.5}), 1 + 0.25 + 2 * 0.5);
+  EXPECT_DOUBLE_EQ(size({3, 1}), 4);  // nearest
+  EXPECT_DOUBLE_EQ(size({0.5, -9}), 1.5);
+  const auto named = read("h.csv", "\"h\",other,y,x\n5,9,1,0\n6,9,1,1\n");
+  ASSERT_TRUE(named) << named.error().message;
+  EXPECT_EQ(named->points, (std::vector<Point>{{0, 1}, {1, 1}}));
+  EXPECT_EQ(named->sizes, (std::vector<double>{5, 6}));
+  EXPECT_EQ(size_function(*named, 100).value()({0.9, 7}), 6);
+}
+
+TEST(ReadSizeField, TablesThatAreNone) {
+  const auto refusal = [](const std::string& text) {
+    const auto field = read("h.csv", text);
+    EXPECT_FALSE(field) << text;
+    const std::string message = field ? "" : field.error().message;
+    return message.substr(message.find("h.csv") + 5);
+  };
+  EXPECT_EQ(refusal(""), ": no points: expected lines x,y,h");
+  EXPECT_EQ(refusal("1,2"), ":1: expected 3 numbers, found 2");
+  EXPECT_EQ(refusal("0,0,1\n1,z,2"), ":2: 'z' is no number");
+  EXPECT_EQ(refusal("0,0,1\n1,nan,2"), ":2: the coordinates are not finite");
+  EXPECT_EQ(refusal("0,0,1\n0,0,2"), ":2: (0, 0) stands there a second time, with 2 instead of 1");
+  EXPECT_EQ(refusal("x,y\n0,0"), ":2: expected x, y and a value in each line");
+  EXPECT_EQ(refusal("y,h,z\n0,0,1"), ":1: the first two columns are x and y");
+}
+
+TEST(ReadSizeField, WhatChangesIsResolved) {
+  // 7 x + y beside a steeper triangle, of 14 x + y - 7.
+  const TemporaryFolder folder;
+  const std::string path = folder.write("f.vtk", legacy(scalars("u", "0 7 8 1 14")));
+  const auto field = read_size_field(path, "u", 0.5);
+  ASSERT_TRUE(field) << field.error().message;
+  const double slope = std::hypot(7.0, 1.0);
+  EXPECT_DOUBLE_EQ(field->sizes[0], 0.5 / slope / 1.5);
+  EXPECT_DOUBLE_EQ(field->sizes[4], 0.5 / slope / 1.5);
+  const auto twice = read_size_field(path, "2*u + x", 0.5);
+  ASSERT_TRUE(twice) << twice.error().message;
+  EXPECT_DOUBLE_EQ(twice->sizes[0], 0.5 / std::hypot(15.0, 2.0) / 1.5);
+  // Constant, and no number: nothing finer than the whole.
+  for (const char* of : {"3", "sqrt(-1 - abs(u))"}) {
+    const auto constant = read_size_field(path, of, 0.5);
+    ASSERT_TRUE(constant) << constant.error().message;
+    for (const double size : constant->sizes) EXPECT_DOUBLE_EQ(size, std::hypot(2.0, 1.0));
+  }
+  const auto alone = read_size_field(path, "asinh", 0.5);
+  ASSERT_TRUE(alone) << alone.error().message;
+  const double of_asinh =
+      std::hypot(std::asinh(14.0) - std::asinh(7.0), std::asinh(8.0) - std::asinh(7.0));
+  EXPECT_NEAR(alone->sizes[4], 0.5 / of_asinh / 1.5, 1e-12);
+  EXPECT_NE(read_size_field(path, "asinh(v)", 1)
+                .error()
+                .message.find("'asinh(v)', column 7: there is no 'v'; there are u, x, y, pi"),
+            std::string::npos);
+  const auto several = read_size_field(
+      folder.write("s.vtk", legacy(scalars("u", "1 2 3 4 5") + scalars("v", "1 2 3 4 5"))), "asinh",
+      1);
+  ASSERT_FALSE(several);
+  EXPECT_NE(several.error().message.find("asinh of which point array? Of u, v, as asinh(u)"),
+            std::string::npos)
+      << several.error().message;
 }
 
 }  // namespace

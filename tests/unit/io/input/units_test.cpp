@@ -11,7 +11,8 @@ Input everything() {
   input.points = {{45, -3}};
   input.holes.push_back({{1, 2}, 0, 0});
   input.seeds.push_back({{3, 4}, "", "", 5.0, 0, 0});
-  input.polygons.push_back({{{{6, 7}}}, "", "", 9.0, 0});
+  input.polygons.push_back({{{{6, 7}}}, "", "", 9.0, 0, 10.0});
+  input.field = std::make_shared<const PlaneField>(PlaneField{{{11, 12}}, {}, {}, {{"u", {13}}}});
   input.lines.push_back({"", {{8, 9}}, 0});
   return input;
 }
@@ -26,6 +27,9 @@ TEST(ScaleInput, RoundsPowersOfTenOnce) {
   EXPECT_EQ(input.seeds[0].size, 5e-9);
   EXPECT_EQ(input.polygons[0].rings[0][0], (Point{6e-9, 7e-9}));
   EXPECT_EQ(input.polygons[0].priority, 9.0);
+  EXPECT_EQ(input.polygons[0].size, 10e-9);
+  EXPECT_EQ(input.field->points[0], (Point{11e-9, 12e-9}));
+  EXPECT_EQ(input.field->arrays[0].values[0], 13);
   EXPECT_EQ(input.lines[0].points[0], (Point{8e-9, 9e-9}));
 }
 

@@ -141,5 +141,24 @@ TEST_F(WriteInp, NoNumberIsLongerThanItsReadersTake) {
   }
 }
 
+TEST_F(WriteInp, TrianglesThatRoundingWouldFlattenAreRefused) {
+  // Abscissas differ in digits that twenty characters do not hold.
+  output_ = testing::structured_mesh(2, 1);
+  TriMesh& tri = output_.mesh.tri();
+  for (const auto v : tri.vertices()) {
+    TriMesh::Point& p = tri.point(v);
+    p[0] = 1.2345678901234567e-5 + 1e-20 * p[0];
+    p[0] = -p[0];
+  }
+  const std::string path = (folder_.path() / "flat.inp").string();
+  const Status status = write_inp(output_, path);
+  ASSERT_FALSE(status.has_value());
+  EXPECT_EQ(status.error().code, ErrorCode::cannot_write);
+  EXPECT_EQ(status.error().where.size(), tri.n_faces());
+  EXPECT_NE(status.error().message.find("4 triangles are flat or turned over"), std::string::npos)
+      << status.error().message;
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
 }  // namespace
 }  // namespace cover

@@ -39,6 +39,7 @@ class MshParser {
 
  private:
   void names() {
+    mesh_.names_are_utf8 = true;
     words_.expect("$PhysicalNames");
     for (long n = words_.integer(); n > 0; --n) {
       const long dimension = words_.integer(), tag = words_.integer();

@@ -115,14 +115,14 @@ TEST_F(WriteXdmf, TwoGrids) {
     EXPECT_EQ(line.entity == 11, lines.groups.at(line.number) == "gate") << "marker";
   for (WrittenCell& line : lines.cells) line.entity = 0;
 
-  const WrittenMesh file{mesh.points, mesh.cells, lines.cells, {}, lines.groups};
+  const WrittenMesh file{mesh.points, mesh.cells, lines.cells, {}, lines.groups, true};
   testing::expect_same_triangles(output_, file);
   testing::expect_materials(output_, file);
-  WrittenMesh groups{mesh.points, mesh.cells, {}, mesh.groups, {}};
+  WrittenMesh groups{mesh.points, mesh.cells, {}, mesh.groups, {}, true};
   for (std::size_t t = 0; t < groups.triangles.size(); ++t)
     groups.triangles[t].number = mesh.group.at(t);
   testing::expect_region_groups(output_, groups);
-  testing::expect_same_lines(output_, {mesh.points, {}, lines.cells, {}, lines.groups});
+  testing::expect_same_lines(output_, {mesh.points, {}, lines.cells, {}, lines.groups, true});
 }
 
 TEST_F(WriteXdmf, SecondOrder) {

@@ -1,0 +1,84 @@
+// cover-mpi: `cover mesh` on several machines. The file is the same as that of `cover mesh`, byte
+// for byte, for any number of ranks.
+#include <cstdio>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/core.h>
+#include <mpi.h>
+
+#include <cover/version.hpp>
+
+#include "commands.hpp"
+#include "exit_code.hpp"
+#include "guarded.hpp"
+#include "rank_share_out.hpp"
+#include "serve.hpp"
+
+namespace {
+
+constexpr const char* kHelp =
+    R"(cover-mpi: 'cover mesh' on the processes of an MPI run.
+
+Usage: mpirun -n 4 cover-mpi mesh INPUT -o FILE ...
+
+Rank 0 reads the input, shares its regions out among all ranks and writes the files. They are the
+same, byte for byte, as those of 'cover mesh', for any number of ranks and threads. Each rank takes
+its part of the cores of its machine, or as many threads as -j says.
+
+  cover-mpi mesh --help   the options, which are those of 'cover mesh'
+)";
+
+/// What rank 0 does.
+int lead(const std::vector<std::string>& words) {
+  if (words.empty() || words[0] == "-h" || words[0] == "--help" || words[0] == "help") {
+    std::fputs(kHelp, words.empty() ? stderr : stdout);
+    return words.empty() ? cover::app::exit_usage : cover::app::exit_ok;
+  }
+  if (words[0] == "--version") {
+    fmt::print("cover-mpi {}\nLicence: GPL-3.0-or-later\n", COVER_VERSION);
+    return cover::app::exit_ok;
+  }
+  if (words[0] == "mesh") {
+    return cover::app::run_mesh({words.begin() + 1, words.end()},
+                                cover::mpi::share_out_among_ranks);
+  }
+  fmt::print(stderr,
+             "cover-mpi: error: '{}' is no command of cover-mpi, which has only 'mesh'; the others "
+             "are those of 'cover'\n",
+             words[0]);
+  return cover::app::exit_usage;
+}
+
+int guarded_serve(int rank) {
+  const std::string name = fmt::format("cover-mpi: rank {}", rank);
+  return cover::app::guarded(name, [] {
+    cover::mpi::serve();
+    return cover::app::exit_ok;
+  });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  int level = MPI_THREAD_SINGLE;
+  MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &level);
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  if (level < MPI_THREAD_FUNNELED) {
+    if (rank == 0)
+      fmt::print(stderr, "cover-mpi: error: this MPI allows no threads; cover-mpi needs them\n");
+    MPI_Abort(MPI_COMM_WORLD, cover::app::exit_internal);
+  }
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  const int code = rank == 0 ? cover::app::guarded("cover-mpi", [&] { return lead(words); })
+                             : guarded_serve(rank);
+  // A rank that cannot go on, and a run that was interrupted, wait for nobody.
+  if (code == cover::app::exit_interrupted || code == cover::app::exit_internal ||
+      code == cover::app::exit_memory || (rank > 0 && code != cover::app::exit_ok))
+    MPI_Abort(MPI_COMM_WORLD, code);
+  if (rank == 0) cover::mpi::dismiss_ranks();
+  MPI_Finalize();
+  return code;
+}

@@ -1,0 +1,148 @@
+#include "rank_share_out.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <numeric>
+#include <string>
+#include <thread>
+
+#include <cover/options.hpp>
+
+#include "messages.hpp"
+
+namespace cover::mpi {
+namespace {
+
+int rank_count() {
+  int count = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &count);
+  return count;
+}
+
+/// The regions that nobody has yet, the largest first.
+class Queue {
+ public:
+  Queue(const RegionJobs& jobs, std::size_t takers) : costs_(jobs.size()), takers_(takers) {
+    for (std::size_t k = 0; k < costs_.size(); ++k) rest_ += costs_[k] = jobs.cost(k);
+    order_.resize(costs_.size());
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::stable_sort(order_.begin(), order_.end(),
+                     [&](std::size_t a, std::size_t b) { return costs_[a] > costs_[b]; });
+  }
+
+  /// The next regions for one who has `threads`: a quarter of its part of what is left, so that
+  /// parts shrink towards the end. Empty: there are none.
+  std::vector<std::size_t> take(std::size_t threads) {
+    const std::lock_guard lock(mutex_);
+    const std::size_t part = std::max(kLeastPart, threads * rest_ / (4 * takers_));
+    std::vector<std::size_t> taken;
+    for (std::size_t cost = 0; next_ < order_.size() && cost < part; ++next_) {
+      taken.push_back(order_[next_]);
+      cost += costs_[order_[next_]];
+      rest_ -= costs_[order_[next_]];
+    }
+    return taken;
+  }
+
+  /// Takes what is left from everyone.
+  void close() {
+    const std::lock_guard lock(mutex_);
+    next_ = order_.size();
+  }
+
+ private:
+  /// Some milliseconds of work, beside which a message costs little.
+  static constexpr std::size_t kLeastPart = 1000;
+
+  std::vector<std::size_t> costs_, order_;
+  std::size_t takers_, rest_ = 0, next_ = 0;
+  std::mutex mutex_;
+};
+
+/// Threads of this process that mesh until the queue is empty.
+class Here {
+ public:
+  Here(RegionJobs& jobs, Queue& queue, unsigned threads) : at_work_(threads) {
+    for (unsigned k = 0; k < threads; ++k) {
+      threads_.emplace_back([this, &jobs, &queue] {
+        while (!jobs.stop().stop_requested()) {
+          const std::vector<std::size_t> taken = queue.take(1);
+          if (taken.empty()) break;
+          for (const std::size_t region : taken) jobs.mesh_here(region);
+        }
+        --at_work_;
+      });
+    }
+  }
+  [[nodiscard]] bool at_work() const { return at_work_ > 0; }
+
+ private:
+  std::atomic<unsigned> at_work_;
+  std::vector<std::jthread> threads_;
+};
+
+}  // namespace
+
+unsigned threads_of_rank(unsigned asked) {
+  if (asked > 0) return asked;
+  MPI_Comm machine;
+  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+  int ranks = 1;
+  MPI_Comm_size(machine, &ranks);
+  MPI_Comm_free(&machine);
+  return std::max(1U, std::thread::hardware_concurrency() / static_cast<unsigned>(ranks));
+}
+
+Status share_out_among_ranks(RegionJobs& jobs) {
+  const Bytes options = jobs.options();
+  const Result<Options> known = options_of_bytes(options);
+  if (!known) return known.error();
+  const int ranks = rank_count();
+  Outbox outbox;
+  for (int rank = 1; rank < ranks; ++rank) outbox.send(options, rank, Tag::options);
+  // A collective call: the others make it when the options have come.
+  const unsigned threads = threads_of_rank(known->threads);
+
+  Queue queue(jobs, static_cast<std::size_t>(ranks) * threads);
+  int at_work = 0;  // other ranks
+  const auto employ = [&](int rank) {
+    std::vector<Parcel> parcels;
+    for (const std::size_t region : queue.take(threads))
+      parcels.push_back({region, jobs.boundary(region)});
+    if (parcels.empty()) return;
+    outbox.send(pack(parcels), rank, Tag::regions);
+    ++at_work;
+  };
+  for (int rank = 1; rank < ranks; ++rank) employ(rank);
+  Here here(jobs, queue, threads);
+  while (at_work > 0 || here.at_work()) {
+    if (jobs.stop().stop_requested()) queue.close();
+    outbox.tidy();
+    const std::optional<Message> message = receive_if_any();
+    if (!message) {
+      rest();
+      continue;
+    }
+    if (message->tag == Tag::failed) {
+      queue.close();
+      const auto* text = reinterpret_cast<const char*>(message->bytes.data());
+      return Error{
+          ErrorCode::internal,
+          "rank " + std::to_string(message->rank) + ": " + std::string(text, message->bytes.size()),
+          {},
+          {}};
+    }
+    for (const Parcel& parcel : unpack(message->bytes)) jobs.accept(parcel.number, parcel.bytes);
+    --at_work;
+    employ(message->rank);
+  }
+  return ok();
+}
+
+void dismiss_ranks() {
+  Outbox outbox;
+  for (int rank = 1; rank < rank_count(); ++rank) outbox.send({}, rank, Tag::end);
+}
+
+}  // namespace cover::mpi

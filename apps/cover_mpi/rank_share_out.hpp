@@ -1,0 +1,22 @@
+// Regions shared out among ranks, by rank 0.
+#pragma once
+
+#include <cover/share_out.hpp>
+
+namespace cover::mpi {
+
+/// Gives regions to whoever has nothing to do, the largest first: threads of this process and other
+/// ranks. What goes last is small, so all end at nearly the same time.
+///
+/// Threads: called by the main thread of rank 0
+/// Errors:  internal with the reason that another rank gave for going on no more
+Status share_out_among_ranks(RegionJobs& jobs);
+
+/// Lets the other ranks end.
+void dismiss_ranks();
+
+/// The threads that a rank uses for meshing: what `asked` says; 0 is its part of the cores of its
+/// machine.
+unsigned threads_of_rank(unsigned asked);
+
+}  // namespace cover::mpi

@@ -1,0 +1,9 @@
+// What every rank but the first does.
+#pragma once
+
+namespace cover::mpi {
+
+/// Meshes what rank 0 sends until it sends no more.
+void serve();
+
+}  // namespace cover::mpi

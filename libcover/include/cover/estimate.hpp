@@ -1,0 +1,25 @@
+// What a mesh will take, before it is made.
+#pragma once
+
+#include <cover/options.hpp>
+#include <cover/output.hpp>
+#include <cover/result.hpp>
+
+namespace cover {
+
+/// About what a run takes.
+struct Estimate {
+  double triangles = 0;  ///< by the sizes wished, and at least what the segments take without any
+  double bytes = 0;      ///< of memory, at its most
+  double available = 0;  ///< bytes that this process can have; infinite where that is not known
+};
+
+/// Figures for `prepared`, which prepare() made with these options. Measured for the quality
+/// method; triangles are right up to a third where sizes are wished that segments allow, else up to
+/// a factor of two.
+///
+/// Errors: those of sizes (bad_option)
+/// Cost:   O(n log n)
+Result<Estimate> estimate(const Prepared& prepared, const Options& options = {});
+
+}  // namespace cover

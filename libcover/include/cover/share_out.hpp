@@ -1,0 +1,65 @@
+// Regions meshed elsewhere: in other processes, on other machines.
+//
+// A region needs nothing of its neighbours, so any process may mesh any of them in any order, and
+// the mesh is the same, byte for byte.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include <cover/result.hpp>
+
+namespace cover {
+
+struct Options;
+
+/// What travels between processes of one program on machines of one kind.
+using Bytes = std::vector<std::byte>;
+
+/// The regions of one call of the library, for whoever shares them out.
+class RegionJobs {
+ public:
+  RegionJobs() = default;
+  RegionJobs(const RegionJobs&) = delete;
+  RegionJobs& operator=(const RegionJobs&) = delete;
+  virtual ~RegionJobs() = default;
+
+  [[nodiscard]] virtual std::size_t size() const = 0;
+  /// The expected work of a region, in triangles or so.
+  [[nodiscard]] virtual std::size_t cost(std::size_t region) const = 0;
+  /// What mesh_region_bytes() needs of a region.
+  [[nodiscard]] virtual Bytes boundary(std::size_t region) const = 0;
+  /// What options_of_bytes() needs.
+  [[nodiscard]] virtual Bytes options() const = 0;
+  /// Tells when all that is left may be left.
+  [[nodiscard]] virtual std::stop_token stop() const = 0;
+
+  /// Meshes a region in this process.
+  ///
+  /// Threads: any, each with regions of its own; accept() may run meanwhile
+  virtual void mesh_here(std::size_t region) = 0;
+  /// Takes what mesh_region_bytes() made of a region in another process.
+  ///
+  /// Threads: as mesh_here()
+  virtual void accept(std::size_t region, std::span<const std::byte> result) = 0;
+};
+
+/// Has every region of the jobs meshed, once, here or elsewhere. What goes wrong inside of a region
+/// is kept with it; an error of this function is one of the way between processes.
+using ShareOut = std::function<Status(RegionJobs&)>;
+
+/// The options of a run elsewhere. A size field has its name alone: see load_size_field().
+///
+/// Errors: internal if the bytes are not those of RegionJobs::options() of this program
+Result<Options> options_of_bytes(std::span<const std::byte> bytes);
+
+/// Meshes one region for another process; an error is among the bytes.
+///
+/// Threads: any
+Bytes mesh_region_bytes(std::span<const std::byte> boundary, const Options& options,
+                        const std::stop_token& stop = {});
+
+}  // namespace cover

@@ -1,0 +1,31 @@
+// Units in the last place.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include <cover/point.hpp>
+
+namespace cover {
+
+/// How far the next larger double is from |x|.
+inline double spacing_at(double x) {
+  x = std::abs(x);
+  return std::nextafter(x, std::numeric_limits<double>::infinity()) - x;
+}
+
+/// The largest |x| or |y|; 0 without points.
+inline double largest_coordinate(std::span<const Point> points) {
+  double largest = 0;
+  for (const Point& p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  return largest;
+}
+
+/// The spacing of doubles at the largest coordinate: how much rounding can move a point.
+inline double spacing_of(std::span<const Point> points) {
+  return spacing_at(largest_coordinate(points));
+}
+
+}  // namespace cover

@@ -1,0 +1,205 @@
+// The library lays the file out; the numbers of data sets come between its structures as they are
+// written, so that no copy of a mesh is made. Tested by tests/unit/vtk/write_vtkhdf_test.cpp.
+#include "io/hdf5/hdf5_writer.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "io/hdf5/hdf5_layout.hpp"
+
+namespace cover {
+namespace {
+
+/// An object of the library.
+class Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+  Handle(hid_t id, Close end) : id_(id), close_(end) {}
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  operator hid_t() const { return id_; }  // NOLINT: stands for it in every call
+  [[nodiscard]] bool is_open() const { return id_ >= 0; }
+  /// Closes it now; false where that fails.
+  bool close() { return close_(std::exchange(id_, -1)) >= 0; }
+
+ private:
+  hid_t id_;
+  Close close_;
+};
+
+/// Keeps the library from printing what goes wrong.
+class Silence {
+ public:
+  Silence() {
+    H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+  ~Silence() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  H5E_auto2_t function_ = nullptr;
+  void* data_ = nullptr;
+};
+
+hid_t native_type(NumberType type) {
+  switch (type) {
+    case NumberType::int8:
+      return H5T_NATIVE_INT8;
+    case NumberType::uint8:
+      return H5T_NATIVE_UINT8;
+    case NumberType::int16:
+      return H5T_NATIVE_INT16;
+    case NumberType::uint16:
+      return H5T_NATIVE_UINT16;
+    case NumberType::int32:
+      return H5T_NATIVE_INT32;
+    case NumberType::uint32:
+      return H5T_NATIVE_UINT32;
+    case NumberType::int64:
+      return H5T_NATIVE_INT64;
+    case NumberType::uint64:
+      return H5T_NATIVE_UINT64;
+    case NumberType::float32:
+      return H5T_NATIVE_FLOAT;
+    case NumberType::float64:
+      break;
+  }
+  return H5T_NATIVE_DOUBLE;
+}
+
+/// Where the numbers of a data set stand in the file.
+struct Extent {
+  haddr_t at = 0;
+  const Hdf5Numbers* data = nullptr;
+  std::uint64_t bytes = 0;
+};
+
+/// Makes the objects of a file. Every function is false where the library fails.
+class Maker {
+ public:
+  explicit Maker(hid_t file) : file_(file) {}
+
+  bool make(const Hdf5Content& content) {
+    const auto all = [](const auto& items, auto add) {
+      return std::all_of(items.begin(), items.end(), add);
+    };
+    return all(content.groups, [&](const std::string& path) { return group(path); }) &&
+           all(content.attributes, [&](const Hdf5Attribute& what) { return attribute(what); }) &&
+           all(content.numbers, [&](const Hdf5Numbers& what) { return numbers(what); }) &&
+           all(content.texts, [&](const Hdf5Texts& what) { return texts(what); });
+  }
+
+  [[nodiscard]] std::vector<Extent> extents() && {
+    std::sort(extents_.begin(), extents_.end(),
+              [](const Extent& a, const Extent& b) { return a.at < b.at; });
+    return std::move(extents_);
+  }
+
+ private:
+  [[nodiscard]] bool group(const std::string& path) const {
+    const Handle creation(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
+    if (H5Pset_obj_track_times(creation, false) < 0) return false;
+    return Handle(H5Gcreate2(file_, path.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT), H5Gclose)
+        .is_open();
+  }
+
+  [[nodiscard]] bool attribute(const Hdf5Attribute& what) const {
+    const Handle group(H5Gopen2(file_, what.group.c_str(), H5P_DEFAULT), H5Gclose);
+    const bool is_text = what.numbers.empty();
+    const Handle type(H5Tcopy(is_text ? H5T_C_S1 : H5T_NATIVE_INT64), H5Tclose);
+    if (is_text && H5Tset_size(type, std::max<std::size_t>(what.text.size(), 1)) < 0) return false;
+    const hsize_t count = what.numbers.size();
+    const Handle space(is_text ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &count, nullptr),
+                       H5Sclose);
+    const Handle made(H5Acreate2(group, what.name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
+                      H5Aclose);
+    const void* value = is_text ? static_cast<const void*>(what.text.c_str()) : what.numbers.data();
+    return made.is_open() && H5Awrite(made, type, value) >= 0;
+  }
+
+  /// A data set that has its place from the start.
+  [[nodiscard]] hid_t data_set(const std::string& path, hid_t type,
+                               const std::vector<std::uint64_t>& shape,
+                               H5D_fill_time_t fill) const {
+    const std::vector<hsize_t> sizes(shape.begin(), shape.end());
+    const Handle space(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr),
+                       H5Sclose);
+    const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    if (H5Pset_layout(creation, H5D_CONTIGUOUS) < 0 ||
+        H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY) < 0 ||
+        H5Pset_fill_time(creation, fill) < 0 || H5Pset_obj_track_times(creation, false) < 0)
+      return -1;
+    return H5Dcreate2(file_, path.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
+  }
+
+  bool numbers(const Hdf5Numbers& what) {
+    const Handle made(data_set(what.path, native_type(what.type), what.shape, H5D_FILL_TIME_NEVER),
+                      H5Dclose);
+    if (!made.is_open()) return false;
+    std::uint64_t bytes = size_of(what.type);
+    for (const std::uint64_t n : what.shape) bytes *= n;
+    if (bytes == 0) return true;
+    const haddr_t at = H5Dget_offset(made);
+    extents_.push_back({at, &what, bytes});
+    return at != HADDR_UNDEF;
+  }
+
+  [[nodiscard]] bool texts(const Hdf5Texts& what) const {
+    const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+    if (H5Tset_size(type, H5T_VARIABLE) < 0) return false;
+    // Of texts the library wants to know what they are before they are written: none.
+    const Handle made(data_set(what.path, type, {what.texts.size()}, H5D_FILL_TIME_IFSET),
+                      H5Dclose);
+    std::vector<const char*> begins;
+    for (const std::string& text : what.texts) begins.push_back(text.c_str());
+    return made.is_open() && (begins.empty() || H5Dwrite(made, type, H5S_ALL, H5S_ALL, H5P_DEFAULT,
+                                                         begins.data()) >= 0);
+  }
+
+  hid_t file_;
+  std::vector<Extent> extents_;
+};
+
+/// The structures of the library from `from` up to `to`.
+void put_structures(const Hdf5Bytes& bytes, std::uint64_t from, std::uint64_t to,
+                    BinaryWriter& out) {
+  constexpr std::uint64_t kMost = 1 << 16;
+  std::string buffer;
+  while (from < to) {
+    buffer.resize(std::min(kMost, to - from));
+    bytes.read(from, buffer.size(), buffer.data());
+    out.put(std::string_view(buffer));
+    from += buffer.size();
+  }
+}
+
+}  // namespace
+
+Status write_hdf5(const Hdf5Content& content, const ByteSink& sink) {
+  const Silence silence;
+  Hdf5Layout layout;
+  Handle file(layout.create(), H5Fclose);
+  Maker maker(file);
+  // The library has no disk to wait for: memory is all that it can lack.
+  if (!file.is_open() || !maker.make(content) || !file.close() || layout.bytes().lacks_memory) {
+    return Error{
+        ErrorCode::out_of_memory, "out of memory: HDF5's library cannot lay out the file", {}, {}};
+  }
+  BinaryWriter out(sink);
+  std::uint64_t at = 0;
+  for (const Extent& extent : std::move(maker).extents()) {
+    put_structures(layout.bytes(), at, extent.at, out);
+    extent.data->write(out);
+    at = extent.at + extent.bytes;
+  }
+  put_structures(layout.bytes(), at, layout.bytes().end, out);
+  out.flush();
+  return ok();
+}
+
+}  // namespace cover

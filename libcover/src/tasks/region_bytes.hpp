@@ -1,0 +1,27 @@
+// Regions, meshes and options as bytes, for other processes of the same program.
+//
+// Every member travels as it lies in memory: the machines of a run are of one kind. Structures are
+// taken apart by structured bindings, so that a new member which is not sent does not compile.
+#pragma once
+
+#include <span>
+
+#include <cover/options.hpp>
+#include <cover/share_out.hpp>
+
+#include "region/region_boundary.hpp"
+#include "target/region_mesh.hpp"
+
+namespace cover {
+
+Bytes to_bytes(const RegionBoundary& boundary);
+Bytes to_bytes(const Result<RegionMesh>& mesh);
+/// All but the size field, which has its name alone.
+Bytes to_bytes(const Options& options);
+
+/// Errors of all three: internal if `bytes` are not those of the function above.
+Result<RegionBoundary> boundary_of_bytes(std::span<const std::byte> bytes);
+/// Errors: the one that was sent, too
+Result<RegionMesh> mesh_of_bytes(std::span<const std::byte> bytes);
+
+}  // namespace cover

@@ -1,0 +1,121 @@
+#!/usr/bin/env python3
+"""mpi_test.py COVER COVER_MPI MPIRUN DATA: the files of cover-mpi are those of cover, byte for byte, for any number of
+ranks; what goes wrong ends the run, and leaves nothing under the final name."""
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+COVER, COVER_MPI, MPIRUN, DATA = [pathlib.Path(a) for a in sys.argv[1:5]]
+# A test may run as root, on a machine with fewer cores than ranks.
+ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1',
+                   OMPI_MCA_rmaps_base_oversubscribe='1')
+
+
+def on_ranks(ranks, *arguments):
+    return [str(a) for a in (MPIRUN, '-n', ranks, COVER_MPI, *arguments)]
+
+
+def run(command):
+    return subprocess.run([str(c) for c in command], env=ENVIRONMENT, capture_output=True, text=True, timeout=100)
+
+
+def grid_poly(cells):
+    """A drawing of cells x cells squares whose corners are moved a little."""
+    n = cells + 1
+    points = [(x + 0.2 * ((x * 7 + y * 3) % 5) / 5, y + 0.2 * ((x * 5 + y * 11) % 7) / 7) for y in range(n) for x in range(n)]
+    segments = [(y * n + x, y * n + x + 1) for y in range(n) for x in range(cells)]
+    segments += [(y * n + x, (y + 1) * n + x) for y in range(cells) for x in range(n)]
+    lines = [f'{len(points)} 2 0 0', *(f'{i} {x} {y}' for i, (x, y) in enumerate(points)), f'{len(segments)} 0',
+             *(f'{i} {a} {b}' for i, (a, b) in enumerate(segments)), '0']
+    return '\n'.join(lines) + '\n'
+
+
+def processes_with(words):
+    """Ids of the processes whose command begins with these words."""
+    found = []
+    for line in pathlib.Path('/proc').glob('[0-9]*/cmdline'):
+        try:
+            if line.read_text().split('\0')[:len(words)] == words:
+                found.append(int(line.parent.name))
+        except OSError:  # it has ended meanwhile
+            pass
+    return found
+
+
+class CoverMpi(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def same(self, geometry, *options, ranks=(1, 2, 3, 7), form='vtu'):
+        alone = self.folder / f'alone.{form}'
+        done = run([COVER, 'mesh', geometry, '-o', alone, '-q', *options])
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for n in ranks:
+            together = self.folder / f'ranks_{n}.{form}'
+            done = run(on_ranks(n, 'mesh', geometry, '-o', together, '-q', *options))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(together.read_bytes(), alone.read_bytes(), f'{n} ranks, {options}')
+
+    def test_same_bytes(self):
+        self.same(DATA / 'mosfet.poly')
+        drawing = self.folder / 'grid.poly'
+        drawing.write_text(grid_poly(12))
+        self.same(drawing, '--size', '0.2')
+
+    def test_same_bytes_with_options(self):
+        self.same(DATA / 'diode.poly', '--method', 'almond', ranks=(2,), form='msh')
+        self.same(DATA / 'mosfet.poly', '--split-interfaces', '--max-angle', '90', ranks=(3,))
+        field = self.folder / 'field.vtk'
+        field.write_text('# vtk DataFile Version 3.0\nfield\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 1\n'
+                         'ORIGIN 0 0 0\nSPACING 13 13 1\nPOINT_DATA 4\nSCALARS size double 1\nLOOKUP_TABLE default\n'
+                         '0.3 0.4 0.5 0.6\n')
+        drawing = self.folder / 'grid.poly'
+        drawing.write_text(grid_poly(4))
+        self.same(drawing, '--size-field', field, ranks=(2, 3))
+
+    def test_errors_of_geometry_and_of_use(self):
+        bad = self.folder / 'bad.poly'
+        bad.write_text('3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n1 0\n0 0 1\n0\n')
+        done = run(on_ranks(2, 'mesh', bad, '-o', self.folder / 'x.vtu'))
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn('enclose nothing', done.stderr)
+        done = run(on_ranks(2, 'mesh', bad, '-o', self.folder / 'x.vtu', '--max-angle', '20'))
+        self.assertEqual(done.returncode, 2, done.stderr)
+        done = run(on_ranks(2, 'check', bad))
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("'check' is no command of cover-mpi", done.stderr)
+        self.assertEqual([p.name for p in self.folder.iterdir()], ['bad.poly'])
+
+    def test_help(self):
+        done = run(on_ranks(2, '--help'))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn('mpirun -n 4 cover-mpi mesh', done.stdout)
+
+    def test_a_rank_that_is_killed_ends_the_run(self):
+        drawing = self.folder / 'grid.poly'
+        drawing.write_text(grid_poly(30))
+        target = self.folder / 'x.vtu'
+        target.write_text('old')
+        with subprocess.Popen(on_ranks(2, 'mesh', drawing, '-o', target, '-q', '--split-interfaces', '--size', '0.02'), env=ENVIRONMENT,
+                              stderr=subprocess.PIPE, text=True) as process:
+            ranks = []
+            while len(ranks) < 2 and process.poll() is None:
+                ranks = processes_with([str(COVER_MPI), 'mesh', str(drawing)])
+                time.sleep(0.05)
+            time.sleep(0.5)
+            os.kill(max(ranks), signal.SIGKILL)
+            _, told = process.communicate(timeout=60)
+        self.assertNotEqual(process.returncode, 0)
+        self.assertRegex(told, r'rank \d')
+        self.assertEqual(target.read_text(), 'old')
+
+
+if __name__ == '__main__':
+    unittest.main(argv=sys.argv[:1])

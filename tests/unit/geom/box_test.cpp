@@ -1,0 +1,37 @@
+#include "geom/box.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "geom/ulp.hpp"
+
+namespace cover {
+namespace {
+
+TEST(Box, HoldsWhatWasAddedAndNoMore) {
+  Box box;
+  EXPECT_LT(box.extent(), 0);
+  box.add({3, -1});
+  EXPECT_EQ(box.low, (Point{3, -1}));
+  EXPECT_EQ(box.high, box.low);
+  EXPECT_EQ(box.extent(), 0);
+  box.add({1, 6});
+  EXPECT_EQ(box.low, (Point{1, -1}));
+  EXPECT_EQ(box.high, (Point{3, 6}));
+  EXPECT_EQ(box.width(), 2);
+  EXPECT_EQ(box.height(), 7);
+  EXPECT_EQ(box.extent(), 7);
+}
+
+TEST(Ulp, IsTheStepToTheNextDouble) {
+  EXPECT_EQ(spacing_at(1), 0x1p-52);
+  EXPECT_EQ(spacing_at(-1.5), 0x1p-52);
+  EXPECT_EQ(spacing_at(0x1p60), 0x1p8);
+  EXPECT_EQ(spacing_at(0), 0x1p-1074);
+  EXPECT_EQ(spacing_of(std::array{Point{0.25, 3}, Point{-5, 1}}), spacing_at(5));
+}
+
+}  // namespace
+}  // namespace cover

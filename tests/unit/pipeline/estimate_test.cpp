@@ -1,0 +1,57 @@
+#include <cover/estimate.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cover/cover_mesh.hpp>
+
+#include "support/inputs.hpp"
+#include "support/mesh_shape.hpp"
+
+namespace cover {
+namespace {
+
+double triangles_expected(const Input& input, const Options& options) {
+  const Result<Prepared> prepared = prepare(input, options);
+  return estimate(prepared.value(), options).value().triangles;
+}
+
+TEST(Estimate, IsNearWhatTheMeshTakes) {
+  const Input input = testing::checker(3, 30, 7);
+  for (const double size : {0.0, 0.02, 0.005}) {
+    Options options;
+    if (size > 0) options.sizes = {{"", size, false}};
+    options.split_interfaces = Angle::degrees(90);
+    const double expected = triangles_expected(input, options);
+    const auto made =
+        static_cast<double>(testing::must_mesh(input, options).report.quality.triangles);
+    EXPECT_LT(expected, made * (size > 0 ? 1.35 : 2)) << size;
+    EXPECT_GT(expected, made / (size > 0 ? 1.35 : 2)) << size;
+  }
+}
+
+TEST(Estimate, GrowsWithTheTriangles) {
+  const Input input = testing::checker(3, 30, 7);
+  Options fine;
+  fine.split_interfaces = Angle::degrees(90);
+  fine.sizes = {{"", 1e-3, false}};
+  const Estimate small = estimate(prepare(input).value()).value();
+  const Estimate large = estimate(prepare(input, fine).value(), fine).value();
+  EXPECT_GT(large.bytes, small.bytes + 100 * (large.triangles - small.triangles));
+  EXPECT_GT(small.available, small.bytes);
+}
+
+TEST(Estimate, WhatDoesNotFitIsRefusedBeforeTheRun) {
+  const Input input = testing::checker(1, 2, 7);
+  Options options;
+  options.split_interfaces = Angle::degrees(90);
+  options.sizes = {{"", 6e-5, false}};  // 6e8 triangles, 100 GB
+  const Result<Output> refused = cover_mesh(input, options);
+  if (estimate(prepare(input).value()).value().available > 5e10) GTEST_SKIP() << "it may fit";
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ErrorCode::out_of_memory);
+  EXPECT_NE(refused.error().message.find("GB of memory"), std::string::npos)
+      << refused.error().message;
+}
+
+}  // namespace
+}  // namespace cover

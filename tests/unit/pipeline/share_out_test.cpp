@@ -1,0 +1,105 @@
+// Regions that travel as bytes to another process and back: the mesh and its report are the same.
+#include <cover/share_out.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cover/cover_mesh.hpp>
+#include <cover/write_mesh.hpp>
+
+#include "support/inputs.hpp"
+#include "support/mesh_shape.hpp"
+
+namespace cover {
+namespace {
+
+using testing::shape_of;
+
+/// Every second region elsewhere, as another process would mesh it.
+Status half_elsewhere(RegionJobs& jobs) {
+  const Result<Options> options = options_of_bytes(jobs.options());
+  if (!options) return options.error();
+  for (std::size_t k = jobs.size(); k-- > 0;) {
+    if (k % 2 == 0) {
+      jobs.accept(k, mesh_region_bytes(jobs.boundary(k), *options));
+    } else {
+      jobs.mesh_here(k);
+    }
+  }
+  return ok();
+}
+
+/// The report without what is measured in seconds.
+std::string report_of(Output output) {
+  output.report.times.clear();
+  for (RegionReport& region : output.report.regions) region.seconds = 0;
+  return report_json(output);
+}
+
+TEST(ShareOut, TheMeshIsTheSameWhereverARegionIsMeshed) {
+  for (const testing::RandomInput& device : testing::kRandomDevices) {
+    for (const Method method : {Method::quality, Method::almond}) {
+      for (const bool cut : {false, true}) {
+        SCOPED_TRACE(device.name);
+        const Input input = device.make(7);
+        Options options;
+        options.method = method;
+        options.threads = 1;
+        options.sizes = {{"1", 0.05, false, ""}, {"", 0, false, "0.1 + 0.05*x"}};
+        options.max_angle = Angle::degrees(101.3);
+        if (cut) options.split_interfaces = Angle::degrees(95);
+        Callbacks callbacks;
+        callbacks.share_out = half_elsewhere;
+        const Result<Output> here = cover_mesh(input, options);
+        const Result<Output> shared = cover_mesh(input, options, callbacks);
+        ASSERT_EQ(here.has_value(), shared.has_value());
+        if (!here) continue;
+        EXPECT_EQ(shape_of(triangle_soup(here->mesh)), shape_of(triangle_soup(shared->mesh)));
+        EXPECT_EQ(report_of(*here), report_of(*shared));
+      }
+    }
+  }
+}
+
+TEST(ShareOut, TellsTheErrorOfTheWay) {
+  Callbacks callbacks;
+  callbacks.share_out = [](RegionJobs&) -> Status {
+    return Error{ErrorCode::internal, "rank 3 is gone", {}, {}};
+  };
+  const Result<Output> output = cover_mesh(testing::checker(2, 2, 1), Options(), callbacks);
+  ASSERT_FALSE(output);
+  EXPECT_EQ(output.error().message, "rank 3 is gone");
+}
+
+TEST(ShareOut, RefusesBytesThatAreNotWhole) {
+  Bytes boundary;
+  Callbacks callbacks;
+  callbacks.share_out = [&](RegionJobs& jobs) -> Status {
+    boundary = jobs.boundary(0);
+    for (std::size_t k = 0; k < jobs.size(); ++k) {
+      Bytes mesh = mesh_region_bytes(jobs.boundary(k), Options());
+      mesh.pop_back();
+      jobs.accept(k, mesh);
+    }
+    return ok();
+  };
+  const Result<Output> output = cover_mesh(testing::checker(2, 2, 1), Options(), callbacks);
+  ASSERT_FALSE(output);
+  EXPECT_EQ(output.error().code, ErrorCode::internal);
+  ASSERT_FALSE(boundary.empty());
+  for (std::size_t size = 0; size < boundary.size(); ++size) {
+    const Bytes answer = mesh_region_bytes(std::span(boundary).first(size), Options());
+    EXPECT_EQ(answer.front(), std::byte{1}) << size;  // an error
+  }
+}
+
+TEST(ShareOut, ARegionThatIsLeftOutIsAnError) {
+  Callbacks callbacks;
+  callbacks.share_out = [](RegionJobs& jobs) {
+    for (std::size_t k = 1; k < jobs.size(); ++k) jobs.mesh_here(k);
+    return ok();
+  };
+  EXPECT_FALSE(cover_mesh(testing::checker(2, 2, 1), Options(), callbacks));
+}
+
+}  // namespace
+}  // namespace cover
