@@ -85,6 +85,34 @@ std::string arcs_text(const Output& output) {
   return out;
 }
 
+/// The negative couplings of the box method, and the sides given up.
+std::string couplings_row(const Report& report) {
+  constexpr std::size_t kGivenUp = 3;
+  BoxMethod sum;
+  std::string places;
+  for (const RegionReport& region : report.regions) {
+    sum.negative_couplings += region.box.negative_couplings;
+    sum.negative_inside += region.box.negative_inside;
+    sum.negative_encroached += region.box.negative_encroached;
+    for (const NegativeCoupling& c : region.couplings) {
+      if (c.kind != NegativeCoupling::Kind::given_up || ++sum.negative_given_up > kGivenUp)
+        continue;
+      places += fmt::format("\n                         given up: from {} to {}, region {}",
+                            cover::describe(c.a), cover::describe(c.b), region.id.value());
+    }
+  }
+  std::string out =
+      fmt::format("Box method      {:>7}  {}", grouped(sum.negative_couplings),
+                  sum.negative_couplings == 1 ? "negative coupling" : "negative couplings");
+  if (sum.negative_couplings > 0)
+    out += fmt::format(
+        ": {} inside, {} on sides that the input encroaches, {} given up for angles; "
+        "--box-method cuts these sides",
+        grouped(sum.negative_inside), grouped(sum.negative_encroached),
+        grouped(sum.negative_given_up));
+  return out + places + '\n';
+}
+
 std::string totals(const Output& output) {
   const Report& report = output.report;
   const Quality& q = report.quality;
@@ -123,6 +151,7 @@ std::string totals(const Output& output) {
                      grouped(forced_120));
   out += fmt::format("Above 150       {:>7}  forced by the input: {}\n", grouped(q.above_150),
                      grouped(forced_150));
+  out += couplings_row(report);
   out += fmt::format("Proven bound    {}\n",
                      held == report.regions.size()
                          ? "held in every region"

@@ -364,8 +364,30 @@ class Mesh(Case):
         _, err = self.run_cover('mesh', flat, '-o', 'd.vtu', '--require', 'max-angle,non-obtuse', code=6)
         self.assertEqual(err.count('required, but not met'), 2)
         diode = SAMPLES / 'diode.poly'
-        self.assertGreater(self.require(diode, 'delaunay', 6)['box']['non_delaunay_edges'], 0)
+        self.assertGreater(self.require(diode, 'delaunay', 6, '--couplings', 'last')['box']['non_delaunay_edges'], 0)
         self.assertEqual(self.require(diode, 'delaunay', 0, '--method', 'almond')['box']['non_delaunay_edges'], 0)
+        self.assertEqual(self.require(diode, 'delaunay,box-method', 0)['box']['negative_couplings'], 0)
+
+    def test_couplings(self):
+        for sample in sorted(SAMPLES.glob('*.*')):
+            with self.subTest(sample.name):
+                out, _ = self.run_cover('mesh', sample, '-o', 'd.vtm', '--report', 'r.json')
+                box = json.loads((self.dir / 'r.json').read_text())['overall']['box']
+                self.assertEqual((box['negative_inside'], box['negative_given_up']), (0, 0))
+                self.assertRegex(out, f'Box method +{box["negative_couplings"]} +negative coupling')
+                encroached = int(re.search(r'Box method: (\d+) of', self.run_cover('info', sample)[0])[1])
+                self.assertEqual(box['negative_encroached'], encroached)
+                if encroached:
+                    self.assertIn(f'0 inside, {encroached} on sides that the input encroaches, 0 given up', out)
+        self.assertGreater(self.require(SAMPLES / 'motor_slot.poly', 'bound', 0, '--couplings', 'last')['box']['negative_inside'], 9)
+        # A half disc of many chords: every point inside lies in the disk of its diameter, and without one an ear is flat.
+        points = [(1.001 * math.cos(math.pi * k / 24), 1.001 * math.sin(math.pi * k / 24)) for k in range(1, 24)]
+        points = [(1, 0), *points, (-1, 0)]
+        self.write('half.poly', f'{len(points)} 2 0 0\n' + ''.join(f'{k} {x} {y}\n' for k, (x, y) in enumerate(points))
+                   + f'{len(points)} 0\n' + ''.join(f'{k} {k} {(k + 1) % len(points)}\n' for k in range(len(points))) + '0\n')
+        out, _ = self.run_cover('mesh', 'half.poly', '-o', 'd.vtm')
+        self.assertRegex(out, r'0 on sides that the input encroaches, 1 given up for angles; --box-method cuts these sides\n'
+                              r' +given up: from \(-1, 0\) to \(1, 0\), region 1\n')
 
     def test_box_method(self):
         # A point over the lid of a box, and two beside each other in it.
@@ -1168,7 +1190,7 @@ class Page(Case):
                      'marker 1', 'box method', 'Time, on', '<svg ', 'id="mesh-view"', 'diode.poly; method quality, cover 0.'):
             self.assertIn(part, text)
         # Findings, two rows of heads and four regions, the box method, times.
-        self.assertEqual(text.count('<tr>') + text.count('<tr class') + text.count('<tr data'), 6 + 2 + 4 + 5 + text.count(' s</td></tr>'))
+        self.assertEqual(text.count('<tr>') + text.count('<tr class') + text.count('<tr data'), 6 + 2 + 4 + 8 + text.count(' s</td></tr>'))
         self.assertNotIn('class="bad"', text)
 
     def test_tells_what_to_distrust(self):

@@ -392,6 +392,14 @@ constexpr OptionEntry kTable[] = {
                 "what pays for its time, thorough all there is",
         .counts_with = "--method quality",
         .counts = is_quality}),
+    word<&Options::couplings>({
+        .name = "couplings", .placeholder = "WHICH",
+        .word_list = {"first", "last"},
+        .help = "first: no negative coupling of the box method that the input does not force; "
+                "targets give way, the bound never does. last: angles alone decide",
+        .more = "So they do with --split-interfaces, unless there is --box-method, too.",
+        .counts_with = "--method quality",
+        .counts = is_quality}),
     flag<&Options::box_method>({
         .name = "box-method",
         .help = "Cut segments until no coupling of the box method (finite volumes on Voronoi "
