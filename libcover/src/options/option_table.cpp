@@ -100,6 +100,21 @@ constexpr OptionEntry sizes(OptionEntry row) {
   return row;
 }
 
+/// A name at the beginning of `text`, in quotation marks or up to one of `ends`; it is taken off.
+std::optional<std::string> take_name(std::string_view& text, std::string_view ends) {
+  const bool is_quoted = text.starts_with('"');
+  const std::size_t stop = is_quoted ? text.find('"', 1) : text.find_first_of(ends);
+  if (is_quoted && stop == text.npos) return std::nullopt;
+  const std::string name(text.substr(is_quoted ? 1 : 0, is_quoted ? stop - 1 : stop));
+  text.remove_prefix(stop == text.npos ? text.size() : stop + (is_quoted ? 1 : 0));
+  if (name.empty()) return std::nullopt;
+  return name;
+}
+
+std::string quoted(const std::string& name) {
+  return name.find_first_of("=@\"") == name.npos ? name : '"' + name + '"';
+}
+
 /// What stands before the values of a rule: LINE or LINE@REGION. Names with '@' or '=' are in
 /// quotation marks.
 struct LineSide {
@@ -109,35 +124,18 @@ struct LineSide {
 
 std::optional<LineSide> line_side(std::string_view text) {
   LineSide out;
-  const auto take_name = [&](std::string_view ends) -> std::optional<std::string> {
-    if (text.starts_with('"')) {
-      const std::size_t close = text.find('"', 1);
-      if (close == std::string_view::npos) return std::nullopt;
-      std::string name(text.substr(1, close - 1));
-      text.remove_prefix(close + 1);
-      return name;
-    }
-    const std::size_t end = std::min(text.find_first_of(ends), text.size());
-    std::string name(text.substr(0, end));
-    text.remove_prefix(end);
-    return name;
-  };
-  const auto line = take_name("@=");
-  if (!line || line->empty()) return std::nullopt;
+  const auto line = take_name(text, "@=");
+  if (!line) return std::nullopt;
   out.line = *line;
   if (text.starts_with('@')) {
     text.remove_prefix(1);
-    const auto region = take_name("=");
-    if (!region || region->empty()) return std::nullopt;
+    const auto region = take_name(text, "=");
+    if (!region) return std::nullopt;
     out.region = *region;
   }
   if (!text.starts_with('=')) return std::nullopt;
   out.values = text.substr(1);
   return out;
-}
-
-std::string quoted(const std::string& name) {
-  return name.find_first_of("@=") == std::string::npos ? name : fmt::format("\"{}\"", name);
 }
 
 /// Why the numbers of a rule are none.
@@ -235,17 +233,6 @@ constexpr OptionEntry size_of(OptionEntry row) {
   return row;
 }
 
-/// A name at the beginning of `text`, in quotation marks or up to one of `ends`; it is taken off.
-std::optional<std::string> take_name(std::string_view& text, std::string_view ends) {
-  const bool is_quoted = text.starts_with('"');
-  const std::size_t stop = is_quoted ? text.find('"', 1) : text.find_first_of(ends);
-  if (is_quoted && stop == text.npos) return std::nullopt;
-  const std::string name(text.substr(is_quoted ? 1 : 0, is_quoted ? stop - 1 : stop));
-  text.remove_prefix(stop == text.npos ? text.size() : stop + (is_quoted ? 1 : 0));
-  if (name.empty()) return std::nullopt;
-  return name;
-}
-
 /// What stands behind the @ of a pair of sides.
 bool take_map(std::string_view text, PeriodicRule& rule) {
   if (text == "mirror") {
@@ -262,10 +249,6 @@ bool take_map(std::string_view text, PeriodicRule& rule) {
   rule.centre = {*x, *y};
   rule.angle = Angle::degrees(*degrees);
   return true;
-}
-
-std::string quoted(const std::string& name) {
-  return name.find_first_of("=@\"") == name.npos ? name : '"' + name + '"';
 }
 
 /// A pair of sides and the map that takes the one to the other.
