@@ -279,8 +279,17 @@ std::vector<Point> smooth_closed(const PixelChain& chain, double period, bool st
   return curve;
 }
 
+/// Whether point k of the curve is no farther than kMostMoved from the side that it stands for. Ends
+/// do not move.
+bool stays_near(const std::vector<Point>& curve, const std::vector<Point>& corners, std::size_t k) {
+  const bool closed = curve.front() == curve.back();
+  if (k + 1 == curve.size() || (k == 0 && !closed)) return true;
+  const Point before = k > 0 ? corners[k - 1] : corners[curve.size() - 2];
+  return distance_to(curve[k], before, corners[k]) <= kMostMoved;
+}
+
 /// Leaves points out: none is farther from what stays than kSimple, and no corner than kMostMoved.
-/// `corners[k]` lies between points k and k + 1.
+/// `corners[k]` lies between points k and k + 1. Empty where that is too far anyway.
 std::vector<Point> simplified(const std::vector<Point>& curve, const std::vector<Point>& corners) {
   std::vector<bool> kept(curve.size(), false);
   std::vector<std::pair<std::size_t, std::size_t>> open;
@@ -302,6 +311,7 @@ std::vector<Point> simplified(const std::vector<Point>& curve, const std::vector
       farthest = distance;
       at = k;
     }
+    if (!stays_near(curve, corners, from) || (at == from && !good)) return {};
     if (at == from || (good && farthest <= kSimple)) continue;
     open.emplace_back(from, at);
     open.emplace_back(at, to);
@@ -328,7 +338,8 @@ std::vector<Point> smooth_chain(const PixelChain& chain, Smoothing smoothing) {
     if (curve.empty()) continue;
     std::vector<Point> corners = chain.corners;
     if (chain.is_loop) corners.erase(corners.begin());
-    return simplified(curve, corners);
+    curve = simplified(curve, corners);
+    if (!curve.empty()) return curve;
   }
   return turns_of(chain);
 }
