@@ -214,7 +214,7 @@ class Reading(Options):
         for row in READ_TABLE:
             name, texts = row['name'], self.VALUES[row['name']]
             with self.subTest(name):
-                value = [float(text) if row['kind'] == 'number' else text for text in texts]
+                value = [{'number': float, 'flag': lambda text: text == 'true'}.get(row['kind'], str)(text) for text in texts]
                 paths = [self.dir / v if v == 'a.map' else v for v in value] if row['repeats'] else value[0]
                 made = cover.mesh_file(self.device, **{name.replace('-', '_'): paths}).report
                 quoted = ', '.join(f'"{text}"' for text in texts)

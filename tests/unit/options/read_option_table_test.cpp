@@ -10,6 +10,7 @@ namespace {
 
 std::vector<std::string> values_of(const ReadOptionEntry& entry) {
   if (!entry.words().empty()) return {std::string(entry.words().back())};
+  if (entry.kind == OptionKind::flag) return {"true"};
   if (entry.kind == OptionKind::number) return {"0.5"};
   if (entry.name == "window") return {"-1,0.5,2,1e3"};
   if (entry.name == "input-format") return {".gds"};
@@ -27,7 +28,7 @@ TEST(ReadOptionTable, EveryRowIsWholeAndFoundAndNamedLikeNoOtherOption) {
     std::replace(in_python.begin(), in_python.end(), '-', '_');
     EXPECT_EQ(find_read_option(in_python), &entry);
     EXPECT_FALSE(entry.help.empty());
-    EXPECT_FALSE(entry.placeholder.empty());
+    EXPECT_EQ(entry.placeholder.empty(), entry.kind == OptionKind::flag);
     EXPECT_EQ(entry.counts == nullptr, entry.counts_with.empty());
     ASSERT_NE(entry.set, nullptr);
     ASSERT_NE(entry.get, nullptr);
