@@ -22,7 +22,7 @@ def run_page(folder):
     blocks = re.findall(r'^```sh\n(.*?)^```', (SAMPLES / f'{PAGE}.md').read_text(), re.M | re.S)
     assert blocks, f'no commands in {PAGE}.md'
     text = ''
-    for command in '\n'.join(blocks).replace('\\\n', ' ').splitlines():
+    for command in ''.join(blocks).replace('\\\n', ' ').splitlines():
         name = command.split()[0]
         if not shutil.which(name, path=environment['PATH']) or (name == 'python3' and 'values' in command and not MODULE):
             print(f'left out: {command}')

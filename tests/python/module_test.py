@@ -125,7 +125,7 @@ class Polygons(unittest.TestCase):
         self.assertEqual(set(regions), {'Si', 'wire', 'Ox'})
         self.assertAlmostEqual(regions['wire']['area'], math.pi / 4, delta=0.03)
         self.assertAlmostEqual(regions['Ox']['area'], math.pi / 4, delta=0.03)
-        self.assertEqual(mesh.report['unit'], 'um')
+        self.assertEqual(mesh.report['input']['unit'], 'um')
         self.assertEqual(mesh.violations(), [])
 
     def test_voids(self):
