@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "geom/vector.hpp"
@@ -153,6 +154,20 @@ void straighten(std::vector<Target>& targets) {
 
 double lambda_of(double period) { return std::pow(period / (2 * std::numbers::pi), 6); }
 
+/// How far point k of a curve is from its side, between corners k - 1 and k, and those beside it.
+double distance_to_sides(Point p, const std::vector<Point>& corners, std::size_t k) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t j = k > 1 ? k - 2 : 0; j <= k && j + 1 < corners.size(); ++j)
+    nearest = std::min(nearest, distance_to(p, corners[j], corners[j + 1]));
+  return nearest;
+}
+
+bool all_points_near(const std::vector<Point>& curve, const std::vector<Point>& corners) {
+  for (std::size_t k = 0; k < curve.size(); ++k)
+    if (distance_to_sides(curve[k], corners, k) > kMostMoved) return false;
+  return true;
+}
+
 /// Point k of the curve stands for the side between corners k - 1 and k (of a chain with ends, point
 /// 0 and the last one are its ends). Raises weights where the curve is much too far; false if it is
 /// nowhere.
@@ -161,8 +176,8 @@ bool raise_weights(const std::vector<Point>& curve, const std::vector<Point>& co
   bool raised = false;
   for (std::size_t k = 0; k + 1 < curve.size(); ++k) {
     const double of_corner = distance_to(corners[k], curve[k], curve[k + 1]);
-    const double of_point = k > 0 ? distance_to(curve[k], corners[k - 1], corners[k]) : 0;
-    if (std::max(of_corner, of_point) <= kMostMoved + kPushed) continue;
+    const double of_point = distance_to_sides(curve[k], corners, k);
+    if (of_corner <= kMostMoved + kPushed && of_point <= kMostMoved) continue;
     raised = true;
     for (Target* target : {&targets[k], &targets[k + 1]})
       if (target->weight < kFixedWeight) target->weight *= kRaise;
@@ -213,6 +228,12 @@ std::vector<Point> places_of(const std::vector<Target>& targets) {
   return out;
 }
 
+/// A straight piece that is no good somewhere is given up there.
+void give_up_straight(const std::vector<Target>& middles, std::vector<Target>& targets) {
+  for (std::size_t k = 0; k < targets.size(); ++k)
+    if (targets[k].weight > 2 * kStraightWeight) targets[k].at = middles[k].at;
+}
+
 /// A curve through or near the middles; `corners[k]` lies between points k and k + 1 of it. Empty
 /// where no weights keep it near.
 std::vector<Point> relaxed(std::vector<Target> targets, const std::vector<Point>& corners,
@@ -226,11 +247,12 @@ std::vector<Point> relaxed(std::vector<Target> targets, const std::vector<Point>
       curve.back() = targets.back().at;
     }
     const bool raised = raise_weights(curve, corners, targets);
-    if (!raised && push_back(curve, corners, targets)) return curve;
-    if (!raised) return {};
-    // A straight piece that is no good there is given up.
-    for (std::size_t k = 0; k < targets.size(); ++k)
-      if (targets[k].weight > 2 * kStraightWeight) targets[k].at = middles[k].at;
+    if (raised) {
+      give_up_straight(middles, targets);
+      continue;
+    }
+    if (push_back(curve, corners, targets) && all_points_near(curve, corners)) return curve;
+    return {};
   }
   return {};
 }
@@ -279,17 +301,8 @@ std::vector<Point> smooth_closed(const PixelChain& chain, double period, bool st
   return curve;
 }
 
-/// Whether point k of the curve is no farther than kMostMoved from the side that it stands for. Ends
-/// do not move.
-bool stays_near(const std::vector<Point>& curve, const std::vector<Point>& corners, std::size_t k) {
-  const bool closed = curve.front() == curve.back();
-  if (k + 1 == curve.size() || (k == 0 && !closed)) return true;
-  const Point before = k > 0 ? corners[k - 1] : corners[curve.size() - 2];
-  return distance_to(curve[k], before, corners[k]) <= kMostMoved;
-}
-
 /// Leaves points out: none is farther from what stays than kSimple, and no corner than kMostMoved.
-/// `corners[k]` lies between points k and k + 1. Empty where that is too far anyway.
+/// `corners[k]` lies between points k and k + 1.
 std::vector<Point> simplified(const std::vector<Point>& curve, const std::vector<Point>& corners) {
   std::vector<bool> kept(curve.size(), false);
   std::vector<std::pair<std::size_t, std::size_t>> open;
@@ -311,7 +324,6 @@ std::vector<Point> simplified(const std::vector<Point>& curve, const std::vector
       farthest = distance;
       at = k;
     }
-    if (!stays_near(curve, corners, from) || (at == from && !good)) return {};
     if (at == from || (good && farthest <= kSimple)) continue;
     open.emplace_back(from, at);
     open.emplace_back(at, to);
@@ -338,8 +350,7 @@ std::vector<Point> smooth_chain(const PixelChain& chain, Smoothing smoothing) {
     if (curve.empty()) continue;
     std::vector<Point> corners = chain.corners;
     if (chain.is_loop) corners.erase(corners.begin());
-    curve = simplified(curve, corners);
-    if (!curve.empty()) return curve;
+    return simplified(curve, corners);
   }
   return turns_of(chain);
 }
