@@ -161,11 +161,12 @@ Note note_of_fallback(const RegionBoundary& boundary, const Attempt& attempt, st
 }
 
 /// What no mesh of the region can have better. Hull sides may be split, so that nothing is known of
-/// meshes there.
+/// meshes there. The almond method aims at the bound and at no target: limits beside one would take
+/// twice its time (`cover check` tells them of any mesh).
 RegionLimits limits_of(const RegionBoundary& boundary, const Quality& quality,
                        const Options& options) {
   const auto& segments = boundary.segments;
-  if (quality.triangles == 0 ||
+  if (quality.triangles == 0 || options.method != Method::quality ||
       std::find(segments.begin(), segments.end(), kHullSide) != segments.end())
     return {};
   const ReachedAngles reached{quality.largest_nu, quality.smallest};
