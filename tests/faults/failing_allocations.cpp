@@ -72,6 +72,10 @@ Allocations end_of_failing_allocations() {
   return {counted, has_failed, left, left_size, suspect != nullptr ? suspect->size : 0};
 }
 
+void free_block_before_failure() {
+  if (Header* const lost = before_failure) give_back(lost + 1);
+}
+
 }  // namespace cover::testing
 
 void* operator new(std::size_t size) { return cover::testing::allocate(size); }

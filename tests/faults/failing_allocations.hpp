@@ -23,4 +23,7 @@ void fail_allocation(std::size_t at);
 /// No allocation fails any more. Those that are still there count as left.
 Allocations end_of_failing_allocations();
 
+/// Gives back the block of Allocations::left_before_failure, which nobody else will.
+void free_block_before_failure();
+
 }  // namespace cover::testing
