@@ -225,7 +225,7 @@ void LayerFront::find_meetings(std::vector<Chain>& chains) {
     stop(wall, LayerStop::corner);
     std::erase(chains[o].nodes, wall);
     owner[wall] = kNone;
-    chains[o].waits = true;
+    nodes_[wall].taken = true;
     return true;
   };
   for (std::uint32_t c = 0; c < chains.size(); ++c) {
@@ -238,7 +238,8 @@ void LayerFront::find_meetings(std::vector<Chain>& chains) {
     chain.first_fans = fans(before, first, start_of(before));
     chain.last_fans = fans(after, after, end_of(after));
     const bool ends = chain.first_met || chain.last_met || chain.first_fans || chain.last_fans;
-    if (chain.nodes.size() > 1 || ends || chain.waits) continue;
+    const bool waits = nodes_[before].taken || nodes_[after].taken;
+    if (chain.nodes.size() > 1 || ends || waits) continue;
     stop(last, LayerStop::end);
     chain.nodes.clear();
   }

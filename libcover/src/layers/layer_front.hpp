@@ -67,11 +67,12 @@ class LayerFront {
     std::uint32_t origin = 0;  ///< the side over which the edge lies; kNone: it has no layers
     std::uint32_t rule = 0;    ///< of the next row: index + 1; 0: there is none
     int rows = 0;              ///< below the edge
-    bool slope = false;        ///< a row tapered off here
-    bool beside = false;       ///< over a corner of the line, beside `origin`
-    Vector normal;             ///< of the edge, unit length, into the region
-    double reach = 0;          ///< length that counts as the edge's if it is longer
-    Offset offset;             ///< of the vertex, where rows lie on both of its edges
+    bool taken = false;   ///< a row of another chain will run up it; what is beyond may meet that
+    bool slope = false;   ///< a row tapered off here
+    bool beside = false;  ///< over a corner of the line, beside `origin`
+    Vector normal;        ///< of the edge, unit length, into the region
+    double reach = 0;     ///< length that counts as the edge's if it is longer
+    Offset offset;        ///< of the vertex, where rows lie on both of its edges
   };
 
   /// A run of edges that get a row together.
@@ -80,7 +81,6 @@ class LayerFront {
     bool closed = false;
     bool first_met = false, last_met = false;    ///< the row ends in a vertex of the wall there
     bool first_fans = false, last_fans = false;  ///< further cells start where the row below ended
-    bool waits = false;  ///< a wall is yet to get its own row, and may be met then
   };
 
   /// A cell of a row, on an edge or a vertex of the front.
