@@ -158,7 +158,9 @@ class CouplingRounds {
   }
 
   Status cut_and_mesh(const std::vector<SegmentCut>& cuts) {
-    auto& [pslg, table, report] = prepared_;
+    Pslg& pslg = prepared_.pslg;
+    RegionTable& table = prepared_.table;
+    Report& report = prepared_.report;
     std::vector<RegionBoundary> boundaries;
     std::vector<std::size_t> changed;
     std::vector<RegionBoundary> again;
@@ -197,7 +199,9 @@ class CouplingRounds {
 
 void cut_for_boxes(Prepared& prepared, const Options& options) {
   if (!options.box_method) return;
-  auto& [pslg, table, report] = prepared;
+  Pslg& pslg = prepared.pslg;
+  RegionTable& table = prepared.table;
+  Report& report = prepared.report;
   std::vector<Point> stuck;
   cut_encroached(pslg, table, VertexId{pslg.points.size()}, report.box_cuts, stuck);
   warn_of_stuck(stuck, report.notes);

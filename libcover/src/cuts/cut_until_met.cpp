@@ -116,7 +116,9 @@ Note note_of_cuts(const Pslg& pslg, std::size_t before, const Options& options) 
 Status cut_until_met(Prepared& prepared, std::vector<RegionBoundary>& boundaries,
                      std::vector<RegionMesh>& meshes, const Options& options,
                      const Callbacks& callbacks) {
-  auto& [pslg, table, report] = prepared;
+  Pslg& pslg = prepared.pslg;
+  RegionTable& table = prepared.table;
+  Report& report = prepared.report;
   if (!options.split_interfaces || options.method != Method::quality || !table.hull_sides.empty()) {
     return ok();
   }

@@ -15,7 +15,8 @@ namespace {
 
 Result<BoxCosts> count_costs(const Prepared& prepared, const Options& options,
                              const Callbacks& callbacks) {
-  const auto& [pslg, table, report] = prepared;
+  const Pslg& pslg = prepared.pslg;
+  const RegionTable& table = prepared.table;
   const std::vector<RegionBoundary> boundaries = split_regions(pslg, table);
   std::vector<std::vector<EncroachedSegment>> encroached(boundaries.size());
   Status found = for_each_region(

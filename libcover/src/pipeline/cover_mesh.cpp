@@ -45,7 +45,9 @@ Result<Output> mesh_prepared(Result<Prepared> prepared, const std::vector<Period
                              const Options& options, const Callbacks& callbacks,
                              StageClock& clock) {
   if (!prepared) return std::move(prepared).error();
-  auto& [pslg, table, report] = *prepared;
+  Pslg& pslg = prepared->pslg;
+  RegionTable& table = prepared->table;
+  Report& report = prepared->report;
 
   std::vector<RegionBoundary> boundaries;
   Status sized = errors_as_values("split", [&] {

@@ -217,7 +217,9 @@ Result<Output> mesh_again(const Input& input, const TriangleSoup& onto,
   if (!options) return options.error();
   Result<Prepared> prepared = find_regions(input, *options, callbacks, clock);
   if (!prepared) return std::move(prepared).error();
-  auto& [pslg, table, report] = *prepared;
+  Pslg& pslg = prepared->pslg;
+  RegionTable& table = prepared->table;
+  Report& report = prepared->report;
   const Result<std::vector<bool>> chosen = choose(table, only);
   if (!chosen) return chosen.error();
   for (const std::string& name : only) report.provenance.settings.push_back({"only", name});
