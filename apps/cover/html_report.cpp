@@ -256,6 +256,9 @@ class Page {
       sum.obtuse_sides += region.box.obtuse_sides;
       sum.non_delaunay_edges += region.box.non_delaunay_edges;
       sum.negative_couplings += region.box.negative_couplings;
+      sum.negative_inside += region.box.negative_inside;
+      sum.negative_encroached += region.box.negative_encroached;
+      sum.negative_given_up += region.box.negative_given_up;
       sum.box_area += region.box.box_area;
       area += region.quality.area;
     }
@@ -267,6 +270,9 @@ class Page {
     row("sides with an obtuse opposite angle", grouped(sum.obtuse_sides));
     row("inner edges that are not Delaunay", grouped(sum.non_delaunay_edges));
     row("negative couplings", grouped(sum.negative_couplings));
+    row("of these, on inner edges", grouped(sum.negative_inside));
+    row("on sides that points of the input encroach", grouped(sum.negative_encroached));
+    row("on sides given up for angles", grouped(sum.negative_given_up));
     row("area of all boxes against the true area",
         percent_text(area > 0 ? 100 * (sum.box_area - area) / area : 0, 3));
     out_ +=

@@ -219,9 +219,9 @@ if (gl) {
   // zooms do not tremble.
   const shader = (type, text) => { const s = gl.createShader(type); gl.shaderSource(s, text); gl.compileShader(s); return s; };
   const program = gl.createProgram();
-  gl.attachShader(program, shader(gl.VERTEX_SHADER, `attribute vec4 at; attribute vec3 colour; uniform vec4 middle; uniform vec2 scale;
+  gl.attachShader(program, shader(gl.VERTEX_SHADER, `attribute vec4 at; attribute vec4 colour; uniform vec4 middle; uniform vec2 scale;
     uniform vec4 ink; varying vec4 c; void main() { vec2 d = (at.xy - middle.xy) * 65536.0 + (at.zw - middle.zw);
-    gl_Position = vec4(d * scale, 0.0, 1.0); c = ink.a > 0.0 ? ink : vec4(colour, 1.0); }`));
+    gl_Position = vec4(d * scale, 0.0, 1.0); c = ink.a > 0.0 ? ink : colour; }`));
   gl.attachShader(program, shader(gl.FRAGMENT_SHADER, 'precision mediump float; varying vec4 c; void main() { gl_FragColor = vec4(c.rgb * c.a, c.a); }'));
   gl.bindAttribLocation(program, 0, 'at');
   gl.bindAttribLocation(program, 1, 'colour');
@@ -231,27 +231,33 @@ if (gl) {
   const uMiddle = uniform('middle'), uScale = uniform('scale'), uInk = uniform('ink');
   const buffer = values => { const b = gl.createBuffer(); gl.bindBuffer(gl.ARRAY_BUFFER, b); gl.bufferData(gl.ARRAY_BUFFER, values, gl.STATIC_DRAW); return b; };
   const places = order => {
-    const out = new Uint16Array(4 * order.length);
+    const out = new Float32Array(4 * order.length);
     order.forEach((v, i) => { out[4 * i] = X(v) >>> 16; out[4 * i + 1] = Y(v) >>> 16; out[4 * i + 2] = X(v) & 65535; out[4 * i + 3] = Y(v) & 65535; });
     return buffer(out);
   };
   const ofTriangles = places(corners), ofLines = places(lines);
+  // Each side once where two triangles have it: from the lower corner to the higher; the hull is among the lines.
   const sides = new Uint32Array(6 * count);
-  for (let t = 0; t < count; ++t) for (let k = 0; k < 3; ++k) { sides[6 * t + 2 * k] = corners[3 * t + k]; sides[6 * t + 2 * k + 1] = corners[3 * t + (k + 1) % 3]; }
-  const ofSides = places(sides), ofColours = gl.createBuffer();
+  let used = 0;
+  for (let t = 0; t < count; ++t)
+    for (let k = 0; k < 3; ++k) {
+      const a = corners[3 * t + k], b = corners[3 * t + (k + 1) % 3];
+      if (a < b) { sides[used++] = a; sides[used++] = b; }
+    }
+  const ofSides = places(sides.subarray(0, used)), ofColours = gl.createBuffer();
   gl.enableVertexAttribArray(0);
   gl.enable(gl.BLEND);
   gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
   const draw = (kind, from, n, ink) => {
     gl.bindBuffer(gl.ARRAY_BUFFER, from);
-    gl.vertexAttribPointer(0, 4, gl.UNSIGNED_SHORT, false, 0, 0);
+    gl.vertexAttribPointer(0, 4, gl.FLOAT, false, 0, 0);
     gl.uniform4fv(uInk, ink);
     gl.drawArrays(kind, 0, n);
   };
   paint = {
     recolour() {
-      const flat = colours(), out = new Uint8Array(9 * count);
-      for (let t = 0; t < count; ++t) for (let k = 0; k < 9; ++k) out[9 * t + k] = flat[3 * t + k % 3];
+      const flat = colours(), out = new Uint8Array(12 * count);  // four bytes a corner: whole words
+      for (let t = 0; t < count; ++t) for (let k = 0; k < 12; ++k) out[12 * t + k] = k % 4 === 3 ? 255 : flat[3 * t + k % 4];
       gl.bindBuffer(gl.ARRAY_BUFFER, ofColours);
       gl.bufferData(gl.ARRAY_BUFFER, out, gl.STATIC_DRAW);
     },
@@ -264,11 +270,11 @@ if (gl) {
       gl.uniform2f(uScale, 2 * view.s / width, 2 * view.s / height);
       gl.enableVertexAttribArray(1);
       gl.bindBuffer(gl.ARRAY_BUFFER, ofColours);
-      gl.vertexAttribPointer(1, 3, gl.UNSIGNED_BYTE, true, 0, 0);
+      gl.vertexAttribPointer(1, 4, gl.UNSIGNED_BYTE, true, 0, 0);
       draw(gl.TRIANGLES, ofTriangles, 3 * count, [0, 0, 0, 0]);
       gl.disableVertexAttribArray(1);
       const ink = share => [...edge.map(c => c / 255), share];
-      if (edgeShare > 0) draw(gl.LINES, ofSides, 6 * count, ink(edgeShare));
+      if (edgeShare > 0) draw(gl.LINES, ofSides, used, ink(edgeShare));
       draw(gl.LINES, ofLines, lines.length, ink(0.9));
     },
   };
@@ -347,18 +353,39 @@ function drawOver() {
 
 const number = text => getComputedStyle(document.documentElement).getPropertyValue(text).trim()
   .slice(1).match(/../g).map(h => parseInt(h, 16));
+/// The picture as it was last painted, and whether that takes so long that moving waits for it: then
+/// the picture itself is moved, and painted again once hands rest.
+let drawn = null, stale = true, slow = false, measured = 0, idle = 0;
+function paintNow() {
+  const start = performance.now();
+  // Edges fade in once a triangle is worth some pixels; before, they would be all that is seen.
+  const pixels = Math.sqrt(extent[0] * extent[1] / Math.max(data.all, 1)) * view.s;
+  paint.all(number('--canvas'), number('--edge'), edgeBox.checked ? clamp((pixels - 2) / 12) * 0.45 : 0);
+  if (++measured < 4) {
+    if (gl) gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));  // waits for it
+    slow = performance.now() - start > 30;
+  }
+  drawn = { ...view };
+  stale = false;
+  canvas.style.transform = '';
+}
+function movePicture() {
+  const f = view.s / drawn.s;
+  canvas.style.transform = `translate(${toX(drawn.x) - f * width / 2}px, ${toY(drawn.y) - f * height / 2}px) scale(${f})`;
+  clearTimeout(idle);
+  idle = setTimeout(() => { stale = true; redraw(); }, 180);
+}
 function redraw() {
   if (wanted) return;
   wanted = true;
   requestAnimationFrame(() => {
     wanted = false;
-    // Edges fade in once a triangle is worth some pixels; before, they would be all that is seen.
-    const pixels = Math.sqrt(extent[0] * extent[1] / Math.max(data.all, 1)) * view.s;
-    paint.all(number('--canvas'), number('--edge'), edgeBox.checked ? clamp((pixels - 2) / 12) * 0.45 : 0);
+    const moves = drawn && (view.x !== drawn.x || view.y !== drawn.y || view.s !== drawn.s);
+    if (stale || (moves && !slow)) paintNow(); else if (moves) movePicture();
     drawOver();
   });
 }
-function recolour() { paint.recolour(); drawKey(); redraw(); }
+function recolour() { paint.recolour(); drawKey(); stale = true; redraw(); }
 
 // ---- hands ----
 
@@ -432,7 +459,7 @@ over.addEventListener('keydown', e => {
   if (act) { e.preventDefault(); act(); }
 });
 choose.onchange = () => { mode = choose.value; recolour(); };
-edgeBox.onchange = redraw;
+edgeBox.onchange = () => { stale = true; redraw(); };
 
 // ---- rows of the table ----
 
@@ -472,6 +499,7 @@ function resize() {
   ratio = Math.min(3, window.devicePixelRatio || 1);
   for (const c of [canvas, over]) { c.width = Math.round(width * ratio); c.height = Math.round(height * ratio); }
   if (fits) view = whole();
+  stale = true;
   redraw();
 }
 new ResizeObserver(resize).observe(stage);

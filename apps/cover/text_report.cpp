@@ -85,6 +85,34 @@ std::string arcs_text(const Output& output) {
   return out;
 }
 
+/// The negative couplings of the box method, and the sides given up.
+std::string couplings_row(const Report& report) {
+  constexpr std::size_t kGivenUp = 3;
+  BoxMethod sum;
+  std::string places;
+  for (const RegionReport& region : report.regions) {
+    sum.negative_couplings += region.box.negative_couplings;
+    sum.negative_inside += region.box.negative_inside;
+    sum.negative_encroached += region.box.negative_encroached;
+    for (const NegativeCoupling& c : region.couplings) {
+      if (c.kind != NegativeCoupling::Kind::given_up || ++sum.negative_given_up > kGivenUp)
+        continue;
+      places += fmt::format("\n                         given up: from {} to {}, region {}",
+                            cover::describe(c.a), cover::describe(c.b), region.id.value());
+    }
+  }
+  std::string out =
+      fmt::format("Box method      {:>7}  {}", grouped(sum.negative_couplings),
+                  sum.negative_couplings == 1 ? "negative coupling" : "negative couplings");
+  if (sum.negative_couplings > 0)
+    out += fmt::format(
+        ": {} inside, {} on sides that the input encroaches, {} given up for angles; "
+        "--box-method cuts these sides",
+        grouped(sum.negative_inside), grouped(sum.negative_encroached),
+        grouped(sum.negative_given_up));
+  return out + places + '\n';
+}
+
 std::string totals(const Output& output) {
   const Report& report = output.report;
   const Quality& q = report.quality;
@@ -123,6 +151,7 @@ std::string totals(const Output& output) {
                      grouped(forced_120));
   out += fmt::format("Above 150       {:>7}  forced by the input: {}\n", grouped(q.above_150),
                      grouped(forced_150));
+  out += couplings_row(report);
   out += fmt::format("Proven bound    {}\n",
                      held == report.regions.size()
                          ? "held in every region"
@@ -160,6 +189,33 @@ std::string replaced_rows(const Output& output) {
   }
   if (replaced.size() > kNamed) out += fmt::format("  and {} more\n", replaced.size() - kNamed);
   return out + '\n';
+}
+
+/// "8 of 8 layers", "5 to 8 layers", "no layers".
+std::string layer_count(const LayerReport& layers) {
+  if (layers.most == 0) return "no layers";
+  const std::string range = layers.fewest == layers.most
+                                ? fmt::format("{}", layers.most)
+                                : fmt::format("{} to {}", layers.fewest, layers.most);
+  return layers.asked.count > 0 ? fmt::format("{} of {} layers", range, layers.asked.count)
+                                : range + (layers.most == 1 ? " layer" : " layers");
+}
+
+/// What became of the layers that were asked for, line by line.
+std::string layer_rows(const Output& output) {
+  std::string out;
+  for (const RegionReport& region : output.report.regions) {
+    for (const LayerReport& layers : region.layers) {
+      out += fmt::format("  {} in {}: {}, {:.6g} thick; {} of {} complete", layers.asked.line,
+                         output.table.region(region.id).name, layer_count(layers), layers.thickness,
+                         grouped(layers.complete), plural(layers.segments, "segment"));
+      for (const LayerReport::Short& part : layers.cut_short)
+        out += fmt::format("; on {} {}, the first at {}", grouped(part.segments),
+                           describe(part.why), describe(part.at));
+      out += '\n';
+    }
+  }
+  return out.empty() ? out : "\nLayers\n" + out;
 }
 
 std::string region_rows(const Output& output, bool every_region) {
@@ -221,6 +277,7 @@ std::string region_name(const RegionTable& table, RegionId id) {
 std::string mesh_text(const Output& output, bool every_region) {
   std::string out = replaced_rows(output) + totals(output);
   if (output.report.regions.size() > 1) out += '\n' + region_rows(output, every_region);
+  out += layer_rows(output);
   return out + '\n' + histogram(output.report.quality) + '\n' + times(output.report);
 }
 

@@ -107,6 +107,11 @@ class Value {
   }
 
   [[nodiscard]] std::string text(const py::handle& value) const {
+    if (py::isinstance<py::tuple>(value) || py::isinstance<py::list>(value)) {
+      std::string all;  // several numbers
+      for (const py::handle& part : value) all += (all.empty() ? "" : ",") + text(part);
+      return all;
+    }
     const bool is_bool = py::isinstance<py::bool_>(value);
     if (entry_.kind == OptionKind::flag) {
       if (!is_bool) refuse_type(value);

@@ -364,8 +364,30 @@ class Mesh(Case):
         _, err = self.run_cover('mesh', flat, '-o', 'd.vtu', '--require', 'max-angle,non-obtuse', code=6)
         self.assertEqual(err.count('required, but not met'), 2)
         diode = SAMPLES / 'diode.poly'
-        self.assertGreater(self.require(diode, 'delaunay', 6)['box']['non_delaunay_edges'], 0)
+        self.assertGreater(self.require(diode, 'delaunay', 6, '--couplings', 'last')['box']['non_delaunay_edges'], 0)
         self.assertEqual(self.require(diode, 'delaunay', 0, '--method', 'almond')['box']['non_delaunay_edges'], 0)
+        self.assertEqual(self.require(diode, 'delaunay,box-method', 0)['box']['negative_couplings'], 0)
+
+    def test_couplings(self):
+        for sample in sorted(SAMPLES.glob('*.*')):
+            with self.subTest(sample.name):
+                out, _ = self.run_cover('mesh', sample, '-o', 'd.vtm', '--report', 'r.json')
+                box = json.loads((self.dir / 'r.json').read_text())['overall']['box']
+                self.assertEqual((box['negative_inside'], box['negative_given_up']), (0, 0))
+                self.assertRegex(out, f'Box method +{box["negative_couplings"]} +negative coupling')
+                encroached = int(re.search(r'Box method: (\d+) of', self.run_cover('info', sample)[0])[1])
+                self.assertEqual(box['negative_encroached'], encroached)
+                if encroached:
+                    self.assertIn(f'0 inside, {encroached} on sides that the input encroaches, 0 given up', out)
+        self.assertGreater(self.require(SAMPLES / 'motor_slot.poly', 'bound', 0, '--couplings', 'last')['box']['negative_inside'], 9)
+        # A half disc of many chords: every point inside lies in the disk of its diameter, and without one an ear is flat.
+        points = [(1.001 * math.cos(math.pi * k / 24), 1.001 * math.sin(math.pi * k / 24)) for k in range(1, 24)]
+        points = [(1, 0), *points, (-1, 0)]
+        self.write('half.poly', f'{len(points)} 2 0 0\n' + ''.join(f'{k} {x} {y}\n' for k, (x, y) in enumerate(points))
+                   + f'{len(points)} 0\n' + ''.join(f'{k} {k} {(k + 1) % len(points)}\n' for k in range(len(points))) + '0\n')
+        out, _ = self.run_cover('mesh', 'half.poly', '-o', 'd.vtm')
+        self.assertRegex(out, r'0 on sides that the input encroaches, 1 given up for angles; --box-method cuts these sides\n'
+                              r' +given up: from \(-1, 0\) to \(1, 0\), region 1\n')
 
     def test_box_method(self):
         # A point over the lid of a box, and two beside each other in it.
@@ -477,6 +499,47 @@ class Files(Case):
             self.refuse('No such file or directory', 'mesh', 'd.poly', *words, '--dry-run', code=5)
         self.refuse('Is a directory', 'mesh', 'd.poly', '-o', 'x.vtu', '--log', 'd', code=5)
         self.refuse('cannot write d.poly/x.vtu', 'mesh', 'd.poly', '-o', 'd.poly/x.vtu', code=5)
+
+
+class Layers(Case):
+    """--layers, and "layers" in JSON."""
+
+    def report(self, *words):
+        out, err = self.run_cover('mesh', *words, '-o', 'd.vtu', '-o', 'd.json', '--report', 'r.json')
+        self.run_cover('check', words[0], 'd.vtu', *(['--allow-split'] if '--split-interfaces' in words else []))
+        return json.loads((self.dir / 'r.json').read_text()), out, err
+
+    def test_on_a_mosfet(self):
+        given = SAMPLES / 'mosfet_layers.json'
+        fine = ['--split-interfaces', '--size-at', 'channel_oxide=20', '--size-at', 'oxide_gate=20']
+        report, out, _ = self.report(given, *fine)
+        regions = {region['name']: region for region in report['regions']}
+        [channel], [oxide] = regions['channel']['layers'], regions['oxide']['layers']
+        self.assertEqual((channel['line'], channel['first'], channel['growth'], channel['count']), ('channel_oxide', 0.2, 1.3, 0))
+        self.assertGreater(channel['most'], 12)
+        self.assertEqual((oxide['fewest'], oxide['most'], oxide['complete']), (3, 3, oxide['segments']))
+        self.assertAlmostEqual(oxide['thickness'], 0.9, delta=1e-12)
+        self.assertAlmostEqual(regions['oxide']['largest_angle'], 90, delta=1e-6)
+        self.assertTrue(all(region['bound_held'] for region in report['regions']))
+        self.assertIn('channel_oxide in oxide: 3 of 3 layers, 0.9 thick', out)
+        self.assertEqual(report['options']['layers'], ['channel_oxide@channel=0.2,1.3,0', 'channel_oxide@oxide=0.3,1,3'])
+        # The command line wins.
+        report = self.report(given, *fine, '--layers', 'channel_oxide@oxide=0.4,1,2')[0]
+        regions = {region['name']: region for region in report['regions']}
+        self.assertEqual(regions['oxide']['layers'][0]['most'], 2)
+
+    def test_that_cannot_be(self):
+        given = SAMPLES / 'mosfet_layers.json'
+        for layers, part in (('channel_oxid=1,2', "did you mean 'channel_oxide'?"),
+                             ('channel_oxide@gate=1,2', "region 'gate' is not beside that line, but 'channel' and 'oxide'"),
+                             ('channel_oxide@oxide=1.3,1,1', "no thinner than region 2 'oxide', which is 1.2"),
+                             ('channel_oxide=-1,2', 'the first layer is -1, but must be above 0'),
+                             ('channel_oxide=nan,2', 'the first layer is nan'),
+                             ('channel_oxide=1,0.5', 'the growth is 0.5, but must be at least 1')):
+            _, err = self.run_cover('mesh', given, '-o', 'd.vtu', '--layers', layers, code=2)
+            self.assertIn(part, err)
+            self.assertFalse((self.dir / 'd.vtu').exists())
+        self.run_cover('mesh', given, '-o', 'd.vtu', '--method', 'nonobtuse', code=2)
 
 
 class Sizes(Case):
@@ -1127,7 +1190,7 @@ class Page(Case):
                      'marker 1', 'box method', 'Time, on', '<svg ', 'id="mesh-view"', 'diode.poly; method quality, cover 0.'):
             self.assertIn(part, text)
         # Findings, two rows of heads and four regions, the box method, times.
-        self.assertEqual(text.count('<tr>') + text.count('<tr class') + text.count('<tr data'), 6 + 2 + 4 + 5 + text.count(' s</td></tr>'))
+        self.assertEqual(text.count('<tr>') + text.count('<tr class') + text.count('<tr data'), 6 + 2 + 4 + 8 + text.count(' s</td></tr>'))
         self.assertNotIn('class="bad"', text)
 
     def test_tells_what_to_distrust(self):

@@ -37,7 +37,7 @@ LOOKUP_TABLE default
 # What else must be given.
 NEEDS = {'pieces': {'paper': True}, 'size-of': {'size_field': 'field.vtk'},
          'size-step': {'size_of': 'asinh', 'size_field': 'field.vtk'}}
-TEXTS = {'size': ['SiO2=0.5', '1'], 'size-at': ['anode=0.25'], 'size-field': ['field.vtk'], 'size-of': ['asinh', '2*size+x'], 'weld': ['off', 'auto', '1e-06'],
+TEXTS = {'size': ['SiO2=0.5', '1'], 'size-at': ['anode=0.25'], 'layers': ['anode=0.25,1.5,2'], 'size-field': ['field.vtk'], 'size-of': ['asinh', '2*size+x'], 'weld': ['off', 'auto', '1e-06'],
          'periodic': ['left=right', 'left=right@mirror']}
 
 

@@ -16,6 +16,7 @@ _Region = Union[Tuple[float, float, _Material], Tuple[float, float, _Material, s
 _Path = Union[npt.ArrayLike, Sequence[Union[Tuple[float, float], Mapping[str, Any]]]]  # with arcs and circles
 _Rings = Sequence[_Path]
 _Sizes = Union[float, str, Sequence[str], Mapping[str, Union[float, str]]]
+_Layers = Union[str, Sequence[str], Mapping[str, Union[str, Sequence[float]]]]
 _Polygon = Union[Tuple[_Material, _Rings], Tuple[_Material, _Rings, str], Mapping[str, Any]]
 
 class _Options(TypedDict, total=False):
@@ -25,6 +26,7 @@ class _Options(TypedDict, total=False):
     min_angle: float
     prefer: Literal["balanced", "largest"]
     effort: Literal["fast", "normal", "thorough"]
+    couplings: Literal["first", "last"]
     growth: Optional[float]
     size: _Sizes  # by region or material; "" is everywhere; an expression of x and y for a length
     sizes: _Sizes  # the same
@@ -36,6 +38,7 @@ class _Options(TypedDict, total=False):
     size_of: Optional[str]  # "asinh", "asinh(doping)"
     size_step: float
     box_method: bool
+    layers: _Layers  # by line, or line@region: first, growth[, count]
     split_interfaces: Union[None, bool, float]
     overlap: Literal["last", "first", "error"]
     weld: Union[None, float, str]  # "auto", "off"
@@ -64,7 +67,6 @@ class _ReadOptions(TypedDict, total=False):
     priority_field: str
     crs: str
     no_smooth: bool
-    smooth: bool
     legend: Union[str, os.PathLike[str]]
 
 class _FileOptions(_Options, _ReadOptions, total=False): ...

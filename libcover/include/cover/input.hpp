@@ -89,6 +89,7 @@ struct Input {
       field;  ///< values that the file has beside its geometry: doping
   std::vector<ArcCircle> circles;      ///< of segments, rings and lines that are chords of arcs
   std::vector<PeriodicRule> periodic;  ///< beside those of Options::periodic
+  std::vector<LayerRule> layers;  ///< before Options::layers, which win over them
 };
 
 }  // namespace cover

@@ -30,6 +30,8 @@ inline constexpr Range kSplitInterfaces{60, 180, true, false};
 inline constexpr Range kGrowth{1, kNoLimit, false, false};
 inline constexpr Range kWeld{0, 1, true, false};
 inline constexpr Range kSize{0, kNoLimit, false, false};
+inline constexpr Range kLayerGrowth{1, kNoLimit, true, false};
+inline constexpr Range kLayerCount{0, 1000};
 inline constexpr Range kThreads{0, 4096};
 inline constexpr Range kScale{0, kNoLimit, false, false};
 inline constexpr Range kChordError{0, kNoLimit, false, false};

@@ -40,7 +40,7 @@ struct PictureWindow {
 
 /// How it is drawn.
 struct PictureOptions {
-  int width = 1200;   ///< pixels, >= 200; the height follows from the shape
+  int width = 1200;   ///< pixels, >= 200, from 400 on with a key; the height follows from the shape
   std::string title;  ///< first line, empty: none
   std::string color;  ///< cell array shown by colour; empty: the regions
   std::optional<std::array<double, 2>> range;  ///< values at both ends of the colours; none: found

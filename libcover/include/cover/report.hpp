@@ -9,6 +9,7 @@
 #include <cover/angle.hpp>
 #include <cover/error.hpp>
 #include <cover/ids.hpp>
+#include <cover/layers.hpp>
 #include <cover/limits.hpp>
 #include <cover/point.hpp>
 
@@ -130,6 +131,7 @@ struct RegionReport {
   std::size_t steiner_vertices = 0;
   std::size_t forced_above_120 = 0;  ///< sides whose own gamma_opt is above
   std::size_t forced_above_150 = 0;
+  std::vector<LayerReport> layers;  ///< along its lines, as Options::layers ask
   RegionLimits limits;      ///< what no mesh can have better, where a target is missed
   bool bound_held = false;  ///< promise 3, up to rounding of coordinates
   std::vector<Note> notes;

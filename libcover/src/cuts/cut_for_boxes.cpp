@@ -17,6 +17,7 @@
 #include "cuts/onto_arcs.hpp"
 #include "cuts/room_on_segment.hpp"
 #include "geom/vector.hpp"
+#include "layers/layer_rules.hpp"
 #include "quality/fault/missed_targets.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/sizes.hpp"
@@ -168,7 +169,8 @@ class CouplingRounds {
       std::vector<Point> stuck;
       cut_encroached(pslg, table, VertexId{0U}, report.box_cuts, stuck);
       boundaries = split_regions(pslg, table);
-      return resolve_sizes(pslg, table, options_, boundaries);
+      Status resolved = resolve_sizes(pslg, table, options_, boundaries);
+      return resolved ? resolve_layers(pslg, table, options_, boundaries) : resolved;
     });
     if (!status) return status;
     for (std::size_t r = 0; r < boundaries.size(); ++r) {

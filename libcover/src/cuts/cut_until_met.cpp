@@ -120,6 +120,8 @@ Status cut_until_met(Prepared& prepared, std::vector<RegionBoundary>& boundaries
   if (!options.split_interfaces || options.method != Method::quality || !table.hull_sides.empty()) {
     return ok();
   }
+  // Layers stay as they are.
+  if (!options.layers.empty()) return ok();
   const std::size_t points = pslg.points.size();
   const Rounds rounds(options, callbacks);
   State best{std::move(pslg), std::move(table), std::move(boundaries), std::move(meshes), {}};

@@ -100,6 +100,105 @@ constexpr OptionEntry sizes(OptionEntry row) {
   return row;
 }
 
+/// A name at the beginning of `text`, in quotation marks or up to one of `ends`; it is taken off.
+std::optional<std::string> take_name(std::string_view& text, std::string_view ends) {
+  const bool is_quoted = text.starts_with('"');
+  const std::size_t stop = is_quoted ? text.find('"', 1) : text.find_first_of(ends);
+  if (is_quoted && stop == text.npos) return std::nullopt;
+  const std::string name(text.substr(is_quoted ? 1 : 0, is_quoted ? stop - 1 : stop));
+  text.remove_prefix(stop == text.npos ? text.size() : stop + (is_quoted ? 1 : 0));
+  if (name.empty()) return std::nullopt;
+  return name;
+}
+
+std::string quoted(const std::string& name) {
+  return name.find_first_of("=@\"") == name.npos ? name : '"' + name + '"';
+}
+
+/// What stands before the values of a rule: LINE or LINE@REGION. Names with '@' or '=' are in
+/// quotation marks.
+struct LineSide {
+  std::string line, region;
+  std::string_view values;  ///< after the '='
+};
+
+std::optional<LineSide> line_side(std::string_view text) {
+  LineSide out;
+  const auto line = take_name(text, "@=");
+  if (!line) return std::nullopt;
+  out.line = *line;
+  if (text.starts_with('@')) {
+    text.remove_prefix(1);
+    const auto region = take_name(text, "=");
+    if (!region) return std::nullopt;
+    out.region = *region;
+  }
+  if (!text.starts_with('=')) return std::nullopt;
+  out.values = text.substr(1);
+  return out;
+}
+
+/// Why the numbers of a rule are none.
+Status check_layers(const LayerRule& rule) {
+  const std::string line = rule.line + (rule.region.empty() ? "" : "@" + rule.region);
+  const auto bad = [&](std::string_view what, double value, const Range& range) {
+    return bad_option(fmt::format("layers for '{}': the {} is {}, but must be {}", line, what,
+                                  describe(value), describe(range)));
+  };
+  if (!ranges::kSize.holds(rule.first)) return bad("first layer", rule.first, ranges::kSize);
+  if (!ranges::kLayerGrowth.holds(rule.growth))
+    return bad("growth", rule.growth, ranges::kLayerGrowth);
+  if (!ranges::kLayerCount.holds(rule.count))
+    return bad("number of layers", rule.count, ranges::kLayerCount);
+  if (rule.count == 0 && rule.growth == 1)
+    return bad_option(fmt::format(
+        "layers for '{}': without a number of layers the growth must be above 1", line));
+  return ok();
+}
+
+constexpr OptionEntry layers(OptionEntry row) {
+  row.kind = OptionKind::text;
+  row.repeats = true;
+  row.unit = "length";
+  row.set = [](const OptionEntry&, std::string_view text, Options& options) -> Status {
+    const std::optional<LineSide> side = line_side(text);
+    std::vector<std::string_view> values;
+    for (std::string_view rest = side ? side->values : std::string_view(); !rest.empty();) {
+      const std::size_t comma = std::min(rest.find(','), rest.size());
+      values.push_back(rest.substr(0, comma));
+      rest.remove_prefix(std::min(comma + 1, rest.size()));
+    }
+    const auto first = values.empty() ? std::nullopt : parse<double>(values[0]);
+    const auto growth = values.size() < 2 ? std::nullopt : parse<double>(values[1]);
+    const auto count = values.size() < 3 ? std::optional(0) : parse<int>(values[2]);
+    if (!first || !growth || !count || values.size() > 3) {
+      return bad_option(fmt::format("'{}' is not LINE[@REGION]=first,growth[,count] with a length, "
+                                    "a number and a whole number",
+                                    text));
+    }
+    LayerRule rule{side->line, side->region, *first, *growth, *count};
+    if (Status status = check_layers(rule); !status) return status;
+    options.layers.push_back(std::move(rule));
+    return ok();
+  };
+  row.get = [](const OptionEntry&, const Options& options) {
+    Texts texts;
+    for (const LayerRule& rule : options.layers) {
+      const std::string region = rule.region.empty() ? "" : "@" + quoted(rule.region);
+      texts.push_back(fmt::format("{}{}={},{},{}", quoted(rule.line), region, rule.first,
+                                  rule.growth, rule.count));
+    }
+    return texts;
+  };
+  row.check = [](const OptionEntry&, const Options& options) -> Status {
+    for (const LayerRule& rule : options.layers) {
+      if (Status status = check_layers(rule); !status) return status;
+    }
+    return ok();
+  };
+  return row;
+}
+
 /// A file, which whoever can read it makes Options::size_field of.
 constexpr OptionEntry size_field(OptionEntry row) {
   row.kind = OptionKind::text;
@@ -134,17 +233,6 @@ constexpr OptionEntry size_of(OptionEntry row) {
   return row;
 }
 
-/// A name at the beginning of `text`, in quotation marks or up to one of `ends`; it is taken off.
-std::optional<std::string> take_name(std::string_view& text, std::string_view ends) {
-  const bool is_quoted = text.starts_with('"');
-  const std::size_t stop = is_quoted ? text.find('"', 1) : text.find_first_of(ends);
-  if (is_quoted && stop == text.npos) return std::nullopt;
-  const std::string name(text.substr(is_quoted ? 1 : 0, is_quoted ? stop - 1 : stop));
-  text.remove_prefix(stop == text.npos ? text.size() : stop + (is_quoted ? 1 : 0));
-  if (name.empty()) return std::nullopt;
-  return name;
-}
-
 /// What stands behind the @ of a pair of sides.
 bool take_map(std::string_view text, PeriodicRule& rule) {
   if (text == "mirror") {
@@ -161,10 +249,6 @@ bool take_map(std::string_view text, PeriodicRule& rule) {
   rule.centre = {*x, *y};
   rule.angle = Angle::degrees(*degrees);
   return true;
-}
-
-std::string quoted(const std::string& name) {
-  return name.find_first_of("=@\"") == name.npos ? name : '"' + name + '"';
 }
 
 /// A pair of sides and the map that takes the one to the other.
@@ -291,6 +375,14 @@ constexpr OptionEntry kTable[] = {
                 "what pays for its time, thorough all there is",
         .counts_with = "--method quality",
         .counts = is_quality}),
+    word<&Options::couplings>({
+        .name = "couplings", .placeholder = "WHICH",
+        .word_list = {"first", "last"},
+        .help = "first: no negative coupling of the box method that the input does not force; "
+                "targets give way, the bound never does. last: angles alone decide",
+        .more = "So they do with --split-interfaces, unless there is --box-method, too.",
+        .counts_with = "--method quality",
+        .counts = is_quality}),
     flag<&Options::box_method>({
         .name = "box-method",
         .help = "Cut segments until no coupling of the box method (finite volumes on Voronoi "
@@ -347,6 +439,15 @@ constexpr OptionEntry kTable[] = {
         .alone = "90",
         .help = "Cut segments until none forces an angle above DEG (default: 90), and to the "
                 "lengths that sizes ask for; both sides get the same points"}),
+    layers({
+        .name = "layers", .placeholder = "LINE=first,growth[,count]",
+        .help = "Layers of thin triangles along an interface, contact, outline or inner line, on "
+                "both sides or on one (LINE@REGION=...): the first so thick, each growth times the "
+                "one before, count of them, or until triangles are about isotropic",
+        .more = "Their vertices stand above those of the line; --split-interfaces cuts lines to "
+                "the lengths that --size-at asks for. Layers are fewer at ends of lines, where room "
+                "is short, and where the bound would break; the report tells. Names with @ or = are "
+                "put in quotation marks."}),
     word<&Options::overlap>({
         .name = "overlap", .placeholder = "WHICH",
         .word_list = {"last", "first", "error"},
@@ -430,6 +531,10 @@ Status check_options(const Options& options) {
     return bad_option("periodic needs another method: method nonobtuse cuts segments by itself");
   if (options.box_method && options.hull)
     return bad_option("box_method cuts segments, and sides of a hull are none: not with hull");
+  if (!options.layers.empty() && options.method == Method::nonobtuse)
+    return bad_option("layers need method quality or almond: method nonobtuse cuts their lines");
+  if (!options.layers.empty() && options.hull)
+    return bad_option("layers lie along lines of the input, and sides of a hull are none: not with hull");
   for (const OptionEntry& entry : kTable) {
     if (entry.check == nullptr) continue;
     if (Status status = entry.check(entry, options); !status) return status;

@@ -35,6 +35,8 @@ PictureWindow window_around(std::span<const Point> points) {
   return {box.low, box.high};
 }
 
+constexpr int kLeastWithKey = 400;  ///< pixels of width
+
 std::string name_of(const std::map<std::int64_t, std::string>& names, std::int64_t id,
                     std::string_view kind) {
   const auto found = names.find(id);
@@ -88,6 +90,9 @@ class Composer {
   }
   [[nodiscard]] Point pixel(std::uint32_t v) const { return pixel(soup_.points[v]); }
 
+  /// A narrow picture is all plot.
+  [[nodiscard]] bool has_key() const { return options_.width >= kLeastWithKey; }
+
   void lay_out(PictureWindow window) {
     // A whole mesh gets a little air, a window is shown as asked for.
     if (!options_.window) {
@@ -98,7 +103,7 @@ class Composer {
     }
     window_ = window;
     const double w = window.high.x - window.low.x, h = window.high.y - window.low.y;
-    const double wide = options_.width - 3 * kMargin - kKeyWidth;
+    const double wide = options_.width - (has_key() ? 3 * kMargin + kKeyWidth : 2 * kMargin);
     const double top = options_.title.empty() ? kMargin : kMargin + kTitle;
     // Neither a tower nor a thread: the plot is at least 260 high and at most 1.3 times as high as
     // wide.
@@ -166,7 +171,7 @@ class Composer {
       legend_.add(patch.colour, legend_text(r, m), name_of(mesh_.material_names, m, "material"));
       add(std::move(patch));
     }
-    draw_legend(legend_, drawing_);
+    if (has_key()) draw_legend(legend_, drawing_);
   }
 
   Status fill_values() {
@@ -203,7 +208,7 @@ class Composer {
     for (Patch& patch : patches) {
       if (!patch.triangles.empty()) add(std::move(patch));
     }
-    draw_colour_bar(options_.color, low, high, drawing_);
+    if (has_key()) draw_colour_bar(options_.color, low, high, drawing_);
     return ok();
   }
 

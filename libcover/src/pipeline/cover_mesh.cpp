@@ -11,6 +11,7 @@
 #include "cuts/cut_until_met.hpp"
 #include "cuts/onto_arcs.hpp"
 #include "mesh/periodic_nodes.hpp"
+#include "layers/layer_rules.hpp"
 #include "mesh/stitch.hpp"
 #include "pipeline/find_regions.hpp"
 #include "pipeline/nonobtuse.hpp"
@@ -22,9 +23,10 @@
 
 namespace cover {
 
-Result<Prepared> prepare(const Input& input, const Options& options, const Callbacks& callbacks) {
+Result<Prepared> prepare(const Input& input, const Options& asked, const Callbacks& callbacks) {
   return memory_as_value("prepare", [&]() -> Result<Prepared> {
     StageClock clock;
+    const Options options = with_layers_of(input, asked);
     Result<Prepared> prepared = find_regions(input, options, callbacks, clock);
     if (!prepared) return prepared;
     Result<std::vector<RegionReport>> limits =
@@ -49,6 +51,7 @@ Result<Output> mesh_prepared(Result<Prepared> prepared, const std::vector<Period
   Status sized = errors_as_values("split", [&] {
     boundaries = split_regions(pslg, table);
     Status resolved = resolve_sizes(pslg, table, options, boundaries);
+    if (resolved) resolved = resolve_layers(pslg, table, options, boundaries);
     return resolved ? check_expected_triangles(table, boundaries, options) : resolved;
   });
   if (!sized) return std::move(sized).error();
@@ -78,17 +81,19 @@ Result<Output> mesh_prepared(Result<Prepared> prepared, const std::vector<Period
 
 }  // namespace
 
-Result<Output> cover_mesh(const Input& input, const Options& options, const Callbacks& callbacks) {
+Result<Output> cover_mesh(const Input& input, const Options& asked, const Callbacks& callbacks) {
   return memory_as_value("mesh", [&]() -> Result<Output> {
     StageClock clock;
+    const Options options = with_layers_of(input, asked);
     return mesh_prepared(find_regions(input, options, callbacks, clock),
                          periodic_rules(input, options), options, callbacks, clock);
   });
 }
 
-Result<Output> cover_mesh(Input&& input, const Options& options, const Callbacks& callbacks) {
+Result<Output> cover_mesh(Input&& input, const Options& asked, const Callbacks& callbacks) {
   return memory_as_value("mesh", [&]() -> Result<Output> {
     StageClock clock;
+    const Options options = with_layers_of(input, asked);
     Result<Prepared> prepared = find_regions(input, options, callbacks, clock);
     const std::vector<PeriodicRule> rules = periodic_rules(input, options);
     input = {};

@@ -8,8 +8,10 @@
 
 #include "clean/pslg.hpp"
 #include "cuts/cut_for_boxes.hpp"
+#include "cuts/cut_for_layers.hpp"
 #include "cuts/periodic_sides.hpp"
 #include "cuts/split_interfaces.hpp"
+#include "layers/layer_rules.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/expected_triangles.hpp"
 #include "sizes/sizes.hpp"
@@ -28,10 +30,11 @@ Status begin_stage(std::string_view stage, const Callbacks& callbacks) {
 namespace {
 
 /// Before segments are cut for sizes that no mesh can have, or a dry run ends with a wrong name.
-Status check_sizes(const Pslg& pslg, const RegionTable& table, const Options& options) {
-  if (options.sizes.empty() && !options.split_interfaces) return ok();
+Status check_wishes(const Pslg& pslg, const RegionTable& table, const Options& options) {
+  if (options.sizes.empty() && options.layers.empty() && !options.split_interfaces) return ok();
   std::vector<RegionBoundary> boundaries = split_regions(pslg, table);
   Status resolved = resolve_sizes(pslg, table, options, boundaries);
+  if (resolved) resolved = resolve_layers(pslg, table, options, boundaries);
   return resolved ? check_expected_triangles(table, boundaries, options) : resolved;
 }
 
@@ -72,9 +75,10 @@ Result<Prepared> find_regions(const Input& input, const Options& options,
   report.uncut_points = prepared.pslg.points.size();
   report.uncut_segments = prepared.pslg.segments.size();
   Status status = errors_as_values("split interfaces", [&] {
-    Status sizes = check_sizes(prepared.pslg, prepared.table, options);
+    Status sizes = check_wishes(prepared.pslg, prepared.table, options);
     if (!sizes) return sizes;
     Status split = split_interfaces(prepared.pslg, prepared.table, options, report.notes);
+    if (split) split = cut_for_layers(prepared, options);
     if (split) cut_for_boxes(prepared, options);
     return split;
   });
@@ -83,6 +87,12 @@ Result<Prepared> find_regions(const Input& input, const Options& options,
   report.input_segments = prepared.pslg.segments.size();
   report.threads = worker_count(options);
   return prepared;
+}
+
+Options with_layers_of(const Input& input, const Options& options) {
+  Options all = options;
+  all.layers.insert(all.layers.begin(), input.layers.begin(), input.layers.end());
+  return all;
 }
 
 void collect_reports(std::vector<RegionMesh>& meshes, Report& report) {

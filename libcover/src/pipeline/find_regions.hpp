@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include <cover/input.hpp>
 #include <cover/options.hpp>
 #include <cover/output.hpp>
 #include <cover/progress.hpp>
@@ -27,6 +28,9 @@ Result<Prepared> find_regions(const Input& input, const Options& options,
 
 /// The rules of the options, then those of the input.
 std::vector<PeriodicRule> periodic_rules(const Input& input, const Options& options);
+
+/// The options with the layers that the input asks for before their own.
+Options with_layers_of(const Input& input, const Options& options);
 
 /// Moves what the regions report to the report of the whole, in region order.
 void collect_reports(std::vector<RegionMesh>& meshes, Report& report);

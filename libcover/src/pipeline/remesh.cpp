@@ -18,6 +18,7 @@
 #include "base/out_of_memory.hpp"
 #include "cdt/cdt.hpp"
 #include "cuts/periodic_sides.hpp"
+#include "layers/layer_rules.hpp"
 #include "mesh/periodic_nodes.hpp"
 #include "mesh/stitch.hpp"
 #include "pipeline/find_regions.hpp"
@@ -212,7 +213,7 @@ Result<Output> mesh_again(const Input& input, const TriangleSoup& onto,
                           std::span<const std::string> only, const Options& asked,
                           const Callbacks& callbacks) {
   StageClock clock;
-  const Result<Options> options = options_without_cuts(asked, only);
+  const Result<Options> options = options_without_cuts(with_layers_of(input, asked), only);
   if (!options) return options.error();
   Result<Prepared> prepared = find_regions(input, *options, callbacks, clock);
   if (!prepared) return std::move(prepared).error();
@@ -240,6 +241,8 @@ Result<Output> mesh_again(const Input& input, const TriangleSoup& onto,
   if (Status status = resolve_sizes(pslg, table, *options, boundaries); !status) {
     return std::move(status).error();
   }
+  if (Status status = resolve_layers(pslg, table, *options, boundaries); !status)
+    return std::move(status).error();
   clock.note("split", report.times);
 
   std::vector<RegionMesh> meshes;

@@ -13,10 +13,13 @@
 #include <optional>
 #include <utility>
 
+#include "cdt/couplings.hpp"
+#include "geom/predicates.hpp"
 #include "quality/fault/missed_targets.hpp"
 #include "quality/mutable/to_region_mesh.hpp"
 #include "quality/plan/candidates.hpp"
 #include "quality/plan/plan.hpp"
+#include "target/measure.hpp"
 
 namespace cover {
 namespace {
@@ -46,7 +49,8 @@ class RegionWork {
     }
     if (candidates_.must_stop()) return {};
     RegionMesh out = reported(best);
-    best.mesh.set_goal(candidates_.goal());
+    const Goal& goal = candidates_.goal();
+    if (!best.mesh.goal().has_same_angles(goal)) best.mesh.set_goal(goal);
     out.report.notes =
         missed_targets(best.mesh, boundary_, candidates_.limit(), options_,
                        candidates_.is_budget_used_up(), candidates_.frame().origin());
@@ -76,7 +80,7 @@ class RegionWork {
 
   void aim_at(Candidate& best, Angle max, Angle min) {
     const auto find = [&] { return best_candidate(); };
-    candidates_.take_if_better(best, candidates_.with_goal(Goal::of(max, min), find));
+    candidates_.take_if_better(best, candidates_.with_goal(candidates_.goal_for(max, min), find));
   }
 
   /// Searches for what is left, if few triangles miss the region's own target, or are above 120
@@ -86,13 +90,14 @@ class RegionWork {
     if (!candidates_.is_done(best))
       candidates_.take_if_better(
           best, candidates_.searched(best, candidates_.own_goal(best.mesh), kEvaluationsForOwn));
-    const Goal far{std::max(goal.large, kFarAbove), goal.small, goal.weight};
+    const Goal far = goal.with(std::max(goal.large, kFarAbove), goal.small, goal.weight);
     if (best.merit.far_above > 0 && far != goal)
       candidates_.take_if_better(best, candidates_.searched(best, far, kEvaluationsForFar));
   }
 
   [[nodiscard]] RegionMesh reported(const Candidate& candidate) const {
     RegionMesh out = to_region_mesh(candidate.mesh, candidates_.frame(), boundary_.points);
+    if (minds_couplings(options_) && has_negative(candidate.mesh)) flip_in_the_plane(out);
     RegionReport& report = out.report;
     report.id = boundary_.id;
     report.method = candidate.method;
@@ -101,6 +106,35 @@ class RegionWork {
     report.forced_above_120 = candidates_.limit().above_120;
     report.forced_above_150 = candidates_.limit().above_150;
     return out;
+  }
+
+  /// Whether an inner edge has a negative coupling in the plane: rounding on the way back may have
+  /// made it so.
+  [[nodiscard]] bool has_negative(const MutableMesh& mesh) const {
+    const auto at = [&](std::uint32_t v) {
+      return v < boundary_.points.size() ? boundary_.points[v]
+                                         : candidates_.frame().restore(mesh.points[v]);
+    };
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      if (mesh.is_hole(t)) continue;
+      const auto& [v, n] = mesh.triangles[t];
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (is_side(n[i]) || n[i] < t) continue;
+        const MeshTriangle& other = mesh.triangles[n[i]];
+        const std::uint32_t beyond =
+            other.v[static_cast<std::size_t>(other.edge_from(v[(i + 2) % 3]))];
+        if (in_circle(at(v[0]), at(v[1]), at(v[2]), at(beyond)) == Sign::positive) return true;
+      }
+    }
+    return false;
+  }
+
+  void flip_in_the_plane(RegionMesh& out) const {
+    std::vector<IndexTriple> triangles = out.triangles;
+    const std::vector<Point> points = all_points(boundary_, out);
+    if (make_delaunay(points, triangles, boundary_.sides) == 0) return;
+    if (holds_bound(points, triangles, Angle::radians(candidates_.limit().promised_nu())))
+      out.triangles = std::move(triangles);
   }
 
   const RegionBoundary& boundary_;

@@ -7,6 +7,10 @@
 // x count like the large angle 180 - x / weight does far from the targets, as q in
 // "max(largest, 180 - f smallest)" with f = 1 / weight.
 //
+// With couplings, a negative coupling of the box method is an excess as well: that of a side
+// whose angle opposite is above 90 degrees, cot < 0, and on request that of an inner edge that is
+// not locally Delaunay, cot a + cot b < 0.
+//
 // What the input forces does not count: the angle under which a side is seen at least (Lemma 1),
 // the smallest angle that a triangle on a side can have where another side is close
 // (side_limit.hpp), and a corner between two sides, which is the input's own.
@@ -24,6 +28,20 @@ namespace cover {
 struct Allowance {
   double large = 0;  ///< at the corner opposite to the side
   double small = 0;  ///< at any corner
+  /// The least cotangent at the corner opposite to the side that is no fault of couplings.
+  double least_cot = -std::numeric_limits<double>::infinity();
+  /// Below this the triangle counts as inverted.
+  double lowest_cot = -std::numeric_limits<double>::infinity();
+};
+
+/// What negative couplings count for, beside angles.
+struct CouplingGoal {
+  double weight = 0;    ///< of what a sum of cotangents lacks; 0: couplings do not count
+  bool inside = false;  ///< inner edges count too, not only sides
+  bool strict = false;  ///< a negative one on an inner edge counts like an inverted triangle
+  /// -cot of an angle. Larger ones weigh more than any coupling.
+  double bound = std::numeric_limits<double>::infinity();
+  bool operator==(const CouplingGoal&) const = default;
 };
 
 /// The targets for all triangles.
@@ -31,11 +49,27 @@ struct Goal {
   double large = 0;   ///< -cot of the largest angle wanted
   double small = 0;   ///< cot of the smallest angle wanted
   double weight = 0;  ///< of the smallest angle; 0: it does not count
+  CouplingGoal coupling{};
 
   /// REQUIRES: max in (60, 180) degrees, min in [0, 60)
   static Goal of(Angle max, Angle min);
+  /// Other angles, the same couplings.
+  [[nodiscard]] Goal with(double new_large, double new_small, double new_weight) const {
+    return {new_large, new_small, new_weight, coupling};
+  }
+  /// Whether the targets are the same, whatever couplings count for.
+  [[nodiscard]] bool has_same_angles(const Goal& other) const {
+    return large == other.large && small == other.small && weight == other.weight;
+  }
   bool operator==(const Goal&) const = default;
 };
+
+/// Sums of cotangents below this count as negative couplings while a mesh is made, so that none is
+/// negative after rounding: 0.03 degrees.
+inline constexpr double kLeastCoupling = 5e-4;
+/// Weights that put couplings before all targets, and the bound before couplings: sums below zero
+/// count for more than any angle up to 153 degrees.
+inline constexpr double kCouplingFirst = 4e3, kBoundFirst = 2e5;
 
 /// Times the weight of small angles where large ones come first: then they decide only between
 /// equals.

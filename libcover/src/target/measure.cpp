@@ -113,6 +113,7 @@ std::vector<Point> all_points(const RegionBoundary& boundary, const RegionMesh& 
 
 Quality measure_angles(std::span<const Point> points, std::span<const IndexTriple> triangles) {
   const BinLimits limits = bin_limits();
+  const double farthest = largest_coordinate(points);
   Quality quality;
   quality.triangles = triangles.size();
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
@@ -125,7 +126,7 @@ Quality measure_angles(std::span<const Point> points, std::span<const IndexTripl
     if (largest < lowest) lowest = largest, flattest = s;
     if (smallest > highest) highest = smallest, sharpest = s;
     if (largest < -kRightAngle) {
-      ++quality.obtuse;
+      if (-largest > angle_rounding(s.apex, s.p, s.q, farthest)) ++quality.obtuse;
       if (compare_with_120_degrees(s.p, s.apex, s.q) == Sign::positive) ++quality.above_120;
       if (largest < kCotangentOf150) ++quality.above_150;
     }

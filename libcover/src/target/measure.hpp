@@ -15,8 +15,9 @@ namespace cover {
 /// The vertices of a region's mesh: those of the boundary, then the Steiner vertices.
 std::vector<Point> all_points(const RegionBoundary& boundary, const RegionMesh& mesh);
 
-/// Angle statistics of `triangles`. The count of those above 120 degrees is exact; one is obtuse
-/// from 1e-9 radians above the right angle.
+/// Angle statistics of `triangles`. The count of those above 120 degrees is exact; one is obtuse if
+/// it is above 90 degrees by more than 1e-9 radians and by more than what rounding the coordinates
+/// of its corners can make (angle_rounding).
 Quality measure_angles(std::span<const Point> points, std::span<const IndexTriple> triangles);
 
 /// Box-method figures of `triangles`, but for negative couplings; `sides` are the directed sides of

@@ -15,6 +15,7 @@ namespace cover {
 struct RegionMesh {
   std::vector<Point> steiner;
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::size_t layer_triangles = 0;  ///< the first so many are those of layers
   RegionReport report;
 };
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 #include "target/goal.hpp"
 
@@ -76,6 +77,17 @@ CornerLimit corner_limit(const Triangulation& cdt, EdgeRef side, bool at_end) {
 }
 
 }  // namespace
+
+void mind_free_sides(const Triangulation& cdt, std::span<const EdgeRef> side_at,
+                     std::span<SideLimit> limits) {
+  for (std::size_t s = 0; s < side_at.size(); ++s) {
+    const auto& v = cdt.triangles[side_at[s].triangle].v;
+    const std::size_t i = side_at[s].edge;
+    const Point a = cdt.points[v[(i + 1) % 3]], b = cdt.points[v[(i + 2) % 3]];
+    if (compare_with_90_degrees(a, cdt.points[v[i]], b) != Sign::positive)
+      limits[s].least_cot = std::min(0.0, limits[s].apex_cot - kSameCot);
+  }
+}
 
 std::vector<SideLimit> side_limits(const Triangulation& cdt, std::span<const EdgeRef> side_at) {
   std::vector<SideLimit> limits;

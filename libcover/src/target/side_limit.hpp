@@ -25,10 +25,21 @@ struct SideLimit {
   double smallest_cot = 0;  ///< of the smallest angle of the Delaunay triangle, which reaches that
   double slim_cot = 0;      ///< no triangle on the side has a larger smallest angle; at least 1
   std::array<CornerLimit, 2> corners{};  ///< at its ends
+  /// A smaller cotangent opposite to the side is a negative coupling that counts; -inf: none does.
+  double least_cot = -std::numeric_limits<double>::infinity();
+  bool is_inner = false;  ///< it stands for an inner edge of a larger mesh
 };
 
 /// A limit that allows nothing.
-inline constexpr SideLimit kNoLimit{std::numeric_limits<double>::infinity(), 0, 0, {}};
+inline constexpr SideLimit kNoLimit{std::numeric_limits<double>::infinity(), 0, 0};
+
+/// Lets the couplings of the sides count that no vertex encroaches: least_cot.
+///
+/// REQUIRES: as side_limits()
+/// EXACT:    which sides these are
+/// Ref:      docs/box_method.md, Theorem 1
+void mind_free_sides(const Triangulation& cdt, std::span<const EdgeRef> side_at,
+                     std::span<SideLimit> limits);
 
 /// The limits of the sides, in the order of `side_at`.
 ///

@@ -26,39 +26,52 @@ auto members(T& error) {
   return std::tie(code, message, where, inputs);
 }
 
-template <Either<RegionReport> T>
-auto members(T& report) {
-  auto& [id, method, nu_opt, nu_bound, quality, box, couplings, input_vertices, steiner_vertices,
-         forced_above_120, forced_above_150, limits, bound_held, notes, seconds] = report;
-  return std::tie(id, method, nu_opt, nu_bound, quality, box, couplings, input_vertices,
-                  steiner_vertices, forced_above_120, forced_above_150, limits, bound_held, notes,
-                  seconds);
-}
-
-template <Either<RegionMesh> T>
-auto members(T& mesh) {
-  auto& [steiner, triangles, report] = mesh;
-  return std::tie(steiner, triangles, report);
-}
-
-template <Either<RegionBoundary> T>
-auto members(T& boundary) {
-  auto& [id, points, vertices, sides, segments, size, size_at, size_expressions, size_function] =
-      boundary;
-  static_cast<void>(size_function);
-  return std::tie(id, points, vertices, sides, segments, size, size_at, size_expressions);
-}
-
-template <Either<SizeRule> T>
-auto members(T& rule) {
-  auto& [name, size, at, expression] = rule;
-  return std::tie(name, size, at, expression);
+template <Either<LayerReport::Short> T>
+auto members(T& part) {
+  auto& [why, segments, at] = part;
+  return std::tie(why, segments, at);
 }
 
 template <Either<LayerRule> T>
 auto members(T& rule) {
   auto& [line, region, first, growth, count] = rule;
   return std::tie(line, region, first, growth, count);
+}
+
+template <Either<LayerReport> T>
+auto members(T& report) {
+  auto& [asked, segments, length, complete, fewest, most, thickness, cut_short] = report;
+  return std::tie(asked, segments, length, complete, fewest, most, thickness, cut_short);
+}
+
+template <Either<RegionReport> T>
+auto members(T& report) {
+  auto& [id, method, nu_opt, nu_bound, quality, box, couplings, input_vertices, steiner_vertices,
+         forced_above_120, forced_above_150, layers, limits, bound_held, notes, seconds] = report;
+  return std::tie(id, method, nu_opt, nu_bound, quality, box, couplings, input_vertices,
+                  steiner_vertices, forced_above_120, forced_above_150, layers, limits, bound_held,
+                  notes, seconds);
+}
+
+template <Either<RegionMesh> T>
+auto members(T& mesh) {
+  auto& [steiner, triangles, layer_triangles, report] = mesh;
+  return std::tie(steiner, triangles, layer_triangles, report);
+}
+
+template <Either<RegionBoundary> T>
+auto members(T& boundary) {
+  auto& [id, points, vertices, sides, segments, size, size_at, size_expressions, size_function,
+         layers, is_part] = boundary;
+  static_cast<void>(size_function);
+  return std::tie(id, points, vertices, sides, segments, size, size_at, size_expressions, layers,
+                  is_part);
+}
+
+template <Either<SizeRule> T>
+auto members(T& rule) {
+  auto& [name, size, at, expression] = rule;
+  return std::tie(name, size, at, expression);
 }
 
 template <Either<PeriodicRule> T>

@@ -21,7 +21,9 @@
 #include "base/internal_fault.hpp"
 #include "cdt/cdt.hpp"
 #include "cdt/region_cdt.hpp"
+#include "layers/layered_region.hpp"
 #include "limits/region_limits.hpp"
+#include "quality/fault/missed_targets.hpp"
 #include "quality/quality_region.hpp"
 #include "sizes/expected_triangles.hpp"
 #include "target/angle_limit.hpp"
@@ -183,7 +185,8 @@ RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
   const std::string_view second = quality ? "almond" : "quality";
   Attempt first = attempt(quality ? quality_region : almond_region, boundary, options, stop);
   const bool promised = CutRule{options.paper, options.pieces}.promises_bound();
-  const bool will_do = !first.fault && (first.mesh.report.bound_held || !promised);
+  const bool will_do =
+      !first.fault && (first.mesh.report.bound_held || !promised || boundary.is_part);
   if (stop.stop_requested() || will_do) return std::move(first.mesh);
   Attempt other = attempt(quality ? almond_region : quality_region, boundary, options, stop);
   if (stop.stop_requested()) return std::move(other.mesh);
@@ -204,6 +207,19 @@ RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
   return std::move(other.mesh);
 }
 
+/// The region, and its layers if it has some.
+RegionMesh mesh_with_its_layers(const RegionBoundary& boundary, const Options& options,
+                                const std::stop_token& stop) {
+  const auto mesh_rest = [&](const RegionBoundary& rest) {
+    return mesh_region(rest, options, stop);
+  };
+  if (!has_layers(boundary)) return mesh_rest(boundary);
+  RegionMesh mesh = mesh_with_layers(boundary, options, mesh_rest, stop);
+  if (mesh.layer_triangles > 0 && options.method == Method::quality && !stop.stop_requested())
+    report_again(boundary, options, false, mesh);
+  return mesh;
+}
+
 }  // namespace
 
 std::size_t cost_of(const RegionBoundary& boundary) {
@@ -214,7 +230,7 @@ std::size_t cost_of(const RegionBoundary& boundary) {
 RegionMesh mesh_one_region(const RegionBoundary& boundary, const Options& options,
                            const std::stop_token& stop) {
   const StageClock clock;
-  RegionMesh mesh = mesh_region(boundary, options, stop);
+  RegionMesh mesh = mesh_with_its_layers(boundary, options, stop);
   if (!stop.stop_requested())
     mesh.report.limits = limits_of(boundary, mesh.report.quality, options);
   mesh.report.seconds = clock.seconds();

@@ -20,6 +20,7 @@
 #include <cover/picture.hpp>
 
 #include "base/out_of_memory.hpp"
+#include "base/printable.hpp"
 #include "io/files/atomic_file.hpp"
 #include "picture/compose.hpp"
 #include "picture/raster.hpp"
@@ -56,7 +57,7 @@ bool render(const Label& label, vtkImageData* letters) {
   vtkFreeTypeTools* tools = vtkFreeTypeTools::GetInstance();
   tools->SetScaleToPowerTwo(false);
   constexpr int kDpi = 72;  // a font size is then in pixels
-  return tools->RenderString(style, letters_of(label.text), kDpi, letters);
+  return tools->RenderString(style, letters_of(printable(label.text)), kDpi, letters);
 }
 
 bool has_ink(const Label& label) {

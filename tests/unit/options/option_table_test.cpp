@@ -32,6 +32,8 @@ std::vector<std::string> values_of(const OptionEntry& entry) {
   if (entry.name == "size-field") return {"h.vtu"};
   if (entry.name == "size-of") return {"asinh"};
   if (entry.name == "periodic") return {"a=b", "\"x=1\"=c d@mirror", "e=f@-1,2.5:45"};
+  if (entry.name == "layers")
+    return {"a=0.5,1.5", "b c@Si O2=1e-3,1,7", "\"a@b=c\"@\"d=\"=2,1,3", "a@\"x@y\"=2,1,3"};
   return {"a=0.5", "b c=0x=2"};
 }
 
@@ -143,6 +145,21 @@ TEST(OptionTable, TextThatIsNoValueIsRefusedInWords) {
   EXPECT_EQ(message("size", "a="), "'a=' is not h or NAME=h with a length h above 0");
   EXPECT_EQ(message("size", "a=1+*x"), "'1+*x', column 3: expected a number or a name, not '*'");
   EXPECT_EQ(message("size-at", "gate=x"), "'gate=x' is not NAME=h with a length h above 0");
+  EXPECT_EQ(message("layers", "a"),
+            "'a' is not LINE[@REGION]=first,growth[,count] with a length, a number and a whole "
+            "number");
+  for (const char* bad : {"a=1", "=1,1,1", "@b=1,1,1", "a@=1,1,1", "a=1,1,1,1", "a=x,1,1",
+                          "a=1,1,0.5", "\"a=1,1,1"})
+    EXPECT_NE(message("layers", bad).find("is not LINE"), std::string::npos) << bad;
+  EXPECT_EQ(message("layers", "a@b=0,1,1"),
+            "layers for 'a@b': the first layer is 0, but must be above 0");
+  EXPECT_NE(message("layers", "a=nan,1,1").find("the first layer is nan"), std::string::npos);
+  EXPECT_NE(message("layers", "a=-1,1,1").find("the first layer is -1"), std::string::npos);
+  EXPECT_NE(message("layers", "a=1,0.9,1").find("the growth is 0.9, but must be at least 1"),
+            std::string::npos);
+  EXPECT_NE(message("layers", "a=1,nan,1").find("the growth is nan"), std::string::npos);
+  EXPECT_NE(message("layers", "a=1,1,-1").find("the number of layers is -1"), std::string::npos);
+  EXPECT_NE(message("layers", "a=1,1").find("the growth must be above 1"), std::string::npos);
   EXPECT_EQ(message("size-at", "1"), "'1' is not NAME=h with a length h above 0");
   EXPECT_EQ(message("weld", "on"), "'on' is not auto, off or a number, at least 0 and below 1");
 }

@@ -152,6 +152,23 @@ TEST(Picture, MistakesAreExplained) {
   EXPECT_EQ(svg.error().code, ErrorCode::bad_option);
 }
 
+TEST(Picture, ANarrowOneIsAllPlot) {
+  const testing::TemporaryFolder folder;
+  for (const int width : {200, 257, 258, 259, 399, 400}) {
+    PictureOptions options;
+    options.width = width;
+    for (const char* color : {"", "max_angle"}) {
+      options.color = color;
+      const auto drawing = compose(two_squares(), options);
+      if (!drawing) continue;  // no such array
+      EXPECT_GT(drawing->plot.x1 - drawing->plot.x0, 100) << width;
+      EXPECT_GT(drawing->plot.y1 - drawing->plot.y0, 100) << width;
+      EXPECT_LT(drawing->plot.x1, width);
+      EXPECT_TRUE(write_png(two_squares(), options, folder.path() / "narrow.png")) << width;
+    }
+  }
+}
+
 TEST(Picture, PngHasTheSizeOfTheDrawing) {
   const testing::TemporaryFolder folder;
   const std::string path = folder.path() / "picture.png";

@@ -18,6 +18,13 @@ Options for_largest() {
   return options;
 }
 
+/// Angles alone count.
+Options for_angles() {
+  Options options = for_largest();
+  options.couplings = Couplings::last;
+  return options;
+}
+
 RegionMesh measured(const RegionBoundary& boundary, const Options& options = for_largest()) {
   RegionMesh mesh = quality_region(boundary, options, {});
   measure(boundary, mesh);
@@ -87,7 +94,7 @@ TEST(QualityRegion, FindsAPlaceNearASide) {
                                                 {0.13368151616536372, 0.597225398981256},
                                                 {0.13248801903979057, 0.6008923999539126},
                                                 {0.13084046384018813, 0.6008433984946989}}});
-  const RegionMesh mesh = measured(boundary);
+  const RegionMesh mesh = measured(boundary, for_angles());
   expect_covering(boundary, mesh);
   EXPECT_LE(largest(mesh), 100 + 1e-9);
 }
@@ -183,7 +190,7 @@ TEST(QualityRegion, RestartsReachTheTargetInTinyRegions) {
        {14.279113, 18.279164}}};
   for (const Loop& loop : loops) {
     const RegionBoundary boundary = boundary_of({loop});
-    const RegionMesh mesh = measured(boundary);
+    const RegionMesh mesh = measured(boundary, for_angles());
     expect_covering(boundary, mesh);
     EXPECT_LE(largest(mesh), 100 + 1e-6);
     EXPECT_EQ(mesh.report.method, "restarted, improved");
@@ -196,7 +203,7 @@ TEST(QualityRegion, RestartsReachTheTargetInTinyRegions) {
 TEST(QualityRegion, RestartsWidenSmallAnglesInTinyRegions) {
   const RegionBoundary boundary = boundary_of(
       {{{0, 0}, {24.64, -12}, {24.99, 4.94}, {16.68, 13.5}, {-1.46, 10.74}, {-2.7, 8.47}}});
-  const RegionMesh mesh = measured(boundary);
+  const RegionMesh mesh = measured(boundary, for_angles());
   expect_covering(boundary, mesh);
   EXPECT_LE(largest(mesh), 100 + 1e-6);
   EXPECT_GT(mesh.report.quality.smallest.in_degrees(), 12);
@@ -208,7 +215,7 @@ TEST(QualityRegion, ComesNearTheRegionsOwnTargetWhereFewTrianglesMissIt) {
                                                reversed(regular_polygon(55, 30.5)),
                                                {{33, -4}, {33, 4}, {42, 5}, {42, -5}},
                                                {{-33, 4}, {-33, -4}, {-42, -5}, {-42, 5}}});
-  const RegionMesh mesh = measured(boundary);
+  const RegionMesh mesh = measured(boundary, for_angles());
   expect_covering(boundary, mesh);
   EXPECT_LT(largest(mesh), 121);
 }
@@ -219,7 +226,7 @@ TEST(QualityRegion, SearchesForTrianglesAbove120WhereMoreIsForced) {
   std::size_t above = 0, forced = 0;
   for (int k = 0; k < 40; ++k) {
     const RegionBoundary boundary = boundary_of({random_star(40 + 2 * k, 0.15, random)});
-    const RegionMesh mesh = measured(boundary);
+    const RegionMesh mesh = measured(boundary, for_angles());
     above += mesh.report.quality.above_120;
     forced += mesh.report.forced_above_120;
   }

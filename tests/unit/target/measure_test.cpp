@@ -1,14 +1,17 @@
 // Angle statistics against angles known in closed form, box-method figures on meshes where they
 // can be told by hand.
-#include "cdt/couplings.hpp"
 #include "target/measure.hpp"
+#include "cdt/couplings.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <random>
 
+#include "geom/predicates.hpp"
+#include "geom/vector.hpp"
 #include "support/shapes.hpp"
 
 namespace cover {
@@ -74,6 +77,30 @@ TEST(MeasureAngles, RightAnglesThatRoundingMissesAreNotObtuse) {
     const std::vector<IndexPair> sides{{0, 1}, {1, 2}, {2, 0}};
     EXPECT_EQ(measure_boxes(points, std::vector{IndexTriple{0, 1, 2}}, sides).obtuse_sides, 1U);
   }
+}
+
+/// A foot on a slanted segment is rounded: angles there are right up to that only.
+TEST(MeasureAngles, WhatRoundingMakesIsNotObtuse) {
+  std::mt19937_64 random(12);
+  std::uniform_real_distribution<double> share(0.3, 0.7);
+  const Point a{1234.1, 871.3}, b{1235.7, 872.9};
+  const Vector along = b - a;
+  std::size_t exactly = 0, by_more_than_before = 0;
+  for (int k = 0; k < 200; ++k) {
+    const Point foot = a + share(random) * along;
+    const Point p = foot + 1e-6 * left_normal(along);
+    const std::vector<Point> points{a, foot, p, b};
+    const std::vector<IndexTriple> triangles{{0, 1, 2}, {1, 3, 2}};
+    for (const Point end : {a, b}) {
+      exactly += compare_with_90_degrees(end, foot, p) == Sign::positive ? 1 : 0;
+      by_more_than_before += angle_at(end, foot, p) > kPi / 2 + 1e-9 ? 1 : 0;
+    }
+    EXPECT_EQ(measure_angles(points, triangles).obtuse, 0u);
+    const std::vector<Point> moved{a, foot + -1e-8 * along, p, b};
+    EXPECT_EQ(measure_angles(moved, triangles).obtuse, 2u);  // at the foot, and opposite
+  }
+  EXPECT_GT(exactly, 50u);
+  EXPECT_GT(by_more_than_before, 50u);
 }
 
 TEST(MeasureAngles, MergeAddsUp) {

@@ -23,8 +23,10 @@ namespace {
 constexpr std::size_t kMostCurvePoints = std::size_t{1} << 22;
 
 const std::vector<std::string_view> kTopKeys{
-    "name",  "source",  "license", "notes",    "field",   "unit",        "points",  "segments",
-    "holes", "regions", "lines",   "polygons", "$schema", "chord_error", "periodic"};
+    "name",  "source",  "license", "notes",    "field",   "unit",        "points",   "segments",
+    "holes", "regions", "lines",   "polygons", "$schema", "chord_error", "periodic", "layers"};
+
+constexpr long kMostLayers = 1000;
 
 /// Of these nothing is asked.
 const std::vector<std::string_view> kFreeKeys{"name",  "source", "license",
@@ -49,6 +51,7 @@ class InputReader {
       read_polygons();
       read_lines();
       read_periodic();
+      read_layers();
     }
     if (json_.failed()) return json_.error();
     return std::move(input_);
@@ -262,7 +265,7 @@ class InputReader {
   }
 
   void read_named_segment(const Json& item, InputSegment& segment) {
-    if (!json_.expect_keys(item, {"points", "arc", "circle", "name", "marker"})) return;
+    if (!json_.expect_keys(item, {"points", "arc", "circle", "name", "marker", "layers"})) return;
     segment.name = name_of(item, "name");
     if (const Json* marker = JsonReader::member(item, "marker")) {
       const long m = json_.integer(*marker);
@@ -270,6 +273,7 @@ class InputReader {
         json_.fail(*marker, "a marker has at most 32 bits");
       segment.marker = static_cast<int>(m);
     }
+    read_layers_of(item, segment.name);
     const Json* ends = JsonReader::member(item, "points");
     if (!ends) return add_chain(segment, read_curve_points(item));
     if (JsonReader::member(item, "circle"))
@@ -354,7 +358,7 @@ class InputReader {
 
   void read_lines() {
     for_each("lines", [&](const Json& item, long id) {
-      if (!json_.expect_keys(item, {"name", "points", "closed"})) return;
+      if (!json_.expect_keys(item, {"name", "points", "closed", "layers"})) return;
       InputLine line;
       line.name = name_of(item, "name");
       Path path = read_path(json_.required(item, "points"));
@@ -365,6 +369,7 @@ class InputReader {
         line.points.push_back(line.points.front());
       if (line.points.size() < 2) json_.fail(item, "a line needs two points or more");
       line.id = id;
+      read_layers_of(item, line.name);
       input_.lines.push_back(std::move(line));
     });
   }
@@ -394,6 +399,36 @@ class InputReader {
       }
       input_.periodic.push_back(std::move(rule));
     });
+  }
+
+  void read_layers() {
+    for_each("layers", [&](const Json& item, long) {
+      if (!json_.expect_keys(item, {"line", "region", "first", "growth", "count"})) return;
+      add_layers(item, json_.name(json_.required(item, "line")));
+    });
+  }
+
+  /// The layers of a named line, or of one that a segment belongs to.
+  void read_layers_of(const Json& item, const std::string& name) {
+    const Json* layers = JsonReader::member(item, "layers");
+    if (!layers || !json_.expect_keys(*layers, {"region", "first", "growth", "count"})) return;
+    if (name.empty()) return json_.fail(item, "layers need a \"name\" of the line");
+    add_layers(*layers, name);
+  }
+
+  void add_layers(const Json& item, const std::string& line) {
+    LayerRule rule{line, name_of(item, "region"), 0, 1, 0};
+    rule.first = json_.positive(json_.required(item, "first"));
+    rule.growth = json_.number(json_.required(item, "growth"));
+    if (!(rule.growth >= 1)) json_.fail(item, "the growth of layers is at least 1");
+    const Json* count = JsonReader::member(item, "count");
+    const long number = count ? json_.integer(*count) : 0;
+    if (number < 0 || number > kMostLayers)
+      json_.fail(item, fmt::format("the number of layers is 0 to {}", kMostLayers));
+    rule.count = static_cast<int>(number);
+    if (rule.count == 0 && rule.growth == 1)
+      json_.fail(item, "without a number of layers the growth must be above 1");
+    input_.layers.push_back(std::move(rule));
   }
 
   /// The name under `key`, empty if there is none.

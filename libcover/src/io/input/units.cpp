@@ -77,6 +77,7 @@ Status scale_input(Input& input, double factor) {
     input.field = std::make_shared<const PlaneField>(std::move(field));
   }
   for (ArcCircle& circle : input.circles) circle.radius = scaled(circle.radius);
+  for (LayerRule& rule : input.layers) rule.first = scaled(rule.first);
   if (!finite)
     return Error{ErrorCode::non_finite_coordinate,
                  fmt::format("{}: scaled by {}, coordinates are too large for a double",

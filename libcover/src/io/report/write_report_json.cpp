@@ -12,7 +12,8 @@
 //                "limits": { "largest": {standing: regions}, "smallest": {standing: regions} } },
 //     "regions": [ { "id", "name", "material", "material_name", "area", "sides", "method",
 //                    "input_vertices", "steiner_vertices", "bound_held", "seconds", "notes": NOTES,
-//                    "box": BOX, "limits": PROVEN } + LIMITS + QUALITY ],
+//                    "box": BOX, "limits": PROVEN, "layers": [ LAYERS ] where
+//                    it has some } + LIMITS + QUALITY ],
 //     "replaced": [ { "region": id, "triangles", "steiner_vertices": before } ], only where regions
 //                 were meshed again inside a mesh; the method of the others is "kept",
 //     "interfaces": [ { "id", "name", "kind", "left", "right", "length", "segments" } ],
@@ -44,6 +45,10 @@
 //            signs), those of them inside, on encroached sides and on sides given up for the angle:
 //            negative_inside, negative_encroached, negative_given_up; box_area; of regions also
 //            "negative": [ { "kind", "edge": [[x, y], [x, y]], "apex": [x, y] } ]
+//   LAYERS   line, first, growth, count (as asked for; 0: until isotropic), segments and length of
+//            the line in this region, complete (segments with all), fewest and most layers over a
+//            segment, thickness (of the most), cut_short: [ { "why": "end", "room", "turned",
+//            "withdrawn", "segments", "at": [x, y] } ]
 //   NOTES    [ { "kind", "message", "where": [[x, y], ...] } ]
 //
 // Tested by tests/unit/io/report/write_report_json_test.cpp.
@@ -239,6 +244,40 @@ Json limits_json(const RegionReport& report) {
   return out;
 }
 
+const char* name_of(LayerStop stop) {
+  switch (stop) {
+    case LayerStop::none:
+      return "none";
+    case LayerStop::isotropic:
+      return "isotropic";
+    case LayerStop::corner:
+      return "corner";
+    case LayerStop::end:
+      return "end";
+    case LayerStop::room:
+      return "room";
+    case LayerStop::turned:
+      return "turned";
+    case LayerStop::withdrawn:
+      break;
+  }
+  return "withdrawn";
+}
+
+Json to_json(const LayerReport& layers) {
+  Json cut_short = Json::array();
+  for (const LayerReport::Short& part : layers.cut_short) {
+    cut_short.push_back(
+        {{"why", name_of(part.why)}, {"segments", part.segments}, {"at", {part.at.x, part.at.y}}});
+  }
+  return {{"line", layers.asked.line},     {"first", layers.asked.first},
+          {"growth", layers.asked.growth}, {"count", layers.asked.count},
+          {"segments", layers.segments},   {"length", layers.length},
+          {"complete", layers.complete},   {"fewest", layers.fewest},
+          {"most", layers.most},           {"thickness", layers.thickness},
+          {"cut_short", cut_short}};
+}
+
 Json counts_json(const std::array<std::size_t, kStandings>& counts) {
   Json out = Json::object();
   for (std::size_t k = 0; k < counts.size(); ++k) {
@@ -263,6 +302,10 @@ Json region_json(const Region& region, const RegionReport& report) {
   out["box"] = to_json(report.box);
   out["box"]["negative"] = to_json(report.couplings);
   out["limits"] = limits_json(report);
+  if (!report.layers.empty()) {
+    out["layers"] = Json::array();
+    for (const LayerReport& layers : report.layers) out["layers"].push_back(to_json(layers));
+  }
   out["notes"] = to_json(report.notes);
   out["seconds"] = report.seconds;
   return out;

@@ -22,6 +22,9 @@ inline constexpr std::uint64_t kImprovePerTriangle = 100;   ///< star evaluation
 /// one by one: on clean input that ends at the goal, on maps nearly all that is left is forced.
 inline constexpr double kFewMissed = 0.02;
 
+/// Star evaluations for each triangle that misses the goal only since couplings count.
+inline constexpr std::uint64_t kSearchForCouplings = 8000;
+
 /// Small meshes in which few triangles miss the goal are improved once more, from two starts. On
 /// 900 wavy squares the last 3 reach the goal by that.
 inline constexpr std::size_t kSmallMesh = 600;

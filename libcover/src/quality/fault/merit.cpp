@@ -35,10 +35,13 @@ bool are_alike(const Merit& a, const Merit& b) {
 }  // namespace
 
 Merit merit_of(const MutableMesh& mesh, const Goal& goal) {
-  Merit merit{goal.large, goal.large, 0, 0, goal.small, mesh.triangle_count(), true, {}, 0, 0};
+  Merit merit{goal.large, goal.large, 0, 0, goal.small, mesh.triangle_count(), true, {}, 0, 0, 0};
   for (const SideLimit& side : mesh.sides) merit.target = std::max(merit.target, -side.apex_cot);
   merit.large = merit.target;
-  const bool is_measured = mesh.goal() == goal;  // what has no excess meets the goal
+  // What has no excess meets the goal, whatever its couplings weigh.
+  const bool is_measured = mesh.goal().has_same_angles(goal) &&
+                           mesh.goal().coupling.inside == goal.coupling.inside &&
+                           (mesh.goal().coupling.weight > 0) == (goal.coupling.weight > 0);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (mesh.is_hole(t) || (is_measured && mesh.excess[t] <= 0)) continue;
     const Shortfall shortfall = shortfall_of(mesh, t, goal);
@@ -51,7 +54,9 @@ Merit merit_of(const MutableMesh& mesh, const Goal& goal) {
     merit.fault.narrow = std::max(merit.fault.narrow, fault.narrow);
     merit.sum += fault.worst();
     merit.missed += fault.worst() > 0 ? 1 : 0;
-    merit.complete = merit.complete && !shortfall.is_above() && !shortfall.is_below(goal);
+    merit.negative += shortfall.negative;
+    merit.complete = merit.complete && !shortfall.is_above() && !shortfall.is_below(goal) &&
+                     shortfall.negative == 0;
   }
   return merit;
 }
@@ -80,7 +85,16 @@ Prefer preference(const Options& options) {
   return options.max_angle < kStrict ? Prefer::largest : options.prefer;
 }
 
+bool minds_couplings(const Options& options) {
+  const bool cuts_for_angles = options.split_interfaces.has_value() && !options.box_method;
+  return options.couplings == Couplings::first && !cuts_for_angles;
+}
+
 bool Order::is_better(const Merit& a, const Merit& b) const {
+  if (a.negative != b.negative) {
+    const bool is_within = is_within_bound(a);
+    return is_within != is_within_bound(b) ? is_within : a.negative < b.negative;
+  }
   if (prefer == Prefer::largest) return cover::is_better(a, b);
   const auto steps = [](double fault) { return std::lround(fault / kAlikeFault); };
   const auto key = [&](const Merit& m) {

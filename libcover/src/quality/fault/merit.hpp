@@ -27,6 +27,8 @@ struct Merit {
   Fault fault{};           ///< the worst of all triangles
   double sum = 0;          ///< of their faults
   std::size_t missed = 0;  ///< triangles that have one
+
+  std::size_t negative = 0;  ///< couplings that count and are negative
 };
 
 /// Cost: O(triangles)
@@ -53,6 +55,10 @@ bool is_better(const Merit& a, const Merit& b);
 /// for.
 Prefer preference(const Options& options);
 
+/// Whether couplings come before targets: Options::couplings, but not where segments may be cut for
+/// angles instead.
+bool minds_couplings(const Options& options);
+
 /// How triangulations of one region are compared.
 struct Order {
   Prefer prefer = Prefer::largest;
@@ -61,7 +67,10 @@ struct Order {
   double degenerate = 0.72;
   double bound = kInverted;  ///< -cot of the largest angle that is promised: beyond is worse
 
-  /// By Prefer::balanced: within the bound; the smaller fault if one of them is degenerate; then
+  /// Within the bound; with fewer negative couplings, where they count. Then, by Prefer::largest,
+  /// as above.
+  ///
+  /// By Prefer::balanced: the smaller fault if one of them is degenerate; then
   /// fewer triangles above 120 degrees, the smaller fault, fewer triangles that have one, the
   /// smaller sum of faults, fewer triangles. A strict weak ordering.
   ///

@@ -68,7 +68,7 @@ void note_forced(const RegionBoundary& boundary, const AngleLimit& limit, Angle 
 
 std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& boundary,
                                  const AngleLimit& limit, const Options& options,
-                                 bool budget_used_up, Point origin) {
+                                 bool budget_used_up, Point origin, std::size_t thin) {
   std::vector<Note> notes;
   note_forced(boundary, limit, options.max_angle, notes);
   std::size_t large = 0, small = 0, forced_small = 0;
@@ -92,7 +92,8 @@ std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& 
         if (where_large.size() < kPlaces) where_large.push_back(at);
       }
       const bool of_the_input = is_side(n[(i + 1) % 3]) && is_side(n[(i + 2) % 3]);
-      if (goal.weight == 0 || of_the_input || cot <= goal.small * (1 + kRounding)) continue;
+      if (goal.weight == 0 || t < thin || of_the_input || cot <= goal.small * (1 + kRounding))
+        continue;
       if (allowed > 0) {  // no triangle on that side is without such an angle
         ++forced_small;
         if (where_forced.size() < kPlaces) where_forced.push_back(at);
@@ -139,7 +140,8 @@ void report_again(const RegionBoundary& boundary, const Options& options, bool b
   set_limits(limit, mesh.report);
   std::vector<Note>& notes = mesh.report.notes;
   std::erase_if(notes, [](const Note& note) { return note.kind == Note::Kind::target_missed; });
-  const auto missed = missed_targets(mutable_mesh, boundary, limit, options, budget_used_up);
+  const auto missed = missed_targets(mutable_mesh, boundary, limit, options, budget_used_up, {},
+                                     mesh.layer_triangles);
   notes.insert(notes.end(), missed.begin(), missed.end());
 }
 

@@ -17,10 +17,10 @@ namespace cover {
 /// the input at named segments, or not reached at the places given.
 ///
 /// REQUIRES: `mesh` has the goal of the options set; its first points are those of `boundary`, less
-///           `origin`
+///           `origin`; small angles of the first `thin` triangles were asked for
 std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& boundary,
                                  const AngleLimit& limit, const Options& options,
-                                 bool budget_used_up, Point origin = {});
+                                 bool budget_used_up, Point origin = {}, std::size_t thin = 0);
 
 /// Limits and notes on missed targets of a region whose boundary and mesh were changed after they
 /// were reported. Its other notes stay.

@@ -5,6 +5,25 @@
 #include <array>
 
 namespace cover {
+namespace {
+
+/// Whether the coupling of edge i of `t`, with the cotangent opposite to it in `t`, is negative and
+/// counts: once for the two triangles of an inner edge.
+bool is_negative(const MutableMesh& mesh, std::uint32_t t, std::size_t i, double cot,
+                 const CouplingGoal& goal) {
+  const auto& [v, n] = mesh.triangles[t];
+  if (is_side(n[i])) return goal.weight > 0 && cot < mesh.sides[side_index(n[i])].least_cot;
+  if (!goal.inside || n[i] < t) return false;
+  const std::uint32_t from = v[(i + 2) % 3];
+  const double sum = cot + mesh.cot_opposite(n[i], from);
+  if (sum >= 0) return false;
+  const MeshTriangle& other = mesh.triangles[n[i]];
+  const bool is_given = mesh.is_fixed(v[0]) && mesh.is_fixed(v[1]) && mesh.is_fixed(v[2]) &&
+                        mesh.is_fixed(other.v[static_cast<std::size_t>(other.edge_from(from))]);
+  return !is_given || sum < -kSameCot;
+}
+
+}  // namespace
 
 Shortfall shortfall_of(const MutableMesh& mesh, std::uint32_t t, const Goal& goal) {
   const auto& n = mesh.triangles[t].n;
@@ -24,6 +43,8 @@ Shortfall shortfall_of(const MutableMesh& mesh, std::uint32_t t, const Goal& goa
   for (std::size_t i = 0; i < 3; ++i) {
     const double cot = k.cross > 0 ? k.dot[i] / k.cross : -kInverted;
     const double limit = goal.large + (sides[i] != nullptr ? sides[i]->large : 0);
+    if (goal.coupling.weight > 0 && is_negative(mesh, t, i, cot, goal.coupling))
+      ++shortfall.negative;
     shortfall.largest = std::max(shortfall.largest, -cot);
     shortfall.large = std::max(shortfall.large, -cot - limit);
     shortfall.is_far = shortfall.is_far || -cot > std::max(kFarAbove, limit) + kSameCot;

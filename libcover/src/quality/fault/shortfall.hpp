@@ -1,6 +1,7 @@
 // By how much a triangle misses a goal.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "quality/fault/fault.hpp"
@@ -19,6 +20,7 @@ struct Shortfall {
   double small = -kInverted;    ///< cot of the smallest angle beyond the goal
   bool is_far = false;          ///< an angle above 120 degrees that is not allowed
   Fault fault;                  ///< the same on one scale
+  std::size_t negative = 0;     ///< negative couplings that count, those of inner edges once
 
   [[nodiscard]] bool is_above() const { return large > kSameCot; }
   [[nodiscard]] bool is_below(const Goal& goal) const {

@@ -23,15 +23,18 @@ GoalStanding standing_of(const MutableMesh& mesh, const Goal& goal) {
     standing.far_above += shortfall.is_far ? 1 : 0;
     if (goal.weight > 0) standing.small = std::max(standing.small, shortfall.small);
     standing.below += shortfall.is_below(goal) ? 1 : 0;
+    standing.negative += shortfall.negative;
   }
   return standing;
 }
 
 bool is_gain(const GoalStanding& now, const GoalStanding& before) {
+  if (now.negative > before.negative) return false;
   if (now.largest > before.largest || now.large > before.large || now.above > before.above ||
       now.far_above > before.far_above) {
     return false;
   }
+  if (now.negative < before.negative) return true;
   if (now.above < before.above || now.far_above < before.far_above ||
       now.large < (1 - kGain) * before.large) {
     return true;

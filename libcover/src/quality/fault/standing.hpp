@@ -15,13 +15,14 @@ struct GoalStanding {
   std::size_t far_above = 0;  ///< those of them above 120 degrees
   double small = 0;           ///< the largest excess of a small angle, by what sides allow
   std::size_t below = 0;      ///< triangles where that is positive
+  std::size_t negative = 0;   ///< couplings that count and are negative
 };
 
 /// Measured by `goal`, whatever goal the excerpt has set.
 GoalStanding standing_of(const MutableMesh& mesh, const Goal& goal);
 
-/// Whether the change from `before` to `now` is one for the better, of large angles or, without
-/// harm to these, of small ones.
+/// Whether the change from `before` to `now` is one for the better, of couplings, of large angles
+/// without harm to these, or of small ones without harm to both.
 bool is_gain(const GoalStanding& now, const GoalStanding& before);
 
 }  // namespace cover

@@ -66,6 +66,9 @@ class JointPlacement {
       return false;
     }
     for (const std::uint32_t s : triangles_) mesh_.measure(s);
+    for (const std::uint32_t s : triangles_) {
+      for (const std::uint32_t n : mesh_.triangles[s].n) mesh_.measure_beyond(n);
+    }
     return true;
   }
 
@@ -167,8 +170,35 @@ class JointPlacement {
       if (mesh_.goal().weight > 0 && small > -kInverted) {
         add(f, s, k, small_at, small, mesh_.goal().weight, box);
       }
+      if (mesh_.goal().coupling.weight > 0) add_couplings(f, s, k, box);
     }
     return f;
+  }
+
+  /// Adds the couplings of the edges of `s`, and its largest angle by the bound.
+  void add_couplings(LinearFunctions& f, std::uint32_t s, const Corners& k, double box) const {
+    const CouplingGoal& coupling = mesh_.goal().coupling;
+    const MeshTriangle& triangle = mesh_.triangles[s];
+    int widest = 0;
+    for (int i = 0; i < 3; ++i) {
+      if (k.dot[i] < k.dot[widest]) widest = i;
+      const double cot = k.dot[i] / k.cross;
+      const std::uint32_t n = triangle.n[at(i)];
+      if (is_side(n)) {
+        const double least = mesh_.allowance(n)->least_cot;
+        if (least > -kInverted)
+          add(f, s, k, i, coupling.weight * (least - cot), -coupling.weight, box);
+      } else if (coupling.inside) {
+        const int j = mesh_.triangles[n].edge_from(triangle.v[at(prev3(i))]);
+        const Corners o(mesh_.corner(n, 0), mesh_.corner(n, 1), mesh_.corner(n, 2));
+        const double sum = cot + o.dot[j] / o.cross;
+        add(f, s, k, i, coupling.weight * (kLeastCoupling - sum), -coupling.weight, box);
+        add_slopes(f, f.rows.size() - f.dimension - 1, n, o, j, -coupling.weight, box);
+      }
+    }
+    if (coupling.bound < kInverted)
+      add(f, s, k, widest, kBoundFirst * (-k.dot[widest] / k.cross - coupling.bound), -kBoundFirst,
+          box);
   }
 
   /// Adds `factor` times the cotangent at corner i of `s`, whose value is `value` now.
@@ -177,6 +207,11 @@ class JointPlacement {
     const std::size_t row = f.rows.size();
     f.rows.resize(row + 1 + f.dimension, 0.0);
     f.rows[row] = value;
+    add_slopes(f, row, s, k, i, factor, box);
+  }
+
+  void add_slopes(LinearFunctions& f, std::size_t row, std::uint32_t s, const Corners& k, int i,
+                  double factor, double box) const {
     const Point a = mesh_.corner(s, i);
     const Vector u = mesh_.corner(s, next3(i)) - a, v = mesh_.corner(s, prev3(i)) - a;
     const double cot = k.dot[i] / k.cross;
@@ -187,8 +222,8 @@ class JointPlacement {
     for (const auto& [corner, slope] : by) {
       const std::size_t m = index_of(mesh_.triangles[s].v[at(corner)]);
       if (m == vertices_.size()) continue;
-      f.rows[row + 1 + 2 * m] = box * reach_[m] * slope.x;
-      f.rows[row + 2 + 2 * m] = box * reach_[m] * slope.y;
+      f.rows[row + 1 + 2 * m] += box * reach_[m] * slope.x;
+      f.rows[row + 2 + 2 * m] += box * reach_[m] * slope.y;
     }
   }
 

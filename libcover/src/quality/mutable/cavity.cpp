@@ -129,9 +129,10 @@ bool install_star(MutableMesh& mesh, const Cavity& cavity, Point p, Installed& i
                           cavity.outer(k)}};
     mesh.link(cavity.outer(k), a, b, t);
     mesh.home[a] = t;
-    mesh.measure(t);
   }
   mesh.home[apex] = installed.triangles[0];
+  for (int k = 0; k < size; ++k) mesh.measure(installed.triangles[at(k)]);
+  for (int k = 0; k < size; ++k) mesh.measure_beyond(cavity.outer(k));
   return true;
 }
 
@@ -139,6 +140,7 @@ bool relocate(MutableMesh& mesh, const Cavity& cavity, Point p) {
   if (!sees_loop(mesh, cavity, p)) return false;
   mesh.points[cavity.swallowed(0)] = p;
   for (int k = 0; k < cavity.triangle_count(); ++k) mesh.measure(cavity.triangle(k));
+  for (int k = 0; k < cavity.size(); ++k) mesh.measure_beyond(cavity.outer(k));
   return true;
 }
 
@@ -179,6 +181,7 @@ bool install_patch(MutableMesh& mesh, const Cavity& cavity, const Patch& patch,
     }
   }
   for (int k = 0; k < patch.count(); ++k) mesh.measure(installed.triangles[at(k)]);
+  for (int k = 0; k < cavity.size(); ++k) mesh.measure_beyond(cavity.outer(k));
   return true;
 }
 

@@ -72,8 +72,11 @@ Excerpt::Excerpt(const MutableMesh& whole, std::uint32_t t, std::size_t limit,
         continue;
       }
       side_at.push_back({k, static_cast<std::uint8_t>(i)});
-      limits.push_back(is_side(n[i]) ? whole.sides[side_index(n[i])] : kNoLimit);
       outside.push_back(n[i]);
+      limits.push_back(is_side(n[i]) ? whole.sides[side_index(n[i])] : kNoLimit);
+      if (is_side(n[i]) || !whole.goal().coupling.inside) continue;
+      limits.back().least_cot = -whole.cot_opposite(n[i], v[(i + 2) % 3]);
+      limits.back().is_inner = true;
     }
   }
   mesh = MutableMesh(part, fixed, side_at, std::move(limits));
@@ -114,7 +117,11 @@ std::vector<std::uint32_t> Excerpt::replace(MutableMesh& whole, const MutableMes
         whole.link(triangle.n[i], triangle.v[(i + 1) % 3], triangle.v[(i + 2) % 3], place[t]);
       }
     }
-    whole.measure(place[t]);
+    if (!whole.goal().coupling.inside) whole.measure(place[t]);
+  }
+  if (whole.goal().coupling.inside) {  // only now are their neighbours in place
+    for (const std::uint32_t t : used) whole.measure(t);
+    for (const std::uint32_t n : outside) whole.measure_beyond(n);
   }
   return used;
 }

@@ -32,14 +32,15 @@ MutableMesh::MutableMesh(const Triangulation& triangulation, std::uint32_t fixed
     for (const std::uint32_t v : from.v) home[v] = t;
   }
   for (std::uint32_t s = 0; s < side_at.size(); ++s) {
-    if (side_at[s].triangle == kNone) throw InternalFault("a side is no edge of the triangulation", {});
+    if (side_at[s].triangle == kNone)
+      throw InternalFault("a side is no edge of the triangulation", {});
     triangles[side_at[s].triangle].n[side_at[s].edge] = kSideBit | s;
   }
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     for (int i = 0; i < 3; ++i) {
       if (triangles[t].n[at(i)] == kNone)
         throw InternalFault("an edge of the triangulation has nothing on its other side",
-                    {corner(t, next3(i)), corner(t, prev3(i))});
+                            {corner(t, next3(i)), corner(t, prev3(i))});
     }
   }
 }
@@ -58,6 +59,14 @@ Allowance allowance_for(const SideLimit& side, const Goal& goal) {
         std::max(small, can_cut_off ? std::min(corner.half_cot, corner.ear_cot) : corner.half_cot);
   }
   if (small > goal.small) allowance.small = small - goal.small + kSlack * small;
+  if (goal.coupling.weight > 0) {
+    allowance.least_cot =
+        std::min(side.least_cot + kLeastCoupling,
+                 std::max(side.least_cot, side.apex_cot - kSlack * (1 + std::abs(side.apex_cot))));
+    if (side.is_inner && goal.coupling.strict) {
+      allowance.lowest_cot = side.least_cot - kSameCot * (1 + std::abs(side.least_cot));
+    }
+  }
   return allowance;
 }
 
@@ -76,10 +85,49 @@ void MutableMesh::measure_all() {
 
 double MutableMesh::excess_of(const std::array<std::uint32_t, 3>& v,
                               const std::array<std::uint32_t, 3>& n) const {
+  const CouplingGoal& coupling = goal_.coupling;
+  const bool has_sides = ((n[0] | n[1] | n[2]) & kSideBit) != 0;
+  if (coupling.weight > 0 && (has_sides || coupling.inside)) return coupled_excess(v, n);
   const Point a = points[v[0]], b = points[v[1]], c = points[v[2]];
-  if (((n[0] | n[1] | n[2]) & kSideBit) == 0) return cover::excess(goal_, a, b, c);
+  if (!has_sides) return cover::excess(goal_, a, b, c);
   const Allowance* const side[3] = {allowance(n[0]), allowance(n[1]), allowance(n[2])};
   return cover::excess(goal_, a, b, c, side);
+}
+
+double MutableMesh::coupled_excess(const std::array<std::uint32_t, 3>& v,
+                                   const std::array<std::uint32_t, 3>& n) const {
+  const Point a = points[v[0]], b = points[v[1]], c = points[v[2]];
+  const Allowance* const side[3] = {allowance(n[0]), allowance(n[1]), allowance(n[2])};
+  const bool has_sides = ((n[0] | n[1] | n[2]) & kSideBit) != 0;
+  double worst = has_sides ? cover::excess(goal_, a, b, c, side) : cover::excess(goal_, a, b, c);
+  if (worst == kInverted) return kInverted;
+  const Corners k(a, b, c);
+  const double inverse = 1 / k.cross;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double cot = k.dot[i] * inverse;
+    worst = std::max(worst, kBoundFirst * (-cot - goal_.coupling.bound));
+    if (side[i] != nullptr) {
+      if (cot < side[i]->lowest_cot) return kInverted;
+      worst = std::max(worst, goal_.coupling.weight * (side[i]->least_cot - cot));
+      continue;
+    }
+    if (!goal_.coupling.inside || n[i] == kSomeTriangle) continue;
+    const std::uint32_t from = v[(i + 2) % 3];
+    const double sum = cot + cot_opposite(n[i], from);
+    if (sum >= kLeastCoupling) continue;
+    const auto& o = triangles[n[i]];
+    const bool is_given =
+        is_fixed(v[0]) && is_fixed(v[1]) && is_fixed(v[2]) && is_fixed(o.v[at(o.edge_from(from))]);
+    worst = std::max(worst, inner_excess(sum, is_given));
+  }
+  return worst;
+}
+
+double MutableMesh::cot_opposite(std::uint32_t t, std::uint32_t from) const {
+  const int i = triangles[t].edge_from(from);
+  const Point p = corner(t, i), a = corner(t, next3(i)), b = corner(t, prev3(i));
+  const double ux = a.x - p.x, uy = a.y - p.y, vx = b.x - p.x, vy = b.y - p.y;
+  return (ux * vx + uy * vy) / (ux * vy - uy * vx);
 }
 
 void MutableMesh::link(std::uint32_t n, std::uint32_t a, std::uint32_t b, std::uint32_t t) {
@@ -131,9 +179,15 @@ double MutableMesh::excess_after_flip(std::uint32_t t, int i, double limit) cons
   const std::uint32_t a = s.v[at(i)], b = s.v[at(next3(i))], c = s.v[at(prev3(i))];
   const int j = o.edge_from(c);
   const std::uint32_t d = o.v[at(j)];
-  const double first = excess_of({a, b, d}, {o.n[at(next3(j))], u, s.n[at(prev3(i))]});
-  if (first > limit) return first;
-  return std::max(first, excess_of({a, d, c}, {o.n[at(prev3(j))], s.n[at(next3(i))], t}));
+  const std::uint32_t between = goal_.coupling.inside ? kSomeTriangle : t;
+  double worst = excess_of({a, b, d}, {o.n[at(next3(j))], between, s.n[at(prev3(i))]});
+  if (worst > limit) return worst;
+  worst = std::max(worst, excess_of({a, d, c}, {o.n[at(prev3(j))], s.n[at(next3(i))], between}));
+  if (!goal_.coupling.inside || worst == kInverted) return worst;
+  const Corners k(points[a], points[b], points[d]), l(points[a], points[d], points[c]);
+  const double sum = k.dot[1] / k.cross + l.dot[2] / l.cross;
+  const bool is_given = is_fixed(a) && is_fixed(b) && is_fixed(c) && is_fixed(d);
+  return sum < kLeastCoupling ? std::max(worst, inner_excess(sum, is_given)) : worst;
 }
 
 bool MutableMesh::flip(std::uint32_t t, int i) {
@@ -157,6 +211,7 @@ bool MutableMesh::flip(std::uint32_t t, int i) {
   home[c] = u;
   measure(t);
   measure(u);
+  for (const std::uint32_t n : {bd, ab, dc, ca}) measure_beyond(n);
   return true;
 }
 

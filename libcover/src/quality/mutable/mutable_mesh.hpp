@@ -19,6 +19,8 @@ namespace cover {
 /// sides of a slit are two sides, so that nothing ever crosses a side.
 inline constexpr std::uint32_t kSideBit = 0x80000000U;
 constexpr bool is_side(std::uint32_t neighbour) { return (neighbour & kSideBit) != 0; }
+/// In place of a triangle across an edge that is not known yet: couplings across it do not count.
+inline constexpr std::uint32_t kSomeTriangle = kSideBit - 1;
 constexpr std::uint32_t side_index(std::uint32_t neighbour) { return neighbour & ~kSideBit; }
 
 /// A counter-clockwise triangle. Edge i is opposite to corner i; n[i] is the triangle or the side
@@ -83,10 +85,24 @@ class MutableMesh {
   [[nodiscard]] double excess_of(const std::array<std::uint32_t, 3>& v,
                                  const std::array<std::uint32_t, 3>& n) const;
 
+  /// The cotangent at the corner of triangle `t` opposite to its edge that starts at `from`.
+  [[nodiscard]] double cot_opposite(std::uint32_t t, std::uint32_t from) const;
+  /// The excess of the coupling of an inner edge with these ends and corners opposite, whose
+  /// cotangents add up to `sum`.
+  [[nodiscard]] double inner_excess(double sum, bool is_given) const {
+    const double least = is_given ? -kSameCot : kLeastCoupling;
+    if (goal_.coupling.strict && sum < std::min(least, 0.0)) return kInverted;
+    return goal_.coupling.weight * (least - sum);
+  }
+
   /// Tells the triangle or side `n`, across the edge from a to b of `t`, of its new neighbour.
   void link(std::uint32_t n, std::uint32_t a, std::uint32_t b, std::uint32_t t);
   /// Computes the excess of `t` anew.
   void measure(std::uint32_t t) { excess[t] = excess_of(triangles[t].v, triangles[t].n); }
+  /// The same for what lies across an edge of a triangle that has changed, if that may matter.
+  void measure_beyond(std::uint32_t n) {
+    if (goal_.coupling.inside && !is_side(n)) measure(n);
+  }
 
   std::uint32_t add_vertex(Point p);
   void drop_vertex(std::uint32_t v);
@@ -112,6 +128,9 @@ class MutableMesh {
   [[nodiscard]] bool is_valid() const;
 
  private:
+  [[nodiscard]] double coupled_excess(const std::array<std::uint32_t, 3>& v,
+                                      const std::array<std::uint32_t, 3>& n) const;
+
   Goal goal_{std::numeric_limits<double>::quiet_NaN(), 0, 0};  ///< none yet: equal to no goal
   std::uint32_t fixed_ = 0;
   std::vector<std::uint32_t> free_triangles_;

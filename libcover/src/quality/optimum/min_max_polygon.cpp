@@ -4,6 +4,7 @@
 #include "quality/optimum/min_max_polygon.hpp"
 
 #include "geom/vector.hpp"
+#include "quality/optimum/delaunay_polygon.hpp"
 
 namespace cover {
 namespace {
@@ -40,6 +41,10 @@ bool has_ears(const MutableMesh& mesh, const Cavity& cavity, double limit) {
 double min_max_polygon(const MutableMesh& mesh, const Cavity& cavity, double limit, Patch& patch) {
   const int size = cavity.size();
   if (size > kPolygonLimit || (size > 3 && !has_ears(mesh, cavity, limit))) return kInverted;
+  if (mesh.goal().coupling.inside) {
+    const double worst = delaunay_polygon(mesh, cavity, patch);
+    return worst <= limit ? worst : kInverted;
+  }
   Table table{};
   for (int i = 0; i + 1 < size; ++i) table.best[i][i + 1] = -kInverted;
   for (int length = 2; length < size; ++length) {
@@ -53,9 +58,9 @@ double min_max_polygon(const MutableMesh& mesh, const Cavity& cavity, double lim
         // Across the edges opposite to i, k, j: the loop's own neighbours, or "some triangle".
         const double value =
             std::max(parts, mesh.excess_of({cavity.vertex(i), cavity.vertex(k), cavity.vertex(j)},
-                                           {k + 1 == j ? cavity.outer(k) : 0U,
-                                            length + 1 == size ? cavity.outer(j) : 0U,
-                                            i + 1 == k ? cavity.outer(i) : 0U}));
+                                           {k + 1 == j ? cavity.outer(k) : kSomeTriangle,
+                                            length + 1 == size ? cavity.outer(j) : kSomeTriangle,
+                                            i + 1 == k ? cavity.outer(i) : kSomeTriangle}));
         if (value < best) {
           best = value;
           table.corner[i][j] = k;

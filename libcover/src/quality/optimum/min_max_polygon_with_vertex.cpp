@@ -82,7 +82,7 @@ class PolygonWithVertex {
   [[nodiscard]] Point corner(int k) const { return mesh_.points[cavity_.vertex(k)]; }
   /// What is across the chord to the corner `length` on.
   [[nodiscard]] std::uint32_t across(int i, int length) const {
-    return length == 1 ? cavity_.outer(i) : 0U;
+    return length == 1 ? cavity_.outer(i) : kSomeTriangle;
   }
 
   /// best_[i][length]: of the corners from i to i + length.
@@ -98,7 +98,7 @@ class PolygonWithVertex {
           const double value = std::max(
               parts,
               mesh_.excess_of({cavity_.vertex(i), cavity_.vertex(middle), cavity_.vertex(end)},
-                              {across(middle, length - k), 0U, across(i, k)}));
+                              {across(middle, length - k), kSomeTriangle, across(i, k)}));
           if (!(value < best)) continue;
           best = value;
           third_[at(i)][at(length)] = k;

@@ -11,7 +11,7 @@ namespace cover {
 /// Linear functions value + slope . step, by component: several are computed at a time.
 class LinearPieces {
  public:
-  static constexpr std::size_t kCapacity = 64;
+  static constexpr std::size_t kCapacity = 160;
 
   void clear() { count_ = 0; }
   /// What does not fit is left out: a model, not a promise.

@@ -28,6 +28,10 @@ Hole::Hole(const MutableMesh& mesh, const Cavity& cavity)
     own_[static_cast<std::size_t>(k)] =
         edge(mesh.points[cavity.vertex(k)], mesh.points[cavity.vertex(cavity.next(k))],
              mesh.allowance(cavity.outer(k)));
+    if (!goal_->coupling.inside || is_side(cavity.outer(k))) continue;
+    const double lowest = -mesh.cot_opposite(cavity.outer(k), cavity.vertex(cavity.next(k)));
+    own_[static_cast<std::size_t>(k)].least_cot = lowest + kLeastCoupling;
+    if (goal_->coupling.strict) own_[static_cast<std::size_t>(k)].lowest_cot = lowest;
   }
 }
 
@@ -53,8 +57,46 @@ inline Hole::Ratio Hole::excess_at(const Edge& edge, Point p) const {
   const double most = std::max(apex, std::max(at_a, at_b));
   const double large = std::max(-apex - edge.large * area, -std::min(at_a, at_b));
   const double small = goal_->weight * (most - (goal_->small + edge.small) * area);
-  return {std::max(large - goal_->large * area, small), area};
+  const double worst = std::max(large - goal_->large * area, small);
+  if (!(goal_->coupling.weight > 0) || !(area > 0)) return {worst, area};
+  if (apex < edge.lowest_cot * area) return {worst, -1};
+  const double coupling = goal_->coupling.weight * (edge.least_cot * area - apex);
+  const double beyond =
+      kBoundFirst * (-std::min(apex, std::min(at_a, at_b)) - goal_->coupling.bound * area);
+  return {std::max(worst, std::max(coupling, beyond)), area};
 }
+
+/// The couplings of the edges to the new vertex, from the cotangents at both ends of each edge of
+/// the loop, in order.
+class Hole::Spokes {
+ public:
+  struct Cot {
+    double value;
+    Vector slope;
+  };
+  template <class Visit>
+  void add(const Cot& at_a, const Cot& at_b, Visit visit) {
+    if (is_first_) {
+      first_b_ = at_b;
+    } else {
+      join(last_a_, at_b, visit);
+    }
+    is_first_ = false;
+    last_a_ = at_a;
+  }
+  template <class Visit>
+  void finish(Visit visit) const {
+    join(last_a_, first_b_, visit);
+  }
+
+ private:
+  template <class Visit>
+  static void join(const Cot& a, const Cot& b, Visit visit) {
+    visit(kLeastCoupling - a.value - b.value, -1.0 * (a.slope + b.slope));
+  }
+  Cot last_a_{}, first_b_{};
+  bool is_first_ = true;
+};
 
 double Hole::worst(Point p, double limit) const {
   Ratio worst{-kInverted, 1};
@@ -64,7 +106,20 @@ double Hole::worst(Point p, double limit) const {
     if (here.exceeds(limit)) return here.value();
     if (here.exceeds(worst)) worst = here;
   }
-  return worst.value();
+  if (!has_spokes()) return worst.value();
+  double most = worst.value();
+  Spokes spokes;
+  const auto look = [&](double excess, Vector) {
+    const bool is_negative = goal_->coupling.strict && excess > kLeastCoupling;
+    most = std::max(most, is_negative ? kInverted : goal_->coupling.weight * excess);
+  };
+  for (const Edge& edge : edges()) {
+    const Vector u = edge.a() - p, v = edge.b() - p, e = edge.b() - edge.a();
+    const double inverse = 1 / cross(u, v);
+    spokes.add({-dot(u, e) * inverse, {}}, {dot(v, e) * inverse, {}}, look);
+  }
+  spokes.finish(look);
+  return most;
 }
 
 int Hole::worst_edge(Point p, const std::array<bool, Cavity::kCapacity>& skip) const {
@@ -86,9 +141,19 @@ double Hole::linearise(Point p, double limit, double reach, double level,
   pieces.clear();
   double worst = -kInverted;
   const double weight = goal_->weight;
+  const CouplingGoal& coupling = goal_->coupling;
   const auto add = [&](double excess, Vector slope) {
     pieces.add_if(excess + reach * (std::abs(slope.x) + std::abs(slope.y)) > level, excess, slope);
   };
+  const auto add_weighted = [&](double by, double excess, Vector slope) {
+    worst = std::max(worst, by * excess);
+    add(by * excess, by * slope);
+  };
+  const auto add_spoke = [&](double excess, Vector slope) {
+    if (coupling.strict && excess > kLeastCoupling) worst = kInverted;
+    add_weighted(coupling.weight, excess, slope);
+  };
+  Spokes spokes;
   for (const Edge& edge : edges()) {
     const Vector u = edge.a() - p, v = edge.b() - p, e = edge.b() - edge.a();
     const double area = cross(u, v);
@@ -110,7 +175,23 @@ double Hole::linearise(Point p, double limit, double reach, double level,
     worst = std::max(worst, value);
     add(large, -inverse * (of_dots[large_at] - dots[large_at] * across));
     if (weight > 0) add(small, inverse * weight * (of_dots[small_at] - dots[small_at] * across));
+    if (!(coupling.weight > 0)) continue;
+    const auto cot = [&](int i) {
+      return Spokes::Cot{inverse * dots[i], inverse * (of_dots[i] - dots[i] * across)};
+    };
+    const Spokes::Cot opposite = cot(0);
+    if (opposite.value < edge.lowest_cot) return kInverted;
+    if (edge.least_cot > -kInverted)
+      add_weighted(coupling.weight, edge.least_cot - opposite.value, -1.0 * opposite.slope);
+    if (coupling.bound < kInverted) {
+      const int widest = dots[0] < dots[base_large] ? 0 : base_large;
+      const Spokes::Cot least = cot(widest);
+      add_weighted(kBoundFirst, -least.value - coupling.bound, -1.0 * least.slope);
+    }
+    if (has_spokes()) spokes.add(cot(1), cot(2), add_spoke);
+    if (worst > limit) return worst;
   }
+  if (has_spokes()) spokes.finish(add_spoke);
   return worst;
 }
 

@@ -18,12 +18,21 @@ class Hole {
   struct Edge {
     double ax, ay, bx, by;  ///< no constructor: many are made and few are used
     double large, small;    ///< the allowance of the side; zero where the edge is none
+    double least_cot;       ///< at the new vertex, for the coupling of the edge; -inf: any
+    double lowest_cot;      ///< below this the triangle counts as inverted
     [[nodiscard]] Point a() const { return {ax, ay}; }
     [[nodiscard]] Point b() const { return {bx, by}; }
   };
   static Edge edge(Point a, Point b, const Allowance* side) {
-    return {
-        a.x, a.y, b.x, b.y, side != nullptr ? side->large : 0, side != nullptr ? side->small : 0};
+    const Allowance allowance = side != nullptr ? *side : Allowance();
+    return {a.x,
+            a.y,
+            b.x,
+            b.y,
+            allowance.large,
+            allowance.small,
+            allowance.least_cot,
+            allowance.lowest_cot};
   }
 
   Hole(const MutableMesh& mesh, const Cavity& cavity);
@@ -48,6 +57,9 @@ class Hole {
 
  private:
   struct Ratio;
+  class Spokes;
+  /// Whether couplings of the new edges count.
+  [[nodiscard]] bool has_spokes() const { return edges_ == own_.data() && goal_->coupling.inside; }
   [[nodiscard]] std::span<const Edge> edges() const {
     return {edges_, static_cast<std::size_t>(size_)};
   }

@@ -12,6 +12,7 @@
 #include "cdt/sides.hpp"
 #include "limits/limit_prover.hpp"
 #include "quality/effort/effort.hpp"
+#include "quality/mutable/delaunay_flips.hpp"
 #include "quality/mutable/split_hull.hpp"
 #include "quality/mutable/with_neighbours.hpp"
 #include "quality/repair/improve.hpp"
@@ -39,16 +40,32 @@ LocalFrame frame_of(const RegionBoundary& boundary, bool shifted) {
   return frame;
 }
 
+/// With couplings first: those of sides count that no vertex of the boundary encroaches.
+std::vector<SideLimit> limits_of(const Triangulation& cdt, const AngleLimit& limit,
+                                 const Options& options) {
+  std::vector<SideLimit> limits = side_limits(cdt, limit.at);
+  if (minds_couplings(options)) mind_free_sides(cdt, limit.at, limits);
+  return limits;
+}
+
+Goal goal_of(const Options& options, const AngleLimit& limit) {
+  Goal goal = Goal::of(options.max_angle, options.min_angle);
+  if (minds_couplings(options))
+    goal.coupling = {kCouplingFirst, true, true, (1 - kSameCot) / std::tan(limit.promised_nu())};
+  return goal;
+}
+
 }  // namespace
 
 Candidates::Candidates(const RegionBoundary& boundary, const Options& options, std::stop_token stop,
                        bool shifted)
     : boundary_(boundary),
       options_(options),
-      goal_(Goal::of(options.max_angle, options.min_angle)),
       frame_(frame_of(boundary, shifted)),
       cdt_(triangulate_region(frame_.points(), boundary.sides)),
       limit_(angle_limit(cdt_, boundary.sides, boundary.segments)),
+      side_limits_(limits_of(cdt_, limit_, options)),
+      goal_(goal_of(options, limit_)),
       sizes_(boundary, cdt_, options.growth, background_in_frame()),
       given_(kEvaluationsAtLeast + kEvaluationsPerVertex * boundary.points.size()),
       budget_{given_, stop} {}
@@ -73,10 +90,15 @@ Goal Candidates::own_goal(const MutableMesh& mesh) const {
 
 Candidate Candidates::candidate(const Triangulation& triangles, std::string method) const {
   const auto fixed = static_cast<std::uint32_t>(boundary_.points.size());
-  return measured({MutableMesh(triangles, fixed, locate_sides(triangles, boundary_.sides),
-                               side_limits(cdt_, limit_.at)),
-                   {},
-                   std::move(method)});
+  return coupled(
+      {MutableMesh(triangles, fixed, locate_sides(triangles, boundary_.sides), side_limits_),
+       {},
+       std::move(method)});
+}
+
+Candidate Candidates::coupled(Candidate c) const {
+  if (goal_.coupling.inside) make_delaunay(c.mesh);
+  return measured(std::move(c));
 }
 
 Candidate Candidates::measured(Candidate c) const {
@@ -140,7 +162,8 @@ Candidate Candidates::narrowed(const Candidate& best, const Candidate& from, dou
   Candidate trial = from;
   for (const double part : effort::kSmallestParts) {
     if (1 - part > order_.degenerate || budget_.is_used_up()) break;
-    Goal aim{std::max(goal_.large, large - effort::kAimBelowLimit), goal_.small, goal_.weight};
+    Goal aim = goal_.with(std::max(goal_.large, large - effort::kAimBelowLimit), goal_.small,
+                          goal_.weight);
     if (goal_.weight > 0) {
       aim.small = 1 / std::tan(part * smallest);
       aim.weight = part * smallest / (std::numbers::pi - std::atan2(1.0, -aim.large));
@@ -215,13 +238,14 @@ Candidate Candidates::from_almonds() const {
   for (const Point& p : almond.steiner) points.push_back(frame_.enter(p));
   Triangulation triangles = with_neighbours(std::move(points), almond.triangles);
   const SplitSides sides = locate_split_sides(triangles, boundary_);
-  std::vector<SideLimit> limits = side_limits(cdt_, limit_.at);
+  std::vector<SideLimit> limits = side_limits_;
   for (const std::uint32_t s : sides.split) limits[s] = kNoLimit;
   limits.resize(sides.at.size(), kNoLimit);
   return measured({MutableMesh(triangles, sides.fixed, sides.at, std::move(limits)), {}, "almond"});
 }
 
 bool Candidates::is_done(const Candidate& candidate) const {
+  if (candidate.merit.negative > 0) return must_stop();
   return must_stop() || !is_smaller_cot(own_goal(candidate.mesh).large, candidate.merit.large);
 }
 

@@ -41,6 +41,7 @@ class Candidates {
 
   [[nodiscard]] const LocalFrame& frame() const { return frame_; }
   [[nodiscard]] const AngleLimit& limit() const { return limit_; }
+  [[nodiscard]] bool is_part() const { return boundary_.is_part; }
   [[nodiscard]] bool has_sizes() const { return sizes_.is_active(); }
   /// At most 16 points: random restarts then find what there is.
   [[nodiscard]] bool is_tiny() const { return boundary_.points.size() <= kTinyRegion; }
@@ -50,6 +51,12 @@ class Candidates {
   [[nodiscard]] bool is_budget_used_up() const;
 
   [[nodiscard]] const Goal& goal() const { return goal_; }
+  /// The goal with other angles.
+  [[nodiscard]] Goal goal_for(Angle max, Angle min) const {
+    Goal goal = Goal::of(max, min);
+    goal.coupling = goal_.coupling;
+    return goal;
+  }
   /// The goal with the region's own target: the largest angle of the goal, or what its worst side
   /// forces.
   [[nodiscard]] Goal own_goal(const MutableMesh& mesh) const;
@@ -87,6 +94,8 @@ class Candidates {
   /// The almond method's triangulation: it carries the proof of promise 3. Empty if the run is to
   /// stop.
   [[nodiscard]] Candidate from_almonds() const;
+  /// With its inner edges flipped until none has a negative coupling, if these count.
+  [[nodiscard]] Candidate coupled(Candidate c) const;
   /// What `find` makes when it aims at another goal, with half the budget of a region.
   template <class Find>
   [[nodiscard]] Candidate with_goal(const Goal& goal, Find find) {
@@ -126,10 +135,11 @@ class Candidates {
 
   const RegionBoundary& boundary_;
   const Options& options_;
-  Goal goal_;
   LocalFrame frame_;
   Triangulation cdt_;
   AngleLimit limit_;
+  std::vector<SideLimit> side_limits_;
+  Goal goal_;
   SizeField sizes_;
   std::uint64_t given_;  ///< the whole budget
   Budget budget_;

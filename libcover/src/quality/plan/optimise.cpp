@@ -14,9 +14,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "quality/effort/effort.hpp"
+#include "quality/mutable/delaunay_flips.hpp"
 #include "quality/repair/improve.hpp"
 #include "quality/repair/search.hpp"
 #include "quality/repair/thin_out.hpp"
@@ -44,8 +47,8 @@ Goal light(Goal goal) {
   return goal;
 }
 
-void improve_within(MutableMesh& mesh, Budget& budget) {
-  const ImproveResult result = improve(mesh, budget.left);
+void improve_within(MutableMesh& mesh, Budget& budget, std::span<const double> known = {}) {
+  const ImproveResult result = improve(mesh, budget.left, known);
   budget.spend(result.evaluations);
   budget.was_too_small = budget.was_too_small || result.budget_used_up;
 }
@@ -69,12 +72,66 @@ bool is_worth_a_search(const Merit& merit) {
   return merit.triangles <= kCheapToSearch || has_at_most(merit, kHopeless);
 }
 
+/// Whether what is left is searched, after couplings had their say.
+bool is_due(Search search, const Merit& merit) {
+  if (search == Search::usual) return is_worth_a_search(merit);
+  const bool are_few = merit.triangles <= effort::kSmallMesh && merit.missed > 0 &&
+                       merit.missed <= effort::kFewInSmall;
+  return search == Search::few && (is_nearly_clean(merit) || are_few);
+}
+
+/// The couplings of sides, beside angles.
+Goal with_sides(Goal goal) {
+  if (goal.coupling.weight > 0) goal.coupling = {1, false, false, kInverted};
+  return goal;
+}
+
+/// The couplings of all edges, beside angles.
+Goal with_edges(Goal goal) {
+  goal.coupling = {1, true, false, kInverted};
+  return goal;
+}
+
 }  // namespace
 
-Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeField& sizes,
+Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search search) {
+  const bool was_met = std::all_of(mesh.excess.begin(), mesh.excess.end(),
+                                   [](double excess) { return excess <= kLeastCoupling; });
+  std::vector<double> known = mesh.excess;
+  const auto improve_what_changed = [&](const Goal& aim) {
+    mesh.set_goal(aim);
+    improve_within(mesh, budget, known);
+    known = mesh.excess;
+    return merit_of(mesh, aim);
+  };
+  make_delaunay(mesh);
+  // Flips may pass through what is not Delaunay as long as couplings weigh no more than angles.
+  const Goal soft = with_edges(goal);
+  Merit merit = improve_what_changed(soft);
+  const bool is_near = merit.fault.worst() <= effort::kNearMiss;
+  if ((was_met || is_near) && is_due(search, merit)) {
+    Budget part = budget;
+    part.left = std::min<std::uint64_t>(part.left, effort::kSearchForCouplings * merit.missed);
+    const std::uint64_t given = part.left;
+    search_excerpts(mesh, soft, part);
+    budget.spend(given - part.left);
+    known.clear();
+    merit = merit_of(mesh, soft);
+  }
+  if (merit.complete) return merit;
+  make_delaunay(mesh);
+  merit = improve_what_changed(goal);
+  if (!is_due(search, merit) || (!was_met && merit.triangles <= kCheapToSearch)) return merit;
+  search_excerpts(mesh, goal, budget);
+  return merit_of(mesh, goal);
+}
+
+Merit optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const SizeField& sizes,
                const Order& order, Search search) {
+  const Goal goal = with_sides(asked);
   mesh.set_goal(goal);
   RefineLimits limits;
+  limits.keeps_couplings = goal.coupling.weight > 0;
   limits.smallest_cot = 1 / std::tan(kRefinedTo * std::numbers::pi / 180);
   limits.budget = sizes.is_active() ? kMostSized : 20 * mesh.points.size() + 1000;
   const bool may_start_again = search == Search::usual;
@@ -115,7 +172,8 @@ Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeFi
   if (search == Search::usual && !is_tiny && is_worth_a_search(merit))
     search_excerpts(mesh, goal, budget);
   if (!sizes.is_active()) budget.spend(thin_out(mesh, budget.left).evaluations);
-  return merit_of(mesh, goal);
+  if (goal == asked) return merit_of(mesh, goal);
+  return mind_couplings(mesh, asked, budget, is_tiny ? Search::none : search);
 }
 
 Merit improve_largest(MutableMesh& mesh, const Goal& goal, Budget& budget) {

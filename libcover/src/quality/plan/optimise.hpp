@@ -23,6 +23,14 @@ enum class Search {
 Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeField& sizes = {},
                const Order& order = {}, Search search = Search::usual);
 
+/// Makes a triangulation constrained Delaunay, at the price of angles, and improves it again with
+/// couplings before angles.
+///
+/// REQUIRES: `mesh` is improved
+/// ENSURES:  returns what was reached, by `goal`; no coupling that counts is negative but for those
+///           that the bound needs
+Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search search);
+
 /// Improves any triangulation, with the largest angle before all else.
 ///
 /// ENSURES: returns what was reached, by `goal`; the largest angle is no larger than before

@@ -93,10 +93,16 @@ void a_few_restarts(Progress& p) {
 }
 /// The proof of promise 3 comes with the almonds.
 void bound_kept(Progress& p) {
+  if (p.make.is_part()) return;
   Candidate almond = p.make.from_almonds();
-  if (!almond.mesh.triangles.empty()) take(p, std::move(almond));
+  if (almond.mesh.triangles.empty()) return;
+  Candidate flipped = p.make.coupled(almond);
+  take(p, flipped);
+  take(p, std::move(almond));
+  if (p.best.merit.negative > 0) p.best = p.make.narrowed(p.best, flipped, p.make.order().bound);
 }
 void bound_kept_sized(Progress& p) {
+  if (p.make.is_part()) return;
   const Candidate almond = p.make.from_almonds();
   if (!almond.mesh.triangles.empty()) take(p, p.make.improved(almond));
 }

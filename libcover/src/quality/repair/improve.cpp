@@ -19,14 +19,16 @@ constexpr std::array<Move, 4> kMoves{try_flip, try_relocate, try_remove, try_res
 
 }  // namespace
 
-ImproveResult improve(MutableMesh& mesh, std::uint64_t budget) {
+ImproveResult improve(MutableMesh& mesh, std::uint64_t budget, std::span<const double> known) {
   ImproveResult result;
   Piece piece(mesh);
   OnceQueue queue;
   const auto enqueue = [&](std::uint32_t t) {
     if (mesh.excess[t] > 0) queue.push(t);
   };
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) enqueue(t);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (t >= known.size() || mesh.excess[t] != known[t]) enqueue(t);
+  }
   while (!queue.empty()) {
     const std::uint32_t t = queue.pop();
     if (!(mesh.excess[t] > 0)) continue;

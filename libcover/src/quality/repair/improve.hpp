@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "quality/mutable/mutable_mesh.hpp"
 
@@ -18,7 +19,8 @@ struct ImproveResult {
 ///
 /// Every step lowers the largest excess of the triangles that it touches, or lowers their number
 /// and keeps it: monotone. A triangle for which nothing helped is forgotten until a triangle
-/// beside it changes. Cost: at most `budget` star evaluations, each O(1).
-ImproveResult improve(MutableMesh& mesh, std::uint64_t budget);
+/// beside it changes. Triangles whose excess is the same in `known` begin as forgotten: nothing
+/// helped them before. Cost: at most `budget` star evaluations, each O(1).
+ImproveResult improve(MutableMesh& mesh, std::uint64_t budget, std::span<const double> known = {});
 
 }  // namespace cover

@@ -13,6 +13,7 @@ struct RefineLimits {
   double smallest_cot = 0;            ///< triangles with a smaller angle get a vertex near them
   double largest_radius = kInverted;  ///< so do those with a larger circumradius
   double apex_cot = -0.36;            ///< no new vertex sees a side at a larger angle: 110 degrees
+  bool keeps_couplings = false;       ///< no new vertex makes the coupling of a side negative
   std::size_t budget = 0;             ///< vertices
 };
 

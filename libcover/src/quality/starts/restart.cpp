@@ -98,7 +98,7 @@ MutableMesh best_restart(const MutableMesh& mesh, const Goal& goal, double ceili
   MutableMesh best = mesh;
   /// Improves `trial` with the largest angle first, down to -cot `aim`; keeps it if it is better.
   const auto try_it = [&](MutableMesh trial, double aim, double light) {
-    trial.set_goal({aim, goal.small, light * goal.weight});
+    trial.set_goal(goal.with(aim, goal.small, light * goal.weight));
     budget.spend(improve(trial, budget.left).evaluations);
     improve_jointly(trial, budget, [] { return false; });
     trial.set_goal(goal);

@@ -92,6 +92,48 @@ TEST(ReadJson, TurnsCurvesIntoSegmentsOfAPslg) {
   for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(input.segments[k].name, "top");
 }
 
+TEST(ReadJson, ReadsLayersOfLines) {
+  const Input input = read(R"({
+    "points": [[0, 0], [1, 0], [1, 1]],
+    "segments": [{"points": [0, 1], "name": "gate", "layers": {"first": 0.1, "growth": 1.5}},
+                 [1, 2], [2, 0]],
+    "lines": [{"name": "anode", "points": [[0, 0], [1, 1]],
+               "layers": {"region": "bulk", "first": 0.2, "growth": 1, "count": 3}}],
+    "layers": [{"line": "si_sio2", "first": 0.3, "growth": 2, "count": 4}]})");
+  ASSERT_EQ(input.layers.size(), 3u);
+  EXPECT_EQ(input.layers[0].line, "gate");
+  EXPECT_EQ(input.layers[0].growth, 1.5);
+  EXPECT_EQ(input.layers[0].count, 0);
+  EXPECT_EQ(input.layers[1].line, "anode");
+  EXPECT_EQ(input.layers[1].region, "bulk");
+  EXPECT_EQ(input.layers[1].count, 3);
+  EXPECT_EQ(input.layers[2].line, "si_sio2");
+  EXPECT_EQ(input.layers[2].first, 0.3);
+}
+
+TEST(ReadJson, RefusesLayersThatAreNone) {
+  const auto with = [](const std::string& layers) {
+    return message(R"({"points": [[0, 0]], "layers": [)" + layers + "]}");
+  };
+  EXPECT_NE(with(R"({"first": 1, "growth": 1, "count": 1})").find("\"line\" is missing"),
+            std::string::npos);
+  EXPECT_NE(with(R"({"line": "a", "growth": 1, "count": 1})").find("\"first\" is missing"),
+            std::string::npos);
+  for (const char* bad : {R"({"line": "a", "first": 0, "growth": 1, "count": 1})",
+                          R"({"line": "a", "first": -1, "growth": 1, "count": 1})",
+                          R"({"line": "a", "first": 1, "growth": 0.9, "count": 1})",
+                          R"({"line": "a", "first": 1, "growth": 1})",
+                          R"({"line": "a", "first": 1, "growth": 1, "count": -1})",
+                          R"({"line": "a", "first": 1, "growth": 1, "count": 1001})",
+                          R"({"line": "a", "first": 1, "growth": 1, "count": 1.5})"}) {
+    EXPECT_NE(with(bad).find("layers[0]"), std::string::npos) << bad;
+  }
+  EXPECT_NE(message(R"({"points": [[0, 0], [1, 1]], "segments": [
+              {"points": [0, 1], "layers": {"first": 1, "growth": 2}}]})")
+                .find("layers need a \"name\""),
+            std::string::npos);
+}
+
 TEST(ReadJson, NamesThePlaceOfEveryError) {
   EXPECT_EQ(message(R"({"points": [], "segments": [], "regoins": []})"),
             "deck.json: regoins: unknown key (did you mean \"regions\"?)");

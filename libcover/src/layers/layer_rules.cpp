@@ -1,0 +1,158 @@
+// Tested by tests/unit/layers/layer_rules_test.cpp.
+#include "layers/layer_rules.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/describe.hpp"
+#include "base/suggest.hpp"
+#include "layers/box_tree.hpp"
+#include "region/named_regions.hpp"
+
+namespace cover {
+namespace {
+
+constexpr double kLeastThickness = 32;  ///< spacings of coordinates
+
+Error bad_layers(const LayerRule& rule, const std::string& what, std::vector<Point> where = {}) {
+  return {ErrorCode::bad_option,
+          fmt::format("layers for '{}{}': {}", rule.line,
+                      rule.region.empty() ? "" : "@" + rule.region, what),
+          std::move(where),
+          {}};
+}
+
+Error no_such_line(const LayerRule& rule, const RegionTable& table) {
+  std::vector<std::string> names;
+  for (const Interface& line : table.interfaces) names.push_back(line.name);
+  const auto meant = closest(rule.line, names);
+  return bad_layers(
+      rule, fmt::format("there is no interface, contact, outline or inner line of that name{}",
+                        meant ? fmt::format("; did you mean '{}'?", *meant) : ""));
+}
+
+/// Layers that coordinates cannot hold.
+Status check_thinnest(const LayerRule& rule, const Pslg& pslg) {
+  double largest = 0;
+  for (const Point& p : pslg.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  const double spacing = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+  if (rule.first >= kLeastThickness * spacing) return ok();
+  return bad_layers(rule, fmt::format("a first layer of {} is too thin: coordinates as large as {} "
+                                      "are {} apart, and layers need {} times that",
+                                      describe_roughly(rule.first), describe_roughly(largest),
+                                      describe_roughly(spacing), kLeastThickness));
+}
+
+/// No region is thicker than its bounding box.
+Status check_thickest(const LayerRule& rule, const RegionTable& table,
+                      const RegionBoundary& boundary) {
+  layers::Box box;
+  for (const Point& p : boundary.points) box.add(p);
+  const double width = std::min(box.high.x - box.low.x, box.high.y - box.low.y);
+  if (rule.first < width) return ok();
+  return bad_layers(
+      rule,
+      fmt::format("the first layer, {}, is no thinner than region {} '{}', which is {} from {} to "
+                  "{}",
+                  describe(rule.first), boundary.id.value(), table.region(boundary.id).name,
+                  describe_roughly(width), describe(box.low), describe(box.high)),
+      {box.low, box.high});
+}
+
+/// Tells the sides of a rule's lines which rule they have.
+class Resolver {
+ public:
+  Resolver(const Pslg& pslg, const RegionTable& table, std::span<RegionBoundary> boundaries)
+      : pslg_(pslg), table_(table), boundaries_(boundaries) {
+    rule_of_.assign(pslg.segments.size(), {0, 0});
+  }
+
+  Status add(const LayerRule& rule, std::uint32_t number) {
+    std::vector<RegionId> wanted;
+    if (!rule.region.empty()) {
+      wanted = named_regions(table_, rule.region);
+      if (wanted.empty())
+        return no_such_region(table_, fmt::format("layers for '{}'", rule.line), rule.region);
+    }
+    bool found = false;
+    std::vector<RegionId> beside;
+    std::vector<std::string> names;
+    const auto is_wanted = [&](RegionId region) {
+      if (region == kVoid) return false;
+      names.push_back(table_.region(region).name);
+      return wanted.empty() || std::find(wanted.begin(), wanted.end(), region) != wanted.end();
+    };
+    for (const Interface& line : table_.interfaces) {
+      if (line.name != rule.line) continue;
+      found = true;
+      for (const SegmentId s : line.segments) {
+        const SegmentSides& sides = table_.sides[s.index()];
+        if (is_wanted(sides.left)) mark(s, 0, sides.left, number, beside);
+        if (is_wanted(sides.right)) mark(s, 1, sides.right, number, beside);
+      }
+    }
+    if (!found) return no_such_line(rule, table_);
+    if (beside.empty()) return not_beside(rule, std::move(names));
+    for (const RegionId region : beside) {
+      if (Status status = check_thickest(rule, table_, boundaries_[region.index() - 1]); !status)
+        return status;
+    }
+    return check_thinnest(rule, pslg_);
+  }
+
+  void finish() {
+    for (RegionBoundary& boundary : boundaries_) {
+      std::vector<std::uint32_t> rules(boundary.sides.size(), 0);
+      for (std::size_t s = 0; s < rules.size(); ++s) {
+        if (boundary.segments[s] == kHullSide) continue;
+        const Segment& segment = pslg_.segments[boundary.segments[s].index()];
+        const bool forward = segment.a == boundary.vertices[boundary.sides[s][0]];
+        rules[s] = rule_of_[boundary.segments[s].index()][forward ? 0 : 1];
+      }
+      const bool any = std::any_of(rules.begin(), rules.end(), [](auto r) { return r != 0; });
+      boundary.layers = any ? std::move(rules) : std::vector<std::uint32_t>();
+    }
+  }
+
+ private:
+  void mark(SegmentId s, std::size_t side, RegionId region, std::uint32_t number,
+            std::vector<RegionId>& beside) {
+    rule_of_[s.index()][side] = number;
+    if (std::find(beside.begin(), beside.end(), region) == beside.end()) beside.push_back(region);
+  }
+
+  static Error not_beside(const LayerRule& rule, std::vector<std::string> names) {
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    std::string all;
+    for (const std::string& name : names)
+      all += fmt::format("{}'{}'", all.empty() ? "" : " and ", name);
+    return bad_layers(rule,
+                      fmt::format("region '{}' is not beside that line, but {}", rule.region, all));
+  }
+
+  const Pslg& pslg_;
+  const RegionTable& table_;
+  std::span<RegionBoundary> boundaries_;
+  std::vector<std::array<std::uint32_t, 2>> rule_of_;  ///< by SegmentId: left and right
+};
+
+}  // namespace
+
+Status resolve_layers(const Pslg& pslg, const RegionTable& table, const Options& options,
+                      std::span<RegionBoundary> boundaries) {
+  if (options.layers.empty()) return ok();
+  Resolver resolver(pslg, table, boundaries);
+  for (std::uint32_t r = 0; r < options.layers.size(); ++r) {
+    if (Status status = resolver.add(options.layers[r], r + 1); !status) return status;
+  }
+  resolver.finish();
+  return ok();
+}
+
+}  // namespace cover

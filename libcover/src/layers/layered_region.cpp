@@ -1,0 +1,332 @@
+// What is left of the region is a region of its own, whose boundary is the front on the layers. It
+// has no layer that its mesh could put a vertex on, so both meshes share the vertices and the edges
+// of the front. Exact tests say whether the front bounds a region and whether the whole mesh fills
+// the region; the bound is that of the whole region, and the constrained Delaunay triangulation of
+// the rest often tells that no mesh of it can hold that. Where something fails, the sides below the
+// places get a third fewer rows, and all is done again.
+// Tested by tests/unit/layers/layered_region_test.cpp.
+#include "layers/layered_region.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/describe.hpp"
+#include "cdt/couplings.hpp"
+#include "cdt/region_cdt.hpp"
+#include "geom/spatial_order.hpp"
+#include "geom/vector.hpp"
+#include "layers/layer_front.hpp"
+#include "target/angle_limit.hpp"
+#include "target/measure.hpp"
+#include "target/whole_mesh.hpp"
+
+namespace cover {
+namespace {
+
+using layers::LayerFront;
+
+constexpr int kRounds = 40;  ///< in the second half of them, all layers become fewer
+constexpr SegmentId kFrontSide{0xfffffffeU};  ///< of no segment, and not to be split
+
+/// What the layers leave of a region.
+struct Rest {
+  RegionBoundary boundary;
+  std::vector<std::uint32_t> vertices;  ///< by its points: of the region with layers
+};
+
+Point point_of(const RegionBoundary& boundary, const LayerFront& front, std::uint32_t v) {
+  const std::size_t own = boundary.points.size();
+  return v < own ? boundary.points[v] : front.added()[v - own];
+}
+
+/// The vertices of the front and the isolated points, ascending by coordinates.
+std::vector<std::uint32_t> rest_vertices(const RegionBoundary& boundary, const LayerFront& front,
+                                         const std::vector<LayerFront::Edge>& edges) {
+  std::vector<bool> on_side(boundary.points.size(), false);
+  std::vector<std::uint32_t> out;
+  for (const auto& [a, b] : boundary.sides) on_side[a] = on_side[b] = true;
+  for (std::uint32_t v = 0; v < on_side.size(); ++v) {
+    if (!on_side[v]) out.push_back(v);
+  }
+  for (const LayerFront::Edge& edge : edges) out.push_back(edge.a), out.push_back(edge.b);
+  const auto place = [&](std::uint32_t v) { return std::pair(point_of(boundary, front, v), v); };
+  std::sort(out.begin(), out.end(),
+            [&](std::uint32_t u, std::uint32_t v) { return place(u) < place(v); });
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+/// In canonical order, as all boundaries are.
+Rest rest_of(const RegionBoundary& boundary, const LayerFront& front) {
+  const std::vector<LayerFront::Edge> edges = front.front();
+  const std::vector<std::uint32_t> ascending = rest_vertices(boundary, front, edges);
+  std::vector<Point> points;
+  for (const std::uint32_t v : ascending) points.push_back(point_of(boundary, front, v));
+  Rest rest;
+  RegionBoundary& out = rest.boundary;
+  out.id = boundary.id;
+  out.size = boundary.size;
+  out.size_expressions = boundary.size_expressions;
+  out.size_function = boundary.size_function;
+  out.is_part = true;
+  std::vector<std::uint32_t> local(boundary.points.size() + front.added().size(), kNone);
+  for (const std::uint32_t k : spatial_order(points)) {
+    const std::uint32_t v = ascending[k];
+    local[v] = static_cast<std::uint32_t>(rest.vertices.size());
+    rest.vertices.push_back(v);
+    out.points.push_back(points[k]);
+    if (!boundary.size_at.empty())
+      out.size_at.push_back(v < boundary.size_at.size() ? boundary.size_at[v] : 0);
+  }
+  std::vector<std::pair<IndexPair, SegmentId>> sides;
+  for (const auto& [a, b, side] : edges) {
+    sides.push_back({{local[a], local[b]}, side == kNone ? kFrontSide : boundary.segments[side]});
+  }
+  std::sort(sides.begin(), sides.end());
+  for (const auto& [side, segment] : sides) {
+    out.sides.push_back(side);
+    out.segments.push_back(segment);
+  }
+  return rest;
+}
+
+/// The vertices where the front does not bound a region, or no mesh of it can hold the bound.
+std::vector<std::uint32_t> hopeless_places(const RegionBoundary& rest, Angle nu_bound) {
+  const CdtResult result = triangulate_domain(rest.points, rest.sides);
+  if (const auto fault = find_fault(result, rest.points, rest.sides)) return fault->points;
+  const Triangulation& cdt = result.triangulation;
+  const AngleLimit limit = angle_limit(cdt, rest.sides, rest.segments);
+  std::vector<std::uint32_t> out;
+  for (std::size_t s = 0; s < rest.sides.size(); ++s) {
+    if (limit.side_nu[s] >= nu_bound.in_radians()) continue;
+    const auto& corners = cdt.triangles[limit.at[s].triangle].v;
+    out.insert(out.end(), corners.begin(), corners.end());
+  }
+  return out;
+}
+
+/// The layers and the mesh of the rest as one.
+RegionMesh put_together(const RegionBoundary& boundary, const LayerFront& front, const Rest& rest,
+                        RegionMesh mesh) {
+  const auto own = static_cast<std::uint32_t>(rest.vertices.size());
+  const auto first = static_cast<std::uint32_t>(boundary.points.size() + front.added().size());
+  RegionMesh out;
+  out.report = std::move(mesh.report);
+  out.steiner = front.added();
+  out.steiner.insert(out.steiner.end(), mesh.steiner.begin(), mesh.steiner.end());
+  out.triangles = front.triangles();
+  out.layer_triangles = out.triangles.size();
+  for (IndexTriple t : mesh.triangles) {
+    for (std::uint32_t& v : t) v = v < own ? rest.vertices[v] : first + (v - own);
+    out.triangles.push_back(t);
+  }
+  std::erase_if(out.report.notes, [](const Note& note) {
+    return note.kind == Note::Kind::target_missed || note.kind == Note::Kind::bound_missed;
+  });
+  return out;
+}
+
+/// Without negative couplings inside, if that breaks no bound: layers have none, but triangles of
+/// the rest may have large angles on slopes where layers taper off.
+void mend_couplings(const RegionBoundary& boundary, RegionMesh& mesh) {
+  std::vector<IndexTriple> flipped = mesh.triangles;
+  const std::vector<Point> points = all_points(boundary, mesh);
+  if (make_delaunay(points, flipped, boundary.sides) == 0) return;
+  if (holds_bound(points, flipped, mesh.report.nu_bound)) mesh.triangles = std::move(flipped);
+}
+
+/// What became of the layers, by line.
+std::vector<LayerReport> reports(const RegionBoundary& boundary, const Options& options,
+                                 const LayerFront& front) {
+  std::vector<LayerReport> out;
+  std::vector<std::size_t> at(options.layers.size(), options.layers.size());
+  std::vector<std::vector<LayerReport::Short>> stops;
+  for (std::uint32_t s = 0; s < boundary.sides.size(); ++s) {
+    if (boundary.layers[s] == 0) continue;
+    const std::uint32_t rule = boundary.layers[s] - 1;
+    if (at[rule] == options.layers.size()) {
+      at[rule] = out.size();
+      out.emplace_back();
+      out.back().asked = options.layers[rule];
+      out.back().fewest = std::numeric_limits<int>::max();
+      stops.emplace_back(kLayerStops);
+    }
+    LayerReport& report = out[at[rule]];
+    const auto& [rows, stop] = front.sides()[s];
+    const Point a = boundary.points[boundary.sides[s][0]];
+    const Point b = boundary.points[boundary.sides[s][1]];
+    ++report.segments;
+    report.length += length(b - a);
+    if (stop == LayerStop::corner) {  // covered all the same
+      ++report.complete;
+      continue;
+    }
+    report.fewest = std::min(report.fewest, rows);
+    if (rows > report.most) {
+      report.most = rows;
+      report.thickness = front.thickness(s, rows);
+    }
+    if (stop == LayerStop::none || stop == LayerStop::isotropic) {
+      ++report.complete;
+      continue;
+    }
+    LayerReport::Short& part = stops[at[rule]][static_cast<std::size_t>(stop)];
+    if (part.segments++ == 0) part.at = midpoint(a, b);
+    part.why = stop;
+  }
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    out[k].fewest = std::min(out[k].fewest, out[k].most);
+    for (const LayerReport::Short& part : stops[k]) {
+      if (part.segments > 0) out[k].cut_short.push_back(part);
+    }
+  }
+  return out;
+}
+
+/// What layers fell short of, but for their ends.
+std::vector<Note> notes_of(const RegionBoundary& boundary, const std::vector<LayerReport>& layers) {
+  std::vector<Note> notes;
+  for (const LayerReport& line : layers) {
+    for (const LayerReport::Short& part : line.cut_short) {
+      if (part.why == LayerStop::end && line.most > 0) continue;
+      notes.push_back(
+          {Note::Kind::warning,
+           boundary.id,
+           fmt::format("region {}: layers along '{}' are {} on {}, the first at {}: {}",
+                       boundary.id.value(), line.asked.line, line.most == 0 ? "missing" : "fewer",
+                       counted(part.segments, "segment"), describe(part.at), describe(part.why)),
+           {part.at}});
+    }
+  }
+  return notes;
+}
+
+/// Layers that become fewer until the region is as it should be.
+class LayeredRegion {
+ public:
+  LayeredRegion(const RegionBoundary& boundary, const Options& options)
+      : boundary_(boundary),
+        options_(options),
+        most_(boundary.sides.size(), std::numeric_limits<int>::max()) {
+    const Triangulation cdt = triangulate_region(boundary.points, boundary.sides);
+    set_limits(angle_limit(cdt, boundary.sides, boundary.segments), limits_);
+  }
+
+  RegionMesh run(const RegionMesher& mesh_rest, const std::stop_token& stop) {
+    for (int round = 0;; ++round) {
+      if (round == kRounds) most_.assign(most_.size(), 0);
+      const bool everywhere = round >= kRounds / 2;
+      LayerFront front(boundary_, options_.layers, most_);
+      front.lay();
+      if (front.triangles().empty()) return without_layers(front, mesh_rest);
+      const Rest rest = rest_of(boundary_, front);
+      std::vector<std::uint32_t> hopeless = hopeless_places(rest.boundary, limits_.nu_bound);
+      if (!hopeless.empty()) {
+        for (std::uint32_t& v : hopeless) v = rest.vertices[v];
+        withdraw(front, everywhere ? std::vector<std::uint32_t>() : hopeless);
+        continue;
+      }
+      RegionMesh mesh = put_together(boundary_, front, rest, mesh_rest(rest.boundary));
+      if (stop.stop_requested()) return mesh;
+      if (const std::vector<std::uint32_t> vertices = judge(mesh); !vertices.empty()) {
+        withdraw(front, everywhere ? std::vector<std::uint32_t>() : vertices);
+        continue;
+      }
+      mesh.report.method += " with layers";
+      tell(front, mesh.report);
+      return mesh;
+    }
+  }
+
+ private:
+  RegionMesh without_layers(const LayerFront& front, const RegionMesher& mesh_rest) const {
+    RegionMesh mesh = mesh_rest(boundary_);
+    tell(front, mesh.report);
+    return mesh;
+  }
+
+  void tell(const LayerFront& front, RegionReport& report) const {
+    report.layers = reports(boundary_, options_, front);
+    const std::vector<Note> notes = notes_of(boundary_, report.layers);
+    report.notes.insert(report.notes.end(), notes.begin(), notes.end());
+  }
+
+  /// Measures the mesh; returns vertices where it is not as it should be.
+  std::vector<std::uint32_t> judge(RegionMesh& mesh) const {
+    RegionReport& report = mesh.report;
+    report.id = boundary_.id;
+    report.nu_opt = limits_.nu_opt;
+    report.nu_bound = limits_.nu_bound;
+    report.forced_above_120 = limits_.forced_above_120;
+    report.forced_above_150 = limits_.forced_above_150;
+    const std::vector<Point> points = all_points(boundary_, mesh);
+    if (const auto fault = find_fault(
+            {points, mesh.triangles, boundary_.sides, boundary_.segments, boundary_.points.size()}))
+      return fault->points.empty() ? std::vector<std::uint32_t>{0} : fault->points;
+    if (options_.couplings == Couplings::first) mend_couplings(boundary_, mesh);
+    measure(boundary_, mesh);
+    std::vector<std::uint32_t> out;
+    if (report.bound_held) return out;
+    for (const IndexTriple& t : mesh.triangles) {
+      if (!holds_bound(points, std::span(&t, 1), report.nu_bound))
+        out.insert(out.end(), t.begin(), t.end());
+    }
+    return out;
+  }
+
+  /// Fewer rows over the sides below `vertices`; over all sides if there are none below.
+  void withdraw(const LayerFront& front, const std::vector<std::uint32_t>& vertices) {
+    const auto own = static_cast<std::uint32_t>(boundary_.points.size());
+    bool any = false;
+    const auto limit = [&](std::uint32_t s) {
+      const int rows = front.sides()[s].rows;
+      if (rows == 0 && most_[s] == 0) return;
+      most_[s] = std::min(most_[s], rows * 2 / 3);
+      any = true;
+    };
+    for (const std::uint32_t v : vertices) {
+      if (v >= own && v - own < front.added().size()) limit(front.side_below()[v - own]);
+    }
+    if (any) return;
+    for (std::uint32_t s = 0; s < most_.size(); ++s) limit(s);
+  }
+
+  const RegionBoundary& boundary_;
+  const Options& options_;
+  std::vector<int> most_;  ///< rows, by side
+  RegionReport limits_;
+};
+
+}  // namespace
+
+const char* describe(LayerStop stop) {
+  switch (stop) {
+    case LayerStop::none:
+    case LayerStop::isotropic:
+    case LayerStop::corner:
+      break;
+    case LayerStop::end:
+      return "they taper off";
+    case LayerStop::room:
+      return "there is no more room";
+    case LayerStop::turned:
+      return "the line bends too much";
+    case LayerStop::withdrawn:
+      return "the bound would break";
+  }
+  return "";
+}
+
+bool has_layers(const RegionBoundary& boundary) { return !boundary.layers.empty(); }
+
+RegionMesh mesh_with_layers(const RegionBoundary& boundary, const Options& options,
+                            const RegionMesher& mesh_rest, std::stop_token stop) {
+  return LayeredRegion(boundary, options).run(mesh_rest, stop);
+}
+
+}  // namespace cover

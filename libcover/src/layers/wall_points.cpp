@@ -1,0 +1,49 @@
+// Tested by tests/unit/cuts/cut_for_layers_test.cpp.
+#include "layers/wall_points.hpp"
+
+#include <cmath>
+
+#include "layers/offsets.hpp"
+#include "layers/side_links.hpp"
+#include "layers/thickness.hpp"
+
+namespace cover::layers {
+namespace {
+
+/// Of a wall's length: the highest row; what is left of the wall is no shorter than half of a row.
+constexpr double kMost = 0.5;
+
+}  // namespace
+
+std::vector<WallPoint> wall_points(const RegionBoundary& boundary,
+                                   std::span<const LayerRule> rules) {
+  std::vector<WallPoint> out;
+  const auto start = [&](std::uint32_t s) { return boundary.points[boundary.sides[s][0]]; };
+  const auto end = [&](std::uint32_t s) { return boundary.points[boundary.sides[s][1]]; };
+  /// Of a line whose first segment is `edge`, up the wall from `foot` to `top`.
+  const auto climb = [&](std::uint32_t edge, std::uint32_t wall, Point foot, Point top) {
+    const LayerRule& rule = rules[boundary.layers[edge] - 1];
+    const Vector normal = unit_normal(start(edge), end(edge));
+    const Vector up = top - foot;
+    const double height = dot(up, normal);
+    const Thickness thickness(rule, height);
+    for (int k = 0; k < thickness.rows(); ++k) {
+      const double layer = thickness.layer(k);
+      if (rule.count == 0 && k > 0 && layer > length(end(edge) - start(edge))) break;
+      const double share = thickness.total(k + 1) / height;
+      if (height - thickness.total(k + 1) < kMost * layer) break;
+      out.push_back({wall, foot + share * up, share * length(up), layer});
+    }
+  };
+  const std::vector<std::uint32_t> next = next_sides(boundary);
+  for (std::uint32_t s = 0; s < next.size(); ++s) {
+    const std::uint32_t n = next[s];
+    const Vector before = unit_normal(start(s), end(s)), after = unit_normal(start(n), end(n));
+    if (std::abs(turn(before, after) - 90) > kSkew) continue;
+    if (boundary.layers[s] != 0 && boundary.segments[n] != kHullSide) climb(s, n, start(n), end(n));
+    if (boundary.layers[n] != 0 && boundary.segments[s] != kHullSide) climb(n, s, end(s), start(s));
+  }
+  return out;
+}
+
+}  // namespace cover::layers

@@ -1,0 +1,28 @@
+// Where walls at the ends of layered lines would have to be cut for layers to run up to them.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <cover/options.hpp>
+
+#include "region/region_boundary.hpp"
+
+namespace cover::layers {
+
+/// A point that a side should have.
+struct WallPoint {
+  std::uint32_t side = 0;
+  Point at;
+  double height = 0;  ///< along the side, from the line's end
+  double layer = 0;   ///< thickness of the layer below
+};
+
+/// Line by line, upwards: the heights of rows over lines that end at about a right angle with the
+/// side, as far as the side reaches. Lines are no walls of their own.
+///
+/// REQUIRES: boundary.layers has a rule for each side, `rules` are Options::layers
+std::vector<WallPoint> wall_points(const RegionBoundary& boundary,
+                                   std::span<const LayerRule> rules);
+
+}  // namespace cover::layers

@@ -1,0 +1,158 @@
+#include "layers/layered_region.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <cover/cover_mesh.hpp>
+
+#include "support/inputs.hpp"
+#include "support/mesh_shape.hpp"
+
+namespace cover {
+namespace {
+
+/// A box of height h below and above the x axis, which is the line 'gate', cut into n from 0 to w.
+Input two_boxes(int n, double w, double h) {
+  std::vector<Point> points{{0, -h}, {w, -h}, {w, h}, {0, h}};
+  std::vector<std::array<std::uint32_t, 2>> ends{{0, 1}, {2, 3}};
+  for (int k = 0; k <= n; ++k) points.push_back({w * k / n, 0});
+  const auto last = static_cast<std::uint32_t>(points.size() - 1);
+  for (const auto& side : {std::array{1U, last}, {last, 2U}, {3U, 4U}, {4U, 0U}})
+    ends.push_back(side);
+  const std::size_t walls = ends.size();
+  for (std::uint32_t k = 4; k < last; ++k) ends.push_back({k, k + 1});
+  Input input = testing::segments_between(points, ends);
+  for (std::size_t s = walls; s < ends.size(); ++s) input.segments[s].name = "gate";
+  input.seeds.push_back({{w / 2, h / 2}, "1", "above", {}, 0, 0});
+  input.seeds.push_back({{w / 2, -h / 2}, "2", "below", {}, 1, 0});
+  return input;
+}
+
+Options with_layers(std::vector<LayerRule> rules) {
+  Options options;
+  options.layers = std::move(rules);
+  return options;
+}
+
+const RegionReport& report_of(const Output& output, std::string_view region) {
+  for (const RegionReport& report : output.report.regions) {
+    if (output.table.region(report.id).name == region) return report;
+  }
+  ADD_FAILURE() << region;
+  return output.report.regions[0];
+}
+
+/// The heights of the vertices within 1e-9 of the abscissa, in order.
+std::vector<double> heights_at(const Output& output, double x) {
+  std::vector<double> heights;
+  for (const Point& p : triangle_soup(output.mesh).points) {
+    if (std::abs(p.x - x) < 1e-9 && p.y >= 0) heights.push_back(p.y);
+  }
+  std::sort(heights.begin(), heights.end());
+  return heights;
+}
+
+TEST(LayeredRegion, IsMeshedWithItsLayersOnBothSidesAndTheBoundHeld) {
+  const Output output =
+      testing::must_mesh(two_boxes(40, 1, 0.5), with_layers({{"gate", "", 1e-5, 1.5, 10}}));
+  EXPECT_EQ(testing::violations(output), "");
+  for (const char* name : {"above", "below"}) {
+    const RegionReport& report = report_of(output, name);
+    EXPECT_TRUE(report.bound_held);
+    ASSERT_EQ(report.layers.size(), 1U);
+    const LayerReport& layers = report.layers[0];
+    EXPECT_EQ(layers.asked.line, "gate");
+    EXPECT_EQ(layers.most, 10);
+    EXPECT_EQ(layers.segments, 40U);
+    EXPECT_EQ(layers.complete, 38U);
+    EXPECT_NEAR(layers.length, 1, 1e-12);
+    EXPECT_NEAR(layers.thickness, 1e-5 * (std::pow(1.5, 10) - 1) / 0.5, 1e-12);
+    ASSERT_EQ(layers.cut_short.size(), 1U);
+    EXPECT_EQ(layers.cut_short[0].why, LayerStop::end);
+    EXPECT_EQ(layers.cut_short[0].segments, 2U);
+  }
+  const std::vector<double> heights = heights_at(output, 0.5);
+  ASSERT_GT(heights.size(), 10U);
+  double expected = 0, layer = 1e-5;
+  for (std::size_t k = 1; k <= 10; ++k, layer *= 1.5) {
+    expected += layer;
+    EXPECT_NEAR(heights[k] / expected, 1, 1e-9) << k;
+  }
+}
+
+TEST(LayeredRegion, LiesOnTheSideAskedFor) {
+  const Output output =
+      testing::must_mesh(two_boxes(20, 1, 0.5), with_layers({{"gate", "above", 1e-3, 1.5, 3}}));
+  EXPECT_EQ(testing::violations(output), "");
+  EXPECT_EQ(report_of(output, "above").layers.size(), 1U);
+  EXPECT_TRUE(report_of(output, "below").layers.empty());
+  const Output plain = testing::must_mesh(two_boxes(20, 1, 0.5));
+  EXPECT_EQ(
+      testing::shape_of(
+          testing::part_of(triangle_soup(output.mesh), report_of(output, "below").id)),
+      testing::shape_of(testing::part_of(triangle_soup(plain.mesh), report_of(plain, "below").id)));
+}
+
+TEST(LayeredRegion, HasNoNegativeCouplingInItsLayersNorOnTop) {
+  const Output output =
+      testing::must_mesh(two_boxes(40, 1, 0.5), with_layers({{"gate", "", 1e-5, 1.5, 10}}));
+  const double top = 1e-5 * (std::pow(1.5, 10) - 1) / 0.5;
+  for (const RegionReport& report : output.report.regions) {
+    for (const NegativeCoupling& c : report.couplings) {
+      const bool is_at_end = std::min(c.a.x, c.b.x) < 0.3 || std::max(c.a.x, c.b.x) > 0.7;
+      EXPECT_TRUE(is_at_end || std::max(std::abs(c.a.y), std::abs(c.b.y)) > top * (1 + 1e-9));
+    }
+  }
+}
+
+TEST(LayeredRegion, SaysWhereALineHasTooFewPoints) {
+  const Output output =
+      testing::must_mesh(two_boxes(1, 1, 0.5), with_layers({{"gate", "", 0.01, 1.5, 3}}));
+  EXPECT_EQ(testing::violations(output), "");
+  const RegionReport& report = report_of(output, "above");
+  ASSERT_EQ(report.layers.size(), 1U);
+  EXPECT_EQ(report.layers[0].most, 0);
+  EXPECT_EQ(report.layers[0].complete, 0U);
+  EXPECT_TRUE(std::any_of(report.notes.begin(), report.notes.end(), [](const Note& note) {
+    return note.kind == Note::Kind::warning &&
+           note.message.find("layers along 'gate' are missing on 1 segment") != std::string::npos;
+  }));
+}
+
+TEST(LayeredRegion, WithdrawsLayersWhereTheRestWouldBreakTheBound) {
+  // Little room is left between layers and a side that no vertex may cut.
+  const Output output =
+      testing::must_mesh(two_boxes(16, 4, 0.3), with_layers({{"gate", "", 0.05, 1, 5}}));
+  EXPECT_EQ(testing::violations(output), "");
+  for (const RegionReport& report : output.report.regions) {
+    EXPECT_TRUE(report.bound_held);
+    ASSERT_EQ(report.layers.size(), 1U);
+    const auto& parts = report.layers[0].cut_short;
+    EXPECT_TRUE(std::any_of(parts.begin(), parts.end(),
+                            [](const auto& part) { return part.why == LayerStop::withdrawn; }));
+  }
+}
+
+TEST(LayeredRegion, DependsNeitherOnThreadsNorOnTheOrderOfTheInput) {
+  const Input input = two_boxes(24, 1, 0.5);
+  Options options = with_layers({{"gate", "", 1e-3, 1.4, 6}});
+  options.threads = 1;
+  const Output one = testing::must_mesh(input, options);
+  options.threads = 4;
+  const Output four = testing::must_mesh(testing::shuffled(input, 5), options);
+  EXPECT_EQ(testing::shape_of(triangle_soup(one.mesh)),
+            testing::shape_of(triangle_soup(four.mesh)));
+}
+
+TEST(LayeredRegion, WorksWithTheAlmondMethod) {
+  Options options = with_layers({{"gate", "", 1e-3, 1.4, 6}});
+  options.method = Method::almond;
+  const Output output = testing::must_mesh(two_boxes(24, 1, 0.5), options);
+  EXPECT_EQ(testing::violations(output), "");
+  EXPECT_EQ(report_of(output, "above").layers[0].most, 6);
+}
+
+}  // namespace
+}  // namespace cover
