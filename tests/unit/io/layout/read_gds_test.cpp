@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include <cover/read_input.hpp>
+
 #include "support/gds_writer.hpp"
 #include "support/soups.hpp"
 
@@ -279,6 +281,21 @@ TEST(ReadGds, BombsAreRefusedAtOnce) {
   for (int k = 1; k < 100000; ++k)
     deep.begin("c" + std::to_string(k)).reference("c" + std::to_string(k - 1), 0, 0).end();
   EXPECT_NE(message(deep.finish()).find("one in the other"), std::string::npos);
+}
+
+TEST(ReadInput, SaysHowToConvertWhatOthersRead) {
+  const auto told = [](const char* extension, const ReadOptions& options = {}) {
+    const Result<Input> input = parse_input("", extension, "a", options);
+    EXPECT_FALSE(input);
+    return input ? "" : input.error().message;
+  };
+  for (const char* map : {".shp", ".gpkg", ".fgb", ".gml", ".KML"})
+    EXPECT_NE(told(map).find("ogr2ogr -f GeoJSON OUT.geojson FILE"), std::string::npos) << map;
+  EXPECT_NE(told(".dxf").find("ogr2ogr -f GeoJSON"), std::string::npos);
+  EXPECT_NE(told(".oas").find("strm2gds"), std::string::npos);
+  ReadOptions options;
+  options.crs = "EPSG:25832";
+  EXPECT_NE(told(".geojson", options).find("takes GDAL"), std::string::npos);
 }
 
 TEST(ReadGds, EveryCutOffFileIsAnError) {
