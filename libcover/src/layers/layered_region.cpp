@@ -8,6 +8,7 @@
 #include "layers/layered_region.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -270,8 +271,10 @@ class LayeredRegion {
     measure(boundary_, mesh);
     std::vector<std::uint32_t> out;
     if (report.bound_held) return out;
+    constexpr IndexTriple kCorners{0, 1, 2};
     for (const IndexTriple& t : mesh.triangles) {
-      if (!holds_bound(points, std::span(&t, 1), report.nu_bound))
+      const std::array corners{points[t[0]], points[t[1]], points[t[2]]};
+      if (!holds_bound(corners, std::span(&kCorners, 1), report.nu_bound))
         out.insert(out.end(), t.begin(), t.end());
     }
     return out;
