@@ -8,6 +8,7 @@
 #include "layers/layered_region.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -16,7 +17,6 @@
 #include <fmt/format.h>
 
 #include "base/describe.hpp"
-#include "cdt/couplings.hpp"
 #include "cdt/region_cdt.hpp"
 #include "geom/spatial_order.hpp"
 #include "geom/vector.hpp"
@@ -129,15 +129,6 @@ RegionMesh put_together(const RegionBoundary& boundary, const LayerFront& front,
     return note.kind == Note::Kind::target_missed || note.kind == Note::Kind::bound_missed;
   });
   return out;
-}
-
-/// Without negative couplings inside, if that breaks no bound: layers have none, but triangles of
-/// the rest may have large angles on slopes where layers taper off.
-void mend_couplings(const RegionBoundary& boundary, RegionMesh& mesh) {
-  std::vector<IndexTriple> flipped = mesh.triangles;
-  const std::vector<Point> points = all_points(boundary, mesh);
-  if (make_delaunay(points, flipped, boundary.sides) == 0) return;
-  if (holds_bound(points, flipped, mesh.report.nu_bound)) mesh.triangles = std::move(flipped);
 }
 
 /// What became of the layers, by line.
@@ -268,12 +259,13 @@ class LayeredRegion {
     if (const auto fault = find_fault(
             {points, mesh.triangles, boundary_.sides, boundary_.segments, boundary_.points.size()}))
       return fault->points.empty() ? std::vector<std::uint32_t>{0} : fault->points;
-    if (options_.couplings == Couplings::first) mend_couplings(boundary_, mesh);
     measure(boundary_, mesh);
     std::vector<std::uint32_t> out;
     if (report.bound_held) return out;
+    constexpr IndexTriple kCorners{0, 1, 2};
     for (const IndexTriple& t : mesh.triangles) {
-      if (!holds_bound(points, std::span(&t, 1), report.nu_bound))
+      const std::array corners{points[t[0]], points[t[1]], points[t[2]]};
+      if (!holds_bound(corners, std::span(&kCorners, 1), report.nu_bound))
         out.insert(out.end(), t.begin(), t.end());
     }
     return out;
