@@ -107,7 +107,8 @@ class Value {
   }
 
   [[nodiscard]] std::string text(const py::handle& value) const {
-    if (py::isinstance<py::tuple>(value) || py::isinstance<py::list>(value)) {
+    const bool is_list = py::isinstance<py::tuple>(value) || py::isinstance<py::list>(value);
+    if (entry_.kind == OptionKind::text && is_list) {
       std::string all;  // several numbers
       for (const py::handle& part : value) all += (all.empty() ? "" : ",") + text(part);
       return all;

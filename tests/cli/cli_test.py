@@ -369,7 +369,8 @@ class Mesh(Case):
         self.assertEqual(self.require(diode, 'delaunay,box-method', 0)['box']['negative_couplings'], 0)
 
     def test_couplings(self):
-        for sample in sorted(SAMPLES.glob('*.*')):
+        # A picture has short sides between its grains, beside which only the almond method holds the bound.
+        for sample in sorted([*SAMPLES.glob('*.poly'), *SAMPLES.glob('*.*json')]):
             with self.subTest(sample.name):
                 out, _ = self.run_cover('mesh', sample, '-o', 'd.vtm', '--report', 'r.json')
                 box = json.loads((self.dir / 'r.json').read_text())['overall']['box']

@@ -41,6 +41,9 @@ GOOD = [
      'periodic': [['a', 2], {'from': 'a', 'to': 'b', 'mirror': True}, {'from': 3, 'to': 'c', 'mirror': False},
                   {'from': 'd', 'to': 'e', 'rotation': {'centre': [0, 1], 'angle': -45.5}}]},
     {'segments': [{'circle': {'centre': [0, 0], 'radius': 3, 'chords': 8}}]},
+    {'points': [[0, 0], [1, 0], [1, 1], [0, 1]],
+     'segments': [{'points': [0, 1], 'name': 'a', 'layers': {'first': 0.01, 'growth': 1.5}}, [1, 2], [2, 3], [3, 0]],
+     'layers': [{'line': 'a', 'first': 0.1, 'growth': 1, 'count': 2}, {'line': 'b', 'region': 'c', 'first': 2, 'growth': 1.25}]},
 ]
 
 VALUES = [None, True, False, 0, 1, -1, 2.5, -0.5, 1e300, 10**12, 10**30, '', 'um', 'x', [], {}, [1], [0, 0], [0, 1, 2],

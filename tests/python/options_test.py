@@ -243,7 +243,7 @@ class Reading(Options):
         with self.assertRaises(cover.OptionError):
             cover.mesh_file(self.device, unit='km')
         with self.assertRaises(TypeError):
-            cover.mesh_file(self.device, layers='1')
+            cover.mesh_file(self.device, layerz='1')
         with self.assertRaises(TypeError):
             cover.mesh([(0, 0), (1, 0), (0, 1)], [(0, 1), (1, 2), (2, 0)], layer='1')
         self.assertIn('no.map', self.run_cover('mesh', 'device.gds', '-o', 'd.vtu', '--layer-map', 'no.map', code=5)[1])

@@ -114,19 +114,22 @@ Result<Input> parse_format(std::string_view text, const std::string& extension,
 
 Result<Input> parse_input(std::string_view text, std::string_view extension,
                           const std::string& source, const ReadOptions& options) {
-  if (const Status status = check_read_options(options); !status) return status.error();
-  const std::string format = lower(options.format.empty() ? extension : options.format);
-  Result<Input> input =
-      memory_as_value(source, [&] { return parse_format(text, format, source, options); });
-  if (!input) return input;
-  if (Status status = apply_units(*input, options); !status) return std::move(status).error();
-  return input;
+  return memory_as_value(source, [&]() -> Result<Input> {
+    if (const Status status = check_read_options(options); !status) return status.error();
+    const std::string format = lower(options.format.empty() ? extension : options.format);
+    Result<Input> input = parse_format(text, format, source, options);
+    if (!input) return input;
+    if (Status status = apply_units(*input, options); !status) return std::move(status).error();
+    return input;
+  });
 }
 
 Result<Input> read_input(const std::string& path, const ReadOptions& options) {
-  Result<std::string> text = memory_as_value(path, [&] { return read_file(path); });
-  if (!text) return std::move(text).error();
-  return parse_input(*text, extension_of(path), path, options);
+  return memory_as_value(path, [&]() -> Result<Input> {
+    Result<std::string> text = read_file(path);
+    if (!text) return std::move(text).error();
+    return parse_input(*text, extension_of(path), path, options);
+  });
 }
 
 }  // namespace cover
