@@ -67,7 +67,8 @@ class Meshing(unittest.TestCase):
         for points in (mesh.points[arcs['edges'].ravel()], arcs['middles']):
             np.testing.assert_allclose(np.hypot(*(points - [1, 2]).T), 3, rtol=1e-14)
         self.assertFalse(any(arcs['straight']))
-        self.assertAlmostEqual(arcs['areas'][0], 9 * math.pi, places=4)
+        # Parabolas through 36 middles are off by some 2e-6 of the disc; chords by 5e-3.
+        self.assertLess(abs(arcs['areas'][0] / (9 * math.pi) - 1), 1e-5)
 
     def test_lists_will_do(self):
         mesh = cover.mesh([(0, 0), (1, 0), (0, 1)], [(0, 1), (1, 2), (2, 0)])
