@@ -3,6 +3,7 @@ import importlib.util
 import math
 import os
 import pathlib
+import pickle
 import subprocess
 import sys
 import tempfile
@@ -67,7 +68,7 @@ class Meshing(unittest.TestCase):
         for points in (mesh.points[arcs['edges'].ravel()], arcs['middles']):
             np.testing.assert_allclose(np.hypot(*(points - [1, 2]).T), 3, rtol=1e-14)
         self.assertFalse(any(arcs['straight']))
-        # Parabolas through 36 middles are off by some 2e-6 of the disc; chords by 5e-3.
+        # Parabolas through the middles of 36 arcs or so are off by some 2e-6 of the disc; chords by 5e-3.
         self.assertLess(abs(arcs['areas'][0] / (9 * math.pi) - 1), 1e-5)
 
     def test_lists_will_do(self):
@@ -130,6 +131,68 @@ class Meshing(unittest.TestCase):
         mesh = cover.mesh_polygons([('Si', [[(0, 0), (4, 0), (4, 4), (0, 4)]]),
                                     ('SiO2', [[(1, 1), (2, 1), (2, 2), (1, 2)]], 'gate')])
         self.assertEqual({r['name'] for r in mesh.report['regions']}, {'Si', 'gate'})
+
+
+class Polygons(unittest.TestCase):
+    """mesh_polygons() with curves, contacts and voids."""
+
+    def test_curves_and_contacts(self):
+        wire = {'circle': {'centre': (2, 1), 'radius': 0.5}}
+        quarter = [{'arc': {'centre': (0, 0), 'radius': 1.0, 'from': 0, 'to': 90}}, (0, 0)]
+        mesh = cover.mesh_polygons(
+            [('Si', [np.array([[0, 0], [4, 0], [4, 2], [0, 2]])]), ('Cu', [[wire]], 'wire'),
+             {'material': 'Ox', 'rings': [quarter], 'size': 0.1, 'priority': np.int64(1)}],
+            lines={'top': [(0, 2), (4, 2)], 'ends': [np.array([[0, 1], [0, 2.0]]), [(4, 0), (4, 2)]], 'rim': [wire]},
+            chord_error=0.01, unit='um')
+        self.assertEqual({name: len(pieces) > 0 for name, pieces in mesh.lines.items() if name in ('top', 'ends', 'rim')},
+                         {'top': True, 'ends': True, 'rim': True})
+        regions = {r['name']: r for r in mesh.report['regions']}
+        self.assertEqual(set(regions), {'Si', 'wire', 'Ox'})
+        self.assertAlmostEqual(regions['wire']['area'], math.pi / 4, delta=0.03)
+        self.assertAlmostEqual(regions['Ox']['area'], math.pi / 4, delta=0.03)
+        self.assertEqual(mesh.report['input']['unit'], 'um')
+        self.assertEqual(mesh.violations(), [])
+
+    def test_voids(self):
+        square = np.array([[0, 0], [4, 0], [4, 4], [0, 4]])
+        mesh = cover.mesh_polygons([('a', [square]), ('b', [square / 4 + 1])], holes=np.array([[1.5, 1.5]]))
+        self.assertEqual([r['material_name'] if 'material_name' in r else r['name'] for r in mesh.report['regions']], ['a'])
+
+    def test_mistakes(self):
+        with self.assertRaises(cover.Error) as caught:
+            cover.mesh_polygons([('a', [[{'circle': {'centre': (0, 0), 'radius': -1, 'chords': 8}}]])])
+        self.assertIn('polygons[0].rings[0][0].circle.radius', str(caught.exception))
+        with self.assertRaises(TypeError):
+            cover.mesh_polygons([('a', [[{'circle': object()}]])])
+
+
+class Pickling(unittest.TestCase):
+    def test_everything_survives(self):
+        mesh = cover.mesh(SQUARE, SEGMENTS, REGIONS, lines={'anode': [5]}, size=0.2)
+        again = pickle.loads(pickle.dumps(mesh))
+        for name in ('points', 'triangles', 'region', 'material', 'input_id'):
+            np.testing.assert_array_equal(getattr(mesh, name), getattr(again, name), name)
+        self.assertEqual(mesh.report, again.report)
+        self.assertEqual(list(mesh.lines), list(again.lines))
+        for name, pieces in mesh.lines.items():
+            for one, other in zip(pieces, again.lines[name], strict=True):
+                self.assertEqual((one['left'], one['right']), (other['left'], other['right']))
+                self.assertEqual({frozenset(e) for e in one['edges'].tolist()}, {frozenset(e) for e in other['edges'].tolist()})
+        self.assertEqual(again.violations(), [])
+        with tempfile.TemporaryDirectory() as folder:
+            for k, m in enumerate((mesh, again)):
+                m.save(f'{folder}/{k}.msh')
+            self.assertEqual(*(pathlib.Path(f'{folder}/{k}.msh').read_bytes() for k in range(2)))
+
+    def test_wrong_states(self):
+        mesh = cover.mesh(SQUARE, SEGMENTS, REGIONS)
+        function, arguments, *_ = mesh.__reduce_ex__(2)
+        state = mesh.__getstate__()
+        for k, value in ((0, 99), (1, np.zeros(3)), (2, np.full((4, 3), 999, np.uint32)), (8, np.zeros((2, 3), int))):
+            wrong = list(state)
+            wrong[k] = value
+            with self.assertRaises((ValueError, cover.Error)):
+                cover.Mesh.__new__(cover.Mesh).__setstate__(tuple(wrong))
 
 
 class Conversions(unittest.TestCase):
