@@ -351,8 +351,9 @@ int run_mesh(Arguments arguments, ShareOut share_out) {
             input->lines.size());
   for (const std::string& option : command.library.ignored()) log->warn("{}", option);
   for (const std::string& option : command.input.ignored()) log->warn("{}", option);
-  return command.dry_run ? dry_run(command, *input, *options, *log)
-                         : run(command, *std::move(input), *options, *files, std::move(share_out), *log);
+  return command.dry_run
+             ? dry_run(command, *input, *options, *log)
+             : run(command, *std::move(input), *options, *files, std::move(share_out), *log);
 }
 
 }  // namespace cover::app

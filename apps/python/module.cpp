@@ -268,13 +268,12 @@ PYBIND11_MODULE(_cover, module) {
       .def_property_readonly("report", &report_of)
       .def("save", &save, py::arg("path"))
       .def("violations", &violations)
-      .def(py::pickle(
-          [](const PyMesh& m) { return pickled(m.output, m.soup, report_text(m)); },
-          [](const py::tuple& state) {
-            auto [output, report] = unpickled(state);
-            cover::TriangleSoup soup = cover::triangle_soup(output.mesh);
-            return PyMesh{std::move(output), std::move(soup), std::move(report)};
-          }))
+      .def(py::pickle([](const PyMesh& m) { return pickled(m.output, m.soup, report_text(m)); },
+                      [](const py::tuple& state) {
+                        auto [output, report] = unpickled(state);
+                        cover::TriangleSoup soup = cover::triangle_soup(output.mesh);
+                        return PyMesh{std::move(output), std::move(soup), std::move(report)};
+                      }))
       .def("__repr__", [](const PyMesh& m) {
         return "<cover.Mesh: " + std::to_string(m.soup.points.size()) + " points, " +
                std::to_string(m.soup.triangles.size()) + " triangles, " +
@@ -289,11 +288,11 @@ PYBIND11_MODULE(_cover, module) {
                       const py::object& progress) {
         return mesh_input(pslg_from(points, segments, regions, holes, lines), options, progress);
       });
-  module.def("mesh_text", [](const std::string& text, const std::string& extension,
-                             const std::string& source, const py::dict& options,
-                             const py::object& progress) {
-    return mesh_input(read_text(text, extension, source), options, progress);
-  });
+  module.def("mesh_text",
+             [](const std::string& text, const std::string& extension, const std::string& source,
+                const py::dict& options, const py::object& progress) {
+               return mesh_input(read_text(text, extension, source), options, progress);
+             });
   module.def("mesh_polygons",
              [](const py::list& polygons, const py::dict& options, const py::object& progress) {
                return mesh_input(soup_from(polygons), options, progress);

@@ -29,8 +29,9 @@ std::string known_formats() {
 #ifdef COVER_WITH_GMSH
   text += " and .geo";
 #endif
-  text += ", VTK's .vtu, .vtp, .vti, .vtk, layouts in .gds, TCAD's .tif, .str, .cmd, pictures in "
-          ".png, .bmp, .tif, .nrrd, .mha";
+  text +=
+      ", VTK's .vtu, .vtp, .vti, .vtk, layouts in .gds, TCAD's .tif, .str, .cmd, pictures in "
+      ".png, .bmp, .tif, .nrrd, .mha";
 #ifdef COVER_WITH_DXF
   text += ", drawings in .dxf";
 #endif

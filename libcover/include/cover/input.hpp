@@ -16,12 +16,12 @@ namespace cover {
 
 /// A segment between two points of Input::points.
 struct InputSegment {
-  std::uint32_t a = 0;  ///< index into Input::points
-  std::uint32_t b = 0;  ///< index into Input::points
-  int marker = 0;       ///< boundary marker of a .poly, 0 if none
-  long id = 0;          ///< the id under which the user's file knows it
-  int line = 0;         ///< line of the file, 0 if unknown
-  std::string name;     ///< name of the contact or interface it belongs to, empty if none
+  std::uint32_t a = 0;       ///< index into Input::points
+  std::uint32_t b = 0;       ///< index into Input::points
+  int marker = 0;            ///< boundary marker of a .poly, 0 if none
+  long id = 0;               ///< the id under which the user's file knows it
+  int line = 0;              ///< line of the file, 0 if unknown
+  std::string name;          ///< name of the contact or interface it belongs to, empty if none
   std::uint32_t circle = 0;  ///< index into Input::circles plus one; 0: a straight line
 };
 
@@ -86,10 +86,10 @@ struct Input {
   std::vector<InputPolygon> polygons;
   std::vector<InputLine> lines;
   std::shared_ptr<const PlaneField>
-      field;  ///< values that the file has beside its geometry: doping
+      field;                           ///< values that the file has beside its geometry: doping
   std::vector<ArcCircle> circles;      ///< of segments, rings and lines that are chords of arcs
   std::vector<PeriodicRule> periodic;  ///< beside those of Options::periodic
-  std::vector<LayerRule> layers;  ///< before Options::layers, which win over them
+  std::vector<LayerRule> layers;       ///< before Options::layers, which win over them
 };
 
 }  // namespace cover

@@ -19,16 +19,16 @@ struct Region {
   std::string material_name;    ///< never empty
   std::optional<Point> inside;  ///< a point strictly inside; none where there is no double
   double area = 0;
-  std::size_t sides = 0;        ///< segments on its boundary, slits counted twice
-  std::optional<double> size;   ///< wished edge length, if a seed gives one
+  std::size_t sides = 0;       ///< segments on its boundary, slits counted twice
+  std::optional<double> size;  ///< wished edge length, if a seed gives one
 };
 
 /// What a named line separates.
 enum class InterfaceKind {
-  interface,   ///< two regions
-  outline,     ///< a region and the void
-  slit,        ///< a region and itself
-  contact,     ///< a part of any of these that the input named
+  interface,  ///< two regions
+  outline,    ///< a region and the void
+  slit,       ///< a region and itself
+  contact,    ///< a part of any of these that the input named
 };
 
 /// The segments between one pair of regions, or one contact between them.
@@ -36,9 +36,9 @@ enum class InterfaceKind {
 struct Interface {
   InterfaceId id;
   InterfaceKind kind = InterfaceKind::interface;
-  std::string name;             ///< unique per (name, left, right)
+  std::string name;  ///< unique per (name, left, right)
   RegionId left;
-  RegionId right;               ///< kVoid for an outline
+  RegionId right;  ///< kVoid for an outline
   double length = 0;
   std::vector<SegmentId> segments;
 };
@@ -47,7 +47,7 @@ struct Interface {
 struct SegmentSides {
   RegionId left;
   RegionId right;
-  InterfaceId interface = kNoInterface;   ///< none where both sides are void
+  InterfaceId interface = kNoInterface;  ///< none where both sides are void
 };
 
 /// A point inside a region that is on no segment.
@@ -65,14 +65,14 @@ struct HullSide {
 
 /// The regions of a PSLG.
 struct RegionTable {
-  std::vector<Region> regions;            ///< by RegionId - 1
-  std::vector<Interface> interfaces;      ///< by InterfaceId - 1
-  std::vector<SegmentSides> sides;        ///< by SegmentId
-  std::vector<VertexId> void_points;      ///< points that touch no region: left out of the mesh
-  std::vector<SegmentId> void_segments;   ///< segments that touch no region: left out of the mesh
+  std::vector<Region> regions;           ///< by RegionId - 1
+  std::vector<Interface> interfaces;     ///< by InterfaceId - 1
+  std::vector<SegmentSides> sides;       ///< by SegmentId
+  std::vector<VertexId> void_points;     ///< points that touch no region: left out of the mesh
+  std::vector<SegmentId> void_segments;  ///< segments that touch no region: left out of the mesh
   std::vector<IsolatedPoint> isolated_points;
-  std::vector<HullSide> hull_sides;       ///< only where the convex hull is the domain
-  std::vector<Point> void_seeds;          ///< a point inside each enclosed void face
+  std::vector<HullSide> hull_sides;  ///< only where the convex hull is the domain
+  std::vector<Point> void_seeds;     ///< a point inside each enclosed void face
 
   /// REQUIRES: id is not kVoid
   [[nodiscard]] const Region& region(RegionId id) const { return regions[id.index() - 1]; }

@@ -132,8 +132,8 @@ struct RegionReport {
   std::size_t forced_above_120 = 0;  ///< sides whose own gamma_opt is above
   std::size_t forced_above_150 = 0;
   std::vector<LayerReport> layers;  ///< along its lines, as Options::layers ask
-  RegionLimits limits;      ///< what no mesh can have better, where a target is missed
-  bool bound_held = false;  ///< promise 3, up to rounding of coordinates
+  RegionLimits limits;              ///< what no mesh can have better, where a target is missed
+  bool bound_held = false;          ///< promise 3, up to rounding of coordinates
   std::vector<Note> notes;
   double seconds = 0;  ///< of one thread
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include <cover/output.hpp>
 #include <cover/ids.hpp>
+#include <cover/output.hpp>
 #include <cover/regions.hpp>
 #include <cover/result.hpp>
 #include <cover/verify.hpp>
@@ -40,7 +40,7 @@ struct StoredMesh {
   std::vector<StoredEdge> edges;       ///< of all interfaces
   std::vector<PeriodicNodes> periodic;
   std::vector<StoredArc> arcs;
-  Provenance provenance;               ///< and unit and scale: as in Report
+  Provenance provenance;  ///< and unit and scale: as in Report
   std::string unit;
   double scale = 1;
   bool second_order = false;  ///< the file's triangles have six nodes, of which these are corners

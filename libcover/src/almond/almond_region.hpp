@@ -16,6 +16,6 @@ namespace cover {
 /// Threads: pure function of its arguments.
 /// Ref:     mitchell_1993_covering
 RegionMesh almond_region(const RegionBoundary& boundary, const Options& options,
-                        std::stop_token stop);
+                         std::stop_token stop);
 
 }  // namespace cover

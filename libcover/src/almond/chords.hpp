@@ -14,7 +14,7 @@ namespace cover {
 enum class ChordKind : std::uint8_t {
   interior,  ///< another almond, or (the paper's "locked") a segment whose own almond is empty
   exterior,  ///< the remainder
-  fixed,     ///< the remainder, but the chord must stay whole: there is no arc, it stands in for one
+  fixed,  ///< the remainder, but the chord must stay whole: there is no arc, it stands in for one
 };
 
 /// A chord of the arc of `almond` from `a` to `b`, in the direction from u to v.

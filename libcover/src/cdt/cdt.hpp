@@ -16,9 +16,9 @@ using IndexPair = std::array<std::uint32_t, 2>;
 /// Why points and segments are no PSLG.
 struct CdtConflict {
   enum class Kind {
-    duplicate_point,    ///< points `first` and `second` have the same coordinates
-    point_on_segment,   ///< point `first` lies inside segment `second`
-    crossing,           ///< segments `first` and `second` cross in their insides
+    duplicate_point,   ///< points `first` and `second` have the same coordinates
+    point_on_segment,  ///< point `first` lies inside segment `second`
+    crossing,          ///< segments `first` and `second` cross in their insides
   };
   Kind kind = Kind::crossing;
   std::uint32_t first = 0;
@@ -28,7 +28,7 @@ struct CdtConflict {
 /// A triangulation, or the conflict that prevents it.
 struct CdtResult {
   Triangulation triangulation;
-  std::vector<CdtConflict> conflicts;   ///< empty: the triangulation is complete
+  std::vector<CdtConflict> conflicts;  ///< empty: the triangulation is complete
 };
 
 /// Constrained Delaunay triangulation of the convex hull of `points`; `segments` are its locked

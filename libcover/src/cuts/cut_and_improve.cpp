@@ -24,9 +24,9 @@
 namespace cover {
 namespace {
 
-constexpr std::size_t kTriangles = 64;  ///< in an excerpt
-constexpr std::uint32_t kCutAround = 16;     ///< triangles of it whose sides may be cut
-constexpr double kEnd = 0.01;           ///< of a side: no cut is nearer to its ends
+constexpr std::size_t kTriangles = 64;    ///< in an excerpt
+constexpr std::uint32_t kCutAround = 16;  ///< triangles of it whose sides may be cut
+constexpr double kEnd = 0.01;             ///< of a side: no cut is nearer to its ends
 constexpr std::uint64_t kEvaluationsPerPoint = 20000;
 constexpr std::uint64_t kEvaluationsAtLeast = 3'000'000;
 constexpr std::size_t kKicked = 5;  ///< trials that are kicked

@@ -17,7 +17,7 @@ namespace cover {
 namespace {
 
 constexpr std::size_t kHalvedAround = 24;  ///< triangles around one, whose sides may be halved
-constexpr double kLong = 0.64;     ///< of the squared length of the longest side: halved too
+constexpr double kLong = 0.64;  ///< of the squared length of the longest side: halved too
 
 }  // namespace
 

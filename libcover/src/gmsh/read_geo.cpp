@@ -299,10 +299,10 @@ class Reader {
   }
 
   Input input_;
-  std::map<std::size_t, std::uint32_t> index_;  ///< of input_.points, by gmsh's node
-  std::map<int, std::vector<Piece>> pieces_;    ///< by curve
+  std::map<std::size_t, std::uint32_t> index_;      ///< of input_.points, by gmsh's node
+  std::map<int, std::vector<Piece>> pieces_;        ///< by curve
   std::map<Piece, std::uint32_t> circle_of_piece_;  ///< either way round: its number
-  std::vector<bool> used_;                      ///< by point
+  std::vector<bool> used_;                          ///< by point
 };
 
 Error failed(const std::string& path, const std::string& what) {

@@ -172,9 +172,10 @@ constexpr OptionEntry layers(OptionEntry row) {
     const auto growth = values.size() < 2 ? std::nullopt : parse<double>(values[1]);
     const auto count = values.size() < 3 ? std::optional(0) : parse<int>(values[2]);
     if (!first || !growth || !count || values.size() > 3) {
-      return bad_option(fmt::format("'{}' is not LINE[@REGION]=first,growth[,count] with a length, "
-                                    "a number and a whole number",
-                                    text));
+      return bad_option(
+          fmt::format("'{}' is not LINE[@REGION]=first,growth[,count] with a length, "
+                      "a number and a whole number",
+                      text));
     }
     LayerRule rule{side->line, side->region, *first, *growth, *count};
     if (Status status = check_layers(rule); !status) return status;
@@ -534,7 +535,8 @@ Status check_options(const Options& options) {
   if (!options.layers.empty() && options.method == Method::nonobtuse)
     return bad_option("layers need method quality or almond: method nonobtuse cuts their lines");
   if (!options.layers.empty() && options.hull)
-    return bad_option("layers lie along lines of the input, and sides of a hull are none: not with hull");
+    return bad_option(
+        "layers lie along lines of the input, and sides of a hull are none: not with hull");
   for (const OptionEntry& entry : kTable) {
     if (entry.check == nullptr) continue;
     if (Status status = entry.check(entry, options); !status) return status;

@@ -52,7 +52,8 @@ PictureMesh picture_of(const Output& output) {
   }
   for (const PeriodicNodes& nodes : output.periodic) {
     std::vector<std::uint32_t>& vertices = picture.periodic.emplace_back();
-    for (const auto& pair : nodes.vertices) vertices.insert(vertices.end(), pair.begin(), pair.end());
+    for (const auto& pair : nodes.vertices)
+      vertices.insert(vertices.end(), pair.begin(), pair.end());
   }
   for (auto& entry : marked) picture.lines.push_back(std::move(entry.second));
   return picture;

@@ -55,7 +55,8 @@ TEST(CompareWith120Degrees, DecidesWhatDoublesCannot) {
   const double h = std::sqrt(3.0) / 2;
   const Sign at = compare_with_120_degrees({1, 0}, {0, 0}, {-0.5, h});
   EXPECT_NE(at, Sign::zero);
-  EXPECT_NE(at, compare_with_120_degrees({1, 0}, {0, 0}, {-0.5, std::nextafter(h, at == Sign::positive ? 1.0 : 0.0)}));
+  EXPECT_NE(at, compare_with_120_degrees(
+                    {1, 0}, {0, 0}, {-0.5, std::nextafter(h, at == Sign::positive ? 1.0 : 0.0)}));
   EXPECT_EQ(compare_with_120_degrees({1, 0}, {0, 0}, {-1, 0}), Sign::positive);
   EXPECT_EQ(compare_with_120_degrees({1, 0}, {0, 0}, {1, 1}), Sign::negative);
 }

@@ -148,8 +148,8 @@ TEST(OptionTable, TextThatIsNoValueIsRefusedInWords) {
   EXPECT_EQ(message("layers", "a"),
             "'a' is not LINE[@REGION]=first,growth[,count] with a length, a number and a whole "
             "number");
-  for (const char* bad : {"a=1", "=1,1,1", "@b=1,1,1", "a@=1,1,1", "a=1,1,1,1", "a=x,1,1",
-                          "a=1,1,0.5", "\"a=1,1,1"})
+  for (const char* bad :
+       {"a=1", "=1,1,1", "@b=1,1,1", "a@=1,1,1", "a=1,1,1,1", "a=x,1,1", "a=1,1,0.5", "\"a=1,1,1"})
     EXPECT_NE(message("layers", bad).find("is not LINE"), std::string::npos) << bad;
   EXPECT_EQ(message("layers", "a@b=0,1,1"),
             "layers for 'a@b': the first layer is 0, but must be above 0");

@@ -1,5 +1,5 @@
-#include "sizes/size_field.hpp"
 #include "sizes/sizes.hpp"
+#include "sizes/size_field.hpp"
 
 #include <algorithm>
 #include <cmath>

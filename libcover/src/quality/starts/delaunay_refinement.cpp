@@ -229,7 +229,8 @@ class Refinement {
       if (is_side(n)) {
         const Corners c(p, a, b);
         if (!(c.dot[0] >= limits_.apex_cot * c.cross)) return false;
-        if (limits_.keeps_couplings && c.dot[0] < mesh_.allowance(n)->least_cot * c.cross) return false;
+        if (limits_.keeps_couplings && c.dot[0] < mesh_.allowance(n)->least_cot * c.cross)
+          return false;
       }
       if (orientation(a, b, p) != Sign::positive) return false;
       loop_.push_back({va, vb, n});
