@@ -70,9 +70,7 @@ int run(const std::string& name, Arguments arguments) {
     if (command.name == name) return command.run(std::move(arguments));
     names.emplace_back(command.name);
   }
-  const auto meant = cover::closest(name, names);
-  return usage_error(fmt::format("unknown command '{}'{}", name,
-                                 meant ? fmt::format("; did you mean '{}'?", *meant) : ""));
+  return usage_error(fmt::format("unknown command '{}'{}", name, cover::did_you_mean(name, names)));
 }
 
 }  // namespace

@@ -50,10 +50,8 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
-std::string did_you_mean(const CLI::App& command, const std::string& word) {
-  const std::string name = word.substr(0, word.find('='));
-  const auto meant = closest(name, option_names(command));
-  return meant ? fmt::format("; did you mean '{}'?", *meant) : std::string();
+std::string meant_option(const CLI::App& command, const std::string& word) {
+  return did_you_mean(word.substr(0, word.find('=')), option_names(command));
 }
 
 /// What was wrong, in words for the user.
@@ -61,7 +59,7 @@ std::string explain(const CLI::App& command, const CLI::ParseError& error) {
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     const std::string word = command.remaining().front();
     if (word.starts_with('-')) {
-      return fmt::format("unknown option '{}'{}", word, did_you_mean(command, word));
+      return fmt::format("unknown option '{}'{}", word, meant_option(command, word));
     }
     return fmt::format("unexpected argument '{}'", word);
   }
@@ -72,7 +70,7 @@ std::string explain(const CLI::App& command, const CLI::ParseError& error) {
       return fmt::format("the --config file has a section [{}]; its keys stand without sections",
                          key.substr(0, dot));
     return fmt::format("unknown key '{}' in the --config file{}", key,
-                       did_you_mean(command, "--" + key));
+                       meant_option(command, "--" + key));
   }
   if (dynamic_cast<const CLI::FileError*>(&error) != nullptr) {
     return fmt::format("cannot read the --config file: {}", error.what());

@@ -2,7 +2,6 @@
 // arcs, and of second order no triangle is inverted, by another test than the one that is made.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <random>
 
 #include <cover/cover_mesh.hpp>
@@ -21,10 +20,7 @@ namespace cover {
 namespace {
 
 /// Random devices: COVER_ARC_TRIALS if set.
-std::size_t trials() {
-  const char* text = std::getenv("COVER_ARC_TRIALS");
-  return text != nullptr ? std::strtoul(text, nullptr, 10) : 80;
-}
+std::size_t trials() { return testing::cases_asked_for("COVER_ARC_TRIALS", 80); }
 
 Options random_options(std::mt19937_64& random) {
   Options options;

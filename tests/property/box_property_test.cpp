@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <random>
 
 #include "box/encroached_sides.hpp"
@@ -19,10 +18,7 @@ namespace cover {
 namespace {
 
 /// Random meshes: COVER_BOX_TRIALS if set.
-std::size_t trials() {
-  const char* text = std::getenv("COVER_BOX_TRIALS");
-  return text != nullptr ? std::strtoul(text, nullptr, 10) : 4000;
-}
+std::size_t trials() { return testing::cases_asked_for("COVER_BOX_TRIALS", 4000); }
 
 std::vector<IndexTriple> triangles_of(const Triangulation& cdt) {
   std::vector<IndexTriple> triangles;

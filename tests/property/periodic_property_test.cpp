@@ -2,7 +2,6 @@
 // its partner, and all promises hold.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <random>
 
 #include <cover/cover_mesh.hpp>
@@ -16,10 +15,7 @@ namespace cover {
 namespace {
 
 /// Random cells and sectors: COVER_PERIODIC_TRIALS if set.
-std::size_t trials() {
-  const char* text = std::getenv("COVER_PERIODIC_TRIALS");
-  return text != nullptr ? std::strtoul(text, nullptr, 10) : 60;
-}
+std::size_t trials() { return testing::cases_asked_for("COVER_PERIODIC_TRIALS", 60); }
 
 Options random_options(std::mt19937_64& random) {
   Options options;

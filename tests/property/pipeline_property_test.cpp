@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <ostream>
 #include <string>
 
@@ -139,8 +138,7 @@ TEST_P(Pipeline, DoesNotDependOnTheNumberOfThreads) {
 /// Promises 1 to 3 on anything: COVER_LONG_GRAPHS says how many graphs, 40 by default.
 TEST(PlanarGraph, KeepsItsPromisesByEveryMethod) {
   const std::uint64_t first = testing::test_seed(77);
-  const char* count = std::getenv("COVER_LONG_GRAPHS");
-  const std::uint64_t graphs = count != nullptr ? std::stoull(count) : 40;
+  const std::uint64_t graphs = testing::cases_asked_for("COVER_LONG_GRAPHS", 40);
   std::size_t meshed = 0;
   for (std::uint64_t seed = first; seed < first + graphs; ++seed) {
     SCOPED_TRACE(testing::seed_trace(seed));

@@ -95,9 +95,13 @@ double area_of(const RegionBoundary& boundary) {
   return sum / 2;
 }
 
+std::uint64_t cases_asked_for(const char* variable, std::uint64_t usual) {
+  const char* value = std::getenv(variable);
+  return value != nullptr ? std::strtoull(value, nullptr, 10) : usual;
+}
+
 std::uint64_t test_seed(std::uint64_t fallback) {
-  const char* value = std::getenv("COVER_TEST_SEED");
-  return value != nullptr ? std::strtoull(value, nullptr, 10) : fallback;
+  return cases_asked_for("COVER_TEST_SEED", fallback);
 }
 
 std::string seed_trace(std::uint64_t seed) { return "COVER_TEST_SEED=" + std::to_string(seed); }

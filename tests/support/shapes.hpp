@@ -40,6 +40,9 @@ double area_of(const RegionBoundary& boundary);
 /// The seed of a random test: COVER_TEST_SEED if set, else `fallback`. Printed when a test fails
 /// by way of SCOPED_TRACE(seed_trace(seed)).
 std::uint64_t test_seed(std::uint64_t fallback);
+/// How many cases a random test tries: what the environment variable `variable` says, else
+/// `usual`.
+std::uint64_t cases_asked_for(const char* variable, std::uint64_t usual);
 std::string seed_trace(std::uint64_t seed);
 
 }  // namespace cover::testing

@@ -34,7 +34,7 @@ enum class ErrorCode {
   syntax = 202,
   truncated = 203,
   unsupported_format = 204,
-  // 300-399: the run (exit codes 130, 4, 6)
+  // 300-399: the run (exit codes 130, 4, 6, 7)
   cancelled = 300,
   meshing_incomplete = 301,
   requirement_not_met = 302,

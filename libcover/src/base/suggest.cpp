@@ -47,10 +47,14 @@ std::optional<std::string> closest(std::string_view word, std::span<const std::s
   return found;
 }
 
-std::string not_one_of(std::string_view word, std::span<const std::string> candidates) {
+std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
   const auto meant = closest(word, candidates);
+  return meant ? fmt::format("; did you mean '{}'?", *meant) : std::string();
+}
+
+std::string not_one_of(std::string_view word, std::span<const std::string> candidates) {
   return fmt::format("'{}' is not one of {}{}", word, fmt::join(candidates, ", "),
-                     meant ? fmt::format("; did you mean '{}'?", *meant) : "");
+                     did_you_mean(word, candidates));
 }
 
 }  // namespace cover

@@ -20,6 +20,7 @@
 #include "cdt/cdt.hpp"
 #include "clean/change_report.hpp"
 #include "cuts/cut_segments.hpp"
+#include "geom/box.hpp"
 #include "geom/isometry.hpp"
 #include "options/periodic_rule.hpp"
 #include "region/region_graph.hpp"
@@ -110,26 +111,15 @@ Line find_line(const Pslg& pslg, const RegionTable& table, const std::string& na
 Error unknown_line(const RegionTable& table, const PeriodicRule& rule, const std::string& name) {
   std::vector<std::string> names;
   for (const Interface& line : table.interfaces) names.push_back(line.name);
-  const auto meant = closest(name, names);
   return periodic_error(
       rule, fmt::format("there is no interface, contact, outline or marker '{}'{}", name,
-                        meant ? fmt::format("; did you mean '{}'?", *meant) : ""));
+                        did_you_mean(name, names)));
 }
 
-struct Extent {
-  Point low, high;
-
-  [[nodiscard]] double size() const { return std::max(high.x - low.x, high.y - low.y); }
-};
-
-Extent extent_of(const Pslg& pslg, const Line& line) {
-  Extent e{pslg.points[line.vertices[0].index()], pslg.points[line.vertices[0].index()]};
-  for (const VertexId v : line.vertices) {
-    const Point p = pslg.points[v.index()];
-    e.low = {std::min(e.low.x, p.x), std::min(e.low.y, p.y)};
-    e.high = {std::max(e.high.x, p.x), std::max(e.high.y, p.y)};
-  }
-  return e;
+Box box_of(const Pslg& pslg, const Line& line) {
+  Box box;
+  for (const VertexId v : line.vertices) box.add(pslg.points[v.index()]);
+  return box;
 }
 
 /// Of the line's length.
@@ -156,10 +146,9 @@ class Matcher {
         from_(std::move(from)),
         to_(std::move(to)),
         find_to_(pslg.points, to_.vertices) {
-    const Extent a = extent_of(pslg, from_), b = extent_of(pslg, to_);
-    const Extent both{{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
-                      {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
-    match_.tolerance = kAutoWeld * both.size();
+    Box both = box_of(pslg, from_);
+    both.include(box_of(pslg, to_));
+    match_.tolerance = kAutoWeld * both.extent();
   }
 
   Result<SidesMatch> match() {
@@ -174,11 +163,9 @@ class Matcher {
 
   Status find_map() {
     switch (rule_.map) {
-      case PeriodicRule::Map::translation: {
-        const Extent a = extent_of(pslg_, from_), b = extent_of(pslg_, to_);
-        match_.map = translation_by(b.low - a.low);
+      case PeriodicRule::Map::translation:
+        match_.map = translation_by(box_of(pslg_, to_).low - box_of(pslg_, from_).low);
         break;
-      }
       case PeriodicRule::Map::rotation:
         match_.map = rotation_about(rule_.centre, rule_.angle);
         return ok();  // its shift is what the user says

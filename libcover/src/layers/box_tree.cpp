@@ -24,8 +24,7 @@ std::uint32_t BoxTree::build(std::span<const Box> boxes, std::uint32_t first, st
   nodes_.emplace_back();
   Box all;
   for (std::uint32_t i = first; i < last; ++i) {
-    all.add(boxes[items_[i]].low);
-    all.add(boxes[items_[i]].high);
+    all.include(boxes[items_[i]]);
   }
   nodes_[at].box = all;
   if (last - first <= kLeaf) {

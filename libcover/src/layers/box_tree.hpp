@@ -1,33 +1,13 @@
 // Which boxes meet a box: a static binary tree over axis-parallel boxes.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include <cover/point.hpp>
+#include "geom/box.hpp"
 
 namespace cover::layers {
-
-/// An axis-parallel box; empty until something is added.
-struct Box {
-  Point low{1, 1};
-  Point high{0, 0};
-
-  void add(Point p) {
-    if (low.x > high.x) {
-      low = high = p;
-      return;
-    }
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  [[nodiscard]] bool meets(const Box& other) const {
-    return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
-           other.low.y <= high.y;
-  }
-};
 
 /// Built once, asked often.
 class BoxTree {

@@ -48,11 +48,7 @@ bool has_parting_edge(const Guard& from, const Guard& cell, const Guard& other) 
 
 }  // namespace
 
-Box Guard::box() const {
-  Box out;
-  for (const Point& p : points()) out.add(p);
-  return out;
-}
+Box Guard::box() const { return box_of(points()); }
 
 bool overlap(const Guard& cell, const Guard& other) {
   return !has_parting_edge(cell, cell, other) && !has_parting_edge(other, cell, other);

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "cdt/triangulation.hpp"
+#include "geom/box.hpp"
 #include "geom/predicates.hpp"
 #include "layers/box_tree.hpp"
 #include "layers/side_links.hpp"
@@ -24,12 +25,6 @@ namespace {
 constexpr double kFree = 0.5;  ///< of a layer's thickness: what stays free above it
 constexpr double kSteepest = 0.17364817766693033;  ///< sine of half of kMitre
 constexpr double kSameHeight = 1e-6;  ///< of a layer's thickness: vertices of a wall that serve it
-
-double diagonal(const std::vector<Point>& points) {
-  Box box;
-  for (const Point& p : points) box.add(p);
-  return length(box.high - box.low);
-}
 
 /// The triangles of a quadrilateral, Delaunay where both diagonals will do; none if it is not
 /// convex enough to have any.
@@ -63,7 +58,7 @@ bool is_convex(const Guard& guard) {
 LayerFront::LayerFront(const RegionBoundary& boundary, std::span<const LayerRule> rules,
                        std::span<const int> most)
     : boundary_(boundary), rules_(rules), most_(most), sides_(boundary.sides.size()) {
-  const double room = diagonal(boundary.points);
+  const double room = box_of(boundary.points).diagonal();
   for (std::uint32_t r = 0; r < rules.size(); ++r) {
     thickness_.emplace_back(rules[r], room);
     same_rule_.push_back(r);

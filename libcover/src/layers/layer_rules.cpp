@@ -2,8 +2,6 @@
 #include "layers/layer_rules.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -11,7 +9,8 @@
 
 #include "base/describe.hpp"
 #include "base/suggest.hpp"
-#include "layers/box_tree.hpp"
+#include "geom/box.hpp"
+#include "geom/ulp.hpp"
 #include "region/named_regions.hpp"
 
 namespace cover {
@@ -30,17 +29,13 @@ Error bad_layers(const LayerRule& rule, const std::string& what, std::vector<Poi
 Error no_such_line(const LayerRule& rule, const RegionTable& table) {
   std::vector<std::string> names;
   for (const Interface& line : table.interfaces) names.push_back(line.name);
-  const auto meant = closest(rule.line, names);
-  return bad_layers(
-      rule, fmt::format("there is no interface, contact, outline or inner line of that name{}",
-                        meant ? fmt::format("; did you mean '{}'?", *meant) : ""));
+  return bad_layers(rule, "there is no interface, contact, outline or inner line of that name" +
+                              did_you_mean(rule.line, names));
 }
 
 /// Layers that coordinates cannot hold.
 Status check_thinnest(const LayerRule& rule, const Pslg& pslg) {
-  double largest = 0;
-  for (const Point& p : pslg.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-  const double spacing = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+  const double largest = largest_coordinate(pslg.points), spacing = spacing_at(largest);
   if (rule.first >= kLeastThickness * spacing) return ok();
   return bad_layers(rule, fmt::format("a first layer of {} is too thin: coordinates as large as {} "
                                       "are {} apart, and layers need {} times that",
@@ -51,9 +46,8 @@ Status check_thinnest(const LayerRule& rule, const Pslg& pslg) {
 /// No region is thicker than its bounding box.
 Status check_thickest(const LayerRule& rule, const RegionTable& table,
                       const RegionBoundary& boundary) {
-  layers::Box box;
-  for (const Point& p : boundary.points) box.add(p);
-  const double width = std::min(box.high.x - box.low.x, box.high.y - box.low.y);
+  const Box box = box_of(boundary.points);
+  const double width = std::min(box.width(), box.height());
   if (rule.first < width) return ok();
   return bad_layers(
       rule,

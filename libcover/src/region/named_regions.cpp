@@ -50,10 +50,9 @@ Error no_such_region(const RegionTable& table, const std::string& what, const st
     names.push_back(region.name);
     names.push_back(region.material_name);
   }
-  const auto meant = closest(name, names);
   return {ErrorCode::bad_option,
           fmt::format("{} '{}': there is no region or material of that name{}", what, name,
-                      meant ? fmt::format("; did you mean '{}'?", *meant) : ""),
+                      did_you_mean(name, names)),
           {},
           {}};
 }

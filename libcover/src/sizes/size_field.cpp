@@ -35,12 +35,6 @@ std::vector<double> spacing_of(const RegionBoundary& boundary) {
   return sum;
 }
 
-/// No edge of a mesh is longer.
-double diagonal(const RegionBoundary& boundary) {
-  const Box box = box_of(boundary.points);
-  return length(box.high - box.low);
-}
-
 /// Zero where a function wishes nothing.
 double wish_of(const SizeFunction& function, Point p) {
   const double size = function(p);
@@ -67,7 +61,8 @@ SizeField::SizeField(const RegionBoundary& boundary, const Triangulation& cdt,
     : slope_(growth.value_or(Options::kGrowth) - 1),
       largest_(boundary.size > 0 ? boundary.size : kNoSize),
       background_(std::move(background)) {
-  if (!growth && !background_ && boundary.size_at.empty() && largest_ >= diagonal(boundary)) return;
+  const double longest_edge = box_of(boundary.points).diagonal();
+  if (!growth && !background_ && boundary.size_at.empty() && largest_ >= longest_edge) return;
   at_ = spacing_of(boundary);
   for (std::size_t v = 0; v < at_.size(); ++v) {
     if (!boundary.vertices.empty() && !(boundary.vertices[v] < first_cut)) at_[v] = kNoSize;

@@ -85,10 +85,9 @@ Error unknown_name(const SizeRule& rule, const RegionTable& table) {
       error.message += "; an interface or contact has it: ask for a size at that (--size-at)";
     return error;
   }
-  const auto meant = closest(rule.name, names);
   return {ErrorCode::bad_option,
           fmt::format("size for '{}': there is no interface, contact or point of that name{}",
-                      rule.name, meant ? fmt::format("; did you mean '{}'?", *meant) : ""),
+                      rule.name, did_you_mean(rule.name, names)),
           {},
           {}};
 }

@@ -16,9 +16,8 @@
 namespace cover {
 namespace {
 
-int fuzz_count(int fallback) {
-  const char* value = std::getenv("COVER_FUZZ");
-  return value != nullptr ? std::atoi(value) : fallback;
+std::uint64_t fuzz_count(std::uint64_t fallback) {
+  return testing::cases_asked_for("COVER_FUZZ", fallback);
 }
 
 /// Stops at the first failure unless many cases were asked for.
@@ -32,12 +31,12 @@ void expect_covered(const RegionBoundary& boundary, const Options& options) {
   }
 }
 
-void run(int count, std::uint64_t seed, const Options& options,
+void run(std::uint64_t count, std::uint64_t seed, const Options& options,
          testing::RandomRegion (*make)(std::mt19937_64&)) {
-  for (int k = 0; k < count; ++k) {
-    std::mt19937_64 random(seed + static_cast<std::uint64_t>(k));
+  for (std::uint64_t k = 0; k < count; ++k) {
+    std::mt19937_64 random(seed + k);
     const testing::RandomRegion region = make(random);
-    SCOPED_TRACE(testing::seed_trace(seed + static_cast<std::uint64_t>(k)) + " " + region.kind);
+    SCOPED_TRACE(testing::seed_trace(seed + k) + " " + region.kind);
     expect_covered(region.boundary, options);
     if (::testing::Test::HasFailure() && stop_early()) return;
   }
@@ -72,10 +71,10 @@ RegionMesh mesh_with_all_almonds(const RegionBoundary& boundary) {
 
 TEST(AlmondMethodOnRandomRegions, AllAlmonds) {
   const std::uint64_t seed = testing::test_seed(1);
-  for (int k = 0; k < fuzz_count(300); ++k) {
-    std::mt19937_64 random(seed + static_cast<std::uint64_t>(k));
+  for (std::uint64_t k = 0; k < fuzz_count(300); ++k) {
+    std::mt19937_64 random(seed + k);
     const testing::RandomRegion region = testing::random_region(random);
-    SCOPED_TRACE(testing::seed_trace(seed + static_cast<std::uint64_t>(k)) + " " + region.kind);
+    SCOPED_TRACE(testing::seed_trace(seed + k) + " " + region.kind);
     EXPECT_EQ(testing::judge_region(region.boundary, mesh_with_all_almonds(region.boundary)), "");
     if (HasFailure() && stop_early()) return;
   }
@@ -84,10 +83,10 @@ TEST(AlmondMethodOnRandomRegions, AllAlmonds) {
 /// Promise 5: scaled by a power of two, everything is the same; shifted exactly, too.
 TEST(AlmondMethodOnRandomRegions, UnitAndOriginDoNotMatter) {
   const std::uint64_t seed = testing::test_seed(1);
-  for (int k = 0; k < fuzz_count(100); ++k) {
-    std::mt19937_64 random(seed + static_cast<std::uint64_t>(k));
+  for (std::uint64_t k = 0; k < fuzz_count(100); ++k) {
+    std::mt19937_64 random(seed + k);
     testing::RandomRegion region = testing::random_region(random);
-    SCOPED_TRACE(testing::seed_trace(seed + static_cast<std::uint64_t>(k)) + " " + region.kind);
+    SCOPED_TRACE(testing::seed_trace(seed + k) + " " + region.kind);
     Options options;
     options.paper = k % 2 == 0;
     const RegionMesh mesh = almond_region(region.boundary, options, {});

@@ -70,14 +70,13 @@ TEST(CoverRegion, RandomStars) {
   const std::uint64_t seed = testing::test_seed(1);
   SCOPED_TRACE(testing::seed_trace(seed));
   std::mt19937_64 random(seed);
-  const char* many = std::getenv("COVER_MANY");
-  const int count = many != nullptr ? std::atoi(many) : 40;
-  for (int k = 0; k < count; ++k) {
+  const std::uint64_t count = testing::cases_asked_for("COVER_MANY", 40);
+  for (std::uint64_t k = 0; k < count; ++k) {
     SCOPED_TRACE(k);
     const int n = 4 + static_cast<int>(random() % 60);
     const double smallest = std::pow(10.0, -0.7 * static_cast<double>(random() % 6));
     expect_covered(boundary_of({testing::random_star(n, smallest, random)}));
-    if (HasFailure() && many == nullptr) return;
+    if (HasFailure() && count == 40) return;
   }
 }
 

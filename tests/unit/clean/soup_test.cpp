@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <numbers>
 #include <set>
@@ -24,10 +23,7 @@ using testing::clean;
 using testing::Cleaned;
 using testing::rectangle;
 
-int soup_count() {
-  const char* value = std::getenv("COVER_LONG_SOUPS");
-  return value != nullptr ? std::atoi(value) : 150;
-}
+std::uint64_t soup_count() { return testing::cases_asked_for("COVER_LONG_SOUPS", 150); }
 
 /// Points and segments meet only at points, and every named side exists.
 void expect_valid(const Cleaned& out) {
@@ -268,7 +264,7 @@ TEST_P(RandomSoup, BecomesAPslg) {
   const std::uint64_t seed = testing::test_seed(21);
   SCOPED_TRACE(testing::seed_trace(seed));
   Dice dice{std::mt19937_64(seed)};
-  for (int k = 0; k < soup_count(); ++k) {
+  for (std::uint64_t k = 0; k < soup_count(); ++k) {
     SCOPED_TRACE("soup " + std::to_string(k));
     const auto out = clean(GetParam()(dice));
     if (!out) {

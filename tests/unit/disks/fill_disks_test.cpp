@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 
 #include "support/filling_checks.hpp"
@@ -222,10 +221,9 @@ RegionBoundary random_region(std::mt19937_64& random) {
   return boundary_of(loops, isolated);
 }
 
-/// COVER_LONG_TESTS=1 runs 10,000 of them.
+/// COVER_DISK_REGIONS says how many.
 TEST(FillDisks, RandomRegions) {
-  const char* thorough = std::getenv("COVER_LONG_TESTS");
-  const std::uint64_t count = thorough != nullptr ? 10'000 : 200;
+  const std::uint64_t count = testing::cases_asked_for("COVER_DISK_REGIONS", 200);
   const std::uint64_t first = testing::test_seed(0);
   std::size_t vertices = 0, filled = 0;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {

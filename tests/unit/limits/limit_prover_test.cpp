@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 #include <optional>
 #include <random>
@@ -225,14 +224,13 @@ RegionBoundary region_for_brute_force(std::mt19937_64& random) {
 }
 
 TEST(LimitProver, NoMeshOfARandomRegionBeatsALimit) {
-  const char* asked = std::getenv("COVER_LIMIT_TRIES");
-  const long tries = asked != nullptr ? std::atol(asked) : 20'000;
+  const std::uint64_t tries = cases_asked_for("COVER_LIMIT_TRIES", 20'000);
   const std::uint64_t seed = test_seed(11);
   SCOPED_TRACE(seed_trace(seed));
   std::mt19937_64 random(seed);
-  constexpr long kMeshes = 200;
+  constexpr std::uint64_t kMeshes = 200;
   double sharpest = 1;
-  for (long round = 0; round * kMeshes < tries; ++round) {
+  for (std::uint64_t round = 0; round * kMeshes < tries; ++round) {
     const RegionBoundary boundary = region_for_brute_force(random);
     RandomMeshes meshes(boundary, random);
     const std::vector<AngleRange> impossible = refuted_ranges(meshes.plain());

@@ -5,6 +5,7 @@
 // what is not understood, are named in the warnings. y points as the deck has it.
 // Tested by tests/unit/io/input/read_sde_test.cpp.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -15,6 +16,7 @@
 #include <fmt/format.h>
 
 #include "base/describe.hpp"
+#include "geom/box.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 #include "io/input/formats.hpp"
@@ -53,9 +55,7 @@ Place place_in(const std::vector<Point>& ring, Point p) {
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const Point a = ring[k], b = ring[(k + 1) % ring.size()];
     const Sign side = orientation(a, b, p);
-    const bool in_box = std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) &&
-                        std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
-    if (side == Sign::zero && in_box) return Place::border;
+    if (side == Sign::zero && box_of(std::array{a, b}).holds(p)) return Place::border;
     if ((a.y <= p.y) == (b.y <= p.y)) continue;
     if ((side == Sign::positive) == (b.y > a.y)) inside = !inside;
   }

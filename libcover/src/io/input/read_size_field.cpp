@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include "base/errors.hpp"
 #include "base/expression.hpp"
 #include "base/out_of_memory.hpp"
+#include "geom/box.hpp"
 #include "geom/vector.hpp"
 #include "io/input/plane_fields.hpp"
 
@@ -80,16 +80,6 @@ double slope_in(const std::array<Point, 3>& corners, const std::array<double, 3>
   return area != 0 && std::isfinite(slope) ? slope : 0;
 }
 
-/// No edge inside is longer.
-double extent_of(const std::vector<Point>& points) {
-  Point low = points.front(), high = low;
-  for (const Point& p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  return length(high - low);
-}
-
 }  // namespace
 
 Result<SizeSamples> read_size_field(const std::string& path) {
@@ -118,9 +108,10 @@ Result<SizeSamples> read_size_field(const std::string& path, const std::string& 
                                   {(*values)[a], (*values)[b], (*values)[c]});
     for (const std::uint32_t v : {a, b, c}) slopes[v] = std::max(slopes[v], slope);
   }
-  const double extent = extent_of(field->points);
+  const double longest_edge = box_of(field->points).diagonal();
   std::vector<double> sizes;
-  for (const double slope : slopes) sizes.push_back(std::min(step / slope / kLongestEdge, extent));
+  for (const double slope : slopes)
+    sizes.push_back(std::min(step / slope / kLongestEdge, longest_edge));
   return SizeSamples{std::move(field->points), std::move(field->triangles), std::move(sizes)};
 }
 

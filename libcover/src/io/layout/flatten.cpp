@@ -5,13 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "geom/box.hpp"
+#include "geom/vector.hpp"
 #include "io/input/curves.hpp"
 #include "io/layout/path_outline.hpp"
 #include "io/layout/window.hpp"
@@ -51,40 +52,15 @@ Placement placement_of(const GdsReference& reference) {
   return {m * cosine, -m * sine * mirror, 0, m * sine, m * cosine * mirror, 0, m};
 }
 
-struct Box {
-  double low_x = std::numeric_limits<double>::infinity();
-  double low_y = low_x;
-  double high_x = -low_x;
-  double high_y = -low_x;
-
-  [[nodiscard]] bool empty() const { return !(low_x <= high_x); }
-  void add(Point p) {
-    low_x = std::min(low_x, p.x);
-    low_y = std::min(low_y, p.y);
-    high_x = std::max(high_x, p.x);
-    high_y = std::max(high_y, p.y);
-  }
-  void add(const Box& other) {
-    if (other.empty()) return;
-    add(Point{other.low_x, other.low_y});
-    add(Point{other.high_x, other.high_y});
-  }
-  [[nodiscard]] bool meets(const Box& other) const {
-    return low_x <= other.high_x && other.low_x <= high_x && low_y <= other.high_y &&
-           other.low_y <= high_y;
-  }
-  [[nodiscard]] Box grown(double by) const {
-    Box box = *this;
-    box.low_x -= by, box.low_y -= by, box.high_x += by, box.high_y += by;
-    return box;
-  }
-};
+Box grown(const Box& box, double by) {
+  return {box.low + Vector{-by, -by}, box.high + Vector{by, by}};
+}
 
 Box placed(const Box& box, const Placement& place) {
   Box out;
-  if (box.empty()) return out;
-  for (const double x : {box.low_x, box.high_x})
-    for (const double y : {box.low_y, box.high_y}) out.add(place({x, y}));
+  if (box.is_empty()) return out;
+  for (const double x : {box.low.x, box.high.x})
+    for (const double y : {box.low.y, box.high.y}) out.add(place({x, y}));
   return out;
 }
 
@@ -225,7 +201,7 @@ class Flattener {
     for (const GdsShape& shape : cell.shapes) {
       ++total.shapes;
       total.points += shape.count;
-      total.box.add(box_of(shape));
+      total.box.include(box_of(shape));
     }
     for (const GdsText& text : cell.texts) {
       ++total.shapes;
@@ -238,13 +214,13 @@ class Flattener {
       total.points += times * inner.points;
       const Placement place = placement_of(reference);
       const Box box = placed(inner.box, place);
-      if (box.empty()) continue;
+      if (box.is_empty()) continue;
       for (const double column : {0.0, reference.columns - 1.0})
         for (const double row : {0.0, reference.rows - 1.0}) {
           const Point at = at_of(reference, column, row);
           Box moved = box;
-          moved.low_x += at.x, moved.high_x += at.x, moved.low_y += at.y, moved.high_y += at.y;
-          total.box.add(moved);
+          moved.low.x += at.x, moved.high.x += at.x, moved.low.y += at.y, moved.high.y += at.y;
+          total.box.include(moved);
         }
     }
     total.state = Total::State::done;
@@ -260,7 +236,7 @@ class Flattener {
     const double width = std::abs(static_cast<double>(path.width));
     const double more =
         std::max({0.0, static_cast<double>(path.begin), static_cast<double>(path.end)});
-    return box.grown(width + more);
+    return grown(box, width + more);
   }
 
   static Point at_of(const GdsReference& reference, double column, double row) {
@@ -307,7 +283,7 @@ class Flattener {
     Box box;
     box.add(Point{window.low.x / library_.unit, window.low.y / library_.unit});
     box.add(Point{window.high.x / library_.unit, window.high.y / library_.unit});
-    return box.grown(1);  // what rounding might do; exactly it is cut later
+    return grown(box, 1);  // what rounding might do; exactly it is cut later
   }
 
   void draw(std::uint32_t number, const Placement& place) {
@@ -330,7 +306,7 @@ class Flattener {
   void draw(const GdsReference& reference, const Placement& place) {
     Placement inner = placement_of(reference);
     const Box& whole = totals_[reference.cell].box;
-    if (whole.empty()) return;
+    if (whole.is_empty()) return;
     const Box box = placed(whole, place.after(inner));
     const Placement steps = place;
     const Point first = at_of(reference, 0, 0), next = at_of(reference, 1, 0);
@@ -343,8 +319,8 @@ class Flattener {
         const Point start = at_of(reference, 0, row);
         const double x = place.a * start.x + place.b * start.y;
         const double y = place.d * start.x + place.e * start.y;
-        span.keep(box.low_x + x, box.high_x + x, step_x, window_->low_x, window_->high_x);
-        span.keep(box.low_y + y, box.high_y + y, step_y, window_->low_y, window_->high_y);
+        span.keep(box.low.x + x, box.high.x + x, step_x, window_->low.x, window_->high.x);
+        span.keep(box.low.y + y, box.high.y + y, step_y, window_->low.y, window_->high.y);
       }
       for (double column = span.first; column <= span.last; ++column) {
         if (!count(0)) return;

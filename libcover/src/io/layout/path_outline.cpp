@@ -1,8 +1,9 @@
 // Tested by tests/unit/io/layout/path_outline_test.cpp.
 #include "io/layout/path_outline.hpp"
 
-#include <algorithm>
+#include <array>
 
+#include "geom/box.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 #include "io/input/curves.hpp"
@@ -33,10 +34,8 @@ std::vector<Point> without_straight_points(const std::vector<Point>& line) {
   return out;
 }
 
-bool is_between(Point p, Point a, Point b) {
-  return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y &&
-         p.y <= std::max(a.y, b.y);
-}
+/// Of points on one line.
+bool is_between(Point p, Point a, Point b) { return box_of(std::array{a, b}).holds(p); }
 
 bool meet(Point a, Point b, Point c, Point d) {
   const Sign abc = orientation(a, b, c), abd = orientation(a, b, d);
