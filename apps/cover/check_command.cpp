@@ -4,16 +4,15 @@
 #include <fmt/ranges.h>
 
 #include <cover/cover_mesh.hpp>
+#include <cover/periodic.hpp>
 #include <cover/read_mesh.hpp>
 #include <cover/remesh.hpp>
+#include <cover/text.hpp>
 #include <cover/verify.hpp>
 #include <cover/verify_curved.hpp>
 
-#include "base/describe.hpp"
-#include "base/printable.hpp"
 #include "commands.hpp"
 #include "console.hpp"
-#include "cuts/periodic_sides.hpp"
 #include "input_file.hpp"
 #include "limits_text.hpp"
 #include "mesh_file.hpp"
@@ -155,16 +154,15 @@ int print_periodic(const Prepared& prepared, const std::vector<PeriodicRule>& ru
   adopt_cuts(pslg, table, mesh);
   int code = exit_ok;
   for (const PeriodicRule& rule : rules) {
-    const Result<SidesMatch> match = match_sides(pslg, table, rule);
-    const std::optional<Error> fault =
-        match ? unmatched(pslg, rule, *match) : std::optional(match.error());
-    if (fault) {
-      fmt::print("FAILED {}\n", fault->message);
-      for (const Point& p : fault->where) fmt::print("    at ({:.17g}, {:.17g})\n", p.x, p.y);
+    const Result<std::size_t> pairs = verify_periodic_sides(pslg, table, rule);
+    if (!pairs) {
+      fmt::print("FAILED {}\n", pairs.error().message);
+      for (const Point& p : pairs.error().where)
+        fmt::print("    at ({:.17g}, {:.17g})\n", p.x, p.y);
       code = exit_unmet;
     } else if (!quiet) {
-      fmt::print("Periodic: {} pairs of vertices on {}, none without a partner\n",
-                 grouped(match->vertices.size()), describe(rule));
+      fmt::print("Periodic: {} pairs of vertices on {}, none without a partner\n", grouped(*pairs),
+                 describe(rule));
     }
   }
   return code;

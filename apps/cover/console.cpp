@@ -10,7 +10,7 @@
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/sinks/stdout_sinks.h>
 
-#include "base/printable.hpp"
+#include <cover/text.hpp>
 
 namespace cover::app {
 

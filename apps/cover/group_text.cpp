@@ -8,9 +8,10 @@
 
 #include <fmt/core.h>
 
+#include <cover/mesh_view.hpp>
+#include <cover/text.hpp>
+
 #include "console.hpp"
-#include "io/text/text.hpp"
-#include "io/write_mesh/mesh_view.hpp"
 #include "text_table.hpp"
 
 namespace cover::app {

@@ -12,16 +12,14 @@
 
 #include <fmt/core.h>
 
+#include <cover/files.hpp>
 #include <cover/picture.hpp>
+#include <cover/text.hpp>
 #include <cover/version.hpp>
 
 #include "angle_text.hpp"
-#include "base/markup.hpp"
 #include "base64_text.hpp"
 #include "console.hpp"
-#include "io/files/atomic_file.hpp"
-#include "io/files/scratch_folder.hpp"
-#include "io/text/text.hpp"
 #include "limits_text.hpp"
 #include "page_files.hpp"
 #include "verdict.hpp"
@@ -320,10 +318,7 @@ Status write_report_html(const Output& output, const std::string& path) {
   const std::string title = "Mesh report: " + std::filesystem::path(path).stem().string();
   const Result<std::string> html = Page(output).html(title);
   if (!html) return html.error();
-  Result<AtomicFile> file = AtomicFile::create(path);
-  if (!file) return std::move(file).error();
-  file->write(*html);
-  return file->commit();
+  return replace_file(path, *html);
 }
 
 }  // namespace cover::app

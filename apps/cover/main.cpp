@@ -7,9 +7,9 @@
 
 #include <fmt/core.h>
 
+#include <cover/text.hpp>
 #include <cover/version.hpp>
 
-#include "base/suggest.hpp"
 #include "commands.hpp"
 #include "exit_code.hpp"
 #include "guarded.hpp"

@@ -8,10 +8,11 @@
 #include <cover/cover_mesh.hpp>
 #include <cover/estimate.hpp>
 #include <cover/read_size_field.hpp>
+#include <cover/regions.hpp>
 #include <cover/remesh.hpp>
+#include <cover/text.hpp>
 #include <cover/write_mesh.hpp>
 
-#include "base/printable.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "dump_stages.hpp"
@@ -24,7 +25,6 @@
 #include "options.hpp"
 #include "output_files.hpp"
 #include "progress_line.hpp"
-#include "region/named_regions.hpp"
 #include "requirements.hpp"
 #include "text_report.hpp"
 

@@ -3,9 +3,9 @@
 #include <filesystem>
 
 #include <cover/read_mesh.hpp>
+#include <cover/stored_mesh.hpp>
 
 #include "console.hpp"
-#include "io/report/read_manifest.hpp"
 
 namespace cover::app {
 

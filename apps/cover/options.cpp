@@ -7,7 +7,7 @@
 
 #include <fmt/core.h>
 
-#include "base/suggest.hpp"
+#include <cover/text.hpp>
 
 namespace cover::app {
 namespace {

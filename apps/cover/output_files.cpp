@@ -8,12 +8,12 @@
 
 #include <fmt/ranges.h>
 
+#include <cover/files.hpp>
 #include <cover/picture.hpp>
 #include <cover/write_mesh.hpp>
 
 #include "console.hpp"
 #include "html_report.hpp"
-#include "io/files/scratch_folder.hpp"
 
 namespace cover::app {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <cover/picture.hpp>
 #include <cover/read_mesh.hpp>
+#include <cover/text.hpp>
 
-#include "base/describe.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "options.hpp"

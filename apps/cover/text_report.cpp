@@ -9,10 +9,9 @@
 #include <fmt/ranges.h>
 
 #include <cover/curved_mesh.hpp>
+#include <cover/text.hpp>
 
 #include "angle_text.hpp"
-#include "base/describe.hpp"
-#include "base/printable.hpp"
 #include "console.hpp"
 #include "limits_text.hpp"
 #include "text_table.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/printable.hpp"
+#include <cover/text.hpp>
 
 namespace cover::app {
 namespace {

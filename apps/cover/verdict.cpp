@@ -10,11 +10,11 @@
 #include <fmt/core.h>
 
 #include <cover/curved_mesh.hpp>
+#include <cover/option_ranges.hpp>
 #include <cover/verify.hpp>
 
 #include "angle_text.hpp"
 #include "console.hpp"
-#include "disks/fill_disks.hpp"
 #include "requirements.hpp"
 
 namespace cover::app {

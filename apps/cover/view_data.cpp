@@ -12,10 +12,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cover/mesh_view.hpp>
+
 #include "angle_text.hpp"
 #include "base64_text.hpp"
-#include "geom/vector.hpp"
-#include "io/write_mesh/mesh_view.hpp"
 
 namespace cover::app {
 namespace {
@@ -32,12 +32,10 @@ std::string packed(const std::vector<std::uint32_t>& numbers, std::size_t width)
 }
 
 /// The largest and the smallest angle of a triangle, in degrees.
-std::array<double, 2> angles_of(const MeshView& view, std::size_t t) {
-  const auto nodes = view.triangles[t];
-  const Point a = view.points[nodes[0]], b = view.points[nodes[1]], c = view.points[nodes[2]];
-  const std::array angles{angle_at(b, a, c), angle_at(c, b, a), angle_at(a, c, b)};
+std::array<double, 2> extreme_angles_of(const MeshView& view, std::size_t t) {
+  const std::array<Angle, 3> angles = angles_of(view, t);
   const auto [low, high] = std::minmax_element(angles.begin(), angles.end());
-  return {Angle::radians(*high).in_degrees(), Angle::radians(*low).in_degrees()};
+  return {high->in_degrees(), low->in_degrees()};
 }
 
 class ViewData {
@@ -71,7 +69,8 @@ class ViewData {
 
  private:
   void measure() {
-    for (std::size_t t = 0; t < view_.triangles.size(); ++t) angle_.push_back(angles_of(view_, t));
+    for (std::size_t t = 0; t < view_.triangles.size(); ++t)
+      angle_.push_back(extreme_angles_of(view_, t));
     worst_ =
         static_cast<std::size_t>(std::max_element(angle_.begin(), angle_.end()) - angle_.begin());
   }
@@ -84,8 +83,8 @@ class ViewData {
       const auto corner = [&](std::size_t t) { return view_.points[view_.triangles[t][0]]; };
       const Point centre = corner(worst_);
       const auto far = [&](std::size_t t) {
-        const Vector d = corner(t) - centre;
-        return std::max(std::abs(d.x), std::abs(d.y));
+        const Point p = corner(t);
+        return std::max(std::abs(p.x - centre.x), std::abs(p.y - centre.y));
       };
       std::nth_element(chosen_.begin(), chosen_.begin() + static_cast<std::ptrdiff_t>(most_),
                        chosen_.end(),
@@ -102,8 +101,8 @@ class ViewData {
 
   /// Lines of contacts and markers last, name by name.
   void order_lines() {
-    const Buckets groups(view_.line_groups.size(), view_.lines.size(),
-                         [&](std::size_t l) { return view_.line_group[l]; });
+    std::vector<std::vector<std::size_t>> groups(view_.line_groups.size());
+    for (std::size_t l = 0; l < view_.lines.size(); ++l) groups[view_.line_group[l]].push_back(l);
     for (const bool named : {false, true}) {
       for (std::size_t g = 0; g < groups.size(); ++g) {
         if (groups[g].empty() || is_named(groups[g].front()) != named) continue;

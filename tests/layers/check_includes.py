@@ -35,7 +35,7 @@ def faults(root, path, layer):
         kind, name = match.groups()
         if kind == '"' and layer and name.split('/')[0] not in SEES[layer]:
             yield number, f"layer '{layer}' may not include \"{name}\""
-        if kind == '"' and not layer and '/' in name and path.parts[-3] != 'apps':
+        if kind == '"' and not layer and '/' in name:
             yield number, f'"{name}" is private to the library'
         if name.startswith('CGAL/') and (layer not in CGAL or path.suffix != '.cpp'):
             yield number, f'<{name}>: CGAL belongs in .cpp files of {", ".join(sorted(CGAL))}'
@@ -53,7 +53,7 @@ def faults(root, path, layer):
 
 def main(root):
     files = [(p, p.relative_to(root / 'libcover/src').parts[0]) for p in (root / 'libcover/src').rglob('*.[hc]pp')]
-    files += [(p, None) for top in ('libcover/include', 'apps/cover', 'samples') for p in (root / top).rglob('*.[hc]pp')]
+    files += [(p, None) for top in ('libcover/include', 'apps', 'samples') for p in (root / top).rglob('*.[hc]pp')]
     found = [f'{path.relative_to(root)}:{number}: {what}'
              for path, layer in sorted(files, key=lambda f: f[0]) for number, what in faults(root, path, layer)]
     architecture = (root / 'libcover/ARCHITECTURE.md').read_text()

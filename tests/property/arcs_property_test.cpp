@@ -6,12 +6,12 @@
 
 #include <cover/cover_mesh.hpp>
 #include <cover/curved_mesh.hpp>
+#include <cover/mesh_view.hpp>
 #include <cover/remesh.hpp>
 #include <cover/verify.hpp>
 
 #include "geom/arc.hpp"
 #include "geom/vector.hpp"
-#include "io/write_mesh/mesh_view.hpp"
 #include "support/arc_devices.hpp"
 #include "support/mesh_shape.hpp"
 #include "support/shapes.hpp"

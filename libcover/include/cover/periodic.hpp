@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include <cover/ids.hpp>
@@ -40,5 +41,8 @@ struct PeriodicNodes {
 /// The smallest vertex that each of `vertices` vertices is joined to by any rule.
 std::vector<std::uint32_t> periodic_classes(const std::vector<PeriodicNodes>& periodic,
                                             std::size_t vertices);
+
+/// "'left' and 'right'".
+std::string describe(const PeriodicRule& rule);
 
 }  // namespace cover

@@ -9,10 +9,12 @@
 #include <cover/angle.hpp>
 #include <cover/limits.hpp>
 #include <cover/mesh_class.hpp>
+#include <cover/options.hpp>
 #include <cover/point.hpp>
 #include <cover/pslg.hpp>
 #include <cover/regions.hpp>
 #include <cover/report.hpp>
+#include <cover/result.hpp>
 
 namespace cover {
 
@@ -85,5 +87,14 @@ TriangleSoup triangle_soup(const Mesh& mesh);
 /// Cost:  O(n log n).
 Verification verify_cover(const Pslg& pslg, const RegionTable& table, const TriangleSoup& mesh,
                           const VerifyOptions& options = {});
+
+/// Whether the lines that `rule` names are images of each other, and by how many pairs of points. For
+/// a mesh whose segments are cut, adopt_cuts() makes `pslg` and `table` its own.
+///
+/// Errors: bad_option: unknown names, lines that share segments, or, with places, points or segments
+///         without a partner
+/// Cost:   O(n log n)
+Result<std::size_t> verify_periodic_sides(const Pslg& pslg, const RegionTable& table,
+                                          const PeriodicRule& rule);
 
 }  // namespace cover

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "base/describe.hpp"
+#include <cover/text.hpp>
 
 namespace cover {
 namespace {

@@ -1,4 +1,4 @@
-#include "base/describe.hpp"
+#include <cover/text.hpp>
 
 #include <fmt/core.h>
 

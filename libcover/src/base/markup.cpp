@@ -1,6 +1,4 @@
-#include "base/markup.hpp"
-
-#include "base/printable.hpp"
+#include <cover/text.hpp>
 
 namespace cover {
 

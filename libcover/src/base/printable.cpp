@@ -1,6 +1,6 @@
 // UTF-8 as RFC 3629 has it: no longer forms than needed, no surrogates, nothing above 10FFFF.
 // Tested by tests/unit/base/printable_test.cpp.
-#include "base/printable.hpp"
+#include <cover/text.hpp>
 
 #include <cstdint>
 #include <iterator>
@@ -68,6 +68,14 @@ std::string printable(std::string_view text) {
     text.remove_prefix(size);
   }
   return out;
+}
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return result;
 }
 
 }  // namespace cover

@@ -1,4 +1,4 @@
-#include "base/suggest.hpp"
+#include <cover/text.hpp>
 
 #include <algorithm>
 #include <numeric>

@@ -8,7 +8,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "base/describe.hpp"
+#include <cover/text.hpp>
+
 #include "base/internal_fault.hpp"
 #include "cdt/sides.hpp"
 

@@ -8,8 +8,9 @@
 #include <numeric>
 #include <utility>
 
+#include <cover/text.hpp>
+
 #include "base/complaint.hpp"
-#include "base/describe.hpp"
 
 namespace cover {
 namespace {

@@ -10,8 +10,9 @@
 #include <string_view>
 #include <tuple>
 
+#include <cover/text.hpp>
+
 #include "base/complaint.hpp"
-#include "base/describe.hpp"
 
 namespace cover {
 namespace {

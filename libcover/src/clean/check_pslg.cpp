@@ -11,8 +11,9 @@
 #include <numeric>
 #include <vector>
 
+#include <cover/text.hpp>
+
 #include "base/complaint.hpp"
-#include "base/describe.hpp"
 #include "cdt/cdt.hpp"
 #include "clean/list_meetings.hpp"
 

@@ -9,8 +9,9 @@
 #include <span>
 #include <vector>
 
+#include <cover/text.hpp>
+
 #include "base/complaint.hpp"
-#include "base/describe.hpp"
 #include "geom/exact_subdivision.hpp"
 #include "geom/predicates.hpp"
 

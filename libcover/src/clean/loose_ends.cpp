@@ -9,8 +9,9 @@
 
 #include <fmt/core.h>
 
+#include <cover/text.hpp>
+
 #include "base/complaint.hpp"
-#include "base/describe.hpp"
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 

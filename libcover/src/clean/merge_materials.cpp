@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/describe.hpp"
+#include <cover/text.hpp>
+
 #include "base/union_find.hpp"
 #include "faces/face_measures.hpp"
 #include "faces/faces.hpp"

@@ -7,8 +7,9 @@
 #include <array>
 #include <bit>
 
+#include <cover/text.hpp>
+
 #include "base/complaint.hpp"
-#include "base/describe.hpp"
 
 namespace cover {
 

@@ -10,8 +10,9 @@
 
 #include <fmt/core.h>
 
+#include <cover/text.hpp>
+
 #include "base/complaint.hpp"
-#include "base/describe.hpp"
 #include "geom/arc.hpp"
 #include "geom/vector.hpp"
 

@@ -14,7 +14,8 @@
 #include <numeric>
 #include <tuple>
 
-#include "base/describe.hpp"
+#include <cover/text.hpp>
+
 #include "geom/box.hpp"
 #include "geom/vector.hpp"
 

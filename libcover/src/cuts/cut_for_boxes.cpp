@@ -9,7 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "base/describe.hpp"
+#include <cover/text.hpp>
+
 #include "cdt/couplings.hpp"
 #include "cuts/cut_encroached.hpp"
 #include "cuts/cut_segments.hpp"

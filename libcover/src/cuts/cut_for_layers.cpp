@@ -10,7 +10,8 @@
 
 #include <fmt/format.h>
 
-#include "base/describe.hpp"
+#include <cover/text.hpp>
+
 #include "cdt/region_cdt.hpp"
 #include "cdt/sides.hpp"
 #include "cuts/cut_segments.hpp"

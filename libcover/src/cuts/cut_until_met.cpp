@@ -9,7 +9,8 @@
 
 #include <fmt/core.h>
 
-#include "base/describe.hpp"
+#include <cover/text.hpp>
+
 #include "cuts/cut_and_improve.hpp"
 #include "cuts/joined_regions.hpp"
 #include "cuts/split_interfaces.hpp"

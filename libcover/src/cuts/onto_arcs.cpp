@@ -11,7 +11,8 @@
 
 #include <fmt/core.h>
 
-#include "base/describe.hpp"
+#include <cover/text.hpp>
+
 #include "cdt/cdt.hpp"
 #include "cuts/mirror_cuts.hpp"
 #include "geom/arc.hpp"

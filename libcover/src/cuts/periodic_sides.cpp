@@ -14,9 +14,9 @@
 #include <fmt/core.h>
 
 #include <cover/option_ranges.hpp>
+#include <cover/text.hpp>
+#include <cover/verify.hpp>
 
-#include "base/describe.hpp"
-#include "base/suggest.hpp"
 #include "cdt/cdt.hpp"
 #include "clean/change_report.hpp"
 #include "cuts/cut_segments.hpp"
@@ -632,6 +632,14 @@ Status join_periodic_sides(Pslg& pslg, RegionTable& table, const std::vector<Per
     }
   }
   return ok();
+}
+
+Result<std::size_t> verify_periodic_sides(const Pslg& pslg, const RegionTable& table,
+                                          const PeriodicRule& rule) {
+  const Result<SidesMatch> match = match_sides(pslg, table, rule);
+  if (!match) return match.error();
+  if (std::optional<Error> fault = unmatched(pslg, rule, *match)) return *std::move(fault);
+  return match->vertices.size();
 }
 
 }  // namespace cover

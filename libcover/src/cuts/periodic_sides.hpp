@@ -53,7 +53,4 @@ Status join_periodic_sides(Pslg& pslg, RegionTable& table, const std::vector<Per
 /// have partners.
 std::optional<Error> unmatched(const Pslg& pslg, const PeriodicRule& rule, const SidesMatch& match);
 
-/// "'left' and 'right'".
-std::string describe(const PeriodicRule& rule);
-
 }  // namespace cover

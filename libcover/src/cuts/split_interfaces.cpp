@@ -16,7 +16,8 @@
 
 #include <fmt/core.h>
 
-#include "base/describe.hpp"
+#include <cover/text.hpp>
+
 #include "base/internal_fault.hpp"
 #include "cdt/cdt.hpp"
 #include "cdt/region_cdt.hpp"

@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 
+#include <cover/option_ranges.hpp>
 #include <cover/packing.hpp>
 
 #include "target/filler.hpp"
@@ -34,8 +35,5 @@ std::unique_ptr<Filler> make_disk_filler(const DiskFillOptions& options = {});
 /// ENSURES:  as the disk filler; locked chords and slits are welcome.
 Filling fill_between_disks(const FillTask& task, std::span<const double> radii,
                            std::stop_token stop, const DiskFillOptions& options = {});
-
-/// The largest angle that snapping nearly touching disks to contact may leave, in degrees.
-inline constexpr double kLargestSnapped = 90.1;
 
 }  // namespace cover

@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <string_view>
 
+#include <cover/text.hpp>
+
 #include "base/complaint.hpp"
-#include "base/describe.hpp"
 #include "cdt/locate.hpp"
 #include "geom/spatial_order.hpp"
 

@@ -10,7 +10,8 @@
 #include <span>
 #include <tuple>
 
-#include "base/describe.hpp"
+#include <cover/text.hpp>
+
 #include "base/union_find.hpp"
 #include "geom/vector.hpp"
 

@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "base/describe.hpp"
-#include "base/suggest.hpp"
+#include <cover/regions.hpp>
+#include <cover/text.hpp>
+
 #include "geom/box.hpp"
 #include "geom/ulp.hpp"
-#include "region/named_regions.hpp"
 
 namespace cover {
 namespace {

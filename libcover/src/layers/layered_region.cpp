@@ -16,7 +16,8 @@
 
 #include <fmt/format.h>
 
-#include "base/describe.hpp"
+#include <cover/text.hpp>
+
 #include "cdt/region_cdt.hpp"
 #include "geom/spatial_order.hpp"
 #include "geom/vector.hpp"

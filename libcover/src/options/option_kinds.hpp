@@ -14,9 +14,7 @@
 #include <fmt/format.h>
 
 #include <cover/option_table.hpp>
-
-#include "base/describe.hpp"
-#include "base/suggest.hpp"
+#include <cover/text.hpp>
 
 namespace cover::option_kinds {
 

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include <cover/picture.hpp>
+#include <cover/text.hpp>
 
-#include "base/markup.hpp"
 #include "base/out_of_memory.hpp"
 #include "io/files/atomic_file.hpp"
 #include "picture/compose.hpp"

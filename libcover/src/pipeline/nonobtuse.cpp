@@ -19,7 +19,8 @@
 
 #include <fmt/core.h>
 
-#include "base/describe.hpp"
+#include <cover/text.hpp>
+
 #include "cdt/region_cdt.hpp"
 #include "cuts/cut_segments.hpp"
 #include "disks/fill_disks.hpp"

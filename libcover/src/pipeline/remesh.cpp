@@ -11,9 +11,10 @@
 
 #include <fmt/ranges.h>
 
+#include <cover/regions.hpp>
+#include <cover/text.hpp>
 #include <cover/verify.hpp>
 
-#include "base/describe.hpp"
 #include "base/errors.hpp"
 #include "base/out_of_memory.hpp"
 #include "cdt/cdt.hpp"
@@ -22,7 +23,6 @@
 #include "mesh/periodic_nodes.hpp"
 #include "mesh/stitch.hpp"
 #include "pipeline/find_regions.hpp"
-#include "region/named_regions.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/expected_triangles.hpp"
 #include "sizes/sizes.hpp"

@@ -7,7 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/describe.hpp"
+#include <cover/text.hpp>
+
 #include "faces/face_measures.hpp"
 #include "geom/box.hpp"
 #include "geom/vector.hpp"

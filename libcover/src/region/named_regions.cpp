@@ -1,12 +1,12 @@
 // Tested by tests/unit/region/named_regions_test.cpp.
-#include "region/named_regions.hpp"
+#include <cover/regions.hpp>
 
 #include <charconv>
 #include <optional>
 
 #include <fmt/core.h>
 
-#include "base/suggest.hpp"
+#include <cover/text.hpp>
 
 namespace cover {
 namespace {

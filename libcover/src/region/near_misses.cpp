@@ -8,7 +8,8 @@
 #include <iterator>
 #include <set>
 
-#include "base/describe.hpp"
+#include <cover/text.hpp>
+
 #include "geom/vector.hpp"
 
 namespace cover {

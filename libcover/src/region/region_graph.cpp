@@ -11,8 +11,8 @@
 #include <span>
 
 #include <cover/option_ranges.hpp>
+#include <cover/text.hpp>
 
-#include "base/describe.hpp"
 #include "clean/loose_ends.hpp"
 #include "clean/weld.hpp"
 #include "faces/face_measures.hpp"

@@ -6,8 +6,9 @@
 
 #include <fmt/core.h>
 
+#include <cover/text.hpp>
+
 #include "base/caller_fault.hpp"
-#include "base/describe.hpp"
 
 namespace cover {
 namespace {

@@ -2,6 +2,7 @@
 // place, all that share an edge, the first counts, so that the result does not depend on the tree.
 // Tested by tests/unit/sizes/size_function_test.cpp.
 #include <cover/size_function.hpp>
+#include <cover/text.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,6 @@
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
 
-#include "base/describe.hpp"
 #include "base/out_of_memory.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"

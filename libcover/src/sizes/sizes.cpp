@@ -12,12 +12,12 @@
 
 #include <fmt/core.h>
 
-#include "base/describe.hpp"
+#include <cover/regions.hpp>
+#include <cover/text.hpp>
+
 #include "base/expression.hpp"
-#include "base/suggest.hpp"
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
-#include "region/named_regions.hpp"
 #include "sizes/segment_sizes.hpp"
 #include "sizes/size_field.hpp"
 

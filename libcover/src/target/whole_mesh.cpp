@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "base/describe.hpp"
+#include <cover/text.hpp>
+
 #include "geom/predicates.hpp"
 #include "region/region_boundary.hpp"
 

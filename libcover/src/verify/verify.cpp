@@ -11,6 +11,7 @@
 // What is broken is listed by kind.
 // Tested by tests/unit/verify/verify_test.cpp, which damages good
 // meshes in every way it can think of.
+#include <cover/text.hpp>
 #include <cover/verify.hpp>
 
 #include <algorithm>
@@ -19,7 +20,6 @@
 
 #include <fmt/core.h>
 
-#include "base/describe.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 #include "verify/expected_domain.hpp"

@@ -1,4 +1,5 @@
 // Tested by tests/unit/verify/verify_curved_test.cpp.
+#include <cover/text.hpp>
 #include <cover/verify_curved.hpp>
 
 #include <algorithm>
@@ -10,7 +11,6 @@
 
 #include <fmt/core.h>
 
-#include "base/describe.hpp"
 #include "geom/arc.hpp"
 #include "geom/vector.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-#include "base/describe.hpp"
+#include <cover/text.hpp>
 
 namespace cover {
 namespace {

@@ -18,9 +18,9 @@
 #endif
 
 #include <cover/picture.hpp>
+#include <cover/text.hpp>
 
 #include "base/out_of_memory.hpp"
-#include "base/printable.hpp"
 #include "io/files/atomic_file.hpp"
 #include "picture/compose.hpp"
 #include "picture/raster.hpp"

@@ -1,4 +1,4 @@
-#include "base/markup.hpp"
+#include <cover/text.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "base/printable.hpp"
+#include <cover/text.hpp>
 
 #include <random>
 #include <string>

@@ -6,12 +6,12 @@
 #include <numbers>
 
 #include <cover/mesh.hpp>
+#include <cover/mesh_view.hpp>
 #include <cover/read_mesh.hpp>
 #include <cover/stored_mesh.hpp>
 #include <cover/write_mesh.hpp>
 
 #include "geom/vector.hpp"
-#include "io/write_mesh/mesh_view.hpp"
 #include "support/arc_devices.hpp"
 #include "support/mesh_shape.hpp"
 #include "support/temporary_folder.hpp"

@@ -1,4 +1,4 @@
-#include "region/named_regions.hpp"
+#include <cover/regions.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
+#include <cover/mesh_view.hpp>
 #include <cover/verify_curved.hpp>
 
 #include <gtest/gtest.h>
 
 #include "geom/vector.hpp"
-#include "io/write_mesh/mesh_view.hpp"
 #include "support/arc_devices.hpp"
 #include "support/mesh_shape.hpp"
 

@@ -7,13 +7,13 @@
 #include <map>
 
 #include <cover/cover_mesh.hpp>
+#include <cover/mesh_view.hpp>
 #include <cover/read_mesh.hpp>
 #include <cover/stored_mesh.hpp>
 #include <cover/verify.hpp>
 #include <cover/version.hpp>
 #include <cover/write_mesh.hpp>
 
-#include "io/write_mesh/mesh_view.hpp"
 #include "support/inputs.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/written_mesh.hpp"

@@ -22,10 +22,10 @@
 #include <vector>
 
 #include <cover/cover_mesh.hpp>
+#include <cover/mesh_view.hpp>
 #include <cover/read_mesh.hpp>
 #include <cover/write_mesh.hpp>
 
-#include "io/write_mesh/mesh_view.hpp"
 #include "support/inputs.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -39,4 +39,11 @@ Status AtomicFile::commit() {
   return target_.empty() ? ok() : sync_folder(target_.parent_path(), path_);
 }
 
+Status replace_file(const std::string& path, std::string_view bytes) {
+  Result<AtomicFile> file = AtomicFile::create(path);
+  if (!file) return std::move(file).error();
+  file->write(bytes);
+  return file->commit();
+}
+
 }  // namespace cover

@@ -1,5 +1,5 @@
 // Locked as io/files/temporary_file does it. Tested by tests/unit/io/files/atomic_file_test.cpp.
-#include "io/files/scratch_folder.hpp"
+#include <cover/files.hpp>
 
 #include <fcntl.h>
 #include <sys/file.h>

@@ -8,7 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "base/describe.hpp"
+#include <cover/text.hpp>
+
 #include "io/images/image_borders.hpp"
 #include "io/images/raster.hpp"
 #include "io/text/limits.hpp"

@@ -9,7 +9,8 @@
 
 #include <algorithm>
 
-#include "base/describe.hpp"
+#include <cover/text.hpp>
+
 #include "io/input/formats.hpp"
 
 namespace cover {

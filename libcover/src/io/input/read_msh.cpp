@@ -11,7 +11,8 @@
 #include <limits>
 #include <map>
 
-#include "base/describe.hpp"
+#include <cover/text.hpp>
+
 #include "geom/mesh_borders.hpp"
 #include "io/input/formats.hpp"
 #include "io/read_mesh/msh_file.hpp"

@@ -15,7 +15,8 @@
 
 #include <fmt/format.h>
 
-#include "base/describe.hpp"
+#include <cover/text.hpp>
+
 #include "geom/box.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"

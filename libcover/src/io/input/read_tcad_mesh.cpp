@@ -25,7 +25,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/describe.hpp"
+#include <cover/text.hpp>
+
 #include "geom/mesh_borders.hpp"
 #include "io/input/formats.hpp"
 #include "io/text/text.hpp"

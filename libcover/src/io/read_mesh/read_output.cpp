@@ -20,7 +20,6 @@
 #include "io/read_mesh/complete_mesh.hpp"
 #include "io/read_mesh/read_vtkhdf_mesh.hpp"
 #include "io/read_mesh/second_order.hpp"
-#include "io/report/read_manifest.hpp"
 #include "io/text/text.hpp"
 #include "io/text/xml_tree.hpp"
 #include "io/vtk_files/read_data_set.hpp"

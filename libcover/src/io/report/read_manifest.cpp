@@ -1,5 +1,5 @@
 // Tested by tests/unit/vtk/read_output_test.cpp.
-#include "io/report/read_manifest.hpp"
+#include <cover/stored_mesh.hpp>
 
 #include <deque>
 #include <filesystem>

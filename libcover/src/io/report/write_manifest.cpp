@@ -40,12 +40,13 @@
 
 #include <cover/curved_mesh.hpp>
 #include <cover/mesh.hpp>
+#include <cover/mesh_view.hpp>
+#include <cover/text.hpp>
 
-#include "base/describe.hpp"
+#include "base/buckets.hpp"
 #include "io/files/text_writer.hpp"
 #include "io/report/periodic_json.hpp"
 #include "io/report/provenance_json.hpp"
-#include "io/write_mesh/mesh_view.hpp"
 
 namespace cover {
 namespace {

@@ -59,9 +59,9 @@
 
 #include <cover/curved_mesh.hpp>
 #include <cover/mesh.hpp>
+#include <cover/text.hpp>
 #include <cover/write_mesh.hpp>
 
-#include "base/describe.hpp"
 #include "base/out_of_memory.hpp"
 #include "io/files/atomic_file.hpp"
 #include "io/report/periodic_json.hpp"

@@ -7,8 +7,7 @@
 
 #include <set>
 
-#include "base/describe.hpp"
-#include "base/suggest.hpp"
+#include <cover/text.hpp>
 
 namespace cover {
 namespace {

@@ -98,14 +98,6 @@ std::optional<long> parse_integer(std::string_view field) {
   return value;
 }
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return result;
-}
-
 std::string extension_of(const std::string& path) {
   return lower(std::filesystem::path(path).extension().string());
 }

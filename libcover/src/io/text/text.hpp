@@ -7,14 +7,11 @@
 #include <vector>
 
 #include <cover/error.hpp>
+#include <cover/files.hpp>
 #include <cover/result.hpp>
+#include <cover/text.hpp>
 
 namespace cover {
-
-/// The whole content of a file.
-///
-/// Errors: cannot_open, with the reason that the system gives.
-Result<std::string> read_file(const std::string& path);
 
 /// The number that the whole of `field` spells; none if it spells none. Too large numbers become
 /// infinite, too small ones zero; "nan" and "inf" are numbers here.
@@ -26,9 +23,6 @@ std::optional<long> parse_integer(std::string_view field);
 /// What to add to an error about a field that spells no number: a word on decimal commas, or
 /// nothing.
 std::string hint_at_comma(std::string_view field);
-
-/// ASCII letters in lower case.
-std::string lower(std::string_view text);
 
 /// The extension of a file's name with its dot, in lower case.
 std::string extension_of(const std::string& path);

@@ -1,6 +1,6 @@
 // Groups first, from the tables alone, so that tags do not depend on what is left out; then cells.
 // Tested by tests/unit/io/write_mesh/mesh_view_test.cpp.
-#include "io/write_mesh/mesh_view.hpp"
+#include <cover/mesh_view.hpp>
 
 #include <algorithm>
 #include <map>
@@ -281,6 +281,13 @@ class Viewer {
 
 MeshView view_of(const Output& output, const WriteOptions& options) {
   return Viewer(output, options).make();
+}
+
+std::array<Angle, 3> angles_of(const MeshView& view, std::size_t t) {
+  const auto nodes = view.triangles[t];
+  const Point a = view.points[nodes[0]], b = view.points[nodes[1]], c = view.points[nodes[2]];
+  return {Angle::radians(angle_at(b, a, c)), Angle::radians(angle_at(c, b, a)),
+          Angle::radians(angle_at(a, c, b))};
 }
 
 std::vector<std::string> abaqus_names(const std::vector<Group>& groups) {

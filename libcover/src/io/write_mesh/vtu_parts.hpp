@@ -3,9 +3,9 @@
 
 #include <span>
 
+#include <cover/mesh_view.hpp>
 #include <cover/regions.hpp>
 
-#include "io/write_mesh/mesh_view.hpp"
 #include "io/write_mesh/vtu_file.hpp"
 
 namespace cover {

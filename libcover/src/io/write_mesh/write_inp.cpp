@@ -12,10 +12,12 @@
 
 #include <fmt/format.h>
 
-#include "base/describe.hpp"
+#include <cover/mesh_view.hpp>
+#include <cover/text.hpp>
+
+#include "base/buckets.hpp"
 #include "geom/predicates.hpp"
 #include "io/files/text_writer.hpp"
-#include "io/write_mesh/mesh_view.hpp"
 
 namespace cover {
 namespace {

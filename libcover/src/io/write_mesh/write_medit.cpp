@@ -1,7 +1,8 @@
 // Medit's .mesh, as FreeFem++, mmg and gmsh read it. The format has no names.
 // Tested by tests/unit/io/write_mesh/write_medit_test.cpp and, in FreeFem++, by tests/solvers.
 #include "io/files/text_writer.hpp"
-#include "io/write_mesh/mesh_view.hpp"
+
+#include <cover/mesh_view.hpp>
 
 namespace cover {
 namespace {

@@ -11,9 +11,11 @@
 #include <map>
 #include <set>
 
+#include <cover/mesh_view.hpp>
+
+#include "base/buckets.hpp"
 #include "geom/box.hpp"
 #include "io/files/text_writer.hpp"
-#include "io/write_mesh/mesh_view.hpp"
 
 namespace cover {
 namespace {

@@ -2,7 +2,8 @@
 // coordinate to a float.
 // Tested by tests/unit/io/write_mesh/write_surface_test.cpp.
 #include "io/files/text_writer.hpp"
-#include "io/write_mesh/mesh_view.hpp"
+
+#include <cover/mesh_view.hpp>
 
 namespace cover {
 namespace {

@@ -4,8 +4,9 @@
 #include <array>
 #include <filesystem>
 
+#include <cover/mesh_view.hpp>
+
 #include "io/files/text_writer.hpp"
-#include "io/write_mesh/mesh_view.hpp"
 
 namespace cover {
 namespace {

@@ -7,9 +7,10 @@
 
 #include <map>
 
+#include <cover/mesh_view.hpp>
+
 #include "base/safe_names.hpp"
 #include "io/files/text_writer.hpp"
-#include "io/write_mesh/mesh_view.hpp"
 
 namespace cover {
 namespace {

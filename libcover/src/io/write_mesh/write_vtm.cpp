@@ -3,6 +3,8 @@
 // blocks are files in a folder beside the target. What blocks cannot hold, names of materials above
 // all, stands in an element behind them that VTK does not look at. Tested by tests/unit/vtk/write_vtk_test.cpp.
 #include <cover/mesh.hpp>
+#include <cover/mesh_view.hpp>
+#include <cover/text.hpp>
 #include <cover/write_mesh.hpp>
 
 #include <bit>
@@ -11,10 +13,9 @@
 
 #include <fmt/format.h>
 
-#include "base/markup.hpp"
+#include "base/buckets.hpp"
 #include "base/safe_names.hpp"
 #include "io/files/piece_folder.hpp"
-#include "io/write_mesh/mesh_view.hpp"
 #include "io/write_mesh/vtu_parts.hpp"
 
 namespace cover {

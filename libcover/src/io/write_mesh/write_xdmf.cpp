@@ -2,9 +2,9 @@
 // the triangles from one and the tags of edges from another; it takes the first attribute of each.
 //
 // Tested by tests/unit/io/write_mesh/write_xdmf_test.cpp and, in dolfinx, by tests/solvers.
-#include "base/markup.hpp"
+#include <cover/mesh_view.hpp>
+#include <cover/text.hpp>
 #include "io/files/text_writer.hpp"
-#include "io/write_mesh/mesh_view.hpp"
 
 namespace cover {
 namespace {

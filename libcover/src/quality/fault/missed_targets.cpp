@@ -8,7 +8,8 @@
 
 #include <fmt/core.h>
 
-#include "base/describe.hpp"
+#include <cover/text.hpp>
+
 #include "cdt/cdt.hpp"
 #include "cdt/region_cdt.hpp"
 #include "quality/mutable/with_neighbours.hpp"

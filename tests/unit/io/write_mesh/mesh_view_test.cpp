@@ -1,5 +1,5 @@
 // Groups and tags of the view; cells are compared through every written format.
-#include "io/write_mesh/mesh_view.hpp"
+#include <cover/mesh_view.hpp>
 
 #include <gtest/gtest.h>
 
@@ -78,14 +78,6 @@ TEST(MeshView, EdgesOfTheHullWithoutASegmentAreALineGroup) {
   const MeshView view = view_of(output, {});
   EXPECT_EQ(names(view.line_groups), (std::vector<std::string>{"Si_SiO2", "hull"}));
   EXPECT_EQ(view.lines.size(), 7U);
-}
-
-TEST(Buckets, KeepTheOrderWithinABucket) {
-  const std::vector<std::size_t> key{2, 0, 2, 0, 0};
-  const Buckets buckets(3, key.size(), [&](std::size_t k) { return key[k]; });
-  EXPECT_TRUE(std::ranges::equal(buckets[0], std::vector<std::size_t>{1, 3, 4}));
-  EXPECT_TRUE(buckets[1].empty());
-  EXPECT_TRUE(std::ranges::equal(buckets[2], std::vector<std::size_t>{0, 2}));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <cover/angle.hpp>
 #include <cover/output.hpp>
 #include <cover/write_mesh.hpp>
 
@@ -94,29 +95,11 @@ struct MeshView {
 /// Cost: O(n log n) in the number of lines, linear in all else.
 MeshView view_of(const Output& output, const WriteOptions& options);
 
+/// The angles of triangle t, by corner. Second-order triangles count as straight.
+std::array<Angle, 3> angles_of(const MeshView& view, std::size_t t);
+
 /// What the groups of regions and lines are called as sets of Abaqus: in capitals, beginning with a
 /// letter, unique among the groups given.
 std::vector<std::string> abaqus_names(const std::vector<Group>& groups);
-
-/// Items by a small key, each list in the order of the items.
-class Buckets {
- public:
-  /// `key(k)` of each item k below `items` is below `keys`.
-  template <class Key>
-  Buckets(std::size_t keys, std::size_t items, Key key) : first_(keys + 1), items_(items) {
-    for (std::size_t k = 0; k < items; ++k) ++first_[key(k) + 1];
-    for (std::size_t b = 0; b < keys; ++b) first_[b + 1] += first_[b];
-    std::vector<std::size_t> next(first_);
-    for (std::size_t k = 0; k < items; ++k) items_[next[key(k)]++] = k;
-  }
-  [[nodiscard]] std::size_t size() const { return first_.size() - 1; }
-  [[nodiscard]] std::span<const std::size_t> operator[](std::size_t b) const {
-    return std::span(items_).subspan(first_[b], first_[b + 1] - first_[b]);
-  }
-
- private:
-  std::vector<std::size_t> first_;
-  std::vector<std::size_t> items_;
-};
 
 }  // namespace cover

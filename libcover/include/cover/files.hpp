@@ -1,12 +1,24 @@
-// A place for files that nobody else should see.
+// Files as a whole: read, replaced, or in a place that nobody else should see.
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include <cover/result.hpp>
 
 namespace cover {
+
+/// The whole content of a file.
+///
+/// Errors: cannot_open, with the reason that the system gives.
+Result<std::string> read_file(const std::string& path);
+
+/// Puts a file with these bytes in the place of what `path` names, at once: whatever happens, that is
+/// the whole old file or the whole new one.
+///
+/// Errors: cannot_write, with the reason that the system gives
+Status replace_file(const std::string& path, std::string_view bytes);
 
 /// A new, hidden folder beside a target path; removed with what is left in it. It is locked while
 /// its object lives: those that killed runs have left behind are removed with the next one.
