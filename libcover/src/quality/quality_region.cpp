@@ -33,8 +33,10 @@ constexpr std::uint64_t kEvaluationsForFar = 5'000;    ///< per triangle above 1
 class RegionWork {
  public:
   RegionWork(const RegionBoundary& boundary, const Options& options, std::stop_token stop,
-             bool shifted)
-      : boundary_(boundary), options_(options), candidates_(boundary, options, stop, shifted) {}
+             bool shifted, const Sharing& sharing)
+      : boundary_(boundary),
+        options_(options),
+        candidates_(boundary, options, stop, shifted, sharing) {}
 
   /// ENSURES: no triangles if rounding on the way back to the plane turned one over, or the run is
   ///          to stop
@@ -145,11 +147,11 @@ class RegionWork {
 }  // namespace
 
 RegionMesh quality_region(const RegionBoundary& boundary, const Options& options,
-                          std::stop_token stop) {
-  RegionWork shifted(boundary, options, stop, true);
+                          std::stop_token stop, const Sharing& sharing) {
+  RegionWork shifted(boundary, options, stop, true, sharing);
   RegionMesh mesh = shifted.run();
   if (mesh.triangles.empty() && shifted.is_shifted() && !stop.stop_requested()) {
-    mesh = RegionWork(boundary, options, stop, false).run();
+    mesh = RegionWork(boundary, options, stop, false, sharing).run();
   }
   return mesh;
 }

@@ -110,7 +110,8 @@ class ProgressCount {
   std::atomic<bool> has_thrown_ = false;
 };
 
-using RegionMethod = RegionMesh (*)(const RegionBoundary&, const Options&, std::stop_token);
+using RegionMethod = RegionMesh (*)(const RegionBoundary&, const Options&, std::stop_token,
+                                    const Team&);
 
 /// A mesh, and why it does not fill its region, if it does not: then it has no triangles.
 struct Attempt {
@@ -119,8 +120,8 @@ struct Attempt {
 };
 
 Attempt attempt(RegionMethod method, const RegionBoundary& boundary, const Options& options,
-                const std::stop_token& stop) {
-  Attempt out{method(boundary, options, stop), {}};
+                const std::stop_token& stop, const Team& team) {
+  Attempt out{method(boundary, options, stop, team), {}};
   if (stop.stop_requested()) return out;
   RegionMesh& mesh = out.mesh;
   const std::vector<Point> points = all_points(boundary, mesh);
@@ -130,12 +131,23 @@ Attempt attempt(RegionMethod method, const RegionBoundary& boundary, const Optio
     mesh.steiner.clear();
     mesh.triangles.clear();
   }
-  measure(boundary, mesh);
+  measure(boundary, mesh, team);
   return out;
 }
 
+RegionMesh by_quality(const RegionBoundary& boundary, const Options& options, std::stop_token stop,
+                      const Team& team) {
+  return quality_region(boundary, options, std::move(stop), {team});
+}
+
+RegionMesh by_almonds(const RegionBoundary& boundary, const Options& options, std::stop_token stop,
+                      const Team&) {
+  return almond_region(boundary, options, std::move(stop));
+}
+
 /// The constrained Delaunay triangulation, which no rounding can break.
-RegionMesh plain_region(const RegionBoundary& boundary, const Options&, std::stop_token) {
+RegionMesh plain_region(const RegionBoundary& boundary, const Options&, std::stop_token,
+                        const Team&) {
   const Triangulation cdt = triangulate_region(boundary.points, boundary.sides);
   RegionMesh mesh;
   mesh.report.id = boundary.id;
@@ -164,7 +176,7 @@ Note note_of_fallback(const RegionBoundary& boundary, const Attempt& attempt, st
 /// meshes there. The almond method aims at the bound and at no target: limits beside one would take
 /// twice its time (`cover check` tells them of any mesh).
 RegionLimits limits_of(const RegionBoundary& boundary, const Quality& quality,
-                       const Options& options) {
+                       const Options& options, const Team& team) {
   const auto& segments = boundary.segments;
   if (quality.triangles == 0 || options.method != Method::quality ||
       std::find(segments.begin(), segments.end(), kHullSide) != segments.end())
@@ -173,26 +185,26 @@ RegionLimits limits_of(const RegionBoundary& boundary, const Quality& quality,
   const ReachedAngles wanted{options.max_angle.supplement(), options.min_angle};
   if (meets(reached, wanted)) return region_limits({}, reached, wanted);
   const CdtResult cdt = triangulate_domain(boundary.points, boundary.sides);
-  return region_limits(cdt.triangulation, reached, wanted);
+  return region_limits(cdt.triangulation, reached, wanted, team);
 }
 
 /// The method asked for; where that misses the bound, the other one if it is better. It is rounding
 /// that makes them miss: the one in a region as flat as coordinates can be, the other where an
 /// improved triangle lies just inside the bound in the frame in which it was improved.
 RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
-                       const std::stop_token& stop) {
+                       const std::stop_token& stop, const Team& team) {
   const bool quality = options.method == Method::quality;
   const std::string_view asked = quality ? "quality" : "almond";
   const std::string_view second = quality ? "almond" : "quality";
-  Attempt first = attempt(quality ? quality_region : almond_region, boundary, options, stop);
+  Attempt first = attempt(quality ? by_quality : by_almonds, boundary, options, stop, team);
   const bool promised = CutRule{options.paper, options.pieces}.promises_bound();
   const bool will_do =
       !first.fault && (first.mesh.report.bound_held || !promised || boundary.is_part);
   if (stop.stop_requested() || will_do) return std::move(first.mesh);
-  Attempt other = attempt(quality ? almond_region : quality_region, boundary, options, stop);
+  Attempt other = attempt(quality ? by_almonds : by_quality, boundary, options, stop, team);
   if (stop.stop_requested()) return std::move(other.mesh);
   if (first.fault && other.fault) {
-    Attempt plain = attempt(plain_region, boundary, options, stop);
+    Attempt plain = attempt(plain_region, boundary, options, stop, team);
     if (plain.fault) throw InternalFault(plain.fault->what, std::move(plain.fault->where));
     plain.mesh.report.notes.push_back(
         note_of_fallback(boundary, first, asked, "constrained Delaunay triangulation"));
@@ -210,9 +222,9 @@ RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
 
 /// The region, and its layers if it has some.
 RegionMesh mesh_with_its_layers(const RegionBoundary& boundary, const Options& options,
-                                const std::stop_token& stop) {
+                                const std::stop_token& stop, const Team& team) {
   const auto mesh_rest = [&](const RegionBoundary& rest) {
-    return mesh_region(rest, options, stop);
+    return mesh_region(rest, options, stop, team);
   };
   if (!has_layers(boundary)) return mesh_rest(boundary);
   RegionMesh mesh = mesh_with_layers(boundary, options, mesh_rest, stop);
@@ -229,11 +241,11 @@ std::size_t cost_of(const RegionBoundary& boundary) {
 }
 
 RegionMesh mesh_one_region(const RegionBoundary& boundary, const Options& options,
-                           const std::stop_token& stop) {
+                           const std::stop_token& stop, const Team& team) {
   const StageClock clock;
-  RegionMesh mesh = mesh_with_its_layers(boundary, options, stop);
+  RegionMesh mesh = mesh_with_its_layers(boundary, options, stop, team);
   if (!stop.stop_requested())
-    mesh.report.limits = limits_of(boundary, mesh.report.quality, options);
+    mesh.report.limits = limits_of(boundary, mesh.report.quality, options, team);
   mesh.report.seconds = clock.seconds();
   return mesh;
 }
@@ -244,7 +256,7 @@ unsigned worker_count(const Options& options) {
 
 Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned workers,
                        std::string_view stage, const Callbacks& callbacks,
-                       const std::function<void(std::size_t)>& task) {
+                       const std::function<void(std::size_t, const Team&)>& task) {
   const std::vector<std::size_t> costs = costs_of(boundaries);
   const std::vector<std::size_t> order = largest_first(costs);
   const std::vector<Batch> batches = make_batches(costs, order);
@@ -254,21 +266,21 @@ Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned work
   progress.add(0);
   std::vector<std::optional<Error>> errors(boundaries.size());
 
-  const auto run = [&](const Batch& batch) {
+  const auto run = [&](const Batch& batch, const Team& team) {
     for (std::size_t k = batch.first; k < batch.last; ++k) {
       if (progress.must_stop()) return;
       std::array<char, 32> name{};  // no allocation, which may fail
       const auto end =
           fmt::format_to_n(name.data(), name.size(), "region {}", boundaries[order[k]].id.value());
       Status status = errors_as_values({name.data(), end.size}, [&] {
-        task(order[k]);
+        task(order[k], team);
         return ok();
       });
       if (!status) errors[order[k]] = std::move(status).error();
     }
     progress.add(batch.cost);
   };
-  run_all(batches.size(), workers, [&](std::size_t k) { run(batches[k]); });
+  run_all(batches.size(), workers, [&](std::size_t k, const Team& team) { run(batches[k], team); });
   progress.rethrow();
 
   if (callbacks.stop.stop_requested()) return Error{ErrorCode::cancelled, "interrupted", {}, {}};
@@ -276,6 +288,13 @@ Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned work
     if (error) return std::move(*error);
   }
   return ok();
+}
+
+Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned workers,
+                       std::string_view stage, const Callbacks& callbacks,
+                       const std::function<void(std::size_t)>& task) {
+  return for_each_region(boundaries, workers, stage, callbacks,
+                         [&task](std::size_t k, const Team&) { task(k); });
 }
 
 Result<std::vector<RegionReport>> limit_regions(std::span<const RegionBoundary> boundaries,
@@ -299,8 +318,9 @@ Result<std::vector<RegionMesh>> mesh_regions(std::span<const RegionBoundary> bou
   if (callbacks.share_out) return share_out_regions(boundaries, options, callbacks);
   std::vector<RegionMesh> meshes(boundaries.size());
   Status status = for_each_region(
-      boundaries, worker_count(options), "mesh", callbacks,
-      [&](std::size_t k) { meshes[k] = mesh_one_region(boundaries[k], options, callbacks.stop); });
+      boundaries, worker_count(options), "mesh", callbacks, [&](std::size_t k, const Team& team) {
+        meshes[k] = mesh_one_region(boundaries[k], options, callbacks.stop, team);
+      });
   if (!status) return std::move(status).error();
   return meshes;
 }

@@ -35,7 +35,7 @@ class Candidates {
  public:
   /// REQUIRES: `boundary` and `options` outlive this object
   Candidates(const RegionBoundary& boundary, const Options& options, std::stop_token stop,
-             bool shifted);
+             bool shifted, const Sharing& sharing = {});
   Candidates(const Candidates&) = delete;
   Candidates& operator=(const Candidates&) = delete;
 
@@ -135,6 +135,7 @@ class Candidates {
 
   const RegionBoundary& boundary_;
   const Options& options_;
+  Sharing sharing_;
   LocalFrame frame_;
   Triangulation cdt_;
   AngleLimit limit_;
