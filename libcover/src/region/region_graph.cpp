@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include <cover/option_ranges.hpp>
 #include <cover/text.hpp>
