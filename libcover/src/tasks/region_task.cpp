@@ -50,6 +50,9 @@ constexpr double kMostCost = 0x1p40;
 /// Batches are filled up to this cost: some milliseconds of work against microseconds of overhead.
 constexpr std::size_t kBatchCost = 1000;
 
+/// From so many on, several threads judge a mesh: some tenths of a second of work.
+constexpr std::size_t kManyTriangles = 100'000;
+
 /// By region. Each takes time in proportion to its sides, so none is computed twice.
 std::vector<std::size_t> costs_of(std::span<const RegionBoundary> boundaries) {
   std::vector<std::size_t> costs;
@@ -117,6 +120,7 @@ using RegionMethod = RegionMesh (*)(const RegionBoundary&, const Options&, std::
 struct Attempt {
   RegionMesh mesh;
   std::optional<BoundaryFault> fault;
+  std::optional<CdtResult> cdt{};  ///< of the region, if it was made meanwhile
 };
 
 Attempt attempt(RegionMethod method, const RegionBoundary& boundary, const Options& options,
@@ -125,8 +129,20 @@ Attempt attempt(RegionMethod method, const RegionBoundary& boundary, const Optio
   if (stop.stop_requested()) return out;
   RegionMesh& mesh = out.mesh;
   const std::vector<Point> points = all_points(boundary, mesh);
-  out.fault = find_fault(
-      {points, mesh.triangles, boundary.sides, boundary.segments, boundary.points.size()});
+  // What the limits will need, meanwhile: it takes no longer than that by itself.
+  const auto& notes = mesh.report.notes;
+  const bool looks_ahead = team.workers() > 1 && mesh.triangles.size() >= kManyTriangles &&
+                           std::any_of(notes.begin(), notes.end(), [](const Note& note) {
+                             return note.kind == Note::Kind::target_missed;
+                           });
+  team.each(looks_ahead ? 2 : 1, [&](std::size_t k) {
+    if (k == 1) {
+      out.cdt = triangulate_domain(boundary.points, boundary.sides);
+    } else {
+      out.fault = find_fault(
+          {points, mesh.triangles, boundary.sides, boundary.segments, boundary.points.size()});
+    }
+  });
   if (out.fault) {
     mesh.steiner.clear();
     mesh.triangles.clear();
@@ -176,7 +192,7 @@ Note note_of_fallback(const RegionBoundary& boundary, const Attempt& attempt, st
 /// meshes there. The almond method aims at the bound and at no target: limits beside one would take
 /// twice its time (`cover check` tells them of any mesh).
 RegionLimits limits_of(const RegionBoundary& boundary, const Quality& quality,
-                       const Options& options, const Team& team) {
+                       const Options& options, const Team& team, std::optional<CdtResult> known) {
   const auto& segments = boundary.segments;
   if (quality.triangles == 0 || options.method != Method::quality ||
       std::find(segments.begin(), segments.end(), kHullSide) != segments.end())
@@ -184,15 +200,18 @@ RegionLimits limits_of(const RegionBoundary& boundary, const Quality& quality,
   const ReachedAngles reached{quality.largest_nu, quality.smallest};
   const ReachedAngles wanted{options.max_angle.supplement(), options.min_angle};
   if (meets(reached, wanted)) return region_limits({}, reached, wanted);
-  const CdtResult cdt = triangulate_domain(boundary.points, boundary.sides);
+  const CdtResult cdt =
+      known ? *std::move(known) : triangulate_domain(boundary.points, boundary.sides);
   return region_limits(cdt.triangulation, reached, wanted, team);
 }
 
 /// The method asked for; where that misses the bound, the other one if it is better. It is rounding
 /// that makes them miss: the one in a region as flat as coordinates can be, the other where an
 /// improved triangle lies just inside the bound in the frame in which it was improved.
+/// `cdt` becomes the region's constrained Delaunay triangulation, if that was made on the way.
 RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
-                       const std::stop_token& stop, const Team& team) {
+                       const std::stop_token& stop, const Team& team,
+                       std::optional<CdtResult>& cdt) {
   const bool quality = options.method == Method::quality;
   const std::string_view asked = quality ? "quality" : "almond";
   const std::string_view second = quality ? "almond" : "quality";
@@ -200,6 +219,7 @@ RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
   const bool promised = CutRule{options.paper, options.pieces}.promises_bound();
   const bool will_do =
       !first.fault && (first.mesh.report.bound_held || !promised || boundary.is_part);
+  cdt = std::move(first.cdt);
   if (stop.stop_requested() || will_do) return std::move(first.mesh);
   Attempt other = attempt(quality ? by_almonds : by_quality, boundary, options, stop, team);
   if (stop.stop_requested()) return std::move(other.mesh);
@@ -222,11 +242,13 @@ RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
 
 /// The region, and its layers if it has some.
 RegionMesh mesh_with_its_layers(const RegionBoundary& boundary, const Options& options,
-                                const std::stop_token& stop, const Team& team) {
+                                const std::stop_token& stop, const Team& team,
+                                std::optional<CdtResult>& cdt) {
+  if (!has_layers(boundary)) return mesh_region(boundary, options, stop, team, cdt);
   const auto mesh_rest = [&](const RegionBoundary& rest) {
-    return mesh_region(rest, options, stop, team);
+    std::optional<CdtResult> of_rest;
+    return mesh_region(rest, options, stop, team, of_rest);
   };
-  if (!has_layers(boundary)) return mesh_rest(boundary);
   RegionMesh mesh = mesh_with_layers(boundary, options, mesh_rest, stop);
   if (mesh.layer_triangles > 0 && options.method == Method::quality && !stop.stop_requested())
     report_again(boundary, options, false, mesh);
@@ -243,9 +265,10 @@ std::size_t cost_of(const RegionBoundary& boundary) {
 RegionMesh mesh_one_region(const RegionBoundary& boundary, const Options& options,
                            const std::stop_token& stop, const Team& team) {
   const StageClock clock;
-  RegionMesh mesh = mesh_with_its_layers(boundary, options, stop, team);
+  std::optional<CdtResult> cdt;
+  RegionMesh mesh = mesh_with_its_layers(boundary, options, stop, team, cdt);
   if (!stop.stop_requested())
-    mesh.report.limits = limits_of(boundary, mesh.report.quality, options, team);
+    mesh.report.limits = limits_of(boundary, mesh.report.quality, options, team, std::move(cdt));
   mesh.report.seconds = clock.seconds();
   return mesh;
 }

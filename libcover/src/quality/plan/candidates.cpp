@@ -104,7 +104,7 @@ Candidate Candidates::coupled(Candidate c) const {
 
 Candidate Candidates::measured(Candidate c) const {
   c.mesh.set_goal(goal_, sharing_.team);
-  c.merit = merit_of(c.mesh, goal_);
+  c.merit = merit_of(c.mesh, goal_, sharing_.team);
   return c;
 }
 
@@ -142,7 +142,7 @@ Candidate Candidates::improved(const Candidate& c) {
   Budget half = budget_.share(2);
   if (own != goal_) {
     improve_largest(better.mesh, own, half, sharing_);
-    better.merit = merit_of(better.mesh, goal_);
+    better.merit = merit_of(better.mesh, goal_, sharing_.team);
   }
   // What sides force beyond the goal is allowed beside them, so the largest angle may grow.
   Candidate further = better;
@@ -222,7 +222,7 @@ Candidate Candidates::restarted(const Candidate& from) const {
 }
 
 Candidate Candidates::searched(const Candidate& from, const Goal& aim, std::uint64_t each) const {
-  const std::size_t above = merit_of(from.mesh, aim).above;
+  const std::size_t above = merit_of(from.mesh, aim, sharing_.team).above;
   if (above > kFew) return from;
   Candidate further = from;
   Budget budget{above * each, budget_.stop};

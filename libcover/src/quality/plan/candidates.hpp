@@ -40,6 +40,8 @@ class Candidates {
   Candidates& operator=(const Candidates&) = delete;
 
   [[nodiscard]] const LocalFrame& frame() const { return frame_; }
+  /// The threads that may work on this region.
+  [[nodiscard]] const Team& team() const { return sharing_.team; }
   [[nodiscard]] const AngleLimit& limit() const { return limit_; }
   [[nodiscard]] bool is_part() const { return boundary_.is_part; }
   [[nodiscard]] bool has_sizes() const { return sizes_.is_active(); }

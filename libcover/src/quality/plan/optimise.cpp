@@ -104,7 +104,7 @@ Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search
     mesh.set_goal(aim, sharing.team);
     improve_within(mesh, budget, sharing, known, Before::flips_to_delaunay);
     known = mesh.excess;
-    return merit_of(mesh, aim);
+    return merit_of(mesh, aim, sharing.team);
   };
   // Flips may pass through what is not Delaunay as long as couplings weigh no more than angles.
   const Goal soft = with_edges(goal);
@@ -117,13 +117,13 @@ Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search
     search_excerpts(mesh, soft, part, Trials::usual, sharing);
     budget.spend(given - part.left);
     known.clear();
-    merit = merit_of(mesh, soft);
+    merit = merit_of(mesh, soft, sharing.team);
   }
   if (merit.complete) return merit;
   merit = flip_and_improve(goal);
   if (!is_due(search, merit) || (!was_met && merit.triangles <= kCheapToSearch)) return merit;
   search_excerpts(mesh, goal, budget, Trials::usual, sharing);
-  return merit_of(mesh, goal);
+  return merit_of(mesh, goal, sharing.team);
 }
 
 Merit optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const SizeField& sizes,
@@ -151,14 +151,14 @@ Merit optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const SizeF
   improve_within(mesh, part, sharing);
   part.left += kept;
   budget.left += part.left;
-  Merit merit = merit_of(mesh, goal);
+  Merit merit = merit_of(mesh, goal, sharing.team);
   if (may_start_again && !has_at_most(merit, kManyAbove)) {
     part = budget.share(kFirstShare);
     refine(start, limits, sizes, sharing);
     start.set_goal(light(goal), sharing.team);
     improve_within(start, part, sharing);
     budget.left += part.left;
-    const Merit now = merit_of(start, goal);
+    const Merit now = merit_of(start, goal, sharing.team);
     if (order.is_better(now, merit)) {
       merit = now;
       mesh = std::move(start);
@@ -172,17 +172,17 @@ Merit optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const SizeF
   if (search == Search::usual && !is_tiny && is_worth_a_search(merit))
     search_excerpts(mesh, goal, budget, Trials::usual, sharing);
   if (!sizes.is_active()) budget.spend(thin_out(mesh, budget.left, sharing).evaluations);
-  if (goal == asked) return merit_of(mesh, goal);
+  if (goal == asked) return merit_of(mesh, goal, sharing.team);
   return mind_couplings(mesh, asked, budget, is_tiny ? Search::none : search, sharing);
 }
 
 Merit improve_largest(MutableMesh& mesh, const Goal& goal, Budget& budget, const Sharing& sharing) {
   mesh.set_goal(light(goal), sharing.team);
   improve_within(mesh, budget, sharing);
-  const Merit merit = merit_of(mesh, goal);
+  const Merit merit = merit_of(mesh, goal, sharing.team);
   if (merit.triangles > kCheapToSearchAgain || !is_worth_a_search(merit)) return merit;
   search_excerpts(mesh, goal, budget);
-  return merit_of(mesh, goal);
+  return merit_of(mesh, goal, sharing.team);
 }
 
 }  // namespace cover
