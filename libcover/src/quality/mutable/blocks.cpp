@@ -14,7 +14,7 @@
 namespace cover {
 namespace {
 
-constexpr std::size_t kSampled = 32;     ///< one triangle in so many says where the tree divides
+constexpr std::size_t kSamples = 256;    ///< triangles of a part that say where the tree divides
 constexpr std::size_t kRange = 1 << 15;  ///< triangles that are looked at in one go
 
 /// From numbers in the whole to those in a part: a hash table with open addresses, since a part
@@ -68,8 +68,10 @@ Point middle_of(const MutableMesh& mesh, std::uint32_t t) {
 class Tree {
  public:
   Tree(const MutableMesh& mesh, std::size_t parts) {
+    const std::size_t step = std::max<std::size_t>(1, mesh.triangles.size() / (kSamples * parts));
     std::vector<Point> middles;
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); t += kSampled) {
+    for (std::size_t k = 0; k < mesh.triangles.size(); k += step) {
+      const auto t = static_cast<std::uint32_t>(k);
       if (!mesh.is_hole(t)) middles.push_back(middle_of(mesh, t));
     }
     divide(middles, parts);
@@ -132,6 +134,7 @@ class BlockWork {
     make_room();
     team_.each(blocks_.size(), [&](std::size_t k) { put_back(blocks_[k]); });
     team_.each(blocks_.size(), [&](std::size_t k) { join(blocks_[k]); });
+    team_.each(blocks_.size(), [&](std::size_t k) { measure_again(blocks_[k]); });
     for (const Part& part : blocks_) set_homes(part);
     Borders borders = borders_now();
     if (done) {
@@ -326,6 +329,22 @@ class BlockWork {
     }
   }
 
+  /// The excesses that are others in the whole: couplings across borders, and those between
+  /// vertices that were fixed in the part alone.
+  void measure_again(const Part& part) {
+    const MutableMesh& mesh = part.block.mesh;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      if (mesh.is_hole(t)) continue;
+      const auto& [v, n] = mesh.triangles[t];
+      const bool is_fixed =
+          std::all_of(v.begin(), v.end(), [&](std::uint32_t u) { return mesh.is_fixed(u); });
+      const bool is_beside = std::any_of(n.begin(), n.end(), [&](std::uint32_t s) {
+        return is_side(s) && side_index(s) >= part.block.first_border;
+      });
+      if (is_fixed || is_beside) whole_.measure(part.block.triangles[t]);
+    }
+  }
+
   /// Vertices on borders, and fixed ones, may be those of several parts: the last one has its way.
   void set_homes(const Part& part) {
     const MutableMesh& mesh = part.block.mesh;
@@ -349,7 +368,6 @@ class BlockWork {
     std::sort(borders.vertices.begin(), borders.vertices.end());
     borders.vertices.erase(std::unique(borders.vertices.begin(), borders.vertices.end()),
                            borders.vertices.end());
-    for (const std::uint32_t t : borders.triangles) whole_.measure(t);
     return borders;
   }
 
