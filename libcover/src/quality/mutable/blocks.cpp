@@ -129,7 +129,10 @@ class BlockWork {
     label();
     team_.each(blocks_.size(), [&](std::size_t k) {
       cut(k);
+      MutableMesh& mesh = blocks_[k].block.mesh;
       work(blocks_[k].block);
+      mesh.sides = {};  // they take as much as all else, and the whole has them
+      mesh.allowances = {};
     });
     make_room();
     team_.each(blocks_.size(), [&](std::size_t k) { put_back(blocks_[k]); });
