@@ -135,7 +135,7 @@ struct RegionReport {
   RegionLimits limits;              ///< what no mesh can have better, where a target is missed
   bool bound_held = false;          ///< promise 3, up to rounding of coordinates
   std::vector<Note> notes;
-  double seconds = 0;  ///< of one thread
+  double seconds = 0;  ///< by the clock; threads that helped worked meanwhile
 
   /// (pi - gamma) / min(B, pi/2): 1 is the optimum.
   [[nodiscard]] double rho() const;

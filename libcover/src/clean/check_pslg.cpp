@@ -154,17 +154,20 @@ std::optional<Error> find_unusable(const Input& input) {
   return {};
 }
 
-bool is_pslg(const Input& input) {
-  std::vector<IndexPair> pairs;
+std::optional<Triangulation> triangulation_if_pslg(const Input& input) {
+  std::vector<IndexPair> pairs, sorted;
   pairs.reserve(input.segments.size());
+  sorted.reserve(input.segments.size());
   for (const InputSegment& s : input.segments) {
-    if (s.a == s.b) return false;
-    pairs.push_back({std::min(s.a, s.b), std::max(s.a, s.b)});
+    if (s.a == s.b) return std::nullopt;
+    pairs.push_back({s.a, s.b});
+    sorted.push_back({std::min(s.a, s.b), std::max(s.a, s.b)});
   }
-  std::vector<IndexPair> sorted = pairs;
   std::sort(sorted.begin(), sorted.end());
-  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return false;
-  return triangulate_hull(input.points, pairs).conflicts.empty();
+  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return std::nullopt;
+  CdtResult cdt = triangulate_hull(input.points, pairs);
+  if (!cdt.conflicts.empty()) return std::nullopt;
+  return std::move(cdt.triangulation);
 }
 
 std::optional<Error> find_unclean(const Input& input) {

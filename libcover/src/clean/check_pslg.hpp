@@ -6,6 +6,8 @@
 #include <cover/error.hpp>
 #include <cover/input.hpp>
 
+#include "cdt/triangulation.hpp"
+
 namespace cover {
 
 /// What makes the points and segments of `input` unusable: an index out of range, or a coordinate
@@ -14,12 +16,13 @@ namespace cover {
 /// Cost: O(n).
 std::optional<Error> find_unusable(const Input& input);
 
-/// Whether the points and segments of `input` are a PSLG.
+/// The constrained Delaunay triangulation of the convex hull of `input`, if its points and segments
+/// are a PSLG: triangulate_hull().
 ///
 /// REQUIRES: find_unusable finds nothing
 /// EXACT:    yes
 /// Cost:     O(n log n) expected.
-bool is_pslg(const Input& input);
+std::optional<Triangulation> triangulation_if_pslg(const Input& input);
 
 /// What keeps the points and segments of `input` from being a PSLG: the first kind found of
 /// duplicate points, segments of length zero, duplicate segments, and crossings, overlaps and

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -133,7 +134,8 @@ bool is_empty(const Input& input) {
 
 }  // namespace
 
-Result<Pslg> make_pslg(const Input& input, const Options& options, Report& report) {
+Result<Pslg> make_pslg(const Input& input, const Options& options, Report& report,
+                       std::optional<Triangulation>* whole) {
   if (auto error = find_unusable(input)) return *error;
   if (auto error = find_bad_arcs(input)) return *error;
   if (is_empty(input) && !options.hull) {
@@ -148,10 +150,12 @@ Result<Pslg> make_pslg(const Input& input, const Options& options, Report& repor
       if (options.strict) return *changes_as_error(input, report.changes);
       Options as_it_is = options;
       as_it_is.weld = 0;
-      return make_pslg(*joined, as_it_is, report);
+      return make_pslg(*joined, as_it_is, report, whole);
     }
   }
-  const bool is_clean = is_plain && is_pslg(input);
+  std::optional<Triangulation> triangulation =
+      is_plain ? triangulation_if_pslg(input) : std::nullopt;
+  const bool is_clean = triangulation.has_value();
   if (is_plain && !is_clean && options.strict) {
     if (auto error = find_unclean(input)) return *error;
   }
@@ -176,6 +180,8 @@ Result<Pslg> make_pslg(const Input& input, const Options& options, Report& repor
   }
   sum_up(report.changes, report.notes);
   remember_arcs(input, *pslg, report.notes);
+  const bool is_as_it_was = keep && pslg->segments.size() == input.segments.size();
+  if (whole != nullptr && is_as_it_was) *whole = std::move(triangulation);
   return pslg;
 }
 

@@ -1,11 +1,15 @@
 // From input as the user has it to a clean PSLG: the only step that may split an input segment.
 #pragma once
 
+#include <optional>
+
 #include <cover/input.hpp>
 #include <cover/options.hpp>
 #include <cover/pslg.hpp>
 #include <cover/report.hpp>
 #include <cover/result.hpp>
+
+#include "cdt/triangulation.hpp"
 
 namespace cover {
 
@@ -16,6 +20,9 @@ namespace cover {
 ///          kept bit for bit unless they were welded.
 /// Errors:  ErrorCode 100-199, with ids and coordinates.
 /// Cost:    O((n + k) log n) for k crossings.
-Result<Pslg> make_pslg(const Input& input, const Options& options, Report& report);
+///
+/// With `whole`: the triangulation of the convex hull, where one of the result was made on the way.
+Result<Pslg> make_pslg(const Input& input, const Options& options, Report& report,
+                       std::optional<Triangulation>* whole = nullptr);
 
 }  // namespace cover

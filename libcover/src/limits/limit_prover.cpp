@@ -5,7 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <mutex>
 #include <numbers>
+#include <optional>
+#include <span>
+#include <utility>
 
 #include "limits/apex_search.hpp"
 #include "limits/clear_zones.hpp"
@@ -29,9 +34,106 @@ ProofEffort quick(ProofEffort effort) {
 
 }  // namespace
 
-LimitProver::LimitProver(const Triangulation& cdt) : view_(cdt), nu_opt_(std::numbers::pi) {
+LimitProver::LimitProver(const Triangulation& cdt, const Team& team)
+    : view_(cdt), team_(team), nu_opt_(std::numbers::pi) {
   for (const RegionSide& side : view_.sides()) nu_opt_ = std::min(nu_opt_, side.nu_opt);
 }
+
+/// One question, put to one side after the other. A team asks sides ahead, as many as the budget
+/// pays for in any case; what they say counts in the order of the sides, so that the outcome is the
+/// same.
+class LimitProver::Question {
+ public:
+  Question(const RegionView& view, const Team& team, const FanGrowth& growth, double most)
+      : view_(view), team_(team), growth_(growth), most_(most) {}
+
+  /// Asks `sides` for `most_boxes` each. Those that need more are left in `sides`.
+  ///
+  /// ENSURES: the side that settles it, if there is one
+  std::optional<std::uint32_t> put(std::vector<std::uint32_t>& sides, std::uint64_t most_boxes,
+                                   std::uint64_t& budget) {
+    std::size_t left = 0, asked = 0;
+    for (std::size_t k = 0; k < sides.size() && budget > 0; ++k) {
+      const std::uint64_t given = std::min(budget, most_boxes);
+      if (k >= asked) {
+        asked = k + std::min<std::uint64_t>({sides.size() - k, budget / most_boxes, kMostAhead});
+        asked = team_.workers() > 1 && asked - k >= 2 * kAtATime ? asked : k;
+        ask_ahead(std::span(sides).subspan(k, asked - k), most_boxes);
+        first_ = k;
+      }
+      const Answer answer = k < asked ? answers_[k - first_] : ask(sides[k], given);
+      budget -= answer.boxes;
+      if (answer.is_settled) return sides[k];
+      if (answer.boxes == given) sides[left++] = sides[k];
+    }
+    sides.resize(left);
+    return std::nullopt;
+  }
+
+ private:
+  static constexpr std::size_t kAtATime = 64;  ///< sides that one thread asks
+  /// More might be asked in vain after one that settles it.
+  static constexpr std::size_t kMostAhead = 1 << 17;
+  static constexpr std::size_t kParts = 64;  ///< that a team divides its sides into, at most
+
+  /// What a side says, and after how many boxes.
+  struct Answer {
+    std::uint64_t boxes = 0;
+    bool is_settled = false;
+  };
+  /// For one thread at a time. What it remembers changes no answer.
+  struct Asker {
+    Asker(const RegionView& view, const FanGrowth& growth, double most)
+        : zones(view, most), search(view, zones, growth) {}
+    ClearZones zones;
+    ApexSearch search;
+  };
+
+  Answer ask(std::uint32_t side, std::uint64_t given) {
+    if (askers_.empty()) askers_.push_back(std::make_unique<Asker>(view_, growth_, most_));
+    return ask(*askers_.front(), side, given);
+  }
+  static Answer ask(Asker& asker, std::uint32_t side, std::uint64_t given) {
+    std::uint64_t share = given;
+    const bool is_settled = asker.search.has_none(side, share);
+    return {given - share, is_settled};
+  }
+
+  void ask_ahead(std::span<const std::uint32_t> sides, std::uint64_t most_boxes) {
+    if (sides.empty()) return;
+    answers_.resize(sides.size());
+    const std::size_t size = std::max(kAtATime, sides.size() / kParts);
+    team_.each_range(sides.size(), size, [&](std::size_t first, std::size_t last) {
+      std::unique_ptr<Asker> asker = take_asker();
+      for (std::size_t k = first; k < last; ++k) answers_[k] = ask(*asker, sides[k], most_boxes);
+      give_back(std::move(asker));
+    });
+  }
+  std::unique_ptr<Asker> take_asker() {
+    {
+      const std::lock_guard lock(mutex_);
+      if (!askers_.empty()) {
+        std::unique_ptr<Asker> asker = std::move(askers_.back());
+        askers_.pop_back();
+        return asker;
+      }
+    }
+    return std::make_unique<Asker>(view_, growth_, most_);
+  }
+  void give_back(std::unique_ptr<Asker> asker) {
+    const std::lock_guard lock(mutex_);
+    askers_.push_back(std::move(asker));
+  }
+
+  const RegionView& view_;
+  const Team& team_;
+  const FanGrowth& growth_;
+  double most_;
+  std::vector<Answer> answers_;  ///< of the sides from first_ on
+  std::size_t first_ = 0;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Asker>> askers_;  ///< that nobody uses
+};
 
 bool LimitProver::refutes(AngleRange range, std::uint64_t& budget, const ProofEffort& effort) {
   const double lemma_1 = std::numbers::pi - nu_opt_;
@@ -40,28 +142,17 @@ bool LimitProver::refutes(AngleRange range, std::uint64_t& budget, const ProofEf
   range.most = std::max(range.most, lemma_1) + kAngleSlack;
   if (range.most >= std::numbers::pi) return false;
   const FanGrowth growth(range);
-  ClearZones zones(view_, range.most);
-  ApexSearch search(view_, zones, growth);
+  Question question(view_, team_, growth, range.most);
   const auto sides = static_cast<std::uint32_t>(view_.sides().size());
   undecided_.resize(sides);
   for (std::uint32_t k = 0; k < sides; ++k) undecided_[k] = (last_refuter_ + k) % sides;
   // Most sides are done after a few boxes; only then is it worth while to ask the others for more.
   for (const std::uint64_t most_boxes : {effort.at_first, effort.per_search}) {
-    std::size_t left = 0;
-    for (const std::uint32_t s : undecided_) {
-      if (budget == 0) return false;
-      std::uint64_t share = std::min(budget, most_boxes);
-      const std::uint64_t given = share;
-      const bool settled = search.has_none(s, share);
-      budget -= given - share;
-      if (settled) {
-        last_refuter_ = s;
-        return true;
-      }
-      if (share == 0) undecided_[left++] = s;
+    if (const auto settled = question.put(undecided_, most_boxes, budget)) {
+      last_refuter_ = *settled;
+      return true;
     }
-    if (most_boxes >= effort.per_search) return false;
-    undecided_.resize(left);
+    if (budget == 0 || most_boxes >= effort.per_search) return false;
   }
   return false;
 }

@@ -6,6 +6,7 @@
 
 #include <cover/angle.hpp>
 
+#include "base/team.hpp"
 #include "cdt/triangulation.hpp"
 #include "limits/angle_range.hpp"
 #include "limits/region_view.hpp"
@@ -40,7 +41,7 @@ class LimitProver {
   ///           locked edges are the sides, each of which is an edge of every mesh in question. It
   ///           outlives the prover.
   /// Cost:     O(triangles)
-  explicit LimitProver(const Triangulation& cdt);
+  explicit LimitProver(const Triangulation& cdt, const Team& team = {});
 
   /// pi - gamma_opt: Lemma 1.
   [[nodiscard]] double nu_opt() const { return nu_opt_; }
@@ -68,7 +69,10 @@ class LimitProver {
                const ProofEffort& effort = {});
 
  private:
+  class Question;
+
   RegionView view_;
+  Team team_;
   double nu_opt_;
   std::uint32_t last_refuter_ = 0;  ///< the side that settled the last question
   std::vector<std::uint32_t> undecided_;

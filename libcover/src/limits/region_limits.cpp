@@ -42,11 +42,11 @@ bool meets(const ReachedAngles& reached, const ReachedAngles& wanted) {
 }
 
 RegionLimits region_limits(const Triangulation& cdt, const ReachedAngles& reached,
-                           const ReachedAngles& wanted) {
+                           const ReachedAngles& wanted, const Team& team) {
   RegionLimits limits;
   limits.of_largest = limits.of_smallest = Standing::met;
   if (meets(reached, wanted)) return limits;
-  const ProvenLimits proven = LimitProver(cdt).prove(reached, wanted);
+  const ProvenLimits proven = LimitProver(cdt, team).prove(reached, wanted);
   limits.largest_nu = proven.largest_nu;
   limits.smallest = proven.smallest;
   limits.under = proven.under;

@@ -10,9 +10,10 @@ namespace cover {
 /// Looks for limits where a target is missed.
 ///
 /// REQUIRES: `cdt` as for LimitProver; a covering mesh of the region has reached `reached`
+/// ENSURES:  what is found does not depend on the team
 /// Cost:     nothing where both targets are met; else O(triangles) and ProofEffort
 RegionLimits region_limits(const Triangulation& cdt, const ReachedAngles& reached,
-                           const ReachedAngles& wanted);
+                           const ReachedAngles& wanted, const Team& team = {});
 
 /// True if both targets are met: no limit is looked for.
 bool meets(const ReachedAngles& reached, const ReachedAngles& wanted);

@@ -1,6 +1,7 @@
 // Tested by tests/unit/pipeline/cover_mesh_test.cpp.
 #include "pipeline/find_regions.hpp"
 
+#include <optional>
 #include <utility>
 
 #include <cover/option_table.hpp>
@@ -57,13 +58,16 @@ Result<Prepared> find_regions(const Input& input, const Options& options,
   for (const std::string& warning : input.warnings)
     report.notes.push_back({Note::Kind::warning, kVoid, warning, {}});
   if (Status status = begin_stage("clean", callbacks); !status) return std::move(status).error();
-  Result<Pslg> pslg = errors_as_values("clean", [&] { return make_pslg(input, options, report); });
+  std::optional<Triangulation> whole;
+  Result<Pslg> pslg =
+      errors_as_values("clean", [&] { return make_pslg(input, options, report, &whole); });
   if (!pslg) return std::move(pslg).error();
   prepared.pslg = *std::move(pslg);
   clock.note("clean", report.times);
   if (Status status = begin_stage("regions", callbacks); !status) return std::move(status).error();
-  Result<RegionTable> table = errors_as_values(
-      "regions", [&] { return build_region_table(prepared.pslg, options, report.notes); });
+  Result<RegionTable> table = errors_as_values("regions", [&] {
+    return build_region_table(prepared.pslg, options, report.notes, std::move(whole));
+  });
   if (!table) return std::move(table).error();
   prepared.table = *std::move(table);
   Status joined = errors_as_values("periodic sides", [&] {

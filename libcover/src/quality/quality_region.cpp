@@ -9,6 +9,7 @@
 #include "quality/quality_region.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -33,8 +34,10 @@ constexpr std::uint64_t kEvaluationsForFar = 5'000;    ///< per triangle above 1
 class RegionWork {
  public:
   RegionWork(const RegionBoundary& boundary, const Options& options, std::stop_token stop,
-             bool shifted)
-      : boundary_(boundary), options_(options), candidates_(boundary, options, stop, shifted) {}
+             bool shifted, const Sharing& sharing)
+      : boundary_(boundary),
+        options_(options),
+        candidates_(boundary, options, stop, shifted, sharing) {}
 
   /// ENSURES: no triangles if rounding on the way back to the plane turned one over, or the run is
   ///          to stop
@@ -96,7 +99,8 @@ class RegionWork {
   }
 
   [[nodiscard]] RegionMesh reported(const Candidate& candidate) const {
-    RegionMesh out = to_region_mesh(candidate.mesh, candidates_.frame(), boundary_.points);
+    RegionMesh out =
+        to_region_mesh(candidate.mesh, candidates_.frame(), boundary_.points, candidates_.team());
     if (minds_couplings(options_) && has_negative(candidate.mesh)) flip_in_the_plane(out);
     RegionReport& report = out.report;
     report.id = boundary_.id;
@@ -115,8 +119,8 @@ class RegionWork {
       return v < boundary_.points.size() ? boundary_.points[v]
                                          : candidates_.frame().restore(mesh.points[v]);
     };
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      if (mesh.is_hole(t)) continue;
+    const auto is_negative = [&](std::uint32_t t) {
+      if (mesh.is_hole(t)) return false;
       const auto& [v, n] = mesh.triangles[t];
       for (std::size_t i = 0; i < 3; ++i) {
         if (is_side(n[i]) || n[i] < t) continue;
@@ -125,8 +129,17 @@ class RegionWork {
             other.v[static_cast<std::size_t>(other.edge_from(v[(i + 2) % 3]))];
         if (in_circle(at(v[0]), at(v[1]), at(v[2]), at(beyond)) == Sign::positive) return true;
       }
-    }
-    return false;
+      return false;
+    };
+    constexpr std::size_t kRange = 1 << 15;
+    std::atomic<bool> found = false;
+    candidates_.team().each_range(mesh.triangles.size(), kRange,
+                                  [&](std::size_t first, std::size_t last) {
+                                    for (std::size_t t = first; t < last && !found; ++t) {
+                                      if (is_negative(static_cast<std::uint32_t>(t))) found = true;
+                                    }
+                                  });
+    return found;
   }
 
   void flip_in_the_plane(RegionMesh& out) const {
@@ -145,11 +158,11 @@ class RegionWork {
 }  // namespace
 
 RegionMesh quality_region(const RegionBoundary& boundary, const Options& options,
-                          std::stop_token stop) {
-  RegionWork shifted(boundary, options, stop, true);
+                          std::stop_token stop, const Sharing& sharing) {
+  RegionWork shifted(boundary, options, stop, true, sharing);
   RegionMesh mesh = shifted.run();
   if (mesh.triangles.empty() && shifted.is_shifted() && !stop.stop_requested()) {
-    mesh = RegionWork(boundary, options, stop, false).run();
+    mesh = RegionWork(boundary, options, stop, false, sharing).run();
   }
   return mesh;
 }

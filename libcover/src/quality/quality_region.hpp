@@ -5,6 +5,7 @@
 
 #include <cover/options.hpp>
 
+#include "quality/mutable/blocks.hpp"
 #include "region/region_boundary.hpp"
 #include "target/region_mesh.hpp"
 
@@ -16,8 +17,8 @@ namespace cover {
 /// ENSURES: promise 3 at least; no worse than the constrained Delaunay triangulation and the
 ///          almond method, unless the targets are met. RegionMesh::report::notes says which
 ///          targets were missed, where and why.
-/// Threads: pure function of its arguments.
+/// Threads: pure function of its arguments, but for the team, on which nothing depends.
 RegionMesh quality_region(const RegionBoundary& boundary, const Options& options,
-                          std::stop_token stop);
+                          std::stop_token stop, const Sharing& sharing = {});
 
 }  // namespace cover

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include <cover/option_ranges.hpp>
 #include <cover/text.hpp>
@@ -265,11 +266,13 @@ void tell_remedies(const Pslg& pslg, const Options& options, Error& error) {
 }  // namespace
 
 Result<RegionTable> build_region_table(const Pslg& pslg, const Options& options,
-                                       std::vector<Note>& notes) {
+                                       std::vector<Note>& notes,
+                                       std::optional<Triangulation> whole) {
   std::vector<IndexPair> pairs;
   pairs.reserve(pslg.segments.size());
   for (const Segment& s : pslg.segments) pairs.push_back({s.a.value(), s.b.value()});
-  const Faces faces = find_faces(pslg.points, pairs, options.hull);
+  const Faces faces = whole ? faces_of(*std::move(whole), pairs, options.hull)
+                            : find_faces(pslg.points, pairs, options.hull);
   if (faces.of_triangle.empty()) {
     return nothing_enclosed(pslg, pslg.points.size() < 3 ? "there are fewer than three points"
                                                          : "all points lie on one line");

@@ -82,6 +82,19 @@ SizeField::SizeField(const RegionBoundary& boundary, const Triangulation& cdt,
   spread_sizes(cdt.points, edges, slope_, at_);
 }
 
+SizeField SizeField::part(std::span<const std::uint32_t> vertices) const {
+  SizeField part;
+  part.slope_ = slope_;
+  part.largest_ = largest_;
+  if (!is_active()) return part;
+  part.background_ = background_;
+  for (const std::uint32_t v : vertices) {
+    part.at_.push_back(at_[v]);
+    part.least_.push_back(least_[v]);
+  }
+  return part;
+}
+
 double SizeField::largest_at(Point p) const {
   if (!background_) return largest_;
   const double size = ask_size(background_, p);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <cover/point.hpp>
@@ -55,6 +56,12 @@ class SizeField {
   [[nodiscard]] double least_near(std::uint32_t v, double distance) const;
   /// Gives vertex `v`, a new one, its size, and the least there.
   void set(std::uint32_t v, double size, double least);
+  /// The same wishes, for a part of the mesh with these vertices.
+  [[nodiscard]] SizeField part(std::span<const std::uint32_t> vertices) const;
+  /// Gives vertex `v` what vertex `of` has in `other`.
+  void take(std::uint32_t v, const SizeField& other, std::uint32_t of) {
+    set(v, other.at_[of], other.least_[of]);
+  }
   /// The region's own size or that of the background, the smaller; infinite if there is neither.
   [[nodiscard]] double largest_at(Point p) const;
 

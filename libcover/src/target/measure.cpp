@@ -111,9 +111,10 @@ std::vector<Point> all_points(const RegionBoundary& boundary, const RegionMesh& 
   return points;
 }
 
-Quality measure_angles(std::span<const Point> points, std::span<const IndexTriple> triangles) {
-  const BinLimits limits = bin_limits();
-  const double farthest = largest_coordinate(points);
+namespace {
+
+Quality measure_some(std::span<const Point> points, std::span<const IndexTriple> triangles,
+                     const BinLimits& limits, double farthest) {
   Quality quality;
   quality.triangles = triangles.size();
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
@@ -140,6 +141,24 @@ Quality measure_angles(std::span<const Point> points, std::span<const IndexTripl
     quality.smallest = Angle::radians(angle_at(sharpest.apex, sharpest.sharp, sharpest.blunt));
   }
   return quality;
+}
+
+}  // namespace
+
+Quality measure_angles(std::span<const Point> points, std::span<const IndexTriple> triangles,
+                       const Team& team) {
+  constexpr std::size_t kRange = 1 << 17;  // whatever the team: areas are summed in the same order
+  const BinLimits limits = bin_limits();
+  const double farthest = largest_coordinate(points);
+  if (triangles.size() <= kRange) return measure_some(points, triangles, limits, farthest);
+  std::vector<Quality> parts(Team::ranges(triangles.size(), kRange));
+  team.each_range(triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+    parts[first / kRange] =
+        measure_some(points, triangles.subspan(first, last - first), limits, farthest);
+  });
+  Quality sum = parts[0];
+  for (std::size_t k = 1; k < parts.size(); ++k) merge(sum, parts[k]);
+  return sum;
 }
 
 BoxMethod measure_boxes(std::span<const Point> points, std::span<const IndexTriple> triangles,
@@ -247,12 +266,27 @@ void set_limits(const AngleLimit& limit, RegionReport& report) {
   report.forced_above_150 = limit.above_150;
 }
 
-void measure(const RegionBoundary& boundary, RegionMesh& mesh) {
+void measure(const RegionBoundary& boundary, RegionMesh& mesh, const Team& team) {
   const std::vector<Point> points = all_points(boundary, mesh);
   RegionReport& report = mesh.report;
-  report.quality = measure_angles(points, mesh.triangles);
-  report.box = measure_boxes(points, mesh.triangles, boundary.sides);
-  report.couplings = measure_couplings(boundary, mesh, points, report.box);
+  BoxMethod box, couplings;
+  team.each(3, [&](std::size_t k) {
+    switch (k) {
+      case 0:
+        box = measure_boxes(points, mesh.triangles, boundary.sides);
+        break;
+      case 1:
+        report.couplings = measure_couplings(boundary, mesh, points, couplings);
+        break;
+      default:
+        report.quality = measure_angles(points, mesh.triangles, team);
+    }
+  });
+  report.box = box;
+  report.box.negative_couplings = couplings.negative_couplings;
+  report.box.negative_inside = couplings.negative_inside;
+  report.box.negative_encroached = couplings.negative_encroached;
+  report.box.negative_given_up = couplings.negative_given_up;
   report.input_vertices = boundary.points.size();
   report.steiner_vertices = mesh.steiner.size();
   report.bound_held =

@@ -5,6 +5,7 @@
 
 #include <cover/report.hpp>
 
+#include "base/team.hpp"
 #include "geom/half_edges.hpp"
 #include "region/region_boundary.hpp"
 #include "target/angle_limit.hpp"
@@ -18,7 +19,8 @@ std::vector<Point> all_points(const RegionBoundary& boundary, const RegionMesh& 
 /// Angle statistics of `triangles`. The count of those above 120 degrees is exact; one is obtuse if
 /// it is above 90 degrees by more than 1e-9 radians and by more than what rounding the coordinates
 /// of its corners can make (angle_rounding).
-Quality measure_angles(std::span<const Point> points, std::span<const IndexTriple> triangles);
+Quality measure_angles(std::span<const Point> points, std::span<const IndexTriple> triangles,
+                       const Team& team = {});
 
 /// Box-method figures of `triangles`, but for negative couplings; `sides` are the directed sides of
 /// their region.
@@ -54,6 +56,6 @@ void set_limits(const AngleLimit& limit, RegionReport& report);
 /// nu_bound. Where the bound is missed a note names the worst triangle.
 ///
 /// REQUIRES: report.id and report.nu_bound are set
-void measure(const RegionBoundary& boundary, RegionMesh& mesh);
+void measure(const RegionBoundary& boundary, RegionMesh& mesh, const Team& team = {});
 
 }  // namespace cover

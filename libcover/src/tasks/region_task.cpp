@@ -50,6 +50,9 @@ constexpr double kMostCost = 0x1p40;
 /// Batches are filled up to this cost: some milliseconds of work against microseconds of overhead.
 constexpr std::size_t kBatchCost = 1000;
 
+/// From so many on, several threads judge a mesh: some tenths of a second of work.
+constexpr std::size_t kManyTriangles = 100'000;
+
 /// By region. Each takes time in proportion to its sides, so none is computed twice.
 std::vector<std::size_t> costs_of(std::span<const RegionBoundary> boundaries) {
   std::vector<std::size_t> costs;
@@ -110,32 +113,57 @@ class ProgressCount {
   std::atomic<bool> has_thrown_ = false;
 };
 
-using RegionMethod = RegionMesh (*)(const RegionBoundary&, const Options&, std::stop_token);
+using RegionMethod = RegionMesh (*)(const RegionBoundary&, const Options&, std::stop_token,
+                                    const Team&);
 
 /// A mesh, and why it does not fill its region, if it does not: then it has no triangles.
 struct Attempt {
   RegionMesh mesh;
   std::optional<BoundaryFault> fault;
+  std::optional<CdtResult> cdt{};  ///< of the region, if it was made meanwhile
 };
 
 Attempt attempt(RegionMethod method, const RegionBoundary& boundary, const Options& options,
-                const std::stop_token& stop) {
-  Attempt out{method(boundary, options, stop), {}};
+                const std::stop_token& stop, const Team& team) {
+  Attempt out{method(boundary, options, stop, team), {}};
   if (stop.stop_requested()) return out;
   RegionMesh& mesh = out.mesh;
   const std::vector<Point> points = all_points(boundary, mesh);
-  out.fault = find_fault(
-      {points, mesh.triangles, boundary.sides, boundary.segments, boundary.points.size()});
+  // What the limits will need, meanwhile: it takes no longer than that by itself.
+  const auto& notes = mesh.report.notes;
+  const bool looks_ahead = team.workers() > 1 && mesh.triangles.size() >= kManyTriangles &&
+                           std::any_of(notes.begin(), notes.end(), [](const Note& note) {
+                             return note.kind == Note::Kind::target_missed;
+                           });
+  team.each(looks_ahead ? 2 : 1, [&](std::size_t k) {
+    if (k == 1) {
+      out.cdt = triangulate_domain(boundary.points, boundary.sides);
+    } else {
+      out.fault = find_fault(
+          {points, mesh.triangles, boundary.sides, boundary.segments, boundary.points.size()});
+    }
+  });
   if (out.fault) {
     mesh.steiner.clear();
     mesh.triangles.clear();
   }
-  measure(boundary, mesh);
+  measure(boundary, mesh, team);
   return out;
 }
 
+RegionMesh by_quality(const RegionBoundary& boundary, const Options& options, std::stop_token stop,
+                      const Team& team) {
+  return quality_region(boundary, options, std::move(stop), {team});
+}
+
+RegionMesh by_almonds(const RegionBoundary& boundary, const Options& options, std::stop_token stop,
+                      const Team&) {
+  return almond_region(boundary, options, std::move(stop));
+}
+
 /// The constrained Delaunay triangulation, which no rounding can break.
-RegionMesh plain_region(const RegionBoundary& boundary, const Options&, std::stop_token) {
+RegionMesh plain_region(const RegionBoundary& boundary, const Options&, std::stop_token,
+                        const Team&) {
   const Triangulation cdt = triangulate_region(boundary.points, boundary.sides);
   RegionMesh mesh;
   mesh.report.id = boundary.id;
@@ -164,7 +192,7 @@ Note note_of_fallback(const RegionBoundary& boundary, const Attempt& attempt, st
 /// meshes there. The almond method aims at the bound and at no target: limits beside one would take
 /// twice its time (`cover check` tells them of any mesh).
 RegionLimits limits_of(const RegionBoundary& boundary, const Quality& quality,
-                       const Options& options) {
+                       const Options& options, const Team& team, std::optional<CdtResult> known) {
   const auto& segments = boundary.segments;
   if (quality.triangles == 0 || options.method != Method::quality ||
       std::find(segments.begin(), segments.end(), kHullSide) != segments.end())
@@ -172,27 +200,31 @@ RegionLimits limits_of(const RegionBoundary& boundary, const Quality& quality,
   const ReachedAngles reached{quality.largest_nu, quality.smallest};
   const ReachedAngles wanted{options.max_angle.supplement(), options.min_angle};
   if (meets(reached, wanted)) return region_limits({}, reached, wanted);
-  const CdtResult cdt = triangulate_domain(boundary.points, boundary.sides);
-  return region_limits(cdt.triangulation, reached, wanted);
+  const CdtResult cdt =
+      known ? *std::move(known) : triangulate_domain(boundary.points, boundary.sides);
+  return region_limits(cdt.triangulation, reached, wanted, team);
 }
 
 /// The method asked for; where that misses the bound, the other one if it is better. It is rounding
 /// that makes them miss: the one in a region as flat as coordinates can be, the other where an
 /// improved triangle lies just inside the bound in the frame in which it was improved.
+/// `cdt` becomes the region's constrained Delaunay triangulation, if that was made on the way.
 RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
-                       const std::stop_token& stop) {
+                       const std::stop_token& stop, const Team& team,
+                       std::optional<CdtResult>& cdt) {
   const bool quality = options.method == Method::quality;
   const std::string_view asked = quality ? "quality" : "almond";
   const std::string_view second = quality ? "almond" : "quality";
-  Attempt first = attempt(quality ? quality_region : almond_region, boundary, options, stop);
+  Attempt first = attempt(quality ? by_quality : by_almonds, boundary, options, stop, team);
   const bool promised = CutRule{options.paper, options.pieces}.promises_bound();
   const bool will_do =
       !first.fault && (first.mesh.report.bound_held || !promised || boundary.is_part);
+  cdt = std::move(first.cdt);
   if (stop.stop_requested() || will_do) return std::move(first.mesh);
-  Attempt other = attempt(quality ? almond_region : quality_region, boundary, options, stop);
+  Attempt other = attempt(quality ? by_almonds : by_quality, boundary, options, stop, team);
   if (stop.stop_requested()) return std::move(other.mesh);
   if (first.fault && other.fault) {
-    Attempt plain = attempt(plain_region, boundary, options, stop);
+    Attempt plain = attempt(plain_region, boundary, options, stop, team);
     if (plain.fault) throw InternalFault(plain.fault->what, std::move(plain.fault->where));
     plain.mesh.report.notes.push_back(
         note_of_fallback(boundary, first, asked, "constrained Delaunay triangulation"));
@@ -210,11 +242,13 @@ RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
 
 /// The region, and its layers if it has some.
 RegionMesh mesh_with_its_layers(const RegionBoundary& boundary, const Options& options,
-                                const std::stop_token& stop) {
+                                const std::stop_token& stop, const Team& team,
+                                std::optional<CdtResult>& cdt) {
+  if (!has_layers(boundary)) return mesh_region(boundary, options, stop, team, cdt);
   const auto mesh_rest = [&](const RegionBoundary& rest) {
-    return mesh_region(rest, options, stop);
+    std::optional<CdtResult> of_rest;
+    return mesh_region(rest, options, stop, team, of_rest);
   };
-  if (!has_layers(boundary)) return mesh_rest(boundary);
   RegionMesh mesh = mesh_with_layers(boundary, options, mesh_rest, stop);
   if (mesh.layer_triangles > 0 && options.method == Method::quality && !stop.stop_requested())
     report_again(boundary, options, false, mesh);
@@ -229,11 +263,12 @@ std::size_t cost_of(const RegionBoundary& boundary) {
 }
 
 RegionMesh mesh_one_region(const RegionBoundary& boundary, const Options& options,
-                           const std::stop_token& stop) {
+                           const std::stop_token& stop, const Team& team) {
   const StageClock clock;
-  RegionMesh mesh = mesh_with_its_layers(boundary, options, stop);
+  std::optional<CdtResult> cdt;
+  RegionMesh mesh = mesh_with_its_layers(boundary, options, stop, team, cdt);
   if (!stop.stop_requested())
-    mesh.report.limits = limits_of(boundary, mesh.report.quality, options);
+    mesh.report.limits = limits_of(boundary, mesh.report.quality, options, team, std::move(cdt));
   mesh.report.seconds = clock.seconds();
   return mesh;
 }
@@ -244,7 +279,7 @@ unsigned worker_count(const Options& options) {
 
 Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned workers,
                        std::string_view stage, const Callbacks& callbacks,
-                       const std::function<void(std::size_t)>& task) {
+                       const std::function<void(std::size_t, const Team&)>& task) {
   const std::vector<std::size_t> costs = costs_of(boundaries);
   const std::vector<std::size_t> order = largest_first(costs);
   const std::vector<Batch> batches = make_batches(costs, order);
@@ -254,21 +289,21 @@ Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned work
   progress.add(0);
   std::vector<std::optional<Error>> errors(boundaries.size());
 
-  const auto run = [&](const Batch& batch) {
+  const auto run = [&](const Batch& batch, const Team& team) {
     for (std::size_t k = batch.first; k < batch.last; ++k) {
       if (progress.must_stop()) return;
       std::array<char, 32> name{};  // no allocation, which may fail
       const auto end =
           fmt::format_to_n(name.data(), name.size(), "region {}", boundaries[order[k]].id.value());
       Status status = errors_as_values({name.data(), end.size}, [&] {
-        task(order[k]);
+        task(order[k], team);
         return ok();
       });
       if (!status) errors[order[k]] = std::move(status).error();
     }
     progress.add(batch.cost);
   };
-  run_all(batches.size(), workers, [&](std::size_t k) { run(batches[k]); });
+  run_all(batches.size(), workers, [&](std::size_t k, const Team& team) { run(batches[k], team); });
   progress.rethrow();
 
   if (callbacks.stop.stop_requested()) return Error{ErrorCode::cancelled, "interrupted", {}, {}};
@@ -276,6 +311,13 @@ Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned work
     if (error) return std::move(*error);
   }
   return ok();
+}
+
+Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned workers,
+                       std::string_view stage, const Callbacks& callbacks,
+                       const std::function<void(std::size_t)>& task) {
+  return for_each_region(boundaries, workers, stage, callbacks,
+                         [&task](std::size_t k, const Team&) { task(k); });
 }
 
 Result<std::vector<RegionReport>> limit_regions(std::span<const RegionBoundary> boundaries,
@@ -299,8 +341,9 @@ Result<std::vector<RegionMesh>> mesh_regions(std::span<const RegionBoundary> bou
   if (callbacks.share_out) return share_out_regions(boundaries, options, callbacks);
   std::vector<RegionMesh> meshes(boundaries.size());
   Status status = for_each_region(
-      boundaries, worker_count(options), "mesh", callbacks,
-      [&](std::size_t k) { meshes[k] = mesh_one_region(boundaries[k], options, callbacks.stop); });
+      boundaries, worker_count(options), "mesh", callbacks, [&](std::size_t k, const Team& team) {
+        meshes[k] = mesh_one_region(boundaries[k], options, callbacks.stop, team);
+      });
   if (!status) return std::move(status).error();
   return meshes;
 }

@@ -10,6 +10,7 @@
 #include <cover/progress.hpp>
 #include <cover/result.hpp>
 
+#include "base/team.hpp"
 #include "region/region_boundary.hpp"
 #include "target/region_mesh.hpp"
 
@@ -24,7 +25,13 @@ unsigned worker_count(const Options& options);
 ///
 /// ENSURES: the error of the first region (by index) that failed, whatever the schedule was.
 /// Errors:  cancelled; those of errors_as_values() if a task threw.
-/// Threads: `task` runs in several threads at a time, `callbacks.progress` in one.
+/// Threads: `task` runs in several threads at a time, `callbacks.progress` in one. The team that it
+///          is given are all of these threads, see run_all().
+Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned workers,
+                       std::string_view stage, const Callbacks& callbacks,
+                       const std::function<void(std::size_t, const Team&)>& task);
+
+/// For tasks that do not divide their work.
 Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned workers,
                        std::string_view stage, const Callbacks& callbacks,
                        const std::function<void(std::size_t)>& task);
@@ -39,9 +46,10 @@ std::size_t cost_of(const RegionBoundary& boundary);
 
 /// Meshes and measures one region, and proves limits of what it misses.
 ///
+/// ENSURES: the mesh does not depend on the team
 /// Throws: what the method throws
 RegionMesh mesh_one_region(const RegionBoundary& boundary, const Options& options,
-                           const std::stop_token& stop);
+                           const std::stop_token& stop, const Team& team = {});
 
 /// Meshes and measures every region, as Callbacks::share_out says; results in region order.
 Result<std::vector<RegionMesh>> mesh_regions(std::span<const RegionBoundary> boundaries,

@@ -4,14 +4,23 @@
 #include <cstddef>
 #include <functional>
 
+#include "base/team.hpp"
+
 namespace cover {
 
 /// Calls `run` with 0, 1, ..., count - 1, which begin in this order, in up to `workers` threads of
 /// which the caller's is one. Where the system has no more threads, fewer do the work.
 ///
+/// The team that each call is given are the same threads: parts of a call that has begun are taken
+/// before the next call begins, and whoever finds no call any more helps until all are done.
+///
 /// REQUIRES: `run` throws nothing when there are several workers
 /// ENSURES:  all calls have returned
 /// Throws:   std::bad_alloc, before the first call
+void run_all(std::size_t count, unsigned workers,
+             const std::function<void(std::size_t, const Team&)>& run);
+
+/// For calls that do not divide their work.
 void run_all(std::size_t count, unsigned workers, const std::function<void(std::size_t)>& run);
 
 }  // namespace cover

@@ -16,6 +16,7 @@
 #include "geom/vector.hpp"
 #include "support/random_regions.hpp"
 #include "support/shapes.hpp"
+#include "tasks/run_all.hpp"
 
 namespace cover {
 namespace {
@@ -220,6 +221,36 @@ RegionBoundary region_for_brute_force(std::mt19937_64& random) {
     const CdtResult cdt = triangulate_domain(boundary.points, boundary.sides);
     if (!cdt.conflicts.empty() || cdt.triangulation.triangles.empty()) continue;
     if (RegionView(cdt.triangulation).sides().size() == boundary.sides.size()) return boundary;
+  }
+}
+
+/// On a region whose sides are asked ahead: what a team finds is what one thread finds, whether the
+/// budget lasts or not.
+TEST(LimitProver, ATeamFindsTheSame) {
+  std::mt19937_64 random(test_seed(5));
+  Loop loop;
+  std::uniform_real_distribution<double> radius(0.8, 1);
+  for (int k = 0; k < 3000; ++k) {
+    const double t = 2 * kPi * k / 3000, r = radius(random);
+    loop.push_back({r * std::cos(t), r * std::sin(t)});
+  }
+  const Triangulation cdt = cdt_of(boundary_of({loop}));
+  const auto prove = [&](const Team& team, double reached, std::uint64_t per_side) {
+    LimitProver prover(cdt, team);
+    const double nu = prover.nu_opt() * reached;
+    return prover.prove({Angle::radians(nu), Angle::radians(nu / 40)},
+                        {Angle::degrees(80), Angle::degrees(20)}, {per_side, 400, 400, 16});
+  };
+  for (const double reached : {0.5, 0.9, 1.0}) {
+    for (const std::uint64_t per_side : {1U, 10U, 40U}) {
+      const ProvenLimits alone = prove({}, reached, per_side);
+      run_all(1, 3, [&](std::size_t, const Team& team) {
+        const ProvenLimits together = prove(team, reached, per_side);
+        EXPECT_EQ(together.largest_nu, alone.largest_nu);
+        EXPECT_EQ(together.smallest, alone.smallest);
+        EXPECT_EQ(together.under, alone.under);
+      });
+    }
   }
 }
 

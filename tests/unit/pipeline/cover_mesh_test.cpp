@@ -138,6 +138,30 @@ TEST(CoverMesh, SameMeshForAnyNumberOfThreadsAndAnyRepeat) {
   }
 }
 
+/// A region that is large enough to be divided, beside small ones.
+TEST(CoverMesh, SameMeshOfALargeRegionForAnyNumberOfThreads) {
+  const Input input = testing::input_of(testing::smooth_star(40'000, 1));
+  Options options;
+  options.threads = 1;
+  const Output first = must_mesh(input, options);
+  const TriangleSoup soup = triangle_soup(first.mesh);
+  EXPECT_GT(soup.triangles.size(), 100'000U);  // see Sharing
+  EXPECT_EQ(verify_cover(first.pslg, first.table, soup).violation_count, 0U);
+  EXPECT_LE(first.report.quality.largest_nu.supplement().in_degrees(), 100 + 1e-9);
+  EXPECT_GE(first.report.quality.smallest.in_degrees(), 20 - 1e-9);
+  for (const unsigned threads : {2U, 3U, 8U}) {
+    options.threads = threads;
+    const Output output = must_mesh(input, options);
+    const TriangleSoup again = triangle_soup(output.mesh);
+    EXPECT_EQ(soup.points, again.points);
+    EXPECT_EQ(soup.triangles, again.triangles);
+    EXPECT_EQ(first.report.quality.area, output.report.quality.area);
+    EXPECT_EQ(first.report.regions[0].limits.largest_nu,
+              output.report.regions[0].limits.largest_nu);
+    EXPECT_EQ(first.report.regions[0].limits.smallest, output.report.regions[0].limits.smallest);
+  }
+}
+
 TEST(CoverMesh, SameMeshForAnyOrderOfTheInput) {
   const Input input = testing::checker(5, 6, 12);
   const Shape shape = shape_of(triangle_soup(must_mesh(input).mesh));

@@ -3,6 +3,8 @@
 #include <atomic>
 #include <mutex>
 #include <set>
+#include <stdexcept>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -43,6 +45,78 @@ TEST(RunAll, SeveralWorkAtATime) {
     threads.insert(std::this_thread::get_id());
   });
   EXPECT_EQ(threads.size(), 2U);
+}
+
+TEST(RunAll, PartsAreSharedByAllThreadsAndMayBeDividedAgain) {
+  for (const unsigned workers : {1U, 2U, 3U, 8U}) {
+    std::vector<std::atomic<int>> calls(5 * 40);
+    run_all(5, workers, [&](std::size_t k, const Team& team) {
+      EXPECT_EQ(team.workers(), workers);
+      team.each(4, [&](std::size_t part) {
+        team.each(10, [&](std::size_t piece) { ++calls[40 * k + 10 * part + piece]; });
+      });
+    });
+    for (const std::atomic<int>& count : calls) EXPECT_EQ(count, 1);
+  }
+}
+
+TEST(RunAll, OneCallGetsTheThreadsOfAll) {
+  // Two parts of a single call wait for each other.
+  std::atomic<int> begun = 0;
+  run_all(1, 2, [&](std::size_t, const Team& team) {
+    team.each(2, [&](std::size_t) {
+      ++begun;
+      while (begun < 2) std::this_thread::yield();
+    });
+  });
+  EXPECT_EQ(begun, 2);
+}
+
+TEST(RunAll, WhoeverIsDoneHelpsTheOthers) {
+  // The second call ends at once; the first one needs its thread.
+  std::atomic<int> begun = 0;
+  std::atomic<bool> second_ended = false;
+  run_all(2, 2, [&](std::size_t k, const Team& team) {
+    if (k == 1) {
+      second_ended = true;
+      return;
+    }
+    while (!second_ended) std::this_thread::yield();
+    team.each(2, [&](std::size_t) {
+      ++begun;
+      while (begun < 2) std::this_thread::yield();
+    });
+  });
+  EXPECT_EQ(begun, 2);
+}
+
+TEST(RunAll, PartsThrowWhatTheFirstOfThemThrew) {
+  for (const unsigned workers : {1U, 2U, 4U}) {
+    std::string thrown;
+    run_all(1, workers, [&](std::size_t, const Team& team) {
+      try {
+        team.each(100, [](std::size_t k) {
+          if (k % 10 == 3) throw std::runtime_error(std::to_string(k));
+        });
+      } catch (const std::runtime_error& e) {
+        thrown = e.what();
+      }
+    });
+    EXPECT_EQ(thrown, "3") << workers;
+  }
+}
+
+TEST(RunAll, RangesAreTheSameForAnyTeam) {
+  for (const unsigned workers : {1U, 3U}) {
+    std::vector<std::atomic<int>> calls(1000);
+    run_all(1, workers, [&](std::size_t, const Team& team) {
+      team.each_range(1000, 64, [&](std::size_t first, std::size_t last) {
+        EXPECT_EQ(first % 64, 0U);
+        for (std::size_t k = first; k < last; ++k) ++calls[k];
+      });
+    });
+    for (const std::atomic<int>& count : calls) EXPECT_EQ(count, 1);
+  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <tuple>
+#include <vector>
 
 namespace cover {
 namespace {
@@ -32,17 +33,15 @@ bool are_alike(const Merit& a, const Merit& b) {
   return (least <= k130) == (most <= k130);
 }
 
-}  // namespace
-
-Merit merit_of(const MutableMesh& mesh, const Goal& goal) {
-  Merit merit{goal.large, goal.large, 0, 0, goal.small, mesh.triangle_count(), true, {}, 0, 0, 0};
-  for (const SideLimit& side : mesh.sides) merit.target = std::max(merit.target, -side.apex_cot);
-  merit.large = merit.target;
+/// Adds what is wrong with the triangles from `first` to `last` to a merit without faults.
+void add_faults(const MutableMesh& mesh, const Goal& goal, std::size_t first, std::size_t last,
+                Merit& merit) {
   // What has no excess meets the goal, whatever its couplings weigh.
   const bool is_measured = mesh.goal().has_same_angles(goal) &&
                            mesh.goal().coupling.inside == goal.coupling.inside &&
                            (mesh.goal().coupling.weight > 0) == (goal.coupling.weight > 0);
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+  for (std::size_t k = first; k < last; ++k) {
+    const auto t = static_cast<std::uint32_t>(k);
     if (mesh.is_hole(t) || (is_measured && mesh.excess[t] <= 0)) continue;
     const Shortfall shortfall = shortfall_of(mesh, t, goal);
     merit.large = std::max(merit.large, shortfall.largest);
@@ -57,6 +56,31 @@ Merit merit_of(const MutableMesh& mesh, const Goal& goal) {
     merit.negative += shortfall.negative;
     merit.complete = merit.complete && !shortfall.is_above() && !shortfall.is_below(goal) &&
                      shortfall.negative == 0;
+  }
+}
+
+}  // namespace
+
+Merit merit_of(const MutableMesh& mesh, const Goal& goal, const Team& team) {
+  constexpr std::size_t kRange = 1 << 17;  // whatever the team: faults are summed in the same order
+  Merit merit{goal.large, goal.large, 0, 0, goal.small, mesh.triangle_count(), true, {}, 0, 0, 0};
+  for (const SideLimit& side : mesh.sides) merit.target = std::max(merit.target, -side.apex_cot);
+  merit.large = merit.target;
+  std::vector<Merit> parts(Team::ranges(mesh.triangles.size(), kRange), merit);
+  team.each_range(mesh.triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+    add_faults(mesh, goal, first, last, parts[first / kRange]);
+  });
+  for (const Merit& part : parts) {
+    merit.large = std::max(merit.large, part.large);
+    merit.small = std::max(merit.small, part.small);
+    merit.above += part.above;
+    merit.far_above += part.far_above;
+    merit.fault.wide = std::max(merit.fault.wide, part.fault.wide);
+    merit.fault.narrow = std::max(merit.fault.narrow, part.fault.narrow);
+    merit.sum += part.sum;
+    merit.missed += part.missed;
+    merit.negative += part.negative;
+    merit.complete = merit.complete && part.complete;
   }
   return merit;
 }

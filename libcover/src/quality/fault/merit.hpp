@@ -6,6 +6,7 @@
 
 #include <cover/options.hpp>
 
+#include "base/team.hpp"
 #include "quality/fault/fault.hpp"
 #include "quality/fault/shortfall.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
@@ -32,7 +33,7 @@ struct Merit {
 };
 
 /// Cost: O(triangles)
-Merit merit_of(const MutableMesh& mesh, const Goal& goal);
+Merit merit_of(const MutableMesh& mesh, const Goal& goal, const Team& team = {});
 
 /// Whether triangle `t` has a larger angle than the goal and its sides allow.
 bool is_above(const MutableMesh& mesh, std::uint32_t t, const Goal& goal);

@@ -15,31 +15,53 @@ bool is_negative(const MutableMesh& mesh, std::uint32_t t, int i) {
                    mesh.corner(u, mesh.triangles[u].edge_from(from))) == Sign::positive;
 }
 
-}  // namespace
+class Flips {
+ public:
+  explicit Flips(MutableMesh& mesh) : mesh_(mesh) {}
 
-std::size_t make_delaunay(MutableMesh& mesh) {
-  std::size_t flips = 0;
-  std::vector<std::uint32_t> stack;
-  /// Flips one edge of `t`, if it has to be, among those to triangles from `first` on.
-  const auto flip_one = [&](std::uint32_t t, std::uint32_t first) {
-    for (int i = 0; i < 3; ++i) {
-      const std::uint32_t u = mesh.triangles[t].n[static_cast<std::size_t>(i)];
-      if (is_side(u) || u < first || !is_negative(mesh, t, i) || !mesh.flip(t, i)) continue;
-      ++flips;
-      stack.push_back(t);
-      stack.push_back(u);
-      return;
-    }
-  };
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!mesh.is_hole(t)) flip_one(t, t);
-    while (!stack.empty()) {
-      const std::uint32_t changed = stack.back();
-      stack.pop_back();
+  /// Flips one edge of `t`, if it has to be, among those to triangles from `first` on, and what
+  /// that entails.
+  void flip_from(std::uint32_t t, std::uint32_t first) {
+    flip_one(t, first);
+    while (!stack_.empty()) {
+      const std::uint32_t changed = stack_.back();
+      stack_.pop_back();
       flip_one(changed, 0);
     }
   }
-  return flips;
+  [[nodiscard]] std::size_t count() const { return count_; }
+
+ private:
+  void flip_one(std::uint32_t t, std::uint32_t first) {
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t u = mesh_.triangles[t].n[static_cast<std::size_t>(i)];
+      if (is_side(u) || u < first || !is_negative(mesh_, t, i) || !mesh_.flip(t, i)) continue;
+      ++count_;
+      stack_.push_back(t);
+      stack_.push_back(u);
+      return;
+    }
+  }
+
+  MutableMesh& mesh_;
+  std::vector<std::uint32_t> stack_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+std::size_t make_delaunay(MutableMesh& mesh) {
+  Flips flips(mesh);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!mesh.is_hole(t)) flips.flip_from(t, t);
+  }
+  return flips.count();
+}
+
+std::size_t make_delaunay(MutableMesh& mesh, std::span<const std::uint32_t> triangles) {
+  Flips flips(mesh);
+  for (const std::uint32_t t : triangles) flips.flip_from(t, 0);
+  return flips.count();
 }
 
 }  // namespace cover

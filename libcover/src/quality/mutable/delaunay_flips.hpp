@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 
 #include "quality/mutable/mutable_mesh.hpp"
 
@@ -13,5 +15,7 @@ namespace cover {
 /// EXACT: yes, in the frame of the mesh
 /// Cost:  O(triangles), and what each flip entails
 std::size_t make_delaunay(MutableMesh& mesh);
+/// The same where all edges but those of `triangles` are locally Delaunay already.
+std::size_t make_delaunay(MutableMesh& mesh, std::span<const std::uint32_t> triangles);
 
 }  // namespace cover

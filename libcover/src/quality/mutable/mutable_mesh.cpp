@@ -70,17 +70,21 @@ Allowance allowance_for(const SideLimit& side, const Goal& goal) {
   return allowance;
 }
 
-void MutableMesh::set_goal(const Goal& goal) {
+void MutableMesh::set_goal(const Goal& goal, const Team& team) {
   if (goal == goal_) return;
   goal_ = goal;
   for (std::size_t s = 0; s < sides.size(); ++s) allowances[s] = allowance_for(sides[s], goal);
-  measure_all();
+  measure_all(team);
 }
 
-void MutableMesh::measure_all() {
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    if (!is_hole(t)) measure(t);
-  }
+void MutableMesh::measure_all(const Team& team) {
+  constexpr std::size_t kRange = 1 << 15;
+  team.each_range(triangles.size(), kRange, [this](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      const auto t = static_cast<std::uint32_t>(k);
+      if (!is_hole(t)) measure(t);
+    }
+  });
 }
 
 double MutableMesh::excess_of(const std::array<std::uint32_t, 3>& v,

@@ -8,6 +8,7 @@
 
 #include <cover/point.hpp>
 
+#include "base/team.hpp"
 #include "cdt/sides.hpp"
 #include "cdt/triangulation.hpp"
 #include "target/goal.hpp"
@@ -63,9 +64,9 @@ class MutableMesh {
 
   [[nodiscard]] const Goal& goal() const { return goal_; }
   /// ENSURES: all excesses are by `goal`, if they were by the goal before
-  void set_goal(const Goal& goal);
+  void set_goal(const Goal& goal, const Team& team = {});
   /// Computes all excesses anew.
-  void measure_all();
+  void measure_all(const Team& team = {});
 
   [[nodiscard]] bool is_fixed(std::uint32_t v) const { return v < fixed_; }
   [[nodiscard]] std::uint32_t fixed_vertices() const { return fixed_; }

@@ -1,7 +1,7 @@
 // See to_region_mesh.hpp. Tested by tests/unit/quality/quality_region_test.cpp.
 #include "quality/mutable/to_region_mesh.hpp"
 
-#include <algorithm>
+#include <atomic>
 #include <vector>
 
 #include "geom/predicates.hpp"
@@ -9,7 +9,7 @@
 namespace cover {
 
 RegionMesh to_region_mesh(const MutableMesh& mesh, const LocalFrame& frame,
-                          std::span<const Point> points) {
+                          std::span<const Point> points, const Team& team) {
   RegionMesh out;
   const auto fixed = static_cast<std::uint32_t>(points.size());
   std::vector<std::uint32_t> number(mesh.points.size(), kNone);
@@ -26,8 +26,13 @@ RegionMesh to_region_mesh(const MutableMesh& mesh, const LocalFrame& frame,
     if (t.v[0] != kNone) out.triangles.push_back({number[t.v[0]], number[t.v[1]], number[t.v[2]]});
   }
   const auto at = [&](std::uint32_t v) { return v < fixed ? points[v] : out.steiner[v - fixed]; };
-  const bool is_valid = std::all_of(out.triangles.begin(), out.triangles.end(), [&](const auto& t) {
-    return orientation(at(t[0]), at(t[1]), at(t[2])) == Sign::positive;
+  constexpr std::size_t kRange = 1 << 15;
+  std::atomic<bool> is_valid = true;
+  team.each_range(out.triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last && is_valid; ++k) {
+      const auto& [a, b, c] = out.triangles[k];
+      if (orientation(at(a), at(b), at(c)) != Sign::positive) is_valid = false;
+    }
   });
   if (!is_valid) out.triangles.clear();
   return out;

@@ -5,6 +5,7 @@
 
 #include <cover/point.hpp>
 
+#include "base/team.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
 #include "target/local_frame.hpp"
 #include "target/region_mesh.hpp"
@@ -17,6 +18,6 @@ namespace cover {
 /// REQUIRES: the fixed vertices of `mesh` are `points`, in the frame
 /// ENSURES:  no triangles if rounding on the way back turned one over
 RegionMesh to_region_mesh(const MutableMesh& mesh, const LocalFrame& frame,
-                          std::span<const Point> points);
+                          std::span<const Point> points, const Team& team = {});
 
 }  // namespace cover

@@ -58,9 +58,10 @@ Goal goal_of(const Options& options, const AngleLimit& limit) {
 }  // namespace
 
 Candidates::Candidates(const RegionBoundary& boundary, const Options& options, std::stop_token stop,
-                       bool shifted)
+                       bool shifted, const Sharing& sharing)
     : boundary_(boundary),
       options_(options),
+      sharing_(sharing),
       frame_(frame_of(boundary, shifted)),
       cdt_(triangulate_region(frame_.points(), boundary.sides)),
       limit_(angle_limit(cdt_, boundary.sides, boundary.segments)),
@@ -102,8 +103,8 @@ Candidate Candidates::coupled(Candidate c) const {
 }
 
 Candidate Candidates::measured(Candidate c) const {
-  c.mesh.set_goal(goal_);
-  c.merit = merit_of(c.mesh, goal_);
+  c.mesh.set_goal(goal_, sharing_.team);
+  c.merit = merit_of(c.mesh, goal_, sharing_.team);
   return c;
 }
 
@@ -129,7 +130,7 @@ std::optional<Candidate> Candidates::evenly_refined(Candidate cdt) const {
 
 Candidate Candidates::optimised(Candidate cdt, Search search) {
   Budget half = budget_.share(2);  // the rest is for candidates that may start better
-  cdt.merit = optimise(cdt.mesh, goal_, half, sizes_, order_, search);
+  cdt.merit = optimise(cdt.mesh, goal_, half, sizes_, order_, search, sharing_);
   budget_.take_back(half);
   cdt.method = "refined, improved";
   return cdt;
@@ -140,12 +141,12 @@ Candidate Candidates::improved(const Candidate& c) {
   const Goal own = own_goal(c.mesh);
   Budget half = budget_.share(2);
   if (own != goal_) {
-    improve_largest(better.mesh, own, half);
-    better.merit = merit_of(better.mesh, goal_);
+    improve_largest(better.mesh, own, half, sharing_);
+    better.merit = merit_of(better.mesh, goal_, sharing_.team);
   }
   // What sides force beyond the goal is allowed beside them, so the largest angle may grow.
   Candidate further = better;
-  further.merit = improve_largest(further.mesh, goal_, half);
+  further.merit = improve_largest(further.mesh, goal_, half, sharing_);
   take_if_better(better, std::move(further));
   budget_.take_back(half);
   if (!order_.is_better(better.merit, c.merit)) return c;
@@ -168,8 +169,8 @@ Candidate Candidates::narrowed(const Candidate& best, const Candidate& from, dou
       aim.small = 1 / std::tan(part * smallest);
       aim.weight = part * smallest / (std::numbers::pi - std::atan2(1.0, -aim.large));
     }
-    trial.mesh.set_goal(aim);
-    budget_.spend(improve(trial.mesh, budget_.left).evaluations);
+    trial.mesh.set_goal(aim, sharing_.team);
+    budget_.spend(improve(trial.mesh, budget_.left, {}, sharing_).evaluations);
     trial = measured(std::move(trial));
     if (order_.is_better(trial.merit, found.merit)) found = trial;
     if (trial.merit.large <= large || (large == kFarAbove && trial.merit.far_above == 0)) break;
@@ -221,7 +222,7 @@ Candidate Candidates::restarted(const Candidate& from) const {
 }
 
 Candidate Candidates::searched(const Candidate& from, const Goal& aim, std::uint64_t each) const {
-  const std::size_t above = merit_of(from.mesh, aim).above;
+  const std::size_t above = merit_of(from.mesh, aim, sharing_.team).above;
   if (above > kFew) return from;
   Candidate further = from;
   Budget budget{above * each, budget_.stop};

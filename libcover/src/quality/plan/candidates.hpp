@@ -35,11 +35,13 @@ class Candidates {
  public:
   /// REQUIRES: `boundary` and `options` outlive this object
   Candidates(const RegionBoundary& boundary, const Options& options, std::stop_token stop,
-             bool shifted);
+             bool shifted, const Sharing& sharing = {});
   Candidates(const Candidates&) = delete;
   Candidates& operator=(const Candidates&) = delete;
 
   [[nodiscard]] const LocalFrame& frame() const { return frame_; }
+  /// The threads that may work on this region.
+  [[nodiscard]] const Team& team() const { return sharing_.team; }
   [[nodiscard]] const AngleLimit& limit() const { return limit_; }
   [[nodiscard]] bool is_part() const { return boundary_.is_part; }
   [[nodiscard]] bool has_sizes() const { return sizes_.is_active(); }
@@ -135,6 +137,7 @@ class Candidates {
 
   const RegionBoundary& boundary_;
   const Options& options_;
+  Sharing sharing_;
   LocalFrame frame_;
   Triangulation cdt_;
   AngleLimit limit_;

@@ -47,8 +47,9 @@ Goal light(Goal goal) {
   return goal;
 }
 
-void improve_within(MutableMesh& mesh, Budget& budget, std::span<const double> known = {}) {
-  const ImproveResult result = improve(mesh, budget.left, known);
+void improve_within(MutableMesh& mesh, Budget& budget, const Sharing& sharing,
+                    std::span<const double> known = {}, Before before = Before::nothing) {
+  const ImproveResult result = improve(mesh, budget.left, known, sharing, before);
   budget.spend(result.evaluations);
   budget.was_too_small = budget.was_too_small || result.budget_used_up;
 }
@@ -94,42 +95,41 @@ Goal with_edges(Goal goal) {
 
 }  // namespace
 
-Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search search) {
+Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search search,
+                     const Sharing& sharing) {
   const bool was_met = std::all_of(mesh.excess.begin(), mesh.excess.end(),
                                    [](double excess) { return excess <= kLeastCoupling; });
   std::vector<double> known = mesh.excess;
-  const auto improve_what_changed = [&](const Goal& aim) {
-    mesh.set_goal(aim);
-    improve_within(mesh, budget, known);
+  const auto flip_and_improve = [&](const Goal& aim) {
+    mesh.set_goal(aim, sharing.team);
+    improve_within(mesh, budget, sharing, known, Before::flips_to_delaunay);
     known = mesh.excess;
-    return merit_of(mesh, aim);
+    return merit_of(mesh, aim, sharing.team);
   };
-  make_delaunay(mesh);
   // Flips may pass through what is not Delaunay as long as couplings weigh no more than angles.
   const Goal soft = with_edges(goal);
-  Merit merit = improve_what_changed(soft);
+  Merit merit = flip_and_improve(soft);
   const bool is_near = merit.fault.worst() <= effort::kNearMiss;
   if ((was_met || is_near) && is_due(search, merit)) {
     Budget part = budget;
     part.left = std::min<std::uint64_t>(part.left, effort::kSearchForCouplings * merit.missed);
     const std::uint64_t given = part.left;
-    search_excerpts(mesh, soft, part);
+    search_excerpts(mesh, soft, part, Trials::usual, sharing);
     budget.spend(given - part.left);
     known.clear();
-    merit = merit_of(mesh, soft);
+    merit = merit_of(mesh, soft, sharing.team);
   }
   if (merit.complete) return merit;
-  make_delaunay(mesh);
-  merit = improve_what_changed(goal);
+  merit = flip_and_improve(goal);
   if (!is_due(search, merit) || (!was_met && merit.triangles <= kCheapToSearch)) return merit;
-  search_excerpts(mesh, goal, budget);
-  return merit_of(mesh, goal);
+  search_excerpts(mesh, goal, budget, Trials::usual, sharing);
+  return merit_of(mesh, goal, sharing.team);
 }
 
 Merit optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const SizeField& sizes,
-               const Order& order, Search search) {
+               const Order& order, Search search, const Sharing& sharing) {
   const Goal goal = with_sides(asked);
-  mesh.set_goal(goal);
+  mesh.set_goal(goal, sharing.team);
   RefineLimits limits;
   limits.keeps_couplings = goal.coupling.weight > 0;
   limits.smallest_cot = 1 / std::tan(kRefinedTo * std::numbers::pi / 180);
@@ -137,7 +137,7 @@ Merit optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const SizeF
   const bool may_start_again = search == Search::usual;
   MutableMesh start;  // a third of what it becomes: to be refined again is rare
   if (may_start_again) start = mesh;
-  refine(mesh, limits, sizes);
+  refine(mesh, limits, sizes, sharing);
   if (sizes.is_active()) {
     budget.left += kEvaluationsPerVertex * (mesh.points.size() - mesh.fixed_vertices());
   }
@@ -148,17 +148,17 @@ Merit optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const SizeF
     kept = part.left - std::min(part.left, most);
     part.left -= kept;
   }
-  improve_within(mesh, part);
+  improve_within(mesh, part, sharing);
   part.left += kept;
   budget.left += part.left;
-  Merit merit = merit_of(mesh, goal);
+  Merit merit = merit_of(mesh, goal, sharing.team);
   if (may_start_again && !has_at_most(merit, kManyAbove)) {
     part = budget.share(kFirstShare);
-    refine(start, limits, sizes);
-    start.set_goal(light(goal));
-    improve_within(start, part);
+    refine(start, limits, sizes, sharing);
+    start.set_goal(light(goal), sharing.team);
+    improve_within(start, part, sharing);
     budget.left += part.left;
-    const Merit now = merit_of(start, goal);
+    const Merit now = merit_of(start, goal, sharing.team);
     if (order.is_better(now, merit)) {
       merit = now;
       mesh = std::move(start);
@@ -170,19 +170,19 @@ Merit optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const SizeF
   }
   const bool is_tiny = mesh.fixed_vertices() <= kTinyRegion && !sizes.is_active();
   if (search == Search::usual && !is_tiny && is_worth_a_search(merit))
-    search_excerpts(mesh, goal, budget);
-  if (!sizes.is_active()) budget.spend(thin_out(mesh, budget.left).evaluations);
-  if (goal == asked) return merit_of(mesh, goal);
-  return mind_couplings(mesh, asked, budget, is_tiny ? Search::none : search);
+    search_excerpts(mesh, goal, budget, Trials::usual, sharing);
+  if (!sizes.is_active()) budget.spend(thin_out(mesh, budget.left, sharing).evaluations);
+  if (goal == asked) return merit_of(mesh, goal, sharing.team);
+  return mind_couplings(mesh, asked, budget, is_tiny ? Search::none : search, sharing);
 }
 
-Merit improve_largest(MutableMesh& mesh, const Goal& goal, Budget& budget) {
-  mesh.set_goal(light(goal));
-  improve_within(mesh, budget);
-  const Merit merit = merit_of(mesh, goal);
+Merit improve_largest(MutableMesh& mesh, const Goal& goal, Budget& budget, const Sharing& sharing) {
+  mesh.set_goal(light(goal), sharing.team);
+  improve_within(mesh, budget, sharing);
+  const Merit merit = merit_of(mesh, goal, sharing.team);
   if (merit.triangles > kCheapToSearchAgain || !is_worth_a_search(merit)) return merit;
   search_excerpts(mesh, goal, budget);
-  return merit_of(mesh, goal);
+  return merit_of(mesh, goal, sharing.team);
 }
 
 }  // namespace cover

@@ -3,6 +3,7 @@
 
 #include "quality/effort/budget.hpp"
 #include "quality/fault/merit.hpp"
+#include "quality/mutable/blocks.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
 #include "sizes/size_field.hpp"
 
@@ -21,7 +22,7 @@ enum class Search {
 /// REQUIRES: `mesh` is constrained Delaunay
 /// ENSURES:  returns what was reached, by `goal`; nothing promises that it is better than before
 Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeField& sizes = {},
-               const Order& order = {}, Search search = Search::usual);
+               const Order& order = {}, Search search = Search::usual, const Sharing& sharing = {});
 
 /// Makes a triangulation constrained Delaunay, at the price of angles, and improves it again with
 /// couplings before angles.
@@ -29,11 +30,13 @@ Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeFi
 /// REQUIRES: `mesh` is improved
 /// ENSURES:  returns what was reached, by `goal`; no coupling that counts is negative but for those
 ///           that the bound needs
-Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search search);
+Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search search,
+                     const Sharing& sharing = {});
 
 /// Improves any triangulation, with the largest angle before all else.
 ///
 /// ENSURES: returns what was reached, by `goal`; the largest angle is no larger than before
-Merit improve_largest(MutableMesh& mesh, const Goal& goal, Budget& budget);
+Merit improve_largest(MutableMesh& mesh, const Goal& goal, Budget& budget,
+                      const Sharing& sharing = {});
 
 }  // namespace cover

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "quality/mutable/blocks.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
 
 namespace cover {
@@ -22,5 +23,14 @@ struct ImproveResult {
 /// beside it changes. Triangles whose excess is the same in `known` begin as forgotten: nothing
 /// helped them before. Cost: at most `budget` star evaluations, each O(1).
 ImproveResult improve(MutableMesh& mesh, std::uint64_t budget, std::span<const double> known = {});
+
+/// What comes before improvement.
+enum class Before { nothing, flips_to_delaunay };
+
+/// The same, a large mesh in parts and then along their borders.
+///
+/// ENSURES: the same result for any team
+ImproveResult improve(MutableMesh& mesh, std::uint64_t budget, std::span<const double> known,
+                      const Sharing& sharing, Before before = Before::nothing);
 
 }  // namespace cover

@@ -9,6 +9,7 @@
 #include <array>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "base/once_queue.hpp"
 #include "quality/fault/standing.hpp"
@@ -29,6 +30,7 @@ constexpr std::size_t kTriangles = 64;  ///< in an excerpt
 constexpr std::uint64_t kCopied = 8;    ///< triangles copied in the time of one star evaluation
 constexpr std::uint64_t kLeastShare = 1000;  ///< of the budget, for a triangle
 constexpr std::uint64_t kLeastSpent = 20;    ///< for a triangle: its excerpt alone
+constexpr std::size_t kTogether = 128;       ///< excerpts that are worked on at the same time
 constexpr std::size_t kFew = 3;              ///< triangles with small angles, in an excerpt
 constexpr int kLeastHole = 6;                ///< edges of a hole that is filled anew
 constexpr std::array<std::size_t, 3> kRestarted{6, 10, 14};  ///< triangles that are, in turn
@@ -167,6 +169,35 @@ class Search {
 
   void run() {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) enqueue(t);
+    work_off();
+  }
+
+  /// Works on several at a time whose excerpts do not touch, so that none changes what another one
+  /// looks at. How many does not depend on the team.
+  void run(const Team& team) {
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) enqueue(t);
+    while (!queue_.empty()) {
+      if (budget_.is_used_up()) {
+        budget_.was_too_small = true;
+        return;
+      }
+      const std::size_t shares = queue_.size();
+      const std::vector<std::uint32_t> together = take_apart();
+      std::vector<Trial> trials(together.size());
+      team.each(together.size(), [&](std::size_t k) { trials[k] = tried(together[k], shares); });
+      for (const Trial& trial : trials) keep(trial);
+    }
+  }
+
+ private:
+  /// What was tried around a triangle.
+  struct Trial {
+    std::optional<Excerpt> excerpt;
+    std::optional<MutableMesh> found;
+    std::uint64_t spent = 0;
+  };
+
+  void work_off() {
     while (!queue_.empty()) {
       const std::size_t shares = queue_.size();
       const std::uint32_t t = queue_.pop();
@@ -175,11 +206,10 @@ class Search {
         budget_.was_too_small = true;
         return;
       }
-      try_around(t, shares);
+      keep(tried(t, shares));
     }
   }
 
- private:
   [[nodiscard]] bool is_left(std::uint32_t t) const { return mesh_.excess[t] > kSameCot; }
 
   void enqueue(std::uint32_t t) {
@@ -187,31 +217,73 @@ class Search {
   }
 
   /// Spends on `t` one of `shares` equal shares of the budget at most.
-  void try_around(std::uint32_t t, std::size_t shares) {
+  [[nodiscard]] Trial tried(std::uint32_t t, std::size_t shares) const {
+    Trial trial;
     Budget share = budget_;
     share.left = std::min(budget_.left, std::max(kLeastShare, budget_.left / shares));
     const std::uint64_t given = share.left;
-    const Excerpt excerpt(mesh_, t, kTriangles);
-    Attempts attempts(excerpt.mesh, mesh_.goal(), share, trials_);
-    if (attempts.run()) {
-      for (const std::uint32_t changed : excerpt.replace(mesh_, attempts.result())) {
+    trial.excerpt.emplace(mesh_, t, kTriangles);
+    Attempts attempts(trial.excerpt->mesh, mesh_.goal(), share, trials_);
+    if (attempts.run()) trial.found = attempts.result();
+    trial.spent = std::max(kLeastSpent, given - share.left);
+    return trial;
+  }
+
+  void keep(const Trial& trial) {
+    if (trial.found) {
+      for (const std::uint32_t changed : trial.excerpt->replace(mesh_, *trial.found)) {
         enqueue(changed);
       }
     }
-    budget_.spend(std::max(kLeastSpent, given - share.left));
+    budget_.spend(trial.spent);
+  }
+
+  /// Takes triangles from the queue whose excerpts have no triangle in common, nor beside each
+  /// other. The others wait again.
+  std::vector<std::uint32_t> take_apart() {
+    std::vector<std::uint32_t> taken, others;
+    ++round_;
+    taken_in_.resize(mesh_.triangles.size(), 0);
+    while (!queue_.empty() && taken.size() < kTogether && others.size() < kTogether) {
+      const std::uint32_t t = queue_.pop();
+      if (!is_left(t)) continue;
+      const std::vector<std::uint32_t> around = triangles_around(mesh_, t, kTriangles);
+      const auto is_taken = [&](std::uint32_t n) { return taken_in_[n] == round_; };
+      if (std::any_of(around.begin(), around.end(), is_taken)) {
+        others.push_back(t);
+        continue;
+      }
+      taken.push_back(t);
+      for (const std::uint32_t u : around) {
+        taken_in_[u] = round_;
+        for (const std::uint32_t n : mesh_.triangles[u].n) {
+          if (!is_side(n)) taken_in_[n] = round_;
+        }
+      }
+    }
+    for (const std::uint32_t t : others) queue_.push(t);
+    return taken;
   }
 
   MutableMesh& mesh_;
   Budget& budget_;
   Trials trials_;
   OnceQueue queue_;
+  std::vector<std::uint32_t> taken_in_;  ///< by triangle: the last round
+  std::uint32_t round_ = 0;
 };
 
 }  // namespace
 
-void search_excerpts(MutableMesh& mesh, const Goal& goal, Budget& budget, Trials trials) {
-  mesh.set_goal(goal);
-  Search(mesh, budget, trials).run();
+void search_excerpts(MutableMesh& mesh, const Goal& goal, Budget& budget, Trials trials,
+                     const Sharing& sharing) {
+  mesh.set_goal(goal, sharing.team);
+  Search search(mesh, budget, trials);
+  if (sharing.divides(mesh)) {
+    search.run(sharing.team);
+  } else {
+    search.run();
+  }
 }
 
 }  // namespace cover

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "quality/effort/budget.hpp"
+#include "quality/mutable/blocks.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
 
 namespace cover {
@@ -17,8 +18,9 @@ enum class Trials {
 ///
 /// ENSURES: the goal of `mesh` is `goal`; neither the largest angle nor the number of triangles
 ///          above the goal has grown, and the smallest angle is smaller only if one of these is
+///          The result does not depend on the team.
 /// Cost:    an attempt looks at some dozens of triangles around, however many there are
 void search_excerpts(MutableMesh& mesh, const Goal& goal, Budget& budget,
-                     Trials trials = Trials::usual);
+                     Trials trials = Trials::usual, const Sharing& sharing = {});
 
 }  // namespace cover

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,17 @@ class Thinner {
   ThinOutResult run() {
     vertices_.resize(mesh_.points.size());
     for (std::uint32_t v = mesh_.fixed_vertices(); v < mesh_.points.size(); ++v) enqueue(v);
+    return work_off();
+  }
+  /// Begins with these vertices alone.
+  ThinOutResult run(std::span<const std::uint32_t> vertices) {
+    vertices_.resize(mesh_.points.size());
+    for (const std::uint32_t v : vertices) enqueue(v);
+    return work_off();
+  }
+
+ private:
+  ThinOutResult work_off() {
     std::size_t removed = 0;
     for (; now_ < queue_.size() && evaluations_ < budget_; ++now_) {
       const std::uint32_t v = queue_[now_];
@@ -43,7 +55,6 @@ class Thinner {
     return {removed, evaluations_};
   }
 
- private:
   /// What is known of a free vertex. Times are places in the queue.
   struct Vertex {
     std::uint32_t looked_at = 0;
@@ -152,9 +163,32 @@ class Thinner {
   std::vector<Vertex> vertices_;
 };
 
+ThinOutResult thin_out_in_blocks(MutableMesh& mesh, std::uint64_t budget, const Sharing& sharing) {
+  std::vector<ThinOutResult> results(block_count(mesh, sharing));
+  const auto triangles = static_cast<double>(mesh.triangle_count());
+  const Borders borders = work_in_blocks(mesh, sharing, [&](Block& block) {
+    const double share = static_cast<double>(block.mesh.triangles.size()) / triangles;
+    const auto own = static_cast<std::uint64_t>(share * static_cast<double>(budget));
+    results[block.index] = Thinner(block.mesh, own).run();
+  });
+  ThinOutResult sum;
+  for (const ThinOutResult& result : results) {
+    sum.removed += result.removed;
+    sum.evaluations += result.evaluations;
+  }
+  std::vector<std::uint32_t> vertices;
+  for (const std::uint32_t t : borders.triangles_near(mesh)) {
+    vertices.insert(vertices.end(), mesh.triangles[t].v.begin(), mesh.triangles[t].v.end());
+  }
+  const std::uint64_t left = budget - std::min(budget, sum.evaluations);
+  const ThinOutResult last = Thinner(mesh, left).run(vertices);
+  return {sum.removed + last.removed, sum.evaluations + last.evaluations};
+}
+
 }  // namespace
 
-ThinOutResult thin_out(MutableMesh& mesh, std::uint64_t budget) {
+ThinOutResult thin_out(MutableMesh& mesh, std::uint64_t budget, const Sharing& sharing) {
+  if (sharing.divides(mesh)) return thin_out_in_blocks(mesh, budget, sharing);
   return Thinner(mesh, budget).run();
 }
 

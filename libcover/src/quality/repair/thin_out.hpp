@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "quality/mutable/blocks.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
 
 namespace cover {
@@ -17,7 +18,7 @@ struct ThinOutResult {
 /// triangles that come in their place meet the goal or are no worse than the worst before.
 ///
 /// Cost: at most `budget` star evaluations; each vertex is looked at once, and again when its
-///       star has changed
-ThinOutResult thin_out(MutableMesh& mesh, std::uint64_t budget);
+///       star has changed. A large mesh is thinned in parts, and then along their borders.
+ThinOutResult thin_out(MutableMesh& mesh, std::uint64_t budget, const Sharing& sharing = {});
 
 }  // namespace cover

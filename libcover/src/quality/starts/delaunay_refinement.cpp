@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "base/bucket_queue.hpp"
 #include "geom/predicates.hpp"
@@ -32,8 +34,9 @@ constexpr std::size_t kLargeFan = 1024;  ///< triangles around a new vertex, que
 
 class Refinement {
  public:
-  Refinement(MutableMesh& mesh, const RefineLimits& limits, SizeField sizes)
-      : mesh_(mesh), limits_(limits), sizes_(std::move(sizes)) {
+  /// REQUIRES: all outlive this
+  Refinement(MutableMesh& mesh, const RefineLimits& limits, SizeField& sizes)
+      : mesh_(mesh), limits_(limits), sizes_(sizes) {
     const double kappa = std::atan2(1.0, limits.smallest_cot);
     off_centre_ = 0.4 / std::tan(kappa / 2);  // 0.5: the new angle is kappa
     stamp_.assign(mesh_.triangles.size(), 0);
@@ -44,17 +47,37 @@ class Refinement {
 
   void run() {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) enqueue(t);
+    work_off();
+  }
+  /// Begins with these triangles alone.
+  void run(std::span<const std::uint32_t> triangles) {
+    for (const std::uint32_t t : triangles) enqueue(t);
+    work_off();
+  }
+
+  /// The triangles that wait for what is beyond the borders of this part.
+  [[nodiscard]] std::vector<std::uint32_t> waiting() const {
+    std::vector<std::uint32_t> waiting;
+    for (const auto& [t, v] : stopped_) {
+      if (mesh_.triangles[t].v == v) waiting.push_back(t);
+    }
+    return waiting;
+  }
+
+ private:
+  void work_off() {
     std::size_t inserted = 0;
     while (inserted < limits_.budget && take_block()) {
       while (inserted < limits_.budget && !block_.empty()) {
         const Entry entry = block_.pop();
         if (mesh_.triangles[entry.triangle].v != entry.v) continue;
+        is_stopped_ = false;
         if (insert_near(entry.triangle)) ++inserted;
+        if (is_stopped_) stopped_.emplace_back(entry.triangle, entry.v);
       }
     }
   }
 
- private:
   struct Entry {
     std::uint32_t triangle;
     std::array<std::uint32_t, 3> v;
@@ -79,7 +102,7 @@ class Refinement {
       if (guarded_[t] != 0) continue;
       for (int i = 0; i < 3; ++i) {
         const std::uint32_t n = mesh_.triangles[t].n[at(i)];
-        if (!is_side(n) && guarded_[n] == 0) continue;
+        if (is_side(n) ? is_border(n) : guarded_[n] == 0) continue;
         const Corners k(mesh_.corner(t, i), mesh_.corner(t, next3(i)), mesh_.corner(t, prev3(i)));
         if (-k.dot[0] <= mesh_.goal().large * k.cross) continue;
         guarded_[t] = 1;
@@ -90,6 +113,11 @@ class Refinement {
       }
     }
   }
+
+  [[nodiscard]] bool is_border(std::uint32_t n) const {
+    return is_side(n) && side_index(n) >= limits_.first_border;
+  }
+  [[nodiscard]] bool is_own_side(std::uint32_t n) const { return is_side(n) && !is_border(n); }
 
   /// Queues `t` if it has an angle that is too small, or is too large. Those with the shortest
   /// edges come first: what is put near them improves the longer ones around for nothing.
@@ -123,7 +151,7 @@ class Refinement {
     const auto& n = mesh_.triangles[t].n;
     for (int i = 0; i < 3; ++i) {
       if (k.dot[i] <= limits_.smallest_cot * k.cross) continue;
-      if (!is_side(n[at(next3(i))]) || !is_side(n[at(prev3(i))])) return true;
+      if (!is_own_side(n[at(next3(i))]) || !is_own_side(n[at(prev3(i))])) return true;
     }
     return false;
   }
@@ -176,7 +204,7 @@ class Refinement {
   }
 
   /// The triangle that contains `p`, from `t` on; kNone if a side is in the way.
-  [[nodiscard]] std::uint32_t locate(std::uint32_t t, Point p) const {
+  [[nodiscard]] std::uint32_t locate(std::uint32_t t, Point p) {
     std::uint32_t from = kNone;
     for (;;) {
       std::uint32_t go = kNone;
@@ -185,6 +213,7 @@ class Refinement {
         if (n == from) continue;
         if (orientation(mesh_.corner(t, next3(i)), mesh_.corner(t, prev3(i)), p) ==
             Sign::negative) {
+          if (is_border(n)) is_stopped_ = true;
           if (is_side(n)) return kNone;
           go = n;
         }
@@ -224,6 +253,10 @@ class Refinement {
         open_.push_back({n, prev3(entry)});
         open_.push_back({n, next3(entry)});
         continue;
+      }
+      if (is_border(n)) {
+        is_stopped_ = true;
+        return false;
       }
       const Point a = mesh_.points[va], b = mesh_.points[vb];
       if (is_side(n)) {
@@ -286,7 +319,7 @@ class Refinement {
 
   MutableMesh& mesh_;
   RefineLimits limits_;
-  SizeField sizes_;
+  SizeField& sizes_;
   double off_centre_ = 0;
   BucketQueue<Entry> waiting_;  ///< whole blocks apart, in the order in which they came
   BucketQueue<Entry> block_;    ///< what is worked on, with all that comes from it
@@ -298,12 +331,55 @@ class Refinement {
   std::vector<std::uint32_t> cavity_;
   std::vector<LoopEdge> loop_;
   std::vector<OpenEdge> open_;
+  bool is_stopped_ = false;  ///< what was tried last reaches a border
+  std::vector<std::pair<std::uint32_t, std::array<std::uint32_t, 3>>> stopped_;
 };
+
+void refine_in_blocks(MutableMesh& mesh, const RefineLimits& limits, SizeField& sizes,
+                      const Sharing& sharing) {
+  struct PartResult {
+    SizeField sizes;
+    std::vector<std::uint32_t> waiting;
+  };
+  std::vector<PartResult> results(block_count(mesh, sharing));
+  const auto points = static_cast<double>(mesh.points.size());
+  const auto work = [&](Block& block) {
+    PartResult& result = results[block.index];
+    RefineLimits own = limits;
+    own.first_border = block.first_border;
+    if (!sizes.is_active()) {
+      const double share = static_cast<double>(block.mesh.points.size()) / points;
+      own.budget = static_cast<std::size_t>(share * static_cast<double>(limits.budget)) + 1;
+    }
+    result.sizes = sizes.part(block.vertices);
+    Refinement refinement(block.mesh, own, result.sizes);
+    refinement.run();
+    result.waiting = refinement.waiting();
+  };
+  std::vector<std::uint32_t> waiting;
+  const auto collect = [&](const Block& block) {
+    PartResult& result = results[block.index];
+    for (const std::uint32_t t : result.waiting) waiting.push_back(block.triangles[t]);
+    if (sizes.is_active()) {
+      for (std::uint32_t v = 0; v < block.vertices.size(); ++v) {
+        if (block.vertices[v] != kNone) sizes.take(block.vertices[v], result.sizes, v);
+      }
+    }
+    result = {};
+  };
+  work_in_blocks(mesh, sharing, work, collect);
+  Refinement(mesh, limits, sizes).run(waiting);
+}
 
 }  // namespace
 
-void refine(MutableMesh& mesh, const RefineLimits& limits, SizeField sizes) {
-  Refinement(mesh, limits, std::move(sizes)).run();
+void refine(MutableMesh& mesh, const RefineLimits& limits, SizeField sizes,
+            const Sharing& sharing) {
+  if (sharing.divides(mesh)) {
+    refine_in_blocks(mesh, limits, sizes, sharing);
+  } else {
+    Refinement(mesh, limits, sizes).run();
+  }
   mesh.arrange();
   mesh.measure_all();
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "quality/mutable/blocks.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
 #include "sizes/size_field.hpp"
 
@@ -15,6 +16,8 @@ struct RefineLimits {
   double apex_cot = -0.36;            ///< no new vertex sees a side at a larger angle: 110 degrees
   bool keeps_couplings = false;       ///< no new vertex makes the coupling of a side negative
   std::size_t budget = 0;             ///< vertices
+  /// Sides from this one on are edges to other parts of a mesh (Block): what reaches them waits.
+  std::uint32_t first_border = kSideBit;
 };
 
 /// Inserts circumcentres and off-centres of triangles with small angles, and of those that are too
@@ -24,9 +27,13 @@ struct RefineLimits {
 ///   forced above the goal (or for the edges of such a triangle, if these are forced in turn).
 /// The triangle is left then.
 ///
+/// A large mesh is refined in parts; a point whose cavity reaches a border waits until all parts are
+/// one mesh again, so that borders leave no trace.
+///
 /// REQUIRES: `mesh` is constrained Delaunay, with its goal set
 /// ENSURES:  `mesh` is constrained Delaunay, its excesses measured, its numbers arranged
 /// Ref:      J. Ruppert, J. Algorithms 18 (1995); A. Uengoer, CGTA 42 (2009)
-void refine(MutableMesh& mesh, const RefineLimits& limits, SizeField sizes = {});
+void refine(MutableMesh& mesh, const RefineLimits& limits, SizeField sizes = {},
+            const Sharing& sharing = {});
 
 }  // namespace cover

@@ -1,0 +1,67 @@
+// A large mesh as parts that are worked on apart, at the same time.
+//
+// The parts depend on the mesh alone, never on who works on them, and each is a mesh of its own,
+// whose border is locked: nothing is shared, and what comes out is the same for any number of
+// threads. What the borders were in the way of is done afterwards.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "base/team.hpp"
+#include "quality/mutable/mutable_mesh.hpp"
+
+namespace cover {
+
+/// Who works on a mesh, and how large parts are.
+struct Sharing {
+  Team team{};
+  std::size_t block = 50'000;  ///< triangles: some tenths of a second of work, half a cache
+
+  [[nodiscard]] bool divides(const MutableMesh& mesh) const {
+    return mesh.triangle_count() >= 2 * block;
+  }
+};
+
+/// A part of a mesh, for whoever works on it.
+struct Block {
+  MutableMesh mesh;
+  /// By triangle and by vertex of `mesh`: places in the whole. While it is worked on, of those
+  /// that it had at first; kNone for holes.
+  std::vector<std::uint32_t> triangles, vertices;
+  /// Sides of `mesh` from this one on are edges to other parts.
+  std::uint32_t first_border = 0;
+  std::size_t index = 0;
+};
+
+/// The triangles near the borders of parts, as places in the whole.
+struct Borders {
+  std::vector<std::uint32_t> triangles;  ///< with an edge to another part
+  std::vector<std::uint32_t> vertices;   ///< of such edges, sorted
+
+  /// The triangles with such a vertex, and those beside them, sorted.
+  [[nodiscard]] std::vector<std::uint32_t> triangles_near(const MutableMesh& whole) const;
+};
+
+/// How many parts a mesh has.
+std::size_t block_count(const MutableMesh& whole, const Sharing& sharing);
+
+/// Divides `whole` along a k-d tree of the middles of its triangles, calls `work` with every part,
+/// and puts in place what it has made of Block::mesh. `done` is called with every part in turn, its
+/// vertices now those of the whole, before its mesh is forgotten.
+///
+/// `work` may change the mesh by whatever keeps its sides; with inner couplings it makes none worse
+/// across a border than they may be together.
+///
+/// REQUIRES: sharing.divides(whole)
+/// ENSURES:  the same result for any team
+/// Cost:     O(triangles) for cutting and putting back: some 0.1 us each
+/// Threads:  `work` runs in several threads at a time
+Borders work_in_blocks(MutableMesh& whole, const Sharing& sharing,
+                       const std::function<void(Block&)>& work,
+                       const std::function<void(const Block&)>& done = {});
+
+}  // namespace cover
