@@ -6,7 +6,7 @@ packages=(git g++ cmake ninja-build ccache
           libdxflib-dev libgdal-dev
           libcli11-dev libfmt-dev libspdlog-dev nlohmann-json3-dev
           libexpat1-dev zlib1g-dev liblzma-dev liblz4-dev libhdf5-dev
-          libgtest-dev libbenchmark-dev clang-format dpkg-dev file
+          libgtest-dev libbenchmark-dev clang-format clang-tidy dpkg-dev file
           libopenmpi-dev openmpi-bin
           pkg-config pybind11-dev python3-dev
           python3 python3-jsonschema python3-numpy python3-vtk9)

@@ -72,7 +72,7 @@ std::string group_text(const Output& output, const std::vector<std::string>& fil
   WriteOptions numbers;
   numbers.ids = options.ids;
   const MeshView view = view_of(output, numbers);
-  const std::string renamed = renamed_text(view, files, all);
+  std::string renamed = renamed_text(view, files, all);
   if (std::none_of(files.begin(), files.end(), has_numbers)) return renamed;
   using Align = TextTable::Align;
   TextTable regions({{"group"}, {"material"}, {"region", Align::left}});

@@ -7,7 +7,7 @@
 
 #include <cover/ids.hpp>
 
-namespace OpenMesh {
+namespace OpenMesh {  // NOLINT(readability-identifier-naming)
 template <class Traits>
 class TriMesh_ArrayKernelT;
 struct VertexHandle;

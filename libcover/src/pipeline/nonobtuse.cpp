@@ -126,7 +126,7 @@ class Nonobtuse {
         const bool forward = boundary.vertices[boundary.sides[split.chord][0]] ==
                              pslg_.segments[cut.segment.index()].a;
         if (!forward) std::reverse(cut.points.begin(), cut.points.end());
-        cuts.push_back({std::move(cut), {r, &split, forward}});
+        cuts.emplace_back(std::move(cut), Origin{r, &split, forward});
       }
     }
     std::sort(cuts.begin(), cuts.end(),

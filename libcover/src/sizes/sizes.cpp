@@ -49,8 +49,8 @@ bool inside(const SizeRule& rule, const RegionTable& table, std::span<RegionBoun
 }
 
 Result<SizeFunction> function_of(const std::string& expression) {
-  static const std::array<std::string, 2> kPlace{"x", "y"};
-  Result<Expression> formula = Expression::parse(expression, kPlace);
+  static const std::array<std::string, 2> place{"x", "y"};
+  Result<Expression> formula = Expression::parse(expression, place);
   if (!formula) return std::move(formula).error();
   const auto shared = std::make_shared<const Expression>(*std::move(formula));
   return SizeFunction([shared](Point p) { return (*shared)(std::array{p.x, p.y}); });
