@@ -203,7 +203,8 @@ class Composer {
       const double part = high > low && std::isfinite(value)
                               ? std::clamp((value - low) / (high - low), 0.0, 1.0)
                               : 0;
-      patches[static_cast<std::size_t>(std::lround(part * (kSteps - 1)))].triangles.push_back(corners(t));
+      patches[static_cast<std::size_t>(std::lround(part * (kSteps - 1)))].triangles.push_back(
+          corners(t));
     }
     for (Patch& patch : patches) {
       if (!patch.triangles.empty()) add(std::move(patch));
