@@ -32,6 +32,9 @@ struct ProofEffort {
   std::uint64_t per_region = 400;  ///< and this
   std::uint64_t per_search = 400;  ///< for one side and one question,
   std::uint64_t at_first = 16;     ///< of which so many before the next side is asked
+
+  /// What is seen at once.
+  static ProofEffort brief() { return {10, 0, 16, 16}; }
 };
 
 /// Proves limits of one region.

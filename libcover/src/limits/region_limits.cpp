@@ -42,11 +42,12 @@ bool meets(const ReachedAngles& reached, const ReachedAngles& wanted) {
 }
 
 RegionLimits region_limits(const Triangulation& cdt, const ReachedAngles& reached,
-                           const ReachedAngles& wanted, const Team& team) {
+                           const ReachedAngles& wanted, const Team& team,
+                           const ProofEffort& effort) {
   RegionLimits limits;
   limits.of_largest = limits.of_smallest = Standing::met;
   if (meets(reached, wanted)) return limits;
-  const ProvenLimits proven = LimitProver(cdt, team).prove(reached, wanted);
+  const ProvenLimits proven = LimitProver(cdt, team).prove(reached, wanted, effort);
   limits.largest_nu = proven.largest_nu;
   limits.smallest = proven.smallest;
   limits.under = proven.under;

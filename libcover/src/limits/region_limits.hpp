@@ -13,7 +13,8 @@ namespace cover {
 /// ENSURES:  what is found does not depend on the team
 /// Cost:     nothing where both targets are met; else O(triangles) and ProofEffort
 RegionLimits region_limits(const Triangulation& cdt, const ReachedAngles& reached,
-                           const ReachedAngles& wanted, const Team& team = {});
+                           const ReachedAngles& wanted, const Team& team = {},
+                           const ProofEffort& effort = {});
 
 /// True if both targets are met: no limit is looked for.
 bool meets(const ReachedAngles& reached, const ReachedAngles& wanted);

@@ -190,7 +190,7 @@ Note note_of_fallback(const RegionBoundary& boundary, const Attempt& attempt, st
 
 /// What no mesh of the region can have better. Hull sides may be split, so that nothing is known of
 /// meshes there. The almond method aims at the bound and at no target: limits beside one would take
-/// twice its time (`cover check` tells them of any mesh).
+/// twice its time (`cover check` tells them of any mesh). With little effort little is asked.
 RegionLimits limits_of(const RegionBoundary& boundary, const Quality& quality,
                        const Options& options, const Team& team, std::optional<CdtResult> known) {
   const auto& segments = boundary.segments;
@@ -202,7 +202,8 @@ RegionLimits limits_of(const RegionBoundary& boundary, const Quality& quality,
   if (meets(reached, wanted)) return region_limits({}, reached, wanted);
   const CdtResult cdt =
       known ? *std::move(known) : triangulate_domain(boundary.points, boundary.sides);
-  return region_limits(cdt.triangulation, reached, wanted, team);
+  const ProofEffort effort = options.effort == Effort::fast ? ProofEffort::brief() : ProofEffort();
+  return region_limits(cdt.triangulation, reached, wanted, team, effort);
 }
 
 /// The method asked for; where that misses the bound, the other one if it is better. It is rounding

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "cdt/cdt.hpp"
 #include "support/shapes.hpp"
 
@@ -42,6 +44,21 @@ TEST(RegionLimits, StandingsFollowTheGap) {
   EXPECT_EQ(region_limits(cdt, reached(100, 0.1), kWanted).of_smallest, Standing::open);
   EXPECT_EQ(region_limits(cdt, reached(100, 20), kWanted).of_smallest, Standing::met);
   EXPECT_EQ(region_limits(cdt, reached(170, 5), kWanted).of_largest, Standing::open);
+}
+
+TEST(RegionLimits, LittleEffortProvesNoMoreThanAll) {
+  std::mt19937_64 random(2);
+  std::size_t less = 0;
+  for (int k = 0; k < 40; ++k) {
+    const RegionBoundary boundary = boundary_of({random_star(12, 0.6, random)});
+    const Triangulation cdt = triangulate_domain(boundary.points, boundary.sides).triangulation;
+    const ReachedAngles angles = reached(100, 1);
+    const RegionLimits all = region_limits(cdt, angles, kWanted);
+    const RegionLimits brief = region_limits(cdt, angles, kWanted, {}, ProofEffort::brief());
+    EXPECT_GE(brief.smallest.in_radians(), all.smallest.in_radians() - 1e-12);
+    if (brief.smallest.in_radians() > all.smallest.in_radians() + 1e-12) ++less;
+  }
+  EXPECT_GT(less, 0u);
 }
 
 TEST(RegionLimits, StandingsHaveNames) {

@@ -86,7 +86,7 @@ Merit merit_of(const MutableMesh& mesh, const Goal& goal, const Team& team) {
 }
 
 bool is_above(const MutableMesh& mesh, std::uint32_t t, const Goal& goal) {
-  return !mesh.is_hole(t) && shortfall_of(mesh, t, goal).is_above();
+  return !mesh.is_hole(t) && cots_short_of(mesh, t, goal).is_above();
 }
 
 bool is_smaller_cot(double a, double b) { return a < b - kSameCot * std::max(1.0, std::abs(b)); }

@@ -23,9 +23,7 @@ bool is_negative(const MutableMesh& mesh, std::uint32_t t, std::size_t i, double
   return !is_given || sum < -kSameCot;
 }
 
-}  // namespace
-
-Shortfall shortfall_of(const MutableMesh& mesh, std::uint32_t t, const Goal& goal) {
+Shortfall sum_up(const MutableMesh& mesh, std::uint32_t t, const Goal& goal, bool with_fault) {
   const auto& n = mesh.triangles[t].n;
   const Corners k(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
   const bool is_set = mesh.goal() == goal;
@@ -39,7 +37,7 @@ Shortfall shortfall_of(const MutableMesh& mesh, std::uint32_t t, const Goal& goa
     allowed_small = std::max(allowed_small, sides[i]->small);
   }
   Shortfall shortfall;
-  shortfall.fault = fault_of(k, sides, goal);
+  if (with_fault) shortfall.fault = fault_of(k, sides, goal);
   for (std::size_t i = 0; i < 3; ++i) {
     const double cot = k.cross > 0 ? k.dot[i] / k.cross : -kInverted;
     const double limit = goal.large + (sides[i] != nullptr ? sides[i]->large : 0);
@@ -53,6 +51,16 @@ Shortfall shortfall_of(const MutableMesh& mesh, std::uint32_t t, const Goal& goa
       shortfall.small = std::max(shortfall.small, cot - goal.small - allowed_small);
   }
   return shortfall;
+}
+
+}  // namespace
+
+Shortfall shortfall_of(const MutableMesh& mesh, std::uint32_t t, const Goal& goal) {
+  return sum_up(mesh, t, goal, true);
+}
+
+Shortfall cots_short_of(const MutableMesh& mesh, std::uint32_t t, const Goal& goal) {
+  return sum_up(mesh, t, goal, false);
 }
 
 }  // namespace cover

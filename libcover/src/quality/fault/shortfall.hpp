@@ -32,5 +32,7 @@ struct Shortfall {
 ///
 /// REQUIRES: `t` is no hole
 Shortfall shortfall_of(const MutableMesh& mesh, std::uint32_t t, const Goal& goal);
+/// The same without its fault, which needs angles and takes most of the time.
+Shortfall cots_short_of(const MutableMesh& mesh, std::uint32_t t, const Goal& goal);
 
 }  // namespace cover

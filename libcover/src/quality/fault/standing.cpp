@@ -16,7 +16,7 @@ GoalStanding standing_of(const MutableMesh& mesh, const Goal& goal) {
   GoalStanding standing;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (mesh.is_hole(t)) continue;
-    const Shortfall shortfall = shortfall_of(mesh, t, goal);
+    const Shortfall shortfall = cots_short_of(mesh, t, goal);
     standing.largest = std::max(standing.largest, shortfall.largest);
     standing.large = std::max(standing.large, shortfall.large);
     standing.above += shortfall.is_above() ? 1 : 0;

@@ -250,10 +250,16 @@ bool Candidates::is_done(const Candidate& candidate) const {
   return must_stop() || !is_smaller_cot(own_goal(candidate.mesh).large, candidate.merit.large);
 }
 
-bool Candidates::is_near_its_limits(const Candidate& candidate) const {
+bool Candidates::is_near_its_limits(const Candidate& candidate) {
+  const Merit& merit = candidate.merit;
+  if (merit.large != last_asked_.large || merit.small != last_asked_.small)
+    last_asked_ = {merit.large, merit.small, is_near_its_limits(merit)};
+  return last_asked_.is_near;
+}
+
+bool Candidates::is_near_its_limits(const Merit& merit) const {
   const auto& segments = boundary_.segments;
   if (std::find(segments.begin(), segments.end(), kHullSide) != segments.end()) return false;
-  const Merit& merit = candidate.merit;
   return LimitProver(cdt_).is_near(
       {Angle::radians(std::atan2(1.0, merit.large)), Angle::radians(std::atan2(1.0, merit.small))},
       {options_.max_angle.supplement(), options_.min_angle});

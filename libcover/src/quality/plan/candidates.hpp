@@ -116,7 +116,7 @@ class Candidates {
   [[nodiscard]] bool is_done(const Candidate& candidate) const;
   /// No mesh of the region is better than `candidate` by more than a degree, in what it misses: this
   /// is proven, and a search would be in vain.
-  [[nodiscard]] bool is_near_its_limits(const Candidate& candidate) const;
+  [[nodiscard]] bool is_near_its_limits(const Candidate& candidate);
   /// A largest angle, as -cot, above which a candidate is taken only instead of another such one.
   void lower_ceiling(double large) { ceiling_ = std::min(ceiling_, large); }
   void take_if_better(Candidate& best, Candidate other) const;
@@ -132,6 +132,7 @@ class Candidates {
  private:
   [[nodiscard]] SizeFunction background_in_frame() const;
   [[nodiscard]] Candidate candidate(const Triangulation& triangles, std::string method) const;
+  [[nodiscard]] bool is_near_its_limits(const Merit& merit) const;
   /// With its merit by the present goal.
   [[nodiscard]] Candidate measured(Candidate c) const;
 
@@ -148,6 +149,11 @@ class Candidates {
   Budget budget_;
   double ceiling_ = kInverted;
   Order order_;
+  /// The last answer of is_near_its_limits(): several steps ask the same.
+  struct {
+    double large = kInverted, small = kInverted;
+    bool is_near = false;
+  } last_asked_;
 };
 
 }  // namespace cover

@@ -20,11 +20,21 @@ bool is_tiny_and_near(const Progress& p) {
   return is_tiny_and_missed(p) && p.cdt.mesh.fixed_vertices() >= effort::kPointsToRestart &&
          p.best.merit.fault.worst() <= effort::kNearMiss && !p.make.is_near_its_limits(p.best);
 }
+bool is_tiny_and_very_wide(const Progress& p) {
+  return is_tiny_and_missed(p) && has_far(p) && p.best.merit.large > effort::kVeryWide;
+}
 /// So few that they are likely to be mended; in tiny regions nothing is.
 bool few_are_missed(const Progress& p) {
   const Merit& merit = p.best.merit;
   return !p.make.is_tiny() && merit.triangles <= effort::kSmallMesh && merit.missed > 0 &&
-         merit.missed <= effort::kFewInSmall && !p.make.is_near_its_limits(p.best);
+         merit.missed <= effort::kFewInSmall &&
+         merit.fault.worst() <= effort::kFaultImprovedAgain && !p.make.is_near_its_limits(p.best);
+}
+/// So few, by so little, that a search of the whole mesh pays.
+bool nearly_none_is_missed(const Progress& p) {
+  const Merit& merit = p.best.merit;
+  return merit.missed <= effort::kSearchedAgain && merit.sum <= effort::kFaultImprovedAgain &&
+         few_are_missed(p);
 }
 bool is_beyond_bound(const Progress& p) { return !p.make.order().is_within_bound(p.best.merit); }
 bool refined_is_beyond_bound(const Progress& p) {
@@ -91,6 +101,9 @@ void improved_again(Progress& p) {
 void a_few_restarts(Progress& p) {
   take(p, p.make.restarted_within(p.best, effort::kRestartsOfTiny));
 }
+void very_few_restarts(Progress& p) {
+  take(p, p.make.restarted_within(p.best, effort::kRestartsOfVeryWide));
+}
 /// The proof of promise 3 comes with the almonds.
 void bound_kept(Progress& p) {
   if (p.make.is_part()) return;
@@ -121,7 +134,10 @@ constexpr std::array kBalanced{
     Step{"refined, improved, few searched", always, refined_and_searched, StopWhen::complete},
     Step{"the same within the bound", refined_is_beyond_bound, within_bound},
     Step{"random restarts, a few", is_tiny_and_near, a_few_restarts, StopWhen::complete},
+    Step{"random restarts, very few", is_tiny_and_very_wide, very_few_restarts, StopWhen::complete},
     Step{"best and cdt, improved", few_are_missed, improved_again, StopWhen::complete},
+    Step{"refined, improved, searched", nearly_none_is_missed, refined_and_searched_all,
+         StopWhen::complete},
     Step{"the same with fewer angles above 120 degrees", has_far, with_fewer_far},
     Step{"almonds", is_beyond_bound, bound_kept},
 };
