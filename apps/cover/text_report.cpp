@@ -78,9 +78,14 @@ std::string arcs_text(const Output& output) {
   std::string out =
       fmt::format("On arcs         {:>7}  edges; with --order 2 the area is {:.10g}\n",
                   grouped(curved.edges.size()), area);
+  if (!curved.moved.empty())
+    out += fmt::format("  {} of edges beside them with --order 2 give way to arcs\n",
+                       counted(curved.moved.size(), "node"));
   if (straight > 0)
-    out += fmt::format("  {} of them stay straight, or triangles beside them would not be valid\n",
-                       grouped(straight));
+    out += fmt::format(
+        "  {} of them stay straight, or triangles beside them would not be valid;\n"
+        "  --split-interfaces with sizes along them cuts arcs finer\n",
+        grouped(straight));
   return out;
 }
 

@@ -445,6 +445,7 @@ Json to_json(const Output& output, const CurvedMesh& curved) {
     areas.push_back({{"region", output.table.regions[r].id.value()}, {"area", curved.areas[r]}});
   return {{"edges", curved.edges.size()},
           {"straight", straight},
+          {"moved", curved.moved.size()},
           {"where", std::move(where)},
           {"areas", std::move(areas)}};
 }
