@@ -94,10 +94,12 @@ std::string couplings_row(const Report& report) {
   constexpr std::size_t kGivenUp = 3;
   BoxMethod sum;
   std::string places;
+  bool has_layers = false;
   for (const RegionReport& region : report.regions) {
     sum.negative_couplings += region.box.negative_couplings;
     sum.negative_inside += region.box.negative_inside;
     sum.negative_encroached += region.box.negative_encroached;
+    has_layers = has_layers || !region.layers.empty();
     for (const NegativeCoupling& c : region.couplings) {
       if (c.kind != NegativeCoupling::Kind::given_up || ++sum.negative_given_up > kGivenUp)
         continue;
@@ -110,10 +112,10 @@ std::string couplings_row(const Report& report) {
                   sum.negative_couplings == 1 ? "negative coupling" : "negative couplings");
   if (sum.negative_couplings > 0)
     out += fmt::format(
-        ": {} inside, {} on sides that the input encroaches, {} given up for angles; "
+        ": {} inside, {} on sides that the input {}, {} given up for angles; "
         "--box-method cuts these sides",
         grouped(sum.negative_inside), grouped(sum.negative_encroached),
-        grouped(sum.negative_given_up));
+        has_layers ? "or layers encroach" : "encroaches", grouped(sum.negative_given_up));
   return out + places + '\n';
 }
 
