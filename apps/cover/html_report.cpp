@@ -4,14 +4,19 @@
 #include "html_report.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <numeric>
+#include <optional>
+#include <set>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
 
+#include <cover/curved_mesh.hpp>
 #include <cover/files.hpp>
 #include <cover/picture.hpp>
 #include <cover/text.hpp>
@@ -46,10 +51,12 @@ std::string places(const Note& note) {
   return text + (note.where.size() > kPlaces ? ", ..." : "");
 }
 
+constexpr std::size_t kLargeMesh = 2000;  ///< triangles, beyond which pictures of all are no SVG
+
 /// One page.
 class Page {
  public:
-  explicit Page(const Output& output) : output_(output), report_(output.report) {}
+  Page(const Output& output, int order) : output_(output), report_(output.report), order_(order) {}
 
   Result<std::string> html(const std::string& title) {
     out_ = fmt::format(
@@ -64,6 +71,7 @@ class Page {
     out_ += "<h2>The mesh</h2>\n<div class=\"panel view\" id=\"mesh-view\">\n<noscript>\n";
     if (Status drawn = picture(); !drawn) return std::move(drawn).error();
     out_ += "</noscript>\n</div>\n";
+    if (Status drawn = close_ups(); !drawn) return std::move(drawn).error();
     regions();
     out_ += "<div class=\"two\">\n";
     histogram();
@@ -154,8 +162,7 @@ class Page {
 
   /// For who has no scripts.
   Status picture() {
-    const PictureMesh mesh = picture_of(output_);
-    constexpr std::size_t kLargeMesh = 2000;
+    const PictureMesh mesh = picture_of(output_, order_);
     if (report_.quality.triangles <= kLargeMesh) {
       Result<std::string> svg = svg_text(mesh, {});
       if (!svg) return std::move(svg).error();
@@ -172,6 +179,71 @@ class Page {
                           base64_text(*bytes));
     }
     return ok();
+  }
+
+  /// What is too small to be seen in the whole mesh: layers, edges on arcs; and pairs of vertices.
+  Status close_ups() {
+    constexpr std::size_t kMost = 3;    // of lines with layers
+    constexpr double kBeside = 2;       // lengths of the segment in the middle of a line
+    constexpr double kAroundArc = 1.5;  // lengths of its edge
+    std::vector<std::pair<std::string, std::optional<PictureWindow>>> shown;
+    std::set<std::string> lines;
+    for (const RegionReport& region : report_.regions) {
+      for (const LayerReport& layers : region.layers) {
+        if (layers.most == 0 || lines.size() == kMost || !lines.insert(layers.asked.line).second)
+          continue;
+        const std::array<Point, 2> at = middle_of(layers.asked.line);
+        const double reach = std::max(kBeside * distance(at[0], at[1]), layers.thickness);
+        shown.emplace_back(
+            fmt::format("Layers along {}", layers.asked.line),
+            window_around({(at[0].x + at[1].x) / 2, (at[0].y + at[1].y) / 2}, reach));
+      }
+    }
+    const PictureMesh mesh = picture_of(output_, order_);
+    if (order_ == 2) {
+      const std::vector<CurvedEdge> edges = curved_mesh(output_).edges;
+      const auto edge = std::find_if(edges.begin(), edges.end(),
+                                     [](const CurvedEdge& e) { return !e.is_straight; });
+      if (edge != edges.end()) {
+        const auto& points = mesh.mesh.soup.points;
+        shown.emplace_back(
+            "Edges on an arc",
+            window_around(edge->middle, kAroundArc * distance(points[edge->a], points[edge->b])));
+      }
+    }
+    if (!output_.periodic.empty() && report_.quality.triangles <= kLargeMesh)
+      shown.emplace_back("Vertices with partners on periodic sides", std::nullopt);
+    if (shown.empty()) return ok();
+    out_ += "<h2>Close-ups</h2>\n<div class=\"two\">\n";
+    for (std::size_t k = 0; k < shown.size(); ++k) {
+      PictureOptions options;
+      options.width = 560;
+      options.worst = 0;
+      options.title = shown[k].first;
+      options.window = shown[k].second;
+      options.id = fmt::format("close-up-{}", k);
+      Result<std::string> svg = svg_text(mesh, options);
+      if (!svg) return std::move(svg).error();
+      out_ += "<div class=\"panel\">\n" + *svg + "</div>\n";
+    }
+    out_ += "</div>\n";
+    return ok();
+  }
+
+  static double distance(Point p, Point q) { return std::hypot(q.x - p.x, q.y - p.y); }
+
+  static PictureWindow window_around(Point p, double reach) {
+    return {{p.x - reach, p.y - reach}, {p.x + reach, p.y + reach}};
+  }
+
+  /// The segment in the middle of those of a line.
+  [[nodiscard]] std::array<Point, 2> middle_of(const std::string& line) const {
+    std::vector<SegmentId> all;
+    for (const Interface& part : output_.table.interfaces) {
+      if (part.name == line) all.insert(all.end(), part.segments.begin(), part.segments.end());
+    }
+    const Segment& segment = output_.pslg.segments[all[all.size() / 2].index()];
+    return {output_.pslg.points[segment.a.index()], output_.pslg.points[segment.b.index()]};
   }
 
   /// The mesh to play with, at the end of the page: all else is there before it.
@@ -269,7 +341,7 @@ class Page {
     row("inner edges that are not Delaunay", grouped(sum.non_delaunay_edges));
     row("negative couplings", grouped(sum.negative_couplings));
     row("of these, on inner edges", grouped(sum.negative_inside));
-    row("on sides that points of the input encroach", grouped(sum.negative_encroached));
+    row("on sides that points of the input or layers encroach", grouped(sum.negative_encroached));
     row("on sides given up for angles", grouped(sum.negative_given_up));
     row("area of all boxes against the true area",
         percent_text(area > 0 ? 100 * (sum.box_area - area) / area : 0, 3));
@@ -309,14 +381,15 @@ class Page {
 
   const Output& output_;
   const Report& report_;
+  int order_;  ///< of the triangles in files
   std::string out_;
 };
 
 }  // namespace
 
-Status write_report_html(const Output& output, const std::string& path) {
+Status write_report_html(const Output& output, const std::string& path, int order) {
   const std::string title = "Mesh report: " + std::filesystem::path(path).stem().string();
-  const Result<std::string> html = Page(output).html(title);
+  const Result<std::string> html = Page(output, order).html(title);
   if (!html) return html.error();
   return replace_file(path, *html);
 }

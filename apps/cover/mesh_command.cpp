@@ -168,7 +168,7 @@ Result<std::vector<File>> plan_files(const MeshCommand& command) {
     files.push_back({path, *writer});
   }
   for (const std::string& path : command.reports) {
-    Result<Writer> writer = report_writer(path);
+    Result<Writer> writer = report_writer(path, command.formats.make().order);
     if (!writer) return writer.error();
     files.push_back({path, *writer});
   }

@@ -24,18 +24,19 @@ struct Format {
 };
 
 /// The picture that `cover render` makes, with the names that only the run knows.
-template <auto Draw>
+template <auto Draw, int Order>
 Status draw_with(const Output& output, const std::string& path, const std::stop_token&) {
   PictureOptions options;
   options.title = fmt::format("{}: {} triangles", std::filesystem::path(path).stem().string(),
                               grouped(output.report.quality.triangles));
-  return Draw(picture_of(output), options, path);
+  return Draw(picture_of(output, Order), options, path);
 }
 
-const std::vector<Format>& picture_formats() {
-  static const std::vector<Format> formats{{".svg", draw_with<write_svg>},
-                                           {".png", draw_with<write_png>}};
-  return formats;
+const std::vector<Format>& picture_formats(int order = 1) {
+  static const std::vector<Format> formats{{".svg", draw_with<write_svg, 1>},
+                                           {".png", draw_with<write_png, 1>}},
+      curved{{".svg", draw_with<write_svg, 2>}, {".png", draw_with<write_png, 2>}};
+  return order == 2 ? curved : formats;
 }
 
 template <auto Write>
@@ -43,10 +44,16 @@ Status report_with(const Output& output, const std::string& path, const std::sto
   return Write(output, path);
 }
 
-const std::vector<Format>& report_formats() {
+template <int Order>
+Status page_with(const Output& output, const std::string& path, const std::stop_token&) {
+  return write_report_html(output, path, Order);
+}
+
+const std::vector<Format>& report_formats(int order) {
   static const std::vector<Format> formats{{".json", report_with<write_report_json>},
-                                           {".html", report_with<write_report_html>}};
-  return formats;
+                                           {".html", page_with<1>}},
+      curved{{".json", report_with<write_report_json>}, {".html", page_with<2>}};
+  return order == 2 ? curved : formats;
 }
 
 std::string extensions(const std::vector<Format>& formats) {
@@ -91,7 +98,7 @@ Status copy_to_stdout(std::FILE* file) {
 }  // namespace
 
 Result<Writer> mesh_writer(const std::string& path, const WriteOptions& options) {
-  if (Result<Writer> picture = find(picture_formats(), path)) return picture;
+  if (Result<Writer> picture = find(picture_formats(options.order), path)) return picture;
   if (Status status = can_write(path, options); !status) {
     Error error = std::move(status).error();
     if (error.code == ErrorCode::unsupported_format) {
@@ -116,7 +123,9 @@ Result<Writer> stdout_writer(const std::string& format, const WriteOptions& opti
   return mesh_writer("stdout." + format, options);
 }
 
-Result<Writer> report_writer(const std::string& path) { return find(report_formats(), path); }
+Result<Writer> report_writer(const std::string& path, int order) {
+  return find(report_formats(order), path);
+}
 
 std::string mesh_extensions() {
   return fmt::format("{}, {}", fmt::join(write_formats(), ", "), extensions(picture_formats()));

@@ -25,8 +25,8 @@ Result<Writer> mesh_writer(const std::string& path, const WriteOptions& options)
 /// also bad_option for formats of several files.
 Result<Writer> stdout_writer(const std::string& format, const WriteOptions& options);
 
-/// The writer of a --report file. Errors: unsupported_format
-Result<Writer> report_writer(const std::string& path);
+/// The writer of a --report file, for a mesh of first or second order. Errors: unsupported_format
+Result<Writer> report_writer(const std::string& path, int order = 1);
 
 /// The extensions that mesh_writer knows, for help texts.
 std::string mesh_extensions();

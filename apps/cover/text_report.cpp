@@ -78,9 +78,14 @@ std::string arcs_text(const Output& output) {
   std::string out =
       fmt::format("On arcs         {:>7}  edges; with --order 2 the area is {:.10g}\n",
                   grouped(curved.edges.size()), area);
+  if (!curved.moved.empty())
+    out += fmt::format("  {} of edges beside them with --order 2 give way to arcs\n",
+                       counted(curved.moved.size(), "node"));
   if (straight > 0)
-    out += fmt::format("  {} of them stay straight, or triangles beside them would not be valid\n",
-                       grouped(straight));
+    out += fmt::format(
+        "  {} of them stay straight, or triangles beside them would not be valid;\n"
+        "  --split-interfaces with sizes along them cuts arcs finer\n",
+        grouped(straight));
   return out;
 }
 
@@ -89,10 +94,12 @@ std::string couplings_row(const Report& report) {
   constexpr std::size_t kGivenUp = 3;
   BoxMethod sum;
   std::string places;
+  bool has_layers = false;
   for (const RegionReport& region : report.regions) {
     sum.negative_couplings += region.box.negative_couplings;
     sum.negative_inside += region.box.negative_inside;
     sum.negative_encroached += region.box.negative_encroached;
+    has_layers = has_layers || !region.layers.empty();
     for (const NegativeCoupling& c : region.couplings) {
       if (c.kind != NegativeCoupling::Kind::given_up || ++sum.negative_given_up > kGivenUp)
         continue;
@@ -105,10 +112,10 @@ std::string couplings_row(const Report& report) {
                   sum.negative_couplings == 1 ? "negative coupling" : "negative couplings");
   if (sum.negative_couplings > 0)
     out += fmt::format(
-        ": {} inside, {} on sides that the input encroaches, {} given up for angles; "
+        ": {} inside, {} on sides that the input {}, {} given up for angles; "
         "--box-method cuts these sides",
         grouped(sum.negative_inside), grouped(sum.negative_encroached),
-        grouped(sum.negative_given_up));
+        has_layers ? "or layers encroach" : "encroaches", grouped(sum.negative_given_up));
   return out + places + '\n';
 }
 

@@ -19,18 +19,27 @@ struct CurvedEdge {
   bool is_straight = false;  ///< on the arc, a triangle beside it would not be proven valid
 };
 
+/// An edge inside a region whose node gives way to an arc beside it.
+struct MovedNode {
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+  Point middle;
+};
+
 /// What Output::mesh is with triangles of second order.
 struct CurvedMesh {
   std::vector<CurvedEdge> edges;  ///< in the order of the segments of Output::pslg
+  std::vector<MovedNode> moved;   ///< in the order of the mesh's edges
   std::vector<double> areas;      ///< by RegionId - 1: inside edges through the nodes
 };
 
 /// Puts the middle nodes of edges on arcs where segments are chords of arcs.
 ///
 /// ENSURES: the Jacobian of every triangle is positive everywhere, by the coefficients of
-///          Bernstein's form in safely rounded arithmetic; where it would not be proven, edges of
-///          the triangle are straight
-/// Cost:    O(n)
+///          Bernstein's form in safely rounded arithmetic; where it would not be proven, nodes of
+///          edges inside the region move with the arc, and where that does not do, edges on arcs
+///          are straight. Nodes on segments that are no chords stay in the middle
+/// Cost:    O(n), and what patches around places that need it take: O(their triangles x segments)
 CurvedMesh curved_mesh(const Output& output);
 
 }  // namespace cover

@@ -18,7 +18,7 @@ enum class LayerStop {
   end,        ///< they taper off towards an end of the line, or towards where there are fewer
   room,       ///< another segment, a point or other layers are in the way
   turned,     ///< the line bends too much for them
-  withdrawn,  ///< the rest of the region would break the bound
+  withdrawn,  ///< the rest of the region would break the bound, or have a negative coupling
 };
 inline constexpr std::size_t kLayerStops = 7;
 

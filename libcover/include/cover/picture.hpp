@@ -24,7 +24,7 @@ struct PictureLine {
 
 /// What is drawn.
 struct PictureMesh {
-  MeshFile mesh;
+  MeshFile mesh;  ///< with middle nodes, edges are drawn as they curve
   std::map<std::int64_t, std::string> region_names;    ///< by RegionId; missing: "region 7"
   std::map<std::int64_t, std::string> material_names;  ///< by material; missing: "material 3"
   std::vector<PictureLine> lines;                      ///< empty: found from the regions
@@ -50,8 +50,8 @@ struct PictureOptions {
   bool edges = true;                           ///< draw all edges, thin
 };
 
-/// The mesh of a run, with its names.
-PictureMesh picture_of(const Output& output);
+/// The mesh of a run, with its names; of second order with the middle nodes that files have.
+PictureMesh picture_of(const Output& output, int order = 1);
 
 /// Draws as SVG.
 ///

@@ -78,7 +78,8 @@ struct BoxMethod {
 struct NegativeCoupling {
   enum class Kind {
     inside,      ///< an inner edge that is not locally Delaunay
-    encroached,  ///< a side with a visible vertex of the boundary in its open diametral disk
+    encroached,  ///< a side with a visible vertex of the boundary or of layers in its open
+                 ///< diametral disk
     given_up,    ///< any other side
   };
   Kind kind = Kind::inside;

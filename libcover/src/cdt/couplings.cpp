@@ -23,7 +23,8 @@ std::vector<std::uint32_t> across_edges(std::size_t points, std::span<const Inde
 }
 
 std::size_t make_delaunay(std::span<const Point> points, std::vector<IndexTriple>& triangles,
-                          std::span<const IndexPair> sides) {
+                          std::span<const IndexPair> sides,
+                          const std::function<bool(const IndexTriple&)>& is_allowed) {
   std::vector<std::uint32_t> across = across_edges(points.size(), triangles, sides);
   const auto source = [&](std::uint32_t h) { return triangles[h / 3][h % 3]; };
   std::vector<std::uint32_t> stack;
@@ -37,6 +38,7 @@ std::size_t make_delaunay(std::span<const Point> points, std::vector<IndexTriple
     const std::uint32_t a = source(h), b = source(HalfEdges::next(h)),
                         c = source(HalfEdges::previous(h)), d = source(HalfEdges::previous(twin));
     if (in_circle(points[a], points[b], points[c], points[d]) != Sign::positive) continue;
+    if (is_allowed && !(is_allowed({c, a, d}) && is_allowed({d, b, c}))) continue;
     // d inside the circle and beyond ab: the four corners are those of a convex quadrilateral.
     const std::uint32_t t = h / 3, u = twin / 3;
     const std::uint32_t ca = across[HalfEdges::previous(h)], ad = across[HalfEdges::next(twin)];

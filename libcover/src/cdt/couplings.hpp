@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -37,13 +38,15 @@ std::vector<NegativeEdge> negative_edges(std::span<const Point> points,
                                          std::span<const IndexPair> sides);
 
 /// Flips inner edges until all of them are locally Delaunay, and none has a negative coupling;
-/// returns how many. Triangles keep their places in the list, two by two.
+/// returns how many. Triangles keep their places in the list, two by two. Edges whose flip would
+/// make triangles for one of which `is_allowed` is false stay.
 ///
 /// REQUIRES: triangles counter-clockwise, exactly
-/// ENSURES:  they are the constrained Delaunay triangulation of their corners
+/// ENSURES:  if all is allowed, they are the constrained Delaunay triangulation of their corners
 /// EXACT:    yes
 /// Cost:     O(n), and what each flip entails: few for a mesh with good angles
 std::size_t make_delaunay(std::span<const Point> points, std::vector<IndexTriple>& triangles,
-                          std::span<const IndexPair> sides);
+                          std::span<const IndexPair> sides,
+                          const std::function<bool(const IndexTriple&)>& is_allowed = {});
 
 }  // namespace cover

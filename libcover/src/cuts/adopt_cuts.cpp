@@ -89,9 +89,10 @@ class Adopter {
     const bool forward = sides.left != kVoid;
     const std::uint32_t from = forward ? *a : *b, to = forward ? *b : *a;
     const ArcOver arc(*circle, mesh_.points[from], mesh_.points[to]);
+    const std::vector<std::int64_t>* labels = labels_apart(sides);
     std::vector<std::uint32_t> vertices{from};
     for (double done = 0; done < 1;) {
-      const std::vector<std::uint32_t> way = way_to_next(arc, vertices.back(), to, done);
+      const std::vector<std::uint32_t> way = way_to_next(arc, vertices.back(), to, labels, done);
       if (way.empty()) return {};
       vertices.insert(vertices.end(), way.begin(), way.end());
     }
@@ -101,14 +102,37 @@ class Adopter {
     return vertices;
   }
 
-  /// The straight way over edges from `here` to the nearest vertex of the arc beyond the share
+  /// What tells the triangles on both sides of a segment apart; nullptr if nothing does. An edge
+  /// inside a region may lead to a vertex of the arc by chance, and past others on its chord.
+  [[nodiscard]] const std::vector<std::int64_t>* labels_apart(const SegmentSides& sides) const {
+    if (sides.left == sides.right) return nullptr;
+    if (!mesh_.region.empty()) return &mesh_.region;
+    if (mesh_.material.empty()) return nullptr;
+    const bool is_outer = sides.left == kVoid || sides.right == kVoid;
+    const auto material = [&](RegionId r) { return table_.regions[r.index() - 1].material; };
+    const bool differ = is_outer || material(sides.left) != material(sides.right);
+    return differ ? &mesh_.material : nullptr;
+  }
+
+  /// Whether `edge` has triangles of different labels on its sides, or none on its right.
+  [[nodiscard]] bool is_border(const SoupEdges::Edge& edge,
+                               const std::vector<std::int64_t>* labels) const {
+    if (labels == nullptr) return true;
+    const auto twin = edges_.find(edge.to, edge.from);
+    return !twin || (*labels)[edge.triangle] != (*labels)[edges_.all()[*twin].triangle];
+  }
+
+  /// The straight way over borders from `here` to the nearest vertex of the arc beyond the share
   /// `done` of it, which moves there; `to` is the arc's end.
   [[nodiscard]] std::vector<std::uint32_t> way_to_next(const ArcOver& arc, std::uint32_t here,
-                                                       std::uint32_t to, double& done) const {
+                                                       std::uint32_t to,
+                                                       const std::vector<std::int64_t>* labels,
+                                                       double& done) const {
     std::vector<std::uint32_t> best;
     double nearest = 0;
     for (const SoupEdges::Edge& edge : edges_.leaving(here)) {
-      const std::vector<std::uint32_t> way = straight_way(arc, here, edge.to, to);
+      if (!is_border(edge, labels)) continue;
+      const std::vector<std::uint32_t> way = straight_way(arc, here, edge.to, to, labels);
       if (way.empty()) continue;
       const double share = way.back() == to ? 1 : arc.share_of(mesh_.points[way.back()]);
       if (share <= done || share > 1 || (!best.empty() && share >= nearest)) continue;
@@ -121,9 +145,9 @@ class Adopter {
 
   /// From `next`, a neighbour of `here`, on in the same direction up to a vertex of the arc; empty
   /// if there is none, or a point of the input is in the way.
-  [[nodiscard]] std::vector<std::uint32_t> straight_way(const ArcOver& arc, std::uint32_t here,
-                                                        std::uint32_t next,
-                                                        std::uint32_t to) const {
+  [[nodiscard]] std::vector<std::uint32_t> straight_way(
+      const ArcOver& arc, std::uint32_t here, std::uint32_t next, std::uint32_t to,
+      const std::vector<std::int64_t>* labels) const {
     const Point start = mesh_.points[here];
     const Vector along = mesh_.points[next] - start;
     std::vector<std::uint32_t> way{next};
@@ -136,7 +160,7 @@ class Adopter {
       std::optional<std::uint32_t> following;
       for (const SoupEdges::Edge& edge : edges_.leaving(v)) {
         const Vector step = mesh_.points[edge.to] - start;
-        if (dot(along, step) > dot(along, mesh_.points[v] - start) &&
+        if (is_border(edge, labels) && dot(along, step) > dot(along, mesh_.points[v] - start) &&
             std::abs(cross(along, step)) <= offset_ * length(step))  // off the line as it was begun
           following = edge.to;
       }

@@ -71,6 +71,8 @@ std::optional<ArcCircle> circle_through(Point a, Point b, Point c) {
   return ArcCircle{{a.x + x, a.y + y}, std::hypot(x, y)};
 }
 
+constexpr double kOnCircle = 0x1p-40;  ///< of its size and place
+
 class Reader {
  public:
   explicit Reader(const std::string& path) { input_.source = path; }
@@ -169,15 +171,25 @@ class Reader {
   std::uint32_t circle_of(int tag) {
     std::string type;
     gmsh::model::getType(1, tag, type);
-    if (type != "Circle") return 0;
+    if (type == "Line") return 0;
     std::vector<double> low, high, at;
     gmsh::model::getParametrizationBounds(1, tag, low, high);
-    // Places that are apart on a whole circle too.
-    constexpr double kParts = 3;
-    const double step = (high[0] - low[0]) / kParts;
-    gmsh::model::getValue(1, tag, {low[0], low[0] + step, low[0] + 2 * step}, at);
-    const auto circle = circle_through({at[0], at[1]}, {at[3], at[4]}, {at[6], at[7]});
+    // After Boolean operations an arc is of another type, so places tell: three that are apart on
+    // a whole circle too, and whether others lie on the circle through these.
+    constexpr std::size_t kParts = 12;
+    std::vector<double> parameters;
+    for (std::size_t k = 0; k <= kParts; ++k)
+      parameters.push_back(low[0] + (high[0] - low[0]) * static_cast<double>(k) / kParts);
+    gmsh::model::getValue(1, tag, parameters, at);
+    const auto place = [&](std::size_t k) { return Point{at[3 * k], at[3 * k + 1]}; };
+    const auto circle = circle_through(place(0), place(kParts / 3), place(2 * kParts / 3));
     if (!circle) return 0;
+    for (std::size_t k = 0; k <= kParts; ++k) {
+      const Point p = place(k), c = circle->centre;
+      const double size = std::max({circle->radius, std::abs(p.x), std::abs(p.y)});
+      const double off = std::hypot(p.x - c.x, p.y - c.y) - circle->radius;
+      if (std::abs(off) > kOnCircle * size) return 0;
+    }
     input_.circles.push_back(*circle);
     return static_cast<std::uint32_t>(input_.circles.size());
   }

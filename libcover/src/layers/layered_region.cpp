@@ -3,7 +3,8 @@
 // of the front. Exact tests say whether the front bounds a region and whether the whole mesh fills
 // the region; the bound is that of the whole region, and the constrained Delaunay triangulation of
 // the rest often tells that no mesh of it can hold that. Where something fails, the sides below the
-// places get a third fewer rows, and all is done again.
+// places get a third fewer rows, and all is done again; beside inner edges with a negative coupling
+// that cannot be flipped away, a row less is tried a few times.
 // Tested by tests/unit/layers/layered_region_test.cpp.
 #include "layers/layered_region.hpp"
 
@@ -18,6 +19,7 @@
 
 #include <cover/text.hpp>
 
+#include "cdt/couplings.hpp"
 #include "cdt/region_cdt.hpp"
 #include "geom/spatial_order.hpp"
 #include "geom/vector.hpp"
@@ -31,6 +33,7 @@ namespace {
 
 using layers::LayerFront;
 
+constexpr int kTriesForCouplings = 8;
 constexpr int kRounds = 40;  ///< in the second half of them, all layers become fewer
 constexpr SegmentId kFrontSide{0xfffffffeU};  ///< of no segment, and not to be split
 
@@ -122,6 +125,7 @@ RegionMesh put_together(const RegionBoundary& boundary, const LayerFront& front,
   out.steiner.insert(out.steiner.end(), mesh.steiner.begin(), mesh.steiner.end());
   out.triangles = front.triangles();
   out.layer_triangles = out.triangles.size();
+  out.layer_vertices = front.added().size();
   for (IndexTriple t : mesh.triangles) {
     for (std::uint32_t& v : t) v = v < own ? rest.vertices[v] : first + (v - own);
     out.triangles.push_back(t);
@@ -130,6 +134,17 @@ RegionMesh put_together(const RegionBoundary& boundary, const LayerFront& front,
     return note.kind == Note::Kind::target_missed || note.kind == Note::Kind::bound_missed;
   });
   return out;
+}
+
+/// Flips what has a negative coupling, as far as the bound holds. Rectangles have none; where layers
+/// taper off, their triangles may have large angles, and so may those of the rest beside them.
+void mend_couplings(const RegionBoundary& boundary, RegionMesh& mesh) {
+  const std::vector<Point> points = all_points(boundary, mesh);
+  make_delaunay(points, mesh.triangles, boundary.sides, [&](const IndexTriple& t) {
+    constexpr IndexTriple kCorners{0, 1, 2};
+    const std::array corners{points[t[0]], points[t[1]], points[t[2]]};
+    return holds_bound(corners, std::span(&kCorners, 1), mesh.report.nu_bound);
+  });
 }
 
 /// What became of the layers, by line.
@@ -210,12 +225,14 @@ class LayeredRegion {
   }
 
   RegionMesh run(const RegionMesher& mesh_rest, const std::stop_token& stop) {
-    for (int round = 0;; ++round) {
+    std::optional<RegionMesh> best;
+    for (int round = 0, tries = 0;; ++round) {
       if (round == kRounds) most_.assign(most_.size(), 0);
       const bool everywhere = round >= kRounds / 2;
       LayerFront front(boundary_, options_.layers, most_);
       front.lay();
-      if (front.triangles().empty()) return without_layers(front, mesh_rest);
+      if (front.triangles().empty())
+        return best ? *std::move(best) : without_layers(front, mesh_rest);
       const Rest rest = rest_of(boundary_, front);
       std::vector<std::uint32_t> hopeless = hopeless_places(rest.boundary, limits_.nu_bound);
       if (!hopeless.empty()) {
@@ -231,7 +248,11 @@ class LayeredRegion {
       }
       mesh.report.method += " with layers";
       tell(front, mesh.report);
-      return mesh;
+      const bool again = options_.couplings == Couplings::first && tries < kTriesForCouplings &&
+                         lay_fewer(front, mesh, tries++);
+      if (!best || mesh.report.box.negative_inside < best->report.box.negative_inside)
+        best = std::move(mesh);
+      if (!again) return *std::move(best);
     }
   }
 
@@ -260,6 +281,7 @@ class LayeredRegion {
     if (const auto fault = find_fault(
             {points, mesh.triangles, boundary_.sides, boundary_.segments, boundary_.points.size()}))
       return fault->points.empty() ? std::vector<std::uint32_t>{0} : fault->points;
+    if (options_.couplings == Couplings::first) mend_couplings(boundary_, mesh);
     measure(boundary_, mesh);
     std::vector<std::uint32_t> out;
     if (report.bound_held) return out;
@@ -270,6 +292,32 @@ class LayeredRegion {
         out.insert(out.end(), t.begin(), t.end());
     }
     return out;
+  }
+
+  /// One row less, later a third, over the sides below inner edges with a negative coupling that no
+  /// flip may take away. Returns whether there are such sides.
+  bool lay_fewer(const LayerFront& front, const RegionMesh& mesh, int tries) {
+    if (mesh.report.box.negative_inside == 0) return false;
+    const auto own = static_cast<std::uint32_t>(boundary_.points.size());
+    const std::vector<Point> points = all_points(boundary_, mesh);
+    std::vector<std::uint32_t> below;
+    const auto add = [&](std::uint32_t v) {
+      if (v >= own && v - own < front.added().size()) below.push_back(front.side_below()[v - own]);
+    };
+    for (const NegativeEdge& e : negative_edges(points, mesh.triangles, boundary_.sides)) {
+      if (e.is_side) continue;
+      for (const std::uint32_t v : {e.edge[0], e.edge[1], e.apex}) add(v);
+    }
+    std::sort(below.begin(), below.end());
+    below.erase(std::unique(below.begin(), below.end()), below.end());
+    bool any = false;
+    for (const std::uint32_t s : below) {
+      const int rows = front.sides()[s].rows;
+      if (rows == 0) continue;
+      most_[s] = std::min(most_[s], 2 * tries < kTriesForCouplings ? rows - 1 : rows * 2 / 3);
+      any = true;
+    }
+    return any;
   }
 
   /// Fewer rows over the sides below `vertices`; over all sides if there are none below.
@@ -310,7 +358,7 @@ const char* describe(LayerStop stop) {
     case LayerStop::turned:
       return "the line bends too much";
     case LayerStop::withdrawn:
-      return "the bound would break";
+      return "the bound would break, or a coupling be negative";
   }
   return "";
 }

@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -25,6 +27,7 @@
 namespace cover {
 namespace {
 
+constexpr int kBendPieces = 8;  ///< straight ones, of a curved edge
 constexpr double kTitle = 30;
 constexpr double kFooter = 34;
 constexpr Colour kMark{200, 0, 40};
@@ -67,6 +70,7 @@ class Composer {
           fmt::format("the width of a picture is 200 to 20000 pixels, not {}", options_.width));
     }
     lay_out(window);
+    find_bent_edges();
     find_visible();
     if (options_.color.empty()) {
       fill_regions();
@@ -121,10 +125,84 @@ class Composer {
     }
   }
 
+  /// Edges of second order that are not straight.
+  void find_bent_edges() {
+    constexpr double kStraight = 1e-9;  ///< of an edge's length
+    const auto& middles = mesh_.mesh.middles;
+    if (middles.size() != soup_.triangles.size()) return;
+    for (std::size_t t = 0; t < middles.size(); ++t) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t a = soup_.triangles[t][i], b = soup_.triangles[t][(i + 1) % 3];
+        const Point p = soup_.points[a], q = soup_.points[b];
+        if (length(middles[t][i] - midpoint(p, q)) > kStraight * length(q - p))
+          bent_[std::minmax(a, b)] = middles[t][i];
+      }
+    }
+  }
+
+  /// The line of an edge, in pixels.
+  void add_edge(std::uint32_t a, std::uint32_t b, std::vector<std::array<Point, 2>>& lines) const {
+    const auto bent = bent_.find(std::minmax(a, b));
+    const Point p = pixel(a), q = pixel(b);
+    if (bent == bent_.end()) {
+      if (shows(p, q)) lines.push_back({p, q});
+      return;
+    }
+    const Point m = pixel(bent->second);
+    Point before = p;
+    for (int k = 1; k <= kBendPieces; ++k) {
+      const double s = static_cast<double>(k) / kBendPieces;
+      const Point at = bend(p, m, q, s);
+      if (shows(before, at)) lines.push_back({before, at});
+      before = at;
+    }
+  }
+
+  /// The point at s, from 0 to 1, of the parabola from p to q over m at 1/2.
+  static Point bend(Point p, Point m, Point q, double s) {
+    const double of_p = (1 - s) * (1 - 2 * s), of_m = 4 * s * (1 - s), of_q = s * (2 * s - 1);
+    return {of_p * p.x + of_m * m.x + of_q * q.x, of_p * p.y + of_m * m.y + of_q * q.y};
+  }
+
+  /// A triangle as what covers it; curved ones are many small ones.
+  void add_triangle(std::size_t t, std::vector<std::array<Point, 3>>& triangles) const {
+    const auto& v = soup_.triangles[t];
+    const auto is_bent = [&](std::size_t i) {
+      return bent_.count(std::minmax(v[i], v[(i + 1) % 3])) != 0;
+    };
+    if (bent_.empty() || !(is_bent(0) || is_bent(1) || is_bent(2))) {
+      triangles.push_back(corners(t));
+      return;
+    }
+    const auto [p, q, r] = corners(t);
+    const auto& m = mesh_.mesh.middles[t];
+    const std::array nodes{p, q, r, pixel(m[0]), pixel(m[1]), pixel(m[2])};
+    const auto at = [&](int i, int j) {
+      const double b = static_cast<double>(i) / kBendPieces,
+                   c = static_cast<double>(j) / kBendPieces, a = 1 - b - c;
+      const std::array shape{a * (2 * a - 1), b * (2 * b - 1), c * (2 * c - 1),
+                             4 * a * b,       4 * b * c,       4 * c * a};
+      Point sum{0, 0};
+      for (std::size_t k = 0; k < nodes.size(); ++k)
+        sum = {sum.x + shape[k] * nodes[k].x, sum.y + shape[k] * nodes[k].y};
+      return sum;
+    };
+    for (int i = 0; i < kBendPieces; ++i) {
+      for (int j = 0; i + j < kBendPieces; ++j) {
+        triangles.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
+        if (i + j + 1 < kBendPieces)
+          triangles.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+      }
+    }
+  }
+
   void find_visible() {
     for (std::size_t t = 0; t < soup_.triangles.size(); ++t) {
       Box box;
       for (const std::uint32_t v : soup_.triangles[t]) box.add(soup_.points[v]);
+      if (!bent_.empty()) {
+        for (const Point& m : mesh_.mesh.middles[t]) box.add(m);
+      }
       if (box.low.x <= window_.high.x && box.high.x >= window_.low.x &&
           box.low.y <= window_.high.y && box.high.y >= window_.low.y) {
         visible_.push_back(t);
@@ -161,7 +239,7 @@ class Composer {
     for (auto& entry : rank) entry.second = next++;
     std::map<std::int64_t, std::map<std::string, std::size_t>> variants;
     std::map<std::int64_t, Patch> patches;
-    for (const std::size_t t : visible_) patches[region(t)].triangles.push_back(corners(t));
+    for (const std::size_t t : visible_) add_triangle(t, patches[region(t)].triangles);
     for (const auto& [r, m] : material_of) {
       auto& known = variants[m];
       const std::size_t variant = known.emplace(legend_text(r, m), known.size()).first->second;
@@ -203,8 +281,8 @@ class Composer {
       const double part = high > low && std::isfinite(value)
                               ? std::clamp((value - low) / (high - low), 0.0, 1.0)
                               : 0;
-      patches[static_cast<std::size_t>(std::lround(part * (kSteps - 1)))].triangles.push_back(
-          corners(t));
+      add_triangle(t,
+                   patches[static_cast<std::size_t>(std::lround(part * (kSteps - 1)))].triangles);
     }
     for (Patch& patch : patches) {
       if (!patch.triangles.empty()) add(std::move(patch));
@@ -221,12 +299,10 @@ class Composer {
       strokes[i] = {{60, 60, 60}, kWidths[i], 0.75, true, {}};
     }
     for (const auto& [a, b] : lines.inner) {
-      const Point p = pixel(a), q = pixel(b);
-      if (!shows(p, q)) continue;
-      const double width = 0.04 * length(q - p);
+      const double width = 0.04 * length(pixel(b) - pixel(a));
       std::size_t i = 0;
       while (i + 1 < kWidths.size() && kWidths[i + 1] <= width) ++i;
-      strokes[i].lines.push_back({p, q});
+      add_edge(a, b, strokes[i].lines);
     }
     for (Stroke& stroke : strokes) {
       if (!stroke.lines.empty()) add(std::move(stroke));
@@ -242,10 +318,7 @@ class Composer {
   void draw_interfaces(const MeshLines& lines) {
     Stroke strong{kInk, 1.6, 1, true, {}};
     const auto draw = [&](const std::vector<std::array<std::uint32_t, 2>>& edges, Stroke& stroke) {
-      for (const auto& [a, b] : edges) {
-        const Point p = pixel(a), q = pixel(b);
-        if (shows(p, q)) stroke.lines.push_back({p, q});
-      }
+      for (const auto& [a, b] : edges) add_edge(a, b, stroke.lines);
     };
     draw(lines.borders, strong);
     for (const PictureLine& line : mesh_.lines) {
@@ -374,6 +447,8 @@ class Composer {
   Drawing drawing_;
   PictureWindow window_;
   double scale_ = 1;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Point>
+      bent_;  ///< nodes, by lower and upper end
   std::vector<std::size_t> visible_;
   Legend legend_;
   std::vector<ContactMark> contact_marks_;

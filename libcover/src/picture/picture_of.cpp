@@ -1,8 +1,11 @@
 // Tested by tests/unit/picture/picture_test.cpp.
+#include <cover/curved_mesh.hpp>
 #include <cover/mesh.hpp>
 #include <cover/picture.hpp>
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "geom/vector.hpp"
 
@@ -21,11 +24,30 @@ CellArray angles(const TriangleSoup& soup, const char* name, bool largest) {
   return array;
 }
 
+/// By triangle: the nodes of its edges, from the first on.
+std::vector<std::array<Point, 3>> middles_of(const Output& output, const TriangleSoup& soup) {
+  const CurvedMesh curved = curved_mesh(output);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Point> node;
+  for (const CurvedEdge& edge : curved.edges) node[std::minmax(edge.a, edge.b)] = edge.middle;
+  for (const MovedNode& edge : curved.moved) node[std::minmax(edge.a, edge.b)] = edge.middle;
+  std::vector<std::array<Point, 3>> middles;
+  for (const auto& t : soup.triangles) {
+    auto& of_triangle = middles.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t a = t[i], b = t[(i + 1) % 3];
+      const auto at = node.find(std::minmax(a, b));
+      of_triangle[i] = at != node.end() ? at->second : midpoint(soup.points[a], soup.points[b]);
+    }
+  }
+  return middles;
+}
+
 }  // namespace
 
-PictureMesh picture_of(const Output& output) {
+PictureMesh picture_of(const Output& output, int order) {
   PictureMesh picture;
   picture.mesh.soup = triangle_soup(output.mesh);
+  if (order == 2) picture.mesh.middles = middles_of(output, picture.mesh.soup);
   picture.unit = output.report.unit;
   picture.mesh.arrays = {angles(picture.mesh.soup, "max_angle", true),
                          angles(picture.mesh.soup, "min_angle", false)};

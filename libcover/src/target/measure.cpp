@@ -201,7 +201,9 @@ std::vector<NegativeCoupling> measure_couplings(const RegionBoundary& boundary,
                                      [](const NegativeEdge& e) { return e.is_side; });
   std::vector<std::uint32_t> encroached_by(boundary.sides.size(), kNone);
   if (has_sides) {
-    const Triangulation cdt = triangulate_domain(boundary.points, boundary.sides).triangulation;
+    // Layers were asked for, so their vertices are as given as those of the boundary.
+    const auto given = points.first(boundary.points.size() + mesh.layer_vertices);
+    const Triangulation cdt = triangulate_domain(given, boundary.sides).triangulation;
     for (const EncroachedSide& e : encroached_sides(cdt, locate_sides(cdt, boundary.sides)))
       encroached_by[e.side] = e.vertex;
   }
@@ -215,7 +217,7 @@ std::vector<NegativeCoupling> measure_couplings(const RegionBoundary& boundary,
       const std::uint32_t by =
           is_whole ? encroached_by[static_cast<std::size_t>(side - boundary.sides.begin())] : kNone;
       kind = by == kNone ? NegativeCoupling::Kind::given_up : NegativeCoupling::Kind::encroached;
-      if (by != kNone) apex = boundary.points[by];
+      if (by != kNone) apex = points[by];
     }
     found.push_back({kind, boundary.id, points[e.edge[0]], points[e.edge[1]], apex});
   }

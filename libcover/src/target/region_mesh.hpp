@@ -15,7 +15,8 @@ namespace cover {
 struct RegionMesh {
   std::vector<Point> steiner;
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::size_t layer_triangles = 0;  ///< the first so many are those of layers
+  std::size_t layer_triangles = 0;  ///< the first so many are those of layers, but for flips
+  std::size_t layer_vertices = 0;   ///< the first so many Steiner vertices
   RegionReport report;
 };
 

@@ -55,8 +55,8 @@ auto members(T& report) {
 
 template <Either<RegionMesh> T>
 auto members(T& mesh) {
-  auto& [steiner, triangles, layer_triangles, report] = mesh;
-  return std::tie(steiner, triangles, layer_triangles, report);
+  auto& [steiner, triangles, layer_triangles, layer_vertices, report] = mesh;
+  return std::tie(steiner, triangles, layer_triangles, layer_vertices, report);
 }
 
 template <Either<RegionBoundary> T>

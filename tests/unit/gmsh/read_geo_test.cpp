@@ -69,6 +69,19 @@ TEST_F(ReadGeo, RemembersCircles) {
   EXPECT_EQ(chords, 16U);
 }
 
+TEST_F(ReadGeo, RemembersCirclesAfterBooleanOperations) {
+  const auto input = read(R"(
+SetFactory("OpenCASCADE");
+Mesh.CharacteristicLengthMax = 0.5;
+Disk(1) = {0, 0, 0, 2}; Disk(2) = {0.3, 0, 0, 1}; Disk(3) = {5, 0, 0, 2, 1};  // the last: an ellipse
+BooleanFragments{ Surface{1}; Delete; }{ Surface{2, 3}; Delete; })");
+  ASSERT_TRUE(input) << input.error().message;
+  ASSERT_EQ(input->circles.size(), 2U);
+  EXPECT_NEAR(input->circles[0].radius * input->circles[1].radius, 2, 1e-12);
+  for (const ArcCircle& circle : input->circles)
+    EXPECT_NEAR(circle.centre.x, circle.radius < 1.5 ? 0.3 : 0, 1e-12);
+}
+
 TEST_F(ReadGeo, LeavesOutSurfacesThatAreNotPhysicalWhereSomeAre) {
   const auto input = read(kDisk + "Physical Surface(\"iron\") = {1};");
   ASSERT_TRUE(input) << input.error().message;

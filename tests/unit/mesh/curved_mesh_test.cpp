@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -83,8 +84,27 @@ std::size_t straight_edges(const Input& input) {
 TEST(CurvedMesh, WhatCannotBeCurvedIsStraightAndOnlyThat) {
   EXPECT_EQ(straight_edges(ring_with_point(-0.5)), 0U);  // the arc leads away from it
   EXPECT_EQ(straight_edges(ring_with_point(0.5)), 1U);   // it is below the arc
-  EXPECT_EQ(straight_edges(ring_with_point(1.5)), 1U);   // above it, but not by enough
   EXPECT_EQ(straight_edges(ring_with_point(6)), 0U);
+}
+
+TEST(CurvedMesh, NodesOfNeighboursGiveWayToAnArc) {
+  const Output output = must_mesh(ring_with_point(1.5));  // above it, but not by enough
+  const CurvedMesh curved = curved_mesh(output);
+  for (const CurvedEdge& edge : curved.edges) EXPECT_FALSE(edge.is_straight);
+  ASSERT_FALSE(curved.moved.empty());
+  EXPECT_LE(curved.moved.size(), 12U);
+  // The nodes of a file are these, and all areas stay what arcs make them.
+  WriteOptions order_2;
+  order_2.order = 2;
+  const MeshView view = view_of(output, order_2);
+  for (const MovedNode& node : curved.moved) {
+    EXPECT_EQ(std::count(view.points.begin(), view.points.end(), node.middle), 1);
+    EXPECT_NE(node.middle, midpoint(view.points[node.a], view.points[node.b]));
+  }
+  const CurvedMesh smooth = curved_mesh(must_mesh(ring_with_point(6)));
+  EXPECT_TRUE(smooth.moved.empty());
+  EXPECT_NEAR(curved.areas[0], smooth.areas[0], 1e-12);
+  EXPECT_NEAR(curved.areas[1], smooth.areas[1], 1e-12);
 }
 
 TEST(CurvedMesh, FilesKeepArcs) {

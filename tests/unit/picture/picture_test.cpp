@@ -51,6 +51,24 @@ TEST(Picture, SvgNamesRegionsMaterialsAndContacts) {
   EXPECT_TRUE(svg->ends_with("</svg>\n"));
 }
 
+TEST(Picture, EdgesOfSecondOrderAreDrawnAsTheyCurve) {
+  PictureMesh mesh = two_squares();
+  PictureOptions options;
+  options.worst = 0;
+  const std::string straight = *svg_text(mesh, options);
+  for (const auto& [a, b, c] : mesh.mesh.soup.triangles) {
+    const auto middle = [&](std::uint32_t p, std::uint32_t q) {
+      const Point u = mesh.mesh.soup.points[p], v = mesh.mesh.soup.points[q];
+      return Point{(u.x + v.x) / 2, (u.y + v.y) / 2};
+    };
+    mesh.mesh.middles.push_back({middle(a, b), middle(b, c), middle(c, a)});
+  }
+  EXPECT_EQ(*svg_text(mesh, options), straight);
+  mesh.mesh.middles[0][0].y -= 0.25;  // of the edge below the first square, on the outline
+  const std::string curved = *svg_text(mesh, options);
+  EXPECT_EQ(count(curved, "M"), count(straight, "M") + 7 + 63);  // of the line, of the triangle
+}
+
 TEST(Picture, VerticesWithPartnersHaveRings) {
   PictureMesh mesh = two_squares();
   const std::size_t before = count(*svg_text(mesh, {}), "<circle");

@@ -19,7 +19,8 @@
 //     "interfaces": [ { "id", "name", "kind", "left", "right", "length", "segments" } ],
 //     "periodic": [ { "from", "to", "map", ... as in the manifest, "vertices": pairs, "edges":
 //                 pairs } ] where there are any,
-//     "arcs": { "edges": on arcs, "straight": those of them that --order 2 cannot curve, "where":
+//     "arcs": { "edges": on arcs, "straight": those of them that --order 2 cannot curve, "moved":
+//              nodes of other edges that give way to arcs, "where":
 //                 [[x, y]], "areas": with curved edges, by region } where there are any,
 //     "notes": NOTES, "changes": [ { "kind", "message", "where", "inputs" } ],
 //     "box_cuts": [ { "at": [x, y], "reason", "by": [x, y] } ], only with --box-method,
@@ -445,6 +446,7 @@ Json to_json(const Output& output, const CurvedMesh& curved) {
     areas.push_back({{"region", output.table.regions[r].id.value()}, {"area", curved.areas[r]}});
   return {{"edges", curved.edges.size()},
           {"straight", straight},
+          {"moved", curved.moved.size()},
           {"where", std::move(where)},
           {"areas", std::move(areas)}};
 }

@@ -170,8 +170,11 @@ class Viewer {
           midpoint(at(tri_.from_vertex_handle(h).idx()), at(tri_.to_vertex_handle(h).idx())));
     }
     if (output_.pslg.circles.empty()) return;
-    for (const CurvedEdge& edge : curved_mesh(output_).edges)
+    const CurvedMesh curved = curved_mesh(output_);
+    for (const CurvedEdge& edge : curved.edges)
       view_.points[midpoint_of(between(edge.a, edge.b))] = edge.middle;
+    for (const MovedNode& node : curved.moved)
+      view_.points[midpoint_of(between(node.a, node.b))] = node.middle;
   }
 
   void add_triangles() {
