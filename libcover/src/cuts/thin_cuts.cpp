@@ -10,7 +10,7 @@
 
 #include <fmt/core.h>
 
-#include "base/describe.hpp"
+#include <cover/text.hpp>
 #include "cuts/cut_segments.hpp"
 #include "cuts/thin/fewer_vertices.hpp"
 #include "cuts/unite_pieces.hpp"

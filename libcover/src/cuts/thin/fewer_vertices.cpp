@@ -35,6 +35,9 @@ class Random {
 };
 
 constexpr std::size_t kMostNeighbours = 64;
+constexpr std::array<int, 6> kMore{1, 2, 4, 8, 16, 32};  ///< vertices that mend a bad triangle
+constexpr int kInVain = 8;  ///< steps that make nothing better, and one for each new vertex
+constexpr std::uint64_t kRemoval = 4;  ///< places that could be tried meanwhile
 
 /// What may be tuned.
 struct Tuning {
@@ -54,7 +57,7 @@ class Thinner {
     std::vector<std::uint32_t> vertices = movable();
     left_ = std::min<std::uint64_t>(effort_.places_at_most,
                                     effort_.places_per_vertex * vertices.size());
-    mend();
+    mend(left_ / 3);
     take_away();
     search();
     thinned.bad = mesh_.bad();
@@ -85,7 +88,7 @@ class Thinner {
       const std::vector<std::uint32_t> vertices = movable();
       for (auto v = vertices.rbegin(); v != vertices.rend() && !is_over(); ++v) {
         const std::size_t before = mesh_.bad();
-        spend(1);
+        spend(kRemoval);
         if (!mesh_.remove(*v)) continue;
         if (mesh_.bad() > before) {
           mesh_.undo(0);
@@ -97,15 +100,16 @@ class Thinner {
     }
   }
 
-  /// Bad triangles, where a few more vertices help.
-  void mend() {
-    if (mesh_.bad() == 0) return;
-    for (std::uint32_t t = 0; t < mesh_.triangles().size() && !is_over(); ++t) {
+  /// Bad triangles, where a few more vertices help; tries no more than `places`.
+  void mend(std::uint64_t places) {
+    const std::uint64_t end = left_ - places;
+    for (std::uint32_t t = 0;
+         mesh_.bad() > 0 && t < mesh_.triangles().size() && left_ > end && !is_over(); ++t) {
       if (mesh_.triangles()[t].v[0] == kNone || mesh_.triangles()[t].cost == 0) continue;
       const std::size_t before = mesh_.bad();
       spares_.clear();
       starts_.clear();
-      for (const int more : {1, 2, 4, 8}) {
+      for (const int more : kMore) {
         focus_ = t;
         if (repair(before - 1, more, 12 + 6 * more)) break;
         mesh_.undo(0);
@@ -119,6 +123,7 @@ class Thinner {
   void search() {
     std::vector<std::uint32_t> vertices;
     for (int round = 0; !is_over(); ++round) {
+      if (round > 0) mend(left_ / 8);
       vertices = movable();
       if (vertices.empty()) return;
       for (std::size_t k = vertices.size(); k > 1; --k)
@@ -210,6 +215,7 @@ class Thinner {
     tabu_.clear();
     double best = mesh_.cost();
     int in_vain = 0;
+    const int most_in_vain = kInVain + more;
     for (int step = 0; step < steps; ++step) {
       if (mesh_.bad() <= allowed) return true;
       if (is_over()) return false;
@@ -234,6 +240,7 @@ class Thinner {
         if (std::find(tabu_.begin(), tabu_.end(), u) != tabu_.end()) continue;
         const std::size_t mark = mesh_.mark();
         const MeshWithUndo::Vertex old = mesh_.vertices()[u];
+        spend(kRemoval);
         if (mesh_.remove(u)) {
           starts[0] = old.at;
           const std::uint32_t from = written_since(mark);
@@ -250,7 +257,7 @@ class Thinner {
       if (mesh_.cost() < best - 1e-9) {
         best = mesh_.cost();
         in_vain = 0;
-      } else if (++in_vain > 8) {
+      } else if (++in_vain > most_in_vain) {
         return mesh_.bad() <= allowed;
       }
     }
