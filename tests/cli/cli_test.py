@@ -454,7 +454,7 @@ class Mesh(Case):
             self.assertEqual(report['mesh']['cut_vertices'], report['input']['points'] - 8)
             self.run_cover('check', 'kite.json', 'd.vtu', '--allow-split')
         self.assertLessEqual(counts['normal'], counts['fast'])
-        self.assertLessEqual(counts['normal'], 26)
+        self.assertLessEqual(counts['normal'], 12)
 
     def test_require_bound_of_what_is_kept(self):
         # Two squares; the left one was meshed by hand, with an angle of 179.8 degrees.

@@ -30,13 +30,13 @@ constexpr double kSlack = 1 - 1e-9;
 ThinEffort effort_of(Effort effort, std::size_t vertices) {
   switch (effort) {
     case Effort::fast:
-      return {30, 200'000 + 10 * vertices, {}};
+      return {30, 200'000 + 10 * vertices, 3'000, 300'000, {}};
     case Effort::normal:
-      return {1'000, 1'000'000 + 100 * vertices, {}};
+      return {1'000, 1'000'000 + 100 * vertices, 20'000, 3'000'000, {}};
     case Effort::thorough:
       break;
   }
-  return {20'000, 4'000'000 + 1'000 * vertices, {}};
+  return {20'000, 8'000'000 + 1'000 * vertices, 100'000, 20'000'000, {}};
 }
 
 /// What is cut and meshed, in step.

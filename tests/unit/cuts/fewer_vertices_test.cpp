@@ -51,7 +51,7 @@ std::size_t movable(const ConformingMesh& mesh) {
   return count;
 }
 
-const ThinEffort kEffort{2000, 2'000'000, {}};
+const ThinEffort kEffort{2000, 2'000'000, 10'000, 100'000, {}};
 
 TEST(FewerVertices, AGridBecomesTwoTrianglesForEachRectangle) {
   const ConformingMesh before = grid(12, 6, 4);
@@ -100,7 +100,7 @@ TEST(FewerVertices, MoreEffortIsNotWorse) {
   std::size_t last = movable(before);
   for (const std::uint64_t places : {1U, 20U, 500U}) {
     MeshWithUndo mesh(before, std::vector<RightAngles>(3), false);
-    thin_mesh(mesh, {places, 1'000'000, {}});
+    thin_mesh(mesh, {places, 1'000'000, 1000, 10'000, {}});
     EXPECT_EQ(mesh.bad(), 0u);
     const std::size_t now = movable(mesh.result(before));
     EXPECT_LE(now, last);

@@ -36,6 +36,7 @@ class Random {
 
 constexpr std::size_t kMostNeighbours = 64;
 constexpr std::array<int, 6> kMore{1, 2, 4, 8, 16, 32};  ///< vertices that mend a bad triangle
+constexpr std::size_t kFew = 3;                          ///< of them, at first
 constexpr int kInVain = 8;  ///< steps that make nothing better, and one for each new vertex
 constexpr std::uint64_t kRemoval = 4;  ///< places that could be tried meanwhile
 
@@ -57,7 +58,9 @@ class Thinner {
     std::vector<std::uint32_t> vertices = movable();
     left_ = std::min<std::uint64_t>(effort_.places_at_most,
                                     effort_.places_per_vertex * vertices.size());
-    mend(left_ / 3);
+    left_to_mend_ = std::min<std::uint64_t>(effort_.places_to_mend_at_most,
+                                            effort_.places_per_bad * mesh_.bad());
+    mend();
     take_away();
     search();
     thinned.bad = mesh_.bad();
@@ -100,18 +103,23 @@ class Thinner {
     }
   }
 
-  /// Bad triangles, where a few more vertices help; tries no more than `places`.
-  void mend(std::uint64_t places) {
-    const std::uint64_t end = left_ - places;
-    for (std::uint32_t t = 0;
-         mesh_.bad() > 0 && t < mesh_.triangles().size() && left_ > end && !is_over(); ++t) {
+  /// Bad triangles, where a few more vertices help: first those that few help, as they may be many.
+  void mend() {
+    std::swap(left_, left_to_mend_);
+    for (const std::size_t more : {kFew, kMore.size()}) mend_with(more);
+    std::swap(left_, left_to_mend_);
+  }
+
+  /// `tries`: how many of kMore.
+  void mend_with(std::size_t tries) {
+    for (std::uint32_t t = 0; mesh_.bad() > 0 && t < mesh_.triangles().size() && !is_over(); ++t) {
       if (mesh_.triangles()[t].v[0] == kNone || mesh_.triangles()[t].cost == 0) continue;
       const std::size_t before = mesh_.bad();
       spares_.clear();
       starts_.clear();
-      for (const int more : kMore) {
+      for (std::size_t k = 0; k < tries; ++k) {
         focus_ = t;
-        if (repair(before - 1, more, 12 + 6 * more)) break;
+        if (repair(before - 1, kMore[k], 12 + 6 * kMore[k])) break;
         mesh_.undo(0);
       }
       mesh_.keep();
@@ -123,7 +131,7 @@ class Thinner {
   void search() {
     std::vector<std::uint32_t> vertices;
     for (int round = 0; !is_over(); ++round) {
-      if (round > 0) mend(left_ / 8);
+      if (round > 0 && mesh_.bad() > 0) mend();
       vertices = movable();
       if (vertices.empty()) return;
       for (std::size_t k = vertices.size(); k > 1; --k)
@@ -413,7 +421,7 @@ class Thinner {
   const ThinEffort& effort_;
   Tuning tuning_;
   Random random_;
-  std::uint64_t left_ = 0;
+  std::uint64_t left_ = 0, left_to_mend_ = 0;
   std::uint32_t focus_ = kNone;        ///< a triangle that is to be mended
   std::vector<std::uint32_t> spares_;  ///< vertices that were taken away
   std::vector<Point> starts_;          ///< where they had been

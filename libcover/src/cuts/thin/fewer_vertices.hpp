@@ -13,6 +13,8 @@ namespace cover {
 struct ThinEffort {
   std::uint64_t places_per_vertex = 0;  ///< for every vertex that may go
   std::uint64_t places_at_most = 0;
+  std::uint64_t places_per_bad = 0;  ///< for every bad triangle that there is at first, besides
+  std::uint64_t places_to_mend_at_most = 0;
   std::stop_token stop;
 };
 
