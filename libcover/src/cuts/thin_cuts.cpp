@@ -197,6 +197,12 @@ void separate(const ConformingMesh& mesh, const std::vector<std::uint32_t>& old,
   }
 }
 
+std::size_t obtuse(const std::vector<RegionMesh>& meshes) {
+  std::size_t count = 0;
+  for (const RegionMesh& mesh : meshes) count += mesh.report.quality.obtuse;
+  return count;
+}
+
 bool is_sound(const Work& work) {
   for (std::size_t r = 0; r < work.meshes.size(); ++r) {
     const RegionBoundary& boundary = work.boundaries[r];
@@ -258,7 +264,7 @@ Status thin_cuts(Prepared& prepared, std::vector<RegionBoundary>& boundaries,
     const std::size_t before = mesh.points.size() - first;
     std::vector<std::uint32_t> old = sort_by_place(mesh);
     std::erase_if(old, [&](std::uint32_t v) { return v >= first; });
-    MeshWithUndo mutable_mesh(mesh, angles_of(meshes, options), options.box_method);
+    MeshWithUndo mutable_mesh(mesh, angles_of(meshes, options));
     ThinEffort effort = effort_of(options.effort, before);
     effort.stop = callbacks.stop;
     const Thinned thinned = thin_mesh(mutable_mesh, effort);
@@ -270,16 +276,17 @@ Status thin_cuts(Prepared& prepared, std::vector<RegionBoundary>& boundaries,
     if (!is_better || (options.box_method && thinned.bad > 0)) return ok();
     separate(result, old, work);
     if (!is_sound(work)) return ok();
+    for (std::size_t r = 0; r < work.boundaries.size(); ++r) {
+      report_again(work.boundaries[r], options, false, work.meshes[r]);
+      measure(work.boundaries[r], work.meshes[r]);
+    }
+    if (obtuse(work.meshes) > obtuse(meshes)) return ok();
     prepared.pslg = std::move(work.pslg);
     prepared.table = std::move(work.table);
     boundaries = std::move(work.boundaries);
     meshes = std::move(work.meshes);
     report.input_points = prepared.pslg.points.size();
     report.input_segments = prepared.pslg.segments.size();
-    for (std::size_t r = 0; r < boundaries.size(); ++r) {
-      report_again(boundaries[r], options, false, meshes[r]);
-      measure(boundaries[r], meshes[r]);
-    }
     tell({prepared.pslg, {}, {}, {}}, first, before, after, options, report);
     return ok();
   });

@@ -55,7 +55,7 @@ const ThinEffort kEffort{2000, 2'000'000, 10'000, 100'000, {}};
 
 TEST(FewerVertices, AGridBecomesTwoTrianglesForEachRectangle) {
   const ConformingMesh before = grid(12, 6, 4);
-  MeshWithUndo mesh(before, std::vector<RightAngles>(3), false);
+  MeshWithUndo mesh(before, std::vector<RightAngles>(3));
   const Thinned thinned = thin_mesh(mesh, kEffort);
   EXPECT_EQ(thinned.bad_before, 0u);
   EXPECT_EQ(thinned.bad, 0u);
@@ -67,13 +67,13 @@ TEST(FewerVertices, AGridBecomesTwoTrianglesForEachRectangle) {
 
 TEST(FewerVertices, AnglesThatAreAskedForStay) {
   const ConformingMesh before = grid(32, 2, 32);
-  MeshWithUndo mesh(before, {{1.01}}, false);  // 44.7 degrees: squares, cut into halves
+  MeshWithUndo mesh(before, {{1.01}});  // 44.7 degrees: squares, cut into halves
   EXPECT_EQ(mesh.bad(), 0u);
   thin_mesh(mesh, kEffort);
   EXPECT_EQ(mesh.bad(), 0u);
   const std::size_t kept = movable(mesh.result(before));
   EXPECT_GT(kept, 20u);
-  MeshWithUndo free(before, {{0}}, false);
+  MeshWithUndo free(before, {{0}});
   thin_mesh(free, kEffort);
   EXPECT_EQ(movable(free.result(before)), 0u);
 }
@@ -86,7 +86,7 @@ TEST(FewerVertices, ObtuseTrianglesAreMended) {
   flat.pieces = {{0, 1, 0}, {1, 2, 1}, {2, 0, 2}};
   flat.triangles = {{0, 1, 2}};
   flat.region = {0};
-  MeshWithUndo mesh(flat, {{0}}, false);
+  MeshWithUndo mesh(flat, {{0}});
   const Thinned thinned = thin_mesh(mesh, kEffort);
   EXPECT_EQ(thinned.bad_before, 1u);
   EXPECT_EQ(thinned.bad, 0u);
@@ -99,7 +99,7 @@ TEST(FewerVertices, MoreEffortIsNotWorse) {
   const ConformingMesh before = grid(9, 9, 3);
   std::size_t last = movable(before);
   for (const std::uint64_t places : {1U, 20U, 500U}) {
-    MeshWithUndo mesh(before, std::vector<RightAngles>(3), false);
+    MeshWithUndo mesh(before, std::vector<RightAngles>(3));
     thin_mesh(mesh, {places, 1'000'000, 1000, 10'000, {}});
     EXPECT_EQ(mesh.bad(), 0u);
     const std::size_t now = movable(mesh.result(before));

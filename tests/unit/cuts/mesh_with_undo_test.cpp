@@ -73,7 +73,7 @@ void expect_delaunay(const MeshWithUndo& mesh) {
 TEST(MeshWithUndo, EveryStepCanBeTakenBack) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> unit(0, 1);
-  MeshWithUndo mesh(two_squares(), std::vector<RightAngles>(2), false);
+  MeshWithUndo mesh(two_squares(), std::vector<RightAngles>(2));
   std::vector<std::uint32_t> added;
   std::size_t cuts = 0, removed = 0, undone = 0;
   for (int step = 0; step < 3000; ++step) {
@@ -128,7 +128,7 @@ TEST(MeshWithUndo, EveryStepCanBeTakenBack) {
 }
 
 TEST(MeshWithUndo, CutsBothRegionsAndOnlyLinesThatMayBe) {
-  MeshWithUndo mesh(two_squares(), std::vector<RightAngles>(2), false);
+  MeshWithUndo mesh(two_squares(), std::vector<RightAngles>(2));
   const Spot between = mesh.locate({1.5, 0.4}, 0);  // triangle 0 lies in the left square
   ASSERT_EQ(between.edge >= 0, true);
   EXPECT_EQ(between.at, (Point{1, 0.4}));
@@ -156,19 +156,28 @@ TEST(MeshWithUndo, CountsWhatIsObtuseAndWhatIsTooSharp) {
   mesh.pieces = {{0, 1, 7}, {1, 2, 7}, {2, 0, 7}};
   mesh.triangles = {{0, 1, 2}};
   mesh.region = {0};
-  EXPECT_EQ(MeshWithUndo(mesh, {{0}}, false).bad(), 1u);
+  EXPECT_EQ(MeshWithUndo(mesh, {{0}}).bad(), 1u);
   mesh.points[2] = {1, 2};  // angles of 63.4 and 33.7 degrees at the base
-  EXPECT_EQ(MeshWithUndo(mesh, {{0}}, false).bad(), 0u);
-  EXPECT_EQ(MeshWithUndo(mesh, {{1.6}}, false).bad(), 0u);  // cot 33.7 is 1.5
-  EXPECT_EQ(MeshWithUndo(mesh, {{1.4}}, false).bad(), 1u);
-  // A right angle but for rounding: bad only where signs count.
-  mesh.points = {{0.1, 0.1}, {0.4, 0.2}, {0.3, 0.5}};
-  mesh.points[1] = {0.3 + 0x1p-54, 0.2};
-  mesh.points[2] = {0.2, 0.5};
-  const bool exactly =
-      compare_with_90_degrees(mesh.points[0], mesh.points[1], mesh.points[2]) == Sign::positive;
-  EXPECT_EQ(MeshWithUndo(mesh, {{0}}, false).bad(), 0u);
-  EXPECT_EQ(MeshWithUndo(mesh, {{0}}, true).bad(), exactly ? 1u : 0u);
+  EXPECT_EQ(MeshWithUndo(mesh, {{0}}).bad(), 0u);
+  EXPECT_EQ(MeshWithUndo(mesh, {{1.6}}).bad(), 0u);  // cot 33.7 is 1.5
+  EXPECT_EQ(MeshWithUndo(mesh, {{1.4}}).bad(), 1u);
+  // Right angles but for rounding: bad only opposite to pieces of lines.
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::size_t exactly = 0;
+  for (int k = 0; k < 200; ++k) {
+    const Point p{unit(random), unit(random)};
+    const Vector u{0.1 + unit(random), unit(random)};
+    mesh.points = {p, p + u, p + left_normal(u)};
+    const bool is_obtuse =
+        compare_with_90_degrees(mesh.points[1], p, mesh.points[2]) == Sign::positive;
+    mesh.pieces = {{1, 2, 7}};
+    EXPECT_EQ(MeshWithUndo(mesh, {{0}}).bad(), is_obtuse ? 1u : 0u);
+    mesh.pieces = {{0, 1, 7}, {2, 0, 7}};
+    EXPECT_EQ(MeshWithUndo(mesh, {{0}}).bad(), 0u);
+    exactly += is_obtuse ? 1 : 0;
+  }
+  EXPECT_GT(exactly, 20u);
 }
 
 }  // namespace

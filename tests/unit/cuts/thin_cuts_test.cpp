@@ -94,6 +94,8 @@ TEST(ThinCuts, TakesVerticesAwayAndLeavesNoObtuseTriangle) {
       options.min_angle = Angle::degrees(0);
       const Output thin = mesh_of(input, options);
       EXPECT_EQ(thin.report.quality.obtuse, 0u);
+      for (const RegionReport& region : thin.report.regions)
+        EXPECT_EQ(region.box.negative_couplings, 0u);
       EXPECT_GE(added(thin), 1u);
       const Note* note = note_of(thin);
       ASSERT_NE(note, nullptr);
@@ -134,7 +136,7 @@ TEST(ThinCuts, DependsOnNeitherOrderNorUnitNorThreads) {
   }
 }
 
-TEST(ThinCuts, WithBoxMethodNoSignIsWrong) {
+TEST(ThinCuts, GoesWithBoxMethod) {
   for (std::uint64_t seed = 1; seed < 4; ++seed) {
     Options options = no_obtuse_angle();
     options.box_method = true;

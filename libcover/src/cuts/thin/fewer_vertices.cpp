@@ -74,6 +74,11 @@ class Thinner {
     Spot spot;
   };
 
+  /// No more than `allowed` triangles are bad, and no more gravely than before.
+  [[nodiscard]] bool is_fine(std::size_t allowed) const {
+    return mesh_.bad() <= allowed && mesh_.grave() <= most_grave_;
+  }
+
   [[nodiscard]] bool is_over() const { return left_ == 0 || effort_.stop.stop_requested(); }
 
   [[nodiscard]] std::vector<std::uint32_t> movable() const {
@@ -91,9 +96,10 @@ class Thinner {
       const std::vector<std::uint32_t> vertices = movable();
       for (auto v = vertices.rbegin(); v != vertices.rend() && !is_over(); ++v) {
         const std::size_t before = mesh_.bad();
+        most_grave_ = mesh_.grave();
         spend(kRemoval);
         if (!mesh_.remove(*v)) continue;
-        if (mesh_.bad() > before) {
+        if (!is_fine(before)) {
           mesh_.undo(0);
           continue;
         }
@@ -115,6 +121,7 @@ class Thinner {
     for (std::uint32_t t = 0; mesh_.bad() > 0 && t < mesh_.triangles().size() && !is_over(); ++t) {
       if (mesh_.triangles()[t].v[0] == kNone || mesh_.triangles()[t].cost == 0) continue;
       const std::size_t before = mesh_.bad();
+      most_grave_ = mesh_.grave();
       spares_.clear();
       starts_.clear();
       for (std::size_t k = 0; k < tries; ++k) {
@@ -146,6 +153,7 @@ class Thinner {
 
   void attempt(std::uint32_t v, int round) {
     const std::size_t before = mesh_.bad();
+    most_grave_ = mesh_.grave();
     const std::size_t count =
         1 + random_.below(std::min<std::size_t>(4, 2 + static_cast<std::size_t>(round) / 2));
     const std::vector<std::uint32_t> taken = near(v, count);
@@ -225,7 +233,7 @@ class Thinner {
     int in_vain = 0;
     const int most_in_vain = kInVain + more;
     for (int step = 0; step < steps; ++step) {
-      if (mesh_.bad() <= allowed) return true;
+      if (is_fine(allowed)) return true;
       if (is_over()) return false;
       const std::uint32_t t = a_bad_triangle();
       if (t == kNone) return false;
@@ -266,10 +274,10 @@ class Thinner {
         best = mesh_.cost();
         in_vain = 0;
       } else if (++in_vain > most_in_vain) {
-        return mesh_.bad() <= allowed;
+        return is_fine(allowed);
       }
     }
-    return mesh_.bad() <= allowed;
+    return is_fine(allowed);
   }
 
   bool apply(const Action& action, int& more) {
@@ -422,6 +430,7 @@ class Thinner {
   Tuning tuning_;
   Random random_;
   std::uint64_t left_ = 0, left_to_mend_ = 0;
+  std::size_t most_grave_ = 0;
   std::uint32_t focus_ = kNone;        ///< a triangle that is to be mended
   std::vector<std::uint32_t> spares_;  ///< vertices that were taken away
   std::vector<Point> starts_;          ///< where they had been

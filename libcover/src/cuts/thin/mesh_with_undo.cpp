@@ -22,14 +22,14 @@ constexpr int kMostSteps = 64;            ///< of a walk
 /// of the largest coordinate.
 constexpr double kRounding = 2 * 0x1p-53;
 constexpr double kFilter = 1e-12;    ///< of the largest product: below, signs are looked at exactly
+constexpr float kBadBySign = 0.25;   ///< cost of a triangle whose coupling has the wrong sign
 constexpr double kBadAtLeast = 0.4;  ///< cost of a triangle that is hardly bad
 constexpr double kFreeAtMost = 4;    ///< times the triangles: entries of the list of free ones
 
 }  // namespace
 
-MeshWithUndo::MeshWithUndo(const ConformingMesh& mesh, std::vector<RightAngles> angles,
-                           bool exactly)
-    : angles_(std::move(angles)), exactly_(exactly), lines_(mesh.lines) {
+MeshWithUndo::MeshWithUndo(const ConformingMesh& mesh, std::vector<RightAngles> angles)
+    : angles_(std::move(angles)), lines_(mesh.lines) {
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
     vertices_.push_back({mesh.points[v], mesh.line[v], kNone});
   triangles_.resize(mesh.triangles.size());
@@ -37,9 +37,8 @@ MeshWithUndo::MeshWithUndo(const ConformingMesh& mesh, std::vector<RightAngles> 
   link_all(mesh);
   make_delaunay();
   for (Triangle& t : triangles_) {
-    t.cost = static_cast<float>(cost_of(at(t.v[0]), at(t.v[1]), at(t.v[2]), t.region));
-    bad_ += t.cost > 0 ? 1 : 0;
-    cost_ += t.cost;
+    t.cost = static_cast<float>(cost_of(t));
+    count(t);
   }
   keep();
 }
@@ -102,44 +101,61 @@ void MeshWithUndo::make_delaunay() {
   }
 }
 
-/// 0 for a triangle that is not bad.
-double MeshWithUndo::cost_of(Point a, Point b, Point c, std::uint32_t region) const {
+/// 0 for a triangle that is not bad. `is_piece`: of the edge opposite to each corner.
+double MeshWithUndo::cost_of(const std::array<Point, 3>& p, const std::array<bool, 3>& is_piece,
+                             std::uint32_t region) const {
+  const auto& [a, b, c] = p;
   const Vector ab = b - a, bc = c - b, ca = a - c;
-  const double at_a = -dot(ab, ca), at_b = -dot(ab, bc), at_c = -dot(bc, ca);
+  const std::array<double, 3> product{-dot(ab, ca), -dot(ab, bc), -dot(bc, ca)};  // by corner
   const double doubled_area = cross(ab, bc);
-  const double blunt = std::min({at_a, at_b, at_c}), sharp = std::max({at_a, at_b, at_c});
+  const auto [blunt, sharp] = std::minmax({product[0], product[1], product[2]});
   double cost = 0;
   if (blunt < 0) {
-    const double s = squared_length(ab), m = squared_length(bc), l = squared_length(ca);
-    const double shortest = std::sqrt(std::min({s, m, l}));
+    const double shortest =
+        std::sqrt(std::min({squared_length(ab), squared_length(bc), squared_length(ca)}));
     const double farthest = std::max(
         {std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y), std::abs(c.x), std::abs(c.y)});
     if (-blunt * shortest > kRounding * farthest * doubled_area)
       cost = kBadAtLeast - blunt / std::hypot(blunt, doubled_area);
   }
-  if (exactly_ && cost == 0 && blunt < kFilter * sharp) {
-    const auto is_obtuse = [](Point p, Point q, Point r) {
-      return compare_with_90_degrees(p, q, r) == Sign::positive;
-    };
-    if (is_obtuse(c, a, b) || is_obtuse(a, b, c) || is_obtuse(b, c, a)) cost = kBadAtLeast;
+  if (cost == 0 && blunt < kFilter * sharp) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (is_piece[i] && product[i] < kFilter * sharp &&
+          compare_with_90_degrees(p[(i + 1) % 3], p[i], p[(i + 2) % 3]) == Sign::positive)
+        cost = kBadBySign;
+    }
   }
   const double allowed = angles_[region].largest_cot * doubled_area;
   if (allowed > 0 && sharp > allowed) cost += kBadAtLeast + 1 - allowed / sharp;
   return cost;
 }
 
+double MeshWithUndo::cost_of(const Triangle& t) const {
+  return cost_of({at(t.v[0]), at(t.v[1]), at(t.v[2])},
+                 {t.line[0] != kOnNoLine, t.line[1] != kOnNoLine, t.line[2] != kOnNoLine},
+                 t.region);
+}
+
+void MeshWithUndo::count(const Triangle& t) {
+  bad_ += t.cost > 0 ? 1 : 0;
+  grave_ += t.cost > kBadBySign ? 1 : 0;
+  cost_ += t.cost;
+}
+
+void MeshWithUndo::discount(const Triangle& t) {
+  bad_ -= t.cost > 0 ? 1 : 0;
+  grave_ -= t.cost > kBadBySign ? 1 : 0;
+  cost_ -= t.cost;
+}
+
 void MeshWithUndo::write(std::uint32_t t, const Triangle& value) {
   journal_.push_back({t, triangles_[t]});
   Triangle& now = triangles_[t];
-  if (now.v[0] != kNone) {
-    bad_ -= now.cost > 0 ? 1 : 0;
-    cost_ -= now.cost;
-  }
+  if (now.v[0] != kNone) discount(now);
   now = value;
   if (now.v[0] == kNone) return;
-  now.cost = static_cast<float>(cost_of(at(now.v[0]), at(now.v[1]), at(now.v[2]), now.region));
-  bad_ += now.cost > 0 ? 1 : 0;
-  cost_ += now.cost;
+  now.cost = static_cast<float>(cost_of(now));
+  count(now);
   for (const std::uint32_t v : now.v) vertices_[v].home = t;
 }
 
@@ -172,14 +188,10 @@ void MeshWithUndo::undo(std::size_t mark) {
   for (std::size_t k = last; k-- > mark;) {
     const auto& [t, old] = journal_[k];
     const Triangle& now = triangles_[t];
-    if (now.v[0] != kNone) {
-      bad_ -= now.cost > 0 ? 1 : 0;
-      cost_ -= now.cost;
-    }
+    if (now.v[0] != kNone) discount(now);
     triangles_[t] = old;
     if (old.v[0] != kNone) {
-      bad_ += old.cost > 0 ? 1 : 0;
-      cost_ += old.cost;
+      count(old);
     } else {
       free_triangle(t);
     }
@@ -289,24 +301,32 @@ bool MeshWithUndo::gather(const Spot& spot) {
   });
 }
 
+/// Those of the piece that is cut; kNone if none is.
+std::array<std::uint32_t, 2> MeshWithUndo::ends_of(const Spot& spot) const {
+  if (spot.edge < 0) return {kNone, kNone};
+  const auto e = static_cast<std::size_t>(spot.edge);
+  const Triangle& t = triangles_[spot.triangle];
+  return {t.v[(e + 1) % 3], t.v[(e + 2) % 3]};
+}
+
 double MeshWithUndo::change_with(const Spot& spot) {
   if (!gather(spot)) return kInfinite;
   double change = 0;
-  for (const RimEdge& e : rim_) change += cost_of(spot.at, at(e.a), at(e.b), e.region);
+  const std::array<std::uint32_t, 2> ends = ends_of(spot);
+  for (const RimEdge& e : rim_) {
+    const bool at_b = e.b == ends[0] || e.b == ends[1], at_a = e.a == ends[0] || e.a == ends[1];
+    change += cost_of({spot.at, at(e.a), at(e.b)}, {e.line != kOnNoLine, at_b, at_a}, e.region);
+  }
   for (const std::uint32_t t : cavity_) change -= triangles_[t].cost;
   return change;
 }
 
 std::uint32_t MeshWithUndo::insert(const Spot& spot, std::uint32_t v) {
   if (!gather(spot)) return kNone;
-  std::uint32_t line = kOnNoLine;
-  std::array<std::uint32_t, 2> ends{kNone, kNone};
-  if (spot.edge >= 0) {
-    const auto e = static_cast<std::size_t>(spot.edge);
-    const Triangle& t = triangles_[spot.triangle];
-    line = t.line[e];
-    ends = {t.v[(e + 1) % 3], t.v[(e + 2) % 3]};
-  }
+  const std::uint32_t line =
+      spot.edge >= 0 ? triangles_[spot.triangle].line[static_cast<std::size_t>(spot.edge)]
+                     : kOnNoLine;
+  const std::array<std::uint32_t, 2> ends = ends_of(spot);
   if (v == kNone) {
     v = static_cast<std::uint32_t>(vertices_.size());
     vertices_.emplace_back();

@@ -2,6 +2,7 @@
 // they are added, and every such step can be taken back.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -30,16 +31,17 @@ struct RimEdge {
   std::uint32_t region;
 };
 
-/// A triangle is bad if it is obtuse by more than rounding of its coordinates can make, or has an
+/// A triangle is bad if it is obtuse by more than rounding of its coordinates can make, opposite to a
+/// piece of a line by anything, so that no coupling of the box method is negative; or if it has an
 /// angle below what is asked of its region. A mesh without bad triangles is constrained Delaunay,
 /// and so is the mesh here, so a set of vertices is good or bad by itself.
 ///
 /// EXACT: topology is; costs and what is bad are rounded, towards bad.
 class MeshWithUndo {
  public:
-  /// `angles`: by region. `exactly`: what is obtuse by no more than rounding is bad too.
+  /// `angles`: by region.
   /// REQUIRES: every edge with one triangle, or with triangles of two regions, is a piece
-  MeshWithUndo(const ConformingMesh& mesh, std::vector<RightAngles> angles, bool exactly);
+  MeshWithUndo(const ConformingMesh& mesh, std::vector<RightAngles> angles);
 
   struct Vertex {
     Point at;
@@ -64,7 +66,9 @@ class MeshWithUndo {
   [[nodiscard]] const std::vector<StraightLine>& lines() const { return lines_; }
 
   [[nodiscard]] std::size_t bad() const { return bad_; }  ///< triangles
-  [[nodiscard]] double cost() const { return cost_; }     ///< sum over bad triangles
+  /// Those of them that are bad not only by the sign of an angle opposite to a piece.
+  [[nodiscard]] std::size_t grave() const { return grave_; }
+  [[nodiscard]] double cost() const { return cost_; }  ///< sum over bad triangles
 
   /// All steps up to here can be taken back together.
   [[nodiscard]] std::size_t mark() const { return journal_.size(); }
@@ -114,26 +118,30 @@ class MeshWithUndo {
 
   void link_all(const ConformingMesh& mesh);
   void make_delaunay();
-  [[nodiscard]] double cost_of(Point a, Point b, Point c, std::uint32_t region) const;
+  [[nodiscard]] double cost_of(const std::array<Point, 3>& p, const std::array<bool, 3>& is_piece,
+                               std::uint32_t region) const;
+  [[nodiscard]] double cost_of(const Triangle& t) const;
+  void count(const Triangle& t);
+  void discount(const Triangle& t);
   void write(std::uint32_t t, const Triangle& value);
   void save_vertex(std::uint32_t v);
   std::uint32_t new_triangle();
   void free_triangle(std::uint32_t t);
   void link(std::uint32_t beyond, std::uint32_t a, std::uint32_t b, std::uint32_t t);
   bool gather(const Spot& spot);
+  [[nodiscard]] std::array<std::uint32_t, 2> ends_of(const Spot& spot) const;
   bool star_of(std::uint32_t v);
   bool fill(std::span<Corner> corners, std::uint32_t region, std::vector<std::uint32_t>& slots);
   [[nodiscard]] bool is_ear(std::span<const Corner> corners, std::size_t k, bool delaunay) const;
 
   std::vector<RightAngles> angles_;
-  bool exactly_;
   std::vector<StraightLine> lines_;
   std::vector<Vertex> vertices_;
   std::vector<Triangle> triangles_;
   std::vector<std::uint32_t> free_;  ///< triangles, some of them not free any more
   std::vector<Written> journal_;
   std::vector<WrittenVertex> vertex_journal_;
-  std::size_t bad_ = 0;
+  std::size_t bad_ = 0, grave_ = 0;
   double cost_ = 0;
 
   // Of the last hole or star.
