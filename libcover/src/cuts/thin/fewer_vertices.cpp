@@ -159,6 +159,7 @@ class Thinner {
     const std::vector<std::uint32_t> taken = near(v, count);
     spares_.clear();
     starts_.clear();
+    spend(kRemoval);  // so that rounds end where nothing can be done
     for (const std::uint32_t u : taken) {
       const Point p = mesh_.at(u);
       if (!mesh_.remove(u)) continue;
