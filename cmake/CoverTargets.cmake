@@ -5,6 +5,13 @@
 function(cover_target target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wconversion -ffp-contract=off)
   target_compile_features(${target} PUBLIC cxx_std_20)
+  if(COVER_HARDENING)
+    # As packages of Debian are built. C functions are checked only where there is optimization.
+    target_compile_options(${target} PRIVATE -fstack-protector-strong
+      $<$<NOT:$<CONFIG:Debug>>:-U_FORTIFY_SOURCE> $<$<NOT:$<CONFIG:Debug>>:-D_FORTIFY_SOURCE=2>)
+    target_compile_definitions(${target} PRIVATE _GLIBCXX_ASSERTIONS)
+    target_link_options(${target} PRIVATE -Wl,-z,relro,-z,now)
+  endif()
 endfunction()
 
 # With COVER_UNITY_BUILD, files of one folder are compiled together, eight at most: a whole build

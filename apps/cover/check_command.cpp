@@ -237,16 +237,18 @@ Result<int> print_layers(const Prepared& prepared, const std::vector<std::string
   return code;
 }
 
-/// The option by which the run that made the mesh cut segments, as its manifest tells; else empty.
-std::string cutting_option(const std::string& path) {
+/// What made the run that wrote the mesh cut segments, as its manifest or the mesh itself tells;
+/// else empty.
+std::string cutting_option(const std::string& path, const MeshTriangles& mesh) {
+  const std::string by_itself = mesh.cut_vertices > 0 ? "its field data say so" : "";
   const Result<Output> known = read_output(path);
-  if (!known) return {};
+  if (!known) return by_itself;
   for (const auto& [name, value] : known->report.provenance.settings) {
     if (name == "split-interfaces" || name == "box-method" ||
         (name == "method" && value == "nonobtuse"))
       return fmt::format("--{} {}", name, value);
   }
-  return {};
+  return by_itself;
 }
 
 }  // namespace
@@ -314,7 +316,7 @@ Examples:
   verify.material_numbers = mesh->has_materials;
   Verification found = verify_cover(prepared->pslg, prepared->table, mesh->soup, verify);
   if (const auto cut = cut_on_arcs(found, *prepared, mesh->soup, verify)) {
-    const std::string option = cutting_option(mesh_path);
+    const std::string option = cutting_option(mesh_path, *mesh);
     if (!verify.allow_split && option.empty()) {
       fmt::print(
           "Arcs are cut at {} points on them; all else is sound. If they were to be cut, add "
@@ -329,7 +331,7 @@ Examples:
       prepared->table = cut->table;
     }
   } else if (is_split_only(found, *prepared, mesh->soup, verify)) {
-    const std::string option = cutting_option(mesh_path);
+    const std::string option = cutting_option(mesh_path, *mesh);
     if (option.empty()) {
       fmt::print(
           "Segments have vertices inside; all else is sound. If they were to be cut, as by "

@@ -17,6 +17,7 @@ struct MeshTriangles {
   /// soup.material holds the numbers of the groups.
   bool has_materials = true;
   std::vector<std::array<Point, 3>> middles{};  ///< as MeshFile::middles
+  std::size_t cut_vertices = 0;                 ///< as MeshFile::cut_vertices
 };
 
 /// The triangles of a mesh, as .vtm or in any format of read_mesh(). Formats that have groups

@@ -1152,7 +1152,10 @@ class Check(Case):
         out, _ = self.run_cover('check', diode, 'd.vtu', '--no-bound')
         self.assertRegex(out, r'^All that was checked holds.*\nRegions beside .*\nNot checked: the bound on the largest angle \(promise 3\)\n$')
         self.run_cover('mesh', diode, '-o', 's.vtu', '--method', 'nonobtuse', '-q')
-        out, _ = self.run_cover('check', diode, 's.vtu', code=6)
+        out, _ = self.run_cover('check', diode, 's.vtu')
+        self.assertRegex(out, r'^Segments are cut at \d+ points by the run itself: its field data say so\nEvery promise holds')
+        self.run_cover('mesh', diode, '-o', 'alone.msh', '--method', 'nonobtuse', '-q')
+        out, _ = self.run_cover('check', diode, 'alone.msh', code=6)
         self.assertIn('add --allow-split', out.splitlines()[0])
         # A run that tells of its cuts is taken at its word, and its promises are checked on the pieces.
         self.run_cover('mesh', diode, '-o', 's.vtm', '-o', 's.json', '--method', 'nonobtuse', '-q')

@@ -192,7 +192,11 @@ TEST_F(AllocationFaults, EveryReaderEndsWithAnError) {
   for (const char* name :
        {"m.vtu", "m.vtm", "m.msh", "m.mesh", "m.inp", "m.ele", "m.vtk", "m.xdmf"})
     ASSERT_TRUE(write_mesh(output, (folder / name).string())) << name;
-  for (const char* name : {"g.poly", "m.msh", "m.vtu", "m.vtk"}) {
+  std::ofstream(folder / "g.json") << R"({"points": [[0, 0], [1, 0], [1, 1], [0, 1]],
+      "segments": [[0, 1], [1, 2], [2, 3], [3, 0]],
+      "polygons": [{"material": "a material that is long enough for a block of its own",
+                    "rings": [[[2, 0], [3, 0], [3, 1]], [[2.5, 0.1], [2.6, 0.1], [2.6, 0.2]]]}]})";
+  for (const char* name : {"g.poly", "g.json", "m.msh", "m.vtu", "m.vtk"}) {
     SCOPED_TRACE(std::string("input ") + name);
     const std::string path = (folder / name).string();
     let_allocations_fail([&]() -> Outcome {

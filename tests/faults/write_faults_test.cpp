@@ -204,6 +204,33 @@ TEST_P(WriteFaults, LoseNothing) {
   EXPECT_GE(most, 5) << "opened, locked, written, synced, renamed";
 }
 
+/// Triangle's files name no others, so nothing could tell a mixture of two meshes.
+TEST(WriteTriangleFaults, MixNoMeshesUnlessARenameFails) {
+  const testing::TemporaryFolder folder;
+  const fs::path place = folder.path() / "place";
+  const std::string path = place / "m.ele";
+  const Output old_output = mesh_of(1), new_output = mesh_of(2);
+  put({}, place);
+  ASSERT_TRUE(write_mesh(old_output, path));
+  const Files old_mesh = files_in(place);
+  testing::fail_call(0, 0);
+  ASSERT_TRUE(write_mesh(new_output, path));
+  const int calls = testing::end_of_failures();
+  const Files new_mesh = files_in(place);
+  ASSERT_EQ(new_mesh.size(), 3U);
+  int mixtures = 0;
+  for (int n = 1; n <= calls; ++n) {
+    put(old_mesh, place);
+    testing::fail_call(n, ENOSPC);
+    (void)write_mesh(new_output, path);
+    testing::end_of_failures();
+    const Files now = files_in(place);
+    mixtures += now != old_mesh && now != new_mesh ? 1 : 0;
+  }
+  EXPECT_GT(calls, 12);
+  EXPECT_LE(mixtures, 3) << "one for each rename";
+}
+
 std::string name_of(const ::testing::TestParamInfo<Case>& test) {
   std::string name = test.param.extension.substr(1);
   std::replace(name.begin(), name.end(), '.', '_');

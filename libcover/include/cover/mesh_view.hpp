@@ -53,8 +53,9 @@ struct PeriodicLines {
 /// name; all others by the groups that they separate. On the left of a line is its lower region
 /// that is not the void. Tags are the same whichever lines are left out.
 struct MeshView {
-  std::size_t corners = 0;    ///< points that are vertices of the mesh; the others are midpoints
-  std::vector<Point> points;  ///< in the order of the mesh
+  std::size_t corners = 0;       ///< points that are vertices of the mesh; the others are midpoints
+  std::vector<Point> points;     ///< in the order of the mesh
+  std::size_t cut_vertices = 0;  ///< that the run put on segments of the input, if that is known
 
   Cells triangles;                          ///< in the order of the mesh
   std::vector<RegionId> region;             ///< by triangle

@@ -39,6 +39,9 @@ struct MeshFile {
   /// By triangle, where all have six nodes: the middle nodes, from that of the first edge on. Not of
   /// .ele and .vtm.
   std::vector<std::array<Point, 3>> middles{};
+  /// Vertices that the run which wrote it put on segments of its input; 0 where that is not known:
+  /// only a .vtu tells.
+  std::size_t cut_vertices = 0;
 };
 
 /// Reads the triangles of a mesh, and its lines: .vtu, legacy .vtk, .vtkhdf, gmsh's .msh, .xdmf, Medit's

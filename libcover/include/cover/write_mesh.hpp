@@ -43,7 +43,7 @@ std::vector<std::string> write_formats();
 
 /// Writes VTK's XML unstructured grid: triangles only, float64 points, raw appended data; cell
 /// arrays material (first, for MFEM), MaterialID, mat_id, RegionId (Int32), max_angle and min_angle
-/// in degrees.
+/// in degrees. Where the run put vertices on segments, field data CutVertices is their number.
 Status write_vtu(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes VTK's format in HDF5 (VTKHDF 1.0, an unstructured grid of one piece): the triangles and

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <set>
+#include <numeric>
 #include <string_view>
 #include <tuple>
 
@@ -56,8 +56,8 @@ constexpr std::array<Headline, 4> kHeadlines{{{Change::Kind::merged, "merged"},
 
 namespace {
 
-/// The corners of all polygons, sorted.
-std::vector<Point> corners_of_polygons(const Network& network) {
+/// The network's points, those that are a corner of a polygon marked.
+std::vector<bool> corners_of_polygons(const Network& network) {
   std::vector<Point> corners;
   for (const Raw& raw : network.raws) {
     if (raw.origin.kind != Origin::Kind::ring) continue;
@@ -65,17 +65,54 @@ std::vector<Point> corners_of_polygons(const Network& network) {
     corners.push_back(raw.b);
   }
   std::sort(corners.begin(), corners.end());
-  return corners;
+  std::vector<bool> is_corner;
+  for (const Point& p : network.points)
+    is_corner.push_back(std::binary_search(corners.begin(), corners.end(), p));
+  return is_corner;
 }
+
+/// By point of the network: its place in the order of coordinates.
+std::vector<std::uint32_t> ranks_of_points(const Network& network) {
+  std::vector<std::uint32_t> order(network.points.size()), rank(order.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t v, std::uint32_t w) {
+    return network.points[v] < network.points[w];
+  });
+  for (std::uint32_t k = 0; k < order.size(); ++k) rank[order[k]] = k;
+  return rank;
+}
+
+/// The lines of `edges` by the line that they are a copy of, such as a border that two neighbours
+/// store: the first of the copies.
+std::vector<std::uint32_t> first_copies(const Network& network) {
+  std::vector<std::uint32_t> order(network.raws.size()), first(order.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto line = [&](std::uint32_t r) {
+    return std::pair<Point, Point>(std::minmax(network.raws[r].a, network.raws[r].b));
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t q, std::uint32_t r) { return line(q) < line(r); });
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const bool is_copy = k > 0 && line(order[k - 1]) == line(order[k]);
+    first[order[k]] = is_copy ? first[order[k - 1]] : order[k];
+  }
+  return first;
+}
+
+/// A line that was cut, and where.
+struct CutLine {
+  std::uint32_t raw = kNoIndex;  ///< the first of its copies that was
+  std::vector<std::uint32_t> points =
+      {};  ///< of the network, each at most as often as edges end there
+};
 
 }  // namespace
 
 void report_splits(const Input& input, const Network& network,
                    const std::vector<VisibleEdge>& edges, std::vector<Change>& changes) {
-  // Copies of one line, such as a border that two neighbours store, are told once.
-  using Line = std::pair<Point, Point>;
-  std::map<Line, std::pair<std::uint32_t, std::set<Point>>> cuts;
-  const std::vector<Point> corners = corners_of_polygons(network);
+  const std::vector<bool> is_corner = corners_of_polygons(network);
+  const std::vector<std::uint32_t> copy_of = first_copies(network);
+  std::vector<CutLine> cuts(network.raws.size());  // by the first of copies
   for (const VisibleEdge& edge : edges) {
     for (const std::uint32_t r : edge.raws) {
       const Raw& raw = network.raws[r];
@@ -83,22 +120,26 @@ void report_splits(const Input& input, const Network& network,
         const Point p = network.points[v];
         if (p == raw.a || p == raw.b) continue;
         // That a polygon's side ends in the middle of another's is what painting is for.
-        if (raw.origin.kind == Origin::Kind::ring &&
-            std::binary_search(corners.begin(), corners.end(), p))
-          continue;
-        auto& [first, places] =
-            cuts.try_emplace(std::minmax(raw.a, raw.b), r, std::set<Point>()).first->second;
-        first = std::min(first, r);
-        places.insert(p);
+        if (raw.origin.kind == Origin::Kind::ring && is_corner[v]) continue;
+        CutLine& cut = cuts[copy_of[r]];
+        cut.raw = std::min(cut.raw, r);
+        cut.points.push_back(v);
       }
     }
   }
-  std::vector<std::pair<std::uint32_t, std::vector<Point>>> ordered;
-  for (const auto& [line, cut] : cuts) {
-    ordered.emplace_back(cut.first, std::vector<Point>(cut.second.begin(), cut.second.end()));
-  }
-  std::sort(ordered.begin(), ordered.end());
-  for (auto& [raw, where] : ordered) {
+  std::erase_if(cuts, [](const CutLine& cut) { return cut.points.empty(); });
+  std::sort(cuts.begin(), cuts.end(),
+            [](const CutLine& c, const CutLine& d) { return c.raw < d.raw; });
+  const std::vector<std::uint32_t> rank = ranks_of_points(network);
+  for (CutLine& cut : cuts) {
+    std::sort(cut.points.begin(), cut.points.end(),
+              [&](std::uint32_t v, std::uint32_t w) { return rank[v] < rank[w]; });
+    cut.points.erase(std::unique(cut.points.begin(), cut.points.end()), cut.points.end());
+    std::vector<Point> where;
+    where.reserve(cut.points.size());
+    for (const std::uint32_t v : cut.points) where.push_back(network.points[v]);
+    cut.points = {};
+    const std::uint32_t raw = cut.raw;
     std::string message =
         fmt::format("{} was split at {}", name_of_raw(input, network, raw), list_of(where));
     changes.push_back({Change::Kind::split,

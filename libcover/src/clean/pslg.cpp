@@ -88,7 +88,7 @@ Result<EdgeGraph> paint_over(const Input& input, const Options& options, Network
 Result<Pslg> clean_up(const Input& input, const Options& options, Report& report) {
   Network network = gather(input, report.changes);
   const double weld = options.weld.value_or(input.polygons.empty() ? 0 : kAutoWeld);
-  EdgeGraph graph = weld > 0 ? weld_and_node(input, weld, network, report.changes)
+  EdgeGraph graph = weld > 0 ? weld_and_node(input, weld, network, report.changes, !options.weld)
                              : node_edges(network, !input.polygons.empty() || !input.lines.empty());
   std::vector<EdgeOwners> owners;
   std::vector<std::optional<double>> sizes;
@@ -125,7 +125,11 @@ std::string why(const Report& report) {
   }
   std::string out;
   for (std::size_t k = 0; k < std::min(kMost, told.size()); ++k) out += "; " + told[k];
-  return out + (told.size() > kMost ? fmt::format("; and {} more", told.size() - kMost) : "");
+  if (told.size() > kMost) out += fmt::format("; and {} more", told.size() - kMost);
+  const bool was_welded = std::any_of(report.changes.begin(), report.changes.end(),
+                                      [](const auto& c) { return c.kind == Change::Kind::welded; });
+  return out +
+         (was_welded ? "; ends nearer than --weld were united before: --weld off leaves them" : "");
 }
 
 bool is_empty(const Input& input) {

@@ -17,6 +17,7 @@
 #include <cover/text.hpp>
 
 #include "geom/box.hpp"
+#include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -75,12 +76,55 @@ std::vector<double> limits(const Network& drawing, double tolerance) {
   return out;
 }
 
+/// What must not be welded: corners of some polygons to edges and other corners of the same one.
+class Kept {
+ public:
+  Kept(const Network& drawing, const std::vector<bool>& polygons) {
+    if (std::find(polygons.begin(), polygons.end(), true) == polygons.end()) return;
+    for (const Strand& s : drawing.strands) {
+      const Origin origin = drawing.raws[s.raw].origin;
+      if (origin.kind != Origin::Kind::ring || !polygons[origin.index]) continue;
+      edges_.push_back({{std::min(s.a, s.b), std::max(s.a, s.b)}, origin.index});
+      corners_.push_back({s.a, origin.index});
+      corners_.push_back({s.b, origin.index});
+    }
+    std::sort(edges_.begin(), edges_.end());
+    std::sort(corners_.begin(), corners_.end());
+  }
+  /// Whether a line between u and v must not be bent to w: it may be the copy of an edge that another
+  /// polygon has.
+  [[nodiscard]] bool forbids(std::uint32_t w, std::uint32_t u, std::uint32_t v) const {
+    const IndexPair ends{std::min(u, v), std::max(u, v)};
+    auto edge = std::lower_bound(edges_.begin(), edges_.end(), std::pair(ends, 0U));
+    for (; edge != edges_.end() && edge->first == ends; ++edge) {
+      if (has_corner(w, edge->second)) return true;
+    }
+    return false;
+  }
+  /// Whether two corners must not become one.
+  [[nodiscard]] bool forbids(std::uint32_t u, std::uint32_t w) const {
+    auto corner = std::lower_bound(corners_.begin(), corners_.end(), std::pair(u, 0U));
+    for (; corner != corners_.end() && corner->first == u; ++corner) {
+      if (has_corner(w, corner->second)) return true;
+    }
+    return false;
+  }
+
+ private:
+  [[nodiscard]] bool has_corner(std::uint32_t v, std::uint32_t polygon) const {
+    return std::binary_search(corners_.begin(), corners_.end(), std::pair(v, polygon));
+  }
+
+  std::vector<std::pair<IndexPair, std::uint32_t>> edges_;        ///< and their polygons, sorted
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> corners_;  ///< and their polygons, sorted
+};
+
 /// Looks for what nearly touches.
 class Search {
  public:
   Search(const Network& drawing, const Network& noded, const EdgeGraph& graph,
-         const std::vector<double>& limit)
-      : drawing_(drawing), noded_(noded), graph_(graph), limit_(limit) {
+         const std::vector<double>& limit, const Kept& kept)
+      : drawing_(drawing), noded_(noded), graph_(graph), limit_(limit), kept_(kept) {
     for (const Strand& s : drawing.strands) {
       neighbours_.push_back({std::min(s.a, s.b), std::max(s.a, s.b)});
     }
@@ -143,6 +187,7 @@ class Search {
     if (!(distance <= std::min(limit_[u], limit_[w]))) return;
     const IndexPair pair{std::min(u, w), std::max(u, w)};
     if (std::binary_search(neighbours_.begin(), neighbours_.end(), pair)) return;
+    if (kept_.forbids(u, w)) return;
     pairs.push_back({distance, pair[0], pair[1]});
   }
 
@@ -157,7 +202,9 @@ class Search {
       const double distance = distance_from_segment(raw.a, raw.b, at(w));
       const double place = place_on(raw.a, raw.b, at(w));
       const bool is_inside = place * whole > limit && (1 - place) * whole > limit;
-      if (distance <= limit && is_inside) lines.push_back({s.raw, place, w, distance});
+      const Strand& line = drawing_.strands[s.raw];
+      if (distance <= limit && is_inside && !kept_.forbids(w, line.a, line.b))
+        lines.push_back({s.raw, place, w, distance});
     }
   }
 
@@ -165,6 +212,7 @@ class Search {
   const Network& noded_;
   const EdgeGraph& graph_;
   const std::vector<double>& limit_;
+  const Kept& kept_;
   std::vector<IndexPair> neighbours_;  ///< pairs of ends with a line between them
   std::vector<std::pair<std::uint32_t, int>> stack_;
 };
@@ -283,22 +331,83 @@ class Welder {
   bool changed_ = false;
 };
 
-}  // namespace
-
-EdgeGraph weld_and_node(const Input& input, double relative, Network& network,
-                        std::vector<Change>& changes) {
-  if (relative <= 0 || network.strands.empty()) return node_edges(network);
-  const double tolerance = relative * size_of(network);
+EdgeGraph weld_once(const Input& input, double tolerance, Network& network,
+                    std::vector<Change>& changes, const std::vector<bool>& kept_polygons) {
   for (int round = 0;; ++round) {
     Network noded = network;
     EdgeGraph graph = node_edges(noded);
     const std::vector<double> limit = limits(network, tolerance);
-    Search search(network, noded, graph, limit);
+    const Kept kept(network, kept_polygons);
+    Search search(network, noded, graph, limit, kept);
     if (round < kMostRounds) search.run();
     if (!Welder(input, network, limit, changes).weld(search.pairs, search.lines)) {
       network = std::move(noded);
       return graph;
     }
+  }
+}
+
+/// By polygon: whether it is drawn wider than rounding.
+std::vector<bool> wide_polygons(const Input& input, const Network& drawing) {
+  constexpr double kUnits = 4;  // in the last place of the largest coordinate
+  std::vector<double> area(input.polygons.size(), 0), around(area);
+  const Point origin = drawing.points.front();
+  for (const Strand& s : drawing.strands) {
+    const Origin from = drawing.raws[s.raw].origin;
+    if (from.kind != Origin::Kind::ring) continue;
+    const Point a = drawing.points[s.a], b = drawing.points[s.b];
+    area[from.index] += cross(a - origin, b - origin);
+    around[from.index] += length(b - a);
+  }
+  const double rounding = kUnits * spacing_of(drawing.points);
+  std::vector<bool> out;
+  for (std::size_t p = 0; p < area.size(); ++p)
+    out.push_back(std::abs(area[p]) > rounding * around[p]);
+  return out;
+}
+
+/// By polygon: whether an edge has it on one side alone.
+std::vector<bool> polygons_with_inside(const Input& input, const Network& noded,
+                                       const EdgeGraph& graph) {
+  std::vector<bool> out(input.polygons.size(), false);
+  std::vector<std::uint32_t> here;
+  for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+    here.clear();
+    for (const Strand& s : graph.strands(noded, e)) {
+      const Origin from = noded.raws[s.raw].origin;
+      if (from.kind == Origin::Kind::ring) here.push_back(from.index);
+    }
+    std::sort(here.begin(), here.end());
+    for (auto first = here.begin(), last = first; first != here.end(); first = last) {
+      last = std::upper_bound(first, here.end(), *first);
+      if ((last - first) % 2 != 0) out[*first] = true;
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+EdgeGraph weld_and_node(const Input& input, double relative, Network& network,
+                        std::vector<Change>& changes, bool keep_polygons) {
+  if (relative <= 0 || network.strands.empty()) return node_edges(network);
+  const double tolerance = relative * size_of(network);
+  const std::vector<bool> wide = wide_polygons(input, network);
+  const Network drawing = keep_polygons ? network : Network{};
+  const std::size_t known = changes.size();
+  std::vector<bool> kept(input.polygons.size(), false);
+  for (;;) {  // each time with more polygons kept
+    EdgeGraph graph = weld_once(input, tolerance, network, changes, kept);
+    if (!keep_polygons || changes.size() == known) return graph;
+    const std::vector<bool> has_inside = polygons_with_inside(input, network, graph);
+    bool any_vanished = false;
+    for (std::size_t p = 0; p < kept.size(); ++p) {
+      if (has_inside[p] || !wide[p] || kept[p]) continue;
+      kept[p] = any_vanished = true;
+    }
+    if (!any_vanished) return graph;
+    network = drawing;
+    changes.erase(changes.begin() + static_cast<std::ptrdiff_t>(known), changes.end());
   }
 }
 

@@ -18,10 +18,12 @@ namespace cover {
 /// eighth of the shortest line that ends there. So a layer, however thin, whose drawing has an edge
 /// across it stays: nothing at its corners moves by more than an eighth of that edge. An edge is
 /// never shrunk to a point.
+/// With `keep_polygons`, a polygon that is wider than rounding does not vanish: where welding would
+/// make all of its edges cancel each other, its corners are not welded to its own edges.
 /// Every weld is appended to `changes`.
 /// REQUIRES: one strand per raw line
 /// Cost:     that of node_edges, a pass more for each generation of welds.
 EdgeGraph weld_and_node(const Input& input, double relative, Network& network,
-                        std::vector<Change>& changes);
+                        std::vector<Change>& changes, bool keep_polygons = false);
 
 }  // namespace cover

@@ -1,5 +1,5 @@
 // A segment that is no edge of the mesh is followed from vertex to vertex; a vertex that is a point
-// of the input already lies on no other segment, so it ends the search. Tested by
+// of the input already lies on no other segment, so no way leads through it. Tested by
 // tests/unit/cuts/adopt_cuts_test.cpp.
 #include <cover/remesh.hpp>
 
@@ -66,14 +66,11 @@ class Adopter {
     const std::uint32_t from = forward ? *a : *b, to = forward ? *b : *a;
     if (edges_.find(from, to)) return {};
     std::vector<std::uint32_t> vertices;
-    for (const std::size_t edge : edges_.along(from, to, offset_)) {
+    for (const std::size_t edge : edges_.along(from, to, offset_, is_input_)) {
       vertices.push_back(edges_.all()[edge].to);
     }
     if (vertices.empty()) return {};
     vertices.pop_back();  // the segment's end
-    if (std::any_of(vertices.begin(), vertices.end(), [&](auto v) { return is_input_[v]; })) {
-      return {};
-    }
     if (!forward) std::reverse(vertices.begin(), vertices.end());
     return vertices;
   }

@@ -27,10 +27,8 @@ namespace {
 constexpr std::size_t kTriangles = 64;    ///< in an excerpt
 constexpr std::uint32_t kCutAround = 16;  ///< triangles of it whose sides may be cut
 constexpr double kEnd = 0.01;             ///< of a side: no cut is nearer to its ends
-constexpr std::uint64_t kEvaluationsPerPoint = 20000;
-constexpr std::uint64_t kEvaluationsAtLeast = 3'000'000;
-constexpr std::size_t kKicked = 5;  ///< trials that are kicked
-constexpr double kGain = 0.2;       ///< of its excess, that the worst triangle must win for a cut
+constexpr std::size_t kKicked = 5;        ///< trials that are kicked
+constexpr double kGain = 0.2;  ///< of its excess, that the worst triangle must win for a cut
 
 /// Cuts side `s` of `mesh`, and `r` on the other side of its segment (kNone: the void), at `m`, a
 /// fixed vertex without triangles. The parts at the starts of both keep their numbers, both parts
@@ -87,8 +85,7 @@ class Search {
   Search(JoinedRegions& whole, const Goal& goal) : whole_(whole), goal_(goal) {}
 
   /// Returns whether it ended because the budget was used up.
-  bool run(std::stop_token stop) {
-    Budget budget{kEvaluationsAtLeast + kEvaluationsPerPoint * whole_.points(), stop};
+  bool run(Budget& budget) {
     std::vector<std::uint32_t> queue = whole_.triangles_above();
     for (std::size_t head = 0; head < queue.size() && !budget.is_used_up(); ++head) {
       const std::uint32_t t = queue[head];
@@ -195,12 +192,11 @@ class Search {
 }  // namespace
 
 CutResult cut_and_improve(Pslg& pslg, RegionTable& table, std::vector<RegionBoundary>& boundaries,
-                          std::vector<RegionMesh>& meshes, const Options& options,
-                          std::stop_token stop) {
+                          std::vector<RegionMesh>& meshes, const Options& options, Budget& budget) {
   const Goal goal = Goal::of(options.max_angle, options.min_angle);
   JoinedRegions joined(pslg, boundaries, meshes, goal);
   const std::size_t before = joined.triangles_above().size();
-  const bool budget_used_up = Search(joined, goal).run(stop);
+  const bool budget_used_up = Search(joined, goal).run(budget);
   if (!joined.has_changed() || !joined.is_valid()) return {before, budget_used_up};
   Pslg cut_pslg = pslg;
   RegionTable cut_table = table;
@@ -208,7 +204,9 @@ CutResult cut_and_improve(Pslg& pslg, RegionTable& table, std::vector<RegionBoun
   std::vector<RegionBoundary> cut_boundaries = split_regions(cut_pslg, cut_table);
   std::vector<RegionMesh> cut_meshes = meshes;
   joined.separate(cut_pslg, cut_boundaries, cut_meshes);
-  for (std::size_t r = 0; r < cut_meshes.size(); ++r) {  // cuts may be too near to each other
+  // Cuts may be too near to each other, or through a thin void to another region.
+  if (!triangulate_whole(cut_pslg).conflicts.empty()) return {before, budget_used_up};
+  for (std::size_t r = 0; r < cut_meshes.size(); ++r) {
     const RegionBoundary& boundary = cut_boundaries[r];
     if (find_fault({all_points(boundary, cut_meshes[r]), cut_meshes[r].triangles, boundary.sides,
                     boundary.segments, boundary.points.size()}))

@@ -8,6 +8,7 @@
 #include <cover/pslg.hpp>
 #include <cover/regions.hpp>
 
+#include "quality/effort/budget.hpp"
 #include "region/region_boundary.hpp"
 #include "target/region_mesh.hpp"
 
@@ -27,9 +28,9 @@ struct CutResult {
 /// ENSURES:  `pslg`, `table`, `boundaries` and `meshes` stay in step, but for the reports of the
 ///           meshes; neither the largest angle nor the number of triangles above the target grows;
 ///           at most as many points are added as there were
-/// Cost:     O(n log n), and some milliseconds for each triangle that is left
+/// Cost:     O(n log n), and some milliseconds for each triangle that is left, until `budget` is
+///           used up
 CutResult cut_and_improve(Pslg& pslg, RegionTable& table, std::vector<RegionBoundary>& boundaries,
-                          std::vector<RegionMesh>& meshes, const Options& options,
-                          std::stop_token stop);
+                          std::vector<RegionMesh>& meshes, const Options& options, Budget& budget);
 
 }  // namespace cover

@@ -118,4 +118,11 @@ void cut_segments(Pslg& pslg, RegionTable& table, std::span<const SegmentCut> cu
   table.sides = std::move(sides);
 }
 
+CdtResult triangulate_whole(const Pslg& pslg) {
+  std::vector<IndexPair> segments;
+  segments.reserve(pslg.segments.size());
+  for (const Segment& s : pslg.segments) segments.push_back({s.a.value(), s.b.value()});
+  return triangulate_hull(pslg.points, segments);
+}
+
 }  // namespace cover

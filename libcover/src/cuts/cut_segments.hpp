@@ -7,6 +7,8 @@
 #include <cover/pslg.hpp>
 #include <cover/regions.hpp>
 
+#include "cdt/cdt.hpp"
+
 namespace cover {
 
 /// New points on a segment, from its end a to its end b.
@@ -25,5 +27,11 @@ struct SegmentCut {
 ///           beside a chord of an arc, areas and lengths follow.
 /// Cost:     O(n).
 void cut_segments(Pslg& pslg, RegionTable& table, std::span<const SegmentCut> cuts);
+
+/// The constrained Delaunay triangulation of all of it, the void too. Its conflicts are what meets
+/// where it should not: rounded cuts may have closed a gap.
+/// EXACT: yes
+/// Cost:  O(n log n)
+CdtResult triangulate_whole(const Pslg& pslg);
 
 }  // namespace cover

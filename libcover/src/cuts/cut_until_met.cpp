@@ -5,6 +5,8 @@
 // Tested by tests/unit/cuts/cut_and_improve_test.cpp.
 #include "cuts/cut_until_met.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include <fmt/core.h>
@@ -29,6 +31,12 @@ constexpr int kRounds = 6;
 /// cut. Towards 90 degrees all rounds may be needed: flat layers get worse before they get better.
 constexpr int kInVain = 2;
 constexpr std::size_t kMostPoints = 4;  ///< times those at first: then there are no more rounds
+/// Evaluations of all searches together, by points at first: some seconds for some thousand points.
+/// Each search has half of what the ones before it left.
+constexpr std::uint64_t kEvaluationsPerPoint = 20'000;
+constexpr std::uint64_t kEvaluationsAtLeast = 3'000'000;
+constexpr std::uint64_t kMostEvaluations = 20'000'000;
+constexpr std::uint64_t kMostEvaluationsPerPoint = 1'000;
 constexpr std::size_t kMany =
     4;  ///< one triangle above for so many points is too many for a search
 
@@ -43,10 +51,14 @@ struct State {
 
 class Rounds {
  public:
-  Rounds(const Options& options, const Callbacks& callbacks)
+  Rounds(const Options& options, const Callbacks& callbacks, std::uint64_t points)
       : options_(options),
         callbacks_(callbacks),
-        goal_(Goal::of(options.max_angle, options.min_angle)) {}
+        goal_(Goal::of(options.max_angle, options.min_angle)),
+        budget_{
+            kEvaluationsAtLeast + std::min(kEvaluationsPerPoint * points,
+                                           kMostEvaluations + kMostEvaluationsPerPoint * points),
+            callbacks.stop} {}
 
   /// Halves segments beside the triangles that are left and meshes again.
   Status halve(State& state) const {
@@ -70,12 +82,14 @@ class Rounds {
   }
 
   /// Works on the triangles above the target if they are few; counts them.
-  Status improve(State& state) const {
+  Status improve(State& state) {
     return errors_as_values("cut and improve", [&] {
       state.left = {joined(state).triangles_above().size(), false};
       if (state.left.above > 0 && kMany * state.left.above <= state.pslg.points.size()) {
+        Budget part = budget_.share(2);
         state.left = cut_and_improve(state.pslg, state.table, state.boundaries, state.meshes,
-                                     options_, callbacks_.stop);
+                                     options_, part);
+        budget_.take_back(part);
       }
       return ok();
     });
@@ -98,6 +112,7 @@ class Rounds {
   const Options& options_;
   const Callbacks& callbacks_;
   Goal goal_;
+  Budget budget_;
 };
 
 /// What was cut since there were `before` points.
@@ -126,7 +141,7 @@ Status cut_until_met(Prepared& prepared, std::vector<RegionBoundary>& boundaries
   // Layers stay as they are.
   if (!options.layers.empty()) return ok();
   const std::size_t points = pslg.points.size();
-  const Rounds rounds(options, callbacks);
+  Rounds rounds(options, callbacks, points);
   State best{std::move(pslg), std::move(table), std::move(boundaries), std::move(meshes), {}};
   Status status = rounds.improve(best);
   State now = best;

@@ -9,6 +9,7 @@
 #include "cuts/split_interfaces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -200,18 +201,27 @@ class Splitter {
     return foot;
   }
 
-  /// What lies in the void belongs to no region, and cuts must not meet it either.
+  /// Whether a cut of the last pass lies beside the void.
+  [[nodiscard]] bool has_cut_void() const {
+    return std::any_of(before_->cuts.begin(), before_->cuts.end(), [&](const SegmentCut& cut) {
+      const SegmentSides& sides = before_->table.sides[cut.segment.index()];
+      return sides.left == kVoid || sides.right == kVoid;
+    });
+  }
+
+  /// What lies in the void belongs to no region, and cuts must not meet it either; nor may cuts of
+  /// two regions meet through a void between them that rounding closes.
   void look_at_void() {
-    if (table_.void_segments.empty() && table_.void_points.empty()) return;
-    std::vector<IndexPair> segments;
-    segments.reserve(pslg_.segments.size());
-    for (const Segment& s : pslg_.segments) segments.push_back({s.a.value(), s.b.value()});
-    const CdtResult cdt = triangulate_hull(pslg_.points, segments);
-    for (const CdtConflict& conflict : cdt.conflicts) {
+    if (table_.void_segments.empty() && table_.void_points.empty() && !has_cut_void()) return;
+    const CdtResult whole = triangulate_whole(pslg_);
+    if (whole.conflicts.empty() && !table_.hull_sides.empty()) look_at_hull(whole.triangulation);
+    for (const CdtConflict& conflict : whole.conflicts) {
       const bool first_is_point = conflict.kind != CdtConflict::Kind::crossing;
       const bool second_is_point = conflict.kind == CdtConflict::Kind::duplicate_point;
       const auto note = [&](std::uint32_t k, bool is_point) {
-        const IndexPair ends = is_point ? IndexPair{k, k} : segments[k];
+        const IndexPair ends =
+            is_point ? IndexPair{k, k}
+                     : IndexPair{pslg_.segments[k].a.value(), pslg_.segments[k].b.value()};
         for (const std::uint32_t v : ends) {
           if (v >= before_->pslg.points.size()) broken_.emplace_back(v);
         }
@@ -219,6 +229,25 @@ class Splitter {
       note(conflict.first, first_is_point);
       note(conflict.second, second_is_point);
       if (broken_.empty()) throw InternalFault("segments meet in the void", {});
+    }
+  }
+
+  /// A cut beside a side of the hull that is in line with it may lie outside by rounding; the hull
+  /// would have another side then.
+  void look_at_hull(const Triangulation& whole) {
+    std::vector<std::array<VertexId, 2>> sides;
+    for (const HullSide& side : table_.hull_sides) sides.push_back({side.a, side.b});
+    std::sort(sides.begin(), sides.end());
+    for (const Triangle& t : whole.triangles) {
+      for (int i = 0; i < 3; ++i) {
+        if (t.n[static_cast<std::size_t>(i)] != kNone || t.is_locked(i)) continue;
+        const std::array<VertexId, 2> ends{VertexId{t.v[static_cast<std::size_t>(next3(i))]},
+                                           VertexId{t.v[static_cast<std::size_t>(prev3(i))]}};
+        if (std::binary_search(sides.begin(), sides.end(), ends)) continue;
+        for (const VertexId v : ends) {
+          if (v.index() >= before_->pslg.points.size()) broken_.push_back(v);
+        }
+      }
     }
   }
 

@@ -35,7 +35,8 @@ std::vector<std::uint32_t> spatial_order(std::span<const Point> points) {
   for (std::uint32_t k = 0; k < n; ++k) by_y[k] = {points[k].y, k};
   std::sort(by_y.begin(), by_y.end());
 
-  const int bits = std::bit_width(n), levels = std::min(bits, kMostLevels), spare = bits - levels;
+  const int bits = static_cast<int>(std::bit_width(n)), levels = std::min(bits, kMostLevels),
+            spare = bits - levels;
   std::vector<std::uint64_t> keys(n);
   for (std::uint32_t rank = 0; rank < n; ++rank) {
     const std::uint32_t k = by_y[rank].second;

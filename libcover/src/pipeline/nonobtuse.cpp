@@ -298,6 +298,11 @@ class Nonobtuse {
     faults_[r] = find_fault({all_points(boundary, mesh), mesh.triangles, boundary.sides,
                              boundary.segments, boundary.points.size()});
     measure(boundary, mesh);
+    if (fillings_[r].target_reached) return;
+    for (Note& note : mesh.report.notes) {
+      if (note.kind == Note::Kind::bound_missed)
+        note.message += fmt::format(": {}; use another method", fillings_[r].remark);
+    }
   }
 
   Pslg& pslg_;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 
 #include <fmt/core.h>
 
@@ -24,6 +25,8 @@ namespace {
 constexpr double kCotangentOf150 = -std::numbers::sqrt3;
 /// Of cotangents: how far below zero they are counted.
 constexpr double kRightAngle = kAsGoodAsRight;
+/// Spacings of doubles: a triangle that is no higher than that cannot be divided.
+constexpr double kNoRoom = 64;
 
 /// A triangle from its largest angle's corner on.
 struct Sorted {
@@ -91,13 +94,23 @@ IndexTriple worst_triangle(std::span<const Point> points, std::span<const IndexT
 
 Note bound_missed(const RegionReport& report, std::span<const Point> points, IndexTriple worst) {
   const Point a = points[worst[0]], b = points[worst[1]], c = points[worst[2]];
+  const Sorted s = sort_corners(a, b, c);
+  const double height = std::abs(cross(s.p - s.apex, s.q - s.apex)) / length(s.q - s.p);
+  const double spacing = spacing_at(largest_coordinate(points));
+  std::string why;
+  if (height < kNoRoom * spacing) {
+    why = fmt::format(
+        ": it is {:.2g} high where doubles are {:.2g} apart, which leaves no room for a vertex "
+        "beside it (--weld joins points so near to each other)",
+        height, spacing);
+  }
   return {Note::Kind::bound_missed,
           report.id,
           fmt::format("region {}: the triangle ({}, {}), ({}, {}), ({}, {}) has an angle of {:.9g} "
-                      "degrees; the bound is {:.9g}",
+                      "degrees; the bound is {:.9g}{}",
                       report.id.value(), a.x, a.y, b.x, b.y, c.x, c.y,
                       report.quality.largest_nu.supplement().in_degrees(),
-                      report.nu_bound.supplement().in_degrees()),
+                      report.nu_bound.supplement().in_degrees(), why),
           {a, b, c}};
 }
 

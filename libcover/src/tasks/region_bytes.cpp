@@ -119,7 +119,7 @@ class ByteWriter {
   template <class T>
   requires requires(const T& value) { members(value); }
   void put(const T& value) {
-    std::apply([this](const auto&... member) { (put(member), ...); }, members(value));
+    std::apply([this](const auto&... member) { (this->put(member), ...); }, members(value));
   }
   [[nodiscard]] Bytes take() { return std::move(bytes_); }
 
@@ -156,7 +156,7 @@ class ByteReader {
   template <class T>
   requires requires(T& value) { members(value); }
   void get(T& value) {
-    std::apply([this](auto&... member) { (get(member), ...); }, members(value));
+    std::apply([this](auto&... member) { (this->get(member), ...); }, members(value));
   }
   /// Whether all was there, and nothing is left.
   [[nodiscard]] bool whole() const { return !short_ && rest_.empty(); }

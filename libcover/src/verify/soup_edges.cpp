@@ -56,10 +56,10 @@ std::optional<std::size_t> SoupEdges::find(std::uint32_t from, std::uint32_t to)
 }
 
 std::vector<std::size_t> SoupEdges::along(std::uint32_t from, std::uint32_t to, double offset,
-                                          bool outer) const {
+                                          const std::vector<bool>& barred, bool outer) const {
   std::vector<std::size_t> way;
   for (std::uint32_t at = from; at != to;) {
-    const auto edge = next_along(from, at, to, offset, outer);
+    const auto edge = next_along(from, at, to, offset, barred, outer);
     if (!edge) return {};
     way.push_back(*edge);
     at = edges_[*edge].to;
@@ -70,6 +70,7 @@ std::vector<std::size_t> SoupEdges::along(std::uint32_t from, std::uint32_t to, 
 /// The edge that leaves `from` along the line from `start` to `to`.
 std::optional<std::size_t> SoupEdges::next_along(std::uint32_t start, std::uint32_t from,
                                                  std::uint32_t to, double offset,
+                                                 const std::vector<bool>& barred,
                                                  bool outer) const {
   const Point origin = soup_.points[start], end = soup_.points[to];
   const Vector along = end - origin;
@@ -77,6 +78,7 @@ std::optional<std::size_t> SoupEdges::next_along(std::uint32_t start, std::uint3
   std::optional<std::size_t> best;
   double best_slope = 0;
   for (std::size_t k = first_[from]; k < first_[from + 1]; ++k) {
+    if (edges_[k].to != to && barred[edges_[k].to]) continue;
     if (outer && find(edges_[k].to, from)) continue;
     const Point p = soup_.points[edges_[k].to];
     const Vector step = p - soup_.points[from];

@@ -34,8 +34,11 @@ class SoupEdges {
 
   /// The edges that lead from one vertex to another along the straight line between them, one after
   /// the other; none if there is no such way. Their ends may be off the line by `offset`. With
-  /// `outer`, they have no triangle on their other side.
+  /// `outer`, they have no triangle on their other side. `barred`, by vertex: where no way leads
+  /// through, such as points of a clean input, which lie inside no segment; so ways along segments
+  /// that are nearer to each other than `offset` are told apart.
   [[nodiscard]] std::vector<std::size_t> along(std::uint32_t from, std::uint32_t to, double offset,
+                                               const std::vector<bool>& barred,
                                                bool outer = false) const;
 
   /// The triangles set aside.
@@ -49,6 +52,7 @@ class SoupEdges {
  private:
   [[nodiscard]] std::optional<std::size_t> next_along(std::uint32_t start, std::uint32_t from,
                                                       std::uint32_t to, double offset,
+                                                      const std::vector<bool>& barred,
                                                       bool outer) const;
 
   const TriangleSoup& soup_;

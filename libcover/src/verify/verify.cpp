@@ -149,11 +149,14 @@ class Verifier {
 
   void check_points() {
     vertex_.assign(pslg_.points.size(), std::nullopt);
+    is_input_.assign(mesh_.points.size(), false);
     for (std::uint32_t v = 0; v < pslg_.points.size(); ++v) {
       if (domain_.point_region[v] == kVoid) continue;
       vertex_[v] = edges_.vertex_at(pslg_.points[v]);
       if (!vertex_[v]) {
         add(Kind::point, 1, input_point(v) + " is no vertex of the mesh", {pslg_.points[v]});
+      } else {
+        is_input_[*vertex_[v]] = true;
       }
     }
   }
@@ -163,8 +166,8 @@ class Verifier {
     const std::size_t segment_sides = 2 * pslg_.segments.size();
     for (std::uint32_t s = 0; s < segment_sides; s += 2) {
       if (domain_.sides[s].region == kVoid && domain_.sides[s + 1].region == kVoid) continue;
-      const bool whole = check_side(s) & check_side(s + 1);  // both are to be looked at
-      result_.segments_whole += whole ? 1 : 0;
+      const bool left = check_side(s), right = check_side(s + 1);
+      result_.segments_whole += left && right ? 1 : 0;
     }
     for (auto s = static_cast<std::uint32_t>(segment_sides); s < domain_.sides.size(); ++s) {
       check_side(s);
@@ -212,7 +215,7 @@ class Verifier {
   bool mark_pieces(std::uint32_t s, std::uint32_t from, std::uint32_t to) {
     const bool is_outer = domain_.sides[s].hull || domain_.sides[s ^ 1].region == kVoid;
     const std::vector<std::size_t> pieces =
-        edges_.along(from, to, offset_on_segment(scale_), is_outer);
+        edges_.along(from, to, offset_on_segment(scale_), is_input_, is_outer);
     for (const std::size_t piece : pieces) side_of_[piece] = s;
     return !pieces.empty();
   }
@@ -340,6 +343,7 @@ class Verifier {
   double scale_ = 0;  ///< largest coordinate
   ExpectedDomain domain_;
   std::vector<std::optional<std::uint32_t>> vertex_;  ///< of the mesh, by VertexId
+  std::vector<bool> is_input_;                        ///< by vertex of the mesh
   std::vector<std::uint32_t> side_of_;                ///< by edge, index into domain_.sides
   std::vector<RegionId> region_;                      ///< by triangle
   std::map<Kind, std::size_t> listed_;

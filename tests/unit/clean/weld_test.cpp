@@ -34,6 +34,32 @@ TEST(Weld, ClosesGapsAndSlivers) {
   EXPECT_TRUE(out->tells("the edge of polygon 1 'left' from (1, 0) to (1, 1) was bent by"));
 }
 
+/// A flat triangle in the seam of two rectangles, and one alone: wider than rounding, thinner than
+/// the default tolerance.
+TEST(Weld, DefaultKeepsRealSlivers) {
+  Input input;
+  add_polygon(input, rectangle(0, 0, 1, 1), "below");
+  add_polygon(input, {{0, 1}, {0.5, 1 + 1e-11}, {1, 1}}, "sliver");
+  add_polygon(input, {{0, 1}, {0.5, 1 + 1e-11}, {1, 1}, {1, 2}, {0, 2}}, "above");
+  const auto out = clean(input);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_EQ(out->table.regions.size(), 3U);
+  EXPECT_NEAR(out->area("sliver"), 0.5e-11, 1e-15);
+
+  Input alone;
+  add_polygon(alone, {{0, 0}, {1, 0}, {0.4, 1e-12}}, "sliver");
+  const auto one = clean(alone);
+  ASSERT_TRUE(one) << one.error().message;
+  EXPECT_EQ(one->table.regions.size(), 1U);
+
+  // Whoever asks for a tolerance gets it, and is told what became of the polygon.
+  Options options;
+  options.weld = 0x1p-30;
+  const auto welded = clean(alone, options);
+  ASSERT_FALSE(welded);
+  EXPECT_NE(welded.error().message.find("--weld off"), std::string::npos) << welded.error().message;
+}
+
 TEST(Weld, LeavesGapsAboveTheToleranceAndWarns) {
   const auto out = clean(neighbours(1e-7));
   ASSERT_TRUE(out) << out.error().message;

@@ -75,6 +75,30 @@ TEST(AdoptCuts, VerticesBesideASegmentAreNoCuts) {
   EXPECT_EQ(adopt_cuts(again.pslg, again.table, mesh), 0U);
 }
 
+/// A slit's chain of points of the input within rounding of a cut segment: the sliver between them
+/// is a region, and which way is the segment is told by whose points lie on it.
+TEST(AdoptCuts, TellsACutSegmentFromPointsOfTheInputBesideIt) {
+  const double low = 1 - 0x1p-53;  // beside (1, 1) by rounding
+  const Input input =
+      testing::segments_between({{0, 0}, {3, 0}, {3, 3}, {0, 3}, {1, low}},
+                                {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {2, 0}, {0, 4}, {4, 2}});
+  const Result<Prepared> prepared = prepare(input);
+  ASSERT_TRUE(prepared) << prepared.error().message;
+  ASSERT_EQ(prepared->table.regions.size(), 3U);
+  TriangleSoup mesh;
+  mesh.points = {{0, 0}, {3, 0}, {3, 3}, {0, 3}, {1, low}, {2, 2}};
+  mesh.triangles = {{0, 1, 4}, {4, 1, 2}, {0, 4, 5}, {4, 2, 5}, {0, 5, 3}, {5, 2, 3}};
+  const VerifyOptions split{.bound = false, .allow_split = true, .materials = false};
+  const Verification uncut = verify_cover(prepared->pslg, prepared->table, mesh, split);
+  EXPECT_EQ(uncut.violation_count, 0U) << uncut.violations[0].message;
+  Pslg pslg = prepared->pslg;
+  RegionTable table = prepared->table;
+  EXPECT_EQ(adopt_cuts(pslg, table, mesh), 1U);
+  const VerifyOptions whole{.bound = false, .materials = false};
+  const Verification cut = verify_cover(pslg, table, mesh, whole);
+  EXPECT_EQ(cut.violation_count, 0U) << cut.violations[0].message;
+}
+
 TEST(AdoptCuts, SurvivesAMeshOfSomethingElse) {
   Clean clean;
   TriangleSoup mesh;

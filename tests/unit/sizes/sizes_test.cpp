@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include <cover/cover_mesh.hpp>
+#include <cover/verify.hpp>
 
 #include "clean/pslg.hpp"
 #include "cuts/split_interfaces.hpp"
@@ -485,6 +486,37 @@ TEST(SplitInterfaces, LeavesWhatIsTooThinForRoundedPoints) {
     const Result<Output> output = cover_mesh(random_cells(24, seed), options);
     EXPECT_TRUE(output) << output.error().message;
   }
+}
+
+/// The void between two painted regions is 1e-14 wide: cuts on both sides of it, each rounded, may
+/// cross in it, though each region is sound.
+TEST(SplitInterfaces, CutsOfTwoRegionsDoNotMeetThroughAThinVoid) {
+  const double y = 3e9;
+  Input input;
+  input.source = "thin void";
+  const auto paint = [&](std::vector<Point> ring) {
+    InputPolygon polygon;
+    polygon.rings = {std::move(ring)};
+    polygon.material = "a b";
+    input.polygons.push_back(std::move(polygon));
+  };
+  paint({{15.000000000000007, y + 30}, {30, y + 24}, {27, y + 6}});
+  paint({{4.4465908125712189e-323, y + 24},
+         {17.999999999999993, y + 24},
+         {17.999999999999993, y + 15},
+         {4.4465908125712189e-323, y + 15}});
+  paint({{9.0000000000000036, y},
+         {14.999999999999993, y},
+         {14.999999999999993, y + 30},
+         {9.0000000000000036, y + 30}});
+  Options options;
+  options.weld = 0;
+  options.split_interfaces = Angle::degrees(75);
+  const Result<Output> output = cover_mesh(input, options);
+  ASSERT_TRUE(output) << output.error().message;
+  EXPECT_GT(output->pslg.points.size(), output->report.uncut_points);
+  const Verification found = verify_cover(output->pslg, output->table, triangle_soup(output->mesh));
+  EXPECT_EQ(found.violation_count, 0U) << found.violations[0].message;
 }
 
 TEST(SplitInterfaces, DoesNothingUnasked) {

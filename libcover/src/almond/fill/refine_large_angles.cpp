@@ -49,7 +49,7 @@ class Refiner {
         break;
       }
       --budget;
-      if (wasted_ > most_wasted()) {
+      if (wasted_ > most_wasted() || seen_ > kMostSeen * goal_.budget) {
         result.target_reached = false;
         break;
       }
@@ -68,6 +68,10 @@ class Refiner {
   /// few dozen are normal for a triangle that cannot be mended; where long thin triangles lie side
   /// by side, each of them may pass all others.
   [[nodiscard]] std::size_t most_wasted() const { return 10000 + 100 * cdt_.triangles.size(); }
+
+  /// Triangles in cavities, for each insertion of the budget: ten are many. Where all points lie
+  /// nearly on one line or circle, every cavity has nearly all triangles, and every test is exact.
+  static constexpr std::size_t kMostSeen = 64;
 
   /// A triangle with too large an angle.
   struct Bad {
@@ -240,9 +244,13 @@ class Refiner {
                         f.v[static_cast<std::size_t>(prev3(i))], next,
                         next == kNone ? 0 : cdt_.triangles[next].edge_to(at),
                         edges_[at][static_cast<std::size_t>(i)], f.is_locked(i)});
-        if (until_encroached && is_rim(f, i) && is_encroached(rim_.back(), z)) return false;
+        if (until_encroached && is_rim(f, i) && is_encroached(rim_.back(), z)) {
+          seen_ += cavity_.size();
+          return false;
+        }
       }
     }
+    seen_ += cavity_.size();
     return true;
   }
 
@@ -396,6 +404,7 @@ class Refiner {
   std::vector<Split> splits_;
   std::size_t passed_ = 0;                 ///< triangles, by the try at hand
   std::size_t wasted_ = 0;                 ///< triangles passed by tries that a locked chord ended
+  std::size_t seen_ = 0;                   ///< triangles in all cavities
   std::vector<std::uint32_t> met_locked_;  ///< chords, by these tries
 };
 

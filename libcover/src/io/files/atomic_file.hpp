@@ -30,6 +30,13 @@ class AtomicFile {
   /// Appends `bytes`. A failure is kept and reported by `commit`.
   void write(std::string_view bytes) { file_.write(bytes); }
 
+  /// Has the file on the disk under its temporary name, so that all that is left for `commit` is a
+  /// rename: where several files belong together, none of them appears if one fails. A stop is
+  /// heeded no more after that.
+  ///
+  /// Errors: cannot_write, also for what an earlier `write` met (disk full, ...); cancelled
+  Status prepare() { return file_.prepare(); }
+
   /// Has the file on the disk and renames it; to be called once.
   ///
   /// Errors: cannot_write, also for what an earlier `write` met (disk full, ...); cancelled

@@ -141,6 +141,7 @@ TemporaryFile& TemporaryFile::operator=(TemporaryFile&& other) noexcept {
     stop_ = std::move(other.stop_);
     owner_ = other.owner_;
     failure_ = other.failure_;
+    is_synced_ = other.is_synced_;
     written_ = other.written_;
     pushed_ = other.pushed_;
   }
@@ -184,12 +185,32 @@ void TemporaryFile::push_to_disk() {
 }
 
 void TemporaryFile::sync() {
-  if (failure_ == 0 && !is_direct_ && fsync(file_) != 0) fail(errno);
+  if (failure_ == 0 && !is_direct_ && !is_synced_ && fsync(file_) != 0) fail(errno);
+  is_synced_ = true;
+}
+
+Status TemporaryFile::prepare() {
+  sync();
+  Status status = check();
+  stop_ = {};
+  return status;
+}
+
+Status TemporaryFile::check() {
+  if (stop_.stop_requested()) fail(ECANCELED);
+  if (failure_ == 0) return ok();
+  if (failure_ == ECANCELED)
+    return Error{
+        ErrorCode::cancelled, fmt::format("interrupted; {} was not written", shown_), {}, {}};
+  return cannot_write(shown_, failure_);
 }
 
 Status TemporaryFile::rename(const fs::path& target) {
-  if (stop_.stop_requested()) fail(ECANCELED);
-  if (failure_ == 0 && owner_ && !is_direct_) {
+  if (Status status = check(); !status) {
+    discard();
+    return status;
+  }
+  if (owner_ && !is_direct_) {
     // Whoever may not give files away keeps them.
     struct stat status {};
     if (fstat(file_, &status) != 0) fail(errno);
@@ -205,11 +226,7 @@ Status TemporaryFile::rename(const fs::path& target) {
   if (is_direct_ && close(std::exchange(file_, -1)) != 0 && number == 0)
     return cannot_write(shown_, errno);
   discard();
-  if (number == 0) return ok();
-  if (number == ECANCELED)
-    return Error{
-        ErrorCode::cancelled, fmt::format("interrupted; {} was not written", shown_), {}, {}};
-  return cannot_write(shown_, number);
+  return number == 0 ? ok() : Status(cannot_write(shown_, number));
 }
 
 void remove_leftovers(const fs::path& folder, std::string_view name) {

@@ -59,8 +59,13 @@ class TemporaryFile {
 
   void write(std::string_view bytes);
 
-  /// Has everything on the disk; then a power failure costs nothing of what is renamed.
+  /// Has everything on the disk; then a power failure costs nothing of what is renamed. Nothing to
+  /// do a second time.
   void sync();
+  /// Does so, and looks at what has failed so far; what is left is a rename, which heeds no stop then.
+  ///
+  /// Errors: cannot_write for what an earlier call met; cancelled, if a stop was requested
+  Status prepare();
 
   /// Renames the file, which must be in the same folder as `target`; to be called once. On the disk
   /// for good only after sync_folder().
@@ -71,6 +76,7 @@ class TemporaryFile {
  private:
   TemporaryFile() = default;
   void discard();
+  Status check();
   void fail(int number) {
     if (failure_ == 0) failure_ = number;
   }
@@ -83,6 +89,7 @@ class TemporaryFile {
   std::stop_token stop_;
   std::optional<FileOwner> owner_;
   int failure_ = 0;  ///< errno of the first call that failed
+  bool is_synced_ = false;
   std::int64_t written_ = 0;
   std::int64_t pushed_ = 0;  ///< up to here the disk has been told to write
 };

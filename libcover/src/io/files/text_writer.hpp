@@ -40,6 +40,12 @@ class TextWriter {
     return *this << std::string_view(digits.data(), end);
   }
 
+  /// See AtomicFile::prepare().
+  Status prepare() {
+    flush();
+    return file_.prepare();
+  }
+
   /// Closes and renames; to be called once. Errors: cannot_write, also of earlier output.
   Status commit() {
     flush();

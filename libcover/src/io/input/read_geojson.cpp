@@ -171,9 +171,9 @@ Result<Input> read_geojson(const Json& document, const std::string& source) {
 }
 
 Result<Input> parse_geojson(std::string_view text, const std::string& source) {
-  Result<Json> document = parse_json_text(text, source);
-  if (!document) return std::move(document).error();
-  return read_geojson(*document, source);
+  const Result<JsonDocument> document = parse_json_text(text, source);
+  if (!document) return document.error();
+  return read_geojson(document->root(), source);
 }
 
 }  // namespace cover

@@ -451,10 +451,10 @@ class InputReader {
 }  // namespace
 
 Result<Input> parse_json(std::string_view text, const std::string& source) {
-  Result<Json> document = parse_json_text(text, source);
-  if (!document) return std::move(document).error();
-  if (is_geojson(*document)) return read_geojson(*document, source);
-  return InputReader(*document, source).read();
+  const Result<JsonDocument> document = parse_json_text(text, source);
+  if (!document) return document.error();
+  if (is_geojson(document->root())) return read_geojson(document->root(), source);
+  return InputReader(document->root(), source).read();
 }
 
 }  // namespace cover

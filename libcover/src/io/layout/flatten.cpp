@@ -240,8 +240,9 @@ class Flattener {
   }
 
   static Point at_of(const GdsReference& reference, double column, double row) {
-    const auto& [first, columns, rows] = reference.at;
-    const auto along = [&](auto member) {
+    // Captured by name: clang 14 does not capture structured bindings.
+    const auto along = [&, &first = reference.at[0], &columns = reference.at[1],
+                        &rows = reference.at[2]](auto member) {
       const double start = first.*member;
       return start + (columns.*member - start) * column / reference.columns +
              (rows.*member - start) * row / reference.rows;

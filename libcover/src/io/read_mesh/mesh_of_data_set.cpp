@@ -55,6 +55,7 @@ Result<MeshFile> mesh_of(const DataSet& data, const std::string& path,
   if (cells.empty()) return wrong_file(path, "no triangles in it");
   MeshCollector collector;
   MeshFile& mesh = collector.mesh;
+  mesh.cut_vertices = data.cut_vertices;
   mesh.soup.points.reserve(data.point_count());
   for (std::size_t p = 0; p < data.point_count(); ++p) {
     const DataSet::Coordinates x = data.point(p);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -16,10 +17,35 @@ namespace cover {
 
 using Json = nlohmann::json;
 
+/// Takes a value apart, from its last leaf on, without any memory. The library's destructor makes a
+/// list of what it gives back, and ends the process where there is no memory for it.
+void take_apart(Json& value) noexcept;
+
+/// A document that is given back without asking for memory.
+class JsonDocument {
+ public:
+  JsonDocument() = default;
+  explicit JsonDocument(Json&& root) noexcept : root_(std::move(root)) {}
+  JsonDocument(JsonDocument&& other) noexcept : root_(std::move(other.root_)) {}
+  JsonDocument& operator=(JsonDocument&& other) noexcept {
+    std::swap(root_, other.root_);
+    return *this;
+  }
+  JsonDocument(const JsonDocument&) = delete;
+  JsonDocument& operator=(const JsonDocument&) = delete;
+  ~JsonDocument() { take_apart(root_); }
+
+  [[nodiscard]] Json& root() { return root_; }
+  [[nodiscard]] const Json& root() const { return root_; }
+
+ private:
+  Json root_;
+};
+
 /// Parses `text`. A key given twice in one object is an error: the first one would be lost.
 ///
 /// Errors: syntax, with line and column.
-Result<Json> parse_json_text(std::string_view text, const std::string& source);
+Result<JsonDocument> parse_json_text(std::string_view text, const std::string& source);
 
 /// Reads values of one document. A reading that fails gives a harmless value and keeps the error;
 /// whoever reads asks `failed()` before going on with what depends on it.

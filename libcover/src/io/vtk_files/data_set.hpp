@@ -33,6 +33,7 @@ class DataSet {
 
   std::vector<NumberArray> point_arrays;
   std::vector<NumberArray> cell_arrays;
+  std::size_t cut_vertices = 0;  ///< as MeshFile::cut_vertices
 
   [[nodiscard]] std::size_t point_count() const {
     return points_.empty() ? lattice_points() : points_.size();

@@ -35,6 +35,7 @@ class XmlDataSetParser {
       if (element == nullptr) continue;
       Status status = read_pieces(*element, kind);
       if (!status) return std::move(status).error();
+      data_.cut_vertices = cut_vertices_of(*element);
       return std::move(data_);
     }
     const std::string* type = tree->root.attribute("type");
@@ -66,6 +67,14 @@ class XmlDataSetParser {
     if (!number || *number < 0)
       return wrong(fmt::format("{}=\"{}\" is no count", name, legible(*text)));
     return static_cast<std::size_t>(*number);
+  }
+
+  /// Zero where no field data tells.
+  static std::size_t cut_vertices_of(const XmlElement& element) {
+    const XmlElement* field = element.child("FieldData");
+    const XmlElement* array = field == nullptr ? nullptr : field->child("DataArray", "CutVertices");
+    const auto number = array == nullptr ? std::nullopt : parse_integer(array->text);
+    return number && *number > 0 ? static_cast<std::size_t>(*number) : 0;
   }
 
   Status read_pieces(const XmlElement& element, std::string_view kind) {

@@ -283,7 +283,11 @@ class Viewer {
 }  // namespace
 
 MeshView view_of(const Output& output, const WriteOptions& options) {
-  return Viewer(output, options).make();
+  MeshView view = Viewer(output, options).make();
+  const std::size_t uncut = output.report.uncut_points;
+  if (uncut > 0 && output.pslg.points.size() > uncut)
+    view.cut_vertices = output.pslg.points.size() - uncut;
+  return view;
 }
 
 std::array<Angle, 3> angles_of(const MeshView& view, std::size_t t) {

@@ -29,10 +29,16 @@ class VtuWriter {
   void write(const VtuGrid& grid) {
     out_.put(
         fmt::format("<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"{}\" "
-                    "header_type=\"UInt64\">\n  <UnstructuredGrid>\n    <Piece "
-                    "NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
-                    std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian",
-                    grid.points, grid.cells));
+                    "header_type=\"UInt64\">\n  <UnstructuredGrid>\n",
+                    std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian"));
+    if (grid.cut_vertices > 0) {
+      out_.put(
+          fmt::format("    <FieldData>\n      <DataArray type=\"Int64\" Name=\"CutVertices\" "
+                      "NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n    </FieldData>\n",
+                      grid.cut_vertices));
+    }
+    out_.put(fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", grid.points,
+                         grid.cells));
     announce("PointData" + grid.point_attributes, "PointData", grid.point_data);
     announce("CellData" + grid.cell_attributes, "CellData", grid.cell_data);
     announce("Points", "Points", {&grid.coordinates, 1});

@@ -48,6 +48,7 @@ VtuArray vtu_array(std::string_view name, std::size_t size, Value value) {
 struct VtuGrid {
   std::size_t points = 0;
   std::size_t cells = 0;
+  std::size_t cut_vertices = 0;  ///< field data CutVertices, unless zero
   std::string point_attributes;  ///< of the point data: which of them is what
   std::vector<VtuArray> point_data;
   std::string cell_attributes;

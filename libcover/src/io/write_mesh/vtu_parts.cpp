@@ -1,5 +1,5 @@
 // What stands in a file, and in which order, follows from what its readers take: triangles only,
-// the material first and as active scalars, no field data. Tested by
+// the material first and as active scalars, no field data but where segments were cut. Tested by
 // tests/unit/vtk/write_vtk_test.cpp.
 #include "io/write_mesh/vtu_parts.hpp"
 
@@ -144,6 +144,7 @@ void add_triangle_arrays(const MeshView& view, std::size_t triangles, Number num
 
 VtuGrid whole_grid(const MeshView& view) {
   VtuGrid grid;
+  grid.cut_vertices = view.cut_vertices;
   add_cells(
       view.triangles, type_of_triangles(view), view.points.size(),
       [&view](std::size_t p) { return view.points[p]; }, grid);

@@ -1,8 +1,11 @@
-// Triangle's files .node, .ele and .edge, numbered from 1.
+// Triangle's files .node, .ele and .edge, numbered from 1. No file of them tells that it belongs to
+// the others, so all three are whole on the disk before the first is renamed: nothing but a kill
+// or a crash of the system between these three renames can mix two meshes.
 // Tested by tests/unit/io/write_mesh/write_triangle_test.cpp.
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <utility>
 
 #include <cover/mesh_view.hpp>
 
@@ -56,9 +59,13 @@ Status write_triangle(const Output& output, const std::string& path, const Write
   write_elements(view, files[1]);
   write_edges(view, files[2]);
   for (TextWriter& file : files) {
-    if (Status status = file.commit(); !status) return status;
+    if (Status status = file.prepare(); !status) return status;
   }
-  return ok();
+  Status all = ok();
+  for (TextWriter& file : files) {  // a folder that cannot be synced is no reason to mix meshes
+    if (Status status = file.commit(); !status && all) all = std::move(status);
+  }
+  return all;
 }
 
 }  // namespace cover

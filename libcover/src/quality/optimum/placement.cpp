@@ -23,7 +23,8 @@ constexpr double kLeastGainFar = 0.01;  ///< beyond 140 degrees, where each degr
 }  // namespace
 
 Hole::Hole(const MutableMesh& mesh, const Cavity& cavity)
-    : goal_(&mesh.goal()), edges_(own_.data()), size_(cavity.size()) {
+    : goal_(&mesh.goal()), size_(cavity.size()) {
+  edges_ = own_.data();
   for (int k = 0; k < size_; ++k) {
     own_[static_cast<std::size_t>(k)] =
         edge(mesh.points[cavity.vertex(k)], mesh.points[cavity.vertex(cavity.next(k))],

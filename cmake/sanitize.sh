@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# sanitize.sh [PRESET [REGEX]]: builds all tests with a sanitizer (preset asan-ubsan or tsan), runs
+# those whose names match REGEX (all of them without one), and writes what became of each to
+# build/PRESET/result.txt. An hour or two on two cores; tsan is best run in parts:
+#
+#   cmake/sanitize.sh                                    everything with asan and ubsan
+#   cmake/sanitize.sh tsan 'ManyThreads|CoverMesh|Property'
+set -euo pipefail
+cd "$(dirname "$0")/.."
+preset=${1:-asan-ubsan}
+regex=${2:-.}
+cmake --preset "$preset" -DCOVER_UNITY_BUILD=ON >/dev/null
+cmake --build --preset "$preset"
+result=build/$preset/result.txt
+status=0
+TSAN_OPTIONS=ignore_noninstrumented_modules=1 ctest --test-dir "build/$preset" -R "$regex" -LE solvers \
+  --output-on-failure --timeout 3600 >"$result" 2>&1 || status=$?
+echo "$(git rev-parse --short HEAD), $preset, tests matching '$regex':" | tee -a "$result"
+grep -E 'tests passed|\(Failed\)|\(Timeout\)|SEGFAULT' "$result" || true
+exit "$status"
