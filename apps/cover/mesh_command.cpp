@@ -50,7 +50,7 @@ struct MeshCommand {
   explicit MeshCommand() : app("Triangulate all regions of a geometry file", "cover mesh") {
     app.footer(kExamples);
     app.set_help_flag("-h,--help", "Show this help");
-    input.add(app);
+    input.add(app, true);
     app.add_option(
            "-o,--output", outputs,
            fmt::format(

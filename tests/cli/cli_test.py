@@ -802,6 +802,86 @@ class Stream(Case):
         self.assertEqual(self.files(), ['a.vtu', 'plain.poly'])
 
 
+class Tiles(Case):
+    """Several input files are one geometry."""
+    def square(self, x, material):
+        ring = [[x, 0], [x + 1, 0], [x + 1, 1], [x, 1], [x, 0]]
+        return {'type': 'Feature', 'properties': {'material': material},
+                'geometry': {'type': 'Polygon', 'coordinates': [ring]}}
+
+    def collect(self, name, *features):
+        return self.write(name, json.dumps({'type': 'FeatureCollection', 'features': features}))
+
+    def test_as_one_file_with_all_of_it(self):
+        squares = [self.square(0, 'a'), self.square(0.5, 'b'), self.square(1.5, 'c')]
+        tiles = [self.collect(f'tile_{k}.geojson', square) for k, square in enumerate(squares)]
+        self.collect('all.geojson', *squares)
+        out, _ = self.run_cover('mesh', *tiles, '-o', 'tiles.vtu')
+        self.assertIn('3 regions', out)
+        self.run_cover('mesh', 'all.geojson', '-o', 'all.vtu')
+        self.assertEqual((self.dir / 'tiles.vtu').read_bytes(), (self.dir / 'all.vtu').read_bytes())
+        self.run_cover('mesh', *reversed(tiles), '-o', 'reversed.vtu')
+        self.assertNotEqual((self.dir / 'tiles.vtu').read_bytes(), (self.dir / 'reversed.vtu').read_bytes())
+        self.assertIn('3 regions', self.run_cover('info', *tiles)[0])
+
+    def test_of_several_kinds(self):
+        self.collect('a.geojson', self.square(0, 'a'))
+        self.write('b.json', json.dumps({'polygons': [{'material': 'b', 'rings': [[[1, 0], [2, 0], [2, 1], [1, 1]]]}]}))
+        self.assertIn('2 regions', self.run_cover('mesh', 'a.geojson', 'b.json', '-o', 'm.vtu')[0])
+
+    def test_faults_name_the_file(self):
+        self.collect('a.geojson', self.square(0, 'a'))
+        self.assertIn('none.geojson', self.run_cover('mesh', 'a.geojson', 'none.geojson', '-o', 'm.vtu', code=5)[1])
+        self.write('b.json', json.dumps({'unit': 'nm', 'polygons': [{'material': 'b', 'rings': [[[1, 0], [2, 0], [2, 1]]]}]}))
+        self.assertIn('units', self.run_cover('mesh', 'a.geojson', 'b.json', '-o', 'm.vtu', code=2)[1])
+        self.assertIn('would replace the input',
+                      self.run_cover('mesh', 'a.geojson', 'b.json', '-o', 'b.json', code=2)[1])
+
+
+class Parts(Case):
+    """A mesh divided for processes."""
+    READ = """
+import sys
+from vtkmodules.vtkIOXML import vtkXMLPUnstructuredGridReader
+reader = vtkXMLPUnstructuredGridReader()
+reader.SetFileName(sys.argv[1])
+reader.UpdateInformation()
+seen = []
+for part in range(3):
+    reader.UpdatePiece(part, 3, 0)
+    grid = reader.GetOutput()
+    cells = grid.GetCellData()
+    ghost, ids, owner = (cells.GetArray(name) for name in ('vtkGhostType', 'GlobalCellId', 'Owner'))
+    for k in range(grid.GetNumberOfCells()):
+        assert (ghost.GetValue(k) == 0) == (owner.GetValue(k) == part)
+        if ghost.GetValue(k) == 0:
+            seen.append(ids.GetValue(k))
+assert sorted(seen) == list(range(len(seen)))
+print(len(seen))
+"""
+
+    def test_vtk_reads_every_triangle_once(self):
+        report = ('--report', 'r.json', '-q')
+        self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.pvtu', '--parts', 3, '-j', 1, *report)
+        pieces = {p.name: p.read_bytes() for p in (self.dir / 'd.parts').iterdir()}
+        self.assertEqual(len(pieces), 3)
+        self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.pvtu', '--parts', 3, '-j', 3, *report)
+        self.assertEqual(pieces, {p.name: p.read_bytes() for p in (self.dir / 'd.parts').iterdir()})
+        triangles = json.loads((self.dir / 'r.json').read_text())['overall']['triangles']
+        for python in (sys.executable, '/usr/bin/python3'):
+            if subprocess.run([python, '-c', 'import vtkmodules'], capture_output=True).returncode == 0:
+                break
+        else:
+            self.skipTest('no Python with VTK')
+        done = subprocess.run([python, '-c', self.READ, 'd.pvtu'], cwd=self.dir, capture_output=True, text=True)
+        self.assertEqual(done.stdout.strip(), str(triangles), done.stderr)
+
+    def test_only_where_the_format_has_parts(self):
+        self.assertIn('in parts', self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--parts', 2, code=2)[1])
+        self.assertIn('parts are 1 to', self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.pvtu', '--parts', 0, code=2)[1])
+        self.assertEqual(self.files(), [])
+
+
 class Memory(Case):
     @staticmethod
     def peak(*words):
