@@ -241,7 +241,6 @@ int write_files(const MeshCommand& command, const std::vector<File>& files,
 }
 
 int print_report(const MeshCommand& command, const StreamedOutput& streamed, spdlog::logger& log) {
-  const Output& output = streamed.output;
   if (command.stats == "json") {
     const Status written = write_to("-", ".json", [&](const std::string& target) {
       return write_report_json(streamed, target);

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "base/markup.hpp"
+#include <cover/text.hpp>
 
 namespace cover {
 namespace {
