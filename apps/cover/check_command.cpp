@@ -1,9 +1,11 @@
 // cover check: the promises on any mesh, from the files alone.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include <fmt/ranges.h>
 
+#include <cover/check_in_parts.hpp>
 #include <cover/cover_mesh.hpp>
 #include <cover/option_table.hpp>
 #include <cover/periodic.hpp>
@@ -32,7 +34,7 @@ std::string place(const Violation& violation) {
   return text;
 }
 
-int print(const Verification& found, const TriangleSoup& mesh, bool quiet) {
+int print(const Verification& found, std::size_t triangles, bool quiet) {
   for (const Violation& violation : found.violations) {
     const std::string what =
         violation.promise == 4 ? "materials" : fmt::format("promise {}", violation.promise);
@@ -45,8 +47,8 @@ int print(const Verification& found, const TriangleSoup& mesh, bool quiet) {
   if (!quiet) {
     fmt::print("{}: {} triangles, {} region{}, {} segments whole",
                found.unchecked.empty() ? "Every promise holds" : "All that was checked holds",
-               grouped(mesh.triangles.size()), grouped(found.regions),
-               found.regions == 1 ? "" : "s", grouped(found.segments_whole));
+               grouped(triangles), grouped(found.regions), found.regions == 1 ? "" : "s",
+               grouped(found.segments_whole));
     if (found.within_rounding > 0) {
       fmt::print("; {} of the regions meet the bound up to the rounding of coordinates",
                  grouped(found.within_rounding));
@@ -161,6 +163,7 @@ int print_curved(const Pslg& pslg, const MeshTriangles& mesh, bool quiet) {
 /// Whether the sides that `rules` name have partners for all their vertices and edges in the mesh.
 int print_periodic(const Prepared& prepared, const std::vector<PeriodicRule>& rules,
                    const TriangleSoup& mesh, bool quiet) {
+  if (rules.empty()) return exit_ok;
   Pslg pslg = prepared.pslg;
   RegionTable table = prepared.table;
   adopt_cuts(pslg, table, mesh);
@@ -251,6 +254,14 @@ std::string cutting_option(const std::string& path, const MeshTriangles& mesh) {
   return by_itself;
 }
 
+/// Whether a mesh is looked at in parts.
+bool is_to_stream(const std::string& when, const std::string& mesh_path) {
+  constexpr std::uintmax_t kLarge = 64 << 20;  // some 800,000 triangles
+  std::error_code failed;
+  const std::uintmax_t size = std::filesystem::file_size(mesh_path, failed);
+  return when == "on" || (when == "auto" && !failed && size >= kLarge);
+}
+
 }  // namespace
 
 int run_check(Arguments arguments) {
@@ -277,6 +288,7 @@ Examples:
   LibraryOptions library;
   bool no_bound = false, box_method = false;
   std::vector<std::string> layers;
+  std::string stream = "auto";
   input_file.add(app)->required();
   app.add_option("mesh", mesh_path,
                  fmt::format("Mesh of any tool: .vtm, {}", fmt::join(mesh_formats(), ", ")))
@@ -293,6 +305,13 @@ Examples:
                  "not as thick, or they are fewer")
       ->type_name("LINE[@REGION][=first,growth[,count]]")
       ->allow_extra_args(false);
+  app.add_option(
+         "--stream", stream,
+         "Look at some regions of a .vtu or .vtkhdf at a time, without holding the mesh: on, "
+         "off, or auto: a large one; a broken one is read as a whole")
+      ->check(one_of({"auto", "on", "off"}))
+      ->type_name("WHEN")
+      ->capture_default_str();
   library.add(app, OptionGroup::cleaning);
   add_verbosity(app, verbosity);
   if (const auto code = parse(app, std::move(arguments))) return *code;
@@ -306,11 +325,20 @@ Examples:
   if (!files) return usage_error(app, files.error());
 
   const auto log = make_logger(verbosity);
-  const Result<Input> input = input_file.read();
+  Result<Input> input = input_file.read();
   if (!input) return fail(*log, input.error());
   for (const std::string& option : input_file.ignored()) log->warn("{}", option);
-  Result<Prepared> prepared = prepare(*input, *options);
+  std::vector<PeriodicRule> rules = options->periodic;
+  rules.insert(rules.end(), input->periodic.begin(), input->periodic.end());
+  Result<Prepared> prepared = prepare_to_check(*std::move(input), *options);
   if (!prepared) return fail(*log, prepared.error());
+  const bool wants_whole = verify.allow_split || verify.hull || box_method || !rules.empty();
+  if (!wants_whole && is_to_stream(stream, mesh_path)) {
+    prepared->report = {};
+    if (const auto parts = check_in_parts(*prepared, mesh_path, verify, *options))
+      return print(parts->found, parts->triangles, verbosity.quiet);
+    log->info("{} is read as a whole, to say more", mesh_path);
+  }
   const Result<MeshTriangles> mesh = read_triangles(mesh_path, *log);
   if (!mesh) return fail(*log, mesh.error());
   verify.material_numbers = mesh->has_materials;
@@ -343,9 +371,7 @@ Examples:
       found = verify_cover(prepared->pslg, prepared->table, mesh->soup, verify);
     }
   }
-  int code = print(found, mesh->soup, verbosity.quiet);
-  std::vector<PeriodicRule> rules = options->periodic;
-  rules.insert(rules.end(), input->periodic.begin(), input->periodic.end());
+  int code = print(found, mesh->soup.triangles.size(), verbosity.quiet);
   const int sides = print_periodic(*prepared, rules, mesh->soup, verbosity.quiet);
   code = code == exit_ok ? sides : code;
   if (code == exit_ok) code = print_curved(prepared->pslg, *mesh, verbosity.quiet);

@@ -26,7 +26,7 @@ _cover() {
     --format) if [ "$command" = render ]; then words="svg png"; else
          words="vtu vtkhdf vtk msh xdmf mesh inp obj off ply json poly svg png"; fi ;;
     --stats) words="text json" ;;
-    --progress) words="auto on off" ;;
+    --progress|--stream) words="auto on off" ;;
     --color) words="max_angle min_angle material MaterialID mat_id RegionId" ;;
     *) if [[ $word == -* ]]; then
          words=$("${COMP_WORDS[0]}" "$command" --help | grep -oE -- '^  (-[a-z],)?--[a-z-]+' | grep -oE -- '--[a-z-]+')

@@ -37,6 +37,7 @@ std::vector<fs::path> with_companions(const fs::path& path, bool is_written) {
     all.push_back(fs::path(path).replace_extension(".node"));
   if (extension == ".ele") all.push_back(fs::path(path).replace_extension(".edge"));
   if (extension == ".vtm") all.push_back(fs::path(path).replace_extension());
+  if (extension == ".pvtu") all.push_back(path.parent_path() / (path.stem().string() + ".parts"));
   return all;
 }
 

@@ -11,6 +11,12 @@ void FormatOptions::add(CLI::App& command, const std::string& group) {
       ->type_name("VERSION")
       ->capture_default_str()
       ->group(group);
+  command
+      .add_option("--parts", options_.parts,
+                  "Parts of a .pvtu, with ghosts, owners and global ids, for as many processes")
+      ->type_name("N")
+      ->capture_default_str()
+      ->group(group);
   command.add_flag("--no-inner-lines", no_inner_lines_, "Leave out lines between two triangles")
       ->group(group);
   command.add_flag("--lines", options_.lines, "Lines in .vtk too, as deal.II wants them")

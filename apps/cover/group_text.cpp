@@ -66,12 +66,17 @@ std::string renamed_text(const MeshView& view, const std::vector<std::string>& f
 
 }  // namespace
 
-std::string group_text(const Output& output, const std::vector<std::string>& files,
+std::string group_text(const StreamedOutput& streamed, const std::vector<std::string>& files,
                        const WriteOptions& options, bool all) {
-  if (files.empty()) return {};
+  const auto tells = [](const std::string& file) {
+    return has_numbers(file) || is_any_of(file, {".inp", ".obj"});
+  };
+  if (std::none_of(files.begin(), files.end(), tells)) return {};
+  const Output& output = streamed.output;
   WriteOptions numbers;
   numbers.ids = options.ids;
-  const MeshView view = view_of(output, numbers);
+  const MeshView view =
+      streamed.is_streamed() ? view_of_lines(streamed, numbers) : view_of(output, numbers);
   std::string renamed = renamed_text(view, files, all);
   if (std::none_of(files.begin(), files.end(), has_numbers)) return renamed;
   using Align = TextTable::Align;

@@ -19,7 +19,7 @@ int run_info(Arguments arguments) {
   GeometryFile input_file;
   Verbosity verbosity;
   LibraryOptions library;
-  input_file.add(app)->required();
+  input_file.add(app, true)->required();
   library.add(app, OptionGroup::cleaning);
   add_verbosity(app, verbosity);
   if (const auto code = parse(app, std::move(arguments))) return *code;

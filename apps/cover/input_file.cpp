@@ -8,7 +8,9 @@
 #include <string_view>
 #include <system_error>
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <cover/join_inputs.hpp>
 
 #include "read_geometry.hpp"
 
@@ -39,20 +41,26 @@ Result<Input> read_stream(std::istream& stream, const std::string& name, ReadOpt
 
 }  // namespace
 
-CLI::Option* GeometryFile::add(CLI::App& command) {
+CLI::Option* GeometryFile::add(CLI::App& command, bool several) {
   for (const ReadOptionEntry& entry : read_option_table()) {
     written_.push_back({&entry, default_text(entry), nullptr, {}, false});
     written_.back().add_to(command, "Input");
   }
-  return command
-      .add_option("input", path_,
-                  fmt::format("Geometry: {}; '-' is standard input, known by how it begins",
-                              reading::known_formats()))
-      ->type_name("");
+  CLI::Option* input = command.add_option(
+      "input", paths_,
+      fmt::format("Geometry: {}; '-' is standard input, known by how it begins{}",
+                  reading::known_formats(),
+                  several ? "; several files are one geometry, painted in this order" : ""));
+  input->type_name("");
+  if (!several) input->expected(1);
+  return input;
 }
 
+std::string GeometryFile::path() const { return fmt::format("{}", fmt::join(paths_, ", ")); }
+
 std::vector<NamedFile> GeometryFile::read_files() const {
-  std::vector<NamedFile> files{{"", path_}};
+  std::vector<NamedFile> files;
+  for (const std::string& path : paths_) files.push_back({"", path});
   for (const auto& written : written_) {
     if (written.entry->name == "legend")
       for (const std::string& text : written.values) files.push_back({"--legend", text});
@@ -71,16 +79,29 @@ Result<Input> GeometryFile::read() {
       if (!status) return status.error();
     }
   }
-  if (path_ == "-") return read_stream(std::cin, "standard input", options_);
-  const std::filesystem::path file(path_);
+  if (paths_.size() == 1) return read_one(paths_.front());
+  std::vector<Input> inputs;
+  const std::string format = options_.format;
+  for (const std::string& path : paths_) {
+    options_.format = format;  // each file has its own unless one was given
+    Result<Input> input = read_one(path);
+    if (!input) return input;
+    inputs.push_back(*std::move(input));
+  }
+  return join_inputs(std::move(inputs));
+}
+
+Result<Input> GeometryFile::read_one(const std::string& path) {
+  if (path == "-") return read_stream(std::cin, "standard input", options_);
+  const std::filesystem::path file(path);
   std::error_code ignored;
   // A pipe, as a shell's <(...), has no extension that would tell.
   if (!file.has_extension() && std::filesystem::is_fifo(file, ignored)) {
     std::ifstream pipe(file, std::ios::binary);
-    return read_stream(pipe, path_, options_);
+    return read_stream(pipe, path, options_);
   }
-  if (options_.format.empty()) options_.format = reading::format_of_name(path_);
-  return reading::read_geometry(path_, options_);
+  if (options_.format.empty()) options_.format = reading::format_of_name(path);
+  return reading::read_geometry(path, options_);
 }
 
 std::vector<std::string> GeometryFile::ignored() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -16,14 +17,15 @@ namespace cover::app {
 /// The INPUT argument and the options of read_option_table().
 class GeometryFile {
  public:
-  /// Adds INPUT and the options; returns INPUT.
-  CLI::Option* add(CLI::App& command);
+  /// Adds INPUT and the options; returns INPUT. `several` files may be given.
+  CLI::Option* add(CLI::App& command, bool several = false);
 
-  [[nodiscard]] const std::string& path() const { return path_; }
+  /// The files as messages name them; empty: none was given.
+  [[nodiscard]] std::string path() const;
   /// The file of --layer-map; with an empty path where there is none.
   [[nodiscard]] std::vector<NamedFile> read_files() const;
 
-  /// Reads the file; `-` is standard input, whose format follows from how it begins.
+  /// Reads the files, which become one geometry in this order; `-` is standard input, whose format follows from how it begins.
   ///
   /// Errors: those of read_input() and of the readers that are built in
   [[nodiscard]] Result<Input> read();
@@ -34,7 +36,9 @@ class GeometryFile {
   [[nodiscard]] std::vector<Provenance::Setting> settings() const;
 
  private:
-  std::string path_;
+  Result<Input> read_one(const std::string& path);
+
+  std::vector<std::string> paths_;
   ReadOptions options_;
   std::deque<WrittenOption<ReadOptions>> written_;  ///< which CLI11 points into
 };

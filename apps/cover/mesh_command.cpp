@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 
 #include <fmt/core.h>
 
@@ -10,6 +11,7 @@
 #include <cover/read_size_field.hpp>
 #include <cover/regions.hpp>
 #include <cover/remesh.hpp>
+#include <cover/stream_mesh.hpp>
 #include <cover/text.hpp>
 #include <cover/write_mesh.hpp>
 
@@ -48,7 +50,7 @@ struct MeshCommand {
   explicit MeshCommand() : app("Triangulate all regions of a geometry file", "cover mesh") {
     app.footer(kExamples);
     app.set_help_flag("-h,--help", "Show this help");
-    input.add(app);
+    input.add(app, true);
     app.add_option(
            "-o,--output", outputs,
            fmt::format(
@@ -84,6 +86,13 @@ struct MeshCommand {
     app.add_option("--dump-stages", dump_folder,
                    "Write pictures of the disk packing into this folder (method nonobtuse)")
         ->type_name("DIR")
+        ->group(files);
+    app.add_option("--stream", stream,
+                   "Keep the mesh on the disk until it is written, region by region: on, off, or "
+                   "auto: a large one whose files allow it")
+        ->check(one_of({"auto", "on", "off"}))
+        ->type_name("WHEN")
+        ->capture_default_str()
         ->group(files);
     app.add_flag("--keep-partial", keep_partial, "Write files even where a bound was missed")
         ->group(files);
@@ -148,6 +157,7 @@ struct MeshCommand {
   std::string stats = "text";
   std::string progress = "auto";
   std::string dump_folder;
+  std::string stream = "auto";
   bool keep_partial = false;
   bool dry_run = false;
   bool print_config = false;
@@ -211,27 +221,36 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-int write_files(const MeshCommand& command, const std::vector<File>& files, Output& output,
-                const std::stop_token& stop, spdlog::logger& log) {
+int write_files(const MeshCommand& command, const std::vector<File>& files,
+                StreamedOutput& streamed, const std::stop_token& stop, spdlog::logger& log) {
   const auto start = std::chrono::steady_clock::now();
-  for (const File& file : files) {
-    const Status written = write_to(file.write, output, file.path, "." + command.format, stop);
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    const File& file = files[k];
+    WriteOptions format = command.formats.make();
+    format.stop = stop;
+    const bool is_report = k >= command.outputs.size();  // they come last
+    const Status written = !streamed.is_streamed() ? write_to(file.write, streamed.output,
+                                                              file.path, "." + command.format, stop)
+                           : is_report             ? write_report_json(streamed, file.path)
+                                       : write_streamed_mesh(streamed, file.path, format);
     if (!written) return fail(log, written.error());
     log.info("wrote {}", file.path == "-" ? "to standard output" : file.path);
   }
-  output.report.times.push_back({"write", seconds_since(start)});
+  streamed.output.report.times.push_back({"write", seconds_since(start)});
   return exit_ok;
 }
 
-int print_report(const MeshCommand& command, const Output& output, spdlog::logger& log) {
+int print_report(const MeshCommand& command, const StreamedOutput& streamed, spdlog::logger& log) {
   if (command.stats == "json") {
-    const Status written = write_to(*report_writer("stdout.json"), output, "-", ".json");
+    const Status written = write_to("-", ".json", [&](const std::string& target) {
+      return write_report_json(streamed, target);
+    });
     return written ? exit_ok : fail(log, written.error());
   }
   if (command.verbosity.quiet) return exit_ok;
   // What is piped out of stdout must be the mesh alone.
   std::FILE* to = command.to_stdout() ? stderr : stdout;
-  fmt::print(to, "{}", mesh_text(output, command.verbosity.verbose > 0));
+  fmt::print(to, "{}", mesh_text(streamed, command.verbosity.verbose > 0));
   for (const auto& paths : {command.outputs, command.reports}) {
     for (const std::string& path : paths) {
       if (path != "-") fmt::print(to, "Wrote {}\n", path);
@@ -239,14 +258,13 @@ int print_report(const MeshCommand& command, const Output& output, spdlog::logge
   }
   fmt::print(
       to, "{}",
-      group_text(output, command.outputs, command.formats.make(), command.verbosity.verbose > 0));
+      group_text(streamed, command.outputs, command.formats.make(), command.verbosity.verbose > 0));
   return exit_ok;
 }
 
-/// Makes the mesh, or parts of it again.
-Result<Output> make_mesh(const MeshCommand& command, Input input, const Options& options,
-                         const Callbacks& callbacks, spdlog::logger& log) {
-  if (command.onto.empty()) return cover_mesh(std::move(input), options, callbacks);
+/// Meshes parts of a mesh again.
+Result<Output> mesh_again(const MeshCommand& command, const Input& input, const Options& options,
+                          const Callbacks& callbacks, spdlog::logger& log) {
   Result<MeshTriangles> onto = read_triangles(command.onto, log);
   if (!onto) return std::move(onto).error();
   if (!onto->has_materials) onto->soup.material.clear();
@@ -267,6 +285,49 @@ Result<Output> make_mesh(const MeshCommand& command, Input input, const Options&
   return output;
 }
 
+/// What needs the whole mesh in memory; empty if nothing does.
+std::string needs_whole_mesh(const MeshCommand& command, const Input& input,
+                             const Options& options) {
+  if (!command.onto.empty()) return "--onto";
+  if (std::string why = cover::needs_whole_mesh(input, options); !why.empty()) return why;
+  for (const std::string& path : command.outputs) {
+    if (path == "-") return "writing to standard output";
+    if (std::string why = cover::needs_whole_mesh(path, command.formats.make()); !why.empty())
+      return why;
+  }
+  for (const std::string& path : command.reports)
+    if (std::filesystem::path(path).extension() == ".html") return "a report that shows the mesh";
+  return {};
+}
+
+/// Makes the mesh, in memory or on the disk, or parts of it again.
+Result<StreamedOutput> make_mesh(const MeshCommand& command, Input input, const Options& options,
+                                 const Callbacks& callbacks, spdlog::logger& log) {
+  // A run in memory takes half a gigabyte for so many.
+  constexpr double kManyTriangles = 2e6;
+  if (command.stream != "off") {
+    const std::string why = needs_whole_mesh(command, input, options);
+    if (why.empty()) {
+      const StreamOptions stream{
+          command.outputs.empty() ? command.reports.front() : command.outputs.front(),
+          command.stream == "on" ? 0 : kManyTriangles};
+      return stream_mesh(std::move(input), options, stream, callbacks);
+    }
+    if (command.stream == "on")
+      return Error{ErrorCode::bad_option,
+                   fmt::format("--stream on: {} needs the whole mesh in memory", why),
+                   {},
+                   {}};
+    log.info("the mesh is held in memory: {} needs the whole of it", why);
+  }
+  Result<Output> output = command.onto.empty()
+                              ? cover_mesh(std::move(input), options, callbacks)
+                              : mesh_again(command, input, options, callbacks, log);
+  if (!output) return std::move(output).error();
+  const MeshCounts counts = count_of(output->mesh);
+  return StreamedOutput{*std::move(output), counts, nullptr};
+}
+
 /// Meshes, writes, reports.
 int run(const MeshCommand& command, Input input, const Options& options,
         const std::vector<File>& files, ShareOut share_out, spdlog::logger& log) {
@@ -282,11 +343,11 @@ int run(const MeshCommand& command, Input input, const Options& options,
       packings.push_back(packing);
     };
   }
-  Result<Output> meshed = make_mesh(command, std::move(input), options, callbacks, log);
+  Result<StreamedOutput> meshed = make_mesh(command, std::move(input), options, callbacks, log);
   line.clear();
   if (!meshed) return fail(log, meshed.error());
 
-  Output& output = *meshed;
+  Output& output = meshed->output;
   for (Provenance::Setting& setting : command.input.settings())
     output.report.provenance.settings.push_back(std::move(setting));
   log_notes(log, output.report.notes);
@@ -300,14 +361,15 @@ int run(const MeshCommand& command, Input input, const Options& options,
   if (interrupt.token().stop_requested()) {
     return fail(log, {ErrorCode::cancelled, "interrupted; nothing was written", {}, {}});
   }
-  if (const int code = write_files(command, files, output, interrupt.token(), log); code != exit_ok)
+  if (const int code = write_files(command, files, *meshed, interrupt.token(), log);
+      code != exit_ok)
     return code;
   if (!command.dump_folder.empty()) {
     const Status dumped = dump_stages(packings, command.dump_folder);
     if (!dumped) return fail(log, dumped.error());
   }
   interrupt.finish();
-  if (const int code = print_report(command, output, log); code != exit_ok) return code;
+  if (const int code = print_report(command, *meshed, log); code != exit_ok) return code;
   if (!complete) return exit_incomplete;
 
   const std::vector<std::string> unmet = unmet_requirements(output, options);

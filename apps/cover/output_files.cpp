@@ -115,7 +115,7 @@ Result<Writer> mesh_writer(const std::string& path, const WriteOptions& options)
 }
 
 Result<Writer> stdout_writer(const std::string& format, const WriteOptions& options) {
-  if (format == "vtm" || format == "ele")
+  if (format == "vtm" || format == "pvtu" || format == "ele")
     return Error{ErrorCode::bad_option,
                  fmt::format("a mesh in .{} is more than one file: give -o a name for it", format),
                  {},

@@ -119,7 +119,7 @@ std::string couplings_row(const Report& report) {
   return out + places + '\n';
 }
 
-std::string totals(const Output& output) {
+std::string totals(const Output& output, const MeshCounts& counts) {
   const Report& report = output.report;
   const Quality& q = report.quality;
   std::size_t held = 0, forced_120 = 0, forced_150 = 0, worst = 0;
@@ -133,11 +133,11 @@ std::string totals(const Output& output) {
     if (region.quality.largest_nu < report.regions[worst].quality.largest_nu) worst = r;
   }
   const std::size_t cuts = output.pslg.points.size() - report.uncut_points;
-  std::string out = fmt::format(
-      "{}, {} ({} new{}), {}\n", plural(q.triangles, "triangle"),
-      grouped(output.mesh.vertices()) + " vertices", grouped(report.steiner_vertices + cuts),
-      cuts > 0 ? fmt::format(", {} of them on segments", grouped(cuts)) : "",
-      plural(report.regions.size(), "region"));
+  std::string out =
+      fmt::format("{}, {} ({} new{}), {}\n", plural(q.triangles, "triangle"),
+                  grouped(counts.vertices) + " vertices", grouped(report.steiner_vertices + cuts),
+                  cuts > 0 ? fmt::format(", {} of them on segments", grouped(cuts)) : "",
+                  plural(report.regions.size(), "region"));
   for (const Note& note : report.notes) {
     if (note.kind == Note::Kind::cut) out += printable(note.message) + '\n';
   }
@@ -284,8 +284,9 @@ std::string region_name(const RegionTable& table, RegionId id) {
 
 }  // namespace
 
-std::string mesh_text(const Output& output, bool every_region) {
-  std::string out = replaced_rows(output) + totals(output);
+std::string mesh_text(const StreamedOutput& streamed, bool every_region) {
+  const Output& output = streamed.output;
+  std::string out = replaced_rows(output) + totals(output, streamed.counts);
   if (output.report.regions.size() > 1) out += '\n' + region_rows(output, every_region);
   out += layer_rows(output);
   return out + '\n' + histogram(output.report.quality) + '\n' + times(output.report);

@@ -5,13 +5,13 @@
 
 #include <cover/cover_mesh.hpp>
 #include <cover/estimate.hpp>
-#include <cover/output.hpp>
+#include <cover/stream_mesh.hpp>
 
 namespace cover::app {
 
 /// What a run reached: totals, the regions with the least slack (all if `every_region`), a
 /// histogram of all angles in bins of 10 degrees, times.
-std::string mesh_text(const Output& output, bool every_region);
+std::string mesh_text(const StreamedOutput& streamed, bool every_region);
 
 /// What an input holds and what can be reached on it: regions and interfaces.
 std::string info_text(const Prepared& prepared, bool every_region);

@@ -15,6 +15,7 @@ SEES['cuts'].add('verify')
 SEES['mesh'] = SEES['target'] | {'mesh'}
 SEES['pipeline'] = {*ORDER, 'verify', 'mesh', 'pipeline'}
 SEES['io'] = {'io', *GROUND}
+SEES['stream'] = SEES['pipeline'] | {'io', 'stream'}
 SEES['picture'] = SEES['io'] | {'picture'}
 SEES['vtk'] = SEES['picture'] | {'vtk'}
 SEES['dxf'] = SEES['io'] | {'dxf'}

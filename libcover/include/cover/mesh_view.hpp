@@ -99,6 +99,24 @@ MeshView view_of(const Output& output, const WriteOptions& options);
 /// The angles of triangle t, by corner. Second-order triangles count as straight.
 std::array<Angle, 3> angles_of(const MeshView& view, std::size_t t);
 
+/// An edge of a mesh on an interface or on the hull.
+struct LineEdge {
+  std::uint64_t order = 0;  ///< in which a mesh has its edges
+  std::uint32_t group = 0;  ///< set by view_of_lines()
+  InterfaceId interface;    ///< kNoInterface: of the hull
+  int marker = 0;
+  std::uint32_t from = 0;  ///< with the region on its left that the interface names so
+  std::uint32_t to = 0;
+  bool is_inner = false;  ///< a triangle on both sides
+};
+
+/// A view of groups and lines alone, for a mesh that is not in memory: no points and no triangles.
+///
+/// REQUIRES: triangles of first order
+/// Cost:     O(n log n) in the number of lines
+MeshView view_of_lines(const RegionTable& table, std::vector<LineEdge> lines,
+                       const WriteOptions& options);
+
 /// What the groups of regions and lines are called as sets of Abaqus: in capitals, beginning with a
 /// letter, unique among the groups given.
 std::vector<std::string> abaqus_names(const std::vector<Group>& groups);

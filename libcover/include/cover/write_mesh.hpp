@@ -13,6 +13,9 @@
 
 namespace cover {
 
+/// Files of a mesh in parts.
+inline constexpr int kMostParts = 100000;
+
 /// What a file should hold where its format leaves a choice.
 struct WriteOptions {
   int order = 1;            ///< 2: second-order triangles, a node in the middle of each edge
@@ -24,7 +27,8 @@ struct WriteOptions {
   /// `material` is the material always. See the formats; not in .vtu, .vtm, .vtkhdf.
   std::string ids = {};
   std::string inp_element = "S";  ///< .inp: S, CPS, CPE or CAX; the number of nodes is appended
-  std::stop_token stop = {};      ///< ends the writing with `cancelled`; all is as it was then
+  int parts = 1;              ///< .pvtu: into how many the mesh is divided, from 1 to kMostParts
+  std::stop_token stop = {};  ///< ends the writing with `cancelled`; all is as it was then
 };
 
 /// Writes `output` in the format that the extension of `path` names. See write_formats().
@@ -52,6 +56,14 @@ Status write_vtu(const Output& output, const std::string& path, const WriteOptio
 /// wants.
 Status write_vtkhdf(const Output& output, const std::string& path,
                     const WriteOptions& options = {});
+
+/// Writes a grid in WriteOptions::parts parts, each for a process that is to start with it: the
+/// arrays of write_vtu(), and of points and triangles ids in the whole mesh (GlobalNodeId,
+/// GlobalCellId), the part that owns them (Owner) and vtkGhostType, 1 for those of other parts.
+/// Behind its own triangles a part has one layer of ghosts: those that share a vertex with them.
+/// Regions stay in one part where they have not too many triangles. The pieces of X.pvtu are
+/// X.parts/X.parts_K_HASH.vtu, and are replaced as those of write_vtm().
+Status write_pvtu(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes a multi-block file with a named .vtu per group of regions and per group of lines beside
 /// it: the groups are those of the physical groups of .msh, so one name is one block. Where more

@@ -1,5 +1,6 @@
 // The properties of a Mesh have names, so that OpenMesh's own tools find them.
 #include <cover/mesh.hpp>
+#include <cover/mesh_counts.hpp>
 
 namespace cover {
 
@@ -20,5 +21,9 @@ Mesh::~Mesh() = default;
 
 std::size_t Mesh::vertices() const { return data_->tri.n_vertices(); }
 std::size_t Mesh::triangles() const { return data_->tri.n_faces(); }
+
+MeshCounts count_of(const Mesh& mesh) {
+  return {mesh.vertices(), mesh.tri().n_edges(), mesh.triangles()};
+}
 
 }  // namespace cover

@@ -14,36 +14,31 @@ namespace {
 /// All triangles by global vertex.
 struct Gathered {
   std::vector<Point> points;
-  std::vector<long> input_ids;           ///< by vertex; -1: Steiner
-  std::vector<std::uint32_t> vertex_of;  ///< by VertexId; kNone: not in the mesh
+  std::vector<std::size_t> triangles_of;  ///< how many, by region
+  std::vector<std::uint32_t> vertex_of;   ///< by VertexId; kNone: not in the mesh
   std::vector<IndexTriple> triangles;
 };
 
 void number_input_vertices(const Pslg& pslg, std::span<const RegionBoundary> boundaries,
                            Gathered& all) {
-  all.vertex_of.assign(pslg.points.size(), kNone);
-  for (const RegionBoundary& boundary : boundaries) {
-    for (const VertexId v : boundary.vertices) all.vertex_of[v.index()] = 0;
-  }
-  for (std::size_t v = 0; v < pslg.points.size(); ++v) {
-    if (all.vertex_of[v] == kNone) continue;
-    all.vertex_of[v] = static_cast<std::uint32_t>(all.points.size());
-    all.points.push_back(pslg.points[v]);
-    all.input_ids.push_back(static_cast<long>(v));
-  }
+  all.vertex_of = input_vertices(pslg, boundaries);
+  for (std::size_t v = 0; v < pslg.points.size(); ++v)
+    if (all.vertex_of[v] != kNone) all.points.push_back(pslg.points[v]);
 }
 
+/// Each mesh gives its memory back as soon as it is there.
 Gathered gather(const Pslg& pslg, std::span<const RegionBoundary> boundaries,
-                std::span<const RegionMesh> meshes) {
+                std::span<RegionMesh> meshes) {
   Gathered all;
-  number_input_vertices(pslg, boundaries, all);
   std::size_t triangles = 0, steiner = 0;
   for (const RegionMesh& mesh : meshes) {
     triangles += mesh.triangles.size();
     steiner += mesh.steiner.size();
+    all.triangles_of.push_back(mesh.triangles.size());
   }
   all.triangles.reserve(triangles);
-  all.points.reserve(all.points.size() + steiner);
+  all.points.reserve(pslg.points.size() + steiner);
+  number_input_vertices(pslg, boundaries, all);
   for (std::size_t r = 0; r < meshes.size(); ++r) {
     const std::vector<VertexId>& vertices = boundaries[r].vertices;
     const auto first_steiner = static_cast<std::uint32_t>(all.points.size());
@@ -56,21 +51,26 @@ Gathered gather(const Pslg& pslg, std::span<const RegionBoundary> boundaries,
       }
       all.triangles.push_back(t);
     }
+    meshes[r].triangles = {};
+    meshes[r].steiner = {};
   }
-  all.input_ids.resize(all.points.size(), -1);
   return all;
 }
 
 void set_input_ids(const Gathered& all, Mesh& mesh) {
-  for (std::size_t v = 0; v < all.input_ids.size(); ++v) {
-    mesh.set_input_id(TriMesh::VertexHandle(static_cast<int>(v)), all.input_ids[v]);
+  for (std::size_t v = 0; v < all.points.size(); ++v)
+    mesh.set_input_id(TriMesh::VertexHandle(static_cast<int>(v)), -1);
+  for (std::size_t v = 0; v < all.vertex_of.size(); ++v) {
+    if (all.vertex_of[v] == kNone) continue;
+    mesh.set_input_id(TriMesh::VertexHandle(static_cast<int>(all.vertex_of[v])),
+                      static_cast<long>(v));
   }
 }
 
-void set_regions(const RegionTable& table, std::span<const RegionMesh> meshes, Mesh& mesh) {
+void set_regions(const RegionTable& table, const Gathered& all, Mesh& mesh) {
   int face = 0;
-  for (std::size_t r = 0; r < meshes.size(); ++r) {
-    for (std::size_t k = 0; k < meshes[r].triangles.size(); ++k, ++face) {
+  for (std::size_t r = 0; r < all.triangles_of.size(); ++r) {
+    for (std::size_t k = 0; k < all.triangles_of[r]; ++k, ++face) {
       mesh.set_region(TriMesh::FaceHandle(face), table.regions[r].id);
       mesh.set_material(TriMesh::FaceHandle(face), table.regions[r].material);
     }
@@ -92,13 +92,27 @@ void set_segments(const Pslg& pslg, const RegionTable& table, const Gathered& al
 
 }  // namespace
 
-Mesh stitch(const Pslg& pslg, const RegionTable& table, std::span<const RegionBoundary> boundaries,
-            std::span<const RegionMesh> meshes) {
+std::vector<std::uint32_t> input_vertices(const Pslg& pslg,
+                                          std::span<const RegionBoundary> boundaries) {
+  std::vector<std::uint32_t> vertex_of(pslg.points.size(), kNone);
+  for (const RegionBoundary& boundary : boundaries) {
+    for (const VertexId v : boundary.vertices) vertex_of[v.index()] = 0;
+  }
+  std::uint32_t next = 0;
+  for (std::uint32_t& vertex : vertex_of) {
+    if (vertex != kNone) vertex = next++;
+  }
+  return vertex_of;
+}
+
+Mesh stitch(const Pslg& pslg, const RegionTable& table, std::vector<RegionBoundary> boundaries,
+            std::span<RegionMesh> meshes) {
   const Gathered all = gather(pslg, boundaries, meshes);
+  boundaries = {};
   const MeshBuilder builder(all.points, all.triangles);
   Mesh mesh = builder.build();
   set_input_ids(all, mesh);
-  set_regions(table, meshes, mesh);
+  set_regions(table, all, mesh);
   set_segments(pslg, table, all, builder, mesh);
   return mesh;
 }

@@ -20,6 +20,7 @@
 #include "mesh/periodic_nodes.hpp"
 #include "mesh/stitch.hpp"
 #include "pipeline/find_regions.hpp"
+#include "pipeline/mesh_prepared.hpp"
 #include "pipeline/nonobtuse.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/expected_triangles.hpp"
@@ -63,35 +64,43 @@ Status check_cuts(const Pslg& pslg, const Report& report) {
                {}};
 }
 
-/// All that follows once the regions are known; the input is not needed any more.
-Result<Output> mesh_prepared(Result<Prepared> prepared, const std::vector<PeriodicRule>& rules,
-                             const Options& options, const Callbacks& callbacks,
-                             StageClock& clock) {
-  if (!prepared) return std::move(prepared).error();
-  Pslg& pslg = prepared->pslg;
-  RegionTable& table = prepared->table;
-  Report& report = prepared->report;
+}  // namespace
 
+Result<std::vector<RegionBoundary>> split_prepared(Prepared& prepared, const Options& options,
+                                                   bool memory_counts, StageClock& clock) {
+  const Pslg& pslg = prepared.pslg;
+  const RegionTable& table = prepared.table;
   std::vector<RegionBoundary> boundaries;
   Status sized = errors_as_values("split", [&] {
     boundaries = split_regions(pslg, table);
     Status resolved = resolve_sizes(pslg, table, options, boundaries);
     if (resolved) resolved = resolve_layers(pslg, table, options, boundaries);
-    return resolved ? check_expected_triangles(table, boundaries, options) : resolved;
+    return resolved ? check_expected_triangles(table, boundaries, options,
+                                               memory_for_mesh(memory_counts))
+                    : resolved;
   });
   if (!sized) return std::move(sized).error();
-  warn_of_sizes(pslg, options, boundaries, report.notes);
-  clock.note("split", report.times);
+  warn_of_sizes(pslg, options, boundaries, prepared.report.notes);
+  clock.note("split", prepared.report.times);
+  return boundaries;
+}
+
+Result<Output> mesh_prepared(Prepared prepared, std::vector<RegionBoundary> boundaries,
+                             const std::vector<PeriodicRule>& rules, const Options& options,
+                             const Callbacks& callbacks, StageClock& clock) {
+  Pslg& pslg = prepared.pslg;
+  RegionTable& table = prepared.table;
+  Report& report = prepared.report;
   Result<std::vector<RegionMesh>> meshes =
       options.method == Method::nonobtuse
           ? mesh_nonobtuse(pslg, table, boundaries, options, callbacks)
           : mesh_regions(boundaries, options, callbacks);
   if (!meshes) return std::move(meshes).error();
-  Status met = cut_until_met(*prepared, boundaries, *meshes, options, callbacks);
+  Status met = cut_until_met(prepared, boundaries, *meshes, options, callbacks);
   if (!met) return std::move(met).error();
-  Status coupled = cut_until_coupled(*prepared, boundaries, *meshes, options, callbacks);
+  Status coupled = cut_until_coupled(prepared, boundaries, *meshes, options, callbacks);
   if (!coupled) return std::move(coupled).error();
-  Status thinned = thin_cuts(*prepared, boundaries, *meshes, options, callbacks);
+  Status thinned = thin_cuts(prepared, boundaries, *meshes, options, callbacks);
   if (!thinned) return std::move(thinned).error();
   Status apart = errors_as_values("check cuts", [&] { return check_cuts(pslg, report); });
   if (!apart) return std::move(apart).error();
@@ -99,7 +108,7 @@ Result<Output> mesh_prepared(Result<Prepared> prepared, const std::vector<Period
   clock.note("mesh", report.times);
   if (Status status = begin_stage("stitch", callbacks); !status) return std::move(status).error();
   Result<Mesh> mesh = errors_as_values(
-      "stitch", [&] { return Result<Mesh>(stitch(pslg, table, boundaries, *meshes)); });
+      "stitch", [&] { return Result<Mesh>(stitch(pslg, table, std::move(boundaries), *meshes)); });
   if (!mesh) return std::move(mesh).error();
   collect_reports(*meshes, report);
   std::vector<PeriodicNodes> periodic = periodic_nodes(pslg, rules, *mesh);
@@ -108,14 +117,25 @@ Result<Output> mesh_prepared(Result<Prepared> prepared, const std::vector<Period
                 std::move(periodic)};
 }
 
+namespace {
+
+Result<Output> mesh_found(Result<Prepared> prepared, const std::vector<PeriodicRule>& rules,
+                          const Options& options, const Callbacks& callbacks, StageClock& clock) {
+  if (!prepared) return std::move(prepared).error();
+  Result<std::vector<RegionBoundary>> boundaries = split_prepared(*prepared, options, true, clock);
+  if (!boundaries) return std::move(boundaries).error();
+  return mesh_prepared(*std::move(prepared), *std::move(boundaries), rules, options, callbacks,
+                       clock);
+}
+
 }  // namespace
 
 Result<Output> cover_mesh(const Input& input, const Options& asked, const Callbacks& callbacks) {
   return memory_as_value("mesh", [&]() -> Result<Output> {
     StageClock clock;
     const Options options = with_layers_of(input, asked);
-    return mesh_prepared(find_regions(input, options, callbacks, clock),
-                         periodic_rules(input, options), options, callbacks, clock);
+    return mesh_found(find_regions(input, options, callbacks, clock),
+                      periodic_rules(input, options), options, callbacks, clock);
   });
 }
 
@@ -123,10 +143,9 @@ Result<Output> cover_mesh(Input&& input, const Options& asked, const Callbacks& 
   return memory_as_value("mesh", [&]() -> Result<Output> {
     StageClock clock;
     const Options options = with_layers_of(input, asked);
-    Result<Prepared> prepared = find_regions(input, options, callbacks, clock);
     const std::vector<PeriodicRule> rules = periodic_rules(input, options);
-    input = {};
-    return mesh_prepared(std::move(prepared), rules, options, callbacks, clock);
+    Result<Prepared> prepared = find_regions(std::move(input), options, callbacks, clock);
+    return mesh_found(std::move(prepared), rules, options, callbacks, clock);
   });
 }
 

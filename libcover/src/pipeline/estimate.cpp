@@ -1,8 +1,6 @@
 // Tested by tests/unit/pipeline/estimate_test.cpp.
 #include <cover/estimate.hpp>
 
-#include <algorithm>
-
 #include "base/machine_memory.hpp"
 #include "base/out_of_memory.hpp"
 #include "region/region_graph.hpp"
@@ -13,9 +11,6 @@
 namespace cover {
 namespace {
 
-/// Triangles for each side where no sizes are wished; 1.5 to 1.7 in maps and devices.
-constexpr double kTrianglesPerSide = 1.6;
-
 Result<Estimate> add_up(const Prepared& prepared, const Options& options) {
   std::vector<RegionBoundary> boundaries = split_regions(prepared.pslg, prepared.table);
   if (Status status = resolve_sizes(prepared.pslg, prepared.table, options, boundaries); !status)
@@ -23,10 +18,7 @@ Result<Estimate> add_up(const Prepared& prepared, const Options& options) {
   Estimate all;
   std::size_t sides = 0;
   for (const RegionBoundary& boundary : boundaries) {
-    const double by_sizes =
-        options.method == Method::quality ? expected_triangles(boundary, options) : 0;
-    const double by_sides = kTrianglesPerSide * static_cast<double>(boundary.sides.size());
-    all.triangles += std::max(by_sizes, by_sides);
+    all.triangles += about_triangles(boundary, options);
     sides += boundary.sides.size();
   }
   all.bytes = memory_for(all.triangles, sides);

@@ -31,12 +31,15 @@ Status begin_stage(std::string_view stage, const Callbacks& callbacks) {
 namespace {
 
 /// Before segments are cut for sizes that no mesh can have, or a dry run ends with a wrong name.
-Status check_wishes(const Pslg& pslg, const RegionTable& table, const Options& options) {
+Status check_wishes(const Pslg& pslg, const RegionTable& table, const Options& options,
+                    bool memory_counts) {
   if (options.sizes.empty() && options.layers.empty() && !options.split_interfaces) return ok();
   std::vector<RegionBoundary> boundaries = split_regions(pslg, table);
   Status resolved = resolve_sizes(pslg, table, options, boundaries);
   if (resolved) resolved = resolve_layers(pslg, table, options, boundaries);
-  return resolved ? check_expected_triangles(table, boundaries, options) : resolved;
+  return resolved
+             ? check_expected_triangles(table, boundaries, options, memory_for_mesh(memory_counts))
+             : resolved;
 }
 
 }  // namespace
@@ -47,8 +50,12 @@ std::vector<PeriodicRule> periodic_rules(const Input& input, const Options& opti
   return rules;
 }
 
-Result<Prepared> find_regions(const Input& input, const Options& options,
-                              const Callbacks& callbacks, StageClock& clock) {
+namespace {
+
+/// `release` gives the input back, if it may go.
+template <class Release>
+Result<Prepared> find(const Input& input, Release release, const Options& options,
+                      const Callbacks& callbacks, StageClock& clock, bool memory_counts) {
   if (Status status = check_options(options); !status) return std::move(status).error();
   Prepared prepared;
   Report& report = prepared.report;
@@ -63,6 +70,8 @@ Result<Prepared> find_regions(const Input& input, const Options& options,
       errors_as_values("clean", [&] { return make_pslg(input, options, report, &whole); });
   if (!pslg) return std::move(pslg).error();
   prepared.pslg = *std::move(pslg);
+  const std::vector<PeriodicRule> rules = periodic_rules(input, options);
+  release();
   clock.note("clean", report.times);
   if (Status status = begin_stage("regions", callbacks); !status) return std::move(status).error();
   Result<RegionTable> table = errors_as_values("regions", [&] {
@@ -71,15 +80,14 @@ Result<Prepared> find_regions(const Input& input, const Options& options,
   if (!table) return std::move(table).error();
   prepared.table = *std::move(table);
   Status joined = errors_as_values("periodic sides", [&] {
-    return join_periodic_sides(prepared.pslg, prepared.table, periodic_rules(input, options),
-                               options, report);
+    return join_periodic_sides(prepared.pslg, prepared.table, rules, options, report);
   });
   if (!joined) return std::move(joined).error();
   clock.note("regions", report.times);
   report.uncut_points = prepared.pslg.points.size();
   report.uncut_segments = prepared.pslg.segments.size();
   Status status = errors_as_values("split interfaces", [&] {
-    Status sizes = check_wishes(prepared.pslg, prepared.table, options);
+    Status sizes = check_wishes(prepared.pslg, prepared.table, options, memory_counts);
     if (!sizes) return sizes;
     Status split = split_interfaces(prepared.pslg, prepared.table, options, report.notes);
     if (split) split = cut_for_layers(prepared, options);
@@ -91,6 +99,20 @@ Result<Prepared> find_regions(const Input& input, const Options& options,
   report.input_segments = prepared.pslg.segments.size();
   report.threads = worker_count(options);
   return prepared;
+}
+
+}  // namespace
+
+Result<Prepared> find_regions(const Input& input, const Options& options,
+                              const Callbacks& callbacks, StageClock& clock, bool memory_counts) {
+  return find(
+      input, [] {}, options, callbacks, clock, memory_counts);
+}
+
+Result<Prepared> find_regions(Input&& input, const Options& options, const Callbacks& callbacks,
+                              StageClock& clock, bool memory_counts) {
+  return find(
+      input, [&input] { input = {}; }, options, callbacks, clock, memory_counts);
 }
 
 Options with_layers_of(const Input& input, const Options& options) {

@@ -22,9 +22,14 @@ Status begin_stage(std::string_view stage, const Callbacks& callbacks);
 
 /// Input made clean and its regions, with segments cut as the options ask; no lower bounds yet.
 ///
-/// Errors: ErrorCode 100-199, bad_option, cancelled
+/// Errors: ErrorCode 100-199, bad_option, cancelled; out_of_memory where `memory_counts` and the
+///         sizes asked for take more than there is
 Result<Prepared> find_regions(const Input& input, const Options& options,
-                              const Callbacks& callbacks, StageClock& clock);
+                              const Callbacks& callbacks, StageClock& clock,
+                              bool memory_counts = true);
+/// The same; `input` is gone as soon as it is clean.
+Result<Prepared> find_regions(Input&& input, const Options& options, const Callbacks& callbacks,
+                              StageClock& clock, bool memory_counts = true);
 
 /// The rules of the options, then those of the input.
 std::vector<PeriodicRule> periodic_rules(const Input& input, const Options& options);

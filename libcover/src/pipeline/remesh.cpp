@@ -265,7 +265,7 @@ Result<Output> mesh_again(const Input& input, const TriangleSoup& onto,
   }
   clock.note("mesh", report.times);
   if (Status status = begin_stage("stitch", callbacks); !status) return std::move(status).error();
-  Mesh mesh = stitch(pslg, table, boundaries, meshes);
+  Mesh mesh = stitch(pslg, table, std::move(boundaries), meshes);
   collect_reports(meshes, report);
   clock.note("stitch", report.times);
   std::vector<PeriodicNodes> periodic = periodic_nodes(pslg, rules, mesh);

@@ -156,6 +156,18 @@ double expected_triangles(const RegionBoundary& boundary, const Options& options
   return Estimate(boundary, options).triangles();
 }
 
+double about_triangles(const RegionBoundary& boundary, const Options& options) {
+  // 1.5 to 1.7 in maps and devices.
+  constexpr double kTrianglesPerSide = 1.6;
+  const double by_sizes =
+      options.method == Method::quality ? expected_triangles(boundary, options) : 0;
+  return std::max(by_sizes, kTrianglesPerSide * static_cast<double>(boundary.sides.size()));
+}
+
+double memory_for_mesh(bool memory_counts) {
+  return memory_counts ? machine_memory() : std::numeric_limits<double>::infinity();
+}
+
 Status check_expected_triangles(const RegionTable& table,
                                 std::span<const RegionBoundary> boundaries, const Options& options,
                                 double memory) {

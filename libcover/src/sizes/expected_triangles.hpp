@@ -23,6 +23,13 @@ double most_triangles(const RegionBoundary& boundary);
 /// Cost: O(n log n); O(n) where there are surely less than a million
 double expected_triangles(const RegionBoundary& boundary, const Options& options);
 
+/// About how many triangles a region gets: by sizes wished, and at least what its sides take.
+double about_triangles(const RegionBoundary& boundary, const Options& options);
+
+/// What check_expected_triangles() may take for `memory`: all that there is, or no limit where the
+/// mesh is not held.
+double memory_for_mesh(bool memory_counts);
+
 /// About as many bytes as a run takes for so many triangles and sides of regions.
 double memory_for(double triangles, std::size_t sides);
 

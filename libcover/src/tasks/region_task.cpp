@@ -337,14 +337,23 @@ Result<std::vector<RegionReport>> limit_regions(std::span<const RegionBoundary> 
   return reports;
 }
 
+Status mesh_regions_into(std::span<const RegionBoundary> boundaries, const Options& options,
+                         const Callbacks& callbacks, const RegionSink& sink,
+                         const std::function<bool()>& is_good) {
+  if (callbacks.share_out) return share_out_regions(boundaries, options, callbacks, sink);
+  return for_each_region(boundaries, worker_count(options), "mesh", callbacks,
+                         [&](std::size_t k, const Team& team) {
+                           if (is_good())
+                             sink(k, mesh_one_region(boundaries[k], options, callbacks.stop, team));
+                         });
+}
+
 Result<std::vector<RegionMesh>> mesh_regions(std::span<const RegionBoundary> boundaries,
                                              const Options& options, const Callbacks& callbacks) {
-  if (callbacks.share_out) return share_out_regions(boundaries, options, callbacks);
   std::vector<RegionMesh> meshes(boundaries.size());
-  Status status = for_each_region(
-      boundaries, worker_count(options), "mesh", callbacks, [&](std::size_t k, const Team& team) {
-        meshes[k] = mesh_one_region(boundaries[k], options, callbacks.stop, team);
-      });
+  Status status =
+      mesh_regions_into(boundaries, options, callbacks,
+                        [&](std::size_t k, RegionMesh mesh) { meshes[k] = std::move(mesh); });
   if (!status) return std::move(status).error();
   return meshes;
 }

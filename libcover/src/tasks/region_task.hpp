@@ -51,7 +51,20 @@ std::size_t cost_of(const RegionBoundary& boundary);
 RegionMesh mesh_one_region(const RegionBoundary& boundary, const Options& options,
                            const std::stop_token& stop, const Team& team = {});
 
-/// Meshes and measures every region, as Callbacks::share_out says; results in region order.
+/// Takes the mesh of a region.
+///
+/// Threads: called from several at a time, each with regions of its own
+using RegionSink = std::function<void(std::size_t region, RegionMesh mesh)>;
+
+/// Meshes and measures every region, as Callbacks::share_out says, and hands each to `sink` when it
+/// is done. Once `is_good` is false, no further region is begun.
+///
+/// Errors: those of for_each_region()
+Status mesh_regions_into(
+    std::span<const RegionBoundary> boundaries, const Options& options, const Callbacks& callbacks,
+    const RegionSink& sink, const std::function<bool()>& is_good = [] { return true; });
+
+/// The same; results in region order.
 Result<std::vector<RegionMesh>> mesh_regions(std::span<const RegionBoundary> boundaries,
                                              const Options& options, const Callbacks& callbacks);
 

@@ -1,8 +1,8 @@
 // Tested by tests/unit/pipeline/share_out_test.cpp.
 #include "tasks/share_out_regions.hpp"
 
+#include <map>
 #include <mutex>
-#include <optional>
 
 #include <fmt/core.h>
 
@@ -21,15 +21,19 @@ Result<RegionMesh> try_region(const RegionBoundary& boundary, const Options& opt
   });
 }
 
-/// Every result has a slot of its own; only the progress is common.
+/// What became of a region.
+enum class State : std::uint8_t { left_out, done, failed };
+
+/// Every region has a slot of its own; progress and errors are common.
 class Jobs final : public RegionJobs {
  public:
   Jobs(std::span<const RegionBoundary> boundaries, const Options& options,
-       const Callbacks& callbacks)
+       const Callbacks& callbacks, const RegionSink& sink)
       : boundaries_(boundaries),
         options_(options),
         callbacks_(callbacks),
-        meshes_(boundaries.size()),
+        sink_(sink),
+        states_(boundaries.size(), State::left_out),
         progress_{"mesh", 0, 0} {
     costs_.reserve(boundaries.size());
     for (const RegionBoundary& boundary : boundaries) costs_.push_back(cost_of(boundary));
@@ -51,23 +55,28 @@ class Jobs final : public RegionJobs {
     keep(region, mesh_of_bytes(result));
   }
 
-  /// All meshes, or the error of the first region that has none.
-  Result<std::vector<RegionMesh>> take() {
-    std::vector<RegionMesh> meshes;
-    meshes.reserve(meshes_.size());
-    for (std::optional<Result<RegionMesh>>& mesh : meshes_) {
-      if (!mesh) return internal_error("sharing out", "a region was left out");
-      if (!*mesh) return std::move(*mesh).error();
-      meshes.push_back(**std::move(mesh));
+  /// The error of the first region that has no mesh.
+  Status finish() {
+    for (std::size_t region = 0; region < states_.size(); ++region) {
+      if (states_[region] == State::failed) return std::move(errors_.at(region));
+      if (states_[region] == State::left_out)
+        return internal_error("sharing out", "a region was left out");
     }
-    return meshes;
+    return ok();
   }
 
  private:
   void keep(std::size_t region, Result<RegionMesh> mesh) {
-    meshes_[region] = std::move(mesh);
-    if (!callbacks_.progress) return;
+    Status kept = mesh ? errors_as_values("keeping a region",
+                                          [&] {
+                                            sink_(region, *std::move(mesh));
+                                            return ok();
+                                          })
+                       : Status(std::move(mesh).error());
+    states_[region] = kept ? State::done : State::failed;
     const std::lock_guard lock(mutex_);
+    if (!kept) errors_.emplace(region, std::move(kept).error());
+    if (!callbacks_.progress) return;
     progress_.done += costs_[region];
     callbacks_.progress(progress_);
   }
@@ -77,21 +86,22 @@ class Jobs final : public RegionJobs {
   std::vector<std::size_t> costs_;
   const Options& options_;
   const Callbacks& callbacks_;
-  std::vector<std::optional<Result<RegionMesh>>> meshes_;
+  const RegionSink& sink_;
+  std::vector<State> states_;
+  std::map<std::size_t, Error> errors_;
   std::mutex mutex_;
   Progress progress_;
 };
 
 }  // namespace
 
-Result<std::vector<RegionMesh>> share_out_regions(std::span<const RegionBoundary> boundaries,
-                                                  const Options& options,
-                                                  const Callbacks& callbacks) {
-  Jobs jobs(boundaries, options, callbacks);
+Status share_out_regions(std::span<const RegionBoundary> boundaries, const Options& options,
+                         const Callbacks& callbacks, const RegionSink& sink) {
+  Jobs jobs(boundaries, options, callbacks, sink);
   Status shared = callbacks.share_out(jobs);
-  if (!shared) return std::move(shared).error();
+  if (!shared) return shared;
   if (callbacks.stop.stop_requested()) return Error{ErrorCode::cancelled, "interrupted", {}, {}};
-  return jobs.take();
+  return jobs.finish();
 }
 
 Bytes mesh_region_bytes(std::span<const std::byte> boundary, const Options& options,

@@ -1,8 +1,8 @@
 // Regions for other processes: see cover/share_out.hpp.
 #pragma once
 
+#include <functional>
 #include <span>
-#include <vector>
 
 #include <cover/options.hpp>
 #include <cover/progress.hpp>
@@ -13,12 +13,12 @@
 
 namespace cover {
 
-/// Has every region meshed by Callbacks::share_out; results in region order.
+/// Has every region meshed by Callbacks::share_out, and hands each to `sink` when it is done.
 ///
 /// REQUIRES: callbacks.share_out
-/// Errors:   as mesh_regions(), and those of share_out
-Result<std::vector<RegionMesh>> share_out_regions(std::span<const RegionBoundary> boundaries,
-                                                  const Options& options,
-                                                  const Callbacks& callbacks);
+/// Errors:   as mesh_regions_into(), and those of share_out
+Status share_out_regions(std::span<const RegionBoundary> boundaries, const Options& options,
+                         const Callbacks& callbacks,
+                         const std::function<void(std::size_t region, RegionMesh mesh)>& sink);
 
 }  // namespace cover

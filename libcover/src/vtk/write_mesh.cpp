@@ -26,13 +26,14 @@ Status write_clean_input(const Output& output, const std::string& path, const Wr
 }
 
 constexpr std::array kFormats{
-    Format{".vtu", true, write_vtu},       Format{".vtm", true, write_vtm},
-    Format{".vtkhdf", true, write_vtkhdf}, Format{".vtk", true, write_vtk},
-    Format{".msh", true, write_msh},       Format{".xdmf", true, write_xdmf},
-    Format{".mesh", true, write_medit},    Format{".inp", true, write_inp},
-    Format{".ele", true, write_triangle},  Format{".obj", false, write_obj},
-    Format{".off", false, write_off},      Format{".ply", false, write_ply},
-    Format{".json", true, write_manifest}, Format{".poly", true, write_clean_input},
+    Format{".vtu", true, write_vtu},          Format{".vtm", true, write_vtm},
+    Format{".vtkhdf", true, write_vtkhdf},    Format{".vtk", true, write_vtk},
+    Format{".msh", true, write_msh},          Format{".pvtu", true, write_pvtu},
+    Format{".xdmf", true, write_xdmf},        Format{".mesh", true, write_medit},
+    Format{".inp", true, write_inp},          Format{".ele", true, write_triangle},
+    Format{".obj", false, write_obj},         Format{".off", false, write_off},
+    Format{".ply", false, write_ply},         Format{".json", true, write_manifest},
+    Format{".poly", true, write_clean_input},
 };
 
 Result<Format> format_of(const std::string& path) {
@@ -58,6 +59,8 @@ Status check(const WriteOptions& options) {
     return bad(fmt::format("triangles are of order 1 or 2, not {}", options.order));
   if (options.msh != "2.2" && options.msh != "4.1")
     return bad(fmt::format("the version of .msh is 2.2 or 4.1, not {}", options.msh));
+  if (options.parts < 1 || options.parts > kMostParts)
+    return bad(fmt::format("parts are 1 to {}, not {}", kMostParts, options.parts));
   constexpr std::array kFamilies{"S", "CPS", "CPE", "CAX"};
   if (std::find(kFamilies.begin(), kFamilies.end(), options.inp_element) == kFamilies.end())
     return bad(fmt::format("elements of .inp are S, CPS, CPE or CAX, not {}", options.inp_element));
@@ -83,6 +86,8 @@ Status can_write(const std::string& path, const WriteOptions& options) {
     if (options.order == 2 && !format->second_order)
       return bad(fmt::format("cannot write '{}': {} has no second-order triangles", path,
                              format->extension));
+    if (options.parts != 1 && format->write != write_pvtu)
+      return bad(fmt::format("cannot write '{}' in parts: .pvtu has some", path));
     return ok();
   });
 }

@@ -29,7 +29,10 @@ struct Patchwork {
     for (const std::vector<Loop>& loops : regions) add_region(loops);
     for (const RegionBoundary& b : boundaries) meshes.push_back(almond_region(b, {}, {}));
   }
-  [[nodiscard]] Mesh stitched() const { return stitch(pslg, table, boundaries, meshes); }
+  [[nodiscard]] Mesh stitched() const {
+    std::vector<RegionMesh> copies = meshes;
+    return stitch(pslg, table, boundaries, copies);
+  }
 
  private:
   void add_region(const std::vector<Loop>& loops) {

@@ -114,6 +114,8 @@ Result<PieceFolder> PieceFolder::open(const fs::path& target, const std::string&
   PieceFolder out;
   out.target_ = target;
   out.stem_ = target.stem();
+  // A .vtm and a .pvtu of one name have folders of their own.
+  if (target.extension() == ".pvtu") out.stem_ += ".parts";
   out.folder_ = target.parent_path() / out.stem_;
   out.shown_ = shown;
   out.stop_ = std::move(stop);

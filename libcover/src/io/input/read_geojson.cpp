@@ -24,7 +24,30 @@ class GeoReader {
   }
 
   Result<Input> read() {
-    push(document_, Properties{});
+    read_all(document_);
+    return finish();
+  }
+
+  /// The same, where `elements` stand in the collection of features that the document is; nothing
+  /// where something is wrong, of which the place is not known.
+  std::optional<Input> read(const std::vector<std::string_view>& elements) {
+    if (JsonReader::member(document_, "type") == nullptr ||
+        *JsonReader::member(document_, "type") != "FeatureCollection")
+      return std::nullopt;
+    for (const std::string_view element : elements) {
+      const Result<JsonDocument> feature = parse_json_text(element, "");
+      if (!feature) return std::nullopt;
+      read_all(feature->root());
+      if (json_.failed()) return std::nullopt;
+    }
+    Result<Input> input = finish();
+    return input ? std::optional(*std::move(input)) : std::nullopt;
+  }
+
+ private:
+  /// An object with all that lies in it.
+  void read_all(const Json& root) {
+    push(root, Properties{});
     while (!waiting_.empty() && !json_.failed()) {
       const auto [object, properties] = std::move(waiting_.back());
       waiting_.pop_back();
@@ -33,6 +56,9 @@ class GeoReader {
       // What lies in the object comes next, and in its order: later polygons win over earlier ones.
       std::reverse(waiting_.begin() + static_cast<std::ptrdiff_t>(before), waiting_.end());
     }
+  }
+
+  Result<Input> finish() {
     if (!json_.failed() && input_.polygons.empty() && input_.lines.empty())
       json_.fail(document_, "no Polygon, MultiPolygon or LineString in it");
     if (json_.failed()) return json_.error();
@@ -47,7 +73,6 @@ class GeoReader {
     return std::move(input_);
   }
 
- private:
   /// What a feature says of its geometry.
   struct Properties {
     std::string material;
@@ -170,7 +195,15 @@ Result<Input> read_geojson(const Json& document, const std::string& source) {
   return GeoReader(document, source).read();
 }
 
+std::optional<Input> read_geojson(const SplitJson& split, const std::string& source) {
+  const Result<JsonDocument> rest = parse_json_text(split.rest, source);
+  return rest ? GeoReader(rest->root(), source).read(split.elements) : std::nullopt;
+}
+
 Result<Input> parse_geojson(std::string_view text, const std::string& source) {
+  if (const auto split = split_json(text, {"features"})) {
+    if (std::optional<Input> input = read_geojson(*split, source)) return *std::move(input);
+  }
   const Result<JsonDocument> document = parse_json_text(text, source);
   if (!document) return document.error();
   return read_geojson(document->root(), source);

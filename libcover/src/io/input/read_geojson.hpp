@@ -6,6 +6,7 @@
 #include <cover/input.hpp>
 
 #include "io/text/json_reader.hpp"
+#include "io/text/split_json.hpp"
 
 namespace cover {
 
@@ -14,5 +15,9 @@ bool is_geojson(const Json& document);
 
 /// Reads a parsed document; else as parse_geojson.
 Result<Input> read_geojson(const Json& document, const std::string& source);
+
+/// The same of a document without its features, and these, so that there is one tree at a time;
+/// nothing where something is wrong: then the whole document tells.
+std::optional<Input> read_geojson(const SplitJson& split, const std::string& source);
 
 }  // namespace cover

@@ -7,14 +7,18 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
+#include <span>
 
 #include "io/input/curves.hpp"
 #include "io/input/formats.hpp"
 #include "io/input/read_geojson.hpp"
 #include "io/text/json_reader.hpp"
+#include "io/text/split_json.hpp"
 
 namespace cover {
 namespace {
@@ -34,8 +38,10 @@ const std::vector<std::string_view> kFreeKeys{"name",  "source", "license",
 
 class InputReader {
  public:
-  InputReader(const Json& document, const std::string& source)
-      : document_(document), json_(document, source) {
+  /// `elements` are the polygons of a document that has an empty array of them.
+  InputReader(const Json& document, const std::string& source,
+              std::span<const std::string_view> elements = {})
+      : document_(document), json_(document, source), elements_(elements) {
     input_.source = source;
     input_.void_rule = VoidRule::unseeded_faces;
   }
@@ -337,7 +343,7 @@ class InputReader {
   }
 
   void read_polygons() {
-    for_each("polygons", [&](const Json& item, long id) {
+    const auto read = [&](const Json& item, long id) {
       if (!json_.expect_keys(item, {"material", "region", "priority", "size", "rings"})) return;
       InputPolygon polygon;
       polygon.material = json_.name(json_.required(item, "material"));
@@ -348,7 +354,13 @@ class InputReader {
         add_ring(read_path(ring), polygon);
       polygon.id = id;
       input_.polygons.push_back(std::move(polygon));
-    });
+    };
+    for_each("polygons", read);
+    for (std::size_t k = 0; k < elements_.size() && !json_.failed(); ++k) {
+      const Result<JsonDocument> polygon = parse_json_text(elements_[k], "");
+      if (!polygon) return json_.fail(document_, polygon.error().message);
+      read(polygon->root(), static_cast<long>(k));
+    }
   }
 
   static void add_ring(Path path, InputPolygon& polygon) {
@@ -439,6 +451,7 @@ class InputReader {
 
   const Json& document_;
   JsonReader json_;
+  std::span<const std::string_view> elements_;
   Input input_;
   CurveCutter cutter_;
   std::optional<double> chord_error_;
@@ -448,9 +461,29 @@ class InputReader {
   std::map<ArcCircle, std::uint32_t> circles_;  ///< their numbers
 };
 
+/// Features, or polygons without curves, one tree at a time; nothing where that does not work: then
+/// the whole document tells why.
+std::optional<Input> parse_in_parts(std::string_view text, const std::string& source) {
+  const auto split = split_json(text, {"features", "polygons"});
+  if (!split) return std::nullopt;
+  if (split->name == "features") return read_geojson(*split, source);
+  // Curves are cut alike in all polygons, which are looked at twice for it.
+  const auto is_curved = [](std::string_view element) {
+    return element.find("\"circle\"") != element.npos || element.find("\"arc\"") != element.npos ||
+           element.find('\\') != element.npos;
+  };
+  if (std::any_of(split->elements.begin(), split->elements.end(), is_curved)) return std::nullopt;
+  const Result<JsonDocument> rest = parse_json_text(split->rest, source);
+  if (!rest || is_geojson(rest->root()) || JsonReader::member(rest->root(), "polygons") == nullptr)
+    return std::nullopt;
+  Result<Input> input = InputReader(rest->root(), source, split->elements).read();
+  return input ? std::optional(*std::move(input)) : std::nullopt;
+}
+
 }  // namespace
 
 Result<Input> parse_json(std::string_view text, const std::string& source) {
+  if (std::optional<Input> input = parse_in_parts(text, source)) return *std::move(input);
   const Result<JsonDocument> document = parse_json_text(text, source);
   if (!document) return document.error();
   if (is_geojson(document->root())) return read_geojson(document->root(), source);

@@ -67,6 +67,7 @@
 #include "io/files/atomic_file.hpp"
 #include "io/report/periodic_json.hpp"
 #include "io/report/provenance_json.hpp"
+#include "io/report/report_text.hpp"
 
 namespace cover {
 namespace {
@@ -381,11 +382,10 @@ Json input_json(const Pslg& pslg, const RegionTable& table, const Report& report
           {"void_segments", table.void_segments.size()}};
 }
 
-Json mesh_json(const Output& output) {
-  const TriMesh& tri = output.mesh.tri();
-  return {{"vertices", tri.n_vertices()},
-          {"edges", tri.n_edges()},
-          {"triangles", tri.n_faces()},
+Json mesh_json(const Output& output, const MeshCounts& mesh) {
+  return {{"vertices", mesh.vertices},
+          {"edges", mesh.edges},
+          {"triangles", mesh.triangles},
           {"steiner_vertices", output.report.steiner_vertices},
           {"cut_vertices", output.pslg.points.size() - output.report.uncut_points}};
 }
@@ -469,12 +469,14 @@ void add_lines_and_remarks(const RegionTable& table, const Report& report, Objec
 
 }  // namespace
 
-std::string report_json(const Output& output) {
+std::string report_json(const Output& output) { return report_json(output, count_of(output.mesh)); }
+
+std::string report_json(const Output& output, const MeshCounts& counts) {
   const Report& report = output.report;
   ObjectText out;
   add_origin("cover report", report, out);
   out.add("input", input_json(output.pslg, output.table, report));
-  out.add("mesh", mesh_json(output));
+  out.add("mesh", mesh_json(output, counts));
   out.add("overall", overall_json(report));
   out.add_list("regions", report.regions.size(), [&](std::size_t k) {
     return region_json(output.table.region(report.regions[k].id), report.regions[k]);
@@ -528,10 +530,14 @@ std::string report_json(const Prepared& prepared) {
 }
 
 Status write_report_json(const Output& output, const std::string& path) {
+  return write_report_json(output, count_of(output.mesh), path);
+}
+
+Status write_report_json(const Output& output, const MeshCounts& counts, const std::string& path) {
   return memory_as_value(path, [&]() -> Status {
     Result<AtomicFile> file = AtomicFile::create(path);
     if (!file) return std::move(file).error();
-    file->write(report_json(output));
+    file->write(report_json(output, counts));
     file->write("\n");
     return file->commit();
   });

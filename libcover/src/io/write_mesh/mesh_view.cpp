@@ -68,17 +68,11 @@ void group_regions(const RegionTable& table, const std::string& ids, MeshView& v
   view.has_ids = !ids.empty();
 }
 
-/// A line of the mesh before lines are put in order.
-struct Line {
-  std::uint32_t group = 0;
-  InterfaceId interface;
-  int marker = 0;
-  Edge edge;
-  friend auto operator<=>(const Line& a, const Line& b) {
-    return std::tuple(a.group, a.interface, a.marker, a.edge.idx()) <=>
-           std::tuple(b.group, b.interface, b.marker, b.edge.idx());
-  }
-};
+/// By group, interface, marker and edge.
+bool is_before(const LineEdge& a, const LineEdge& b) {
+  return std::tuple(a.group, a.interface, a.marker, a.order) <
+         std::tuple(b.group, b.interface, b.marker, b.order);
+}
 
 /// Names the groups of lines and tells of each line to which it belongs.
 class LineGroups {
@@ -128,6 +122,42 @@ Halfedge directed(const Mesh& mesh, const RegionTable& table, Edge edge) {
   return mesh.region(tri.face_handle(h)) == left ? h : back;
 }
 
+/// `lines` in their order, and their groups; as WriteOptions::order asks, edge k has its middle at
+/// node `corners` + k.
+void add_lines(const RegionTable& table, std::vector<LineEdge> lines, const WriteOptions& options,
+               MeshView& view) {
+  // Groups are numbered in this order, whichever lines are left out then.
+  std::sort(lines.begin(), lines.end(), is_before);
+  LineGroups groups(table, view);
+  for (const bool hull : {false, true}) {
+    for (LineEdge& line : lines) {
+      if ((line.interface == kNoInterface) == hull)
+        line.group = groups.of(line.interface, line.marker);
+    }
+  }
+  view.line_groups = groups.finish();
+  std::sort(lines.begin(), lines.end(), is_before);
+  if (!options.inner_lines)
+    std::erase_if(lines, [](const LineEdge& line) { return line.is_inner; });
+  const bool second_order = options.order == 2;
+  view.lines.nodes_each = second_order ? 3 : 2;
+  view.lines.nodes.reserve(view.lines.nodes_each * lines.size());
+  view.interface.reserve(lines.size());
+  view.line_group.reserve(lines.size());
+  view.inner.reserve(lines.size());
+  view.marker.reserve(lines.size());
+  for (const LineEdge& line : lines) {
+    view.lines.nodes.push_back(line.from);
+    view.lines.nodes.push_back(line.to);
+    if (second_order)
+      view.lines.nodes.push_back(static_cast<std::uint32_t>(view.corners + line.order));
+    view.interface.push_back(line.interface);
+    view.line_group.push_back(line.group);
+    view.inner.push_back(line.is_inner ? 1 : 0);
+    view.marker.push_back(line.marker);
+  }
+}
+
 class Viewer {
  public:
   Viewer(const Output& output, const WriteOptions& options)
@@ -142,7 +172,7 @@ class Viewer {
     group_regions(table_, options_.ids, view_);
     add_points();
     add_triangles();
-    add_lines();
+    add_lines(table_, all_lines(), options_, view_);
     if (!periodic_.empty()) add_periodic();
     return std::move(view_);
   }
@@ -198,47 +228,20 @@ class Viewer {
     }
   }
 
-  void add_lines() {
-    std::vector<Line> lines = all_lines();
-    // Groups are numbered in this order, whichever lines are left out then.
-    std::sort(lines.begin(), lines.end());
-    LineGroups groups(table_, view_);
-    for (const bool hull : {false, true}) {
-      for (Line& line : lines) {
-        if ((line.interface == kNoInterface) == hull)
-          line.group = groups.of(line.interface, line.marker);
-      }
-    }
-    view_.line_groups = groups.finish();
-    std::sort(lines.begin(), lines.end());
-    view_.lines.nodes_each = options_.order == 2 ? 3 : 2;
-    for (const Line& line : lines) {
-      if (options_.inner_lines || tri_.is_boundary(line.edge)) add_line(line);
-    }
-  }
-
   /// On interfaces, and on the hull.
-  [[nodiscard]] std::vector<Line> all_lines() const {
-    std::vector<Line> lines;
+  [[nodiscard]] std::vector<LineEdge> all_lines() const {
+    std::vector<LineEdge> lines;
     for (int e = 0; e < static_cast<int>(tri_.n_edges()); ++e) {
       const Edge edge(e);
       const InterfaceId interface = mesh_.interface(edge);
-      if (interface != kNoInterface || tri_.is_boundary(edge))
-        lines.push_back({0, interface, mesh_.marker(edge), edge});
+      const bool is_outer = tri_.is_boundary(edge);
+      if (interface == kNoInterface && !is_outer) continue;
+      const Halfedge h = directed(mesh_, table_, edge);
+      lines.push_back({static_cast<std::uint64_t>(e), 0, interface, mesh_.marker(edge),
+                       static_cast<std::uint32_t>(tri_.from_vertex_handle(h).idx()),
+                       static_cast<std::uint32_t>(tri_.to_vertex_handle(h).idx()), !is_outer});
     }
     return lines;
-  }
-
-  void add_line(const Line& line) {
-    const Halfedge h = directed(mesh_, table_, line.edge);
-    std::vector<std::uint32_t>& nodes = view_.lines.nodes;
-    nodes.push_back(static_cast<std::uint32_t>(tri_.from_vertex_handle(h).idx()));
-    nodes.push_back(static_cast<std::uint32_t>(tri_.to_vertex_handle(h).idx()));
-    if (options_.order == 2) nodes.push_back(midpoint_of(h));
-    view_.interface.push_back(line.interface);
-    view_.line_group.push_back(line.group);
-    view_.inner.push_back(tri_.is_boundary(line.edge) ? 0 : 1);
-    view_.marker.push_back(line.marker);
   }
 
   /// The edge between two vertices, which is there.
@@ -295,6 +298,14 @@ std::array<Angle, 3> angles_of(const MeshView& view, std::size_t t) {
   const Point a = view.points[nodes[0]], b = view.points[nodes[1]], c = view.points[nodes[2]];
   return {Angle::radians(angle_at(b, a, c)), Angle::radians(angle_at(c, b, a)),
           Angle::radians(angle_at(a, c, b))};
+}
+
+MeshView view_of_lines(const RegionTable& table, std::vector<LineEdge> lines,
+                       const WriteOptions& options) {
+  MeshView view;
+  group_regions(table, options.ids, view);
+  add_lines(table, std::move(lines), options, view);
+  return view;
 }
 
 std::vector<std::string> abaqus_names(const std::vector<Group>& groups) {

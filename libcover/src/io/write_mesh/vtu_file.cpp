@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <cover/text.hpp>
+
 namespace cover {
 namespace {
 
@@ -69,7 +71,29 @@ class VtuWriter {
   std::vector<const VtuArray*> announced_;
 };
 
+/// An element of a .pvtu with the arrays that its pieces have.
+std::string announced(std::string_view start, std::string_view end,
+                      std::span<const VtuArray> arrays) {
+  std::string text = fmt::format("    <{}>\n", start);
+  for (const VtuArray& array : arrays)
+    text += fmt::format("      <PDataArray {}/>\n", vtu_attributes(array));
+  return text + fmt::format("    </{}>\n", end);
+}
+
 }  // namespace
+
+std::string pvtu_text(const VtuGrid& piece, std::span<const std::string> files) {
+  std::string text = fmt::format(
+      "<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" byte_order=\"{}\" "
+      "header_type=\"UInt64\">\n  <PUnstructuredGrid GhostLevel=\"1\">\n",
+      std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian");
+  text += announced("PPointData" + piece.point_attributes, "PPointData", piece.point_data);
+  text += announced("PCellData" + piece.cell_attributes, "PCellData", piece.cell_data);
+  text += announced("PPoints", "PPoints", {&piece.coordinates, 1});
+  for (const std::string& file : files)
+    text += fmt::format("    <Piece Source=\"{}\"/>\n", escaped_markup(file));
+  return text + "  </PUnstructuredGrid>\n</VTKFile>\n";
+}
 
 void write_vtu_bytes(const VtuGrid& grid, const ByteSink& sink) { VtuWriter(sink).write(grid); }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -56,6 +57,9 @@ struct VtuGrid {
   VtuArray coordinates;
   std::vector<VtuArray> connectivity;  ///< connectivity, offsets, types
 };
+
+/// The text of a .pvtu whose pieces, in `files`, have the arrays of `piece` and one layer of ghosts.
+std::string pvtu_text(const VtuGrid& piece, std::span<const std::string> files);
 
 /// Writes a .vtu file: raw appended data, 64-bit sizes, not compressed, as VTK's own writer does
 /// it but for the ranges of the arrays.

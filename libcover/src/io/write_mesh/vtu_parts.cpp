@@ -24,32 +24,44 @@ CellType type_of_triangles(const MeshView& view) {
   return view.second_order() ? kQuadraticTriangle : kTriangle;
 }
 
-/// Points and cells; `point(p)` is a place.
+/// Writes `value(0)`, ..., `value(size - 1)`, each as a T.
+template <class T, class Value>
+ArrayWriter each(std::size_t size, Value value) {
+  return vtu_array<T>("", size, std::move(value)).write;
+}
+
+/// Points and cells; `coordinates` and `nodes` write all of them.
+void add_cells(std::size_t points, ArrayWriter coordinates, std::size_t cells, CellType type,
+               std::size_t nodes_each, ArrayWriter nodes, VtuGrid& grid) {
+  grid.points = points;
+  grid.cells = cells;
+  constexpr std::size_t kDimensions = 3;
+  grid.coordinates = {
+      NumberType::float64,   "Points", kDimensions, {}, points * kDimensions * sizeof(double),
+      std::move(coordinates)};
+  grid.connectivity.push_back({NumberType::int64,
+                               "connectivity",
+                               1,
+                               {},
+                               cells * nodes_each * sizeof(std::int64_t),
+                               std::move(nodes)});
+  grid.connectivity.push_back(vtu_array<std::int64_t>(
+      "offsets", cells, [nodes_each](std::size_t k) { return (k + 1) * nodes_each; }));
+  grid.connectivity.push_back(
+      vtu_array<std::uint8_t>("types", cells, [type](std::size_t) { return type; }));
+}
+
+/// The same of `cells`; `point(p)` is a place.
 template <class Place>
 void add_cells(const Cells& cells, CellType type, std::size_t points, Place place, VtuGrid& grid) {
-  grid.points = points;
-  grid.cells = cells.size();
-  constexpr std::size_t kDimensions = 3;
-  grid.coordinates = {NumberType::float64,
-                      "Points",
-                      kDimensions,
-                      {},
-                      points * kDimensions * sizeof(double),
-                      [points, place](BinaryWriter& out) {
-                        for (std::size_t p = 0; p < points; ++p) {
-                          const Point at = place(p);
-                          out.put(at.x);
-                          out.put(at.y);
-                          out.put(0.0);
-                        }
-                      }};
-  grid.connectivity.push_back(vtu_array<std::int64_t>(
-      "connectivity", cells.nodes.size(), [&cells](std::size_t k) { return cells.nodes[k]; }));
-  grid.connectivity.push_back(
-      vtu_array<std::int64_t>("offsets", cells.size(),
-                              [each = cells.nodes_each](std::size_t k) { return (k + 1) * each; }));
-  grid.connectivity.push_back(
-      vtu_array<std::uint8_t>("types", cells.size(), [type](std::size_t) { return type; }));
+  add_cells(
+      points,
+      [points, place](BinaryWriter& out) {
+        for (std::size_t p = 0; p < points; ++p) put_place(place(p), out);
+      },
+      cells.size(), type, cells.nodes_each,
+      each<std::int64_t>(cells.nodes.size(), [&cells](std::size_t k) { return cells.nodes[k]; }),
+      grid);
 }
 
 /// The class of each point, where there are periodic sides; `number(p)` is its number in the whole
@@ -100,22 +112,32 @@ struct Part {
   std::vector<std::uint32_t> numbers;  ///< by point: in the whole mesh
 };
 
-/// The largest and the smallest angle of a triangle, in degrees.
+/// The largest and the smallest angle of a triangle of `view`, in degrees.
 std::array<double, 2> extreme_angles(const MeshView& view, std::size_t triangle) {
   const auto corners = view.triangles[triangle];
-  const Point p = view.points[corners[0]], q = view.points[corners[1]], r = view.points[corners[2]];
-  const std::array angles{angle_at(q, p, r), angle_at(r, q, p), angle_at(p, r, q)};
-  const auto [low, high] = std::minmax_element(angles.begin(), angles.end());
-  return {Angle::radians(*high).in_degrees(), Angle::radians(*low).in_degrees()};
+  return extreme_degrees(view.points[corners[0]], view.points[corners[1]], view.points[corners[2]]);
 }
 
-/// The arrays of the triangles number(0), ..., number(triangles - 1); the grid then refers to
-/// `view`. Several names for one thing: every solver looks for its own, some only for the first
-/// array.
+/// The arrays of triangles. Several names for one thing: every solver looks for its own, some only
+/// for the first array.
 ///
 /// Their order is one that meshio can read. It replaces the offset of each appended array by a
 /// larger one, 4/3 of it, and then takes the first array that has the next offset it looks for:
 /// with four arrays of integers in front, every third mesh came out wrong or not at all.
+void add_triangle_arrays(const TriangleArrays& arrays, VtuGrid& grid) {
+  const auto add = [&]<class T>(T, const char* name, const ArrayWriter& write) {
+    grid.cell_data.push_back({number_type<T>(), name, 1, {}, arrays.triangles * sizeof(T), write});
+  };
+  grid.cell_attributes = " Scalars=\"material\"";
+  add(std::int32_t{}, "material", arrays.material);
+  add(std::int32_t{}, "MaterialID", arrays.material);
+  add(double{}, "max_angle", arrays.largest);
+  add(std::int32_t{}, "mat_id", arrays.material);
+  add(std::int32_t{}, "RegionId", arrays.region);
+  add(double{}, "min_angle", arrays.smallest);
+}
+
+/// Those of the triangles number(0), ..., number(triangles - 1); the grid then refers to `view`.
 template <class Number>
 void add_triangle_arrays(const MeshView& view, std::size_t triangles, Number number,
                          VtuGrid& grid) {
@@ -124,23 +146,39 @@ void add_triangle_arrays(const MeshView& view, std::size_t triangles, Number num
   for (std::size_t k = 0; k < triangles; ++k) angles.push_back(extreme_angles(view, number(k)));
   const auto extremes =
       std::make_shared<const std::vector<std::array<double, 2>>>(std::move(angles));
-  const auto add = [&]<class T>(T, const char* name, auto value) {
-    grid.cell_data.push_back(vtu_array<T>(name, triangles, value));
-  };
   const auto material = [&view, number](std::size_t k) { return view.material[number(k)]; };
   const auto region = [&view, number](std::size_t k) { return view.region[number(k)].value(); };
   const auto largest = [extremes](std::size_t k) { return (*extremes)[k][0]; };
   const auto smallest = [extremes](std::size_t k) { return (*extremes)[k][1]; };
-  grid.cell_attributes = " Scalars=\"material\"";
-  add(std::int32_t{}, "material", material);
-  add(std::int32_t{}, "MaterialID", material);
-  add(double{}, "max_angle", largest);
-  add(std::int32_t{}, "mat_id", material);
-  add(std::int32_t{}, "RegionId", region);
-  add(double{}, "min_angle", smallest);
+  add_triangle_arrays(
+      {triangles, each<std::int32_t>(triangles, material), each<std::int32_t>(triangles, region),
+       each<double>(triangles, largest), each<double>(triangles, smallest)},
+      grid);
 }
 
 }  // namespace
+
+std::array<double, 2> extreme_degrees(Point p, Point q, Point r) {
+  const std::array angles{angle_at(q, p, r), angle_at(r, q, p), angle_at(p, r, q)};
+  const auto [low, high] = std::minmax_element(angles.begin(), angles.end());
+  return {Angle::radians(*high).in_degrees(), Angle::radians(*low).in_degrees()};
+}
+
+void put_place(Point place, BinaryWriter& out) {
+  out.put(place.x);
+  out.put(place.y);
+  out.put(0.0);
+}
+
+VtuGrid grid_of(const TriangleArrays& arrays, std::size_t points, ArrayWriter coordinates,
+                ArrayWriter nodes) {
+  constexpr std::size_t kCorners = 3;
+  VtuGrid grid;
+  add_cells(points, std::move(coordinates), arrays.triangles, kTriangle, kCorners, std::move(nodes),
+            grid);
+  add_triangle_arrays(arrays, grid);
+  return grid;
+}
 
 VtuGrid whole_grid(const MeshView& view) {
   VtuGrid grid;
@@ -166,6 +204,32 @@ void write_triangles(const MeshView& view, std::span<const std::size_t> triangle
   add_triangle_arrays(
       view, triangles.size(), [triangles](std::size_t k) { return triangles[k]; }, grid);
   write_vtu_bytes(grid, sink);
+}
+
+void with_part_grid(const MeshView& view, const Partition& partition, std::uint32_t part,
+                    const std::function<void(const VtuGrid&)>& use) {
+  const MeshPart& its = partition.parts[part];
+  std::vector<std::size_t> all = its.own;
+  all.insert(all.end(), its.ghosts.begin(), its.ghosts.end());
+  const Part cells(view.triangles, all);
+  VtuGrid grid = cells.grid(view, type_of_triangles(view));
+  add_triangle_arrays(
+      view, all.size(), [&all](std::size_t k) { return all[k]; }, grid);
+  const auto add = [part](std::vector<VtuArray>& arrays, std::size_t size, auto owner) {
+    arrays.push_back(vtu_array<std::int32_t>("Owner", size, owner));
+    arrays.push_back(vtu_array<std::uint8_t>(
+        "vtkGhostType", size, [owner, part](std::size_t k) { return owner(k) == part ? 0 : 1; }));
+  };
+  // What VTK calls a duplicate cell or point is 1.
+  add(grid.point_data, cells.numbers.size(),
+      [&](std::size_t p) { return partition.vertex_owner[cells.numbers[p]]; });
+  VtuArray ids =
+      vtu_array<std::int64_t>("GlobalCellId", all.size(), [&all](std::size_t k) { return all[k]; });
+  ids.more = " IdType=\"1\"";
+  grid.cell_attributes += " GlobalIds=\"GlobalCellId\"";
+  grid.cell_data.push_back(std::move(ids));
+  add(grid.cell_data, all.size(), [&](std::size_t k) { return partition.owner[all[k]]; });
+  use(grid);
 }
 
 void write_lines(const MeshView& view, const RegionTable& table, std::span<const std::size_t> lines,

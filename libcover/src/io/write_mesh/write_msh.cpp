@@ -14,32 +14,33 @@
 #include <cover/mesh_view.hpp>
 
 #include "base/buckets.hpp"
-#include "geom/box.hpp"
-#include "io/files/text_writer.hpp"
+#include "io/write_mesh/msh_text.hpp"
 
 namespace cover {
 namespace {
 
 class MshWriter {
  public:
-  MshWriter(const MeshView& view, std::size_t interfaces, TextWriter& out)
-      : view_(view), interfaces_(interfaces), out_(out) {}
+  MshWriter(const MeshView& view, const CellSource& cells, std::size_t interfaces, TextWriter& out)
+      : view_(view), cells_(cells), interfaces_(interfaces), out_(out) {}
 
   void write_2() {
     out_ << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
     names();
-    out_ << "$Nodes\n" << view_.points.size() << '\n';
-    for (std::size_t p = 0; p < view_.points.size(); ++p) {
-      out_ << p + 1 << ' ';
-      coordinates(view_.points[p]);
-    }
-    out_ << "$EndNodes\n$Elements\n" << view_.lines.size() + view_.triangles.size() << '\n';
+    out_ << "$Nodes\n" << cells_.points() << '\n';
+    std::size_t node = 0;
+    cells_.each_point([&](Point p) {
+      out_ << ++node << ' ';
+      coordinates(p);
+    });
+    out_ << "$EndNodes\n$Elements\n" << view_.lines.size() + cells_.triangles() << '\n';
     const std::vector<std::size_t> curve = curves();
     for (std::size_t l = 0; l < view_.lines.size(); ++l)
       element_2(line_type(), view_.group_of_line(l).tag, curve[l], view_.lines[l]);
-    for (std::size_t t = 0; t < view_.triangles.size(); ++t)
-      element_2(triangle_type(), view_.group_of_triangle(t).tag, view_.region[t].index(),
-                view_.triangles[t]);
+    cells_.each_triangle([&](RegionId region, std::span<const std::uint32_t> nodes) {
+      const Group& group = view_.region_groups[view_.region_group[region.index() - 1]];
+      element_2(triangle_type(), group.tag, region.index(), nodes);
+    });
     out_ << "$EndElements\n";
     periodic(false, [&](std::size_t l) { return curve[l]; });
   }
@@ -47,32 +48,41 @@ class MshWriter {
   void write_4() {
     const Buckets curves(view_.line_groups.size(), view_.lines.size(),
                          [&](std::size_t l) { return view_.line_group[l]; });
-    const Buckets surfaces(view_.region_groups.size(), view_.triangles.size(), [&](std::size_t t) {
-      return view_.region_group[view_.region[t].index() - 1];
-    });
     out_ << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
     names();
-    out_ << "$Entities\n0 " << used(curves) << ' ' << used(surfaces) << " 0\n";
-    entities(view_.line_groups, curves, view_.lines);
-    entities(view_.region_groups, surfaces, view_.triangles);
-    const std::size_t points = view_.points.size();
+    const std::size_t surfaces = used_surfaces();
+    out_ << "$Entities\n0 " << used(curves) << ' ' << surfaces << " 0\n";
+    curve_entities(curves);
+    for (std::size_t g = 0; g < view_.region_groups.size(); ++g)
+      if (cells_.triangles(g) > 0) entity(view_.region_groups[g].tag, cells_.box(g));
+    const std::size_t points = cells_.points();
     // All nodes in one block, as if they lay on the first surface.
     out_ << "$EndEntities\n$Nodes\n1 " << points << " 1 " << points << "\n2 1 0 " << points << '\n';
     for (std::size_t p = 0; p < points; ++p) out_ << p + 1 << '\n';
-    for (const Point& p : view_.points) coordinates(p);
-    const std::size_t elements = view_.lines.size() + view_.triangles.size();
+    cells_.each_point([&](Point p) { coordinates(p); });
+    const std::size_t elements = view_.lines.size() + cells_.triangles();
     out_ << "$EndNodes\n$Elements\n"
-         << used(curves) + used(surfaces) << ' ' << elements << " 1 " << elements << '\n';
-    blocks(1, line_type(), view_.line_groups, curves, view_.lines);
-    blocks(2, triangle_type(), view_.region_groups, surfaces, view_.triangles);
+         << used(curves) + surfaces << ' ' << elements << " 1 " << elements << '\n';
+    for (std::size_t g = 0; g < view_.line_groups.size(); ++g) {
+      if (curves[g].empty()) continue;
+      block(1, view_.line_groups[g].tag, line_type(), curves[g].size());
+      for (const std::size_t l : curves[g]) element_4(view_.lines[l]);
+    }
+    for (std::size_t g = 0; g < view_.region_groups.size(); ++g) {
+      if (cells_.triangles(g) == 0) continue;
+      block(2, view_.region_groups[g].tag, triangle_type(), cells_.triangles(g));
+      cells_.each_triangle(
+          g, [&](RegionId, std::span<const std::uint32_t> nodes) { element_4(nodes); });
+    }
     out_ << "$EndElements\n";
     periodic(true,
              [&](std::size_t l) { return static_cast<std::size_t>(view_.group_of_line(l).tag); });
   }
 
  private:
-  [[nodiscard]] int line_type() const { return view_.second_order() ? 8 : 1; }
-  [[nodiscard]] int triangle_type() const { return view_.second_order() ? 9 : 2; }
+  [[nodiscard]] bool second_order() const { return view_.lines.nodes_each == 3; }
+  [[nodiscard]] int line_type() const { return second_order() ? 8 : 1; }
+  [[nodiscard]] int triangle_type() const { return second_order() ? 9 : 2; }
 
   /// The elementary tag of each line: its InterfaceId, or the one after the last for the hull, or
   /// one after that where the interface lies in another group too.
@@ -131,29 +141,37 @@ class MshWriter {
     nodes(cell);
   }
 
-  /// Of each group that has cells: tag, bounding box, physical group; not what bounds it.
-  void entities(const std::vector<Group>& groups, const Buckets& members, const Cells& cells) {
-    for (std::size_t g = 0; g < groups.size(); ++g) {
+  void element_4(std::span<const std::uint32_t> cell) {
+    out_ << ++element_;
+    nodes(cell);
+  }
+
+  /// Tag, bounding box, physical group; not what bounds it.
+  void entity(int tag, const Box& box) {
+    out_ << tag << ' ' << box.low.x << ' ' << box.low.y << " 0 " << box.high.x << ' ' << box.high.y
+         << " 0 1 " << tag << " 0\n";
+  }
+
+  void curve_entities(const Buckets& members) {
+    for (std::size_t g = 0; g < view_.line_groups.size(); ++g) {
       if (members[g].empty()) continue;
       Box box;
-      for (const std::size_t k : members[g]) {
-        for (const std::uint32_t node : cells[k]) box.add(view_.points[node]);
+      for (const std::size_t l : members[g]) {
+        for (const std::uint32_t node : view_.lines[l]) box.add(cells_.line_point(node));
       }
-      out_ << groups[g].tag << ' ' << box.low.x << ' ' << box.low.y << " 0 " << box.high.x << ' '
-           << box.high.y << " 0 1 " << groups[g].tag << " 0\n";
+      entity(view_.line_groups[g].tag, box);
     }
   }
 
-  void blocks(int dimension, int type, const std::vector<Group>& groups, const Buckets& members,
-              const Cells& cells) {
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-      if (members[g].empty()) continue;
-      out_ << dimension << ' ' << groups[g].tag << ' ' << type << ' ' << members[g].size() << '\n';
-      for (const std::size_t k : members[g]) {
-        out_ << ++element_;
-        nodes(cells[k]);
-      }
-    }
+  [[nodiscard]] std::size_t used_surfaces() const {
+    std::size_t n = 0;
+    for (std::size_t g = 0; g < view_.region_groups.size(); ++g)
+      n += cells_.triangles(g) > 0 ? 1 : 0;
+    return n;
+  }
+
+  void block(int dimension, int tag, int type, std::size_t cells) {
+    out_ << dimension << ' ' << tag << ' ' << type << ' ' << cells << '\n';
   }
 
   /// A curve that is the image of another one, with pairs of nodes: its own and that of the other.
@@ -176,7 +194,7 @@ class MshWriter {
         for (const auto& [original, image] : rule.corners[k]) {
           if (original != image) link.nodes.insert({image, original});
         }
-        if (view_.second_order()) link.nodes.insert({view_.lines[to][2], view_.lines[from][2]});
+        if (second_order()) link.nodes.insert({view_.lines[to][2], view_.lines[from][2]});
       }
     }
     if (links.empty()) return;
@@ -195,22 +213,67 @@ class MshWriter {
   }
 
   const MeshView& view_;
+  const CellSource& cells_;
   std::size_t interfaces_;
   TextWriter& out_;
   std::size_t element_ = 0;  ///< number of the last element written
 };
 
+/// A mesh in memory.
+class ViewCells final : public CellSource {
+ public:
+  /// Groups are asked for only `by_group`.
+  ViewCells(const MeshView& view, bool by_group)
+      : view_(view),
+        groups_(view.region_groups.size(), by_group ? view.triangles.size() : 0,
+                [&](std::size_t t) { return view.region_group[view.region[t].index() - 1]; }) {}
+
+  [[nodiscard]] std::size_t points() const override { return view_.points.size(); }
+  [[nodiscard]] std::size_t triangles() const override { return view_.triangles.size(); }
+  [[nodiscard]] std::size_t triangles(std::size_t group) const override {
+    return groups_[group].size();
+  }
+  void each_point(const std::function<void(Point)>& use) const override {
+    for (const Point& p : view_.points) use(p);
+  }
+  void each_triangle(const Use& use) const override {
+    for (std::size_t t = 0; t < view_.triangles.size(); ++t)
+      use(view_.region[t], view_.triangles[t]);
+  }
+  void each_triangle(std::size_t group, const Use& use) const override {
+    for (const std::size_t t : groups_[group]) use(view_.region[t], view_.triangles[t]);
+  }
+  [[nodiscard]] Point line_point(std::uint32_t node) const override { return view_.points[node]; }
+  [[nodiscard]] Box box(std::size_t group) const override {
+    Box box;
+    for (const std::size_t t : groups_[group]) {
+      for (const std::uint32_t node : view_.triangles[t]) box.add(view_.points[node]);
+    }
+    return box;
+  }
+
+ private:
+  const MeshView& view_;
+  Buckets groups_;
+};
+
 }  // namespace
+
+void write_msh_text(const MeshView& view, const CellSource& cells, std::size_t interfaces,
+                    const std::string& version, TextWriter& out) {
+  MshWriter writer(view, cells, interfaces, out);
+  if (version == "4.1") {
+    writer.write_4();
+  } else {
+    writer.write_2();
+  }
+}
 
 Status write_msh(const Output& output, const std::string& path, const WriteOptions& options) {
   const MeshView view = view_of(output, options);
   return write_text(path, options.stop, [&](TextWriter& out) {
-    MshWriter writer(view, output.table.interfaces.size(), out);
-    if (options.msh == "4.1") {
-      writer.write_4();
-    } else {
-      writer.write_2();
-    }
+    const ViewCells cells(view, options.msh == "4.1");
+    write_msh_text(view, cells, output.table.interfaces.size(), options.msh, out);
   });
 }
 

@@ -6,6 +6,7 @@
 
 #include "io/files/atomic_file.hpp"
 #include "io/hdf5/hdf5_writer.hpp"
+#include "io/write_mesh/vtkhdf_file.hpp"
 #include "io/write_mesh/vtu_parts.hpp"
 
 namespace cover {
@@ -16,11 +17,10 @@ const std::string kFields = kRoot + "FieldData/";
 
 class VtkHdfContent {
  public:
-  VtkHdfContent(const Output& output, const MeshView& view)
-      : output_(output), view_(view), grid_(whole_grid(view)) {
+  explicit VtkHdfContent(const VtkHdfSource& source) : source_(source), view_(source.lines) {
     // Sides of the hull are on no interface.
-    for (std::size_t l = 0; l < view.lines.size(); ++l)
-      if (view.interface[l] != kNoInterface) lines_.push_back(l);
+    for (std::size_t l = 0; l < view_.lines.size(); ++l)
+      if (view_.interface[l] != kNoInterface) lines_.push_back(static_cast<std::uint32_t>(l));
   }
 
   Hdf5Content make() {
@@ -36,20 +36,21 @@ class VtkHdfContent {
 
  private:
   void cells() {
-    const std::size_t each = view_.triangles.nodes_each, count = view_.triangles.size();
-    number("NumberOfPoints", view_.points.size());
+    const VtuGrid& grid = source_.grid;
+    const std::size_t each = source_.nodes_each, count = grid.cells;
+    number("NumberOfPoints", grid.points);
     number("NumberOfCells", count);
     number("NumberOfConnectivityIds", each * count);
-    add(kRoot, "Points", grid_.coordinates);
-    add(kRoot, "Connectivity", grid_.connectivity[0]);
+    add(kRoot, "Points", grid.coordinates);
+    add(kRoot, "Connectivity", grid.connectivity[0]);
     add(kRoot, "Offsets",
         vtu_array<std::int64_t>("", count + 1, [each](std::size_t k) { return k * each; }));
-    add(kRoot, "Types", grid_.connectivity[2]);
-    for (VtuArray& array : grid_.cell_data) add(kRoot + "CellData/", array.name, array);
+    add(kRoot, "Types", grid.connectivity[2]);
+    for (const VtuArray& array : grid.cell_data) add(kRoot + "CellData/", array.name, array);
   }
 
   void regions() {
-    const std::vector<Region>& all = output_.table.regions;
+    const std::vector<Region>& all = source_.table.regions;
     texts("RegionName", all, [](const Region& region) { return region.name; });
     texts("MaterialName", all, [](const Region& region) { return region.material_name; });
     numbers<std::int32_t>("RegionMaterial", all.size(),
@@ -57,7 +58,7 @@ class VtkHdfContent {
   }
 
   void lines() {
-    const std::vector<Interface>& all = output_.table.interfaces;
+    const std::vector<Interface>& all = source_.table.interfaces;
     texts("LineName", all, [](const Interface& line) { return line.name; });
     const auto of_line = [&](const char* name, auto value) {
       numbers<std::int32_t>(name, all.size(),
@@ -80,18 +81,16 @@ class VtkHdfContent {
 
   /// Where the mesh comes from.
   void origin() {
-    std::size_t input_points = 0;
-    for (const auto v : output_.mesh.tri().vertices())
-      input_points += output_.mesh.input_id(v) >= 0 ? 1 : 0;
-    numbers<std::int64_t>("InputVertices", 1, [input_points](std::size_t) { return input_points; });
-    const Provenance& from = output_.report.provenance;
+    numbers<std::int64_t>("InputVertices", 1,
+                          [this](std::size_t) { return source_.input_vertices; });
+    const Provenance& from = source_.report.provenance;
     const auto text = [&](const char* name, const std::string& value) {
       if (!value.empty()) content_.texts.push_back({kFields + name, {value}});
     };
     text("Source", from.source);
     text("CoverVersion", from.version);
-    text("Unit", output_.report.unit);
-    numbers<double>("Scale", 1, [scale = output_.report.scale](std::size_t) { return scale; });
+    text("Unit", source_.report.unit);
+    numbers<double>("Scale", 1, [scale = source_.report.scale](std::size_t) { return scale; });
     using Setting = Provenance::Setting;
     texts("OptionName", from.settings, [](const Setting& setting) { return setting.name; });
     texts("OptionValue", from.settings, [](const Setting& setting) { return setting.value; });
@@ -117,25 +116,35 @@ class VtkHdfContent {
     content_.texts.push_back(std::move(out));
   }
 
-  const Output& output_;
+  const VtkHdfSource& source_;
   const MeshView& view_;
-  VtuGrid grid_;
-  std::vector<std::size_t> lines_;  ///< those on interfaces, as numbers in the view
+  std::vector<std::uint32_t> lines_;  ///< those on interfaces, as numbers in the view
   Hdf5Content content_;
 };
 
 }  // namespace
 
+Status write_vtkhdf_file(const VtkHdfSource& source, const std::string& path,
+                         const std::stop_token& stop, const std::function<Status()>& status) {
+  VtkHdfContent content(source);
+  Result<AtomicFile> file = AtomicFile::create(path, stop);
+  if (!file) return std::move(file).error();
+  Status written = write_hdf5(content.make(), [&](std::string_view bytes) { file->write(bytes); });
+  if (written) written = status();
+  return written ? file->commit() : written;
+}
+
 Status write_vtkhdf(const Output& output, const std::string& path, const WriteOptions& options) {
   WriteOptions all = options;
   all.inner_lines = true;
   const MeshView view = view_of(output, all);
-  VtkHdfContent content(output, view);
-  Result<AtomicFile> file = AtomicFile::create(path, options.stop);
-  if (!file) return std::move(file).error();
-  const Status written =
-      write_hdf5(content.make(), [&](std::string_view bytes) { file->write(bytes); });
-  return written ? file->commit() : written;
+  std::size_t input_vertices = 0;
+  for (const auto v : output.mesh.tri().vertices())
+    input_vertices += output.mesh.input_id(v) >= 0 ? 1 : 0;
+  const VtkHdfSource source{
+      output.table,  output.report, view, whole_grid(view), view.triangles.nodes_each,
+      input_vertices};
+  return write_vtkhdf_file(source, path, options.stop, [] { return ok(); });
 }
 
 }  // namespace cover

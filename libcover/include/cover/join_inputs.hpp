@@ -1,0 +1,22 @@
+// One geometry from several files: tiles of a map, layers of a drawing.
+#pragma once
+
+#include <vector>
+
+#include <cover/input.hpp>
+#include <cover/result.hpp>
+
+namespace cover {
+
+/// All that the inputs have, in their order: so later polygons are painted over earlier ones. Points
+/// at the same place become one when the whole is cleaned. Ids stay those of the files; a material
+/// that the reader of a map made up, feature_3, gets the number of its file in front, 2:feature_3,
+/// from the second file on.
+///
+/// REQUIRES: at least one
+/// Errors:   bad_option where units or scales differ, where one says that faces without a seed are
+///           void and another not, and where more than one has values beside its geometry
+/// Cost:     O(n)
+Result<Input> join_inputs(std::vector<Input> inputs);
+
+}  // namespace cover

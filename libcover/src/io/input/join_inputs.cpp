@@ -1,0 +1,107 @@
+// Tested by tests/unit/io/input/join_inputs_test.cpp.
+#include <cover/join_inputs.hpp>
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+#include <fmt/core.h>
+
+namespace cover {
+namespace {
+
+template <class T>
+void append(std::vector<T>& to, std::vector<T> from) {
+  to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
+
+/// Something that there is for each point or not at all; `missing(k)` where it was not there.
+template <class T, class Missing>
+void append_by_point(std::vector<T>& to, std::vector<T> from, std::size_t before, std::size_t more,
+                     Missing missing) {
+  if (to.empty() && from.empty()) return;
+  for (std::size_t k = to.size(); k < before; ++k) to.push_back(missing(k));
+  for (std::size_t k = from.size(); k < more; ++k) from.push_back(missing(k));
+  append(to, std::move(from));
+}
+
+/// Whether a name is feature_ and a number.
+bool is_made_up(std::string_view material) {
+  constexpr std::string_view kHead = "feature_";
+  if (!material.starts_with(kHead) || material.size() == kHead.size()) return false;
+  material.remove_prefix(kHead.size());
+  return std::all_of(material.begin(), material.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+Error differ(const Input& one, const Input& other, std::string_view what) {
+  return {ErrorCode::bad_option,
+          fmt::format("{} and {} cannot be taken together: {}", one.source, other.source, what),
+          {},
+          {}};
+}
+
+/// Circles are numbered from 1.
+void shift(std::vector<std::uint32_t>& circles, std::uint32_t by) {
+  for (std::uint32_t& circle : circles) circle = circle == 0 ? 0 : circle + by;
+}
+
+Status join(Input& all, Input more, std::size_t file) {
+  if (all.unit != more.unit || all.scale != more.scale)
+    return differ(all, more, "their units of length are not the same");
+  if (all.void_rule != more.void_rule && !all.segments.empty() && !more.segments.empty())
+    return differ(all, more, "faces without a seed are void in one of them alone");
+  if (all.field && more.field) return differ(all, more, "both have values beside their geometry");
+  if (!more.segments.empty()) all.void_rule = more.void_rule;
+  if (more.field) all.field = more.field;
+  const std::size_t before = all.points.size(), count = more.points.size();
+  const auto circles = static_cast<std::uint32_t>(all.circles.size());
+  append_by_point(all.point_ids, std::move(more.point_ids), before, count,
+                  [](std::size_t k) { return static_cast<long>(k); });
+  append_by_point(all.point_lines, std::move(more.point_lines), before, count,
+                  [](std::size_t) { return 0; });
+  append_by_point(all.point_markers, std::move(more.point_markers), before, count,
+                  [](std::size_t) { return 0; });
+  append(all.points, std::move(more.points));
+  for (InputSegment& segment : more.segments) {
+    segment.a += static_cast<std::uint32_t>(before);
+    segment.b += static_cast<std::uint32_t>(before);
+    if (segment.circle != 0) segment.circle += circles;
+  }
+  for (InputPolygon& polygon : more.polygons) {
+    for (std::vector<std::uint32_t>& ring : polygon.circles) shift(ring, circles);
+    if (polygon.region.empty() && is_made_up(polygon.material))
+      polygon.material = fmt::format("{}:{}", file, polygon.material);
+  }
+  for (InputLine& line : more.lines) shift(line.circles, circles);
+  append(all.circles, std::move(more.circles));
+  append(all.segments, std::move(more.segments));
+  append(all.holes, std::move(more.holes));
+  append(all.seeds, std::move(more.seeds));
+  append(all.polygons, std::move(more.polygons));
+  append(all.lines, std::move(more.lines));
+  append(all.periodic, std::move(more.periodic));
+  append(all.layers, std::move(more.layers));
+  for (const std::string& warning : more.warnings)
+    all.warnings.push_back(fmt::format("{}: {}", more.source, warning));
+  return ok();
+}
+
+}  // namespace
+
+Result<Input> join_inputs(std::vector<Input> inputs) {
+  constexpr std::size_t kNamed = 3;
+  std::string source = inputs.front().source;
+  for (std::size_t k = 1; k < inputs.size() && k < kNamed; ++k) source += ", " + inputs[k].source;
+  if (inputs.size() > kNamed) source += fmt::format(" and {} more", inputs.size() - kNamed);
+  Input all = std::move(inputs.front());
+  for (std::size_t k = 1; k < inputs.size(); ++k) {
+    if (Status status = join(all, std::move(inputs[k]), k + 1); !status)
+      return std::move(status).error();
+    inputs[k] = {};
+  }
+  all.source = std::move(source);
+  return all;
+}
+
+}  // namespace cover

@@ -1,0 +1,94 @@
+// A mesh on the disk, in the pieces in which it was made.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <cover/point.hpp>
+#include <cover/result.hpp>
+
+#include "geom/half_edges.hpp"
+#include "io/files/spool_file.hpp"
+
+namespace cover {
+
+/// The triangles of regions, in a spool file. Memory: 16 bytes for each region.
+///
+/// Vertices are numbered as in a Mesh: those of the input first, then the Steiner vertices of each
+/// region. The numbers of the latter are known when all regions are there; until then, each region
+/// counts its own from the last one of the input on.
+class MeshSpool {
+ public:
+  /// `input` are the vertices that are points of the input.
+  ///
+  /// Errors: cannot_write, in the name of `target`
+  static Result<MeshSpool> beside(const std::string& target, std::span<const Point> input,
+                                  std::size_t regions);
+
+  /// Adds a region, whose numbers of Steiner vertices begin with input_vertices().
+  ///
+  /// Threads: any, each with regions of its own
+  void add(std::size_t region, std::span<const Point> steiner,
+           std::span<const IndexTriple> triangles, std::span<const std::array<double, 2>> angles);
+  /// False once a region could not be added: then no more need be made.
+  [[nodiscard]] bool is_good() const { return file_.is_good(); }
+  /// All regions are there.
+  ///
+  /// Errors: cannot_write, for what an add() met
+  Status finish();
+
+  // What there is, once it is finished.
+
+  [[nodiscard]] std::size_t regions() const { return places_.size(); }
+  [[nodiscard]] std::size_t input_vertices() const { return input_vertices_; }
+  [[nodiscard]] std::size_t vertices() const { return vertices_; }
+  [[nodiscard]] std::size_t triangles() const { return triangles_; }
+  [[nodiscard]] std::size_t triangles(std::size_t region) const {
+    return places_[region].triangles;
+  }
+  /// The numbers of triangles before each region's; one more than there are regions.
+  [[nodiscard]] std::vector<std::uint64_t> first_triangles() const;
+
+  // Passes over the file, in the order of a Mesh. Errors of all: cannot_write
+
+  using Places = std::function<void(std::span<const Point>)>;
+  using Corners = std::function<void(std::size_t region, std::span<const IndexTriple>)>;
+  using Angles = std::function<void(std::span<const double>)>;
+
+  /// The vertices, some at a time.
+  Status each_vertex(const Places& use) const;
+  /// The triangles, region by region.
+  Status each_triangle(const Corners& use) const;
+  /// Those of some regions, in this order.
+  Status triangles_of(std::span<const std::uint32_t> regions, const Corners& use) const;
+  /// The largest angles of the triangles, or the smallest ones.
+  Status each_angle(bool largest, const Angles& use) const;
+  /// The vertices that are points of the input.
+  [[nodiscard]] Result<std::vector<Point>> input_points() const;
+
+ private:
+  MeshSpool(SpoolFile file, std::size_t input, std::size_t regions)
+      : file_(std::move(file)), input_vertices_(input), places_(regions) {}
+
+  /// Of a region: Steiner vertices, corners, largest angles, smallest angles.
+  struct Place {
+    std::uint64_t at = 0;
+    std::uint32_t steiner = 0;
+    std::uint32_t triangles = 0;
+  };
+
+  Status corners_of(std::size_t region, std::uint32_t first_steiner,
+                    std::vector<IndexTriple>& room) const;
+
+  SpoolFile file_;
+  std::size_t input_vertices_ = 0;
+  std::vector<Place> places_;
+  std::vector<std::uint32_t> first_steiner_;  ///< by region, once finished
+  std::size_t vertices_ = 0, triangles_ = 0;
+};
+
+}  // namespace cover

@@ -1,0 +1,17 @@
+// gmsh's format of a mesh that may be on the disk.
+#pragma once
+
+#include <string>
+
+#include <cover/mesh_view.hpp>
+#include "io/files/text_writer.hpp"
+#include "io/write_mesh/cell_source.hpp"
+
+namespace cover {
+
+/// Writes what write_msh() promises. Of `view` only groups, lines and periodic sides are looked at;
+/// `interfaces` is the number of interfaces, `version` 2.2 or 4.1.
+void write_msh_text(const MeshView& view, const CellSource& cells, std::size_t interfaces,
+                    const std::string& version, TextWriter& out);
+
+}  // namespace cover

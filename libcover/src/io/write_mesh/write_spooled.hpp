@@ -1,0 +1,37 @@
+// Meshes from the disk into files, without holding them.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <cover/regions.hpp>
+#include <cover/report.hpp>
+#include <cover/write_mesh.hpp>
+
+#include <cover/mesh_view.hpp>
+#include "io/write_mesh/mesh_spool.hpp"
+
+namespace cover {
+
+/// A mesh on the disk with all that formats tell beside it.
+struct SpooledMesh {
+  const MeshSpool& spool;
+  const RegionTable& table;
+  const Report& report;
+  std::size_t line_count = 0;  ///< at the most
+  std::function<std::vector<LineEdge>()> lines;
+};
+
+/// The formats that can be written so: .vtu, .vtkhdf, .msh.
+bool can_write_spooled(const std::string& path);
+
+/// Writes what write_mesh() writes of the same mesh, byte for byte. The room on the disk is looked
+/// at first.
+///
+/// REQUIRES: can_write_spooled(path); options.order is 1
+/// Errors:   cannot_write, cancelled, out_of_memory
+/// Memory:   some 80 bytes for each line, and in .msh 16 for each point of the input
+Status write_spooled(const SpooledMesh& mesh, const std::string& path, const WriteOptions& options);
+
+}  // namespace cover

@@ -1,0 +1,303 @@
+// Why parts are enough: verify_cover() shows of a part that its triangles cover its regions once
+// and nothing else, with the segments around them as whole edges. Two regions of different parts
+// have at most points and segments of the input in common. Where all parts have the same vertex at
+// each of these points, an edge along a common segment has a triangle of either region on its
+// sides; and no vertex of the inside of a region lies anywhere else.
+//
+// Tested by tests/unit/stream/check_in_parts_test.cpp.
+#include <cover/check_in_parts.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <iterator>
+#include <mutex>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "base/out_of_memory.hpp"
+#include "cdt/triangulation.hpp"
+#include "io/vtk_files/mapped_triangles.hpp"
+#include "pipeline/find_regions.hpp"
+#include "tasks/errors_as_values.hpp"
+#include "tasks/region_task.hpp"
+#include "tasks/run_all.hpp"
+
+namespace cover {
+namespace {
+
+/// Regions [first, last) by RegionId - 1, and their triangles in the file.
+struct Part {
+  std::uint32_t first = 0, last = 0;
+  std::size_t first_triangle = 0, last_triangle = 0;
+};
+
+/// By region, where its triangles begin, and one more; nothing where regions do not come in order.
+std::optional<std::vector<std::size_t>> first_triangles(const MappedTriangles& mesh,
+                                                        std::size_t regions) {
+  constexpr std::size_t kAtATime = std::size_t{1} << 22;
+  std::vector<std::size_t> first{0};
+  first.reserve(regions + 1);
+  for (std::size_t t = 0; t < mesh.triangles; ++t) {
+    const std::int32_t id = mesh.region[t];
+    if (id < 1 || static_cast<std::size_t>(id) > regions ||
+        static_cast<std::size_t>(id) < first.size())
+      return std::nullopt;
+    while (first.size() < static_cast<std::size_t>(id)) first.push_back(t);
+    if (t % kAtATime == 0) mesh.file.forget();
+  }
+  first.resize(regions + 1, mesh.triangles);
+  return first;
+}
+
+std::vector<Part> make_parts(std::span<const std::size_t> first, std::size_t triangles_each) {
+  std::vector<Part> parts;
+  for (std::uint32_t r = 0; r + 1 < first.size(); ++r) {
+    if (parts.empty() || parts.back().last_triangle - parts.back().first_triangle >= triangles_each)
+      parts.push_back({r, r, first[r], first[r]});
+    parts.back().last = r + 1;
+    parts.back().last_triangle = first[r + 1];
+  }
+  return parts;
+}
+
+/// Numbers by part, each part's in their order.
+class ByPart {
+ public:
+  /// each(add) calls add(part, number) for all of them, twice the same.
+  template <class Each>
+  ByPart(std::size_t parts, Each each) : first_(parts + 1) {
+    each([&](std::size_t part, std::uint32_t) { ++first_[part + 1]; });
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    numbers_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    each([&](std::size_t part, std::uint32_t number) { numbers_[next[part]++] = number; });
+  }
+  [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t part) const {
+    return std::span(numbers_).subspan(first_[part], first_[part + 1] - first_[part]);
+  }
+
+ private:
+  std::vector<std::size_t> first_;
+  std::vector<std::uint32_t> numbers_;
+};
+
+/// The input of a part, with all else as the void.
+struct PartInput {
+  Pslg pslg;
+  RegionTable table;
+  std::vector<std::uint32_t> point_of;  ///< VertexId of the whole, by VertexId of the part
+};
+
+class Checker {
+ public:
+  Checker(const Prepared& prepared, const MappedTriangles& mesh, const VerifyOptions& verify,
+          std::vector<Part> parts)
+      : pslg_(prepared.pslg),
+        table_(prepared.table),
+        mesh_(mesh),
+        verify_(verify),
+        parts_(std::move(parts)),
+        part_of_(parts_of_regions(parts_, table_.regions.size())),
+        segments_(parts_.size(), [this](auto add) { each_segment(add); }),
+        isolated_(parts_.size(), [this](auto add) { each_isolated(add); }),
+        vertex_of_(pslg_.points.size(), kNone),
+        found_(parts_.size()) {}
+
+  std::optional<CheckInParts> run(unsigned workers) {
+    std::atomic<bool> holds = true;
+    run_all(parts_.size(), workers, [&](std::size_t part) {
+      if (!holds) return;
+      const Status checked = errors_as_values("check", [&] { return check(part); });
+      if (!checked) holds = false;
+    });
+    return holds ? std::optional(sum()) : std::nullopt;
+  }
+
+ private:
+  static std::vector<std::uint32_t> parts_of_regions(std::span<const Part> parts,
+                                                     std::size_t regions) {
+    std::vector<std::uint32_t> part_of(regions);
+    for (std::uint32_t p = 0; p < parts.size(); ++p)
+      std::fill(part_of.begin() + parts[p].first, part_of.begin() + parts[p].last, p);
+    return part_of;
+  }
+
+  template <class Add>
+  void each_segment(Add add) const {
+    for (std::uint32_t s = 0; s < table_.sides.size(); ++s) {
+      const auto [left, right, interface] = table_.sides[s];
+      const std::uint32_t one = left == kVoid ? kNone : part_of_[left.index() - 1];
+      const std::uint32_t other = right == kVoid ? kNone : part_of_[right.index() - 1];
+      if (one != kNone) add(one, s);
+      if (other != kNone && other != one) add(other, s);
+    }
+  }
+  template <class Add>
+  void each_isolated(Add add) const {
+    for (std::uint32_t k = 0; k < table_.isolated_points.size(); ++k)
+      add(part_of_[table_.isolated_points[k].region.index() - 1], k);
+  }
+
+  [[nodiscard]] PartInput input_of(std::size_t number) const {
+    const Part& part = parts_[number];
+    PartInput in;
+    for (const std::uint32_t s : segments_[number]) {
+      in.point_of.push_back(pslg_.segments[s].a.value());
+      in.point_of.push_back(pslg_.segments[s].b.value());
+    }
+    for (const std::uint32_t k : isolated_[number])
+      in.point_of.push_back(table_.isolated_points[k].vertex.value());
+    std::sort(in.point_of.begin(), in.point_of.end());
+    in.point_of.erase(std::unique(in.point_of.begin(), in.point_of.end()), in.point_of.end());
+    const auto local = [&](VertexId v) {
+      return VertexId{static_cast<std::size_t>(
+          std::lower_bound(in.point_of.begin(), in.point_of.end(), v.value()) -
+          in.point_of.begin())};
+    };
+    const auto region = [&](RegionId id) {
+      return id == kVoid || id.index() - 1 < part.first || id.index() - 1 >= part.last
+                 ? kVoid
+                 : RegionId{id.index() - part.first};
+    };
+    for (const std::uint32_t v : in.point_of) {
+      in.pslg.points.push_back(pslg_.points[v]);
+      in.pslg.point_ids.push_back(static_cast<long>(v));
+    }
+    in.pslg.point_markers.resize(in.point_of.size());
+    for (const std::uint32_t s : segments_[number]) {
+      Segment segment = pslg_.segments[s];
+      segment.a = local(segment.a);
+      segment.b = local(segment.b);
+      in.pslg.segments.push_back(segment);
+      in.table.sides.push_back(
+          {region(table_.sides[s].left), region(table_.sides[s].right), kNoInterface});
+    }
+    for (std::uint32_t r = part.first; r < part.last; ++r) {
+      Region copy;
+      copy.id = RegionId{static_cast<std::size_t>(r - part.first + 1)};
+      copy.material = table_.regions[r].material;
+      in.table.regions.push_back(std::move(copy));
+    }
+    for (const std::uint32_t k : isolated_[number]) {
+      const IsolatedPoint& point = table_.isolated_points[k];
+      in.table.isolated_points.push_back({local(point.vertex), region(point.region)});
+    }
+    return in;
+  }
+
+  /// The triangles of a part on points of their own; `vertices` are these points in the file.
+  /// False where an index is none.
+  bool read(const Part& part, TriangleSoup& soup, std::vector<std::uint32_t>& vertices) const {
+    const std::size_t count = part.last_triangle - part.first_triangle;
+    soup.triangles.reserve(count);
+    vertices.reserve(3 * count);
+    for (std::size_t t = part.first_triangle; t < part.last_triangle; ++t) {
+      std::array<std::uint32_t, 3> corners{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto corner = as_index(mesh_.corners[3 * t + k], mesh_.points);
+        if (!corner) return false;
+        corners[k] = static_cast<std::uint32_t>(*corner);
+        vertices.push_back(corners[k]);
+      }
+      soup.triangles.push_back(corners);
+      soup.region.push_back(mesh_.region[t]);
+      soup.material.push_back(mesh_.material[t]);
+    }
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    for (auto& corners : soup.triangles) {
+      for (std::uint32_t& v : corners)
+        v = static_cast<std::uint32_t>(std::lower_bound(vertices.begin(), vertices.end(), v) -
+                                       vertices.begin());
+    }
+    soup.points.reserve(vertices.size());
+    for (const std::uint32_t v : vertices) soup.points.push_back(mesh_.place(v));
+    return true;
+  }
+
+  /// Whether other parts have the same vertices at the points of the input.
+  bool agree_on_vertices(const PartInput& in, const TriangleSoup& soup,
+                         std::span<const std::uint32_t> vertices) {
+    std::vector<std::uint32_t> by_place(in.pslg.points.size());
+    std::iota(by_place.begin(), by_place.end(), 0U);
+    const std::vector<Point>& points = in.pslg.points;
+    std::sort(by_place.begin(), by_place.end(),
+              [&](std::uint32_t p, std::uint32_t q) { return points[p] < points[q]; });
+    const std::lock_guard lock(mutex_);
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+      const auto at =
+          std::lower_bound(by_place.begin(), by_place.end(), soup.points[v],
+                           [&](std::uint32_t p, const Point& place) { return points[p] < place; });
+      if (at == by_place.end() || points[*at] != soup.points[v]) continue;
+      std::uint32_t& known = vertex_of_[in.point_of[*at]];
+      if (known != kNone && known != vertices[v]) return false;
+      known = vertices[v];
+    }
+    return true;
+  }
+
+  Status check(std::size_t number) {
+    const Error broken{ErrorCode::other_mesh, "a promise is broken", {}, {}};
+    const Part& part = parts_[number];
+    TriangleSoup soup;
+    std::vector<std::uint32_t> vertices;
+    if (!read(part, soup, vertices)) return broken;
+    mesh_.file.forget();
+    const PartInput in = input_of(number);
+    if (!agree_on_vertices(in, soup, vertices)) return broken;
+    Verification found = verify_cover(in.pslg, in.table, soup, verify_);
+    if (found.violation_count > 0 || found.regions != part.last - part.first) return broken;
+    found.triangle_regions = {};
+    found_[number] = std::move(found);
+    return ok();
+  }
+
+  CheckInParts sum() {
+    CheckInParts all{{}, mesh_.triangles};
+    for (Verification& found : found_) {
+      all.found.regions += found.regions;
+      all.found.within_rounding += found.within_rounding;
+      std::move(found.limits.begin(), found.limits.end(), std::back_inserter(all.found.limits));
+      all.found.unchecked = std::move(found.unchecked);
+    }
+    for (const SegmentSides& sides : table_.sides)
+      all.found.segments_whole += sides.left != kVoid || sides.right != kVoid ? 1 : 0;
+    return all;
+  }
+
+  const Pslg& pslg_;
+  const RegionTable& table_;
+  const MappedTriangles& mesh_;
+  const VerifyOptions& verify_;
+  std::vector<Part> parts_;
+  std::vector<std::uint32_t> part_of_;  ///< by RegionId - 1
+  ByPart segments_, isolated_;
+  std::mutex mutex_;
+  std::vector<std::uint32_t> vertex_of_;  ///< by VertexId: in the file, once it was met
+  std::vector<Verification> found_;       ///< by part
+};
+
+}  // namespace
+
+Result<Prepared> prepare_to_check(Input&& input, const Options& asked) {
+  return memory_as_value("check", [&] {
+    StageClock clock;
+    const Options options = with_layers_of(input, asked);
+    return find_regions(std::move(input), options, {}, clock);
+  });
+}
+
+std::optional<CheckInParts> check_in_parts(const Prepared& prepared, const std::string& path,
+                                           const VerifyOptions& verify, const Options& options,
+                                           std::size_t triangles_at_a_time) {
+  const std::optional<MappedTriangles> mesh = map_triangles(path);
+  if (!mesh || !verify.material_numbers) return std::nullopt;
+  auto first = first_triangles(*mesh, prepared.table.regions.size());
+  if (!first) return std::nullopt;
+  std::vector<Part> parts = make_parts(*first, triangles_at_a_time);
+  first = {};
+  return Checker(prepared, *mesh, verify, std::move(parts)).run(worker_count(options));
+}
+
+}  // namespace cover

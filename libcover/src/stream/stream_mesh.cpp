@@ -1,0 +1,251 @@
+// A region goes to the disk as soon as it is done, whichever comes first; what a file wants in
+// order, it gets when all are there. Lines of a mesh are segments: of each is kept which of the
+// half-edges of its region it is first, so that they come in the order of a mesh in memory.
+//
+// Tested by tests/unit/stream/stream_mesh_test.cpp and, with the program, by tests/cli/cli_test.py.
+#include <cover/stream_mesh.hpp>
+
+#include <filesystem>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "base/out_of_memory.hpp"
+#include "geom/half_edges.hpp"
+#include "io/report/report_text.hpp"
+#include "io/write_mesh/vtu_parts.hpp"
+#include "io/write_mesh/write_spooled.hpp"
+#include "mesh/stitch.hpp"
+#include "pipeline/find_regions.hpp"
+#include "pipeline/mesh_prepared.hpp"
+#include "region/region_graph.hpp"
+#include "sizes/expected_triangles.hpp"
+#include "stream/spooled_parts.hpp"
+#include "target/measure.hpp"
+#include "tasks/errors_as_values.hpp"
+#include "tasks/region_task.hpp"
+
+namespace cover {
+namespace {
+
+/// Puts regions into the spool file, and keeps what lines and reports need.
+class Spooler {
+ public:
+  Spooler(const Pslg& pslg, const RegionTable& table, std::vector<RegionBoundary>& boundaries,
+          MeshSpool& spool, std::vector<std::uint32_t> vertex_of)
+      : pslg_(pslg),
+        table_(table),
+        boundaries_(boundaries),
+        spool_(spool),
+        vertex_of_(std::move(vertex_of)),
+        first_half_edge_(pslg.segments.size(), kNone),
+        reports_(boundaries.size()) {}
+
+  void take(std::size_t region, RegionMesh mesh) {
+    RegionBoundary& boundary = boundaries_[region];
+    const std::vector<Point> points = all_points(boundary, mesh);
+    note_lines(boundary, points.size(), mesh.triangles);
+    std::vector<std::array<double, 2>> angles;
+    angles.reserve(mesh.triangles.size());
+    const auto size = static_cast<std::uint32_t>(boundary.vertices.size());
+    const auto inputs = static_cast<std::uint32_t>(spool_.input_vertices());
+    for (IndexTriple& t : mesh.triangles) {
+      angles.push_back(extreme_degrees(points[t[0]], points[t[1]], points[t[2]]));
+      for (std::uint32_t& v : t)
+        v = v < size ? vertex_of_[boundary.vertices[v].index()] : inputs + (v - size);
+    }
+    spool_.add(region, mesh.steiner, mesh.triangles, angles);
+    reports_[region] = std::move(mesh.report);
+    boundary = {};
+  }
+
+  /// What is kept in memory; to be called once.
+  SpooledParts finish(Report& report) {
+    for (const RegionReport& region : reports_) {
+      merge(report.quality, region.quality);
+      report.steiner_vertices += region.steiner_vertices;
+    }
+    report.regions = std::move(reports_);
+    return {std::move(spool_), std::move(vertex_of_), std::move(first_half_edge_)};
+  }
+
+ private:
+  /// One region alone writes to the place of a segment, so that threads do not meet.
+  void note_lines(const RegionBoundary& boundary, std::size_t points,
+                  std::span<const IndexTriple> triangles) {
+    const HalfEdges edges(points, triangles);
+    for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
+      const SegmentId id = boundary.segments[s];
+      if (id == kHullSide || first_region(table_.sides[id.index()]) != boundary.id) continue;
+      std::uint32_t& first = first_half_edge_[id.index()];
+      const auto [a, b] = boundary.sides[s];
+      const std::uint32_t edge = edges.find(a, b);
+      if (edge == HalfEdges::kAbsent) continue;
+      const bool is_back = boundary.vertices[a] != pslg_.segments[id.index()].a;
+      first = std::min(first, 2 * edge + (is_back ? 1 : 0));
+    }
+  }
+
+  const Pslg& pslg_;
+  const RegionTable& table_;
+  std::vector<RegionBoundary>& boundaries_;
+  MeshSpool& spool_;
+  std::vector<std::uint32_t> vertex_of_;        ///< by VertexId
+  std::vector<std::uint32_t> first_half_edge_;  ///< by SegmentId, in its first region
+  std::vector<RegionReport> reports_;
+};
+
+/// By Euler's count: each edge has two sides, and those of the outline one triangle.
+MeshCounts count_of(const SpooledParts& parts, const RegionTable& table) {
+  std::size_t outer = 0;
+  for (std::size_t s = 0; s < table.sides.size(); ++s) {
+    const bool is_outer = (table.sides[s].left == kVoid) != (table.sides[s].right == kVoid);
+    outer += is_outer && parts.first_half_edge[s] != kNone ? 1 : 0;
+  }
+  const std::size_t triangles = parts.spool.triangles();
+  return {parts.spool.vertices(), (3 * triangles + outer) / 2, triangles};
+}
+
+/// About what the mesh will take.
+double expected_triangles_of(std::span<const RegionBoundary> boundaries, const Options& options) {
+  double all = 0;
+  for (const RegionBoundary& boundary : boundaries) all += about_triangles(boundary, options);
+  return all;
+}
+
+/// What is surely needed: expected numbers of triangles may be wrong by a factor of two.
+Status check_room_for(double triangles, const std::string& path) {
+  constexpr double kSpooled = 44, kWritten = 80, kSurely = 0.5;
+  return check_room(path, kSurely * (kSpooled + kWritten) * triangles);
+}
+
+/// Meshes the regions of `prepared` into a spool file.
+Result<StreamedOutput> spool_prepared(Prepared prepared, std::vector<RegionBoundary> boundaries,
+                                      const Options& options, const StreamOptions& stream,
+                                      const Callbacks& callbacks, StageClock& clock) {
+  std::vector<std::uint32_t> vertex_of = input_vertices(prepared.pslg, boundaries);
+  std::vector<Point> input;
+  for (std::size_t v = 0; v < vertex_of.size(); ++v)
+    if (vertex_of[v] != kNone) input.push_back(prepared.pslg.points[v]);
+  Result<MeshSpool> spool = MeshSpool::beside(stream.beside, input, boundaries.size());
+  if (!spool) return std::move(spool).error();
+  input = {};
+  Spooler spooler(prepared.pslg, prepared.table, boundaries, *spool, std::move(vertex_of));
+  Status meshed = mesh_regions_into(
+      boundaries, options, callbacks,
+      [&](std::size_t region, RegionMesh mesh) { spooler.take(region, std::move(mesh)); },
+      [&] { return spool->is_good(); });
+  if (!meshed) return std::move(meshed).error();
+  if (Status finished = spool->finish(); !finished) return std::move(finished).error();
+  clock.note("mesh", prepared.report.times);
+  auto parts = std::make_shared<const SpooledParts>(spooler.finish(prepared.report));
+  const MeshCounts counts = count_of(*parts, prepared.table);
+  return StreamedOutput{Output{Mesh(), std::move(prepared.pslg), std::move(prepared.table),
+                               std::move(prepared.report)},
+                        counts, std::move(parts)};
+}
+
+Result<StreamedOutput> stream_or_hold(Input input, const Options& asked,
+                                      const StreamOptions& stream, const Callbacks& callbacks) {
+  StageClock clock;
+  const Options options = with_layers_of(input, asked);
+  const std::vector<PeriodicRule> rules = periodic_rules(input, options);
+  Result<Prepared> prepared = find_regions(std::move(input), options, callbacks, clock, false);
+  if (!prepared) return std::move(prepared).error();
+  Result<std::vector<RegionBoundary>> boundaries = split_prepared(*prepared, options, false, clock);
+  if (!boundaries) return std::move(boundaries).error();
+  Result<double> expected = errors_as_values(
+      "estimate", [&] { return Result<double>(expected_triangles_of(*boundaries, options)); });
+  if (!expected) return std::move(expected).error();
+  if (*expected < stream.most_in_memory) {
+    Result<Output> output = mesh_prepared(*std::move(prepared), *std::move(boundaries), rules,
+                                          options, callbacks, clock);
+    if (!output) return std::move(output).error();
+    const MeshCounts counts = count_of(output->mesh);
+    return StreamedOutput{*std::move(output), counts, nullptr};
+  }
+  if (Status room = check_room_for(*expected, stream.beside); !room) return std::move(room).error();
+  return errors_as_values("stream", [&] {
+    return spool_prepared(*std::move(prepared), *std::move(boundaries), options, stream, callbacks,
+                          clock);
+  });
+}
+
+}  // namespace
+
+RegionId first_region(const SegmentSides& sides) {
+  if (sides.left == kVoid) return sides.right;
+  if (sides.right == kVoid) return sides.left;
+  return std::min(sides.left, sides.right);
+}
+
+std::vector<LineEdge> lines_of(const Pslg& pslg, const RegionTable& table,
+                               const SpooledParts& parts) {
+  constexpr unsigned kBitsOfHalfEdge = 32;
+  std::vector<LineEdge> lines;
+  lines.reserve(pslg.segments.size());
+  for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+    const std::uint32_t first = parts.first_half_edge[s];
+    if (first == kNone) continue;
+    const SegmentSides& sides = table.sides[s];
+    const Segment& segment = pslg.segments[s];
+    LineEdge line;
+    line.interface = sides.interface;
+    line.marker = segment.marker;
+    line.order = static_cast<std::uint64_t>(first_region(sides).value()) << kBitsOfHalfEdge | first;
+    line.from = parts.vertex_of[segment.a.index()];
+    line.to = parts.vertex_of[segment.b.index()];
+    if (first % 2 == 1) std::swap(line.from, line.to);
+    line.is_inner = sides.left != kVoid && sides.right != kVoid;
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+MeshView view_of_lines(const StreamedOutput& output, const WriteOptions& options) {
+  const Output& rest = output.output;
+  return view_of_lines(rest.table, lines_of(rest.pslg, rest.table, *output.parts), options);
+}
+
+std::string needs_whole_mesh(const Input& input, const Options& options) {
+  if (options.method == Method::nonobtuse) return "method nonobtuse";
+  if (options.hull) return "the convex hull as the domain";
+  if (options.split_interfaces || options.box_method) return "cutting segments after meshing";
+  if (!periodic_rules(input, options).empty()) return "periodic sides";
+  if (!input.circles.empty()) return "arcs";
+  return {};
+}
+
+std::string needs_whole_mesh(const std::string& path, const WriteOptions& options) {
+  if (options.order != 1) return "triangles of second order";
+  if (!can_write_spooled(path))
+    return fmt::format("a file in {}", std::filesystem::path(path).extension().string());
+  return {};
+}
+
+Result<StreamedOutput> stream_mesh(Input&& input, const Options& options,
+                                   const StreamOptions& stream, const Callbacks& callbacks) {
+  return memory_as_value(
+      "mesh", [&] { return stream_or_hold(std::move(input), options, stream, callbacks); });
+}
+
+Status write_streamed_mesh(const StreamedOutput& output, const std::string& path,
+                           const WriteOptions& options) {
+  return memory_as_value(path, [&]() -> Status {
+    const Output& rest = output.output;
+    const SpooledParts& parts = *output.parts;
+    return write_spooled({parts.spool, rest.table, rest.report, rest.pslg.segments.size(),
+                          [&] { return lines_of(rest.pslg, rest.table, parts); }},
+                         path, options);
+  });
+}
+
+std::string report_json(const StreamedOutput& output) {
+  return report_json(output.output, output.counts);
+}
+
+Status write_report_json(const StreamedOutput& output, const std::string& path) {
+  return write_report_json(output.output, output.counts, path);
+}
+
+}  // namespace cover

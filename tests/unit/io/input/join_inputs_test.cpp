@@ -1,0 +1,99 @@
+// Several files are one geometry: what one file with all of it is.
+#include <cover/join_inputs.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cover/cover_mesh.hpp>
+
+namespace cover {
+namespace {
+
+Input square(double x, const char* material, const char* source) {
+  Input input;
+  input.source = source;
+  InputPolygon polygon;
+  polygon.material = material;
+  polygon.rings = {{{x, 0}, {x + 1, 0}, {x + 1, 1}, {x, 1}}};
+  input.polygons.push_back(polygon);
+  return input;
+}
+
+TEST(JoinInputs, LaterFilesArePaintedOverEarlierOnes) {
+  const Result<Input> joined =
+      join_inputs({square(0, "a", "x.geojson"), square(0.5, "b", "y.geojson")});
+  ASSERT_TRUE(joined);
+  EXPECT_EQ(joined->source, "x.geojson, y.geojson");
+  const Result<Prepared> prepared = prepare(*joined);
+  ASSERT_TRUE(prepared);
+  ASSERT_EQ(prepared->table.regions.size(), 2U);
+  double a = 0, b = 0;
+  for (const Region& region : prepared->table.regions)
+    (region.material_name == "a" ? a : b) += region.area;
+  EXPECT_DOUBLE_EQ(a, 0.5);
+  EXPECT_DOUBLE_EQ(b, 1);
+}
+
+TEST(JoinInputs, SegmentsAndCirclesKeepTheirPoints) {
+  Input one, other;
+  one.points = {{0, 0}, {1, 0}};
+  one.segments.push_back({0, 1, 5, 7, 0, "top", 0});
+  one.circles.push_back({{9, 9}, 1});
+  other.points = {{2, 0}, {3, 0}, {4, 0}};
+  other.point_markers = {1, 2, 3};
+  other.segments.push_back({1, 2, 6, 8, 0, "low", 1});
+  other.circles.push_back({{5, 5}, 2});
+  InputLine line{"arc", {{0, 0}, {1, 1}}, 0, {1, 0}};
+  other.lines.push_back(line);
+  const Result<Input> joined = join_inputs({one, other});
+  ASSERT_TRUE(joined);
+  ASSERT_EQ(joined->points.size(), 5U);
+  EXPECT_EQ(joined->point_markers, (std::vector<int>{0, 0, 1, 2, 3}));
+  EXPECT_TRUE(joined->point_ids.empty());
+  ASSERT_EQ(joined->segments.size(), 2U);
+  EXPECT_EQ(joined->segments[1].a, 3U);
+  EXPECT_EQ(joined->segments[1].b, 4U);
+  EXPECT_EQ(joined->segments[1].circle, 2U);
+  EXPECT_EQ(joined->lines[0].circles, (std::vector<std::uint32_t>{2, 0}));
+  EXPECT_EQ(joined->circles[1].radius, 2);
+}
+
+TEST(JoinInputs, MadeUpMaterialsStayApart) {
+  Input named = square(2, "feature_0", "y.geojson");
+  named.polygons[0].region = "lake";
+  const Result<Input> joined =
+      join_inputs({square(0, "feature_0", "x.geojson"), square(1, "feature_0", "y.geojson"), named,
+                   square(3, "feature_x", "z.geojson")});
+  ASSERT_TRUE(joined);
+  EXPECT_EQ(joined->polygons[0].material, "feature_0");
+  EXPECT_EQ(joined->polygons[1].material, "2:feature_0");
+  EXPECT_EQ(joined->polygons[2].material, "feature_0");
+  EXPECT_EQ(joined->polygons[3].material, "feature_x");
+  EXPECT_EQ(joined->source, "x.geojson, y.geojson, y.geojson and 1 more");
+}
+
+TEST(JoinInputs, RefusesWhatDoesNotGoTogether) {
+  Input metres = square(0, "a", "x"), other = square(1, "b", "y");
+  other.unit = "nm";
+  const Result<Input> units = join_inputs({metres, other});
+  ASSERT_FALSE(units);
+  EXPECT_NE(units.error().message.find("x and y"), std::string::npos);
+  other = square(1, "b", "y");
+  other.void_rule = VoidRule::unseeded_faces;
+  EXPECT_TRUE(join_inputs({metres, other}));
+  metres.points = other.points = {{0, 0}, {1, 0}};
+  metres.segments.push_back({0, 1, 0, 0, 0, "", 0});
+  other.segments = metres.segments;
+  EXPECT_FALSE(join_inputs({metres, other}));
+}
+
+TEST(JoinInputs, WarningsNameTheirFile) {
+  Input one = square(0, "a", "x"), other = square(1, "b", "y");
+  other.warnings = {"1 geometry is a point: left out"};
+  const Result<Input> joined = join_inputs({one, other});
+  ASSERT_TRUE(joined);
+  ASSERT_EQ(joined->warnings.size(), 1U);
+  EXPECT_EQ(joined->warnings[0], "y: 1 geometry is a point: left out");
+}
+
+}  // namespace
+}  // namespace cover
