@@ -332,7 +332,8 @@ Examples:
   rules.insert(rules.end(), input->periodic.begin(), input->periodic.end());
   Result<Prepared> prepared = prepare_to_check(*std::move(input), *options);
   if (!prepared) return fail(*log, prepared.error());
-  const bool wants_whole = verify.allow_split || verify.hull || box_method || !rules.empty();
+  const bool wants_whole =
+      verify.allow_split || verify.hull || box_method || !rules.empty() || !layers.empty();
   if (!wants_whole && is_to_stream(stream, mesh_path)) {
     prepared->report = {};
     if (const auto parts = check_in_parts(*prepared, mesh_path, verify, *options))
