@@ -101,6 +101,15 @@ Verification couplings_of(const Prepared& prepared, const TriangleSoup& mesh,
   return verify_cover(pslg, table, mesh, verify);
 }
 
+std::string obtuse_triangles(const Verification& found) {
+  std::string text =
+      fmt::format("{} obtuse triangles", grouped(found.obtuse - found.obtuse_by_rounding));
+  if (found.obtuse_by_rounding > 0)
+    text += fmt::format(", {} more by no more than rounding of coordinates",
+                        grouped(found.obtuse_by_rounding));
+  return text;
+}
+
 int print_couplings(const Verification& found, bool quiet) {
   constexpr std::size_t kListed = 20;
   using Kind = NegativeCoupling::Kind;
@@ -110,14 +119,14 @@ int print_couplings(const Verification& found, bool quiet) {
         all.begin(), all.end(), [&](const NegativeCoupling& c) { return c.kind == kind; })));
   };
   if (all.empty()) {
-    if (!quiet)
-      fmt::print("Box method: no negative coupling; {} obtuse triangles\n", grouped(found.obtuse));
+    if (!quiet) fmt::print("Box method: no negative coupling; {}\n", obtuse_triangles(found));
     return exit_ok;
   }
   fmt::print(
       "FAILED box method: {} negative couplings: {} on inner edges, {} on sides that a "
       "vertex of the boundary encroaches, {} on other sides\n",
       grouped(all.size()), count(Kind::inside), count(Kind::encroached), count(Kind::given_up));
+  fmt::print("    {}\n", obtuse_triangles(found));
   for (std::size_t k = 0; k < std::min(kListed, all.size()); ++k) {
     const NegativeCoupling& c = all[k];
     fmt::print("    region {}: {} from {} to {}, {} {}\n", c.region.value(),

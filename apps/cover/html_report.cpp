@@ -265,6 +265,7 @@ class Page {
     };
     out_ += "<div>\n<h2>For the box method (finite volumes)</h2>\n<div class=\"panel\">\n<table>\n";
     row("obtuse triangles", grouped(report_.quality.obtuse));
+    row("above 90 degrees by rounding of coordinates", grouped(report_.quality.obtuse_by_rounding));
     row("sides with an obtuse opposite angle", grouped(sum.obtuse_sides));
     row("inner edges that are not Delaunay", grouped(sum.non_delaunay_edges));
     row("negative couplings", grouped(sum.negative_couplings));

@@ -145,7 +145,11 @@ std::string totals(const Output& output) {
                      angle_text(q.largest_nu), region.id.value(),
                      printable(output.table.region(region.id).name), angle_text(lowest_nu(region)));
   out += fmt::format("Smallest angle  {:>7}\n", small_angle_text(q.smallest));
-  out += fmt::format("Above 90        {:>7}  obtuse triangles\n", grouped(q.obtuse));
+  out += fmt::format("Above 90        {:>7}  obtuse triangles{}\n", grouped(q.obtuse),
+                     q.obtuse_by_rounding == 0
+                         ? ""
+                         : fmt::format("; {} more by no more than rounding of coordinates",
+                                       grouped(q.obtuse_by_rounding)));
   out += fmt::format("Above 120       {:>7}  forced by the input: {}\n", grouped(q.above_120),
                      grouped(forced_120));
   out += fmt::format("Above 150       {:>7}  forced by the input: {}\n", grouped(q.above_150),

@@ -415,6 +415,46 @@ class Mesh(Case):
         err = self.run_cover('mesh', box, '-o', 'd.vtu', '--box-method', '--hull', code=2)[1]
         self.assertIn('box_method', err)
 
+    def test_box_method_with_other_options(self):
+        box = self.write('box.poly', '6 2 0 0\n1 0 0\n2 10 0\n3 10 6\n4 0 6\n5 4 1\n6 6 1\n'
+                         '4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n')
+        # What cuts segments by itself, or may cut none, is refused by name.
+        for options, name in ((['--hull'], 'hull'), (['--method', 'nonobtuse'], 'nonobtuse'), (['--method', 'almond'], 'almond')):
+            err = self.run_cover('mesh', box, '-o', 'd.vtu', '--box-method', *options, code=2)[1]
+            self.assertIn('box_method', err)
+            self.assertIn(name, err)
+        self.run_cover('mesh', box, '-o', 'd.vtu')
+        err = self.run_cover('mesh', box, '--box-method', '--only', 'unnamed', '--onto', 'd.vtu', '-o', 'e.vtu', code=2)[1]
+        self.assertIn('box_method', err)
+        self.assertIn('only', err)
+        # Everything else works: no coupling is negative, by exact signs.
+        for options in (['--split-interfaces'], ['--split-interfaces', '--max-angle', '90'], ['--size', '0.7'],
+                        ['--size', '0.7', '--split-interfaces'], ['--split-interfaces', '--max-angle', '90', '--effort', 'fast']):
+            overall = self.require(box, 'box-method', 0, '--box-method', *options)
+            self.assertEqual(overall['box']['negative_couplings'], 0, options)
+            out, _ = self.run_cover('check', box, 'd.vtu', '--box-method', '--allow-split')
+            self.assertIn('Box method: no negative coupling', out)
+            if '--max-angle' in options:
+                self.assertEqual(overall['obtuse'], 0, options)
+
+    def test_right_angles_are_thinned_out(self):
+        # A kite between two rectangles: many vertices become a few.
+        self.write('kite.json', json.dumps({
+            'points': [[0, 0], [10, 0], [10, 4], [0, 4], [3, 2], [5, 1.2], [8, 2], [5, 2.9]],
+            'segments': [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4]]}))
+        counts = {}
+        for effort in ('fast', 'normal'):
+            overall = self.require('kite.json', 'non-obtuse', 0, '--split-interfaces', '--max-angle', '90', '--min-angle', '0',
+                                   '--effort', effort)
+            self.assertEqual(overall['obtuse'], 0)
+            report = json.loads((self.dir / 'd.json').read_text())
+            counts[effort] = report['mesh']['vertices']
+            self.assertTrue(any('that no right angle needs' in note['message'] for note in report['notes']))
+            self.assertEqual(report['mesh']['cut_vertices'], report['input']['points'] - 8)
+            self.run_cover('check', 'kite.json', 'd.vtu', '--allow-split')
+        self.assertLessEqual(counts['normal'], counts['fast'])
+        self.assertLessEqual(counts['normal'], 12)
+
     def test_require_bound_of_what_is_kept(self):
         # Two squares; the left one was meshed by hand, with an angle of 179.8 degrees.
         self.write('two.poly', '6 2 0 0\n1 0 0\n2 1 0\n3 2 0\n4 2 1\n5 1 1\n6 0 1\n'

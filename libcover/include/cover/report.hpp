@@ -53,7 +53,10 @@ struct Quality {
   std::size_t triangles = 0;
   Angle largest_nu = Angle::degrees(180);  ///< pi - largest angle
   Angle smallest = Angle::degrees(180);    ///< smallest angle
-  std::size_t obtuse = 0;                  ///< triangles above 90 degrees, by 1e-9 radians
+  /// Triangles above 90 degrees by more than 1e-9 radians, and by more than what rounding the
+  /// coordinates of their corners can make.
+  std::size_t obtuse = 0;
+  std::size_t obtuse_by_rounding = 0;  ///< those above 90 degrees exactly, but by no more
   std::size_t above_120 = 0;
   std::size_t above_150 = 0;
   std::array<std::size_t, 18> histogram{};  ///< all angles, bins of 10 degrees; of right

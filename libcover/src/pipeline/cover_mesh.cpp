@@ -10,6 +10,7 @@
 #include "cuts/cut_for_boxes.hpp"
 #include "cuts/cut_until_met.hpp"
 #include "cuts/onto_arcs.hpp"
+#include "cuts/thin_cuts.hpp"
 #include "layers/layer_rules.hpp"
 #include "mesh/periodic_nodes.hpp"
 #include "mesh/stitch.hpp"
@@ -68,6 +69,8 @@ Result<Output> mesh_prepared(Result<Prepared> prepared, const std::vector<Period
   if (!met) return std::move(met).error();
   Status coupled = cut_until_coupled(*prepared, boundaries, *meshes, options, callbacks);
   if (!coupled) return std::move(coupled).error();
+  Status thinned = thin_cuts(*prepared, boundaries, *meshes, options, callbacks);
+  if (!thinned) return std::move(thinned).error();
   warn_of_straight_arcs(pslg, report.notes);
   clock.note("mesh", report.times);
   if (Status status = begin_stage("stitch", callbacks); !status) return std::move(status).error();

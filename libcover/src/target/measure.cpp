@@ -13,6 +13,7 @@
 
 #include "box/encroached_sides.hpp"
 #include "cdt/couplings.hpp"
+#include "geom/angle_rounding.hpp"
 #include "geom/predicates.hpp"
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
@@ -21,9 +22,8 @@ namespace cover {
 namespace {
 
 constexpr double kCotangentOf150 = -std::numbers::sqrt3;
-/// Of cotangents: how far below zero they are counted. Right angles at the feet of perpendiculars
-/// are right up to rounding only, and no solver can tell.
-constexpr double kRightAngle = 1e-9;
+/// Of cotangents: how far below zero they are counted.
+constexpr double kRightAngle = kAsGoodAsRight;
 
 /// A triangle from its largest angle's corner on.
 struct Sorted {
@@ -126,8 +126,12 @@ Quality measure_some(std::span<const Point> points, std::span<const IndexTriple>
     const double smallest = cotangent(s.apex, s.sharp, s.blunt, area);
     if (largest < lowest) lowest = largest, flattest = s;
     if (smallest > highest) highest = smallest, sharpest = s;
+    if (largest < kRightAngle) {
+      const Blunt blunt = bluntness(s.p, s.apex, s.q, farthest);
+      quality.obtuse += blunt == Blunt::yes ? 1 : 0;
+      quality.obtuse_by_rounding += blunt == Blunt::by_rounding ? 1 : 0;
+    }
     if (largest < -kRightAngle) {
-      if (-largest > angle_rounding(s.apex, s.p, s.q, farthest)) ++quality.obtuse;
       if (compare_with_120_degrees(s.p, s.apex, s.q) == Sign::positive) ++quality.above_120;
       if (largest < kCotangentOf150) ++quality.above_150;
     }
@@ -235,17 +239,11 @@ void merge(Quality& sum, const Quality& part) {
   sum.largest_nu = std::min(sum.largest_nu, part.largest_nu);
   sum.smallest = std::min(sum.smallest, part.smallest);
   sum.obtuse += part.obtuse;
+  sum.obtuse_by_rounding += part.obtuse_by_rounding;
   sum.above_120 += part.above_120;
   sum.above_150 += part.above_150;
   for (std::size_t i = 0; i < sum.histogram.size(); ++i) sum.histogram[i] += part.histogram[i];
   sum.area += part.area;
-}
-
-double angle_rounding(Point a, Point b, Point c, double largest_coordinate) {
-  const double shortest = std::min({length(b - a), length(c - b), length(a - c)});
-  const double spacing = spacing_at(largest_coordinate);
-  // Each of two corners moves by at most spacing / sqrt 2 against the third along either edge.
-  return 4 * spacing / shortest;
 }
 
 bool holds_bound(std::span<const Point> points, std::span<const IndexTriple> triangles,

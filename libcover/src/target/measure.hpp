@@ -18,7 +18,8 @@ std::vector<Point> all_points(const RegionBoundary& boundary, const RegionMesh& 
 
 /// Angle statistics of `triangles`. The count of those above 120 degrees is exact; one is obtuse if
 /// it is above 90 degrees by more than 1e-9 radians and by more than what rounding the coordinates
-/// of its corners can make (angle_rounding).
+/// of its corners can make (geom/angle_rounding.hpp). Those that are above by less are counted
+/// beside, exactly.
 Quality measure_angles(std::span<const Point> points, std::span<const IndexTriple> triangles,
                        const Team& team = {});
 
@@ -40,10 +41,6 @@ std::vector<NegativeCoupling> measure_couplings(const RegionBoundary& boundary,
 
 /// Adds the statistics of other triangles.
 void merge(Quality& sum, const Quality& part);
-
-/// What rounding a triangle's corners to double can change in its angles, in radians: a few units
-/// in the last place of the largest coordinate over the shortest edge.
-double angle_rounding(Point a, Point b, Point c, double largest_coordinate);
 
 /// True if every triangle keeps pi - angle >= nu_bound, up to angle_rounding() of that triangle.
 bool holds_bound(std::span<const Point> points, std::span<const IndexTriple> triangles,

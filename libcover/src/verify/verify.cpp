@@ -315,6 +315,7 @@ class Verifier {
     BoxCheck check = verify_boxes(mesh_, edges_, side_of_, domain_, region_, pslg_.points);
     result_.negative_couplings = std::move(check.negative);
     result_.obtuse = check.obtuse;
+    result_.obtuse_by_rounding = check.obtuse_by_rounding;
   }
 
   void check_bound() {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "geom/predicates.hpp"
+#include "geom/angle_rounding.hpp"
 
 namespace cover {
 namespace {
@@ -26,13 +26,17 @@ BoxCheck verify_boxes(const TriangleSoup& mesh, const SoupEdges& edges,
     return mesh.points[*other];
   };
   BoxCheck check;
+  const double farthest = largest_coordinate(mesh.points);
   std::vector<NegativeCoupling> on_sides;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const SoupEdges::Edge& e = all[k];
     if (e.from == mesh.triangles[e.triangle][0]) {  // once per triangle
       const auto& t = mesh.triangles[e.triangle];
       const Point p = mesh.points[t[0]], q = mesh.points[t[1]], r = mesh.points[t[2]];
-      check.obtuse += is_obtuse(p, q, r) || is_obtuse(q, r, p) || is_obtuse(r, p, q) ? 1 : 0;
+      const Blunt blunt = std::max({bluntness(p, q, r, farthest), bluntness(q, r, p, farthest),
+                                    bluntness(r, p, q, farthest)});
+      check.obtuse += blunt != Blunt::no ? 1 : 0;
+      check.obtuse_by_rounding += blunt == Blunt::by_rounding ? 1 : 0;
     }
     const Point a = mesh.points[e.from], b = mesh.points[e.to], c = corner_beyond(e);
     if (side_of[k] != kNoSide) {

@@ -17,6 +17,7 @@ namespace cover {
 struct BoxCheck {
   std::vector<NegativeCoupling> negative;  ///< inner edges first
   std::size_t obtuse = 0;                  ///< triangles with an angle above 90 degrees
+  std::size_t obtuse_by_rounding = 0;  ///< those of them that are no more than Blunt::by_rounding
 };
 
 /// The edges with a negative coupling in their region. `side_of` is by edge an index into the sides

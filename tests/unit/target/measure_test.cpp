@@ -85,7 +85,7 @@ TEST(MeasureAngles, WhatRoundingMakesIsNotObtuse) {
   std::uniform_real_distribution<double> share(0.3, 0.7);
   const Point a{1234.1, 871.3}, b{1235.7, 872.9};
   const Vector along = b - a;
-  std::size_t exactly = 0, by_more_than_before = 0;
+  std::size_t exactly = 0, by_more_than_before = 0, by_rounding = 0;
   for (int k = 0; k < 200; ++k) {
     const Point foot = a + share(random) * along;
     const Point p = foot + 1e-6 * left_normal(along);
@@ -96,10 +96,12 @@ TEST(MeasureAngles, WhatRoundingMakesIsNotObtuse) {
       by_more_than_before += angle_at(end, foot, p) > kPi / 2 + 1e-9 ? 1 : 0;
     }
     EXPECT_EQ(measure_angles(points, triangles).obtuse, 0u);
+    by_rounding += measure_angles(points, triangles).obtuse_by_rounding;
     const std::vector<Point> moved{a, foot + -1e-8 * along, p, b};
     EXPECT_EQ(measure_angles(moved, triangles).obtuse, 2u);  // at the foot, and opposite
   }
   EXPECT_GT(exactly, 50u);
+  EXPECT_EQ(by_rounding, exactly);
   EXPECT_GT(by_more_than_before, 50u);
 }
 

@@ -38,7 +38,7 @@
 //            largest_angle and smallest_angle, the limits, under (no mesh whose largest angle is at
 //            most this has a larger smallest one), largest_gap and smallest_gap
 //   QUALITY  triangles, largest_angle, largest_nu_radians (pi - largest angle, which keeps the
-//            digits of flat triangles), smallest_angle, obtuse, above_120, above_150,
+//            digits of flat triangles), smallest_angle, obtuse, obtuse_by_rounding, above_120, above_150,
 //            histogram (all angles in 18 bins of 10 degrees), meshed_area
 //   BOX      obtuse_sides, non_delaunay_edges (both by more than rounding), negative_couplings
 //   (exact
@@ -222,6 +222,7 @@ void add_quality(const Quality& quality, Json& out) {
   out["largest_nu_radians"] = quality.largest_nu.in_radians();
   out["smallest_angle"] = quality.smallest.in_degrees();
   out["obtuse"] = quality.obtuse;
+  out["obtuse_by_rounding"] = quality.obtuse_by_rounding;
   out["above_120"] = quality.above_120;
   out["above_150"] = quality.above_150;
   out["histogram"] = quality.histogram;

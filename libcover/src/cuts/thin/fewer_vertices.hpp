@@ -1,0 +1,35 @@
+// Triangulations without obtuse angles, with fewer vertices.
+#pragma once
+
+#include <cstdint>
+#include <stop_token>
+
+#include "cuts/thin/conforming_mesh.hpp"
+#include "cuts/thin/mesh_with_undo.hpp"
+
+namespace cover {
+
+/// How long is searched: places tried for a vertex, some 0.5 us each.
+struct ThinEffort {
+  std::uint64_t places_per_vertex = 0;  ///< for every vertex that may go
+  std::uint64_t places_at_most = 0;
+  std::uint64_t places_per_bad = 0;  ///< for every bad triangle that there is at first, besides
+  std::uint64_t places_to_mend_at_most = 0;
+  std::stop_token stop;
+};
+
+/// What came of it.
+struct Thinned {
+  std::size_t bad_before = 0;  ///< triangles
+  std::size_t bad = 0;
+};
+
+/// Takes vertices away, merges several into fewer and moves them, while no more triangles are bad
+/// than before; adds some where that makes bad triangles fewer. Points of the input stay.
+///
+/// ENSURES: the same mesh for the same input, whatever the machine
+/// Cost:    as `effort` says
+/// Ref:     libcover/docs/box_method.md, "Fewer vertices"
+Thinned thin_mesh(MeshWithUndo& mesh, const ThinEffort& effort);
+
+}  // namespace cover

@@ -1,0 +1,552 @@
+// Bowyer's and Watson's way to add a vertex, with pieces of lines as walls; ears to take one away.
+// Everything that is written is remembered, triangle by triangle.
+// Tested by tests/unit/cuts/mesh_with_undo_test.cpp.
+#include "cuts/thin/mesh_with_undo.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geom/predicates.hpp"
+#include "geom/vector.hpp"
+
+namespace cover {
+namespace {
+
+constexpr double kCannotBe = std::numeric_limits<double>::infinity();
+constexpr std::uint32_t kOnNoLine = ConformingMesh::kInside;
+constexpr std::size_t kMostInHole = 96;   ///< triangles: larger ones are left alone
+constexpr std::size_t kMostCorners = 40;  ///< of a hole that a vertex leaves
+constexpr int kMostSteps = 64;            ///< of a walk
+/// Half of what rounding the coordinates of corners can make, as angle_rounding() has it, in units
+/// of the largest coordinate.
+constexpr double kRounding = 2 * 0x1p-53;
+constexpr double kFilter = 1e-12;    ///< of the largest product: below, signs are looked at exactly
+constexpr float kBadBySign = 0.25;   ///< cost of a triangle whose coupling has the wrong sign
+constexpr double kBadAtLeast = 0.4;  ///< cost of a triangle that is hardly bad
+constexpr double kFreeAtMost = 4;    ///< times the triangles: entries of the list of free ones
+
+}  // namespace
+
+MeshWithUndo::MeshWithUndo(const ConformingMesh& mesh, std::vector<RightAngles> angles)
+    : angles_(std::move(angles)), lines_(mesh.lines) {
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    vertices_.push_back({mesh.points[v], mesh.line[v], kNone});
+  triangles_.resize(mesh.triangles.size());
+  stamp_.resize(triangles_.size(), 0);
+  link_all(mesh);
+  make_delaunay();
+  for (Triangle& t : triangles_) {
+    t.cost = static_cast<float>(cost_of(t));
+    count(t);
+  }
+  keep();
+}
+
+void MeshWithUndo::link_all(const ConformingMesh& mesh) {
+  const std::vector<std::uint32_t> across = opposite_half_edges(mesh.points.size(), mesh.triangles);
+  const HalfEdges edges(mesh.points.size(), mesh.triangles);
+  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+    Triangle& triangle = triangles_[t];
+    triangle.v = mesh.triangles[t];
+    triangle.region = mesh.region[t];
+    triangle.line.fill(kOnNoLine);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const std::uint32_t twin = across[3 * t + (i + 1) % 3];
+      triangle.n[i] = twin == HalfEdges::kAbsent ? kNone : twin / 3;
+      vertices_[triangle.v[i]].home = t;
+    }
+  }
+  for (const auto& [a, b, line] : mesh.pieces) {
+    for (const std::uint32_t h : {edges.find(a, b), edges.find(b, a)}) {
+      if (h != HalfEdges::kAbsent) triangles_[h / 3].line[(h + 2) % 3] = line;
+    }
+  }
+}
+
+/// Flips what is not locally Delaunay.
+void MeshWithUndo::make_delaunay() {
+  std::vector<std::uint32_t> waiting(triangles_.size());
+  for (std::uint32_t t = 0; t < waiting.size(); ++t) waiting[t] = t;
+  while (!waiting.empty()) {
+    const std::uint32_t t = waiting.back();
+    waiting.pop_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t u = triangles_[t].n[i];
+      if (u == kNone || triangles_[t].line[i] != kOnNoLine) continue;
+      const Triangle s = triangles_[t], o = triangles_[u];
+      const std::size_t j = o.n[0] == t ? 0 : o.n[1] == t ? 1 : 2;
+      const std::uint32_t p = s.v[i], a = s.v[(i + 1) % 3], b = s.v[(i + 2) % 3], q = o.v[j];
+      if (in_circle(at(p), at(a), at(b), at(q)) != Sign::positive) continue;
+      // (p, a, b) and (q, b, a) become (p, a, q) and (q, b, p).
+      Triangle x{{p, a, q},
+                 {o.n[(j + 1) % 3], u, s.n[(i + 2) % 3]},
+                 {o.line[(j + 1) % 3], kOnNoLine, s.line[(i + 2) % 3]},
+                 s.region,
+                 0};
+      Triangle y{{q, b, p},
+                 {s.n[(i + 1) % 3], t, o.n[(j + 2) % 3]},
+                 {s.line[(i + 1) % 3], kOnNoLine, o.line[(j + 2) % 3]},
+                 s.region,
+                 0};
+      triangles_[t] = x, triangles_[u] = y;
+      link(x.n[0], q, a, t);
+      link(y.n[0], p, b, u);
+      for (const std::uint32_t v : x.v) vertices_[v].home = t;
+      for (const std::uint32_t v : y.v) vertices_[v].home = u;
+      waiting.push_back(t);
+      waiting.push_back(u);
+      break;
+    }
+  }
+}
+
+/// 0 for a triangle that is not bad. `is_piece`: of the edge opposite to each corner.
+double MeshWithUndo::cost_of(const std::array<Point, 3>& p, const std::array<bool, 3>& is_piece,
+                             std::uint32_t region) const {
+  const auto& [a, b, c] = p;
+  const Vector ab = b - a, bc = c - b, ca = a - c;
+  const std::array<double, 3> product{-dot(ab, ca), -dot(ab, bc), -dot(bc, ca)};  // by corner
+  const double doubled_area = cross(ab, bc);
+  const auto [blunt, sharp] = std::minmax({product[0], product[1], product[2]});
+  double cost = 0;
+  if (blunt < 0) {
+    const double shortest =
+        std::sqrt(std::min({squared_length(ab), squared_length(bc), squared_length(ca)}));
+    const double farthest = std::max(
+        {std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y), std::abs(c.x), std::abs(c.y)});
+    if (-blunt * shortest > kRounding * farthest * doubled_area)
+      cost = kBadAtLeast - blunt / std::hypot(blunt, doubled_area);
+  }
+  if (cost == 0 && blunt < kFilter * sharp) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (is_piece[i] && product[i] < kFilter * sharp &&
+          compare_with_90_degrees(p[(i + 1) % 3], p[i], p[(i + 2) % 3]) == Sign::positive)
+        cost = kBadBySign;
+    }
+  }
+  const double allowed = angles_[region].largest_cot * doubled_area;
+  if (allowed > 0 && sharp > allowed) cost += kBadAtLeast + 1 - allowed / sharp;
+  return cost;
+}
+
+double MeshWithUndo::cost_of(const Triangle& t) const {
+  return cost_of({at(t.v[0]), at(t.v[1]), at(t.v[2])},
+                 {t.line[0] != kOnNoLine, t.line[1] != kOnNoLine, t.line[2] != kOnNoLine},
+                 t.region);
+}
+
+void MeshWithUndo::count(const Triangle& t) {
+  bad_ += t.cost > 0 ? 1 : 0;
+  grave_ += t.cost > kBadBySign ? 1 : 0;
+  cost_ += t.cost;
+}
+
+void MeshWithUndo::discount(const Triangle& t) {
+  bad_ -= t.cost > 0 ? 1 : 0;
+  grave_ -= t.cost > kBadBySign ? 1 : 0;
+  cost_ -= t.cost;
+}
+
+void MeshWithUndo::write(std::uint32_t t, const Triangle& value) {
+  journal_.push_back({t, triangles_[t]});
+  Triangle& now = triangles_[t];
+  if (now.v[0] != kNone) discount(now);
+  now = value;
+  if (now.v[0] == kNone) return;
+  now.cost = static_cast<float>(cost_of(now));
+  count(now);
+  for (const std::uint32_t v : now.v) vertices_[v].home = t;
+}
+
+void MeshWithUndo::save_vertex(std::uint32_t v) {
+  vertex_journal_.push_back({journal_.size(), v, vertices_[v]});
+}
+
+std::uint32_t MeshWithUndo::new_triangle() {
+  while (!free_.empty()) {
+    const std::uint32_t t = free_.back();
+    free_.pop_back();
+    if (triangles_[t].v[0] == kNone) return t;
+  }
+  triangles_.emplace_back();
+  stamp_.push_back(0);
+  return static_cast<std::uint32_t>(triangles_.size() - 1);
+}
+
+void MeshWithUndo::free_triangle(std::uint32_t t) {
+  free_.push_back(t);
+  if (static_cast<double>(free_.size()) < kFreeAtMost * static_cast<double>(triangles_.size()))
+    return;
+  std::sort(free_.begin(), free_.end());
+  free_.erase(std::unique(free_.begin(), free_.end()), free_.end());
+  std::erase_if(free_, [&](std::uint32_t u) { return triangles_[u].v[0] != kNone; });
+}
+
+void MeshWithUndo::undo(std::size_t mark) {
+  const std::size_t last = journal_.size();
+  for (std::size_t k = last; k-- > mark;) {
+    const auto& [t, old] = journal_[k];
+    const Triangle& now = triangles_[t];
+    if (now.v[0] != kNone) discount(now);
+    triangles_[t] = old;
+    if (old.v[0] != kNone) {
+      count(old);
+    } else {
+      free_triangle(t);
+    }
+  }
+  while (!vertex_journal_.empty() && vertex_journal_.back().mark >= mark) {
+    vertices_[vertex_journal_.back().vertex] = vertex_journal_.back().old;
+    vertex_journal_.pop_back();
+  }
+  for (std::size_t k = mark; k < last; ++k) {
+    const std::uint32_t t = journal_[k].triangle;
+    if (triangles_[t].v[0] == kNone) continue;
+    for (const std::uint32_t v : triangles_[t].v) vertices_[v].home = t;
+  }
+  journal_.resize(mark);
+  if (bad_ == 0) cost_ = 0;
+}
+
+std::vector<std::uint32_t> MeshWithUndo::written_since(std::size_t mark) const {
+  std::vector<std::uint32_t> found;
+  for (std::size_t k = mark; k < journal_.size(); ++k) found.push_back(journal_[k].triangle);
+  return found;
+}
+
+/// Triangle `beyond` has `t` across its edge from a to b.
+void MeshWithUndo::link(std::uint32_t beyond, std::uint32_t a, std::uint32_t b, std::uint32_t t) {
+  if (beyond == kNone) return;
+  Triangle& triangle = triangles_[beyond];
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (triangle.v[(i + 1) % 3] == a && triangle.v[(i + 2) % 3] == b) triangle.n[i] = t;
+  }
+}
+
+Spot MeshWithUndo::on_line(Point p, std::uint32_t triangle, int edge) const {
+  const Triangle& t = triangles_[triangle];
+  const std::uint32_t line = t.line[static_cast<std::size_t>(edge)];
+  if (line >= lines_.size()) return {};
+  const Point a = lines_[line].a, b = lines_[line].b;
+  const Vector along = b - a;
+  // From the nearer end, so that what is exact there stays so.
+  const double from_a = dot(p - a, along) / squared_length(along);
+  const Point foot = from_a <= 0.5 ? a + from_a * along : b + (from_a - 1) * along;
+  return {foot, triangle, edge};
+}
+
+Spot MeshWithUndo::locate(Point p, std::uint32_t triangle) const {
+  for (int step = 0; step < kMostSteps; ++step) {
+    const Triangle& t = triangles_[triangle];
+    if (t.v[0] == kNone) return {};
+    int through = -1;
+    for (int i = 0; i < 3; ++i) {
+      const int k = (i + step) % 3;
+      const Point a = at(t.v[static_cast<std::size_t>(next3(k))]);
+      const Point b = at(t.v[static_cast<std::size_t>(prev3(k))]);
+      if (orientation(a, b, p) != Sign::negative) continue;
+      through = k;
+      if (t.line[static_cast<std::size_t>(k)] == kOnNoLine) break;
+    }
+    if (through < 0) return {p, triangle, -1};
+    const auto k = static_cast<std::size_t>(through);
+    if (t.line[k] != kOnNoLine) return on_line(p, triangle, through);
+    triangle = t.n[k];
+  }
+  return {};
+}
+
+/// The triangles whose circles hold the spot, and their rim.
+bool MeshWithUndo::gather(const Spot& spot) {
+  rim_.clear();
+  cavity_.clear();
+  if (spot.triangle == kNone) return false;
+  ++stamps_;
+  const auto enter = [&](std::uint32_t t) {
+    stamp_[t] = stamps_;
+    cavity_.push_back(t);
+  };
+  enter(spot.triangle);
+  std::uint32_t other = kNone;
+  if (spot.edge >= 0) {
+    const auto e = static_cast<std::size_t>(spot.edge);
+    other = triangles_[spot.triangle].n[e];
+    // Beyond the piece's ends nothing is cut.
+    const Point from = at(triangles_[spot.triangle].v[(e + 1) % 3]),
+                to = at(triangles_[spot.triangle].v[(e + 2) % 3]);
+    if (!(dot(spot.at - from, to - from) > 0) || !(dot(spot.at - to, from - to) > 0)) return false;
+    if (other != kNone) enter(other);
+  }
+  for (std::size_t head = 0; head < cavity_.size(); ++head) {
+    if (cavity_.size() > kMostInHole) return false;
+    const std::uint32_t t = cavity_[head];
+    const Triangle& triangle = triangles_[t];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t n = triangle.n[i];
+      // The piece that is cut is no part of the rim, on either side.
+      if (spot.edge >= 0 && ((t == spot.triangle && i == static_cast<std::size_t>(spot.edge)) ||
+                             (t == other && n == spot.triangle && triangle.line[i] != kOnNoLine)))
+        continue;
+      if (triangle.line[i] == kOnNoLine && n != kNone) {
+        if (stamp_[n] == stamps_) continue;
+        const Triangle& o = triangles_[n];
+        if (in_circle(at(o.v[0]), at(o.v[1]), at(o.v[2]), spot.at) == Sign::positive) {
+          enter(n);
+          continue;
+        }
+      }
+      rim_.push_back(
+          {triangle.v[(i + 1) % 3], triangle.v[(i + 2) % 3], n, triangle.line[i], triangle.region});
+    }
+  }
+  return std::all_of(rim_.begin(), rim_.end(), [&](const RimEdge& e) {
+    return orientation(at(e.a), at(e.b), spot.at) == Sign::positive;
+  });
+}
+
+/// Those of the piece that is cut; kNone if none is.
+std::array<std::uint32_t, 2> MeshWithUndo::ends_of(const Spot& spot) const {
+  if (spot.edge < 0) return {kNone, kNone};
+  const auto e = static_cast<std::size_t>(spot.edge);
+  const Triangle& t = triangles_[spot.triangle];
+  return {t.v[(e + 1) % 3], t.v[(e + 2) % 3]};
+}
+
+double MeshWithUndo::change_with(const Spot& spot) {
+  if (!gather(spot)) return kCannotBe;
+  double change = 0;
+  const std::array<std::uint32_t, 2> ends = ends_of(spot);
+  for (const RimEdge& e : rim_) {
+    const bool at_b = e.b == ends[0] || e.b == ends[1], at_a = e.a == ends[0] || e.a == ends[1];
+    change += cost_of({spot.at, at(e.a), at(e.b)}, {e.line != kOnNoLine, at_b, at_a}, e.region);
+  }
+  for (const std::uint32_t t : cavity_) change -= triangles_[t].cost;
+  return change;
+}
+
+std::uint32_t MeshWithUndo::insert(const Spot& spot, std::uint32_t v) {
+  if (!gather(spot)) return kNone;
+  const std::uint32_t line =
+      spot.edge >= 0 ? triangles_[spot.triangle].line[static_cast<std::size_t>(spot.edge)]
+                     : kOnNoLine;
+  const std::array<std::uint32_t, 2> ends = ends_of(spot);
+  if (v == kNone) {
+    v = static_cast<std::uint32_t>(vertices_.size());
+    vertices_.emplace_back();
+  }
+  save_vertex(v);
+  vertices_[v] = {spot.at, line, kNone};
+  slots_ = cavity_;
+  while (slots_.size() < rim_.size()) {
+    const std::uint32_t t = new_triangle();  // it may stand twice in the list of free ones
+    if (std::find(slots_.begin(), slots_.end(), t) == slots_.end()) slots_.push_back(t);
+  }
+  for (std::size_t k = 0; k < rim_.size(); ++k) {
+    const RimEdge& e = rim_[k];
+    Triangle t{
+        {v, e.a, e.b}, {e.beyond, kNone, kNone}, {e.line, kOnNoLine, kOnNoLine}, e.region, 0};
+    for (std::size_t j = 0; j < rim_.size(); ++j) {
+      if (rim_[j].a == e.b) t.n[1] = slots_[j];
+      if (rim_[j].b == e.a) t.n[2] = slots_[j];
+    }
+    if (e.b == ends[0] || e.b == ends[1]) t.line[1] = line;
+    if (e.a == ends[0] || e.a == ends[1]) t.line[2] = line;
+    write(slots_[k], t);
+  }
+  for (std::size_t k = 0; k < rim_.size(); ++k) {
+    if (rim_[k].beyond == kNone) continue;
+    journal_.push_back({rim_[k].beyond, triangles_[rim_[k].beyond]});
+    link(rim_[k].beyond, rim_[k].b, rim_[k].a, slots_[k]);
+  }
+  return v;
+}
+
+/// The triangles around `v`, counter-clockwise, from the void on if it is there.
+bool MeshWithUndo::star_of(std::uint32_t v) {
+  star_.clear();
+  const std::uint32_t start = vertices_[v].home;
+  const auto corner = [&](std::uint32_t t) {
+    const auto& c = triangles_[t].v;
+    return c[0] == v ? std::size_t{0} : c[1] == v ? std::size_t{1} : std::size_t{2};
+  };
+  std::uint32_t t = start;
+  do {
+    star_.push_back(t);
+    if (star_.size() > kMostCorners) return false;
+    t = triangles_[t].n[(corner(t) + 1) % 3];
+  } while (t != start && t != kNone);
+  if (t == start) {  // the same triangles come of it, whichever is the vertex's home
+    std::rotate(star_.begin(), std::min_element(star_.begin(), star_.end()), star_.end());
+    return true;
+  }
+  for (t = triangles_[start].n[(corner(start) + 2) % 3]; t != kNone;
+       t = triangles_[t].n[(corner(t) + 2) % 3]) {
+    star_.insert(star_.begin(), t);
+    if (star_.size() > kMostCorners) return false;
+  }
+  return true;
+}
+
+/// Whether corners k, k + 1 and k + 2 can be cut off.
+bool MeshWithUndo::is_ear(std::span<const Corner> corners, std::size_t k, bool delaunay) const {
+  const std::size_t n = corners.size();
+  const Point a = at(corners[k].vertex), b = at(corners[(k + 1) % n].vertex),
+              c = at(corners[(k + 2) % n].vertex);
+  if (orientation(a, b, c) != Sign::positive) return false;
+  for (std::size_t j = 3; j < n; ++j) {
+    const Point p = at(corners[(k + j) % n].vertex);
+    if (delaunay
+            ? in_circle(a, b, c, p) == Sign::positive
+            : orientation(a, b, p) != Sign::negative && orientation(b, c, p) != Sign::negative &&
+                  orientation(c, a, p) != Sign::negative)
+      return false;
+  }
+  return true;
+}
+
+/// Triangulates a hole with `slots`, which it uses up from the end.
+bool MeshWithUndo::fill(std::span<Corner> corners, std::uint32_t region,
+                        std::vector<std::uint32_t>& slots) {
+  while (corners.size() >= 3) {
+    const std::size_t n = corners.size();
+    std::size_t ear = n;
+    for (const bool delaunay : {true, false}) {
+      for (std::size_t k = 0; k < n && ear == n; ++k) {
+        if (is_ear(corners, k, delaunay)) ear = k;
+      }
+    }
+    if (ear == n) return false;
+    const std::size_t i = ear, j = (ear + 1) % n, k = (ear + 2) % n;
+    const std::uint32_t slot = slots.back();
+    slots.pop_back();
+    Triangle t{{corners[i].vertex, corners[j].vertex, corners[k].vertex},
+               {corners[j].beyond, n == 3 ? corners[k].beyond : kNone, corners[i].beyond},
+               {corners[j].line, n == 3 ? corners[k].line : kOnNoLine, corners[i].line},
+               region,
+               0};
+    write(slot, t);
+    for (std::size_t e = 0; e < 3; ++e) {
+      const std::uint32_t beyond = t.n[e];
+      if (beyond == kNone) continue;
+      journal_.push_back({beyond, triangles_[beyond]});
+      link(beyond, t.v[(e + 2) % 3], t.v[(e + 1) % 3], slot);
+    }
+    if (n == 3) return true;
+    corners[i].beyond = slot;
+    corners[i].line = kOnNoLine;
+    for (std::size_t m = j; m + 1 < n; ++m) corners[m] = corners[m + 1];
+    corners = corners.first(n - 1);
+  }
+  return false;
+}
+
+bool MeshWithUndo::remove(std::uint32_t v) {
+  const std::size_t before = mark();
+  if (!star_of(v)) return false;
+  const std::uint32_t line = vertices_[v].line;
+  const auto corner = [&](const Triangle& t) {
+    return t.v[0] == v ? std::size_t{0} : t.v[1] == v ? std::size_t{1} : std::size_t{2};
+  };
+  // From a piece on, where the vertex cuts a line.
+  std::size_t first = 0, walls = 0;
+  for (std::size_t k = 0; k < star_.size(); ++k) {
+    const Triangle& t = triangles_[star_[k]];
+    if (t.line[(corner(t) + 2) % 3] == kOnNoLine) continue;
+    if (walls == 0) first = k;
+    ++walls;
+  }
+  const Triangle& last = triangles_[star_.back()];
+  const bool is_open = last.n[(corner(last) + 1) % 3] == kNone;
+  const bool is_cut = line != kOnNoLine;
+  if (is_cut ? walls != (is_open ? 1U : 2U) : walls != 0) return false;
+  if (is_open) first = 0;
+  std::rotate(star_.begin(), star_.begin() + static_cast<std::ptrdiff_t>(first), star_.end());
+
+  std::array<std::uint32_t, 2> closing{kNone, kNone};  // triangles at the piece that is whole again
+  std::array<std::uint32_t, 2> ends{kNone, kNone};
+  std::size_t at_part = 0;
+  save_vertex(v);
+  for (std::size_t k = 0; k < star_.size();) {
+    corners_.clear();
+    slots_.clear();
+    const std::uint32_t region = triangles_[star_[k]].region;
+    std::uint32_t end = kNone;
+    for (; k < star_.size(); ++k) {
+      const Triangle& t = triangles_[star_[k]];
+      const std::size_t i = corner(t);
+      corners_.push_back({t.v[(i + 1) % 3], t.n[i], t.line[i]});
+      slots_.push_back(star_[k]);
+      end = t.v[(i + 2) % 3];
+      if (is_cut && t.line[(i + 1) % 3] != kOnNoLine) {
+        ++k;
+        break;
+      }
+    }
+    if (is_cut) {
+      corners_.push_back({end, kNone, line});
+      if (at_part == 0) ends = {corners_.front().vertex, end};
+    }
+    const std::vector<std::uint32_t> own = slots_;
+    if (at_part > 1 || corners_.size() < 3 || !fill(corners_, region, slots_)) {
+      undo(before);
+      return false;
+    }
+    if (is_cut) {
+      const std::uint32_t a = at_part == 0 ? ends[1] : ends[0];
+      for (const std::uint32_t t : own) {
+        if (std::find(slots_.begin(), slots_.end(), t) != slots_.end()) continue;
+        for (std::size_t i = 0; i < 3; ++i) {
+          const Triangle& triangle = triangles_[t];
+          if (triangle.line[i] == line && triangle.v[(i + 1) % 3] == a &&
+              triangle.v[(i + 2) % 3] == ends[at_part == 0 ? 0 : 1])
+            closing[at_part] = t;
+        }
+      }
+      if (closing[at_part] == kNone) {
+        undo(before);
+        return false;
+      }
+    }
+    for (const std::uint32_t t : slots_) {
+      write(t, Triangle{});
+      free_triangle(t);
+    }
+    ++at_part;
+  }
+  if (closing[0] != kNone && closing[1] != kNone) {
+    journal_.push_back({closing[0], triangles_[closing[0]]});
+    link(closing[0], ends[1], ends[0], closing[1]);
+    journal_.push_back({closing[1], triangles_[closing[1]]});
+    link(closing[1], ends[0], ends[1], closing[0]);
+  }
+  vertices_[v].home = kNone;
+  return true;
+}
+
+ConformingMesh MeshWithUndo::result(const ConformingMesh& before) const {
+  ConformingMesh mesh;
+  mesh.lines = before.lines;
+  std::vector<std::uint32_t> number(vertices_.size(), kNone);
+  for (std::size_t v = 0; v < vertices_.size(); ++v) {
+    // Points that touch nothing stay.
+    const bool was_there = v < before.points.size() && before.line[v] == ConformingMesh::kFixed;
+    if (vertices_[v].home == kNone && !was_there) continue;
+    number[v] = static_cast<std::uint32_t>(mesh.points.size());
+    mesh.points.push_back(vertices_[v].at);
+    mesh.line.push_back(vertices_[v].line);
+  }
+  for (std::uint32_t k = 0; k < triangles_.size(); ++k) {
+    const Triangle& t = triangles_[k];
+    if (t.v[0] == kNone) continue;
+    mesh.triangles.push_back({number[t.v[0]], number[t.v[1]], number[t.v[2]]});
+    mesh.region.push_back(t.region);
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (t.line[i] == kOnNoLine || (t.n[i] != kNone && t.n[i] < k)) continue;
+      mesh.pieces.push_back({number[t.v[(i + 1) % 3]], number[t.v[(i + 2) % 3]], t.line[i]});
+    }
+  }
+  return mesh;
+}
+
+}  // namespace cover

@@ -1,0 +1,157 @@
+// A constrained Delaunay triangulation of all regions from which vertices are taken and to which
+// they are added, and every such step can be taken back.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "cuts/thin/conforming_mesh.hpp"
+
+namespace cover {
+
+/// What is asked of the triangles of a region.
+struct RightAngles {
+  double largest_cot = 0;  ///< cotangent of the smallest angle that is allowed; 0: any
+};
+
+/// Where a vertex may be put: inside of a triangle, or on its edge, which is a piece of a line.
+struct Spot {
+  Point at;
+  std::uint32_t triangle = kNone;
+  int edge = -1;  ///< -1: inside
+};
+
+/// The triangle that a new vertex makes with an edge of the hole around it.
+struct RimEdge {
+  std::uint32_t a, b;    ///< the vertex lies on the left
+  std::uint32_t beyond;  ///< triangle on the right; kNone: void
+  std::uint32_t line;
+  std::uint32_t region;
+};
+
+/// A triangle is bad if it is obtuse by more than rounding of its coordinates can make, opposite to a
+/// piece of a line by anything, so that no coupling of the box method is negative; or if it has an
+/// angle below what is asked of its region. A mesh without bad triangles is constrained Delaunay,
+/// and so is the mesh here, so a set of vertices is good or bad by itself.
+///
+/// EXACT: topology is; costs and what is bad are rounded, towards bad.
+class MeshWithUndo {
+ public:
+  /// `angles`: by region.
+  /// REQUIRES: every edge with one triangle, or with triangles of two regions, is a piece
+  MeshWithUndo(const ConformingMesh& mesh, std::vector<RightAngles> angles);
+
+  struct Vertex {
+    Point at;
+    std::uint32_t line = ConformingMesh::kInside;
+    std::uint32_t home = kNone;  ///< one of its triangles; kNone: not there
+  };
+  struct Triangle {
+    std::array<std::uint32_t, 3> v{kNone, kNone, kNone};  ///< v[0] is kNone: not there
+    std::array<std::uint32_t, 3> n{kNone, kNone, kNone};  ///< across the edge opposite to v
+    std::array<std::uint32_t, 3> line{};  ///< of that edge; ConformingMesh::kInside: none
+    std::uint32_t region = 0;
+    float cost = 0;  ///< 0: not bad
+  };
+
+  [[nodiscard]] const std::vector<Vertex>& vertices() const { return vertices_; }
+  [[nodiscard]] const std::vector<Triangle>& triangles() const { return triangles_; }
+  [[nodiscard]] Point at(std::uint32_t v) const { return vertices_[v].at; }
+  [[nodiscard]] bool is_there(std::uint32_t v) const { return vertices_[v].home != kNone; }
+  [[nodiscard]] bool is_movable(std::uint32_t v) const {
+    return vertices_[v].line != ConformingMesh::kFixed;
+  }
+  [[nodiscard]] const std::vector<StraightLine>& lines() const { return lines_; }
+
+  [[nodiscard]] std::size_t bad() const { return bad_; }  ///< triangles
+  /// Those of them that are bad not only by the sign of an angle opposite to a piece.
+  [[nodiscard]] std::size_t grave() const { return grave_; }
+  [[nodiscard]] double cost() const { return cost_; }  ///< sum over bad triangles
+
+  /// All steps up to here can be taken back together.
+  [[nodiscard]] std::size_t mark() const { return journal_.size(); }
+  void undo(std::size_t mark);
+  /// What was done stays.
+  void keep() { journal_.clear(), vertex_journal_.clear(); }
+  /// The triangles that were written since `mark`, some of them more than once or not there.
+  [[nodiscard]] std::vector<std::uint32_t> written_since(std::size_t mark) const;
+
+  /// Takes a vertex away; false, and nothing has changed, if that cannot be.
+  /// REQUIRES: is_movable(v)
+  /// Cost:     O(k^2) for k neighbours, mostly
+  bool remove(std::uint32_t v);
+
+  /// The triangle with `p`, from `triangle` on without passing pieces. Where there is one between,
+  /// the spot is on it, at the foot of `p`, if it may be cut; kNone: nowhere.
+  [[nodiscard]] Spot locate(Point p, std::uint32_t triangle) const;
+  /// The spot on the line of edge `edge` of `triangle` that is nearest to `p`.
+  [[nodiscard]] Spot on_line(Point p, std::uint32_t triangle, int edge) const;
+
+  /// By how much the cost would change with a vertex at `spot`; infinite if that cannot be. The
+  /// rim of the hole around it is in rim() then.
+  double change_with(const Spot& spot);
+  [[nodiscard]] std::span<const RimEdge> rim() const { return rim_; }
+
+  /// Puts a vertex there: `v`, which is not there, or a new one if that is kNone. Returns it; kNone,
+  /// and nothing has changed, if that cannot be.
+  std::uint32_t insert(const Spot& spot, std::uint32_t v = kNone);
+
+  /// The mesh as it is; vertices keep their order.
+  [[nodiscard]] ConformingMesh result(const ConformingMesh& before) const;
+
+ private:
+  struct Written {
+    std::uint32_t triangle;
+    Triangle old;
+  };
+  struct WrittenVertex {
+    std::size_t mark;  ///< when
+    std::uint32_t vertex;
+    Vertex old;
+  };
+  struct Corner {
+    std::uint32_t vertex;
+    std::uint32_t beyond, line;  ///< of the edge to the next corner
+  };
+
+  void link_all(const ConformingMesh& mesh);
+  void make_delaunay();
+  [[nodiscard]] double cost_of(const std::array<Point, 3>& p, const std::array<bool, 3>& is_piece,
+                               std::uint32_t region) const;
+  [[nodiscard]] double cost_of(const Triangle& t) const;
+  void count(const Triangle& t);
+  void discount(const Triangle& t);
+  void write(std::uint32_t t, const Triangle& value);
+  void save_vertex(std::uint32_t v);
+  std::uint32_t new_triangle();
+  void free_triangle(std::uint32_t t);
+  void link(std::uint32_t beyond, std::uint32_t a, std::uint32_t b, std::uint32_t t);
+  bool gather(const Spot& spot);
+  [[nodiscard]] std::array<std::uint32_t, 2> ends_of(const Spot& spot) const;
+  bool star_of(std::uint32_t v);
+  bool fill(std::span<Corner> corners, std::uint32_t region, std::vector<std::uint32_t>& slots);
+  [[nodiscard]] bool is_ear(std::span<const Corner> corners, std::size_t k, bool delaunay) const;
+
+  std::vector<RightAngles> angles_;
+  std::vector<StraightLine> lines_;
+  std::vector<Vertex> vertices_;
+  std::vector<Triangle> triangles_;
+  std::vector<std::uint32_t> free_;  ///< triangles, some of them not free any more
+  std::vector<Written> journal_;
+  std::vector<WrittenVertex> vertex_journal_;
+  std::size_t bad_ = 0, grave_ = 0;
+  double cost_ = 0;
+
+  // Of the last hole or star.
+  std::vector<RimEdge> rim_;
+  std::vector<std::uint32_t> cavity_;
+  std::vector<std::uint32_t> stamp_;  ///< by triangle
+  std::uint32_t stamps_ = 0;
+  std::vector<std::uint32_t> star_;
+  std::vector<Corner> corners_;
+  std::vector<std::uint32_t> slots_;
+};
+
+}  // namespace cover

@@ -1,0 +1,32 @@
+// Fewer vertices where no angle is obtuse.
+#pragma once
+
+#include <vector>
+
+#include <cover/options.hpp>
+#include <cover/output.hpp>
+#include <cover/progress.hpp>
+#include <cover/result.hpp>
+
+#include "region/region_boundary.hpp"
+#include "target/region_mesh.hpp"
+
+namespace cover {
+
+/// Whether thin_cuts() has something to do: segments may be cut, and 90 degrees are asked for. Where
+/// sizes, layers, periodic sides, arcs or a hull ask for vertices too, none is taken away.
+bool wants_thinning(const Prepared& prepared, const std::vector<RegionBoundary>& boundaries,
+                    const Options& options);
+
+/// Takes away, over segments too, vertices that no right angle needs, merges and moves others, and
+/// mends obtuse triangles that are left. Points of the input stay. No more triangles are obtuse than
+/// before, and no region's smallest angle becomes smaller than it was or Options::min_angle.
+///
+/// ENSURES: `prepared`, `boundaries` and `meshes` stay in step; a note tells how many went
+/// Errors:  cancelled, internal
+/// Cost:    as Options::effort says, see docs/box_method.md
+Status thin_cuts(Prepared& prepared, std::vector<RegionBoundary>& boundaries,
+                 std::vector<RegionMesh>& meshes, const Options& options,
+                 const Callbacks& callbacks);
+
+}  // namespace cover
