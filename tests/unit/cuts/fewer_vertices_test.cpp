@@ -72,7 +72,7 @@ TEST(FewerVertices, AnglesThatAreAskedForStay) {
   thin_mesh(mesh, kEffort);
   EXPECT_EQ(mesh.bad(), 0u);
   const std::size_t kept = movable(mesh.result(before));
-  EXPECT_GT(kept, 20u);
+  EXPECT_GE(kept, 15u);  // one for every half of a square of the strip's height
   MeshWithUndo free(before, {{0}});
   thin_mesh(free, kEffort);
   EXPECT_EQ(movable(free.result(before)), 0u);

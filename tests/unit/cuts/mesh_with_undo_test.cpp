@@ -141,6 +141,15 @@ TEST(MeshWithUndo, CutsBothRegionsAndOnlyLinesThatMayBe) {
   std::size_t pieces = 0;
   for (const ConformingMesh::Piece& piece : cut.pieces) pieces += piece.line == 0 ? 1 : 0;
   EXPECT_EQ(pieces, 2u);
+  // Nothing is cut beyond the ends of a piece.
+  for (std::uint32_t t = 0; t < mesh.triangles().size(); ++t) {
+    for (int e = 0; e < 3; ++e) {
+      const MeshWithUndo::Triangle& triangle = mesh.triangles()[t];
+      if (triangle.v[0] == kNone || triangle.line[static_cast<std::size_t>(e)] != 0) continue;
+      for (const double y : {-3.0, -0.2, 1.1, 5.0})
+        EXPECT_EQ(mesh.insert(mesh.on_line({1.2, y}, t, e)), kNone);
+    }
+  }
   // The right side of the right square stays whole.
   std::uint32_t right = 0;
   for (std::uint32_t t = 0; t < mesh.triangles().size(); ++t) {

@@ -16,6 +16,8 @@
 namespace cover {
 namespace {
 
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
 /// Steele, Lea, Flood: Fast splittable pseudorandom number generators (2014).
 class Random {
  public:

@@ -13,6 +13,7 @@
 namespace cover {
 namespace {
 
+constexpr double kCannotBe = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kOnNoLine = ConformingMesh::kInside;
 constexpr std::size_t kMostInHole = 96;   ///< triangles: larger ones are left alone
 constexpr std::size_t kMostCorners = 40;  ///< of a hole that a vertex leaves
@@ -271,6 +272,10 @@ bool MeshWithUndo::gather(const Spot& spot) {
   if (spot.edge >= 0) {
     const auto e = static_cast<std::size_t>(spot.edge);
     other = triangles_[spot.triangle].n[e];
+    // Beyond the piece's ends nothing is cut.
+    const Point from = at(triangles_[spot.triangle].v[(e + 1) % 3]),
+                to = at(triangles_[spot.triangle].v[(e + 2) % 3]);
+    if (!(dot(spot.at - from, to - from) > 0) || !(dot(spot.at - to, from - to) > 0)) return false;
     if (other != kNone) enter(other);
   }
   for (std::size_t head = 0; head < cavity_.size(); ++head) {
@@ -309,7 +314,7 @@ std::array<std::uint32_t, 2> MeshWithUndo::ends_of(const Spot& spot) const {
 }
 
 double MeshWithUndo::change_with(const Spot& spot) {
-  if (!gather(spot)) return kInfinite;
+  if (!gather(spot)) return kCannotBe;
   double change = 0;
   const std::array<std::uint32_t, 2> ends = ends_of(spot);
   for (const RimEdge& e : rim_) {

@@ -4,16 +4,12 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
 #include "cuts/thin/conforming_mesh.hpp"
 
 namespace cover {
-
-/// The cost of what cannot be.
-inline constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// What is asked of the triangles of a region.
 struct RightAngles {
