@@ -1,15 +1,18 @@
 // cover check: the promises on any mesh, from the files alone.
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/ranges.h>
 
 #include <cover/cover_mesh.hpp>
+#include <cover/option_table.hpp>
 #include <cover/periodic.hpp>
 #include <cover/read_mesh.hpp>
 #include <cover/remesh.hpp>
 #include <cover/text.hpp>
 #include <cover/verify.hpp>
 #include <cover/verify_curved.hpp>
+#include <cover/verify_layers.hpp>
 
 #include "commands.hpp"
 #include "console.hpp"
@@ -168,6 +171,63 @@ int print_periodic(const Prepared& prepared, const std::vector<PeriodicRule>& ru
   return code;
 }
 
+/// What `text` asks of layers: a line, and what they should be like where it has numbers.
+struct LayersAsked {
+  LayerRule rule;
+  bool has_numbers = false;
+};
+
+/// LINE[@REGION][=first,growth[,count]], as the option of mesh takes it.
+Result<LayersAsked> layers_asked(const std::string& text) {
+  const OptionEntry& entry = *find_option("layers");
+  Options options;
+  Status status = entry.set(entry, text, options);
+  if (status) return LayersAsked{options.layers.front(), true};
+  // Without numbers a line is all that there is; any will do to read it.
+  if (entry.set(entry, text + "=1,1,1", options)) return LayersAsked{options.layers.front(), false};
+  return std::move(status).error();
+}
+
+/// Tells which rows lie along lines; fails where numbers are asked for that they do not have.
+Result<int> print_layers(const Prepared& prepared, const std::vector<std::string>& lines,
+                         const TriangleSoup& mesh, bool quiet) {
+  constexpr double kSame = 1e-9;  ///< of a layer's thickness
+  Pslg pslg = prepared.pslg;
+  RegionTable table = prepared.table;
+  if (!lines.empty()) adopt_cuts(pslg, table, mesh);
+  int code = exit_ok;
+  for (const std::string& line : lines) {
+    Result<LayersAsked> asked = layers_asked(line);
+    if (!asked) return std::move(asked).error();
+    const LayerRule& rule = asked->rule;
+    Result<std::vector<LayersFound>> found =
+        verify_layers(pslg, table, mesh, rule.line, rule.region);
+    if (!found) return std::move(found).error();
+    for (const LayersFound& layers : *found) {
+      const bool is_first = std::abs(layers.first_least - rule.first) <= kSame * rule.first &&
+                            std::abs(layers.first_most - rule.first) <= kSame * rule.first;
+      const bool is_met =
+          !asked->has_numbers || (layers.layered > 0 && is_first && layers.most >= rule.count);
+      if (!is_met) code = exit_unmet;
+      if (is_met && quiet) continue;
+      fmt::print("{}Layers along '{}' in '{}': ", is_met ? "" : "FAILED ", rule.line,
+                 table.region(layers.region).name);
+      if (layers.layered == 0) {
+        fmt::print("none over {}\n", counted(layers.edges, "edge"));
+        continue;
+      }
+      fmt::print(
+          "{} to {} over {} of {}; the first {:.10g} to {:.10g} thick, all {:.10g}; {} triangles, "
+          "largest angle {:.6f}, {} above 90 degrees; {}\n",
+          layers.fewest, layers.most, grouped(layers.layered), counted(layers.edges, "edge"),
+          layers.first_least, layers.first_most, layers.thickness, grouped(layers.triangles),
+          layers.largest.in_degrees(), grouped(layers.above_90),
+          counted(layers.negative, "negative coupling"));
+    }
+  }
+  return code;
+}
+
 /// The option by which the run that made the mesh cut segments, as its manifest tells; else empty.
 std::string cutting_option(const std::string& path) {
   const Result<Output> known = read_output(path);
@@ -197,6 +257,7 @@ Examples:
   cover check device.poly device.vtu
   cover check device.poly from_another_tool.vtu --allow-split --no-bound
   cover check cell.json cell.msh --periodic left=right
+  cover check device.json device.msh --layers gate@channel=0.2,1.3
 )");
   GeometryFile input_file;
   std::string mesh_path;
@@ -204,6 +265,7 @@ Examples:
   VerifyOptions verify;
   LibraryOptions library;
   bool no_bound = false, box_method = false;
+  std::vector<std::string> layers;
   input_file.add(app)->required();
   app.add_option("mesh", mesh_path,
                  fmt::format("Mesh of any tool: .vtm, {}", fmt::join(mesh_formats(), ", ")))
@@ -215,6 +277,11 @@ Examples:
   app.add_flag("--hull", verify.hull, "The mesh covers the convex hull");
   app.add_flag("--box-method", box_method,
                "List negative couplings of the box method, by exact signs; 6 if there is one");
+  app.add_option("--layers", layers,
+                 "Tell which rows of triangles lie along a line; with numbers, 6 if the first is "
+                 "not as thick, or they are fewer")
+      ->type_name("LINE[@REGION][=first,growth[,count]]")
+      ->allow_extra_args(false);
   library.add(app, OptionGroup::cleaning);
   add_verbosity(app, verbosity);
   if (const auto code = parse(app, std::move(arguments))) return *code;
@@ -271,6 +338,9 @@ Examples:
   const int sides = print_periodic(*prepared, rules, mesh->soup, verbosity.quiet);
   code = code == exit_ok ? sides : code;
   if (code == exit_ok) code = print_curved(prepared->pslg, *mesh, verbosity.quiet);
+  const Result<int> rows = print_layers(*prepared, layers, mesh->soup, verbosity.quiet);
+  if (!rows) return usage_error(app, rows.error().message);
+  code = code == exit_ok ? *rows : code;
   if (!box_method) return code;
   const int boxes = print_couplings(couplings_of(*prepared, mesh->soup, verify), verbosity.quiet);
   return code == exit_ok ? boxes : code;

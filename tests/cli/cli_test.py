@@ -369,17 +369,21 @@ class Mesh(Case):
         self.assertEqual(self.require(diode, 'delaunay,box-method', 0)['box']['negative_couplings'], 0)
 
     def test_couplings(self):
-        # A picture has short sides between its grains, beside which only the almond method holds the bound; layers
-        # around round corners are not flipped.
+        # A picture has short sides between its grains, beside which only the almond method holds the bound; where many
+        # layers end in one vertex of a segment that may not be cut, a flip would break it.
         for sample in sorted([*SAMPLES.glob('*.poly'), *SAMPLES.glob('*.*json')]):
-            if '"layers"' in sample.read_text():
-                continue
             with self.subTest(sample.name):
                 out, _ = self.run_cover('mesh', sample, '-o', 'd.vtm', '--report', 'r.json')
                 box = json.loads((self.dir / 'r.json').read_text())['overall']['box']
-                self.assertEqual((box['negative_inside'], box['negative_given_up']), (0, 0))
+                layered = '"layers"' in sample.read_text()
+                bound_needs = 1 if sample.name in ('trench_layers.json', 'locos_layers.json') else 0
+                self.assertLessEqual(box['negative_inside'], bound_needs)
+                self.assertEqual(box['negative_given_up'], 0)
                 self.assertRegex(out, f'Box method +{box["negative_couplings"]} +negative coupling')
                 encroached = int(re.search(r'Box method: (\d+) of', self.run_cover('info', sample)[0])[1])
+                if layered:  # their vertices are as given as those of the input
+                    self.assertGreaterEqual(box['negative_encroached'], encroached)
+                    continue
                 self.assertEqual(box['negative_encroached'], encroached)
                 if encroached:
                     self.assertIn(f'0 inside, {encroached} on sides that the input encroaches, 0 given up', out)
@@ -505,6 +509,30 @@ class Files(Case):
         self.refuse('cannot write d.poly/x.vtu', 'mesh', 'd.poly', '-o', 'd.poly/x.vtu', code=5)
 
 
+class CloseUps(Case):
+    """Pictures of layers, arcs and periodic sides."""
+
+    def test_curved_edges(self):
+        coax = SAMPLES / 'coax_arcs.json'
+        self.run_cover('mesh', coax, '--order', '2', '-o', 'c.svg', '-o', 'c.msh', '-o', 'c.png', '--report', 'c.html', '-q')
+        self.run_cover('mesh', coax, '-o', 's.svg', '--report', 's.html', '-q')
+        curved, straight = ((self.dir / name).read_text() for name in ('c.svg', 's.svg'))
+        self.assertGreater(curved.count('M'), straight.count('M') + 7 * 16)  # eight pieces for each of the arcs' edges
+        # Drawn from a file of second order, it is the same picture but for names that only the run knows.
+        self.run_cover('render', 'c.msh', '-o', 'r.svg')
+        self.assertEqual((self.dir / 'r.svg').read_text().count('M'), curved.count('M'))
+        self.assertIn('Edges on an arc', (self.dir / 'c.html').read_text())
+        self.assertNotIn('Close-ups', (self.dir / 's.html').read_text())
+
+    def test_layers_and_partners(self):
+        self.run_cover('mesh', SAMPLES / 'waveguide_layers.json', '-o', 'w.vtu', '--report', 'w.html', '-q')
+        self.assertIn('>Layers along wall_guide<', (self.dir / 'w.html').read_text())
+        self.run_cover('mesh', SAMPLES / 'fibre_cell.json', '-o', 'p.vtu', '--report', 'p.html', '-q')
+        page = (self.dir / 'p.html').read_text()
+        self.assertIn('>Vertices with partners on periodic sides<', page)
+        self.assertIn('id="close-up-0"', page)
+
+
 class Layers(Case):
     """--layers, and "layers" in JSON."""
 
@@ -532,6 +560,56 @@ class Layers(Case):
         regions = {region['name']: region for region in report['regions']}
         self.assertEqual(regions['oxide']['layers'][0]['most'], 2)
 
+    def judged(self, sample, line, region, first, *words, steepest=90):
+        """A sample with layers against isotropic triangles as thin as the first layer."""
+        given = SAMPLES / f'{sample}_layers.json'
+        report, _, _ = self.report(given, *words, '--box-method')
+        self.assertTrue(all(r['bound_held'] for r in report['regions']))
+        self.assertEqual(report['overall']['box']['negative_couplings'], 0)
+        check = ['check', given, 'd.vtu', '--allow-split', '--layers']
+        out = self.run_cover(*check, f'{line}@{region}')[0]
+        found = re.search(r"Layers along '.*: (\d+) to (\d+) over ([\d,]+) of ([\d,]+) edges; the first (\S+) to (\S+) thick, "
+                          r'all \S+; [\d,]+ triangles, largest angle (\S+), [\d,]+ above 90 degrees; 0 negative couplings\n', out)
+        self.assertIsNotNone(found, out)
+        for thickness in found[5], found[6]:
+            self.assertAlmostEqual(float(thickness) / first, 1, delta=1e-9)
+        self.assertLessEqual(float(found[7]), steepest + 1e-6)
+        drawing = json.loads(given.read_text())
+        del drawing['layers']
+        self.write('isotropic.json', json.dumps(drawing))
+        self.run_cover('mesh', 'isotropic.json', '-o', 'i.vtu', '--report', 'i.json', '-q', '--effort', 'fast', *words,
+                       '--size-at', f'{line}={first}')
+        isotropic = json.loads((self.dir / 'i.json').read_text())['mesh']['triangles']
+        self.assertLessEqual(5 * report['mesh']['triangles'], isotropic)
+        return report
+
+    def test_on_a_fin(self):
+        # Right corners: layers of both sides meet in the middle.
+        report = self.judged('finfet', 'fin_oxide', 'fin', 0.05, '--split-interfaces', '--size-at', 'fin_oxide=1', '--size-at', 'gate_oxide=1')
+        fin = next(r for r in report['regions'] if r['name'] == 'fin')
+        self.assertEqual([part['why'] for part in fin['layers'][0]['cut_short']], ['end', 'room'])
+
+    def test_on_a_birds_beak(self):
+        report = self.judged('locos', 'silicon_oxide', 'silicon', 0.5, '--split-interfaces', '--size-at', 'silicon_oxide=25', steepest=100)
+        oxide = next(r for r in report['regions'] if r['name'] == 'oxide')
+        self.assertGreater(oxide['layers'][0]['fewest'], 0)
+
+    def test_check_of_layers(self):
+        given = SAMPLES / 'mosfet_layers.json'
+        self.report(given, '--split-interfaces', '--size-at', 'channel_oxide=20', '--size-at', 'oxide_gate=20')
+        check = ['check', given, 'd.vtu', '--allow-split', '--layers']
+        out = self.run_cover(*check, 'channel_oxide')[0]
+        self.assertRegex(out, r"Layers along 'channel_oxide' in 'channel': \d to \d+ over .* edges; the first 0.2 to 0.2 thick")
+        self.assertRegex(out, r"Layers along 'channel_oxide' in 'oxide': 4 to 4 over .* largest angle 90\.000000, 0 above 90 degrees; 0 neg")
+        self.assertRegex(out, r'largest angle [\d.]+, \d+ above 90 degrees; 0 negative couplings')
+        self.run_cover(*check, 'channel_oxide@oxide=0.3,1,3', '-q')
+        out = self.run_cover(*check, 'channel_oxide@oxide=0.31,1,3', code=6)[0]
+        self.assertIn("FAILED Layers along 'channel_oxide' in 'oxide'", out)
+        self.run_cover(*check, 'channel_oxide@oxide=0.3,1,9', code=6)
+        self.assertIn("did you mean 'channel_oxide'", self.run_cover(*check, 'channel_oxid', code=2)[1])
+        self.assertIn("no region 'gate' is beside the line", self.run_cover(*check, 'channel_oxide@gate', code=2)[1])
+        self.assertIn('is not LINE[@REGION]=first', self.run_cover(*check, 'channel_oxide=x,2', code=2)[1])
+
     def test_that_cannot_be(self):
         given = SAMPLES / 'mosfet_layers.json'
         for layers, part in (('channel_oxid=1,2', "did you mean 'channel_oxide'?"),
@@ -543,7 +621,8 @@ class Layers(Case):
             _, err = self.run_cover('mesh', given, '-o', 'd.vtu', '--layers', layers, code=2)
             self.assertIn(part, err)
             self.assertFalse((self.dir / 'd.vtu').exists())
-        self.run_cover('mesh', given, '-o', 'd.vtu', '--method', 'nonobtuse', code=2)
+        self.assertIn('layers need method quality or almond', self.run_cover('mesh', given, '-o', 'd.vtu', '--method', 'nonobtuse', code=2)[1])
+        self.assertIn('sides of a hull are none: not with hull', self.run_cover('mesh', given, '-o', 'd.vtu', '--hull', code=2)[1])
 
 
 class Sizes(Case):

@@ -1,0 +1,228 @@
+// A walk up from each edge of the line, over two triangles at a time, which know nothing of how the
+// mesh was made. Tested by tests/unit/verify/verify_layers_test.cpp.
+#include <cover/verify_layers.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include <cover/text.hpp>
+
+#include "geom/predicates.hpp"
+#include "geom/vector.hpp"
+#include "verify/soup_edges.hpp"
+
+namespace cover {
+namespace {
+
+constexpr double kSkew = 20;          ///< degrees, from parallel, upright and straight on
+constexpr double kThickest = 3;       ///< times the row below
+constexpr double kThinnest = 0.99;    ///< times the row below
+constexpr double kAboveRight = 1e-9;  ///< radians
+
+/// A cell of a row: lower edge from a to b, upper edge from d to c.
+struct Cell {
+  std::uint32_t a = 0, b = 0, c = 0, d = 0;
+  std::array<std::uint32_t, 2> triangles{};
+  double height = 0;
+};
+
+double angle_between(Vector u, Vector v) {
+  return std::atan2(std::abs(cross(u, v)), dot(u, v)) * 180 / std::numbers::pi;
+}
+
+class LayerFinder {
+ public:
+  LayerFinder(const Pslg& pslg, const TriangleSoup& mesh) : mesh_(mesh), edges_(mesh) {
+    for (const Segment& s : pslg.segments) {
+      const auto a = edges_.vertex_at(pslg.points[s.a.index()]);
+      const auto b = edges_.vertex_at(pslg.points[s.b.index()]);
+      if (a && b) segments_.insert(std::minmax(*a, *b));
+    }
+  }
+
+  /// Adds what lies over the side from p to q, with the region on its left.
+  void add(Point p, Point q, LayersFound& found) {
+    const auto a = edges_.vertex_at(p), b = edges_.vertex_at(q);
+    const auto edge = a && b ? edges_.find(*a, *b) : std::nullopt;
+    if (!edge) return;
+    ++found.edges;
+    Cell cell;
+    int rows = 0;
+    double total = 0;
+    for (std::optional<std::size_t> at = edge; at;) {
+      const std::optional<Cell> next = cell_on(*at, rows == 0 ? nullptr : &cell);
+      if (!next) break;
+      cell = *next;
+      total += cell.height;
+      if (++rows == 1) count_first(cell, found);
+      for (const std::uint32_t t : cell.triangles) triangles_[found.region].insert(t);
+      if (is_segment(cell.d, cell.c)) break;
+      at = edges_.find(cell.d, cell.c);  // its triangle is the one above
+    }
+    if (rows == 0) return;
+    found.fewest = found.layered == 0 ? rows : std::min(found.fewest, rows);
+    ++found.layered;
+    if (rows > found.most) {
+      found.most = rows;
+      found.thickness = total;
+    }
+  }
+
+  /// Counts what the triangles of the rows are like.
+  void finish(LayersFound& found) const {
+    const auto of_region = triangles_.find(found.region);
+    if (of_region == triangles_.end()) return;
+    double largest = 0;
+    for (const std::uint32_t t : of_region->second) {
+      const auto& v = mesh_.triangles[t];
+      double wide = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Vector u = at(v[(i + 1) % 3]) - at(v[i]), w = at(v[(i + 2) % 3]) - at(v[i]);
+        wide = std::max(wide, std::atan2(cross(u, w), dot(u, w)));
+        found.negative += is_negative(v[i], v[(i + 1) % 3], v[(i + 2) % 3], of_region->second);
+      }
+      ++found.triangles;
+      found.above_90 += wide > std::numbers::pi / 2 + kAboveRight ? 1 : 0;
+      largest = std::max(largest, wide);
+    }
+    found.largest = Angle::radians(largest);
+  }
+
+ private:
+  [[nodiscard]] Point at(std::uint32_t v) const { return mesh_.points[v]; }
+
+  [[nodiscard]] bool is_segment(std::uint32_t a, std::uint32_t b) const {
+    return segments_.count(std::minmax(a, b)) != 0;
+  }
+
+  /// The corner of the triangle left of an edge that is on neither end.
+  [[nodiscard]] std::uint32_t apex_of(const SoupEdges::Edge& edge) const {
+    for (const std::uint32_t v : mesh_.triangles[edge.triangle]) {
+      if (v != edge.from && v != edge.to) return v;
+    }
+    return edge.from;
+  }
+
+  static void count_first(const Cell& cell, LayersFound& found) {
+    if (found.layered == 0) found.first_least = std::numeric_limits<double>::infinity();
+    found.first_least = std::min(found.first_least, cell.height);
+    found.first_most = std::max(found.first_most, cell.height);
+  }
+
+  /// The cell on an edge, if there is one; `below` is the one under it.
+  [[nodiscard]] std::optional<Cell> cell_on(std::size_t edge, const Cell* below) const {
+    const SoupEdges::Edge& base = edges_.all()[edge];
+    const std::uint32_t a = base.from, b = base.to, apex = apex_of(base);
+    std::optional<Cell> best;
+    // The diagonal goes from a to over b, or from b to over a.
+    for (const auto& [from, to] : {std::pair(apex, a), std::pair(b, apex)}) {
+      if (is_segment(from, to)) continue;
+      const auto twin = edges_.find(to, from);
+      if (!twin) continue;
+      const std::uint32_t other = apex_of(edges_.all()[*twin]);
+      Cell cell{a, b, to == a ? apex : other, to == a ? other : apex, {}, 0};
+      cell.triangles = {base.triangle, edges_.all()[*twin].triangle};
+      if (is_cell(cell, below) && (!best || skew_of(cell) < skew_of(*best))) best = cell;
+    }
+    return best;
+  }
+
+  /// By how many degrees a cell is off a rectangle.
+  [[nodiscard]] double skew_of(const Cell& cell) const {
+    const Vector base = at(cell.b) - at(cell.a);
+    const Vector up{-base.y, base.x};
+    return std::max({angle_between(base, at(cell.c) - at(cell.d)),
+                     angle_between(up, at(cell.d) - at(cell.a)),
+                     angle_between(up, at(cell.c) - at(cell.b))});
+  }
+
+  [[nodiscard]] bool is_cell(Cell& cell, const Cell* below) const {
+    const Vector base = at(cell.b) - at(cell.a);
+    const double length_of_base = length(base);
+    const auto height = [&](std::uint32_t v) {
+      return cross(base, at(v) - at(cell.a)) / length_of_base;
+    };
+    cell.height = (height(cell.c) + height(cell.d)) / 2;
+    if (!(skew_of(cell) <= kSkew)) return false;
+    if (below == nullptr) return true;
+    const auto goes_on = [&](std::uint32_t v, std::uint32_t foot, std::uint32_t root) {
+      return angle_between(at(v) - at(foot), at(foot) - at(root)) <= kSkew;
+    };
+    return cell.height >= kThinnest * below->height && cell.height <= kThickest * below->height &&
+           goes_on(cell.d, cell.a, below->a) && goes_on(cell.c, cell.b, below->b);
+  }
+
+  /// Whether an edge of a row has a negative coupling; one between two of them counts once.
+  [[nodiscard]] bool is_negative(std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                                 const std::set<std::uint32_t>& rows) const {
+    const auto twin = is_segment(a, b) ? std::nullopt : edges_.find(b, a);
+    if (!twin) return compare_with_90_degrees(at(a), at(c), at(b)) == Sign::positive;
+    const SoupEdges::Edge& other = edges_.all()[*twin];
+    if (b < a && rows.count(other.triangle) != 0) return false;
+    return in_circle(at(a), at(b), at(c), at(apex_of(other))) == Sign::positive;
+  }
+
+  const TriangleSoup& mesh_;
+  SoupEdges edges_;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> segments_;  ///< the lower vertex first
+  std::map<RegionId, std::set<std::uint32_t>> triangles_;       ///< of rows
+};
+
+bool has_name(const Region& region, std::string_view name) {
+  return region.name == name || region.material_name == name;
+}
+
+Error bad_line(std::string_view what) { return {ErrorCode::bad_option, std::string(what), {}, {}}; }
+
+}  // namespace
+
+Result<std::vector<LayersFound>> verify_layers(const Pslg& pslg, const RegionTable& table,
+                                               const TriangleSoup& mesh, std::string_view line,
+                                               std::string_view region) {
+  std::map<RegionId, LayersFound> found;
+  std::vector<std::string> names;
+  LayerFinder finder(pslg, mesh);
+  bool is_known = false;
+  for (const Interface& part : table.interfaces) {
+    names.push_back(part.name);
+    if (part.name != line) continue;
+    is_known = true;
+    for (const SegmentId s : part.segments) {
+      const Segment& segment = pslg.segments[s.index()];
+      const Point a = pslg.points[segment.a.index()], b = pslg.points[segment.b.index()];
+      const auto add = [&](RegionId side, Point from, Point to) {
+        if (side == kVoid || (!region.empty() && !has_name(table.region(side), region))) return;
+        LayersFound& layers = found[side];
+        layers.region = side;
+        finder.add(from, to, layers);
+      };
+      add(table.sides[s.index()].left, a, b);
+      add(table.sides[s.index()].right, b, a);
+    }
+  }
+  if (!is_known) {
+    const auto meant = closest(line, names);
+    return bad_line(fmt::format("there is no interface, contact, outline or inner line '{}'{}",
+                                line, meant ? fmt::format("; did you mean '{}'?", *meant) : ""));
+  }
+  if (found.empty())
+    return bad_line(fmt::format("no region '{}' is beside the line '{}'", region, line));
+  std::vector<LayersFound> out;
+  for (auto& [id, layers] : found) {
+    finder.finish(layers);
+    out.push_back(layers);
+  }
+  return out;
+}
+
+}  // namespace cover
