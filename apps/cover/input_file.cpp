@@ -46,14 +46,14 @@ CLI::Option* GeometryFile::add(CLI::App& command, bool several) {
     written_.push_back({&entry, default_text(entry), nullptr, {}, false});
     written_.back().add_to(command, "Input");
   }
-  CLI::Option* input = command.add_option(
-      "input", paths_,
-      fmt::format("Geometry: {}; '-' is standard input, known by how it begins{}",
-                  reading::known_formats(),
-                  several ? "; several files are one geometry, painted in this order" : ""));
-  input->type_name("");
-  if (!several) input->expected(1);
-  return input;
+  const std::string help = fmt::format(
+      "Geometry: {}; '-' is standard input, known by how it begins{}", reading::known_formats(),
+      several ? "; several files are one geometry, painted in this order" : "");
+  CLI::Option* input =
+      several ? command.add_option("input", paths_, help)
+              : command.add_option_function<std::string>(
+                    "input", [this](const std::string& path) { paths_ = {path}; }, help);
+  return input->type_name("");
 }
 
 std::string GeometryFile::path() const { return fmt::format("{}", fmt::join(paths_, ", ")); }

@@ -1736,7 +1736,7 @@ class Documents(Case):
 
     def test_formats_are_completed(self):
         formats = re.search(r'File to write, several if repeated: (.*?);', ' '.join(self.run_cover('mesh', '--help')[0].split()))
-        of_one_file = set(formats[1].split(', ')) - {'.vtm', '.ele'}
+        of_one_file = set(formats[1].split(', ')) - {'.vtm', '.pvtu', '.ele'}
         self.assertEqual({'.' + word for word in self.complete('mesh', '--format', "''")}, of_one_file)
 
     def test_man_page_has_the_options_of_check(self):

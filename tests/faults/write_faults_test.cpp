@@ -51,15 +51,21 @@ void put(const Files& files, const fs::path& folder) {
   }
 }
 
-/// The pieces that a .vtm names.
+/// The pieces that a .vtm or a .pvtu names.
 std::vector<std::string> named_in(const std::string& vtm) {
   std::vector<std::string> names;
-  const std::string start = "file=\"";
-  for (std::size_t at = vtm.find(start); at != vtm.npos; at = vtm.find(start, at + 1)) {
-    at += start.size();
-    names.push_back(vtm.substr(at, vtm.find('"', at) - at));
+  for (const std::string start : {"file=\"", "Piece Source=\""}) {
+    for (std::size_t at = vtm.find(start); at != vtm.npos; at = vtm.find(start, at + 1)) {
+      at += start.size();
+      names.push_back(vtm.substr(at, vtm.find('"', at) - at));
+    }
   }
   return names;
+}
+
+/// Whether a name is that of the pieces' folder or lies in it.
+bool is_of_pieces(const std::string& name) {
+  return name == "m" || name.starts_with("m/") || name == "m.parts" || name.starts_with("m.parts/");
 }
 
 /// Whether `name` and the pieces that it names are those of one of the meshes.
@@ -127,13 +133,13 @@ class WriteFaults : public ::testing::TestWithParam<Case> {
   void expect_whole(const Files& before, const Files& old_mesh, const Files& new_mesh) {
     const Files now = files_in(place_);
     for (const auto& [name, text] : before) {
-      if (!name.starts_with("m/") && name != "m") {
+      if (!is_of_pieces(name)) {
         ASSERT_TRUE(now.contains(name)) << name << " is lost";
       }
     }
     for (const auto& [name, text] : now) {
       const bool is_output = (old_mesh.contains(name) || new_mesh.contains(name)) && text != "/";
-      if (is_output && !name.starts_with("m/")) {
+      if (is_output && !is_of_pieces(name)) {
         ASSERT_TRUE(is_whole(now, name, {&old_mesh, &new_mesh})) << name << " is neither";
       }
     }
