@@ -1,6 +1,7 @@
 // cover check: the promises on any mesh, from the files alone.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include <fmt/ranges.h>
 
@@ -239,8 +240,10 @@ Result<int> print_layers(const Prepared& prepared, const std::vector<std::string
   return code;
 }
 
-/// The option by which the run that made the mesh cut segments, as its manifest tells; else empty.
-std::string cutting_option(const std::string& path) {
+/// What made the run that wrote the mesh cut segments, as its manifest or the mesh itself tells;
+/// else empty.
+std::string cutting_option(const std::string& path, const MeshTriangles& mesh) {
+  const std::string by_itself = mesh.cut_vertices > 0 ? "its field data say so" : "";
   const Result<Output> known = read_output(path);
   if (!known) return by_itself;
   for (const auto& [name, value] : known->report.provenance.settings) {
@@ -285,6 +288,7 @@ Examples:
   LibraryOptions library;
   bool no_bound = false, box_method = false;
   std::vector<std::string> layers;
+  std::string stream = "auto";
   input_file.add(app)->required();
   app.add_option("mesh", mesh_path,
                  fmt::format("Mesh of any tool: .vtm, {}", fmt::join(mesh_formats(), ", ")))
@@ -301,6 +305,13 @@ Examples:
                  "not as thick, or they are fewer")
       ->type_name("LINE[@REGION][=first,growth[,count]]")
       ->allow_extra_args(false);
+  app.add_option(
+         "--stream", stream,
+         "Look at some regions of a .vtu or .vtkhdf at a time, without holding the mesh: on, "
+         "off, or auto: a large one; a broken one is read as a whole")
+      ->check(one_of({"auto", "on", "off"}))
+      ->type_name("WHEN")
+      ->capture_default_str();
   library.add(app, OptionGroup::cleaning);
   add_verbosity(app, verbosity);
   if (const auto code = parse(app, std::move(arguments))) return *code;

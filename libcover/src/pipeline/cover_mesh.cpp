@@ -100,8 +100,10 @@ Result<Output> mesh_prepared(Prepared prepared, std::vector<RegionBoundary> boun
   if (!met) return std::move(met).error();
   Status coupled = cut_until_coupled(prepared, boundaries, *meshes, options, callbacks);
   if (!coupled) return std::move(coupled).error();
-  Status thinned = thin_cuts(*prepared, boundaries, *meshes, options, callbacks);
+  Status thinned = thin_cuts(prepared, boundaries, *meshes, options, callbacks);
   if (!thinned) return std::move(thinned).error();
+  Status apart = errors_as_values("check cuts", [&] { return check_cuts(pslg, report); });
+  if (!apart) return std::move(apart).error();
   warn_of_straight_arcs(pslg, report.notes);
   clock.note("mesh", report.times);
   if (Status status = begin_stage("stitch", callbacks); !status) return std::move(status).error();

@@ -25,6 +25,8 @@ namespace {
 constexpr double kCotangentOf150 = -std::numbers::sqrt3;
 /// Of cotangents: how far below zero they are counted.
 constexpr double kRightAngle = kAsGoodAsRight;
+/// Spacings of doubles: a triangle that is no higher than that cannot be divided.
+constexpr double kNoRoom = 64;
 
 /// A triangle from its largest angle's corner on.
 struct Sorted {
