@@ -243,7 +243,7 @@ Result<int> print_layers(const Prepared& prepared, const std::vector<std::string
 /// What made the run that wrote the mesh cut segments, as its manifest or the mesh itself tells;
 /// else empty.
 std::string cutting_option(const std::string& path, const MeshTriangles& mesh) {
-  const std::string by_itself = mesh.cut_vertices > 0 ? "its field data say so" : "";
+  std::string by_itself = mesh.cut_vertices > 0 ? "its field data say so" : "";
   const Result<Output> known = read_output(path);
   if (!known) return by_itself;
   for (const auto& [name, value] : known->report.provenance.settings) {
