@@ -204,7 +204,8 @@ class Mesh(Case):
         overall = json.loads((self.dir / 'd.json').read_text())['overall']
         self.assertGreater(overall['obtuse'], 0)
         self.assertLess(overall['largest_angle'], 90.1)
-        self.assertRegex(out, rf"\nAbove 90 +{overall['obtuse']}  obtuse triangles\n")
+        rounded = f"{overall['obtuse_by_rounding']:,}"
+        self.assertRegex(out, rf"\nAbove 90 +{overall['obtuse']}  obtuse triangles; {rounded} more by no more than rounding of coordinates\n")
 
     def test_several_formats(self):
         self.run_cover('mesh', SAMPLES / 'diode.poly', '-q', '--order', 2, '--msh', '4.1', '--no-inner-lines',
