@@ -189,7 +189,20 @@ void TemporaryFile::sync() {
   is_synced_ = true;
 }
 
+void TemporaryFile::take_over_owner() {
+  if (failure_ != 0 || !owner_ || is_direct_) return;
+  // Whoever may not give files away keeps them.
+  struct stat status {};
+  if (fstat(file_, &status) != 0) fail(errno);
+  if ((status.st_uid != owner_->user || status.st_gid != owner_->group) &&
+      fchown(file_, owner_->user, owner_->group) != 0 && errno != EPERM)
+    fail(errno);
+  if (fchmod(file_, owner_->mode) != 0 && errno != EPERM) fail(errno);
+  owner_.reset();
+}
+
 Status TemporaryFile::prepare() {
+  take_over_owner();
   sync();
   Status status = check();
   stop_ = {};
@@ -210,15 +223,7 @@ Status TemporaryFile::rename(const fs::path& target) {
     discard();
     return status;
   }
-  if (owner_ && !is_direct_) {
-    // Whoever may not give files away keeps them.
-    struct stat status {};
-    if (fstat(file_, &status) != 0) fail(errno);
-    if ((status.st_uid != owner_->user || status.st_gid != owner_->group) &&
-        fchown(file_, owner_->user, owner_->group) != 0 && errno != EPERM)
-      fail(errno);
-    if (fchmod(file_, owner_->mode) != 0 && errno != EPERM) fail(errno);
-  }
+  take_over_owner();
   if (failure_ == 0 && !is_direct_ && ::rename(path_.c_str(), target.c_str()) != 0) fail(errno);
   if (failure_ == 0) path_.clear();
   const int number = failure_;

@@ -77,6 +77,7 @@ class TemporaryFile {
   TemporaryFile() = default;
   void discard();
   Status check();
+  void take_over_owner();
   void fail(int number) {
     if (failure_ == 0) failure_ = number;
   }
