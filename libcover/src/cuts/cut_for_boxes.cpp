@@ -88,7 +88,17 @@ class CouplingRounds {
     for (int round = 0; round < kCouplingRounds; ++round) {
       const std::vector<SegmentCut> cuts = choose();
       if (cuts.empty()) break;
-      if (Status status = cut_and_mesh(cuts); !status) return status;
+      const Pslg pslg = prepared_.pslg;
+      const RegionTable table = prepared_.table;
+      const std::vector<BoxCut> box_cuts = prepared_.report.box_cuts;
+      if (Status status = cut_and_mesh(cuts); !status) {
+        if (status.error().code != ErrorCode::internal) return status;
+        // Rounded, the cuts cross something nearly straight: what was before them stays.
+        prepared_.pslg = pslg;
+        prepared_.table = table;
+        prepared_.report.box_cuts = box_cuts;
+        break;
+      }
     }
     std::size_t left = 0;
     std::vector<Point> where;

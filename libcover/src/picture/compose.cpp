@@ -61,7 +61,7 @@ class Composer {
       : mesh_(mesh), soup_(mesh.mesh.soup), options_(options) {}
 
   Result<Drawing> run() {
-    const PictureWindow window = options_.window ? *options_.window : window_around(soup_.points);
+    const PictureWindow window = options_.window ? *options_.window : window_of_all();
     if (!(window.low.x < window.high.x) || !(window.low.y < window.high.y)) {
       return bad_option("the window of the picture is empty");
     }
@@ -123,6 +123,14 @@ class Composer {
       add(Label{
           options_.title, {kMargin, kMargin + 15}, 16, Label::Anchor::start, false, true, kInk});
     }
+  }
+
+  /// Nodes of curved edges may lie outside of all vertices.
+  [[nodiscard]] PictureWindow window_of_all() const {
+    std::vector<Point> points = soup_.points;
+    for (const auto& nodes : mesh_.mesh.middles)
+      points.insert(points.end(), nodes.begin(), nodes.end());
+    return window_around(points);
   }
 
   /// Edges of second order that are not straight.
