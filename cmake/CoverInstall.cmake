@@ -63,6 +63,10 @@ if(PROJECT_IS_TOP_LEVEL)
   set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
   set(CPACK_DEBIAN_PACKAGE_SECTION science)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+  if(COVER_WITH_GDAL)
+    # It is opened and not linked, so nobody finds it by itself: libgdal.so.32 is in libgdal32.
+    string(REPLACE ".so." "" CPACK_DEBIAN_PACKAGE_RECOMMENDS ${COVER_GDAL_SONAME})
+  endif()
   # The headers and the static library are in the same package.
   set(CPACK_DEBIAN_PACKAGE_SUGGESTS
       "libcgal-dev, libopenmesh-dev, libvtk9-dev, libboost-dev, libfmt-dev, nlohmann-json3-dev, libexpat1-dev, zlib1g-dev, liblzma-dev, liblz4-dev, libhdf5-dev, python3-numpy")

@@ -1391,6 +1391,25 @@ class Layouts(Case):
                 self.write('a' + extension, '')
                 self.assertIn(words, self.run_cover('info', 'a' + extension, code=5)[1])
 
+    def test_gdal_is_opened_for_maps_only(self):
+        if '.gpkg' not in self.run_cover('info', '--help')[0] or not shutil.which('ldd'):
+            self.skipTest('built without GDAL')
+        linked = subprocess.run(['ldd', PROGRAM], text=True, stdout=subprocess.PIPE, check=True).stdout
+        self.assertNotIn('libgdal', linked)
+        name = re.search(rb'libgdal\.so\.\d+', pathlib.Path(PROGRAM).read_bytes()).group().decode()
+        # A library that is not GDAL in its place: maps are refused, all else goes on.
+        other = re.search(r'=> (\S*/libz\.so\S*)', linked).group(1)
+        (self.dir / name).symlink_to(other)
+        self.write('a.gpkg', '')
+        self.write('a.poly', SQUARE)
+        before = os.environ.get('LD_LIBRARY_PATH')
+        os.environ['LD_LIBRARY_PATH'] = str(self.dir)
+        self.addCleanup(lambda: os.environ.pop('LD_LIBRARY_PATH') if before is None
+                        else os.environ.update(LD_LIBRARY_PATH=before))
+        self.assertRegex(self.run_cover('info', 'a.gpkg', code=5)[1],
+                         r'a\.gpkg: .*GDAL, which cannot be opened .*ogr2ogr -f GeoJSON')
+        self.run_cover('info', 'a.poly')
+
     def test_bad_layouts(self):
         data = (SAMPLES / 'finfet.gds').read_bytes()
         (self.dir / 'cut.gds').write_bytes(data[:-20])
