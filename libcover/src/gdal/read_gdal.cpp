@@ -19,6 +19,7 @@
 #include "gdal/gdal_library.hpp"
 #include "gdal/map_projection.hpp"
 #include "gdal/quiet_gdal.hpp"
+#include "io/input/attribute_table.hpp"
 
 namespace cover {
 namespace {
@@ -50,7 +51,7 @@ struct FeatureWords {
 class MapReader {
  public:
   MapReader(const GdalLibrary& gdal, const std::string& path, const ReadOptions& options)
-      : gdal_(gdal), options_(options) {
+      : gdal_(gdal), options_(options), attributes_(options.keep_fields) {
     input_.source = path;
   }
 
@@ -66,6 +67,7 @@ class MapReader {
       fail(ErrorCode::syntax, "no polygon or line in it");
     if (error_) return *std::move(error_);
     tell();
+    input_.attributes = attributes_.attributes();
     return std::move(input_);
   }
 
@@ -127,11 +129,21 @@ class MapReader {
     return -1;
   }
 
+  /// Whether a name means the number that every feature has, and no attribute.
+  bool is_feature_id(OGRLayerH layer, const std::string& name) {
+    return name == kFeatureId &&
+           gdal_.OGR_FD_GetFieldIndex(gdal_.OGR_L_GetLayerDefn(layer), kFeatureId) < 0;
+  }
+
   void read_layer(OGRLayerH layer) {
     material_ = field_of(layer, options_.material_field, "material", "material_field");
     name_ = field_of(layer, options_.name_field, "name", "name_field");
     size_ = field_of(layer, "", "size", "");
     priority_ = field_of(layer, options_.priority_field, "priority", "priority_field");
+    kept_.clear();
+    for (const std::string& name : options_.keep_fields)
+      kept_.push_back(is_feature_id(layer, name) ? kOwnNumber
+                                                 : field_of(layer, name, "", "keep_field"));
     Result<MapProjection> projection =
         projection_of(gdal_.OGR_L_GetSpatialRef(layer), options_.crs);
     if (!projection) {
@@ -166,6 +178,15 @@ class MapReader {
     return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
   }
 
+  AttributeValue value_of(OGRFeatureH feature, int field) {
+    if (field == kOwnNumber) return static_cast<double>(gdal_.OGR_F_GetFID(feature));
+    if (!has(feature, field)) return {};
+    const OGRFieldType type = type_of(feature, field);
+    if (type == OFTReal || type == OFTInteger || type == OFTInteger64)
+      return gdal_.OGR_F_GetFieldAsDouble(feature, field);
+    return std::string(gdal_.OGR_F_GetFieldAsString(feature, field));
+  }
+
   /// A length; whatever else a table calls so is left out, as of GeoJSON.
   std::optional<double> size_of(OGRFeatureH feature) {
     const OGRFieldType type = type_of(feature, size_);
@@ -192,6 +213,8 @@ class MapReader {
 
   void read_feature(OGRFeatureH feature) {
     words_ = words_of(feature);
+    feature_ = attributes_.add_feature();
+    for (std::size_t k = 0; k < kept_.size(); ++k) attributes_.set(k, value_of(feature, kept_[k]));
     fid_ = gdal_.OGR_F_GetFID(feature);
     ++features_;
     Geometry geometry(gdal_.OGR_F_StealGeometry(feature));
@@ -265,6 +288,7 @@ class MapReader {
     out.region = words_.name;
     out.priority = words_.priority;
     out.size = words_.size;
+    out.feature = feature_;
     out.id = static_cast<long>(input_.polygons.size());
     input_.polygons.push_back(std::move(out));
   }
@@ -301,6 +325,10 @@ class MapReader {
   Input input_;
   MapProjection projection_;
   int material_ = -1, name_ = -1, priority_ = -1, size_ = -1;  ///< numbers of attributes
+  static constexpr int kOwnNumber = -2;                        ///< instead of that of an attribute
+  AttributeTable attributes_;
+  std::vector<int> kept_;      ///< numbers of attributes, by ReadOptions::keep_fields
+  std::uint32_t feature_ = 0;  ///< as InputPolygon has it
   FeatureWords words_;
   GIntBig fid_ = 0;
   long features_ = 0;

@@ -16,6 +16,7 @@
 #include "pipeline/find_regions.hpp"
 #include "pipeline/nonobtuse.hpp"
 #include "region/region_graph.hpp"
+#include "sizes/carry_field.hpp"
 #include "sizes/expected_triangles.hpp"
 #include "sizes/sizes.hpp"
 #include "tasks/errors_as_values.hpp"
@@ -42,8 +43,8 @@ namespace {
 
 /// All that follows once the regions are known; the input is not needed any more.
 Result<Output> mesh_prepared(Result<Prepared> prepared, const std::vector<PeriodicRule>& rules,
-                             const Options& options, const Callbacks& callbacks,
-                             StageClock& clock) {
+                             const std::shared_ptr<const PlaneField>& field, const Options& options,
+                             const Callbacks& callbacks, StageClock& clock) {
   if (!prepared) return std::move(prepared).error();
   Pslg& pslg = prepared->pslg;
   RegionTable& table = prepared->table;
@@ -76,9 +77,11 @@ Result<Output> mesh_prepared(Result<Prepared> prepared, const std::vector<Period
   if (!mesh) return std::move(mesh).error();
   collect_reports(*meshes, report);
   std::vector<PeriodicNodes> periodic = periodic_nodes(pslg, rules, *mesh);
+  std::vector<PlaneField::Array> fields;
+  if (field) fields = carry_field(*field, *mesh, report.notes);
   clock.note("stitch", report.times);
-  return Output{*std::move(mesh), std::move(pslg), std::move(table), std::move(report),
-                std::move(periodic)};
+  return Output{*std::move(mesh),  std::move(pslg),     std::move(table),
+                std::move(report), std::move(periodic), std::move(fields)};
 }
 
 }  // namespace
@@ -88,7 +91,7 @@ Result<Output> cover_mesh(const Input& input, const Options& asked, const Callba
     StageClock clock;
     const Options options = with_layers_of(input, asked);
     return mesh_prepared(find_regions(input, options, callbacks, clock),
-                         periodic_rules(input, options), options, callbacks, clock);
+                         periodic_rules(input, options), input.field, options, callbacks, clock);
   });
 }
 
@@ -98,8 +101,9 @@ Result<Output> cover_mesh(Input&& input, const Options& asked, const Callbacks& 
     const Options options = with_layers_of(input, asked);
     Result<Prepared> prepared = find_regions(input, options, callbacks, clock);
     const std::vector<PeriodicRule> rules = periodic_rules(input, options);
+    const std::shared_ptr<const PlaneField> field = input.field;
     input = {};
-    return mesh_prepared(std::move(prepared), rules, options, callbacks, clock);
+    return mesh_prepared(std::move(prepared), rules, field, options, callbacks, clock);
   });
 }
 

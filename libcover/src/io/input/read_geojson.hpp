@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <cover/input.hpp>
 
@@ -13,6 +14,7 @@ namespace cover {
 bool is_geojson(const Json& document);
 
 /// Reads a parsed document; else as parse_geojson.
-Result<Input> read_geojson(const Json& document, const std::string& source);
+Result<Input> read_geojson(const Json& document, const std::string& source,
+                           const std::vector<std::string>& keep_fields = {});
 
 }  // namespace cover

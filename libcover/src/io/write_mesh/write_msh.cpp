@@ -8,6 +8,7 @@
 // Tested by tests/unit/io/write_mesh/write_msh_test.cpp and, in the solvers, by tests/solvers.
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -22,8 +23,8 @@ namespace {
 
 class MshWriter {
  public:
-  MshWriter(const MeshView& view, std::size_t interfaces, TextWriter& out)
-      : view_(view), interfaces_(interfaces), out_(out) {}
+  MshWriter(const MeshView& view, const RegionTable& table, TextWriter& out)
+      : view_(view), table_(table), interfaces_(table.interfaces.size()), out_(out) {}
 
   void write_2() {
     out_ << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
@@ -35,13 +36,18 @@ class MshWriter {
     }
     out_ << "$EndNodes\n$Elements\n" << view_.lines.size() + view_.triangles.size() << '\n';
     const std::vector<std::size_t> curve = curves();
-    for (std::size_t l = 0; l < view_.lines.size(); ++l)
+    for (std::size_t l = 0; l < view_.lines.size(); ++l) {
       element_2(line_type(), view_.group_of_line(l).tag, curve[l], view_.lines[l]);
-    for (std::size_t t = 0; t < view_.triangles.size(); ++t)
+      region_of_element_.push_back(region_of_line(l));
+    }
+    for (std::size_t t = 0; t < view_.triangles.size(); ++t) {
       element_2(triangle_type(), view_.group_of_triangle(t).tag, view_.region[t].index(),
                 view_.triangles[t]);
+      region_of_element_.push_back(view_.region[t]);
+    }
     out_ << "$EndElements\n";
     periodic(false, [&](std::size_t l) { return curve[l]; });
+    data();
   }
 
   void write_4() {
@@ -63,11 +69,14 @@ class MshWriter {
     const std::size_t elements = view_.lines.size() + view_.triangles.size();
     out_ << "$EndNodes\n$Elements\n"
          << used(curves) + used(surfaces) << ' ' << elements << " 1 " << elements << '\n';
-    blocks(1, line_type(), view_.line_groups, curves, view_.lines);
-    blocks(2, triangle_type(), view_.region_groups, surfaces, view_.triangles);
+    blocks(1, line_type(), view_.line_groups, curves, view_.lines,
+           [this](std::size_t l) { return region_of_line(l); });
+    blocks(2, triangle_type(), view_.region_groups, surfaces, view_.triangles,
+           [this](std::size_t t) { return view_.region[t]; });
     out_ << "$EndElements\n";
     periodic(true,
              [&](std::size_t l) { return static_cast<std::size_t>(view_.group_of_line(l).tag); });
+    data();
   }
 
  private:
@@ -144,16 +153,50 @@ class MshWriter {
     }
   }
 
+  template <class RegionOf>
   void blocks(int dimension, int type, const std::vector<Group>& groups, const Buckets& members,
-              const Cells& cells) {
+              const Cells& cells, RegionOf region_of) {
     for (std::size_t g = 0; g < groups.size(); ++g) {
       if (members[g].empty()) continue;
       out_ << dimension << ' ' << groups[g].tag << ' ' << type << ' ' << members[g].size() << '\n';
       for (const std::size_t k : members[g]) {
         out_ << ++element_;
         nodes(cells[k]);
+        region_of_element_.push_back(region_of(k));
       }
     }
+  }
+
+  /// The one on its left; kVoid for a side of the hull.
+  [[nodiscard]] RegionId region_of_line(std::size_t l) const {
+    const InterfaceId interface = view_.interface[l];
+    return interface == kNoInterface ? kVoid : table_.interfaces[interface.index() - 1].left;
+  }
+
+  /// Attributes and fields. Every element has a value, lines those of the region on their left, since
+  /// meshio cannot read data of some elements alone.
+  void data() {
+    constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
+    for (const Attribute& attribute : view_.attributes) {
+      begin_data("Element", attribute.name, region_of_element_.size());
+      for (std::size_t e = 0; e < region_of_element_.size(); ++e) {
+        const RegionId region = region_of_element_[e];
+        out_ << e + 1 << ' ' << (region == kVoid ? kNoValue : attribute.values[region.index() - 1])
+             << '\n';
+      }
+      out_ << "$EndElementData\n";
+    }
+    for (const PlaneField::Array& field : view_.fields) {
+      begin_data("Node", field.name, field.values.size());
+      for (std::size_t p = 0; p < field.values.size(); ++p)
+        out_ << p + 1 << ' ' << field.values[p] << '\n';
+      out_ << "$EndNodeData\n";
+    }
+  }
+
+  /// The time 0, the step 0, one number for each.
+  void begin_data(std::string_view of, const std::string& name, std::size_t count) {
+    out_ << '$' << of << "Data\n1\n\"" << name << "\"\n1\n0\n3\n0\n1\n" << count << '\n';
   }
 
   /// A curve that is the image of another one, with pairs of nodes: its own and that of the other.
@@ -195,9 +238,11 @@ class MshWriter {
   }
 
   const MeshView& view_;
+  const RegionTable& table_;
   std::size_t interfaces_;
   TextWriter& out_;
   std::size_t element_ = 0;  ///< number of the last element written
+  std::vector<RegionId> region_of_element_;
 };
 
 }  // namespace
@@ -205,7 +250,7 @@ class MshWriter {
 Status write_msh(const Output& output, const std::string& path, const WriteOptions& options) {
   const MeshView view = view_of(output, options);
   return write_text(path, options.stop, [&](TextWriter& out) {
-    MshWriter writer(view, output.table.interfaces.size(), out);
+    MshWriter writer(view, output.table, out);
     if (options.msh == "4.1") {
       writer.write_4();
     } else {
