@@ -1486,7 +1486,9 @@ class Layouts(Case):
 
     def test_what_cannot_be_read_is_told_how_to_convert(self):
         self.write('a.oas', '%SEMI-OASIS')
-        self.assertIn("KLayout's 'strm2gds FILE.oas FILE.gds'", self.run_cover('info', 'a.oas', code=5)[1])
+        told = self.run_cover('info', 'a.oas', code=5)[1]
+        self.assertIn("KLayout's 'strm2gds FILE.oas FILE.gds'", told)
+        self.assertIn("l.read('FILE.oas'); l.write('FILE.gds')", told)
         formats = ' '.join(self.run_cover('info', '--help')[0].split())
         for extension, words in (('.dxf', 'ogr2ogr -f GeoJSON'), ('.gpkg', 'ogr2ogr -f GeoJSON')):
             if extension not in formats:
