@@ -50,6 +50,8 @@ set(cover_pc_vtk "")
 foreach(component ${COVER_VTK_COMPONENTS})
   string(APPEND cover_pc_vtk " $<TARGET_LINKER_FILE:VTK::${component}>")
 endforeach()
+# For vtk_cover_mesh.hpp.
+set(cover_pc_vtk_include "$<JOIN:$<TARGET_PROPERTY:VTK::CommonCore,INTERFACE_INCLUDE_DIRECTORIES>, -I>")
 configure_file(cmake/cover-vtk.pc.in ${PROJECT_BINARY_DIR}/cover-vtk.pc.in @ONLY)
 file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/cover-vtk.pc INPUT ${PROJECT_BINARY_DIR}/cover-vtk.pc.in)
 install(FILES ${PROJECT_BINARY_DIR}/cover.pc ${PROJECT_BINARY_DIR}/cover-vtk.pc

@@ -11,7 +11,7 @@
 ///
 /// Input: polygons, triangles and strips are painted areas, of which later ones lie on top; of each
 /// the material is its value in the cell array MaterialArrayName, a text or a number, without the
-/// array "1". Areas of one material that touch stay regions of their own, unless the option
+/// array 1. Areas of one material that touch stay regions of their own, unless the option
 /// merge-materials unites them. Lines on areas are contacts, named by their value in LineArrayName,
 /// without the array by their number among the lines. Lines without any area are segments, and every
 /// face that they enclose is a region. All points have one z, which the output has too.

@@ -14,7 +14,7 @@
 #include <vtkStringArray.h>
 #include <vtkVariant.h>
 
-#include <cmath>
+#include <array>
 #include <map>
 #include <stop_token>
 #include <thread>
@@ -56,13 +56,14 @@ class PolyDataInput {
 
   Result<Input> read() {
     input_.source = "the input";
-    for (vtkIdType p = 0; p < data_.GetNumberOfPoints(); ++p)
-      if (data_.GetPoint(p)[2] != z())
+    for (vtkIdType p = 0; p < data_.GetNumberOfPoints(); ++p) {
+      const double height = place(p)[2];
+      if (height != z())
         return wrong(
-            fmt::format("the input is not in a plane z = constant: point 0 has z = {}, point "
-                        "{} {}",
-                        z(), p, data_.GetPoint(p)[2]),
+            fmt::format("the input is not in a plane z = constant: point 0 has z = {}, point {} {}",
+                        z(), p, height),
             ErrorCode::unsupported_format);
+    }
     vtkNew<vtkIdList> points;
     for (vtkIdType c = 0; c < data_.GetNumberOfCells(); ++c) {
       data_.GetCellPoints(c, points);
@@ -72,13 +73,17 @@ class PolyDataInput {
     return std::move(input_);
   }
 
-  [[nodiscard]] double z() const {
-    return data_.GetNumberOfPoints() > 0 ? data_.GetPoint(0)[2] : 0;
-  }
+  [[nodiscard]] double z() const { return data_.GetNumberOfPoints() > 0 ? place(0)[2] : 0; }
 
  private:
+  /// A copy: VTK's own is overwritten by its next call.
+  [[nodiscard]] std::array<double, 3> place(vtkIdType p) const {
+    std::array<double, 3> x{};
+    data_.GetPoint(p, x.data());
+    return x;
+  }
   [[nodiscard]] Point at(vtkIdType p) const {
-    const double* const x = data_.GetPoint(p);
+    const std::array<double, 3> x = place(p);
     return {x[0], x[1]};
   }
 
