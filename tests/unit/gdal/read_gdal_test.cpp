@@ -167,7 +167,12 @@ TEST_F(ReadGdal, AttributesAreKept) {
   ASSERT_EQ(table.attributes.size(), 3U);
   for (const Region& region : table.regions) {
     const double word = table.attributes[0].values[region.id.index() - 1];
-    EXPECT_EQ(word, region.name == "7/1" ? 1 : region.name == "7/2" ? 2 : 0) << region.name;
+    const std::string use =
+        word == 0 ? "none" : table.attributes[0].words[static_cast<std::size_t>(word) - 1];
+    EXPECT_EQ(use, region.name == "7/1"   ? "built"
+                   : region.name == "7/2" ? "green"
+                                          : "none")
+        << region.name;
   }
   options.keep_fields = {"use"};
   EXPECT_NE(message(converted("q.gpkg"), options)
