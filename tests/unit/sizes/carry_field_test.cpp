@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -22,16 +24,27 @@ PlaneField linear() {
   return field;
 }
 
-/// A square from `low` to `high`, cut so that it has vertices inside and on its sides.
+/// A square from `low` to `high` with so many points on its sides that it has vertices inside.
 Output meshed(double low, double high, const PlaneField& field) {
   Input input;
   input.source = "square";
-  input.points = {{low, low}, {high, low}, {high, high}, {low, high}};
-  for (std::uint32_t k = 0; k < 4; ++k) input.segments.push_back({k, (k + 1) % 4});
+  constexpr std::uint32_t kEach = 8;
+  const std::array<Point, 5> corners{
+      {{low, low}, {high, low}, {high, high}, {low, high}, {low, low}}};
+  for (std::size_t side = 0; side < 4; ++side) {
+    const Point a = corners[side], b = corners[side + 1];
+    for (std::uint32_t k = 0; k < kEach; ++k)
+      input.points.push_back({a.x + (b.x - a.x) * k / kEach, a.y + (b.y - a.y) * k / kEach});
+  }
+  const auto n = static_cast<std::uint32_t>(input.points.size());
+  for (std::uint32_t k = 0; k < n; ++k) {
+    InputSegment segment;
+    segment.a = k;
+    segment.b = (k + 1) % n;
+    input.segments.push_back(segment);
+  }
   input.field = std::make_shared<const PlaneField>(field);
-  Options options;
-  options.sizes = {{"", 0.2 * (high - low)}};
-  Result<Output> output = cover_mesh(input, options);
+  Result<Output> output = cover_mesh(input);
   EXPECT_TRUE(output) << output.error().message;
   return *std::move(output);
 }
@@ -46,7 +59,7 @@ TEST(CarryField, IsLinearAtTheVerticesOfTheMesh) {
   ASSERT_EQ(output.fields.size(), 2U);
   EXPECT_EQ(output.fields[0].name, "linear");
   ASSERT_EQ(output.fields[0].values.size(), output.mesh.vertices());
-  ASSERT_GT(output.mesh.vertices(), 20U);
+  ASSERT_GT(output.mesh.vertices(), 36U);
   std::size_t none = 0;
   for (std::size_t v = 0; v < output.mesh.vertices(); ++v) {
     const Point p = at(output.mesh, v);
