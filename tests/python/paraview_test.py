@@ -72,7 +72,7 @@ class Reader(unittest.TestCase):
             coarse = grid.copied
             reader.RequestData(None, None, [grid])
             self.assertIs(grid.copied, coarse)
-            reader.SetOptions('--size 0.1')
+            reader.SetOptions('--split-interfaces --size 0.1')
             reader.RequestData(None, None, [grid])
             self.assertGreater(len(grid.copied.triangles), len(coarse.triangles))
             self.assertEqual(reader.modified, 2)
