@@ -57,7 +57,7 @@ py::array_t<std::int64_t> pickled_ids(const Output& output) {
 
 template <class Number>
 py::array_t<Number, py::array::c_style> array_in(const py::handle& value, py::ssize_t columns) {
-  const auto array = py::array_t<Number, py::array::c_style>::ensure(value);
+  auto array = py::array_t<Number, py::array::c_style>::ensure(value);
   const bool fits =
       array && (columns == 1 ? array.ndim() == 1 : array.ndim() == 2 && array.shape(1) == columns);
   if (!fits) throw py::value_error("this is no state of a cover.Mesh");

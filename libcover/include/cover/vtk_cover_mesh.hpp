@@ -7,6 +7,8 @@
 
 #include <vtkPolyDataAlgorithm.h>
 
+// NOLINTBEGIN(readability-identifier-naming): named as VTK names its own.
+
 /// Meshes plane polygons and lines.
 ///
 /// Input: polygons, triangles and strips are painted areas, of which later ones lie on top; of each
@@ -54,3 +56,5 @@ class vtkCoverMesh : public vtkPolyDataAlgorithm {
   struct Settings;
   std::unique_ptr<Settings> settings_;
 };
+
+// NOLINTEND(readability-identifier-naming)

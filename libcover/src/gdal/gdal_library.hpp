@@ -64,6 +64,7 @@ namespace cover {
 
 /// GDAL's functions by their names.
 struct GdalLibrary {
+// NOLINTNEXTLINE(bugprone-macro-parentheses): a name that is declared
 #define COVER_GDAL_MEMBER(name) decltype(&::name) name = nullptr;
   COVER_GDAL_FUNCTIONS(COVER_GDAL_MEMBER)
 #undef COVER_GDAL_MEMBER
