@@ -8,7 +8,8 @@ install(TARGETS cover EXPORT coverTargets
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(TARGETS cover_vtk EXPORT coverVtkTargets
-        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+        FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT coverTargets NAMESPACE cover:: DESTINATION ${cover_package_dir})
 install(EXPORT coverVtkTargets NAMESPACE cover:: DESTINATION ${cover_package_dir})
 
@@ -49,11 +50,14 @@ set(cover_pc_vtk "")
 foreach(component ${COVER_VTK_COMPONENTS})
   string(APPEND cover_pc_vtk " $<TARGET_LINKER_FILE:VTK::${component}>")
 endforeach()
+# For vtk_cover_mesh.hpp.
+set(cover_pc_vtk_include "$<JOIN:$<TARGET_PROPERTY:VTK::CommonCore,INTERFACE_INCLUDE_DIRECTORIES>, -I>")
 configure_file(cmake/cover-vtk.pc.in ${PROJECT_BINARY_DIR}/cover-vtk.pc.in @ONLY)
 file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/cover-vtk.pc INPUT ${PROJECT_BINARY_DIR}/cover-vtk.pc.in)
 install(FILES ${PROJECT_BINARY_DIR}/cover.pc ${PROJECT_BINARY_DIR}/cover-vtk.pc
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
+install(FILES apps/paraview/cover_reader.py DESTINATION ${CMAKE_INSTALL_DATADIR}/cover/paraview)
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 if(PROJECT_IS_TOP_LEVEL)
@@ -63,6 +67,10 @@ if(PROJECT_IS_TOP_LEVEL)
   set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
   set(CPACK_DEBIAN_PACKAGE_SECTION science)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+  if(COVER_WITH_GDAL)
+    # It is opened and not linked, so nobody finds it by itself: libgdal.so.32 is in libgdal32.
+    string(REPLACE ".so." "" CPACK_DEBIAN_PACKAGE_RECOMMENDS ${COVER_GDAL_SONAME})
+  endif()
   # The headers and the static library are in the same package.
   set(CPACK_DEBIAN_PACKAGE_SUGGESTS
       "libcgal-dev, libopenmesh-dev, libvtk9-dev, libboost-dev, libfmt-dev, nlohmann-json3-dev, libexpat1-dev, zlib1g-dev, liblzma-dev, liblz4-dev, libhdf5-dev, python3-numpy")

@@ -1,15 +1,12 @@
 #!/usr/bin/env python3
 """parcel_values.py FILE: meshes a GeoPackage of parcels; every triangle gets an attribute of its parcel."""
-import sqlite3
 import sys
-
-import numpy as np
 
 import cover
 
-mesh = cover.mesh_file(sys.argv[1], crs='EPSG:25832', material_field='landuse', name_field='number', method='almond')
-values = dict(sqlite3.connect(sys.argv[1]).execute('SELECT number, value FROM parcels'))
-by_region = np.array([values[region['name']] for region in mesh.report['regions']])
+mesh = cover.mesh_file(sys.argv[1], crs='EPSG:25832', material_field='landuse', name_field='number', keep_field='value',
+                       method='almond')
+by_region = mesh.attributes['value']
 value = by_region[mesh.region - 1]  # of each triangle
 
 corners = mesh.points[mesh.triangles]

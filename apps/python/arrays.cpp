@@ -27,7 +27,7 @@ Indices indices_from(const py::handle& value, const char* what) {
   const char kind = array.dtype().kind();
   if (array.size() == 0 || kind == 'i' || kind == 'u') return Indices::ensure(array);
   if (kind != 'f') throw py::type_error(std::string(what) + " must be indices: whole numbers");
-  const Indices indices = Indices::ensure(array.attr("astype")("int64"));
+  Indices indices = Indices::ensure(array.attr("astype")("int64"));
   if (!py::bool_(array.attr("__eq__")(indices).attr("all")()))
     throw py::value_error(std::string(what) + " must be indices: whole numbers, of 0 and more");
   return indices;
@@ -121,6 +121,10 @@ py::array_t<double> array_of(const std::vector<Point>& points) {
 
 py::array_t<std::int64_t> array_of(const std::vector<std::int64_t>& values) {
   return py::array_t<std::int64_t>(static_cast<py::ssize_t>(values.size()), values.data());
+}
+
+py::array_t<double> array_of(const std::vector<double>& values) {
+  return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
 }  // namespace cover::python

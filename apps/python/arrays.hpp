@@ -42,5 +42,6 @@ py::array_t<std::uint32_t> array_of(const std::vector<std::array<std::uint32_t, 
 }
 /// A copy.
 py::array_t<std::int64_t> array_of(const std::vector<std::int64_t>& values);
+py::array_t<double> array_of(const std::vector<double>& values);
 
 }  // namespace cover::python

@@ -31,6 +31,7 @@
 #include "arrays.hpp"
 #include "options.hpp"
 #include "pickle.hpp"
+#include "py_mesh.hpp"
 #include "raise.hpp"
 #include "read_geometry.hpp"
 
@@ -75,13 +76,6 @@ auto run(const py::object& progress, Work work) {
   if (!result) raise(result.error());
   return std::move(result).value();
 }
-
-/// A mesh with everything that is known of it.
-struct PyMesh {
-  Output output;
-  TriangleSoup soup;
-  std::string report;  ///< of a mesh that was pickled, as JSON; else empty
-};
 
 PyMesh mesh_input(const Input& input, const py::dict& options, const py::object& progress) {
   Options parsed = options_from(options);
@@ -155,6 +149,31 @@ py::list periodic_of(const PyMesh& mesh) {
   return rules;
 }
 
+/// Attributes of a map that were kept, by name: numbers as an array, texts as a list, by region.
+py::dict attributes_of(const PyMesh& mesh) {
+  py::dict attributes;
+  for (const Attribute& attribute : mesh.output.table.attributes) {
+    if (!attribute.is_text) {
+      attributes[py::str(attribute.name)] = array_of(attribute.values);
+      continue;
+    }
+    py::list words;
+    for (const double value : attribute.values)
+      words.append(value == 0 ? py::object(py::none())
+                              : py::str(attribute.words[static_cast<std::size_t>(value) - 1]));
+    attributes[py::str(attribute.name)] = words;
+  }
+  return attributes;
+}
+
+/// What the input has beside its geometry, at the points, by name.
+py::dict fields_of(const PyMesh& mesh) {
+  py::dict fields;
+  for (const PlaneField::Array& field : mesh.output.fields)
+    fields[py::str(field.name)] = array_of(field.values);
+  return fields;
+}
+
 /// Edges on arcs with the middle nodes that order=2 gives them, and areas of regions with them.
 py::dict arcs_of(const PyMesh& mesh) {
   const CurvedMesh curved = curved_mesh(mesh.output);
@@ -226,13 +245,17 @@ Input read_text(const std::string& text, const std::string& extension, const std
 }
 
 /// A mesh file or a picture, as the extension says.
-void save(const PyMesh& mesh, const py::object& path, const py::kwargs& keywords) {
+void save(const py::object& self, const py::object& path, const py::kwargs& keywords) {
+  const auto& mesh = self.cast<const PyMesh&>();
   const std::filesystem::path file =
       py::module_::import("os").attr("fspath")(path).cast<std::string>();
   const WriteOptions options = write_options_from(keywords);
+  if (file.extension() == ".png") {
+    py::module_::import("cover._png").attr("write_png")(self, file.string());
+    return;
+  }
   const Status status = [&]() -> Status {
     const py::gil_scoped_release release;
-    if (file.extension() == ".png") return write_png(picture_of(mesh.output), {}, file);
     if (file.extension() == ".svg") return write_svg(picture_of(mesh.output), {}, file);
     return write_mesh(mesh.output, file, options);
   }();
@@ -265,6 +288,8 @@ PYBIND11_MODULE(_cover, module) {
       .def_property_readonly("lines", &lines_of)
       .def_property_readonly("periodic", &periodic_of)
       .def_property_readonly("arcs", &arcs_of)
+      .def_property_readonly("attributes", &attributes_of)
+      .def_property_readonly("fields", &fields_of)
       .def_property_readonly("report", &report_of)
       .def("save", &save, py::arg("path"))
       .def("violations", &violations)

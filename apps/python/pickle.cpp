@@ -57,7 +57,7 @@ py::array_t<std::int64_t> pickled_ids(const Output& output) {
 
 template <class Number>
 py::array_t<Number, py::array::c_style> array_in(const py::handle& value, py::ssize_t columns) {
-  const auto array = py::array_t<Number, py::array::c_style>::ensure(value);
+  auto array = py::array_t<Number, py::array::c_style>::ensure(value);
   const bool fits =
       array && (columns == 1 ? array.ndim() == 1 : array.ndim() == 2 && array.shape(1) == columns);
   if (!fits) throw py::value_error("this is no state of a cover.Mesh");
@@ -96,6 +96,47 @@ void take_names(const py::tuple& state, StoredMesh& stored) {
   }
 }
 
+py::list pickled_attributes(const RegionTable& table) {
+  py::list out;
+  for (const Attribute& attribute : table.attributes)
+    out.append(py::make_tuple(attribute.name, attribute.is_text, attribute.words,
+                              array_of(attribute.values)));
+  return out;
+}
+
+py::list pickled_fields(const Output& output) {
+  py::list out;
+  for (const PlaneField::Array& field : output.fields)
+    out.append(py::make_tuple(field.name, array_of(field.values)));
+  return out;
+}
+
+std::vector<double> doubles_in(const py::handle& value, std::size_t size) {
+  const auto array = array_in<double>(value, 1);
+  if (static_cast<std::size_t>(array.size()) != size)
+    throw py::value_error("this is no state of a cover.Mesh");
+  return {array.data(), array.data() + array.size()};
+}
+
+void take_values(const py::tuple& state, Output& output) {
+  for (const py::handle& item : state[13].cast<py::list>()) {
+    const auto row = item.cast<py::tuple>();
+    Attribute attribute{row[0].cast<std::string>(), row[1].cast<bool>(),
+                        row[2].cast<std::vector<std::string>>(),
+                        doubles_in(row[3], output.table.regions.size())};
+    for (const double value : attribute.values)
+      if (attribute.is_text &&
+          !(value >= 0 && value <= static_cast<double>(attribute.words.size())))
+        throw py::value_error("this is no state of a cover.Mesh");
+    output.table.attributes.push_back(std::move(attribute));
+  }
+  for (const py::handle& item : state[14].cast<py::list>()) {
+    const auto row = item.cast<py::tuple>();
+    output.fields.push_back(
+        {row[0].cast<std::string>(), doubles_in(row[1], output.mesh.vertices())});
+  }
+}
+
 std::vector<StoredEdge> edges_in(const py::handle& value) {
   const auto rows = array_in<std::int64_t>(value, 4);
   const auto view = rows.unchecked<2>();
@@ -118,11 +159,12 @@ py::tuple pickled(const Output& output, const TriangleSoup& soup, const std::str
                         array_of(soup.region), array_of(soup.material), pickled_ids(output),
                         pickled_regions(output.table), pickled_interfaces(output.table),
                         pickled_edges(output.mesh), output.pslg.points.size(), output.report.unit,
-                        output.report.scale, report);
+                        output.report.scale, report, pickled_attributes(output.table),
+                        pickled_fields(output));
 }
 
 std::pair<Output, std::string> unpickled(const py::tuple& state) {
-  constexpr std::size_t kMembers = 13;
+  constexpr std::size_t kMembers = 15;
   if (state.size() != kMembers || state[0].cast<int>() != kPickleVersion)
     throw py::value_error("this is no state of a cover.Mesh, or of another version");
   StoredMesh stored;
@@ -144,6 +186,7 @@ std::pair<Output, std::string> unpickled(const py::tuple& state) {
   if (!output) raise(output.error());
   for (std::size_t v = 0; v < output->pslg.point_ids.size() && v < ids.size(); ++v)
     output->pslg.point_ids[v] = static_cast<long>(ids[v]);
+  take_values(state, *output);
   return {std::move(output).value(), state[12].cast<std::string>()};
 }
 

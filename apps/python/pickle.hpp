@@ -9,7 +9,7 @@
 namespace cover::python {
 
 /// What the state of a mesh begins with; other versions are refused.
-inline constexpr int kPickleVersion = 1;
+inline constexpr int kPickleVersion = 2;
 
 /// Everything that saving, drawing and asking a mesh needs. `report`: its report as JSON.
 pybind11::tuple pickled(const Output& output, const TriangleSoup& soup, const std::string& report);

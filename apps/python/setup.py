@@ -23,11 +23,15 @@ class CMakeBuild(build_ext):
                                    '-DCOVER_BUILD_TESTS=OFF', '-DCOVER_BUILD_SAMPLES=OFF',
                                    f'-DPython3_EXECUTABLE={sys.executable}',
                                    *shlex.split(os.environ.get('COVER_CMAKE_ARGS', ''))])
-        subprocess.check_call(['cmake', '--build', build, '--target', 'cover_python', '--parallel', str(os.cpu_count() or 1)])
+        subprocess.check_call(['cmake', '--build', build, '--target', 'cover_python', 'cover_python_png',
+                               '--parallel', str(os.cpu_count() or 1)])
         built, = (build / 'apps/python/cover').glob('_cover*.so')
         target = pathlib.Path(self.get_ext_fullpath(ext.name))
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(built, target)
+        # Beside it, loaded for pictures only.
+        picture, = (build / 'apps/python/cover').glob('_png*.so')
+        shutil.copy(picture, target.parent / picture.name)
 
 
 version = re.search(r'project\(cover VERSION ([\d.]+)', (ROOT / 'CMakeLists.txt').read_text()).group(1)

@@ -1649,6 +1649,108 @@ class Names(Case):
         self.assertIn('ids are region, material or name, not colour', err)
 
 
+class Values(Case):
+    """Attributes of maps and values at nodes, from the input to the files."""
+
+    def setUp(self):
+        super().setUp()
+        square = lambda k: [[[k, 0], [k + 1, 0], [k + 1, 1], [k, 1], [k, 0]]]
+        self.properties = [{'use': 'Wald', 'height': 2.5, 'material': 'a'}, {'use': 'Äcker & "Wiese"', 'material': 'b'},
+                           {'use': 'Wald', 'height': -1, 'material': 'c'}]
+        self.write('m.geojson', json.dumps({'type': 'FeatureCollection', 'features': [
+            {'type': 'Feature', 'id': 40 + k, 'properties': p, 'geometry': {'type': 'Polygon', 'coordinates': square(k)}}
+            for k, p in enumerate(self.properties)]}))
+
+    def arrays(self, name, section, part):
+        """Of a .vtu: by name the numbers of an array."""
+        data = (self.dir / name).read_bytes()
+        head, tail = data.split(b'<AppendedData encoding="raw">\n   _', 1)
+        root = ElementTree.fromstring(head + b'</VTKFile>')
+        found = {}
+        for array in root.find(f'.//{section}').iter('DataArray'):
+            at = int(array.get('offset'))
+            size = int.from_bytes(tail[at:at + 8], 'little')
+            kind = {'Int32': 'i', 'Float64': 'd', 'Int64': 'q', 'UInt8': 'B'}[array.get('type')]
+            found[array.get('Name')] = memoryview(tail[at + 8:at + 8 + size]).cast(kind).tolist()
+        return found[part]
+
+    def msh_data(self, name, kind):
+        """By name, the values of $ElementData or $NodeData by number."""
+        found = {}
+        for block in re.findall(rf'\${kind}Data\n(.*?)\$End{kind}Data', (self.dir / name).read_text(), re.S):
+            lines = block.splitlines()
+            self.assertEqual(lines[:1] + lines[2:7], ['1', '1', '0', '3', '0', '1'])
+            self.assertEqual(int(lines[7]), len(lines) - 8)
+            found[lines[1].strip('"')] = {int(n): float(v) for n, v in (line.split() for line in lines[8:])}
+        return found
+
+    KEEP = ('--keep-field', 'use', '--keep-field', 'height', '--keep-field', 'fid')
+
+    def test_attributes_become_arrays_of_triangles(self):
+        files = [word for f in ('m.vtu', 'm.vtm', 'm.vtkhdf', 'm.msh', 'm.json') for word in ('-o', f)]
+        self.run_cover('mesh', 'm.geojson', *self.KEEP, *files)
+        region = self.arrays('m.vtu', 'CellData', 'RegionId')
+        heights = [2.5, math.nan, -1]
+        for name, values in ('use', [1, 2, 1]), ('height', heights), ('fid', [40, 41, 42]):
+            self.assertEqual(str(self.arrays('m.vtu', 'CellData', name)), str([type(values[0])(values[r - 1]) for r in region]).replace('41.0', '41') if name == 'use'
+                             else str([float(values[r - 1]) for r in region]))
+        manifest = json.loads((self.dir / 'm.json').read_text())
+        words = ['Wald', 'Äcker & "Wiese"']
+        self.assertEqual(manifest['attributes'], [
+            {'name': 'use', 'words': words, 'values': ['Wald', words[1], 'Wald']},
+            {'name': 'height', 'values': [2.5, None, -1]}, {'name': 'fid', 'values': [40, 41, 42]}])
+        names = ElementTree.parse(self.dir / 'm.vtm').getroot().find("CoverNames/Attribute[@Name='use']")
+        self.assertEqual([(w.get('Id'), w.get('Name')) for w in names], [('1', words[0]), ('2', words[1])])
+        self.assertIn(words[1].encode(), (self.dir / 'm.vtkhdf').read_bytes())
+        for version in '2.2', '4.1':
+            self.run_cover('mesh', 'm.geojson', *self.KEEP, '--msh', version, '-o', 'n.msh')
+            data = self.msh_data('n.msh', 'Element')
+            self.assertEqual(set(data), {'use', 'height', 'fid'})
+            text = (self.dir / 'n.msh').read_text().split('$Elements\n')[1].split('$End')[0]
+            elements = len(data['fid'])
+            self.assertEqual(int(text.split()[0 if version == '2.2' else 1]), elements)
+            if version == '2.2':
+                for line in text.splitlines()[1:]:
+                    number, kind, _, group = map(int, line.split()[:4])
+                    if kind == 2:
+                        self.assertEqual(data['fid'][number], 39 + group)
+        # The mesh itself is the same, and is read back with the arrays in it.
+        self.run_cover('mesh', 'm.geojson', '-o', 'plain.vtu')
+        self.assertEqual(self.arrays('plain.vtu', 'Points', 'Points'), self.arrays('m.vtu', 'Points', 'Points'))
+        for name in ('m.vtu', 'm.vtm', 'm.vtkhdf', 'm.msh', 'n.msh'):
+            self.run_cover('check', 'm.geojson', name)
+
+    def test_names_that_are_taken(self):
+        text = (self.dir / 'm.geojson').read_text().replace('"use"', '"RegionId"').replace('"height"', '"a/b"')
+        self.write('m.geojson', text)
+        self.run_cover('mesh', 'm.geojson', '--keep-field', 'RegionId', '--keep-field', 'a/b', '-o', 'm.vtu', '-o', 'm.vtkhdf', '-o', 'm.json')
+        self.assertEqual(set(self.arrays('m.vtu', 'CellData', 'RegionId')), {1, 2, 3})
+        self.assertEqual(set(self.arrays('m.vtu', 'CellData', 'RegionId_2')), {1, 2})
+        self.assertEqual([(a['name'], a['original']) for a in json.loads((self.dir / 'm.json').read_text())['attributes']],
+                         [('RegionId_2', 'RegionId'), ('a_b', 'a/b')])
+        self.run_cover('check', 'm.geojson', 'm.vtkhdf')
+
+    def test_unknown_attribute(self):
+        self.assertIn("keep_field: no feature has the property 'usage'",
+                      self.run_cover('mesh', 'm.geojson', '--keep-field', 'usage', '-o', 'm.vtu', code=2)[1])
+        self.assertIn('it counts with maps only', self.run_cover('info', SAMPLES / 'diode.poly', '--keep-field', 'x')[1])
+
+    def test_doping_comes_back_at_the_points(self):
+        for name, array in ('nmos.tif', 'Net'), ('nmos.str', None):
+            self.run_cover('mesh', SAMPLES / name, '--order', '2', '-o', 'd.vtu', '-o', 'd.msh', '-o', 'd.vtm', '-o', 'd.vtkhdf', '-o', 'd.json')
+            fields = [f['name'] for f in json.loads((self.dir / 'd.json').read_text())['fields']]
+            self.assertTrue(fields)
+            array = array or fields[0]
+            values = self.arrays('d.vtu', 'PointData', array)
+            self.assertEqual(len(values) * 3, len(self.arrays('d.vtu', 'Points', 'Points')))
+            known = [v for v in values if not math.isnan(v)]
+            self.assertGreater(max(map(abs, known)), 1e15)
+            self.assertEqual(str(list(self.msh_data('d.msh', 'Node')[array].values())), str(values))
+            piece = next(self.dir.glob('d/*.vtu')).relative_to(self.dir)
+            numbers = self.arrays(piece, 'PointData', 'GlobalNodeId')
+            self.assertEqual(str(self.arrays(piece, 'PointData', array)), str([values[n] for n in numbers]))
+
+
 class Layouts(Case):
     """What is said of reading beside the file; options_test.py tests the options themselves."""
     MAP = ('--layer-map', SAMPLES / 'finfet.map')
@@ -1698,12 +1800,33 @@ class Layouts(Case):
 
     def test_what_cannot_be_read_is_told_how_to_convert(self):
         self.write('a.oas', '%SEMI-OASIS')
-        self.assertIn("KLayout's 'strm2gds FILE.oas FILE.gds'", self.run_cover('info', 'a.oas', code=5)[1])
+        told = self.run_cover('info', 'a.oas', code=5)[1]
+        self.assertIn("KLayout's 'strm2gds FILE.oas FILE.gds'", told)
+        self.assertIn("l.read('FILE.oas'); l.write('FILE.gds')", told)
         formats = ' '.join(self.run_cover('info', '--help')[0].split())
         for extension, words in (('.dxf', 'ogr2ogr -f GeoJSON'), ('.gpkg', 'ogr2ogr -f GeoJSON')):
             if extension not in formats:
                 self.write('a' + extension, '')
                 self.assertIn(words, self.run_cover('info', 'a' + extension, code=5)[1])
+
+    def test_gdal_is_opened_for_maps_only(self):
+        if '.gpkg' not in self.run_cover('info', '--help')[0] or not shutil.which('ldd'):
+            self.skipTest('built without GDAL')
+        linked = subprocess.run(['ldd', PROGRAM], text=True, stdout=subprocess.PIPE, check=True).stdout
+        self.assertNotIn('libgdal', linked)
+        name = re.search(rb'libgdal\.so\.\d+', pathlib.Path(PROGRAM).read_bytes()).group().decode()
+        # A library that is not GDAL in its place: maps are refused, all else goes on.
+        other = re.search(r'=> (\S*/libz\.so\S*)', linked).group(1)
+        (self.dir / name).symlink_to(other)
+        self.write('a.gpkg', '')
+        self.write('a.poly', SQUARE)
+        before = os.environ.get('LD_LIBRARY_PATH')
+        os.environ['LD_LIBRARY_PATH'] = str(self.dir)
+        self.addCleanup(lambda: os.environ.pop('LD_LIBRARY_PATH') if before is None
+                        else os.environ.update(LD_LIBRARY_PATH=before))
+        self.assertRegex(self.run_cover('info', 'a.gpkg', code=5)[1],
+                         r'a\.gpkg: .*GDAL, which cannot be opened .*ogr2ogr -f GeoJSON')
+        self.run_cover('info', 'a.poly')
 
     def test_bad_layouts(self):
         data = (SAMPLES / 'finfet.gds').read_bytes()

@@ -22,6 +22,7 @@ faults=0
 for target in "${targets[@]}"; do
   case $target in
     vtu|vtk|vtp|vti) seeds=stored_$target ;;
+    tiff) seeds=tif ;;
     *) seeds=$target ;;
   esac
   found=build/fuzz/found/$target

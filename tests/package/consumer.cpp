@@ -1,9 +1,37 @@
 // What a user of the installed library writes: two materials in, a mesh and a file out.
 #include <cstdio>
+#include <fstream>
 
 #include <cover/cover_mesh.hpp>
+#ifdef WITH_dxf
+#include <cover/read_dxf.hpp>
+#endif
+#ifdef WITH_gdal
+#include <cover/read_gdal.hpp>
+#endif
 #include <cover/version.hpp>
 #include <cover/write_mesh.hpp>
+
+namespace {
+
+/// Whether the readers that are there read.
+bool readers_work() {
+#ifdef WITH_dxf
+  const char* const drawing =
+      "0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n8\niron\n10\n0\n20\n0\n40\n1\n0\nENDSEC\n0\nEOF\n";
+  if (!cover::parse_dxf(drawing, "a.dxf")) return false;
+#endif
+#ifdef WITH_gdal
+  std::ofstream("map.geojson")
+      << R"({"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [0, 1], [0, 0]]]})";
+  const auto map = cover::read_gdal("map.geojson");
+  if (!map) std::fprintf(stderr, "%s\n", map.error().message.c_str());
+  if (!map || map->polygons.size() != 1) return false;
+#endif
+  return true;
+}
+
+}  // namespace
 
 int main() {
   cover::Input input;
@@ -19,5 +47,5 @@ int main() {
   }
   const bool written = cover::write_vtu(*output, "consumer.vtu").has_value();
   std::printf("cover %s: %zu regions\n", COVER_VERSION, output->table.regions.size());
-  return written && output->table.regions.size() == 2 ? 0 : 1;
+  return written && readers_work() && output->table.regions.size() == 2 ? 0 : 1;
 }

@@ -133,6 +133,54 @@ class Meshing(unittest.TestCase):
         self.assertEqual({r['name'] for r in mesh.report['regions']}, {'Si', 'gate'})
 
 
+class Values(unittest.TestCase):
+    """What maps and simulators have beside shapes."""
+    DATA = pathlib.Path(__file__).resolve().parents[2] / 'samples/data'
+    MAP = """{"type": "FeatureCollection", "features": [
+        {"type": "Feature", "properties": {"use": "wood", "height": 2.5}, "geometry":
+            {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]]]}},
+        {"type": "Feature", "properties": {"use": null}, "geometry":
+            {"type": "Polygon", "coordinates": [[[1, 0], [2, 0], [2, 1], [1, 1], [1, 0]]]}}]}"""
+
+    def mapped(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, 'm.geojson')
+            path.write_text(self.MAP)
+            with self.assertRaises(cover.OptionError):
+                cover.mesh_file(path, keep_field='usage')
+            self.assertEqual(cover.mesh_file(path).attributes, {})
+            return cover.mesh_file(path, keep_field=['use', 'height', 'fid'])
+
+    def test_attributes_by_region(self):
+        mesh = self.mapped()
+        for m in mesh, pickle.loads(pickle.dumps(mesh)):
+            self.assertEqual(list(m.attributes), ['use', 'height', 'fid'])
+            self.assertEqual(m.attributes['use'], ['wood', None])
+            np.testing.assert_array_equal(m.attributes['height'], [2.5, math.nan])
+            np.testing.assert_array_equal(m.attributes['fid'], [0, 1])
+
+    def test_fields_by_point(self):
+        mesh = cover.mesh_file(self.DATA / 'nmos.tif')
+        for m in mesh, pickle.loads(pickle.dumps(mesh)):
+            doping = m.fields['Net']
+            self.assertEqual(doping.shape, (len(m.points),))
+            self.assertGreater(np.nanmax(np.abs(doping)), 1e15)
+            np.testing.assert_array_equal(doping, mesh.fields['Net'])
+        self.assertEqual(cover.mesh(SQUARE, SEGMENTS, REGIONS).fields, {})
+
+    def test_no_vtk_without_pictures(self):
+        # In a process of its own; a program may have another VTK.
+        code = """if True:
+            import cover
+            mesh = cover.mesh([(0, 0), (1, 0), (0, 1)], [(0, 1), (1, 2), (2, 0)])
+            assert 'libvtk' not in open('/proc/self/maps').read()
+            mesh.save('a.png')
+            assert 'libvtk' in open('/proc/self/maps').read()
+        """
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([sys.executable, '-c', code], cwd=folder, check=True, timeout=60)
+
+
 class Polygons(unittest.TestCase):
     """mesh_polygons() with curves, contacts and voids."""
 

@@ -126,10 +126,12 @@ def mesh_file(path, *, progress=None, **options):
 
 
 def _to_vtk(self):
-    """The triangles as a vtkUnstructuredGrid with the cell arrays RegionId and material; needs VTK's own modules."""
+    """The triangles as a vtkUnstructuredGrid with the cell arrays RegionId and material, attributes (of texts their
+    numbers, from 1 on), fields at the points, and the names of regions and materials as field data; needs VTK's own
+    modules, of whichever VTK is loaded."""
     import numpy as np
     from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
     from vtkmodules.vtkCommonDataModel import VTK_TRIANGLE, vtkCellArray, vtkUnstructuredGrid
 
     points = vtkPoints()
@@ -141,10 +143,32 @@ def _to_vtk(self):
     grid = vtkUnstructuredGrid()
     grid.SetPoints(points)
     grid.SetCells(VTK_TRIANGLE, cells)
-    for name, values in ("RegionId", self.region), ("material", self.material):
+
+    def add(data, name, values):
         array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
         array.SetName(name)
-        grid.GetCellData().AddArray(array)
+        data.AddArray(array)
+
+    def add_texts(name, texts):
+        array = vtkStringArray()
+        array.SetName(name)
+        for text in texts:
+            array.InsertNextValue(text)
+        grid.GetFieldData().AddArray(array)
+
+    add(grid.GetCellData(), "RegionId", self.region)
+    add(grid.GetCellData(), "material", self.material)
+    for name, values in self.attributes.items():
+        if isinstance(values, list):
+            words = list(dict.fromkeys(value for value in values if value is not None))
+            values = np.array([0 if value is None else 1 + words.index(value) for value in values], np.int32)
+            add_texts(name + "_names", words)
+        add(grid.GetCellData(), name, values[self.region - 1])
+    for name, values in self.fields.items():
+        add(grid.GetPointData(), name, values)
+    regions = self.report.get("regions", ())
+    add_texts("RegionName", [region["name"] for region in regions])
+    add_texts("MaterialName", [region["material_name"] for region in regions])
     return grid
 
 

@@ -65,6 +65,7 @@ class _ReadOptions(TypedDict, total=False):
     material_field: str
     name_field: str
     priority_field: str
+    keep_field: Union[str, Sequence[str]]
     crs: str
     no_smooth: bool
     legend: Union[str, os.PathLike[str]]
@@ -109,6 +110,10 @@ class Mesh:
     def periodic(self) -> list[dict[str, Any]]: ...  # "from", "to", "vertices" (pairs), "edges"
     @property
     def arcs(self) -> dict[str, Any]: ...  # "edges" on arcs, their "middles", "straight" ones, "areas"
+    @property
+    def attributes(self) -> dict[str, Union[npt.NDArray[np.float64], list[Optional[str]]]]: ...  # keep_field, by region
+    @property
+    def fields(self) -> dict[str, npt.NDArray[np.float64]]: ...  # what the input has beside geometry: doping, by point
     @property
     def report(self) -> dict[str, Any]: ...
     def save(self, path: Union[str, os.PathLike[str]], **options: Unpack[_WriteOptions]) -> None: ...

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <cover/arcs.hpp>
+#include <cover/attribute.hpp>
 #include <cover/options.hpp>
 #include <cover/plane_field.hpp>
 #include <cover/point.hpp>
@@ -33,6 +34,7 @@ struct RegionSeed {
   std::optional<double> size;  ///< wished edge length, if the file gives one; > 0
   long id = 0;
   int line = 0;
+  std::uint32_t feature = 0;  ///< index into Input::attributes' values plus one; 0: none
 };
 
 /// A seed of the void.
@@ -53,6 +55,7 @@ struct InputPolygon {
   /// By ring and point: the circle of the segment from that point on, as in InputSegment; a ring
   /// without any may be left out.
   std::vector<std::vector<std::uint32_t>> circles{};
+  std::uint32_t feature = 0;  ///< index into Input::attributes' values plus one; 0: none
 };
 
 /// A named open or closed polyline that must appear in the mesh: a contact.
@@ -87,6 +90,7 @@ struct Input {
   std::vector<InputLine> lines;
   std::shared_ptr<const PlaneField>
       field;                           ///< values that the file has beside its geometry: doping
+  std::vector<Attribute> attributes;   ///< ReadOptions::keep_fields, by feature of a map
   std::vector<ArcCircle> circles;      ///< of segments, rings and lines that are chords of arcs
   std::vector<PeriodicRule> periodic;  ///< beside those of Options::periodic
   std::vector<LayerRule> layers;       ///< before Options::layers, which win over them

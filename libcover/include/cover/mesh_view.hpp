@@ -76,6 +76,11 @@ struct MeshView {
   /// none.
   std::vector<std::uint32_t> periodic_node;
 
+  /// RegionTable::attributes, by RegionId - 1, and Output::fields, by point, in the middle of an edge
+  /// the mean of its ends. Names are legible, without '/', all different and none of ours.
+  std::vector<Attribute> attributes;
+  std::vector<PlaneField::Array> fields;
+
   [[nodiscard]] bool second_order() const { return triangles.nodes_each == 6; }
   [[nodiscard]] const Group& group_of_triangle(std::size_t t) const {
     return region_groups[region_group[region[t].index() - 1]];
@@ -116,6 +121,9 @@ struct LineEdge {
 /// Cost:     O(n log n) in the number of lines
 MeshView view_of_lines(const RegionTable& table, std::vector<LineEdge> lines,
                        const WriteOptions& options);
+
+/// What the array of the words of a text attribute is called.
+std::string words_name(const Attribute& attribute);
 
 /// What the groups of regions and lines are called as sets of Abaqus: in capitals, beginning with a
 /// letter, unique among the groups given.

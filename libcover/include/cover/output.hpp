@@ -3,6 +3,7 @@
 
 #include <cover/mesh_class.hpp>
 #include <cover/periodic.hpp>
+#include <cover/plane_field.hpp>
 #include <cover/pslg.hpp>
 #include <cover/regions.hpp>
 #include <cover/report.hpp>
@@ -23,6 +24,10 @@ struct Output {
   RegionTable table;
   Report report;
   std::vector<PeriodicNodes> periodic{};  ///< by rule: Options::periodic, then Input::periodic
+  /// Values of Input::field at the vertices of the mesh, linear in its triangles; of several in one
+  /// place, where a value jumps, the one of the largest magnitude. Outside the field, that of the
+  /// nearest place on its border. NaN: none.
+  std::vector<PlaneField::Array> fields{};
 };
 
 }  // namespace cover

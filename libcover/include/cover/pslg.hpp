@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <cover/arcs.hpp>
+#include <cover/attribute.hpp>
 #include <cover/ids.hpp>
 #include <cover/input.hpp>
 #include <cover/periodic.hpp>
@@ -37,6 +38,7 @@ struct Pslg {
   /// By SegmentId: the seeds of the faces on its left and right, seen from a to b: an index into
   /// `seeds` plus one, or 0 for the void. Empty: faces are told by the places of seeds and holes.
   std::vector<std::array<std::uint32_t, 2>> side_seeds;
+  std::vector<Attribute> attributes;  ///< by RegionSeed::feature
   std::vector<ArcCircle> circles;     ///< of the segments that are chords of arcs
   std::vector<SegmentPair> periodic;  ///< segments that are images of each other
   std::vector<Isometry> isometries;   ///< of `periodic`, one for each rule

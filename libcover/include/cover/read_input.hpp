@@ -16,7 +16,8 @@ namespace cover {
 ///   area: triangles then have the area A on average, where Triangle makes it the largest;
 /// - `.json`, our own form: points and segments, or painted polygons, with circles and arcs; its
 ///   schema is input.schema.json;
-/// - `.geojson`: areas and lines with the properties material, name and priority;
+/// - `.geojson`: areas and lines with the properties material, name, priority and size;
+///   those of `options.keep_fields` become Input::attributes;
 /// - `.msh`, gmsh's 2.2 and 4.1 in ASCII: the borders of the physical surfaces and the physical
 ///   curves;
 /// - `.gds`, GDSII: a layout, flattened; see `cover/read_options.hpp` for what can be chosen of it;
@@ -25,7 +26,8 @@ namespace cover {
 /// - `.cmd` and `.scm`, commands of the Sentaurus Structure Editor: regions, materials, contacts;
 /// - `.png`, `.bmp`, `.tif`, `.tiff`, `.nrrd`, `.mha`, pictures of labels: a region for each set of
 ///   pixels of one label that hang together by their sides, with smooth borders;
-/// - `.vtu`, `.vtp`, `.vti` and legacy `.vtk`: see read_vtk_input().
+/// - `.vtu`, `.vtp`, `.vti` and legacy `.vtk`: see read_vtk_input(); those that are images, pixels
+///   with a material each, are pictures of labels.
 ///
 /// Errors: cannot_open, syntax, truncated, id_out_of_range, non_finite_coordinate,
 ///         unsupported_format; messages name file and line, in JSON the path; those of

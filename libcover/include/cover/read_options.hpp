@@ -35,7 +35,9 @@ struct ReadOptions {
   std::string material_field;  ///< of a map: the attribute that is the material
   std::string name_field;      ///< that is the name of the region or line
   std::string priority_field;  ///< that says which polygon wins where they overlap
-  std::string crs;             ///< as "EPSG:25832": what a map is projected to; empty: nothing
+  std::vector<std::string>
+      keep_fields;  ///< that become arrays of the mesh; "fid": the feature's number
+  std::string crs;  ///< as "EPSG:25832": what a map is projected to; empty: nothing
 
   bool smooth = true;  ///< of a picture: borders are smoothed; false: they are the sides of pixels
   std::string legend;  ///< of a picture: a file of lines "#ff0000,copper" or "7,grain"; empty: none

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include <cover/attribute.hpp>
 #include <cover/error.hpp>
 #include <cover/ids.hpp>
 #include <cover/point.hpp>
@@ -75,6 +76,9 @@ struct RegionTable {
   std::vector<IsolatedPoint> isolated_points;
   std::vector<HullSide> hull_sides;  ///< only where the convex hull is the domain
   std::vector<Point> void_seeds;     ///< a point inside each enclosed void face
+  /// Kept attributes of a map, by RegionId - 1. Where several features are one region, those of the
+  /// first count.
+  std::vector<Attribute> attributes;
 
   /// REQUIRES: id is not kVoid
   [[nodiscard]] const Region& region(RegionId id) const { return regions[id.index() - 1]; }

@@ -47,12 +47,14 @@ std::vector<std::string> write_formats();
 
 /// Writes VTK's XML unstructured grid: triangles only, float64 points, raw appended data; cell
 /// arrays material (first, for MFEM), MaterialID, mat_id, RegionId (Int32), max_angle and min_angle
-/// in degrees. Where the run put vertices on segments, field data CutVertices is their number.
+/// in degrees; then RegionTable::attributes by their names, numbers as Float64, text as Int32, whose
+/// meaning stands in the manifest; Output::fields are point arrays. A name that is taken gets a
+/// number behind it. Where the run put vertices on segments, field data CutVertices is their number.
 Status write_vtu(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes VTK's format in HDF5 (VTKHDF 1.0, an unstructured grid of one piece): the triangles and
 /// cell arrays of write_vtu(), and as field data the names of regions, materials and lines, the
-/// edges of all lines, and where the mesh comes from. So one file holds all that read_output()
+/// edges of all lines, the words of attributes X as X_names, and where the mesh comes from. So one file holds all that read_output()
 /// wants.
 Status write_vtkhdf(const Output& output, const std::string& path,
                     const WriteOptions& options = {});
@@ -68,7 +70,7 @@ Status write_pvtu(const Output& output, const std::string& path, const WriteOpti
 /// Writes a multi-block file with a named .vtu per group of regions and per group of lines beside
 /// it: the groups are those of the physical groups of .msh, so one name is one block. Where more
 /// than a hundred groups of lines are, those between regions are one block, `lines`. Lines between
-/// two triangles are always there. Names of materials and of lines, and where the mesh comes from,
+/// two triangles are always there. Names of materials and of lines, words of attributes, and where the mesh comes from,
 /// stand in the .vtm behind the blocks. The pieces of X.vtm are X/X_K_HASH.vtu, with the hash of their
 /// content; those of an X.vtm that is replaced are removed.
 Status write_vtm(const Output& output, const std::string& path, const WriteOptions& options = {});
@@ -100,7 +102,7 @@ Status write_vtk(const Output& output, const std::string& path, const WriteOptio
 /// Writes gmsh's format. Physical groups: regions by name, interfaces by the regions on both sides
 /// with the lower one on the left, contacts by name. Elementary tags in version 2.2: RegionId and
 /// InterfaceId, or a further number where an interface lies in several groups; in 4.1 those of the
-/// groups.
+/// groups. Attributes and fields are data of elements and nodes, as the arrays of write_vtu().
 Status write_msh(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes XDMF with all numbers in the XML: the grids `mesh` (MaterialID, RegionId, GroupID) and

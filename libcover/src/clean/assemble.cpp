@@ -139,6 +139,7 @@ class Assembler {
       seed.material = polygon.material;
       seed.region = polygon.region;
       seed.id = polygon.id;
+      seed.feature = polygon.feature;
       pslg_.seeds.push_back(std::move(seed));
     }
   }

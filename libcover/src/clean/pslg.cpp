@@ -182,6 +182,7 @@ Result<Pslg> make_pslg(const Input& input, const Options& options, Report& repor
   if (options.strict) {
     if (auto error = changes_as_error(input, report.changes)) return *error;
   }
+  pslg->attributes = input.attributes;
   sum_up(report.changes, report.notes);
   remember_arcs(input, *pslg, report.notes);
   const bool is_as_it_was = keep && pslg->segments.size() == input.segments.size();

@@ -1,6 +1,9 @@
 // Tested by tests/unit/gdal/read_gdal_test.cpp.
 #include "gdal/map_projection.hpp"
 
+#include <filesystem>
+#include <system_error>
+
 #include <fmt/core.h>
 
 namespace cover {
@@ -8,34 +11,44 @@ namespace {
 
 Error bad_crs(std::string message) { return {ErrorCode::bad_option, std::move(message), {}, {}}; }
 
-void describe_result(const OGRSpatialReference& system, MapProjection& projection) {
-  projection.degrees = system.IsGeographic() != 0;
-  if (system.IsProjected() != 0 && system.GetLinearUnits(nullptr) == 1) projection.unit = "m";
+using Reference = GdalHandle<&GdalLibrary::OSRDestroySpatialReference>;
+
+void describe_result(OGRSpatialReferenceH system, MapProjection& projection) {
+  const GdalLibrary& gdal = opened_gdal();
+  projection.degrees = gdal.OSRIsGeographic(system) != 0;
+  if (gdal.OSRIsProjected(system) != 0 && gdal.OSRGetLinearUnits(system, nullptr) == 1)
+    projection.unit = std::string(1, 'm');
+}
+
+/// Would GDAL look into a file or a network for it?
+bool is_elsewhere(const std::string& wanted) {
+  std::error_code ignored;
+  return wanted.find("://") != std::string::npos || wanted.starts_with("/vsi") ||
+         wanted.starts_with("DICT:") || std::filesystem::exists(wanted, ignored);
 }
 
 }  // namespace
 
-Result<MapProjection> projection_of(const OGRSpatialReference* system, const std::string& wanted) {
+Result<MapProjection> projection_of(OGRSpatialReferenceH system, const std::string& wanted) {
+  const GdalLibrary& gdal = opened_gdal();
   MapProjection projection;
   if (wanted.empty()) {
-    if (system != nullptr) describe_result(*system, projection);
+    if (system != nullptr) describe_result(system, projection);
     return projection;
   }
-  OGRSpatialReference to;
-  if (to.SetFromUserInput(wanted.c_str(),
-                          OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) !=
-      OGRERR_NONE)
+  const Reference to(gdal.OSRNewSpatialReference(nullptr));
+  if (is_elsewhere(wanted) || gdal.OSRSetFromUserInput(to.get(), wanted.c_str()) != OGRERR_NONE)
     return bad_crs(fmt::format("crs: PROJ does not know '{}'; as EPSG:25832", wanted));
   if (system == nullptr)
     return bad_crs("crs: the layer does not say in which system its coordinates are");
-  OGRSpatialReference from(*system);
+  const Reference from(gdal.OSRClone(system));
   // x is the longitude, as in files, whatever the authority says.
-  from.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  projection.transform.reset(OGRCreateCoordinateTransformation(&from, &to));
+  gdal.OSRSetAxisMappingStrategy(from.get(), OAMS_TRADITIONAL_GIS_ORDER);
+  gdal.OSRSetAxisMappingStrategy(to.get(), OAMS_TRADITIONAL_GIS_ORDER);
+  projection.transform.reset(gdal.OCTNewCoordinateTransformation(from.get(), to.get()));
   if (!projection.transform)
     return bad_crs(fmt::format("crs: there is no way from the layer's system to '{}'", wanted));
-  describe_result(to, projection);
+  describe_result(to.get(), projection);
   return projection;
 }
 

@@ -6,7 +6,7 @@
 
 namespace cover {
 
-/// Gathers what GDAL says in this thread for as long as this lives.
+/// Gathers what GDAL says in this thread for as long as this lives. REQUIRES: an open GDAL
 class QuietGdal {
  public:
   QuietGdal();

@@ -2,13 +2,10 @@
 // Tested by tests/unit/gdal/read_gdal_test.cpp.
 #include <cover/read_gdal.hpp>
 
-#include <ogrsf_frmts.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <mutex>
 #include <optional>
 #include <system_error>
 #include <vector>
@@ -19,8 +16,10 @@
 #include <cover/units.hpp>
 
 #include "base/out_of_memory.hpp"
+#include "gdal/gdal_library.hpp"
 #include "gdal/map_projection.hpp"
 #include "gdal/quiet_gdal.hpp"
+#include "io/input/attribute_table.hpp"
 
 namespace cover {
 namespace {
@@ -29,30 +28,16 @@ namespace {
 constexpr const char* kDrivers[] = {"ESRI Shapefile", "GPKG", "FlatGeobuf", "GML",
                                     "LIBKML",         "KML",  "GeoJSON",    nullptr};
 
-void register_drivers() {
-  static std::once_flag once;
-  std::call_once(once, [] {
-    RegisterOGRShape();
-    RegisterOGRGeoPackage();
-    RegisterOGRFlatGeobuf();
-    RegisterOGRGML();
-    RegisterOGRLIBKML();
-    RegisterOGRKML();
-    RegisterOGRGeoJSON();
-  });
-}
+using Dataset = GdalHandle<&GdalLibrary::GDALClose>;
+using Feature = GdalHandle<&GdalLibrary::OGR_F_Destroy>;
+using Geometry = GdalHandle<&GdalLibrary::OGR_G_DestroyGeometry>;
 
-struct CloseDataset {
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
-
-Dataset open_dataset(const std::string& path) {
+Dataset open_dataset(const GdalLibrary& gdal, const std::string& path) {
   // Those of GML: neither a file beside the input nor a schema from the network.
   const char* const gml[] = {"WRITE_GFS=NO", "DOWNLOAD_SCHEMA=NO", nullptr};
   const bool is_gml = std::filesystem::path(path).extension() == ".gml";
-  return Dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, kDrivers,
-                                   is_gml ? gml : nullptr, nullptr));
+  return Dataset(gdal.GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, kDrivers,
+                                 is_gml ? gml : nullptr, nullptr));
 }
 
 /// What a feature says of its geometry.
@@ -65,22 +50,24 @@ struct FeatureWords {
 
 class MapReader {
  public:
-  MapReader(const std::string& path, const ReadOptions& options) : options_(options) {
+  MapReader(const GdalLibrary& gdal, const std::string& path, const ReadOptions& options)
+      : gdal_(gdal), options_(options), attributes_(options.keep_fields) {
     input_.source = path;
   }
 
   Result<Input> read() {
-    const Dataset dataset = open_dataset(input_.source);
+    const Dataset dataset = open_dataset(gdal_, input_.source);
     if (!dataset) return failed(quiet_.failure().empty() ? "no map in it" : quiet_.failure());
     quiet_.forget();
-    const std::vector<OGRLayer*> layers = choose(*dataset);
-    for (OGRLayer* layer : layers) {
-      if (!error_) read_layer(*layer);
+    const std::vector<OGRLayerH> layers = choose(dataset.get());
+    for (OGRLayerH layer : layers) {
+      if (!error_) read_layer(layer);
     }
     if (!error_ && input_.polygons.empty() && input_.lines.empty())
       fail(ErrorCode::syntax, "no polygon or line in it");
     if (error_) return *std::move(error_);
     tell();
+    input_.attributes = attributes_.attributes();
     return std::move(input_);
   }
 
@@ -96,14 +83,14 @@ class MapReader {
     if (!error_ && !quiet_.failure().empty()) error_ = failed(quiet_.failure());
   }
 
-  std::vector<OGRLayer*> choose(GDALDataset& dataset) {
-    std::vector<OGRLayer*> all, chosen;
+  std::vector<OGRLayerH> choose(GDALDatasetH dataset) {
+    std::vector<OGRLayerH> all, chosen;
     std::vector<std::string> names;
-    for (int k = 0; k < dataset.GetLayerCount(); ++k) {
-      OGRLayer* layer = dataset.GetLayer(k);
-      if (layer->GetGeomType() == wkbNone) continue;
+    for (int k = 0; k < gdal_.GDALDatasetGetLayerCount(dataset); ++k) {
+      OGRLayerH layer = gdal_.GDALDatasetGetLayer(dataset, k);
+      if (gdal_.OGR_L_GetGeomType(layer) == wkbNone) continue;
       all.push_back(layer);
-      names.emplace_back(layer->GetName());
+      names.emplace_back(gdal_.OGR_L_GetName(layer));
       if (std::find(options_.layers.begin(), options_.layers.end(), names.back()) !=
           options_.layers.end())
         chosen.push_back(layer);
@@ -117,8 +104,9 @@ class MapReader {
       fail(ErrorCode::bad_option,
            fmt::format("it has {} layers ({}): name those to be read by --layer", count, known));
     for (const std::string& wanted : options_.layers) {
-      const bool there = std::any_of(chosen.begin(), chosen.end(),
-                                     [&](OGRLayer* layer) { return wanted == layer->GetName(); });
+      const bool there = std::any_of(chosen.begin(), chosen.end(), [&](OGRLayerH layer) {
+        return wanted == gdal_.OGR_L_GetName(layer);
+      });
       if (!there)
         fail(ErrorCode::bad_option,
              fmt::format("there is no layer '{}'; its layers: {}", wanted, known));
@@ -127,25 +115,37 @@ class MapReader {
   }
 
   /// The number of an attribute, or -1. One that an option names has to be there.
-  int field_of(OGRLayer& layer, const std::string& wanted, const char* usual, const char* option) {
-    const OGRFeatureDefn& definition = *layer.GetLayerDefn();
-    const int field = definition.GetFieldIndex(wanted.empty() ? usual : wanted.c_str());
+  int field_of(OGRLayerH layer, const std::string& wanted, const char* usual, const char* option) {
+    OGRFeatureDefnH definition = gdal_.OGR_L_GetLayerDefn(layer);
+    const int field =
+        gdal_.OGR_FD_GetFieldIndex(definition, wanted.empty() ? usual : wanted.c_str());
     if (field >= 0 || wanted.empty()) return field;
     std::vector<std::string> names;
-    for (int k = 0; k < definition.GetFieldCount(); ++k)
-      names.emplace_back(definition.GetFieldDefn(k)->GetNameRef());
+    for (int k = 0; k < gdal_.OGR_FD_GetFieldCount(definition); ++k)
+      names.emplace_back(gdal_.OGR_Fld_GetNameRef(gdal_.OGR_FD_GetFieldDefn(definition, k)));
     fail(ErrorCode::bad_option,
          fmt::format("{}: the layer '{}' has no attribute '{}'; its attributes: {}", option,
-                     layer.GetName(), wanted, fmt::join(names, ", ")));
+                     gdal_.OGR_L_GetName(layer), wanted, fmt::join(names, ", ")));
     return -1;
   }
 
-  void read_layer(OGRLayer& layer) {
+  /// Whether a name means the number that every feature has, and no attribute.
+  bool is_feature_id(OGRLayerH layer, const std::string& name) {
+    return name == kFeatureId &&
+           gdal_.OGR_FD_GetFieldIndex(gdal_.OGR_L_GetLayerDefn(layer), kFeatureId) < 0;
+  }
+
+  void read_layer(OGRLayerH layer) {
     material_ = field_of(layer, options_.material_field, "material", "material_field");
     name_ = field_of(layer, options_.name_field, "name", "name_field");
     size_ = field_of(layer, "", "size", "");
     priority_ = field_of(layer, options_.priority_field, "priority", "priority_field");
-    Result<MapProjection> projection = projection_of(layer.GetSpatialRef(), options_.crs);
+    kept_.clear();
+    for (const std::string& name : options_.keep_fields)
+      kept_.push_back(is_feature_id(layer, name) ? kOwnNumber
+                                                 : field_of(layer, name, "", "keep_field"));
+    Result<MapProjection> projection =
+        projection_of(gdal_.OGR_L_GetSpatialRef(layer), options_.crs);
     if (!projection) {
       if (!error_) error_ = std::move(projection).error();
       return;
@@ -154,73 +154,89 @@ class MapReader {
     degrees_ |= projection_.degrees;
     if (!projection_.unit.empty()) input_.unit = projection_.unit;
     quiet_.forget();
-    layer.ResetReading();
+    gdal_.OGR_L_ResetReading(layer);
     while (!error_) {
-      const OGRFeatureUniquePtr feature(layer.GetNextFeature());
+      const Feature feature(gdal_.OGR_L_GetNextFeature(layer));
       note_failure();
       if (!feature) break;
-      read_feature(*feature);
+      read_feature(feature.get());
     }
   }
 
+  bool has(OGRFeatureH feature, int field) {
+    return field >= 0 && gdal_.OGR_F_IsFieldSetAndNotNull(feature, field) != 0;
+  }
+  OGRFieldType type_of(OGRFeatureH feature, int field) {
+    return gdal_.OGR_Fld_GetType(gdal_.OGR_F_GetFieldDefnRef(feature, field));
+  }
+
   /// The text of an attribute as GeoJSON would have it; empty if there is none.
-  static std::string text_of(const OGRFeature& feature, int field) {
-    if (field < 0 || feature.IsFieldSetAndNotNull(field) == 0) return "";
-    if (feature.GetFieldDefnRef(field)->GetType() != OFTReal)
-      return const_cast<OGRFeature&>(feature).GetFieldAsString(field);
-    std::string text = fmt::format("{}", feature.GetFieldAsDouble(field));
+  std::string text_of(OGRFeatureH feature, int field) {
+    if (!has(feature, field)) return "";
+    if (type_of(feature, field) != OFTReal) return gdal_.OGR_F_GetFieldAsString(feature, field);
+    std::string text = fmt::format("{}", gdal_.OGR_F_GetFieldAsDouble(feature, field));
     return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
   }
 
+  AttributeValue value_of(OGRFeatureH feature, int field) {
+    if (field == kOwnNumber) return static_cast<double>(gdal_.OGR_F_GetFID(feature));
+    if (!has(feature, field)) return {};
+    const OGRFieldType type = type_of(feature, field);
+    if (type == OFTReal || type == OFTInteger || type == OFTInteger64)
+      return gdal_.OGR_F_GetFieldAsDouble(feature, field);
+    return std::string(gdal_.OGR_F_GetFieldAsString(feature, field));
+  }
+
   /// A length; whatever else a table calls so is left out, as of GeoJSON.
-  std::optional<double> size_of(const OGRFeature& feature) {
-    const OGRFieldType type = feature.GetFieldDefnRef(size_)->GetType();
+  std::optional<double> size_of(OGRFeatureH feature) {
+    const OGRFieldType type = type_of(feature, size_);
     const bool is_number = type == OFTReal || type == OFTInteger || type == OFTInteger64;
-    const double size = is_number ? feature.GetFieldAsDouble(size_) : 0;
+    const double size = is_number ? gdal_.OGR_F_GetFieldAsDouble(feature, size_) : 0;
     if (size > 0 && std::isfinite(size)) return size;
     ++no_sizes_;
     return std::nullopt;
   }
 
-  FeatureWords words_of(const OGRFeature& feature) {
+  FeatureWords words_of(OGRFeatureH feature) {
     FeatureWords words;
     words.material = text_of(feature, material_);
     words.name = text_of(feature, name_);
-    if (priority_ >= 0 && feature.IsFieldSetAndNotNull(priority_) != 0)
-      words.priority = feature.GetFieldAsDouble(priority_);
+    if (has(feature, priority_)) words.priority = gdal_.OGR_F_GetFieldAsDouble(feature, priority_);
     if (words.priority && !std::isfinite(*words.priority))
       fail(ErrorCode::syntax,
-           fmt::format("feature {}: the priority is no number", feature.GetFID()));
-    if (size_ >= 0 && feature.IsFieldSetAndNotNull(size_) != 0) words.size = size_of(feature);
+           fmt::format("feature {}: the priority is no number", gdal_.OGR_F_GetFID(feature)));
+    if (has(feature, size_)) words.size = size_of(feature);
     if (words.material.empty())
       words.material = words.name.empty() ? fmt::format("feature_{}", features_) : words.name;
     return words;
   }
 
-  void read_feature(OGRFeature& feature) {
+  void read_feature(OGRFeatureH feature) {
     words_ = words_of(feature);
-    fid_ = feature.GetFID();
+    feature_ = attributes_.add_feature();
+    for (std::size_t k = 0; k < kept_.size(); ++k) attributes_.set(k, value_of(feature, kept_[k]));
+    fid_ = gdal_.OGR_F_GetFID(feature);
     ++features_;
-    OGRGeometryUniquePtr geometry(feature.StealGeometry());
+    Geometry geometry(gdal_.OGR_F_StealGeometry(feature));
     if (!geometry) return;
-    if (geometry->hasCurveGeometry() != 0)
-      geometry.reset(geometry->getLinearGeometry(options_.chord_angle));
+    if (gdal_.OGR_G_HasCurveGeometry(geometry.get(), 0) != 0)
+      geometry.reset(gdal_.OGR_G_GetLinearGeometry(geometry.get(), options_.chord_angle, nullptr));
     if (!geometry) return fail(ErrorCode::syntax, fmt::format("feature {}: a broken curve", fid_));
-    read_geometry(*geometry);
+    read_geometry(geometry.get());
   }
 
-  void read_geometry(const OGRGeometry& geometry) {
-    switch (wkbFlatten(geometry.getGeometryType())) {
+  void read_geometry(OGRGeometryH geometry) {
+    switch (gdal_.OGR_GT_Flatten(gdal_.OGR_G_GetGeometryType(geometry))) {
       case wkbPolygon:
       case wkbTriangle:
-        return add_polygon(*geometry.toPolygon());
+        return add_polygon(geometry);
       case wkbLineString:
-        return add_line(*geometry.toLineString());
+        return add_line(geometry);
       case wkbMultiPolygon:
       case wkbMultiLineString:
       case wkbGeometryCollection:
-        for (const OGRGeometry* part : *geometry.toGeometryCollection())
-          if (!error_) read_geometry(*part);
+        for (OGRGeometryH part : parts_of(geometry))
+          if (!error_) read_geometry(part);
         return;
       case wkbPoint:
       case wkbMultiPoint:
@@ -231,24 +247,31 @@ class MapReader {
     }
   }
 
-  std::vector<Point> points_of(const OGRSimpleCurve& curve) {
-    const auto n = static_cast<std::size_t>(curve.getNumPoints());
-    std::vector<double> x(n), y(n);
-    for (std::size_t k = 0; k < n; ++k) {
-      x[k] = curve.getX(static_cast<int>(k));
-      y[k] = curve.getY(static_cast<int>(k));
-    }
-    if (projection_.transform)
-      projection_.transform->Transform(static_cast<int>(n), x.data(), y.data());
+  /// Of a collection its geometries, of a polygon its rings.
+  std::vector<OGRGeometryH> parts_of(OGRGeometryH geometry) {
+    std::vector<OGRGeometryH> parts;
+    for (int k = 0; k < gdal_.OGR_G_GetGeometryCount(geometry); ++k)
+      parts.push_back(gdal_.OGR_G_GetGeometryRef(geometry, k));
+    return parts;
+  }
+
+  std::vector<Point> points_of(OGRGeometryH curve) {
+    const auto n = static_cast<std::size_t>(gdal_.OGR_G_GetPointCount(curve));
     std::vector<Point> points(n);
+    if (n == 0) return points;
+    std::vector<double> x(n), y(n);
+    gdal_.OGR_G_GetPoints(curve, x.data(), sizeof(double), y.data(), sizeof(double), nullptr, 0);
+    const std::vector<double> given_x = projection_.transform ? x : std::vector<double>();
+    const std::vector<double> given_y = projection_.transform ? y : std::vector<double>();
+    if (projection_.transform)
+      gdal_.OCTTransform(projection_.transform.get(), static_cast<int>(n), x.data(), y.data(),
+                         nullptr);
     for (std::size_t k = 0; k < n; ++k) {
       if (!std::isfinite(x[k]) || !std::isfinite(y[k])) {
-        const int place = static_cast<int>(k);
         fail(ErrorCode::non_finite_coordinate,
-             projection_.transform
-                 ? fmt::format("feature {}: ({}, {}) is not where {} reaches", fid_,
-                               curve.getX(place), curve.getY(place), options_.crs)
-                 : fmt::format("feature {}: a coordinate is not finite", fid_));
+             projection_.transform ? fmt::format("feature {}: ({}, {}) is not where {} reaches",
+                                                 fid_, given_x[k], given_y[k], options_.crs)
+                                   : fmt::format("feature {}: a coordinate is not finite", fid_));
         break;
       }
       points[k] = {x[k], y[k]};
@@ -257,20 +280,21 @@ class MapReader {
     return points;
   }
 
-  void add_polygon(const OGRPolygon& polygon) {
-    if (polygon.IsEmpty() != 0) return;
+  void add_polygon(OGRGeometryH polygon) {
+    if (gdal_.OGR_G_IsEmpty(polygon) != 0) return;
     InputPolygon out;
-    for (const OGRLinearRing* ring : polygon) out.rings.push_back(points_of(*ring));
+    for (OGRGeometryH ring : parts_of(polygon)) out.rings.push_back(points_of(ring));
     out.material = words_.material;
     out.region = words_.name;
     out.priority = words_.priority;
     out.size = words_.size;
+    out.feature = feature_;
     out.id = static_cast<long>(input_.polygons.size());
     input_.polygons.push_back(std::move(out));
   }
 
-  void add_line(const OGRLineString& line) {
-    if (line.IsEmpty() != 0) return;
+  void add_line(OGRGeometryH line) {
+    if (gdal_.OGR_G_IsEmpty(line) != 0) return;
     InputLine out{words_.name, points_of(line), static_cast<long>(input_.lines.size())};
     if (out.points.size() < 2)
       return fail(ErrorCode::syntax,
@@ -295,11 +319,16 @@ class MapReader {
           "degrees; --crs EPSG:... projects them");
   }
 
+  const GdalLibrary& gdal_;
   const ReadOptions& options_;
   QuietGdal quiet_;
   Input input_;
   MapProjection projection_;
   int material_ = -1, name_ = -1, priority_ = -1, size_ = -1;  ///< numbers of attributes
+  static constexpr int kOwnNumber = -2;                        ///< instead of that of an attribute
+  AttributeTable attributes_;
+  std::vector<int> kept_;      ///< numbers of attributes, by ReadOptions::keep_fields
+  std::uint32_t feature_ = 0;  ///< as InputPolygon has it
   FeatureWords words_;
   GIntBig fid_ = 0;
   long features_ = 0;
@@ -321,8 +350,11 @@ Result<Input> read_gdal(const std::string& path, const ReadOptions& options) {
   // GDAL knows names that are no files: those of archives, servers, databases.
   if (!std::filesystem::is_regular_file(path, ignored))
     return Error{ErrorCode::cannot_open, fmt::format("cannot open {}: no such file", path), {}, {}};
-  register_drivers();
-  Result<Input> input = memory_as_value(path, [&] { return MapReader(path, options).read(); });
+  const Result<const GdalLibrary*> gdal = gdal_library();
+  if (!gdal)
+    return Error{gdal.error().code, fmt::format("{}: {}", path, gdal.error().message), {}, {}};
+  Result<Input> input =
+      memory_as_value(path, [&] { return MapReader(**gdal, path, options).read(); });
   if (!input) return input;
   if (Status status = apply_units(*input, options); !status) return std::move(status).error();
   return input;

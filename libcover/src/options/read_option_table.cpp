@@ -93,7 +93,7 @@ bool is_map(const ReadOptions& o) {
 }
 bool is_drawing(const ReadOptions& o) { return is_format(o, ".dxf"); }
 bool is_picture(const ReadOptions& o) {
-  return is_format(o, ".png", ".bmp", ".tif", ".tiff", ".nrrd", ".mha");
+  return is_format(o, ".png", ".bmp", ".tif", ".tiff", ".nrrd", ".mha", ".vti", ".vtk");
 }
 
 // clang-format off
@@ -163,6 +163,12 @@ constexpr ReadOptionEntry kReadTable[] = {
         .name = "priority-field", .placeholder = "NAME",
         .help = "Attribute of a map of which the higher wins where polygons overlap; 'priority' unless "
                 "given",
+        .counts_with = "maps",
+        .counts = is_map}),
+    texts<&ReadOptions::keep_fields>({
+        .name = "keep-field", .placeholder = "NAME",
+        .help = "Attribute of a map that the triangles keep, several if repeated: an array of numbers, "
+                "or of words by number; 'fid' is the number of the feature",
         .counts_with = "maps",
         .counts = is_map}),
     text<&ReadOptions::crs>({

@@ -23,6 +23,7 @@
 #include "pipeline/mesh_prepared.hpp"
 #include "pipeline/nonobtuse.hpp"
 #include "region/region_graph.hpp"
+#include "sizes/carry_field.hpp"
 #include "sizes/expected_triangles.hpp"
 #include "sizes/sizes.hpp"
 #include "tasks/errors_as_values.hpp"
@@ -86,7 +87,8 @@ Result<std::vector<RegionBoundary>> split_prepared(Prepared& prepared, const Opt
 }
 
 Result<Output> mesh_prepared(Prepared prepared, std::vector<RegionBoundary> boundaries,
-                             const std::vector<PeriodicRule>& rules, const Options& options,
+                             const std::vector<PeriodicRule>& rules,
+                             const std::shared_ptr<const PlaneField>& field, const Options& options,
                              const Callbacks& callbacks, StageClock& clock) {
   Pslg& pslg = prepared.pslg;
   RegionTable& table = prepared.table;
@@ -112,20 +114,23 @@ Result<Output> mesh_prepared(Prepared prepared, std::vector<RegionBoundary> boun
   if (!mesh) return std::move(mesh).error();
   collect_reports(*meshes, report);
   std::vector<PeriodicNodes> periodic = periodic_nodes(pslg, rules, *mesh);
+  std::vector<PlaneField::Array> fields;
+  if (field) fields = carry_field(*field, *mesh, report.notes);
   clock.note("stitch", report.times);
-  return Output{*std::move(mesh), std::move(pslg), std::move(table), std::move(report),
-                std::move(periodic)};
+  return Output{*std::move(mesh),  std::move(pslg),     std::move(table),
+                std::move(report), std::move(periodic), std::move(fields)};
 }
 
 namespace {
 
 Result<Output> mesh_found(Result<Prepared> prepared, const std::vector<PeriodicRule>& rules,
-                          const Options& options, const Callbacks& callbacks, StageClock& clock) {
+                          const std::shared_ptr<const PlaneField>& field, const Options& options,
+                          const Callbacks& callbacks, StageClock& clock) {
   if (!prepared) return std::move(prepared).error();
   Result<std::vector<RegionBoundary>> boundaries = split_prepared(*prepared, options, true, clock);
   if (!boundaries) return std::move(boundaries).error();
-  return mesh_prepared(*std::move(prepared), *std::move(boundaries), rules, options, callbacks,
-                       clock);
+  return mesh_prepared(*std::move(prepared), *std::move(boundaries), rules, field, options,
+                       callbacks, clock);
 }
 
 }  // namespace
@@ -135,7 +140,7 @@ Result<Output> cover_mesh(const Input& input, const Options& asked, const Callba
     StageClock clock;
     const Options options = with_layers_of(input, asked);
     return mesh_found(find_regions(input, options, callbacks, clock),
-                      periodic_rules(input, options), options, callbacks, clock);
+                      periodic_rules(input, options), input.field, options, callbacks, clock);
   });
 }
 
@@ -144,8 +149,9 @@ Result<Output> cover_mesh(Input&& input, const Options& asked, const Callbacks& 
     StageClock clock;
     const Options options = with_layers_of(input, asked);
     const std::vector<PeriodicRule> rules = periodic_rules(input, options);
+    const std::shared_ptr<const PlaneField> field = input.field;
     Result<Prepared> prepared = find_regions(std::move(input), options, callbacks, clock);
-    return mesh_found(std::move(prepared), rules, options, callbacks, clock);
+    return mesh_found(std::move(prepared), rules, field, options, callbacks, clock);
   });
 }
 

@@ -24,6 +24,7 @@
 #include "mesh/stitch.hpp"
 #include "pipeline/find_regions.hpp"
 #include "region/region_graph.hpp"
+#include "sizes/carry_field.hpp"
 #include "sizes/expected_triangles.hpp"
 #include "sizes/sizes.hpp"
 #include "target/measure.hpp"
@@ -269,8 +270,10 @@ Result<Output> mesh_again(const Input& input, const TriangleSoup& onto,
   collect_reports(meshes, report);
   clock.note("stitch", report.times);
   std::vector<PeriodicNodes> periodic = periodic_nodes(pslg, rules, mesh);
-  return Output{std::move(mesh), std::move(pslg), std::move(table), std::move(report),
-                std::move(periodic)};
+  std::vector<PlaneField::Array> fields;
+  if (input.field) fields = carry_field(*input.field, mesh, report.notes);
+  return Output{std::move(mesh),   std::move(pslg),     std::move(table),
+                std::move(report), std::move(periodic), std::move(fields)};
 }
 
 }  // namespace

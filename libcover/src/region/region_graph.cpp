@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -52,6 +53,7 @@ class TableMaker {
 
   RegionTable make(std::vector<Note>& notes) {
     add_regions(number_materials(pslg_.seeds, notes), notes);
+    add_attributes();
     add_sides();
     add_hull_sides();
     add_points();
@@ -70,9 +72,11 @@ class TableMaker {
         region.material = materials.numbers[*seed];
         region.material_name = materials.names[*seed];
         region.name = pslg_.seeds[*seed].region;
+        features_.push_back(pslg_.seeds[*seed].feature);
       } else {
         region.material = materials.unnamed;
         region.material_name = "unnamed";
+        features_.push_back(0);
       }
       if (region.name.empty()) region.name = region.material_name;
       region.inside = measures[face].inside;
@@ -88,6 +92,20 @@ class TableMaker {
         table_.void_seeds.push_back(*measures[f].inside);
       } else {
         warn_of_sliver("a void", measures[f], notes);
+      }
+    }
+  }
+
+  /// What the features of the regions have.
+  void add_attributes() {
+    constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+    for (const Attribute& attribute : pslg_.attributes) {
+      Attribute& own = table_.attributes.emplace_back(attribute);
+      own.values.clear();
+      for (const std::uint32_t feature : features_) {
+        own.values.push_back(feature != 0        ? attribute.values[feature - 1]
+                             : attribute.is_text ? 0
+                                                 : kNoNumber);
       }
     }
   }
@@ -188,6 +206,7 @@ class TableMaker {
   const Faces& faces_;
   const SeededFaces& seeded_;
   std::vector<RegionId> region_of_face_;  ///< kVoid for void faces
+  std::vector<std::uint32_t> features_;   ///< by region: RegionSeed::feature
   RegionTable table_;
 };
 

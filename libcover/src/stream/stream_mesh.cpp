@@ -159,7 +159,7 @@ Result<StreamedOutput> stream_or_hold(Input input, const Options& asked,
   if (!expected) return std::move(expected).error();
   if (*expected < stream.most_in_memory) {
     Result<Output> output = mesh_prepared(*std::move(prepared), *std::move(boundaries), rules,
-                                          options, callbacks, clock);
+                                          nullptr, options, callbacks, clock);
     if (!output) return std::move(output).error();
     const MeshCounts counts = count_of(output->mesh);
     return StreamedOutput{*std::move(output), counts, nullptr};
@@ -213,6 +213,8 @@ std::string needs_whole_mesh(const Input& input, const Options& options) {
   if (options.split_interfaces || options.box_method) return "cutting segments after meshing";
   if (!periodic_rules(input, options).empty()) return "periodic sides";
   if (!input.circles.empty()) return "arcs";
+  if (!input.attributes.empty()) return "keeping attributes of a map";
+  if (input.field) return "carrying values at points";
   return {};
 }
 

@@ -142,6 +142,44 @@ TEST_F(ReadGdal, AttributesAreChosen) {
             std::string::npos);
 }
 
+TEST_F(ReadGdal, AttributesAreKept) {
+  ReadOptions options;
+  options.keep_fields = {"landuse", "value", "fid"};
+  for (const char* name : {"p.gpkg", "p.shp", "p.gml"}) {
+    SCOPED_TRACE(name);
+    const Input input = read(converted(name), options);
+    ASSERT_EQ(input.attributes.size(), 3U);
+    ASSERT_EQ(input.polygons.size(), 4U);
+    EXPECT_EQ(input.attributes[0].words, (std::vector<std::string>{"built", "green"}));
+    EXPECT_EQ(input.attributes[0].values, (std::vector<double>{1, 2, 0}));
+    EXPECT_FALSE(input.attributes[1].is_text);
+    EXPECT_EQ(input.attributes[1].values[0], 1.5);
+    EXPECT_TRUE(std::isnan(input.attributes[1].values[2]));
+    const double first = input.attributes[2].values[0];
+    EXPECT_EQ(input.attributes[2].values, (std::vector<double>{first, first + 1, first + 2}));
+    // Both parts of the second feature.
+    EXPECT_EQ(input.polygons[1].feature, 2U);
+    EXPECT_EQ(input.polygons[2].feature, 2U);
+  }
+  const Result<Output> output = cover_mesh(read(converted("p.fgb"), options));
+  ASSERT_TRUE(output) << output.error().message;
+  const RegionTable& table = output->table;
+  ASSERT_EQ(table.attributes.size(), 3U);
+  for (const Region& region : table.regions) {
+    const double word = table.attributes[0].values[region.id.index() - 1];
+    const std::string use =
+        word == 0 ? "none" : table.attributes[0].words[static_cast<std::size_t>(word) - 1];
+    EXPECT_EQ(use, region.name == "7/1"   ? "built"
+                   : region.name == "7/2" ? "green"
+                                          : "none")
+        << region.name;
+  }
+  options.keep_fields = {"use"};
+  EXPECT_NE(message(converted("q.gpkg"), options)
+                .find("keep_field: the layer 'parcels' has no attribute 'use'; its attributes: "),
+            std::string::npos);
+}
+
 TEST_F(ReadGdal, DegreesAreToldAndProjected) {
   const Input degrees = read(converted("p.gpkg"));
   ASSERT_EQ(degrees.warnings.size(), 1U);
@@ -159,9 +197,13 @@ TEST_F(ReadGdal, DegreesAreToldAndProjected) {
   const Input again = read(converted("q.gpkg", {"-t_srs", "EPSG:25832"}));
   EXPECT_EQ(again.unit, "m");
   EXPECT_NEAR(again.polygons[0].rings[0][2].x, metres.polygons[0].rings[0][2].x, 1e-6);
-  options.crs = "EPSG:0";
-  EXPECT_EQ(message(converted("r.gpkg"), options),
-            "crs: PROJ does not know 'EPSG:0'; as EPSG:25832");
+  const std::string map = converted("r.gpkg");
+  // Nor is a system looked for in a file or on a network.
+  for (const std::string& unknown : {std::string("EPSG:0"), folder_.write("a.prj", "EPSG:25832"),
+                                     std::string("http://localhost:1/crs")}) {
+    options.crs = unknown;
+    EXPECT_EQ(message(map, options), "crs: PROJ does not know '" + unknown + "'; as EPSG:25832");
+  }
 }
 
 TEST_F(ReadGdal, WithoutASystemNothingIsProjected) {

@@ -5,11 +5,13 @@
 
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <sstream>
 #include <string>
 
 #include <cover/cover_mesh.hpp>
 #include <cover/option_table.hpp>
+#include <cover/plane_field.hpp>
 
 #include "support/inputs.hpp"
 #include "support/temporary_folder.hpp"
@@ -126,6 +128,11 @@ TEST(StreamMesh, SaysWhatNeedsTheWholeMesh) {
   options = {};
   options.hull = true;
   EXPECT_NE(needs_whole_mesh(input, options), "");
+  Input map = input, doped = input;
+  map.attributes.push_back({"use", false, {}, {1}});
+  EXPECT_NE(needs_whole_mesh(map, {}).find("attributes"), std::string::npos);
+  doped.field = std::make_shared<const PlaneField>();
+  EXPECT_NE(needs_whole_mesh(doped, {}).find("values"), std::string::npos);
   EXPECT_NE(needs_whole_mesh("x.vtu", WriteOptions{.order = 2}), "");
   EXPECT_NE(needs_whole_mesh("x.svg", {}).find(".svg"), std::string::npos);
 }

@@ -40,6 +40,20 @@ Output named_device() {
   return output;
 }
 
+/// With attributes of regions and values at points, which are not read back.
+Output device_with_values() {
+  Output output = named_device();
+  std::vector<double> by_region, by_vertex;
+  for (std::size_t r = 0; r < output.table.regions.size(); ++r)
+    by_region.push_back(static_cast<double>(r % 3));
+  for (std::size_t v = 0; v < output.mesh.vertices(); ++v)
+    by_vertex.push_back(1e15 / (1 + static_cast<double>(v)));
+  output.table.attributes = {{"N\xc3\xa4he & \"use\"", true, {"W\xc3\xa4lder", "b"}, by_region},
+                             {"height", false, {}, by_region}};
+  output.fields = {{"Net/1e17", by_vertex}};
+  return output;
+}
+
 template <class Reader>
 vtkSmartPointer<vtkUnstructuredGrid> grid_of(const std::string& path) {
   vtkNew<Reader> reader;
@@ -50,7 +64,7 @@ vtkSmartPointer<vtkUnstructuredGrid> grid_of(const std::string& path) {
 
 TEST(WriteVtkHdf, VtkReadsWhatItReadsFromVtu) {
   const testing::TemporaryFolder folder;
-  const Output output = named_device();
+  const Output output = device_with_values();
   for (const int order : {1, 2}) {
     SCOPED_TRACE(order);
     const std::string hdf = folder.path() / "x.vtkhdf", vtu = folder.path() / "x.vtu";
@@ -73,6 +87,26 @@ TEST(WriteVtkHdf, VtkReadsWhatItReadsFromVtu) {
       for (vtkIdType k = 0; k < of_a->GetNumberOfIds(); ++k)
         EXPECT_EQ(of_a->GetId(k), of_b->GetId(k));
     }
+    ASSERT_EQ(a->GetPointData()->GetNumberOfArrays(), 1);
+    vtkDataArray* const doping = a->GetPointData()->GetArray("Net_1e17");
+    vtkDataArray* const in_vtu = b->GetPointData()->GetArray("Net_1e17");
+    ASSERT_TRUE(doping && in_vtu);
+    for (vtkIdType p = 0; p < a->GetNumberOfPoints(); ++p)
+      EXPECT_EQ(doping->GetTuple1(p), in_vtu->GetTuple1(p));
+    for (std::size_t v = 0; v < output.mesh.vertices(); ++v)
+      EXPECT_EQ(doping->GetTuple1(static_cast<vtkIdType>(v)), output.fields[0].values[v]);
+    vtkDataArray* const regions = b->GetCellData()->GetArray("RegionId");
+    for (const char* name : {"N\xc3\xa4he & _use_", "height"}) {
+      vtkDataArray* const kept = b->GetCellData()->GetArray(name);
+      ASSERT_NE(kept, nullptr) << name;
+      for (vtkIdType c = 0; c < b->GetNumberOfCells(); ++c)
+        EXPECT_EQ(kept->GetTuple1(c), static_cast<int>(regions->GetTuple1(c) - 1) % 3);
+    }
+    auto* const words = vtkStringArray::SafeDownCast(
+        a->GetFieldData()->GetAbstractArray("N\xc3\xa4he & _use__names"));
+    ASSERT_NE(words, nullptr);
+    ASSERT_EQ(words->GetNumberOfValues(), 2);
+    EXPECT_EQ(words->GetValue(0), "W\xc3\xa4lder");
     ASSERT_EQ(a->GetCellData()->GetNumberOfArrays(), b->GetCellData()->GetNumberOfArrays());
     for (int k = 0; k < b->GetCellData()->GetNumberOfArrays(); ++k) {
       vtkDataArray* const from_vtu = b->GetCellData()->GetArray(k);

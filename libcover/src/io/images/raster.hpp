@@ -12,8 +12,9 @@
 
 namespace cover {
 
-/// A pixel without anything: fully transparent.
-inline constexpr std::uint64_t kNoPixel = ~std::uint64_t{0};
+/// A pixel without anything: fully transparent. No colour is this, nor a number that anyone takes for
+/// a label; -1 is one.
+inline constexpr std::uint64_t kNoPixel = std::uint64_t{1} << 63U;
 
 /// A number for each pixel: a grey value or label; or a colour, 16 bits for each of red, green, blue.
 struct Raster {

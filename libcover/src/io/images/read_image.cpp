@@ -120,11 +120,16 @@ Result<Input> parse_image(std::string_view data, std::string_view extension,
                  fmt::format("{}: no reader for pictures named '*{}'", source, extension),
                  {},
                  {}};
-  const Result<Legend> legend = parse_legend(options);
-  if (!legend) return legend.error();
   const Result<Raster> raster = format->decode(data, source);
   if (!raster) return raster.error();
-  const LabelImage image = labelled(*raster, *legend);
+  return input_of(*raster, source, options);
+}
+
+Result<Input> input_of(const Raster& raster, const std::string& source,
+                       const ImageOptions& options) {
+  const Result<Legend> legend = parse_legend(options);
+  if (!legend) return legend.error();
+  const LabelImage image = labelled(raster, *legend);
   Result<ImageBorders> borders = borders_of(image, options.smooth, source);
   if (!borders) return std::move(borders).error();
   Input input;
@@ -134,8 +139,8 @@ Result<Input> parse_image(std::string_view data, std::string_view extension,
   for (InputPolygon& polygon : input.polygons) {
     for (std::vector<Point>& ring : polygon.rings)
       for (Point& p : ring)
-        p = {raster->corner.x + p.x * raster->pixel_width,
-             raster->corner.y + p.y * raster->pixel_height};
+        p = {raster.corner.x + p.x * raster.pixel_width,
+             raster.corner.y + p.y * raster.pixel_height};
   }
   return input;
 }

@@ -9,6 +9,8 @@
 
 namespace cover {
 
+struct Raster;
+
 /// How a picture is taken.
 struct ImageOptions {
   bool smooth = true;  ///< false: borders are the sides of pixels
@@ -31,5 +33,11 @@ bool is_image(std::string_view extension);
 /// Cost:   O(n log n) in the number of pixels
 Result<Input> parse_image(std::string_view data, std::string_view extension,
                           const std::string& source, const ImageOptions& options = {});
+
+/// The same of pixels that are known already.
+///
+/// Errors: syntax, of the legend; unsupported_format
+Result<Input> input_of(const Raster& raster, const std::string& source,
+                       const ImageOptions& options = {});
 
 }  // namespace cover

@@ -7,11 +7,14 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <cover/input.hpp>
 #include <cover/result.hpp>
 
 namespace cover {
+
+struct ImageOptions;
 
 /// Triangle's .poly; where it has no points they are in the .node beside `source`.
 Result<Input> parse_poly(std::string_view text, const std::string& source);
@@ -20,7 +23,8 @@ Result<Input> parse_poly(std::string_view text, const std::string& source);
 Result<Input> parse_json(std::string_view text, const std::string& source);
 
 /// GeoJSON: areas, and lines as contacts; properties material, name and priority.
-Result<Input> parse_geojson(std::string_view text, const std::string& source);
+Result<Input> parse_geojson(std::string_view text, const std::string& source,
+                            const std::vector<std::string>& keep_fields = {});
 
 /// gmsh's .msh 2.2 and 4.1, ASCII or binary: the borders of physical surfaces, and physical curves.
 Result<Input> parse_msh(std::string_view text, const std::string& source);
@@ -37,6 +41,6 @@ Result<Input> parse_sde(std::string_view text, const std::string& source);
 
 /// A plane mesh in a file of VTK's, named by its extension: see read_vtk_input().
 Result<Input> parse_vtk_input(std::string_view text, std::string_view extension,
-                              const std::string& source);
+                              const std::string& source, const ImageOptions* image = nullptr);
 
 }  // namespace cover

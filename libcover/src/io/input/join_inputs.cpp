@@ -2,8 +2,12 @@
 #include <cover/join_inputs.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <limits>
+#include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include <fmt/core.h>
@@ -46,6 +50,64 @@ void shift(std::vector<std::uint32_t>& circles, std::uint32_t by) {
   for (std::uint32_t& circle : circles) circle = circle == 0 ? 0 : circle + by;
 }
 
+double nothing_of(const Attribute& attribute) {
+  return attribute.is_text ? 0 : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// The number of a word, which `attribute` and its `known` words get if it is new.
+double number_of(const std::string& word, Attribute& attribute,
+                 std::unordered_map<std::string, std::size_t>& known) {
+  const auto [entry, is_new] = known.emplace(word, known.size() + 1);
+  if (is_new) attribute.words.push_back(word);
+  return static_cast<double>(entry->second);
+}
+
+/// A column of numbers as the words that a reader would write for them in a column of text.
+Attribute as_text(Attribute numbers) {
+  if (numbers.is_text) return numbers;
+  numbers.is_text = true;
+  std::unordered_map<std::string, std::size_t> known;
+  for (double& value : numbers.values)
+    value = std::isnan(value) ? 0 : number_of(fmt::format("{}", value), numbers, known);
+  return numbers;
+}
+
+/// The rows of `more` behind those of `all`.
+void append_rows(Attribute& all, Attribute more) {
+  if (all.is_text != more.is_text) {
+    all = as_text(std::move(all));
+    more = as_text(std::move(more));
+  }
+  if (all.is_text) {
+    std::unordered_map<std::string, std::size_t> known;
+    for (const std::string& word : all.words) known.emplace(word, known.size() + 1);
+    std::vector<double> numbers{0};
+    for (const std::string& word : more.words) numbers.push_back(number_of(word, all, known));
+    for (double& value : more.values) value = numbers[static_cast<std::size_t>(value)];
+  }
+  append(all.values, std::move(more.values));
+}
+
+/// One table: columns of one name are one.
+void join_attributes(Input& all, Input& more) {
+  if (more.attributes.empty()) return;
+  const std::size_t before = all.attributes.empty() ? 0 : all.attributes.front().values.size();
+  const std::size_t rows = before + more.attributes.front().values.size();
+  for (InputPolygon& polygon : more.polygons)
+    if (polygon.feature != 0) polygon.feature += static_cast<std::uint32_t>(before);
+  for (Attribute& attribute : more.attributes) {
+    const auto same = std::find_if(all.attributes.begin(), all.attributes.end(),
+                                   [&](const Attribute& a) { return a.name == attribute.name; });
+    if (same != all.attributes.end()) {
+      append_rows(*same, std::move(attribute));
+    } else {
+      attribute.values.insert(attribute.values.begin(), before, nothing_of(attribute));
+      all.attributes.push_back(std::move(attribute));
+    }
+  }
+  for (Attribute& attribute : all.attributes) attribute.values.resize(rows, nothing_of(attribute));
+}
+
 Status join(Input& all, Input more, std::size_t file) {
   if (all.unit != more.unit || all.scale != more.scale)
     return differ(all, more, "their units of length are not the same");
@@ -74,6 +136,7 @@ Status join(Input& all, Input more, std::size_t file) {
       polygon.material = fmt::format("{}:{}", file, polygon.material);
   }
   for (InputLine& line : more.lines) shift(line.circles, circles);
+  join_attributes(all, more);
   append(all.circles, std::move(more.circles));
   append(all.segments, std::move(more.segments));
   append(all.holes, std::move(more.holes));

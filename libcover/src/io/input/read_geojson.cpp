@@ -1,8 +1,9 @@
 // GeoJSON (RFC 7946): each Polygon and MultiPolygon a painted area, each LineString a named line.
 //
 // Properties: `material` (else `name`, else the feature is a material of its own), `name` (of the
-// region or line), `priority`, `size` (the wished edge length inside). Coordinates are taken as they are, plane, heights left out; so are
-// points and whatever else a file carries, which the RFC allows. Tested by read_geojson_test.cpp.
+// region or line), `priority`, `size` (the wished edge length inside); those that are to be kept
+// become attributes. Coordinates are taken as they are, plane, heights left out; so are points and
+// whatever else a file carries, which the RFC allows. Tested by read_geojson_test.cpp.
 #include "io/input/read_geojson.hpp"
 
 #include <fmt/core.h>
@@ -11,6 +12,7 @@
 
 #include <cover/text.hpp>
 
+#include "io/input/attribute_table.hpp"
 #include "io/input/formats.hpp"
 
 namespace cover {
@@ -18,8 +20,9 @@ namespace {
 
 class GeoReader {
  public:
-  GeoReader(const Json& document, const std::string& source)
-      : document_(document), json_(document, source) {
+  GeoReader(const Json& document, const std::string& source,
+            const std::vector<std::string>& keep_fields)
+      : document_(document), json_(document, source), attributes_(keep_fields) {
     input_.source = source;
   }
 
@@ -70,6 +73,8 @@ class GeoReader {
       input_.warnings.push_back(
           fmt::format("the property 'size' of {} is no length above 0: left out",
                       counted(no_sizes_, "feature")));
+    if (auto missing = missing_attribute()) return *std::move(missing);
+    input_.attributes = attributes_.attributes();
     return std::move(input_);
   }
 
@@ -79,6 +84,7 @@ class GeoReader {
     std::string name;
     std::optional<double> priority;
     std::optional<double> size;
+    std::uint32_t feature = 0;  ///< as InputPolygon has it
   };
 
   void push(const Json& object, const Properties& properties) {
@@ -129,7 +135,37 @@ class GeoReader {
     }
     if (own.material.empty())
       own.material = own.name.empty() ? fmt::format("feature_{}", number) : own.name;
+    own.feature = attributes_.add_feature();
+    for (std::size_t k = 0; k < attributes_.names().size(); ++k)
+      attributes_.set(k, read_attribute(feature, attributes_.names()[k], number));
     return own;
+  }
+
+  /// A property as it is; for `fid`, where none is called so, the feature's id or its place.
+  static AttributeValue read_attribute(const Json& feature, const std::string& name, long number) {
+    const Json* properties = JsonReader::member(feature, "properties");
+    const Json* value = properties ? JsonReader::member(*properties, name) : nullptr;
+    if (!value && name == kFeatureId) {
+      value = JsonReader::member(feature, "id");
+      if (!value) return static_cast<double>(number);
+    }
+    if (!value) return {};
+    if (value->is_number()) return value->get<double>();
+    if (value->is_string()) return value->get<std::string>();
+    return value->dump(-1, ' ', false, Json::error_handler_t::replace);
+  }
+
+  /// An attribute that is to be kept and that no feature has.
+  [[nodiscard]] std::optional<Error> missing_attribute() const {
+    for (std::size_t k = 0; k < attributes_.names().size(); ++k) {
+      if (!attributes_.is_empty(k)) continue;
+      return Error{ErrorCode::bad_option,
+                   fmt::format("{}: keep_field: no feature has the property '{}'", input_.source,
+                               attributes_.names()[k]),
+                   {},
+                   {}};
+    }
+    return std::nullopt;
   }
 
   /// A length; whatever else a table calls so is left out.
@@ -163,6 +199,7 @@ class GeoReader {
     polygon.region = properties.name;
     polygon.priority = properties.priority;
     polygon.size = properties.size;
+    polygon.feature = properties.feature;
     polygon.id = static_cast<long>(input_.polygons.size());
     input_.polygons.push_back(std::move(polygon));
   }
@@ -182,6 +219,7 @@ class GeoReader {
   long features_ = 0;
   std::size_t points_ = 0;
   std::size_t no_sizes_ = 0;
+  AttributeTable attributes_;
 };
 
 }  // namespace
@@ -191,22 +229,26 @@ bool is_geojson(const Json& document) {
   return type && type->is_string();
 }
 
-Result<Input> read_geojson(const Json& document, const std::string& source) {
-  return GeoReader(document, source).read();
+Result<Input> read_geojson(const Json& document, const std::string& source,
+                           const std::vector<std::string>& keep_fields) {
+  return GeoReader(document, source, keep_fields).read();
 }
 
-std::optional<Input> read_geojson(const SplitJson& split, const std::string& source) {
+std::optional<Input> read_geojson(const SplitJson& split, const std::string& source,
+                                  const std::vector<std::string>& keep_fields) {
   const Result<JsonDocument> rest = parse_json_text(split.rest, source);
-  return rest ? GeoReader(rest->root(), source).read(split.elements) : std::nullopt;
+  return rest ? GeoReader(rest->root(), source, keep_fields).read(split.elements) : std::nullopt;
 }
 
-Result<Input> parse_geojson(std::string_view text, const std::string& source) {
+Result<Input> parse_geojson(std::string_view text, const std::string& source,
+                            const std::vector<std::string>& keep_fields) {
   if (const auto split = split_json(text, {"features"})) {
-    if (std::optional<Input> input = read_geojson(*split, source)) return *std::move(input);
+    if (std::optional<Input> input = read_geojson(*split, source, keep_fields))
+      return *std::move(input);
   }
   const Result<JsonDocument> document = parse_json_text(text, source);
   if (!document) return document.error();
-  return read_geojson(document->root(), source);
+  return read_geojson(document->root(), source, keep_fields);
 }
 
 }  // namespace cover

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <cover/input.hpp>
 
@@ -14,10 +15,12 @@ namespace cover {
 bool is_geojson(const Json& document);
 
 /// Reads a parsed document; else as parse_geojson.
-Result<Input> read_geojson(const Json& document, const std::string& source);
+Result<Input> read_geojson(const Json& document, const std::string& source,
+                           const std::vector<std::string>& keep_fields = {});
 
 /// The same of a document without its features, and these, so that there is one tree at a time;
 /// nothing where something is wrong: then the whole document tells.
-std::optional<Input> read_geojson(const SplitJson& split, const std::string& source);
+std::optional<Input> read_geojson(const SplitJson& split, const std::string& source,
+                                  const std::vector<std::string>& keep_fields = {});
 
 }  // namespace cover

@@ -25,9 +25,9 @@ struct Format {
 };
 
 constexpr std::array kFormats{
-    Format{".poly", parse_poly}, Format{".json", parse_json}, Format{".geojson", parse_geojson},
-    Format{".msh", parse_msh},   Format{".tif", parse_tif},   Format{".str", parse_suprem},
-    Format{".cmd", parse_sde},   Format{".scm", parse_sde},
+    Format{".poly", parse_poly}, Format{".json", parse_json},  Format{".msh", parse_msh},
+    Format{".tif", parse_tif},   Format{".str", parse_suprem}, Format{".cmd", parse_sde},
+    Format{".scm", parse_sde},
 };
 
 /// Formats that others turn into one that is read here, and how.
@@ -51,7 +51,9 @@ constexpr std::array kOtherFormats{
                 "'gmsh -2 FILE.geo -o FILE.msh' makes a file that can be read"},
     OtherFormat{".oas",
                 "OASIS is not read; KLayout's 'strm2gds FILE.oas FILE.gds' makes a file "
-                "that can be read"},
+                "that can be read; where there is KLayout's program alone, as in Debian, "
+                "'klayout -b -r c.rb' does, with \"l = RBA::Layout::new; l.read('FILE.oas'); "
+                "l.write('FILE.gds')\" in c.rb"},
     OtherFormat{".dxf",
                 ".dxf is read by dxflib, without which this was built; "
                 "'ogr2ogr -f GeoJSON FILE.geojson FILE.dxf' makes a file that can be read, "
@@ -66,10 +68,10 @@ Error unknown_format(std::string_view extension, const std::string& source) {
   std::string known;
   for (const Format& format : kFormats) known += fmt::format("{}, ", format.extension);
   return {ErrorCode::unsupported_format,
-          fmt::format(
-              "{}: no reader for files named '*{}'; known: {}.gds, .vtu, .vtp, .vti, .vtk, .png, "
-              ".bmp, .tiff, .nrrd, .mha",
-              source, extension, known),
+          fmt::format("{}: no reader for files named '*{}'; known: {}.geojson, .gds, .vtu, .vtp, "
+                      ".vti, .vtk, .png, "
+                      ".bmp, .tiff, .nrrd, .mha",
+                      source, extension, known),
           {},
           {}};
 }
@@ -80,15 +82,28 @@ bool is_for_gdal(const ReadOptions& o) {
          !o.name_field.empty() || !o.priority_field.empty();
 }
 
-Result<Input> parse_picture(std::string_view data, const std::string& extension,
-                            const std::string& source, const ReadOptions& options) {
+Result<ImageOptions> image_options(const ReadOptions& options) {
   ImageOptions image{options.smooth, {}, options.legend};
   if (!options.legend.empty()) {
     Result<std::string> legend = read_file(options.legend);
     if (!legend) return std::move(legend).error();
     image.legend = *std::move(legend);
   }
-  return parse_image(data, extension, source, image);
+  return image;
+}
+
+Result<Input> parse_picture(std::string_view data, const std::string& extension,
+                            const std::string& source, const ReadOptions& options) {
+  const Result<ImageOptions> image = image_options(options);
+  return image ? parse_image(data, extension, source, *image) : Result<Input>(image.error());
+}
+
+/// Without smoothing and a legend, what read_vtk_input() makes of it.
+Result<Input> parse_vtk(std::string_view text, const std::string& extension,
+                        const std::string& source, const ReadOptions& options) {
+  if (!options.smooth && options.legend.empty()) return parse_vtk_input(text, extension, source);
+  const Result<ImageOptions> image = image_options(options);
+  return image ? parse_vtk_input(text, extension, source, &*image) : Result<Input>(image.error());
 }
 
 Result<Input> parse_format(std::string_view text, const std::string& extension,
@@ -103,9 +118,10 @@ Result<Input> parse_format(std::string_view text, const std::string& extension,
   // TCAD's TIF has the extension of a picture.
   if (is_image(extension) && (extension != ".tif" || is_tiff(text)))
     return parse_picture(text, extension, source, options);
+  if (extension == ".geojson") return parse_geojson(text, source, options.keep_fields);
   for (const Format& format : kFormats)
     if (format.extension == extension) return format.parse(text, source);
-  if (is_data_set(extension)) return parse_vtk_input(text, extension, source);
+  if (is_data_set(extension)) return parse_vtk(text, extension, source, options);
   if (is_layout(extension)) return parse_gds(text, source, options);
   return unknown_format(extension, source);
 }

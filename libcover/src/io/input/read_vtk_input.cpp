@@ -16,6 +16,8 @@
 
 #include "base/out_of_memory.hpp"
 #include "geom/mesh_borders.hpp"
+#include "io/images/raster.hpp"
+#include "io/images/read_image.hpp"
 #include "io/input/formats.hpp"
 #include "io/text/text.hpp"
 #include "io/vtk_files/read_data_set.hpp"
@@ -86,6 +88,26 @@ class Converter {
     material_ = first_of(arrays_, kMaterialArrays);
     if (!material_) material_ = only_array(arrays_);
     line_ = first_of(arrays_, kLineArrays);
+  }
+
+  /// The cells as pixels of a picture, where they are pixels and have materials.
+  [[nodiscard]] std::optional<Raster> picture() const {
+    const std::optional<DataSet::Pixels> pixels = data_.pixels();
+    if (!pixels || !material_) return std::nullopt;
+    const double width = pixels->last[0] - pixels->first[0],
+                 height = pixels->last[1] - pixels->first[1];
+    if (!std::isfinite(width) || !std::isfinite(height) || width == 0 || height == 0)
+      return std::nullopt;
+    Raster raster;
+    raster.width = pixels->width;
+    raster.height = pixels->height;
+    raster.is_signed = true;
+    raster.corner = {pixels->first[0], pixels->first[1]};
+    raster.pixel_width = width / static_cast<double>(raster.width);
+    raster.pixel_height = height / static_cast<double>(raster.height);
+    for (const int label : *material_)
+      raster.pixels.push_back(static_cast<std::uint64_t>(std::int64_t{label}));
+    return raster;
   }
 
   Result<CellMesh> convert() {
@@ -211,10 +233,15 @@ class Converter {
 bool is_vtk_input(const std::string& path) { return is_data_set(extension_of(path)); }
 
 Result<Input> parse_vtk_input(std::string_view text, std::string_view extension,
-                              const std::string& source) {
+                              const std::string& source, const ImageOptions* image) {
   const Result<DataSet> data = parse_data_set(text, extension, source);
   if (!data) return data.error();
-  Result<CellMesh> mesh = Converter(*data, source).convert();
+  Converter converter(*data, source);
+  if (image != nullptr) {
+    if (const std::optional<Raster> picture = converter.picture())
+      return input_of(*picture, source, *image);
+  }
+  Result<CellMesh> mesh = converter.convert();
   if (!mesh) return std::move(mesh).error();
   return borders_of(*mesh);
 }

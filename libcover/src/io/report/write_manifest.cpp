@@ -20,6 +20,10 @@
 //                    "edges": [[a, b], ...] with the left region on the left,
 //                    "markers": [of the input, by edge] where there are any,
 //                    "groups": [tags, by edge] instead of "group" where they differ } ],
+//     "attributes": [ { "name": of the array in .vtu, .vtm, .vtkhdf and .msh, "original" if it is not
+//                       that, "words": of text, what the numbers of the array mean, from 1 on,
+//                       "values": [by region; null: none] } ] where there are any,
+//     "fields": [ { "name": of the array at points, "original" } ] where there are any,
 //     "periodic": [ { "from", "to": names, "map": "translation", "rotation" or "mirror",
 //                     "matrix": [[xx, xy, x0], [yx, yy, y0]], which takes "from" to "to",
 //                     "centre", "angle": of a rotation,
@@ -91,6 +95,8 @@ class ManifestWriter {
     list("line_groups", groups(view_.line_groups));
     list("regions", regions());
     list("lines", lines());
+    if (!view_.attributes.empty()) list("attributes", attributes());
+    if (!view_.fields.empty()) list("fields", fields());
     if (!output_.periodic.empty()) list("periodic", periodic());
     if (!output_.pslg.circles.empty()) list("arcs", arcs());
     list("warnings", warnings(), true);
@@ -220,6 +226,36 @@ class ManifestWriter {
       marked |= view_.marker[l] != 0;
     }
     return marked ? list : Json::array();
+  }
+
+  static Json named(const std::string& name, const std::string& original) {
+    Json json{{"name", name}};
+    if (original != name) json["original"] = original;
+    return json;
+  }
+
+  [[nodiscard]] std::vector<Json> attributes() const {
+    std::vector<Json> list;
+    for (std::size_t k = 0; k < view_.attributes.size(); ++k) {
+      const Attribute& attribute = view_.attributes[k];
+      Json json = named(attribute.name, output_.table.attributes[k].name);
+      if (attribute.is_text) json["words"] = attribute.words;
+      Json values = Json::array();
+      for (const double value : attribute.values)
+        values.push_back(!attribute.is_text ? Json(value)
+                         : value == 0       ? Json()
+                                      : Json(attribute.words[static_cast<std::size_t>(value) - 1]));
+      json["values"] = std::move(values);
+      list.push_back(std::move(json));
+    }
+    return list;
+  }
+
+  [[nodiscard]] std::vector<Json> fields() const {
+    std::vector<Json> list;
+    for (std::size_t k = 0; k < view_.fields.size(); ++k)
+      list.push_back(named(view_.fields[k].name, output_.fields[k].name));
+    return list;
   }
 
   [[nodiscard]] std::vector<Json> periodic() const {

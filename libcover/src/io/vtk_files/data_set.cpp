@@ -163,6 +163,13 @@ void DataSet::set_lattice(const std::array<std::size_t, 3>& dimensions,
   axes_ = std::move(axes);
 }
 
+std::optional<DataSet::Pixels> DataSet::pixels() const {
+  if (!is_even_ || !types_.empty() || lattice_type_ != cell_type::kPixel || dimensions_[2] != 1)
+    return std::nullopt;
+  return Pixels{dimensions_[0] - 1, dimensions_[1] - 1, lattice_point(0),
+                lattice_point(lattice_points() - 1)};
+}
+
 DataSet::Coordinates DataSet::lattice_point(std::size_t p) const {
   const std::size_t row = p / dimensions_[0];
   return {axes_[0][p % dimensions_[0]], axes_[1][row % dimensions_[1]],

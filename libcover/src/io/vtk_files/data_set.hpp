@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,6 +35,14 @@ class DataSet {
   std::vector<NumberArray> point_arrays;
   std::vector<NumberArray> cell_arrays;
   std::size_t cut_vertices = 0;  ///< as MeshFile::cut_vertices
+
+  /// A lattice of equal pixels: their number along x and y, and two opposite corners.
+  struct Pixels {
+    std::size_t width;
+    std::size_t height;
+    Coordinates first;
+    Coordinates last;
+  };
 
   [[nodiscard]] std::size_t point_count() const {
     return points_.empty() ? lattice_points() : points_.size();
@@ -70,6 +79,11 @@ class DataSet {
   /// REQUIRES: check_lattice(dimensions); no cells; as many places or points as `dimensions` says
   void set_lattice(const std::array<std::size_t, 3>& dimensions,
                    std::array<std::vector<double>, 3> axes);
+  /// Says that the places on each axis of the lattice are equally far from each other.
+  void set_even() { is_even_ = true; }
+  /// The cells as pixels, in the order of their rows, where the data set is an even lattice in a plane
+  /// z = constant and nothing else.
+  [[nodiscard]] std::optional<Pixels> pixels() const;
 
  private:
   [[nodiscard]] std::size_t lattice_points() const {
@@ -87,6 +101,7 @@ class DataSet {
   std::array<std::vector<double>, 3> axes_;
   std::size_t lattice_cells_ = 0;
   int lattice_type_ = cell_type::kEmpty;
+  bool is_even_ = false;
 };
 
 /// Whether a lattice has points, and no more than a file of so many bytes can have numbers for.

@@ -125,7 +125,7 @@ std::optional<std::size_t> as_index(T number, std::size_t end) {
   } else if constexpr (std::is_signed_v<T>) {
     if (number < 0) return {};
   }
-  const auto index = static_cast<std::size_t>(number);
+  const auto index = static_cast<std::size_t>(number);  // NOLINT(bugprone-signed-char-misuse)
   if (index >= end || static_cast<T>(index) != number) return {};
   return index;
 }

@@ -623,6 +623,7 @@ class LegacyParser {
     if (kind_ != "structured_grid" && data_.point_count() > 0)
       return Error{ErrorCode::syntax, "POINTS in a regular grid", {}, {}};
     data_.set_lattice(dimensions_, std::move(axes_));
+    if (kind_ == "structured_points") data_.set_even();
     return ok();
   }
 

@@ -217,6 +217,7 @@ class XmlDataSetParser {
         axes[k].push_back((*origin)[k] +
                           (*spacing)[k] * ((*extent)[2 * k] + static_cast<double>(i)));
     data_.set_lattice(dimensions, std::move(axes));
+    data_.set_even();
     return ok();
   }
 

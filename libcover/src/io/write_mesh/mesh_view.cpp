@@ -19,6 +19,21 @@ namespace {
 using Edge = TriMesh::EdgeHandle;
 using Halfedge = TriMesh::HalfedgeHandle;
 
+/// Arrays of our own, with which no name of the input may collide.
+constexpr const char* kOwnArrays[] = {
+    "material",     "MaterialID",   "max_angle",    "mat_id",   "RegionId", "min_angle",
+    "LineID",       "LeftRegion",   "RightRegion",  "LineKind", "marker",   "GlobalNodeId",
+    "PeriodicNode", "vtkGhostType", "GlobalCellId", "Owner"};
+
+/// Names for arrays of the input.
+std::vector<std::string> array_names(std::vector<std::string> names) {
+  for (std::string& name : names) std::replace(name.begin(), name.end(), '/', '_');
+  names.insert(names.begin(), std::begin(kOwnArrays), std::end(kOwnArrays));
+  names = unique_legible_names(names);
+  names.erase(names.begin(), names.begin() + std::size(kOwnArrays));
+  return names;
+}
+
 /// Groups in the order in which their keys come up.
 template <class Key>
 class Grouping {
@@ -174,6 +189,7 @@ class Viewer {
     add_triangles();
     add_lines(table_, all_lines(), options_, view_);
     if (!periodic_.empty()) add_periodic();
+    add_arrays();
     return std::move(view_);
   }
 
@@ -274,6 +290,30 @@ class Viewer {
     view_.periodic_node = periodic_classes(all, view_.points.size());
   }
 
+  void add_arrays() {
+    view_.attributes = table_.attributes;
+    view_.fields = output_.fields;
+    std::vector<std::string> names;
+    for (const Attribute& attribute : view_.attributes) names.push_back(attribute.name);
+    for (const PlaneField::Array& field : view_.fields) names.push_back(field.name);
+    names = array_names(std::move(names));
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      const std::size_t n = view_.attributes.size();
+      (k < n ? view_.attributes[k].name : view_.fields[k - n].name) = names[k];
+    }
+    if (options_.order != 2) return;
+    for (PlaneField::Array& field : view_.fields) {
+      for (const Edge e : tri_.edges()) {
+        const Halfedge h = TriMesh::s_halfedge_handle(e, 0);
+        const auto value = [&](TriMesh::VertexHandle v) {
+          return field.values[static_cast<std::size_t>(v.idx())];
+        };
+        field.values.push_back(value(tri_.from_vertex_handle(h)) / 2 +
+                               value(tri_.to_vertex_handle(h)) / 2);
+      }
+    }
+  }
+
   const Output& output_;
   const Mesh& mesh_;
   const TriMesh& tri_;
@@ -307,6 +347,8 @@ MeshView view_of_lines(const RegionTable& table, std::vector<LineEdge> lines,
   add_lines(table, std::move(lines), options, view);
   return view;
 }
+
+std::string words_name(const Attribute& attribute) { return attribute.name + "_names"; }
 
 std::vector<std::string> abaqus_names(const std::vector<Group>& groups) {
   std::vector<std::string> names;

@@ -9,9 +9,9 @@
 
 namespace cover {
 
-/// Writes what write_msh() promises. Of `view` only groups, lines and periodic sides are looked at;
-/// `interfaces` is the number of interfaces, `version` 2.2 or 4.1.
-void write_msh_text(const MeshView& view, const CellSource& cells, std::size_t interfaces,
+/// Writes what write_msh() promises. Of `view` only groups, lines, periodic sides, attributes and
+/// fields are looked at; `version` is 2.2 or 4.1.
+void write_msh_text(const MeshView& view, const CellSource& cells, const RegionTable& table,
                     const std::string& version, TextWriter& out);
 
 }  // namespace cover

@@ -19,7 +19,7 @@ std::string vtu_attributes(const VtuArray& array) {
                      : array.type == NumberType::int32 ? "Int32"
                      : array.type == NumberType::int64 ? "Int64"
                                                        : "UInt8";
-  std::string text = fmt::format("type=\"{}\" Name=\"{}\"", type, array.name);
+  std::string text = fmt::format("type=\"{}\" Name=\"{}\"", type, escaped_markup(array.name));
   if (array.components > 1) text += fmt::format(" NumberOfComponents=\"{}\"", array.components);
   return text + array.more;
 }

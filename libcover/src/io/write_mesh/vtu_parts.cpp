@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <numeric>
 
 #include "geom/vector.hpp"
 
@@ -74,6 +75,48 @@ void add_periodic_nodes(const MeshView& view, std::size_t points, Number number,
       [&view, number](std::size_t p) { return view.periodic_node[number(p)]; }));
 }
 
+/// Values that came with the input; `number(p)` is the number of a point in the whole mesh.
+template <class Number>
+void add_fields(const MeshView& view, std::size_t points, Number number, VtuGrid& grid) {
+  for (const PlaneField::Array& field : view.fields)
+    grid.point_data.push_back(vtu_array<double>(
+        field.name, points, [&field, number](std::size_t p) { return field.values[number(p)]; }));
+}
+
+/// What meshio would take for an array: see make_readable_by_meshio().
+bool is_found_twice(const VtuGrid& grid) {
+  std::vector<const VtuArray*> arrays;
+  for (const auto* part : {&grid.point_data, &grid.cell_data})
+    for (const VtuArray& array : *part) arrays.push_back(&array);
+  arrays.push_back(&grid.coordinates);
+  for (const VtuArray& array : grid.connectivity) arrays.push_back(&array);
+  std::uint64_t offset = 0, in_base64 = 0;
+  std::vector<std::uint64_t> replaced;
+  for (const VtuArray* array : arrays) {
+    if (std::find(replaced.begin(), replaced.end(), offset) != replaced.end()) return true;
+    replaced.push_back(in_base64);
+    const std::uint64_t size = sizeof array->bytes + array->bytes;
+    offset += size;
+    in_base64 += (size + 2) / 3 * 4;
+  }
+  return false;
+}
+
+/// Puts arrays of cells behind the first one into an order that meshio can read. It replaces the
+/// offset of each appended array by a larger one, that in base64, and then takes the first array that
+/// has the next offset it looks for: with four arrays of integers in front, every third mesh came out
+/// wrong or not at all. Ours alone are in such an order.
+void make_readable_by_meshio(VtuGrid& grid) {
+  constexpr int kMostTries = 200;
+  std::vector<std::size_t> order(grid.cell_data.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const std::vector<VtuArray> arrays = grid.cell_data;
+  for (int tries = 0; tries < kMostTries && is_found_twice(grid); ++tries) {
+    if (!std::next_permutation(order.begin() + 1, order.end())) return;
+    for (std::size_t k = 0; k < order.size(); ++k) grid.cell_data[k] = arrays[order[k]];
+  }
+}
+
 /// Some cells on points of their own: those of the cells, in the order of their numbers in the
 /// whole mesh.
 struct Part {
@@ -102,6 +145,8 @@ struct Part {
     out.point_data.push_back(std::move(ids));
     add_periodic_nodes(
         view, numbers.size(), [this](std::size_t p) { return numbers[p]; }, out);
+    add_fields(
+        view, numbers.size(), [this](std::size_t p) { return numbers[p]; }, out);
     add_cells(
         cells, type, numbers.size(),
         [this, &view](std::size_t p) { return view.points[numbers[p]]; }, out);
@@ -118,12 +163,8 @@ std::array<double, 2> extreme_angles(const MeshView& view, std::size_t triangle)
   return extreme_degrees(view.points[corners[0]], view.points[corners[1]], view.points[corners[2]]);
 }
 
-/// The arrays of triangles. Several names for one thing: every solver looks for its own, some only
-/// for the first array.
-///
-/// Their order is one that meshio can read. It replaces the offset of each appended array by a
-/// larger one, 4/3 of it, and then takes the first array that has the next offset it looks for:
-/// with four arrays of integers in front, every third mesh came out wrong or not at all.
+/// The arrays of triangles, in an order that meshio can read: see make_readable_by_meshio(). Several
+/// names for one thing: every solver looks for its own, some only for the first array.
 void add_triangle_arrays(const TriangleArrays& arrays, VtuGrid& grid) {
   const auto add = [&]<class T>(T, const char* name, const ArrayWriter& write) {
     grid.cell_data.push_back({number_type<T>(), name, 1, {}, arrays.triangles * sizeof(T), write});
@@ -137,7 +178,8 @@ void add_triangle_arrays(const TriangleArrays& arrays, VtuGrid& grid) {
   add(double{}, "min_angle", arrays.smallest);
 }
 
-/// Those of the triangles number(0), ..., number(triangles - 1); the grid then refers to `view`.
+/// Those of the triangles number(0), ..., number(triangles - 1), and attributes; the grid then
+/// refers to `view`.
 template <class Number>
 void add_triangle_arrays(const MeshView& view, std::size_t triangles, Number number,
                          VtuGrid& grid) {
@@ -154,6 +196,15 @@ void add_triangle_arrays(const MeshView& view, std::size_t triangles, Number num
       {triangles, each<std::int32_t>(triangles, material), each<std::int32_t>(triangles, region),
        each<double>(triangles, largest), each<double>(triangles, smallest)},
       grid);
+  for (const Attribute& attribute : view.attributes) {
+    const auto value = [&attribute, &view, number](std::size_t k) {
+      return attribute.values[view.region[number(k)].index() - 1];
+    };
+    grid.cell_data.push_back(attribute.is_text
+                                 ? vtu_array<std::int32_t>(attribute.name, triangles, value)
+                                 : vtu_array<double>(attribute.name, triangles, value));
+  }
+  if (!view.attributes.empty() || !view.fields.empty()) make_readable_by_meshio(grid);
 }
 
 }  // namespace
@@ -187,6 +238,8 @@ VtuGrid whole_grid(const MeshView& view) {
       view.triangles, type_of_triangles(view), view.points.size(),
       [&view](std::size_t p) { return view.points[p]; }, grid);
   add_periodic_nodes(
+      view, view.points.size(), [](std::size_t p) { return p; }, grid);
+  add_fields(
       view, view.points.size(), [](std::size_t p) { return p; }, grid);
   add_triangle_arrays(
       view, view.triangles.size(), [](std::size_t k) { return k; }, grid);

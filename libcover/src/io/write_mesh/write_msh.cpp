@@ -8,6 +8,7 @@
 // Tested by tests/unit/io/write_mesh/write_msh_test.cpp and, in the solvers, by tests/solvers.
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -21,8 +22,13 @@ namespace {
 
 class MshWriter {
  public:
-  MshWriter(const MeshView& view, const CellSource& cells, std::size_t interfaces, TextWriter& out)
-      : view_(view), cells_(cells), interfaces_(interfaces), out_(out) {}
+  MshWriter(const MeshView& view, const CellSource& cells, const RegionTable& table,
+            TextWriter& out)
+      : view_(view),
+        cells_(cells),
+        table_(table),
+        interfaces_(table.interfaces.size()),
+        out_(out) {}
 
   void write_2() {
     out_ << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
@@ -35,14 +41,18 @@ class MshWriter {
     });
     out_ << "$EndNodes\n$Elements\n" << view_.lines.size() + cells_.triangles() << '\n';
     const std::vector<std::size_t> curve = curves();
-    for (std::size_t l = 0; l < view_.lines.size(); ++l)
+    for (std::size_t l = 0; l < view_.lines.size(); ++l) {
       element_2(line_type(), view_.group_of_line(l).tag, curve[l], view_.lines[l]);
+      remember(region_of_line(l));
+    }
     cells_.each_triangle([&](RegionId region, std::span<const std::uint32_t> nodes) {
       const Group& group = view_.region_groups[view_.region_group[region.index() - 1]];
       element_2(triangle_type(), group.tag, region.index(), nodes);
+      remember(region);
     });
     out_ << "$EndElements\n";
     periodic(false, [&](std::size_t l) { return curve[l]; });
+    data();
   }
 
   void write_4() {
@@ -66,17 +76,19 @@ class MshWriter {
     for (std::size_t g = 0; g < view_.line_groups.size(); ++g) {
       if (curves[g].empty()) continue;
       block(1, view_.line_groups[g].tag, line_type(), curves[g].size());
-      for (const std::size_t l : curves[g]) element_4(view_.lines[l]);
+      for (const std::size_t l : curves[g]) element_4(region_of_line(l), view_.lines[l]);
     }
     for (std::size_t g = 0; g < view_.region_groups.size(); ++g) {
       if (cells_.triangles(g) == 0) continue;
       block(2, view_.region_groups[g].tag, triangle_type(), cells_.triangles(g));
-      cells_.each_triangle(
-          g, [&](RegionId, std::span<const std::uint32_t> nodes) { element_4(nodes); });
+      cells_.each_triangle(g, [&](RegionId region, std::span<const std::uint32_t> nodes) {
+        element_4(region, nodes);
+      });
     }
     out_ << "$EndElements\n";
     periodic(true,
              [&](std::size_t l) { return static_cast<std::size_t>(view_.group_of_line(l).tag); });
+    data();
   }
 
  private:
@@ -141,9 +153,15 @@ class MshWriter {
     nodes(cell);
   }
 
-  void element_4(std::span<const std::uint32_t> cell) {
+  void element_4(RegionId region, std::span<const std::uint32_t> cell) {
     out_ << ++element_;
     nodes(cell);
+    remember(region);
+  }
+
+  /// The region of the element written last, for data().
+  void remember(RegionId region) {
+    if (!view_.attributes.empty()) region_of_element_.push_back(region);
   }
 
   /// Tag, bounding box, physical group; not what bounds it.
@@ -172,6 +190,38 @@ class MshWriter {
 
   void block(int dimension, int tag, int type, std::size_t cells) {
     out_ << dimension << ' ' << tag << ' ' << type << ' ' << cells << '\n';
+  }
+
+  /// The one on its left; kVoid for a side of the hull.
+  [[nodiscard]] RegionId region_of_line(std::size_t l) const {
+    const InterfaceId interface = view_.interface[l];
+    return interface == kNoInterface ? kVoid : table_.interfaces[interface.index() - 1].left;
+  }
+
+  /// Attributes and fields. Every element has a value, lines those of the region on their left, since
+  /// meshio cannot read data of some elements alone.
+  void data() {
+    constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
+    for (const Attribute& attribute : view_.attributes) {
+      begin_data("Element", attribute.name, region_of_element_.size());
+      for (std::size_t e = 0; e < region_of_element_.size(); ++e) {
+        const RegionId region = region_of_element_[e];
+        out_ << e + 1 << ' ' << (region == kVoid ? kNoValue : attribute.values[region.index() - 1])
+             << '\n';
+      }
+      out_ << "$EndElementData\n";
+    }
+    for (const PlaneField::Array& field : view_.fields) {
+      begin_data("Node", field.name, field.values.size());
+      for (std::size_t p = 0; p < field.values.size(); ++p)
+        out_ << p + 1 << ' ' << field.values[p] << '\n';
+      out_ << "$EndNodeData\n";
+    }
+  }
+
+  /// The time 0, the step 0, one number for each.
+  void begin_data(std::string_view of, const std::string& name, std::size_t count) {
+    out_ << '$' << of << "Data\n1\n\"" << name << "\"\n1\n0\n3\n0\n1\n" << count << '\n';
   }
 
   /// A curve that is the image of another one, with pairs of nodes: its own and that of the other.
@@ -214,9 +264,11 @@ class MshWriter {
 
   const MeshView& view_;
   const CellSource& cells_;
+  const RegionTable& table_;
   std::size_t interfaces_;
   TextWriter& out_;
-  std::size_t element_ = 0;  ///< number of the last element written
+  std::size_t element_ = 0;                  ///< number of the last element written
+  std::vector<RegionId> region_of_element_;  ///< where there are attributes
 };
 
 /// A mesh in memory.
@@ -259,9 +311,9 @@ class ViewCells final : public CellSource {
 
 }  // namespace
 
-void write_msh_text(const MeshView& view, const CellSource& cells, std::size_t interfaces,
+void write_msh_text(const MeshView& view, const CellSource& cells, const RegionTable& table,
                     const std::string& version, TextWriter& out) {
-  MshWriter writer(view, cells, interfaces, out);
+  MshWriter writer(view, cells, table, out);
   if (version == "4.1") {
     writer.write_4();
   } else {
@@ -273,7 +325,7 @@ Status write_msh(const Output& output, const std::string& path, const WriteOptio
   const MeshView view = view_of(output, options);
   return write_text(path, options.stop, [&](TextWriter& out) {
     const ViewCells cells(view, options.msh == "4.1");
-    write_msh_text(view, cells, output.table.interfaces.size(), options.msh, out);
+    write_msh_text(view, cells, output.table, options.msh, out);
   });
 }
 

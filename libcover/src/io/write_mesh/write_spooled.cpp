@@ -170,7 +170,7 @@ Status write_spooled_msh(const SpooledMesh& mesh, const std::string& path,
   const SpooledCells cells(mesh, view, *std::move(input));
   Result<TextWriter> out = TextWriter::create(path, options.stop);
   if (!out) return std::move(out).error();
-  write_msh_text(view, cells, mesh.table.interfaces.size(), options.msh, *out);
+  write_msh_text(view, cells, mesh.table, options.msh, *out);
   return cells.status() ? out->commit() : cells.status();
 }
 

@@ -46,6 +46,7 @@ class VtkHdfContent {
     add(kRoot, "Offsets",
         vtu_array<std::int64_t>("", count + 1, [each](std::size_t k) { return k * each; }));
     add(kRoot, "Types", grid.connectivity[2]);
+    for (const VtuArray& array : grid.point_data) add(kRoot + "PointData/", array.name, array);
     for (const VtuArray& array : grid.cell_data) add(kRoot + "CellData/", array.name, array);
   }
 
@@ -55,6 +56,10 @@ class VtkHdfContent {
     texts("MaterialName", all, [](const Region& region) { return region.material_name; });
     numbers<std::int32_t>("RegionMaterial", all.size(),
                           [&all](std::size_t r) { return all[r].material; });
+    for (const Attribute& attribute : view_.attributes)
+      if (attribute.is_text)
+        texts(words_name(attribute).c_str(), attribute.words,
+              [](const std::string& word) { return word; });
   }
 
   void lines() {

@@ -128,6 +128,13 @@ class VtmWriter {
     for (const Interface& line : output_.table.interfaces)
       text_ +=
           fmt::format("    <Line Id=\"{}\" Name=\"{}\"/>\n", line.id.value(), attribute(line.name));
+    for (const Attribute& of : view_.attributes) {
+      text_ += fmt::format("    <Attribute Name=\"{}\">\n", attribute(of.name));
+      for (std::size_t k = 0; k < of.words.size(); ++k)
+        text_ +=
+            fmt::format("      <Word Id=\"{}\" Name=\"{}\"/>\n", k + 1, attribute(of.words[k]));
+      text_ += "    </Attribute>\n";
+    }
     text_ += "  </CoverNames>\n";
   }
 

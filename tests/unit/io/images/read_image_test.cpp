@@ -34,6 +34,62 @@ TEST(ReadImage, LabelsAreMaterials) {
   EXPECT_EQ(stairs->polygons[0].rings[0], (std::vector<Point>{{0, 0}, {1, 0}, {1, 4}, {0, 4}}));
 }
 
+/// A disk of label -1 in label 7.
+std::string disk() {
+  std::string out;
+  for (int y = 0; y < 24; ++y) {
+    for (int x = 0; x < 24; ++x) out += (x - 11) * (x - 11) + (y - 9) * (y - 9) < 64 ? "-1 " : "7 ";
+    out += '\n';
+  }
+  return out;
+}
+
+std::vector<std::vector<std::vector<Point>>> rings_of(const Input& input) {
+  std::vector<std::vector<std::vector<Point>>> rings;
+  for (const InputPolygon& polygon : input.polygons) rings.push_back(polygon.rings);
+  return rings;
+}
+
+TEST(ReadImage, ImagesOfVtkAreTheSame) {
+  const auto read = [](const std::string& text, const char* extension,
+                       const ReadOptions& options = {}) {
+    const Result<Input> input = parse_input(text, extension, "a", options);
+    EXPECT_TRUE(input) << input.error().message;
+    return input ? *input : Input();
+  };
+  const Input picture = read(
+      "NRRD0004\ntype: short\nsizes: 24 24\nspacings: 0.5 0.25\nencoding: "
+      "ascii\n\n" +
+          disk(),
+      ".nrrd");
+  EXPECT_EQ(materials_of(picture), (std::set<std::string>{"-1", "7"}));
+  const std::string vti =
+      R"(<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian">
+<ImageData WholeExtent="0 24 0 24 0 0" Origin="0 0 0" Spacing="0.5 0.25 1">
+<Piece Extent="0 24 0 24 0 0"><CellData><DataArray type="Int32" Name="material" format="ascii">)" +
+      disk() + "</DataArray></CellData></Piece></ImageData></VTKFile>";
+  const std::string vtk =
+      "# vtk DataFile Version 3.0\nlabels\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 25 25 1\n"
+      "ORIGIN 0 0 0\nSPACING 0.5 0.25 1\nCELL_DATA 576\nSCALARS phase int 1\n"
+      "LOOKUP_TABLE default\n" +
+      disk();
+  for (const auto& [text, extension] : {std::pair(vti, ".vti"), std::pair(vtk, ".vtk")}) {
+    SCOPED_TRACE(extension);
+    const Input smooth = read(text, extension);
+    EXPECT_EQ(materials_of(smooth), materials_of(picture));
+    EXPECT_EQ(rings_of(smooth), rings_of(picture));
+    ReadOptions options;
+    options.smooth = false;
+    // As of any mesh: segments on the sides of the cells.
+    const Input stairs = read(text, extension, options);
+    EXPECT_TRUE(stairs.polygons.empty());
+    for (const InputSegment& s : stairs.segments) {
+      const Point a = stairs.points[s.a], b = stairs.points[s.b];
+      EXPECT_TRUE(a.x == b.x || a.y == b.y);
+    }
+  }
+}
+
 TEST(ReadImage, LegendsNameThem) {
   ImageOptions options;
   options.legend = "1,copper\r\n7,iron, cast\n\n0,void\n99,unused";

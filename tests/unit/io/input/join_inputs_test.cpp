@@ -86,6 +86,29 @@ TEST(JoinInputs, RefusesWhatDoesNotGoTogether) {
   EXPECT_FALSE(join_inputs({metres, other}));
 }
 
+TEST(JoinInputs, AttributesStayWithTheirFeatures) {
+  Input one = square(0, "a", "x"), plain = square(1, "b", "y"), other = square(2, "c", "z");
+  one.polygons[0].feature = other.polygons[0].feature = 1;
+  one.attributes = {{"use", true, {"road"}, {1}}, {"height", false, {}, {3}}};
+  other.attributes = {{"use", true, {"wood", "road"}, {1, 2}}, {"height", true, {"low"}, {1, 0}}};
+  const Result<Input> joined = join_inputs({one, plain, other});
+  ASSERT_TRUE(joined);
+  EXPECT_EQ(joined->polygons[0].feature, 1U);
+  EXPECT_EQ(joined->polygons[1].feature, 0U);
+  EXPECT_EQ(joined->polygons[2].feature, 2U);
+  ASSERT_EQ(joined->attributes.size(), 2U);
+  using Words = std::vector<std::string>;
+  using Values = std::vector<double>;
+  EXPECT_EQ(joined->attributes[0].words, (Words{"road", "wood"}));
+  EXPECT_EQ(joined->attributes[0].values, (Values{1, 2, 1}));
+  EXPECT_EQ(joined->attributes[1].words, (Words{"3", "low"}));
+  EXPECT_EQ(joined->attributes[1].values, (Values{1, 2, 0}));
+  const Result<Input> later = join_inputs({plain, other});
+  ASSERT_TRUE(later);
+  EXPECT_EQ(later->polygons[1].feature, 1U);
+  EXPECT_EQ(later->attributes[0].values, (Values{1, 2}));
+}
+
 TEST(JoinInputs, WarningsNameTheirFile) {
   Input one = square(0, "a", "x"), other = square(1, "b", "y");
   other.warnings = {"1 geometry is a point: left out"};

@@ -71,6 +71,34 @@ TEST(ReadGeojson, SizesAreLengthsAboveZero) {
       std::vector<std::string>{"the property 'size' of 2 features is no length above 0: left out"});
 }
 
+TEST(ReadGeojson, PropertiesAreKept) {
+  const auto feature = [](const std::string& id, const std::string& properties) {
+    return R"({"type": "Feature", )" + id + R"("properties": )" + properties +
+           R"(, "geometry": {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]}})";
+  };
+  const std::string map =
+      R"({"type": "FeatureCollection", "features": [)" +
+      feature("\"id\": 17, ", R"({"use": "field", "height": 2.5, "tags": ["a"]})") + "," +
+      feature("", R"({"use": null, "open": true})") + "," + feature("", "null") + "]}";
+  const Result<Input> input =
+      parse_geojson(map, "map.geojson", {"use", "height", "fid", "tags", "open"});
+  ASSERT_TRUE(input.has_value()) << input.error().message;
+  ASSERT_EQ(input->attributes.size(), 5U);
+  EXPECT_EQ(input->attributes[0].words, std::vector<std::string>{"field"});
+  EXPECT_EQ(input->attributes[0].values, (std::vector<double>{1, 0, 0}));
+  EXPECT_EQ(input->attributes[1].values[0], 2.5);
+  EXPECT_EQ(input->attributes[2].values, (std::vector<double>{17, 1, 2}));
+  EXPECT_EQ(input->attributes[3].words, std::vector<std::string>{"[\"a\"]"});
+  EXPECT_EQ(input->attributes[4].words, std::vector<std::string>{"true"});
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(input->polygons[k].feature, k + 1);
+
+  const Result<Input> missing = parse_geojson(map, "map.geojson", {"usage"});
+  ASSERT_FALSE(missing.has_value());
+  EXPECT_EQ(missing.error().code, ErrorCode::bad_option);
+  EXPECT_EQ(missing.error().message,
+            "map.geojson: keep_field: no feature has the property 'usage'");
+}
+
 TEST(ReadGeojson, ReadsABareGeometry) {
   const Result<Input> input = parse_geojson(
       R"({"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]})", "map.geojson");

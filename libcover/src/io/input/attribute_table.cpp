@@ -1,0 +1,69 @@
+// Tested by tests/unit/io/input/attribute_table_test.cpp.
+#include "io/input/attribute_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <unordered_map>
+
+namespace cover {
+namespace {
+
+bool is_there(const AttributeValue& value) {
+  return !std::holds_alternative<std::monostate>(value);
+}
+
+Attribute numbers_of(const std::vector<AttributeValue>& column) {
+  Attribute out;
+  for (const AttributeValue& value : column)
+    out.values.push_back(is_there(value) ? std::get<double>(value)
+                                         : std::numeric_limits<double>::quiet_NaN());
+  return out;
+}
+
+Attribute words_of(const std::vector<AttributeValue>& column) {
+  Attribute out;
+  out.is_text = true;
+  std::unordered_map<std::string, std::size_t> known;
+  for (const AttributeValue& value : column) {
+    if (!is_there(value)) {
+      out.values.push_back(0);
+      continue;
+    }
+    const auto* number = std::get_if<double>(&value);
+    const std::string word =
+        number != nullptr ? fmt::format("{}", *number) : std::get<std::string>(value);
+    const auto [entry, is_new] = known.emplace(word, known.size() + 1);
+    if (is_new) out.words.push_back(word);
+    out.values.push_back(static_cast<double>(entry->second));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::uint32_t AttributeTable::add_feature() {
+  for (auto& column : columns_) column.emplace_back();
+  ++features_;
+  return columns_.empty() ? 0 : features_;
+}
+
+bool AttributeTable::is_empty(std::size_t column) const {
+  return std::none_of(columns_[column].begin(), columns_[column].end(), is_there);
+}
+
+std::vector<Attribute> AttributeTable::attributes() const {
+  std::vector<Attribute> out;
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
+    const auto& column = columns_[k];
+    const bool text = std::any_of(column.begin(), column.end(), [](const AttributeValue& value) {
+      return std::holds_alternative<std::string>(value);
+    });
+    out.push_back(text ? words_of(column) : numbers_of(column));
+    out.back().name = names_[k];
+  }
+  return out;
+}
+
+}  // namespace cover
