@@ -374,8 +374,8 @@ class LegacyParser {
 
   void keep(std::string_view name, NumberArray array) {
     array.name = decoded(name);
-    if (items_ == Items::points) data_.point_arrays.push_back(std::move(array));
-    if (items_ == Items::cells) data_.cell_arrays.push_back(std::move(array));
+    auto& arrays = items_ == Items::points ? data_.point_arrays : data_.cell_arrays;
+    if (items_ == Items::points || items_ == Items::cells) arrays.push_back(std::move(array));
   }
 
   /// An attribute called `name` of one array.

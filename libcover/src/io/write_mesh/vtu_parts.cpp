@@ -14,15 +14,15 @@ namespace cover {
 namespace {
 
 /// VTK's numbers of the types of cells.
-enum CellType : std::uint8_t {
-  kLine = 3,
-  kTriangle = 5,
-  kQuadraticEdge = 21,
-  kQuadraticTriangle = 22
+enum class CellType : std::uint8_t {
+  line = 3,
+  triangle = 5,
+  quadratic_edge = 21,
+  quadratic_triangle = 22
 };
 
 CellType type_of_triangles(const MeshView& view) {
-  return view.second_order() ? kQuadraticTriangle : kTriangle;
+  return view.second_order() ? CellType::quadratic_triangle : CellType::triangle;
 }
 
 /// Writes `value(0)`, ..., `value(size - 1)`, each as a T.
@@ -225,8 +225,8 @@ VtuGrid grid_of(const TriangleArrays& arrays, std::size_t points, ArrayWriter co
                 ArrayWriter nodes) {
   constexpr std::size_t kCorners = 3;
   VtuGrid grid;
-  add_cells(points, std::move(coordinates), arrays.triangles, kTriangle, kCorners, std::move(nodes),
-            grid);
+  add_cells(points, std::move(coordinates), arrays.triangles, CellType::triangle, kCorners,
+            std::move(nodes), grid);
   add_triangle_arrays(arrays, grid);
   return grid;
 }
@@ -288,7 +288,7 @@ void with_part_grid(const MeshView& view, const Partition& partition, std::uint3
 void write_lines(const MeshView& view, const RegionTable& table, std::span<const std::size_t> lines,
                  const ByteSink& sink) {
   const Part part(view.lines, lines);
-  VtuGrid grid = part.grid(view, view.second_order() ? kQuadraticEdge : kLine);
+  VtuGrid grid = part.grid(view, view.second_order() ? CellType::quadratic_edge : CellType::line);
   const auto line = [&](std::size_t k) -> const Interface& {
     return table.interfaces[view.interface[lines[k]].index() - 1];
   };
