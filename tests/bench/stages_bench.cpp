@@ -13,7 +13,6 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <ctime>
 #include <functional>
 #include <optional>
 #include <stdexcept>
@@ -22,6 +21,7 @@
 #include <cover/cover_mesh.hpp>
 
 #include "clean/pslg.hpp"
+#include "cpu_seconds.hpp"
 #include "heap_peak.hpp"
 #include "region/region_graph.hpp"
 #include "support/inputs.hpp"
@@ -30,12 +30,6 @@
 namespace {
 
 using namespace cover;
-/// CPU seconds of this process.
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// Seconds of CGAL's CDT of the output's vertices and segments, in the way that CGAL does fastest:
 /// points in one range (spatially sorted), constraints between vertex handles.

@@ -21,6 +21,7 @@
 
 #include "base/team.hpp"
 #include "clean/pslg.hpp"
+#include "cpu_seconds.hpp"
 #include "region/region_graph.hpp"
 #include "support/inputs.hpp"
 #include "tasks/region_task.hpp"
@@ -28,12 +29,6 @@
 namespace {
 
 using namespace cover;
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 constexpr std::array<std::size_t, 4> kThreads{2, 8, 32, 100'000};
 using Seconds = std::array<double, kThreads.size()>;

@@ -3,6 +3,10 @@
 
 #include <utility>
 
+#include <fmt/core.h>
+
+#include <cover/text.hpp>
+
 #include "geom/arc.hpp"
 #include "geom/vector.hpp"
 
@@ -123,6 +127,22 @@ CdtResult triangulate_whole(const Pslg& pslg) {
   segments.reserve(pslg.segments.size());
   for (const Segment& s : pslg.segments) segments.push_back({s.a.value(), s.b.value()});
   return triangulate_hull(pslg.points, segments);
+}
+
+Status check_cuts(const Pslg& pslg, std::size_t uncut_points) {
+  if (pslg.points.size() == uncut_points) return ok();
+  const std::vector<CdtConflict> conflicts = triangulate_whole(pslg).conflicts;
+  if (conflicts.empty()) return ok();
+  const CdtConflict& first = conflicts.front();
+  const bool is_point = first.kind != CdtConflict::Kind::crossing;
+  const VertexId v = is_point ? VertexId{first.first} : pslg.segments[first.first].a;
+  const Point at = pslg.points[v.index()];
+  return Error{ErrorCode::meshing_incomplete,
+               fmt::format("cut segments would meet near {}, where the void between them is as "
+                           "narrow as rounding; --weld closes such gaps",
+                           describe(at)),
+               {at},
+               {}};
 }
 
 }  // namespace cover

@@ -1,11 +1,13 @@
 // Cuts segments of a clean PSLG at points on them, where their regions are known already.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
 #include <cover/pslg.hpp>
 #include <cover/regions.hpp>
+#include <cover/result.hpp>
 
 #include "cdt/cdt.hpp"
 
@@ -33,5 +35,12 @@ void cut_segments(Pslg& pslg, RegionTable& table, std::span<const SegmentCut> cu
 /// EXACT: yes
 /// Cost:  O(n log n)
 CdtResult triangulate_whole(const Pslg& pslg);
+
+/// Each region is sound by itself; what lies on both sides of the void is looked at here, where
+/// there are more points than the `uncut_points` that there were before.
+///
+/// Errors: meshing_incomplete, with a place, where cut segments meet
+/// Cost:   that of triangulate_whole()
+Status check_cuts(const Pslg& pslg, std::size_t uncut_points);
 
 }  // namespace cover

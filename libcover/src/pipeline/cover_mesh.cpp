@@ -6,10 +6,6 @@
 // vertex id; results lie in region order, so the mesh does not depend on the schedule.
 #include <cover/cover_mesh.hpp>
 
-#include <fmt/core.h>
-
-#include <cover/text.hpp>
-
 #include "base/out_of_memory.hpp"
 #include "cuts/cut_for_boxes.hpp"
 #include "cuts/cut_segments.hpp"
@@ -45,27 +41,6 @@ Result<Prepared> prepare(const Input& input, const Options& asked, const Callbac
     return prepared;
   });
 }
-
-namespace {
-
-/// Each region is sound by itself; what lies on both sides of the void is looked at here.
-Status check_cuts(const Pslg& pslg, const Report& report) {
-  if (pslg.points.size() == report.uncut_points) return ok();
-  const std::vector<CdtConflict> conflicts = triangulate_whole(pslg).conflicts;
-  if (conflicts.empty()) return ok();
-  const CdtConflict& first = conflicts.front();
-  const bool is_point = first.kind != CdtConflict::Kind::crossing;
-  const VertexId v = is_point ? VertexId{first.first} : pslg.segments[first.first].a;
-  const Point at = pslg.points[v.index()];
-  return Error{ErrorCode::meshing_incomplete,
-               fmt::format("cut segments would meet near {}, where the void between them is as "
-                           "narrow as rounding; --weld closes such gaps",
-                           describe(at)),
-               {at},
-               {}};
-}
-
-}  // namespace
 
 Result<std::vector<RegionBoundary>> split_prepared(Prepared& prepared, const Options& options,
                                                    bool memory_counts, StageClock& clock) {
@@ -104,7 +79,8 @@ Result<Output> mesh_prepared(Prepared prepared, std::vector<RegionBoundary> boun
   if (!coupled) return std::move(coupled).error();
   Status thinned = thin_cuts(prepared, boundaries, *meshes, options, callbacks);
   if (!thinned) return std::move(thinned).error();
-  Status apart = errors_as_values("check cuts", [&] { return check_cuts(pslg, report); });
+  Status apart =
+      errors_as_values("check cuts", [&] { return check_cuts(pslg, report.uncut_points); });
   if (!apart) return std::move(apart).error();
   warn_of_straight_arcs(pslg, report.notes);
   clock.note("mesh", report.times);

@@ -211,9 +211,8 @@ Result<std::vector<LayersFound>> verify_layers(const Pslg& pslg, const RegionTab
     }
   }
   if (!is_known) {
-    const auto meant = closest(line, names);
     return bad_line(fmt::format("there is no interface, contact, outline or inner line '{}'{}",
-                                line, meant ? fmt::format("; did you mean '{}'?", *meant) : ""));
+                                line, did_you_mean(line, names)));
   }
   if (found.empty())
     return bad_line(fmt::format("no region '{}' is beside the line '{}'", region, line));

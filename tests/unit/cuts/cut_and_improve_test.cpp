@@ -6,28 +6,10 @@
 #include <cover/verify.hpp>
 
 #include "support/inputs.hpp"
+#include "without_obtuse.hpp"
 
 namespace cover {
 namespace {
-
-Options no_obtuse_angle() {
-  Options options;
-  options.max_angle = Angle::degrees(90);
-  options.split_interfaces = Angle::degrees(90);
-  options.threads = 1;
-  return options;
-}
-
-Output mesh_of(const Input& input, const Options& options = no_obtuse_angle()) {
-  Result<Output> output = cover_mesh(input, options);
-  EXPECT_TRUE(output.has_value()) << output.error().message;
-  for (const Violation& v :
-       verify_cover(output->pslg, output->table, triangle_soup(output->mesh)).violations) {
-    ADD_FAILURE() << v.message;
-  }
-  EXPECT_EQ(output->report.input_points, output->pslg.points.size());
-  return *std::move(output);
-}
 
 /// Thin rectangles beside and above each other, whose corners do not face each other.
 Input layers() {

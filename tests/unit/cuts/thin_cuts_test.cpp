@@ -13,29 +13,10 @@
 #include "cuts/cut_segments.hpp"
 #include "cuts/unite_pieces.hpp"
 #include "support/inputs.hpp"
+#include "without_obtuse.hpp"
 
 namespace cover {
 namespace {
-
-Options no_obtuse_angle() {
-  Options options;
-  options.max_angle = Angle::degrees(90);
-  options.split_interfaces = Angle::degrees(90);
-  options.threads = 1;
-  return options;
-}
-
-Output mesh_of(const Input& input, const Options& options = no_obtuse_angle()) {
-  Result<Output> output = cover_mesh(input, options);
-  EXPECT_TRUE(output.has_value()) << output.error().message;
-  for (const Violation& v :
-       verify_cover(output->pslg, output->table, triangle_soup(output->mesh)).violations) {
-    ADD_FAILURE() << v.message;
-  }
-  EXPECT_EQ(output->report.input_points, output->pslg.points.size());
-  EXPECT_EQ(output->report.input_segments, output->pslg.segments.size());
-  return *std::move(output);
-}
 
 std::size_t added(const Output& output) {
   return output.report.steiner_vertices + output.report.input_points - output.report.uncut_points;
