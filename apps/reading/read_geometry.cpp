@@ -64,9 +64,7 @@ Result<Input> read_geometry(const std::string& path, const ReadOptions& options)
 #endif
 #ifdef COVER_WITH_GDAL
   // Of GeoJSON, what our own reader does not do.
-  const bool is_chosen = !options.crs.empty() || !options.layers.empty() ||
-                         !options.material_field.empty() || !options.name_field.empty() ||
-                         !options.priority_field.empty();
+  const bool is_chosen = !options.crs.empty() || !options.layers.empty();
   if (is_map(format) || (format == ".geojson" && is_chosen)) return read_gdal(path, options);
 #endif
   return read_input(path, options);
