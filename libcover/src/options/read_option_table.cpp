@@ -87,7 +87,9 @@ template <class... Extensions>
 bool is_format(const ReadOptions& options, Extensions... extensions) {
   return ((options.format == extensions) || ...);
 }
-bool is_layout(const ReadOptions& o) { return is_format(o, ".gds", ".gds2", ".gdsii"); }
+bool is_layout(const ReadOptions& o) {
+  return is_format(o, ".gds", ".gds2", ".gdsii", ".oas", ".oasis");
+}
 bool is_map(const ReadOptions& o) {
   return is_format(o, ".shp", ".gpkg", ".fgb", ".gml", ".kml", ".geojson");
 }

@@ -49,10 +49,8 @@ constexpr std::array kOtherFormats{
                 ".geo is read by gmsh's library, without which this was built; "
                 "'gmsh -2 FILE.geo -o FILE.msh' makes a file that can be read"},
     OtherFormat{".oas",
-                "OASIS is not read; KLayout's 'strm2gds FILE.oas FILE.gds' makes a file "
-                "that can be read; where there is KLayout's program alone, as in Debian, "
-                "'klayout -b -r c.rb' does, with \"l = RBA::Layout::new; l.read('FILE.oas'); "
-                "l.write('FILE.gds')\" in c.rb"},
+                "OASIS is read from files, by programs that call KLayout for it; KLayout's "
+                "'strm2gds FILE.oas FILE.gds' makes a file that can be read"},
     OtherFormat{".dxf",
                 ".dxf is read by dxflib, without which this was built; "
                 "'ogr2ogr -f GeoJSON FILE.geojson FILE.dxf' makes a file that can be read, "
