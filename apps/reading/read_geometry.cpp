@@ -32,7 +32,8 @@ std::string known_formats() {
   text += " and .geo";
 #endif
   text +=
-      ", VTK's .vtu, .vtp, .vti, .vtk, layouts in .gds and .oas, TCAD's .tif, .str, .cmd, pictures in "
+      ", VTK's .vtu, .vtp, .vti, .vtk, layouts in .gds and .oas, TCAD's .tif, .str, .cmd, pictures "
+      "in "
       ".png, .bmp, .tif, .nrrd, .mha";
 #ifdef COVER_WITH_DXF
   text += ", drawings in .dxf";

@@ -94,8 +94,8 @@ Result<Input> read_oasis(const std::string& path, const ReadOptions& options) {
   if (const Result<std::string> there = read_file(path); !there) return there.error();
   const Folder folder;
   if (folder.path().empty())
-    return error(ErrorCode::cannot_write, std::string("no folder for the layout as GDSII: ") +
-                                              std::strerror(errno));
+    return error(ErrorCode::cannot_write,
+                 std::string("no folder for the layout as GDSII: ") + std::strerror(errno));
   const std::string from = fs::absolute(path), to = folder.path() / "layout.gds",
                     log = folder.path() / "log", script = folder.path() / "convert.rb";
   Ended ended = run({"strm2gds", from, to}, log);
