@@ -1754,7 +1754,7 @@ class Values(Case):
         self.assertIn('Wald', [r['material_name'] for r in manifest['regions']])
         self.assertEqual(manifest['attributes'][0]['values'], [2.5, None, -1])
         self.assertIn("name_field: no feature has the property 'fid'", self.run_cover('mesh', 'n.json', *chosen, '-o', 'p.vtu', code=2)[1])
-        self.write('own.json', '{"polygons": [{"material": "Si", "points": [[0, 0], [1, 0], [0, 1]]}]}')
+        self.write('own.json', '{"polygons": [{"material": "Si", "rings": [[[0, 0], [1, 0], [0, 1]]]}]}')
         self.assertIn('--keep-field does nothing: it counts with maps only', self.run_cover('info', 'own.json', '--keep-field', 'x')[1])
 
     def test_unknown_attribute(self):

@@ -157,7 +157,7 @@ TEST(ReadGeojson, PropertiesAreChosenWhateverTheFileIsCalled) {
     options.name_field = "nr";
   }
   const Result<Input> drawing =
-      parse_json(R"({"polygons": [{"material": "Si", "points": [[0, 0], [1, 0], [0, 1]]}]})",
+      parse_json(R"({"polygons": [{"material": "Si", "rings": [[[0, 0], [1, 0], [0, 1]]]}]})",
                  "d.json", options);
   ASSERT_TRUE(drawing.has_value()) << drawing.error().message;
   EXPECT_EQ(drawing->warnings.size(), 4U);
