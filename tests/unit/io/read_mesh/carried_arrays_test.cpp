@@ -14,8 +14,8 @@
 #include <limits>
 #include <string>
 
-#include "support/written_mesh.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/written_mesh.hpp"
 
 namespace cover {
 namespace {
@@ -54,10 +54,9 @@ struct Case {
 TEST(CarriedArrays, ComeBackFromEveryFormatThatBearsThem) {
   const Output output = device_with_arrays();
   for (const int order : {1, 2}) {
-    for (const Case& c :
-         {Case{"x.vtu", true}, Case{"x.vtu", false, false}, Case{"x.vtm"}, Case{"x.vtm", true},
-          Case{"x.vtkhdf"}, Case{"x.msh", true}, Case{"x.msh", false, false},
-          Case{"x.msh", true, true, {.msh = "4.1"}}}) {
+    for (const Case& c : {Case{"x.vtu", true}, Case{"x.vtu", false, false}, Case{"x.vtm"},
+                          Case{"x.vtm", true}, Case{"x.vtkhdf"}, Case{"x.msh", true},
+                          Case{"x.msh", false, false}, Case{"x.msh", true, true, {.msh = "4.1"}}}) {
       SCOPED_TRACE(c.file + (c.manifest ? " with a manifest " : " alone ") + std::to_string(order));
       const testing::TemporaryFolder folder;
       const std::string path = folder.path() / c.file;
