@@ -49,8 +49,18 @@ class Folder {
 
 enum class Ended { well, badly, not_there };
 
-/// Runs a program of the PATH to its end; what it says goes to the file `log`.
-Ended run(std::vector<std::string> words, const std::string& log) {
+/// Where Debian's package has the tools, with the libraries that they need and do not find.
+constexpr const char* kDebiansTool = "/usr/lib/klayout/strm2gds";
+constexpr const char* kDebiansLibraries = "LD_LIBRARY_PATH=/usr/lib/klayout";
+
+/// Runs a program of the PATH to its end, with `setting` before all else in its environment; what it
+/// says goes to the file `log`.
+Ended run(std::vector<std::string> words, const std::string& log, const char* setting = nullptr) {
+  std::string first = setting != nullptr ? setting : "";
+  std::vector<char*> settings;
+  if (setting != nullptr) settings.push_back(first.data());
+  for (char** one = environ; *one != nullptr; ++one) settings.push_back(*one);
+  settings.push_back(nullptr);
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -62,7 +72,7 @@ Ended run(std::vector<std::string> words, const std::string& log) {
   posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
   pid_t process = 0;
   const int failed =
-      ::posix_spawnp(&process, arguments[0], &files, nullptr, arguments.data(), environ);
+      ::posix_spawnp(&process, arguments[0], &files, nullptr, arguments.data(), settings.data());
   posix_spawn_file_actions_destroy(&files);
   if (failed != 0) return failed == ENOENT || failed == EACCES ? Ended::not_there : Ended::badly;
   int status = 0;
@@ -99,6 +109,7 @@ Result<Input> read_oasis(const std::string& path, const ReadOptions& options) {
   const std::string from = fs::absolute(path), to = folder.path() / "layout.gds",
                     log = folder.path() / "log", script = folder.path() / "convert.rb";
   Ended ended = run({"strm2gds", from, to}, log);
+  if (ended == Ended::not_there) ended = run({kDebiansTool, from, to}, log, kDebiansLibraries);
   if (ended == Ended::not_there) {
     const Status written =
         replace_file(script, "l = RBA::Layout::new\nl.read($from)\nl.write($to)\n");
