@@ -133,18 +133,20 @@ ArrayWords words_of(const XmlElement& names) {
   return words;
 }
 
-/// The names of the arrays that all blocks of regions have and that are not our own.
-std::set<std::string> common_arrays(const std::vector<Block>& blocks,
-                                    std::vector<NumberArray> DataSet::*arrays) {
-  std::set<std::string> common;
+/// The names of the arrays that all blocks of regions have and that are not our own, in the order of
+/// the first block.
+std::vector<std::string> common_arrays(const std::vector<Block>& blocks,
+                                       std::vector<NumberArray> DataSet::*arrays) {
+  std::vector<std::string> common;
   bool is_first = true;
   for (const Block& block : blocks) {
     if (block.group != "regions") continue;
     std::set<std::string> names;
-    for (const NumberArray& array : block.file.data.*arrays)
-      if (!is_own_array(array.name) && (is_first || common.contains(array.name)))
-        names.insert(array.name);
-    common = std::move(names);
+    for (const NumberArray& array : block.file.data.*arrays) {
+      const bool is_new = names.insert(array.name).second;
+      if (is_first && is_new && !is_own_array(array.name)) common.push_back(array.name);
+    }
+    std::erase_if(common, [&](const std::string& name) { return !names.contains(name); });
     is_first = false;
   }
   return common;
