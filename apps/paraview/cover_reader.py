@@ -8,7 +8,7 @@ from paraview.util.vtkAlgorithm import VTKPythonAlgorithmBase, smdomain, smhint,
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 
 
-@smproxy.reader(name='CoverReader', label='cover geometry', file_description='Geometry, meshed by cover',
+@smproxy.reader(name='CoverReader', label='Cover Reader', file_description='Geometry, meshed by cover',
                 extensions='poly json geojson gds dxf gpkg shp fgb tif str cmd')
 class CoverReader(VTKPythonAlgorithmBase):
     """The triangles of a geometry file, with regions, materials and what the file has beside them as arrays; names of

@@ -15,6 +15,8 @@
 #include <cover/read_input.hpp>
 #include <cover/units.hpp>
 
+#include "read_oasis.hpp"
+
 namespace cover::reading {
 namespace {
 
@@ -30,7 +32,8 @@ std::string known_formats() {
   text += " and .geo";
 #endif
   text +=
-      ", VTK's .vtu, .vtp, .vti, .vtk, layouts in .gds, TCAD's .tif, .str, .cmd, pictures in "
+      ", VTK's .vtu, .vtp, .vti, .vtk, layouts in .gds and .oas, TCAD's .tif, .str, .cmd, pictures "
+      "in "
       ".png, .bmp, .tif, .nrrd, .mha";
 #ifdef COVER_WITH_DXF
   text += ", drawings in .dxf";
@@ -50,7 +53,8 @@ std::string format_of_name(const std::string& path) {
 }
 
 Result<Input> read_geometry(const std::string& path, const ReadOptions& options) {
-  [[maybe_unused]] const std::string format = format_in(path, options);
+  const std::string format = format_in(path, options);
+  if (is_oasis(format)) return read_oasis(path, options);
 #ifdef COVER_WITH_GMSH
   if (format == ".geo") {
     Result<Input> input = read_geo(path);
@@ -64,9 +68,7 @@ Result<Input> read_geometry(const std::string& path, const ReadOptions& options)
 #endif
 #ifdef COVER_WITH_GDAL
   // Of GeoJSON, what our own reader does not do.
-  const bool is_chosen = !options.crs.empty() || !options.layers.empty() ||
-                         !options.material_field.empty() || !options.name_field.empty() ||
-                         !options.priority_field.empty();
+  const bool is_chosen = !options.crs.empty() || !options.layers.empty();
   if (is_map(format) || (format == ".geojson" && is_chosen)) return read_gdal(path, options);
 #endif
   return read_input(path, options);

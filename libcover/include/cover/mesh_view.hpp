@@ -122,9 +122,6 @@ struct LineEdge {
 MeshView view_of_lines(const RegionTable& table, std::vector<LineEdge> lines,
                        const WriteOptions& options);
 
-/// What the array of the words of a text attribute is called.
-std::string words_name(const Attribute& attribute);
-
 /// What the groups of regions and lines are called as sets of Abaqus: in capitals, beginning with a
 /// letter, unique among the groups given.
 std::vector<std::string> abaqus_names(const std::vector<Group>& groups);

@@ -30,7 +30,7 @@ struct MeshLine {
 /// What a mesh file holds, as far as triangles and lines go.
 struct MeshFile {
   TriangleSoup soup;                ///< without materials where the format has groups alone
-  std::vector<CellArray> arrays;    ///< VTK: every numeric cell array with one component
+  std::vector<CellArray> arrays;    ///< VTK, .msh: every numeric cell array with one component
   std::vector<MeshLine> lines;      ///< not of .vtu and .inp
   std::vector<std::int64_t> group;  ///< per triangle: its physical group or element set; else empty
   std::map<std::int64_t, std::string> region_names;  ///< of groups, or of materials
@@ -42,6 +42,8 @@ struct MeshFile {
   /// Vertices that the run which wrote it put on segments of its input; 0 where that is not known:
   /// only a .vtu tells.
   std::size_t cut_vertices = 0;
+  /// VTK, .msh: numbers at points, as they are in `soup`, without those that every mesh of ours has.
+  std::vector<PlaneField::Array> point_arrays{};
 };
 
 /// Reads the triangles of a mesh, and its lines: .vtu, legacy .vtk, .vtkhdf, gmsh's .msh, .xdmf, Medit's
@@ -56,8 +58,8 @@ Result<MeshFile> read_mesh(const std::string& path);
 
 /// Reads a mesh that cover wrote, in any format of read_mesh() or as .vtm, as what cover_mesh()
 /// returned, as far as files keep it; see rebuild(). A .vtkhdf holds all of it. Else names,
-/// interfaces and markers come from the manifest (.json) beside it, else from the .vtm beside it, else from the file itself. What is
-/// missing then is said in the report's notes, and that midpoints of second-order triangles were
+/// interfaces and markers come from the manifest (.json) beside it, else from the .vtm beside it, else from the file itself. So
+/// do attributes of regions and values at points, words of attributes not from a lone .vtu or .msh. What is missing then is said in the report's notes, and that midpoints of second-order triangles were
 /// left out.
 ///
 /// Errors: those of read_mesh(); syntax also where the manifest is of another mesh.

@@ -41,7 +41,9 @@ struct StoredMesh {
   std::vector<StoredEdge> edges;       ///< of all interfaces
   std::vector<PeriodicNodes> periodic;
   std::vector<StoredArc> arcs;
-  Provenance provenance;  ///< and unit and scale: as in Report
+  std::vector<Attribute> attributes;      ///< as RegionTable::attributes
+  std::vector<PlaneField::Array> fields;  ///< as Output::fields
+  Provenance provenance;                  ///< and unit and scale: as in Report
   std::string unit;
   double scale = 1;
   bool second_order = false;  ///< the file's triangles have six nodes, of which these are corners
@@ -55,11 +57,13 @@ struct StoredMesh {
 /// up from their names and sides.
 ///
 /// Errors: syntax, if the arrays are no mesh of regions 1, 2, 3, ...: an index out of range,
-///         triangles that share a directed edge, an unknown region or interface.
+///         triangles that share a directed edge, an unknown region or interface, an array of another
+///         length than there are regions or points.
 /// Cost:   O(n log n)
 Result<Output> rebuild(const StoredMesh& stored);
 
-/// Fills everything but the triangles of `stored` from a manifest; false, and nothing is changed,
+/// Fills everything but the triangles of `stored`, and the values of its fields, from a manifest;
+/// false, and nothing is changed,
 /// if the file is not there or is something else (a report, a geometry). Where the mesh's file does
 /// not say to which regions triangles belong, their groups and their order do: within a group they
 /// stand by region.

@@ -74,12 +74,10 @@ struct NegativeSide {
 /// What is cut and meshed, in step.
 class CouplingRounds {
  public:
-  CouplingRounds(Prepared& prepared, std::vector<RegionBoundary>& boundaries,
-                 std::vector<RegionMesh>& meshes, const Options& options,
-                 const Callbacks& callbacks)
-      : prepared_(prepared),
-        boundaries_(boundaries),
-        meshes_(meshes),
+  CouplingRounds(Work& work, const Options& options, const Callbacks& callbacks)
+      : prepared_(work),
+        boundaries_(work.boundaries),
+        meshes_(work.meshes),
         options_(options),
         callbacks_(callbacks) {}
 
@@ -219,15 +217,13 @@ void cut_for_boxes(Prepared& prepared, const Options& options) {
   tell_cuts(report);
 }
 
-Status cut_until_coupled(Prepared& prepared, std::vector<RegionBoundary>& boundaries,
-                         std::vector<RegionMesh>& meshes, const Options& options,
-                         const Callbacks& callbacks) {
+Status cut_until_coupled(Work& work, const Options& options, const Callbacks& callbacks) {
   if (!options.box_method) return ok();
-  Status status = CouplingRounds(prepared, boundaries, meshes, options, callbacks).run();
+  Status status = CouplingRounds(work, options, callbacks).run();
   if (!status) return status;
-  tell_cuts(prepared.report);
-  prepared.report.input_points = prepared.pslg.points.size();
-  prepared.report.input_segments = prepared.pslg.segments.size();
+  tell_cuts(work.report);
+  work.report.input_points = work.pslg.points.size();
+  work.report.input_segments = work.pslg.segments.size();
   return ok();
 }
 

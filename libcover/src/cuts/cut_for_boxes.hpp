@@ -1,12 +1,11 @@
 // Segments cut until the box method has no negative coupling.
 #pragma once
 
-#include <vector>
+#include <cover/options.hpp>
+#include <cover/progress.hpp>
+#include <cover/result.hpp>
 
-#include <cover/cover_mesh.hpp>
-
-#include "region/region_boundary.hpp"
-#include "target/region_mesh.hpp"
+#include "cuts/work.hpp"
 
 namespace cover {
 
@@ -18,12 +17,9 @@ void cut_for_boxes(Prepared& prepared, const Options& options);
 /// of their angles, cuts these and meshes the regions beside them again. Edges inside that are not
 /// Delaunay are flipped.
 ///
-/// ENSURES: `prepared`, `boundaries` and `meshes` stay in step; notes tell how many points were
-///          added, and a warning names what is left
+/// ENSURES: notes tell how many points were added, and a warning names what is left
 /// Errors:  cancelled, internal
 /// Cost:    per round, that of meshing the regions whose segments were cut
-Status cut_until_coupled(Prepared& prepared, std::vector<RegionBoundary>& boundaries,
-                         std::vector<RegionMesh>& meshes, const Options& options,
-                         const Callbacks& callbacks);
+Status cut_until_coupled(Work& work, const Options& options, const Callbacks& callbacks);
 
 }  // namespace cover

@@ -129,12 +129,12 @@ Note note_of_cuts(const Pslg& pslg, std::size_t before, const Options& options) 
 
 }  // namespace
 
-Status cut_until_met(Prepared& prepared, std::vector<RegionBoundary>& boundaries,
-                     std::vector<RegionMesh>& meshes, const Options& options,
-                     const Callbacks& callbacks) {
-  Pslg& pslg = prepared.pslg;
-  RegionTable& table = prepared.table;
-  Report& report = prepared.report;
+Status cut_until_met(Work& work, const Options& options, const Callbacks& callbacks) {
+  Pslg& pslg = work.pslg;
+  RegionTable& table = work.table;
+  std::vector<RegionBoundary>& boundaries = work.boundaries;
+  std::vector<RegionMesh>& meshes = work.meshes;
+  Report& report = work.report;
   if (!options.split_interfaces || options.method != Method::quality || !table.hull_sides.empty()) {
     return ok();
   }

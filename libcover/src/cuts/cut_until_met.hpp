@@ -1,15 +1,11 @@
 // Segments cut until every region meets the target.
 #pragma once
 
-#include <vector>
-
 #include <cover/options.hpp>
-#include <cover/output.hpp>
 #include <cover/progress.hpp>
 #include <cover/result.hpp>
 
-#include "region/region_boundary.hpp"
-#include "target/region_mesh.hpp"
+#include "cuts/work.hpp"
 
 namespace cover {
 
@@ -17,13 +13,10 @@ namespace cover {
 /// Options::max_angle, changes the mesh around them and cuts segments there. The result with fewest
 /// such triangles is kept. Does nothing without that option, nor for a hull.
 ///
-/// ENSURES: `prepared`, `boundaries` and `meshes` stay in step; a note tells how many points were
-///          added
+/// ENSURES: a note tells how many points were added
 /// Errors:  cancelled, internal
 /// Cost:    some milliseconds for each triangle that is left and, per round, the cost of meshing
 ///          the regions whose segments were cut
-Status cut_until_met(Prepared& prepared, std::vector<RegionBoundary>& boundaries,
-                     std::vector<RegionMesh>& meshes, const Options& options,
-                     const Callbacks& callbacks);
+Status cut_until_met(Work& work, const Options& options, const Callbacks& callbacks);
 
 }  // namespace cover

@@ -39,14 +39,6 @@ ThinEffort effort_of(Effort effort, std::size_t vertices) {
   return {20'000, 8'000'000 + 1'000 * vertices, 100'000, 20'000'000, {}};
 }
 
-/// What is cut and meshed, in step.
-struct Work {
-  Pslg pslg;
-  RegionTable table;
-  std::vector<RegionBoundary> boundaries;
-  std::vector<RegionMesh> meshes;
-};
-
 bool touches_a_region(const SegmentSides& sides) {
   return sides.left != kVoid || sides.right != kVoid;
 }
@@ -214,13 +206,13 @@ bool is_sound(const Work& work) {
 }
 
 /// What cuts are there now, and what went.
-void tell(const Work& work, std::size_t first, std::size_t before, std::size_t after,
+void tell(const Pslg& pslg, std::size_t first, std::size_t before, std::size_t after,
           const Options& options, Report& report) {
   std::erase_if(report.notes, [](const Note& note) {
     return note.kind == Note::Kind::cut && !note.message.ends_with("for --box-method");
   });
-  std::vector<Point> where(work.pslg.points.begin() + static_cast<std::ptrdiff_t>(first),
-                           work.pslg.points.end());
+  std::vector<Point> where(pslg.points.begin() + static_cast<std::ptrdiff_t>(first),
+                           pslg.points.end());
   std::vector<Point> sorted = where;
   std::sort(sorted.begin(), sorted.end());
   std::erase_if(report.box_cuts, [&](const BoxCut& cut) {
@@ -250,21 +242,17 @@ bool wants_thinning(const Prepared& prepared, const std::vector<RegionBoundary>&
          });
 }
 
-Status thin_cuts(Prepared& prepared, std::vector<RegionBoundary>& boundaries,
-                 std::vector<RegionMesh>& meshes, const Options& options,
-                 const Callbacks& callbacks) {
-  if (!wants_thinning(prepared, boundaries, options)) return ok();
-  Report& report = prepared.report;
-  const std::size_t first = report.uncut_points;
+Status thin_cuts(Work& work, const Options& options, const Callbacks& callbacks) {
+  if (!wants_thinning(work, work.boundaries, options)) return ok();
+  const std::size_t first = work.report.uncut_points;
   return errors_as_values("thin out", [&]() -> Status {
-    Work work{prepared.pslg, prepared.table, boundaries, meshes};
-    const std::vector<std::uint32_t> whole = unite_pieces(work.pslg, work.table, first);
-    ConformingMesh mesh =
-        join({prepared.pslg, prepared.table, boundaries, meshes}, work.pslg, whole);
+    Work thin = work;
+    const std::vector<std::uint32_t> whole = unite_pieces(thin.pslg, thin.table, first);
+    ConformingMesh mesh = join(work, thin.pslg, whole);
     const std::size_t before = mesh.points.size() - first;
     std::vector<std::uint32_t> old = sort_by_place(mesh);
     std::erase_if(old, [&](std::uint32_t v) { return v >= first; });
-    MeshWithUndo mutable_mesh(mesh, angles_of(meshes, options));
+    MeshWithUndo mutable_mesh(mesh, angles_of(work.meshes, options));
     ThinEffort effort = effort_of(options.effort, before);
     effort.stop = callbacks.stop;
     const Thinned thinned = thin_mesh(mutable_mesh, effort);
@@ -274,20 +262,17 @@ Status thin_cuts(Prepared& prepared, std::vector<RegionBoundary>& boundaries,
     const bool is_better =
         thinned.bad < thinned.bad_before || (thinned.bad == thinned.bad_before && after < before);
     if (!is_better || (options.box_method && thinned.bad > 0)) return ok();
-    separate(result, old, work);
-    if (!is_sound(work)) return ok();
-    for (std::size_t r = 0; r < work.boundaries.size(); ++r) {
-      report_again(work.boundaries[r], options, false, work.meshes[r]);
-      measure(work.boundaries[r], work.meshes[r]);
+    separate(result, old, thin);
+    if (!is_sound(thin)) return ok();
+    for (std::size_t r = 0; r < thin.boundaries.size(); ++r) {
+      report_again(thin.boundaries[r], options, false, thin.meshes[r]);
+      measure(thin.boundaries[r], thin.meshes[r]);
     }
-    if (obtuse(work.meshes) > obtuse(meshes)) return ok();
-    prepared.pslg = std::move(work.pslg);
-    prepared.table = std::move(work.table);
-    boundaries = std::move(work.boundaries);
-    meshes = std::move(work.meshes);
-    report.input_points = prepared.pslg.points.size();
-    report.input_segments = prepared.pslg.segments.size();
-    tell({prepared.pslg, {}, {}, {}}, first, before, after, options, report);
+    if (obtuse(thin.meshes) > obtuse(work.meshes)) return ok();
+    work = std::move(thin);
+    work.report.input_points = work.pslg.points.size();
+    work.report.input_segments = work.pslg.segments.size();
+    tell(work.pslg, first, before, after, options, work.report);
     return ok();
   });
 }

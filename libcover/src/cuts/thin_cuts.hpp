@@ -4,12 +4,10 @@
 #include <vector>
 
 #include <cover/options.hpp>
-#include <cover/output.hpp>
 #include <cover/progress.hpp>
 #include <cover/result.hpp>
 
-#include "region/region_boundary.hpp"
-#include "target/region_mesh.hpp"
+#include "cuts/work.hpp"
 
 namespace cover {
 
@@ -22,11 +20,9 @@ bool wants_thinning(const Prepared& prepared, const std::vector<RegionBoundary>&
 /// mends obtuse triangles that are left. Points of the input stay. No more triangles are obtuse than
 /// before, and no region's smallest angle becomes smaller than it was or Options::min_angle.
 ///
-/// ENSURES: `prepared`, `boundaries` and `meshes` stay in step; a note tells how many went
+/// ENSURES: a note tells how many went
 /// Errors:  cancelled, internal
 /// Cost:    as Options::effort says, see docs/box_method.md
-Status thin_cuts(Prepared& prepared, std::vector<RegionBoundary>& boundaries,
-                 std::vector<RegionMesh>& meshes, const Options& options,
-                 const Callbacks& callbacks);
+Status thin_cuts(Work& work, const Options& options, const Callbacks& callbacks);
 
 }  // namespace cover

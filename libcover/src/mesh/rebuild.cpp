@@ -41,6 +41,7 @@ class Rebuilder {
     set_vertices();
     if (std::optional<Error> error = add_periodic()) return *std::move(error);
     if (std::optional<Error> error = add_arcs()) return *std::move(error);
+    if (std::optional<Error> error = add_arrays()) return *std::move(error);
     return std::move(out_);
   }
 
@@ -202,6 +203,27 @@ class Rebuilder {
             static_cast<std::uint32_t>(out_.pslg.circles.size());
       }
     }
+    return std::nullopt;
+  }
+
+  std::optional<Error> add_arrays() {
+    for (const Attribute& attribute : stored_.attributes) {
+      const auto words = static_cast<double>(attribute.words.size());
+      if (attribute.values.size() != out_.table.regions.size())
+        return wrong(
+            fmt::format("the attribute '{}' has not one value per region", attribute.name));
+      if (attribute.is_text &&
+          !std::all_of(attribute.values.begin(), attribute.values.end(), [&](double value) {
+            return value >= 0 && value <= words && value == std::floor(value);
+          }))
+        return wrong(fmt::format("the attribute '{}' has a word too few", attribute.name));
+    }
+    for (const PlaneField::Array& field : stored_.fields) {
+      if (field.values.size() != soup_.points.size())
+        return wrong(fmt::format("the field '{}' has not one value per point", field.name));
+    }
+    out_.table.attributes = stored_.attributes;
+    out_.fields = stored_.fields;
     return std::nullopt;
   }
 

@@ -87,10 +87,14 @@ template <class... Extensions>
 bool is_format(const ReadOptions& options, Extensions... extensions) {
   return ((options.format == extensions) || ...);
 }
-bool is_layout(const ReadOptions& o) { return is_format(o, ".gds", ".gds2", ".gdsii"); }
+bool is_layout(const ReadOptions& o) {
+  return is_format(o, ".gds", ".gds2", ".gdsii", ".oas", ".oasis");
+}
 bool is_map(const ReadOptions& o) {
   return is_format(o, ".shp", ".gpkg", ".fgb", ".gml", ".kml", ".geojson");
 }
+/// GeoJSON is often named .json; what is no map after all is told by its reader.
+bool is_maybe_map(const ReadOptions& o) { return is_map(o) || is_format(o, ".json"); }
 bool is_drawing(const ReadOptions& o) { return is_format(o, ".dxf"); }
 bool is_picture(const ReadOptions& o) {
   return is_format(o, ".png", ".bmp", ".tif", ".tiff", ".nrrd", ".mha", ".vti", ".vtk");
@@ -153,24 +157,24 @@ constexpr ReadOptionEntry kReadTable[] = {
         .name = "material-field", .placeholder = "NAME",
         .help = "Attribute of a map that is the material; 'material' unless given, else 'name'",
         .counts_with = "maps",
-        .counts = is_map}),
+        .counts = is_maybe_map}),
     text<&ReadOptions::name_field>({
         .name = "name-field", .placeholder = "NAME",
         .help = "Attribute of a map that is the name of the region or contact; 'name' unless given",
         .counts_with = "maps",
-        .counts = is_map}),
+        .counts = is_maybe_map}),
     text<&ReadOptions::priority_field>({
         .name = "priority-field", .placeholder = "NAME",
         .help = "Attribute of a map of which the higher wins where polygons overlap; 'priority' unless "
                 "given",
         .counts_with = "maps",
-        .counts = is_map}),
+        .counts = is_maybe_map}),
     texts<&ReadOptions::keep_fields>({
         .name = "keep-field", .placeholder = "NAME",
         .help = "Attribute of a map that the triangles keep, several if repeated: an array of numbers, "
                 "or of words by number; 'fid' is the number of the feature",
         .counts_with = "maps",
-        .counts = is_map}),
+        .counts = is_maybe_map}),
     text<&ReadOptions::crs>({
         .name = "crs", .placeholder = "CRS",
         .help = "Project a map to these coordinates, as EPSG:25832",

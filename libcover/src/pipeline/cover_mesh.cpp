@@ -4,7 +4,10 @@
 //
 // Since no vertex is put on a segment, regions are meshed apart and in parallel, and joined by
 // vertex id; results lie in region order, so the mesh does not depend on the schedule.
+// Tested by tests/unit/pipeline/cover_mesh_test.cpp.
 #include <cover/cover_mesh.hpp>
+
+#include <utility>
 
 #include "base/out_of_memory.hpp"
 #include "cuts/cut_for_boxes.hpp"
@@ -16,8 +19,8 @@
 #include "mesh/periodic_nodes.hpp"
 #include "mesh/stitch.hpp"
 #include "pipeline/find_regions.hpp"
-#include "pipeline/mesh_prepared.hpp"
 #include "pipeline/nonobtuse.hpp"
+#include "pipeline/steps.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/carry_field.hpp"
 #include "sizes/expected_triangles.hpp"
@@ -26,6 +29,84 @@
 #include "tasks/region_task.hpp"
 
 namespace cover {
+namespace {
+
+/// One piece of work per region, with its sizes and layers.
+Status split(Work& work, const Options& options, bool memory_counts) {
+  return errors_as_values("split", [&] {
+    work.boundaries = split_regions(work.pslg, work.table);
+    Status status = resolve_sizes(work.pslg, work.table, options, work.boundaries);
+    if (status) status = resolve_layers(work.pslg, work.table, options, work.boundaries);
+    if (status)
+      status = check_expected_triangles(work.table, work.boundaries, options,
+                                        memory_for_mesh(memory_counts));
+    return status;
+  });
+}
+
+Status mesh_each_region(Work& work, const Options& options, const Callbacks& callbacks) {
+  Result<std::vector<RegionMesh>> meshes =
+      options.method == Method::nonobtuse
+          ? mesh_nonobtuse(work.pslg, work.table, work.boundaries, options, callbacks)
+          : mesh_regions(work.boundaries, options, callbacks);
+  if (!meshes) return std::move(meshes).error();
+  work.meshes = *std::move(meshes);
+  return ok();
+}
+
+Status look_at_cuts(Work& work, const Options& /*options*/, const Callbacks& /*callbacks*/) {
+  Status apart = errors_as_values("check cuts",
+                                  [&] { return check_cuts(work.pslg, work.report.uncut_points); });
+  if (apart) warn_of_straight_arcs(work.pslg, work.report.notes);
+  return apart;
+}
+
+/// One mesh of all regions, by vertex id.
+Result<Output> stitch_regions(Work work, const Callbacks& callbacks, StageClock& clock) {
+  if (Status status = begin_stage("stitch", callbacks); !status) return std::move(status).error();
+  Result<Mesh> mesh = errors_as_values("stitch", [&] {
+    return Result<Mesh>(stitch(work.pslg, work.table, std::move(work.boundaries), work.meshes));
+  });
+  if (!mesh) return std::move(mesh).error();
+  collect_reports(work.meshes, work.report);
+  std::vector<PeriodicNodes> periodic = periodic_nodes(work.pslg, work.rules, *mesh);
+  std::vector<PlaneField::Array> fields;
+  if (work.field) fields = carry_field(*work.field, *mesh, work.report.notes);
+  clock.note("stitch", work.report.times);
+  return Output{*std::move(mesh),       std::move(work.pslg), std::move(work.table),
+                std::move(work.report), std::move(periodic),  std::move(fields)};
+}
+
+/// `input` is given back early if it may be moved from.
+template <class AnyInput>
+Result<Work> work_of(AnyInput&& input, const Options& options, bool memory_counts,
+                     const Callbacks& callbacks, StageClock& clock) {
+  Work work;
+  work.rules = periodic_rules(input, options);
+  work.field = input.field;
+  Result<Prepared> found =
+      find_regions(std::forward<AnyInput>(input), options, callbacks, clock, memory_counts);
+  if (!found) return std::move(found).error();
+  static_cast<Prepared&>(work) = *std::move(found);
+  if (Status status = split(work, options, memory_counts); !status)
+    return std::move(status).error();
+  warn_of_sizes(work.pslg, options, work.boundaries, work.report.notes);
+  clock.note("split", work.report.times);
+  return work;
+}
+
+template <class AnyInput>
+Result<Output> mesh_input(AnyInput&& input, const Options& asked, const Callbacks& callbacks) {
+  return memory_as_value("mesh", [&]() -> Result<Output> {
+    StageClock clock;
+    const Options options = with_layers_of(input, asked);
+    Result<Work> work = work_of(std::forward<AnyInput>(input), options, true, callbacks, clock);
+    return work ? finish_work(*std::move(work), options, callbacks, clock)
+                : std::move(work).error();
+  });
+}
+
+}  // namespace
 
 Result<Prepared> prepare(const Input& input, const Options& asked, const Callbacks& callbacks) {
   return memory_as_value("prepare", [&]() -> Result<Prepared> {
@@ -42,93 +123,26 @@ Result<Prepared> prepare(const Input& input, const Options& asked, const Callbac
   });
 }
 
-Result<std::vector<RegionBoundary>> split_prepared(Prepared& prepared, const Options& options,
-                                                   bool memory_counts, StageClock& clock) {
-  const Pslg& pslg = prepared.pslg;
-  const RegionTable& table = prepared.table;
-  std::vector<RegionBoundary> boundaries;
-  Status sized = errors_as_values("split", [&] {
-    boundaries = split_regions(pslg, table);
-    Status resolved = resolve_sizes(pslg, table, options, boundaries);
-    if (resolved) resolved = resolve_layers(pslg, table, options, boundaries);
-    return resolved ? check_expected_triangles(table, boundaries, options,
-                                               memory_for_mesh(memory_counts))
-                    : resolved;
-  });
-  if (!sized) return std::move(sized).error();
-  warn_of_sizes(pslg, options, boundaries, prepared.report.notes);
-  clock.note("split", prepared.report.times);
-  return boundaries;
+Result<Work> begin_work(Input&& input, const Options& options, bool memory_counts,
+                        const Callbacks& callbacks, StageClock& clock) {
+  return work_of(std::move(input), options, memory_counts, callbacks, clock);
 }
 
-Result<Output> mesh_prepared(Prepared prepared, std::vector<RegionBoundary> boundaries,
-                             const std::vector<PeriodicRule>& rules,
-                             const std::shared_ptr<const PlaneField>& field, const Options& options,
-                             const Callbacks& callbacks, StageClock& clock) {
-  Pslg& pslg = prepared.pslg;
-  RegionTable& table = prepared.table;
-  Report& report = prepared.report;
-  Result<std::vector<RegionMesh>> meshes =
-      options.method == Method::nonobtuse
-          ? mesh_nonobtuse(pslg, table, boundaries, options, callbacks)
-          : mesh_regions(boundaries, options, callbacks);
-  if (!meshes) return std::move(meshes).error();
-  Status met = cut_until_met(prepared, boundaries, *meshes, options, callbacks);
-  if (!met) return std::move(met).error();
-  Status coupled = cut_until_coupled(prepared, boundaries, *meshes, options, callbacks);
-  if (!coupled) return std::move(coupled).error();
-  Status thinned = thin_cuts(prepared, boundaries, *meshes, options, callbacks);
-  if (!thinned) return std::move(thinned).error();
-  Status apart =
-      errors_as_values("check cuts", [&] { return check_cuts(pslg, report.uncut_points); });
-  if (!apart) return std::move(apart).error();
-  warn_of_straight_arcs(pslg, report.notes);
-  clock.note("mesh", report.times);
-  if (Status status = begin_stage("stitch", callbacks); !status) return std::move(status).error();
-  Result<Mesh> mesh = errors_as_values(
-      "stitch", [&] { return Result<Mesh>(stitch(pslg, table, std::move(boundaries), *meshes)); });
-  if (!mesh) return std::move(mesh).error();
-  collect_reports(*meshes, report);
-  std::vector<PeriodicNodes> periodic = periodic_nodes(pslg, rules, *mesh);
-  std::vector<PlaneField::Array> fields;
-  if (field) fields = carry_field(*field, *mesh, report.notes);
-  clock.note("stitch", report.times);
-  return Output{*std::move(mesh),  std::move(pslg),     std::move(table),
-                std::move(report), std::move(periodic), std::move(fields)};
+Result<Output> finish_work(Work work, const Options& options, const Callbacks& callbacks,
+                           StageClock& clock) {
+  for (const auto step :
+       {mesh_each_region, cut_until_met, cut_until_coupled, thin_cuts, look_at_cuts})
+    if (Status status = step(work, options, callbacks); !status) return std::move(status).error();
+  clock.note("mesh", work.report.times);
+  return stitch_regions(std::move(work), callbacks, clock);
 }
-
-namespace {
-
-Result<Output> mesh_found(Result<Prepared> prepared, const std::vector<PeriodicRule>& rules,
-                          const std::shared_ptr<const PlaneField>& field, const Options& options,
-                          const Callbacks& callbacks, StageClock& clock) {
-  if (!prepared) return std::move(prepared).error();
-  Result<std::vector<RegionBoundary>> boundaries = split_prepared(*prepared, options, true, clock);
-  if (!boundaries) return std::move(boundaries).error();
-  return mesh_prepared(*std::move(prepared), *std::move(boundaries), rules, field, options,
-                       callbacks, clock);
-}
-
-}  // namespace
 
 Result<Output> cover_mesh(const Input& input, const Options& asked, const Callbacks& callbacks) {
-  return memory_as_value("mesh", [&]() -> Result<Output> {
-    StageClock clock;
-    const Options options = with_layers_of(input, asked);
-    return mesh_found(find_regions(input, options, callbacks, clock),
-                      periodic_rules(input, options), input.field, options, callbacks, clock);
-  });
+  return mesh_input(input, asked, callbacks);
 }
 
 Result<Output> cover_mesh(Input&& input, const Options& asked, const Callbacks& callbacks) {
-  return memory_as_value("mesh", [&]() -> Result<Output> {
-    StageClock clock;
-    const Options options = with_layers_of(input, asked);
-    const std::vector<PeriodicRule> rules = periodic_rules(input, options);
-    const std::shared_ptr<const PlaneField> field = input.field;
-    Result<Prepared> prepared = find_regions(std::move(input), options, callbacks, clock);
-    return mesh_found(std::move(prepared), rules, field, options, callbacks, clock);
-  });
+  return mesh_input(std::move(input), asked, callbacks);
 }
 
 }  // namespace cover

@@ -17,7 +17,7 @@
 #include "io/write_mesh/write_spooled.hpp"
 #include "mesh/stitch.hpp"
 #include "pipeline/find_regions.hpp"
-#include "pipeline/mesh_prepared.hpp"
+#include "pipeline/steps.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/expected_triangles.hpp"
 #include "stream/spooled_parts.hpp"
@@ -119,56 +119,49 @@ Status check_room_for(double triangles, const std::string& path) {
   return check_room(path, kSurely * (kSpooled + kWritten) * triangles);
 }
 
-/// Meshes the regions of `prepared` into a spool file.
-Result<StreamedOutput> spool_prepared(Prepared prepared, std::vector<RegionBoundary> boundaries,
-                                      const Options& options, const StreamOptions& stream,
-                                      const Callbacks& callbacks, StageClock& clock) {
-  std::vector<std::uint32_t> vertex_of = input_vertices(prepared.pslg, boundaries);
+/// Meshes the regions into a spool file.
+Result<StreamedOutput> spool_work(Work work, const Options& options, const StreamOptions& stream,
+                                  const Callbacks& callbacks, StageClock& clock) {
+  std::vector<std::uint32_t> vertex_of = input_vertices(work.pslg, work.boundaries);
   std::vector<Point> input;
   for (std::size_t v = 0; v < vertex_of.size(); ++v)
-    if (vertex_of[v] != kNone) input.push_back(prepared.pslg.points[v]);
-  Result<MeshSpool> spool = MeshSpool::beside(stream.beside, input, boundaries.size());
+    if (vertex_of[v] != kNone) input.push_back(work.pslg.points[v]);
+  Result<MeshSpool> spool = MeshSpool::beside(stream.beside, input, work.boundaries.size());
   if (!spool) return std::move(spool).error();
   input = {};
-  Spooler spooler(prepared.pslg, prepared.table, boundaries, *spool, std::move(vertex_of));
+  Spooler spooler(work.pslg, work.table, work.boundaries, *spool, std::move(vertex_of));
   Status meshed = mesh_regions_into(
-      boundaries, options, callbacks,
+      work.boundaries, options, callbacks,
       [&](std::size_t region, RegionMesh mesh) { spooler.take(region, std::move(mesh)); },
       [&] { return spool->is_good(); });
   if (!meshed) return std::move(meshed).error();
   if (Status finished = spool->finish(); !finished) return std::move(finished).error();
-  clock.note("mesh", prepared.report.times);
-  auto parts = std::make_shared<const SpooledParts>(spooler.finish(prepared.report));
-  const MeshCounts counts = count_of(*parts, prepared.table);
-  return StreamedOutput{Output{Mesh(), std::move(prepared.pslg), std::move(prepared.table),
-                               std::move(prepared.report)},
-                        counts, std::move(parts)};
+  clock.note("mesh", work.report.times);
+  auto parts = std::make_shared<const SpooledParts>(spooler.finish(work.report));
+  const MeshCounts counts = count_of(*parts, work.table);
+  return StreamedOutput{
+      Output{Mesh(), std::move(work.pslg), std::move(work.table), std::move(work.report)}, counts,
+      std::move(parts)};
 }
 
 Result<StreamedOutput> stream_or_hold(Input input, const Options& asked,
                                       const StreamOptions& stream, const Callbacks& callbacks) {
   StageClock clock;
   const Options options = with_layers_of(input, asked);
-  const std::vector<PeriodicRule> rules = periodic_rules(input, options);
-  Result<Prepared> prepared = find_regions(std::move(input), options, callbacks, clock, false);
-  if (!prepared) return std::move(prepared).error();
-  Result<std::vector<RegionBoundary>> boundaries = split_prepared(*prepared, options, false, clock);
-  if (!boundaries) return std::move(boundaries).error();
+  Result<Work> work = begin_work(std::move(input), options, false, callbacks, clock);
+  if (!work) return std::move(work).error();
   Result<double> expected = errors_as_values(
-      "estimate", [&] { return Result<double>(expected_triangles_of(*boundaries, options)); });
+      "estimate", [&] { return Result<double>(expected_triangles_of(work->boundaries, options)); });
   if (!expected) return std::move(expected).error();
   if (*expected < stream.most_in_memory) {
-    Result<Output> output = mesh_prepared(*std::move(prepared), *std::move(boundaries), rules,
-                                          nullptr, options, callbacks, clock);
+    Result<Output> output = finish_work(*std::move(work), options, callbacks, clock);
     if (!output) return std::move(output).error();
     const MeshCounts counts = count_of(output->mesh);
     return StreamedOutput{*std::move(output), counts, nullptr};
   }
   if (Status room = check_room_for(*expected, stream.beside); !room) return std::move(room).error();
-  return errors_as_values("stream", [&] {
-    return spool_prepared(*std::move(prepared), *std::move(boundaries), options, stream, callbacks,
-                          clock);
-  });
+  return errors_as_values(
+      "stream", [&] { return spool_work(*std::move(work), options, stream, callbacks, clock); });
 }
 
 }  // namespace

@@ -7,9 +7,9 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include <cover/input.hpp>
+#include <cover/read_options.hpp>
 #include <cover/result.hpp>
 
 namespace cover {
@@ -20,11 +20,14 @@ struct ImageOptions;
 Result<Input> parse_poly(std::string_view text, const std::string& source);
 
 /// Our own JSON: points and segments, or painted polygons, with curves. See input.schema.json.
-Result<Input> parse_json(std::string_view text, const std::string& source);
+/// GeoJSON is known by what stands in it; of `options`, only that looks at fields.
+Result<Input> parse_json(std::string_view text, const std::string& source,
+                         const ReadOptions& options = {});
 
-/// GeoJSON: areas, and lines as contacts; properties material, name and priority.
+/// GeoJSON: areas, and lines as contacts; properties material, name and priority, or those that
+/// `options` name.
 Result<Input> parse_geojson(std::string_view text, const std::string& source,
-                            const std::vector<std::string>& keep_fields = {});
+                            const ReadOptions& options = {});
 
 /// gmsh's .msh 2.2 and 4.1, ASCII or binary: the borders of physical surfaces, and physical curves.
 Result<Input> parse_msh(std::string_view text, const std::string& source);

@@ -1,8 +1,8 @@
 // GeoJSON (RFC 7946): each Polygon and MultiPolygon a painted area, each LineString a named line.
 //
 // Properties: `material` (else `name`, else the feature is a material of its own), `name` (of the
-// region or line), `priority`, `size` (the wished edge length inside); those that are to be kept
-// become attributes. Coordinates are taken as they are, plane, heights left out; so are points and
+// region or line), `priority`, `size` (the wished edge length inside); the first three may be called
+// otherwise, and those that are to be kept become attributes. Coordinates are taken as they are, plane, heights left out; so are points and
 // whatever else a file carries, which the RFC allows. Tested by read_geojson_test.cpp.
 #include "io/input/read_geojson.hpp"
 
@@ -20,9 +20,13 @@ namespace {
 
 class GeoReader {
  public:
-  GeoReader(const Json& document, const std::string& source,
-            const std::vector<std::string>& keep_fields)
-      : document_(document), json_(document, source), attributes_(keep_fields) {
+  GeoReader(const Json& document, const std::string& source, const ReadOptions& options)
+      : document_(document),
+        json_(document, source),
+        material_("material_field", options.material_field, "material"),
+        name_("name_field", options.name_field, "name"),
+        priority_("priority_field", options.priority_field, "priority"),
+        attributes_(options.keep_fields) {
     input_.source = source;
   }
 
@@ -73,7 +77,7 @@ class GeoReader {
       input_.warnings.push_back(
           fmt::format("the property 'size' of {} is no length above 0: left out",
                       counted(no_sizes_, "feature")));
-    if (auto missing = missing_attribute()) return *std::move(missing);
+    if (auto missing = missing_property()) return *std::move(missing);
     input_.attributes = attributes_.attributes();
     return std::move(input_);
   }
@@ -85,6 +89,23 @@ class GeoReader {
     std::optional<double> priority;
     std::optional<double> size;
     std::uint32_t feature = 0;  ///< as InputPolygon has it
+  };
+
+  /// A property that means something; what the caller called it has to be there.
+  struct Meaning {
+    Meaning(const char* its_option, const std::string& asked, const char* usual)
+        : option(its_option), name(asked.empty() ? usual : asked), must_be_there(!asked.empty()) {}
+
+    const char* option;
+    std::string name;
+    bool must_be_there;
+
+    /// Its value, or nullptr where there is none.
+    const Json* of(const Json& properties) {
+      const Json* value = JsonReader::member(properties, name);
+      if (value) must_be_there = false;
+      return value;
+    }
   };
 
   void push(const Json& object, const Properties& properties) {
@@ -127,10 +148,9 @@ class GeoReader {
     Properties own;
     const long number = features_++;
     if (const Json* properties = JsonReader::member(feature, "properties")) {
-      if (const Json* m = JsonReader::member(*properties, "material")) own.material = read_name(*m);
-      if (const Json* n = JsonReader::member(*properties, "name")) own.name = read_name(*n);
-      if (const Json* p = JsonReader::member(*properties, "priority"))
-        own.priority = json_.number(*p);
+      if (const Json* m = material_.of(*properties)) own.material = read_name(*m);
+      if (const Json* n = name_.of(*properties)) own.name = read_name(*n);
+      if (const Json* p = priority_.of(*properties)) own.priority = json_.number(*p);
       if (const Json* s = JsonReader::member(*properties, "size")) own.size = read_size(*s);
     }
     if (own.material.empty())
@@ -155,16 +175,19 @@ class GeoReader {
     return value->dump(-1, ' ', false, Json::error_handler_t::replace);
   }
 
-  /// An attribute that is to be kept and that no feature has.
-  [[nodiscard]] std::optional<Error> missing_attribute() const {
-    for (std::size_t k = 0; k < attributes_.names().size(); ++k) {
-      if (!attributes_.is_empty(k)) continue;
-      return Error{ErrorCode::bad_option,
-                   fmt::format("{}: keep_field: no feature has the property '{}'", input_.source,
-                               attributes_.names()[k]),
-                   {},
-                   {}};
-    }
+  /// A property that was asked for and that no feature has.
+  [[nodiscard]] std::optional<Error> missing_property() const {
+    const auto error = [&](const char* option, const std::string& name) {
+      return Error{
+          ErrorCode::bad_option,
+          fmt::format("{}: {}: no feature has the property '{}'", input_.source, option, name),
+          {},
+          {}};
+    };
+    for (const Meaning* meaning : {&material_, &name_, &priority_})
+      if (meaning->must_be_there) return error(meaning->option, meaning->name);
+    for (std::size_t k = 0; k < attributes_.names().size(); ++k)
+      if (attributes_.is_empty(k)) return error("keep_field", attributes_.names()[k]);
     return std::nullopt;
   }
 
@@ -219,6 +242,7 @@ class GeoReader {
   long features_ = 0;
   std::size_t points_ = 0;
   std::size_t no_sizes_ = 0;
+  Meaning material_, name_, priority_;
   AttributeTable attributes_;
 };
 
@@ -230,25 +254,25 @@ bool is_geojson(const Json& document) {
 }
 
 Result<Input> read_geojson(const Json& document, const std::string& source,
-                           const std::vector<std::string>& keep_fields) {
-  return GeoReader(document, source, keep_fields).read();
+                           const ReadOptions& options) {
+  return GeoReader(document, source, options).read();
 }
 
 std::optional<Input> read_geojson(const SplitJson& split, const std::string& source,
-                                  const std::vector<std::string>& keep_fields) {
+                                  const ReadOptions& options) {
   const Result<JsonDocument> rest = parse_json_text(split.rest, source);
-  return rest ? GeoReader(rest->root(), source, keep_fields).read(split.elements) : std::nullopt;
+  return rest ? GeoReader(rest->root(), source, options).read(split.elements) : std::nullopt;
 }
 
 Result<Input> parse_geojson(std::string_view text, const std::string& source,
-                            const std::vector<std::string>& keep_fields) {
+                            const ReadOptions& options) {
   if (const auto split = split_json(text, {"features"})) {
-    if (std::optional<Input> input = read_geojson(*split, source, keep_fields))
+    if (std::optional<Input> input = read_geojson(*split, source, options))
       return *std::move(input);
   }
   const Result<JsonDocument> document = parse_json_text(text, source);
   if (!document) return document.error();
-  return read_geojson(document->root(), source, keep_fields);
+  return read_geojson(document->root(), source, options);
 }
 
 }  // namespace cover

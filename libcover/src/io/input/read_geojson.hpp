@@ -1,10 +1,11 @@
 // GeoJSON in files that are not named so.
 #pragma once
 
+#include <optional>
 #include <string>
-#include <vector>
 
 #include <cover/input.hpp>
+#include <cover/read_options.hpp>
 
 #include "io/text/json_reader.hpp"
 #include "io/text/split_json.hpp"
@@ -16,11 +17,11 @@ bool is_geojson(const Json& document);
 
 /// Reads a parsed document; else as parse_geojson.
 Result<Input> read_geojson(const Json& document, const std::string& source,
-                           const std::vector<std::string>& keep_fields = {});
+                           const ReadOptions& options);
 
 /// The same of a document without its features, and these, so that there is one tree at a time;
 /// nothing where something is wrong: then the whole document tells.
 std::optional<Input> read_geojson(const SplitJson& split, const std::string& source,
-                                  const std::vector<std::string>& keep_fields = {});
+                                  const ReadOptions& options);
 
 }  // namespace cover

@@ -25,9 +25,8 @@ struct Format {
 };
 
 constexpr std::array kFormats{
-    Format{".poly", parse_poly}, Format{".json", parse_json},  Format{".msh", parse_msh},
-    Format{".tif", parse_tif},   Format{".str", parse_suprem}, Format{".cmd", parse_sde},
-    Format{".scm", parse_sde},
+    Format{".poly", parse_poly},  Format{".msh", parse_msh}, Format{".tif", parse_tif},
+    Format{".str", parse_suprem}, Format{".cmd", parse_sde}, Format{".scm", parse_sde},
 };
 
 /// Formats that others turn into one that is read here, and how.
@@ -50,10 +49,8 @@ constexpr std::array kOtherFormats{
                 ".geo is read by gmsh's library, without which this was built; "
                 "'gmsh -2 FILE.geo -o FILE.msh' makes a file that can be read"},
     OtherFormat{".oas",
-                "OASIS is not read; KLayout's 'strm2gds FILE.oas FILE.gds' makes a file "
-                "that can be read; where there is KLayout's program alone, as in Debian, "
-                "'klayout -b -r c.rb' does, with \"l = RBA::Layout::new; l.read('FILE.oas'); "
-                "l.write('FILE.gds')\" in c.rb"},
+                "OASIS is read from files, by programs that call KLayout for it; KLayout's "
+                "'strm2gds FILE.oas FILE.gds' makes a file that can be read"},
     OtherFormat{".dxf",
                 ".dxf is read by dxflib, without which this was built; "
                 "'ogr2ogr -f GeoJSON FILE.geojson FILE.dxf' makes a file that can be read, "
@@ -68,19 +65,17 @@ Error unknown_format(std::string_view extension, const std::string& source) {
   std::string known;
   for (const Format& format : kFormats) known += fmt::format("{}, ", format.extension);
   return {ErrorCode::unsupported_format,
-          fmt::format("{}: no reader for files named '*{}'; known: {}.geojson, .gds, .vtu, .vtp, "
-                      ".vti, .vtk, .png, "
-                      ".bmp, .tiff, .nrrd, .mha",
-                      source, extension, known),
+          fmt::format(
+              "{}: no reader for files named '*{}'; known: {}.json, .geojson, .gds, .vtu, .vtp, "
+              ".vti, .vtk, .png, "
+              ".bmp, .tiff, .nrrd, .mha",
+              source, extension, known),
           {},
           {}};
 }
 
 /// Whether something of a map is chosen that only GDAL does.
-bool is_for_gdal(const ReadOptions& o) {
-  return !o.layers.empty() || !o.crs.empty() || !o.material_field.empty() ||
-         !o.name_field.empty() || !o.priority_field.empty();
-}
+bool is_for_gdal(const ReadOptions& o) { return !o.layers.empty() || !o.crs.empty(); }
 
 Result<ImageOptions> image_options(const ReadOptions& options) {
   ImageOptions image{options.smooth, {}, options.legend};
@@ -110,7 +105,7 @@ Result<Input> parse_format(std::string_view text, const std::string& extension,
                            const std::string& source, const ReadOptions& options) {
   if (extension == ".geojson" && is_for_gdal(options))
     return Error{ErrorCode::bad_option,
-                 fmt::format("{}: choosing layers, attributes or a projection takes GDAL, which "
+                 fmt::format("{}: choosing layers or a projection takes GDAL, which "
                              "reads from files and in builds that have it",
                              source),
                  {},
@@ -118,7 +113,8 @@ Result<Input> parse_format(std::string_view text, const std::string& extension,
   // TCAD's TIF has the extension of a picture.
   if (is_image(extension) && (extension != ".tif" || is_tiff(text)))
     return parse_picture(text, extension, source, options);
-  if (extension == ".geojson") return parse_geojson(text, source, options.keep_fields);
+  if (extension == ".json") return parse_json(text, source, options);
+  if (extension == ".geojson") return parse_geojson(text, source, options);
   for (const Format& format : kFormats)
     if (format.extension == extension) return format.parse(text, source);
   if (is_data_set(extension)) return parse_vtk(text, extension, source, options);

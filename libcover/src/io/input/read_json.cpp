@@ -461,12 +461,26 @@ class InputReader {
   std::map<ArcCircle, std::uint32_t> circles_;  ///< their numbers
 };
 
+/// What counts with maps alone does nothing here, which is told.
+void warn_of_options(const ReadOptions& o, Input& input) {
+  const auto tell = [&](bool is_given, std::string_view name) {
+    if (is_given)
+      input.warnings.push_back(
+          fmt::format("{}: --{} does nothing: it counts with maps only", input.source, name));
+  };
+  tell(!o.material_field.empty(), "material-field");
+  tell(!o.name_field.empty(), "name-field");
+  tell(!o.priority_field.empty(), "priority-field");
+  tell(!o.keep_fields.empty(), "keep-field");
+}
+
 /// Features, or polygons without curves, one tree at a time; nothing where that does not work: then
 /// the whole document tells why.
-std::optional<Input> parse_in_parts(std::string_view text, const std::string& source) {
+std::optional<Input> parse_in_parts(std::string_view text, const std::string& source,
+                                    const ReadOptions& options) {
   const auto split = split_json(text, {"features", "polygons"});
   if (!split) return std::nullopt;
-  if (split->name == "features") return read_geojson(*split, source);
+  if (split->name == "features") return read_geojson(*split, source, options);
   // Curves are cut alike in all polygons, which are looked at twice for it.
   const auto is_curved = [](std::string_view element) {
     return element.find("\"circle\"") != element.npos || element.find("\"arc\"") != element.npos ||
@@ -477,17 +491,21 @@ std::optional<Input> parse_in_parts(std::string_view text, const std::string& so
   if (!rest || is_geojson(rest->root()) || JsonReader::member(rest->root(), "polygons") == nullptr)
     return std::nullopt;
   Result<Input> input = InputReader(rest->root(), source, split->elements).read();
+  if (input) warn_of_options(options, *input);
   return input ? std::optional(*std::move(input)) : std::nullopt;
 }
 
 }  // namespace
 
-Result<Input> parse_json(std::string_view text, const std::string& source) {
-  if (std::optional<Input> input = parse_in_parts(text, source)) return *std::move(input);
+Result<Input> parse_json(std::string_view text, const std::string& source,
+                         const ReadOptions& options) {
+  if (std::optional<Input> input = parse_in_parts(text, source, options)) return *std::move(input);
   const Result<JsonDocument> document = parse_json_text(text, source);
   if (!document) return document.error();
-  if (is_geojson(document->root())) return read_geojson(document->root(), source);
-  return InputReader(document->root(), source).read();
+  if (is_geojson(document->root())) return read_geojson(document->root(), source, options);
+  Result<Input> input = InputReader(document->root(), source).read();
+  if (input) warn_of_options(options, *input);
+  return input;
 }
 
 }  // namespace cover

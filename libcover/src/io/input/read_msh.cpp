@@ -20,9 +20,9 @@
 namespace cover {
 namespace {
 
-class Converter {
+class CellsOfMsh {
  public:
-  Converter(MshFile file, const std::string& source) : file_(std::move(file)) {
+  CellsOfMsh(MshFile file, const std::string& source) : file_(std::move(file)) {
     mesh_.source = source;
     mesh_.points = std::move(file_.points);
     mesh_.point_ids = std::move(file_.point_ids);
@@ -88,7 +88,7 @@ class Converter {
 Result<Input> parse_msh(std::string_view text, const std::string& source) {
   Result<MshFile> file = parse_msh_file(text, source);
   if (!file) return std::move(file).error();
-  return Converter(*std::move(file), source).convert();
+  return CellsOfMsh(*std::move(file), source).convert();
 }
 
 }  // namespace cover

@@ -80,9 +80,9 @@ const std::vector<int>* only_array(const std::vector<NamedArray>& arrays) {
 }
 
 /// The cells of a data set as a CellMesh.
-class Converter {
+class CellsOfDataSet {
  public:
-  Converter(const DataSet& data, const std::string& source)
+  CellsOfDataSet(const DataSet& data, const std::string& source)
       : data_(data), arrays_(cell_arrays(data)) {
     mesh_.source = source;
     material_ = first_of(arrays_, kMaterialArrays);
@@ -236,7 +236,7 @@ Result<Input> parse_vtk_input(std::string_view text, std::string_view extension,
                               const std::string& source, const ImageOptions* image) {
   const Result<DataSet> data = parse_data_set(text, extension, source);
   if (!data) return data.error();
-  Converter converter(*data, source);
+  CellsOfDataSet converter(*data, source);
   if (image != nullptr) {
     if (const std::optional<Raster> picture = converter.picture())
       return input_of(*picture, source, *image);

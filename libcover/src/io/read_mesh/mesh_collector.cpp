@@ -17,6 +17,8 @@ MeshFile MeshCollector::finish() {
       line.a = renumbered[line.a];
       line.b = renumbered[line.b];
     }
+    for (PlaneField::Array& array : mesh.point_arrays)
+      drop_values(renumbered, mesh.soup.points.size(), array.values);
   }
   return std::move(mesh);
 }

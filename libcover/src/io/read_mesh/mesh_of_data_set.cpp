@@ -5,6 +5,7 @@
 #include <array>
 
 #include "base/errors.hpp"
+#include "io/text/array_names.hpp"
 #include "io/vtk_files/whole_number.hpp"
 
 namespace cover {
@@ -29,6 +30,21 @@ std::vector<CellArray> cell_arrays(const DataSet& data, const std::vector<std::s
       for (const std::size_t c : cells) array.values.push_back(static_cast<double>(values[c]));
     });
     arrays.push_back(std::move(array));
+  }
+  return arrays;
+}
+
+std::vector<PlaneField::Array> point_arrays(const DataSet& data) {
+  std::vector<PlaneField::Array> arrays;
+  for (const NumberArray& numbers : data.point_arrays) {
+    if (is_own_array(numbers.name) || !numbers.is_one_per(data.point_count())) continue;
+    numbers.visit([&](auto values) {
+      PlaneField::Array array{numbers.name, {}};
+      array.values.reserve(values.size());
+      for (std::size_t p = 0; p < values.size(); ++p)
+        array.values.push_back(static_cast<double>(values[p]));
+      arrays.push_back(std::move(array));
+    });
   }
   return arrays;
 }
@@ -73,6 +89,7 @@ Result<MeshFile> mesh_of(const DataSet& data, const std::string& path,
   }
   if (add) add(collector);
   mesh.arrays = cell_arrays(data, cells);
+  mesh.point_arrays = point_arrays(data);
   mesh.soup.region = integers(mesh.arrays, {"RegionId"});
   mesh.soup.material =
       integers(mesh.arrays, {"material", "MaterialID", "mat_id", "gmsh:physical", "medit:ref"});

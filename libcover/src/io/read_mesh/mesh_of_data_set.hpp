@@ -12,7 +12,7 @@
 
 namespace cover {
 
-/// Triangles, lines with a LineID, and cell arrays; `add` may add lines that are no cells, between
+/// Triangles, lines with a LineID, and arrays; `add` may add lines that are no cells, between
 /// points that are there.
 ///
 /// Errors: syntax, where there are no triangles

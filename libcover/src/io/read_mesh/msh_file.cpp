@@ -6,8 +6,11 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <optional>
 #include <unordered_map>
 
+#include "io/text/text.hpp"
 #include "io/text/token_reader.hpp"
 
 namespace cover {
@@ -90,6 +93,10 @@ class MshParser {
       newer_ ? read_node_blocks() : read_nodes();
     else if (section == "$Elements")
       newer_ ? read_element_blocks() : read_elements();
+    else if (section == "$NodeData" && !binary_)
+      return read_data(section, file_.points.size(), file_.point_arrays);
+    else if (section == "$ElementData" && !binary_)
+      return read_data(section, file_.elements.size(), file_.element_arrays);
     else
       return tokens_.skip_past("$End" + std::string(section.substr(1)));
     tokens_.expect("$End" + std::string(section.substr(1)));
@@ -252,6 +259,45 @@ class MshParser {
     file_.elements.push_back(element);
   }
 
+  /// One number for each of `items`; other data are passed over.
+  void read_data(std::string_view section, std::size_t items,
+                 std::vector<PlaneField::Array>& arrays) {
+    const std::string end = "$End" + std::string(section.substr(1));
+    PlaneField::Array array;
+    const std::size_t texts = tokens_.count("words of data");
+    for (std::size_t k = 0; k < texts && !tokens_.failed(); ++k) {
+      std::string text = tokens_.quoted("the name of data");
+      if (k == 0) array.name = std::move(text);
+    }
+    const std::size_t reals = tokens_.count("numbers of data");
+    for (std::size_t k = 0; k < reals && !tokens_.failed(); ++k) tokens_.word();
+    std::vector<long> numbers;  // the step in time, components, values
+    const std::size_t integers = tokens_.count("whole numbers of data");
+    for (std::size_t k = 0; k < integers && !tokens_.failed(); ++k)
+      numbers.push_back(tokens_.integer("a number of data"));
+    if (tokens_.failed()) return;
+    if (array.name.empty() || numbers.size() < 3 || numbers[1] != 1 || numbers[2] < 1 ||
+        static_cast<std::size_t>(numbers[2]) != items)
+      return tokens_.skip_past(end);
+    const bool of_points = &arrays == &file_.point_arrays;
+    if (!of_points && element_index_.empty())
+      for (std::size_t e = 0; e < file_.elements.size(); ++e)
+        element_index_.emplace(file_.elements[e].id, static_cast<std::uint32_t>(e));
+    const auto& index = of_points ? index_ : element_index_;
+    array.values.assign(items, std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t k = 0; k < items && !tokens_.failed(); ++k) {
+      const auto at = index.find(tokens_.integer("the number of a node or element"));
+      const std::optional<double> value = parse_double(tokens_.word());  // "nan" is none
+      if (at == index.end())
+        return tokens_.fail(ErrorCode::id_out_of_range,
+                            "a value of a node or element that is not "
+                            "given");
+      if (value) array.values[at->second] = *value;
+    }
+    tokens_.expect(end);
+    arrays.push_back(std::move(array));
+  }
+
   /// All elements must lie at one height.
   void check_plane() {
     for (const std::uint32_t p : file_.nodes) {
@@ -270,7 +316,8 @@ class MshParser {
   bool has_elements_ = false;
   std::map<std::pair<long, long>, long> physical_;  // of entities, by dimension and tag
   std::unordered_map<long, std::uint32_t> index_;   // of nodes
-  std::vector<double> heights_;                     // z by node
+  std::unordered_map<long, std::uint32_t> element_index_;
+  std::vector<double> heights_;  // z by node
   MshFile file_;
 };
 

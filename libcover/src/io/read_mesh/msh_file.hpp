@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <cover/plane_field.hpp>
 #include <cover/point.hpp>
 #include <cover/result.hpp>
 
@@ -33,6 +34,9 @@ struct MshFile {
   std::vector<std::uint32_t> nodes;  ///< of all elements, corners first; indices into points
   std::vector<MshElement> elements;
   std::map<std::pair<long, long>, std::string> names;  ///< of groups, by dimension and number
+  /// Numbers that stand at all nodes, or at all elements: by point, by element.
+  std::vector<PlaneField::Array> point_arrays;
+  std::vector<PlaneField::Array> element_arrays;
   std::size_t in_several_groups = 0;  ///< groups left out: entities have the first one they are in
 
   [[nodiscard]] std::span<const std::uint32_t> nodes_of(const MshElement& element) const {

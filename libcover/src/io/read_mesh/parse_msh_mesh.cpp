@@ -11,13 +11,19 @@ Result<MeshFile> parse_msh_mesh(std::string_view text, const std::string& source
   MeshCollector collector;
   MeshFile& mesh = collector.mesh;
   mesh.soup.points = std::move(file->points);
-  for (const MshElement& element : file->elements) {
+  mesh.point_arrays = std::move(file->point_arrays);
+  for (const PlaneField::Array& array : file->element_arrays)
+    mesh.arrays.push_back({array.name, {}});
+  for (std::size_t e = 0; e < file->elements.size(); ++e) {
+    const MshElement& element = file->elements[e];
     const auto nodes = file->nodes_of(element);
     if (element.dimension == 1) {
       collector.add_line(nodes, element.physical);
     } else if (element.dimension == 2 && element.corners == 3) {
       collector.add_triangle(nodes);
       mesh.group.push_back(element.physical);
+      for (std::size_t k = 0; k < mesh.arrays.size(); ++k)
+        mesh.arrays[k].values.push_back(file->element_arrays[k].values[e]);
       if (file->has_entities) mesh.soup.region.push_back(element.entity);
     } else if (element.dimension == 2) {
       return Error{ErrorCode::unsupported_format, source + ": cells that are no triangles", {}, {}};

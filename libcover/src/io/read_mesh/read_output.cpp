@@ -17,9 +17,11 @@
 
 #include "base/errors.hpp"
 #include "base/out_of_memory.hpp"
+#include "io/read_mesh/carried_arrays.hpp"
 #include "io/read_mesh/complete_mesh.hpp"
 #include "io/read_mesh/read_vtkhdf_mesh.hpp"
 #include "io/read_mesh/second_order.hpp"
+#include "io/text/array_names.hpp"
 #include "io/text/text.hpp"
 #include "io/text/xml_tree.hpp"
 #include "io/vtk_files/read_data_set.hpp"
@@ -120,11 +122,52 @@ void take_names(const XmlElement& names, StoredMesh& stored) {
   }
 }
 
+/// The words of attributes, as write_vtm() puts them beside the names.
+ArrayWords words_of(const XmlElement& names) {
+  ArrayWords words;
+  for (const XmlElement& element : names.children) {
+    if (element.name != "Attribute" || element.children.empty()) continue;
+    std::vector<std::string>& all = words[std::string(element.value("Name"))];
+    for (const XmlElement& word : element.children) all.emplace_back(word.value("Name"));
+  }
+  return words;
+}
+
+/// The names of the arrays that all blocks of regions have and that are not our own, in the order of
+/// the first block.
+std::vector<std::string> common_arrays(const std::vector<Block>& blocks,
+                                       std::vector<NumberArray> DataSet::*arrays) {
+  std::vector<std::string> common;
+  bool is_first = true;
+  for (const Block& block : blocks) {
+    if (block.group != "regions") continue;
+    std::set<std::string> names;
+    for (const NumberArray& array : block.file.data.*arrays) {
+      const bool is_new = names.insert(array.name).second;
+      if (is_first && is_new && !is_own_array(array.name)) common.push_back(array.name);
+    }
+    std::erase_if(common, [&](const std::string& name) { return !names.contains(name); });
+    is_first = false;
+  }
+  return common;
+}
+
 /// Gathers the blocks of a .vtm into one mesh again, by the numbers that vertices have in it.
 class BlockReader {
  public:
+  std::vector<CellArray> of_triangles;       ///< in the order of the triangles
+  std::vector<PlaneField::Array> of_points;  ///< complete after finish()
+
   /// `most` is above any number of a vertex, a region or an interface: what the blocks have in all.
   BlockReader(StoredMesh& stored, std::uint32_t most) : stored_(stored), most_(most) {}
+
+  /// The arrays to be gathered, which all blocks of regions have.
+  void expect_arrays(const std::vector<Block>& blocks) {
+    for (const std::string& name : common_arrays(blocks, &DataSet::cell_arrays))
+      of_triangles.push_back({name, {}});
+    for (const std::string& name : common_arrays(blocks, &DataSet::point_arrays))
+      of_points.push_back({name, {}});
+  }
 
   /// False if an array that write_vtm() writes is missing.
   bool add_regions(const Block& block) {
@@ -132,6 +175,7 @@ class BlockReader {
     const NumberArray* region = data_->array_of_cells("RegionId");
     const NumberArray* material = data_->array_of_cells("material");
     if (region == nullptr || material == nullptr) return false;
+    if (!take_arrays_of_block()) return false;
     for (std::size_t c = 0; c < data_->cell_count(); ++c) {
       if (!take_nodes(c, 3)) return false;
       const std::uint32_t id = number(*region, c);
@@ -180,18 +224,39 @@ class BlockReader {
     return true;
   }
 
-  /// To be called after the last block: triangles in their order again, midpoints left out.
+  /// To be called after the last block: midpoints left out.
   void finish() {
     TriangleSoup& soup = stored_.soup;
-    sort_by_region(soup);
+    for (PlaneField::Array& array : of_points) array.values.resize(soup.points.size(), kNoValue);
     stored_.second_order = !midpoints_.empty();
     if (midpoints_.empty()) return;
     const std::vector<std::uint32_t> renumbered = drop_midpoints(midpoints_, soup);
+    for (PlaneField::Array& array : of_points)
+      drop_values(renumbered, soup.points.size(), array.values);
     for (StoredEdge& edge : stored_.edges)
       edge = {renumbered[edge.a], renumbered[edge.b], edge.interface, edge.marker};
   }
 
  private:
+  static constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
+
+  /// Takes the values of a block of regions. False if there are not as many as there should be.
+  bool take_arrays_of_block() {
+    for (CellArray& into : of_triangles) {
+      const NumberArray* from = data_->array_of_cells(into.name);
+      if (from == nullptr) return false;
+      for (std::size_t c = 0; c < data_->cell_count(); ++c) into.values.push_back(value(*from, c));
+    }
+    for (PlaneField::Array& into : of_points) {
+      const NumberArray* from = data_->array_of_points(into.name);
+      if (from == nullptr) return false;
+      into.values.resize(stored_.soup.points.size(), kNoValue);
+      for (std::size_t p = 0; p < data_->point_count(); ++p)
+        into.values[number(*global_, p)] = value(*from, p);
+    }
+    return true;
+  }
+
   /// Takes the points of a block, which may be those of other blocks too.
   bool start(const DataSet& data) {
     data_ = &data;
@@ -237,7 +302,22 @@ class BlockReader {
   std::vector<std::uint32_t> midpoints_;
 };
 
-Result<StoredMesh> read_vtm(const std::string& path) {
+/// A mesh, triangles by block, and its arrays.
+struct VtmMesh {
+  StoredMesh mesh;
+  std::vector<CellArray> of_triangles;
+  std::vector<PlaneField::Array> of_points;
+  ArrayWords words;
+
+  /// The mesh with its arrays, triangles in their order again; `notes` tell what is left out.
+  StoredMesh finish(std::vector<std::string>& notes) && {
+    notes = take_arrays(std::move(of_triangles), std::move(of_points), words, mesh);
+    sort_by_region(mesh.soup);
+    return std::move(mesh);
+  }
+};
+
+Result<VtmMesh> read_vtm(const std::string& path) {
   BlockFiles reader(path);
   const Result<std::vector<Block>> files = reader.read();
   if (!files) return files.error();
@@ -245,8 +325,10 @@ Result<StoredMesh> read_vtm(const std::string& path) {
   for (const Block& block : *files)
     most += block.file.data.point_count() + block.file.data.cell_count();
   constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max() - 1;
-  StoredMesh stored;
+  VtmMesh out;
+  StoredMesh& stored = out.mesh;
   BlockReader blocks(stored, static_cast<std::uint32_t>(std::min(most, kMost)));
+  blocks.expect_arrays(*files);
   const auto lacks = [&](const Block& block) {
     return wrong_file(path, fmt::format("block {}/{} lacks what cover writes", legible(block.group),
                                         legible(block.name)));
@@ -258,21 +340,28 @@ Result<StoredMesh> read_vtm(const std::string& path) {
   blocks.finish();
   if (reader.names()) take_names(*reader.names(), stored);
   if (stored.regions.empty()) return wrong_file(path, "no regions in it: not written by cover");
-  return stored;
+  out.of_triangles = std::move(blocks.of_triangles);
+  out.of_points = std::move(blocks.of_points);
+  if (reader.names()) out.words = words_of(*reader.names());
+  return out;
 }
 
-/// Names and lines for the triangles of `stored` out of the .vtm of the same mesh.
+/// Names, lines and arrays for the triangles of `stored` out of the .vtm of the same mesh.
 Status take_names_from_vtm(const std::string& path, StoredMesh& stored) {
-  Result<StoredMesh> named = read_vtm(path);
-  if (!named) return std::move(named).error();
-  if (named->soup.points != stored.soup.points) return wrong_file(path, "it is of another mesh");
-  stored.regions = std::move(named->regions);
-  stored.interfaces = std::move(named->interfaces);
-  stored.edges = std::move(named->edges);
-  stored.provenance = std::move(named->provenance);
-  stored.unit = std::move(named->unit);
-  stored.scale = named->scale;
-  stored.input_vertices = named->input_vertices;
+  Result<VtmMesh> blocks = read_vtm(path);
+  if (!blocks) return std::move(blocks).error();
+  std::vector<std::string> ignored;  // the mesh's own file tells
+  StoredMesh named = std::move(*blocks).finish(ignored);
+  if (named.soup.points != stored.soup.points) return wrong_file(path, "it is of another mesh");
+  stored.regions = std::move(named.regions);
+  stored.interfaces = std::move(named.interfaces);
+  stored.edges = std::move(named.edges);
+  stored.attributes = std::move(named.attributes);
+  stored.fields = std::move(named.fields);
+  stored.provenance = std::move(named.provenance);
+  stored.unit = std::move(named.unit);
+  stored.scale = named.scale;
+  stored.input_vertices = named.input_vertices;
   return take_materials(stored) ? ok() : Status(wrong_file(path, "it is of another mesh"));
 }
 
@@ -281,8 +370,8 @@ class Completion {
  public:
   explicit Completion(const std::string& path) : path_(path) {}
 
-  /// A note on what stays unknown, or nothing.
-  [[nodiscard]] const std::string& missing() const { return missing_; }
+  /// Notes on what stays unknown and on what is left out.
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
   Result<StoredMesh> read() {
     if (extension_of(path_) == ".vtm") return read_blocks();
@@ -300,8 +389,13 @@ class Completion {
     return fs::path(path_).replace_extension(extension);
   }
 
+  void tell(const std::vector<std::string>& sentences) {
+    for (const std::string& sentence : sentences)
+      notes_.push_back(fmt::format("{}: {}", path_, sentence));
+  }
+
   /// A file that holds all that cover knows.
-  Result<StoredMesh> read_named(VtkHdfMesh file) const {
+  Result<StoredMesh> read_named(VtkHdfMesh file) {
     StoredMesh stored = std::move(file.names);
     stored.soup = std::move(file.mesh.soup);
     stored.second_order = file.mesh.second_order;
@@ -312,6 +406,8 @@ class Completion {
           {line.a, line.b, InterfaceId(static_cast<std::uint32_t>(line.group)), line.marker});
     }
     if (!take_materials(stored)) return wrong_file(path_, "it lacks regions");
+    tell(take_arrays(std::move(file.mesh.arrays), std::move(file.mesh.point_arrays), file.words,
+                     stored));
     sort_by_region(stored.soup);
     return stored;
   }
@@ -326,18 +422,26 @@ class Completion {
     if (!*named && fs::is_regular_file(beside(".vtm")) && !stored.soup.region.empty()) {
       if (Status status = take_names_from_vtm(beside(".vtm"), stored); !status)
         return std::move(status).error();
-    } else if (!*named) {
+      sort_by_region(stored.soup);
+      return stored;
+    }
+    if (!*named) {
       if (Status status = complete_alone(*file, stored); !status) return std::move(status).error();
     }
+    tell(take_arrays(std::move(read.arrays), std::move(read.point_arrays), {}, stored));
     sort_by_region(stored.soup);
     return stored;
   }
 
-  Result<StoredMesh> read_blocks() const {
-    Result<StoredMesh> stored = read_vtm(path_);
-    if (!stored) return stored;
-    const Result<bool> named = read_manifest(beside(".json"), {}, *stored);
-    return named ? std::move(stored) : named.error();
+  Result<StoredMesh> read_blocks() {
+    Result<VtmMesh> blocks = read_vtm(path_);
+    if (!blocks) return std::move(blocks).error();
+    const Result<bool> named = read_manifest(beside(".json"), {}, blocks->mesh);
+    if (!named) return named.error();
+    std::vector<std::string> left_out;
+    StoredMesh stored = std::move(*blocks).finish(left_out);
+    tell(left_out);
+    return stored;
   }
 
   Status complete_alone(const MeshFile& file, StoredMesh& stored) {
@@ -347,14 +451,15 @@ class Completion {
       return wrong_file(path_, "no RegionId of its triangles: not a mesh that cover wrote");
     const std::string unknown = complete_from_file(file, stored);
     if (!unknown.empty()) {
-      missing_ = fmt::format("{} holds no {}, and neither {} nor {} is there: they are made up",
-                             path_, unknown, beside(".json"), beside(".vtm"));
+      notes_.push_back(
+          fmt::format("{} holds no {}, and neither {} nor {} is there: they are made up", path_,
+                      unknown, beside(".json"), beside(".vtm")));
     }
     return ok();
   }
 
   std::string path_;
-  std::string missing_;
+  std::vector<std::string> notes_;
 };
 
 }  // namespace
@@ -370,7 +475,7 @@ Result<Output> read_output(const std::string& path) {
     const auto warn = [&](std::string message) {
       output->report.notes.push_back({Note::Kind::warning, kVoid, std::move(message), {}});
     };
-    if (!completion.missing().empty()) warn(completion.missing());
+    for (const std::string& note : completion.notes()) warn(note);
     if (stored->second_order) {
       warn(fmt::format("{}: triangles have six nodes, of which the corners are taken", path));
     }

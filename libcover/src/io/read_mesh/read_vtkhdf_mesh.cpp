@@ -9,6 +9,7 @@
 
 #include "base/errors.hpp"
 #include "io/read_mesh/mesh_of_data_set.hpp"
+#include "io/text/array_names.hpp"
 #include "io/vtk_files/read_vtkhdf.hpp"
 #include "io/vtk_files/whole_number.hpp"
 
@@ -141,6 +142,9 @@ Result<VtkHdfMesh> read_vtkhdf_mesh(const std::string& path) {
   if (!fits || !take_regions(fields, out.names) || !take_interfaces(fields, out.names))
     return wrong_file(path, "its names and lines do not fit one another");
   take_origin(*file, fields, out.names);
+  for (const CellArray& array : out.mesh.arrays)
+    if (const auto* words = fields.texts(words_name(array.name).c_str()))
+      out.words.emplace(array.name, *words);
   for (const Interface& line : out.names.interfaces)
     out.mesh.line_names.emplace(line.id.value(), line.name);
   return out;

@@ -23,4 +23,11 @@ std::vector<std::uint32_t> drop_midpoints(const std::vector<std::uint32_t>& midp
   return renumbered;
 }
 
+void drop_values(const std::vector<std::uint32_t>& renumbered, std::size_t kept,
+                 std::vector<double>& values) {
+  // A point that is left out has the number of the next one that is kept, whose value comes later.
+  for (std::size_t p = 0; p < values.size(); ++p) values[renumbered[p]] = values[p];
+  values.resize(kept);
+}
+
 }  // namespace cover

@@ -15,4 +15,9 @@ namespace cover {
 std::vector<std::uint32_t> drop_midpoints(const std::vector<std::uint32_t>& midpoints,
                                           TriangleSoup& soup);
 
+/// Leaves out the values of the points that drop_midpoints() left out.
+/// REQUIRES: `renumbered` is what it returned, for a mesh that has `kept` points now
+void drop_values(const std::vector<std::uint32_t>& renumbered, std::size_t kept,
+                 std::vector<double>& values);
+
 }  // namespace cover

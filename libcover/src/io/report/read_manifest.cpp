@@ -3,7 +3,9 @@
 
 #include <deque>
 #include <filesystem>
+#include <limits>
 #include <map>
+#include <stdexcept>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -54,6 +56,27 @@ void add_line(const Json& json, StoredMesh& stored) {
     stored.interfaces[k].id = InterfaceId(k + 1);
   }
   stored.interfaces[line.id.index() - 1] = std::move(line);
+}
+
+/// A column of attributes as it stands in the mesh: numbers of words for text.
+Attribute attribute_of(const Json& json) {
+  Attribute attribute;
+  attribute.name = json.value("original", json.at("name").get<std::string>());
+  attribute.is_text = json.contains("words");
+  std::map<std::string, double> number;
+  if (attribute.is_text) {
+    attribute.words = json.at("words").get<std::vector<std::string>>();
+    for (std::size_t k = 0; k < attribute.words.size(); ++k)
+      number.emplace(attribute.words[k], static_cast<double>(k + 1));
+  }
+  for (const Json& value : json.at("values")) {
+    if (attribute.is_text)
+      attribute.values.push_back(value.is_null() ? 0 : number.at(value.get<std::string>()));
+    else
+      attribute.values.push_back(value.is_null() ? std::numeric_limits<double>::quiet_NaN()
+                                                 : value.get<double>());
+  }
+  return attribute;
 }
 
 /// What the mesh was made of and how.
@@ -119,6 +142,8 @@ Result<bool> read_manifest(const std::string& path, std::span<const std::int64_t
     stored.edges.clear();
     stored.periodic.clear();
     stored.arcs.clear();
+    stored.attributes.clear();
+    stored.fields.clear();
     read_origin(json, stored);
     stored.input_vertices = json.at("counts").at("input_vertices");
     for (const Json& region : json.at("regions")) stored.regions.push_back(region_of(region));
@@ -126,12 +151,18 @@ Result<bool> read_manifest(const std::string& path, std::span<const std::int64_t
     for (const Json& arc : json.value("arcs", Json::array()))
       stored.arcs.push_back({{{arc.at("centre").at(0), arc.at("centre").at(1)}, arc.at("radius")},
                              arc.at("edges").get<decltype(StoredArc::edges)>()});
+    for (const Json& attribute : json.value("attributes", Json::array()))
+      stored.attributes.push_back(attribute_of(attribute));
+    for (const Json& field : json.value("fields", Json::array()))
+      stored.fields.push_back({field.value("original", field.at("name").get<std::string>()), {}});
     for (const Json& pair : json.value("periodic", Json::array()))
       stored.periodic.push_back(periodic_of(pair));
     if (stored.soup.region.empty() && !assign_regions(json.at("regions"), group, stored))
       return wrong("it is of another mesh: its groups have other triangles");
   } catch (const Json::exception& error) {
     return wrong(error.what());
+  } catch (const std::out_of_range&) {
+    return wrong("an attribute has a value that is none of its words");
   }
   for (std::size_t r = 0; r < stored.regions.size(); ++r) {
     if (stored.regions[r].id != RegionId(r + 1)) return wrong("regions are not in order");

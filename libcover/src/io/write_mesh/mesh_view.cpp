@@ -12,27 +12,13 @@
 
 #include "base/safe_names.hpp"
 #include "geom/vector.hpp"
+#include "io/text/array_names.hpp"
 
 namespace cover {
 namespace {
 
 using Edge = TriMesh::EdgeHandle;
 using Halfedge = TriMesh::HalfedgeHandle;
-
-/// Arrays of our own, with which no name of the input may collide.
-constexpr const char* kOwnArrays[] = {
-    "material",     "MaterialID",   "max_angle",    "mat_id",   "RegionId", "min_angle",
-    "LineID",       "LeftRegion",   "RightRegion",  "LineKind", "marker",   "GlobalNodeId",
-    "PeriodicNode", "vtkGhostType", "GlobalCellId", "Owner"};
-
-/// Names for arrays of the input.
-std::vector<std::string> array_names(std::vector<std::string> names) {
-  for (std::string& name : names) std::replace(name.begin(), name.end(), '/', '_');
-  names.insert(names.begin(), std::begin(kOwnArrays), std::end(kOwnArrays));
-  names = unique_legible_names(names);
-  names.erase(names.begin(), names.begin() + std::size(kOwnArrays));
-  return names;
-}
 
 /// Groups in the order in which their keys come up.
 template <class Key>
@@ -347,8 +333,6 @@ MeshView view_of_lines(const RegionTable& table, std::vector<LineEdge> lines,
   add_lines(table, std::move(lines), options, view);
   return view;
 }
-
-std::string words_name(const Attribute& attribute) { return attribute.name + "_names"; }
 
 std::vector<std::string> abaqus_names(const std::vector<Group>& groups) {
   std::vector<std::string> names;

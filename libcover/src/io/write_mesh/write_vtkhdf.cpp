@@ -6,6 +6,7 @@
 
 #include "io/files/atomic_file.hpp"
 #include "io/hdf5/hdf5_writer.hpp"
+#include "io/text/array_names.hpp"
 #include "io/write_mesh/vtkhdf_file.hpp"
 #include "io/write_mesh/vtu_parts.hpp"
 
@@ -58,7 +59,7 @@ class VtkHdfContent {
                           [&all](std::size_t r) { return all[r].material; });
     for (const Attribute& attribute : view_.attributes)
       if (attribute.is_text)
-        texts(words_name(attribute).c_str(), attribute.words,
+        texts(words_name(attribute.name).c_str(), attribute.words,
               [](const std::string& word) { return word; });
   }
 

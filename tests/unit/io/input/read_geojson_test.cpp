@@ -71,6 +71,12 @@ TEST(ReadGeojson, SizesAreLengthsAboveZero) {
       std::vector<std::string>{"the property 'size' of 2 features is no length above 0: left out"});
 }
 
+ReadOptions keeping(std::vector<std::string> fields) {
+  ReadOptions options;
+  options.keep_fields = std::move(fields);
+  return options;
+}
+
 TEST(ReadGeojson, PropertiesAreKept) {
   const auto feature = [](const std::string& id, const std::string& properties) {
     return R"({"type": "Feature", )" + id + R"("properties": )" + properties +
@@ -81,7 +87,7 @@ TEST(ReadGeojson, PropertiesAreKept) {
       feature("\"id\": 17, ", R"({"use": "field", "height": 2.5, "tags": ["a"]})") + "," +
       feature("", R"({"use": null, "open": true})") + "," + feature("", "null") + "]}";
   const Result<Input> input =
-      parse_geojson(map, "map.geojson", {"use", "height", "fid", "tags", "open"});
+      parse_geojson(map, "map.geojson", keeping({"use", "height", "fid", "tags", "open"}));
   ASSERT_TRUE(input.has_value()) << input.error().message;
   ASSERT_EQ(input->attributes.size(), 5U);
   EXPECT_EQ(input->attributes[0].words, std::vector<std::string>{"field"});
@@ -92,7 +98,7 @@ TEST(ReadGeojson, PropertiesAreKept) {
   EXPECT_EQ(input->attributes[4].words, std::vector<std::string>{"true"});
   for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(input->polygons[k].feature, k + 1);
 
-  const Result<Input> missing = parse_geojson(map, "map.geojson", {"usage"});
+  const Result<Input> missing = parse_geojson(map, "map.geojson", keeping({"usage"}));
   ASSERT_FALSE(missing.has_value());
   EXPECT_EQ(missing.error().code, ErrorCode::bad_option);
   EXPECT_EQ(missing.error().message,
@@ -114,6 +120,47 @@ TEST(ReadGeojson, IsKnownByItsTypeInAJsonFile) {
   EXPECT_EQ(input->polygons.size(), 1u);
   EXPECT_EQ(parse_json(R"({"type": "Topology"})", "map.json").error().message,
             "map.json: the type \"Topology\" is not one of GeoJSON");
+}
+
+TEST(ReadGeojson, PropertiesAreChosenWhateverTheFileIsCalled) {
+  const std::string map = R"({"type": "FeatureCollection", "features": [
+      {"type": "Feature", "properties": {"use": "field", "nr": 7, "rank": 3, "material": "x"},
+       "geometry": {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]}},
+      {"type": "Feature", "properties": {"use": null},
+       "geometry": {"type": "Polygon", "coordinates": [[[2, 0], [3, 0], [3, 1], [2, 0]]]}}]})";
+  ReadOptions options = keeping({"use"});
+  options.material_field = "use";
+  options.name_field = "nr";
+  options.priority_field = "rank";
+  for (const bool is_json : {false, true}) {
+    SCOPED_TRACE(is_json);
+    const auto parse = [&] {
+      return is_json ? parse_json(map, "map.json", options)
+                     : parse_geojson(map, "map.geojson", options);
+    };
+    const Result<Input> input = parse();
+    ASSERT_TRUE(input.has_value()) << input.error().message;
+    ASSERT_EQ(input->polygons.size(), 2U);
+    EXPECT_EQ(input->polygons[0].material, "field");
+    EXPECT_EQ(input->polygons[0].region, "7");
+    EXPECT_EQ(input->polygons[0].priority, 3.0);
+    EXPECT_EQ(input->polygons[1].material, "feature_1");
+    ASSERT_EQ(input->attributes.size(), 1U);
+    EXPECT_EQ(input->attributes[0].values, (std::vector<double>{1, 0}));
+    EXPECT_TRUE(input->warnings.empty());
+    options.name_field = "number";
+    const Result<Input> missing = parse();
+    ASSERT_FALSE(missing.has_value());
+    EXPECT_EQ(missing.error().code, ErrorCode::bad_option);
+    EXPECT_NE(missing.error().message.find("name_field: no feature has the property 'number'"),
+              std::string::npos);
+    options.name_field = "nr";
+  }
+  const Result<Input> drawing =
+      parse_json(R"({"polygons": [{"material": "Si", "rings": [[[0, 0], [1, 0], [0, 1]]]}]})",
+                 "d.json", options);
+  ASSERT_TRUE(drawing.has_value()) << drawing.error().message;
+  EXPECT_EQ(drawing->warnings.size(), 4U);
 }
 
 TEST(ReadGeojson, NamesThePlaceOfEveryError) {

@@ -1,0 +1,29 @@
+// The two halves of a run: those who hold regions on the disk do the second one otherwise.
+#pragma once
+
+#include <cover/input.hpp>
+#include <cover/options.hpp>
+#include <cover/output.hpp>
+#include <cover/progress.hpp>
+#include <cover/result.hpp>
+
+#include "cuts/work.hpp"
+#include "tasks/stage_clock.hpp"
+
+namespace cover {
+
+/// Input made clean, and its regions as pieces of work, with the sizes and layers that the options
+/// ask for; no meshes yet. `input` is gone as soon as it is clean.
+///
+/// Errors: those of find_regions(), sizes and layers; out_of_memory where `memory_counts` and the
+///         mesh would take more than there is
+Result<Work> begin_work(Input&& input, const Options& options, bool memory_counts,
+                        const Callbacks& callbacks, StageClock& clock);
+
+/// Meshes, cuts again where that is asked for, stitches.
+///
+/// REQUIRES: work.meshes is empty
+Result<Output> finish_work(Work work, const Options& options, const Callbacks& callbacks,
+                           StageClock& clock);
+
+}  // namespace cover
