@@ -201,8 +201,10 @@ Result<LayersAsked> layers_asked(const std::string& text) {
 }
 
 /// Tells which rows lie along lines; fails where numbers are asked for that they do not have.
+/// `known` are the rules of the input.
 Result<int> print_layers(const Prepared& prepared, const std::vector<std::string>& lines,
-                         const TriangleSoup& mesh, bool quiet) {
+                         const std::vector<LayerRule>& known, const TriangleSoup& mesh,
+                         bool quiet) {
   constexpr double kSame = 1e-9;  ///< of a layer's thickness
   Pslg pslg = prepared.pslg;
   RegionTable table = prepared.table;
@@ -212,8 +214,10 @@ Result<int> print_layers(const Prepared& prepared, const std::vector<std::string
     Result<LayersAsked> asked = layers_asked(line);
     if (!asked) return std::move(asked).error();
     const LayerRule& rule = asked->rule;
+    std::vector<LayerRule> rules = known;
+    if (asked->has_numbers) rules.push_back(rule);
     Result<std::vector<LayersFound>> found =
-        verify_layers(pslg, table, mesh, rule.line, rule.region);
+        verify_layers(pslg, table, mesh, rule.line, rule.region, rules);
     if (!found) return std::move(found).error();
     for (const LayersFound& layers : *found) {
       const bool is_first = std::abs(layers.first_least - rule.first) <= kSame * rule.first &&
@@ -330,6 +334,7 @@ Examples:
   for (const std::string& option : input_file.ignored()) log->warn("{}", option);
   std::vector<PeriodicRule> rules = options->periodic;
   rules.insert(rules.end(), input->periodic.begin(), input->periodic.end());
+  const std::vector<LayerRule> known_layers = input->layers;
   Result<Prepared> prepared = prepare_to_check(*std::move(input), *options);
   if (!prepared) return fail(*log, prepared.error());
   const bool wants_whole =
@@ -376,7 +381,8 @@ Examples:
   const int sides = print_periodic(*prepared, rules, mesh->soup, verbosity.quiet);
   code = code == exit_ok ? sides : code;
   if (code == exit_ok) code = print_curved(prepared->pslg, *mesh, verbosity.quiet);
-  const Result<int> rows = print_layers(*prepared, layers, mesh->soup, verbosity.quiet);
+  const Result<int> rows =
+      print_layers(*prepared, layers, known_layers, mesh->soup, verbosity.quiet);
   if (!rows) return usage_error(app, rows.error().message);
   code = code == exit_ok ? *rows : code;
   if (!box_method) return code;

@@ -53,7 +53,13 @@ class Layers : public ::testing::TestWithParam<testing::RandomInput> {
       return;
     }
     EXPECT_EQ(testing::violations(*output), "");
+    // Without --box-method cuts serve the angles.
+    const bool minds_couplings =
+        options.method == Method::quality && (!options.split_interfaces || options.box_method);
     for (const RegionReport& region : output->report.regions) {
+      if (minds_couplings) {
+        EXPECT_EQ(region.box.negative_inside, 0U);
+      }
       for (const LayerReport& layers : region.layers) {
         std::size_t short_of = 0;
         for (const auto& part : layers.cut_short) short_of += part.segments;

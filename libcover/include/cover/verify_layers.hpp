@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include <cover/angle.hpp>
+#include <cover/options.hpp>
 #include <cover/pslg.hpp>
 #include <cover/regions.hpp>
 #include <cover/result.hpp>
@@ -33,9 +35,12 @@ struct LayersFound {
 /// cell of a row where their quadrilateral has its upper edge within 20 degrees of the lower one and
 /// its sides within 20 degrees of upright, in line with those of the cell below, and is no thinner
 /// than that and no more than three times as thick. Cells are looked for upwards as long as there
-/// are some. Triangles in which rows end are no cells.
+/// are some that grow alike, within a thousandth: as the rule in `rules` for this line says if the
+/// first row is as thick as that says, and up to its count; else as the second over the first, so
+/// that regular triangles above them are no layers. Triangles in which rows end are no cells.
 ///
-/// `region` is the name of a region or a material; empty: both sides of the line.
+/// `region` is the name of a region or a material; empty: both sides of the line. Of `rules`, which
+/// may be for other lines, the last counts.
 /// REQUIRES: `pslg` and `table` cut where `mesh` is, see adopt_cuts()
 /// Returns:  by region, in the order of their ids
 /// Errors:   bad_option where no line has the name, or no such region is beside it
@@ -43,6 +48,7 @@ struct LayersFound {
 /// Cost:     O(n log n)
 Result<std::vector<LayersFound>> verify_layers(const Pslg& pslg, const RegionTable& table,
                                                const TriangleSoup& mesh, std::string_view line,
-                                               std::string_view region = {});
+                                               std::string_view region = {},
+                                               std::span<const LayerRule> rules = {});
 
 }  // namespace cover

@@ -12,7 +12,6 @@
 
 #include <cover/text.hpp>
 #include "cuts/cut_segments.hpp"
-#include "cuts/thin/fewer_vertices.hpp"
 #include "cuts/unite_pieces.hpp"
 #include "geom/vector.hpp"
 #include "quality/fault/missed_targets.hpp"
@@ -20,6 +19,7 @@
 #include "target/measure.hpp"
 #include "target/whole_mesh.hpp"
 #include "tasks/errors_as_values.hpp"
+#include "thin/fewer_vertices.hpp"
 
 namespace cover {
 namespace {
@@ -122,12 +122,12 @@ ConformingMesh join(const Work& work, const Pslg& uncut, const std::vector<std::
 }
 
 /// By region: no angle becomes smaller than the target, or than what there is.
-std::vector<RightAngles> angles_of(const std::vector<RegionMesh>& meshes, const Options& options) {
-  std::vector<RightAngles> angles;
+std::vector<WantedAngles> angles_of(const std::vector<RegionMesh>& meshes, const Options& options) {
+  std::vector<WantedAngles> angles;
   for (const RegionMesh& mesh : meshes) {
     const double smallest =
         kSlack * std::min(mesh.report.quality.smallest, options.min_angle).in_radians();
-    angles.push_back({smallest > 0 ? 1 / std::tan(smallest) : 0});
+    angles.push_back({smallest > 0 ? 1 / std::tan(smallest) : 0, 0, false});
   }
   return angles;
 }

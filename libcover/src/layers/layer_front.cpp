@@ -366,6 +366,7 @@ void LayerFront::add_tops(const std::vector<Offset>& tops, std::uint32_t n, doub
     row.vertices.push_back(static_cast<std::uint32_t>(boundary_.points.size() + added_.size()));
     added_.push_back(tops[j].at(total));
     below_.push_back(node.origin);
+    row_of_.push_back(row_ + 1);
     if (j + 1 == tops.size()) break;
     Node edge;
     edge.rule = node.rule;
@@ -485,6 +486,7 @@ void LayerFront::lay_chain(Chain chain) {
   if (!sound) {
     added_.resize(added);
     below_.resize(added);
+    row_of_.resize(added);
     for (const std::uint32_t n : chain.nodes) stop(n, LayerStop::turned);
     return;
   }
@@ -573,6 +575,20 @@ void LayerFront::lay() {
     }
     for (Chain& chain : due) lay_chain(std::move(chain));
   }
+}
+
+std::vector<SideLayers> LayerFront::sides_without(std::span<const std::uint32_t> gone) const {
+  std::vector<SideLayers> left = sides_;
+  const std::vector<std::uint32_t> next = next_sides(boundary_);
+  std::vector<std::uint32_t> before(next.size());
+  for (std::uint32_t s = 0; s < next.size(); ++s) before[next[s]] = s;
+  for (const std::uint32_t v : gone) {
+    for (const std::uint32_t s : {below_[v], before[below_[v]]}) {
+      if (left[s].rows < row_of_[v]) continue;
+      left[s] = {row_of_[v] - 1, LayerStop::withdrawn};
+    }
+  }
+  return left;
 }
 
 std::vector<LayerFront::Edge> LayerFront::front() const {

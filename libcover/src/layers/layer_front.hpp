@@ -46,6 +46,8 @@ class LayerFront {
   [[nodiscard]] const std::vector<Point>& added() const { return added_; }
   /// By added vertex: the side over which it lies.
   [[nodiscard]] const std::vector<std::uint32_t>& side_below() const { return below_; }
+  /// What is left of the rows over each side when added vertices are taken away.
+  [[nodiscard]] std::vector<SideLayers> sides_without(std::span<const std::uint32_t> gone) const;
   [[nodiscard]] const std::vector<IndexTriple>& triangles() const { return triangles_; }
   [[nodiscard]] const std::vector<SideLayers>& sides() const { return sides_; }
   /// How thick that many layers over a side are.
@@ -138,6 +140,7 @@ class LayerFront {
   std::vector<Node> nodes_;
   std::vector<Point> added_;
   std::vector<std::uint32_t> below_;
+  std::vector<int> row_of_;  ///< by added vertex: the row below it, from 1 on
   std::vector<IndexTriple> triangles_;
   std::vector<SideLayers> sides_;
 };

@@ -2,9 +2,10 @@
 // has no layer that its mesh could put a vertex on, so both meshes share the vertices and the edges
 // of the front. Exact tests say whether the front bounds a region and whether the whole mesh fills
 // the region; the bound is that of the whole region, and the constrained Delaunay triangulation of
-// the rest often tells that no mesh of it can hold that. Where something fails, the sides below the
-// places get a third fewer rows, and all is done again; beside inner edges with a negative coupling
-// that cannot be flipped away, a row less is tried a few times.
+// the rest often tells that no mesh of it can hold that. Inner edges with a negative coupling, where
+// many rows end in one vertex, are flipped away; where that would break the bound, single vertices
+// give way (thin/delaunay_within_bound), those of layers last. Where something fails still, the
+// sides below the places get a third fewer rows, for couplings one less, and all is done again.
 // Tested by tests/unit/layers/layered_region_test.cpp.
 #include "layers/layered_region.hpp"
 
@@ -27,11 +28,13 @@
 #include "target/angle_limit.hpp"
 #include "target/measure.hpp"
 #include "target/whole_mesh.hpp"
+#include "thin/delaunay_within_bound.hpp"
 
 namespace cover {
 namespace {
 
 using layers::LayerFront;
+using layers::SideLayers;
 
 constexpr int kTriesForCouplings = 8;
 constexpr int kRounds = 40;  ///< in the second half of them, all layers become fewer
@@ -149,7 +152,7 @@ void mend_couplings(const RegionBoundary& boundary, RegionMesh& mesh) {
 
 /// What became of the layers, by line.
 std::vector<LayerReport> reports(const RegionBoundary& boundary, const Options& options,
-                                 const LayerFront& front) {
+                                 const LayerFront& front, const std::vector<SideLayers>& sides) {
   std::vector<LayerReport> out;
   std::vector<std::size_t> at(options.layers.size(), options.layers.size());
   std::vector<std::vector<LayerReport::Short>> stops;
@@ -164,7 +167,7 @@ std::vector<LayerReport> reports(const RegionBoundary& boundary, const Options& 
       stops.emplace_back(kLayerStops);
     }
     LayerReport& report = out[at[rule]];
-    const auto& [rows, stop] = front.sides()[s];
+    const auto& [rows, stop] = sides[s];
     const Point a = boundary.points[boundary.sides[s][0]];
     const Point b = boundary.points[boundary.sides[s][1]];
     ++report.segments;
@@ -216,15 +219,16 @@ std::vector<Note> notes_of(const RegionBoundary& boundary, const std::vector<Lay
 /// Layers that become fewer until the region is as it should be.
 class LayeredRegion {
  public:
-  LayeredRegion(const RegionBoundary& boundary, const Options& options)
+  LayeredRegion(const RegionBoundary& boundary, const Options& options, std::stop_token stop)
       : boundary_(boundary),
         options_(options),
+        stop_(std::move(stop)),
         most_(boundary.sides.size(), std::numeric_limits<int>::max()) {
     const Triangulation cdt = triangulate_region(boundary.points, boundary.sides);
     set_limits(angle_limit(cdt, boundary.sides, boundary.segments), limits_);
   }
 
-  RegionMesh run(const RegionMesher& mesh_rest, const std::stop_token& stop) {
+  RegionMesh run(const RegionMesher& mesh_rest) {
     std::optional<RegionMesh> best;
     for (int round = 0, tries = 0;; ++round) {
       if (round == kRounds) most_.assign(most_.size(), 0);
@@ -241,13 +245,14 @@ class LayeredRegion {
         continue;
       }
       RegionMesh mesh = put_together(boundary_, front, rest, mesh_rest(rest.boundary));
-      if (stop.stop_requested()) return mesh;
-      if (const std::vector<std::uint32_t> vertices = judge(mesh); !vertices.empty()) {
+      if (stop_.stop_requested()) return mesh;
+      std::vector<std::uint32_t> gone;
+      if (const std::vector<std::uint32_t> vertices = judge(mesh, gone); !vertices.empty()) {
         withdraw(front, everywhere ? std::vector<std::uint32_t>() : vertices);
         continue;
       }
       mesh.report.method += " with layers";
-      tell(front, mesh.report);
+      tell(front, front.sides_without(gone), mesh.report);
       const bool again = options_.couplings == Couplings::first && tries < kTriesForCouplings &&
                          lay_fewer(front, mesh, tries++);
       if (!best || mesh.report.box.negative_inside < best->report.box.negative_inside)
@@ -259,18 +264,20 @@ class LayeredRegion {
  private:
   RegionMesh without_layers(const LayerFront& front, const RegionMesher& mesh_rest) const {
     RegionMesh mesh = mesh_rest(boundary_);
-    tell(front, mesh.report);
+    tell(front, front.sides(), mesh.report);
     return mesh;
   }
 
-  void tell(const LayerFront& front, RegionReport& report) const {
-    report.layers = reports(boundary_, options_, front);
+  void tell(const LayerFront& front, const std::vector<SideLayers>& sides,
+            RegionReport& report) const {
+    report.layers = reports(boundary_, options_, front, sides);
     const std::vector<Note> notes = notes_of(boundary_, report.layers);
     report.notes.insert(report.notes.end(), notes.begin(), notes.end());
   }
 
-  /// Measures the mesh; returns vertices where it is not as it should be.
-  std::vector<std::uint32_t> judge(RegionMesh& mesh) const {
+  /// Measures the mesh; returns vertices where it is not as it should be. `gone` are the vertices of
+  /// layers that were taken away for couplings.
+  std::vector<std::uint32_t> judge(RegionMesh& mesh, std::vector<std::uint32_t>& gone) const {
     RegionReport& report = mesh.report;
     report.id = boundary_.id;
     report.nu_opt = limits_.nu_opt;
@@ -283,6 +290,12 @@ class LayeredRegion {
       return fault->points.empty() ? std::vector<std::uint32_t>{0} : fault->points;
     if (options_.couplings == Couplings::first) mend_couplings(boundary_, mesh);
     measure(boundary_, mesh);
+    if (options_.couplings == Couplings::first) {
+      if (std::optional<MendedMesh> mended = mend_couplings_within_bound(boundary_, mesh, stop_)) {
+        mesh = std::move(mended->mesh);
+        gone = std::move(mended->gone);
+      }
+    }
     std::vector<std::uint32_t> out;
     if (report.bound_held) return out;
     constexpr IndexTriple kCorners{0, 1, 2};
@@ -339,6 +352,7 @@ class LayeredRegion {
 
   const RegionBoundary& boundary_;
   const Options& options_;
+  std::stop_token stop_;
   std::vector<int> most_;  ///< rows, by side
   RegionReport limits_;
 };
@@ -367,7 +381,7 @@ bool has_layers(const RegionBoundary& boundary) { return !boundary.layers.empty(
 
 RegionMesh mesh_with_layers(const RegionBoundary& boundary, const Options& options,
                             const RegionMesher& mesh_rest, std::stop_token stop) {
-  return LayeredRegion(boundary, options).run(mesh_rest, stop);
+  return LayeredRegion(boundary, options, std::move(stop)).run(mesh_rest);
 }
 
 }  // namespace cover

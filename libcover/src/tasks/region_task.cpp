@@ -23,6 +23,7 @@
 #include "cdt/region_cdt.hpp"
 #include "layers/layered_region.hpp"
 #include "limits/region_limits.hpp"
+#include "quality/fault/merit.hpp"
 #include "quality/fault/missed_targets.hpp"
 #include "quality/quality_region.hpp"
 #include "sizes/expected_triangles.hpp"
@@ -33,6 +34,7 @@
 #include "tasks/run_all.hpp"
 #include "tasks/share_out_regions.hpp"
 #include "tasks/stage_clock.hpp"
+#include "thin/delaunay_within_bound.hpp"
 
 namespace cover {
 namespace {
@@ -113,7 +115,7 @@ class ProgressCount {
   std::atomic<bool> has_thrown_ = false;
 };
 
-using RegionMethod = RegionMesh (*)(const RegionBoundary&, const Options&, std::stop_token,
+using RegionMethod = RegionMesh (*)(const RegionBoundary&, const Options&, const std::stop_token&,
                                     const Team&);
 
 /// A mesh, and why it does not fill its region, if it does not: then it has no triangles.
@@ -151,18 +153,18 @@ Attempt attempt(RegionMethod method, const RegionBoundary& boundary, const Optio
   return out;
 }
 
-RegionMesh by_quality(const RegionBoundary& boundary, const Options& options, std::stop_token stop,
-                      const Team& team) {
-  return quality_region(boundary, options, std::move(stop), {team});
+RegionMesh by_quality(const RegionBoundary& boundary, const Options& options,
+                      const std::stop_token& stop, const Team& team) {
+  return quality_region(boundary, options, stop, {team});
 }
 
-RegionMesh by_almonds(const RegionBoundary& boundary, const Options& options, std::stop_token stop,
-                      const Team&) {
-  return almond_region(boundary, options, std::move(stop));
+RegionMesh by_almonds(const RegionBoundary& boundary, const Options& options,
+                      const std::stop_token& stop, const Team&) {
+  return almond_region(boundary, options, stop);
 }
 
 /// The constrained Delaunay triangulation, which no rounding can break.
-RegionMesh plain_region(const RegionBoundary& boundary, const Options&, std::stop_token,
+RegionMesh plain_region(const RegionBoundary& boundary, const Options&, const std::stop_token&,
                         const Team&) {
   const Triangulation cdt = triangulate_region(boundary.points, boundary.sides);
   RegionMesh mesh;
@@ -241,11 +243,26 @@ RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
   return std::move(other.mesh);
 }
 
+/// What the methods leave of negative couplings that are not forced: mostly where only the almond
+/// method holds the bound.
+RegionMesh with_couplings_mended(const RegionBoundary& boundary, const Options& options,
+                                 const std::stop_token& stop, RegionMesh& mesh) {
+  if (!minds_couplings(options) || stop.stop_requested()) return std::move(mesh);
+  std::optional<MendedMesh> mended = mend_couplings_within_bound(boundary, mesh, stop);
+  if (!mended) return std::move(mesh);
+  report_again(boundary, options, false, mended->mesh);
+  return std::move(mended->mesh);
+}
+
 /// The region, and its layers if it has some.
 RegionMesh mesh_with_its_layers(const RegionBoundary& boundary, const Options& options,
                                 const std::stop_token& stop, const Team& team,
                                 std::optional<CdtResult>& cdt) {
-  if (!has_layers(boundary)) return mesh_region(boundary, options, stop, team, cdt);
+  if (!has_layers(boundary)) {
+    RegionMesh mesh = mesh_region(boundary, options, stop, team, cdt);
+    return options.method == Method::quality ? with_couplings_mended(boundary, options, stop, mesh)
+                                             : mesh;
+  }
   const auto mesh_rest = [&](const RegionBoundary& rest) {
     std::optional<CdtResult> of_rest;
     return mesh_region(rest, options, stop, team, of_rest);

@@ -27,6 +27,7 @@ namespace {
 constexpr double kSkew = 20;          ///< degrees, from parallel, upright and straight on
 constexpr double kThickest = 3;       ///< times the row below
 constexpr double kThinnest = 0.99;    ///< times the row below
+constexpr double kAlike = 1e-3;       ///< of a thickness
 constexpr double kAboveRight = 1e-9;  ///< radians
 
 /// A cell of a row: lower edge from a to b, upper edge from d to c.
@@ -50,23 +51,32 @@ class LayerFinder {
     }
   }
 
-  /// Adds what lies over the side from p to q, with the region on its left.
-  void add(Point p, Point q, LayersFound& found) {
+  /// Adds what lies over the side from p to q, with the region on its left; `rule` is what was asked
+  /// for there, if that is known.
+  void add(Point p, Point q, const LayerRule* rule, LayersFound& found) {
     const auto a = edges_.vertex_at(p), b = edges_.vertex_at(q);
     const auto edge = a && b ? edges_.find(*a, *b) : std::nullopt;
     if (!edge) return;
     ++found.edges;
     Cell cell;
     int rows = 0;
-    double total = 0;
+    double total = 0, growth = 0;
     for (std::optional<std::size_t> at = edge; at;) {
       const std::optional<Cell> next = cell_on(*at, rows == 0 ? nullptr : &cell);
       if (!next) break;
+      if (rows == 0) {
+        if (rule != nullptr && !is_alike(next->height, rule->first)) rule = nullptr;
+        if (rule != nullptr) growth = rule->growth;
+      } else if (growth == 0) {
+        growth = next->height / cell.height;
+      } else if (!is_alike(next->height, growth * cell.height)) {
+        break;
+      }
       cell = *next;
       total += cell.height;
       if (++rows == 1) count_first(cell, found);
       for (const std::uint32_t t : cell.triangles) triangles_[found.region].insert(t);
-      if (is_segment(cell.d, cell.c)) break;
+      if (is_segment(cell.d, cell.c) || (rule != nullptr && rows == rule->count)) break;
       at = edges_.find(cell.d, cell.c);  // its triangle is the one above
     }
     if (rows == 0) return;
@@ -103,6 +113,10 @@ class LayerFinder {
 
   [[nodiscard]] bool is_segment(std::uint32_t a, std::uint32_t b) const {
     return segments_.count(std::minmax(a, b)) != 0;
+  }
+
+  static bool is_alike(double thickness, double expected) {
+    return std::abs(thickness - expected) <= kAlike * expected;
   }
 
   /// The corner of the triangle left of an edge that is on neither end.
@@ -188,7 +202,8 @@ Error bad_line(std::string_view what) { return {ErrorCode::bad_option, std::stri
 
 Result<std::vector<LayersFound>> verify_layers(const Pslg& pslg, const RegionTable& table,
                                                const TriangleSoup& mesh, std::string_view line,
-                                               std::string_view region) {
+                                               std::string_view region,
+                                               std::span<const LayerRule> rules) {
   std::map<RegionId, LayersFound> found;
   std::vector<std::string> names;
   LayerFinder finder(pslg, mesh);
@@ -204,7 +219,10 @@ Result<std::vector<LayersFound>> verify_layers(const Pslg& pslg, const RegionTab
         if (side == kVoid || (!region.empty() && !has_name(table.region(side), region))) return;
         LayersFound& layers = found[side];
         layers.region = side;
-        finder.add(from, to, layers);
+        const auto rule = std::find_if(rules.rbegin(), rules.rend(), [&](const LayerRule& r) {
+          return r.line == line && (r.region.empty() || has_name(table.region(side), r.region));
+        });
+        finder.add(from, to, rule == rules.rend() ? nullptr : &*rule, layers);
       };
       add(table.sides[s.index()].left, a, b);
       add(table.sides[s.index()].right, b, a);

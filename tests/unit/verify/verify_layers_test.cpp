@@ -91,11 +91,44 @@ TEST(VerifyLayers, FindsWhatWasAskedFor) {
   const LayersFound& layers = found->front();
   EXPECT_GE(layers.edges, 16U);
   EXPECT_EQ(layers.layered, layers.edges);
-  EXPECT_GE(layers.most, 7);
+  EXPECT_EQ(layers.most, 7);  // whatever lies above them
   EXPECT_EQ(layers.fewest, 7);
   EXPECT_NEAR(layers.first_least, 1e-4, 1e-13);
   EXPECT_NEAR(layers.first_most, 1e-4, 1e-13);
   EXPECT_EQ(layers.negative, 0U);
+}
+
+/// Three rows over a line of one edge: 0.1, 0.2 and `third` thick.
+LayersFound three_rows(double third, const std::vector<LayerRule>& rules) {
+  Input input =
+      testing::segments_between({{0, 0}, {1, 0}, {1, 3}, {0, 3}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}});
+  input.segments[0].name = "gate";
+  const Result<Prepared> prepared = prepare(input);
+  TriangleSoup mesh;
+  double height = 0;
+  for (const double thick : {0.0, 0.1, 0.2, third}) {
+    height += thick;
+    mesh.points.push_back({0, height});
+    mesh.points.push_back({1, height});
+  }
+  for (std::uint32_t v = 0; v < 6; v += 2) {
+    mesh.triangles.push_back({v, v + 1, v + 3});
+    mesh.triangles.push_back({v, v + 3, v + 2});
+  }
+  const auto found = verify_layers(prepared->pslg, prepared->table, mesh, "gate", {}, rules);
+  EXPECT_TRUE(found);
+  return found->front();
+}
+
+TEST(VerifyLayers, CountsNoRowOfTheRest) {
+  EXPECT_EQ(three_rows(0.4, {}).most, 3);
+  EXPECT_EQ(three_rows(0.41, {}).most, 2);
+  EXPECT_EQ(three_rows(0.4, {{"gate", "", 0.1, 2, 2}}).most, 2);
+  EXPECT_EQ(three_rows(0.4, {{"gate", "", 0.1, 2, 0}}).most, 3);
+  EXPECT_EQ(three_rows(0.4, {{"gate", "", 0.1, 1.5, 0}}).most, 1);
+  EXPECT_EQ(three_rows(0.4, {{"gate", "", 0.3, 1.5, 0}}).most, 3);  // they are of other rules
+  EXPECT_EQ(three_rows(0.4, {{"drain", "", 0.1, 1.5, 0}}).most, 3);
+  EXPECT_NEAR(three_rows(0.41, {}).thickness, 0.3, 1e-15);
 }
 
 TEST(VerifyLayers, SurvivesAMeshOfSomethingElse) {

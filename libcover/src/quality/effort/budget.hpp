@@ -19,7 +19,7 @@ struct Budget {
   [[nodiscard]] bool is_used_up() const { return left == 0 || stop.stop_requested(); }
   /// Takes a part of what is left, one in `parts`, for a stage that must not use up all of it.
   Budget share(std::uint64_t parts) {
-    const Budget part{left / parts, stop, false};
+    Budget part{left / parts, stop, false};
     left -= part.left;
     return part;
   }

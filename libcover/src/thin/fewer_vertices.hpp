@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <stop_token>
 
-#include "cuts/thin/conforming_mesh.hpp"
-#include "cuts/thin/mesh_with_undo.hpp"
+#include "thin/conforming_mesh.hpp"
+#include "thin/mesh_with_undo.hpp"
 
 namespace cover {
 
@@ -31,5 +31,13 @@ struct Thinned {
 /// Cost:    as `effort` says
 /// Ref:     libcover/docs/box_method.md, "Fewer vertices"
 Thinned thin_mesh(MeshWithUndo& mesh, const ThinEffort& effort);
+
+/// Moves, adds and, where that does not help, takes away vertices until no triangle is gravely bad
+/// (MeshWithUndo::grave), and then, if that can be, until none is by a vertex inside that could
+/// lie elsewhere. No more triangles become bad in any way.
+///
+/// ENSURES: the same mesh for the same input, whatever the machine
+/// Cost:    places_per_bad for each such triangle, places_to_mend_at_most in all
+Thinned mend_mesh(MeshWithUndo& mesh, const ThinEffort& effort);
 
 }  // namespace cover

@@ -1,4 +1,4 @@
-#include "cuts/thin/fewer_vertices.hpp"
+#include "thin/fewer_vertices.hpp"
 
 #include <gtest/gtest.h>
 
@@ -55,7 +55,7 @@ const ThinEffort kEffort{2000, 2'000'000, 10'000, 100'000, {}};
 
 TEST(FewerVertices, AGridBecomesTwoTrianglesForEachRectangle) {
   const ConformingMesh before = grid(12, 6, 4);
-  MeshWithUndo mesh(before, std::vector<RightAngles>(3));
+  MeshWithUndo mesh(before, std::vector<WantedAngles>(3));
   const Thinned thinned = thin_mesh(mesh, kEffort);
   EXPECT_EQ(thinned.bad_before, 0u);
   EXPECT_EQ(thinned.bad, 0u);
@@ -99,7 +99,7 @@ TEST(FewerVertices, MoreEffortIsNotWorse) {
   const ConformingMesh before = grid(9, 9, 3);
   std::size_t last = movable(before);
   for (const std::uint64_t places : {1U, 20U, 500U}) {
-    MeshWithUndo mesh(before, std::vector<RightAngles>(3));
+    MeshWithUndo mesh(before, std::vector<WantedAngles>(3));
     thin_mesh(mesh, {places, 1'000'000, 1000, 10'000, {}});
     EXPECT_EQ(mesh.bad(), 0u);
     const std::size_t now = movable(mesh.result(before));

@@ -3,8 +3,8 @@
 // everything is taken back. Places for vertices are found by projections: a vertex is good on the
 // rim of its hole if it lies between the perpendiculars at the ends of every edge and outside
 // of its diametral disk.
-// Tested by tests/unit/cuts/fewer_vertices_test.cpp.
-#include "cuts/thin/fewer_vertices.hpp"
+// Tested by tests/unit/thin/fewer_vertices_test.cpp.
+#include "thin/fewer_vertices.hpp"
 
 #include <algorithm>
 #include <array>
@@ -37,6 +37,9 @@ class Random {
 constexpr std::size_t kMostNeighbours = 64;
 constexpr std::array<int, 6> kMore{1, 2, 4, 8, 16, 32};  ///< vertices that mend a bad triangle
 constexpr std::size_t kFew = 3;                          ///< of them, at first
+constexpr int kMostTaken = 12;        ///< vertices around a triangle that nothing else mends
+constexpr std::size_t kMostAnew = 8;  ///< vertices near a triangle that are put elsewhere
+constexpr double kRatherStays = 0.2;  ///< cost of a vertex that was put where it is on purpose
 constexpr int kInVain = 8;  ///< steps that make nothing better, and one for each new vertex
 constexpr std::uint64_t kRemoval = 4;  ///< places that could be tried meanwhile
 
@@ -67,6 +70,23 @@ class Thinner {
     return thinned;
   }
 
+  Thinned run_on_grave_ones() {
+    Thinned thinned{mesh_.bad(), 0};
+    left_ = std::min<std::uint64_t>(effort_.places_to_mend_at_most,
+                                    effort_.places_per_bad * mesh_.bad());
+    for (std::size_t before = mesh_.grave() + 1; mesh_.grave() < before && !is_over();) {
+      before = mesh_.grave();
+      for (std::uint32_t t = 0; t < mesh_.triangles().size() && !is_over(); ++t) {
+        if (is_grave(t)) mend_one(t);
+      }
+    }
+    for (std::uint32_t t = 0; t < mesh_.triangles().size() && !is_over(); ++t) {
+      if (is_bad_by_a_movable(t)) mend_one(t);
+    }
+    thinned.bad = mesh_.bad();
+    return thinned;
+  }
+
  private:
   struct Action {
     double cost = kInfinite;       ///< of the mesh then
@@ -76,7 +96,8 @@ class Thinner {
 
   /// No more than `allowed` triangles are bad, and no more gravely than before.
   [[nodiscard]] bool is_fine(std::size_t allowed) const {
-    return mesh_.bad() <= allowed && mesh_.grave() <= most_grave_;
+    return mesh_.bad() <= allowed && mesh_.grave() <= most_grave_ &&
+           mesh_.bad() - mesh_.grave() <= most_signs_;
   }
 
   [[nodiscard]] bool is_over() const { return left_ == 0 || effort_.stop.stop_requested(); }
@@ -132,6 +153,110 @@ class Thinner {
       mesh_.keep();
     }
     focus_ = kNone;
+  }
+
+  [[nodiscard]] bool is_grave(std::uint32_t t) const {
+    const MeshWithUndo::Triangle& triangle = mesh_.triangles()[t];
+    return triangle.v[0] != kNone && MeshWithUndo::is_grave(triangle);
+  }
+
+  [[nodiscard]] bool is_bad(std::uint32_t t) const {
+    return mesh_.triangles()[t].v[0] != kNone && mesh_.triangles()[t].cost > 0;
+  }
+
+  /// Whether it is a vertex inside that a piece is seen from at more than a right angle.
+  [[nodiscard]] bool is_bad_by_a_movable(std::uint32_t t) const {
+    if (!is_bad(t) || is_grave(t)) return false;
+    const MeshWithUndo::Triangle& triangle = mesh_.triangles()[t];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Point apex = mesh_.at(triangle.v[i]), a = mesh_.at(triangle.v[(i + 1) % 3]),
+                  b = mesh_.at(triangle.v[(i + 2) % 3]);
+      if (triangle.line[i] != ConformingMesh::kInside && dot(a - apex, b - apex) < 0)
+        return mesh_.is_movable(triangle.v[i]);
+    }
+    return false;
+  }
+
+  /// A triangle that is gravely bad at least becomes one with a wrong sign of a coupling at a piece.
+  void mend_one(std::uint32_t t) {
+    const std::size_t before = mesh_.bad(), grave = is_grave(t) ? 1 : 0;
+    most_grave_ = mesh_.grave() - grave;
+    focus_ = t;
+    bool mended = false;
+    for (std::size_t more = 0; more <= grave; ++more) {
+      const std::size_t allowed = before + more - 1;
+      most_signs_ = more == 0 ? before - mesh_.grave() : before;
+      for (std::size_t k = 0; k <= kFew && !mended; ++k) {
+        spares_.clear();
+        starts_.clear();
+        mended =
+            k < kFew ? repair(allowed, kMore[k], 12 + 6 * kMore[k]) : take_away_around(t, allowed);
+        if (!mended) mesh_.undo(0);
+      }
+      mended = mended || make_anew(t, allowed);
+    }
+    mesh_.keep();
+    focus_ = kNone;
+    most_signs_ = kNone;
+  }
+
+  /// Takes some vertices near a triangle away and puts others there, many times.
+  bool make_anew(std::uint32_t t, std::size_t allowed) {
+    const std::array<std::uint32_t, 3> corners = mesh_.triangles()[t].v;
+    const std::uint64_t spent = left_ - std::min(left_, effort_.places_per_bad);
+    while (left_ > spent && !is_over()) {
+      spares_.clear();
+      starts_.clear();
+      spend(kRemoval);
+      for (const std::uint32_t v : near(corners[random_.below(3)], 1 + random_.below(kMostAnew))) {
+        const Point p = mesh_.at(v);
+        if (!mesh_.is_movable(v) || !mesh_.remove(v)) continue;
+        spares_.push_back(v);
+        starts_.push_back(p);
+      }
+      const int more = static_cast<int>(spares_.size() + random_.below(3));
+      if (repair(allowed, more, 12 + 4 * more)) return true;
+      mesh_.undo(0);
+    }
+    return false;
+  }
+
+  /// Takes vertices away, the one that helps most each time, until what is bad is less.
+  bool take_away_around(std::uint32_t focus, std::size_t allowed) {
+    for (int step = 0; step < kMostTaken && !is_over(); ++step) {
+      std::vector<std::uint32_t> places = mesh_.written_since(0), around;
+      places.push_back(focus);
+      for (const std::uint32_t t : places) {
+        if (!is_bad(t) || (t != focus && !is_grave(t))) continue;
+        for (const std::uint32_t s : mesh_.triangles()[t].n) {
+          if (s != kNone) add_removable(s, around);
+        }
+        add_removable(t, around);
+      }
+      std::sort(around.begin(), around.end());
+      std::uint32_t best = kNone;
+      double least = kInfinite;
+      for (const std::uint32_t v : around) {
+        const std::size_t mark = mesh_.mark();
+        spend(kRemoval);
+        if (!mesh_.remove(v)) continue;
+        const double cost = static_cast<double>(mesh_.grave()) + mesh_.cost() +
+                            (mesh_.only_goes(v) ? kRatherStays : 0);
+        if (cost < least) least = cost, best = v;
+        mesh_.undo(mark);
+      }
+      if (best == kNone || !mesh_.remove(best)) return false;
+      if (is_fine(allowed)) return true;
+    }
+    return false;
+  }
+
+  void add_removable(std::uint32_t t, std::vector<std::uint32_t>& found) const {
+    for (const std::uint32_t v : mesh_.triangles()[t].v) {
+      if ((mesh_.is_movable(v) || mesh_.only_goes(v)) &&
+          std::find(found.begin(), found.end(), v) == found.end())
+        found.push_back(v);
+    }
   }
 
   /// Rounds over all vertices, each with its neighbours.
@@ -432,6 +557,7 @@ class Thinner {
   Random random_;
   std::uint64_t left_ = 0, left_to_mend_ = 0;
   std::size_t most_grave_ = 0;
+  std::size_t most_signs_ = kNone;     ///< triangles that are bad, but not gravely
   std::uint32_t focus_ = kNone;        ///< a triangle that is to be mended
   std::vector<std::uint32_t> spares_;  ///< vertices that were taken away
   std::vector<Point> starts_;          ///< where they had been
@@ -442,6 +568,10 @@ class Thinner {
 
 Thinned thin_mesh(MeshWithUndo& mesh, const ThinEffort& effort) {
   return Thinner(mesh, effort).run();
+}
+
+Thinned mend_mesh(MeshWithUndo& mesh, const ThinEffort& effort) {
+  return Thinner(mesh, effort).run_on_grave_ones();
 }
 
 }  // namespace cover

@@ -1,4 +1,4 @@
-#include "cuts/thin/mesh_with_undo.hpp"
+#include "thin/mesh_with_undo.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -73,7 +73,7 @@ void expect_delaunay(const MeshWithUndo& mesh) {
 TEST(MeshWithUndo, EveryStepCanBeTakenBack) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> unit(0, 1);
-  MeshWithUndo mesh(two_squares(), std::vector<RightAngles>(2));
+  MeshWithUndo mesh(two_squares(), std::vector<WantedAngles>(2));
   std::vector<std::uint32_t> added;
   std::size_t cuts = 0, removed = 0, undone = 0;
   for (int step = 0; step < 3000; ++step) {
@@ -128,7 +128,7 @@ TEST(MeshWithUndo, EveryStepCanBeTakenBack) {
 }
 
 TEST(MeshWithUndo, CutsBothRegionsAndOnlyLinesThatMayBe) {
-  MeshWithUndo mesh(two_squares(), std::vector<RightAngles>(2));
+  MeshWithUndo mesh(two_squares(), std::vector<WantedAngles>(2));
   const Spot between = mesh.locate({1.5, 0.4}, 0);  // triangle 0 lies in the left square
   ASSERT_EQ(between.edge >= 0, true);
   EXPECT_EQ(between.at, (Point{1, 0.4}));

@@ -1,7 +1,7 @@
 // Bowyer's and Watson's way to add a vertex, with pieces of lines as walls; ears to take one away.
 // Everything that is written is remembered, triangle by triangle.
-// Tested by tests/unit/cuts/mesh_with_undo_test.cpp.
-#include "cuts/thin/mesh_with_undo.hpp"
+// Tested by tests/unit/thin/mesh_with_undo_test.cpp.
+#include "thin/mesh_with_undo.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ constexpr double kFreeAtMost = 4;    ///< times the triangles: entries of the li
 
 }  // namespace
 
-MeshWithUndo::MeshWithUndo(const ConformingMesh& mesh, std::vector<RightAngles> angles)
+MeshWithUndo::MeshWithUndo(const ConformingMesh& mesh, std::vector<WantedAngles> angles)
     : angles_(std::move(angles)), lines_(mesh.lines) {
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
     vertices_.push_back({mesh.points[v], mesh.line[v], kNone});
@@ -109,8 +109,13 @@ double MeshWithUndo::cost_of(const std::array<Point, 3>& p, const std::array<boo
   const std::array<double, 3> product{-dot(ab, ca), -dot(ab, bc), -dot(bc, ca)};  // by corner
   const double doubled_area = cross(ab, bc);
   const auto [blunt, sharp] = std::minmax({product[0], product[1], product[2]});
+  const WantedAngles& wanted = angles_[region];
   double cost = 0;
-  if (blunt < 0) {
+  if (wanted.least_cot < 0) {
+    if (blunt < wanted.least_cot * doubled_area)
+      cost = kBadAtLeast - blunt / std::hypot(blunt, doubled_area) +
+             wanted.least_cot / std::hypot(1, wanted.least_cot);
+  } else if (blunt < 0) {
     const double shortest =
         std::sqrt(std::min({squared_length(ab), squared_length(bc), squared_length(ca)}));
     const double farthest = std::max(
@@ -125,7 +130,7 @@ double MeshWithUndo::cost_of(const std::array<Point, 3>& p, const std::array<boo
         cost = kBadBySign;
     }
   }
-  const double allowed = angles_[region].largest_cot * doubled_area;
+  const double allowed = wanted.largest_cot * doubled_area;
   if (allowed > 0 && sharp > allowed) cost += kBadAtLeast + 1 - allowed / sharp;
   return cost;
 }
@@ -136,15 +141,17 @@ double MeshWithUndo::cost_of(const Triangle& t) const {
                  t.region);
 }
 
+bool MeshWithUndo::is_grave(const Triangle& t) { return t.cost > kBadBySign; }
+
 void MeshWithUndo::count(const Triangle& t) {
   bad_ += t.cost > 0 ? 1 : 0;
-  grave_ += t.cost > kBadBySign ? 1 : 0;
+  grave_ += is_grave(t) ? 1 : 0;
   cost_ += t.cost;
 }
 
 void MeshWithUndo::discount(const Triangle& t) {
   bad_ -= t.cost > 0 ? 1 : 0;
-  grave_ -= t.cost > kBadBySign ? 1 : 0;
+  grave_ -= is_grave(t) ? 1 : 0;
   cost_ -= t.cost;
 }
 
@@ -282,6 +289,7 @@ bool MeshWithUndo::gather(const Spot& spot) {
     if (cavity_.size() > kMostInHole) return false;
     const std::uint32_t t = cavity_[head];
     const Triangle& triangle = triangles_[t];
+    if (angles_[triangle.region].closed) return false;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t n = triangle.n[i];
       // The piece that is cut is no part of the rim, on either side.
@@ -458,7 +466,7 @@ bool MeshWithUndo::remove(std::uint32_t v) {
   }
   const Triangle& last = triangles_[star_.back()];
   const bool is_open = last.n[(corner(last) + 1) % 3] == kNone;
-  const bool is_cut = line != kOnNoLine;
+  const bool is_cut = line < lines_.size();
   if (is_cut ? walls != (is_open ? 1U : 2U) : walls != 0) return false;
   if (is_open) first = 0;
   std::rotate(star_.begin(), star_.begin() + static_cast<std::ptrdiff_t>(first), star_.end());

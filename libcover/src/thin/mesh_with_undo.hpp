@@ -7,13 +7,15 @@
 #include <span>
 #include <vector>
 
-#include "cuts/thin/conforming_mesh.hpp"
+#include "thin/conforming_mesh.hpp"
 
 namespace cover {
 
 /// What is asked of the triangles of a region.
-struct RightAngles {
+struct WantedAngles {
   double largest_cot = 0;  ///< cotangent of the smallest angle that is allowed; 0: any
+  double least_cot = 0;    ///< of the largest one, 90 degrees or more
+  bool closed = false;     ///< no vertex is put among them
 };
 
 /// Where a vertex may be put: inside of a triangle, or on its edge, which is a piece of a line.
@@ -31,17 +33,18 @@ struct RimEdge {
   std::uint32_t region;
 };
 
-/// A triangle is bad if it is obtuse by more than rounding of its coordinates can make, opposite to a
-/// piece of a line by anything, so that no coupling of the box method is negative; or if it has an
-/// angle below what is asked of its region. A mesh without bad triangles is constrained Delaunay,
-/// and so is the mesh here, so a set of vertices is good or bad by itself.
+/// A triangle is bad if it has an angle above what is asked of its region, above 90 degrees by more
+/// than rounding of its coordinates can make; if it is obtuse by anything opposite to a piece of a
+/// line, so that no coupling of the box method is negative; or if it has an angle below what is asked.
+/// A mesh without obtuse angles is constrained Delaunay, and so is the mesh here, so a set of
+/// vertices is good or bad by itself.
 ///
 /// EXACT: topology is; costs and what is bad are rounded, towards bad.
 class MeshWithUndo {
  public:
   /// `angles`: by region.
   /// REQUIRES: every edge with one triangle, or with triangles of two regions, is a piece
-  MeshWithUndo(const ConformingMesh& mesh, std::vector<RightAngles> angles);
+  MeshWithUndo(const ConformingMesh& mesh, std::vector<WantedAngles> angles);
 
   struct Vertex {
     Point at;
@@ -61,13 +64,17 @@ class MeshWithUndo {
   [[nodiscard]] Point at(std::uint32_t v) const { return vertices_[v].at; }
   [[nodiscard]] bool is_there(std::uint32_t v) const { return vertices_[v].home != kNone; }
   [[nodiscard]] bool is_movable(std::uint32_t v) const {
-    return vertices_[v].line != ConformingMesh::kFixed;
+    return vertices_[v].line != ConformingMesh::kFixed && !only_goes(v);
+  }
+  [[nodiscard]] bool only_goes(std::uint32_t v) const {
+    return vertices_[v].line == ConformingMesh::kMayGo;
   }
   [[nodiscard]] const std::vector<StraightLine>& lines() const { return lines_; }
 
   [[nodiscard]] std::size_t bad() const { return bad_; }  ///< triangles
   /// Those of them that are bad not only by the sign of an angle opposite to a piece.
   [[nodiscard]] std::size_t grave() const { return grave_; }
+  [[nodiscard]] static bool is_grave(const Triangle& t);
   [[nodiscard]] double cost() const { return cost_; }  ///< sum over bad triangles
 
   /// All steps up to here can be taken back together.
@@ -79,7 +86,7 @@ class MeshWithUndo {
   [[nodiscard]] std::vector<std::uint32_t> written_since(std::size_t mark) const;
 
   /// Takes a vertex away; false, and nothing has changed, if that cannot be.
-  /// REQUIRES: is_movable(v)
+  /// REQUIRES: is_movable(v) or only_goes(v)
   /// Cost:     O(k^2) for k neighbours, mostly
   bool remove(std::uint32_t v);
 
@@ -134,7 +141,7 @@ class MeshWithUndo {
   bool fill(std::span<Corner> corners, std::uint32_t region, std::vector<std::uint32_t>& slots);
   [[nodiscard]] bool is_ear(std::span<const Corner> corners, std::size_t k, bool delaunay) const;
 
-  std::vector<RightAngles> angles_;
+  std::vector<WantedAngles> angles_;
   std::vector<StraightLine> lines_;
   std::vector<Vertex> vertices_;
   std::vector<Triangle> triangles_;

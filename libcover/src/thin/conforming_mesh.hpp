@@ -23,6 +23,8 @@ struct ConformingMesh {
   static constexpr std::uint32_t kFixed = 0xfffffffeU;
   /// In place of a line: the vertex lies inside of a region. Of an edge: it is on no line.
   static constexpr std::uint32_t kInside = 0xffffffffU;
+  /// In place of a line: the vertex lies inside of a region and stays where it is, or goes.
+  static constexpr std::uint32_t kMayGo = 0xfffffffdU;
 
   /// An edge of the mesh that is a piece of a line.
   struct Piece {
@@ -31,7 +33,7 @@ struct ConformingMesh {
   };
 
   std::vector<Point> points;
-  std::vector<std::uint32_t> line;  ///< by point: the line that it cuts, or kFixed or kInside
+  std::vector<std::uint32_t> line;  ///< by point: the line that it cuts, or one of the above
   std::vector<StraightLine> lines;  ///< those that may be cut
   std::vector<Piece> pieces;  ///< each once, in any direction; lines beyond `lines` stay whole
   std::vector<IndexTriple> triangles;  ///< counter-clockwise

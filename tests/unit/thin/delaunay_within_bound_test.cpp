@@ -1,0 +1,95 @@
+#include "thin/delaunay_within_bound.hpp"
+
+#include <gtest/gtest.h>
+
+#include "target/measure.hpp"
+#include "target/whole_mesh.hpp"
+
+namespace cover {
+namespace {
+
+/// The end of a wedge, whose rows end in two far corners: an inner vertex lies 0.1 beside the line
+/// of its neighbours, so that the constrained Delaunay triangulation has a flat triangle there.
+RegionBoundary wedge() {
+  RegionBoundary boundary;
+  boundary.id = RegionId{1};
+  boundary.points = {{0, -5}, {660, -5}, {660, 5}, {0, 5}, {-40, 6.6}, {-40, -6.6}};
+  for (std::uint32_t k = 0; k < 6; ++k) {
+    boundary.vertices.push_back(VertexId{k});
+    boundary.sides.push_back({k, (k + 1) % 6});
+    boundary.segments.push_back(SegmentId{k});
+  }
+  return boundary;
+}
+
+RegionMesh mesh_of(const RegionBoundary& boundary) {
+  RegionMesh mesh;
+  mesh.steiner = {{-0.1, 1.6}};
+  mesh.triangles = {{6, 3, 4}, {6, 4, 5}, {6, 5, 0}, {0, 1, 6}, {1, 3, 6}, {1, 2, 3}};
+  mesh.report.id = boundary.id;
+  mesh.report.nu_bound = Angle::degrees(30);
+  measure(boundary, mesh);
+  EXPECT_TRUE(mesh.report.bound_held);
+  EXPECT_EQ(mesh.report.box.negative_inside, 1U);
+  return mesh;
+}
+
+void expect_sound(const RegionBoundary& boundary, const RegionMesh& mesh) {
+  EXPECT_TRUE(mesh.report.bound_held);
+  EXPECT_EQ(mesh.report.box.negative_inside, 0U);
+  EXPECT_EQ(mesh.report.box.negative_given_up, 0U);
+  EXPECT_FALSE(find_fault({all_points(boundary, mesh), mesh.triangles, boundary.sides,
+                           boundary.segments, boundary.points.size()}));
+}
+
+TEST(DelaunayWithinBound, TakesAVertexOfALayerAway) {
+  const RegionBoundary boundary = wedge();
+  RegionMesh mesh = mesh_of(boundary);
+  mesh.layer_vertices = 1;
+  mesh.layer_triangles = 6;  // among which no other vertex is put
+  const auto mended = mend_couplings_within_bound(boundary, mesh, {});
+  ASSERT_TRUE(mended);
+  EXPECT_EQ(mended->gone, std::vector<std::uint32_t>{0});
+  EXPECT_EQ(mended->mesh.layer_vertices, 0U);
+  EXPECT_EQ(mended->mesh.layer_triangles, 4U);
+  expect_sound(boundary, mended->mesh);
+}
+
+TEST(DelaunayWithinBound, PutsVerticesElsewhereFirst) {
+  const RegionBoundary boundary = wedge();
+  RegionMesh mesh = mesh_of(boundary);
+  mesh.layer_vertices = 1;
+  mesh.layer_triangles = 3;
+  const auto mended = mend_couplings_within_bound(boundary, mesh, {});
+  ASSERT_TRUE(mended);
+  EXPECT_TRUE(mended->gone.empty());
+  EXPECT_EQ(mended->mesh.layer_vertices, 1U);
+  EXPECT_EQ(mended->mesh.steiner[0], mesh.steiner[0]);
+  EXPECT_EQ(mended->mesh.layer_triangles, 3U);
+  expect_sound(boundary, mended->mesh);
+}
+
+TEST(DelaunayWithinBound, MovesAnyOther) {
+  const RegionBoundary boundary = wedge();
+  const auto mended = mend_couplings_within_bound(boundary, mesh_of(boundary), {});
+  ASSERT_TRUE(mended);
+  EXPECT_TRUE(mended->gone.empty());
+  EXPECT_EQ(mended->mesh.layer_triangles, 0U);
+  expect_sound(boundary, mended->mesh);
+  // What is so already stays.
+  EXPECT_FALSE(mend_couplings_within_bound(boundary, mended->mesh, {}));
+}
+
+TEST(DelaunayWithinBound, LeavesWhatCannotBeMended) {
+  RegionBoundary boundary = wedge();
+  RegionMesh mesh = mesh_of(boundary);
+  mesh.report.nu_bound = Angle::degrees(100);  // angles of 80 at most, which no polygon here has
+  measure(boundary, mesh);
+  EXPECT_FALSE(mend_couplings_within_bound(boundary, mesh, {}));
+  mesh.report.nu_bound = Angle::degrees(30);
+  boundary.segments[0] = kHullSide;  // may be split, so that nothing is known of the mesh there
+  EXPECT_FALSE(mend_couplings_within_bound(boundary, mesh, {}));
+}
+
+}  // namespace
+}  // namespace cover
