@@ -34,8 +34,12 @@ constexpr int kInVain = 2;
 /// best one, are of no use for any target: where no double has room, each cut forces further ones.
 constexpr int kInVainForAll = 2;
 constexpr std::size_t kFarMore = 2;
-constexpr std::size_t kMostPoints = 4;  ///< times those at first: then there are no more rounds
-constexpr std::size_t kMostCut = 16;    ///< times those at first: a round is given up
+constexpr std::size_t kMostPoints = 4;     ///< times those at first: then there are no more rounds
+constexpr std::size_t kMostCut = 16;       ///< times those at first: a round is given up
+constexpr std::size_t kFewPoints = 2'000;  ///< with less, rounds cost so little that all are made
+/// So many triangles above the target for each point at first are those of a mesh that misses it
+/// nearly everywhere: halves do not mend that.
+constexpr std::size_t kEverywhere = 4;
 /// Evaluations of all searches together, by points at first: some seconds for some thousand points.
 /// Each search has half of what the ones before it left.
 constexpr std::uint64_t kEvaluationsPerPoint = 20'000;
@@ -158,13 +162,16 @@ Status cut_until_met(Prepared& prepared, std::vector<RegionBoundary>& boundaries
   const int most_in_vain = options.max_angle < Angle::degrees(90) ? kInVain : kRounds;
   int in_vain = 0;  // rounds since the last one that left fewer triangles
   const auto is_of_no_use = [&] {
-    return in_vain >= most_in_vain ||
+    if (in_vain >= most_in_vain) return true;
+    if (now.pslg.points.size() < kFewPoints) return false;
+    return now.left.above > kEverywhere * points ||
            (in_vain >= kInVainForAll && now.left.above > kFarMore * best.left.above);
   };
+  const std::size_t most_cut = std::max(kMostCut * points, kFewPoints);
   for (int k = 0; k < kRounds && status && best.left.above > 0 && !is_of_no_use() &&
                   now.pslg.points.size() < kMostPoints * points;
        ++k) {
-    const Result<bool> halved = rounds.halve(now, kMostCut * points);
+    const Result<bool> halved = rounds.halve(now, most_cut);
     if (!halved) return halved.error();
     if (!*halved) break;
     status = rounds.improve(now);
