@@ -45,6 +45,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const cover::TriangleSoup soup = cover::triangle_soup(output->mesh);
   const auto found = cover::verify_cover(output->pslg, output->table, soup, verify);
   if (!found.violations.empty()) fail(hostile, found.violations.front().message);
+  // What misses a bound by rounding, the program writes on request only.
+  if (std::any_of(output->report.regions.begin(), output->report.regions.end(),
+                  [](const auto& region) { return !region.bound_held; }))
+    return 0;
   // And against the input as it was.
   cover::Options uncut = hostile.options;
   uncut.split_interfaces.reset();

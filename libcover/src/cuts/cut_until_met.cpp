@@ -30,7 +30,16 @@ constexpr int kRounds = 6;
 /// Rounds in a row that left no fewer triangles above a target below 90 degrees: more of them only
 /// cut. Towards 90 degrees all rounds may be needed: flat layers get worse before they get better.
 constexpr int kInVain = 2;
-constexpr std::size_t kMostPoints = 4;  ///< times those at first: then there are no more rounds
+/// So many rounds in a row that left more and more triangles, in the end as many times those of the
+/// best one, are of no use for any target: where no double has room, each cut forces further ones.
+constexpr int kInVainForAll = 2;
+constexpr std::size_t kFarMore = 2;
+constexpr std::size_t kMostPoints = 4;     ///< times those at first: then there are no more rounds
+constexpr std::size_t kMostCut = 16;       ///< times those at first: a round is given up
+constexpr std::size_t kFewPoints = 2'000;  ///< with less, rounds cost so little that all are made
+/// So many triangles above the target for each point at first are those of a mesh that misses it
+/// nearly everywhere: halves do not mend that.
+constexpr std::size_t kEverywhere = 4;
 /// Evaluations of all searches together, by points at first: some seconds for some thousand points.
 /// Each search has half of what the ones before it left.
 constexpr std::uint64_t kEvaluationsPerPoint = 20'000;
@@ -60,11 +69,13 @@ class Rounds {
                                            kMostEvaluations + kMostEvaluationsPerPoint * points),
             callbacks.stop} {}
 
-  /// Halves segments beside the triangles that are left and meshes again.
-  Status halve(State& state) const {
+  /// Halves segments beside the triangles that are left and meshes again. False if that takes more
+  /// than `most` points.
+  Result<bool> halve(State& state, std::size_t most) const {
     std::vector<RegionBoundary> boundaries;
-    Status cut = errors_as_values("cut segments", [&] { return cut_further(state, boundaries); });
-    if (!cut) return cut;
+    Result<bool> cut =
+        errors_as_values("cut segments", [&] { return cut_further(state, boundaries, most); });
+    if (!cut || !*cut) return cut;
     std::vector<std::size_t> changed;
     std::vector<RegionBoundary> again;
     for (std::size_t r = 0; r < boundaries.size(); ++r) {
@@ -78,7 +89,7 @@ class Rounds {
       state.meshes[changed[k]] = std::move((*meshes)[k]);
     }
     state.boundaries = std::move(boundaries);
-    return ok();
+    return true;
   }
 
   /// Works on the triangles above the target if they are few; counts them.
@@ -100,13 +111,16 @@ class Rounds {
     return {state.pslg, state.boundaries, state.meshes, goal_};
   }
 
-  Status cut_further(State& state, std::vector<RegionBoundary>& boundaries) const {
+  Result<bool> cut_further(State& state, std::vector<RegionBoundary>& boundaries,
+                           std::size_t most) const {
     const std::vector<SegmentId> halved = joined(state).segments_to_halve();
-    if (Status status = halve_segments(state.pslg, state.table, options_, halved); !status) {
-      return status;
-    }
+    Result<bool> cut = halve_segments(state.pslg, state.table, options_, halved, most);
+    if (!cut || !*cut) return cut;
     boundaries = split_regions(state.pslg, state.table);
-    return resolve_sizes(state.pslg, state.table, options_, boundaries);
+    if (Status status = resolve_sizes(state.pslg, state.table, options_, boundaries); !status) {
+      return std::move(status).error();
+    }
+    return true;
   }
 
   const Options& options_;
@@ -147,11 +161,20 @@ Status cut_until_met(Work& work, const Options& options, const Callbacks& callba
   State now = best;
   const int most_in_vain = options.max_angle < Angle::degrees(90) ? kInVain : kRounds;
   int in_vain = 0;  // rounds since the last one that left fewer triangles
-  for (int k = 0; k < kRounds && status && best.left.above > 0 && in_vain < most_in_vain &&
+  const auto is_of_no_use = [&] {
+    if (in_vain >= most_in_vain) return true;
+    if (now.pslg.points.size() < kFewPoints) return false;
+    return now.left.above > kEverywhere * points ||
+           (in_vain >= kInVainForAll && now.left.above > kFarMore * best.left.above);
+  };
+  const std::size_t most_cut = std::max(kMostCut * points, kFewPoints);
+  for (int k = 0; k < kRounds && status && best.left.above > 0 && !is_of_no_use() &&
                   now.pslg.points.size() < kMostPoints * points;
        ++k) {
-    status = rounds.halve(now);
-    if (status) status = rounds.improve(now);
+    const Result<bool> halved = rounds.halve(now, most_cut);
+    if (!halved) return halved.error();
+    if (!*halved) break;
+    status = rounds.improve(now);
     const bool is_better = status && now.left.above < best.left.above;
     in_vain = is_better ? 0 : in_vain + 1;
     if (is_better) best = now;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -65,8 +66,9 @@ class Splitter {
     rigid_.assign(pslg.segments.size(), 0);
   }
 
-  /// Cuts `halved` in any case, where there is room.
-  Status run(std::span<const SegmentId> halved = {}) {
+  /// Cuts `halved` in any case, where there is room. False if that takes more than `most` points.
+  Result<bool> run(std::span<const SegmentId> halved = {},
+                   std::size_t most = std::numeric_limits<std::size_t>::max()) {
     for (int pass = 0; pass < kPasses;) {
       halved_.assign(pslg_.segments.size(), 0);
       if (pass == 0) {
@@ -79,12 +81,13 @@ class Splitter {
         continue;
       }
       if (cuts->empty()) break;
+      if (points_with(*cuts) > most) return false;
       ++pass;
       if (pass == kPasses) break;  // nobody would look at what these cuts break
       before_ = Before{pslg_, table_, whole_, rigid_, *std::move(cuts), 0};
       apply(before_->cuts);
     }
-    return ok();
+    return true;
   }
 
   /// What was cut since there were `before` points, and what was not.
@@ -113,6 +116,12 @@ class Splitter {
  private:
   [[nodiscard]] Point at(VertexId v) const { return pslg_.points[v.index()]; }
   [[nodiscard]] double length_of(const Segment& s) const { return length(at(s.b) - at(s.a)); }
+
+  [[nodiscard]] std::size_t points_with(std::span<const SegmentCut> cuts) const {
+    std::size_t points = pslg_.points.size();
+    for (const SegmentCut& cut : cuts) points += cut.points.size();
+    return points;
+  }
 
   /// One cut for every segment that a region that changed wants shorter.
   Result<std::vector<SegmentCut>> find_cuts() {
@@ -357,14 +366,14 @@ Status split_interfaces(Pslg& pslg, RegionTable& table, const Options& options,
   if (!options.split_interfaces) return ok();
   const std::size_t before = pslg.points.size();
   Splitter splitter(pslg, table, options);
-  if (Status status = splitter.run(); !status) return status;
+  if (Result<bool> run = splitter.run(); !run) return std::move(run).error();
   splitter.tell(before, notes);
   return ok();
 }
 
-Status halve_segments(Pslg& pslg, RegionTable& table, const Options& options,
-                      std::span<const SegmentId> segments) {
-  return Splitter(pslg, table, options).run(segments);
+Result<bool> halve_segments(Pslg& pslg, RegionTable& table, const Options& options,
+                            std::span<const SegmentId> segments, std::size_t most_points) {
+  return Splitter(pslg, table, options).run(segments, most_points);
 }
 
 }  // namespace cover

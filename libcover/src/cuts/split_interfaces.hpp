@@ -1,6 +1,7 @@
 // Cutting segments before regions are split, for users who may touch them.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -28,10 +29,11 @@ namespace cover {
 Status split_interfaces(Pslg& pslg, RegionTable& table, const Options& options,
                         std::vector<Note>& notes);
 
-/// Cuts `segments` half way where there is room, and then what split_interfaces would cut.
+/// Cuts `segments` half way where there is room, and then what split_interfaces would cut. False if
+/// that takes more than `most_points`: what was cut until then has angles that are too large.
 ///
 /// REQUIRES: Options::split_interfaces; `segments` in order, without repeats
-Status halve_segments(Pslg& pslg, RegionTable& table, const Options& options,
-                      std::span<const SegmentId> segments);
+Result<bool> halve_segments(Pslg& pslg, RegionTable& table, const Options& options,
+                            std::span<const SegmentId> segments, std::size_t most_points);
 
 }  // namespace cover

@@ -380,7 +380,13 @@ TEST(SplitInterfaces, HalvesTheSegmentsGivenAndThenForcesNothing) {
   const Segment cut = regions.pslg.segments[2];
   const Point middle =
       midpoint(regions.pslg.points[cut.a.index()], regions.pslg.points[cut.b.index()]);
-  ASSERT_TRUE(halve_segments(regions.pslg, regions.table, options, right));
+  const Result<bool> given_up = halve_segments(regions.pslg, regions.table, options, right, before);
+  ASSERT_TRUE(given_up);
+  EXPECT_FALSE(*given_up);
+  EXPECT_EQ(regions.pslg.points.size(), before);
+  const Result<bool> halved = halve_segments(regions.pslg, regions.table, options, right, 1000);
+  ASSERT_TRUE(halved);
+  EXPECT_TRUE(*halved);
   EXPECT_GT(regions.pslg.points.size(), before);
   EXPECT_EQ(regions.pslg.points[before], middle);
   EXPECT_LE(worst_gamma(regions), 90 + 1e-6);

@@ -7,6 +7,7 @@
 #include "disks/packing/connect_holes.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <queue>
 #include <tuple>
@@ -63,12 +64,19 @@ bool connect_holes(Packing& packing, std::span<const std::array<Index, 2>> pairs
 
   using Entry = std::tuple<double, Index, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  const auto push = [&](Index e, Index f) {
-    if (clusters.find(cluster_of[e]) == clusters.find(cluster_of[f])) return;
+  /// False if they are not closer than that: by rounding alone, and pairs could replace each other
+  /// for ever.
+  const auto push = [&](Index e, Index f, double further) {
+    if (clusters.find(cluster_of[e]) == clusters.find(cluster_of[f])) return true;
     const Segment s = shortest(packing.elements[e], packing.elements[f]);
-    queue.emplace(norm(s.b - s.a), std::min(e, f), std::max(e, f));
+    const double gap = norm(s.b - s.a);
+    if (!(gap < further)) return false;
+    queue.emplace(gap, std::min(e, f), std::max(e, f));
+    return true;
   };
-  for (const auto& [e, f] : pairs) push(e, f);
+  for (const auto& [e, f] : pairs) {
+    if (!push(e, f, std::numeric_limits<double>::infinity())) return false;
+  }
 
   while (!queue.empty()) {
     const auto [gap, e, f] = queue.top();
@@ -78,8 +86,7 @@ bool connect_holes(Packing& packing, std::span<const std::array<Index, 2>> pairs
     const Circle disk{midpoint(s.a, s.b), gap / 2};
     const Index g = packing.nearest_obstacle(disk.c, disk.r * (1 - 1e-9), kNoIndex, e, f);
     if (g != kNoIndex) {
-      push(e, g);
-      push(g, f);
+      if (!push(e, g, gap) || !push(g, f, gap)) return false;
       continue;
     }
     const std::vector<Contact> contacts = touched_sides(packing, disk, {}, kNoIndex, tolerance);

@@ -6,6 +6,7 @@
 namespace cover {
 
 bool try_flip(Piece& piece, std::uint32_t t) {
+  if (piece.flips_left == 0) return false;
   MutableMesh& mesh = piece.mesh;
   int best_edge = -1;
   double best_gain = 0;
@@ -24,6 +25,7 @@ bool try_flip(Piece& piece, std::uint32_t t) {
   if (best_edge < 0) return false;
   const std::uint32_t u = mesh.triangles[t].n[static_cast<std::size_t>(best_edge)];
   if (!mesh.flip(t, best_edge)) return false;
+  --piece.flips_left;
   piece.look_around(t);
   piece.look_around(u);
   return true;

@@ -23,6 +23,9 @@ inline double improvement_of(double worst) {
 
 /// A triangulation that moves are made on, with their buffers.
 struct Piece {
+  static constexpr std::uint64_t kFewFlips = 4'096;
+  static constexpr std::uint64_t kFlipsPerTriangle = 64;
+
   explicit Piece(MutableMesh& whole) : mesh(whole), cavity(whole) {}
 
   MutableMesh& mesh;
@@ -30,6 +33,9 @@ struct Piece {
   Installed installed;
   std::vector<std::uint32_t> again;  ///< triangles to be looked at again after a move, in order
   std::uint64_t evaluations = 0;     ///< stars looked at so far
+  /// A flip may make triangles beside its two worse, by their couplings, so that flips could follow
+  /// each other around a vertex for ever. A few for each triangle are what is needed.
+  std::uint64_t flips_left = kFewFlips + kFlipsPerTriangle * mesh.triangles.size();
 
   /// A changed triangle and those beside it are to be looked at again.
   void look_around(std::uint32_t t) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -29,6 +30,9 @@ constexpr double kRadius = 0.78;
 /// is worked off before the next one.
 constexpr int kBlock = 4096;          ///< triangles
 constexpr int kBucketsPerBlock = 16;  ///< two per factor of two, in squared lengths
+
+/// Of a centre's distance from a corner, squared: rounding may take or add an eighth.
+constexpr double kMostMoved = 1.0 / 64;
 
 constexpr std::size_t kLargeFan = 1024;  ///< triangles around a new vertex, queued in rounds
 
@@ -184,8 +188,10 @@ class Refinement {
     return half_octave(shortest2);
   }
 
-  /// The circumcentre of `t`, or the off-centre of its shortest edge where that is nearer.
-  [[nodiscard]] Point centre_of(std::uint32_t t) const {
+  /// The circumcentre of `t`, or the off-centre of its shortest edge where that is nearer. Nothing
+  /// where doubles are so far apart that rounding moves it: in a column of points with the same x,
+  /// far from 0, it would halve the edge, and so would all that come after it.
+  [[nodiscard]] std::optional<Point> centre_of(std::uint32_t t) const {
     int shortest = 0;
     double length2 = kInverted;
     for (int i = 0; i < 3; ++i) {
@@ -200,7 +206,10 @@ class Refinement {
     const Vector w = mesh_.corner(t, shortest) - b;
     // The circumcentre is at height |e| cot(apex) / 2 above the middle of e.
     const double height = std::min(0.5 * dot(u, w) / cross(e, u), off_centre_);
-    return a + (0.5 * e + height * left_normal(e));
+    const Vector wished = 0.5 * e + height * left_normal(e);
+    const Point p = a + wished;
+    if (squared_length((p - a) - wished) > kMostMoved * squared_length(wished)) return {};
+    return p;
   }
 
   /// The triangle that contains `p`, from `t` on; kNone if a side is in the way.
@@ -272,10 +281,11 @@ class Refinement {
   }
 
   bool insert_near(std::uint32_t t) {
-    const Point p = centre_of(t);
-    const std::uint32_t start = locate(t, p);
-    if (start == kNone || !find_cavity(start, p)) return false;
-    const std::uint32_t apex = mesh_.add_vertex(p);
+    const std::optional<Point> p = centre_of(t);
+    if (!p) return false;
+    const std::uint32_t start = locate(t, *p);
+    if (start == kNone || !find_cavity(start, *p)) return false;
+    const std::uint32_t apex = mesh_.add_vertex(*p);
     while (cavity_.size() < loop_.size()) cavity_.push_back(mesh_.add_triangle());
     stamp_.resize(mesh_.triangles.size(), 0);
     guarded_.resize(mesh_.triangles.size(), 0);
