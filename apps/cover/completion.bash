@@ -21,6 +21,7 @@ _cover() {
     --unit) words="nm um mm cm m" ;;
     --order) words="1 2" ;;
     --msh) words="2.2 4.1" ;;
+    --xdmf) words="text hdf5" ;;
     --ids) words="region material name" ;;
     --inp-element) words="S CPS CPE CAX" ;;
     --format) if [ "$command" = render ]; then words="svg png"; else

@@ -12,8 +12,16 @@ void FormatOptions::add(CLI::App& command, const std::string& group) {
       ->capture_default_str()
       ->group(group);
   command
-      .add_option("--parts", options_.parts,
-                  "Parts of a .pvtu, with ghosts, owners and global ids, for as many processes")
+      .add_option("--xdmf", options_.xdmf,
+                  "Numbers of .xdmf: text inside, or hdf5, in X.h5 beside X.xdmf, for large meshes")
+      ->type_name("FORM")
+      ->capture_default_str()
+      ->group(group);
+  command
+      .add_option(
+          "--parts", options_.parts,
+          "Parts of a .pvtu, with ghosts, owners and global ids, for as many processes; or of "
+          "a .msh 4.1, as X_1.msh, X_2.msh, ...")
       ->type_name("N")
       ->capture_default_str()
       ->group(group);

@@ -9,7 +9,7 @@
 
 namespace cover::app {
 
-/// --order, --msh, --no-inner-lines, --lines, --ids, --inp-element. Their values are checked, with the
+/// --order, --msh, --xdmf, --parts, --no-inner-lines, --lines, --ids, --inp-element. Their values are checked, with the
 /// file they are meant for, by can_write().
 class FormatOptions {
  public:

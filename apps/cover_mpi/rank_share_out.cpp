@@ -63,23 +63,16 @@ class Queue {
 /// Threads of this process that mesh until the queue is empty.
 class Here {
  public:
-  Here(RegionJobs& jobs, Queue& queue, unsigned threads) : at_work_(threads) {
-    for (unsigned k = 0; k < threads; ++k) {
-      threads_.emplace_back([this, &jobs, &queue] {
-        while (!jobs.stop().stop_requested()) {
-          const std::vector<std::size_t> taken = queue.take(1);
-          if (taken.empty()) break;
-          for (const std::size_t region : taken) jobs.mesh_here(region);
-        }
-        --at_work_;
-      });
-    }
-  }
-  [[nodiscard]] bool at_work() const { return at_work_ > 0; }
+  Here(RegionJobs& jobs, Queue& queue, unsigned threads)
+      : thread_([this, &jobs, &queue, threads] {
+          jobs.mesh_here(threads, [&queue] { return queue.take(1); });
+          at_work_ = false;
+        }) {}
+  [[nodiscard]] bool at_work() const { return at_work_; }
 
  private:
-  std::atomic<unsigned> at_work_;
-  std::vector<std::jthread> threads_;
+  std::atomic<bool> at_work_ = true;
+  std::jthread thread_;
 };
 
 }  // namespace

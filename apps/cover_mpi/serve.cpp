@@ -1,8 +1,8 @@
 #include "serve.hpp"
 
-#include <atomic>
 #include <string>
-#include <thread>
+#include <utility>
+#include <vector>
 
 #include <cover/options.hpp>
 #include <cover/read_size_field.hpp>
@@ -15,14 +15,10 @@ namespace {
 
 /// Meshes parcels in place, on some threads.
 void mesh_all(std::vector<Parcel>& parcels, const Options& options, unsigned threads) {
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t k = next++; k < parcels.size(); k = next++)
-      parcels[k].bytes = mesh_region_bytes(parcels[k].bytes, options);
-  };
-  std::vector<std::jthread> others;
-  for (unsigned k = 1; k < threads; ++k) others.emplace_back(work);
-  work();
+  std::vector<Bytes> regions;
+  for (Parcel& parcel : parcels) regions.push_back(std::move(parcel.bytes));
+  mesh_region_bytes(regions, options, threads);
+  for (std::size_t k = 0; k < parcels.size(); ++k) parcels[k].bytes = std::move(regions[k]);
 }
 
 /// The options of the run, with the size field, which every rank reads by itself.

@@ -203,6 +203,8 @@ WriteOptions write_options_from(const py::dict& keywords) {
       options.lines = value.cast<bool>();
     } else if (key == "msh") {
       options.msh = py::str(value);
+    } else if (key == "xdmf") {
+      options.xdmf = py::str(value);
     } else if (key == "ids") {
       options.ids = py::str(value);
     } else if (key == "inp_element") {

@@ -830,6 +830,30 @@ class Stream(Case):
                 for name in held[1]:
                     self.assertTrue(held[1][name] == streamed[1][name], (name, more))
 
+    def test_the_same_bytes_in_hdf5(self):
+        held, streamed = self.both('mesh', self.plain(), '-o', 'a.xdmf', '--xdmf', 'hdf5', '--ids', 'region')
+        self.assertEqual(set(held[1]), {'a.xdmf', 'a.h5', 'plain.poly'})
+        self.assertEqual(held, streamed)
+        self.assertIn(b'Format="HDF">a.h5:/mesh/topology<', held[1]['a.xdmf'])
+        self.run_cover('check', 'plain.poly', 'a.xdmf')
+        # Text has to be held, and says the same.
+        self.run_cover('mesh', 'plain.poly', '-o', 't.xdmf', '--ids', 'region', '-q')
+        for name in ('a', 't'):
+            self.run_cover('convert', f'{name}.xdmf', '-o', f'{name}.vtu')
+        self.assertEqual((self.dir / 'a.vtu').read_bytes(), (self.dir / 't.vtu').read_bytes())
+        self.assertIn('text or hdf5', self.run_cover('mesh', 'plain.poly', '-o', 'b.xdmf', '--xdmf', 'x', code=2)[1])
+
+    def test_xdmf_without_its_numbers(self):
+        self.run_cover('mesh', self.plain(), '-o', 'a.xdmf', '--xdmf', 'hdf5', '-q')
+        whole = (self.dir / 'a.h5').read_bytes()
+        text = (self.dir / 'a.xdmf').read_text()
+        (self.dir / 'a.h5').write_bytes(whole[:len(whole) // 2])
+        self.assertIn('a.h5', self.run_cover('check', 'plain.poly', 'a.xdmf', code=4)[1])
+        (self.dir / 'a.h5').unlink()
+        self.assertIn('a.h5', self.run_cover('check', 'plain.poly', 'a.xdmf', code=5)[1])
+        self.write('a.xdmf', text.replace('a.h5:', '../a.h5:'))
+        self.assertIn('beside the XML', self.run_cover('check', 'plain.poly', 'a.xdmf', code=4)[1])
+
     def test_the_same_report(self):
         def figures():
             report = json.loads((self.dir / 'r.json').read_text())
@@ -994,7 +1018,67 @@ print(len(seen))
         done = subprocess.run([python, '-c', self.READ, 'd.pvtu'], cwd=self.dir, capture_output=True, text=True)
         self.assertEqual(done.stdout.strip(), str(triangles), done.stderr)
 
+    @staticmethod
+    def sections(text):
+        """The words of each section of a .msh."""
+        return {name: body.split() for name, body in re.findall(r'(?s)\$(\w+)\n(.*?)\$End\1\n', text)}
+
+    @staticmethod
+    def elements(words):
+        """By element: its entity and its nodes."""
+        words = list(map(int, words))
+        blocks, count, at, found = words[0], words[1], 4, {}
+        for _ in range(blocks):
+            dimension, tag, kind, number = words[at:at + 4]
+            at += 4
+            size = {1: 2, 2: 3}[kind]
+            for _ in range(number):
+                assert words[at] not in found
+                found[words[at]] = ((dimension, tag), tuple(words[at + 1:at + 1 + size]))
+                at += 1 + size
+        assert len(found) == count and at == len(words)
+        return found
+
+    def test_gmsh_gets_every_element(self):
+        mesh = ('mesh', SAMPLES / 'diode.poly', '-q', '--msh', '4.1')
+        self.run_cover(*mesh, '-o', 'whole.msh')
+        whole = self.elements(self.sections((self.dir / 'whole.msh').read_text())['Elements'])
+        self.run_cover(*mesh, '-o', 'd.msh', '--parts', 3, '-j', 1)
+        names = ['d_1.msh', 'd_2.msh', 'd_3.msh']
+        self.assertEqual([name for name in self.files() if name.startswith('d')], names)
+        once = [(self.dir / name).read_bytes() for name in names]
+        self.run_cover(*mesh, '-o', 'd.msh', '--parts', 3, '-j', 3)
+        self.assertEqual(once, [(self.dir / name).read_bytes() for name in names])
+        owned, lines, tags = {}, set(), set()
+        for part, name in enumerate(names, 1):
+            found = self.sections((self.dir / name).read_text())
+            words = found['PartitionedEntities']
+            self.assertEqual((words[0], words[1], words[3]), ('3', '1', str(part)))
+            ghost_entity = (2, int(words[2]))
+            numbers = list(map(int, found['GhostElements']))
+            ghosts = {e: owner for e, owner, count, to in zip(*[iter(numbers[1:])] * 4) if (count, to) == (1, part)}
+            self.assertEqual(len(ghosts), numbers[0])
+            nodes = set(map(int, found['Nodes'][8:8 + int(found['Nodes'][1])]))
+            for number, (entity, corners) in self.elements(found['Elements']).items():
+                self.assertEqual(corners, whole[number][1])
+                self.assertLessEqual(set(corners), nodes)
+                self.assertEqual(entity == ghost_entity, number in ghosts)
+                if len(corners) == 2:
+                    lines.add(number)
+                elif number not in ghosts:
+                    self.assertNotIn(number, owned)
+                    owned[number] = part
+            tags_here = {entity for entity, _ in self.elements(found['Elements']).values()}
+            self.assertFalse(tags & tags_here)
+            tags |= tags_here
+        for name in names:
+            numbers = list(map(int, self.sections((self.dir / name).read_text())['GhostElements']))
+            for element, owner in zip(numbers[1::4], numbers[2::4]):
+                self.assertEqual(owned[element], owner)
+        self.assertEqual(set(owned) | lines, set(whole))
+
     def test_only_where_the_format_has_parts(self):
+        self.assertIn('version 4.1', self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.msh', '--parts', 2, code=2)[1])
         self.assertIn('in parts', self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--parts', 2, code=2)[1])
         self.assertIn('parts are 1 to', self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.pvtu', '--parts', 0, code=2)[1])
         self.assertEqual(self.files(), [])

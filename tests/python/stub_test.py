@@ -20,7 +20,7 @@ RING = [(0, 1), (1, 2), (2, 3), (3, 0)]
 
 # Keywords beside those of the table.
 MORE = {'sizes', 'sizes_at', 'input_sizes'}
-WRITE_OPTIONS = dict(order=2, inner_lines=False, lines=False, msh='4.1', ids='region', inp_element='CPS')
+WRITE_OPTIONS = dict(order=2, inner_lines=False, lines=False, msh='4.1', xdmf='hdf5', ids='region', inp_element='CPS')
 
 
 def keys(name):

@@ -77,6 +77,7 @@ class _WriteOptions(TypedDict, total=False):
     inner_lines: bool
     lines: bool
     msh: Literal["2.2", "4.1"]
+    xdmf: Literal["text", "hdf5"]
     ids: Literal["region", "material", "name"]
     inp_element: Literal["S", "CPS", "CPE", "CAX"]
 

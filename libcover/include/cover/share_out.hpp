@@ -41,6 +41,13 @@ class RegionJobs {
   ///
   /// Threads: any, each with regions of its own; accept() may run meanwhile
   virtual void mesh_here(std::size_t region) = 0;
+  /// Meshes regions in this process on `threads` threads, the caller's among them. Each asks `take`
+  /// for the next ones until there are none, and until then helps with what a large region can share
+  /// out of itself.
+  ///
+  /// Threads: `take` is called by any of them; accept() may run meanwhile
+  virtual void mesh_here(unsigned threads,
+                         const std::function<std::vector<std::size_t>()>& take) = 0;
   /// Takes what mesh_region_bytes() made of a region in another process.
   ///
   /// Threads: as mesh_here()
@@ -61,5 +68,9 @@ Result<Options> options_of_bytes(std::span<const std::byte> bytes);
 /// Threads: any
 Bytes mesh_region_bytes(std::span<const std::byte> boundary, const Options& options,
                         const std::stop_token& stop = {});
+
+/// Puts meshes in the place of boundaries, as mesh_region_bytes() does, on `threads` threads, which
+/// begin in this order and help each other with large regions.
+void mesh_region_bytes(std::span<Bytes> regions, const Options& options, unsigned threads);
 
 }  // namespace cover

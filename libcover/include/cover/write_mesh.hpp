@@ -18,16 +18,18 @@ inline constexpr int kMostParts = 100000;
 
 /// What a file should hold where its format leaves a choice.
 struct WriteOptions {
-  int order = 1;            ///< 2: second-order triangles, a node in the middle of each edge
-  bool inner_lines = true;  ///< false: leave out lines that have a triangle on both sides
-  bool lines = false;       ///< .vtk: line cells after the triangles
-  std::string msh = "2.2";  ///< .msh: version, 2.2 or 4.1
+  int order = 1;              ///< 2: second-order triangles, a node in the middle of each edge
+  bool inner_lines = true;    ///< false: leave out lines that have a triangle on both sides
+  bool lines = false;         ///< .vtk: line cells after the triangles
+  std::string msh = "2.2";    ///< .msh: version, 2.2 or 4.1
+  std::string xdmf = "text";  ///< .xdmf: numbers as text inside, or `hdf5`: in X.h5 beside it
   /// The numbers that solvers know triangles by: `region`: RegionId; `material`; `name`: of the group
   /// of equal name and material. Empty: the group in .msh, the material elsewhere. The array
   /// `material` is the material always. See the formats; not in .vtu, .vtm, .vtkhdf.
   std::string ids = {};
   std::string inp_element = "S";  ///< .inp: S, CPS, CPE or CAX; the number of nodes is appended
-  int parts = 1;              ///< .pvtu: into how many the mesh is divided, from 1 to kMostParts
+  int parts =
+      1;  ///< .pvtu, .msh 4.1: into how many the mesh is divided, from 1 to kMostParts (500)
   std::stop_token stop = {};  ///< ends the writing with `cancelled`; all is as it was then
 };
 
@@ -102,11 +104,18 @@ Status write_vtk(const Output& output, const std::string& path, const WriteOptio
 /// Writes gmsh's format. Physical groups: regions by name, interfaces by the regions on both sides
 /// with the lower one on the left, contacts by name. Elementary tags in version 2.2: RegionId and
 /// InterfaceId, or a further number where an interface lies in several groups; in 4.1 those of the
-/// groups. Attributes and fields are data of elements and nodes, as the arrays of write_vtu().
+/// groups. Attributes and fields are data of elements and nodes, as the arrays of write_vtu(). With
+/// options.parts, X_1.msh, X_2.msh, ... of version 4.1 have a part each, as write_pvtu() divides the
+/// mesh, in entities of its own ($PartitionedEntities), with ghosts ($GhostElements); nodes and
+/// elements have the numbers that they have in the file of the whole mesh, and lines between parts
+/// are in both. All files are on the disk before the first of them appears.
+///
+/// Errors: bad_option for periodic sides in parts
 Status write_msh(const Output& output, const std::string& path, const WriteOptions& options = {});
 
-/// Writes XDMF with all numbers in the XML: the grids `mesh` (MaterialID, RegionId, GroupID) and
-/// `lines` (LineID, Marker). With options.ids, GroupID comes first, which is what dolfinx takes.
+/// Writes XDMF: the grids `mesh` (MaterialID, RegionId, GroupID) and `lines` (LineID, Marker), with all
+/// numbers in the XML, or with options.xdmf `hdf5` in X.h5 beside X.xdmf, which large meshes want.
+/// With options.ids, GroupID comes first, which is what dolfinx takes.
 Status write_xdmf(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes Medit's format; references are materials, or with options.ids these, and the numbers of lines.

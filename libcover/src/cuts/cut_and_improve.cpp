@@ -66,7 +66,7 @@ bool cut_side(MutableMesh& mesh, std::uint32_t s, std::uint32_t r, std::uint32_t
                b = static_cast<std::size_t>(prev3(e));
     const MeshTriangle old = mesh.triangles[t];
     const auto side = static_cast<std::uint32_t>(mesh.sides.size());
-    mesh.sides.push_back(mesh.sides[both[k]]);
+    mesh.sides.repeat(both[k]);
     mesh.allowances.push_back(mesh.allowances[both[k]]);
     mesh.triangles[t] = {{old.v[corner], old.v[a], m}, {kSideBit | both[k], t2, old.n[b]}};
     mesh.triangles[t2] = {{old.v[corner], m, old.v[b]}, {kSideBit | side, old.n[a], t}};

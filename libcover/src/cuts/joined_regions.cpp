@@ -153,7 +153,7 @@ std::vector<std::uint32_t> JoinedRegions::put_back(Excerpt& excerpt, const Mutab
 /// A new side, like `parent`, for the whole and the excerpt.
 std::uint32_t JoinedRegions::add_side(std::uint32_t parent, Excerpt& excerpt) {
   const auto number = static_cast<std::uint32_t>(mesh_.sides.size());
-  mesh_.sides.push_back(mesh_.sides[parent]);
+  mesh_.sides.repeat(parent);
   mesh_.allowances.push_back(mesh_.allowances[parent]);
   excerpt.outside.push_back(kSideBit | number);
   region_.push_back(region_[parent]);

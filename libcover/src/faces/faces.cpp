@@ -56,30 +56,43 @@ void number_faces(Faces& faces, bool hull) {
   faces.open[kOutside] = true;
 }
 
-/// The segments by their end points.
+/// The segments by their lower end points: a counting sort.
 class SegmentIndex {
  public:
-  explicit SegmentIndex(std::span<const IndexPair> segments) : entries_(segments.size()) {
-    for (std::uint32_t s = 0; s < segments.size(); ++s) {
-      entries_[s] = {key(segments[s][0], segments[s][1]), s};
+  SegmentIndex(std::size_t points, std::span<const IndexPair> segments)
+      : segments_(segments), first_(points + 2, 0), sorted_(segments.size()) {
+    for (const IndexPair& s : segments) ++first_[lower(s) + 2];
+    for (std::size_t v = 2; v < first_.size(); ++v) first_[v] += first_[v - 1];
+    // first_[v + 1] is where the next segment of v goes; in the end it is where v + 1 begins.
+    for (std::uint32_t s = 0; s < segments.size(); ++s)
+      sorted_[first_[lower(segments[s]) + 1]++] = s;
+    for (std::size_t v = 0; v < points; ++v) {
+      std::sort(sorted_.begin() + first_[v], sorted_.begin() + first_[v + 1],
+                [&](std::uint32_t r, std::uint32_t s) {
+                  return std::pair(upper(segments[r]), r) < std::pair(upper(segments[s]), s);
+                });
     }
-    std::sort(entries_.begin(), entries_.end());
   }
   /// REQUIRES: there is a segment between u and v
   [[nodiscard]] std::uint32_t find(std::uint32_t u, std::uint32_t v) const {
-    return std::lower_bound(entries_.begin(), entries_.end(), std::pair(key(u, v), 0U))->second;
+    const auto [low, high] = std::minmax(u, v);
+    return *std::lower_bound(
+        sorted_.begin() + first_[low], sorted_.begin() + first_[low + 1], high,
+        [this](std::uint32_t s, std::uint32_t end) { return upper(segments_[s]) < end; });
   }
 
  private:
-  static std::uint64_t key(std::uint32_t u, std::uint32_t v) {
-    return std::uint64_t{std::min(u, v)} << 32 | std::max(u, v);
-  }
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> entries_;
+  static std::uint32_t lower(const IndexPair& s) { return std::min(s[0], s[1]); }
+  static std::uint32_t upper(const IndexPair& s) { return std::max(s[0], s[1]); }
+
+  std::span<const IndexPair> segments_;
+  std::vector<std::uint32_t> first_;   ///< by point, into sorted_
+  std::vector<std::uint32_t> sorted_;  ///< by lower, then upper end
 };
 
 void find_sides(Faces& faces, std::span<const IndexPair> segments) {
   faces.of_segment.assign(segments.size(), {kOutside, kOutside});
-  const SegmentIndex index(segments);
+  const SegmentIndex index(faces.triangulation.points.size(), segments);
   for (std::size_t t = 0; t < faces.of_triangle.size(); ++t) {
     const Triangle& f = faces.triangulation.triangles[t];
     for (int i = 0; i < 3; ++i) {

@@ -33,30 +33,36 @@ class Chains {
   Chains(const Pslg& pslg, const RegionTable& table, RegionId left,
          std::span<const SegmentId> segments)
       : pslg_(pslg) {
+    steps_.reserve(segments.size());
     for (const SegmentId s : segments) {
       const Segment& segment = pslg.segments[s.index()];
       const bool forward = table.sides[s.index()].left == left;
       steps_.push_back({forward ? segment.a : segment.b, forward ? segment.b : segment.a, s});
     }
-    std::sort(steps_.begin(), steps_.end(), [this](const Step& x, const Step& y) {
-      return std::tuple(at(x.from), at(x.to)) < std::tuple(at(y.from), at(y.to));
-    });
-    arrivals_.reserve(steps_.size());
-    for (const Step& step : steps_) arrivals_.push_back(at(step.to));
-    std::sort(arrivals_.begin(), arrivals_.end());
-    used_.assign(steps_.size(), false);
+    link();
   }
 
+  /// First chains that have a beginning, then closed ones, each from its lowest point on.
   std::vector<SegmentId> in_order() {
     std::vector<SegmentId> out;
     out.reserve(steps_.size());
-    // First chains that have a beginning, then closed ones.
-    for (const bool closed : {false, true}) {
-      for (std::size_t k = 0; k < steps_.size(); ++k) {
-        if (used_[k] || (!closed && goes_through(steps_[k].from))) continue;
-        follow(k, out);
-      }
+    std::vector<std::uint32_t> starts;
+    for (std::uint32_t k = 0; k < steps_.size(); ++k) {
+      if (!has_one_before_[k]) starts.push_back(k);
     }
+    follow(starts, out);
+    starts.clear();
+    std::vector<bool> seen(steps_.size(), false);
+    for (std::uint32_t k = 0; k < steps_.size(); ++k) {
+      if (used_[k] || seen[k]) continue;
+      std::uint32_t lowest = k;
+      for (std::uint32_t j = k; !seen[j]; j = next_[j]) {
+        seen[j] = true;
+        if (is_before(j, lowest)) lowest = j;
+      }
+      starts.push_back(lowest);
+    }
+    follow(starts, out);
     return out;
   }
 
@@ -65,38 +71,68 @@ class Chains {
     VertexId from, to;
     SegmentId segment;
   };
+  static constexpr std::uint32_t kEnd = 0xffffffffU;
 
-  [[nodiscard]] Point at(VertexId v) const { return pslg_.points[v.index()]; }
-
-  /// The steps that start at a vertex.
-  [[nodiscard]] std::span<const Step> departures(VertexId v) const {
-    const auto [begin, end] =
-        std::equal_range(steps_.begin(), steps_.end(), Step{v, v, {}},
-                         [this](const Step& x, const Step& y) { return at(x.from) < at(y.from); });
-    return {begin, end};
+  [[nodiscard]] bool is_before(std::uint32_t j, std::uint32_t k) const {
+    const auto at = [this](VertexId v) { return pslg_.points[v.index()]; };
+    return std::tuple(at(steps_[j].from), at(steps_[j].to)) <
+           std::tuple(at(steps_[k].from), at(steps_[k].to));
   }
 
-  /// One step ends and one starts here.
-  [[nodiscard]] bool goes_through(VertexId v) const {
-    const auto [begin, end] = std::equal_range(arrivals_.begin(), arrivals_.end(), at(v));
-    return end - begin == 1 && departures(v).size() == 1;
+  /// A step goes on in another where it alone ends and the other alone starts.
+  void link() {
+    struct End {
+      VertexId at;
+      std::uint32_t step;
+      auto operator<=>(const End&) const = default;
+    };
+    std::vector<End> starts, ends;
+    starts.reserve(steps_.size());
+    ends.reserve(steps_.size());
+    for (std::uint32_t k = 0; k < steps_.size(); ++k) {
+      starts.push_back({steps_[k].from, k});
+      ends.push_back({steps_[k].to, k});
+    }
+    std::sort(starts.begin(), starts.end());
+    std::sort(ends.begin(), ends.end());
+    next_.assign(steps_.size(), kEnd);
+    has_one_before_.assign(steps_.size(), false);
+    used_.assign(steps_.size(), false);
+    const auto is_alone = [](const std::vector<End>& all, std::size_t k) {
+      return (k == 0 || all[k - 1].at != all[k].at) &&
+             (k + 1 == all.size() || all[k + 1].at != all[k].at);
+    };
+    for (std::size_t s = 0, e = 0; s < starts.size() && e < ends.size();) {
+      if (starts[s].at < ends[e].at) {
+        ++s;
+      } else if (ends[e].at < starts[s].at) {
+        ++e;
+      } else {
+        if (is_alone(starts, s) && is_alone(ends, e)) {
+          next_[ends[e].step] = starts[s].step;
+          has_one_before_[starts[s].step] = true;
+        }
+        ++s;
+      }
+    }
   }
 
-  void follow(std::size_t k, std::vector<SegmentId>& out) {
-    for (;;) {
-      used_[k] = true;
-      out.push_back(steps_[k].segment);
-      const VertexId end = steps_[k].to;
-      if (!goes_through(end)) return;
-      k = static_cast<std::size_t>(departures(end).data() - steps_.data());
-      if (used_[k]) return;
+  /// Chains from these steps on, which are put in order.
+  void follow(std::vector<std::uint32_t>& starts, std::vector<SegmentId>& out) {
+    std::sort(starts.begin(), starts.end(),
+              [this](std::uint32_t j, std::uint32_t k) { return is_before(j, k); });
+    for (const std::uint32_t start : starts) {
+      for (std::uint32_t k = start; k != kEnd && !used_[k]; k = next_[k]) {
+        used_[k] = true;
+        out.push_back(steps_[k].segment);
+      }
     }
   }
 
   const Pslg& pslg_;
-  std::vector<Step> steps_;      ///< by start
-  std::vector<Point> arrivals_;  ///< ends of all steps, sorted
-  std::vector<bool> used_;
+  std::vector<Step> steps_;
+  std::vector<std::uint32_t> next_;  ///< by step
+  std::vector<bool> has_one_before_, used_;
 };
 
 InterfaceKind kind_of(const Key& key) {
@@ -128,7 +164,7 @@ void build_interfaces(const Pslg& pslg, RegionTable& table) {
     const Key key = key_of(table.sides[s], pslg.segments[s]);
     if (key.left != kVoid) keyed.emplace_back(key, SegmentId{s});
   }
-  std::sort(keyed.begin(), keyed.end());
+  if (!std::is_sorted(keyed.begin(), keyed.end())) std::sort(keyed.begin(), keyed.end());
   std::vector<SegmentId> group;
   for (std::size_t k = 0; k < keyed.size();) {
     const Key key = keyed[k].first;

@@ -213,7 +213,8 @@ std::string needs_whole_mesh(const Input& input, const Options& options) {
 
 std::string needs_whole_mesh(const std::string& path, const WriteOptions& options) {
   if (options.order != 1) return "triangles of second order";
-  if (!can_write_spooled(path))
+  if (options.parts != 1) return "a mesh in parts";
+  if (!can_write_spooled(path, options))
     return fmt::format("a file in {}", std::filesystem::path(path).extension().string());
   return {};
 }

@@ -137,19 +137,28 @@ Attempt attempt(RegionMethod method, const RegionBoundary& boundary, const Optio
                            std::any_of(notes.begin(), notes.end(), [](const Note& note) {
                              return note.kind == Note::Kind::target_missed;
                            });
-  team.each(looks_ahead ? 2 : 1, [&](std::size_t k) {
-    if (k == 1) {
-      out.cdt = triangulate_domain(boundary.points, boundary.sides);
-    } else {
-      out.fault = find_fault(
-          {points, mesh.triangles, boundary.sides, boundary.segments, boundary.points.size()});
-    }
-  });
+  // Large meshes are measured meanwhile, too, and once more if they are faulty.
+  const bool measures_ahead = team.workers() > 1 && mesh.triangles.size() >= kManyTriangles;
+  const RegionReport unmeasured = measures_ahead ? mesh.report : RegionReport();
+  team.each(looks_ahead      ? 3
+            : measures_ahead ? 2
+                             : 1,
+            [&](std::size_t k) {
+              if (k == 2) {
+                out.cdt = triangulate_domain(boundary.points, boundary.sides);
+              } else if (k == 1) {
+                measure(boundary, mesh, team);
+              } else {
+                out.fault = find_fault({points, mesh.triangles, boundary.sides, boundary.segments,
+                                        boundary.points.size()});
+              }
+            });
   if (out.fault) {
     mesh.steiner.clear();
     mesh.triangles.clear();
+    if (measures_ahead) mesh.report = unmeasured;
   }
-  measure(boundary, mesh, team);
+  if (out.fault || !measures_ahead) measure(boundary, mesh, team);
   return out;
 }
 

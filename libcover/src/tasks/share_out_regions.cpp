@@ -10,15 +10,25 @@
 #include "tasks/errors_as_values.hpp"
 #include "tasks/region_bytes.hpp"
 #include "tasks/region_task.hpp"
+#include "tasks/run_all.hpp"
 
 namespace cover {
 namespace {
 
 Result<RegionMesh> try_region(const RegionBoundary& boundary, const Options& options,
-                              const std::stop_token& stop) {
+                              const std::stop_token& stop, const Team& team = {}) {
   return errors_as_values(fmt::format("region {}", boundary.id.value()), [&] {
-    return Result<RegionMesh>(mesh_one_region(boundary, options, stop));
+    return Result<RegionMesh>(mesh_one_region(boundary, options, stop, team));
   });
+}
+
+Bytes mesh_bytes(std::span<const std::byte> boundary, const Options& options,
+                 const std::stop_token& stop, const Team& team = {}) {
+  Result<RegionBoundary> read = boundary_of_bytes(boundary);
+  if (read) {
+    if (Status status = read_expressions(*read); !status) read = std::move(status).error();
+  }
+  return to_bytes(read ? try_region(*read, options, stop, team) : Result<RegionMesh>(read.error()));
 }
 
 /// What became of a region.
@@ -50,6 +60,14 @@ class Jobs final : public RegionJobs {
 
   void mesh_here(std::size_t region) override {
     keep(region, try_region(boundaries_[region], options_, callbacks_.stop));
+  }
+  void mesh_here(unsigned threads, const std::function<std::vector<std::size_t>()>& take) override {
+    // As many calls as there may be batches: those behind the last one find nothing.
+    run_all(boundaries_.size(), threads, [&](std::size_t, const Team& team) {
+      if (stop().stop_requested()) return;
+      for (const std::size_t region : take())
+        keep(region, try_region(boundaries_[region], options_, callbacks_.stop, team));
+    });
   }
   void accept(std::size_t region, std::span<const std::byte> result) override {
     keep(region, mesh_of_bytes(result));
@@ -106,11 +124,13 @@ Status share_out_regions(std::span<const RegionBoundary> boundaries, const Optio
 
 Bytes mesh_region_bytes(std::span<const std::byte> boundary, const Options& options,
                         const std::stop_token& stop) {
-  Result<RegionBoundary> read = boundary_of_bytes(boundary);
-  if (read) {
-    if (Status status = read_expressions(*read); !status) read = std::move(status).error();
-  }
-  return to_bytes(read ? try_region(*read, options, stop) : Result<RegionMesh>(read.error()));
+  return mesh_bytes(boundary, options, stop);
+}
+
+void mesh_region_bytes(std::span<Bytes> regions, const Options& options, unsigned threads) {
+  run_all(regions.size(), threads, [&](std::size_t k, const Team& team) {
+    regions[k] = mesh_bytes(regions[k], options, {}, team);
+  });
 }
 
 }  // namespace cover

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <mutex>
+
 #include <cover/cover_mesh.hpp>
 #include <cover/write_mesh.hpp>
 
@@ -28,6 +30,25 @@ Status half_elsewhere(RegionJobs& jobs) {
   return ok();
 }
 
+/// The same on three threads each: a few at a time here, all others elsewhere.
+Status half_elsewhere_with_threads(RegionJobs& jobs) {
+  const Result<Options> options = options_of_bytes(jobs.options());
+  if (!options) return options.error();
+  std::vector<Bytes> bytes;
+  for (std::size_t k = 0; k < jobs.size(); k += 2) bytes.push_back(jobs.boundary(k));
+  mesh_region_bytes(bytes, *options, 3);
+  for (std::size_t k = 0; k < bytes.size(); ++k) jobs.accept(2 * k, bytes[k]);
+  std::mutex mutex;
+  std::size_t next = 1;
+  jobs.mesh_here(3, [&] {
+    const std::lock_guard lock(mutex);
+    std::vector<std::size_t> taken;
+    for (; next < jobs.size() && taken.size() < 2; next += 2) taken.push_back(next);
+    return taken;
+  });
+  return ok();
+}
+
 /// The report without what is measured in seconds.
 std::string report_of(Output output) {
   output.report.times.clear();
@@ -48,13 +69,15 @@ TEST(ShareOut, TheMeshIsTheSameWhereverARegionIsMeshed) {
         options.max_angle = Angle::degrees(101.3);
         if (cut) options.split_interfaces = Angle::degrees(95);
         Callbacks callbacks;
-        callbacks.share_out = half_elsewhere;
         const Result<Output> here = cover_mesh(input, options);
-        const Result<Output> shared = cover_mesh(input, options, callbacks);
-        ASSERT_EQ(here.has_value(), shared.has_value());
-        if (!here) continue;
-        EXPECT_EQ(shape_of(triangle_soup(here->mesh)), shape_of(triangle_soup(shared->mesh)));
-        EXPECT_EQ(report_of(*here), report_of(*shared));
+        for (const ShareOut& share_out : {half_elsewhere, half_elsewhere_with_threads}) {
+          callbacks.share_out = share_out;
+          const Result<Output> shared = cover_mesh(input, options, callbacks);
+          ASSERT_EQ(here.has_value(), shared.has_value());
+          if (!here) continue;
+          EXPECT_EQ(shape_of(triangle_soup(here->mesh)), shape_of(triangle_soup(shared->mesh)));
+          EXPECT_EQ(report_of(*here), report_of(*shared));
+        }
       }
     }
   }

@@ -135,6 +135,7 @@ const std::vector<Way>& ways() {
       list.push_back({"x.msh", {.order = order, .inner_lines = false}, true, false});
       list.push_back({"x.msh", {.order = order, .msh = "4.1"}, true, false});
       list.push_back({"x.xdmf", {.order = order}, true});
+      list.push_back({"x.xdmf", {.order = order, .xdmf = "hdf5"}, true});
       list.push_back({"x.mesh", {.order = order}});
       list.push_back({"x.ele", {.order = order}});
       list.push_back({"x.inp", {.order = order}, true, false});

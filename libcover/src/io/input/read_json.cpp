@@ -36,11 +36,14 @@ constexpr long kMostLayers = 1000;
 const std::vector<std::string_view> kFreeKeys{"name",  "source", "license",
                                               "notes", "field",  "$schema"};
 
+/// Long arrays of a document whose own are empty.
+struct TakenOut {
+  std::span<const std::string_view> points{}, segments{}, polygons{};
+};
+
 class InputReader {
  public:
-  /// `elements` are the polygons of a document that has an empty array of them.
-  InputReader(const Json& document, const std::string& source,
-              std::span<const std::string_view> elements = {})
+  InputReader(const Json& document, const std::string& source, const TakenOut& elements = {})
       : document_(document), json_(document, source), elements_(elements) {
     input_.source = source;
     input_.void_rule = VoidRule::unseeded_faces;
@@ -223,14 +226,36 @@ class InputReader {
     }
   }
 
+  /// Calls `f` as for_each() does, each time with a tree of one element. What goes wrong here is told
+  /// by reading the whole document.
+  template <class F>
+  void for_each_taken_out(std::span<const std::string_view> elements, F f) {
+    for (std::size_t k = 0; k < elements.size() && !json_.failed(); ++k)
+      as_tree(elements[k], static_cast<long>(k), f);
+  }
+
+  template <class F>
+  void as_tree(std::string_view element, long index, F f) {
+    const Result<JsonDocument> tree = parse_json_text(element, "");
+    if (!tree) return json_.fail(document_, tree.error().message);
+    f(tree->root(), index);
+  }
+
   void read_points() {
     for_each("points", [&](const Json& p, long) { input_.points.push_back(json_.point(p)); });
+    input_.points.reserve(input_.points.size() + elements_.points.size());
+    for (const std::string_view element : elements_.points) {
+      const std::optional<Point> p = read_pair(element);
+      if (!p) return json_.fail(document_, "no point");
+      input_.points.push_back(*p);
+    }
     given_points_ = input_.points.size();
   }
 
   /// The index of one of the points that the file gives.
-  std::uint32_t read_index(const Json& value) {
-    const long index = json_.integer(value);
+  std::uint32_t read_index(const Json& value) { return checked_index(json_.integer(value), value); }
+
+  std::uint32_t checked_index(long index, const Json& value) {
     if (index >= 0 && static_cast<std::size_t>(index) < given_points_)
       return static_cast<std::uint32_t>(index);
     json_.fail(value,
@@ -251,14 +276,29 @@ class InputReader {
   }
 
   void read_segments() {
-    for_each("segments", [&](const Json& item, long id) {
+    const auto read = [&](const Json& item, long id) {
       InputSegment segment;
       segment.id = id;
       if (item.is_object())
         read_named_segment(item, segment);
       else
         add_segment(segment, item);
-    });
+    };
+    for_each("segments", read);
+    input_.segments.reserve(input_.segments.size() + elements_.segments.size());
+    for (std::size_t k = 0; k < elements_.segments.size() && !json_.failed(); ++k) {
+      const auto id = static_cast<long>(k);
+      const auto ends = read_integer_pair(elements_.segments[k]);
+      if (!ends) {
+        as_tree(elements_.segments[k], id, read);
+        continue;
+      }
+      InputSegment segment;
+      segment.id = id;
+      segment.a = checked_index((*ends)[0], document_);
+      segment.b = checked_index((*ends)[1], document_);
+      input_.segments.push_back(std::move(segment));
+    }
   }
 
   /// The segment whose ends are the pair of indices `ends`.
@@ -356,11 +396,7 @@ class InputReader {
       input_.polygons.push_back(std::move(polygon));
     };
     for_each("polygons", read);
-    for (std::size_t k = 0; k < elements_.size() && !json_.failed(); ++k) {
-      const Result<JsonDocument> polygon = parse_json_text(elements_[k], "");
-      if (!polygon) return json_.fail(document_, polygon.error().message);
-      read(polygon->root(), static_cast<long>(k));
-    }
+    for_each_taken_out(elements_.polygons, read);
   }
 
   static void add_ring(Path path, InputPolygon& polygon) {
@@ -451,7 +487,7 @@ class InputReader {
 
   const Json& document_;
   JsonReader json_;
-  std::span<const std::string_view> elements_;
+  TakenOut elements_;
   Input input_;
   CurveCutter cutter_;
   std::optional<double> chord_error_;
@@ -474,23 +510,40 @@ void warn_of_options(const ReadOptions& o, Input& input) {
   tell(!o.keep_fields.empty(), "keep-field");
 }
 
-/// Features, or polygons without curves, one tree at a time; nothing where that does not work: then
-/// the whole document tells why.
+/// Features, or points, segments and polygons without curves, one tree at a time or none at all;
+/// nothing where that does not work: then the whole document tells why.
 std::optional<Input> parse_in_parts(std::string_view text, const std::string& source,
                                     const ReadOptions& options) {
-  const auto split = split_json(text, {"features", "polygons"});
-  if (!split) return std::nullopt;
-  if (split->name == "features") return read_geojson(*split, source, options);
-  // Curves are cut alike in all polygons, which are looked at twice for it.
+  if (const auto split = split_json(text, {"features"}))
+    return read_geojson(*split, source, options);
+  // Curves are cut alike in all of a document, which is looked at twice for it.
   const auto is_curved = [](std::string_view element) {
     return element.find("\"circle\"") != element.npos || element.find("\"arc\"") != element.npos ||
            element.find('\\') != element.npos;
   };
-  if (std::any_of(split->elements.begin(), split->elements.end(), is_curved)) return std::nullopt;
-  const Result<JsonDocument> rest = parse_json_text(split->rest, source);
-  if (!rest || is_geojson(rest->root()) || JsonReader::member(rest->root(), "polygons") == nullptr)
-    return std::nullopt;
-  Result<Input> input = InputReader(rest->root(), source, split->elements).read();
+  std::array<std::optional<SplitJson>, 3> splits;  // each of the rest of the one before
+  constexpr std::array kNames{"points", "segments", "polygons"};
+  std::string_view left = text;
+  for (std::size_t k = 0; k < kNames.size(); ++k) {
+    std::optional<SplitJson>& split = splits[k];
+    split = split_json(left, {kNames[k]});
+    if (!split) continue;
+    if (k > 0 && std::any_of(split->elements.begin(), split->elements.end(), is_curved))
+      return std::nullopt;
+    left = split->rest;
+  }
+  if (left.data() == text.data()) return std::nullopt;
+  const Result<JsonDocument> rest = parse_json_text(left, source);
+  if (!rest || is_geojson(rest->root())) return std::nullopt;
+  TakenOut out;
+  const std::array<std::span<const std::string_view>*, 3> spans{&out.points, &out.segments,
+                                                                &out.polygons};
+  for (std::size_t k = 0; k < spans.size(); ++k) {
+    if (!splits[k]) continue;
+    if (JsonReader::member(rest->root(), kNames[k]) == nullptr) return std::nullopt;
+    *spans[k] = splits[k]->elements;
+  }
+  Result<Input> input = InputReader(rest->root(), source, out).read();
   if (input) warn_of_options(options, *input);
   return input ? std::optional(*std::move(input)) : std::nullopt;
 }

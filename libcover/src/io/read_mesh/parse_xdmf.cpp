@@ -1,11 +1,14 @@
-// Numbers stand in the leaves of the XML. VTK's own XDMF reader was left alone from the start: it
-// brings HDF5 along and crashes on broken files. Tested by
+// Numbers stand in the leaves of the XML, or in an HDF5 file beside it. VTK's own XDMF reader was left
+// alone from the start: it crashes on broken files. Tested by
 // tests/unit/vtk/read_output_test.cpp.
+#include <filesystem>
+#include <memory>
 #include <type_traits>
 #include <utility>
 
 #include <fmt/core.h>
 
+#include "io/hdf5/parse_hdf5.hpp"
 #include "io/read_mesh/mesh_collector.hpp"
 #include "io/read_mesh/mesh_formats.hpp"
 #include "io/text/text.hpp"
@@ -37,24 +40,19 @@ class XdmfReader {
     return {ErrorCode::syntax, fmt::format("{}: {}", path_, what), {}, {}};
   }
 
-  /// The text of the data item inside `parent`.
-  Result<std::string_view> data_in(const XmlElement* parent) const {
-    const XmlElement* item = parent == nullptr ? nullptr : parent->child("DataItem");
-    if (item == nullptr) return wrong("a data item is missing");
-    if (item->value("Format") != "XML")
-      return Error{ErrorCode::unsupported_format,
-                   fmt::format("{}: numbers outside the XML are not read", path_),
-                   {},
-                   {}};
-    return item->text;
+  [[nodiscard]] Error unsupported(std::string_view what) const {
+    return {ErrorCode::unsupported_format, fmt::format("{}: {}", path_, what), {}, {}};
   }
 
-  /// All numbers of an item. `Number` is long or double.
+  /// All numbers of the item inside `parent`. `Number` is long or double.
   template <class Number>
-  Result<std::vector<Number>> numbers_in(const XmlElement* parent) const {
-    const Result<std::string_view> text = data_in(parent);
-    if (!text) return text.error();
-    TokenReader tokens(*text, path_);
+  Result<std::vector<Number>> numbers_in(const XmlElement* parent) {
+    const XmlElement* item = parent == nullptr ? nullptr : parent->child("DataItem");
+    if (item == nullptr) return wrong("a data item is missing");
+    if (item->value("Format") == "HDF") return heavy_numbers<Number>(item->text);
+    if (item->value("Format") != "XML")
+      return unsupported("numbers are read from the XML or from HDF5 beside it");
+    TokenReader tokens(item->text, path_);
     std::vector<Number> numbers;
     // The number of items is not known before: a word that is none ends it.
     while (!tokens.failed() && !tokens.at_end()) {
@@ -66,6 +64,49 @@ class XdmfReader {
     }
     if (tokens.failed()) return tokens.error();
     return numbers;
+  }
+
+  /// The numbers of `place`, as "X.h5:/mesh/topology".
+  template <class Number>
+  Result<std::vector<Number>> heavy_numbers(std::string_view place) {
+    const std::size_t colon = place.rfind(':');
+    if (colon == place.npos) return wrong("an item in HDF5 names no array");
+    const std::string file(place.substr(0, colon));
+    if (file != std::filesystem::path(file).filename())
+      return unsupported("numbers in HDF5 are read from a file beside the XML only");
+    if (Status status = open_heavy(file); !status) return std::move(status).error();
+    const auto found = heavy_.find(place.substr(colon + 1));
+    if (found == heavy_.end() || found->second.value.kind != Hdf5Value::Kind::numbers)
+      return wrong(fmt::format("{} holds no numbers that are read", place));
+    const Hdf5Value& value = found->second.value;
+    return with_type(value.type, [&](auto number) -> Result<std::vector<Number>> {
+      using Stored = decltype(number);
+      if constexpr (std::is_floating_point_v<Stored> != std::is_floating_point_v<Number>) {
+        return wrong(fmt::format("{} holds numbers of another kind", place));
+      } else {
+        const NumberView<Stored> stored(value.bytes.data(), value.bytes.size() / sizeof(Stored));
+        std::vector<Number> numbers(stored.size());
+        for (std::size_t k = 0; k < numbers.size(); ++k)
+          numbers[k] = static_cast<Number>(stored[k]);
+        return numbers;
+      }
+    });
+  }
+
+  /// One file holds all.
+  Status open_heavy(const std::string& file) {
+    if (heavy_text_ != nullptr && heavy_name_ == file) return ok();
+    const std::string path =
+        (std::filesystem::path(path_).parent_path() / file).lexically_normal().string();
+    Result<std::string> text = read_file(path);
+    if (!text) return std::move(text).error();
+    heavy_.clear();
+    heavy_text_ = std::make_unique<const std::string>(*std::move(text));
+    heavy_name_ = file;
+    Result<Hdf5Tree> tree = parse_hdf5(*heavy_text_, path);
+    if (!tree) return std::move(tree).error();
+    heavy_ = *std::move(tree);
+    return ok();
   }
 
   Status read_triangles(const XmlElement& grid) {
@@ -108,7 +149,7 @@ class XdmfReader {
 
   /// The nodes of each cell, of which each has `corners` corners and maybe midpoints.
   Result<std::vector<std::vector<std::uint32_t>>> cells_of(const XmlElement& grid,
-                                                           std::size_t corners) const {
+                                                           std::size_t corners) {
     const XmlElement* topology = grid.child("Topology");
     const auto nodes = numbers_in<long>(topology);
     if (!nodes) return nodes.error();
@@ -144,6 +185,9 @@ class XdmfReader {
   std::string_view text_;
   const std::string& path_;
   MeshCollector collector_;
+  std::string heavy_name_;
+  std::unique_ptr<const std::string> heavy_text_;
+  Hdf5Tree heavy_;  ///< of that text
 };
 
 }  // namespace

@@ -2,6 +2,9 @@
 #include "io/text/split_json.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <system_error>
+#include <type_traits>
 
 namespace cover {
 namespace {
@@ -92,7 +95,93 @@ bool read_elements(Scanner& scan, std::vector<std::string_view>& elements) {
   return scan.take(']');
 }
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// A pair of numbers in brackets, as JSON writes them: from_chars() takes more.
+class PairReader {
+ public:
+  explicit PairReader(std::string_view text) : at_(text.data()), end_(at_ + text.size()) {}
+
+  template <class Number>
+  std::optional<std::array<Number, 2>> read() {
+    std::array<Number, 2> pair{};
+    if (take('[') && number(pair[0]) && take(',') && number(pair[1]) && take(']') && at_ == end_)
+      return pair;
+    return std::nullopt;
+  }
+
+ private:
+  bool take(char c) {
+    pass_blanks();
+    if (at_ == end_ || *at_ != c) return false;
+    ++at_;
+    return true;
+  }
+  void pass_blanks() {
+    while (at_ != end_ && (*at_ == ' ' || *at_ == '\n' || *at_ == '\r' || *at_ == '\t')) ++at_;
+  }
+  const char* after_digits(const char* from) const {
+    return std::find_if_not(from, end_, is_digit);
+  }
+
+  /// The end of the number that begins here, and whether it is an integer; null if there is none.
+  const char* end_of_number(bool& is_integer) const {
+    const char* p = at_ != end_ && *at_ == '-' ? at_ + 1 : at_;
+    const char* q = after_digits(p);
+    if (q == p || (*p == '0' && q - p > 1)) return nullptr;
+    is_integer = true;
+    if (q != end_ && *q == '.') {
+      is_integer = false;
+      p = q + 1;
+      q = after_digits(p);
+      if (q == p) return nullptr;
+    }
+    if (q != end_ && (*q == 'e' || *q == 'E')) {
+      is_integer = false;
+      p = q + 1;
+      if (p != end_ && (*p == '+' || *p == '-')) ++p;
+      q = after_digits(p);
+      if (q == p) return nullptr;
+    }
+    return q;
+  }
+
+  template <class Number>
+  bool number(Number& out) {
+    pass_blanks();
+    bool is_integer = false;
+    const char* const end = end_of_number(is_integer);
+    if (end == nullptr) return false;
+    // Integers are integers first, so that -0 is 0.
+    long whole = 0;
+    std::from_chars_result result{};
+    if (is_integer) {
+      result = std::from_chars(at_, end, whole);
+      out = static_cast<Number>(whole);
+    } else if constexpr (std::is_same_v<Number, double>) {
+      result = std::from_chars(at_, end, out);
+    } else {
+      return false;
+    }
+    at_ = end;
+    return result.ec == std::errc() && result.ptr == end;
+  }
+
+  const char* at_;
+  const char* end_;
+};
+
 }  // namespace
+
+std::optional<Point> read_pair(std::string_view element) {
+  const auto pair = PairReader(element).read<double>();
+  if (!pair) return std::nullopt;
+  return Point{(*pair)[0], (*pair)[1]};
+}
+
+std::optional<std::array<long, 2>> read_integer_pair(std::string_view element) {
+  return PairReader(element).read<long>();
+}
 
 std::optional<SplitJson> split_json(std::string_view text,
                                     std::initializer_list<std::string_view> names) {

@@ -59,6 +59,8 @@ Status check(const WriteOptions& options) {
     return bad(fmt::format("triangles are of order 1 or 2, not {}", options.order));
   if (options.msh != "2.2" && options.msh != "4.1")
     return bad(fmt::format("the version of .msh is 2.2 or 4.1, not {}", options.msh));
+  if (options.xdmf != "text" && options.xdmf != "hdf5")
+    return bad(fmt::format("the numbers of .xdmf are text or hdf5, not {}", options.xdmf));
   if (options.parts < 1 || options.parts > kMostParts)
     return bad(fmt::format("parts are 1 to {}, not {}", kMostParts, options.parts));
   constexpr std::array kFamilies{"S", "CPS", "CPE", "CAX"};
@@ -67,6 +69,19 @@ Status check(const WriteOptions& options) {
   constexpr std::array kIds{"", "region", "material", "name"};
   if (std::find(kIds.begin(), kIds.end(), options.ids) == kIds.end())
     return bad(fmt::format("ids are region, material or name, not {}", options.ids));
+  return ok();
+}
+
+/// Whether there are so many parts.
+Status check_parts(const Format& format, const std::string& path, const WriteOptions& options) {
+  constexpr int kMostOpen = 500;  // all are open until the last one is on the disk
+  if (format.write == write_pvtu) return ok();
+  if (format.write != write_msh)
+    return bad(fmt::format("cannot write '{}' in parts: .pvtu has some, and .msh 4.1", path));
+  if (options.msh != "4.1")
+    return bad(fmt::format("cannot write '{}' in parts: .msh has some in version 4.1", path));
+  if (options.parts > kMostOpen)
+    return bad(fmt::format("cannot write '{}' in more than {} parts", path, kMostOpen));
   return ok();
 }
 
@@ -86,9 +101,7 @@ Status can_write(const std::string& path, const WriteOptions& options) {
     if (options.order == 2 && !format->second_order)
       return bad(fmt::format("cannot write '{}': {} has no second-order triangles", path,
                              format->extension));
-    if (options.parts != 1 && format->write != write_pvtu)
-      return bad(fmt::format("cannot write '{}' in parts: .pvtu has some", path));
-    return ok();
+    return options.parts == 1 ? ok() : check_parts(*format, path, options);
   });
 }
 

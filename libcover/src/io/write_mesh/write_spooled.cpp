@@ -8,6 +8,7 @@
 #include "io/write_mesh/msh_text.hpp"
 #include "io/write_mesh/vtkhdf_file.hpp"
 #include "io/write_mesh/vtu_parts.hpp"
+#include "io/write_mesh/xdmf_file.hpp"
 
 namespace cover {
 namespace {
@@ -48,17 +49,42 @@ class SpooledArrays {
             for (const Point& place : places) put_place(place, out);
           }));
         },
-        [this](BinaryWriter& out) {
-          keep(spool_.each_triangle([&](std::size_t, std::span<const IndexTriple> triangles) {
-            for (const IndexTriple& t : triangles)
-              for (const std::uint32_t v : t) out.put(static_cast<std::int64_t>(v));
-          }));
-        });
+        nodes());
+  }
+
+  XdmfSource xdmf(const MeshView& view) {
+    return {view,
+            spool_.vertices(),
+            spool_.triangles(),
+            3,
+            [this](BinaryWriter& out) {
+              keep(spool_.each_vertex([&](std::span<const Point> places) {
+                for (const Point& place : places) {
+                  out.put(place.x);
+                  out.put(place.y);
+                }
+              }));
+            },
+            nodes(),
+            by_region([](const Region& region) { return region.material; }),
+            by_region([](const Region& region) { return region.id.value(); }),
+            by_region([&view](const Region& region) {
+              return view.region_groups[view.region_group[region.id.index() - 1]].tag;
+            })};
   }
 
   [[nodiscard]] const Status& status() const { return status_; }
 
  private:
+  ArrayWriter nodes() {
+    return [this](BinaryWriter& out) {
+      keep(spool_.each_triangle([&](std::size_t, std::span<const IndexTriple> triangles) {
+        for (const IndexTriple& t : triangles)
+          for (const std::uint32_t v : t) out.put(static_cast<std::int64_t>(v));
+      }));
+    };
+  }
+
   template <class Value>
   ArrayWriter by_region(Value value) {
     return [this, value](BinaryWriter& out) {
@@ -174,11 +200,20 @@ Status write_spooled_msh(const SpooledMesh& mesh, const std::string& path,
   return cells.status() ? out->commit() : cells.status();
 }
 
+Status write_spooled_xdmf(const SpooledMesh& mesh, const std::string& path,
+                          const WriteOptions& options) {
+  const MeshView view = view_of_lines(mesh.table, mesh.lines(), options);
+  SpooledArrays arrays(mesh);
+  return write_xdmf_file(arrays.xdmf(view), path, options.stop, [&] { return arrays.status(); });
+}
+
 }  // namespace
 
-bool can_write_spooled(const std::string& path) {
+bool can_write_spooled(const std::string& path, const WriteOptions& options) {
   const std::string extension = extension_of(path);
-  return extension == ".vtu" || extension == ".vtkhdf" || extension == ".msh";
+  if (options.parts != 1) return false;
+  return extension == ".vtu" || extension == ".vtkhdf" || extension == ".msh" ||
+         (extension == ".xdmf" && options.xdmf == "hdf5");
 }
 
 Status write_spooled(const SpooledMesh& mesh, const std::string& path,
@@ -187,6 +222,7 @@ Status write_spooled(const SpooledMesh& mesh, const std::string& path,
   const std::string extension = extension_of(path);
   return extension == ".vtu"      ? write_spooled_vtu(mesh, path, options)
          : extension == ".vtkhdf" ? write_spooled_vtkhdf(mesh, path, options)
+         : extension == ".xdmf"   ? write_spooled_xdmf(mesh, path, options)
                                   : write_spooled_msh(mesh, path, options);
 }
 

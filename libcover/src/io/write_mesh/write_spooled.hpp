@@ -23,13 +23,13 @@ struct SpooledMesh {
   std::function<std::vector<LineEdge>()> lines;
 };
 
-/// The formats that can be written so: .vtu, .vtkhdf, .msh.
-bool can_write_spooled(const std::string& path);
+/// The formats that can be written so: .vtu, .vtkhdf, .msh, .xdmf with its numbers in HDF5.
+bool can_write_spooled(const std::string& path, const WriteOptions& options);
 
 /// Writes what write_mesh() writes of the same mesh, byte for byte. The room on the disk is looked
 /// at first.
 ///
-/// REQUIRES: can_write_spooled(path); options.order is 1
+/// REQUIRES: can_write_spooled(path, options); options.order is 1
 /// Errors:   cannot_write, cancelled, out_of_memory
 /// Memory:   some 80 bytes for each line, and in .msh 16 for each point of the input
 Status write_spooled(const SpooledMesh& mesh, const std::string& path, const WriteOptions& options);

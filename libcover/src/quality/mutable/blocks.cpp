@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "geom/box.hpp"
@@ -119,6 +120,46 @@ class Tree {
   std::uint32_t parts_ = 0;
 };
 
+/// The parts of a mesh between fixed vertices alone. Its triangles reach from one end of the region to
+/// the other, and neighbours have their middles far apart: any line through the plane would have a
+/// border beside half of them. But going from triangle to triangle is going along a tree, but for
+/// holes, of which whole branches are taken off.
+///
+/// ENSURES: numbers below `parts`, all of them from 0 to the largest; kNone for holes
+std::vector<std::uint32_t> branches_of(const MutableMesh& mesh, std::size_t parts) {
+  const std::size_t count = mesh.triangles.size();
+  const std::size_t least = (mesh.triangle_count() + parts - 1) / parts;
+  std::vector<std::uint32_t> order, parent(count, kNone), label(count, kNone);
+  order.reserve(mesh.triangle_count());
+  std::vector<std::uint32_t> size(count, 0);  // of what hangs on a triangle; 0: not seen
+  for (std::uint32_t root = 0; root < count; ++root) {
+    if (mesh.is_hole(root) || size[root] != 0) continue;
+    size[root] = 1;
+    order.push_back(root);
+    for (std::size_t k = order.size() - 1; k < order.size(); ++k) {
+      for (const std::uint32_t n : mesh.triangles[order[k]].n) {
+        if (is_side(n) || size[n] != 0) continue;
+        size[n] = 1;
+        parent[n] = order[k];
+        order.push_back(n);
+      }
+    }
+  }
+  std::uint32_t next = 0;
+  for (std::size_t k = order.size(); k-- > 0;) {
+    const std::uint32_t t = order[k];
+    if (size[t] >= least) {
+      label[t] = next++;
+    } else if (parent[t] != kNone) {
+      size[parent[t]] += size[t];
+    }
+  }
+  for (const std::uint32_t t : order) {  // what is left at the roots is one part
+    if (label[t] == kNone) label[t] = parent[t] == kNone ? next : label[parent[t]];
+  }
+  return label;
+}
+
 class BlockWork {
  public:
   BlockWork(MutableMesh& whole, const Sharing& sharing)
@@ -163,8 +204,17 @@ class BlockWork {
 
   void label() {
     const std::size_t count = whole_.triangles.size();
-    const Tree tree(whole_, blocks_.size());
-    label_.resize(count);
+    const bool by_branches = whole_.points.size() == whole_.fixed_vertices();
+    std::optional<Tree> tree;
+    if (by_branches) {
+      label_ = branches_of(whole_, blocks_.size());
+      std::uint32_t most = 0;
+      for (const std::uint32_t label : label_) most = label == kNone ? most : std::max(most, label);
+      blocks_.resize(most + 1);
+    } else {
+      tree.emplace(whole_, blocks_.size());
+      label_.resize(count);
+    }
     number_.resize(count);
     const std::size_t ranges = Team::ranges(count, kRange);
     std::vector<std::vector<std::uint32_t>> before(ranges);  // by range, by part
@@ -173,7 +223,8 @@ class BlockWork {
       sum.assign(blocks_.size(), 0);
       for (std::size_t t = first; t < last; ++t) {
         const auto triangle = static_cast<std::uint32_t>(t);
-        label_[t] = whole_.is_hole(triangle) ? kNone : tree.part_at(middle_of(whole_, triangle));
+        if (tree)
+          label_[t] = whole_.is_hole(triangle) ? kNone : tree->part_at(middle_of(whole_, triangle));
         if (label_[t] != kNone) number_[t] = sum[label_[t]]++;
       }
     });

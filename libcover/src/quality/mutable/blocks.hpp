@@ -46,10 +46,11 @@ struct Borders {
   [[nodiscard]] std::vector<std::uint32_t> triangles_near(const MutableMesh& whole) const;
 };
 
-/// How many parts a mesh has.
+/// How many parts a mesh has at the most.
 std::size_t block_count(const MutableMesh& whole, const Sharing& sharing);
 
-/// Divides `whole` along a k-d tree of the middles of its triangles, calls `work` with every part,
+/// Divides `whole` along a k-d tree of the middles of its triangles, or into branches where it has
+/// fixed vertices alone; calls `work` with every part,
 /// and puts in place what it has made of Block::mesh. `done` is called with every part in turn, its
 /// vertices now those of the whole, before its mesh is forgotten.
 ///

@@ -18,7 +18,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 MutableMesh::MutableMesh(const Triangulation& triangulation, std::uint32_t fixed,
-                         std::span<const EdgeRef> side_at, std::vector<SideLimit> limits)
+                         std::span<const EdgeRef> side_at, SideLimits limits)
     : points(triangulation.points),
       triangles(triangulation.triangles.size()),
       excess(triangulation.triangles.size(), 0),

@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <cover/point.hpp>
@@ -35,6 +37,29 @@ struct MeshTriangle {
   [[nodiscard]] int edge_from(std::uint32_t a) const { return prev3(corner_of(a)); }
 };
 
+/// The limits of the sides of a region, which its meshes have in common: they take 88 bytes each, more
+/// than four triangles.
+class SideLimits {
+ public:
+  SideLimits() = default;
+  SideLimits(std::vector<SideLimit> limits)
+      : limits_(std::make_shared<std::vector<SideLimit>>(std::move(limits))) {}
+
+  [[nodiscard]] std::size_t size() const { return limits_ ? limits_->size() : 0; }
+  const SideLimit& operator[](std::size_t s) const { return (*limits_)[s]; }
+  [[nodiscard]] const SideLimit* begin() const { return limits_ ? limits_->data() : nullptr; }
+  [[nodiscard]] const SideLimit* end() const { return begin() + size(); }
+
+  /// One more side with the limits of side `s`; other meshes keep what they have.
+  void repeat(std::size_t s) {
+    if (limits_.use_count() > 1) limits_ = std::make_shared<std::vector<SideLimit>>(*limits_);
+    limits_->push_back(SideLimit((*limits_)[s]));
+  }
+
+ private:
+  std::shared_ptr<std::vector<SideLimit>> limits_;  ///< changed only where nobody else has it
+};
+
 /// What `goal` allows to the triangle on a side.
 Allowance allowance_for(const SideLimit& side, const Goal& goal);
 
@@ -53,13 +78,13 @@ class MutableMesh {
   /// REQUIRES: the sides are all the edges that border on the outside or must not be crossed
   /// Errors:   throws an InternalFault if a side is nowhere, or an edge on the outside is no side
   MutableMesh(const Triangulation& triangulation, std::uint32_t fixed,
-              std::span<const EdgeRef> side_at, std::vector<SideLimit> limits);
+              std::span<const EdgeRef> side_at, SideLimits limits);
 
   std::vector<Point> points;
   std::vector<MeshTriangle> triangles;
   std::vector<double> excess;       ///< by triangle; -inf for a hole
   std::vector<std::uint32_t> home;  ///< by vertex: one of its triangles
-  std::vector<SideLimit> sides;
+  SideLimits sides;
   std::vector<Allowance> allowances;  ///< by side, for the present goal
 
   [[nodiscard]] const Goal& goal() const { return goal_; }

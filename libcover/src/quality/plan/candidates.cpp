@@ -239,7 +239,7 @@ Candidate Candidates::from_almonds() const {
   for (const Point& p : almond.steiner) points.push_back(frame_.enter(p));
   Triangulation triangles = with_neighbours(std::move(points), almond.triangles);
   const SplitSides sides = locate_split_sides(triangles, boundary_);
-  std::vector<SideLimit> limits = side_limits_;
+  std::vector<SideLimit> limits(side_limits_.begin(), side_limits_.end());
   for (const std::uint32_t s : sides.split) limits[s] = kNoLimit;
   limits.resize(sides.at.size(), kNoLimit);
   return measured({MutableMesh(triangles, sides.fixed, sides.at, std::move(limits)), {}, "almond"});

@@ -142,7 +142,7 @@ class Candidates {
   LocalFrame frame_;
   Triangulation cdt_;
   AngleLimit limit_;
-  std::vector<SideLimit> side_limits_;
+  SideLimits side_limits_;
   Goal goal_;
   SizeField sizes_;
   std::uint64_t given_;  ///< the whole budget

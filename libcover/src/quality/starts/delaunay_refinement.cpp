@@ -391,7 +391,7 @@ void refine(MutableMesh& mesh, const RefineLimits& limits, SizeField sizes,
     Refinement(mesh, limits, sizes).run();
   }
   mesh.arrange();
-  mesh.measure_all();
+  mesh.measure_all(sharing.team);
 }
 
 }  // namespace cover

@@ -67,6 +67,27 @@ MutableMesh with_any_team(const MutableMesh& start, const Change& change) {
   return first;
 }
 
+/// Between fixed vertices triangles reach through the whole region: only branches have short borders.
+TEST(Blocks, AreBranchesBetweenFixedVertices) {
+  const MutableMesh start = cdt_mesh(smooth_star(4000));
+  ASSERT_EQ(start.points.size(), start.fixed_vertices());
+  std::vector<std::size_t> sizes(block_count(start, {{}, kBlock}));
+  ASSERT_GT(sizes.size(), 8U);
+  MutableMesh mesh = start;
+  const Borders borders = work_in_blocks(
+      mesh, {{}, kBlock}, [&](Block& block) { sizes[block.index] = block.triangles.size(); });
+  EXPECT_TRUE(are_same(mesh, start));
+  std::size_t parts = 0, all = 0;
+  for (const std::size_t size : sizes) {
+    parts += size > 0 ? 1 : 0;
+    all += size;
+    EXPECT_LE(size, 3 * kBlock);
+  }
+  EXPECT_GT(parts, 4U);
+  EXPECT_EQ(all, start.triangle_count());
+  EXPECT_LE(borders.triangles.size(), 2 * (parts - 1));
+}
+
 TEST(Blocks, ArePutBackAsTheyWere) {
   const RegionBoundary boundary = smooth_star(2000);
   const MutableMesh start = refined(boundary);
