@@ -1822,7 +1822,9 @@ class Values(Case):
             self.run_cover('convert', source, '-o', target)
         self.assertEqual(self.arrays('c.vtu', 'CellData', 'use'), self.arrays('d.vtu', 'CellData', 'use'))
         self.assertEqual(sorted(map(str, self.arrays('c.vtu', 'CellData', 'height'))), sorted(map(str, self.arrays('d.vtu', 'CellData', 'height'))))
-        self.assertIn('Äcker & "Wiese"', json.loads((self.dir / 'b.json').read_text())['attributes'][0]['words'])
+        kept = {a['name']: a for a in json.loads((self.dir / 'b.json').read_text())['attributes']}
+        self.assertEqual(kept['use'], {'name': 'use', 'words': ['Wald', 'Äcker & "Wiese"'], 'values': ['Wald', 'Äcker & "Wiese"', 'Wald']})
+        self.assertEqual(kept['fid']['values'], [40, 41, 42])
         self.run_cover('mesh', SAMPLES / 'nmos.tif', '-o', 'd.vtkhdf', '-o', 'e.vtu')
         self.run_cover('convert', 'd.vtkhdf', '-o', 'f.vtu')
         self.assertEqual(str(self.arrays('f.vtu', 'PointData', 'Net')), str(self.arrays('e.vtu', 'PointData', 'Net')))

@@ -47,7 +47,7 @@ def contacts(program, path):
     return [region['name'] for region in told['regions']], {line['name'] for line in told['lines']}
 
 
-def check_finfet(folder, _):
+def check_finfet(folder, text):
     regions, lines = contacts(PROGRAM, folder / 'finfet.vtm')
     assert sorted(regions) == ['HfO2', 'STI', 'STI', 'STI', 'Si', 'SiO2', 'SiO2', 'TiN'], regions
     assert {'gate', 'bulk'} <= lines, lines
@@ -55,6 +55,10 @@ def check_finfet(folder, _):
     regions, _ = contacts(PROGRAM, folder / 'one_fin.vtm')
     assert sorted(regions) == ['HfO2', 'STI', 'STI', 'Si', 'SiO2', 'TiN'], regions
     assert (folder / 'finfet.png').stat().st_size > 10000
+    assert text.count('Box method: no negative coupling') == 2, text
+    regions, lines = contacts(PROGRAM, folder / 'finfet_layers.vtm')
+    assert sorted(regions) == ['fin', 'gate', 'oxide', 'trench', 'trench'], regions
+    assert '"fin_oxide"' in (folder / 'finfet_layers.msh').read_text()
 
 
 def check_motor(folder, text):

@@ -64,13 +64,16 @@ std::string value_name_of(std::string_view word, Dialect dialect) {
 class TcadReader {
  public:
   TcadReader(std::string_view text, const std::string& source, Dialect dialect)
-      : lines_(text, source, '\1'), dialect_(dialect) {
+      : lines_(text, source, '\1'),
+        dialect_(dialect),
+        ends_a_line_(text.empty() || text.back() == '\n') {
     mesh_.source = source;
   }
 
   Result<Input> read() {
     while (!error_ && lines_.next()) read_record(lines_.fields());
     if (!error_) add_triangles();
+    if (!error_) check_end();
     if (!error_) add_electrodes();
     if (!error_ && mesh_.cells() == 0)
       error_ =
@@ -242,6 +245,21 @@ class TcadReader {
     }
   }
 
+  /// No line says how much follows: a file that was cut short within its triangles has coordinates
+  /// that are in none, or ends in the middle of a line, and has no values, which come last.
+  void check_end() {
+    if (!nodes_.empty() || cells_.empty()) return;
+    std::vector<bool> used(mesh_.points.size());
+    for (const Cell& cell : cells_)
+      for (const long id : cell.corners) used[node_.at(id)] = true;
+    const auto unused = std::find(used.begin(), used.end(), false);
+    if (unused != used.end())
+      return fail(ErrorCode::truncated,
+                  fmt::format("the file ends here, but coordinate {} is in no triangle",
+                              mesh_.point_ids[static_cast<std::size_t>(unused - used.begin())]));
+    if (!ends_a_line_) fail(ErrorCode::truncated, "the file ends in the middle of its triangles");
+  }
+
   void add_electrodes() {
     for (const auto& [name, edges] : electrodes_) {
       for (const auto& [id, line] : edges) {
@@ -304,6 +322,7 @@ class TcadReader {
 
   LineReader lines_;
   Dialect dialect_;
+  bool ends_a_line_;
   CellMesh mesh_;
   std::unordered_map<long, std::uint32_t> node_;    ///< by id
   std::unordered_map<long, std::uint32_t> region_;  ///< by id, index into mesh_.materials

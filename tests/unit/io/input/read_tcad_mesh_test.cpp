@@ -107,6 +107,20 @@ TEST(ReadTif, MistakesHaveLines) {
   EXPECT_EQ(parse_tif("", "a.tif").error().message, "a.tif: no triangles in it");
 }
 
+TEST(ReadTif, AFileThatWasCutShortIsNoSmallerDevice) {
+  const std::string whole(kTif);
+  const std::size_t first = whole.find("\nt 1 "), behind = whole.find('\n', first + 1);
+  ASSERT_NE(first, std::string::npos);
+  const Result<Input> cut = parse_tif(whole.substr(0, behind + 1), "a.tif");
+  ASSERT_FALSE(cut);
+  EXPECT_EQ(cut.error().code, ErrorCode::truncated);
+  EXPECT_NE(cut.error().message.find("but coordinate"), std::string::npos) << cut.error().message;
+  const std::string square = "h TIF\nc 1 0 0\nc 2 1 0\nc 3 1 1\nr 1 Si\nt 1 1 1 2 3 0 0 0";
+  EXPECT_TRUE(parse_tif(square + "\n", "a.tif"));
+  EXPECT_EQ(parse_tif(square, "a.tif").error().message,
+            "a.tif:6: the file ends in the middle of its triangles");
+}
+
 TEST(ReadTif, UnknownRecordsAreNamed) {
   const Result<Input> input = parse_tif(kTif + "zz 1\nzz 2\nyy\n", "a.tif");
   ASSERT_TRUE(input) << input.error().message;
