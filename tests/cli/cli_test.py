@@ -850,11 +850,11 @@ class Stream(Case):
         whole = (self.dir / 'a.h5').read_bytes()
         text = (self.dir / 'a.xdmf').read_text()
         (self.dir / 'a.h5').write_bytes(whole[:len(whole) // 2])
-        self.assertIn('a.h5', self.run_cover('check', 'plain.poly', 'a.xdmf', code=4)[1])
+        self.assertIn('a.h5', self.run_cover('check', 'plain.poly', 'a.xdmf', code=5)[1])
         (self.dir / 'a.h5').unlink()
         self.assertIn('a.h5', self.run_cover('check', 'plain.poly', 'a.xdmf', code=5)[1])
         self.write('a.xdmf', text.replace('a.h5:', '../a.h5:'))
-        self.assertIn('beside the XML', self.run_cover('check', 'plain.poly', 'a.xdmf', code=4)[1])
+        self.assertIn('beside the XML', self.run_cover('check', 'plain.poly', 'a.xdmf', code=5)[1])
 
     def test_the_same_report(self):
         def figures():
