@@ -852,7 +852,7 @@ class Stream(Case):
         (self.dir / 'a.h5').unlink()
         self.assertIn('a.h5', self.run_cover('check', 'plain.poly', 'a.xdmf', code=5)[1])
         self.write('a.xdmf', text.replace('a.h5:', '../a.h5:'))
-        self.assertIn('beside the XML', self.run_cover('check', 'plain.poly', 'a.xdmf', code=4)[1])
+        self.assertIn('beside the XML', self.run_cover('check', 'plain.poly', 'a.xdmf', code=5)[1])
 
     def test_the_same_report(self):
         def figures():

@@ -70,7 +70,8 @@ TEST(ShareOut, TheMeshIsTheSameWhereverARegionIsMeshed) {
         if (cut) options.split_interfaces = Angle::degrees(95);
         Callbacks callbacks;
         const Result<Output> here = cover_mesh(input, options);
-        for (const ShareOut& share_out : {half_elsewhere, half_elsewhere_with_threads}) {
+        for (const ShareOut& share_out :
+             {ShareOut(half_elsewhere), ShareOut(half_elsewhere_with_threads)}) {
           callbacks.share_out = share_out;
           const Result<Output> shared = cover_mesh(input, options, callbacks);
           ASSERT_EQ(here.has_value(), shared.has_value());
