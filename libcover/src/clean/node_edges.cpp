@@ -27,6 +27,10 @@
 namespace cover {
 namespace {
 
+/// Strands after further passes, for each one after the first; and so many in any case.
+constexpr std::size_t kMostPieces = 8;
+constexpr std::size_t kFewPieces = 100'000;
+
 IndexPair ends(const Strand& s) { return {std::min(s.a, s.b), std::max(s.a, s.b)}; }
 
 /// Sorts the strands by edge and lists the edges. What a pass did not cut comes first and is
@@ -133,7 +137,10 @@ EdgeGraph index_edges(Network& network) {
 
 EdgeGraph node_edges(Network& network, bool may_be_clean) {
   EdgeGraph graph;
+  std::size_t most = network.strands.max_size();
   for (;; ++graph.passes) {
+    if (graph.passes == 1) most = kMostPieces * network.strands.size() + kFewPieces;
+    if (network.strands.size() > most) throw RoundingCascade(network.points.back());
     index_edges(network, graph);
     if (may_be_clean) {
       CdtResult cdt = triangulate_hull(network.points, graph.edges);

@@ -3,7 +3,10 @@
 
 #include <cstddef>
 #include <span>
+#include <stdexcept>
 #include <vector>
+
+#include <cover/point.hpp>
 
 #include "cdt/cdt.hpp"
 #include "clean/network.hpp"
@@ -23,6 +26,19 @@ struct EdgeGraph {
   }
 };
 
+/// Thrown where rounded crossings make further ones, far more than the lines had: beside 0, where
+/// doubles are as fine as nowhere else, that goes on for as long as doubles get finer. Becomes the
+/// error coordinate_out_of_range (make_pslg).
+class RoundingCascade : public std::runtime_error {
+ public:
+  explicit RoundingCascade(Point where)
+      : std::runtime_error("rounded crossings make further ones"), where_(where) {}
+  [[nodiscard]] Point where() const { return where_; }
+
+ private:
+  Point where_;
+};
+
 /// Sorts the strands of `network` by edge; makes no triangulation.
 ///
 /// Cost: O(n log n).
@@ -36,6 +52,7 @@ EdgeGraph index_edges(Network& network);
 /// may make new crossings; so the pieces are cut again until a pass finds them clean by exact
 /// predicates (iterated snap rounding). Ends of lines and lone points never move.
 /// ENSURES: points and edges are a PSLG; it always comes to that (node_edges.cpp)
+/// Throws:  RoundingCascade, long before memory is full
 /// Cost:    O((n + k) log n) a pass for k crossings; one pass per generation of new crossings.
 /// Ref:     D. Halperin, E. Packer, Iterated snap rounding, CGTA 23 (2002)
 ///

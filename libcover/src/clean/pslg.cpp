@@ -14,6 +14,7 @@
 #include <fmt/core.h>
 
 #include <cover/option_ranges.hpp>
+#include <cover/text.hpp>
 
 #include "base/complaint.hpp"
 #include "clean/assemble.hpp"
@@ -136,6 +137,22 @@ bool is_empty(const Input& input) {
   return input.segments.empty() && input.polygons.empty() && input.lines.empty();
 }
 
+/// An error where lines cross again and again once they are rounded.
+Result<Pslg> clean_up_unless_endless(const Input& input, const Options& options, Report& report) {
+  try {
+    return clean_up(input, options, report);
+  } catch (const RoundingCascade& cascade) {
+    return Error{
+        ErrorCode::coordinate_out_of_range,
+        fmt::format("{}: near {} lines lie so close together that their crossings, rounded "
+                    "to doubles, make further ones without an end in sight; move the "
+                    "drawing away from 0, or draw there what can be told apart",
+                    input.source, describe(cascade.where())),
+        {cascade.where()},
+        {}};
+  }
+}
+
 }  // namespace
 
 Result<Pslg> make_pslg(const Input& input, const Options& options, Report& report,
@@ -164,7 +181,7 @@ Result<Pslg> make_pslg(const Input& input, const Options& options, Report& repor
     if (auto error = find_unclean(input)) return *error;
   }
   const bool keep = is_clean && options.weld.value_or(0) <= 0;
-  Result<Pslg> pslg = keep ? take_over(input) : clean_up(input, options, report);
+  Result<Pslg> pslg = keep ? take_over(input) : clean_up_unless_endless(input, options, report);
   const bool is_seeded = !input.seeds.empty() || !input.holes.empty();
   if (pslg && is_seeded && !input.polygons.empty()) {
     pslg = place_seeds(input, *std::move(pslg), report.notes);
