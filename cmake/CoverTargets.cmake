@@ -14,8 +14,8 @@ function(cover_target target)
   endif()
 endfunction()
 
-# With COVER_UNITY_BUILD, files of one folder are compiled together, eight at most: a whole build
-# takes half as long, and after a change of one file eight are compiled again. Names in anonymous
+# With COVER_UNITY_BUILD, files of one folder are compiled together, 16 at most: a whole build
+# takes half as long, and after a change of one file 16 are compiled again. Names in anonymous
 # namespaces must differ within a folder then. Further arguments begin the paths of files that stay
 # alone.
 function(cover_unity target)
@@ -37,7 +37,7 @@ function(cover_unity target)
     string(MAKE_C_IDENTIFIER "of_${folder}" group)
     math(EXPR count "0${count_${group}} + 1")
     set(count_${group} ${count})
-    math(EXPR part "${count} / 8")
+    math(EXPR part "${count} / 16")
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${group}_${part}")
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
