@@ -40,7 +40,8 @@ struct LayersFound {
 /// that regular triangles above them are no layers. Triangles in which rows end are no cells.
 ///
 /// `region` is the name of a region or a material; empty: both sides of the line. Of `rules`, which
-/// may be for other lines, the last counts.
+/// may be for other lines, the last counts; where all that are for this line are for its other side,
+/// there are no layers on this one.
 /// REQUIRES: `pslg` and `table` cut where `mesh` is, see adopt_cuts()
 /// Returns:  by region, in the order of their ids
 /// Errors:   bad_option where no line has the name, or no such region is beside it

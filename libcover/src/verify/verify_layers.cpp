@@ -51,6 +51,12 @@ class LayerFinder {
     }
   }
 
+  /// Counts the side from p to q, which is to have no layers.
+  void count(Point p, Point q, LayersFound& found) const {
+    const auto a = edges_.vertex_at(p), b = edges_.vertex_at(q);
+    if (a && b && edges_.find(*a, *b)) ++found.edges;
+  }
+
   /// Adds what lies over the side from p to q, with the region on its left; `rule` is what was asked
   /// for there, if that is known.
   void add(Point p, Point q, const LayerRule* rule, LayersFound& found) {
@@ -222,7 +228,11 @@ Result<std::vector<LayersFound>> verify_layers(const Pslg& pslg, const RegionTab
         const auto rule = std::find_if(rules.rbegin(), rules.rend(), [&](const LayerRule& r) {
           return r.line == line && (r.region.empty() || has_name(table.region(side), r.region));
         });
-        finder.add(from, to, rule == rules.rend() ? nullptr : &*rule, layers);
+        if (rule != rules.rend()) return finder.add(from, to, &*rule, layers);
+        const bool is_of_other_side = std::any_of(
+            rules.begin(), rules.end(), [&](const LayerRule& r) { return r.line == line; });
+        if (is_of_other_side) return finder.count(from, to, layers);
+        finder.add(from, to, nullptr, layers);
       };
       add(table.sides[s.index()].left, a, b);
       add(table.sides[s.index()].right, b, a);

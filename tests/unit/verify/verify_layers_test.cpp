@@ -128,6 +128,8 @@ TEST(VerifyLayers, CountsNoRowOfTheRest) {
   EXPECT_EQ(three_rows(0.4, {{"gate", "", 0.1, 1.5, 0}}).most, 1);
   EXPECT_EQ(three_rows(0.4, {{"gate", "", 0.3, 1.5, 0}}).most, 3);  // they are of other rules
   EXPECT_EQ(three_rows(0.4, {{"drain", "", 0.1, 1.5, 0}}).most, 3);
+  EXPECT_EQ(three_rows(0.4, {{"gate", "elsewhere", 0.1, 2, 0}}).most, 0);
+  EXPECT_EQ(three_rows(0.4, {{"gate", "elsewhere", 0.1, 2, 0}}).edges, 1U);
   EXPECT_NEAR(three_rows(0.41, {}).thickness, 0.3, 1e-15);
 }
 
