@@ -349,7 +349,7 @@ EdgeGraph weld_once(const Input& input, double tolerance, Network& network,
 
 /// By polygon: whether it is drawn wider than rounding.
 std::vector<bool> wide_polygons(const Input& input, const Network& drawing) {
-  constexpr double kUnits = 4;  // in the last place of the largest coordinate
+  constexpr double kRounding = 4;  // units in the last place of the largest coordinate
   std::vector<double> area(input.polygons.size(), 0), around(area);
   const Point origin = drawing.points.front();
   for (const Strand& s : drawing.strands) {
@@ -359,7 +359,7 @@ std::vector<bool> wide_polygons(const Input& input, const Network& drawing) {
     area[from.index] += cross(a - origin, b - origin);
     around[from.index] += length(b - a);
   }
-  const double rounding = kUnits * spacing_of(drawing.points);
+  const double rounding = kRounding * spacing_of(drawing.points);
   std::vector<bool> out;
   for (std::size_t p = 0; p < area.size(); ++p)
     out.push_back(std::abs(area[p]) > rounding * around[p]);
