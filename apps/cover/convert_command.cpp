@@ -17,7 +17,8 @@ int run_convert(Arguments arguments) {
   app.set_help_flag("-h,--help", "Show this help");
   app.footer(
       R"(Names of regions, interfaces and contacts come from the manifest (.json) or the .vtm beside
-the mesh, else from the mesh's own file; what is missing then is said.
+the mesh, else from the mesh's own file; what is missing then is said. Attributes of regions
+(--keep-field) and values at points (doping) are kept where both formats bear them.
 
 Examples:
   cover convert device.vtm -o device.vtu
