@@ -4,6 +4,7 @@
 #include "cdt/couplings.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geom/predicates.hpp"
 
@@ -60,24 +61,56 @@ std::size_t make_delaunay(std::span<const Point> points, std::vector<IndexTriple
   return flips;
 }
 
-std::vector<NegativeEdge> negative_edges(std::span<const Point> points,
+namespace {
+
+/// Negative edges among those half-edges for which `is_doubtful`.
+template <class IsDoubtful>
+std::vector<NegativeEdge> negative_among(std::span<const Point> points,
                                          std::span<const IndexTriple> triangles,
-                                         std::span<const IndexPair> sides) {
-  const std::vector<std::uint32_t> across = across_edges(points.size(), triangles, sides);
+                                         std::span<const std::uint32_t> across,
+                                         const IsDoubtful& is_doubtful) {
   const auto source = [&](std::uint32_t h) { return triangles[h / 3][h % 3]; };
   std::vector<NegativeEdge> found;
   for (std::uint32_t h = 0; h < across.size(); ++h) {
+    const std::uint32_t twin = across[h];
+    if ((twin != HalfEdges::kAbsent && twin < h) || !is_doubtful(h)) continue;
     const std::uint32_t a = source(h), b = source(HalfEdges::next(h)),
-                        c = source(HalfEdges::previous(h)), twin = across[h];
+                        c = source(HalfEdges::previous(h));
     if (twin == HalfEdges::kAbsent) {
       if (compare_with_90_degrees(points[a], points[c], points[b]) == Sign::positive)
         found.push_back({{a, b}, c, true});
-    } else if (h < twin && in_circle(points[a], points[b], points[c],
-                                     points[source(HalfEdges::previous(twin))]) == Sign::positive) {
+    } else if (in_circle(points[a], points[b], points[c],
+                         points[source(HalfEdges::previous(twin))]) == Sign::positive) {
       found.push_back({{a, b}, c, false});
     }
   }
   return found;
+}
+
+/// Up to this size a cotangent in doubles is off by less than 1e-8: differences of coordinates are
+/// rounded once, and their cross product is no smaller than a thousandth of the lengths' product.
+constexpr double kSureCot = 1e3;
+constexpr double kSureSum = 1e-6;
+
+}  // namespace
+
+std::vector<NegativeEdge> negative_edges(std::span<const Point> points,
+                                         std::span<const IndexTriple> triangles,
+                                         std::span<const IndexPair> sides) {
+  return negative_among(points, triangles, across_edges(points.size(), triangles, sides),
+                        [](std::uint32_t) { return true; });
+}
+
+std::vector<NegativeEdge> negative_edges(std::span<const Point> points,
+                                         std::span<const IndexTriple> triangles,
+                                         std::span<const std::uint32_t> across,
+                                         std::span<const double> cots) {
+  const auto is_sure = [&](double cot) { return std::abs(cot) < kSureCot; };
+  return negative_among(points, triangles, across, [&](std::uint32_t h) {
+    const std::uint32_t twin = across[h];
+    const double other = twin == HalfEdges::kAbsent ? 0 : cots[twin];
+    return !(is_sure(cots[h]) && is_sure(other) && cots[h] + other > kSureSum);
+  });
 }
 
 }  // namespace cover

@@ -37,6 +37,13 @@ std::vector<NegativeEdge> negative_edges(std::span<const Point> points,
                                          std::span<const IndexTriple> triangles,
                                          std::span<const IndexPair> sides);
 
+/// The same, from what is known: `across` is across_edges(), `cots` the cotangents of the angles
+/// opposite to all half-edges, in doubles. Exact arithmetic is asked where these do not tell.
+std::vector<NegativeEdge> negative_edges(std::span<const Point> points,
+                                         std::span<const IndexTriple> triangles,
+                                         std::span<const std::uint32_t> across,
+                                         std::span<const double> cots);
+
 /// Flips inner edges until all of them are locally Delaunay, and none has a negative coupling;
 /// returns how many. Triangles keep their places in the list, two by two. Edges whose flip would
 /// make triangles for one of which `is_allowed` is false stay.

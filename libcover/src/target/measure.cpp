@@ -178,25 +178,38 @@ Quality measure_angles(std::span<const Point> points, std::span<const IndexTripl
   return sum;
 }
 
-BoxMethod measure_boxes(std::span<const Point> points, std::span<const IndexTriple> triangles,
-                        std::span<const IndexPair> sides) {
-  BoxMethod box;
-  std::vector<double> cots;  // by half-edge: of the angle opposite to it
-  cots.reserve(3 * triangles.size());
+namespace {
+
+/// What is known of half-edges, of which several measures need all.
+struct Opposites {
+  std::vector<double> cots;           ///< of the angle opposite
+  std::vector<std::uint32_t> across;  ///< across_edges()
+};
+
+Opposites opposites_of(std::span<const Point> points, std::span<const IndexTriple> triangles,
+                       std::span<const IndexPair> sides) {
+  Opposites of;
+  of.cots.reserve(3 * triangles.size());
   for (const auto& [i, j, k] : triangles) {
     const Point corners[3] = {points[i], points[j], points[k]};
     const double doubled_area = cross(corners[1] - corners[0], corners[2] - corners[0]);
-    for (std::size_t h = 0; h < 3; ++h) {
-      const Point a = corners[h], b = corners[(h + 1) % 3], c = corners[(h + 2) % 3];
-      cots.push_back(cotangent(a, c, b, doubled_area));
-      // |e| d_e / 2 with d_e = |e| |cot| / 2, the distance from the edge's midpoint to the
-      // circumcentre
-      box.box_area += squared_length(b - a) * std::abs(cots.back()) / 4;
-    }
+    for (std::size_t h = 0; h < 3; ++h)
+      of.cots.push_back(
+          cotangent(corners[h], corners[(h + 2) % 3], corners[(h + 1) % 3], doubled_area));
   }
-  const std::vector<std::uint32_t> across = across_edges(points.size(), triangles, sides);
+  of.across = across_edges(points.size(), triangles, sides);
+  return of;
+}
+
+BoxMethod measure_boxes(std::span<const Point> points, std::span<const IndexTriple> triangles,
+                        const Opposites& opposites) {
+  BoxMethod box;
+  const auto& [cots, across] = opposites;
   const auto source = [&](std::uint32_t h) { return points[triangles[h / 3][h % 3]]; };
   for (std::uint32_t h = 0; h < across.size(); ++h) {
+    // |e| d_e / 2 with d_e = |e| |cot| / 2, the distance from the edge's midpoint to the
+    // circumcentre
+    box.box_area += squared_length(source(HalfEdges::next(h)) - source(h)) * std::abs(cots[h]) / 4;
     const std::uint32_t twin = across[h];
     if (twin == HalfEdges::kAbsent) {
       if (cots[h] < -kRightAngle) ++box.obtuse_sides;
@@ -209,11 +222,24 @@ BoxMethod measure_boxes(std::span<const Point> points, std::span<const IndexTrip
   return box;
 }
 
+}  // namespace
+
+BoxMethod measure_boxes(std::span<const Point> points, std::span<const IndexTriple> triangles,
+                        std::span<const IndexPair> sides) {
+  return measure_boxes(points, triangles, opposites_of(points, triangles, sides));
+}
+
+namespace {
+
+/// The edges of a region's mesh with a negative coupling, exactly; counted in `box`. O(n), O(n log n)
+/// where a side has one.
 std::vector<NegativeCoupling> measure_couplings(const RegionBoundary& boundary,
                                                 const RegionMesh& mesh,
-                                                std::span<const Point> points, BoxMethod& box) {
+                                                std::span<const Point> points,
+                                                const Opposites& opposites, BoxMethod& box) {
   std::vector<NegativeCoupling> found;
-  const std::vector<NegativeEdge> negative = negative_edges(points, mesh.triangles, boundary.sides);
+  const std::vector<NegativeEdge> negative =
+      negative_edges(points, mesh.triangles, opposites.across, opposites.cots);
   const bool has_sides = std::any_of(negative.begin(), negative.end(),
                                      [](const NegativeEdge& e) { return e.is_side; });
   std::vector<std::uint32_t> encroached_by(boundary.sides.size(), kNone);
@@ -249,6 +275,8 @@ std::vector<NegativeCoupling> measure_couplings(const RegionBoundary& boundary,
   return found;
 }
 
+}  // namespace
+
 void merge(Quality& sum, const Quality& part) {
   sum.triangles += part.triangles;
   sum.largest_nu = std::min(sum.largest_nu, part.largest_nu);
@@ -282,24 +310,15 @@ void set_limits(const AngleLimit& limit, RegionReport& report) {
 void measure(const RegionBoundary& boundary, RegionMesh& mesh, const Team& team) {
   const std::vector<Point> points = all_points(boundary, mesh);
   RegionReport& report = mesh.report;
-  BoxMethod box, couplings;
-  team.each(3, [&](std::size_t k) {
-    switch (k) {
-      case 0:
-        box = measure_boxes(points, mesh.triangles, boundary.sides);
-        break;
-      case 1:
-        report.couplings = measure_couplings(boundary, mesh, points, couplings);
-        break;
-      default:
-        report.quality = measure_angles(points, mesh.triangles, team);
+  team.each(2, [&](std::size_t k) {
+    if (k == 1) {
+      report.quality = measure_angles(points, mesh.triangles, team);
+      return;
     }
+    const Opposites opposites = opposites_of(points, mesh.triangles, boundary.sides);
+    report.box = measure_boxes(points, mesh.triangles, opposites);
+    report.couplings = measure_couplings(boundary, mesh, points, opposites, report.box);
   });
-  report.box = box;
-  report.box.negative_couplings = couplings.negative_couplings;
-  report.box.negative_inside = couplings.negative_inside;
-  report.box.negative_encroached = couplings.negative_encroached;
-  report.box.negative_given_up = couplings.negative_given_up;
   report.input_vertices = boundary.points.size();
   report.steiner_vertices = mesh.steiner.size();
   report.bound_held =

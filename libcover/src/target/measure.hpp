@@ -31,14 +31,6 @@ Quality measure_angles(std::span<const Point> points, std::span<const IndexTripl
 BoxMethod measure_boxes(std::span<const Point> points, std::span<const IndexTriple> triangles,
                         std::span<const IndexPair> sides);
 
-/// The edges of a region's mesh with a negative coupling; counted in `box`.
-///
-/// EXACT: yes
-/// Cost:  O(n), O(n log n) where a side has one
-std::vector<NegativeCoupling> measure_couplings(const RegionBoundary& boundary,
-                                                const RegionMesh& mesh,
-                                                std::span<const Point> points, BoxMethod& box);
-
 /// Adds the statistics of other triangles.
 void merge(Quality& sum, const Quality& part);
 
