@@ -11,7 +11,8 @@ namespace {
 
 std::string counts_text(const std::array<std::size_t, kStandings>& counts) {
   std::string text;
-  for (const Standing s : {Standing::met, Standing::optimal, Standing::near, Standing::open}) {
+  for (const Standing s :
+       {Standing::met, Standing::optimal, Standing::near, Standing::coupled, Standing::open}) {
     const std::size_t n = counts[static_cast<std::size_t>(s)];
     if (n > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", grouped(n), describe(s));
   }

@@ -15,8 +15,9 @@ enum class Standing {
   optimal,  ///< no mesh is better by more than 1e-5 degrees
   near,     ///< no mesh is better by more than a degree
   open,     ///< nobody knows
+  coupled,  ///< with couplings first, no other mesh has as few negative ones
 };
-inline constexpr std::size_t kStandings = 5;
+inline constexpr std::size_t kStandings = 6;
 
 /// Proven limits of a region and what was reached (libcover/docs/limits.md).
 struct RegionLimits {

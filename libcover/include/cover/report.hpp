@@ -137,7 +137,9 @@ struct RegionReport {
   std::size_t forced_above_150 = 0;
   std::vector<LayerReport> layers;  ///< along its lines, as Options::layers ask
   RegionLimits limits;              ///< what no mesh can have better, where a target is missed
-  bool bound_held = false;          ///< promise 3, up to rounding of coordinates
+  /// Couplings leave no room for a vertex: the half discs over the sides cover the region.
+  bool has_no_room = false;
+  bool bound_held = false;  ///< promise 3, up to rounding of coordinates
   std::vector<Note> notes;
   double seconds = 0;  ///< by the clock; threads that helped worked meanwhile
 

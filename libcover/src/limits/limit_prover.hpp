@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <cover/angle.hpp>
@@ -9,6 +10,7 @@
 #include "base/team.hpp"
 #include "cdt/triangulation.hpp"
 #include "limits/angle_range.hpp"
+#include "limits/angles_around.hpp"
 #include "limits/region_view.hpp"
 
 namespace cover {
@@ -46,6 +48,11 @@ class LimitProver {
   /// Cost:     O(triangles)
   explicit LimitProver(const Triangulation& cdt, const Team& team = {});
 
+  /// Tells what a covering mesh of this region has, so that sides are not asked that cannot settle a
+  /// question: those beside which all its angles are in the range. Its own triangle on such a side
+  /// is one that nothing forbids.
+  void compare_with(AnglesAround mesh) { mesh_ = std::move(mesh); }
+
   /// pi - gamma_opt: Lemma 1.
   [[nodiscard]] double nu_opt() const { return nu_opt_; }
 
@@ -74,10 +81,15 @@ class LimitProver {
  private:
   class Question;
 
+  void ask_worst_first();
+  [[nodiscard]] bool is_worth_asking(const RegionSide& side, const AngleRange& range) const;
+
   RegionView view_;
   Team team_;
+  AnglesAround mesh_;  ///< nothing: none is known
   double nu_opt_;
   std::uint32_t last_refuter_ = 0;  ///< the side that settled the last question
+  bool has_refuter_ = false;
   std::vector<std::uint32_t> undecided_;
 };
 

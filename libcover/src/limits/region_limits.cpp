@@ -1,6 +1,9 @@
 // Tested by tests/unit/limits/region_limits_test.cpp.
 #include "limits/region_limits.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace cover {
 namespace {
 
@@ -30,6 +33,8 @@ const char* describe(Standing standing) {
       return "near";
     case Standing::open:
       return "open";
+    case Standing::coupled:
+      return "coupled";
     case Standing::unknown:
       break;
   }
@@ -41,13 +46,26 @@ bool meets(const ReachedAngles& reached, const ReachedAngles& wanted) {
          is_reached(reached.smallest, wanted.smallest);
 }
 
+RegionLimits limits_by_couplings(const ReachedAngles& reached, const ReachedAngles& wanted) {
+  RegionLimits limits;
+  const auto standing = [](bool is_met) { return is_met ? Standing::met : Standing::coupled; };
+  limits.largest_nu = reached.largest_nu;
+  limits.smallest = reached.smallest;
+  limits.under = std::min(reached.largest_nu, wanted.largest_nu);
+  limits.of_largest = standing(is_reached(reached.largest_nu, wanted.largest_nu));
+  limits.of_smallest = standing(is_reached(reached.smallest, wanted.smallest));
+  return limits;
+}
+
 RegionLimits region_limits(const Triangulation& cdt, const ReachedAngles& reached,
-                           const ReachedAngles& wanted, const Team& team,
-                           const ProofEffort& effort) {
+                           const ReachedAngles& wanted, const Team& team, const ProofEffort& effort,
+                           AnglesAround around) {
   RegionLimits limits;
   limits.of_largest = limits.of_smallest = Standing::met;
   if (meets(reached, wanted)) return limits;
-  const ProvenLimits proven = LimitProver(cdt, team).prove(reached, wanted, effort);
+  LimitProver prover(cdt, team);
+  prover.compare_with(std::move(around));
+  const ProvenLimits proven = prover.prove(reached, wanted, effort);
   limits.largest_nu = proven.largest_nu;
   limits.smallest = proven.smallest;
   limits.under = proven.under;

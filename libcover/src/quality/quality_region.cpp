@@ -46,7 +46,8 @@ class RegionWork {
     const bool goes_on =
         options_.effort == Effort::thorough ||
         (options_.effort == Effort::normal && preference(options_) == Prefer::largest);
-    if (goes_on && !candidates_.has_sizes() && !candidates_.is_tiny()) {
+    if (goes_on && !candidates_.has_sizes() && !candidates_.is_tiny() &&
+        !candidates_.has_no_room()) {
       aim_elsewhere(best);
       search_what_is_left(best);
     }
@@ -54,15 +55,19 @@ class RegionWork {
     RegionMesh out = reported(best);
     const Goal& goal = candidates_.goal();
     if (!best.mesh.goal().has_same_angles(goal)) best.mesh.set_goal(goal);
-    out.report.notes =
-        missed_targets(best.mesh, boundary_, candidates_.limit(), options_,
-                       candidates_.is_budget_used_up(), candidates_.frame().origin());
+    out.report.notes = missed_targets(best.mesh, boundary_, candidates_.limit(), options_,
+                                      unreached(), candidates_.frame().origin());
     return out;
   }
 
   [[nodiscard]] bool is_shifted() const { return candidates_.frame().is_shifted(); }
 
  private:
+  [[nodiscard]] Unreached unreached() const {
+    if (candidates_.has_no_room()) return Unreached::couplings;
+    return candidates_.is_budget_used_up() ? Unreached::budget : Unreached::unknown;
+  }
+
   Candidate best_candidate() {
     return run_plan(plan_for(options_, candidates_.has_sizes()), candidates_);
   }
@@ -105,6 +110,7 @@ class RegionWork {
     RegionReport& report = out.report;
     report.id = boundary_.id;
     report.method = candidate.method;
+    report.has_no_room = candidates_.has_no_room();
     report.nu_opt = Angle::radians(candidates_.limit().nu);
     report.nu_bound = Angle::radians(candidates_.limit().promised_nu());
     report.forced_above_120 = candidates_.limit().above_120;

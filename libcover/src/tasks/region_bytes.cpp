@@ -47,10 +47,11 @@ auto members(T& report) {
 template <Either<RegionReport> T>
 auto members(T& report) {
   auto& [id, method, nu_opt, nu_bound, quality, box, couplings, input_vertices, steiner_vertices,
-         forced_above_120, forced_above_150, layers, limits, bound_held, notes, seconds] = report;
+         forced_above_120, forced_above_150, layers, limits, has_no_room, bound_held, notes,
+         seconds] = report;
   return std::tie(id, method, nu_opt, nu_bound, quality, box, couplings, input_vertices,
-                  steiner_vertices, forced_above_120, forced_above_150, layers, limits, bound_held,
-                  notes, seconds);
+                  steiner_vertices, forced_above_120, forced_above_150, layers, limits, has_no_room,
+                  bound_held, notes, seconds);
 }
 
 template <Either<RegionMesh> T>

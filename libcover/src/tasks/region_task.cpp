@@ -202,19 +202,24 @@ Note note_of_fallback(const RegionBoundary& boundary, const Attempt& attempt, st
 /// What no mesh of the region can have better. Hull sides may be split, so that nothing is known of
 /// meshes there. The almond method aims at the bound and at no target: limits beside one would take
 /// twice its time (`cover check` tells them of any mesh). With little effort little is asked.
-RegionLimits limits_of(const RegionBoundary& boundary, const Quality& quality,
+RegionLimits limits_of(const RegionBoundary& boundary, const RegionMesh& mesh,
                        const Options& options, const Team& team, std::optional<CdtResult> known) {
   const auto& segments = boundary.segments;
+  const Quality& quality = mesh.report.quality;
   if (quality.triangles == 0 || options.method != Method::quality ||
       std::find(segments.begin(), segments.end(), kHullSide) != segments.end())
     return {};
   const ReachedAngles reached{quality.largest_nu, quality.smallest};
   const ReachedAngles wanted{options.max_angle.supplement(), options.min_angle};
   if (meets(reached, wanted)) return region_limits({}, reached, wanted);
+  if (mesh.report.has_no_room && mesh.layer_triangles == 0)
+    return limits_by_couplings(reached, wanted);
   const CdtResult cdt =
       known ? *std::move(known) : triangulate_domain(boundary.points, boundary.sides);
   const ProofEffort effort = options.effort == Effort::fast ? ProofEffort::brief() : ProofEffort();
-  return region_limits(cdt.triangulation, reached, wanted, team, effort);
+  return region_limits(
+      cdt.triangulation, reached, wanted, team, effort,
+      AnglesAround::of(all_points(boundary, mesh), mesh.triangles, boundary.points.size()));
 }
 
 /// The method asked for; where that misses the bound, the other one if it is better. It is rounding
@@ -295,7 +300,7 @@ RegionMesh mesh_one_region(const RegionBoundary& boundary, const Options& option
   std::optional<CdtResult> cdt;
   RegionMesh mesh = mesh_with_its_layers(boundary, options, stop, team, cdt);
   if (!stop.stop_requested())
-    mesh.report.limits = limits_of(boundary, mesh.report.quality, options, team, std::move(cdt));
+    mesh.report.limits = limits_of(boundary, mesh, options, team, std::move(cdt));
   mesh.report.seconds = clock.seconds();
   return mesh;
 }

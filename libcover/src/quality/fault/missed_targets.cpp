@@ -65,11 +65,25 @@ void note_forced(const RegionBoundary& boundary, const AngleLimit& limit, Angle 
       std::move(where)));
 }
 
+std::string reason_of(Unreached why) {
+  switch (why) {
+    case Unreached::unknown:
+      break;
+    case Unreached::budget:
+      return ", not known to be forced (the budget of the region was used up)";
+    case Unreached::couplings:
+      return ", which couplings force: a vertex inside, wherever it is, makes that of a side "
+             "negative "
+             "(--couplings last puts angles first)";
+  }
+  return ", not known to be forced";
+}
+
 }  // namespace
 
 std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& boundary,
                                  const AngleLimit& limit, const Options& options,
-                                 bool budget_used_up, Point origin, std::size_t thin) {
+                                 Unreached unreached, Point origin, std::size_t thin) {
   std::vector<Note> notes;
   note_forced(boundary, limit, options.max_angle, notes);
   std::size_t large = 0, small = 0, forced_small = 0;
@@ -104,21 +118,18 @@ std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& 
       }
     }
   }
-  const std::string why = budget_used_up ? " (the budget of the region was used up)" : "";
+  const std::string why = reason_of(unreached);
   const std::string region = fmt::format("region {}: ", boundary.id.value());
   if (large > 0) {
-    notes.push_back(missed(
-        boundary.id,
-        region + remaining(large, "above", options.max_angle) + ", not known to be forced" + why,
-        std::move(where_large)));
+    notes.push_back(missed(boundary.id, region + remaining(large, "above", options.max_angle) + why,
+                           std::move(where_large)));
   }
   if (small > 0) {
     const std::string also = forced_small > 0
                                  ? fmt::format(", beside {} that sides force", forced_small)
                                  : std::string();
     notes.push_back(missed(boundary.id,
-                           region + remaining(small, "below", options.min_angle) +
-                               ", not known to be forced" + also + why,
+                           region + remaining(small, "below", options.min_angle) + why + also,
                            std::move(where_small)));
   } else if (forced_small > 0) {
     notes.push_back(
@@ -141,7 +152,8 @@ void report_again(const RegionBoundary& boundary, const Options& options, bool b
   set_limits(limit, mesh.report);
   std::vector<Note>& notes = mesh.report.notes;
   std::erase_if(notes, [](const Note& note) { return note.kind == Note::Kind::target_missed; });
-  const auto missed = missed_targets(mutable_mesh, boundary, limit, options, budget_used_up, {},
+  const auto missed = missed_targets(mutable_mesh, boundary, limit, options,
+                                     budget_used_up ? Unreached::budget : Unreached::unknown, {},
                                      mesh.layer_triangles);
   notes.insert(notes.end(), missed.begin(), missed.end());
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "almond/almond_region.hpp"
+#include "box/half_discs.hpp"
 #include "cdt/cdt.hpp"
 #include "cdt/region_cdt.hpp"
 #include "cdt/sides.hpp"
@@ -253,16 +254,34 @@ bool Candidates::is_done(const Candidate& candidate) const {
 bool Candidates::is_near_its_limits(const Candidate& candidate) {
   const Merit& merit = candidate.merit;
   if (merit.large != last_asked_.large || merit.small != last_asked_.small)
-    last_asked_ = {merit.large, merit.small, is_near_its_limits(merit)};
+    last_asked_ = {merit.large, merit.small, is_near_its_limits(merit, candidate.mesh)};
   return last_asked_.is_near;
 }
 
-bool Candidates::is_near_its_limits(const Merit& merit) const {
+bool Candidates::is_near_its_limits(const Merit& merit, const MutableMesh& mesh) const {
   const auto& segments = boundary_.segments;
   if (std::find(segments.begin(), segments.end(), kHullSide) != segments.end()) return false;
-  return LimitProver(cdt_).is_near(
+  std::vector<IndexTriple> triangles;
+  for (const MeshTriangle& t : mesh.triangles) {
+    if (t.v[0] != kNone) triangles.push_back(t.v);
+  }
+  LimitProver prover(cdt_);
+  prover.compare_with(AnglesAround::of(mesh.points, triangles, boundary_.points.size()));
+  return prover.is_near(
       {Angle::radians(std::atan2(1.0, merit.large)), Angle::radians(std::atan2(1.0, merit.small))},
       {options_.max_angle.supplement(), options_.min_angle});
+}
+
+void Candidates::look_for_room(const Candidate& cdt) {
+  has_no_room_ = false;
+  if (!goal_.coupling.inside || cdt.merit.negative > 0 || !order_.is_within_bound(cdt.merit))
+    return;
+  const auto& segments = boundary_.segments;  // those of the hull may be cut
+  if (std::find(segments.begin(), segments.end(), kHullSide) != segments.end()) return;
+  std::vector<bool> is_free(side_limits_.size());
+  for (std::size_t s = 0; s < is_free.size(); ++s)
+    is_free[s] = side_limits_[s].least_cot > -kInverted;
+  has_no_room_ = half_discs_cover(cdt_.points, boundary_.sides, is_free);
 }
 
 void Candidates::take_if_better(Candidate& best, Candidate other) const {

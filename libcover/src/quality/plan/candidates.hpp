@@ -117,6 +117,11 @@ class Candidates {
   /// No mesh of the region is better than `candidate` by more than a degree, in what it misses: this
   /// is proven, and a search would be in vain.
   [[nodiscard]] bool is_near_its_limits(const Candidate& candidate);
+  /// Finds out whether `cdt` is the only mesh without a negative coupling that counts, and within
+  /// the bound: then nothing else is to be tried.
+  void look_for_room(const Candidate& cdt);
+  /// The last answer: there is none for a vertex. False before the question.
+  [[nodiscard]] bool has_no_room() const { return has_no_room_; }
   /// A largest angle, as -cot, above which a candidate is taken only instead of another such one.
   void lower_ceiling(double large) { ceiling_ = std::min(ceiling_, large); }
   void take_if_better(Candidate& best, Candidate other) const;
@@ -132,7 +137,7 @@ class Candidates {
  private:
   [[nodiscard]] SizeFunction background_in_frame() const;
   [[nodiscard]] Candidate candidate(const Triangulation& triangles, std::string method) const;
-  [[nodiscard]] bool is_near_its_limits(const Merit& merit) const;
+  [[nodiscard]] bool is_near_its_limits(const Merit& merit, const MutableMesh& mesh) const;
   /// With its merit by the present goal.
   [[nodiscard]] Candidate measured(Candidate c) const;
 
@@ -148,6 +153,7 @@ class Candidates {
   std::uint64_t given_;  ///< the whole budget
   Budget budget_;
   double ceiling_ = kInverted;
+  bool has_no_room_ = false;
   Order order_;
   /// The last answer of is_near_its_limits(): several steps ask the same.
   struct {

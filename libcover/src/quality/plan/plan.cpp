@@ -47,6 +47,7 @@ void take(Progress& p, Candidate other) { p.make.take_if_better(p.best, std::mov
 void as_it_is(Progress& p) {
   p.cdt = p.best = p.make.as_it_is();
   p.make.compare_with(p.cdt);
+  if (!p.make.has_sizes() && !p.cdt.merit.complete) p.make.look_for_room(p.cdt);
 }
 void one_star(Progress& p) {
   p.star = p.make.one_star(p.cdt);
@@ -121,7 +122,7 @@ void bound_kept_sized(Progress& p) {
 }
 
 constexpr std::array kFast{
-    Step{"cdt", always, as_it_is, StopWhen::complete},
+    Step{"cdt", always, as_it_is, StopWhen::alone},
     Step{"one star", has_room_around_a_hub, best_star, StopWhen::complete},
     Step{"refined, improved", always, refined, StopWhen::complete},
     Step{"the same within the bound", refined_is_beyond_bound, within_bound},
@@ -129,7 +130,7 @@ constexpr std::array kFast{
 };
 
 constexpr std::array kBalanced{
-    Step{"cdt", always, as_it_is, StopWhen::complete},
+    Step{"cdt", always, as_it_is, StopWhen::alone},
     Step{"one star", has_room_around_a_hub, best_star, StopWhen::complete},
     Step{"refined, improved, few searched", always, refined_and_searched, StopWhen::complete},
     Step{"the same within the bound", refined_is_beyond_bound, within_bound},
@@ -144,7 +145,7 @@ constexpr std::array kBalanced{
 
 /// All there is, by the balanced measure.
 constexpr std::array kThorough{
-    Step{"cdt", always, as_it_is, StopWhen::complete},
+    Step{"cdt", always, as_it_is, StopWhen::alone},
     Step{"one star", always, best_star, StopWhen::complete},
     Step{"refined, improved, searched", always, refined_and_searched_all, StopWhen::complete},
     Step{"the same within the bound", refined_is_beyond_bound, within_bound},
@@ -159,7 +160,7 @@ constexpr std::array kThorough{
 
 // Each only if those before left something to be wished of the largest angle.
 constexpr std::array kLargest{
-    Step{"cdt", always, as_it_is, StopWhen::complete},
+    Step{"cdt", always, as_it_is, StopWhen::alone},
     Step{"one star", has_room_around_a_hub, one_star, StopWhen::complete},
     Step{"refined, improved, searched", always, refined_and_searched_all},
     Step{"random restarts", is_tiny_and_missed, restarted, StopWhen::done},
@@ -184,6 +185,8 @@ bool is_enough(const Step& step, const Progress& p) {
       return false;
     case StopWhen::complete:
       return p.best.merit.complete;
+    case StopWhen::alone:
+      return p.best.merit.complete || p.make.has_no_room();
     case StopWhen::done:
       return p.make.is_done(p.best);
   }

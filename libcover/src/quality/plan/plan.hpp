@@ -24,6 +24,7 @@ struct Step {
   enum class StopWhen {
     never,
     complete,  ///< both targets are met by every triangle
+    alone,     ///< they are, or couplings leave no other mesh
     done,      ///< the largest angle is that of the goal, or what the region's worst side forces
   };
   std::string_view start;  ///< what is improved, and how
