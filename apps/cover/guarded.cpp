@@ -24,8 +24,6 @@ namespace {
 void give_back_large_arrays() {
 #ifdef __GLIBC__
   mallopt(M_MMAP_THRESHOLD, 512 * 1024);
-  // What small ones leave at the end is soon asked for again: a third of the system's time.
-  mallopt(M_TRIM_THRESHOLD, 64 * 1024 * 1024);
 #endif
 }
 

@@ -118,10 +118,12 @@ class Builder {
     }
   }
 
-  /// Copies the marked faces.
+  /// Copies the marked faces; to be called last. There is most memory in use here, so nothing else is
+  /// held that may go.
   Triangulation copy_marked() {
     Triangulation out;
-    out.points.assign(points_.begin(), points_.end());
+    handles_ = {};
+    degree_ = {};
     // A counting sort; next[v] becomes the number of the next face with v as its first point.
     std::vector<std::uint32_t> next(points_.size() + 1, 0);
     for (auto f = cdt_.finite_faces_begin(); f != cdt_.finite_faces_end(); ++f) {
@@ -141,6 +143,8 @@ class Builder {
         triangle.set_locked(i, f->is_constrained(i));
       }
     }
+    cdt_.clear();
+    out.points.assign(points_.begin(), points_.end());
     return out;
   }
 

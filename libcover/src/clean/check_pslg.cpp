@@ -155,16 +155,16 @@ std::optional<Error> find_unusable(const Input& input) {
 }
 
 std::optional<Triangulation> triangulation_if_pslg(const Input& input) {
-  std::vector<IndexPair> pairs, sorted;
+  std::vector<IndexPair> pairs;
   pairs.reserve(input.segments.size());
-  sorted.reserve(input.segments.size());
   for (const InputSegment& s : input.segments) {
     if (s.a == s.b) return std::nullopt;
-    pairs.push_back({s.a, s.b});
-    sorted.push_back({std::min(s.a, s.b), std::max(s.a, s.b)});
+    pairs.push_back({std::min(s.a, s.b), std::max(s.a, s.b)});
   }
-  std::sort(sorted.begin(), sorted.end());
-  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return std::nullopt;
+  std::sort(pairs.begin(), pairs.end());
+  if (std::adjacent_find(pairs.begin(), pairs.end()) != pairs.end()) return std::nullopt;
+  pairs.clear();
+  for (const InputSegment& s : input.segments) pairs.push_back({s.a, s.b});
   CdtResult cdt = triangulate_hull(input.points, pairs);
   if (!cdt.conflicts.empty()) return std::nullopt;
   return std::move(cdt.triangulation);
