@@ -264,6 +264,10 @@ class LayeredRegion {
  private:
   RegionMesh without_layers(const LayerFront& front, const RegionMesher& mesh_rest) const {
     RegionMesh mesh = mesh_rest(boundary_);
+    if (options_.couplings == Couplings::first && !stop_.stop_requested()) {
+      std::optional<MendedMesh> mended = mend_couplings_within_bound(boundary_, mesh, stop_);
+      if (mended) mesh = std::move(mended->mesh);
+    }
     tell(front, front.sides(), mesh.report);
     return mesh;
   }
