@@ -22,12 +22,6 @@ inline constexpr std::uint64_t kImprovePerTriangle = 100;   ///< star evaluation
 /// one by one: on clean input that ends at the goal, on maps nearly all that is left is forced.
 inline constexpr double kFewMissed = 0.02;
 
-/// Small meshes with a larger fault (144 degrees beside a target of 100, 9 beside 20) get couplings
-/// before all else at once, without a first step that weighs them like angles: on Voronoi cells
-/// that takes 8 % less of a run, and leaves 698 for 724 angles above 120 degrees. With that for all
-/// meshes county maps take 18 % less, and the 90th percentile of faults is 0.62 for 0.59.
-inline constexpr double kWeighedBoth = 0.55;
-
 /// Star evaluations for each triangle that misses the goal only since couplings count.
 inline constexpr std::uint64_t kSearchForCouplings = 8000;
 

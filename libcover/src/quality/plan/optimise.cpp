@@ -106,9 +106,6 @@ Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search
     known = mesh.excess;
     return merit_of(mesh, aim, sharing.team);
   };
-  if (!was_met && mesh.triangle_count() <= effort::kSmallMesh &&
-      merit_of(mesh, mesh.goal()).fault.worst() > effort::kWeighedBoth)
-    return flip_and_improve(goal);
   // Flips may pass through what is not Delaunay as long as couplings weigh no more than angles.
   const Goal soft = with_edges(goal);
   Merit merit = flip_and_improve(soft);
