@@ -1,9 +1,20 @@
 // See relocate.hpp. Tested by tests/unit/quality/repair/improve_test.cpp.
 #include "quality/moves/relocate.hpp"
 
+#include <algorithm>
+
 #include "quality/optimum/placement.hpp"
 
 namespace cover {
+namespace {
+
+double worst_inside(const MutableMesh& mesh, const Cavity& cavity) {
+  double worst = -kInverted;
+  for (int k = 0; k < cavity.size(); ++k) worst = std::max(worst, mesh.excess[cavity.triangle(k)]);
+  return worst;
+}
+
+}  // namespace
 
 bool try_relocate(Piece& piece, std::uint32_t t) {
   MutableMesh& mesh = piece.mesh;
@@ -12,8 +23,15 @@ bool try_relocate(Piece& piece, std::uint32_t t) {
   for (const std::uint32_t v : corners) {
     if (mesh.is_fixed(v) || !cavity.start_star(v)) continue;
     const double limit = improvement_of(cavity.worst());
-    const Placement placement = place(Hole(mesh, cavity), mesh.points[v], limit, piece.evaluations);
+    const Point before = mesh.points[v];
+    const Placement placement = place(Hole(mesh, cavity), before, limit, piece.evaluations);
     if (placement.worst < limit && relocate(mesh, cavity, placement.at)) {
+      // A hole and the mesh round in different ways: an excess that is no more than that would be
+      // mended again and again, until the budget is used up, by leaving the vertex where it is.
+      if (!(worst_inside(mesh, cavity) < cavity.worst())) {
+        relocate(mesh, cavity, before);
+        continue;
+      }
       for (int k = 0; k < cavity.size(); ++k) {
         piece.again.push_back(cavity.triangle(k));
         if (!is_side(cavity.outer(k))) piece.again.push_back(cavity.outer(k));

@@ -2,6 +2,7 @@
 
 #include "../mesh_checks.hpp"
 #include "quality/fault/merit.hpp"
+#include "quality/mutable/cavity.hpp"
 #include "quality/repair/thin_out.hpp"
 #include "quality/starts/delaunay_refinement.hpp"
 
@@ -82,6 +83,40 @@ TEST(Improve, IsMonotone) {
       before = worst_excess(mesh);
     }
   }
+}
+
+TEST(Improve, EndsWhereAnExcessIsNoMoreThanRounding) {
+  const std::uint64_t seed = test_seed(6);
+  SCOPED_TRACE(seed_trace(seed));
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> within(-0.2, 0.2);
+  int rounded_up = 0;
+  for (int k = 0; k < 500; ++k) {
+    Loop loop;
+    for (int i = 0; i < 6; ++i) {
+      const double turn = 3.14159265358979 / 3 * i;
+      loop.push_back({std::cos(turn) + within(random), std::sin(turn) + within(random)});
+    }
+    MutableMesh mesh = cdt_mesh(boundary_of({loop}));
+    Cavity cavity(mesh);
+    cavity.start(0);
+    for (int i = 0; i < cavity.size();) i = cavity.grow(i) ? 0 : i + 1;
+    Installed installed;
+    if (!install_star(mesh, cavity, {within(random), within(random)}, installed)) continue;
+    // The goal is the largest angle there is, so that its excess is zero but for rounding.
+    Goal goal;
+    goal.large = -1;
+    for (int i = 0; i < installed.count; ++i) {
+      const std::uint32_t t = installed.triangles[static_cast<std::size_t>(i)];
+      const Corners at(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
+      for (const double dot : at.dot) goal.large = std::max(goal.large, -dot / at.cross);
+    }
+    mesh.set_goal(goal);
+    ASSERT_LT(worst_excess(mesh), 1e-15);
+    rounded_up += worst_excess(mesh) > 0 ? 1 : 0;
+    EXPECT_FALSE(improve(mesh, 100'000).budget_used_up) << k;
+  }
+  EXPECT_GT(rounded_up, 20);
 }
 
 TEST(ThinOut, TakesVerticesAwayAndKeepsTheGoal) {
