@@ -2,7 +2,8 @@
 // fault; these are made a little flatter (any nu between min(B, 60 degrees) and nu(A) keeps Theorem
 // 1), then as flat as that allows, then replaced by the side's own triangle, then left out; and all
 // is laid out anew. A region with no almonds left is its own remainder, which cannot fail, so this
-// ends.
+// ends. (That remainder is not laid out: on a side of the hull that may be split, rounding would see
+// vertices that are only next to it.)
 // Tested by tests/unit/almond/almond_region_test.cpp.
 #include "almond/almond_method.hpp"
 
@@ -16,6 +17,7 @@
 #include "almond/almond_triangles.hpp"
 #include "almond/arc_layer.hpp"
 #include "almond/arc_walk.hpp"
+#include "base/internal_fault.hpp"
 #include "geom/predicates.hpp"
 
 namespace cover {
@@ -61,10 +63,14 @@ class AlmondMethod {
       if (faults.empty()) break;
       if (wake(faults)) {
         --trial;
+        all_left_out_ = false;
+      } else if (all_left_out_) {
+        throw InternalFault("almonds: a region without almonds fails", {input_.cdt.points.front()});
       } else if (trial < kTrials) {
         repair(faults, /*unite_first=*/trial == 0 && rule_.paper);
       } else {
         for (Almond& almond : almonds_) leave_out(almond);
+        all_left_out_ = true;
       }
     }
     drop_unused();
@@ -75,11 +81,14 @@ class AlmondMethod {
  private:
   /// One trial; returns the almonds at fault or to be woken, none if mesh_ is complete.
   std::vector<std::uint32_t> try_once(double unite) {
-    ChordLayer layer = cut_chords(lay_arcs(input_.cdt, almonds_, unite), almonds_, rule_);
+    ChordLayer layer = all_left_out_
+                           ? chords_of_sides()
+                           : cut_chords(lay_arcs(input_.cdt, almonds_, unite), almonds_, rule_);
     if (!layer.faults.empty()) return layer.faults;
-    const bool no_almonds = std::none_of(almonds_.begin(), almonds_.end(),
-                                         [](const Almond& a) { return a.has_arc(); }) &&
-                            layer.chords.size() == almonds_.size();
+    const bool no_almonds =
+        all_left_out_ || (std::none_of(almonds_.begin(), almonds_.end(),
+                                       [](const Almond& a) { return a.has_arc(); }) &&
+                          layer.chords.size() == almonds_.size());
     Remainder remainder = no_almonds ? whole_region(input_.cdt, layer, almonds_)
                                      : find_remainder(layer, almonds_, isolated_off_arcs(layer));
     if (!remainder.faults.empty()) return remainder.faults;
@@ -104,6 +113,21 @@ class AlmondMethod {
         triangulate_almonds(almonds_, layer, splits, rule_, mesh_.points, mesh_.triangles);
     if (!faults.empty()) return faults;
     return almonds_over_lost_points();
+  }
+
+  /// The chords of a region without almonds: its sides, those of the hull to be split as needed.
+  [[nodiscard]] ChordLayer chords_of_sides() const {
+    ChordLayer layer;
+    layer.points = input_.cdt.points;
+    for (std::uint32_t k = 0; k < almonds_.size(); ++k) {
+      const Almond& a = almonds_[k];
+      const ChordKind kind =
+          a.kind == AlmondKind::hull_side ? ChordKind::exterior : ChordKind::fixed;
+      layer.first.push_back(k);
+      layer.chords.push_back({a.u, a.v, k, kind, 0, 1});
+    }
+    layer.first.push_back(static_cast<std::uint32_t>(almonds_.size()));
+    return layer;
   }
 
   void find_isolated() {
@@ -322,6 +346,7 @@ class AlmondMethod {
   std::vector<AlmondKind> awake_kind_;                ///< by almond
   std::vector<bool> asleep_;                          ///< by almond: not needed so far
   int rounds_ = 0;                                    ///< of waking
+  bool all_left_out_ = false;                         ///< after kTrials trials
   std::vector<Cut> cuts_;                             ///< (almond, side through it), in order
   std::vector<int> repairs_;                          ///< by almond
   std::unordered_set<std::uint32_t> hull_triangles_;  ///< with a side of the hull

@@ -30,6 +30,12 @@ namespace cover {
 namespace {
 
 constexpr int kCutPasses = 256;
+/// Ordinary inputs take fewer than ten passes and three times their points. Where a layer is thinner
+/// than the root of (length of a side times the spacing of doubles), rounded feet encroach again,
+/// and each cut takes more of them: there the passes end, and what is left is named.
+constexpr int kFreePasses = 16;
+constexpr std::size_t kLeastPoints = 1024;
+constexpr std::size_t kPointsPerPoint = 16;
 constexpr std::size_t kFeet = 8;  ///< obstacles whose feet are tried for a cut, the nearest
 constexpr double kPlaceMargin =
     0x1p-44;  ///< of a segment: how far cuts keep from where they may be
@@ -150,6 +156,7 @@ class Cutter {
         first_cut_(first_cut),
         done_(cuts),
         stuck_(stuck),
+        most_points_(most_points_for_boxes(pslg, cuts)),
         dirty_(table.regions.size(), 1) {}
 
   void run() {
@@ -162,6 +169,7 @@ class Cutter {
       const std::vector<SegmentCut> cuts = choose(find_encroached());
       if (cuts.empty()) return;
       apply(cuts);
+      if (pass >= kFreePasses && pslg_.points.size() > most_points_) break;
     }
     leave_the_rest();
   }
@@ -390,6 +398,7 @@ class Cutter {
   VertexId first_cut_;
   std::vector<BoxCut>& done_;
   std::vector<Point>& stuck_;
+  std::size_t most_points_;  ///< with more of them it is a cascade
   std::vector<RegionBoundary> boundaries_;
   std::vector<std::optional<RegionView>> views_;  ///< by region, of the present pass
   std::vector<std::vector<SegmentSide>> sides_;   ///< by segment
@@ -397,6 +406,11 @@ class Cutter {
 };
 
 }  // namespace
+
+std::size_t most_points_for_boxes(const Pslg& pslg, std::span<const BoxCut> cuts) {
+  const std::size_t points = pslg.points.size();
+  return kLeastPoints + kPointsPerPoint * (points - std::min(points, cuts.size()));
+}
 
 void cut_encroached(Pslg& pslg, RegionTable& table, VertexId first_cut, std::vector<BoxCut>& cuts,
                     std::vector<Point>& stuck) {

@@ -16,11 +16,17 @@ namespace cover {
 /// sides of a segment get the same points. Hull sides are passed over.
 ///
 /// `cuts` gets what was cut, with the reasons; `stuck` the middles of pieces that doubles leave no
-/// room to cut. Vertices from `first_cut` on are cuts.
+/// room to cut, or in which cuts go on for ever because feet are rounded (more than 16 passes, and
+/// most_points_for_boxes() exceeded). Vertices from `first_cut` on are cuts.
 /// ENSURES: `pslg` and `table` fit each other
 /// Cost:    O(n log n) per pass
 /// Ref:     docs/box_method.md
 void cut_encroached(Pslg& pslg, RegionTable& table, VertexId first_cut, std::vector<BoxCut>& cuts,
                     std::vector<Point>& stuck);
+
+/// With more points than this, of which `cuts` were added, cutting for the box method is a cascade in
+/// a layer too thin for doubles.
+/// Cost: O(1)
+std::size_t most_points_for_boxes(const Pslg& pslg, std::span<const BoxCut> cuts);
 
 }  // namespace cover

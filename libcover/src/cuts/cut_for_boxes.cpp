@@ -83,7 +83,8 @@ class CouplingRounds {
 
   Status run() {
     for (std::size_t r = 0; r < meshes_.size(); ++r) flip(r);
-    for (int round = 0; round < kCouplingRounds; ++round) {
+    const std::size_t most = most_points_for_boxes(prepared_.pslg, prepared_.report.box_cuts);
+    for (int round = 0; round < kCouplingRounds && prepared_.pslg.points.size() <= most; ++round) {
       const std::vector<SegmentCut> cuts = choose();
       if (cuts.empty()) break;
       const Pslg pslg = prepared_.pslg;

@@ -237,6 +237,10 @@ class Splitter {
       };
       note(conflict.first, first_is_point);
       note(conflict.second, second_is_point);
+      if (broken_.empty()) {  // where cuts moved a segment, what it meets may be as it was
+        for (std::size_t v = before_->pslg.points.size(); v < pslg_.points.size(); ++v)
+          broken_.emplace_back(v);
+      }
       if (broken_.empty()) throw InternalFault("segments meet in the void", {});
     }
   }

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <vector>
 
 #include <cover/cover_mesh.hpp>
 
@@ -85,6 +88,28 @@ TEST(CutEncroached, NeverTakesFewerThanTheBoundAndLeavesNoneEncroached) {
     }
   }
   EXPECT_LE(cuts, 2 * least);
+}
+
+// Needles so thin that rounded feet encroach again: 256 passes took 20,000 points and more, and as
+// many again in each round of cutting and meshing, without an end that anyone waited for.
+TEST(CutEncroached, ACascadeBetweenNeedlesEndsAndIsNamed) {
+  const std::vector<Point> corners{
+      {0.6206444050346125, 0.3124831285034476},   {255.89068863638664, 207.09754736079407},
+      {255.8906880829451, 207.0975480440013},     {0.29099535498698537, 0.2971621863079629},
+      {0.23630270795276095, 0.3144627559787375},  {0.2362855696120884, 0.31440848257053167},
+      {0.36709607403200983, 0.34733225009075475}, {0.3549823351835022, 0.36152741880764894},
+      {0.3549823351834598, 0.36152741880761274},  {0.22819234966005997, 0.9283459754248222},
+      {-157.8768186293671, 654.8365369458908},    {-157.8768186294076, 654.836536945881},
+      {0.10177716734559716, 0.41847784829948687}, {53.298274404937494, 57.592503199518596},
+      {53.29787825537446, 57.59287178687291},     {0.21650556428055856, 0.9586740490697115},
+      {0.2170865516739086, 1.0382863304825851},   {0.2170865515744971, 1.0382863304833105}};
+  std::vector<std::array<std::uint32_t, 2>> sides;
+  for (std::uint32_t k = 0; k < corners.size(); ++k)
+    sides.push_back({k, k % 3 == 2 ? k - 2 : k + 1});
+  const Cut done = cut(testing::segments_between(corners, sides));
+  EXPECT_GT(done.cuts.size(), 100U) << "no cascade: take other needles";
+  EXPECT_LE(done.pslg.points.size(), 2 * most_points_for_boxes(done.pslg, done.cuts));
+  EXPECT_FALSE(done.stuck.empty()) << "what is left has to be named";
 }
 
 }  // namespace
