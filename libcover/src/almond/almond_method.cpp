@@ -109,7 +109,7 @@ class AlmondMethod {
       if (!sleeping.empty()) return sleeping;
       add_fill(fill.finish(), std::move(vertex), arc_chord, splits);
     }
-    const std::vector<std::uint32_t> faults =
+    std::vector<std::uint32_t> faults =
         triangulate_almonds(almonds_, layer, splits, rule_, mesh_.points, mesh_.triangles);
     if (!faults.empty()) return faults;
     return almonds_over_lost_points();
