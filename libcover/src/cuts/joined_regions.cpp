@@ -141,7 +141,7 @@ std::vector<std::uint32_t> JoinedRegions::put_back(Excerpt& excerpt, const Mutab
     cut_points_.push_back({segment_[s], frame_.restore(part.points[excerpt.spare])});
     ++cuts_;
   }
-  const std::vector<std::uint32_t> changed = excerpt.replace(mesh_, part);
+  std::vector<std::uint32_t> changed = excerpt.replace(mesh_, part);
   for (const std::uint32_t t : changed) {
     for (const std::uint32_t n : mesh_.triangles[t].n) {
       if (is_side(n) && partner_[side_index(n)] != kNone) beyond_[partner_[side_index(n)]] = t;

@@ -63,7 +63,7 @@ std::vector<std::uint32_t> sorted_order(std::size_t n, Less less) {
 /// Points, lines and triangles in the order of their coordinates, which does not depend on that of
 /// the input. Returns the old numbers of the points.
 std::vector<std::uint32_t> sort_by_place(ConformingMesh& mesh) {
-  const std::vector<std::uint32_t> order = sorted_order(
+  std::vector<std::uint32_t> order = sorted_order(
       mesh.points.size(),
       [&](std::uint32_t a, std::uint32_t b) { return mesh.points[a] < mesh.points[b]; });
   std::vector<std::uint32_t> number(order.size());

@@ -85,8 +85,8 @@ class InputReader {
   template <class F>
   void for_each_path(F f) {
     const auto elements = [](const Json* array) -> const Json& {
-      static const Json kNone = Json::array();
-      return array && array->is_array() ? *array : kNone;
+      static const Json none = Json::array();
+      return array && array->is_array() ? *array : none;
     };
     f(elements(JsonReader::member(document_, "segments")));
     for (const Json& line : elements(JsonReader::member(document_, "lines")))
