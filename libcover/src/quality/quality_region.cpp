@@ -33,7 +33,7 @@ constexpr std::uint64_t kEvaluationsForFar = 5'000;    ///< per triangle above 1
 /// One region in one frame.
 class RegionWork {
  public:
-  RegionWork(const RegionBoundary& boundary, const Options& options, std::stop_token stop,
+  RegionWork(const RegionBoundary& boundary, const Options& options, const std::stop_token& stop,
              bool shifted, const Sharing& sharing)
       : boundary_(boundary),
         options_(options),
@@ -164,7 +164,7 @@ class RegionWork {
 }  // namespace
 
 RegionMesh quality_region(const RegionBoundary& boundary, const Options& options,
-                          std::stop_token stop, const Sharing& sharing) {
+                          const std::stop_token& stop, const Sharing& sharing) {
   RegionWork shifted(boundary, options, stop, true, sharing);
   RegionMesh mesh = shifted.run();
   if (mesh.triangles.empty() && shifted.is_shifted() && !stop.stop_requested()) {

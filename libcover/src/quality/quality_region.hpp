@@ -19,6 +19,6 @@ namespace cover {
 ///          targets were missed, where and why.
 /// Threads: pure function of its arguments, but for the team, on which nothing depends.
 RegionMesh quality_region(const RegionBoundary& boundary, const Options& options,
-                          std::stop_token stop, const Sharing& sharing = {});
+                          const std::stop_token& stop, const Sharing& sharing = {});
 
 }  // namespace cover

@@ -87,7 +87,7 @@ class XdmfReader {
         const NumberView<Stored> stored(value.bytes.data(), value.bytes.size() / sizeof(Stored));
         std::vector<Number> numbers(stored.size());
         for (std::size_t k = 0; k < numbers.size(); ++k)
-          numbers[k] = static_cast<Number>(stored[k]);
+          numbers[k] = static_cast<Number>(stored[k]);  // NOLINT(bugprone-signed-char-misuse)
         return numbers;
       }
     });

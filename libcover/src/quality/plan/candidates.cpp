@@ -58,8 +58,8 @@ Goal goal_of(const Options& options, const AngleLimit& limit) {
 
 }  // namespace
 
-Candidates::Candidates(const RegionBoundary& boundary, const Options& options, std::stop_token stop,
-                       bool shifted, const Sharing& sharing)
+Candidates::Candidates(const RegionBoundary& boundary, const Options& options,
+                       const std::stop_token& stop, bool shifted, const Sharing& sharing)
     : boundary_(boundary),
       options_(options),
       sharing_(sharing),

@@ -34,7 +34,7 @@ struct Candidate {
 class Candidates {
  public:
   /// REQUIRES: `boundary` and `options` outlive this object
-  Candidates(const RegionBoundary& boundary, const Options& options, std::stop_token stop,
+  Candidates(const RegionBoundary& boundary, const Options& options, const std::stop_token& stop,
              bool shifted, const Sharing& sharing = {});
   Candidates(const Candidates&) = delete;
   Candidates& operator=(const Candidates&) = delete;
