@@ -10,9 +10,9 @@
 #include <cover/text.hpp>
 #include <cover/version.hpp>
 
-#include "commands.hpp"
-#include "exit_code.hpp"
-#include "guarded.hpp"
+#include "commands/commands.hpp"
+#include "commands/exit_code.hpp"
+#include "commands/guarded.hpp"
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include <cover/remesh.hpp>
 #include <cover/verify.hpp>
 
-#include "geom/arc.hpp"
+#include "geom/curves/arc.hpp"
 #include "geom/vector.hpp"
 #include "support/arc_devices.hpp"
 #include "support/mesh_shape.hpp"

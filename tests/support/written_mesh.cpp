@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-#include "base/safe_names.hpp"
+#include "base/words/safe_names.hpp"
 #include "geom/vector.hpp"
 
 namespace cover::testing {

@@ -17,7 +17,7 @@
 #include "almond/almond_triangles.hpp"
 #include "almond/arc_layer.hpp"
 #include "almond/arc_walk.hpp"
-#include "base/internal_fault.hpp"
+#include "base/faults/internal_fault.hpp"
 #include "geom/predicates.hpp"
 
 namespace cover {

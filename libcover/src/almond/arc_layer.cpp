@@ -11,7 +11,7 @@
 
 #include "almond/arc_meeting.hpp"
 #include "almond/arc_walk.hpp"
-#include "base/union_find.hpp"
+#include "base/containers/union_find.hpp"
 #include "cdt/sight.hpp"
 #include "geom/vector.hpp"
 

@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/errors.hpp"
+#include "base/faults/errors.hpp"
 
 namespace cover {
 namespace {

@@ -16,7 +16,7 @@
 #include <algorithm>
 
 #include "geom/predicates.hpp"
-#include "geom/rounds.hpp"
+#include "geom/subdivision/rounds.hpp"
 
 namespace cover {
 namespace {

@@ -9,7 +9,7 @@
 #include <cover/point.hpp>
 
 #include "cdt/cdt.hpp"
-#include "geom/half_edges.hpp"
+#include "geom/topology/half_edges.hpp"
 
 namespace cover {
 

@@ -10,7 +10,7 @@
 
 #include <cover/text.hpp>
 
-#include "base/internal_fault.hpp"
+#include "base/faults/internal_fault.hpp"
 #include "cdt/sides.hpp"
 
 namespace cover {

@@ -12,7 +12,7 @@
 
 #include <cover/text.hpp>
 
-#include "base/complaint.hpp"
+#include "base/faults/complaint.hpp"
 
 namespace cover {
 namespace {

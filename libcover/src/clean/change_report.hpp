@@ -10,8 +10,8 @@
 
 #include "clean/network.hpp"
 #include "clean/node_edges.hpp"
-#include "clean/paint.hpp"
-#include "clean/visible_edges.hpp"
+#include "clean/paint/paint.hpp"
+#include "clean/paint/visible_edges.hpp"
 
 namespace cover {
 

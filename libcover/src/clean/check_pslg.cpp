@@ -13,7 +13,7 @@
 
 #include <cover/text.hpp>
 
-#include "base/complaint.hpp"
+#include "base/faults/complaint.hpp"
 #include "cdt/cdt.hpp"
 #include "clean/list_meetings.hpp"
 

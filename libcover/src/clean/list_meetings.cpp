@@ -11,9 +11,9 @@
 
 #include <cover/text.hpp>
 
-#include "base/complaint.hpp"
-#include "geom/exact_subdivision.hpp"
+#include "base/faults/complaint.hpp"
 #include "geom/predicates.hpp"
+#include "geom/subdivision/exact_subdivision.hpp"
 
 namespace cover {
 namespace {

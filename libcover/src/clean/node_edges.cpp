@@ -22,7 +22,7 @@
 #include <tuple>
 #include <utility>
 
-#include "geom/exact_subdivision.hpp"
+#include "geom/subdivision/exact_subdivision.hpp"
 
 namespace cover {
 namespace {

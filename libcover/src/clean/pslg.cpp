@@ -16,18 +16,18 @@
 #include <cover/option_ranges.hpp>
 #include <cover/text.hpp>
 
-#include "base/complaint.hpp"
-#include "clean/assemble.hpp"
+#include "base/faults/complaint.hpp"
 #include "clean/change_report.hpp"
 #include "clean/check_pslg.hpp"
-#include "clean/loose_ends.hpp"
-#include "clean/merge_materials.hpp"
+#include "clean/ends/loose_ends.hpp"
+#include "clean/ends/weld.hpp"
 #include "clean/network.hpp"
 #include "clean/node_edges.hpp"
-#include "clean/paint.hpp"
+#include "clean/paint/assemble.hpp"
+#include "clean/paint/merge_materials.hpp"
+#include "clean/paint/paint.hpp"
+#include "clean/paint/visible_edges.hpp"
 #include "clean/remember_arcs.hpp"
-#include "clean/visible_edges.hpp"
-#include "clean/weld.hpp"
 #include "faces/place_seeds.hpp"
 
 namespace cover {

@@ -12,8 +12,8 @@
 
 #include <cover/text.hpp>
 
-#include "base/complaint.hpp"
-#include "geom/arc.hpp"
+#include "base/faults/complaint.hpp"
+#include "geom/curves/arc.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {

@@ -9,7 +9,7 @@
 
 #include "cuts/cut_segments.hpp"
 #include "cuts/renumber_points.hpp"
-#include "geom/arc.hpp"
+#include "geom/curves/arc.hpp"
 #include "geom/vector.hpp"
 #include "verify/soup_edges.hpp"
 #include "verify/verify_bound.hpp"

@@ -7,7 +7,7 @@
 
 #include <cover/text.hpp>
 
-#include "geom/arc.hpp"
+#include "geom/curves/arc.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {

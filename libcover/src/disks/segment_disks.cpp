@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-#include "disks/packing/line_tree.hpp"
+#include "disks/packing/search/line_tree.hpp"
 #include "disks/unit_frame.hpp"
 
 namespace cover::disks {

@@ -14,14 +14,14 @@
 
 #include <cover/units.hpp>
 
-#include "base/out_of_memory.hpp"
+#include "base/faults/out_of_memory.hpp"
 #include "dxf/drawing.hpp"
 #include "dxf/dxf_groups.hpp"
 #include "dxf/ends.hpp"
 #include "dxf/place_blocks.hpp"
 #include "dxf/spline.hpp"
 #include "geom/vector.hpp"
-#include "io/input/curves.hpp"
+#include "io/input/drawings/curves.hpp"
 #include "io/text/text.hpp"
 
 namespace cover {

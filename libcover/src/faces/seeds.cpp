@@ -8,7 +8,7 @@
 
 #include <cover/text.hpp>
 
-#include "base/complaint.hpp"
+#include "base/faults/complaint.hpp"
 #include "cdt/locate.hpp"
 #include "geom/spatial_order.hpp"
 

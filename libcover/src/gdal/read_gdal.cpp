@@ -15,7 +15,7 @@
 
 #include <cover/units.hpp>
 
-#include "base/out_of_memory.hpp"
+#include "base/faults/out_of_memory.hpp"
 #include "gdal/gdal_library.hpp"
 #include "gdal/map_projection.hpp"
 #include "gdal/quiet_gdal.hpp"

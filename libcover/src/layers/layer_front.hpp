@@ -11,7 +11,7 @@
 #include <cover/options.hpp>
 #include <cover/point.hpp>
 
-#include "geom/half_edges.hpp"
+#include "geom/topology/half_edges.hpp"
 #include "layers/guards.hpp"
 #include "layers/offsets.hpp"
 #include "layers/thickness.hpp"

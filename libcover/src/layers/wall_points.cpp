@@ -1,4 +1,4 @@
-// Tested by tests/unit/cuts/cut_for_layers_test.cpp.
+// Tested by tests/unit/cuts/before_meshing/cut_for_layers_test.cpp.
 #include "layers/wall_points.hpp"
 
 #include <cmath>

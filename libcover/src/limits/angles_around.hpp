@@ -8,7 +8,7 @@
 
 #include <cover/point.hpp>
 
-#include "geom/half_edges.hpp"
+#include "geom/topology/half_edges.hpp"
 
 namespace cover {
 

@@ -16,7 +16,7 @@
 
 #include <cover/mesh.hpp>
 
-#include "geom/arc.hpp"
+#include "geom/curves/arc.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {

@@ -7,7 +7,7 @@
 
 #include <cover/mesh.hpp>
 
-#include "base/union_find.hpp"
+#include "base/containers/union_find.hpp"
 
 namespace cover {
 namespace {

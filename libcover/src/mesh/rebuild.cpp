@@ -12,7 +12,7 @@
 
 #include <fmt/core.h>
 
-#include "base/out_of_memory.hpp"
+#include "base/faults/out_of_memory.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 #include "mesh/mesh_builder.hpp"

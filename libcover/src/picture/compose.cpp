@@ -16,7 +16,7 @@
 
 #include <fmt/core.h>
 
-#include "base/errors.hpp"
+#include "base/faults/errors.hpp"
 #include "geom/box.hpp"
 #include "geom/vector.hpp"
 #include "picture/labels.hpp"

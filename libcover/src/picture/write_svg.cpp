@@ -8,7 +8,7 @@
 #include <cover/picture.hpp>
 #include <cover/text.hpp>
 
-#include "base/out_of_memory.hpp"
+#include "base/faults/out_of_memory.hpp"
 #include "io/files/atomic_file.hpp"
 #include "picture/compose.hpp"
 

@@ -9,12 +9,12 @@
 
 #include <utility>
 
-#include "base/out_of_memory.hpp"
-#include "cuts/cut_for_boxes.hpp"
+#include "base/faults/out_of_memory.hpp"
+#include "cuts/after_meshing/cut_for_boxes.hpp"
+#include "cuts/after_meshing/cut_until_met.hpp"
+#include "cuts/after_meshing/thin_cuts.hpp"
+#include "cuts/before_meshing/onto_arcs.hpp"
 #include "cuts/cut_segments.hpp"
-#include "cuts/cut_until_met.hpp"
-#include "cuts/onto_arcs.hpp"
-#include "cuts/thin_cuts.hpp"
 #include "layers/layer_rules.hpp"
 #include "mesh/periodic_nodes.hpp"
 #include "mesh/stitch.hpp"

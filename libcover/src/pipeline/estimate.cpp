@@ -1,8 +1,8 @@
 // Tested by tests/unit/pipeline/estimate_test.cpp.
 #include <cover/estimate.hpp>
 
-#include "base/machine_memory.hpp"
-#include "base/out_of_memory.hpp"
+#include "base/faults/machine_memory.hpp"
+#include "base/faults/out_of_memory.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/expected_triangles.hpp"
 #include "sizes/sizes.hpp"

@@ -8,10 +8,10 @@
 #include <cover/version.hpp>
 
 #include "clean/pslg.hpp"
-#include "cuts/cut_for_boxes.hpp"
-#include "cuts/cut_for_layers.hpp"
-#include "cuts/periodic_sides.hpp"
-#include "cuts/split_interfaces.hpp"
+#include "cuts/after_meshing/cut_for_boxes.hpp"
+#include "cuts/before_meshing/cut_for_layers.hpp"
+#include "cuts/before_meshing/split_interfaces.hpp"
+#include "cuts/periodic/periodic_sides.hpp"
 #include "layers/layer_rules.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/expected_triangles.hpp"

@@ -25,7 +25,7 @@
 #include "cuts/cut_segments.hpp"
 #include "disks/fill_disks.hpp"
 #include "disks/segment_disks.hpp"
-#include "geom/arc.hpp"
+#include "geom/curves/arc.hpp"
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"

@@ -15,10 +15,10 @@
 #include <cover/text.hpp>
 #include <cover/verify.hpp>
 
-#include "base/errors.hpp"
-#include "base/out_of_memory.hpp"
+#include "base/faults/errors.hpp"
+#include "base/faults/out_of_memory.hpp"
 #include "cdt/cdt.hpp"
-#include "cuts/periodic_sides.hpp"
+#include "cuts/periodic/periodic_sides.hpp"
 #include "layers/layer_rules.hpp"
 #include "mesh/periodic_nodes.hpp"
 #include "mesh/stitch.hpp"

@@ -1,4 +1,4 @@
-// Tested by tests/unit/clean/paint_test.cpp.
+// Tested by tests/unit/clean/paint/paint_test.cpp.
 #include "region/gaps.hpp"
 
 #include <fmt/core.h>

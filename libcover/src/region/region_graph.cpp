@@ -15,8 +15,8 @@
 #include <cover/option_ranges.hpp>
 #include <cover/text.hpp>
 
-#include "clean/loose_ends.hpp"
-#include "clean/weld.hpp"
+#include "clean/ends/loose_ends.hpp"
+#include "clean/ends/weld.hpp"
 #include "faces/face_measures.hpp"
 #include "faces/faces.hpp"
 #include "faces/materials.hpp"

@@ -8,7 +8,7 @@
 
 #include <cover/text.hpp>
 
-#include "base/caller_fault.hpp"
+#include "base/faults/caller_fault.hpp"
 
 namespace cover {
 namespace {

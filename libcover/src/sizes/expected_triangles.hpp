@@ -7,7 +7,7 @@
 #include <cover/regions.hpp>
 #include <cover/result.hpp>
 
-#include "base/machine_memory.hpp"
+#include "base/faults/machine_memory.hpp"
 #include "region/region_boundary.hpp"
 
 namespace cover {

@@ -12,7 +12,7 @@
 
 #include <fmt/core.h>
 
-#include "base/out_of_memory.hpp"
+#include "base/faults/out_of_memory.hpp"
 #include "sizes/spread_sizes.hpp"
 #include "sizes/triangle_tree.hpp"
 

@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-#include "base/out_of_memory.hpp"
+#include "base/faults/out_of_memory.hpp"
 #include "cdt/triangulation.hpp"
 #include "io/vtk_files/mapped_triangles.hpp"
 #include "pipeline/find_regions.hpp"

@@ -10,10 +10,10 @@
 
 #include <fmt/core.h>
 
-#include "base/out_of_memory.hpp"
-#include "geom/half_edges.hpp"
+#include "base/faults/out_of_memory.hpp"
+#include "geom/topology/half_edges.hpp"
 #include "io/report/report_text.hpp"
-#include "io/write_mesh/vtu_parts.hpp"
+#include "io/write_mesh/vtk_formats/vtu_parts.hpp"
 #include "io/write_mesh/write_spooled.hpp"
 #include "mesh/stitch.hpp"
 #include "pipeline/find_regions.hpp"

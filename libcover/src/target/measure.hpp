@@ -6,7 +6,7 @@
 #include <cover/report.hpp>
 
 #include "base/team.hpp"
-#include "geom/half_edges.hpp"
+#include "geom/topology/half_edges.hpp"
 #include "region/region_boundary.hpp"
 #include "target/angle_limit.hpp"
 #include "target/region_mesh.hpp"

@@ -8,9 +8,9 @@
 
 #include <cover/result.hpp>
 
-#include "base/caller_fault.hpp"
-#include "base/internal_fault.hpp"
-#include "base/out_of_memory.hpp"
+#include "base/faults/caller_fault.hpp"
+#include "base/faults/internal_fault.hpp"
+#include "base/faults/out_of_memory.hpp"
 
 namespace cover {
 

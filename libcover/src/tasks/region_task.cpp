@@ -18,7 +18,7 @@
 
 #include "almond/almond_region.hpp"
 #include "almond/chords.hpp"
-#include "base/internal_fault.hpp"
+#include "base/faults/internal_fault.hpp"
 #include "cdt/cdt.hpp"
 #include "cdt/region_cdt.hpp"
 #include "layers/layered_region.hpp"

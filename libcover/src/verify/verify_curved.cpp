@@ -11,7 +11,7 @@
 
 #include <fmt/core.h>
 
-#include "geom/arc.hpp"
+#include "geom/curves/arc.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {

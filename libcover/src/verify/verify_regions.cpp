@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/union_find.hpp"
+#include "base/containers/union_find.hpp"
 
 namespace cover {
 

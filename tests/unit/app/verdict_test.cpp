@@ -1,5 +1,5 @@
 // What a report says of a mesh: good ones, missed targets, changed input, broken promises.
-#include "verdict.hpp"
+#include "words/verdict.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cover/cover_mesh.hpp>
 #include <cover/options.hpp>
 
-#include "html_report.hpp"
+#include "page/html_report.hpp"
 #include "support/inputs.hpp"
 #include "support/temporary_folder.hpp"
 #include "unit/io/write_mesh/written_text.hpp"

@@ -1,5 +1,5 @@
 // What a page gets to know of a mesh, decoded again.
-#include "view_data.hpp"
+#include "page/view_data.hpp"
 
 #include <gtest/gtest.h>
 

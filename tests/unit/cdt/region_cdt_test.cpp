@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/internal_fault.hpp"
+#include "base/faults/internal_fault.hpp"
 #include "support/shapes.hpp"
 
 namespace cover {

@@ -7,7 +7,7 @@
 
 #include <cover/cover_mesh.hpp>
 
-#include "geom/arc.hpp"
+#include "geom/curves/arc.hpp"
 #include "support/arc_devices.hpp"
 
 namespace cover {

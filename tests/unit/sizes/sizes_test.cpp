@@ -9,7 +9,7 @@
 #include <cover/verify.hpp>
 
 #include "clean/pslg.hpp"
-#include "cuts/split_interfaces.hpp"
+#include "cuts/before_meshing/split_interfaces.hpp"
 #include "quality/quality_region.hpp"
 #include "region/region_graph.hpp"
 #include "support/inputs.hpp"

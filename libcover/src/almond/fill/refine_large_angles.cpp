@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/bucket_queue.hpp"
+#include "base/containers/bucket_queue.hpp"
 #include "cdt/sight.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"

@@ -12,7 +12,7 @@
 #include <queue>
 #include <tuple>
 
-#include "base/union_find.hpp"
+#include "base/containers/union_find.hpp"
 #include "disks/packing/reduce_cycles.hpp"
 
 namespace cover::disks {

@@ -1,4 +1,4 @@
-// Tested by tests/unit/disks/packing/apollonius_test.cpp.
+// Tested by tests/unit/disks/packing/search/apollonius_test.cpp.
 #include "disks/packing/disk.hpp"
 
 #include <algorithm>

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "disks/packing/disk.hpp"
-#include "disks/packing/disk_tree.hpp"
-#include "disks/packing/line_tree.hpp"
+#include "disks/packing/search/disk_tree.hpp"
+#include "disks/packing/search/line_tree.hpp"
 
 namespace cover::disks {
 

@@ -16,7 +16,7 @@
 #include <cmath>
 #include <optional>
 
-#include "disks/packing/first_contact.hpp"
+#include "disks/packing/search/first_contact.hpp"
 
 namespace cover::disks {
 namespace {

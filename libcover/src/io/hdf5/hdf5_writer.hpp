@@ -11,7 +11,7 @@
 #include <cover/result.hpp>
 
 #include "io/files/binary_writer.hpp"
-#include "io/vtk_files/number_array.hpp"
+#include "io/vtk_files/arrays/number_array.hpp"
 
 namespace cover {
 

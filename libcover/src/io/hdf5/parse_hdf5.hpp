@@ -10,7 +10,7 @@
 
 #include <cover/result.hpp>
 
-#include "io/vtk_files/number_array.hpp"
+#include "io/vtk_files/arrays/number_array.hpp"
 
 namespace cover {
 

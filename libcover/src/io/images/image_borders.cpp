@@ -12,9 +12,9 @@
 
 #include <fmt/format.h>
 
-#include "base/union_find.hpp"
+#include "base/containers/union_find.hpp"
+#include "geom/curves/smooth_chain.hpp"
 #include "geom/predicates.hpp"
-#include "geom/smooth_chain.hpp"
 #include "io/text/limits.hpp"
 
 namespace cover {

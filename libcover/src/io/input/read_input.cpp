@@ -1,5 +1,5 @@
 // Which reader a file wants is told by its extension.
-// Tested by tests/unit/io/input/read_json_test.cpp and those beside it.
+// Tested by tests/unit/io/input/drawings/read_json_test.cpp and those beside it.
 #include <cover/read_input.hpp>
 #include <cover/units.hpp>
 
@@ -7,7 +7,7 @@
 
 #include <array>
 
-#include "base/out_of_memory.hpp"
+#include "base/faults/out_of_memory.hpp"
 #include "io/images/raster.hpp"
 #include "io/images/read_image.hpp"
 #include "io/input/formats.hpp"

@@ -13,7 +13,7 @@
 
 #include "geom/box.hpp"
 #include "geom/vector.hpp"
-#include "io/input/curves.hpp"
+#include "io/input/drawings/curves.hpp"
 #include "io/layout/path_outline.hpp"
 #include "io/layout/window.hpp"
 #include "io/text/limits.hpp"

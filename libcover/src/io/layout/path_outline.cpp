@@ -6,7 +6,7 @@
 #include "geom/box.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
-#include "io/input/curves.hpp"
+#include "io/input/drawings/curves.hpp"
 
 namespace cover {
 namespace {

@@ -8,7 +8,7 @@
 #include <set>
 #include <unordered_set>
 
-#include "geom/half_edges.hpp"
+#include "geom/topology/half_edges.hpp"
 
 namespace cover {
 namespace {

@@ -6,11 +6,11 @@
 
 #include <fmt/ranges.h>
 
-#include "base/errors.hpp"
-#include "base/out_of_memory.hpp"
+#include "base/faults/errors.hpp"
+#include "base/faults/out_of_memory.hpp"
+#include "io/read_mesh/formats/mesh_of_data_set.hpp"
+#include "io/read_mesh/formats/read_vtkhdf_mesh.hpp"
 #include "io/read_mesh/mesh_formats.hpp"
-#include "io/read_mesh/mesh_of_data_set.hpp"
-#include "io/read_mesh/read_vtkhdf_mesh.hpp"
 #include "io/text/text.hpp"
 #include "io/vtk_files/read_data_set.hpp"
 

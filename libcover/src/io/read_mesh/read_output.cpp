@@ -15,17 +15,17 @@
 #include <cover/read_mesh.hpp>
 #include <cover/stored_mesh.hpp>
 
-#include "base/errors.hpp"
-#include "base/out_of_memory.hpp"
+#include "base/faults/errors.hpp"
+#include "base/faults/out_of_memory.hpp"
 #include "io/read_mesh/carried_arrays.hpp"
 #include "io/read_mesh/complete_mesh.hpp"
-#include "io/read_mesh/read_vtkhdf_mesh.hpp"
+#include "io/read_mesh/formats/read_vtkhdf_mesh.hpp"
 #include "io/read_mesh/second_order.hpp"
 #include "io/text/array_names.hpp"
 #include "io/text/text.hpp"
 #include "io/text/xml_tree.hpp"
+#include "io/vtk_files/arrays/whole_number.hpp"
 #include "io/vtk_files/read_data_set.hpp"
-#include "io/vtk_files/whole_number.hpp"
 
 namespace cover {
 namespace {

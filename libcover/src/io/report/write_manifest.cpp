@@ -47,7 +47,7 @@
 #include <cover/mesh_view.hpp>
 #include <cover/text.hpp>
 
-#include "base/buckets.hpp"
+#include "base/containers/buckets.hpp"
 #include "io/files/text_writer.hpp"
 #include "io/report/periodic_json.hpp"
 #include "io/report/provenance_json.hpp"

@@ -64,7 +64,7 @@
 #include <cover/text.hpp>
 #include <cover/write_mesh.hpp>
 
-#include "base/out_of_memory.hpp"
+#include "base/faults/out_of_memory.hpp"
 #include "io/files/atomic_file.hpp"
 #include "io/report/periodic_json.hpp"
 #include "io/report/provenance_json.hpp"

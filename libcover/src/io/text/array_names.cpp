@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "base/safe_names.hpp"
+#include "base/words/safe_names.hpp"
 
 namespace cover {
 namespace {

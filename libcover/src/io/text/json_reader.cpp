@@ -1,6 +1,6 @@
 // Paths are not carried along while reading: the one error there can be is found again by the
 // address of its value.
-// Tested by tests/unit/io/input/read_json_test.cpp.
+// Tested by tests/unit/io/input/drawings/read_json_test.cpp.
 #include "io/text/json_reader.hpp"
 
 #include <fmt/core.h>

@@ -1,5 +1,5 @@
 // Lists that are open wait on a stack, so that no text overflows that of the machine.
-// Tested by tests/unit/io/input/read_sde_test.cpp.
+// Tested by tests/unit/io/input/drawings/read_sde_test.cpp.
 #include "io/text/scheme.hpp"
 
 #include <optional>

@@ -7,7 +7,7 @@
 #include "io/hdf5/parse_hdf5.hpp"
 #include "io/text/text.hpp"
 #include "io/text/xml_tree.hpp"
-#include "io/vtk_files/array_reader.hpp"
+#include "io/vtk_files/arrays/array_reader.hpp"
 #include "io/vtk_files/data_set.hpp"
 
 namespace cover {

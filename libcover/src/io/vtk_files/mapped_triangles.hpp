@@ -8,7 +8,7 @@
 #include <cover/point.hpp>
 
 #include "io/files/mapped_file.hpp"
-#include "io/vtk_files/number_array.hpp"
+#include "io/vtk_files/arrays/number_array.hpp"
 
 namespace cover {
 

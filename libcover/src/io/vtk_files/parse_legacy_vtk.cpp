@@ -14,8 +14,8 @@
 #include <fmt/core.h>
 
 #include "io/text/text.hpp"
-#include "io/vtk_files/ascii_numbers.hpp"
-#include "io/vtk_files/byte_order.hpp"
+#include "io/vtk_files/arrays/ascii_numbers.hpp"
+#include "io/vtk_files/arrays/byte_order.hpp"
 #include "io/vtk_files/parse_data_set.hpp"
 
 namespace cover {

@@ -11,8 +11,8 @@
 #include "io/text/limits.hpp"
 #include "io/text/text.hpp"
 #include "io/text/xml_tree.hpp"
-#include "io/vtk_files/array_reader.hpp"
-#include "io/vtk_files/ascii_numbers.hpp"
+#include "io/vtk_files/arrays/array_reader.hpp"
+#include "io/vtk_files/arrays/ascii_numbers.hpp"
 #include "io/vtk_files/parse_data_set.hpp"
 
 namespace cover {

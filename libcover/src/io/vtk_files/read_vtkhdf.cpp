@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-#include "base/errors.hpp"
+#include "base/faults/errors.hpp"
 #include "io/text/text.hpp"
 
 namespace cover {

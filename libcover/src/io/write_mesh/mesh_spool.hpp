@@ -11,7 +11,7 @@
 #include <cover/point.hpp>
 #include <cover/result.hpp>
 
-#include "geom/half_edges.hpp"
+#include "geom/topology/half_edges.hpp"
 #include "io/files/spool_file.hpp"
 
 namespace cover {

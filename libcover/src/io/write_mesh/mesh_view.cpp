@@ -10,7 +10,7 @@
 #include <cover/curved_mesh.hpp>
 #include <cover/mesh.hpp>
 
-#include "base/safe_names.hpp"
+#include "base/words/safe_names.hpp"
 #include "geom/vector.hpp"
 #include "io/text/array_names.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "base/buckets.hpp"
+#include "base/containers/buckets.hpp"
 #include "geom/spatial_order.hpp"
 
 namespace cover {

@@ -8,7 +8,7 @@
 
 #include <fmt/ranges.h>
 
-#include "base/out_of_memory.hpp"
+#include "base/faults/out_of_memory.hpp"
 
 namespace cover {
 namespace {

@@ -5,10 +5,10 @@
 #include <filesystem>
 
 #include "io/files/atomic_file.hpp"
-#include "io/write_mesh/msh_text.hpp"
-#include "io/write_mesh/vtkhdf_file.hpp"
-#include "io/write_mesh/vtu_parts.hpp"
-#include "io/write_mesh/xdmf_file.hpp"
+#include "io/write_mesh/solver_formats/msh_text.hpp"
+#include "io/write_mesh/solver_formats/xdmf_file.hpp"
+#include "io/write_mesh/vtk_formats/vtkhdf_file.hpp"
+#include "io/write_mesh/vtk_formats/vtu_parts.hpp"
 
 namespace cover {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/internal_fault.hpp"
+#include "base/faults/internal_fault.hpp"
 #include "geom/predicates.hpp"
 
 namespace cover {

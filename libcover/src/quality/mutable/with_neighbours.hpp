@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cdt/triangulation.hpp"
-#include "geom/half_edges.hpp"
+#include "geom/topology/half_edges.hpp"
 
 namespace cover {
 

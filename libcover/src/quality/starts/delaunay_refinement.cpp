@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/bucket_queue.hpp"
+#include "base/containers/bucket_queue.hpp"
 #include "geom/predicates.hpp"
-#include "geom/rounds.hpp"
+#include "geom/subdivision/rounds.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {

@@ -7,8 +7,8 @@
 
 #include "disks/packing/connect_holes.hpp"
 #include "disks/packing/corner_disks.hpp"
-#include "disks/packing/first_contact.hpp"
 #include "disks/packing/reduce_cycles.hpp"
+#include "disks/packing/search/first_contact.hpp"
 #include "support/filling_checks.hpp"
 #include "support/shapes.hpp"
 

@@ -10,7 +10,7 @@
 #include <random>
 #include <set>
 
-#include "geom/smooth_chain.hpp"
+#include "geom/curves/smooth_chain.hpp"
 #include "geom/vector.hpp"
 #include "support/soups.hpp"
 

@@ -1,0 +1,393 @@
+// cover check: the promises on any mesh, from the files alone.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/ranges.h>
+
+#include <cover/check_in_parts.hpp>
+#include <cover/cover_mesh.hpp>
+#include <cover/option_table.hpp>
+#include <cover/periodic.hpp>
+#include <cover/read_mesh.hpp>
+#include <cover/remesh.hpp>
+#include <cover/text.hpp>
+#include <cover/verify.hpp>
+#include <cover/verify_curved.hpp>
+#include <cover/verify_layers.hpp>
+
+#include "commands/commands.hpp"
+#include "commands/options.hpp"
+#include "files/input_file.hpp"
+#include "files/mesh_file.hpp"
+#include "terminal/console.hpp"
+#include "words/limits_text.hpp"
+
+namespace cover::app {
+namespace {
+
+std::string place(const Violation& violation) {
+  std::string text;
+  // The message names the place of the first ones itself; the list is for scripts and large views.
+  for (const Point& p : violation.where)
+    text += fmt::format("\n    at ({:.17g}, {:.17g})", p.x, p.y);
+  return text;
+}
+
+int print(const Verification& found, std::size_t triangles, bool quiet) {
+  for (const Violation& violation : found.violations) {
+    const std::string what =
+        violation.promise == 4 ? "materials" : fmt::format("promise {}", violation.promise);
+    fmt::print("FAILED {}: {}{}\n", what, printable(violation.message), place(violation));
+  }
+  if (found.violation_count > found.violations.size()) {
+    fmt::print("... and {} more\n", grouped(found.violation_count - found.violations.size()));
+  }
+  if (!found.violations.empty()) return exit_unmet;
+  if (!quiet) {
+    fmt::print("{}: {} triangles, {} region{}, {} segments whole",
+               found.unchecked.empty() ? "Every promise holds" : "All that was checked holds",
+               grouped(triangles), grouped(found.regions), found.regions == 1 ? "" : "s",
+               grouped(found.segments_whole));
+    if (found.within_rounding > 0) {
+      fmt::print("; {} of the regions meet the bound up to the rounding of coordinates",
+                 grouped(found.within_rounding));
+    }
+    fmt::print("\n");
+    LimitCounts limits;
+    for (const RegionLimits& region : found.limits) limits.add(region);
+    if (const std::string text = limits_text(limits); !text.empty())
+      fmt::print("Regions beside their targets and proven limits: {}\n", text);
+    for (const std::string& what : found.unchecked)
+      fmt::print("Not checked: {}\n", printable(what));
+  }
+  return exit_ok;
+}
+
+/// Whether the mesh is sound but for vertices inside segments, and angles.
+bool is_split_only(const Verification& found, const Prepared& prepared, const TriangleSoup& mesh,
+                   VerifyOptions verify) {
+  const auto is_split = [](const Violation& violation) { return violation.promise == 1; };
+  if (verify.allow_split ||
+      std::none_of(found.violations.begin(), found.violations.end(), is_split))
+    return false;
+  verify.allow_split = true;
+  return verify_cover(prepared.pslg, prepared.table, mesh, verify).violations.empty();
+}
+
+/// An input that was cut as a mesh is.
+struct CutInput {
+  Pslg pslg;
+  RegionTable table;
+  std::size_t points = 0;
+  Verification found;
+};
+
+/// Where a mesh is sound but for vertices on arcs, which are beside their chords: the input with
+/// these vertices, on which all promises hold.
+std::optional<CutInput> cut_on_arcs(const Verification& found, const Prepared& prepared,
+                                    const TriangleSoup& mesh, const VerifyOptions& verify) {
+  if (found.violations.empty() || prepared.pslg.circles.empty()) return std::nullopt;
+  CutInput cut{prepared.pslg, prepared.table, 0, {}};
+  cut.points = adopt_cuts(cut.pslg, cut.table, mesh);
+  if (cut.points == 0) return std::nullopt;
+  cut.found = verify_cover(cut.pslg, cut.table, mesh, verify);
+  if (!cut.found.violations.empty()) return std::nullopt;
+  return cut;
+}
+
+/// The negative couplings of a mesh that has cut segments or not.
+Verification couplings_of(const Prepared& prepared, const TriangleSoup& mesh,
+                          VerifyOptions verify) {
+  Pslg pslg = prepared.pslg;
+  RegionTable table = prepared.table;
+  adopt_cuts(pslg, table, mesh);  // a piece of a segment is a side of its own
+  verify.allow_split = verify.box_method = true;
+  return verify_cover(pslg, table, mesh, verify);
+}
+
+std::string obtuse_triangles(const Verification& found) {
+  std::string text =
+      fmt::format("{} obtuse triangles", grouped(found.obtuse - found.obtuse_by_rounding));
+  if (found.obtuse_by_rounding > 0)
+    text += fmt::format(", {} more by no more than rounding of coordinates",
+                        grouped(found.obtuse_by_rounding));
+  return text;
+}
+
+int print_couplings(const Verification& found, bool quiet) {
+  constexpr std::size_t kListed = 20;
+  using Kind = NegativeCoupling::Kind;
+  const auto& all = found.negative_couplings;
+  const auto count = [&](Kind kind) {
+    return grouped(static_cast<std::size_t>(std::count_if(
+        all.begin(), all.end(), [&](const NegativeCoupling& c) { return c.kind == kind; })));
+  };
+  if (all.empty()) {
+    if (!quiet) fmt::print("Box method: no negative coupling; {}\n", obtuse_triangles(found));
+    return exit_ok;
+  }
+  fmt::print(
+      "FAILED box method: {} negative couplings: {} on inner edges, {} on sides that a "
+      "vertex of the boundary encroaches, {} on other sides\n",
+      grouped(all.size()), count(Kind::inside), count(Kind::encroached), count(Kind::given_up));
+  fmt::print("    {}\n", obtuse_triangles(found));
+  for (std::size_t k = 0; k < std::min(kListed, all.size()); ++k) {
+    const NegativeCoupling& c = all[k];
+    fmt::print("    region {}: {} from {} to {}, {} {}\n", c.region.value(),
+               c.kind == Kind::inside ? "inner edge" : "side", describe(c.a), describe(c.b),
+               c.kind == Kind::encroached ? "encroached by" : "seen from", describe(c.apex));
+  }
+  if (all.size() > kListed) fmt::print("    ... and {} more\n", grouped(all.size() - kListed));
+  return exit_unmet;
+}
+
+/// Whether the middle nodes of a mesh of second order are sound; nothing is said of others.
+int print_curved(const Pslg& pslg, const MeshTriangles& mesh, bool quiet) {
+  if (mesh.middles.size() != mesh.soup.triangles.size()) return exit_ok;
+  const CurvedVerification found = verify_curved(pslg, mesh.soup, mesh.middles);
+  for (const Violation& violation : found.violations)
+    fmt::print("FAILED second order: {}{}\n", violation.message, place(violation));
+  if (found.violation_count > found.violations.size())
+    fmt::print("... and {} more\n", grouped(found.violation_count - found.violations.size()));
+  if (!found.violations.empty()) return exit_unmet;
+  if (!quiet)
+    fmt::print("Second order: every Jacobian is positive everywhere; {} edges lie on arcs{}\n",
+               grouped(found.on_arcs),
+               found.straight == 0
+                   ? ""
+                   : fmt::format(", {} of arcs are straight", grouped(found.straight)));
+  return exit_ok;
+}
+
+/// Whether the sides that `rules` name have partners for all their vertices and edges in the mesh.
+int print_periodic(const Prepared& prepared, const std::vector<PeriodicRule>& rules,
+                   const TriangleSoup& mesh, bool quiet) {
+  if (rules.empty()) return exit_ok;
+  Pslg pslg = prepared.pslg;
+  RegionTable table = prepared.table;
+  adopt_cuts(pslg, table, mesh);
+  int code = exit_ok;
+  for (const PeriodicRule& rule : rules) {
+    const Result<std::size_t> pairs = verify_periodic_sides(pslg, table, rule);
+    if (!pairs) {
+      fmt::print("FAILED {}\n", pairs.error().message);
+      for (const Point& p : pairs.error().where)
+        fmt::print("    at ({:.17g}, {:.17g})\n", p.x, p.y);
+      code = exit_unmet;
+    } else if (!quiet) {
+      fmt::print("Periodic: {} pairs of vertices on {}, none without a partner\n", grouped(*pairs),
+                 describe(rule));
+    }
+  }
+  return code;
+}
+
+/// What `text` asks of layers: a line, and what they should be like where it has numbers.
+struct LayersAsked {
+  LayerRule rule;
+  bool has_numbers = false;
+};
+
+/// LINE[@REGION][=first,growth[,count]], as the option of mesh takes it.
+Result<LayersAsked> layers_asked(const std::string& text) {
+  const OptionEntry& entry = *find_option("layers");
+  Options options;
+  Status status = entry.set(entry, text, options);
+  if (status) return LayersAsked{options.layers.front(), true};
+  // Without numbers a line is all that there is; any will do to read it.
+  if (entry.set(entry, text + "=1,1,1", options)) return LayersAsked{options.layers.front(), false};
+  return std::move(status).error();
+}
+
+/// Tells which rows lie along lines; fails where numbers are asked for that they do not have.
+/// `known` are the rules of the input.
+Result<int> print_layers(const Prepared& prepared, const std::vector<std::string>& lines,
+                         const std::vector<LayerRule>& known, const TriangleSoup& mesh,
+                         bool quiet) {
+  constexpr double kSame = 1e-9;  ///< of a layer's thickness
+  Pslg pslg = prepared.pslg;
+  RegionTable table = prepared.table;
+  if (!lines.empty()) adopt_cuts(pslg, table, mesh);
+  int code = exit_ok;
+  for (const std::string& line : lines) {
+    Result<LayersAsked> asked = layers_asked(line);
+    if (!asked) return std::move(asked).error();
+    const LayerRule& rule = asked->rule;
+    std::vector<LayerRule> rules = known;
+    if (asked->has_numbers) rules.push_back(rule);
+    Result<std::vector<LayersFound>> found =
+        verify_layers(pslg, table, mesh, rule.line, rule.region, rules);
+    if (!found) return std::move(found).error();
+    for (const LayersFound& layers : *found) {
+      const bool is_first = std::abs(layers.first_least - rule.first) <= kSame * rule.first &&
+                            std::abs(layers.first_most - rule.first) <= kSame * rule.first;
+      const bool is_met =
+          !asked->has_numbers || (layers.layered > 0 && is_first && layers.most >= rule.count);
+      if (!is_met) code = exit_unmet;
+      if (is_met && quiet) continue;
+      fmt::print("{}Layers along '{}' in '{}': ", is_met ? "" : "FAILED ", rule.line,
+                 table.region(layers.region).name);
+      if (layers.layered == 0) {
+        fmt::print("none over {}\n", counted(layers.edges, "edge"));
+        continue;
+      }
+      fmt::print(
+          "{} to {} over {} of {}; the first {:.10g} to {:.10g} thick, all {:.10g}; {} triangles, "
+          "largest angle {:.6f}, {} above 90 degrees; {}\n",
+          layers.fewest, layers.most, grouped(layers.layered), counted(layers.edges, "edge"),
+          layers.first_least, layers.first_most, layers.thickness, grouped(layers.triangles),
+          layers.largest.in_degrees(), grouped(layers.above_90),
+          counted(layers.negative, "negative coupling"));
+    }
+  }
+  return code;
+}
+
+/// What made the run that wrote the mesh cut segments, as its manifest or the mesh itself tells;
+/// else empty.
+std::string cutting_option(const std::string& path, const MeshTriangles& mesh) {
+  std::string by_itself = mesh.cut_vertices > 0 ? "its field data say so" : "";
+  const Result<Output> known = read_output(path);
+  if (!known) return by_itself;
+  for (const auto& [name, value] : known->report.provenance.settings) {
+    if (name == "split-interfaces" || name == "box-method" ||
+        (name == "method" && value == "nonobtuse"))
+      return fmt::format("--{} {}", name, value);
+  }
+  return by_itself;
+}
+
+/// Whether a mesh is looked at in parts.
+bool is_to_stream(const std::string& when, const std::string& mesh_path) {
+  constexpr std::uintmax_t kLarge = 64 << 20;  // some 800,000 triangles
+  std::error_code failed;
+  const std::uintmax_t size = std::filesystem::file_size(mesh_path, failed);
+  return when == "on" || (when == "auto" && !failed && size >= kLarge);
+}
+
+}  // namespace
+
+int run_check(Arguments arguments) {
+  CLI::App app("Check that a mesh keeps every promise on its input; exit 0, or 6 where it does not",
+               "cover check");
+  app.set_help_flag("-h,--help", "Show this help");
+  app.footer(R"(Promises:
+  1  every input point is a vertex, bit for bit; every segment is one edge of the mesh
+  2  the triangles are valid, conform, and cover each region exactly
+  3  the largest angle of each region keeps the proven bound
+and every triangle has the material of its region. With --periodic, or such pairs in the input, every
+vertex and edge of these lines has a partner.
+
+Examples:
+  cover check device.poly device.vtu
+  cover check device.poly from_another_tool.vtu --allow-split --no-bound
+  cover check cell.json cell.msh --periodic left=right
+  cover check device.json device.msh --layers gate@channel=0.2,1.3
+)");
+  GeometryFile input_file;
+  std::string mesh_path;
+  Verbosity verbosity;
+  VerifyOptions verify;
+  LibraryOptions library;
+  bool no_bound = false, box_method = false;
+  std::vector<std::string> layers;
+  std::string stream = "auto";
+  input_file.add(app)->required();
+  app.add_option("mesh", mesh_path,
+                 fmt::format("Mesh of any tool: .vtm, {}", fmt::join(mesh_formats(), ", ")))
+      ->type_name("")
+      ->required();
+  app.add_flag("--allow-split", verify.allow_split,
+               "Segments may have vertices inside; promise 3 is not checked then");
+  app.add_flag("--no-bound", no_bound, "Do not check promise 3");
+  app.add_flag("--hull", verify.hull, "The mesh covers the convex hull");
+  app.add_flag("--box-method", box_method,
+               "List negative couplings of the box method, by exact signs; 6 if there is one");
+  app.add_option("--layers", layers,
+                 "Tell which rows of triangles lie along a line; with numbers, 6 if the first is "
+                 "not as thick, or they are fewer")
+      ->type_name("LINE[@REGION][=first,growth[,count]]")
+      ->allow_extra_args(false);
+  app.add_option(
+         "--stream", stream,
+         "Look at some regions of a .vtu or .vtkhdf at a time, without holding the mesh: on, "
+         "off, or auto: a large one; a broken one is read as a whole")
+      ->check(one_of({"auto", "on", "off"}))
+      ->type_name("WHEN")
+      ->capture_default_str();
+  library.add(app, OptionGroup::cleaning);
+  add_verbosity(app, verbosity);
+  if (const auto code = parse(app, std::move(arguments))) return *code;
+  verify.bound = !no_bound;
+  Result<Options> options = library.make();
+  if (!options) return usage_error(app, options.error().message);
+  options->hull = verify.hull;
+  std::vector<NamedFile> read_files = input_file.read_files();
+  read_files.push_back({"", mesh_path});
+  const Status files = check_files(read_files, {log_file(verbosity)});
+  if (!files) return usage_error(app, files.error());
+
+  const auto log = make_logger(verbosity);
+  Result<Input> input = input_file.read();
+  if (!input) return fail(*log, input.error());
+  for (const std::string& option : input_file.ignored()) log->warn("{}", option);
+  std::vector<PeriodicRule> rules = options->periodic;
+  rules.insert(rules.end(), input->periodic.begin(), input->periodic.end());
+  const std::vector<LayerRule> known_layers = input->layers;
+  Result<Prepared> prepared = prepare_to_check(*std::move(input), *options);
+  if (!prepared) return fail(*log, prepared.error());
+  const bool wants_whole =
+      verify.allow_split || verify.hull || box_method || !rules.empty() || !layers.empty();
+  if (!wants_whole && is_to_stream(stream, mesh_path)) {
+    prepared->report = {};
+    if (const auto parts = check_in_parts(*prepared, mesh_path, verify, *options))
+      return print(parts->found, parts->triangles, verbosity.quiet);
+    log->info("{} is read as a whole, to say more", mesh_path);
+  }
+  const Result<MeshTriangles> mesh = read_triangles(mesh_path, *log);
+  if (!mesh) return fail(*log, mesh.error());
+  verify.material_numbers = mesh->has_materials;
+  Verification found = verify_cover(prepared->pslg, prepared->table, mesh->soup, verify);
+  if (const auto cut = cut_on_arcs(found, *prepared, mesh->soup, verify)) {
+    const std::string option = cutting_option(mesh_path, *mesh);
+    if (!verify.allow_split && option.empty()) {
+      fmt::print(
+          "Arcs are cut at {} points on them; all else is sound. If they were to be cut, add "
+          "--allow-split\n",
+          grouped(cut->points));
+    } else {
+      if (!verbosity.quiet)
+        fmt::print("Segments are cut at {} points, those of arcs on their circles{}{}\n",
+                   grouped(cut->points), option.empty() ? "" : ": ", option);
+      found = cut->found;
+      prepared->pslg = cut->pslg;
+      prepared->table = cut->table;
+    }
+  } else if (is_split_only(found, *prepared, mesh->soup, verify)) {
+    const std::string option = cutting_option(mesh_path, *mesh);
+    if (option.empty()) {
+      fmt::print(
+          "Segments have vertices inside; all else is sound. If they were to be cut, as by "
+          "--split-interfaces, --box-method or --method nonobtuse, add --allow-split\n");
+    } else {
+      const std::size_t cuts = adopt_cuts(prepared->pslg, prepared->table, mesh->soup);
+      if (!verbosity.quiet)
+        fmt::print("Segments are cut at {} points by the run itself: {}\n", grouped(cuts), option);
+      found = verify_cover(prepared->pslg, prepared->table, mesh->soup, verify);
+    }
+  }
+  int code = print(found, mesh->soup.triangles.size(), verbosity.quiet);
+  const int sides = print_periodic(*prepared, rules, mesh->soup, verbosity.quiet);
+  code = code == exit_ok ? sides : code;
+  if (code == exit_ok) code = print_curved(prepared->pslg, *mesh, verbosity.quiet);
+  const Result<int> rows =
+      print_layers(*prepared, layers, known_layers, mesh->soup, verbosity.quiet);
+  if (!rows) return usage_error(app, rows.error().message);
+  code = code == exit_ok ? *rows : code;
+  if (!box_method) return code;
+  const int boxes = print_couplings(couplings_of(*prepared, mesh->soup, verify), verbosity.quiet);
+  return code == exit_ok ? boxes : code;
+}
+
+}  // namespace cover::app

@@ -1,0 +1,269 @@
+#include "commands/options.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <sstream>
+
+#include <fmt/core.h>
+
+#include <cover/text.hpp>
+
+namespace cover::app {
+namespace {
+
+/// Help of at most 100 columns.
+class NarrowHelp : public CLI::Formatter {
+ public:
+  NarrowHelp() {
+    column_width(kNames);
+    label("REQUIRED", "");
+  }
+
+  std::string make_option_desc(const CLI::Option* option) const override {
+    std::string out;
+    std::size_t column = 0;
+    std::istringstream words(option->get_description());
+    for (std::string word; words >> word;) {
+      if (column > 0 && column + 1 + word.size() > kDescription) {
+        out += '\n';
+        column = 0;
+      }
+      if (column > 0) ++column, out += ' ';
+      out += word;
+      column += word.size();
+    }
+    return out;
+  }
+
+ private:
+  static constexpr std::size_t kNames = 32;
+  static constexpr std::size_t kDescription = 68;
+};
+
+/// The long names (`--fill`) of all options of a command.
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+std::string meant_option(const CLI::App& command, const std::string& word) {
+  return did_you_mean(word.substr(0, word.find('=')), option_names(command));
+}
+
+/// What was wrong, in words for the user.
+std::string explain(const CLI::App& command, const CLI::ParseError& error) {
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    const std::string word = command.remaining().front();
+    if (word.starts_with('-')) {
+      return fmt::format("unknown option '{}'{}", word, meant_option(command, word));
+    }
+    return fmt::format("unexpected argument '{}'", word);
+  }
+  if (dynamic_cast<const CLI::ConfigError*>(&error) != nullptr) {
+    const std::string text = error.what();
+    const std::string key = text.substr(text.rfind(' ') + 1);
+    if (const std::size_t dot = key.find('.'); dot != std::string::npos)
+      return fmt::format("the --config file has a section [{}]; its keys stand without sections",
+                         key.substr(0, dot));
+    return fmt::format("unknown key '{}' in the --config file{}", key,
+                       meant_option(command, "--" + key));
+  }
+  if (dynamic_cast<const CLI::FileError*>(&error) != nullptr) {
+    return fmt::format("cannot read the --config file: {}", error.what());
+  }
+  return error.what();
+}
+
+}  // namespace
+
+CLI::Validator one_of(std::vector<std::string> words) {
+  return {[words = std::move(words)](std::string& word) -> std::string {
+            const bool known = std::find(words.begin(), words.end(), word) != words.end();
+            return known ? std::string() : not_one_of(word, words);
+          },
+          ""};
+}
+
+CLI::Validator number_in(Range range) {
+  return {[range](std::string& text) -> std::string {
+            double value = 0;
+            if (!CLI::detail::lexical_cast(text, value))
+              return fmt::format("'{}' is not a number", text);
+            if (range.holds(value)) return {};
+            return fmt::format("{} is not {}", text, describe(range));
+          },
+          ""};
+}
+
+void add_verbosity(CLI::App& command, Verbosity& verbosity) {
+  const char* group = "Messages";
+  command.add_flag("-q,--quiet", verbosity.quiet, "Print errors only")->group(group);
+  command.add_flag("-v,--verbose", verbosity.verbose, "Say what is done; -vv: in detail")
+      ->group(group);
+  command.add_option("--log", verbosity.log_file, "Write all messages, with times, to FILE")
+      ->type_name("FILE")
+      ->group(group);
+}
+
+std::optional<int> parse(CLI::App& command, Arguments arguments) {
+  command.formatter(std::make_shared<NarrowHelp>());
+  std::reverse(arguments.begin(), arguments.end());
+  try {
+    command.parse(std::move(arguments));
+    return std::nullopt;
+  } catch (const CLI::CallForHelp&) {
+    std::fputs(command.help().c_str(), stdout);
+    return exit_ok;
+  } catch (const CLI::ParseError& error) {
+    return usage_error(command, explain(command, error));
+  }
+}
+
+std::string configuration(const CLI::App& command) {
+  std::istringstream lines(command.config_to_str(true, true));
+  std::string out;
+  for (std::string line; std::getline(lines, line);) {
+    const std::string name = line.substr(0, line.find('='));
+    const CLI::Option* option = command.get_option_no_throw("--" + name);
+    if (option == nullptr) option = command.get_option_no_throw(name);
+    // A flag given more than once is a list to CLI11, which it cannot read back.
+    if (option != nullptr && option->get_expected_max() == 0 && option->count() > 1)
+      line = fmt::format("{}={}", name, option->count());
+    // A default is not printed as if it were given: it may be the value of an option that is off.
+    out += (option != nullptr && option->count() == 0 ? "# " : "") + line + '\n';
+  }
+  return out;
+}
+
+int usage_error(const CLI::App& command, const std::string& message) {
+  fmt::print(stderr, "cover: error: {}\nSee '{} --help'.\n", message, command.get_name());
+  return exit_usage;
+}
+
+int usage_error(const CLI::App& command, const Error& error) {
+  const int code = exit_code_of(error.code);
+  if (code == exit_usage) return usage_error(command, error.message);
+  fmt::print(stderr, "cover: error: {}\n", error.message);
+  return code;
+}
+
+NamedFile config_file(const CLI::App& command) {
+  const CLI::Option* option = command.get_config_ptr();
+  return {"--config", option->empty() ? std::string() : option->as<std::string>()};
+}
+
+NamedFile log_file(const Verbosity& verbosity) {
+  // Standard output is no place for a log: `-` is a file of that name.
+  return {"--log", verbosity.log_file == "-" ? "./-" : verbosity.log_file};
+}
+
+namespace {
+
+/// An argument that the option takes.
+template <class Target>
+CLI::Validator value_of(const OptionOf<Target>& entry) {
+  return {[&entry](std::string& text) -> std::string {
+            Target ignored;
+            const Status status = entry.set(entry, text, ignored);
+            if (status) return {};
+            // An option that also stands alone takes the word behind it for its value.
+            double number = 0;
+            return entry.alone.empty() || CLI::detail::lexical_cast(text, number)
+                       ? status.error().message
+                       : status.error().message + "; before a file, write it with '=' and a number";
+          },
+          ""};
+}
+
+template <class Target>
+std::string names_of(const OptionOf<Target>& entry) {
+  return entry.letter != 0 ? fmt::format("-{},--{}", entry.letter, entry.name)
+                           : fmt::format("--{}", entry.name);
+}
+
+}  // namespace
+
+template <class Target>
+void WrittenOption<Target>::add_to(CLI::App& command, const char* group) {
+  const std::string help(entry->help);
+  if (entry->kind == OptionKind::flag) {
+    option = command.add_flag(names_of(*entry), flag, help);
+  } else {
+    option = command.add_option(names_of(*entry), values, help)
+                 ->check(value_of(*entry))
+                 ->type_name(std::string(entry->placeholder))
+                 ->default_str(default_text)
+                 ->allow_extra_args(false);
+    if (!entry->repeats) option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+    if (entry->kind == OptionKind::words) option->delimiter(',');
+    if (!entry->alone.empty()) option->expected(0, 1)->default_str(std::string(entry->alone));
+  }
+  option->group(group);
+}
+
+template <class Target>
+std::vector<std::string> WrittenOption<Target>::texts() const {
+  if (option->count() == 0) return {};
+  if (entry->kind == OptionKind::flag) return {flag ? "true" : "false"};
+  return values;
+}
+
+template struct WrittenOption<Options>;
+template struct WrittenOption<ReadOptions>;
+
+void LibraryOptions::add(CLI::App& command, OptionGroup group) {
+  for (const OptionEntry& entry : option_table()) {
+    if (entry.group != group) continue;
+    written_.push_back({&entry, default_text(entry), nullptr, {}, false});
+    written_.back().add_to(command, group == OptionGroup::cleaning ? "Input" : "Meshing");
+  }
+  for (const WrittenOption<Options>& written : written_) {
+    if (!written.entry->needs.empty() && written.entry->group == group)
+      written.option->needs("--" + std::string(written.entry->needs));
+  }
+}
+
+Result<OptionReader> LibraryOptions::read() const {
+  OptionReader reader;
+  for (const WrittenOption<Options>& written : written_) {
+    for (const std::string& value : written.texts()) {
+      Status status = reader.set(*written.entry, value);
+      if (status) continue;
+      Error error = std::move(status).error();
+      error.message = fmt::format("--{}: {}", written.entry->name, error.message);
+      return error;
+    }
+  }
+  return reader;
+}
+
+Result<Options> LibraryOptions::make() const {
+  Result<OptionReader> reader = read();
+  if (!reader) return std::move(reader).error();
+  return reader->result();
+}
+
+std::vector<std::string> LibraryOptions::ignored() const {
+  const Result<OptionReader> reader = read();
+  std::vector<std::string> sentences;
+  if (!reader) return sentences;
+  for (const OptionEntry* entry : reader->idle()) {
+    sentences.push_back(
+        fmt::format("--{} does nothing: it counts with {} only", entry->name, entry->counts_with));
+  }
+  return sentences;
+}
+
+NamedFile LibraryOptions::size_field_file() const {
+  for (const WrittenOption<Options>& written : written_) {
+    if (written.entry->name == "size-field" && !written.values.empty())
+      return {"--size-field", written.values.back()};
+  }
+  return {"--size-field", ""};
+}
+
+}  // namespace cover::app

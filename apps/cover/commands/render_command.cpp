@@ -1,0 +1,140 @@
+// cover render: a picture of a mesh, without a display.
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/ranges.h>
+
+#include <cover/picture.hpp>
+#include <cover/read_mesh.hpp>
+#include <cover/text.hpp>
+
+#include "commands/commands.hpp"
+#include "commands/options.hpp"
+#include "files/output_files.hpp"
+#include "terminal/console.hpp"
+
+namespace cover::app {
+
+namespace {
+
+/// With names and contacts if cover wrote the mesh and its .vtm or .json is there.
+Result<PictureMesh> read_picture(const std::string& path) {
+  const bool blocks = std::filesystem::path(path).extension() == ".vtm";
+  const Result<Output> known = read_output(path);
+  if (blocks) return known ? Result<PictureMesh>(picture_of(*known)) : known.error();
+  Result<MeshFile> mesh = read_mesh(path);
+  if (!mesh) return std::move(mesh).error();
+  PictureMesh picture;
+  if (known) picture = picture_of(*known);
+  // Lines are by vertex: they hold only where both readers count alike.
+  if (picture.mesh.soup.points != mesh->soup.points) picture = {};
+  picture.mesh = *std::move(mesh);
+  return picture;
+}
+
+/// Warns of a window that shows nothing of the mesh.
+void check_window(const PictureOptions& options, const std::vector<Point>& points,
+                  spdlog::logger& log) {
+  if (!options.window || points.empty()) return;
+  const auto [left, right] =
+      std::minmax_element(points.begin(), points.end(), [](Point a, Point b) { return a.x < b.x; });
+  const auto [low, high] =
+      std::minmax_element(points.begin(), points.end(), [](Point a, Point b) { return a.y < b.y; });
+  const auto& [from, to] = *options.window;
+  if (from.x <= right->x && to.x >= left->x && from.y <= high->y && to.y >= low->y) return;
+  log.warn("the window shows nothing: the mesh lies between {} and {}",
+           describe(Point{left->x, low->y}), describe(Point{right->x, high->y}));
+}
+
+std::string extension_of(const std::string& output, const std::string& format) {
+  return output == "-" ? "." + format : std::filesystem::path(output).extension().string();
+}
+
+}  // namespace
+
+int run_render(Arguments arguments) {
+  CLI::App app("Draw a mesh; needs no display", "cover render");
+  app.set_help_flag("-h,--help", "Show this help");
+  app.footer(R"(Examples:
+  cover render device.vtm -o device.svg
+  cover render device.vtm -o device.png --color max_angle
+  cover render device.vtm -o oxide.png --window -60,-10,60,10
+)");
+  std::string path, format = "svg";
+  std::vector<std::string> outputs;
+  std::vector<double> window, range;
+  PictureOptions options;
+  Verbosity verbosity;
+  bool no_edges = false;
+  app.add_option("mesh", path,
+                 fmt::format("Mesh to draw: .vtm, {}; names from the .vtm or .json beside it",
+                             fmt::join(mesh_formats(), ", ")))
+      ->type_name("")
+      ->required();
+  app.add_option("-o,--output", outputs, "Picture to write (.svg, .png); '-' is stdout")
+      ->type_name("FILE")
+      ->allow_extra_args(false)
+      ->required();
+  app.add_option("--format", format, "Format of '-o -': svg or png")
+      ->check(one_of({"svg", "png"}))
+      ->type_name("EXT")
+      ->capture_default_str();
+  app.add_option("--color", options.color, "Colour by this cell array, say max_angle")
+      ->type_name("ARRAY");
+  app.add_option("--range", range, "Values at both ends of the colours: LOW,HIGH (default: found)")
+      ->type_name("LOW,HIGH")
+      ->delimiter(',')
+      ->expected(2);
+  app.add_option("--window", window, "Draw only this part: X0,Y0,X1,Y1")
+      ->type_name("BOX")
+      ->delimiter(',')
+      ->expected(4);
+  app.add_option("--width", options.width, "Width in pixels")
+      ->check(number_in({200, 20000}))
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_option("--worst", options.worst, "Mark so many of the largest angles")
+      ->check(number_in({0, 100}))
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_flag("--no-edges", no_edges, "Leave out the edges inside regions");
+  app.add_option("--title", options.title, "First line (default: name and number of triangles)")
+      ->type_name("TEXT");
+  add_verbosity(app, verbosity);
+  if (const auto code = parse(app, std::move(arguments))) return *code;
+  options.edges = !no_edges;
+  if (!window.empty()) options.window = {{window[0], window[1]}, {window[2], window[3]}};
+
+  if (!range.empty()) options.range = {range[0], range[1]};
+
+  std::vector<NamedFile> written{log_file(verbosity)};
+  for (const std::string& output : outputs) {
+    const std::string extension = extension_of(output, format);
+    if (extension != ".svg" && extension != ".png")
+      return usage_error(app, fmt::format("cannot draw '{}': possible are .svg, .png", output));
+    written.push_back({"-o", output});
+  }
+  if (const Status files = check_files({{"", path}}, written); !files)
+    return usage_error(app, files.error());
+
+  const auto log = make_logger(verbosity);
+  const Result<PictureMesh> picture = read_picture(path);
+  if (!picture) return fail(*log, picture.error());
+  check_window(options, picture->mesh.soup.points, *log);
+  if (options.title.empty()) {
+    options.title = fmt::format("{}: {} triangles", std::filesystem::path(path).filename().string(),
+                                grouped(picture->mesh.soup.triangles.size()));
+  }
+  for (const std::string& output : outputs) {
+    const std::string extension = extension_of(output, format);
+    const Status drawn = write_to(output, extension, [&](const std::string& target) {
+      return extension == ".svg" ? write_svg(*picture, options, target)
+                                 : write_png(*picture, options, target);
+    });
+    if (!drawn) return fail(*log, drawn.error());
+    if (!verbosity.quiet && output != "-") fmt::print("Wrote {}\n", output);
+  }
+  return exit_ok;
+}
+
+}  // namespace cover::app

@@ -1,0 +1,130 @@
+#include "files/input_file.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <string_view>
+#include <system_error>
+
+#include <fmt/ranges.h>
+
+#include <cover/join_inputs.hpp>
+
+#include "read_geometry.hpp"
+
+namespace cover::app {
+namespace {
+
+std::string_view format_of(std::string_view text) {
+  if (text.starts_with(std::string_view("\x00\x06\x00\x02", 4))) return ".gds";
+  if (text.starts_with("\x89PNG")) return ".png";
+  if (text.starts_with("NRRD")) return ".nrrd";
+  if (text.starts_with("h TIF") || text.starts_with(std::string_view("II*\0", 4)) ||
+      text.starts_with(std::string_view("MM\0*", 4)))
+    return ".tif";
+  const std::size_t start = text.find_first_not_of(" \t\r\n");
+  const char first = start == std::string_view::npos ? ' ' : text[start];
+  if (text.starts_with("# vtk DataFile")) return ".vtk";
+  if (first == '<') return ".vtu";  // and VTK's other data sets in XML: their root tells
+  if (first == '$') return ".msh";
+  if (first != '{') return ".poly";
+  return text.find("\"Feature") != std::string_view::npos ? ".geojson" : ".json";
+}
+
+Result<Input> read_stream(std::istream& stream, const std::string& name, ReadOptions& options) {
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (options.format.empty()) options.format = format_of(text);
+  return reading::parse_geometry(text, name, options);
+}
+
+}  // namespace
+
+CLI::Option* GeometryFile::add(CLI::App& command, bool several) {
+  for (const ReadOptionEntry& entry : read_option_table()) {
+    written_.push_back({&entry, default_text(entry), nullptr, {}, false});
+    written_.back().add_to(command, "Input");
+  }
+  const std::string help = fmt::format(
+      "Geometry: {}; '-' is standard input, known by how it begins{}", reading::known_formats(),
+      several ? "; several files are one geometry, painted in this order" : "");
+  CLI::Option* input =
+      several ? command.add_option("input", paths_, help)
+              : command.add_option_function<std::string>(
+                    "input", [this](const std::string& path) { paths_ = {path}; }, help);
+  return input->type_name("");
+}
+
+std::string GeometryFile::path() const { return fmt::format("{}", fmt::join(paths_, ", ")); }
+
+std::vector<NamedFile> GeometryFile::read_files() const {
+  std::vector<NamedFile> files;
+  for (const std::string& path : paths_) files.push_back({"", path});
+  for (const auto& written : written_) {
+    if (written.entry->name == "legend")
+      for (const std::string& text : written.values) files.push_back({"--legend", text});
+    if (written.entry->name != "layer-map") continue;
+    for (const std::string& text : written.values)
+      if (text.find('=') == std::string::npos) files.push_back({"--layer-map", text});
+  }
+  return files;
+}
+
+Result<Input> GeometryFile::read() {
+  for (const auto& written : written_) {
+    for (const std::string& text : written.texts()) {
+      // They were checked when the command line was.
+      const Status status = written.entry->set(*written.entry, text, options_);
+      if (!status) return status.error();
+    }
+  }
+  if (paths_.size() == 1) return read_one(paths_.front());
+  std::vector<Input> inputs;
+  const std::string format = options_.format;
+  for (const std::string& path : paths_) {
+    options_.format = format;  // each file has its own unless one was given
+    Result<Input> input = read_one(path);
+    if (!input) return input;
+    inputs.push_back(*std::move(input));
+  }
+  return join_inputs(std::move(inputs));
+}
+
+Result<Input> GeometryFile::read_one(const std::string& path) {
+  if (path == "-") return read_stream(std::cin, "standard input", options_);
+  const std::filesystem::path file(path);
+  std::error_code ignored;
+  // A pipe, as a shell's <(...), has no extension that would tell.
+  if (!file.has_extension() && std::filesystem::is_fifo(file, ignored)) {
+    std::ifstream pipe(file, std::ios::binary);
+    return read_stream(pipe, path, options_);
+  }
+  if (options_.format.empty()) options_.format = reading::format_of_name(path);
+  return reading::read_geometry(path, options_);
+}
+
+std::vector<std::string> GeometryFile::ignored() const {
+  std::vector<std::string> sentences;
+  for (const auto& written : written_) {
+    if (written.option->count() == 0 || written.entry->counts == nullptr ||
+        written.entry->counts(options_))
+      continue;
+    sentences.push_back(fmt::format("--{} does nothing: it counts with {} only",
+                                    written.entry->name, written.entry->counts_with));
+  }
+  return sentences;
+}
+
+std::vector<Provenance::Setting> GeometryFile::settings() const {
+  std::vector<Provenance::Setting> settings;
+  for (Provenance::Setting& setting : describe_read_options(options_)) {
+    const bool given = std::any_of(written_.begin(), written_.end(), [&](const auto& written) {
+      return written.entry->name == setting.name && written.option->count() > 0;
+    });
+    if (given) settings.push_back(std::move(setting));
+  }
+  return settings;
+}
+
+}  // namespace cover::app

@@ -1,0 +1,46 @@
+// Reading the geometry that a subcommand is given.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include <cover/input.hpp>
+#include <cover/read_options.hpp>
+#include <cover/result.hpp>
+
+#include "commands/options.hpp"
+
+namespace cover::app {
+
+/// The INPUT argument and the options of read_option_table().
+class GeometryFile {
+ public:
+  /// Adds INPUT and the options; returns INPUT. `several` files may be given.
+  CLI::Option* add(CLI::App& command, bool several = false);
+
+  /// The files as messages name them; empty: none was given.
+  [[nodiscard]] std::string path() const;
+  /// The file of --layer-map; with an empty path where there is none.
+  [[nodiscard]] std::vector<NamedFile> read_files() const;
+
+  /// Reads the files, which become one geometry in this order; `-` is standard input, whose format follows from how it begins.
+  ///
+  /// Errors: those of read_input() and of the readers that are built in
+  [[nodiscard]] Result<Input> read();
+
+  /// Options that were given but do nothing, a sentence each. REQUIRES: read() was called
+  [[nodiscard]] std::vector<std::string> ignored() const;
+  /// Options of reading that the mesh can be traced to. REQUIRES: read() was called
+  [[nodiscard]] std::vector<Provenance::Setting> settings() const;
+
+ private:
+  Result<Input> read_one(const std::string& path);
+
+  std::vector<std::string> paths_;
+  ReadOptions options_;
+  std::deque<WrittenOption<ReadOptions>> written_;  ///< which CLI11 points into
+};
+
+}  // namespace cover::app

@@ -1,0 +1,102 @@
+#include "terminal/console.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <spdlog/pattern_formatter.h>
+#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/sinks/stdout_sinks.h>
+
+#include <cover/text.hpp>
+
+namespace cover::app {
+
+namespace {
+
+/// Messages quote names and texts of files, which must not steer the terminal.
+class PrintableFormatter : public spdlog::formatter {
+ public:
+  explicit PrintableFormatter(std::string pattern)
+      : pattern_(std::move(pattern)), inner_(pattern_) {}
+
+  void format(const spdlog::details::log_msg& message, spdlog::memory_buf_t& out) override {
+    const std::string text = printable({message.payload.data(), message.payload.size()});
+    spdlog::details::log_msg shown = message;
+    shown.payload = text;
+    inner_.format(shown, out);
+  }
+  [[nodiscard]] std::unique_ptr<spdlog::formatter> clone() const override {
+    return std::make_unique<PrintableFormatter>(pattern_);
+  }
+
+ private:
+  std::string pattern_;
+  spdlog::pattern_formatter inner_;
+};
+
+}  // namespace
+
+std::shared_ptr<spdlog::logger> make_logger(const Verbosity& verbosity) {
+  auto terminal = std::make_shared<spdlog::sinks::stderr_sink_st>();
+  terminal->set_formatter(std::make_unique<PrintableFormatter>("cover: %l: %v"));
+  terminal->set_level(verbosity.quiet          ? spdlog::level::err
+                      : verbosity.verbose <= 0 ? spdlog::level::warn
+                      : verbosity.verbose == 1 ? spdlog::level::info
+                                               : spdlog::level::debug);
+  std::vector<spdlog::sink_ptr> sinks{terminal};
+  if (!verbosity.log_file.empty()) {
+    auto file = std::make_shared<spdlog::sinks::basic_file_sink_st>(verbosity.log_file, true);
+    file->set_formatter(std::make_unique<PrintableFormatter>("%Y-%m-%d %H:%M:%S.%e %-7l %v"));
+    sinks.push_back(file);
+  }
+  auto log = std::make_shared<spdlog::logger>("cover", sinks.begin(), sinks.end());
+  log->set_level(spdlog::level::debug);
+  log->flush_on(spdlog::level::info);
+  return log;
+}
+
+int fail(spdlog::logger& log, const Error& error) {
+  log.error("{}", error.message);
+  if (error.code == ErrorCode::changed_input)
+    log.error("--strict refuses every change; without it, 'cover info' and --report list them all");
+  return exit_code_of(error.code);
+}
+
+void log_notes(spdlog::logger& log, std::span<const Note> notes) {
+  constexpr std::ptrdiff_t kShown = 10;
+  const auto show = [&](Note::Kind kind, const char* plural, const char* prefix,
+                        spdlog::level::level_enum shown = spdlog::level::warn) {
+    std::ptrdiff_t count = 0;
+    for (const Note& note : notes) {
+      if (note.kind != kind) continue;
+      ++count;
+      const auto level = count <= kShown ? shown : spdlog::level::debug;
+      log.log(level, "{}{}", prefix, note.message);
+    }
+    if (count > kShown) {
+      log.log(shown, "{} further {} are in the report (--report FILE.json) and shown by -vv",
+              count - kShown, plural);
+    }
+  };
+  show(Note::Kind::change, "changes of the input", "input changed: ");
+  show(Note::Kind::warning, "warnings", "");
+  show(Note::Kind::below_resolution, "places below the resolution of doubles", "");
+  show(Note::Kind::bound_missed, "missed bounds", "");
+  show(Note::Kind::cut, "cuts", "", spdlog::level::debug);  // the text report has them
+  show(Note::Kind::fallback, "remarks on methods", "", spdlog::level::info);
+  show(Note::Kind::target_missed, "missed targets", "", spdlog::level::info);
+  show(Note::Kind::repair, "repairs", "", spdlog::level::debug);
+}
+
+std::string grouped(std::size_t number) {
+  std::string digits = std::to_string(number);
+  for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3) {
+    digits.insert(static_cast<std::size_t>(at), 1, ',');
+  }
+  return digits;
+}
+
+}  // namespace cover::app

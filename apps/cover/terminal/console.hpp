@@ -1,0 +1,39 @@
+// Messages to the person at the terminal: results on stdout, everything else on stderr.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include <spdlog/logger.h>
+
+#include <cover/error.hpp>
+#include <cover/report.hpp>
+
+#include "commands/exit_code.hpp"
+
+namespace cover::app {
+
+/// How much is said, and where.
+struct Verbosity {
+  bool quiet = false;  ///< errors only
+  int verbose = 0;  ///< 1: what is done; 2: also the details; below 0 as 0: a job file says false
+  std::string log_file;  ///< also write everything there; empty: nowhere
+};
+
+/// stderr as `cover: warning: ...`, and the log file with times.
+///
+/// Throws spdlog::spdlog_ex if the log file cannot be written.
+std::shared_ptr<spdlog::logger> make_logger(const Verbosity& verbosity);
+
+/// Prints `cover: error: <message>` and returns the exit code that belongs to the error.
+int fail(spdlog::logger& log, const Error& error);
+
+/// The notes of a report, at most a screenful of each kind: changes of the input and warnings
+/// always, missed targets and other methods with -v, all else with -vv.
+void log_notes(spdlog::logger& log, std::span<const Note> notes);
+
+/// 1234567 as 1,234,567.
+std::string grouped(std::size_t number);
+
+}  // namespace cover::app

@@ -1,0 +1,60 @@
+#include "terminal/interrupt.hpp"
+
+#include <pthread.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+#include "commands/exit_code.hpp"
+
+namespace cover::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Removes the temporary files that this process has open. Without /proc they stay until their
+/// files are written again.
+void remove_open_temporary_files() {
+  std::error_code ignored;
+  for (fs::directory_iterator entry("/proc/self/fd", ignored), end; !ignored && entry != end;
+       entry.increment(ignored)) {
+    std::error_code gone;
+    const fs::path path = fs::read_symlink(entry->path(), gone);
+    const std::string name = path.filename();
+    if (!gone && name.starts_with('.') && name.ends_with(".tmp")) fs::remove(path, gone);
+  }
+}
+
+}  // namespace
+
+Interrupt::Interrupt() {
+  sigemptyset(&signals_);
+  sigaddset(&signals_, SIGINT);
+  sigaddset(&signals_, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
+  waiter_ = std::jthread([this](std::stop_token done) { wait(done); });
+}
+
+Interrupt::~Interrupt() {
+  waiter_.request_stop();
+  pthread_kill(waiter_.native_handle(), SIGTERM);  // wakes sigwait
+}
+
+void Interrupt::wait(const std::stop_token& done) {
+  int signal = 0;
+  sigwait(&signals_, &signal);
+  if (done.stop_requested()) return;
+  source_.request_stop();
+  constexpr timespec kPatience{0, 900'000'000};
+  sigtimedwait(&signals_, nullptr, &kPatience);
+  if (done.stop_requested() || finished_) return;
+  remove_open_temporary_files();
+  std::fputs("cover: interrupted\n", stderr);
+  std::_Exit(exit_interrupted);
+}
+
+}  // namespace cover::app

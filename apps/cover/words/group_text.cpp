@@ -1,0 +1,117 @@
+#include "words/group_text.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <initializer_list>
+#include <set>
+#include <string_view>
+
+#include <fmt/core.h>
+
+#include <cover/mesh_view.hpp>
+#include <cover/text.hpp>
+
+#include "terminal/console.hpp"
+#include "words/text_table.hpp"
+
+namespace cover::app {
+namespace {
+
+constexpr std::size_t kGroupRows = 20;
+
+bool is_any_of(const std::string& file, std::initializer_list<std::string_view> formats) {
+  const std::string extension = std::filesystem::path(file).extension();
+  return std::find(formats.begin(), formats.end(), extension) != formats.end();
+}
+
+bool has_numbers(const std::string& file) {
+  return is_any_of(file, {".msh", ".mesh", ".xdmf", ".vtk", ".ele"});
+}
+
+std::string row_of_dots(std::size_t rows, std::size_t shown) {
+  return shown == rows ? std::string()
+                       : fmt::format("  and {} more: -v, or the manifest (-o NAME.json)\n",
+                                     grouped(rows - shown));
+}
+
+/// Names that .inp and .obj bear in another form only; the rest are not listed.
+std::string renamed_text(const MeshView& view, const std::vector<std::string>& files, bool all) {
+  const auto writes = [&](std::string_view extension) {
+    return std::any_of(files.begin(), files.end(),
+                       [&](const std::string& file) { return is_any_of(file, {extension}); });
+  };
+  std::string text;
+  const auto list = [&](std::string_view extension, const std::vector<Group>& groups,
+                        const std::vector<std::string>& names) {
+    TextTable table({{fmt::format("in {}", extension), TextTable::Align::left},
+                     {"stands for", TextTable::Align::left}});
+    std::size_t rows = 0;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      if (lower(names[g]) == lower(groups[g].original)) continue;
+      if (++rows <= kGroupRows || all) table.add({names[g], groups[g].label});
+    }
+    if (rows > 0) text += table.text() + row_of_dots(rows, all ? rows : std::min(rows, kGroupRows));
+  };
+  const auto safe = [](const std::vector<Group>& groups) {
+    std::vector<std::string> names;
+    for (const Group& group : groups) names.push_back(group.name);
+    return names;
+  };
+  for (const auto* groups : {&view.region_groups, &view.line_groups}) {
+    if (writes(".inp")) list(".inp", *groups, abaqus_names(*groups));
+    if (writes(".obj")) list(".obj", *groups, safe(*groups));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string group_text(const StreamedOutput& streamed, const std::vector<std::string>& files,
+                       const WriteOptions& options, bool all) {
+  const auto tells = [](const std::string& file) {
+    return has_numbers(file) || is_any_of(file, {".inp", ".obj"});
+  };
+  if (std::none_of(files.begin(), files.end(), tells)) return {};
+  const Output& output = streamed.output;
+  WriteOptions numbers;
+  numbers.ids = options.ids;
+  const MeshView view =
+      streamed.is_streamed() ? view_of_lines(streamed, numbers) : view_of(output, numbers);
+  std::string renamed = renamed_text(view, files, all);
+  if (std::none_of(files.begin(), files.end(), has_numbers)) return renamed;
+  using Align = TextTable::Align;
+  TextTable regions({{"group"}, {"material"}, {"region", Align::left}});
+  TextTable lines({{"group"}, {"line", Align::left}});
+  const auto shown = [&](std::size_t rows) { return all ? rows : std::min(rows, kGroupRows); };
+  const std::size_t region_rows = shown(view.region_groups.size());
+  const std::size_t line_rows = shown(view.line_groups.size());
+  for (std::size_t g = 0; g < region_rows; ++g) {
+    const Group& group = view.region_groups[g];
+    regions.add({fmt::format("{}", group.tag), fmt::format("{}", group.material), group.original});
+  }
+  // Contacts and markers are what boundary conditions are for: they come first.
+  std::vector<std::size_t> order(view.line_groups.size());
+  for (std::size_t g = 0; g < order.size(); ++g) order[g] = g;
+  std::set<std::string_view> made_up;
+  for (const Interface& line : output.table.interfaces)
+    if (line.kind != InterfaceKind::contact) made_up.insert(line.name);
+  const auto is_made_up = [&](std::size_t g) {
+    return made_up.contains(view.line_groups[g].original);
+  };
+  std::stable_partition(order.begin(), order.end(), [&](std::size_t g) { return !is_made_up(g); });
+  for (std::size_t k = 0; k < line_rows; ++k) {
+    const Group& group = view.line_groups[order[k]];
+    const bool marker = !group.original.empty() &&
+                        group.original.find_first_not_of("-0123456789") == std::string::npos;
+    lines.add({fmt::format("{}", group.tag), (marker ? "marker " : "") + group.original});
+  }
+  return (view.has_ids
+              ? fmt::format("Numbers in the files, by {}: the groups of regions and of lines\n",
+                            options.ids)
+              : "Numbers in the files: of regions the group in .msh, elsewhere the material; of "
+                "lines the group\n") +
+         regions.text() + row_of_dots(view.region_groups.size(), region_rows) + lines.text() +
+         row_of_dots(view.line_groups.size(), line_rows) + renamed;
+}
+
+}  // namespace cover::app

@@ -1,0 +1,113 @@
+// Ends are sorted into square cells as wide as the reach, so what is near lies in the nine cells
+// around. Tested by tests/unit/clean/ends/loose_ends_test.cpp.
+#include "clean/ends/loose_ends.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <fmt/core.h>
+
+#include <cover/text.hpp>
+
+#include "base/faults/complaint.hpp"
+#include "geom/ulp.hpp"
+#include "geom/vector.hpp"
+
+namespace cover {
+namespace {
+
+constexpr double kUnits = 4;  ///< in the last place of the largest coordinate
+
+/// The ends of segments by the cell that they lie in.
+class Cells {
+ public:
+  Cells(std::span<const Point> points, const std::vector<std::uint32_t>& degree, double reach)
+      : points_(points), width_(2 * reach) {
+    for (std::uint32_t v = 0; v < points.size(); ++v) {
+      if (degree[v] > 0) entries_.push_back({cell_of(points[v]), v});
+    }
+    std::sort(entries_.begin(), entries_.end());
+  }
+
+  /// Calls visit(v) for all ends in the cells around `p`.
+  template <class Visit>
+  void visit_near(Point p, Visit visit) const {
+    const Cell at = cell_of(p);
+    for (const double x : {at[0] - 1, at[0], at[0] + 1}) {
+      auto entry = std::lower_bound(entries_.begin(), entries_.end(), Entry{{x, at[1] - 1}, 0});
+      for (; entry != entries_.end() && entry->cell[0] == x && entry->cell[1] <= at[1] + 1; ++entry)
+        visit(entry->vertex);
+    }
+  }
+
+ private:
+  using Cell = std::array<double, 2>;  // whole numbers, that need not fit into an integer
+  struct Entry {
+    Cell cell;
+    std::uint32_t vertex;
+    auto operator<=>(const Entry&) const = default;
+  };
+  [[nodiscard]] Cell cell_of(Point p) const {
+    return {std::floor(p.x / width_), std::floor(p.y / width_)};
+  }
+
+  std::span<const Point> points_;
+  double width_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace
+
+std::vector<LooseGap> find_loose_gaps(std::span<const Point> points,
+                                      std::span<const IndexPair> segments, double reach) {
+  std::vector<std::uint32_t> degree(points.size(), 0), joined(points.size(), kNone);
+  for (const auto& [a, b] : segments) {
+    ++degree[a], ++degree[b];
+    joined[a] = b, joined[b] = a;
+  }
+  if (std::find(degree.begin(), degree.end(), 1U) == degree.end()) return {};
+  const Cells cells(points, degree, reach);
+  std::vector<LooseGap> gaps;
+  for (std::uint32_t v = 0; v < points.size(); ++v) {
+    if (degree[v] != 1) continue;
+    LooseGap gap{v, v, reach};
+    cells.visit_near(points[v], [&](std::uint32_t w) {
+      const double distance = length(points[w] - points[v]);
+      if (w == v || w == joined[v] || !(distance <= gap.distance)) return;
+      if (gap.other != v && distance == gap.distance) return;
+      gap.other = w;
+      gap.distance = distance;
+    });
+    if (gap.other != v) gaps.push_back(gap);
+  }
+  return gaps;
+}
+
+std::optional<Input> join_loose_ends(const Input& input, std::vector<Change>& changes) {
+  std::vector<IndexPair> segments;
+  for (const InputSegment& s : input.segments) segments.push_back({s.a, s.b});
+  std::vector<LooseGap> gaps =
+      find_loose_gaps(input.points, segments, kUnits * spacing_of(input.points));
+  // Equal coordinates are one point anyway.
+  std::erase_if(gaps, [](const LooseGap& gap) { return gap.distance == 0; });
+  if (gaps.empty()) return std::nullopt;
+  Input out = input;
+  std::vector<bool> taken(input.points.size(), false);
+  for (LooseGap gap : gaps) {
+    if (taken[gap.loose] || taken[gap.other]) continue;
+    taken[gap.loose] = taken[gap.other] = true;
+    out.points[gap.loose] = out.points[gap.other];
+    changes.push_back({Change::Kind::welded,
+                       fmt::format("point {} at {} was moved by {} onto point {} at {}",
+                                   point_id(input, gap.loose), describe(input.points[gap.loose]),
+                                   describe_roughly(gap.distance), point_id(input, gap.other),
+                                   describe(input.points[gap.other])),
+                       {input.points[gap.loose], input.points[gap.other]},
+                       {{InputKind::point, point_id(input, gap.loose)}}});
+  }
+  return out;
+}
+
+}  // namespace cover

@@ -1,0 +1,100 @@
+// Tested by tests/unit/clean/soup_test.cpp.
+#include "clean/paint/merge_materials.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+#include <cover/text.hpp>
+
+#include "base/containers/union_find.hpp"
+#include "faces/face_measures.hpp"
+#include "faces/faces.hpp"
+#include "faces/materials.hpp"
+#include "faces/seeds.hpp"
+
+namespace cover {
+namespace {
+
+std::vector<IndexPair> pairs_of(const Pslg& pslg) {
+  std::vector<IndexPair> pairs;
+  for (const Segment& s : pslg.segments) pairs.push_back({s.a.value(), s.b.value()});
+  return pairs;
+}
+
+/// By face: its seed plus one, 0 for the void. Faces without a seed get one that is added to the
+/// PSLG: a face of the material that unseeded faces have.
+std::vector<std::uint32_t> seeds_by_face(const Faces& faces, const SeededFaces& seeded,
+                                         Pslg& pslg) {
+  std::vector<std::uint32_t> out(faces.count, 0);
+  std::vector<Note> told_later;
+  const auto unnamed = std::to_string(number_materials(pslg.seeds, told_later).unnamed);
+  std::uint32_t extra = 0;
+  for (std::size_t f = 1; f < faces.count; ++f) {
+    if (seeded.is_void[f]) continue;
+    if (seeded.seed[f]) {
+      out[f] = static_cast<std::uint32_t>(*seeded.seed[f] + 1);
+      continue;
+    }
+    if (extra == 0) {
+      RegionSeed seed;
+      seed.at = measure_faces(faces)[f].inside.value_or(Point{});
+      seed.material = unnamed;
+      seed.region = "unnamed";
+      pslg.seeds.push_back(std::move(seed));
+      extra = static_cast<std::uint32_t>(pslg.seeds.size());
+    }
+    out[f] = extra;
+  }
+  return out;
+}
+
+}  // namespace
+
+Result<Pslg> merge_materials(Pslg pslg, Report& report) {
+  const Faces faces = find_faces(pslg.points, pairs_of(pslg), false);
+  std::vector<Note> told_later;
+  const Result<SeededFaces> seeded = apply_seeds(pslg, faces, told_later);
+  if (!seeded) return seeded.error();
+  std::vector<std::uint32_t> seed = seeds_by_face(faces, *seeded, pslg);
+
+  const auto same_material = [&](std::uint32_t x, std::uint32_t y) {
+    if (x == 0 || y == 0) return false;
+    const std::string& m = pslg.seeds[x - 1].material;
+    return x == y || (!m.empty() && m == pslg.seeds[y - 1].material);
+  };
+  UnionFind united(faces.count);
+  std::vector<std::uint32_t> first_seed = seed;  // by face that stands for its set
+  std::vector<std::size_t> kept;
+  for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+    const auto [left, right] = faces.of_segment[s];
+    const Segment& segment = pslg.segments[s];
+    if (left == right || segment.name != 0 || !same_material(seed[left], seed[right])) {
+      kept.push_back(s);
+      continue;
+    }
+    const std::uint32_t first =
+        std::min(first_seed[united.find(left)], first_seed[united.find(right)]);
+    united.unite(left, right);
+    first_seed[united.find(left)] = first;
+    const Point a = pslg.points[segment.a.index()], b = pslg.points[segment.b.index()];
+    report.changes.push_back(
+        {Change::Kind::merged,
+         fmt::format("the segment between {} and {} has material '{}' on both sides", describe(a),
+                     describe(b), pslg.seeds[seed[left] - 1].material),
+         {a, b},
+         {{InputKind::segment, segment.id}}});
+  }
+  std::vector<Segment> segments;
+  pslg.side_seeds.clear();
+  for (const std::size_t s : kept) {
+    segments.push_back(pslg.segments[s]);
+    const auto [left, right] = faces.of_segment[s];
+    pslg.side_seeds.push_back({first_seed[united.find(left)], first_seed[united.find(right)]});
+  }
+  pslg.segments = std::move(segments);
+  return pslg;
+}
+
+}  // namespace cover

@@ -1,0 +1,222 @@
+// All regions become one mesh whose sides know what lies beyond them. Around every triangle that is
+// left, an excerpt over segments is tried: kicks first, then cuts of the segments near by, at the
+// foot of the obtuse corner or half way, each improved and kicked in turn. The best is kept if
+// there are fewer such triangles, or less bad ones. Triangles are taken in the order of their
+// coordinates, so that the mesh does not depend on the order of the input.
+// Tested by tests/unit/cuts/after_meshing/cut_and_improve_test.cpp.
+#include "cuts/after_meshing/cut_and_improve.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "cuts/after_meshing/joined_regions.hpp"
+#include "cuts/cut_segments.hpp"
+#include "geom/predicates.hpp"
+#include "geom/vector.hpp"
+#include "quality/fault/merit.hpp"
+#include "quality/repair/kicks.hpp"
+#include "region/region_graph.hpp"
+#include "target/measure.hpp"
+#include "target/whole_mesh.hpp"
+
+namespace cover {
+namespace {
+
+constexpr std::size_t kTriangles = 64;    ///< in an excerpt
+constexpr std::uint32_t kCutAround = 16;  ///< triangles of it whose sides may be cut
+constexpr double kEnd = 0.01;             ///< of a side: no cut is nearer to its ends
+constexpr std::size_t kKicked = 5;        ///< trials that are kicked
+constexpr double kGain = 0.2;  ///< of its excess, that the worst triangle must win for a cut
+
+/// Cuts side `s` of `mesh`, and `r` on the other side of its segment (kNone: the void), at `m`, a
+/// fixed vertex without triangles. The parts at the starts of both keep their numbers, both parts
+/// what was allowed to the whole.
+///
+/// ENSURES: false, and nothing has changed, if a triangle would not be counter-clockwise
+bool cut_side(MutableMesh& mesh, std::uint32_t s, std::uint32_t r, std::uint32_t m) {
+  const std::array<std::uint32_t, 2> both{s, r};
+  std::array<std::uint32_t, 2> at{kNone, kNone};
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (const std::uint32_t n : mesh.triangles[t].n) {
+      for (std::size_t k = 0; k < 2; ++k) {
+        if (both[k] != kNone && n == (kSideBit | both[k])) at[k] = t;
+      }
+    }
+  }
+  const auto edge_of = [&](std::size_t k) {
+    const auto& n = mesh.triangles[at[k]].n;
+    return static_cast<int>(std::find(n.begin(), n.end(), kSideBit | both[k]) - n.begin());
+  };
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (at[k] == kNone) continue;
+    const int e = edge_of(k);
+    const Point c = mesh.corner(at[k], e), p = mesh.points[m];
+    if (orientation(c, mesh.corner(at[k], next3(e)), p) != Sign::positive ||
+        orientation(c, p, mesh.corner(at[k], prev3(e))) != Sign::positive) {
+      return false;
+    }
+  }
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (at[k] == kNone) continue;
+    const int e = edge_of(k);
+    const std::uint32_t t = at[k], t2 = mesh.add_triangle();
+    const auto corner = static_cast<std::size_t>(e), a = static_cast<std::size_t>(next3(e)),
+               b = static_cast<std::size_t>(prev3(e));
+    const MeshTriangle old = mesh.triangles[t];
+    const auto side = static_cast<std::uint32_t>(mesh.sides.size());
+    mesh.sides.repeat(both[k]);
+    mesh.allowances.push_back(mesh.allowances[both[k]]);
+    mesh.triangles[t] = {{old.v[corner], old.v[a], m}, {kSideBit | both[k], t2, old.n[b]}};
+    mesh.triangles[t2] = {{old.v[corner], m, old.v[b]}, {kSideBit | side, old.n[a], t}};
+    mesh.link(old.n[a], old.v[b], old.v[corner], t2);
+    for (const std::uint32_t v : {old.v[corner], old.v[a], m}) mesh.home[v] = t;
+    mesh.home[old.v[b]] = t2;
+    mesh.measure(t);
+    mesh.measure(t2);
+  }
+  return true;
+}
+
+/// The search around every triangle that is left.
+class Search {
+ public:
+  Search(JoinedRegions& whole, const Goal& goal) : whole_(whole), goal_(goal) {}
+
+  /// Returns whether it ended because the budget was used up.
+  bool run(Budget& budget) {
+    std::vector<std::uint32_t> queue = whole_.triangles_above();
+    for (std::size_t head = 0; head < queue.size() && !budget.is_used_up(); ++head) {
+      const std::uint32_t t = queue[head];
+      if (!is_above(whole_.mesh(), t, goal_)) continue;
+      for (const std::uint32_t changed : attempt(t, budget)) {
+        if (is_above(whole_.mesh(), changed, goal_)) queue.push_back(changed);
+      }
+    }
+    return budget.is_used_up();
+  }
+
+ private:
+  /// A triangulation of an excerpt that is better than before, and the cut that it has, if any.
+  struct Trial {
+    MutableMesh mesh;
+    Merit merit;
+    std::uint32_t side = kNone;  ///< of the excerpt
+  };
+
+  /// Returns the triangles that changed.
+  std::vector<std::uint32_t> attempt(std::uint32_t t, Budget& budget) {
+    Excerpt excerpt = whole_.excerpt_around(t, kTriangles);
+    Trial best{excerpt.mesh, merit_of(excerpt.mesh, goal_)};
+    if (kick_and_improve(best.mesh, goal_, budget))
+      return whole_.put_back(excerpt, best.mesh, best.side);
+    if (!whole_.may_cut() || !try_cuts(excerpt, best, budget)) return {};
+    return whole_.put_back(excerpt, best.mesh, best.side);
+  }
+
+  /// Tries all cuts near triangle 0 of `excerpt`, and kicks what comes of the most promising ones.
+  /// Returns whether `best` has become better.
+  bool try_cuts(const Excerpt& excerpt, Trial& best, Budget& budget) const {
+    std::vector<Trial> trials;
+    const std::uint32_t last =
+        std::min(kCutAround, static_cast<std::uint32_t>(excerpt.mesh.triangles.size()));
+    for (std::uint32_t t = 0; t < last && !budget.is_used_up(); ++t) {
+      for (int e = 0; e < 3; ++e) {
+        const std::uint32_t n = excerpt.mesh.triangles[t].n[static_cast<std::size_t>(e)];
+        if (!is_side(n) || !is_side(excerpt.outside[side_index(n)])) continue;
+        if (!whole_.is_free(side_index(excerpt.outside[side_index(n)]))) continue;
+        const Point a = excerpt.mesh.corner(t, next3(e)), b = excerpt.mesh.corner(t, prev3(e));
+        for (const Point& place : places_on(a, b, excerpt.mesh)) {
+          if (auto trial = cut_at(excerpt, side_index(n), place, budget)) {
+            trials.push_back(*std::move(trial));
+          }
+        }
+      }
+    }
+    const auto is_less_bad = [](const Trial& x, const Trial& y) {
+      return x.merit.above != y.merit.above ? x.merit.above < y.merit.above
+                                            : x.merit.large < y.merit.large;
+    };
+    std::stable_sort(trials.begin(), trials.end(), is_less_bad);
+    const Merit before = best.merit;
+    const auto is_worth_it = [&](const Merit& now) {
+      return now.large <= before.large &&
+             (now.above < before.above ||
+              (now.above == before.above &&
+               now.large - goal_.large < (1 - kGain) * (before.large - goal_.large)));
+    };
+    for (std::size_t k = 0; k < std::min(kKicked, trials.size()); ++k) {
+      if (!is_worth_it(trials[k].merit)) {
+        improve_by_kicks(trials[k].mesh, goal_, trials[k].merit, budget);
+      }
+      if (!is_worth_it(trials[k].merit)) continue;
+      best = std::move(trials[k]);
+      return true;
+    }
+    return false;
+  }
+
+  /// The middle of ab, and the feet on it of the corners of triangle 0.
+  [[nodiscard]] static std::vector<Point> places_on(Point a, Point b, const MutableMesh& mesh) {
+    std::vector<Point> places{midpoint(a, b)};
+    for (int i = 0; i < 3; ++i) {
+      const double part = dot(mesh.corner(0, i) - a, b - a) / squared_length(b - a);
+      if (part > kEnd && part < 1 - kEnd) places.push_back(a + part * (b - a));
+    }
+    return places;
+  }
+
+  /// The excerpt with `side` cut at `place`, improved; nothing where that cannot be.
+  [[nodiscard]] std::optional<Trial> cut_at(const Excerpt& excerpt, std::uint32_t side, Point place,
+                                            Budget& budget) const {
+    const std::uint32_t partner = whole_.partner(side_index(excerpt.outside[side]));
+    std::uint32_t other = kNone;
+    if (partner != kNone) {
+      const auto at = std::find(excerpt.outside.begin(), excerpt.outside.end(), kSideBit | partner);
+      if (at == excerpt.outside.end()) return std::nullopt;
+      other = static_cast<std::uint32_t>(at - excerpt.outside.begin());
+    }
+    Trial trial{excerpt.mesh, {}, side};
+    trial.mesh.points[excerpt.spare] = place;
+    if (!cut_side(trial.mesh, side, other, excerpt.spare)) return std::nullopt;
+    improve_with_slack(trial.mesh, budget);
+    trial.merit = merit_of(trial.mesh, goal_);
+    return trial;
+  }
+
+  JoinedRegions& whole_;
+  Goal goal_;
+};
+
+}  // namespace
+
+CutResult cut_and_improve(Pslg& pslg, RegionTable& table, std::vector<RegionBoundary>& boundaries,
+                          std::vector<RegionMesh>& meshes, const Options& options, Budget& budget) {
+  const Goal goal = Goal::of(options.max_angle, options.min_angle);
+  JoinedRegions joined(pslg, boundaries, meshes, goal);
+  const std::size_t before = joined.triangles_above().size();
+  const bool budget_used_up = Search(joined, goal).run(budget);
+  if (!joined.has_changed() || !joined.is_valid()) return {before, budget_used_up};
+  Pslg cut_pslg = pslg;
+  RegionTable cut_table = table;
+  cut_segments(cut_pslg, cut_table, joined.segment_cuts(pslg));
+  std::vector<RegionBoundary> cut_boundaries = split_regions(cut_pslg, cut_table);
+  std::vector<RegionMesh> cut_meshes = meshes;
+  joined.separate(cut_pslg, cut_boundaries, cut_meshes);
+  // Cuts may be too near to each other, or through a thin void to another region.
+  if (!triangulate_whole(cut_pslg).conflicts.empty()) return {before, budget_used_up};
+  for (std::size_t r = 0; r < cut_meshes.size(); ++r) {
+    const RegionBoundary& boundary = cut_boundaries[r];
+    if (find_fault({all_points(boundary, cut_meshes[r]), cut_meshes[r].triangles, boundary.sides,
+                    boundary.segments, boundary.points.size()}))
+      return {before, budget_used_up};
+  }
+  pslg = std::move(cut_pslg);
+  table = std::move(cut_table);
+  boundaries = std::move(cut_boundaries);
+  meshes = std::move(cut_meshes);
+  return {joined.triangles_above().size(), budget_used_up};
+}
+
+}  // namespace cover

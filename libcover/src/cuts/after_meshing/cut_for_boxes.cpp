@@ -1,0 +1,231 @@
+// A mesh keeps a negative coupling on a side only where the bound or a target needs a vertex in its
+// diametral disk. Cut at the foot of that vertex, the side has two smaller disks without it. Tested
+// by tests/unit/cuts/after_meshing/cut_for_boxes_test.cpp.
+#include "cuts/after_meshing/cut_for_boxes.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <cover/text.hpp>
+
+#include "cdt/couplings.hpp"
+#include "cuts/before_meshing/cut_encroached.hpp"
+#include "cuts/before_meshing/onto_arcs.hpp"
+#include "cuts/cut_segments.hpp"
+#include "cuts/periodic/mirror_cuts.hpp"
+#include "cuts/room_on_segment.hpp"
+#include "geom/vector.hpp"
+#include "layers/layer_rules.hpp"
+#include "quality/fault/missed_targets.hpp"
+#include "region/region_graph.hpp"
+#include "sizes/sizes.hpp"
+#include "target/measure.hpp"
+#include "tasks/errors_as_values.hpp"
+#include "tasks/region_task.hpp"
+
+namespace cover {
+namespace {
+
+constexpr int kCouplingRounds = 24;
+constexpr double kNearEnd =
+    0.1;  ///< of a side: a cut nearer to its ends goes to the middle instead
+constexpr std::size_t kPlacesTold = 8;
+
+void warn_of_stuck(const std::vector<Point>& stuck, std::vector<Note>& notes) {
+  if (stuck.empty()) return;
+  std::vector<Point> where = stuck;
+  where.resize(std::min(where.size(), kPlacesTold));
+  notes.push_back({Note::Kind::warning, kVoid,
+                   fmt::format("{} would have to be cut too short to be without a negative "
+                               "coupling, the first near {}",
+                               counted(stuck.size(), "segment"), describe(where[0])),
+                   std::move(where)});
+}
+
+void tell_cuts(Report& report) {
+  std::erase_if(report.notes, [](const Note& note) {
+    return note.kind == Note::Kind::cut && note.message.ends_with("for --box-method");
+  });
+  if (report.box_cuts.empty()) return;
+  std::map<BoxCut::Reason, std::size_t> by;
+  std::vector<Point> where;
+  for (const BoxCut& cut : report.box_cuts) {
+    ++by[cut.reason];
+    where.push_back(cut.at);
+  }
+  report.notes.push_back(
+      {Note::Kind::cut, kVoid,
+       fmt::format("{} added on segments ({} where points of the input encroach them, {} where "
+                   "such cuts do, {} where angles need it) for --box-method",
+                   counted(where.size(), "point"), by[BoxCut::Reason::encroached],
+                   by[BoxCut::Reason::encroached_by_cut], by[BoxCut::Reason::given_up]),
+       std::move(where)});
+}
+
+/// A side with a negative coupling.
+struct NegativeSide {
+  SegmentId segment;
+  Point apex;
+};
+
+/// What is cut and meshed, in step.
+class CouplingRounds {
+ public:
+  CouplingRounds(Work& work, const Options& options, const Callbacks& callbacks)
+      : prepared_(work),
+        boundaries_(work.boundaries),
+        meshes_(work.meshes),
+        options_(options),
+        callbacks_(callbacks) {}
+
+  Status run() {
+    for (std::size_t r = 0; r < meshes_.size(); ++r) flip(r);
+    const std::size_t most = most_points_for_boxes(prepared_.pslg, prepared_.report.box_cuts);
+    for (int round = 0; round < kCouplingRounds && prepared_.pslg.points.size() <= most; ++round) {
+      const std::vector<SegmentCut> cuts = choose();
+      if (cuts.empty()) break;
+      const Pslg pslg = prepared_.pslg;
+      const RegionTable table = prepared_.table;
+      const std::vector<BoxCut> box_cuts = prepared_.report.box_cuts;
+      if (Status status = cut_and_mesh(cuts); !status) {
+        if (status.error().code != ErrorCode::internal) return status;
+        // Rounded, the cuts cross something nearly straight: what was before them stays.
+        prepared_.pslg = pslg;
+        prepared_.table = table;
+        prepared_.report.box_cuts = box_cuts;
+        break;
+      }
+    }
+    std::size_t left = 0;
+    std::vector<Point> where;
+    for (const RegionMesh& mesh : meshes_) {
+      left += mesh.report.couplings.size();
+      for (const NegativeCoupling& c : mesh.report.couplings) {
+        if (where.size() < kPlacesTold) where.push_back(midpoint(c.a, c.b));
+      }
+    }
+    if (left > 0)
+      prepared_.report.notes.push_back(
+          {Note::Kind::warning, kVoid,
+           fmt::format("box-method: {} left, the first at {}", counted(left, "negative coupling"),
+                       describe(where[0])),
+           where});
+    return ok();
+  }
+
+ private:
+  /// Makes the mesh of a region constrained Delaunay; the bound comes first.
+  void flip(std::size_t r) {
+    RegionMesh flipped = meshes_[r];
+    if (make_delaunay(all_points(boundaries_[r], flipped), flipped.triangles,
+                      boundaries_[r].sides) == 0)
+      return;
+    report_again(boundaries_[r], options_, false, flipped);
+    measure(boundaries_[r], flipped);
+    if (flipped.report.bound_held || !meshes_[r].report.bound_held) meshes_[r] = std::move(flipped);
+  }
+
+  [[nodiscard]] std::vector<SegmentCut> choose() const {
+    const Pslg& pslg = prepared_.pslg;
+    std::map<SegmentId, Point> apexes;
+    for (std::size_t r = 0; r < boundaries_.size(); ++r) {
+      for (const NegativeSide& side : negative_sides(boundaries_[r], meshes_[r]))
+        apexes.emplace(side.segment, side.apex);
+    }
+    std::vector<SegmentCut> cuts;
+    for (const auto& [segment, apex] : apexes) {
+      const Segment& s = pslg.segments[segment.index()];
+      const Point a = pslg.points[s.a.index()], b = pslg.points[s.b.index()];
+      const Vector along = b - a;
+      const double share = dot(apex - a, along) / squared_length(along);
+      const Point foot =
+          share > kNearEnd && share < 1 - kNearEnd ? a + share * along : midpoint(a, b);
+      if (has_room_on_segment(a, b, foot, std::vector<Point>{apex}))
+        cuts.push_back({segment, {foot}});
+    }
+    return onto_arcs(prepared_.pslg, prepared_.table,
+                     PeriodicClasses(pslg).with_images(std::move(cuts)));
+  }
+
+  static std::vector<NegativeSide> negative_sides(const RegionBoundary& boundary,
+                                                  const RegionMesh& mesh) {
+    std::map<std::pair<Point, Point>, Point> apexes;
+    for (const NegativeCoupling& c : mesh.report.couplings) {
+      if (c.kind != NegativeCoupling::Kind::inside) apexes[{c.a, c.b}] = c.apex;
+    }
+    std::vector<NegativeSide> found;
+    if (apexes.empty()) return found;
+    for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
+      const auto at = apexes.find(
+          {boundary.points[boundary.sides[s][0]], boundary.points[boundary.sides[s][1]]});
+      if (at != apexes.end() && boundary.segments[s] != kHullSide)
+        found.push_back({boundary.segments[s], at->second});
+    }
+    return found;
+  }
+
+  Status cut_and_mesh(const std::vector<SegmentCut>& cuts) {
+    Pslg& pslg = prepared_.pslg;
+    RegionTable& table = prepared_.table;
+    Report& report = prepared_.report;
+    std::vector<RegionBoundary> boundaries;
+    std::vector<std::size_t> changed;
+    std::vector<RegionBoundary> again;
+    Status status = errors_as_values("cut segments", [&] {
+      for (const SegmentCut& cut : cuts)
+        report.box_cuts.push_back({cut.points[0], BoxCut::Reason::given_up, cut.points[0]});
+      cut_segments(pslg, table, cuts);
+      std::vector<Point> stuck;
+      cut_encroached(pslg, table, VertexId{0U}, report.box_cuts, stuck);
+      boundaries = split_regions(pslg, table);
+      Status resolved = resolve_sizes(pslg, table, options_, boundaries);
+      return resolved ? resolve_layers(pslg, table, options_, boundaries) : resolved;
+    });
+    if (!status) return status;
+    for (std::size_t r = 0; r < boundaries.size(); ++r) {
+      if (boundaries[r].vertices == boundaries_[r].vertices) continue;
+      changed.push_back(r);
+      again.push_back(boundaries[r]);
+    }
+    Result<std::vector<RegionMesh>> meshes = mesh_regions(again, options_, callbacks_);
+    if (!meshes) return std::move(meshes).error();
+    for (std::size_t k = 0; k < changed.size(); ++k) meshes_[changed[k]] = std::move((*meshes)[k]);
+    boundaries_ = std::move(boundaries);
+    for (const std::size_t r : changed) flip(r);
+    return ok();
+  }
+
+  Prepared& prepared_;
+  std::vector<RegionBoundary>& boundaries_;
+  std::vector<RegionMesh>& meshes_;
+  const Options& options_;
+  const Callbacks& callbacks_;
+};
+
+}  // namespace
+
+void cut_for_boxes(Prepared& prepared, const Options& options) {
+  if (!options.box_method) return;
+  Pslg& pslg = prepared.pslg;
+  RegionTable& table = prepared.table;
+  Report& report = prepared.report;
+  std::vector<Point> stuck;
+  cut_encroached(pslg, table, VertexId{pslg.points.size()}, report.box_cuts, stuck);
+  warn_of_stuck(stuck, report.notes);
+  tell_cuts(report);
+}
+
+Status cut_until_coupled(Work& work, const Options& options, const Callbacks& callbacks) {
+  if (!options.box_method) return ok();
+  Status status = CouplingRounds(work, options, callbacks).run();
+  if (!status) return status;
+  tell_cuts(work.report);
+  work.report.input_points = work.pslg.points.size();
+  work.report.input_segments = work.pslg.segments.size();
+  return ok();
+}
+
+}  // namespace cover

@@ -1,0 +1,199 @@
+// Long segments beside short ones are what makes targets hard: no vertex may lie near the middle of
+// a side that is to be seen at 90 degrees, and there the vertices for its neighbours are wanted. So
+// a few triangles are worked on where they are (cut_and_improve); if some are left, the longest
+// segments near each are halved, and the regions beside them are meshed anew.
+// Tested by tests/unit/cuts/after_meshing/cut_and_improve_test.cpp.
+#include "cuts/after_meshing/cut_until_met.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include <cover/text.hpp>
+
+#include "cuts/after_meshing/cut_and_improve.hpp"
+#include "cuts/after_meshing/joined_regions.hpp"
+#include "cuts/before_meshing/split_interfaces.hpp"
+#include "quality/fault/missed_targets.hpp"
+#include "region/region_graph.hpp"
+#include "sizes/sizes.hpp"
+#include "target/measure.hpp"
+#include "tasks/errors_as_values.hpp"
+#include "tasks/region_task.hpp"
+
+namespace cover {
+namespace {
+
+constexpr int kRounds = 6;
+/// Rounds in a row that left no fewer triangles above a target below 90 degrees: more of them only
+/// cut. Towards 90 degrees all rounds may be needed: flat layers get worse before they get better.
+constexpr int kInVain = 2;
+/// So many rounds in a row that left more and more triangles, in the end as many times those of the
+/// best one, are of no use for any target: where no double has room, each cut forces further ones.
+constexpr int kInVainForAll = 2;
+constexpr std::size_t kFarMore = 2;
+constexpr std::size_t kMostPoints = 4;     ///< times those at first: then there are no more rounds
+constexpr std::size_t kMostCut = 16;       ///< times those at first: a round is given up
+constexpr std::size_t kFewPoints = 2'000;  ///< with less, rounds cost so little that all are made
+/// So many triangles above the target for each point at first are those of a mesh that misses it
+/// nearly everywhere: halves do not mend that.
+constexpr std::size_t kEverywhere = 4;
+/// Evaluations of all searches together, by points at first: some seconds for some thousand points.
+/// Each search has half of what the ones before it left.
+constexpr std::uint64_t kEvaluationsPerPoint = 20'000;
+constexpr std::uint64_t kEvaluationsAtLeast = 3'000'000;
+constexpr std::uint64_t kMostEvaluations = 20'000'000;
+constexpr std::uint64_t kMostEvaluationsPerPoint = 1'000;
+constexpr std::size_t kMany =
+    4;  ///< one triangle above for so many points is too many for a search
+
+/// What is cut and meshed, in step.
+struct State {
+  Pslg pslg;
+  RegionTable table;
+  std::vector<RegionBoundary> boundaries;
+  std::vector<RegionMesh> meshes;
+  CutResult left;
+};
+
+class Rounds {
+ public:
+  Rounds(const Options& options, const Callbacks& callbacks, std::uint64_t points)
+      : options_(options),
+        callbacks_(callbacks),
+        goal_(Goal::of(options.max_angle, options.min_angle)),
+        budget_{
+            kEvaluationsAtLeast + std::min(kEvaluationsPerPoint * points,
+                                           kMostEvaluations + kMostEvaluationsPerPoint * points),
+            callbacks.stop} {}
+
+  /// Halves segments beside the triangles that are left and meshes again. False if that takes more
+  /// than `most` points.
+  Result<bool> halve(State& state, std::size_t most) const {
+    std::vector<RegionBoundary> boundaries;
+    Result<bool> cut =
+        errors_as_values("cut segments", [&] { return cut_further(state, boundaries, most); });
+    if (!cut || !*cut) return cut;
+    std::vector<std::size_t> changed;
+    std::vector<RegionBoundary> again;
+    for (std::size_t r = 0; r < boundaries.size(); ++r) {
+      if (boundaries[r].vertices == state.boundaries[r].vertices) continue;
+      changed.push_back(r);
+      again.push_back(boundaries[r]);
+    }
+    Result<std::vector<RegionMesh>> meshes = mesh_regions(again, options_, callbacks_);
+    if (!meshes) return std::move(meshes).error();
+    for (std::size_t k = 0; k < changed.size(); ++k) {
+      state.meshes[changed[k]] = std::move((*meshes)[k]);
+    }
+    state.boundaries = std::move(boundaries);
+    return true;
+  }
+
+  /// Works on the triangles above the target if they are few; counts them.
+  Status improve(State& state) {
+    return errors_as_values("cut and improve", [&] {
+      state.left = {joined(state).triangles_above().size(), false};
+      if (state.left.above > 0 && kMany * state.left.above <= state.pslg.points.size()) {
+        Budget part = budget_.share(2);
+        state.left = cut_and_improve(state.pslg, state.table, state.boundaries, state.meshes,
+                                     options_, part);
+        budget_.take_back(part);
+      }
+      return ok();
+    });
+  }
+
+ private:
+  [[nodiscard]] JoinedRegions joined(const State& state) const {
+    return {state.pslg, state.boundaries, state.meshes, goal_};
+  }
+
+  Result<bool> cut_further(State& state, std::vector<RegionBoundary>& boundaries,
+                           std::size_t most) const {
+    const std::vector<SegmentId> halved = joined(state).segments_to_halve();
+    Result<bool> cut = halve_segments(state.pslg, state.table, options_, halved, most);
+    if (!cut || !*cut) return cut;
+    boundaries = split_regions(state.pslg, state.table);
+    if (Status status = resolve_sizes(state.pslg, state.table, options_, boundaries); !status) {
+      return std::move(status).error();
+    }
+    return true;
+  }
+
+  const Options& options_;
+  const Callbacks& callbacks_;
+  Goal goal_;
+  Budget budget_;
+};
+
+/// What was cut since there were `before` points.
+Note note_of_cuts(const Pslg& pslg, std::size_t before, const Options& options) {
+  std::vector<Point> where(pslg.points.begin() + static_cast<std::ptrdiff_t>(before),
+                           pslg.points.end());
+  return {Note::Kind::cut, kVoid,
+          fmt::format("{} added on segments where triangles were left above {:.6g} degrees, the "
+                      "first at {}",
+                      counted(pslg.points.size() - before, "point"), options.max_angle.in_degrees(),
+                      describe(where.front())),
+          std::move(where)};
+}
+
+}  // namespace
+
+Status cut_until_met(Work& work, const Options& options, const Callbacks& callbacks) {
+  Pslg& pslg = work.pslg;
+  RegionTable& table = work.table;
+  std::vector<RegionBoundary>& boundaries = work.boundaries;
+  std::vector<RegionMesh>& meshes = work.meshes;
+  Report& report = work.report;
+  if (!options.split_interfaces || options.method != Method::quality || !table.hull_sides.empty()) {
+    return ok();
+  }
+  // Layers stay as they are.
+  if (!options.layers.empty()) return ok();
+  const std::size_t points = pslg.points.size();
+  Rounds rounds(options, callbacks, points);
+  State best{std::move(pslg), std::move(table), std::move(boundaries), std::move(meshes), {}};
+  Status status = rounds.improve(best);
+  State now = best;
+  const int most_in_vain = options.max_angle < Angle::degrees(90) ? kInVain : kRounds;
+  int in_vain = 0;  // rounds since the last one that left fewer triangles
+  const auto is_of_no_use = [&] {
+    if (in_vain >= most_in_vain) return true;
+    if (now.pslg.points.size() < kFewPoints) return false;
+    return now.left.above > kEverywhere * points ||
+           (in_vain >= kInVainForAll && now.left.above > kFarMore * best.left.above);
+  };
+  const std::size_t most_cut = std::max(kMostCut * points, kFewPoints);
+  for (int k = 0; k < kRounds && status && best.left.above > 0 && !is_of_no_use() &&
+                  now.pslg.points.size() < kMostPoints * points;
+       ++k) {
+    const Result<bool> halved = rounds.halve(now, most_cut);
+    if (!halved) return halved.error();
+    if (!*halved) break;
+    status = rounds.improve(now);
+    const bool is_better = status && now.left.above < best.left.above;
+    in_vain = is_better ? 0 : in_vain + 1;
+    if (is_better) best = now;
+  }
+  if (!status) return status;
+  pslg = std::move(best.pslg);
+  table = std::move(best.table);
+  boundaries = std::move(best.boundaries);
+  meshes = std::move(best.meshes);
+  report.input_points = pslg.points.size();
+  report.input_segments = pslg.segments.size();
+  return errors_as_values("measure", [&] {
+    for (std::size_t r = 0; r < boundaries.size(); ++r) {
+      report_again(boundaries[r], options, best.left.budget_used_up, meshes[r]);
+      measure(boundaries[r], meshes[r]);
+    }
+    if (pslg.points.size() > points) report.notes.push_back(note_of_cuts(pslg, points, options));
+    return ok();
+  });
+}
+
+}  // namespace cover

@@ -1,0 +1,266 @@
+// See joined_regions.hpp.
+// Tested by tests/unit/cuts/after_meshing/cut_and_improve_test.cpp.
+#include "cuts/after_meshing/joined_regions.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "cdt/cdt.hpp"
+#include "cdt/region_cdt.hpp"
+#include "geom/curves/arc.hpp"
+#include "geom/predicates.hpp"
+#include "geom/vector.hpp"
+#include "quality/fault/merit.hpp"
+#include "quality/mutable/with_neighbours.hpp"
+
+namespace cover {
+namespace {
+
+constexpr std::size_t kHalvedAround = 24;  ///< triangles around one, whose sides may be halved
+constexpr double kLong = 0.64;  ///< of the squared length of the longest side: halved too
+
+}  // namespace
+
+JoinedRegions::JoinedRegions(const Pslg& pslg, std::span<const RegionBoundary> boundaries,
+                             std::span<const RegionMesh> meshes, const Goal& goal)
+    : goal_(goal),
+      frame_(pslg.points),
+      points_(pslg.points.size()),
+      is_bound_(pslg.segments.size(), 0) {
+  for (const SegmentPair& pair : pslg.periodic)
+    is_bound_[pair.from.index()] = is_bound_[pair.to.index()] = 1;
+  for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+    if (circle_of(pslg, pslg.segments[s]) != nullptr) is_bound_[s] = 1;
+  }
+  std::vector<Point> points = frame_.points();
+  points.resize(2 * points_);  // room for as many cuts
+  first_steiner_ = points.size();
+  std::vector<IndexTriple> triangles;
+  struct Side {
+    IndexPair ends;
+    std::uint32_t region, segment;
+    SideLimit limit;
+  };
+  std::vector<Side> sides;
+  for (std::size_t r = 0; r < meshes.size(); ++r) {
+    const RegionBoundary& boundary = boundaries[r];
+    const std::size_t offset = points.size() - boundary.points.size();
+    const auto global = [&](std::uint32_t v) {
+      return static_cast<std::uint32_t>(v < boundary.points.size() ? boundary.vertices[v].index()
+                                                                   : offset + v);
+    };
+    for (const Point& p : meshes[r].steiner) points.push_back(frame_.enter(p));
+    for (const auto& [a, b, c] : meshes[r].triangles) {
+      triangles.push_back({global(a), global(b), global(c)});
+    }
+    const Triangulation cdt = triangulate_region(boundary.points, boundary.sides);
+    const std::vector<SideLimit> limits = side_limits(cdt, locate_sides(cdt, boundary.sides));
+    for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
+      sides.push_back({{global(boundary.sides[s][0]), global(boundary.sides[s][1])},
+                       static_cast<std::uint32_t>(r),
+                       static_cast<std::uint32_t>(boundary.segments[s].index()),
+                       limits[s]});
+    }
+  }
+  std::sort(sides.begin(), sides.end(),
+            [](const Side& x, const Side& y) { return x.ends < y.ends; });
+  std::vector<IndexPair> pairs;
+  std::vector<SideLimit> limits;
+  for (const Side& side : sides) {
+    pairs.push_back(side.ends);
+    limits.push_back(side.limit);
+    region_.push_back(side.region);
+    segment_.push_back(side.segment);
+  }
+  const Triangulation all = with_neighbours(std::move(points), triangles);
+  const std::vector<EdgeRef> at = locate_sides(all, pairs);
+  mesh_ = MutableMesh(all, static_cast<std::uint32_t>(first_steiner_), at, std::move(limits));
+  mesh_.set_goal({goal.large, goal.small, goal.weight * kLightWeight});
+  for (const auto& [a, b] : pairs) {
+    const auto other = std::lower_bound(pairs.begin(), pairs.end(), IndexPair{b, a});
+    const bool is_there = other != pairs.end() && *other == IndexPair{b, a};
+    const auto number = static_cast<std::uint32_t>(other - pairs.begin());
+    partner_.push_back(is_there ? number : kNone);
+    beyond_.push_back(is_there ? at[number].triangle : kNone);
+  }
+}
+
+std::vector<std::uint32_t> JoinedRegions::triangles_above() const {
+  std::vector<std::pair<std::array<Point, 3>, std::uint32_t>> found;
+  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+    if (!is_above(mesh_, t, goal_)) continue;
+    std::array<Point, 3> corners{mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)};
+    std::sort(corners.begin(), corners.end());
+    found.push_back({corners, t});
+  }
+  std::sort(found.begin(), found.end());
+  std::vector<std::uint32_t> out;
+  for (const auto& [corners, t] : found) out.push_back(t);
+  return out;
+}
+
+std::vector<SegmentId> JoinedRegions::segments_to_halve() const {
+  std::vector<SegmentId> found;
+  for (const std::uint32_t above : triangles_above()) {
+    std::vector<std::pair<double, std::uint32_t>> sides;  // with their squared lengths
+    for (const std::uint32_t t : triangles_around(mesh_, above, kHalvedAround)) {
+      for (int i = 0; i < 3; ++i) {
+        const std::uint32_t n = mesh_.triangles[t].n[static_cast<std::size_t>(i)];
+        if (!is_side(n)) continue;
+        const Vector along = mesh_.corner(t, prev3(i)) - mesh_.corner(t, next3(i));
+        sides.emplace_back(squared_length(along), side_index(n));
+      }
+    }
+    if (sides.empty()) continue;
+    const double longest = std::max_element(sides.begin(), sides.end())->first;
+    for (const auto& [squared, side] : sides) {
+      if (squared >= kLong * longest) found.push_back(SegmentId{segment_[side]});
+    }
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+Excerpt JoinedRegions::excerpt_around(std::uint32_t t, std::size_t triangles) const {
+  const auto spare = static_cast<std::uint32_t>(points_ + cuts_);
+  return {mesh_, t, triangles, beyond_, may_cut() ? spare : kNone};
+}
+
+std::vector<std::uint32_t> JoinedRegions::put_back(Excerpt& excerpt, const MutableMesh& part,
+                                                   std::uint32_t side) {
+  has_changed_ = true;
+  if (side != kNone) {
+    const std::uint32_t s = side_index(excerpt.outside[side]), r = partner_[s];
+    const std::uint32_t s2 = add_side(s, excerpt);
+    if (r != kNone) {  // start of s beside end of r, and the other way round
+      const std::uint32_t r2 = add_side(r, excerpt);
+      partner_[s] = r2, partner_[r2] = s;
+      partner_[r] = s2, partner_[s2] = r;
+    }
+    cut_points_.push_back({segment_[s], frame_.restore(part.points[excerpt.spare])});
+    ++cuts_;
+  }
+  std::vector<std::uint32_t> changed = excerpt.replace(mesh_, part);
+  for (const std::uint32_t t : changed) {
+    for (const std::uint32_t n : mesh_.triangles[t].n) {
+      if (is_side(n) && partner_[side_index(n)] != kNone) beyond_[partner_[side_index(n)]] = t;
+    }
+  }
+  return changed;
+}
+
+/// A new side, like `parent`, for the whole and the excerpt.
+std::uint32_t JoinedRegions::add_side(std::uint32_t parent, Excerpt& excerpt) {
+  const auto number = static_cast<std::uint32_t>(mesh_.sides.size());
+  mesh_.sides.repeat(parent);
+  mesh_.allowances.push_back(mesh_.allowances[parent]);
+  excerpt.outside.push_back(kSideBit | number);
+  region_.push_back(region_[parent]);
+  segment_.push_back(segment_[parent]);
+  partner_.push_back(kNone);
+  beyond_.push_back(kNone);
+  return number;
+}
+
+std::vector<SegmentCut> JoinedRegions::segment_cuts(const Pslg& pslg) const {
+  std::vector<std::pair<std::uint32_t, Point>> all = cut_points_;
+  const auto along = [&](const std::pair<std::uint32_t, Point>& cut) {
+    const Segment& segment = pslg.segments[cut.first];
+    const Point a = pslg.points[segment.a.index()], b = pslg.points[segment.b.index()];
+    return dot(cut.second - a, b - a);
+  };
+  std::sort(all.begin(), all.end(), [&](const auto& x, const auto& y) {
+    return x.first != y.first ? x.first < y.first : along(x) < along(y);
+  });
+  std::vector<SegmentCut> cuts;
+  for (const auto& [segment, point] : all) {
+    if (cuts.empty() || cuts.back().segment != SegmentId{segment}) {
+      cuts.push_back({SegmentId{segment}, {}});
+    }
+    cuts.back().points.push_back(point);
+  }
+  return cuts;
+}
+
+bool JoinedRegions::is_valid() const {
+  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+    if (mesh_.is_hole(t)) continue;
+    const Point a = frame_.restore(mesh_.corner(t, 0)), b = frame_.restore(mesh_.corner(t, 1)),
+                c = frame_.restore(mesh_.corner(t, 2));
+    if (orientation(a, b, c) != Sign::positive) return false;
+  }
+  return true;
+}
+
+void JoinedRegions::separate(const Pslg& pslg, std::span<const RegionBoundary> boundaries,
+                             std::vector<RegionMesh>& meshes) const {
+  const std::vector<std::uint32_t> region = regions_of_triangles();
+  std::vector<std::uint32_t> number(mesh_.points.size(), kNone);
+  std::vector<VertexId> id(first_steiner_);
+  for (std::size_t v = 0; v < points_; ++v) id[v] = VertexId{v};
+  std::vector<std::pair<Point, VertexId>> added;
+  for (std::size_t v = points_; v < pslg.points.size(); ++v) {
+    added.push_back({pslg.points[v], VertexId{v}});
+  }
+  std::sort(added.begin(), added.end());
+  for (std::size_t v = points_; v < points_ + cuts_; ++v) {
+    const std::pair wanted(frame_.restore(mesh_.points[v]), VertexId{0});
+    id[v] = std::lower_bound(added.begin(), added.end(), wanted)->second;
+  }
+  std::vector<std::vector<std::uint32_t>> of_region(meshes.size());
+  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+    if (!mesh_.is_hole(t)) of_region[region[t]].push_back(t);
+  }
+  std::vector<std::uint32_t> local(pslg.points.size());
+  for (std::size_t r = 0; r < meshes.size(); ++r) {
+    const RegionBoundary& boundary = boundaries[r];
+    for (std::uint32_t v = 0; v < boundary.vertices.size(); ++v) {
+      local[boundary.vertices[v].index()] = v;
+    }
+    meshes[r].steiner.clear();
+    meshes[r].triangles.clear();
+    for (const std::uint32_t t : of_region[r]) {
+      IndexTriple triangle{};
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t v = mesh_.triangles[t].v[i];
+        if (v < first_steiner_) {
+          triangle[i] = local[id[v].index()];
+          continue;
+        }
+        if (number[v] == kNone) {
+          number[v] = static_cast<std::uint32_t>(boundary.points.size() + meshes[r].steiner.size());
+          meshes[r].steiner.push_back(frame_.restore(mesh_.points[v]));
+        }
+        triangle[i] = number[v];
+      }
+      meshes[r].triangles.push_back(triangle);
+    }
+  }
+}
+
+/// By triangle: the index of the region that it lies in.
+std::vector<std::uint32_t> JoinedRegions::regions_of_triangles() const {
+  std::vector<std::uint32_t> region(mesh_.triangles.size(), kNone), stack;
+  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+    if (mesh_.is_hole(t)) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (is_side(mesh_.triangles[t].n[i])) {
+        region[t] = region_[side_index(mesh_.triangles[t].n[i])];
+        stack.push_back(t);
+      }
+    }
+  }
+  while (!stack.empty()) {
+    const std::uint32_t t = stack.back();
+    stack.pop_back();
+    for (const std::uint32_t n : mesh_.triangles[t].n) {
+      if (is_side(n) || region[n] != kNone) continue;
+      region[n] = region[t];
+      stack.push_back(n);
+    }
+  }
+  return region;
+}
+
+}  // namespace cover

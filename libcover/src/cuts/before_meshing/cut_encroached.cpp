@@ -1,0 +1,420 @@
+// In passes: a pass takes the encroached segments in turn, the longest first, and cuts those whose
+// surroundings no other cut of the pass has changed.
+//
+// A segment is cut into as few pieces as its obstacles allow (box/least_cuts.hpp). That leaves an
+// interval for each cut, and in it we try, in this order: the distance from an end at which a
+// neighbour's vertex is (shells: equal pieces at a corner never encroach each other, whatever its
+// angle), the feet of obstacles (they keep thin layers from cascading), and the middle. The first
+// one that encroaches the fewest other sides is taken. Tested by
+// tests/unit/cuts/before_meshing/cut_encroached_test.cpp.
+#include "cuts/before_meshing/cut_encroached.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "box/encroached_sides.hpp"
+#include "box/least_cuts.hpp"
+#include "box/obstacles.hpp"
+#include "cdt/region_cdt.hpp"
+#include "cuts/before_meshing/onto_arcs.hpp"
+#include "cuts/cut_segments.hpp"
+#include "cuts/periodic/mirror_cuts.hpp"
+#include "cuts/room_on_segment.hpp"
+#include "geom/predicates.hpp"
+#include "geom/vector.hpp"
+#include "region/region_graph.hpp"
+
+namespace cover {
+namespace {
+
+constexpr int kCutPasses = 256;
+/// Ordinary inputs take fewer than ten passes and three times their points. Where a layer is thinner
+/// than the root of (length of a side times the spacing of doubles), rounded feet encroach again,
+/// and each cut takes more of them: there the passes end, and what is left is named.
+constexpr int kFreePasses = 16;
+constexpr std::size_t kLeastPoints = 1024;
+constexpr std::size_t kPointsPerPoint = 16;
+constexpr std::size_t kFeet = 8;  ///< obstacles whose feet are tried for a cut, the nearest
+constexpr double kPlaceMargin =
+    0x1p-44;  ///< of a segment: how far cuts keep from where they may be
+constexpr double kShortestPiece = 0x1p-45;  ///< of a segment: no piece is shorter
+
+/// One region in one pass.
+class RegionView {
+ public:
+  explicit RegionView(RegionBoundary boundary)
+      : boundary_(std::move(boundary)),
+        cdt_(triangulate_region(boundary_.points, boundary_.sides)),
+        at_(locate_sides(cdt_, boundary_.sides)),
+        found_(encroached_sides(cdt_, at_)),
+        is_encroached_(boundary_.sides.size(), 0),
+        touched_(cdt_.triangles.size(), 0),
+        finder_(cdt_) {
+    for (const EncroachedSide& s : found_) is_encroached_[s.side] = 1;
+    side_of_.resize(3 * cdt_.triangles.size(), kNone);
+    for (std::uint32_t s = 0; s < at_.size(); ++s) {
+      if (at_[s].triangle != kNone) side_of_[3 * at_[s].triangle + at_[s].edge] = s;
+    }
+  }
+
+  [[nodiscard]] const RegionBoundary& boundary() const { return boundary_; }
+  [[nodiscard]] const std::vector<EncroachedSide>& encroached() const { return found_; }
+  [[nodiscard]] Point apex(std::size_t side) const {
+    const EdgeRef& at = at_[side];
+    return cdt_.points[cdt_.triangles[at.triangle].v[at.edge]];
+  }
+  [[nodiscard]] std::vector<Obstacle> obstacles(std::size_t side) {
+    return finder_.obstacles(at_[side]);
+  }
+
+  /// How many sides that nothing encroaches so far a vertex at `p` on `side` would encroach.
+  std::size_t encroaches(std::size_t side, Point p) {
+    collect_cavity(at_[side], p);
+    std::size_t count = 0;
+    for (const std::uint32_t t : cavity_) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t other = side_of_[3 * t + i];
+        if (other == kNone || boundary_.segments[other] == boundary_.segments[side] ||
+            is_encroached_[other] != 0)
+          continue;
+        const auto& v = cdt_.triangles[t].v;
+        if (compare_with_90_degrees(cdt_.points[v[(i + 1) % 3]], p, cdt_.points[v[(i + 2) % 3]]) ==
+            Sign::positive)
+          ++count;
+      }
+    }
+    return count;
+  }
+
+  /// Whether a vertex at `p` on `side` changes triangles that another cut has changed.
+  bool is_touched(std::size_t side, Point p) {
+    collect_cavity(at_[side], p);
+    return std::any_of(cavity_.begin(), cavity_.end(),
+                       [&](std::uint32_t t) { return touched_[t] != 0; });
+  }
+  void touch(std::size_t side, Point p) {
+    collect_cavity(at_[side], p);
+    for (const std::uint32_t t : cavity_) touched_[t] = 1;
+  }
+
+ private:
+  /// The triangles whose circle has `p` inside.
+  void collect_cavity(EdgeRef start, Point p) {
+    if (stamp_.empty()) stamp_.assign(cdt_.triangles.size(), 0);
+    ++round_;
+    cavity_.assign(1, start.triangle);
+    stamp_[start.triangle] = round_;
+    for (std::size_t k = 0; k < cavity_.size(); ++k) {
+      const Triangle& t = cdt_.triangles[cavity_[k]];
+      for (int i = 0; i < 3; ++i) {
+        const std::uint32_t n = t.n[static_cast<std::size_t>(i)];
+        if (n == kNone || t.is_locked(i) || stamp_[n] == round_) continue;
+        const auto& v = cdt_.triangles[n].v;
+        if (in_circle(cdt_.points[v[0]], cdt_.points[v[1]], cdt_.points[v[2]], p) != Sign::positive)
+          continue;
+        stamp_[n] = round_;
+        cavity_.push_back(n);
+      }
+    }
+  }
+
+  RegionBoundary boundary_;
+  Triangulation cdt_;
+  std::vector<EdgeRef> at_;
+  std::vector<EncroachedSide> found_;
+  std::vector<std::uint8_t> is_encroached_;  ///< by side
+  std::vector<std::uint8_t> touched_;        ///< by triangle
+  std::vector<std::uint32_t> side_of_;       ///< by triangle and edge; kNone: no side
+  ObstacleFinder finder_;
+  std::vector<std::uint32_t> stamp_, cavity_;
+  std::uint32_t round_ = 0;
+};
+
+/// A side of a segment that is to be cut.
+struct SegmentSide {
+  std::size_t region = 0;  ///< index of its view
+  std::size_t side = 0;
+};
+
+/// A segment with an encroached side.
+struct Encroached {
+  SegmentId segment;
+  double length = 0;
+  std::vector<Obstacle> obstacles;  ///< from its end a on
+  Point by;                         ///< the vertex that sees it under the largest angle
+  VertexId vertex;                  ///< the same
+};
+
+class Cutter {
+ public:
+  Cutter(Pslg& pslg, RegionTable& table, VertexId first_cut, std::vector<BoxCut>& cuts,
+         std::vector<Point>& stuck)
+      : pslg_(pslg),
+        table_(table),
+        first_cut_(first_cut),
+        done_(cuts),
+        stuck_(stuck),
+        most_points_(most_points_for_boxes(pslg, cuts)),
+        dirty_(table.regions.size(), 1) {}
+
+  void run() {
+    for (int pass = 0; pass < kCutPasses; ++pass) {
+      boundaries_ = split_regions(pslg_, table_);
+      views_.clear();
+      views_.resize(boundaries_.size());
+      find_sides();
+      stuck_.clear();
+      const std::vector<SegmentCut> cuts = choose(find_encroached());
+      if (cuts.empty()) return;
+      apply(cuts);
+      if (pass >= kFreePasses && pslg_.points.size() > most_points_) break;
+    }
+    leave_the_rest();
+  }
+
+ private:
+  [[nodiscard]] Point at(VertexId v) const { return pslg_.points[v.index()]; }
+
+  RegionView& view(std::size_t region) {
+    if (!views_[region]) views_[region].emplace(boundaries_[region]);
+    return *views_[region];
+  }
+
+  void find_sides() {
+    sides_.assign(pslg_.segments.size(), {});
+    for (std::size_t r = 0; r < boundaries_.size(); ++r) {
+      for (std::size_t s = 0; s < boundaries_[r].segments.size(); ++s) {
+        if (boundaries_[r].segments[s] != kHullSide)
+          sides_[boundaries_[r].segments[s].index()].push_back({r, s});
+      }
+    }
+  }
+
+  /// The encroached segments of the regions that changed, the longest first.
+  std::vector<Encroached> find_encroached() {
+    std::vector<Encroached> found;
+    std::vector<std::uint32_t> index(pslg_.segments.size(), kNone);
+    for (std::size_t r = 0; r < boundaries_.size(); ++r) {
+      if (dirty_[r] == 0) continue;
+      RegionView& v = view(r);
+      dirty_[r] = v.encroached().empty() ? 0 : 1;
+      for (const EncroachedSide& e : v.encroached()) add(v, e, index, found);
+    }
+    std::sort(found.begin(), found.end(), [&](const Encroached& x, const Encroached& y) {
+      if (x.length != y.length) return x.length > y.length;
+      const Segment &s = pslg_.segments[x.segment.index()], &t = pslg_.segments[y.segment.index()];
+      return std::minmax(at(s.a), at(s.b)) < std::minmax(at(t.a), at(t.b));
+    });
+    return found;
+  }
+
+  void add(RegionView& v, const EncroachedSide& e, std::vector<std::uint32_t>& index,
+           std::vector<Encroached>& found) const {
+    const SegmentId id = v.boundary().segments[e.side];
+    if (id == kHullSide) return;
+    const Segment& segment = pslg_.segments[id.index()];
+    std::vector<Obstacle> obstacles = v.obstacles(e.side);
+    const bool is_turned = v.boundary().vertices[v.boundary().sides[e.side][0]] != segment.a;
+    if (is_turned) obstacles = turned_round(std::move(obstacles));
+    if (index[id.index()] == kNone) {
+      index[id.index()] = static_cast<std::uint32_t>(found.size());
+      found.push_back({id, length(at(segment.b) - at(segment.a)), std::move(obstacles),
+                       v.boundary().points[e.vertex], v.boundary().vertices[e.vertex]});
+    } else {
+      Encroached& other = found[index[id.index()]];
+      other.obstacles = merged(std::move(other.obstacles), obstacles);
+    }
+  }
+
+  std::vector<SegmentCut> choose(const std::vector<Encroached>& found) {
+    const PeriodicClasses classes(pslg_);
+    std::vector<SegmentCut> cuts;
+    std::map<SegmentId, BoxCut> told;  // reasons
+    for (const Encroached& e : found) {
+      const std::vector<SegmentCut> images = classes.images({e.segment, places_on(e)});
+      if (!has_room(images)) {
+        const Segment& s = pslg_.segments[e.segment.index()];
+        stuck_.push_back(midpoint(at(s.a), at(s.b)));
+        continue;
+      }
+      if (waits(images)) continue;
+      const BoxCut::Reason reason =
+          e.vertex < first_cut_ ? BoxCut::Reason::encroached : BoxCut::Reason::encroached_by_cut;
+      for (const SegmentCut& cut : images) {
+        for (const Point p : cut.points) {
+          for (const SegmentSide& s : sides_[cut.segment.index()]) view(s.region).touch(s.side, p);
+        }
+        told.emplace(cut.segment, BoxCut{{}, reason, e.by});
+        cuts.push_back(cut);
+      }
+    }
+    std::sort(cuts.begin(), cuts.end(),
+              [](const SegmentCut& x, const SegmentCut& y) { return x.segment < y.segment; });
+    cuts = onto_arcs(pslg_, table_, std::move(cuts));
+    for (const SegmentCut& cut : cuts) {
+      BoxCut& done = told.at(cut.segment);
+      for (const Point p : cut.points) {
+        done.at = p;
+        done_.push_back(done);
+      }
+    }
+    return cuts;
+  }
+
+  /// Whether there are points, and images of them have room too.
+  bool has_room(const std::vector<SegmentCut>& images) {
+    if (images[0].points.empty()) return false;
+    return images.size() == 1 ||
+           std::all_of(images.begin(), images.end(), [&](const SegmentCut& cut) {
+             const Segment& segment = pslg_.segments[cut.segment.index()];
+             std::vector<Point> apexes;
+             for (const SegmentSide& s : sides_[cut.segment.index()])
+               apexes.push_back(view(s.region).apex(s.side));
+             return std::all_of(cut.points.begin(), cut.points.end(), [&](Point p) {
+               return has_room_on_segment(at(segment.a), at(segment.b), p, apexes);
+             });
+           });
+  }
+
+  /// Whether other cuts have changed the surroundings of one of these.
+  bool waits(const std::vector<SegmentCut>& images) {
+    return std::any_of(images.begin(), images.end(), [&](const SegmentCut& cut) {
+      const auto& sides = sides_[cut.segment.index()];
+      return std::any_of(cut.points.begin(), cut.points.end(), [&](Point p) {
+        return std::any_of(sides.begin(), sides.end(), [&](const SegmentSide& s) {
+          return view(s.region).is_touched(s.side, p);
+        });
+      });
+    });
+  }
+
+  /// Where to cut; empty if there is no room.
+  std::vector<Point> places_on(const Encroached& e) {
+    const Segment& segment = pslg_.segments[e.segment.index()];
+    const Point a = at(segment.a), b = at(segment.b);
+    const std::vector<double> earliest = earliest_cuts(e.obstacles);
+    std::vector<Point> apexes;
+    for (const SegmentSide& s : sides_[e.segment.index()])
+      apexes.push_back(view(s.region).apex(s.side));
+    std::vector<Point> places;
+    double start = 0;
+    for (std::size_t k = 0; k < earliest.size(); ++k) {
+      const double low = std::max(earliest[k], start + kShortestPiece);
+      const double high = std::min(longest_piece(e.obstacles, start, 0), 1 - kShortestPiece);
+      const auto place = best_place(e, low, high, apexes);
+      if (!place) return {};
+      start = *place;
+      places.push_back(point_on(a, b, start));
+    }
+    return places;
+  }
+
+  /// The least place for each cut such that those after it suffice; at least one.
+  static std::vector<double> earliest_cuts(const std::vector<Obstacle>& obstacles) {
+    const std::vector<Obstacle> back = turned_round(obstacles);
+    std::vector<double> starts;
+    std::size_t first = 0;
+    for (double end = longest_piece(back, 0, 0); end < 1;) {
+      starts.push_back(1 - end);
+      while (first < back.size() && back[first].along <= end) ++first;
+      end = longest_piece(back, end, first);
+    }
+    std::reverse(starts.begin(), starts.end());
+    if (starts.empty()) starts.push_back(0);  // encroached by less than rounding
+    return starts;
+  }
+
+  std::optional<double> best_place(const Encroached& e, double low, double high,
+                                   const std::vector<Point>& apexes) {
+    const Segment& segment = pslg_.segments[e.segment.index()];
+    const Point a = at(segment.a), b = at(segment.b);
+    std::optional<double> best;
+    std::size_t least = 0;
+    for (const double place : places_between(e, low, high)) {
+      const Point p = point_on(a, b, place);
+      if (!has_room_on_segment(a, b, p, apexes)) continue;
+      std::size_t encroached = 0;
+      for (const SegmentSide& s : sides_[e.segment.index()])
+        encroached += view(s.region).encroaches(s.side, p);
+      if (best && encroached >= least) continue;
+      best = place;
+      least = encroached;
+      if (least == 0) break;
+    }
+    return best;
+  }
+
+  /// Places that may be good, the best first.
+  [[nodiscard]] std::vector<double> places_between(const Encroached& e, double low,
+                                                   double high) const {
+    const Segment& segment = pslg_.segments[e.segment.index()];
+    const Point a = at(segment.a), b = at(segment.b);
+    const double margin = std::min(kPlaceMargin, (high - low) / 4);
+    const auto is_between = [&](double t) { return t > low + margin && t < high - margin; };
+    std::vector<double> shells, places;
+    std::vector<std::pair<double, double>> feet;
+    for (const Obstacle& o : e.obstacles) {
+      for (const double t : {length(o.at - a) / e.length, 1 - length(o.at - b) / e.length}) {
+        if (is_between(t)) shells.push_back(t);
+      }
+      if (is_between(o.along)) feet.emplace_back(o.height, o.along);
+    }
+    std::sort(feet.begin(), feet.end());
+    feet.resize(std::min(feet.size(), kFeet));
+    for (const auto& [height, along] : feet) places.push_back(along);
+    places.push_back((low + high) / 2);
+    shells.resize(std::min(shells.size(), kFeet));
+    places.insert(places.end(), shells.begin(), shells.end());
+    return places;
+  }
+
+  static Point point_on(Point a, Point b, double t) {
+    return t <= 0.5 ? a + t * (b - a) : b + (1 - t) * (a - b);
+  }
+
+  /// Names what is still encroached after the last pass.
+  void leave_the_rest() {
+    boundaries_ = split_regions(pslg_, table_);
+    views_.clear();
+    views_.resize(boundaries_.size());
+    stuck_.clear();
+    for (const Encroached& e : find_encroached()) {
+      const Segment& s = pslg_.segments[e.segment.index()];
+      stuck_.push_back(midpoint(at(s.a), at(s.b)));
+    }
+  }
+
+  void apply(const std::vector<SegmentCut>& cuts) {
+    for (const SegmentCut& cut : cuts) {
+      for (const SegmentSide& s : sides_[cut.segment.index()]) dirty_[s.region] = 1;
+    }
+    cut_segments(pslg_, table_, cuts);
+  }
+
+  Pslg& pslg_;
+  RegionTable& table_;
+  VertexId first_cut_;
+  std::vector<BoxCut>& done_;
+  std::vector<Point>& stuck_;
+  std::size_t most_points_;  ///< with more of them it is a cascade
+  std::vector<RegionBoundary> boundaries_;
+  std::vector<std::optional<RegionView>> views_;  ///< by region, of the present pass
+  std::vector<std::vector<SegmentSide>> sides_;   ///< by segment
+  std::vector<std::uint8_t> dirty_;               ///< by region
+};
+
+}  // namespace
+
+std::size_t most_points_for_boxes(const Pslg& pslg, std::span<const BoxCut> cuts) {
+  const std::size_t points = pslg.points.size();
+  return kLeastPoints + kPointsPerPoint * (points - std::min(points, cuts.size()));
+}
+
+void cut_encroached(Pslg& pslg, RegionTable& table, VertexId first_cut, std::vector<BoxCut>& cuts,
+                    std::vector<Point>& stuck) {
+  Cutter(pslg, table, first_cut, cuts, stuck).run();
+}
+
+}  // namespace cover

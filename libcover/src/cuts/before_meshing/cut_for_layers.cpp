@@ -1,0 +1,97 @@
+// Both regions beside a segment, and the lines at both of its ends, may ask for points; those too
+// near to another one are left out, and there layers taper off.
+// Tested by tests/unit/cuts/before_meshing/cut_for_layers_test.cpp.
+#include "cuts/before_meshing/cut_for_layers.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <cover/text.hpp>
+
+#include "cdt/region_cdt.hpp"
+#include "cdt/sides.hpp"
+#include "cuts/cut_segments.hpp"
+#include "cuts/room_on_segment.hpp"
+#include "geom/vector.hpp"
+#include "layers/layer_rules.hpp"
+#include "layers/layered_region.hpp"
+#include "layers/wall_points.hpp"
+#include "region/region_graph.hpp"
+
+namespace cover {
+namespace {
+
+/// Of a layer's thickness: no point is nearer to another one.
+constexpr double kApart = 0.5;
+
+/// What is asked of one segment.
+struct WallWish {
+  std::vector<layers::WallPoint> points;
+  std::vector<Point> apexes;  ///< of the triangles on both sides
+};
+
+/// Points along a segment that starts at `a`; low ones come first.
+std::vector<Point> along_segment(Point a, Point b, WallWish wish) {
+  std::stable_sort(wish.points.begin(), wish.points.end(), [](const auto& p, const auto& q) {
+    return p.height != q.height ? p.height < q.height : p.at < q.at;
+  });
+  std::vector<Point> taken;
+  for (const layers::WallPoint& p : wish.points) {
+    const bool is_free = std::all_of(taken.begin(), taken.end(), [&](const Point& q) {
+      return length(q - p.at) >= kApart * p.layer;
+    });
+    if (is_free && has_room_on_segment(a, b, p.at, wish.apexes)) taken.push_back(p.at);
+  }
+  std::sort(taken.begin(), taken.end(), [&](const Point& p, const Point& q) {
+    return squared_length(p - a) < squared_length(q - a);
+  });
+  return taken;
+}
+
+}  // namespace
+
+Status cut_for_layers(Prepared& prepared, const Options& options) {
+  if (options.layers.empty() || (!options.split_interfaces && !options.box_method)) return ok();
+  auto& [pslg, table, report] = prepared;
+  std::vector<RegionBoundary> boundaries = split_regions(pslg, table);
+  if (Status status = resolve_layers(pslg, table, options, boundaries); !status) return status;
+  std::map<SegmentId, WallWish> wishes;
+  for (const RegionBoundary& boundary : boundaries) {
+    if (!has_layers(boundary)) continue;
+    for (const layers::WallPoint& p : layers::wall_points(boundary, options.layers))
+      wishes[boundary.segments[p.side]].points.push_back(p);
+  }
+  for (const RegionBoundary& boundary : boundaries) {
+    if (wishes.empty()) break;
+    const Triangulation cdt = triangulate_region(boundary.points, boundary.sides);
+    const std::vector<EdgeRef> at = locate_sides(cdt, boundary.sides);
+    for (std::size_t s = 0; s < at.size(); ++s) {
+      const auto wish = wishes.find(boundary.segments[s]);
+      if (wish != wishes.end())
+        wish->second.apexes.push_back(cdt.points[cdt.triangles[at[s].triangle].v[at[s].edge]]);
+    }
+  }
+  std::vector<SegmentCut> cuts;
+  std::vector<Point> where;
+  for (const auto& [segment, wish] : wishes) {
+    const Segment& s = pslg.segments[segment.index()];
+    SegmentCut cut{segment,
+                   along_segment(pslg.points[s.a.index()], pslg.points[s.b.index()], wish)};
+    if (cut.points.empty()) continue;
+    where.insert(where.end(), cut.points.begin(), cut.points.end());
+    cuts.push_back(std::move(cut));
+  }
+  if (cuts.empty()) return ok();
+  cut_segments(pslg, table, cuts);
+  report.notes.push_back({Note::Kind::cut, kVoid,
+                          fmt::format("{} added on segments where layers end, the first at {}",
+                                      counted(where.size(), "point"), describe(where.front())),
+                          std::move(where)});
+  return ok();
+}
+
+}  // namespace cover

@@ -1,0 +1,114 @@
+// The map of a triangle of second order is a quadratic Bezier triangle with control points C on its
+// edges, m = (a + 2 C + b) / 4. Its derivatives are linear, u = sum l_i u_i and v = sum l_i v_i in
+// barycentric coordinates l, so its Jacobian u x v has the coefficients u_i x v_i at the corners
+// and (u_i x v_j + u_j x v_i) / 2 between them: it is their weighted mean and positive where all of
+// them are. They are computed with twice the digits of a double.
+//
+// Ref: A. Johnen, J.-F. Remacle, C. Geuzaine, Geometrical validity of curvilinear finite elements,
+//      J. Comput. Phys. 233 (2013)
+// Tested by tests/unit/geom/curves/arc_test.cpp.
+#include "geom/curves/arc.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geom/double_double.hpp"
+#include "geom/vector.hpp"
+
+namespace cover {
+namespace {
+
+constexpr double kOnCircle = 0x1p-40;
+constexpr double kErrorOfSums = 0x1p-90;  ///< of the largest term; some 2^-98 is what is lost
+
+/// A vector with twice the digits.
+struct LongVector {
+  DoubleDouble x, y;
+};
+
+LongVector operator+(const LongVector& a, const LongVector& b) { return {a.x + b.x, a.y + b.y}; }
+LongVector operator-(const LongVector& a, const LongVector& b) { return {a.x - b.x, a.y - b.y}; }
+
+LongVector long_vector(Point p) { return {{p.x, 0}, {p.y, 0}}; }
+
+double largest_part(const LongVector& v) {
+  return std::max(std::abs(v.x.high), std::abs(v.y.high));
+}
+
+DoubleDouble long_cross(const LongVector& a, const LongVector& b) { return a.x * b.y - a.y * b.x; }
+
+}  // namespace
+
+ArcOver::ArcOver(const ArcCircle& circle, Point a, Point b) : a_(a), b_(b) {
+  const Point m = midpoint(a, b);
+  const double half = length(b - a) / 2;
+  radius_ = std::max(circle.radius, half);
+  const double height = std::sqrt(std::max(0.0, (radius_ - half) * (radius_ + half)));
+  turn_ = cross(a - circle.centre, b - circle.centre) >= 0 ? 1 : -1;
+  centre_ = m + (turn_ * height / (2 * half)) * left_normal(b - a);
+  half_angle_ = std::asin(std::min(1.0, half / radius_));
+}
+
+Point ArcOver::at(double share) const {
+  if (share <= 0) return a_;
+  if (share >= 1) return b_;
+  // From the chord: its point below, and how far the arc is from there. Nothing is lost where the
+  // circle is large.
+  const double angle = (2 * share - 1) * half_angle_;
+  const double half = length(b_ - a_) / 2;
+  const double along = radius_ * std::sin(angle) / half;  // of half the chord, from its middle
+  // cos(angle) - cos(half_angle), without cancellation
+  const double height =
+      radius_ * 2 * std::sin((half_angle_ + angle) / 2) * std::sin((half_angle_ - angle) / 2);
+  const Vector chord = b_ - a_;
+  return midpoint(a_, b_) + (along / 2) * chord +
+         (-turn_ * height / (2 * half)) * left_normal(chord);
+}
+
+Point ArcOver::above(Point p) const { return at(dot(p - a_, b_ - a_) / squared_length(b_ - a_)); }
+
+bool ArcOver::is_on_circle(Point p) const {
+  const double size = std::max({radius_, std::abs(p.x), std::abs(p.y)});
+  return std::abs(length(p - centre_) - radius_) <= kOnCircle * size;
+}
+
+double ArcOver::share_of(Point p) const {
+  const Vector towards = turn_ * left_normal(a_ - b_), to = p - centre_;  // towards the middle
+  return 0.5 + turn_ * std::atan2(cross(towards, to), dot(towards, to)) / (2 * half_angle_);
+}
+
+bool has_positive_jacobian(const CurvedTriangle& triangle) {
+  std::array<LongVector, 3> corner, control;  // control[i]: of the edge from corner i on
+  for (std::size_t i = 0; i < 3; ++i) corner[i] = long_vector(triangle[i]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const LongVector m = long_vector(triangle[3 + i]);
+    const LongVector ends = corner[i] + corner[(i + 1) % 3];
+    control[i] =
+        m + m - LongVector{{ends.x.high / 2, ends.x.low / 2}, {ends.y.high / 2, ends.y.low / 2}};
+  }
+  const std::array u{control[0] - corner[0], corner[1] - control[0], control[1] - control[2]};
+  const std::array v{control[2] - corner[0], control[1] - control[0], corner[2] - control[2]};
+  // Differences of coordinates lose what these lose, not more.
+  double place = 0, step = 0;
+  for (const auto* points : {&corner, &control}) {
+    for (const LongVector& p : *points) place = std::max(place, largest_part(p));
+  }
+  for (const auto* steps : {&u, &v}) {
+    for (const LongVector& s : *steps) step = std::max(step, largest_part(s));
+  }
+  const double error = kErrorOfSums * place * step;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i; j < 3; ++j) {
+      const DoubleDouble sum = long_cross(u[i], v[j]) + long_cross(u[j], v[i]);
+      if (!(sum.high > error)) return false;
+    }
+  }
+  return true;
+}
+
+double area_beside_chord(Point a, Point b, Point m) {
+  constexpr double kOfParabola = 2.0 / 3;
+  return -kOfParabola * cross(b - a, m - midpoint(a, b));
+}
+
+}  // namespace cover

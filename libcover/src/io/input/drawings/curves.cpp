@@ -1,0 +1,130 @@
+#include "io/input/drawings/curves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "geom/vector.hpp"
+
+namespace cover {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+/// The same direction in [0, 360).
+double reduced(double degrees) {
+  double r = std::fmod(degrees, 360);
+  if (r < 0) r += 360;
+  return r < 360 ? r : 0;  // -1e-20 + 360 rounds up to 360
+}
+
+/// Even pieces of at most `step`; 1e-9 of one forgives the rounding of `angle / step`.
+double pieces(double angle, double step) { return std::max(1.0, std::ceil(angle / step - 1e-9)); }
+
+}  // namespace
+
+double step_for_chord_error(double radius, double chord_error) {
+  // The sagitta is r (1 - cos(step / 2)) = 2 r sin^2(step / 4).
+  const double sine = std::sqrt(chord_error / (2 * radius));
+  return sine >= 0.5 ? 120 : std::min(120.0, 4 * std::asin(sine) / kDegree);
+}
+
+Point point_on_circle(Point centre, double radius, double degrees) {
+  const double angle = reduced(degrees);
+  const int quadrant = static_cast<int>(angle / 90);
+  const double rest = std::fmod(angle, 90);
+  // In the first octant sine and cosine are taken as they are, in the second they change roles.
+  const bool steep = rest > 45;
+  const double small = (steep ? 90 - rest : rest) * kDegree;
+  Vector v{std::cos(small), std::sin(small)};
+  if (steep) std::swap(v.x, v.y);
+  for (int k = 0; k < quadrant; ++k) v = left_normal(v);
+  return centre + radius * v;
+}
+
+void CurveCutter::add(const Arc& arc) {
+  Circle& circle = circles_[{arc.centre.x, arc.centre.y, arc.radius}];
+  circle.step = std::min(circle.step, arc.step);
+  if (arc.full() && arc.from == 0) return;  // a plain circle has no ends
+  circle.ends.push_back(reduced(arc.from));
+  circle.ends.push_back(reduced(arc.to));
+}
+
+bool CurveCutter::cut(Circle& circle, std::size_t most) {
+  std::vector<double>& ends = circle.ends;
+  if (ends.empty()) ends.push_back(0);
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  double total = 0;
+  for (int pass = 0; pass < 2; ++pass) {  // count, then cut
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      const double end = i + 1 < ends.size() ? ends[i + 1] : ends[0] + 360;
+      const double n = pieces(end - ends[i], circle.step);
+      if (pass == 0) total += n;
+      for (double k = 0; pass == 1 && k < n; ++k)
+        circle.angles.push_back(ends[i] + (end - ends[i]) * k / n);
+    }
+    if (!(total <= static_cast<double>(most))) return false;
+  }
+  for (double& angle : circle.angles) angle = reduced(angle);
+  std::sort(circle.angles.begin(), circle.angles.end());
+  circle.angles.erase(std::unique(circle.angles.begin(), circle.angles.end()), circle.angles.end());
+  return true;
+}
+
+std::optional<std::vector<Point>> CurveCutter::points(const Arc& arc, std::size_t most) {
+  Circle& circle = circles_.at({arc.centre.x, arc.centre.y, arc.radius});
+  if (circle.angles.empty() && !cut(circle, most)) return std::nullopt;
+
+  const std::vector<double>& angles = circle.angles;
+  const auto index = [&](double angle) {
+    const auto at = std::lower_bound(angles.begin(), angles.end(), reduced(angle));
+    return static_cast<std::size_t>(at - angles.begin()) % angles.size();
+  };
+  const bool clockwise = arc.to < arc.from;
+  const std::size_t first = index(clockwise ? arc.to : arc.from);
+  const std::size_t last = index(clockwise ? arc.from : arc.to);
+  const std::size_t steps =
+      arc.full() ? angles.size() : (last + angles.size() - first) % angles.size();
+  if (steps >= most) return std::nullopt;
+
+  std::vector<Point> points;
+  points.reserve(steps + 1);
+  for (std::size_t k = 0; k <= steps; ++k)
+    points.push_back(point_on_circle(arc.centre, arc.radius, angles[(first + k) % angles.size()]));
+  if (clockwise) std::reverse(points.begin(), points.end());
+  return points;
+}
+
+double sweep_between(Point a, Point b, Point centre, bool clockwise) {
+  const Vector u = a - centre, v = b - centre;
+  double sweep = std::atan2(cross(u, v), dot(u, v)) / kDegree;
+  if (clockwise) sweep = -sweep;
+  if (sweep <= 0) sweep += 360;
+  return clockwise ? -sweep : sweep;
+}
+
+std::optional<std::vector<Point>> cut_arc_between(Point a, Point b, Point centre, bool clockwise,
+                                                  double step, std::size_t most) {
+  const bool swapped = b < a;
+  if (swapped) {
+    std::swap(a, b);
+    clockwise = !clockwise;
+  }
+  const Vector u = a - centre, v = b - centre;
+  const double sweep = sweep_between(a, b, centre, clockwise);
+  const double n = pieces(std::abs(sweep), step);
+  if (!(n < static_cast<double>(most))) return std::nullopt;
+
+  const double start = std::atan2(u.y, u.x) / kDegree;
+  std::vector<Point> points{a};
+  for (double k = 1; k < n; ++k) {
+    const double radius = length(u) + (length(v) - length(u)) * k / n;
+    points.push_back(point_on_circle(centre, radius, start + sweep * k / n));
+  }
+  points.push_back(b);
+  if (swapped) std::reverse(points.begin(), points.end());
+  return points;
+}
+
+}  // namespace cover

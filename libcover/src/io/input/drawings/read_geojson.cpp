@@ -1,0 +1,278 @@
+// GeoJSON (RFC 7946): each Polygon and MultiPolygon a painted area, each LineString a named line.
+//
+// Properties: `material` (else `name`, else the feature is a material of its own), `name` (of the
+// region or line), `priority`, `size` (the wished edge length inside); the first three may be called
+// otherwise, and those that are to be kept become attributes. Coordinates are taken as they are, plane, heights left out; so are points and
+// whatever else a file carries, which the RFC allows. Tested by read_geojson_test.cpp.
+#include "io/input/drawings/read_geojson.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include <cover/text.hpp>
+
+#include "io/input/attribute_table.hpp"
+#include "io/input/formats.hpp"
+
+namespace cover {
+namespace {
+
+class GeoReader {
+ public:
+  GeoReader(const Json& document, const std::string& source, const ReadOptions& options)
+      : document_(document),
+        json_(document, source),
+        material_("material_field", options.material_field, "material"),
+        name_("name_field", options.name_field, "name"),
+        priority_("priority_field", options.priority_field, "priority"),
+        attributes_(options.keep_fields) {
+    input_.source = source;
+  }
+
+  Result<Input> read() {
+    read_all(document_);
+    return finish();
+  }
+
+  /// The same, where `elements` stand in the collection of features that the document is; nothing
+  /// where something is wrong, of which the place is not known.
+  std::optional<Input> read(const std::vector<std::string_view>& elements) {
+    if (JsonReader::member(document_, "type") == nullptr ||
+        *JsonReader::member(document_, "type") != "FeatureCollection")
+      return std::nullopt;
+    for (const std::string_view element : elements) {
+      const Result<JsonDocument> feature = parse_json_text(element, "");
+      if (!feature) return std::nullopt;
+      read_all(feature->root());
+      if (json_.failed()) return std::nullopt;
+    }
+    Result<Input> input = finish();
+    return input ? std::optional(*std::move(input)) : std::nullopt;
+  }
+
+ private:
+  /// An object with all that lies in it.
+  void read_all(const Json& root) {
+    push(root, Properties{});
+    while (!waiting_.empty() && !json_.failed()) {
+      const auto [object, properties] = std::move(waiting_.back());
+      waiting_.pop_back();
+      const std::size_t before = waiting_.size();
+      read_object(*object, properties);
+      // What lies in the object comes next, and in its order: later polygons win over earlier ones.
+      std::reverse(waiting_.begin() + static_cast<std::ptrdiff_t>(before), waiting_.end());
+    }
+  }
+
+  Result<Input> finish() {
+    if (!json_.failed() && input_.polygons.empty() && input_.lines.empty())
+      json_.fail(document_, "no Polygon, MultiPolygon or LineString in it");
+    if (json_.failed()) return json_.error();
+    if (points_ > 0)
+      input_.warnings.push_back(points_ == 1
+                                    ? std::string("1 geometry is a point: left out")
+                                    : fmt::format("{} geometries are points: left out", points_));
+    if (no_sizes_ > 0)
+      input_.warnings.push_back(
+          fmt::format("the property 'size' of {} is no length above 0: left out",
+                      counted(no_sizes_, "feature")));
+    if (auto missing = missing_property()) return *std::move(missing);
+    input_.attributes = attributes_.attributes();
+    return std::move(input_);
+  }
+
+  /// What a feature says of its geometry.
+  struct Properties {
+    std::string material;
+    std::string name;
+    std::optional<double> priority;
+    std::optional<double> size;
+    std::uint32_t feature = 0;  ///< as InputPolygon has it
+  };
+
+  /// A property that means something; what the caller called it has to be there.
+  struct Meaning {
+    Meaning(const char* its_option, const std::string& asked, const char* usual)
+        : option(its_option), name(asked.empty() ? usual : asked), must_be_there(!asked.empty()) {}
+
+    const char* option;
+    std::string name;
+    bool must_be_there;
+
+    /// Its value, or nullptr where there is none.
+    const Json* of(const Json& properties) {
+      const Json* value = JsonReader::member(properties, name);
+      if (value) must_be_there = false;
+      return value;
+    }
+  };
+
+  void push(const Json& object, const Properties& properties) {
+    waiting_.emplace_back(&object, properties);
+  }
+
+  void read_object(const Json& object, const Properties& properties) {
+    if (!object.is_object()) return json_.fail(object, "expected a GeoJSON object");
+    const std::string type = json_.text(json_.required(object, "type"));
+    if (json_.failed()) return;
+    const auto coordinates = [&]() -> const Json& {
+      return json_.array(json_.required(object, "coordinates"), "coordinates");
+    };
+    if (type == "FeatureCollection") {
+      for (const Json& f : json_.array(json_.required(object, "features"), "features"))
+        push(f, properties);
+    } else if (type == "Feature") {
+      const Json* geometry = JsonReader::member(object, "geometry");
+      const Properties own = read_properties(object);
+      if (geometry) push(*geometry, own);
+    } else if (type == "GeometryCollection") {
+      for (const Json& g : json_.array(json_.required(object, "geometries"), "geometries"))
+        push(g, properties);
+    } else if (type == "Polygon") {
+      read_polygon(coordinates(), properties);
+    } else if (type == "MultiPolygon") {
+      for (const Json& polygon : coordinates()) read_polygon(polygon, properties);
+    } else if (type == "LineString") {
+      read_line(coordinates(), properties);
+    } else if (type == "MultiLineString") {
+      for (const Json& line : coordinates()) read_line(line, properties);
+    } else if (type == "Point" || type == "MultiPoint") {
+      ++points_;
+    } else {
+      json_.fail(object, fmt::format("the type \"{}\" is not one of GeoJSON", type));
+    }
+  }
+
+  Properties read_properties(const Json& feature) {
+    Properties own;
+    const long number = features_++;
+    if (const Json* properties = JsonReader::member(feature, "properties")) {
+      if (const Json* m = material_.of(*properties)) own.material = read_name(*m);
+      if (const Json* n = name_.of(*properties)) own.name = read_name(*n);
+      if (const Json* p = priority_.of(*properties)) own.priority = json_.number(*p);
+      if (const Json* s = JsonReader::member(*properties, "size")) own.size = read_size(*s);
+    }
+    if (own.material.empty())
+      own.material = own.name.empty() ? fmt::format("feature_{}", number) : own.name;
+    own.feature = attributes_.add_feature();
+    for (std::size_t k = 0; k < attributes_.names().size(); ++k)
+      attributes_.set(k, read_attribute(feature, attributes_.names()[k], number));
+    return own;
+  }
+
+  /// A property as it is; for `fid`, where none is called so, the feature's id or its place.
+  static AttributeValue read_attribute(const Json& feature, const std::string& name, long number) {
+    const Json* properties = JsonReader::member(feature, "properties");
+    const Json* value = properties ? JsonReader::member(*properties, name) : nullptr;
+    if (!value && name == kFeatureId) {
+      value = JsonReader::member(feature, "id");
+      if (!value) return static_cast<double>(number);
+    }
+    if (!value) return {};
+    if (value->is_number()) return value->get<double>();
+    if (value->is_string()) return value->get<std::string>();
+    return value->dump(-1, ' ', false, Json::error_handler_t::replace);
+  }
+
+  /// A property that was asked for and that no feature has.
+  [[nodiscard]] std::optional<Error> missing_property() const {
+    const auto error = [&](const char* option, const std::string& name) {
+      return Error{
+          ErrorCode::bad_option,
+          fmt::format("{}: {}: no feature has the property '{}'", input_.source, option, name),
+          {},
+          {}};
+    };
+    for (const Meaning* meaning : {&material_, &name_, &priority_})
+      if (meaning->must_be_there) return error(meaning->option, meaning->name);
+    for (std::size_t k = 0; k < attributes_.names().size(); ++k)
+      if (attributes_.is_empty(k)) return error("keep_field", attributes_.names()[k]);
+    return std::nullopt;
+  }
+
+  /// A length; whatever else a table calls so is left out.
+  std::optional<double> read_size(const Json& value) {
+    if (value.is_number() && value.get<double>() > 0) return json_.positive(value);
+    ++no_sizes_;
+    return std::nullopt;
+  }
+
+  /// Tables that maps are made from have numbers for names too.
+  std::string read_name(const Json& value) {
+    return value.is_number_float() ? value.dump() : json_.name(value);
+  }
+
+  std::vector<Point> read_path(const Json& coordinates) {
+    std::vector<Point> path;
+    for (const Json& position : json_.array(coordinates, "positions")) {
+      if (json_.failed()) break;
+      path.push_back(json_.point(position, true));
+    }
+    return path;
+  }
+
+  void read_polygon(const Json& coordinates, const Properties& properties) {
+    if (json_.failed()) return;
+    if (coordinates.is_array() && coordinates.empty()) return;  // the RFC: as null
+    InputPolygon polygon;
+    for (const Json& ring : json_.array(coordinates, "rings"))
+      polygon.rings.push_back(read_path(ring));
+    polygon.material = properties.material.empty() ? "feature_0" : properties.material;
+    polygon.region = properties.name;
+    polygon.priority = properties.priority;
+    polygon.size = properties.size;
+    polygon.feature = properties.feature;
+    polygon.id = static_cast<long>(input_.polygons.size());
+    input_.polygons.push_back(std::move(polygon));
+  }
+
+  void read_line(const Json& coordinates, const Properties& properties) {
+    if (json_.failed()) return;
+    if (coordinates.is_array() && coordinates.empty()) return;  // the RFC: as null
+    InputLine line{properties.name, read_path(coordinates), static_cast<long>(input_.lines.size())};
+    if (line.points.size() < 2) json_.fail(coordinates, "a line needs two positions or more");
+    input_.lines.push_back(std::move(line));
+  }
+
+  const Json& document_;
+  JsonReader json_;
+  Input input_;
+  std::vector<std::pair<const Json*, Properties>> waiting_;  // a stack
+  long features_ = 0;
+  std::size_t points_ = 0;
+  std::size_t no_sizes_ = 0;
+  Meaning material_, name_, priority_;
+  AttributeTable attributes_;
+};
+
+}  // namespace
+
+bool is_geojson(const Json& document) {
+  const Json* type = JsonReader::member(document, "type");
+  return type && type->is_string();
+}
+
+Result<Input> read_geojson(const Json& document, const std::string& source,
+                           const ReadOptions& options) {
+  return GeoReader(document, source, options).read();
+}
+
+std::optional<Input> read_geojson(const SplitJson& split, const std::string& source,
+                                  const ReadOptions& options) {
+  const Result<JsonDocument> rest = parse_json_text(split.rest, source);
+  return rest ? GeoReader(rest->root(), source, options).read(split.elements) : std::nullopt;
+}
+
+Result<Input> parse_geojson(std::string_view text, const std::string& source,
+                            const ReadOptions& options) {
+  if (const auto split = split_json(text, {"features"})) {
+    if (std::optional<Input> input = read_geojson(*split, source, options))
+      return *std::move(input);
+  }
+  const Result<JsonDocument> document = parse_json_text(text, source);
+  if (!document) return document.error();
+  return read_geojson(document->root(), source, options);
+}
+
+}  // namespace cover

@@ -1,0 +1,137 @@
+// Tested by tests/unit/io/input/meshes/read_size_field_test.cpp.
+#include <cover/read_size_field.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <fmt/ranges.h>
+
+#include "base/expression.hpp"
+#include "base/faults/errors.hpp"
+#include "base/faults/out_of_memory.hpp"
+#include "geom/box.hpp"
+#include "geom/vector.hpp"
+#include "io/input/meshes/plane_fields.hpp"
+
+namespace cover {
+namespace {
+
+/// Edges come out up to this much longer than asked; measured by tests/cli.
+constexpr double kLongestEdge = 1.5;
+
+std::vector<std::string> array_names(const PlaneField& field) {
+  std::vector<std::string> names;
+  for (const PlaneField::Array& array : field.arrays) names.push_back(array.name);
+  return names;
+}
+
+/// The edge lengths by point, or what there is instead.
+Result<PlaneField::Array*> find_sizes(PlaneField& field, const std::string& path) {
+  for (const char* name : {"size", "h"}) {
+    for (PlaneField::Array& array : field.arrays)
+      if (array.name == name) return &array;
+  }
+  if (field.arrays.size() == 1) return field.arrays.data();
+  if (field.arrays.empty())
+    return wrong_file(path, "no point array with one component, of edge lengths");
+  return wrong_file(path,
+                    fmt::format("which point array has the edge lengths? None of {} is called size "
+                                "or h; values that are no lengths need --size-of",
+                                fmt::join(array_names(field), ", ")));
+}
+
+/// The values by point of what sizes shall follow.
+Result<std::vector<double>> values_of(const PlaneField& field, const std::string& of,
+                                      const std::string& path) {
+  std::vector<std::string> names = array_names(field);
+  std::string text = of;
+  if (is_function_name(of)) {
+    if (names.size() != 1)
+      return wrong_file(
+          path, fmt::format("{} of which point array? Of {}, as {}({})", of,
+                            names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")), of,
+                            names.empty() ? "name" : names.front()));
+    text = fmt::format("{}('{}')", of, names.front());
+  }
+  names.insert(names.end(), {"x", "y"});
+  const Result<Expression> formula = Expression::parse(text, names);
+  if (!formula) return wrong_file(path, formula.error().message);
+  std::vector<double> out, row(names.size());
+  out.reserve(field.points.size());
+  for (std::size_t p = 0; p < field.points.size(); ++p) {
+    for (std::size_t k = 0; k < field.arrays.size(); ++k) row[k] = field.arrays[k].values[p];
+    row[names.size() - 2] = field.points[p].x;
+    row[names.size() - 1] = field.points[p].y;
+    out.push_back((*formula)(row));
+  }
+  return out;
+}
+
+/// How much a value that is linear in a triangle changes along a unit of length; 0 where the
+/// triangle is flat or has corners without a value.
+double slope_in(const std::array<Point, 3>& corners, const std::array<double, 3>& values) {
+  const Vector u = corners[1] - corners[0], v = corners[2] - corners[0];
+  const double area = cross(u, v);
+  const double of_u = values[1] - values[0], of_v = values[2] - values[0];
+  const Vector gradient{(of_u * v.y - of_v * u.y) / area, (of_v * u.x - of_u * v.x) / area};
+  const double slope = length(gradient);
+  return area != 0 && std::isfinite(slope) ? slope : 0;
+}
+
+}  // namespace
+
+Result<SizeSamples> read_size_field(const std::string& path) {
+  Result<PlaneField> field = read_plane_field(path);
+  if (!field) return std::move(field).error();
+  const Result<PlaneField::Array*> sizes = find_sizes(*field, path);
+  if (!sizes) return sizes.error();
+  return SizeSamples{std::move(field->points), std::move(field->triangles),
+                     std::move((*sizes)->values)};
+}
+
+Result<SizeSamples> read_size_field(const std::string& path, const std::string& of, double step) {
+  Result<PlaneField> field = read_plane_field(path);
+  if (!field) return std::move(field).error();
+  const Result<std::vector<double>> values = values_of(*field, of, path);
+  if (!values) return values.error();
+  if (field->triangles.empty())
+    return wrong_file(path, "no triangles between the points, along which values could change");
+  for (const Point& p : field->points) {
+    if (!std::isfinite(p.x) || !std::isfinite(p.y))
+      return wrong_file(path, "the coordinates of a point are not finite");
+  }
+  std::vector<double> slopes(field->points.size(), 0);
+  for (const auto& [a, b, c] : field->triangles) {
+    const double slope = slope_in({field->points[a], field->points[b], field->points[c]},
+                                  {(*values)[a], (*values)[b], (*values)[c]});
+    for (const std::uint32_t v : {a, b, c}) slopes[v] = std::max(slopes[v], slope);
+  }
+  const double longest_edge = box_of(field->points).diagonal();
+  std::vector<double> sizes;
+  for (const double slope : slopes)
+    sizes.push_back(std::min(step / slope / kLongestEdge, longest_edge));
+  return SizeSamples{std::move(field->points), std::move(field->triangles), std::move(sizes)};
+}
+
+Status load_size_field(Options& options) {
+  return memory_as_value(options.size_field_name, [&]() -> Status {
+    if (options.size_field || options.size_field_name.empty()) return ok();
+    const std::string& path = options.size_field_name;
+    const Result<SizeSamples> samples =
+        options.size_of.empty() ? read_size_field(path)
+                                : read_size_field(path, options.size_of, options.size_step);
+    if (!samples) return samples.error();
+    Result<SizeFunction> sizes = size_function(*samples, options.growth.value_or(Options::kGrowth));
+    if (!sizes) {
+      Error error = std::move(sizes).error();
+      error.message = fmt::format("{}: {}", path, error.message);
+      return error;
+    }
+    options.size_field = *std::move(sizes);
+    return ok();
+  });
+}
+
+}  // namespace cover

@@ -1,0 +1,117 @@
+// Triangle's .poly with everything in one file. Each region gets a seed with its material and each
+// enclosed void face a hole, so that a reader needs no rule about unseeded faces; names, for which
+// the format has no place, stand in comments.
+// Tested by tests/unit/io/write_mesh/solver_formats/write_poly_test.cpp.
+#include <cover/write_mesh.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <string_view>
+
+#include "base/faults/out_of_memory.hpp"
+#include "io/files/atomic_file.hpp"
+
+namespace cover {
+namespace {
+
+using Text = fmt::memory_buffer;
+
+void write_points(Text& text, const Pslg& pslg) {
+  const auto& markers = pslg.point_markers;
+  const bool marked = std::any_of(markers.begin(), markers.end(), [](int m) { return m != 0; });
+  fmt::format_to(std::back_inserter(text), "{} 2 0 {}\n", pslg.points.size(), marked ? 1 : 0);
+  for (std::size_t k = 0; k < pslg.points.size(); ++k) {
+    const Point p = pslg.points[k];
+    fmt::format_to(std::back_inserter(text), "{} {:.17g} {:.17g}", k + 1, p.x, p.y);
+    if (marked) fmt::format_to(std::back_inserter(text), " {}", markers[k]);
+    text.push_back('\n');
+  }
+}
+
+void write_segments(Text& text, const Pslg& pslg) {
+  const bool marked = std::any_of(pslg.segments.begin(), pslg.segments.end(),
+                                  [](const Segment& s) { return s.marker != 0; });
+  fmt::format_to(std::back_inserter(text), "{} {}\n", pslg.segments.size(), marked ? 1 : 0);
+  for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+    const Segment& segment = pslg.segments[s];
+    fmt::format_to(std::back_inserter(text), "{} {} {}", s + 1, segment.a.value() + 1,
+                   segment.b.value() + 1);
+    if (marked) fmt::format_to(std::back_inserter(text), " {}", segment.marker);
+    text.push_back('\n');
+  }
+}
+
+/// A name that does not end its comment line.
+std::string on_one_line(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return c < ' '; }, ' ');
+  return name;
+}
+
+constexpr std::string_view kUnnamed = "unnamed";
+
+/// Whether a region that no seed can name is unnamed anyway. A reader gives faces without a seed
+/// the material above the largest, so the others of that material must have no seed either.
+bool must_omit_unnamed(const RegionTable& table) {
+  int largest = 0;
+  bool omit = false;
+  for (const Region& r : table.regions) {
+    if (r.material_name != kUnnamed) largest = std::max(largest, r.material);
+    omit |= r.material_name == kUnnamed && !r.inside;
+  }
+  return omit && std::all_of(table.regions.begin(), table.regions.end(), [&](const Region& r) {
+           return r.material_name != kUnnamed || r.material == largest + 1;
+         });
+}
+
+void write_seeds(Text& text, const RegionTable& table) {
+  fmt::format_to(std::back_inserter(text), "{}\n", table.void_seeds.size());
+  for (std::size_t k = 0; k < table.void_seeds.size(); ++k) {
+    const Point p = table.void_seeds[k];
+    fmt::format_to(std::back_inserter(text), "{} {:.17g} {:.17g}\n", k + 1, p.x, p.y);
+  }
+  const bool omit = must_omit_unnamed(table);
+  const auto has_seed = [&](const Region& r) {
+    return r.inside && !(omit && r.material_name == kUnnamed);
+  };
+  fmt::format_to(std::back_inserter(text), "{}\n",
+                 std::count_if(table.regions.begin(), table.regions.end(), has_seed));
+  for (const Region& r : table.regions) {
+    if (!has_seed(r)) {
+      if (!r.inside) {
+        fmt::format_to(std::back_inserter(text), "# region {}, {}, {}, holds no double: no seed\n",
+                       r.id.value(), on_one_line(r.name), on_one_line(r.material_name));
+      }
+      continue;
+    }
+    // The largest area as the reader understands it: of an equilateral triangle of that edge.
+    const double area = r.size ? *r.size * *r.size * std::numbers::sqrt3 / 4 : -1;
+    fmt::format_to(std::back_inserter(text), "{} {:.17g} {:.17g} {} {:.17g}  # {}, {}\n",
+                   r.id.value(), r.inside->x, r.inside->y, r.material, area, on_one_line(r.name),
+                   on_one_line(r.material_name));
+  }
+}
+
+}  // namespace
+
+Status write_poly(const Pslg& pslg, const RegionTable& table, const std::string& path) {
+  return memory_as_value(path, [&]() -> Status {
+    Text text;
+    fmt::format_to(std::back_inserter(text), "# points\n");
+    write_points(text, pslg);
+    fmt::format_to(std::back_inserter(text), "# segments\n");
+    write_segments(text, pslg);
+    fmt::format_to(std::back_inserter(text), "# holes, then regions: material, area, name\n");
+    write_seeds(text, table);
+    Result<AtomicFile> file = AtomicFile::create(path);
+    if (!file) return file.error();
+    file->write({text.data(), text.size()});
+    return file->commit();
+  });
+}
+
+}  // namespace cover

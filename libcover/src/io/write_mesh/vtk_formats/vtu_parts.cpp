@@ -1,0 +1,307 @@
+// What stands in a file, and in which order, follows from what its readers take: triangles only,
+// the material first and as active scalars, no field data but where segments were cut. Tested by
+// tests/unit/vtk/write_vtk_test.cpp.
+#include "io/write_mesh/vtk_formats/vtu_parts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <numeric>
+
+#include "geom/vector.hpp"
+
+namespace cover {
+namespace {
+
+/// VTK's numbers of the types of cells.
+enum class CellType : std::uint8_t {
+  line = 3,
+  triangle = 5,
+  quadratic_edge = 21,
+  quadratic_triangle = 22
+};
+
+CellType type_of_triangles(const MeshView& view) {
+  return view.second_order() ? CellType::quadratic_triangle : CellType::triangle;
+}
+
+/// Writes `value(0)`, ..., `value(size - 1)`, each as a T.
+template <class T, class Value>
+ArrayWriter each(std::size_t size, Value value) {
+  return vtu_array<T>("", size, std::move(value)).write;
+}
+
+/// Points and cells; `coordinates` and `nodes` write all of them.
+void add_cells(std::size_t points, ArrayWriter coordinates, std::size_t cells, CellType type,
+               std::size_t nodes_each, ArrayWriter nodes, VtuGrid& grid) {
+  grid.points = points;
+  grid.cells = cells;
+  constexpr std::size_t kDimensions = 3;
+  grid.coordinates = {
+      NumberType::float64,   "Points", kDimensions, {}, points * kDimensions * sizeof(double),
+      std::move(coordinates)};
+  grid.connectivity.push_back({NumberType::int64,
+                               "connectivity",
+                               1,
+                               {},
+                               cells * nodes_each * sizeof(std::int64_t),
+                               std::move(nodes)});
+  grid.connectivity.push_back(vtu_array<std::int64_t>(
+      "offsets", cells, [nodes_each](std::size_t k) { return (k + 1) * nodes_each; }));
+  grid.connectivity.push_back(
+      vtu_array<std::uint8_t>("types", cells, [type](std::size_t) { return type; }));
+}
+
+/// The same of `cells`; `point(p)` is a place.
+template <class Place>
+void add_cells(const Cells& cells, CellType type, std::size_t points, Place place, VtuGrid& grid) {
+  add_cells(
+      points,
+      [points, place](BinaryWriter& out) {
+        for (std::size_t p = 0; p < points; ++p) put_place(place(p), out);
+      },
+      cells.size(), type, cells.nodes_each,
+      each<std::int64_t>(cells.nodes.size(), [&cells](std::size_t k) { return cells.nodes[k]; }),
+      grid);
+}
+
+/// The class of each point, where there are periodic sides; `number(p)` is its number in the whole
+/// mesh.
+template <class Number>
+void add_periodic_nodes(const MeshView& view, std::size_t points, Number number, VtuGrid& grid) {
+  if (view.periodic_node.empty()) return;
+  grid.point_data.push_back(vtu_array<std::int64_t>(
+      "PeriodicNode", points,
+      [&view, number](std::size_t p) { return view.periodic_node[number(p)]; }));
+}
+
+/// Values that came with the input; `number(p)` is the number of a point in the whole mesh.
+template <class Number>
+void add_fields(const MeshView& view, std::size_t points, Number number, VtuGrid& grid) {
+  for (const PlaneField::Array& field : view.fields)
+    grid.point_data.push_back(vtu_array<double>(
+        field.name, points, [&field, number](std::size_t p) { return field.values[number(p)]; }));
+}
+
+/// What meshio would take for an array: see make_readable_by_meshio().
+bool is_found_twice(const VtuGrid& grid) {
+  std::vector<const VtuArray*> arrays;
+  for (const auto* part : {&grid.point_data, &grid.cell_data})
+    for (const VtuArray& array : *part) arrays.push_back(&array);
+  arrays.push_back(&grid.coordinates);
+  for (const VtuArray& array : grid.connectivity) arrays.push_back(&array);
+  std::uint64_t offset = 0, in_base64 = 0;
+  std::vector<std::uint64_t> replaced;
+  for (const VtuArray* array : arrays) {
+    if (std::find(replaced.begin(), replaced.end(), offset) != replaced.end()) return true;
+    replaced.push_back(in_base64);
+    const std::uint64_t size = sizeof array->bytes + array->bytes;
+    offset += size;
+    in_base64 += (size + 2) / 3 * 4;
+  }
+  return false;
+}
+
+/// Puts arrays of cells behind the first one into an order that meshio can read. It replaces the
+/// offset of each appended array by a larger one, that in base64, and then takes the first array that
+/// has the next offset it looks for: with four arrays of integers in front, every third mesh came out
+/// wrong or not at all. Ours alone are in such an order.
+void make_readable_by_meshio(VtuGrid& grid) {
+  constexpr int kMostTries = 200;
+  std::vector<std::size_t> order(grid.cell_data.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const std::vector<VtuArray> arrays = grid.cell_data;
+  for (int tries = 0; tries < kMostTries && is_found_twice(grid); ++tries) {
+    if (!std::next_permutation(order.begin() + 1, order.end())) return;
+    for (std::size_t k = 0; k < order.size(); ++k) grid.cell_data[k] = arrays[order[k]];
+  }
+}
+
+/// Some cells on points of their own: those of the cells, in the order of their numbers in the
+/// whole mesh.
+struct Part {
+  Part(const Cells& all, std::span<const std::size_t> chosen) : cells{all.nodes_each, {}} {
+    cells.nodes.reserve(cells.nodes_each * chosen.size());
+    for (const std::size_t k : chosen) {
+      const auto nodes = all[k];
+      cells.nodes.insert(cells.nodes.end(), nodes.begin(), nodes.end());
+    }
+    numbers = cells.nodes;
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    for (std::uint32_t& node : cells.nodes) {
+      node = static_cast<std::uint32_t>(std::lower_bound(numbers.begin(), numbers.end(), node) -
+                                        numbers.begin());
+    }
+  }
+
+  /// The part as a grid that refers to it and to `view`.
+  [[nodiscard]] VtuGrid grid(const MeshView& view, CellType type) const {
+    VtuGrid out;
+    out.point_attributes = " GlobalIds=\"GlobalNodeId\"";
+    VtuArray ids = vtu_array<std::int64_t>("GlobalNodeId", numbers.size(),
+                                           [this](std::size_t p) { return numbers[p]; });
+    ids.more = " IdType=\"1\"";
+    out.point_data.push_back(std::move(ids));
+    add_periodic_nodes(
+        view, numbers.size(), [this](std::size_t p) { return numbers[p]; }, out);
+    add_fields(
+        view, numbers.size(), [this](std::size_t p) { return numbers[p]; }, out);
+    add_cells(
+        cells, type, numbers.size(),
+        [this, &view](std::size_t p) { return view.points[numbers[p]]; }, out);
+    return out;
+  }
+
+  Cells cells;
+  std::vector<std::uint32_t> numbers;  ///< by point: in the whole mesh
+};
+
+/// The largest and the smallest angle of a triangle of `view`, in degrees.
+std::array<double, 2> extreme_angles(const MeshView& view, std::size_t triangle) {
+  const auto corners = view.triangles[triangle];
+  return extreme_degrees(view.points[corners[0]], view.points[corners[1]], view.points[corners[2]]);
+}
+
+/// The arrays of triangles, in an order that meshio can read: see make_readable_by_meshio(). Several
+/// names for one thing: every solver looks for its own, some only for the first array.
+void add_triangle_arrays(const TriangleArrays& arrays, VtuGrid& grid) {
+  const auto add = [&]<class T>(T, const char* name, const ArrayWriter& write) {
+    grid.cell_data.push_back({number_type<T>(), name, 1, {}, arrays.triangles * sizeof(T), write});
+  };
+  grid.cell_attributes = " Scalars=\"material\"";
+  add(std::int32_t{}, "material", arrays.material);
+  add(std::int32_t{}, "MaterialID", arrays.material);
+  add(double{}, "max_angle", arrays.largest);
+  add(std::int32_t{}, "mat_id", arrays.material);
+  add(std::int32_t{}, "RegionId", arrays.region);
+  add(double{}, "min_angle", arrays.smallest);
+}
+
+/// Those of the triangles number(0), ..., number(triangles - 1), and attributes; the grid then
+/// refers to `view`.
+template <class Number>
+void add_triangle_arrays(const MeshView& view, std::size_t triangles, Number number,
+                         VtuGrid& grid) {
+  std::vector<std::array<double, 2>> angles;
+  angles.reserve(triangles);
+  for (std::size_t k = 0; k < triangles; ++k) angles.push_back(extreme_angles(view, number(k)));
+  const auto extremes =
+      std::make_shared<const std::vector<std::array<double, 2>>>(std::move(angles));
+  const auto material = [&view, number](std::size_t k) { return view.material[number(k)]; };
+  const auto region = [&view, number](std::size_t k) { return view.region[number(k)].value(); };
+  const auto largest = [extremes](std::size_t k) { return (*extremes)[k][0]; };
+  const auto smallest = [extremes](std::size_t k) { return (*extremes)[k][1]; };
+  add_triangle_arrays(
+      {triangles, each<std::int32_t>(triangles, material), each<std::int32_t>(triangles, region),
+       each<double>(triangles, largest), each<double>(triangles, smallest)},
+      grid);
+  for (const Attribute& attribute : view.attributes) {
+    const auto value = [&attribute, &view, number](std::size_t k) {
+      return attribute.values[view.region[number(k)].index() - 1];
+    };
+    grid.cell_data.push_back(attribute.is_text
+                                 ? vtu_array<std::int32_t>(attribute.name, triangles, value)
+                                 : vtu_array<double>(attribute.name, triangles, value));
+  }
+  if (!view.attributes.empty() || !view.fields.empty()) make_readable_by_meshio(grid);
+}
+
+}  // namespace
+
+std::array<double, 2> extreme_degrees(Point p, Point q, Point r) {
+  const std::array angles{angle_at(q, p, r), angle_at(r, q, p), angle_at(p, r, q)};
+  const auto [low, high] = std::minmax_element(angles.begin(), angles.end());
+  return {Angle::radians(*high).in_degrees(), Angle::radians(*low).in_degrees()};
+}
+
+void put_place(Point place, BinaryWriter& out) {
+  out.put(place.x);
+  out.put(place.y);
+  out.put(0.0);
+}
+
+VtuGrid grid_of(const TriangleArrays& arrays, std::size_t points, ArrayWriter coordinates,
+                ArrayWriter nodes) {
+  constexpr std::size_t kCorners = 3;
+  VtuGrid grid;
+  add_cells(points, std::move(coordinates), arrays.triangles, CellType::triangle, kCorners,
+            std::move(nodes), grid);
+  add_triangle_arrays(arrays, grid);
+  return grid;
+}
+
+VtuGrid whole_grid(const MeshView& view) {
+  VtuGrid grid;
+  grid.cut_vertices = view.cut_vertices;
+  add_cells(
+      view.triangles, type_of_triangles(view), view.points.size(),
+      [&view](std::size_t p) { return view.points[p]; }, grid);
+  add_periodic_nodes(
+      view, view.points.size(), [](std::size_t p) { return p; }, grid);
+  add_fields(
+      view, view.points.size(), [](std::size_t p) { return p; }, grid);
+  add_triangle_arrays(
+      view, view.triangles.size(), [](std::size_t k) { return k; }, grid);
+  return grid;
+}
+
+void write_whole(const MeshView& view, const ByteSink& sink) {
+  write_vtu_bytes(whole_grid(view), sink);
+}
+
+void write_triangles(const MeshView& view, std::span<const std::size_t> triangles,
+                     const ByteSink& sink) {
+  const Part part(view.triangles, triangles);
+  VtuGrid grid = part.grid(view, type_of_triangles(view));
+  add_triangle_arrays(
+      view, triangles.size(), [triangles](std::size_t k) { return triangles[k]; }, grid);
+  write_vtu_bytes(grid, sink);
+}
+
+void with_part_grid(const MeshView& view, const Partition& partition, std::uint32_t part,
+                    const std::function<void(const VtuGrid&)>& use) {
+  const MeshPart& its = partition.parts[part];
+  std::vector<std::size_t> all = its.own;
+  all.insert(all.end(), its.ghosts.begin(), its.ghosts.end());
+  const Part cells(view.triangles, all);
+  VtuGrid grid = cells.grid(view, type_of_triangles(view));
+  add_triangle_arrays(
+      view, all.size(), [&all](std::size_t k) { return all[k]; }, grid);
+  const auto add = [part](std::vector<VtuArray>& arrays, std::size_t size, auto owner) {
+    arrays.push_back(vtu_array<std::int32_t>("Owner", size, owner));
+    arrays.push_back(vtu_array<std::uint8_t>(
+        "vtkGhostType", size, [owner, part](std::size_t k) { return owner(k) == part ? 0 : 1; }));
+  };
+  // What VTK calls a duplicate cell or point is 1.
+  add(grid.point_data, cells.numbers.size(),
+      [&](std::size_t p) { return partition.vertex_owner[cells.numbers[p]]; });
+  VtuArray ids =
+      vtu_array<std::int64_t>("GlobalCellId", all.size(), [&all](std::size_t k) { return all[k]; });
+  ids.more = " IdType=\"1\"";
+  grid.cell_attributes += " GlobalIds=\"GlobalCellId\"";
+  grid.cell_data.push_back(std::move(ids));
+  add(grid.cell_data, all.size(), [&](std::size_t k) { return partition.owner[all[k]]; });
+  use(grid);
+}
+
+void write_lines(const MeshView& view, const RegionTable& table, std::span<const std::size_t> lines,
+                 const ByteSink& sink) {
+  const Part part(view.lines, lines);
+  VtuGrid grid = part.grid(view, view.second_order() ? CellType::quadratic_edge : CellType::line);
+  const auto line = [&](std::size_t k) -> const Interface& {
+    return table.interfaces[view.interface[lines[k]].index() - 1];
+  };
+  const auto add = [&](const char* name, auto value) {
+    grid.cell_data.push_back(vtu_array<std::int32_t>(name, lines.size(), value));
+  };
+  add("LineID", [&](std::size_t k) { return view.interface[lines[k]].value(); });
+  add("LeftRegion", [&](std::size_t k) { return line(k).left.value(); });
+  add("RightRegion", [&](std::size_t k) { return line(k).right.value(); });
+  add("LineKind", [&](std::size_t k) { return static_cast<int>(line(k).kind); });
+  add("marker", [&](std::size_t k) { return view.marker[lines[k]]; });
+  grid.cell_attributes = " Scalars=\"LineID\"";
+  write_vtu_bytes(grid, sink);
+}
+
+}  // namespace cover

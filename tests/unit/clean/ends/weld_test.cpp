@@ -1,0 +1,161 @@
+#include "clean/ends/weld.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/inputs.hpp"
+#include "support/soups.hpp"
+
+namespace cover {
+namespace {
+
+using testing::add_polygon;
+using testing::clean;
+using testing::rectangle;
+
+/// Two rectangles side by side; the shared border misses by `gap` and is cut differently.
+Input neighbours(double gap) {
+  Input input;
+  add_polygon(input, rectangle(0, 0, 1, 1), "left");
+  add_polygon(input, {{1 + gap, 0}, {2, 0}, {2, 1}, {1 + gap, 1 - gap}, {1 - gap, 0.3}}, "right");
+  return input;
+}
+
+TEST(Weld, ClosesGapsAndSlivers) {
+  for (const double gap : {1e-16, 1e-13, 1e-10, -1e-10}) {
+    const auto out = clean(neighbours(gap));
+    ASSERT_TRUE(out) << out.error().message;
+    EXPECT_EQ(out->table.regions.size(), 2U) << gap;
+    EXPECT_EQ(out->table.interfaces.size(), 3U) << gap;
+    EXPECT_EQ(out->pslg.points.size(), 7U) << gap;
+    EXPECT_NEAR(out->area("left"), 1, 1e-9);
+  }
+  const auto out = clean(neighbours(1e-10));
+  EXPECT_TRUE(out->tells("was moved by 1e-10 onto"));
+  EXPECT_TRUE(out->tells("the edge of polygon 1 'left' from (1, 0) to (1, 1) was bent by"));
+}
+
+/// A flat triangle in the seam of two rectangles, and one alone: wider than rounding, thinner than
+/// the default tolerance.
+TEST(Weld, DefaultKeepsRealSlivers) {
+  Input input;
+  add_polygon(input, rectangle(0, 0, 1, 1), "below");
+  add_polygon(input, {{0, 1}, {0.5, 1 + 1e-11}, {1, 1}}, "sliver");
+  add_polygon(input, {{0, 1}, {0.5, 1 + 1e-11}, {1, 1}, {1, 2}, {0, 2}}, "above");
+  const auto out = clean(input);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_EQ(out->table.regions.size(), 3U);
+  EXPECT_NEAR(out->area("sliver"), 0.5e-11, 1e-15);
+
+  Input alone;
+  add_polygon(alone, {{0, 0}, {1, 0}, {0.4, 1e-12}}, "sliver");
+  const auto one = clean(alone);
+  ASSERT_TRUE(one) << one.error().message;
+  EXPECT_EQ(one->table.regions.size(), 1U);
+
+  // Whoever asks for a tolerance gets it, and is told what became of the polygon.
+  Options options;
+  options.weld = 0x1p-30;
+  const auto welded = clean(alone, options);
+  ASSERT_FALSE(welded);
+  EXPECT_NE(welded.error().message.find("--weld off"), std::string::npos) << welded.error().message;
+}
+
+TEST(Weld, LeavesGapsAboveTheToleranceAndWarns) {
+  const auto out = clean(neighbours(1e-7));
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_TRUE(std::none_of(out->report.changes.begin(), out->report.changes.end(),
+                           [](const Change& c) { return c.kind == Change::Kind::welded; }));
+  EXPECT_TRUE(out->tells(" apart"));
+  Options wide;
+  wide.weld = 1e-6;
+  EXPECT_EQ(clean(neighbours(1e-7), wide)->table.interfaces.size(), 3U);
+}
+
+TEST(Weld, NeverBridgesAThinLayer) {
+  const double oxide = 1.2e-9, device = 1e-6;
+  Input input;
+  add_polygon(input, rectangle(0, -device, device, 0), "Si");
+  add_polygon(input, rectangle(0.2e-6, 0, 0.8e-6, oxide), "SiO2");
+  add_polygon(input, rectangle(0.2e-6, oxide, 0.8e-6, 0.2e-6), "poly");
+  for (const double relative : {0.0, 0x1p-30, 1e-3, 1e-2, 0.5}) {
+    Options options;
+    options.weld = relative;
+    const auto out = clean(input, options);
+    ASSERT_TRUE(out) << out.error().message;
+    EXPECT_EQ(out->table.regions.size(), 3U) << relative;
+    EXPECT_NEAR(out->area("SiO2"), oxide * 0.6e-6, 1e-24) << relative;
+  }
+}
+
+TEST(Weld, KeepsAThinLayerWhoseCornersMiss) {
+  const double oxide = 1.2e-3, miss = 1e-11;
+  Input input;
+  add_polygon(input, rectangle(0, -1, 1, miss), "Si");
+  add_polygon(input, rectangle(miss, 0, 1, oxide), "SiO2");
+  add_polygon(input, rectangle(0, oxide - miss, 1 + miss, 1), "poly");
+  Options options;
+  options.weld = 1e-2;
+  const auto out = clean(input, options);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_EQ(out->table.regions.size(), 3U);
+  EXPECT_EQ(out->pslg.points.size(), 8U);
+  EXPECT_NEAR(out->area("SiO2"), oxide, 1e-9);
+}
+
+TEST(Weld, IsOffForSegmentsUnlessAskedFor) {
+  const Input input = testing::segments_between({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {1e-12, 0}},
+                                                {{0, 1}, {1, 2}, {2, 3}, {3, 4}});
+  EXPECT_EQ(clean(input)->pslg.points.size(), 6U - 1);
+  Options weld;
+  weld.weld = 1e-9;
+  EXPECT_EQ(clean(input, weld)->pslg.points.size(), 4U);
+}
+
+TEST(Weld, UnitesCornersOnBothSidesOfALineThatMissesThem) {
+  // The line y = 0 between the two corners keeps them out of each other's sight at first.
+  Input input;
+  add_polygon(input, rectangle(0, -2, 20, 0), "substrate");
+  add_polygon(input, rectangle(10.5 - 9e-11, -1, 11, -6e-11), "well");
+  add_polygon(input, {{9.5, -8e-11}, {10.4, -0.4}, {10.5, 9e-11}}, "trench");
+  const auto out = clean(input);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_EQ(out->pslg.points.size(), 4U + 5 + 1);
+  EXPECT_EQ(out->table.regions.size(), 3U);
+  EXPECT_FALSE(out->tells("apart"));
+}
+
+TEST(Weld, BendsLinesToLonePointsThatMissThem) {
+  const Input input = testing::segments_between(
+      {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.3, 1e-12}, {1e-12, 0}, {1e6, 1e6}},
+      {{0, 1}, {1, 2}, {2, 3}, {3, 0}});
+  Options weld;
+  weld.weld = 1e-9;  // of the drawing, whatever points there are beside it
+  const auto out = clean(input, weld);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_EQ(out->pslg.segments.size(), 5U);
+  EXPECT_EQ(out->pslg.points.size(), 6U);
+  EXPECT_TRUE(out->tells("was bent by"));
+  EXPECT_TRUE(out->tells("was moved by"));
+  EXPECT_TRUE(out->table.isolated_points.empty());
+}
+
+TEST(Weld, DoesNotDependOnScaleOrOrder) {
+  const auto base = clean(neighbours(1e-12));
+  ASSERT_TRUE(base);
+  for (const double factor : {0x1p30, 0x1p-30}) {
+    Input scaled = neighbours(1e-12);
+    for (InputPolygon& p : scaled.polygons) {
+      for (Point& q : p.rings[0]) q = {q.x * factor, q.y * factor};
+    }
+    const auto out = clean(scaled);
+    ASSERT_TRUE(out);
+    ASSERT_EQ(out->pslg.points.size(), base->pslg.points.size());
+    for (std::size_t k = 0; k < base->pslg.points.size(); ++k) {
+      EXPECT_EQ(out->pslg.points[k].x, base->pslg.points[k].x * factor);
+      EXPECT_EQ(out->pslg.points[k].y, base->pslg.points[k].y * factor);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cover

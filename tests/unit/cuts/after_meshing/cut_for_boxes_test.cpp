@@ -1,0 +1,79 @@
+#include "cuts/after_meshing/cut_for_boxes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "support/inputs.hpp"
+#include "support/mesh_shape.hpp"
+
+namespace cover {
+namespace {
+
+Options for_boxes() {
+  Options options;
+  options.box_method = true;
+  return options;
+}
+
+/// What the outside check finds on the PSLG with its cuts.
+std::vector<NegativeCoupling> negative(const Output& output) {
+  VerifyOptions verify;
+  verify.box_method = true;
+  return verify_cover(output.pslg, output.table, triangle_soup(output.mesh), verify)
+      .negative_couplings;
+}
+
+/// Whether the report names negative couplings that are left.
+bool warns(const Output& output) {
+  return std::any_of(output.report.notes.begin(), output.report.notes.end(), [](const Note& note) {
+    return note.message.starts_with("box-method: ") && note.kind == Note::Kind::warning;
+  });
+}
+
+/// A half disc whose diameter is one side: every inner point lies in its disk.
+Input half_disc(int chords) {
+  testing::Loop loop;
+  for (int k = 0; k <= chords; ++k) {
+    const double u = std::numbers::pi * k / chords;
+    loop.push_back({std::cos(u), k == 0 || k == chords ? 0 : std::sin(u)});
+  }
+  return testing::input_of(loop);
+}
+
+TEST(CutForBoxes, LeavesNoNegativeCouplingOnRandomDevices) {
+  for (const testing::RandomInput& kind : testing::kRandomDevices) {
+    for (std::uint64_t seed = 0; seed < 2; ++seed) {
+      const Output output = testing::must_mesh(kind.make(seed), for_boxes());
+      EXPECT_TRUE(negative(output).empty()) << kind.name << seed;
+      EXPECT_FALSE(warns(output)) << kind.name << seed;
+      EXPECT_EQ(testing::violations(output), "") << kind.name << seed;
+    }
+  }
+}
+
+TEST(CutForBoxes, AHalfDiscIsCutForItsAngles) {
+  const Output output = testing::must_mesh(half_disc(24), for_boxes());
+  EXPECT_TRUE(negative(output).empty());
+  EXPECT_EQ(testing::violations(output), "");
+  ASSERT_FALSE(output.report.box_cuts.empty());
+  EXPECT_LT(output.report.quality.largest_nu.supplement().in_degrees(), 130);
+}
+
+TEST(CutForBoxes, IsRefusedByNameWhereItCannotBe) {
+  for (const auto& change :
+       {+[](Options& o) { o.method = Method::almond; },
+        +[](Options& o) { o.method = Method::nonobtuse; }, +[](Options& o) { o.hull = true; }}) {
+    Options options = for_boxes();
+    change(options);
+    const auto output = cover_mesh(half_disc(8), options);
+    ASSERT_FALSE(output.has_value());
+    EXPECT_EQ(output.error().code, ErrorCode::bad_option);
+    EXPECT_NE(output.error().message.find("box_method"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace cover

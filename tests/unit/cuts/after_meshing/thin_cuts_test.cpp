@@ -1,0 +1,145 @@
+#include "cuts/after_meshing/thin_cuts.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <random>
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <cover/cover_mesh.hpp>
+#include <cover/verify.hpp>
+
+#include "cuts/cut_segments.hpp"
+#include "cuts/unite_pieces.hpp"
+#include "support/inputs.hpp"
+#include "without_obtuse.hpp"
+
+namespace cover {
+namespace {
+
+std::size_t added(const Output& output) {
+  return output.report.steiner_vertices + output.report.input_points - output.report.uncut_points;
+}
+
+const Note* note_of(const Output& output) {
+  for (const Note& note : output.report.notes) {
+    if (note.message.find("that no right angle needs") != std::string::npos) return &note;
+  }
+  return nullptr;
+}
+
+TEST(UnitePieces, TakesCutsBack) {
+  std::mt19937_64 random(1);
+  for (std::uint64_t seed = 1; seed < 20; ++seed) {
+    const Result<Prepared> prepared = prepare(testing::checker(3, 2, seed));
+    ASSERT_TRUE(prepared.has_value());
+    Pslg pslg = prepared->pslg;
+    RegionTable table = prepared->table;
+    const std::size_t first = pslg.points.size();
+    std::vector<std::uint32_t> piece_of;
+    for (int round = 0; round < 2; ++round) {  // pieces of pieces
+      std::vector<SegmentCut> cuts;
+      for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+        if (random() % 3 != 0) continue;
+        const Point a = pslg.points[pslg.segments[s].a.index()];
+        const Point b = pslg.points[pslg.segments[s].b.index()];
+        cuts.push_back({SegmentId{s}, {{(2 * a.x + b.x) / 3, (2 * a.y + b.y) / 3}}});
+      }
+      cut_segments(pslg, table, cuts);
+    }
+    const std::size_t pieces = pslg.segments.size();
+    piece_of = unite_pieces(pslg, table, first);
+    EXPECT_EQ(piece_of.size(), pieces);
+    EXPECT_EQ(pslg.points, prepared->pslg.points);
+    EXPECT_EQ(pslg.point_markers, prepared->pslg.point_markers);
+    ASSERT_EQ(pslg.segments.size(), prepared->pslg.segments.size());
+    for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+      EXPECT_EQ(pslg.segments[s].a, prepared->pslg.segments[s].a);
+      EXPECT_EQ(pslg.segments[s].b, prepared->pslg.segments[s].b);
+      EXPECT_EQ(table.sides[s].left, prepared->table.sides[s].left);
+    }
+    for (std::size_t k = 0; k < table.interfaces.size(); ++k)
+      EXPECT_EQ(table.interfaces[k].segments, prepared->table.interfaces[k].segments);
+    for (std::size_t k = 0; k < table.regions.size(); ++k)
+      EXPECT_EQ(table.regions[k].sides, prepared->table.regions[k].sides);
+  }
+}
+
+TEST(ThinCuts, TakesVerticesAwayAndLeavesNoObtuseTriangle) {
+  std::size_t told = 0;
+  for (const testing::RandomInput& kind : testing::kRandomDevices) {
+    for (std::uint64_t seed = 1; seed < 4; ++seed) {
+      SCOPED_TRACE(kind.name + std::to_string(seed));
+      const Input input = kind.make(seed);
+      Options options = no_obtuse_angle();
+      options.min_angle = Angle::degrees(0);
+      const Output thin = mesh_of(input, options);
+      EXPECT_EQ(thin.report.quality.obtuse, 0u);
+      const Note* note = note_of(thin);
+      if (note == nullptr) continue;  // nothing could go
+      ++told;
+      EXPECT_EQ(note->kind, Note::Kind::cut);
+      EXPECT_EQ(note->where.size(), thin.report.input_points - thin.report.uncut_points);
+      EXPECT_NE(note->message.find(fmt::format("became {} when", added(thin))), std::string::npos)
+          << note->message << added(thin);
+    }
+  }
+  EXPECT_GE(told, 9u);
+}
+
+TEST(ThinCuts, KeepsSmallAnglesThatWereReached) {
+  const Input input = testing::input_of(testing::smooth_star(60, 2));
+  const Output output = mesh_of(input);
+  EXPECT_EQ(output.report.quality.obtuse, 0u);
+  EXPECT_GE(output.report.quality.smallest.in_degrees(), 20 - 1e-6);
+  Options any = no_obtuse_angle();
+  any.min_angle = Angle::degrees(0);
+  EXPECT_LT(added(mesh_of(input, any)), added(output));
+}
+
+TEST(ThinCuts, DependsOnNeitherUnitNorThreads) {
+  for (const std::uint64_t seed : {1U, 2U})
+    expect_same_for_threads_and_unit(testing::random_cells(12, seed));
+}
+
+TEST(ThinCuts, GoesWithBoxMethod) {
+  for (std::uint64_t seed = 1; seed < 4; ++seed) {
+    Options options = no_obtuse_angle();
+    options.box_method = true;
+    options.min_angle = Angle::degrees(0);
+    const Output output = mesh_of(testing::random_cells(10, seed), options);
+    for (const RegionReport& region : output.report.regions)
+      EXPECT_EQ(region.box.negative_couplings, 0u);
+    EXPECT_EQ(output.report.quality.obtuse, 0u);
+    for (const BoxCut& cut : output.report.box_cuts)
+      EXPECT_EQ(std::count(output.pslg.points.begin(), output.pslg.points.end(), cut.at), 1);
+  }
+}
+
+TEST(ThinCuts, VerticesThatSizesAskedForStay) {
+  Options options = no_obtuse_angle();
+  options.sizes.push_back({"", 0.05});
+  EXPECT_EQ(note_of(mesh_of(testing::checker(2, 2, 1), options)), nullptr);
+  options = no_obtuse_angle();
+  options.max_angle = Angle::degrees(85);
+  EXPECT_EQ(note_of(mesh_of(testing::checker(2, 2, 1), options)), nullptr);
+  options = no_obtuse_angle();
+  options.split_interfaces.reset();
+  EXPECT_EQ(note_of(mesh_of(testing::checker(2, 2, 1), options)), nullptr);
+}
+
+TEST(ThinCuts, MoreEffortTakesNoMoreVertices) {
+  const Input input = testing::rectangles(5, 4, 3);
+  std::size_t last = std::numeric_limits<std::size_t>::max();
+  for (const Effort effort : {Effort::fast, Effort::normal}) {
+    Options options = no_obtuse_angle();
+    options.effort = effort;
+    const std::size_t now = added(mesh_of(input, options));
+    EXPECT_LE(now, last);
+    last = now;
+  }
+}
+
+}  // namespace
+}  // namespace cover

@@ -1,0 +1,76 @@
+#include "cuts/before_meshing/cut_for_layers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include <cover/cover_mesh.hpp>
+
+#include "support/inputs.hpp"
+#include "support/mesh_shape.hpp"
+
+namespace cover {
+namespace {
+
+/// A square of size 4 with the name 'wall' on its sides from number `first` on.
+Input square(std::size_t first) {
+  Input input =
+      testing::segments_between({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}});
+  for (std::size_t s = first; s < 4; ++s) input.segments[s].name = "wall";
+  return input;
+}
+
+Options layered(int count) {
+  Options options;
+  options.layers = {{"wall", "", 0.01, 2, count}};
+  options.split_interfaces = Angle::degrees(90);
+  return options;
+}
+
+TEST(CutForLayers, LeavesSegmentsWholeUnlessTheyMayBeCut) {
+  Options options = layered(3);
+  options.split_interfaces.reset();
+  const Result<Prepared> prepared = prepare(square(3), options);
+  ASSERT_TRUE(prepared);
+  EXPECT_EQ(prepared->pslg.points.size(), 4U);
+}
+
+TEST(CutForLayers, PutsPointsOnBothWallsAtTheHeightsOfLayers) {
+  const Result<Prepared> prepared = prepare(square(3), layered(3));
+  ASSERT_TRUE(prepared);
+  for (const double y : {0.0, 4.0}) {
+    for (const double x : {0.01, 0.03, 0.07}) {
+      const auto& points = prepared->pslg.points;
+      EXPECT_NE(std::find(points.begin(), points.end(), Point{x, y}), points.end()) << x;
+    }
+  }
+  EXPECT_EQ(prepared->pslg.points.size(), 4U + 6);
+  EXPECT_TRUE(std::any_of(prepared->report.notes.begin(), prepared->report.notes.end(),
+                          [](const Note& note) { return note.kind == Note::Kind::cut; }));
+  const Output output = testing::must_mesh(square(3), layered(3));
+  EXPECT_EQ(testing::violations(output), "");
+  EXPECT_EQ(output.report.regions[0].layers[0].complete, 1U);
+  EXPECT_EQ(output.report.regions[0].layers[0].fewest, 3);
+}
+
+TEST(CutForLayers, MakesTensorBlocksInCornersOfLayeredLines) {
+  for (const int count : {1, 4, 0}) {
+    SCOPED_TRACE(count);
+    const Output output = testing::must_mesh(square(0), layered(count));
+    const RegionReport& report = output.report.regions[0];
+    ASSERT_EQ(report.layers.size(), 1U);
+    if (count > 0) {
+      EXPECT_EQ(report.layers[0].complete, report.layers[0].segments);
+      EXPECT_EQ(report.layers[0].fewest, count);
+      EXPECT_EQ(report.layers[0].most, count);
+    } else {
+      EXPECT_GE(report.layers[0].fewest, 5);  // until there is no more room
+    }
+    // All is right: each corner block is a grid of rows in both directions.
+    EXPECT_LE(report.quality.largest_nu.supplement().in_degrees(), 90 + 1e-6);
+    EXPECT_EQ(report.box.negative_couplings, 0U);
+  }
+}
+
+}  // namespace
+}  // namespace cover

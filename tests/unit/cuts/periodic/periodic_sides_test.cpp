@@ -1,0 +1,173 @@
+#include "cuts/periodic/periodic_sides.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include <cover/cover_mesh.hpp>
+
+namespace cover {
+namespace {
+
+/// A quadrilateral with sides named bottom, right, top, left, from its lower left corner on;
+/// `left` and `right` are points between the corners of these sides, from below.
+Input cell(const std::array<Point, 4>& corners, const std::vector<Point>& left = {},
+           const std::vector<Point>& right = {}) {
+  Input input;
+  input.points.assign(corners.begin(), corners.end());
+  const auto add = [&](std::uint32_t a, std::uint32_t b, const char* name) {
+    input.segments.push_back({a, b, 0, static_cast<long>(input.segments.size()), 0, name});
+  };
+  const auto chain = [&](std::uint32_t a, std::uint32_t b, const std::vector<Point>& between,
+                         const char* name) {
+    for (const Point& p : between) {
+      input.points.push_back(p);
+      add(a, static_cast<std::uint32_t>(input.points.size() - 1), name);
+      a = static_cast<std::uint32_t>(input.points.size() - 1);
+    }
+    add(a, b, name);
+  };
+  add(0, 1, "bottom");
+  chain(1, 2, right, "right");
+  add(2, 3, "top");
+  chain(0, 3, left, "left");
+  return input;
+}
+
+const std::array<Point, 4> kSquare{Point{0, 0}, Point{1, 0}, Point{1, 1}, Point{0, 1}};
+
+Options periodic(std::vector<PeriodicRule> rules) {
+  Options options;
+  options.periodic = std::move(rules);
+  return options;
+}
+
+PeriodicRule translation(const char* from, const char* to) {
+  return {from, to, PeriodicRule::Map::translation, {}, {}};
+}
+
+std::string refusal(const Input& input, const Options& options,
+                    ErrorCode code = ErrorCode::bad_option) {
+  const Result<Prepared> prepared = prepare(input, options);
+  if (prepared) return "";
+  EXPECT_EQ(prepared.error().code, code);
+  return prepared.error().message;
+}
+
+TEST(PeriodicSides, PairsOfAUnitCell) {
+  const Result<Prepared> prepared =
+      prepare(cell(kSquare, {{0.125, 0.5}}, {{1.125, 0.5}}),
+              periodic({translation("left", "right"), translation("top", "bottom")}));
+  ASSERT_TRUE(prepared) << prepared.error().message;
+  const Pslg& pslg = prepared->pslg;
+  EXPECT_EQ(pslg.periodic.size(), 3U);
+  EXPECT_TRUE(prepared->report.changes.empty());
+  for (const SegmentPair& pair : pslg.periodic) {
+    const Segment& from = pslg.segments[pair.from.index()];
+    const Segment& to = pslg.segments[pair.to.index()];
+    const Point a = pslg.points[from.a.index()],
+                b = pslg.points[(pair.turned ? to.b : to.a).index()];
+    if (pair.rule == 0) {
+      EXPECT_EQ(b, (Point{a.x + 1, a.y}));
+    } else {
+      EXPECT_EQ(b, (Point{a.x, a.y - 1}));
+    }
+  }
+}
+
+TEST(PeriodicSides, RoundingIsTakenAwayAndNotTold) {
+  // 0.1 + 0.2 is not 0.3.
+  const Result<Prepared> prepared =
+      prepare(cell({Point{0.1, 0}, Point{0.3, 0}, Point{0.3, 1}, Point{0.1, 1}}, {{0.1, 0.3}},
+                   {{0.3, 0.1 + 0.2}}),
+              periodic({translation("left", "right")}));
+  ASSERT_TRUE(prepared) << prepared.error().message;
+  EXPECT_TRUE(prepared->report.changes.empty());
+  const auto& points = prepared->pslg.points;
+  EXPECT_EQ(points[4].y, points[5].y);
+}
+
+TEST(PeriodicSides, LargerMovesAreToldAndStrictRefusesThem) {
+  const Input input = cell(kSquare, {{0, 0.5}}, {{1, 0.5 + 1e-11}});
+  Options options = periodic({translation("left", "right")});
+  const Result<Prepared> prepared = prepare(input, options);
+  ASSERT_TRUE(prepared) << prepared.error().message;
+  ASSERT_EQ(prepared->report.changes.size(), 1U);
+  EXPECT_EQ(prepared->report.changes[0].kind, Change::Kind::welded);
+  EXPECT_EQ(prepared->pslg.points[4].y, prepared->pslg.points[5].y);
+  options.strict = true;
+  EXPECT_NE(refusal(input, options, ErrorCode::changed_input).find("was moved by 1e-11"),
+            std::string::npos);
+}
+
+TEST(PeriodicSides, PointsOfOneSideComeToTheOther) {
+  const Input input = cell(kSquare, {{0, 0.25}, {0, 0.5}}, {{1, 0.75}});
+  Options options = periodic({translation("left", "right")});
+  const Result<Prepared> prepared = prepare(input, options);
+  ASSERT_TRUE(prepared) << prepared.error().message;
+  EXPECT_EQ(prepared->pslg.periodic.size(), 4U);
+  EXPECT_EQ(prepared->report.changes.size(), 2U);  // a segment of each side
+  options.strict = true;
+  EXPECT_NE(refusal(input, options, ErrorCode::changed_input).find("was cut at"),
+            std::string::npos);
+}
+
+TEST(PeriodicSides, APointGoesOnFromLineToLine) {
+  // Three sides of a hexagon, each the image of the one before.
+  Input input;
+  for (int k = 0; k < 6; ++k) {
+    const double u = std::numbers::pi * k / 3;
+    input.points.push_back({std::cos(u), std::sin(u)});
+  }
+  input.points.push_back(
+      {(input.points[0].x + input.points[1].x) / 2, (input.points[0].y + input.points[1].y) / 2});
+  input.segments = {{0, 6, 0, 0, 0, "a"}, {6, 1, 0, 1, 0, "a"}, {1, 2, 0, 2, 0, "b"},
+                    {2, 3, 0, 3, 0, "c"}, {3, 4, 0, 4, 0, ""},  {4, 5, 0, 5, 0, ""},
+                    {5, 0, 0, 6, 0, ""}};
+  const PeriodicRule first{"a", "b", PeriodicRule::Map::rotation, {0, 0}, Angle::degrees(60)};
+  const PeriodicRule second{"b", "c", PeriodicRule::Map::rotation, {0, 0}, Angle::degrees(60)};
+  const Result<Prepared> prepared = prepare(input, periodic({second, first}));
+  ASSERT_TRUE(prepared) << prepared.error().message;
+  EXPECT_EQ(prepared->pslg.periodic.size(), 4U);
+}
+
+TEST(PeriodicSides, MirrorsFindTheirAxis) {
+  const Input input =
+      cell({Point{0, 0}, Point{1, 0}, Point{1, 1}, Point{0, 1}}, {{-0.25, 0.3}}, {{1.25, 0.3}});
+  const Result<Prepared> prepared =
+      prepare(input, periodic({{"left", "right", PeriodicRule::Map::mirror, {}, {}}}));
+  ASSERT_TRUE(prepared) << prepared.error().message;
+  EXPECT_EQ(prepared->pslg.periodic.size(), 2U);
+  EXPECT_NE(refusal(input, periodic({translation("left", "right")})), "");
+}
+
+TEST(PeriodicSides, WhatDoesNotMatchIsRefusedWithPlaces) {
+  const Input input = cell(kSquare, {{0.1, 0.5}}, {{1.2, 0.5}});
+  const std::string message = refusal(input, periodic({translation("left", "right")}));
+  EXPECT_NE(message.find("'left' and 'right': the lines do not match"), std::string::npos);
+  EXPECT_NE(message.find("0.1"), std::string::npos) << message;
+  // Seen from outside, both sides would have to turn round.
+  const PeriodicRule wrong{
+      "left", "right", PeriodicRule::Map::rotation, {0, 0}, Angle::degrees(30)};
+  EXPECT_NE(refusal(input, periodic({wrong})), "");
+}
+
+TEST(PeriodicSides, UnknownNamesAndSelfImagesAreRefused) {
+  const Input input = cell(kSquare);
+  EXPECT_NE(refusal(input, periodic({translation("left", "rihgt")})).find("did you mean 'right'?"),
+            std::string::npos);
+  Input twice = input;  // by its marker, the right side is also a part of another line
+  twice.segments[1].marker = 7;
+  twice.segments[3].marker = 7;
+  const PeriodicRule self{
+      "7", "right", PeriodicRule::Map::rotation, {0.5, 0.5}, Angle::degrees(180)};
+  EXPECT_NE(refusal(twice, periodic({self})).find("no line can be taken to itself"),
+            std::string::npos);
+  Options options = periodic({translation("left", "right")});
+  options.method = Method::nonobtuse;
+  EXPECT_NE(refusal(input, options).find("nonobtuse"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace cover
