@@ -75,40 +75,36 @@ struct NegativeSide {
 class CouplingRounds {
  public:
   CouplingRounds(Work& work, const Options& options, const Callbacks& callbacks)
-      : prepared_(work),
-        boundaries_(work.boundaries),
-        meshes_(work.meshes),
-        options_(options),
-        callbacks_(callbacks) {}
+      : work_(work), options_(options), callbacks_(callbacks) {}
 
   Status run() {
-    for (std::size_t r = 0; r < meshes_.size(); ++r) flip(r);
-    const std::size_t most = most_points_for_boxes(prepared_.pslg, prepared_.report.box_cuts);
-    for (int round = 0; round < kCouplingRounds && prepared_.pslg.points.size() <= most; ++round) {
+    for (std::size_t r = 0; r < work_.meshes.size(); ++r) flip(r);
+    const std::size_t most = most_points_for_boxes(work_.pslg, work_.report.box_cuts);
+    for (int round = 0; round < kCouplingRounds && work_.pslg.points.size() <= most; ++round) {
       const std::vector<SegmentCut> cuts = choose();
       if (cuts.empty()) break;
-      const Pslg pslg = prepared_.pslg;
-      const RegionTable table = prepared_.table;
-      const std::vector<BoxCut> box_cuts = prepared_.report.box_cuts;
+      const Pslg pslg = work_.pslg;
+      const RegionTable table = work_.table;
+      const std::vector<BoxCut> box_cuts = work_.report.box_cuts;
       if (Status status = cut_and_mesh(cuts); !status) {
         if (status.error().code != ErrorCode::internal) return status;
         // Rounded, the cuts cross something nearly straight: what was before them stays.
-        prepared_.pslg = pslg;
-        prepared_.table = table;
-        prepared_.report.box_cuts = box_cuts;
+        work_.pslg = pslg;
+        work_.table = table;
+        work_.report.box_cuts = box_cuts;
         break;
       }
     }
     std::size_t left = 0;
     std::vector<Point> where;
-    for (const RegionMesh& mesh : meshes_) {
+    for (const RegionMesh& mesh : work_.meshes) {
       left += mesh.report.couplings.size();
       for (const NegativeCoupling& c : mesh.report.couplings) {
         if (where.size() < kPlacesTold) where.push_back(midpoint(c.a, c.b));
       }
     }
     if (left > 0)
-      prepared_.report.notes.push_back(
+      work_.report.notes.push_back(
           {Note::Kind::warning, kVoid,
            fmt::format("box-method: {} left, the first at {}", counted(left, "negative coupling"),
                        describe(where[0])),
@@ -119,20 +115,21 @@ class CouplingRounds {
  private:
   /// Makes the mesh of a region constrained Delaunay; the bound comes first.
   void flip(std::size_t r) {
-    RegionMesh flipped = meshes_[r];
-    if (make_delaunay(all_points(boundaries_[r], flipped), flipped.triangles,
-                      boundaries_[r].sides) == 0)
+    RegionMesh flipped = work_.meshes[r];
+    if (make_delaunay(all_points(work_.boundaries[r], flipped), flipped.triangles,
+                      work_.boundaries[r].sides) == 0)
       return;
-    report_again(boundaries_[r], options_, false, flipped);
-    measure(boundaries_[r], flipped);
-    if (flipped.report.bound_held || !meshes_[r].report.bound_held) meshes_[r] = std::move(flipped);
+    report_again(work_.boundaries[r], options_, false, flipped);
+    measure(work_.boundaries[r], flipped);
+    if (flipped.report.bound_held || !work_.meshes[r].report.bound_held)
+      work_.meshes[r] = std::move(flipped);
   }
 
   [[nodiscard]] std::vector<SegmentCut> choose() const {
-    const Pslg& pslg = prepared_.pslg;
+    const Pslg& pslg = work_.pslg;
     std::map<SegmentId, Point> apexes;
-    for (std::size_t r = 0; r < boundaries_.size(); ++r) {
-      for (const NegativeSide& side : negative_sides(boundaries_[r], meshes_[r]))
+    for (std::size_t r = 0; r < work_.boundaries.size(); ++r) {
+      for (const NegativeSide& side : negative_sides(work_.boundaries[r], work_.meshes[r]))
         apexes.emplace(side.segment, side.apex);
     }
     std::vector<SegmentCut> cuts;
@@ -146,8 +143,7 @@ class CouplingRounds {
       if (has_room_on_segment(a, b, foot, std::vector<Point>{apex}))
         cuts.push_back({segment, {foot}});
     }
-    return onto_arcs(prepared_.pslg, prepared_.table,
-                     PeriodicClasses(pslg).with_images(std::move(cuts)));
+    return onto_arcs(work_.pslg, work_.table, PeriodicClasses(pslg).with_images(std::move(cuts)));
   }
 
   static std::vector<NegativeSide> negative_sides(const RegionBoundary& boundary,
@@ -168,9 +164,9 @@ class CouplingRounds {
   }
 
   Status cut_and_mesh(const std::vector<SegmentCut>& cuts) {
-    Pslg& pslg = prepared_.pslg;
-    RegionTable& table = prepared_.table;
-    Report& report = prepared_.report;
+    Pslg& pslg = work_.pslg;
+    RegionTable& table = work_.table;
+    Report& report = work_.report;
     std::vector<RegionBoundary> boundaries;
     std::vector<std::size_t> changed;
     std::vector<RegionBoundary> again;
@@ -186,21 +182,20 @@ class CouplingRounds {
     });
     if (!status) return status;
     for (std::size_t r = 0; r < boundaries.size(); ++r) {
-      if (boundaries[r].vertices == boundaries_[r].vertices) continue;
+      if (boundaries[r].vertices == work_.boundaries[r].vertices) continue;
       changed.push_back(r);
       again.push_back(boundaries[r]);
     }
     Result<std::vector<RegionMesh>> meshes = mesh_regions(again, options_, callbacks_);
     if (!meshes) return std::move(meshes).error();
-    for (std::size_t k = 0; k < changed.size(); ++k) meshes_[changed[k]] = std::move((*meshes)[k]);
-    boundaries_ = std::move(boundaries);
+    for (std::size_t k = 0; k < changed.size(); ++k)
+      work_.meshes[changed[k]] = std::move((*meshes)[k]);
+    work_.boundaries = std::move(boundaries);
     for (const std::size_t r : changed) flip(r);
     return ok();
   }
 
-  Prepared& prepared_;
-  std::vector<RegionBoundary>& boundaries_;
-  std::vector<RegionMesh>& meshes_;
+  Work& work_;
   const Options& options_;
   const Callbacks& callbacks_;
 };
