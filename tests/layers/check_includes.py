@@ -7,7 +7,7 @@ import sys
 
 GROUND = ['base', 'geom', 'cdt']
 ORDER = GROUND + ['limits', 'options', 'faces', 'clean', 'region', 'box', 'target', 'sizes', 'thin', 'layers', 'disks',
-                  'almond', 'quality', 'tasks', 'cuts']
+                  'almond', 'quality', 'tasks', 'cuts', 'nonobtuse']
 SEES = {layer: set(ORDER[:i + 1]) for i, layer in enumerate(ORDER)}
 # What judges meshes shares no code with what makes them.
 SEES['verify'] = {'verify', 'limits', *GROUND}

@@ -1,12 +1,15 @@
-// What a run works on.
+// What a run works on, and what keeps it in step.
 #pragma once
 
 #include <memory>
 #include <vector>
 
+#include <cover/options.hpp>
 #include <cover/output.hpp>
 #include <cover/periodic.hpp>
 #include <cover/plane_field.hpp>
+#include <cover/progress.hpp>
+#include <cover/result.hpp>
 
 #include "region/region_boundary.hpp"
 #include "target/region_mesh.hpp"
@@ -23,5 +26,17 @@ struct Work : Prepared {
   std::vector<PeriodicRule> rules{};          ///< of the options, then of the input
   std::shared_ptr<const PlaneField> field{};  ///< Input::field
 };
+
+/// Takes over the boundaries of the regions after segments were cut, and meshes the regions again
+/// whose vertices are others now.
+///
+/// REQUIRES: `boundaries` are of work.pslg and work.table, which are cut already
+/// Returns:  the regions that were meshed, by index
+/// Errors:   those of mesh_regions(); `work` keeps its boundaries and meshes then
+Result<std::vector<std::size_t>> mesh_changed(Work& work, std::vector<RegionBoundary> boundaries,
+                                              const Options& options, const Callbacks& callbacks);
+
+/// Whether the mesh of every region is one of its region, see find_fault().
+bool is_sound(const Work& work);
 
 }  // namespace cover

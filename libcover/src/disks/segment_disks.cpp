@@ -3,7 +3,7 @@
 // centres. A disk around a point keeps that from what does not end in the point. Between the disks
 // around its ends a segment is covered by one disk if that is small enough, else it is halved.
 // Next to a corner of angle theta, sizes grow geometrically with the distance from it.
-// Tested by tests/unit/pipeline/nonobtuse_test.cpp.
+// Tested by tests/unit/nonobtuse/nonobtuse_test.cpp.
 #include "disks/segment_disks.hpp"
 
 #include <algorithm>

@@ -15,40 +15,36 @@
 #include "cuts/after_meshing/thin_cuts.hpp"
 #include "cuts/before_meshing/onto_arcs.hpp"
 #include "cuts/cut_segments.hpp"
-#include "layers/layer_rules.hpp"
 #include "mesh/periodic_nodes.hpp"
 #include "mesh/stitch.hpp"
+#include "nonobtuse/nonobtuse.hpp"
 #include "pipeline/find_regions.hpp"
-#include "pipeline/nonobtuse.hpp"
 #include "pipeline/steps.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/carry_field.hpp"
 #include "sizes/expected_triangles.hpp"
 #include "sizes/sizes.hpp"
 #include "tasks/errors_as_values.hpp"
+#include "tasks/pieces_of_work.hpp"
 #include "tasks/region_task.hpp"
 
 namespace cover {
 namespace {
 
-/// One piece of work per region, with its sizes and layers.
+/// One piece of work per region.
 Status split(Work& work, const Options& options, bool memory_counts) {
-  return errors_as_values("split", [&] {
-    work.boundaries = split_regions(work.pslg, work.table);
-    Status status = resolve_sizes(work.pslg, work.table, options, work.boundaries);
-    if (status) status = resolve_layers(work.pslg, work.table, options, work.boundaries);
-    if (status)
-      status = check_expected_triangles(work.table, work.boundaries, options,
-                                        memory_for_mesh(memory_counts));
-    return status;
+  return errors_as_values("split", [&]() -> Status {
+    auto pieces = pieces_of_work(work.pslg, work.table, options);
+    if (!pieces) return std::move(pieces).error();
+    work.boundaries = *std::move(pieces);
+    return check_expected_triangles(work.table, work.boundaries, options,
+                                    memory_for_mesh(memory_counts));
   });
 }
 
 Status mesh_each_region(Work& work, const Options& options, const Callbacks& callbacks) {
-  Result<std::vector<RegionMesh>> meshes =
-      options.method == Method::nonobtuse
-          ? mesh_nonobtuse(work.pslg, work.table, work.boundaries, options, callbacks)
-          : mesh_regions(work.boundaries, options, callbacks);
+  if (options.method == Method::nonobtuse) return mesh_nonobtuse(work, options, callbacks);
+  Result<std::vector<RegionMesh>> meshes = mesh_regions(work.boundaries, options, callbacks);
   if (!meshes) return std::move(meshes).error();
   work.meshes = *std::move(meshes);
   return ok();
@@ -59,22 +55,6 @@ Status look_at_cuts(Work& work, const Options& /*options*/, const Callbacks& /*c
                                   [&] { return check_cuts(work.pslg, work.report.uncut_points); });
   if (apart) warn_of_straight_arcs(work.pslg, work.report.notes);
   return apart;
-}
-
-/// One mesh of all regions, by vertex id.
-Result<Output> stitch_regions(Work work, const Callbacks& callbacks, StageClock& clock) {
-  if (Status status = begin_stage("stitch", callbacks); !status) return std::move(status).error();
-  Result<Mesh> mesh = errors_as_values("stitch", [&] {
-    return Result<Mesh>(stitch(work.pslg, work.table, std::move(work.boundaries), work.meshes));
-  });
-  if (!mesh) return std::move(mesh).error();
-  collect_reports(work.meshes, work.report);
-  std::vector<PeriodicNodes> periodic = periodic_nodes(work.pslg, work.rules, *mesh);
-  std::vector<PlaneField::Array> fields;
-  if (work.field) fields = carry_field(*work.field, *mesh, work.report.notes);
-  clock.note("stitch", work.report.times);
-  return Output{*std::move(mesh),       std::move(work.pslg), std::move(work.table),
-                std::move(work.report), std::move(periodic),  std::move(fields)};
 }
 
 /// `input` is given back early if it may be moved from.
@@ -135,6 +115,23 @@ Result<Output> finish_work(Work work, const Options& options, const Callbacks& c
     if (Status status = step(work, options, callbacks); !status) return std::move(status).error();
   clock.note("mesh", work.report.times);
   return stitch_regions(std::move(work), callbacks, clock);
+}
+
+Result<Output> stitch_regions(Work work, const Callbacks& callbacks, StageClock& clock) {
+  if (Status status = begin_stage("stitch", callbacks); !status) return std::move(status).error();
+  Result<Mesh> mesh = errors_as_values("stitch", [&] {
+    return Result<Mesh>(stitch(work.pslg, work.table, std::move(work.boundaries), work.meshes));
+  });
+  if (!mesh) return std::move(mesh).error();
+  work.report.input_points = work.pslg.points.size();
+  work.report.input_segments = work.pslg.segments.size();
+  collect_reports(work.meshes, work.report);
+  std::vector<PeriodicNodes> periodic = periodic_nodes(work.pslg, work.rules, *mesh);
+  std::vector<PlaneField::Array> fields;
+  if (work.field) fields = carry_field(*work.field, *mesh, work.report.notes);
+  clock.note("stitch", work.report.times);
+  return Output{*std::move(mesh),       std::move(work.pslg), std::move(work.table),
+                std::move(work.report), std::move(periodic),  std::move(fields)};
 }
 
 Result<Output> cover_mesh(const Input& input, const Options& asked, const Callbacks& callbacks) {

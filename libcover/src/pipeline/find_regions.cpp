@@ -12,12 +12,11 @@
 #include "cuts/before_meshing/cut_for_layers.hpp"
 #include "cuts/before_meshing/split_interfaces.hpp"
 #include "cuts/periodic/periodic_sides.hpp"
-#include "layers/layer_rules.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/expected_triangles.hpp"
-#include "sizes/sizes.hpp"
 #include "target/measure.hpp"
 #include "tasks/errors_as_values.hpp"
+#include "tasks/pieces_of_work.hpp"
 #include "tasks/region_task.hpp"
 
 namespace cover {
@@ -34,12 +33,9 @@ namespace {
 Status check_wishes(const Pslg& pslg, const RegionTable& table, const Options& options,
                     bool memory_counts) {
   if (options.sizes.empty() && options.layers.empty() && !options.split_interfaces) return ok();
-  std::vector<RegionBoundary> boundaries = split_regions(pslg, table);
-  Status resolved = resolve_sizes(pslg, table, options, boundaries);
-  if (resolved) resolved = resolve_layers(pslg, table, options, boundaries);
-  return resolved
-             ? check_expected_triangles(table, boundaries, options, memory_for_mesh(memory_counts))
-             : resolved;
+  const auto pieces = pieces_of_work(pslg, table, options);
+  return pieces ? check_expected_triangles(table, *pieces, options, memory_for_mesh(memory_counts))
+                : pieces.error();
 }
 
 }  // namespace

@@ -19,15 +19,12 @@
 #include "base/faults/out_of_memory.hpp"
 #include "cdt/cdt.hpp"
 #include "cuts/periodic/periodic_sides.hpp"
-#include "layers/layer_rules.hpp"
-#include "mesh/periodic_nodes.hpp"
-#include "mesh/stitch.hpp"
 #include "pipeline/find_regions.hpp"
-#include "region/region_graph.hpp"
-#include "sizes/carry_field.hpp"
+#include "pipeline/steps.hpp"
 #include "sizes/expected_triangles.hpp"
 #include "sizes/sizes.hpp"
 #include "target/measure.hpp"
+#include "tasks/pieces_of_work.hpp"
 #include "tasks/region_task.hpp"
 
 namespace cover {
@@ -172,25 +169,23 @@ Result<Options> options_without_cuts(Options options, std::span<const std::strin
   return options;
 }
 
-/// Meshes the chosen regions, `again`, and measures the others, which `meshes` holds already.
-Status fill_in(std::span<const RegionBoundary> boundaries, std::span<const RegionBoundary> again,
-               const std::vector<bool>& chosen, const Options& options, const Callbacks& callbacks,
-               std::vector<RegionMesh>& meshes) {
+/// Meshes the chosen regions, `again`, and measures the others, whose meshes are there already.
+Status fill_in(std::span<const RegionBoundary> again, const std::vector<bool>& chosen,
+               const Options& options, const Callbacks& callbacks, Work& work) {
   Result<std::vector<RegionMesh>> made = mesh_regions(again, options, callbacks);
   if (!made) return std::move(made).error();
-  for (std::size_t k = 0; k < again.size(); ++k) {
-    meshes[again[k].id.index() - 1] = std::move((*made)[k]);
-  }
+  for (std::size_t k = 0; k < again.size(); ++k)
+    work.meshes[again[k].id.index() - 1] = std::move((*made)[k]);
   return for_each_region(
-      boundaries, worker_count(options), "measure", callbacks, [&](std::size_t r) {
+      work.boundaries, worker_count(options), "measure", callbacks, [&](std::size_t r) {
         if (chosen[r]) return;
-        const RegionBoundary& boundary = boundaries[r];
+        const RegionBoundary& boundary = work.boundaries[r];
         const CdtResult cdt = triangulate_domain(boundary.points, boundary.sides);
-        RegionReport& report = meshes[r].report;
+        RegionReport& report = work.meshes[r].report;
         report.id = boundary.id;
         report.method = "kept";
         set_limits(angle_limit(cdt.triangulation, boundary.sides, boundary.segments), report);
-        measure(boundary, meshes[r]);
+        measure(boundary, work.meshes[r]);
       });
 }
 
@@ -210,6 +205,24 @@ void tell(std::size_t cuts, std::size_t other_materials, const Options& asked, R
   }
 }
 
+/// Cuts segments where the mesh has them cut, and finds its triangles.
+///
+/// Errors: other_mesh, if the mesh is not one of this input
+Status adopt(const TriangleSoup& onto, const Options& options, const Options& asked, OldMesh& old,
+             Work& work) {
+  const std::size_t cuts = adopt_cuts(work.pslg, work.table, onto);
+  for (const PeriodicRule& rule : work.rules) {
+    const Result<SidesMatch> match = match_sides(work.pslg, work.table, rule);
+    if (!match) return match.error();
+    if (auto fault = unmatched(work.pslg, rule, *match))
+      return Error{ErrorCode::other_mesh, std::move(fault->message), fault->where, {}};
+  }
+  if (Status status = old.find_triangles(work.pslg, work.table, options.hull); !status)
+    return status;
+  tell(cuts, old.other_materials(work.table), asked, work.report);
+  return ok();
+}
+
 Result<Output> mesh_again(const Input& input, const TriangleSoup& onto,
                           std::span<const std::string> only, const Options& asked,
                           const Callbacks& callbacks) {
@@ -218,62 +231,34 @@ Result<Output> mesh_again(const Input& input, const TriangleSoup& onto,
   if (!options) return options.error();
   Result<Prepared> prepared = find_regions(input, *options, callbacks, clock);
   if (!prepared) return std::move(prepared).error();
-  Pslg& pslg = prepared->pslg;
-  RegionTable& table = prepared->table;
-  Report& report = prepared->report;
-  const Result<std::vector<bool>> chosen = choose(table, only);
+  Work work{*std::move(prepared)};
+  work.rules = periodic_rules(input, *options);
+  work.field = input.field;
+  const Result<std::vector<bool>> chosen = choose(work.table, only);
   if (!chosen) return chosen.error();
-  for (const std::string& name : only) report.provenance.settings.push_back({"only", name});
-
+  for (const std::string& name : only) work.report.provenance.settings.push_back({"only", name});
   OldMesh old(onto);
-  const std::vector<PeriodicRule> rules = periodic_rules(input, *options);
-  const std::size_t cuts = adopt_cuts(pslg, table, onto);
-  for (const PeriodicRule& rule : rules) {
-    const Result<SidesMatch> match = match_sides(pslg, table, rule);
-    if (!match) return match.error();
-    if (auto fault = unmatched(pslg, rule, *match))
-      return Error{ErrorCode::other_mesh, std::move(fault->message), fault->where, {}};
-  }
-  if (Status status = old.find_triangles(pslg, table, options->hull); !status) {
+  if (Status status = adopt(onto, *options, asked, old, work); !status)
     return std::move(status).error();
-  }
-  report.input_points = pslg.points.size();
-  report.input_segments = pslg.segments.size();
-  tell(cuts, old.other_materials(table), asked, report);
-  auto boundaries = split_regions(pslg, table);
-  if (Status status = resolve_sizes(pslg, table, *options, boundaries); !status) {
-    return std::move(status).error();
-  }
-  if (Status status = resolve_layers(pslg, table, *options, boundaries); !status)
-    return std::move(status).error();
-  clock.note("split", report.times);
+  Result<std::vector<RegionBoundary>> pieces = pieces_of_work(work.pslg, work.table, *options);
+  if (!pieces) return std::move(pieces).error();
+  work.boundaries = *std::move(pieces);
+  clock.note("split", work.report.times);
 
-  std::vector<RegionMesh> meshes;
   std::vector<RegionBoundary> again;
-  for (const RegionBoundary& boundary : boundaries) {
-    meshes.push_back(old.take(boundary));
-    if (!(*chosen)[meshes.size() - 1]) continue;
+  for (const RegionBoundary& boundary : work.boundaries) {
+    work.meshes.push_back(old.take(boundary));
+    if (!(*chosen)[work.meshes.size() - 1]) continue;
     again.push_back(boundary);
-    report.replaced.push_back(
-        {boundary.id, meshes.back().triangles.size(), meshes.back().steiner.size()});
+    const RegionMesh& before = work.meshes.back();
+    work.report.replaced.push_back({boundary.id, before.triangles.size(), before.steiner.size()});
   }
-  if (Status status = check_expected_triangles(table, again, *options); !status) {
-    return std::move(status).error();
-  }
-  warn_of_sizes(pslg, *options, again, report.notes);
-  if (Status status = fill_in(boundaries, again, *chosen, *options, callbacks, meshes); !status) {
-    return std::move(status).error();
-  }
-  clock.note("mesh", report.times);
-  if (Status status = begin_stage("stitch", callbacks); !status) return std::move(status).error();
-  Mesh mesh = stitch(pslg, table, std::move(boundaries), meshes);
-  collect_reports(meshes, report);
-  clock.note("stitch", report.times);
-  std::vector<PeriodicNodes> periodic = periodic_nodes(pslg, rules, mesh);
-  std::vector<PlaneField::Array> fields;
-  if (input.field) fields = carry_field(*input.field, mesh, report.notes);
-  return Output{std::move(mesh),   std::move(pslg),     std::move(table),
-                std::move(report), std::move(periodic), std::move(fields)};
+  Status status = check_expected_triangles(work.table, again, *options);
+  if (status) warn_of_sizes(work.pslg, *options, again, work.report.notes);
+  if (status) status = fill_in(again, *chosen, *options, callbacks, work);
+  if (!status) return std::move(status).error();
+  clock.note("mesh", work.report.times);
+  return stitch_regions(std::move(work), callbacks, clock);
 }
 
 }  // namespace

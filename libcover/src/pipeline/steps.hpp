@@ -1,4 +1,5 @@
-// The two halves of a run: those who hold regions on the disk do the second one otherwise.
+// The parts of a run: those who hold regions on the disk, or mesh some of them again, do the second
+// one otherwise.
 #pragma once
 
 #include <cover/input.hpp>
@@ -25,5 +26,9 @@ Result<Work> begin_work(Input&& input, const Options& options, bool memory_count
 /// REQUIRES: work.meshes is empty
 Result<Output> finish_work(Work work, const Options& options, const Callbacks& callbacks,
                            StageClock& clock);
+
+/// What finish_work() ends with: the meshes of all regions as one, by vertex id, and what they
+/// report as one report.
+Result<Output> stitch_regions(Work work, const Callbacks& callbacks, StageClock& clock);
 
 }  // namespace cover

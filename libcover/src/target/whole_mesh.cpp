@@ -10,7 +10,7 @@
 #include <cover/text.hpp>
 
 #include "geom/predicates.hpp"
-#include "region/region_boundary.hpp"
+#include "target/measure.hpp"
 
 namespace cover {
 namespace {
@@ -129,5 +129,10 @@ class Finder {
 }  // namespace
 
 std::optional<BoundaryFault> find_fault(const MeshOfRegion& mesh) { return Finder(mesh).find(); }
+
+std::optional<BoundaryFault> find_fault(const RegionBoundary& boundary, const RegionMesh& mesh) {
+  return find_fault({all_points(boundary, mesh), mesh.triangles, boundary.sides, boundary.segments,
+                     boundary.points.size()});
+}
 
 }  // namespace cover

@@ -9,6 +9,8 @@
 
 #include "cdt/region_cdt.hpp"
 #include "geom/topology/half_edges.hpp"
+#include "region/region_boundary.hpp"
+#include "target/region_mesh.hpp"
 
 namespace cover {
 
@@ -28,5 +30,6 @@ struct MeshOfRegion {
 /// EXACT: yes, up to where the points on split sides of the hull lie
 /// Cost:  O(triangles), for the few edges that a vertex usually has
 std::optional<BoundaryFault> find_fault(const MeshOfRegion& mesh);
+std::optional<BoundaryFault> find_fault(const RegionBoundary& boundary, const RegionMesh& mesh);
 
 }  // namespace cover

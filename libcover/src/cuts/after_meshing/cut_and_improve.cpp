@@ -191,31 +191,20 @@ class Search {
 
 }  // namespace
 
-CutResult cut_and_improve(Pslg& pslg, RegionTable& table, std::vector<RegionBoundary>& boundaries,
-                          std::vector<RegionMesh>& meshes, const Options& options, Budget& budget) {
+CutResult cut_and_improve(Work& work, const Options& options, Budget& budget) {
   const Goal goal = Goal::of(options.max_angle, options.min_angle);
-  JoinedRegions joined(pslg, boundaries, meshes, goal);
+  JoinedRegions joined(work.pslg, work.boundaries, work.meshes, goal);
   const std::size_t before = joined.triangles_above().size();
   const bool budget_used_up = Search(joined, goal).run(budget);
   if (!joined.has_changed() || !joined.is_valid()) return {before, budget_used_up};
-  Pslg cut_pslg = pslg;
-  RegionTable cut_table = table;
-  cut_segments(cut_pslg, cut_table, joined.segment_cuts(pslg));
-  std::vector<RegionBoundary> cut_boundaries = split_regions(cut_pslg, cut_table);
-  std::vector<RegionMesh> cut_meshes = meshes;
-  joined.separate(cut_pslg, cut_boundaries, cut_meshes);
+  Work cut = work;
+  cut_segments(cut.pslg, cut.table, joined.segment_cuts(work.pslg));
+  cut.boundaries = split_regions(cut.pslg, cut.table);
+  joined.separate(cut.pslg, cut.boundaries, cut.meshes);
   // Cuts may be too near to each other, or through a thin void to another region.
-  if (!triangulate_whole(cut_pslg).conflicts.empty()) return {before, budget_used_up};
-  for (std::size_t r = 0; r < cut_meshes.size(); ++r) {
-    const RegionBoundary& boundary = cut_boundaries[r];
-    if (find_fault({all_points(boundary, cut_meshes[r]), cut_meshes[r].triangles, boundary.sides,
-                    boundary.segments, boundary.points.size()}))
-      return {before, budget_used_up};
-  }
-  pslg = std::move(cut_pslg);
-  table = std::move(cut_table);
-  boundaries = std::move(cut_boundaries);
-  meshes = std::move(cut_meshes);
+  if (!triangulate_whole(cut.pslg).conflicts.empty() || !is_sound(cut))
+    return {before, budget_used_up};
+  work = std::move(cut);
   return {joined.triangles_above().size(), budget_used_up};
 }
 

@@ -1,16 +1,12 @@
 // Cutting segments where that helps triangles on both sides, with the mesh at hand.
 #pragma once
 
-#include <stop_token>
-#include <vector>
+#include <cstddef>
 
 #include <cover/options.hpp>
-#include <cover/pslg.hpp>
-#include <cover/regions.hpp>
 
+#include "cuts/work.hpp"
 #include "quality/effort/budget.hpp"
-#include "region/region_boundary.hpp"
-#include "target/region_mesh.hpp"
 
 namespace cover {
 
@@ -25,12 +21,11 @@ struct CutResult {
 /// cannot foresee.
 ///
 /// REQUIRES: no hull sides
-/// ENSURES:  `pslg`, `table`, `boundaries` and `meshes` stay in step, but for the reports of the
-///           meshes; neither the largest angle nor the number of triangles above the target grows;
-///           at most as many points are added as there were
+/// ENSURES:  `work` stays in step, but for the reports of its meshes; neither the largest angle nor
+///           the number of triangles above the target grows; at most as many points are added as
+///           there were
 /// Cost:     O(n log n), and some milliseconds for each triangle that is left, until `budget` is
 ///           used up
-CutResult cut_and_improve(Pslg& pslg, RegionTable& table, std::vector<RegionBoundary>& boundaries,
-                          std::vector<RegionMesh>& meshes, const Options& options, Budget& budget);
+CutResult cut_and_improve(Work& work, const Options& options, Budget& budget);
 
 }  // namespace cover

@@ -18,13 +18,10 @@
 #include "cuts/periodic/mirror_cuts.hpp"
 #include "cuts/room_on_segment.hpp"
 #include "geom/vector.hpp"
-#include "layers/layer_rules.hpp"
 #include "quality/fault/missed_targets.hpp"
-#include "region/region_graph.hpp"
-#include "sizes/sizes.hpp"
 #include "target/measure.hpp"
 #include "tasks/errors_as_values.hpp"
-#include "tasks/region_task.hpp"
+#include "tasks/pieces_of_work.hpp"
 
 namespace cover {
 namespace {
@@ -164,34 +161,19 @@ class CouplingRounds {
   }
 
   Status cut_and_mesh(const std::vector<SegmentCut>& cuts) {
-    Pslg& pslg = work_.pslg;
-    RegionTable& table = work_.table;
-    Report& report = work_.report;
-    std::vector<RegionBoundary> boundaries;
-    std::vector<std::size_t> changed;
-    std::vector<RegionBoundary> again;
-    Status status = errors_as_values("cut segments", [&] {
+    std::vector<BoxCut>& box_cuts = work_.report.box_cuts;
+    Result<std::vector<RegionBoundary>> pieces = errors_as_values("cut segments", [&] {
       for (const SegmentCut& cut : cuts)
-        report.box_cuts.push_back({cut.points[0], BoxCut::Reason::given_up, cut.points[0]});
-      cut_segments(pslg, table, cuts);
+        box_cuts.push_back({cut.points[0], BoxCut::Reason::given_up, cut.points[0]});
+      cut_segments(work_.pslg, work_.table, cuts);
       std::vector<Point> stuck;
-      cut_encroached(pslg, table, VertexId{0U}, report.box_cuts, stuck);
-      boundaries = split_regions(pslg, table);
-      Status resolved = resolve_sizes(pslg, table, options_, boundaries);
-      return resolved ? resolve_layers(pslg, table, options_, boundaries) : resolved;
+      cut_encroached(work_.pslg, work_.table, VertexId{0U}, box_cuts, stuck);
+      return pieces_of_work(work_.pslg, work_.table, options_);
     });
-    if (!status) return status;
-    for (std::size_t r = 0; r < boundaries.size(); ++r) {
-      if (boundaries[r].vertices == work_.boundaries[r].vertices) continue;
-      changed.push_back(r);
-      again.push_back(boundaries[r]);
-    }
-    Result<std::vector<RegionMesh>> meshes = mesh_regions(again, options_, callbacks_);
-    if (!meshes) return std::move(meshes).error();
-    for (std::size_t k = 0; k < changed.size(); ++k)
-      work_.meshes[changed[k]] = std::move((*meshes)[k]);
-    work_.boundaries = std::move(boundaries);
-    for (const std::size_t r : changed) flip(r);
+    if (!pieces) return std::move(pieces).error();
+    const auto changed = mesh_changed(work_, *std::move(pieces), options_, callbacks_);
+    if (!changed) return changed.error();
+    for (const std::size_t r : *changed) flip(r);
     return ok();
   }
 
@@ -218,8 +200,6 @@ Status cut_until_coupled(Work& work, const Options& options, const Callbacks& ca
   Status status = CouplingRounds(work, options, callbacks).run();
   if (!status) return status;
   tell_cuts(work.report);
-  work.report.input_points = work.pslg.points.size();
-  work.report.input_segments = work.pslg.segments.size();
   return ok();
 }
 

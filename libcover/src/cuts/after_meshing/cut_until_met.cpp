@@ -17,11 +17,9 @@
 #include "cuts/after_meshing/joined_regions.hpp"
 #include "cuts/before_meshing/split_interfaces.hpp"
 #include "quality/fault/missed_targets.hpp"
-#include "region/region_graph.hpp"
-#include "sizes/sizes.hpp"
 #include "target/measure.hpp"
 #include "tasks/errors_as_values.hpp"
-#include "tasks/region_task.hpp"
+#include "tasks/pieces_of_work.hpp"
 
 namespace cover {
 namespace {
@@ -49,13 +47,10 @@ constexpr std::uint64_t kMostEvaluationsPerPoint = 1'000;
 constexpr std::size_t kMany =
     4;  ///< one triangle above for so many points is too many for a search
 
-/// What is cut and meshed, in step.
-struct State {
-  Pslg pslg;
-  RegionTable table;
-  std::vector<RegionBoundary> boundaries;
-  std::vector<RegionMesh> meshes;
-  CutResult left;
+/// A mesh, and what is left above the target in it.
+struct Trial {
+  Work work;
+  CutResult left{};
 };
 
 class Rounds {
@@ -71,35 +66,23 @@ class Rounds {
 
   /// Halves segments beside the triangles that are left and meshes again. False if that takes more
   /// than `most` points.
-  Result<bool> halve(State& state, std::size_t most) const {
+  Result<bool> halve(Work& work, std::size_t most) const {
     std::vector<RegionBoundary> boundaries;
     Result<bool> cut =
-        errors_as_values("cut segments", [&] { return cut_further(state, boundaries, most); });
+        errors_as_values("cut segments", [&] { return cut_further(work, boundaries, most); });
     if (!cut || !*cut) return cut;
-    std::vector<std::size_t> changed;
-    std::vector<RegionBoundary> again;
-    for (std::size_t r = 0; r < boundaries.size(); ++r) {
-      if (boundaries[r].vertices == state.boundaries[r].vertices) continue;
-      changed.push_back(r);
-      again.push_back(boundaries[r]);
-    }
-    Result<std::vector<RegionMesh>> meshes = mesh_regions(again, options_, callbacks_);
-    if (!meshes) return std::move(meshes).error();
-    for (std::size_t k = 0; k < changed.size(); ++k) {
-      state.meshes[changed[k]] = std::move((*meshes)[k]);
-    }
-    state.boundaries = std::move(boundaries);
+    const auto meshed = mesh_changed(work, std::move(boundaries), options_, callbacks_);
+    if (!meshed) return meshed.error();
     return true;
   }
 
   /// Works on the triangles above the target if they are few; counts them.
-  Status improve(State& state) {
+  Status improve(Trial& trial) {
     return errors_as_values("cut and improve", [&] {
-      state.left = {joined(state).triangles_above().size(), false};
-      if (state.left.above > 0 && kMany * state.left.above <= state.pslg.points.size()) {
+      trial.left = {joined(trial.work).triangles_above().size(), false};
+      if (trial.left.above > 0 && kMany * trial.left.above <= trial.work.pslg.points.size()) {
         Budget part = budget_.share(2);
-        state.left = cut_and_improve(state.pslg, state.table, state.boundaries, state.meshes,
-                                     options_, part);
+        trial.left = cut_and_improve(trial.work, options_, part);
         budget_.take_back(part);
       }
       return ok();
@@ -107,19 +90,18 @@ class Rounds {
   }
 
  private:
-  [[nodiscard]] JoinedRegions joined(const State& state) const {
-    return {state.pslg, state.boundaries, state.meshes, goal_};
+  [[nodiscard]] JoinedRegions joined(const Work& work) const {
+    return {work.pslg, work.boundaries, work.meshes, goal_};
   }
 
-  Result<bool> cut_further(State& state, std::vector<RegionBoundary>& boundaries,
+  Result<bool> cut_further(Work& work, std::vector<RegionBoundary>& boundaries,
                            std::size_t most) const {
-    const std::vector<SegmentId> halved = joined(state).segments_to_halve();
-    Result<bool> cut = halve_segments(state.pslg, state.table, options_, halved, most);
+    const std::vector<SegmentId> halved = joined(work).segments_to_halve();
+    Result<bool> cut = halve_segments(work.pslg, work.table, options_, halved, most);
     if (!cut || !*cut) return cut;
-    boundaries = split_regions(state.pslg, state.table);
-    if (Status status = resolve_sizes(state.pslg, state.table, options_, boundaries); !status) {
-      return std::move(status).error();
-    }
+    Result<std::vector<RegionBoundary>> pieces = pieces_of_work(work.pslg, work.table, options_);
+    if (!pieces) return std::move(pieces).error();
+    boundaries = *std::move(pieces);
     return true;
   }
 
@@ -144,34 +126,29 @@ Note note_of_cuts(const Pslg& pslg, std::size_t before, const Options& options) 
 }  // namespace
 
 Status cut_until_met(Work& work, const Options& options, const Callbacks& callbacks) {
-  Pslg& pslg = work.pslg;
-  RegionTable& table = work.table;
-  std::vector<RegionBoundary>& boundaries = work.boundaries;
-  std::vector<RegionMesh>& meshes = work.meshes;
-  Report& report = work.report;
-  if (!options.split_interfaces || options.method != Method::quality || !table.hull_sides.empty()) {
+  if (!options.split_interfaces || options.method != Method::quality ||
+      !work.table.hull_sides.empty())
     return ok();
-  }
   // Layers stay as they are.
   if (!options.layers.empty()) return ok();
-  const std::size_t points = pslg.points.size();
+  const std::size_t points = work.pslg.points.size();
   Rounds rounds(options, callbacks, points);
-  State best{std::move(pslg), std::move(table), std::move(boundaries), std::move(meshes), {}};
+  Trial best{std::move(work)};
   Status status = rounds.improve(best);
-  State now = best;
+  Trial now = best;
   const int most_in_vain = options.max_angle < Angle::degrees(90) ? kInVain : kRounds;
   int in_vain = 0;  // rounds since the last one that left fewer triangles
   const auto is_of_no_use = [&] {
     if (in_vain >= most_in_vain) return true;
-    if (now.pslg.points.size() < kFewPoints) return false;
+    if (now.work.pslg.points.size() < kFewPoints) return false;
     return now.left.above > kEverywhere * points ||
            (in_vain >= kInVainForAll && now.left.above > kFarMore * best.left.above);
   };
   const std::size_t most_cut = std::max(kMostCut * points, kFewPoints);
   for (int k = 0; k < kRounds && status && best.left.above > 0 && !is_of_no_use() &&
-                  now.pslg.points.size() < kMostPoints * points;
+                  now.work.pslg.points.size() < kMostPoints * points;
        ++k) {
-    const Result<bool> halved = rounds.halve(now, most_cut);
+    const Result<bool> halved = rounds.halve(now.work, most_cut);
     if (!halved) return halved.error();
     if (!*halved) break;
     status = rounds.improve(now);
@@ -180,18 +157,14 @@ Status cut_until_met(Work& work, const Options& options, const Callbacks& callba
     if (is_better) best = now;
   }
   if (!status) return status;
-  pslg = std::move(best.pslg);
-  table = std::move(best.table);
-  boundaries = std::move(best.boundaries);
-  meshes = std::move(best.meshes);
-  report.input_points = pslg.points.size();
-  report.input_segments = pslg.segments.size();
+  work = std::move(best.work);
   return errors_as_values("measure", [&] {
-    for (std::size_t r = 0; r < boundaries.size(); ++r) {
-      report_again(boundaries[r], options, best.left.budget_used_up, meshes[r]);
-      measure(boundaries[r], meshes[r]);
+    for (std::size_t r = 0; r < work.boundaries.size(); ++r) {
+      report_again(work.boundaries[r], options, best.left.budget_used_up, work.meshes[r]);
+      measure(work.boundaries[r], work.meshes[r]);
     }
-    if (pslg.points.size() > points) report.notes.push_back(note_of_cuts(pslg, points, options));
+    if (work.pslg.points.size() > points)
+      work.report.notes.push_back(note_of_cuts(work.pslg, points, options));
     return ok();
   });
 }

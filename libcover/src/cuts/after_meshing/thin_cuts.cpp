@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include <cover/text.hpp>
+
 #include "cuts/cut_segments.hpp"
 #include "cuts/unite_pieces.hpp"
 #include "geom/vector.hpp"
@@ -195,16 +196,6 @@ std::size_t obtuse(const std::vector<RegionMesh>& meshes) {
   return count;
 }
 
-bool is_sound(const Work& work) {
-  for (std::size_t r = 0; r < work.meshes.size(); ++r) {
-    const RegionBoundary& boundary = work.boundaries[r];
-    if (find_fault({all_points(boundary, work.meshes[r]), work.meshes[r].triangles, boundary.sides,
-                    boundary.segments, boundary.points.size()}))
-      return false;
-  }
-  return true;
-}
-
 /// What cuts are there now, and what went.
 void tell(const Pslg& pslg, std::size_t first, std::size_t before, std::size_t after,
           const Options& options, Report& report) {
@@ -270,8 +261,6 @@ Status thin_cuts(Work& work, const Options& options, const Callbacks& callbacks)
     }
     if (obtuse(thin.meshes) > obtuse(work.meshes)) return ok();
     work = std::move(thin);
-    work.report.input_points = work.pslg.points.size();
-    work.report.input_segments = work.pslg.segments.size();
     tell(work.pslg, first, before, after, options, work.report);
     return ok();
   });

@@ -1,7 +1,7 @@
 // A visit to a centre is a side of its disk, clockwise from the end of the chord that arrives to
 // the end of the one that leaves; visits to tangency points are the ends of these sides. A vertex
 // visited several times has one disk and several sides, a slit the same disks from both sides.
-// Tested by tests/unit/pipeline/nonobtuse_test.cpp.
+// Tested by tests/unit/nonobtuse/nonobtuse_test.cpp.
 #include "disks/packing/boundary_disks.hpp"
 
 #include "disks/packing/visits.hpp"

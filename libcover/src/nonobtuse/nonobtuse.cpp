@@ -6,8 +6,8 @@
 //    tangency points, and every region is packed between them.
 // (Uniting the points of both sides instead, and joining them to the opposite vertices, would keep
 // the mesh conforming but not nonobtuse.)
-// Tested by tests/unit/pipeline/nonobtuse_test.cpp.
-#include "pipeline/nonobtuse.hpp"
+// Tested by tests/unit/nonobtuse/nonobtuse_test.cpp.
+#include "nonobtuse/nonobtuse.hpp"
 
 #include <algorithm>
 #include <array>
@@ -59,26 +59,22 @@ bool shares_segments(const RegionTable& table) {
 
 class Nonobtuse {
  public:
-  Nonobtuse(Pslg& pslg, RegionTable& table, std::vector<RegionBoundary>& boundaries,
-            const Options& options, const Callbacks& callbacks)
-      : pslg_(pslg),
-        table_(table),
-        boundaries_(boundaries),
+  Nonobtuse(Work& work, const Options& options, const Callbacks& callbacks)
+      : work_(work),
         options_(options),
         callbacks_(callbacks),
-        fillings_(boundaries.size()),
-        meshes_(boundaries.size()),
-        faults_(boundaries.size()),
-        packings_(callbacks.packing ? boundaries.size() : 0) {}
+        fillings_(work.boundaries.size()),
+        faults_(work.boundaries.size()),
+        packings_(callbacks.packing ? work.boundaries.size() : 0) {
+    work.meshes.resize(work.boundaries.size());
+  }
 
-  Result<std::vector<RegionMesh>> run() {
-    if (Status status = shares_segments(table_) ? pack_between_segments() : pack_apart(); !status) {
-      return std::move(status).error();
-    }
-    for (std::size_t r = 0; r < packings_.size(); ++r) {
-      callbacks_.packing(boundaries_[r].id, packings_[r]);
-    }
-    return std::move(meshes_);
+  Status run() {
+    Status status = shares_segments(work_.table) ? pack_between_segments() : pack_apart();
+    if (!status) return status;
+    for (std::size_t r = 0; r < packings_.size(); ++r)
+      callbacks_.packing(work_.boundaries[r].id, packings_[r]);
+    return ok();
   }
 
  private:
@@ -87,7 +83,7 @@ class Nonobtuse {
   }
 
   Status for_each(const std::function<void(std::size_t)>& task) {
-    return for_each_region(boundaries_, worker_count(options_), "mesh", callbacks_, task);
+    return for_each_region(work_.boundaries, worker_count(options_), "mesh", callbacks_, task);
   }
 
   /// Every region for itself.
@@ -95,13 +91,13 @@ class Nonobtuse {
     Status status = for_each([&](std::size_t r) {
       const StageClock clock;
       fillings_[r] =
-          make_disk_filler(fill_options(r))->fill(task_of(boundaries_[r]), callbacks_.stop);
-      meshes_[r].report.seconds = clock.seconds();
+          make_disk_filler(fill_options(r))->fill(task_of(work_.boundaries[r]), callbacks_.stop);
+      work_.meshes[r].report.seconds = clock.seconds();
     });
     if (!status) return status;
     const std::vector<std::vector<VertexId>> ids = cut_at_splits();
     const std::vector<RegionBoundary> before =
-        std::exchange(boundaries_, split_regions(pslg_, table_));
+        std::exchange(work_.boundaries, split_regions(work_.pslg, work_.table));
     for (std::size_t r = 0; r < before.size(); ++r) renumber(before[r], ids[r], r);
     status = for_each([&](std::size_t r) { finish(r); });
     return status ? first_fault() : status;
@@ -117,14 +113,14 @@ class Nonobtuse {
     };
     std::vector<std::pair<SegmentCut, Origin>> cuts;
     for (std::size_t r = 0; r < fillings_.size(); ++r) {
-      const RegionBoundary& boundary = boundaries_[r];
+      const RegionBoundary& boundary = work_.boundaries[r];
       for (const ChordSplit& split : fillings_[r].splits) {
         SegmentCut cut{boundary.segments[split.chord], {}};
         for (const std::uint32_t v : split.vertices) {
           cut.points.push_back(fillings_[r].added[v - boundary.points.size()]);
         }
         const bool forward = boundary.vertices[boundary.sides[split.chord][0]] ==
-                             pslg_.segments[cut.segment.index()].a;
+                             work_.pslg.segments[cut.segment.index()].a;
         if (!forward) std::reverse(cut.points.begin(), cut.points.end());
         cuts.emplace_back(std::move(cut), Origin{r, &split, forward});
       }
@@ -133,25 +129,25 @@ class Nonobtuse {
               [](const auto& x, const auto& y) { return x.first.segment < y.first.segment; });
     std::vector<std::vector<VertexId>> ids(fillings_.size());
     for (std::size_t r = 0; r < ids.size(); ++r) ids[r].resize(fillings_[r].added.size());
-    std::size_t next = pslg_.points.size();
+    std::size_t next = work_.pslg.points.size();
     std::vector<SegmentCut> plain;
     for (auto& [cut, origin] : cuts) {
       const std::size_t n = cut.points.size();
       for (std::size_t k = 0; k < n; ++k) {
         const std::size_t place = origin.forward ? k : n - 1 - k;
-        ids[origin.region][origin.split->vertices[k] - boundaries_[origin.region].points.size()] =
-            VertexId{next + place};
+        ids[origin.region][origin.split->vertices[k] -
+                           work_.boundaries[origin.region].points.size()] = VertexId{next + place};
       }
       next += n;
       plain.push_back(std::move(cut));
     }
-    cut_segments(pslg_, table_, plain);
+    cut_segments(work_.pslg, work_.table, plain);
     return ids;
   }
 
   /// Puts filling `r`, made over `before`, over the new boundary.
   void renumber(const RegionBoundary& before, const std::vector<VertexId>& ids, std::size_t r) {
-    const RegionBoundary& after = boundaries_[r];
+    const RegionBoundary& after = work_.boundaries[r];
     std::vector<std::pair<VertexId, std::uint32_t>> local;
     for (std::uint32_t k = 0; k < after.vertices.size(); ++k)
       local.push_back({after.vertices[k], k});
@@ -170,30 +166,32 @@ class Nonobtuse {
       if (on_chord[k]) {
         to.push_back(local_of(ids[k]));
       } else {
-        to.push_back(static_cast<std::uint32_t>(after.points.size() + meshes_[r].steiner.size()));
-        meshes_[r].steiner.push_back(filling.added[k]);
+        to.push_back(
+            static_cast<std::uint32_t>(after.points.size() + work_.meshes[r].steiner.size()));
+        work_.meshes[r].steiner.push_back(filling.added[k]);
       }
     }
     for (const auto& t : filling.triangles)
-      meshes_[r].triangles.push_back({to[t[0]], to[t[1]], to[t[2]]});
+      work_.meshes[r].triangles.push_back({to[t[0]], to[t[1]], to[t[2]]});
   }
 
   /// Disks on all segments first.
   Status pack_between_segments() {
     std::vector<IndexPair> segments;
     std::vector<SegmentId> ids;
-    for (std::size_t s = 0; s < pslg_.segments.size(); ++s) {
-      if (table_.sides[s].left == kVoid && table_.sides[s].right == kVoid) continue;
-      segments.push_back({pslg_.segments[s].a.value(), pslg_.segments[s].b.value()});
+    for (std::size_t s = 0; s < work_.pslg.segments.size(); ++s) {
+      if (work_.table.sides[s].left == kVoid && work_.table.sides[s].right == kVoid) continue;
+      segments.push_back({work_.pslg.segments[s].a.value(), work_.pslg.segments[s].b.value()});
       ids.emplace_back(s);
     }
     // Ordinary input needs 3 to 10 per segment.
     const std::size_t limit = 100 * segments.size() + 100'000;
     const double smallest = kSmallest * spacing_of_coordinates();
     const disks::SegmentDisks disks =
-        disks::cover_segments(pslg_.points, segments, smallest, limit);
-    const Segment* const crowded =
-        disks.obstacle == Obstacle::none ? nullptr : &pslg_.segments[ids[disks.crowded].index()];
+        disks::cover_segments(work_.pslg.points, segments, smallest, limit);
+    const Segment* const crowded = disks.obstacle == Obstacle::none
+                                       ? nullptr
+                                       : &work_.pslg.segments[ids[disks.crowded].index()];
     if (disks.obstacle == Obstacle::too_many) return too_close(*crowded, limit);
     if (disks.obstacle == Obstacle::too_small) return too_small(*crowded, smallest);
 
@@ -201,8 +199,8 @@ class Nonobtuse {
     std::vector<SegmentCut> cuts;
     for (std::size_t k = 0; k < segments.size(); ++k) {
       const auto& [a, b] = segments[k];
-      const Point from = pslg_.points[a];
-      const Vector along = pslg_.points[b] - from;
+      const Point from = work_.pslg.points[a];
+      const Vector along = work_.pslg.points[b] - from;
       const Vector direction = (1 / length(along)) * along;
       SegmentCut cut{ids[k], {from + disks.radius[a] * direction}};
       radius.push_back(0);
@@ -214,22 +212,22 @@ class Nonobtuse {
       }
       cuts.push_back(std::move(cut));
     }
-    cut_segments(pslg_, table_, cuts);
-    boundaries_ = split_regions(pslg_, table_);
+    cut_segments(work_.pslg, work_.table, cuts);
+    work_.boundaries = split_regions(work_.pslg, work_.table);
     Status status = for_each([&](std::size_t r) {
       const StageClock clock;
-      const RegionBoundary& boundary = boundaries_[r];
+      const RegionBoundary& boundary = work_.boundaries[r];
       faults_[r] = find_fault(triangulate_domain(boundary.points, boundary.sides), boundary.points,
                               boundary.sides);
       if (faults_[r]) return;
       std::vector<double> local;
-      for (const VertexId v : boundaries_[r].vertices) local.push_back(radius[v.index()]);
+      for (const VertexId v : work_.boundaries[r].vertices) local.push_back(radius[v.index()]);
       fillings_[r] =
-          fill_between_disks(task_of(boundaries_[r]), local, callbacks_.stop, fill_options(r));
-      meshes_[r].steiner = fillings_[r].added;
-      meshes_[r].triangles = fillings_[r].triangles;
+          fill_between_disks(task_of(work_.boundaries[r]), local, callbacks_.stop, fill_options(r));
+      work_.meshes[r].steiner = fillings_[r].added;
+      work_.meshes[r].triangles = fillings_[r].triangles;
       finish(r);
-      meshes_[r].report.seconds = clock.seconds();
+      work_.meshes[r].report.seconds = clock.seconds();
     });
     return status ? first_fault() : status;
   }
@@ -242,7 +240,7 @@ class Nonobtuse {
                    fmt::format("method nonobtuse: region {} needs points on its segments that are "
                                "nearer to each other than coordinates can tell: {}; use another "
                                "method",
-                               boundaries_[r].id.value(), faults_[r]->what),
+                               work_.boundaries[r].id.value(), faults_[r]->what),
                    faults_[r]->where,
                    {}};
     }
@@ -250,7 +248,7 @@ class Nonobtuse {
   }
 
   /// The distance of doubles at the largest coordinate.
-  [[nodiscard]] double spacing_of_coordinates() const { return spacing_of(pslg_.points); }
+  [[nodiscard]] double spacing_of_coordinates() const { return spacing_of(work_.pslg.points); }
 
   [[nodiscard]] static Error at_segment(const PslgEnds& ends, const std::string& why) {
     return {ErrorCode::bad_option,
@@ -270,7 +268,7 @@ class Nonobtuse {
   }
 
   [[nodiscard]] PslgEnds ends_of(const Segment& segment) const {
-    return {pslg_.points[segment.a.index()], pslg_.points[segment.b.index()]};
+    return {work_.pslg.points[segment.a.index()], work_.pslg.points[segment.b.index()]};
   }
 
   [[nodiscard]] Error too_close(const Segment& segment, std::size_t limit) const {
@@ -280,8 +278,8 @@ class Nonobtuse {
 
   /// Bounds, figures and notes of a region.
   void finish(std::size_t r) {
-    const RegionBoundary& boundary = boundaries_[r];
-    RegionMesh& mesh = meshes_[r];
+    const RegionBoundary& boundary = work_.boundaries[r];
+    RegionMesh& mesh = work_.meshes[r];
     mesh.report.id = boundary.id;
     mesh.report.method = "nonobtuse";
     const CdtResult cdt = triangulate_domain(boundary.points, boundary.sides);
@@ -295,8 +293,7 @@ class Nonobtuse {
            fmt::format("region {}: {}", boundary.id.value(), fillings_[r].remark),
            {}});
     }
-    faults_[r] = find_fault({all_points(boundary, mesh), mesh.triangles, boundary.sides,
-                             boundary.segments, boundary.points.size()});
+    faults_[r] = find_fault(boundary, mesh);
     measure(boundary, mesh);
     if (fillings_[r].target_reached) return;
     for (Note& note : mesh.report.notes) {
@@ -305,30 +302,25 @@ class Nonobtuse {
     }
   }
 
-  Pslg& pslg_;
-  RegionTable& table_;
-  std::vector<RegionBoundary>& boundaries_;
+  Work& work_;
   const Options& options_;
   const Callbacks& callbacks_;
   std::vector<Filling> fillings_;
-  std::vector<RegionMesh> meshes_;
   std::vector<std::optional<BoundaryFault>> faults_;  ///< by region: what rounding broke
   std::vector<PackingRecord> packings_;               ///< empty where nobody asks for them
 };
 
 }  // namespace
 
-Result<std::vector<RegionMesh>> mesh_nonobtuse(Pslg& pslg, RegionTable& table,
-                                               std::vector<RegionBoundary>& boundaries,
-                                               const Options& options, const Callbacks& callbacks) {
+Status mesh_nonobtuse(Work& work, const Options& options, const Callbacks& callbacks) {
   if (options.hull) {
     return Error{ErrorCode::bad_option,
                  "method nonobtuse cannot be combined with hull: it splits the boundary itself",
                  {},
                  {}};
   }
-  for (Segment& s : pslg.segments) straighten(s);  // disks lie on chords
-  return Nonobtuse(pslg, table, boundaries, options, callbacks).run();
+  for (Segment& s : work.pslg.segments) straighten(s);  // disks lie on chords
+  return Nonobtuse(work, options, callbacks).run();
 }
 
 }  // namespace cover

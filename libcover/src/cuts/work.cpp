@@ -1,0 +1,34 @@
+// Tested by tests/unit/cuts/after_meshing/cut_for_boxes_test.cpp and thin_cuts_test.cpp beside it.
+#include "cuts/work.hpp"
+
+#include <utility>
+
+#include "target/whole_mesh.hpp"
+#include "tasks/region_task.hpp"
+
+namespace cover {
+
+Result<std::vector<std::size_t>> mesh_changed(Work& work, std::vector<RegionBoundary> boundaries,
+                                              const Options& options, const Callbacks& callbacks) {
+  std::vector<std::size_t> changed;
+  std::vector<RegionBoundary> again;
+  for (std::size_t r = 0; r < boundaries.size(); ++r) {
+    if (boundaries[r].vertices == work.boundaries[r].vertices) continue;
+    changed.push_back(r);
+    again.push_back(boundaries[r]);
+  }
+  Result<std::vector<RegionMesh>> meshes = mesh_regions(again, options, callbacks);
+  if (!meshes) return std::move(meshes).error();
+  for (std::size_t k = 0; k < changed.size(); ++k)
+    work.meshes[changed[k]] = std::move((*meshes)[k]);
+  work.boundaries = std::move(boundaries);
+  return changed;
+}
+
+bool is_sound(const Work& work) {
+  for (std::size_t r = 0; r < work.meshes.size(); ++r)
+    if (find_fault(work.boundaries[r], work.meshes[r])) return false;
+  return true;
+}
+
+}  // namespace cover

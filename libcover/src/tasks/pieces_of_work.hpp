@@ -1,0 +1,23 @@
+// The regions of a plane as pieces of work, complete with what is wished of each.
+#pragma once
+
+#include <vector>
+
+#include <cover/options.hpp>
+#include <cover/pslg.hpp>
+#include <cover/regions.hpp>
+#include <cover/result.hpp>
+
+#include "region/region_boundary.hpp"
+
+namespace cover {
+
+/// One piece of work per region, by RegionId - 1, with the sizes and the layers that `options` ask
+/// for.
+///
+/// Errors: bad_option; those of resolve_sizes() and resolve_layers()
+/// Cost:   O(n log n)
+Result<std::vector<RegionBoundary>> pieces_of_work(const Pslg& pslg, const RegionTable& table,
+                                                   const Options& options);
+
+}  // namespace cover
