@@ -18,7 +18,7 @@
 #include "base/faults/errors.hpp"
 #include "base/faults/out_of_memory.hpp"
 #include "cdt/cdt.hpp"
-#include "cuts/periodic/periodic_sides.hpp"
+#include "cuts/periodic/match_sides.hpp"
 #include "pipeline/find_regions.hpp"
 #include "pipeline/steps.hpp"
 #include "sizes/expected_triangles.hpp"

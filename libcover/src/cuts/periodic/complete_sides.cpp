@@ -1,0 +1,125 @@
+// Tested by tests/unit/cuts/periodic/periodic_sides_test.cpp.
+#include "cuts/periodic/complete_sides.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include <cover/text.hpp>
+
+#include "cuts/cut_segments.hpp"
+#include "geom/isometry.hpp"
+#include "geom/vector.hpp"
+#include "options/periodic_rule.hpp"
+
+namespace cover {
+namespace {
+
+double distance_from(Point a, Point b, Point p) {
+  const double along = std::clamp(dot(p - a, b - a) / squared_length(b - a), 0.0, 1.0);
+  return length(p - (a + along * (b - a)));
+}
+
+}  // namespace
+
+Result<bool> SidesCompletion::complete(const PeriodicRule& rule, const SidesMatch& match) {
+  cuts_.clear();
+  lost_.clear();
+  const Isometry back = inverse_of(match.map);
+  const NamedLine from = find_line(pslg_, table_, rule.from),
+                  to = find_line(pslg_, table_, rule.to);
+  for (const VertexId v : match.from_alone) place(v, match.map, to, match.tolerance);
+  for (const VertexId v : match.to_alone) place(v, back, from, match.tolerance);
+  if (!lost_.empty()) return mismatch(rule, match);
+  if (cuts_.empty()) {
+    if (!match.segments_alone.empty()) return lone_segments(rule, match);
+    return false;
+  }
+  std::vector<SegmentCut> cuts;
+  for (auto& [segment, points] : cuts_) {
+    const Point a = pslg_.points[pslg_.segments[segment.index()].a.index()];
+    std::sort(points.begin(), points.end(),
+              [&](Point p, Point q) { return length(p - a) < length(q - a); });
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    cuts.push_back({segment, points});
+    tell(rule, segment, points);
+  }
+  cut_segments(pslg_, table_, cuts);
+  return true;
+}
+
+/// Looks for the segment of `line` on which the image of `v` lies.
+void SidesCompletion::place(VertexId v, const Isometry& map, const NamedLine& line,
+                            double tolerance) {
+  const Point image = image_of(map, pslg_.points[v.index()]);
+  double least = std::numeric_limits<double>::infinity();
+  SegmentId nearest;
+  for (const SegmentId s : line.segments) {
+    const Segment& segment = pslg_.segments[s.index()];
+    const double distance =
+        distance_from(pslg_.points[segment.a.index()], pslg_.points[segment.b.index()], image);
+    if (distance >= least) continue;
+    least = distance;
+    nearest = s;
+  }
+  const Segment& segment = pslg_.segments[nearest.index()];
+  const Point a = pslg_.points[segment.a.index()], b = pslg_.points[segment.b.index()];
+  const bool is_inside =
+      least <= tolerance && length(image - a) > tolerance && length(image - b) > tolerance;
+  if (is_inside) {
+    cuts_[nearest].push_back(image);
+  } else {
+    lost_.push_back({least, v, image});
+  }
+}
+
+void SidesCompletion::tell(const PeriodicRule& rule, SegmentId s,
+                           const std::vector<Point>& points) {
+  const Segment& segment = pslg_.segments[s.index()];
+  std::vector<InputRef> refs;
+  if (segment.id >= 0) refs.push_back({InputKind::segment, segment.id});
+  report_.changes.push_back(
+      {Change::Kind::split,
+       fmt::format("the segment from {} to {} was cut at {}, as periodic {} asks: the other side "
+                   "has {} there",
+                   describe(pslg_.points[segment.a.index()]),
+                   describe(pslg_.points[segment.b.index()]), describe(points[0]), describe(rule),
+                   points.size() == 1 ? "a point" : "points"),
+       points, std::move(refs)});
+}
+
+Error SidesCompletion::mismatch(const PeriodicRule& rule, const SidesMatch& match) const {
+  auto worst = lost_;
+  std::stable_sort(worst.begin(), worst.end(),
+                   [](const Lost& x, const Lost& y) { return x.distance > y.distance; });
+  const Lost& first = worst[0];
+  const bool is_from = std::find(match.from_alone.begin(), match.from_alone.end(), first.vertex) !=
+                       match.from_alone.end();
+  std::vector<Point> where;
+  for (const Lost& lost : worst) {
+    if (where.size() < kUnmatchedTold) where.push_back(pslg_.points[lost.vertex.index()]);
+  }
+  return periodic_error(
+      rule,
+      fmt::format(
+          "the lines do not match: {} of '{}' comes to {}, which is {} from '{}'{}",
+          describe(pslg_.points[first.vertex.index()]), is_from ? rule.from : rule.to,
+          describe(first.image), describe_roughly(first.distance), is_from ? rule.to : rule.from,
+          worst.size() == 1 ? ""
+                            : fmt::format("; {} more do not", counted(worst.size() - 1, "point"))),
+      std::move(where));
+}
+
+Error SidesCompletion::lone_segments(const PeriodicRule& rule, const SidesMatch& match) const {
+  const Segment& s = pslg_.segments[match.segments_alone[0].index()];
+  const Point a = pslg_.points[s.a.index()], b = pslg_.points[s.b.index()];
+  return periodic_error(
+      rule,
+      fmt::format("the lines do not match: the segment from {} to {} has no image", describe(a),
+                  describe(b)),
+      {a, b});
+}
+
+}  // namespace cover
