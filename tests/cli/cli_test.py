@@ -309,6 +309,9 @@ class Mesh(Case):
             for name in ('vtm', 'ele'):
                 _, err = self.run_cover(*words, '-o', '-', '--format', name, code=2)
                 self.assertIn(f'.{name} is more than one file', err)
+        for format, more, what in (('xdmf', ['--xdmf', 'hdf5'], 'with HDF5'), ('msh', ['--msh', '4.1', '--parts', '2'], 'in parts')):
+            _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', '-', '--format', format, *more, code=2)
+            self.assertIn(f'.{format} {what} is more than one file', err)
 
     def test_clean_poly_meshes_the_same(self):
         self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'a.vtu', '-o', 'clean.poly', '-q')

@@ -115,9 +115,12 @@ Result<Writer> mesh_writer(const std::string& path, const WriteOptions& options)
 }
 
 Result<Writer> stdout_writer(const std::string& format, const WriteOptions& options) {
-  if (format == "vtm" || format == "pvtu" || format == "ele")
+  if (is_several_files("stdout." + format, options))
     return Error{ErrorCode::bad_option,
-                 fmt::format("a mesh in .{} is more than one file: give -o a name for it", format),
+                 fmt::format("a mesh in .{}{} is more than one file: give -o a name for it", format,
+                             options.parts > 1  ? " in parts"
+                             : format == "xdmf" ? " with HDF5"
+                                                : ""),
                  {},
                  {}};
   return mesh_writer("stdout." + format, options);

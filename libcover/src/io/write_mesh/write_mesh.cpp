@@ -15,10 +15,14 @@ namespace {
 
 using Writer = Status (*)(const Output&, const std::string& path, const WriteOptions&);
 
+/// How many files a mesh becomes.
+enum class Files { one, several, one_or_parts, one_or_with_hdf5 };
+
 struct Format {
   const char* extension;
-  bool second_order;  ///< can hold triangles with six nodes, or no triangles at all
   Writer write;
+  bool second_order = true;  ///< can hold triangles with six nodes, or no triangles at all
+  Files files = Files::one;
 };
 
 Status write_clean_input(const Output& output, const std::string& path, const WriteOptions&) {
@@ -26,14 +30,21 @@ Status write_clean_input(const Output& output, const std::string& path, const Wr
 }
 
 constexpr std::array kFormats{
-    Format{".vtu", true, write_vtu},          Format{".vtm", true, write_vtm},
-    Format{".vtkhdf", true, write_vtkhdf},    Format{".vtk", true, write_vtk},
-    Format{".msh", true, write_msh},          Format{".pvtu", true, write_pvtu},
-    Format{".xdmf", true, write_xdmf},        Format{".mesh", true, write_medit},
-    Format{".inp", true, write_inp},          Format{".ele", true, write_triangle},
-    Format{".obj", false, write_obj},         Format{".off", false, write_off},
-    Format{".ply", false, write_ply},         Format{".json", true, write_manifest},
-    Format{".poly", true, write_clean_input},
+    Format{".vtu", write_vtu},
+    Format{".vtm", write_vtm, true, Files::several},
+    Format{".vtkhdf", write_vtkhdf},
+    Format{".vtk", write_vtk},
+    Format{".msh", write_msh, true, Files::one_or_parts},
+    Format{".pvtu", write_pvtu, true, Files::several},
+    Format{".xdmf", write_xdmf, true, Files::one_or_with_hdf5},
+    Format{".mesh", write_medit},
+    Format{".inp", write_inp},
+    Format{".ele", write_triangle, true, Files::several},
+    Format{".obj", write_obj, false},
+    Format{".off", write_off, false},
+    Format{".ply", write_ply, false},
+    Format{".json", write_manifest},
+    Format{".poly", write_clean_input},
 };
 
 Result<Format> format_of(const std::string& path) {
@@ -76,7 +87,7 @@ Status check(const WriteOptions& options) {
 Status check_parts(const Format& format, const std::string& path, const WriteOptions& options) {
   constexpr int kMostOpen = 500;  // all are open until the last one is on the disk
   if (format.write == write_pvtu) return ok();
-  if (format.write != write_msh)
+  if (format.files != Files::one_or_parts)
     return bad(fmt::format("cannot write '{}' in parts: .pvtu has some, and .msh 4.1", path));
   if (options.msh != "4.1")
     return bad(fmt::format("cannot write '{}' in parts: .msh has some in version 4.1", path));
@@ -103,6 +114,13 @@ Status can_write(const std::string& path, const WriteOptions& options) {
                              format->extension));
     return options.parts == 1 ? ok() : check_parts(*format, path, options);
   });
+}
+
+bool is_several_files(const std::string& path, const WriteOptions& options) {
+  const Result<Format> format = format_of(path);
+  if (!format) return false;
+  return format->files == Files::several || options.parts > 1 ||
+         (format->files == Files::one_or_with_hdf5 && options.xdmf == "hdf5");
 }
 
 Status write_mesh(const Output& output, const std::string& path, const WriteOptions& options) {

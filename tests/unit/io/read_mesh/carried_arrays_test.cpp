@@ -26,7 +26,9 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 void expect_same(const std::vector<double>& a, const std::vector<double>& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t k = 0; k < a.size(); ++k)
-    if (!std::isnan(a[k]) || !std::isnan(b[k])) EXPECT_EQ(a[k], b[k]) << k;
+    if (!std::isnan(a[k]) || !std::isnan(b[k])) {
+      EXPECT_EQ(a[k], b[k]) << k;
+    }
 }
 
 Output device_with_arrays() {
@@ -63,7 +65,9 @@ TEST(CarriedArrays, ComeBackFromEveryFormatThatBearsThem) {
       WriteOptions options = c.options;
       options.order = order;
       ASSERT_TRUE(write_mesh(output, path, options));
-      if (c.manifest) ASSERT_TRUE(write_mesh(output, folder.path() / "x.json", options));
+      if (c.manifest) {
+        ASSERT_TRUE(write_mesh(output, folder.path() / "x.json", options));
+      }
       const Result<Output> back = read_output(path);
       ASSERT_TRUE(back) << back.error().message;
       ASSERT_EQ(back->table.attributes.size(), 2U);
@@ -78,7 +82,9 @@ TEST(CarriedArrays, ComeBackFromEveryFormatThatBearsThem) {
             std::find_if(back->table.attributes.begin(), back->table.attributes.end(), called);
         ASSERT_NE(after, back->table.attributes.end()) << before.name;
         EXPECT_EQ(after->is_text, before.is_text && c.words);
-        if (c.words) EXPECT_EQ(after->words, before.words);
+        if (c.words) {
+          EXPECT_EQ(after->words, before.words);
+        }
         expect_same(after->values, before.values);
       }
       for (const PlaneField::Array& before : output.fields) {

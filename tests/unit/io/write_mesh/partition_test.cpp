@@ -61,7 +61,8 @@ TEST(Partition, DividesALargeRegion) {
   const MeshView view = view_of_input(testing::input_of(testing::smooth_star(500, 3)));
   const Partition partition = partition_of(view, 4);
   for (const MeshPart& part : partition.parts)
-    EXPECT_NEAR(static_cast<double>(part.own.size()), view.triangles.size() / 4.0, 1);
+    EXPECT_NEAR(static_cast<double>(part.own.size()),
+                static_cast<double>(view.triangles.size()) / 4, 1);
 }
 
 TEST(Partition, GhostsAreTheNeighboursOfOthers) {
