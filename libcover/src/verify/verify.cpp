@@ -213,9 +213,11 @@ class Verifier {
 
   /// Marks the edges along a split side; false if there is no way.
   bool mark_pieces(std::uint32_t s, std::uint32_t from, std::uint32_t to) {
-    const bool is_outer = domain_.sides[s].hull || domain_.sides[s ^ 1].region == kVoid;
+    const ExpectedSide& side = domain_.sides[s];
+    const RegionId other = side.hull ? kVoid : domain_.sides[s ^ 1].region;
     const std::vector<std::size_t> pieces =
-        edges_.along(from, to, offset_on_segment(scale_), is_input_, is_outer);
+        edges_.along(from, to, offset_on_segment(scale_), is_input_, other == kVoid,
+                     SoupEdges::Banks::of(side.region, other));
     for (const std::size_t piece : pieces) side_of_[piece] = s;
     return !pieces.empty();
   }
