@@ -17,7 +17,7 @@ import tempfile
 WAYS = {'default': [], 'hull': ['--hull'], 'split90': ['--split-interfaces', '--max-angle', '90'],
         'nonobtuse': ['--method', 'nonobtuse'], 'weld': ['--weld', 'auto'], 'box': ['--box-method'],
         'almond': ['--method', 'almond']}
-REFUSALS = (3, 4, 5, 7)
+REFUSALS = (2, 3, 4, 5, 7)
 
 
 def cpu():

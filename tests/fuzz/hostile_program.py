@@ -14,7 +14,7 @@ import subprocess
 import sys
 import tempfile
 
-REFUSED = {3: 'geometry', 4: 'bound missed', 7: 'memory'}
+REFUSED = {2: 'cannot be done by the method', 3: 'geometry', 4: 'bound missed', 7: 'memory'}
 
 
 def cpu():
