@@ -44,8 +44,8 @@ class Runs:
         self.faults += 1
         print(f'seed {seed}: {what}\n{text[:600]}', flush=True)
 
-    def judge(self, seed, folder, options):
-        """Every check on the mesh in `folder`."""
+    def judge(self, seed, folder, options, said):
+        """Every check on the mesh in `folder`, of whose run was `said`."""
         mesh, clean, source = folder / 'm.vtu', folder / 'clean.poly', folder / 'in.json'
         bound = ['--no-bound'] if '--paper' in options else []
         hull = ['--hull'] if '--hull' in options else []
@@ -54,7 +54,12 @@ class Runs:
             if name in options:
                 cleaning += [name, options[options.index(name) + 1]]
         cleaning += [name for name in ('--merge-materials', '--strict') if name in options]
-        for words in ([clean, mesh], [source, mesh, *cleaning]):
+        drawings = [[source, mesh, *cleaning]]
+        # Cuts on the outline, rounded, make another hull of the cleaned drawing.
+        has_other_hull = hull and '--split-interfaces' in options
+        if not has_other_hull and 'a seed in a .poly cannot name it' not in said:
+            drawings.append([clean, mesh])
+        for words in drawings:
             code, text, _ = run([self.asked.cover, 'check', *words, *bound, *hull], self.asked.limit)
             if code != 0:
                 self.fault(seed, f'check exits with {code}: {" ".join(map(str, words))} of {" ".join(options)}', text)
@@ -77,7 +82,7 @@ class Runs:
                 self.fault(seed, f'{seconds:.1f} s, options {" ".join(options)}', text)
             if code == 0:
                 self.outcomes['meshed'] += 1
-                self.judge(seed, folder, options)
+                self.judge(seed, folder, options, text)
             elif code in REFUSED:
                 self.outcomes[REFUSED[code]] += 1
                 if len(text.strip()) < 10 or code == 4 and self.asked.missed:
