@@ -89,6 +89,21 @@ std::string arcs_text(const Output& output) {
   return out;
 }
 
+/// In how many regions promise 3 is `held`, and whether doubles could hold it in the others.
+std::string bound_text(const Report& report, std::size_t held) {
+  const std::size_t all = report.regions.size();
+  if (held == all) return "held in every region";
+  const bool is_below_resolution =
+      std::all_of(report.regions.begin(), report.regions.end(), [](const RegionReport& r) {
+        return r.bound_held || std::any_of(r.notes.begin(), r.notes.end(), [](const Note& note) {
+                 return note.kind == Note::Kind::below_resolution;
+               });
+      });
+  if (!is_below_resolution) return fmt::format("MISSED in {} of {} regions", all - held, all);
+  return fmt::format("held in {} of {} regions; the others lie below the resolution of doubles",
+                     held, all);
+}
+
 /// The negative couplings of the box method, and the sides given up.
 std::string couplings_row(const Report& report) {
   constexpr std::size_t kGivenUp = 3;
@@ -162,11 +177,7 @@ std::string totals(const Output& output, const MeshCounts& counts) {
   out += fmt::format("Above 150       {:>7}  forced by the input: {}\n", grouped(q.above_150),
                      grouped(forced_150));
   out += couplings_row(report);
-  out += fmt::format("Proven bound    {}\n",
-                     held == report.regions.size()
-                         ? "held in every region"
-                         : fmt::format("MISSED in {} of {} regions", report.regions.size() - held,
-                                       report.regions.size()));
+  out += fmt::format("Proven bound    {}\n", bound_text(report, held));
   const auto missed =
       std::count_if(report.regions.begin(), report.regions.end(), [](const RegionReport& r) {
         return std::any_of(r.notes.begin(), r.notes.end(),

@@ -66,7 +66,9 @@ class Adopter {
     const std::uint32_t from = forward ? *a : *b, to = forward ? *b : *a;
     if (edges_.find(from, to)) return {};
     std::vector<std::uint32_t> vertices;
-    for (const std::size_t edge : edges_.along(from, to, offset_, is_input_)) {
+    const SoupEdges::Banks banks = forward ? SoupEdges::Banks::of(sides.left, sides.right)
+                                           : SoupEdges::Banks::of(sides.right, sides.left);
+    for (const std::size_t edge : edges_.along(from, to, offset_, is_input_, false, banks)) {
       vertices.push_back(edges_.all()[edge].to);
     }
     if (vertices.empty()) return {};

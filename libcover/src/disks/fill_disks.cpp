@@ -33,6 +33,11 @@ struct Attempt {
 constexpr std::array<Attempt, 4> kAttempts{
     {{1e-3, 0.46}, {1e-5, 0.47}, {1e-3, 0.42}, {1e-2, 0.45}}};
 
+/// With more chords than that, what rounding broke twice is given up: in so many places, another
+/// tolerance mends one and breaks the next.
+constexpr std::size_t kManyChords = 1'000;
+constexpr int kBrokenTwice = 2;
+
 /// A right angle, with room for rounding.
 constexpr double kRight = std::numbers::pi / 2 + 1e-6;
 
@@ -277,6 +282,7 @@ Filling run_attempts(const FillTask& task, std::span<const double> radii, std::s
   int attempts = 0;
   for (const Attempt& a : kAttempts) {
     if (stop.stop_requested() || (best && best->largest_angle <= kAim)) break;
+    if (!best && attempts == kBrokenTwice && task.chords.size() > kManyChords) break;
     Checked result = run.attempt(a);
     if (!result.fault.empty() && ++attempts == 1) fault = result.fault;
     if (!result.fault.empty()) continue;

@@ -74,7 +74,7 @@ class ThinOut {
     }
     std::array<Point, SmallPolygon::kMostCorners> corners;
     for (std::size_t k = 0; k < link.size(); ++k) corners[k] = draft_.points[link[k]];
-    const SmallPolygon polygon({corners.data(), link.size()});
+    const SmallPolygon polygon({corners.data(), link.size()}, limit_);
     if (!(polygon.largest_angle() <= limit_)) return false;
 
     const std::vector<Index> old = std::move(stars_[v]);

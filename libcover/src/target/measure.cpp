@@ -27,6 +27,9 @@ constexpr double kCotangentOf150 = -std::numbers::sqrt3;
 constexpr double kRightAngle = kAsGoodAsRight;
 /// Spacings of doubles: a triangle that is no higher than that cannot be divided.
 constexpr double kNoRoom = 64;
+/// Spacings of doubles: points no farther from a side of the hull cannot be told from vertices that
+/// split it.
+constexpr double kFlatOnHull = 8;
 
 /// A triangle from its largest angle's corner on.
 struct Sorted {
@@ -300,6 +303,47 @@ bool holds_bound(std::span<const Point> points, std::span<const IndexTriple> tri
   });
 }
 
+namespace {
+
+/// The triangles but for those between a side of the hull and points that could lie on it by
+/// rounding.
+std::vector<IndexTriple> without_flat_on_hull(const RegionBoundary& boundary,
+                                              std::span<const Point> points,
+                                              std::span<const IndexTriple> triangles) {
+  const double most = kFlatOnHull * spacing_at(largest_coordinate(points));
+  const std::vector<std::uint32_t> across = across_edges(points.size(), triangles, boundary.sides);
+  std::vector<bool> is_flat(triangles.size(), false);
+  std::vector<std::uint32_t> stack;
+  for (std::uint32_t h = 0; h < across.size(); ++h) {
+    const IndexPair edge{triangles[h / 3][h % 3], triangles[h / 3][(h + 1) % 3]};
+    const auto side = std::lower_bound(boundary.sides.begin(), boundary.sides.end(), edge);
+    if (side == boundary.sides.end() || *side != edge ||
+        boundary.segments[static_cast<std::size_t>(side - boundary.sides.begin())] != kHullSide)
+      continue;
+    const Point a = points[edge[0]];
+    const Vector along = points[edge[1]] - a;
+    for (stack.push_back(h / 3); !stack.empty();) {
+      const std::uint32_t t = stack.back();
+      stack.pop_back();
+      if (is_flat[t] || std::any_of(triangles[t].begin(), triangles[t].end(), [&](std::uint32_t v) {
+            return cross(along, points[v] - a) >= most * length(along);
+          }))
+        continue;
+      is_flat[t] = true;
+      for (std::uint32_t i = 3 * t; i < 3 * t + 3; ++i) {
+        if (across[i] != HalfEdges::kAbsent) stack.push_back(across[i] / 3);
+      }
+    }
+  }
+  std::vector<IndexTriple> rest;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (!is_flat[t]) rest.push_back(triangles[t]);
+  }
+  return rest;
+}
+
+}  // namespace
+
 void set_limits(const AngleLimit& limit, RegionReport& report) {
   report.nu_opt = Angle::radians(limit.nu);
   report.nu_bound = Angle::radians(limit.promised_nu());
@@ -325,7 +369,11 @@ void measure(const RegionBoundary& boundary, RegionMesh& mesh, const Team& team)
       !mesh.triangles.empty() && (report.quality.largest_nu >= report.nu_bound ||
                                   holds_bound(points, mesh.triangles, report.nu_bound));
   if (!report.bound_held && !mesh.triangles.empty()) {
-    report.notes.push_back(bound_missed(report, points, worst_triangle(points, mesh.triangles)));
+    Note note = bound_missed(report, points, worst_triangle(points, mesh.triangles));
+    const auto others = without_flat_on_hull(boundary, points, mesh.triangles);
+    if (others.size() < mesh.triangles.size() && holds_bound(points, others, report.nu_bound))
+      note.kind = Note::Kind::below_resolution;
+    report.notes.push_back(std::move(note));
   }
 }
 

@@ -56,34 +56,49 @@ std::optional<std::size_t> SoupEdges::find(std::uint32_t from, std::uint32_t to)
 }
 
 std::vector<std::size_t> SoupEdges::along(std::uint32_t from, std::uint32_t to, double offset,
-                                          const std::vector<bool>& barred, bool outer) const {
-  std::vector<std::size_t> way;
-  for (std::uint32_t at = from; at != to;) {
-    const auto edge = next_along(from, at, to, offset, barred, outer);
-    if (!edge) return {};
-    way.push_back(*edge);
-    at = edges_[*edge].to;
+                                          const std::vector<bool>& barred, bool outer,
+                                          const Banks& banks) const {
+  if (soup_.region.size() == soup_.triangles.size()) {
+    std::vector<std::size_t> between = follow({from, to, offset, barred, outer, &banks});
+    if (!between.empty()) return between;
   }
-  return way;
+  return follow({from, to, offset, barred, outer, nullptr});
 }
 
-/// The edge that leaves `from` along the line from `start` to `to`.
-std::optional<std::size_t> SoupEdges::next_along(std::uint32_t start, std::uint32_t from,
-                                                 std::uint32_t to, double offset,
-                                                 const std::vector<bool>& barred,
-                                                 bool outer) const {
-  const Point origin = soup_.points[start], end = soup_.points[to];
+std::vector<std::size_t> SoupEdges::follow(const Way& way) const {
+  std::vector<std::size_t> edges;
+  for (std::uint32_t at = way.from; at != way.to;) {
+    const auto edge = next_of(way, at);
+    if (!edge) return {};
+    edges.push_back(*edge);
+    at = edges_[*edge].to;
+  }
+  return edges;
+}
+
+bool SoupEdges::lies_between(const Edge& edge, const Banks& banks) const {
+  if (soup_.region[edge.triangle] != banks.left) return false;
+  const auto twin = find(edge.to, edge.from);
+  if (twin.has_value() != banks.right.has_value()) return false;
+  return !twin || soup_.region[edges_[*twin].triangle] == *banks.right;
+}
+
+/// The edge that leaves `at` along a way.
+std::optional<std::size_t> SoupEdges::next_of(const Way& way, std::uint32_t at) const {
+  const Point origin = soup_.points[way.from], end = soup_.points[way.to];
   const Vector along = end - origin;
-  const double tolerance = offset * length(along);
+  const double tolerance = way.offset * length(along);
   std::optional<std::size_t> best;
   double best_slope = 0;
-  for (std::size_t k = first_[from]; k < first_[from + 1]; ++k) {
-    if (edges_[k].to != to && barred[edges_[k].to]) continue;
-    if (outer && find(edges_[k].to, from)) continue;
-    const Point p = soup_.points[edges_[k].to];
-    const Vector step = p - soup_.points[from];
+  for (std::size_t k = first_[at]; k < first_[at + 1]; ++k) {
+    const std::uint32_t next = edges_[k].to;
+    if (next != way.to && way.barred[next]) continue;
+    if (way.outer && find(next, at)) continue;
+    const Point p = soup_.points[next];
+    const Vector step = p - soup_.points[at];
     if (dot(step, along) <= 0 || std::abs(cross(along, p - origin)) > tolerance) continue;
-    if (edges_[k].to != to && dot(end - p, along) <= 0) continue;
+    if (next != way.to && dot(end - p, along) <= 0) continue;
+    if (way.banks != nullptr && !lies_between(edges_[k], *way.banks)) continue;
     const double slope = std::abs(cross(along, step)) / length(step);
     if (best && slope >= best_slope) continue;
     best = k;

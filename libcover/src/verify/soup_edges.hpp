@@ -32,14 +32,27 @@ class SoupEdges {
   /// Index in all() of the first edge between two vertices.
   [[nodiscard]] std::optional<std::size_t> find(std::uint32_t from, std::uint32_t to) const;
 
+  /// What a way along a segment has on its sides, by the RegionIds that the mesh bears: the
+  /// triangles on its left, and those on its right or none. Where segments are nearer to each other
+  /// than rounding, this tells which edges are of which.
+  struct Banks {
+    std::int64_t left;
+    std::optional<std::int64_t> right;
+
+    static Banks of(RegionId left, RegionId right) {
+      return {left.value(), right == kVoid ? std::nullopt : std::optional(right.value())};
+    }
+  };
+
   /// The edges that lead from one vertex to another along the straight line between them, one after
   /// the other; none if there is no such way. Their ends may be off the line by `offset`. With
   /// `outer`, they have no triangle on their other side. `barred`, by vertex: where no way leads
   /// through, such as points of a clean input, which lie inside no segment; so ways along segments
-  /// that are nearer to each other than `offset` are told apart.
+  /// that are nearer to each other than `offset` are told apart. A way that has `banks` on its sides
+  /// is preferred; they vouch for nothing.
   [[nodiscard]] std::vector<std::size_t> along(std::uint32_t from, std::uint32_t to, double offset,
-                                               const std::vector<bool>& barred,
-                                               bool outer = false) const;
+                                               const std::vector<bool>& barred, bool outer,
+                                               const Banks& banks) const;
 
   /// The triangles set aside.
   [[nodiscard]] std::span<const std::uint32_t> unusable() const { return unusable_; }
@@ -50,10 +63,19 @@ class SoupEdges {
   [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> doubles() const;
 
  private:
-  [[nodiscard]] std::optional<std::size_t> next_along(std::uint32_t start, std::uint32_t from,
-                                                      std::uint32_t to, double offset,
-                                                      const std::vector<bool>& barred,
-                                                      bool outer) const;
+  /// What along() looks for.
+  struct Way {
+    std::uint32_t from;
+    std::uint32_t to;
+    double offset;
+    const std::vector<bool>& barred;
+    bool outer;
+    const Banks* banks;  ///< nullptr: whatever lies there
+  };
+
+  [[nodiscard]] std::vector<std::size_t> follow(const Way& way) const;
+  [[nodiscard]] std::optional<std::size_t> next_of(const Way& way, std::uint32_t at) const;
+  [[nodiscard]] bool lies_between(const Edge& edge, const Banks& banks) const;
 
   const TriangleSoup& soup_;
   std::vector<std::size_t> first_;  ///< by vertex, into edges_

@@ -213,9 +213,11 @@ class Verifier {
 
   /// Marks the edges along a split side; false if there is no way.
   bool mark_pieces(std::uint32_t s, std::uint32_t from, std::uint32_t to) {
-    const bool is_outer = domain_.sides[s].hull || domain_.sides[s ^ 1].region == kVoid;
+    const ExpectedSide& side = domain_.sides[s];
+    const RegionId other = side.hull ? kVoid : domain_.sides[s ^ 1].region;
     const std::vector<std::size_t> pieces =
-        edges_.along(from, to, offset_on_segment(scale_), is_input_, is_outer);
+        edges_.along(from, to, offset_on_segment(scale_), is_input_, other == kVoid,
+                     SoupEdges::Banks::of(side.region, other));
     for (const std::size_t piece : pieces) side_of_[piece] = s;
     return !pieces.empty();
   }
@@ -321,8 +323,43 @@ class Verifier {
     result_.obtuse_by_rounding = check.obtuse_by_rounding;
   }
 
+  /// The triangles between a side of the hull and points that could lie on it by rounding: no vertex
+  /// that splits the side would be told from these.
+  [[nodiscard]] std::vector<std::uint32_t> flat_on_hull() const {
+    std::vector<std::uint32_t> flat;
+    const auto all = edges_.all();
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (side_of_[k] != kNoSide && domain_.sides[side_of_[k]].hull) add_flat_on(all[k], flat);
+    }
+    std::sort(flat.begin(), flat.end());
+    return flat;
+  }
+
+  void add_flat_on(const SoupEdges::Edge& side, std::vector<std::uint32_t>& flat) const {
+    const Point a = at(side.from);
+    const Vector along = at(side.to) - a;
+    const auto is_flat = [&](std::uint32_t t) {
+      const auto corners_of = corners(t);
+      return std::all_of(corners_of.begin(), corners_of.end(), [&](Point p) {
+        return cross(along, p - a) < offset_on_segment(scale_) * length(along);
+      });
+    };
+    if (!is_flat(side.triangle)) return;
+    std::size_t next = flat.size();
+    for (flat.push_back(side.triangle); next < flat.size(); ++next) {
+      const auto& t = mesh_.triangles[flat[next]];
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto twin = edges_.find(t[(i + 1) % 3], t[i]);
+        if (!twin || side_of_[*twin] != kNoSide) continue;
+        const std::uint32_t beyond = edges_.all()[*twin].triangle;
+        if (is_flat(beyond) && std::find(flat.begin(), flat.end(), beyond) == flat.end())
+          flat.push_back(beyond);
+      }
+    }
+  }
+
   void check_bound() {
-    const BoundCheck check = verify_bound(mesh_, region_, domain_, scale_);
+    const BoundCheck check = verify_bound(mesh_, region_, domain_, scale_, flat_on_hull());
     result_.within_rounding = check.within_rounding;
     for (const BoundMissed& missed : check.missed) {
       const auto [a, b, c] = corners(missed.triangle);

@@ -24,7 +24,8 @@ struct Worst {
 double offset_on_segment(double scale) { return 8 * spacing_at(scale); }
 
 BoundCheck verify_bound(const TriangleSoup& mesh, std::span<const RegionId> region,
-                        const ExpectedDomain& domain, double scale) {
+                        const ExpectedDomain& domain, double scale,
+                        std::span<const std::uint32_t> without_room) {
   std::vector<Worst> worst(domain.nu_opt.size());
   for (std::uint32_t t = 0; t < region.size(); ++t) {
     if (region[t] == kVoid) continue;
@@ -37,6 +38,7 @@ BoundCheck verify_bound(const TriangleSoup& mesh, std::span<const RegionId> regi
     const double rounded = nu + 4 * spacing_at(scale) / shortest;
     Worst& w = worst[region[t].index()];
     w.nu = std::min(w.nu, nu);
+    if (std::binary_search(without_room.begin(), without_room.end(), t)) continue;
     if (rounded < w.nu_rounded) w.nu_rounded = rounded, w.triangle = t;
   }
   BoundCheck check;

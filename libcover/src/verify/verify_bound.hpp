@@ -32,8 +32,11 @@ struct BoundCheck {
 double offset_on_segment(double scale);
 
 /// Compares pi - gamma of every region with min((pi - gamma_opt) / 2, pi / 6). `region` is by
-/// triangle, kVoid for triangles to be passed over; `scale` is the largest coordinate.
+/// triangle, kVoid for triangles to be passed over; `scale` is the largest coordinate. `without_room`
+/// are triangles, ascending, that lie so flat on a side of the hull that doubles hold no vertex to
+/// split it: they count as kept by rounding.
 BoundCheck verify_bound(const TriangleSoup& mesh, std::span<const RegionId> region,
-                        const ExpectedDomain& domain, double scale);
+                        const ExpectedDomain& domain, double scale,
+                        std::span<const std::uint32_t> without_room);
 
 }  // namespace cover

@@ -99,6 +99,45 @@ TEST(AdoptCuts, TellsACutSegmentFromPointsOfTheInputBesideIt) {
   EXPECT_EQ(cut.violation_count, 0U) << cut.violations[0].message;
 }
 
+/// All sides of a sliver as thin as rounding are cut: no vertex tells which cut lies on which, but
+/// the regions on both sides do.
+TEST(AdoptCuts, TellsCutsOfSegmentsWithinRoundingByTheRegionsBesideThem) {
+  const Input input =
+      testing::segments_between({{0, 0},
+                                 {1, 2 - 0x1p-52},
+                                 {2 + 0x1.8p-50, 4 + 0x1p-49},
+                                 {3 + 0x1.8p-50, 6 - 0x1.8p-49},
+                                 {3, 29},
+                                 {9, 2}},
+                                {{0, 1}, {1, 2}, {2, 3}, {0, 4}, {4, 3}, {0, 3}, {5, 3}});
+  Options options;
+  options.method = Method::almond;
+  options.fill = Fill::disks;
+  const Result<Prepared> prepared = prepare(input, options);
+  ASSERT_TRUE(prepared) << prepared.error().message;
+  ASSERT_TRUE(prepared->report.changes.empty());
+  options.split_interfaces = Angle::degrees(64);
+  const Result<Output> output = cover_mesh(input, options);
+  ASSERT_TRUE(output) << output.error().message;
+  TriangleSoup mesh = triangle_soup(output->mesh);
+  const VerifyOptions split{.bound = false, .allow_split = true};
+  const Verification uncut = verify_cover(prepared->pslg, prepared->table, mesh, split);
+  EXPECT_EQ(uncut.violation_count, 0U) << uncut.violations[0].message;
+  Pslg pslg = prepared->pslg;
+  RegionTable table = prepared->table;
+  EXPECT_EQ(adopt_cuts(pslg, table, mesh), output->pslg.points.size() - input.points.size());
+  const Verification cut = verify_cover(pslg, table, mesh, {});
+  EXPECT_EQ(cut.violation_count, 0U) << cut.violations[0].message;
+  // RegionIds vouch for nothing: a wrong one is told, and a missing triangle.
+  mesh.region[0] = mesh.region[0] == 1 ? 2 : 1;
+  EXPECT_GT(verify_cover(prepared->pslg, prepared->table, mesh, split).violation_count, 0U);
+  mesh = triangle_soup(output->mesh);
+  mesh.triangles.pop_back();
+  mesh.region.pop_back();
+  mesh.material.pop_back();
+  EXPECT_GT(verify_cover(prepared->pslg, prepared->table, mesh, split).violation_count, 0U);
+}
+
 TEST(AdoptCuts, SurvivesAMeshOfSomethingElse) {
   Clean clean;
   TriangleSoup mesh;

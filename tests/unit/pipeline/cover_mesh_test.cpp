@@ -53,6 +53,54 @@ TEST(CoverMesh, MeshesTheHullOfPointsThatAreNearALine) {
   }
 }
 
+TEST(CoverMesh, SliversOnTheHullThatDoublesCannotDivideAreNamed) {
+  // Decimals on one line are no doubles on one line: (30.4, 9.45) lies 7e-16 inside the hull.
+  const Input input = testing::segments_between({{31, 9.21}, {30.2, 9.53}, {30.4, 9.45}, {30, 8}},
+                                                {{0, 2}, {2, 1}, {1, 3}, {3, 0}});
+  Options options;
+  options.hull = true;
+  options.threads = 1;
+  const Result<Output> output = cover_mesh(input, options);
+  ASSERT_TRUE(output.has_value()) << output.error().message;
+  VerifyOptions verify;
+  verify.hull = true;
+  const Verification found =
+      verify_cover(output->pslg, output->table, triangle_soup(output->mesh), verify);
+  EXPECT_TRUE(found.violations.empty()) << found.violations.front().message;
+  EXPECT_EQ(found.within_rounding, 1U);
+  ASSERT_EQ(output->report.regions.size(), 2U);
+  int named = 0;
+  for (const RegionReport& region : output->report.regions) {
+    for (const Note& note : region.notes) {
+      EXPECT_NE(note.kind, Note::Kind::bound_missed) << note.message;
+      named += note.kind == Note::Kind::below_resolution ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(named, 1);
+}
+
+TEST(CoverMesh, ABoundThatIsMissedBesideASliverIsTold) {
+  // The same triangle, as far inside the hull as vertices have room.
+  Input input = testing::segments_between({{0, 0}, {2, 0}, {1, 1e-3}, {1, 4}},
+                                          {{0, 2}, {2, 1}, {1, 3}, {3, 0}});
+  Options options;
+  options.hull = true;
+  const Result<Output> output = cover_mesh(input, options);
+  ASSERT_TRUE(output.has_value()) << output.error().message;
+  VerifyOptions verify;
+  verify.hull = true;
+  EXPECT_EQ(verify_cover(output->pslg, output->table, triangle_soup(output->mesh), verify)
+                .violation_count,
+            0U);
+  TriangleSoup plain;  // no vertex splits the side of the hull
+  plain.points = {{0, 0}, {2, 0}, {1, 1e-3}, {1, 4}};
+  plain.triangles = {{0, 1, 2}, {0, 2, 3}, {2, 1, 3}};
+  verify.materials = false;
+  const Verification found = verify_cover(output->pslg, output->table, plain, verify);
+  ASSERT_EQ(found.violation_count, 1U);
+  EXPECT_EQ(found.violations.front().promise, 3);
+}
+
 TEST(CoverMesh, CutsThatRoundingBreaksAreTakenBack) {
   // Segments that end some units in the last place from each other: feet on them coincide.
   Options options;

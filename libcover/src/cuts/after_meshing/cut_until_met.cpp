@@ -38,6 +38,9 @@ constexpr std::size_t kFewPoints = 2'000;  ///< with less, rounds cost so little
 /// So many triangles above the target for each point at first are those of a mesh that misses it
 /// nearly everywhere: halves do not mend that.
 constexpr std::size_t kEverywhere = 4;
+/// The same is said by the share of all triangles, of targets below 90 degrees: the smaller ones that
+/// halves make miss them as well.
+constexpr double kNearlyAll = 2.0 / 3;
 /// Evaluations of all searches together, by points at first: some seconds for some thousand points.
 /// Each search has half of what the ones before it left.
 constexpr std::uint64_t kEvaluationsPerPoint = 20'000;
@@ -51,6 +54,12 @@ constexpr std::size_t kMany =
 struct Trial {
   Work work;
   CutResult left{};
+
+  [[nodiscard]] std::size_t triangles() const {
+    std::size_t sum = 0;
+    for (const RegionMesh& mesh : work.meshes) sum += mesh.triangles.size();
+    return sum;
+  }
 };
 
 class Rounds {
@@ -136,11 +145,14 @@ Status cut_until_met(Work& work, const Options& options, const Callbacks& callba
   Trial best{std::move(work)};
   Status status = rounds.improve(best);
   Trial now = best;
-  const int most_in_vain = options.max_angle < Angle::degrees(90) ? kInVain : kRounds;
+  const bool is_acute = options.max_angle < Angle::degrees(90);
+  const int most_in_vain = is_acute ? kInVain : kRounds;
   int in_vain = 0;  // rounds since the last one that left fewer triangles
   const auto is_of_no_use = [&] {
     if (in_vain >= most_in_vain) return true;
     if (now.work.pslg.points.size() < kFewPoints) return false;
+    const auto above = static_cast<double>(now.left.above);
+    if (is_acute && above > kNearlyAll * static_cast<double>(now.triangles())) return true;
     return now.left.above > kEverywhere * points ||
            (in_vain >= kInVainForAll && now.left.above > kFarMore * best.left.above);
   };

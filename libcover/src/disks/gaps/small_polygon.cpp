@@ -3,18 +3,35 @@
 #include "disks/gaps/small_polygon.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "geom/predicates.hpp"
+#include "geom/vector.hpp"
 
 namespace cover::disks {
+namespace {
+
+/// Whether the angle at `p` is surely above the one whose cosine is -`sine`: told without an
+/// arctangent, which is what a triangulation takes most of its time for.
+bool is_surely_above(Point a, Point p, Point b, double sine) {
+  const Vector u = a - p, v = b - p;
+  const double across = dot(u, v);
+  return across < 0 && across * across > sine * sine * squared_length(u) * squared_length(v);
+}
+
+}  // namespace
 
 double largest_angle(Point a, Point b, Point c) {
   if (orientation(a, b, c) != Sign::positive) return kImpossible;
   return std::max({angle_at(a, b, c), angle_at(b, c, a), angle_at(c, a, b)});
 }
 
-SmallPolygon::SmallPolygon(std::span<const Point> corners) : size_(corners.size()) {
+SmallPolygon::SmallPolygon(std::span<const Point> corners, double limit) : size_(corners.size()) {
+  constexpr double kRounding = 1e-12;  // of dot products, with room
+  const bool is_limited = limit < std::numbers::pi;
+  const double sine = is_limited ? std::sin(limit - std::numbers::pi / 2) + kRounding : 1;
   for (std::size_t span = 2; span < size_; ++span) {
     for (std::size_t i = 0; i + span < size_; ++i) {
       const std::size_t j = i + span;
@@ -22,8 +39,11 @@ SmallPolygon::SmallPolygon(std::span<const Point> corners) : size_(corners.size(
       for (std::size_t k = i + 1; k < j; ++k) {
         const double parts = std::max(cost_[i][k], cost_[k][j]);
         if (parts >= cost_[i][j]) continue;
-        const double cost =
-            std::max(parts, disks::largest_angle(corners[i], corners[k], corners[j]));
+        const Point a = corners[i], b = corners[k], c = corners[j];
+        if (is_limited && (parts > limit || is_surely_above(a, b, c, sine) ||
+                           is_surely_above(b, c, a, sine) || is_surely_above(c, a, b, sine)))
+          continue;
+        const double cost = std::max(parts, disks::largest_angle(a, b, c));
         if (cost < cost_[i][j]) cost_[i][j] = cost, apex_[i][j] = static_cast<Index>(k);
       }
     }

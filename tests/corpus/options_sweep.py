@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""options_sweep.py PROGRAM FILE... [--seconds S] [--ways NAME,...]: meshes every file in every way below and has
+`cover check` judge what was written, against the drawing as it was cleaned and cut and against the file. Prints a
+line for every refusal, for all to be read, and one for every fault: a crash, a mesh that is refused, a run of more than
+S seconds (20) of the processor. Exit 1 if there is a fault. On request: an hour for some hundred files.
+
+  CASES_OUT=/tmp/gen python3 cases/gen/gen_polygons.py
+  tests/corpus/options_sweep.py build/release/apps/cover/cover cases/*.json /tmp/gen/*.poly"""
+import argparse
+import collections
+import pathlib
+import resource
+import subprocess
+import sys
+import tempfile
+
+WAYS = {'default': [], 'hull': ['--hull'], 'split90': ['--split-interfaces', '--max-angle', '90'],
+        'nonobtuse': ['--method', 'nonobtuse'], 'weld': ['--weld', 'auto'], 'box': ['--box-method'],
+        'almond': ['--method', 'almond']}
+REFUSALS = (2, 3, 4, 5, 7)
+
+
+def cpu():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def run(words, limit):
+    """Exit code (None: killed after `limit` seconds), output, seconds of the processor."""
+    before = cpu()
+    try:
+        done = subprocess.run(list(map(str, words)), text=True, errors='replace', stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, timeout=limit)
+    except subprocess.TimeoutExpired:
+        return None, f'killed after {limit} s', cpu() - before
+    return done.returncode, done.stdout, cpu() - before
+
+
+def checks(program, path, folder, way, limit):
+    """What `cover check` says against the mesh; empty if nothing."""
+    options = WAYS[way]
+    hull = ['--hull'] if '--hull' in options else []
+    cleaning = ['--weld', 'auto'] if '--weld' in options else []
+    for words in ([folder / 'clean.poly'], [path, *cleaning]):
+        code, text, _ = run([program, 'check', words[0], folder / 'm.vtu', *words[1:], *hull], limit)
+        if code != 0:
+            return f'check of {words[0].name} exits with {code}: {text[:800]}'
+    return ''
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('program')
+    parser.add_argument('files', nargs='+', type=pathlib.Path)
+    parser.add_argument('--seconds', type=float, default=20)
+    parser.add_argument('--limit', type=float, default=600, help='seconds of the clock, then a run is killed')
+    parser.add_argument('--ways', default=','.join(WAYS))
+    asked = parser.parse_args()
+    outcomes, faults = collections.Counter(), 0
+    for path in asked.files:
+        for way in asked.ways.split(','):
+            with tempfile.TemporaryDirectory() as name:
+                folder = pathlib.Path(name)
+                code, text, seconds = run([asked.program, 'mesh', path, '-q', '-o', folder / 'm.vtu', '-o',
+                                           folder / 'clean.poly', *WAYS[way]], asked.limit)
+                wrong = checks(asked.program, path, folder, way, asked.limit) if code == 0 else ''
+            if code not in (0, *REFUSALS) or len(text.strip()) < 10 and code != 0:
+                wrong = f'exit {code}: {text[:800]}'
+            elif seconds > asked.seconds:
+                wrong = wrong or f'{seconds:.1f} s'
+            outcomes['fault' if wrong else f'exit {code}'] += 1
+            faults += bool(wrong)
+            if wrong or code != 0:
+                print(f'{"FAULT" if wrong else "refused"} {path.name} {way} {seconds:.1f} s: {wrong or text.strip()[:300]}',
+                      flush=True)
+    print(dict(outcomes))
+    return 1 if faults else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
