@@ -268,7 +268,7 @@ TEST(LimitProver, NoMeshOfARandomRegionBeatsALimit) {
     const double aim = meshes.uniform(80, 150) * kDegree;
     double best = -10;
     meshes.start(static_cast<int>(random() % 4));
-    for (long k = 0; k < kMeshes; ++k) {
+    for (std::uint64_t k = 0; k < kMeshes; ++k) {
       meshes.change();
       std::optional<Triangulation> mesh = meshes.mesh();
       if (!mesh) {
