@@ -15,7 +15,7 @@ install(EXPORT coverVtkTargets NAMESPACE cover:: DESTINATION ${cover_package_dir
 
 # Readers that are there where the libraries are that they read by.
 set(cover_readers "")
-foreach(reader dxf gdal)
+foreach(reader dxf gdal gmsh)
   string(TOUPPER ${reader} READER)
   if(COVER_WITH_${READER})
     list(APPEND cover_readers ${reader})
