@@ -1,4 +1,4 @@
-// See flip.hpp. Tested by tests/unit/quality/repair/improve_test.cpp.
+// See flip.hpp.
 #include "quality/moves/flip.hpp"
 
 #include <algorithm>

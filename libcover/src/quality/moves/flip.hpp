@@ -1,4 +1,5 @@
 // Another diagonal of two triangles.
+// Mends: a large angle opposite to an inner edge, and small angles at the ends of that edge.
 #pragma once
 
 #include "quality/moves/piece.hpp"

@@ -1,6 +1,6 @@
 // Sequential linear programming: the excess of each triangle around is made linear in the places of
 // its corners, the lowest point of that within a box is tried, and the box grows or shrinks as the
-// triangles follow the model or not. Tested by tests/unit/quality/repair/search_test.cpp.
+// triangles follow the model or not.
 #include "quality/moves/joint.hpp"
 
 #include <algorithm>

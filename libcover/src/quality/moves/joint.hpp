@@ -1,4 +1,5 @@
 // Several neighbouring vertices moved at once.
+// Mends: triangles that tie, so that no vertex alone can leave its place.
 #pragma once
 
 #include <cstdint>

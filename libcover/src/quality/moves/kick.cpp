@@ -1,4 +1,4 @@
-// See kick.hpp. Tested by tests/unit/quality/plan/optimise_test.cpp.
+// See kick.hpp.
 #include "quality/moves/kick.hpp"
 
 #include "geom/vector.hpp"

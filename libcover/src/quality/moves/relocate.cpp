@@ -1,4 +1,4 @@
-// See relocate.hpp. Tested by tests/unit/quality/repair/improve_test.cpp.
+// See relocate.hpp.
 #include "quality/moves/relocate.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // A vertex moved to where its star is best.
+// Mends: a small or a large angle of a triangle with a free corner.
 #pragma once
 
 #include "quality/moves/piece.hpp"

@@ -1,4 +1,4 @@
-// See remove.hpp. Tested by tests/unit/quality/repair/improve_test.cpp.
+// See remove.hpp.
 #include "quality/moves/remove.hpp"
 
 #include "quality/optimum/min_max_polygon.hpp"

@@ -1,4 +1,4 @@
-// See restar.hpp. Tested by tests/unit/quality/repair/improve_test.cpp.
+// See restar.hpp.
 #include "quality/moves/restar.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // A hole of a few triangles filled with a star around a new vertex.
+// Mends: a small or a large angle at vertices that must stay, where no diagonal helps.
 #pragma once
 
 #include "quality/moves/piece.hpp"
