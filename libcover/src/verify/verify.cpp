@@ -21,9 +21,9 @@
 #include <fmt/core.h>
 
 #include "geom/predicates.hpp"
+#include "geom/topology/soup_edges.hpp"
 #include "geom/vector.hpp"
 #include "verify/expected_domain.hpp"
-#include "verify/soup_edges.hpp"
 #include "verify/verify_bound.hpp"
 #include "verify/verify_boxes.hpp"
 #include "verify/verify_labels.hpp"
@@ -98,7 +98,7 @@ class Verifier {
     }
   }
 
-  // What is on its way into messages.
+  // Places, for violations to show.
   [[nodiscard]] Point at(std::uint32_t vertex) const { return mesh_.points[vertex]; }
   [[nodiscard]] std::array<Point, 3> corners(std::uint32_t triangle) const {
     const auto& t = mesh_.triangles[triangle];

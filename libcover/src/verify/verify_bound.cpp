@@ -21,8 +21,6 @@ struct Worst {
 
 }  // namespace
 
-double offset_on_segment(double scale) { return 8 * spacing_at(scale); }
-
 BoundCheck verify_bound(const TriangleSoup& mesh, std::span<const RegionId> region,
                         const ExpectedDomain& domain, double scale) {
   std::vector<Worst> worst(domain.nu_opt.size());

@@ -27,10 +27,6 @@ struct BoundCheck {
   std::size_t within_rounding = 0;  ///< regions that keep it up to the rounding of coordinates
 };
 
-/// How far off a segment a vertex may be that was put on it: what rounding does, where no
-/// coordinate is larger than `scale`.
-double offset_on_segment(double scale);
-
 /// Compares pi - gamma of every region with min((pi - gamma_opt) / 2, pi / 6). `region` is by
 /// triangle, kVoid for triangles to be passed over; `scale` is the largest coordinate.
 BoundCheck verify_bound(const TriangleSoup& mesh, std::span<const RegionId> region,

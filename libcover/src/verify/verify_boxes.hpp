@@ -7,8 +7,8 @@
 
 #include <cover/report.hpp>
 
+#include "geom/topology/soup_edges.hpp"
 #include "verify/expected_domain.hpp"
-#include "verify/soup_edges.hpp"
 #include "verify/verify_regions.hpp"
 
 namespace cover {

@@ -18,8 +18,8 @@
 #include <cover/text.hpp>
 
 #include "geom/predicates.hpp"
+#include "geom/topology/soup_edges.hpp"
 #include "geom/vector.hpp"
-#include "verify/soup_edges.hpp"
 
 namespace cover {
 namespace {

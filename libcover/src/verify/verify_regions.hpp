@@ -8,8 +8,8 @@
 
 #include <cover/ids.hpp>
 
+#include "geom/topology/soup_edges.hpp"
 #include "verify/expected_domain.hpp"
-#include "verify/soup_edges.hpp"
 
 namespace cover {
 

@@ -1,10 +1,11 @@
 // Tested by tests/unit/verify/verify_test.cpp.
-#include "verify/soup_edges.hpp"
+#include "geom/topology/soup_edges.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
+#include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -19,6 +20,8 @@ bool is_usable(const TriangleSoup& soup, const std::array<std::uint32_t, 3>& t) 
 }
 
 }  // namespace
+
+double offset_on_segment(double scale) { return 8 * spacing_at(scale); }
 
 SoupEdges::SoupEdges(const TriangleSoup& soup) : soup_(soup), first_(soup.points.size() + 1, 0) {
   edges_.reserve(3 * soup.triangles.size());

@@ -1,4 +1,4 @@
-// The edges and places of a mesh that nobody has vouched for: for verify_cover().
+// The edges and places of a mesh that nobody has vouched for.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,10 @@
 #include <cover/verify.hpp>
 
 namespace cover {
+
+/// How far off a segment a vertex may be that was put on it: what rounding does, where no
+/// coordinate is larger than `scale`.
+double offset_on_segment(double scale);
 
 /// Directed edges and coordinates of a TriangleSoup, for look-ups. Triangles with an index out of
 /// range, a corner twice or a coordinate that is not finite are set aside and have no edges.
