@@ -2,8 +2,10 @@
 """check_names.py ROOT: a test is found by its name, and nothing that comments and documents name is missing.
 
 Every source file of the library has a test of its own name (tests/unit/ROOM/FILE_test.cpp) or says in its first
-comment which one tests it: "Tested by tests/...". Files and folders that comments and documents name exist.
+comment which one tests it: "Tested by tests/...". Files and folders that comments and documents name exist, with an
+extension or without one, as `quality/moves/flip`; so do tests that documents choose by `--gtest_filter` or `-R`.
 """
+import fnmatch
 import pathlib
 import re
 import sys
@@ -66,11 +68,48 @@ def dangling(root, paths):
                     yield f'{where}: there is no {name}'
 
 
+def tracked(root):
+    """Files and folders below `root`, but for what is built."""
+    return [p.relative_to(root) for p in root.rglob('*') if not {'build', '.git'} & set(p.relative_to(root).parts)]
+
+
+def without_extension(root, paths):
+    """Paths such as geom/predicates whose first part is a room or a folder in one, and that lead nowhere."""
+    there = tracked(root)
+    ends = set()
+    for path in there:
+        parts = path.with_suffix('').parts
+        ends |= {'/'.join(parts[k:]) for k in range(len(parts))}
+    rooms = {p.name for p in there if (root / p).is_dir() and p.parts[:2] == ('libcover', 'src')}
+    for path in paths:
+        for number, line in comments(path):
+            line = re.sub(r'https?://\S+|<[^>]*>|\{[^}]*\}', '', line)
+            for name in re.findall(r'(?<![\w./*-])[a-z_]\w*(?:/[a-z_]\w*)+/?(?![\w/.*-])', line):
+                if name.split('/')[0] in rooms and name.rstrip('/') not in ends:
+                    yield f'{path.relative_to(root)}:{number}: there is no {name}'
+
+
+def chosen_tests(root, documents):
+    """Tests that a document tells its reader to run."""
+    tests = {f'{suite}.{name}' for path in (root / 'tests').rglob('*.cpp')
+             for suite, name in re.findall(r'^TEST(?:_[FP])?\((\w+), *(\w+)\)', path.read_text(), re.MULTILINE)}
+    for path in documents:
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            where = f'{path.relative_to(root)}:{number}'
+            for chosen in re.findall(r"--gtest_filter='?([\w.*?]+)", line):
+                if not any(fnmatch.fnmatchcase(test, chosen) for test in tests):
+                    yield f'{where}: no test is called {chosen}'
+            for chosen in re.findall(r'ctest [^`]*-R "?([A-Z]\w+)', line):
+                if not any(chosen in test for test in tests):
+                    yield f'{where}: no test is called {chosen}'
+
+
 def main(root):
     sources = [p for top in ('libcover/src', 'libcover/include', 'apps', 'samples', 'tests', 'cmake')
                for p in sorted((root / top).rglob('*')) if p.suffix in ('.cpp', '.hpp', '.py', '.sh', '.cmake')]
     documents = [root / 'README.md', *sorted((root / 'libcover').rglob('*.md')), *sorted((root / 'tests').rglob('*.md'))]
-    found = [*untested(root), *dangling(root, sources + documents)]
+    found = [*untested(root), *dangling(root, sources + documents), *without_extension(root, sources + documents),
+             *chosen_tests(root, documents)]
     print('\n'.join(found) or f'{len(sources)} sources and {len(documents)} documents name what is there')
     return 1 if found or not sources else 0
 

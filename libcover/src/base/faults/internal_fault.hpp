@@ -11,7 +11,7 @@
 namespace cover {
 
 /// Thrown where going on would read or write what is not there. Becomes an internal error that
-/// carries the places (pipeline/errors_as_values).
+/// carries the places (tasks/errors_as_values).
 class InternalFault : public std::logic_error {
  public:
   InternalFault(const std::string& what, std::vector<Point> where)
