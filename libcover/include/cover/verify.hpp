@@ -1,4 +1,4 @@
-// Checks the promises on any mesh, from plain arrays: shares no code with the mesher.
+// Checks the promises on any mesh, from plain arrays, by no code that makes or changes triangles.
 #pragma once
 
 #include <array>

@@ -4,7 +4,6 @@
 // is laid out anew. A region with no almonds left is its own remainder, which cannot fail, so this
 // ends. (That remainder is not laid out: on a side of the hull that may be split, rounding would see
 // vertices that are only next to it.)
-// Tested by tests/unit/almond/almond_region_test.cpp.
 #include "almond/almond_method.hpp"
 
 #include <algorithm>

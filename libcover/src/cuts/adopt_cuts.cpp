@@ -10,9 +10,8 @@
 #include "cuts/cut_segments.hpp"
 #include "cuts/renumber_points.hpp"
 #include "geom/curves/arc.hpp"
+#include "geom/topology/soup_edges.hpp"
 #include "geom/vector.hpp"
-#include "verify/soup_edges.hpp"
-#include "verify/verify_bound.hpp"
 
 namespace cover {
 namespace {

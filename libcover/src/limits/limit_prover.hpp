@@ -48,9 +48,9 @@ class LimitProver {
   /// Cost:     O(triangles)
   explicit LimitProver(const Triangulation& cdt, const Team& team = {});
 
-  /// Tells what a covering mesh of this region has, so that sides are not asked that cannot settle a
-  /// question: those beside which all its angles are in the range. Its own triangle on such a side
-  /// is one that nothing forbids.
+  /// Tells the angles of a covering mesh of this region. A side beside which all of them are in the
+  /// range in question is passed over: the triangle that the mesh has there shows that nothing
+  /// forbids one.
   void compare_with(AnglesAround mesh) { mesh_ = std::move(mesh); }
 
   /// pi - gamma_opt: Lemma 1.

@@ -1,6 +1,5 @@
-// As in mesh/verify: counter-clockwise triangles cover a point as often as their edges wind around
-// it; inner edges cancel, and what is left are the sides. Tested by
-// tests/unit/target/whole_mesh_test.cpp.
+// As in verify/verify: counter-clockwise triangles cover a point as often as their edges wind around
+// it; inner edges cancel, and what is left are the sides.
 #include "target/whole_mesh.hpp"
 
 #include <algorithm>

@@ -35,16 +35,16 @@ void expect_covered(const RegionBoundary& boundary) {
   }
 }
 
-TEST(CoverRegion, TriangleStaysAsItIs) {
+TEST(AlmondRegion, TriangleStaysAsItIs) {
   const auto boundary = boundary_of({{{0, 0}, {1, 0}, {0.4, 0.7}}});
   const RegionMesh mesh = almond_region(boundary, paper(), {});
   EXPECT_EQ(mesh.triangles.size(), 1U);
   EXPECT_EQ(mesh.report.method, "cdt");
 }
 
-TEST(CoverRegion, Square) { expect_covered(boundary_of({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}})); }
+TEST(AlmondRegion, Square) { expect_covered(boundary_of({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}})); }
 
-TEST(CoverRegion, RegularPolygons) {
+TEST(AlmondRegion, RegularPolygons) {
   for (const int n : {4, 5, 6, 7, 8, 12, 30, 100, 1000}) {
     SCOPED_TRACE(n);
     expect_covered(boundary_of({testing::regular_polygon(n)}));
@@ -53,7 +53,7 @@ TEST(CoverRegion, RegularPolygons) {
 
 // The triangles across a long arc are thin, each circle holds them all, and the chord stops every
 // try until its almond is awake: minutes, if each try passes them all.
-TEST(CoverRegion, ALongArcOverItsChord) {
+TEST(AlmondRegion, ALongArcOverItsChord) {
   constexpr int kSize = 20000;
   Loop arc;
   for (int k = 0; k <= kSize; ++k) {
@@ -66,7 +66,7 @@ TEST(CoverRegion, ALongArcOverItsChord) {
   EXPECT_EQ(mesh.report.method, "almond");
 }
 
-TEST(CoverRegion, RandomStars) {
+TEST(AlmondRegion, RandomStars) {
   const std::uint64_t seed = testing::test_seed(1);
   SCOPED_TRACE(testing::seed_trace(seed));
   std::mt19937_64 random(seed);

@@ -11,7 +11,7 @@ namespace cover {
 namespace {
 
 constexpr double kNear = 0.05;  ///< 3 degrees
-/// Who asks for a smaller largest angle than this means it, and not what balances it.
+/// Below this target the largest angle comes first: Prefer::largest, whatever is preferred.
 const Angle kStrict = Angle::degrees(95);
 constexpr double kAlikeFault = 1e-3;  ///< faults that differ by less are the same
 constexpr double kAlike = 1.02;       ///< of cotangents above 140 degrees: of what is left to 180

@@ -13,7 +13,7 @@
 
 namespace cover {
 
-/// What a triangulation has reached, in the order of merit; all in cotangents, smaller is better.
+/// What a triangulation has reached. Angles are cotangents; smaller is better. Order compares them.
 struct Merit {
   double target = 0;          ///< -cot of the region's own target: the goal's, or what is forced
   double large = 0;           ///< -cot of the largest angle, no lower than that

@@ -67,7 +67,7 @@ class Candidates {
   [[nodiscard]] Candidate as_it_is() const { return candidate(cdt_, "cdt"); }
   /// One star around a single new vertex, if there is one that sees all sides.
   [[nodiscard]] std::optional<Candidate> one_star(const Candidate& cdt);
-  /// Whether the angles at such a vertex can be as large as the goal asks.
+  /// Whether so few sides share the 360 degrees at it that each may have the smallest angle asked.
   [[nodiscard]] bool has_room_around_a_hub() const;
   /// Chew's construction, where the boundary is evenly spaced.
   [[nodiscard]] std::optional<Candidate> evenly_refined(Candidate cdt) const;

@@ -8,6 +8,7 @@
 //    equals ("light").
 // 4. Search in excerpts around what is left; in tiny regions random restarts do better.
 // 5. Thin out.
+// 6. Where couplings count, make it Delaunay and improve again (mind_couplings).
 // Tested by tests/unit/quality/plan/optimise_test.cpp.
 #include "quality/plan/optimise.hpp"
 

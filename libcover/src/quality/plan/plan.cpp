@@ -158,7 +158,7 @@ constexpr std::array kThorough{
     Step{"almonds, improved", always, almonds_improved},
 };
 
-// Each only if those before left something to be wished of the largest angle.
+// Steps after the restarts run only where the largest angle is neither the goal's nor forced.
 constexpr std::array kLargest{
     Step{"cdt", always, as_it_is, StopWhen::alone},
     Step{"one star", has_room_around_a_hub, one_star, StopWhen::complete},

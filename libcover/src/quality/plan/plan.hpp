@@ -27,13 +27,13 @@ struct Step {
     alone,     ///< they are, or couplings leave no other mesh
     done,      ///< the largest angle is that of the goal, or what the region's worst side forces
   };
-  std::string_view start;  ///< what is improved, and how
+  std::string_view name;  ///< for who reads the table: what is improved, and how
   bool (*is_due)(const Progress&);
   void (*run)(Progress&);
   StopWhen stop = StopWhen::never;  ///< no further steps then
 };
 
-/// The plan for a region; its steps are commented with what they gain and cost.
+/// The plan for a region. What steps gain and cost stands in quality/effort/effort.hpp.
 std::span<const Step> plan_for(const Options& options, bool has_sizes);
 
 /// Runs the steps of `plan` in turn. The best is no worse than any of them.

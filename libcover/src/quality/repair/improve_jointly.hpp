@@ -21,7 +21,7 @@ inline std::uint32_t worst_of(const MutableMesh& mesh) {
 /// Moves several vertices at once where `mesh` is worst, improves it again, and so on a few times,
 /// until `is_enough()`.
 ///
-/// ENSURES: whether `is_enough()` in the end
+/// ENSURES: returns what `is_enough()` says in the end
 template <class IsEnough>
 bool improve_jointly(MutableMesh& mesh, Budget& budget, IsEnough is_enough) {
   constexpr int kTimes = 3;
