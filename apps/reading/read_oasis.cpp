@@ -1,4 +1,4 @@
-// KLayout runs as a process of its own, without a shell. Tested by tests/cli/cli_test.py.
+// KLayout runs as a process of its own, without a shell. Tested by tests/cli/layouts_test.py.
 #include "read_oasis.hpp"
 
 #include <algorithm>

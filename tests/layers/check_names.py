@@ -29,10 +29,13 @@ def untested(root):
     source, unit = root / 'libcover/src', root / 'tests/unit'
     for path in sorted(source.rglob('*.cpp')):
         inside = path.relative_to(source)
-        if (unit / inside.parent / f'{inside.stem}_test.cpp').exists():
-            continue
+        own = unit / inside.parent / f'{inside.stem}_test.cpp'
         named = re.findall(r'Tested by ((?:tests/[\w/.]+\w(?:, | and )?)+)', first_comment(path.read_text()))
         tests = [t for group in named for t in re.findall(r'tests/[\w/.]+\w', group)]
+        if own.exists():
+            if tests and own.relative_to(root).as_posix() not in tests:
+                yield f'libcover/src/{inside}: its test is {own.relative_to(root)}, not {tests[0]}'
+            continue
         if not tests:
             yield f'libcover/src/{inside}: there is no tests/unit/{inside.with_suffix("")}_test.cpp, and no "Tested by"'
         for test in tests:

@@ -1,4 +1,4 @@
-// Tested by tests/cli/cli_test.py, class Files.
+// Tested by tests/cli/mesh_test.py, class Files.
 #include "files/file_check.hpp"
 
 #include <unistd.h>

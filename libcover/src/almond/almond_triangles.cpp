@@ -1,7 +1,7 @@
 // The polygon of an almond has its side as base and its chords around. All its vertices lie on one
 // circle, so a triangle over the arc from P1 to P3 has nu = that part of nu(A): large wherever the
 // triangle contains a long chord. Without a long chord the centre does it.
-// Tested by tests/unit/almond/chords_test.cpp.
+// Tested by tests/unit/almond/almond_triangles_test.cpp.
 #include "almond/almond_triangles.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // pairs found so, those whose sides are too far apart are dropped; the others are met once each,
 // and a meeting counts if both sides see it, which a straight walk through the triangulation
 // decides with exact predicates.
-// Tested by tests/unit/almond/chords_test.cpp.
+// Tested by tests/unit/almond/arc_layer_test.cpp.
 #include "almond/arc_layer.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 // contains their radical line), so three control values define it, and no centre is needed.
 // A common vertex known by identity is a root known exactly; then the other root follows without a
 // square root (in geometry: the mirror image in the line of centres).
-// Tested by tests/unit/almond/almond_test.cpp.
+// Tested by tests/unit/almond/arc_meeting_test.cpp.
 #include "almond/arc_meeting.hpp"
 
 #include <algorithm>

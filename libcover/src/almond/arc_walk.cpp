@@ -2,7 +2,7 @@
 // the side's triangle as root, and an edge leads on just where the open almond crosses it. At a
 // vertex that is known to lie on the circle the edge is judged by its direction against the
 // tangent: a computed distance there would be noise, and the walk would leak around the apex.
-// Tested by tests/unit/almond/chords_test.cpp.
+// Tested by tests/unit/almond/arc_walk_test.cpp.
 #include "almond/arc_walk.hpp"
 
 #include <algorithm>

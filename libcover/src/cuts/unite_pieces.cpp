@@ -1,4 +1,4 @@
-// Tested by tests/unit/cuts/after_meshing/thin_cuts_test.cpp.
+// Tested by tests/unit/cuts/unite_pieces_test.cpp.
 #include "cuts/unite_pieces.hpp"
 
 #include <algorithm>

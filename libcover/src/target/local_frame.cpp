@@ -1,4 +1,4 @@
-// Tested by tests/unit/almond/almond_test.cpp.
+// Tested by tests/unit/target/local_frame_test.cpp.
 #include "target/local_frame.hpp"
 
 #include <algorithm>

@@ -9,11 +9,11 @@
 #include <cover/verify.hpp>
 
 #include "clean/pslg.hpp"
-#include "cuts/before_meshing/split_interfaces.hpp"
 #include "quality/quality_region.hpp"
 #include "region/region_graph.hpp"
 #include "support/inputs.hpp"
 #include "target/measure.hpp"
+#include "two_rectangles.hpp"
 #include "unit/quality/mesh_checks.hpp"
 
 namespace cover {
@@ -188,31 +188,6 @@ TEST(Sizes, AGrowthAloneCountsFromTheEdgesOfTheBoundary) {
   }
 }
 
-/// Two rectangles side by side, of materials "left" and "right".
-Input two_rectangles() {
-  Input input = testing::segments_between({{0, 0}, {1, 0}, {3, 0}, {3, 1}, {1, 1}, {0, 1}},
-                                          {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 0}, {1, 4}});
-  for (const auto& [x, name] : {std::pair(0.5, "left"), std::pair(2.0, "right")}) {
-    RegionSeed seed;
-    seed.at = {x, 0.5};
-    seed.material = name;
-    input.seeds.push_back(seed);
-  }
-  return input;
-}
-
-struct Regions {
-  Pslg pslg;
-  RegionTable table;
-};
-
-Regions regions_of(const Input& input) {
-  Report report;
-  Regions regions{make_pslg(input, {}, report).value(), {}};
-  regions.table = build_region_table(regions.pslg, {}, report.notes).value();
-  return regions;
-}
-
 TEST(Sizes, AreFoundByName) {
   const Regions regions = regions_of(two_rectangles());
   auto boundaries = split_regions(regions.pslg, regions.table);
@@ -338,202 +313,6 @@ TEST(Sizes, LongSegmentsAreWarnedOfOnce) {
   EXPECT_TRUE(warned().empty());
   options.method = Method::almond;
   EXPECT_EQ(warned().size(), 1U);
-}
-
-double worst_gamma(const Regions& regions) {
-  double nu = std::numbers::pi;
-  for (const RegionBoundary& b : split_regions(regions.pslg, regions.table)) {
-    const Triangulation cdt = triangulate_domain(b.points, b.sides).triangulation;
-    for (const SideLimit& side : side_limits(cdt, locate_sides(cdt, b.sides))) {
-      nu = std::min(nu, std::atan2(1.0, -side.apex_cot));
-    }
-  }
-  return 180 - nu * 180 / std::numbers::pi;
-}
-
-TEST(SplitInterfaces, CutsUntilNothingForcesALargerAngle) {
-  Input input = two_rectangles();
-  input.points[4] = {1.1, 0.3};  // a notch close to the lower sides
-  Regions regions = regions_of(input);
-  EXPECT_GT(worst_gamma(regions), 95);
-  Options options;
-  options.split_interfaces = Angle::degrees(90);
-  std::vector<Note> notes;
-  const std::size_t before = regions.pslg.points.size();
-  ASSERT_TRUE(split_interfaces(regions.pslg, regions.table, options, notes));
-  EXPECT_LE(worst_gamma(regions), 90 + 1e-6);
-  EXPECT_GT(regions.pslg.points.size(), before);
-  EXPECT_LT(regions.pslg.points.size(), 20 * before);
-  ASSERT_EQ(notes.size(), 1u);
-  EXPECT_EQ(notes[0].kind, Note::Kind::cut);
-  EXPECT_EQ(notes[0].where.size(), regions.pslg.points.size() - before);
-}
-
-TEST(SplitInterfaces, HalvesTheSegmentsGivenAndThenForcesNothing) {
-  Regions regions = regions_of(two_rectangles());
-  Options options;
-  options.split_interfaces = Angle::degrees(90);
-  std::vector<Note> notes;
-  ASSERT_TRUE(split_interfaces(regions.pslg, regions.table, options, notes));
-  const std::size_t before = regions.pslg.points.size();
-  const std::vector<SegmentId> right{SegmentId{2}};
-  const Segment cut = regions.pslg.segments[2];
-  const Point middle =
-      midpoint(regions.pslg.points[cut.a.index()], regions.pslg.points[cut.b.index()]);
-  const Result<bool> given_up = halve_segments(regions.pslg, regions.table, options, right, before);
-  ASSERT_TRUE(given_up);
-  EXPECT_FALSE(*given_up);
-  EXPECT_EQ(regions.pslg.points.size(), before);
-  const Result<bool> halved = halve_segments(regions.pslg, regions.table, options, right, 1000);
-  ASSERT_TRUE(halved);
-  EXPECT_TRUE(*halved);
-  EXPECT_GT(regions.pslg.points.size(), before);
-  EXPECT_EQ(regions.pslg.points[before], middle);
-  EXPECT_LE(worst_gamma(regions), 90 + 1e-6);
-}
-
-/// Segments after cutting for sizes alone.
-Regions cut_for(const Input& input, std::vector<SizeRule> sizes) {
-  Regions regions = regions_of(input);
-  Options options;
-  options.split_interfaces = Angle::degrees(170);
-  options.sizes = std::move(sizes);
-  std::vector<Note> notes;
-  EXPECT_TRUE(split_interfaces(regions.pslg, regions.table, options, notes));
-  return regions;
-}
-
-TEST(SplitInterfaces, CutsToTheSizesOfLinesPointsAndRegions) {
-  Input input = two_rectangles();
-  input.segments[2].name = "anode";  // from (3, 0) to (3, 1)
-  input.point_ids = {10, 11, 12, 13, 14, 15};
-  const auto added = [&](std::vector<SizeRule> sizes) {
-    return cut_for(input, std::move(sizes)).pslg.points.size() - 6;
-  };
-  // 8 pieces, and from their ends growing ones: ln(3.4) / 0.3 or, to 2, ln(5.8) / 0.3. The side on
-  // the left, 1 from there, has 0.425 at its ends and two pieces.
-  EXPECT_EQ(added({{"left_right", 0.125, true}}), 7U + 2U * (4U - 1U) + 2U * (6U - 1U) + 1U);
-  EXPECT_EQ(added({{"left", 0.25, false}}), 4U * 3U);
-  EXPECT_EQ(added({{"", 0.5, false}}), 5U * 1U + 2U * 3U);
-  const Regions fine = cut_for(input, {{"anode", 0.125, true}});
-  std::size_t on_anode = 0;
-  for (const Point& p : fine.pslg.points) on_anode += p.x == 3 ? 1 : 0;
-  EXPECT_EQ(on_anode, 9U);
-}
-
-TEST(SplitInterfaces, GradesSegmentsThatArePastAFineOne) {
-  Input input = two_rectangles();
-  input.point_ids = {10, 11, 12, 13, 14, 15};
-  const Regions corner = cut_for(input, {{"13", 0.125, true}});  // at (3, 1)
-  std::size_t opposite = 0;
-  for (const Segment& s : corner.pslg.segments) {
-    const Point a = corner.pslg.points[s.a.index()], b = corner.pslg.points[s.b.index()];
-    if (std::max(a.x, b.x) <= 1) continue;  // of the left rectangle alone
-    const double nearest = std::min(length(a - Point{3, 1}), length(b - Point{3, 1}));
-    EXPECT_LE(length(b - a), 1.5 * (0.125 + 0.3 * (nearest + length(b - a) / 2)));
-    opposite += a.y == 0 && b.y == 0 ? 1 : 0;
-  }
-  EXPECT_GT(opposite, 2U);  // pieces of the lower side, which does not meet the corner
-}
-
-TEST(SplitInterfaces, CutsStackedThinLayersOnceAndForAll) {
-  std::vector<Point> points;
-  std::vector<std::array<std::uint32_t, 2>> segments;
-  std::uint32_t n = 0;
-  for (const double y : {0.0, 0.3, 0.301, 0.30101, 0.6}) {
-    points.push_back({0, y});
-    points.push_back({1, y});
-    segments.push_back({n, n + 1});
-    if (n > 0) {
-      segments.push_back({n - 2, n});
-      segments.push_back({n - 1, n + 1});
-    }
-    n += 2;
-  }
-  Regions regions = regions_of(testing::segments_between(points, segments));
-  Options options;
-  options.split_interfaces = Angle::degrees(90);
-  options.sizes = {{"", 0.05, false}};
-  std::vector<Note> notes;
-  ASSERT_TRUE(split_interfaces(regions.pslg, regions.table, options, notes));
-  EXPECT_LE(worst_gamma(regions), 90 + 1e-6);
-  EXPECT_LT(regions.pslg.points.size(), 400u) << "15,000 where pieces between feet are wishes";
-}
-
-TEST(SplitInterfaces, CutsAThinLayerAcross) {
-  Loop layer;  // 1 by 1e-3, its long walls with three vertices each that do not face each other
-  for (const double x : {0.0, 0.21, 0.5, 0.83, 1.0}) layer.push_back({x, 0});
-  for (const double x : {1.0, 0.7, 0.44, 0.1, 0.0}) layer.push_back({x, 1e-3});
-  Regions regions = regions_of(testing::input_of(layer));
-  Options options;
-  options.split_interfaces = Angle::degrees(90);
-  std::vector<Note> notes;
-  ASSERT_TRUE(split_interfaces(regions.pslg, regions.table, options, notes));
-  EXPECT_EQ(regions.pslg.points.size(), 16u);
-  EXPECT_LE(worst_gamma(regions), 90);
-}
-
-TEST(SplitInterfaces, EndsAtSharpCorners) {
-  Regions regions = regions_of(testing::segments_between(  // a third of a degree at the first
-      {{0, 0}, {10, 0}, {10, 0.05}, {3, 5}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 2}}));
-  Options options;
-  options.split_interfaces = Angle::degrees(90);
-  std::vector<Note> notes;
-  ASSERT_TRUE(split_interfaces(regions.pslg, regions.table, options, notes));
-  EXPECT_LT(regions.pslg.points.size(), 20000u);
-}
-
-TEST(SplitInterfaces, LeavesWhatIsTooThinForRoundedPoints) {
-  // Convex pieces between random lines; one is a few units in the last place thick.
-  for (const std::uint64_t seed : {202U, 802U}) {
-    Options options;
-    options.split_interfaces = Angle::degrees(100);
-    options.method = Method::almond;
-    const Result<Output> output = cover_mesh(random_cells(24, seed), options);
-    EXPECT_TRUE(output) << output.error().message;
-  }
-}
-
-/// The void between two painted regions is 1e-14 wide, and doubles are 5e-7 apart: cuts beside it,
-/// rounded, would cross in it, though each region is sound by itself. They are not made.
-TEST(SplitInterfaces, CutsOfTwoRegionsDoNotMeetThroughAThinVoid) {
-  const double y = 3e9;
-  Input input;
-  input.source = "thin void";
-  const auto paint = [&](std::vector<Point> ring) {
-    InputPolygon polygon;
-    polygon.rings = {std::move(ring)};
-    polygon.material = "a b";
-    input.polygons.push_back(std::move(polygon));
-  };
-  paint({{15.000000000000007, y + 30}, {30, y + 24}, {27, y + 6}});
-  paint({{4.4465908125712189e-323, y + 24},
-         {17.999999999999993, y + 24},
-         {17.999999999999993, y + 15},
-         {4.4465908125712189e-323, y + 15}});
-  paint({{9.0000000000000036, y},
-         {14.999999999999993, y},
-         {14.999999999999993, y + 30},
-         {9.0000000000000036, y + 30}});
-  Options options;
-  options.weld = 0;
-  options.split_interfaces = Angle::degrees(75);
-  const Result<Output> output = cover_mesh(input, options);
-  ASSERT_TRUE(output) << output.error().message;
-  const std::vector<Note>& notes = output->report.notes;
-  EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const Note& note) {
-    return note.message.find("would have to be cut too short") != std::string::npos;
-  }));
-  const Verification found = verify_cover(output->pslg, output->table, triangle_soup(output->mesh));
-  EXPECT_EQ(found.violation_count, 0U) << found.violations[0].message;
-}
-
-TEST(SplitInterfaces, DoesNothingUnasked) {
-  Regions regions = regions_of(two_rectangles());
-  std::vector<Note> notes;
-  ASSERT_TRUE(split_interfaces(regions.pslg, regions.table, {}, notes));
-  EXPECT_EQ(regions.pslg.points.size(), 6u);
-  EXPECT_TRUE(notes.empty());
 }
 
 }  // namespace

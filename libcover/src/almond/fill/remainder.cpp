@@ -1,4 +1,4 @@
-// Tested by tests/unit/almond/chords_test.cpp.
+// Tested by tests/unit/almond/fill/remainder_test.cpp.
 #include "almond/fill/remainder.hpp"
 
 #include <algorithm>

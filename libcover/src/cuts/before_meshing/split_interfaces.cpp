@@ -5,7 +5,7 @@
 // points; and feet need no care at sharp corners, where they end with a fan of right triangles.
 // What is to be seen at less than 90 degrees is cut half way. Segments longer than wished are cut
 // before that, all at once.
-// Tested by tests/unit/sizes/sizes_test.cpp.
+// Tested by tests/unit/cuts/before_meshing/split_interfaces_test.cpp.
 #include "cuts/before_meshing/split_interfaces.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Dynamic programming over diagonals.
-// Tested by tests/unit/disks/gaps/gap_test.cpp.
+// Tested by tests/unit/disks/gaps/small_polygon_test.cpp.
 #include "disks/gaps/small_polygon.hpp"
 
 #include <algorithm>

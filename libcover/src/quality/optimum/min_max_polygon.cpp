@@ -1,6 +1,6 @@
 // best[i][j] is the least possible largest excess of the part of the polygon that the chord from
 // i to j cuts off; it is the minimum over the third corner between them.
-// Tested by tests/unit/quality/mutable/cavity_test.cpp.
+// Tested by tests/unit/quality/optimum/min_max_polygon_test.cpp.
 #include "quality/optimum/min_max_polygon.hpp"
 
 #include "geom/vector.hpp"

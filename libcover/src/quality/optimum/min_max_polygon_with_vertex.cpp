@@ -1,7 +1,8 @@
 // What the chord from corner i to a later corner j cuts off is best triangulated on its own; that
 // does not depend on the vertex. Around a vertex at a given place, the star of which is a closed
 // way along such chords, the best one is found by dynamic programming again. Then the vertex is
-// placed anew inside the star. Tested by tests/unit/quality/mutable/cavity_test.cpp.
+// placed anew inside the star.
+// Tested by tests/unit/quality/optimum/min_max_polygon_with_vertex_test.cpp.
 #include "quality/optimum/min_max_polygon_with_vertex.hpp"
 
 #include <array>

@@ -4,7 +4,7 @@
 // follow the model or not. Where three triangles tie, which is the rule, this converges fast; a
 // pattern search took three times the evaluations and stuck where two triangles tie. What the model
 // promises tells early where there is nothing to be had.
-// Tested by tests/unit/quality/mutable/cavity_test.cpp.
+// Tested by tests/unit/quality/optimum/placement_test.cpp.
 #include "quality/optimum/placement.hpp"
 
 #include <cmath>

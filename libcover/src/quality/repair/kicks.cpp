@@ -1,4 +1,4 @@
-// See kicks.hpp. Tested by tests/unit/quality/plan/optimise_test.cpp.
+// See kicks.hpp. Tested by tests/unit/quality/repair/kicks_test.cpp.
 #include "quality/repair/kicks.hpp"
 
 #include <utility>

@@ -1,4 +1,4 @@
-// See thin_out.hpp. Tested by tests/unit/quality/repair/improve_test.cpp.
+// See thin_out.hpp. Tested by tests/unit/quality/repair/thin_out_test.cpp.
 #include "quality/repair/thin_out.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // If all triangles (side, hub) are counter-clockwise, the boundary winds around the hub once: a
 // hole's loop does not wind around a point outside it, so that one of its triangles would be
-// clockwise. Tested by tests/unit/quality/quality_region_test.cpp.
+// clockwise. Tested by tests/unit/quality/starts/one_star_test.cpp.
 #include "quality/starts/one_star.hpp"
 
 #include "geom/predicates.hpp"

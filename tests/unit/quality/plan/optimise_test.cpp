@@ -1,8 +1,6 @@
 #include "quality/plan/optimise.hpp"
 
 #include "../mesh_checks.hpp"
-#include "quality/repair/kicks.hpp"
-#include "quality/starts/one_star.hpp"
 
 namespace cover {
 namespace {
@@ -45,49 +43,6 @@ TEST(Optimise, ImprovingTheLargestNeverMakesItWorse) {
     expect_sound(mesh, boundary);
     EXPECT_LE(after.large, before.large + 1e-9);
   }
-}
-
-TEST(Kicks, NeverMakeItWorse) {
-  const std::uint64_t seed = test_seed(23);
-  SCOPED_TRACE(seed_trace(seed));
-  std::mt19937_64 random(seed);
-  int better = 0;
-  for (int k = 0; k < 20; ++k) {
-    const RegionBoundary boundary = boundary_of({random_star(7, 0.5, random)});
-    MutableMesh mesh = cdt_mesh(boundary, Goal::of(Angle::degrees(95), Angle::degrees(0)));
-    Merit merit = merit_of(mesh, mesh.goal());
-    const Merit before = merit;
-    Budget budget = large_budget();
-    improve_by_kicks(mesh, mesh.goal(), merit, budget);
-    expect_sound(mesh, boundary);
-    EXPECT_FALSE(is_better(before, merit));
-    better += is_better(merit, before) ? 1 : 0;
-  }
-  EXPECT_GT(better, 5);
-}
-
-TEST(Hub, JoinsEverySideToOneVertex) {
-  const RegionBoundary boundary = boundary_of({regular_polygon(100, 2, {5, 5})});
-  const MutableMesh mesh = cdt_mesh(boundary, Goal::of(Angle::degrees(90), Angle::degrees(0)));
-  std::uint64_t evaluations = 0;
-  const auto star = hub_triangulation(mesh, boundary, evaluations);
-  ASSERT_TRUE(star.has_value());
-  EXPECT_EQ(star->triangles.size(), 100u);
-  const auto at = locate_sides(*star, boundary.sides);
-  MutableMesh hub(*star, 100, at, mesh.sides);
-  hub.set_goal(mesh.goal());
-  expect_sound(hub, boundary);
-  EXPECT_TRUE(merit_of(hub, mesh.goal()).complete);
-}
-
-TEST(Hub, IsNoneWithAHoleOrABay) {
-  std::uint64_t evaluations = 0;
-  const RegionBoundary ring =
-      boundary_of({regular_polygon(12, 2), reversed(regular_polygon(8, 1))});
-  EXPECT_FALSE(hub_triangulation(cdt_mesh(ring), ring, evaluations).has_value());
-  const RegionBoundary bay =
-      boundary_of({{{0, 0}, {4, 0}, {4, 4}, {3, 4}, {3, 1}, {1, 1}, {1, 4}, {0, 4}}});
-  EXPECT_FALSE(hub_triangulation(cdt_mesh(bay), bay, evaluations).has_value());
 }
 
 }  // namespace

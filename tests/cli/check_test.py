@@ -1,0 +1,112 @@
+#!/usr/bin/env python3
+"""check_test.py PROGRAM SAMPLES [TEST...]: cover check and cover info."""
+import json
+import re
+
+from cover_case import Case, SAMPLES, SQUARE, main
+
+
+class Check(Case):
+    def setUp(self):
+        super().setUp()
+        self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '-q')
+
+    def test_other_input(self):
+        out, _ = self.run_cover('check', SAMPLES / 'waveguide.poly', 'd.vtu', code=6)
+        self.assertIn('FAILED promise 1', out)
+
+    def test_groups_instead_of_materials(self):
+        mosfet = SAMPLES / 'mosfet.poly'
+        self.run_cover('mesh', mosfet, '-o', 'm.msh', '-o', 'm.inp', '-q')
+        for name in ('m.msh', 'm.inp'):
+            out, _ = self.run_cover('check', mosfet, name)
+            self.assertIn('All that was checked holds: ', out)
+            self.assertIn('Not checked: which material has which number', out)
+        # A triangle in the group of another region.
+        text = (self.dir / 'm.msh').read_text()
+        wrong, count = re.subn(r'(?m)^(\d+ 2 2) 1 ', r'\1 2 ', text, count=1)
+        self.assertEqual(count, 1)
+        self.write('w.msh', wrong)
+        self.assertIn('FAILED materials', self.run_cover('check', mosfet, 'w.msh', code=6)[0])
+        self.run_cover('mesh', mosfet, '-o', 'm.json', '-q')
+        out, _ = self.run_cover('check', mosfet, 'm.msh')
+        self.assertIn('Every promise holds', out)
+        self.assertNotIn('Not checked', out)
+        manifest = json.loads((self.dir / 'm.json').read_text())
+        manifest['regions'][0]['material'] = 9
+        self.write('m.json', json.dumps(manifest))
+        self.assertIn('FAILED materials', self.run_cover('check', mosfet, 'm.msh', code=6)[0])
+
+    def test_says_what_was_not_checked(self):
+        diode = SAMPLES / 'diode.poly'
+        out, _ = self.run_cover('check', diode, 'd.vtu')
+        self.assertRegex(out, r'^Every promise holds: [\d,]+ triangles, 4 regions, \d+ segments whole\n'
+                              r'Regions beside their targets and proven limits: [^\n]*\n$')
+        out, _ = self.run_cover('check', diode, 'd.vtu', '--no-bound')
+        self.assertRegex(out, r'^All that was checked holds.*\nRegions beside .*\nNot checked: the bound on the largest angle \(promise 3\)\n$')
+        self.run_cover('mesh', diode, '-o', 's.vtu', '--method', 'nonobtuse', '-q')
+        out, _ = self.run_cover('check', diode, 's.vtu')
+        self.assertRegex(out, r'^Segments are cut at \d+ points by the run itself: its field data say so\nEvery promise holds')
+        self.run_cover('mesh', diode, '-o', 'alone.msh', '--method', 'nonobtuse', '-q')
+        out, _ = self.run_cover('check', diode, 'alone.msh', code=6)
+        self.assertIn('add --allow-split', out.splitlines()[0])
+        # A run that tells of its cuts is taken at its word, and its promises are checked on the pieces.
+        self.run_cover('mesh', diode, '-o', 's.vtm', '-o', 's.json', '--method', 'nonobtuse', '-q')
+        for mesh in ('s.vtm', 's.vtu'):
+            out, _ = self.run_cover('check', diode, mesh)
+            self.assertRegex(out, r'^Segments are cut at \d+ points by the run itself: --method nonobtuse\nEvery promise holds')
+        (self.dir / 's.json').unlink()
+        out, _ = self.run_cover('check', diode, 's.vtu', '--allow-split')
+        self.assertIn('Not checked: that segments are one edge each (promise 1)\n', out)
+        self.assertIn('Not checked: the bound', out)
+        out, _ = self.run_cover('check', SAMPLES / 'coax.poly', 's.vtu', code=6)
+        self.assertNotIn('--allow-split', out)
+
+    def test_cuts_of_split_interfaces(self):
+        plate = SAMPLES / 'plate.poly'
+        out, _ = self.run_cover('mesh', plate, '-o', 's.msh', '-o', 's.json', '--report', 's.html', '--split-interfaces')
+        self.assertRegex(out, r'\(\d+ new, 7 of them on segments\)')
+        self.assertIn('The 27 segments are cut into 34, as was asked for; each piece is one edge',
+                      (self.dir / 's.html').read_text())
+        out, _ = self.run_cover('check', plate, 's.msh')
+        self.assertRegex(out, r'^Segments are cut at 7 points by the run itself: --split-interfaces 90\nEvery promise holds')
+        (self.dir / 's.json').unlink()
+        out, _ = self.run_cover('check', plate, 's.msh', code=6)
+        self.assertIn('--split-interfaces, --box-method or --method nonobtuse, add --allow-split', out.splitlines()[0])
+
+    def test_one_region(self):
+        self.write('s.poly', SQUARE)
+        self.run_cover('mesh', 's.poly', '-o', 's.vtu', '-q')
+        self.assertIn(' 1 region, ', self.run_cover('check', 's.poly', 's.vtu')[0])
+
+    def test_not_a_mesh(self):
+        self.write('x.vtu', 'nothing')
+        self.assertIn('x.vtu', self.run_cover('check', SAMPLES / 'diode.poly', 'x.vtu', code=5)[1])
+
+    def test_missing_mesh(self):
+        self.assertIn('none.vtu', self.run_cover('check', SAMPLES / 'diode.poly', 'none.vtu', code=5)[1])
+
+
+class Info(Case):
+    def test_regions_and_lines(self):
+        out, _ = self.run_cover('info', SAMPLES / 'mosfet.poly')
+        self.assertIn('9 regions', out)
+        self.assertRegex(out, r'material_4_outline .* 13\n')
+        self.assertRegex(out, r'\d+ +material_\w+ +interface +material_\w+ +material_\w+ +\d+ +[\d.]+')
+
+    def test_unknown_format(self):
+        self.write('foo.dat', '')
+        _, err = self.run_cover('info', 'foo.dat', code=5)
+        for extension in ('.poly', '.json', '.geojson', '.msh', '.vtu', '.vtp', '.vtk'):
+            self.assertIn(extension, err)
+
+    def test_areas_add_up(self):
+        out, _ = self.run_cover('info', SAMPLES / 'waveguide.poly')
+        areas = [float(line.split()[4]) for line in out.splitlines() if line.strip()[:1].isdigit() and ' material_' in line
+                 and line.split()[3].isdigit()]
+        self.assertEqual(len(areas), 5)
+        self.assertAlmostEqual(sum(areas), 6 * 5, places=3)
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,247 @@
+#!/usr/bin/env python3
+"""convert_test.py PROGRAM SAMPLES [TEST...]: cover convert; names, numbers and values on their way out."""
+import json
+import math
+import re
+import subprocess
+from xml.etree import ElementTree
+
+from cover_case import Case, PROGRAM, SAMPLES, SQUARE, main
+
+
+class Convert(Case):
+    def setUp(self):
+        super().setUp()
+        self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '-o', 'd.vtm', '-o', 'd.poly', '-q')
+
+    def test_names_from_the_vtm(self):
+        _, err = self.run_cover('convert', 'd.vtu', '-o', 'e.vtu', '-o', 'e.vtm')
+        self.assertEqual(err, '')
+        self.assertEqual((self.dir / 'e.vtu').read_bytes(), (self.dir / 'd.vtu').read_bytes())
+        self.assertEqual((self.dir / 'e.vtm').read_text().replace('"e/e_', '"d/d_'), (self.dir / 'd.vtm').read_text())
+
+    def test_from_a_vtm(self):
+        self.run_cover('convert', 'd.vtm', '-o', 'e.vtu')
+        self.assertEqual((self.dir / 'e.vtu').read_bytes(), (self.dir / 'd.vtu').read_bytes())
+        self.run_cover('check', SAMPLES / 'diode.poly', 'e.vtu')
+
+    def compare_ways(self, sources, *options):
+        """A mesh written in every format, and in every format again from what each source holds."""
+        written = [f'd.{e}' for e in ('vtu', 'vtm', 'vtkhdf', 'vtk', 'msh', 'xdmf', 'mesh', 'inp', 'ele', 'obj', 'off',
+                                      'ply', 'svg', 'png')]
+        words = [word for name in written for word in ('-o', name)]
+        self.run_cover('mesh', SAMPLES / 'mosfet.poly', *words, '-o', 'd.json', '-q', *options)
+        direct = {p.relative_to(self.dir) for p in self.dir.rglob('*.*') if p.suffix not in ('.json', '.poly')}
+        self.assertGreater(len(direct), len(written))  # .node, .edge, the blocks of the .vtm
+        for source in sources:
+            folder = self.dir / ('from_' + source)
+            folder.mkdir()
+            done = subprocess.run([PROGRAM, 'convert', '../' + source, *words], cwd=folder, timeout=60, text=True,
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            self.assertEqual((done.returncode, done.stderr), (0, ''), source)
+            for name in direct:
+                self.assertEqual((folder / name).read_bytes(), (self.dir / name).read_bytes(), f'{source} into {name}')
+
+    def test_every_format_into_every_other(self):
+        self.compare_ways(('d.vtu', 'd.vtm', 'd.vtkhdf', 'd.vtk', 'd.msh', 'd.xdmf', 'd.mesh', 'd.ele'))
+
+    def test_abaqus_into_every_other(self):
+        # An .inp has 20 characters for each coordinate: those of the device fit, not of every new vertex.
+        self.compare_ways(('d.inp',), '--max-angle', '178', '--min-angle', '0')
+
+    def test_says_what_is_missing(self):
+        (self.dir / 'd.vtm').unlink()
+        _, err = self.run_cover('convert', 'd.vtu', '-o', 'e.vtm')
+        self.assertIn('neither d.json nor d.vtm is there', err)
+        self.assertIn('e.vtm', self.files())
+
+    def test_not_ours(self):
+        self.write('x.vtu', 'rubbish')
+        _, err = self.run_cover('convert', 'x.vtu', '-o', 'e.vtm', code=5)
+        self.assertIn('x.vtu:1: no valid XML', err)
+        self.assertNotIn('ERR', err)
+
+
+class Names(Case):
+    """Names and numbers on their way out: as they are, or told what they became."""
+    NAMES = ('Größe µm 日本', 'a/b "c" <d>&', 'Si', 'si')
+
+    def setUp(self):
+        super().setUp()
+        squares = [{'material': 'Stoff ' + name, 'region': name,
+                    'rings': [[[k, 0], [k + 1, 0], [k + 1, 1], [k, 1]]]} for k, name in enumerate(self.NAMES)]
+        self.write('d.json', json.dumps({'polygons': squares, 'lines': [{'name': 'Kontakt Ä', 'points': [[0, 0], [1, 0]]}]}))
+
+    def regions_of(self, mesh):
+        self.run_cover('convert', mesh, '-o', 'out.json', '-q')
+        return [(r['name'], r['material_name']) for r in json.loads((self.dir / 'out.json').read_text())['regions']]
+
+    def test_survive_alone_in_files_that_bear_them(self):
+        for mesh in ('m.vtm', 'm.vtkhdf'):
+            self.run_cover('mesh', 'd.json', '-o', mesh, '-q')
+            self.assertEqual(self.regions_of(mesh), [(n, 'Stoff ' + n) for n in self.NAMES], mesh)
+
+    def test_in_msh_and_xdmf(self):
+        self.run_cover('mesh', 'd.json', '-o', 'm.msh', '-o', 'm.xdmf', '-q')
+        text = (self.dir / 'm.msh').read_text()
+        for name in ('Größe µm 日本', 'a/b _c_ <d>&', 'Kontakt Ä'):
+            self.assertIn(f'"{name}"', text)
+        self.assertIn('Name="a/b _c_ &lt;d&gt;&amp;"', (self.dir / 'm.xdmf').read_text())
+
+    def test_where_they_cannot_it_is_told(self):
+        out, _ = self.run_cover('mesh', 'd.json', '-o', 'm.inp', '-o', 'm.json')
+        sets = re.findall(r'ELSET=(\S+)', (self.dir / 'm.inp').read_text())
+        self.assertEqual(len(set(sets)), 4)  # Si and si are two
+        groups = json.loads((self.dir / 'm.json').read_text())['region_groups']
+        self.assertEqual([g.get('set', g['name']) for g in groups], sets)
+        self.assertEqual([g['original'] for g in groups], list(self.NAMES))
+        for name, made in zip(self.NAMES, sets):
+            if made != name.upper():
+                self.assertRegex(out, re.escape(made) + r' +' + re.escape(name.replace('"', '_')))
+        self.assertRegex(out, r'KONTAKT___ +Kontakt Ä')
+        self.assertNotIn('in .inp', self.run_cover('mesh', self.write('s.poly', SQUARE), '-o', 's.inp')[0])
+
+    def test_ids(self):
+        squares = [{'material': 'Cu', 'region': f'coil {k}', 'rings': [[[2 * k, 0], [2 * k + 1, 0], [2 * k + 1, 1], [2 * k, 1]]]}
+                   for k in range(6)]
+        self.write('coils.json', json.dumps({'polygons': squares}))
+        labels = {}
+        for ids in ('region', 'material', 'name'):
+            out, _ = self.run_cover('mesh', 'coils.json', '-o', 'm.mesh', '--ids', ids)
+            self.assertIn(f'Numbers in the files, by {ids}:', out)
+            rows = (self.dir / 'm.mesh').read_text().split('Triangles')[1].splitlines()[2:]
+            labels[ids] = len({row.split()[3] for row in rows if len(row.split()) == 4})
+        self.assertEqual(labels, {'region': 6, 'material': 1, 'name': 6})
+        _, err = self.run_cover('mesh', 'coils.json', '-o', 'm.mesh', '--ids', 'colour', code=2)
+        self.assertIn('ids are region, material or name, not colour', err)
+
+
+class Values(Case):
+    """Attributes of maps and values at nodes, from the input to the files."""
+
+    def setUp(self):
+        super().setUp()
+        square = lambda k: [[[k, 0], [k + 1, 0], [k + 1, 1], [k, 1], [k, 0]]]
+        self.properties = [{'use': 'Wald', 'height': 2.5, 'material': 'a'}, {'use': 'Äcker & "Wiese"', 'material': 'b'},
+                           {'use': 'Wald', 'height': -1, 'material': 'c'}]
+        self.write('m.geojson', json.dumps({'type': 'FeatureCollection', 'features': [
+            {'type': 'Feature', 'id': 40 + k, 'properties': p, 'geometry': {'type': 'Polygon', 'coordinates': square(k)}}
+            for k, p in enumerate(self.properties)]}))
+
+    def arrays(self, name, section, part):
+        """Of a .vtu: by name the numbers of an array."""
+        data = (self.dir / name).read_bytes()
+        head, tail = data.split(b'<AppendedData encoding="raw">\n   _', 1)
+        root = ElementTree.fromstring(head + b'</VTKFile>')
+        found = {}
+        for array in root.find(f'.//{section}').iter('DataArray'):
+            at = int(array.get('offset'))
+            size = int.from_bytes(tail[at:at + 8], 'little')
+            kind = {'Int32': 'i', 'Float64': 'd', 'Int64': 'q', 'UInt8': 'B'}[array.get('type')]
+            found[array.get('Name')] = memoryview(tail[at + 8:at + 8 + size]).cast(kind).tolist()
+        return found[part]
+
+    def msh_data(self, name, kind):
+        """By name, the values of $ElementData or $NodeData by number."""
+        found = {}
+        for block in re.findall(rf'\${kind}Data\n(.*?)\$End{kind}Data', (self.dir / name).read_text(), re.S):
+            lines = block.splitlines()
+            self.assertEqual(lines[:1] + lines[2:7], ['1', '1', '0', '3', '0', '1'])
+            self.assertEqual(int(lines[7]), len(lines) - 8)
+            found[lines[1].strip('"')] = {int(n): float(v) for n, v in (line.split() for line in lines[8:])}
+        return found
+
+    KEEP = ('--keep-field', 'use', '--keep-field', 'height', '--keep-field', 'fid')
+
+    def test_attributes_become_arrays_of_triangles(self):
+        files = [word for f in ('m.vtu', 'm.vtm', 'm.vtkhdf', 'm.msh', 'm.json') for word in ('-o', f)]
+        self.run_cover('mesh', 'm.geojson', *self.KEEP, *files)
+        region = self.arrays('m.vtu', 'CellData', 'RegionId')
+        heights = [2.5, math.nan, -1]
+        for name, values in ('use', [1, 2, 1]), ('height', heights), ('fid', [40, 41, 42]):
+            self.assertEqual(str(self.arrays('m.vtu', 'CellData', name)), str([type(values[0])(values[r - 1]) for r in region]).replace('41.0', '41') if name == 'use'
+                             else str([float(values[r - 1]) for r in region]))
+        manifest = json.loads((self.dir / 'm.json').read_text())
+        words = ['Wald', 'Äcker & "Wiese"']
+        self.assertEqual(manifest['attributes'], [
+            {'name': 'use', 'words': words, 'values': ['Wald', words[1], 'Wald']},
+            {'name': 'height', 'values': [2.5, None, -1]}, {'name': 'fid', 'values': [40, 41, 42]}])
+        names = ElementTree.parse(self.dir / 'm.vtm').getroot().find("CoverNames/Attribute[@Name='use']")
+        self.assertEqual([(w.get('Id'), w.get('Name')) for w in names], [('1', words[0]), ('2', words[1])])
+        self.assertIn(words[1].encode(), (self.dir / 'm.vtkhdf').read_bytes())
+        for version in '2.2', '4.1':
+            self.run_cover('mesh', 'm.geojson', *self.KEEP, '--msh', version, '-o', 'n.msh')
+            data = self.msh_data('n.msh', 'Element')
+            self.assertEqual(set(data), {'use', 'height', 'fid'})
+            text = (self.dir / 'n.msh').read_text().split('$Elements\n')[1].split('$End')[0]
+            elements = len(data['fid'])
+            self.assertEqual(int(text.split()[0 if version == '2.2' else 1]), elements)
+            if version == '2.2':
+                for line in text.splitlines()[1:]:
+                    number, kind, _, group = map(int, line.split()[:4])
+                    if kind == 2:
+                        self.assertEqual(data['fid'][number], 39 + group)
+        # The mesh itself is the same, and is read back with the arrays in it.
+        self.run_cover('mesh', 'm.geojson', '-o', 'plain.vtu')
+        self.assertEqual(self.arrays('plain.vtu', 'Points', 'Points'), self.arrays('m.vtu', 'Points', 'Points'))
+        for name in ('m.vtu', 'm.vtm', 'm.vtkhdf', 'm.msh', 'n.msh'):
+            self.run_cover('check', 'm.geojson', name)
+
+    def test_names_that_are_taken(self):
+        text = (self.dir / 'm.geojson').read_text().replace('"use"', '"RegionId"').replace('"height"', '"a/b"')
+        self.write('m.geojson', text)
+        self.run_cover('mesh', 'm.geojson', '--keep-field', 'RegionId', '--keep-field', 'a/b', '-o', 'm.vtu', '-o', 'm.vtkhdf', '-o', 'm.json')
+        self.assertEqual(set(self.arrays('m.vtu', 'CellData', 'RegionId')), {1, 2, 3})
+        self.assertEqual(set(self.arrays('m.vtu', 'CellData', 'RegionId_2')), {1, 2})
+        self.assertEqual([(a['name'], a['original']) for a in json.loads((self.dir / 'm.json').read_text())['attributes']],
+                         [('RegionId_2', 'RegionId'), ('a_b', 'a/b')])
+        self.run_cover('check', 'm.geojson', 'm.vtkhdf')
+
+    def test_convert_keeps_them(self):
+        self.run_cover('mesh', 'm.geojson', *self.KEEP, '-o', 'm.vtm')
+        for source, target in ('m.vtm', 'a.vtkhdf'), ('a.vtkhdf', 'b.msh'), ('a.vtkhdf', 'b.json'), ('b.msh', 'c.vtu'), ('m.vtm', 'd.vtu'):
+            self.run_cover('convert', source, '-o', target)
+        self.assertEqual(self.arrays('c.vtu', 'CellData', 'use'), self.arrays('d.vtu', 'CellData', 'use'))
+        self.assertEqual(sorted(map(str, self.arrays('c.vtu', 'CellData', 'height'))), sorted(map(str, self.arrays('d.vtu', 'CellData', 'height'))))
+        kept = {a['name']: a for a in json.loads((self.dir / 'b.json').read_text())['attributes']}
+        self.assertEqual(kept['use'], {'name': 'use', 'words': ['Wald', 'Äcker & "Wiese"'], 'values': ['Wald', 'Äcker & "Wiese"', 'Wald']})
+        self.assertEqual(kept['fid']['values'], [40, 41, 42])
+        self.run_cover('mesh', SAMPLES / 'nmos.tif', '-o', 'd.vtkhdf', '-o', 'e.vtu')
+        self.run_cover('convert', 'd.vtkhdf', '-o', 'f.vtu')
+        self.assertEqual(str(self.arrays('f.vtu', 'PointData', 'Net')), str(self.arrays('e.vtu', 'PointData', 'Net')))
+
+    def test_a_map_may_be_named_json(self):
+        self.write('n.json', (self.dir / 'm.geojson').read_text())
+        chosen = ('--material-field', 'use', '--name-field', 'fid', '--keep-field', 'height')
+        told = self.run_cover('mesh', 'n.json', '--material-field', 'use', '--keep-field', 'height', '-o', 'o.vtu', '-o', 'o.json')[1]
+        self.assertNotIn('does nothing', told)
+        manifest = json.loads((self.dir / 'o.json').read_text())
+        self.assertIn('Wald', [r['material_name'] for r in manifest['regions']])
+        self.assertEqual(manifest['attributes'][0]['values'], [2.5, None, -1])
+        self.assertIn("name_field: no feature has the property 'fid'", self.run_cover('mesh', 'n.json', *chosen, '-o', 'p.vtu', code=2)[1])
+        self.write('own.json', '{"polygons": [{"material": "Si", "rings": [[[0, 0], [1, 0], [0, 1]]]}]}')
+        self.assertIn('--keep-field does nothing: it counts with maps only', self.run_cover('info', 'own.json', '--keep-field', 'x')[1])
+
+    def test_unknown_attribute(self):
+        self.assertIn("keep_field: no feature has the property 'usage'",
+                      self.run_cover('mesh', 'm.geojson', '--keep-field', 'usage', '-o', 'm.vtu', code=2)[1])
+        self.assertIn('it counts with maps only', self.run_cover('info', SAMPLES / 'diode.poly', '--keep-field', 'x')[1])
+
+    def test_doping_comes_back_at_the_points(self):
+        for name, array in ('nmos.tif', 'Net'), ('nmos.str', None):
+            self.run_cover('mesh', SAMPLES / name, '--order', '2', '-o', 'd.vtu', '-o', 'd.msh', '-o', 'd.vtm', '-o', 'd.vtkhdf', '-o', 'd.json')
+            fields = [f['name'] for f in json.loads((self.dir / 'd.json').read_text())['fields']]
+            self.assertTrue(fields)
+            array = array or fields[0]
+            values = self.arrays('d.vtu', 'PointData', array)
+            self.assertEqual(len(values) * 3, len(self.arrays('d.vtu', 'Points', 'Points')))
+            known = [v for v in values if not math.isnan(v)]
+            self.assertGreater(max(map(abs, known)), 1e15)
+            self.assertEqual(str(list(self.msh_data('d.msh', 'Node')[array].values())), str(values))
+            piece = next(self.dir.glob('d/*.vtu')).relative_to(self.dir)
+            numbers = self.arrays(piece, 'PointData', 'GlobalNodeId')
+            self.assertEqual(str(self.arrays(piece, 'PointData', array)), str([values[n] for n in numbers]))
+
+
+if __name__ == '__main__':
+    main()

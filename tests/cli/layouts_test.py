@@ -1,0 +1,132 @@
+#!/usr/bin/env python3
+"""layouts_test.py PROGRAM SAMPLES [TEST...]: layouts: GDS and OASIS, layer maps, windows."""
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import unittest
+
+from cover_case import Case, PROGRAM, SAMPLES, SQUARE, main
+
+
+class Layouts(Case):
+    """What is said of reading beside the file; options_test.py tests the options themselves."""
+    MAP = ('--layer-map', SAMPLES / 'finfet.map')
+
+    def materials(self, *words):
+        self.run_cover('mesh', *words, '--method', 'almond', '-o', 'm.json', '-q')
+        return [r['material_name'] for r in json.loads((self.dir / 'm.json').read_text())['regions']]
+
+    def test_a_layout_from_a_pipe(self):
+        data = (SAMPLES / 'finfet.gds').read_bytes()
+        for words in ('-',), ('-', '--input-format', 'GDS'), ('-', '--input-format', '.gds'):
+            done = subprocess.run([PROGRAM, 'info', *words, *map(str, self.MAP)], input=data, cwd=self.dir, timeout=60,
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn(b'HfO2', done.stdout)
+
+    def test_the_format_counts_and_not_the_name(self):
+        (self.dir / 'layout.poly').write_bytes((SAMPLES / 'finfet.gds').read_bytes())
+        self.run_cover('info', 'layout.poly', code=5)
+        self.assertIn('L6D0', self.run_cover('info', 'layout.poly', '--input-format', 'gds')[0])
+        self.write('square.GDS', SQUARE)
+        self.run_cover('info', 'square.GDS', code=5)
+        self.run_cover('info', 'square.GDS', '--input-format', 'poly')
+
+    def test_layers_and_windows(self):
+        fins = self.materials(SAMPLES / 'finfet.gds', *self.MAP)
+        self.assertEqual(fins.count('SiO2'), 2)
+        one = self.materials(SAMPLES / 'finfet.gds', *self.MAP, '--window=-0.015,0.01,0.015,0.08')
+        self.assertEqual(one.count('SiO2'), 1)
+        self.assertEqual(set(self.materials(SAMPLES / 'finfet.gds', '--layer', '1', '--layer', '2/0')), {'L1D0', 'L2D0'})
+        self.assertEqual(set(self.materials(SAMPLES / 'finfet.gds', *self.MAP, '--layer', 'TiN')), {'TiN'})
+
+    def test_options_that_do_nothing_are_told(self):
+        self.write('a.poly', SQUARE)
+        for command in ('info', 'a.poly'), ('mesh', 'a.poly', '-o', 'a.vtu'):
+            error = self.run_cover(*command, '--cell', 'TOP', '--unit', 'nm')[1]
+            self.assertIn('--cell does nothing: it counts with layouts only', error)
+            self.assertNotIn('--unit', error)
+
+    def test_scales_that_round_are_told(self):
+        self.write('a.poly', SQUARE.replace('3 1 1', '3 1.1 1.3'))
+        error = self.run_cover('mesh', 'a.poly', '--scale', '25.4', '--unit', 'mm', '-o', 'a.json')[1]
+        self.assertIn('2 of 8 coordinates times 25.4 are rounded', error)
+        told = json.loads((self.dir / 'a.json').read_text())
+        self.assertEqual((told['unit'], told['scale']), ('mm', 25.4))
+        self.assertNotIn('rounded', self.run_cover('mesh', 'a.poly', '--scale', '1e-9', '-o', 'a.json')[1])
+
+    def oasis(self, tools, *words, code=0):
+        """cover's answer where the PATH has these programs only: shell scripts by name."""
+        folder = self.dir / 'bin'
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir()
+        for name, script in tools.items():
+            (folder / name).write_text('#!/bin/sh\n' + script)
+            (folder / name).chmod(0o755)
+        done = subprocess.run([PROGRAM, 'info', *map(str, words)], cwd=self.dir, timeout=60, env={'PATH': str(folder), 'TMPDIR': str(self.dir)},
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.assertEqual(done.returncode, code, done.stderr)
+        self.assertEqual(list(self.dir.glob('cover-oasis-*')), [], 'a folder was left')
+        return done.stdout + done.stderr
+
+    @unittest.skipIf(pathlib.Path('/usr/lib/klayout/strm2gds').exists(), 'KLayout itself is there')
+    def test_oasis_is_read_by_klayout(self):
+        self.write('a.OAS', '%SEMI-OASIS')
+        copy = f'/bin/cp "{SAMPLES / "finfet.gds"}" '
+        # strm2gds, and klayout only where that is not there.
+        told = self.oasis({'strm2gds': copy + '"$2"', 'klayout': 'exit 1'}, 'a.OAS', *self.MAP)
+        self.assertIn('HfO2', told)
+        self.assertNotIn('does nothing', told)
+        told = self.oasis({'klayout': '[ "$1" = -b ] && [ -s "$3" ] || exit 3\n[ "${5%%=*}" = from ] || exit 4\n' + copy + '"${7#to=}"'}, 'a.OAS', *self.MAP)
+        self.assertIn('HfO2', told)
+        told = self.oasis({'strm2gds': 'echo "no magic bytes in it" >&2; exit 1'}, 'a.OAS', code=5)
+        self.assertIn('a.OAS: KLayout makes no GDSII of it: no magic bytes in it', told)
+        self.assertIn('KLayout makes no GDSII of it', self.oasis({'strm2gds': 'exit 0'}, 'a.OAS', code=5))
+        told = self.oasis({}, 'a.OAS', code=5)
+        self.assertIn("not installed (Debian's package klayout)", told)
+        self.assertIn('b.oas', self.oasis({'strm2gds': copy + '"$2"'}, 'b.oas', code=5))
+        done = subprocess.run([PROGRAM, 'info', '-', '--input-format', 'oas'], input=b'%SEMI-OASIS', stderr=subprocess.PIPE, timeout=60)
+        self.assertIn(b"'strm2gds FILE.oas FILE.gds'", done.stderr)
+
+    def test_what_cannot_be_read_is_told_how_to_convert(self):
+        formats = ' '.join(self.run_cover('info', '--help')[0].split())
+        for extension, words in (('.dxf', 'ogr2ogr -f GeoJSON'), ('.gpkg', 'ogr2ogr -f GeoJSON')):
+            if extension not in formats:
+                self.write('a' + extension, '')
+                self.assertIn(words, self.run_cover('info', 'a' + extension, code=5)[1])
+
+    def test_gdal_is_opened_for_maps_only(self):
+        if '.gpkg' not in self.run_cover('info', '--help')[0] or not shutil.which('ldd'):
+            self.skipTest('built without GDAL')
+        linked = subprocess.run(['ldd', PROGRAM], text=True, stdout=subprocess.PIPE, check=True).stdout
+        self.assertNotIn('libgdal', linked)
+        name = re.search(rb'libgdal\.so\.\d+', pathlib.Path(PROGRAM).read_bytes()).group().decode()
+        # A library that is not GDAL in its place: maps are refused, all else goes on.
+        other = re.search(r'=> (\S*/libz\.so\S*)', linked).group(1)
+        (self.dir / name).symlink_to(other)
+        self.write('a.gpkg', '')
+        self.write('a.poly', SQUARE)
+        before = os.environ.get('LD_LIBRARY_PATH')
+        os.environ['LD_LIBRARY_PATH'] = str(self.dir)
+        self.addCleanup(lambda: os.environ.pop('LD_LIBRARY_PATH') if before is None
+                        else os.environ.update(LD_LIBRARY_PATH=before))
+        self.assertRegex(self.run_cover('info', 'a.gpkg', code=5)[1],
+                         r'a\.gpkg: .*GDAL, which cannot be opened .*ogr2ogr -f GeoJSON')
+        self.run_cover('info', 'a.poly')
+
+    def test_bad_layouts(self):
+        data = (SAMPLES / 'finfet.gds').read_bytes()
+        (self.dir / 'cut.gds').write_bytes(data[:-20])
+        self.assertRegex(self.run_cover('info', 'cut.gds', code=5)[1], r'cut\.gds: byte \d+: ')
+        (self.dir / 'a.gds').write_bytes(data)
+        self.assertIn("there is no cell 'X'", self.run_cover('info', 'a.gds', '--cell', 'X', code=2)[1])
+        self.assertIn('no.map', self.run_cover('info', 'a.gds', '--layer-map', 'no.map', code=5)[1])
+        self.assertIn("'1=' is not LAYER/DATATYPE=NAME", self.run_cover('info', 'a.gds', '--layer-map', '1=', code=2)[1])
+        self.run_cover('mesh', 'a.gds', '--layer-map', 'a.vtu', '-o', 'a.vtu', code=2)
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,412 @@
+#!/usr/bin/env python3
+"""mesh_options_test.py PROGRAM SAMPLES [TEST...]: cover mesh: periodic cells, arcs, layers, sizes, parts of a mesh again."""
+import json
+import math
+import re
+
+from cover_case import Case, SAMPLES, SQUARE, main
+
+
+class Periodic(Case):
+    CELL = {'points': [[0, 0], [2, 0], [2, 1], [0, 1]],
+            'segments': [[0, 1], {'points': [1, 2], 'name': 'right'}, [2, 3], {'points': [3, 0], 'name': 'left=1'}]}
+
+    def setUp(self):
+        super().setUp()
+        self.write('cell.json', json.dumps(self.CELL))
+
+    def test_what_cuts_one_side_cuts_the_other(self):
+        out, _ = self.run_cover('mesh', 'cell.json', '--periodic', '"left=1"=right', '--split-interfaces', '--size', '0.3',
+                                '--size-at', 'right=0.1', '-o', 'a.msh', '-o', 'a.json', '-o', 'a.vtk')
+        self.assertRegex(out, r"Periodic +\d+  pairs of vertices on 'left=1' and 'right'")
+        rule, = json.loads((self.dir / 'a.json').read_text())['periodic']
+        self.assertGreater(len(rule['vertices']), 8)
+        self.assertEqual(len(rule['edges']), len(rule['vertices']) - 1)
+        self.assertIn('$Periodic', (self.dir / 'a.msh').read_text())
+        self.assertIn('SCALARS PeriodicNode', (self.dir / 'a.vtk').read_text())
+        self.assertIn('none without a partner', self.run_cover('check', 'cell.json', 'a.vtk', '--periodic', '"left=1"=right')[0])
+        self.run_cover('convert', 'a.vtk', '-o', 'b.msh')
+        self.assertIn('$Periodic', (self.dir / 'b.msh').read_text())
+
+    def test_check_finds_vertices_without_a_partner(self):
+        self.run_cover('mesh', 'cell.json', '--split-interfaces', '--size-at', 'right=0.1', '-o', 'a.vtu')
+        out, _ = self.run_cover('check', 'cell.json', 'a.vtu', '--allow-split', '--periodic', '"left=1"=right', code=6)
+        self.assertRegex(out, r"FAILED periodic 'left=1' and 'right': \d+ points without a partner, the first at \(2, ")
+
+    def test_in_the_input(self):
+        self.write('cell.json', json.dumps({**self.CELL, 'periodic': [['left=1', 'right']]}))
+        self.run_cover('mesh', 'cell.json', '-o', 'a.vtu', '--box-method')
+        self.assertIn('Periodic: 2 pairs', self.run_cover('check', 'cell.json', 'a.vtu')[0])
+
+    def test_what_cannot_be_is_refused_and_nothing_is_written(self):
+        for rule, what in (('"left=1"=rihgt', "did you mean 'right'?"),
+                           ('right=right', 'a line cannot be taken to itself'),
+                           ('"left=1"=right@0,0:360', 'takes every line to itself'),
+                           ('"left=1"=right@0,0:20', 'the lines do not match: (0, 1) of'),
+                           ('left', "'left' is not A=B, A=B@x,y:degrees or A=B@mirror")):
+            self.assertIn(what, self.run_cover('mesh', 'cell.json', '--periodic', rule, '-o', 'a.vtu', code=2)[1])
+        self.assertIn('periodic needs another method', self.run_cover(
+            'mesh', 'cell.json', '--periodic', '"left=1"=right', '--method', 'nonobtuse', '-o', 'a.vtu', code=2)[1])
+        self.assertEqual(self.files(), ['cell.json'])
+
+
+class Arcs(Case):
+    CUT = ['--split-interfaces=150', '--size', '0.3']
+
+    def test_cuts_and_middle_nodes_lie_on_arcs(self):
+        coax = SAMPLES / 'coax_arcs.json'
+        out, _ = self.run_cover('mesh', coax, *self.CUT, '--order', '2', '-o', 'a.msh', '-o', 'a.json', '--report', 'r.json')
+        self.assertRegex(out, r'On arcs +\d+  edges; with --order 2 the area is 9\.42')
+        area, = (a['area'] for a in json.loads((self.dir / 'r.json').read_text())['arcs']['areas'])
+        self.assertLess(abs(area / (3 * math.pi) - 1), 1e-4)
+        arcs = json.loads((self.dir / 'a.json').read_text())['arcs']
+        self.assertEqual([a['radius'] for a in arcs], [1, 2])
+        out, _ = self.run_cover('check', coax, 'a.msh')
+        self.assertRegex(out, r'Segments are cut at \d+ points, those of arcs on their circles: --split-interfaces 150')
+        self.assertRegex(out, r'every Jacobian is positive everywhere; \d+ edges lie on arcs\n')
+        # Kept by files: converted, the arcs are there again.
+        self.run_cover('mesh', coax, *self.CUT, '-o', 'b.vtk', '-o', 'b.json', '-q')
+        self.run_cover('convert', 'b.vtk', '-o', 'c.msh', '--order', '2')
+        self.assertIn('edges lie on arcs', self.run_cover('check', coax, 'c.msh', '--allow-split')[0])
+
+    def test_check_refuses_what_is_off_its_arc(self):
+        coax = SAMPLES / 'coax_arcs.json'
+        self.run_cover('mesh', coax, *self.CUT, '--order', '2', '-o', 'a.vtk', '-o', 'a.json', '-q')
+        lines = (self.dir / 'a.vtk').read_text().splitlines()
+        corners = json.loads((self.dir / 'a.json').read_text())['counts']['vertices']
+        first = next(k for k, line in enumerate(lines) if line.startswith('POINTS')) + 1
+        moved = next(k for k in range(first + corners, len(lines))
+                     if abs(math.hypot(*map(float, lines[k].split()[:2])) - 2) < 1e-12)
+        x, y = map(float, lines[moved].split()[:2])
+        lines[moved] = f'{x * 0.9999!r} {y * 0.9999!r} 0'
+        self.write('a.vtk', '\n'.join(lines) + '\n')
+        self.assertIn('FAILED second order: the middle node', self.run_cover('check', coax, 'a.vtk', code=6)[0])
+
+    def test_ends_off_the_circle_are_refused(self):
+        self.write('a.json', json.dumps({'points': [[1, 0], [0, 1.1]], 'segments': [
+            {'points': [0, 1], 'arc': {'centre': [0, 0], 'chords': 4}}, [0, 1]]}))
+        self.assertIn('are not equally far from the centre: 1 and 1.1', self.run_cover('mesh', 'a.json', '-o', 'a.vtu', code=5)[1])
+        self.assertEqual(self.files(), ['a.json'])
+
+
+class Layers(Case):
+    """--layers, and "layers" in JSON."""
+
+    def report(self, *words):
+        out, err = self.run_cover('mesh', *words, '-o', 'd.vtu', '-o', 'd.json', '--report', 'r.json')
+        self.run_cover('check', words[0], 'd.vtu', *(['--allow-split'] if '--split-interfaces' in words else []))
+        return json.loads((self.dir / 'r.json').read_text()), out, err
+
+    def test_on_a_mosfet(self):
+        given = SAMPLES / 'mosfet_layers.json'
+        fine = ['--split-interfaces', '--size-at', 'channel_oxide=20', '--size-at', 'oxide_gate=20']
+        report, out, _ = self.report(given, *fine)
+        regions = {region['name']: region for region in report['regions']}
+        [channel], [oxide] = regions['channel']['layers'], regions['oxide']['layers']
+        self.assertEqual((channel['line'], channel['first'], channel['growth'], channel['count']), ('channel_oxide', 0.2, 1.3, 0))
+        self.assertGreater(channel['most'], 12)
+        self.assertEqual((oxide['fewest'], oxide['most'], oxide['complete']), (3, 3, oxide['segments']))
+        self.assertAlmostEqual(oxide['thickness'], 0.9, delta=1e-12)
+        self.assertAlmostEqual(regions['oxide']['largest_angle'], 90, delta=1e-6)
+        self.assertTrue(all(region['bound_held'] for region in report['regions']))
+        self.assertIn('channel_oxide in oxide: 3 of 3 layers, 0.9 thick', out)
+        self.assertEqual(report['options']['layers'], ['channel_oxide@channel=0.2,1.3,0', 'channel_oxide@oxide=0.3,1,3'])
+        # The command line wins.
+        report = self.report(given, *fine, '--layers', 'channel_oxide@oxide=0.4,1,2')[0]
+        regions = {region['name']: region for region in report['regions']}
+        self.assertEqual(regions['oxide']['layers'][0]['most'], 2)
+
+    def judged(self, sample, line, region, first, *words, steepest=90):
+        """A sample with layers against isotropic triangles as thin as the first layer."""
+        given = SAMPLES / f'{sample}_layers.json'
+        report, _, _ = self.report(given, *words, '--box-method')
+        self.assertTrue(all(r['bound_held'] for r in report['regions']))
+        self.assertEqual(report['overall']['box']['negative_couplings'], 0)
+        check = ['check', given, 'd.vtu', '--allow-split', '--layers']
+        out = self.run_cover(*check, f'{line}@{region}')[0]
+        found = re.search(r"Layers along '.*: (\d+) to (\d+) over ([\d,]+) of ([\d,]+) edges; the first (\S+) to (\S+) thick, "
+                          r'all \S+; [\d,]+ triangles, largest angle (\S+), [\d,]+ above 90 degrees; 0 negative couplings\n', out)
+        self.assertIsNotNone(found, out)
+        for thickness in found[5], found[6]:
+            self.assertAlmostEqual(float(thickness) / first, 1, delta=1e-9)
+        self.assertLessEqual(float(found[7]), steepest + 1e-6)
+        drawing = json.loads(given.read_text())
+        del drawing['layers']
+        self.write('isotropic.json', json.dumps(drawing))
+        self.run_cover('mesh', 'isotropic.json', '-o', 'i.vtu', '--report', 'i.json', '-q', '--effort', 'fast', *words,
+                       '--size-at', f'{line}={first}')
+        isotropic = json.loads((self.dir / 'i.json').read_text())['mesh']['triangles']
+        self.assertLessEqual(5 * report['mesh']['triangles'], isotropic)
+        return report
+
+    def test_on_a_fin(self):
+        # Right corners: layers of both sides meet in the middle.
+        report = self.judged('finfet', 'fin_oxide', 'fin', 0.05, '--split-interfaces', '--size-at', 'fin_oxide=1', '--size-at', 'gate_oxide=1')
+        fin = next(r for r in report['regions'] if r['name'] == 'fin')
+        self.assertEqual([part['why'] for part in fin['layers'][0]['cut_short']], ['end', 'room'])
+
+    def test_on_a_birds_beak(self):
+        report = self.judged('locos', 'silicon_oxide', 'silicon', 0.5, '--split-interfaces', '--size-at', 'silicon_oxide=25', steepest=100)
+        oxide = next(r for r in report['regions'] if r['name'] == 'oxide')
+        self.assertGreater(oxide['layers'][0]['fewest'], 0)
+
+    def test_check_of_layers(self):
+        given = SAMPLES / 'mosfet_layers.json'
+        self.report(given, '--split-interfaces', '--size-at', 'channel_oxide=20', '--size-at', 'oxide_gate=20')
+        check = ['check', given, 'd.vtu', '--allow-split', '--layers']
+        out = self.run_cover(*check, 'channel_oxide')[0]
+        self.assertRegex(out, r"Layers along 'channel_oxide' in 'channel': \d to \d+ over .* edges; the first 0.2 to 0.2 thick")
+        self.assertRegex(out, r"Layers along 'channel_oxide' in 'oxide': 3 to 3 over .* largest angle 90\.000000, 0 above 90 degrees; 0 neg")
+        self.assertRegex(out, r'largest angle [\d.]+, \d+ above 90 degrees; 0 negative couplings')
+        self.run_cover(*check, 'channel_oxide@oxide=0.3,1,3', '-q')
+        out = self.run_cover(*check, 'channel_oxide@oxide=0.31,1,3', code=6)[0]
+        self.assertIn("FAILED Layers along 'channel_oxide' in 'oxide'", out)
+        self.run_cover(*check, 'channel_oxide@oxide=0.3,1,9', code=6)
+        self.assertIn("did you mean 'channel_oxide'", self.run_cover(*check, 'channel_oxid', code=2)[1])
+        self.assertIn("no region 'gate' is beside the line", self.run_cover(*check, 'channel_oxide@gate', code=2)[1])
+        self.assertIn('is not LINE[@REGION]=first', self.run_cover(*check, 'channel_oxide=x,2', code=2)[1])
+
+    def test_that_cannot_be(self):
+        given = SAMPLES / 'mosfet_layers.json'
+        for layers, part in (('channel_oxid=1,2', "did you mean 'channel_oxide'?"),
+                             ('channel_oxide@gate=1,2', "region 'gate' is not beside that line, but 'channel' and 'oxide'"),
+                             ('channel_oxide@oxide=1.3,1,1', "no thinner than region 2 'oxide', which is 1.2"),
+                             ('channel_oxide=-1,2', 'the first layer is -1, but must be above 0'),
+                             ('channel_oxide=nan,2', 'the first layer is nan'),
+                             ('channel_oxide=1,0.5', 'the growth is 0.5, but must be at least 1')):
+            _, err = self.run_cover('mesh', given, '-o', 'd.vtu', '--layers', layers, code=2)
+            self.assertIn(part, err)
+            self.assertFalse((self.dir / 'd.vtu').exists())
+        self.assertIn('layers need method quality or almond', self.run_cover('mesh', given, '-o', 'd.vtu', '--method', 'nonobtuse', code=2)[1])
+        self.assertIn('sides of a hull are none: not with hull', self.run_cover('mesh', given, '-o', 'd.vtu', '--hull', code=2)[1])
+
+
+class Sizes(Case):
+    """--size, --size-at, --size-field, sizes in the input."""
+
+    def triangles(self, name, *words, code=0):
+        self.run_cover('mesh', name, '-o', 'd.vtu', '--report', 'd.json', '-q', *words, code=code)
+        return json.loads((self.dir / 'd.json').read_text())['mesh']['triangles']
+
+    def fine_square(self, seed=''):
+        """The unit square, its sides cut into 20."""
+        at = [(k / 20, 0) for k in range(20)] + [(1, k / 20) for k in range(20)]
+        at += [(1 - x, 1 - y) for x, y in at]
+        points = ''.join(f'{k + 1} {x} {y}\n' for k, (x, y) in enumerate(at))
+        segments = ''.join(f'{k + 1} {k + 1} {(k + 1) % 80 + 1}\n' for k in range(80))
+        return self.write('fine.poly', f'80 2 0 0\n{points}80 0\n{segments}0\n{seed}')
+
+    def field(self, name, values='0.05 0.05 0.05 0.05', array='h'):
+        return self.write(name, '# vtk DataFile Version 3.0\nh\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 1\n'
+                          f'ORIGIN 0 0 0\nSPACING 1 1 1\nPOINT_DATA 4\nSCALARS {array} double 1\nLOOKUP_TABLE default\n{values}\n')
+
+    def test_field(self):
+        fine = self.fine_square()
+        plain, expected = self.triangles(fine), 4 / 3**0.5 / 0.05**2
+        self.field('h.vtk')
+        self.assertAlmostEqual(self.triangles(fine, '--size-field', 'h.vtk'), expected, delta=0.15 * expected)
+        self.assertLess(plain, expected / 2)
+        settings = json.loads((self.dir / 'd.json').read_text())['options']
+        self.assertEqual(settings['size-field'], 'h.vtk')
+        self.assertEqual(self.triangles(fine, '--size-field', 'h.vtk'), self.triangles(fine, '--size', 0.05))
+
+    def test_what_is_no_field(self):
+        fine = self.fine_square()
+        for values, part in (('1 1 0 1', 'the size at point 2, (0, 1), is 0'), ('1 1 1', 'bad.vtk')):
+            _, err = self.run_cover('mesh', fine, '-o', 'd.vtu', '--size-field', self.field('bad.vtk', values), code=5)
+            self.assertIn('bad.vtk', err)
+            self.assertIn(part, err)
+        _, err = self.run_cover('mesh', fine, '-o', 'd.vtu', '--size-field', 'none.vtu', code=5)
+        self.assertIn('none.vtu', err)
+
+    def test_expressions(self):
+        fine = self.fine_square()
+        expected = self.triangles(fine, '--size', 0.05)
+        self.assertEqual(self.triangles(fine, '--size', '0.1/2 + 0*x'), expected)
+        settings = json.loads((self.dir / 'd.json').read_text())['options']
+        self.assertEqual(settings['size'], '0.1/2 + 0*x')
+        graded = self.triangles(fine, '--size', '0.05 + 0.5*x')
+        self.assertLess(graded, expected / 2)
+        self.assertEqual(self.triangles(fine, '--size', '1=0.05 + 0.5*x'), graded)  # the material 1
+        self.assertLess(self.triangles(fine, '--size', 'sqrt(-1 - x)'), expected / 2)  # nothing is asked
+        error = self.run_cover('mesh', fine, '-o', 'd.vtu', '--size', '0.1 + y)', code=2)[1]
+        self.assertIn("--size: '0.1 + y)', column 8: ')' does not belong here", error)
+
+    def test_tables_of_points(self):
+        fine = self.fine_square()
+        expected = self.triangles(fine, '--size-field', self.field('h.vtk', '0.05 0.05 0.3 0.3'))
+        table = self.write('h.csv', 'x,y,h\n0,0,0.05\n0,1,0.05\n1,0,0.3\n1,1,0.3\n')
+        self.assertAlmostEqual(self.triangles(fine, '--size-field', table), expected, delta=0.02 * expected)
+        error = self.run_cover('mesh', fine, '-o', 'd.vtu', '--size-field', self.write('h.csv', '0,0,1\n1,0\n'), code=5)[1]
+        self.assertIn('h.csv:2: expected 3 numbers, found 2', error)
+
+    def test_values_are_resolved(self):
+        """asinh of a doping that falls over 20 decades: it changes by at most the step on nearly every inner edge."""
+        n = 60
+        def doping(x):
+            return 1e20 * math.exp(-60 * x * x) - 1e15
+        values = '\n'.join(repr(doping(i / n)) for _ in range(n + 1) for i in range(n + 1))
+        self.write('doping.vtk', f'''# vtk DataFile Version 3.0
+doping
+ASCII
+DATASET STRUCTURED_POINTS
+DIMENSIONS {n + 1} {n + 1} 1
+ORIGIN 0 0 0
+SPACING {1 / n} {1 / n} 1
+POINT_DATA {(n + 1)**2}
+SCALARS doping double 1
+LOOKUP_TABLE default
+{values}
+''')
+        square = self.write('square.poly', SQUARE)
+        step = 2
+        self.run_cover('mesh', square, '-o', 'd.json', '-o', 'd.obj', '--split-interfaces', 150, '--size-field', 'doping.vtk',
+                       '--size-of', 'asinh(doping/1e15)', '--size-step', step)
+        points, edges = [], set()
+        for line in (self.dir / 'd.obj').read_text().splitlines():
+            words = line.split()
+            if line.startswith('v '):
+                points.append((float(words[1]), float(words[2])))
+            if line.startswith('f '):
+                t = [int(word.split('/')[0]) - 1 for word in words[1:]]
+                edges |= {tuple(sorted((t[k], t[k - 1]))) for k in range(3)}
+
+        def value(x):  # linear between the samples, as sizes are made
+            cell = min(int(x * n), n - 1)
+            a, b = (math.asinh(doping(i / n) / 1e15) for i in (cell, cell + 1))
+            return a + (x * n - cell) * (b - a)
+        changes = sorted(abs(value(points[a][0]) - value(points[b][0])) for a, b in edges)
+        self.assertGreater(len(changes), 500)
+        self.assertLess(len(changes), 20000)
+        too_large = sum(change > step for change in changes)
+        self.assertLess(too_large, 0.01 * len(changes), changes[-20:])
+        self.assertLess(changes[-1], 1.5 * step)
+        error = self.run_cover('mesh', square, '-o', 'd.vtu', '--size-of', 'asinh', code=2)[1]
+        self.assertIn('size-field', error)
+
+    def test_sizes_in_the_input(self):
+        area = 3**0.5 / 4 * 0.05**2  # of an equilateral triangle with sides of 0.05
+        plain = self.triangles(self.fine_square())
+        for none in (-1, 0):
+            self.assertEqual(self.triangles(self.fine_square(f'1\n1 0.5 0.5 1 {none}\n')), plain)
+        fine = self.fine_square(f'1\n1 0.5 0.5 1 {area}\n')
+        self.assertAlmostEqual(self.triangles(fine), 1 / area, delta=0.15 / area)
+        self.assertEqual(self.triangles(fine, '--no-input-sizes'), plain)
+        self.assertRegex(self.run_cover('info', fine)[0], r'proven +size\n.* 0\.05\n')
+        corners = [[0, 0], [1, 0], [1, 1], [0, 1]]
+        self.write('j.json', json.dumps({'points': corners, 'segments': [[0, 1], [1, 2], [2, 3], [3, 0]],
+                                         'regions': [{'x': 0.5, 'y': 0.5, 'size': 0.1}]}))
+        self.assertGreater(self.triangles('j.json', '--split-interfaces'), 150)
+
+    def test_at_an_interface_a_contact_and_a_point(self):
+        poly = SAMPLES / 'mosfet.poly'
+        plain = self.triangles(poly)
+        for name in ('material_2_outline', 'material_4_outline', '1'):
+            self.assertGreater(self.triangles(poly, '--size-at', f'{name}=0.5'), plain, name)
+        corners = [[0, 0], [1, 0], [1, 1], [0, 1]]
+        self.write('c.json', json.dumps({'points': corners, 'segments': [[0, 1], [1, 2], [2, 3],
+                                         {'points': [3, 0], 'name': 'anode'}]}))
+        out, err = self.run_cover('mesh', 'c.json', '-o', 'd.vtu', '--size-at', 'anode=0.1', '--split-interfaces')
+        self.assertRegex(out, 'points added on segments for --split-interfaces 90, the first at')
+        self.assertNotIn('changed', err)
+        _, err = self.run_cover('mesh', 'c.json', '-o', 'd.vtu', '--size-at', 'anod=0.1', code=2)
+        self.assertIn("did you mean 'anode'?", err)
+
+    def test_a_contact_is_no_region(self):
+        _, err = self.run_cover('mesh', SAMPLES / 'tft.json', '-o', 'd.vtu', '--size', 'gate_contact=2', code=2)
+        self.assertIn('an interface or contact has it: ask for a size at that (--size-at)', err)
+
+    def test_says_what_stays_larger(self):
+        self.write('s.poly', SQUARE)
+        _, err = self.run_cover('mesh', 's.poly', '-o', 'd.vtu', '--size', 0.1)
+        self.assertIn('4 segments are longer than the sizes asked for there, up to 1 from', err)
+        _, err = self.run_cover('mesh', 's.poly', '-o', 'd.vtu', '--size', 0.1, '--split-interfaces')
+        self.assertNotIn('longer', err)
+        _, err = self.run_cover('mesh', 's.poly', '-o', 'd.vtu', '--size', 0.1, '--method', 'almond')
+        self.assertIn('sizes count with method quality only', err)
+
+
+class Remesh(Case):
+    """--only and --onto: some regions again inside a mesh."""
+
+    def setUp(self):
+        super().setUp()
+        self.poly = SAMPLES / 'mosfet.poly'
+        self.run_cover('mesh', self.poly, '-o', 'm.vtu', '-o', 'm.vtm', '-q')
+
+    def again(self, *words, code=0):
+        return self.run_cover('mesh', self.poly, *words, code=code)
+
+    def bytes_of(self, name):
+        return (self.dir / name).read_bytes()
+
+    def test_same_options_give_the_same_bytes(self):
+        for mesh in ('m.vtu', 'm.vtm'):
+            self.again('--only', '2', 'region:9', '--onto', mesh, '-o', 'n.vtu', '-q')
+            self.assertEqual(self.bytes_of('n.vtu'), self.bytes_of('m.vtu'))
+
+    def test_every_format_that_is_read(self):
+        for name in ('m.msh', 'm.vtk', 'm.mesh', 'm.ele', 'm.xdmf'):
+            self.run_cover('convert', 'm.vtu', '-o', name)
+            self.again('--only', 'material_4', '--onto', name, '-o', 'n.vtu', '-q')
+            self.assertEqual(self.bytes_of('n.vtu'), self.bytes_of('m.vtu'), name)
+
+    def test_finer_and_back(self):
+        out, _ = self.again('--only', '2', '--onto', 'm.vtu', '--size', '10', '-o', 'n.vtu', '--report', 'n.json')
+        self.assertIn('Meshed again, the other 7 regions kept:', out)
+        self.assertRegex(out, r"region 2 'material_2': \d+ triangles, \d+ new; before: \d+ triangles")
+        report = json.loads(self.bytes_of('n.json'))
+        self.assertEqual([r['region'] for r in report['replaced']], [2, 5])
+        self.assertEqual(report['overall']['methods']['kept'], 7)
+        self.assertEqual(report['options']['only'], '2')
+        self.assertEqual(report['options']['onto'], 'm.vtu')
+        for before in report['replaced']:
+            self.assertGreater(report['regions'][before['region'] - 1]['triangles'], 2 * before['triangles'])
+        self.run_cover('check', self.poly, 'n.vtu')
+        self.again('--only', '2', '--onto', 'n.vtu', '-o', 'n.vtu', '-q')  # in place
+        self.assertEqual(self.bytes_of('n.vtu'), self.bytes_of('m.vtu'))
+
+    def test_cut_segments_stay_cut(self):
+        self.again('-o', 'c.vtu', '--split-interfaces', '--size-at', 'material_2_outline=2', '-q')
+        _, err = self.again('--only', '4', '--onto', 'c.vtu', '-o', 'n.vtu', '-o', 'n.poly')
+        self.assertIn('segments are cut as in the mesh', err)
+        self.run_cover('check', 'n.poly', 'n.vtu')
+
+    def test_second_order(self):
+        self.again('-o', 's.vtu', '--order', '2', '-q')
+        _, err = self.again('--only', '4', '--onto', 's.vtu', '--order', '2', '-o', 'n.vtu')
+        self.assertIn('six nodes, of which the corners are taken', err)
+        self.assertEqual(self.bytes_of('n.vtu'), self.bytes_of('s.vtu'))
+
+    def test_what_does_not_fit(self):
+        _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '--only', '2', '--onto', 'm.vtu', '-o', 'n.vtu', code=3)
+        self.assertIn('m.vtu: the mesh is not one of', err)
+        self.assertRegex(err, r'point 1 at \(.*\) is no vertex of the mesh')
+        _, err = self.again('--only', 'gate', '--onto', 'm.vtu', '-o', 'n.vtu', code=2)
+        self.assertIn("only 'gate': there is no region or material of that name", err)
+        _, err = self.again('--only', '2', '--onto', 'none.vtu', '-o', 'n.vtu', code=5)
+        self.assertIn('none.vtu', err)
+        _, err = self.again('--only', '2', '--onto', 'm.vtu', '--method', 'nonobtuse', '-o', 'n.vtu', code=2)
+        self.assertIn('cuts segments', err)
+        self.assertNotIn('n.vtu', self.files())
+
+    def test_names_stand_apart(self):
+        _, err = self.again('--only', '2,4', '--onto', 'm.vtu', '-o', 'n.vtu', code=2)
+        self.assertIn('; blanks separate the names of --only', err)
+
+    def test_both_or_none(self):
+        self.assertIn('--onto', self.again('--only', '2', '-o', 'n.vtu', code=2)[1])
+        self.assertIn('--only', self.again('--onto', 'm.vtu', '-o', 'n.vtu', code=2)[1])
+
+    def test_job_file_and_dry_run(self):
+        text, _ = self.again('--only', '2', 'region:9', '--onto', 'm.vtu', '-o', 'n.vtu', '--print-config')
+        self.write('job.toml', text)
+        self.run_cover('mesh', '--config', 'job.toml', '-q')
+        self.assertEqual(self.bytes_of('n.vtu'), self.bytes_of('m.vtu'))
+        out, _ = self.run_cover('mesh', '--config', 'job.toml', '--dry-run')
+        for region in (2, 5, 9):
+            self.assertIn(f'Would mesh region {region} ', out)
+
+
+if __name__ == '__main__':
+    main()

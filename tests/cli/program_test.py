@@ -1,0 +1,420 @@
+#!/usr/bin/env python3
+"""program_test.py PROGRAM SAMPLES [TEST...]: the program as such: help, messages, exit codes, job files, memory, interrupts."""
+import json
+import math
+import os
+import re
+import resource
+import shutil
+import signal
+import subprocess
+import time
+import unittest
+from xml.etree import ElementTree
+
+from cover_case import APP, Case, PROGRAM, SAMPLES, SQUARE, main
+
+
+class Usage(Case):
+    def test_no_command(self):
+        self.assertIn('Usage: cover', self.run_cover(code=2)[1])
+
+    def test_help_of_every_command(self):
+        self.assertIn('Commands:', self.run_cover('--help')[0])
+        for command in ('mesh', 'info', 'check', 'render', 'convert'):
+            text = self.run_cover(command, '--help')[0]
+            self.assertIn('Example', text)
+            self.assertLess(max(map(len, text.splitlines())), 121, command)
+            self.assertEqual(self.run_cover('help', command)[0], text)
+
+    def test_version(self):
+        self.assertRegex(self.run_cover('--version')[0], r'^cover \d+\.\d+\.\d+\n.*GPL')
+
+    def test_misspelt_command(self):
+        self.assertEqual(self.run_cover('msh', code=2)[1].splitlines()[0],
+                         "cover: error: unknown command 'msh'; did you mean 'mesh'?")
+
+    def test_misspelt_option(self):
+        error = self.run_cover('mesh', 'a.poly', '-o', 'a.vtu', '--fil=disks', code=2)[1]
+        self.assertIn("unknown option '--fil=disks'; did you mean '--fill'?", error)
+
+    def test_misspelt_word(self):
+        error = self.run_cover('mesh', 'a.poly', '-o', 'a.vtu', '--fill', 'disk', code=2)[1]
+        self.assertIn("'disk' is not one of refine, disks; did you mean 'disks'?", error)
+
+    def test_number_out_of_range(self):
+        for option, bad, message in (('max-angle', (20, 60, 180, 'nan'), 'above 60 and below 180'),
+                                     ('min-angle', (-1, 60), 'at least 0 and below 60'),
+                                     ('split-interfaces', (59, 180), 'at least 60 and below 180'),
+                                     ('growth', (1, 'inf'), 'above 1')):
+            for value in bad:
+                err = self.run_cover('mesh', 'a.poly', '-o', 'a.vtu', f'--{option}={value}', code=2)[1]
+                self.assertIn(f'--{option}: {value} is not {message}\n', err)
+        self.assertIn('none.poly', self.run_cover('mesh', 'none.poly', '-o', 'a.vtu', '--split-interfaces=60', '--min-angle=0',
+                                                  '--growth=200', '--max-angle=60.01', code=5)[1])
+
+    def test_an_option_that_takes_the_input_for_its_number(self):
+        err = self.run_cover('mesh', '--split-interfaces', 'a.poly', '-o', 'a.vtu', code=2)[1]
+        self.assertIn("--split-interfaces: 'a.poly' is not a number; before a file, write it with '='", err)
+
+    def test_nothing_to_do(self):
+        self.assertIn('no input file', self.run_cover('mesh', '-o', 'a.vtu', code=2)[1])
+        self.assertIn('nothing to write', self.run_cover('mesh', 'a.poly', code=2)[1])
+
+    def test_unknown_output_format(self):
+        error = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'a.xyz', code=2)[1]
+        self.assertIn("unknown format '.xyz'; possible are .vtu", error)
+        self.assertEqual(self.files(), [])
+
+
+class Configuration(Case):
+    def test_printed_configuration_can_be_read(self):
+        text, _ = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--fill', 'refine', '--print-config')
+        self.write('job.toml', text)
+        self.run_cover('mesh', '--config', 'job.toml', '-q')
+        self.assertIn('d.vtu', self.files())
+
+    def test_a_printed_configuration_does_the_same(self):
+        shutil.copy(SAMPLES / 'diode.poly', self.dir)
+        for words in ([], ['-v'], ['-vv'], ['--split-interfaces'], ['--split-interfaces', '100'], ['--paper', '--pieces', '3'],
+                      ['--size', '1', '--size', '2=0.5', '--growth', '1.5'], ['--method', 'nonobtuse', '--no-inner-lines'],
+                      ['--fill', 'disks'], ['--max-angle', '110', '--min-angle', '0', '--require', 'bound,max-angle'],
+                      ['--merge-materials', '--unit', 'nm', '--scale', '1e-9', '--order', '2', '-q', '-j', '1']):
+            command = ['mesh', 'diode.poly', '-o', 'd.vtu', '-o', 'd.msh', '--report', 'd.json', *words]
+            runs = []
+            self.write('job.toml', self.run_cover(*command, '--print-config')[0])
+            for run in (command, ['mesh', '--config', 'job.toml']):
+                for file in self.dir.glob('d.*'):
+                    file.unlink()
+                said = [re.sub(r'[\d.]+ s\b', '', text) for text in self.run_cover(*run)]  # times
+                files = {file.name: file.read_bytes() for file in self.dir.glob('d.*')}
+                report = re.sub(rb'"seconds": [\d.e-]+', b'', files.pop('d.json'))
+                runs.append((said, files, report))
+            self.assertTrue(runs[0] == runs[1], words)  # too long to be shown
+
+    def test_verbose_false(self):
+        self.write('job.toml', 'verbose=false\n')
+        self.assertEqual(self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--config', 'job.toml')[1], '')
+
+    def test_unknown_key(self):
+        self.write('job.toml', 'fil = "refine"\n')
+        _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--config', 'job.toml', code=2)
+        self.assertIn("unknown key 'fil' in the --config file; did you mean '--fill'?", err)
+
+    def test_section(self):
+        self.write('job.toml', '[mesh]\nfill = "refine"\n')
+        _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--config', 'job.toml', code=2)
+        self.assertIn('has a section [mesh]; its keys stand without sections', err)
+
+    def test_wrong_value(self):
+        self.write('job.toml', 'max-angle = "large"\n')
+        _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--config', 'job.toml', code=2)
+        self.assertIn("--max-angle: 'large' is not a number", err)
+
+    def test_missing_file(self):
+        _, err = self.run_cover('mesh', 'a.poly', '-o', 'd.vtu', '--config', 'none.toml', code=2)
+        self.assertIn('none.toml', err)
+
+
+class DryRun(Case):
+    def test_json(self):
+        out, _ = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--dry-run', '--stats', 'json')
+        report = json.loads(out)
+        self.assertEqual(report['format'], 'cover input report')
+        self.assertEqual([report['input'][k] for k in ('points', 'segments')], [150, 153])
+        self.assertEqual(len(report['regions']), 4)
+        self.assertAlmostEqual(report['regions'][0]['gamma_opt'], 62.14824277768956)
+        self.assertEqual(len(report['interfaces']), 9)
+        self.assertEqual(self.files(), [])
+
+
+    def test_estimate(self):
+        self.write('s.poly', SQUARE)
+        fine = ('--split-interfaces', '--size', '0.02')
+        out, _ = self.run_cover('mesh', 's.poly', '-o', 's.vtu', '--dry-run', *fine)
+        about = float(re.search(r'A mesh takes about ([0-9.e+]+) triangles and \d+ MB of memory', out)[1])
+        made, _ = self.run_cover('mesh', 's.poly', '-o', 's.vtu', *fine)
+        made = float(re.match(r'([0-9,]+) triangles', made)[1].replace(',', ''))
+        self.assertLess(abs(about - made), 0.3 * made)
+
+    def test_what_does_not_fit(self):
+        self.write('s.poly', SQUARE)
+        if os.sysconf('SC_PHYS_PAGES') * os.sysconf('SC_PAGE_SIZE') > 6e10:
+            self.skipTest('it might fit')
+        begin = time.monotonic()
+        _, err = self.run_cover('mesh', 's.poly', '-o', 's.vtu', '--split-interfaces', '--size', '6e-5', code=7)
+        self.assertLess(time.monotonic() - begin, 10)
+        self.assertRegex(err, r'the sizes asked for take about 6.4e\+08 triangles and 108 GB of memory, and there are ')
+        self.assertEqual(self.files(), ['s.poly'])
+
+
+class BadInput(Case):
+    """Each fault of the geometry ends with its exit code and a message that names file, ids and place."""
+
+    def refuse(self, text, code, *parts):
+        self.write('bad.poly', text)
+        _, err = self.run_cover('mesh', 'bad.poly', '-o', 'bad.vtu', '--strict', code=code)
+        self.assertTrue(err.startswith('cover: error: '), err)
+        for part in parts:
+            self.assertIn(part, err)
+        self.assertNotIn('bad.vtu', self.files())
+
+    def test_missing_file(self):
+        _, err = self.run_cover('mesh', 'none.poly', '-o', 'a.vtu', code=5)
+        self.assertIn('none.poly', err)
+
+    def test_strict_says_its_name(self):
+        # Two polygons that cross: both their edges are split.
+        self.write('d.json', json.dumps({'polygons': [
+            {'material': 'a', 'rings': [[[0, 0], [2, 0], [2, 2], [0, 2]]]},
+            {'material': 'b', 'rings': [[[1, 0], [3, 0], [3, 1], [1, 1]]]}]}))
+        _, err = self.run_cover('mesh', 'd.json', '-o', 'd.vtu', '--strict', code=3)
+        self.assertIn('--strict refuses every change', err)
+        # Corners on sides are what painting is for.
+        self.run_cover('mesh', SAMPLES / 'tft.json', '-o', 'd.vtu', '--strict')
+
+    def test_truncated(self):
+        self.refuse(SQUARE[:30], 5, 'bad.poly')
+
+    def test_not_a_number(self):
+        self.refuse(SQUARE.replace('3 1 1', '3 one 1'), 5, 'bad.poly:4')
+
+    def test_not_finite(self):
+        self.refuse(SQUARE.replace('3 1 1', '3 nan 1'), 3, 'bad.poly:4')
+
+    def test_unknown_point(self):
+        self.refuse(SQUARE.replace('4 4 1\n0', '4 4 9\n0'), 3, 'bad.poly', '9')
+
+    def test_crossing(self):
+        self.refuse(SQUARE.replace('4 0\n1 1 2', '5 0\n5 2 4\n1 1 3'), 3, '(0.5, 0.5)')
+
+    def test_what_would_mesh_it_is_said(self):
+        text = SQUARE.replace('4 0\n1 1 2', '3 0\n1 1 2').replace('4 4 1\n', '')
+        self.refuse(text, 3, '--weld auto', '--hull meshes the convex hull')
+        self.run_cover('mesh', 'bad.poly', '-o', 'hull.vtu', '--hull', '-q')
+
+    def test_nothing_enclosed(self):
+        self.refuse('2 2 0 0\n1 0 0\n2 1 0\n1 0\n1 1 2\n0\n', 3)
+
+    def test_no_segments(self):
+        self.refuse('2 2 0 0\n1 0 0\n2 1 0\n0 0\n0\n', 3)
+
+    def test_seed_in_the_void(self):
+        self.refuse(SQUARE + '1\n1 5 5 1 -1\n', 3, '(5, 5)')
+
+    def test_folder_that_is_not_there(self):
+        _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'no/such/d.vtu', code=5)
+        self.assertIn('no/such/d.vtu', err)
+
+
+class StrangeNames(Case):
+    """Names that would steer a terminal or break a file."""
+
+    def test_control_characters(self):
+        name = 'a\x1b[31m\nb\u202e<'
+        self.write('d.json', json.dumps({'points': [[0, 0], [1, 0], [1, 1], [0, 1]],
+                                         'segments': [[0, 1], [1, 2], [2, 3], [3, 0]],
+                                         'regions': [{'x': 0.5, 'y': 0.5, 'material': name, 'region': name + '2'}]}))
+        outputs = ['m.vtu', 'm.vtm', 'm.svg', 'm.json']
+        texts = [*self.run_cover('mesh', 'd.json', *(f'-o{o}' for o in outputs), '--report', 'r.html', '-v'),
+                 *self.run_cover('info', 'd.json', '-v'),
+                 *self.run_cover('mesh', 'd.json', '-o', 'n.vtu', '--size', 'x=1', code=2),
+                 *self.run_cover('check', 'd.json', 'm.vtm')]
+        texts += [(self.dir / f).read_text() for f in ('m.svg', 'm.vtm', 'r.html')]
+        for text in texts:
+            self.assertNotIn('\x1b', text)
+            self.assertNotIn('\u202e', text)
+            self.assertNotRegex(text, 'a.{0,9}\n *b.{0,9}<')
+        self.assertIn(r'a\x1b[31m\nb\u202e<', texts[0])
+        self.assertIn(r'a\x1b[31m\nb\u202e<', ''.join(ElementTree.parse(self.dir / 'm.svg').getroot().itertext()))
+        ElementTree.parse(self.dir / 'm.vtm')
+        self.assertEqual(json.loads((self.dir / 'm.json').read_text())['regions'][0]['name'], name + '2')
+
+
+class Documents(Case):
+    """Man page and completion know what the program knows."""
+
+    def test_man_page_has_every_option(self):
+        page = (APP / 'cover.1').read_text().replace('\\-', '-')
+        for command in ('mesh', 'info', 'check', 'render', 'convert'):
+            self.assertIn('.B ' + command, page)
+            for option in re.findall(r'^ +(?:-\w,)?(--[a-z-]+)', self.run_cover(command, '--help')[0], re.M):
+                if option != '--help':
+                    self.assertTrue(option in page, f'{option} of {command} is missing in apps/cover/cover.1')
+
+    @unittest.skipUnless(shutil.which('man'), 'man is not installed')
+    def test_man_page_is_well_formed(self):
+        done = subprocess.run(['man', '--warnings=w', '-l', APP / 'cover.1'], text=True, timeout=60,
+                              env={**os.environ, 'LC_ALL': 'C.UTF-8', 'MANWIDTH': '100', 'MANPAGER': 'cat'},
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.assertEqual((done.returncode, done.stderr), (0, ''))
+        self.assertIn('(.vtu, .vtp, .vti, .vtk), of which', ' '.join(done.stdout.split()))
+
+    def test_formats_are_completed(self):
+        formats = re.search(r'File to write, several if repeated: (.*?);', ' '.join(self.run_cover('mesh', '--help')[0].split()))
+        of_one_file = set(formats[1].split(', ')) - {'.vtm', '.pvtu', '.ele'}
+        self.assertEqual({'.' + word for word in self.complete('mesh', '--format', "''")}, of_one_file)
+
+    def test_man_page_has_the_options_of_check(self):
+        page = (APP / 'cover.1').read_text()
+        check = page[page.index('.SH OPTIONS OF CHECK'):page.index('.SH OPTIONS OF RENDER')].replace('\\-', '-')
+        for option in ('--allow-split', '--no-bound', '--hull'):
+            self.assertIn(option, check)
+
+    def complete(self, *words):
+        script = (f'source {APP / "completion.bash"}; COMP_WORDS=({PROGRAM} {" ".join(words)}); '
+                  f'COMP_CWORD={len(words)}; _cover; echo "${{COMPREPLY[*]}}"')
+        return subprocess.run(['bash', '-c', script], text=True, timeout=20, stdout=subprocess.PIPE).stdout.split()
+
+    def test_completion(self):
+        self.assertEqual(self.complete('me'), ['mesh'])
+        self.assertEqual(self.complete('mesh', '--fi'), ['--fill'])
+        self.assertEqual(self.complete('mesh', '--fill', 'd'), ['disks'])
+        self.assertIn('--window', self.complete('render', '--'))
+        self.assertEqual(self.complete('mesh', '--method', '=', 'qu'), ['quality'])
+        self.assertEqual(self.complete('mesh', '--msh', '='), ['2.2', '4.1'])
+        self.assertEqual(self.complete('render', '--format', 'p'), ['png'])
+        self.assertIn('mat_id', self.complete('render', '--color', ''))
+        options = self.complete('mesh', '--')
+        self.assertEqual(len(options), len(set(options)))
+
+
+class Memory(Case):
+    @staticmethod
+    def peak(*words):
+        """Kilobytes at the most, of a run of the program."""
+        run = subprocess.Popen([PROGRAM, *map(str, words)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        _, status, usage = os.wait4(run.pid, 0)
+        run.returncode = os.waitstatus_to_exitcode(status)
+        return usage.ru_maxrss if run.returncode == 0 else None
+
+    def star(self, n):
+        """Written line by line: the interpreter's own peak, which a child inherits, is to stay below the program's."""
+        path = self.dir / f'{n}.poly'
+        with open(path, 'w') as out:
+            out.write(f'{n} 2 0 0\n')
+            for i in range(n):
+                t = 2 * math.pi * i / n
+                r = 1 + sum(0.25 / k * math.cos(k * t + k) for k in (2, 5, 17, 64, 301))
+                out.write(f'{i} {r * math.cos(t)!r} {r * math.sin(t)!r}\n')
+            out.write(f'{n} 0\n')
+            out.writelines(f'{i} {i} {(i + 1) % n}\n' for i in range(n))
+            out.write('0\n')
+        return path
+
+    def bytes_per_triangle(self, method, stars):
+        """What the program needs for any mesh cancels out."""
+        peaks, triangles = [], []
+        for star in stars:
+            mesh, report = self.dir / 'star.vtu', self.dir / 'star.json'
+            peaks.append(self.peak('mesh', star, '--method', method, '-j', 1, '-o', mesh, '--report', report))
+            triangles.append(json.loads(report.read_text())['overall']['triangles'])
+        return 1024 * (peaks[1] - peaks[0]) / (triangles[1] - triangles[0])
+
+    def least_bytes_per_triangle(self, method, stars):
+        """Beside other work the system takes pages of files away from whom it likes, from the smaller run too."""
+        return min(self.bytes_per_triangle(method, stars) for _ in range(2))
+
+    def test_bytes_per_triangle(self):
+        square = self.dir / self.write('square.poly', SQUARE)
+        if self.peak('mesh', square, '-o', self.dir / 'square.vtu') > 40000:
+            self.skipTest('a sanitizer takes memory of its own')
+        # What is resident varies by two megabytes, and the smaller star has to take more than this interpreter. The
+        # almond method makes hardly more triangles than there are points, which take memory, too: 451 were measured.
+        small, middle, large = [self.star(n) for n in (60000, 120000, 300000)]
+        self.assertLess(self.least_bytes_per_triangle('almond', [middle, large]), 460)
+        # Regions of more than 100,000 triangles are worked on in parts, which are copies: 373 were measured.
+        self.assertLess(self.least_bytes_per_triangle('quality', [small, middle]), 400)
+
+    def test_out_of_memory(self):
+        """An error of its own, whenever memory ends, and files as they were."""
+        square = self.dir / self.write('square.poly', SQUARE)
+        mesh, star = self.dir / 'm.vtu', self.star(20000)
+
+        def run_within(megabytes, source):
+            limit = megabytes << 20
+            return subprocess.run([PROGRAM, 'mesh', source, '-o', mesh, '-q'], timeout=60, capture_output=True, text=True,
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
+
+        if run_within(150, square).returncode != 0:
+            self.skipTest('a sanitizer takes memory of its own')
+        before, ends = mesh.read_bytes(), []
+        for megabytes in range(70, 200, 6):
+            run = run_within(megabytes, star)
+            ends.append(run.returncode)
+            if run.returncode == 0:
+                break
+            if run.returncode == 127:  # the system's own: libraries do not fit
+                continue
+            self.assertEqual(run.returncode, 7, run.stderr)
+            self.assertRegex(run.stderr, r'^cover: error: .*memory')
+            self.assertEqual(mesh.read_bytes(), before)
+            self.assertEqual(self.files(), ['20000.poly', 'm.vtu', 'square.poly'])
+        self.assertEqual(ends[-1], 0)
+        self.assertIn(7, ends)
+
+
+class Interrupt(Case):
+    """No half file is left, whenever the program is stopped."""
+
+    def slits(self, n):
+        """Some n * n / 2 slits in one region."""
+        points, segments = ['1 0 0', '2 1 0', '3 1 1', '4 0 1'], ['1 1 2', '2 2 3', '3 3 4', '4 4 1']
+        for i in range(n * n // 2):
+            x, y = (i % n + 1) / (n + 1), (i // n + 1) / (n + 1) * 2
+            points += [f'{2 * i + 5} {x} {y / 1.1}', f'{2 * i + 6} {x + 0.001} {y / 1.1 + 0.0005}']
+            segments.append(f'{i + 5} {2 * i + 5} {2 * i + 6}')
+        return self.write('big.poly', f'{len(points)} 2 0 0\n' + '\n'.join(points) + f'\n{len(segments)} 0\n' +
+                          '\n'.join(segments) + '\n0\n')
+
+    def start(self, *words, **more):
+        run = subprocess.Popen([PROGRAM, 'mesh', *words], cwd=self.dir, stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE, **more)
+        self.addCleanup(run.wait)
+        self.addCleanup(run.kill)
+        self.addCleanup(run.stderr.close)
+        return run
+
+    def test_while_meshing(self):
+        # Long enough to be caught at work on any machine, and to have nothing to tell for seconds.
+        run = self.start(self.slits(300), '-o', 'big.vtu', '--progress', 'on')
+        seen = b''
+        while not re.search(rb'mesh .* 0 % +\d+ s', seen):
+            more = os.read(run.stderr.fileno(), 4096)
+            self.assertTrue(more, seen)
+            seen += more
+        run.send_signal(signal.SIGINT)
+        sent = time.monotonic()
+        out, err = run.communicate(timeout=60)
+        self.assertLess(time.monotonic() - sent, 20)
+        self.assertEqual(run.returncode, 130, (seen + err)[-300:])
+        self.assertEqual(self.files(), ['big.poly'])
+
+    def test_while_writing(self):
+        names = [f'{k}.{e}' for k in range(4) for e in ('msh', 'vtk', 'mesh', 'vtm')]
+        run = self.start(self.slits(120), '--method', 'almond', *(w for n in names for w in ('-o', n)))
+        while not any(name.startswith('.') for name in self.files()):
+            self.assertIsNone(run.poll(), run.stderr)
+        run.send_signal(signal.SIGINT)
+        time.sleep(0.01)
+        run.send_signal(signal.SIGINT)
+        run.communicate(timeout=60)
+        self.assertIn(run.returncode, (0, 130))
+        files = [name for name in self.files() if name != 'big.poly']
+        self.assertEqual([name for name in files if name.startswith('.')], [])
+        for kind in 'msh', 'vtk', 'mesh':
+            whole = {(self.dir / name).read_bytes() for name in files if name.endswith('.' + kind)}
+            self.assertLessEqual(len(whole), 1, kind)
+
+    def test_when_nobody_reads(self):
+        folder = self.dir / 'tmp'
+        folder.mkdir()
+        run = self.start(self.slits(60), '--method', 'almond', '-o', '-', env={**os.environ, 'TMPDIR': str(folder)})
+        run.stdout.close()
+        run.stderr.read()
+        self.assertNotEqual(run.wait(timeout=60), 0)
+        self.assertEqual(list(folder.iterdir()), [])
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,43 @@
+#include "quality/optimum/placement.hpp"
+
+#include "../grow_fully.hpp"
+#include "../mesh_checks.hpp"
+
+namespace cover {
+namespace {
+
+using namespace testing;
+
+TEST(Placement, FindsTheMiddleOfARegularPolygon) {
+  const RegionBoundary boundary = boundary_of({regular_polygon(7, 3, {1, 2})});
+  const MutableMesh mesh = cdt_mesh(boundary, Goal::of(Angle::degrees(65), Angle::degrees(50)));
+  Cavity cavity(mesh);
+  cavity.start(0);
+  grow_fully(cavity);
+  std::uint64_t evaluations = 0;
+  const Hole hole(mesh, cavity);
+  const Placement p = place(hole, {2, 2.5}, kInverted, evaluations);
+  EXPECT_LE(p.worst, hole.worst({1, 2}, kInverted) + 2e-2);
+  EXPECT_EQ(p.worst, hole.worst(p.at, kInverted));
+  EXPECT_GT(evaluations, 1u);
+  EXPECT_EQ(place(hole, {9, 9}, kInverted, evaluations).worst, kInverted);
+}
+
+TEST(Placement, HasNoRoomAtAReflexCorner) {
+  const Loop arrow{{0, 0}, {4, -3}, {1, 0.2}, {4, 3}};  // 3.5 rad at (1, 0.2)
+  for (const bool is_convex : {false, true}) {
+    Loop loop = arrow;
+    if (is_convex) loop[2] = {6, 0};
+    const RegionBoundary boundary = boundary_of({loop});
+    const MutableMesh mesh = cdt_mesh(boundary, Goal::of(Angle::degrees(100), Angle::degrees(0)));
+    Cavity cavity(mesh);
+    cavity.start(0);
+    grow_fully(cavity);
+    ASSERT_EQ(cavity.size(), 4);
+    EXPECT_EQ(has_room(mesh, cavity, 0), is_convex);
+    EXPECT_TRUE(has_room(mesh, cavity, 100));
+  }
+}
+
+}  // namespace
+}  // namespace cover

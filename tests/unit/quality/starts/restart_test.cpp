@@ -1,0 +1,45 @@
+#include "quality/starts/restart.hpp"
+
+#include "../mesh_checks.hpp"
+#include "quality/fault/merit.hpp"
+
+namespace cover {
+namespace {
+
+using namespace testing;
+
+TEST(Restart, CoversTheSameDomainFromTheSamePlaces) {
+  const RegionBoundary boundary = smooth_star(60);
+  const MutableMesh mesh = cdt_mesh(boundary);
+  for (std::uint32_t number = 0; number < 20; ++number) {
+    const std::optional<MutableMesh> anew = restart(mesh, 1 + number, number);
+    ASSERT_TRUE(anew);
+    expect_sound(*anew, boundary);
+    EXPECT_EQ(anew->points.size(), boundary.points.size() + 1 + number);
+    EXPECT_TRUE(anew->goal() == mesh.goal());
+    EXPECT_EQ(anew->points, restart(mesh, 1 + number, number)->points);
+    EXPECT_NE(anew->points, restart(mesh, 1 + number, number + 1)->points);
+  }
+}
+
+TEST(Restart, TheBestIsNoWorseAndKeepsTheCeiling) {
+  const RegionBoundary boundary = boundary_of(
+      {{{0, 0}, {9.08, -4.23}, {34.98, 5.61}, {33.54, 16.78}, {24.91, 25.02}, {21.82, 25.77}}});
+  const MutableMesh mesh = cdt_mesh(boundary);
+  const Merit before = merit_of(mesh, default_goal());
+  Merit merit = before;
+  Budget budget{1'000'000, {}};
+  const MutableMesh best = best_restart(mesh, default_goal(), before.large, merit, budget);
+  expect_sound(best, boundary);
+  EXPECT_TRUE(is_better(merit, before));
+  EXPECT_FALSE(is_better(merit, merit_of(best, default_goal())));
+  EXPECT_LT(budget.left, 1'000'000u);
+
+  merit = before;
+  const double none = default_goal().large - 1;
+  EXPECT_EQ(best_restart(mesh, default_goal(), none, merit, budget).points, mesh.points);
+  EXPECT_EQ(merit.large, before.large);
+}
+
+}  // namespace
+}  // namespace cover
