@@ -58,7 +58,7 @@ class Runs:
         # Cuts on the outline, rounded, make another hull of the cleaned drawing.
         has_other_hull = hull and '--split-interfaces' in options
         if not has_other_hull and 'a seed in a .poly cannot name it' not in said:
-            drawings.append([clean, mesh])
+            drawings.append([clean, mesh, '--weld', '0'])
         for words in drawings:
             code, text, _ = run([self.asked.cover, 'check', *words, *bound, *hull], self.asked.limit)
             if code != 0:

@@ -261,8 +261,8 @@ std::string obstacle(const FillTask& task) {
 }
 
 /// Triangulates `task`; see make_disk_filler() and fill_between_disks().
-Filling run_attempts(const FillTask& task, std::span<const double> radii, std::stop_token stop,
-                     const DiskFillOptions& options) {
+Filling run_attempts(const FillTask& task, std::span<const double> radii,
+                     const std::stop_token& stop, const DiskFillOptions& options) {
   std::vector<IndexPair> sides;
   for (const Chord& c : task.chords) sides.push_back({c.a, c.b});
   const CdtResult cdt = triangulate_domain(task.points, sides);
@@ -307,7 +307,7 @@ class DiskFiller final : public Filler {
  public:
   explicit DiskFiller(const DiskFillOptions& options) : options_(options) {}
   [[nodiscard]] Filling fill(const FillTask& task, std::stop_token stop) const override {
-    return run_attempts(task, {}, std::move(stop), options_);
+    return run_attempts(task, {}, stop, options_);
   }
 
  private:
@@ -321,8 +321,8 @@ std::unique_ptr<Filler> make_disk_filler(const DiskFillOptions& options) {
 }
 
 Filling fill_between_disks(const FillTask& task, std::span<const double> radii,
-                           std::stop_token stop, const DiskFillOptions& options) {
-  return run_attempts(task, radii, std::move(stop), options);
+                           const std::stop_token& stop, const DiskFillOptions& options) {
+  return run_attempts(task, radii, stop, options);
 }
 
 }  // namespace cover

@@ -34,6 +34,6 @@ std::unique_ptr<Filler> make_disk_filler(const DiskFillOptions& options = {});
 /// `radii`, by point: see disks::place_boundary_disks().
 /// ENSURES:  as the disk filler; locked chords and slits are welcome.
 Filling fill_between_disks(const FillTask& task, std::span<const double> radii,
-                           std::stop_token stop, const DiskFillOptions& options = {});
+                           const std::stop_token& stop, const DiskFillOptions& options = {});
 
 }  // namespace cover

@@ -196,6 +196,14 @@ std::size_t obtuse(const std::vector<RegionMesh>& meshes) {
   return count;
 }
 
+/// Whether promise 3 held in a region and does no longer: what stays obtuse is not asked how much.
+bool loses_a_bound(const std::vector<RegionMesh>& before, const std::vector<RegionMesh>& after) {
+  for (std::size_t r = 0; r < before.size(); ++r) {
+    if (before[r].report.bound_held && !after[r].report.bound_held) return true;
+  }
+  return false;
+}
+
 /// What cuts are there now, and what went.
 void tell(const Pslg& pslg, std::size_t first, std::size_t before, std::size_t after,
           const Options& options, Report& report) {
@@ -259,7 +267,8 @@ Status thin_cuts(Work& work, const Options& options, const Callbacks& callbacks)
       report_again(thin.boundaries[r], options, false, thin.meshes[r]);
       measure(thin.boundaries[r], thin.meshes[r]);
     }
-    if (obtuse(thin.meshes) > obtuse(work.meshes)) return ok();
+    if (obtuse(thin.meshes) > obtuse(work.meshes) || loses_a_bound(work.meshes, thin.meshes))
+      return ok();
     work = std::move(thin);
     tell(work.pslg, first, before, after, options, work.report);
     return ok();
