@@ -59,6 +59,24 @@ TEST(ThinCuts, KeepsSmallAnglesThatWereReached) {
   EXPECT_LT(added(mesh_of(input, any)), added(output));
 }
 
+/// What stays obtuse beside narrow slits could become as flat as nobody asked.
+TEST(ThinCuts, NoRegionLosesItsBound) {
+  const std::vector<Point> points{{0.5, -0.2}, {0.62, -0.2}, {0.62, 1},   {0.6017, 1}, {0.6005, 0},
+                                  {0.5995, 0}, {0.6006, 1},  {0.5808, 1}, {0.5805, 0}, {0.5795, 0},
+                                  {0.5798, 1}, {0.5608, 1},  {0.5605, 0}, {0.5595, 0}, {0.5598, 1},
+                                  {0.5413, 1}, {0.5405, 0},  {0.5395, 0}, {0.5403, 1}, {0.5192, 1},
+                                  {0.5205, 0}, {0.5195, 0},  {0.5182, 1}, {0.501, 1},  {0.5005, 0},
+                                  {0.4995, 0}, {0.4999, 1},  {0.5, 1},    {0.5, 1.2},  {0.62, 1.2}};
+  std::vector<std::array<std::uint32_t, 2>> segments{{27, 28}, {28, 29}, {29, 2}};
+  for (std::uint32_t k = 0; k < 28; ++k) segments.push_back({k, (k + 1) % 28});
+  Options options;
+  options.split_interfaces = Angle::degrees(90);
+  options.max_angle = Angle::degrees(90);
+  const Result<Output> output = cover_mesh(testing::segments_between(points, segments), options);
+  ASSERT_TRUE(output.has_value()) << output.error().message;
+  for (const RegionReport& region : output->report.regions) EXPECT_TRUE(region.bound_held);
+}
+
 TEST(ThinCuts, DependsOnNeitherUnitNorThreads) {
   for (const std::uint64_t seed : {1U, 2U})
     expect_same_for_threads_and_unit(testing::random_cells(12, seed));
