@@ -103,9 +103,14 @@ def main():
     parser.add_argument('--limit', type=float, default=300, help='seconds of the clock, then a run is killed')
     parser.add_argument('--missed', action='store_true', help='a missed bound counts as a fault')
     runs = Runs(parser.parse_args())
-    for seed in range(runs.asked.first, runs.asked.first + runs.asked.count):
-        runs.one(seed)
-    print(json.dumps({'runs': runs.asked.count, **runs.outcomes, 'faults': runs.faults,
+    done = 0
+    try:
+        for seed in range(runs.asked.first, runs.asked.first + runs.asked.count):
+            runs.one(seed)
+            done += 1
+    except KeyboardInterrupt:
+        pass
+    print(json.dumps({'runs': done, **runs.outcomes, 'faults': runs.faults,
                       'slowest': [round(runs.slowest[0], 1), runs.slowest[1]]}))
     return 1 if runs.faults else 0
 
