@@ -28,7 +28,8 @@ constexpr std::size_t kShiftsTried = 8;
 /// The points of a line, by place.
 class PointFinder {
  public:
-  PointFinder(const std::vector<Point>& points, std::vector<VertexId> vertices) : points_(points) {
+  PointFinder(const std::vector<Point>& points, const std::vector<VertexId>& vertices)
+      : points_(points) {
     for (const VertexId v : vertices) at_.emplace_back(key(points_[v.index()]), v);
     std::sort(at_.begin(), at_.end());
   }
