@@ -10,6 +10,7 @@
 
 #include <cover/options.hpp>
 
+#include "base/containers/shared.hpp"
 #include "cdt/triangulation.hpp"
 #include "quality/fault/merit.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
@@ -24,7 +25,7 @@ namespace cover {
 
 /// A triangulation of the region, in the frame, and what it has reached.
 struct Candidate {
-  MutableMesh mesh;
+  Shared<MutableMesh> mesh;
   Merit merit;  ///< by the goal that was aimed at when it was made
   std::string method;
 };
