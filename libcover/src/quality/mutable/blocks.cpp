@@ -8,6 +8,7 @@
 #include <iterator>
 #include <utility>
 
+#include "base/containers/give_back.hpp"
 #include "quality/mutable/part.hpp"
 #include "quality/mutable/part_labels.hpp"
 #include "quality/mutable/put_back.hpp"
@@ -38,7 +39,7 @@ class BlockWork {
       put_back.put(parts_[k]);
     });
     labels_ = {};
-    number_ = {};
+    give_back(number_);
     put_back.make_room(parts_);
     team_.each(parts_.size(), [&](std::size_t k) { put_back.put_extras(parts_[k]); });
     team_.each(parts_.size(), [&](std::size_t k) { join(k); });

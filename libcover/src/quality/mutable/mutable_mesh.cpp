@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/containers/give_back.hpp"
 #include "base/faults/internal_fault.hpp"
 #include "geom/predicates.hpp"
 
@@ -73,7 +74,9 @@ Allowance allowance_for(const SideLimit& side, const Goal& goal) {
 void MutableMesh::set_goal(const Goal& goal, const Team& team) {
   if (goal == goal_) return;
   goal_ = goal;
-  for (std::size_t s = 0; s < sides.size(); ++s) allowances[s] = allowance_for(sides[s], goal);
+  allowances.clear();
+  allowances.reserve(sides.size());
+  for (const SideLimit& side : sides) allowances.push_back(allowance_for(side, goal));
   measure_all(team);
 }
 
@@ -263,7 +266,7 @@ std::vector<std::uint32_t> MutableMesh::order_from_sides(std::vector<std::uint32
 
 // There is most memory in use here, so one array is replaced after the other.
 void MutableMesh::arrange() {
-  home = {};
+  give_back(home);
   std::vector<std::uint32_t> number;
   const std::vector<std::uint32_t> order = order_from_sides(number);
   std::vector<MeshTriangle> sorted(order.size());
@@ -272,7 +275,7 @@ void MutableMesh::arrange() {
     for (std::uint32_t& n : sorted[k].n) n = is_side(n) ? n : number[n];
   }
   triangles = std::move(sorted);
-  number = {};
+  give_back(number);
   std::vector<double> sorted_excess(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) sorted_excess[k] = excess[order[k]];
   excess = std::move(sorted_excess);

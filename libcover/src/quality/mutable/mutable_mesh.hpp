@@ -13,6 +13,7 @@
 #include "base/team.hpp"
 #include "cdt/sides.hpp"
 #include "cdt/triangulation.hpp"
+#include "quality/mutable/allowances.hpp"
 #include "target/goal.hpp"
 #include "target/side_limit.hpp"
 
@@ -94,7 +95,7 @@ class MutableMesh {
   std::vector<double> excess;       ///< by triangle; -inf for a hole
   std::vector<std::uint32_t> home;  ///< by vertex: one of its triangles
   SideLimits sides;
-  std::vector<Allowance> allowances;  ///< by side, for the present goal
+  Allowances allowances;  ///< by side, for the present goal
 
   [[nodiscard]] const Goal& goal() const { return goal_; }
   /// ENSURES: all excesses are by `goal`, if they were by the goal before

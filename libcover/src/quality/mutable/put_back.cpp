@@ -1,5 +1,6 @@
 // See put_back.hpp. Tested by tests/unit/quality/mutable/blocks_test.cpp.
 #include "quality/mutable/put_back.hpp"
+#include "base/containers/give_back.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -23,12 +24,12 @@ void PutBack::put(Part& part) {
   put_vertices(part, place);
   put_triangles(part, place);
   block.mesh = {};
-  part.whole_side = {};
+  give_back(part.whole_side);
   if (block.tells_places) {
     block.triangles = place;
   } else {
-    block.triangles = {};
-    block.vertices = {};
+    give_back(block.triangles);
+    give_back(block.vertices);
   }
 }
 

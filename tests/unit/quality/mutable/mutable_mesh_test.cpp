@@ -101,7 +101,7 @@ TEST(MutableMesh, ForcedTrianglesMeetTheGoal) {
   EXPECT_GE(forced, 1u);
   EXPECT_LE(worst_excess(mesh), 0);
   mesh.set_goal(Goal::of(Angle::degrees(175), Angle::degrees(0)));
-  for (const Allowance& a : mesh.allowances) EXPECT_EQ(a.large, 0);
+  for (std::uint32_t s = 0; s < mesh.sides.size(); ++s) EXPECT_EQ(mesh.allowances[s].large, 0);
 }
 
 }  // namespace
