@@ -60,6 +60,13 @@ class RegionWork {
     return out;
   }
 
+  /// In the coordinates of the boundary: shifts are exact, so that nothing else is different.
+  [[nodiscard]] Triangulation take_cdt() {
+    Triangulation cdt = candidates_.take_cdt();
+    cdt.points.assign(boundary_.points.begin(), boundary_.points.end());
+    return cdt;
+  }
+
   [[nodiscard]] bool is_shifted() const { return candidates_.frame().is_shifted(); }
 
  private:
@@ -164,9 +171,11 @@ class RegionWork {
 }  // namespace
 
 RegionMesh quality_region(const RegionBoundary& boundary, const Options& options,
-                          const std::stop_token& stop, const Sharing& sharing) {
+                          const std::stop_token& stop, const Sharing& sharing,
+                          std::optional<Triangulation>* cdt) {
   RegionWork shifted(boundary, options, stop, true, sharing);
   RegionMesh mesh = shifted.run();
+  if (cdt != nullptr && !mesh.report.notes.empty()) *cdt = shifted.take_cdt();
   if (mesh.triangles.empty() && shifted.is_shifted() && !stop.stop_requested()) {
     mesh = RegionWork(boundary, options, stop, false, sharing).run();
   }

@@ -44,6 +44,8 @@ class Candidates {
   /// The threads that may work on this region.
   [[nodiscard]] const Team& team() const { return sharing_.team; }
   [[nodiscard]] const AngleLimit& limit() const { return limit_; }
+  /// The constrained Delaunay triangulation of the region in the frame, handed over.
+  [[nodiscard]] Triangulation take_cdt() { return std::move(cdt_); }
   [[nodiscard]] bool is_part() const { return boundary_.is_part; }
   [[nodiscard]] bool has_sizes() const { return sizes_.is_active(); }
   /// At most 16 points: random restarts then find what there is.
