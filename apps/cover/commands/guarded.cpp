@@ -17,20 +17,23 @@
 namespace cover::app {
 namespace {
 
-/// Keeps large arrays apart from small ones, so that each goes back to the system when it is freed.
-/// glibc does so too until the first of them is freed; then it puts ever larger ones among the
-/// small ones, where what is freed stays. A fifth of the memory, and no time that could be
-/// measured.
-void give_back_large_arrays() {
+/// Keeps the largest arrays apart from the others, so that each goes back to the system when it is
+/// freed. glibc does so too until the first of them is freed; then it puts ever larger ones among
+/// the small ones, where what is freed stays. What is smaller comes again and again: as much of it
+/// is kept at the end of the heap, and asked for at a time, as saves two of three page faults.
+void keep_apart_large_arrays() {
 #ifdef __GLIBC__
-  mallopt(M_MMAP_THRESHOLD, 512 * 1024);
+  constexpr int kMegabyte = 1 << 20;
+  mallopt(M_MMAP_THRESHOLD, 8 * kMegabyte);
+  mallopt(M_TRIM_THRESHOLD, 16 * kMegabyte);
+  mallopt(M_TOP_PAD, 8 * kMegabyte);
 #endif
 }
 
 }  // namespace
 
 int guarded(std::string_view program, const std::function<int()>& command) {
-  give_back_large_arrays();
+  keep_apart_large_arrays();
   try {
     return command();
   } catch (const spdlog::spdlog_ex& error) {  // the file of --log

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 
+#include "base/containers/give_back.hpp"
 #include "geom/predicates.hpp"
 #include "geom/subdivision/rounds.hpp"
 
@@ -122,8 +123,8 @@ class Builder {
   /// held that may go.
   Triangulation copy_marked() {
     Triangulation out;
-    handles_ = {};
-    degree_ = {};
+    give_back(handles_);
+    give_back(degree_);
     // A counting sort; next[v] becomes the number of the next face with v as its first point.
     std::vector<std::uint32_t> next(points_.size() + 1, 0);
     for (auto f = cdt_.finite_faces_begin(); f != cdt_.finite_faces_end(); ++f) {

@@ -12,6 +12,7 @@
 
 #include <cover/text.hpp>
 
+#include "base/containers/give_back.hpp"
 #include "base/faults/complaint.hpp"
 
 namespace cover {
@@ -138,7 +139,7 @@ void report_splits(const Input& input, const Network& network,
     std::vector<Point> where;
     where.reserve(cut.points.size());
     for (const std::uint32_t v : cut.points) where.push_back(network.points[v]);
-    cut.points = {};
+    give_back(cut.points);
     const std::uint32_t raw = cut.raw;
     std::string message =
         fmt::format("{} was split at {}", name_of_raw(input, network, raw), list_of(where));

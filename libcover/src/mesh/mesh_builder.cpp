@@ -39,8 +39,7 @@ struct MeshBuilder::Fan {
 MeshBuilder::MeshBuilder(std::span<const Point> points, std::span<const IndexTriple> triangles)
     : points_(points),
       triangles_(triangles),
-      pairs_(points.size(), triangles),
-      half_edge_(pairs_.size()) {
+      half_edge_(opposite_half_edges(points.size(), triangles)) {
   number_half_edges();
 }
 
@@ -53,20 +52,15 @@ Mesh MeshBuilder::build() const {
   return mesh;
 }
 
-TriMesh::EdgeHandle MeshBuilder::edge_between(std::uint32_t a, std::uint32_t b) const {
-  std::uint32_t h = pairs_.find(a, b);
-  if (h == HalfEdges::kAbsent) h = pairs_.find(b, a);
-  return h == HalfEdges::kAbsent ? TriMesh::EdgeHandle() : TriMesh::s_edge_handle(half_edge_[h]);
-}
-
+/// In place of their opposites, of which each is looked at once.
 void MeshBuilder::number_half_edges() {
-  for (std::uint32_t h = 0; h < pairs_.size(); ++h) {
-    const std::uint32_t twin = pairs_.twin(h);
+  for (std::uint32_t h = 0; h < half_edge_.size(); ++h) {
+    const std::uint32_t twin = half_edge_[h];
     if (twin < h) {
-      half_edge_[h] = Halfedge(half_edge_[twin].idx() + 1);
+      half_edge_[h] = half_edge_[twin] + 1;
     } else {
-      half_edge_[h] = Halfedge(static_cast<int>(2 * edges_++));
-      if (twin == HalfEdges::kAbsent) boundary_.push_back(h);
+      half_edge_[h] = static_cast<std::uint32_t>(2 * edges_++);
+      if (twin == HalfEdges::kAbsent) boundary_.push_back(half_edge_[h]);
     }
   }
 }
@@ -78,23 +72,26 @@ void MeshBuilder::set_points(TriMesh& tri) const {
 }
 
 void MeshBuilder::set_faces(TriMesh& tri) const {
-  for (std::uint32_t h = 0; h < pairs_.size(); ++h) {
-    const TriMesh::FaceHandle face(static_cast<int>(h / 3));
-    const Halfedge edge = half_edge_[h];
-    const Vertex from = vertex(pairs_.source(h));
-    tri.set_vertex_handle(edge, vertex(pairs_.target(h)));
-    tri.set_vertex_handle(tri.opposite_halfedge_handle(edge), from);
-    tri.set_face_handle(edge, face);
-    tri.set_next_halfedge_handle(edge, half_edge_[HalfEdges::next(h)]);
-    if (h % 3 == 0) tri.set_halfedge_handle(face, edge);  // keeps the order of the corners
-    tri.set_halfedge_handle(from, edge);
+  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+    const TriMesh::FaceHandle face(static_cast<int>(t));
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const Halfedge edge = halfedge(3 * t + i);
+      const Vertex from = vertex(triangles_[t][i]);
+      tri.set_vertex_handle(edge, vertex(triangles_[t][(i + 1) % 3]));
+      tri.set_vertex_handle(tri.opposite_halfedge_handle(edge), from);
+      tri.set_face_handle(edge, face);
+      tri.set_next_halfedge_handle(edge, halfedge(3 * t + (i + 1) % 3));
+      if (i == 0) tri.set_halfedge_handle(face, edge);  // keeps the order of the corners
+      tri.set_halfedge_handle(from, edge);
+    }
   }
 }
 
 void MeshBuilder::set_boundary(TriMesh& tri) const {
   std::vector<Fan> fans;
   fans.reserve(boundary_.size());
-  for (const std::uint32_t h : boundary_) fans.push_back(fan_from(h));
+  for (const std::uint32_t h : boundary_)
+    fans.push_back(fan_from(tri, Halfedge(static_cast<int>(h))));
   std::stable_sort(fans.begin(), fans.end(),
                    [](const Fan& f, const Fan& g) { return f.vertex < g.vertex; });
   for (auto first = fans.begin(); first != fans.end();) {
@@ -112,15 +109,16 @@ void MeshBuilder::set_boundary(TriMesh& tri) const {
 }
 
 /// The fan around the source of `first`, an edge without a triangle on its right.
-MeshBuilder::Fan MeshBuilder::fan_from(std::uint32_t first) const {
-  std::uint32_t incoming = HalfEdges::previous(first);
-  for (std::uint32_t out = pairs_.twin(incoming); out != HalfEdges::kAbsent;
-       out = pairs_.twin(incoming)) {
-    incoming = HalfEdges::previous(out);
-  }
+MeshBuilder::Fan MeshBuilder::fan_from(const TriMesh& tri, Halfedge first) {
   const auto opposite = [](Halfedge h) { return Halfedge(h.idx() ^ 1); };
-  return {pairs_.source(first), pairs_.target(first), opposite(half_edge_[first]),
-          opposite(half_edge_[incoming])};
+  Halfedge incoming = tri.prev_halfedge_handle(first);
+  for (Halfedge out = opposite(incoming); tri.face_handle(out).is_valid();
+       out = opposite(incoming)) {
+    incoming = tri.prev_halfedge_handle(out);
+  }
+  return {static_cast<std::uint32_t>(tri.from_vertex_handle(first).idx()),
+          static_cast<std::uint32_t>(tri.to_vertex_handle(first).idx()), opposite(first),
+          opposite(incoming)};
 }
 
 /// Counter-clockwise around their common vertex, from straight up on.

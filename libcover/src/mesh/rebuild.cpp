@@ -15,6 +15,7 @@
 #include "base/faults/out_of_memory.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
+#include "mesh/find_edges.hpp"
 #include "mesh/mesh_builder.hpp"
 #include "region/interfaces.hpp"
 #include "target/measure.hpp"
@@ -28,7 +29,6 @@ class Rebuilder {
       : stored_(stored), soup_(stored.soup), builder_(soup_.points, soup_.triangles) {}
 
   Result<Output> run() {
-    if (!builder_.is_mesh()) return wrong("triangles overlap: two of them share a directed edge");
     out_.mesh = builder_.build();
     out_.report.provenance = stored_.provenance;
     out_.report.unit = stored_.unit;
@@ -73,6 +73,8 @@ class Rebuilder {
                                  soup.region[t], most));
       }
     }
+    if (!HalfEdges(soup.points.size(), soup.triangles).all_different())
+      return wrong("triangles overlap: two of them share a directed edge");
     return std::nullopt;
   }
 
@@ -135,11 +137,13 @@ class Rebuilder {
     }
     out_.pslg.names = stored_.names;
     const bool make_up = stored_.interfaces.empty();
-    for (const StoredEdge& edge : stored_.edges) {
-      const std::size_t n = soup_.points.size();
-      const auto handle =
-          edge.a < n && edge.b < n ? builder_.edge_between(edge.a, edge.b) : TriMesh::EdgeHandle();
-      if (!handle.is_valid()) {
+    std::vector<std::array<std::uint32_t, 2>> ends;
+    for (const StoredEdge& edge : stored_.edges) ends.push_back({edge.a, edge.b});
+    const std::vector<std::uint32_t> half_edges =
+        find_edges(soup_.points.size(), soup_.triangles, ends);
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+      const StoredEdge& edge = stored_.edges[k];
+      if (half_edges[k] == HalfEdges::kAbsent) {
         return wrong(fmt::format("the line from vertex {} to vertex {} is no edge of the mesh",
                                  edge.a, edge.b));
       }
@@ -148,7 +152,8 @@ class Rebuilder {
                         edge.interface.index() > stored_.interfaces.size()) {
         return wrong(fmt::format("there is no interface {}", edge.interface.value()));
       }
-      add_segment(handle, edge.marker, make_up ? kNoInterface : edge.interface, edge.name);
+      add_segment(builder_.edge_of(half_edges[k]), edge.marker,
+                  make_up ? kNoInterface : edge.interface, edge.name);
     }
     if (make_up) make_up_interfaces();
     return std::nullopt;

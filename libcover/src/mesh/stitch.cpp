@@ -6,6 +6,8 @@
 
 #include "mesh/stitch.hpp"
 
+#include "base/containers/give_back.hpp"
+#include "mesh/find_edges.hpp"
 #include "mesh/mesh_builder.hpp"
 
 namespace cover {
@@ -13,7 +15,8 @@ namespace {
 
 /// All triangles by global vertex.
 struct Gathered {
-  std::vector<Point> points;
+  std::vector<Point> points;              ///< first those of the PSLG
+  std::size_t inputs = 0;                 ///< of these
   std::vector<std::size_t> triangles_of;  ///< how many, by region
   std::vector<std::uint32_t> vertex_of;   ///< by VertexId; kNone: not in the mesh
   std::vector<IndexTriple> triangles;
@@ -24,6 +27,7 @@ void number_input_vertices(const Pslg& pslg, std::span<const RegionBoundary> bou
   all.vertex_of = input_vertices(pslg, boundaries);
   for (std::size_t v = 0; v < pslg.points.size(); ++v)
     if (all.vertex_of[v] != kNone) all.points.push_back(pslg.points[v]);
+  all.inputs = all.points.size();
 }
 
 /// Each mesh gives its memory back as soon as it is there.
@@ -51,8 +55,8 @@ Gathered gather(const Pslg& pslg, std::span<const RegionBoundary> boundaries,
       }
       all.triangles.push_back(t);
     }
-    meshes[r].triangles = {};
-    meshes[r].steiner = {};
+    give_back(meshes[r].triangles);
+    give_back(meshes[r].steiner);
   }
   return all;
 }
@@ -79,14 +83,21 @@ void set_regions(const RegionTable& table, const Gathered& all, Mesh& mesh) {
 
 void set_segments(const Pslg& pslg, const RegionTable& table, const Gathered& all,
                   const MeshBuilder& builder, Mesh& mesh) {
-  for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+  std::vector<std::array<std::uint32_t, 2>> ends;
+  std::vector<std::uint32_t> segments;
+  for (std::uint32_t s = 0; s < pslg.segments.size(); ++s) {
     const std::uint32_t a = all.vertex_of[pslg.segments[s].a.index()];
     const std::uint32_t b = all.vertex_of[pslg.segments[s].b.index()];
     if (a == kNone || b == kNone) continue;
-    const TriMesh::EdgeHandle edge = builder.edge_between(a, b);
-    if (!edge.is_valid()) continue;
-    mesh.set_interface(edge, table.sides[s].interface);
-    mesh.set_marker(edge, pslg.segments[s].marker);
+    ends.push_back({a, b});
+    segments.push_back(s);
+  }
+  const std::vector<std::uint32_t> half_edges = find_edges(all.inputs, all.triangles, ends);
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    if (half_edges[k] == HalfEdges::kAbsent) continue;
+    const TriMesh::EdgeHandle edge = builder.edge_of(half_edges[k]);
+    mesh.set_interface(edge, table.sides[segments[k]].interface);
+    mesh.set_marker(edge, pslg.segments[segments[k]].marker);
   }
 }
 
@@ -108,7 +119,7 @@ std::vector<std::uint32_t> input_vertices(const Pslg& pslg,
 Mesh stitch(const Pslg& pslg, const RegionTable& table, std::vector<RegionBoundary> boundaries,
             std::span<RegionMesh> meshes) {
   const Gathered all = gather(pslg, boundaries, meshes);
-  boundaries = {};
+  give_back(boundaries);
   const MeshBuilder builder(all.points, all.triangles);
   Mesh mesh = builder.build();
   set_input_ids(all, mesh);

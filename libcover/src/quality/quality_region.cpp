@@ -54,10 +54,17 @@ class RegionWork {
     if (candidates_.must_stop()) return {};
     RegionMesh out = reported(best);
     const Goal& goal = candidates_.goal();
-    if (!best.mesh.goal().has_same_angles(goal)) best.mesh.set_goal(goal);
-    out.report.notes = missed_targets(best.mesh, boundary_, candidates_.limit(), options_,
+    if (!best.mesh->goal().has_same_angles(goal)) best.mesh.change().set_goal(goal);
+    out.report.notes = missed_targets(*best.mesh, boundary_, candidates_.limit(), options_,
                                       unreached(), candidates_.frame().origin());
     return out;
+  }
+
+  /// In the coordinates of the boundary: shifts are exact, so that nothing else is different.
+  [[nodiscard]] Triangulation take_cdt() {
+    Triangulation cdt = candidates_.take_cdt();
+    cdt.points.assign(boundary_.points.begin(), boundary_.points.end());
+    return cdt;
   }
 
   [[nodiscard]] bool is_shifted() const { return candidates_.frame().is_shifted(); }
@@ -97,7 +104,7 @@ class RegionWork {
     const Goal goal = candidates_.goal();
     if (!candidates_.is_done(best))
       candidates_.take_if_better(
-          best, candidates_.searched(best, candidates_.own_goal(best.mesh), kEvaluationsForOwn));
+          best, candidates_.searched(best, candidates_.own_goal(*best.mesh), kEvaluationsForOwn));
     const Goal far = goal.with(std::max(goal.large, kFarAbove), goal.small, goal.weight);
     if (best.merit.far_above > 0 && far != goal)
       candidates_.take_if_better(best, candidates_.searched(best, far, kEvaluationsForFar));
@@ -105,8 +112,8 @@ class RegionWork {
 
   [[nodiscard]] RegionMesh reported(const Candidate& candidate) const {
     RegionMesh out =
-        to_region_mesh(candidate.mesh, candidates_.frame(), boundary_.points, candidates_.team());
-    if (minds_couplings(options_) && has_negative(candidate.mesh)) flip_in_the_plane(out);
+        to_region_mesh(*candidate.mesh, candidates_.frame(), boundary_.points, candidates_.team());
+    if (minds_couplings(options_) && has_negative(*candidate.mesh)) flip_in_the_plane(out);
     RegionReport& report = out.report;
     report.id = boundary_.id;
     report.method = candidate.method;
@@ -164,9 +171,11 @@ class RegionWork {
 }  // namespace
 
 RegionMesh quality_region(const RegionBoundary& boundary, const Options& options,
-                          const std::stop_token& stop, const Sharing& sharing) {
+                          const std::stop_token& stop, const Sharing& sharing,
+                          std::optional<Triangulation>* cdt) {
   RegionWork shifted(boundary, options, stop, true, sharing);
   RegionMesh mesh = shifted.run();
+  if (cdt != nullptr && !mesh.report.notes.empty()) *cdt = shifted.take_cdt();
   if (mesh.triangles.empty() && shifted.is_shifted() && !stop.stop_requested()) {
     mesh = RegionWork(boundary, options, stop, false, sharing).run();
   }

@@ -1,10 +1,12 @@
 // The quality method: the best of several candidates for a region, improved.
 #pragma once
 
+#include <optional>
 #include <stop_token>
 
 #include <cover/options.hpp>
 
+#include "cdt/triangulation.hpp"
 #include "quality/mutable/blocks.hpp"
 #include "region/region_boundary.hpp"
 #include "target/region_mesh.hpp"
@@ -17,8 +19,10 @@ namespace cover {
 /// ENSURES: promise 3 at least; no worse than the constrained Delaunay triangulation and the
 ///          almond method, unless the targets are met. RegionMesh::report::notes says which
 ///          targets were missed, where and why.
+///          `cdt`, if not null, then becomes the constrained Delaunay triangulation of the region.
 /// Threads: pure function of its arguments, but for the team, on which nothing depends.
 RegionMesh quality_region(const RegionBoundary& boundary, const Options& options,
-                          const std::stop_token& stop, const Sharing& sharing = {});
+                          const std::stop_token& stop, const Sharing& sharing = {},
+                          std::optional<Triangulation>* cdt = nullptr);
 
 }  // namespace cover

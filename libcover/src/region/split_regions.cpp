@@ -65,6 +65,8 @@ class BoundaryMaker {
       sides.push_back({{local_[s.from.index()], local_[s.to.index()]}, s.segment});
     }
     std::sort(sides.begin(), sides.end());
+    out.sides.reserve(sides.size());
+    out.segments.reserve(sides.size());
     for (const auto& [side, segment] : sides) {
       out.sides.push_back(side);
       out.segments.push_back(segment);

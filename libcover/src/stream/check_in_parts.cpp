@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "base/containers/give_back.hpp"
 #include "base/faults/out_of_memory.hpp"
 #include "cdt/triangulation.hpp"
 #include "io/vtk_files/mapped_triangles.hpp"
@@ -248,7 +249,7 @@ class Checker {
     if (!agree_on_vertices(in, soup, vertices)) return broken;
     Verification found = verify_cover(in.pslg, in.table, soup, verify_);
     if (found.violation_count > 0 || found.regions != part.last - part.first) return broken;
-    found.triangle_regions = {};
+    give_back(found.triangle_regions);
     found_[number] = std::move(found);
     return ok();
   }

@@ -10,6 +10,7 @@
 
 #include <fmt/core.h>
 
+#include "base/containers/give_back.hpp"
 #include "base/faults/out_of_memory.hpp"
 #include "geom/topology/half_edges.hpp"
 #include "io/report/report_text.hpp"
@@ -128,7 +129,7 @@ Result<StreamedOutput> spool_work(Work work, const Options& options, const Strea
     if (vertex_of[v] != kNone) input.push_back(work.pslg.points[v]);
   Result<MeshSpool> spool = MeshSpool::beside(stream.beside, input, work.boundaries.size());
   if (!spool) return std::move(spool).error();
-  input = {};
+  give_back(input);
   Spooler spooler(work.pslg, work.table, work.boundaries, *spool, std::move(vertex_of));
   Status meshed = mesh_regions_into(
       work.boundaries, options, callbacks,

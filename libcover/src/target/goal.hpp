@@ -32,6 +32,8 @@ struct Allowance {
   double least_cot = -std::numeric_limits<double>::infinity();
   /// Below this the triangle counts as inverted.
   double lowest_cot = -std::numeric_limits<double>::infinity();
+
+  bool operator==(const Allowance&) const = default;
 };
 
 /// What negative couplings count for, beside angles.

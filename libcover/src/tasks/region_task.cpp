@@ -115,44 +115,37 @@ class ProgressCount {
   std::atomic<bool> has_thrown_ = false;
 };
 
+using KnownCdt = std::optional<Triangulation>;
+
+/// The last is for the region's constrained Delaunay triangulation, where that was made on the way.
 using RegionMethod = RegionMesh (*)(const RegionBoundary&, const Options&, const std::stop_token&,
-                                    const Team&);
+                                    const Team&, KnownCdt&);
 
 /// A mesh, and why it does not fill its region, if it does not: then it has no triangles.
 struct Attempt {
   RegionMesh mesh;
   std::optional<BoundaryFault> fault;
-  std::optional<CdtResult> cdt{};  ///< of the region, if it was made meanwhile
+  KnownCdt cdt{};
 };
 
 Attempt attempt(RegionMethod method, const RegionBoundary& boundary, const Options& options,
                 const std::stop_token& stop, const Team& team) {
-  Attempt out{method(boundary, options, stop, team), {}};
+  Attempt out;
+  out.mesh = method(boundary, options, stop, team, out.cdt);
   if (stop.stop_requested()) return out;
   RegionMesh& mesh = out.mesh;
   const std::vector<Point> points = all_points(boundary, mesh);
-  // What the limits will need, meanwhile: it takes no longer than that by itself.
-  const auto& notes = mesh.report.notes;
-  const bool looks_ahead = team.workers() > 1 && mesh.triangles.size() >= kManyTriangles &&
-                           std::any_of(notes.begin(), notes.end(), [](const Note& note) {
-                             return note.kind == Note::Kind::target_missed;
-                           });
   // Large meshes are measured meanwhile, too, and once more if they are faulty.
   const bool measures_ahead = team.workers() > 1 && mesh.triangles.size() >= kManyTriangles;
   const RegionReport unmeasured = measures_ahead ? mesh.report : RegionReport();
-  team.each(looks_ahead      ? 3
-            : measures_ahead ? 2
-                             : 1,
-            [&](std::size_t k) {
-              if (k == 2) {
-                out.cdt = triangulate_domain(boundary.points, boundary.sides);
-              } else if (k == 1) {
-                measure(boundary, mesh, team);
-              } else {
-                out.fault = find_fault({points, mesh.triangles, boundary.sides, boundary.segments,
-                                        boundary.points.size()});
-              }
-            });
+  team.each(measures_ahead ? 2 : 1, [&](std::size_t k) {
+    if (k == 1) {
+      measure(boundary, mesh, team);
+    } else {
+      out.fault = find_fault(
+          {points, mesh.triangles, boundary.sides, boundary.segments, boundary.points.size()});
+    }
+  });
   if (out.fault) {
     mesh.steiner.clear();
     mesh.triangles.clear();
@@ -163,18 +156,18 @@ Attempt attempt(RegionMethod method, const RegionBoundary& boundary, const Optio
 }
 
 RegionMesh by_quality(const RegionBoundary& boundary, const Options& options,
-                      const std::stop_token& stop, const Team& team) {
-  return quality_region(boundary, options, stop, {team});
+                      const std::stop_token& stop, const Team& team, KnownCdt& cdt) {
+  return quality_region(boundary, options, stop, {team}, &cdt);
 }
 
 RegionMesh by_almonds(const RegionBoundary& boundary, const Options& options,
-                      const std::stop_token& stop, const Team&) {
+                      const std::stop_token& stop, const Team&, KnownCdt&) {
   return almond_region(boundary, options, stop);
 }
 
 /// The constrained Delaunay triangulation, which no rounding can break.
 RegionMesh plain_region(const RegionBoundary& boundary, const Options&, const std::stop_token&,
-                        const Team&) {
+                        const Team&, KnownCdt&) {
   const Triangulation cdt = triangulate_region(boundary.points, boundary.sides);
   RegionMesh mesh;
   mesh.report.id = boundary.id;
@@ -203,7 +196,7 @@ Note note_of_fallback(const RegionBoundary& boundary, const Attempt& attempt, st
 /// meshes there. The almond method aims at the bound and at no target: limits beside one would take
 /// twice its time (`cover check` tells them of any mesh). With little effort little is asked.
 RegionLimits limits_of(const RegionBoundary& boundary, const RegionMesh& mesh,
-                       const Options& options, const Team& team, std::optional<CdtResult> known) {
+                       const Options& options, const Team& team, KnownCdt known) {
   const auto& segments = boundary.segments;
   const Quality& quality = mesh.report.quality;
   if (quality.triangles == 0 || options.method != Method::quality ||
@@ -214,11 +207,11 @@ RegionLimits limits_of(const RegionBoundary& boundary, const RegionMesh& mesh,
   if (meets(reached, wanted)) return region_limits({}, reached, wanted);
   if (mesh.report.has_no_room && mesh.layer_triangles == 0)
     return limits_by_couplings(reached, wanted);
-  const CdtResult cdt =
-      known ? *std::move(known) : triangulate_domain(boundary.points, boundary.sides);
+  const Triangulation cdt =
+      known ? *std::move(known) : triangulate_domain(boundary.points, boundary.sides).triangulation;
   const ProofEffort effort = options.effort == Effort::fast ? ProofEffort::brief() : ProofEffort();
   return region_limits(
-      cdt.triangulation, reached, wanted, team, effort,
+      cdt, reached, wanted, team, effort,
       AnglesAround::of(all_points(boundary, mesh), mesh.triangles, boundary.points.size()));
 }
 
@@ -227,8 +220,7 @@ RegionLimits limits_of(const RegionBoundary& boundary, const RegionMesh& mesh,
 /// improved triangle lies just inside the bound in the frame in which it was improved.
 /// `cdt` becomes the region's constrained Delaunay triangulation, if that was made on the way.
 RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
-                       const std::stop_token& stop, const Team& team,
-                       std::optional<CdtResult>& cdt) {
+                       const std::stop_token& stop, const Team& team, KnownCdt& cdt) {
   const bool quality = options.method == Method::quality;
   const std::string_view asked = quality ? "quality" : "almond";
   const std::string_view second = quality ? "almond" : "quality";
@@ -270,15 +262,14 @@ RegionMesh with_couplings_mended(const RegionBoundary& boundary, const Options& 
 
 /// The region, and its layers if it has some.
 RegionMesh mesh_with_its_layers(const RegionBoundary& boundary, const Options& options,
-                                const std::stop_token& stop, const Team& team,
-                                std::optional<CdtResult>& cdt) {
+                                const std::stop_token& stop, const Team& team, KnownCdt& cdt) {
   if (!has_layers(boundary)) {
     RegionMesh mesh = mesh_region(boundary, options, stop, team, cdt);
     return options.method == Method::quality ? with_couplings_mended(boundary, options, stop, mesh)
                                              : mesh;
   }
   const auto mesh_rest = [&](const RegionBoundary& rest) {
-    std::optional<CdtResult> of_rest;
+    KnownCdt of_rest;
     return mesh_region(rest, options, stop, team, of_rest);
   };
   RegionMesh mesh = mesh_with_layers(boundary, options, mesh_rest, stop);
@@ -297,7 +288,7 @@ std::size_t cost_of(const RegionBoundary& boundary) {
 RegionMesh mesh_one_region(const RegionBoundary& boundary, const Options& options,
                            const std::stop_token& stop, const Team& team) {
   const StageClock clock;
-  std::optional<CdtResult> cdt;
+  KnownCdt cdt;
   RegionMesh mesh = mesh_with_its_layers(boundary, options, stop, team, cdt);
   if (!stop.stop_requested())
     mesh.report.limits = limits_of(boundary, mesh, options, team, std::move(cdt));

@@ -11,6 +11,7 @@
 #include <cover/mesh.hpp>
 
 #include "almond/almond_region.hpp"
+#include "mesh/find_edges.hpp"
 #include "support/shapes.hpp"
 
 namespace cover {
@@ -111,6 +112,22 @@ std::size_t boundary_loops(const TriMesh& tri) {
 }
 
 Loop square(double x, double y) { return {{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}}; }
+
+TEST(FindEdges, InEitherDirectionAndOnlyThoseThatAreThere) {
+  const std::vector<IndexTriple> triangles{{0, 1, 2}, {2, 1, 3}};
+  const std::vector<std::array<std::uint32_t, 2>> pairs{
+      {1, 0}, {1, 2}, {2, 1}, {0, 3}, {3, 1}, {7, 0xffffffffU}, {0xffffffffU, 0xffffffffU}};
+  const std::vector<std::uint32_t> found = find_edges(4, triangles, pairs);
+  const HalfEdges half_edges(4, triangles);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const bool is_edge = k != 3 && k < 5;
+    ASSERT_EQ(found[k] != HalfEdges::kAbsent, is_edge) << k;
+    if (!is_edge) continue;
+    const std::array ends{half_edges.source(found[k]), half_edges.target(found[k])};
+    EXPECT_TRUE(ends == pairs[k] || ends == (std::array{pairs[k][1], pairs[k][0]})) << k;
+  }
+  EXPECT_EQ(find_edges(1, triangles, pairs)[1], HalfEdges::kAbsent) << "beyond what was asked for";
+}
 
 TEST(Stitch, JoinsNeighboursAlongTheirSegment) {
   const Patchwork work({{square(0, 0)}, {square(1, 0)}});

@@ -56,6 +56,24 @@ TEST(QualityRegion, LeavesAGoodTriangleAlone) {
   EXPECT_TRUE(mesh.report.notes.empty());
 }
 
+/// Whoever proves limits needs it, and it is the same in the frame in which it was made.
+TEST(QualityRegion, HandsOverItsTriangulationWhereATargetIsMissed) {
+  const RegionBoundary boundary =
+      boundary_of({{{100, 50}, {101, 50}, {101, 50.0625}, {100.5, 50.125}, {100, 50.5}}});
+  std::optional<Triangulation> cdt;
+  const RegionMesh mesh = quality_region(boundary, {}, {}, {}, &cdt);
+  ASSERT_FALSE(mesh.report.notes.empty());
+  ASSERT_TRUE(cdt);
+  const Triangulation own = triangulate_domain(boundary.points, boundary.sides).triangulation;
+  EXPECT_EQ(cdt->points, own.points);
+  ASSERT_EQ(cdt->triangles.size(), own.triangles.size());
+  for (std::size_t t = 0; t < own.triangles.size(); ++t) {
+    EXPECT_EQ(cdt->triangles[t].v, own.triangles[t].v);
+    EXPECT_EQ(cdt->triangles[t].n, own.triangles[t].n);
+    EXPECT_EQ(cdt->triangles[t].locked, own.triangles[t].locked);
+  }
+}
+
 TEST(QualityRegion, MeetsBothTargetsOnASmoothStar) {
   const RegionBoundary boundary = smooth_star(1000);
   const RegionMesh mesh = measured(boundary);

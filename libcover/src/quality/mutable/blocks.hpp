@@ -28,10 +28,11 @@ struct Sharing {
 
 /// A part of a mesh, for whoever works on it.
 struct Block {
-  MutableMesh mesh;
+  MutableMesh mesh;  ///< see MutableMesh::part_of()
   /// By triangle and by vertex of `mesh`: places in the whole. While it is worked on, of those
   /// that it had at first; kNone for holes.
   std::vector<std::uint32_t> triangles, vertices;
+  bool tells_places = false;  ///< to be set by whoever needs these when it is done
   /// Sides of `mesh` from this one on are edges to other parts.
   std::uint32_t first_border = 0;
   std::size_t index = 0;
@@ -49,10 +50,12 @@ struct Borders {
 /// How many parts a mesh has at the most.
 std::size_t block_count(const MutableMesh& whole, const Sharing& sharing);
 
-/// Divides `whole` along a k-d tree of the middles of its triangles, or into branches where it has
-/// fixed vertices alone; calls `work` with every part,
-/// and puts in place what it has made of Block::mesh. `done` is called with every part in turn, its
-/// vertices now those of the whole, before its mesh is forgotten.
+/// Divides `whole` into parts (part_labels.hpp), calls `work` with every part, and puts in place what
+/// it has made of Block::mesh. `done` is called with every part in turn whose places were asked for,
+/// which are now those that it has.
+///
+/// Memory: the parts that are worked on, and of the others what they have more than at first
+///
 ///
 /// `work` may change the mesh by whatever keeps its sides; with inner couplings it makes none worse
 /// across a border than they may be together.

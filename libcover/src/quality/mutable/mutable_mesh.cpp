@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/containers/give_back.hpp"
 #include "base/faults/internal_fault.hpp"
 #include "geom/predicates.hpp"
 
@@ -73,7 +74,9 @@ Allowance allowance_for(const SideLimit& side, const Goal& goal) {
 void MutableMesh::set_goal(const Goal& goal, const Team& team) {
   if (goal == goal_) return;
   goal_ = goal;
-  for (std::size_t s = 0; s < sides.size(); ++s) allowances[s] = allowance_for(sides[s], goal);
+  allowances.clear();
+  allowances.reserve(sides.size());
+  for (const SideLimit& side : sides) allowances.push_back(allowance_for(side, goal));
   measure_all(team);
 }
 
@@ -140,6 +143,21 @@ void MutableMesh::link(std::uint32_t n, std::uint32_t a, std::uint32_t b, std::u
   for (std::size_t k = 0; k < 3; ++k) {
     if (other.v[(k + 1) % 3] == b && other.v[(k + 2) % 3] == a) other.n[k] = t;
   }
+}
+
+void MutableMesh::reserve_more(std::size_t more_triangles, std::size_t more_vertices) {
+  // A little more than that: whoever needs it would move all, and room that is not used costs nothing.
+  constexpr std::size_t kLittle = 32;
+  const auto size_with = [](std::size_t size, std::size_t more, std::size_t spare) {
+    return more > spare ? (size + more - spare) / kLittle * (kLittle + 1) + kLittle : size;
+  };
+  const std::size_t most_triangles =
+      size_with(triangles.size(), more_triangles, free_triangles_.size());
+  const std::size_t most_vertices = size_with(points.size(), more_vertices, free_vertices_.size());
+  triangles.reserve(most_triangles);
+  excess.reserve(most_triangles);
+  points.reserve(most_vertices);
+  home.reserve(most_vertices);
 }
 
 std::uint32_t MutableMesh::add_vertex(Point p) {
@@ -219,9 +237,10 @@ bool MutableMesh::flip(std::uint32_t t, int i) {
   return true;
 }
 
-void MutableMesh::arrange() {
-  std::vector<std::uint32_t> order, number(triangles.size(), kNone);
+std::vector<std::uint32_t> MutableMesh::order_from_sides(std::vector<std::uint32_t>& number) const {
+  std::vector<std::uint32_t> order;
   order.reserve(triangle_count());
+  number.assign(triangles.size(), kNone);
   const auto visit = [&](std::uint32_t t) {
     if (number[t] != kNone) return;
     number[t] = static_cast<std::uint32_t>(order.size());
@@ -242,30 +261,46 @@ void MutableMesh::arrange() {
       if (!is_side(n)) visit(n);
     }
   }
+  return order;
+}
 
+// There is most memory in use here, so one array is replaced after the other.
+void MutableMesh::arrange() {
+  give_back(home);
+  std::vector<std::uint32_t> number;
+  const std::vector<std::uint32_t> order = order_from_sides(number);
   std::vector<MeshTriangle> sorted(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    sorted[k] = triangles[order[k]];
+    for (std::uint32_t& n : sorted[k].n) n = is_side(n) ? n : number[n];
+  }
+  triangles = std::move(sorted);
+  give_back(number);
   std::vector<double> sorted_excess(order.size());
-  std::vector<Point> sorted_points(points.begin(), points.begin() + fixed_);
+  for (std::size_t k = 0; k < order.size(); ++k) sorted_excess[k] = excess[order[k]];
+  excess = std::move(sorted_excess);
+  number_vertices();
+  free_triangles_.clear();
+}
+
+void MutableMesh::number_vertices() {
+  const std::size_t count = points.size() - free_vertices_.size();
+  std::vector<Point> sorted(points.begin(), points.begin() + fixed_);
+  sorted.reserve(count);
   std::vector<std::uint32_t> vertex(points.size(), kNone);
   for (std::uint32_t v = 0; v < fixed_; ++v) vertex[v] = v;
-  home.assign(points.size() - free_vertices_.size(), kNone);
-  for (std::uint32_t k = 0; k < order.size(); ++k) {
-    const MeshTriangle& from = triangles[order[k]];
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (vertex[from.v[i]] == kNone) {
-        vertex[from.v[i]] = static_cast<std::uint32_t>(sorted_points.size());
-        sorted_points.push_back(points[from.v[i]]);
+  home.assign(count, kNone);
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    for (std::uint32_t& v : triangles[t].v) {
+      if (vertex[v] == kNone) {
+        vertex[v] = static_cast<std::uint32_t>(sorted.size());
+        sorted.push_back(points[v]);
       }
-      sorted[k].v[i] = vertex[from.v[i]];
-      sorted[k].n[i] = is_side(from.n[i]) ? from.n[i] : number[from.n[i]];
-      home[sorted[k].v[i]] = k;
+      v = vertex[v];
+      home[v] = t;
     }
-    sorted_excess[k] = excess[order[k]];
   }
-  points = std::move(sorted_points);
-  triangles = std::move(sorted);
-  excess = std::move(sorted_excess);
-  free_triangles_.clear();
+  points = std::move(sorted);
   free_vertices_.clear();
 }
 

@@ -13,6 +13,7 @@
 #include "base/team.hpp"
 #include "cdt/sides.hpp"
 #include "cdt/triangulation.hpp"
+#include "quality/mutable/allowances.hpp"
 #include "target/goal.hpp"
 #include "target/side_limit.hpp"
 
@@ -80,12 +81,21 @@ class MutableMesh {
   MutableMesh(const Triangulation& triangulation, std::uint32_t fixed,
               std::span<const EdgeRef> side_at, SideLimits limits);
 
+  /// A part of `whole` with its first `fixed` vertices fixed, without anything yet. Its goal is that of
+  /// `whole` for good: it has allowances, but no limits of its sides.
+  static MutableMesh part_of(const MutableMesh& whole, std::uint32_t fixed) {
+    MutableMesh part;
+    part.goal_ = whole.goal_;
+    part.fixed_ = fixed;
+    return part;
+  }
+
   std::vector<Point> points;
   std::vector<MeshTriangle> triangles;
   std::vector<double> excess;       ///< by triangle; -inf for a hole
   std::vector<std::uint32_t> home;  ///< by vertex: one of its triangles
   SideLimits sides;
-  std::vector<Allowance> allowances;  ///< by side, for the present goal
+  Allowances allowances;  ///< by side, for the present goal
 
   [[nodiscard]] const Goal& goal() const { return goal_; }
   /// ENSURES: all excesses are by `goal`, if they were by the goal before
@@ -130,6 +140,8 @@ class MutableMesh {
     if (goal_.coupling.inside && !is_side(n)) measure(n);
   }
 
+  /// Makes room for so many more, so that adding them moves nothing.
+  void reserve_more(std::size_t more_triangles, std::size_t more_vertices);
   std::uint32_t add_vertex(Point p);
   void drop_vertex(std::uint32_t v);
   std::uint32_t add_triangle();
@@ -154,6 +166,10 @@ class MutableMesh {
   [[nodiscard]] bool is_valid() const;
 
  private:
+  /// The triangles from the sides inwards, and where each is in this order.
+  std::vector<std::uint32_t> order_from_sides(std::vector<std::uint32_t>& number) const;
+  /// Renumbers the free vertices in the order of the triangles, none of which is a hole.
+  void number_vertices();
   [[nodiscard]] double coupled_excess(const std::array<std::uint32_t, 3>& v,
                                       const std::array<std::uint32_t, 3>& n) const;
 

@@ -13,6 +13,7 @@ RegionMesh to_region_mesh(const MutableMesh& mesh, const LocalFrame& frame,
   RegionMesh out;
   const auto fixed = static_cast<std::uint32_t>(points.size());
   std::vector<std::uint32_t> number(mesh.points.size(), kNone);
+  out.steiner.reserve(mesh.points.size() - fixed);
   for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
     if (v < fixed) {
       number[v] = v;

@@ -64,7 +64,7 @@ Candidates::Candidates(const RegionBoundary& boundary, const Options& options,
       options_(options),
       sharing_(sharing),
       frame_(frame_of(boundary, shifted)),
-      cdt_(triangulate_region(frame_.points(), boundary.sides)),
+      cdt_(triangulate_region(frame_.take_points(), boundary.sides)),
       limit_(angle_limit(cdt_, boundary.sides, boundary.segments)),
       side_limits_(limits_of(cdt_, limit_, options)),
       goal_(goal_of(options, limit_)),
@@ -99,13 +99,13 @@ Candidate Candidates::candidate(const Triangulation& triangles, std::string meth
 }
 
 Candidate Candidates::coupled(Candidate c) const {
-  if (goal_.coupling.inside) make_delaunay(c.mesh);
+  if (goal_.coupling.inside) make_delaunay(c.mesh.change());
   return measured(std::move(c));
 }
 
 Candidate Candidates::measured(Candidate c) const {
-  c.mesh.set_goal(goal_, sharing_.team);
-  c.merit = merit_of(c.mesh, goal_, sharing_.team);
+  if (c.mesh->goal() != goal_) c.mesh.change().set_goal(goal_, sharing_.team);
+  c.merit = merit_of(*c.mesh, goal_, sharing_.team);
   return c;
 }
 
@@ -117,21 +117,21 @@ bool Candidates::has_room_around_a_hub() const {
 
 std::optional<Candidate> Candidates::one_star(const Candidate& cdt) {
   std::uint64_t evaluations = 0;
-  const auto star = hub_triangulation(cdt.mesh, boundary_, evaluations);
+  const auto star = hub_triangulation(*cdt.mesh, boundary_, evaluations);
   budget_.spend(evaluations);
   if (!star) return std::nullopt;
   return candidate(*star, "one star");
 }
 
 std::optional<Candidate> Candidates::evenly_refined(Candidate cdt) const {
-  if (!refine_evenly(cdt.mesh)) return std::nullopt;
+  if (!refine_evenly(cdt.mesh.change())) return std::nullopt;
   cdt.method = "evenly refined";
   return measured(std::move(cdt));
 }
 
 Candidate Candidates::optimised(Candidate cdt, Search search) {
   Budget half = budget_.share(2);  // the rest is for candidates that may start better
-  cdt.merit = optimise(cdt.mesh, goal_, half, sizes_, order_, search, sharing_);
+  cdt.merit = optimise(cdt.mesh.change(), goal_, half, sizes_, order_, search, sharing_);
   budget_.take_back(half);
   cdt.method = "refined, improved";
   return cdt;
@@ -139,15 +139,15 @@ Candidate Candidates::optimised(Candidate cdt, Search search) {
 
 Candidate Candidates::improved(const Candidate& c) {
   Candidate better = c;
-  const Goal own = own_goal(c.mesh);
+  const Goal own = own_goal(*c.mesh);
   Budget half = budget_.share(2);
   if (own != goal_) {
-    improve_largest(better.mesh, own, half, sharing_);
-    better.merit = merit_of(better.mesh, goal_, sharing_.team);
+    improve_largest(better.mesh.change(), own, half, sharing_);
+    better.merit = merit_of(*better.mesh, goal_, sharing_.team);
   }
   // What sides force beyond the goal is allowed beside them, so the largest angle may grow.
   Candidate further = better;
-  further.merit = improve_largest(further.mesh, goal_, half, sharing_);
+  further.merit = improve_largest(further.mesh.change(), goal_, half, sharing_);
   take_if_better(better, std::move(further));
   budget_.take_back(half);
   if (!order_.is_better(better.merit, c.merit)) return c;
@@ -170,8 +170,9 @@ Candidate Candidates::narrowed(const Candidate& best, const Candidate& from, dou
       aim.small = 1 / std::tan(part * smallest);
       aim.weight = part * smallest / (std::numbers::pi - std::atan2(1.0, -aim.large));
     }
-    trial.mesh.set_goal(aim, sharing_.team);
-    budget_.spend(improve(trial.mesh, budget_.left, {}, sharing_).evaluations);
+    MutableMesh& mesh = trial.mesh.change();
+    mesh.set_goal(aim, sharing_.team);
+    budget_.spend(improve(mesh, budget_.left, {}, sharing_).evaluations);
     trial = measured(std::move(trial));
     if (order_.is_better(trial.merit, found.merit)) found = trial;
     if (trial.merit.large <= large || (large == kFarAbove && trial.merit.far_above == 0)) break;
@@ -188,7 +189,7 @@ void Candidates::compare_with(const Candidate& cdt) {
 }
 
 bool Candidates::is_promising(const Candidate& start, const Candidate& best) const {
-  return !start.mesh.triangles.empty() &&
+  return !start.mesh->triangles.empty() &&
          (start.merit.large < best.merit.large || boundary_.points.size() <= kSmallRegion);
 }
 
@@ -204,7 +205,7 @@ Candidate Candidates::improved_within(const Candidate& c, std::uint64_t evaluati
 Candidate Candidates::restarted_within(const Candidate& from, std::uint64_t evaluations) const {
   Candidate best = from;
   Budget budget{evaluations, budget_.stop};
-  best.mesh = best_restart(from.mesh, goal_, ceiling_, best.merit, budget);
+  best.mesh = best_restart(*from.mesh, goal_, ceiling_, best.merit, budget);
   best.method = "restarted, improved";
   return measured(std::move(best));
 }
@@ -212,22 +213,22 @@ Candidate Candidates::restarted_within(const Candidate& from, std::uint64_t eval
 Candidate Candidates::restarted(const Candidate& from) const {
   Candidate best = from;
   Budget budget{kEvaluationsOfRestarts, budget_.stop};
-  best.mesh = best_restart(from.mesh, goal_, ceiling_, best.merit, budget);
+  best.mesh = best_restart(*from.mesh, goal_, ceiling_, best.merit, budget);
   if (order_.is_better(best.merit, from.merit)) best.method = "restarted, improved";
   if (is_done(best) && best.merit.above == 0) return best;
   Candidate further = best;
   budget = {kEvaluationsOfSearch, budget_.stop};
-  search_excerpts(further.mesh, goal_, budget);
+  search_excerpts(further.mesh.change(), goal_, budget);
   take_if_better(best, measured(std::move(further)));
   return best;
 }
 
 Candidate Candidates::searched(const Candidate& from, const Goal& aim, std::uint64_t each) const {
-  const std::size_t above = merit_of(from.mesh, aim, sharing_.team).above;
+  const std::size_t above = merit_of(*from.mesh, aim, sharing_.team).above;
   if (above > kFew) return from;
   Candidate further = from;
   Budget budget{above * each, budget_.stop};
-  search_excerpts(further.mesh, aim, budget, Trials::with_restarts);
+  search_excerpts(further.mesh.change(), aim, budget, Trials::with_restarts);
   return measured(std::move(further));
 }
 
@@ -236,7 +237,7 @@ Candidate Candidates::from_almonds() const {
   if (find_fault({all_points(boundary_, almond), almond.triangles, boundary_.sides,
                   boundary_.segments, boundary_.points.size()}))
     return {};  // stopped, or broken by rounding
-  std::vector<Point> points = frame_.points();
+  std::vector<Point> points = cdt_.points;
   for (const Point& p : almond.steiner) points.push_back(frame_.enter(p));
   Triangulation triangles = with_neighbours(std::move(points), almond.triangles);
   const SplitSides sides = locate_split_sides(triangles, boundary_);
@@ -248,13 +249,13 @@ Candidate Candidates::from_almonds() const {
 
 bool Candidates::is_done(const Candidate& candidate) const {
   if (candidate.merit.negative > 0) return must_stop();
-  return must_stop() || !is_smaller_cot(own_goal(candidate.mesh).large, candidate.merit.large);
+  return must_stop() || !is_smaller_cot(own_goal(*candidate.mesh).large, candidate.merit.large);
 }
 
 bool Candidates::is_near_its_limits(const Candidate& candidate) {
   const Merit& merit = candidate.merit;
   if (merit.large != last_asked_.large || merit.small != last_asked_.small)
-    last_asked_ = {merit.large, merit.small, is_near_its_limits(merit, candidate.mesh)};
+    last_asked_ = {merit.large, merit.small, is_near_its_limits(merit, *candidate.mesh)};
   return last_asked_.is_near;
 }
 

@@ -10,6 +10,7 @@
 
 #include <cover/options.hpp>
 
+#include "base/containers/shared.hpp"
 #include "cdt/triangulation.hpp"
 #include "quality/fault/merit.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
@@ -24,7 +25,7 @@ namespace cover {
 
 /// A triangulation of the region, in the frame, and what it has reached.
 struct Candidate {
-  MutableMesh mesh;
+  Shared<MutableMesh> mesh;
   Merit merit;  ///< by the goal that was aimed at when it was made
   std::string method;
 };
@@ -43,6 +44,8 @@ class Candidates {
   /// The threads that may work on this region.
   [[nodiscard]] const Team& team() const { return sharing_.team; }
   [[nodiscard]] const AngleLimit& limit() const { return limit_; }
+  /// The constrained Delaunay triangulation of the region in the frame, handed over.
+  [[nodiscard]] Triangulation take_cdt() { return std::move(cdt_); }
   [[nodiscard]] bool is_part() const { return boundary_.is_part; }
   [[nodiscard]] bool has_sizes() const { return sizes_.is_active(); }
   /// At most 16 points: random restarts then find what there is.

@@ -17,7 +17,7 @@ bool is_missed(const Progress& p) { return !p.best.merit.complete; }
 bool is_tiny_and_missed(const Progress& p) { return p.make.is_tiny() && is_missed(p); }
 bool has_far(const Progress& p) { return p.best.merit.far_above > 0; }
 bool is_tiny_and_near(const Progress& p) {
-  return is_tiny_and_missed(p) && p.cdt.mesh.fixed_vertices() >= effort::kPointsToRestart &&
+  return is_tiny_and_missed(p) && p.cdt.mesh->fixed_vertices() >= effort::kPointsToRestart &&
          p.best.merit.fault.worst() <= effort::kNearMiss && !p.make.is_near_its_limits(p.best);
 }
 bool is_tiny_and_very_wide(const Progress& p) {
@@ -89,7 +89,7 @@ void cdt_improved(Progress& p) {
 }
 void almonds_improved(Progress& p) {
   const Candidate almond = p.make.from_almonds();
-  if (almond.mesh.triangles.empty()) return;
+  if (almond.mesh->triangles.empty()) return;
   p.make.lower_ceiling(almond.merit.large);
   take(p, almond);
   if (p.make.is_promising(almond, p.best)) take(p, p.make.improved(almond));
@@ -109,7 +109,7 @@ void very_few_restarts(Progress& p) {
 void bound_kept(Progress& p) {
   if (p.make.is_part()) return;
   Candidate almond = p.make.from_almonds();
-  if (almond.mesh.triangles.empty()) return;
+  if (almond.mesh->triangles.empty()) return;
   Candidate flipped = p.make.coupled(almond);
   take(p, flipped);
   take(p, std::move(almond));
@@ -118,7 +118,7 @@ void bound_kept(Progress& p) {
 void bound_kept_sized(Progress& p) {
   if (p.make.is_part()) return;
   const Candidate almond = p.make.from_almonds();
-  if (!almond.mesh.triangles.empty()) take(p, p.make.improved(almond));
+  if (!almond.mesh->triangles.empty()) take(p, p.make.improved(almond));
 }
 
 constexpr std::array kFast{

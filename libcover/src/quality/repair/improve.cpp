@@ -80,9 +80,9 @@ ImproveResult improve(MutableMesh& mesh, std::uint64_t budget, std::span<const d
     const double share = static_cast<double>(block.triangles.size()) / triangles;
     const auto own = static_cast<std::uint64_t>(share * static_cast<double>(budget));
     results[block.index] = improve(block.mesh, own, own_known);
+    block.tells_places = results[block.index].budget_used_up;
   };
   const auto collect = [&](const Block& block) {
-    if (!results[block.index].budget_used_up) return;
     std::copy_if(block.triangles.begin(), block.triangles.end(), std::back_inserter(untried),
                  [](std::uint32_t t) { return t != kNone; });
   };

@@ -365,6 +365,7 @@ void refine_in_blocks(MutableMesh& mesh, const RefineLimits& limits, SizeField& 
     Refinement refinement(block.mesh, own, result.sizes);
     refinement.run();
     result.waiting = refinement.waiting();
+    block.tells_places = true;
   };
   std::vector<std::uint32_t> waiting;
   const auto collect = [&](const Block& block) {

@@ -97,9 +97,10 @@ TEST(Blocks, ArePutBackAsTheyWere) {
   const Borders borders = work_in_blocks(mesh, {{}, kBlock}, [&](Block& block) {
     EXPECT_TRUE(block.mesh.is_valid());
     sizes[block.index] = block.triangles.size();
-    for (std::uint32_t s = 0; s < block.mesh.sides.size(); ++s) {
-      EXPECT_EQ(block.mesh.sides[s].apex_cot == kNoLimit.apex_cot, s >= block.first_border);
-    }
+    EXPECT_LT(block.first_border, block.mesh.allowances.size());
+    for (std::uint32_t t = 0; t < block.mesh.triangles.size(); ++t)
+      EXPECT_EQ(block.mesh.excess[t],
+                block.mesh.excess_of(block.mesh.triangles[t].v, block.mesh.triangles[t].n));
   });
   EXPECT_TRUE(are_same(mesh, start));
   expect_sound(mesh, boundary);

@@ -1,6 +1,7 @@
 #include "quality/mutable/mutable_mesh.hpp"
 
 #include "../mesh_checks.hpp"
+#include "base/containers/shared.hpp"
 #include "quality/repair/improve.hpp"
 #include "quality/starts/delaunay_refinement.hpp"
 
@@ -10,6 +11,34 @@ namespace {
 using namespace testing;
 
 RegionBoundary square() { return boundary_of({{{0, 0}, {1, 0}, {1, 1}, {0, 1.1}}}); }
+
+TEST(Allowances, KeepEachThatIsDifferentOnce) {
+  Allowances allowances(2);
+  EXPECT_EQ(allowances[1], Allowance());
+  for (int k = 0; k < 40; ++k) {
+    Allowance allowance;
+    allowance.large = k % 20;
+    allowances.push_back(allowance);
+    allowances.push_back(allowances[1]);
+  }
+  ASSERT_EQ(allowances.size(), 82U);
+  for (std::size_t k = 0; k < 40; ++k) {
+    EXPECT_EQ(allowances[2 + 2 * k].large, static_cast<double>(k % 20));
+    EXPECT_EQ(allowances[3 + 2 * k], Allowance());
+  }
+}
+
+TEST(Shared, CopiesAreTheSameUntilOneIsChanged) {
+  Shared<std::vector<int>> first(std::vector<int>{1, 2});
+  const Shared<std::vector<int>> second = first;
+  EXPECT_EQ(&*first, &*second);
+  first.change().push_back(3);
+  EXPECT_EQ(first->size(), 3U);
+  EXPECT_EQ(second->size(), 2U);
+  const int* const place = first->data();
+  first.change()[0] = 7;
+  EXPECT_EQ(first->data(), place) << "nobody else has it";
+}
 
 TEST(MutableMesh, TakesOverATriangulation) {
   const RegionBoundary boundary = smooth_star(60);
@@ -101,7 +130,7 @@ TEST(MutableMesh, ForcedTrianglesMeetTheGoal) {
   EXPECT_GE(forced, 1u);
   EXPECT_LE(worst_excess(mesh), 0);
   mesh.set_goal(Goal::of(Angle::degrees(175), Angle::degrees(0)));
-  for (const Allowance& a : mesh.allowances) EXPECT_EQ(a.large, 0);
+  for (std::uint32_t s = 0; s < mesh.sides.size(); ++s) EXPECT_EQ(mesh.allowances[s].large, 0);
 }
 
 }  // namespace

@@ -1,0 +1,49 @@
+// Pairs are sorted by their lower vertex, then by the upper one; each half-edge looks itself up.
+// Tested by tests/unit/mesh/stitch_test.cpp.
+#include "mesh/find_edges.hpp"
+
+#include <algorithm>
+
+namespace cover {
+namespace {
+
+using Ends = std::array<std::uint32_t, 2>;
+
+std::uint32_t lower(const Ends& pair) { return std::min(pair[0], pair[1]); }
+std::uint32_t upper(const Ends& pair) { return std::max(pair[0], pair[1]); }
+
+}  // namespace
+
+std::vector<std::uint32_t> find_edges(std::size_t vertices, std::span<const IndexTriple> triangles,
+                                      std::span<const Ends> pairs) {
+  std::vector<std::uint32_t> first(vertices + 2, 0);
+  const auto may_be = [&](const Ends& pair) { return lower(pair) < vertices; };
+  for (const Ends& pair : pairs) {
+    if (may_be(pair)) ++first[lower(pair) + std::size_t{2}];
+  }
+  for (std::size_t v = 2; v < first.size(); ++v) first[v] += first[v - 1];
+  // first[v + 1] is where the next pair of v goes; in the end it is where v + 1 begins.
+  std::vector<std::uint32_t> sorted(first.back());
+  for (std::uint32_t k = 0; k < pairs.size(); ++k) {
+    if (may_be(pairs[k])) sorted[first[lower(pairs[k]) + std::size_t{1}]++] = k;
+  }
+  for (std::size_t v = 0; v < vertices; ++v) {
+    std::sort(sorted.begin() + first[v], sorted.begin() + first[v + 1],
+              [&](std::uint32_t j, std::uint32_t k) { return upper(pairs[j]) < upper(pairs[k]); });
+  }
+  std::vector<std::uint32_t> found(pairs.size(), HalfEdges::kAbsent);
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const Ends edge{triangles[t][i], triangles[t][(i + 1) % 3]};
+      if (!may_be(edge)) continue;
+      const auto end = sorted.begin() + first[lower(edge) + std::size_t{1}];
+      auto k = std::lower_bound(
+          sorted.begin() + first[lower(edge)], end, upper(edge),
+          [&](std::uint32_t pair, std::uint32_t v) { return upper(pairs[pair]) < v; });
+      for (; k != end && upper(pairs[*k]) == upper(edge); ++k) found[*k] = 3 * t + i;
+    }
+  }
+  return found;
+}
+
+}  // namespace cover
