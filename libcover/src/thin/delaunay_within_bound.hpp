@@ -25,7 +25,8 @@ struct MendedMesh {
 /// REQUIRES: `mesh` is measured
 /// ENSURES:  the mesh holds the bound, has no negative coupling on inner edges and is measured; if
 ///           all that was so before, fewer are given up on sides
-/// Cost:     O(n log n), and some 60,000 places tried for each angle to mend, 0.5 us each
+/// Cost:     O(n log n), and some 60,000 places tried for each angle to mend, 0.5 us each; where a
+///           side is still given up then, up to 600 searches for room (HalfDiscRoom)
 std::optional<MendedMesh> mend_couplings_within_bound(const RegionBoundary& boundary,
                                                       const RegionMesh& mesh, std::stop_token stop);
 
