@@ -233,8 +233,9 @@ bool HalfDiscRoom::is_settled(const Box& box, Search& search) const {
   return cuts && corner_is_covered(box, sides, search);
 }
 
-HalfDiscRoom::Room HalfDiscRoom::within_circle(const std::array<Point, 3>& corners, std::size_t most,
-                                           std::span<const std::uint32_t> first) const {
+HalfDiscRoom::Room HalfDiscRoom::within_circle(const std::array<Point, 3>& corners,
+                                               std::size_t most,
+                                               std::span<const std::uint32_t> first) const {
   const auto& [a, b, c] = corners;
   const Vector u = b - a, v = c - a;
   const double area = 2 * cross(u, v);

@@ -35,7 +35,7 @@ class HalfDiscRoom {
   /// Cost:     O(sides), and some thousand boxes times the sides near the circle
   /// Ref:      docs/box_method.md, "The same in small"
   [[nodiscard]] Room within_circle(const std::array<Point, 3>& corners, std::size_t most,
-                               std::span<const std::uint32_t> first = {}) const;
+                                   std::span<const std::uint32_t> first = {}) const;
 
  private:
   struct Disc {
