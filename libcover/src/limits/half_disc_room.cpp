@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
@@ -24,10 +25,14 @@
 namespace cover {
 namespace {
 
-constexpr double kMargin = 1e-9;           ///< of lengths: far more than rounding makes
-constexpr int kLevels = 14;                ///< of division
-constexpr int kFirstLevel = 6;             ///< from it on places are looked for
-constexpr std::size_t kMostBoxes = 6'000;  ///< of one level
+constexpr double kMargin = 1e-9;    ///< of lengths: far more than rounding makes
+constexpr double kFlattest = 1e-5;  ///< of triangles, twice their area in parts of squared lengths
+constexpr int kLevels = 14;         ///< of division
+constexpr int kFirstLevel = 6;      ///< from it on places are looked for
+constexpr std::size_t kMostBoxes = 24'000;  ///< of one level, and in all for a circle,
+constexpr std::size_t kLeastBoxes = 300;    ///< but fewer
+constexpr std::size_t kMostWork = 500'000;  ///< where there are many sides, which each box asks
+constexpr std::size_t kMostCircles = 8;     ///< that proofs look at
 constexpr std::array<std::array<double, 2>, 5> kTrials{
     {{0.5, 0.5}, {0.23, 0.31}, {0.71, 0.27}, {0.29, 0.77}, {0.79, 0.69}}};
 
@@ -50,6 +55,20 @@ double distance_to(Point a, Point b, Point p) {
   const Vector along = b - a;
   const double share = std::clamp(dot(p - a, along) / squared_length(along), 0.0, 1.0);
   return length(p - (a + share * along));
+}
+
+using Circle = HalfDiscRoom::Circle;
+
+Circle circle_through(const std::array<Point, 3>& corners) {
+  const auto& [a, b, c] = corners;
+  const Vector u = b - a, v = c - a;
+  const double area = 2 * cross(u, v);
+  // So flat that the middle is not known as well as kMargin asks: no circle.
+  if (!(area > kFlattest * (squared_length(u) + squared_length(v))))
+    return {corners, a, std::numeric_limits<double>::infinity()};
+  const Vector to =
+      (1 / area) * (squared_length(u) * Vector{v.y, -v.x} + squared_length(v) * Vector{-u.y, u.x});
+  return {corners, a + to, length(to)};
 }
 
 bool is_seen_bluntly(Point a, Point p, Point b) {
@@ -125,8 +144,9 @@ std::vector<std::uint32_t> HalfDiscRoom::walls_of(const Disc& disc) const {
   return walls;
 }
 
-HalfDiscRoom::Search HalfDiscRoom::begin(const Circle& circle,
+HalfDiscRoom::Search HalfDiscRoom::begin(const std::array<Point, 3>& corners,
                                          std::span<const std::uint32_t> first) const {
+  const Circle circle = circle_through(corners);
   Search search{circle, {}, {}, std::vector<bool>(sides_.size(), false), {}};
   Box region = box_of(points_);
   const Point m = circle.middle;
@@ -236,22 +256,20 @@ bool HalfDiscRoom::is_settled(const Box& box, Search& search) const {
 HalfDiscRoom::Room HalfDiscRoom::within_circle(const std::array<Point, 3>& corners,
                                                std::size_t most,
                                                std::span<const std::uint32_t> first) const {
-  const auto& [a, b, c] = corners;
-  const Vector u = b - a, v = c - a;
-  const double area = 2 * cross(u, v);
-  const Vector to =
-      (1 / area) * (squared_length(u) * Vector{v.y, -v.x} + squared_length(v) * Vector{-u.y, u.x});
   Room room;
-  if (!std::isfinite(to.x) || !std::isfinite(to.y)) return room;
-  Search search = begin({corners, a + to, length(to)}, first);
+  Search search = begin(corners, first);
+  if (!std::isfinite(search.circle.radius)) return room;
   std::vector<Box> boxes{search.box}, next;
+  std::size_t left = std::clamp(kMostWork / sides_.size(), kLeastBoxes, kMostBoxes);
   for (int level = 0; level <= kLevels; ++level) {
     room.places.clear();
     next.clear();
     for (const Box& box : boxes) {
+      if (left == 0) return room;
+      --left;
       if (is_settled(box, search)) continue;
       if (level >= kFirstLevel || most == 0) {
-        for (const auto& share : kTrials) {
+        for (const auto& share : std::span(kTrials).first(most == 0 ? 1 : kTrials.size())) {
           if (!is_place(at(box, share), search)) continue;
           room.places.push_back(at(box, share));
           break;
@@ -270,7 +288,7 @@ HalfDiscRoom::Room HalfDiscRoom::within_circle(const std::array<Point, 3>& corne
       }
       return room;
     }
-    if ((most > 0 && room.places.size() >= most) || next.size() > 4 * kMostBoxes) break;
+    if ((most > 0 && room.places.size() >= most) || next.size() > kMostBoxes) break;
     boxes.swap(next);
   }
   return room;
@@ -285,7 +303,15 @@ std::vector<std::uint32_t> forced_sides(std::span<const Point> points,
   if (negative.empty() || beyond.empty()) return forced;
   const HalfDiscRoom room(points, sides, is_free);
   std::vector<bool> is_taken(sides.size(), false);  // by a proof
+  std::size_t circles = 0;
   for (const std::array<Point, 3>& corners : beyond) {
+    const auto is_near = [&](std::uint32_t s) {
+      const Point a = points[sides[s][0]], b = points[sides[s][1]];
+      const Circle circle = circle_through(corners);
+      return length(midpoint(a, b) - circle.middle) < circle.radius + length(b - a);
+    };
+    if (std::none_of(negative.begin(), negative.end(), is_near)) continue;
+    if (++circles > kMostCircles) break;
     const HalfDiscRoom::Room found = room.within_circle(corners, 0, negative);
     if (!found.is_none || std::any_of(found.sides.begin(), found.sides.end(),
                                       [&](std::uint32_t s) { return is_taken[s]; }))

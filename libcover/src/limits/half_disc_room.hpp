@@ -20,6 +20,12 @@ class HalfDiscRoom {
   HalfDiscRoom(std::span<const Point> points, std::span<const IndexPair> sides,
                const std::vector<bool>& is_free);
 
+  struct Circle {
+    std::array<Point, 3> corners;
+    Point middle;
+    double radius;  ///< infinite where the corners are too flat to tell
+  };
+
   struct Room {
     std::vector<Point> places;         ///< some, in all parts of what is found
     bool is_none = false;              ///< proven: there is no such place
@@ -32,7 +38,7 @@ class HalfDiscRoom {
   /// `first` are sides whose discs are to be used before others for that.
   /// REQUIRES: `corners` counter-clockwise
   /// EXACT:    is_none is proven, and so is what is said of places
-  /// Cost:     O(sides), and some thousand boxes times the sides near the circle
+  /// Cost:     O(sides), and some thousand boxes times the sides; half a million of these products at most
   /// Ref:      docs/box_method.md, "The same in small"
   [[nodiscard]] Room within_circle(const std::array<Point, 3>& corners, std::size_t most,
                                    std::span<const std::uint32_t> first = {}) const;
@@ -44,11 +50,6 @@ class HalfDiscRoom {
     std::uint32_t side;
     std::vector<std::uint32_t> walls;  ///< sides that come into the half disc
   };
-  struct Circle {
-    std::array<Point, 3> corners;
-    Point middle;
-    double radius;
-  };
   /// What one search looks at.
   struct Search;
 
@@ -57,7 +58,8 @@ class HalfDiscRoom {
   [[nodiscard]] bool is_inside(Point p) const;
   [[nodiscard]] bool is_place(Point p, const Search& search) const;
   [[nodiscard]] std::vector<std::uint32_t> walls_of(const Disc& disc) const;
-  [[nodiscard]] Search begin(const Circle& circle, std::span<const std::uint32_t> first) const;
+  [[nodiscard]] Search begin(const std::array<Point, 3>& corners,
+                             std::span<const std::uint32_t> first) const;
   [[nodiscard]] std::vector<std::uint32_t> touching(const Box& box, const Search& search) const;
   [[nodiscard]] bool is_left(const Box& box, std::uint32_t s) const;
   [[nodiscard]] bool keeps_left(const Box& box, const std::vector<std::uint32_t>& touching) const;

@@ -23,6 +23,8 @@ namespace {
 constexpr double kSlack = 1 - 1e-9;  ///< of the cotangent of the largest angle
 constexpr std::uint64_t kPlaces = 60'000, kMostPlaces = 3'000'000;
 constexpr std::size_t kSmallRegion = 64;             ///< points: all vertices may be put anew
+constexpr std::size_t kFewSides = 512;               ///< of a region in which room is looked for,
+constexpr std::size_t kFewGivenUp = 8;               ///< where so few sides are given up
 constexpr std::uint32_t kOfRest = 0, kOfLayers = 1;  ///< in place of regions
 
 ConformingMesh mutable_mesh(const RegionBoundary& boundary, const RegionMesh& mesh) {
@@ -136,7 +138,9 @@ std::vector<std::uint32_t> encroaching(const MeshWithUndo& mesh, const RegionBou
 std::optional<MendedMesh> mend_with_room(const RegionBoundary& boundary, const RegionMesh& mesh,
                                          const std::stop_token& stop) {
   std::optional<std::vector<WantedAngles>> wanted = wanted_angles(mesh);
-  if (!wanted || mesh.layer_vertices > 0) return {};
+  if (!wanted || mesh.layer_vertices > 0 || boundary.sides.size() > kFewSides ||
+      mesh.report.box.negative_given_up > kFewGivenUp)
+    return {};
   const std::vector<bool> is_free = free_sides(boundary);
   const HalfDiscRoom room(boundary.points, boundary.sides, is_free);
   const ConformingMesh before = mutable_mesh(boundary, mesh);
@@ -167,13 +171,14 @@ std::optional<MendedMesh> mend_with_room(const RegionBoundary& boundary, const R
 }  // namespace
 
 std::optional<MendedMesh> mend_couplings_within_bound(const RegionBoundary& boundary,
-                                                      const RegionMesh& mesh,
-                                                      std::stop_token stop) {
+                                                      const RegionMesh& mesh, std::stop_token stop,
+                                                      bool sides_are_cut) {
   if (is_sound(mesh.report) && mesh.report.box.negative_given_up == 0) return {};
   if (may_be_split(boundary)) return {};
   std::optional<MendedMesh> mended = mend_nearby(boundary, mesh, stop);
   const RegionMesh& now = mended ? mended->mesh : mesh;
-  if (!is_sound(now.report) || now.report.box.negative_given_up == 0) return mended;
+  if (!is_sound(now.report) || now.report.box.negative_given_up == 0 || sides_are_cut)
+    return mended;
   std::optional<MendedMesh> more = mend_with_room(boundary, now, stop);
   return more ? more : mended;
 }

@@ -55,6 +55,23 @@ class Thinner {
     return thinned;
   }
 
+  Thinned run_on_what_is_left() {
+    Thinned thinned{mesh_.bad(), 0};
+    left_ = std::min<std::uint64_t>(effort_.places_to_mend_at_most,
+                                    effort_.places_per_bad * mesh_.bad());
+    mend_with(kMore.size());
+    for (std::uint32_t t = 0; mesh_.bad() > 0 && t < mesh_.triangles().size() && !is_over(); ++t) {
+      if (!is_bad(t)) continue;
+      most_grave_ = mesh_.grave();
+      focus_ = t;
+      make_anew(t, mesh_.bad() - 1);
+      mesh_.keep();
+    }
+    focus_ = kNone;
+    thinned.bad = mesh_.bad();
+    return thinned;
+  }
+
   Thinned run_on_grave_ones() {
     Thinned thinned{mesh_.bad(), 0};
     left_ = std::min<std::uint64_t>(effort_.places_to_mend_at_most,
@@ -553,6 +570,10 @@ class Thinner {
 
 Thinned thin_mesh(MeshWithUndo& mesh, const ThinEffort& effort) {
   return Thinner(mesh, effort).run();
+}
+
+Thinned mend_what_is_left(MeshWithUndo& mesh, const ThinEffort& effort) {
+  return Thinner(mesh, effort).run_on_what_is_left();
 }
 
 Thinned mend_mesh(MeshWithUndo& mesh, const ThinEffort& effort) {

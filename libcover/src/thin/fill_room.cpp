@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kAttempts = 30;
 constexpr int kMostAdded = 10;            ///< by an attempt
+constexpr int kMostCircles = 120;         ///< in all
 constexpr std::size_t kPlacesTried = 64;  ///< for a vertex
 constexpr double kNoise =
     0.4;  ///< of costs, for other ways than the first one; a bad triangle is 0.4
@@ -26,7 +27,8 @@ class RoomFiller {
   }
 
   bool run(std::size_t most_grave, const std::stop_token& stop) {
-    for (int k = 0; k < kAttempts && !is_hopeless_ && !stop.stop_requested(); ++k) {
+    for (int k = 0;
+         k < kAttempts && !is_hopeless_ && circles_ < kMostCircles && !stop.stop_requested(); ++k) {
       int added = 0;
       while (mesh_.grave() > most_grave && added < kMostAdded && add(k == 0 ? 0 : kNoise)) ++added;
       if (mesh_.grave() <= most_grave) {
@@ -62,6 +64,7 @@ class RoomFiller {
   bool add(double noise) {
     const std::uint32_t t = a_grave_triangle();
     if (t == kNone) return false;
+    ++circles_;
     const auto& v = mesh_.triangles()[t].v;
     HalfDiscRoom::Room found =
         room_.within_circle({mesh_.at(v[0]), mesh_.at(v[1]), mesh_.at(v[2])}, kPlacesTried);
@@ -84,6 +87,7 @@ class RoomFiller {
   const HalfDiscRoom& room_;
   Random random_;
   std::vector<std::uint32_t> first_;  ///< gravely bad at first
+  int circles_ = 0;                   ///< searched so far
   bool is_hopeless_ = false;
 };
 

@@ -16,7 +16,7 @@ namespace cover {
 /// afar ends.
 /// REQUIRES: `room` is of the region of the mesh, the only one
 /// ENSURES: the same mesh for the same input, whatever the machine
-/// Cost:    up to some 300 searches for room; one, where a proof says that there is none
+/// Cost:    up to 120 searches for room; one, where a proof says that there is none
 bool fill_room(MeshWithUndo& mesh, const HalfDiscRoom& room, std::size_t most_grave,
                const std::stop_token& stop);
 
