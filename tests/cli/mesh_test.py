@@ -230,8 +230,18 @@ class Mesh(Case):
         self.write('half.poly', f'{len(points)} 2 0 0\n' + ''.join(f'{k} {x} {y}\n' for k, (x, y) in enumerate(points))
                    + f'{len(points)} 0\n' + ''.join(f'{k} {k} {(k + 1) % len(points)}\n' for k in range(len(points))) + '0\n')
         out, _ = self.run_cover('mesh', 'half.poly', '-o', 'd.vtm')
-        self.assertRegex(out, r'0 on sides that the input encroaches, 1 given up for angles; --box-method cuts these sides\n'
-                              r' +given up: from \(-1, 0\) to \(1, 0\), region 1\n')
+        self.assertRegex(out, r'0 on sides that the input encroaches, 1 that the bound forces, 0 given up for angles; '
+                              r'--box-method cuts these sides\n +forced: from \(-1, 0\) to \(1, 0\), region 1\n')
+        out, _ = self.run_cover('check', 'half.poly', 'd.vtm', '--box-method', code=6)
+        self.assertIn('encroaches, 1 that the bound on angles forces, 0 on other sides', out)
+        # Grains: in ten regions a vertex has room only in cusps between two discs; in one of them there is none.
+        self.run_cover('mesh', SAMPLES / 'grains.png', '-o', 'd.obj', '--report', 'r.json')
+        box = json.loads((self.dir / 'r.json').read_text())['overall']['box']
+        self.assertEqual([box['negative_inside'], box['negative_forced'], box['negative_given_up']], [0, 1, 0])
+        # Beside layers nothing is cut for angles, so couplings come first there with --split-interfaces alone, too.
+        self.run_cover('mesh', SAMPLES / 'mosfet_layers.json', '--split-interfaces', '--size-at', 'channel_oxide=20',
+                       '--size-at', 'oxide_gate=20', '-o', 'd.obj', '--report', 'r.json')
+        self.assertEqual(json.loads((self.dir / 'r.json').read_text())['overall']['box']['negative_couplings'], 0)
 
     def test_box_method(self):
         # A point over the lid of a box, and two beside each other in it.

@@ -129,8 +129,12 @@ int print_couplings(const Verification& found, bool quiet) {
   }
   fmt::print(
       "FAILED box method: {} negative couplings: {} on inner edges, {} on sides that a "
-      "vertex of the boundary encroaches, {} on other sides\n",
-      grouped(all.size()), count(Kind::inside), count(Kind::encroached), count(Kind::given_up));
+      "vertex of the boundary encroaches, {}{} on other sides\n",
+      grouped(all.size()), count(Kind::inside), count(Kind::encroached),
+      count(Kind::forced) == "0"
+          ? ""
+          : fmt::format("{} that the bound on angles forces, ", count(Kind::forced)),
+      count(Kind::given_up));
   fmt::print("    {}\n", obtuse_triangles(found));
   for (std::size_t k = 0; k < std::min(kListed, all.size()); ++k) {
     const NegativeCoupling& c = all[k];

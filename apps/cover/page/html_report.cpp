@@ -328,6 +328,7 @@ class Page {
       sum.negative_couplings += region.box.negative_couplings;
       sum.negative_inside += region.box.negative_inside;
       sum.negative_encroached += region.box.negative_encroached;
+      sum.negative_forced += region.box.negative_forced;
       sum.negative_given_up += region.box.negative_given_up;
       sum.box_area += region.box.box_area;
       area += region.quality.area;
@@ -343,6 +344,7 @@ class Page {
     row("negative couplings", grouped(sum.negative_couplings));
     row("of these, on inner edges", grouped(sum.negative_inside));
     row("on sides that points of the input or layers encroach", grouped(sum.negative_encroached));
+    row("on sides where the bound forces them", grouped(sum.negative_forced));
     row("on sides given up for angles", grouped(sum.negative_given_up));
     row("area of all boxes against the true area",
         percent_text(area > 0 ? 100 * (sum.box_area - area) / area : 0, 3));

@@ -104,7 +104,7 @@ std::string bound_text(const Report& report, std::size_t held) {
                      held, all);
 }
 
-/// The negative couplings of the box method, and the sides given up.
+/// The negative couplings of the box method, and the sides given up or forced.
 std::string couplings_row(const Report& report) {
   constexpr std::size_t kGivenUp = 3;
   BoxMethod sum;
@@ -116,10 +116,12 @@ std::string couplings_row(const Report& report) {
     sum.negative_encroached += region.box.negative_encroached;
     has_layers = has_layers || !region.layers.empty();
     for (const NegativeCoupling& c : region.couplings) {
-      if (c.kind != NegativeCoupling::Kind::given_up || ++sum.negative_given_up > kGivenUp)
-        continue;
-      places += fmt::format("\n                         given up: from {} to {}, region {}",
-                            cover::describe(c.a), cover::describe(c.b), region.id.value());
+      const bool is_forced = c.kind == NegativeCoupling::Kind::forced;
+      if (!is_forced && c.kind != NegativeCoupling::Kind::given_up) continue;
+      if (++(is_forced ? sum.negative_forced : sum.negative_given_up) > kGivenUp) continue;
+      places += fmt::format("\n                         {}: from {} to {}, region {}",
+                            is_forced ? "forced" : "given up", cover::describe(c.a),
+                            cover::describe(c.b), region.id.value());
     }
   }
   std::string out =
@@ -127,10 +129,14 @@ std::string couplings_row(const Report& report) {
                   sum.negative_couplings == 1 ? "negative coupling" : "negative couplings");
   if (sum.negative_couplings > 0)
     out += fmt::format(
-        ": {} inside, {} on sides that the input {}, {} given up for angles; "
+        ": {} inside, {} on sides that the input {}, {}{} given up for angles; "
         "--box-method cuts these sides",
         grouped(sum.negative_inside), grouped(sum.negative_encroached),
-        has_layers ? "or layers encroach" : "encroaches", grouped(sum.negative_given_up));
+        has_layers ? "or layers encroach" : "encroaches",
+        sum.negative_forced == 0
+            ? ""
+            : fmt::format("{} that the bound forces, ", grouped(sum.negative_forced)),
+        grouped(sum.negative_given_up));
   return out + places + '\n';
 }
 

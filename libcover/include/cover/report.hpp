@@ -73,7 +73,8 @@ struct BoxMethod {
   std::size_t negative_couplings = 0;
   std::size_t negative_inside = 0;      ///< those of them on inner edges
   std::size_t negative_encroached = 0;  ///< those on sides that a vertex of the boundary encroaches
-  std::size_t negative_given_up = 0;    ///< those on other sides: given up for the angle
+  std::size_t negative_forced = 0;      ///< those on other sides that the bound provably forces
+  std::size_t negative_given_up = 0;    ///< those on any others: given up for the angle
   double box_area = 0;                  ///< sum of |e| d_e / 2 with unsigned distances
 };
 
@@ -84,6 +85,7 @@ struct NegativeCoupling {
     encroached,  ///< a side with a visible vertex of the boundary or of layers in its open
                  ///< diametral disk
     given_up,    ///< any other side
+    forced,      ///< another side; no mesh within the bound has fewer negative couplings there
   };
   Kind kind = Kind::inside;
   RegionId region;

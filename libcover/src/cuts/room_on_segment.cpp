@@ -15,6 +15,10 @@ constexpr double kThinnest =
 
 }  // namespace
 
+bool is_off_line(Point a, Point b, Point p) {
+  return std::abs(cross(b - a, p - a)) > kThinnest * spacing_of(std::array{a, b}) * length(b - a);
+}
+
 bool has_room_on_segment(Point a, Point b, Point p, std::span<const Point> apexes) {
   const double room = kThinnest * spacing_of(std::array{a, b});
   return std::all_of(apexes.begin(), apexes.end(), [&](Point c) {

@@ -7,6 +7,9 @@
 
 namespace cover {
 
+/// Whether `p` is farther from the line through a and b than rounding a cut of it can make.
+bool is_off_line(Point a, Point b, Point p);
+
 /// Whether `p` on ab keeps away from the other edges of the triangles on both sides, whose corners
 /// opposite to ab are `apexes` and on which there may be cuts too: then rounding makes nothing
 /// cross.

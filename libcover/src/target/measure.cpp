@@ -18,6 +18,7 @@
 #include "geom/predicates.hpp"
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
+#include "limits/half_disc_room.hpp"
 
 namespace cover {
 namespace {
@@ -234,6 +235,47 @@ BoxMethod measure_boxes(std::span<const Point> points, std::span<const IndexTrip
 
 namespace {
 
+/// The triangles of a triangulation that are beyond the bound, by more than rounding.
+std::vector<std::array<Point, 3>> triangles_beyond(const Triangulation& cdt, Angle nu_bound) {
+  std::vector<std::array<Point, 3>> beyond;
+  const double farthest = largest_coordinate(cdt.points);
+  for (const Triangle& t : cdt.triangles) {
+    const Point a = cdt.points[t.v[0]], b = cdt.points[t.v[1]], c = cdt.points[t.v[2]];
+    if (largest_nu_of(a, b, c) + angle_rounding(a, b, c, farthest) < nu_bound.in_radians())
+      beyond.push_back({a, b, c});
+  }
+  return beyond;
+}
+
+/// Of the sides that are given up: those that the bound forces.
+void tell_forced(const RegionBoundary& boundary, Angle nu_bound,
+                 std::vector<NegativeCoupling>& couplings) {
+  using Kind = NegativeCoupling::Kind;
+  const auto is_inside = [](const NegativeCoupling& c) { return c.kind == Kind::inside; };
+  const auto& segments = boundary.segments;  // those of the hull may be cut
+  if (std::any_of(couplings.begin(), couplings.end(), is_inside) ||
+      std::find(segments.begin(), segments.end(), kHullSide) != segments.end())
+    return;
+  const Triangulation cdt = triangulate_domain(boundary.points, boundary.sides).triangulation;
+  std::vector<bool> is_free(boundary.sides.size(), true);
+  for (const EncroachedSide& e : encroached_sides(cdt, locate_sides(cdt, boundary.sides)))
+    is_free[e.side] = false;
+  std::vector<std::uint32_t> negative;
+  std::vector<NegativeCoupling*> of_side(boundary.sides.size(), nullptr);
+  for (NegativeCoupling& c : couplings) {
+    if (c.kind != Kind::given_up) continue;
+    for (std::uint32_t s = 0; s < boundary.sides.size(); ++s) {
+      const auto& [a, b] = boundary.sides[s];
+      if (!is_free[s] || boundary.points[a] != c.a || boundary.points[b] != c.b) continue;
+      negative.push_back(s);
+      of_side[s] = &c;
+    }
+  }
+  for (const std::uint32_t s : forced_sides(boundary.points, boundary.sides, is_free,
+                                            triangles_beyond(cdt, nu_bound), negative))
+    of_side[s]->kind = Kind::forced;
+}
+
 /// The edges of a region's mesh with a negative coupling, exactly; counted in `box`. O(n), O(n log n)
 /// where a side has one.
 std::vector<NegativeCoupling> measure_couplings(const RegionBoundary& boundary,
@@ -267,6 +309,10 @@ std::vector<NegativeCoupling> measure_couplings(const RegionBoundary& boundary,
     }
     found.push_back({kind, boundary.id, points[e.edge[0]], points[e.edge[1]], apex});
   }
+  if (std::any_of(found.begin(), found.end(), [](const NegativeCoupling& c) {
+        return c.kind == NegativeCoupling::Kind::given_up;
+      }))
+    tell_forced(boundary, mesh.report.nu_bound, found);
   const auto count = [&](NegativeCoupling::Kind kind) {
     return static_cast<std::size_t>(std::count_if(
         found.begin(), found.end(), [&](const NegativeCoupling& c) { return c.kind == kind; }));
@@ -274,6 +320,7 @@ std::vector<NegativeCoupling> measure_couplings(const RegionBoundary& boundary,
   box.negative_couplings = found.size();
   box.negative_inside = count(NegativeCoupling::Kind::inside);
   box.negative_encroached = count(NegativeCoupling::Kind::encroached);
+  box.negative_forced = count(NegativeCoupling::Kind::forced);
   box.negative_given_up = count(NegativeCoupling::Kind::given_up);
   return found;
 }

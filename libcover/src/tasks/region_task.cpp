@@ -254,7 +254,8 @@ RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
 RegionMesh with_couplings_mended(const RegionBoundary& boundary, const Options& options,
                                  const std::stop_token& stop, RegionMesh& mesh) {
   if (!minds_couplings(options) || stop.stop_requested()) return std::move(mesh);
-  std::optional<MendedMesh> mended = mend_couplings_within_bound(boundary, mesh, stop);
+  std::optional<MendedMesh> mended =
+      mend_couplings_within_bound(boundary, mesh, stop, options.box_method);
   if (!mended) return std::move(mesh);
   report_again(boundary, options, false, mended->mesh);
   return std::move(mended->mesh);

@@ -7,9 +7,14 @@
 #include <cmath>
 #include <utility>
 
+#include "box/encroached_sides.hpp"
+#include "cdt/cdt.hpp"
+#include "geom/predicates.hpp"
+#include "limits/half_disc_room.hpp"
 #include "target/measure.hpp"
 #include "target/whole_mesh.hpp"
 #include "thin/fewer_vertices.hpp"
+#include "thin/fill_room.hpp"
 #include "thin/mesh_with_undo.hpp"
 
 namespace cover {
@@ -17,6 +22,9 @@ namespace {
 
 constexpr double kSlack = 1 - 1e-9;  ///< of the cotangent of the largest angle
 constexpr std::uint64_t kPlaces = 60'000, kMostPlaces = 3'000'000;
+constexpr std::size_t kSmallRegion = 64;             ///< points: all vertices may be put anew
+constexpr std::size_t kFewSides = 512;               ///< of a region in which room is looked for,
+constexpr std::size_t kFewGivenUp = 8;               ///< where so few sides are given up
 constexpr std::uint32_t kOfRest = 0, kOfLayers = 1;  ///< in place of regions
 
 ConformingMesh mutable_mesh(const RegionBoundary& boundary, const RegionMesh& mesh) {
@@ -36,22 +44,24 @@ bool is_sound(const RegionReport& report) {
   return report.bound_held && report.box.negative_inside == 0;
 }
 
-}  // namespace
-
-std::optional<MendedMesh> mend_couplings_within_bound(const RegionBoundary& boundary,
-                                                      const RegionMesh& mesh,
-                                                      std::stop_token stop) {
-  if (is_sound(mesh.report) && mesh.report.box.negative_given_up == 0) return {};
+bool may_be_split(const RegionBoundary& boundary) {
   const auto& segments = boundary.segments;
-  if (std::find(segments.begin(), segments.end(), kHullSide) != segments.end()) return {};
-  const ConformingMesh before = mutable_mesh(boundary, mesh);
+  return std::find(segments.begin(), segments.end(), kHullSide) != segments.end();
+}
+
+/// What is asked of angles; nothing where the bound is none for obtuse ones.
+std::optional<std::vector<WantedAngles>> wanted_angles(const RegionMesh& mesh) {
   const double least_cot = -kSlack / std::tan(mesh.report.nu_bound.in_radians());
   if (!(least_cot < 0)) return {};
   std::vector<WantedAngles> wanted(2, {0, least_cot, false});
   wanted[kOfLayers].closed = true;
-  MeshWithUndo mending(before, std::move(wanted));
-  mend_mesh(mending, {0, 0, kPlaces, kMostPlaces, std::move(stop)});
-  if (mending.grave() > 0) return {};
+  return wanted;
+}
+
+/// What has become of `mesh`, if it is better: see mend_couplings_within_bound().
+std::optional<MendedMesh> taken_if_better(const RegionBoundary& boundary, const RegionMesh& mesh,
+                                          const ConformingMesh& before,
+                                          const MeshWithUndo& mending) {
   MendedMesh out;
   const std::size_t own = boundary.points.size();
   for (std::size_t k = 0; k < mesh.layer_vertices; ++k) {
@@ -69,13 +79,108 @@ std::optional<MendedMesh> mend_couplings_within_bound(const RegionBoundary& boun
     }
     if (part == kOfLayers) out.mesh.layer_triangles = out.mesh.triangles.size();
   }
-  if (find_fault({after.points, out.mesh.triangles, boundary.sides, segments, own})) return {};
+  if (find_fault({after.points, out.mesh.triangles, boundary.sides, boundary.segments, own}))
+    return {};
   measure(boundary, out.mesh);
   const std::size_t given_up = out.mesh.report.box.negative_given_up;
   if (!is_sound(out.mesh.report) ||
       (is_sound(mesh.report) && given_up >= mesh.report.box.negative_given_up))
     return {};
   return out;
+}
+
+/// Vertices moved, added and taken away near what is wrong.
+std::optional<MendedMesh> mend_nearby(const RegionBoundary& boundary, const RegionMesh& mesh,
+                                      std::stop_token stop) {
+  std::optional<std::vector<WantedAngles>> wanted = wanted_angles(mesh);
+  if (!wanted) return {};
+  const ConformingMesh before = mutable_mesh(boundary, mesh);
+  MeshWithUndo mending(before, *std::move(wanted));
+  mend_mesh(mending, {0, 0, kPlaces, kMostPlaces, std::move(stop)});
+  if (mending.grave() > 0) return {};
+  return taken_if_better(boundary, mesh, before, mending);
+}
+
+/// By side: whether no vertex of the boundary encroaches it.
+std::vector<bool> free_sides(const RegionBoundary& boundary) {
+  const Triangulation cdt = triangulate_domain(boundary.points, boundary.sides).triangulation;
+  std::vector<bool> is_free(boundary.sides.size(), true);
+  for (const EncroachedSide& e : encroached_sides(cdt, locate_sides(cdt, boundary.sides)))
+    is_free[e.side] = false;
+  return is_free;
+}
+
+/// The vertices inside that see a free side at more than a right angle, as far as they are next to
+/// it.
+std::vector<std::uint32_t> encroaching(const MeshWithUndo& mesh, const RegionBoundary& boundary,
+                                       const std::vector<bool>& is_free) {
+  std::vector<std::uint32_t> found;
+  for (const MeshWithUndo::Triangle& t : mesh.triangles()) {
+    if (t.v[0] == kNone || t.cost == 0) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (t.line[i] == ConformingMesh::kInside || !mesh.is_movable(t.v[i])) continue;
+      const IndexPair edge{t.v[(i + 1) % 3], t.v[(i + 2) % 3]};
+      const auto side = std::lower_bound(boundary.sides.begin(), boundary.sides.end(), edge);
+      const bool is_side = side != boundary.sides.end() && *side == edge;
+      if (is_side && is_free[static_cast<std::size_t>(side - boundary.sides.begin())] &&
+          compare_with_90_degrees(mesh.at(edge[0]), mesh.at(t.v[i]), mesh.at(edge[1])) ==
+              Sign::positive)
+        found.push_back(t.v[i]);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+/// Takes away what encroaches free sides, or all vertices inside, and puts others where that leaves
+/// angles beyond the bound.
+std::optional<MendedMesh> mend_with_room(const RegionBoundary& boundary, const RegionMesh& mesh,
+                                         const std::stop_token& stop) {
+  std::optional<std::vector<WantedAngles>> wanted = wanted_angles(mesh);
+  if (!wanted || mesh.layer_vertices > 0 || boundary.sides.size() > kFewSides ||
+      mesh.report.box.negative_given_up > kFewGivenUp)
+    return {};
+  const std::vector<bool> is_free = free_sides(boundary);
+  const HalfDiscRoom room(boundary.points, boundary.sides, is_free);
+  const ConformingMesh before = mutable_mesh(boundary, mesh);
+  const MeshWithUndo start(before, *std::move(wanted));
+  for (const bool all : {false, true}) {
+    if (all && boundary.points.size() > kSmallRegion) break;
+    MeshWithUndo mending = start;
+    std::vector<std::uint32_t> gone;
+    if (all) {
+      for (auto v = static_cast<std::uint32_t>(boundary.points.size()); v < before.points.size();
+           ++v)
+        gone.push_back(v);
+    } else {
+      gone = encroaching(mending, boundary, is_free);
+    }
+    bool went = true;
+    while (!gone.empty() && went) {
+      for (const std::uint32_t v : gone) went = went && mending.remove(v);
+      gone = encroaching(mending, boundary, is_free);
+    }
+    if (!went || !fill_room(mending, room, 0, stop)) continue;
+    std::optional<MendedMesh> mended = taken_if_better(boundary, mesh, before, mending);
+    if (mended) return mended;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<MendedMesh> mend_couplings_within_bound(const RegionBoundary& boundary,
+                                                      const RegionMesh& mesh, std::stop_token stop,
+                                                      bool sides_are_cut) {
+  if (is_sound(mesh.report) && mesh.report.box.negative_given_up == 0) return {};
+  if (may_be_split(boundary)) return {};
+  std::optional<MendedMesh> mended = mend_nearby(boundary, mesh, stop);
+  const RegionMesh& now = mended ? mended->mesh : mesh;
+  if (!is_sound(now.report) || now.report.box.negative_given_up == 0 || sides_are_cut)
+    return mended;
+  std::optional<MendedMesh> more = mend_with_room(boundary, now, stop);
+  return more ? more : mended;
 }
 
 }  // namespace cover

@@ -12,27 +12,12 @@
 #include <limits>
 
 #include "geom/vector.hpp"
+#include "thin/random.hpp"
 
 namespace cover {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
-/// Steele, Lea, Flood: Fast splittable pseudorandom number generators (2014).
-class Random {
- public:
-  std::uint64_t next() {
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15U);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-    return z ^ (z >> 31);
-  }
-  std::size_t below(std::size_t n) { return static_cast<std::size_t>(next() % n); }
-  double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }
-
- private:
-  std::uint64_t state_ = 1;
-};
 
 constexpr std::size_t kMostNeighbours = 64;
 constexpr std::array<int, 6> kMore{1, 2, 4, 8, 16, 32};  ///< vertices that mend a bad triangle
@@ -66,6 +51,23 @@ class Thinner {
     mend();
     take_away();
     search();
+    thinned.bad = mesh_.bad();
+    return thinned;
+  }
+
+  Thinned run_on_what_is_left() {
+    Thinned thinned{mesh_.bad(), 0};
+    left_ = std::min<std::uint64_t>(effort_.places_to_mend_at_most,
+                                    effort_.places_per_bad * mesh_.bad());
+    mend_with(kMore.size());
+    for (std::uint32_t t = 0; mesh_.bad() > 0 && t < mesh_.triangles().size() && !is_over(); ++t) {
+      if (!is_bad(t)) continue;
+      most_grave_ = mesh_.grave();
+      focus_ = t;
+      make_anew(t, mesh_.bad() - 1);
+      mesh_.keep();
+    }
+    focus_ = kNone;
     thinned.bad = mesh_.bad();
     return thinned;
   }
@@ -568,6 +570,10 @@ class Thinner {
 
 Thinned thin_mesh(MeshWithUndo& mesh, const ThinEffort& effort) {
   return Thinner(mesh, effort).run();
+}
+
+Thinned mend_what_is_left(MeshWithUndo& mesh, const ThinEffort& effort) {
+  return Thinner(mesh, effort).run_on_what_is_left();
 }
 
 Thinned mend_mesh(MeshWithUndo& mesh, const ThinEffort& effort) {

@@ -32,6 +32,13 @@ struct Thinned {
 /// Ref:     libcover/docs/box_method.md, "Fewer vertices"
 Thinned thin_mesh(MeshWithUndo& mesh, const ThinEffort& effort);
 
+/// Makes bad triangles fewer, one after another: by more vertices, and by others in place of some that
+/// are near, many times. Nothing else is changed.
+///
+/// ENSURES: the same mesh for the same input, whatever the machine
+/// Cost:    places_per_bad for each such triangle, places_to_mend_at_most in all
+Thinned mend_what_is_left(MeshWithUndo& mesh, const ThinEffort& effort);
+
 /// Moves, adds and, where that does not help, takes away vertices until no triangle is gravely bad
 /// (MeshWithUndo::grave), and then, if that can be, until none is by a vertex inside that could
 /// lie elsewhere. No more triangles become bad in any way.

@@ -2,14 +2,64 @@
 #include "verify/verify_boxes.hpp"
 
 #include <algorithm>
+#include <array>
+#include <numbers>
 
 #include "geom/angle_rounding.hpp"
+#include "limits/half_disc_room.hpp"
 
 namespace cover {
 namespace {
 
 bool is_obtuse(Point a, Point p, Point b) {
   return compare_with_90_degrees(a, p, b) == Sign::positive;
+}
+
+double least_nu(Point a, Point b, Point c) {
+  return std::min({nu_at(c, a, b), nu_at(a, b, c), nu_at(b, c, a)});
+}
+
+/// The triangles of a region's constrained Delaunay triangulation that are beyond the bound, by
+/// more than rounding.
+std::vector<std::array<Point, 3>> triangles_beyond(const ExpectedDomain& domain,
+                                                   std::span<const Point> points, RegionId region) {
+  std::vector<std::array<Point, 3>> beyond;
+  const double bound = std::min(domain.nu_opt[region.value()] / 2, std::numbers::pi / 6);
+  const double farthest = largest_coordinate(points);
+  for (std::size_t t = 0; t < domain.cdt.triangles.size(); ++t) {
+    if (domain.cdt_region[t] != region) continue;
+    const auto& v = domain.cdt.triangles[t].v;
+    const Point a = points[v[0]], b = points[v[1]], c = points[v[2]];
+    if (least_nu(a, b, c) + angle_rounding(a, b, c, farthest) < bound * (1 - 1e-9))
+      beyond.push_back({a, b, c});
+  }
+  return beyond;
+}
+
+/// Of the couplings of one region that are given up: those that the bound forces.
+void tell_forced(const ExpectedDomain& domain, std::span<const Point> points, RegionId region,
+                 std::span<NegativeCoupling> couplings) {
+  std::vector<IndexPair> sides;
+  std::vector<bool> is_free;
+  for (const ExpectedSide& side : domain.sides) {
+    if (side.region != region) continue;
+    if (side.hull) return;  // it may be split
+    sides.push_back({side.a, side.b});
+    is_free.push_back(!is_obtuse(points[side.a], points[side.apex], points[side.b]));
+  }
+  std::vector<std::uint32_t> negative;
+  std::vector<NegativeCoupling*> of_side(sides.size(), nullptr);
+  for (NegativeCoupling& c : couplings) {
+    if (c.region != region || c.kind != NegativeCoupling::Kind::given_up) continue;
+    for (std::uint32_t s = 0; s < sides.size(); ++s) {
+      if (!is_free[s] || points[sides[s][0]] != c.a || points[sides[s][1]] != c.b) continue;
+      negative.push_back(s);
+      of_side[s] = &c;
+    }
+  }
+  for (const std::uint32_t s :
+       forced_sides(points, sides, is_free, triangles_beyond(domain, points, region), negative))
+    of_side[s]->kind = NegativeCoupling::Kind::forced;
 }
 
 }  // namespace
@@ -53,6 +103,17 @@ BoxCheck verify_boxes(const TriangleSoup& mesh, const SoupEdges& edges,
     if (in_circle(a, b, c, corner_beyond(all[*twin])) == Sign::positive)
       check.negative.push_back({Kind::inside, region[e.triangle], a, b, c});
   }
+  const auto has_inside = [&](RegionId r) {
+    return std::any_of(check.negative.begin(), check.negative.end(),
+                       [&](const NegativeCoupling& c) { return c.region == r; });
+  };
+  std::vector<RegionId> told;
+  for (const NegativeCoupling& c : on_sides) {
+    if (c.kind == Kind::given_up && !has_inside(c.region)) told.push_back(c.region);
+  }
+  std::sort(told.begin(), told.end());
+  told.erase(std::unique(told.begin(), told.end()), told.end());
+  for (const RegionId r : told) tell_forced(domain, points, r, on_sides);
   check.negative.insert(check.negative.end(), on_sides.begin(), on_sides.end());
   return check;
 }

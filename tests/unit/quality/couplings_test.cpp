@@ -137,7 +137,8 @@ TEST(Couplings, TheHalfDiscGivesUpItsDiameterForTheBound) {
     EXPECT_EQ(mesh.report.box.negative_inside, 0u);
     EXPECT_EQ(mesh.report.box.negative_couplings, chords < 7 ? 0u : 1u);
     if (chords < 7) continue;
-    EXPECT_EQ(mesh.report.couplings[0].kind, Kind::given_up);
+    EXPECT_EQ(mesh.report.couplings[0].kind, Kind::forced);
+    EXPECT_EQ(mesh.report.box.negative_forced, 1u);
     EXPECT_LE(mesh.report.quality.largest_nu.supplement().in_degrees(), 150 + 1e-9);
   }
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "cdt/region_cdt.hpp"
+#include "support/shapes.hpp"
 #include "target/measure.hpp"
 #include "target/whole_mesh.hpp"
 
@@ -89,6 +91,42 @@ TEST(DelaunayWithinBound, LeavesWhatCannotBeMended) {
   mesh.report.nu_bound = Angle::degrees(30);
   boundary.segments[0] = kHullSide;  // may be split, so that nothing is known of the mesh there
   EXPECT_FALSE(mend_couplings_within_bound(boundary, mesh, {}));
+}
+
+/// A grain of a picture: there is room for vertices only in its middle and in cusps beside its flat
+/// corners, where the discs over the two sides beside each leave some.
+TEST(DelaunayWithinBound, FindsRoomInCusps) {
+  const RegionBoundary boundary = testing::boundary_of({{{196, 190},
+                                                         {197.427, 190.276},
+                                                         {199.573, 190.872},
+                                                         {207.772, 193.913},
+                                                         {209.699, 194.848},
+                                                         {210.648, 195.587},
+                                                         {211, 196},
+                                                         {201, 207},
+                                                         {191, 206},
+                                                         {190.58, 204.67},
+                                                         {190.273, 203.227},
+                                                         {190.08, 201.67},
+                                                         {190, 200},
+                                                         {190, 192}}});
+  RegionMesh mesh;
+  mesh.steiner = {{209.774, 196.075}};
+  std::vector<Point> points = boundary.points;
+  points.push_back(mesh.steiner[0]);
+  for (const Triangle& t : triangulate_region(points, boundary.sides).triangles)
+    mesh.triangles.push_back(t.v);
+  mesh.report.id = boundary.id;
+  mesh.report.nu_bound = Angle::degrees(30);
+  measure(boundary, mesh);
+  EXPECT_TRUE(mesh.report.bound_held);
+  EXPECT_EQ(mesh.report.box.negative_inside, 0U);
+  EXPECT_EQ(mesh.report.box.negative_given_up, 1U);
+  EXPECT_EQ(mesh.report.box.negative_forced, 0U);
+  const auto mended = mend_couplings_within_bound(boundary, mesh, {});
+  ASSERT_TRUE(mended);
+  expect_sound(boundary, mended->mesh);
+  EXPECT_EQ(mended->mesh.report.box.negative_couplings, 0U);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "cuts/after_meshing/thin_cuts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -28,6 +29,9 @@ namespace {
 /// Angles that are kept as they are, in parts of themselves: no rounding makes them too small.
 constexpr double kSlack = 1 - 1e-9;
 
+/// Of smallest angles, where the last obtuse triangles are mended, in turn; 0: any.
+constexpr std::array kPartsForTheLast{0.2, 0.0};
+
 ThinEffort effort_of(Effort effort, std::size_t vertices) {
   switch (effort) {
     case Effort::fast:
@@ -38,6 +42,12 @@ ThinEffort effort_of(Effort effort, std::size_t vertices) {
       break;
   }
   return {20'000, 8'000'000 + 1'000 * vertices, 100'000, 20'000'000, {}};
+}
+
+/// For the last obtuse triangles: there are few, and each may be hard.
+ThinEffort effort_for_the_last(const ThinEffort& effort) {
+  constexpr std::uint64_t kPlaces = 100'000, kMostPlaces = 1'000'000;
+  return {0, 0, kPlaces, std::min(kMostPlaces, effort.places_to_mend_at_most), effort.stop};
 }
 
 bool touches_a_region(const SegmentSides& sides) {
@@ -131,6 +141,24 @@ std::vector<WantedAngles> angles_of(const std::vector<RegionMesh>& meshes, const
     angles.push_back({smallest > 0 ? 1 / std::tan(smallest) : 0, 0, false});
   }
   return angles;
+}
+
+/// Smaller angles in the regions around obtuse triangles that are left, down to a part of what is
+/// asked, or any: right angles come first.
+std::vector<WantedAngles> angles_for_the_last(const ConformingMesh& mesh, double part,
+                                              const std::vector<WantedAngles>& angles) {
+  const MeshWithUndo now(mesh, angles);
+  std::vector<bool> is_near(mesh.points.size(), false);
+  for (const MeshWithUndo::Triangle& t : now.triangles()) {
+    if (t.v[0] == kNone || t.cost == 0) continue;
+    for (const std::uint32_t v : t.v) is_near[v] = true;
+  }
+  std::vector<WantedAngles> out = angles;
+  for (const MeshWithUndo::Triangle& t : now.triangles()) {
+    if (t.v[0] == kNone || (!is_near[t.v[0]] && !is_near[t.v[1]] && !is_near[t.v[2]])) continue;
+    out[t.region].largest_cot = part > 0 ? angles[t.region].largest_cot / part : 0;
+  }
+  return out;
 }
 
 /// Puts what has come of the mesh into `work`, whose segments are whole. `old` are the numbers
@@ -251,12 +279,19 @@ Status thin_cuts(Work& work, const Options& options, const Callbacks& callbacks)
     const std::size_t before = mesh.points.size() - first;
     std::vector<std::uint32_t> old = sort_by_place(mesh);
     std::erase_if(old, [&](std::uint32_t v) { return v >= first; });
-    MeshWithUndo mutable_mesh(mesh, angles_of(work.meshes, options));
+    const std::vector<WantedAngles> angles = angles_of(work.meshes, options);
+    MeshWithUndo mutable_mesh(mesh, angles);
     ThinEffort effort = effort_of(options.effort, before);
     effort.stop = callbacks.stop;
-    const Thinned thinned = thin_mesh(mutable_mesh, effort);
+    Thinned thinned = thin_mesh(mutable_mesh, effort);
+    ConformingMesh result = mutable_mesh.result(mesh);
+    for (const double part : kPartsForTheLast) {
+      if (thinned.bad == 0) break;
+      MeshWithUndo last(result, angles_for_the_last(result, part, angles));
+      thinned.bad = mend_what_is_left(last, effort_for_the_last(effort)).bad;
+      result = last.result(result);
+    }
     if (callbacks.stop.stop_requested()) return Error{ErrorCode::cancelled, "interrupted", {}, {}};
-    const ConformingMesh result = mutable_mesh.result(mesh);
     const std::size_t after = result.points.size() - first;
     const bool is_better =
         thinned.bad < thinned.bad_before || (thinned.bad == thinned.bad_before && after < before);

@@ -190,6 +190,22 @@ class Cutter {
           sides_[boundaries_[r].segments[s].index()].push_back({r, s});
       }
     }
+    segments_at_.assign(pslg_.points.size(), {});
+    for (std::uint32_t s = 0; s < pslg_.segments.size(); ++s) {
+      segments_at_[pslg_.segments[s].a.index()].push_back(s);
+      segments_at_[pslg_.segments[s].b.index()].push_back(s);
+    }
+  }
+
+  /// Whether a cut at `p` stays clear of the other segments at vertex `v`, an end of its own: no
+  /// region sees them through a thin void.
+  [[nodiscard]] bool keeps_clear(VertexId v, SegmentId own, Point p) const {
+    const auto& around = segments_at_[v.index()];
+    return std::all_of(around.begin(), around.end(), [&](std::uint32_t s) {
+      const Segment& other = pslg_.segments[s];
+      const Point from = at(v), to = at(other.a == v ? other.b : other.a);
+      return s == own.index() || dot(to - from, p - from) <= 0 || is_off_line(from, to, p);
+    });
   }
 
   /// The encroached segments of the regions that changed, the longest first.
@@ -334,7 +350,9 @@ class Cutter {
     std::size_t least = 0;
     for (const double place : places_between(e, low, high)) {
       const Point p = point_on(a, b, place);
-      if (!has_room_on_segment(a, b, p, apexes)) continue;
+      if (!has_room_on_segment(a, b, p, apexes) || !keeps_clear(segment.a, e.segment, p) ||
+          !keeps_clear(segment.b, e.segment, p))
+        continue;
       std::size_t encroached = 0;
       for (const SegmentSide& s : sides_[e.segment.index()])
         encroached += view(s.region).encroaches(s.side, p);
@@ -400,9 +418,10 @@ class Cutter {
   std::vector<Point>& stuck_;
   std::size_t most_points_;  ///< with more of them it is a cascade
   std::vector<RegionBoundary> boundaries_;
-  std::vector<std::optional<RegionView>> views_;  ///< by region, of the present pass
-  std::vector<std::vector<SegmentSide>> sides_;   ///< by segment
-  std::vector<std::uint8_t> dirty_;               ///< by region
+  std::vector<std::optional<RegionView>> views_;         ///< by region, of the present pass
+  std::vector<std::vector<SegmentSide>> sides_;          ///< by segment
+  std::vector<std::vector<std::uint32_t>> segments_at_;  ///< by vertex
+  std::vector<std::uint8_t> dirty_;                      ///< by region
 };
 
 }  // namespace

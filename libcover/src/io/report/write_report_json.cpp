@@ -45,7 +45,7 @@
 //   BOX      obtuse_sides, non_delaunay_edges (both by more than rounding), negative_couplings
 //   (exact
 //            signs), those of them inside, on encroached sides and on sides given up for the angle:
-//            negative_inside, negative_encroached, negative_given_up; box_area; of regions also
+//            negative_inside, negative_encroached, negative_forced, negative_given_up; box_area; of regions also
 //            "negative": [ { "kind", "edge": [[x, y], [x, y]], "apex": [x, y] } ]
 //   LAYERS   line, first, growth, count (as asked for; 0: until isotropic), segments and length of
 //            the line in this region, complete (segments with all), fewest and most layers over a
@@ -156,6 +156,7 @@ Json to_json(const BoxMethod& box) {
           {"negative_couplings", box.negative_couplings},
           {"negative_inside", box.negative_inside},
           {"negative_encroached", box.negative_encroached},
+          {"negative_forced", box.negative_forced},
           {"negative_given_up", box.negative_given_up},
           {"box_area", box.box_area}};
 }
@@ -166,6 +167,8 @@ const char* name_of(NegativeCoupling::Kind kind) {
       return "inside";
     case NegativeCoupling::Kind::encroached:
       return "encroached";
+    case NegativeCoupling::Kind::forced:
+      return "forced";
     case NegativeCoupling::Kind::given_up:
       break;
   }
@@ -330,6 +333,7 @@ RegionReport sum_of(const Report& report) {
     sum.box.negative_couplings += region.box.negative_couplings;
     sum.box.negative_inside += region.box.negative_inside;
     sum.box.negative_encroached += region.box.negative_encroached;
+    sum.box.negative_forced += region.box.negative_forced;
     sum.box.negative_given_up += region.box.negative_given_up;
     sum.box.box_area += region.box.box_area;
   }

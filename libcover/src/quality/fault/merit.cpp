@@ -110,7 +110,8 @@ Prefer preference(const Options& options) {
 }
 
 bool minds_couplings(const Options& options) {
-  const bool cuts_for_angles = options.split_interfaces.has_value() && !options.box_method;
+  const bool cuts_for_angles = options.split_interfaces && !options.box_method &&
+                               options.layers.empty();  // which nothing is cut for afterwards
   return options.couplings == Couplings::first && !cuts_for_angles;
 }
 

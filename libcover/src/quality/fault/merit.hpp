@@ -57,7 +57,7 @@ bool is_better(const Merit& a, const Merit& b);
 Prefer preference(const Options& options);
 
 /// Whether couplings come before targets: Options::couplings, but not where segments may be cut for
-/// angles instead.
+/// angles instead: they are not where there are layers.
 bool minds_couplings(const Options& options);
 
 /// How triangulations of one region are compared.

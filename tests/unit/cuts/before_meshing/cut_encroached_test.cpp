@@ -12,6 +12,7 @@
 
 #include "box/encroached_sides.hpp"
 #include "cdt/cdt.hpp"
+#include "cdt/region_cdt.hpp"
 #include "region/region_graph.hpp"
 #include "support/inputs.hpp"
 
@@ -110,6 +111,26 @@ TEST(CutEncroached, ACascadeBetweenNeedlesEndsAndIsNamed) {
   EXPECT_GT(done.cuts.size(), 100U) << "no cascade: take other needles";
   EXPECT_LE(done.pslg.points.size(), 2 * most_points_for_boxes(done.pslg, done.cuts));
   EXPECT_FALSE(done.stuck.empty()) << "what is left has to be named";
+}
+
+// Two segments from one point with a void of 1e-10 between them, which no region sees: a cut near the
+// point, rounded, lay beyond the other segment.
+TEST(CutEncroached, KeepsClearOfWhatIsBeyondAThinVoid) {
+  const std::vector<Point> corners{{-2, -2},
+                                   {2, -2},
+                                   {-0.11109037057426763, -1.9999999997574398},
+                                   {-0.11109037081682772, -1.9999999994845599},
+                                   {2, 0},
+                                   {-2, 1},
+                                   {-2, 0.5},
+                                   {-2, 2},
+                                   {2, 2},
+                                   {2, 2.4256010118795396e-10}};
+  const Cut done = cut(testing::segments_between(
+      corners, {{0, 1}, {0, 6}, {1, 4}, {2, 4}, {2, 9}, {3, 5}, {3, 6}, {5, 7}, {7, 8}, {8, 9}}));
+  EXPECT_FALSE(done.cuts.empty());
+  for (const RegionBoundary& b : split_regions(done.pslg, done.table))
+    EXPECT_FALSE(find_fault(triangulate_domain(b.points, b.sides), b.points, b.sides));
 }
 
 }  // namespace

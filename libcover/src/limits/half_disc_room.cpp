@@ -1,0 +1,331 @@
+// Boxes, divided until each is settled: outside of the circle, outside of the region, or with all
+// that it has of the region in one half disc. Whether that is so is told by exact signs at its
+// corners: half discs and circles are convex.
+//
+// What sees the side. Let p be in the open half disc of side s, and on the left of every side that
+// comes into the half disc (its walls). Go from a place q inside s towards p: the first wall that is
+// met is met from its left, so p would be on its right. There is none, and p sees q.
+//
+// What a box has of the region. Where just one side passes through it, from edge to edge, and its
+// other side is not the region's as well, that is the part on its left. The same holds
+// where just two sides that meet in the box pass, if the corner is below 180 degrees. Near such a
+// corner A, of u degrees between two free sides of lengths a and b, the two discs cover all directions
+// between the sides up to the distance min(a, b) cos(u/2): the nearer side is at most at u/2.
+// Tested by tests/unit/limits/half_disc_room_test.cpp.
+#include "limits/half_disc_room.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include "geom/predicates.hpp"
+#include "geom/vector.hpp"
+
+namespace cover {
+namespace {
+
+constexpr double kMargin = 1e-9;    ///< of lengths: far more than rounding makes
+constexpr double kFlattest = 1e-5;  ///< of triangles, twice their area in parts of squared lengths
+constexpr int kLevels = 14;         ///< of division
+constexpr int kFirstLevel = 6;      ///< from it on places are looked for
+constexpr std::size_t kMostBoxes = 24'000;  ///< of one level, and in all for a circle,
+constexpr std::size_t kLeastBoxes = 300;    ///< but fewer
+constexpr std::size_t kMostWork = 500'000;  ///< where there are many sides, which each box asks
+constexpr std::size_t kMostCircles = 8;     ///< that proofs look at
+constexpr std::array<std::array<double, 2>, 5> kTrials{
+    {{0.5, 0.5}, {0.23, 0.31}, {0.71, 0.27}, {0.29, 0.77}, {0.79, 0.69}}};
+
+std::array<Point, 4> corners_of(const Box& box) {
+  return {box.low, Point{box.high.x, box.low.y}, box.high, Point{box.low.x, box.high.y}};
+}
+
+Point at(const Box& box, const std::array<double, 2>& share) {
+  return {box.low.x + share[0] * box.width(), box.low.y + share[1] * box.height()};
+}
+
+/// From `p` to the nearest point of the box.
+double distance_to(const Box& box, Point p) {
+  const double x = std::max({box.low.x - p.x, p.x - box.high.x, 0.0});
+  const double y = std::max({box.low.y - p.y, p.y - box.high.y, 0.0});
+  return std::hypot(x, y);
+}
+
+double distance_to(Point a, Point b, Point p) {
+  const Vector along = b - a;
+  const double share = std::clamp(dot(p - a, along) / squared_length(along), 0.0, 1.0);
+  return length(p - (a + share * along));
+}
+
+using Circle = HalfDiscRoom::Circle;
+
+Circle circle_through(const std::array<Point, 3>& corners) {
+  const auto& [a, b, c] = corners;
+  const Vector u = b - a, v = c - a;
+  const double area = 2 * cross(u, v);
+  // So flat that the middle is not known as well as kMargin asks: no circle.
+  if (!(area > kFlattest * (squared_length(u) + squared_length(v))))
+    return {corners, a, std::numeric_limits<double>::infinity()};
+  const Vector to =
+      (1 / area) * (squared_length(u) * Vector{v.y, -v.x} + squared_length(v) * Vector{-u.y, u.x});
+  return {corners, a + to, length(to)};
+}
+
+bool is_seen_bluntly(Point a, Point p, Point b) {
+  return compare_with_90_degrees(a, p, b) == Sign::positive;
+}
+
+}  // namespace
+
+struct HalfDiscRoom::Search {
+  Circle circle;
+  std::vector<Disc> discs;           ///< that meet the circle
+  std::vector<std::uint32_t> sides;  ///< that meet the first box
+  std::vector<bool> is_used;         ///< by side: its disc covers a box
+  Box box;                           ///< the first one
+};
+
+HalfDiscRoom::HalfDiscRoom(std::span<const Point> points, std::span<const IndexPair> sides,
+                           const std::vector<bool>& is_free)
+    : points_(points), sides_(sides), is_free_(is_free), is_slit_(sides.size()) {
+  std::vector<IndexPair> sorted(sides.begin(), sides.end());
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t s = 0; s < sides.size(); ++s)
+    is_slit_[s] =
+        std::binary_search(sorted.begin(), sorted.end(), IndexPair{sides[s][1], sides[s][0]});
+}
+
+/// Windings, by exact signs. REQUIRES: `p` is on no side
+bool HalfDiscRoom::is_inside(Point p) const {
+  int windings = 0;
+  for (std::uint32_t s = 0; s < sides_.size(); ++s) {
+    const Point a = start(s), b = end(s);
+    if ((a.y <= p.y) == (b.y <= p.y)) continue;
+    const Sign turn = orientation(a, b, p);
+    if (a.y <= p.y && turn == Sign::positive) ++windings;
+    if (a.y > p.y && turn == Sign::negative) --windings;
+  }
+  return windings > 0;
+}
+
+/// Half discs are taken without asking who sees what: that costs places, and is never wrong.
+bool HalfDiscRoom::is_place(Point p, const Search& search) const {
+  const auto& [a, b, c] = search.circle.corners;
+  if (in_circle(a, b, c, p) != Sign::positive) return false;
+  for (const std::uint32_t s : search.sides) {
+    if (orientation(start(s), end(s), p) == Sign::zero) return false;
+  }
+  return is_inside(p) && std::none_of(search.discs.begin(), search.discs.end(), [&](const Disc& d) {
+           return orientation(start(d.side), end(d.side), p) == Sign::positive &&
+                  is_seen_bluntly(start(d.side), p, end(d.side));
+         });
+}
+
+std::vector<std::uint32_t> HalfDiscRoom::walls_of(const Disc& disc) const {
+  std::vector<std::uint32_t> walls;
+  const IndexPair own = sides_[disc.side];
+  const Point a = start(disc.side), b = end(disc.side);
+  for (std::uint32_t s = 0; s < sides_.size(); ++s) {
+    if (s == disc.side || distance_to(start(s), end(s), disc.middle) > disc.radius * (1 + kMargin))
+      continue;
+    if (orientation(a, b, start(s)) != Sign::positive &&
+        orientation(a, b, end(s)) != Sign::positive)
+      continue;
+    // From an end of the side on it leaves the disc at once, unless the corner is below 90 degrees.
+    const bool from_b = sides_[s][0] == own[1], to_b = sides_[s][1] == own[1];
+    const bool from_a = sides_[s][0] == own[0], to_a = sides_[s][1] == own[0];
+    if (from_b || to_b || from_a || to_a) {
+      const Point far = from_b || from_a ? end(s) : start(s);
+      const bool at_b = from_b || to_b;
+      if (compare_with_90_degrees(far, at_b ? b : a, at_b ? a : b) != Sign::negative) continue;
+    }
+    walls.push_back(s);
+  }
+  return walls;
+}
+
+HalfDiscRoom::Search HalfDiscRoom::begin(const std::array<Point, 3>& corners,
+                                         std::span<const std::uint32_t> first) const {
+  const Circle circle = circle_through(corners);
+  Search search{circle, {}, {}, std::vector<bool>(sides_.size(), false), {}};
+  Box region = box_of(points_);
+  const Point m = circle.middle;
+  const double r = circle.radius * (1 + kMargin);
+  search.box.add({std::max(region.low.x, m.x - r), std::max(region.low.y, m.y - r)});
+  search.box.add({std::min(region.high.x, m.x + r), std::min(region.high.y, m.y + r)});
+  for (std::uint32_t s = 0; s < sides_.size(); ++s) {
+    Box box;
+    box.add(start(s));
+    box.add(end(s));
+    if (box.meets(search.box)) search.sides.push_back(s);
+    if (!is_free_[s]) continue;
+    const Disc disc{midpoint(start(s), end(s)), length(end(s) - start(s)) / 2, s, {}};
+    if (length(disc.middle - m) < r + disc.radius * (1 + kMargin)) search.discs.push_back(disc);
+  }
+  const auto is_first = [&](const Disc& d) {
+    return std::find(first.begin(), first.end(), d.side) != first.end();
+  };
+  std::stable_partition(search.discs.begin(), search.discs.end(), is_first);
+  for (Disc& disc : search.discs) disc.walls = walls_of(disc);
+  return search;
+}
+
+/// The sides that have a point in common with the box: by the axes that separate convex sets.
+std::vector<std::uint32_t> HalfDiscRoom::touching(const Box& box, const Search& search) const {
+  std::vector<std::uint32_t> found;
+  for (const std::uint32_t s : search.sides) {
+    Box own;
+    own.add(start(s));
+    own.add(end(s));
+    if (!own.meets(box)) continue;
+    bool left = false, right = false;
+    for (const Point& corner : corners_of(box)) {
+      const Sign turn = orientation(start(s), end(s), corner);
+      left = left || turn != Sign::negative;
+      right = right || turn != Sign::positive;
+    }
+    if (left && right) found.push_back(s);
+  }
+  return found;
+}
+
+bool HalfDiscRoom::is_left(const Box& box, std::uint32_t s) const {
+  for (const Point& corner : corners_of(box)) {
+    if (orientation(start(s), end(s), corner) == Sign::negative) return false;
+  }
+  return true;
+}
+
+/// Whether all that the box has of the region is on the left of each of the sides that touch it.
+bool HalfDiscRoom::keeps_left(const Box& box, const std::vector<std::uint32_t>& touching) const {
+  for (const std::uint32_t s : touching) {
+    if (is_slit_[s]) return false;
+  }
+  if (touching.size() == 1) return !box.holds(start(touching[0])) && !box.holds(end(touching[0]));
+  if (touching.size() != 2) return false;
+  std::uint32_t before = touching[0], after = touching[1];
+  if (sides_[before][1] != sides_[after][0]) std::swap(before, after);
+  return sides_[before][1] == sides_[after][0] && box.holds(end(before)) &&
+         !box.holds(start(before)) && !box.holds(end(after)) &&
+         orientation(start(before), end(before), end(after)) == Sign::positive;
+}
+
+/// REQUIRES: keeps_left()
+bool HalfDiscRoom::corner_is_covered(const Box& box, const std::vector<std::uint32_t>& touching,
+                                     Search& search) const {
+  if (touching.size() != 2 || !is_free_[touching[0]] || !is_free_[touching[1]]) return false;
+  std::uint32_t before = touching[0], after = touching[1];
+  if (sides_[before][1] != sides_[after][0]) std::swap(before, after);
+  const Point corner = end(before);
+  const Vector back = start(before) - corner, on = end(after) - corner;
+  const double a = length(back), b = length(on);
+  const double half = std::sqrt(std::max(0.0, (1 + dot(back, on) / (a * b)) / 2));
+  double farthest = 0;
+  for (const Point& p : corners_of(box)) farthest = std::max(farthest, length(p - corner));
+  if (!(half > kMargin) || farthest > std::min(a, b) * half * (1 - std::sqrt(kMargin)))
+    return false;
+  search.is_used[before] = search.is_used[after] = true;
+  return true;
+}
+
+bool HalfDiscRoom::is_settled(const Box& box, Search& search) const {
+  if (distance_to(box, search.circle.middle) > search.circle.radius * (1 + kMargin)) return true;
+  const std::vector<std::uint32_t> sides = touching(box, search);
+  if (sides.empty() && !is_inside(at(box, kTrials[0]))) return true;
+  const bool cuts = keeps_left(box, sides);
+  const auto corners = corners_of(box);
+  for (const Disc& disc : search.discs) {
+    const Point a = start(disc.side), b = end(disc.side);
+    if (distance_to(box, disc.middle) > disc.radius ||
+        !std::all_of(corners.begin(), corners.end(),
+                     [&](const Point& p) { return is_seen_bluntly(a, p, b); }))
+      continue;
+    const auto is_kept_left = [&](std::uint32_t wall) {
+      return is_left(box, wall) ||
+             (cuts && std::find(sides.begin(), sides.end(), wall) != sides.end());
+    };
+    if (!is_kept_left(disc.side) ||
+        !std::all_of(disc.walls.begin(), disc.walls.end(), is_kept_left))
+      continue;
+    search.is_used[disc.side] = true;
+    return true;
+  }
+  return cuts && corner_is_covered(box, sides, search);
+}
+
+HalfDiscRoom::Room HalfDiscRoom::within_circle(const std::array<Point, 3>& corners,
+                                               std::size_t most,
+                                               std::span<const std::uint32_t> first) const {
+  Room room;
+  Search search = begin(corners, first);
+  if (!std::isfinite(search.circle.radius)) return room;
+  std::vector<Box> boxes{search.box}, next;
+  std::size_t left = std::clamp(kMostWork / sides_.size(), kLeastBoxes, kMostBoxes);
+  for (int level = 0; level <= kLevels; ++level) {
+    room.places.clear();
+    next.clear();
+    for (const Box& box : boxes) {
+      if (left == 0) return room;
+      --left;
+      if (is_settled(box, search)) continue;
+      if (level >= kFirstLevel || most == 0) {
+        for (const auto& share : std::span(kTrials).first(most == 0 ? 1 : kTrials.size())) {
+          if (!is_place(at(box, share), search)) continue;
+          room.places.push_back(at(box, share));
+          break;
+        }
+        if (most == 0 && !room.places.empty()) return room;
+      }
+      const Point m = midpoint(box.low, box.high);
+      for (const Box& part : {Box{box.low, m}, Box{{m.x, box.low.y}, {box.high.x, m.y}},
+                              Box{{box.low.x, m.y}, {m.x, box.high.y}}, Box{m, box.high}})
+        next.push_back(part);
+    }
+    if (next.empty()) {
+      room.is_none = true;
+      for (std::uint32_t s = 0; s < sides_.size(); ++s) {
+        if (search.is_used[s]) room.sides.push_back(s);
+      }
+      return room;
+    }
+    if ((most > 0 && room.places.size() >= most) || next.size() > kMostBoxes) break;
+    boxes.swap(next);
+  }
+  return room;
+}
+
+std::vector<std::uint32_t> forced_sides(std::span<const Point> points,
+                                        std::span<const IndexPair> sides,
+                                        const std::vector<bool>& is_free,
+                                        std::span<const std::array<Point, 3>> beyond,
+                                        std::span<const std::uint32_t> negative) {
+  std::vector<std::uint32_t> forced;
+  if (negative.empty() || beyond.empty()) return forced;
+  const HalfDiscRoom room(points, sides, is_free);
+  std::vector<bool> is_taken(sides.size(), false);  // by a proof
+  std::size_t circles = 0;
+  for (const std::array<Point, 3>& corners : beyond) {
+    const auto is_near = [&](std::uint32_t s) {
+      const Point a = points[sides[s][0]], b = points[sides[s][1]];
+      const Circle circle = circle_through(corners);
+      return length(midpoint(a, b) - circle.middle) < circle.radius + length(b - a);
+    };
+    if (std::none_of(negative.begin(), negative.end(), is_near)) continue;
+    if (++circles > kMostCircles) break;
+    const HalfDiscRoom::Room found = room.within_circle(corners, 0, negative);
+    if (!found.is_none || std::any_of(found.sides.begin(), found.sides.end(),
+                                      [&](std::uint32_t s) { return is_taken[s]; }))
+      continue;
+    std::vector<std::uint32_t> common;
+    std::vector<std::uint32_t> sorted(negative.begin(), negative.end());
+    std::sort(sorted.begin(), sorted.end());
+    std::set_intersection(sorted.begin(), sorted.end(), found.sides.begin(), found.sides.end(),
+                          std::back_inserter(common));
+    if (common.empty()) continue;  // an inner edge is negative, or the bound is not held
+    forced.push_back(common[0]);
+    for (const std::uint32_t s : found.sides) is_taken[s] = true;
+  }
+  return forced;
+}
+
+}  // namespace cover
