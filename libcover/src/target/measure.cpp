@@ -234,8 +234,8 @@ BoxMethod measure_boxes(std::span<const Point> points, std::span<const IndexTrip
 
 namespace {
 
-/// The edges of a region's mesh with a negative coupling, exactly; counted in `box`. O(n), O(n log n)
-/// where a side has one.
+/// The edges of a region's mesh with a negative coupling, exactly; counted in `box`. O(n), O(n log
+/// n) where a side has one.
 std::vector<NegativeCoupling> measure_couplings(const RegionBoundary& boundary,
                                                 const RegionMesh& mesh,
                                                 std::span<const Point> points,

@@ -91,8 +91,8 @@ class Kept {
     std::sort(edges_.begin(), edges_.end());
     std::sort(corners_.begin(), corners_.end());
   }
-  /// Whether a line between u and v must not be bent to w: it may be the copy of an edge that another
-  /// polygon has.
+  /// Whether a line between u and v must not be bent to w: it may be the copy of an edge that
+  /// another polygon has.
   [[nodiscard]] bool forbids(std::uint32_t w, std::uint32_t u, std::uint32_t v) const {
     const IndexPair ends{std::min(u, v), std::max(u, v)};
     auto edge = std::lower_bound(edges_.begin(), edges_.end(), std::pair(ends, 0U));

@@ -120,9 +120,9 @@ class Tree {
   std::uint32_t parts_ = 0;
 };
 
-/// The parts of a mesh between fixed vertices alone. Its triangles reach from one end of the region to
-/// the other, and neighbours have their middles far apart: any line through the plane would have a
-/// border beside half of them. But going from triangle to triangle is going along a tree, but for
+/// The parts of a mesh between fixed vertices alone. Its triangles reach from one end of the region
+/// to the other, and neighbours have their middles far apart: any line through the plane would have
+/// a border beside half of them. But going from triangle to triangle is going along a tree, but for
 /// holes, of which whole branches are taken off.
 ///
 /// ENSURES: numbers below `parts`, all of them from 0 to the largest; kNone for holes

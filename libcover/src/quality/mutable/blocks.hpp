@@ -50,9 +50,9 @@ struct Borders {
 std::size_t block_count(const MutableMesh& whole, const Sharing& sharing);
 
 /// Divides `whole` along a k-d tree of the middles of its triangles, or into branches where it has
-/// fixed vertices alone; calls `work` with every part,
-/// and puts in place what it has made of Block::mesh. `done` is called with every part in turn, its
-/// vertices now those of the whole, before its mesh is forgotten.
+/// fixed vertices alone; calls `work` with every part, and puts in place what it has made of
+/// Block::mesh. `done` is called with every part in turn, its vertices now those of the whole,
+/// before its mesh is forgotten.
 ///
 /// `work` may change the mesh by whatever keeps its sides; with inner couplings it makes none worse
 /// across a border than they may be together.

@@ -33,12 +33,13 @@ struct MeshTriangle {
   std::array<std::uint32_t, 3> n{};
 
   [[nodiscard]] int corner_of(std::uint32_t w) const { return v[0] == w ? 0 : v[1] == w ? 1 : 2; }
-  /// The edge from a to b. REQUIRES: it is one.
+  /// The edge from a to b.
+  /// REQUIRES: it is one.
   [[nodiscard]] int edge_from(std::uint32_t a) const { return prev3(corner_of(a)); }
 };
 
-/// The limits of the sides of a region, which its meshes have in common: they take 88 bytes each, more
-/// than four triangles.
+/// The limits of the sides of a region, which its meshes have in common: they take 88 bytes each,
+/// more than four triangles.
 class SideLimits {
  public:
   SideLimits() = default;
