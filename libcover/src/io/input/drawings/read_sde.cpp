@@ -10,7 +10,6 @@
 #include <map>
 #include <numbers>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
