@@ -1,5 +1,5 @@
-// Pictures as .png, apart: they are all that needs VTK, and who has another VTK loaded, as ParaView,
-// must not get this one.
+// Pictures as .png, apart: they are all that needs VTK, and who has another VTK loaded, as
+// ParaView, must not get this one.
 #include <pybind11/pybind11.h>
 
 #include <cover/mesh.hpp>

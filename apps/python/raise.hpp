@@ -5,8 +5,8 @@
 
 namespace cover::python {
 
-/// Raises cover.Error, or one of its kinds (Cancelled, OptionError, OutOfMemory), with the members code and
-/// where.
+/// Raises cover.Error, or one of its kinds (Cancelled, OptionError, OutOfMemory), with the members
+/// code and where.
 [[noreturn]] void raise(const Error& error);
 
 }  // namespace cover::python

@@ -21,7 +21,8 @@ std::string format_of_name(const std::string& path);
 /// Errors: those of read_input(), read_geo(), read_dxf() and read_gdal()
 Result<Input> read_geometry(const std::string& path, const ReadOptions& options);
 
-/// Reads geometry from memory; `source` is what messages call it. REQUIRES: a format in the options
+/// Reads geometry from memory; `source` is what messages call it.
+/// REQUIRES: a format in the options
 ///
 /// Errors: those of parse_input(), read_geo() and parse_dxf()
 Result<Input> parse_geometry(std::string_view text, const std::string& source,

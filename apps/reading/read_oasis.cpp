@@ -53,8 +53,8 @@ enum class Ended { well, badly, not_there };
 constexpr const char* kDebiansTool = "/usr/lib/klayout/strm2gds";
 constexpr const char* kDebiansLibraries = "LD_LIBRARY_PATH=/usr/lib/klayout";
 
-/// Runs a program of the PATH to its end, with `setting` before all else in its environment; what it
-/// says goes to the file `log`.
+/// Runs a program of the PATH to its end, with `setting` before all else in its environment; what
+/// it says goes to the file `log`.
 Ended run(std::vector<std::string> words, const std::string& log, const char* setting = nullptr) {
   std::string first = setting != nullptr ? setting : "";
   std::vector<char*> settings;

@@ -14,8 +14,8 @@ namespace cover::reading {
 bool is_oasis(std::string_view extension);
 
 /// Has KLayout make GDSII of a layout, in a folder for temporary files, and reads that: by strm2gds
-/// of the PATH or of Debian's package, else by klayout, which takes two seconds to start. Debian has
-/// no library that reads OASIS.
+/// of the PATH or of Debian's package, else by klayout, which takes two seconds to start. Debian
+/// has no library that reads OASIS.
 ///
 /// Errors: unsupported_format where neither is installed; syntax where KLayout refuses the file;
 ///         cannot_open, cannot_write; those of read_input() for layouts

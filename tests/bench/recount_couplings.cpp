@@ -2,9 +2,10 @@
 //
 //   recount_couplings CLEAN.poly MESH.node MESH.ele
 //
-// CLEAN.poly is the geometry as it was meshed (`cover mesh IN -o MESH.ele -o CLEAN.poly --ids region`). Prints the negative
-// couplings on inner edges, all sides, the negative ones among them that a vertex of the geometry encroaches, and the other negative
-// ones. Exact: by predicates of CGAL on the numbers as they are written.
+// CLEAN.poly is the geometry as it was meshed (`cover mesh IN -o MESH.ele -o CLEAN.poly --ids
+// region`). Prints the negative couplings on inner edges, all sides, the negative ones among them
+// that a vertex of the geometry encroaches, and the other negative ones. Exact: by predicates of
+// CGAL on the numbers as they are written.
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
@@ -77,7 +78,8 @@ int main(int argc, char** argv) {
     cdt.insert_constraint(handles[a], handles[b]);
     segments[{given[a], given[b]}] = segments[{given[b], given[a]}] = true;
   }
-  // The side from a to b is encroached where the corner left of it sees it at more than a right angle.
+  // The side from a to b is encroached where the corner left of it sees it at more than a right
+  // angle.
   std::map<std::pair<Point, Point>, bool> encroached;
   for (auto f = cdt.finite_faces_begin(); f != cdt.finite_faces_end(); ++f) {
     for (int i = 0; i < 3; ++i) {

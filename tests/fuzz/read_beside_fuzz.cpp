@@ -1,5 +1,5 @@
-// Any bytes as a file that goes with the geometry: a table of sizes (.csv), a map of layers (.map), a
-// legend (.legend): something or an error, never a crash, a hang or a huge allocation.
+// Any bytes as a file that goes with the geometry: a table of sizes (.csv), a map of layers (.map),
+// a legend (.legend): something or an error, never a crash, a hang or a huge allocation.
 // COVER_FUZZ_FORMAT is one of these, COVER_FUZZ_LAYOUT a layout.
 #include <unistd.h>
 

@@ -58,8 +58,8 @@ Boxes boxes_of(const TriangleSoup& mesh) {
   return boxes;
 }
 
-/// x with sum over bonds of weight (x_a - x_b), plus diagonal x_a, equal to `right` where nothing is
-/// fixed; by conjugate gradients.
+/// x with sum over bonds of weight (x_a - x_b), plus diagonal x_a, equal to `right` where nothing
+/// is fixed; by conjugate gradients.
 Vec solve(const Boxes& boxes, const Vec& weight, const Vec& diagonal, const Vec& right,
           const std::vector<bool>& fixed, Vec x) {
   const std::size_t n = x.size();

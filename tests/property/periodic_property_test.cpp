@@ -1,5 +1,5 @@
-// Random unit cells and sectors, whole and cut in every way: no vertex on a periodic side is without
-// its partner, and all promises hold.
+// Random unit cells and sectors, whole and cut in every way: no vertex on a periodic side is
+// without its partner, and all promises hold.
 #include <gtest/gtest.h>
 
 #include <random>

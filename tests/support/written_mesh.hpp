@@ -19,7 +19,8 @@ namespace cover::testing {
 Output odd_device();
 
 /// A structured mesh of 2 * columns * rows triangles, left half region 1 and right half region 2,
-/// made without the mesher. REQUIRES: columns is even
+/// made without the mesher.
+/// REQUIRES: columns is even
 Output structured_mesh(int columns, int rows);
 
 /// A cell of a file.

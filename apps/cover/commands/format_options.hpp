@@ -9,8 +9,8 @@
 
 namespace cover::app {
 
-/// --order, --msh, --xdmf, --parts, --no-inner-lines, --lines, --ids, --inp-element. Their values are checked, with the
-/// file they are meant for, by can_write().
+/// --order, --msh, --xdmf, --parts, --no-inner-lines, --lines, --ids, --inp-element. Their values
+/// are checked, with the file they are meant for, by can_write().
 class FormatOptions {
  public:
   void add(CLI::App& command, const std::string& group);

@@ -25,14 +25,17 @@ class GeometryFile {
   /// The file of --layer-map; with an empty path where there is none.
   [[nodiscard]] std::vector<NamedFile> read_files() const;
 
-  /// Reads the files, which become one geometry in this order; `-` is standard input, whose format follows from how it begins.
+  /// Reads the files, which become one geometry in this order; `-` is standard input, whose format
+  /// follows from how it begins.
   ///
   /// Errors: those of read_input() and of the readers that are built in
   [[nodiscard]] Result<Input> read();
 
-  /// Options that were given but do nothing, a sentence each. REQUIRES: read() was called
+  /// Options that were given but do nothing, a sentence each.
+  /// REQUIRES: read() was called
   [[nodiscard]] std::vector<std::string> ignored() const;
-  /// Options of reading that the mesh can be traced to. REQUIRES: read() was called
+  /// Options of reading that the mesh can be traced to.
+  /// REQUIRES: read() was called
   [[nodiscard]] std::vector<Provenance::Setting> settings() const;
 
  private:

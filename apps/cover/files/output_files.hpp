@@ -17,15 +17,17 @@ namespace cover::app {
 using Writer =
     std::function<Status(const Output&, const std::string& path, const std::stop_token& stop)>;
 
-/// The writer for what `path` ends in. Errors: unsupported_format, naming what is possible;
-/// bad_option where the format cannot do what `options` ask for.
+/// The writer for what `path` ends in.
+/// Errors: unsupported_format, naming what is possible; bad_option where the format cannot do what
+///         `options` ask for.
 Result<Writer> mesh_writer(const std::string& path, const WriteOptions& options);
 
-/// The same for standard output, in the format of the extension `format`, which has no dot. Errors:
-/// also bad_option for formats of several files.
+/// The same for standard output, in the format of the extension `format`, which has no dot.
+/// Errors: also bad_option for formats of several files.
 Result<Writer> stdout_writer(const std::string& format, const WriteOptions& options);
 
-/// The writer of a --report file, for a mesh of first or second order. Errors: unsupported_format
+/// The writer of a --report file, for a mesh of first or second order.
+/// Errors: unsupported_format
 Result<Writer> report_writer(const std::string& path, int order = 1);
 
 /// The extensions that mesh_writer knows, for help texts.

@@ -1,6 +1,6 @@
-// The page is read from the top: first whether the mesh can be trusted, then the figures and the mesh
-// itself that say why, then every region. Without scripts there is a picture: of large meshes as
-// PNG, since a browser is slow with a hundred thousand paths.
+// The page is read from the top: first whether the mesh can be trusted, then the figures and the
+// mesh itself that say why, then every region. Without scripts there is a picture: of large meshes
+// as PNG, since a browser is slow with a hundred thousand paths.
 #include "page/html_report.hpp"
 
 #include <algorithm>

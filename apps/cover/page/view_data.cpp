@@ -1,6 +1,6 @@
 // Coordinates are whole numbers of 32 bits: the page sees 1/4,294,967,295 of the drawing's size.
-// Angles come with the triangles, from the coordinates as they are: those of triangles too small for
-// this are right, too. Tested by tests/unit/app/view_data_test.cpp.
+// Angles come with the triangles, from the coordinates as they are: those of triangles too small
+// for this are right, too. Tested by tests/unit/app/view_data_test.cpp.
 #include "page/view_data.hpp"
 
 #include <algorithm>
@@ -179,8 +179,8 @@ class ViewData {
     return out;
   }
 
-  /// Name, material, largest angle, the least that it can be, smallest angle, rho, and the number of
-  /// its worst triangle among those shown.
+  /// Name, material, largest angle, the least that it can be, smallest angle, rho, and the number
+  /// of its worst triangle among those shown.
   [[nodiscard]] Json regions() const {
     Json rows = Json::array();
     std::size_t first = 0;

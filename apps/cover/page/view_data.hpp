@@ -7,9 +7,9 @@
 
 namespace cover::app {
 
-/// The mesh as JSON that can stand inside of a script element: arrays of whole numbers in base64, at
-/// most 40 bytes per triangle, and a row per region. Of larger meshes than `most` triangles, those
-/// nearest to the largest angle, and all lines.
+/// The mesh as JSON that can stand inside of a script element: arrays of whole numbers in base64,
+/// at most 40 bytes per triangle, and a row per region. Of larger meshes than `most` triangles,
+/// those nearest to the largest angle, and all lines.
 ///
 /// REQUIRES: output.report has a line for each region
 /// Cost: O(n log n)

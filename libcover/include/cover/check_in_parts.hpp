@@ -19,8 +19,8 @@ struct CheckInParts {
   std::size_t triangles = 0;
 };
 
-/// What prepare() finds, but for lower bounds, which a check finds itself; `input` goes as soon as it
-/// is clean.
+/// What prepare() finds, but for lower bounds, which a check finds itself; `input` goes as soon as
+/// it is clean.
 ///
 /// Errors: those of prepare()
 Result<Prepared> prepare_to_check(Input&& input, const Options& options = {});

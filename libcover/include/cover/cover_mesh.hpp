@@ -47,8 +47,8 @@ Result<BoxCosts> box_costs(const Prepared& prepared, const Options& options = {}
 ///  (3) per region, pi - gamma >= min((pi - gamma_opt) / 2, pi / 6), up to what rounding the
 ///      coordinates can change; exceptions are named in the report.
 /// Units:   coordinates as given, one length unit throughout.
-/// Errors:  ErrorCode 100-199 (input), 300 (cancelled), 303 (out of memory), 400 (options; also what
-///          Options::size_field threw), 900 (ours, please report).
+/// Errors:  ErrorCode 100-199 (input), 300 (cancelled), 303 (out of memory), 400 (options; also
+///          what Options::size_field threw), 900 (ours, please report).
 /// Threads: safe to call from several threads; uses options.threads workers. The result is
 ///          bit-identical for every number of threads.
 /// Cost:    O(n log n) and the fill's.

@@ -14,8 +14,8 @@ namespace cover {
 /// Errors: cannot_open, with the reason that the system gives.
 Result<std::string> read_file(const std::string& path);
 
-/// Puts a file with these bytes in the place of what `path` names, at once: whatever happens, that is
-/// the whole old file or the whole new one.
+/// Puts a file with these bytes in the place of what `path` names, at once: whatever happens, that
+/// is the whole old file or the whole new one.
 ///
 /// Errors: cannot_write, with the reason that the system gives
 Status replace_file(const std::string& path, std::string_view bytes);

@@ -8,10 +8,10 @@
 
 namespace cover {
 
-/// All that the inputs have, in their order: so later polygons are painted over earlier ones. Points
-/// at the same place become one when the whole is cleaned. Ids stay those of the files; a material
-/// that the reader of a map made up, feature_3, gets the number of its file in front, 2:feature_3,
-/// from the second file on. Attributes of one name are one, of text where one is.
+/// All that the inputs have, in their order: so later polygons are painted over earlier ones.
+/// Points at the same place become one when the whole is cleaned. Ids stay those of the files; a
+/// material that the reader of a map made up, feature_3, gets the number of its file in front,
+/// 2:feature_3, from the second file on. Attributes of one name are one, of text where one is.
 ///
 /// REQUIRES: at least one
 /// Errors:   bad_option where units or scales differ, where one says that faces without a seed are

@@ -48,10 +48,11 @@ struct PeriodicLines {
 /// The mesh of a run, ready to be written.
 ///
 /// Regions of equal name and material are one group; tags count from 1 in the order of region ids.
-/// With WriteOptions::ids, each region is a group whose tag is its id, or each material is one whose
-/// tag is its number. Line groups follow, with the tags that are left: contacts by name; lines with a boundary marker by that, which is then their
-/// name; all others by the groups that they separate. On the left of a line is its lower region
-/// that is not the void. Tags are the same whichever lines are left out.
+/// With WriteOptions::ids, each region is a group whose tag is its id, or each material is one
+/// whose tag is its number. Line groups follow, with the tags that are left: contacts by name;
+/// lines with a boundary marker by that, which is then their name; all others by the groups that
+/// they separate. On the left of a line is its lower region that is not the void. Tags are the same
+/// whichever lines are left out.
 struct MeshView {
   std::size_t corners = 0;       ///< points that are vertices of the mesh; the others are midpoints
   std::vector<Point> points;     ///< in the order of the mesh
@@ -76,8 +77,8 @@ struct MeshView {
   /// none.
   std::vector<std::uint32_t> periodic_node;
 
-  /// RegionTable::attributes, by RegionId - 1, and Output::fields, by point, in the middle of an edge
-  /// the mean of its ends. Names are legible, without '/', all different and none of ours.
+  /// RegionTable::attributes, by RegionId - 1, and Output::fields, by point, in the middle of an
+  /// edge the mean of its ends. Names are legible, without '/', all different and none of ours.
   std::vector<Attribute> attributes;
   std::vector<PlaneField::Array> fields;
 

@@ -45,8 +45,8 @@ std::string describe(const Range& range);
 /// coordinates and of what programs compute from them misses by less.
 inline constexpr double kAutoWeld = 0x1p-30;
 
-/// The largest angle, in degrees, that Method::nonobtuse may leave where it snaps nearly touching disks
-/// to contact.
+/// The largest angle, in degrees, that Method::nonobtuse may leave where it snaps nearly touching
+/// disks to contact.
 inline constexpr double kLargestSnapped = 90.1;
 
 }  // namespace cover

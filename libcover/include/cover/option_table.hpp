@@ -62,7 +62,8 @@ struct OptionOf {
   Status (*set)(const OptionOf&, std::string_view value, Target&) = nullptr;
   /// The values as set() takes them; none where the option is off.
   std::vector<std::string> (*get)(const OptionOf&, const Target&) = nullptr;
-  /// Whether the value is in its range. Errors: bad_option
+  /// Whether the value is in its range.
+  /// Errors: bad_option
   Status (*check)(const OptionOf&, const Target&) = nullptr;
 
   /// The words of OptionKind::word and words.

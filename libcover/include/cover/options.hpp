@@ -29,8 +29,9 @@ enum class Overlap { last, first, error };
 
 /// Which of two triangulations of a region the quality method takes for the better one.
 enum class Prefer {
-  balanced,  ///< fewer angles above 120 degrees, unless an angle degenerates for it; then the smaller
-             ///< fault, in which large and small angles weigh alike
+  /// fewer angles above 120 degrees, unless an angle degenerates for it; then the smaller fault, in
+  /// which large and small angles weigh alike
+  balanced,
   largest,  ///< the smaller largest angle, whatever the smallest one pays for it
 };
 
@@ -43,7 +44,8 @@ enum class Effort {
 
 /// Whether angles give way to the box method's couplings or the other way round.
 enum class Couplings {
-  first,  ///< no negative coupling that the boundary does not force; targets give way, the bound never
+  /// no negative coupling that the boundary does not force; targets give way, the bound never
+  first,
   last,  ///< targets come first
 };
 
@@ -61,8 +63,8 @@ struct SizeRule {
   std::string name;  ///< empty: everywhere
   double size = 0;   ///< length, > 0; no meaning where there is an expression
   bool at = false;   ///< true: at the named line or point; false: inside the named region
-  /// The length as a function of the place, "0.1 + 0.3*abs(y)"; empty: `size`. See Expression. Where
-  /// it is no number above zero there is no wish. Not with `at`.
+  /// The length as a function of the place, "0.1 + 0.3*abs(y)"; empty: `size`. See Expression.
+  /// Where it is no number above zero there is no wish. Not with `at`.
   std::string expression{};
 };
 
@@ -112,8 +114,8 @@ struct Options {
   SizeFunction size_field;      ///< background sizes; empty: none. See size_function()
   std::string size_field_name;  ///< of the background sizes, for reports
   /// The file of the background sizes holds no lengths but values, of which this is a function: its
-  /// name, "asinh", or an expression of the arrays' names. Sizes are such that it changes by at most
-  /// size_step from one end of an edge to the other. Empty: lengths.
+  /// name, "asinh", or an expression of the arrays' names. Sizes are such that it changes by at
+  /// most size_step from one end of an edge to the other. Empty: lengths.
   std::string size_of;
   double size_step = 1;  ///< > 0
   /// Ratio of neighbouring edge lengths, > 1. None: kGrowth where there are sizes; elsewhere

@@ -61,7 +61,8 @@ Status write_svg(const PictureMesh& mesh, const PictureOptions& options, const s
 /// The SVG document as text, to be put into a page.
 Result<std::string> svg_text(const PictureMesh& mesh, const PictureOptions& options);
 
-/// Draws as PNG (target cover::vtk). Errors: as write_svg
+/// Draws as PNG (target cover::vtk).
+/// Errors: as write_svg
 Status write_png(const PictureMesh& mesh, const PictureOptions& options, const std::string& path);
 
 }  // namespace cover

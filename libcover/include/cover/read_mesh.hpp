@@ -36,19 +36,20 @@ struct MeshFile {
   std::map<std::int64_t, std::string> region_names;  ///< of groups, or of materials
   std::map<std::int64_t, std::string> line_names;    ///< of groups of lines
   bool second_order = false;  ///< triangles had six nodes; their corners were taken
-  /// By triangle, where all have six nodes: the middle nodes, from that of the first edge on. Not of
-  /// .ele and .vtm.
+  /// By triangle, where all have six nodes: the middle nodes, from that of the first edge on. Not
+  /// of .ele and .vtm.
   std::vector<std::array<Point, 3>> middles{};
   /// Vertices that the run which wrote it put on segments of its input; 0 where that is not known:
   /// only a .vtu tells.
   std::size_t cut_vertices = 0;
-  /// VTK, .msh: numbers at points, as they are in `soup`, without those that every mesh of ours has.
+  /// VTK, .msh: numbers at points, as they are in `soup`, without those that every mesh of ours
+  /// has.
   std::vector<PlaneField::Array> point_arrays{};
 };
 
-/// Reads the triangles of a mesh, and its lines: .vtu, legacy .vtk, .vtkhdf, gmsh's .msh, .xdmf, Medit's
-/// .mesh, Abaqus' .inp, Triangle's .ele. Other cells are left out. Of triangles with six nodes the
-/// corners are taken, and points that are nothing else are left out.
+/// Reads the triangles of a mesh, and its lines: .vtu, legacy .vtk, .vtkhdf, gmsh's .msh, .xdmf,
+/// Medit's .mesh, Abaqus' .inp, Triangle's .ele. Other cells are left out. Of triangles with six
+/// nodes the corners are taken, and points that are nothing else are left out.
 ///
 /// Of VTK's cell arrays region is RegionId, material the first of material, MaterialID, mat_id,
 /// gmsh:physical, medit:ref, and the group of lines LineID.
@@ -58,9 +59,10 @@ Result<MeshFile> read_mesh(const std::string& path);
 
 /// Reads a mesh that cover wrote, in any format of read_mesh() or as .vtm, as what cover_mesh()
 /// returned, as far as files keep it; see rebuild(). A .vtkhdf holds all of it. Else names,
-/// interfaces and markers come from the manifest (.json) beside it, else from the .vtm beside it, else from the file itself. So
-/// do attributes of regions and values at points, words of attributes not from a lone .vtu or .msh. What is missing then is said in the report's notes, and that midpoints of second-order triangles were
-/// left out.
+/// interfaces and markers come from the manifest (.json) beside it, else from the .vtm beside it,
+/// else from the file itself. So do attributes of regions and values at points, words of attributes
+/// not from a lone .vtu or .msh. What is missing then is said in the report's notes, and that
+/// midpoints of second-order triangles were left out.
 ///
 /// Errors: those of read_mesh(); syntax also where the manifest is of another mesh.
 Result<Output> read_output(const std::string& path);

@@ -12,7 +12,8 @@
 
 namespace cover {
 
-/// A part of the plane. REQUIRES: low.x < high.x, low.y < high.y
+/// A part of the plane.
+/// REQUIRES: low.x < high.x, low.y < high.y
 struct Window {
   Point low;
   Point high;

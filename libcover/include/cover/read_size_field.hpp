@@ -11,8 +11,8 @@ namespace cover {
 
 /// Reads edge lengths at points from .vtu, .vtp, .vti or any legacy .vtk, for size_function(): the
 /// point array called "size" or "h", or the only one that has one component. Plane cells of any
-/// kind are cut into triangles; other cells and z are passed over. Or from a .csv: lines x, y, h, or
-/// a first line with the columns' names, of which size or h counts; points are joined by their
+/// kind are cut into triangles; other cells and z are passed over. Or from a .csv: lines x, y, h,
+/// or a first line with the columns' names, of which size or h counts; points are joined by their
 /// Delaunay triangulation.
 ///
 /// Errors: cannot_open; unsupported_format; truncated; syntax, also where there is no such array.
@@ -20,9 +20,10 @@ namespace cover {
 Result<SizeSamples> read_size_field(const std::string& path);
 
 /// Reads what sizes shall follow from the same files: `of` is the name of a function of Expression,
-/// of the only array, or an expression of the arrays' names, x and y. Edges of the sizes made change
-/// it by at most `step`: the size at a point is step over the steepest slope in the triangles around
-/// it, less what edges of a mesh may be longer than asked. Where it is no number nothing is asked.
+/// of the only array, or an expression of the arrays' names, x and y. Edges of the sizes made
+/// change it by at most `step`: the size at a point is step over the steepest slope in the
+/// triangles around it, less what edges of a mesh may be longer than asked. Where it is no number
+/// nothing is asked.
 ///
 /// REQUIRES: step > 0
 /// Errors:   as the other; syntax too for an expression that cannot be read, and for points without

@@ -42,8 +42,8 @@ class RegionJobs {
   /// Threads: any, each with regions of its own; accept() may run meanwhile
   virtual void mesh_here(std::size_t region) = 0;
   /// Meshes regions in this process on `threads` threads, the caller's among them. Each asks `take`
-  /// for the next ones until there are none, and until then helps with what a large region can share
-  /// out of itself.
+  /// for the next ones until there are none, and until then helps with what a large region can
+  /// share out of itself.
   ///
   /// Threads: `take` is called by any of them; accept() may run meanwhile
   virtual void mesh_here(unsigned threads,

@@ -26,8 +26,7 @@ struct SizeSamples {
 /// Units:   as the mesh.
 /// REQUIRES: growth > 1
 /// Errors:  non_finite_coordinate; id_out_of_range; syntax for a size that is not above zero, and
-/// for
-///          no points
+///          for no points
 /// Threads: the function may be called from several at a time.
 /// Cost:    O(n log n), and O(log n) for a call, unless triangles overlap much
 Result<SizeFunction> size_function(const SizeSamples& samples, double growth);

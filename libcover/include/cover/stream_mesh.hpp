@@ -39,8 +39,8 @@ std::string needs_whole_mesh(const Input& input, const Options& options);
 /// The same of a file that is to be written.
 std::string needs_whole_mesh(const std::string& path, const WriteOptions& options);
 
-/// Makes the mesh that cover_mesh() makes. Where it is expected to be large, each region goes to the
-/// disk when it is done, and what it was made of is given back.
+/// Makes the mesh that cover_mesh() makes. Where it is expected to be large, each region goes to
+/// the disk when it is done, and what it was made of is given back.
 ///
 /// REQUIRES: needs_whole_mesh(input, options) is empty
 /// Errors:   those of cover_mesh(); cannot_write, in the name of StreamOptions::beside, also where

@@ -12,10 +12,10 @@ namespace cover {
 /// nm, um, mm, cm or m.
 bool is_length_unit(std::string_view unit);
 
-/// Multiplies all lengths of `input`: by powers of two exactly; by powers of ten with each coordinate
-/// rounded once, so that 45 nm becomes the double 4.5e-8; by any other factor as the nearest double
-/// to coordinate times `factor`. How many coordinates this rounds is told in `input.warnings`, as
-/// points on one line need not stay so.
+/// Multiplies all lengths of `input`: by powers of two exactly; by powers of ten with each
+/// coordinate rounded once, so that 45 nm becomes the double 4.5e-8; by any other factor as the
+/// nearest double to coordinate times `factor`. How many coordinates this rounds is told in
+/// `input.warnings`, as points on one line need not stay so.
 ///
 /// Errors: bad_option where `factor` is not above zero and finite; non_finite_coordinate where a
 /// coordinate overflows.

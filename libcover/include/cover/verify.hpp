@@ -89,11 +89,11 @@ TriangleSoup triangle_soup(const Mesh& mesh);
 Verification verify_cover(const Pslg& pslg, const RegionTable& table, const TriangleSoup& mesh,
                           const VerifyOptions& options = {});
 
-/// Whether the lines that `rule` names are images of each other, and by how many pairs of points. For
-/// a mesh whose segments are cut, adopt_cuts() makes `pslg` and `table` its own.
+/// Whether the lines that `rule` names are images of each other, and by how many pairs of points.
+/// For a mesh whose segments are cut, adopt_cuts() makes `pslg` and `table` its own.
 ///
-/// Errors: bad_option: unknown names, lines that share segments, or, with places, points or segments
-///         without a partner
+/// Errors: bad_option: unknown names, lines that share segments, or, with places, points or
+///         segments without a partner
 /// Cost:   O(n log n)
 Result<std::size_t> verify_periodic_sides(const Pslg& pslg, const RegionTable& table,
                                           const PeriodicRule& rule);

@@ -32,16 +32,17 @@ struct LayersFound {
 };
 
 /// Finds rows over every edge of the mesh that lies on the line called `line`: two triangles make a
-/// cell of a row where their quadrilateral has its upper edge within 20 degrees of the lower one and
-/// its sides within 20 degrees of upright, in line with those of the cell below, and is no thinner
-/// than that and no more than three times as thick. Cells are looked for upwards as long as there
-/// are some that grow alike, within a thousandth: as the rule in `rules` for this line says if the
-/// first row is as thick as that says, and up to its count; else as the second over the first, so
-/// that regular triangles above them are no layers. Triangles in which rows end are no cells.
+/// cell of a row where their quadrilateral has its upper edge within 20 degrees of the lower one
+/// and its sides within 20 degrees of upright, in line with those of the cell below, and is no
+/// thinner than that and no more than three times as thick. Cells are looked for upwards as long as
+/// there are some that grow alike, within a thousandth: as the rule in `rules` for this line says
+/// if the first row is as thick as that says, and up to its count; else as the second over the
+/// first, so that regular triangles above them are no layers. Triangles in which rows end are no
+/// cells.
 ///
 /// `region` is the name of a region or a material; empty: both sides of the line. Of `rules`, which
-/// may be for other lines, the last counts; where all that are for this line are for its other side,
-/// there are no layers on this one.
+/// may be for other lines, the last counts; where all that are for this line are for its other
+/// side, there are no layers on this one.
 /// REQUIRES: `pslg` and `table` cut where `mesh` is, see adopt_cuts()
 /// Returns:  by region, in the order of their ids
 /// Errors:   bad_option where no line has the name, or no such region is beside it

@@ -15,22 +15,23 @@
 /// the material is its value in the cell array MaterialArrayName, a text or a number, without the
 /// array 1. Areas of one material that touch stay regions of their own, unless the option
 /// merge-materials unites them. Lines on areas are contacts, named by their value in LineArrayName,
-/// without the array by their number among the lines. Lines without any area are segments, and every
-/// face that they enclose is a region. All points have one z, which the output has too.
+/// without the array by their number among the lines. Lines without any area are segments, and
+/// every face that they enclose is a region. All points have one z, which the output has too.
 ///
 /// Output 0: triangles with the cell arrays RegionId and material, and as field data the strings
 /// RegionName and MaterialName by RegionId - 1. Output 1: the edges of all interfaces and contacts,
 /// on points of their own, with the cell array LineId and the strings LineName by LineId - 1.
 ///
-/// What is wrong is told as VTK does it (ErrorEvent) and in LastError(); the outputs are empty then.
+/// What is wrong is told as VTK does it (ErrorEvent) and in LastError(); the outputs are empty
+/// then.
 class vtkCoverMesh : public vtkPolyDataAlgorithm {
  public:
   static vtkCoverMesh* New();
   vtkTypeMacro(vtkCoverMesh, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// An option of `cover mesh` by its name, "max-angle", with a value as the program takes it; "true"
-  /// switches a flag on. False, with the reason in LastError(), where it is none.
+  /// An option of `cover mesh` by its name, "max-angle", with a value as the program takes it;
+  /// "true" switches a flag on. False, with the reason in LastError(), where it is none.
   bool SetOption(const std::string& name, const std::string& value);
   /// All options are at their defaults again.
   void ClearOptions();

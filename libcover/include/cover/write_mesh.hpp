@@ -23,8 +23,8 @@ struct WriteOptions {
   bool lines = false;         ///< .vtk: line cells after the triangles
   std::string msh = "2.2";    ///< .msh: version, 2.2 or 4.1
   std::string xdmf = "text";  ///< .xdmf: numbers as text inside, or `hdf5`: in X.h5 beside it
-  /// The numbers that solvers know triangles by: `region`: RegionId; `material`; `name`: of the group
-  /// of equal name and material. Empty: the group in .msh, the material elsewhere. The array
+  /// The numbers that solvers know triangles by: `region`: RegionId; `material`; `name`: of the
+  /// group of equal name and material. Empty: the group in .msh, the material elsewhere. The array
   /// `material` is the material always. See the formats; not in .vtu, .vtm, .vtkhdf.
   std::string ids = {};
   std::string inp_element = "S";  ///< .inp: S, CPS, CPE or CAX; the number of nodes is appended
@@ -53,15 +53,16 @@ std::vector<std::string> write_formats();
 
 /// Writes VTK's XML unstructured grid: triangles only, float64 points, raw appended data; cell
 /// arrays material (first, for MFEM), MaterialID, mat_id, RegionId (Int32), max_angle and min_angle
-/// in degrees; then RegionTable::attributes by their names, numbers as Float64, text as Int32, whose
-/// meaning stands in the manifest; Output::fields are point arrays. A name that is taken gets a
-/// number behind it. Where the run put vertices on segments, field data CutVertices is their number.
+/// in degrees; then RegionTable::attributes by their names, numbers as Float64, text as Int32,
+/// whose meaning stands in the manifest; Output::fields are point arrays. A name that is taken gets
+/// a number behind it. Where the run put vertices on segments, field data CutVertices is their
+/// number.
 Status write_vtu(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes VTK's format in HDF5 (VTKHDF 1.0, an unstructured grid of one piece): the triangles and
 /// cell arrays of write_vtu(), and as field data the names of regions, materials and lines, the
-/// edges of all lines, the words of attributes X as X_names, and where the mesh comes from. So one file holds all that read_output()
-/// wants.
+/// edges of all lines, the words of attributes X as X_names, and where the mesh comes from. So one
+/// file holds all that read_output() wants.
 Status write_vtkhdf(const Output& output, const std::string& path,
                     const WriteOptions& options = {});
 
@@ -76,9 +77,9 @@ Status write_pvtu(const Output& output, const std::string& path, const WriteOpti
 /// Writes a multi-block file with a named .vtu per group of regions and per group of lines beside
 /// it: the groups are those of the physical groups of .msh, so one name is one block. Where more
 /// than a hundred groups of lines are, those between regions are one block, `lines`. Lines between
-/// two triangles are always there. Names of materials and of lines, words of attributes, and where the mesh comes from,
-/// stand in the .vtm behind the blocks. The pieces of X.vtm are X/X_K_HASH.vtu, with the hash of their
-/// content; those of an X.vtm that is replaced are removed.
+/// two triangles are always there. Names of materials and of lines, words of attributes, and where
+/// the mesh comes from, stand in the .vtm behind the blocks. The pieces of X.vtm are
+/// X/X_K_HASH.vtu, with the hash of their content; those of an X.vtm that is replaced are removed.
 Status write_vtm(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes the clean PSLG as Triangle's .poly, 17 digits, with region and hole seeds.
@@ -93,11 +94,12 @@ std::string report_json(const Prepared& prepared);
 /// Writes the report as JSON.
 Status write_report_json(const Output& output, const std::string& path);
 
-// Formats in text. Doubles are written so that they read back bit for bit. Numbers of lines and,
-// in .msh and with WriteOptions::ids, of regions are those of the physical groups in the manifest.
+// Formats in text. Doubles are written so that they read back bit for bit. Numbers of lines and, in
+// .msh and with WriteOptions::ids, of regions are those of the physical groups in the manifest.
 // Names in .msh and .xdmf are in UTF-8, with `_` for control characters and double quotes; in .vtk,
 // .inp and .obj everything but ASCII letters, digits and `_ . -` is replaced by `_`. All names of a
-// kind are different; the manifest has both, and those as they were. All of them report cannot_write and cancelled.
+// kind are different; the manifest has both, and those as they were. All of them report
+// cannot_write and cancelled.
 
 /// Writes VTK's legacy format, version 3.0: cell arrays MaterialID, material, mat_id, RegionId.
 /// With options.lines: triangles, then lines; MaterialID (on inner lines -1), ManifoldID (the
@@ -109,20 +111,21 @@ Status write_vtk(const Output& output, const std::string& path, const WriteOptio
 /// with the lower one on the left, contacts by name. Elementary tags in version 2.2: RegionId and
 /// InterfaceId, or a further number where an interface lies in several groups; in 4.1 those of the
 /// groups. Attributes and fields are data of elements and nodes, as the arrays of write_vtu(). With
-/// options.parts, X_1.msh, X_2.msh, ... of version 4.1 have a part each, as write_pvtu() divides the
-/// mesh, in entities of its own ($PartitionedEntities), with ghosts ($GhostElements); nodes and
+/// options.parts, X_1.msh, X_2.msh, ... of version 4.1 have a part each, as write_pvtu() divides
+/// the mesh, in entities of its own ($PartitionedEntities), with ghosts ($GhostElements); nodes and
 /// elements have the numbers that they have in the file of the whole mesh, and lines between parts
 /// are in both. All files are on the disk before the first of them appears.
 ///
 /// Errors: bad_option for periodic sides in parts
 Status write_msh(const Output& output, const std::string& path, const WriteOptions& options = {});
 
-/// Writes XDMF: the grids `mesh` (MaterialID, RegionId, GroupID) and `lines` (LineID, Marker), with all
-/// numbers in the XML, or with options.xdmf `hdf5` in X.h5 beside X.xdmf, which large meshes want.
-/// With options.ids, GroupID comes first, which is what dolfinx takes.
+/// Writes XDMF: the grids `mesh` (MaterialID, RegionId, GroupID) and `lines` (LineID, Marker), with
+/// all numbers in the XML, or with options.xdmf `hdf5` in X.h5 beside X.xdmf, which large meshes
+/// want. With options.ids, GroupID comes first, which is what dolfinx takes.
 Status write_xdmf(const Output& output, const std::string& path, const WriteOptions& options = {});
 
-/// Writes Medit's format; references are materials, or with options.ids these, and the numbers of lines.
+/// Writes Medit's format; references are materials, or with options.ids these, and the numbers of
+/// lines.
 Status write_medit(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes an Abaqus input deck: an ELSET per region group, an NSET per line group. Coordinates have
@@ -132,8 +135,8 @@ Status write_medit(const Output& output, const std::string& path, const WriteOpt
 Status write_inp(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes Triangle's files `path` with the extensions .node, .ele (attributes material and
-/// RegionId; with options.ids these, RegionId, material) and .edge (lines with the boundary markers of the input; with the numbers of lines if
-/// it has none).
+/// RegionId; with options.ids these, RegionId, material) and .edge (lines with the boundary markers
+/// of the input; with the numbers of lines if it has none).
 Status write_triangle(const Output& output, const std::string& path,
                       const WriteOptions& options = {});
 

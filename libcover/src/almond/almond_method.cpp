@@ -2,8 +2,8 @@
 // fault; these are made a little flatter (any nu between min(B, 60 degrees) and nu(A) keeps Theorem
 // 1), then as flat as that allows, then replaced by the side's own triangle, then left out; and all
 // is laid out anew. A region with no almonds left is its own remainder, which cannot fail, so this
-// ends. (That remainder is not laid out: on a side of the hull that may be split, rounding would see
-// vertices that are only next to it.)
+// ends. (That remainder is not laid out: on a side of the hull that may be split, rounding would
+// see vertices that are only next to it.)
 #include "almond/almond_method.hpp"
 
 #include <algorithm>

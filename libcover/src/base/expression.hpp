@@ -13,13 +13,14 @@ namespace cover {
 
 /// A formula such as "0.1 + 0.3*abs(y)". It has numbers, names, pi, ( ), + - * / ^ (to the right,
 /// before a sign: -2^2 is -4), and the functions min and max of one or more values, abs, sqrt, exp,
-/// log (natural), sin, cos (radians), asinh and tanh. Names that are not made of letters, digits and
-/// '_' stand in single quotes. Immutable; to be called from several threads at a time.
+/// log (natural), sin, cos (radians), asinh and tanh. Names that are not made of letters, digits
+/// and '_' stand in single quotes. Immutable; to be called from several threads at a time.
 class Expression {
  public:
   /// `names` may stand in the text for values; the i-th value of a call is that of `names[i]`.
   ///
-  /// Errors: bad_option, with the column, from 1. Texts whose parts are nested too deep are refused.
+  /// Errors: bad_option, with the column, from 1. Texts whose parts are nested too deep are
+  ///         refused.
   /// Cost:   O(length of text)
   static Result<Expression> parse(std::string_view text, std::span<const std::string> names);
 

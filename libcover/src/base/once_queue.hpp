@@ -9,7 +9,8 @@ namespace cover {
 
 /// Numbers, first in first out. What waits already is not put in again.
 ///
-/// Cost: O(1) a call on average; 4 bytes for every number put in, and one for each up to the largest
+/// Cost: O(1) a call on average; 4 bytes for every number put in, and one for each up to the
+///       largest
 class OnceQueue {
  public:
   [[nodiscard]] bool empty() const { return head_ == queue_.size(); }

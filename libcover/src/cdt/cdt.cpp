@@ -119,8 +119,8 @@ class Builder {
     }
   }
 
-  /// Copies the marked faces; to be called last. There is most memory in use here, so nothing else is
-  /// held that may go.
+  /// Copies the marked faces; to be called last. There is most memory in use here, so nothing else
+  /// is held that may go.
   Triangulation copy_marked() {
     Triangulation out;
     give_back(handles_);

@@ -28,9 +28,11 @@ struct Triangle {
   void set_locked(int i, bool on) {
     locked = static_cast<std::uint8_t>((locked & ~(1 << i)) | ((on ? 1 : 0) << i));
   }
-  /// The corner index of vertex `w`. REQUIRES: w is a corner.
+  /// The corner index of vertex `w`.
+  /// REQUIRES: w is a corner.
   [[nodiscard]] int corner_of(std::uint32_t w) const { return v[0] == w ? 0 : v[1] == w ? 1 : 2; }
-  /// The edge index towards triangle `t`. REQUIRES: t is a neighbour.
+  /// The edge index towards triangle `t`.
+  /// REQUIRES: t is a neighbour.
   [[nodiscard]] int edge_to(std::uint32_t t) const { return n[0] == t ? 0 : n[1] == t ? 1 : 2; }
 };
 

@@ -9,8 +9,8 @@
 
 namespace cover {
 
-/// Takes all points from `first` on out of `pslg`: they cut segments, whose pieces become one again.
-/// Returns, by old segment, the one that it is a piece of.
+/// Takes all points from `first` on out of `pslg`: they cut segments, whose pieces become one
+/// again. Returns, by old segment, the one that it is a piece of.
 ///
 /// REQUIRES: points from `first` on came from cut_segments(), and no segment is periodic
 /// ENSURES:  cut_segments() with the same points gives the same segments, points and table

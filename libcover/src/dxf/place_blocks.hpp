@@ -41,8 +41,8 @@ struct PlacedDrawing {
 /// Goes through all inserts. What is on layer 0 of a block is on the layer of the insert.
 ///
 /// ENSURES: the result points into `drawing`
-/// Errors:  unsupported_format, where blocks contain themselves, or hold more than kLayoutShapes and
-///          kCellDepth allow
+/// Errors:  unsupported_format, where blocks contain themselves, or hold more than kLayoutShapes
+///          and kCellDepth allow
 Result<PlacedDrawing> place_blocks(const DxfDrawing& drawing, const std::string& source);
 
 }  // namespace cover

@@ -85,7 +85,8 @@ class DxfConverter {
                : options_.chord_angle;
   }
 
-  /// The arc as it is seen in the drawing. REQUIRES: place.is_similar()
+  /// The arc as it is seen in the drawing.
+  /// REQUIRES: place.is_similar()
   [[nodiscard]] Arc placed(const DxfArc& arc, const Affine& place) const {
     Arc out{place(arc.centre), arc.radius, arc.from, arc.to, 0};
     if (!place.is_identity()) {

@@ -76,7 +76,8 @@ struct GdalLibrary {
 /// Errors: unsupported_format, where the library that this was built with is not there
 Result<const GdalLibrary*> gdal_library();
 
-/// The same where it is known to be open. REQUIRES: gdal_library() has been a success
+/// The same where it is known to be open.
+/// REQUIRES: gdal_library() has been a success
 const GdalLibrary& opened_gdal();
 
 /// Something of GDAL's that `Destroy`, a member of GdalLibrary, gives back.

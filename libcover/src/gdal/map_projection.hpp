@@ -18,7 +18,8 @@ struct MapProjection {
 };
 
 /// `system` is the layer's and may be nullptr; `wanted` as "EPSG:25832", empty: none. Files and
-/// places of a network, which GDAL would read a system from, are not known. REQUIRES: an open GDAL
+/// places of a network, which GDAL would read a system from, are not known.
+/// REQUIRES: an open GDAL
 ///
 /// Errors: bad_option, where PROJ does not know `wanted` or the layer does not say what it has
 Result<MapProjection> projection_of(OGRSpatialReferenceH system, const std::string& wanted);

@@ -6,7 +6,8 @@
 
 namespace cover {
 
-/// Gathers what GDAL says in this thread for as long as this lives. REQUIRES: an open GDAL
+/// Gathers what GDAL says in this thread for as long as this lives.
+/// REQUIRES: an open GDAL
 class QuietGdal {
  public:
   QuietGdal();

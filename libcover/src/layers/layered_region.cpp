@@ -2,11 +2,11 @@
 // has no layer that its mesh could put a vertex on, so both meshes share the vertices and the edges
 // of the front. Exact tests say whether the front bounds a region and whether the whole mesh fills
 // the region; the bound is that of the whole region, and the constrained Delaunay triangulation of
-// the rest often tells that no mesh of it can hold that. Inner edges with a negative coupling, where
-// many rows end in one vertex, are flipped away; where that would break the bound, single vertices
-// give way (thin/delaunay_within_bound), those of layers last. Where something fails still, the
-// sides below the places get a third fewer rows, for couplings one less, and all is done again.
-// Tested by tests/unit/layers/layered_region_test.cpp.
+// the rest often tells that no mesh of it can hold that. Inner edges with a negative coupling,
+// where many rows end in one vertex, are flipped away; where that would break the bound, single
+// vertices give way (thin/delaunay_within_bound), those of layers last. Where something fails
+// still, the sides below the places get a third fewer rows, for couplings one less, and all is done
+// again. Tested by tests/unit/layers/layered_region_test.cpp.
 #include "layers/layered_region.hpp"
 
 #include <algorithm>
@@ -139,8 +139,9 @@ RegionMesh put_together(const RegionBoundary& boundary, const LayerFront& front,
   return out;
 }
 
-/// Flips what has a negative coupling, as far as the bound holds. Rectangles have none; where layers
-/// taper off, their triangles may have large angles, and so may those of the rest beside them.
+/// Flips what has a negative coupling, as far as the bound holds. Rectangles have none; where
+/// layers taper off, their triangles may have large angles, and so may those of the rest beside
+/// them.
 void mend_couplings(const RegionBoundary& boundary, RegionMesh& mesh) {
   const std::vector<Point> points = all_points(boundary, mesh);
   make_delaunay(points, mesh.triangles, boundary.sides, [&](const IndexTriple& t) {
@@ -279,8 +280,8 @@ class LayeredRegion {
     report.notes.insert(report.notes.end(), notes.begin(), notes.end());
   }
 
-  /// Measures the mesh; returns vertices where it is not as it should be. `gone` are the vertices of
-  /// layers that were taken away for couplings.
+  /// Measures the mesh; returns vertices where it is not as it should be. `gone` are the vertices
+  /// of layers that were taken away for couplings.
   std::vector<std::uint32_t> judge(RegionMesh& mesh, std::vector<std::uint32_t>& gone) const {
     RegionReport& report = mesh.report;
     report.id = boundary_.id;

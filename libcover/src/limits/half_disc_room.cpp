@@ -3,15 +3,15 @@
 // corners: half discs and circles are convex.
 //
 // What sees the side. Let p be in the open half disc of side s, and on the left of every side that
-// comes into the half disc (its walls). Go from a place q inside s towards p: the first wall that is
-// met is met from its left, so p would be on its right. There is none, and p sees q.
+// comes into the half disc (its walls). Go from a place q inside s towards p: the first wall that
+// is met is met from its left, so p would be on its right. There is none, and p sees q.
 //
 // What a box has of the region. Where just one side passes through it, from edge to edge, and its
-// other side is not the region's as well, that is the part on its left. The same holds
-// where just two sides that meet in the box pass, if the corner is below 180 degrees. Near such a
-// corner A, of u degrees between two free sides of lengths a and b, the two discs cover all directions
-// between the sides up to the distance min(a, b) cos(u/2): the nearer side is at most at u/2.
-// Tested by tests/unit/limits/half_disc_room_test.cpp.
+// other side is not the region's as well, that is the part on its left. The same holds where just
+// two sides that meet in the box pass, if the corner is below 180 degrees. Near such a corner A, of
+// u degrees between two free sides of lengths a and b, the two discs cover all directions between
+// the sides up to the distance min(a, b) cos(u/2): the nearer side is at most at u/2. Tested by
+// tests/unit/limits/half_disc_room_test.cpp.
 #include "limits/half_disc_room.hpp"
 
 #include <algorithm>
@@ -95,7 +95,8 @@ HalfDiscRoom::HalfDiscRoom(std::span<const Point> points, std::span<const IndexP
         std::binary_search(sorted.begin(), sorted.end(), IndexPair{sides[s][1], sides[s][0]});
 }
 
-/// Windings, by exact signs. REQUIRES: `p` is on no side
+/// Windings, by exact signs.
+/// REQUIRES: `p` is on no side
 bool HalfDiscRoom::is_inside(Point p) const {
   int windings = 0;
   for (std::uint32_t s = 0; s < sides_.size(); ++s) {

@@ -38,7 +38,8 @@ class HalfDiscRoom {
   /// `first` are sides whose discs are to be used before others for that.
   /// REQUIRES: `corners` counter-clockwise
   /// EXACT:    is_none is proven, and so is what is said of places
-  /// Cost:     O(sides), and some thousand boxes times the sides; half a million of these products at most
+  /// Cost:     O(sides), and some thousand boxes times the sides; half a million of these products
+  ///           at most
   /// Ref:      docs/box_method.md, "The same in small"
   [[nodiscard]] Room within_circle(const std::array<Point, 3>& corners, std::size_t most,
                                    std::span<const std::uint32_t> first = {}) const;
@@ -73,13 +74,14 @@ class HalfDiscRoom {
   std::vector<bool> is_slit_;  ///< by side
 };
 
-/// The sides among `negative` (indices into `sides`, free ones with a negative coupling) that a proof
-/// says something of: the mesh holds a bound on angles, none of its inner edges is negative, and
-/// any such mesh has a negative coupling on one of the sides of a certain set, which is another one
-/// for each of those returned. So no mesh within the bound has fewer than these.
+/// The sides among `negative` (indices into `sides`, free ones with a negative coupling) that a
+/// proof says something of: the mesh holds a bound on angles, none of its inner edges is negative,
+/// and any such mesh has a negative coupling on one of the sides of a certain set, which is another
+/// one for each of those returned. So no mesh within the bound has fewer than these.
 ///
 /// `beyond` are the triangles of the constrained Delaunay triangulation of the boundary that are
-/// beyond the bound, by more than rounding: a mesh within the bound has a vertex in the circle of each.
+/// beyond the bound, by more than rounding: a mesh within the bound has a vertex in the circle of
+/// each.
 /// REQUIRES: no vertex of the boundary encroaches a free side
 /// EXACT:    yes
 /// Ref:      docs/box_method.md, "The same in small"

@@ -1,8 +1,8 @@
 // Straight triangles are valid. Where one is not with the arc beside it, the nodes of edges around
 // follow the arc: each by what the near segments do beside it (an arc bulges, a straight segment
 // stays), the less the farther away. That is tried with patches and reaches of several sizes; where
-// none will do, edges on arcs of what is not proven are made straight, and all is tried again, until
-// everything is proven. Straightening alone ends with straight triangles, so there is an end.
+// none will do, edges on arcs of what is not proven are made straight, and all is tried again,
+// until everything is proven. Straightening alone ends with straight triangles, so there is an end.
 // Tested by tests/unit/mesh/curved_mesh_test.cpp.
 #include <cover/curved_mesh.hpp>
 

@@ -11,7 +11,8 @@
 namespace cover {
 
 /// A half-edge (numbered as in HalfEdges) between the vertices of each pair, in either direction;
-/// HalfEdges::kAbsent where there is none. The lower vertex of an edge that is found is below `vertices`.
+/// HalfEdges::kAbsent where there is none. The lower vertex of an edge that is found is below
+/// `vertices`.
 ///
 /// Cost: O(triangles + pairs log pairs), memory for pairs and vertices
 std::vector<std::uint32_t> find_edges(std::size_t vertices, std::span<const IndexTriple> triangles,

@@ -21,7 +21,8 @@ std::vector<std::uint32_t> input_vertices(const Pslg& pslg,
 /// One conforming mesh of all regions.
 ///
 /// REQUIRES: boundaries and meshes by RegionId - 1; every side of a boundary is an edge of its mesh
-/// ENSURES:  `meshes` have no vertices and triangles any more; the order of vertices, faces and edges depends on the arguments alone
+/// ENSURES:  `meshes` have no vertices and triangles any more; the order of vertices, faces and
+///           edges depends on the arguments alone
 /// Cost:     O(n)
 Mesh stitch(const Pslg& pslg, const RegionTable& table, std::vector<RegionBoundary> boundaries,
             std::span<RegionMesh> meshes);

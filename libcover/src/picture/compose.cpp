@@ -9,8 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
-#include <set>
 #include <tuple>
 #include <utility>
 

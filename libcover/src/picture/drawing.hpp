@@ -77,7 +77,8 @@ inline constexpr double kText = 14;        ///< size of ordinary letters
 /// The four sides of a box as lines of `stroke`.
 void add_outline(const PixelBox& box, Stroke& stroke);
 
-/// The largest of 1, 2, 5 times a power of ten that is at most `value`. REQUIRES: value > 0
+/// The largest of 1, 2, 5 times a power of ten that is at most `value`.
+/// REQUIRES: value > 0
 double round_number(double value);
 
 /// Width of a text in pixels, roughly; good enough to place labels and legends.

@@ -3,8 +3,6 @@
 // Tested by tests/unit/region/region_graph_test.cpp.
 #include "region/interfaces.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <span>
 #include <tuple>

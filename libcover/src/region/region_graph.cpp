@@ -16,7 +16,6 @@
 #include <cover/text.hpp>
 
 #include "clean/ends/loose_ends.hpp"
-#include "clean/ends/weld.hpp"
 #include "faces/face_measures.hpp"
 #include "faces/faces.hpp"
 #include "faces/materials.hpp"

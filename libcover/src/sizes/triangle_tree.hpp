@@ -19,21 +19,25 @@ using TreeEdges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 /// The edges of triangles, the smaller index first, sorted; those of several triangles as often.
 TreeEdges edges_of(std::span<const std::array<std::uint32_t, 3>> triangles);
 
-/// Triangles and the edges on their border in R-trees. REQUIRES: indices that are there
+/// Triangles and the edges on their border in R-trees.
+/// REQUIRES: indices that are there
 class TriangleTree {
  public:
-  /// Without triangles, each point is a piece of the border for itself. Cost: O(n log n)
+  /// Without triangles, each point is a piece of the border for itself.
+  /// Cost: O(n log n)
   TriangleTree(std::span<const Point> points,
                std::span<const std::array<std::uint32_t, 3>> triangles, const TreeEdges& edges);
   ~TriangleTree();
   TriangleTree(TriangleTree&&) noexcept;
 
   /// Of the triangles that contain `p`, inside or on an edge, the first; exact. Flat ones contain
-  /// nothing. Cost: O(log n) typically, as below.
+  /// nothing.
+  /// Cost: O(log n) typically, as below.
   [[nodiscard]] std::optional<std::uint32_t> first_at(Point p) const;
   /// All of them, in order.
   void all_at(Point p, std::vector<std::uint32_t>& found) const;
-  /// The nearest piece of the border. REQUIRES: points
+  /// The nearest piece of the border.
+  /// REQUIRES: points
   [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> nearest_border(Point p) const;
 
  private:
@@ -44,7 +48,8 @@ class TriangleTree {
 /// Where on the line from a to b the place nearest to `p` is: 0 at a, 1 at b.
 double part_along(Point a, Point b, Point p);
 
-/// The shares of b and c in a point of the triangle abc, linear. REQUIRES: abc is not flat
+/// The shares of b and c in a point of the triangle abc, linear.
+/// REQUIRES: abc is not flat
 std::array<double, 2> shares_in(const std::array<Point, 3>& abc, Point p);
 
 }  // namespace cover

@@ -2,7 +2,8 @@
 // order, it gets when all are there. Lines of a mesh are segments: of each is kept which of the
 // half-edges of its region it is first, so that they come in the order of a mesh in memory.
 //
-// Tested by tests/unit/stream/stream_mesh_test.cpp and, with the program, by tests/cli/large_mesh_test.py.
+// Tested by tests/unit/stream/stream_mesh_test.cpp and, with the program, by
+// tests/cli/large_mesh_test.py.
 #include <cover/stream_mesh.hpp>
 
 #include <filesystem>

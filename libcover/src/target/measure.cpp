@@ -276,8 +276,8 @@ void tell_forced(const RegionBoundary& boundary, Angle nu_bound,
     of_side[s]->kind = Kind::forced;
 }
 
-/// The edges of a region's mesh with a negative coupling, exactly; counted in `box`. O(n), O(n log n)
-/// where a side has one.
+/// The edges of a region's mesh with a negative coupling, exactly; counted in `box`. O(n), O(n log
+/// n) where a side has one.
 std::vector<NegativeCoupling> measure_couplings(const RegionBoundary& boundary,
                                                 const RegionMesh& mesh,
                                                 std::span<const Point> points,

@@ -100,7 +100,8 @@ class Jobs final : public RegionJobs {
   }
 
   std::span<const RegionBoundary> boundaries_;
-  /// By region. Each takes time in proportion to its sides, and sorting asks for them again and again.
+  /// By region. Each takes time in proportion to its sides, and sorting asks for them again and
+  /// again.
   std::vector<std::size_t> costs_;
   const Options& options_;
   const Callbacks& callbacks_;

@@ -179,7 +179,8 @@ class Thinner {
     return false;
   }
 
-  /// A triangle that is gravely bad at least becomes one with a wrong sign of a coupling at a piece.
+  /// A triangle that is gravely bad at least becomes one with a wrong sign of a coupling at a
+  /// piece.
   void mend_one(std::uint32_t t) {
     const std::size_t before = mesh_.bad(), grave = is_grave(t) ? 1 : 0;
     most_grave_ = mesh_.grave() - grave;

@@ -32,8 +32,8 @@ struct Thinned {
 /// Ref:     libcover/docs/box_method.md, "Fewer vertices"
 Thinned thin_mesh(MeshWithUndo& mesh, const ThinEffort& effort);
 
-/// Makes bad triangles fewer, one after another: by more vertices, and by others in place of some that
-/// are near, many times. Nothing else is changed.
+/// Makes bad triangles fewer, one after another: by more vertices, and by others in place of some
+/// that are near, many times. Nothing else is changed.
 ///
 /// ENSURES: the same mesh for the same input, whatever the machine
 /// Cost:    places_per_bad for each such triangle, places_to_mend_at_most in all

@@ -9,8 +9,8 @@
 namespace cover {
 
 /// Adds vertices, in no half disc of `room`, until no more than `most_grave` triangles are gravely
-/// bad: one of many short attempts, each from the mesh as it was. False, and nothing has changed, if
-/// none comes to that.
+/// bad: one of many short attempts, each from the mesh as it was. False, and nothing has changed,
+/// if none comes to that.
 ///
 /// Room is often found only in cusps between two discs, near flat corners, where no projection from
 /// afar ends.

@@ -35,9 +35,9 @@ struct RimEdge {
 
 /// A triangle is bad if it has an angle above what is asked of its region, above 90 degrees by more
 /// than rounding of its coordinates can make; if it is obtuse by anything opposite to a piece of a
-/// line, so that no coupling of the box method is negative; or if it has an angle below what is asked.
-/// A mesh without obtuse angles is constrained Delaunay, and so is the mesh here, so a set of
-/// vertices is good or bad by itself.
+/// line, so that no coupling of the box method is negative; or if it has an angle below what is
+/// asked. A mesh without obtuse angles is constrained Delaunay, and so is the mesh here, so a set
+/// of vertices is good or bad by itself.
 ///
 /// EXACT: topology is; costs and what is bad are rounded, towards bad.
 class MeshWithUndo {
@@ -101,8 +101,8 @@ class MeshWithUndo {
   double change_with(const Spot& spot);
   [[nodiscard]] std::span<const RimEdge> rim() const { return rim_; }
 
-  /// Puts a vertex there: `v`, which is not there, or a new one if that is kNone. Returns it; kNone,
-  /// and nothing has changed, if that cannot be.
+  /// Puts a vertex there: `v`, which is not there, or a new one if that is kNone. Returns it;
+  /// kNone, and nothing has changed, if that cannot be.
   std::uint32_t insert(const Spot& spot, std::uint32_t v = kNone);
 
   /// The mesh as it is; vertices keep their order.

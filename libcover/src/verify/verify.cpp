@@ -323,8 +323,8 @@ class Verifier {
     result_.obtuse_by_rounding = check.obtuse_by_rounding;
   }
 
-  /// The triangles between a side of the hull and points that could lie on it by rounding: no vertex
-  /// that splits the side would be told from these.
+  /// The triangles between a side of the hull and points that could lie on it by rounding: no
+  /// vertex that splits the side would be told from these.
   [[nodiscard]] std::vector<std::uint32_t> flat_on_hull() const {
     std::vector<std::uint32_t> flat;
     const auto all = edges_.all();

@@ -2,8 +2,6 @@
 #include "verify/verify_bound.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "geom/ulp.hpp"

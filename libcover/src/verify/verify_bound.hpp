@@ -28,9 +28,9 @@ struct BoundCheck {
 };
 
 /// Compares pi - gamma of every region with min((pi - gamma_opt) / 2, pi / 6). `region` is by
-/// triangle, kVoid for triangles to be passed over; `scale` is the largest coordinate. `without_room`
-/// are triangles, ascending, that lie so flat on a side of the hull that doubles hold no vertex to
-/// split it: they count as kept by rounding.
+/// triangle, kVoid for triangles to be passed over; `scale` is the largest coordinate.
+/// `without_room` are triangles, ascending, that lie so flat on a side of the hull that doubles
+/// hold no vertex to split it: they count as kept by rounding.
 BoundCheck verify_bound(const TriangleSoup& mesh, std::span<const RegionId> region,
                         const ExpectedDomain& domain, double scale,
                         std::span<const std::uint32_t> without_room);

@@ -57,8 +57,8 @@ class LayerFinder {
     if (a && b && edges_.find(*a, *b)) ++found.edges;
   }
 
-  /// Adds what lies over the side from p to q, with the region on its left; `rule` is what was asked
-  /// for there, if that is known.
+  /// Adds what lies over the side from p to q, with the region on its left; `rule` is what was
+  /// asked for there, if that is known.
   void add(Point p, Point q, const LayerRule* rule, LayersFound& found) {
     const auto a = edges_.vertex_at(p), b = edges_.vertex_at(q);
     const auto edge = a && b ? edges_.find(*a, *b) : std::nullopt;

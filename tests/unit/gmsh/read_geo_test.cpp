@@ -73,7 +73,8 @@ TEST_F(ReadGeo, RemembersCirclesAfterBooleanOperations) {
   const auto input = read(R"(
 SetFactory("OpenCASCADE");
 Mesh.CharacteristicLengthMax = 0.5;
-Disk(1) = {0, 0, 0, 2}; Disk(2) = {0.3, 0, 0, 1}; Disk(3) = {5, 0, 0, 2, 1};  // the last: an ellipse
+// the last: an ellipse
+Disk(1) = {0, 0, 0, 2}; Disk(2) = {0.3, 0, 0, 1}; Disk(3) = {5, 0, 0, 2, 1};
 BooleanFragments{ Surface{1}; Delete; }{ Surface{2, 3}; Delete; })");
   ASSERT_TRUE(input) << input.error().message;
   ASSERT_EQ(input->circles.size(), 2U);

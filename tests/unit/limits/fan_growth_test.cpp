@@ -38,7 +38,8 @@ TEST(FanGrowth, NoTrianglesWithoutRoom) {
   EXPECT_LT(stiff.log_ratio(80 * kDegree, 90 * kDegree), 0);
 }
 
-// Fans side by side are a fan; with angles from a thousandth of a degree on there are more than are counted.
+// Fans side by side are a fan; with angles from a thousandth of a degree on there are more than are
+// counted.
 TEST(FanGrowth, TwoFansGrowNoFasterThanOneOfBoth) {
   std::mt19937_64 random(test_seed(2));
   const auto uniform = [&](double a, double b) {

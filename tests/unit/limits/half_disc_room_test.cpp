@@ -41,8 +41,8 @@ bool crosses(Point a, Point b, Point c, Point d) {
          orientation(c, d, a) != orientation(c, d, b);
 }
 
-/// Whether the coupling of a free side becomes negative with a vertex at `p`: it sees a place inside
-/// the side, by looking at some.
+/// Whether the coupling of a free side becomes negative with a vertex at `p`: it sees a place
+/// inside the side, by looking at some.
 bool is_in_a_half_disc(const Region& region, Point p) {
   const auto& [points, sides] = std::tie(region.boundary.points, region.boundary.sides);
   for (std::size_t s = 0; s < sides.size(); ++s) {

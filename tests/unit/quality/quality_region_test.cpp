@@ -332,8 +332,8 @@ TEST(QualityRegion, BalancedMeetsBothTargetsWhereTheyCanBeMet) {
   EXPECT_GE(mesh.report.quality.smallest.in_degrees(), 20 - 1e-6);
 }
 
-/// Wavy squares, alone among 900 each: improvement from what couplings leave ends at 108.8 and 111.6
-/// degrees.
+/// Wavy squares, alone among 900 each: improvement from what couplings leave ends at 108.8 and
+/// 111.6 degrees.
 TEST(QualityRegion, BalancedMeetsBothTargetsBesideCouplingsInWavySquares) {
   const Loop first{{0.5666666666666667, 0.3333333333333333},
                    {0.5708333333333333, 0.33140589770086376},
@@ -409,8 +409,8 @@ TEST(QualityRegion, BalancedMeetsBothTargetsBesideCouplingsInWavySquares) {
   }
 }
 
-/// A cell among 2,000. No vertex in the disk of a free side and an edge of a thirtieth of the others: one
-/// star ends at 152.96 degrees.
+/// A cell among 2,000. No vertex in the disk of a free side and an edge of a thirtieth of the
+/// others: one star ends at 152.96 degrees.
 TEST(QualityRegion, VeryWideAnglesOfTinyRegionsAreTriedAgain) {
   const RegionBoundary boundary = boundary_of({{{0.8887351843341068, 0.8512020264470792},
                                                 {0.913578034054457, 0.8487581437714696},

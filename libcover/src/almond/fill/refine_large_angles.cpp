@@ -218,8 +218,8 @@ class Refiner {
   }
 
   /// The triangles around `t` whose circle contains `z`, and the rim around them. False if asked to
-  /// stop at a boundary edge that `z` encroaches upon, and there is one: the last of the rim so far.
-  /// (Cavities may have all triangles, and most tries end so.)
+  /// stop at a boundary edge that `z` encroaches upon, and there is one: the last of the rim so
+  /// far. (Cavities may have all triangles, and most tries end so.)
   bool collect_cavity(std::uint32_t t, Point z, bool until_encroached = false) {
     cavity_.clear();
     rim_.clear();

@@ -29,7 +29,8 @@ class BucketQueue {
     return first_ == kBuckets;
   }
 
-  /// The bucket of the next entry. REQUIRES: empty() has just said no
+  /// The bucket of the next entry.
+  /// REQUIRES: empty() has just said no
   [[nodiscard]] int first() const { return static_cast<int>(first_); }
 
   /// REQUIRES: as first()

@@ -10,9 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
-#include <tuple>
 
 #include <cover/text.hpp>
 
@@ -91,8 +89,8 @@ class Kept {
     std::sort(edges_.begin(), edges_.end());
     std::sort(corners_.begin(), corners_.end());
   }
-  /// Whether a line between u and v must not be bent to w: it may be the copy of an edge that another
-  /// polygon has.
+  /// Whether a line between u and v must not be bent to w: it may be the copy of an edge that
+  /// another polygon has.
   [[nodiscard]] bool forbids(std::uint32_t w, std::uint32_t u, std::uint32_t v) const {
     const IndexPair ends{std::min(u, v), std::max(u, v)};
     auto edge = std::lower_bound(edges_.begin(), edges_.end(), std::pair(ends, 0U));

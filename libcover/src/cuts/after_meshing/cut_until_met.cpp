@@ -38,8 +38,8 @@ constexpr std::size_t kFewPoints = 2'000;  ///< with less, rounds cost so little
 /// So many triangles above the target for each point at first are those of a mesh that misses it
 /// nearly everywhere: halves do not mend that.
 constexpr std::size_t kEverywhere = 4;
-/// The same is said by the share of all triangles, of targets below 90 degrees: the smaller ones that
-/// halves make miss them as well.
+/// The same is said by the share of all triangles, of targets below 90 degrees: the smaller ones
+/// that halves make miss them as well.
 constexpr double kNearlyAll = 2.0 / 3;
 /// Evaluations of all searches together, by points at first: some seconds for some thousand points.
 /// Each search has half of what the ones before it left.

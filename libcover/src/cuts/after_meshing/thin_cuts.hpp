@@ -11,14 +11,14 @@
 
 namespace cover {
 
-/// Whether thin_cuts() has something to do: segments may be cut, and 90 degrees are asked for. Where
-/// sizes, layers, periodic sides, arcs or a hull ask for vertices too, none is taken away.
+/// Whether thin_cuts() has something to do: segments may be cut, and 90 degrees are asked for.
+/// Where sizes, layers, periodic sides, arcs or a hull ask for vertices too, none is taken away.
 bool wants_thinning(const Prepared& prepared, const std::vector<RegionBoundary>& boundaries,
                     const Options& options);
 
 /// Takes away, over segments too, vertices that no right angle needs, merges and moves others, and
-/// mends obtuse triangles that are left. Points of the input stay. No more triangles are obtuse than
-/// before, and no region's smallest angle becomes smaller than it was or Options::min_angle.
+/// mends obtuse triangles that are left. Points of the input stay. No more triangles are obtuse
+/// than before, and no region's smallest angle becomes smaller than it was or Options::min_angle.
 ///
 /// ENSURES: a note tells how many went
 /// Errors:  cancelled, internal

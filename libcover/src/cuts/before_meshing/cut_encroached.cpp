@@ -30,9 +30,9 @@ namespace cover {
 namespace {
 
 constexpr int kCutPasses = 256;
-/// Ordinary inputs take fewer than ten passes and three times their points. Where a layer is thinner
-/// than the root of (length of a side times the spacing of doubles), rounded feet encroach again,
-/// and each cut takes more of them: there the passes end, and what is left is named.
+/// Ordinary inputs take fewer than ten passes and three times their points. Where a layer is
+/// thinner than the root of (length of a side times the spacing of doubles), rounded feet encroach
+/// again, and each cut takes more of them: there the passes end, and what is left is named.
 constexpr int kFreePasses = 16;
 constexpr std::size_t kLeastPoints = 1024;
 constexpr std::size_t kPointsPerPoint = 16;

@@ -24,8 +24,8 @@ namespace cover {
 void cut_encroached(Pslg& pslg, RegionTable& table, VertexId first_cut, std::vector<BoxCut>& cuts,
                     std::vector<Point>& stuck);
 
-/// With more points than this, of which `cuts` were added, cutting for the box method is a cascade in
-/// a layer too thin for doubles.
+/// With more points than this, of which `cuts` were added, cutting for the box method is a cascade
+/// in a layer too thin for doubles.
 /// Cost: O(1)
 std::size_t most_points_for_boxes(const Pslg& pslg, std::span<const BoxCut> cuts);
 

@@ -10,8 +10,8 @@
 
 namespace cover {
 
-/// Moves the points of each class to the images of one of them, the first. Moves beyond rounding are
-/// appended to `changes`.
+/// Moves the points of each class to the images of one of them, the first. Moves beyond rounding
+/// are appended to `changes`.
 ///
 /// Returns: whether anything moved
 /// Cost:    O(n log n)

@@ -34,7 +34,8 @@ class SmallPolygon {
   /// kImpossible if there is no triangulation (the polygon is not simple, or needs a larger angle
   /// than the limit).
   [[nodiscard]] double largest_angle() const { return cost_[0][size_ - 1]; }
-  /// Its triangles, as corners of the polygon. REQUIRES: there is a triangulation.
+  /// Its triangles, as corners of the polygon.
+  /// REQUIRES: there is a triangulation.
   [[nodiscard]] std::vector<std::array<Index, 3>> triangles() const;
 
  private:

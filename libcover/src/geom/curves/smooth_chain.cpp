@@ -168,9 +168,9 @@ bool all_points_near(const std::vector<Point>& curve, const std::vector<Point>& 
   return true;
 }
 
-/// Point k of the curve stands for the side between corners k - 1 and k (of a chain with ends, point
-/// 0 and the last one are its ends). Raises weights where the curve is much too far; false if it is
-/// nowhere.
+/// Point k of the curve stands for the side between corners k - 1 and k (of a chain with ends,
+/// point 0 and the last one are its ends). Raises weights where the curve is much too far; false if
+/// it is nowhere.
 bool raise_weights(const std::vector<Point>& curve, const std::vector<Point>& corners,
                    std::vector<Target>& targets) {
   bool raised = false;

@@ -54,8 +54,8 @@ class HalfEdges {
 /// the other side.
 ///
 /// REQUIRES: no two triangles have the same directed edge
-/// Cost:     O(triangles) and 4 bytes per half-edge, for the few edges that a vertex usually has; at
-///           most O(n log n) and 16 bytes more
+/// Cost:     O(triangles) and 4 bytes per half-edge, for the few edges that a vertex usually has;
+///           at most O(n log n) and 16 bytes more
 std::vector<std::uint32_t> opposite_half_edges(std::size_t vertices,
                                                std::span<const IndexTriple> triangles);
 

@@ -52,8 +52,8 @@ class SoupEdges {
   /// the other; none if there is no such way. Their ends may be off the line by `offset`. With
   /// `outer`, they have no triangle on their other side. `barred`, by vertex: where no way leads
   /// through, such as points of a clean input, which lie inside no segment; so ways along segments
-  /// that are nearer to each other than `offset` are told apart. A way that has `banks` on its sides
-  /// is preferred; they vouch for nothing.
+  /// that are nearer to each other than `offset` are told apart. A way that has `banks` on its
+  /// sides is preferred; they vouch for nothing.
   [[nodiscard]] std::vector<std::size_t> along(std::uint32_t from, std::uint32_t to, double offset,
                                                const std::vector<bool>& barred, bool outer,
                                                const Banks& banks) const;

@@ -39,7 +39,8 @@ class PieceFolder {
   /// Removes what was added, unless it was committed.
   ~PieceFolder();
 
-  /// Adds a piece that `write` writes; one that is there already, whole, stays as it is. The result is its name as X.vtm wants it.
+  /// Adds a piece that `write` writes; one that is there already, whole, stays as it is. The result
+  /// is its name as X.vtm wants it.
   ///
   /// Errors: cannot_write; cancelled
   Result<std::string> add(const std::function<void(const ByteSink&)>& write);

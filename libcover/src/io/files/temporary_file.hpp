@@ -62,7 +62,8 @@ class TemporaryFile {
   /// Has everything on the disk; then a power failure costs nothing of what is renamed. Nothing to
   /// do a second time.
   void sync();
-  /// Does so, and looks at what has failed so far; what is left is a rename, which heeds no stop then.
+  /// Does so, and looks at what has failed so far; what is left is a rename, which heeds no stop
+  /// then.
   ///
   /// Errors: cannot_write for what an earlier call met; cancelled, if a stop was requested
   Status prepare();

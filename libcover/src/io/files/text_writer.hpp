@@ -46,7 +46,8 @@ class TextWriter {
     return file_.prepare();
   }
 
-  /// Closes and renames; to be called once. Errors: cannot_write, also of earlier output.
+  /// Closes and renames; to be called once.
+  /// Errors: cannot_write, also of earlier output.
   Status commit() {
     flush();
     return file_.commit();

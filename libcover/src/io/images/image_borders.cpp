@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include <fmt/format.h>
 
@@ -344,8 +343,8 @@ class Smoother {
     return sign == Sign::positive ? 1 : sign == Sign::negative ? -1 : 0;
   }
 
-  /// Two of three leave in opposite directions, as they always do on a frame: then the third, between
-  /// them, is on its side.
+  /// Two of three leave in opposite directions, as they always do on a frame: then the third,
+  /// between them, is on its side.
   static bool is_straight(Point centre, const Spoke& a, const Spoke& b, const Spoke& c) {
     const std::array<const Spoke*, 3> s{&a, &b, &c};
     for (std::size_t k = 0; k < 3; ++k) {

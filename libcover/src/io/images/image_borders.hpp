@@ -32,11 +32,11 @@ struct ImageBorders {
 
 /// A polygon for each set of pixels of one label that hang together by their sides. Polygons share
 /// their borders bit for bit. Without `smooth`, borders are the pixels' sides. With it, they are
-/// curves between the places where three or more regions meet, which stay; no border is farther than
-/// kMostMoved pixels from the pixels' sides; straight lines and circles come out straight and round;
-/// what touches what is as it was: no two borders meet but at their ends, and around each end they
-/// have the same order. Where a curve would break this, that border is smoothed less, and in the end
-/// not at all. The frame of the picture stays as it is.
+/// curves between the places where three or more regions meet, which stay; no border is farther
+/// than kMostMoved pixels from the pixels' sides; straight lines and circles come out straight and
+/// round; what touches what is as it was: no two borders meet but at their ends, and around each
+/// end they have the same order. Where a curve would break this, that border is smoothed less, and
+/// in the end not at all. The frame of the picture stays as it is.
 ///
 /// EXACT: crossings and orders are found by exact predicates
 /// Cost:  O(pixels + n log n) for n sides of pixels on borders

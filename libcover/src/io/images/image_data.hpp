@@ -13,10 +13,12 @@
 
 namespace cover {
 
-/// The number in `bytes` bytes at `at`. REQUIRES: they are there; bytes <= 8
+/// The number in `bytes` bytes at `at`.
+/// REQUIRES: they are there; bytes <= 8
 std::uint64_t number_at(std::string_view data, std::size_t at, std::size_t bytes, bool big_endian);
 
-/// Unpacks a stream of zlib or gzip to `size` bytes; fewer where it ends before, none if it is none.
+/// Unpacks a stream of zlib or gzip to `size` bytes; fewer where it ends before, none if it is
+/// none.
 std::string inflate_stream(std::string_view data, std::size_t size);
 
 /// Nothing if a file of so many bytes may have so many pixels.

@@ -12,11 +12,12 @@
 
 namespace cover {
 
-/// A pixel without anything: fully transparent. No colour is this, nor a number that anyone takes for
-/// a label; -1 is one.
+/// A pixel without anything: fully transparent. No colour is this, nor a number that anyone takes
+/// for a label; -1 is one.
 inline constexpr std::uint64_t kNoPixel = std::uint64_t{1} << 63U;
 
-/// A number for each pixel: a grey value or label; or a colour, 16 bits for each of red, green, blue.
+/// A number for each pixel: a grey value or label; or a colour, 16 bits for each of red, green,
+/// blue.
 struct Raster {
   std::size_t width = 0;
   std::size_t height = 0;

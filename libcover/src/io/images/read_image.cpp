@@ -1,8 +1,9 @@
-// PNG and TIFF are decoded by our own readers over zlib, though libpng and libtiff are there: labels
-// must come out as they are stored (indices, 16 and 32 bits, keys of transparency), what a file
-// announces is weighed against its length before there is memory for it, libpng leaves by longjmp over
-// destructors, older versions of libtiff bound no memory, and each would be one more thing that a
-// static library asks for. TIFF in tiles, of planes, or with JPEG inside would be reasons to change that.
+// PNG and TIFF are decoded by our own readers over zlib, though libpng and libtiff are there:
+// labels must come out as they are stored (indices, 16 and 32 bits, keys of transparency), what a
+// file announces is weighed against its length before there is memory for it, libpng leaves by
+// longjmp over destructors, older versions of libtiff bound no memory, and each would be one more
+// thing that a static library asks for. TIFF in tiles, of planes, or with JPEG inside would be
+// reasons to change that.
 //
 // Tested by tests/unit/io/images/read_image_test.cpp.
 #include "io/images/read_image.hpp"

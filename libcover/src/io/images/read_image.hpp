@@ -25,11 +25,12 @@ struct ImageOptions {
 bool is_image(std::string_view extension);
 
 /// A region for each set of pixels of one label that hang together by their sides; see
-/// ImageBorders. Labels are colours, as "#ff0000", or numbers. Pixels that are fully transparent are
-/// void. A pixel is a unit square (in .nrrd and .mha what the header says), y points upwards, and
-/// the lower left corner of the picture is the origin.
+/// ImageBorders. Labels are colours, as "#ff0000", or numbers. Pixels that are fully transparent
+/// are void. A pixel is a unit square (in .nrrd and .mha what the header says), y points upwards,
+/// and the lower left corner of the picture is the origin.
 ///
-/// Errors: syntax, truncated, unsupported_format; also for pictures of more regions than kImageRegions
+/// Errors: syntax, truncated, unsupported_format; also for pictures of more regions than
+///         kImageRegions
 /// Cost:   O(n log n) in the number of pixels
 Result<Input> parse_image(std::string_view data, std::string_view extension,
                           const std::string& source, const ImageOptions& options = {});

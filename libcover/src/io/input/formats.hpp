@@ -1,7 +1,8 @@
 // One function per geometry format that is read from text; `read_input` chooses among them.
 //
-// All of them: `source` is the file's name for messages. Errors: syntax, truncated,
-// id_out_of_range, non_finite_coordinate, unsupported_format, with line or path.
+// All of them: `source` is the file's name for messages.
+// Errors: syntax, truncated, id_out_of_range, non_finite_coordinate, unsupported_format, with line
+//         or path.
 // Cost: O(n log n) in the length of the text, whatever numbers stand in it.
 #pragma once
 

@@ -17,9 +17,9 @@ namespace cover {
 /// as lines, texts on the label layer as seeds. Coordinates are in the user's unit; those that no
 /// cell turns or magnifies are the doubles next to what a person would write.
 ///
-/// Errors: bad_option, where there is no such cell, or the library has several top cells and none is
-///         named; unsupported_format, where cells contain themselves or there is more to draw than
-///         the file has itself and kLayoutShapes or kLayoutPoints
+/// Errors: bad_option, where there is no such cell, or the library has several top cells and none
+///         is named; unsupported_format, where cells contain themselves or there is more to draw
+///         than the file has itself and kLayoutShapes or kLayoutPoints
 /// Cost:   O(what is drawn), and what lies outside the window is passed over by rows of arrays
 Result<Input> flatten(const GdsLibrary& library, const std::string& source,
                       const ReadOptions& options, LayerMap& layers);

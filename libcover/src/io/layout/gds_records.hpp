@@ -78,8 +78,8 @@ class GdsRecords {
 
   /// The next record.
   ///
-  /// Errors: truncated, where the file ends before the record does or before ENDLIB; syntax, where a
-  ///         record announces fewer bytes than its head has
+  /// Errors: truncated, where the file ends before the record does or before ENDLIB; syntax, where
+  ///         a record announces fewer bytes than its head has
   Result<GdsRecord> next();
 
   /// An error "source: byte N: what" about a record.

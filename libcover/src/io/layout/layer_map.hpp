@@ -36,8 +36,8 @@ struct NamedLayer {
 class LayerMap {
  public:
   /// Of ReadOptions::layers and layer_map, whose files it reads. Lines of such a file, and entries
-  /// on the command line, are "PATTERN=NAME" or "NAME PATTERN"; '#' begins a comment; the first that
-  /// fits a layer counts.
+  /// on the command line, are "PATTERN=NAME" or "NAME PATTERN"; '#' begins a comment; the first
+  /// that fits a layer counts.
   ///
   /// Errors: cannot_open, syntax, bad_option
   static Result<LayerMap> make(const ReadOptions& options);

@@ -15,13 +15,15 @@ class MeshCollector {
  public:
   MeshFile mesh;
 
-  /// Three nodes, or six with the midpoints last. REQUIRES: at least three
+  /// Three nodes, or six with the midpoints last.
+  /// REQUIRES: at least three
   void add_triangle(std::span<const std::uint32_t> nodes) {
     mesh.soup.triangles.push_back({nodes[0], nodes[1], nodes[2]});
     midpoints_.insert(midpoints_.end(), nodes.begin() + 3, nodes.end());
     if (nodes.size() == 6) middles_.push_back({nodes[3], nodes[4], nodes[5]});
   }
-  /// Two nodes, or three with the midpoint last. REQUIRES: at least two
+  /// Two nodes, or three with the midpoint last.
+  /// REQUIRES: at least two
   void add_line(std::span<const std::uint32_t> nodes, std::int64_t group, int marker = 0) {
     mesh.lines.push_back({nodes[0], nodes[1], group, marker});
     midpoints_.insert(midpoints_.end(), nodes.begin() + 2, nodes.end());

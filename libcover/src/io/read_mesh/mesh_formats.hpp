@@ -1,7 +1,7 @@
 // One function per mesh format that is read from text; read_mesh() chooses among them.
 //
-// All of them: `source` is the file's name for messages. Errors: syntax, truncated,
-// id_out_of_range, non_finite_coordinate, unsupported_format, with line.
+// All of them: `source` is the file's name for messages.
+// Errors: syntax, truncated, id_out_of_range, non_finite_coordinate, unsupported_format, with line.
 // Cost: O(n log n) in the length of the text, whatever numbers stand in it.
 #pragma once
 
@@ -28,8 +28,9 @@ Result<MeshFile> parse_inp(std::string_view text, const std::string& source);
 /// MaterialID, RegionId and GroupID, and the grid `lines` with LineID and Marker.
 Result<MeshFile> parse_xdmf(std::string_view text, const std::string& source);
 
-/// Triangle's .ele, with the .node and, if it is there, the .edge beside it. The first attribute
-/// is the material, the second the region; of three the last is the material; boundary markers of edges are the groups of lines.
+/// Triangle's .ele, with the .node and, if it is there, the .edge beside it. The first attribute is
+/// the material, the second the region; of three the last is the material; boundary markers of
+/// edges are the groups of lines.
 Result<MeshFile> read_triangle(const std::string& path);
 
 }  // namespace cover

@@ -133,8 +133,8 @@ ArrayWords words_of(const XmlElement& names) {
   return words;
 }
 
-/// The names of the arrays that all blocks of regions have and that are not our own, in the order of
-/// the first block.
+/// The names of the arrays that all blocks of regions have and that are not our own, in the order
+/// of the first block.
 std::vector<std::string> common_arrays(const std::vector<Block>& blocks,
                                        std::vector<NumberArray> DataSet::*arrays) {
   std::vector<std::string> common;

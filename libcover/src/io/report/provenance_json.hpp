@@ -10,7 +10,8 @@ namespace cover {
 /// { name: value }; an option that was given several times has a list.
 nlohmann::ordered_json options_json(const Provenance& provenance);
 
-/// The other way. Errors: throws what nlohmann's library does where `json` is something else.
+/// The other way.
+/// Errors: throws what nlohmann's library does where `json` is something else.
 std::vector<Provenance::Setting> options_of(const nlohmann::ordered_json& json);
 
 }  // namespace cover

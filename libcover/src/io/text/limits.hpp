@@ -2,23 +2,22 @@
 // memory and time in proportion to the bytes that are there.
 //
 // clang-format off
-// | what                                     | limit                                               |
+// | what | limit |
 // |------------------------------------------|-----------------------------------------------------|
-// | points, nodes of cells                   | below 2^32 - 1, as their numbers have 32 bits       |
-// | numbers announced in text                | half the characters that are left, and one          |
-// | numbers announced as bytes               | the bytes that are left; base64: 3/4 of them        |
-// | what compressed or shared data unfold to | kUnfolding bytes for each of the file's, and        |
-// |                                          | kFreeUnfolding                                      |
-// | points of a lattice (STRUCTURED_POINTS)  | kLatticePoints for each byte of the file            |
-// | elements of XML, one in the other        | kXmlDepth                                           |
-// | elements of XML in all                   | kXmlElements                                        |
-// | entities and external files of XML       | none                                                |
-// | values in JSON, one in the other         | kJsonDepth                                          |
-// | files of a .vtm                          | each once                                           |
-// | shapes of a layout or drawing that cells | as many as the file has itself, and kLayoutShapes,  |
-// | or blocks repeat, and their points       | kLayoutPoints                                       |
-// | cells or blocks, one in the other        | kCellDepth                                          |
-// clang-format on
+// | points, nodes of cells | below 2^32 - 1, as their numbers have 32 bits |
+// | numbers announced in text | half the characters that are left, and one |
+// | numbers announced as bytes | the bytes that are left; base64: 3/4 of them |
+// | what compressed or shared data unfold to | kUnfolding bytes for each of the file's, and |
+// | | kFreeUnfolding |
+// | points of a lattice (STRUCTURED_POINTS) | kLatticePoints for each byte of the file |
+// | elements of XML, one in the other | kXmlDepth |
+// | elements of XML in all | kXmlElements |
+// | entities and external files of XML | none |
+// | values in JSON, one in the other | kJsonDepth |
+// | files of a .vtm | each once |
+// | shapes of a layout or drawing that cells | as many as the file has itself, and kLayoutShapes, |
+// | or blocks repeat, and their points | kLayoutPoints |
+// | cells or blocks, one in the other | kCellDepth | clang-format on
 //
 // Tested by tests/unit/io/text/limits_test.cpp.
 #pragma once

@@ -20,9 +20,9 @@ struct SchemeForm {
   int line = 0;  ///< of the file, from 1
 };
 
-/// The expressions of a text, one after the other; comments (; and #| |#) are passed over, and lines
-/// that begin with # as a preprocessor's do, which are returned in `directives`. A quote stands for
-/// nothing: '(a b) is (a b).
+/// The expressions of a text, one after the other; comments (; and #| |#) are passed over, and
+/// lines that begin with # as a preprocessor's do, which are returned in `directives`. A quote
+/// stands for nothing: '(a b) is (a b).
 ///
 /// Errors: syntax, with the line: parentheses that do not match, texts without an end, more than
 ///         kSchemeDepth lists one in the other

@@ -27,8 +27,8 @@ struct SplitJson {
 std::optional<SplitJson> split_json(std::string_view text,
                                     std::initializer_list<std::string_view> names);
 
-/// The point that `[x, y]` stands for, with the doubles that a tree of it would have; nothing for all
-/// else, which is not always an error.
+/// The point that `[x, y]` stands for, with the doubles that a tree of it would have; nothing for
+/// all else, which is not always an error.
 ///
 /// Cost: some 0.05 us, a tenth of what a tree takes, and no memory
 std::optional<Point> read_pair(std::string_view element);

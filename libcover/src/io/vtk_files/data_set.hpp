@@ -67,7 +67,8 @@ class DataSet {
 
   // How readers fill it. Errors name no file: the reader adds it.
 
-  /// Adds points: three coordinates each. REQUIRES: coordinates.size() is divisible by 3
+  /// Adds points: three coordinates each.
+  /// REQUIRES: coordinates.size() is divisible by 3
   Status add_points(const NumberArray& coordinates);
   /// Adds cells between the points from number `first_point` on: cell c has the nodes from
   /// offsets[c] up to offsets[c + 1] of `connectivity`, which are numbers from `first_point` on.
@@ -81,8 +82,8 @@ class DataSet {
                    std::array<std::vector<double>, 3> axes);
   /// Says that the places on each axis of the lattice are equally far from each other.
   void set_even() { is_even_ = true; }
-  /// The cells as pixels, in the order of their rows, where the data set is an even lattice in a plane
-  /// z = constant and nothing else.
+  /// The cells as pixels, in the order of their rows, where the data set is an even lattice in a
+  /// plane z = constant and nothing else.
   [[nodiscard]] std::optional<Pixels> pixels() const;
 
  private:

@@ -1,8 +1,6 @@
 // Pieces are put together as they come; most files have one. Tested by
 // tests/unit/vtk/read_data_set_test.cpp.
-#include <algorithm>
 #include <array>
-#include <limits>
 #include <optional>
 #include <vector>
 

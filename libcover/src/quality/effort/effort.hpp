@@ -1,7 +1,7 @@
-// What the steps of a plan may cost, and when they are due. What tunes one algorithm alone stands at
-// the head of its file: plan/optimise, plan/candidates, repair/search, repair/kicks, starts/restart.
-// One star evaluation takes some 0.1 us. Figures are from tests/bench/region_faults.py on Voronoi
-// cells, parcels and maps, where nothing else is said.
+// What the steps of a plan may cost, and when they are due. What tunes one algorithm alone stands
+// at the head of its file: plan/optimise, plan/candidates, repair/search, repair/kicks,
+// starts/restart. One star evaluation takes some 0.1 us. Figures are from
+// tests/bench/region_faults.py on Voronoi cells, parcels and maps, where nothing else is said.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Out of a local optimum: a step that makes a triangulation worse first.
-// Mends: nothing by itself; what no step that only helps can reach, by the improvement that follows.
+// Out of a local optimum: a step that makes a triangulation worse first. Mends: nothing by itself;
+// what no step that only helps can reach, by the improvement that follows.
 #pragma once
 
 #include <cstdint>

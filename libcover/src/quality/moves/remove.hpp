@@ -1,5 +1,5 @@
-// A vertex taken away.
-// Mends: large angles around a free vertex of three or four triangles. Elsewhere it saves triangles.
+// A vertex taken away. Mends: large angles around a free vertex of three or four triangles.
+// Elsewhere it saves triangles.
 #pragma once
 
 #include "quality/moves/piece.hpp"

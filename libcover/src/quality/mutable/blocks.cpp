@@ -1,6 +1,6 @@
-// Cutting: a part has its vertices by their numbers in the whole; those that several parts share are
-// in a hash table of its own. What a part reads of the whole is its own, or never changes, so that it
-// can be put back (put_back.hpp) as soon as it is done, while others are still to be cut.
+// Cutting: a part has its vertices by their numbers in the whole; those that several parts share
+// are in a hash table of its own. What a part reads of the whole is its own, or never changes, so
+// that it can be put back (put_back.hpp) as soon as it is done, while others are still to be cut.
 // Tested by tests/unit/quality/mutable/blocks_test.cpp.
 #include "quality/mutable/blocks.hpp"
 

@@ -50,9 +50,9 @@ struct Borders {
 /// How many parts a mesh has at the most.
 std::size_t block_count(const MutableMesh& whole, const Sharing& sharing);
 
-/// Divides `whole` into parts (part_labels.hpp), calls `work` with every part, and puts in place what
-/// it has made of Block::mesh. `done` is called with every part in turn whose places were asked for,
-/// which are now those that it has.
+/// Divides `whole` into parts (part_labels.hpp), calls `work` with every part, and puts in place
+/// what it has made of Block::mesh. `done` is called with every part in turn whose places were
+/// asked for, which are now those that it has.
 ///
 /// Memory: the parts that are worked on, and of the others what they have more than at first
 ///

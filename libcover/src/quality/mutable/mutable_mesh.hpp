@@ -34,12 +34,13 @@ struct MeshTriangle {
   std::array<std::uint32_t, 3> n{};
 
   [[nodiscard]] int corner_of(std::uint32_t w) const { return v[0] == w ? 0 : v[1] == w ? 1 : 2; }
-  /// The edge from a to b. REQUIRES: it is one.
+  /// The edge from a to b.
+  /// REQUIRES: it is one.
   [[nodiscard]] int edge_from(std::uint32_t a) const { return prev3(corner_of(a)); }
 };
 
-/// The limits of the sides of a region, which its meshes have in common: they take 88 bytes each, more
-/// than four triangles.
+/// The limits of the sides of a region, which its meshes have in common: they take 88 bytes each,
+/// more than four triangles.
 class SideLimits {
  public:
   SideLimits() = default;
@@ -81,8 +82,8 @@ class MutableMesh {
   MutableMesh(const Triangulation& triangulation, std::uint32_t fixed,
               std::span<const EdgeRef> side_at, SideLimits limits);
 
-  /// A part of `whole` with its first `fixed` vertices fixed, without anything yet. Its goal is that of
-  /// `whole` for good: it has allowances, but no limits of its sides.
+  /// A part of `whole` with its first `fixed` vertices fixed, without anything yet. Its goal is
+  /// that of `whole` for good: it has allowances, but no limits of its sides.
   static MutableMesh part_of(const MutableMesh& whole, std::uint32_t fixed) {
     MutableMesh part;
     part.goal_ = whole.goal_;

@@ -36,7 +36,8 @@ class Hole {
   }
 
   Hole(const MutableMesh& mesh, const Cavity& cavity);
-  /// A hole with any number of edges, in any order. REQUIRES: both arguments outlive it
+  /// A hole with any number of edges, in any order.
+  /// REQUIRES: both arguments outlive it
   Hole(const Goal& goal, std::span<const Edge> edges);
   Hole(const Hole&) = delete;
   Hole& operator=(const Hole&) = delete;

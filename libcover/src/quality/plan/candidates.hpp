@@ -117,8 +117,8 @@ class Candidates {
   /// The largest angle is that of the goal, or forced by the region's worst side; or the run is to
   /// stop.
   [[nodiscard]] bool is_done(const Candidate& candidate) const;
-  /// No mesh of the region is better than `candidate` by more than a degree, in what it misses: this
-  /// is proven, and a search would be in vain.
+  /// No mesh of the region is better than `candidate` by more than a degree, in what it misses:
+  /// this is proven, and a search would be in vain.
   [[nodiscard]] bool is_near_its_limits(const Candidate& candidate);
   /// Finds out whether `cdt` is the only mesh without a negative coupling that counts, and within
   /// the bound: then nothing else is to be tried.

@@ -304,9 +304,9 @@ class Refinement {
     return true;
   }
 
-  /// A vertex that was put beside a triangle of a large fan replaces all of the fan that its circles
-  /// reach, which may be all; and so do those beside its neighbours, one after the other, if they
-  /// come next. In rounds they divide the fan.
+  /// A vertex that was put beside a triangle of a large fan replaces all of the fan that its
+  /// circles reach, which may be all; and so do those beside its neighbours, one after the other,
+  /// if they come next. In rounds they divide the fan.
   void enqueue_fan() {
     if (loop_.size() <= kLargeFan) {
       for (std::size_t k = 0; k < loop_.size(); ++k) enqueue(cavity_[k]);

@@ -27,8 +27,8 @@ struct RefineLimits {
 ///   forced above the goal (or for the edges of such a triangle, if these are forced in turn).
 /// The triangle is left then.
 ///
-/// A large mesh is refined in parts; a point whose cavity reaches a border waits until all parts are
-/// one mesh again, so that borders leave no trace.
+/// A large mesh is refined in parts; a point whose cavity reaches a border waits until all parts
+/// are one mesh again, so that borders leave no trace.
 ///
 /// REQUIRES: `mesh` is constrained Delaunay, with its goal set
 /// ENSURES:  `mesh` is constrained Delaunay, its excesses measured, its numbers arranged

@@ -122,8 +122,8 @@ TEST(ThinCuts, MoreEffortTakesNoMoreVertices) {
   }
 }
 
-// A wedge of two degrees, a ten-thousandth beside a ring of 32 chords: the last obtuse triangle needs
-// angles that are smaller than any before.
+// A wedge of two degrees, a ten-thousandth beside a ring of 32 chords: the last obtuse triangle
+// needs angles that are smaller than any before.
 TEST(ThinCuts, RightAnglesComeBeforeSmallOnes) {
   std::vector<Point> points;
   std::vector<std::array<std::uint32_t, 2>> segments;

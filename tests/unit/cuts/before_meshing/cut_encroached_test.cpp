@@ -113,8 +113,8 @@ TEST(CutEncroached, ACascadeBetweenNeedlesEndsAndIsNamed) {
   EXPECT_FALSE(done.stuck.empty()) << "what is left has to be named";
 }
 
-// Two segments from one point with a void of 1e-10 between them, which no region sees: a cut near the
-// point, rounded, lay beyond the other segment.
+// Two segments from one point with a void of 1e-10 between them, which no region sees: a cut near
+// the point, rounded, lay beyond the other segment.
 TEST(CutEncroached, KeepsClearOfWhatIsBeyondAThinVoid) {
   const std::vector<Point> corners{{-2, -2},
                                    {2, -2},

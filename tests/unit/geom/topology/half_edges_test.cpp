@@ -34,7 +34,8 @@ TEST(HalfEdges, OppositeOnesAgreeWithASearch) {
   }
 }
 
-// A hub that has the lowest number of all; with 1e5 triangles this takes minutes if it is quadratic.
+// A hub that has the lowest number of all; with 1e5 triangles this takes minutes if it is
+// quadratic.
 TEST(HalfEdges, OppositeOnesAroundAHub) {
   for (const std::uint32_t spokes : {3U, 30U, 100000U}) {
     std::vector<IndexTriple> wheel;

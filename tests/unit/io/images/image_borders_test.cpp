@@ -30,7 +30,8 @@ LabelImage image_of(std::size_t width, std::size_t height,
   return image;
 }
 
-/// Which region each pixel is of, by flooding; -1 for void. Regions in the order of their first pixels.
+/// Which region each pixel is of, by flooding; -1 for void. Regions in the order of their first
+/// pixels.
 std::vector<int> flooded(const LabelImage& image, int& count) {
   const auto w = static_cast<int>(image.width), h = static_cast<int>(image.height);
   std::vector<int> of(image.labels.size(), -1);

@@ -67,7 +67,8 @@ MutableMesh with_any_team(const MutableMesh& start, const Change& change) {
   return first;
 }
 
-/// Between fixed vertices triangles reach through the whole region: only branches have short borders.
+/// Between fixed vertices triangles reach through the whole region: only branches have short
+/// borders.
 TEST(Blocks, AreBranchesBetweenFixedVertices) {
   const MutableMesh start = cdt_mesh(smooth_star(4000));
   ASSERT_EQ(start.points.size(), start.fixed_vertices());

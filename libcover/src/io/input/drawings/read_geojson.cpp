@@ -1,9 +1,10 @@
 // GeoJSON (RFC 7946): each Polygon and MultiPolygon a painted area, each LineString a named line.
 //
 // Properties: `material` (else `name`, else the feature is a material of its own), `name` (of the
-// region or line), `priority`, `size` (the wished edge length inside); the first three may be called
-// otherwise, and those that are to be kept become attributes. Coordinates are taken as they are, plane, heights left out; so are points and
-// whatever else a file carries, which the RFC allows. Tested by read_geojson_test.cpp.
+// region or line), `priority`, `size` (the wished edge length inside); the first three may be
+// called otherwise, and those that are to be kept become attributes. Coordinates are taken as they
+// are, plane, heights left out; so are points and whatever else a file carries, which the RFC
+// allows. Tested by read_geojson_test.cpp.
 #include "io/input/drawings/read_geojson.hpp"
 
 #include <fmt/core.h>

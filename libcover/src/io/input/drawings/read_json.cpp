@@ -226,8 +226,8 @@ class InputReader {
     }
   }
 
-  /// Calls `f` as for_each() does, each time with a tree of one element. What goes wrong here is told
-  /// by reading the whole document.
+  /// Calls `f` as for_each() does, each time with a tree of one element. What goes wrong here is
+  /// told by reading the whole document.
   template <class F>
   void for_each_taken_out(std::span<const std::string_view> elements, F f) {
     for (std::size_t k = 0; k < elements.size() && !json_.failed(); ++k)

@@ -1,8 +1,8 @@
-// Commands of the Sentaurus Structure Editor, which are Scheme. Bodies become painted polygons: with
-// the boolean ABA, which is the default, the new one wins where they overlap, with BAB the old ones.
-// A contact is put on an edge by a place on it. The editor's edges end at every corner and crossing
-// of bodies, so the side that the place lies on is cut there. Commands of doping and meshing, and
-// what is not understood, are named in the warnings. y points as the deck has it.
+// Commands of the Sentaurus Structure Editor, which are Scheme. Bodies become painted polygons:
+// with the boolean ABA, which is the default, the new one wins where they overlap, with BAB the old
+// ones. A contact is put on an edge by a place on it. The editor's edges end at every corner and
+// crossing of bodies, so the side that the place lies on is cut there. Commands of doping and
+// meshing, and what is not understood, are named in the warnings. y points as the deck has it.
 // Tested by tests/unit/io/input/drawings/read_sde_test.cpp.
 #include <algorithm>
 #include <array>
@@ -10,7 +10,6 @@
 #include <map>
 #include <numbers>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -29,7 +28,8 @@ namespace {
 using Kind = SchemeValue::Kind;
 using Values = SchemeEvaluator::Values;
 
-/// A place is on a side if it misses it by at most this part of the drawing: positions are computed.
+/// A place is on a side if it misses it by at most this part of the drawing: positions are
+/// computed.
 constexpr double kOnSide = 1e-6;
 constexpr int kChordsOfCircle = 72;
 

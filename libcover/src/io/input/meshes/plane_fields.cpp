@@ -1,7 +1,6 @@
 // Tested by tests/unit/io/input/meshes/read_size_field_test.cpp.
 #include "io/input/meshes/plane_fields.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>

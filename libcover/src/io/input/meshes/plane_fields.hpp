@@ -10,7 +10,8 @@
 namespace cover {
 
 /// Reads the point arrays that have one component, and all plane cells as triangles, of .vtu, .vtp,
-/// .vti, any legacy .vtk; or what .tif and .str of process simulators have; or a .csv, see parse_csv_field().
+/// .vti, any legacy .vtk; or what .tif and .str of process simulators have; or a .csv, see
+/// parse_csv_field().
 ///
 /// Errors: cannot_open; unsupported_format; truncated; syntax
 Result<PlaneField> read_plane_field(const std::string& path);

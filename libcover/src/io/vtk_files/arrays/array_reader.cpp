@@ -27,7 +27,8 @@ class RawBytes {
     std::memcpy(out, take(size).data(), size);
     return true;
   }
-  /// The next bytes where they are. REQUIRES: size <= most()
+  /// The next bytes where they are.
+  /// REQUIRES: size <= most()
   std::string_view take(std::size_t size) {
     const std::string_view taken = bytes_.substr(0, size);
     bytes_.remove_prefix(size);

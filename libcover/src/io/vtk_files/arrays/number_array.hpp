@@ -89,7 +89,8 @@ class NumberArray {
   /// Numbers in somebody else's memory, which must outlive the array.
   NumberArray(NumberType type, std::string_view bytes)
       : type_(type), data_(bytes.data()), size_(bytes.size() / size_of(type)) {}
-  /// Numbers of its own. REQUIRES: `bytes` holds `size` of them
+  /// Numbers of its own.
+  /// REQUIRES: `bytes` holds `size` of them
   NumberArray(NumberType type, std::unique_ptr<char[]> bytes, std::size_t size)
       : type_(type), data_(bytes.get()), size_(size), own_(std::move(bytes)) {}
 

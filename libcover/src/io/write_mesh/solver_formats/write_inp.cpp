@@ -1,10 +1,11 @@
 // Abaqus' input deck, as CalculiX and Elmer read it too: nodes, elements in one set per region
 // group, nodes of each line group in a set. Names of sets are case-insensitive and begin with a
 // letter. Both programs read the first 20 characters of a number and no more, so a coordinate that
-// is longer would lose its exponent: it is rounded to the digits that fit. A mesh that has triangles
-// too thin for that is refused.
+// is longer would lose its exponent: it is rounded to the digits that fit. A mesh that has
+// triangles too thin for that is refused.
 //
-// Tested by tests/unit/io/write_mesh/solver_formats/write_inp_test.cpp and, in CalculiX, by tests/solvers.
+// Tested by tests/unit/io/write_mesh/solver_formats/write_inp_test.cpp and, in CalculiX, by
+// tests/solvers.
 #include <algorithm>
 #include <array>
 #include <charconv>

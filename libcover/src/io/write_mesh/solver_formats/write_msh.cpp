@@ -5,7 +5,8 @@
 // entity per physical group and its tag is that of the group, because getfem takes the one for the
 // other.
 //
-// Tested by tests/unit/io/write_mesh/solver_formats/write_msh_test.cpp and, in the solvers, by tests/solvers.
+// Tested by tests/unit/io/write_mesh/solver_formats/write_msh_test.cpp and, in the solvers, by
+// tests/solvers.
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -440,8 +441,8 @@ class MshWriter {
     return interface == kNoInterface ? kVoid : table_.interfaces[interface.index() - 1].left;
   }
 
-  /// Attributes and fields. Every element has a value, lines those of the region on their left, since
-  /// meshio cannot read data of some elements alone.
+  /// Attributes and fields. Every element has a value, lines those of the region on their left,
+  /// since meshio cannot read data of some elements alone.
   void data() {
     constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
     for (const Attribute& attribute : view_.attributes) {

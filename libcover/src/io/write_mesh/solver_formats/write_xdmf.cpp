@@ -1,9 +1,10 @@
-// XDMF, with the numbers inside the XML, which asks for no library, or in an HDF5 file beside it, as
-// large meshes want it. Two grids, because dolfinx reads the triangles from one and the tags of edges
-// from another; it takes the first attribute of each, and looks for X.h5 beside X.xdmf whatever
-// stands in the XML.
+// XDMF, with the numbers inside the XML, which asks for no library, or in an HDF5 file beside it,
+// as large meshes want it. Two grids, because dolfinx reads the triangles from one and the tags of
+// edges from another; it takes the first attribute of each, and looks for X.h5 beside X.xdmf
+// whatever stands in the XML.
 //
-// Tested by tests/unit/io/write_mesh/solver_formats/write_xdmf_test.cpp and, in dolfinx, by tests/solvers.
+// Tested by tests/unit/io/write_mesh/solver_formats/write_xdmf_test.cpp and, in dolfinx, by
+// tests/solvers.
 #include <array>
 #include <filesystem>
 

@@ -22,8 +22,8 @@ struct XdmfSource {
   ArrayWriter material, region, group;  ///< of each triangle, Int32
 };
 
-/// Writes X.h5 and then X.xdmf, which are both on the disk before the first of them appears. `status`
-/// is asked when all is written: whether the numbers were what they should be.
+/// Writes X.h5 and then X.xdmf, which are both on the disk before the first of them appears.
+/// `status` is asked when all is written: whether the numbers were what they should be.
 ///
 /// Errors: cannot_write, out_of_memory, cancelled; those of `status`
 Status write_xdmf_file(const XdmfSource& source, const std::string& path,

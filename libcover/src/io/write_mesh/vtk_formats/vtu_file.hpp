@@ -58,7 +58,8 @@ struct VtuGrid {
   std::vector<VtuArray> connectivity;  ///< connectivity, offsets, types
 };
 
-/// The text of a .pvtu whose pieces, in `files`, have the arrays of `piece` and one layer of ghosts.
+/// The text of a .pvtu whose pieces, in `files`, have the arrays of `piece` and one layer of
+/// ghosts.
 std::string pvtu_text(const VtuGrid& piece, std::span<const std::string> files);
 
 /// Writes a .vtu file: raw appended data, 64-bit sizes, not compressed, as VTK's own writer does

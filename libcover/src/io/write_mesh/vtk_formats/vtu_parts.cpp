@@ -103,9 +103,9 @@ bool is_found_twice(const VtuGrid& grid) {
 }
 
 /// Puts arrays of cells behind the first one into an order that meshio can read. It replaces the
-/// offset of each appended array by a larger one, that in base64, and then takes the first array that
-/// has the next offset it looks for: with four arrays of integers in front, every third mesh came out
-/// wrong or not at all. Ours alone are in such an order.
+/// offset of each appended array by a larger one, that in base64, and then takes the first array
+/// that has the next offset it looks for: with four arrays of integers in front, every third mesh
+/// came out wrong or not at all. Ours alone are in such an order.
 void make_readable_by_meshio(VtuGrid& grid) {
   constexpr int kMostTries = 200;
   std::vector<std::size_t> order(grid.cell_data.size());
@@ -163,8 +163,8 @@ std::array<double, 2> extreme_angles(const MeshView& view, std::size_t triangle)
   return extreme_degrees(view.points[corners[0]], view.points[corners[1]], view.points[corners[2]]);
 }
 
-/// The arrays of triangles, in an order that meshio can read: see make_readable_by_meshio(). Several
-/// names for one thing: every solver looks for its own, some only for the first array.
+/// The arrays of triangles, in an order that meshio can read: see make_readable_by_meshio().
+/// Several names for one thing: every solver looks for its own, some only for the first array.
 void add_triangle_arrays(const TriangleArrays& arrays, VtuGrid& grid) {
   const auto add = [&]<class T>(T, const char* name, const ArrayWriter& write) {
     grid.cell_data.push_back({number_type<T>(), name, 1, {}, arrays.triangles * sizeof(T), write});

@@ -47,8 +47,8 @@ void write_triangles(const MeshView& view, std::span<const std::size_t> triangle
                      const ByteSink& sink);
 
 /// The triangles of a part and its ghosts, with the same arrays and for points and cells alike: ids
-/// in the whole mesh (GlobalNodeId, GlobalCellId), owner (Owner, a part) and vtkGhostType. `use` gets
-/// the grid, which is gone afterwards.
+/// in the whole mesh (GlobalNodeId, GlobalCellId), owner (Owner, a part) and vtkGhostType. `use`
+/// gets the grid, which is gone afterwards.
 void with_part_grid(const MeshView& view, const Partition& partition, std::uint32_t part,
                     const std::function<void(const VtuGrid&)>& use);
 

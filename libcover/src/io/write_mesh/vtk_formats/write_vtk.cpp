@@ -2,7 +2,8 @@
 // what some reader insists on, and VTK's own writer can no longer write it. The ids of interior
 // lines stand in ManifoldID because deal.II takes boundary ids on the boundary only.
 //
-// Tested by tests/unit/io/write_mesh/vtk_formats/write_vtk_test.cpp and, in the solvers, by tests/solvers.
+// Tested by tests/unit/io/write_mesh/vtk_formats/write_vtk_test.cpp and, in the solvers, by
+// tests/solvers.
 #include <fmt/core.h>
 
 #include <map>
