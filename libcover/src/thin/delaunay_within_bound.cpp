@@ -16,7 +16,7 @@ namespace cover {
 namespace {
 
 constexpr double kSlack = 1 - 1e-9;  ///< of the cotangent of the largest angle
-constexpr std::uint64_t kPlaces = 60'000, kMostPlaces = 3'000'000;
+constexpr std::uint64_t kMostPlaces = 3'000'000;
 constexpr std::uint32_t kOfRest = 0, kOfLayers = 1;  ///< in place of regions
 
 ConformingMesh mutable_mesh(const RegionBoundary& boundary, const RegionMesh& mesh) {
@@ -39,8 +39,8 @@ bool is_sound(const RegionReport& report) {
 }  // namespace
 
 std::optional<MendedMesh> mend_couplings_within_bound(const RegionBoundary& boundary,
-                                                      const RegionMesh& mesh,
-                                                      std::stop_token stop) {
+                                                      const RegionMesh& mesh, std::stop_token stop,
+                                                      std::uint64_t for_sides) {
   if (is_sound(mesh.report) && mesh.report.box.negative_given_up == 0) return {};
   const auto& segments = boundary.segments;
   if (std::find(segments.begin(), segments.end(), kHullSide) != segments.end()) return {};
@@ -50,7 +50,8 @@ std::optional<MendedMesh> mend_couplings_within_bound(const RegionBoundary& boun
   std::vector<WantedAngles> wanted(2, {0, least_cot, false});
   wanted[kOfLayers].closed = true;
   MeshWithUndo mending(before, std::move(wanted));
-  mend_mesh(mending, {0, 0, kPlaces, kMostPlaces, std::move(stop)});
+  const bool only_sides = is_sound(mesh.report) && mesh.layer_triangles == 0;
+  mend_mesh(mending, {0, 0, only_sides ? for_sides : kPlacesToMend, kMostPlaces, std::move(stop)});
   if (mending.grave() > 0) return {};
   MendedMesh out;
   const std::size_t own = boundary.points.size();
