@@ -33,12 +33,17 @@ double angle_of(double x, double y) { return std::atan2(y, x); }
 
 }  // namespace
 
+ApexSearch::Direction ApexSearch::direction_of(double angle) {
+  return {angle, std::sin(angle), std::cos(angle)};
+}
+
 ApexSearch::ApexSearch(const RegionView& view, ClearZones& zones, const FanGrowth& growth)
     : view_(view),
       zones_(zones),
       growth_(growth),
       range_(growth.range()),
-      cot_(std::cos(zones.angle()) / std::sin(zones.angle())) {}
+      cot_(std::cos(zones.angle()) / std::sin(zones.angle())),
+      reach_(direction_of(std::numbers::pi - range_.least + kAngleSlack)) {}
 
 ApexSearch::Place ApexSearch::local(std::uint32_t v) const {
   if (v == ends_[0]) return {0, 0, kRounding};
@@ -133,17 +138,8 @@ bool ApexSearch::angles_are_in_range(double x, double y, double z) const {
 
 bool ApexSearch::reaches_next(const End& end, double low, double high, double near,
                               double far) const {
-  if (high < range_.least - kAngleSlack) return false;
   const double next = end.distance.back();
-  const double ratio = std::max(next / far, near / next);
-  if (ratio <= 1) {
-    // Isosceles triangles do, if some number of them fills the angle.
-    return range_.least == 0 || std::floor((high + kAngleSlack) / range_.least) >=
-                                    std::ceil((low - kAngleSlack) / range_.most);
-  }
-  const double wanted = std::log(ratio) - 4 * kAngleSlack;
-  return growth_.log_ratio(std::max(low, 0.0), high, std::max(wanted, 0.0)) >=
-         std::max(wanted, 0.0);
+  return growth_.may_lead(low, high, std::max(next / far, near / next));
 }
 
 bool ApexSearch::ear_is_possible(bool at_a) const {
@@ -164,6 +160,7 @@ bool ApexSearch::is_in_wedge(const Place& at, double turn, const Place& w, const
   // w is beyond the ray from `at` to p, and the angle at w between the two is above most.
   const double ux = at.x - w.x, uy = at.y - w.y, vx = p.x - w.x, vy = p.y - w.y;
   const double c = turn * (ux * vy - uy * vx), d = ux * vx + uy * vy;
+  if (!(c > 0) || !(d < cot_ * c)) return false;
   const double room =
       (p.fuzz + w.fuzz) * (std::abs(ux) + std::abs(uy) + std::abs(vx) + std::abs(vy));
   return c > room && d - cot_ * c < -room * (1 + std::abs(cot_));
@@ -185,6 +182,7 @@ bool ApexSearch::is_in(std::size_t which, const Place& p) const {
     if (!o.has_zone) return false;
     const double ux = o.c.x - p.x, uy = o.c.y - p.y, vx = o.d.x - p.x, vy = o.d.y - p.y;
     const double c = ux * vy - uy * vx, d = ux * vx + uy * vy;
+    if (!(c > 0) || !(d < cot_ * c)) return false;
     const double room = (p.fuzz + o.c.fuzz + o.d.fuzz) *
                         (std::abs(ux) + std::abs(uy) + std::abs(vx) + std::abs(vy));
     return c > room && d - cot_ * c < -room * (1 + std::abs(cot_)) &&
@@ -208,7 +206,7 @@ bool ApexSearch::is_tip_of_zone(std::size_t which, const Place& p) const {
 }
 
 template <ApexSearch::Ban ban>
-bool ApexSearch::are_in(std::size_t which, const Place (&corners)[4]) {
+bool ApexSearch::are_in(std::size_t which, std::span<const Place> corners) {
   for (const Place& p : corners) {
     if (is_in<ban>(which, p)) continue;
     if (ban != Ban::zone || !is_tip_of_zone(which, p)) return false;
@@ -218,7 +216,7 @@ bool ApexSearch::are_in(std::size_t which, const Place (&corners)[4]) {
   return true;
 }
 
-bool ApexSearch::are_in_last(const Place (&corners)[4]) {
+bool ApexSearch::are_in_last(std::span<const Place> corners) {
   switch (last_ban_) {
     case Ban::zone:
       return !obstacles_.empty() && are_in<Ban::zone>(last_which_, corners);
@@ -234,7 +232,7 @@ bool ApexSearch::are_in_last(const Place (&corners)[4]) {
   return false;
 }
 
-bool ApexSearch::is_banned(const Place (&corners)[4]) {
+bool ApexSearch::is_banned(std::span<const Place> corners) {
   if (are_in_last(corners)) return true;
   for (std::size_t k = 0; k < obstacles_.size(); ++k) {
     if (are_in<Ban::zone>(k, corners) || are_in<Ban::shadow_of_a>(k, corners) ||
@@ -277,48 +275,108 @@ bool ApexSearch::end_is_out(const End& end, double low, double high, double near
   return false;
 }
 
+/// The apex with these angles, and its distances from the ends of the side.
+ApexSearch::Place ApexSearch::place_of(const Direction& a, const Direction& b, double& to_a,
+                                       double& to_b) {
+  const double inverse = 1 / (a.sine * b.cosine + a.cosine * b.sine);
+  to_a = b.sine * inverse;
+  to_b = a.sine * inverse;
+  if (b.sine == 0 && a.sine > 0) return {0, 0, 0};
+  if (a.sine == 0 && b.sine > 0) return {1, 0, 0};
+  return {to_a * a.cosine, to_a * a.sine, kRounding * (1 + to_a) * inverse};
+}
+
+void ApexSearch::add_corner(Shape& shape, const Direction& a, const Direction& b) {
+  double to_a = 0, to_b = 0;
+  shape.corners[shape.count++] = place_of(a, b, to_a, to_b);
+  shape.near_a = std::min(shape.near_a, to_a);
+  shape.far_a = std::max(shape.far_a, to_a);
+  shape.near_b = std::min(shape.near_b, to_b);
+  shape.far_b = std::max(shape.far_b, to_b);
+}
+
+ApexSearch::Shape ApexSearch::shape_of(const Box& box) {
+  Shape shape;
+  for (std::size_t k = 0; k < 4; ++k) add_corner(shape, box.a[k & 1], box.b[k >> 1]);
+  return shape;
+}
+
+/// Of a box that reaches beyond where the angle at the apex is the least one: what is on this side,
+/// a piece of a disk. Its arc lies within the tangents at both of its ends. Without this, a box
+/// would have to be cut along all of the arc. False if the arc is too long for that.
+bool ApexSearch::add_corners_within_reach(const Box& box, Shape& shape) const {
+  // The other angle, where one is given and their sum is that of the arc.
+  const auto rest = [this](const Direction& angle) {
+    return Direction{reach_.angle - angle.angle,
+                     reach_.sine * angle.cosine - reach_.cosine * angle.sine,
+                     reach_.cosine * angle.cosine + reach_.sine * angle.sine};
+  };
+  const auto& [a, b] = box;
+  if (rest(b[0]).angle <= a[0].angle) return false;
+  const bool low_a = a[1].angle + b[0].angle <= reach_.angle;
+  const bool low_b = a[0].angle + b[1].angle <= reach_.angle;
+  add_corner(shape, a[0], b[0]);
+  if (low_a) add_corner(shape, a[1], b[0]);
+  if (low_b) add_corner(shape, a[0], b[1]);
+  // The ends of the arc.
+  const Direction first_a = low_a ? a[1] : rest(b[0]), first_b = low_a ? rest(a[1]) : b[0];
+  const Direction last_a = low_b ? rest(b[1]) : a[0], last_b = low_b ? b[1] : rest(a[0]);
+  if (!(first_b.sine > 0) || !(last_a.sine > 0)) return false;
+  add_corner(shape, first_a, first_b);
+  add_corner(shape, last_a, last_b);
+  const Place p = shape.corners[shape.count - 2], q = shape.corners[shape.count - 1];
+  const double height = -reach_.cosine / (2 * reach_.sine), radius = 1 / (2 * reach_.sine);
+  const double x = (p.x + q.x) / 2 - 0.5, y = (p.y + q.y) / 2 - height;  // from the centre
+  const double squared = x * x + y * y;
+  if (!(squared > radius * radius / 4)) return false;
+  const double beyond = radius * radius / squared * (1 + kAngleSlack);
+  shape.corners[shape.count++] = {0.5 + beyond * x, height + beyond * y, p.fuzz + q.fuzz};
+  // Along the arc a distance is largest where the angle opposite is a right one.
+  const double right = std::numbers::pi / 2;
+  if (first_b.angle < right && last_b.angle > right) shape.far_a = 2 * radius;
+  if (last_a.angle < right && first_a.angle > right) shape.far_b = 2 * radius;
+  return true;
+}
+
 bool ApexSearch::is_out(const Box& box) {
   const double sum_low = box.a[0].angle + box.b[0].angle;
   const double sum_high = box.a[1].angle + box.b[1].angle;
   if (sum_low > std::numbers::pi - range_.least + kAngleSlack) return true;
   if (sum_high < std::numbers::pi - range_.most - kAngleSlack) return true;
   if (contains_vertex(box)) return true;
-  if (sum_high > std::numbers::pi - kFlat) {
+  Shape shape;
+  const bool is_within_reach =
+      sum_high > reach_.angle && range_.least > 0 && add_corners_within_reach(box, shape);
+  if (!is_within_reach && sum_high > std::numbers::pi - kFlat) {
     // From a sum of 90 degrees on, the nearest apex is that of the smallest angles.
     if (sum_low < std::numbers::pi / 2 || sum_low > std::numbers::pi - kFlat / 2)
       return sum_low > std::numbers::pi / 2;
     const double sine = std::sin(sum_low) + kRounding;
     return std::min(box.a[0].sine, box.b[0].sine) > sine * view_.diameter() / length_;
   }
-  Place corners[4];
-  double near_a = 1e300, far_a = 0, near_b = 1e300, far_b = 0;
-  for (int k = 0; k < 4; ++k) {
-    const Direction &a = box.a[k & 1], &b = box.b[k >> 1];
-    const double sine = a.sine * b.cosine + a.cosine * b.sine;
-    const double to_a = b.sine / sine, to_b = a.sine / sine;
-    const double fuzz = kRounding * (1 + to_a) / sine;
-    corners[k] = {to_a * a.cosine, to_a * a.sine, fuzz};
-    if (b.sine == 0 && a.sine > 0) corners[k] = {0, 0, 0};
-    if (a.sine == 0 && b.sine > 0) corners[k] = {1, 0, 0};
-    near_a = std::min(near_a, to_a);
-    far_a = std::max(far_a, to_a);
-    near_b = std::min(near_b, to_b);
-    far_b = std::max(far_b, to_b);
-  }
-  if (is_banned(corners)) return true;
+  if (!is_within_reach) shape = shape_of(box);
+  if (is_banned(shape.all())) return true;
   // The lengths sin b / sin (a + b) and sin a / sin (a + b) have their extremes at the corners,
   // but for the least ones where a + b passes 90 degrees: there sin (a + b) is 1.
   if (sum_low < std::numbers::pi / 2 && sum_high > std::numbers::pi / 2) {
-    near_a = std::min({near_a, box.b[0].sine, box.b[1].sine});
-    near_b = std::min({near_b, box.a[0].sine, box.a[1].sine});
+    shape.near_a = std::min({shape.near_a, box.b[0].sine, box.b[1].sine});
+    shape.near_b = std::min({shape.near_b, box.a[0].sine, box.a[1].sine});
   }
-  return end_is_out(a_, box.a[0].angle, box.a[1].angle, near_a, far_a) ||
-         end_is_out(b_, box.b[0].angle, box.b[1].angle, near_b, far_b);
+  return end_is_out(a_, box.a[0].angle, box.a[1].angle, shape.near_a, shape.far_a) ||
+         end_is_out(b_, box.b[0].angle, box.b[1].angle, shape.near_b, shape.far_b);
 }
 
+/// As is_out() of a box that is one place, whose four corners are the same.
 bool ApexSearch::nothing_forbids(const Direction& at_a, const Direction& at_b) {
-  return at_a.angle + at_b.angle < std::numbers::pi - kFlat &&
-         !is_out({{at_a, at_a}, {at_b, at_b}});
+  const double sum = at_a.angle + at_b.angle;
+  if (sum >= std::numbers::pi - kFlat || sum > std::numbers::pi - range_.least + kAngleSlack ||
+      sum < std::numbers::pi - range_.most - kAngleSlack ||
+      contains_vertex({{at_a, at_a}, {at_b, at_b}}))
+    return false;
+  double to_a = 0, to_b = 0;
+  const Place place = place_of(at_a, at_b, to_a, to_b);
+  return !is_banned({&place, 1}) && !end_is_out(a_, at_a.angle, at_a.angle, to_a, to_a) &&
+         !end_is_out(b_, at_b.angle, at_b.angle, to_b, to_b);
 }
 
 bool ApexSearch::has_none(std::uint32_t side, std::uint64_t& budget) {
@@ -329,9 +387,7 @@ bool ApexSearch::has_none(std::uint32_t side, std::uint64_t& budget) {
   const double most_a = std::min({range_.most, std::numbers::pi - 2 * least, a_.corner - least});
   const double most_b = std::min({range_.most, std::numbers::pi - 2 * least, b_.corner - least});
   if (most_a < least - kAngleSlack || most_b < least - kAngleSlack) return true;
-  const auto direction = [](double angle) {
-    return Direction{angle, std::sin(angle), std::cos(angle)};
-  };
+  const auto direction = direction_of;
   if (nothing_forbids(direction(std::numbers::pi / 3), direction(std::numbers::pi / 3)))
     return false;
   const double from = std::max(0.0, least - kAngleSlack);

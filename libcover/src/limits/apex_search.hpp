@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geom/vector.hpp"
@@ -34,6 +35,7 @@ class ApexSearch {
   struct Direction {
     double angle, sine, cosine;
   };
+  static Direction direction_of(double angle);
   /// Apices whose angles at the ends of the side lie between two each.
   struct Box {
     Direction a[2], b[2];
@@ -74,9 +76,22 @@ class ApexSearch {
                                  const Place& p) const;
   [[nodiscard]] bool is_tip_of_zone(std::size_t which, const Place& p) const;
   template <Ban ban>
-  [[nodiscard]] bool are_in(std::size_t which, const Place (&corners)[4]);
-  [[nodiscard]] bool are_in_last(const Place (&corners)[4]);
-  [[nodiscard]] bool is_banned(const Place (&corners)[4]);
+  [[nodiscard]] bool are_in(std::size_t which, std::span<const Place> corners);
+  [[nodiscard]] bool are_in_last(std::span<const Place> corners);
+  [[nodiscard]] bool is_banned(std::span<const Place> corners);
+  [[nodiscard]] static Place place_of(const Direction& a, const Direction& b, double& to_a,
+                                      double& to_b);
+  /// The corners of a convex set that has all apices of a box in it, and the extremes of their
+  /// distances from the ends of the side.
+  struct Shape {
+    std::array<Place, 7> corners;
+    std::size_t count = 0;
+    double near_a = 1e300, far_a = 0, near_b = 1e300, far_b = 0;
+    [[nodiscard]] std::span<const Place> all() const { return {corners.data(), count}; }
+  };
+  static void add_corner(Shape& shape, const Direction& a, const Direction& b);
+  [[nodiscard]] static Shape shape_of(const Box& box);
+  [[nodiscard]] bool add_corners_within_reach(const Box& box, Shape& shape) const;
   [[nodiscard]] bool is_out(const Box& box);
   [[nodiscard]] bool nothing_forbids(const Direction& at_a, const Direction& at_b);
   [[nodiscard]] bool contains_vertex(const Box& box) const;
@@ -87,7 +102,8 @@ class ApexSearch {
   ClearZones& zones_;
   const FanGrowth& growth_;
   AngleRange range_;
-  double cot_;  ///< of the angle of zones
+  double cot_;       ///< of the angle of zones
+  Direction reach_;  ///< the sum of the angles at the ends of the side, at most
 
   std::array<std::uint32_t, 2> ends_{};
   Point origin_;

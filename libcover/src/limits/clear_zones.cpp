@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "geom/vector.hpp"
 
@@ -13,13 +15,27 @@ namespace {
 
 /// Above `most`, so that a vertex or a side just on the arc does not matter.
 constexpr double kZoneSlack = 1e-7;
+/// Regions that bend inwards by so little, times what that changes in angles, count as convex.
+constexpr double kAlmostConvex = 1e-3;
+constexpr double kLeastMost = 95 * std::numbers::pi / 180;  ///< where they do
 constexpr std::size_t kMostTriangles = 64;  ///< that a walk visits before it gives up
+
+/// By how much more than `most` a side must be seen so that, in a region that is almost convex,
+/// some input vertex sees it under more than `most`, if the one in question does not see it:
+/// infinite if that cannot be told (docs/limits.md).
+double slack_of_bend(double bend, double most) {
+  if (bend == 0) return 0;
+  const double slack = 2.1 * bend * std::tan(std::numbers::pi - most);
+  return most > kLeastMost && slack < kAlmostConvex ? slack
+                                                    : std::numeric_limits<double>::infinity();
+}
 
 }  // namespace
 
 ClearZones::ClearZones(const RegionView& view, double most)
     : view_(view),
-      angle_(most + kZoneSlack),
+      slack_of_bend_(slack_of_bend(view.bend(), most)),
+      angle_(most + kZoneSlack + (std::isfinite(slack_of_bend_) ? slack_of_bend_ : 0)),
       cot_(std::cos(angle_) / std::sin(angle_)),
       sin_(std::sin(angle_)),
       state_(view.sides().size()) {}
@@ -30,6 +46,7 @@ const ClearZones::State& ClearZones::of(std::uint32_t side) {
 }
 
 ClearZones::State ClearZones::find_out(const RegionSide& side) {
+  if (std::isfinite(slack_of_bend_)) return {true, true, false, false};
   const Triangulation& cdt = view_.cdt();
   const Point a = view_.point(side.a);
   const Vector along = view_.point(side.b) - a;

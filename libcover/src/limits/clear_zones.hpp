@@ -12,8 +12,9 @@ namespace cover {
 /// The zone of a side are the points on its left that see it under more than `most`, regardless of
 /// what is in between; where the next side cuts it off, those on the left of that as well, and the
 /// same with the one before. It is clear if no other side comes into it: then all of it is seen,
-/// and no vertex of a mesh with angles up to `most` lies in it (Lemma 1). It is convex if `most` is
-/// at least 90 degrees, and a part of a disk otherwise, which is convex, too.
+/// and no vertex of a mesh with angles up to `most` lies in it (Lemma 1). In a region that is
+/// convex, or almost, all zones are clear whatever comes into them. It is convex if `most` is at
+/// least 90 degrees, and a part of a disk otherwise, which is convex, too.
 class ClearZones {
  public:
   /// REQUIRES: no vertex sees a side under more than `most`; `view` outlives this
@@ -36,6 +37,7 @@ class ClearZones {
   [[nodiscard]] State find_out(const RegionSide& side);
 
   const RegionView& view_;
+  double slack_of_bend_;
   double angle_;
   double cot_;
   double sin_;

@@ -108,6 +108,27 @@ double FanGrowth::log_ratio(double low, double high, double enough) const {
   return best;
 }
 
+/// What as many triangles as fit grow that have the angle that grows most; -1 if none fit.
+double FanGrowth::growth_at_peaks(double low, double high) const {
+  if (!(range_.least > 0) || peak_ > range_.most) return -1;
+  const double k = std::floor(high / peak_);
+  if (k < 1 || k > kMostInFan || k * peak_ < low) return -1;
+  return k == 1 ? at_peak_ : k * concave(peak_);
+}
+
+bool FanGrowth::may_lead(double low, double high, double ratio) const {
+  if (high < range_.least - kAngleSlack) return false;
+  if (ratio <= 1) {
+    // Isosceles triangles do, if some number of them fills the angle.
+    return range_.least == 0 || std::floor((high + kAngleSlack) / range_.least) >=
+                                    std::ceil((low - kAngleSlack) / range_.most);
+  }
+  // A logarithm is no more than what its argument has above one, and mostly this is enough.
+  if (growth_at_peaks(low, high) >= ratio - 1) return true;
+  const double wanted = std::max(std::log(ratio) - 4 * kAngleSlack, 0.0);
+  return log_ratio(std::max(low, 0.0), high, wanted) >= wanted;
+}
+
 double FanGrowth::least_reach(double angle) const {
   if (!(range_.least > 0)) return 0;
   const double pieces = std::floor((angle + kAngleSlack) / range_.least) + 1;

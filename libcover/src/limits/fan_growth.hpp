@@ -23,6 +23,13 @@ class FanGrowth {
   [[nodiscard]] double log_ratio(double low, double high,
                                  double enough = std::numeric_limits<double>::infinity()) const;
 
+  /// Whether triangles side by side, with angles in the range, may lead from an edge to one that is
+  /// `ratio` times as long or 1 / ratio, if the angle between is from `low` to `high`.
+  ///
+  /// REQUIRES: ratio >= 1; kAngleSlack is in low and high
+  /// EXACT:    false is a proof
+  [[nodiscard]] bool may_lead(double low, double high, double ratio) const;
+
   /// The least part of the length of the first edge to which its far side can come down within
   /// `angle` of it: a vertex in that direction that is nearer than this lies in a triangle.
   [[nodiscard]] double least_reach(double angle) const;
@@ -31,6 +38,7 @@ class FanGrowth {
 
  private:
   [[nodiscard]] double of_one(double angle) const;
+  [[nodiscard]] double growth_at_peaks(double low, double high) const;
   [[nodiscard]] double concave(double angle) const;
 
   AngleRange range_;

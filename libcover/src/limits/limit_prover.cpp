@@ -12,6 +12,7 @@
 #include <span>
 #include <utility>
 
+#include "geom/vector.hpp"
 #include "limits/apex_search.hpp"
 #include "limits/clear_zones.hpp"
 #include "limits/fan_growth.hpp"
@@ -31,7 +32,7 @@ constexpr std::size_t kFewSides = 64;
 
 double cot_of(double angle) { return std::cos(angle) / std::sin(angle); }
 
-/// The effort for what is exact, which is mostly seen at once.
+/// The effort for what is far, which is seen at once or not worth its time.
 ProofEffort quick(ProofEffort effort) {
   effort.per_search = effort.at_first;
   return effort;
@@ -52,15 +53,17 @@ class LimitProver::Question {
   Question(const RegionView& view, const Team& team, const FanGrowth& growth, double most)
       : view_(view), team_(team), growth_(growth), most_(most) {}
 
-  /// Asks `sides` for `most_boxes` each. Those that need more are left in `sides`.
+  /// Asks `sides` for `most_boxes` each, but the first one for `of_first`. Those that need more are
+  /// left in `sides`.
   ///
   /// ENSURES: the side that settles it, if there is one
   std::optional<std::uint32_t> put(std::vector<std::uint32_t>& sides, std::uint64_t most_boxes,
-                                   std::uint64_t& budget) {
+                                   std::uint64_t of_first, std::uint64_t& budget) {
     std::size_t left = 0, asked = 0;
     for (std::size_t k = 0; k < sides.size() && budget > 0; ++k) {
-      const std::uint64_t given = std::min(budget, most_boxes);
-      if (k >= asked) {
+      const std::uint64_t most = k == 0 ? of_first : most_boxes;
+      const std::uint64_t given = std::min(budget, most);
+      if (k >= asked && k > 0) {
         asked = k + std::min<std::uint64_t>({sides.size() - k, budget / most_boxes, kMostAhead});
         asked = team_.workers() > 1 && asked - k >= 2 * kAtATime ? asked : k;
         ask_ahead(std::span(sides).subspan(k, asked - k), most_boxes);
@@ -141,23 +144,85 @@ class LimitProver::Question {
 };
 
 bool LimitProver::refutes(AngleRange range, std::uint64_t& budget, const ProofEffort& effort) {
+  return refutes(range, budget, effort, Asked::all);
+}
+
+bool LimitProver::refutes(AngleRange range, std::uint64_t& budget, const ProofEffort& effort,
+                          Asked asked) {
   const double lemma_1 = std::numbers::pi - nu_opt_;
   if (range.most < std::max(lemma_1, kSixty) - kAngleSlack) return true;
   if (range.least > std::min(nu_opt_ / 2, kSixty) + kAngleSlack) return true;
   range.most = std::max(range.most, lemma_1) + kAngleSlack;
   if (range.most >= std::numbers::pi) return false;
+  if (is_known_to_refute(range)) return true;
+  if (is_known_as_open(range, effort)) return false;
   const FanGrowth growth(range);
+  if (corners_refute(growth) || ask_sides(range, growth, budget, effort, asked)) {
+    refuted_.push_back({range, 0});
+    return true;
+  }
+  if (asked == Asked::all) open_.push_back({range, effort.per_search});
+  return false;
+}
+
+/// A range within one that no mesh keeps to.
+bool LimitProver::is_known_to_refute(const AngleRange& range) const {
+  return std::any_of(refuted_.begin(), refuted_.end(), [&](const Answer& known) {
+    return range.most <= known.range.most && range.least >= known.range.least;
+  });
+}
+
+/// A range that holds the angles of some mesh, or around one that was asked about in vain, with as
+/// much effort.
+bool LimitProver::is_known_as_open(const AngleRange& range, const ProofEffort& effort) const {
+  const auto is_kept = [&](const AngleRange& mesh) {
+    return mesh.most <= range.most && mesh.least >= range.least;
+  };
+  if (std::any_of(seen_.begin(), seen_.end(), is_kept)) return true;
+  return std::any_of(open_.begin(), open_.end(), [&](const Answer& known) {
+    return range.most >= known.range.most && range.least <= known.range.least &&
+           effort.per_search <= known.per_search;
+  });
+}
+
+/// Whether a corner's sides differ too much in length for the triangles that fill it: what settles
+/// most questions about lots of land, before any place is looked at.
+bool LimitProver::corners_refute(const FanGrowth& growth) const {
+  const auto sides = view_.sides();
+  return std::any_of(sides.begin(), sides.end(), [&](const RegionSide& side) {
+    const Corner& corner = view_.corner(side.start);
+    const double before =
+        length(view_.point(view_.seen_from(corner).back().vertex) - view_.point(side.a));
+    const double after = length(view_.point(side.b) - view_.point(side.a));
+    const double ratio = std::max(before / after, after / before);
+    return !growth.may_lead(corner.angle - kAngleSlack, corner.angle + kAngleSlack, ratio);
+  });
+}
+
+bool LimitProver::ask_sides(const AngleRange& range, const FanGrowth& growth, std::uint64_t& budget,
+                            const ProofEffort& effort, Asked asked) {
+  if (asked == Asked::last && !has_refuter_) return false;
   Question question(view_, team_, growth, range.most);
   const auto sides = static_cast<std::uint32_t>(view_.sides().size());
   undecided_.clear();
-  for (std::uint32_t k = 0; k < sides; ++k) {
+  if (asked == Asked::last) undecided_.push_back(last_refuter_);
+  for (std::uint32_t k = 0; k < sides && asked == Asked::all; ++k) {
     const std::uint32_t side = (last_refuter_ + k) % sides;
     if (is_worth_asking(view_.sides()[side], range)) undecided_.push_back(side);
   }
   if (!has_refuter_ && range.least > 0) ask_worst_first();
+  // The side that settled the last question, or else the one with the smallest angles, settles
+  // most: it is asked in full at once.
+  const bool is_first_likely = (has_refuter_ || range.least > 0) && asked == Asked::all;
+  const std::uint32_t first = undecided_.empty() ? kNone : undecided_.front();
   // Most sides are done after a few boxes; only then is it worth while to ask the others for more.
   for (const std::uint64_t most_boxes : {effort.at_first, effort.per_search}) {
-    if (const auto settled = question.put(undecided_, most_boxes, budget)) {
+    const bool is_first_round = most_boxes == effort.at_first;
+    if (!is_first_round && is_first_likely && !undecided_.empty() && undecided_.front() == first)
+      undecided_.erase(undecided_.begin());
+    const std::uint64_t of_first =
+        is_first_round && is_first_likely ? effort.per_search : most_boxes;
+    if (const auto settled = question.put(undecided_, most_boxes, of_first, budget)) {
       last_refuter_ = *settled;
       has_refuter_ = true;
       return true;
@@ -219,14 +284,15 @@ ProvenLimits LimitProver::prove(const ReachedAngles& reached, const ReachedAngle
 
   double largest_limit = lowest;
   if (reached.largest_nu < wanted.largest_nu) {
-    const auto ask = [&](double gap, const ProofEffort& for_this) {
+    const auto ask = [&](double gap, Asked asked) {
       if (largest - gap <= largest_limit) return true;
-      if (!refutes({largest - gap, 0}, budget, for_this)) return false;
+      const ProofEffort for_this = asked == Asked::all ? effort : quick(effort);
+      if (!refutes({largest - gap, 0}, budget, for_this, asked)) return false;
       largest_limit = largest - gap;
       return true;
     };
     // What is open by a degree is hardly ever closed by five.
-    if (ask(kNearQuestion, effort)) ask(kExactQuestion, quick(effort));
+    if (ask(kNearQuestion, Asked::all)) ask(kExactQuestion, Asked::last);
   }
 
   const double most =
@@ -237,16 +303,16 @@ ProvenLimits LimitProver::prove(const ReachedAngles& reached, const ReachedAngle
     const double beyond = view_.sides().size() <= kFewSides
                               ? kNearQuestion
                               : std::min(kNearQuestion, wanted.smallest.in_radians() - smallest);
-    const auto ask = [&](double gap, const ProofEffort& for_this) {
+    const auto ask = [&](double gap, const ProofEffort& for_this, Asked asked) {
       if (smallest + gap >= smallest_limit) return true;
-      if (!refutes({most, smallest + gap}, budget, for_this)) return false;
+      if (!refutes({most, smallest + gap}, budget, for_this, asked)) return false;
       smallest_limit = smallest + gap;
       return true;
     };
-    if (ask(beyond, effort)) {
-      ask(kExactQuestion, quick(effort));
-    } else if (view_.sides().size() <= kFewSides) {
-      ask(kFarQuestion, quick(effort));
+    if (ask(beyond, effort, Asked::all)) {
+      ask(kExactQuestion, quick(effort), Asked::last);
+    } else if (effort.asks_far && view_.sides().size() <= kFewSides) {
+      ask(kFarQuestion, quick(effort), Asked::all);
     }
   }
   // Rounding of the mesh's own coordinates must not make it better than its limit.

@@ -11,6 +11,7 @@
 #include "cdt/triangulation.hpp"
 #include "limits/angle_range.hpp"
 #include "limits/angles_around.hpp"
+#include "limits/fan_growth.hpp"
 #include "limits/region_view.hpp"
 
 namespace cover {
@@ -34,9 +35,12 @@ struct ProofEffort {
   std::uint64_t per_region = 400;  ///< and this
   std::uint64_t per_search = 400;  ///< for one side and one question,
   std::uint64_t at_first = 16;     ///< of which so many before the next side is asked
+  bool asks_far = true;            ///< where no limit is near, whether there is one by five degrees
 
   /// What is seen at once.
-  static ProofEffort brief() { return {10, 0, 16, 16}; }
+  static ProofEffort brief() { return {10, 0, 16, 16, false}; }
+  /// What pays beside a mesh: of 2,000 Voronoi cells, 400 boxes for a side prove 3 limits more.
+  static ProofEffort usual() { return {10, 240, 200, 16, false}; }
 };
 
 /// Proves limits of one region.
@@ -52,6 +56,11 @@ class LimitProver {
   /// range in question is passed over: the triangle that the mesh has there shows that nothing
   /// forbids one.
   void compare_with(AnglesAround mesh) { mesh_ = std::move(mesh); }
+
+  /// Tells of a covering mesh of this region: no question is asked that it answers.
+  ///
+  /// REQUIRES: all its angles are in `angles`
+  void has_seen(const AngleRange& angles) { seen_.push_back(angles); }
 
   /// pi - gamma_opt: Lemma 1.
   [[nodiscard]] double nu_opt() const { return nu_opt_; }
@@ -81,6 +90,21 @@ class LimitProver {
  private:
   class Question;
 
+  /// Which sides are asked: all, or the one alone that settled the last question.
+  enum class Asked { all, last };
+
+  /// An answer to remember.
+  struct Answer {
+    AngleRange range;
+    std::uint64_t per_search = 0;  ///< what was tried; of no importance where it was refuted
+  };
+
+  bool refutes(AngleRange range, std::uint64_t& budget, const ProofEffort& effort, Asked asked);
+  [[nodiscard]] bool is_known_to_refute(const AngleRange& range) const;
+  [[nodiscard]] bool is_known_as_open(const AngleRange& range, const ProofEffort& effort) const;
+  [[nodiscard]] bool corners_refute(const FanGrowth& growth) const;
+  [[nodiscard]] bool ask_sides(const AngleRange& range, const FanGrowth& growth,
+                               std::uint64_t& budget, const ProofEffort& effort, Asked asked);
   void ask_worst_first();
   [[nodiscard]] bool is_worth_asking(const RegionSide& side, const AngleRange& range) const;
 
@@ -91,6 +115,8 @@ class LimitProver {
   std::uint32_t last_refuter_ = 0;  ///< the side that settled the last question
   bool has_refuter_ = false;
   std::vector<std::uint32_t> undecided_;
+  std::vector<Answer> refuted_, open_;
+  std::vector<AngleRange> seen_;  ///< angles of covering meshes
 };
 
 }  // namespace cover

@@ -60,10 +60,19 @@ RegionLimits limits_by_couplings(const ReachedAngles& reached, const ReachedAngl
 RegionLimits region_limits(const Triangulation& cdt, const ReachedAngles& reached,
                            const ReachedAngles& wanted, const Team& team, const ProofEffort& effort,
                            AnglesAround around) {
+  if (!meets(reached, wanted)) {
+    LimitProver prover(cdt, team);
+    return region_limits(prover, reached, wanted, effort, std::move(around));
+  }
   RegionLimits limits;
   limits.of_largest = limits.of_smallest = Standing::met;
-  if (meets(reached, wanted)) return limits;
-  LimitProver prover(cdt, team);
+  return limits;
+}
+
+RegionLimits region_limits(LimitProver& prover, const ReachedAngles& reached,
+                           const ReachedAngles& wanted, const ProofEffort& effort,
+                           AnglesAround around) {
+  RegionLimits limits;
   prover.compare_with(std::move(around));
   const ProvenLimits proven = prover.prove(reached, wanted, effort);
   limits.largest_nu = proven.largest_nu;

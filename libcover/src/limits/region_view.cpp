@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numbers>
 
+#include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -19,6 +20,23 @@ RegionView::RegionView(const Triangulation& cdt) : cdt_(cdt) {
   corners_.resize(sides_.size());
   sighted_.reserve(2 * cdt.triangles.size() + 2 * sides_.size());
   for (std::uint32_t s = 0; s < sides_.size(); ++s) walk_corner(s);
+  find_bend();
+}
+
+void RegionView::find_bend() {
+  if (sides_.empty() || sides_.size() != cdt_.points.size()) return;
+  constexpr double kRounding = 1e-12;  // far more than the sum of a corner's angles has
+  double bend = 0;
+  std::size_t walked = 0;
+  std::uint32_t s = 0;
+  do {
+    const RegionSide &side = sides_[s], &next = sides_[side.end];
+    if (orientation(point(side.a), point(side.b), point(next.b)) == Sign::negative)
+      bend += corners_[side.end].angle - std::numbers::pi + kRounding;
+    s = side.end;
+    ++walked;
+  } while (s != 0 && walked < sides_.size());
+  if (s == 0 && walked == sides_.size()) bend_ = bend;
 }
 
 void RegionView::find_sides() {

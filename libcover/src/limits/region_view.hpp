@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -50,6 +51,9 @@ class RegionView {
   }
   /// No two points of the region are farther apart.
   [[nodiscard]] double diameter() const { return diameter_; }
+  /// By how much the region's corners are beyond 180 degrees, in sum and in radians: 0 only where
+  /// it is convex, exactly. Infinite if its boundary is not one loop through all of its vertices.
+  [[nodiscard]] double bend() const { return bend_; }
   [[nodiscard]] Point point(std::uint32_t v) const { return cdt_.points[v]; }
   /// The side at edge `edge` of triangle `t`; kNone: that edge is no side.
   [[nodiscard]] std::uint32_t side_at(std::uint32_t t, int edge) const {
@@ -59,9 +63,11 @@ class RegionView {
  private:
   void find_sides();
   void walk_corner(std::uint32_t side);
+  void find_bend();
 
   const Triangulation& cdt_;
   double diameter_ = 0;
+  double bend_ = std::numeric_limits<double>::infinity();
   std::vector<RegionSide> sides_;
   std::vector<std::uint32_t> side_of_;  ///< by half-edge
   std::vector<Corner> corners_;         ///< corner i begins with side i

@@ -25,8 +25,9 @@
 namespace cover {
 namespace {
 
-constexpr std::size_t kMostPoints = 2000;  ///< of a region that is tried with other goals
-constexpr double kMany = 0.1;              ///< share of triangles above the goal that is many
+constexpr std::size_t kMostHandedOver = 10'000;  ///< points of a region whose proof is kept
+constexpr std::size_t kMostPoints = 2000;        ///< of a region that is tried with other goals
+constexpr double kMany = 0.1;                    ///< share of triangles above the goal that is many
 constexpr std::uint64_t kEvaluationsForOwn = 100'000;  ///< per triangle above the own target
 constexpr std::uint64_t kEvaluationsForFar = 5'000;    ///< per triangle above 120 degrees
 
@@ -60,13 +61,11 @@ class RegionWork {
     return out;
   }
 
-  /// In the coordinates of the boundary: shifts are exact, so that nothing else is different.
-  [[nodiscard]] Triangulation take_cdt() {
-    Triangulation cdt = candidates_.take_cdt();
-    cdt.points.assign(boundary_.points.begin(), boundary_.points.end());
-    return cdt;
+  /// The region's proof, if it is worth its memory until the mesh has been checked.
+  [[nodiscard]] std::unique_ptr<RegionProof> take_proof() {
+    if (boundary_.points.size() > kMostHandedOver) return nullptr;
+    return candidates_.take_proof();
   }
-
   [[nodiscard]] bool is_shifted() const { return candidates_.frame().is_shifted(); }
 
  private:
@@ -172,10 +171,10 @@ class RegionWork {
 
 RegionMesh quality_region(const RegionBoundary& boundary, const Options& options,
                           const std::stop_token& stop, const Sharing& sharing,
-                          std::optional<Triangulation>* cdt) {
+                          std::unique_ptr<RegionProof>* proof) {
   RegionWork shifted(boundary, options, stop, true, sharing);
   RegionMesh mesh = shifted.run();
-  if (cdt != nullptr && !mesh.report.notes.empty()) *cdt = shifted.take_cdt();
+  if (proof != nullptr) *proof = shifted.take_proof();
   if (mesh.triangles.empty() && shifted.is_shifted() && !stop.stop_requested()) {
     mesh = RegionWork(boundary, options, stop, false, sharing).run();
   }

@@ -1,12 +1,12 @@
 // The quality method: the best of several candidates for a region, improved.
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <stop_token>
 
 #include <cover/options.hpp>
 
-#include "cdt/triangulation.hpp"
+#include "limits/region_proof.hpp"
 #include "quality/mutable/blocks.hpp"
 #include "region/region_boundary.hpp"
 #include "target/region_mesh.hpp"
@@ -18,11 +18,11 @@ namespace cover {
 ///
 /// ENSURES: promise 3 at least; no worse than the constrained Delaunay triangulation and the
 ///          almond method, unless the targets are met. RegionMesh::report::notes says which
-///          targets were missed, where and why.
-///          `cdt`, if not null, then becomes the constrained Delaunay triangulation of the region.
+///          targets were missed, where and why. If `proof` is given and the region is not large,
+///          it becomes the region's constrained Delaunay triangulation with what was proven by it.
 /// Threads: pure function of its arguments, but for the team, on which nothing depends.
 RegionMesh quality_region(const RegionBoundary& boundary, const Options& options,
                           const std::stop_token& stop, const Sharing& sharing = {},
-                          std::optional<Triangulation>* cdt = nullptr);
+                          std::unique_ptr<RegionProof>* proof = nullptr);
 
 }  // namespace cover

@@ -8,6 +8,7 @@
 #include <array>
 #include <atomic>
 #include <exception>
+#include <memory>
 #include <mutex>
 #include <numeric>
 #include <optional>
@@ -115,37 +116,51 @@ class ProgressCount {
   std::atomic<bool> has_thrown_ = false;
 };
 
-using KnownCdt = std::optional<Triangulation>;
+/// What was made on the way to a mesh and its limits need, too.
+struct Known {
+  std::optional<CdtResult> cdt{};
+  std::unique_ptr<RegionProof> proof{};
+};
 
-/// The last is for the region's constrained Delaunay triangulation, where that was made on the way.
 using RegionMethod = RegionMesh (*)(const RegionBoundary&, const Options&, const std::stop_token&,
-                                    const Team&, KnownCdt&);
+                                    const Team&, Known&);
 
 /// A mesh, and why it does not fill its region, if it does not: then it has no triangles.
 struct Attempt {
   RegionMesh mesh;
   std::optional<BoundaryFault> fault;
-  KnownCdt cdt{};
+  Known known{};
 };
 
 Attempt attempt(RegionMethod method, const RegionBoundary& boundary, const Options& options,
                 const std::stop_token& stop, const Team& team) {
   Attempt out;
-  out.mesh = method(boundary, options, stop, team, out.cdt);
+  out.mesh = method(boundary, options, stop, team, out.known);
   if (stop.stop_requested()) return out;
   RegionMesh& mesh = out.mesh;
   const std::vector<Point> points = all_points(boundary, mesh);
+  // What the limits will need, meanwhile: it takes no longer than that by itself.
+  const auto& notes = mesh.report.notes;
+  const bool looks_ahead =
+      !out.known.proof && team.workers() > 1 && mesh.triangles.size() >= kManyTriangles &&
+      std::any_of(notes.begin(), notes.end(),
+                  [](const Note& note) { return note.kind == Note::Kind::target_missed; });
   // Large meshes are measured meanwhile, too, and once more if they are faulty.
   const bool measures_ahead = team.workers() > 1 && mesh.triangles.size() >= kManyTriangles;
   const RegionReport unmeasured = measures_ahead ? mesh.report : RegionReport();
-  team.each(measures_ahead ? 2 : 1, [&](std::size_t k) {
-    if (k == 1) {
-      measure(boundary, mesh, team);
-    } else {
-      out.fault = find_fault(
-          {points, mesh.triangles, boundary.sides, boundary.segments, boundary.points.size()});
-    }
-  });
+  team.each(looks_ahead      ? 3
+            : measures_ahead ? 2
+                             : 1,
+            [&](std::size_t k) {
+              if (k == 2) {
+                out.known.cdt = triangulate_domain(boundary.points, boundary.sides);
+              } else if (k == 1) {
+                measure(boundary, mesh, team);
+              } else {
+                out.fault = find_fault({points, mesh.triangles, boundary.sides, boundary.segments,
+                                        boundary.points.size()});
+              }
+            });
   if (out.fault) {
     mesh.steiner.clear();
     mesh.triangles.clear();
@@ -156,18 +171,18 @@ Attempt attempt(RegionMethod method, const RegionBoundary& boundary, const Optio
 }
 
 RegionMesh by_quality(const RegionBoundary& boundary, const Options& options,
-                      const std::stop_token& stop, const Team& team, KnownCdt& cdt) {
-  return quality_region(boundary, options, stop, {team}, &cdt);
+                      const std::stop_token& stop, const Team& team, Known& known) {
+  return quality_region(boundary, options, stop, {team}, &known.proof);
 }
 
 RegionMesh by_almonds(const RegionBoundary& boundary, const Options& options,
-                      const std::stop_token& stop, const Team&, KnownCdt&) {
+                      const std::stop_token& stop, const Team&, Known&) {
   return almond_region(boundary, options, stop);
 }
 
 /// The constrained Delaunay triangulation, which no rounding can break.
 RegionMesh plain_region(const RegionBoundary& boundary, const Options&, const std::stop_token&,
-                        const Team&, KnownCdt&) {
+                        const Team&, Known&) {
   const Triangulation cdt = triangulate_region(boundary.points, boundary.sides);
   RegionMesh mesh;
   mesh.report.id = boundary.id;
@@ -196,7 +211,7 @@ Note note_of_fallback(const RegionBoundary& boundary, const Attempt& attempt, st
 /// meshes there. The almond method aims at the bound and at no target: limits beside one would take
 /// twice its time (`cover check` tells them of any mesh). With little effort little is asked.
 RegionLimits limits_of(const RegionBoundary& boundary, const RegionMesh& mesh,
-                       const Options& options, const Team& team, KnownCdt known) {
+                       const Options& options, const Team& team, Known known) {
   const auto& segments = boundary.segments;
   const Quality& quality = mesh.report.quality;
   if (quality.triangles == 0 || options.method != Method::quality ||
@@ -207,20 +222,24 @@ RegionLimits limits_of(const RegionBoundary& boundary, const RegionMesh& mesh,
   if (meets(reached, wanted)) return region_limits({}, reached, wanted);
   if (mesh.report.has_no_room && mesh.layer_triangles == 0)
     return limits_by_couplings(reached, wanted);
-  const Triangulation cdt =
-      known ? *std::move(known) : triangulate_domain(boundary.points, boundary.sides).triangulation;
-  const ProofEffort effort = options.effort == Effort::fast ? ProofEffort::brief() : ProofEffort();
-  return region_limits(
-      cdt, reached, wanted, team, effort,
-      AnglesAround::of(all_points(boundary, mesh), mesh.triangles, boundary.points.size()));
+  const ProofEffort effort = options.effort == Effort::fast     ? ProofEffort::brief()
+                             : options.effort == Effort::normal ? ProofEffort::usual()
+                                                                : ProofEffort();
+  AnglesAround around =
+      AnglesAround::of(all_points(boundary, mesh), mesh.triangles, boundary.points.size());
+  if (known.proof)
+    return region_limits(known.proof->prover(team), reached, wanted, effort, std::move(around));
+  const CdtResult cdt =
+      known.cdt ? *std::move(known.cdt) : triangulate_domain(boundary.points, boundary.sides);
+  return region_limits(cdt.triangulation, reached, wanted, team, effort, std::move(around));
 }
 
 /// The method asked for; where that misses the bound, the other one if it is better. It is rounding
 /// that makes them miss: the one in a region as flat as coordinates can be, the other where an
 /// improved triangle lies just inside the bound in the frame in which it was improved.
-/// `cdt` becomes the region's constrained Delaunay triangulation, if that was made on the way.
+/// `known` becomes what the limits need, if it was made on the way.
 RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
-                       const std::stop_token& stop, const Team& team, KnownCdt& cdt) {
+                       const std::stop_token& stop, const Team& team, Known& known) {
   const bool quality = options.method == Method::quality;
   const std::string_view asked = quality ? "quality" : "almond";
   const std::string_view second = quality ? "almond" : "quality";
@@ -228,7 +247,7 @@ RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
   const bool promised = CutRule{options.paper, options.pieces}.promises_bound();
   const bool will_do =
       !first.fault && (first.mesh.report.bound_held || !promised || boundary.is_part);
-  cdt = std::move(first.cdt);
+  known = std::move(first.known);
   if (stop.stop_requested() || will_do) return std::move(first.mesh);
   Attempt other = attempt(quality ? by_almonds : by_quality, boundary, options, stop, team);
   if (stop.stop_requested()) return std::move(other.mesh);
@@ -254,8 +273,11 @@ RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
 RegionMesh with_couplings_mended(const RegionBoundary& boundary, const Options& options,
                                  const std::stop_token& stop, RegionMesh& mesh) {
   if (!minds_couplings(options) || stop.stop_requested()) return std::move(mesh);
-  std::optional<MendedMesh> mended =
-      mend_couplings_within_bound(boundary, mesh, stop, options.box_method);
+  const std::uint64_t places = options.effort == Effort::fast     ? kFewPlacesForSides
+                               : options.effort == Effort::normal ? kPlacesForSides
+                                                                  : kPlacesToMend;
+  std::optional<MendedMesh> mended = mend_couplings_within_bound(
+      boundary, mesh, stop, places, !options.box_method && options.effort != Effort::fast);
   if (!mended) return std::move(mesh);
   report_again(boundary, options, false, mended->mesh);
   return std::move(mended->mesh);
@@ -263,14 +285,14 @@ RegionMesh with_couplings_mended(const RegionBoundary& boundary, const Options& 
 
 /// The region, and its layers if it has some.
 RegionMesh mesh_with_its_layers(const RegionBoundary& boundary, const Options& options,
-                                const std::stop_token& stop, const Team& team, KnownCdt& cdt) {
+                                const std::stop_token& stop, const Team& team, Known& known) {
   if (!has_layers(boundary)) {
-    RegionMesh mesh = mesh_region(boundary, options, stop, team, cdt);
+    RegionMesh mesh = mesh_region(boundary, options, stop, team, known);
     return options.method == Method::quality ? with_couplings_mended(boundary, options, stop, mesh)
                                              : mesh;
   }
   const auto mesh_rest = [&](const RegionBoundary& rest) {
-    KnownCdt of_rest;
+    Known of_rest;
     return mesh_region(rest, options, stop, team, of_rest);
   };
   RegionMesh mesh = mesh_with_layers(boundary, options, mesh_rest, stop);
@@ -289,10 +311,10 @@ std::size_t cost_of(const RegionBoundary& boundary) {
 RegionMesh mesh_one_region(const RegionBoundary& boundary, const Options& options,
                            const std::stop_token& stop, const Team& team) {
   const StageClock clock;
-  KnownCdt cdt;
-  RegionMesh mesh = mesh_with_its_layers(boundary, options, stop, team, cdt);
+  Known known;
+  RegionMesh mesh = mesh_with_its_layers(boundary, options, stop, team, known);
   if (!stop.stop_requested())
-    mesh.report.limits = limits_of(boundary, mesh, options, team, std::move(cdt));
+    mesh.report.limits = limits_of(boundary, mesh, options, team, std::move(known));
   mesh.report.seconds = clock.seconds();
   return mesh;
 }

@@ -21,7 +21,7 @@ namespace cover {
 namespace {
 
 constexpr double kSlack = 1 - 1e-9;  ///< of the cotangent of the largest angle
-constexpr std::uint64_t kPlaces = 60'000, kMostPlaces = 3'000'000;
+constexpr std::uint64_t kMostPlaces = 3'000'000;
 constexpr std::size_t kSmallRegion = 64;             ///< points: all vertices may be put anew
 constexpr std::size_t kFewSides = 512;               ///< of a region in which room is looked for,
 constexpr std::size_t kFewGivenUp = 8;               ///< where so few sides are given up
@@ -91,12 +91,13 @@ std::optional<MendedMesh> taken_if_better(const RegionBoundary& boundary, const 
 
 /// Vertices moved, added and taken away near what is wrong.
 std::optional<MendedMesh> mend_nearby(const RegionBoundary& boundary, const RegionMesh& mesh,
-                                      std::stop_token stop) {
+                                      std::stop_token stop, std::uint64_t for_sides) {
   std::optional<std::vector<WantedAngles>> wanted = wanted_angles(mesh);
   if (!wanted) return {};
   const ConformingMesh before = mutable_mesh(boundary, mesh);
   MeshWithUndo mending(before, *std::move(wanted));
-  mend_mesh(mending, {0, 0, kPlaces, kMostPlaces, std::move(stop)});
+  const bool only_sides = is_sound(mesh.report) && mesh.layer_triangles == 0;
+  mend_mesh(mending, {0, 0, only_sides ? for_sides : kPlacesToMend, kMostPlaces, std::move(stop)});
   if (mending.grave() > 0) return {};
   return taken_if_better(boundary, mesh, before, mending);
 }
@@ -172,12 +173,13 @@ std::optional<MendedMesh> mend_with_room(const RegionBoundary& boundary, const R
 
 std::optional<MendedMesh> mend_couplings_within_bound(const RegionBoundary& boundary,
                                                       const RegionMesh& mesh, std::stop_token stop,
-                                                      bool sides_are_cut) {
+                                                      std::uint64_t for_sides,
+                                                      bool looks_for_room) {
   if (is_sound(mesh.report) && mesh.report.box.negative_given_up == 0) return {};
   if (may_be_split(boundary)) return {};
-  std::optional<MendedMesh> mended = mend_nearby(boundary, mesh, stop);
+  std::optional<MendedMesh> mended = mend_nearby(boundary, mesh, stop, for_sides);
   const RegionMesh& now = mended ? mended->mesh : mesh;
-  if (!is_sound(now.report) || now.report.box.negative_given_up == 0 || sides_are_cut)
+  if (!is_sound(now.report) || now.report.box.negative_given_up == 0 || !looks_for_room)
     return mended;
   std::optional<MendedMesh> more = mend_with_room(boundary, now, stop);
   return more ? more : mended;

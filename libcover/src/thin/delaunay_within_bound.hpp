@@ -11,6 +11,14 @@
 
 namespace cover {
 
+/// Places that are tried for each angle to mend, some 0.5 us each.
+inline constexpr std::uint64_t kPlacesToMend = 60'000;
+/// The same where nothing but sides given up is left: of 12,000 Voronoi cells and five maps no
+/// place beyond these has saved one,
+inline constexpr std::uint64_t kPlacesForSides = 2'000;
+/// and these save all but one in fifty.
+inline constexpr std::uint64_t kFewPlacesForSides = 300;
+
 /// A mesh whose inner edges are all locally Delaunay, with all angles within the bound.
 struct MendedMesh {
   RegionMesh mesh;
@@ -26,10 +34,12 @@ struct MendedMesh {
 /// REQUIRES: `mesh` is measured
 /// ENSURES:  the mesh holds the bound, has no negative coupling on inner edges and is measured; if
 ///           all that was so before, fewer are given up on sides
-/// Cost:     O(n log n), and some 60,000 places tried for each angle to mend, 0.5 us each; where a
-///           side is still given up then, up to 240 searches for room (HalfDiscRoom)
+/// Cost:     O(n log n), and kPlacesToMend places for each angle to mend, `for_sides` where nothing
+///           but sides given up is left; where a side is still given up then and `looks_for_room`,
+///           up to 240 searches for room (HalfDiscRoom)
 std::optional<MendedMesh> mend_couplings_within_bound(const RegionBoundary& boundary,
                                                       const RegionMesh& mesh, std::stop_token stop,
-                                                      bool sides_are_cut = false);
+                                                      std::uint64_t for_sides = kPlacesToMend,
+                                                      bool looks_for_room = true);
 
 }  // namespace cover

@@ -38,6 +38,25 @@ TEST(FanGrowth, NoTrianglesWithoutRoom) {
   EXPECT_LT(stiff.log_ratio(80 * kDegree, 90 * kDegree), 0);
 }
 
+// What is seen at once is what the bound says.
+TEST(FanGrowth, MayLeadAsFarAsItGrows) {
+  std::mt19937_64 random(test_seed(4));
+  const auto uniform = [&](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(random);
+  };
+  for (int k = 0; k < 2000; ++k) {
+    const FanGrowth growth({uniform(62, 150) * kDegree, uniform(0, 40) * kDegree});
+    const double low = uniform(0, 200) * kDegree, high = low + uniform(0, 30) * kDegree;
+    const double bound = growth.log_ratio(low, high);
+    if (bound < 0) {
+      EXPECT_FALSE(growth.may_lead(low, high, 1.5));
+    } else if (bound < 20) {
+      EXPECT_TRUE(growth.may_lead(low, high, std::exp(bound)));
+      EXPECT_FALSE(growth.may_lead(low, high, std::exp(bound + 1e-6)));
+    }
+  }
+}
+
 // Fans side by side are a fan; with angles from a thousandth of a degree on there are more than are
 // counted.
 TEST(FanGrowth, TwoFansGrowNoFasterThanOneOfBoth) {

@@ -176,7 +176,7 @@ RegionBoundary random_boundary(std::mt19937_64& random) {
     return std::uniform_real_distribution<double>(a, b)(random);
   };
   const int n = 3 + static_cast<int>(random() % 6);
-  switch (random() % 6) {
+  switch (random() % 7) {
     case 0:
       return boundary_of({random_star(n, 0.3, random)});
     case 1:
@@ -202,6 +202,16 @@ RegionBoundary random_boundary(std::mt19937_64& random) {
       if (random() % 2 != 0U) loop.push_back({uniform(0.1, 0.9), h});
       loop.push_back({0, h});
       return boundary_of({loop});
+    }
+    case 5: {  // a rectangle whose vertices on its sides lie a little inside: almost convex
+      const double h = uniform(0.1, 1), in = std::pow(10, uniform(-9, -5));
+      return boundary_of({{{0, 0},
+                           {uniform(0.02, 0.98), in},
+                           {1, 0},
+                           {1 - in, uniform(0.02, 0.98) * h},
+                           {1, h},
+                           {uniform(0.02, 0.98), h - in},
+                           {0, h}}});
     }
     case 4:  // a hole, and a point
       return boundary_of({random_star(n, 0.8, random), reversed(regular_polygon(3, 0.2))},
@@ -306,6 +316,42 @@ TEST(LimitProver, ASingleTriangleIsItsOwnLimit) {
   EXPECT_FALSE(refuted(triangle, most, least));
   EXPECT_TRUE(refuted(triangle, most - 1e-5, 0));
   EXPECT_TRUE(refuted(triangle, most, least + 1e-4));
+}
+
+TEST(LimitProver, WhatAMeshHasIsNotAsked) {
+  const RegionBoundary pentagon = boundary_of({regular_polygon(5, 1)});
+  const Triangulation cdt = cdt_of(pentagon);
+  LimitProver prover(cdt);
+  const ProofEffort effort{0, 0, 50};
+  std::uint64_t budget = 50;
+  EXPECT_FALSE(prover.refutes({100 * kDegree, 35 * kDegree}, budget, effort));
+  // The same, or less, is not asked again.
+  budget = 50;
+  EXPECT_FALSE(prover.refutes({101 * kDegree, 34 * kDegree}, budget, effort));
+  EXPECT_EQ(budget, 50U);
+  // What was proven holds for more, too.
+  budget = 4000;
+  ASSERT_TRUE(prover.refutes({100 * kDegree, 58 * kDegree}, budget, {0, 0, 4000}));
+  budget = 50;
+  EXPECT_TRUE(prover.refutes({99 * kDegree, 59 * kDegree}, budget, effort));
+  EXPECT_EQ(budget, 50U);
+  LimitProver other(cdt);
+  other.has_seen({72 * kDegree, 54 * kDegree});
+  EXPECT_FALSE(other.refutes({73 * kDegree, 53 * kDegree}, budget, effort));
+  EXPECT_EQ(budget, 50U);
+}
+
+TEST(LimitProver, LotsOfLandTakeFewBoxes) {
+  // A front of 2.6 and a depth of 38.5: no triangle at the front has more than some four degrees.
+  const RegionBoundary lot = boundary_of(
+      {{{0, 0}, {2.581, 0}, {2.581, 38.49}, {-26.21, 38.49}, {-26.21, 0}, {-22.58, 0}}});
+  const Triangulation cdt = cdt_of(lot);
+  std::vector<IndexTriple> triangles;
+  for (const Triangle& t : cdt.triangles) triangles.push_back(t.v);
+  LimitProver prover(cdt);
+  prover.compare_with(AnglesAround::of(cdt.points, triangles, cdt.points.size()));
+  std::uint64_t budget = 40;
+  EXPECT_TRUE(prover.refutes({100 * kDegree, 4.837 * kDegree}, budget, {0, 0, 40, 40}));
 }
 
 TEST(LimitProver, LemmaOneIsTheLeast) {

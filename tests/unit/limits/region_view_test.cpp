@@ -1,5 +1,6 @@
 #include "limits/region_view.hpp"
 
+#include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -26,6 +27,23 @@ TEST(RegionView, CornersOfASquare) {
     EXPECT_EQ(view.seen_from(start).front().vertex, side.b);
     EXPECT_EQ(view.seen_from(end).back().vertex, side.a);
   }
+}
+
+double bend_of(const RegionBoundary& boundary) {
+  const Triangulation cdt = triangulate_domain(boundary.points, boundary.sides).triangulation;
+  return RegionView(cdt).bend();
+}
+
+TEST(RegionView, BendIsWhatIsMissingToConvex) {
+  EXPECT_EQ(bend_of(boundary_of({{{0, 0}, {0.5, 0}, {1, 0}, {1, 1}, {0, 1}}})), 0);
+  EXPECT_NEAR(bend_of(boundary_of({{{0, 0}, {0.5, 1e-6}, {1, 0}, {1, 1}, {0, 1}}})), 4e-6, 1e-11);
+  EXPECT_NEAR(bend_of(boundary_of({{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}})),
+              std::numbers::pi / 2, 1e-11);
+  const RegionBoundary with_point = boundary_of({{{0, 0}, {1, 0}, {1, 1}, {0, 1}}}, {{0.3, 0.4}});
+  EXPECT_TRUE(std::isinf(bend_of(with_point)));
+  const RegionBoundary with_hole =
+      boundary_of({{{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}, reversed(regular_polygon(3, 1))});
+  EXPECT_TRUE(std::isinf(bend_of(with_hole)));
 }
 
 TEST(RegionView, CornersFillTheAnglesOfTheTriangles) {

@@ -64,7 +64,9 @@ Candidates::Candidates(const RegionBoundary& boundary, const Options& options,
       options_(options),
       sharing_(sharing),
       frame_(frame_of(boundary, shifted)),
-      cdt_(triangulate_region(frame_.take_points(), boundary.sides)),
+      proof_(
+          std::make_unique<RegionProof>(triangulate_region(frame_.take_points(), boundary.sides))),
+      cdt_(proof_->cdt()),
       limit_(angle_limit(cdt_, boundary.sides, boundary.segments)),
       side_limits_(limits_of(cdt_, limit_, options)),
       goal_(goal_of(options, limit_)),
@@ -120,7 +122,9 @@ std::optional<Candidate> Candidates::one_star(const Candidate& cdt) {
   const auto star = hub_triangulation(*cdt.mesh, boundary_, evaluations);
   budget_.spend(evaluations);
   if (!star) return std::nullopt;
-  return candidate(*star, "one star");
+  Candidate made = candidate(*star, "one star");
+  proof_->has_seen(angles_of(*made.mesh));
+  return made;
 }
 
 std::optional<Candidate> Candidates::evenly_refined(Candidate cdt) const {
@@ -131,7 +135,10 @@ std::optional<Candidate> Candidates::evenly_refined(Candidate cdt) const {
 
 Candidate Candidates::optimised(Candidate cdt, Search search) {
   Budget half = budget_.share(2);  // the rest is for candidates that may start better
-  cdt.merit = optimise(cdt.mesh.change(), goal_, half, sizes_, order_, search, sharing_);
+  AngleRange uncoupled{std::numbers::pi, 0};
+  cdt.merit =
+      optimise(cdt.mesh.change(), goal_, half, sizes_, order_, search, sharing_, &uncoupled);
+  if (uncoupled.least > 0) proof_->has_seen(uncoupled);
   budget_.take_back(half);
   cdt.method = "refined, improved";
   return cdt;
@@ -202,6 +209,15 @@ Candidate Candidates::improved_within(const Candidate& c, std::uint64_t evaluati
   return better;
 }
 
+Candidate Candidates::optimised_within(Candidate cdt, Search search, std::uint64_t evaluations) {
+  const std::uint64_t before = budget_.left;
+  budget_.left = std::min(before, 2 * evaluations);  // of which no more than half is for one
+  const std::uint64_t given = budget_.left;
+  Candidate better = optimised(std::move(cdt), search);
+  budget_.left = before - (given - std::min(given, budget_.left));
+  return better;
+}
+
 Candidate Candidates::restarted_within(const Candidate& from, std::uint64_t evaluations) const {
   Candidate best = from;
   Budget budget{evaluations, budget_.stop};
@@ -259,18 +275,26 @@ bool Candidates::is_near_its_limits(const Candidate& candidate) {
   return last_asked_.is_near;
 }
 
-bool Candidates::is_near_its_limits(const Merit& merit, const MutableMesh& mesh) const {
+bool Candidates::is_settled(const Candidate& candidate) {
+  const Merit& merit = candidate.merit;
+  if (merit.target > goal_.large || goal_.weight == 0) return false;
+  if (angles_of(candidate.mesh).least < std::atan2(1.0, merit.small) - kAngleSlack) return false;
+  return is_near_its_limits(candidate);
+}
+
+bool Candidates::is_near_its_limits(const Merit& merit, const MutableMesh& mesh) {
   const auto& segments = boundary_.segments;
   if (std::find(segments.begin(), segments.end(), kHullSide) != segments.end()) return false;
   std::vector<IndexTriple> triangles;
   for (const MeshTriangle& t : mesh.triangles) {
     if (t.v[0] != kNone) triangles.push_back(t.v);
   }
-  LimitProver prover(cdt_);
+  LimitProver& prover = proof_->prover(sharing_.team);
   prover.compare_with(AnglesAround::of(mesh.points, triangles, boundary_.points.size()));
   return prover.is_near(
       {Angle::radians(std::atan2(1.0, merit.large)), Angle::radians(std::atan2(1.0, merit.small))},
-      {options_.max_angle.supplement(), options_.min_angle});
+      {options_.max_angle.supplement(), options_.min_angle},
+      options_.effort == Effort::fast ? ProofEffort::brief() : ProofEffort::usual());
 }
 
 void Candidates::look_for_room(const Candidate& cdt) {

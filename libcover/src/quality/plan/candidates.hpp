@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -12,6 +13,7 @@
 
 #include "base/containers/shared.hpp"
 #include "cdt/triangulation.hpp"
+#include "limits/region_proof.hpp"
 #include "quality/fault/merit.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
 #include "quality/plan/optimise.hpp"
@@ -44,8 +46,6 @@ class Candidates {
   /// The threads that may work on this region.
   [[nodiscard]] const Team& team() const { return sharing_.team; }
   [[nodiscard]] const AngleLimit& limit() const { return limit_; }
-  /// The constrained Delaunay triangulation of the region in the frame, handed over.
-  [[nodiscard]] Triangulation take_cdt() { return std::move(cdt_); }
   [[nodiscard]] bool is_part() const { return boundary_.is_part; }
   [[nodiscard]] bool has_sizes() const { return sizes_.is_active(); }
   /// At most 16 points: random restarts then find what there is.
@@ -77,6 +77,8 @@ class Candidates {
   /// The constrained Delaunay triangulation refined and improved; nothing promises that it is
   /// better.
   [[nodiscard]] Candidate optimised(Candidate cdt, Search search);
+  /// The same with a budget of its own.
+  [[nodiscard]] Candidate optimised_within(Candidate cdt, Search search, std::uint64_t evaluations);
   /// Improved for the region's own target first, then for the goal.
   ///
   /// ENSURES: no worse than `c`. Improvement looks at excesses, where a very small angle may weigh
@@ -120,6 +122,9 @@ class Candidates {
   /// No mesh of the region is better than `candidate` by more than a degree, in what it misses:
   /// this is proven, and a search would be in vain.
   [[nodiscard]] bool is_near_its_limits(const Candidate& candidate);
+  /// The same, and nothing else that could be better hides behind angles that are forced: what is
+  /// near its limits are the worst angles of the mesh.
+  [[nodiscard]] bool is_settled(const Candidate& candidate);
   /// Finds out whether `cdt` is the only mesh without a negative coupling that counts, and within
   /// the bound: then nothing else is to be tried.
   void look_for_room(const Candidate& cdt);
@@ -133,6 +138,9 @@ class Candidates {
   /// From now on candidates are compared as for a region with this constrained Delaunay
   /// triangulation; by Prefer::largest none with a larger angle is taken instead of it.
   void compare_with(const Candidate& cdt);
+  /// The region's constrained Delaunay triangulation and what was proven by it, handed over:
+  /// nothing else is asked of these candidates from then on.
+  [[nodiscard]] std::unique_ptr<RegionProof> take_proof() { return std::move(proof_); }
   /// Whether improving `start` may lead to something better than `best`: it is better already, or
   /// the region is so small that it can be tried in any case.
   [[nodiscard]] bool is_promising(const Candidate& start, const Candidate& best) const;
@@ -140,7 +148,7 @@ class Candidates {
  private:
   [[nodiscard]] SizeFunction background_in_frame() const;
   [[nodiscard]] Candidate candidate(const Triangulation& triangles, std::string method) const;
-  [[nodiscard]] bool is_near_its_limits(const Merit& merit, const MutableMesh& mesh) const;
+  [[nodiscard]] bool is_near_its_limits(const Merit& merit, const MutableMesh& mesh);
   /// With its merit by the present goal.
   [[nodiscard]] Candidate measured(Candidate c) const;
 
@@ -148,7 +156,8 @@ class Candidates {
   const Options& options_;
   Sharing sharing_;
   LocalFrame frame_;
-  Triangulation cdt_;
+  std::unique_ptr<RegionProof> proof_;
+  const Triangulation& cdt_;
   AngleLimit limit_;
   SideLimits side_limits_;
   Goal goal_;

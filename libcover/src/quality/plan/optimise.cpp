@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -74,9 +75,18 @@ bool is_worth_a_search(const Merit& merit) {
   return merit.triangles <= kCheapToSearch || has_at_most(merit, kHopeless);
 }
 
+bool is_thorough(Search search) { return search == Search::again || search == Search::usual; }
+
+/// What may be spent on each triangle when couplings have become heavier.
+std::uint64_t coupling_evaluations(Search search) {
+  return search == Search::none  ? effort::kCoupleFast
+         : search == Search::few ? effort::kCouplePerTriangle
+                                 : std::numeric_limits<std::uint32_t>::max();
+}
+
 /// Whether what is left is searched, after couplings had their say.
 bool is_due(Search search, const Merit& merit) {
-  if (search == Search::usual) return is_worth_a_search(merit);
+  if (is_thorough(search)) return is_worth_a_search(merit);
   const bool are_few = merit.triangles <= effort::kSmallMesh && merit.missed > 0 &&
                        merit.missed <= effort::kFewInSmall;
   return search == Search::few && (is_nearly_clean(merit) || are_few);
@@ -97,13 +107,17 @@ Goal with_edges(Goal goal) {
 }  // namespace
 
 Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search search,
-                     const Sharing& sharing) {
+                     const Sharing& sharing, std::uint64_t each) {
   const bool was_met = std::all_of(mesh.excess.begin(), mesh.excess.end(),
                                    [](double excess) { return excess <= kLeastCoupling; });
   std::vector<double> known = mesh.excess;
   const auto flip_and_improve = [&](const Goal& aim) {
     mesh.set_goal(aim, sharing.team);
-    improve_within(mesh, budget, sharing, known, Before::flips_to_delaunay);
+    Budget part = budget;
+    part.left = std::min<std::uint64_t>(part.left, each * mesh.triangle_count());
+    const std::uint64_t given = part.left;
+    improve_within(mesh, part, sharing, known, Before::flips_to_delaunay);
+    budget.spend(given - part.left);
     known = mesh.excess;
     return merit_of(mesh, aim, sharing.team);
   };
@@ -128,14 +142,15 @@ Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search
 }
 
 Merit optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const SizeField& sizes,
-               const Order& order, Search search, const Sharing& sharing) {
+               const Order& order, Search search, const Sharing& sharing,
+               AngleRange* before_couplings) {
   const Goal goal = with_sides(asked);
   mesh.set_goal(goal, sharing.team);
   RefineLimits limits;
   limits.keeps_couplings = goal.coupling.weight > 0;
   limits.smallest_cot = 1 / std::tan(kRefinedTo * std::numbers::pi / 180);
   limits.budget = sizes.is_active() ? kMostSized : 20 * mesh.points.size() + 1000;
-  const bool may_start_again = search == Search::usual;
+  const bool may_start_again = is_thorough(search);
   MutableMesh start;  // a third of what it becomes: to be refined again is rare
   if (may_start_again) start = mesh;
   refine(mesh, limits, sizes, sharing);
@@ -144,8 +159,10 @@ Merit optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const SizeF
   }
   Budget part = budget.share(kFirstShare);
   std::uint64_t kept = 0;
-  if (search != Search::usual) {
-    const std::uint64_t most = effort::kImprovePerTriangle * mesh.triangle_count();
+  if (!is_thorough(search)) {
+    const std::uint64_t each =
+        search == Search::none ? effort::kImproveFast : effort::kImprovePerTriangle;
+    const std::uint64_t most = each * mesh.triangle_count();
     kept = part.left - std::min(part.left, most);
     part.left -= kept;
   }
@@ -170,11 +187,24 @@ Merit optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const SizeF
     budget.left += kEvaluationsForFew * std::min(merit.above, kMostOfFew);
   }
   const bool is_tiny = mesh.fixed_vertices() <= kTinyRegion && !sizes.is_active();
-  if (search == Search::usual && !is_tiny && is_worth_a_search(merit))
+  if (is_thorough(search) && !is_tiny && is_worth_a_search(merit))
     search_excerpts(mesh, goal, budget, Trials::usual, sharing);
   if (!sizes.is_active()) budget.spend(thin_out(mesh, budget.left, sharing).evaluations);
   if (goal == asked) return merit_of(mesh, goal, sharing.team);
-  return mind_couplings(mesh, asked, budget, is_tiny ? Search::none : search, sharing);
+  if (before_couplings != nullptr) *before_couplings = angles_of(mesh);
+  return mind_couplings(mesh, asked, budget, is_tiny ? Search::none : search, sharing,
+                        coupling_evaluations(search));
+}
+
+AngleRange angles_of(const MutableMesh& mesh) {
+  double least = kInverted, most = -kInverted;  // cotangents
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (mesh.is_hole(t)) continue;
+    const Corners k(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
+    least = std::min(least, std::min({k.dot[0], k.dot[1], k.dot[2]}) / k.cross);
+    most = std::max(most, std::max({k.dot[0], k.dot[1], k.dot[2]}) / k.cross);
+  }
+  return {std::atan2(1.0, least), std::atan2(1.0, most)};
 }
 
 Merit improve_largest(MutableMesh& mesh, const Goal& goal, Budget& budget, const Sharing& sharing) {

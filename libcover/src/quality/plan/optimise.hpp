@@ -1,6 +1,10 @@
 // From the constrained Delaunay triangulation to one that meets the goal, or comes close.
 #pragma once
 
+#include <cstdint>
+#include <limits>
+
+#include "limits/angle_range.hpp"
 #include "quality/effort/budget.hpp"
 #include "quality/fault/merit.hpp"
 #include "quality/mutable/blocks.hpp"
@@ -13,16 +17,22 @@ namespace cover {
 enum class Search {
   none,
   few,    ///< where few triangles are left, and not for long
-  usual,  ///< wherever there is hope
+  again,  ///< the same wherever there is hope, within the budget
+  usual,  ///< with more of a budget where few are left
 };
 
 /// Refines and improves a constrained Delaunay triangulation. With wished sizes nothing is thinned
 /// out.
 ///
 /// REQUIRES: `mesh` is constrained Delaunay
-/// ENSURES:  returns what was reached, by `goal`; nothing promises that it is better than before
+/// ENSURES:  returns what was reached, by `goal`; nothing promises that it is better than before.
+///           `before_couplings`, if it is given, becomes the angles before couplings had their say.
 Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeField& sizes = {},
-               const Order& order = {}, Search search = Search::usual, const Sharing& sharing = {});
+               const Order& order = {}, Search search = Search::usual, const Sharing& sharing = {},
+               AngleRange* before_couplings = nullptr);
+
+/// The extreme angles of all triangles.
+AngleRange angles_of(const MutableMesh& mesh);
 
 /// Makes a triangulation constrained Delaunay, at the price of angles, and improves it again with
 /// couplings before angles.
@@ -30,8 +40,10 @@ Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeFi
 /// REQUIRES: `mesh` is improved
 /// ENSURES:  returns what was reached, by `goal`; no coupling that counts is negative but for those
 ///           that the bound needs
+/// Cost:     improvement takes `each` evaluations for each triangle, once or twice
 Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search search,
-                     const Sharing& sharing = {});
+                     const Sharing& sharing = {},
+                     std::uint64_t each = std::numeric_limits<std::uint32_t>::max());
 
 /// Improves any triangulation, with the largest angle before all else.
 ///

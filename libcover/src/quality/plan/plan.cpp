@@ -11,102 +11,117 @@ namespace {
 
 using StopWhen = Step::StopWhen;
 
-bool always(const Progress&) { return true; }
-bool has_room_around_a_hub(const Progress& p) { return p.make.has_room_around_a_hub(); }
-bool is_missed(const Progress& p) { return !p.best.merit.complete; }
-bool is_tiny_and_missed(const Progress& p) { return p.make.is_tiny() && is_missed(p); }
-bool has_far(const Progress& p) { return p.best.merit.far_above > 0; }
-bool is_tiny_and_near(const Progress& p) {
+bool always(const PlanProgress&) { return true; }
+bool has_room_around_a_hub(const PlanProgress& p) { return p.make.has_room_around_a_hub(); }
+bool is_missed(const PlanProgress& p) { return !p.best.merit.complete; }
+bool is_tiny_and_missed(const PlanProgress& p) { return p.make.is_tiny() && is_missed(p); }
+bool has_far(const PlanProgress& p) { return p.best.merit.far_above > 0; }
+bool is_tiny_and_near(const PlanProgress& p) {
   return is_tiny_and_missed(p) && p.cdt.mesh->fixed_vertices() >= effort::kPointsToRestart &&
          p.best.merit.fault.worst() <= effort::kNearMiss && !p.make.is_near_its_limits(p.best);
 }
-bool is_tiny_and_very_wide(const Progress& p) {
+bool is_tiny_and_very_wide(const PlanProgress& p) {
   return is_tiny_and_missed(p) && has_far(p) && p.best.merit.large > effort::kVeryWide;
 }
 /// So few that they are likely to be mended; in tiny regions nothing is.
-bool few_are_missed(const Progress& p) {
+bool few_are_missed(const PlanProgress& p) {
   const Merit& merit = p.best.merit;
   return !p.make.is_tiny() && merit.triangles <= effort::kSmallMesh && merit.missed > 0 &&
          merit.missed <= effort::kFewInSmall &&
          merit.fault.worst() <= effort::kFaultImprovedAgain && !p.make.is_near_its_limits(p.best);
 }
 /// So few, by so little, that a search of the whole mesh pays.
-bool nearly_none_is_missed(const Progress& p) {
+bool nearly_none_is_missed(const PlanProgress& p) {
   const Merit& merit = p.best.merit;
   return merit.missed <= effort::kSearchedAgain && merit.sum <= effort::kFaultImprovedAgain &&
          few_are_missed(p);
 }
-bool is_beyond_bound(const Progress& p) { return !p.make.order().is_within_bound(p.best.merit); }
-bool refined_is_beyond_bound(const Progress& p) {
+bool is_beyond_bound(const PlanProgress& p) {
+  return !p.make.order().is_within_bound(p.best.merit);
+}
+bool refined_is_beyond_bound(const PlanProgress& p) {
   return !p.make.order().is_within_bound(p.refined.merit);
 }
-bool is_missed_by_largest(const Progress& p) { return !p.make.is_done(p.best); }
+bool is_missed_by_largest(const PlanProgress& p) { return !p.make.is_done(p.best); }
 
-void take(Progress& p, Candidate other) { p.make.take_if_better(p.best, std::move(other)); }
+/// Small, so that limits are soon asked, and nothing but the targets is missed.
+bool may_be_near(const PlanProgress& p) {
+  const Merit& merit = p.best.merit;
+  return merit.triangles <= effort::kSmallMesh && merit.negative == 0 && !is_beyond_bound(p);
+}
 
-void as_it_is(Progress& p) {
+void take(PlanProgress& p, Candidate other) { p.make.take_if_better(p.best, std::move(other)); }
+
+void as_it_is(PlanProgress& p) {
   p.cdt = p.best = p.make.as_it_is();
   p.make.compare_with(p.cdt);
   if (!p.make.has_sizes() && !p.cdt.merit.complete) p.make.look_for_room(p.cdt);
 }
-void one_star(Progress& p) {
+void one_star(PlanProgress& p) {
   p.star = p.make.one_star(p.cdt);
   if (p.star && p.star->merit.complete) p.best = *p.star;
 }
-void best_star(Progress& p) {
+void best_star(PlanProgress& p) {
   one_star(p);
   if (p.star) take(p, *p.star);
 }
-void refined(Progress& p) {
+/// What is near its limits is not searched; the answer counts for the report, too.
+void limits(PlanProgress& p) { p.is_settled = p.make.is_settled(p.best); }
+void refined(PlanProgress& p) {
   p.refined = p.make.optimised(p.cdt, Search::none);
   take(p, p.refined);
 }
-void refined_and_searched(Progress& p) {
+void refined_and_searched(PlanProgress& p) {
   p.refined = p.make.optimised(p.cdt, Search::few);
   take(p, p.refined);
 }
-void refined_and_searched_all(Progress& p) {
+void refined_and_searched_all(PlanProgress& p) {
   p.refined = p.make.optimised(p.cdt, Search::usual);
   take(p, p.refined);
 }
-void sized(Progress& p) { p.best = p.make.optimised(p.cdt, Search::usual); }
-void within_bound(Progress& p) {
+void refined_and_searched_again(PlanProgress& p) {
+  const std::uint64_t most = effort::kSearchedPerTriangle * p.best.merit.triangles;
+  p.refined = p.make.optimised_within(p.cdt, Search::again, most);
+  take(p, p.refined);
+}
+void sized(PlanProgress& p) { p.best = p.make.optimised(p.cdt, Search::usual); }
+void within_bound(PlanProgress& p) {
   p.best = p.make.narrowed(p.best, p.refined, p.make.order().bound);
 }
-void with_fewer_far(Progress& p) { p.best = p.make.narrowed(p.best, p.refined, kFarAbove); }
-void restarted(Progress& p) { take(p, p.make.restarted(p.best)); }
-void improved(Progress& p) { take(p, p.make.improved(p.best)); }
-void evenly_refined(Progress& p) {
+void with_fewer_far(PlanProgress& p) { p.best = p.make.narrowed(p.best, p.refined, kFarAbove); }
+void restarted(PlanProgress& p) { take(p, p.make.restarted(p.best)); }
+void improved(PlanProgress& p) { take(p, p.make.improved(p.best)); }
+void evenly_refined(PlanProgress& p) {
   const std::optional<Candidate> even = p.make.evenly_refined(p.cdt);
   if (even) take(p, p.make.improved(*even));
 }
-void star_improved(Progress& p) {
+void star_improved(PlanProgress& p) {
   if (!p.make.has_room_around_a_hub()) p.star = p.make.one_star(p.cdt);
   if (p.star && p.make.is_promising(*p.star, p.best)) take(p, p.make.improved(*p.star));
 }
-void cdt_improved(Progress& p) {
+void cdt_improved(PlanProgress& p) {
   if (p.make.is_promising(p.cdt, p.best)) take(p, p.make.improved(p.cdt));
 }
-void almonds_improved(Progress& p) {
+void almonds_improved(PlanProgress& p) {
   const Candidate almond = p.make.from_almonds();
   if (almond.mesh->triangles.empty()) return;
   p.make.lower_ceiling(almond.merit.large);
   take(p, almond);
   if (p.make.is_promising(almond, p.best)) take(p, p.make.improved(almond));
 }
-void improved_again(Progress& p) {
+void improved_again(PlanProgress& p) {
   const std::uint64_t most = effort::kLastPerTriangle * p.best.merit.triangles;
   take(p, p.make.improved_within(p.best, most));
   if (!p.best.merit.complete) take(p, p.make.improved_within(p.cdt, most));
 }
-void a_few_restarts(Progress& p) {
+void a_few_restarts(PlanProgress& p) {
   take(p, p.make.restarted_within(p.best, effort::kRestartsOfTiny));
 }
-void very_few_restarts(Progress& p) {
+void very_few_restarts(PlanProgress& p) {
   take(p, p.make.restarted_within(p.best, effort::kRestartsOfVeryWide));
 }
 /// The proof of promise 3 comes with the almonds.
-void bound_kept(Progress& p) {
+void bound_kept(PlanProgress& p) {
   if (p.make.is_part()) return;
   Candidate almond = p.make.from_almonds();
   if (almond.mesh->triangles.empty()) return;
@@ -115,7 +130,7 @@ void bound_kept(Progress& p) {
   take(p, std::move(almond));
   if (p.best.merit.negative > 0) p.best = p.make.narrowed(p.best, flipped, p.make.order().bound);
 }
-void bound_kept_sized(Progress& p) {
+void bound_kept_sized(PlanProgress& p) {
   if (p.make.is_part()) return;
   const Candidate almond = p.make.from_almonds();
   if (!almond.mesh->triangles.empty()) take(p, p.make.improved(almond));
@@ -124,6 +139,7 @@ void bound_kept_sized(Progress& p) {
 constexpr std::array kFast{
     Step{"cdt", always, as_it_is, StopWhen::alone},
     Step{"one star", has_room_around_a_hub, best_star, StopWhen::complete},
+    Step{"limits of that", may_be_near, limits, StopWhen::near},
     Step{"refined, improved", always, refined, StopWhen::complete},
     Step{"the same within the bound", refined_is_beyond_bound, within_bound},
     Step{"almonds", is_beyond_bound, bound_kept},
@@ -132,12 +148,13 @@ constexpr std::array kFast{
 constexpr std::array kBalanced{
     Step{"cdt", always, as_it_is, StopWhen::alone},
     Step{"one star", has_room_around_a_hub, best_star, StopWhen::complete},
+    Step{"limits of that", may_be_near, limits, StopWhen::near},
     Step{"refined, improved, few searched", always, refined_and_searched, StopWhen::complete},
     Step{"the same within the bound", refined_is_beyond_bound, within_bound},
     Step{"random restarts, a few", is_tiny_and_near, a_few_restarts, StopWhen::complete},
     Step{"random restarts, very few", is_tiny_and_very_wide, very_few_restarts, StopWhen::complete},
     Step{"best and cdt, improved", few_are_missed, improved_again, StopWhen::complete},
-    Step{"refined, improved, searched", nearly_none_is_missed, refined_and_searched_all,
+    Step{"refined, improved, searched", nearly_none_is_missed, refined_and_searched_again,
          StopWhen::complete},
     Step{"the same with fewer angles above 120 degrees", has_far, with_fewer_far},
     Step{"almonds", is_beyond_bound, bound_kept},
@@ -179,20 +196,6 @@ constexpr std::array kSized{
     Step{"almonds, improved", is_beyond_bound, bound_kept_sized},
 };
 
-bool is_enough(const Step& step, const Progress& p) {
-  switch (step.stop) {
-    case StopWhen::never:
-      return false;
-    case StopWhen::complete:
-      return p.best.merit.complete;
-    case StopWhen::alone:
-      return p.best.merit.complete || p.make.has_no_room();
-    case StopWhen::done:
-      return p.make.is_done(p.best);
-  }
-  return false;
-}
-
 }  // namespace
 
 std::span<const Step> plan_for(const Options& options, bool has_sizes) {
@@ -202,8 +205,24 @@ std::span<const Step> plan_for(const Options& options, bool has_sizes) {
   return options.effort == Effort::thorough ? std::span<const Step>(kThorough) : kBalanced;
 }
 
+bool is_enough(const Step& step, const PlanProgress& p) {
+  switch (step.stop) {
+    case StopWhen::never:
+      return false;
+    case StopWhen::complete:
+      return p.best.merit.complete;
+    case StopWhen::alone:
+      return p.best.merit.complete || p.make.has_no_room();
+    case StopWhen::near:
+      return p.best.merit.complete || p.is_settled;
+    case StopWhen::done:
+      return p.make.is_done(p.best);
+  }
+  return false;
+}
+
 Candidate run_plan(std::span<const Step> plan, Candidates& candidates) {
-  Progress progress{candidates, {}, {}, {}, {}};
+  PlanProgress progress{candidates};
   for (const Step& step : plan) {
     if (candidates.must_stop()) break;
     if (step.is_due(progress)) step.run(progress);

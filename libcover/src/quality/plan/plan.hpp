@@ -13,10 +13,11 @@
 namespace cover {
 
 /// What the steps of a plan have made so far.
-struct Progress {
+struct PlanProgress {
   Candidates& make;
-  Candidate cdt, refined, best;
-  std::optional<Candidate> star;
+  Candidate cdt{}, refined{}, best{};
+  std::optional<Candidate> star{};
+  bool is_settled = false;  ///< the best is near its limits
 };
 
 /// One step of a plan.
@@ -25,16 +26,20 @@ struct Step {
     never,
     complete,  ///< both targets are met by every triangle
     alone,     ///< they are, or couplings leave no other mesh
+    near,      ///< they are, or no mesh is better by more than a degree in what is missed
     done,      ///< the largest angle is that of the goal, or what the region's worst side forces
   };
   std::string_view name;  ///< for who reads the table: what is improved, and how
-  bool (*is_due)(const Progress&);
-  void (*run)(Progress&);
+  bool (*is_due)(const PlanProgress&);
+  void (*run)(PlanProgress&);
   StopWhen stop = StopWhen::never;  ///< no further steps then
 };
 
 /// The plan for a region. What steps gain and cost stands in quality/effort/effort.hpp.
 std::span<const Step> plan_for(const Options& options, bool has_sizes);
+
+/// Whether no further step is due after `step`.
+bool is_enough(const Step& step, const PlanProgress& progress);
 
 /// Runs the steps of `plan` in turn. The best is no worse than any of them.
 Candidate run_plan(std::span<const Step> plan, Candidates& candidates);
