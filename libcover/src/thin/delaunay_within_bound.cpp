@@ -91,13 +91,13 @@ std::optional<MendedMesh> taken_if_better(const RegionBoundary& boundary, const 
 
 /// Vertices moved, added and taken away near what is wrong.
 std::optional<MendedMesh> mend_nearby(const RegionBoundary& boundary, const RegionMesh& mesh,
-                                      std::stop_token stop, std::uint64_t for_sides) {
+                                      const std::stop_token& stop, std::uint64_t for_sides) {
   std::optional<std::vector<WantedAngles>> wanted = wanted_angles(mesh);
   if (!wanted) return {};
   const ConformingMesh before = mutable_mesh(boundary, mesh);
   MeshWithUndo mending(before, *std::move(wanted));
   const bool only_sides = is_sound(mesh.report) && mesh.layer_triangles == 0;
-  mend_mesh(mending, {0, 0, only_sides ? for_sides : kPlacesToMend, kMostPlaces, std::move(stop)});
+  mend_mesh(mending, {0, 0, only_sides ? for_sides : kPlacesToMend, kMostPlaces, stop});
   if (mending.grave() > 0) return {};
   return taken_if_better(boundary, mesh, before, mending);
 }
@@ -172,7 +172,8 @@ std::optional<MendedMesh> mend_with_room(const RegionBoundary& boundary, const R
 }  // namespace
 
 std::optional<MendedMesh> mend_couplings_within_bound(const RegionBoundary& boundary,
-                                                      const RegionMesh& mesh, std::stop_token stop,
+                                                      const RegionMesh& mesh,
+                                                      const std::stop_token& stop,
                                                       std::uint64_t for_sides,
                                                       bool looks_for_room) {
   if (is_sound(mesh.report) && mesh.report.box.negative_given_up == 0) return {};

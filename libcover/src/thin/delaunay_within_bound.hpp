@@ -38,7 +38,8 @@ struct MendedMesh {
 ///           but sides given up is left; where a side is still given up then and `looks_for_room`,
 ///           up to 240 searches for room (HalfDiscRoom)
 std::optional<MendedMesh> mend_couplings_within_bound(const RegionBoundary& boundary,
-                                                      const RegionMesh& mesh, std::stop_token stop,
+                                                      const RegionMesh& mesh,
+                                                      const std::stop_token& stop,
                                                       std::uint64_t for_sides = kPlacesToMend,
                                                       bool looks_for_room = true);
 

@@ -278,7 +278,7 @@ bool Candidates::is_near_its_limits(const Candidate& candidate) {
 bool Candidates::is_settled(const Candidate& candidate) {
   const Merit& merit = candidate.merit;
   if (merit.target > goal_.large || goal_.weight == 0) return false;
-  if (angles_of(candidate.mesh).least < std::atan2(1.0, merit.small) - kAngleSlack) return false;
+  if (angles_of(*candidate.mesh).least < std::atan2(1.0, merit.small) - kAngleSlack) return false;
   return is_near_its_limits(candidate);
 }
 
