@@ -282,17 +282,20 @@ ProvenLimits LimitProver::prove(const ReachedAngles& reached, const ReachedAngle
   const double smallest = reached.smallest.in_radians();
   std::uint64_t budget = effort.per_region + effort.per_side * view_.sides().size();
 
+  // With all effort everybody is asked how near the limit is: what that says does not depend on the
+  // order of the sides, as the side that settled the question before does.
+  const Asked exact = effort.asks_far ? Asked::all : Asked::last;
   double largest_limit = lowest;
   if (reached.largest_nu < wanted.largest_nu) {
     const auto ask = [&](double gap, Asked asked) {
       if (largest - gap <= largest_limit) return true;
-      const ProofEffort for_this = asked == Asked::all ? effort : quick(effort);
+      const ProofEffort for_this = gap == kNearQuestion ? effort : quick(effort);
       if (!refutes({largest - gap, 0}, budget, for_this, asked)) return false;
       largest_limit = largest - gap;
       return true;
     };
     // What is open by a degree is hardly ever closed by five.
-    if (ask(kNearQuestion, Asked::all)) ask(kExactQuestion, Asked::last);
+    if (ask(kNearQuestion, Asked::all)) ask(kExactQuestion, exact);
   }
 
   const double most =
@@ -310,7 +313,7 @@ ProvenLimits LimitProver::prove(const ReachedAngles& reached, const ReachedAngle
       return true;
     };
     if (ask(beyond, effort, Asked::all)) {
-      ask(kExactQuestion, quick(effort), Asked::last);
+      ask(kExactQuestion, quick(effort), exact);
     } else if (effort.asks_far && view_.sides().size() <= kFewSides) {
       ask(kFarQuestion, quick(effort), Asked::all);
     }
