@@ -53,7 +53,7 @@ class Page(Case):
                      'marker 1', 'box method', 'Time, on', '<svg ', 'id="mesh-view"', 'diode.poly; method quality, cover 0.'):
             self.assertIn(part, text)
         # Findings, two rows of heads and four regions, the box method, times.
-        self.assertEqual(text.count('<tr>') + text.count('<tr class') + text.count('<tr data'), 6 + 2 + 4 + 9 + text.count(' s</td></tr>'))
+        self.assertEqual(text.count('<tr>') + text.count('<tr class') + text.count('<tr data'), 6 + 2 + 4 + 10 + text.count(' s</td></tr>'))
         self.assertNotIn('class="bad"', text)
 
     def test_tells_what_to_distrust(self):
