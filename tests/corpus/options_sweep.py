@@ -4,36 +4,20 @@
 line for every refusal, for all to be read, and one for every fault: a crash, a mesh that is refused, a run of more than
 S seconds (20) of the processor. Exit 1 if there is a fault. On request: an hour for some hundred files.
 
-  CASES_OUT=/tmp/gen python3 cases/gen/gen_polygons.py
-  tests/corpus/options_sweep.py build/release/apps/cover/cover cases/*.json /tmp/gen/*.poly"""
+  tests/corpus/options_sweep.py build/release/apps/cover/cover samples/data/*.poly"""
 import argparse
 import collections
 import pathlib
-import resource
-import subprocess
 import sys
 import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
+from timed_run import run  # noqa: E402  (after the path)
 
 WAYS = {'default': [], 'hull': ['--hull'], 'split90': ['--split-interfaces', '--max-angle', '90'],
         'nonobtuse': ['--method', 'nonobtuse'], 'weld': ['--weld', 'auto'], 'box': ['--box-method'],
         'almond': ['--method', 'almond']}
 REFUSALS = (2, 3, 4, 5, 7)
-
-
-def cpu():
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
-
-
-def run(words, limit):
-    """Exit code (None: killed after `limit` seconds), output, seconds of the processor."""
-    before = cpu()
-    try:
-        done = subprocess.run(list(map(str, words)), text=True, errors='replace', stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, timeout=limit)
-    except subprocess.TimeoutExpired:
-        return None, f'killed after {limit} s', cpu() - before
-    return done.returncode, done.stdout, cpu() - before
 
 
 def checks(program, path, folder, way, limit):

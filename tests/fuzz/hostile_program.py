@@ -3,34 +3,21 @@
 
 The seeds of hostile_runs through the program: each input is written as JSON and meshed with its options, `cover check`
 judges what was written, against the drawing as it was cleaned and cut and against the input, and every N-th mesh (10)
-is judged by VERIFY.py INPUT.poly MESH.vtu too, a checker that shares nothing with cover. Names the seeds that crash,
-whose mesh is refused, or that take longer than S seconds (20) of the processor; exit 1 if there is one."""
+is judged by VERIFY.py INPUT.poly MESH.vtu too (by the same Python), a checker that shares nothing with cover. Names
+the seeds that crash, whose mesh is refused, or that take longer than S seconds (20) of the processor; exit 1 if there
+is one."""
 import argparse
 import collections
 import json
 import pathlib
-import resource
 import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
+from timed_run import run  # noqa: E402  (after the path)
+
 REFUSED = {2: 'cannot be done by the method', 3: 'geometry', 4: 'bound missed', 7: 'memory'}
-
-
-def cpu():
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
-
-
-def run(words, limit):
-    """Exit code (None: killed after `limit` seconds), output, seconds of the processor."""
-    before = cpu()
-    try:
-        done = subprocess.run(list(map(str, words)), text=True, errors='replace', stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, timeout=limit)
-    except subprocess.TimeoutExpired as late:
-        return None, (late.stdout or b'').decode(errors='replace'), cpu() - before
-    return done.returncode, done.stdout, cpu() - before
 
 
 class Runs:
@@ -65,7 +52,7 @@ class Runs:
             if code != 0:
                 self.fault(seed, f'check exits with {code}: {" ".join(map(str, words))} of {" ".join(options)}', text)
         if self.asked.witness and seed % self.asked.every == 0 and says_all and not hull:
-            code, text, _ = run(['/usr/bin/python3', self.asked.witness, clean, mesh, *bound], 10 * self.asked.limit)
+            code, text, _ = run([sys.executable, self.asked.witness, clean, mesh, *bound], 10 * self.asked.limit)
             self.outcomes['by the witness'] += 1
             if code != 0:
                 self.fault(seed, f'the witness exits with {code}, options {" ".join(options)}', text)

@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 #include "geom/predicates.hpp"
@@ -32,7 +31,6 @@ constexpr int kFirstLevel = 6;      ///< from it on places are looked for
 constexpr std::size_t kMostBoxes = 24'000;  ///< of one level, and in all for a circle,
 constexpr std::size_t kLeastBoxes = 300;    ///< but fewer
 constexpr std::size_t kMostWork = 500'000;  ///< where there are many sides, which each box asks
-constexpr std::size_t kMostCircles = 8;     ///< that proofs look at
 constexpr std::array<std::array<double, 2>, 5> kTrials{
     {{0.5, 0.5}, {0.23, 0.31}, {0.71, 0.27}, {0.29, 0.77}, {0.79, 0.69}}};
 
@@ -57,9 +55,13 @@ double distance_to(Point a, Point b, Point p) {
   return length(p - (a + share * along));
 }
 
-using Circle = HalfDiscRoom::Circle;
+bool is_seen_bluntly(Point a, Point p, Point b) {
+  return compare_with_90_degrees(a, p, b) == Sign::positive;
+}
 
-Circle circle_through(const std::array<Point, 3>& corners) {
+}  // namespace
+
+HalfDiscRoom::Circle HalfDiscRoom::circle_through(const std::array<Point, 3>& corners) {
   const auto& [a, b, c] = corners;
   const Vector u = b - a, v = c - a;
   const double area = 2 * cross(u, v);
@@ -70,12 +72,6 @@ Circle circle_through(const std::array<Point, 3>& corners) {
       (1 / area) * (squared_length(u) * Vector{v.y, -v.x} + squared_length(v) * Vector{-u.y, u.x});
   return {corners, a + to, length(to)};
 }
-
-bool is_seen_bluntly(Point a, Point p, Point b) {
-  return compare_with_90_degrees(a, p, b) == Sign::positive;
-}
-
-}  // namespace
 
 struct HalfDiscRoom::Search {
   Circle circle;
@@ -293,40 +289,6 @@ HalfDiscRoom::Room HalfDiscRoom::within_circle(const std::array<Point, 3>& corne
     boxes.swap(next);
   }
   return room;
-}
-
-std::vector<std::uint32_t> forced_sides(std::span<const Point> points,
-                                        std::span<const IndexPair> sides,
-                                        const std::vector<bool>& is_free,
-                                        std::span<const std::array<Point, 3>> beyond,
-                                        std::span<const std::uint32_t> negative) {
-  std::vector<std::uint32_t> forced;
-  if (negative.empty() || beyond.empty()) return forced;
-  const HalfDiscRoom room(points, sides, is_free);
-  std::vector<bool> is_taken(sides.size(), false);  // by a proof
-  std::size_t circles = 0;
-  for (const std::array<Point, 3>& corners : beyond) {
-    const auto is_near = [&](std::uint32_t s) {
-      const Point a = points[sides[s][0]], b = points[sides[s][1]];
-      const Circle circle = circle_through(corners);
-      return length(midpoint(a, b) - circle.middle) < circle.radius + length(b - a);
-    };
-    if (std::none_of(negative.begin(), negative.end(), is_near)) continue;
-    if (++circles > kMostCircles) break;
-    const HalfDiscRoom::Room found = room.within_circle(corners, 0, negative);
-    if (!found.is_none || std::any_of(found.sides.begin(), found.sides.end(),
-                                      [&](std::uint32_t s) { return is_taken[s]; }))
-      continue;
-    std::vector<std::uint32_t> common;
-    std::vector<std::uint32_t> sorted(negative.begin(), negative.end());
-    std::sort(sorted.begin(), sorted.end());
-    std::set_intersection(sorted.begin(), sorted.end(), found.sides.begin(), found.sides.end(),
-                          std::back_inserter(common));
-    if (common.empty()) continue;  // an inner edge is negative, or the bound is not held
-    forced.push_back(common[0]);
-    for (const std::uint32_t s : found.sides) is_taken[s] = true;
-  }
-  return forced;
 }
 
 }  // namespace cover

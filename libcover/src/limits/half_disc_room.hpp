@@ -32,6 +32,8 @@ class HalfDiscRoom {
     std::vector<std::uint32_t> sides;  ///< whose discs cover the circle then, ascending
   };
 
+  [[nodiscard]] static Circle circle_through(const std::array<Point, 3>& corners);
+
   /// Places in the region, inside the circle through `corners`, and in none of the half discs. With
   /// `most` 0 one place ends the search: it asks only for the proof that there is none.
   ///
@@ -73,22 +75,5 @@ class HalfDiscRoom {
   std::vector<bool> is_free_;
   std::vector<bool> is_slit_;  ///< by side
 };
-
-/// The sides among `negative` (indices into `sides`, free ones with a negative coupling) that a
-/// proof says something of: the mesh holds a bound on angles, none of its inner edges is negative,
-/// and any such mesh has a negative coupling on one of the sides of a certain set, which is another
-/// one for each of those returned. So no mesh within the bound has fewer than these.
-///
-/// `beyond` are the triangles of the constrained Delaunay triangulation of the boundary that are
-/// beyond the bound, by more than rounding: a mesh within the bound has a vertex in the circle of
-/// each.
-/// REQUIRES: no vertex of the boundary encroaches a free side
-/// EXACT:    yes
-/// Ref:      docs/box_method.md, "The same in small"
-std::vector<std::uint32_t> forced_sides(std::span<const Point> points,
-                                        std::span<const IndexPair> sides,
-                                        const std::vector<bool>& is_free,
-                                        std::span<const std::array<Point, 3>> beyond,
-                                        std::span<const std::uint32_t> negative);
 
 }  // namespace cover

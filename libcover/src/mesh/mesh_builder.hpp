@@ -44,8 +44,7 @@ class MeshBuilder {
   std::span<const Point> points_;
   std::span<const IndexTriple> triangles_;
   std::vector<std::uint32_t> half_edge_;  ///< OpenMesh's, by ours
-  std::vector<std::uint32_t>
-      boundary_;  ///< OpenMesh's half-edges with a face whose opposite has none
+  std::vector<std::uint32_t> boundary_;   ///< of OpenMesh's those whose opposite has no face
   std::size_t edges_ = 0;
 };
 

@@ -18,7 +18,8 @@
 #include "geom/predicates.hpp"
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
-#include "limits/half_disc_room.hpp"
+#include "limits/forced_sides.hpp"
+#include "target/flat_on_hull.hpp"
 
 namespace cover {
 namespace {
@@ -28,9 +29,6 @@ constexpr double kCotangentOf150 = -std::numbers::sqrt3;
 constexpr double kRightAngle = kAsGoodAsRight;
 /// Spacings of doubles: a triangle that is no higher than that cannot be divided.
 constexpr double kNoRoom = 64;
-/// Spacings of doubles: points no farther from a side of the hull cannot be told from vertices that
-/// split it.
-constexpr double kFlatOnHull = 8;
 
 /// A triangle from its largest angle's corner on.
 struct Sorted {
@@ -248,7 +246,7 @@ std::vector<std::array<Point, 3>> triangles_beyond(const Triangulation& cdt, Ang
 }
 
 /// Of the sides that are given up: those that the bound forces.
-void tell_forced(const RegionBoundary& boundary, Angle nu_bound,
+void find_forced(const RegionBoundary& boundary, Angle nu_bound,
                  std::vector<NegativeCoupling>& couplings) {
   using Kind = NegativeCoupling::Kind;
   const auto is_inside = [](const NegativeCoupling& c) { return c.kind == Kind::inside; };
@@ -260,20 +258,11 @@ void tell_forced(const RegionBoundary& boundary, Angle nu_bound,
   std::vector<bool> is_free(boundary.sides.size(), true);
   for (const EncroachedSide& e : encroached_sides(cdt, locate_sides(cdt, boundary.sides)))
     is_free[e.side] = false;
-  std::vector<std::uint32_t> negative;
-  std::vector<NegativeCoupling*> of_side(boundary.sides.size(), nullptr);
+  std::vector<NegativeCoupling*> given_up;
   for (NegativeCoupling& c : couplings) {
-    if (c.kind != Kind::given_up) continue;
-    for (std::uint32_t s = 0; s < boundary.sides.size(); ++s) {
-      const auto& [a, b] = boundary.sides[s];
-      if (!is_free[s] || boundary.points[a] != c.a || boundary.points[b] != c.b) continue;
-      negative.push_back(s);
-      of_side[s] = &c;
-    }
+    if (c.kind == Kind::given_up) given_up.push_back(&c);
   }
-  for (const std::uint32_t s : forced_sides(boundary.points, boundary.sides, is_free,
-                                            triangles_beyond(cdt, nu_bound), negative))
-    of_side[s]->kind = Kind::forced;
+  tell_forced(boundary.points, boundary.sides, is_free, triangles_beyond(cdt, nu_bound), given_up);
 }
 
 /// The edges of a region's mesh with a negative coupling, exactly; counted in `box`. O(n), O(n log
@@ -312,7 +301,7 @@ std::vector<NegativeCoupling> measure_couplings(const RegionBoundary& boundary,
   if (std::any_of(found.begin(), found.end(), [](const NegativeCoupling& c) {
         return c.kind == NegativeCoupling::Kind::given_up;
       }))
-    tell_forced(boundary, mesh.report.nu_bound, found);
+    find_forced(boundary, mesh.report.nu_bound, found);
   const auto count = [&](NegativeCoupling::Kind kind) {
     return static_cast<std::size_t>(std::count_if(
         found.begin(), found.end(), [&](const NegativeCoupling& c) { return c.kind == kind; }));
@@ -349,47 +338,6 @@ bool holds_bound(std::span<const Point> points, std::span<const IndexTriple> tri
            nu + angle_rounding(a, b, c, largest) >= nu_bound.in_radians();
   });
 }
-
-namespace {
-
-/// The triangles but for those between a side of the hull and points that could lie on it by
-/// rounding.
-std::vector<IndexTriple> without_flat_on_hull(const RegionBoundary& boundary,
-                                              std::span<const Point> points,
-                                              std::span<const IndexTriple> triangles) {
-  const double most = kFlatOnHull * spacing_at(largest_coordinate(points));
-  const std::vector<std::uint32_t> across = across_edges(points.size(), triangles, boundary.sides);
-  std::vector<bool> is_flat(triangles.size(), false);
-  std::vector<std::uint32_t> stack;
-  for (std::uint32_t h = 0; h < across.size(); ++h) {
-    const IndexPair edge{triangles[h / 3][h % 3], triangles[h / 3][(h + 1) % 3]};
-    const auto side = std::lower_bound(boundary.sides.begin(), boundary.sides.end(), edge);
-    if (side == boundary.sides.end() || *side != edge ||
-        boundary.segments[static_cast<std::size_t>(side - boundary.sides.begin())] != kHullSide)
-      continue;
-    const Point a = points[edge[0]];
-    const Vector along = points[edge[1]] - a;
-    for (stack.push_back(h / 3); !stack.empty();) {
-      const std::uint32_t t = stack.back();
-      stack.pop_back();
-      if (is_flat[t] || std::any_of(triangles[t].begin(), triangles[t].end(), [&](std::uint32_t v) {
-            return cross(along, points[v] - a) >= most * length(along);
-          }))
-        continue;
-      is_flat[t] = true;
-      for (std::uint32_t i = 3 * t; i < 3 * t + 3; ++i) {
-        if (across[i] != HalfEdges::kAbsent) stack.push_back(across[i] / 3);
-      }
-    }
-  }
-  std::vector<IndexTriple> rest;
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    if (!is_flat[t]) rest.push_back(triangles[t]);
-  }
-  return rest;
-}
-
-}  // namespace
 
 void set_limits(const AngleLimit& limit, RegionReport& report) {
   report.nu_opt = Angle::radians(limit.nu);

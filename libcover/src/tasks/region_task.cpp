@@ -116,33 +116,36 @@ class ProgressCount {
   std::atomic<bool> has_thrown_ = false;
 };
 
-/// What was made on the way to a mesh and its limits need, too.
-struct Known {
-  std::optional<CdtResult> cdt{};
-  std::unique_ptr<RegionProof> proof{};
-};
+/// The region's constrained Delaunay triangulation with what was proven by it, if it was made on
+/// the way to a mesh: limits need it, too.
+using KnownProof = std::unique_ptr<RegionProof>;
+
+KnownProof proof_of(const RegionBoundary& boundary) {
+  return std::make_unique<RegionProof>(
+      triangulate_domain(boundary.points, boundary.sides).triangulation);
+}
 
 using RegionMethod = RegionMesh (*)(const RegionBoundary&, const Options&, const std::stop_token&,
-                                    const Team&, Known&);
+                                    const Team&, KnownProof&);
 
 /// A mesh, and why it does not fill its region, if it does not: then it has no triangles.
 struct Attempt {
   RegionMesh mesh;
   std::optional<BoundaryFault> fault;
-  Known known{};
+  KnownProof proof{};
 };
 
 Attempt attempt(RegionMethod method, const RegionBoundary& boundary, const Options& options,
                 const std::stop_token& stop, const Team& team) {
   Attempt out;
-  out.mesh = method(boundary, options, stop, team, out.known);
+  out.mesh = method(boundary, options, stop, team, out.proof);
   if (stop.stop_requested()) return out;
   RegionMesh& mesh = out.mesh;
   const std::vector<Point> points = all_points(boundary, mesh);
   // What the limits will need, meanwhile: it takes no longer than that by itself.
   const auto& notes = mesh.report.notes;
   const bool looks_ahead =
-      !out.known.proof && team.workers() > 1 && mesh.triangles.size() >= kManyTriangles &&
+      !out.proof && team.workers() > 1 && mesh.triangles.size() >= kManyTriangles &&
       std::any_of(notes.begin(), notes.end(),
                   [](const Note& note) { return note.kind == Note::Kind::target_missed; });
   // Large meshes are measured meanwhile, too, and once more if they are faulty.
@@ -153,7 +156,7 @@ Attempt attempt(RegionMethod method, const RegionBoundary& boundary, const Optio
                              : 1,
             [&](std::size_t k) {
               if (k == 2) {
-                out.known.cdt = triangulate_domain(boundary.points, boundary.sides);
+                out.proof = proof_of(boundary);
               } else if (k == 1) {
                 measure(boundary, mesh, team);
               } else {
@@ -171,18 +174,18 @@ Attempt attempt(RegionMethod method, const RegionBoundary& boundary, const Optio
 }
 
 RegionMesh by_quality(const RegionBoundary& boundary, const Options& options,
-                      const std::stop_token& stop, const Team& team, Known& known) {
-  return quality_region(boundary, options, stop, {team}, &known.proof);
+                      const std::stop_token& stop, const Team& team, KnownProof& proof) {
+  return quality_region(boundary, options, stop, {team}, &proof);
 }
 
 RegionMesh by_almonds(const RegionBoundary& boundary, const Options& options,
-                      const std::stop_token& stop, const Team&, Known&) {
+                      const std::stop_token& stop, const Team&, KnownProof&) {
   return almond_region(boundary, options, stop);
 }
 
 /// The constrained Delaunay triangulation, which no rounding can break.
 RegionMesh plain_region(const RegionBoundary& boundary, const Options&, const std::stop_token&,
-                        const Team&, Known&) {
+                        const Team&, KnownProof&) {
   const Triangulation cdt = triangulate_region(boundary.points, boundary.sides);
   RegionMesh mesh;
   mesh.report.id = boundary.id;
@@ -211,7 +214,7 @@ Note note_of_fallback(const RegionBoundary& boundary, const Attempt& attempt, st
 /// meshes there. The almond method aims at the bound and at no target: limits beside one would take
 /// twice its time (`cover check` tells them of any mesh). With little effort little is asked.
 RegionLimits limits_of(const RegionBoundary& boundary, const RegionMesh& mesh,
-                       const Options& options, const Team& team, Known known) {
+                       const Options& options, const Team& team, KnownProof proof) {
   const auto& segments = boundary.segments;
   const Quality& quality = mesh.report.quality;
   if (quality.triangles == 0 || options.method != Method::quality ||
@@ -227,19 +230,16 @@ RegionLimits limits_of(const RegionBoundary& boundary, const RegionMesh& mesh,
                                                                 : ProofEffort();
   AnglesAround around =
       AnglesAround::of(all_points(boundary, mesh), mesh.triangles, boundary.points.size());
-  if (known.proof)
-    return region_limits(known.proof->prover(team), reached, wanted, effort, std::move(around));
-  const CdtResult cdt =
-      known.cdt ? *std::move(known.cdt) : triangulate_domain(boundary.points, boundary.sides);
-  return region_limits(cdt.triangulation, reached, wanted, team, effort, std::move(around));
+  if (!proof) proof = proof_of(boundary);
+  return region_limits(proof->prover(team), reached, wanted, effort, std::move(around));
 }
 
 /// The method asked for; where that misses the bound, the other one if it is better. It is rounding
 /// that makes them miss: the one in a region as flat as coordinates can be, the other where an
 /// improved triangle lies just inside the bound in the frame in which it was improved.
-/// `known` becomes what the limits need, if it was made on the way.
+/// `proof` becomes the region's, if it was made on the way.
 RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
-                       const std::stop_token& stop, const Team& team, Known& known) {
+                       const std::stop_token& stop, const Team& team, KnownProof& proof) {
   const bool quality = options.method == Method::quality;
   const std::string_view asked = quality ? "quality" : "almond";
   const std::string_view second = quality ? "almond" : "quality";
@@ -247,7 +247,7 @@ RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
   const bool promised = CutRule{options.paper, options.pieces}.promises_bound();
   const bool will_do =
       !first.fault && (first.mesh.report.bound_held || !promised || boundary.is_part);
-  known = std::move(first.known);
+  proof = std::move(first.proof);
   if (stop.stop_requested() || will_do) return std::move(first.mesh);
   Attempt other = attempt(quality ? by_almonds : by_quality, boundary, options, stop, team);
   if (stop.stop_requested()) return std::move(other.mesh);
@@ -273,11 +273,8 @@ RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
 RegionMesh with_couplings_mended(const RegionBoundary& boundary, const Options& options,
                                  const std::stop_token& stop, RegionMesh& mesh) {
   if (!minds_couplings(options) || stop.stop_requested()) return std::move(mesh);
-  const std::uint64_t places = options.effort == Effort::fast     ? kFewPlacesForSides
-                               : options.effort == Effort::normal ? kPlacesForSides
-                                                                  : kPlacesToMend;
   std::optional<MendedMesh> mended = mend_couplings_within_bound(
-      boundary, mesh, stop, places, !options.box_method && options.effort != Effort::fast);
+      boundary, mesh, stop, MendEffort::of(options.effort, options.box_method));
   if (!mended) return std::move(mesh);
   report_again(boundary, options, false, mended->mesh);
   return std::move(mended->mesh);
@@ -285,14 +282,14 @@ RegionMesh with_couplings_mended(const RegionBoundary& boundary, const Options& 
 
 /// The region, and its layers if it has some.
 RegionMesh mesh_with_its_layers(const RegionBoundary& boundary, const Options& options,
-                                const std::stop_token& stop, const Team& team, Known& known) {
+                                const std::stop_token& stop, const Team& team, KnownProof& proof) {
   if (!has_layers(boundary)) {
-    RegionMesh mesh = mesh_region(boundary, options, stop, team, known);
+    RegionMesh mesh = mesh_region(boundary, options, stop, team, proof);
     return options.method == Method::quality ? with_couplings_mended(boundary, options, stop, mesh)
                                              : mesh;
   }
   const auto mesh_rest = [&](const RegionBoundary& rest) {
-    Known of_rest;
+    KnownProof of_rest;
     return mesh_region(rest, options, stop, team, of_rest);
   };
   RegionMesh mesh = mesh_with_layers(boundary, options, mesh_rest, stop);
@@ -311,10 +308,10 @@ std::size_t cost_of(const RegionBoundary& boundary) {
 RegionMesh mesh_one_region(const RegionBoundary& boundary, const Options& options,
                            const std::stop_token& stop, const Team& team) {
   const StageClock clock;
-  Known known;
-  RegionMesh mesh = mesh_with_its_layers(boundary, options, stop, team, known);
+  KnownProof proof;
+  RegionMesh mesh = mesh_with_its_layers(boundary, options, stop, team, proof);
   if (!stop.stop_requested())
-    mesh.report.limits = limits_of(boundary, mesh, options, team, std::move(known));
+    mesh.report.limits = limits_of(boundary, mesh, options, team, std::move(proof));
   mesh.report.seconds = clock.seconds();
   return mesh;
 }

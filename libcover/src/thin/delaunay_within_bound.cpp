@@ -91,13 +91,14 @@ std::optional<MendedMesh> taken_if_better(const RegionBoundary& boundary, const 
 
 /// Vertices moved, added and taken away near what is wrong.
 std::optional<MendedMesh> mend_nearby(const RegionBoundary& boundary, const RegionMesh& mesh,
-                                      const std::stop_token& stop, std::uint64_t for_sides) {
+                                      const std::stop_token& stop, const MendEffort& effort) {
   std::optional<std::vector<WantedAngles>> wanted = wanted_angles(mesh);
   if (!wanted) return {};
   const ConformingMesh before = mutable_mesh(boundary, mesh);
   MeshWithUndo mending(before, *std::move(wanted));
   const bool only_sides = is_sound(mesh.report) && mesh.layer_triangles == 0;
-  mend_mesh(mending, {0, 0, only_sides ? for_sides : kPlacesToMend, kMostPlaces, stop});
+  const std::uint64_t places = only_sides ? effort.places_per_side : effort.places_per_angle;
+  mend_mesh(mending, {0, 0, places, kMostPlaces, stop});
   if (mending.grave() > 0) return {};
   return taken_if_better(boundary, mesh, before, mending);
 }
@@ -174,13 +175,12 @@ std::optional<MendedMesh> mend_with_room(const RegionBoundary& boundary, const R
 std::optional<MendedMesh> mend_couplings_within_bound(const RegionBoundary& boundary,
                                                       const RegionMesh& mesh,
                                                       const std::stop_token& stop,
-                                                      std::uint64_t for_sides,
-                                                      bool looks_for_room) {
+                                                      const MendEffort& effort) {
   if (is_sound(mesh.report) && mesh.report.box.negative_given_up == 0) return {};
   if (may_be_split(boundary)) return {};
-  std::optional<MendedMesh> mended = mend_nearby(boundary, mesh, stop, for_sides);
+  std::optional<MendedMesh> mended = mend_nearby(boundary, mesh, stop, effort);
   const RegionMesh& now = mended ? mended->mesh : mesh;
-  if (!is_sound(now.report) || now.report.box.negative_given_up == 0 || !looks_for_room)
+  if (!is_sound(now.report) || now.report.box.negative_given_up == 0 || !effort.looks_for_room)
     return mended;
   std::optional<MendedMesh> more = mend_with_room(boundary, now, stop);
   return more ? more : mended;

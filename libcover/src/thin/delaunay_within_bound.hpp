@@ -6,18 +6,28 @@
 #include <stop_token>
 #include <vector>
 
+#include <cover/options.hpp>
+
 #include "region/region_boundary.hpp"
 #include "target/region_mesh.hpp"
 
 namespace cover {
 
-/// Places that are tried for each angle to mend, some 0.5 us each.
-inline constexpr std::uint64_t kPlacesToMend = 60'000;
-/// The same where nothing but sides given up is left: of 12,000 Voronoi cells and five maps no
-/// place beyond these has saved one,
-inline constexpr std::uint64_t kPlacesForSides = 2'000;
-/// and these save all but one in fifty.
-inline constexpr std::uint64_t kFewPlacesForSides = 300;
+/// How hard couplings are mended. A place costs some 0.5 us.
+struct MendEffort {
+  std::uint64_t places_per_angle = 60'000;  ///< that are tried for each angle beyond the bound,
+  std::uint64_t places_per_side = 60'000;   ///< and where nothing but sides given up is left
+  bool looks_for_room = true;               ///< for a side that is given up even then
+
+  /// Of 12,000 Voronoi cells and five maps no place beyond 2,000 has saved a side, and 300 save all
+  /// but one in fifty. No room is looked for where sides are cut instead.
+  static MendEffort of(Effort effort, bool sides_are_cut) {
+    MendEffort out;
+    if (effort != Effort::thorough) out.places_per_side = effort == Effort::fast ? 300 : 2'000;
+    out.looks_for_room = !sides_are_cut && effort != Effort::fast;
+    return out;
+  }
+};
 
 /// A mesh whose inner edges are all locally Delaunay, with all angles within the bound.
 struct MendedMesh {
@@ -30,17 +40,14 @@ struct MendedMesh {
 /// can be, no coupling of a side is given up. None if `mesh` is so already, if nothing better was
 /// found, or if sides of the region may be split.
 ///
-/// `sides_are_cut` where they are given up: then no room is looked for in which they could be kept.
 /// REQUIRES: `mesh` is measured
 /// ENSURES:  the mesh holds the bound, has no negative coupling on inner edges and is measured; if
 ///           all that was so before, fewer are given up on sides
-/// Cost:     O(n log n), and kPlacesToMend places for each angle to mend, `for_sides` where nothing
-///           but sides given up is left; where a side is still given up then and `looks_for_room`,
-///           up to 240 searches for room (HalfDiscRoom)
+/// Cost:     O(n log n), and the places that `effort` allows for each angle to mend; where room is
+///           looked for, up to 240 searches (HalfDiscRoom)
 std::optional<MendedMesh> mend_couplings_within_bound(const RegionBoundary& boundary,
                                                       const RegionMesh& mesh,
                                                       const std::stop_token& stop,
-                                                      std::uint64_t for_sides = kPlacesToMend,
-                                                      bool looks_for_room = true);
+                                                      const MendEffort& effort = {});
 
 }  // namespace cover

@@ -11,8 +11,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/random.hpp"
 #include "geom/vector.hpp"
-#include "thin/random.hpp"
 
 namespace cover {
 namespace {
@@ -46,8 +46,7 @@ class Thinner {
     std::vector<std::uint32_t> vertices = movable();
     left_ = std::min<std::uint64_t>(effort_.places_at_most,
                                     effort_.places_per_vertex * vertices.size());
-    left_to_mend_ = std::min<std::uint64_t>(effort_.places_to_mend_at_most,
-                                            effort_.places_per_bad * mesh_.bad());
+    left_to_mend_ = places_to_mend();
     mend();
     take_away();
     search();
@@ -57,8 +56,7 @@ class Thinner {
 
   Thinned run_on_what_is_left() {
     Thinned thinned{mesh_.bad(), 0};
-    left_ = std::min<std::uint64_t>(effort_.places_to_mend_at_most,
-                                    effort_.places_per_bad * mesh_.bad());
+    left_ = places_to_mend();
     mend_with(kMore.size());
     for (std::uint32_t t = 0; mesh_.bad() > 0 && t < mesh_.triangles().size() && !is_over(); ++t) {
       if (!is_bad(t)) continue;
@@ -74,8 +72,7 @@ class Thinner {
 
   Thinned run_on_grave_ones() {
     Thinned thinned{mesh_.bad(), 0};
-    left_ = std::min<std::uint64_t>(effort_.places_to_mend_at_most,
-                                    effort_.places_per_bad * mesh_.bad());
+    left_ = places_to_mend();
     for (std::size_t before = mesh_.grave() + 1; mesh_.grave() < before && !is_over();) {
       before = mesh_.grave();
       for (std::uint32_t t = 0; t < mesh_.triangles().size() && !is_over(); ++t) {
@@ -95,6 +92,11 @@ class Thinner {
     std::uint32_t vertex = kNone;  ///< that is moved; kNone: one is added
     Spot spot;
   };
+
+  [[nodiscard]] std::uint64_t places_to_mend() const {
+    return std::min<std::uint64_t>(effort_.places_to_mend_at_most,
+                                   effort_.places_per_bad * mesh_.bad());
+  }
 
   /// No more than `allowed` triangles are bad, and no more gravely than before.
   [[nodiscard]] bool is_fine(std::size_t allowed) const {

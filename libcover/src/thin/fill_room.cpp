@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "thin/random.hpp"
+#include "base/random.hpp"
 
 namespace cover {
 namespace {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "geom/angle_rounding.hpp"
-#include "limits/half_disc_room.hpp"
+#include "limits/forced_sides.hpp"
 
 namespace cover {
 namespace {
@@ -37,7 +37,7 @@ std::vector<std::array<Point, 3>> triangles_beyond(const ExpectedDomain& domain,
 }
 
 /// Of the couplings of one region that are given up: those that the bound forces.
-void tell_forced(const ExpectedDomain& domain, std::span<const Point> points, RegionId region,
+void find_forced(const ExpectedDomain& domain, std::span<const Point> points, RegionId region,
                  std::span<NegativeCoupling> couplings) {
   std::vector<IndexPair> sides;
   std::vector<bool> is_free;
@@ -47,19 +47,11 @@ void tell_forced(const ExpectedDomain& domain, std::span<const Point> points, Re
     sides.push_back({side.a, side.b});
     is_free.push_back(!is_obtuse(points[side.a], points[side.apex], points[side.b]));
   }
-  std::vector<std::uint32_t> negative;
-  std::vector<NegativeCoupling*> of_side(sides.size(), nullptr);
+  std::vector<NegativeCoupling*> given_up;
   for (NegativeCoupling& c : couplings) {
-    if (c.region != region || c.kind != NegativeCoupling::Kind::given_up) continue;
-    for (std::uint32_t s = 0; s < sides.size(); ++s) {
-      if (!is_free[s] || points[sides[s][0]] != c.a || points[sides[s][1]] != c.b) continue;
-      negative.push_back(s);
-      of_side[s] = &c;
-    }
+    if (c.region == region && c.kind == NegativeCoupling::Kind::given_up) given_up.push_back(&c);
   }
-  for (const std::uint32_t s :
-       forced_sides(points, sides, is_free, triangles_beyond(domain, points, region), negative))
-    of_side[s]->kind = NegativeCoupling::Kind::forced;
+  tell_forced(points, sides, is_free, triangles_beyond(domain, points, region), given_up);
 }
 
 }  // namespace
@@ -113,7 +105,7 @@ BoxCheck verify_boxes(const TriangleSoup& mesh, const SoupEdges& edges,
   }
   std::sort(told.begin(), told.end());
   told.erase(std::unique(told.begin(), told.end()), told.end());
-  for (const RegionId r : told) tell_forced(domain, points, r, on_sides);
+  for (const RegionId r : told) find_forced(domain, points, r, on_sides);
   check.negative.insert(check.negative.end(), on_sides.begin(), on_sides.end());
   return check;
 }

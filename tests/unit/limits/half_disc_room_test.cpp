@@ -1,5 +1,7 @@
 #include "limits/half_disc_room.hpp"
 
+#include "limits/forced_sides.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/random.hpp"
 #include "cdt/cdt.hpp"
 #include "cdt/region_cdt.hpp"
 #include "cdt/sides.hpp"
@@ -22,23 +23,6 @@ namespace {
 constexpr std::uint32_t kRestarts = 27;         ///< where the target for large angles is missed
 constexpr std::uint32_t kRestartsForSmall = 6;  ///< where only small angles are left
 constexpr std::array<double, 3> kPolished{0.2, 0.04, 0.008};  ///< of what is missed: last aims
-
-/// splitmix64: the same numbers with every compiler.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-  /// In [0, 1).
-  double next() {
-    state_ += 0x9E3779B97F4A7C15U;
-    std::uint64_t mixed = state_;
-    mixed = (mixed ^ (mixed >> 30)) * 0xBF58476D1CE4E5B9U;
-    mixed = (mixed ^ (mixed >> 27)) * 0x94D049BB133111EBU;
-    return static_cast<double>((mixed ^ (mixed >> 31)) >> 11) * 0x1p-53;
-  }
-
- private:
-  std::uint64_t state_;
-};
 
 /// A side and its number.
 using NumberedSide = std::pair<IndexPair, std::uint32_t>;
@@ -69,8 +53,8 @@ std::optional<MutableMesh> restart(const MutableMesh& mesh, std::size_t count,
   Random random(number);
   for (std::size_t k = 0; k < count; ++k) {
     const auto drawn =
-        static_cast<std::size_t>(random.next() * static_cast<double>(present.size()));
-    double u = random.next(), v = random.next();
+        static_cast<std::size_t>(random.unit() * static_cast<double>(present.size()));
+    double u = random.unit(), v = random.unit();
     if (u + v > 1) u = 1 - u, v = 1 - v;
     const Point a = mesh.corner(present[drawn], 0);
     const Vector to_b = mesh.corner(present[drawn], 1) - a,
