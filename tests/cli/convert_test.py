@@ -154,7 +154,7 @@ class Values(Case):
     KEEP = ('--keep-field', 'use', '--keep-field', 'height', '--keep-field', 'fid')
 
     def test_attributes_become_arrays_of_triangles(self):
-        files = [word for f in ('m.vtu', 'm.vtm', 'm.vtkhdf', 'm.msh', 'm.json') for word in ('-o', f)]
+        files = [word for f in ('m.vtu', 'm.vtm', 'm.vtkhdf', 'm.msh', 'm.xdmf', 'm.json') for word in ('-o', f)]
         self.run_cover('mesh', 'm.geojson', *self.KEEP, *files)
         region = self.arrays('m.vtu', 'CellData', 'RegionId')
         heights = [2.5, math.nan, -1]
@@ -166,6 +166,11 @@ class Values(Case):
         self.assertEqual(manifest['attributes'], [
             {'name': 'use', 'words': words, 'values': ['Wald', words[1], 'Wald']},
             {'name': 'height', 'values': [2.5, None, -1]}, {'name': 'fid', 'values': [40, 41, 42]}])
+        xdmf = ElementTree.parse(self.dir / 'm.xdmf').find(".//Grid[@Name='mesh']")
+        self.assertEqual([(a.get('Name'), a.get('Center'), a[0].get('NumberType')) for a in xdmf.iter('Attribute')][3:],
+                         [('use', 'Cell', 'Int'), ('height', 'Cell', 'Float'), ('fid', 'Cell', 'Float')])
+        numbers = xdmf.find("Attribute[@Name='height']/DataItem").text.split()
+        self.assertEqual(str([float(n) for n in numbers]), str([float(heights[r - 1]) for r in region]))
         names = ElementTree.parse(self.dir / 'm.vtm').getroot().find("CoverNames/Attribute[@Name='use']")
         self.assertEqual([(w.get('Id'), w.get('Name')) for w in names], [('1', words[0]), ('2', words[1])])
         self.assertIn(words[1].encode(), (self.dir / 'm.vtkhdf').read_bytes())
@@ -184,7 +189,7 @@ class Values(Case):
         # The mesh itself is the same, and is read back with the arrays in it.
         self.run_cover('mesh', 'm.geojson', '-o', 'plain.vtu')
         self.assertEqual(self.arrays('plain.vtu', 'Points', 'Points'), self.arrays('m.vtu', 'Points', 'Points'))
-        for name in ('m.vtu', 'm.vtm', 'm.vtkhdf', 'm.msh', 'n.msh'):
+        for name in ('m.vtu', 'm.vtm', 'm.vtkhdf', 'm.msh', 'n.msh', 'm.xdmf'):
             self.run_cover('check', 'm.geojson', name)
 
     def test_names_that_are_taken(self):
@@ -208,6 +213,10 @@ class Values(Case):
         self.assertEqual(kept['fid']['values'], [40, 41, 42])
         self.run_cover('mesh', SAMPLES / 'nmos.tif', '-o', 'd.vtkhdf', '-o', 'e.vtu')
         self.run_cover('convert', 'd.vtkhdf', '-o', 'f.vtu')
+        for form in 'text', 'hdf5':
+            self.run_cover('convert', 'd.vtkhdf', '--xdmf', form, '-o', 'g.xdmf')
+            self.run_cover('convert', 'g.xdmf', '-o', 'g.vtu')
+            self.assertEqual(str(self.arrays('g.vtu', 'PointData', 'Net')), str(self.arrays('e.vtu', 'PointData', 'Net')))
         self.assertEqual(str(self.arrays('f.vtu', 'PointData', 'Net')), str(self.arrays('e.vtu', 'PointData', 'Net')))
 
     def test_a_map_may_be_named_json(self):

@@ -30,7 +30,7 @@ struct MeshLine {
 /// What a mesh file holds, as far as triangles and lines go.
 struct MeshFile {
   TriangleSoup soup;                ///< without materials where the format has groups alone
-  std::vector<CellArray> arrays;    ///< VTK, .msh: every numeric cell array with one component
+  std::vector<CellArray> arrays;    ///< VTK, .msh, .xdmf: every cell array of one number each
   std::vector<MeshLine> lines;      ///< not of .vtu and .inp
   std::vector<std::int64_t> group;  ///< per triangle: its physical group or element set; else empty
   std::map<std::int64_t, std::string> region_names;  ///< of groups, or of materials
@@ -42,8 +42,8 @@ struct MeshFile {
   /// Vertices that the run which wrote it put on segments of its input; 0 where that is not known:
   /// only a .vtu tells.
   std::size_t cut_vertices = 0;
-  /// VTK, .msh: numbers at points, as they are in `soup`, without those that every mesh of ours
-  /// has.
+  /// VTK, .msh, .xdmf: numbers at points, as they are in `soup`, without those that every mesh of
+  /// ours has.
   std::vector<PlaneField::Array> point_arrays{};
 };
 
@@ -61,8 +61,8 @@ Result<MeshFile> read_mesh(const std::string& path);
 /// returned, as far as files keep it; see rebuild(). A .vtkhdf holds all of it. Else names,
 /// interfaces and markers come from the manifest (.json) beside it, else from the .vtm beside it,
 /// else from the file itself. So do attributes of regions and values at points, words of attributes
-/// not from a lone .vtu or .msh. What is missing then is said in the report's notes, and that
-/// midpoints of second-order triangles were left out.
+/// not from a lone .vtu, .msh or .xdmf. What is missing then is said in the report's notes, and
+/// that midpoints of second-order triangles were left out.
 ///
 /// Errors: those of read_mesh(); syntax also where the manifest is of another mesh.
 Result<Output> read_output(const std::string& path);

@@ -119,9 +119,9 @@ Status write_vtk(const Output& output, const std::string& path, const WriteOptio
 /// Errors: bad_option for periodic sides in parts
 Status write_msh(const Output& output, const std::string& path, const WriteOptions& options = {});
 
-/// Writes XDMF: the grids `mesh` (MaterialID, RegionId, GroupID) and `lines` (LineID, Marker), with
-/// all numbers in the XML, or with options.xdmf `hdf5` in X.h5 beside X.xdmf, which large meshes
-/// want. With options.ids, GroupID comes first, which is what dolfinx takes.
+/// Writes XDMF: grids `mesh` (MaterialID, RegionId, GroupID, attributes and fields as write_vtu())
+/// and `lines` (LineID, Marker), with all numbers in the XML, or with options.xdmf `hdf5` in X.h5
+/// beside X.xdmf, for large meshes. With options.ids, GroupID comes first: dolfinx takes that.
 Status write_xdmf(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes Medit's format; references are materials, or with options.ids these, and the numbers of

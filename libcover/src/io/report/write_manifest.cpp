@@ -14,8 +14,8 @@
 // QUALITY, "gamma_opt", "bound_held" } ], "lines": [ { "id" (0: the hull), "kind", "name", "left",
 // "right", "group": tag, "length", "edges": [[a, b], ...] with the left region on the left,
 // "markers": [of the input, by edge] where there are any, "groups": [tags, by edge] instead of
-// "group" where they differ } ], "attributes": [ { "name": of the array in .vtu, .vtm, .vtkhdf and
-// .msh, "original" if it is not that, "words": of text, what the numbers of the array mean, from 1
+// "group" where they differ } ], "attributes": [ { "name": of the array in VTK's files, .msh and
+// .xdmf, "original" if it is not that, "words": of text, what the numbers of the array mean, from 1
 // on, "values": [by region; null: none] } ] where there are any, "fields": [ { "name": of the array
 // at points, "original" } ] where there are any, "periodic": [ { "from", "to": names, "map":
 // "translation", "rotation" or "mirror", "matrix": [[xx, xy, x0], [yx, yy, y0]], which takes "from"

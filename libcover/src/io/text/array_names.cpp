@@ -10,9 +10,9 @@ namespace cover {
 namespace {
 
 constexpr std::string_view kOwnArrays[] = {
-    "material",     "MaterialID",   "max_angle",    "mat_id",   "RegionId",  "min_angle",
-    "LineID",       "LeftRegion",   "RightRegion",  "LineKind", "marker",    "GlobalNodeId",
-    "PeriodicNode", "vtkGhostType", "GlobalCellId", "Owner",    "ManifoldID"};
+    "material",     "MaterialID",   "max_angle",    "mat_id",   "RegionId",   "min_angle",
+    "LineID",       "LeftRegion",   "RightRegion",  "LineKind", "marker",     "GlobalNodeId",
+    "PeriodicNode", "vtkGhostType", "GlobalCellId", "Owner",    "ManifoldID", "GroupID"};
 
 }  // namespace
 

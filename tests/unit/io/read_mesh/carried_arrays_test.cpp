@@ -16,6 +16,7 @@
 
 #include "support/temporary_folder.hpp"
 #include "support/written_mesh.hpp"
+#include "unit/io/write_mesh/written_text.hpp"
 
 namespace cover {
 namespace {
@@ -40,7 +41,7 @@ Output device_with_arrays() {
   }
   for (std::size_t v = 0; v < output.mesh.vertices(); ++v)
     values.push_back(v == 0 ? kNone : -1e15 / (1 + static_cast<double>(v)));
-  output.table.attributes = {{"N\xc3\xa4he & use", true, {"W\xc3\xa4lder", "b <c>"}, words},
+  output.table.attributes = {{"N\xc3\xa4he: x & use", true, {"W\xc3\xa4lder", "b <c>"}, words},
                              {"RegionId", false, {}, heights}};  // a name that is taken
   output.fields = {{"Net/1e17", values}, {"Boron", values}};
   return output;
@@ -56,9 +57,12 @@ struct Case {
 TEST(CarriedArrays, ComeBackFromEveryFormatThatBearsThem) {
   const Output output = device_with_arrays();
   for (const int order : {1, 2}) {
-    for (const Case& c : {Case{"x.vtu", true}, Case{"x.vtu", false, false}, Case{"x.vtm"},
-                          Case{"x.vtm", true}, Case{"x.vtkhdf"}, Case{"x.msh", true},
-                          Case{"x.msh", false, false}, Case{"x.msh", true, true, {.msh = "4.1"}}}) {
+    for (const Case& c :
+         {Case{"x.vtu", true}, Case{"x.vtu", false, false}, Case{"x.vtm"}, Case{"x.vtm", true},
+          Case{"x.vtkhdf"}, Case{"x.msh", true}, Case{"x.msh", false, false},
+          Case{"x.msh", true, true, {.msh = "4.1"}}, Case{"x.xdmf", true},
+          Case{"x.xdmf", false, false}, Case{"x.xdmf", true, true, {.xdmf = "hdf5"}},
+          Case{"x.xdmf", false, false, {.xdmf = "hdf5"}}}) {
       SCOPED_TRACE(c.file + (c.manifest ? " with a manifest " : " alone ") + std::to_string(order));
       const testing::TemporaryFolder folder;
       const std::string path = folder.path() / c.file;
@@ -127,6 +131,31 @@ TEST(CarriedArrays, WhatIsLeftOutIsTold) {
   EXPECT_EQ(told[0], "arrays of triangles that differ within a region are left out: error");
   ASSERT_EQ(stored.attributes.size(), 2U);
   EXPECT_FALSE(stored.attributes[0].is_text) << "there is no seventh word";
+}
+
+TEST(CarriedArrays, BrokenOnesOfXdmfAreRefused) {
+  const testing::TemporaryFolder folder;
+  const std::string path = folder.path() / "x.xdmf";
+  const auto said_of = [&](const std::string& xdmf, std::string from, const std::string& to) {
+    EXPECT_TRUE(write_mesh(device_with_arrays(), path, {.xdmf = xdmf}));
+    std::string text = testing::content(path);
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, text.npos) << from;
+    (void)folder.write("x.xdmf", text.replace(at, from.size(), to));
+    const Result<Output> back = read_output(path);
+    return back ? std::string() : back.error().message;
+  };
+  EXPECT_EQ(said_of("hdf5", "mesh/attribute_1<", "mesh/attribute_1<"), "");
+  EXPECT_NE(said_of("hdf5", "mesh/attribute_2<", "mesh/attribute_1<").find("two arrays"),
+            std::string::npos);
+  EXPECT_NE(said_of("hdf5", "mesh/attribute_1<", "mesh/field_1<").find("wrong size"),
+            std::string::npos);
+  EXPECT_NE(said_of("hdf5", "mesh/attribute_1<", "mesh/none<").find("no numbers"),
+            std::string::npos);
+  EXPECT_NE(said_of("text", "Center=\"Node\"", "Center=\"Cell\"").find("wrong size"),
+            std::string::npos);
+  EXPECT_EQ(said_of("text", "Scalar\" Center=\"Node\"", "Vector\" Center=\"Node\""), "")
+      << "passed over";
 }
 
 TEST(CarriedArrays, AreCheckedBeforeTheyAreTaken) {

@@ -2,7 +2,9 @@
 // left alone from the start: it crashes on broken files. Tested by
 // tests/unit/vtk/read_output_test.cpp.
 #include <filesystem>
+#include <limits>
 #include <memory>
+#include <set>
 #include <type_traits>
 #include <utility>
 
@@ -11,6 +13,7 @@
 #include "io/hdf5/parse_hdf5.hpp"
 #include "io/read_mesh/mesh_collector.hpp"
 #include "io/read_mesh/mesh_formats.hpp"
+#include "io/text/array_names.hpp"
 #include "io/text/text.hpp"
 #include "io/text/token_reader.hpp"
 #include "io/text/xml_tree.hpp"
@@ -44,19 +47,26 @@ class XdmfReader {
     return {ErrorCode::unsupported_format, fmt::format("{}: {}", path_, what), {}, {}};
   }
 
-  /// All numbers of the item inside `parent`. `Number` is long or double.
-  template <class Number>
-  Result<std::vector<Number>> numbers_in(const XmlElement* parent) {
+  /// Which numbers an array may hold: values are finite or none (NaN), and may be stored whole.
+  enum class Kind { whole, coordinates, values };
+
+  /// All numbers of the item inside `parent`.
+  template <Kind kKind>
+  auto numbers_in(const XmlElement* parent)
+      -> Result<std::vector<std::conditional_t<kKind == Kind::whole, long, double>>> {
     const XmlElement* item = parent == nullptr ? nullptr : parent->child("DataItem");
     if (item == nullptr) return wrong("a data item is missing");
-    if (item->value("Format") == "HDF") return heavy_numbers<Number>(item->text);
+    if (item->value("Format") == "HDF") return heavy_numbers<kKind>(item->text);
     if (item->value("Format") != "XML")
       return unsupported("numbers are read from the XML or from HDF5 beside it");
     TokenReader tokens(item->text, path_);
-    std::vector<Number> numbers;
+    std::vector<std::conditional_t<kKind == Kind::whole, long, double>> numbers;
     // The number of items is not known before: a word that is none ends it.
     while (!tokens.failed() && !tokens.at_end()) {
-      if constexpr (std::is_same_v<Number, double>) {
+      if constexpr (kKind == Kind::values) {
+        numbers.push_back(
+            parse_double(tokens.word()).value_or(std::numeric_limits<double>::quiet_NaN()));
+      } else if constexpr (kKind == Kind::coordinates) {
         numbers.push_back(tokens.real("a coordinate"));
       } else {
         numbers.push_back(tokens.integer("an integer"));
@@ -67,8 +77,10 @@ class XdmfReader {
   }
 
   /// The numbers of `place`, as "X.h5:/mesh/topology".
-  template <class Number>
-  Result<std::vector<Number>> heavy_numbers(std::string_view place) {
+  template <Kind kKind>
+  auto heavy_numbers(std::string_view place)
+      -> Result<std::vector<std::conditional_t<kKind == Kind::whole, long, double>>> {
+    using Number = std::conditional_t<kKind == Kind::whole, long, double>;
     const std::size_t colon = place.rfind(':');
     if (colon == place.npos) return wrong("an item in HDF5 names no array");
     const std::string file(place.substr(0, colon));
@@ -81,7 +93,8 @@ class XdmfReader {
     const Hdf5Value& value = found->second.value;
     return with_type(value.type, [&](auto number) -> Result<std::vector<Number>> {
       using Stored = decltype(number);
-      if constexpr (std::is_floating_point_v<Stored> != std::is_floating_point_v<Number>) {
+      if constexpr (kKind != Kind::values &&
+                    std::is_floating_point_v<Stored> != std::is_floating_point_v<Number>) {
         return wrong(fmt::format("{} holds numbers of another kind", place));
       } else {
         const NumberView<Stored> stored(value.bytes.data(), value.bytes.size() / sizeof(Stored));
@@ -110,7 +123,7 @@ class XdmfReader {
   }
 
   Status read_triangles(const XmlElement& grid) {
-    auto coordinates = numbers_in<double>(grid.child("Geometry"));
+    auto coordinates = numbers_in<Kind::coordinates>(grid.child("Geometry"));
     if (!coordinates) return std::move(coordinates).error();
     for (std::size_t k = 0; k + 1 < coordinates->size(); k += 2)
       collector_.mesh.soup.points.push_back({(*coordinates)[k], (*coordinates)[k + 1]});
@@ -123,21 +136,47 @@ class XdmfReader {
                                        {"GroupID", &collector_.mesh.group}}) {
       const XmlElement* array = grid.child("Attribute", name);
       if (array == nullptr) continue;
-      auto numbers = numbers_in<long>(array);
+      auto numbers = numbers_in<Kind::whole>(array);
       if (!numbers) return std::move(numbers).error();
       if (numbers->size() != cells->size()) return wrong(fmt::format("{}: wrong size", name));
       values->assign(numbers->begin(), numbers->end());
     }
     collector_.mesh.region_names = names_of(grid);
+    return read_arrays(grid);
+  }
+
+  /// Numbers of triangles and points that are not our own.
+  Status read_arrays(const XmlElement& grid) {
+    MeshFile& mesh = collector_.mesh;
+    std::set<std::string_view> places;
+    for (const XmlElement& array : grid.children) {
+      const std::string_view name = array.value("Name"), type = array.value("AttributeType");
+      if (array.name != "Attribute" || name.empty() || is_own_array(name)) continue;
+      if (!type.empty() && type != "Scalar") continue;
+      const bool of_points = array.value("Center") == "Node";
+      if (!of_points && array.value("Center") != "Cell") continue;
+      // Else a small file could name a large array a thousand times.
+      const XmlElement* item = array.child("DataItem");
+      if (item != nullptr && item->value("Format") == "HDF" && !places.insert(item->text).second)
+        return wrong(fmt::format("two arrays are '{}'", legible(item->text)));
+      auto values = numbers_in<Kind::values>(&array);
+      if (!values) return std::move(values).error();
+      if (values->size() != (of_points ? mesh.soup.points.size() : mesh.soup.triangles.size()))
+        return wrong(fmt::format("{}: wrong size", legible(name)));
+      if (of_points)
+        mesh.point_arrays.push_back({std::string(name), *std::move(values)});
+      else
+        mesh.arrays.push_back({std::string(name), *std::move(values)});
+    }
     return ok();
   }
 
   Status read_lines(const XmlElement& grid) {
     const auto cells = cells_of(grid, 2);
     if (!cells) return cells.error();
-    auto groups = numbers_in<long>(grid.child("Attribute", "LineID"));
+    auto groups = numbers_in<Kind::whole>(grid.child("Attribute", "LineID"));
     if (!groups) return std::move(groups).error();
-    auto markers = numbers_in<long>(grid.child("Attribute", "Marker"));
+    auto markers = numbers_in<Kind::whole>(grid.child("Attribute", "Marker"));
     if (!markers) return std::move(markers).error();
     if (groups->size() != cells->size() || markers->size() != cells->size())
       return wrong("arrays of lines have the wrong size");
@@ -151,7 +190,7 @@ class XdmfReader {
   Result<std::vector<std::vector<std::uint32_t>>> cells_of(const XmlElement& grid,
                                                            std::size_t corners) {
     const XmlElement* topology = grid.child("Topology");
-    const auto nodes = numbers_in<long>(topology);
+    const auto nodes = numbers_in<Kind::whole>(topology);
     if (!nodes) return nodes.error();
     const std::size_t each = topology->value("NodesPerElement") == std::to_string(corners)
                                  ? corners

@@ -3,10 +3,12 @@
 // edges from another; it takes the first attribute of each, and looks for X.h5 beside X.xdmf
 // whatever stands in the XML.
 //
-// Tested by tests/unit/io/write_mesh/solver_formats/write_xdmf_test.cpp and, in dolfinx, by
-// tests/solvers.
+// Tested by tests/unit/io/write_mesh/solver_formats/write_xdmf_test.cpp, with arrays of the input
+// by tests/unit/io/read_mesh/carried_arrays_test.cpp and, in dolfinx, by tests/solvers.
 #include <array>
 #include <filesystem>
+
+#include <fmt/core.h>
 
 #include <cover/mesh_view.hpp>
 #include <cover/text.hpp>
@@ -20,12 +22,27 @@ namespace cover {
 namespace {
 
 /// The arrays of a file.
-enum class Item { nodes, places, group, material, region, line_nodes, line_group, line_marker };
+struct Item {
+  enum Kind {
+    nodes,
+    places,
+    group,
+    material,
+    region,
+    line_nodes,
+    line_group,
+    line_marker,
+    attribute,  ///< the k-th of MeshView::attributes
+    field       ///< the k-th of MeshView::fields
+  };
+  Kind kind;
+  std::size_t k = 0;
+};
 
 /// The XML; where the numbers are, is for others to say.
 class XdmfWriter {
  public:
-  /// `view`: its lines and groups alone are looked at.
+  /// `view`: as XdmfSource::view.
   XdmfWriter(const MeshView& view, std::size_t points, std::size_t triangles,
              std::size_t nodes_each, TextWriter& out)
       : view_(view), points_(points), triangles_(triangles), nodes_each_(nodes_each), out_(out) {}
@@ -37,18 +54,22 @@ class XdmfWriter {
     out_ << "<?xml version=\"1.0\"?>\n<!DOCTYPE Xdmf SYSTEM \"Xdmf.dtd\" []>\n"
             "<Xdmf Version=\"3.0\">\n<Domain>\n";
     begin_grid("mesh", nodes_each_ == 6 ? "Triangle_6" : "Triangle", triangles_, nodes_each_,
-               Item::nodes);
+               {Item::nodes});
     // dolfinx takes the first.
     const bool groups_first = view_.has_ids;
-    if (groups_first) attribute("GroupID", triangles_, Item::group);
-    attribute("MaterialID", triangles_, Item::material);
-    attribute("RegionId", triangles_, Item::region);
-    if (!groups_first) attribute("GroupID", triangles_, Item::group);
+    if (groups_first) attribute("GroupID", triangles_, {Item::group});
+    attribute("MaterialID", triangles_, {Item::material});
+    attribute("RegionId", triangles_, {Item::region});
+    if (!groups_first) attribute("GroupID", triangles_, {Item::group});
+    for (std::size_t k = 0; k < view_.attributes.size(); ++k)
+      attribute(view_.attributes[k].name, triangles_, {Item::attribute, k});
+    for (std::size_t k = 0; k < view_.fields.size(); ++k)
+      attribute(view_.fields[k].name, points_, {Item::field, k});
     end_grid(view_.region_groups);
     const std::size_t lines = view_.lines.size(), each = view_.lines.nodes_each;
-    begin_grid("lines", each == 3 ? "Edge_3" : "PolyLine", lines, each, Item::line_nodes);
-    attribute("LineID", lines, Item::line_group);
-    attribute("Marker", lines, Item::line_marker);
+    begin_grid("lines", each == 3 ? "Edge_3" : "PolyLine", lines, each, {Item::line_nodes});
+    attribute("LineID", lines, {Item::line_group});
+    attribute("Marker", lines, {Item::line_marker});
     end_grid(view_.line_groups);
     out_ << "</Domain>\n</Xdmf>\n";
   }
@@ -62,6 +83,16 @@ class XdmfWriter {
   TextWriter& out() { return out_; }
   [[nodiscard]] const MeshView& view() const { return view_; }
 
+  /// Numbers of words are whole, as are those of groups.
+  [[nodiscard]] bool is_real(Item item) const {
+    return item.kind == Item::places || item.kind == Item::field ||
+           (item.kind == Item::attribute && !view_.attributes[item.k].is_text);
+  }
+  /// What a triangle has of an attribute.
+  [[nodiscard]] double of_triangle(const Attribute& attribute, std::size_t t) const {
+    return attribute.values[view_.region[t].index() - 1];
+  }
+
  private:
   void begin_grid(std::string_view name, std::string_view type, std::size_t cells, std::size_t each,
                   Item nodes) {
@@ -69,7 +100,7 @@ class XdmfWriter {
          << "\" NumberOfElements=\"" << cells << "\" NodesPerElement=\"" << each << "\">\n";
     numbers(nodes, cells, each, "Int");
     out_ << "</Topology>\n<Geometry GeometryType=\"XY\">\n";
-    numbers(Item::places, points_, 2, "Float");
+    numbers({Item::places}, points_, 2, "Float");
     out_ << "</Geometry>\n";
   }
 
@@ -81,9 +112,10 @@ class XdmfWriter {
     out_ << "</Grid>\n";
   }
 
-  void attribute(std::string_view name, std::size_t cells, Item item) {
-    out_ << "<Attribute Name=\"" << name << "\" AttributeType=\"Scalar\" Center=\"Cell\">\n";
-    numbers(item, cells, 1, "Int");
+  void attribute(std::string_view name, std::size_t rows, Item item) {
+    out_ << "<Attribute Name=\"" << escaped_markup(name) << "\" AttributeType=\"Scalar\" Center=\""
+         << (item.kind == Item::field ? "Node" : "Cell") << "\">\n";
+    numbers(item, rows, 1, is_real(item) ? "Float" : "Int");
     out_ << "</Attribute>\n";
   }
 
@@ -114,7 +146,7 @@ class InlineXdmf final : public XdmfWriter {
   void content(Item item, std::size_t rows, std::size_t) override {
     const MeshView& mesh = view();
     out() << '\n';
-    switch (item) {
+    switch (item.kind) {
       case Item::nodes:
         return nodes(mesh.triangles);
       case Item::line_nodes:
@@ -132,6 +164,10 @@ class InlineXdmf final : public XdmfWriter {
         return values(rows, [&](std::size_t l) { return mesh.group_of_line(l).tag; });
       case Item::line_marker:
         return values(rows, [&](std::size_t l) { return mesh.marker[l]; });
+      case Item::attribute:
+        return values(rows, [&](std::size_t t) { return of_triangle(mesh.attributes[item.k], t); });
+      case Item::field:
+        return values(rows, [&](std::size_t p) { return mesh.fields[item.k].values[p]; });
     }
   }
 
@@ -151,7 +187,7 @@ class InlineXdmf final : public XdmfWriter {
 class HeavyXdmf final : public XdmfWriter {
  public:
   HeavyXdmf(const XdmfSource& source, std::string file, TextWriter& out)
-      : XdmfWriter(source.lines, source.points, source.triangles, source.nodes_each, out),
+      : XdmfWriter(source.view, source.points, source.triangles, source.nodes_each, out),
         source_(source),
         file_(std::move(file)) {
     content_.groups = {"/mesh", "/lines"};
@@ -162,12 +198,23 @@ class HeavyXdmf final : public XdmfWriter {
 
  private:
   struct Place {
-    const char* path;
+    std::string path;
     NumberType type;
   };
 
-  static Place place_of(Item item) {
-    constexpr std::array<Place, 8> kPlaces{{{"/mesh/topology", NumberType::int64},
+  /// Arrays of the input are numbered: in the name of an array in HDF5 a colon, say, would end the
+  /// name of the file.
+  [[nodiscard]] Place place_of(Item item) const {
+    if (item.kind == Item::field)
+      return {fmt::format("/mesh/field_{}", item.k + 1), NumberType::float64};
+    if (item.kind == Item::attribute)
+      return {fmt::format("/mesh/attribute_{}", item.k + 1),
+              is_real(item) ? NumberType::float64 : NumberType::int32};
+    struct Known {
+      const char* path;
+      NumberType type;
+    };
+    constexpr std::array<Known, 8> kPlaces{{{"/mesh/topology", NumberType::int64},
                                             {"/mesh/geometry", NumberType::float64},
                                             {"/mesh/GroupID", NumberType::int32},
                                             {"/mesh/MaterialID", NumberType::int32},
@@ -175,7 +222,8 @@ class HeavyXdmf final : public XdmfWriter {
                                             {"/lines/topology", NumberType::int64},
                                             {"/lines/LineID", NumberType::int32},
                                             {"/lines/Marker", NumberType::int32}}};
-    return kPlaces[static_cast<std::size_t>(item)];
+    const Known& known = kPlaces[static_cast<std::size_t>(item.kind)];
+    return {known.path, known.type};
   }
 
   [[nodiscard]] std::string attributes(Item item) const override {
@@ -185,8 +233,8 @@ class HeavyXdmf final : public XdmfWriter {
   void content(Item item, std::size_t rows, std::size_t columns) override {
     const Place place = place_of(item);
     out() << escaped_markup(file_) << ':' << place.path;
-    if (item == Item::places && has_places_) return;  // both grids have the same
-    has_places_ = has_places_ || item == Item::places;
+    if (item.kind == Item::places && has_places_) return;  // both grids have the same
+    has_places_ = has_places_ || item.kind == Item::places;
     content_.numbers.push_back({place.path, place.type, {rows, columns}, writer_of(item)});
   }
 
@@ -198,7 +246,7 @@ class HeavyXdmf final : public XdmfWriter {
           out.put(static_cast<std::int32_t>(value(l)));
       };
     };
-    switch (item) {
+    switch (item.kind) {
       case Item::nodes:
         return source_.nodes;
       case Item::places:
@@ -213,11 +261,28 @@ class HeavyXdmf final : public XdmfWriter {
         return of_lines([&lines](std::size_t l) { return lines.group_of_line(l).tag; });
       case Item::line_marker:
         return of_lines([&lines](std::size_t l) { return lines.marker[l]; });
+      case Item::attribute:
+        return attribute(lines.attributes[item.k]);
+      case Item::field:
+        return [&values = lines.fields[item.k].values](BinaryWriter& out) {
+          for (const double value : values) out.put(value);
+        };
       case Item::line_nodes:
         break;
     }
     return [&lines](BinaryWriter& out) {
       for (const std::uint32_t node : lines.lines.nodes) out.put(static_cast<std::int64_t>(node));
+    };
+  }
+
+  [[nodiscard]] ArrayWriter attribute(const Attribute& of) const {
+    return [this, &of](BinaryWriter& out) {
+      for (std::size_t t = 0; t < source_.triangles; ++t) {
+        if (of.is_text)
+          out.put(static_cast<std::int32_t>(of_triangle(of, t)));
+        else
+          out.put(of_triangle(of, t));
+      }
     };
   }
 

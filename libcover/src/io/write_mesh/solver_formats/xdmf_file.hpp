@@ -14,7 +14,8 @@ namespace cover {
 
 /// What stands in the files; all of it is referred to.
 struct XdmfSource {
-  const MeshView& lines;  ///< its lines and groups alone are looked at
+  /// Its lines, groups, attributes and fields alone are looked at, and with attributes the regions.
+  const MeshView& view;
   std::size_t points = 0, triangles = 0;
   std::size_t nodes_each = 3;
   ArrayWriter places;                   ///< x and y of each point, Float64
