@@ -89,6 +89,7 @@ bool cut(Network& network, const EdgeGraph& graph) {
     segments.push_back({network.points[v], network.points[v]});
   }
   const Subdivision cuts = subdivide_and_snap(segments, graph.passes > 0);
+  if (cuts.crowd) throw RoundingCascade(*cuts.crowd, true);
   if (cuts.path.size() == 2 * segments.size()) return false;
 
   PointPool pool;

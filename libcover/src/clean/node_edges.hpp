@@ -27,16 +27,21 @@ struct EdgeGraph {
 };
 
 /// Thrown where rounded crossings make further ones, far more than the lines had: beside 0, where
-/// doubles are as fine as nowhere else, that goes on for as long as doubles get finer. Becomes the
-/// error coordinate_out_of_range (make_pslg).
+/// doubles are as fine as nowhere else, that goes on for as long as doubles get finer; or where a
+/// `crowd` of lines lies within rounding of each other. Becomes the error coordinate_out_of_range
+/// (make_pslg).
 class RoundingCascade : public std::runtime_error {
  public:
-  explicit RoundingCascade(Point where)
-      : std::runtime_error("rounded crossings make further ones"), where_(where) {}
+  explicit RoundingCascade(Point where, bool is_crowd = false)
+      : std::runtime_error("rounded crossings make further ones"),
+        where_(where),
+        is_crowd_(is_crowd) {}
   [[nodiscard]] Point where() const { return where_; }
+  [[nodiscard]] bool is_crowd() const { return is_crowd_; }
 
  private:
   Point where_;
+  bool is_crowd_;
 };
 
 /// Sorts the strands of `network` by edge; makes no triangulation.

@@ -137,11 +137,25 @@ bool is_empty(const Input& input) {
   return input.segments.empty() && input.polygons.empty() && input.lines.empty();
 }
 
+/// The error where many lines are one but for rounding.
+Error crowd(const Input& input, const Options& options, Point where) {
+  const bool is_welded = options.weld.value_or(input.polygons.empty() ? 0 : kAutoWeld) > 0;
+  return {ErrorCode::coordinate_out_of_range,
+          fmt::format("{}: near {} so many lines lie within rounding of each other that their "
+                      "pieces cannot be told apart; {}",
+                      input.source, describe(where),
+                      is_welded ? "a larger --weld unites ends that are farther apart"
+                                : "--weld auto unites ends that miss each other by rounding"),
+          {where},
+          {}};
+}
+
 /// An error where lines cross again and again once they are rounded.
 Result<Pslg> clean_up_unless_endless(const Input& input, const Options& options, Report& report) {
   try {
     return clean_up(input, options, report);
   } catch (const RoundingCascade& cascade) {
+    if (cascade.is_crowd()) return crowd(input, options, cascade.where());
     return Error{
         ErrorCode::coordinate_out_of_range,
         fmt::format("{}: near {} lines lie so close together that their crossings, rounded "

@@ -21,6 +21,10 @@
 namespace cover {
 namespace {
 
+/// So often a line may be led through a node that it passes beside, for each line and in any case.
+constexpr std::size_t kLedPerLine = 1000;
+constexpr std::size_t kFewLed = 1'000'000;
+
 /// Two units in the last place of the larger coordinate.
 double reach_at(Point p) {
   const double size = std::max(std::abs(p.x), std::abs(p.y));
@@ -67,9 +71,13 @@ class Sweep {
   Sweep& operator=(const Sweep&) = delete;
 
   Subdivision run() {
+    const std::size_t most = kLedPerLine * lines_.size() + kFewLed;
     while (go_on()) {
       const Place above = take_out();
       put_back(above);
+      if (led_ <= most) continue;
+      out_.crowd = stop_at_.rounded();
+      break;
     }
     return finish();
   }
@@ -202,7 +210,10 @@ class Sweep {
       if (!(away <= 2 * reach)) return false;
       // So the node is nearer to the line than to its ends, and the line becomes shorter pieces.
       const bool is_near_end = is_within(s.a, at, 2 * reach) || is_within(s.b, at, 2 * reach);
-      if (away <= reach && !is_steep(s) && !is_near_end) visits_.emplace_back(line, node);
+      if (away <= reach && !is_steep(s) && !is_near_end) {
+        visits_.emplace_back(line, node);
+        ++led_;
+      }
       return true;
     };
     for (Place p = above; p != status_.end() && look(*p); ++p) {
@@ -296,6 +307,7 @@ class Sweep {
   std::map<Point, std::uint32_t> node_at_;  ///< only with snapping
   std::vector<bool> attracts_;              ///< by node: its neighbours were led through it
   std::vector<std::pair<std::uint32_t, std::uint32_t>> visits_;  ///< line and node
+  std::size_t led_ = 0;  ///< of these: led through a node beside the line
   Subdivision out_;
 };
 
@@ -307,10 +319,14 @@ Subdivision subdivide_and_snap(std::span<const PlainSegment> segments, bool to_e
   std::vector<PlainSegment> turned;
   turned.reserve(segments.size());
   for (const PlainSegment& s : segments) turned.push_back({swapped(s.a), swapped(s.b)});
-  const Subdivision flat = Sweep(segments, Snap::along_x, to_ends).run();
-  const Subdivision steep = Sweep(turned, Snap::along_y, to_ends).run();
-
   Subdivision out;
+  const Subdivision flat = Sweep(segments, Snap::along_x, to_ends).run();
+  if ((out.crowd = flat.crowd)) return out;
+  const Subdivision steep = Sweep(turned, Snap::along_y, to_ends).run();
+  if (steep.crowd) {
+    out.crowd = swapped(*steep.crowd);
+    return out;
+  }
   out.nodes = flat.nodes;
   for (const Point& p : steep.nodes) out.nodes.push_back(swapped(p));
   out.first.push_back(0);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,9 @@ struct Subdivision {
   std::vector<Point> nodes;         ///< in lexicographic order before they were rounded
   std::vector<std::uint32_t> path;  ///< nodes, segment by segment, each from its smaller end on
   std::vector<std::size_t> first;   ///< of segment s: path[first[s], first[s + 1])
+  /// Only by subdivide_and_snap(): at a place in the midst of so many lines within rounding of each
+  /// other that it gave up. Nothing else counts then.
+  std::optional<Point> crowd;
 
   [[nodiscard]] std::span<const std::uint32_t> path_of(std::size_t segment) const {
     return {path.data() + first[segment], first[segment + 1] - first[segment]};
@@ -48,7 +52,9 @@ Subdivision subdivide(std::span<const PlainSegment> segments);
 /// order; some may be on no path.
 /// ENSURES: as above; a path leads from one end of its segment to the other, also where a node on
 ///          it was rounded to a place beyond an end
-/// Cost:    twice that of subdivide, and the number of segments at each node
+/// Cost:    twice that of subdivide, and the number of segments at each node, of which a million
+///          and a thousand more for each segment are looked at: n lines within rounding of each
+///          other have up to n^2/2 nodes, each beside all of them. See Subdivision::crowd
 Subdivision subdivide_and_snap(std::span<const PlainSegment> segments, bool to_ends);
 
 }  // namespace cover

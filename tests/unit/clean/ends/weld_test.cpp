@@ -2,6 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdint>
+
+#include <cover/option_ranges.hpp>
+
+#include "base/random.hpp"
 #include "support/inputs.hpp"
 #include "support/soups.hpp"
 
@@ -32,6 +38,44 @@ TEST(Weld, ClosesGapsAndSlivers) {
   const auto out = clean(neighbours(1e-10));
   EXPECT_TRUE(out->tells("was moved by 1e-10 onto"));
   EXPECT_TRUE(out->tells("the edge of polygon 1 'left' from (1, 0) to (1, 1) was bent by"));
+}
+
+/// A triangle drawn hundreds of times, each time some units in the last place elsewhere.
+Input crowd() {
+  const std::array<Point, 3> corners{{{0.872, 0.848}, {0.852, 0.822}, {0.23, 0.536}}};
+  Input input;
+  for (const Point corner : corners) {
+    for (int k = 0; k < 49; ++k)
+      input.points.push_back({corner.x + (k % 7 - 3) * 0x1p-53, corner.y + (k / 7 - 3) * 0x1p-53});
+  }
+  Random random(5);
+  for (std::uint32_t k = 0; k < 850; ++k) {
+    const auto any = [&](std::uint32_t corner) {
+      return 49 * corner + static_cast<std::uint32_t>(random.below(49));
+    };
+    InputSegment segment;
+    segment.a = any(k % 3);
+    segment.b = any((k + 1) % 3);
+    segment.id = k;
+    input.segments.push_back(segment);
+  }
+  return input;
+}
+
+/// Cutting them at all that they pass made 8 million pieces and tens of thousands of regions.
+TEST(Weld, ACrowdOfLinesIsRefusedSoonOrBecomesOne) {
+  const auto out = clean(crowd());
+  ASSERT_FALSE(out);
+  EXPECT_EQ(out.error().code, ErrorCode::coordinate_out_of_range) << out.error().message;
+  EXPECT_NE(out.error().message.find("--weld auto unites"), std::string::npos)
+      << out.error().message;
+
+  Options options;
+  options.weld = kAutoWeld;
+  const auto welded = clean(crowd(), options);
+  ASSERT_TRUE(welded) << welded.error().message;
+  EXPECT_EQ(welded->pslg.points.size(), 3U);
+  EXPECT_EQ(welded->table.regions.size(), 1U);
 }
 
 /// A flat triangle in the seam of two rectangles, and one alone: wider than rounding, thinner than
