@@ -30,6 +30,10 @@ namespace {
 /// Strands after further passes, for each one after the first; and so many in any case.
 constexpr std::size_t kMostPieces = 8;
 constexpr std::size_t kFewPieces = 100'000;
+/// Strands of all further passes together, likewise: beside 0 a pass may make one crossing more for
+/// each one before, some thousand times.
+constexpr std::size_t kMostOfAll = 32;
+constexpr std::size_t kFewOfAll = 200'000;
 
 IndexPair ends(const Strand& s) { return {std::min(s.a, s.b), std::max(s.a, s.b)}; }
 
@@ -138,10 +142,15 @@ EdgeGraph index_edges(Network& network) {
 
 EdgeGraph node_edges(Network& network, bool may_be_clean) {
   EdgeGraph graph;
-  std::size_t most = network.strands.max_size();
+  std::size_t most = network.strands.max_size(), most_of_all = most, of_all = 0;
   for (;; ++graph.passes) {
-    if (graph.passes == 1) most = kMostPieces * network.strands.size() + kFewPieces;
-    if (network.strands.size() > most) throw RoundingCascade(network.points.back());
+    const std::size_t strands = network.strands.size();
+    if (graph.passes == 1) {
+      most = kMostPieces * strands + kFewPieces;
+      most_of_all = kMostOfAll * strands + kFewOfAll;
+    }
+    if (graph.passes > 0) of_all += strands;
+    if (strands > most || of_all > most_of_all) throw RoundingCascade(network.points.back());
     index_edges(network, graph);
     if (may_be_clean) {
       CdtResult cdt = triangulate_hull(network.points, graph.edges);

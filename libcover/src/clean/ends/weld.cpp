@@ -351,9 +351,8 @@ EdgeGraph weld_once(const Input& input, double tolerance, Network& network,
     EdgeGraph graph;
     try {
       graph = node_edges(noded);
-    } catch (const RoundingCascade& cascade) {
-      if (round >= kMostRounds || !cascade.is_crowd() ||
-          !weld_ends_alone(input, tolerance, kept, network, changes))
+    } catch (const RoundingCascade&) {
+      if (round >= kMostRounds || !weld_ends_alone(input, tolerance, kept, network, changes))
         throw;
       continue;
     }
