@@ -228,6 +228,12 @@ py::list described_read_options() {
   return rows;
 }
 
+py::list described_write_options() {
+  py::list rows;
+  for (const WriteOptionEntry& entry : write_option_table()) rows.append(describe(entry));
+  return rows;
+}
+
 std::string report_text(const PyMesh& mesh) {
   return mesh.report.empty() ? report_json(mesh.output) : mesh.report;
 }
@@ -307,6 +313,7 @@ PYBIND11_MODULE(_cover, module) {
 
   module.def("options", &described_options);
   module.def("read_options", &described_read_options);
+  module.def("write_options", &described_write_options);
   module.def(
       "mesh_pslg", [](const py::object& points, const py::object& segments, const py::list& regions,
                       const py::object& holes, const py::dict& lines, const py::dict& options,

@@ -5,6 +5,7 @@
 
 #include <cover/option_table.hpp>
 #include <cover/read_options.hpp>
+#include <cover/write_options.hpp>
 
 #include "raise.hpp"
 
@@ -136,19 +137,48 @@ class Value {
 };
 
 /// The option that a keyword names, and whether the keyword says the opposite of it.
+template <class Target>
 struct Named {
-  const OptionEntry* entry = nullptr;
+  const OptionOf<Target>* entry = nullptr;
   bool opposite = false;
+
+  /// In the table that `find` looks into. `lines=False` is `no_lines=True` where there is that one.
+  static Named in(const OptionOf<Target>* (*find)(std::string_view), const std::string& key) {
+    if (key.find('-') != std::string::npos) return {};
+    if (const OptionOf<Target>* entry = find(key)) return {entry};
+    const OptionOf<Target>* entry = find("no_" + key);
+    return {entry, entry != nullptr};
+  }
+
+  /// The values that it is given.
+  [[nodiscard]] std::vector<std::string> texts(const Value<Target>& argument,
+                                               const py::handle& value) const {
+    std::vector<std::string> all = argument.texts(value);
+    if (opposite)
+      for (std::string& text : all) text = text == "true" ? "false" : "true";
+    return all;
+  }
 };
 
-Named find_keyword(const std::string& key) {
+/// Sets what a keyword names in a table without rules between its options; false if it is not
+/// there.
+template <class Target>
+bool set_in(const OptionOf<Target>* (*find)(std::string_view), const std::string& key,
+            const py::handle& value, Target& options) {
+  const auto named = Named<Target>::in(find, key);
+  if (named.entry == nullptr) return false;
+  const Value<Target> argument(key, *named.entry);
+  for (const std::string& text : named.texts(argument, value)) {
+    if (const Status status = named.entry->set(*named.entry, text, options); !status)
+      argument.refuse(status.error());
+  }
+  return true;
+}
+
+Named<Options> find_keyword(const std::string& key) {
   if (key == "sizes" || key == "sizes_at")
     return {find_option(key == "sizes" ? "size" : "size-at")};
-  if (key.find('-') != std::string::npos) return {};
-  if (const OptionEntry* entry = find_option(key)) return {entry};
-  // input_sizes=False is no_input_sizes=True.
-  const OptionEntry* entry = find_option("no_" + key);
-  return {entry, entry != nullptr};
+  return Named<Options>::in(find_option, key);
 }
 
 }  // namespace
@@ -157,12 +187,11 @@ Options options_from(const py::dict& keywords) {
   OptionReader reader;
   for (const auto& [name, value] : keywords) {
     const std::string key = py::str(name);
-    const Named named = find_keyword(key);
+    const Named<Options> named = find_keyword(key);
     if (named.entry == nullptr) throw py::type_error("unexpected option '" + key + "'");
     const Value<Options> argument(key, *named.entry);
     if (value.ptr() == Py_False && !named.entry->alone.empty()) continue;
-    for (std::string& text : argument.texts(value)) {
-      if (named.opposite) text = text == "true" ? "false" : "true";
+    for (const std::string& text : named.texts(argument, value)) {
       if (Status status = reader.set(*named.entry, text); !status) argument.refuse(status.error());
     }
   }
@@ -176,16 +205,7 @@ ReadOptions take_read_options(py::dict& keywords) {
   py::dict rest;
   for (const auto& [name, value] : keywords) {
     const std::string key = py::str(name);
-    const ReadOptionEntry* entry =
-        key.find('-') == std::string::npos ? find_read_option(key) : nullptr;
-    if (entry == nullptr) {
-      rest[name] = value;
-      continue;
-    }
-    const Value<ReadOptions> argument(key, *entry);
-    for (const std::string& text : argument.texts(value))
-      if (const Status status = entry->set(*entry, text, options); !status)
-        argument.refuse(status.error());
+    if (!set_in(find_read_option, key, value, options)) rest[name] = value;
   }
   keywords = rest;
   return options;
@@ -195,23 +215,8 @@ WriteOptions write_options_from(const py::dict& keywords) {
   WriteOptions options;
   for (const auto& [name, value] : keywords) {
     const std::string key = py::str(name);
-    if (key == "order") {
-      options.order = value.cast<int>();
-    } else if (key == "inner_lines") {
-      options.inner_lines = value.cast<bool>();
-    } else if (key == "lines") {
-      options.lines = value.cast<bool>();
-    } else if (key == "msh") {
-      options.msh = py::str(value);
-    } else if (key == "xdmf") {
-      options.xdmf = py::str(value);
-    } else if (key == "ids") {
-      options.ids = py::str(value);
-    } else if (key == "inp_element") {
-      options.inp_element = py::str(value);
-    } else {
+    if (!set_in(find_write_option, key, value, options))
       throw py::type_error("unexpected option '" + key + "'");
-    }
   }
   return options;
 }

@@ -5,7 +5,7 @@
 
 #include <cover/options.hpp>
 #include <cover/read_options.hpp>
-#include <cover/write_mesh.hpp>
+#include <cover/write_options.hpp>
 
 namespace cover::python {
 
@@ -20,7 +20,7 @@ Options options_from(const pybind11::dict& keywords);
 /// Takes the options of read_option_table() out of `keywords`. Raises: as options_from()
 ReadOptions take_read_options(pybind11::dict& keywords);
 
-/// What a file should hold. Raises: TypeError
+/// The options of write_option_table(). Raises: as options_from()
 WriteOptions write_options_from(const pybind11::dict& keywords);
 
 }  // namespace cover::python

@@ -113,7 +113,7 @@ class Names(Case):
             labels[ids] = len({row.split()[3] for row in rows if len(row.split()) == 4})
         self.assertEqual(labels, {'region': 6, 'material': 1, 'name': 6})
         _, err = self.run_cover('mesh', 'coils.json', '-o', 'm.mesh', '--ids', 'colour', code=2)
-        self.assertIn('ids are region, material or name, not colour', err)
+        self.assertIn("--ids: 'colour' is not one of region, material, name", err)
 
 
 class Values(Case):

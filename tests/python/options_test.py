@@ -20,6 +20,7 @@ GEOMETRY = {'polygons': [{'material': 'Si', 'rings': [[[0, 0], [4, 0], [4, 2], [
                       {'name': 'right', 'points': [[4, 0], [4, 2], [4, 3]]}]}
 TABLE = cover.options()
 READ_TABLE = cover.read_options()
+WRITE_TABLE = cover.write_options()
 # Background sizes of 1 everywhere.
 FIELD = '''# vtk DataFile Version 3.0
 sizes
@@ -252,6 +253,75 @@ class Reading(Options):
         made = [cover.mesh_file(self.device, window=form).report['options']['window']
                 for form in ('0,0,0.5,0.5', (0, 0, 0.5, 0.5), [0, 0, '0.5', 0.5])]
         self.assertEqual(made, ['0,0,0.5,0.5'] * 3)
+
+
+class Writing(Options):
+    """Options that say what a file holds: of the program's commands that write meshes, and of Mesh.save()."""
+
+    # A format in which each counts, and a value.
+    VALUES = {'order': ('.msh', '2'), 'msh': ('.msh', '4.1'), 'xdmf': ('.xdmf', 'hdf5'), 'parts': ('.pvtu', '2'),
+              'no-inner-lines': ('.msh', 'true'), 'lines': ('.vtk', 'true'), 'ids': ('.ele', 'region'),
+              'inp-element': ('.inp', 'CAX')}
+
+    def setUp(self):
+        super().setUp()
+        (self.dir / 'd.json').write_text(json.dumps(GEOMETRY))
+
+    def files(self, name):
+        """What a run has written as NAME, by the names of files without NAME; NAME is gone afterwards."""
+        found = {}
+        for path in sorted(p for p in self.dir.rglob('*') if p.is_file() and p.relative_to(self.dir).parts[0].startswith(f'{name}.')):
+            found[str(path.relative_to(self.dir)).replace(name, '')] = path.read_bytes().replace(name.encode(), b'')
+            path.unlink()
+        return found
+
+    def test_documents(self):
+        manual = (ROOT / 'apps/cover/cover.1').read_text().replace('\\-', '-')
+        for command in 'mesh', 'convert':
+            told = self.run_cover(command, '--help')[0]
+            for row in WRITE_TABLE:
+                self.assertRegex(told, rf'--{row["name"]}\b')
+                self.assertIn(f'--{row["name"]}', manual)
+
+    def test_default(self):
+        printed = self.run_cover('mesh', '--print-config')[0]
+        for row in WRITE_TABLE:
+            self.assertRegex(printed, rf'(?m)^# {row["name"]}=.*{row["default"]}')
+
+    def test_the_same_everywhere(self):
+        self.assertEqual(set(self.VALUES), {row['name'] for row in WRITE_TABLE})
+        mesh = cover.mesh_file(self.dir / 'd.json')
+        for row in WRITE_TABLE:
+            name, (extension, text) = row['name'], self.VALUES[row['name']]
+            with self.subTest(name):
+                self.run_cover('mesh', 'd.json', '-q', '-o', f'plain{extension}')
+                plain = self.files('plain')
+                flag = row['kind'] == 'flag'
+                self.run_cover('mesh', 'd.json', '-q', '-o', f'flags{extension}', f'--{name}' if flag else f'--{name}={text}')
+                flags = self.files('flags')
+                self.assertNotEqual(plain, flags)
+                (self.dir / 'settings.toml').write_text(f'{name}={text}\n' if flag else f'{name}="{text}"\n')
+                self.run_cover('mesh', 'd.json', '-q', '-o', f'job{extension}', '--config', 'settings.toml')
+                self.assertEqual(flags, self.files('job'))
+                mesh.save(self.dir / f'python{extension}', **{name.replace('-', '_'): python_value(row, text)})
+                self.assertEqual(sorted(flags), sorted(self.files('python')))
+
+    def test_ranges(self):
+        mesh = cover.mesh_file(self.dir / 'd.json')
+        for row in WRITE_TABLE:
+            for value in beyond(row) + ([] if not row['words'] else ['nothing']):
+                error = self.run_cover('mesh', 'd.json', '-o', 'd.msh', f'--{row["name"]}={value}', code=2)[1]
+                with self.assertRaises(cover.OptionError) as caught:
+                    mesh.save(self.dir / 'd.msh', **{row['name'].replace('-', '_'): value})
+                self.assertIn(str(caught.exception).split(': ')[1], error)
+
+    def test_words(self):
+        mesh = cover.mesh_file(self.dir / 'd.json')
+        for keywords in dict(order='two'), dict(lines=3):
+            with self.assertRaises((cover.OptionError, TypeError)):
+                mesh.save(self.dir / 'd.msh', **keywords)
+        with self.assertRaises(TypeError):
+            mesh.save(self.dir / 'd.msh', method='almond')
 
 
 class Keywords(unittest.TestCase):

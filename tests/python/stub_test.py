@@ -20,7 +20,8 @@ RING = [(0, 1), (1, 2), (2, 3), (3, 0)]
 
 # Keywords beside those of the table.
 MORE = {'sizes', 'sizes_at', 'input_sizes'}
-WRITE_OPTIONS = dict(order=2, inner_lines=False, lines=False, msh='4.1', xdmf='hdf5', ids='region', inp_element='CPS')
+WRITE_OPTIONS = dict(order=2, inner_lines=False, no_inner_lines=True, lines=False, msh='4.1', xdmf='hdf5', ids='region',
+                     inp_element='CPS', parts=1)
 
 
 def keys(name):
@@ -62,6 +63,7 @@ class Stub(unittest.TestCase):
 
     def test_options_of_files(self):
         self.assertEqual(keys('_WriteOptions'), set(WRITE_OPTIONS))
+        self.assertEqual(keys('_WriteOptions'), {'inner_lines'} | {row['name'].replace('-', '_') for row in cover.write_options()})
         mesh = cover.mesh(SQUARE, RING)
         with tempfile.TemporaryDirectory() as folder:
             for name, value in WRITE_OPTIONS.items():

@@ -1,24 +1,24 @@
 // The options that say what some formats leave open, shared by all commands that write meshes.
 #pragma once
 
-#include <string>
+#include <deque>
 
 #include <CLI/CLI.hpp>
 
-#include <cover/write_mesh.hpp>
+#include <cover/write_options.hpp>
+
+#include "commands/options.hpp"
 
 namespace cover::app {
 
-/// --order, --msh, --xdmf, --parts, --no-inner-lines, --lines, --ids, --inp-element. Their values
-/// are checked, with the file they are meant for, by can_write().
+/// Those of write_option_table(). Whether a file has what they ask for is told by can_write().
 class FormatOptions {
  public:
-  void add(CLI::App& command, const std::string& group);
+  void add(CLI::App& command, const char* group);
   [[nodiscard]] WriteOptions make() const;
 
  private:
-  WriteOptions options_;
-  bool no_inner_lines_ = false;
+  std::deque<WrittenOption<WriteOptions>> written_;  ///< which CLI11 points into
 };
 
 }  // namespace cover::app

@@ -214,6 +214,7 @@ std::vector<std::string> WrittenOption<Target>::texts() const {
 
 template struct WrittenOption<Options>;
 template struct WrittenOption<ReadOptions>;
+template struct WrittenOption<WriteOptions>;
 
 void LibraryOptions::add(CLI::App& command, OptionGroup group) {
   for (const OptionEntry& entry : option_table()) {

@@ -11,6 +11,7 @@
 #include <cover/option_table.hpp>
 #include <cover/read_options.hpp>
 #include <cover/result.hpp>
+#include <cover/write_options.hpp>
 
 #include "commands/commands.hpp"
 #include "files/file_check.hpp"

@@ -35,11 +35,11 @@ class Cancelled(Error):
     """The progress callback returned False."""
 
 
-from ._cover import Mesh, __version__, options as _options, read_options as _read_options  # noqa: E402
+from ._cover import Mesh, __version__, options as _options, read_options as _read_options, write_options as _write_options  # noqa: E402
 from ._cover import mesh_file as _mesh_file, mesh_polygons as _mesh_polygons, mesh_pslg as _mesh_pslg, mesh_text as _mesh_text  # noqa: E402
 
 __all__ = ["Cancelled", "Error", "Mesh", "OptionError", "OutOfMemory", "mesh", "mesh_file", "mesh_polygons", "options",
-           "read_options"]
+           "read_options", "write_options"]
 
 
 def options():
@@ -50,6 +50,11 @@ def options():
 def read_options():
     """The table of what mesh_file() takes beside options(): how a file is to be read."""
     return _read_options()
+
+
+def write_options():
+    """The table of what Mesh.save() takes: what a file holds where its format leaves a choice."""
+    return _write_options()
 
 
 def mesh(points, segments, regions=(), holes=(), *, lines=None, progress=None, **options):

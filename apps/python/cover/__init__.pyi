@@ -6,7 +6,7 @@ import numpy.typing as npt
 from typing_extensions import Unpack
 
 __all__ = ["Cancelled", "Error", "Mesh", "OptionError", "OutOfMemory", "mesh", "mesh_file", "mesh_polygons", "options",
-           "read_options"]
+           "read_options", "write_options"]
 
 __version__: str
 
@@ -75,11 +75,13 @@ class _FileOptions(_Options, _ReadOptions, total=False): ...
 class _WriteOptions(TypedDict, total=False):
     order: Literal[1, 2]
     inner_lines: bool
+    no_inner_lines: bool
     lines: bool
     msh: Literal["2.2", "4.1"]
     xdmf: Literal["text", "hdf5"]
     ids: Literal["region", "material", "name"]
     inp_element: Literal["S", "CPS", "CPE", "CAX"]
+    parts: int
 
 class _Line(TypedDict):
     left: int
@@ -144,6 +146,7 @@ def mesh_polygons(
 ) -> Mesh: ...
 def options() -> list[dict[str, Any]]: ...
 def read_options() -> list[dict[str, Any]]: ...
+def write_options() -> list[dict[str, Any]]: ...
 def mesh_file(
     path: Union[str, os.PathLike[str]],
     *,

@@ -19,7 +19,7 @@ struct Range {
   }
 };
 
-/// Those of the members of Options and ReadOptions; angles in degrees.
+/// Those of the members of Options, ReadOptions and WriteOptions; angles in degrees.
 namespace ranges {
 inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 inline constexpr Range kAll{-kNoLimit, kNoLimit};
@@ -36,6 +36,8 @@ inline constexpr Range kThreads{0, 4096};
 inline constexpr Range kScale{0, kNoLimit, false, false};
 inline constexpr Range kChordError{0, kNoLimit, false, false};
 inline constexpr Range kChordAngle{0, 120, false, true};
+inline constexpr Range kOrder{1, 2};
+inline constexpr Range kParts{1, 100000};
 }  // namespace ranges
 
 /// "above 60 and below 180", "at least 0 and below 1", "above 1".

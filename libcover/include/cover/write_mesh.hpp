@@ -4,34 +4,14 @@
 // behind is removed when its file is written again.
 #pragma once
 
-#include <stop_token>
 #include <string>
 #include <vector>
 
 #include <cover/output.hpp>
 #include <cover/result.hpp>
+#include <cover/write_options.hpp>
 
 namespace cover {
-
-/// Files of a mesh in parts.
-inline constexpr int kMostParts = 100000;
-
-/// What a file should hold where its format leaves a choice.
-struct WriteOptions {
-  int order = 1;              ///< 2: second-order triangles, a node in the middle of each edge
-  bool inner_lines = true;    ///< false: leave out lines that have a triangle on both sides
-  bool lines = false;         ///< .vtk: line cells after the triangles
-  std::string msh = "2.2";    ///< .msh: version, 2.2 or 4.1
-  std::string xdmf = "text";  ///< .xdmf: numbers as text inside, or `hdf5`: in X.h5 beside it
-  /// The numbers that solvers know triangles by: `region`: RegionId; `material`; `name`: of the
-  /// group of equal name and material. Empty: the group in .msh, the material elsewhere. The array
-  /// `material` is the material always. See the formats; not in .vtu, .vtm, .vtkhdf.
-  std::string ids = {};
-  std::string inp_element = "S";  ///< .inp: S, CPS, CPE or CAX; the number of nodes is appended
-  int parts =
-      1;  ///< .pvtu, .msh 4.1: into how many the mesh is divided, from 1 to kMostParts (500)
-  std::stop_token stop = {};  ///< ends the writing with `cancelled`; all is as it was then
-};
 
 /// Writes `output` in the format that the extension of `path` names. See write_formats().
 ///

@@ -9,9 +9,11 @@
 #include <algorithm>
 #include <charconv>
 #include <optional>
+#include <span>
 #include <type_traits>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cover/option_table.hpp>
 #include <cover/text.hpp>
@@ -51,12 +53,47 @@ Result<std::size_t> word_of(const OptionOf<Target>& row, std::string_view text) 
   return bad_option(not_one_of(text, std::vector<std::string>(words.begin(), words.end())));
 }
 
-/// Why a value that `range` does not hold is refused; `name` is that of the member.
+/// The name of the row as that of a member.
 template <class Target>
-Error out_of_range(const OptionOf<Target>& row, const std::string& value) {
+std::string keyword_of(const OptionOf<Target>& row) {
   std::string name(row.name);
   std::replace(name.begin(), name.end(), '-', '_');
-  return bad_option(fmt::format("{} is {}, but must be {}", name, value, describe(row.range)));
+  return name;
+}
+
+/// Why a value that `range` does not hold is refused.
+template <class Target>
+Error out_of_range(const OptionOf<Target>& row, const std::string& value) {
+  return bad_option(
+      fmt::format("{} is {}, but must be {}", keyword_of(row), value, describe(row.range)));
+}
+
+/// The row of that name, in which '_' counts as '-'; nullptr if there is none.
+template <class Target>
+const OptionOf<Target>* find_in(std::span<const OptionOf<Target>> table, std::string_view name) {
+  const auto same = [](char a, char b) { return a == (b == '_' ? '-' : b); };
+  for (const OptionOf<Target>& row : table) {
+    if (std::equal(row.name.begin(), row.name.end(), name.begin(), name.end(), same)) return &row;
+  }
+  return nullptr;
+}
+
+/// What counts unless another value is given, as it would be written; several with commas.
+template <class Target>
+std::string default_of(const OptionOf<Target>& row) {
+  return fmt::format("{}", fmt::join(row.get(row, Target()), ","));
+}
+
+/// Whether all values are in the ranges of their rows.
+///
+/// Errors: bad_option
+template <class Target>
+Status check_all(std::span<const OptionOf<Target>> table, const Target& target) {
+  for (const OptionOf<Target>& row : table) {
+    if (row.check == nullptr) continue;
+    if (Status status = row.check(row, target); !status) return status;
+  }
+  return ok();
 }
 
 template <auto Member>
@@ -120,6 +157,29 @@ constexpr auto word(OptionOf<TargetOf<Member>> row) {
   };
   row.get = [](const Row& self, const TargetOf<Member>& target) {
     return std::vector{std::string(self.words()[static_cast<std::size_t>(target.*Member)])};
+  };
+  return row;
+}
+
+/// One of a few words, as text; what the member is at first may be none of them.
+template <auto Member>
+constexpr auto named(OptionOf<TargetOf<Member>> row) {
+  using Row = OptionOf<TargetOf<Member>>;
+  row.kind = OptionKind::word;
+  row.set = [](const Row& self, std::string_view text, TargetOf<Member>& target) -> Status {
+    const Result<std::size_t> found = word_of(self, text);
+    if (!found) return found.error();
+    target.*Member = text;
+    return ok();
+  };
+  row.get = [](const Row&, const TargetOf<Member>& target) {
+    return (target.*Member).empty() ? std::vector<std::string>() : std::vector{target.*Member};
+  };
+  row.check = [](const Row& self, const TargetOf<Member>& target) -> Status {
+    const std::string& name = target.*Member;
+    if (name == TargetOf<Member>().*Member || word_of(self, name)) return ok();
+    return bad_option(fmt::format("{} is '{}', which is not one of {}", keyword_of(self), name,
+                                  fmt::join(self.words(), ", ")));
   };
   return row;
 }

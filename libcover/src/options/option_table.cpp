@@ -497,17 +497,10 @@ constexpr OptionEntry kTable[] = {
 std::span<const OptionEntry> option_table() { return kTable; }
 
 const OptionEntry* find_option(std::string_view name) {
-  const auto same = [](char a, char b) { return a == (b == '_' ? '-' : b); };
-  for (const OptionEntry& entry : kTable) {
-    if (std::equal(entry.name.begin(), entry.name.end(), name.begin(), name.end(), same))
-      return &entry;
-  }
-  return nullptr;
+  return option_kinds::find_in<Options>(kTable, name);
 }
 
-std::string default_text(const OptionEntry& entry) {
-  return fmt::format("{}", fmt::join(entry.get(entry, Options()), ","));
-}
+std::string default_text(const OptionEntry& entry) { return option_kinds::default_of(entry); }
 
 std::vector<Provenance::Setting> describe_options(const Options& options) {
   std::vector<Provenance::Setting> settings;
@@ -537,11 +530,7 @@ Status check_options(const Options& options) {
   if (!options.layers.empty() && options.hull)
     return bad_option(
         "layers lie along lines of the input, and sides of a hull are none: not with hull");
-  for (const OptionEntry& entry : kTable) {
-    if (entry.check == nullptr) continue;
-    if (Status status = entry.check(entry, options); !status) return status;
-  }
-  return ok();
+  return option_kinds::check_all<Options>(kTable, options);
 }
 
 std::string describe(const Range& range) {

@@ -5,8 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include <fmt/ranges.h>
-
 #include "options/option_kinds.hpp"
 
 namespace cover {
@@ -14,6 +12,7 @@ namespace {
 
 using option_kinds::bad_option;
 using option_kinds::flag;
+using option_kinds::named;
 using option_kinds::number;
 using option_kinds::parse;
 using option_kinds::text;
@@ -25,20 +24,6 @@ constexpr ReadOptionEntry format_name(ReadOptionEntry row) {
   row.set = [](const ReadOptionEntry&, std::string_view value, ReadOptions& options) -> Status {
     if (value.empty() || value == ".") return bad_option("an extension is needed, as gds");
     options.format = value.front() == '.' ? std::string(value) : "." + std::string(value);
-    return ok();
-  };
-  return row;
-}
-
-/// One of a few words, or none.
-constexpr ReadOptionEntry unit_name(ReadOptionEntry row) {
-  row = text<&ReadOptions::unit>(row);
-  row.kind = OptionKind::word;
-  row.set = [](const ReadOptionEntry& self, std::string_view value,
-               ReadOptions& options) -> Status {
-    const Result<std::size_t> found = option_kinds::word_of(self, value);
-    if (!found) return found.error();
-    options.unit = value;
     return ok();
   };
   return row;
@@ -102,7 +87,7 @@ bool is_picture(const ReadOptions& o) {
 
 // clang-format off
 constexpr ReadOptionEntry kReadTable[] = {
-    unit_name({
+    named<&ReadOptions::unit>({
         .name = "unit", .placeholder = "UNIT",
         .word_list = {"nm", "um", "mm", "cm", "m"},
         .help = "What the coordinates mean, for reports: nm, um, mm, cm, m"}),
@@ -199,17 +184,10 @@ constexpr ReadOptionEntry kReadTable[] = {
 std::span<const ReadOptionEntry> read_option_table() { return kReadTable; }
 
 const ReadOptionEntry* find_read_option(std::string_view name) {
-  const auto same = [](char a, char b) { return a == (b == '_' ? '-' : b); };
-  for (const ReadOptionEntry& entry : kReadTable) {
-    if (std::equal(entry.name.begin(), entry.name.end(), name.begin(), name.end(), same))
-      return &entry;
-  }
-  return nullptr;
+  return option_kinds::find_in<ReadOptions>(kReadTable, name);
 }
 
-std::string default_text(const ReadOptionEntry& entry) {
-  return fmt::format("{}", fmt::join(entry.get(entry, ReadOptions()), ","));
-}
+std::string default_text(const ReadOptionEntry& entry) { return option_kinds::default_of(entry); }
 
 std::vector<Provenance::Setting> describe_read_options(const ReadOptions& options) {
   std::vector<Provenance::Setting> settings;
@@ -223,11 +201,7 @@ std::vector<Provenance::Setting> describe_read_options(const ReadOptions& option
 }
 
 Status check_read_options(const ReadOptions& options) {
-  for (const ReadOptionEntry& entry : kReadTable) {
-    if (entry.check == nullptr) continue;
-    if (Status status = entry.check(entry, options); !status) return status;
-  }
-  return ok();
+  return option_kinds::check_all<ReadOptions>(kReadTable, options);
 }
 
 }  // namespace cover

@@ -95,7 +95,7 @@ TEST(WritePvtu, LeavesNothingOfWhatItReplaces) {
 }
 
 TEST(WritePvtu, RefusesPartsThatAreNone) {
-  for (const int parts : {0, -1, kMostParts + 1})
+  for (const int parts : {0, -1, static_cast<int>(ranges::kParts.high) + 1})
     EXPECT_FALSE(can_write("x.pvtu", WriteOptions{.parts = parts}));
   EXPECT_FALSE(can_write("x.vtu", WriteOptions{.parts = 2}));
   EXPECT_TRUE(can_write("x.vtu", {}));

@@ -64,25 +64,6 @@ Result<Format> format_of(const std::string& path) {
 
 Status bad(std::string message) { return Error{ErrorCode::bad_option, std::move(message), {}, {}}; }
 
-/// Whether the options make sense in any format.
-Status check(const WriteOptions& options) {
-  if (options.order != 1 && options.order != 2)
-    return bad(fmt::format("triangles are of order 1 or 2, not {}", options.order));
-  if (options.msh != "2.2" && options.msh != "4.1")
-    return bad(fmt::format("the version of .msh is 2.2 or 4.1, not {}", options.msh));
-  if (options.xdmf != "text" && options.xdmf != "hdf5")
-    return bad(fmt::format("the numbers of .xdmf are text or hdf5, not {}", options.xdmf));
-  if (options.parts < 1 || options.parts > kMostParts)
-    return bad(fmt::format("parts are 1 to {}, not {}", kMostParts, options.parts));
-  constexpr std::array kFamilies{"S", "CPS", "CPE", "CAX"};
-  if (std::find(kFamilies.begin(), kFamilies.end(), options.inp_element) == kFamilies.end())
-    return bad(fmt::format("elements of .inp are S, CPS, CPE or CAX, not {}", options.inp_element));
-  constexpr std::array kIds{"", "region", "material", "name"};
-  if (std::find(kIds.begin(), kIds.end(), options.ids) == kIds.end())
-    return bad(fmt::format("ids are region, material or name, not {}", options.ids));
-  return ok();
-}
-
 /// Whether there are so many parts.
 Status check_parts(const Format& format, const std::string& path, const WriteOptions& options) {
   constexpr int kMostOpen = 500;  // all are open until the last one is on the disk
@@ -108,7 +89,7 @@ Status can_write(const std::string& path, const WriteOptions& options) {
   return memory_as_value(path, [&]() -> Status {
     const Result<Format> format = format_of(path);
     if (!format) return format.error();
-    if (Status status = check(options); !status) return status;
+    if (Status status = check_write_options(options); !status) return status;
     if (options.order == 2 && !format->second_order)
       return bad(fmt::format("cannot write '{}': {} has no second-order triangles", path,
                              format->extension));

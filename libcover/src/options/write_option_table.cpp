@@ -1,0 +1,64 @@
+// Tested by tests/unit/options/write_option_table_test.cpp.
+#include <cover/write_options.hpp>
+
+#include "options/option_kinds.hpp"
+
+namespace cover {
+namespace {
+
+using option_kinds::flag;
+using option_kinds::named;
+using option_kinds::whole;
+
+// clang-format off
+constexpr WriteOptionEntry kWriteTable[] = {
+    whole<&WriteOptions::order>({
+        .name = "order", .placeholder = "1|2",
+        .range = ranges::kOrder,
+        .help = "2: triangles with six nodes"}),
+    named<&WriteOptions::msh>({
+        .name = "msh", .placeholder = "VERSION",
+        .word_list = {"2.2", "4.1"},
+        .help = "Version of .msh: 2.2 or 4.1"}),
+    named<&WriteOptions::xdmf>({
+        .name = "xdmf", .placeholder = "FORM",
+        .word_list = {"text", "hdf5"},
+        .help = "Numbers of .xdmf: text inside, or hdf5, in X.h5 beside X.xdmf, for large meshes"}),
+    whole<&WriteOptions::parts>({
+        .name = "parts", .placeholder = "N",
+        .range = ranges::kParts,
+        .help = "Parts of a .pvtu, with ghosts, owners and global ids, for as many processes; or of "
+                "a .msh 4.1, as X_1.msh, X_2.msh, ..."}),
+    flag<&WriteOptions::inner_lines, false>({
+        .name = "no-inner-lines",
+        .help = "Leave out lines between two triangles"}),
+    flag<&WriteOptions::lines>({
+        .name = "lines",
+        .help = "Lines in .vtk too, as deal.II wants them"}),
+    named<&WriteOptions::ids>({
+        .name = "ids", .placeholder = "WHAT",
+        .word_list = {"region", "material", "name"},
+        .help = "Numbers of triangles for solvers: region, material or name; unless given, "
+                "name in .msh, else material"}),
+    named<&WriteOptions::inp_element>({
+        .name = "inp-element", .placeholder = "KIND",
+        .word_list = {"S", "CPS", "CPE", "CAX"},
+        .help = "Elements of .inp: S, CPS, CPE or CAX"}),
+};
+// clang-format on
+
+}  // namespace
+
+std::span<const WriteOptionEntry> write_option_table() { return kWriteTable; }
+
+const WriteOptionEntry* find_write_option(std::string_view name) {
+  return option_kinds::find_in<WriteOptions>(kWriteTable, name);
+}
+
+std::string default_text(const WriteOptionEntry& entry) { return option_kinds::default_of(entry); }
+
+Status check_write_options(const WriteOptions& options) {
+  return option_kinds::check_all<WriteOptions>(kWriteTable, options);
+}
+
+}  // namespace cover
