@@ -288,11 +288,23 @@ RegionMesh mesh_with_its_layers(const RegionBoundary& boundary, const Options& o
     return options.method == Method::quality ? with_couplings_mended(boundary, options, stop, mesh)
                                              : mesh;
   }
-  const auto mesh_rest = [&](const RegionBoundary& rest) {
-    KnownProof of_rest;
-    return mesh_region(rest, options, stop, team, of_rest);
+  const auto layered = [&](const Options& for_rest) {
+    const auto mesh_rest = [&](const RegionBoundary& rest) {
+      KnownProof of_rest;
+      return mesh_region(rest, for_rest, stop, team, of_rest);
+    };
+    return mesh_with_layers(boundary, for_rest, mesh_rest, stop);
   };
-  RegionMesh mesh = mesh_with_layers(boundary, options, mesh_rest, stop);
+  RegionMesh mesh = layered(options);
+  const auto negative = [](const RegionMesh& m) { return m.report.box.negative_inside; };
+  if (minds_couplings(options) && negative(mesh) > 0 && options.effort != Effort::fast &&
+      !stop.stop_requested()) {
+    // Where many rows end in one vertex, a coarser rest may leave the flips that a finer one blocks.
+    Options coarser = options;
+    coarser.effort = Effort::fast;
+    if (RegionMesh other = layered(coarser); negative(other) < negative(mesh))
+      mesh = std::move(other);
+  }
   if (mesh.layer_triangles > 0 && options.method == Method::quality && !stop.stop_requested())
     report_again(boundary, options, false, mesh);
   return mesh;
