@@ -299,7 +299,7 @@ RegionMesh mesh_with_its_layers(const RegionBoundary& boundary, const Options& o
   const auto negative = [](const RegionMesh& m) { return m.report.box.negative_inside; };
   if (minds_couplings(options) && negative(mesh) > 0 && options.effort != Effort::fast &&
       !stop.stop_requested()) {
-    // Where many rows end in one vertex, a coarser rest may leave the flips that a finer one blocks.
+    // Where many rows end in one vertex, a coarser rest may leave flips that a finer one blocks.
     Options coarser = options;
     coarser.effort = Effort::fast;
     if (RegionMesh other = layered(coarser); negative(other) < negative(mesh))
