@@ -86,6 +86,7 @@ void log_notes(spdlog::logger& log, std::span<const Note> notes) {
   show(Note::Kind::below_resolution, "places below the resolution of doubles", "");
   show(Note::Kind::bound_missed, "missed bounds", "");
   show(Note::Kind::cut, "cuts", "", spdlog::level::debug);  // the text report has them
+  show(Note::Kind::box_cut, "cuts for the box method", "", spdlog::level::debug);
   show(Note::Kind::fallback, "remarks on methods", "", spdlog::level::info);
   show(Note::Kind::target_missed, "missed targets", "", spdlog::level::info);
   show(Note::Kind::repair, "repairs", "", spdlog::level::debug);

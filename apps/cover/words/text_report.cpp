@@ -160,7 +160,8 @@ std::string totals(const Output& output, const MeshCounts& counts) {
                   cuts > 0 ? fmt::format(", {} of them on segments", grouped(cuts)) : "",
                   plural(report.regions.size(), "region"));
   for (const Note& note : report.notes) {
-    if (note.kind == Note::Kind::cut) out += printable(note.message) + '\n';
+    if (note.kind == Note::Kind::cut || note.kind == Note::Kind::box_cut)
+      out += printable(note.message) + '\n';
   }
   for (const PeriodicNodes& nodes : output.periodic) {
     out += fmt::format("Periodic        {:>7}  pairs of vertices on '{}' and '{}'\n",

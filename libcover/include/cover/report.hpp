@@ -26,6 +26,7 @@ struct Note {
     warning,           ///< near miss, tiny gap, ...
     change,            ///< the input was changed: split, welded, dropped, merged
     cut,               ///< segments were cut, as Options::split_interfaces asks; at all places
+    box_cut,           ///< the same, as Options::box_method asks
   };
   Kind kind = Kind::warning;
   RegionId region;      ///< kVoid: the whole input

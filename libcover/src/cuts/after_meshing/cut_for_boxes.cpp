@@ -43,9 +43,7 @@ void warn_of_stuck(const std::vector<Point>& stuck, std::vector<Note>& notes) {
 }
 
 void tell_cuts(Report& report) {
-  std::erase_if(report.notes, [](const Note& note) {
-    return note.kind == Note::Kind::cut && note.message.ends_with("for --box-method");
-  });
+  std::erase_if(report.notes, [](const Note& note) { return note.kind == Note::Kind::box_cut; });
   if (report.box_cuts.empty()) return;
   std::map<BoxCut::Reason, std::size_t> by;
   std::vector<Point> where;
@@ -54,7 +52,7 @@ void tell_cuts(Report& report) {
     where.push_back(cut.at);
   }
   report.notes.push_back(
-      {Note::Kind::cut, kVoid,
+      {Note::Kind::box_cut, kVoid,
        fmt::format("{} added on segments ({} where points of the input encroach them, {} where "
                    "such cuts do, {} where angles need it) for --box-method",
                    counted(where.size(), "point"), by[BoxCut::Reason::encroached],

@@ -235,9 +235,7 @@ bool loses_a_bound(const std::vector<RegionMesh>& before, const std::vector<Regi
 /// What cuts are there now, and what went.
 void tell(const Pslg& pslg, std::size_t first, std::size_t before, std::size_t after,
           const Options& options, Report& report) {
-  std::erase_if(report.notes, [](const Note& note) {
-    return note.kind == Note::Kind::cut && !note.message.ends_with("for --box-method");
-  });
+  std::erase_if(report.notes, [](const Note& note) { return note.kind == Note::Kind::cut; });
   std::vector<Point> where(pslg.points.begin() + static_cast<std::ptrdiff_t>(first),
                            pslg.points.end());
   std::vector<Point> sorted = where;

@@ -89,6 +89,8 @@ const char* name_of(Note::Kind kind) {
       return "change";
     case Note::Kind::cut:
       return "cut";
+    case Note::Kind::box_cut:
+      return "box_cut";
   }
   return "";
 }

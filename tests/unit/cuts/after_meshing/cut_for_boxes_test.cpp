@@ -60,6 +60,10 @@ TEST(CutForBoxes, AHalfDiscIsCutForItsAngles) {
   EXPECT_EQ(testing::violations(output), "");
   ASSERT_FALSE(output.report.box_cuts.empty());
   EXPECT_LT(output.report.quality.largest_nu.supplement().in_degrees(), 130);
+  const auto told = [](const Note& note) { return note.kind == Note::Kind::box_cut; };
+  const auto note = std::find_if(output.report.notes.begin(), output.report.notes.end(), told);
+  ASSERT_NE(note, output.report.notes.end());
+  EXPECT_EQ(note->where.size(), output.report.box_cuts.size());
 }
 
 TEST(CutForBoxes, IsRefusedByNameWhereItCannotBe) {
