@@ -352,8 +352,7 @@ EdgeGraph weld_once(const Input& input, double tolerance, Network& network,
     try {
       graph = node_edges(noded);
     } catch (const RoundingCascade&) {
-      if (round >= kMostRounds || !weld_ends_alone(input, tolerance, kept, network, changes))
-        throw;
+      if (round >= kMostRounds || !weld_ends_alone(input, tolerance, kept, network, changes)) throw;
       continue;
     }
     const std::vector<double> limit = limits(network, tolerance);
