@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include <cover/judged_angle.hpp>
+
 namespace cover::app {
 namespace {
 
@@ -66,7 +68,7 @@ std::vector<std::string> unmet_requirements(const Output& output, const Options&
   const std::string limit =
       fmt::format("max-angle (no angle above {:g} degrees)", options.max_angle.in_degrees());
   add(require.max_angle, limit.c_str(), [&](const RegionReport& r) {
-    return r.quality.largest_nu.in_radians() <
+    return judged_nu(r.quality).in_radians() <
            options.max_angle.supplement().in_radians() - kRounding;
   });
   add(require.delaunay, "delaunay (no inner edge fails the empty-circle test)",

@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include <cover/curved_mesh.hpp>
+#include <cover/judged_angle.hpp>
 #include <cover/option_ranges.hpp>
 #include <cover/verify.hpp>
 
@@ -121,7 +122,7 @@ Misses misses_of(const std::vector<RegionReport>& regions, double nu_target) {
   constexpr double kSame = 0.9999;  // of 180 degrees less the angle: equal to the digits shown
   Misses misses;
   for (const RegionReport& region : regions) {
-    const double nu = region.quality.largest_nu.in_radians();
+    const double nu = judged_nu(region.quality).in_radians();
     const double lowest = lowest_nu(region).in_radians();
     if (nu >= nu_target) continue;
     ++(lowest >= nu_target ? misses.open : nu >= kSame * lowest ? misses.best : misses.forced);

@@ -54,8 +54,8 @@ struct Quality {
   std::size_t triangles = 0;
   Angle largest_nu = Angle::degrees(180);  ///< pi - largest angle
   Angle smallest = Angle::degrees(180);    ///< smallest angle
-  /// Triangles above 90 degrees by more than 1e-9 radians, and by more than what rounding the
-  /// coordinates of their corners can make.
+  /// Triangles above 90 degrees by more than what rounding the coordinates of their own corners can
+  /// make: 4 units in the last place of the largest over the shortest edge, in radians.
   std::size_t obtuse = 0;
   std::size_t obtuse_by_rounding = 0;  ///< those above 90 degrees exactly, but by no more
   std::size_t above_120 = 0;
@@ -67,7 +67,7 @@ struct Quality {
 
 /// What the box method (finite volumes) will meet.
 struct BoxMethod {
-  std::size_t obtuse_sides = 0;        ///< sides with an obtuse opposite angle, by 1e-9 radians
+  std::size_t obtuse_sides = 0;        ///< sides with an obtuse opposite angle, as `obtuse` is
   std::size_t non_delaunay_edges = 0;  ///< inner edges with a + b > pi, by 1e-9
   /// cot a + cot b < 0 inside, cot a < 0 at sides: the exact signs. Those at sides that a vertex
   /// of the boundary encroaches cannot be helped without cuts.

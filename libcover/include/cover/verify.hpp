@@ -65,7 +65,7 @@ struct Verification {
   /// signs, inner edges first. A side is encroached if a point of the PSLG encroaches it.
   std::vector<NegativeCoupling> negative_couplings;
   std::size_t obtuse = 0;  ///< with box_method: triangles with an angle above 90 degrees, exactly
-  std::size_t obtuse_by_rounding = 0;  ///< those of them whose coordinates' rounding can be why
+  std::size_t obtuse_by_rounding = 0;  ///< those of them that Quality::obtuse does not count
 };
 
 /// The mesh of a run as plain arrays.

@@ -27,7 +27,7 @@ struct LayersFound {
   double thickness = 0;  ///< of the most rows
   std::size_t triangles = 0;
   Angle largest;             ///< angle in these triangles
-  std::size_t above_90 = 0;  ///< triangles, by more than 1e-9 radians
+  std::size_t above_90 = 0;  ///< obtuse triangles, as Quality::obtuse counts them
   std::size_t negative = 0;  ///< edges of rows with a negative coupling in the region
 };
 

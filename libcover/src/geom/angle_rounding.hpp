@@ -1,17 +1,17 @@
 // What coordinates in doubles can do to an angle, and what is obtuse nevertheless.
+// The one definition of obtuse: docs/nonobtuse_method.md says why it is this one.
+// Tested by tests/unit/geom/angle_rounding_test.cpp.
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "geom/predicates.hpp"
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
-
-/// Radians: angles so near to a right one are as good as right. Feet of perpendiculars are so up to
-/// rounding only, and no solver can tell.
-inline constexpr double kAsGoodAsRight = 1e-9;
 
 /// What rounding a triangle's corners to double can change in its angles, in radians: a few units
 /// in the last place of the largest coordinate over the shortest edge.
@@ -24,20 +24,25 @@ inline double angle_rounding(Point a, Point b, Point c, double largest_coordinat
 /// How the largest angle of a triangle compares with 90 degrees.
 enum class Blunt {
   no,           ///< at most 90 degrees, exactly
-  by_rounding,  ///< above, by no more than 1e-9 radians or what rounding of corners can make
+  by_rounding,  ///< above, by no more than what rounding of its own corners can make
   yes,          ///< above by more: what is called obtuse
 };
 
-/// How the angle at `apex`, the largest one of the triangle, compares.
+/// How the angle at `apex`, the largest one of the triangle, compares. Nothing but its corners
+/// counts, so that a triangle is judged alike in a region, in the whole mesh and read from a file.
+/// The order of `p` and `q` does not matter.
 /// EXACT: whether it is Blunt::no
-inline Blunt bluntness(Point p, Point apex, Point q, double largest_coordinate) {
-  const double area = std::abs(cross(p - apex, q - apex));
-  const double beyond = -dot(p - apex, q - apex);  // above zero: obtuse
-  if (beyond > kAsGoodAsRight * area)
-    return beyond > area * angle_rounding(apex, p, q, largest_coordinate) ? Blunt::yes
-                                                                          : Blunt::by_rounding;
-  if (beyond < -kAsGoodAsRight * area) return Blunt::no;
-  return compare_with_90_degrees(p, apex, q) == Sign::positive ? Blunt::by_rounding : Blunt::no;
+inline Blunt bluntness(Point p, Point apex, Point q) {
+  if (compare_with_90_degrees(p, apex, q) != Sign::positive) return Blunt::no;
+  const Vector u = p - apex, v = q - apex;
+  const std::array<Point, 3> corners{p, apex, q};
+  const double allowed = angle_rounding(p, apex, q, largest_coordinate(corners));
+  return -dot(u, v) > std::abs(cross(u, v)) * allowed ? Blunt::yes : Blunt::by_rounding;
+}
+
+/// The same of the largest angle of the triangle, wherever that is.
+inline Blunt bluntness_of(Point a, Point b, Point c) {
+  return std::max({bluntness(c, a, b), bluntness(a, b, c), bluntness(b, c, a)});
 }
 
 }  // namespace cover

@@ -25,8 +25,9 @@ namespace cover {
 namespace {
 
 constexpr double kCotangentOf150 = -std::numbers::sqrt3;
-/// Of cotangents: how far below zero they are counted.
-constexpr double kRightAngle = kAsGoodAsRight;
+/// In cotangents: from here on doubles tell that an angle is acute, or obtuse.
+constexpr double kNearRight = 1e-9;
+constexpr std::size_t kUpToRight = 8;  ///< the bin of 80 to 90 degrees
 /// Spacings of doubles: a triangle that is no higher than that cannot be divided.
 constexpr double kNoRoom = 64;
 
@@ -70,8 +71,8 @@ BinLimits bin_limits() {
   for (std::size_t k = 0; k < 17; ++k) {
     limits[k] = 1 / std::tan(Angle::degrees(10.0 * static_cast<double>(k + 1)).in_radians());
   }
-  // A right angle, up to rounding, is not above 90 degrees: the upper bins hold the obtuse ones.
-  limits[8] = std::nextafter(-kRightAngle, -1);
+  // A right angle is not above 90 degrees: the upper bins hold the obtuse ones.
+  limits[kUpToRight] = -std::numeric_limits<double>::min();
   return limits;
 }
 
@@ -129,7 +130,7 @@ std::vector<Point> all_points(const RegionBoundary& boundary, const RegionMesh& 
 namespace {
 
 Quality measure_some(std::span<const Point> points, std::span<const IndexTriple> triangles,
-                     const BinLimits& limits, double farthest) {
+                     const BinLimits& limits) {
   Quality quality;
   quality.triangles = triangles.size();
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
@@ -141,16 +142,15 @@ Quality measure_some(std::span<const Point> points, std::span<const IndexTriple>
     const double smallest = cotangent(s.apex, s.sharp, s.blunt, area);
     if (largest < lowest) lowest = largest, flattest = s;
     if (smallest > highest) highest = smallest, sharpest = s;
-    if (largest < kRightAngle) {
-      const Blunt blunt = bluntness(s.p, s.apex, s.q, farthest);
-      quality.obtuse += blunt == Blunt::yes ? 1 : 0;
-      quality.obtuse_by_rounding += blunt == Blunt::by_rounding ? 1 : 0;
-    }
-    if (largest < -kRightAngle) {
+    const Blunt blunt = largest < kNearRight ? bluntness(s.p, s.apex, s.q) : Blunt::no;
+    quality.obtuse += blunt == Blunt::yes ? 1 : 0;
+    quality.obtuse_by_rounding += blunt == Blunt::by_rounding ? 1 : 0;
+    if (largest < -kNearRight) {
       if (compare_with_120_degrees(s.p, s.apex, s.q) == Sign::positive) ++quality.above_120;
       if (largest < kCotangentOf150) ++quality.above_150;
     }
-    ++quality.histogram[bin_of(largest, limits)];
+    const std::size_t bin = bin_of(largest, limits);
+    ++quality.histogram[blunt == Blunt::yes ? bin : std::min(bin, kUpToRight)];
     ++quality.histogram[bin_of(cotangent(s.apex, s.blunt, s.sharp, area), limits)];
     ++quality.histogram[bin_of(smallest, limits)];
     quality.area += doubled_area / 2;
@@ -168,12 +168,10 @@ Quality measure_angles(std::span<const Point> points, std::span<const IndexTripl
                        const Team& team) {
   constexpr std::size_t kRange = 1 << 17;  // whatever the team: areas are summed in the same order
   const BinLimits limits = bin_limits();
-  const double farthest = largest_coordinate(points);
-  if (triangles.size() <= kRange) return measure_some(points, triangles, limits, farthest);
+  if (triangles.size() <= kRange) return measure_some(points, triangles, limits);
   std::vector<Quality> parts(Team::ranges(triangles.size(), kRange));
   team.each_range(triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
-    parts[first / kRange] =
-        measure_some(points, triangles.subspan(first, last - first), limits, farthest);
+    parts[first / kRange] = measure_some(points, triangles.subspan(first, last - first), limits);
   });
   Quality sum = parts[0];
   for (std::size_t k = 1; k < parts.size(); ++k) merge(sum, parts[k]);
@@ -214,8 +212,11 @@ BoxMethod measure_boxes(std::span<const Point> points, std::span<const IndexTrip
     box.box_area += squared_length(source(HalfEdges::next(h)) - source(h)) * std::abs(cots[h]) / 4;
     const std::uint32_t twin = across[h];
     if (twin == HalfEdges::kAbsent) {
-      if (cots[h] < -kRightAngle) ++box.obtuse_sides;
-    } else if (h < twin && cots[h] + cots[twin] < -kRightAngle &&
+      const bool is_obtuse =
+          cots[h] < kNearRight && bluntness(source(h), source(HalfEdges::previous(h)),
+                                            source(HalfEdges::next(h))) == Blunt::yes;
+      box.obtuse_sides += is_obtuse ? 1 : 0;
+    } else if (h < twin && cots[h] + cots[twin] < -kNearRight &&
                in_circle(source(h), source(HalfEdges::next(h)), source(HalfEdges::previous(h)),
                          source(HalfEdges::previous(twin))) == Sign::positive) {
       ++box.non_delaunay_edges;

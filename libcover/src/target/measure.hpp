@@ -17,17 +17,18 @@ namespace cover {
 std::vector<Point> all_points(const RegionBoundary& boundary, const RegionMesh& mesh);
 
 /// Angle statistics of `triangles`. The count of those above 120 degrees is exact; one is obtuse if
-/// it is above 90 degrees by more than 1e-9 radians and by more than what rounding the coordinates
-/// of its corners can make (geom/angle_rounding.hpp). Those that are above by less are counted
-/// beside, exactly.
+/// it is above 90 degrees by more than what rounding the coordinates of its corners can make
+/// (geom/angle_rounding.hpp). Those that are above by less are counted beside, exactly.
 Quality measure_angles(std::span<const Point> points, std::span<const IndexTriple> triangles,
                        const Team& team = {});
 
 /// Box-method figures of `triangles`, but for negative couplings; `sides` are the directed sides of
 /// their region.
 ///
-/// EXACT: the counts, but for angles and sums of angles within 1e-9 radians of the limit, which
-///        are as good as right; the area is rounded.
+/// A side is obtuse where the triangle on it is, opposite to it (geom/angle_rounding.hpp).
+///
+/// EXACT: the edges that are not Delaunay, but for sums of angles within 1e-9 radians of 180
+///        degrees, which are left out; the area is rounded.
 BoxMethod measure_boxes(std::span<const Point> points, std::span<const IndexTriple> triangles,
                         std::span<const IndexPair> sides);
 

@@ -17,6 +17,8 @@
 
 #include <fmt/core.h>
 
+#include <cover/judged_angle.hpp>
+
 #include "almond/almond_region.hpp"
 #include "almond/chords.hpp"
 #include "base/faults/internal_fault.hpp"
@@ -220,7 +222,7 @@ RegionLimits limits_of(const RegionBoundary& boundary, const RegionMesh& mesh,
   if (quality.triangles == 0 || options.method != Method::quality ||
       std::find(segments.begin(), segments.end(), kHullSide) != segments.end())
     return {};
-  const ReachedAngles reached{quality.largest_nu, quality.smallest};
+  const ReachedAngles reached{judged_nu(quality), quality.smallest};
   const ReachedAngles wanted{options.max_angle.supplement(), options.min_angle};
   if (meets(reached, wanted)) return region_limits({}, reached, wanted);
   if (mesh.report.has_no_room && mesh.layer_triangles == 0)

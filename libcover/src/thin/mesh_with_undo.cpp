@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geom/angle_rounding.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 
@@ -18,9 +19,6 @@ constexpr std::uint32_t kOnNoLine = ConformingMesh::kInside;
 constexpr std::size_t kMostInHole = 96;   ///< triangles: larger ones are left alone
 constexpr std::size_t kMostCorners = 40;  ///< of a hole that a vertex leaves
 constexpr int kMostSteps = 64;            ///< of a walk
-/// Half of what rounding the coordinates of corners can make, as angle_rounding() has it, in units
-/// of the largest coordinate.
-constexpr double kRounding = 2 * 0x1p-53;
 constexpr double kFilter = 1e-12;    ///< of the largest product: below, signs are looked at exactly
 constexpr float kBadBySign = 0.25;   ///< cost of a triangle whose coupling has the wrong sign
 constexpr double kBadAtLeast = 0.4;  ///< cost of a triangle that is hardly bad
@@ -116,12 +114,10 @@ double MeshWithUndo::cost_of(const std::array<Point, 3>& p, const std::array<boo
       cost = kBadAtLeast - blunt / std::hypot(blunt, doubled_area) +
              wanted.least_cot / std::hypot(1, wanted.least_cot);
   } else if (blunt < 0) {
-    const double shortest =
-        std::sqrt(std::min({squared_length(ab), squared_length(bc), squared_length(ca)}));
-    const double farthest = std::max(
-        {std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y), std::abs(c.x), std::abs(c.y)});
-    if (-blunt * shortest > kRounding * farthest * doubled_area)
-      cost = kBadAtLeast - blunt / std::hypot(blunt, doubled_area);
+    const Blunt is = blunt == product[0]   ? bluntness(c, a, b)
+                     : blunt == product[1] ? bluntness(a, b, c)
+                                           : bluntness(b, c, a);
+    if (is == Blunt::yes) cost = kBadAtLeast - blunt / std::hypot(blunt, doubled_area);
   }
   if (cost == 0 && blunt < kFilter * sharp) {
     for (std::size_t i = 0; i < 3; ++i) {

@@ -68,15 +68,13 @@ BoxCheck verify_boxes(const TriangleSoup& mesh, const SoupEdges& edges,
     return mesh.points[*other];
   };
   BoxCheck check;
-  const double farthest = largest_coordinate(mesh.points);
   std::vector<NegativeCoupling> on_sides;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const SoupEdges::Edge& e = all[k];
     if (e.from == mesh.triangles[e.triangle][0]) {  // once per triangle
       const auto& t = mesh.triangles[e.triangle];
       const Point p = mesh.points[t[0]], q = mesh.points[t[1]], r = mesh.points[t[2]];
-      const Blunt blunt = std::max({bluntness(p, q, r, farthest), bluntness(q, r, p, farthest),
-                                    bluntness(r, p, q, farthest)});
+      const Blunt blunt = bluntness_of(p, q, r);
       check.obtuse += blunt != Blunt::no ? 1 : 0;
       check.obtuse_by_rounding += blunt == Blunt::by_rounding ? 1 : 0;
     }

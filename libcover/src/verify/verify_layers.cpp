@@ -17,6 +17,7 @@
 
 #include <cover/text.hpp>
 
+#include "geom/angle_rounding.hpp"
 #include "geom/predicates.hpp"
 #include "geom/topology/soup_edges.hpp"
 #include "geom/vector.hpp"
@@ -24,11 +25,10 @@
 namespace cover {
 namespace {
 
-constexpr double kSkew = 20;          ///< degrees, from parallel, upright and straight on
-constexpr double kThickest = 3;       ///< times the row below
-constexpr double kThinnest = 0.99;    ///< times the row below
-constexpr double kAlike = 1e-3;       ///< of a thickness
-constexpr double kAboveRight = 1e-9;  ///< radians
+constexpr double kSkew = 20;        ///< degrees, from parallel, upright and straight on
+constexpr double kThickest = 3;     ///< times the row below
+constexpr double kThinnest = 0.99;  ///< times the row below
+constexpr double kAlike = 1e-3;     ///< of a thickness
 
 /// A cell of a row: lower edge from a to b, upper edge from d to c.
 struct Cell {
@@ -108,7 +108,7 @@ class LayerFinder {
         found.negative += is_negative(v[i], v[(i + 1) % 3], v[(i + 2) % 3], of_region->second);
       }
       ++found.triangles;
-      found.above_90 += wide > std::numbers::pi / 2 + kAboveRight ? 1 : 0;
+      found.above_90 += bluntness_of(at(v[0]), at(v[1]), at(v[2])) == Blunt::yes ? 1 : 0;
       largest = std::max(largest, wide);
     }
     found.largest = Angle::radians(largest);

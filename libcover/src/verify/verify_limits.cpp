@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "geom/angle_rounding.hpp"
 #include "geom/vector.hpp"
 #include "limits/region_limits.hpp"
 
@@ -56,6 +57,7 @@ std::vector<RegionLimits> verify_limits(const TriangleSoup& mesh, std::span<cons
                                         const ExpectedDomain& domain, const ReachedAngles& wanted) {
   const std::size_t regions = domain.nu_opt.size();  // with the void
   std::vector<ReachedAngles> reached(regions, {Angle::degrees(180), Angle::degrees(180)});
+  std::vector<bool> is_obtuse(regions, false);
   for (std::size_t t = 0; t < region.size(); ++t) {
     if (region[t] == kVoid) continue;
     const auto& v = mesh.triangles[t];
@@ -65,7 +67,11 @@ std::vector<RegionLimits> verify_limits(const TriangleSoup& mesh, std::span<cons
       const Point c = mesh.points[v[(i + 2) % 3]];
       worst.largest_nu = std::min(worst.largest_nu, Angle::radians(nu_at(b, a, c)));
       worst.smallest = std::min(worst.smallest, Angle::radians(angle_at(b, a, c)));
+      if (bluntness(b, a, c) == Blunt::yes) is_obtuse[region[t].index()] = true;
     }
+  }
+  for (std::size_t r = 1; r < regions; ++r) {  // as judged_nu() has it
+    if (!is_obtuse[r]) reached[r].largest_nu = std::max(reached[r].largest_nu, Angle::degrees(90));
   }
   std::vector<std::vector<std::uint32_t>> triangles(regions);
   for (std::uint32_t t = 0; t < domain.cdt_region.size(); ++t) {

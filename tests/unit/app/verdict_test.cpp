@@ -93,6 +93,7 @@ TEST(Verdict, TheNonobtuseMethodHasItsOwnLimit) {
   Output output = mesh_of(testing::checker(2, 2, 5), options);
   const auto largest = [&](double angle) {
     output.report.regions[0].quality.largest_nu = Angle::degrees(180 - angle);
+    output.report.regions[0].quality.obtuse = 1;
     return finding(findings_of(output), "Largest angle");
   };
   EXPECT_EQ(largest(90.09).grade, Grade::good);

@@ -17,6 +17,7 @@
 #include "cuts/cut_segments.hpp"
 #include "cuts/periodic/mirror_cuts.hpp"
 #include "cuts/room_on_segment.hpp"
+#include "geom/foot.hpp"
 #include "geom/vector.hpp"
 #include "quality/fault/missed_targets.hpp"
 #include "target/measure.hpp"
@@ -124,17 +125,21 @@ class CouplingRounds {
     const Pslg& pslg = work_.pslg;
     std::map<SegmentId, Point> apexes;
     for (std::size_t r = 0; r < work_.boundaries.size(); ++r) {
-      for (const NegativeSide& side : negative_sides(work_.boundaries[r], work_.meshes[r]))
-        apexes.emplace(side.segment, side.apex);
+      for (const NegativeSide& side : negative_sides(work_.boundaries[r], work_.meshes[r])) {
+        // Of both sides the same one, however regions are numbered.
+        const auto [at, is_new] = apexes.emplace(side.segment, side.apex);
+        if (!is_new) at->second = std::min(at->second, side.apex);
+      }
     }
     std::vector<SegmentCut> cuts;
     for (const auto& [segment, apex] : apexes) {
       const Segment& s = pslg.segments[segment.index()];
-      const Point a = pslg.points[s.a.index()], b = pslg.points[s.b.index()];
+      const auto [a, b] =
+          std::minmax({pslg.points[s.a.index()], pslg.points[s.b.index()]});  // as from both ends
       const Vector along = b - a;
       const double share = dot(apex - a, along) / squared_length(along);
       const Point foot =
-          share > kNearEnd && share < 1 - kNearEnd ? a + share * along : midpoint(a, b);
+          share > kNearEnd && share < 1 - kNearEnd ? foot_on(a, b, apex) : midpoint(a, b);
       if (has_room_on_segment(a, b, foot, std::vector<Point>{apex}))
         cuts.push_back({segment, {foot}});
     }

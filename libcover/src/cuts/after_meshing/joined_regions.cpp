@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "cdt/cdt.hpp"
 #include "cdt/region_cdt.hpp"
+#include "geom/angle_rounding.hpp"
 #include "geom/curves/arc.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
@@ -19,12 +21,38 @@ namespace {
 constexpr std::size_t kHalvedAround = 24;  ///< triangles around one, whose sides may be halved
 constexpr double kLong = 0.64;  ///< of the squared length of the longest side: halved too
 
+/// The numbers of `points` in the order of their coordinates, which does not depend on that of the
+/// input.
+std::vector<std::uint32_t> order_by_place(std::span<const Point> points) {
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return points[a] < points[b]; });
+  return order;
+}
+
+std::vector<Point> in_order(std::span<const Point> points,
+                            const std::vector<std::uint32_t>& order) {
+  std::vector<Point> out;
+  out.reserve(points.size());
+  for (const std::uint32_t v : order) out.push_back(points[v]);
+  return out;
+}
+
+/// What each number has become: where it stands in `order`.
+std::vector<std::uint32_t> places_in(const std::vector<std::uint32_t>& order) {
+  std::vector<std::uint32_t> place(order.size());
+  for (std::uint32_t k = 0; k < order.size(); ++k) place[order[k]] = k;
+  return place;
+}
+
 }  // namespace
 
 JoinedRegions::JoinedRegions(const Pslg& pslg, std::span<const RegionBoundary> boundaries,
                              std::span<const RegionMesh> meshes, const Goal& goal)
     : goal_(goal),
-      frame_(pslg.points),
+      by_place_(order_by_place(pslg.points)),
+      frame_(in_order(pslg.points, by_place_)),
       points_(pslg.points.size()),
       is_bound_(pslg.segments.size(), 0) {
   for (const SegmentPair& pair : pslg.periodic)
@@ -35,6 +63,14 @@ JoinedRegions::JoinedRegions(const Pslg& pslg, std::span<const RegionBoundary> b
   std::vector<Point> points = frame_.points();
   points.resize(2 * points_);  // room for as many cuts
   first_steiner_ = points.size();
+  std::vector<Point> steiner;
+  for (const RegionMesh& mesh : meshes)
+    steiner.insert(steiner.end(), mesh.steiner.begin(), mesh.steiner.end());
+  const std::vector<std::uint32_t> steiner_by_place = order_by_place(steiner);
+  for (const std::uint32_t v : steiner_by_place) points.push_back(frame_.enter(steiner[v]));
+  const std::vector<std::uint32_t> place = places_in(by_place_);
+  const std::vector<std::uint32_t> steiner_place = places_in(steiner_by_place);
+  std::size_t steiner_before = 0;  // of the regions before
   std::vector<IndexTriple> triangles;
   struct Side {
     IndexPair ends;
@@ -44,14 +80,17 @@ JoinedRegions::JoinedRegions(const Pslg& pslg, std::span<const RegionBoundary> b
   std::vector<Side> sides;
   for (std::size_t r = 0; r < meshes.size(); ++r) {
     const RegionBoundary& boundary = boundaries[r];
-    const std::size_t offset = points.size() - boundary.points.size();
+    const std::size_t own = boundary.points.size();
     const auto global = [&](std::uint32_t v) {
-      return static_cast<std::uint32_t>(v < boundary.points.size() ? boundary.vertices[v].index()
-                                                                   : offset + v);
+      return v < own ? place[boundary.vertices[v].index()]
+                     : static_cast<std::uint32_t>(first_steiner_) +
+                           steiner_place[steiner_before + v - own];
     };
-    for (const Point& p : meshes[r].steiner) points.push_back(frame_.enter(p));
     for (const auto& [a, b, c] : meshes[r].triangles) {
-      triangles.push_back({global(a), global(b), global(c)});
+      IndexTriple triangle{global(a), global(b), global(c)};
+      std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()),
+                  triangle.end());
+      triangles.push_back(triangle);
     }
     const Triangulation cdt = triangulate_region(boundary.points, boundary.sides);
     const std::vector<SideLimit> limits = side_limits(cdt, locate_sides(cdt, boundary.sides));
@@ -61,7 +100,9 @@ JoinedRegions::JoinedRegions(const Pslg& pslg, std::span<const RegionBoundary> b
                        static_cast<std::uint32_t>(boundary.segments[s].index()),
                        limits[s]});
     }
+    steiner_before += meshes[r].steiner.size();
   }
+  std::sort(triangles.begin(), triangles.end());
   std::sort(sides.begin(), sides.end(),
             [](const Side& x, const Side& y) { return x.ends < y.ends; });
   std::vector<IndexPair> pairs;
@@ -85,11 +126,18 @@ JoinedRegions::JoinedRegions(const Pslg& pslg, std::span<const RegionBoundary> b
   }
 }
 
+/// In the plane, where rounding is that of the coordinates that are written.
+static bool is_obtuse(const std::array<Point, 3>& corners, const LocalFrame& frame) {
+  const auto& [a, b, c] = corners;
+  return bluntness_of(frame.restore(a), frame.restore(b), frame.restore(c)) == Blunt::yes;
+}
+
 std::vector<std::uint32_t> JoinedRegions::triangles_above() const {
   std::vector<std::pair<std::array<Point, 3>, std::uint32_t>> found;
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
     if (!is_above(mesh_, t, goal_)) continue;
     std::array<Point, 3> corners{mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)};
+    if (std::abs(goal_.large) < kSameCot && !is_obtuse(corners, frame_)) continue;
     std::sort(corners.begin(), corners.end());
     found.push_back({corners, t});
   }
@@ -198,7 +246,7 @@ void JoinedRegions::separate(const Pslg& pslg, std::span<const RegionBoundary> b
   const std::vector<std::uint32_t> region = regions_of_triangles();
   std::vector<std::uint32_t> number(mesh_.points.size(), kNone);
   std::vector<VertexId> id(first_steiner_);
-  for (std::size_t v = 0; v < points_; ++v) id[v] = VertexId{v};
+  for (std::size_t v = 0; v < points_; ++v) id[v] = VertexId{by_place_[v]};
   std::vector<std::pair<Point, VertexId>> added;
   for (std::size_t v = points_; v < pslg.points.size(); ++v) {
     added.push_back({pslg.points[v], VertexId{v}});

@@ -19,7 +19,9 @@ namespace cover {
 
 /// The meshes of all regions in one, to be changed over segments, which may be cut.
 ///
-/// Vertices are the points of the PSLG, room for as many cuts, and Steiner vertices.
+/// Vertices are the points of the PSLG, room for as many cuts, and Steiner vertices; points and
+/// triangles in the order of their coordinates, so that what is done does not depend on that of the
+/// input.
 class JoinedRegions {
  public:
   /// REQUIRES: `boundaries` and `meshes` are of the regions of `pslg`, in their order; no hull
@@ -72,6 +74,7 @@ class JoinedRegions {
   [[nodiscard]] std::vector<std::uint32_t> regions_of_triangles() const;
 
   Goal goal_;
+  std::vector<std::uint32_t> by_place_;  ///< points of the PSLG in the order of the mesh
   LocalFrame frame_;
   bool has_changed_ = false;
   std::size_t points_;  ///< of the PSLG; then come cuts, then Steiner vertices

@@ -22,6 +22,7 @@
 #include "cuts/cut_segments.hpp"
 #include "cuts/periodic/mirror_cuts.hpp"
 #include "cuts/room_on_segment.hpp"
+#include "geom/foot.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"
@@ -39,6 +40,8 @@ constexpr std::size_t kPointsPerPoint = 16;
 constexpr std::size_t kFeet = 8;  ///< obstacles whose feet are tried for a cut, the nearest
 constexpr double kPlaceMargin =
     0x1p-44;  ///< of a segment: how far cuts keep from where they may be
+/// Of a segment: what intervals for cuts are rounded by (docs/box_method.md, Theorem 3).
+constexpr double kFootRounding = 0x1p-46;
 constexpr double kShortestPiece = 0x1p-45;  ///< of a segment: no piece is shorter
 
 /// One region in one pass.
@@ -142,7 +145,7 @@ struct SegmentSide {
 struct Encroached {
   SegmentId segment;
   double length = 0;
-  std::vector<Obstacle> obstacles;  ///< from its end a on
+  std::vector<Obstacle> obstacles;  ///< from its smaller end on
   Point by;                         ///< the vertex that sees it under the largest angle
   VertexId vertex;                  ///< the same
 };
@@ -176,6 +179,10 @@ class Cutter {
 
  private:
   [[nodiscard]] Point at(VertexId v) const { return pslg_.points[v.index()]; }
+  /// The smaller one first: cuts do not depend on which way round the input has a segment.
+  [[nodiscard]] std::pair<Point, Point> ends(const Segment& segment) const {
+    return std::minmax({at(segment.a), at(segment.b)});
+  }
 
   RegionView& view(std::size_t region) {
     if (!views_[region]) views_[region].emplace(boundaries_[region]);
@@ -232,7 +239,8 @@ class Cutter {
     if (id == kHullSide) return;
     const Segment& segment = pslg_.segments[id.index()];
     std::vector<Obstacle> obstacles = v.obstacles(e.side);
-    const bool is_turned = v.boundary().vertices[v.boundary().sides[e.side][0]] != segment.a;
+    const VertexId first = at(segment.a) < at(segment.b) ? segment.a : segment.b;
+    const bool is_turned = v.boundary().vertices[v.boundary().sides[e.side][0]] != first;
     if (is_turned) obstacles = turned_round(std::move(obstacles));
     if (index[id.index()] == kNone) {
       index[id.index()] = static_cast<std::uint32_t>(found.size());
@@ -309,7 +317,7 @@ class Cutter {
   /// Where to cut; empty if there is no room.
   std::vector<Point> places_on(const Encroached& e) {
     const Segment& segment = pslg_.segments[e.segment.index()];
-    const Point a = at(segment.a), b = at(segment.b);
+    const auto [a, b] = ends(segment);
     const std::vector<double> earliest = earliest_cuts(e.obstacles);
     std::vector<Point> apexes;
     for (const SegmentSide& s : sides_[e.segment.index()])
@@ -321,9 +329,10 @@ class Cutter {
       const double high = std::min(longest_piece(e.obstacles, start, 0), 1 - kShortestPiece);
       const auto place = best_place(e, low, high, apexes);
       if (!place) return {};
-      start = *place;
-      places.push_back(point_on(a, b, start));
+      start = place->along;
+      places.push_back(place->at);
     }
+    if (a != at(segment.a)) std::reverse(places.begin(), places.end());
     return places;
   }
 
@@ -342,14 +351,20 @@ class Cutter {
     return starts;
   }
 
-  std::optional<double> best_place(const Encroached& e, double low, double high,
-                                   const std::vector<Point>& apexes) {
+  /// A place for a cut.
+  struct Place {
+    double along = 0;  ///< in parts of the segment
+    Point at;
+  };
+
+  std::optional<Place> best_place(const Encroached& e, double low, double high,
+                                  const std::vector<Point>& apexes) {
     const Segment& segment = pslg_.segments[e.segment.index()];
-    const Point a = at(segment.a), b = at(segment.b);
-    std::optional<double> best;
+    const auto [a, b] = ends(segment);
+    std::optional<Place> best;
     std::size_t least = 0;
-    for (const double place : places_between(e, low, high)) {
-      const Point p = point_on(a, b, place);
+    for (const Place& place : places_between(e, low, high)) {
+      const Point p = place.at;
       if (!has_room_on_segment(a, b, p, apexes) || !keeps_clear(segment.a, e.segment, p) ||
           !keeps_clear(segment.b, e.segment, p))
         continue;
@@ -365,24 +380,34 @@ class Cutter {
   }
 
   /// Places that may be good, the best first.
-  [[nodiscard]] std::vector<double> places_between(const Encroached& e, double low,
-                                                   double high) const {
+  [[nodiscard]] std::vector<Place> places_between(const Encroached& e, double low,
+                                                  double high) const {
     const Segment& segment = pslg_.segments[e.segment.index()];
-    const Point a = at(segment.a), b = at(segment.b);
+    const std::pair<Point, Point> both = ends(segment);
+    const Point a = both.first, b = both.second;
     const double margin = std::min(kPlaceMargin, (high - low) / 4);
     const auto is_between = [&](double t) { return t > low + margin && t < high - margin; };
-    std::vector<double> shells, places;
-    std::vector<std::pair<double, double>> feet;
+    const auto place_at = [&](double t) { return Place{t, point_on(a, b, t)}; };
+    std::vector<Place> shells, places;
+    std::vector<std::pair<double, Place>> feet;  // with their heights
     for (const Obstacle& o : e.obstacles) {
       for (const double t : {length(o.at - a) / e.length, 1 - length(o.at - b) / e.length}) {
-        if (is_between(t)) shells.push_back(t);
+        if (is_between(t)) shells.push_back(place_at(t));
       }
-      if (is_between(o.along)) feet.emplace_back(o.height, o.along);
+      const Place foot{o.along, foot_on(a, b, o.at)};
+      // An exact foot is right with the interval for it rounded away, as it is in thin layers.
+      const double slack = exact_foot(a, b, o.at) == foot.at ? kFootRounding : -margin;
+      if (foot.along > low - slack && foot.along < high + slack) feet.emplace_back(o.height, foot);
     }
-    std::sort(feet.begin(), feet.end());
+    std::sort(feet.begin(), feet.end(), [](const auto& x, const auto& y) {
+      return x.first != y.first ? x.first < y.first : x.second.along < y.second.along;
+    });
     feet.resize(std::min(feet.size(), kFeet));
-    for (const auto& [height, along] : feet) places.push_back(along);
-    places.push_back((low + high) / 2);
+    // Where any cut will do, as for vertices on the rim of the disk, pieces should be long.
+    const bool is_anywhere = low <= kShortestPiece && high >= 1 - kShortestPiece;
+    if (is_anywhere) places.push_back(place_at((low + high) / 2));
+    for (const auto& [height, foot] : feet) places.push_back(foot);
+    if (!is_anywhere) places.push_back(place_at((low + high) / 2));
     shells.resize(std::min(shells.size(), kFeet));
     places.insert(places.end(), shells.begin(), shells.end());
     return places;

@@ -27,6 +27,8 @@
 #include "cuts/cut_segments.hpp"
 #include "cuts/periodic/mirror_cuts.hpp"
 #include "cuts/room_on_segment.hpp"
+#include "geom/angle_rounding.hpp"
+#include "geom/foot.hpp"
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/segment_sizes.hpp"
@@ -61,6 +63,7 @@ class Splitter {
         options_(options),
         first_cut_{static_cast<std::uint32_t>(pslg.points.size())},
         least_nu_(options.split_interfaces->supplement().in_radians() - kRounding),
+        is_right_(*options.split_interfaces == Angle::degrees(90)),
         dirty_(table.regions.size(), 1) {
     for (const Segment& s : pslg.segments) whole_.push_back(length_of(s));
     rigid_.assign(pslg.segments.size(), 0);
@@ -184,6 +187,8 @@ class Splitter {
       wish.apexes.push_back(apex);
       if (limit.side_nu[s] >= least_nu_ || limit.side_nu[s] > wish.nu) continue;
       if (limit.side_nu[s] == wish.nu && wish.apex < apex) continue;
+      // A foot of an earlier pass is rounded, and sees what it was made for so.
+      if (is_right_ && bluntness(at(segment.a), apex, at(segment.b)) != Blunt::yes) continue;
       wish.forced = true;
       wish.nu = limit.side_nu[s];
       wish.apex = apex;
@@ -194,16 +199,13 @@ class Splitter {
   /// or what lies beside them too thin for rounded points.
   [[nodiscard]] std::optional<Point> place_on(const Segment& piece, const Wish& wish,
                                               double whole) const {
-    const Point a = at(piece.a), b = at(piece.b);
+    const auto [a, b] = std::minmax({at(piece.a), at(piece.b)});  // the same from both ends
     if (wish.nu > std::numbers::pi / 2 - kRounding) {
       if (length_of(piece) < 2 * kFloor * whole) return std::nullopt;
       return has_room_on_segment(a, b, midpoint(a, b), wish.apexes) ? std::optional(midpoint(a, b))
                                                                     : std::nullopt;
     }
-    const Vector along = b - a;
-    const double from_a = dot(wish.apex - a, along) / squared_length(along);
-    const double from_b = dot(wish.apex - b, along) / squared_length(along);
-    const Point foot = from_a <= 0.5 ? a + from_a * along : b + from_b * along;
+    const Point foot = foot_on(a, b, wish.apex);
     const double shorter = std::min(length(foot - a), length(foot - b));
     if (shorter <= kFootFloor * whole || !has_room_on_segment(a, b, foot, wish.apexes))
       return std::nullopt;
@@ -353,6 +355,7 @@ class Splitter {
   /// between them are no wish, or finer pieces would follow from them, and so on.
   VertexId first_cut_;
   double least_nu_;
+  bool is_right_;                     ///< right angles are asked for
   std::vector<Wish> wishes_;          ///< by segment
   std::vector<std::uint8_t> dirty_;   ///< by region
   std::vector<std::uint8_t> halved_;  ///< by segment: to be cut half way if it is not otherwise

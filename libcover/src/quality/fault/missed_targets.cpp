@@ -12,6 +12,7 @@
 
 #include "cdt/cdt.hpp"
 #include "cdt/region_cdt.hpp"
+#include "geom/angle_rounding.hpp"
 #include "quality/mutable/with_neighbours.hpp"
 #include "target/measure.hpp"
 
@@ -65,6 +66,15 @@ void note_forced(const RegionBoundary& boundary, const AngleLimit& limit, Angle 
       std::move(where)));
 }
 
+/// In the plane, where rounding is that of the coordinates that are written.
+bool is_obtuse(const MutableMesh& mesh, std::uint32_t t, Point origin) {
+  const auto corner = [&](int i) {
+    const Point p = mesh.corner(t, i);
+    return Point{p.x + origin.x, p.y + origin.y};
+  };
+  return bluntness_of(corner(0), corner(1), corner(2)) == Blunt::yes;
+}
+
 std::string reason_of(Unreached why) {
   switch (why) {
     case Unreached::unknown:
@@ -102,7 +112,8 @@ std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& 
       const Point at{in_frame.x + origin.x, in_frame.y + origin.y};
       const double cot = k.dot[i] / k.cross;
       const Allowance* side = mesh.allowance(n[i]);
-      if (-cot > goal.large + (side != nullptr ? side->large : 0) + kRounding) {
+      if (-cot > goal.large + (side != nullptr ? side->large : 0) + kRounding &&
+          (options.max_angle != Angle::degrees(90) || is_obtuse(mesh, t, origin))) {
         ++large;
         if (where_large.size() < kPlaces) where_large.push_back(at);
       }

@@ -1,9 +1,11 @@
 #include "cuts/after_meshing/thin_cuts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <random>
 
 #include <fmt/core.h>
@@ -13,6 +15,8 @@
 #include <cover/verify.hpp>
 
 #include "support/inputs.hpp"
+#include "support/mesh_shape.hpp"
+#include "support/shapes.hpp"
 #include "without_obtuse.hpp"
 
 namespace cover {
@@ -49,6 +53,44 @@ TEST(ThinCuts, TakesVerticesAwayAndLeavesNoObtuseTriangle) {
     }
   }
   EXPECT_GE(told, 9u);
+}
+
+/// Promise 4: another order of points and segments, other directions, and the same triangles.
+TEST(ThinCuts, TheOrderOfTheInputDoesNotMatter) {
+  std::size_t cut = 0;
+  for (const bool boxes : {false, true}) {
+    for (std::uint64_t seed = 1; seed < 4; ++seed) {
+      std::mt19937_64 random(seed);
+      std::vector<Point> points = testing::random_star(40, 0.2, random);
+      std::vector<std::array<std::uint32_t, 2>> segments;
+      for (std::uint32_t k = 0; k < 40; ++k) segments.push_back({k, (k + 1) % 40});
+      segments.push_back({0, 40});
+      points.push_back({points[0].x / 2, points[0].y / 2});
+      Options options = no_obtuse_angle();
+      if (boxes) options = {};
+      options.box_method = boxes;
+      const auto shape = [&] {
+        const Output output =
+            testing::must_mesh(testing::segments_between(points, segments), options);
+        cut += output.report.input_points > output.report.uncut_points ? 1 : 0;
+        return testing::shape_of(triangle_soup(output.mesh));
+      };
+      const testing::Shape before = shape();
+      std::vector<std::uint32_t> order(points.size());
+      std::iota(order.begin(), order.end(), 0U);
+      std::shuffle(order.begin(), order.end(), random);
+      std::vector<Point> shuffled(points.size());
+      for (std::size_t k = 0; k < order.size(); ++k) shuffled[order[k]] = points[k];
+      points = shuffled;
+      for (auto& [a, b] : segments) {
+        a = order[a], b = order[b];
+        if (random() % 2 == 0) std::swap(a, b);
+      }
+      std::shuffle(segments.begin(), segments.end(), random);
+      EXPECT_TRUE(shape() == before) << boxes << seed;
+    }
+  }
+  EXPECT_GE(cut, 8u);
 }
 
 TEST(ThinCuts, KeepsSmallAnglesThatWereReached) {

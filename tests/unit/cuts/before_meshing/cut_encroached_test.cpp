@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -93,6 +94,31 @@ TEST(CutEncroached, NeverTakesFewerThanTheBoundAndLeavesNoneEncroached) {
 
 // Needles so thin that rounded feet encroach again: 256 passes took 20,000 points and more, and as
 // many again in each round of cutting and meshing, without an end that anyone waited for.
+/// Exact feet end what would be a cascade: a strip as thin as 1e-13 with vertices on both sides.
+TEST(CutEncroached, StripsAlongAnAxisTakeACutForEachVertex) {
+  for (const double width : {1e-3, 1e-9, 1e-11, 1e-13}) {
+    testing::Loop loop{{0, 0},
+                       {0.3, 0},
+                       {0.61, 0},
+                       {1, 0},
+                       {1, width},
+                       {0.8, width},
+                       {0.1 + 0.2 + 1e-7, width},
+                       {0.1, width},
+                       {0, width}};
+    for (const bool upright : {false, true}) {
+      testing::Loop turned = loop;
+      if (upright) {
+        for (Point& p : turned) p = {p.y, p.x};
+        std::reverse(turned.begin(), turned.end());
+      }
+      const Cut done = cut(testing::input_of(turned));
+      EXPECT_TRUE(done.stuck.empty()) << width;
+      EXPECT_LE(done.cuts.size(), 16u) << width;
+    }
+  }
+}
+
 TEST(CutEncroached, ACascadeBetweenNeedlesEndsAndIsNamed) {
   const std::vector<Point> corners{
       {0.6206444050346125, 0.3124831285034476},   {255.89068863638664, 207.09754736079407},

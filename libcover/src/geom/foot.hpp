@@ -1,0 +1,38 @@
+// Where a perpendicular meets a line, as exactly as doubles tell.
+// Tested by tests/unit/geom/foot_test.cpp.
+#pragma once
+
+#include <optional>
+
+#include "geom/predicates.hpp"
+#include "geom/vector.hpp"
+
+namespace cover {
+
+/// The foot on the line from `a` to `b` of the perpendicular through `p`, where that line is
+/// parallel to an axis: then it is no rounding.
+///
+/// REQUIRES: a != b
+inline std::optional<Point> exact_foot(Point a, Point b, Point p) {
+  if (a.y == b.y) return Point{p.x, a.y};
+  if (a.x == b.x) return Point{a.x, p.y};
+  return std::nullopt;
+}
+
+/// The foot on the segment from `a` to `b`; rounded, but exact where rounding leaves `p` in the
+/// diametral disk of a piece, as it does in thin layers, and where doubles hold it. The same from
+/// both ends.
+///
+/// REQUIRES: a != b; the foot lies between them
+inline Point foot_on(Point a, Point b, Point p) {
+  const Vector along = b - a;
+  const double from_a = dot(p - a, along) / squared_length(along);
+  const double from_b = dot(p - b, along) / squared_length(along);
+  const Point foot = from_a <= 0.5 ? a + from_a * along : b + from_b * along;
+  if (compare_with_90_degrees(a, p, foot) != Sign::positive &&
+      compare_with_90_degrees(foot, p, b) != Sign::positive)
+    return foot;
+  return exact_foot(a, b, p).value_or(foot);
+}
+
+}  // namespace cover
