@@ -51,6 +51,8 @@ bool try_restar(Piece& piece, std::uint32_t t) {
         placement = place(hole, p, 0, piece.evaluations);
         if (!(placement.worst < kInverted)) break;
         p = placement.at;
+      } else if (hole.worst(p, kInverted) == kInverted) {
+        break;
       }
       const double gain = limit - placement.worst;
       if (gain > best_gain || (best_gain == 0 && placement.worst < best.worst)) {

@@ -7,6 +7,7 @@
 // Tested by tests/unit/quality/optimum/placement_test.cpp.
 #include "quality/optimum/placement.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -255,13 +256,40 @@ WidestCorner::WidestCorner(const Goal& goal, double limit) {
   cot_ = largest > 0 ? (1 - largest * largest) / (2 * largest) : kInverted;
 }
 
+namespace {
+
+/// Whether an edge of a star that halves a corner leaves angles so small that their excess is above
+/// `limit`, however it does that: the smaller half has half of it at most. With c = cot of half the
+/// angle, its own cotangent is (c^2 - 1) / 2c.
+bool is_too_narrow(const Goal& goal, double limit, double allowed, Point before, Point p,
+                   Point after) {
+  const double half = limit / goal.weight + goal.small + allowed;
+  const Vector u = after - p, v = before - p;
+  const double area = cross(u, v);
+  return area > 0 && half > 0 && 2 * half * dot(u, v) > (half * half - 1) * area;
+}
+
+}  // namespace
+
 bool has_room(const MutableMesh& mesh, const Cavity& cavity, double limit) {
-  const WidestCorner widest(mesh.goal(), limit);
-  Point before = mesh.points[cavity.vertex(cavity.size() - 1)], p = mesh.points[cavity.vertex(0)];
+  const Goal& goal = mesh.goal();
+  const WidestCorner widest(goal, limit);
+  const auto allowed_at = [&](int k) {
+    const Allowance* const side = mesh.allowance(cavity.outer(k));
+    return side != nullptr ? side->small : 0;
+  };
+  const int last = cavity.size() - 1;
+  Point before = mesh.points[cavity.vertex(last)], p = mesh.points[cavity.vertex(0)];
+  double allowed_before = allowed_at(last);
   for (int k = 0; k < cavity.size(); ++k) {
     const Point after = mesh.points[cavity.vertex(cavity.next(k))];
     if (!widest.allows(before, p, after)) return false;
+    const double allowed = allowed_at(k);
+    if (goal.weight > 0 &&
+        is_too_narrow(goal, limit, std::max(allowed, allowed_before), before, p, after))
+      return false;
     before = std::exchange(p, after);
+    allowed_before = allowed;
   }
   return true;
 }

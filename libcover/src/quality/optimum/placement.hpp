@@ -89,8 +89,8 @@ class WidestCorner {
   double cot_;  ///< of what the widest corner has beyond 180 degrees
 };
 
-/// Whether all corners of the loop are narrow enough for a star with excesses of at most `limit`.
-/// Where not, no place needs to be looked for.
+/// Whether all corners of the loop are neither too wide for a star with excesses of at most `limit`
+/// nor too narrow. Where not, no place needs to be looked for.
 bool has_room(const MutableMesh& mesh, const Cavity& cavity, double limit);
 
 /// A place and the worst excess there.
