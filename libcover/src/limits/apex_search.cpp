@@ -234,9 +234,17 @@ bool ApexSearch::are_in_last(std::span<const Place> corners) {
 
 bool ApexSearch::is_banned(std::span<const Place> corners) {
   if (are_in_last(corners)) return true;
+  const Place& p = corners.front();
   for (std::size_t k = 0; k < obstacles_.size(); ++k) {
-    if (are_in<Ban::zone>(k, corners) || are_in<Ban::shadow_of_a>(k, corners) ||
-        are_in<Ban::shadow_of_b>(k, corners))
+    // Zones are on the left of their side and shadows on its right: one corner tells which to ask.
+    // An end of the side itself is the tip of some.
+    const Obstacle& o = obstacles_[k];
+    const double ux = o.c.x - p.x, uy = o.c.y - p.y, vx = o.d.x - p.x, vy = o.d.y - p.y;
+    const double c = ux * vy - uy * vx;
+    if ((p.y == 0 || (c > 0 && ux * vx + uy * vy < cot_ * c)) && are_in<Ban::zone>(k, corners))
+      return true;
+    if (!(c > 0) &&
+        (are_in<Ban::shadow_of_a>(k, corners) || are_in<Ban::shadow_of_b>(k, corners)))
       return true;
   }
   for (std::size_t k = 0; k < a_.seen.size(); ++k) {

@@ -16,7 +16,9 @@
 namespace cover {
 namespace {
 
-constexpr double kLogSlack = 1e-8;  ///< per triangle: rounding, and the tangent found by bisection
+constexpr double kLogSlack = 1e-8;  ///< per triangle: rounding, and the tangent
+constexpr double kTangentPoint = 1e-7;  ///< radians: how well that is known
+constexpr int kMostSteps = 40;          ///< towards it
 constexpr int kMostInFan = 96;  ///< larger fans are not bounded: what they prove is next to nothing
 
 }  // namespace
@@ -31,14 +33,21 @@ FanGrowth::FanGrowth(AngleRange range) : range_(range) {
   at_peak_ = of_one(peak_);
   steepest_from_ = range.least;
   if (!(kink > range.least)) return;
-  // The slope of the chord from the start grows up to the tangent point and falls after it.
-  double low = kink, high = peak_;
-  for (int step = 0; step < 40; ++step) {
-    const double middle = (low + high) / 2;
-    const double rise = of_one(middle) - start_;
-    const double tangent = 1 / std::tan(middle + range.least);
-    (tangent * (middle - range.least) > rise ? low : high) = middle;
+  // The slope of the chord from the start grows up to the tangent point and falls after it. Newton's
+  // method, within what encloses the point: an error there changes the tangent by its square.
+  double low = kink, high = peak_, middle = (low + high) / 2;
+  for (int step = 0; step < kMostSteps && high - low > kTangentPoint; ++step) {
+    const double from_least = middle - range.least;
+    const double sine = std::sin(middle + range.least);
+    const double short_by =
+        from_least * std::cos(middle + range.least) / sine - (of_one(middle) - start_);
+    (short_by > 0 ? low : high) = middle;
+    const double next = middle + short_by * sine * sine / from_least;
+    const bool is_settled = std::abs(next - middle) < kTangentPoint;
+    middle = next > low && next < high ? next : (low + high) / 2;
+    if (is_settled) break;
   }
+  high = middle;
   steepest_from_ = high;
   slope_ = (of_one(high) - start_) / (high - range.least);
 }
@@ -124,8 +133,10 @@ bool FanGrowth::may_lead(double low, double high, double ratio) const {
                                     std::ceil((low - kAngleSlack) / range_.most);
   }
   // A logarithm is no more than what its argument has above one, and mostly this is enough.
-  if (growth_at_peaks(low, high) >= ratio - 1) return true;
+  const double at_peaks = growth_at_peaks(low, high);
+  if (at_peaks >= ratio - 1) return true;
   const double wanted = std::max(std::log(ratio) - 4 * kAngleSlack, 0.0);
+  if (at_peaks >= wanted) return true;
   return log_ratio(std::max(low, 0.0), high, wanted) >= wanted;
 }
 

@@ -40,7 +40,7 @@ struct ProofEffort {
   /// What is seen at once.
   static ProofEffort brief() { return {10, 0, 16, 16, false}; }
   /// What pays beside a mesh: of 2,000 Voronoi cells, 400 boxes for a side prove 3 limits more.
-  static ProofEffort usual() { return {10, 240, 200, 16, false}; }
+  static ProofEffort usual() { return {10, 240, 200, 8, false}; }
 };
 
 /// Proves limits of one region.
