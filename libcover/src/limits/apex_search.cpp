@@ -243,8 +243,7 @@ bool ApexSearch::is_banned(std::span<const Place> corners) {
     const double c = ux * vy - uy * vx;
     if ((p.y == 0 || (c > 0 && ux * vx + uy * vy < cot_ * c)) && are_in<Ban::zone>(k, corners))
       return true;
-    if (!(c > 0) &&
-        (are_in<Ban::shadow_of_a>(k, corners) || are_in<Ban::shadow_of_b>(k, corners)))
+    if (!(c > 0) && (are_in<Ban::shadow_of_a>(k, corners) || are_in<Ban::shadow_of_b>(k, corners)))
       return true;
   }
   for (std::size_t k = 0; k < a_.seen.size(); ++k) {

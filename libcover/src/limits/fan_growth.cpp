@@ -16,7 +16,7 @@
 namespace cover {
 namespace {
 
-constexpr double kLogSlack = 1e-8;  ///< per triangle: rounding, and the tangent
+constexpr double kLogSlack = 1e-8;      ///< per triangle: rounding, and the tangent
 constexpr double kTangentPoint = 1e-7;  ///< radians: how well that is known
 constexpr int kMostSteps = 40;          ///< towards it
 constexpr int kMostInFan = 96;  ///< larger fans are not bounded: what they prove is next to nothing

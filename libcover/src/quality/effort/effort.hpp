@@ -21,7 +21,7 @@ inline constexpr std::uint64_t kImprovePerTriangle = 100;   ///< star evaluation
 /// limit Voronoi cells take a third more time, for the same faults up to 0.1 %.
 inline constexpr std::uint64_t kCouplePerTriangle = 60;
 /// The same with little effort.
-inline constexpr std::uint64_t kImproveFast = 40, kCoupleFast = 15;
+inline constexpr std::uint64_t kImproveFast = 25, kCoupleFast = 10;
 
 /// Where at most this share of the triangles of a large mesh misses the goal, they are searched for
 /// one by one: on clean input that ends at the goal, on maps nearly all that is left is forced.

@@ -131,7 +131,8 @@ Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search
     const std::uint64_t one_more =
         is_small ? effort::kSearchForOneMore : effort::kSearchForCouplings;
     part.left = std::min<std::uint64_t>(
-        part.left, effort::kSearchForCouplings + one_more * (std::max<std::size_t>(merit.missed, 1) - 1));
+        part.left,
+        effort::kSearchForCouplings + one_more * (std::max<std::size_t>(merit.missed, 1) - 1));
     const std::uint64_t given = part.left;
     search_excerpts(mesh, soft, part, Trials::usual, sharing);
     budget.spend(given - part.left);
