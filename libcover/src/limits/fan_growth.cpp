@@ -33,23 +33,29 @@ FanGrowth::FanGrowth(AngleRange range) : range_(range) {
   at_peak_ = of_one(peak_);
   steepest_from_ = range.least;
   if (!(kink > range.least)) return;
-  // The slope of the chord from the start grows up to the tangent point and falls after it. Newton's
-  // method, within what encloses the point: an error there changes the tangent by its square.
-  double low = kink, high = peak_, middle = (low + high) / 2;
+  steepest_from_ = tangent_point(kink);
+  slope_ = (of_one(steepest_from_) - start_) / (steepest_from_ - range.least);
+}
+
+/// Where the slope of the chord from the start is largest, from `kink` to the peak: it grows up to
+/// the tangent point and falls after it. Newton's method, within what encloses that point: an error
+/// there changes the tangent by its square, but not at the ends, which are exact.
+double FanGrowth::tangent_point(double kink) const {
+  const auto tangent_above_chord = [this](double at) {
+    return (at - range_.least) / std::tan(at + range_.least) - (of_one(at) - start_);
+  };
+  if (tangent_above_chord(peak_) > 0) return peak_;
+  if (!(tangent_above_chord(kink) > 0)) return kink;
+  double low = kink, high = peak_, at = (low + high) / 2;
   for (int step = 0; step < kMostSteps && high - low > kTangentPoint; ++step) {
-    const double from_least = middle - range.least;
-    const double sine = std::sin(middle + range.least);
-    const double short_by =
-        from_least * std::cos(middle + range.least) / sine - (of_one(middle) - start_);
-    (short_by > 0 ? low : high) = middle;
-    const double next = middle + short_by * sine * sine / from_least;
-    const bool is_settled = std::abs(next - middle) < kTangentPoint;
-    middle = next > low && next < high ? next : (low + high) / 2;
-    if (is_settled) break;
+    const double above = tangent_above_chord(at);
+    (above > 0 ? low : high) = at;
+    const double sine = std::sin(at + range_.least);
+    const double change = above * sine * sine / (at - range_.least);
+    if (std::abs(change) < kTangentPoint) break;
+    at = at + change > low && at + change < high ? at + change : (low + high) / 2;
   }
-  high = middle;
-  steepest_from_ = high;
-  slope_ = (of_one(high) - start_) / (high - range.least);
+  return at;
 }
 
 double FanGrowth::of_one(double angle) const {

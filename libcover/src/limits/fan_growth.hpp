@@ -40,6 +40,7 @@ class FanGrowth {
   [[nodiscard]] double of_one(double angle) const;
   [[nodiscard]] double growth_at_peaks(double low, double high) const;
   [[nodiscard]] double concave(double angle) const;
+  [[nodiscard]] double tangent_point(double kink) const;
 
   AngleRange range_;
   double steepest_from_ = 0;  ///< up to here the concave majorant is a straight line,
