@@ -28,8 +28,8 @@ inline constexpr std::uint64_t kImproveFast = 25, kCoupleFast = 10;
 inline constexpr double kFewMissed = 0.02;
 
 /// Star evaluations for each triangle that misses the goal only since couplings count. In small
-/// meshes one alone is likely to be mended, as on 900 wavy squares; each one more gets so much: with
-/// as much for all of them the same is found on maps, in 1.1 times the time.
+/// meshes one alone is likely to be mended, as on 900 wavy squares; each one more gets so much:
+/// with as much for all of them the same is found on maps, in 1.1 times the time.
 inline constexpr std::uint64_t kSearchForCouplings = 8000, kSearchForOneMore = 500;
 
 /// Small meshes in which few triangles miss the goal, by no more than this fault (116 degrees, 16
@@ -38,8 +38,8 @@ inline constexpr std::uint64_t kSearchForCouplings = 8000, kSearchForOneMore = 5
 inline constexpr std::size_t kSmallMesh = 600;
 inline constexpr std::size_t kFewInSmall = 6;
 inline constexpr double kFaultImprovedAgain = 0.2;
-/// Star evaluations for that, each. With 250 of 10,000 wavy squares no more reach the goal, and maps
-/// take 1.1 times the time.
+/// Star evaluations for that, each. With 250 of 10,000 wavy squares no more reach the goal, and
+/// maps take 1.1 times the time.
 inline constexpr std::uint64_t kLastPerTriangle = 50;
 
 /// If no more triangles than these are left then, with no larger faults in sum than one may have,
