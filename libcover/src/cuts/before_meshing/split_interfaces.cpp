@@ -29,6 +29,7 @@
 #include "cuts/room_on_segment.hpp"
 #include "geom/angle_rounding.hpp"
 #include "geom/foot.hpp"
+#include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/segment_sizes.hpp"
@@ -55,6 +56,11 @@ struct Wish {
   std::optional<SegmentSizes> sizes;
 };
 
+/// The ends of a segment before it was cut.
+struct Whole {
+  Point a, b;
+};
+
 class Splitter {
  public:
   Splitter(Pslg& pslg, RegionTable& table, const Options& options)
@@ -65,7 +71,7 @@ class Splitter {
         least_nu_(options.split_interfaces->supplement().in_radians() - kRounding),
         is_right_(*options.split_interfaces == Angle::degrees(90)),
         dirty_(table.regions.size(), 1) {
-    for (const Segment& s : pslg.segments) whole_.push_back(length_of(s));
+    for (const Segment& s : pslg.segments) whole_.push_back({at(s.a), at(s.b)});
     rigid_.assign(pslg.segments.size(), 0);
   }
 
@@ -149,9 +155,11 @@ class Splitter {
         if (wish.forced) stuck_.push_back(midpoint(at(segment.a), at(segment.b)));
       } else if (wish.sizes && wish.sizes->is_long()) {
         cuts.push_back({SegmentId{s}, wish.sizes->cuts()});
+        for (Point& place : cuts.back().points) place = on_whole(s, place);
       } else if (wish.forced || halved_[s] != 0) {
-        if (const auto place = place_on(segment, wish, whole_[s])) {
-          cuts.push_back({SegmentId{s}, {*place}});
+        const auto place = place_on(segment, wish, length(whole_[s].b - whole_[s].a));
+        if (place) {
+          cuts.push_back({SegmentId{s}, {on_whole(s, *place)}});
         } else if (wish.forced) {
           stuck_.push_back(midpoint(at(segment.a), at(segment.b)));
         }
@@ -210,6 +218,18 @@ class Splitter {
     if (shorter <= kFootFloor * whole || !has_room_on_segment(a, b, foot, wish.apexes))
       return std::nullopt;
     return foot;
+  }
+
+  /// A cut of a piece, on the line of the segment that was cut first. Feet from wall to wall come
+  /// one by one, each on the piece that the last one left: rounded every time, they would leave the
+  /// line by half a unit in the last place each.
+  [[nodiscard]] Point on_whole(std::size_t s, Point p) const {
+    const auto [a, b] = whole_[s];
+    const Vector along = b - a;
+    const double off = cross(along, p - a) / length(along);
+    if (std::abs(off) <= 2 * spacing_of(std::array{a, b})) return p;
+    if (circle_of(pslg_, pslg_.segments[s]) != nullptr) return p;
+    return p + (off / length(along)) * Vector{along.y, -along.x};
   }
 
   /// Whether a cut of the last pass lies beside the void.
@@ -321,7 +341,7 @@ class Splitter {
   }
 
   void apply(const std::vector<SegmentCut>& cuts) {
-    std::vector<double> whole;
+    std::vector<Whole> whole;
     std::vector<std::uint8_t> rigid;
     auto cut = cuts.begin();
     for (std::size_t s = 0; s < whole_.size(); ++s) {
@@ -342,7 +362,7 @@ class Splitter {
   struct Before {
     Pslg pslg;
     RegionTable table;
-    std::vector<double> whole;
+    std::vector<Whole> whole;
     std::vector<std::uint8_t> rigid;
     std::vector<SegmentCut> cuts;
     int trials = 0;  ///< so many of them were taken back
@@ -359,7 +379,7 @@ class Splitter {
   std::vector<Wish> wishes_;          ///< by segment
   std::vector<std::uint8_t> dirty_;   ///< by region
   std::vector<std::uint8_t> halved_;  ///< by segment: to be cut half way if it is not otherwise
-  std::vector<double> whole_;         ///< by segment: length of the segment it is a piece of
+  std::vector<Whole> whole_;          ///< by segment: the one that it is a piece of
   std::vector<std::uint8_t> rigid_;   ///< by segment: rounded cuts on it broke something
   std::vector<Point> stuck_;
   std::optional<Before> before_;

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <cover/cover_mesh.hpp>
 #include <cover/verify.hpp>
 
+#include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"
 #include "support/inputs.hpp"
@@ -162,6 +164,28 @@ TEST(SplitInterfaces, EndsAtSharpCorners) {
   std::vector<Note> notes;
   ASSERT_TRUE(split_interfaces(regions.pslg, regions.table, options, notes));
   EXPECT_LT(regions.pslg.points.size(), 20000u);
+}
+
+/// Feet go from wall to wall up to the tip, each on the piece that the last one left. Each was
+/// rounded off that by half a unit in the last place, and the last of them by 15.
+TEST(SplitInterfaces, ManyFeetStayOnTheirSegment) {
+  const std::vector<Point> corners{{1e9, 1000000000012.7518},
+                                   {999999993.4508424, 1000000000012.1918},
+                                   {999999993.460519, 1000000000012.1216}};
+  Regions regions = regions_of(testing::segments_between(corners, {{0, 1}, {1, 2}, {2, 0}}));
+  Options options;
+  options.split_interfaces = Angle::degrees(90);
+  std::vector<Note> notes;
+  ASSERT_TRUE(split_interfaces(regions.pslg, regions.table, options, notes));
+  ASSERT_GT(regions.pslg.points.size(), 50U) << "no long row of feet: take another triangle";
+  for (const Point& p : regions.pslg.points) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector along = corners[(k + 1) % 3] - corners[k];
+      nearest = std::min(nearest, std::abs(cross(along, p - corners[k])) / length(along));
+    }
+    EXPECT_LE(nearest, 3 * spacing_of(corners)) << p.x << ' ' << p.y;
+  }
 }
 
 TEST(SplitInterfaces, LeavesWhatIsTooThinForRoundedPoints) {
