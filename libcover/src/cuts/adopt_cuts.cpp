@@ -63,13 +63,15 @@ class Adopter {
     if (!a || !b || (sides.left == kVoid && sides.right == kVoid)) return {};
     const bool forward = sides.left != kVoid;  // edges have their triangle on the left
     const std::uint32_t from = forward ? *a : *b, to = forward ? *b : *a;
-    if (edges_.find(from, to)) return {};
     std::vector<std::uint32_t> vertices;
     const SoupEdges::Banks banks = forward ? SoupEdges::Banks::of(sides.left, sides.right)
                                            : SoupEdges::Banks::of(sides.right, sides.left);
-    for (const std::size_t edge : edges_.along(from, to, offset_, is_input_, false, banks)) {
-      vertices.push_back(edges_.all()[edge].to);
-    }
+    const auto whole = edges_.find(from, to);
+    if (whole && edges_.lies_between(edges_.all()[*whole], banks)) return {};
+    // Else the cuts may lie beside that edge, by rounding.
+    const auto way = whole ? edges_.along_between(from, to, offset_, is_input_, false, banks)
+                           : edges_.along(from, to, offset_, is_input_, false, banks);
+    for (const std::size_t edge : way) vertices.push_back(edges_.all()[edge].to);
     if (vertices.empty()) return {};
     vertices.pop_back();  // the segment's end
     if (!forward) std::reverse(vertices.begin(), vertices.end());

@@ -185,10 +185,11 @@ class Verifier {
       if (edge) report_in_void(side, edges_.all()[*edge]);
       return !edge;
     }
-    if (edge) {
+    if (edge && !(options_.allow_split && mark_pieces_beside(s, edges_.all()[*edge]))) {
       side_of_[*edge] = s;
       return true;
     }
+    if (edge) return false;
     if (!((options_.allow_split || side.hull) && mark_pieces(s, *from, *to))) {
       report_broken_side(side, edges_.find(*to, *from).has_value());
     }
@@ -218,6 +219,20 @@ class Verifier {
     const std::vector<std::size_t> pieces =
         edges_.along(from, to, offset_on_segment(scale_), is_input_, other == kVoid,
                      SoupEdges::Banks::of(side.region, other));
+    for (const std::size_t piece : pieces) side_of_[piece] = s;
+    return !pieces.empty();
+  }
+
+  /// The same where an edge joins the ends of the side: a rounded cut may lie off it, and a
+  /// triangle between them. Only if the mesh's own regions tell so.
+  bool mark_pieces_beside(std::uint32_t s, const SoupEdges::Edge& edge) {
+    const ExpectedSide& side = domain_.sides[s];
+    if (side.hull) return false;
+    const RegionId other = domain_.sides[s ^ 1].region;
+    const SoupEdges::Banks banks = SoupEdges::Banks::of(side.region, other);
+    if (edges_.lies_between(edge, banks)) return false;
+    const std::vector<std::size_t> pieces = edges_.along_between(
+        edge.from, edge.to, offset_on_segment(scale_), is_input_, other == kVoid, banks);
     for (const std::size_t piece : pieces) side_of_[piece] = s;
     return !pieces.empty();
   }

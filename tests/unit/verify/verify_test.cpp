@@ -8,7 +8,10 @@
 #include <limits>
 #include <random>
 
+#include <cover/cover_mesh.hpp>
+
 #include "cdt/cdt.hpp"
+#include "support/inputs.hpp"
 #include "support/shapes.hpp"
 
 namespace cover {
@@ -205,6 +208,41 @@ TEST(Verify, SegmentSplitByAVertex) {
   // Off the segment by more than rounding it is no split any more.
   d.mesh.points[middle].x = 6 + 1e-9;
   EXPECT_GT(d.check({.allow_split = true}).violation_count, 0U);
+}
+
+/// A cut of the segment between points 2 and 3, rounded, lies beside it: the region on one side has
+/// an edge between them, inside, and a flat triangle beyond.
+TEST(Verify, SegmentSplitBesideAnEdgeBetweenItsEnds) {
+  const Input input = testing::segments_between(
+      {{20.59233386725629, 28.654040432860977},
+       {8120544.6720304536, -5835816.5007822933},
+       {8120687.1487188051, -5835618.2457998786},
+       {5416860.9166774964, -3892503.3604942956},
+       {163.0690222174205, 226.90902284732843},
+       {8120687.1487190695, -5835618.2457995098},
+       {5609168.249619795, -4030705.7481935862},
+       {163.069022482804, 226.90902321660712}},
+      {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 0}, {4, 2}, {2, 5}, {5, 6}, {6, 7}, {7, 4}});
+  Options options;
+  options.method = Method::almond;
+  const auto whole = prepare(input, options);
+  ASSERT_TRUE(whole) << whole.error().message;
+  options.split_interfaces = Angle::degrees(90);
+  const auto output = cover_mesh(input, options);
+  ASSERT_TRUE(output) << output.error().message;
+  TriangleSoup mesh = triangle_soup(output->mesh);
+  const bool has_edge = std::any_of(
+      mesh.triangles.begin(), mesh.triangles.end(), [](const std::array<std::uint32_t, 3>& t) {
+        return std::count(t.begin(), t.end(), 2U) + std::count(t.begin(), t.end(), 3U) == 2;
+      });
+  EXPECT_TRUE(has_edge) << "no edge beside the cut: take another drawing";
+  const auto found =
+      verify_cover(whole->pslg, whole->table, mesh, {.bound = false, .allow_split = true});
+  EXPECT_TRUE(found.violations.empty()) << found.violations.front().message;
+  // Its regions tell which is the segment, and vouch for nothing.
+  std::swap(mesh.region.front(), mesh.region.back());
+  EXPECT_FALSE(verify_cover(whole->pslg, whole->table, mesh, {.bound = false, .allow_split = true})
+                   .violations.empty());
 }
 
 TEST(Verify, SegmentSplitOnOneSideOnly) {

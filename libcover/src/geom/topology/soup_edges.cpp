@@ -61,11 +61,16 @@ std::optional<std::size_t> SoupEdges::find(std::uint32_t from, std::uint32_t to)
 std::vector<std::size_t> SoupEdges::along(std::uint32_t from, std::uint32_t to, double offset,
                                           const std::vector<bool>& barred, bool outer,
                                           const Banks& banks) const {
-  if (soup_.region.size() == soup_.triangles.size()) {
-    std::vector<std::size_t> between = follow({from, to, offset, barred, outer, &banks});
-    if (!between.empty()) return between;
-  }
+  std::vector<std::size_t> between = along_between(from, to, offset, barred, outer, banks);
+  if (!between.empty()) return between;
   return follow({from, to, offset, barred, outer, nullptr});
+}
+
+std::vector<std::size_t> SoupEdges::along_between(std::uint32_t from, std::uint32_t to,
+                                                  double offset, const std::vector<bool>& barred,
+                                                  bool outer, const Banks& banks) const {
+  if (soup_.region.size() != soup_.triangles.size()) return {};
+  return follow({from, to, offset, barred, outer, &banks});
 }
 
 std::vector<std::size_t> SoupEdges::follow(const Way& way) const {
@@ -80,6 +85,7 @@ std::vector<std::size_t> SoupEdges::follow(const Way& way) const {
 }
 
 bool SoupEdges::lies_between(const Edge& edge, const Banks& banks) const {
+  if (soup_.region.size() != soup_.triangles.size()) return false;
   if (soup_.region[edge.triangle] != banks.left) return false;
   const auto twin = find(edge.to, edge.from);
   if (twin.has_value() != banks.right.has_value()) return false;

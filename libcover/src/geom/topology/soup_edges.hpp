@@ -58,6 +58,14 @@ class SoupEdges {
                                                const std::vector<bool>& barred, bool outer,
                                                const Banks& banks) const;
 
+  /// Of along(), a way that has these banks; none where the mesh bears no RegionIds.
+  [[nodiscard]] std::vector<std::size_t> along_between(std::uint32_t from, std::uint32_t to,
+                                                       double offset,
+                                                       const std::vector<bool>& barred, bool outer,
+                                                       const Banks& banks) const;
+  /// Whether an edge has these banks, by the RegionIds that the mesh bears.
+  [[nodiscard]] bool lies_between(const Edge& edge, const Banks& banks) const;
+
   /// The triangles set aside.
   [[nodiscard]] std::span<const std::uint32_t> unusable() const { return unusable_; }
 
@@ -79,7 +87,6 @@ class SoupEdges {
 
   [[nodiscard]] std::vector<std::size_t> follow(const Way& way) const;
   [[nodiscard]] std::optional<std::size_t> next_of(const Way& way, std::uint32_t at) const;
-  [[nodiscard]] bool lies_between(const Edge& edge, const Banks& banks) const;
 
   const TriangleSoup& soup_;
   std::vector<std::size_t> first_;  ///< by vertex, into edges_
