@@ -213,6 +213,18 @@ class Polygons(unittest.TestCase):
         with self.assertRaises(TypeError):
             cover.mesh_polygons([('a', [[{'circle': object()}]])])
 
+    def test_mistakes_in_their_shape_are_told_in_words(self):
+        square = [(0, 0), (4, 0), (4, 4), (0, 4)]
+        for polygons, said in (({'a': 3}, 'polygons must be a list'), ([square], 'polygon 0 is no'),
+                               ([('a', [square]), 'b'], 'polygon 1 is no'), ([([square], 'a')], 'polygon 0: its material'),
+                               ([('a', 3)], 'polygon 0: its rings'), ([('a', [3, 4])], 'polygon 0: a ring'),
+                               ([([(0, 0), (1, 0)], [square])], 'polygon 0: its material')):
+            with self.assertRaisesRegex(TypeError, said):
+                cover.mesh_polygons(polygons)
+        with self.assertRaises((TypeError, ValueError)) as raised:
+            cover.mesh_polygons([('a', square)])  # a ring too little of brackets
+        self.assertNotIn('not iterable', str(raised.exception))
+
 
 class Pickling(unittest.TestCase):
     def test_everything_survives(self):

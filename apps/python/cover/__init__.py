@@ -85,6 +85,22 @@ def _document(polygon):
     return {**polygon, "rings": [_plain(ring) for ring in polygon.get("rings", ())]}
 
 
+def _check_polygon(k, polygon):
+    """A mistake in the shape of a polygon, by its number."""
+    if isinstance(polygon, dict):
+        return
+    if isinstance(polygon, str) or not hasattr(polygon, "__len__") or len(polygon) not in (2, 3):
+        raise TypeError(f"polygon {k} is no (material, rings), (material, rings, name) or dictionary")
+    material, rings = polygon[:2]
+    if hasattr(material, "__len__") and not isinstance(material, str):
+        raise TypeError(f"polygon {k}: its material, the first of the tuple, must be a name or a number")
+    if isinstance(rings, (str, dict)) or not hasattr(rings, "__len__"):
+        raise TypeError(f"polygon {k}: its rings must be a list of rings, each a list of points")
+    for ring in rings:
+        if isinstance(ring, (str, dict)) or not hasattr(ring, "__len__"):
+            raise TypeError(f"polygon {k}: a ring must be a list of points; rings are a list of such lists")
+
+
 def mesh_polygons(polygons, *, lines=None, holes=(), chord_error=None, unit=None, progress=None, **options):
     """Meshes painted polygons, each (material, rings), (material, rings, name), or a dictionary with the keys
     material, rings, region, priority, size, as in JSON.
@@ -95,7 +111,11 @@ def mesh_polygons(polygons, *, lines=None, holes=(), chord_error=None, unit=None
     priority wins, then the later one, or as the option overlap says.
     lines: contacts, paths by name; a name may have a list of paths. holes: (k, 2) floats, a point in each void.
     """
+    if isinstance(polygons, (str, dict)):
+        raise TypeError("polygons must be a list of (material, rings), (material, rings, name) or dictionaries")
     polygons = list(polygons)
+    for k, polygon in enumerate(polygons):
+        _check_polygon(k, polygon)
     simple = not lines and not len(holes) and unit is None and all(
         not isinstance(p, dict) and not any(_is_curved(ring) for ring in p[1]) for p in polygons)
     if simple:
