@@ -38,7 +38,7 @@ struct ProofEffort {
   bool asks_far = true;            ///< where no limit is near, whether there is one by five degrees
 
   /// What corners say, without any box: of 2,000 Voronoi cells and 5,000 parcels 16 boxes for a
-  /// side prove 5 % more, for a sixth of the time of little effort.
+  /// side prove a tenth more, for a sixth of the time of little effort.
   static ProofEffort brief() { return {0, 0, 0, 0, false}; }
   /// What pays beside a mesh: of 2,000 Voronoi cells, 400 boxes for a side prove 3 limits more.
   static ProofEffort usual() { return {10, 240, 200, 8, false}; }

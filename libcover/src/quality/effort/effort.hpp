@@ -27,9 +27,9 @@ inline constexpr std::uint64_t kImproveFast = 25, kCoupleFast = 10;
 /// one by one: on clean input that ends at the goal, on maps nearly all that is left is forced.
 inline constexpr double kFewMissed = 0.02;
 
-/// Star evaluations for each triangle that misses the goal only since couplings count. In small
-/// meshes one alone is likely to be mended, as on 900 wavy squares; each one more gets so much:
-/// with as much for all of them the same is found on maps, in 1.1 times the time.
+/// Star evaluations for a triangle that misses the goal only since couplings count, and in small
+/// meshes for each more of them. One alone is likely to be mended, as on 900 wavy squares. With as
+/// much for all of them the same is found on maps, in 1.1 times the time.
 inline constexpr std::uint64_t kSearchForCouplings = 8000, kSearchForOneMore = 500;
 
 /// Small meshes in which few triangles miss the goal, by no more than this fault (116 degrees, 16
@@ -38,15 +38,16 @@ inline constexpr std::uint64_t kSearchForCouplings = 8000, kSearchForOneMore = 5
 inline constexpr std::size_t kSmallMesh = 600;
 inline constexpr std::size_t kFewInSmall = 6;
 inline constexpr double kFaultImprovedAgain = 0.2;
-/// Star evaluations for that, each. With 250 of 10,000 wavy squares no more reach the goal, and
-/// maps take 1.1 times the time.
-inline constexpr std::uint64_t kLastPerTriangle = 50;
+/// Star evaluations for that, each; and with couplings, after which few triangles were searched
+/// already: with 250 one more of 10,000 wavy squares reaches the goal, and the counties of Virginia
+/// take 1.2 times the time.
+inline constexpr std::uint64_t kLastPerTriangle = 250, kLastCoupled = 50;
 
 /// If no more triangles than these are left then, with no larger faults in sum than one may have,
 /// the mesh is made again with a search before couplings have their say, which leads elsewhere. Of
 /// 3,600 wavy squares the last 5 reach the goal by that.
 inline constexpr std::size_t kSearchedAgain = 2;
-inline constexpr std::uint64_t kSearchedPerTriangle = 70;  ///< star evaluations for that; as above
+inline constexpr std::uint64_t kSearchedPerTriangle = 400, kSearchedCoupled = 70;  ///< for that
 
 /// Tiny regions that miss the goal by no more than this fault (109 degrees, 17.8 degrees) get
 /// random restarts, if they have so many points: of 1,000 inclusions 4 reach the goal by that.

@@ -50,6 +50,8 @@ bool may_be_near(const PlanProgress& p) {
   return merit.triangles <= effort::kSmallMesh && merit.negative == 0 && !is_beyond_bound(p);
 }
 
+bool has_couplings(const PlanProgress& p) { return p.make.goal().coupling.weight > 0; }
+
 void take(PlanProgress& p, Candidate other) { p.make.take_if_better(p.best, std::move(other)); }
 
 void as_it_is(PlanProgress& p) {
@@ -80,7 +82,9 @@ void refined_and_searched_all(PlanProgress& p) {
   take(p, p.refined);
 }
 void refined_and_searched_again(PlanProgress& p) {
-  const std::uint64_t most = effort::kSearchedPerTriangle * p.best.merit.triangles;
+  const std::uint64_t most =
+      p.best.merit.triangles *
+      (has_couplings(p) ? effort::kSearchedCoupled : effort::kSearchedPerTriangle);
   p.refined = p.make.optimised_within(p.cdt, Search::again, most);
   take(p, p.refined);
 }
@@ -110,7 +114,8 @@ void almonds_improved(PlanProgress& p) {
   if (p.make.is_promising(almond, p.best)) take(p, p.make.improved(almond));
 }
 void improved_again(PlanProgress& p) {
-  const std::uint64_t most = effort::kLastPerTriangle * p.best.merit.triangles;
+  const std::uint64_t most =
+      p.best.merit.triangles * (has_couplings(p) ? effort::kLastCoupled : effort::kLastPerTriangle);
   take(p, p.make.improved_within(p.best, most));
   if (!p.best.merit.complete) take(p, p.make.improved_within(p.cdt, most));
 }
