@@ -46,6 +46,12 @@ std::vector<std::uint32_t> places_in(const std::vector<std::uint32_t>& order) {
   return place;
 }
 
+/// In the plane, where rounding is that of the coordinates that are written.
+bool is_obtuse(const std::array<Point, 3>& corners, const LocalFrame& frame) {
+  const auto& [a, b, c] = corners;
+  return bluntness_of(frame.restore(a), frame.restore(b), frame.restore(c)) == Blunt::yes;
+}
+
 }  // namespace
 
 JoinedRegions::JoinedRegions(const Pslg& pslg, std::span<const RegionBoundary> boundaries,
@@ -124,12 +130,6 @@ JoinedRegions::JoinedRegions(const Pslg& pslg, std::span<const RegionBoundary> b
     partner_.push_back(is_there ? number : kNone);
     beyond_.push_back(is_there ? at[number].triangle : kNone);
   }
-}
-
-/// In the plane, where rounding is that of the coordinates that are written.
-static bool is_obtuse(const std::array<Point, 3>& corners, const LocalFrame& frame) {
-  const auto& [a, b, c] = corners;
-  return bluntness_of(frame.restore(a), frame.restore(b), frame.restore(c)) == Blunt::yes;
 }
 
 std::vector<std::uint32_t> JoinedRegions::triangles_above() const {
