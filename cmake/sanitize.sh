@@ -1,16 +1,19 @@
 #!/usr/bin/env bash
-# sanitize.sh [PRESET [REGEX]]: builds all tests with a sanitizer (preset asan-ubsan or tsan), runs
-# those whose names match REGEX (all of them without one), and writes what became of each to
-# build/PRESET/result.txt. An hour or two on two cores; tsan is best run in parts:
+# sanitize.sh [PRESET [REGEX [TARGET...]]]: builds the tests with a sanitizer (preset asan-ubsan or
+# tsan), all of them or the targets named, runs those whose names match REGEX (all of them without
+# one), and writes what became of each to build/PRESET/result.txt. An hour or two on two cores; tsan
+# is best run in parts:
 #
 #   cmake/sanitize.sh                                    everything with asan and ubsan
 #   cmake/sanitize.sh tsan 'ManyThreads|CoverMesh|Property'
+#   cmake/sanitize.sh asan-ubsan 'Weld|NodeEdges' unit_region
 set -euo pipefail
 cd "$(dirname "$0")/.."
 preset=${1:-asan-ubsan}
 regex=${2:-.}
+targets=("${@:3}")
 cmake --preset "$preset" -DCOVER_UNITY_BUILD=ON >/dev/null
-cmake --build --preset "$preset"
+cmake --build --preset "$preset" ${targets[@]+--target "${targets[@]}"}
 result=build/$preset/result.txt
 status=0
 TSAN_OPTIONS=ignore_noninstrumented_modules=1 ctest --test-dir "build/$preset" -R "$regex" -LE solvers \

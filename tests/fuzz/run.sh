@@ -12,7 +12,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 seconds=${1:-60}
 shift || true
-cmake --preset fuzz >/dev/null
+cmake --preset fuzz -DCOVER_UNITY_BUILD=ON >/dev/null
 targets=("$@")
 if [ ${#targets[@]} -eq 0 ]; then
   mapfile -t targets < <(cmake --build --preset fuzz --target help | sed -n 's/^fuzz_\([a-z_0-9]*\): phony.*/\1/p')
