@@ -39,5 +39,29 @@ TEST(Placement, HasNoRoomAtAReflexCorner) {
   }
 }
 
+TEST(Placement, WhereThereIsNoRoomNoPlaceIsGood) {
+  const RegionBoundary boundary = boundary_of({regular_polygon(9, 3, {1, 2})});
+  const MutableMesh mesh = cdt_mesh(boundary, Goal::of(Angle::degrees(140), Angle::degrees(20)));
+  int refused = 0;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    Cavity cavity(mesh);
+    cavity.start(t);
+    for (const double limit : {0.0, 0.2, 0.5, 1.0}) {
+      if (has_room(mesh, cavity, limit)) continue;
+      ++refused;
+      const Hole hole(mesh, cavity);
+      const Point a = mesh.corner(t, 0);
+      for (int i = 1; i < 40; ++i) {
+        for (int j = 1; i + j < 40; ++j) {
+          const Point p =
+              a + (i / 40.0) * (mesh.corner(t, 1) - a) + (j / 40.0) * (mesh.corner(t, 2) - a);
+          EXPECT_GT(hole.worst(p, kInverted), limit);
+        }
+      }
+    }
+  }
+  EXPECT_GT(refused, 0);
+}
+
 }  // namespace
 }  // namespace cover
