@@ -33,7 +33,8 @@ def xdmf(path):
         return np.array(parent.find('DataItem').text.split(), dtype=kind)
 
     def arrays(grid):
-        return {a.get('Name'): list(numbers(a, np.int64)) for a in grid.iter('Attribute')}
+        kind = {'Int': np.int64, 'Float': float}
+        return {a.get('Name'): list(numbers(a, kind[a.find('DataItem').get('NumberType')])) for a in grid.iter('Attribute')}
 
     def cells(grid, corners):
         topology = grid.find('Topology')
