@@ -28,6 +28,7 @@
 #include "cuts/periodic/mirror_cuts.hpp"
 #include "cuts/room_on_segment.hpp"
 #include "geom/angle_rounding.hpp"
+#include "geom/curves/arc.hpp"
 #include "geom/foot.hpp"
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
