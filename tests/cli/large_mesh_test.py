@@ -44,7 +44,7 @@ class Stream(Case):
         for name in ('a', 't'):
             self.run_cover('convert', f'{name}.xdmf', '-o', f'{name}.vtu')
         self.assertEqual((self.dir / 'a.vtu').read_bytes(), (self.dir / 't.vtu').read_bytes())
-        self.assertIn('text or hdf5', self.run_cover('mesh', 'plain.poly', '-o', 'b.xdmf', '--xdmf', 'x', code=2)[1])
+        self.assertIn("'x' is not one of text, hdf5", self.run_cover('mesh', 'plain.poly', '-o', 'b.xdmf', '--xdmf', 'x', code=2)[1])
 
     def test_xdmf_without_its_numbers(self):
         self.run_cover('mesh', self.plain(), '-o', 'a.xdmf', '--xdmf', 'hdf5', '-q')
