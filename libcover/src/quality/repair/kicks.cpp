@@ -16,13 +16,9 @@ constexpr std::uint64_t kCopied = 8;  ///< triangles copied in the time of one s
 
 }  // namespace
 
-Goal with_slack(const Goal& aim) {
-  return aim.with(aim.large - kStricter, aim.small * (1 - kStricter), aim.weight);
-}
-
 void improve_with_slack(MutableMesh& mesh, Budget& budget) {
   const Goal aim = mesh.goal();
-  mesh.set_goal(with_slack(aim));
+  mesh.set_goal(aim.with(aim.large - kStricter, aim.small * (1 - kStricter), aim.weight));
   budget.spend(improve(mesh, budget.left).evaluations);
   mesh.set_goal(aim);
   budget.spend(improve(mesh, budget.left).evaluations + mesh.triangles.size() / kCopied);

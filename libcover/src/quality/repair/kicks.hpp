@@ -7,9 +7,6 @@
 
 namespace cover {
 
-/// A goal that is much stricter than `aim`: 6 degrees.
-Goal with_slack(const Goal& aim);
-
 /// Improves for a stricter goal first, then for the one set: what ends just short of a goal can be
 /// led past it, as where right angles at a side would have to be met exactly.
 void improve_with_slack(MutableMesh& mesh, Budget& budget);

@@ -70,12 +70,12 @@ class Attempts {
     const bool only_small = before_.above == 0;
     const Goal& first = only_small ? goal_ : light_;
     const Goal& second = only_small ? light_ : goal_;
-    if (as_it_is(first, false) || fill_holes(first) || kick(first)) return true;
+    if (as_it_is(first, false) || fill_holes(first) || kick(first, false)) return true;
     if (as_it_is(second, false)) return true;
-    if (before_.below > 0 && kick(second)) return true;
+    if (before_.below > 0 && kick(second, false)) return true;
     if (as_it_is(first, true)) return true;
     const bool is_alone = before_.above > 0 || before_.below <= kFew;
-    if (is_alone && kick_with_slack(first)) return true;
+    if (is_alone && kick(first, true)) return true;
     return trials_ == Trials::with_restarts && before_.above > 0 && start_again(first);
   }
 
@@ -84,41 +84,27 @@ class Attempts {
  private:
   [[nodiscard]] bool is_better() const { return is_gain(standing_of(trial_, goal_), before_); }
 
-  /// Moves several vertices of the improved trial at once.
-  bool improve_trial_jointly() {
-    return improve_jointly(trial_, budget_, [this] { return is_better(); });
-  }
-
-  /// Improves the trial, a vertex at a time and then several at once, where it is not as in
-  /// `start`: what the start's other triangles lead to, as_it_is() has found out.
-  bool improve_changed(const MutableMesh& start) {
-    budget_.spend(improve(trial_, budget_.left, start.excess).evaluations +
-                  trial_.triangles.size() / kCopied);
-    return improve_trial_jointly();
-  }
-
-  /// Improves all of the part. With `slack` for a much stricter goal before.
-  bool as_it_is(const Goal& aim, bool slack) {
-    trial_ = part_;
+  /// Improves the trial for `aim`, a vertex at a time and then several at once. With `slack` for a
+  /// much stricter goal before.
+  bool improve_trial(const Goal& aim, bool slack) {
     trial_.set_goal(aim);
     if (slack) {
       improve_with_slack(trial_, budget_);
     } else {
       budget_.spend(improve(trial_, budget_.left).evaluations + trial_.triangles.size() / kCopied);
     }
-    return improve_trial_jointly();
+    return improve_jointly(trial_, budget_, [this] { return is_better(); });
   }
 
-  /// The part, measured by another goal.
-  [[nodiscard]] MutableMesh aimed(const Goal& aim) const {
-    MutableMesh mesh = part_;
-    mesh.set_goal(aim);
-    return mesh;
+  bool as_it_is(const Goal& aim, bool slack) {
+    trial_ = part_;
+    return improve_trial(aim, slack);
   }
 
   /// Takes out triangles around the one in the middle, more and more, and fills the hole.
   bool fill_holes(const Goal& aim) {
-    const MutableMesh start = aimed(aim);
+    MutableMesh start = part_;
+    start.set_goal(aim);
     Cavity cavity(start);
     cavity.start(0);
     for (bool grown = true; grown && !budget_.is_used_up();) {
@@ -133,30 +119,16 @@ class Attempts {
       trial_ = start;
       Installed installed;
       if (!install_patch(trial_, cavity, patch, installed)) continue;
-      if (is_better() || improve_changed(start)) return true;
+      if (is_better() || improve_trial(aim, false)) return true;
     }
     return false;
   }
 
   /// Kicks the triangle in the middle in every way.
-  bool kick(const Goal& aim) {
-    const MutableMesh start = aimed(aim);
+  bool kick(const Goal& aim, bool slack) {
     for (int kind = 0; kind < kKinds && !budget_.is_used_up(); ++kind) {
-      trial_ = start;
-      if (cover::kick(trial_, 0, kind) && improve_changed(start)) return true;
-    }
-    return false;
-  }
-
-  /// The same, for a much stricter goal before.
-  bool kick_with_slack(const Goal& aim) {
-    const MutableMesh start = aimed(aim), strict = aimed(with_slack(aim));
-    for (int kind = 0; kind < kKinds && !budget_.is_used_up(); ++kind) {
-      trial_ = strict;
-      if (!cover::kick(trial_, 0, kind)) continue;
-      budget_.spend(improve(trial_, budget_.left, strict.excess).evaluations);
-      trial_.set_goal(aim);
-      if (improve_changed(start)) return true;
+      trial_ = part_;
+      if (cover::kick(trial_, 0, kind) && improve_trial(aim, slack)) return true;
     }
     return false;
   }
@@ -164,7 +136,6 @@ class Attempts {
   /// Triangulates the inside of the excerpt anew, from one vertex less up to one more at random
   /// places.
   bool start_again(const Goal& aim) {
-    const MutableMesh start = aimed(aim);
     for (std::uint32_t k = 0; k < kRestarts && !budget_.is_used_up(); ++k) {
       const Excerpt inside(part_, 0, kRestarted[k % kRestarted.size()]);
       const std::size_t count = inside.mesh.points.size() - inside.mesh.fixed_vertices();
@@ -172,10 +143,11 @@ class Attempts {
           restart(inside.mesh, std::max<std::size_t>(count + k / kRestarted.size() % 3, 2) - 1, k);
       budget_.spend(kRestartCost);
       if (!anew) continue;
-      trial_ = start;
+      trial_ = part_;
+      trial_.set_goal(aim);
       anew->set_goal(aim);
       inside.replace(trial_, *anew);
-      if (improve_changed(start)) return true;
+      if (improve_trial(aim, false)) return true;
     }
     return false;
   }
