@@ -120,5 +120,12 @@ TEST(Arcs, ACutOnAChordIsFoundAlongBordersOnly) {
   check_device(101033, seen);
 }
 
+// Cuts of pieces of arcs were put back on the chord of the whole arc.
+TEST(Arcs, CutsStayOnThem) {
+  Seen seen;
+  check_device(9100310, seen);
+  check_device(9100336, seen);
+}
+
 }  // namespace
 }  // namespace cover

@@ -228,7 +228,9 @@ class Splitter {
     const auto [a, b] = whole_[s];
     const Vector along = b - a;
     const double off = cross(along, p - a) / length(along);
-    if (std::abs(off) <= 2 * spacing_of(std::array{a, b})) return p;
+    const double spacing = spacing_of(std::array{a, b});
+    // What is farther off than rounding takes it lies on an arc, whose pieces leave its chord.
+    if (std::abs(off) <= 2 * spacing || std::abs(off) > 16 * spacing) return p;
     if (circle_of(pslg_, pslg_.segments[s]) != nullptr) return p;
     return p + (off / length(along)) * Vector{along.y, -along.x};
   }
