@@ -216,21 +216,11 @@ py::dict describe(const OptionOf<Target>& entry) {
   return row;
 }
 
-py::list described_options() {
+/// The rows of a table of options.
+template <auto Table>
+py::list described() {
   py::list rows;
-  for (const OptionEntry& entry : option_table()) rows.append(describe(entry));
-  return rows;
-}
-
-py::list described_read_options() {
-  py::list rows;
-  for (const ReadOptionEntry& entry : read_option_table()) rows.append(describe(entry));
-  return rows;
-}
-
-py::list described_write_options() {
-  py::list rows;
-  for (const WriteOptionEntry& entry : write_option_table()) rows.append(describe(entry));
+  for (const auto& entry : Table()) rows.append(describe(entry));
   return rows;
 }
 
@@ -311,9 +301,9 @@ PYBIND11_MODULE(_cover, module) {
                std::to_string(m.output.table.regions.size()) + " regions>";
       });
 
-  module.def("options", &described_options);
-  module.def("read_options", &described_read_options);
-  module.def("write_options", &described_write_options);
+  module.def("options", &described<cover::option_table>);
+  module.def("read_options", &described<cover::read_option_table>);
+  module.def("write_options", &described<cover::write_option_table>);
   module.def(
       "mesh_pslg", [](const py::object& points, const py::object& segments, const py::list& regions,
                       const py::object& holes, const py::dict& lines, const py::dict& options,

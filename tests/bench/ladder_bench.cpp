@@ -27,7 +27,7 @@
 #include "quality/plan/plan.hpp"
 #include "quality/quality_region.hpp"
 #include "region/region_graph.hpp"
-#include "tasks/region_task.hpp"
+#include "tasks/mesh_one_region.hpp"
 
 namespace {
 

@@ -24,7 +24,7 @@
 #include "cpu_seconds.hpp"
 #include "region/region_graph.hpp"
 #include "support/inputs.hpp"
-#include "tasks/region_task.hpp"
+#include "tasks/mesh_one_region.hpp"
 
 namespace {
 

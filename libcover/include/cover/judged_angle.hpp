@@ -8,12 +8,16 @@
 
 namespace cover {
 
-/// 180 degrees less the largest angle, as targets see it: Quality::largest_nu, but 90 degrees where
-/// angles are above that by no more than rounding of coordinates (Quality::obtuse). So a mesh
-/// without obtuse triangles meets a target of 90 degrees. Never less than `quality.largest_nu`.
+/// 180 degrees less the largest angle, as targets see it: `largest_nu`, but 90 degrees where angles
+/// are above that by no more than rounding of coordinates, so that no triangle is obtuse. So a mesh
+/// without obtuse triangles meets a target of 90 degrees. Never less than `largest_nu`.
+inline Angle judged_nu(Angle largest_nu, bool any_obtuse) {
+  return any_obtuse ? largest_nu : std::max(largest_nu, Angle::degrees(90));
+}
+
+/// That of a mesh or of a region.
 inline Angle judged_nu(const Quality& quality) {
-  return quality.obtuse == 0 ? std::max(quality.largest_nu, Angle::degrees(90))
-                             : quality.largest_nu;
+  return judged_nu(quality.largest_nu, quality.obtuse > 0);
 }
 
 }  // namespace cover

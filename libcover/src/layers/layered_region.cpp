@@ -245,7 +245,7 @@ class LayeredRegion {
         withdraw(front, everywhere ? std::vector<std::uint32_t>() : hopeless);
         continue;
       }
-      RegionMesh mesh = put_together(boundary_, front, rest, mesh_rest(rest.boundary));
+      RegionMesh mesh = put_together(boundary_, front, rest, mesh_rest(rest.boundary, options_));
       if (stop_.stop_requested()) return mesh;
       std::vector<std::uint32_t> gone;
       if (const std::vector<std::uint32_t> vertices = judge(mesh, gone); !vertices.empty()) {
@@ -264,7 +264,7 @@ class LayeredRegion {
 
  private:
   RegionMesh without_layers(const LayerFront& front, const RegionMesher& mesh_rest) const {
-    RegionMesh mesh = mesh_rest(boundary_);
+    RegionMesh mesh = mesh_rest(boundary_, options_);
     if (options_.couplings == Couplings::first && !stop_.stop_requested()) {
       std::optional<MendedMesh> mended = mend_couplings_within_bound(boundary_, mesh, stop_);
       if (mended) mesh = std::move(mended->mesh);
@@ -386,7 +386,16 @@ bool has_layers(const RegionBoundary& boundary) { return !boundary.layers.empty(
 
 RegionMesh mesh_with_layers(const RegionBoundary& boundary, const Options& options,
                             const RegionMesher& mesh_rest, std::stop_token stop) {
-  return LayeredRegion(boundary, options, std::move(stop)).run(mesh_rest);
+  RegionMesh mesh = LayeredRegion(boundary, options, stop).run(mesh_rest);
+  const auto negative = [](const RegionMesh& m) { return m.report.box.negative_inside; };
+  if (options.couplings != Couplings::first || negative(mesh) == 0 ||
+      options.effort == Effort::fast || stop.stop_requested())
+    return mesh;
+  // Where many rows end in one vertex, a coarser rest may leave flips that a finer one blocks.
+  Options coarser = options;
+  coarser.effort = Effort::fast;
+  RegionMesh other = LayeredRegion(boundary, coarser, std::move(stop)).run(mesh_rest);
+  return negative(other) < negative(mesh) ? std::move(other) : std::move(mesh);
 }
 
 }  // namespace cover

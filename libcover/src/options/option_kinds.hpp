@@ -161,29 +161,6 @@ constexpr auto word(OptionOf<TargetOf<Member>> row) {
   return row;
 }
 
-/// One of a few words, as text; what the member is at first may be none of them.
-template <auto Member>
-constexpr auto named(OptionOf<TargetOf<Member>> row) {
-  using Row = OptionOf<TargetOf<Member>>;
-  row.kind = OptionKind::word;
-  row.set = [](const Row& self, std::string_view text, TargetOf<Member>& target) -> Status {
-    const Result<std::size_t> found = word_of(self, text);
-    if (!found) return found.error();
-    target.*Member = text;
-    return ok();
-  };
-  row.get = [](const Row&, const TargetOf<Member>& target) {
-    return (target.*Member).empty() ? std::vector<std::string>() : std::vector{target.*Member};
-  };
-  row.check = [](const Row& self, const TargetOf<Member>& target) -> Status {
-    const std::string& name = target.*Member;
-    if (name == TargetOf<Member>().*Member || word_of(self, name)) return ok();
-    return bad_option(fmt::format("{} is '{}', which is not one of {}", keyword_of(self), name,
-                                  fmt::join(self.words(), ", ")));
-  };
-  return row;
-}
-
 /// A whole number.
 template <auto Member>
 constexpr auto whole(OptionOf<TargetOf<Member>> row) {
@@ -242,6 +219,27 @@ constexpr auto text(OptionOf<TargetOf<Member>> row) {
   };
   row.get = [](const Row&, const TargetOf<Member>& target) {
     return (target.*Member).empty() ? std::vector<std::string>() : std::vector{target.*Member};
+  };
+  return row;
+}
+
+/// One of a few words, as text; what the member is at first may be none of them.
+template <auto Member>
+constexpr auto named(OptionOf<TargetOf<Member>> row) {
+  using Row = OptionOf<TargetOf<Member>>;
+  row = text<Member>(row);
+  row.kind = OptionKind::word;
+  row.set = [](const Row& self, std::string_view value, TargetOf<Member>& target) -> Status {
+    const Result<std::size_t> found = word_of(self, value);
+    if (!found) return found.error();
+    target.*Member = value;
+    return ok();
+  };
+  row.check = [](const Row& self, const TargetOf<Member>& target) -> Status {
+    const std::string& name = target.*Member;
+    if (name == TargetOf<Member>().*Member || word_of(self, name)) return ok();
+    return bad_option(fmt::format("{} is '{}', which is not one of {}", keyword_of(self), name,
+                                  fmt::join(self.words(), ", ")));
   };
   return row;
 }

@@ -44,13 +44,6 @@ Result<std::vector<RegionReport>> limit_regions(std::span<const RegionBoundary> 
 /// number of triangles.
 std::size_t cost_of(const RegionBoundary& boundary);
 
-/// Meshes and measures one region, and proves limits of what it misses.
-///
-/// ENSURES: the mesh does not depend on the team
-/// Throws: what the method throws
-RegionMesh mesh_one_region(const RegionBoundary& boundary, const Options& options,
-                           const std::stop_token& stop, const Team& team = {});
-
 /// Takes the mesh of a region.
 ///
 /// Threads: called from several at a time, each with regions of its own

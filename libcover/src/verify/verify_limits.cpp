@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include <cover/judged_angle.hpp>
+
 #include "geom/angle_rounding.hpp"
 #include "geom/vector.hpp"
 #include "limits/region_limits.hpp"
@@ -70,9 +72,8 @@ std::vector<RegionLimits> verify_limits(const TriangleSoup& mesh, std::span<cons
       if (bluntness(b, a, c) == Blunt::yes) is_obtuse[region[t].index()] = true;
     }
   }
-  for (std::size_t r = 1; r < regions; ++r) {  // as judged_nu() has it
-    if (!is_obtuse[r]) reached[r].largest_nu = std::max(reached[r].largest_nu, Angle::degrees(90));
-  }
+  for (std::size_t r = 1; r < regions; ++r)
+    reached[r].largest_nu = judged_nu(reached[r].largest_nu, is_obtuse[r]);
   std::vector<std::vector<std::uint32_t>> triangles(regions);
   for (std::uint32_t t = 0; t < domain.cdt_region.size(); ++t) {
     const std::size_t r = domain.cdt_region[t].index();

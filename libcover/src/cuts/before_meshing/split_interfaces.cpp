@@ -45,6 +45,9 @@ constexpr int kPasses = 64;
 constexpr double kFloor = 0x1p-10;      ///< of its segment: the shortest half that is cut in two
 constexpr double kFootFloor = 0x1p-40;  ///< of its segment: the shortest piece beside a foot
 constexpr double kRounding = 1e-9;      ///< radians
+/// Spacings of doubles from its line: a place so near stays; one so far at most was taken there by
+/// rounding. What is farther off lies on an arc, whose pieces leave its chord.
+constexpr double kOnLine = 2, kFarthestRounded = 16;
 constexpr int kTrials = 8;  ///< single cuts are taken back so often, then all of a broken region
 constexpr std::size_t kPlaces = 8;
 
@@ -229,8 +232,7 @@ class Splitter {
     const Vector along = b - a;
     const double off = cross(along, p - a) / length(along);
     const double spacing = spacing_of(std::array{a, b});
-    // What is farther off than rounding takes it lies on an arc, whose pieces leave its chord.
-    if (std::abs(off) <= 2 * spacing || std::abs(off) > 16 * spacing) return p;
+    if (std::abs(off) <= kOnLine * spacing || std::abs(off) > kFarthestRounded * spacing) return p;
     if (circle_of(pslg_, pslg_.segments[s]) != nullptr) return p;
     return p + (off / length(along)) * Vector{along.y, -along.x};
   }

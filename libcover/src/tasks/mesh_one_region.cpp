@@ -1,0 +1,234 @@
+// The method asked for comes first; what breaks the mesh or the bound falls back to another, which
+// is told; then couplings are mended and limits proven. Tested by
+// tests/unit/pipeline/cover_mesh_test.cpp.
+#include "tasks/mesh_one_region.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include <cover/judged_angle.hpp>
+
+#include "almond/almond_region.hpp"
+#include "almond/chords.hpp"
+#include "base/faults/internal_fault.hpp"
+#include "cdt/cdt.hpp"
+#include "cdt/region_cdt.hpp"
+#include "layers/layered_region.hpp"
+#include "limits/region_limits.hpp"
+#include "quality/fault/merit.hpp"
+#include "quality/fault/missed_targets.hpp"
+#include "quality/quality_region.hpp"
+#include "target/angle_limit.hpp"
+#include "target/measure.hpp"
+#include "target/whole_mesh.hpp"
+#include "tasks/stage_clock.hpp"
+#include "thin/delaunay_within_bound.hpp"
+
+namespace cover {
+namespace {
+
+/// From so many on, several threads judge a mesh: some tenths of a second of work.
+constexpr std::size_t kManyTriangles = 100'000;
+
+/// The region's constrained Delaunay triangulation with what was proven by it, if it was made on
+/// the way to a mesh: limits need it, too.
+using KnownProof = std::unique_ptr<RegionProof>;
+
+KnownProof proof_of(const RegionBoundary& boundary) {
+  return std::make_unique<RegionProof>(
+      triangulate_domain(boundary.points, boundary.sides).triangulation);
+}
+
+using RegionMethod = RegionMesh (*)(const RegionBoundary&, const Options&, const std::stop_token&,
+                                    const Team&, KnownProof&);
+
+/// A mesh, and why it does not fill its region, if it does not: then it has no triangles.
+struct Attempt {
+  RegionMesh mesh;
+  std::optional<BoundaryFault> fault;
+  KnownProof proof{};
+};
+
+Attempt attempt(RegionMethod method, const RegionBoundary& boundary, const Options& options,
+                const std::stop_token& stop, const Team& team) {
+  Attempt out;
+  out.mesh = method(boundary, options, stop, team, out.proof);
+  if (stop.stop_requested()) return out;
+  RegionMesh& mesh = out.mesh;
+  const std::vector<Point> points = all_points(boundary, mesh);
+  // What the limits will need, meanwhile: it takes no longer than that by itself.
+  const auto& notes = mesh.report.notes;
+  const bool looks_ahead =
+      !out.proof && team.workers() > 1 && mesh.triangles.size() >= kManyTriangles &&
+      std::any_of(notes.begin(), notes.end(),
+                  [](const Note& note) { return note.kind == Note::Kind::target_missed; });
+  // Large meshes are measured meanwhile, too, and once more if they are faulty.
+  const bool measures_ahead = team.workers() > 1 && mesh.triangles.size() >= kManyTriangles;
+  const RegionReport unmeasured = measures_ahead ? mesh.report : RegionReport();
+  team.each(looks_ahead      ? 3
+            : measures_ahead ? 2
+                             : 1,
+            [&](std::size_t k) {
+              if (k == 2) {
+                out.proof = proof_of(boundary);
+              } else if (k == 1) {
+                measure(boundary, mesh, team);
+              } else {
+                out.fault = find_fault({points, mesh.triangles, boundary.sides, boundary.segments,
+                                        boundary.points.size()});
+              }
+            });
+  if (out.fault) {
+    mesh.steiner.clear();
+    mesh.triangles.clear();
+    if (measures_ahead) mesh.report = unmeasured;
+  }
+  if (out.fault || !measures_ahead) measure(boundary, mesh, team);
+  return out;
+}
+
+RegionMesh by_quality(const RegionBoundary& boundary, const Options& options,
+                      const std::stop_token& stop, const Team& team, KnownProof& proof) {
+  return quality_region(boundary, options, stop, {team}, &proof);
+}
+
+RegionMesh by_almonds(const RegionBoundary& boundary, const Options& options,
+                      const std::stop_token& stop, const Team&, KnownProof&) {
+  return almond_region(boundary, options, stop);
+}
+
+/// The constrained Delaunay triangulation, which no rounding can break.
+RegionMesh plain_region(const RegionBoundary& boundary, const Options&, const std::stop_token&,
+                        const Team&, KnownProof&) {
+  const Triangulation cdt = triangulate_region(boundary.points, boundary.sides);
+  RegionMesh mesh;
+  mesh.report.id = boundary.id;
+  mesh.report.method = "cdt";
+  set_limits(angle_limit(cdt, boundary.sides, boundary.segments), mesh.report);
+  mesh.triangles.reserve(cdt.triangles.size());
+  for (const Triangle& t : cdt.triangles) mesh.triangles.push_back(t.v);
+  return mesh;
+}
+
+/// What became of a method that was not used.
+Note note_of_fallback(const RegionBoundary& boundary, const Attempt& attempt, std::string_view from,
+                      std::string_view to) {
+  const RegionReport& report = attempt.mesh.report;
+  std::string what = attempt.fault
+                         ? "broke the mesh (" + attempt.fault->what + ")"
+                         : fmt::format("put an angle of {:.12g} degrees beyond the bound",
+                                       report.quality.largest_nu.supplement().in_degrees());
+  return {Note::Kind::fallback, boundary.id,
+          fmt::format("region {}: with the {} method, rounding {}; the {} was used instead",
+                      boundary.id.value(), from, what, to),
+          attempt.fault ? attempt.fault->where : std::vector<Point>{}};
+}
+
+/// What no mesh of the region can have better. Hull sides may be split, so that nothing is known of
+/// meshes there. The almond method aims at the bound and at no target: limits beside one would take
+/// twice its time (`cover check` tells them of any mesh). With little effort little is asked.
+RegionLimits limits_of(const RegionBoundary& boundary, const RegionMesh& mesh,
+                       const Options& options, const Team& team, KnownProof proof) {
+  const auto& segments = boundary.segments;
+  const Quality& quality = mesh.report.quality;
+  if (quality.triangles == 0 || options.method != Method::quality ||
+      std::find(segments.begin(), segments.end(), kHullSide) != segments.end())
+    return {};
+  const ReachedAngles reached{judged_nu(quality), quality.smallest};
+  const ReachedAngles wanted{options.max_angle.supplement(), options.min_angle};
+  if (meets(reached, wanted)) return region_limits({}, reached, wanted);
+  if (mesh.report.has_no_room && mesh.layer_triangles == 0)
+    return limits_by_couplings(reached, wanted);
+  const ProofEffort effort = options.effort == Effort::fast     ? ProofEffort::brief()
+                             : options.effort == Effort::normal ? ProofEffort::usual()
+                                                                : ProofEffort();
+  AnglesAround around =
+      AnglesAround::of(all_points(boundary, mesh), mesh.triangles, boundary.points.size());
+  if (!proof) proof = proof_of(boundary);
+  return region_limits(proof->prover(team), reached, wanted, effort, std::move(around));
+}
+
+/// The method asked for; where that misses the bound, the other one if it is better. It is rounding
+/// that makes them miss: the one in a region as flat as coordinates can be, the other where an
+/// improved triangle lies just inside the bound in the frame in which it was improved.
+/// `proof` becomes the region's, if it was made on the way.
+RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
+                       const std::stop_token& stop, const Team& team, KnownProof& proof) {
+  const bool quality = options.method == Method::quality;
+  const std::string_view asked = quality ? "quality" : "almond";
+  const std::string_view second = quality ? "almond" : "quality";
+  Attempt first = attempt(quality ? by_quality : by_almonds, boundary, options, stop, team);
+  const bool promised = CutRule{options.paper, options.pieces}.promises_bound();
+  const bool will_do =
+      !first.fault && (first.mesh.report.bound_held || !promised || boundary.is_part);
+  proof = std::move(first.proof);
+  if (stop.stop_requested() || will_do) return std::move(first.mesh);
+  Attempt other = attempt(quality ? by_almonds : by_quality, boundary, options, stop, team);
+  if (stop.stop_requested()) return std::move(other.mesh);
+  if (first.fault && other.fault) {
+    Attempt plain = attempt(plain_region, boundary, options, stop, team);
+    if (plain.fault) throw InternalFault(plain.fault->what, std::move(plain.fault->where));
+    plain.mesh.report.notes.push_back(
+        note_of_fallback(boundary, first, asked, "constrained Delaunay triangulation"));
+    plain.mesh.report.notes.push_back(
+        note_of_fallback(boundary, other, second, "constrained Delaunay triangulation"));
+    return std::move(plain.mesh);
+  }
+  if (!first.fault &&
+      (other.fault || other.mesh.report.quality.largest_nu <= first.mesh.report.quality.largest_nu))
+    return std::move(first.mesh);
+  other.mesh.report.notes.push_back(
+      note_of_fallback(boundary, first, asked, fmt::format("{} method", second)));
+  return std::move(other.mesh);
+}
+
+/// What the methods leave of negative couplings that are not forced: mostly where only the almond
+/// method holds the bound.
+RegionMesh with_couplings_mended(const RegionBoundary& boundary, const Options& options,
+                                 const std::stop_token& stop, RegionMesh& mesh) {
+  if (!minds_couplings(options) || stop.stop_requested()) return std::move(mesh);
+  std::optional<MendedMesh> mended = mend_couplings_within_bound(
+      boundary, mesh, stop, MendEffort::of(options.effort, options.box_method));
+  if (!mended) return std::move(mesh);
+  report_again(boundary, options, false, mended->mesh);
+  return std::move(mended->mesh);
+}
+
+/// The region, and its layers if it has some.
+RegionMesh mesh_with_its_layers(const RegionBoundary& boundary, const Options& options,
+                                const std::stop_token& stop, const Team& team, KnownProof& proof) {
+  if (!has_layers(boundary)) {
+    RegionMesh mesh = mesh_region(boundary, options, stop, team, proof);
+    return options.method == Method::quality ? with_couplings_mended(boundary, options, stop, mesh)
+                                             : mesh;
+  }
+  const auto mesh_rest = [&](const RegionBoundary& rest, const Options& for_rest) {
+    KnownProof of_rest;
+    return mesh_region(rest, for_rest, stop, team, of_rest);
+  };
+  RegionMesh mesh = mesh_with_layers(boundary, options, mesh_rest, stop);
+  if (mesh.layer_triangles > 0 && options.method == Method::quality && !stop.stop_requested())
+    report_again(boundary, options, false, mesh);
+  return mesh;
+}
+
+}  // namespace
+
+RegionMesh mesh_one_region(const RegionBoundary& boundary, const Options& options,
+                           const std::stop_token& stop, const Team& team) {
+  const StageClock clock;
+  KnownProof proof;
+  RegionMesh mesh = mesh_with_its_layers(boundary, options, stop, team, proof);
+  if (!stop.stop_requested())
+    mesh.report.limits = limits_of(boundary, mesh, options, team, std::move(proof));
+  mesh.report.seconds = clock.seconds();
+  return mesh;
+}
+
+}  // namespace cover
