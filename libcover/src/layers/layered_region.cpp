@@ -200,7 +200,10 @@ std::vector<LayerReport> reports(const RegionBoundary& boundary, const Options& 
 }
 
 /// What layers fell short of, but for their ends.
-std::vector<Note> notes_of(const RegionBoundary& boundary, const std::vector<LayerReport>& layers) {
+std::vector<Note> notes_of(const RegionBoundary& boundary, const std::vector<LayerReport>& layers,
+                           bool may_cut) {
+  constexpr const char* kAdvice =
+      " (--split-interfaces or --box-method cuts segments across, so that layers go on to them)";
   std::vector<Note> notes;
   for (const LayerReport& line : layers) {
     for (const LayerReport::Short& part : line.cut_short) {
@@ -208,9 +211,10 @@ std::vector<Note> notes_of(const RegionBoundary& boundary, const std::vector<Lay
       notes.push_back(
           {Note::Kind::warning,
            boundary.id,
-           fmt::format("region {}: layers along '{}' are {} on {}, the first at {}: {}",
+           fmt::format("region {}: layers along '{}' are {} on {}, the first at {}: {}{}",
                        boundary.id.value(), line.asked.line, line.most == 0 ? "missing" : "fewer",
-                       counted(part.segments, "segment"), describe(part.at), describe(part.why)),
+                       counted(part.segments, "segment"), describe(part.at), describe(part.why),
+                       part.why == LayerStop::end && !may_cut ? kAdvice : ""),
            {part.at}});
     }
   }
@@ -276,7 +280,8 @@ class LayeredRegion {
   void tell(const LayerFront& front, const std::vector<SideLayers>& sides,
             RegionReport& report) const {
     report.layers = reports(boundary_, options_, front, sides);
-    const std::vector<Note> notes = notes_of(boundary_, report.layers);
+    const std::vector<Note> notes =
+        notes_of(boundary_, report.layers, options_.split_interfaces || options_.box_method);
     report.notes.insert(report.notes.end(), notes.begin(), notes.end());
   }
 

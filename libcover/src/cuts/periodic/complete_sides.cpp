@@ -107,8 +107,9 @@ Error SidesCompletion::mismatch(const PeriodicRule& rule, const SidesMatch& matc
           "the lines do not match: {} of '{}' comes to {}, which is {} from '{}'{}",
           describe(pslg_.points[first.vertex.index()]), is_from ? rule.from : rule.to,
           describe(first.image), describe_roughly(first.distance), is_from ? rule.to : rule.from,
-          worst.size() == 1 ? ""
-                            : fmt::format("; {} more do not", counted(worst.size() - 1, "point"))),
+          worst.size() == 1
+              ? ""
+              : fmt::format("; {} more without a match", counted(worst.size() - 1, "point"))),
       std::move(where));
 }
 
