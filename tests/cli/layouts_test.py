@@ -10,6 +10,8 @@ import unittest
 
 from cover_case import Case, PROGRAM, SAMPLES, SQUARE, main
 
+KLAYOUT = pathlib.Path('/usr/lib/klayout')  # where Debian's package has its tools
+
 
 class Layouts(Case):
     """What is said of reading beside the file; options_test.py tests the options themselves."""
@@ -72,7 +74,20 @@ class Layouts(Case):
         self.assertEqual(list(self.dir.glob('cover-oasis-*')), [], 'a folder was left')
         return done.stdout + done.stderr
 
-    @unittest.skipIf(pathlib.Path('/usr/lib/klayout/strm2gds').exists(), 'KLayout itself is there')
+    @unittest.skipUnless((KLAYOUT / 'strm2oas').exists(), 'KLayout is not there')
+    def test_oasis_that_klayout_made(self):
+        """Polygons may begin at other corners and come in another order; the drawing is the same."""
+        made = subprocess.run([KLAYOUT / 'strm2oas', SAMPLES / 'finfet.gds', 'finfet.oas'], cwd=self.dir, timeout=60,
+                              env={'LD_LIBRARY_PATH': str(KLAYOUT)}, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        self.assertEqual(made.returncode, 0, made.stdout)
+        drawn = sorted(self.materials(SAMPLES / 'finfet.gds', *self.MAP))
+        self.assertEqual(sorted(self.materials('finfet.oas', *self.MAP)), drawn)
+        self.assertIn('HfO2', drawn)
+        (self.dir / 'cut.oas').write_bytes((self.dir / 'finfet.oas').read_bytes()[:300])
+        error = self.run_cover('info', 'cut.oas', code=5)[1]
+        self.assertIn('cut.oas: KLayout makes no GDSII of it', error)
+
+    @unittest.skipIf((KLAYOUT / 'strm2gds').exists(), 'KLayout itself is there')
     def test_oasis_is_read_by_klayout(self):
         self.write('a.OAS', '%SEMI-OASIS')
         copy = f'/bin/cp "{SAMPLES / "finfet.gds"}" '
