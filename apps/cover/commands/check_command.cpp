@@ -270,13 +270,7 @@ bool is_to_stream(const std::string& when, const std::string& mesh_path) {
   return when == "on" || (when == "auto" && !failed && size >= kLarge);
 }
 
-}  // namespace
-
-int run_check(Arguments arguments) {
-  CLI::App app("Check that a mesh keeps every promise on its input; exit 0, or 6 where it does not",
-               "cover check");
-  app.set_help_flag("-h,--help", "Show this help");
-  app.footer(R"(Promises:
+constexpr const char* kFooter = R"(Promises:
   1  every input point is a vertex, bit for bit; every segment is one edge of the mesh
   2  the triangles are valid, conform, and cover each region exactly
   3  the largest angle of each region keeps the proven bound
@@ -288,109 +282,140 @@ Examples:
   cover check device.poly from_another_tool.vtu --allow-split --no-bound
   cover check cell.json cell.msh --periodic left=right
   cover check device.json device.msh --layers gate@channel=0.2,1.3
-)");
-  GeometryFile input_file;
+)";
+
+/// Everything that the command line of `cover check` says.
+struct CheckCommand {
+  CheckCommand()
+      : app("Check that a mesh keeps every promise on its input; exit 0, or 6 where it does not",
+            "cover check") {
+    app.set_help_flag("-h,--help", "Show this help");
+    app.footer(kFooter);
+    input.add(app)->required();
+    app.add_option("mesh", mesh_path,
+                   fmt::format("Mesh of any tool: .vtm, {}", fmt::join(mesh_formats(), ", ")))
+        ->type_name("")
+        ->required();
+    app.add_flag("--allow-split", verify.allow_split,
+                 "Segments may have vertices inside; promise 3 is not checked then");
+    app.add_flag("--no-bound", no_bound, "Do not check promise 3");
+    app.add_flag("--hull", verify.hull, "The mesh covers the convex hull");
+    app.add_flag("--box-method", box_method,
+                 "List negative couplings of the box method, by exact signs; 6 if there is one");
+    app.add_option("--layers", layers,
+                   "Tell which rows of triangles lie along a line; with numbers, 6 if the first is "
+                   "not as thick, or they are fewer")
+        ->type_name("LINE[@REGION][=first,growth[,count]]")
+        ->allow_extra_args(false);
+    app.add_option(
+           "--stream", stream,
+           "Look at some regions of a .vtu or .vtkhdf at a time, without holding the mesh: on, "
+           "off, or auto: a large one; a broken one is read as a whole")
+        ->check(one_of({"auto", "on", "off"}))
+        ->type_name("WHEN")
+        ->capture_default_str();
+    library.add(app, OptionGroup::cleaning);
+    add_verbosity(app, verbosity);
+  }
+
+  [[nodiscard]] std::vector<NamedFile> read_files() const {
+    std::vector<NamedFile> files = input.read_files();
+    files.push_back({"", mesh_path});
+    return files;
+  }
+
+  CLI::App app;
+  GeometryFile input;
   std::string mesh_path;
-  Verbosity verbosity;
   VerifyOptions verify;
   LibraryOptions library;
   bool no_bound = false, box_method = false;
   std::vector<std::string> layers;
   std::string stream = "auto";
-  input_file.add(app)->required();
-  app.add_option("mesh", mesh_path,
-                 fmt::format("Mesh of any tool: .vtm, {}", fmt::join(mesh_formats(), ", ")))
-      ->type_name("")
-      ->required();
-  app.add_flag("--allow-split", verify.allow_split,
-               "Segments may have vertices inside; promise 3 is not checked then");
-  app.add_flag("--no-bound", no_bound, "Do not check promise 3");
-  app.add_flag("--hull", verify.hull, "The mesh covers the convex hull");
-  app.add_flag("--box-method", box_method,
-               "List negative couplings of the box method, by exact signs; 6 if there is one");
-  app.add_option("--layers", layers,
-                 "Tell which rows of triangles lie along a line; with numbers, 6 if the first is "
-                 "not as thick, or they are fewer")
-      ->type_name("LINE[@REGION][=first,growth[,count]]")
-      ->allow_extra_args(false);
-  app.add_option(
-         "--stream", stream,
-         "Look at some regions of a .vtu or .vtkhdf at a time, without holding the mesh: on, "
-         "off, or auto: a large one; a broken one is read as a whole")
-      ->check(one_of({"auto", "on", "off"}))
-      ->type_name("WHEN")
-      ->capture_default_str();
-  library.add(app, OptionGroup::cleaning);
-  add_verbosity(app, verbosity);
-  if (const auto code = parse(app, std::move(arguments))) return *code;
-  verify.bound = !no_bound;
-  Result<Options> options = library.make();
-  if (!options) return usage_error(app, options.error().message);
-  options->hull = verify.hull;
-  std::vector<NamedFile> read_files = input_file.read_files();
-  read_files.push_back({"", mesh_path});
-  const Status files = check_files(read_files, {log_file(verbosity)});
-  if (!files) return usage_error(app, files.error());
+  Verbosity verbosity;
+};
 
-  const auto log = make_logger(verbosity);
-  Result<Input> input = input_file.read();
-  if (!input) return fail(*log, input.error());
-  for (const std::string& option : input_file.ignored()) log->warn("{}", option);
-  std::vector<PeriodicRule> rules = options->periodic;
-  rules.insert(rules.end(), input->periodic.begin(), input->periodic.end());
-  const std::vector<LayerRule> known_layers = input->layers;
-  Result<Prepared> prepared = prepare_to_check(*std::move(input), *options);
-  if (!prepared) return fail(*log, prepared.error());
-  const bool wants_whole =
-      verify.allow_split || verify.hull || box_method || !rules.empty() || !layers.empty();
-  if (!wants_whole && is_to_stream(stream, mesh_path)) {
-    prepared->report = {};
-    if (const auto parts = check_in_parts(*prepared, mesh_path, verify, *options))
-      return print(parts->found, parts->triangles, verbosity.quiet);
-    log->info("{} is read as a whole, to say more", mesh_path);
-  }
-  const Result<MeshTriangles> mesh = read_triangles(mesh_path, *log);
-  if (!mesh) return fail(*log, mesh.error());
-  verify.material_numbers = mesh->has_materials;
-  Verification found = verify_cover(prepared->pslg, prepared->table, mesh->soup, verify);
-  if (const auto cut = cut_on_arcs(found, *prepared, mesh->soup, verify)) {
-    const std::string option = cutting_option(mesh_path, *mesh);
+/// Where the mesh is sound but for cuts of segments, and the run that made it was to cut them: the
+/// input with these cuts, and what is found on it. Says what was cut, or how cuts are allowed.
+void take_own_cuts(const CheckCommand& command, const MeshTriangles& mesh, Prepared& prepared,
+                   Verification& found) {
+  const VerifyOptions& verify = command.verify;
+  const auto own = [&] { return cutting_option(command.mesh_path, mesh); };
+  if (auto cut = cut_on_arcs(found, prepared, mesh.soup, verify)) {
+    const std::string option = own();
     if (!verify.allow_split && option.empty()) {
       fmt::print(
           "Arcs are cut at {} points on them; all else is sound. If they were to be cut, add "
           "--allow-split\n",
           grouped(cut->points));
-    } else {
-      if (!verbosity.quiet)
-        fmt::print("Segments are cut at {} points, those of arcs on their circles{}{}\n",
-                   grouped(cut->points), option.empty() ? "" : ": ", option);
-      found = cut->found;
-      prepared->pslg = cut->pslg;
-      prepared->table = cut->table;
+      return;
     }
-  } else if (is_split_only(found, *prepared, mesh->soup, verify)) {
-    const std::string option = cutting_option(mesh_path, *mesh);
+    if (!command.verbosity.quiet)
+      fmt::print("Segments are cut at {} points, those of arcs on their circles{}{}\n",
+                 grouped(cut->points), option.empty() ? "" : ": ", option);
+    found = std::move(cut->found);
+    prepared.pslg = std::move(cut->pslg);
+    prepared.table = std::move(cut->table);
+  } else if (is_split_only(found, prepared, mesh.soup, verify)) {
+    const std::string option = own();
     if (option.empty()) {
       fmt::print(
           "Segments have vertices inside; all else is sound. If they were to be cut, as by "
           "--split-interfaces, --box-method or --method nonobtuse, add --allow-split\n");
-    } else {
-      const std::size_t cuts = adopt_cuts(prepared->pslg, prepared->table, mesh->soup);
-      if (!verbosity.quiet)
-        fmt::print("Segments are cut at {} points by the run itself: {}\n", grouped(cuts), option);
-      found = verify_cover(prepared->pslg, prepared->table, mesh->soup, verify);
+      return;
     }
+    const std::size_t cuts = adopt_cuts(prepared.pslg, prepared.table, mesh.soup);
+    if (!command.verbosity.quiet)
+      fmt::print("Segments are cut at {} points by the run itself: {}\n", grouped(cuts), option);
+    found = verify_cover(prepared.pslg, prepared.table, mesh.soup, verify);
   }
-  int code = print(found, mesh->soup.triangles.size(), verbosity.quiet);
-  const int sides = print_periodic(*prepared, rules, mesh->soup, verbosity.quiet);
+}
+
+}  // namespace
+
+int run_check(Arguments arguments) {
+  CheckCommand command;
+  if (const auto code = parse(command.app, std::move(arguments))) return *code;
+  VerifyOptions& verify = command.verify;
+  verify.bound = !command.no_bound;
+  const bool quiet = command.verbosity.quiet;
+  Result<Options> options = command.library.make();
+  if (!options) return usage_error(command.app, options.error().message);
+  options->hull = verify.hull;
+  const Status files = check_files(command.read_files(), {log_file(command.verbosity)});
+  if (!files) return usage_error(command.app, files.error());
+
+  const auto log = make_logger(command.verbosity);
+  Result<Input> input = command.input.read();
+  if (!input) return fail(*log, input.error());
+  for (const std::string& option : command.input.ignored()) log->warn("{}", option);
+  std::vector<PeriodicRule> rules = options->periodic;
+  rules.insert(rules.end(), input->periodic.begin(), input->periodic.end());
+  const std::vector<LayerRule> known_layers = input->layers;
+  Result<Prepared> prepared = prepare_to_check(*std::move(input), *options);
+  if (!prepared) return fail(*log, prepared.error());
+  const bool wants_whole = verify.allow_split || verify.hull || command.box_method ||
+                           !rules.empty() || !command.layers.empty();
+  if (!wants_whole && is_to_stream(command.stream, command.mesh_path)) {
+    prepared->report = {};
+    if (const auto parts = check_in_parts(*prepared, command.mesh_path, verify, *options))
+      return print(parts->found, parts->triangles, quiet);
+    log->info("{} is read as a whole, to say more", command.mesh_path);
+  }
+  const Result<MeshTriangles> mesh = read_triangles(command.mesh_path, *log);
+  if (!mesh) return fail(*log, mesh.error());
+  verify.material_numbers = mesh->has_materials;
+  Verification found = verify_cover(prepared->pslg, prepared->table, mesh->soup, verify);
+  take_own_cuts(command, *mesh, *prepared, found);
+  int code = print(found, mesh->soup.triangles.size(), quiet);
+  const int sides = print_periodic(*prepared, rules, mesh->soup, quiet);
   code = code == exit_ok ? sides : code;
-  if (code == exit_ok) code = print_curved(prepared->pslg, *mesh, verbosity.quiet);
-  const Result<int> rows =
-      print_layers(*prepared, layers, known_layers, mesh->soup, verbosity.quiet);
-  if (!rows) return usage_error(app, rows.error().message);
+  if (code == exit_ok) code = print_curved(prepared->pslg, *mesh, quiet);
+  const Result<int> rows = print_layers(*prepared, command.layers, known_layers, mesh->soup, quiet);
+  if (!rows) return usage_error(command.app, rows.error().message);
   code = code == exit_ok ? *rows : code;
-  if (!box_method) return code;
-  const int boxes = print_couplings(couplings_of(*prepared, mesh->soup, verify), verbosity.quiet);
+  if (!command.box_method) return code;
+  const int boxes = print_couplings(couplings_of(*prepared, mesh->soup, verify), quiet);
   return code == exit_ok ? boxes : code;
 }
 

@@ -91,6 +91,7 @@ class LayerFront {
     std::array<std::uint32_t, 2> nodes{};  ///< whose edges get no row if there is no room
   };
 
+  class RowMaker;
   /// A row on a chain before it becomes part of the front.
   struct Row {
     std::vector<Offset> tops;
@@ -115,12 +116,12 @@ class LayerFront {
 
   [[nodiscard]] std::vector<Cell> cells_of(const Chain& chain);
   bool make_room(const std::vector<Chain>& chains);
+  /// Lays the next row on a chain.
   void lay_chain(Chain chain);
-  void add_tops(const std::vector<Offset>& tops, std::uint32_t n, double total, Row& row);
-  [[nodiscard]] bool add_quad(const std::array<std::uint32_t, 4>& v,
-                              std::vector<IndexTriple>& triangles) const;
-  void set_next(Node& edge, double length);
+  std::uint32_t add_vertex(Point p, std::uint32_t side_below);
+  /// Puts a row in the place of its chain.
   void link_row(const Chain& chain, const Row& row);
+  void set_next(Node& edge, double length);
 
   [[nodiscard]] Point at(std::uint32_t v) const {
     return v < boundary_.points.size() ? boundary_.points[v] : added_[v - boundary_.points.size()];
