@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include <fmt/core.h>
@@ -254,6 +256,81 @@ void tell(const Pslg& pslg, std::size_t first, std::size_t before, std::size_t a
        std::move(where)});
 }
 
+/// What came of taking vertices away.
+struct ThinTrial {
+  std::size_t before = 0, after = 0;  ///< new vertices
+  bool is_better = false;             ///< fewer obtuse triangles or vertices, before all is judged
+  std::size_t obtuse = 0;             ///< triangles
+  std::optional<Work> work;           ///< nothing: not what was asked for
+};
+
+/// The mesh of all regions, to be thinned out more than once.
+class Thinning {
+ public:
+  /// `work` and `options` outlive this object.
+  Thinning(const Work& work, const Options& options)
+      : work_(work), options_(options), whole_(work) {
+    const std::size_t first = work.report.uncut_points;
+    const std::vector<std::uint32_t> whole = unite_pieces(whole_.pslg, whole_.table, first);
+    mesh_ = join(work, whole_.pslg, whole);
+    fixed_ = sort_by_place(mesh_);
+    std::erase_if(fixed_, [&](std::uint32_t v) { return v >= first; });
+  }
+
+  [[nodiscard]] ThinTrial run(Effort how, const std::stop_token& stop) const {
+    ThinTrial trial;
+    const std::size_t first = work_.report.uncut_points;
+    trial.before = mesh_.points.size() - first;
+    const std::vector<WantedAngles> angles = angles_of(work_.meshes, options_);
+    MeshWithUndo mutable_mesh(mesh_, angles);
+    ThinEffort effort = effort_of(how, trial.before);
+    effort.stop = stop;
+    Thinned thinned = thin_mesh(mutable_mesh, effort);
+    ConformingMesh result = mutable_mesh.result(mesh_);
+    for (const double part : kPartsForTheLast) {
+      if (thinned.bad == 0) break;
+      MeshWithUndo last(result, angles_for_the_last(result, part, angles));
+      thinned.bad = mend_what_is_left(last, effort_for_the_last(effort)).bad;
+      result = last.result(result);
+    }
+    trial.after = result.points.size() - first;
+    trial.is_better = thinned.bad < thinned.bad_before ||
+                      (thinned.bad == thinned.bad_before && trial.after < trial.before);
+    if (stop.stop_requested() || !trial.is_better || (options_.box_method && thinned.bad > 0))
+      return trial;
+    judge(result, trial);
+    return trial;
+  }
+
+ private:
+  void judge(const ConformingMesh& result, ThinTrial& trial) const {
+    Work thin = whole_;
+    separate(result, fixed_, thin);
+    if (!is_sound(thin)) return;
+    for (std::size_t r = 0; r < thin.boundaries.size(); ++r) {
+      report_again(thin.boundaries[r], options_, false, thin.meshes[r]);
+      measure(thin.boundaries[r], thin.meshes[r]);
+    }
+    trial.obtuse = obtuse(thin.meshes);
+    if (trial.obtuse <= obtuse(work_.meshes) && !loses_a_bound(work_.meshes, thin.meshes))
+      trial.work = std::move(thin);
+  }
+
+  const Work& work_;
+  const Options& options_;
+  Work whole_;  ///< segments are whole
+  ConformingMesh mesh_;
+  std::vector<std::uint32_t> fixed_;  ///< by fixed vertex of mesh_: its number in the PSLG
+};
+
+/// That effort, and less, by which a search goes another way.
+std::span<const Effort> efforts_from(Effort effort) {
+  static constexpr std::array kEfforts{Effort::thorough, Effort::normal, Effort::fast};
+  return std::span(kEfforts).subspan(effort == Effort::thorough ? 0
+                                     : effort == Effort::normal ? 1
+                                                                : 2);
+}
+
 }  // namespace
 
 bool wants_thinning(const Prepared& prepared, const std::vector<RegionBoundary>& boundaries,
@@ -269,41 +346,28 @@ bool wants_thinning(const Prepared& prepared, const std::vector<RegionBoundary>&
 
 Status thin_cuts(Work& work, const Options& options, const Callbacks& callbacks) {
   if (!wants_thinning(work, work.boundaries, options)) return ok();
-  const std::size_t first = work.report.uncut_points;
   return errors_as_values("thin out", [&]() -> Status {
-    Work thin = work;
-    const std::vector<std::uint32_t> whole = unite_pieces(thin.pslg, thin.table, first);
-    ConformingMesh mesh = join(work, thin.pslg, whole);
-    const std::size_t before = mesh.points.size() - first;
-    std::vector<std::uint32_t> old = sort_by_place(mesh);
-    std::erase_if(old, [&](std::uint32_t v) { return v >= first; });
-    const std::vector<WantedAngles> angles = angles_of(work.meshes, options);
-    MeshWithUndo mutable_mesh(mesh, angles);
-    ThinEffort effort = effort_of(options.effort, before);
-    effort.stop = callbacks.stop;
-    Thinned thinned = thin_mesh(mutable_mesh, effort);
-    ConformingMesh result = mutable_mesh.result(mesh);
-    for (const double part : kPartsForTheLast) {
-      if (thinned.bad == 0) break;
-      MeshWithUndo last(result, angles_for_the_last(result, part, angles));
-      thinned.bad = mend_what_is_left(last, effort_for_the_last(effort)).bad;
-      result = last.result(result);
+    const Thinning thinning(work, options);
+    std::size_t left = 0;
+    for (const Effort effort : efforts_from(options.effort)) {
+      ThinTrial trial = thinning.run(effort, callbacks.stop);
+      if (callbacks.stop.stop_requested())
+        return Error{ErrorCode::cancelled, "interrupted", {}, {}};
+      if (trial.work) {
+        work = *std::move(trial.work);
+        tell(work.pslg, work.report.uncut_points, trial.before, trial.after, options, work.report);
+        return ok();
+      }
+      if (!trial.is_better) return ok();
+      left = trial.obtuse;
     }
-    if (callbacks.stop.stop_requested()) return Error{ErrorCode::cancelled, "interrupted", {}, {}};
-    const std::size_t after = result.points.size() - first;
-    const bool is_better =
-        thinned.bad < thinned.bad_before || (thinned.bad == thinned.bad_before && after < before);
-    if (!is_better || (options.box_method && thinned.bad > 0)) return ok();
-    separate(result, old, thin);
-    if (!is_sound(thin)) return ok();
-    for (std::size_t r = 0; r < thin.boundaries.size(); ++r) {
-      report_again(thin.boundaries[r], options, false, thin.meshes[r]);
-      measure(thin.boundaries[r], thin.meshes[r]);
-    }
-    if (obtuse(thin.meshes) > obtuse(work.meshes) || loses_a_bound(work.meshes, thin.meshes))
-      return ok();
-    work = std::move(thin);
-    tell(work.pslg, first, before, after, options, work.report);
+    work.report.notes.push_back(
+        {Note::Kind::warning,
+         kVoid,
+         fmt::format("no vertices were taken away on segments: {} would be obtuse then, or a "
+                     "region lose its bound",
+                     counted(left, "triangle")),
+         {}});
     return ok();
   });
 }
