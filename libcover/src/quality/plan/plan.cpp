@@ -88,7 +88,11 @@ void refined_and_searched_again(PlanProgress& p) {
   p.refined = p.make.optimised_within(p.cdt, Search::again, most);
   take(p, p.refined);
 }
-void sized(PlanProgress& p) { p.best = p.make.optimised(p.cdt, Search::usual); }
+void sized(PlanProgress& p) { p.best = p.refined = p.make.optimised(p.cdt, Search::none); }
+void sized_and_searched(PlanProgress& p) {
+  p.best = p.refined = p.make.optimised(p.cdt, Search::few);
+}
+void sized_and_searched_all(PlanProgress& p) { p.best = p.make.optimised(p.cdt, Search::usual); }
 void within_bound(PlanProgress& p) {
   p.best = p.make.narrowed(p.best, p.refined, p.make.order().bound);
 }
@@ -194,9 +198,24 @@ constexpr std::array kLargest{
 };
 
 // With wished sizes there is one candidate, unless it misses what the almond method proves.
-constexpr std::array kSized{
+constexpr std::array kSizedFast{
     Step{"cdt", always, as_it_is},
     Step{"refined, improved", always, sized},
+    Step{"the same within the bound", refined_is_beyond_bound, within_bound},
+    Step{"almonds, improved", is_beyond_bound, bound_kept_sized},
+};
+
+constexpr std::array kSized{
+    Step{"cdt", always, as_it_is},
+    Step{"refined, improved, few searched", always, sized_and_searched, StopWhen::complete},
+    Step{"the same within the bound", refined_is_beyond_bound, within_bound},
+    Step{"the same with fewer angles above 120 degrees", has_far, with_fewer_far},
+    Step{"almonds, improved", is_beyond_bound, bound_kept_sized},
+};
+
+constexpr std::array kSizedThorough{
+    Step{"cdt", always, as_it_is},
+    Step{"refined, improved, searched", always, sized_and_searched_all},
     Step{"best, improved", is_missed_by_largest, improved},
     Step{"almonds, improved", is_beyond_bound, bound_kept_sized},
 };
@@ -204,9 +223,12 @@ constexpr std::array kSized{
 }  // namespace
 
 std::span<const Step> plan_for(const Options& options, bool has_sizes) {
-  if (has_sizes) return kSized;
-  if (options.effort == Effort::fast) return kFast;
-  if (preference(options) == Prefer::largest) return kLargest;
+  const bool largest = preference(options) == Prefer::largest;
+  if (options.effort == Effort::fast) return has_sizes ? std::span<const Step>(kSizedFast) : kFast;
+  if (has_sizes)
+    return options.effort == Effort::thorough || largest ? std::span<const Step>(kSizedThorough)
+                                                         : kSized;
+  if (largest) return kLargest;
   return options.effort == Effort::thorough ? std::span<const Step>(kThorough) : kBalanced;
 }
 
