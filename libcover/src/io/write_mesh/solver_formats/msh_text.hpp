@@ -14,4 +14,11 @@ namespace cover {
 void write_msh_text(const MeshView& view, const CellSource& cells, const RegionTable& table,
                     const std::string& version, TextWriter& out);
 
+/// Writes X_1.msh, X_2.msh, ..., which are all on the disk before the first of them appears.
+///
+/// REQUIRES: no periodic sides, which have no place in parts
+/// Errors:   as write_msh()
+Status write_msh_parts(const MeshView& view, const RegionTable& table, const std::string& path,
+                       const WriteOptions& options);
+
 }  // namespace cover
