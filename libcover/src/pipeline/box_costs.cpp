@@ -41,7 +41,8 @@ Result<BoxCosts> count_costs(const Prepared& prepared, const Options& options,
     RegionTable cut_table = table;
     std::vector<BoxCut> cuts;
     std::vector<Point> stuck;
-    cut_encroached(cut_pslg, cut_table, VertexId{pslg.points.size()}, cuts, stuck);
+    cut_encroached(cut_pslg, cut_table, pslg.points.size(), VertexId{pslg.points.size()}, cuts,
+                   stuck);
     costs.cuts = cuts.size();
     costs.uncut = stuck.size();
     cut_pslg = pslg;

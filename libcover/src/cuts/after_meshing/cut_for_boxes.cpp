@@ -17,6 +17,7 @@
 #include "cuts/cut_segments.hpp"
 #include "cuts/periodic/mirror_cuts.hpp"
 #include "cuts/room_on_segment.hpp"
+#include "cuts/whole_segments.hpp"
 #include "geom/foot.hpp"
 #include "geom/vector.hpp"
 #include "quality/fault/missed_targets.hpp"
@@ -131,6 +132,7 @@ class CouplingRounds {
         if (!is_new) at->second = std::min(at->second, side.apex);
       }
     }
+    const WholeSegments whole(pslg, work_.report.uncut_points);
     std::vector<SegmentCut> cuts;
     for (const auto& [segment, apex] : apexes) {
       const Segment& s = pslg.segments[segment.index()];
@@ -138,8 +140,8 @@ class CouplingRounds {
           std::minmax({pslg.points[s.a.index()], pslg.points[s.b.index()]});  // as from both ends
       const Vector along = b - a;
       const double share = dot(apex - a, along) / squared_length(along);
-      const Point foot =
-          share > kNearEnd && share < 1 - kNearEnd ? foot_on(a, b, apex) : midpoint(a, b);
+      const Point foot = whole.on_whole(
+          segment, share > kNearEnd && share < 1 - kNearEnd ? foot_on(a, b, apex) : midpoint(a, b));
       if (has_room_on_segment(a, b, foot, std::vector<Point>{apex}))
         cuts.push_back({segment, {foot}});
     }
@@ -170,7 +172,8 @@ class CouplingRounds {
         box_cuts.push_back({cut.points[0], BoxCut::Reason::given_up, cut.points[0]});
       cut_segments(work_.pslg, work_.table, cuts);
       std::vector<Point> stuck;
-      cut_encroached(work_.pslg, work_.table, VertexId{0U}, box_cuts, stuck);
+      cut_encroached(work_.pslg, work_.table, work_.report.uncut_points, VertexId{0U}, box_cuts,
+                     stuck);
       return pieces_of_work(work_.pslg, work_.table, options_);
     });
     if (!pieces) return std::move(pieces).error();
@@ -193,7 +196,8 @@ void cut_for_boxes(Prepared& prepared, const Options& options) {
   RegionTable& table = prepared.table;
   Report& report = prepared.report;
   std::vector<Point> stuck;
-  cut_encroached(pslg, table, VertexId{pslg.points.size()}, report.box_cuts, stuck);
+  cut_encroached(pslg, table, report.uncut_points, VertexId{pslg.points.size()}, report.box_cuts,
+                 stuck);
   warn_of_stuck(stuck, report.notes);
   tell_cuts(report);
 }

@@ -22,6 +22,7 @@
 #include "cuts/cut_segments.hpp"
 #include "cuts/periodic/mirror_cuts.hpp"
 #include "cuts/room_on_segment.hpp"
+#include "cuts/whole_segments.hpp"
 #include "geom/foot.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
@@ -152,10 +153,11 @@ struct Encroached {
 
 class Cutter {
  public:
-  Cutter(Pslg& pslg, RegionTable& table, VertexId first_cut, std::vector<BoxCut>& cuts,
-         std::vector<Point>& stuck)
+  Cutter(Pslg& pslg, RegionTable& table, std::size_t uncut_points, VertexId first_cut,
+         std::vector<BoxCut>& cuts, std::vector<Point>& stuck)
       : pslg_(pslg),
         table_(table),
+        uncut_points_(uncut_points),
         first_cut_(first_cut),
         done_(cuts),
         stuck_(stuck),
@@ -254,6 +256,7 @@ class Cutter {
 
   std::vector<SegmentCut> choose(const std::vector<Encroached>& found) {
     const PeriodicClasses classes(pslg_);
+    whole_.emplace(pslg_, uncut_points_);
     std::vector<SegmentCut> cuts;
     std::map<SegmentId, BoxCut> told;  // reasons
     for (const Encroached& e : found) {
@@ -363,7 +366,8 @@ class Cutter {
     const auto [a, b] = ends(segment);
     std::optional<Place> best;
     std::size_t least = 0;
-    for (const Place& place : places_between(e, low, high)) {
+    for (Place place : places_between(e, low, high)) {
+      place.at = whole_->on_whole(e.segment, place.at);
       const Point p = place.at;
       if (!has_room_on_segment(a, b, p, apexes) || !keeps_clear(segment.a, e.segment, p) ||
           !keeps_clear(segment.b, e.segment, p))
@@ -438,10 +442,12 @@ class Cutter {
 
   Pslg& pslg_;
   RegionTable& table_;
+  std::size_t uncut_points_;
   VertexId first_cut_;
   std::vector<BoxCut>& done_;
   std::vector<Point>& stuck_;
-  std::size_t most_points_;  ///< with more of them it is a cascade
+  std::size_t most_points_;             ///< with more of them it is a cascade
+  std::optional<WholeSegments> whole_;  ///< of the present pass
   std::vector<RegionBoundary> boundaries_;
   std::vector<std::optional<RegionView>> views_;         ///< by region, of the present pass
   std::vector<std::vector<SegmentSide>> sides_;          ///< by segment
@@ -456,9 +462,9 @@ std::size_t most_points_for_boxes(const Pslg& pslg, std::span<const BoxCut> cuts
   return kLeastPoints + kPointsPerPoint * (points - std::min(points, cuts.size()));
 }
 
-void cut_encroached(Pslg& pslg, RegionTable& table, VertexId first_cut, std::vector<BoxCut>& cuts,
-                    std::vector<Point>& stuck) {
-  Cutter(pslg, table, first_cut, cuts, stuck).run();
+void cut_encroached(Pslg& pslg, RegionTable& table, std::size_t uncut_points, VertexId first_cut,
+                    std::vector<BoxCut>& cuts, std::vector<Point>& stuck) {
+  Cutter(pslg, table, uncut_points, first_cut, cuts, stuck).run();
 }
 
 }  // namespace cover

@@ -17,12 +17,13 @@ namespace cover {
 ///
 /// `cuts` gets what was cut, with the reasons; `stuck` the middles of pieces that doubles leave no
 /// room to cut, or in which cuts go on for ever because feet are rounded (more than 16 passes, and
-/// most_points_for_boxes() exceeded). Vertices from `first_cut` on are cuts.
+/// most_points_for_boxes() exceeded). Points from `uncut_points` on are cuts, of which those from
+/// `first_cut` on are told as such.
 /// ENSURES: `pslg` and `table` fit each other
 /// Cost:    O(n log n) per pass
 /// Ref:     docs/box_method.md
-void cut_encroached(Pslg& pslg, RegionTable& table, VertexId first_cut, std::vector<BoxCut>& cuts,
-                    std::vector<Point>& stuck);
+void cut_encroached(Pslg& pslg, RegionTable& table, std::size_t uncut_points, VertexId first_cut,
+                    std::vector<BoxCut>& cuts, std::vector<Point>& stuck);
 
 /// With more points than this, of which `cuts` were added, cutting for the box method is a cascade
 /// in a layer too thin for doubles.

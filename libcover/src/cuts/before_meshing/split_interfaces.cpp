@@ -27,10 +27,10 @@
 #include "cuts/cut_segments.hpp"
 #include "cuts/periodic/mirror_cuts.hpp"
 #include "cuts/room_on_segment.hpp"
+#include "cuts/whole_segments.hpp"
 #include "geom/angle_rounding.hpp"
 #include "geom/curves/arc.hpp"
 #include "geom/foot.hpp"
-#include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/segment_sizes.hpp"
@@ -45,9 +45,6 @@ constexpr int kPasses = 64;
 constexpr double kFloor = 0x1p-10;      ///< of its segment: the shortest half that is cut in two
 constexpr double kFootFloor = 0x1p-40;  ///< of its segment: the shortest piece beside a foot
 constexpr double kRounding = 1e-9;      ///< radians
-/// Spacings of doubles from its line: a place so near stays; one so far at most was taken there by
-/// rounding. What is farther off lies on an arc, whose pieces leave its chord.
-constexpr double kOnLine = 2, kFarthestRounded = 16;
 constexpr int kTrials = 8;  ///< single cuts are taken back so often, then all of a broken region
 constexpr std::size_t kPlaces = 8;
 
@@ -60,14 +57,15 @@ struct Wish {
   std::optional<SegmentSizes> sizes;
 };
 
-/// The ends of a segment before it was cut.
+/// A segment before it was cut.
 struct Whole {
   Point a, b;
+  double length = 0;  ///< when this began: of a piece, where it was cut before
 };
 
 class Splitter {
  public:
-  Splitter(Pslg& pslg, RegionTable& table, const Options& options)
+  Splitter(Pslg& pslg, RegionTable& table, const Options& options, std::size_t uncut_points)
       : pslg_(pslg),
         table_(table),
         options_(options),
@@ -75,7 +73,11 @@ class Splitter {
         least_nu_(options.split_interfaces->supplement().in_radians() - kRounding),
         is_right_(*options.split_interfaces == Angle::degrees(90)),
         dirty_(table.regions.size(), 1) {
-    for (const Segment& s : pslg.segments) whole_.push_back({at(s.a), at(s.b)});
+    const WholeSegments whole(pslg, uncut_points);
+    for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+      const auto [a, b] = whole.ends(SegmentId{s});
+      whole_.push_back({a, b, length_of(pslg.segments[s])});
+    }
     rigid_.assign(pslg.segments.size(), 0);
   }
 
@@ -161,7 +163,7 @@ class Splitter {
         cuts.push_back({SegmentId{s}, wish.sizes->cuts()});
         for (Point& place : cuts.back().points) place = on_whole(s, place);
       } else if (wish.forced || halved_[s] != 0) {
-        const auto place = place_on(segment, wish, length(whole_[s].b - whole_[s].a));
+        const auto place = place_on(segment, wish, whole_[s].length);
         if (place) {
           cuts.push_back({SegmentId{s}, {on_whole(s, *place)}});
         } else if (wish.forced) {
@@ -224,17 +226,10 @@ class Splitter {
     return foot;
   }
 
-  /// A cut of a piece, on the line of the segment that was cut first. Feet from wall to wall come
-  /// one by one, each on the piece that the last one left: rounded every time, they would leave the
-  /// line by half a unit in the last place each.
+  /// WholeSegments::on_whole().
   [[nodiscard]] Point on_whole(std::size_t s, Point p) const {
-    const auto [a, b] = whole_[s];
-    const Vector along = b - a;
-    const double off = cross(along, p - a) / length(along);
-    const double spacing = spacing_of(std::array{a, b});
-    if (std::abs(off) <= kOnLine * spacing || std::abs(off) > kFarthestRounded * spacing) return p;
     if (circle_of(pslg_, pslg_.segments[s]) != nullptr) return p;
-    return p + (off / length(along)) * Vector{along.y, -along.x};
+    return back_on_line(whole_[s].a, whole_[s].b, p);
   }
 
   /// Whether a cut of the last pass lies beside the void.
@@ -384,7 +379,7 @@ class Splitter {
   std::vector<Wish> wishes_;          ///< by segment
   std::vector<std::uint8_t> dirty_;   ///< by region
   std::vector<std::uint8_t> halved_;  ///< by segment: to be cut half way if it is not otherwise
-  std::vector<Whole> whole_;          ///< by segment: the one that it is a piece of
+  std::vector<Whole> whole_;          ///< by segment: what it is a piece of
   std::vector<std::uint8_t> rigid_;   ///< by segment: rounded cuts on it broke something
   std::vector<Point> stuck_;
   std::optional<Before> before_;
@@ -397,15 +392,16 @@ Status split_interfaces(Pslg& pslg, RegionTable& table, const Options& options,
                         std::vector<Note>& notes) {
   if (!options.split_interfaces) return ok();
   const std::size_t before = pslg.points.size();
-  Splitter splitter(pslg, table, options);
+  Splitter splitter(pslg, table, options, before);
   if (Result<bool> run = splitter.run(); !run) return std::move(run).error();
   splitter.tell(before, notes);
   return ok();
 }
 
 Result<bool> halve_segments(Pslg& pslg, RegionTable& table, const Options& options,
-                            std::span<const SegmentId> segments, std::size_t most_points) {
-  return Splitter(pslg, table, options).run(segments, most_points);
+                            std::size_t uncut_points, std::span<const SegmentId> segments,
+                            std::size_t most_points) {
+  return Splitter(pslg, table, options, uncut_points).run(segments, most_points);
 }
 
 }  // namespace cover

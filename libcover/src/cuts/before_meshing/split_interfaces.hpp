@@ -31,9 +31,11 @@ Status split_interfaces(Pslg& pslg, RegionTable& table, const Options& options,
 
 /// Cuts `segments` half way where there is room, and then what split_interfaces would cut. False if
 /// that takes more than `most_points`: what was cut until then has angles that are too large.
+/// Points from `uncut_points` on are cuts already.
 ///
 /// REQUIRES: Options::split_interfaces; `segments` in order, without repeats
 Result<bool> halve_segments(Pslg& pslg, RegionTable& table, const Options& options,
-                            std::span<const SegmentId> segments, std::size_t most_points);
+                            std::size_t uncut_points, std::span<const SegmentId> segments,
+                            std::size_t most_points);
 
 }  // namespace cover

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <cover/cover_mesh.hpp>
+#include <cover/verify.hpp>
 
 #include "box/encroached_sides.hpp"
 #include "cdt/cdt.hpp"
@@ -32,7 +33,8 @@ Cut cut(const Input& input) {
   Result<Prepared> prepared = prepare(input);
   EXPECT_TRUE(prepared.has_value());
   Cut done{prepared->pslg, prepared->table, *box_costs(*prepared), {}, {}};
-  cut_encroached(done.pslg, done.table, VertexId{done.pslg.points.size()}, done.cuts, done.stuck);
+  const std::size_t uncut = done.pslg.points.size();
+  cut_encroached(done.pslg, done.table, uncut, VertexId{uncut}, done.cuts, done.stuck);
   return done;
 }
 
@@ -157,6 +159,27 @@ TEST(CutEncroached, KeepsClearOfWhatIsBeyondAThinVoid) {
   EXPECT_FALSE(done.cuts.empty());
   for (const RegionBoundary& b : split_regions(done.pslg, done.table))
     EXPECT_FALSE(find_fault(triangulate_domain(b.points, b.sides), b.points, b.sides));
+}
+
+/// As SplitInterfaces.ManyFeetStayOnTheirSegment; feet of the box method come on pieces of pieces.
+/// They left the segment by 9 units in the last place, and no mesh of them was accepted.
+TEST(CutEncroached, FeetOnPiecesStayOnTheSegment) {
+  const std::vector<Point> corners{{1e9, 1000000000012.7518},
+                                   {999999993.4508424, 1000000000012.1918},
+                                   {999999993.460519, 1000000000012.1216}};
+  const Input input = testing::segments_between(corners, {{0, 1}, {1, 2}, {2, 0}});
+  Options options;
+  options.box_method = true;
+  options.split_interfaces = Angle::degrees(89.99);
+  const Result<Output> output = cover_mesh(input, options);
+  ASSERT_TRUE(output) << output.error().message;
+  ASSERT_GT(output->report.box_cuts.size(), 50U) << "no long row of feet: take another triangle";
+  const Result<Prepared> uncut = prepare(input);
+  ASSERT_TRUE(uncut);
+  VerifyOptions verify;
+  verify.allow_split = true;
+  const auto found = verify_cover(uncut->pslg, uncut->table, triangle_soup(output->mesh), verify);
+  EXPECT_TRUE(found.violations.empty()) << found.violations.front().message;
 }
 
 }  // namespace

@@ -54,6 +54,7 @@ TEST(SplitInterfaces, CutsUntilNothingForcesALargerAngle) {
 
 TEST(SplitInterfaces, HalvesTheSegmentsGivenAndThenForcesNothing) {
   Regions regions = regions_of(two_rectangles());
+  const std::size_t uncut = regions.pslg.points.size();
   Options options;
   options.split_interfaces = Angle::degrees(90);
   std::vector<Note> notes;
@@ -63,11 +64,13 @@ TEST(SplitInterfaces, HalvesTheSegmentsGivenAndThenForcesNothing) {
   const Segment cut = regions.pslg.segments[2];
   const Point middle =
       midpoint(regions.pslg.points[cut.a.index()], regions.pslg.points[cut.b.index()]);
-  const Result<bool> given_up = halve_segments(regions.pslg, regions.table, options, right, before);
+  const Result<bool> given_up =
+      halve_segments(regions.pslg, regions.table, options, uncut, right, before);
   ASSERT_TRUE(given_up);
   EXPECT_FALSE(*given_up);
   EXPECT_EQ(regions.pslg.points.size(), before);
-  const Result<bool> halved = halve_segments(regions.pslg, regions.table, options, right, 1000);
+  const Result<bool> halved =
+      halve_segments(regions.pslg, regions.table, options, uncut, right, 1000);
   ASSERT_TRUE(halved);
   EXPECT_TRUE(*halved);
   EXPECT_GT(regions.pslg.points.size(), before);
