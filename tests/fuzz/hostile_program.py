@@ -63,7 +63,7 @@ class Runs:
             made = subprocess.run([self.asked.hostile_runs, '--write', str(seed), str(folder / 'in.json')], check=True,
                                   text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
             options = made.stdout.split()
-            code, text, seconds = run([self.asked.cover, 'mesh', folder / 'in.json', '-o', folder / 'm.vtu', '-o',
+            code, text, seconds = run([self.asked.cover, 'mesh', '-vv', folder / 'in.json', '-o', folder / 'm.vtu', '-o',
                                        folder / 'clean.poly', *options], self.asked.limit)
             self.slowest = max(self.slowest, (seconds, seed))
             if code is None or seconds > self.asked.seconds:

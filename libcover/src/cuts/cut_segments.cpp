@@ -1,12 +1,14 @@
 // Tested by tests/unit/cuts/cut_segments_test.cpp.
 #include "cuts/cut_segments.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/core.h>
 
 #include <cover/text.hpp>
 
+#include "cdt/sides.hpp"
 #include "geom/curves/arc.hpp"
 #include "geom/vector.hpp"
 
@@ -73,6 +75,36 @@ void apply_bend(const Bend& bend, const SegmentSides& sides, RegionTable& table)
     table.interfaces[sides.interface.index() - 1].length += bend.length;
 }
 
+IndexPair ends_of(const Segment& s) { return {s.a.value(), s.b.value()}; }
+
+/// By triangle: whether it belongs to a region, as the sides of segments tell.
+std::vector<bool> triangles_of_regions(const Pslg& pslg, const RegionTable& table,
+                                       const Triangulation& whole) {
+  std::vector<IndexPair> sides;
+  for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+    const auto [a, b] = ends_of(pslg.segments[s]);
+    if (table.sides[s].left != kVoid) sides.push_back({a, b});
+    if (table.sides[s].right != kVoid) sides.push_back({b, a});
+  }
+  std::sort(sides.begin(), sides.end());
+  std::vector<bool> is_reached(whole.triangles.size(), false);
+  std::vector<std::uint32_t> reached;
+  const auto reach = [&](std::uint32_t t) {
+    if (t == kNone || is_reached[t]) return;
+    is_reached[t] = true;
+    reached.push_back(t);
+  };
+  for (const EdgeRef& at : locate_sides(whole, sides)) reach(at.triangle);
+  while (!reached.empty()) {
+    const Triangle& f = whole.triangles[reached.back()];
+    reached.pop_back();
+    for (int i = 0; i < 3; ++i) {
+      if (!f.is_locked(i)) reach(f.n[static_cast<std::size_t>(i)]);
+    }
+  }
+  return is_reached;
+}
+
 }  // namespace
 
 void cut_segments(Pslg& pslg, RegionTable& table, std::span<const SegmentCut> cuts) {
@@ -125,14 +157,54 @@ void cut_segments(Pslg& pslg, RegionTable& table, std::span<const SegmentCut> cu
 CdtResult triangulate_whole(const Pslg& pslg) {
   std::vector<IndexPair> segments;
   segments.reserve(pslg.segments.size());
-  for (const Segment& s : pslg.segments) segments.push_back({s.a.value(), s.b.value()});
+  for (const Segment& s : pslg.segments) segments.push_back(ends_of(s));
   return triangulate_hull(pslg.points, segments);
 }
 
-Status check_cuts(const Pslg& pslg, std::size_t uncut_points) {
+std::vector<VertexId> void_in_regions(const Pslg& pslg, const RegionTable& table,
+                                      const Triangulation& whole) {
+  if (table.void_points.empty() && table.void_segments.empty()) return {};
+  const std::vector<bool> is_in_region = triangles_of_regions(pslg, table, whole);
+  std::vector<bool> is_touched(pslg.points.size(), false);
+  for (std::size_t t = 0; t < whole.triangles.size(); ++t) {
+    if (!is_in_region[t]) continue;
+    for (const std::uint32_t v : whole.triangles[t].v) is_touched[v] = true;
+  }
+  std::vector<VertexId> found;
+  for (const VertexId v : table.void_points) {
+    if (is_touched[v.index()]) found.push_back(v);
+  }
+  std::vector<IndexPair> sides;
+  for (const SegmentId s : table.void_segments) {
+    const auto [a, b] = ends_of(pslg.segments[s.index()]);
+    sides.insert(sides.end(), {{a, b}, {b, a}});
+  }
+  std::sort(sides.begin(), sides.end());
+  const std::vector<EdgeRef> at = locate_sides(whole, sides);
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    if (at[s].triangle == kNone || !is_in_region[at[s].triangle]) continue;
+    for (const std::uint32_t v : sides[s]) found.emplace_back(v);
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+Status check_cuts(const Pslg& pslg, const RegionTable& table, std::size_t uncut_points) {
   if (pslg.points.size() == uncut_points) return ok();
-  const std::vector<CdtConflict> conflicts = triangulate_whole(pslg).conflicts;
-  if (conflicts.empty()) return ok();
+  const CdtResult whole = triangulate_whole(pslg);
+  const std::vector<CdtConflict>& conflicts = whole.conflicts;
+  if (conflicts.empty()) {
+    const std::vector<VertexId> passed = void_in_regions(pslg, table, whole.triangulation);
+    if (passed.empty()) return ok();
+    const Point at = pslg.points[passed[0].index()];
+    return Error{ErrorCode::meshing_incomplete,
+                 fmt::format("a cut segment would pass the point {}, which lies in the void as "
+                             "near to it as rounding; --weld closes such gaps",
+                             describe(at)),
+                 {at},
+                 {}};
+  }
   const CdtConflict& first = conflicts.front();
   const bool is_point = first.kind != CdtConflict::Kind::crossing;
   const VertexId v = is_point ? VertexId{first.first} : pslg.segments[first.first].a;

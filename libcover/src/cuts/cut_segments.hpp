@@ -36,11 +36,20 @@ void cut_segments(Pslg& pslg, RegionTable& table, std::span<const SegmentCut> cu
 /// Cost:  O(n log n)
 CdtResult triangulate_whole(const Pslg& pslg);
 
+/// The ends of segments in the void, and points there, that lie in a region: a cut beside them,
+/// rounded, passed to their other side, and nothing crosses where they hang on the cut segment.
+///
+/// REQUIRES: `whole` is triangulate_whole(pslg), without conflicts
+/// EXACT:    yes
+/// Cost:     O(n log n)
+std::vector<VertexId> void_in_regions(const Pslg& pslg, const RegionTable& table,
+                                      const Triangulation& whole);
+
 /// Each region is sound by itself; what lies on both sides of the void is looked at here, where
 /// there are more points than the `uncut_points` that there were before.
 ///
-/// Errors: meshing_incomplete, with a place, where cut segments meet
+/// Errors: meshing_incomplete, with a place, where cut segments meet, or pass what is in the void
 /// Cost:   that of triangulate_whole()
-Status check_cuts(const Pslg& pslg, std::size_t uncut_points);
+Status check_cuts(const Pslg& pslg, const RegionTable& table, std::size_t uncut_points);
 
 }  // namespace cover

@@ -10,8 +10,8 @@
 
 namespace cover {
 
-/// `p`, put on the line through a and b if rounding left it beside that: by more than 2 units in the
-/// last place and no more than 16. What is farther off was put there, as on an arc.
+/// `p`, put on the line through a and b if rounding left it beside that: by more than 2 units in
+/// the last place and no more than 16. What is farther off was put there, as on an arc.
 /// Cost: O(1)
 Point back_on_line(Point a, Point b, Point p);
 

@@ -260,13 +260,22 @@ std::string obstacle(const FillTask& task) {
   return {};
 }
 
+/// Whether the triangulation ends somewhere without a chord.
+bool has_open_rim(const Triangulation& cdt) {
+  return std::any_of(cdt.triangles.begin(), cdt.triangles.end(), [](const Triangle& t) {
+    return (t.n[0] == kNone && !t.is_locked(0)) || (t.n[1] == kNone && !t.is_locked(1)) ||
+           (t.n[2] == kNone && !t.is_locked(2));
+  });
+}
+
 /// Triangulates `task`; see make_disk_filler() and fill_between_disks().
 Filling run_attempts(const FillTask& task, std::span<const double> radii,
                      const std::stop_token& stop, const DiskFillOptions& options) {
   std::vector<IndexPair> sides;
   for (const Chord& c : task.chords) sides.push_back({c.a, c.b});
   const CdtResult cdt = triangulate_domain(task.points, sides);
-  if (!cdt.conflicts.empty() || cdt.triangulation.triangles.empty()) {
+  if (!cdt.conflicts.empty() || cdt.triangulation.triangles.empty() ||
+      has_open_rim(cdt.triangulation)) {
     Filling none;
     none.target_reached = false;
     none.remark = "the chords bound no domain";

@@ -2,6 +2,8 @@
 // Tested by tests/unit/geom/foot_test.cpp.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "geom/predicates.hpp"
@@ -19,6 +21,16 @@ inline std::optional<Point> exact_foot(Point a, Point b, Point p) {
   return std::nullopt;
 }
 
+/// How far along a segment, however short, the foot of a point is that lies at `to` from its start.
+///
+/// REQUIRES: along != 0; the foot lies on the segment, up to rounding
+/// Returns:  in parts of the segment, from 0 to 1
+inline double share_of_tiny(Vector along, Vector to) {
+  const int octave = std::ilogb(std::max(std::abs(along.x), std::abs(along.y)));
+  const Vector unit{std::ldexp(along.x, -octave), std::ldexp(along.y, -octave)};
+  return std::clamp(std::ldexp(dot(to, unit) / squared_length(unit), -octave), 0.0, 1.0);
+}
+
 /// The foot on the segment from `a` to `b`; rounded, but exact where rounding leaves `p` in the
 /// diametral disk of a piece, as it does in thin layers, and where doubles hold it. The same from
 /// both ends.
@@ -26,8 +38,12 @@ inline std::optional<Point> exact_foot(Point a, Point b, Point p) {
 /// REQUIRES: a != b; the foot lies between them
 inline Point foot_on(Point a, Point b, Point p) {
   const Vector along = b - a;
-  const double from_a = dot(p - a, along) / squared_length(along);
-  const double from_b = dot(p - b, along) / squared_length(along);
+  double from_a = dot(p - a, along) / squared_length(along);
+  double from_b = dot(p - b, along) / squared_length(along);
+  if (squared_length(along) < 0x1p-900) {  // squares of such lengths leave the range of doubles
+    from_a = share_of_tiny(along, p - a);
+    from_b = -share_of_tiny(-1 * along, p - b);
+  }
   const Point foot = from_a <= 0.5 ? a + from_a * along : b + from_b * along;
   if (compare_with_90_degrees(a, p, foot) != Sign::positive &&
       compare_with_90_degrees(foot, p, b) != Sign::positive)

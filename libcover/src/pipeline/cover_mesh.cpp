@@ -51,8 +51,8 @@ Status mesh_each_region(Work& work, const Options& options, const Callbacks& cal
 }
 
 Status look_at_cuts(Work& work, const Options& /*options*/, const Callbacks& /*callbacks*/) {
-  Status apart = errors_as_values("check cuts",
-                                  [&] { return check_cuts(work.pslg, work.report.uncut_points); });
+  Status apart = errors_as_values(
+      "check cuts", [&] { return check_cuts(work.pslg, work.table, work.report.uncut_points); });
   if (apart) warn_of_straight_arcs(work.pslg, work.report.notes);
   return apart;
 }

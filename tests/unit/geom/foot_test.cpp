@@ -26,6 +26,18 @@ TEST(Foot, IsRoundedOnOthers) {
   }
 }
 
+/// The square of the segment's length is no double; the foot was none either.
+TEST(Foot, IsFoundOnASegmentOfUnitsInTheLastPlaceOfZero) {
+  const double unit = 0x1p-1074;
+  const Point a{-8 * unit, -8 * unit}, b{8 * unit, 8 * unit};
+  EXPECT_EQ(foot_on(a, b, {-3 * unit, 3 * unit}), (Point{0, 0}));
+  for (const Point far : {Point{8, -8}, Point{8, -7.99}, Point{1e300, -1e300}}) {
+    const Point foot = foot_on(a, b, far);
+    EXPECT_TRUE(a <= foot && foot <= b) << far.x;
+  }
+  EXPECT_EQ(foot_on({0, 0}, {1e-200, 1e-200}, {1e-200, 0}), (Point{5e-201, 5e-201}));
+}
+
 /// However thin the layer, a vertex encroaches no piece beside its foot.
 TEST(Foot, LeavesTheVertexInNoDiametralDisk) {
   std::mt19937_64 random(7);

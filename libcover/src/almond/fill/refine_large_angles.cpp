@@ -408,6 +408,22 @@ class Refiner {
   std::vector<std::uint32_t> met_locked_;  ///< chords, by these tries
 };
 
+/// Adds the chords that end at one of `vertices`, or all if none does.
+void blame_beside(std::vector<std::uint32_t> vertices, std::span<const Chord> chords,
+                  std::vector<std::uint32_t>& faults) {
+  if (vertices.empty()) return;
+  std::sort(vertices.begin(), vertices.end());
+  const std::size_t known = faults.size();
+  const auto is_open = [&](std::uint32_t v) {
+    return std::binary_search(vertices.begin(), vertices.end(), v);
+  };
+  for (std::uint32_t c = 0; c < chords.size(); ++c) {
+    if (is_open(chords[c].a) || is_open(chords[c].b)) faults.push_back(c);
+  }
+  if (faults.size() > known) return;
+  for (std::uint32_t c = 0; c < chords.size(); ++c) faults.push_back(c);
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> match_chords(const Triangulation& cdt, std::span<const Chord> chords,
@@ -418,7 +434,7 @@ std::vector<std::uint32_t> match_chords(const Triangulation& cdt, std::span<cons
     next[c] = head[chords[c].a];
     head[chords[c].a] = c;
   }
-  std::vector<std::uint32_t> faults;
+  std::vector<std::uint32_t> faults, open;  // ends of rim edges without a chord
   std::vector<bool> found(chords.size(), false);
   edges.assign(cdt.triangles.size(), {kNone, kNone, kNone});
   for (std::uint32_t t = 0; t < cdt.triangles.size(); ++t) {
@@ -434,14 +450,17 @@ std::vector<std::uint32_t> match_chords(const Triangulation& cdt, std::span<cons
         edges[t][static_cast<std::size_t>(i)] = c;
         continue;
       }
+      const std::size_t known = faults.size();
       for (c = head[b]; c != kNone; c = next[c]) {
         if (chords[c].b == a) faults.push_back(c);
       }
+      if (faults.size() == known) open.insert(open.end(), {a, b});
     }
   }
   for (std::uint32_t c = 0; c < chords.size(); ++c) {
     if (!found[c]) faults.push_back(c);
   }
+  blame_beside(std::move(open), chords, faults);
   return faults;
 }
 

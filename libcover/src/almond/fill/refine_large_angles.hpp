@@ -18,8 +18,9 @@ using ChordEdges = std::vector<std::array<std::uint32_t, 3>>;
 /// Finds the chord of every locked edge.
 ///
 /// Returns the chords at fault: those that are no edge with the domain on their left, and those
-/// whose edge has the domain on its right although no chord runs the other way. Empty: the chords
-/// are the boundary of `cdt`, all of it and nothing else.
+/// whose edge has the domain on its right although no chord runs the other way, and those that end
+/// where the boundary of `cdt` goes on without a chord. Empty: the chords are the boundary of
+/// `cdt`, all of it and nothing else.
 /// EXACT: yes
 /// Cost:  O(triangles + chords)
 std::vector<std::uint32_t> match_chords(const Triangulation& cdt, std::span<const Chord> chords,

@@ -245,7 +245,11 @@ class Splitter {
   void look_at_void() {
     if (table_.void_segments.empty() && table_.void_points.empty() && !has_cut_void()) return;
     const CdtResult whole = triangulate_whole(pslg_);
-    if (whole.conflicts.empty() && !table_.hull_sides.empty()) look_at_hull(whole.triangulation);
+    if (whole.conflicts.empty()) {
+      if (!table_.hull_sides.empty()) look_at_hull(whole.triangulation);
+      look_at_passed(whole.triangulation);
+      return;
+    }
     for (const CdtConflict& conflict : whole.conflicts) {
       const bool first_is_point = conflict.kind != CdtConflict::Kind::crossing;
       const bool second_is_point = conflict.kind == CdtConflict::Kind::duplicate_point;
@@ -265,6 +269,24 @@ class Splitter {
       }
       if (broken_.empty()) throw InternalFault("segments meet in the void", {});
     }
+  }
+
+  /// A cut may pass what hangs in the void beside it, and cross nothing.
+  void look_at_passed(const Triangulation& whole) {
+    const std::vector<VertexId> passed = void_in_regions(pslg_, table_, whole);
+    if (passed.empty()) return;
+    const std::size_t old = before_->pslg.points.size(), known = broken_.size();
+    for (const Triangle& t : whole.triangles) {
+      if (std::none_of(t.v.begin(), t.v.end(), [&](std::uint32_t v) {
+            return std::binary_search(passed.begin(), passed.end(), VertexId{v});
+          }))
+        continue;
+      for (const std::uint32_t v : t.v) {
+        if (v >= old) broken_.emplace_back(v);
+      }
+    }
+    if (broken_.size() > known) return;
+    for (std::size_t v = old; v < pslg_.points.size(); ++v) broken_.emplace_back(v);
   }
 
   /// A cut beside a side of the hull that is in line with it may lie outside by rounding; the hull

@@ -102,6 +102,22 @@ TEST(MatchChords, FindsWhatIsNoBoundary) {
   EXPECT_FALSE(match_chords(cdt, chords, edges).empty());
 }
 
+/// A ring of chords with a gap is no boundary, though each of them is in its place.
+TEST(MatchChords, BlamesWhatIsBesideAGap) {
+  const auto boundary = testing::boundary_of({{{0, 0}, {2, 0}, {3, 1}, {2, 2}, {0, 2}}});
+  const Triangulation cdt = triangulate_domain(boundary.points, boundary.sides).triangulation;
+  std::vector<Chord> chords = task_of(boundary).chords;
+  const Chord lost = chords[1];
+  chords.erase(chords.begin() + 1);
+  std::vector<std::uint32_t> beside;
+  for (std::uint32_t c = 0; c < chords.size(); ++c) {
+    if (chords[c].b == lost.a || chords[c].a == lost.b) beside.push_back(c);
+  }
+  ASSERT_EQ(beside.size(), 2U);
+  ChordEdges edges;
+  EXPECT_EQ(match_chords(cdt, chords, edges), beside);
+}
+
 TEST(WalkStraight, StopsAtLockedEdgesAndTheOutside) {
   const auto boundary =
       testing::boundary_of({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{2, 1}, {2, 3}}}, {{1, 2}, {3, 2}});
