@@ -32,8 +32,11 @@ constexpr int kInVain = 2;
 /// best one, are of no use for any target: where no double has room, each cut forces further ones.
 constexpr int kInVainForAll = 2;
 constexpr std::size_t kFarMore = 2;
-constexpr std::size_t kMostPoints = 4;     ///< times those at first: then there are no more rounds
-constexpr std::size_t kMostCut = 16;       ///< times those at first: a round is given up
+constexpr std::size_t kMostPoints = 4;  ///< times those at first: then there are no more rounds
+constexpr std::size_t kMostCut = 16;    ///< times those at first: a round is given up
+/// So many new points for each triangle that is left are too many as well. Drawings take one or
+/// two; in a layer thousands of times as long as thick, each half cuts what faces it, all along.
+constexpr std::size_t kMostCutForOne = 32;
 constexpr std::size_t kFewPoints = 2'000;  ///< with less, rounds cost so little that all are made
 /// So many triangles above the target for each point at first are those of a mesh that misses it
 /// nearly everywhere: halves do not mend that.
@@ -157,11 +160,14 @@ Status cut_until_met(Work& work, const Options& options, const Callbacks& callba
     return now.left.above > kEverywhere * points ||
            (in_vain >= kInVainForAll && now.left.above > kFarMore * best.left.above);
   };
-  const std::size_t most_cut = std::max(kMostCut * points, kFewPoints);
+  const auto most_cut = [&] {
+    const std::size_t for_all = now.work.pslg.points.size() + kMostCutForOne * now.left.above;
+    return std::max(std::min(kMostCut * points, for_all), kFewPoints);
+  };
   for (int k = 0; k < kRounds && status && best.left.above > 0 && !is_of_no_use() &&
                   now.work.pslg.points.size() < kMostPoints * points;
        ++k) {
-    const Result<bool> halved = rounds.halve(now.work, most_cut);
+    const Result<bool> halved = rounds.halve(now.work, most_cut());
     if (!halved) return halved.error();
     if (!*halved) break;
     status = rounds.improve(now);
