@@ -27,6 +27,8 @@ namespace {
 constexpr double kSlack = 0.005;
 /// After so many trials all almonds are left out.
 constexpr int kTrials = 40;
+/// From this trial on points are united from as far apart as ever; only repairs change anything.
+constexpr int kUnited = 4;
 /// After so many rounds of waking some almonds, all are woken.
 constexpr int kRounds = 4;
 
@@ -57,7 +59,7 @@ class AlmondMethod {
   AlmondMesh run() {
     for (int trial = 0;; ++trial) {
       // Points that should have been one can be farther apart than a first guess says.
-      const double unite = trial == 0 ? 1 : trial < 4 ? 0x1p+10 : 0x1p+20;
+      const double unite = trial == 0 ? 1 : trial < kUnited ? 0x1p+10 : 0x1p+20;
       const std::vector<std::uint32_t> faults = try_once(unite);
       if (faults.empty()) break;
       if (wake(faults)) {
@@ -65,8 +67,9 @@ class AlmondMethod {
         all_left_out_ = false;
       } else if (all_left_out_) {
         throw InternalFault("almonds: a region without almonds fails", {input_.cdt.points.front()});
-      } else if (trial < kTrials) {
-        repair(faults, /*unite_first=*/trial == 0 && rule_.paper);
+      } else if (trial < kTrials &&
+                 (repair(faults, /*unite_first=*/trial == 0 && rule_.paper) || trial < kUnited)) {
+        continue;
       } else {
         for (Almond& almond : almonds_) leave_out(almond);
         all_left_out_ = true;
@@ -262,34 +265,40 @@ class AlmondMethod {
     a.kind = fits ? AlmondKind::triangle : AlmondKind::none;
   }
 
-  void repair(std::vector<std::uint32_t> faults, bool unite_first) {
+  /// False if that changed nothing: the next trial would end as this one did.
+  bool repair(std::vector<std::uint32_t> faults, bool unite_first) {
     std::sort(faults.begin(), faults.end());
     faults.erase(std::unique(faults.begin(), faults.end()), faults.end());
+    bool is_changed = false;
     for (const std::uint32_t k : faults) {
       if (unite_first) {
+        is_changed = is_changed || repairs_[k] == 0;
         repairs_[k] = std::max(repairs_[k], 1);
       } else {
-        weaken(k);
+        is_changed = weaken(k) || is_changed;
       }
     }
+    return is_changed;
   }
 
-  void weaken(std::uint32_t k) {
+  /// False if it is as weak as can be.
+  bool weaken(std::uint32_t k) {
     Almond& a = almonds_[k];
     ++repairs_[k];
-    if (a.kind == AlmondKind::hull_side) return;
+    if (a.kind == AlmondKind::hull_side || a.kind == AlmondKind::none) return false;
     if (!a.has_arc()) {
       leave_out(a);
-      return;
+      return true;
     }
     if (a.nu <= least_nu_) {
       a.set_nu(full_nu(k));
       replace_by_triangle(a);
-      return;
+      return true;
     }
     const double factor = repairs_[k] <= 1 ? 0.97 : repairs_[k] == 2 ? 0.8 : 0;
     a.kind = AlmondKind::shrunk;
     a.set_nu(std::max(least_nu_, factor * full_nu(k)));
+    return true;
   }
 
   [[nodiscard]] double full_nu(std::uint32_t k) const {

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "geom/predicates.hpp"
+
 namespace cover {
 namespace {
 
@@ -18,8 +20,25 @@ void blame_vertex(const Remainder& r, const ChordLayer& layer, std::uint32_t v,
   }
 }
 
-/// The almonds that a conflict of the constrained triangulation points at.
+/// The almonds whose chords cross `chord`.
+void blame_all_across(const Remainder& r, const ChordLayer& layer, std::span<const Point> points,
+                      const Chord& chord, std::vector<std::uint32_t>& almonds) {
+  const Point a = points[chord.a], b = points[chord.b];
+  const auto are_on_both_sides = [](Sign p, Sign q) {
+    return static_cast<int>(p) * static_cast<int>(q) < 0;
+  };
+  for (std::size_t k = 0; k < r.chords.size(); ++k) {
+    const Point c = points[r.chords[k].a], d = points[r.chords[k].b];
+    if (are_on_both_sides(orientation(a, b, c), orientation(a, b, d)) &&
+        are_on_both_sides(orientation(c, d, a), orientation(c, d, b)))
+      almonds.push_back(layer.chords[r.arc_chord[k]].almond);
+  }
+}
+
+/// The almonds that a conflict of the constrained triangulation points at. Of a side that has no
+/// arc any more, all that cross it: one by one they would take some trials each.
 std::vector<std::uint32_t> blame(const Remainder& r, const ChordLayer& layer,
+                                 std::span<const Almond> of_sides, std::span<const Point> points,
                                  const CdtConflict& conflict) {
   std::vector<std::uint32_t> almonds;
   const auto chord = [&](std::uint32_t c) {
@@ -35,8 +54,11 @@ std::vector<std::uint32_t> blame(const Remainder& r, const ChordLayer& layer,
       chord(conflict.second);
       break;
     case CdtConflict::Kind::crossing:
-      chord(conflict.first);
-      chord(conflict.second);
+      for (const std::uint32_t c : {conflict.first, conflict.second}) {
+        chord(c);
+        if (!of_sides[almonds.back()].has_arc())
+          blame_all_across(r, layer, points, r.chords[c], almonds);
+      }
       break;
   }
   return almonds;
@@ -83,7 +105,7 @@ Remainder find_remainder(const ChordLayer& layer, std::span<const Almond> almond
 
   CdtResult result = triangulate_domain(points, pairs);
   if (!result.conflicts.empty()) {
-    r.faults = blame(r, layer, result.conflicts.front());
+    r.faults = blame(r, layer, almonds, points, result.conflicts.front());
     return r;
   }
   r.cdt = std::move(result.triangulation);
