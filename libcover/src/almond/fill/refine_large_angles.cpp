@@ -25,6 +25,7 @@ class Refiner {
         edges_(edges),
         chords_(chords),
         goal_(goal),
+        first_points_(cdt.points.size()),
         tan_target_(cdt.points.size(), std::tan(goal.target_nu)),
         version_(cdt.triangles.size(), 0),
         in_cavity_(cdt.triangles.size(), 0) {
@@ -49,7 +50,7 @@ class Refiner {
         break;
       }
       --budget;
-      if (wasted_ > most_wasted() || seen_ > kMostSeen * goal_.budget) {
+      if (wasted_ > most_wasted() || seen_ > most_seen(goal_.budget - budget)) {
         result.target_reached = false;
         break;
       }
@@ -69,9 +70,12 @@ class Refiner {
   /// by side, each of them may pass all others.
   [[nodiscard]] std::size_t most_wasted() const { return 10000 + 100 * cdt_.triangles.size(); }
 
-  /// Triangles in cavities, for each insertion of the budget: ten are many. Where all points lie
-  /// nearly on one line or circle, every cavity has nearly all triangles, and every test is exact.
-  static constexpr std::size_t kMostSeen = 64;
+  /// Triangles in cavities after so many tries. Ten for each are many, but for the first ones.
+  /// Where all points lie nearly on one line or circle, every cavity has nearly all triangles, and
+  /// every test is exact.
+  [[nodiscard]] std::size_t most_seen(std::size_t tries) const {
+    return 64 * (tries + 256 + first_points_);
+  }
 
   /// A triangle with too large an angle.
   struct Bad {
@@ -391,6 +395,7 @@ class Refiner {
   ChordEdges& edges_;
   std::span<const Chord> chords_;
   RefineGoal goal_;
+  std::size_t first_points_;
   std::vector<double> tan_target_;         ///< by vertex; a triangle has the least of its corners'
   static constexpr int kRightAngle = 120;  ///< bucket of tan nu = 1; the targets lie below
   BucketQueue<Bad> queue_;
