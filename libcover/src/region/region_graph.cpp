@@ -292,8 +292,11 @@ Result<RegionTable> build_region_table(const Pslg& pslg, const Options& options,
   const Faces faces = whole ? faces_of(*std::move(whole), pairs, options.hull)
                             : find_faces(pslg.points, pairs, options.hull);
   if (faces.of_triangle.empty()) {
-    return nothing_enclosed(pslg, pslg.points.size() < 3 ? "there are fewer than three points"
-                                                         : "all points lie on one line");
+    Error error =
+        nothing_enclosed(pslg, pslg.points.size() < 3 ? "there are fewer than three points"
+                                                      : "all points lie on one line");
+    if (options.weld.value_or(0) > 0) error.message += " after welding (--weld)";
+    return error;
   }
   const auto with_near_misses = [&](Error error) {
     error.message += near_misses_behind(pslg, faces.triangulation);
