@@ -19,13 +19,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace cover {
 namespace {
 
 constexpr std::size_t kTriangles = 24;  ///< around a side, whose sides are obstacles
 constexpr double kSmallestBox = 1e-7;   ///< in radians: not cut any more
-constexpr double kProbed = 0.05;        ///< in radians: larger boxes are probed in the middle
+constexpr double kLargeBox = 0.3;       ///< in radians: its lower half is looked at first
 constexpr double kRounding = 1e-13;     ///< relative: of places in the frame, with room to spare
 constexpr double kFlat = 1e-6;  ///< an apex under less is too far away for its place to be known
 
@@ -386,6 +387,18 @@ bool ApexSearch::nothing_forbids(const Direction& at_a, const Direction& at_b) {
          !end_is_out(b_, at_b.angle, at_b.angle, to_b, to_b);
 }
 
+/// A place in the box, half way on its diagonal through what the range allows of the angle at the
+/// apex: with the middle of the box, searches would follow the arc where that is largest, down to
+/// the smallest boxes.
+std::array<ApexSearch::Direction, 2> ApexSearch::probed_in(const Box& box) const {
+  const double low = box.a[0].angle + box.b[0].angle, high = box.a[1].angle + box.b[1].angle;
+  const double from = std::max(low, std::numbers::pi - range_.most);
+  const double to = std::min(high, std::numbers::pi - range_.least);
+  const double share = std::clamp(((from + to) / 2 - low) / (high - low), 0.0, 1.0);
+  return {direction_of(box.a[0].angle + share * (box.a[1].angle - box.a[0].angle)),
+          direction_of(box.b[0].angle + share * (box.b[1].angle - box.b[0].angle))};
+}
+
 bool ApexSearch::has_none(std::uint32_t side, std::uint64_t& budget) {
   enter(side);
   if (ear_is_possible(true) || ear_is_possible(false)) return false;
@@ -400,6 +413,7 @@ bool ApexSearch::has_none(std::uint32_t side, std::uint64_t& budget) {
   const double from = std::max(0.0, least - kAngleSlack);
   stack_.assign(1, {{direction(from), direction(most_a + kAngleSlack)},
                     {direction(from), direction(most_b + kAngleSlack)}});
+  std::uint32_t looked = 0;
   while (!stack_.empty()) {
     if (budget == 0) return false;
     --budget;
@@ -411,15 +425,15 @@ bool ApexSearch::has_none(std::uint32_t side, std::uint64_t& budget) {
     const bool cut_a = wide > high;
     const Direction middle = direction(cut_a ? (box.a[0].angle + box.a[1].angle) / 2
                                              : (box.b[0].angle + box.b[1].angle) / 2);
-    if (std::max(wide, high) > kProbed) {
-      // A place that nothing forbids ends the search at once.
-      const Direction other = direction(cut_a ? (box.b[0].angle + box.b[1].angle) / 2
-                                              : (box.a[0].angle + box.a[1].angle) / 2);
-      if (cut_a ? nothing_forbids(middle, other) : nothing_forbids(other, middle)) return false;
-    }
+    // A place that nothing forbids ends the search at once.
+    const auto [at_a, at_b] = probed_in(box);
+    if (nothing_forbids(at_a, at_b)) return false;
     Box first = box, second = box;
     (cut_a ? first.a : first.b)[1] = middle;
     (cut_a ? second.a : second.b)[0] = middle;
+    // Always the lower half first would follow the border of what is forbidden, outside of which
+    // the places lie that are probed.
+    if (std::max(wide, high) < kLargeBox && (++looked & 2) == 0) std::swap(first, second);
     stack_.push_back(second);
     stack_.push_back(first);
   }

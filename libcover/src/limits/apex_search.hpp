@@ -94,6 +94,7 @@ class ApexSearch {
   [[nodiscard]] bool add_corners_within_reach(const Box& box, Shape& shape) const;
   [[nodiscard]] bool is_out(const Box& box);
   [[nodiscard]] bool nothing_forbids(const Direction& at_a, const Direction& at_b);
+  [[nodiscard]] std::array<Direction, 2> probed_in(const Box& box) const;
   [[nodiscard]] bool contains_vertex(const Box& box) const;
   [[nodiscard]] bool end_is_out(const End& end, double low, double high, double near,
                                 double far) const;

@@ -32,9 +32,11 @@ FanGrowth::FanGrowth(AngleRange range) : range_(range) {
   start_ = std::max(0.0, of_one(range.least));
   at_peak_ = of_one(peak_);
   steepest_from_ = range.least;
-  if (!(kink > range.least)) return;
-  steepest_from_ = tangent_point(kink);
-  slope_ = (of_one(steepest_from_) - start_) / (steepest_from_ - range.least);
+  if (kink > range.least) {
+    steepest_from_ = tangent_point(kink);
+    slope_ = (of_one(steepest_from_) - start_) / (steepest_from_ - range.least);
+  }
+  most_per_radian_ = std::max(start_ / range.least, of_one(steepest_from_) / steepest_from_);
 }
 
 /// Where the slope of the chord from the start is largest, from `kink` to the peak: it grows up to
@@ -131,6 +133,14 @@ double FanGrowth::growth_at_peaks(double low, double high) const {
   return k == 1 ? at_peak_ : k * concave(peak_);
 }
 
+/// What no number of triangles exceeds that have `high` in sum: k h(f / k) = f h(x) / x, and h(x) /
+/// x is largest at an end of the tangent, since the second part of g goes through zero.
+double FanGrowth::most_growth(double high) const {
+  if (!(range_.least > 0) || (high + kAngleSlack) / range_.least > kMostInFan)
+    return std::numeric_limits<double>::infinity();
+  return (high + kAngleSlack) * most_per_radian_ + (kMostInFan + 2) * kLogSlack;
+}
+
 bool FanGrowth::may_lead(double low, double high, double ratio) const {
   if (high < range_.least - kAngleSlack) return false;
   if (ratio <= 1) {
@@ -138,11 +148,14 @@ bool FanGrowth::may_lead(double low, double high, double ratio) const {
     return range_.least == 0 || std::floor((high + kAngleSlack) / range_.least) >=
                                     std::ceil((low - kAngleSlack) / range_.most);
   }
-  // A logarithm is no more than what its argument has above one, and mostly this is enough.
+  const double most_of_any = most_growth(high);
+  if (1 - 1 / ratio > most_of_any) return false;  // a logarithm is no less than that
+  // It is no more than what its argument has above one, and mostly this is enough.
   const double at_peaks = growth_at_peaks(low, high);
   if (at_peaks >= ratio - 1) return true;
   const double wanted = std::max(std::log(ratio) - 4 * kAngleSlack, 0.0);
   if (at_peaks >= wanted) return true;
+  if (wanted > most_of_any) return false;
   return log_ratio(std::max(low, 0.0), high, wanted) >= wanted;
 }
 

@@ -39,6 +39,7 @@ class FanGrowth {
  private:
   [[nodiscard]] double of_one(double angle) const;
   [[nodiscard]] double growth_at_peaks(double low, double high) const;
+  [[nodiscard]] double most_growth(double high) const;
   [[nodiscard]] double concave(double angle) const;
   [[nodiscard]] double tangent_point(double kink) const;
 
@@ -48,6 +49,7 @@ class FanGrowth {
   double slope_ = 0;
   double peak_ = 0;     ///< the angle at which one triangle grows most
   double at_peak_ = 0;  ///< so much
+  double most_per_radian_ = 0;
 };
 
 }  // namespace cover

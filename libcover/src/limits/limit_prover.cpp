@@ -38,6 +38,15 @@ ProofEffort quick(ProofEffort effort) {
   return effort;
 }
 
+/// The effort for what is a hair's breadth away: corners see that, or the first boxes. Of 2,600 such
+/// questions on Voronoi cells, parcels and maps no other was settled.
+ProofEffort glance(ProofEffort effort) {
+  constexpr std::uint64_t kFirstBoxes = 2;
+  if (!effort.asks_far)
+    effort.per_search = effort.at_first = std::min(effort.at_first, kFirstBoxes);
+  return effort;
+}
+
 }  // namespace
 
 LimitProver::LimitProver(const Triangulation& cdt, const Team& team)
@@ -313,7 +322,7 @@ ProvenLimits LimitProver::prove(const ReachedAngles& reached, const ReachedAngle
       return true;
     };
     if (ask(beyond, effort, Asked::all)) {
-      ask(kExactQuestion, quick(effort), exact);
+      ask(kExactQuestion, glance(quick(effort)), exact);
     } else if (effort.asks_far && view_.sides().size() <= kFewSides) {
       ask(kFarQuestion, quick(effort), Asked::all);
     }

@@ -178,12 +178,25 @@ std::optional<MendedMesh> mend_couplings_within_bound(const RegionBoundary& boun
                                                       const MendEffort& effort) {
   if (is_sound(mesh.report) && mesh.report.box.negative_given_up == 0) return {};
   if (may_be_split(boundary)) return {};
-  std::optional<MendedMesh> mended = mend_nearby(boundary, mesh, stop, effort);
-  const RegionMesh& now = mended ? mended->mesh : mesh;
-  if (!is_sound(now.report) || now.report.box.negative_given_up == 0 || !effort.looks_for_room)
-    return mended;
-  std::optional<MendedMesh> more = mend_with_room(boundary, now, stop);
-  return more ? more : mended;
+  std::optional<MendedMesh> mended;
+  const auto now = [&]() -> const RegionMesh& { return mended ? mended->mesh : mesh; };
+  const auto is_done = [&] {
+    return is_sound(now().report) && now().report.box.negative_given_up == 0;
+  };
+  const auto take = [&](std::optional<MendedMesh> more) {
+    if (more) mended = std::move(more);
+  };
+  // Few places first, then room, which is looked for in order; many places are the last resort.
+  const bool may_be_short = effort.looks_for_room && mesh.layer_vertices == 0;
+  MendEffort first = effort;
+  if (may_be_short)
+    first.places_per_side = std::min(effort.places_per_side, MendEffort::kFewPlaces);
+  take(mend_nearby(boundary, mesh, stop, first));
+  if (is_done() || !effort.looks_for_room || !is_sound(now().report)) return mended;
+  take(mend_with_room(boundary, now(), stop));
+  if (is_done() || first.places_per_side == effort.places_per_side) return mended;
+  take(mend_nearby(boundary, now(), stop, effort));
+  return mended;
 }
 
 }  // namespace cover

@@ -19,6 +19,9 @@ struct MendEffort {
   std::uint64_t places_per_side = 60'000;   ///< and where nothing but sides given up is left
   bool looks_for_room = true;               ///< for a side that is given up even then
 
+  /// For a side, before room is looked for.
+  static constexpr std::uint64_t kFewPlaces = 100;
+
   /// Of 12,000 Voronoi cells and five maps no place beyond 2,000 has saved a side, and 300 save all
   /// but one in fifty. No room is looked for where sides are cut instead.
   static MendEffort of(Effort effort, bool sides_are_cut) {
