@@ -80,6 +80,13 @@ void MutableMesh::set_goal(const Goal& goal, const Team& team) {
   measure_all(team);
 }
 
+bool MutableMesh::is_unforced() const {
+  for (std::size_t s = 0; s < allowances.size(); ++s) {
+    if (allowances[s].large > 0 || allowances[s].small > 0) return false;
+  }
+  return true;
+}
+
 void MutableMesh::measure_all(const Team& team) {
   constexpr std::size_t kRange = 1 << 15;
   team.each_range(triangles.size(), kRange, [this](std::size_t first, std::size_t last) {

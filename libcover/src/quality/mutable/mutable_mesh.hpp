@@ -118,6 +118,8 @@ class MutableMesh {
   [[nodiscard]] const Allowance* allowance(std::uint32_t n) const {
     return is_side(n) ? &allowances[side_index(n)] : nullptr;
   }
+  /// Whether no side forces more than the goal on the triangle beside it.
+  [[nodiscard]] bool is_unforced() const;
   /// The excess of a triangle that need not exist, from its corners and what is across its edges.
   [[nodiscard]] double excess_of(const std::array<std::uint32_t, 3>& v,
                                  const std::array<std::uint32_t, 3>& n) const;

@@ -124,20 +124,33 @@ Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search
   // Flips may pass through what is not Delaunay as long as couplings weigh no more than angles.
   const Goal soft = with_edges(goal);
   Merit merit = flip_and_improve(soft);
-  const bool is_near = merit.fault.worst() <= effort::kNearMiss;
+  // What is missed beside something that is forced is mostly forced as well.
+  const bool is_near = merit.fault.worst() <= effort::kNearMiss &&
+                       (is_thorough(search) || mesh.is_unforced());
   if ((was_met || is_near) && is_due(search, merit)) {
-    Budget part = budget;
     const bool is_small = merit.triangles <= effort::kSmallMesh && !is_thorough(search);
     const std::uint64_t one_more =
         is_small ? effort::kSearchForOneMore : effort::kSearchForCouplings;
+    const std::uint64_t first =
+        is_small ? std::min(effort::kSearchForCouplings,
+                            effort::kSearchPerTriangle * merit.triangles)
+                 : effort::kSearchForCouplings;
+    Budget part = budget;
     part.left = std::min<std::uint64_t>(
-        part.left,
-        effort::kSearchForCouplings + one_more * (std::max<std::size_t>(merit.missed, 1) - 1));
+        part.left, first + one_more * (std::max<std::size_t>(merit.missed, 1) - 1));
     const std::uint64_t given = part.left;
+    MutableMesh start;
+    if (is_small) start = mesh;
     search_excerpts(mesh, soft, part, Trials::usual, sharing);
     budget.spend(given - part.left);
-    known.clear();
-    merit = merit_of(mesh, soft, sharing.team);
+    const Merit found = merit_of(mesh, soft, sharing.team);
+    // A coupling may have been bought with an angle; what follows mends couplings for less.
+    if (is_small && found.fault.worst() > merit.fault.worst()) {
+      mesh = std::move(start);
+    } else {
+      known.clear();
+      merit = found;
+    }
   }
   if (merit.complete) return merit;
   merit = flip_and_improve(goal);

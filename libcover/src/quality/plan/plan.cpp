@@ -34,7 +34,7 @@ bool few_are_missed(const PlanProgress& p) {
 bool nearly_none_is_missed(const PlanProgress& p) {
   const Merit& merit = p.best.merit;
   return merit.missed <= effort::kSearchedAgain && merit.sum <= effort::kFaultImprovedAgain &&
-         few_are_missed(p);
+         p.cdt.mesh->is_unforced() && few_are_missed(p);
 }
 bool is_beyond_bound(const PlanProgress& p) {
   return !p.make.order().is_within_bound(p.best.merit);
