@@ -387,9 +387,8 @@ bool ApexSearch::nothing_forbids(const Direction& at_a, const Direction& at_b) {
          !end_is_out(b_, at_b.angle, at_b.angle, to_b, to_b);
 }
 
-/// A place in the box, half way on its diagonal through what the range allows of the angle at the
-/// apex: with the middle of the box, searches would follow the arc where that is largest, down to
-/// the smallest boxes.
+/// A place in the box, half way on its diagonal through what the range allows at the apex. With the
+/// middle, searches would follow the arc where that angle is largest, down to the smallest boxes.
 std::array<ApexSearch::Direction, 2> ApexSearch::probed_in(const Box& box) const {
   const double low = box.a[0].angle + box.b[0].angle, high = box.a[1].angle + box.b[1].angle;
   const double from = std::max(low, std::numbers::pi - range_.most);

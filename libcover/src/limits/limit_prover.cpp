@@ -38,8 +38,7 @@ ProofEffort quick(ProofEffort effort) {
   return effort;
 }
 
-/// The effort for what is a hair's breadth away: corners see that, or the first boxes. Of 2,600 such
-/// questions on Voronoi cells, parcels and maps no other was settled.
+/// The effort for what is a hair's breadth away: corners see that, or the first boxes.
 ProofEffort glance(ProofEffort effort) {
   constexpr std::uint64_t kFirstBoxes = 2;
   if (!effort.asks_far)

@@ -125,16 +125,15 @@ Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search
   const Goal soft = with_edges(goal);
   Merit merit = flip_and_improve(soft);
   // What is missed beside something that is forced is mostly forced as well.
-  const bool is_near = merit.fault.worst() <= effort::kNearMiss &&
-                       (is_thorough(search) || mesh.is_unforced());
+  const bool is_near =
+      merit.fault.worst() <= effort::kNearMiss && (is_thorough(search) || mesh.is_unforced());
   if ((was_met || is_near) && is_due(search, merit)) {
     const bool is_small = merit.triangles <= effort::kSmallMesh && !is_thorough(search);
     const std::uint64_t one_more =
         is_small ? effort::kSearchForOneMore : effort::kSearchForCouplings;
-    const std::uint64_t first =
-        is_small ? std::min(effort::kSearchForCouplings,
-                            effort::kSearchPerTriangle * merit.triangles)
-                 : effort::kSearchForCouplings;
+    const std::uint64_t first = is_small ? std::min(effort::kSearchForCouplings,
+                                                    effort::kSearchPerTriangle * merit.triangles)
+                                         : effort::kSearchForCouplings;
     Budget part = budget;
     part.left = std::min<std::uint64_t>(
         part.left, first + one_more * (std::max<std::size_t>(merit.missed, 1) - 1));
