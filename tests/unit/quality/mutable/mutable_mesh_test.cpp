@@ -121,6 +121,15 @@ TEST(MutableMesh, IsTheSameMeshAfterArrangement) {
   expect_sound(mesh, boundary);
 }
 
+TEST(MutableMesh, TellsWhetherSidesForceAnything) {
+  MutableMesh round = cdt_mesh(smooth_star(60));
+  round.set_goal(default_goal());
+  EXPECT_TRUE(round.is_unforced());
+  MutableMesh thin = cdt_mesh(boundary_of({{{0, 0}, {1, 0}, {1, 0.02}, {0, 0.02}}}));
+  thin.set_goal(default_goal());
+  EXPECT_FALSE(thin.is_unforced());
+}
+
 TEST(MutableMesh, ForcedTrianglesMeetTheGoal) {
   // The long side sees the tip of the notch at an angle that no mesh can avoid.
   const RegionBoundary boundary = boundary_of({{{0, 0}, {10, 0}, {10, 5}, {5, 0.5}, {0, 5}}});
