@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+
 #include <cover/cover_mesh.hpp>
 
 #include "region/region_graph.hpp"
@@ -51,6 +54,31 @@ TEST(CutSegments, PiecesTakeThePlaceOfTheirSegment) {
     all_sides += boundary.sides.size();
   }
   EXPECT_GT(all_sides, segments);
+}
+
+/// A segment in the void hangs on a corner of a square. A cut of the side beside it that is rounded
+/// to its other side crosses nothing, and the point would be in the region.
+TEST(CheckCuts, FindsWhatACutPassesInTheVoid) {
+  const Result<Prepared> prepared = prepare(testing::segments_between(
+      {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2, -1e-3}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4}}));
+  ASSERT_TRUE(prepared.has_value());
+  ASSERT_EQ(prepared->table.void_points, std::vector<VertexId>{VertexId{4U}});
+  for (const double y : {0.0, -1e-2}) {
+    Pslg pslg = prepared->pslg;
+    RegionTable table = prepared->table;
+    const std::size_t uncut = pslg.points.size();
+    cut_segments(pslg, table, std::vector<SegmentCut>{{SegmentId{0U}, {{2, y}}}});
+    const CdtResult whole = triangulate_whole(pslg);
+    ASSERT_TRUE(whole.conflicts.empty());
+    const std::vector<VertexId> passed = void_in_regions(pslg, table, whole.triangulation);
+    EXPECT_EQ(passed.empty(), y == 0);
+    const Status status = check_cuts(pslg, table, uncut);
+    EXPECT_EQ(status.has_value(), y == 0);
+    if (y == 0) continue;
+    EXPECT_TRUE(std::binary_search(passed.begin(), passed.end(), VertexId{4U}));
+    EXPECT_EQ(status.error().code, ErrorCode::meshing_incomplete);
+    EXPECT_NE(status.error().message.find("lies in the void"), std::string::npos);
+  }
 }
 
 }  // namespace
