@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "../stages.hpp"
 #include "almond/almond_triangles.hpp"
 
@@ -41,6 +43,24 @@ TEST(FindRemainder, NamesTheAlmondsOfChordsThatCross) {
   s.layer.points[chord->b] = {0.5, 3};
   const Remainder r = find_remainder(s.layer, s.almonds, {});
   EXPECT_FALSE(r.faults.empty());
+}
+
+/// Three arcs run through a side that has no almond any more. All are told at once; one in each
+/// trial, thousands of them used up all trials.
+TEST(FindRemainder, NamesAllThatCrossASideLeftOut) {
+  ChordLayer layer;
+  layer.points = {{0, 0},    {10, 0}, {10, 5},   {8, 5}, {7.5, -1}, {7, 5},
+                  {5.5, -1}, {5, 5},  {3.5, -1}, {3, 5}, {0, 5}};
+  const std::vector<std::uint32_t> of_chord{0, 1, 2, 3, 3, 4, 4, 5, 5, 6, 7};
+  std::vector<Almond> almonds(8);
+  almonds[0].kind = AlmondKind::none;
+  const auto n = static_cast<std::uint32_t>(layer.points.size());
+  for (std::uint32_t k = 0; k < n; ++k)
+    layer.chords.push_back({k, (k + 1) % n, of_chord[k], ChordKind::exterior, 0, 1});
+  const Remainder r = find_remainder(layer, almonds, {});
+  for (const std::uint32_t almond : {0U, 3U, 4U, 5U})
+    EXPECT_NE(std::find(r.faults.begin(), r.faults.end(), almond), r.faults.end()) << almond;
+  EXPECT_EQ(std::find(r.faults.begin(), r.faults.end(), 1U), r.faults.end());
 }
 
 }  // namespace
