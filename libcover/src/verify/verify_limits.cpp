@@ -4,6 +4,8 @@
 #include "verify/verify_limits.hpp"
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 #include <cover/judged_angle.hpp>
 
@@ -14,7 +16,20 @@
 namespace cover {
 namespace {
 
-/// Cuts regions out of the whole, one after the other.
+/// The triangle with its corner `first` in front.
+Triangle turned(const Triangle& f, int first) {
+  Triangle out;
+  for (int i = 0; i < 3; ++i) {
+    const int from = (first + i) % 3;
+    out.v[static_cast<std::size_t>(i)] = f.v[static_cast<std::size_t>(from)];
+    out.n[static_cast<std::size_t>(i)] = f.n[static_cast<std::size_t>(from)];
+    out.set_locked(i, f.is_locked(from));
+  }
+  return out;
+}
+
+/// Cuts regions out of the whole, one after the other, in an order that depends on coordinates
+/// alone: which sides a proof asks before its budget ends must not depend on what else there is.
 class Cutter {
  public:
   explicit Cutter(const ExpectedDomain& domain)
@@ -26,9 +41,14 @@ class Cutter {
     part_.points.clear();
     part_.triangles.clear();
     points_.clear();
-    for (std::uint32_t k = 0; k < triangles.size(); ++k) local_triangle_[triangles[k]] = k;
-    for (const std::uint32_t t : triangles) {
-      Triangle f = whole_.triangles[t];
+    std::vector<Placed> placed;
+    placed.reserve(triangles.size());
+    for (const std::uint32_t t : triangles) placed.push_back(place_of(t));
+    std::sort(placed.begin(), placed.end(),
+              [](const Placed& a, const Placed& b) { return a.corners < b.corners; });
+    for (std::uint32_t k = 0; k < placed.size(); ++k) local_triangle_[placed[k].triangle] = k;
+    for (const Placed& p : placed) {
+      Triangle f = turned(whole_.triangles[p.triangle], p.first);
       for (std::uint32_t& v : f.v) v = local(v);
       for (std::uint32_t& n : f.n) n = n == kNone ? kNone : local_triangle_[n];
       part_.triangles.push_back(f);
@@ -39,6 +59,23 @@ class Cutter {
   }
 
  private:
+  /// A triangle by its corners, from the lowest one on.
+  struct Placed {
+    std::array<Point, 3> corners;
+    std::uint32_t triangle = 0;
+    int first = 0;  ///< the lowest corner
+  };
+
+  [[nodiscard]] Placed place_of(std::uint32_t t) const {
+    Placed placed;
+    placed.triangle = t;
+    for (std::size_t i = 0; i < 3; ++i) placed.corners[i] = whole_.points[whole_.triangles[t].v[i]];
+    const auto lowest = std::min_element(placed.corners.begin(), placed.corners.end());
+    placed.first = static_cast<int>(lowest - placed.corners.begin());
+    std::rotate(placed.corners.begin(), lowest, placed.corners.end());
+    return placed;
+  }
+
   std::uint32_t local(std::uint32_t v) {
     if (local_point_[v] == kNone) {
       local_point_[v] = static_cast<std::uint32_t>(part_.points.size());
