@@ -477,7 +477,7 @@ void reserve_for_refinement(std::size_t points, std::size_t triangles, Triangula
 }
 
 Refinement refine_large_angles(Triangulation& cdt, ChordEdges& edges, std::span<const Chord> chords,
-                               const RefineGoal& goal, std::stop_token stop) {
+                               const RefineGoal& goal, const std::stop_token& stop) {
   return Refiner(cdt, edges, chords, goal).run(stop);
 }
 

@@ -59,6 +59,6 @@ struct RefineGoal {
 ///           above 138.6 degrees has a ratio of circumradius to shortest edge at which Ruppert's
 ///           argument ends
 Refinement refine_large_angles(Triangulation& cdt, ChordEdges& edges, std::span<const Chord> chords,
-                               const RefineGoal& goal, std::stop_token stop);
+                               const RefineGoal& goal, const std::stop_token& stop);
 
 }  // namespace cover
