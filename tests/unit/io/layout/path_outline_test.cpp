@@ -22,7 +22,8 @@ WidePath path(Points line, double half_width) {
 /// The area of what is painted.
 double painted(const std::vector<Points>& polygons) {
   Input input;
-  for (const Points& ring : polygons) input.polygons.push_back({{ring}, "m", "m", std::nullopt, 0, {}});
+  for (const Points& ring : polygons)
+    input.polygons.push_back({{ring}, "m", "m", std::nullopt, 0, {}});
   const auto out = testing::clean(input);
   EXPECT_TRUE(out);
   return out ? out->area("m") : 0;
