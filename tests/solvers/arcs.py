@@ -120,7 +120,7 @@ def main():
         folder.mkdir(parents=True, exist_ok=True)
         good, errors = True, {}
         for order in (1, 2):
-            for pieces in (8, 16, 32) if solver == 'own' else (32, 64) if order == 2 else ():
+            for pieces in (8, 16, 32, 64) if solver == 'own' else (32, 64) if order == 2 else ():
                 points, triangles, nodes, tags, manifest = mesh(cover, samples, folder, pieces, order)
                 found = capacitance(points, triangles, nodes) if solver == 'own' else getdp_capacitance(folder, tags, manifest)
                 errors[order, pieces] = abs(found / EXACT - 1)
