@@ -11,21 +11,22 @@
 namespace cover::layers {
 namespace {
 
-/// The triangles of a quadrilateral, Delaunay where both diagonals will do; none if it is not
-/// convex enough to have any.
-int split_quad(const std::array<Point, 4>& p, std::array<std::array<int, 3>, 2>& out) {
-  const auto are_positive = [&](int a, int b, int c, int d, int e, int f) {
-    out = {{{a, b, c}, {d, e, f}}};
-    return std::all_of(out.begin(), out.end(), [&](const auto& t) {
-      return orientation(p[static_cast<std::size_t>(t[0])], p[static_cast<std::size_t>(t[1])],
-                         p[static_cast<std::size_t>(t[2])]) == Sign::positive;
+/// The triangles of a quadrilateral, by its corners, Delaunay where both diagonals will do; nothing
+/// if it is not convex enough to have any.
+std::optional<std::array<std::array<std::size_t, 3>, 2>> split_quad(const std::array<Point, 4>& p) {
+  using Halves = std::array<std::array<std::size_t, 3>, 2>;
+  const auto are_positive = [&](const Halves& halves) {
+    return std::all_of(halves.begin(), halves.end(), [&](const auto& t) {
+      return orientation(p[t[0]], p[t[1]], p[t[2]]) == Sign::positive;
     });
   };
-  const bool other = orientation(p[0], p[1], p[2]) != Sign::positive ||
-                     in_circle(p[0], p[1], p[2], p[3]) == Sign::positive;
-  if (other && are_positive(0, 1, 3, 1, 2, 3)) return 2;
-  if (are_positive(0, 1, 2, 0, 2, 3)) return 2;
-  return are_positive(0, 1, 3, 1, 2, 3) ? 2 : 0;
+  Halves first{{{0, 1, 2}, {0, 2, 3}}}, second{{{0, 1, 3}, {1, 2, 3}}};
+  if (orientation(p[0], p[1], p[2]) != Sign::positive ||
+      in_circle(p[0], p[1], p[2], p[3]) == Sign::positive)
+    std::swap(first, second);
+  if (are_positive(first)) return first;
+  if (are_positive(second)) return second;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -165,17 +166,11 @@ class LayerFront::RowMaker {
   }
 
   void add_quad(const std::array<std::uint32_t, 4>& v) {
-    std::array<std::array<int, 3>, 2> split{};
-    if (split_quad({front_.at(v[0]), front_.at(v[1]), front_.at(v[2]), front_.at(v[3])}, split) ==
-        0) {
-      sound_ = false;
-      return;
-    }
-    for (const auto& t : split) {
-      row_.triangles.push_back({v[static_cast<std::size_t>(t[0])],
-                                v[static_cast<std::size_t>(t[1])],
-                                v[static_cast<std::size_t>(t[2])]});
-    }
+    const auto halves =
+        split_quad({front_.at(v[0]), front_.at(v[1]), front_.at(v[2]), front_.at(v[3])});
+    sound_ &= halves.has_value();
+    if (!halves) return;
+    for (const auto& t : *halves) row_.triangles.push_back({v[t[0]], v[t[1]], v[t[2]]});
   }
 
   LayerFront& front_;

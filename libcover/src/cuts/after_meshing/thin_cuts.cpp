@@ -9,6 +9,7 @@
 #include <numeric>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 
 #include <fmt/core.h>
@@ -260,8 +261,8 @@ void tell(const Pslg& pslg, std::size_t first, std::size_t before, std::size_t a
 struct ThinTrial {
   std::size_t before = 0, after = 0;  ///< new vertices
   bool is_better = false;             ///< fewer obtuse triangles or vertices, before all is judged
-  std::size_t obtuse = 0;             ///< triangles
-  std::optional<Work> work;           ///< nothing: not what was asked for
+  std::optional<Work> work;           ///< nothing: not what was asked for,
+  std::string fault;                  ///< for this reason, where it is better
 };
 
 /// The mesh of all regions, to be thinned out more than once.
@@ -296,9 +297,13 @@ class Thinning {
     trial.after = result.points.size() - first;
     trial.is_better = thinned.bad < thinned.bad_before ||
                       (thinned.bad == thinned.bad_before && trial.after < trial.before);
-    if (stop.stop_requested() || !trial.is_better || (options_.box_method && thinned.bad > 0))
-      return trial;
-    judge(result, trial);
+    if (stop.stop_requested() || !trial.is_better) return trial;
+    if (options_.box_method && thinned.bad > 0) {
+      trial.fault =
+          counted(thinned.bad, "triangle") + " would be obtuse or have a negative coupling";
+    } else {
+      judge(result, trial);
+    }
     return trial;
   }
 
@@ -306,14 +311,21 @@ class Thinning {
   void judge(const ConformingMesh& result, ThinTrial& trial) const {
     Work thin = whole_;
     separate(result, fixed_, thin);
-    if (!is_sound(thin)) return;
+    if (!is_sound(thin)) {
+      trial.fault = "rounding would break a region";
+      return;
+    }
     for (std::size_t r = 0; r < thin.boundaries.size(); ++r) {
       report_again(thin.boundaries[r], options_, false, thin.meshes[r]);
       measure(thin.boundaries[r], thin.meshes[r]);
     }
-    trial.obtuse = obtuse(thin.meshes);
-    if (trial.obtuse <= obtuse(work_.meshes) && !loses_a_bound(work_.meshes, thin.meshes))
+    if (const std::size_t left = obtuse(thin.meshes); left > obtuse(work_.meshes)) {
+      trial.fault = counted(left, "triangle") + " would be obtuse";
+    } else if (loses_a_bound(work_.meshes, thin.meshes)) {
+      trial.fault = "a region would lose its bound";
+    } else {
       trial.work = std::move(thin);
+    }
   }
 
   const Work& work_;
@@ -326,9 +338,7 @@ class Thinning {
 /// That effort, and less, by which a search goes another way.
 std::span<const Effort> efforts_from(Effort effort) {
   static constexpr std::array kEfforts{Effort::thorough, Effort::normal, Effort::fast};
-  return std::span(kEfforts).subspan(effort == Effort::thorough ? 0
-                                     : effort == Effort::normal ? 1
-                                                                : 2);
+  return {std::find(kEfforts.begin(), kEfforts.end(), effort), kEfforts.end()};
 }
 
 }  // namespace
@@ -348,7 +358,7 @@ Status thin_cuts(Work& work, const Options& options, const Callbacks& callbacks)
   if (!wants_thinning(work, work.boundaries, options)) return ok();
   return errors_as_values("thin out", [&]() -> Status {
     const Thinning thinning(work, options);
-    std::size_t left = 0;
+    std::string fault;
     for (const Effort effort : efforts_from(options.effort)) {
       ThinTrial trial = thinning.run(effort, callbacks.stop);
       if (callbacks.stop.stop_requested())
@@ -358,16 +368,12 @@ Status thin_cuts(Work& work, const Options& options, const Callbacks& callbacks)
         tell(work.pslg, work.report.uncut_points, trial.before, trial.after, options, work.report);
         return ok();
       }
-      if (!trial.is_better) return ok();
-      left = trial.obtuse;
+      if (!trial.is_better) break;
+      fault = std::move(trial.fault);
     }
+    if (fault.empty()) return ok();
     work.report.notes.push_back(
-        {Note::Kind::warning,
-         kVoid,
-         fmt::format("no vertices were taken away on segments: {} would be obtuse then, or a "
-                     "region lose its bound",
-                     counted(left, "triangle")),
-         {}});
+        {Note::Kind::warning, kVoid, "no vertices were taken away again: " + fault, {}});
     return ok();
   });
 }

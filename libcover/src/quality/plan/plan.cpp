@@ -223,13 +223,13 @@ constexpr std::array kSizedThorough{
 }  // namespace
 
 std::span<const Step> plan_for(const Options& options, bool has_sizes) {
-  const bool largest = preference(options) == Prefer::largest;
-  if (options.effort == Effort::fast) return has_sizes ? std::span<const Step>(kSizedFast) : kFast;
-  if (has_sizes)
-    return options.effort == Effort::thorough || largest ? std::span<const Step>(kSizedThorough)
-                                                         : kSized;
-  if (largest) return kLargest;
-  return options.effort == Effort::thorough ? std::span<const Step>(kThorough) : kBalanced;
+  using Plan = std::span<const Step>;
+  const bool is_thorough = options.effort == Effort::thorough;
+  const bool is_largest = preference(options) == Prefer::largest;
+  if (options.effort == Effort::fast) return has_sizes ? Plan(kSizedFast) : Plan(kFast);
+  if (has_sizes) return is_thorough || is_largest ? Plan(kSizedThorough) : Plan(kSized);
+  if (is_largest) return kLargest;
+  return is_thorough ? Plan(kThorough) : Plan(kBalanced);
 }
 
 bool is_enough(const Step& step, const PlanProgress& p) {
