@@ -21,13 +21,14 @@ function integers(text, width) {  // little-endian, without a sign
 const points = integers(data.points, 4);                 // x, y in steps from data.low
 const corners = integers(data.corners, data.indexBytes);  // three of each triangle
 const lines = integers(data.lines, data.indexBytes);      // two ends of each; contacts last
-const angles = integers(data.angles, 2);                  // largest, smallest of each, of 65535
+const angles = integers(data.angles, 3);                  // largest, smallest of each, of 2^24 - 1
 const count = corners.length / 3, full = 2 ** 32 - 1;
 const regionOf = new Uint32Array(count);
 for (let r = 0, t = 0; r < data.counts.length; ++r)
   for (let k = 0; k < data.counts[r]; ++k) regionOf[t++] = r;
 const X = v => points[2 * v], Y = v => points[2 * v + 1];
-const largest = t => angles[2 * t] * 180 / 65535, smallest = t => angles[2 * t + 1] * 180 / 65535;
+const degrees = k => angles[k] * 180 / (2 ** 24 - 1);
+const largest = t => degrees(2 * t), smallest = t => degrees(2 * t + 1);
 const [NAME, MATERIAL, LARGEST, LIMIT, SMALLEST, RHO, WORST] = [0, 1, 2, 3, 4, 5, 6];
 const extent = data.extent.map(n => Math.max(n, 1));
 
@@ -389,6 +390,7 @@ function recolour() { paint.recolour(); drawKey(); stale = true; redraw(); }
 
 // ---- hands ----
 
+const angleText = value => (value > 0 && value < 0.005 ? value.toExponential(1) : value.toFixed(2)) + '°';
 const digits = value => Number(value.toPrecision(7)).toString();
 function show(px, py) {
   const t = grid.at(fromX(px), fromY(py));
@@ -400,8 +402,8 @@ function show(px, py) {
   tip.textContent = '';
   make('b', { textContent: r[NAME] }, tip);
   for (const text of [r[MATERIAL] === r[NAME] ? '' : r[MATERIAL],
-    `angles ${smallest(t).toFixed(2)}° to ${largest(t).toFixed(2)}°`,
-    `region: ${r[LARGEST].toFixed(2)}°, no mesh below ${r[LIMIT].toFixed(2)}°, rho ${r[RHO].toFixed(2)}`,
+    `angles ${angleText(smallest(t))} to ${angleText(largest(t))}`,
+    `region: ${angleText(r[LARGEST])}, no mesh below ${angleText(r[LIMIT])}, rho ${r[RHO].toFixed(2)}`,
     `couplings ${[0, 1, 2].map(k => couplings[3 * t + k].toFixed(2)).join(', ')}`,
     `at ${digits(x)}, ${digits(y)}${data.unit ? ' ' + data.unit : ''}`])
     if (text) make('div', { textContent: text }, tip);

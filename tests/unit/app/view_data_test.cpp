@@ -47,7 +47,7 @@ TEST(ViewData, HoldsTheMesh) {
   const std::size_t n = soup.triangles.size(), width = data["indexBytes"];
   EXPECT_EQ(data["all"], n);
   const auto points = unpacked(data["points"], 4), corners = unpacked(data["corners"], width),
-             lines = unpacked(data["lines"], width), angles = unpacked(data["angles"], 2);
+             lines = unpacked(data["lines"], width), angles = unpacked(data["angles"], 3);
   ASSERT_EQ(corners.size(), 3 * n);
   ASSERT_EQ(angles.size(), 2 * n);
   const double step = data["step"], low_x = data["low"][0], low_y = data["low"][1];
@@ -58,9 +58,9 @@ TEST(ViewData, HoldsTheMesh) {
       EXPECT_NEAR(low_x + step * points[2 * corners[3 * t + k]], at.x, step);
       EXPECT_NEAR(low_y + step * points[2 * corners[3 * t + k] + 1], at.y, step);
     }
-    largest = std::max(largest, angles[2 * t] * 180 / 65535.0);
+    largest = std::max(largest, angles[2 * t] * 180 / 16777215.0);
   }
-  EXPECT_NEAR(largest, output->report.quality.largest_nu.supplement().in_degrees(), 0.002);
+  EXPECT_NEAR(largest, output->report.quality.largest_nu.supplement().in_degrees(), 2e-5);
   std::size_t counted = 0;
   for (const Json& count : data["counts"]) counted += count.get<std::size_t>();
   EXPECT_EQ(counted, n);
@@ -92,9 +92,9 @@ TEST(ViewData, OfLargeMeshesWhatIsNearTheWorst) {
   EXPECT_EQ(data["all"], triangle_soup(output->mesh).triangles.size());
   EXPECT_EQ(unpacked(data["lines"], data["indexBytes"]).size(), 2 * output->pslg.segments.size());
   double largest = 0;
-  for (const std::uint32_t angle : unpacked(data["angles"], 2))
-    largest = std::max(largest, angle * 180 / 65535.0);
-  EXPECT_NEAR(largest, output->report.quality.largest_nu.supplement().in_degrees(), 0.002);
+  for (const std::uint32_t angle : unpacked(data["angles"], 3))
+    largest = std::max(largest, angle * 180 / 16777215.0);
+  EXPECT_NEAR(largest, output->report.quality.largest_nu.supplement().in_degrees(), 2e-5);
 }
 
 TEST(ViewData, EndsNoElement) {
