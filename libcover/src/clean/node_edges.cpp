@@ -22,6 +22,8 @@
 #include <tuple>
 #include <utility>
 
+#include "base/faults/machine_memory.hpp"
+#include "geom/subdivision/crossings_at_least.hpp"
 #include "geom/subdivision/exact_subdivision.hpp"
 
 namespace cover {
@@ -34,6 +36,14 @@ constexpr std::size_t kFewPieces = 100'000;
 /// each one before, some thousand times.
 constexpr std::size_t kMostOfAll = 32;
 constexpr std::size_t kFewOfAll = 200'000;
+
+/// A few bytes of a layout put a cell over itself ten thousand times.
+void check_crossings(std::span<const PlainSegment> segments) {
+  const double memory = machine_memory(), all = static_cast<double>(segments.size());
+  if (all * all / 2 * kBytesPerCrossing <= memory) return;
+  const double crossings = crossings_at_least(segments);
+  if (crossings * kBytesPerCrossing > memory) throw TooManyCrossings(crossings);
+}
 
 IndexPair ends(const Strand& s) { return {std::min(s.a, s.b), std::max(s.a, s.b)}; }
 
@@ -92,6 +102,7 @@ bool cut(Network& network, const EdgeGraph& graph) {
   for (const std::uint32_t v : network.lone) {
     segments.push_back({network.points[v], network.points[v]});
   }
+  if (graph.passes == 0) check_crossings(segments);
   const Subdivision cuts = subdivide_and_snap(segments, graph.passes > 0);
   if (cuts.crowd) throw RoundingCascade(*cuts.crowd, true);
   if (cuts.path.size() == 2 * segments.size()) return false;

@@ -44,6 +44,21 @@ class RoundingCascade : public std::runtime_error {
   bool is_crowd_;
 };
 
+/// Thrown where lines cross so often that the pieces cannot fit into memory. Becomes the error
+/// out_of_memory (make_pslg).
+class TooManyCrossings : public std::runtime_error {
+ public:
+  explicit TooManyCrossings(double at_least)
+      : std::runtime_error("lines cross too often"), at_least_(at_least) {}
+  [[nodiscard]] double at_least() const { return at_least_; }
+
+ private:
+  double at_least_;
+};
+
+/// About as many bytes as each crossing of lines takes until regions are known.
+inline constexpr double kBytesPerCrossing = 1000;
+
 /// Sorts the strands of `network` by edge; makes no triangulation.
 ///
 /// Cost: O(n log n).
@@ -57,7 +72,7 @@ EdgeGraph index_edges(Network& network);
 /// may make new crossings; so the pieces are cut again until a pass finds them clean by exact
 /// predicates (iterated snap rounding). Ends of lines and lone points never move.
 /// ENSURES: points and edges are a PSLG; it always comes to that (node_edges.cpp)
-/// Throws:  RoundingCascade, long before memory is full
+/// Throws:  RoundingCascade, long before memory is full; TooManyCrossings
 /// Cost:    O((n + k) log n) a pass for k crossings; one pass per generation of new crossings.
 /// Ref:     D. Halperin, E. Packer, Iterated snap rounding, CGTA 23 (2002)
 ///

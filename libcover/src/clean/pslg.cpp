@@ -17,6 +17,7 @@
 #include <cover/text.hpp>
 
 #include "base/faults/complaint.hpp"
+#include "base/faults/machine_memory.hpp"
 #include "clean/change_report.hpp"
 #include "clean/check_pslg.hpp"
 #include "clean/ends/loose_ends.hpp"
@@ -163,6 +164,18 @@ Result<Pslg> clean_up_unless_endless(const Input& input, const Options& options,
                     "drawing away from 0, or draw there what can be told apart",
                     input.source, describe(cascade.where())),
         {cascade.where()},
+        {}};
+  } catch (const TooManyCrossings& crossings) {
+    constexpr double kGigabyte = 1e9;
+    return Error{
+        ErrorCode::out_of_memory,
+        fmt::format("{}: the lines cross each other at more than {:.2g} places, which takes more "
+                    "than {:.3g} GB of memory, and there are {:.3g}; leave out what is drawn on "
+                    "top of itself, or take a part of the drawing",
+                    input.source, crossings.at_least(),
+                    crossings.at_least() * kBytesPerCrossing / kGigabyte,
+                    machine_memory() / kGigabyte),
+        {},
         {}};
   }
 }

@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "clean/pslg.hpp"
 #include "support/inputs.hpp"
 #include "support/shapes.hpp"
 
@@ -45,6 +46,21 @@ TEST(NodeEdges, CutsAndKeepsTrackOfLines) {
   ASSERT_NE(found, graph.edges.end());
   EXPECT_EQ(graph.strands(network, static_cast<std::size_t>(found - graph.edges.begin())).size(),
             2U);
+}
+
+TEST(NodeEdges, RefusesMoreCrossingsThanThereIsMemoryFor) {
+  // A box, moved by less than a thousandth of its width again and again.
+  Input input;
+  for (int k = 0; k < 60'000; ++k) {
+    const double x = 1e-3 * k, y = 1e-6 * k * k;
+    input.polygons.push_back(
+        {{{{x, y}, {x + 1e3, y}, {x + 1e3, y + 1e3}, {x, y + 1e3}}}, "m", "m", {}, 0, {}});
+  }
+  Report report;
+  const auto pslg = make_pslg(input, {}, report);
+  ASSERT_FALSE(pslg);
+  EXPECT_EQ(pslg.error().code, ErrorCode::out_of_memory);
+  EXPECT_NE(pslg.error().message.find("cross each other at more than"), std::string::npos);
 }
 
 TEST(NodeEdges, SettlesWhereRoundingMakesNewCrossings) {

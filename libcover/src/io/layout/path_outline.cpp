@@ -1,9 +1,7 @@
 // Tested by tests/unit/io/layout/path_outline_test.cpp.
 #include "io/layout/path_outline.hpp"
 
-#include <array>
-
-#include "geom/box.hpp"
+#include "geom/is_simple.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 #include "io/input/drawings/curves.hpp"
@@ -32,28 +30,6 @@ std::vector<Point> without_straight_points(const std::vector<Point>& line) {
     if (out.empty() || out.back() != p) out.push_back(p);
   }
   return out;
-}
-
-/// Of points on one line.
-bool is_between(Point p, Point a, Point b) { return box_of(std::array{a, b}).holds(p); }
-
-bool meet(Point a, Point b, Point c, Point d) {
-  const Sign abc = orientation(a, b, c), abd = orientation(a, b, d);
-  const Sign cda = orientation(c, d, a), cdb = orientation(c, d, b);
-  if (abc != abd && cda != cdb) return true;
-  return (abc == Sign::zero && is_between(c, a, b)) || (abd == Sign::zero && is_between(d, a, b)) ||
-         (cda == Sign::zero && is_between(a, c, d)) || (cdb == Sign::zero && is_between(b, c, d));
-}
-
-bool is_simple(const std::vector<Point>& ring) {
-  const std::size_t n = ring.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = i + 2; j < n; ++j) {
-      if (i == 0 && j + 1 == n) continue;  // neighbours
-      if (meet(ring[i], ring[i + 1], ring[j], ring[(j + 1) % n])) return false;
-    }
-  }
-  return true;
 }
 
 class Outliner {

@@ -17,7 +17,8 @@
 // | files of a .vtm | each once |
 // | shapes of a layout or drawing that cells | as many as the file has itself, and kLayoutShapes, |
 // | or blocks repeat, and their points | kLayoutPoints |
-// | cells or blocks, one in the other | kCellDepth | clang-format on
+// | cells or blocks, one in the other | kCellDepth |
+// | crossings of lines | those that memory surely holds (TooManyCrossings) | clang-format on
 //
 // Tested by tests/unit/io/text/limits_test.cpp.
 #pragma once
