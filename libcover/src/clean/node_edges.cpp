@@ -38,9 +38,13 @@ constexpr std::size_t kMostOfAll = 32;
 constexpr std::size_t kFewOfAll = 200'000;
 
 /// A few bytes of a layout put a cell over itself ten thousand times.
-void check_crossings(std::span<const PlainSegment> segments) {
-  const double memory = machine_memory(), all = static_cast<double>(segments.size());
+void check_crossings(const Network& network) {
+  const double memory = machine_memory(), all = static_cast<double>(network.strands.size());
   if (all * all / 2 * kBytesPerCrossing <= memory) return;
+  std::vector<PlainSegment> segments;
+  segments.reserve(network.strands.size());
+  for (const Strand& s : network.strands)
+    segments.push_back({network.points[s.a], network.points[s.b]});
   const double crossings = crossings_at_least(segments);
   if (crossings * kBytesPerCrossing > memory) throw TooManyCrossings(crossings);
 }
@@ -102,7 +106,6 @@ bool cut(Network& network, const EdgeGraph& graph) {
   for (const std::uint32_t v : network.lone) {
     segments.push_back({network.points[v], network.points[v]});
   }
-  if (graph.passes == 0) check_crossings(segments);
   const Subdivision cuts = subdivide_and_snap(segments, graph.passes > 0);
   if (cuts.crowd) throw RoundingCascade(*cuts.crowd, true);
   if (cuts.path.size() == 2 * segments.size()) return false;
@@ -152,6 +155,7 @@ EdgeGraph index_edges(Network& network) {
 }
 
 EdgeGraph node_edges(Network& network, bool may_be_clean) {
+  check_crossings(network);
   EdgeGraph graph;
   std::size_t most = network.strands.max_size(), most_of_all = most, of_all = 0;
   for (;; ++graph.passes) {
