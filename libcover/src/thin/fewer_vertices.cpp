@@ -26,7 +26,9 @@ constexpr int kMostTaken = 12;        ///< vertices around a triangle that nothi
 constexpr std::size_t kMostAnew = 8;  ///< vertices near a triangle that are put elsewhere
 constexpr double kRatherStays = 0.2;  ///< cost of a vertex that was put where it is on purpose
 constexpr int kInVain = 8;  ///< steps that make nothing better, and one for each new vertex
-constexpr std::uint64_t kRemoval = 4;  ///< places that could be tried meanwhile
+constexpr int kLongestDrive = 1'000;     ///< cuts from wall to wall
+constexpr std::size_t kMostDriven = 64;  ///< more bad triangles than before, on the way
+constexpr std::uint64_t kRemoval = 4;    ///< places that could be tried meanwhile
 
 /// What may be tuned.
 struct Tuning {
@@ -39,7 +41,8 @@ struct Tuning {
 
 class Thinner {
  public:
-  Thinner(MeshWithUndo& mesh, const ThinEffort& effort) : mesh_(mesh), effort_(effort) {}
+  Thinner(MeshWithUndo& mesh, const ThinEffort& effort)
+      : mesh_(mesh), effort_(effort), most_beyond_(mesh.beyond_worst()) {}
 
   Thinned run() {
     Thinned thinned{mesh_.bad(), 0};
@@ -57,13 +60,12 @@ class Thinner {
   Thinned run_on_what_is_left() {
     Thinned thinned{mesh_.bad(), 0};
     left_ = places_to_mend();
-    mend_with(kMore.size());
-    for (std::uint32_t t = 0; mesh_.bad() > 0 && t < mesh_.triangles().size() && !is_over(); ++t) {
-      if (!is_bad(t)) continue;
-      most_grave_ = mesh_.grave();
-      focus_ = t;
-      make_anew(t, mesh_.bad() - 1);
-      mesh_.keep();
+    for (std::size_t before = mesh_.bad() + 1; mesh_.bad() < before && !is_over();) {
+      before = mesh_.bad();
+      mend_with(kMore.size());
+      for (std::uint32_t t = 0; t < mesh_.triangles().size() && !is_over(); ++t) {
+        if (is_bad(t)) mend_in_any_way(t);
+      }
     }
     focus_ = kNone;
     thinned.bad = mesh_.bad();
@@ -98,10 +100,11 @@ class Thinner {
                                    effort_.places_per_bad * mesh_.bad());
   }
 
-  /// No more than `allowed` triangles are bad, and no more gravely than before.
+  /// No more than `allowed` triangles are bad, no more gravely than before, and no more of them
+  /// worse than any may be.
   [[nodiscard]] bool is_fine(std::size_t allowed) const {
     return mesh_.bad() <= allowed && mesh_.grave() <= most_grave_ &&
-           mesh_.bad() - mesh_.grave() <= most_signs_;
+           mesh_.bad() - mesh_.grave() <= most_signs_ && mesh_.beyond_worst() <= most_beyond_;
   }
 
   [[nodiscard]] bool is_over() const { return left_ == 0 || effort_.stop.stop_requested(); }
@@ -203,6 +206,57 @@ class Thinner {
     mesh_.keep();
     focus_ = kNone;
     most_signs_ = kNone;
+  }
+
+  void mend_in_any_way(std::uint32_t t) {
+    const std::size_t allowed = mesh_.bad() - 1;
+    most_grave_ = mesh_.grave();
+    focus_ = t;
+    if (!drive_out(allowed)) make_anew(t, allowed);
+    mesh_.keep();
+  }
+
+  /// Cuts pieces at the feet of the blunt corners opposite to them, then what that makes blunt, and
+  /// so on: through thin layers, wall by wall, to where there is room. If that and a few vertices
+  /// more leave no more than `allowed` bad triangles, it stays.
+  bool drive_out(std::size_t allowed) {
+    Action action;
+    spares_.clear();
+    starts_.clear();
+    for (int step = 0; step < kLongestDrive && !is_over(); ++step) {
+      if (is_fine(allowed)) return true;
+      action = {};
+      if (!foot_of_a_blunt_corner(action) || mesh_.insert(action.spot) == kNone) break;
+    }
+    if (repair(allowed, kMore.back(), 6 * kMore.back())) return true;
+    mesh_.undo(0);
+    return false;
+  }
+
+  /// Of the worst bad triangle that has one opposite to a piece, among those of this attempt.
+  bool foot_of_a_blunt_corner(Action& action) {
+    std::vector<std::uint32_t> places = mesh_.written_since(0);
+    places.push_back(focus_);
+    double worst = 0;
+    for (const std::uint32_t t : places) {
+      if (!is_bad(t) || mesh_.triangles()[t].cost <= worst) continue;
+      const MeshWithUndo::Triangle& triangle = mesh_.triangles()[t];
+      for (int i = 0; i < 3; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const Point apex = mesh_.at(triangle.v[k]);
+        if (triangle.line[k] == ConformingMesh::kInside ||
+            dot(mesh_.at(triangle.v[(k + 1) % 3]) - apex,
+                mesh_.at(triangle.v[(k + 2) % 3]) - apex) >= 0)
+          continue;
+        const Spot spot = mesh_.on_line(apex, t, i);
+        spend(1);
+        const double change = spot.triangle == kNone ? kInfinite : mesh_.change_with(spot);
+        if (!(change < kInfinite)) continue;
+        worst = triangle.cost;
+        action = {mesh_.cost() + change, kNone, spot};
+      }
+    }
+    return action.cost < kInfinite;
   }
 
   /// Takes some vertices near a triangle away and puts others there, many times.
@@ -561,6 +615,7 @@ class Thinner {
   Tuning tuning_;
   Random random_;
   std::uint64_t left_ = 0, left_to_mend_ = 0;
+  std::size_t most_beyond_;
   std::size_t most_grave_ = 0;
   std::size_t most_signs_ = kNone;     ///< triangles that are bad, but not gravely
   std::uint32_t focus_ = kNone;        ///< a triangle that is to be mended

@@ -21,6 +21,7 @@ constexpr std::size_t kMostCorners = 40;  ///< of a hole that a vertex leaves
 constexpr int kMostSteps = 64;            ///< of a walk
 constexpr double kFilter = 1e-12;    ///< of the largest product: below, signs are looked at exactly
 constexpr float kBadBySign = 0.25;   ///< cost of a triangle whose coupling has the wrong sign
+constexpr float kBeyondWorst = 16;   ///< more than all else that a triangle costs
 constexpr double kBadAtLeast = 0.4;  ///< cost of a triangle that is hardly bad
 constexpr double kFreeAtMost = 4;    ///< times the triangles: entries of the list of free ones
 
@@ -128,6 +129,7 @@ double MeshWithUndo::cost_of(const std::array<Point, 3>& p, const std::array<boo
   }
   const double allowed = wanted.largest_cot * doubled_area;
   if (allowed > 0 && sharp > allowed) cost += kBadAtLeast + 1 - allowed / sharp;
+  if (blunt < wanted.worst_cot * doubled_area) cost += kBeyondWorst;
   return cost;
 }
 
@@ -142,12 +144,14 @@ bool MeshWithUndo::is_grave(const Triangle& t) { return t.cost > kBadBySign; }
 void MeshWithUndo::count(const Triangle& t) {
   bad_ += t.cost > 0 ? 1 : 0;
   grave_ += is_grave(t) ? 1 : 0;
+  beyond_worst_ += t.cost >= kBeyondWorst ? 1 : 0;
   cost_ += t.cost;
 }
 
 void MeshWithUndo::discount(const Triangle& t) {
   bad_ -= t.cost > 0 ? 1 : 0;
   grave_ -= is_grave(t) ? 1 : 0;
+  beyond_worst_ -= t.cost >= kBeyondWorst ? 1 : 0;
   cost_ -= t.cost;
 }
 

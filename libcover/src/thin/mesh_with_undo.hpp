@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct WantedAngles {
   double largest_cot = 0;  ///< cotangent of the smallest angle that is allowed; 0: any
   double least_cot = 0;    ///< of the largest one, 90 degrees or more
   bool closed = false;     ///< no vertex is put among them
+  /// Of an angle beyond which no triangle comes, whatever others become good for it.
+  double worst_cot = -std::numeric_limits<double>::infinity();
 };
 
 /// Where a vertex may be put: inside of a triangle, or on its edge, which is a piece of a line.
@@ -75,6 +78,7 @@ class MeshWithUndo {
   /// Those of them that are bad not only by the sign of an angle opposite to a piece.
   [[nodiscard]] std::size_t grave() const { return grave_; }
   [[nodiscard]] static bool is_grave(const Triangle& t);
+  [[nodiscard]] std::size_t beyond_worst() const { return beyond_worst_; }  ///< triangles
   [[nodiscard]] double cost() const { return cost_; }  ///< sum over bad triangles
 
   /// All steps up to here can be taken back together.
@@ -148,7 +152,7 @@ class MeshWithUndo {
   std::vector<std::uint32_t> free_;  ///< triangles, some of them not free any more
   std::vector<Written> journal_;
   std::vector<WrittenVertex> vertex_journal_;
-  std::size_t bad_ = 0, grave_ = 0;
+  std::size_t bad_ = 0, grave_ = 0, beyond_worst_ = 0;
   double cost_ = 0;
 
   // Of the last hole or star.

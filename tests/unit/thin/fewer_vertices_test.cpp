@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace cover {
 namespace {
 
@@ -106,6 +108,33 @@ TEST(FewerVertices, MoreEffortIsNotWorse) {
     EXPECT_LE(now, last);
     last = now;
   }
+}
+
+TEST(FewerVertices, CutsGoThroughAllThinLayersToWhereThereIsRoom) {
+  // Sixty layers, a hundred times as long as thick, and a vertex in the middle of the first wall.
+  constexpr std::uint32_t kLayers = 60;
+  ConformingMesh before = grid(kLayers, 1, 1);
+  for (Point& p : before.points) p.y *= 100;
+  for (StraightLine& line : before.lines) line.a.y *= 100, line.b.y *= 100;
+  const std::uint32_t middle = static_cast<std::uint32_t>(before.points.size());
+  const std::uint32_t low = 0, right = 1, top = kLayers + 1, far = kLayers + 2;
+  before.points.push_back({0, 50});
+  before.line.push_back(kFixed);
+  const auto whole = std::find_if(before.pieces.begin(), before.pieces.end(),
+                                  [&](const auto& p) { return p.a == low && p.b == top; });
+  ASSERT_NE(whole, before.pieces.end());
+  const std::uint32_t wall = whole->line;
+  *whole = {low, middle, wall};
+  before.pieces.push_back({middle, top, wall});
+  before.triangles[0] = {low, right, middle};
+  before.triangles[1] = {right, far, middle};
+  before.triangles.push_back({far, top, middle});
+  before.region.push_back(0);
+  MeshWithUndo mesh(before, std::vector<WantedAngles>(kLayers));
+  ASSERT_EQ(mesh.bad(), 1U);
+  const Thinned thinned = mend_what_is_left(mesh, {0, 0, 100'000, 1'000'000, {}});
+  EXPECT_EQ(thinned.bad, 0U);
+  EXPECT_EQ(mesh.result(before).points.size(), before.points.size() + kLayers);
 }
 
 }  // namespace

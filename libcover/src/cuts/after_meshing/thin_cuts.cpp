@@ -135,13 +135,21 @@ ConformingMesh join(const Work& work, const Pslg& uncut, const std::vector<std::
   return mesh;
 }
 
-/// By region: no angle becomes smaller than the target, or than what there is.
+/// By region: no angle becomes smaller than the target, or than what there is; and where triangles
+/// are obtuse, none becomes worse than the worst of all regions, however many it mends.
 std::vector<WantedAngles> angles_of(const std::vector<RegionMesh>& meshes, const Options& options) {
+  Angle least_nu = Angle::degrees(180);
+  for (const RegionMesh& mesh : meshes) {
+    if (mesh.report.quality.obtuse > 0)
+      least_nu = std::min(least_nu, mesh.report.quality.largest_nu);
+  }
   std::vector<WantedAngles> angles;
   for (const RegionMesh& mesh : meshes) {
     const double smallest =
         kSlack * std::min(mesh.report.quality.smallest, options.min_angle).in_radians();
     angles.push_back({smallest > 0 ? 1 / std::tan(smallest) : 0, 0, false});
+    if (least_nu < Angle::degrees(90))
+      angles.back().worst_cot = -1 / std::tan(kSlack * least_nu.in_radians());
   }
   return angles;
 }
