@@ -31,6 +31,8 @@ constexpr int kFirstLevel = 6;      ///< from it on places are looked for
 constexpr std::size_t kMostBoxes = 24'000;  ///< of one level, and in all for a circle,
 constexpr std::size_t kLeastBoxes = 300;    ///< but fewer
 constexpr std::size_t kMostWork = 500'000;  ///< where there are many sides, which each box asks
+/// Likewise of discs whose walls are looked for, which asks all sides: later ones cover nothing.
+constexpr std::size_t kMostWorkOnWalls = 20'000'000;
 constexpr std::array<std::array<double, 2>, 5> kTrials{
     {{0.5, 0.5}, {0.23, 0.31}, {0.71, 0.27}, {0.29, 0.77}, {0.79, 0.69}}};
 
@@ -79,6 +81,7 @@ struct HalfDiscRoom::Search {
   std::vector<std::uint32_t> sides;  ///< that meet the first box
   std::vector<bool> is_used;         ///< by side: its disc covers a box
   Box box;                           ///< the first one
+  std::size_t discs_left;            ///< whose walls may still be looked for
 };
 
 HalfDiscRoom::HalfDiscRoom(std::span<const Point> points, std::span<const IndexPair> sides,
@@ -122,8 +125,15 @@ std::vector<std::uint32_t> HalfDiscRoom::walls_of(const Disc& disc) const {
   std::vector<std::uint32_t> walls;
   const IndexPair own = sides_[disc.side];
   const Point a = start(disc.side), b = end(disc.side);
+  const double reach = disc.radius * (1 + 2 * kMargin);
+  const auto is_far = [&](Point p, Point q) {  // most sides are
+    return std::max(p.x, q.x) < disc.middle.x - reach ||
+           std::min(p.x, q.x) > disc.middle.x + reach ||
+           std::max(p.y, q.y) < disc.middle.y - reach || std::min(p.y, q.y) > disc.middle.y + reach;
+  };
   for (std::uint32_t s = 0; s < sides_.size(); ++s) {
-    if (s == disc.side || distance_to(start(s), end(s), disc.middle) > disc.radius * (1 + kMargin))
+    if (s == disc.side || is_far(start(s), end(s)) ||
+        distance_to(start(s), end(s), disc.middle) > disc.radius * (1 + kMargin))
       continue;
     if (orientation(a, b, start(s)) != Sign::positive &&
         orientation(a, b, end(s)) != Sign::positive)
@@ -144,7 +154,9 @@ std::vector<std::uint32_t> HalfDiscRoom::walls_of(const Disc& disc) const {
 HalfDiscRoom::Search HalfDiscRoom::begin(const std::array<Point, 3>& corners,
                                          std::span<const std::uint32_t> first) const {
   const Circle circle = circle_through(corners);
-  Search search{circle, {}, {}, std::vector<bool>(sides_.size(), false), {}};
+  Search search{circle, {},
+                {},     std::vector<bool>(sides_.size(), false),
+                {},     kMostWorkOnWalls / sides_.size()};
   Box region = box_of(points_);
   const Point m = circle.middle;
   const double r = circle.radius * (1 + kMargin);
@@ -163,7 +175,6 @@ HalfDiscRoom::Search HalfDiscRoom::begin(const std::array<Point, 3>& corners,
     return std::find(first.begin(), first.end(), d.side) != first.end();
   };
   std::stable_partition(search.discs.begin(), search.discs.end(), is_first);
-  for (Disc& disc : search.discs) disc.walls = walls_of(disc);
   return search;
 }
 
@@ -231,7 +242,7 @@ bool HalfDiscRoom::is_settled(const Box& box, Search& search) const {
   if (sides.empty() && !is_inside(at(box, kTrials[0]))) return true;
   const bool cuts = keeps_left(box, sides);
   const auto corners = corners_of(box);
-  for (const Disc& disc : search.discs) {
+  for (Disc& disc : search.discs) {
     const Point a = start(disc.side), b = end(disc.side);
     if (distance_to(box, disc.middle) > disc.radius ||
         !std::all_of(corners.begin(), corners.end(),
@@ -241,9 +252,13 @@ bool HalfDiscRoom::is_settled(const Box& box, Search& search) const {
       return is_left(box, wall) ||
              (cuts && std::find(sides.begin(), sides.end(), wall) != sides.end());
     };
-    if (!is_kept_left(disc.side) ||
-        !std::all_of(disc.walls.begin(), disc.walls.end(), is_kept_left))
-      continue;
+    if (!is_kept_left(disc.side)) continue;
+    if (!disc.walls) {
+      if (search.discs_left == 0) continue;
+      --search.discs_left;
+      disc.walls = walls_of(disc);
+    }
+    if (!std::all_of(disc.walls->begin(), disc.walls->end(), is_kept_left)) continue;
     search.is_used[disc.side] = true;
     return true;
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -40,8 +41,8 @@ class HalfDiscRoom {
   /// `first` are sides whose discs are to be used before others for that.
   /// REQUIRES: `corners` counter-clockwise
   /// EXACT:    is_none is proven, and so is what is said of places
-  /// Cost:     O(sides), and some thousand boxes times the sides; half a million of these products
-  ///           at most
+  /// Cost:     O(sides), and some thousand boxes times the sides, half a million of these products
+  ///           and 300 boxes at most; and as many sides as kMostWorkOnWalls
   /// Ref:      docs/box_method.md, "The same in small"
   [[nodiscard]] Room within_circle(const std::array<Point, 3>& corners, std::size_t most,
                                    std::span<const std::uint32_t> first = {}) const;
@@ -51,7 +52,8 @@ class HalfDiscRoom {
     Point middle;
     double radius;
     std::uint32_t side;
-    std::vector<std::uint32_t> walls;  ///< sides that come into the half disc
+    /// Sides that come into the half disc; nothing before they are asked for, which few discs are.
+    std::optional<std::vector<std::uint32_t>> walls;
   };
   /// What one search looks at.
   struct Search;
