@@ -23,6 +23,13 @@ inline constexpr std::uint64_t kCouplePerTriangle = 60;
 /// The same with little effort.
 inline constexpr std::uint64_t kImproveFast = 25, kCoupleFast = 10;
 
+/// Half discs leave a region with no more points than these room for one vertex, if for any. It is
+/// refined only where the star around one was better than the plain triangulation: with little
+/// effort 2,202 of 2,858 parcels are left out, of which 56 would gain something, and 172 of 1,282
+/// Voronoi cells, of which 14 would. The means of the fault are 0.02 and 0.1 % larger, instructions
+/// 35 and 5 % fewer; 15 and 5 % by default.
+inline constexpr std::size_t kPointsOfOneRoom = 5;
+
 /// Where at most this share of the triangles of a large mesh misses the goal, they are searched for
 /// one by one: on clean input that ends at the goal, on maps nearly all that is left is forced.
 inline constexpr double kFewMissed = 0.02;

@@ -52,6 +52,12 @@ bool may_be_near(const PlanProgress& p) {
 
 bool has_couplings(const PlanProgress& p) { return p.make.goal().coupling.weight > 0; }
 
+/// Room for more than one vertex, or at least for one that is better than none.
+bool may_have_room(const PlanProgress& p) {
+  return !has_couplings(p) || p.cdt.mesh->fixed_vertices() > effort::kPointsOfOneRoom ||
+         p.best.merit.triangles != p.cdt.merit.triangles || is_beyond_bound(p);
+}
+
 void take(PlanProgress& p, Candidate other) { p.make.take_if_better(p.best, std::move(other)); }
 
 void as_it_is(PlanProgress& p) {
@@ -149,7 +155,7 @@ constexpr std::array kFast{
     Step{"cdt", always, as_it_is, StopWhen::alone},
     Step{"one star", has_room_around_a_hub, best_star, StopWhen::complete},
     Step{"limits of that", may_be_near, limits, StopWhen::near},
-    Step{"refined, improved", always, refined, StopWhen::complete},
+    Step{"refined, improved", may_have_room, refined, StopWhen::complete},
     Step{"the same within the bound", refined_is_beyond_bound, within_bound},
     Step{"almonds", is_beyond_bound, bound_kept},
 };
@@ -158,7 +164,8 @@ constexpr std::array kBalanced{
     Step{"cdt", always, as_it_is, StopWhen::alone},
     Step{"one star", has_room_around_a_hub, best_star, StopWhen::complete},
     Step{"limits of that", may_be_near, limits, StopWhen::near},
-    Step{"refined, improved, few searched", always, refined_and_searched, StopWhen::complete},
+    Step{"refined, improved, few searched", may_have_room, refined_and_searched,
+         StopWhen::complete},
     Step{"the same within the bound", refined_is_beyond_bound, within_bound},
     Step{"random restarts, a few", is_tiny_and_near, a_few_restarts, StopWhen::complete},
     Step{"random restarts, very few", is_tiny_and_very_wide, very_few_restarts, StopWhen::complete},
