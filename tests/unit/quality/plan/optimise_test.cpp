@@ -1,6 +1,7 @@
 #include "quality/plan/optimise.hpp"
 
 #include "../mesh_checks.hpp"
+#include "support/inputs.hpp"
 
 namespace cover {
 namespace {
@@ -19,6 +20,17 @@ TEST(Optimise, MeetsTheGoalOnASmoothStar) {
   EXPECT_DOUBLE_EQ(merit.large, default_goal().large);
   EXPECT_LT(merit.triangles, 3 * 500u);
   EXPECT_LT(budget.left, 100'000'000u);
+}
+
+TEST(Optimise, MeetsRightAnglesOnASmoothStar) {
+  const RegionBoundary boundary = boundary_of({smooth_star(2000, 1)});
+  const Goal goal = Goal::of(Angle::degrees(90), Angle::degrees(20));
+  MutableMesh mesh = cdt_mesh(boundary);
+  Budget budget{1'500'000, {}, false};  // three times what it takes
+  const Merit merit = optimise(mesh, goal, budget);
+  expect_sound(mesh, boundary);
+  EXPECT_EQ(merit.missed, 0u);
+  EXPECT_LT(merit.triangles, 6 * 2000u);
 }
 
 TEST(Optimise, StopsWhenTheBudgetIsUsedUp) {
