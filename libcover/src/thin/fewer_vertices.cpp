@@ -107,6 +107,12 @@ class Thinner {
            mesh_.bad() - mesh_.grave() <= most_signs_ && mesh_.beyond_worst() <= most_beyond_;
   }
 
+  /// What was mended among the worst ones does not come back.
+  void keep() {
+    mesh_.keep();
+    most_beyond_ = std::min(most_beyond_, mesh_.beyond_worst());
+  }
+
   [[nodiscard]] bool is_over() const { return left_ == 0 || effort_.stop.stop_requested(); }
 
   [[nodiscard]] std::vector<std::uint32_t> movable() const {
@@ -131,7 +137,7 @@ class Thinner {
           mesh_.undo(0);
           continue;
         }
-        mesh_.keep();
+        keep();
         changed = true;
       }
     }
@@ -157,7 +163,7 @@ class Thinner {
         if (repair(before - 1, kMore[k], 12 + 6 * kMore[k])) break;
         mesh_.undo(0);
       }
-      mesh_.keep();
+      keep();
     }
     focus_ = kNone;
   }
@@ -203,7 +209,7 @@ class Thinner {
       }
       mended = mended || make_anew(t, allowed);
     }
-    mesh_.keep();
+    keep();
     focus_ = kNone;
     most_signs_ = kNone;
   }
@@ -213,7 +219,7 @@ class Thinner {
     most_grave_ = mesh_.grave();
     focus_ = t;
     if (!drive_out(allowed)) make_anew(t, allowed);
-    mesh_.keep();
+    keep();
   }
 
   /// Cuts pieces at the feet of the blunt corners opposite to them, then what that makes blunt, and
@@ -361,7 +367,7 @@ class Thinner {
     const int more = static_cast<int>(spares_.size()) - (shake ? 0 : 1);
     const int steps = 6 + 4 * static_cast<int>(spares_.size()) + 4 * std::min(round, 6);
     if (repair(before, more, steps)) {
-      mesh_.keep();
+      keep();
     } else {
       mesh_.undo(0);
     }
