@@ -275,12 +275,15 @@ std::vector<NegativeCoupling> measure_couplings(const RegionBoundary& boundary,
   std::vector<NegativeCoupling> found;
   const std::vector<NegativeEdge> negative =
       negative_edges(points, mesh.triangles, opposites.across, opposites.cots);
-  const bool has_sides = std::any_of(negative.begin(), negative.end(),
-                                     [](const NegativeEdge& e) { return e.is_side; });
+  // Layers were asked for, so their vertices are as given as those of the boundary.
+  const auto given = points.first(boundary.points.size() + mesh.layer_vertices);
+  // In a Delaunay mesh no vertex sees a side under a larger angle than its apex. Where that is given
+  // it is the one that encroaches the side; else a triangulation of what is given tells.
+  const bool apexes_tell =
+      std::all_of(negative.begin(), negative.end(),
+                  [&](const NegativeEdge& e) { return e.is_side && e.apex < given.size(); });
   std::vector<std::uint32_t> encroached_by(boundary.sides.size(), kNone);
-  if (has_sides) {
-    // Layers were asked for, so their vertices are as given as those of the boundary.
-    const auto given = points.first(boundary.points.size() + mesh.layer_vertices);
+  if (!apexes_tell) {
     const Triangulation cdt = triangulate_domain(given, boundary.sides).triangulation;
     for (const EncroachedSide& e : encroached_sides(cdt, locate_sides(cdt, boundary.sides)))
       encroached_by[e.side] = e.vertex;
@@ -293,7 +296,9 @@ std::vector<NegativeCoupling> measure_couplings(const RegionBoundary& boundary,
       // A side of the hull may have been split: its pieces are no sides of the boundary.
       const bool is_whole = side != boundary.sides.end() && *side == e.edge;
       const std::uint32_t by =
-          is_whole ? encroached_by[static_cast<std::size_t>(side - boundary.sides.begin())] : kNone;
+          !is_whole     ? kNone
+          : apexes_tell ? e.apex
+                        : encroached_by[static_cast<std::size_t>(side - boundary.sides.begin())];
       kind = by == kNone ? NegativeCoupling::Kind::given_up : NegativeCoupling::Kind::encroached;
       if (by != kNone) apex = points[by];
     }
