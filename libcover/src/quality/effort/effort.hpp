@@ -23,6 +23,11 @@ inline constexpr std::uint64_t kCouplePerTriangle = 60;
 /// The same with little effort.
 inline constexpr std::uint64_t kImproveFast = 25, kCoupleFast = 10;
 
+/// Most points of a region whose limits are asked before it is refined. Of 3,338 parcels and 1,225
+/// Voronoi cells 2,092 and 56 were near them, all with 7 points at most; of 1,465 other regions 3,
+/// with 8 at most. To ask the others, too, took a tenth of the time of 900 wavy squares.
+inline constexpr std::uint32_t kPointsToBeNear = 8;
+
 /// Half discs leave a region with no more points than these room for one vertex, if for any. It is
 /// refined only where the star around one was better than the plain triangulation: with little
 /// effort 2,202 of 2,858 parcels are left out, of which 56 would gain something, and 172 of 1,282

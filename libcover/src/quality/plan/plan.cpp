@@ -44,10 +44,10 @@ bool refined_is_beyond_bound(const PlanProgress& p) {
 }
 bool is_missed_by_largest(const PlanProgress& p) { return !p.make.is_done(p.best); }
 
-/// Small, so that limits are soon asked, and nothing but the targets is missed.
+/// So few points that the best may have been found, and nothing but the targets is missed.
 bool may_be_near(const PlanProgress& p) {
-  const Merit& merit = p.best.merit;
-  return merit.triangles <= effort::kSmallMesh && merit.negative == 0 && !is_beyond_bound(p);
+  return p.cdt.mesh->fixed_vertices() <= effort::kPointsToBeNear && p.best.merit.negative == 0 &&
+         !is_beyond_bound(p);
 }
 
 bool has_couplings(const PlanProgress& p) { return p.make.goal().coupling.weight > 0; }
