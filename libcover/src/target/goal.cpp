@@ -17,8 +17,7 @@ Goal Goal::of(Angle max, Angle min) {
   return goal;
 }
 
-double excess(const Goal& goal, Point a, Point b, Point c, const Allowance* const side[3]) {
-  const Corners k(a, b, c);
+double excess(const Goal& goal, const Corners& k, const Allowance* const side[3]) {
   if (!(k.cross > 0)) return kInverted;
   double small = goal.small;
   for (int i = 0; i < 3; ++i) {

@@ -101,17 +101,22 @@ struct Corners {
 };
 
 /// The excess of a triangle none of whose edges is a side.
-inline double excess(const Goal& goal, Point a, Point b, Point c) {
-  const Corners k(a, b, c);
+inline double excess(const Goal& goal, const Corners& k) {
   if (!(k.cross > 0)) return kInverted;
   const double least = std::min({k.dot[0], k.dot[1], k.dot[2]});
   const double most = std::max({k.dot[0], k.dot[1], k.dot[2]});
   return std::max(-least - goal.large * k.cross, goal.weight * (most - goal.small * k.cross)) /
          k.cross;
 }
+inline double excess(const Goal& goal, Point a, Point b, Point c) {
+  return excess(goal, Corners(a, b, c));
+}
 
 /// The excess of a triangle with sides. `side[i]` belongs to the edge opposite to corner i, null
 /// where that edge is no side.
-double excess(const Goal& goal, Point a, Point b, Point c, const Allowance* const side[3]);
+double excess(const Goal& goal, const Corners& k, const Allowance* const side[3]);
+inline double excess(const Goal& goal, Point a, Point b, Point c, const Allowance* const side[3]) {
+  return excess(goal, Corners(a, b, c), side);
+}
 
 }  // namespace cover

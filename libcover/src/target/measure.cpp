@@ -277,8 +277,8 @@ std::vector<NegativeCoupling> measure_couplings(const RegionBoundary& boundary,
       negative_edges(points, mesh.triangles, opposites.across, opposites.cots);
   // Layers were asked for, so their vertices are as given as those of the boundary.
   const auto given = points.first(boundary.points.size() + mesh.layer_vertices);
-  // In a Delaunay mesh no vertex sees a side under a larger angle than its apex. Where that is given
-  // it is the one that encroaches the side; else a triangulation of what is given tells.
+  // In a Delaunay mesh it is the apex that sees a side under the largest angle: if it is given, no
+  // triangulation of what is given needs to tell who encroaches the side.
   const bool apexes_tell =
       std::all_of(negative.begin(), negative.end(),
                   [&](const NegativeEdge& e) { return e.is_side && e.apex < given.size(); });

@@ -113,9 +113,9 @@ double MutableMesh::coupled_excess(const std::array<std::uint32_t, 3>& v,
   const Point a = points[v[0]], b = points[v[1]], c = points[v[2]];
   const Allowance* const side[3] = {allowance(n[0]), allowance(n[1]), allowance(n[2])};
   const bool has_sides = ((n[0] | n[1] | n[2]) & kSideBit) != 0;
-  double worst = has_sides ? cover::excess(goal_, a, b, c, side) : cover::excess(goal_, a, b, c);
-  if (worst == kInverted) return kInverted;
   const Corners k(a, b, c);
+  double worst = has_sides ? cover::excess(goal_, k, side) : cover::excess(goal_, k);
+  if (worst == kInverted) return kInverted;
   const double inverse = 1 / k.cross;
   for (std::size_t i = 0; i < 3; ++i) {
     const double cot = k.dot[i] * inverse;
@@ -138,8 +138,9 @@ double MutableMesh::coupled_excess(const std::array<std::uint32_t, 3>& v,
 }
 
 double MutableMesh::cot_opposite(std::uint32_t t, std::uint32_t from) const {
-  const int i = triangles[t].edge_from(from);
-  const Point p = corner(t, i), a = corner(t, next3(i)), b = corner(t, prev3(i));
+  const MeshTriangle& s = triangles[t];
+  const int i = s.edge_from(from);
+  const Point p = points[s.v[at(i)]], a = points[s.v[at(next3(i))]], b = points[s.v[at(prev3(i))]];
   const double ux = a.x - p.x, uy = a.y - p.y, vx = b.x - p.x, vy = b.y - p.y;
   return (ux * vx + uy * vy) / (ux * vy - uy * vx);
 }
