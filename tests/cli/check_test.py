@@ -107,6 +107,16 @@ class Info(Case):
         self.assertEqual(len(areas), 5)
         self.assertAlmostEqual(sum(areas), 6 * 5, places=3)
 
+    def test_what_the_run_had_welded(self):
+        (self.dir / 'a.poly').write_text('8 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 1.0004 0\n6 2 0\n7 2 1\n8 1.0004 1\n'
+                                         '8 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 5 6\n6 6 7\n7 7 8\n8 8 5\n0\n')
+        self.run_cover('mesh', 'a.poly', '-o', 'a.vtu', '--weld', '1e-3', '-q')
+        out, _ = self.run_cover('check', 'a.poly', 'a.vtu', code=6)
+        self.assertTrue(out.startswith('2 points of the input missing in the mesh.'), out)
+        self.assertIn('--weld', out.splitlines()[0])
+        out, _ = self.run_cover('check', 'a.poly', 'a.vtu', '--weld', '1e-3')
+        self.assertTrue(out.startswith('Every promise holds'), out)
+
 
 if __name__ == '__main__':
     main()

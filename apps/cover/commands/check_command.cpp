@@ -371,6 +371,24 @@ void take_own_cuts(const CheckCommand& command, const MeshTriangles& mesh, Prepa
   }
 }
 
+/// Where points of the input are missing in the mesh, what else would make everything fail.
+void say_what_may_have_moved(const Verification& found, const Prepared& prepared,
+                             const TriangleSoup& mesh) {
+  if (found.violations.empty()) return;
+  std::vector<Point> there = mesh.points;
+  std::sort(there.begin(), there.end());
+  const auto is_missing = [&](Point p) {
+    return !std::binary_search(there.begin(), there.end(), p);
+  };
+  const auto& points = prepared.pslg.points;
+  const auto missing = std::count_if(points.begin(), points.end(), is_missing);
+  if (missing == 0) return;
+  fmt::print(
+      "{} of the input missing in the mesh. If the run that made it moved them, repeat its --weld, "
+      "--overlap, --scale or --crs here\n",
+      counted(static_cast<std::size_t>(missing), "point"));
+}
+
 }  // namespace
 
 int run_check(Arguments arguments) {
@@ -407,6 +425,7 @@ int run_check(Arguments arguments) {
   verify.material_numbers = mesh->has_materials;
   Verification found = verify_cover(prepared->pslg, prepared->table, mesh->soup, verify);
   take_own_cuts(command, *mesh, *prepared, found);
+  say_what_may_have_moved(found, *prepared, mesh->soup);
   int code = print(found, mesh->soup.triangles.size(), quiet);
   const int sides = print_periodic(*prepared, rules, mesh->soup, quiet);
   code = code == exit_ok ? sides : code;
