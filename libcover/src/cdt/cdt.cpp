@@ -1,7 +1,8 @@
 // CGAL's Constrained_Delaunay_triangulation_2 with exact predicates and double points.
 // Points go in by CGAL's spatial sort, segments in a fixed mixture of their order; afterwards the
 // faces asked for are copied into plain arrays, ordered by their first point and then as CGAL
-// stores them, a function of the order of points and segments alone.
+// stores them, a function of the order of points and segments alone. The hull of very many points
+// has a way of its own (cdt/divide); what that does not bear comes here.
 // Tested by tests/unit/cdt/cdt_test.cpp.
 #include "cdt/cdt.hpp"
 
@@ -16,6 +17,7 @@
 #include <algorithm>
 
 #include "base/containers/give_back.hpp"
+#include "cdt/divide.hpp"
 #include "geom/predicates.hpp"
 #include "geom/subdivision/rounds.hpp"
 
@@ -255,11 +257,21 @@ class Builder {
   std::vector<CdtConflict> conflicts_;
 };
 
+/// Points from which on they are divided.
+constexpr std::size_t kVeryMany = 50'000;
+
 }  // namespace
 
-CdtResult triangulate_hull(std::span<const Point> points, std::span<const IndexPair> segments) {
-  Builder builder(points, segments);
+CdtResult triangulate_hull(std::span<const Point> points, std::span<const IndexPair> segments,
+                           const Team& team) {
   CdtResult result;
+  if (points.size() >= kVeryMany) {
+    if (auto divided = triangulate_divided(points, segments, team)) {
+      result.triangulation = *std::move(divided);
+      return result;
+    }
+  }
+  Builder builder(points, segments);
   result.conflicts = builder.insert_all();
   if (!result.conflicts.empty()) return result;
   builder.mark_hull();

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/team.hpp"
 #include "cdt/triangulation.hpp"
 
 namespace cover {
@@ -36,8 +37,9 @@ struct CdtResult {
 ///
 /// EXACT:   topology is decided by exact predicates. Where more than three points are cocircular
 ///          the result depends on the order of `points`, on nothing else.
-/// Cost:    O(n log n) expected.
-CdtResult triangulate_hull(std::span<const Point> points, std::span<const IndexPair> segments);
+/// Cost:    O(n log n) expected; many points by the whole team
+CdtResult triangulate_hull(std::span<const Point> points, std::span<const IndexPair> segments,
+                           const Team& team = {});
 
 /// Constrained Delaunay triangulation of the domain on the left of the directed `sides`, which are
 /// its locked edges. A slit is given in both directions. Points outside the domain are ignored.
