@@ -2,14 +2,42 @@
 """large_mesh_test.py PROGRAM SAMPLES [TEST...]: cover mesh: regions to the disk, tiles, meshes in parts."""
 import json
 import math
+import os
+import random
 import re
 import resource
+import shutil
 import signal
 import subprocess
 import sys
 import time
 
 from cover_case import Case, PROGRAM, SAMPLES, SQUARE, main
+
+
+def is_temporary(name):
+    return re.search(r'(^|/)\.[^/]*\.tmp$', name) is not None
+
+
+def wavy_cells(n, k):
+    """n x n cells with wavy sides of k segments; no arcs, no periodic sides."""
+    points, index, segments = [], {}, []
+
+    def point(x, y):
+        key = (round(x, 9), round(y, 9))
+        if key not in index:
+            index[key] = len(points)
+            points.append(key)
+        return index[key]
+    for i in range(n + 1):
+        for j in range(n):
+            wave = [0.06 * math.sin(2 * math.pi * t / k) * (0 < i < n) for t in range(k + 1)]
+            for t in range(k):
+                segments.append((point(i + wave[t], j + t / k), point(i + wave[t + 1], j + (t + 1) / k)))
+                segments.append((point(j + t / k, i + wave[t]), point(j + (t + 1) / k, i + wave[t + 1])))
+    text = f'{len(points)} 2 0 0\n' + ''.join(f'{p} {x!r} {y!r}\n' for p, (x, y) in enumerate(points))
+    text += f'{len(segments)} 1\n' + ''.join(f'{s} {a} {b} {s % 3}\n' for s, (a, b) in enumerate(segments))
+    return text + '0\n'
 
 
 class Stream(Case):
@@ -71,25 +99,7 @@ class Stream(Case):
         self.assertEqual(held, figures())
 
     def plain(self):
-        """Cells with wavy sides; no arcs, no periodic sides."""
-        n, k = 6, 5
-        points, index, segments = [], {}, []
-
-        def point(x, y):
-            key = (round(x, 9), round(y, 9))
-            if key not in index:
-                index[key] = len(points)
-                points.append(key)
-            return index[key]
-        for i in range(n + 1):
-            for j in range(n):
-                wave = [0.06 * math.sin(2 * math.pi * t / k) * (0 < i < n) for t in range(k + 1)]
-                for t in range(k):
-                    segments.append((point(i + wave[t], j + t / k), point(i + wave[t + 1], j + (t + 1) / k)))
-                    segments.append((point(j + t / k, i + wave[t]), point(j + (t + 1) / k, i + wave[t + 1])))
-        text = f'{len(points)} 2 0 0\n' + ''.join(f'{p} {x!r} {y!r}\n' for p, (x, y) in enumerate(points))
-        text += f'{len(segments)} 1\n' + ''.join(f'{s} {a} {b} {s % 3}\n' for s, (a, b) in enumerate(segments))
-        return self.write('plain.poly', text + '0\n')
+        return self.write('plain.poly', wavy_cells(6, 5))
 
     def test_what_needs_the_whole_mesh_is_told(self):
         device = self.plain()
@@ -115,23 +125,6 @@ class Stream(Case):
         self.assertIn('FAILED', held)
         self.assertEqual(held, streamed)
 
-    def test_killed_at_any_moment(self):
-        """No half file under the name, and the next run leaves nothing else."""
-        device = self.plain()
-        self.run_cover('mesh', device, '-o', 'a.vtkhdf', '-q', '--stream', 'on')
-        whole = (self.dir / 'a.vtkhdf').read_bytes()
-        for k in range(25):
-            (self.dir / 'a.vtkhdf').unlink(missing_ok=True)
-            run = subprocess.Popen([PROGRAM, 'mesh', device, '-o', 'a.vtkhdf', '-q', '--stream', 'on'], cwd=self.dir)
-            time.sleep(0.008 * k)
-            run.kill()
-            run.wait()
-            if (self.dir / 'a.vtkhdf').exists():
-                self.assertTrue((self.dir / 'a.vtkhdf').read_bytes() == whole)
-        self.run_cover('mesh', device, '-o', 'a.vtkhdf', '-q', '--stream', 'on')
-        self.assertEqual(self.files(), ['a.vtkhdf', 'plain.poly'])
-        self.assertTrue((self.dir / 'a.vtkhdf').read_bytes() == whole)
-
     def test_a_full_disk(self):
         """An error, and the old file stays."""
         device = self.plain()
@@ -145,6 +138,78 @@ class Stream(Case):
         self.assertIn('cannot write a.vtu', done.stderr)
         self.assertEqual((self.dir / 'a.vtu').read_text(), 'old')
         self.assertEqual(self.files(), ['a.vtu', 'plain.poly'])
+
+
+class Killed(Case):
+    """kill -9 at any moment: names stand for whole files, old or new ones, and the next run leaves nothing else.
+    COVER_KILLS in the environment: how many times for each format; COVER_KILL_CELLS: of a side of the drawing."""
+    KILLS, CELLS = (int(os.environ.get(name, usual)) for name, usual in (('COVER_KILLS', 6), ('COVER_KILL_CELLS', 12)))
+
+    def state(self):
+        """By name, folders and all; but for what has a temporary name, and the drawing."""
+        found = {p.relative_to(self.dir).as_posix(): p.read_bytes() for p in self.dir.rglob('*') if p.is_file()}
+        return {name: found[name] for name in found if not is_temporary(name) and name != 'plain.poly'}
+
+    def temporary(self):
+        return [p for p in self.dir.rglob('*') if is_temporary(p.relative_to(self.dir).as_posix())]
+
+    def kill_once(self, mesh, moment, at_writing):
+        with subprocess.Popen([PROGRAM, *mesh], cwd=self.dir) as run:
+            if at_writing:
+                while not self.temporary() and run.poll() is None:
+                    time.sleep(0.001)
+                moment *= 0.1
+            time.sleep(moment)
+            run.kill()
+        return run.returncode != 0
+
+    def each_kill(self, seed, *words):
+        mesh = ['mesh', self.write('plain.poly', wavy_cells(self.CELLS, 5)), '-q', *map(str, words)]
+        self.run_cover(*mesh, '--size', 0.15)
+        old = self.state()
+        start = time.monotonic()
+        self.run_cover(*mesh)
+        took = time.monotonic() - start
+        new = self.state()
+        main = words[1] if words[1] in new else min(new)  # the file that names others, if one does
+        self.assertTrue(old[main] != new[main], main)
+        dice, killed = random.Random(repr(seed)), 0
+        for k in range(self.KILLS):
+            for name in self.state().keys() - old.keys():
+                (self.dir / name).unlink()
+            for name, content in old.items():
+                (self.dir / name).write_bytes(content)
+            killed += self.kill_once(mesh, dice.uniform(0, took), k % 2 == 1)
+            now = self.state()
+            for name, content in now.items():
+                self.assertTrue(content in (old.get(name), new.get(name)), (name, words))
+            self.assertIn(main, now)
+            if main.endswith(('.vtm', '.pvtu')):  # pieces have names of their own
+                whole = old if now[main] == old[main] else new
+                self.assertLessEqual(whole.keys(), now.keys(), words)
+        self.assertGreater(killed, 0)
+        self.run_cover(*mesh)
+        self.assertEqual(sorted(self.state()), sorted(new))
+        self.assertTrue(self.state() == new, words)
+        self.assertEqual(self.temporary(), [])
+
+    def test_streams(self):
+        for words in (('a.vtu',), ('a.vtkhdf',), ('a.msh', '--msh', '2.2'), ('a.msh', '--msh', '4.1'),
+                      ('a.xdmf', '--xdmf', 'hdf5'), ('a.vtu', '-o', 'a.vtkhdf', '-o', 'a.msh')):
+            with self.subTest(words):
+                self.each_kill(words, '-o', *words, '--stream', 'on')
+                self.clear()
+
+    def test_meshes_in_memory(self):
+        for words in (('a.vtu',), ('a.vtkhdf',), ('a.msh',), ('a.xdmf', '--xdmf', 'hdf5'), ('a.vtm',), ('a.svg',),
+                      ('a.pvtu', '--parts', 2), ('a.msh', '--msh', '4.1', '--parts', 2)):
+            with self.subTest(words):
+                self.each_kill(words, '-o', *words, '--stream', 'off')
+                self.clear()
+
+    def clear(self):
+        for path in self.dir.iterdir():
+            shutil.rmtree(path) if path.is_dir() else path.unlink()
 
 
 class Tiles(Case):

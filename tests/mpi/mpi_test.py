@@ -3,6 +3,7 @@
 ranks; what goes wrong ends the run, and leaves nothing under the final name."""
 import os
 import pathlib
+import random
 import signal
 import subprocess
 import sys
@@ -14,6 +15,9 @@ COVER, COVER_MPI, MPIRUN, DATA = [pathlib.Path(a) for a in sys.argv[1:5]]
 # A test may run as root, on a machine with fewer cores than ranks.
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1',
                    OMPI_MCA_rmaps_base_oversubscribe='1')
+
+
+KILLS = int(os.environ.get('COVER_KILLS', 4))  # for each format
 
 
 def on_ranks(ranks, *arguments):
@@ -115,6 +119,44 @@ class CoverMpi(unittest.TestCase):
         self.assertNotEqual(process.returncode, 0)
         self.assertRegex(told, r'rank \d')
         self.assertEqual(target.read_text(), 'old')
+
+    def test_ranks_killed_at_any_moment(self):
+        """An error, no hang, and the old file or the new one; the next run leaves nothing else."""
+        drawing = self.folder / 'grid.poly'
+        drawing.write_text(grid_poly(20))
+        for form in ('vtu', 'vtkhdf'):
+            target = self.folder / f'x.{form}'
+            mesh = ('mesh', drawing, '-o', target, '-q', '--size', '0.15')
+            start = time.monotonic()
+            self.assertEqual(run(on_ranks(3, *mesh)).returncode, 0)
+            took = time.monotonic() - start
+            new, dice, killed = target.read_bytes(), random.Random(form), 0
+            for k in range(KILLS):
+                target.write_text('old')
+                killed += self.kill_one(on_ranks(3, *mesh), drawing, k % 3, dice.uniform(0, took))
+                self.assertTrue(target.read_bytes() in (b'old', new), form)
+            self.assertGreater(killed, 0)
+            self.assertEqual(run(on_ranks(3, *mesh)).returncode, 0)
+            self.assertTrue(target.read_bytes() == new, form)
+            self.assertEqual([p.name for p in self.folder.iterdir() if p.name.startswith('.')], [])
+
+    def kill_one(self, command, drawing, which, moment):
+        """Kills one of the ranks, in the order of their ids; whether that was in time."""
+        with subprocess.Popen(command, env=ENVIRONMENT, stderr=subprocess.PIPE, text=True) as process:
+            ranks = []
+            while len(ranks) < 3 and process.poll() is None:
+                ranks = processes_with([str(COVER_MPI), 'mesh', str(drawing)])
+                time.sleep(0.01)
+            time.sleep(moment)
+            try:
+                os.kill(sorted(ranks)[which], signal.SIGKILL)
+            except (IndexError, ProcessLookupError):  # it has ended
+                pass
+            _, told = process.communicate(timeout=60)
+        if process.returncode == 0:
+            return 0
+        self.assertRegex(told, r'rank \d')
+        return 1
 
 
 if __name__ == '__main__':
