@@ -54,7 +54,7 @@ class Region {
 
  private:
   void triangulate() {
-    cdt_ = triangulate_region(frame_.take_points(), boundary_.sides);
+    cdt_ = triangulate_region(frame_.take_points(), boundary_.sides, boundary_.known_cdt);
     limit_ = angle_limit(cdt_, boundary_.sides, boundary_.segments);
   }
 

@@ -5,6 +5,7 @@
 #include "cdt/region_cdt.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <utility>
 
@@ -12,6 +13,7 @@
 
 #include "base/faults/internal_fault.hpp"
 #include "cdt/sides.hpp"
+#include "geom/predicates.hpp"
 
 namespace cover {
 namespace {
@@ -51,6 +53,104 @@ bool has_right(const Triangulation& cdt, EdgeRef at) {
   return cdt.triangles[at.triangle].n[at.edge] != kNone;
 }
 
+/// Triangles with what lies across their edges, and the sides among these.
+class Assembly {
+ public:
+  /// REQUIRES: corners below points.size(); no two triangles have the same directed edge; `sides`
+  ///           in lexicographic order
+  Assembly(std::span<const Point> points, std::span<const IndexPair> sides,
+           std::span<const IndexTriple> triangles, const Team& team)
+      : sides_(sides),
+        triangles_(triangles),
+        team_(team),
+        opposite_(opposite_half_edges(points.size(), triangles)),
+        first_side_(points.size() + 1, 0) {
+    for (const IndexPair& side : sides) ++first_side_[side[0] + 1];
+    for (std::size_t v = 1; v < first_side_.size(); ++v) first_side_[v] += first_side_[v - 1];
+    out_.points.assign(points.begin(), points.end());
+    out_.triangles.resize(triangles.size());
+    team.each_range(triangles.size(), kRange, [this](std::size_t first, std::size_t last) {
+      for (std::size_t t = first; t < last; ++t) fill(t);
+    });
+  }
+
+  /// Whether no other triangles fill the sides and are constrained Delaunay.
+  [[nodiscard]] bool is_the_only_one() const {
+    std::vector<std::uint8_t> is_used(out_.points.size(), 0);
+    for (const IndexTriple& t : triangles_)
+      for (const std::uint32_t v : t) is_used[v] = 1;
+    if (std::find(is_used.begin(), is_used.end(), 0) != is_used.end()) return false;
+    std::atomic<std::size_t> sides = 0;
+    std::atomic<bool> is_good = true;
+    team_.each_range(triangles_.size(), kRange, [&](std::size_t first, std::size_t last) {
+      std::size_t own = 0;
+      for (std::size_t t = first; t < last && is_good; ++t)
+        if (!is_good_triangle(static_cast<std::uint32_t>(t), own)) is_good = false;
+      sides += own;
+    });
+    return is_good && sides == sides_.size();
+  }
+
+  Triangulation take() { return std::move(out_); }
+
+ private:
+  static constexpr std::size_t kRange = 1 << 15;
+
+  [[nodiscard]] bool is_side(std::uint32_t u, std::uint32_t v) const {
+    return std::binary_search(sides_.begin() + first_side_[u], sides_.begin() + first_side_[u + 1],
+                              IndexPair{u, v});
+  }
+
+  void fill(std::size_t t) {
+    Triangle& triangle = out_.triangles[t];
+    triangle.v = triangles_[t];
+    for (std::size_t i = 0; i < 3; ++i) {  // half-edge i starts at corner i: opposite to i + 2
+      const std::size_t edge = (i + 2) % 3;
+      const std::uint32_t u = triangle.v[i], v = triangle.v[(i + 1) % 3];
+      const std::uint32_t twin = opposite_[3 * t + i];
+      triangle.n[edge] = twin == HalfEdges::kAbsent ? kNone : twin / 3;
+      if (is_side(u, v) || is_side(v, u)) triangle.set_locked(static_cast<int>(edge), true);
+    }
+  }
+
+  /// Counts the sides among its edges.
+  [[nodiscard]] bool is_good_triangle(std::uint32_t t, std::size_t& sides) const {
+    const Triangle& own = out_.triangles[t];
+    const auto& points = out_.points;
+    const Point a = points[own.v[0]], b = points[own.v[1]], c = points[own.v[2]];
+    if (orientation(a, b, c) != Sign::positive) return false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t n = own.n[i];
+      if (own.is_locked(static_cast<int>(i))) {
+        // A triangle on the right of a side is there for a slit alone, which is a side both ways.
+        const std::uint32_t u = own.v[(i + 1) % 3], v = own.v[(i + 2) % 3];
+        if (!is_side(u, v) || (n != kNone && !is_side(v, u))) return false;
+        ++sides;
+      } else if (n == kNone) {
+        return false;
+      } else if (n > t) {
+        const Triangle& other = out_.triangles[n];
+        const Point beyond = points[other.v[static_cast<std::size_t>(other.edge_to(t))]];
+        if (in_circle(a, b, c, beyond) != Sign::negative) return false;
+      }
+    }
+    return true;
+  }
+
+  std::span<const IndexPair> sides_;
+  std::span<const IndexTriple> triangles_;
+  const Team& team_;
+  std::vector<std::uint32_t> opposite_;
+  std::vector<std::uint32_t> first_side_;  ///< by point, into sides_
+  Triangulation out_;
+};
+
+bool are_corners(std::span<const IndexTriple> triangles, std::size_t points) {
+  return std::all_of(triangles.begin(), triangles.end(), [&](const IndexTriple& t) {
+    return std::max({t[0], t[1], t[2]}) < points;
+  });
+}
+
 }  // namespace
 
 std::optional<BoundaryFault> find_fault(const CdtResult& cdt, std::span<const Point> points,
@@ -78,11 +178,38 @@ std::optional<BoundaryFault> find_fault(const CdtResult& cdt, std::span<const Po
   return fault_at("the point " + describe(points[p]) + " does not lie in the region", points, {p});
 }
 
-Triangulation triangulate_region(std::span<const Point> points, std::span<const IndexPair> sides) {
+void put_in_order(std::size_t points, std::vector<IndexTriple>& triangles) {
+  std::vector<std::uint32_t> next(points + 1, 0);
+  for (IndexTriple& t : triangles) {
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    ++next[t[0] + 1];
+  }
+  for (std::size_t v = 1; v < next.size(); ++v) next[v] += next[v - 1];
+  std::vector<IndexTriple> sorted(triangles.size());
+  for (const IndexTriple& t : triangles) sorted[next[t[0]]++] = t;
+  triangles = std::move(sorted);
+  for (std::size_t first = 0, v = 0; v < points; ++v) {  // next[v] is where v + 1 begins
+    std::sort(triangles.begin() + static_cast<std::ptrdiff_t>(first), triangles.begin() + next[v]);
+    first = next[v];
+  }
+}
+
+Triangulation triangulate_region(std::span<const Point> points, std::span<const IndexPair> sides,
+                                 std::span<const IndexTriple> known, const Team& team) {
+  if (!known.empty() && are_corners(known, points.size())) {
+    Assembly assembly(points, sides, known, team);
+    if (assembly.is_the_only_one()) return assembly.take();
+  }
   CdtResult cdt = triangulate_domain(points, sides);
   if (auto fault = find_fault(cdt, points, sides))
     throw InternalFault(fault->what, std::move(fault->where));
-  return std::move(cdt.triangulation);
+  if (points.size() < kLargeRegion) return std::move(cdt.triangulation);
+  std::vector<IndexTriple> triangles;
+  triangles.reserve(cdt.triangulation.triangles.size());
+  for (const Triangle& t : cdt.triangulation.triangles) triangles.push_back(t.v);
+  cdt = {};
+  put_in_order(points.size(), triangles);
+  return Assembly(points, sides, triangles, team).take();
 }
 
 }  // namespace cover

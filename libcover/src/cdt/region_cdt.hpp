@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "base/team.hpp"
 #include "cdt/cdt.hpp"
+#include "geom/topology/half_edges.hpp"
 
 namespace cover {
 
@@ -28,10 +30,29 @@ struct BoundaryFault {
 std::optional<BoundaryFault> find_fault(const CdtResult& cdt, std::span<const Point> points,
                                         std::span<const IndexPair> sides);
 
+/// From so many points on a region is large: one thread has its triangulation to itself for so long
+/// that what is known of it already is worth being kept, and its triangles come in an order that
+/// does not tell who has made them.
+inline constexpr std::size_t kLargeRegion = 50'000;
+
+/// Sorts triangles by their corners, the lowest corner of each first.
+///
+/// REQUIRES: corners below `points`
+/// Cost:     O(points + n), for the few triangles that a point usually has
+void put_in_order(std::size_t points, std::vector<IndexTriple>& triangles);
+
 /// The constrained Delaunay triangulation of a region: every side has a triangle on its left, every
 /// point is a corner.
 ///
-/// Errors: throws an InternalFault if the sides do not bound a region
-Triangulation triangulate_region(std::span<const Point> points, std::span<const IndexPair> sides);
+/// `known` are its triangles as somebody else has found them, in order (put_in_order()), or any
+/// others, or none. They are taken if they are the only ones that there can be: then nothing
+/// depends on them but the time. That is so if they fill the sides, each is counter-clockwise, and
+/// no inner edge has its corners on or within one circle.
+///
+/// REQUIRES: no two of `known` have the same directed edge
+/// EXACT:    yes
+/// Errors:   throws an InternalFault if the sides do not bound a region
+Triangulation triangulate_region(std::span<const Point> points, std::span<const IndexPair> sides,
+                                 std::span<const IndexTriple> known = {}, const Team& team = {});
 
 }  // namespace cover

@@ -8,12 +8,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <vector>
 
 #include <cover/text.hpp>
 
 #include "base/faults/complaint.hpp"
+#include "base/sort_by_team.hpp"
 #include "cdt/cdt.hpp"
 #include "clean/list_meetings.hpp"
 
@@ -154,18 +156,18 @@ std::optional<Error> find_unusable(const Input& input) {
   return {};
 }
 
-std::optional<Triangulation> triangulation_if_pslg(const Input& input) {
+std::optional<Triangulation> triangulation_if_pslg(const Input& input, const Team& team) {
   std::vector<IndexPair> pairs;
   pairs.reserve(input.segments.size());
   for (const InputSegment& s : input.segments) {
     if (s.a == s.b) return std::nullopt;
     pairs.push_back({std::min(s.a, s.b), std::max(s.a, s.b)});
   }
-  std::sort(pairs.begin(), pairs.end());
+  sort_by_team(pairs, std::less(), team);
   if (std::adjacent_find(pairs.begin(), pairs.end()) != pairs.end()) return std::nullopt;
   pairs.clear();
   for (const InputSegment& s : input.segments) pairs.push_back({s.a, s.b});
-  CdtResult cdt = triangulate_hull(input.points, pairs);
+  CdtResult cdt = triangulate_hull(input.points, pairs, team);
   if (!cdt.conflicts.empty()) return std::nullopt;
   return std::move(cdt.triangulation);
 }

@@ -6,6 +6,7 @@
 #include <cover/error.hpp>
 #include <cover/input.hpp>
 
+#include "base/team.hpp"
 #include "cdt/triangulation.hpp"
 
 namespace cover {
@@ -22,7 +23,7 @@ std::optional<Error> find_unusable(const Input& input);
 /// REQUIRES: find_unusable finds nothing
 /// EXACT:    yes
 /// Cost:     O(n log n) expected.
-std::optional<Triangulation> triangulation_if_pslg(const Input& input);
+std::optional<Triangulation> triangulation_if_pslg(const Input& input, const Team& team = {});
 
 /// What keeps the points and segments of `input` from being a PSLG: the first kind found of
 /// duplicate points, segments of length zero, duplicate segments, and crossings, overlaps and

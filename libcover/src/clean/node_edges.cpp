@@ -154,7 +154,7 @@ EdgeGraph index_edges(Network& network) {
   return graph;
 }
 
-EdgeGraph node_edges(Network& network, bool may_be_clean) {
+EdgeGraph node_edges(Network& network, bool may_be_clean, const Team& team) {
   check_crossings(network);
   EdgeGraph graph;
   std::size_t most = network.strands.max_size(), most_of_all = most, of_all = 0;
@@ -168,7 +168,7 @@ EdgeGraph node_edges(Network& network, bool may_be_clean) {
     if (strands > most || of_all > most_of_all) throw RoundingCascade(network.points.back());
     index_edges(network, graph);
     if (may_be_clean) {
-      CdtResult cdt = triangulate_hull(network.points, graph.edges);
+      CdtResult cdt = triangulate_hull(network.points, graph.edges, team);
       if (cdt.conflicts.empty()) {
         graph.triangulation = std::move(cdt.triangulation);
         return graph;

@@ -8,6 +8,7 @@
 
 #include <cover/point.hpp>
 
+#include "base/team.hpp"
 #include "cdt/cdt.hpp"
 #include "clean/network.hpp"
 
@@ -77,7 +78,7 @@ EdgeGraph index_edges(Network& network);
 /// Ref:     D. Halperin, E. Packer, Iterated snap rounding, CGTA 23 (2002)
 ///
 /// Where it is known that strands meet inside, `may_be_clean` saves the test.
-EdgeGraph node_edges(Network& network, bool may_be_clean = true);
+EdgeGraph node_edges(Network& network, bool may_be_clean = true, const Team& team = {});
 
 /// Leaves out the points that no strand ends at and that are not lone.
 void compact(Network& network);

@@ -63,7 +63,8 @@ Pslg take_over(const Input& input) {
 /// Painting::sizes.
 Result<EdgeGraph> paint_over(const Input& input, const Options& options, Network& network,
                              const EdgeGraph& graph, std::vector<EdgeOwners>& owners,
-                             std::vector<std::optional<double>>& sizes, Report& report) {
+                             std::vector<std::optional<double>>& sizes, Report& report,
+                             const Team& team) {
   const bool merge = options.merge_materials;
   Result<Painting> painted = paint(input, options.overlap, merge, network, graph);
   if (!painted) return std::move(painted).error();
@@ -79,7 +80,7 @@ Result<EdgeGraph> paint_over(const Input& input, const Options& options, Network
     return index_edges(network);
   }
   // Pieces that were united again may differ from the line they make up by rounding.
-  EdgeGraph clean = node_edges(network);
+  EdgeGraph clean = node_edges(network, true, team);
   painted = paint(input, options.overlap, merge, network, clean);
   if (!painted) return std::move(painted).error();
   owners = std::move(painted->owners);
@@ -87,11 +88,13 @@ Result<EdgeGraph> paint_over(const Input& input, const Options& options, Network
 }
 
 /// Cleans what is no PSLG yet, as is known of segments alone.
-Result<Pslg> clean_up(const Input& input, const Options& options, Report& report) {
+Result<Pslg> clean_up(const Input& input, const Options& options, Report& report,
+                      const Team& team) {
   Network network = gather(input, report.changes);
   const double weld = options.weld.value_or(input.polygons.empty() ? 0 : kAutoWeld);
-  EdgeGraph graph = weld > 0 ? weld_and_node(input, weld, network, report.changes, !options.weld)
-                             : node_edges(network, !input.polygons.empty() || !input.lines.empty());
+  EdgeGraph graph =
+      weld > 0 ? weld_and_node(input, weld, network, report.changes, !options.weld)
+               : node_edges(network, !input.polygons.empty() || !input.lines.empty(), team);
   std::vector<EdgeOwners> owners;
   std::vector<std::optional<double>> sizes;
   if (input.polygons.empty()) {
@@ -99,7 +102,8 @@ Result<Pslg> clean_up(const Input& input, const Options& options, Report& report
     report_splits(input, network, visible_edges(network, graph, {none, none, {}}).edges,
                   report.changes);
   } else {
-    Result<EdgeGraph> painted = paint_over(input, options, network, graph, owners, sizes, report);
+    Result<EdgeGraph> painted =
+        paint_over(input, options, network, graph, owners, sizes, report, team);
     if (!painted) return std::move(painted).error();
     graph = *std::move(painted);
   }
@@ -152,9 +156,10 @@ Error crowd(const Input& input, const Options& options, Point where) {
 }
 
 /// An error where lines cross again and again once they are rounded.
-Result<Pslg> clean_up_unless_endless(const Input& input, const Options& options, Report& report) {
+Result<Pslg> clean_up_unless_endless(const Input& input, const Options& options, Report& report,
+                                     const Team& team) {
   try {
-    return clean_up(input, options, report);
+    return clean_up(input, options, report, team);
   } catch (const RoundingCascade& cascade) {
     if (cascade.is_crowd()) return crowd(input, options, cascade.where());
     return Error{
@@ -183,7 +188,7 @@ Result<Pslg> clean_up_unless_endless(const Input& input, const Options& options,
 }  // namespace
 
 Result<Pslg> make_pslg(const Input& input, const Options& options, Report& report,
-                       std::optional<Triangulation>* whole) {
+                       std::optional<Triangulation>* whole, const Team& team) {
   if (auto error = find_unusable(input)) return *error;
   if (auto error = find_bad_arcs(input)) return *error;
   if (is_empty(input) && !options.hull) {
@@ -198,17 +203,18 @@ Result<Pslg> make_pslg(const Input& input, const Options& options, Report& repor
       if (options.strict) return *changes_as_error(input, report.changes);
       Options as_it_is = options;
       as_it_is.weld = 0;
-      return make_pslg(*joined, as_it_is, report, whole);
+      return make_pslg(*joined, as_it_is, report, whole, team);
     }
   }
   std::optional<Triangulation> triangulation =
-      is_plain ? triangulation_if_pslg(input) : std::nullopt;
+      is_plain ? triangulation_if_pslg(input, team) : std::nullopt;
   const bool is_clean = triangulation.has_value();
   if (is_plain && !is_clean && options.strict) {
     if (auto error = find_unclean(input)) return *error;
   }
   const bool keep = is_clean && options.weld.value_or(0) <= 0;
-  Result<Pslg> pslg = keep ? take_over(input) : clean_up_unless_endless(input, options, report);
+  Result<Pslg> pslg =
+      keep ? take_over(input) : clean_up_unless_endless(input, options, report, team);
   const bool is_seeded = !input.seeds.empty() || !input.holes.empty();
   if (pslg && is_seeded && !input.polygons.empty()) {
     pslg = place_seeds(input, *std::move(pslg), report.notes);

@@ -9,6 +9,7 @@
 #include <cover/report.hpp>
 #include <cover/result.hpp>
 
+#include "base/team.hpp"
 #include "cdt/triangulation.hpp"
 
 namespace cover {
@@ -23,6 +24,6 @@ namespace cover {
 ///
 /// With `whole`: the triangulation of the convex hull, where one of the result was made on the way.
 Result<Pslg> make_pslg(const Input& input, const Options& options, Report& report,
-                       std::optional<Triangulation>* whole = nullptr);
+                       std::optional<Triangulation>* whole = nullptr, const Team& team = {});
 
 }  // namespace cover

@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <bit>
+#include <functional>
 #include <utility>
+
+#include "base/sort_by_team.hpp"
 
 namespace cover {
 namespace {
 
+constexpr std::size_t kRange = 1 << 16;  ///< points that are placed in one go
 constexpr int kMostLevels = 16;  ///< of the curve, so that a place on it and an index fill 64 bits
 
 /// The place of grid point (x, y) along the Hilbert curve of that many levels.
@@ -29,20 +33,22 @@ std::uint64_t place_on_curve(std::uint32_t x, std::uint32_t y, int levels) {
 
 }  // namespace
 
-std::vector<std::uint32_t> spatial_order(std::span<const Point> points) {
+std::vector<std::uint32_t> spatial_order(std::span<const Point> points, const Team& team) {
   const auto n = static_cast<std::uint32_t>(points.size());
   std::vector<std::pair<double, std::uint32_t>> by_y(n);
   for (std::uint32_t k = 0; k < n; ++k) by_y[k] = {points[k].y, k};
-  std::sort(by_y.begin(), by_y.end());
+  sort_by_team(by_y, std::less(), team);
 
   const int bits = static_cast<int>(std::bit_width(n)), levels = std::min(bits, kMostLevels),
             spare = bits - levels;
   std::vector<std::uint64_t> keys(n);
-  for (std::uint32_t rank = 0; rank < n; ++rank) {
-    const std::uint32_t k = by_y[rank].second;
-    keys[rank] = place_on_curve(k >> spare, rank >> spare, levels) << 32 | k;
-  }
-  std::sort(keys.begin(), keys.end());
+  team.each_range(n, kRange, [&](std::size_t first, std::size_t last) {
+    for (auto rank = static_cast<std::uint32_t>(first); rank < last; ++rank) {
+      const std::uint32_t k = by_y[rank].second;
+      keys[rank] = place_on_curve(k >> spare, rank >> spare, levels) << 32 | k;
+    }
+  });
+  sort_by_team(keys, std::less(), team);
   std::vector<std::uint32_t> order(n);
   std::transform(keys.begin(), keys.end(), order.begin(),
                  [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });

@@ -7,6 +7,8 @@
 
 #include <cover/point.hpp>
 
+#include "base/team.hpp"
+
 namespace cover {
 
 /// The indices of `points` along a Hilbert curve through the grid of their ranks by x and by y.
@@ -15,6 +17,6 @@ namespace cover {
 /// ENSURES:  only comparisons of coordinates count, so that neither an exact shift nor a change of
 ///           the unit changes the order
 /// Cost:     O(n log n)
-std::vector<std::uint32_t> spatial_order(std::span<const Point> points);
+std::vector<std::uint32_t> spatial_order(std::span<const Point> points, const Team& team = {});
 
 }  // namespace cover

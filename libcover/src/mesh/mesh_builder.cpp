@@ -43,12 +43,19 @@ MeshBuilder::MeshBuilder(std::span<const Point> points, std::span<const IndexTri
   number_half_edges();
 }
 
-Mesh MeshBuilder::build() const {
+Mesh MeshBuilder::build(const Team& team, const std::function<void(Mesh&)>& more) const {
   Mesh mesh;
   mesh.tri().resize(points_.size(), edges_, triangles_.size());
-  set_points(mesh.tri());
-  set_faces(mesh.tri());
-  set_boundary(mesh.tri());
+  // These are other arrays than those.
+  team.each(2, [&](std::size_t k) {
+    if (k == 0) {
+      set_faces(mesh.tri());
+      set_boundary(mesh.tri());
+    } else {
+      set_points(mesh.tri());
+      if (more) more(mesh);
+    }
+  });
   return mesh;
 }
 

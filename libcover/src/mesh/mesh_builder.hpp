@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
 #include <cover/mesh.hpp>
 #include <cover/point.hpp>
 
+#include "base/team.hpp"
 #include "geom/topology/half_edges.hpp"
 
 namespace cover {
@@ -21,7 +23,11 @@ class MeshBuilder {
 
   /// The mesh: vertices and faces in the order given, edges in the order in which faces have them.
   /// A vertex may have several fans of triangles with void between.
-  [[nodiscard]] Mesh build() const;
+  ///
+  /// `more` is called with the mesh as soon as it has its size, by another thread of the team: it
+  /// may set properties of vertices and faces, but neither points nor what lies beside what.
+  [[nodiscard]] Mesh build(const Team& team = {},
+                           const std::function<void(Mesh&)>& more = {}) const;
 
   /// The edge of half-edge `h` (numbered as in HalfEdges) in what build() makes.
   [[nodiscard]] TriMesh::EdgeHandle edge_of(std::uint32_t h) const {

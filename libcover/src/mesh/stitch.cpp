@@ -6,6 +6,8 @@
 
 #include "mesh/stitch.hpp"
 
+#include <optional>
+
 #include "base/containers/give_back.hpp"
 #include "mesh/find_edges.hpp"
 #include "mesh/mesh_builder.hpp"
@@ -81,23 +83,34 @@ void set_regions(const RegionTable& table, const Gathered& all, Mesh& mesh) {
   }
 }
 
-void set_segments(const Pslg& pslg, const RegionTable& table, const Gathered& all,
-                  const MeshBuilder& builder, Mesh& mesh) {
-  std::vector<std::array<std::uint32_t, 2>> ends;
+/// Segments that are edges of the mesh, and the last of the half-edges that each is.
+struct SegmentEdges {
   std::vector<std::uint32_t> segments;
+  std::vector<std::uint32_t> half_edges;  ///< HalfEdges::kAbsent: none after all
+};
+
+SegmentEdges find_segments(const Pslg& pslg, const Gathered& all) {
+  SegmentEdges found;
+  std::vector<std::array<std::uint32_t, 2>> ends;
   for (std::uint32_t s = 0; s < pslg.segments.size(); ++s) {
     const std::uint32_t a = all.vertex_of[pslg.segments[s].a.index()];
     const std::uint32_t b = all.vertex_of[pslg.segments[s].b.index()];
     if (a == kNone || b == kNone) continue;
     ends.push_back({a, b});
-    segments.push_back(s);
+    found.segments.push_back(s);
   }
-  const std::vector<std::uint32_t> half_edges = find_edges(all.inputs, all.triangles, ends);
-  for (std::size_t k = 0; k < segments.size(); ++k) {
-    if (half_edges[k] == HalfEdges::kAbsent) continue;
-    const TriMesh::EdgeHandle edge = builder.edge_of(half_edges[k]);
-    mesh.set_interface(edge, table.sides[segments[k]].interface);
-    mesh.set_marker(edge, pslg.segments[segments[k]].marker);
+  found.half_edges = find_edges(all.inputs, all.triangles, ends);
+  return found;
+}
+
+void set_segments(const Pslg& pslg, const RegionTable& table, const SegmentEdges& found,
+                  const MeshBuilder& builder, Mesh& mesh) {
+  for (std::size_t k = 0; k < found.segments.size(); ++k) {
+    if (found.half_edges[k] == HalfEdges::kAbsent) continue;
+    const std::uint32_t s = found.segments[k];
+    const TriMesh::EdgeHandle edge = builder.edge_of(found.half_edges[k]);
+    mesh.set_interface(edge, table.sides[s].interface);
+    mesh.set_marker(edge, pslg.segments[s].marker);
   }
 }
 
@@ -117,14 +130,23 @@ std::vector<std::uint32_t> input_vertices(const Pslg& pslg,
 }
 
 Mesh stitch(const Pslg& pslg, const RegionTable& table, std::vector<RegionBoundary> boundaries,
-            std::span<RegionMesh> meshes) {
+            std::span<RegionMesh> meshes, const Team& team) {
   const Gathered all = gather(pslg, boundaries, meshes);
   give_back(boundaries);
-  const MeshBuilder builder(all.points, all.triangles);
-  Mesh mesh = builder.build();
-  set_input_ids(all, mesh);
-  set_regions(table, all, mesh);
-  set_segments(pslg, table, all, builder, mesh);
+  std::optional<MeshBuilder> builder;
+  SegmentEdges segments;
+  team.each(2, [&](std::size_t k) {
+    if (k == 0) {
+      builder.emplace(all.points, all.triangles);
+    } else {
+      segments = find_segments(pslg, all);
+    }
+  });
+  Mesh mesh = builder->build(team, [&](Mesh& made) {
+    set_input_ids(all, made);
+    set_regions(table, all, made);
+  });
+  set_segments(pslg, table, segments, *builder, mesh);
   return mesh;
 }
 

@@ -9,6 +9,7 @@
 #include <cover/pslg.hpp>
 #include <cover/regions.hpp>
 
+#include "base/team.hpp"
 #include "region/region_boundary.hpp"
 #include "target/region_mesh.hpp"
 
@@ -25,6 +26,6 @@ std::vector<std::uint32_t> input_vertices(const Pslg& pslg,
 ///           edges depends on the arguments alone
 /// Cost:     O(n)
 Mesh stitch(const Pslg& pslg, const RegionTable& table, std::vector<RegionBoundary> boundaries,
-            std::span<RegionMesh> meshes);
+            std::span<RegionMesh> meshes, const Team& team = {});
 
 }  // namespace cover

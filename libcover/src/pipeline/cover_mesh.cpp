@@ -7,7 +7,9 @@
 // Tested by tests/unit/pipeline/cover_mesh_test.cpp.
 #include <cover/cover_mesh.hpp>
 
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "base/faults/out_of_memory.hpp"
 #include "cuts/after_meshing/cut_for_boxes.hpp"
@@ -24,6 +26,7 @@
 #include "sizes/carry_field.hpp"
 #include "sizes/expected_triangles.hpp"
 #include "sizes/sizes.hpp"
+#include "tasks/by_team.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/pieces_of_work.hpp"
 #include "tasks/region_task.hpp"
@@ -32,11 +35,14 @@ namespace cover {
 namespace {
 
 /// One piece of work per region.
-Status split(Work& work, const Options& options, bool memory_counts) {
-  return errors_as_values("split", [&]() -> Status {
-    auto pieces = pieces_of_work(work.pslg, work.table, options);
+Status split(Work& work, const Options& options, bool memory_counts,
+             std::span<const TriangulatedRegion> large) {
+  return by_team("split", worker_count(options), [&](const Team& team) -> Status {
+    auto pieces = pieces_of_work(work.pslg, work.table, options, team);
     if (!pieces) return std::move(pieces).error();
     work.boundaries = *std::move(pieces);
+    if (work.pslg.points.size() == work.report.uncut_points)
+      add_known_triangles(large, work.pslg.points.size(), work.boundaries);
     return check_expected_triangles(work.table, work.boundaries, options,
                                     memory_for_mesh(memory_counts));
   });
@@ -64,11 +70,12 @@ Result<Work> work_of(AnyInput&& input, const Options& options, bool memory_count
   Work work;
   work.rules = periodic_rules(input, options);
   work.field = input.field;
+  std::vector<TriangulatedRegion> large;
   Result<Prepared> found =
-      find_regions(std::forward<AnyInput>(input), options, callbacks, clock, memory_counts);
+      find_regions(std::forward<AnyInput>(input), options, callbacks, clock, memory_counts, &large);
   if (!found) return std::move(found).error();
   static_cast<Prepared&>(work) = *std::move(found);
-  if (Status status = split(work, options, memory_counts); !status)
+  if (Status status = split(work, options, memory_counts, large); !status)
     return std::move(status).error();
   warn_of_sizes(work.pslg, options, work.boundaries, work.report.notes);
   clock.note("split", work.report.times);
@@ -119,8 +126,9 @@ Result<Output> finish_work(Work work, const Options& options, const Callbacks& c
 
 Result<Output> stitch_regions(Work work, const Callbacks& callbacks, StageClock& clock) {
   if (Status status = begin_stage("stitch", callbacks); !status) return std::move(status).error();
-  Result<Mesh> mesh = errors_as_values("stitch", [&] {
-    return Result<Mesh>(stitch(work.pslg, work.table, std::move(work.boundaries), work.meshes));
+  Result<Mesh> mesh = by_team("stitch", work.report.threads, [&](const Team& team) {
+    return Result<Mesh>(
+        stitch(work.pslg, work.table, std::move(work.boundaries), work.meshes, team));
   });
   if (!mesh) return std::move(mesh).error();
   work.report.input_points = work.pslg.points.size();

@@ -15,6 +15,7 @@
 #include "region/region_graph.hpp"
 #include "sizes/expected_triangles.hpp"
 #include "target/measure.hpp"
+#include "tasks/by_team.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/pieces_of_work.hpp"
 #include "tasks/region_task.hpp"
@@ -51,7 +52,8 @@ namespace {
 /// `release` gives the input back, if it may go.
 template <class Release>
 Result<Prepared> find(const Input& input, Release release, const Options& options,
-                      const Callbacks& callbacks, StageClock& clock, bool memory_counts) {
+                      const Callbacks& callbacks, StageClock& clock, bool memory_counts,
+                      std::vector<TriangulatedRegion>* large) {
   if (Status status = check_options(options); !status) return std::move(status).error();
   Prepared prepared;
   Report& report = prepared.report;
@@ -62,16 +64,17 @@ Result<Prepared> find(const Input& input, Release release, const Options& option
     report.notes.push_back({Note::Kind::warning, kVoid, warning, {}});
   if (Status status = begin_stage("clean", callbacks); !status) return std::move(status).error();
   std::optional<Triangulation> whole;
-  Result<Pslg> pslg =
-      errors_as_values("clean", [&] { return make_pslg(input, options, report, &whole); });
+  Result<Pslg> pslg = by_team("clean", worker_count(options), [&](const Team& team) {
+    return make_pslg(input, options, report, &whole, team);
+  });
   if (!pslg) return std::move(pslg).error();
   prepared.pslg = *std::move(pslg);
   const std::vector<PeriodicRule> rules = periodic_rules(input, options);
   release();
   clock.note("clean", report.times);
   if (Status status = begin_stage("regions", callbacks); !status) return std::move(status).error();
-  Result<RegionTable> table = errors_as_values("regions", [&] {
-    return build_region_table(prepared.pslg, options, report.notes, std::move(whole));
+  Result<RegionTable> table = by_team("regions", worker_count(options), [&](const Team& team) {
+    return build_region_table(prepared.pslg, options, report.notes, std::move(whole), large, team);
   });
   if (!table) return std::move(table).error();
   prepared.table = *std::move(table);
@@ -100,15 +103,17 @@ Result<Prepared> find(const Input& input, Release release, const Options& option
 }  // namespace
 
 Result<Prepared> find_regions(const Input& input, const Options& options,
-                              const Callbacks& callbacks, StageClock& clock, bool memory_counts) {
+                              const Callbacks& callbacks, StageClock& clock, bool memory_counts,
+                              std::vector<TriangulatedRegion>* large) {
   return find(
-      input, [] {}, options, callbacks, clock, memory_counts);
+      input, [] {}, options, callbacks, clock, memory_counts, large);
 }
 
 Result<Prepared> find_regions(Input&& input, const Options& options, const Callbacks& callbacks,
-                              StageClock& clock, bool memory_counts) {
+                              StageClock& clock, bool memory_counts,
+                              std::vector<TriangulatedRegion>* large) {
   return find(
-      input, [&input] { input = {}; }, options, callbacks, clock, memory_counts);
+      input, [&input] { input = {}; }, options, callbacks, clock, memory_counts, large);
 }
 
 Options with_layers_of(const Input& input, const Options& options) {

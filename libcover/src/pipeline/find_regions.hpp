@@ -10,6 +10,7 @@
 #include <cover/progress.hpp>
 #include <cover/result.hpp>
 
+#include "region/region_graph.hpp"
 #include "target/region_mesh.hpp"
 #include "tasks/stage_clock.hpp"
 
@@ -26,10 +27,13 @@ Status begin_stage(std::string_view stage, const Callbacks& callbacks);
 ///         sizes asked for take more than there is
 Result<Prepared> find_regions(const Input& input, const Options& options,
                               const Callbacks& callbacks, StageClock& clock,
-                              bool memory_counts = true);
-/// The same; `input` is gone as soon as it is clean.
+                              bool memory_counts = true,
+                              std::vector<TriangulatedRegion>* large = nullptr);
+/// The same; `input` is gone as soon as it is clean. What is known of large regions on the way is
+/// put into `large`.
 Result<Prepared> find_regions(Input&& input, const Options& options, const Callbacks& callbacks,
-                              StageClock& clock, bool memory_counts = true);
+                              StageClock& clock, bool memory_counts,
+                              std::vector<TriangulatedRegion>* large);
 
 /// The rules of the options, then those of the input.
 std::vector<PeriodicRule> periodic_rules(const Input& input, const Options& options);

@@ -10,6 +10,7 @@
 #include <cover/point.hpp>
 
 #include "cdt/cdt.hpp"
+#include "geom/topology/half_edges.hpp"
 
 namespace cover {
 
@@ -35,6 +36,9 @@ struct RegionBoundary {
   std::vector<std::uint32_t> layers;  ///< by side: which of Options::layers plus one; empty: none
   /// Part of a region, whose bound counts for both: what misses its own gets no almonds.
   bool is_part = false;
+  /// The triangles of triangulate_region(), or what they were before something was changed; of
+  /// large regions, where they were found on the way. Only time depends on them.
+  std::vector<IndexTriple> known_cdt{};
 };
 
 }  // namespace cover

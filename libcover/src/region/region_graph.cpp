@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <span>
@@ -15,6 +16,7 @@
 #include <cover/option_ranges.hpp>
 #include <cover/text.hpp>
 
+#include "cdt/region_cdt.hpp"
 #include "clean/ends/loose_ends.hpp"
 #include "faces/face_measures.hpp"
 #include "faces/faces.hpp"
@@ -59,6 +61,26 @@ class TableMaker {
     warn_of_lines_in_void(notes);
     build_interfaces(pslg_, table_);
     return std::move(table_);
+  }
+
+  /// REQUIRES: a table was made
+  [[nodiscard]] std::vector<TriangulatedRegion> large_regions() const {
+    std::vector<std::size_t> count(faces_.count, 0);
+    for (const std::uint32_t face : faces_.of_triangle) ++count[face];
+    std::vector<std::size_t> place(faces_.count, kNone);
+    std::vector<TriangulatedRegion> large;
+    for (std::size_t f = 1; f < faces_.count; ++f) {
+      if (region_of_face_[f] == kVoid || count[f] + 2 < kLargeRegion) continue;
+      place[f] = large.size();
+      large.push_back({region_of_face_[f], {}});
+      large.back().triangles.reserve(count[f]);
+    }
+    if (large.empty()) return large;
+    for (std::size_t t = 0; t < faces_.of_triangle.size(); ++t) {
+      const std::size_t k = place[faces_.of_triangle[t]];
+      if (k != kNone) large[k].triangles.push_back(faces_.triangulation.triangles[t].v);
+    }
+    return large;
   }
 
  private:
@@ -284,8 +306,8 @@ void tell_remedies(const Pslg& pslg, const Options& options, Error& error) {
 }  // namespace
 
 Result<RegionTable> build_region_table(const Pslg& pslg, const Options& options,
-                                       std::vector<Note>& notes,
-                                       std::optional<Triangulation> whole) {
+                                       std::vector<Note>& notes, std::optional<Triangulation> whole,
+                                       std::vector<TriangulatedRegion>* large, const Team& team) {
   std::vector<IndexPair> pairs;
   pairs.reserve(pslg.segments.size());
   for (const Segment& s : pslg.segments) pairs.push_back({s.a.value(), s.b.value()});
@@ -313,9 +335,19 @@ Result<RegionTable> build_region_table(const Pslg& pslg, const Options& options,
   if (std::all_of(seeded->is_void.begin(), seeded->is_void.end(), [](bool v) { return v; })) {
     return nothing_enclosed(pslg, "the hole seeds leave no region");
   }
-  warn_of_near_misses(pslg, faces.triangulation, notes);
-  warn_of_gaps(pslg, faces, *seeded, options.weld.value_or(kAutoWeld), notes);
-  RegionTable table = TableMaker(pslg, faces, *seeded).make(notes);
+  RegionTable table;
+  std::vector<Note> of_table;
+  team.each(2, [&](std::size_t k) {
+    if (k == 1) {
+      warn_of_near_misses(pslg, faces.triangulation, notes);
+      warn_of_gaps(pslg, faces, *seeded, options.weld.value_or(kAutoWeld), notes);
+      return;
+    }
+    TableMaker maker(pslg, faces, *seeded);
+    table = maker.make(of_table);
+    if (large != nullptr) *large = maker.large_regions();
+  });
+  std::move(of_table.begin(), of_table.end(), std::back_inserter(notes));
   if (auto error = open_beside_gaps(pslg, pairs, table, options)) return *std::move(error);
   return table;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <cover/options.hpp>
@@ -10,24 +11,40 @@
 #include <cover/report.hpp>
 #include <cover/result.hpp>
 
+#include "base/team.hpp"
 #include "cdt/triangulation.hpp"
 #include "region/region_boundary.hpp"
 
 namespace cover {
 
+/// A large region (kLargeRegion) as part of the triangulation of everything, by VertexId.
+struct TriangulatedRegion {
+  RegionId id;
+  std::vector<IndexTriple> triangles;
+};
+
 /// Finds regions, materials, names and interfaces. Warnings are appended to `notes`.
 ///
 /// `whole` is the triangulation of the convex hull of `pslg`, if it is known: triangulate_hull().
+/// What it tells of large regions is put into `large`.
 ///
 /// Errors: nothing_enclosed, seed_in_void, seed_on_segment, conflicting_seeds.
 /// Cost:   O(n log n).
 Result<RegionTable> build_region_table(const Pslg& pslg, const Options& options,
                                        std::vector<Note>& notes,
-                                       std::optional<Triangulation> whole = std::nullopt);
+                                       std::optional<Triangulation> whole = std::nullopt,
+                                       std::vector<TriangulatedRegion>* large = nullptr,
+                                       const Team& team = {});
 
 /// One closed piece of work per region, by RegionId - 1.
 ///
 /// Cost: O(n log n).
-std::vector<RegionBoundary> split_regions(const Pslg& pslg, const RegionTable& table);
+std::vector<RegionBoundary> split_regions(const Pslg& pslg, const RegionTable& table,
+                                          const Team& team = {});
+
+/// Tells the boundaries of large regions their triangles (RegionBoundary::known_cdt), if the points
+/// are still what they were.
+void add_known_triangles(std::span<const TriangulatedRegion> large, std::size_t points,
+                         std::span<RegionBoundary> boundaries);
 
 }  // namespace cover

@@ -3,8 +3,11 @@
 // curve.
 // Tested by tests/unit/region/split_regions_test.cpp.
 #include <algorithm>
+#include <functional>
 #include <numeric>
 
+#include "base/sort_by_team.hpp"
+#include "cdt/region_cdt.hpp"
 #include "geom/spatial_order.hpp"
 #include "region/region_graph.hpp"
 
@@ -41,19 +44,20 @@ std::vector<Pieces> deal_out(const Pslg& pslg, const RegionTable& table) {
 }
 
 /// The place of every point in lexicographic order.
-std::vector<std::uint32_t> ranks(const std::vector<Point>& points) {
+std::vector<std::uint32_t> ranks(const std::vector<Point>& points, const Team& team) {
   std::vector<std::uint32_t> order(points.size()), rank(points.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t i, std::uint32_t j) { return points[i] < points[j]; });
+  // No two points are equal.
+  sort_by_team(
+      order, [&](std::uint32_t i, std::uint32_t j) { return points[i] < points[j]; }, team);
   for (std::uint32_t k = 0; k < order.size(); ++k) rank[order[k]] = k;
   return rank;
 }
 
 class BoundaryMaker {
  public:
-  explicit BoundaryMaker(const Pslg& pslg)
-      : pslg_(pslg), rank_(ranks(pslg.points)), local_(pslg.points.size()) {}
+  BoundaryMaker(const Pslg& pslg, const Team& team)
+      : pslg_(pslg), team_(team), rank_(ranks(pslg.points, team)), local_(pslg.points.size()) {}
 
   RegionBoundary make(RegionId id, const Pieces& pieces) {
     RegionBoundary out;
@@ -64,7 +68,7 @@ class BoundaryMaker {
     for (const GlobalSide& s : pieces.sides) {
       sides.push_back({{local_[s.from.index()], local_[s.to.index()]}, s.segment});
     }
-    std::sort(sides.begin(), sides.end());
+    sort_by_team(sides, std::less(), team_);
     out.sides.reserve(sides.size());
     out.segments.reserve(sides.size());
     for (const auto& [side, segment] : sides) {
@@ -81,15 +85,16 @@ class BoundaryMaker {
       ascending.push_back(s.from);
       ascending.push_back(s.to);
     }
-    std::sort(ascending.begin(), ascending.end(),
-              [this](VertexId u, VertexId v) { return rank_[u.index()] < rank_[v.index()]; });
+    sort_by_team(
+        ascending, [this](VertexId u, VertexId v) { return rank_[u.index()] < rank_[v.index()]; },
+        team_);
     ascending.erase(std::unique(ascending.begin(), ascending.end()), ascending.end());
     std::vector<Point> points(ascending.size());
     std::transform(ascending.begin(), ascending.end(), points.begin(),
                    [this](VertexId v) { return pslg_.points[v.index()]; });
     out.vertices.reserve(points.size());
     out.points.reserve(points.size());
-    for (const std::uint32_t k : spatial_order(points)) {
+    for (const std::uint32_t k : spatial_order(points, team_)) {
       local_[ascending[k].index()] = static_cast<std::uint32_t>(out.points.size());
       out.vertices.push_back(ascending[k]);
       out.points.push_back(points[k]);
@@ -97,21 +102,44 @@ class BoundaryMaker {
   }
 
   const Pslg& pslg_;
+  const Team& team_;
   std::vector<std::uint32_t> rank_;
   std::vector<std::uint32_t> local_;  ///< of the region at hand, by VertexId
 };
 
 }  // namespace
 
-std::vector<RegionBoundary> split_regions(const Pslg& pslg, const RegionTable& table) {
+std::vector<RegionBoundary> split_regions(const Pslg& pslg, const RegionTable& table,
+                                          const Team& team) {
   const std::vector<Pieces> pieces = deal_out(pslg, table);
-  BoundaryMaker maker(pslg);
+  BoundaryMaker maker(pslg, team);
   std::vector<RegionBoundary> out;
   out.reserve(pieces.size());
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     out.push_back(maker.make(RegionId{k + 1}, pieces[k]));
   }
   return out;
+}
+
+void add_known_triangles(std::span<const TriangulatedRegion> large, std::size_t points,
+                         std::span<RegionBoundary> boundaries) {
+  std::vector<std::uint32_t> local;
+  for (const TriangulatedRegion& region : large) {
+    RegionBoundary& boundary = boundaries[region.id.index() - 1];
+    if (boundary.points.size() < kLargeRegion) continue;
+    local.assign(points, kNone);
+    for (std::uint32_t v = 0; v < boundary.vertices.size(); ++v)
+      local[boundary.vertices[v].index()] = v;
+    const auto in_region = [&](const IndexTriple& t) {
+      return std::all_of(t.begin(), t.end(),
+                         [&](std::uint32_t v) { return v < points && local[v] != kNone; });
+    };
+    if (!std::all_of(region.triangles.begin(), region.triangles.end(), in_region)) continue;
+    boundary.known_cdt = region.triangles;
+    for (IndexTriple& t : boundary.known_cdt)
+      for (std::uint32_t& v : t) v = local[v];
+    put_in_order(boundary.points.size(), boundary.known_cdt);
+  }
 }
 
 }  // namespace cover

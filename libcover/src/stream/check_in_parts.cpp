@@ -285,7 +285,7 @@ Result<Prepared> prepare_to_check(Input&& input, const Options& asked) {
   return memory_as_value("check", [&] {
     StageClock clock;
     const Options options = with_layers_of(input, asked);
-    return find_regions(std::move(input), options, {}, clock);
+    return find_regions(std::move(input), options, {}, clock, true, nullptr);
   });
 }
 

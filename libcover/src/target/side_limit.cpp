@@ -89,18 +89,22 @@ void mind_free_sides(const Triangulation& cdt, std::span<const EdgeRef> side_at,
   }
 }
 
-std::vector<SideLimit> side_limits(const Triangulation& cdt, std::span<const EdgeRef> side_at) {
-  std::vector<SideLimit> limits;
-  limits.reserve(side_at.size());
-  for (const EdgeRef& side : side_at) {
-    const auto& v = cdt.triangles[side.triangle].v;
-    const std::size_t i = side.edge;
-    const Corners k(cdt.points[v[i]], cdt.points[v[(i + 1) % 3]], cdt.points[v[(i + 2) % 3]]);
-    limits.push_back({k.dot[0] / k.cross,
-                      std::max({k.dot[0], k.dot[1], k.dot[2]}) / k.cross,
-                      1 / (2 * free_height(cdt, side)),
-                      {corner_limit(cdt, side, false), corner_limit(cdt, side, true)}});
-  }
+std::vector<SideLimit> side_limits(const Triangulation& cdt, std::span<const EdgeRef> side_at,
+                                   const Team& team) {
+  constexpr std::size_t kRange = 1 << 14;
+  std::vector<SideLimit> limits(side_at.size());
+  team.each_range(side_at.size(), kRange, [&](std::size_t first, std::size_t last) {
+    for (std::size_t s = first; s < last; ++s) {
+      const EdgeRef side = side_at[s];
+      const auto& v = cdt.triangles[side.triangle].v;
+      const std::size_t i = side.edge;
+      const Corners k(cdt.points[v[i]], cdt.points[v[(i + 1) % 3]], cdt.points[v[(i + 2) % 3]]);
+      limits[s] = {k.dot[0] / k.cross,
+                   std::max({k.dot[0], k.dot[1], k.dot[2]}) / k.cross,
+                   1 / (2 * free_height(cdt, side)),
+                   {corner_limit(cdt, side, false), corner_limit(cdt, side, true)}};
+    }
+  });
   return limits;
 }
 

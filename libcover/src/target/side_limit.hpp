@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/team.hpp"
 #include "cdt/sides.hpp"
 #include "cdt/triangulation.hpp"
 
@@ -46,6 +47,7 @@ void mind_free_sides(const Triangulation& cdt, std::span<const EdgeRef> side_at,
 /// REQUIRES: `cdt` is constrained Delaunay, its sides locked
 /// Cost:     O(1) for most sides
 /// Ref:      mitchell_1993_covering, Lemma 1, for the largest angle
-std::vector<SideLimit> side_limits(const Triangulation& cdt, std::span<const EdgeRef> side_at);
+std::vector<SideLimit> side_limits(const Triangulation& cdt, std::span<const EdgeRef> side_at,
+                                   const Team& team = {});
 
 }  // namespace cover

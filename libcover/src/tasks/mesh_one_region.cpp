@@ -41,6 +41,9 @@ constexpr std::size_t kManyTriangles = 100'000;
 using KnownProof = std::unique_ptr<RegionProof>;
 
 KnownProof proof_of(const RegionBoundary& boundary) {
+  if (boundary.points.size() >= kLargeRegion)
+    return std::make_unique<RegionProof>(
+        triangulate_region(boundary.points, boundary.sides, boundary.known_cdt));
   return std::make_unique<RegionProof>(
       triangulate_domain(boundary.points, boundary.sides).triangulation);
 }
@@ -106,7 +109,7 @@ RegionMesh by_almonds(const RegionBoundary& boundary, const Options& options,
 /// The constrained Delaunay triangulation, which no rounding can break.
 RegionMesh plain_region(const RegionBoundary& boundary, const Options&, const std::stop_token&,
                         const Team&, KnownProof&) {
-  const Triangulation cdt = triangulate_region(boundary.points, boundary.sides);
+  const Triangulation cdt = triangulate_region(boundary.points, boundary.sides, boundary.known_cdt);
   RegionMesh mesh;
   mesh.report.id = boundary.id;
   mesh.report.method = "cdt";

@@ -10,8 +10,8 @@
 namespace cover {
 
 Result<std::vector<RegionBoundary>> pieces_of_work(const Pslg& pslg, const RegionTable& table,
-                                                   const Options& options) {
-  std::vector<RegionBoundary> boundaries = split_regions(pslg, table);
+                                                   const Options& options, const Team& team) {
+  std::vector<RegionBoundary> boundaries = split_regions(pslg, table, team);
   Status status = resolve_sizes(pslg, table, options, boundaries);
   if (status) status = resolve_layers(pslg, table, options, boundaries);
   if (!status) return std::move(status).error();

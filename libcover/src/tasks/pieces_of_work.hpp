@@ -8,6 +8,7 @@
 #include <cover/regions.hpp>
 #include <cover/result.hpp>
 
+#include "base/team.hpp"
 #include "region/region_boundary.hpp"
 
 namespace cover {
@@ -18,6 +19,6 @@ namespace cover {
 /// Errors: bad_option; those of resolve_sizes() and resolve_layers()
 /// Cost:   O(n log n)
 Result<std::vector<RegionBoundary>> pieces_of_work(const Pslg& pslg, const RegionTable& table,
-                                                   const Options& options);
+                                                   const Options& options, const Team& team = {});
 
 }  // namespace cover

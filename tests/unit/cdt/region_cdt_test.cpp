@@ -67,5 +67,101 @@ TEST(RegionCdt, ThrowsAFaultWithThePlace) {
   }
 }
 
+using Triples = std::vector<IndexTriple>;
+
+Triples triples_of(const Triangulation& triangulation) {
+  Triples triples;
+  for (const Triangle& t : triangulation.triangles) triples.push_back(t.v);
+  return triples;
+}
+
+/// No four of its points are on a circle; a hole, a slit and a point inside.
+RegionBoundary odd_region() {
+  return testing::boundary_of({{{0, 0}, {4.1, 0.3}, {5.3, 4.7}, {2.2, 6.1}, {-0.7, 3.9}},
+                               testing::reversed({{1, 1}, {2.1, 1.2}, {1.7, 2.3}}),
+                               {{3.1, 2.2}, {3.7, 3.3}}},
+                              {{1.3, 4.1}});
+}
+
+TEST(TriangulateRegion, TakesWhatIsKnownIfThereIsNothingElse) {
+  const RegionBoundary region = odd_region();
+  const Triangulation own = triangulate_region(region.points, region.sides);
+  Triples known = triples_of(own);
+  put_in_order(region.points.size(), known);
+  EXPECT_TRUE(std::is_sorted(known.begin(), known.end()));
+  std::reverse(known.begin(), known.end());  // so that we can tell
+  const Triangulation taken = triangulate_region(region.points, region.sides, known);
+  EXPECT_EQ(triples_of(taken), known);
+  Triples again = triples_of(taken), before = triples_of(own);
+  put_in_order(region.points.size(), again);
+  put_in_order(region.points.size(), before);
+  EXPECT_EQ(again, before);
+  std::size_t locked = 0;
+  for (std::uint32_t t = 0; t < taken.triangles.size(); ++t) {
+    const Triangle& f = taken.triangles[t];
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t n = f.n[static_cast<std::size_t>(i)];
+      locked += f.is_locked(i) ? 1 : 0;
+      if (n == kNone) continue;
+      const Triangle& g = taken.triangles[n];
+      EXPECT_EQ(g.n[static_cast<std::size_t>(g.edge_to(t))], t);
+      EXPECT_EQ(g.is_locked(g.edge_to(t)), f.is_locked(i));
+    }
+  }
+  EXPECT_EQ(locked, region.sides.size());
+}
+
+TEST(TriangulateRegion, FindsItselfWhatIsKnownWrongly) {
+  const RegionBoundary region = odd_region();
+  const Triples right = triples_of(triangulate_region(region.points, region.sides));
+  const auto expect_own = [&](Triples known, const char* what) {
+    std::reverse(known.begin(), known.end());
+    EXPECT_EQ(triples_of(triangulate_region(region.points, region.sides, known)), right) << what;
+  };
+  Triples wrong = right;
+  wrong.pop_back();
+  expect_own(wrong, "a triangle is missing");
+  wrong = right;
+  wrong[0][1] = static_cast<std::uint32_t>(region.points.size());
+  expect_own(wrong, "no such point");
+  wrong = right;
+  std::swap(wrong[0][1], wrong[0][2]);
+  expect_own(wrong, "clockwise");
+  // The other diagonal of any two triangles that makes triangles, too.
+  const Triangulation own = triangulate_region(region.points, region.sides);
+  std::size_t flipped = 0;
+  for (std::uint32_t t = 0; t < own.triangles.size(); ++t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Triangle& f = own.triangles[t];
+      if (f.is_locked(static_cast<int>(i)) || f.n[i] < t) continue;
+      const Triangle& g = own.triangles[f.n[i]];
+      const std::uint32_t d = g.v[static_cast<std::size_t>(g.edge_to(t))];
+      wrong = right;
+      wrong[t] = {f.v[i], f.v[(i + 1) % 3], d};
+      wrong[f.n[i]] = {f.v[i], d, f.v[(i + 2) % 3]};
+      expect_own(wrong, "not Delaunay");
+      ++flipped;
+    }
+  }
+  EXPECT_GT(flipped, 5U);
+}
+
+TEST(TriangulateRegion, FindsItselfWhatMayBeOtherwise) {
+  const RegionBoundary square = testing::boundary_of({kSquare});
+  const Triples own = triples_of(triangulate_region(square.points, square.sides));
+  ASSERT_EQ(own.size(), 2U);
+  for (std::uint32_t first = 0; first < 2; ++first) {  // with either diagonal
+    Triples known{{0, 1, 2}, {0, 2, 3}};
+    std::vector<std::uint32_t> around{0};  // the corners counter-clockwise
+    while (around.size() < 4) {
+      for (const IndexPair& side : square.sides)
+        if (side[0] == around.back() && around.size() < 4) around.push_back(side[1]);
+    }
+    for (IndexTriple& t : known)
+      for (std::uint32_t& v : t) v = around[(v + first) % 4];
+    EXPECT_EQ(triples_of(triangulate_region(square.points, square.sides, known)), own);
+  }
+}
+
 }  // namespace
 }  // namespace cover

@@ -125,5 +125,23 @@ TEST(ShareOut, ARegionThatIsLeftOutIsAnError) {
   EXPECT_FALSE(cover_mesh(testing::checker(2, 2, 1), Options(), callbacks));
 }
 
+TEST(ShareOut, ALargeRegionIsTheSameWithoutWhatIsKnownOfIt) {
+  const Input star = testing::input_of(testing::smooth_star(60'000, 1));
+  Options options;
+  options.method = Method::almond;
+  Callbacks elsewhere;
+  elsewhere.share_out = half_elsewhere;
+  const auto away = cover_mesh(star, options, elsewhere);
+  ASSERT_TRUE(away);
+  const TriangleSoup found = triangle_soup(away->mesh);
+  for (const unsigned threads : {1U, 3U}) {
+    options.threads = threads;
+    const auto here = cover_mesh(star, options);
+    ASSERT_TRUE(here);
+    const TriangleSoup soup = triangle_soup(here->mesh);
+    EXPECT_TRUE(soup.points == found.points && soup.triangles == found.triangles) << threads;
+  }
+}
+
 }  // namespace
 }  // namespace cover

@@ -1,6 +1,9 @@
 #include "tasks/run_all.hpp"
 
+#include <algorithm>
 #include <atomic>
+#include <cstdint>
+#include <functional>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -9,6 +12,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "base/sort_by_team.hpp"
 
 namespace cover {
 namespace {
@@ -116,6 +121,18 @@ TEST(RunAll, RangesAreTheSameForAnyTeam) {
       });
     });
     for (const std::atomic<int>& count : calls) EXPECT_EQ(count, 1);
+  }
+}
+
+TEST(SortByTeam, SortsAsOneDoes) {
+  for (const std::size_t count : {0U, 1U, 70'000U, 200'003U}) {
+    std::vector<std::uint32_t> list(count);
+    std::uint32_t state = 1;
+    for (std::uint32_t& item : list) item = state = state * 1664525U + 1013904223U;
+    std::vector<std::uint32_t> sorted = list;
+    std::sort(sorted.begin(), sorted.end());
+    run_all(1, 3, [&](std::size_t, const Team& team) { sort_by_team(list, std::less(), team); });
+    EXPECT_TRUE(list == sorted) << count;
   }
 }
 

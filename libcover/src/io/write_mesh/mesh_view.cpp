@@ -75,6 +75,12 @@ bool is_before(const LineEdge& a, const LineEdge& b) {
          std::tuple(b.group, b.interface, b.marker, b.order);
 }
 
+/// Many lines are mostly one outline in its order.
+void sort_lines(std::vector<LineEdge>& lines) {
+  if (!std::is_sorted(lines.begin(), lines.end(), is_before))
+    std::sort(lines.begin(), lines.end(), is_before);
+}
+
 /// Names the groups of lines and tells of each line to which it belongs.
 class LineGroups {
  public:
@@ -128,7 +134,7 @@ Halfedge directed(const Mesh& mesh, const RegionTable& table, Edge edge) {
 void add_lines(const RegionTable& table, std::vector<LineEdge> lines, const WriteOptions& options,
                MeshView& view) {
   // Groups are numbered in this order, whichever lines are left out then.
-  std::sort(lines.begin(), lines.end(), is_before);
+  sort_lines(lines);
   LineGroups groups(table, view);
   for (const bool hull : {false, true}) {
     for (LineEdge& line : lines) {
@@ -137,7 +143,7 @@ void add_lines(const RegionTable& table, std::vector<LineEdge> lines, const Writ
     }
   }
   view.line_groups = groups.finish();
-  std::sort(lines.begin(), lines.end(), is_before);
+  sort_lines(lines);
   if (!options.inner_lines)
     std::erase_if(lines, [](const LineEdge& line) { return line.is_inner; });
   const bool second_order = options.order == 2;

@@ -14,6 +14,8 @@ namespace {
 /// Rounding slack of an allowance: the same triangle from another corner must not count as worse.
 constexpr double kSlack = 1e-12;
 
+constexpr std::size_t kRange = 1 << 15;  ///< triangles that are looked at in one go
+
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
@@ -88,7 +90,6 @@ bool MutableMesh::is_unforced() const {
 }
 
 void MutableMesh::measure_all(const Team& team) {
-  constexpr std::size_t kRange = 1 << 15;
   team.each_range(triangles.size(), kRange, [this](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       const auto t = static_cast<std::uint32_t>(k);
@@ -274,19 +275,23 @@ std::vector<std::uint32_t> MutableMesh::order_from_sides(std::vector<std::uint32
 }
 
 // There is most memory in use here, so one array is replaced after the other.
-void MutableMesh::arrange() {
+void MutableMesh::arrange(const Team& team) {
   give_back(home);
   std::vector<std::uint32_t> number;
   const std::vector<std::uint32_t> order = order_from_sides(number);
   std::vector<MeshTriangle> sorted(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    sorted[k] = triangles[order[k]];
-    for (std::uint32_t& n : sorted[k].n) n = is_side(n) ? n : number[n];
-  }
+  team.each_range(order.size(), kRange, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      sorted[k] = triangles[order[k]];
+      for (std::uint32_t& n : sorted[k].n) n = is_side(n) ? n : number[n];
+    }
+  });
   triangles = std::move(sorted);
   give_back(number);
   std::vector<double> sorted_excess(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) sorted_excess[k] = excess[order[k]];
+  team.each_range(order.size(), kRange, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) sorted_excess[k] = excess[order[k]];
+  });
   excess = std::move(sorted_excess);
   number_vertices();
   free_triangles_.clear();

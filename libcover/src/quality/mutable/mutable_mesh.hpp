@@ -163,7 +163,7 @@ class MutableMesh {
 
   /// Renumbers triangles and free vertices from the sides inwards, so that neighbours are near each
   /// other in memory and no holes are left.
-  void arrange();
+  void arrange(const Team& team = {});
 
   /// Whether exact arithmetic finds all triangles counter-clockwise.
   [[nodiscard]] bool is_valid() const;

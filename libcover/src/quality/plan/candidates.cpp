@@ -43,8 +43,8 @@ LocalFrame frame_of(const RegionBoundary& boundary, bool shifted) {
 
 /// With couplings first: those of sides count that no vertex of the boundary encroaches.
 std::vector<SideLimit> limits_of(const Triangulation& cdt, const AngleLimit& limit,
-                                 const Options& options) {
-  std::vector<SideLimit> limits = side_limits(cdt, limit.at);
+                                 const Options& options, const Team& team) {
+  std::vector<SideLimit> limits = side_limits(cdt, limit.at, team);
   if (minds_couplings(options)) mind_free_sides(cdt, limit.at, limits);
   return limits;
 }
@@ -64,11 +64,11 @@ Candidates::Candidates(const RegionBoundary& boundary, const Options& options,
       options_(options),
       sharing_(sharing),
       frame_(frame_of(boundary, shifted)),
-      proof_(
-          std::make_unique<RegionProof>(triangulate_region(frame_.take_points(), boundary.sides))),
+      proof_(std::make_unique<RegionProof>(triangulate_region(frame_.take_points(), boundary.sides,
+                                                              boundary.known_cdt, sharing.team))),
       cdt_(proof_->cdt()),
       limit_(angle_limit(cdt_, boundary.sides, boundary.segments)),
-      side_limits_(limits_of(cdt_, limit_, options)),
+      side_limits_(limits_of(cdt_, limit_, options, sharing.team)),
       goal_(goal_of(options, limit_)),
       sizes_(boundary, cdt_, options.growth, background_in_frame()),
       given_(kEvaluationsAtLeast + kEvaluationsPerVertex * boundary.points.size()),

@@ -391,7 +391,7 @@ void refine(MutableMesh& mesh, const RefineLimits& limits, SizeField sizes,
   } else {
     Refinement(mesh, limits, sizes).run();
   }
-  mesh.arrange();
+  mesh.arrange(sharing.team);
   mesh.measure_all(sharing.team);
 }
 
