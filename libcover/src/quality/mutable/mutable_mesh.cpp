@@ -155,9 +155,9 @@ void MutableMesh::link(std::uint32_t n, std::uint32_t a, std::uint32_t b, std::u
 }
 
 void MutableMesh::reserve_more(std::size_t more_triangles, std::size_t more_vertices) {
-  // A little more than that: whoever needs it would move all, and room that is not used costs
-  // nothing.
-  constexpr std::size_t kLittle = 32;
+  // A quarter more than that: whoever needs it would move all, and room that is not used costs
+  // nothing. (At borders of parts refinement adds more than a thirtieth.)
+  constexpr std::size_t kLittle = 4;
   const auto size_with = [](std::size_t size, std::size_t more, std::size_t spare) {
     return more > spare ? (size + more - spare) / kLittle * (kLittle + 1) + kLittle : size;
   };

@@ -34,17 +34,23 @@ constexpr int kBucketsPerBlock = 16;  ///< two per factor of two, in squared len
 /// Of a centre's distance from a corner, squared: rounding may take or add an eighth.
 constexpr double kMostMoved = 1.0 / 64;
 
+constexpr std::size_t kRange = 1 << 15;  ///< triangles that are looked at in one go
+constexpr std::size_t kSpare = 4;        ///< one in so many may be added before lists move
+
 constexpr std::size_t kLargeFan = 1024;  ///< triangles around a new vertex, queued in rounds
 
 class Refinement {
  public:
   /// REQUIRES: all outlive this
-  Refinement(MutableMesh& mesh, const RefineLimits& limits, SizeField& sizes)
-      : mesh_(mesh), limits_(limits), sizes_(sizes) {
+  Refinement(MutableMesh& mesh, const RefineLimits& limits, SizeField& sizes, const Team& team = {})
+      : mesh_(mesh), limits_(limits), sizes_(sizes), team_(team) {
     const double kappa = std::atan2(1.0, limits.smallest_cot);
     off_centre_ = 0.4 / std::tan(kappa / 2);  // 0.5: the new angle is kappa
-    stamp_.assign(mesh_.triangles.size(), 0);
-    guarded_.assign(mesh_.triangles.size(), 0);
+    const std::size_t count = mesh_.triangles.size();
+    stamp_.reserve(count + count / kSpare);
+    guarded_.reserve(count + count / kSpare);
+    stamp_.assign(count, 0);
+    guarded_.assign(count, 0);
     guard_forced();
     shortest_ = shortest_edge();
   }
@@ -98,24 +104,38 @@ class Refinement {
 
   /// Marks the triangles on sides whose apex angle is forced, and on edges of such triangles.
   void guard_forced() {
+    std::vector<std::vector<std::uint32_t>> on_sides(Team::ranges(mesh_.triangles.size(), kRange));
+    team_.each_range(mesh_.triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+      for (std::size_t t = first; t < last; ++t) {
+        if (is_forced(static_cast<std::uint32_t>(t)))
+          on_sides[first / kRange].push_back(static_cast<std::uint32_t>(t));
+      }
+    });
     std::vector<std::uint32_t> stack;
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) stack.push_back(t);
-    while (!stack.empty()) {
-      const std::uint32_t t = stack.back();
-      stack.pop_back();
-      if (guarded_[t] != 0) continue;
-      for (int i = 0; i < 3; ++i) {
-        const std::uint32_t n = mesh_.triangles[t].n[at(i)];
-        if (is_side(n) ? is_border(n) : guarded_[n] == 0) continue;
-        const Corners k(mesh_.corner(t, i), mesh_.corner(t, next3(i)), mesh_.corner(t, prev3(i)));
-        if (-k.dot[0] <= mesh_.goal().large * k.cross) continue;
+    for (const std::vector<std::uint32_t>& some : on_sides) {
+      stack.insert(stack.end(), some.begin(), some.end());
+      while (!stack.empty()) {
+        const std::uint32_t t = stack.back();
+        stack.pop_back();
+        if (guarded_[t] != 0 || !is_forced(t)) continue;
         guarded_[t] = 1;
         for (const std::uint32_t other : mesh_.triangles[t].n) {
           if (!is_side(other)) stack.push_back(other);
         }
-        break;
       }
     }
+  }
+
+  /// Whether a side, or a triangle that is guarded, sees its corner opposite at more than the goal.
+  [[nodiscard]] bool is_forced(std::uint32_t t) const {
+    if (mesh_.is_hole(t)) return false;
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t n = mesh_.triangles[t].n[at(i)];
+      if (is_side(n) ? is_border(n) : guarded_[n] == 0) continue;
+      const Corners k(mesh_.corner(t, i), mesh_.corner(t, next3(i)), mesh_.corner(t, prev3(i)));
+      if (-k.dot[0] > mesh_.goal().large * k.cross) return true;
+    }
+    return false;
   }
 
   [[nodiscard]] bool is_border(std::uint32_t n) const {
@@ -178,14 +198,20 @@ class Refinement {
 
   /// The squared length of the shortest edge, as half_octave() measures it.
   [[nodiscard]] int shortest_edge() const {
-    double shortest2 = kInverted;
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      for (int i = 0; i < 3; ++i) {
-        shortest2 = std::min(shortest2,
-                             squared_length(mesh_.corner(t, prev3(i)) - mesh_.corner(t, next3(i))));
+    std::vector<double> shortest2(Team::ranges(mesh_.triangles.size(), kRange), kInverted);
+    team_.each_range(mesh_.triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+      double& own = shortest2[first / kRange];
+      for (std::size_t k = first; k < last; ++k) {
+        const auto t = static_cast<std::uint32_t>(k);
+        if (mesh_.is_hole(t)) continue;
+        for (int i = 0; i < 3; ++i) {
+          own =
+              std::min(own, squared_length(mesh_.corner(t, prev3(i)) - mesh_.corner(t, next3(i))));
+        }
       }
-    }
-    return half_octave(shortest2);
+    });
+    if (shortest2.empty()) return half_octave(kInverted);
+    return half_octave(*std::min_element(shortest2.begin(), shortest2.end()));
   }
 
   /// The circumcentre of `t`, or the off-centre of its shortest edge where that is nearer. Nothing
@@ -330,6 +356,7 @@ class Refinement {
   MutableMesh& mesh_;
   RefineLimits limits_;
   SizeField& sizes_;
+  const Team team_;
   double off_centre_ = 0;
   BucketQueue<Entry> waiting_;  ///< whole blocks apart, in the order in which they came
   BucketQueue<Entry> block_;    ///< what is worked on, with all that comes from it
@@ -379,7 +406,7 @@ void refine_in_blocks(MutableMesh& mesh, const RefineLimits& limits, SizeField& 
     result = {};
   };
   work_in_blocks(mesh, sharing, work, collect);
-  Refinement(mesh, limits, sizes).run(waiting);
+  Refinement(mesh, limits, sizes, sharing.team).run(waiting);
 }
 
 }  // namespace
