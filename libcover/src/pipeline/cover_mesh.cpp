@@ -36,7 +36,7 @@ namespace {
 
 /// One piece of work per region.
 Status split(Work& work, const Options& options, bool memory_counts,
-             std::span<const TriangulatedRegion> large) {
+             std::span<TriangulatedRegion> large) {
   return by_team("split", worker_count(options), [&](const Team& team) -> Status {
     auto pieces = pieces_of_work(work.pslg, work.table, options, team);
     if (!pieces) return std::move(pieces).error();

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,8 +39,13 @@ struct RegionBoundary {
   /// Part of a region, whose bound counts for both: what misses its own gets no almonds.
   bool is_part = false;
   /// The triangles of triangulate_region(), or what they were before something was changed; of
-  /// large regions, where they were found on the way. Only time depends on them.
-  std::vector<IndexTriple> known_cdt{};
+  /// large regions, where they were found on the way. Only time depends on them: who is the last to
+  /// need them may empty the list, which copies have in common.
+  std::shared_ptr<std::vector<IndexTriple>> known_cdt{};
+
+  [[nodiscard]] std::span<const IndexTriple> known_triangles() const {
+    return known_cdt ? *known_cdt : std::span<const IndexTriple>();
+  }
 };
 
 }  // namespace cover

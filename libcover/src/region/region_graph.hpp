@@ -42,9 +42,9 @@ Result<RegionTable> build_region_table(const Pslg& pslg, const Options& options,
 std::vector<RegionBoundary> split_regions(const Pslg& pslg, const RegionTable& table,
                                           const Team& team = {});
 
-/// Tells the boundaries of large regions their triangles (RegionBoundary::known_cdt), if the points
-/// are still what they were.
-void add_known_triangles(std::span<const TriangulatedRegion> large, std::size_t points,
+/// Hands their triangles over to the boundaries of large regions (RegionBoundary::known_cdt), if
+/// the points are still what they were.
+void add_known_triangles(std::span<TriangulatedRegion> large, std::size_t points,
                          std::span<RegionBoundary> boundaries);
 
 }  // namespace cover

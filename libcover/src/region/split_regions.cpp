@@ -121,10 +121,10 @@ std::vector<RegionBoundary> split_regions(const Pslg& pslg, const RegionTable& t
   return out;
 }
 
-void add_known_triangles(std::span<const TriangulatedRegion> large, std::size_t points,
+void add_known_triangles(std::span<TriangulatedRegion> large, std::size_t points,
                          std::span<RegionBoundary> boundaries) {
   std::vector<std::uint32_t> local;
-  for (const TriangulatedRegion& region : large) {
+  for (TriangulatedRegion& region : large) {
     RegionBoundary& boundary = boundaries[region.id.index() - 1];
     if (boundary.points.size() < kLargeRegion) continue;
     local.assign(points, kNone);
@@ -135,10 +135,11 @@ void add_known_triangles(std::span<const TriangulatedRegion> large, std::size_t 
                          [&](std::uint32_t v) { return v < points && local[v] != kNone; });
     };
     if (!std::all_of(region.triangles.begin(), region.triangles.end(), in_region)) continue;
-    boundary.known_cdt = region.triangles;
-    for (IndexTriple& t : boundary.known_cdt)
+    std::vector<IndexTriple> known = std::move(region.triangles);
+    for (IndexTriple& t : known)
       for (std::uint32_t& v : t) v = local[v];
-    put_in_order(boundary.points.size(), boundary.known_cdt);
+    put_in_order(boundary.points.size(), known);
+    boundary.known_cdt = std::make_shared<std::vector<IndexTriple>>(std::move(known));
   }
 }
 

@@ -43,7 +43,7 @@ using KnownProof = std::unique_ptr<RegionProof>;
 KnownProof proof_of(const RegionBoundary& boundary) {
   if (boundary.points.size() >= kLargeRegion)
     return std::make_unique<RegionProof>(
-        triangulate_region(boundary.points, boundary.sides, boundary.known_cdt));
+        triangulate_region(boundary.points, boundary.sides, boundary.known_triangles()));
   return std::make_unique<RegionProof>(
       triangulate_domain(boundary.points, boundary.sides).triangulation);
 }
@@ -109,7 +109,8 @@ RegionMesh by_almonds(const RegionBoundary& boundary, const Options& options,
 /// The constrained Delaunay triangulation, which no rounding can break.
 RegionMesh plain_region(const RegionBoundary& boundary, const Options&, const std::stop_token&,
                         const Team&, KnownProof&) {
-  const Triangulation cdt = triangulate_region(boundary.points, boundary.sides, boundary.known_cdt);
+  const Triangulation cdt =
+      triangulate_region(boundary.points, boundary.sides, boundary.known_triangles());
   RegionMesh mesh;
   mesh.report.id = boundary.id;
   mesh.report.method = "cdt";

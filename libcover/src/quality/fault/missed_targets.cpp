@@ -154,7 +154,8 @@ std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& 
 
 void report_again(const RegionBoundary& boundary, const Options& options, bool budget_used_up,
                   RegionMesh& mesh) {
-  const Triangulation cdt = triangulate_region(boundary.points, boundary.sides, boundary.known_cdt);
+  const Triangulation cdt =
+      triangulate_region(boundary.points, boundary.sides, boundary.known_triangles());
   const AngleLimit limit = angle_limit(cdt, boundary.sides, boundary.segments);
   const Triangulation all = with_neighbours(all_points(boundary, mesh), mesh.triangles);
   MutableMesh mutable_mesh(all, static_cast<std::uint32_t>(boundary.points.size()),
