@@ -12,6 +12,9 @@ namespace {
 
 /// A piece as long as allowed must not fall to rounding: the last 0.3 % of nu(A) are not used.
 constexpr double kSpare = 0.003;
+/// In theory pieces have a sixth at least; angles of almonds that are no normal numbers have no
+/// digits to tell.
+constexpr double kShortestPiece = 1.0 / 64;
 
 double piece_limit(double k, double nu) {
   // arccos(cos a / cos b) with a + b = nu, a - b = k nu, without the cancellation where nu is tiny.
@@ -96,7 +99,7 @@ double CutRule::longest_piece(double almond_nu) const {
   if (paper) return 1.0 / pieces;
   const double needed = nu / almond_nu + kSpare;
   if (piece_limit(kPaperCentre, almond_nu) - needed >= 0.5) return 0.5;
-  return std::min(kCentre, piece_limit(kCentre, almond_nu) - needed);
+  return std::max(kShortestPiece, std::min(kCentre, piece_limit(kCentre, almond_nu) - needed));
 }
 
 bool CutRule::is_kept_by(Point a, Point b, Point c) const {

@@ -56,5 +56,16 @@ TEST(LongestPiece, IsTheProvenConstantWhereNothingIsToSpare) {
   }
 }
 
+TEST(LongestPiece, IsNeverNextToNothing) {
+  // Angles beside coordinates that are no normal numbers; with them an arc had 1e9 pieces.
+  CutRule rule;
+  for (const double almond_nu : {5e-324, 1e-320, 1e-308}) {
+    for (const double nu : {5e-324, 1e-320, 1e-308, 1e-3}) {
+      rule.nu = nu;
+      EXPECT_GE(rule.longest_piece(almond_nu), 1.0 / 64) << almond_nu << ", " << nu;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cover
