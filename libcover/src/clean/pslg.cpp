@@ -171,7 +171,6 @@ Result<Pslg> clean_up_unless_endless(const Input& input, const Options& options,
         {cascade.where()},
         {}};
   } catch (const TooManyCrossings& crossings) {
-    constexpr double kGigabyte = 1e9;
     return Error{
         ErrorCode::out_of_memory,
         fmt::format("{}: the lines cross each other at more than {:.2g} places, which takes more "

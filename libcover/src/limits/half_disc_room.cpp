@@ -15,6 +15,7 @@
 #include "limits/half_disc_room.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -81,7 +82,7 @@ struct HalfDiscRoom::Search {
   std::vector<std::uint32_t> sides;  ///< that meet the first box
   std::vector<bool> is_used;         ///< by side: its disc covers a box
   Box box;                           ///< the first one
-  std::size_t discs_left;            ///< whose walls may still be looked for
+  std::size_t discs_left = 0;        ///< whose walls may still be looked for
 };
 
 HalfDiscRoom::HalfDiscRoom(std::span<const Point> points, std::span<const IndexPair> sides,
@@ -126,13 +127,11 @@ std::vector<std::uint32_t> HalfDiscRoom::walls_of(const Disc& disc) const {
   const IndexPair own = sides_[disc.side];
   const Point a = start(disc.side), b = end(disc.side);
   const double reach = disc.radius * (1 + 2 * kMargin);
-  const auto is_far = [&](Point p, Point q) {  // most sides are
-    return std::max(p.x, q.x) < disc.middle.x - reach ||
-           std::min(p.x, q.x) > disc.middle.x + reach ||
-           std::max(p.y, q.y) < disc.middle.y - reach || std::min(p.y, q.y) > disc.middle.y + reach;
-  };
+  const Point m = disc.middle;
+  const Box around{{m.x - reach, m.y - reach}, {m.x + reach, m.y + reach}};
   for (std::uint32_t s = 0; s < sides_.size(); ++s) {
-    if (s == disc.side || is_far(start(s), end(s)) ||
+    // Most sides are far from it.
+    if (s == disc.side || !box_of(std::array{start(s), end(s)}).meets(around) ||
         distance_to(start(s), end(s), disc.middle) > disc.radius * (1 + kMargin))
       continue;
     if (orientation(a, b, start(s)) != Sign::positive &&
@@ -154,9 +153,8 @@ std::vector<std::uint32_t> HalfDiscRoom::walls_of(const Disc& disc) const {
 HalfDiscRoom::Search HalfDiscRoom::begin(const std::array<Point, 3>& corners,
                                          std::span<const std::uint32_t> first) const {
   const Circle circle = circle_through(corners);
-  Search search{circle, {},
-                {},     std::vector<bool>(sides_.size(), false),
-                {},     kMostWorkOnWalls / sides_.size()};
+  Search search{circle, {}, {}, std::vector<bool>(sides_.size(), false), {}};
+  search.discs_left = kMostWorkOnWalls / sides_.size();
   Box region = box_of(points_);
   const Point m = circle.middle;
   const double r = circle.radius * (1 + kMargin);

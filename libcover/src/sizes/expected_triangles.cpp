@@ -34,7 +34,6 @@ constexpr int kDeepest = 20;
 constexpr double kBytesPerTriangle = 168;
 constexpr double kBytesPerSide = 400;  ///< of the input and its regions
 constexpr double kBytesAtFirst = 3e7;  ///< of the program and its libraries
-constexpr double kGigabyte = 1e9;
 /// Estimates are a third too high at the most: see tests/unit/pipeline/estimate_test.cpp.
 constexpr double kSurely = 2.0 / 3;
 

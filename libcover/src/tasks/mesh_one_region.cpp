@@ -41,7 +41,7 @@ constexpr std::size_t kManyTriangles = 100'000;
 using KnownProof = std::unique_ptr<RegionProof>;
 
 KnownProof proof_of(const RegionBoundary& boundary) {
-  if (boundary.points.size() >= kLargeRegion)
+  if (boundary.points.size() >= kLargeRegion)  // of others nothing is known
     return std::make_unique<RegionProof>(
         triangulate_region(boundary.points, boundary.sides, boundary.known_triangles()));
   return std::make_unique<RegionProof>(

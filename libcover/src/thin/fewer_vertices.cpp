@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "base/random.hpp"
 #include "geom/vector.hpp"
@@ -26,9 +27,8 @@ constexpr int kMostTaken = 12;        ///< vertices around a triangle that nothi
 constexpr std::size_t kMostAnew = 8;  ///< vertices near a triangle that are put elsewhere
 constexpr double kRatherStays = 0.2;  ///< cost of a vertex that was put where it is on purpose
 constexpr int kInVain = 8;  ///< steps that make nothing better, and one for each new vertex
-constexpr int kLongestDrive = 1'000;     ///< cuts from wall to wall
-constexpr std::size_t kMostDriven = 64;  ///< more bad triangles than before, on the way
-constexpr std::uint64_t kRemoval = 4;    ///< places that could be tried meanwhile
+constexpr int kLongestDrive = 1'000;   ///< cuts from wall to wall
+constexpr std::uint64_t kRemoval = 4;  ///< places that could be tried meanwhile
 
 /// What may be tuned.
 struct Tuning {
@@ -153,7 +153,7 @@ class Thinner {
   /// `tries`: how many of kMore.
   void mend_with(std::size_t tries) {
     for (std::uint32_t t = 0; mesh_.bad() > 0 && t < mesh_.triangles().size() && !is_over(); ++t) {
-      if (mesh_.triangles()[t].v[0] == kNone || mesh_.triangles()[t].cost == 0) continue;
+      if (!is_bad(t)) continue;
       const std::size_t before = mesh_.bad();
       most_grave_ = mesh_.grave();
       spares_.clear();
@@ -177,17 +177,22 @@ class Thinner {
     return mesh_.triangles()[t].v[0] != kNone && mesh_.triangles()[t].cost > 0;
   }
 
-  /// Whether it is a vertex inside that a piece is seen from at more than a right angle.
-  [[nodiscard]] bool is_bad_by_a_movable(std::uint32_t t) const {
-    if (!is_bad(t) || is_grave(t)) return false;
+  /// The corner that sees a piece opposite to it at more than a right angle; nothing if none does.
+  [[nodiscard]] std::optional<std::size_t> corner_over_a_piece(std::uint32_t t) const {
     const MeshWithUndo::Triangle& triangle = mesh_.triangles()[t];
     for (std::size_t i = 0; i < 3; ++i) {
       const Point apex = mesh_.at(triangle.v[i]), a = mesh_.at(triangle.v[(i + 1) % 3]),
                   b = mesh_.at(triangle.v[(i + 2) % 3]);
-      if (triangle.line[i] != ConformingMesh::kInside && dot(a - apex, b - apex) < 0)
-        return mesh_.is_movable(triangle.v[i]);
+      if (triangle.line[i] != ConformingMesh::kInside && dot(a - apex, b - apex) < 0) return i;
     }
-    return false;
+    return std::nullopt;
+  }
+
+  /// Whether it is a vertex inside that a piece is seen from at more than a right angle.
+  [[nodiscard]] bool is_bad_by_a_movable(std::uint32_t t) const {
+    if (!is_bad(t) || is_grave(t)) return false;
+    const auto corner = corner_over_a_piece(t);
+    return corner && mesh_.is_movable(mesh_.triangles()[t].v[*corner]);
   }
 
   /// A triangle that is gravely bad at least becomes one with a wrong sign of a coupling at a
@@ -214,6 +219,7 @@ class Thinner {
     most_signs_ = kNone;
   }
 
+  /// By cuts through whole layers, or else by others in place of vertices that are near.
   void mend_in_any_way(std::uint32_t t) {
     const std::size_t allowed = mesh_.bad() - 1;
     most_grave_ = mesh_.grave();
@@ -226,13 +232,12 @@ class Thinner {
   /// so on: through thin layers, wall by wall, to where there is room. If that and a few vertices
   /// more leave no more than `allowed` bad triangles, it stays.
   bool drive_out(std::size_t allowed) {
-    Action action;
     spares_.clear();
     starts_.clear();
     for (int step = 0; step < kLongestDrive && !is_over(); ++step) {
       if (is_fine(allowed)) return true;
-      action = {};
-      if (!foot_of_a_blunt_corner(action) || mesh_.insert(action.spot) == kNone) break;
+      const std::optional<Spot> foot = foot_of_a_blunt_corner();
+      if (!foot || mesh_.insert(*foot) == kNone) break;
     }
     if (repair(allowed, kMore.back(), 6 * kMore.back())) return true;
     mesh_.undo(0);
@@ -240,29 +245,23 @@ class Thinner {
   }
 
   /// Of the worst bad triangle that has one opposite to a piece, among those of this attempt.
-  bool foot_of_a_blunt_corner(Action& action) {
+  std::optional<Spot> foot_of_a_blunt_corner() {
     std::vector<std::uint32_t> places = mesh_.written_since(0);
     places.push_back(focus_);
+    std::optional<Spot> foot;
     double worst = 0;
     for (const std::uint32_t t : places) {
       if (!is_bad(t) || mesh_.triangles()[t].cost <= worst) continue;
-      const MeshWithUndo::Triangle& triangle = mesh_.triangles()[t];
-      for (int i = 0; i < 3; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        const Point apex = mesh_.at(triangle.v[k]);
-        if (triangle.line[k] == ConformingMesh::kInside ||
-            dot(mesh_.at(triangle.v[(k + 1) % 3]) - apex,
-                mesh_.at(triangle.v[(k + 2) % 3]) - apex) >= 0)
-          continue;
-        const Spot spot = mesh_.on_line(apex, t, i);
-        spend(1);
-        const double change = spot.triangle == kNone ? kInfinite : mesh_.change_with(spot);
-        if (!(change < kInfinite)) continue;
-        worst = triangle.cost;
-        action = {mesh_.cost() + change, kNone, spot};
-      }
+      const auto corner = corner_over_a_piece(t);
+      if (!corner) continue;
+      const Point apex = mesh_.at(mesh_.triangles()[t].v[*corner]);
+      const Spot spot = mesh_.on_line(apex, t, static_cast<int>(*corner));
+      spend(1);
+      if (spot.triangle == kNone || !(mesh_.change_with(spot) < kInfinite)) continue;
+      worst = mesh_.triangles()[t].cost;
+      foot = spot;
     }
-    return action.cost < kInfinite;
+    return foot;
   }
 
   /// Takes some vertices near a triangle away and puts others there, many times.
@@ -621,7 +620,7 @@ class Thinner {
   Tuning tuning_;
   Random random_;
   std::uint64_t left_ = 0, left_to_mend_ = 0;
-  std::size_t most_beyond_;
+  std::size_t most_beyond_;  ///< triangles that may be worse than any should be
   std::size_t most_grave_ = 0;
   std::size_t most_signs_ = kNone;     ///< triangles that are bad, but not gravely
   std::uint32_t focus_ = kNone;        ///< a triangle that is to be mended

@@ -129,7 +129,8 @@ double MeshWithUndo::cost_of(const std::array<Point, 3>& p, const std::array<boo
   }
   const double allowed = wanted.largest_cot * doubled_area;
   if (allowed > 0 && sharp > allowed) cost += kBadAtLeast + 1 - allowed / sharp;
-  if (blunt < wanted.worst_cot * doubled_area) cost += kBeyondWorst;
+  // Flat by rounding: any angle is worse than that, but where none is asked for.
+  if (blunt < wanted.worst_cot * std::max(doubled_area, 0.0)) cost += kBeyondWorst;
   return cost;
 }
 
