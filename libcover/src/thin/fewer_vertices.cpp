@@ -23,9 +23,10 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMostNeighbours = 64;
 constexpr std::array<int, 6> kMore{1, 2, 4, 8, 16, 32};  ///< vertices that mend a bad triangle
 constexpr std::size_t kFew = 3;                          ///< of them, at first
-constexpr int kMostTaken = 12;        ///< vertices around a triangle that nothing else mends
-constexpr std::size_t kMostAnew = 8;  ///< vertices near a triangle that are put elsewhere
-constexpr double kRatherStays = 0.2;  ///< cost of a vertex that was put where it is on purpose
+constexpr std::size_t kForOneBeyond = 4;  ///< bad triangles in place of one beyond the worst
+constexpr int kMostTaken = 12;            ///< vertices around a triangle that nothing else mends
+constexpr std::size_t kMostAnew = 8;      ///< vertices near a triangle that are put elsewhere
+constexpr double kRatherStays = 0.2;      ///< cost of a vertex that was put where it is on purpose
 constexpr int kInVain = 8;  ///< steps that make nothing better, and one for each new vertex
 constexpr int kLongestDrive = 1'000;   ///< cuts from wall to wall
 constexpr std::uint64_t kRemoval = 4;  ///< places that could be tried meanwhile
@@ -60,6 +61,7 @@ class Thinner {
   Thinned run_on_what_is_left() {
     Thinned thinned{mesh_.bad(), 0};
     left_ = places_to_mend();
+    mend_beyond_worst();
     for (std::size_t before = mesh_.bad() + 1; mesh_.bad() < before && !is_over();) {
       before = mesh_.bad();
       mend_with(kMore.size());
@@ -143,10 +145,25 @@ class Thinner {
     }
   }
 
+  /// Triangles that are worse than any may be, for a few more that are only bad: there are some
+  /// where the mesh before was not Delaunay.
+  void mend_beyond_worst() {
+    for (std::uint32_t t = 0; most_beyond_ > 0 && t < mesh_.triangles().size() && !is_over(); ++t) {
+      const MeshWithUndo::Triangle& triangle = mesh_.triangles()[t];
+      if (triangle.v[0] == kNone || !MeshWithUndo::is_beyond_worst(triangle)) continue;
+      --most_beyond_;
+      most_grave_ = mesh_.grave() + kForOneBeyond;
+      if (!repair_with(t, mesh_.bad() + kForOneBeyond, kMore.size())) ++most_beyond_;
+      keep();
+    }
+    focus_ = kNone;
+  }
+
   /// Bad triangles, where a few more vertices help: first those that few help, as they may be many.
   void mend() {
     std::swap(left_, left_to_mend_);
     for (const std::size_t more : {kFew, kMore.size()}) mend_with(more);
+    mend_beyond_worst();
     std::swap(left_, left_to_mend_);
   }
 
@@ -156,16 +173,22 @@ class Thinner {
       if (!is_bad(t)) continue;
       const std::size_t before = mesh_.bad();
       most_grave_ = mesh_.grave();
-      spares_.clear();
-      starts_.clear();
-      for (std::size_t k = 0; k < tries; ++k) {
-        focus_ = t;
-        if (repair(before - 1, kMore[k], 12 + 6 * kMore[k])) break;
-        mesh_.undo(0);
-      }
+      repair_with(t, before - 1, tries);
       keep();
     }
     focus_ = kNone;
+  }
+
+  /// From triangle `t` on, with ever more vertices; changes nothing if that is not enough.
+  bool repair_with(std::uint32_t t, std::size_t allowed, std::size_t tries) {
+    spares_.clear();
+    starts_.clear();
+    for (std::size_t k = 0; k < tries; ++k) {
+      focus_ = t;
+      if (repair(allowed, kMore[k], 12 + 6 * kMore[k])) return true;
+      mesh_.undo(0);
+    }
+    return false;
   }
 
   [[nodiscard]] bool is_grave(std::uint32_t t) const {

@@ -142,17 +142,19 @@ double MeshWithUndo::cost_of(const Triangle& t) const {
 
 bool MeshWithUndo::is_grave(const Triangle& t) { return t.cost > kBadBySign; }
 
+bool MeshWithUndo::is_beyond_worst(const Triangle& t) { return t.cost >= kBeyondWorst; }
+
 void MeshWithUndo::count(const Triangle& t) {
   bad_ += t.cost > 0 ? 1 : 0;
   grave_ += is_grave(t) ? 1 : 0;
-  beyond_worst_ += t.cost >= kBeyondWorst ? 1 : 0;
+  beyond_worst_ += is_beyond_worst(t) ? 1 : 0;
   cost_ += t.cost;
 }
 
 void MeshWithUndo::discount(const Triangle& t) {
   bad_ -= t.cost > 0 ? 1 : 0;
   grave_ -= is_grave(t) ? 1 : 0;
-  beyond_worst_ -= t.cost >= kBeyondWorst ? 1 : 0;
+  beyond_worst_ -= is_beyond_worst(t) ? 1 : 0;
   cost_ -= t.cost;
 }
 

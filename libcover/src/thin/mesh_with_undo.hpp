@@ -79,6 +79,7 @@ class MeshWithUndo {
   [[nodiscard]] std::size_t grave() const { return grave_; }
   [[nodiscard]] static bool is_grave(const Triangle& t);
   [[nodiscard]] std::size_t beyond_worst() const { return beyond_worst_; }  ///< triangles
+  [[nodiscard]] static bool is_beyond_worst(const Triangle& t);
   [[nodiscard]] double cost() const { return cost_; }  ///< sum over bad triangles
 
   /// All steps up to here can be taken back together.

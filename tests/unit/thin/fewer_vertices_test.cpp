@@ -97,6 +97,25 @@ TEST(FewerVertices, ObtuseTrianglesAreMended) {
   EXPECT_EQ(after.points[3], (Point{2, 0}));
 }
 
+TEST(FewerVertices, WhatIsWorseThanAnyMayBeGoesForWhatIsOnlyBad) {
+  ConformingMesh flat;  // 157 degrees at the top, 11 at both ends, which nothing makes larger
+  flat.points = {{0, 0}, {4, 0}, {2, 0.4}};
+  flat.line.assign(3, kFixed);
+  flat.lines = {{{0, 0}, {4, 0}}, {{4, 0}, {2, 0.4}}, {{2, 0.4}, {0, 0}}};
+  flat.pieces = {{0, 1, 0}, {1, 2, 1}, {2, 0, 2}};
+  flat.triangles = {{0, 1, 2}};
+  flat.region = {0};
+  const double cot_of_30 = 1.7320508, cot_of_120 = -0.5773503;
+  MeshWithUndo mesh(flat, {{cot_of_30, 0, false, cot_of_120}});
+  EXPECT_EQ(mesh.beyond_worst(), 1u);
+  thin_mesh(mesh, kEffort);
+  EXPECT_EQ(mesh.beyond_worst(), 0u);
+  EXPECT_EQ(mesh.bad(), 2u);
+  MeshWithUndo any(flat, {{cot_of_30}});  // one bad triangle is better than two
+  thin_mesh(any, kEffort);
+  EXPECT_EQ(any.bad(), 1u);
+}
+
 TEST(FewerVertices, MoreEffortIsNotWorse) {
   const ConformingMesh before = grid(9, 9, 3);
   std::size_t last = movable(before);
