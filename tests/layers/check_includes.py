@@ -47,6 +47,8 @@ def faults(root, path, layer):
             yield number, f'<{name}>: dxflib belongs in dxf'
         if re.match(r'(ogr|cpl_|gdal)\w*\.h$', name) and layer != 'gdal':
             yield number, f'<{name}>: GDAL belongs in gdal'
+        if name in ('fmt/format.h', 'fmt/ranges.h'):
+            yield number, f'<{name}>: each unit would compile all of fmt again, for 4 s; <fmt/core.h> calls its library'
         if re.match(r'vtk\w+\.h', name) and layer != 'vtk' and path.name != 'vtk_cover_mesh.hpp':
             yield number, f'<{name}>: VTK belongs in vtk'
 

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <random>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <cover/verify.hpp>
 
 #include "support/inputs.hpp"

@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cover/mesh.hpp>
 #include <cover/verify.hpp>

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "geom/predicates.hpp"
 #include "support/shapes.hpp"

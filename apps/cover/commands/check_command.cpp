@@ -3,7 +3,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <cover/check_in_parts.hpp>
 #include <cover/cover_mesh.hpp>
@@ -293,7 +293,7 @@ struct CheckCommand {
     app.footer(kFooter);
     input.add(app)->required();
     app.add_option("mesh", mesh_path,
-                   fmt::format("Mesh of any tool: .vtm, {}", fmt::join(mesh_formats(), ", ")))
+                   fmt::format("Mesh of any tool: .vtm, {}", listed(mesh_formats())))
         ->type_name("")
         ->required();
     app.add_flag("--allow-split", verify.allow_split,

@@ -1,7 +1,9 @@
 // cover convert: a mesh that cover wrote, in another format.
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <cover/read_mesh.hpp>
+
+#include <cover/text.hpp>
 
 #include "commands/commands.hpp"
 #include "commands/format_options.hpp"
@@ -29,7 +31,7 @@ Examples:
   FormatOptions formats;
   Verbosity verbosity;
   app.add_option("mesh", path,
-                 fmt::format("Mesh that cover wrote: .vtm, {}", fmt::join(mesh_formats(), ", ")))
+                 fmt::format("Mesh that cover wrote: .vtm, {}", listed(mesh_formats())))
       ->type_name("MESH")
       ->required();
   app.add_option(

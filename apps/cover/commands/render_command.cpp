@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <cover/picture.hpp>
 #include <cover/read_mesh.hpp>
@@ -68,7 +68,7 @@ int run_render(Arguments arguments) {
   bool no_edges = false;
   app.add_option("mesh", path,
                  fmt::format("Mesh to draw: .vtm, {}; names from the .vtm or .json beside it",
-                             fmt::join(mesh_formats(), ", ")))
+                             listed(mesh_formats())))
       ->type_name("")
       ->required();
   app.add_option("-o,--output", outputs, "Picture to write (.svg, .png); '-' is stdout")

@@ -8,9 +8,11 @@
 #include <string_view>
 #include <system_error>
 
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <cover/join_inputs.hpp>
+
+#include <cover/text.hpp>
 
 #include "read_geometry.hpp"
 
@@ -56,7 +58,7 @@ CLI::Option* GeometryFile::add(CLI::App& command, bool several) {
   return input->type_name("");
 }
 
-std::string GeometryFile::path() const { return fmt::format("{}", fmt::join(paths_, ", ")); }
+std::string GeometryFile::path() const { return listed(paths_); }
 
 std::vector<NamedFile> GeometryFile::read_files() const {
   std::vector<NamedFile> files;

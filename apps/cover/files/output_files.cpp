@@ -6,10 +6,11 @@
 #include <filesystem>
 #include <memory>
 
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <cover/files.hpp>
 #include <cover/picture.hpp>
+#include <cover/text.hpp>
 #include <cover/write_mesh.hpp>
 
 #include "page/html_report.hpp"
@@ -59,7 +60,7 @@ const std::vector<Format>& report_formats(int order) {
 std::string extensions(const std::vector<Format>& formats) {
   std::vector<std::string> names;
   for (const Format& format : formats) names.push_back(format.extension);
-  return fmt::format("{}", fmt::join(names, ", "));
+  return listed(names);
 }
 
 Result<Writer> find(const std::vector<Format>& formats, const std::string& path) {
@@ -131,7 +132,7 @@ Result<Writer> report_writer(const std::string& path, int order) {
 }
 
 std::string mesh_extensions() {
-  return fmt::format("{}, {}", fmt::join(write_formats(), ", "), extensions(picture_formats()));
+  return fmt::format("{}, {}", listed(write_formats()), extensions(picture_formats()));
 }
 
 Status write_to(const std::string& path, const std::string& extension,

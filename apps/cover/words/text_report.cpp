@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <cover/curved_mesh.hpp>
 #include <cover/text.hpp>
@@ -293,7 +293,9 @@ std::string markers(const Pslg& pslg, const Interface& line) {
   std::set<int> seen;
   for (const SegmentId id : line.segments) seen.insert(pslg.segments[id.index()].marker);
   seen.erase(0);
-  return fmt::format("{}", fmt::join(seen, ", "));
+  std::vector<std::string> texts;
+  for (const int marker : seen) texts.push_back(fmt::format("{}", marker));
+  return listed(texts);
 }
 
 std::string region_name(const RegionTable& table, RegionId id) {

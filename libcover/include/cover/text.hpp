@@ -24,6 +24,9 @@ std::string describe(Point p);
 /// "interface", "outline", "slit", "contact".
 std::string describe(InterfaceKind kind);
 
+/// The items with `separator` between them.
+std::string listed(std::span<const std::string> items, std::string_view separator = ", ");
+
 /// "1 segment", "3 segments".
 std::string counted(std::size_t n, std::string_view singular);
 

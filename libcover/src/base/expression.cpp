@@ -9,8 +9,9 @@
 #include <numbers>
 #include <optional>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
+
+#include <cover/text.hpp>
 
 #include "base/faults/errors.hpp"
 
@@ -177,7 +178,7 @@ class ExpressionParser {
       return add(Operation::name, 0, static_cast<std::uint32_t>(found - names_.begin()));
     if (name == "pi") return add(Operation::number, std::numbers::pi);
     fail(at, fmt::format("there is no '{}'; there are {}{}pi, and functions of something in ( )",
-                         name, fmt::join(names_, ", "), names_.empty() ? "" : ", "));
+                         name, listed(names_), names_.empty() ? "" : ", "));
   }
 
   static std::string function_names() {

@@ -9,9 +9,9 @@
 #include <numbers>
 #include <set>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
+#include <cover/text.hpp>
 #include <cover/units.hpp>
 
 #include "base/faults/out_of_memory.hpp"
@@ -287,8 +287,8 @@ class DxfConverter {
       warn(other_texts_,
            "texts are left out; --label-layer makes names of regions of those on one layer");
     if (!placed_.missing.empty())
-      input_.warnings.push_back(fmt::format("blocks that are inserted and not there: {}",
-                                            fmt::join(placed_.missing, ", ")));
+      input_.warnings.push_back(
+          fmt::format("blocks that are inserted and not there: {}", listed(placed_.missing)));
   }
 
   const PlacedDrawing& placed_;
@@ -323,7 +323,7 @@ void tell_left_out(Input& input, const CheckedDxf& checked, const DxfDrawing& dr
   constexpr std::size_t kMostNamed = 20;
   if (kinds.size() > kMostNamed) kinds.resize(kMostNamed);
   if (!kinds.empty())
-    input.warnings.push_back(fmt::format("entities that are not read: {}", fmt::join(kinds, ", ")));
+    input.warnings.push_back(fmt::format("entities that are not read: {}", listed(kinds)));
   if (drawing.tilted > 0)
     input.warnings.push_back(
         fmt::format("{} entities are not in the plane: left out", drawing.tilted));

@@ -10,9 +10,9 @@
 #include <system_error>
 #include <vector>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
+#include <cover/text.hpp>
 #include <cover/units.hpp>
 
 #include "base/faults/out_of_memory.hpp"
@@ -98,8 +98,7 @@ class MapReader {
     constexpr std::size_t kMostNamed = 12;
     const std::size_t count = names.size();
     if (count > kMostNamed) names.resize(kMostNamed);
-    const std::string known =
-        fmt::format("{}{}", fmt::join(names, ", "), count > kMostNamed ? ", ..." : "");
+    const std::string known = fmt::format("{}{}", listed(names), count > kMostNamed ? ", ..." : "");
     if (options_.layers.empty() && count > 1)
       fail(ErrorCode::bad_option,
            fmt::format("it has {} layers ({}): name those to be read by --layer", count, known));
@@ -125,7 +124,7 @@ class MapReader {
       names.emplace_back(gdal_.OGR_Fld_GetNameRef(gdal_.OGR_FD_GetFieldDefn(definition, k)));
     fail(ErrorCode::bad_option,
          fmt::format("{}: the layer '{}' has no attribute '{}'; its attributes: {}", option,
-                     gdal_.OGR_L_GetName(layer), wanted, fmt::join(names, ", ")));
+                     gdal_.OGR_L_GetName(layer), wanted, listed(names)));
     return -1;
   }
 

@@ -4,7 +4,7 @@
 // Tested by tests/unit/gmsh/read_geo_test.cpp.
 #include <cover/read_geo.hpp>
 
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 #include <gmsh.h>
 
 #include <algorithm>
@@ -18,6 +18,8 @@
 #include <set>
 #include <stdexcept>
 #include <vector>
+
+#include <cover/text.hpp>
 
 namespace cover {
 namespace {
@@ -99,9 +101,8 @@ class Reader {
  private:
   Error syntax(const std::vector<std::string>& errors) {
     const std::size_t shown = std::min<std::size_t>(errors.size(), 3);
-    std::string message = fmt::format(
-        "{}: gmsh: {}", input_.source,
-        fmt::join(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(shown), "; "));
+    std::string message =
+        fmt::format("{}: gmsh: {}", input_.source, listed(std::span(errors).first(shown), "; "));
     if (shown < errors.size()) message += fmt::format("; and {} more", errors.size() - shown);
     return {ErrorCode::syntax, std::move(message), {}, {}};
   }

@@ -12,8 +12,7 @@
 #include <span>
 #include <type_traits>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <cover/option_table.hpp>
 #include <cover/text.hpp>
@@ -81,7 +80,7 @@ const OptionOf<Target>* find_in(std::span<const OptionOf<Target>> table, std::st
 /// What counts unless another value is given, as it would be written; several with commas.
 template <class Target>
 std::string default_of(const OptionOf<Target>& row) {
-  return fmt::format("{}", fmt::join(row.get(row, Target()), ","));
+  return listed(row.get(row, Target()), ",");
 }
 
 /// Whether all values are in the ranges of their rows.
@@ -238,8 +237,9 @@ constexpr auto named(OptionOf<TargetOf<Member>> row) {
   row.check = [](const Row& self, const TargetOf<Member>& target) -> Status {
     const std::string& name = target.*Member;
     if (name == TargetOf<Member>().*Member || word_of(self, name)) return ok();
-    return bad_option(fmt::format("{} is '{}', which is not one of {}", keyword_of(self), name,
-                                  fmt::join(self.words(), ", ")));
+    const std::vector<std::string> words(self.words().begin(), self.words().end());
+    return bad_option(
+        fmt::format("{} is '{}', which is not one of {}", keyword_of(self), name, listed(words)));
   };
   return row;
 }

@@ -1,7 +1,7 @@
 // Tested by tests/unit/options/option_table_test.cpp.
 #include <algorithm>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cover/option_table.hpp>
 

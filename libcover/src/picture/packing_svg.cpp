@@ -2,7 +2,7 @@
 // the disks, which leave of that just the gap itself; triangles; the boundary; a legend with
 // counts. Lines get thinner with what they bound, so that the smallest disks do not drown in ink.
 // Tested by tests/unit/picture/packing_svg_test.cpp.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <iterator>

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <cover/regions.hpp>
 #include <cover/text.hpp>
@@ -134,7 +134,7 @@ class OldMesh {
     if (!missing.empty() && missing.size() < table.regions.size()) {
       const std::size_t more = missing.size() - std::min(missing.size(), kNamed);
       missing.resize(missing.size() - more);
-      message += fmt::format("; it has no triangles in {}{}", fmt::join(missing, ", "),
+      message += fmt::format("; it has no triangles in {}{}", listed(missing),
                              more == 0 ? "" : fmt::format(" and {} more", more));
     }
     return {ErrorCode::other_mesh, std::move(message), first.where, {}};

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <cover/mesh.hpp>
 
@@ -118,7 +117,7 @@ std::vector<PlaneField::Array> carry_field(const PlaneField& field, const Mesh& 
                    "nearest value counts",
                    carrier.outside() == 1 ? std::string("1 vertex lies")
                                           : fmt::format("{} vertices lie", carrier.outside()),
-                   fmt::join(names, ", "), describe(carrier.first_outside())),
+                   listed(names), describe(carrier.first_outside())),
        {carrier.first_outside()}});
   return out;
 }

@@ -19,7 +19,7 @@
 #include <stop_token>
 #include <thread>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cover/cover_mesh.hpp>
 #include <cover/mesh.hpp>

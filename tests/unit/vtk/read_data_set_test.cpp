@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <vtkBitArray.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

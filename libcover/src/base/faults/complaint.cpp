@@ -2,7 +2,6 @@
 #include "base/faults/complaint.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -32,7 +31,7 @@ void Complaint::append(const Complaint& other) {
 
 Error Complaint::error() const {
   std::string message = source_.empty() ? "" : source_ + ": ";
-  message += fmt::format("{}", fmt::join(sentences_, "; "));
+  message += listed(sentences_, "; ");
   if (count_ > kSentences) message += fmt::format("; and {} more like these", count_ - kSentences);
   return {code_, message, where_, inputs_};
 }

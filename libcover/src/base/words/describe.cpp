@@ -24,6 +24,15 @@ std::string describe(InterfaceKind kind) {
   return "";
 }
 
+std::string listed(std::span<const std::string> items, std::string_view separator) {
+  std::string text;
+  for (const std::string& item : items) {
+    if (&item != items.data()) text += separator;
+    text += item;
+  }
+  return text;
+}
+
 std::string counted(std::size_t n, std::string_view singular) {
   return fmt::format("{} {}{}", n, singular, n == 1 ? "" : "s");
 }

@@ -4,8 +4,7 @@
 #include <numeric>
 #include <vector>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 namespace cover {
 namespace {
@@ -53,7 +52,7 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> can
 }
 
 std::string not_one_of(std::string_view word, std::span<const std::string> candidates) {
-  return fmt::format("'{}' is not one of {}{}", word, fmt::join(candidates, ", "),
+  return fmt::format("'{}' is not one of {}{}", word, listed(candidates),
                      did_you_mean(word, candidates));
 }
 

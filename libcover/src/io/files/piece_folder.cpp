@@ -14,7 +14,7 @@
 #include <thread>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "io/files/names_in_folder.hpp"
 

@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "io/files/names_in_folder.hpp"
 #include "io/files/temporary_file.hpp"

@@ -1,6 +1,6 @@
 // BMP without compression: palettes of 1, 4 and 8 bits, colours of 24 and 32.
 // Tested by tests/unit/io/images/decode_test.cpp.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "io/images/image_data.hpp"
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdlib>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "io/images/image_data.hpp"
 

@@ -1,7 +1,7 @@
 // NRRD and MetaImage (.mha): a header in text, then the numbers. Of three dimensions one may be 1.
 // y points upwards, the place of a pixel is its middle.
 // Tested by tests/unit/io/images/decode_test.cpp.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // TIFF 6.0: the first picture of a file, in strips, grey, colour or with a palette; without
 // compression or with PackBits, LZW or deflate. Tested by tests/unit/io/images/decode_test.cpp.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <map>

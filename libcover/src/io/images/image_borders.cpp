@@ -9,7 +9,7 @@
 #include <cmath>
 #include <map>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/containers/union_find.hpp"
 #include "geom/curves/smooth_chain.hpp"

@@ -1,7 +1,7 @@
 // Tested by tests/unit/io/images/decode_test.cpp.
 #include "io/images/image_data.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <zlib.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Tested by tests/unit/io/input/attribute_table_test.cpp.
 #include "io/input/attribute_table.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <limits>

@@ -8,8 +8,9 @@
 #include <numbers>
 #include <optional>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
+
+#include <cover/text.hpp>
 
 #include "geom/box.hpp"
 #include "geom/vector.hpp"
@@ -158,8 +159,8 @@ class Flattener {
       for (std::size_t k = 0; k < std::min(tops.size(), kMostNamed); ++k)
         names.push_back(legible(cells[tops[k]].name));
       if (tops.size() > kMostNamed) names.emplace_back("...");
-      fail(ErrorCode::bad_option, fmt::format("it has {} top cells ({}): name one by --cell",
-                                              tops.size(), fmt::join(names, ", ")));
+      fail(ErrorCode::bad_option,
+           fmt::format("it has {} top cells ({}): name one by --cell", tops.size(), listed(names)));
     }
     return std::nullopt;
   }
@@ -427,8 +428,8 @@ class Flattener {
     if (!all) names.resize(kMostNamed);
     if (!names.empty())
       input_.warnings.push_back(
-          fmt::format("layers that the layer map does not have are left out: {}{}",
-                      fmt::join(names, ", "), all ? "" : ", ..."));
+          fmt::format("layers that the layer map does not have are left out: {}{}", listed(names),
+                      all ? "" : ", ..."));
   }
 
   const GdsLibrary& library_;

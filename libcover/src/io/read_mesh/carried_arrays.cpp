@@ -7,7 +7,9 @@
 #include <optional>
 #include <set>
 
-#include <fmt/ranges.h>
+#include <fmt/core.h>
+
+#include <cover/text.hpp>
 
 #include "io/text/array_names.hpp"
 
@@ -108,14 +110,13 @@ std::vector<std::string> take_arrays(std::vector<CellArray> of_triangles,
 
   std::vector<std::string> sentences;
   if (!mixed.empty())
-    sentences.push_back(
-        fmt::format("arrays of triangles that differ within a region are left out: {}",
-                    fmt::join(mixed, ", ")));
+    sentences.push_back(fmt::format(
+        "arrays of triangles that differ within a region are left out: {}", listed(mixed)));
   if (!lost.empty())
     sentences.push_back(
         fmt::format("the file does not have the values at points that the "
                     "manifest names: {}",
-                    fmt::join(lost, ", ")));
+                    listed(lost)));
   return sentences;
 }
 

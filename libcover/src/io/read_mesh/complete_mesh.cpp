@@ -1,12 +1,14 @@
 // Tested by tests/unit/vtk/read_output_test.cpp.
 #include "io/read_mesh/complete_mesh.hpp"
 
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <numeric>
 #include <set>
 #include <unordered_set>
+
+#include <cover/text.hpp>
 
 #include "geom/topology/half_edges.hpp"
 
@@ -122,7 +124,7 @@ std::string complete_from_file(const MeshFile& file, StoredMesh& stored) {
     missing.emplace_back("names of contacts");
   }
   take_lines(file, stored);
-  return fmt::format("{}", fmt::join(missing, ", "));
+  return listed(missing);
 }
 
 bool take_materials(StoredMesh& stored) {

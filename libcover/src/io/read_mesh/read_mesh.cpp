@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 
-#include <fmt/ranges.h>
+#include <fmt/core.h>
+
+#include <cover/text.hpp>
 
 #include "base/faults/errors.hpp"
 #include "base/faults/out_of_memory.hpp"
@@ -76,7 +78,7 @@ Result<MeshFile> read_mesh(const std::string& path) {
     if (format == kFormats.end())
       return Error{ErrorCode::unsupported_format,
                    fmt::format("cannot read '{}' as a mesh{}: possible are {}", path,
-                               reason(extension), fmt::join(mesh_formats(), ", ")),
+                               reason(extension), listed(mesh_formats())),
                    {},
                    {}};
     Result<MeshFile> mesh = format->read(path);

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "io/text/limits.hpp"
 #include "io/text/text.hpp"

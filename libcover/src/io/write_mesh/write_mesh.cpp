@@ -6,7 +6,9 @@
 
 #include <cover/write_mesh.hpp>
 
-#include <fmt/ranges.h>
+#include <fmt/core.h>
+
+#include <cover/text.hpp>
 
 #include "base/faults/out_of_memory.hpp"
 
@@ -57,7 +59,7 @@ Result<Format> format_of(const std::string& path) {
                fmt::format("cannot write '{}': {}; possible are {}", path,
                            extension.empty() ? "the name has no extension that tells the format"
                                              : fmt::format("unknown format '{}'", extension),
-                           fmt::join(write_formats(), ", ")),
+                           listed(write_formats())),
                {},
                {}};
 }

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include <fmt/ranges.h>
+#include <fmt/core.h>
+
+#include <cover/text.hpp>
 
 #include "base/expression.hpp"
 #include "base/faults/errors.hpp"
@@ -38,7 +40,7 @@ Result<PlaneField::Array*> find_sizes(PlaneField& field, const std::string& path
   return wrong_file(path,
                     fmt::format("which point array has the edge lengths? None of {} is called size "
                                 "or h; values that are no lengths need --size-of",
-                                fmt::join(array_names(field), ", ")));
+                                listed(array_names(field))));
 }
 
 /// The values by point of what sizes shall follow.
@@ -48,10 +50,9 @@ Result<std::vector<double>> values_of(const PlaneField& field, const std::string
   std::string text = of;
   if (is_function_name(of)) {
     if (names.size() != 1)
-      return wrong_file(
-          path, fmt::format("{} of which point array? Of {}, as {}({})", of,
-                            names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")), of,
-                            names.empty() ? "name" : names.front()));
+      return wrong_file(path, fmt::format("{} of which point array? Of {}, as {}({})", of,
+                                          names.empty() ? "none" : listed(names), of,
+                                          names.empty() ? "name" : names.front()));
     text = fmt::format("{}('{}')", of, names.front());
   }
   names.insert(names.end(), {"x", "y"});

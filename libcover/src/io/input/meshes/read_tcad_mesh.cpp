@@ -22,8 +22,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <cover/text.hpp>
 
@@ -84,9 +83,9 @@ class TcadReader {
     input.unit = "um";
     if (!field->arrays.empty()) input.field = std::move(field);
     if (!strange_.empty())
-      input.warnings.push_back(fmt::format("{} of unknown kinds left out: {}",
-                                           counted(strange_lines_, "line"),
-                                           fmt::join(strange_, ", ")));
+      input.warnings.push_back(
+          fmt::format("{} of unknown kinds left out: {}", counted(strange_lines_, "line"),
+                      listed(std::vector<std::string>(strange_.begin(), strange_.end()))));
     return input;
   }
 

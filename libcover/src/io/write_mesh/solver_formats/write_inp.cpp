@@ -11,7 +11,7 @@
 #include <charconv>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cover/mesh_view.hpp>
 #include <cover/text.hpp>

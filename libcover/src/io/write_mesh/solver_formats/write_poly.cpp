@@ -4,7 +4,7 @@
 // Tested by tests/unit/io/write_mesh/solver_formats/write_poly_test.cpp.
 #include <cover/write_mesh.hpp>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,9 +18,7 @@
 namespace cover {
 namespace {
 
-using Text = fmt::memory_buffer;
-
-void write_points(Text& text, const Pslg& pslg) {
+void write_points(std::string& text, const Pslg& pslg) {
   const auto& markers = pslg.point_markers;
   const bool marked = std::any_of(markers.begin(), markers.end(), [](int m) { return m != 0; });
   fmt::format_to(std::back_inserter(text), "{} 2 0 {}\n", pslg.points.size(), marked ? 1 : 0);
@@ -32,7 +30,7 @@ void write_points(Text& text, const Pslg& pslg) {
   }
 }
 
-void write_segments(Text& text, const Pslg& pslg) {
+void write_segments(std::string& text, const Pslg& pslg) {
   const bool marked = std::any_of(pslg.segments.begin(), pslg.segments.end(),
                                   [](const Segment& s) { return s.marker != 0; });
   fmt::format_to(std::back_inserter(text), "{} {}\n", pslg.segments.size(), marked ? 1 : 0);
@@ -68,7 +66,7 @@ bool must_omit_unnamed(const RegionTable& table) {
          });
 }
 
-void write_seeds(Text& text, const RegionTable& table) {
+void write_seeds(std::string& text, const RegionTable& table) {
   fmt::format_to(std::back_inserter(text), "{}\n", table.void_seeds.size());
   for (std::size_t k = 0; k < table.void_seeds.size(); ++k) {
     const Point p = table.void_seeds[k];
@@ -100,7 +98,7 @@ void write_seeds(Text& text, const RegionTable& table) {
 
 Status write_poly(const Pslg& pslg, const RegionTable& table, const std::string& path) {
   return memory_as_value(path, [&]() -> Status {
-    Text text;
+    std::string text;
     fmt::format_to(std::back_inserter(text), "# points\n");
     write_points(text, pslg);
     fmt::format_to(std::back_inserter(text), "# segments\n");

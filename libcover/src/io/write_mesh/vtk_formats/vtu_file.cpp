@@ -6,7 +6,7 @@
 #include <bit>
 #include <span>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cover/text.hpp>
 

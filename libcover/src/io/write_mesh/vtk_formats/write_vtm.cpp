@@ -12,7 +12,7 @@
 #include <cerrno>
 #include <filesystem>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/containers/buckets.hpp"
 #include "base/words/safe_names.hpp"
