@@ -116,16 +116,15 @@ bool minds_couplings(const Options& options) {
 }
 
 bool Order::is_better(const Merit& a, const Merit& b) const {
-  if (a.negative != b.negative) {
-    const bool is_within = is_within_bound(a);
-    return is_within != is_within_bound(b) ? is_within : a.negative < b.negative;
-  }
+  const bool is_within = is_within_bound(a);
+  if (is_within != is_within_bound(b)) return is_within;
+  if (a.negative != b.negative) return a.negative < b.negative;
   if (prefer == Prefer::largest) return cover::is_better(a, b);
   const auto steps = [](double fault) { return std::lround(fault / kAlikeFault); };
   const auto key = [&](const Merit& m) {
     const long fault = steps(m.fault.worst());
-    return std::tuple(!is_within_bound(m), m.fault.worst() > degenerate ? fault : 0, m.far_above,
-                      fault, m.missed, m.sum, m.triangles);
+    return std::tuple(m.fault.worst() > degenerate ? fault : 0, m.far_above, fault, m.missed, m.sum,
+                      m.triangles);
   };
   return key(a) < key(b);
 }

@@ -169,6 +169,7 @@ Candidate Candidates::narrowed(const Candidate& best, const Candidate& from, dou
   budget_.left = most;
   const double smallest = std::atan2(1.0, goal_.small);
   Candidate trial = from;
+  bool is_better = false;
   for (const double part : effort::kSmallestParts) {
     if (1 - part > order_.degenerate || budget_.is_used_up()) break;
     Goal aim = goal_.with(std::max(goal_.large, large - effort::kAimBelowLimit), goal_.small,
@@ -181,11 +182,14 @@ Candidate Candidates::narrowed(const Candidate& best, const Candidate& from, dou
     mesh.set_goal(aim, sharing_.team);
     budget_.spend(improve(mesh, budget_.left, {}, sharing_).evaluations);
     trial = measured(std::move(trial));
-    if (order_.is_better(trial.merit, found.merit)) found = trial;
+    if (order_.is_better(trial.merit, found.merit)) {
+      found = trial;
+      is_better = true;
+    }
     if (trial.merit.large <= large || (large == kFarAbove && trial.merit.far_above == 0)) break;
   }
   budget_.left = before - (most - budget_.left);
-  if (!found.method.ends_with(", improved")) found.method += ", improved";
+  if (is_better && !found.method.ends_with(", improved")) found.method += ", improved";
   return found;
 }
 

@@ -16,6 +16,8 @@ bool has_room_around_a_hub(const PlanProgress& p) { return p.make.has_room_aroun
 bool is_missed(const PlanProgress& p) { return !p.best.merit.complete; }
 bool is_tiny_and_missed(const PlanProgress& p) { return p.make.is_tiny() && is_missed(p); }
 bool has_far(const PlanProgress& p) { return p.best.merit.far_above > 0; }
+/// Nothing is made of a region without room for a vertex.
+bool refined_has_far(const PlanProgress& p) { return has_far(p) && p.refined.merit.triangles > 0; }
 bool is_tiny_and_near(const PlanProgress& p) {
   return is_tiny_and_missed(p) && p.cdt.mesh->fixed_vertices() >= effort::kPointsToRestart &&
          p.best.merit.fault.worst() <= effort::kNearMiss && !p.make.is_near_its_limits(p.best);
@@ -172,7 +174,7 @@ constexpr std::array kBalanced{
     Step{"best and cdt, improved", few_are_missed, improved_again, StopWhen::complete},
     Step{"refined, improved, searched", nearly_none_is_missed, refined_and_searched_again,
          StopWhen::complete},
-    Step{"the same with fewer angles above 120 degrees", has_far, with_fewer_far},
+    Step{"the same with fewer angles above 120 degrees", refined_has_far, with_fewer_far},
     Step{"almonds", is_beyond_bound, bound_kept},
 };
 
@@ -182,7 +184,7 @@ constexpr std::array kThorough{
     Step{"one star", always, best_star, StopWhen::complete},
     Step{"refined, improved, searched", always, refined_and_searched_all, StopWhen::complete},
     Step{"the same within the bound", refined_is_beyond_bound, within_bound},
-    Step{"the same with fewer angles above 120 degrees", has_far, with_fewer_far},
+    Step{"the same with fewer angles above 120 degrees", refined_has_far, with_fewer_far},
     Step{"random restarts", is_tiny_and_missed, restarted, StopWhen::complete},
     Step{"best, improved", always, improved, StopWhen::complete},
     Step{"evenly refined, improved", always, evenly_refined, StopWhen::complete},
@@ -216,7 +218,7 @@ constexpr std::array kSized{
     Step{"cdt", always, as_it_is},
     Step{"refined, improved, few searched", always, sized_and_searched, StopWhen::complete},
     Step{"the same within the bound", refined_is_beyond_bound, within_bound},
-    Step{"the same with fewer angles above 120 degrees", has_far, with_fewer_far},
+    Step{"the same with fewer angles above 120 degrees", refined_has_far, with_fewer_far},
     Step{"almonds, improved", is_beyond_bound, bound_kept_sized},
 };
 

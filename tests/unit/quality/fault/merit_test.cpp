@@ -113,5 +113,15 @@ TEST(Order, BalancesWideAndNarrow) {
   EXPECT_TRUE(order.is_better(with_fault(0, 0.9, 0, 9), with_fault(0, 0.1, 0, 11)));  // the bound
 }
 
+TEST(Merit, WhatIsWithinTheBoundIsBetterWhateverIsPreferred) {
+  const Merit within{0, 2, 9, 9, 3, 100, false}, beyond{0, 2.01, 1, 1, 3, 100, false};
+  ASSERT_TRUE(is_better(beyond, within)) << "alike, so that the counts decide";
+  for (const Prefer prefer : {Prefer::largest, Prefer::balanced}) {
+    const Order order{prefer, 0.72, 2.005};
+    EXPECT_TRUE(order.is_better(within, beyond));
+    EXPECT_FALSE(order.is_better(beyond, within));
+  }
+}
+
 }  // namespace
 }  // namespace cover
