@@ -7,30 +7,51 @@
 
 namespace cover {
 
-bool kick(MutableMesh& mesh, std::uint32_t t, int kind) {
+namespace {
+
+bool put_inside(MutableMesh& mesh, std::uint32_t t) {
   Cavity cavity(mesh);
+  cavity.start(t);
+  const Point a = mesh.corner(t, 0);
+  const Vector to_b = mesh.corner(t, 1) - a, to_c = mesh.corner(t, 2) - a;
   Installed installed;
-  if (kind == 0) {
-    cavity.start(t);
-    const Point a = mesh.corner(t, 0);
-    const Vector to_b = mesh.corner(t, 1) - a, to_c = mesh.corner(t, 2) - a;
-    return install_star(mesh, cavity, a + (1.0 / 3) * (to_b + to_c), installed);
-  }
-  const int i = (kind - 1) % 3;
-  if (kind <= 3) {
-    cavity.start(t);
-    return cavity.grow(i) &&
-           install_star(mesh, cavity, midpoint(mesh.corner(t, i), mesh.corner(t, next3(i))),
-                        installed);
-  }
-  if (kind <= 6) {
-    return !is_side(mesh.triangles[t].n[static_cast<std::size_t>(i)]) && mesh.flip(t, i);
-  }
+  return install_star(mesh, cavity, a + (1.0 / 3) * (to_b + to_c), installed);
+}
+
+bool put_on_edge(MutableMesh& mesh, std::uint32_t t, int i) {
+  Cavity cavity(mesh);
+  cavity.start(t);
+  Installed installed;
+  return cavity.grow(i) &&
+         install_star(mesh, cavity, midpoint(mesh.corner(t, i), mesh.corner(t, next3(i))),
+                      installed);
+}
+
+bool remove_corner(MutableMesh& mesh, std::uint32_t t, int i) {
   const std::uint32_t v = mesh.triangles[t].v[static_cast<std::size_t>(i)];
+  Cavity cavity(mesh);
   Patch patch;
+  Installed installed;
   return !mesh.is_fixed(v) && cavity.start_star(v) &&
          min_max_polygon(mesh, cavity, kInverted, patch) < kInverted &&
          install_patch(mesh, cavity, patch, installed);
+}
+
+}  // namespace
+
+bool do_kick(MutableMesh& mesh, std::uint32_t t, Kick kick) {
+  const int i = kick.at;
+  switch (kick.what) {
+    case Kick::What::vertex_inside:
+      return put_inside(mesh, t);
+    case Kick::What::vertex_on_edge:
+      return put_on_edge(mesh, t, i);
+    case Kick::What::flip:
+      return !is_side(mesh.triangles[t].n[static_cast<std::size_t>(i)]) && mesh.flip(t, i);
+    case Kick::What::removal:
+      return remove_corner(mesh, t, i);
+  }
+  return false;
 }
 
 }  // namespace cover

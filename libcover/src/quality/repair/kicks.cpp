@@ -26,9 +26,10 @@ void improve_with_slack(MutableMesh& mesh, Budget& budget) {
 
 bool kick_and_improve(MutableMesh& mesh, const Goal& goal, Budget& budget) {
   const Merit before = merit_of(mesh, goal);
-  for (int kind = 0; kind < kKinds && !budget.is_used_up(); ++kind) {
+  for (const Kick kick : kKicks) {
+    if (budget.is_used_up()) break;
     MutableMesh trial = mesh;
-    if (!kick(trial, 0, kind)) continue;
+    if (!do_kick(trial, 0, kick)) continue;
     improve_with_slack(trial, budget);
     const Merit now = merit_of(trial, goal);
     if (now.above > before.above || !is_better(now, before)) continue;

@@ -70,12 +70,12 @@ class Attempts {
     const bool only_small = before_.above == 0;
     const Goal& first = only_small ? goal_ : light_;
     const Goal& second = only_small ? light_ : goal_;
-    if (as_it_is(first, false) || fill_holes(first) || kick(first, false)) return true;
+    if (as_it_is(first, false) || fill_holes(first) || try_kicks(first, false)) return true;
     if (as_it_is(second, false)) return true;
-    if (before_.below > 0 && kick(second, false)) return true;
+    if (before_.below > 0 && try_kicks(second, false)) return true;
     if (as_it_is(first, true)) return true;
     const bool is_alone = before_.above > 0 || before_.below <= kFew;
-    if (is_alone && kick(first, true)) return true;
+    if (is_alone && try_kicks(first, true)) return true;
     return trials_ == Trials::with_restarts && before_.above > 0 && start_again(first);
   }
 
@@ -125,10 +125,11 @@ class Attempts {
   }
 
   /// Kicks the triangle in the middle in every way.
-  bool kick(const Goal& aim, bool slack) {
-    for (int kind = 0; kind < kKinds && !budget_.is_used_up(); ++kind) {
+  bool try_kicks(const Goal& aim, bool slack) {
+    for (const Kick kick : kKicks) {
+      if (budget_.is_used_up()) break;
       trial_ = part_;
-      if (cover::kick(trial_, 0, kind) && improve_trial(aim, slack)) return true;
+      if (do_kick(trial_, 0, kick) && improve_trial(aim, slack)) return true;
     }
     return false;
   }

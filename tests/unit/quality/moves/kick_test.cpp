@@ -1,5 +1,8 @@
 #include "quality/moves/kick.hpp"
 
+#include <map>
+#include <set>
+
 #include "small_mesh.hpp"
 
 namespace cover {
@@ -7,11 +10,10 @@ namespace {
 
 using namespace testing;
 
-/// Kinds by what they do, for the corner or edge i of the triangle.
-constexpr int kMiddle = 0;
-constexpr int on_edge(int i) { return 1 + i; }  ///< from corner i to the next
-constexpr int flip_of(int i) { return 4 + i; }  ///< opposite to corner i
-constexpr int removal_of(int i) { return 7 + i; }
+constexpr Kick kMiddle{Kick::What::vertex_inside};
+constexpr Kick on_edge(int i) { return {Kick::What::vertex_on_edge, i}; }
+constexpr Kick flip_of(int i) { return {Kick::What::flip, i}; }
+constexpr Kick removal_of(int i) { return {Kick::What::removal, i}; }
 
 /// A square of two triangles:
 ///
@@ -27,18 +29,24 @@ SmallMesh square(double corner = 1, const std::vector<IndexPair>& slits = {}) {
           slits};
 }
 
-void expect_refused(SmallMesh& small, int kind) {
+void expect_refused(SmallMesh& small, Kick kick) {
   const Everything before(small.mesh);
-  EXPECT_FALSE(kick(small.mesh, 0, kind)) << kind;
-  EXPECT_TRUE(Everything(small.mesh) == before) << kind;
+  EXPECT_FALSE(do_kick(small.mesh, 0, kick)) << static_cast<int>(kick.what) << " at " << kick.at;
+  EXPECT_TRUE(Everything(small.mesh) == before);
 }
 
-TEST(Kick, LeavesNoKindOut) { EXPECT_EQ(kKinds, removal_of(2) + 1); }
+TEST(Kick, OneIsInTheMiddleAndEachOtherAtThreePlaces) {
+  std::map<Kick::What, std::set<int>> places;
+  for (const Kick kick : kKicks) EXPECT_TRUE(places[kick.what].insert(kick.at).second);
+  EXPECT_EQ(places[Kick::What::vertex_inside].size(), 1U);
+  for (const auto what : {Kick::What::vertex_on_edge, Kick::What::flip, Kick::What::removal})
+    EXPECT_EQ(places[what], (std::set{0, 1, 2}));
+}
 
 TEST(Kick, PutsAVertexIntoTheMiddleForWorse) {
   SmallMesh small = square();
   const double before = worst_excess(small.mesh);
-  ASSERT_TRUE(kick(small.mesh, 0, kMiddle));
+  ASSERT_TRUE(do_kick(small.mesh, 0, kMiddle));
   expect_sound(small.mesh, small.boundary);
   EXPECT_EQ(small.mesh.triangle_count(), 4U);
   ASSERT_EQ(small.mesh.points.size(), 5U);
@@ -51,7 +59,7 @@ TEST(Kick, PutsAVertexOnAnInnerEdgeAndOnNoSide) {
   SmallMesh small = square();
   expect_refused(small, on_edge(0));
   expect_refused(small, on_edge(1));
-  ASSERT_TRUE(kick(small.mesh, 0, on_edge(2)));  // from corner 2 to corner 0
+  ASSERT_TRUE(do_kick(small.mesh, 0, on_edge(2)));  // from corner 2 to corner 0
   expect_sound(small.mesh, small.boundary);
   EXPECT_EQ(small.mesh.triangle_count(), 4U);
   EXPECT_EQ(small.mesh.points.back(), (Point{0.5, 0.5}));
@@ -61,7 +69,7 @@ TEST(Kick, FlipsAnInnerEdgeAndNoSide) {
   SmallMesh small = square();
   expect_refused(small, flip_of(0));
   expect_refused(small, flip_of(2));
-  ASSERT_TRUE(kick(small.mesh, 0, flip_of(1)));
+  ASSERT_TRUE(do_kick(small.mesh, 0, flip_of(1)));
   expect_sound(small.mesh, small.boundary);
   for (const MeshTriangle& t : small.mesh.triangles) {
     EXPECT_EQ(std::count(t.v.begin(), t.v.end(), 1U) + std::count(t.v.begin(), t.v.end(), 3U), 2);
@@ -86,7 +94,7 @@ TEST(Kick, TakesAFreeVertexAwayAndNoFixedOne) {
   expect_refused(small, removal_of(0));
   expect_refused(small, removal_of(1));
   ASSERT_LE(worst_excess(small.mesh), 0);
-  ASSERT_TRUE(kick(small.mesh, 0, removal_of(2)));
+  ASSERT_TRUE(do_kick(small.mesh, 0, removal_of(2)));
   expect_sound(small.mesh, small.boundary);
   EXPECT_EQ(small.mesh.triangle_count(), 4U);
   EXPECT_EQ(small.mesh.home[6], kNone);
