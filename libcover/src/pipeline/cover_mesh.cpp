@@ -67,15 +67,15 @@ Status look_at_cuts(Work& work, const Options& /*options*/, const Callbacks& /*c
 template <class AnyInput>
 Result<Work> work_of(AnyInput&& input, const Options& options, bool memory_counts,
                      const Callbacks& callbacks, StageClock& clock) {
-  Work work;
-  work.rules = periodic_rules(input, options);
-  work.field = input.field;
-  std::vector<TriangulatedRegion> large;
-  Result<Prepared> found =
-      find_regions(std::forward<AnyInput>(input), options, callbacks, clock, memory_counts, &large);
+  std::vector<PeriodicRule> rules = periodic_rules(input, options);
+  std::shared_ptr<const PlaneField> field = input.field;
+  Result<FoundRegions> found =
+      find_regions(std::forward<AnyInput>(input), options, callbacks, clock, memory_counts);
   if (!found) return std::move(found).error();
-  static_cast<Prepared&>(work) = *std::move(found);
-  if (Status status = split(work, options, memory_counts, large); !status)
+  Work work{std::move(found->prepared)};
+  work.rules = std::move(rules);
+  work.field = std::move(field);
+  if (Status status = split(work, options, memory_counts, found->large); !status)
     return std::move(status).error();
   warn_of_sizes(work.pslg, options, work.boundaries, work.report.notes);
   clock.note("split", work.report.times);
@@ -99,13 +99,14 @@ Result<Prepared> prepare(const Input& input, const Options& asked, const Callbac
   return memory_as_value("prepare", [&]() -> Result<Prepared> {
     StageClock clock;
     const Options options = with_layers_of(input, asked);
-    Result<Prepared> prepared = find_regions(input, options, callbacks, clock);
-    if (!prepared) return prepared;
+    Result<FoundRegions> found = find_regions(input, options, callbacks, clock, true);
+    if (!found) return std::move(found).error();
+    Prepared prepared = std::move(found->prepared);
     Result<std::vector<RegionReport>> limits =
-        limit_regions(split_regions(prepared->pslg, prepared->table), options, callbacks);
+        limit_regions(split_regions(prepared.pslg, prepared.table), options, callbacks);
     if (!limits) return std::move(limits).error();
-    prepared->report.regions = *std::move(limits);
-    clock.note("limits", prepared->report.times);
+    prepared.report.regions = *std::move(limits);
+    clock.note("limits", prepared.report.times);
     return prepared;
   });
 }

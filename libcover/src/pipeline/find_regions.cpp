@@ -51,9 +51,8 @@ namespace {
 
 /// `release` gives the input back, if it may go.
 template <class Release>
-Result<Prepared> find(const Input& input, Release release, const Options& options,
-                      const Callbacks& callbacks, StageClock& clock, bool memory_counts,
-                      std::vector<TriangulatedRegion>* large) {
+Result<FoundRegions> find(const Input& input, Release release, const Options& options,
+                          const Callbacks& callbacks, StageClock& clock, bool memory_counts) {
   if (Status status = check_options(options); !status) return std::move(status).error();
   Prepared prepared;
   Report& report = prepared.report;
@@ -73,11 +72,11 @@ Result<Prepared> find(const Input& input, Release release, const Options& option
   release();
   clock.note("clean", report.times);
   if (Status status = begin_stage("regions", callbacks); !status) return std::move(status).error();
-  Result<RegionTable> table = by_team("regions", worker_count(options), [&](const Team& team) {
-    return build_region_table(prepared.pslg, options, report.notes, std::move(whole), large, team);
+  Result<TriangulatedTable> made = by_team("regions", worker_count(options), [&](const Team& team) {
+    return build_triangulated_table(prepared.pslg, options, report.notes, std::move(whole), team);
   });
-  if (!table) return std::move(table).error();
-  prepared.table = *std::move(table);
+  if (!made) return std::move(made).error();
+  prepared.table = std::move(made->table);
   Status joined = errors_as_values("periodic sides", [&] {
     return join_periodic_sides(prepared.pslg, prepared.table, rules, options, report);
   });
@@ -97,23 +96,22 @@ Result<Prepared> find(const Input& input, Release release, const Options& option
   report.input_points = prepared.pslg.points.size();
   report.input_segments = prepared.pslg.segments.size();
   report.threads = worker_count(options);
-  return prepared;
+  return FoundRegions{std::move(prepared), std::move(made->large)};
 }
 
 }  // namespace
 
-Result<Prepared> find_regions(const Input& input, const Options& options,
-                              const Callbacks& callbacks, StageClock& clock, bool memory_counts,
-                              std::vector<TriangulatedRegion>* large) {
+Result<FoundRegions> find_regions(const Input& input, const Options& options,
+                                  const Callbacks& callbacks, StageClock& clock,
+                                  bool memory_counts) {
   return find(
-      input, [] {}, options, callbacks, clock, memory_counts, large);
+      input, [] {}, options, callbacks, clock, memory_counts);
 }
 
-Result<Prepared> find_regions(Input&& input, const Options& options, const Callbacks& callbacks,
-                              StageClock& clock, bool memory_counts,
-                              std::vector<TriangulatedRegion>* large) {
+Result<FoundRegions> find_regions(Input&& input, const Options& options, const Callbacks& callbacks,
+                                  StageClock& clock, bool memory_counts) {
   return find(
-      input, [&input] { input = {}; }, options, callbacks, clock, memory_counts, large);
+      input, [&input] { input = {}; }, options, callbacks, clock, memory_counts);
 }
 
 Options with_layers_of(const Input& input, const Options& options) {

@@ -21,19 +21,22 @@ namespace cover {
 /// Errors: cancelled
 Status begin_stage(std::string_view stage, const Callbacks& callbacks);
 
+/// What is prepared, and what was found on the way.
+struct FoundRegions {
+  Prepared prepared;
+  std::vector<TriangulatedRegion> large;
+};
+
 /// Input made clean and its regions, with segments cut as the options ask; no lower bounds yet.
 ///
 /// Errors: ErrorCode 100-199, bad_option, cancelled; out_of_memory where `memory_counts` and the
 ///         sizes asked for take more than there is
-Result<Prepared> find_regions(const Input& input, const Options& options,
-                              const Callbacks& callbacks, StageClock& clock,
-                              bool memory_counts = true,
-                              std::vector<TriangulatedRegion>* large = nullptr);
-/// The same; `input` is gone as soon as it is clean. What is known of large regions on the way is
-/// put into `large`.
-Result<Prepared> find_regions(Input&& input, const Options& options, const Callbacks& callbacks,
-                              StageClock& clock, bool memory_counts,
-                              std::vector<TriangulatedRegion>* large);
+Result<FoundRegions> find_regions(const Input& input, const Options& options,
+                                  const Callbacks& callbacks, StageClock& clock,
+                                  bool memory_counts);
+/// The same; `input` is gone as soon as it is clean.
+Result<FoundRegions> find_regions(Input&& input, const Options& options, const Callbacks& callbacks,
+                                  StageClock& clock, bool memory_counts);
 
 /// The rules of the options, then those of the input.
 std::vector<PeriodicRule> periodic_rules(const Input& input, const Options& options);

@@ -229,9 +229,9 @@ Result<Output> mesh_again(const Input& input, const TriangleSoup& onto,
   StageClock clock;
   const Result<Options> options = options_without_cuts(with_layers_of(input, asked), only);
   if (!options) return options.error();
-  Result<Prepared> prepared = find_regions(input, *options, callbacks, clock);
-  if (!prepared) return std::move(prepared).error();
-  Work work{*std::move(prepared)};
+  Result<FoundRegions> found = find_regions(input, *options, callbacks, clock, true);
+  if (!found) return std::move(found).error();
+  Work work{std::move(found->prepared)};
   work.rules = periodic_rules(input, *options);
   work.field = input.field;
   const Result<std::vector<bool>> chosen = choose(work.table, only);

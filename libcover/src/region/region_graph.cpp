@@ -305,9 +305,10 @@ void tell_remedies(const Pslg& pslg, const Options& options, Error& error) {
 
 }  // namespace
 
-Result<RegionTable> build_region_table(const Pslg& pslg, const Options& options,
-                                       std::vector<Note>& notes, std::optional<Triangulation> whole,
-                                       std::vector<TriangulatedRegion>* large, const Team& team) {
+Result<TriangulatedTable> build_triangulated_table(const Pslg& pslg, const Options& options,
+                                                   std::vector<Note>& notes,
+                                                   std::optional<Triangulation> whole,
+                                                   const Team& team) {
   std::vector<IndexPair> pairs;
   pairs.reserve(pslg.segments.size());
   for (const Segment& s : pslg.segments) pairs.push_back({s.a.value(), s.b.value()});
@@ -335,7 +336,7 @@ Result<RegionTable> build_region_table(const Pslg& pslg, const Options& options,
   if (std::all_of(seeded->is_void.begin(), seeded->is_void.end(), [](bool v) { return v; })) {
     return nothing_enclosed(pslg, "the hole seeds leave no region");
   }
-  RegionTable table;
+  TriangulatedTable made;
   std::vector<Note> of_table;
   team.each(2, [&](std::size_t k) {
     if (k == 1) {
@@ -344,12 +345,19 @@ Result<RegionTable> build_region_table(const Pslg& pslg, const Options& options,
       return;
     }
     TableMaker maker(pslg, faces, *seeded);
-    table = maker.make(of_table);
-    if (large != nullptr) *large = maker.large_regions();
+    made.table = maker.make(of_table);
+    made.large = maker.large_regions();
   });
   std::move(of_table.begin(), of_table.end(), std::back_inserter(notes));
-  if (auto error = open_beside_gaps(pslg, pairs, table, options)) return *std::move(error);
-  return table;
+  if (auto error = open_beside_gaps(pslg, pairs, made.table, options)) return *std::move(error);
+  return made;
+}
+
+Result<RegionTable> build_region_table(const Pslg& pslg, const Options& options,
+                                       std::vector<Note>& notes) {
+  Result<TriangulatedTable> made = build_triangulated_table(pslg, options, notes, std::nullopt);
+  if (!made) return std::move(made).error();
+  return std::move(made->table);
 }
 
 }  // namespace cover

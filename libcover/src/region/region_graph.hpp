@@ -23,18 +23,26 @@ struct TriangulatedRegion {
   std::vector<IndexTriple> triangles;
 };
 
+/// The regions, and the triangles that were found of the large ones on the way.
+struct TriangulatedTable {
+  RegionTable table;
+  std::vector<TriangulatedRegion> large;
+};
+
 /// Finds regions, materials, names and interfaces. Warnings are appended to `notes`.
 ///
 /// `whole` is the triangulation of the convex hull of `pslg`, if it is known: triangulate_hull().
-/// What it tells of large regions is put into `large`.
 ///
 /// Errors: nothing_enclosed, seed_in_void, seed_on_segment, conflicting_seeds.
 /// Cost:   O(n log n).
+Result<TriangulatedTable> build_triangulated_table(const Pslg& pslg, const Options& options,
+                                                   std::vector<Note>& notes,
+                                                   std::optional<Triangulation> whole,
+                                                   const Team& team = {});
+
+/// The regions alone.
 Result<RegionTable> build_region_table(const Pslg& pslg, const Options& options,
-                                       std::vector<Note>& notes,
-                                       std::optional<Triangulation> whole = std::nullopt,
-                                       std::vector<TriangulatedRegion>* large = nullptr,
-                                       const Team& team = {});
+                                       std::vector<Note>& notes);
 
 /// One closed piece of work per region, by RegionId - 1.
 ///

@@ -282,10 +282,12 @@ class Checker {
 }  // namespace
 
 Result<Prepared> prepare_to_check(Input&& input, const Options& asked) {
-  return memory_as_value("check", [&] {
+  return memory_as_value("check", [&]() -> Result<Prepared> {
     StageClock clock;
     const Options options = with_layers_of(input, asked);
-    return find_regions(std::move(input), options, {}, clock, true, nullptr);
+    Result<FoundRegions> found = find_regions(std::move(input), options, {}, clock, true);
+    if (!found) return std::move(found).error();
+    return std::move(found->prepared);
   });
 }
 
