@@ -112,11 +112,6 @@ void warn(const ImageBorders& borders, std::vector<std::string>& warnings) {
 
 }  // namespace
 
-bool is_image(std::string_view extension) {
-  return std::any_of(kImageFormats.begin(), kImageFormats.end(),
-                     [&](const ImageFormat& format) { return format.extension == extension; });
-}
-
 Result<Input> parse_image(std::string_view data, std::string_view extension,
                           const std::string& source, const ImageOptions& options) {
   const auto* const format =

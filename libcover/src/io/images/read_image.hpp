@@ -20,10 +20,6 @@ struct ImageOptions {
   std::string legend_source;  ///< for messages
 };
 
-/// Whether files of that extension, in lower case with its dot, are pictures: .png, .bmp, .tif,
-/// .tiff, .nrrd, .mha.
-bool is_image(std::string_view extension);
-
 /// A region for each set of pixels of one label that hang together by their sides; see
 /// ImageBorders. Labels are colours, as "#ff0000", or numbers. Pixels that are fully transparent
 /// are void. A pixel is a unit square (in .nrrd and .mha what the header says), y points upwards,

@@ -1,11 +1,13 @@
 // Which reader a file wants is told by its extension.
 // Tested by tests/unit/io/input/drawings/read_json_test.cpp and those beside it.
 #include <cover/read_input.hpp>
+#include <cover/text.hpp>
 #include <cover/units.hpp>
 
 #include <fmt/core.h>
 
 #include <array>
+#include <vector>
 
 #include "base/faults/out_of_memory.hpp"
 #include "io/images/raster.hpp"
@@ -17,17 +19,6 @@
 
 namespace cover {
 namespace {
-
-/// A format that is read from one text.
-struct Format {
-  std::string_view extension;
-  Result<Input> (*parse)(std::string_view text, const std::string& source);
-};
-
-constexpr std::array kFormats{
-    Format{".poly", parse_poly},  Format{".msh", parse_msh}, Format{".tif", parse_tif},
-    Format{".str", parse_suprem}, Format{".cmd", parse_sde}, Format{".scm", parse_sde},
-};
 
 /// Formats that others turn into one that is read here, and how.
 struct OtherFormat {
@@ -57,25 +48,27 @@ constexpr std::array kOtherFormats{
                 "with chords for arcs"},
 };
 
-Error unknown_format(std::string_view extension, const std::string& source) {
-  for (const OtherFormat& other : kOtherFormats) {
-    if (other.extension != lower(extension)) continue;
-    return {ErrorCode::unsupported_format, fmt::format("{}: {}", source, other.what), {}, {}};
-  }
-  std::string known;
-  for (const Format& format : kFormats) known += fmt::format("{}, ", format.extension);
-  return {ErrorCode::unsupported_format,
-          fmt::format(
-              "{}: no reader for files named '*{}'; known: {}.json, .geojson, .gds, .vtu, .vtp, "
-              ".vti, .vtk, .png, "
-              ".bmp, .tiff, .nrrd, .mha",
-              source, extension, known),
-          {},
-          {}};
+/// What a file holds, and how messages call it.
+struct Contents {
+  std::string_view text;
+  const std::string& extension;  ///< in lower case
+  const std::string& source;
+};
+
+using Parse = Result<Input> (*)(const Contents& file, const ReadOptions& options);
+
+/// A parser whom no options concern.
+template <Result<Input> (*parse)(std::string_view text, const std::string& source)>
+Result<Input> plain(const Contents& file, const ReadOptions& /*options*/) {
+  return parse(file.text, file.source);
 }
 
-/// Whether something of a map is chosen that only GDAL does.
-bool is_for_gdal(const ReadOptions& o) { return !o.layers.empty() || !o.crs.empty(); }
+/// One whom they do.
+template <Result<Input> (*parse)(std::string_view text, const std::string& source,
+                                 const ReadOptions& options)>
+Result<Input> with_options(const Contents& file, const ReadOptions& options) {
+  return parse(file.text, file.source, options);
+}
 
 Result<ImageOptions> image_options(const ReadOptions& options) {
   ImageOptions image{options.smooth, {}, options.legend};
@@ -87,39 +80,85 @@ Result<ImageOptions> image_options(const ReadOptions& options) {
   return image;
 }
 
-Result<Input> parse_picture(std::string_view data, const std::string& extension,
-                            const std::string& source, const ReadOptions& options) {
+Result<Input> picture(const Contents& file, const ReadOptions& options) {
   const Result<ImageOptions> image = image_options(options);
-  return image ? parse_image(data, extension, source, *image) : Result<Input>(image.error());
+  return image ? parse_image(file.text, file.extension, file.source, *image)
+               : Result<Input>(image.error());
+}
+
+/// TCAD's TIF has the extension of a picture.
+Result<Input> tif(const Contents& file, const ReadOptions& options) {
+  return is_tiff(file.text) ? picture(file, options) : parse_tif(file.text, file.source);
 }
 
 /// Without smoothing and a legend, what read_vtk_input() makes of it.
-Result<Input> parse_vtk(std::string_view text, const std::string& extension,
-                        const std::string& source, const ReadOptions& options) {
-  if (!options.smooth && options.legend.empty()) return parse_vtk_input(text, extension, source);
+Result<Input> vtk(const Contents& file, const ReadOptions& options) {
+  if (!options.smooth && options.legend.empty())
+    return parse_vtk_input(file.text, file.extension, file.source);
   const Result<ImageOptions> image = image_options(options);
-  return image ? parse_vtk_input(text, extension, source, &*image) : Result<Input>(image.error());
+  return image ? parse_vtk_input(file.text, file.extension, file.source, &*image)
+               : Result<Input>(image.error());
 }
 
-Result<Input> parse_format(std::string_view text, const std::string& extension,
-                           const std::string& source, const ReadOptions& options) {
-  if (extension == ".geojson" && is_for_gdal(options))
+/// Some choices are GDAL's alone.
+Result<Input> geojson(const Contents& file, const ReadOptions& options) {
+  if (!options.layers.empty() || !options.crs.empty())
     return Error{ErrorCode::bad_option,
                  fmt::format("{}: choosing layers or a projection takes GDAL, which "
                              "reads from files and in builds that have it",
-                             source),
+                             file.source),
                  {},
                  {}};
-  // TCAD's TIF has the extension of a picture.
-  if (is_image(extension) && (extension != ".tif" || is_tiff(text)))
-    return parse_picture(text, extension, source, options);
-  if (extension == ".json") return parse_json(text, source, options);
-  if (extension == ".geojson") return parse_geojson(text, source, options);
+  return parse_geojson(file.text, file.source, options);
+}
+
+struct Format {
+  std::string_view extension;
+  Parse parse;
+};
+
+/// All formats that are read from one text.
+constexpr std::array kFormats{
+    Format{".poly", plain<parse_poly>},
+    Format{".msh", plain<parse_msh>},
+    Format{".tif", tif},
+    Format{".str", plain<parse_suprem>},
+    Format{".cmd", plain<parse_sde>},
+    Format{".scm", plain<parse_sde>},
+    Format{".json", with_options<parse_json>},
+    Format{".geojson", geojson},
+    Format{".gds", with_options<parse_gds>},
+    Format{".gds2", with_options<parse_gds>},
+    Format{".gdsii", with_options<parse_gds>},
+    Format{".vtu", vtk},
+    Format{".vtp", vtk},
+    Format{".vti", vtk},
+    Format{".vtk", vtk},
+    Format{".png", picture},
+    Format{".bmp", picture},
+    Format{".tiff", picture},
+    Format{".nrrd", picture},
+    Format{".mha", picture},
+};
+
+Error unknown_format(std::string_view extension, const std::string& source) {
+  for (const OtherFormat& other : kOtherFormats) {
+    if (other.extension != extension) continue;
+    return {ErrorCode::unsupported_format, fmt::format("{}: {}", source, other.what), {}, {}};
+  }
+  std::vector<std::string> known;
+  for (const Format& format : kFormats) known.emplace_back(format.extension);
+  return {ErrorCode::unsupported_format,
+          fmt::format("{}: no reader for files named '*{}'; known: {}", source, extension,
+                      listed(known)),
+          {},
+          {}};
+}
+
+Result<Input> parse_format(const Contents& file, const ReadOptions& options) {
   for (const Format& format : kFormats)
-    if (format.extension == extension) return format.parse(text, source);
-  if (is_data_set(extension)) return parse_vtk(text, extension, source, options);
-  if (is_layout(extension)) return parse_gds(text, source, options);
-  return unknown_format(extension, source);
+    if (format.extension == file.extension) return format.parse(file, options);
+  return unknown_format(file.extension, file.source);
 }
 
 }  // namespace
@@ -129,7 +168,7 @@ Result<Input> parse_input(std::string_view text, std::string_view extension,
   return memory_as_value(source, [&]() -> Result<Input> {
     if (const Status status = check_read_options(options); !status) return status.error();
     const std::string format = lower(options.format.empty() ? extension : options.format);
-    Result<Input> input = parse_format(text, format, source, options);
+    Result<Input> input = parse_format({text, format, source}, options);
     if (!input) return input;
     if (Status status = apply_units(*input, options); !status) return std::move(status).error();
     return input;

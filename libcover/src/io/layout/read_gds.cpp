@@ -7,10 +7,6 @@
 
 namespace cover {
 
-bool is_layout(std::string_view extension) {
-  return extension == ".gds" || extension == ".gds2" || extension == ".gdsii";
-}
-
 Result<Input> parse_gds(std::string_view bytes, const std::string& source,
                         const ReadOptions& options) {
   Result<LayerMap> layers = LayerMap::make(options);

@@ -10,9 +10,6 @@
 
 namespace cover {
 
-/// Whether files with this extension, in lower case, are layouts.
-bool is_layout(std::string_view extension);
-
 /// Boundaries, boxes and paths with a width become painted polygons, with the name of their layer
 /// as material and region, so that those of one layer unite where they touch; paths without a width
 /// become lines of that name. ReadOptions choose layers, names, cell and window.
