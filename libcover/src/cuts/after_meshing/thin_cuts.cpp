@@ -47,8 +47,8 @@ ThinEffort effort_of(Effort effort, std::size_t vertices) {
   return {20'000, 8'000'000 + 1'000 * vertices, 100'000, 20'000'000, {}};
 }
 
-/// For the last obtuse triangles: there are few, and each may be hard. With a ninth of it combs whose
-/// slits are a thousandth wide keep 50, 19 and 26 in place of 13, 7 and 6.
+/// For the last obtuse triangles: there are few, and each may be hard. With a ninth of it combs
+/// whose slits are a thousandth wide keep 50, 19 and 26 in place of 13, 7 and 6.
 ThinEffort effort_for_the_last(const ThinEffort& effort) {
   constexpr std::uint64_t kPlaces = 100'000;
   return {0, 0, kPlaces, 3 * effort.places_to_mend_at_most, effort.stop};
