@@ -10,7 +10,7 @@
 
 namespace cover {
 
-/// Whoever has threads to give: tasks/run_all.
+/// Whoever has threads to give: base/run_all.
 class Crew {
  public:
   Crew() = default;

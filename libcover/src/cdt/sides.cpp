@@ -6,7 +6,8 @@
 
 namespace cover {
 
-std::vector<EdgeRef> locate_sides(const Triangulation& cdt, std::span<const IndexPair> sides) {
+std::vector<EdgeRef> locate_sides(const Triangulation& cdt, std::span<const IndexPair> sides,
+                                  const Team& team) {
   std::vector<std::uint32_t> first(cdt.points.size() + 1, 0);
   for (const IndexPair& side : sides) {
     if (side[0] < cdt.points.size()) ++first[side[0] + 1];
@@ -14,9 +15,9 @@ std::vector<EdgeRef> locate_sides(const Triangulation& cdt, std::span<const Inde
   for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
 
   std::vector<EdgeRef> at(sides.size());
-  for (std::uint32_t t = 0; t < cdt.triangles.size(); ++t) {
+  const auto look_at = [&](std::uint32_t t) {
     const Triangle& f = cdt.triangles[t];
-    if (f.locked == 0) continue;
+    if (f.locked == 0) return;
     for (int i = 0; i < 3; ++i) {
       if (!f.is_locked(i)) continue;
       const IndexPair pair{f.v[static_cast<std::size_t>(next3(i))],
@@ -26,7 +27,12 @@ std::vector<EdgeRef> locate_sides(const Triangulation& cdt, std::span<const Inde
       if (side == end || *side != pair) continue;
       at[static_cast<std::size_t>(side - sides.begin())] = {t, static_cast<std::uint8_t>(i)};
     }
-  }
+  };
+  // A side is an edge of one triangle, so that no two threads find the same.
+  constexpr std::size_t kRange = 1 << 15;
+  team.each_range(cdt.triangles.size(), kRange, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) look_at(static_cast<std::uint32_t>(t));
+  });
   return at;
 }
 

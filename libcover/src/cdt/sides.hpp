@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/team.hpp"
 #include "cdt/cdt.hpp"
 #include "cdt/triangulation.hpp"
 
@@ -21,6 +22,7 @@ struct EdgeRef {
 /// A side of points that the triangulation has not is nowhere.
 /// REQUIRES: `sides` in lexicographic order
 /// Cost:     O(triangles + sides), for the few sides that usually leave a vertex
-std::vector<EdgeRef> locate_sides(const Triangulation& cdt, std::span<const IndexPair> sides);
+std::vector<EdgeRef> locate_sides(const Triangulation& cdt, std::span<const IndexPair> sides,
+                                  const Team& team = {});
 
 }  // namespace cover

@@ -15,6 +15,7 @@
 
 #include <cover/mesh.hpp>
 
+#include "base/sort_by_team.hpp"
 #include "geom/predicates.hpp"
 
 namespace cover {
@@ -23,6 +24,8 @@ using Halfedge = TriMesh::HalfedgeHandle;
 using Vertex = TriMesh::VertexHandle;
 
 namespace {
+
+constexpr std::size_t kRange = 1 << 15;
 
 Vertex vertex(std::uint32_t v) { return Vertex(static_cast<int>(v)); }
 
@@ -46,16 +49,20 @@ MeshBuilder::MeshBuilder(std::span<const Point> points, std::span<const IndexTri
 Mesh MeshBuilder::build(const Team& team, const std::function<void(Mesh&)>& more) const {
   Mesh mesh;
   mesh.tri().resize(points_.size(), edges_, triangles_.size());
-  // These are other arrays than those.
-  team.each(2, [&](std::size_t k) {
+  // What each of them sets is no other's.
+  constexpr std::size_t kWhole = 2;
+  team.each(kWhole + Team::ranges(triangles_.size(), kRange), [&](std::size_t k) {
     if (k == 0) {
-      set_faces(mesh.tri());
-      set_boundary(mesh.tri());
-    } else {
+      set_homes(mesh.tri());
+    } else if (k == 1) {
       set_points(mesh.tri());
       if (more) more(mesh);
+    } else {
+      const std::size_t first = (k - kWhole) * kRange;
+      set_faces(first, std::min(triangles_.size(), first + kRange), mesh.tri());
     }
   });
+  set_boundary(team, mesh.tri());
   return mesh;
 }
 
@@ -78,29 +85,47 @@ void MeshBuilder::set_points(TriMesh& tri) const {
   }
 }
 
-void MeshBuilder::set_faces(TriMesh& tri) const {
-  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+/// The faces and their half-edges.
+void MeshBuilder::set_faces(std::size_t first, std::size_t last, TriMesh& tri) const {
+  for (auto t = static_cast<std::uint32_t>(first); t < last; ++t) {
     const TriMesh::FaceHandle face(static_cast<int>(t));
     for (std::uint32_t i = 0; i < 3; ++i) {
       const Halfedge edge = halfedge(3 * t + i);
-      const Vertex from = vertex(triangles_[t][i]);
       tri.set_vertex_handle(edge, vertex(triangles_[t][(i + 1) % 3]));
-      tri.set_vertex_handle(tri.opposite_halfedge_handle(edge), from);
       tri.set_face_handle(edge, face);
       tri.set_next_halfedge_handle(edge, halfedge(3 * t + (i + 1) % 3));
       if (i == 0) tri.set_halfedge_handle(face, edge);  // keeps the order of the corners
-      tri.set_halfedge_handle(from, edge);
     }
   }
 }
 
-void MeshBuilder::set_boundary(TriMesh& tri) const {
-  std::vector<Fan> fans;
-  fans.reserve(boundary_.size());
-  for (const std::uint32_t h : boundary_)
-    fans.push_back(fan_from(tri, Halfedge(static_cast<int>(h))));
-  std::stable_sort(fans.begin(), fans.end(),
-                   [](const Fan& f, const Fan& g) { return f.vertex < g.vertex; });
+/// Of each vertex the half-edge that leaves it in its last face.
+void MeshBuilder::set_homes(TriMesh& tri) const {
+  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+    for (std::uint32_t i = 0; i < 3; ++i)
+      tri.set_halfedge_handle(vertex(triangles_[t][i]), halfedge(3 * t + i));
+  }
+}
+
+void MeshBuilder::set_boundary(const Team& team, TriMesh& tri) const {
+  std::vector<Fan> fans(boundary_.size());
+  team.each_range(boundary_.size(), kRange, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      const Halfedge inside(static_cast<int>(boundary_[k]));
+      const Halfedge before = tri.next_halfedge_handle(tri.next_halfedge_handle(inside));
+      tri.set_vertex_handle(tri.opposite_halfedge_handle(inside), tri.to_vertex_handle(before));
+    }
+  });
+  team.each_range(boundary_.size(), kRange, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k)
+      fans[k] = fan_from(tri, Halfedge(static_cast<int>(boundary_[k])));
+  });
+  sort_by_team(
+      fans,
+      [](const Fan& f, const Fan& g) {
+        return f.vertex != g.vertex ? f.vertex < g.vertex : f.arriving < g.arriving;
+      },
+      team);
   for (auto first = fans.begin(); first != fans.end();) {
     const auto last =
         std::find_if(first, fans.end(), [&](const Fan& f) { return f.vertex != first->vertex; });

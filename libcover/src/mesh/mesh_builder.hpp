@@ -42,8 +42,9 @@ class MeshBuilder {
   }
   void number_half_edges();
   void set_points(TriMesh& tri) const;
-  void set_faces(TriMesh& tri) const;
-  void set_boundary(TriMesh& tri) const;
+  void set_faces(std::size_t first, std::size_t last, TriMesh& tri) const;
+  void set_homes(TriMesh& tri) const;
+  void set_boundary(const Team& team, TriMesh& tri) const;
   static Fan fan_from(const TriMesh& tri, TriMesh::HalfedgeHandle first);
   void sort_by_direction(std::span<Fan> fans) const;
 

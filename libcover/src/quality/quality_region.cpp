@@ -56,8 +56,9 @@ class RegionWork {
     RegionMesh out = reported(best);
     const Goal& goal = candidates_.goal();
     if (!best.mesh->goal().has_same_angles(goal)) best.mesh.change().set_goal(goal);
-    out.report.notes = missed_targets(*best.mesh, boundary_, candidates_.limit(), options_,
-                                      unreached(), candidates_.frame().origin());
+    out.report.notes =
+        missed_targets(*best.mesh, boundary_, candidates_.limit(), options_, unreached(),
+                       candidates_.frame().origin(), 0, candidates_.team());
     return out;
   }
 

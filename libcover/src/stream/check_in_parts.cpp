@@ -17,12 +17,12 @@
 
 #include "base/containers/give_back.hpp"
 #include "base/faults/out_of_memory.hpp"
+#include "base/run_all.hpp"
 #include "cdt/triangulation.hpp"
 #include "io/vtk_files/mapped_triangles.hpp"
 #include "pipeline/find_regions.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/region_task.hpp"
-#include "tasks/run_all.hpp"
 
 namespace cover {
 namespace {

@@ -8,6 +8,7 @@
 
 #include <cover/ids.hpp>
 
+#include "base/team.hpp"
 #include "cdt/sides.hpp"
 #include "cdt/triangulation.hpp"
 
@@ -35,7 +36,7 @@ struct AngleLimit {
 /// Cost:     O(n)
 /// Ref:      mitchell_1993_covering, Lemma 1
 AngleLimit angle_limit(const Triangulation& cdt, std::span<const IndexPair> sides,
-                       std::span<const SegmentId> segments);
+                       std::span<const SegmentId> segments, const Team& team = {});
 
 /// pi minus the angle a-p-b, to a few units in the last place even where that angle is so flat
 /// that the differences of the coordinates lose what counts.

@@ -6,9 +6,9 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/run_all.hpp"
 #include "base/team.hpp"
 #include "tasks/errors_as_values.hpp"
-#include "tasks/run_all.hpp"
 
 namespace cover {
 

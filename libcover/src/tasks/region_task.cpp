@@ -16,13 +16,13 @@
 
 #include <fmt/core.h>
 
+#include "base/run_all.hpp"
 #include "cdt/region_cdt.hpp"
 #include "sizes/expected_triangles.hpp"
 #include "target/angle_limit.hpp"
 #include "target/measure.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/mesh_one_region.hpp"
-#include "tasks/run_all.hpp"
 #include "tasks/share_out_regions.hpp"
 
 namespace cover {

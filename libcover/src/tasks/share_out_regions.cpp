@@ -6,12 +6,12 @@
 
 #include <fmt/core.h>
 
+#include "base/run_all.hpp"
 #include "sizes/sizes.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/mesh_one_region.hpp"
 #include "tasks/region_bytes.hpp"
 #include "tasks/region_task.hpp"
-#include "tasks/run_all.hpp"
 
 namespace cover {
 namespace {

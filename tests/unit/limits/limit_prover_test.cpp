@@ -11,12 +11,12 @@
 
 #include <gtest/gtest.h>
 
+#include "base/run_all.hpp"
 #include "cdt/cdt.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 #include "support/random_regions.hpp"
 #include "support/shapes.hpp"
-#include "tasks/run_all.hpp"
 
 namespace cover {
 namespace {

@@ -10,6 +10,7 @@
 #include <cover/curved_mesh.hpp>
 #include <cover/mesh.hpp>
 
+#include "base/run_all.hpp"
 #include "base/words/safe_names.hpp"
 #include "geom/vector.hpp"
 #include "io/text/array_names.hpp"
@@ -167,8 +168,9 @@ void add_lines(const RegionTable& table, std::vector<LineEdge> lines, const Writ
 
 class Viewer {
  public:
-  Viewer(const Output& output, const WriteOptions& options)
-      : output_(output),
+  Viewer(const Output& output, const WriteOptions& options, const Team& team)
+      : team_(team),
+        output_(output),
         mesh_(output.mesh),
         tri_(output.mesh.tri()),
         table_(output.table),
@@ -217,29 +219,45 @@ class Viewer {
 
   void add_triangles() {
     view_.triangles.nodes_each = options_.order == 2 ? 6 : 3;
-    std::vector<std::uint32_t>& nodes = view_.triangles.nodes;
-    nodes.reserve(view_.triangles.nodes_each * tri_.n_faces());
-    view_.region.reserve(tri_.n_faces());
-    view_.material.reserve(tri_.n_faces());
-    for (int f = 0; f < static_cast<int>(tri_.n_faces()); ++f) {
-      const TriMesh::FaceHandle face(f);
-      const Halfedge first = tri_.halfedge_handle(face);
-      const Halfedge second = tri_.next_halfedge_handle(first);
-      const Halfedge third = tri_.next_halfedge_handle(second);
+    view_.triangles.nodes.resize(view_.triangles.nodes_each * tri_.n_faces());
+    view_.region.resize(tri_.n_faces());
+    view_.material.resize(tri_.n_faces());
+    team_.each_range(tri_.n_faces(), kRange, [this](std::size_t first, std::size_t last) {
+      for (std::size_t f = first; f < last; ++f) add_triangle(f);
+    });
+  }
+
+  void add_triangle(std::size_t f) {
+    const TriMesh::FaceHandle face(static_cast<int>(f));
+    const Halfedge first = tri_.halfedge_handle(face);
+    const Halfedge second = tri_.next_halfedge_handle(first);
+    const Halfedge third = tri_.next_halfedge_handle(second);
+    std::size_t next = view_.triangles.nodes_each * f;
+    for (const Halfedge h : {first, second, third})
+      view_.triangles.nodes[next++] = static_cast<std::uint32_t>(tri_.from_vertex_handle(h).idx());
+    if (options_.order == 2) {
       for (const Halfedge h : {first, second, third})
-        nodes.push_back(static_cast<std::uint32_t>(tri_.from_vertex_handle(h).idx()));
-      if (options_.order == 2) {
-        for (const Halfedge h : {first, second, third}) nodes.push_back(midpoint_of(h));
-      }
-      view_.region.push_back(mesh_.region(face));
-      view_.material.push_back(mesh_.material(face));
+        view_.triangles.nodes[next++] = midpoint_of(h);
     }
+    view_.region[f] = mesh_.region(face);
+    view_.material[f] = mesh_.material(face);
   }
 
   /// On interfaces, and on the hull.
   [[nodiscard]] std::vector<LineEdge> all_lines() const {
+    std::vector<std::vector<LineEdge>> parts(Team::ranges(tri_.n_edges(), kRange));
+    team_.each_range(tri_.n_edges(), kRange, [&](std::size_t first, std::size_t last) {
+      parts[first / kRange] = lines_among(static_cast<int>(first), static_cast<int>(last));
+    });
     std::vector<LineEdge> lines;
-    for (int e = 0; e < static_cast<int>(tri_.n_edges()); ++e) {
+    for (const std::vector<LineEdge>& part : parts)
+      lines.insert(lines.end(), part.begin(), part.end());
+    return lines;
+  }
+
+  [[nodiscard]] std::vector<LineEdge> lines_among(int first, int last) const {
+    std::vector<LineEdge> lines;
+    for (int e = first; e < last; ++e) {
       const Edge edge(e);
       const InterfaceId interface = mesh_.interface(edge);
       const bool is_outer = tri_.is_boundary(edge);
@@ -306,6 +324,9 @@ class Viewer {
     }
   }
 
+  static constexpr std::size_t kRange = 1 << 15;
+
+  const Team& team_;
   const Output& output_;
   const Mesh& mesh_;
   const TriMesh& tri_;
@@ -318,7 +339,9 @@ class Viewer {
 }  // namespace
 
 MeshView view_of(const Output& output, const WriteOptions& options) {
-  MeshView view = Viewer(output, options).make();
+  MeshView view;
+  with_team(output.report.threads,
+            [&](const Team& team) { view = Viewer(output, options, team).make(); });
   const std::size_t uncut = output.report.uncut_points;
   if (uncut > 0 && output.pslg.points.size() > uncut)
     view.cut_vertices = output.pslg.points.size() - uncut;

@@ -75,6 +75,55 @@ bool is_obtuse(const MutableMesh& mesh, std::uint32_t t, Point origin) {
   return bluntness_of(corner(0), corner(1), corner(2)) == Blunt::yes;
 }
 
+/// Angles, and the first places where they are.
+struct Places {
+  std::size_t count = 0;
+  std::vector<Point> where;
+
+  void add(Point at) {
+    ++count;
+    if (where.size() < kPlaces) where.push_back(at);
+  }
+  void add(const Places& later) {
+    count += later.count;
+    const std::size_t more = std::min(later.where.size(), kPlaces - where.size());
+    where.insert(where.end(), later.where.begin(),
+                 later.where.begin() + static_cast<std::ptrdiff_t>(more));
+  }
+};
+
+/// What some triangles miss.
+struct MissedAngles {
+  Places large, small;
+  Places forced;  ///< small ones
+
+  void look_at(const MutableMesh& mesh, std::uint32_t t, const Options& options, Point origin,
+               std::size_t thin) {
+    if (mesh.is_hole(t)) return;
+    const Goal& goal = mesh.goal();
+    const auto& n = mesh.triangles[t].n;
+    const Corners k(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
+    double allowed = 0;
+    for (const std::uint32_t across : n) {
+      if (is_side(across)) allowed = std::max(allowed, mesh.allowance(across)->small);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Point in_frame = mesh.points[mesh.triangles[t].v[i]];
+      const Point at{in_frame.x + origin.x, in_frame.y + origin.y};
+      const double cot = k.dot[i] / k.cross;
+      const Allowance* side = mesh.allowance(n[i]);
+      if (-cot > goal.large + (side != nullptr ? side->large : 0) + kRounding &&
+          (options.max_angle != Angle::degrees(90) || is_obtuse(mesh, t, origin)))
+        large.add(at);
+      const bool of_the_input = is_side(n[(i + 1) % 3]) && is_side(n[(i + 2) % 3]);
+      if (goal.weight == 0 || t < thin || of_the_input || cot <= goal.small * (1 + kRounding))
+        continue;
+      // Where sides force it, no triangle on that side is without such an angle.
+      (allowed > 0 ? forced : small).add(at);
+    }
+  }
+};
+
 std::string reason_of(Unreached why) {
   switch (why) {
     case Unreached::unknown:
@@ -93,47 +142,29 @@ std::string reason_of(Unreached why) {
 
 std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& boundary,
                                  const AngleLimit& limit, const Options& options,
-                                 Unreached unreached, Point origin, std::size_t thin) {
+                                 Unreached unreached, Point origin, std::size_t thin,
+                                 const Team& team) {
+  constexpr std::size_t kRange = 1 << 16;
   std::vector<Note> notes;
   note_forced(boundary, limit, options.max_angle, notes);
-  std::size_t large = 0, small = 0, forced_small = 0;
-  std::vector<Point> where_large, where_small, where_forced;
-  const Goal& goal = mesh.goal();
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (mesh.is_hole(t)) continue;
-    const auto& n = mesh.triangles[t].n;
-    const Corners k(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
-    double allowed = 0;
-    for (const std::uint32_t across : n) {
-      if (is_side(across)) allowed = std::max(allowed, mesh.allowance(across)->small);
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Point in_frame = mesh.points[mesh.triangles[t].v[i]];
-      const Point at{in_frame.x + origin.x, in_frame.y + origin.y};
-      const double cot = k.dot[i] / k.cross;
-      const Allowance* side = mesh.allowance(n[i]);
-      if (-cot > goal.large + (side != nullptr ? side->large : 0) + kRounding &&
-          (options.max_angle != Angle::degrees(90) || is_obtuse(mesh, t, origin))) {
-        ++large;
-        if (where_large.size() < kPlaces) where_large.push_back(at);
-      }
-      const bool of_the_input = is_side(n[(i + 1) % 3]) && is_side(n[(i + 2) % 3]);
-      if (goal.weight == 0 || t < thin || of_the_input || cot <= goal.small * (1 + kRounding))
-        continue;
-      if (allowed > 0) {  // no triangle on that side is without such an angle
-        ++forced_small;
-        if (where_forced.size() < kPlaces) where_forced.push_back(at);
-      } else {
-        ++small;
-        if (where_small.size() < kPlaces) where_small.push_back(at);
-      }
-    }
+  std::vector<MissedAngles> parts(Team::ranges(mesh.triangles.size(), kRange));
+  team.each_range(mesh.triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t)
+      parts[first / kRange].look_at(mesh, static_cast<std::uint32_t>(t), options, origin, thin);
+  });
+  MissedAngles all;
+  for (const MissedAngles& part : parts) {
+    all.large.add(part.large);
+    all.small.add(part.small);
+    all.forced.add(part.forced);
   }
+  const std::size_t large = all.large.count, small = all.small.count;
+  const std::size_t forced_small = all.forced.count;
   const std::string why = reason_of(unreached);
   const std::string region = fmt::format("region {}: ", boundary.id.value());
   if (large > 0) {
     notes.push_back(missed(boundary.id, region + remaining(large, "above", options.max_angle) + why,
-                           std::move(where_large)));
+                           std::move(all.large.where)));
   }
   if (small > 0) {
     const std::string also = forced_small > 0
@@ -141,13 +172,13 @@ std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& 
                                  : std::string();
     notes.push_back(missed(boundary.id,
                            region + remaining(small, "below", options.min_angle) + why + also,
-                           std::move(where_small)));
+                           std::move(all.small.where)));
   } else if (forced_small > 0) {
     notes.push_back(
         missed(boundary.id,
                fmt::format("{}sides near each other force {} below {:.6g} degrees", region,
                            counted(forced_small, "angle"), options.min_angle.in_degrees()),
-               std::move(where_forced)));
+               std::move(all.forced.where)));
   }
   return notes;
 }

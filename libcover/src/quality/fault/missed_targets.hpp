@@ -27,7 +27,7 @@ enum class Unreached {
 ///           `origin`; small angles of the first `thin` triangles were asked for
 std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& boundary,
                                  const AngleLimit& limit, const Options& options, Unreached why,
-                                 Point origin = {}, std::size_t thin = 0);
+                                 Point origin = {}, std::size_t thin = 0, const Team& team = {});
 
 /// Limits and notes on missed targets of a region whose boundary and mesh were changed after they
 /// were reported. Its other notes stay.

@@ -40,7 +40,7 @@ class BlockWork {
     });
     labels_ = {};
     give_back(number_);
-    put_back.make_room(parts_);
+    put_back.make_room(parts_, team_);
     team_.each(parts_.size(), [&](std::size_t k) { put_back.put_extras(parts_[k]); });
     team_.each(parts_.size(), [&](std::size_t k) { join(k); });
     team_.each(parts_.size(), [&](std::size_t k) {
@@ -243,18 +243,26 @@ class BlockWork {
 
 }  // namespace
 
-std::vector<std::uint32_t> Borders::triangles_near(const MutableMesh& whole) const {
+std::vector<std::uint32_t> Borders::triangles_near(const MutableMesh& whole,
+                                                   const Team& team) const {
   std::vector<std::uint8_t> is_marked(whole.points.size(), 0);
   for (const std::uint32_t v : vertices) is_marked[v] = 1;
+  std::vector<std::vector<std::uint32_t>> found(Team::ranges(whole.triangles.size(), kRange));
+  team.each_range(whole.triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+    std::vector<std::uint32_t>& own = found[first / kRange];
+    for (std::size_t k = first; k < last; ++k) {
+      const auto t = static_cast<std::uint32_t>(k);
+      if (whole.is_hole(t)) continue;
+      const auto& [v, n] = whole.triangles[t];
+      if ((is_marked[v[0]] | is_marked[v[1]] | is_marked[v[2]]) == 0) continue;
+      own.push_back(t);
+      std::copy_if(n.begin(), n.end(), std::back_inserter(own),
+                   [](std::uint32_t other) { return !is_side(other); });
+    }
+  });
   std::vector<std::uint32_t> near;
-  for (std::uint32_t t = 0; t < whole.triangles.size(); ++t) {
-    if (whole.is_hole(t)) continue;
-    const auto& [v, n] = whole.triangles[t];
-    if ((is_marked[v[0]] | is_marked[v[1]] | is_marked[v[2]]) == 0) continue;
-    near.push_back(t);
-    std::copy_if(n.begin(), n.end(), std::back_inserter(near),
-                 [](std::uint32_t other) { return !is_side(other); });
-  }
+  for (const std::vector<std::uint32_t>& own : found)
+    near.insert(near.end(), own.begin(), own.end());
   std::sort(near.begin(), near.end());
   near.erase(std::unique(near.begin(), near.end()), near.end());
   return near;

@@ -44,7 +44,8 @@ struct Borders {
   std::vector<std::uint32_t> vertices;   ///< of such edges, sorted
 
   /// The triangles with such a vertex, and those beside them, sorted.
-  [[nodiscard]] std::vector<std::uint32_t> triangles_near(const MutableMesh& whole) const;
+  [[nodiscard]] std::vector<std::uint32_t> triangles_near(const MutableMesh& whole,
+                                                          const Team& team = {}) const;
 };
 
 /// How many parts a mesh has at the most.

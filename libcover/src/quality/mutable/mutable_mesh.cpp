@@ -1,6 +1,7 @@
 // See mutable_mesh.hpp. Tested by tests/unit/quality/mutable/mutable_mesh_test.cpp.
 #include "quality/mutable/mutable_mesh.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -16,36 +17,61 @@ constexpr double kSlack = 1e-12;
 
 constexpr std::size_t kRange = 1 << 15;  ///< triangles that are looked at in one go
 
+/// Room that is left where triangles are put in order: in the next stage parts of a region have a
+/// fortieth more of them. What is not used costs nothing.
+constexpr std::size_t kSpareOf = 16;
+
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Takes places that are free, the last one first, and then those behind `size`, which grows.
+void take_places(std::span<std::uint32_t> places, std::vector<std::uint32_t>& free,
+                 std::size_t size) {
+  for (std::uint32_t& place : places) {
+    if (free.empty()) {
+      place = static_cast<std::uint32_t>(size++);
+    } else {
+      place = free.back();
+      free.pop_back();
+    }
+  }
+}
 
 }  // namespace
 
 MutableMesh::MutableMesh(const Triangulation& triangulation, std::uint32_t fixed,
-                         std::span<const EdgeRef> side_at, SideLimits limits)
-    : points(triangulation.points),
+                         std::span<const EdgeRef> side_at, SideLimits limits, const Team& team)
+    : points(triangulation.points.begin(), triangulation.points.end()),
       triangles(triangulation.triangles.size()),
-      excess(triangulation.triangles.size(), 0),
+      excess(triangulation.triangles.size()),
       home(triangulation.points.size(), kNone),
       sides(std::move(limits)),
       allowances(sides.size()),
       fixed_(fixed) {
+  team.each_range(triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) {
+      const Triangle& from = triangulation.triangles[t];
+      triangles[t] = {from.v, from.n};
+      excess[t] = 0;
+    }
+  });
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    const Triangle& from = triangulation.triangles[t];
-    triangles[t] = {from.v, from.n};
-    for (const std::uint32_t v : from.v) home[v] = t;
+    for (const std::uint32_t v : triangles[t].v) home[v] = t;
   }
   for (std::uint32_t s = 0; s < side_at.size(); ++s) {
     if (side_at[s].triangle == kNone)
       throw InternalFault("a side is no edge of the triangulation", {});
     triangles[side_at[s].triangle].n[side_at[s].edge] = kSideBit | s;
   }
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    for (int i = 0; i < 3; ++i) {
-      if (triangles[t].n[at(i)] == kNone)
-        throw InternalFault("an edge of the triangulation has nothing on its other side",
-                            {corner(t, next3(i)), corner(t, prev3(i))});
+  team.each_range(triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      const auto t = static_cast<std::uint32_t>(k);
+      for (int i = 0; i < 3; ++i) {
+        if (triangles[t].n[at(i)] == kNone)
+          throw InternalFault("an edge of the triangulation has nothing on its other side",
+                              {corner(t, next3(i)), corner(t, prev3(i))});
+      }
     }
-  }
+  });
 }
 
 Allowance allowance_for(const SideLimit& side, const Goal& goal) {
@@ -154,7 +180,8 @@ void MutableMesh::link(std::uint32_t n, std::uint32_t a, std::uint32_t b, std::u
   }
 }
 
-void MutableMesh::reserve_more(std::size_t more_triangles, std::size_t more_vertices) {
+void MutableMesh::reserve_more(std::size_t more_triangles, std::size_t more_vertices,
+                               const Team& team) {
   // A quarter more than that: whoever needs it would move all, and room that is not used costs
   // nothing. (At borders of parts refinement adds more than a thirtieth.)
   constexpr std::size_t kLittle = 4;
@@ -164,10 +191,24 @@ void MutableMesh::reserve_more(std::size_t more_triangles, std::size_t more_vert
   const std::size_t most_triangles =
       size_with(triangles.size(), more_triangles, free_triangles_.size());
   const std::size_t most_vertices = size_with(points.size(), more_vertices, free_vertices_.size());
-  triangles.reserve(most_triangles);
-  excess.reserve(most_triangles);
-  points.reserve(most_vertices);
-  home.reserve(most_vertices);
+  if (triangles.capacity() < most_triangles) triangles = copy_of(triangles, team, most_triangles);
+  if (excess.capacity() < most_triangles) excess = copy_of(excess, team, most_triangles);
+  if (points.capacity() < most_vertices) points = copy_of(points, team, most_vertices);
+  if (home.capacity() < most_vertices) home = copy_of(home, team, most_vertices);
+}
+
+void MutableMesh::add_triangles(std::span<std::uint32_t> places) {
+  const std::size_t more = places.size() - std::min(places.size(), free_triangles_.size());
+  take_places(places, free_triangles_, triangles.size());
+  triangles.resize(triangles.size() + more);
+  excess.resize(excess.size() + more);
+}
+
+void MutableMesh::add_vertices(std::span<std::uint32_t> places) {
+  const std::size_t more = places.size() - std::min(places.size(), free_vertices_.size());
+  take_places(places, free_vertices_, points.size());
+  points.resize(points.size() + more);
+  home.resize(home.size() + more);
 }
 
 std::uint32_t MutableMesh::add_vertex(Point p) {
@@ -193,7 +234,7 @@ std::uint32_t MutableMesh::add_triangle() {
     free_triangles_.pop_back();
     return t;
   }
-  triangles.emplace_back();
+  triangles.push_back({});
   excess.push_back(0);
   return static_cast<std::uint32_t>(triangles.size() - 1);
 }
@@ -279,7 +320,10 @@ void MutableMesh::arrange(const Team& team) {
   give_back(home);
   std::vector<std::uint32_t> number;
   const std::vector<std::uint32_t> order = order_from_sides(number);
-  std::vector<MeshTriangle> sorted(order.size());
+  const std::size_t room = order.size() + order.size() / kSpareOf;
+  UnsetVector<MeshTriangle> sorted;
+  sorted.reserve(room);
+  sorted.resize(order.size());
   team.each_range(order.size(), kRange, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       sorted[k] = triangles[order[k]];
@@ -288,32 +332,40 @@ void MutableMesh::arrange(const Team& team) {
   });
   triangles = std::move(sorted);
   give_back(number);
-  std::vector<double> sorted_excess(order.size());
+  UnsetVector<double> sorted_excess;
+  sorted_excess.reserve(room);
+  sorted_excess.resize(order.size());
   team.each_range(order.size(), kRange, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) sorted_excess[k] = excess[order[k]];
   });
   excess = std::move(sorted_excess);
-  number_vertices();
+  number_vertices(team);
   free_triangles_.clear();
 }
 
-void MutableMesh::number_vertices() {
+void MutableMesh::number_vertices(const Team& team) {
   const std::size_t count = points.size() - free_vertices_.size();
-  std::vector<Point> sorted(points.begin(), points.begin() + fixed_);
-  sorted.reserve(count);
+  const std::size_t room = count + count / kSpareOf;
   std::vector<std::uint32_t> vertex(points.size(), kNone);
   for (std::uint32_t v = 0; v < fixed_; ++v) vertex[v] = v;
+  std::uint32_t next = fixed_;
+  home.reserve(room);
   home.assign(count, kNone);
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     for (std::uint32_t& v : triangles[t].v) {
-      if (vertex[v] == kNone) {
-        vertex[v] = static_cast<std::uint32_t>(sorted.size());
-        sorted.push_back(points[v]);
-      }
+      if (vertex[v] == kNone) vertex[v] = next++;
       v = vertex[v];
       home[v] = t;
     }
   }
+  UnsetVector<Point> sorted;
+  sorted.reserve(room);
+  sorted.resize(next);
+  team.each_range(points.size(), kRange, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) {
+      if (vertex[v] != kNone) sorted[vertex[v]] = points[v];
+    }
+  });
   points = std::move(sorted);
   free_vertices_.clear();
 }

@@ -10,6 +10,7 @@
 
 #include <cover/point.hpp>
 
+#include "base/containers/unset_vector.hpp"
 #include "base/team.hpp"
 #include "cdt/sides.hpp"
 #include "cdt/triangulation.hpp"
@@ -80,7 +81,7 @@ class MutableMesh {
   /// REQUIRES: the sides are all the edges that border on the outside or must not be crossed
   /// Errors:   throws an InternalFault if a side is nowhere, or an edge on the outside is no side
   MutableMesh(const Triangulation& triangulation, std::uint32_t fixed,
-              std::span<const EdgeRef> side_at, SideLimits limits);
+              std::span<const EdgeRef> side_at, SideLimits limits, const Team& team = {});
 
   /// A part of `whole` with its first `fixed` vertices fixed, without anything yet. Its goal is
   /// that of `whole` for good: it has allowances, but no limits of its sides.
@@ -91,10 +92,10 @@ class MutableMesh {
     return part;
   }
 
-  std::vector<Point> points;
-  std::vector<MeshTriangle> triangles;
-  std::vector<double> excess;       ///< by triangle; -inf for a hole
-  std::vector<std::uint32_t> home;  ///< by vertex: one of its triangles
+  UnsetVector<Point> points;
+  UnsetVector<MeshTriangle> triangles;
+  UnsetVector<double> excess;       ///< by triangle; -inf for a hole
+  UnsetVector<std::uint32_t> home;  ///< by vertex: one of its triangles
   SideLimits sides;
   Allowances allowances;  ///< by side, for the present goal
 
@@ -144,7 +145,10 @@ class MutableMesh {
   }
 
   /// Makes room for so many more, so that adding them moves nothing.
-  void reserve_more(std::size_t more_triangles, std::size_t more_vertices);
+  void reserve_more(std::size_t more_triangles, std::size_t more_vertices, const Team& team = {});
+  /// As many calls of add_triangle() and add_vertex(), whose places are written by the caller.
+  void add_triangles(std::span<std::uint32_t> places);
+  void add_vertices(std::span<std::uint32_t> places);
   std::uint32_t add_vertex(Point p);
   void drop_vertex(std::uint32_t v);
   std::uint32_t add_triangle();
@@ -172,7 +176,7 @@ class MutableMesh {
   /// The triangles from the sides inwards, and where each is in this order.
   std::vector<std::uint32_t> order_from_sides(std::vector<std::uint32_t>& number) const;
   /// Renumbers the free vertices in the order of the triangles, none of which is a hole.
-  void number_vertices();
+  void number_vertices(const Team& team);
   [[nodiscard]] double coupled_excess(const std::array<std::uint32_t, 3>& v,
                                       const std::array<std::uint32_t, 3>& n) const;
 

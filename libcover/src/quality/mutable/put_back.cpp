@@ -124,19 +124,19 @@ MeshTriangle PutBack::placed(Part& part, std::uint32_t t, std::span<const std::u
   return to;
 }
 
-void PutBack::make_room(std::span<Part> parts) {
+void PutBack::make_room(std::span<Part> parts, const Team& team) {
   std::size_t triangles = 0, vertices = 0;
   for (const Part& part : parts) {
     triangles += part.triangles.extra;
     vertices += part.vertices.extra;
   }
-  whole_.reserve_more(triangles, vertices);
+  whole_.reserve_more(triangles, vertices, team);
   for (Part& part : parts) {
     part.triangle_ids.resize(part.triangles.extra);
-    for (std::uint32_t& t : part.triangle_ids) t = whole_.add_triangle();
+    whole_.add_triangles(part.triangle_ids);
     for (const std::uint32_t t : part.triangles.spare) whole_.drop_triangle(t);
     part.vertex_ids.resize(part.vertices.extra);
-    for (std::uint32_t& v : part.vertex_ids) v = whole_.add_vertex({});
+    whole_.add_vertices(part.vertex_ids);
     for (const std::uint32_t v : part.vertices.spare) whole_.drop_vertex(v);
   }
 }

@@ -29,7 +29,7 @@ class PutBack {
   void put(Part& part);
   /// Gives every part places of its own for what it has more than before, and takes those of which
   /// it has fewer. To be called once, when all parts were put back.
-  void make_room(std::span<Part> parts);
+  void make_room(std::span<Part> parts, const Team& team);
   /// Puts the rest there.
   ///
   /// Threads: as put()

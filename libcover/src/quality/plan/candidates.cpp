@@ -67,7 +67,7 @@ Candidates::Candidates(const RegionBoundary& boundary, const Options& options,
       proof_(std::make_unique<RegionProof>(triangulate_region(
           frame_.take_points(), boundary.sides, boundary.known_triangles(), sharing.team))),
       cdt_(proof_->cdt()),
-      limit_(angle_limit(cdt_, boundary.sides, boundary.segments)),
+      limit_(angle_limit(cdt_, boundary.sides, boundary.segments, sharing.team)),
       side_limits_(limits_of(cdt_, limit_, options, sharing.team)),
       goal_(goal_of(options, limit_)),
       sizes_(boundary, cdt_, options.growth, background_in_frame()),
@@ -95,7 +95,8 @@ Goal Candidates::own_goal(const MutableMesh& mesh) const {
 Candidate Candidates::candidate(const Triangulation& triangles, std::string method) const {
   const auto fixed = static_cast<std::uint32_t>(boundary_.points.size());
   return coupled(
-      {MutableMesh(triangles, fixed, locate_sides(triangles, boundary_.sides), side_limits_),
+      {MutableMesh(triangles, fixed, locate_sides(triangles, boundary_.sides, sharing_.team),
+                   side_limits_, sharing_.team),
        {},
        std::move(method)});
 }

@@ -121,7 +121,7 @@ Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search
                      const Sharing& sharing, std::uint64_t each) {
   const bool was_met = std::all_of(mesh.excess.begin(), mesh.excess.end(),
                                    [](double excess) { return excess <= kLeastCoupling; });
-  std::vector<double> known = mesh.excess;
+  UnsetVector<double> known = copy_of(mesh.excess, sharing.team);
   const auto flip_and_improve = [&](const Goal& aim) {
     mesh.set_goal(aim, sharing.team);
     Budget part = budget;
@@ -129,7 +129,7 @@ Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search
     const std::uint64_t given = part.left;
     improve_within(mesh, part, sharing, known, Before::flips_to_delaunay);
     budget.spend(given - part.left);
-    known = mesh.excess;
+    known = copy_of(mesh.excess, sharing.team);
     return merit_of(mesh, aim, sharing.team);
   };
   // Flips may pass through what is not Delaunay as long as couplings weigh no more than angles.
@@ -219,18 +219,31 @@ Merit optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const SizeF
     search_excerpts(mesh, goal, budget, Trials::usual, sharing);
   if (!sizes.is_active()) budget.spend(thin_out(mesh, budget.left, sharing).evaluations);
   if (goal == asked) return merit_of(mesh, goal, sharing.team);
-  if (before_couplings != nullptr) *before_couplings = angles_of(mesh);
+  if (before_couplings != nullptr) *before_couplings = angles_of(mesh, sharing.team);
   return mind_couplings(mesh, asked, budget, is_tiny ? Search::none : search, sharing,
                         coupling_evaluations(search));
 }
 
-AngleRange angles_of(const MutableMesh& mesh) {
-  double least = kInverted, most = -kInverted;  // cotangents
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (mesh.is_hole(t)) continue;
-    const Corners k(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
-    least = std::min(least, std::min({k.dot[0], k.dot[1], k.dot[2]}) / k.cross);
-    most = std::max(most, std::max({k.dot[0], k.dot[1], k.dot[2]}) / k.cross);
+AngleRange angles_of(const MutableMesh& mesh, const Team& team) {
+  constexpr std::size_t kRange = 1 << 16;
+  struct Cotangents {
+    double least = kInverted, most = -kInverted;
+  };
+  std::vector<Cotangents> parts(Team::ranges(mesh.triangles.size(), kRange));
+  team.each_range(mesh.triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+    Cotangents& own = parts[first / kRange];
+    for (std::size_t s = first; s < last; ++s) {
+      const auto t = static_cast<std::uint32_t>(s);
+      if (mesh.is_hole(t)) continue;
+      const Corners k(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
+      own.least = std::min(own.least, std::min({k.dot[0], k.dot[1], k.dot[2]}) / k.cross);
+      own.most = std::max(own.most, std::max({k.dot[0], k.dot[1], k.dot[2]}) / k.cross);
+    }
+  });
+  double least = kInverted, most = -kInverted;
+  for (const Cotangents& part : parts) {
+    least = std::min(least, part.least);
+    most = std::max(most, part.most);
   }
   return {std::atan2(1.0, least), std::atan2(1.0, most)};
 }

@@ -32,7 +32,7 @@ Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeFi
                AngleRange* before_couplings = nullptr);
 
 /// The extreme angles of all triangles.
-AngleRange angles_of(const MutableMesh& mesh);
+AngleRange angles_of(const MutableMesh& mesh, const Team& team = {});
 
 /// Makes a triangulation constrained Delaunay, at the price of angles, and improves it again with
 /// couplings before angles.

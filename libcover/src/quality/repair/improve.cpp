@@ -23,11 +23,11 @@ constexpr std::array<Move, 4> kMoves{try_flip, try_relocate, try_remove, try_res
 
 /// Excesses as if every triangle had been tried, but for those near a border and those of parts
 /// that ran out of budget.
-std::vector<double> known_after(const MutableMesh& mesh, const Borders& borders,
-                                std::span<const std::uint32_t> untried) {
-  std::vector<double> known = mesh.excess;
+UnsetVector<double> known_after(const MutableMesh& mesh, const Borders& borders,
+                                std::span<const std::uint32_t> untried, const Team& team) {
+  UnsetVector<double> known = copy_of(mesh.excess, team);
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  for (const std::uint32_t t : borders.triangles_near(mesh)) known[t] = kUnknown;
+  for (const std::uint32_t t : borders.triangles_near(mesh, team)) known[t] = kUnknown;
   for (const std::uint32_t t : untried) known[t] = kUnknown;
   return known;
 }
@@ -89,7 +89,7 @@ ImproveResult improve(MutableMesh& mesh, std::uint64_t budget, std::span<const d
   const Borders borders = work_in_blocks(mesh, sharing, work, collect);
   ImproveResult sum;
   for (const ImproveResult& result : results) sum.evaluations += result.evaluations;
-  const std::vector<double> tried = known_after(mesh, borders, untried);
+  const UnsetVector<double> tried = known_after(mesh, borders, untried, sharing.team);
   if (flips) make_delaunay(mesh, borders.triangles);
   const std::uint64_t left = budget - std::min(budget, sum.evaluations);
   const ImproveResult last = improve(mesh, left, tried);

@@ -177,7 +177,7 @@ ThinOutResult thin_out_in_blocks(MutableMesh& mesh, std::uint64_t budget, const 
     sum.evaluations += result.evaluations;
   }
   std::vector<std::uint32_t> vertices;
-  for (const std::uint32_t t : borders.triangles_near(mesh)) {
+  for (const std::uint32_t t : borders.triangles_near(mesh, sharing.team)) {
     vertices.insert(vertices.end(), mesh.triangles[t].v.begin(), mesh.triangles[t].v.end());
   }
   const std::uint64_t left = budget - std::min(budget, sum.evaluations);

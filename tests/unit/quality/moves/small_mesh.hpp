@@ -68,9 +68,9 @@ struct Everything {
   }
   bool operator==(const Everything&) const = default;
 
-  std::vector<Point> points;
-  std::vector<double> excess;
-  std::vector<std::uint32_t> home;
+  UnsetVector<Point> points;
+  UnsetVector<double> excess;
+  UnsetVector<std::uint32_t> home;
   std::size_t triangle_count;
   std::vector<std::array<std::uint32_t, 3>> corners, beyond;
 };

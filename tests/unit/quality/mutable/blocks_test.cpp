@@ -4,6 +4,7 @@
 #include <random>
 
 #include "../mesh_checks.hpp"
+#include "base/run_all.hpp"
 #include "quality/mutable/delaunay_flips.hpp"
 #include "quality/quality_region.hpp"
 #include "quality/repair/improve.hpp"
@@ -14,7 +15,6 @@
 #include "support/random_regions.hpp"
 #include "target/measure.hpp"
 #include "target/whole_mesh.hpp"
-#include "tasks/run_all.hpp"
 
 namespace cover {
 namespace {

@@ -142,5 +142,26 @@ TEST(MutableMesh, ForcedTrianglesMeetTheGoal) {
   for (std::uint32_t s = 0; s < mesh.sides.size(); ++s) EXPECT_EQ(mesh.allowances[s].large, 0);
 }
 
+TEST(MutableMesh, ManyPlacesAreThoseThatOneAfterTheOtherWouldBe) {
+  MutableMesh one, many;
+  for (MutableMesh* mesh : {&one, &many}) {
+    for (int k = 0; k < 5; ++k) mesh->add_triangle(), mesh->add_vertex({});
+    for (const std::uint32_t place : {1U, 3U, 0U})
+      mesh->drop_triangle(place), mesh->drop_vertex(place);
+  }
+  std::vector<std::uint32_t> triangles(5), vertices(5);
+  many.reserve_more(5, 5);
+  many.add_triangles(triangles);
+  many.add_vertices(vertices);
+  for (int k = 0; k < 5; ++k) {
+    EXPECT_EQ(triangles[static_cast<std::size_t>(k)], one.add_triangle());
+    EXPECT_EQ(vertices[static_cast<std::size_t>(k)], one.add_vertex({}));
+  }
+  EXPECT_EQ(many.triangles.size(), one.triangles.size());
+  EXPECT_EQ(many.excess.size(), one.excess.size());
+  EXPECT_EQ(many.home.size(), one.home.size());
+  EXPECT_EQ(many.triangle_count(), one.triangle_count());
+}
+
 }  // namespace
 }  // namespace cover

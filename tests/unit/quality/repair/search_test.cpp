@@ -77,7 +77,7 @@ TEST(JointPlacement, MovesWhereSingleVerticesAreStuck) {
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (!(mesh.excess[t] > 1e-9)) continue;
     const double before = worst_excess(mesh);
-    const std::vector<double> excess = mesh.excess;
+    const UnsetVector<double> excess = mesh.excess;
     std::uint64_t evaluations = 0;
     if (!place_jointly(mesh, t, evaluations)) {
       EXPECT_EQ(mesh.excess, excess);

@@ -8,6 +8,7 @@
 #include <memory>
 #include <numeric>
 
+#include "base/containers/unset_vector.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -181,13 +182,15 @@ void add_triangle_arrays(const TriangleArrays& arrays, VtuGrid& grid) {
 /// Those of the triangles number(0), ..., number(triangles - 1), and attributes; the grid then
 /// refers to `view`.
 template <class Number>
-void add_triangle_arrays(const MeshView& view, std::size_t triangles, Number number,
-                         VtuGrid& grid) {
-  std::vector<std::array<double, 2>> angles;
-  angles.reserve(triangles);
-  for (std::size_t k = 0; k < triangles; ++k) angles.push_back(extreme_angles(view, number(k)));
+void add_triangle_arrays(const MeshView& view, std::size_t triangles, Number number, VtuGrid& grid,
+                         const Team& team = {}) {
+  constexpr std::size_t kRange = 1 << 15;
+  UnsetVector<std::array<double, 2>> angles(triangles);
+  team.each_range(triangles, kRange, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) angles[k] = extreme_angles(view, number(k));
+  });
   const auto extremes =
-      std::make_shared<const std::vector<std::array<double, 2>>>(std::move(angles));
+      std::make_shared<const UnsetVector<std::array<double, 2>>>(std::move(angles));
   const auto material = [&view, number](std::size_t k) { return view.material[number(k)]; };
   const auto region = [&view, number](std::size_t k) { return view.region[number(k)].value(); };
   const auto largest = [extremes](std::size_t k) { return (*extremes)[k][0]; };
@@ -231,7 +234,7 @@ VtuGrid grid_of(const TriangleArrays& arrays, std::size_t points, ArrayWriter co
   return grid;
 }
 
-VtuGrid whole_grid(const MeshView& view) {
+VtuGrid whole_grid(const MeshView& view, const Team& team) {
   VtuGrid grid;
   grid.cut_vertices = view.cut_vertices;
   add_cells(
@@ -242,12 +245,12 @@ VtuGrid whole_grid(const MeshView& view) {
   add_fields(
       view, view.points.size(), [](std::size_t p) { return p; }, grid);
   add_triangle_arrays(
-      view, view.triangles.size(), [](std::size_t k) { return k; }, grid);
+      view, view.triangles.size(), [](std::size_t k) { return k; }, grid, team);
   return grid;
 }
 
-void write_whole(const MeshView& view, const ByteSink& sink) {
-  write_vtu_bytes(whole_grid(view), sink);
+void write_whole(const MeshView& view, const ByteSink& sink, const Team& team) {
+  write_vtu_bytes(whole_grid(view, team), sink);
 }
 
 void write_triangles(const MeshView& view, std::span<const std::size_t> triangles,

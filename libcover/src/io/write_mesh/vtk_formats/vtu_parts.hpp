@@ -9,6 +9,7 @@
 #include <cover/point.hpp>
 #include <cover/regions.hpp>
 
+#include "base/team.hpp"
 #include "io/write_mesh/partition.hpp"
 #include "io/write_mesh/vtk_formats/vtu_file.hpp"
 
@@ -36,10 +37,10 @@ VtuGrid grid_of(const TriangleArrays& arrays, std::size_t points, ArrayWriter co
                 ArrayWriter nodes);
 
 /// All triangles, with the cell arrays that write_vtu() promises; refers to `view`.
-VtuGrid whole_grid(const MeshView& view);
+VtuGrid whole_grid(const MeshView& view, const Team& team = {});
 
 /// All triangles, with the cell arrays that write_vtu() promises.
-void write_whole(const MeshView& view, const ByteSink& sink);
+void write_whole(const MeshView& view, const ByteSink& sink, const Team& team = {});
 
 /// Some triangles, with the same arrays and the point array GlobalNodeId: the number of a point in
 /// the whole mesh.

@@ -4,6 +4,7 @@
 #include <cover/mesh.hpp>
 #include <cover/write_mesh.hpp>
 
+#include "base/run_all.hpp"
 #include "io/files/atomic_file.hpp"
 #include "io/hdf5/hdf5_writer.hpp"
 #include "io/text/array_names.hpp"
@@ -147,8 +148,10 @@ Status write_vtkhdf(const Output& output, const std::string& path, const WriteOp
   std::size_t input_vertices = 0;
   for (const auto v : output.mesh.tri().vertices())
     input_vertices += output.mesh.input_id(v) >= 0 ? 1 : 0;
+  VtuGrid grid;
+  with_team(output.report.threads, [&](const Team& team) { grid = whole_grid(view, team); });
   const VtkHdfSource source{
-      output.table,  output.report, view, whole_grid(view), view.triangles.nodes_each,
+      output.table,  output.report, view, std::move(grid), view.triangles.nodes_each,
       input_vertices};
   return write_vtkhdf_file(source, path, options.stop, [] { return ok(); });
 }

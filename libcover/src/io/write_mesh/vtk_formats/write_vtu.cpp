@@ -1,6 +1,7 @@
 // The default format. Tested by tests/unit/io/write_mesh/write_mesh_test.cpp.
 #include <cover/write_mesh.hpp>
 
+#include "base/run_all.hpp"
 #include "io/files/atomic_file.hpp"
 #include "io/write_mesh/vtk_formats/vtu_parts.hpp"
 
@@ -9,7 +10,11 @@ namespace cover {
 Status write_vtu(const Output& output, const std::string& path, const WriteOptions& options) {
   Result<AtomicFile> file = AtomicFile::create(path, options.stop);
   if (!file) return std::move(file).error();
-  write_whole(view_of(output, options), [&](std::string_view bytes) { file->write(bytes); });
+  const MeshView view = view_of(output, options);
+  with_team(output.report.threads, [&](const Team& team) {
+    write_whole(
+        view, [&](std::string_view bytes) { file->write(bytes); }, team);
+  });
   return file->commit();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <exception>
 #include <functional>
 
 #include "base/team.hpp"
@@ -22,5 +23,21 @@ void run_all(std::size_t count, unsigned workers,
 
 /// For calls that do not divide their work.
 void run_all(std::size_t count, unsigned workers, const std::function<void(std::size_t)>& run);
+
+/// Calls `body` with a team of up to `workers` threads, of which the caller's is one.
+///
+/// Throws: what `body` throws
+template <class Body>
+void with_team(unsigned workers, const Body& body) {
+  std::exception_ptr thrown;
+  run_all(1, workers, [&](std::size_t, const Team& team) {
+    try {
+      body(team);
+    } catch (...) {
+      thrown = std::current_exception();
+    }
+  });
+  if (thrown) std::rethrow_exception(thrown);
+}
 
 }  // namespace cover

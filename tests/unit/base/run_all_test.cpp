@@ -1,10 +1,11 @@
-#include "tasks/run_all.hpp"
+#include "base/run_all.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <new>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -133,6 +134,15 @@ TEST(SortByTeam, SortsAsOneDoes) {
     std::sort(sorted.begin(), sorted.end());
     run_all(1, 3, [&](std::size_t, const Team& team) { sort_by_team(list, std::less(), team); });
     EXPECT_TRUE(list == sorted) << count;
+  }
+}
+
+TEST(WithTeam, WhatTheBodyThrowsReachesTheCaller) {
+  for (const unsigned workers : {0U, 1U, 2U}) {
+    EXPECT_THROW(with_team(workers, [](const Team&) { throw std::bad_alloc(); }), std::bad_alloc);
+    std::size_t seen = 0;
+    with_team(workers, [&](const Team& team) { seen = team.workers(); });
+    EXPECT_EQ(seen, std::max(workers, 1U));
   }
 }
 

@@ -1,7 +1,7 @@
 // Threads of the standard library alone: pools that queue functions allocate for each, and end the
 // process when that fails in a worker.
-// Tested by tests/unit/tasks/run_all_test.cpp.
-#include "tasks/run_all.hpp"
+// Tested by tests/unit/base/run_all_test.cpp.
+#include "base/run_all.hpp"
 
 #include <algorithm>
 #include <condition_variable>
