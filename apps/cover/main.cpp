@@ -51,7 +51,7 @@ Commands:
 )";
 
 int usage_error(const std::string& message) {
-  fmt::print(stderr, "cover: error: {}\nSee 'cover --help'.\n", message);
+  fmt::print(stderr, "cover: error: {}\nSee 'cover --help'.\n", cover::printable(message));
   return cover::app::exit_usage;
 }
 

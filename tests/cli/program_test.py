@@ -111,6 +111,19 @@ class Configuration(Case):
         _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--config', 'job.toml', code=2)
         self.assertIn("--max-angle: 'large' is not a number", err)
 
+    def test_types_and_keys_that_do_not_fit(self):
+        for text, said in (('hull = 7', "--hull: '7' is not true or false"),
+                           ('hull = "maybe"', "--hull: 'maybe' is not true or false"),
+                           ('threads = 1.5', "--threads: 1.5 is not a whole number"),
+                           ('config = "job.toml"', "'config' does not stand in a --config file"),
+                           ('dry-run = true', "'dry-run' does not stand in a --config file")):
+            self.write('job.toml', text + '\n')
+            _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--config', 'job.toml', code=2)
+            self.assertIn(said, err)
+        for text in 'hull = true', 'hull = off', 'hull = 1':
+            self.write('job.toml', text + '\n')
+            self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--config', 'job.toml')
+
     def test_missing_file(self):
         _, err = self.run_cover('mesh', 'a.poly', '-o', 'd.vtu', '--config', 'none.toml', code=2)
         self.assertIn('none.toml', err)
@@ -229,6 +242,67 @@ class StrangeNames(Case):
         self.assertIn(r'a\x1b[31m\nb\u202e<', ''.join(ElementTree.parse(self.dir / 'm.svg').getroot().itertext()))
         ElementTree.parse(self.dir / 'm.vtm')
         self.assertEqual(json.loads((self.dir / 'm.json').read_text())['regions'][0]['name'], name + '2')
+
+    def test_words_of_the_command_line(self):
+        for words in (['me\x1bsh'], ['mesh', '--si\x1bze'], ['mesh', 'a.poly', '-o', 'a.vtu', '--fill', 'a\x1b'],
+                      ['mesh', 'a.poly', '-o', 'a.\x1b']):
+            self.assertIn('\\x1b', self.run_cover(*words, code=2)[1])
+        self.write('s.poly', SQUARE)
+        for name in 'a\x1b.vtm', 'a\n.pvtu', 'a\udcff.vtm':
+            self.assertIn('cannot name files beside it', self.run_cover('mesh', 's.poly', '-o', name, code=2)[1])
+        self.assertEqual(self.files(), ['s.poly'])
+
+    def test_names_that_mean_something_in_xml(self):
+        self.write('s.poly', SQUARE)
+        for stem in 'a&b', 'a"b', '<b>':
+            for word in f'{stem}.vtm', f'{stem}.xdmf':
+                self.run_cover('mesh', 's.poly', '-o', word, '--xdmf', 'hdf5')
+                self.assertIn('Every promise holds', self.run_cover('check', 's.poly', word)[0])
+
+
+class Streams(Case):
+    """What is printed is written too, or said not to be."""
+
+    def with_stdout(self, stdout, *words, **more):
+        return subprocess.run([PROGRAM, *map(str, words)], cwd=self.dir, stdout=stdout, stderr=subprocess.PIPE, text=True,
+                              timeout=60, **more)
+
+    def test_a_full_disk_behind_standard_output(self):
+        self.write('s.poly', SQUARE)
+        self.run_cover('mesh', 's.poly', '-o', 's.vtu')
+        with open('/dev/full', 'w') as full:
+            for words in (['--help'], ['--version'], ['mesh', '--help'], ['info', 's.poly'], ['check', 's.poly', 's.vtu'],
+                          ['mesh', 's.poly', '-o', 's.vtu'], ['mesh', 's.poly', '--dry-run'],
+                          ['mesh', 's.poly', '-o', 's.vtu', '--print-config'], ['convert', 's.vtu', '-o', '-']):
+                run = self.with_stdout(full, *words)
+                self.assertEqual((run.returncode, run.stderr.count('cannot write to standard output')), (5, 1), words)
+            self.assertEqual(self.with_stdout(full, 'mesh', 's.poly', '-o', 's.vtu', '-q').returncode, 0)
+
+    def test_a_full_disk_behind_the_log(self):
+        self.write('s.poly', SQUARE)
+        _, err = self.run_cover('mesh', 's.poly', '-o', 's.vtu', '--log', '/dev/full')
+        self.assertRegex(err, r'^cover: warning: messages are missing in the log: .*No space left on device\n$')
+
+    def test_no_place_for_what_passes_through(self):
+        self.write('s.poly', SQUARE)
+        run = self.with_stdout(subprocess.DEVNULL, 'mesh', 's.poly', '-o', '-', '-q', env={**os.environ, 'TMPDIR': '/none'})
+        self.assertEqual(run.returncode, 5)
+        self.assertIn('$TMPDIR is no folder', run.stderr)
+
+    @unittest.skipUnless(os.access('/dev/full', os.W_OK), 'needs a full disk')
+    def test_a_file_that_may_not_be_written(self):
+        self.write('s.poly', SQUARE)
+        self.run_cover('mesh', 's.poly', '-o', 's.vtu', '-o', 's.vtm', '-q')
+        before = {name: (self.dir / name).read_bytes() for name in ('s.vtu', 's.vtm')}
+        self.dir.chmod(0o777)
+        other = {'user': 65534, 'group': 65534} if os.geteuid() == 0 else {}
+        for name in before:
+            (self.dir / name).chmod(0o444)
+            run = self.with_stdout(subprocess.DEVNULL, 'mesh', 's.poly', '-o', name, '--max-angle', '90', **other)
+            if run.returncode in (126, 127):
+                self.skipTest('nobody may not run the program')
+            self.assertEqual((run.returncode, name in run.stderr), (5, True), run.stderr)
+            self.assertEqual((self.dir / name).read_bytes(), before[name])
 
 
 class Documents(Case):
@@ -405,6 +479,17 @@ class Interrupt(Case):
         for kind in 'msh', 'vtk', 'mesh':
             whole = {(self.dir / name).read_bytes() for name in files if name.endswith('.' + kind)}
             self.assertLessEqual(len(whole), 1, kind)
+
+    def test_while_a_page_is_drawn(self):
+        folder = self.dir / 'tmp'
+        folder.mkdir()
+        run = self.start(self.slits(200), '--method', 'almond', '--report', 'r.html', env={**os.environ, 'TMPDIR': str(folder)})
+        while not any(folder.iterdir()):
+            self.assertIsNone(run.poll(), run.stderr)
+        run.send_signal(signal.SIGINT)
+        run.communicate(timeout=60)
+        self.assertIn(run.returncode, (0, 130))
+        self.assertEqual(list(folder.iterdir()), [])
 
     def test_when_nobody_reads(self):
         folder = self.dir / 'tmp'

@@ -1,8 +1,10 @@
 #include "commands/guarded.hpp"
 
+#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
 #include <system_error>
 
 #ifdef __GLIBC__
@@ -30,10 +32,7 @@ void keep_apart_large_arrays() {
 #endif
 }
 
-}  // namespace
-
-int guarded(std::string_view program, const std::function<int()>& command) {
-  keep_apart_large_arrays();
+int run(std::string_view program, const std::function<int()>& command) {
   try {
     return command();
   } catch (const spdlog::spdlog_ex& error) {  // the file of --log
@@ -43,7 +42,9 @@ int guarded(std::string_view program, const std::function<int()>& command) {
     std::fprintf(stderr, "%.*s: error: out of memory\n", static_cast<int>(program.size()),
                  program.data());
     return exit_memory;
-  } catch (const std::system_error& error) {  // no thread, for which there must be a stack
+  } catch (const std::system_error& error) {
+    if (std::ferror(stdout) != 0) return exit_ok;  // of fmt; guarded() tells it
+    // No thread, for which there must be a stack.
     fmt::print(stderr, "{}: error: the system has no more threads or memory: {}\n", program,
                error.what());
     return exit_memory;
@@ -52,6 +53,20 @@ int guarded(std::string_view program, const std::function<int()>& command) {
                error.what());
   }
   return exit_internal;
+}
+
+}  // namespace
+
+int guarded(std::string_view program, const std::function<int()>& command) {
+  keep_apart_large_arrays();
+  const int code = run(program, command);
+  // What was printed may wait in a buffer until here, and a full disk then loses it.
+  errno = 0;
+  const bool lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
+  if (!lost || code == exit_files) return code;
+  const std::string why = errno != 0 ? ": " + std::generic_category().message(errno) : "";
+  fmt::print(stderr, "{}: error: cannot write to standard output{}\n", program, why);
+  return code == exit_ok ? exit_files : code;
 }
 
 }  // namespace cover::app

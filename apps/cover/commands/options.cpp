@@ -54,6 +54,17 @@ std::string meant_option(const CLI::App& command, const std::string& word) {
   return did_you_mean(word.substr(0, word.find('=')), option_names(command));
 }
 
+/// What a flag may be in a file of --config.
+std::string yes_or_no(const std::string& text) {
+  try {
+    const auto value = CLI::detail::to_flag_value(text);
+    if (value >= -1 && value <= 1) return {};
+  } catch (const std::exception&) {
+    // CLI11's way to say that it is no flag.
+  }
+  return fmt::format("'{}' is not true or false", text);
+}
+
 /// What was wrong, in words for the user.
 std::string explain(const CLI::App& command, const CLI::ParseError& error) {
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
@@ -65,6 +76,8 @@ std::string explain(const CLI::App& command, const CLI::ParseError& error) {
   }
   if (dynamic_cast<const CLI::ConfigError*>(&error) != nullptr) {
     const std::string text = error.what();
+    if (const std::size_t end = text.find(": This option is not allowed"); end != std::string::npos)
+      return fmt::format("'{}' does not stand in a --config file", text.substr(0, end));
     const std::string key = text.substr(text.rfind(' ') + 1);
     if (const std::size_t dot = key.find('.'); dot != std::string::npos)
       return fmt::format("the --config file has a section [{}]; its keys stand without sections",
@@ -112,6 +125,10 @@ void add_verbosity(CLI::App& command, Verbosity& verbosity) {
 std::optional<int> parse(CLI::App& command, Arguments arguments) {
   command.formatter(std::make_shared<NarrowHelp>());
   std::reverse(arguments.begin(), arguments.end());
+  for (CLI::Option* option : command.get_options()) {
+    const bool counts = option->check_lname("verbose") || option->check_lname("help");
+    if (option->get_expected_max() == 0 && !counts) option->check(yes_or_no);
+  }
   try {
     command.parse(std::move(arguments));
     return std::nullopt;
@@ -140,14 +157,15 @@ std::string configuration(const CLI::App& command) {
 }
 
 int usage_error(const CLI::App& command, const std::string& message) {
-  fmt::print(stderr, "cover: error: {}\nSee '{} --help'.\n", message, command.get_name());
+  fmt::print(stderr, "cover: error: {}\nSee '{} --help'.\n", printable(message),
+             command.get_name());
   return exit_usage;
 }
 
 int usage_error(const CLI::App& command, const Error& error) {
   const int code = exit_code_of(error.code);
   if (code == exit_usage) return usage_error(command, error.message);
-  fmt::print(stderr, "cover: error: {}\n", error.message);
+  fmt::print(stderr, "cover: error: {}\n", printable(error.message));
   return code;
 }
 

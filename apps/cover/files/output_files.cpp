@@ -13,6 +13,7 @@
 #include <cover/text.hpp>
 #include <cover/write_mesh.hpp>
 
+#include "files/temporary_folder.hpp"
 #include "page/html_report.hpp"
 #include "terminal/console.hpp"
 
@@ -140,8 +141,7 @@ Status write_to(const std::string& path, const std::string& extension,
   if (path != "-") return write(path);
   OpenFile file;
   {
-    const auto folder =
-        ScratchFolder::beside((std::filesystem::temp_directory_path() / "cover-stdout").string());
+    const auto folder = temporary_folder("cover-stdout");
     if (!folder) return folder.error();
     const std::string name = folder->path() / ("stdout" + extension);
     if (Status written = write(name); !written) return written;

@@ -22,6 +22,7 @@
 #include <cover/text.hpp>
 #include <cover/version.hpp>
 
+#include "files/temporary_folder.hpp"
 #include "page/base64_text.hpp"
 #include "page/view_data.hpp"
 #include "page_files.hpp"
@@ -168,8 +169,7 @@ class Page {
       if (!svg) return std::move(svg).error();
       out_ += *svg;
     } else {
-      const auto folder = ScratchFolder::beside(
-          (std::filesystem::temp_directory_path() / "cover-picture").string());
+      const auto folder = temporary_folder("cover-picture");
       if (!folder) return folder.error();
       const std::string file = folder->path() / "picture.png";
       if (Status drawn = write_png(mesh, {}, file); !drawn) return drawn;

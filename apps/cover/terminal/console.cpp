@@ -1,6 +1,7 @@
 #include "terminal/console.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <memory>
 #include <string>
 #include <utility>
@@ -55,6 +56,11 @@ std::shared_ptr<spdlog::logger> make_logger(const Verbosity& verbosity) {
   auto log = std::make_shared<spdlog::logger>("cover", sinks.begin(), sinks.end());
   log->set_level(spdlog::level::debug);
   log->flush_on(spdlog::level::info);
+  // Whose disk is full has a mesh rather than a log; once will do.
+  log->set_error_handler([told = false](const std::string& why) mutable {
+    if (!std::exchange(told, true))
+      fmt::print(stderr, "cover: warning: messages are missing in the log: {}\n", printable(why));
+  });
   return log;
 }
 

@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Removes the temporary files that this process has open. Without /proc they stay until their
-/// files are written again.
+/// Removes the temporary files and folders that this process has open. Without /proc they stay
+/// until their files are written again.
 void remove_open_temporary_files() {
   std::error_code ignored;
   for (fs::directory_iterator entry("/proc/self/fd", ignored), end; !ignored && entry != end;
@@ -25,7 +25,10 @@ void remove_open_temporary_files() {
     std::error_code gone;
     const fs::path path = fs::read_symlink(entry->path(), gone);
     const std::string name = path.filename();
-    if (!gone && name.starts_with('.') && name.ends_with(".tmp")) fs::remove(path, gone);
+    if (gone || !name.starts_with('.')) continue;
+    if (name.ends_with(".tmp")) fs::remove(path, gone);
+    // What write_to() and a page's picture pass through: ScratchFolder holds them open.
+    if (name.starts_with(".cover-") && fs::is_directory(path, gone)) fs::remove_all(path, gone);
   }
 }
 

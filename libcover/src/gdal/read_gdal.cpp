@@ -347,8 +347,14 @@ Result<Input> read_gdal(const std::string& path, const ReadOptions& options) {
   if (const Status status = check_read_options(options); !status) return status.error();
   std::error_code ignored;
   // GDAL knows names that are no files: those of archives, servers, databases.
-  if (!std::filesystem::is_regular_file(path, ignored))
-    return Error{ErrorCode::cannot_open, fmt::format("cannot open {}: no such file", path), {}, {}};
+  if (!std::filesystem::is_regular_file(path, ignored)) {
+    const bool is_there = std::filesystem::exists(path, ignored);
+    return Error{ErrorCode::cannot_open,
+                 fmt::format("cannot open {}: {}", path,
+                             is_there ? "not a regular file" : "no such file"),
+                 {},
+                 {}};
+  }
   const Result<const GdalLibrary*> gdal = gdal_library();
   if (!gdal)
     return Error{gdal.error().code, fmt::format("{}: {}", path, gdal.error().message), {}, {}};

@@ -24,6 +24,7 @@ Result<AtomicFile> AtomicFile::create(const std::string& path, std::stop_token s
   if (!target) return std::move(target).error();
   std::error_code ignored;
   if (fs::is_directory(*target, ignored)) return cannot_write(path, EISDIR);
+  if (Status status = may_replace(*target, path); !status) return std::move(status).error();
   const bool special = is_special(*target);
   if (!special) remove_leftovers(target->parent_path(), target->filename().string());
   Result<TemporaryFile> file =

@@ -120,6 +120,7 @@ Result<PieceFolder> PieceFolder::open(const fs::path& target, const std::string&
   out.shown_ = shown;
   out.stop_ = std::move(stop);
   out.owner_ = owner_of(target);
+  if (Status status = may_replace(target, shown); !status) return std::move(status).error();
   if (Status status = out.lock(); !status) return std::move(status).error();
   remove_leftovers(out.folder_, out.stem_);
   remove_leftovers(target.parent_path(), target.filename().string());

@@ -93,6 +93,11 @@ std::optional<FileOwner> owner_of(const fs::path& path) {
   return FileOwner{status.st_mode & kPermissions, status.st_uid, status.st_gid};
 }
 
+Status may_replace(const fs::path& target, const std::string& shown) {
+  if (faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) == 0 || errno == ENOENT) return ok();
+  return cannot_write(shown, errno);
+}
+
 Result<TemporaryFile> TemporaryFile::beside(const fs::path& target, const std::string& shown,
                                             const std::optional<FileOwner>& owner,
                                             std::stop_token stop) {

@@ -34,6 +34,10 @@ struct FileOwner {
 /// Of the regular file `path`; nothing where there is none.
 std::optional<FileOwner> owner_of(const std::filesystem::path& path);
 
+/// cannot_write for a file whose own permissions forbid that, although a rename, which asks only
+/// for those of its folder, could replace it. `shown` is its name in messages.
+Status may_replace(const std::filesystem::path& target, const std::string& shown);
+
 /// A hidden file `.NAME.N.tmp` that becomes NAME, or another name, by one rename. It is locked
 /// while its object lives, so that what a killed run has left behind can be told from what is in
 /// work.

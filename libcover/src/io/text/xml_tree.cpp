@@ -5,6 +5,7 @@
 #include <expat.h>
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <memory>
 #include <new>
@@ -222,6 +223,21 @@ const XmlElement* XmlElement::child(std::string_view child_name, std::string_vie
 Result<XmlTree> parse_xml(std::string_view text, const std::string& source,
                           std::string_view stop_at) {
   return Builder(text, source, stop_at).build();
+}
+
+std::string without_references(std::string_view text) {
+  constexpr std::array<std::pair<std::string_view, char>, 5> kReferences{
+      {{"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&apos;", '\''}}};
+  std::string out;
+  while (!text.empty()) {
+    const auto* const reference =
+        std::find_if(kReferences.begin(), kReferences.end(),
+                     [&](const auto& entry) { return text.starts_with(entry.first); });
+    const bool found = reference != kReferences.end();
+    out += found ? reference->second : text.front();
+    text.remove_prefix(found ? reference->first.size() : 1);
+  }
+  return out;
 }
 
 }  // namespace cover

@@ -17,7 +17,8 @@ struct XmlElement {
   std::vector<std::pair<std::string, std::string>> attributes;
   std::vector<XmlElement> children;
   /// The first text right inside the element that is not blank, up to the next tag or comment. It
-  /// is a piece of the source as it stands there, so references like &amp; stay in it.
+  /// is a piece of the source as it stands there, so references like &amp; stay in it;
+  /// without_references() puts what they mean in their place.
   std::string_view text;
 
   /// The value of an attribute; nullptr where there is none.
@@ -43,5 +44,8 @@ struct XmlTree {
 /// Cost:   O(n)
 Result<XmlTree> parse_xml(std::string_view text, const std::string& source,
                           std::string_view stop_at = {});
+
+/// `text` of an element with the characters that &amp;, &lt;, &gt;, &quot; and &apos; stand for.
+std::string without_references(std::string_view text);
 
 }  // namespace cover

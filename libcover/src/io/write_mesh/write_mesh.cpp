@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 
+#include <cover/text.hpp>
 #include <cover/write_mesh.hpp>
 
 #include <fmt/core.h>
@@ -11,6 +12,7 @@
 #include <cover/text.hpp>
 
 #include "base/faults/out_of_memory.hpp"
+#include "io/files/temporary_file.hpp"
 
 namespace cover {
 namespace {
@@ -79,6 +81,21 @@ Status check_parts(const Format& format, const std::string& path, const WriteOpt
   return ok();
 }
 
+/// Files in XML that name others beside them cannot hold every name of a file.
+Status check_name(const Format& format, const std::string& path, const WriteOptions& options) {
+  if (format.write != write_vtm && format.write != write_pvtu &&
+      (format.write != write_xdmf || options.xdmf != "hdf5"))
+    return ok();
+  const Result<std::filesystem::path> target = end_of_links(path);
+  if (!target) return target.error();
+  const std::string name = target->filename();
+  if (printable(name) == name) return ok();
+  return bad(
+      fmt::format("cannot write '{}': the XML of {} cannot name files beside it that are "
+                  "called so: control characters, or no UTF-8",
+                  printable(path), format.extension));
+}
+
 }  // namespace
 
 std::vector<std::string> write_formats() {
@@ -95,6 +112,7 @@ Status can_write(const std::string& path, const WriteOptions& options) {
     if (options.order == 2 && !format->second_order)
       return bad(fmt::format("cannot write '{}': {} has no second-order triangles", path,
                              format->extension));
+    if (Status status = check_name(*format, path, options); !status) return status;
     return options.parts == 1 ? ok() : check_parts(*format, path, options);
   });
 }

@@ -72,5 +72,10 @@ TEST(XmlTree, RefusesDepthNumberAndEntities) {
   EXPECT_TRUE(parse_xml("<!DOCTYPE a SYSTEM \"a.dtd\" []><a/>", kSource));
 }
 
+TEST(XmlTree, WhatReferencesStandFor) {
+  EXPECT_EQ(without_references("a&amp;b&lt;&gt;&quot;&apos;c"), "a&b<>\"'c");
+  EXPECT_EQ(without_references("&amp;lt; &other; &"), "&lt; &other; &");
+}
+
 }  // namespace
 }  // namespace cover

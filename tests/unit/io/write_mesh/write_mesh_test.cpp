@@ -49,6 +49,20 @@ TEST(WriteMesh, RefusesWhatItDoesNotKnow) {
     EXPECT_EQ(can_write("x.msh", options).error().code, ErrorCode::bad_option);
 }
 
+// A name that is there with exit 0 and cannot be read back.
+TEST(WriteMesh, RefusesNamesThatItsXmlCannotHold) {
+  WriteOptions hdf5;
+  hdf5.xdmf = "hdf5";
+  for (const std::string name : {"a\x1b", "a\nb", "a\xff"}) {
+    EXPECT_FALSE(can_write(name + ".vtm")) << name;
+    EXPECT_FALSE(can_write(name + ".pvtu")) << name;
+    EXPECT_FALSE(can_write(name + ".xdmf", hdf5)) << name;
+    for (const char* alone : {".xdmf", ".vtu", ".vtkhdf", ".msh"})
+      EXPECT_TRUE(can_write(name + alone)) << name << alone;
+  }
+  EXPECT_TRUE(can_write("a&<b>\"' \u00fc.vtm"));
+}
+
 TEST(WriteMesh, AFolderThatIsNotThere) {
   const Output output = testing::structured_mesh(2, 1);
   const testing::TemporaryFolder folder;

@@ -83,7 +83,7 @@ class XdmfReader {
     using Number = std::conditional_t<kKind == Kind::whole, long, double>;
     const std::size_t colon = place.rfind(':');
     if (colon == place.npos) return wrong("an item in HDF5 names no array");
-    const std::string file(place.substr(0, colon));
+    const std::string file = without_references(place.substr(0, colon));
     if (file != std::filesystem::path(file).filename())
       return unsupported("numbers in HDF5 are read from a file beside the XML only");
     if (Status status = open_heavy(file); !status) return std::move(status).error();
