@@ -199,8 +199,9 @@ class TcadReader {
 
   void read_names(const Fields& f) {
     const long count = integer(f, 1, "the number of values");
-    if (!names_.empty() || !values_.empty())
-      return fail(ErrorCode::syntax, "a second list of values");
+    if (!names_.empty()) return fail(ErrorCode::syntax, "a second list of values");
+    // Their lines hold as many values as were named before them: none.
+    if (!nodes_.empty()) return fail(ErrorCode::syntax, "values before the list of their names");
     if (error_) return;
     if (count < 0 || static_cast<std::size_t>(count) > f.size() - 2)
       return fail(ErrorCode::syntax,
@@ -289,6 +290,8 @@ class TcadReader {
     std::unordered_map<std::uint64_t, std::size_t> values;  // where they begin
     const long offset = offset_of_nodes();
     for (const Values& v : nodes_) {
+      // The largest number has none behind it.
+      if (v.node > std::numeric_limits<long>::max() - offset) continue;
       const auto node = node_.find(v.node + offset);
       if (node != node_.end()) values.emplace(key(node->second, v.material), v.first);
     }

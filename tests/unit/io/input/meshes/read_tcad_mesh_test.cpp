@@ -103,6 +103,9 @@ TEST(ReadTif, MistakesHaveLines) {
   EXPECT_EQ(refusal("s 2 Net Total", "s 999999999999 Net"),
             "a.tif:26: 999999999999 values are announced, 1 named");
   EXPECT_EQ(refusal("n 3 Si 1e15 2e15", "n 3 Si 1e15"), "a.tif:31: the value of Total is missing");
+  // Which were read as none, and looked for as two.
+  EXPECT_EQ(refusal("s 2 Net Total\nn 1 Ox 0. 0.\n", "n 1 Ox 0. 0.\ns 2 Net Total\n"),
+            "a.tif:27: values before the list of their names");
   EXPECT_EQ(parse_tif("h TIF\n", "a.tif").error().message, "a.tif: no triangles in it");
   EXPECT_EQ(parse_tif("", "a.tif").error().message, "a.tif: no triangles in it");
 }
@@ -172,6 +175,10 @@ TEST(ReadSuprem, ValuesMayCountFromZero) {
   ASSERT_TRUE(input) << input.error().message;
   const auto& corners = input->field->triangles[2];
   EXPECT_EQ(input->field->arrays[0].values[corners[1]], 2e15);  // that of node 3
+  // Nothing is behind the largest number.
+  const std::string largest =
+      replaced(replaced(kStr, "n 1 3 0 0\n", "n 0 3 0 0\n"), "n 2 3", "n 9223372036854775807 3");
+  EXPECT_TRUE(parse_suprem(largest, "a.str"));
 }
 
 }  // namespace
