@@ -283,6 +283,14 @@ class Streams(Case):
         _, err = self.run_cover('mesh', 's.poly', '-o', 's.vtu', '--log', '/dev/full')
         self.assertRegex(err, r'^cover: warning: messages are missing in the log: .*No space left on device\n$')
 
+    def test_files_longer_than_the_limit(self):
+        self.write('s.poly', SQUARE)
+        for kind in 'vtu', 'vtm', 'vtkhdf', 'msh', 'svg', 'png':
+            run = self.with_stdout(subprocess.DEVNULL, 'mesh', SAMPLES / 'diode.poly', '-o', f'd.{kind}', '-q',
+                                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1024, 1024)))
+            self.assertEqual((run.returncode, run.stderr), (5, f'cover: error: cannot write d.{kind}: File too large\n'))
+        self.assertEqual(self.files(), ['s.poly'])
+
     def test_no_place_for_what_passes_through(self):
         self.write('s.poly', SQUARE)
         run = self.with_stdout(subprocess.DEVNULL, 'mesh', 's.poly', '-o', '-', '-q', env={**os.environ, 'TMPDIR': '/none'})
@@ -463,6 +471,31 @@ class Interrupt(Case):
         self.assertLess(time.monotonic() - sent, 20)
         self.assertEqual(run.returncode, 130, (seen + err)[-300:])
         self.assertEqual(self.files(), ['big.poly'])
+
+    def test_hangup(self):
+        """The terminal is gone: as Ctrl-C, but under nohup. So for SIGINT and jobs in the background of a script."""
+        big = self.slits(300)
+        for sent, ignored in (signal.SIGHUP, False), (signal.SIGHUP, True), (signal.SIGINT, True):
+            before = signal.getsignal(sent)
+            if ignored:
+                signal.signal(sent, signal.SIG_IGN)
+            try:
+                run = self.start(big, '-o', 'big.vtu', '--progress', 'on')
+            finally:
+                signal.signal(sent, before)
+            seen = b''
+            while b'mesh' not in seen:
+                more = os.read(run.stderr.fileno(), 4096)
+                self.assertTrue(more, seen)
+                seen += more
+            run.send_signal(sent)
+            if ignored:
+                time.sleep(1.5)  # longer than an interrupt takes
+                self.assertIsNone(run.poll())
+                run.send_signal(signal.SIGTERM)
+            run.communicate(timeout=60)
+            self.assertEqual(run.returncode, 130)
+            self.assertEqual(self.files(), ['big.poly'])
 
     def test_while_writing(self):
         names = [f'{k}.{e}' for k in range(4) for e in ('msh', 'vtk', 'mesh', 'vtm')]

@@ -1,6 +1,7 @@
 #include "commands/guarded.hpp"
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -59,6 +60,8 @@ int run(std::string_view program, const std::function<int()>& command) {
 
 int guarded(std::string_view program, const std::function<int()>& command) {
   keep_apart_large_arrays();
+  // A file longer than `ulimit -f` is then an error of the write, which is told and cleaned up.
+  std::signal(SIGXFSZ, SIG_IGN);
   const int code = run(program, command);
   // What was printed may wait in a buffer until here, and a full disk then loses it.
   errno = 0;

@@ -36,8 +36,13 @@ void remove_open_temporary_files() {
 
 Interrupt::Interrupt() {
   sigemptyset(&signals_);
-  sigaddset(&signals_, SIGINT);
   sigaddset(&signals_, SIGTERM);
+  // A shell's job in the background and nohup ignore these, and blocked signals are not ignored.
+  for (const int signal : {SIGINT, SIGHUP}) {
+    struct sigaction now {};
+    if (sigaction(signal, nullptr, &now) == 0 && now.sa_handler != SIG_IGN)
+      sigaddset(&signals_, signal);
+  }
   pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
   waiter_ = std::jthread([this](std::stop_token done) { wait(done); });
 }

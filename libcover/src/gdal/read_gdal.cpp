@@ -349,11 +349,11 @@ Result<Input> read_gdal(const std::string& path, const ReadOptions& options) {
   // GDAL knows names that are no files: those of archives, servers, databases.
   if (!std::filesystem::is_regular_file(path, ignored)) {
     const bool is_there = std::filesystem::exists(path, ignored);
-    return Error{ErrorCode::cannot_open,
-                 fmt::format("cannot open {}: {}", path,
-                             is_there ? "not a regular file" : "no such file"),
-                 {},
-                 {}};
+    return Error{
+        ErrorCode::cannot_open,
+        fmt::format("cannot open {}: {}", path, is_there ? "not a regular file" : "no such file"),
+        {},
+        {}};
   }
   const Result<const GdalLibrary*> gdal = gdal_library();
   if (!gdal)

@@ -281,6 +281,7 @@ TEST_F(ReadGdal, KmlIsReadToo) {
 
 TEST_F(ReadGdal, BrokenFilesAreRefused) {
   EXPECT_NE(message("/nonexistent.gpkg").find("cannot open"), std::string::npos);
+  EXPECT_NE(message(folder_.path().string()).find("not a regular file"), std::string::npos);
   EXPECT_NE(message("/vsicurl/http://localhost/a.gpkg").find("cannot open"), std::string::npos);
   EXPECT_NE(message(folder_.write("text.shp", "hello")).find("GDAL: "), std::string::npos);
   for (const char* name : {"p.gpkg", "p.shp", "p.fgb", "p.gml", "p.kml"}) {
