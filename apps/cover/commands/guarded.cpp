@@ -28,7 +28,7 @@ void keep_apart_large_arrays() {
 #ifdef __GLIBC__
   constexpr int kMegabyte = 1 << 20;
   mallopt(M_MMAP_THRESHOLD, 8 * kMegabyte);
-  mallopt(M_TRIM_THRESHOLD, 16 * kMegabyte);
+  mallopt(M_TRIM_THRESHOLD, 32 * kMegabyte);
   mallopt(M_TOP_PAD, 8 * kMegabyte);
 #endif
 }

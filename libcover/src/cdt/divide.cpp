@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "base/containers/give_back.hpp"
+#include "base/containers/unset_vector.hpp"
 #include "geom/box.hpp"
 #include "geom/predicates.hpp"
 #include "geom/subdivision/rounds.hpp"
@@ -37,11 +38,20 @@ class Divided {
  public:
   Divided(std::span<const Point> points, const Team& team)
       : team_(team),
-        org_(6 * points.size(), kNone),
+        sites_(points.size()),
+        org_(6 * points.size()),
         next_(6 * points.size()),
         prev_(6 * points.size()) {
-    sites_.reserve(points.size());
-    for (const Point& p : points) sites_.push_back({p, static_cast<std::uint32_t>(sites_.size())});
+    team.each_range(points.size(), kRange, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k)
+        sites_[k] = {points[k], static_cast<std::uint32_t>(k)};
+    });
+    team.each_range(org_.size(), kRange, [&](std::size_t first, std::size_t last) {
+      for (std::size_t e = first; e < last; ++e) {
+        org_[e] = kNone;
+        next_[e] = prev_[e] = 0;
+      }
+    });
   }
 
   /// False if two points are one, or all are on one line.
@@ -91,8 +101,10 @@ class Divided {
     // Where next_ is not needed any more stands the triangle on the left of an edge.
     std::vector<Edge> outer;
     each_hull_edge(hull_, [&](Edge e) { outer.push_back(sym(e)); });
-    std::vector<std::uint32_t>& left = next_;
-    std::fill(left.begin(), left.end(), kNone);
+    UnsetVector<std::uint32_t>& left = next_;
+    team_.each_range(left.size(), kRange, [&](std::size_t first, std::size_t last) {
+      std::fill(left.data() + first, left.data() + last, kNone);
+    });
     for (const Edge e : outer) left[e] = kOuter;
     give_back(outer);
     const auto is_first = [&](Edge e) {
@@ -428,9 +440,9 @@ class Divided {
   }
 
   const Team& team_;
-  std::vector<Site> sites_;
-  std::vector<std::uint32_t> org_;  ///< by edge: the place of its first point; kNone: not in use
-  std::vector<Edge> next_, prev_;
+  UnsetVector<Site> sites_;
+  UnsetVector<std::uint32_t> org_;  ///< by edge: the place of its first point; kNone: not in use
+  UnsetVector<Edge> next_, prev_;
   std::atomic<bool> has_twins_ = false;
   Edge hull_ = kNone;
   std::vector<std::uint32_t> place_;     ///< of a point among sites

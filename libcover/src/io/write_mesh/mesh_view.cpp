@@ -249,7 +249,10 @@ class Viewer {
     team_.each_range(tri_.n_edges(), kRange, [&](std::size_t first, std::size_t last) {
       parts[first / kRange] = lines_among(static_cast<int>(first), static_cast<int>(last));
     });
+    std::size_t count = 0;
+    for (const std::vector<LineEdge>& part : parts) count += part.size();
     std::vector<LineEdge> lines;
+    lines.reserve(count);
     for (const std::vector<LineEdge>& part : parts)
       lines.insert(lines.end(), part.begin(), part.end());
     return lines;

@@ -182,19 +182,18 @@ void MutableMesh::link(std::uint32_t n, std::uint32_t a, std::uint32_t b, std::u
 
 void MutableMesh::reserve_more(std::size_t more_triangles, std::size_t more_vertices,
                                const Team& team) {
-  // A quarter more than that: whoever needs it would move all, and room that is not used costs
-  // nothing. (At borders of parts refinement adds more than a thirtieth.)
+  // If there is too little, a quarter more than that: whoever needs it would move all, and room
+  // that is not used costs nothing. (At borders of parts refinement adds more than a thirtieth.)
   constexpr std::size_t kLittle = 4;
-  const auto size_with = [](std::size_t size, std::size_t more, std::size_t spare) {
-    return more > spare ? (size + more - spare) / kLittle * (kLittle + 1) + kLittle : size;
+  const auto reserve = [&](auto& list, std::size_t more, std::size_t free) {
+    const std::size_t least = list.size() + more - std::min(more, free);
+    if (list.capacity() < least)
+      list = copy_of(list, team, least / kLittle * (kLittle + 1) + kLittle);
   };
-  const std::size_t most_triangles =
-      size_with(triangles.size(), more_triangles, free_triangles_.size());
-  const std::size_t most_vertices = size_with(points.size(), more_vertices, free_vertices_.size());
-  if (triangles.capacity() < most_triangles) triangles = copy_of(triangles, team, most_triangles);
-  if (excess.capacity() < most_triangles) excess = copy_of(excess, team, most_triangles);
-  if (points.capacity() < most_vertices) points = copy_of(points, team, most_vertices);
-  if (home.capacity() < most_vertices) home = copy_of(home, team, most_vertices);
+  reserve(triangles, more_triangles, free_triangles_.size());
+  reserve(excess, more_triangles, free_triangles_.size());
+  reserve(points, more_vertices, free_vertices_.size());
+  reserve(home, more_vertices, free_vertices_.size());
 }
 
 void MutableMesh::add_triangles(std::span<std::uint32_t> places) {
@@ -288,22 +287,28 @@ bool MutableMesh::flip(std::uint32_t t, int i) {
   return true;
 }
 
-std::vector<std::uint32_t> MutableMesh::order_from_sides(std::vector<std::uint32_t>& number) const {
+std::vector<std::uint32_t> MutableMesh::order_from_sides(UnsetVector<std::uint32_t>& number,
+                                                         const Team& team) const {
   std::vector<std::uint32_t> order;
   order.reserve(triangle_count());
-  number.assign(triangles.size(), kNone);
+  number.resize(triangles.size());
+  std::vector<std::uint32_t> at_side(sides.size(), kNone);
+  // A side is one triangle's, so that no two threads find the same.
+  team.each_range(triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      number[k] = kNone;
+      const auto t = static_cast<std::uint32_t>(k);
+      if (is_hole(t)) continue;
+      for (const std::uint32_t n : triangles[t].n) {
+        if (is_side(n)) at_side[side_index(n)] = t;
+      }
+    }
+  });
   const auto visit = [&](std::uint32_t t) {
     if (number[t] != kNone) return;
     number[t] = static_cast<std::uint32_t>(order.size());
     order.push_back(t);
   };
-  std::vector<std::uint32_t> at_side(sides.size(), kNone);
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    if (is_hole(t)) continue;
-    for (const std::uint32_t n : triangles[t].n) {
-      if (is_side(n)) at_side[side_index(n)] = t;
-    }
-  }
   for (const std::uint32_t t : at_side) {
     if (t != kNone) visit(t);
   }
@@ -318,8 +323,8 @@ std::vector<std::uint32_t> MutableMesh::order_from_sides(std::vector<std::uint32
 // There is most memory in use here, so one array is replaced after the other.
 void MutableMesh::arrange(const Team& team) {
   give_back(home);
-  std::vector<std::uint32_t> number;
-  const std::vector<std::uint32_t> order = order_from_sides(number);
+  UnsetVector<std::uint32_t> number;
+  const std::vector<std::uint32_t> order = order_from_sides(number, team);
   const std::size_t room = order.size() + order.size() / kSpareOf;
   UnsetVector<MeshTriangle> sorted;
   sorted.reserve(room);

@@ -174,7 +174,8 @@ class MutableMesh {
 
  private:
   /// The triangles from the sides inwards, and where each is in this order.
-  std::vector<std::uint32_t> order_from_sides(std::vector<std::uint32_t>& number) const;
+  std::vector<std::uint32_t> order_from_sides(UnsetVector<std::uint32_t>& number,
+                                              const Team& team) const;
   /// Renumbers the free vertices in the order of the triangles, none of which is a hole.
   void number_vertices(const Team& team);
   [[nodiscard]] double coupled_excess(const std::array<std::uint32_t, 3>& v,
