@@ -30,7 +30,8 @@ struct AlmondInput {
 struct SideRemark {
   Note::Kind kind = Note::Kind::repair;
   std::uint32_t side = 0;
-  std::string what;  ///< continues "the almond of segment 7 from (0, 0) to (1, 0) "
+  /// Continues "the almond of the segment from (0, 0) to (1, 0), seen by (0, 1), ".
+  std::string what;
 };
 
 /// A covering triangulation.

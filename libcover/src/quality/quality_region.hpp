@@ -16,10 +16,12 @@ namespace cover {
 /// Triangulates one region without putting a vertex on its boundary, with its largest angle near
 /// the optimum.
 ///
-/// ENSURES: promise 3 at least; no worse than the constrained Delaunay triangulation and the
-///          almond method, unless the targets are met. RegionMesh::report::notes says which
-///          targets were missed, where and why. If `proof` is given and the region is not large,
-///          it becomes the region's constrained Delaunay triangulation with what was proven by it.
+/// ENSURES: promise 3 at least, but for rounding, which mesh_one_region() looks after, and not for
+///          a part of a region. Without sizes, by Order no worse than the constrained Delaunay
+///          triangulation and than all that the steps of the plan which ran compared with it.
+///          RegionMesh::report::notes says which targets were missed, where and why. If `proof` is
+///          given and the region is not large, it becomes the region's constrained Delaunay
+///          triangulation with what was proven by it.
 /// Threads: pure function of its arguments, but for the team, on which nothing depends.
 RegionMesh quality_region(const RegionBoundary& boundary, const Options& options,
                           const std::stop_token& stop, const Sharing& sharing = {},

@@ -55,8 +55,7 @@ std::size_t block_count(const MutableMesh& whole, const Sharing& sharing);
 /// what it has made of Block::mesh. `done` is called with every part in turn whose places were
 /// asked for, which are now those that it has.
 ///
-/// Memory: the parts that are worked on, and of the others what they have more than at first
-///
+/// Memory: the parts that are worked on, and of the others what they have more than at first.
 ///
 /// `work` may change the mesh by whatever keeps its sides; with inner couplings it makes none worse
 /// across a border than they may be together.

@@ -41,7 +41,8 @@ std::span<const Step> plan_for(const Options& options, bool has_sizes);
 /// Whether no further step is due after `step`.
 bool is_enough(const Step& step, const PlanProgress& progress);
 
-/// Runs the steps of `plan` in turn. The best is no worse than any of them.
+/// Runs the steps of `plan` in turn. The best is no worse than what its steps compared; with sizes
+/// they take the refined one as it is.
 Candidate run_plan(std::span<const Step> plan, Candidates& candidates);
 
 }  // namespace cover

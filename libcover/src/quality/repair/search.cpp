@@ -1,8 +1,9 @@
 // A triangle that is left is often held by neighbours that meet the goal just so. Each attempt
 // changes a copy of an excerpt: improvement with hardly any weight for small angles, or with all of
 // it; holes of growing size filled anew with one vertex; kicks, then improvement; where one vertex
-// at a time is stuck, several at once. A trial aims a little below the goal, or ties between large
-// and small angles would end just above it. Tested by tests/unit/quality/repair/search_test.cpp.
+// at a time is stuck, several at once. A trial with hardly any weight for small angles aims a
+// little below the goal, or ties between large and small angles would end just above it.
+// Tested by tests/unit/quality/repair/search_test.cpp.
 #include "quality/repair/search.hpp"
 
 #include <algorithm>

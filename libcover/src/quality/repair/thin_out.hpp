@@ -15,7 +15,7 @@ struct ThinOutResult {
 };
 
 /// Removes free vertices, and replaces pairs of neighbouring free vertices by one, wherever the
-/// triangles that come in their place meet the goal or are no worse than the worst before.
+/// triangles that come in their place meet the goal: they have no excess at all.
 ///
 /// Cost: at most `budget` star evaluations; each vertex is looked at once, and again when its
 ///       star has changed. A large mesh is thinned in parts, and then along their borders.
