@@ -1,4 +1,4 @@
-// See standing.hpp. Tested by tests/unit/quality/repair/search_test.cpp.
+// See standing.hpp. Tested by tests/unit/quality/fault/standing_test.cpp.
 #include "quality/fault/standing.hpp"
 
 #include <algorithm>
