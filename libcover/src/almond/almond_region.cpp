@@ -31,9 +31,9 @@ FillPlan make_plan(const Options& options) {
   return plan;
 }
 
-class Region {
+class AlmondRegion {
  public:
-  Region(const RegionBoundary& boundary, const Options& options, std::stop_token stop)
+  AlmondRegion(const RegionBoundary& boundary, const Options& options, std::stop_token stop)
       : boundary_(boundary), options_(options), stop_(std::move(stop)), frame_(boundary.points) {}
 
   RegionMesh run() {
@@ -159,7 +159,7 @@ class Region {
 
 RegionMesh almond_region(const RegionBoundary& boundary, const Options& options,
                          std::stop_token stop) {
-  return Region(boundary, options, std::move(stop)).run();
+  return AlmondRegion(boundary, options, std::move(stop)).run();
 }
 
 }  // namespace cover

@@ -80,9 +80,9 @@ bool cut_side(MutableMesh& mesh, std::uint32_t s, std::uint32_t r, std::uint32_t
 }
 
 /// The search around every triangle that is left.
-class Search {
+class CutSearch {
  public:
-  Search(JoinedRegions& whole, const Goal& goal) : whole_(whole), goal_(goal) {}
+  CutSearch(JoinedRegions& whole, const Goal& goal) : whole_(whole), goal_(goal) {}
 
   /// Returns whether it ended because the budget was used up.
   bool run(Budget& budget) {
@@ -195,7 +195,7 @@ CutResult cut_and_improve(Work& work, const Options& options, Budget& budget) {
   const Goal goal = Goal::of(options.max_angle, options.min_angle);
   JoinedRegions joined(work.pslg, work.boundaries, work.meshes, goal);
   const std::size_t before = joined.triangles_above().size();
-  const bool budget_used_up = Search(joined, goal).run(budget);
+  const bool budget_used_up = CutSearch(joined, goal).run(budget);
   if (!joined.has_changed() || !joined.is_valid()) return {before, budget_used_up};
   Work cut = work;
   cut_segments(cut.pslg, cut.table, joined.segment_cuts(work.pslg));

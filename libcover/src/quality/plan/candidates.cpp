@@ -112,7 +112,7 @@ Candidate Candidates::measured(Candidate c) const {
   return c;
 }
 
-bool Candidates::has_room_around_a_hub() const {
+bool Candidates::has_room_for_one_star() const {
   const double least = std::atan2(1.0, goal_.small);
   return goal_.weight == 0 ||
          static_cast<double>(boundary_.sides.size()) * least < 2 * std::numbers::pi;
@@ -120,7 +120,7 @@ bool Candidates::has_room_around_a_hub() const {
 
 std::optional<Candidate> Candidates::one_star(const Candidate& cdt) {
   std::uint64_t evaluations = 0;
-  const auto star = hub_triangulation(*cdt.mesh, boundary_, evaluations);
+  const auto star = cover::one_star(*cdt.mesh, boundary_, evaluations);
   budget_.spend(evaluations);
   if (!star) return std::nullopt;
   Candidate made = candidate(*star, "one star");

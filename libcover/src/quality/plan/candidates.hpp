@@ -72,7 +72,7 @@ class Candidates {
   /// One star around a single new vertex, if there is one that sees all sides.
   [[nodiscard]] std::optional<Candidate> one_star(const Candidate& cdt);
   /// Whether so few sides share the 360 degrees at it that each may have the smallest angle asked.
-  [[nodiscard]] bool has_room_around_a_hub() const;
+  [[nodiscard]] bool has_room_for_one_star() const;
   /// Chew's construction, where the boundary is evenly spaced.
   [[nodiscard]] std::optional<Candidate> evenly_refined(Candidate cdt) const;
   /// The constrained Delaunay triangulation refined and improved; nothing promises that it is

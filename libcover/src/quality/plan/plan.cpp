@@ -12,7 +12,7 @@ namespace {
 using StopWhen = Step::StopWhen;
 
 bool always(const PlanProgress&) { return true; }
-bool has_room_around_a_hub(const PlanProgress& p) { return p.make.has_room_around_a_hub(); }
+bool has_room_for_one_star(const PlanProgress& p) { return p.make.has_room_for_one_star(); }
 bool is_missed(const PlanProgress& p) { return !p.best.merit.complete; }
 bool is_tiny_and_missed(const PlanProgress& p) { return p.make.is_tiny() && is_missed(p); }
 bool has_far(const PlanProgress& p) { return p.best.merit.far_above > 0; }
@@ -112,7 +112,7 @@ void evenly_refined(PlanProgress& p) {
   if (even) take(p, p.make.improved(*even));
 }
 void star_improved(PlanProgress& p) {
-  if (!p.make.has_room_around_a_hub()) p.star = p.make.one_star(p.cdt);
+  if (!p.make.has_room_for_one_star()) p.star = p.make.one_star(p.cdt);
   if (p.star && p.make.is_promising(*p.star, p.best)) take(p, p.make.improved(*p.star));
 }
 void cdt_improved(PlanProgress& p) {
@@ -155,7 +155,7 @@ void bound_kept_sized(PlanProgress& p) {
 
 constexpr std::array kFast{
     Step{"cdt", always, as_it_is, StopWhen::alone},
-    Step{"one star", has_room_around_a_hub, best_star, StopWhen::complete},
+    Step{"one star", has_room_for_one_star, best_star, StopWhen::complete},
     Step{"limits of that", may_be_near, limits, StopWhen::near},
     Step{"refined, improved", may_have_room, refined, StopWhen::complete},
     Step{"the same within the bound", refined_is_beyond_bound, within_bound},
@@ -164,7 +164,7 @@ constexpr std::array kFast{
 
 constexpr std::array kBalanced{
     Step{"cdt", always, as_it_is, StopWhen::alone},
-    Step{"one star", has_room_around_a_hub, best_star, StopWhen::complete},
+    Step{"one star", has_room_for_one_star, best_star, StopWhen::complete},
     Step{"limits of that", may_be_near, limits, StopWhen::near},
     Step{"refined, improved, few searched", may_have_room, refined_and_searched,
          StopWhen::complete},
@@ -196,7 +196,7 @@ constexpr std::array kThorough{
 // Steps after the restarts run only where the largest angle is neither the goal's nor forced.
 constexpr std::array kLargest{
     Step{"cdt", always, as_it_is, StopWhen::alone},
-    Step{"one star", has_room_around_a_hub, one_star, StopWhen::complete},
+    Step{"one star", has_room_for_one_star, one_star, StopWhen::complete},
     Step{"refined, improved, searched", always, refined_and_searched_all},
     Step{"random restarts", is_tiny_and_missed, restarted, StopWhen::done},
     Step{"best, improved", is_missed_by_largest, improved, StopWhen::done},

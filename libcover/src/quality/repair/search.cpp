@@ -164,9 +164,9 @@ class Attempts {
 };
 
 /// The triangles that are left, in turn.
-class Search {
+class ExcerptSearch {
  public:
-  Search(MutableMesh& mesh, Budget& budget, Trials trials)
+  ExcerptSearch(MutableMesh& mesh, Budget& budget, Trials trials)
       : mesh_(mesh), budget_(budget), trials_(trials) {}
 
   void run() {
@@ -280,7 +280,7 @@ class Search {
 void search_excerpts(MutableMesh& mesh, const Goal& goal, Budget& budget, Trials trials,
                      const Sharing& sharing) {
   mesh.set_goal(goal, sharing.team);
-  Search search(mesh, budget, trials);
+  ExcerptSearch search(mesh, budget, trials);
   if (sharing.divides(mesh)) {
     search.run(sharing.team);
   } else {

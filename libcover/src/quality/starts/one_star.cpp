@@ -13,9 +13,8 @@ constexpr std::size_t kMostSides = 64;  ///< where small angles count
 
 }  // namespace
 
-std::optional<Triangulation> hub_triangulation(const MutableMesh& mesh,
-                                               const RegionBoundary& boundary,
-                                               std::uint64_t& evaluations) {
+std::optional<Triangulation> one_star(const MutableMesh& mesh, const RegionBoundary& boundary,
+                                      std::uint64_t& evaluations) {
   const std::size_t n = boundary.sides.size();
   if (n < 4 || n != boundary.points.size()) return std::nullopt;      // isolated points, or pinched
   if (n > kMostSides && mesh.goal().weight > 0) return std::nullopt;  // small angles at the hub

@@ -16,8 +16,7 @@ namespace cover {
 ///
 /// REQUIRES: `mesh` is the region's constrained Delaunay triangulation, its goal set
 /// Cost:     O(sides), most often after a single look
-std::optional<Triangulation> hub_triangulation(const MutableMesh& mesh,
-                                               const RegionBoundary& boundary,
-                                               std::uint64_t& evaluations);
+std::optional<Triangulation> one_star(const MutableMesh& mesh, const RegionBoundary& boundary,
+                                      std::uint64_t& evaluations);
 
 }  // namespace cover

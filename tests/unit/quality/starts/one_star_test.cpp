@@ -12,7 +12,7 @@ TEST(OneStar, JoinsEverySideToOneVertex) {
   const RegionBoundary boundary = boundary_of({regular_polygon(100, 2, {5, 5})});
   const MutableMesh mesh = cdt_mesh(boundary, Goal::of(Angle::degrees(90), Angle::degrees(0)));
   std::uint64_t evaluations = 0;
-  const auto star = hub_triangulation(mesh, boundary, evaluations);
+  const auto star = one_star(mesh, boundary, evaluations);
   ASSERT_TRUE(star.has_value());
   EXPECT_EQ(star->triangles.size(), 100u);
   const auto at = locate_sides(*star, boundary.sides);
@@ -26,10 +26,10 @@ TEST(OneStar, IsNoneWithAHoleOrABay) {
   std::uint64_t evaluations = 0;
   const RegionBoundary ring =
       boundary_of({regular_polygon(12, 2), reversed(regular_polygon(8, 1))});
-  EXPECT_FALSE(hub_triangulation(cdt_mesh(ring), ring, evaluations).has_value());
+  EXPECT_FALSE(one_star(cdt_mesh(ring), ring, evaluations).has_value());
   const RegionBoundary bay =
       boundary_of({{{0, 0}, {4, 0}, {4, 4}, {3, 4}, {3, 1}, {1, 1}, {1, 4}, {0, 4}}});
-  EXPECT_FALSE(hub_triangulation(cdt_mesh(bay), bay, evaluations).has_value());
+  EXPECT_FALSE(one_star(cdt_mesh(bay), bay, evaluations).has_value());
 }
 
 }  // namespace
