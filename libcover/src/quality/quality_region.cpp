@@ -16,6 +16,7 @@
 
 #include "cdt/couplings.hpp"
 #include "geom/predicates.hpp"
+#include "quality/effort/effort.hpp"
 #include "quality/fault/missed_targets.hpp"
 #include "quality/mutable/to_region_mesh.hpp"
 #include "quality/plan/candidates.hpp"
@@ -26,10 +27,6 @@ namespace cover {
 namespace {
 
 constexpr std::size_t kMostHandedOver = 10'000;  ///< points of a region whose proof is kept
-constexpr std::size_t kMostPoints = 2000;        ///< of a region that is tried with other goals
-constexpr double kMany = 0.1;                    ///< share of triangles above the goal that is many
-constexpr std::uint64_t kEvaluationsForOwn = 100'000;  ///< per triangle above the own target
-constexpr std::uint64_t kEvaluationsForFar = 5'000;    ///< per triangle above 120 degrees
 
 /// One region in one frame.
 class RegionWork {
@@ -82,13 +79,13 @@ class RegionWork {
   /// Other goals may lead nearer to the one that was missed. 90 and 30 degrees can be met where
   /// more cannot; and where many angles are large, they are so beside small ones that are forced.
   void aim_elsewhere(Candidate& best) {
-    if (best.merit.complete || boundary_.points.size() > kMostPoints) return;
+    if (best.merit.complete || boundary_.points.size() > effort::kPointsToAimElsewhere) return;
     const Angle right = Angle::degrees(90), third = Angle::degrees(30);
     if (options_.max_angle < right || third < options_.min_angle)
       aim_at(best, std::max(options_.max_angle, right), std::min(options_.min_angle, third));
     for (const double part : {0.25, 0.0}) {
       const auto triangles = static_cast<double>(best.merit.triangles);
-      if (static_cast<double>(best.merit.above) <= kMany * triangles) return;
+      if (static_cast<double>(best.merit.above) <= effort::kShareToEaseSmall * triangles) return;
       aim_at(best, options_.max_angle, Angle::radians(part * options_.min_angle.in_radians()));
     }
   }
@@ -103,11 +100,11 @@ class RegionWork {
   void search_what_is_left(Candidate& best) const {
     const Goal goal = candidates_.goal();
     if (!candidates_.is_done(best))
-      candidates_.take_if_better(
-          best, candidates_.searched(best, candidates_.own_goal(*best.mesh), kEvaluationsForOwn));
+      candidates_.take_if_better(best, candidates_.searched(best, candidates_.own_goal(*best.mesh),
+                                                            effort::kSearchForOwn));
     const Goal far = goal.with(std::max(goal.large, kFarAbove), goal.small, goal.weight);
     if (best.merit.far_above > 0 && far != goal)
-      candidates_.take_if_better(best, candidates_.searched(best, far, kEvaluationsForFar));
+      candidates_.take_if_better(best, candidates_.searched(best, far, effort::kSearchForFar));
   }
 
   [[nodiscard]] RegionMesh reported(const Candidate& candidate) const {

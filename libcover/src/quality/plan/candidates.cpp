@@ -28,13 +28,6 @@
 namespace cover {
 namespace {
 
-constexpr std::uint64_t kEvaluationsPerVertex = 3000;
-constexpr std::uint64_t kEvaluationsAtLeast = 5000;
-constexpr std::uint64_t kEvaluationsOfRestarts = 200'000;  ///< far more than they need
-constexpr std::uint64_t kEvaluationsOfSearch = 10'000;     ///< for what the best of them leaves
-constexpr std::size_t kSmallRegion = 64;  ///< points: every candidate is tried and improved
-constexpr std::size_t kFew = 16;          ///< triangles that are searched
-
 LocalFrame frame_of(const RegionBoundary& boundary, bool shifted) {
   LocalFrame frame(boundary.points);
   if (!shifted) frame.undo(boundary.points);
@@ -71,7 +64,7 @@ Candidates::Candidates(const RegionBoundary& boundary, const Options& options,
       side_limits_(limits_of(cdt_, limit_, options, sharing.team)),
       goal_(goal_of(options, limit_)),
       sizes_(boundary, cdt_, options.growth, background_in_frame()),
-      given_(kEvaluationsAtLeast + kEvaluationsPerVertex * boundary.points.size()),
+      given_(effort::kBudgetAtLeast + effort::kBudgetPerPoint * boundary.points.size()),
       budget_{given_, stop} {}
 
 SizeFunction Candidates::background_in_frame() const {
@@ -201,8 +194,8 @@ void Candidates::compare_with(const Candidate& cdt) {
 }
 
 bool Candidates::is_promising(const Candidate& start, const Candidate& best) const {
-  return !start.mesh->triangles.empty() &&
-         (start.merit.large < best.merit.large || boundary_.points.size() <= kSmallRegion);
+  return !start.mesh->triangles.empty() && (start.merit.large < best.merit.large ||
+                                            boundary_.points.size() <= effort::kPointsToTryAll);
 }
 
 Candidate Candidates::improved_within(const Candidate& c, std::uint64_t evaluations) {
@@ -233,12 +226,12 @@ Candidate Candidates::restarted_within(const Candidate& from, std::uint64_t eval
 
 Candidate Candidates::restarted(const Candidate& from) const {
   Candidate best = from;
-  Budget budget{kEvaluationsOfRestarts, budget_.stop};
+  Budget budget{effort::kRestarts, budget_.stop};
   best.mesh = best_restart(*from.mesh, goal_, ceiling_, best.merit, budget);
   if (order_.is_better(best.merit, from.merit)) best.method = "restarted, improved";
   if (is_done(best) && best.merit.above == 0) return best;
   Candidate further = best;
-  budget = {kEvaluationsOfSearch, budget_.stop};
+  budget = {effort::kSearchAfterRestarts, budget_.stop};
   search_excerpts(further.mesh.change(), goal_, budget);
   take_if_better(best, measured(std::move(further)));
   return best;
@@ -246,7 +239,7 @@ Candidate Candidates::restarted(const Candidate& from) const {
 
 Candidate Candidates::searched(const Candidate& from, const Goal& aim, std::uint64_t each) const {
   const std::size_t above = merit_of(*from.mesh, aim, sharing_.team).above;
-  if (above > kFew) return from;
+  if (above > effort::kSearchedAlone) return from;
   Candidate further = from;
   Budget budget{above * each, budget_.stop};
   search_excerpts(further.mesh.change(), aim, budget, Trials::with_restarts);

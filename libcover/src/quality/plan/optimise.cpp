@@ -31,20 +31,10 @@
 namespace cover {
 namespace {
 
-constexpr double kLightSmall = 4;      ///< times the goal's cotangent, when light: 5 degrees
-constexpr double kManyAbove = 0.02;    ///< share of triangles above the goal that is many
-constexpr double kFewAbove = 0.05;     ///< share that is few, for which more budget is well spent
-constexpr std::size_t kMostOfFew = 4;  ///< triangles, each with so much more:
-constexpr std::uint64_t kEvaluationsForFew = 300'000;
-constexpr double kHopeless = 0.2;                 ///< share above which there is no search
-constexpr std::size_t kCheapToSearch = 600;       ///< triangles: however many are left
-constexpr std::size_t kCheapToSearchAgain = 200;  ///< triangles: for every candidate
-constexpr double kRefinedTo = 24.5;               ///< degrees: more than asked for, see stage 1,
-constexpr double kRefinedFurther = 0.75;          ///< and so much for each below 100,
-constexpr double kRefinedAtMost = 33;             ///< from 34 on refinement may not end
-constexpr std::size_t kMostSized = 50'000'000;    ///< vertices that sizes may ask for in a region
-constexpr std::uint64_t kEvaluationsPerVertex = 100;  ///< more budget for what sizes add
-constexpr std::uint64_t kFirstShare = 4;              ///< of the budget for stage 2: one in so many
+constexpr double kLightSmall = 4;         ///< times the goal's cotangent, when light: 5 degrees
+constexpr double kRefinedTo = 24.5;       ///< degrees: more than asked for, see stage 1,
+constexpr double kRefinedFurther = 0.75;  ///< and so much for each below 100,
+constexpr double kRefinedAtMost = 33;     ///< from 34 on refinement may not end
 
 Goal light(Goal goal) {
   goal.weight *= kLightWeight;
@@ -67,7 +57,7 @@ bool has_at_most(const Merit& merit, double share) {
 /// Whether a large mesh misses so little that a search for all of it takes little beside what has
 /// been done.
 bool is_nearly_clean(const Merit& merit) {
-  return merit.triangles > kCheapToSearch && merit.missed > 0 &&
+  return merit.triangles > effort::kSearchedInAnyCase && merit.missed > 0 &&
          static_cast<double>(merit.missed) <=
              effort::kFewMissed * static_cast<double>(merit.triangles);
 }
@@ -75,7 +65,8 @@ bool is_nearly_clean(const Merit& merit) {
 /// Where much is left, it is so for reasons that no search changes; but in small meshes all can be
 /// tried.
 bool is_worth_a_search(const Merit& merit) {
-  return merit.triangles <= kCheapToSearch || has_at_most(merit, kHopeless);
+  return merit.triangles <= effort::kSearchedInAnyCase ||
+         has_at_most(merit, effort::kShareWithoutHope);
 }
 
 bool is_thorough(Search search) { return search == Search::again || search == Search::usual; }
@@ -164,7 +155,8 @@ Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search
   }
   if (merit.complete) return merit;
   merit = flip_and_improve(goal);
-  if (!is_due(search, merit) || (!was_met && merit.triangles <= kCheapToSearch)) return merit;
+  if (!is_due(search, merit) || (!was_met && merit.triangles <= effort::kSearchedInAnyCase))
+    return merit;
   search_excerpts(mesh, goal, budget, Trials::usual, sharing);
   return merit_of(mesh, goal, sharing.team);
 }
@@ -177,15 +169,15 @@ Merit optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const SizeF
   RefineLimits limits;
   limits.keeps_couplings = goal.coupling.weight > 0;
   limits.smallest_cot = 1 / std::tan(refined_to(goal).in_radians());
-  limits.budget = sizes.is_active() ? kMostSized : 20 * mesh.points.size() + 1000;
+  limits.budget = sizes.is_active() ? effort::kMostSizedVertices : 20 * mesh.points.size() + 1000;
   const bool may_start_again = is_thorough(search);
   MutableMesh start;  // a third of what it becomes: to be refined again is rare
   if (may_start_again) start = mesh;
   refine(mesh, limits, sizes, sharing);
   if (sizes.is_active()) {
-    budget.left += kEvaluationsPerVertex * (mesh.points.size() - mesh.fixed_vertices());
+    budget.left += effort::kBudgetPerSizedVertex * (mesh.points.size() - mesh.fixed_vertices());
   }
-  Budget part = budget.share(kFirstShare);
+  Budget part = budget.share(effort::kImprovementsPart);
   std::uint64_t kept = 0;
   if (!is_thorough(search)) {
     const std::uint64_t each =
@@ -198,8 +190,8 @@ Merit optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const SizeF
   part.left += kept;
   budget.left += part.left;
   Merit merit = merit_of(mesh, goal, sharing.team);
-  if (may_start_again && !has_at_most(merit, kManyAbove)) {
-    part = budget.share(kFirstShare);
+  if (may_start_again && !has_at_most(merit, effort::kShareToStartAgain)) {
+    part = budget.share(effort::kImprovementsPart);
     refine(start, limits, sizes, sharing);
     start.set_goal(light(goal), sharing.team);
     improve_within(start, part, sharing);
@@ -211,8 +203,8 @@ Merit optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const SizeF
     }
   }
   if (search == Search::few && is_nearly_clean(merit)) search = Search::usual;
-  if (search == Search::usual && has_at_most(merit, kFewAbove)) {
-    budget.left += kEvaluationsForFew * std::min(merit.above, kMostOfFew);
+  if (search == Search::usual && has_at_most(merit, effort::kShareWorthMore)) {
+    budget.left += effort::kMoreForEach * std::min(merit.above, effort::kMostWorthMore);
   }
   const bool is_tiny = mesh.fixed_vertices() <= kTinyRegion && !sizes.is_active();
   if (is_thorough(search) && !is_tiny && is_worth_a_search(merit))
@@ -252,7 +244,8 @@ Merit improve_largest(MutableMesh& mesh, const Goal& goal, Budget& budget, const
   mesh.set_goal(light(goal), sharing.team);
   improve_within(mesh, budget, sharing);
   const Merit merit = merit_of(mesh, goal, sharing.team);
-  if (merit.triangles > kCheapToSearchAgain || !is_worth_a_search(merit)) return merit;
+  if (merit.triangles > effort::kSearchedForEachCandidate || !is_worth_a_search(merit))
+    return merit;
   search_excerpts(mesh, goal, budget);
   return merit_of(mesh, goal, sharing.team);
 }

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "quality/effort/effort.hpp"
 #include "quality/moves/kick.hpp"
 #include "quality/mutable/excerpt.hpp"
 #include "quality/repair/improve.hpp"
@@ -10,9 +11,7 @@
 namespace cover {
 namespace {
 
-constexpr std::size_t kTriangles = 64;  ///< around the one that is kicked, that may change
 constexpr double kStricter = 0.1;  ///< the goal that is tried first, in cotangents: 6 degrees less
-constexpr std::uint64_t kCopied = 8;  ///< triangles copied in the time of one star evaluation
 
 }  // namespace
 
@@ -21,7 +20,8 @@ void improve_with_slack(MutableMesh& mesh, Budget& budget) {
   mesh.set_goal(aim.with(aim.large - kStricter, aim.small * (1 - kStricter), aim.weight));
   budget.spend(improve(mesh, budget.left).evaluations);
   mesh.set_goal(aim);
-  budget.spend(improve(mesh, budget.left).evaluations + mesh.triangles.size() / kCopied);
+  budget.spend(improve(mesh, budget.left).evaluations +
+               mesh.triangles.size() / effort::kCopiedPerEvaluation);
 }
 
 bool kick_and_improve(MutableMesh& mesh, const Goal& goal, Budget& budget) {
@@ -48,7 +48,7 @@ void improve_by_kicks(MutableMesh& mesh, const Goal& goal, Merit& merit, Budget&
   for (std::size_t head = 0; head < queue.size() && !budget.is_used_up(); ++head) {
     const std::uint32_t t = queue[head];
     if (!is_above(mesh, t, goal)) continue;
-    const Excerpt excerpt(mesh, t, kTriangles);
+    const Excerpt excerpt(mesh, t, effort::kExcerpt);
     MutableMesh part = excerpt.mesh;
     if (!kick_and_improve(part, goal, budget)) continue;
     for (const std::uint32_t changed : excerpt.replace(mesh, part)) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/once_queue.hpp"
+#include "quality/effort/effort.hpp"
 #include "quality/fault/standing.hpp"
 #include "quality/moves/kick.hpp"
 #include "quality/mutable/cavity.hpp"
@@ -27,8 +28,6 @@
 namespace cover {
 namespace {
 
-constexpr std::size_t kTriangles = 64;  ///< in an excerpt
-constexpr std::uint64_t kCopied = 8;    ///< triangles copied in the time of one star evaluation
 constexpr std::uint64_t kLeastShare = 1000;  ///< of the budget, for a triangle
 constexpr std::uint64_t kLeastSpent = 20;    ///< for a triangle: its excerpt alone
 constexpr std::size_t kTogether = 128;       ///< excerpts that are worked on at the same time
@@ -92,7 +91,8 @@ class Attempts {
     if (slack) {
       improve_with_slack(trial_, budget_);
     } else {
-      budget_.spend(improve(trial_, budget_.left).evaluations + trial_.triangles.size() / kCopied);
+      budget_.spend(improve(trial_, budget_.left).evaluations +
+                    trial_.triangles.size() / effort::kCopiedPerEvaluation);
     }
     return improve_jointly(trial_, budget_, [this] { return is_better(); });
   }
@@ -224,7 +224,7 @@ class ExcerptSearch {
     Budget share = budget_;
     share.left = std::min(budget_.left, std::max(kLeastShare, budget_.left / shares));
     const std::uint64_t given = share.left;
-    trial.excerpt.emplace(mesh_, t, kTriangles);
+    trial.excerpt.emplace(mesh_, t, effort::kExcerpt);
     Attempts attempts(trial.excerpt->mesh, mesh_.goal(), share, trials_);
     if (attempts.run()) trial.found = attempts.result();
     trial.spent = std::max(kLeastSpent, given - share.left);
@@ -249,7 +249,7 @@ class ExcerptSearch {
     while (!queue_.empty() && taken.size() < kTogether && others.size() < kTogether) {
       const std::uint32_t t = queue_.pop();
       if (!is_left(t)) continue;
-      const std::vector<std::uint32_t> around = triangles_around(mesh_, t, kTriangles);
+      const std::vector<std::uint32_t> around = triangles_around(mesh_, t, effort::kExcerpt);
       const auto is_taken = [&](std::uint32_t n) { return taken_in_[n] == round_; };
       if (std::any_of(around.begin(), around.end(), is_taken)) {
         others.push_back(t);
