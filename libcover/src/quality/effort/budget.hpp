@@ -1,6 +1,8 @@
 // The unit in which all work on a region is counted.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <stop_token>
 
@@ -8,6 +10,12 @@ namespace cover {
 
 /// Points of a region in which random restarts (restart.hpp) take the place of searches.
 inline constexpr std::size_t kTinyRegion = 16;
+
+/// What becomes of Budget::was_too_small when a part of it was.
+enum class WhenTooSmall {
+  is_told,
+  is_kept,  ///< as it was: the part was small on purpose, and more of the whole would not help
+};
 
 /// Star evaluations that remain for a region: the unit in which all work on it is counted.
 struct Budget {
@@ -29,6 +37,17 @@ struct Budget {
     was_too_small = was_too_small || part.was_too_small;
   }
   void spend(std::uint64_t evaluations) { left -= evaluations < left ? evaluations : left; }
+  /// Calls `run`, for which at most `most` of what is left are there, and takes away what it has
+  /// spent. What `run` adds to them goes to nobody else.
+  template <class Run>
+  void within(std::uint64_t most, Run run, WhenTooSmall tells = WhenTooSmall::is_told) {
+    const std::uint64_t before = left, given = std::min(left, most);
+    const bool was_before = was_too_small;
+    left = given;
+    run();
+    left = before - (given - std::min(given, left));
+    if (tells == WhenTooSmall::is_kept) was_too_small = was_before;
+  }
 };
 
 }  // namespace cover

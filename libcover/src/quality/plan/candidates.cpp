@@ -158,31 +158,29 @@ Candidate Candidates::improved(const Candidate& c) {
 
 Candidate Candidates::narrowed(const Candidate& best, const Candidate& from, double large) {
   Candidate found = best;
-  const std::uint64_t before = budget_.left;
-  const std::uint64_t most = std::min(before, effort::kNarrowedPerTriangle * from.merit.triangles);
-  budget_.left = most;
   const double smallest = std::atan2(1.0, goal_.small);
   Candidate trial = from;
   bool is_better = false;
-  for (const double part : effort::kSmallestParts) {
-    if (1 - part > order_.degenerate || budget_.is_used_up()) break;
-    Goal aim = goal_.with(std::max(goal_.large, large - effort::kAimBelowLimit), goal_.small,
-                          goal_.weight);
-    if (goal_.weight > 0) {
-      aim.small = 1 / std::tan(part * smallest);
-      aim.weight = part * smallest / (std::numbers::pi - std::atan2(1.0, -aim.large));
+  budget_.within(effort::kNarrowedPerTriangle * from.merit.triangles, [&] {
+    for (const double part : effort::kSmallestParts) {
+      if (1 - part > order_.degenerate || budget_.is_used_up()) break;
+      Goal aim = goal_.with(std::max(goal_.large, large - effort::kAimBelowLimit), goal_.small,
+                            goal_.weight);
+      if (goal_.weight > 0) {
+        aim.small = 1 / std::tan(part * smallest);
+        aim.weight = part * smallest / (std::numbers::pi - std::atan2(1.0, -aim.large));
+      }
+      MutableMesh& mesh = trial.mesh.change();
+      mesh.set_goal(aim, sharing_.team);
+      budget_.spend(improve(mesh, budget_.left, {}, sharing_).evaluations);
+      trial = measured(std::move(trial));
+      if (order_.is_better(trial.merit, found.merit)) {
+        found = trial;
+        is_better = true;
+      }
+      if (trial.merit.large <= large || (large == kFarAbove && trial.merit.far_above == 0)) break;
     }
-    MutableMesh& mesh = trial.mesh.change();
-    mesh.set_goal(aim, sharing_.team);
-    budget_.spend(improve(mesh, budget_.left, {}, sharing_).evaluations);
-    trial = measured(std::move(trial));
-    if (order_.is_better(trial.merit, found.merit)) {
-      found = trial;
-      is_better = true;
-    }
-    if (trial.merit.large <= large || (large == kFarAbove && trial.merit.far_above == 0)) break;
-  }
-  budget_.left = before - (most - budget_.left);
+  });
   if (is_better && !found.method.ends_with(", improved")) found.method += ", improved";
   return found;
 }
@@ -199,20 +197,14 @@ bool Candidates::is_promising(const Candidate& start, const Candidate& best) con
 }
 
 Candidate Candidates::improved_within(const Candidate& c, std::uint64_t evaluations) {
-  const std::uint64_t before = budget_.left;
-  budget_.left = std::min(before, evaluations);
-  const std::uint64_t given = budget_.left;
-  Candidate better = improved(c);
-  budget_.left = before - (given - std::min(given, budget_.left));
+  Candidate better;
+  budget_.within(evaluations, [&] { better = improved(c); });
   return better;
 }
 
 Candidate Candidates::optimised_within(Candidate cdt, Search search, std::uint64_t evaluations) {
-  const std::uint64_t before = budget_.left;
-  budget_.left = std::min(before, 2 * evaluations);  // of which no more than half is for one
-  const std::uint64_t given = budget_.left;
-  Candidate better = optimised(std::move(cdt), search);
-  budget_.left = before - (given - std::min(given, budget_.left));
+  Candidate better;  // of the budget no more than half is for one
+  budget_.within(2 * evaluations, [&] { better = optimised(std::move(cdt), search); });
   return better;
 }
 

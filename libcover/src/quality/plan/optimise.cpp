@@ -115,11 +115,10 @@ Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search
   UnsetVector<double> known = copy_of(mesh.excess, sharing.team);
   const auto flip_and_improve = [&](const Goal& aim) {
     mesh.set_goal(aim, sharing.team);
-    Budget part = budget;
-    part.left = std::min<std::uint64_t>(part.left, each * mesh.triangle_count());
-    const std::uint64_t given = part.left;
-    improve_within(mesh, part, sharing, known, Before::flips_to_delaunay);
-    budget.spend(given - part.left);
+    budget.within(
+        each * mesh.triangle_count(),
+        [&] { improve_within(mesh, budget, sharing, known, Before::flips_to_delaunay); },
+        WhenTooSmall::is_kept);
     known = copy_of(mesh.excess, sharing.team);
     return merit_of(mesh, aim, sharing.team);
   };
@@ -136,14 +135,12 @@ Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search
     const std::uint64_t first = is_small ? std::min(effort::kSearchForCouplings,
                                                     effort::kSearchPerTriangle * merit.triangles)
                                          : effort::kSearchForCouplings;
-    Budget part = budget;
-    part.left = std::min<std::uint64_t>(
-        part.left, first + one_more * (std::max<std::size_t>(merit.missed, 1) - 1));
-    const std::uint64_t given = part.left;
     MutableMesh start;
     if (is_small) start = mesh;
-    search_excerpts(mesh, soft, part, Trials::usual, sharing);
-    budget.spend(given - part.left);
+    budget.within(
+        first + one_more * (std::max<std::size_t>(merit.missed, 1) - 1),
+        [&] { search_excerpts(mesh, soft, budget, Trials::usual, sharing); },
+        WhenTooSmall::is_kept);
     const Merit found = merit_of(mesh, soft, sharing.team);
     // A coupling may have been bought with an angle; what follows mends couplings for less.
     if (is_small && found.fault.worst() > merit.fault.worst()) {

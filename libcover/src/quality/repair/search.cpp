@@ -221,13 +221,13 @@ class ExcerptSearch {
   /// Spends on `t` one of `shares` equal shares of the budget at most.
   [[nodiscard]] Trial tried(std::uint32_t t, std::size_t shares) const {
     Trial trial;
-    Budget share = budget_;
-    share.left = std::min(budget_.left, std::max(kLeastShare, budget_.left / shares));
-    const std::uint64_t given = share.left;
+    Budget own = budget_;  // others may be tried at the same time
     trial.excerpt.emplace(mesh_, t, effort::kExcerpt);
-    Attempts attempts(trial.excerpt->mesh, mesh_.goal(), share, trials_);
-    if (attempts.run()) trial.found = attempts.result();
-    trial.spent = std::max(kLeastSpent, given - share.left);
+    own.within(std::max(kLeastShare, budget_.left / shares), [&] {
+      Attempts attempts(trial.excerpt->mesh, mesh_.goal(), own, trials_);
+      if (attempts.run()) trial.found = attempts.result();
+    });
+    trial.spent = std::max(kLeastSpent, budget_.left - own.left);
     return trial;
   }
 
