@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -216,7 +217,8 @@ class Refinement {
 
   /// The circumcentre of `t`, or the off-centre of its shortest edge where that is nearer. Nothing
   /// where doubles are so far apart that rounding moves it: in a column of points with the same x,
-  /// far from 0, it would halve the edge, and so would all that come after it.
+  /// far from 0, it would halve the edge, and so would all that come after it. Nor where squares of
+  /// lengths are no normal numbers, which tell nothing of that.
   [[nodiscard]] std::optional<Point> centre_of(std::uint32_t t) const {
     int shortest = 0;
     double length2 = kInverted;
@@ -234,7 +236,9 @@ class Refinement {
     const double height = std::min(0.5 * dot(u, w) / cross(e, u), off_centre_);
     const Vector wished = 0.5 * e + height * left_normal(e);
     const Point p = a + wished;
-    if (squared_length((p - a) - wished) > kMostMoved * squared_length(wished)) return {};
+    const double distance2 = squared_length(wished);
+    if (distance2 < std::numeric_limits<double>::min()) return {};
+    if (squared_length((p - a) - wished) > kMostMoved * distance2) return {};
     return p;
   }
 
