@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 
 #include <cover/read_mesh.hpp>
-
 #include <cover/text.hpp>
 
 #include "commands/commands.hpp"

@@ -11,7 +11,6 @@
 #include <fmt/core.h>
 
 #include <cover/join_inputs.hpp>
-
 #include <cover/text.hpp>
 
 #include "read_geometry.hpp"

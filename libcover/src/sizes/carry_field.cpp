@@ -9,7 +9,6 @@
 #include <fmt/core.h>
 
 #include <cover/mesh.hpp>
-
 #include <cover/text.hpp>
 #include "geom/box.hpp"
 #include "geom/vector.hpp"
