@@ -17,7 +17,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
@@ -45,11 +48,11 @@ Point at(const Box& box, const std::array<double, 2>& share) {
   return {box.low.x + share[0] * box.width(), box.low.y + share[1] * box.height()};
 }
 
-/// From `p` to the nearest point of the box.
-double distance_to(const Box& box, Point p) {
+/// Whether the nearest point of the box is farther from `p` than that.
+bool is_beyond(const Box& box, Point p, double distance) {
   const double x = std::max({box.low.x - p.x, p.x - box.high.x, 0.0});
   const double y = std::max({box.low.y - p.y, p.y - box.high.y, 0.0});
-  return std::hypot(x, y);
+  return x * x + y * y > distance * distance;
 }
 
 double distance_to(Point a, Point b, Point p) {
@@ -76,14 +79,60 @@ HalfDiscRoom::Circle HalfDiscRoom::circle_through(const std::array<Point, 3>& co
   return {corners, a + to, length(to)};
 }
 
+/// What may concern a box. What does not concern it does not concern its parts, so a part is asked
+/// with what is left of the lists of the whole.
+struct HalfDiscRoom::Near {
+  std::span<const std::uint32_t> sides;  ///< that may touch it
+  std::span<const std::uint32_t> discs;  ///< that may meet it, by their places in the search
+};
+
 struct HalfDiscRoom::Search {
   Circle circle;
-  std::vector<Disc> discs;           ///< that meet the circle
-  std::vector<std::uint32_t> sides;  ///< that meet the first box
-  std::vector<bool> is_used;         ///< by side: its disc covers a box
-  Box box;                           ///< the first one
-  std::size_t discs_left = 0;        ///< whose walls may still be looked for
+  std::vector<Disc> discs;                       ///< that meet the circle
+  std::vector<bool> is_used;                     ///< by side: its disc covers a box
+  Box box;                                       ///< the first one
+  std::size_t discs_left = 0;                    ///< whose walls may still be looked for
+  std::vector<std::uint32_t> touching, meeting;  ///< sides and discs, of the box asked last
 };
+
+namespace {
+
+/// Lists one behind the other.
+struct Range {
+  std::size_t begin, end;
+};
+
+Range append(std::vector<std::uint32_t>& lists, const std::vector<std::uint32_t>& list) {
+  lists.insert(lists.end(), list.begin(), list.end());
+  return {lists.size() - list.size(), lists.size()};
+}
+
+std::span<const std::uint32_t> part(const std::vector<std::uint32_t>& lists, Range range) {
+  return std::span(lists).subspan(range.begin, range.end - range.begin);
+}
+
+std::vector<std::uint32_t> first_numbers(std::size_t n) {
+  std::vector<std::uint32_t> numbers(n);
+  std::iota(numbers.begin(), numbers.end(), 0u);
+  return numbers;
+}
+
+/// The boxes of one level, and what is near them.
+struct Level {
+  struct Cell {
+    Box box;
+    Range sides, discs;  ///< in `lists`
+  };
+  std::vector<Cell> cells;
+  std::vector<std::uint32_t> lists;
+
+  void clear() {
+    cells.clear();
+    lists.clear();
+  }
+};
+
+}  // namespace
 
 HalfDiscRoom::HalfDiscRoom(std::span<const Point> points, std::span<const IndexPair> sides,
                            const std::vector<bool>& is_free)
@@ -113,13 +162,18 @@ bool HalfDiscRoom::is_inside(Point p) const {
 bool HalfDiscRoom::is_place(Point p, const Search& search) const {
   const auto& [a, b, c] = search.circle.corners;
   if (in_circle(a, b, c, p) != Sign::positive) return false;
-  for (const std::uint32_t s : search.sides) {
-    if (orientation(start(s), end(s), p) == Sign::zero) return false;
-  }
-  return is_inside(p) && std::none_of(search.discs.begin(), search.discs.end(), [&](const Disc& d) {
-           return orientation(start(d.side), end(d.side), p) == Sign::positive &&
-                  is_seen_bluntly(start(d.side), p, end(d.side));
-         });
+  const auto holds_it = [&](std::uint32_t d) {
+    const std::uint32_t s = search.discs[d].side;
+    return is_seen_bluntly(start(s), p, end(s)) &&
+           orientation(start(s), end(s), p) == Sign::positive;
+  };
+  if (std::any_of(search.meeting.begin(), search.meeting.end(), holds_it)) return false;
+  const auto is_on_it = [&](std::uint32_t s) {
+    return orientation(start(s), end(s), p) == Sign::zero;
+  };
+  // A box that no side touches is inside as a whole, or it would be settled.
+  return search.touching.empty() ||
+         (std::none_of(search.touching.begin(), search.touching.end(), is_on_it) && is_inside(p));
 }
 
 std::vector<std::uint32_t> HalfDiscRoom::walls_of(const Disc& disc) const {
@@ -153,7 +207,7 @@ std::vector<std::uint32_t> HalfDiscRoom::walls_of(const Disc& disc) const {
 HalfDiscRoom::Search HalfDiscRoom::begin(const std::array<Point, 3>& corners,
                                          std::span<const std::uint32_t> first) const {
   const Circle circle = circle_through(corners);
-  Search search{circle, {}, {}, std::vector<bool>(sides_.size(), false), {}};
+  Search search{circle, {}, std::vector<bool>(sides_.size(), false), {}, 0, {}, {}};
   search.discs_left = kMostWorkOnWalls / sides_.size();
   Box region = box_of(points_);
   const Point m = circle.middle;
@@ -161,10 +215,6 @@ HalfDiscRoom::Search HalfDiscRoom::begin(const std::array<Point, 3>& corners,
   search.box.add({std::max(region.low.x, m.x - r), std::max(region.low.y, m.y - r)});
   search.box.add({std::min(region.high.x, m.x + r), std::min(region.high.y, m.y + r)});
   for (std::uint32_t s = 0; s < sides_.size(); ++s) {
-    Box box;
-    box.add(start(s));
-    box.add(end(s));
-    if (box.meets(search.box)) search.sides.push_back(s);
     if (!is_free_[s]) continue;
     const Disc disc{midpoint(start(s), end(s)), length(end(s) - start(s)) / 2, s, {}};
     if (length(disc.middle - m) < r + disc.radius * (1 + kMargin)) search.discs.push_back(disc);
@@ -176,23 +226,18 @@ HalfDiscRoom::Search HalfDiscRoom::begin(const std::array<Point, 3>& corners,
   return search;
 }
 
-/// The sides that have a point in common with the box: by the axes that separate convex sets.
-std::vector<std::uint32_t> HalfDiscRoom::touching(const Box& box, const Search& search) const {
-  std::vector<std::uint32_t> found;
-  for (const std::uint32_t s : search.sides) {
-    Box own;
-    own.add(start(s));
-    own.add(end(s));
-    if (!own.meets(box)) continue;
-    bool left = false, right = false;
-    for (const Point& corner : corners_of(box)) {
-      const Sign turn = orientation(start(s), end(s), corner);
-      left = left || turn != Sign::negative;
-      right = right || turn != Sign::positive;
-    }
-    if (left && right) found.push_back(s);
+/// Whether side and box have a point in common: by the axes that separate convex sets.
+bool HalfDiscRoom::touches(std::uint32_t s, const Box& box) const {
+  const Point a = start(s), b = end(s);
+  if (!box_of(std::array{a, b}).meets(box)) return false;
+  bool left = false, right = false;
+  for (const Point& corner : corners_of(box)) {
+    const Sign turn = orientation(a, b, corner);
+    left = left || turn != Sign::negative;
+    right = right || turn != Sign::positive;
+    if (left && right) return true;
   }
-  return found;
+  return false;
 }
 
 bool HalfDiscRoom::is_left(const Box& box, std::uint32_t s) const {
@@ -234,16 +279,26 @@ bool HalfDiscRoom::corner_is_covered(const Box& box, const std::vector<std::uint
   return true;
 }
 
-bool HalfDiscRoom::is_settled(const Box& box, Search& search) const {
-  if (distance_to(box, search.circle.middle) > search.circle.radius * (1 + kMargin)) return true;
-  const std::vector<std::uint32_t> sides = touching(box, search);
-  if (sides.empty() && !is_inside(at(box, kTrials[0]))) return true;
+/// Leaves what touches and meets the box in `search`, unless it is settled.
+bool HalfDiscRoom::is_settled(const Box& box, const Near& near, Search& search) const {
+  const Circle& circle = search.circle;
+  if (is_beyond(box, circle.middle, circle.radius * (1 + kMargin))) return true;
+  std::vector<std::uint32_t>&sides = search.touching, &discs = search.meeting;
+  sides.clear();
+  std::copy_if(near.sides.begin(), near.sides.end(), std::back_inserter(sides),
+               [&](std::uint32_t s) { return touches(s, box); });
+  // Where nothing touches the whole it is inside already.
+  if (sides.empty() && !near.sides.empty() && !is_inside(at(box, kTrials[0]))) return true;
+  discs.clear();
+  std::copy_if(near.discs.begin(), near.discs.end(), std::back_inserter(discs), [&](auto d) {
+    return !is_beyond(box, search.discs[d].middle, search.discs[d].radius * (1 + kMargin));
+  });
   const bool cuts = keeps_left(box, sides);
   const auto corners = corners_of(box);
-  for (Disc& disc : search.discs) {
+  for (const std::uint32_t d : discs) {
+    Disc& disc = search.discs[d];
     const Point a = start(disc.side), b = end(disc.side);
-    if (distance_to(box, disc.middle) > disc.radius ||
-        !std::all_of(corners.begin(), corners.end(),
+    if (!std::all_of(corners.begin(), corners.end(),
                      [&](const Point& p) { return is_seen_bluntly(a, p, b); }))
       continue;
     const auto is_kept_left = [&](std::uint32_t wall) {
@@ -269,16 +324,19 @@ HalfDiscRoom::Room HalfDiscRoom::within_circle(const std::array<Point, 3>& corne
   Room room;
   Search search = begin(corners, first);
   if (!std::isfinite(search.circle.radius)) return room;
-  std::vector<Box> boxes{search.box}, next;
+  Level level, next;
+  const Range all_sides = append(level.lists, first_numbers(sides_.size()));
+  level.cells.push_back(
+      {search.box, all_sides, append(level.lists, first_numbers(search.discs.size()))});
   std::size_t left = std::clamp(kMostWork / sides_.size(), kLeastBoxes, kMostBoxes);
-  for (int level = 0; level <= kLevels; ++level) {
+  for (int depth = 0; depth <= kLevels; ++depth) {
     room.places.clear();
     next.clear();
-    for (const Box& box : boxes) {
+    for (const auto& [box, sides, discs] : level.cells) {
       if (left == 0) return room;
       --left;
-      if (is_settled(box, search)) continue;
-      if (level >= kFirstLevel || most == 0) {
+      if (is_settled(box, {part(level.lists, sides), part(level.lists, discs)}, search)) continue;
+      if (depth >= kFirstLevel || most == 0) {
         for (const auto& share : std::span(kTrials).first(most == 0 ? 1 : kTrials.size())) {
           if (!is_place(at(box, share), search)) continue;
           room.places.push_back(at(box, share));
@@ -286,20 +344,22 @@ HalfDiscRoom::Room HalfDiscRoom::within_circle(const std::array<Point, 3>& corne
         }
         if (most == 0 && !room.places.empty()) return room;
       }
+      const Range touching = append(next.lists, search.touching);
+      const Range meeting = append(next.lists, search.meeting);
       const Point m = midpoint(box.low, box.high);
-      for (const Box& part : {Box{box.low, m}, Box{{m.x, box.low.y}, {box.high.x, m.y}},
-                              Box{{box.low.x, m.y}, {m.x, box.high.y}}, Box{m, box.high}})
-        next.push_back(part);
+      for (const Box& quarter : {Box{box.low, m}, Box{{m.x, box.low.y}, {box.high.x, m.y}},
+                                 Box{{box.low.x, m.y}, {m.x, box.high.y}}, Box{m, box.high}})
+        next.cells.push_back({quarter, touching, meeting});
     }
-    if (next.empty()) {
+    if (next.cells.empty()) {
       room.is_none = true;
       for (std::uint32_t s = 0; s < sides_.size(); ++s) {
         if (search.is_used[s]) room.sides.push_back(s);
       }
       return room;
     }
-    if ((most > 0 && room.places.size() >= most) || next.size() > kMostBoxes) break;
-    boxes.swap(next);
+    if ((most > 0 && room.places.size() >= most) || next.cells.size() > kMostBoxes) break;
+    std::swap(level, next);
   }
   return room;
 }

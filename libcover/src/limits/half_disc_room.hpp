@@ -55,6 +55,7 @@ class HalfDiscRoom {
     /// Sides that come into the half disc; nothing before they are asked for, which few discs are.
     std::optional<std::vector<std::uint32_t>> walls;
   };
+  struct Near;
   /// What one search looks at.
   struct Search;
 
@@ -65,12 +66,12 @@ class HalfDiscRoom {
   [[nodiscard]] std::vector<std::uint32_t> walls_of(const Disc& disc) const;
   [[nodiscard]] Search begin(const std::array<Point, 3>& corners,
                              std::span<const std::uint32_t> first) const;
-  [[nodiscard]] std::vector<std::uint32_t> touching(const Box& box, const Search& search) const;
+  [[nodiscard]] bool touches(std::uint32_t s, const Box& box) const;
   [[nodiscard]] bool is_left(const Box& box, std::uint32_t s) const;
   [[nodiscard]] bool keeps_left(const Box& box, const std::vector<std::uint32_t>& touching) const;
   [[nodiscard]] bool corner_is_covered(const Box& box, const std::vector<std::uint32_t>& touching,
                                        Search& search) const;
-  [[nodiscard]] bool is_settled(const Box& box, Search& search) const;
+  [[nodiscard]] bool is_settled(const Box& box, const Near& near, Search& search) const;
 
   std::span<const Point> points_;
   std::span<const IndexPair> sides_;

@@ -2,7 +2,9 @@
 #include "thin/fill_room.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -60,15 +62,20 @@ class RoomFiller {
     return found.empty() ? kNone : found[random_.below(found.size())];
   }
 
+  /// Attempts begin alike, so what was found for a circle is kept.
+  const std::vector<Point>& places_in(const std::array<Point, 3>& corners) {
+    const auto [it, is_new] = found_.try_emplace(corners);
+    if (is_new) it->second = room_.within_circle(corners, kPlacesTried).places;
+    return it->second;
+  }
+
   /// A vertex in the circle of a triangle that is gravely bad, without which it stays.
   bool add(double noise) {
     const std::uint32_t t = a_grave_triangle();
     if (t == kNone) return false;
     ++circles_;
     const auto& v = mesh_.triangles()[t].v;
-    HalfDiscRoom::Room found =
-        room_.within_circle({mesh_.at(v[0]), mesh_.at(v[1]), mesh_.at(v[2])}, kPlacesTried);
-    std::vector<Point>& places = found.places;
+    std::vector<Point> places = places_in({mesh_.at(v[0]), mesh_.at(v[1]), mesh_.at(v[2])});
     for (std::size_t k = 0; k < std::min(kPlacesTried, places.size()); ++k)
       std::swap(places[k], places[k + random_.below(places.size() - k)]);
     if (places.size() > kPlacesTried) places.resize(kPlacesTried);
@@ -86,6 +93,7 @@ class RoomFiller {
   MeshWithUndo& mesh_;
   const HalfDiscRoom& room_;
   Random random_;
+  std::map<std::array<Point, 3>, std::vector<Point>> found_;  ///< by the corners on a circle
   std::vector<std::uint32_t> first_;  ///< gravely bad at first
   int circles_ = 0;                   ///< searched so far
   bool is_hopeless_ = false;
