@@ -11,7 +11,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "support/soups.hpp"
+#include "support/inputs/soups.hpp"
 
 namespace cover {
 namespace {

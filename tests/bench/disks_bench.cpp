@@ -3,8 +3,8 @@
 
 #include "disks/fill_disks.hpp"
 #include "support/filling_checks.hpp"
-#include "support/inputs.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/inputs.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover {
 namespace {

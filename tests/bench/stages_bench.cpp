@@ -24,7 +24,7 @@
 #include "cpu_seconds.hpp"
 #include "heap_peak.hpp"
 #include "region/region_graph.hpp"
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 #include "tasks/region_task.hpp"
 
 namespace {

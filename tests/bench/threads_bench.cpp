@@ -23,7 +23,7 @@
 #include "clean/pslg.hpp"
 #include "cpu_seconds.hpp"
 #include "region/region_graph.hpp"
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 #include "tasks/mesh_one_region.hpp"
 
 namespace {

@@ -22,8 +22,8 @@
 #include <cover/write_mesh.hpp>
 
 #include "failing_allocations.hpp"
-#include "support/inputs.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/inputs.hpp"
+#include "support/inputs/shapes.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace cover {

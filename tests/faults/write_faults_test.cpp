@@ -19,7 +19,7 @@
 #include <cover/write_mesh.hpp>
 
 #include "failing_calls.hpp"
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace cover {

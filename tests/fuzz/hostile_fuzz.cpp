@@ -9,7 +9,7 @@
 #include <cover/cover_mesh.hpp>
 #include <cover/verify.hpp>
 
-#include "support/hostile_case.hpp"
+#include "support/inputs/hostile_case.hpp"
 
 namespace {
 

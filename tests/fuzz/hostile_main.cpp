@@ -15,7 +15,7 @@
 #include <fstream>
 #include <string_view>
 
-#include "support/hostile_case.hpp"
+#include "support/inputs/hostile_case.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 

@@ -12,9 +12,9 @@
 
 #include "geom/curves/arc.hpp"
 #include "geom/vector.hpp"
-#include "support/arc_devices.hpp"
+#include "support/inputs/arc_devices.hpp"
+#include "support/inputs/shapes.hpp"
 #include "support/mesh_shape.hpp"
-#include "support/shapes.hpp"
 
 namespace cover {
 namespace {

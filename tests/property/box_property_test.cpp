@@ -11,8 +11,8 @@
 #include "cdt/couplings.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
-#include "support/random_regions.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/random_regions.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover {
 namespace {

@@ -9,7 +9,7 @@
 #include <cover/cover_mesh.hpp>
 #include <cover/verify.hpp>
 
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 
 namespace cover {
 namespace {

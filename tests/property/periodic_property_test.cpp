@@ -7,9 +7,9 @@
 #include <cover/cover_mesh.hpp>
 #include <cover/verify.hpp>
 
+#include "support/inputs/periodic_cells.hpp"
+#include "support/inputs/shapes.hpp"
 #include "support/mesh_shape.hpp"
-#include "support/periodic_cells.hpp"
-#include "support/shapes.hpp"
 
 namespace cover {
 namespace {

@@ -11,7 +11,7 @@
 #include "cdt/cdt.hpp"
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 #include "support/mesh_shape.hpp"
 
 namespace cover {

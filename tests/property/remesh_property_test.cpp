@@ -12,9 +12,9 @@
 #include <fmt/core.h>
 #include <cover/verify.hpp>
 
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
+#include "support/inputs/shapes.hpp"
 #include "support/mesh_shape.hpp"
-#include "support/shapes.hpp"
 
 namespace cover {
 namespace {

@@ -8,7 +8,7 @@
 #include <fmt/core.h>
 
 #include "geom/predicates.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover::testing {
 namespace {

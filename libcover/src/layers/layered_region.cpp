@@ -24,7 +24,7 @@
 #include "cdt/region_cdt.hpp"
 #include "geom/spatial_order.hpp"
 #include "geom/vector.hpp"
-#include "layers/layer_front.hpp"
+#include "layers/front/layer_front.hpp"
 #include "target/angle_limit.hpp"
 #include "target/measure.hpp"
 #include "target/whole_mesh.hpp"

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "layers/offsets.hpp"
-#include "layers/side_links.hpp"
-#include "layers/thickness.hpp"
+#include "layers/front/offsets.hpp"
+#include "layers/front/side_links.hpp"
+#include "layers/front/thickness.hpp"
 
 namespace cover::layers {
 namespace {

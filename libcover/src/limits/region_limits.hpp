@@ -3,7 +3,7 @@
 
 #include <cover/limits.hpp>
 
-#include "limits/limit_prover.hpp"
+#include "limits/angles/limit_prover.hpp"
 
 namespace cover {
 

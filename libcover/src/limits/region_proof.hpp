@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cdt/triangulation.hpp"
-#include "limits/limit_prover.hpp"
+#include "limits/angles/limit_prover.hpp"
 
 namespace cover {
 

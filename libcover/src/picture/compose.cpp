@@ -17,10 +17,10 @@
 #include "base/faults/errors.hpp"
 #include "geom/box.hpp"
 #include "geom/vector.hpp"
-#include "picture/labels.hpp"
-#include "picture/legend.hpp"
-#include "picture/mesh_lines.hpp"
-#include "picture/palette.hpp"
+#include "picture/parts/labels.hpp"
+#include "picture/parts/legend.hpp"
+#include "picture/parts/mesh_lines.hpp"
+#include "picture/parts/palette.hpp"
 
 namespace cover {
 namespace {

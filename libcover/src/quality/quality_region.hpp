@@ -7,7 +7,7 @@
 #include <cover/options.hpp>
 
 #include "limits/region_proof.hpp"
-#include "quality/mutable/blocks.hpp"
+#include "quality/parts/blocks.hpp"
 #include "region/region_boundary.hpp"
 #include "target/region_mesh.hpp"
 

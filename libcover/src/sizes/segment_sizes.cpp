@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "geom/vector.hpp"
-#include "sizes/ask_size.hpp"
+#include "sizes/fields/ask_size.hpp"
 
 namespace cover {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "geom/box.hpp"
 #include "geom/vector.hpp"
-#include "sizes/ask_size.hpp"
+#include "sizes/fields/ask_size.hpp"
 #include "sizes/spread_sizes.hpp"
 
 namespace cover {

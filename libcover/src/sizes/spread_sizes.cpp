@@ -1,5 +1,5 @@
 // Smallest first, as shortest paths are found.
-// Tested by tests/unit/sizes/size_function_test.cpp.
+// Tested by tests/unit/sizes/fields/size_function_test.cpp.
 #include "sizes/spread_sizes.hpp"
 
 #include <algorithm>

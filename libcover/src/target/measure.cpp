@@ -18,7 +18,7 @@
 #include "geom/predicates.hpp"
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
-#include "limits/forced_sides.hpp"
+#include "limits/couplings/forced_sides.hpp"
 #include "target/flat_on_hull.hpp"
 
 namespace cover {

@@ -10,7 +10,7 @@
 #include "box/encroached_sides.hpp"
 #include "cdt/cdt.hpp"
 #include "geom/predicates.hpp"
-#include "limits/half_disc_room.hpp"
+#include "limits/couplings/half_disc_room.hpp"
 #include "target/measure.hpp"
 #include "target/whole_mesh.hpp"
 #include "thin/fewer_vertices.hpp"

@@ -3,7 +3,7 @@
 
 #include <stop_token>
 
-#include "limits/half_disc_room.hpp"
+#include "limits/couplings/half_disc_room.hpp"
 #include "thin/mesh_with_undo.hpp"
 
 namespace cover {

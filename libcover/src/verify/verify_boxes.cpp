@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "geom/angle_rounding.hpp"
-#include "limits/forced_sides.hpp"
+#include "limits/couplings/forced_sides.hpp"
 
 namespace cover {
 namespace {

@@ -7,7 +7,7 @@
 #include <cover/limits.hpp>
 #include <cover/verify.hpp>
 
-#include "limits/limit_prover.hpp"
+#include "limits/angles/limit_prover.hpp"
 #include "verify/expected_domain.hpp"
 
 namespace cover {

@@ -8,9 +8,9 @@
 
 #include "almond/almond_method.hpp"
 #include "almond/almond_region.hpp"
-#include "support/random_regions.hpp"
+#include "support/inputs/random_regions.hpp"
+#include "support/inputs/shapes.hpp"
 #include "support/region_oracle.hpp"
-#include "support/shapes.hpp"
 #include "target/local_frame.hpp"
 
 namespace cover {

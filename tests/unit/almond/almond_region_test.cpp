@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "support/inputs/shapes.hpp"
 #include "support/region_oracle.hpp"
-#include "support/shapes.hpp"
 
 namespace cover {
 namespace {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "almond_of.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover {
 namespace {

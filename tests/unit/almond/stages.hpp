@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "almond/chords.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover::testing {
 

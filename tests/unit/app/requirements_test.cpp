@@ -14,7 +14,7 @@
 #include <cover/verify.hpp>
 #include <cover/write_mesh.hpp>
 
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 #include "support/mesh_shape.hpp"
 #include "support/temporary_folder.hpp"
 

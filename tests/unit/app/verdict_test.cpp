@@ -9,7 +9,7 @@
 #include <cover/options.hpp>
 
 #include "page/html_report.hpp"
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 #include "support/temporary_folder.hpp"
 #include "unit/io/write_mesh/written_text.hpp"
 

@@ -13,7 +13,7 @@
 #include <cover/cover_mesh.hpp>
 #include <cover/verify.hpp>
 
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 
 namespace cover::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "cdt/cdt.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover {
 namespace {

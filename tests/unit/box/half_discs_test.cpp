@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "geom/vector.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover {
 namespace {

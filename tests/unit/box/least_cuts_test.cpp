@@ -6,7 +6,7 @@
 
 #include "box/forced_cuts.hpp"
 #include "cdt/cdt.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover {
 namespace {

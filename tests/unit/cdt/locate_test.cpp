@@ -4,7 +4,7 @@
 
 #include "cdt/cdt.hpp"
 #include "geom/predicates.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover {
 namespace {

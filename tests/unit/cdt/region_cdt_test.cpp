@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/faults/internal_fault.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover {
 namespace {

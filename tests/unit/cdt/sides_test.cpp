@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cdt/cdt.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover {
 namespace {

@@ -5,8 +5,8 @@
 #include <map>
 
 #include "clean/pslg.hpp"
-#include "support/inputs.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/inputs.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "support/inputs.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/inputs.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover {
 namespace {

@@ -8,7 +8,7 @@
 #include <cover/cover_mesh.hpp>
 
 #include "geom/curves/arc.hpp"
-#include "support/arc_devices.hpp"
+#include "support/inputs/arc_devices.hpp"
 
 namespace cover {
 namespace {

@@ -12,8 +12,8 @@
 #include <set>
 
 #include "cdt/cdt.hpp"
-#include "support/inputs.hpp"
-#include "support/soups.hpp"
+#include "support/inputs/inputs.hpp"
+#include "support/inputs/soups.hpp"
 
 namespace cover {
 namespace {

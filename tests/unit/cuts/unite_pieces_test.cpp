@@ -7,7 +7,7 @@
 #include <cover/cover_mesh.hpp>
 
 #include "cuts/cut_segments.hpp"
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 
 namespace cover {
 namespace {

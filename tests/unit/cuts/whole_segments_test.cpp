@@ -9,7 +9,7 @@
 #include "cuts/cut_segments.hpp"
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 
 namespace cover {
 namespace {

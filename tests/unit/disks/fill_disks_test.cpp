@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "support/filling_checks.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover {
 namespace {

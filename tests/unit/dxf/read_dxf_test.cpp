@@ -7,8 +7,8 @@
 #include <set>
 
 #include "support/cases_folder.hpp"
-#include "support/dxf_writer.hpp"
-#include "support/soups.hpp"
+#include "support/inputs/dxf_writer.hpp"
+#include "support/inputs/soups.hpp"
 
 namespace cover {
 namespace {

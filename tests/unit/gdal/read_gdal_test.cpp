@@ -15,7 +15,7 @@
 #include <cover/read_input.hpp>
 #include <cover/verify.hpp>
 
-#include "support/soups.hpp"
+#include "support/inputs/soups.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace cover {

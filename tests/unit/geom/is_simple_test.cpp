@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "geom/predicates.hpp"
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 
 namespace cover {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "geom/vector.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover {
 namespace {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <thread>
 
-#include "support/soups.hpp"
+#include "support/inputs/soups.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace cover {

@@ -9,7 +9,7 @@
 #include <cover/option_table.hpp>
 
 #include "region/region_graph.hpp"
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 
 namespace cover {
 namespace {

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "cdt/cdt.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover {
 namespace {

@@ -13,7 +13,7 @@
 #include <cover/write_mesh.hpp>
 
 #include "geom/vector.hpp"
-#include "support/arc_devices.hpp"
+#include "support/inputs/arc_devices.hpp"
 #include "support/mesh_shape.hpp"
 #include "support/temporary_folder.hpp"
 

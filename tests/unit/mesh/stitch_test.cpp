@@ -12,7 +12,7 @@
 
 #include "almond/almond_region.hpp"
 #include "mesh/find_edges.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover {
 namespace {

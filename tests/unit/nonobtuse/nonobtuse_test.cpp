@@ -7,7 +7,7 @@
 #include <cover/verify.hpp>
 
 #include "disks/fill_disks.hpp"
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 
 namespace cover {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "disks/fill_disks.hpp"
 #include "support/filling_checks.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace cover {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "picture/compose.hpp"
-#include "picture/palette.hpp"
+#include "picture/parts/palette.hpp"
 #include "picture/raster.hpp"
 #include "support/temporary_folder.hpp"
 

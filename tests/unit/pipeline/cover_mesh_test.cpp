@@ -17,7 +17,7 @@
 
 #include <cover/verify.hpp>
 
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 #include "support/mesh_shape.hpp"
 #include "tasks/region_task.hpp"
 

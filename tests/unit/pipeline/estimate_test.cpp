@@ -4,7 +4,7 @@
 
 #include <cover/cover_mesh.hpp>
 
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 #include "support/mesh_shape.hpp"
 
 namespace cover {

@@ -14,8 +14,8 @@
 #include <cover/verify.hpp>
 #include <cover/write_mesh.hpp>
 
+#include "support/inputs/periodic_cells.hpp"
 #include "support/mesh_shape.hpp"
-#include "support/periodic_cells.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace cover {

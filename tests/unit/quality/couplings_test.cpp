@@ -12,13 +12,13 @@
 #include "quality/fault/merit.hpp"
 #include "quality/mutable/cavity.hpp"
 #include "quality/mutable/delaunay_flips.hpp"
-#include "quality/mutable/excerpt.hpp"
 #include "quality/optimum/delaunay_polygon.hpp"
 #include "quality/optimum/placement.hpp"
+#include "quality/parts/excerpt.hpp"
 #include "quality/quality_region.hpp"
 #include "quality/repair/improve.hpp"
 #include "quality/starts/delaunay_refinement.hpp"
-#include "support/random_regions.hpp"
+#include "support/inputs/random_regions.hpp"
 #include "target/measure.hpp"
 
 namespace cover {

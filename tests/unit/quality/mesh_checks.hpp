@@ -9,7 +9,7 @@
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover::testing {
 

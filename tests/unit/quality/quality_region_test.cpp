@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "mesh_checks.hpp"
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 #include "target/measure.hpp"
 
 namespace cover {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "clean/pslg.hpp"
-#include "support/inputs.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/inputs.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover {
 namespace {

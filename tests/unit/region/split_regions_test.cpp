@@ -6,8 +6,8 @@
 #include "clean/pslg.hpp"
 #include "geom/spatial_order.hpp"
 #include "region/region_graph.hpp"
-#include "support/inputs.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/inputs.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "clean/pslg.hpp"
 #include "region/region_graph.hpp"
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
+#include "support/inputs/shapes.hpp"
 #include "support/mesh_shape.hpp"
-#include "support/shapes.hpp"
 
 namespace cover {
 namespace {

@@ -11,7 +11,7 @@
 #include "clean/pslg.hpp"
 #include "quality/quality_region.hpp"
 #include "region/region_graph.hpp"
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 #include "target/measure.hpp"
 #include "two_rectangles.hpp"
 #include "unit/quality/mesh_checks.hpp"

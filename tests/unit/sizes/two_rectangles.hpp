@@ -9,7 +9,7 @@
 
 #include "clean/pslg.hpp"
 #include "region/region_graph.hpp"
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 
 namespace cover::testing {
 

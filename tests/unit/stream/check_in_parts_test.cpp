@@ -18,7 +18,7 @@
 #include "cdt/triangulation.hpp"
 #include "io/vtk_files/mapped_triangles.hpp"
 #include "mesh/mesh_builder.hpp"
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace cover {

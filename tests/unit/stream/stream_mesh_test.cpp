@@ -13,7 +13,7 @@
 #include <cover/option_table.hpp>
 #include <cover/plane_field.hpp>
 
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace cover {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "region/region_boundary.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover {
 namespace {

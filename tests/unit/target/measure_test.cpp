@@ -12,7 +12,7 @@
 
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover {
 namespace {

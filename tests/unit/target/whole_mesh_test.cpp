@@ -6,7 +6,7 @@
 
 #include "cdt/cdt.hpp"
 #include "geom/vector.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cdt/region_cdt.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 #include "target/measure.hpp"
 #include "target/whole_mesh.hpp"
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "geom/vector.hpp"
-#include "support/arc_devices.hpp"
+#include "support/inputs/arc_devices.hpp"
 #include "support/mesh_shape.hpp"
 
 namespace cover {

@@ -11,8 +11,8 @@
 #include <cover/cover_mesh.hpp>
 
 #include "cdt/cdt.hpp"
-#include "support/inputs.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/inputs.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover {
 namespace {

@@ -14,7 +14,7 @@
 #include <cover/version.hpp>
 #include <cover/write_mesh.hpp>
 
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/written_mesh.hpp"
 #include "unit/io/write_mesh/written_text.hpp"

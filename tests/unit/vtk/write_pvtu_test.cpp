@@ -19,7 +19,7 @@
 #include <cover/verify.hpp>
 #include <cover/write_mesh.hpp>
 
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace cover {

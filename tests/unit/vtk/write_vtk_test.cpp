@@ -26,7 +26,7 @@
 #include <cover/read_mesh.hpp>
 #include <cover/write_mesh.hpp>
 
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace cover {

@@ -22,7 +22,7 @@
 #include <cover/write_mesh.hpp>
 
 #include "io/hdf5/parse_hdf5.hpp"
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/written_mesh.hpp"
 #include "unit/io/write_mesh/written_text.hpp"

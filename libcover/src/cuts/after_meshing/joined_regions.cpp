@@ -13,7 +13,7 @@
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 #include "quality/fault/merit.hpp"
-#include "quality/mutable/with_neighbours.hpp"
+#include "quality/parts/with_neighbours.hpp"
 
 namespace cover {
 namespace {

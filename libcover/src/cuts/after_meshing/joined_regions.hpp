@@ -9,8 +9,8 @@
 #include <cover/pslg.hpp>
 
 #include "cuts/cut_segments.hpp"
-#include "quality/mutable/excerpt.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
+#include "quality/parts/excerpt.hpp"
 #include "region/region_boundary.hpp"
 #include "target/local_frame.hpp"
 #include "target/region_mesh.hpp"

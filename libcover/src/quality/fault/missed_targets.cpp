@@ -13,7 +13,7 @@
 #include "cdt/cdt.hpp"
 #include "cdt/region_cdt.hpp"
 #include "geom/angle_rounding.hpp"
-#include "quality/mutable/with_neighbours.hpp"
+#include "quality/parts/with_neighbours.hpp"
 #include "target/measure.hpp"
 
 namespace cover {

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <limits>
 
-#include "limits/angle_range.hpp"
+#include "limits/angles/angle_range.hpp"
 #include "quality/effort/budget.hpp"
 #include "quality/fault/merit.hpp"
-#include "quality/mutable/blocks.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
+#include "quality/parts/blocks.hpp"
 #include "sizes/size_field.hpp"
 
 namespace cover {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <span>
 
-#include "quality/mutable/blocks.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
+#include "quality/parts/blocks.hpp"
 
 namespace cover {
 

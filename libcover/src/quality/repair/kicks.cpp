@@ -5,7 +5,7 @@
 
 #include "quality/effort/effort.hpp"
 #include "quality/moves/kick.hpp"
-#include "quality/mutable/excerpt.hpp"
+#include "quality/parts/excerpt.hpp"
 #include "quality/repair/improve.hpp"
 
 namespace cover {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "quality/effort/budget.hpp"
-#include "quality/mutable/blocks.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
+#include "quality/parts/blocks.hpp"
 
 namespace cover {
 

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "quality/mutable/blocks.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
+#include "quality/parts/blocks.hpp"
 #include "sizes/size_field.hpp"
 
 namespace cover {

@@ -8,7 +8,7 @@
 #include "cdt/sight.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover {
 namespace {

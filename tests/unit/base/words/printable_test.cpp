@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover {
 namespace {

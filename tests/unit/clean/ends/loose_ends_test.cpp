@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "support/inputs.hpp"
-#include "support/soups.hpp"
+#include "support/inputs/inputs.hpp"
+#include "support/inputs/soups.hpp"
 
 namespace cover {
 namespace {

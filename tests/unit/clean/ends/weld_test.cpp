@@ -8,8 +8,8 @@
 #include <cover/option_ranges.hpp>
 
 #include "base/random.hpp"
-#include "support/inputs.hpp"
-#include "support/soups.hpp"
+#include "support/inputs/inputs.hpp"
+#include "support/inputs/soups.hpp"
 
 namespace cover {
 namespace {

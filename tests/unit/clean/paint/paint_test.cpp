@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/soups.hpp"
+#include "support/inputs/soups.hpp"
 
 namespace cover {
 namespace {

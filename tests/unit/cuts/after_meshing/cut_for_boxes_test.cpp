@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 #include "support/mesh_shape.hpp"
 
 namespace cover {

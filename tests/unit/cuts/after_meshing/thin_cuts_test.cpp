@@ -14,9 +14,9 @@
 #include <cover/cover_mesh.hpp>
 #include <cover/verify.hpp>
 
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
+#include "support/inputs/shapes.hpp"
 #include "support/mesh_shape.hpp"
-#include "support/shapes.hpp"
 #include "without_obtuse.hpp"
 
 namespace cover {

@@ -16,7 +16,7 @@
 #include "cdt/cdt.hpp"
 #include "cdt/region_cdt.hpp"
 #include "region/region_graph.hpp"
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 
 namespace cover {
 namespace {

@@ -11,9 +11,9 @@
 
 #include "geom/curves/arc.hpp"
 #include "geom/vector.hpp"
-#include "support/arc_devices.hpp"
+#include "support/inputs/arc_devices.hpp"
+#include "support/inputs/periodic_cells.hpp"
 #include "support/mesh_shape.hpp"
-#include "support/periodic_cells.hpp"
 
 namespace cover {
 namespace {

@@ -13,8 +13,8 @@
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"
-#include "support/inputs.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/inputs.hpp"
+#include "support/inputs/shapes.hpp"
 #include "target/side_limit.hpp"
 #include "unit/sizes/two_rectangles.hpp"
 

@@ -11,7 +11,7 @@
 #include <set>
 
 #include "disks/gaps/small_polygon.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover::disks {
 namespace {

@@ -10,7 +10,7 @@
 #include "disks/packing/reduce_cycles.hpp"
 #include "disks/packing/search/first_contact.hpp"
 #include "support/filling_checks.hpp"
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover::disks {
 namespace {

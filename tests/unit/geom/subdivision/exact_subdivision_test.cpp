@@ -8,7 +8,7 @@
 #include <array>
 #include <set>
 
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover {
 namespace {

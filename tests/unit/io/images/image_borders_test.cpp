@@ -12,7 +12,7 @@
 
 #include "geom/curves/smooth_chain.hpp"
 #include "geom/vector.hpp"
-#include "support/soups.hpp"
+#include "support/inputs/soups.hpp"
 
 namespace cover {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "support/soups.hpp"
+#include "support/inputs/soups.hpp"
 
 namespace cover {
 namespace {

@@ -8,8 +8,8 @@
 
 #include <cover/read_input.hpp>
 
-#include "support/gds_writer.hpp"
-#include "support/soups.hpp"
+#include "support/inputs/gds_writer.hpp"
+#include "support/inputs/soups.hpp"
 
 namespace cover {
 namespace {

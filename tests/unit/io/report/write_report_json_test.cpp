@@ -11,8 +11,8 @@
 #include <cover/cover_mesh.hpp>
 #include <cover/write_mesh.hpp>
 
-#include "support/inputs.hpp"
-#include "support/soups.hpp"
+#include "support/inputs/inputs.hpp"
+#include "support/inputs/soups.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace cover {

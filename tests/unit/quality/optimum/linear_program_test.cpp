@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 
 namespace cover {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 
 namespace cover {
 namespace {

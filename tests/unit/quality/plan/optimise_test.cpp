@@ -1,7 +1,7 @@
 #include "quality/plan/optimise.hpp"
 
 #include "../mesh_checks.hpp"
-#include "support/inputs.hpp"
+#include "support/inputs/inputs.hpp"
 
 namespace cover {
 namespace {

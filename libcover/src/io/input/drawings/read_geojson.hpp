@@ -7,8 +7,8 @@
 #include <cover/input.hpp>
 #include <cover/read_options.hpp>
 
-#include "io/text/json_reader.hpp"
-#include "io/text/split_json.hpp"
+#include "io/text/json/json_reader.hpp"
+#include "io/text/json/split_json.hpp"
 
 namespace cover {
 

@@ -17,8 +17,8 @@
 #include "io/input/drawings/curves.hpp"
 #include "io/input/drawings/read_geojson.hpp"
 #include "io/input/formats.hpp"
-#include "io/text/json_reader.hpp"
-#include "io/text/split_json.hpp"
+#include "io/text/json/json_reader.hpp"
+#include "io/text/json/split_json.hpp"
 
 namespace cover {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "support/shapes.hpp"
+#include "support/inputs/shapes.hpp"
 
 namespace cover::disks {
 namespace {

@@ -5,7 +5,7 @@
 #include <fmt/core.h>
 
 #include "io/input/formats.hpp"
-#include "support/soups.hpp"
+#include "support/inputs/soups.hpp"
 
 namespace cover {
 namespace {

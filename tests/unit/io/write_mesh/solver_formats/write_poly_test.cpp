@@ -8,8 +8,8 @@
 
 #include "clean/pslg.hpp"
 #include "region/region_graph.hpp"
-#include "support/inputs.hpp"
-#include "support/soups.hpp"
+#include "support/inputs/inputs.hpp"
+#include "support/inputs/soups.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace cover {

@@ -1,0 +1,100 @@
+// The walk passes from the side's triangle through all edges that come into the disk whose arc is
+// the zone's, above the side; a side among them ends it unless it is the one before or after.
+// Tested by tests/unit/limits/angles/limit_prover_test.cpp.
+#include "limits/angles/clear_zones.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "geom/vector.hpp"
+
+namespace cover {
+namespace {
+
+/// Above `most`, so that a vertex or a side just on the arc does not matter.
+constexpr double kZoneSlack = 1e-7;
+/// Regions that bend inwards by so little, times what that changes in angles, count as convex.
+constexpr double kAlmostConvex = 1e-3;
+constexpr double kLeastMost = 95 * std::numbers::pi / 180;  ///< where they do
+constexpr std::size_t kMostTriangles = 64;  ///< that a walk visits before it gives up
+
+/// By how much more than `most` a side must be seen so that, in a region that is almost convex,
+/// some input vertex sees it under more than `most`, if the one in question does not see it:
+/// infinite if that cannot be told (docs/limits.md).
+double slack_of_bend(double bend, double most) {
+  if (bend == 0) return 0;
+  const double slack = 2.1 * bend * std::tan(std::numbers::pi - most);
+  return most > kLeastMost && slack < kAlmostConvex ? slack
+                                                    : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+ClearZones::ClearZones(const RegionView& view, double most)
+    : view_(view),
+      slack_of_bend_(slack_of_bend(view.bend(), most)),
+      angle_(most + kZoneSlack + (std::isfinite(slack_of_bend_) ? slack_of_bend_ : 0)),
+      cot_(std::cos(angle_) / std::sin(angle_)),
+      sin_(std::sin(angle_)),
+      state_(view.sides().size()) {}
+
+const ClearZones::State& ClearZones::of(std::uint32_t side) {
+  if (!state_[side].known) state_[side] = find_out(view_.sides()[side]);
+  return state_[side];
+}
+
+ClearZones::State ClearZones::find_out(const RegionSide& side) {
+  if (std::isfinite(slack_of_bend_)) return {true, true, false, false};
+  const Triangulation& cdt = view_.cdt();
+  const Point a = view_.point(side.a);
+  const Vector along = view_.point(side.b) - a;
+  const double l = length(along), radius = l / (2 * sin_) * (1 + kAngleSlack);
+  const double middle = l / 2, height = l / 2 * cot_;  // of the centre of the disk
+  const auto local = [&](std::uint32_t v) {
+    const Vector w = view_.point(v) - a;
+    return Vector{dot(w, along) / l - middle, cross(along, w) / l - height};
+  };
+  const auto comes_in = [&](std::uint32_t v, std::uint32_t w) {
+    const Vector p = local(v), q = local(w), d = q - p;
+    const double low = -height + kAngleSlack * l;
+    if (p.y < low && q.y < low) return false;
+    if (v == side.a || v == side.b) return dot(d, p) < kAngleSlack * length(d) * length(p);
+    if (w == side.a || w == side.b) return dot(d, q) > -kAngleSlack * length(d) * length(q);
+    const double t = std::clamp(-dot(p, d) / squared_length(d), 0.0, 1.0);
+    return squared_length(p + t * d) < radius * radius;
+  };
+  State state{true, false, false, false};
+  stack_.assign(
+      1, 4 * static_cast<std::uint64_t>(side.triangle) + static_cast<std::uint64_t>(side.edge));
+  for (std::size_t visited = 0; !stack_.empty(); ++visited) {
+    if (visited == kMostTriangles) return state;
+    const auto t = static_cast<std::uint32_t>(stack_.back() / 4);
+    const int entry = static_cast<int>(stack_.back() % 4);
+    stack_.pop_back();
+    const Triangle& f = cdt.triangles[t];
+    for (const int i : {next3(entry), prev3(entry)}) {
+      const std::uint32_t v = f.v[static_cast<std::size_t>(next3(i))];
+      const std::uint32_t w = f.v[static_cast<std::size_t>(prev3(i))];
+      if (!comes_in(v, w)) continue;
+      if (view_.side_at(t, i) != kNone) {
+        if (v == side.b) {
+          state.cut_at_end = true;
+        } else if (w == side.a) {
+          state.cut_at_start = true;
+        } else {
+          return state;
+        }
+        continue;
+      }
+      const std::uint32_t beyond = f.n[static_cast<std::size_t>(i)];
+      stack_.push_back(4 * static_cast<std::uint64_t>(beyond) +
+                       static_cast<std::uint64_t>(cdt.triangles[beyond].edge_to(t)));
+    }
+  }
+  state.clear = true;
+  return state;
+}
+
+}  // namespace cover

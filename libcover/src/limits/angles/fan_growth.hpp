@@ -1,0 +1,55 @@
+// How fast the edges at a vertex can become longer, from one to the next.
+#pragma once
+
+#include <limits>
+
+#include "limits/angles/angle_range.hpp"
+
+namespace cover {
+
+/// Bounds the lengths of the edges around a vertex: triangles side by side, whose angles are all in
+/// a range and sum up to `angle` at the vertex, lead from an edge to one that is at most
+/// exp(log_ratio(angle, angle)) times as long, and no less than its reciprocal.
+class FanGrowth {
+ public:
+  /// REQUIRES: range.least <= 60 degrees <= range.most
+  explicit FanGrowth(AngleRange range);
+
+  /// An upper bound of the logarithm of the ratio, for angles at the vertex from `low` to `high`;
+  /// negative if no triangles can have such a sum, infinite if the bound still grows with the 96th
+  /// triangle. Where it is `enough` or more, whatever is found first that is.
+  ///
+  /// Cost: O(1)
+  [[nodiscard]] double log_ratio(double low, double high,
+                                 double enough = std::numeric_limits<double>::infinity()) const;
+
+  /// Whether triangles side by side, with angles in the range, may lead from an edge to one that is
+  /// `ratio` times as long or 1 / ratio, if the angle between is from `low` to `high`.
+  ///
+  /// REQUIRES: ratio >= 1; kAngleSlack is in low and high
+  /// EXACT:    false is a proof
+  [[nodiscard]] bool may_lead(double low, double high, double ratio) const;
+
+  /// The least part of the length of the first edge to which its far side can come down within
+  /// `angle` of it: a vertex in that direction that is nearer than this lies in a triangle.
+  [[nodiscard]] double least_reach(double angle) const;
+
+  [[nodiscard]] AngleRange range() const { return range_; }
+
+ private:
+  [[nodiscard]] double of_one(double angle) const;
+  [[nodiscard]] double growth_at_peaks(double low, double high) const;
+  [[nodiscard]] double most_growth(double high) const;
+  [[nodiscard]] double concave(double angle) const;
+  [[nodiscard]] double tangent_point(double kink) const;
+
+  AngleRange range_;
+  double steepest_from_ = 0;  ///< up to here the concave majorant is a straight line,
+  double start_ = 0;          ///< which begins with this at the least angle
+  double slope_ = 0;
+  double peak_ = 0;     ///< the angle at which one triangle grows most
+  double at_peak_ = 0;  ///< so much
+  double most_per_radian_ = 0;
+};
+
+}  // namespace cover

@@ -1,0 +1,93 @@
+// Tested by tests/unit/limits/angles/region_view_test.cpp.
+#include "limits/angles/region_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "geom/predicates.hpp"
+#include "geom/vector.hpp"
+
+namespace cover {
+namespace {
+
+std::uint32_t at(const Triangle& f, int i) { return f.v[static_cast<std::size_t>(i)]; }
+
+}  // namespace
+
+RegionView::RegionView(const Triangulation& cdt) : cdt_(cdt) {
+  find_sides();
+  corners_.resize(sides_.size());
+  sighted_.reserve(2 * cdt.triangles.size() + 2 * sides_.size());
+  for (std::uint32_t s = 0; s < sides_.size(); ++s) walk_corner(s);
+  find_bend();
+}
+
+void RegionView::find_bend() {
+  if (sides_.empty() || sides_.size() != cdt_.points.size()) return;
+  constexpr double kRounding = 1e-12;  // far more than the sum of a corner's angles has
+  double bend = 0;
+  std::size_t walked = 0;
+  std::uint32_t s = 0;
+  do {
+    const RegionSide &side = sides_[s], &next = sides_[side.end];
+    if (orientation(point(side.a), point(side.b), point(next.b)) == Sign::negative)
+      bend += corners_[side.end].angle - std::numbers::pi + kRounding;
+    s = side.end;
+    ++walked;
+  } while (s != 0 && walked < sides_.size());
+  if (s == 0 && walked == sides_.size()) bend_ = bend;
+}
+
+void RegionView::find_sides() {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  double left = kFar, right = -kFar, bottom = kFar, top = -kFar;
+  side_of_.assign(3 * cdt_.triangles.size(), kNone);
+  for (std::uint32_t t = 0; t < cdt_.triangles.size(); ++t) {
+    const Triangle& f = cdt_.triangles[t];
+    for (int i = 0; i < 3; ++i) {
+      if (f.n[static_cast<std::size_t>(i)] != kNone && !f.is_locked(i)) continue;
+      side_of_[3 * t + static_cast<std::uint32_t>(i)] = static_cast<std::uint32_t>(sides_.size());
+      RegionSide side{at(f, next3(i)), at(f, prev3(i)), t, i};
+      side.nu_opt = nu_at(point(side.a), point(at(f, i)), point(side.b));
+      sides_.push_back(side);
+      const Point p = point(side.a);
+      left = std::min(left, p.x), right = std::max(right, p.x);
+      bottom = std::min(bottom, p.y), top = std::max(top, p.y);
+    }
+  }
+  diameter_ = std::hypot(right - left, top - bottom) * (1 + 1e-12);
+}
+
+void RegionView::walk_corner(std::uint32_t s) {
+  const RegionSide& side = sides_[s];
+  Corner& corner = corners_[s];
+  corner.vertex = side.a;
+  corner.first = static_cast<std::uint32_t>(sighted_.size());
+  sighted_.push_back({side.b, 0});
+  const Point a = point(side.a);
+  Point previous = point(side.b);
+  std::uint32_t t = side.triangle;
+  int entry = side.edge;
+  for (;;) {
+    const Triangle& f = cdt_.triangles[t];
+    const std::uint32_t w = at(f, entry);
+    const Point p = point(w);
+    corner.angle += std::atan2(cross(previous - a, p - a), dot(previous - a, p - a));
+    sighted_.push_back({w, corner.angle});
+    previous = p;
+    const int exit = prev3(entry);
+    const std::uint32_t reached = side_at(t, exit);
+    if (reached != kNone) {
+      sides_[s].start = s;
+      sides_[reached].end = s;
+      break;
+    }
+    const std::uint32_t beyond = f.n[static_cast<std::size_t>(exit)];
+    entry = cdt_.triangles[beyond].edge_to(t);
+    t = beyond;
+  }
+  corner.last = static_cast<std::uint32_t>(sighted_.size());
+}
+
+}  // namespace cover

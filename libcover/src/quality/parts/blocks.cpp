@@ -1,0 +1,281 @@
+// Cutting: a part has its vertices by their numbers in the whole; those that several parts share
+// are in a hash table of its own. What a part reads of the whole is its own, or never changes, so
+// that it can be put back (put_back.hpp) as soon as it is done, while others are still to be cut.
+// Tested by tests/unit/quality/parts/blocks_test.cpp.
+#include "quality/parts/blocks.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "base/containers/give_back.hpp"
+#include "quality/parts/part.hpp"
+#include "quality/parts/part_labels.hpp"
+#include "quality/parts/put_back.hpp"
+
+namespace cover {
+namespace {
+
+constexpr std::size_t kRange = 1 << 15;  ///< triangles that are looked at in one go
+constexpr std::size_t kSpare = 16;       ///< one in so many may be added before a part moves
+
+class BlockWork {
+ public:
+  BlockWork(MutableMesh& whole, const Sharing& sharing)
+      : whole_(whole),
+        team_(sharing.team),
+        labels_(label_parts(whole, block_count(whole, sharing), team_)),
+        parts_(labels_.count),
+        owners_(whole.points.size()) {}
+
+  Borders run(const std::function<void(Block&)>& work,
+              const std::function<void(const Block&)>& done) {
+    number();
+    PutBack put_back(whole_, owners_);
+    team_.each(parts_.size(), [&](std::size_t k) { find_border(k); });
+    team_.each(parts_.size(), [&](std::size_t k) {
+      cut(k);
+      work(parts_[k].block);
+      put_back.put(parts_[k]);
+    });
+    labels_ = {};
+    give_back(number_);
+    put_back.make_room(parts_, team_);
+    team_.each(parts_.size(), [&](std::size_t k) { put_back.put_extras(parts_[k]); });
+    team_.each(parts_.size(), [&](std::size_t k) { join(k); });
+    team_.each(parts_.size(), [&](std::size_t k) {
+      for (const std::uint32_t t : parts_[k].to_measure) whole_.measure(t);
+    });
+    for (const Part& part : parts_) {
+      for (const auto& [v, t] : part.homes) whole_.home[v] = t;
+    }
+    if (done) {
+      for (const Part& part : parts_) {
+        if (part.block.tells_places) done(part.block);
+      }
+    }
+    return borders_now();
+  }
+
+ private:
+  /// Tells every part its triangles, and every triangle its number there.
+  void number() {
+    const std::vector<std::uint32_t>& label = labels_.of_triangle;
+    number_.resize(label.size());
+    std::vector<std::vector<std::uint32_t>> before(Team::ranges(label.size(), kRange));
+    team_.each_range(label.size(), kRange, [&](std::size_t first, std::size_t last) {
+      std::vector<std::uint32_t>& sum = before[first / kRange];  // by part
+      sum.assign(parts_.size(), 0);
+      for (std::size_t t = first; t < last; ++t) {
+        if (label[t] != kNone) number_[t] = sum[label[t]]++;
+      }
+    });
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+      std::uint32_t sum = 0;
+      for (std::vector<std::uint32_t>& range : before) sum += std::exchange(range[k], sum);
+      parts_[k].block.index = k;
+      parts_[k].block.triangles.resize(sum);
+    }
+    team_.each_range(label.size(), kRange, [&](std::size_t first, std::size_t last) {
+      for (std::size_t t = first; t < last; ++t) {
+        if (label[t] == kNone) continue;
+        number_[t] += before[first / kRange][label[t]];
+        parts_[label[t]].block.triangles[number_[t]] = static_cast<std::uint32_t>(t);
+      }
+    });
+  }
+
+  /// All that a part has to know of others.
+  void find_border(std::size_t index) {
+    Part& part = parts_[index];
+    for (const std::uint32_t t : part.block.triangles) {
+      const auto& [v, n] = whole_.triangles[t];
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        owners_.claim(v[i], static_cast<std::uint32_t>(index));
+        if (is_side(n[i])) {
+          ++part.block.first_border;
+        } else if (const std::uint32_t beyond = labels_.of_triangle[n[i]]; beyond != index) {
+          const auto j =
+              static_cast<std::uint32_t>(whole_.triangles[n[i]].edge_from(v[(i + 2) % 3]));
+          part.border.push_back({3 * t + i, beyond, 3 * n[i] + j, 0, 0, least_cot_across(t, i)});
+        }
+      }
+    }
+  }
+
+  /// What may become of the coupling of edge i of `t`, of which another part may use as much: the
+  /// sum is above zero if it was, or no less than before.
+  [[nodiscard]] double least_cot_across(std::uint32_t t, std::uint32_t i) const {
+    if (!whole_.goal().coupling.inside) return -kInverted;
+    const auto& [v, n] = whole_.triangles[t];
+    const double own = whole_.cot_opposite(t, v[(i + 1) % 3]);
+    const double sum = own + whole_.cot_opposite(n[i], v[(i + 2) % 3]);
+    return own - std::max(sum / 2 - kLeastCoupling, 0.0);
+  }
+
+  void cut(std::size_t index) {
+    Part& part = parts_[index];
+    NumberTable shared(2 * part.border.size());
+    const std::uint32_t fixed = number_vertices(index, shared);
+    Block& block = part.block;
+    block.mesh = MutableMesh::part_of(whole_, fixed);
+    MutableMesh& mesh = block.mesh;
+    const std::size_t count = block.triangles.size(), vertices = block.vertices.size();
+    mesh.triangles.reserve(count + count / kSpare);
+    mesh.excess.reserve(count + count / kSpare);
+    mesh.points.reserve(vertices + vertices / kSpare);
+    mesh.home.reserve(vertices + vertices / kSpare);
+    mesh.triangles.resize(count);
+    mesh.excess.resize(count);
+    mesh.home.resize(vertices, kNone);
+    for (const std::uint32_t v : block.vertices) mesh.points.push_back(whole_.points[v]);
+    part.whole_side.reserve(block.first_border);
+    mesh.allowances.reserve(block.first_border + part.border.size());
+    cut_triangles(index, shared);
+    for (const BorderEdge& edge : part.border) {
+      SideLimit limit = kNoLimit;
+      limit.least_cot = edge.least_cot;
+      limit.is_inner = whole_.goal().coupling.inside;
+      mesh.allowances.push_back(allowance_for(limit, whole_.goal()));
+    }
+    measure_cut(part);
+  }
+
+  /// Those that are fixed or on the border come first: returns how many they are.
+  std::uint32_t number_vertices(std::size_t index, NumberTable& shared) {
+    Part& part = parts_[index];
+    std::vector<std::uint32_t>& vertices = part.block.vertices;
+    vertices.reserve(part.block.triangles.size());
+    const auto number = [&](std::uint32_t v) {
+      const auto next = static_cast<std::uint32_t>(vertices.size());
+      if (!owners_.is_shared(v)) {
+        if (owners_.is_numbered(v)) return;
+        owners_.number(v, next);
+      } else if (shared.number(v, next) != next) {
+        return;
+      }
+      vertices.push_back(v);
+    };
+    const auto is_border = [&](std::uint32_t n) {
+      return !is_side(n) && labels_.of_triangle[n] != index;
+    };
+    for (const std::uint32_t t : part.block.triangles) {
+      const auto& [v, n] = whole_.triangles[t];
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (is_side(n[i]) || is_border(n[i])) number(v[(i + 1) % 3]), number(v[(i + 2) % 3]);
+        if (whole_.is_fixed(v[i])) number(v[i]);
+      }
+    }
+    const auto fixed = static_cast<std::uint32_t>(vertices.size());
+    for (const std::uint32_t t : part.block.triangles) {
+      for (const std::uint32_t v : whole_.triangles[t].v) number(v);
+    }
+    part.own_vertices = static_cast<std::uint32_t>(vertices.size());
+    return fixed;
+  }
+
+  void cut_triangles(std::size_t index, NumberTable& shared) {
+    Part& part = parts_[index];
+    Block& block = part.block;
+    MutableMesh& mesh = block.mesh;
+    std::uint32_t border = block.first_border;
+    for (std::uint32_t k = 0; k < block.triangles.size(); ++k) {
+      const std::uint32_t t = block.triangles[k];
+      const auto& [v, n] = whole_.triangles[t];
+      MeshTriangle& triangle = mesh.triangles[k];
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        triangle.v[i] = owners_.is_shared(v[i]) ? shared[v[i]] : owners_[v[i]];
+        mesh.home[triangle.v[i]] = k;
+        if (is_side(n[i])) {
+          triangle.n[i] = kSideBit | static_cast<std::uint32_t>(part.whole_side.size());
+          mesh.allowances.push_back(whole_.allowances[side_index(n[i])]);
+          part.whole_side.push_back(n[i]);
+        } else {
+          triangle.n[i] = labels_.of_triangle[n[i]] == index ? number_[n[i]] : kSideBit | border++;
+        }
+      }
+      mesh.excess[k] = whole_.excess[t];
+    }
+  }
+
+  static void measure_cut(Part& part) {
+    MutableMesh& mesh = part.block.mesh;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      if (is_other_in_whole(part, t)) mesh.measure(t);
+    }
+  }
+
+  void join(std::size_t index) {
+    for (const BorderEdge& edge : parts_[index].border) {
+      const std::vector<BorderEdge>& others = parts_[edge.part].border;
+      const auto other = std::lower_bound(
+          others.begin(), others.end(), edge.across,
+          [](const BorderEdge& e, std::uint32_t half_edge) { return e.half_edge < half_edge; });
+      whole_.triangles[edge.triangle].n[edge.edge] = other->triangle;
+    }
+  }
+
+  Borders borders_now() const {
+    Borders borders;
+    for (const Part& part : parts_) {
+      for (const BorderEdge& edge : part.border) {
+        borders.triangles.push_back(edge.triangle);
+        const auto& v = whole_.triangles[edge.triangle].v;
+        borders.vertices.push_back(v[(edge.edge + 1U) % 3]);
+      }
+    }
+    const auto sort = [](std::vector<std::uint32_t>& numbers) {
+      std::sort(numbers.begin(), numbers.end());
+      numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    };
+    sort(borders.triangles);
+    sort(borders.vertices);
+    return borders;
+  }
+
+  MutableMesh& whole_;
+  const Team& team_;
+  PartLabels labels_;
+  std::vector<Part> parts_;
+  VertexOwners owners_;
+  std::vector<std::uint32_t> number_;  ///< by triangle: in its part
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> Borders::triangles_near(const MutableMesh& whole,
+                                                   const Team& team) const {
+  std::vector<std::uint8_t> is_marked(whole.points.size(), 0);
+  for (const std::uint32_t v : vertices) is_marked[v] = 1;
+  std::vector<std::vector<std::uint32_t>> found(Team::ranges(whole.triangles.size(), kRange));
+  team.each_range(whole.triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+    std::vector<std::uint32_t>& own = found[first / kRange];
+    for (std::size_t k = first; k < last; ++k) {
+      const auto t = static_cast<std::uint32_t>(k);
+      if (whole.is_hole(t)) continue;
+      const auto& [v, n] = whole.triangles[t];
+      if ((is_marked[v[0]] | is_marked[v[1]] | is_marked[v[2]]) == 0) continue;
+      own.push_back(t);
+      std::copy_if(n.begin(), n.end(), std::back_inserter(own),
+                   [](std::uint32_t other) { return !is_side(other); });
+    }
+  });
+  std::vector<std::uint32_t> near;
+  for (const std::vector<std::uint32_t>& own : found)
+    near.insert(near.end(), own.begin(), own.end());
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  return near;
+}
+
+std::size_t block_count(const MutableMesh& whole, const Sharing& sharing) {
+  return std::max<std::size_t>(1, (whole.triangle_count() + sharing.block / 2) / sharing.block);
+}
+
+Borders work_in_blocks(MutableMesh& whole, const Sharing& sharing,
+                       const std::function<void(Block&)>& work,
+                       const std::function<void(const Block&)>& done) {
+  return BlockWork(whole, sharing).run(work, done);
+}
+
+}  // namespace cover
