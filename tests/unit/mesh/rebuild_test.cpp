@@ -69,6 +69,7 @@ TEST(Rebuild, SaysWhatIsWrong) {
       {[](StoredMesh& m) { m.input_vertices = 7; }, "more input points than points"},
       {[](StoredMesh& m) { m.soup.triangles[3][1] = 6; }, "triangle 3 has no vertex 6"},
       {[](StoredMesh& m) { m.soup.region[1] = 0; }, "triangle 1 has RegionId 0"},
+      {[](StoredMesh& m) { m.soup.region[1] = 77; }, "triangle 1 has RegionId 77"},
       {[](StoredMesh& m) {
          m.soup.triangles[1] = {0, 1, 3};
        },

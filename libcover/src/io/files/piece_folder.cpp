@@ -1,4 +1,4 @@
-// Tested by tests/unit/vtk/write_vtk_test.cpp and tests/faults.
+// Tested by tests/unit/io/write_mesh/vtk_formats/write_vtm_test.cpp and tests/faults.
 #include "io/files/piece_folder.hpp"
 
 #include <fcntl.h>

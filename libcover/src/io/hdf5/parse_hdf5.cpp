@@ -1,7 +1,7 @@
 // After the "HDF5 File Format Specification Version 2.0" (The HDF Group), by whose sections
 // structures are named. Everything that is looked at is paid for out of a budget in proportion to
 // the file, so that structures that refer to one another, or overlap, cannot cost more.
-// Tested by tests/unit/vtk/write_vtkhdf_test.cpp and tests/fuzz.
+// Tested by tests/unit/io/write_mesh/vtk_formats/write_vtkhdf_test.cpp and tests/fuzz.
 #include "io/hdf5/parse_hdf5.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// A table says which parser each extension has. Tested by tests/unit/vtk/read_output_test.cpp.
+// A table says which parser each extension has. Tested by
+// tests/unit/io/read_mesh/read_mesh_test.cpp.
 #include <cover/read_mesh.hpp>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Triangles come from the mesh; names and lines from the manifest or the .vtm beside it, since most
 // formats cannot hold them all; else what the file itself has is made the best of.
-// Tested by tests/unit/vtk/read_output_test.cpp.
+// Tested by tests/unit/io/read_mesh/read_output_test.cpp.
 #include <algorithm>
 #include <array>
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Tested by tests/unit/vtk/read_output_test.cpp.
+// Tested by tests/unit/io/read_mesh/read_mesh_test.cpp.
 #include "io/read_mesh/second_order.hpp"
 
 namespace cover {

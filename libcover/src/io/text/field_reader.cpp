@@ -1,4 +1,4 @@
-// Tested by tests/unit/vtk/read_output_test.cpp, through the formats.
+// Tested by tests/unit/io/read_mesh/read_mesh_test.cpp, through the formats.
 #include "io/text/field_reader.hpp"
 
 #include <fmt/core.h>

@@ -1,4 +1,4 @@
-// Tested by tests/unit/vtk/read_data_set_test.cpp.
+// Tested by tests/unit/io/vtk_files/read_data_set_test.cpp.
 #include "io/vtk_files/data_set.hpp"
 
 #include <algorithm>

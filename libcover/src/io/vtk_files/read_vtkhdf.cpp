@@ -1,4 +1,4 @@
-// Tested by tests/unit/vtk/write_vtkhdf_test.cpp.
+// Tested by tests/unit/io/write_mesh/vtk_formats/write_vtkhdf_test.cpp.
 #include "io/vtk_files/read_vtkhdf.hpp"
 
 #include <utility>

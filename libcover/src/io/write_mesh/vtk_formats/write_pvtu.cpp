@@ -1,5 +1,5 @@
 // A grid in parts, one for each process of a solver. Pieces are files in a folder beside the
-// target. Tested by tests/unit/vtk/write_pvtu_test.cpp.
+// target. Tested by tests/unit/io/write_mesh/vtk_formats/write_pvtu_test.cpp.
 #include <cerrno>
 #include <filesystem>
 #include <optional>

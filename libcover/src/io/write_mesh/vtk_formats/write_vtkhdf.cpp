@@ -1,6 +1,6 @@
 // VTKHDF 1.0, an unstructured grid of one piece: the triangles and arrays of a .vtu, and as field
 // data all that the .vtm and the manifest know, so that one file is enough.
-// Tested by tests/unit/vtk/write_vtkhdf_test.cpp.
+// Tested by tests/unit/io/write_mesh/vtk_formats/write_vtkhdf_test.cpp.
 #include <cover/mesh.hpp>
 #include <cover/write_mesh.hpp>
 

@@ -1,4 +1,4 @@
-// The default format. Tested by tests/unit/io/write_mesh/write_mesh_test.cpp.
+// The default format. Tested by tests/unit/io/write_mesh/vtk_formats/write_vtu_test.cpp.
 #include <cover/write_mesh.hpp>
 
 #include "base/run_all.hpp"

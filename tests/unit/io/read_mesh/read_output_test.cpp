@@ -1,0 +1,160 @@
+// Meshes that cover wrote, read back as what cover_mesh() returned, with and without the files that
+// name their parts. The formats one by one: read_mesh_test.cpp.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include <cover/cover_mesh.hpp>
+#include <cover/mesh_view.hpp>
+#include <cover/read_mesh.hpp>
+#include <cover/stored_mesh.hpp>
+#include <cover/verify.hpp>
+#include <cover/version.hpp>
+#include <cover/write_mesh.hpp>
+
+#include "support/inputs/inputs.hpp"
+#include "support/temporary_folder.hpp"
+#include "support/written_mesh.hpp"
+#include "unit/io/read_mesh/edges_of.hpp"
+
+namespace cover {
+namespace {
+
+/// A checkerboard with a contact and boundary markers.
+Output device() {
+  Input input = testing::checker(3, 4, 5);
+  input.segments[0].name = input.segments[1].name = "drain";
+  for (std::size_t s = 0; s < input.segments.size(); s += 3) {
+    input.segments[s].marker = static_cast<int>(s) + 1;
+  }
+  Result<Output> output = cover_mesh(input);
+  EXPECT_TRUE(output) << output.error().message;
+  return std::move(output).value();
+}
+
+void expect_same_mesh(const Output& read, const Output& written) {
+  const TriangleSoup a = triangle_soup(read.mesh), b = triangle_soup(written.mesh);
+  EXPECT_EQ(a.points, b.points);
+  EXPECT_EQ(a.triangles, b.triangles);
+  EXPECT_EQ(a.region, b.region);
+  EXPECT_EQ(a.material, b.material);
+}
+
+TEST(ReadOutput, VtuWithTheManifestBesideIt) {
+  const testing::TemporaryFolder folder;
+  Output written = device();
+  written.table.regions[2].name = "Si/\xc3\xa9 \"x\"";
+  const std::string path = folder.path() / "device.vtu";
+  ASSERT_TRUE(write_vtu(written, path));
+  ASSERT_TRUE(write_manifest(written, folder.path() / "device.json"));
+  const Result<Output> read = read_output(path);
+  ASSERT_TRUE(read) << read.error().message;
+  expect_same_mesh(*read, written);
+  EXPECT_TRUE(read->report.notes.empty());
+  EXPECT_EQ(testing::edges_of(*read), testing::edges_of(written));
+  ASSERT_EQ(read->table.regions.size(), 9U);
+  for (std::size_t r = 0; r < 9; ++r) {
+    EXPECT_EQ(read->table.regions[r].name, written.table.regions[r].name);
+    EXPECT_NEAR(read->table.regions[r].area, written.table.regions[r].area, 1e-15);
+  }
+  for (std::size_t i = 0; i < written.table.interfaces.size(); ++i) {
+    EXPECT_EQ(read->table.interfaces[i].kind, written.table.interfaces[i].kind);
+    EXPECT_NEAR(read->table.interfaces[i].length, written.table.interfaces[i].length, 1e-15);
+  }
+  EXPECT_EQ(read->report.steiner_vertices, written.report.steiner_vertices);
+  // It is a whole Output: the promises can be checked on it.
+  EXPECT_EQ(verify_cover(read->pslg, read->table, triangle_soup(read->mesh)).violation_count, 0U);
+}
+
+TEST(ReadOutput, VtuWithTheVtmBesideIt) {
+  const testing::TemporaryFolder folder;
+  const Output written = device();
+  const std::string path = folder.path() / "device.vtu";
+  ASSERT_TRUE(write_vtu(written, path));
+  ASSERT_TRUE(write_vtm(written, folder.path() / "device.vtm"));
+  // A file of the same name that is no manifest is not in the way.
+  ASSERT_TRUE(write_report_json(written, folder.path() / "device.json"));
+  const Result<Output> read = read_output(path);
+  ASSERT_TRUE(read) << read.error().message;
+  expect_same_mesh(*read, written);
+  EXPECT_EQ(testing::edges_of(*read).size(), testing::edges_of(written).size());
+  EXPECT_EQ(read->table.regions[4].name, written.table.regions[4].name);
+  EXPECT_TRUE(std::any_of(read->table.interfaces.begin(), read->table.interfaces.end(),
+                          [](const Interface& line) {
+                            return line.name == "drain" && line.kind == InterfaceKind::contact;
+                          }));
+}
+
+TEST(ReadOutput, VtmAlone) {
+  const testing::TemporaryFolder folder;
+  const Output written = device();
+  const std::string path = folder.path() / "device.vtm";
+  ASSERT_TRUE(write_vtm(written, path));
+  const Result<Output> read = read_output(path);
+  ASSERT_TRUE(read) << read.error().message;
+  expect_same_mesh(*read, written);
+  const auto before = testing::edges_of(written), after = testing::edges_of(*read);
+  ASSERT_EQ(before.size(), after.size());
+  for (const auto& [ends, line] : before) EXPECT_EQ(after.at(ends).second, line.second);
+}
+
+TEST(ReadOutput, TheManifestSaysHowTheMeshCameAbout) {
+  const testing::TemporaryFolder folder;
+  Output written = device();
+  written.report.unit = "nm";
+  written.report.scale = 1e-9;
+  written.report.provenance.settings.push_back({"size", "oxide=2"});
+  written.report.provenance.settings.push_back({"size", "3"});
+  const std::string path = folder.path() / "device.vtu";
+  ASSERT_TRUE(write_vtu(written, path));
+  ASSERT_TRUE(write_manifest(written, folder.path() / "device.json"));
+  const Result<Output> read = read_output(path);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->report.unit, "nm");
+  EXPECT_EQ(read->report.scale, 1e-9);
+  EXPECT_EQ(read->report.provenance.source, written.report.provenance.source);
+  EXPECT_EQ(read->report.provenance.version, COVER_VERSION);
+  EXPECT_EQ(read->report.provenance.settings, written.report.provenance.settings);
+}
+
+TEST(ReadOutput, WithoutEitherItSaysWhatIsMissing) {
+  const testing::TemporaryFolder folder;
+  const Output written = device();
+  const std::string path = folder.path() / "device.vtu";
+  ASSERT_TRUE(write_vtu(written, path));
+  const Result<Output> read = read_output(path);
+  ASSERT_TRUE(read) << read.error().message;
+  expect_same_mesh(*read, written);
+  ASSERT_EQ(read->report.notes.size(), 1U);
+  EXPECT_NE(read->report.notes[0].message.find("device.json"), std::string::npos);
+  EXPECT_NE(read->report.notes[0].message.find("device.vtm"), std::string::npos);
+  EXPECT_EQ(read->pslg.segments.size(), written.pslg.segments.size());
+}
+
+TEST(ReadOutput, RefusesNamesOfAnotherMesh) {
+  const testing::TemporaryFolder folder;
+  const std::string path = folder.path() / "device.vtu";
+  ASSERT_TRUE(write_vtu(device(), path));
+  const Output other = cover_mesh(testing::checker(2, 3, 1)).value();
+  ASSERT_TRUE(write_vtm(other, folder.path() / "device.vtm"));
+  Result<Output> read = read_output(path);
+  ASSERT_FALSE(read);
+  EXPECT_NE(read.error().message.find("another mesh"), std::string::npos);
+  ASSERT_TRUE(write_manifest(other, folder.path() / "device.json"));
+  read = read_output(path);
+  ASSERT_FALSE(read);
+  EXPECT_NE(read.error().message.find("device.json"), std::string::npos);
+}
+
+TEST(ReadOutput, SaysWhatIsWrongWithTheFile) {
+  const testing::TemporaryFolder folder;
+  EXPECT_EQ(read_output("/nowhere/x.vtu").error().code, ErrorCode::cannot_open);
+  EXPECT_EQ(read_output("/nowhere/x.vtm").error().code, ErrorCode::cannot_open);
+  EXPECT_EQ(read_output(folder.write("x.vtm", "<VTKFile")).error().code, ErrorCode::truncated);
+  EXPECT_EQ(read_output(folder.write("x.vtu", "rubbish")).error().code, ErrorCode::syntax);
+}
+
+}  // namespace
+}  // namespace cover
