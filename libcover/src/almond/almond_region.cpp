@@ -15,7 +15,6 @@
 #include "geom/predicates.hpp"
 #include "target/angle_limit.hpp"
 #include "target/local_frame.hpp"
-#include "target/measure.hpp"
 
 namespace cover {
 namespace {

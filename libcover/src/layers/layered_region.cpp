@@ -26,7 +26,7 @@
 #include "geom/vector.hpp"
 #include "layers/front/layer_front.hpp"
 #include "target/angle_limit.hpp"
-#include "target/measure.hpp"
+#include "target/fill_report.hpp"
 #include "target/whole_mesh.hpp"
 #include "thin/delaunay_within_bound.hpp"
 
@@ -299,7 +299,7 @@ class LayeredRegion {
             {points, mesh.triangles, boundary_.sides, boundary_.segments, boundary_.points.size()}))
       return fault->points.empty() ? std::vector<std::uint32_t>{0} : fault->points;
     if (options_.couplings == Couplings::first) mend_couplings(boundary_, mesh);
-    measure(boundary_, mesh);
+    fill_report(boundary_, mesh);
     if (options_.couplings == Couplings::first) {
       if (std::optional<MendedMesh> mended = mend_couplings_within_bound(boundary_, mesh, stop_)) {
         mesh = std::move(mended->mesh);

@@ -18,7 +18,7 @@
 #include "mesh/find_edges.hpp"
 #include "mesh/mesh_builder.hpp"
 #include "region/interfaces.hpp"
-#include "target/measure.hpp"
+#include "target/fill_report.hpp"
 
 namespace cover {
 namespace {

@@ -30,7 +30,7 @@
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"
 #include "target/angle_limit.hpp"
-#include "target/measure.hpp"
+#include "target/fill_report.hpp"
 #include "target/whole_mesh.hpp"
 #include "tasks/region_task.hpp"
 #include "tasks/stage_clock.hpp"
@@ -294,7 +294,7 @@ class Nonobtuse {
            {}});
     }
     faults_[r] = find_fault(boundary, mesh);
-    measure(boundary, mesh);
+    fill_report(boundary, mesh);
     if (fillings_[r].target_reached) return;
     for (Note& note : mesh.report.notes) {
       if (note.kind == Note::Kind::bound_missed)

@@ -14,7 +14,7 @@
 #include "cuts/periodic/periodic_sides.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/expected_triangles.hpp"
-#include "target/measure.hpp"
+#include "target/fill_report.hpp"
 #include "tasks/by_team.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/pieces_of_work.hpp"

@@ -23,7 +23,7 @@
 #include "pipeline/steps.hpp"
 #include "sizes/expected_triangles.hpp"
 #include "sizes/sizes.hpp"
-#include "target/measure.hpp"
+#include "target/fill_report.hpp"
 #include "tasks/pieces_of_work.hpp"
 #include "tasks/region_task.hpp"
 
@@ -185,7 +185,7 @@ Status fill_in(std::span<const RegionBoundary> again, const std::vector<bool>& c
         report.id = boundary.id;
         report.method = "kept";
         set_limits(angle_limit(cdt.triangulation, boundary.sides, boundary.segments), report);
-        measure(boundary, work.meshes[r]);
+        fill_report(boundary, work.meshes[r]);
       });
 }
 

@@ -21,7 +21,7 @@
 #include "quality/mutable/to_region_mesh.hpp"
 #include "quality/plan/candidates.hpp"
 #include "quality/plan/plan.hpp"
-#include "target/measure.hpp"
+#include "target/fill_report.hpp"
 
 namespace cover {
 namespace {

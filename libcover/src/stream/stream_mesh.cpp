@@ -23,7 +23,7 @@
 #include "region/region_graph.hpp"
 #include "sizes/expected_triangles.hpp"
 #include "stream/spooled_parts.hpp"
-#include "target/measure.hpp"
+#include "target/fill_report.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/region_task.hpp"
 

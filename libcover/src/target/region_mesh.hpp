@@ -8,6 +8,8 @@
 #include <cover/point.hpp>
 #include <cover/report.hpp>
 
+#include "region/region_boundary.hpp"
+
 namespace cover {
 
 /// Triangles over the points of a RegionBoundary (indices below its size) and Steiner vertices
@@ -19,5 +21,14 @@ struct RegionMesh {
   std::size_t layer_vertices = 0;   ///< the first so many Steiner vertices
   RegionReport report;
 };
+
+/// The vertices of a region's mesh: those of the boundary, then the Steiner vertices.
+inline std::vector<Point> all_points(const RegionBoundary& boundary, const RegionMesh& mesh) {
+  std::vector<Point> points;
+  points.reserve(boundary.points.size() + mesh.steiner.size());
+  points.insert(points.end(), boundary.points.begin(), boundary.points.end());
+  points.insert(points.end(), mesh.steiner.begin(), mesh.steiner.end());
+  return points;
+}
 
 }  // namespace cover

@@ -9,7 +9,6 @@
 #include <cover/text.hpp>
 
 #include "geom/predicates.hpp"
-#include "target/measure.hpp"
 
 namespace cover {
 namespace {

@@ -25,7 +25,7 @@
 #include "quality/fault/missed_targets.hpp"
 #include "quality/quality_region.hpp"
 #include "target/angle_limit.hpp"
-#include "target/measure.hpp"
+#include "target/fill_report.hpp"
 #include "target/whole_mesh.hpp"
 #include "tasks/stage_clock.hpp"
 #include "thin/delaunay_within_bound.hpp"
@@ -81,7 +81,7 @@ Attempt attempt(RegionMethod method, const RegionBoundary& boundary, const Optio
               if (k == 2) {
                 out.proof = proof_of(boundary);
               } else if (k == 1) {
-                measure(boundary, mesh, team);
+                fill_report(boundary, mesh, team);
               } else {
                 out.fault = find_fault({points, mesh.triangles, boundary.sides, boundary.segments,
                                         boundary.points.size()});
@@ -92,7 +92,7 @@ Attempt attempt(RegionMethod method, const RegionBoundary& boundary, const Optio
     mesh.triangles.clear();
     if (measures_ahead) mesh.report = unmeasured;
   }
-  if (out.fault || !measures_ahead) measure(boundary, mesh, team);
+  if (out.fault || !measures_ahead) fill_report(boundary, mesh, team);
   return out;
 }
 

@@ -20,7 +20,7 @@
 #include "cdt/region_cdt.hpp"
 #include "sizes/expected_triangles.hpp"
 #include "target/angle_limit.hpp"
-#include "target/measure.hpp"
+#include "target/fill_report.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/mesh_one_region.hpp"
 #include "tasks/share_out_regions.hpp"

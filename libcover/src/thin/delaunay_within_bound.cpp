@@ -11,7 +11,7 @@
 #include "cdt/cdt.hpp"
 #include "geom/predicates.hpp"
 #include "limits/couplings/half_disc_room.hpp"
-#include "target/measure.hpp"
+#include "target/fill_report.hpp"
 #include "target/whole_mesh.hpp"
 #include "thin/fewer_vertices.hpp"
 #include "thin/fill_room.hpp"
@@ -81,7 +81,7 @@ std::optional<MendedMesh> taken_if_better(const RegionBoundary& boundary, const 
   }
   if (find_fault({after.points, out.mesh.triangles, boundary.sides, boundary.segments, own}))
     return {};
-  measure(boundary, out.mesh);
+  fill_report(boundary, out.mesh);
   const std::size_t given_up = out.mesh.report.box.negative_given_up;
   if (!is_sound(out.mesh.report) ||
       (is_sound(mesh.report) && given_up >= mesh.report.box.negative_given_up))

@@ -19,7 +19,7 @@
 #include "quality/repair/improve.hpp"
 #include "quality/starts/delaunay_refinement.hpp"
 #include "support/inputs/random_regions.hpp"
-#include "target/measure.hpp"
+#include "target/fill_report.hpp"
 
 namespace cover {
 namespace {
@@ -29,7 +29,7 @@ using Kind = NegativeCoupling::Kind;
 
 RegionMesh meshed(const RegionBoundary& boundary, const Options& options = {}) {
   RegionMesh mesh = quality_region(boundary, options, {});
-  measure(boundary, mesh);
+  fill_report(boundary, mesh);
   return mesh;
 }
 

@@ -4,7 +4,7 @@
 
 #include "mesh_checks.hpp"
 #include "support/inputs/inputs.hpp"
-#include "target/measure.hpp"
+#include "target/fill_report.hpp"
 
 namespace cover {
 namespace {
@@ -27,7 +27,7 @@ Options for_angles() {
 
 RegionMesh measured(const RegionBoundary& boundary, const Options& options = for_largest()) {
   RegionMesh mesh = quality_region(boundary, options, {});
-  measure(boundary, mesh);
+  fill_report(boundary, mesh);
   return mesh;
 }
 

@@ -12,7 +12,7 @@
 #include "quality/quality_region.hpp"
 #include "region/region_graph.hpp"
 #include "support/inputs/inputs.hpp"
-#include "target/measure.hpp"
+#include "target/fill_report.hpp"
 #include "two_rectangles.hpp"
 #include "unit/quality/mesh_checks.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "cdt/region_cdt.hpp"
 #include "support/inputs/shapes.hpp"
-#include "target/measure.hpp"
+#include "target/fill_report.hpp"
 #include "target/whole_mesh.hpp"
 
 namespace cover {
@@ -30,7 +30,7 @@ RegionMesh mesh_of(const RegionBoundary& boundary) {
   mesh.triangles = {{6, 3, 4}, {6, 4, 5}, {6, 5, 0}, {0, 1, 6}, {1, 3, 6}, {1, 2, 3}};
   mesh.report.id = boundary.id;
   mesh.report.nu_bound = Angle::degrees(30);
-  measure(boundary, mesh);
+  fill_report(boundary, mesh);
   EXPECT_TRUE(mesh.report.bound_held);
   EXPECT_EQ(mesh.report.box.negative_inside, 1U);
   return mesh;
@@ -86,7 +86,7 @@ TEST(DelaunayWithinBound, LeavesWhatCannotBeMended) {
   RegionBoundary boundary = wedge();
   RegionMesh mesh = mesh_of(boundary);
   mesh.report.nu_bound = Angle::degrees(100);  // angles of 80 at most, which no polygon here has
-  measure(boundary, mesh);
+  fill_report(boundary, mesh);
   EXPECT_FALSE(mend_couplings_within_bound(boundary, mesh, {}));
   mesh.report.nu_bound = Angle::degrees(30);
   boundary.segments[0] = kHullSide;  // may be split, so that nothing is known of the mesh there
@@ -118,7 +118,7 @@ TEST(DelaunayWithinBound, FindsRoomInCusps) {
     mesh.triangles.push_back(t.v);
   mesh.report.id = boundary.id;
   mesh.report.nu_bound = Angle::degrees(30);
-  measure(boundary, mesh);
+  fill_report(boundary, mesh);
   EXPECT_TRUE(mesh.report.bound_held);
   EXPECT_EQ(mesh.report.box.negative_inside, 0U);
   EXPECT_EQ(mesh.report.box.negative_given_up, 1U);

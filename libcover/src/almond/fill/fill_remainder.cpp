@@ -7,7 +7,7 @@
 
 #include "almond/fill/fill_refine.hpp"
 #include "geom/vector.hpp"
-#include "target/measure.hpp"
+#include "target/fill_report.hpp"
 
 namespace cover {
 namespace {

@@ -18,7 +18,6 @@
 #include "quality/fault/merit.hpp"
 #include "quality/repair/kicks.hpp"
 #include "region/region_graph.hpp"
-#include "target/measure.hpp"
 #include "target/whole_mesh.hpp"
 
 namespace cover {

@@ -21,7 +21,7 @@
 #include "geom/foot.hpp"
 #include "geom/vector.hpp"
 #include "quality/fault/missed_targets.hpp"
-#include "target/measure.hpp"
+#include "target/fill_report.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/pieces_of_work.hpp"
 
@@ -117,7 +117,7 @@ class CouplingRounds {
                       work_.boundaries[r].sides) == 0)
       return;
     report_again(work_.boundaries[r], options_, false, flipped);
-    measure(work_.boundaries[r], flipped);
+    fill_report(work_.boundaries[r], flipped);
     if (flipped.report.bound_held || !work_.meshes[r].report.bound_held)
       work_.meshes[r] = std::move(flipped);
   }

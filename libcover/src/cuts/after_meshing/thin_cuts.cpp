@@ -21,7 +21,7 @@
 #include "geom/vector.hpp"
 #include "quality/fault/missed_targets.hpp"
 #include "region/region_graph.hpp"
-#include "target/measure.hpp"
+#include "target/fill_report.hpp"
 #include "target/whole_mesh.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "thin/fewer_vertices.hpp"
@@ -326,7 +326,7 @@ class Thinning {
     }
     for (std::size_t r = 0; r < thin.boundaries.size(); ++r) {
       report_again(thin.boundaries[r], options_, false, thin.meshes[r]);
-      measure(thin.boundaries[r], thin.meshes[r]);
+      fill_report(thin.boundaries[r], thin.meshes[r]);
     }
     if (const std::size_t left = obtuse(thin.meshes); left > obtuse(work_.meshes)) {
       trial.fault = counted(left, "triangle") + " would be obtuse";

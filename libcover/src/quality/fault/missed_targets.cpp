@@ -14,7 +14,7 @@
 #include "cdt/region_cdt.hpp"
 #include "geom/angle_rounding.hpp"
 #include "quality/parts/with_neighbours.hpp"
-#include "target/measure.hpp"
+#include "target/fill_report.hpp"
 
 namespace cover {
 namespace {

@@ -22,7 +22,6 @@
 #include "quality/starts/one_star.hpp"
 #include "quality/starts/restart.hpp"
 #include "sizes/fields/ask_size.hpp"
-#include "target/measure.hpp"
 #include "target/whole_mesh.hpp"
 
 namespace cover {

@@ -13,7 +13,7 @@
 #include "quality/starts/delaunay_refinement.hpp"
 #include "region/region_boundary.hpp"
 #include "support/inputs/random_regions.hpp"
-#include "target/measure.hpp"
+#include "target/fill_report.hpp"
 #include "target/whole_mesh.hpp"
 
 namespace cover {
@@ -209,7 +209,7 @@ TEST(Blocks, RandomRegionsInTinyBlocks) {
     const auto fault = find_fault(
         {points, mesh.triangles, boundary.sides, boundary.segments, boundary.points.size()});
     EXPECT_FALSE(fault) << region.kind << ": " << (fault ? fault->what : "");
-    measure(boundary, mesh);
+    fill_report(boundary, mesh);
     EXPECT_TRUE(mesh.report.bound_held) << region.kind;
     divided += mesh.triangles.size() >= 24 ? 1 : 0;
   }

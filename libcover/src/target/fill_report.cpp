@@ -1,7 +1,7 @@
 // All angles of a triangle share one cross product, so each costs one division: its cotangent,
 // which orders angles as well as the angles do and keeps the digits of flat triangles. Arc tangents
 // are taken of the extremes only.
-#include "target/measure.hpp"
+#include "target/fill_report.hpp"
 
 #include <algorithm>
 #include <array>
@@ -116,18 +116,6 @@ Note bound_missed(const RegionReport& report, std::span<const Point> points, Ind
                       report.nu_bound.supplement().in_degrees(), why),
           {a, b, c}};
 }
-
-}  // namespace
-
-std::vector<Point> all_points(const RegionBoundary& boundary, const RegionMesh& mesh) {
-  std::vector<Point> points;
-  points.reserve(boundary.points.size() + mesh.steiner.size());
-  points.insert(points.end(), boundary.points.begin(), boundary.points.end());
-  points.insert(points.end(), mesh.steiner.begin(), mesh.steiner.end());
-  return points;
-}
-
-namespace {
 
 Quality measure_some(std::span<const Point> points, std::span<const IndexTriple> triangles,
                      const BinLimits& limits) {
@@ -352,7 +340,7 @@ void set_limits(const AngleLimit& limit, RegionReport& report) {
   report.forced_above_150 = limit.above_150;
 }
 
-void measure(const RegionBoundary& boundary, RegionMesh& mesh, const Team& team) {
+void fill_report(const RegionBoundary& boundary, RegionMesh& mesh, const Team& team) {
   const std::vector<Point> points = all_points(boundary, mesh);
   RegionReport& report = mesh.report;
   team.each(2, [&](std::size_t k) {

@@ -1,6 +1,6 @@
 // Angle statistics against angles known in closed form, box-method figures on meshes where they
 // can be told by hand.
-#include "target/measure.hpp"
+#include "target/fill_report.hpp"
 #include "cdt/couplings.hpp"
 
 #include <gtest/gtest.h>
@@ -210,7 +210,7 @@ TEST(Measure, FillsTheReportAndNamesTheWorstTriangle) {
   mesh.triangles = {{0, 2, 1}};
   mesh.report.id = boundary.id;
   mesh.report.nu_bound = Angle::degrees(20);
-  measure(boundary, mesh);
+  fill_report(boundary, mesh);
   EXPECT_TRUE(mesh.report.bound_held);
   EXPECT_TRUE(mesh.report.notes.empty());
   EXPECT_EQ(mesh.report.quality.triangles, 1U);
@@ -218,7 +218,7 @@ TEST(Measure, FillsTheReportAndNamesTheWorstTriangle) {
   EXPECT_NEAR(mesh.report.quality.largest_nu.in_radians(), 2 * std::atan(0.25), 1e-15);
 
   mesh.report.nu_bound = Angle::degrees(30);
-  measure(boundary, mesh);
+  fill_report(boundary, mesh);
   EXPECT_FALSE(mesh.report.bound_held);
   ASSERT_EQ(mesh.report.notes.size(), 1U);
   EXPECT_EQ(mesh.report.notes[0].kind, Note::Kind::bound_missed);
@@ -240,7 +240,7 @@ TEST(Measure, BoundHoldsUpToTheRoundingOfTheCoordinates) {
 TEST(Measure, NoTriangleHoldsNoBound) {
   const RegionBoundary boundary = testing::boundary_of({testing::regular_polygon(5)});
   RegionMesh mesh;
-  measure(boundary, mesh);
+  fill_report(boundary, mesh);
   EXPECT_FALSE(mesh.report.bound_held);
   EXPECT_NEAR(mesh.report.quality.largest_nu.in_radians(), kPi, 0);
 }

@@ -1,4 +1,4 @@
-// What a triangulation has reached: angles, and what a box method will meet.
+// What a triangulation has reached, for reports: angles, and what a box method will meet.
 #pragma once
 
 #include <span>
@@ -12,9 +12,6 @@
 #include "target/region_mesh.hpp"
 
 namespace cover {
-
-/// The vertices of a region's mesh: those of the boundary, then the Steiner vertices.
-std::vector<Point> all_points(const RegionBoundary& boundary, const RegionMesh& mesh);
 
 /// Angle statistics of `triangles`. The count of those above 120 degrees is exact; one is obtuse if
 /// it is above 90 degrees by more than what rounding the coordinates of its corners can make
@@ -46,6 +43,6 @@ void set_limits(const AngleLimit& limit, RegionReport& report);
 /// nu_bound. Where the bound is missed a note names the worst triangle.
 ///
 /// REQUIRES: report.id and report.nu_bound are set
-void measure(const RegionBoundary& boundary, RegionMesh& mesh, const Team& team = {});
+void fill_report(const RegionBoundary& boundary, RegionMesh& mesh, const Team& team = {});
 
 }  // namespace cover
