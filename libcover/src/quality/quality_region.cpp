@@ -167,16 +167,15 @@ class RegionWork {
 
 }  // namespace
 
-RegionMesh quality_region(const RegionBoundary& boundary, const Options& options,
-                          const std::stop_token& stop, const Sharing& sharing,
-                          std::unique_ptr<RegionProof>* proof) {
+ProvenMesh quality_region(const RegionBoundary& boundary, const Options& options,
+                          const std::stop_token& stop, const Sharing& sharing) {
   RegionWork shifted(boundary, options, stop, true, sharing);
-  RegionMesh mesh = shifted.run();
-  if (proof != nullptr) *proof = shifted.take_proof();
-  if (mesh.triangles.empty() && shifted.is_shifted() && !stop.stop_requested()) {
-    mesh = RegionWork(boundary, options, stop, false, sharing).run();
+  ProvenMesh out{shifted.run()};
+  out.proof = shifted.take_proof();
+  if (out.mesh.triangles.empty() && shifted.is_shifted() && !stop.stop_requested()) {
+    out.mesh = RegionWork(boundary, options, stop, false, sharing).run();
   }
-  return mesh;
+  return out;
 }
 
 }  // namespace cover

@@ -13,18 +13,22 @@
 
 namespace cover {
 
+/// A region's mesh, and its constrained Delaunay triangulation with what was proven by it on the
+/// way.
+struct ProvenMesh {
+  RegionMesh mesh;
+  std::unique_ptr<RegionProof> proof{};  ///< none: the region is large, or nobody made one
+};
+
 /// Triangulates one region without putting a vertex on its boundary, with its largest angle near
 /// the optimum.
 ///
 /// ENSURES: promise 3 at least, but for rounding, which mesh_one_region() looks after, and not for
 ///          a part of a region. Without sizes, by Order no worse than the constrained Delaunay
 ///          triangulation and than all that the steps of the plan which ran compared with it.
-///          RegionMesh::report::notes says which targets were missed, where and why. If `proof` is
-///          given and the region is not large, it becomes the region's constrained Delaunay
-///          triangulation with what was proven by it.
+///          RegionMesh::report::notes says which targets were missed, where and why.
 /// Threads: pure function of its arguments, but for the team, on which nothing depends.
-RegionMesh quality_region(const RegionBoundary& boundary, const Options& options,
-                          const std::stop_token& stop, const Sharing& sharing = {},
-                          std::unique_ptr<RegionProof>* proof = nullptr);
+ProvenMesh quality_region(const RegionBoundary& boundary, const Options& options,
+                          const std::stop_token& stop, const Sharing& sharing = {});
 
 }  // namespace cover

@@ -36,11 +36,7 @@ namespace {
 /// From so many on, several threads judge a mesh: some tenths of a second of work.
 constexpr std::size_t kManyTriangles = 100'000;
 
-/// The region's constrained Delaunay triangulation with what was proven by it, if it was made on
-/// the way to a mesh: limits need it, too.
-using KnownProof = std::unique_ptr<RegionProof>;
-
-KnownProof proof_of(const RegionBoundary& boundary) {
+std::unique_ptr<RegionProof> proof_of(const RegionBoundary& boundary) {
   if (boundary.points.size() >= kLargeRegion)  // of others nothing is known
     return std::make_unique<RegionProof>(
         triangulate_region(boundary.points, boundary.sides, boundary.known_triangles()));
@@ -48,20 +44,17 @@ KnownProof proof_of(const RegionBoundary& boundary) {
       triangulate_domain(boundary.points, boundary.sides).triangulation);
 }
 
-using RegionMethod = RegionMesh (*)(const RegionBoundary&, const Options&, const std::stop_token&,
-                                    const Team&, KnownProof&);
+using RegionMethod = ProvenMesh (*)(const RegionBoundary&, const Options&, const std::stop_token&,
+                                    const Team&);
 
 /// A mesh, and why it does not fill its region, if it does not: then it has no triangles.
-struct Attempt {
-  RegionMesh mesh;
-  std::optional<BoundaryFault> fault;
-  KnownProof proof{};
+struct Attempt : ProvenMesh {
+  std::optional<BoundaryFault> fault{};
 };
 
 Attempt attempt(RegionMethod method, const RegionBoundary& boundary, const Options& options,
                 const std::stop_token& stop, const Team& team) {
-  Attempt out;
-  out.mesh = method(boundary, options, stop, team, out.proof);
+  Attempt out{method(boundary, options, stop, team)};
   if (stop.stop_requested()) return out;
   RegionMesh& mesh = out.mesh;
   const std::vector<Point> points = all_points(boundary, mesh);
@@ -96,19 +89,19 @@ Attempt attempt(RegionMethod method, const RegionBoundary& boundary, const Optio
   return out;
 }
 
-RegionMesh by_quality(const RegionBoundary& boundary, const Options& options,
-                      const std::stop_token& stop, const Team& team, KnownProof& proof) {
-  return quality_region(boundary, options, stop, {team}, &proof);
+ProvenMesh by_quality(const RegionBoundary& boundary, const Options& options,
+                      const std::stop_token& stop, const Team& team) {
+  return quality_region(boundary, options, stop, {team});
 }
 
-RegionMesh by_almonds(const RegionBoundary& boundary, const Options& options,
-                      const std::stop_token& stop, const Team&, KnownProof&) {
-  return almond_region(boundary, options, stop);
+ProvenMesh by_almonds(const RegionBoundary& boundary, const Options& options,
+                      const std::stop_token& stop, const Team&) {
+  return {almond_region(boundary, options, stop)};
 }
 
 /// The constrained Delaunay triangulation, which no rounding can break.
-RegionMesh plain_region(const RegionBoundary& boundary, const Options&, const std::stop_token&,
-                        const Team&, KnownProof&) {
+ProvenMesh plain_region(const RegionBoundary& boundary, const Options&, const std::stop_token&,
+                        const Team&) {
   const Triangulation cdt =
       triangulate_region(boundary.points, boundary.sides, boundary.known_triangles());
   RegionMesh mesh;
@@ -117,7 +110,7 @@ RegionMesh plain_region(const RegionBoundary& boundary, const Options&, const st
   set_limits(angle_limit(cdt, boundary.sides, boundary.segments), mesh.report);
   mesh.triangles.reserve(cdt.triangles.size());
   for (const Triangle& t : cdt.triangles) mesh.triangles.push_back(t.v);
-  return mesh;
+  return {std::move(mesh)};
 }
 
 /// What became of a method that was not used.
@@ -138,7 +131,8 @@ Note note_of_fallback(const RegionBoundary& boundary, const Attempt& attempt, st
 /// meshes there. The almond method aims at the bound and at no target: limits beside one would take
 /// twice its time (`cover check` tells them of any mesh). With little effort little is asked.
 RegionLimits limits_of(const RegionBoundary& boundary, const RegionMesh& mesh,
-                       const Options& options, const Team& team, KnownProof proof) {
+                       const Options& options, const Team& team,
+                       std::unique_ptr<RegionProof> proof) {
   const auto& segments = boundary.segments;
   const Quality& quality = mesh.report.quality;
   if (quality.triangles == 0 || options.method != Method::quality ||
@@ -161,9 +155,9 @@ RegionLimits limits_of(const RegionBoundary& boundary, const RegionMesh& mesh,
 /// The method asked for; where that misses the bound, the other one if it is better. It is rounding
 /// that makes them miss: the one in a region as flat as coordinates can be, the other where an
 /// improved triangle lies just inside the bound in the frame in which it was improved.
-/// `proof` becomes the region's, if it was made on the way.
-RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
-                       const std::stop_token& stop, const Team& team, KnownProof& proof) {
+/// The proof is of the method asked for.
+ProvenMesh mesh_region(const RegionBoundary& boundary, const Options& options,
+                       const std::stop_token& stop, const Team& team) {
   const bool quality = options.method == Method::quality;
   const std::string_view asked = quality ? "quality" : "almond";
   const std::string_view second = quality ? "almond" : "quality";
@@ -171,10 +165,10 @@ RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
   const bool promised = CutRule{options.paper, options.pieces}.promises_bound();
   const bool will_do =
       !first.fault && (first.mesh.report.bound_held || !promised || boundary.is_part);
-  proof = std::move(first.proof);
-  if (stop.stop_requested() || will_do) return std::move(first.mesh);
+  if (stop.stop_requested() || will_do) return std::move(first);
   Attempt other = attempt(quality ? by_almonds : by_quality, boundary, options, stop, team);
-  if (stop.stop_requested()) return std::move(other.mesh);
+  other.proof = std::move(first.proof);
+  if (stop.stop_requested()) return std::move(other);
   if (first.fault && other.fault) {
     Attempt plain = attempt(plain_region, boundary, options, stop, team);
     if (plain.fault) throw InternalFault(plain.fault->what, std::move(plain.fault->where));
@@ -182,44 +176,47 @@ RegionMesh mesh_region(const RegionBoundary& boundary, const Options& options,
         note_of_fallback(boundary, first, asked, "constrained Delaunay triangulation"));
     plain.mesh.report.notes.push_back(
         note_of_fallback(boundary, other, second, "constrained Delaunay triangulation"));
-    return std::move(plain.mesh);
+    plain.proof = std::move(other.proof);
+    return std::move(plain);
   }
-  if (!first.fault &&
-      (other.fault || other.mesh.report.quality.largest_nu <= first.mesh.report.quality.largest_nu))
-    return std::move(first.mesh);
+  if (!first.fault && (other.fault || other.mesh.report.quality.largest_nu <=
+                                          first.mesh.report.quality.largest_nu)) {
+    first.proof = std::move(other.proof);
+    return std::move(first);
+  }
   other.mesh.report.notes.push_back(
       note_of_fallback(boundary, first, asked, fmt::format("{} method", second)));
-  return std::move(other.mesh);
+  return std::move(other);
 }
 
 /// What the methods leave of negative couplings that are not forced: mostly where only the almond
 /// method holds the bound.
 RegionMesh with_couplings_mended(const RegionBoundary& boundary, const Options& options,
-                                 const std::stop_token& stop, RegionMesh& mesh) {
-  if (!minds_couplings(options) || stop.stop_requested()) return std::move(mesh);
+                                 const std::stop_token& stop, RegionMesh mesh) {
+  if (!minds_couplings(options) || stop.stop_requested()) return mesh;
   std::optional<MendedMesh> mended = mend_couplings_within_bound(
       boundary, mesh, stop, MendEffort::of(options.effort, options.box_method));
-  if (!mended) return std::move(mesh);
+  if (!mended) return mesh;
   report_again(boundary, options, false, mended->mesh);
   return std::move(mended->mesh);
 }
 
 /// The region, and its layers if it has some.
-RegionMesh mesh_with_its_layers(const RegionBoundary& boundary, const Options& options,
-                                const std::stop_token& stop, const Team& team, KnownProof& proof) {
+ProvenMesh mesh_with_its_layers(const RegionBoundary& boundary, const Options& options,
+                                const std::stop_token& stop, const Team& team) {
   if (!has_layers(boundary)) {
-    RegionMesh mesh = mesh_region(boundary, options, stop, team, proof);
-    return options.method == Method::quality ? with_couplings_mended(boundary, options, stop, mesh)
-                                             : mesh;
+    ProvenMesh out = mesh_region(boundary, options, stop, team);
+    if (options.method == Method::quality)
+      out.mesh = with_couplings_mended(boundary, options, stop, std::move(out.mesh));
+    return out;
   }
   const auto mesh_rest = [&](const RegionBoundary& rest, const Options& for_rest) {
-    KnownProof of_rest;
-    return mesh_region(rest, for_rest, stop, team, of_rest);
+    return mesh_region(rest, for_rest, stop, team).mesh;
   };
   RegionMesh mesh = mesh_with_layers(boundary, options, mesh_rest, stop);
   if (mesh.layer_triangles > 0 && options.method == Method::quality && !stop.stop_requested())
     report_again(boundary, options, false, mesh);
-  return mesh;
+  return {std::move(mesh)};
 }
 
 }  // namespace
@@ -227,8 +224,7 @@ RegionMesh mesh_with_its_layers(const RegionBoundary& boundary, const Options& o
 RegionMesh mesh_one_region(const RegionBoundary& boundary, const Options& options,
                            const std::stop_token& stop, const Team& team) {
   const StageClock clock;
-  KnownProof proof;
-  RegionMesh mesh = mesh_with_its_layers(boundary, options, stop, team, proof);
+  auto [mesh, proof] = mesh_with_its_layers(boundary, options, stop, team);
   if (!stop.stop_requested())
     mesh.report.limits = limits_of(boundary, mesh, options, team, std::move(proof));
   mesh.report.seconds = clock.seconds();

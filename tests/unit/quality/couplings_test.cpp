@@ -28,7 +28,7 @@ using namespace testing;
 using Kind = NegativeCoupling::Kind;
 
 RegionMesh meshed(const RegionBoundary& boundary, const Options& options = {}) {
-  RegionMesh mesh = quality_region(boundary, options, {});
+  RegionMesh mesh = quality_region(boundary, options, {}).mesh;
   fill_report(boundary, mesh);
   return mesh;
 }

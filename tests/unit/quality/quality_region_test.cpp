@@ -26,7 +26,7 @@ Options for_angles() {
 }
 
 RegionMesh measured(const RegionBoundary& boundary, const Options& options = for_largest()) {
-  RegionMesh mesh = quality_region(boundary, options, {});
+  RegionMesh mesh = quality_region(boundary, options, {}).mesh;
   fill_report(boundary, mesh);
   return mesh;
 }
@@ -60,8 +60,7 @@ TEST(QualityRegion, LeavesAGoodTriangleAlone) {
 TEST(QualityRegion, HandsOverItsTriangulationWithWhatWasProven) {
   const RegionBoundary boundary =
       boundary_of({{{100, 50}, {101, 50}, {101, 50.0625}, {100.5, 50.125}, {100, 50.5}}});
-  std::unique_ptr<RegionProof> proof;
-  const RegionMesh mesh = quality_region(boundary, {}, {}, {}, &proof);
+  const auto [mesh, proof] = quality_region(boundary, {}, {});
   ASSERT_FALSE(mesh.report.notes.empty());
   ASSERT_TRUE(proof);
   const Triangulation& cdt = proof->cdt();

@@ -41,7 +41,7 @@ TEST(Sizes, GiveTheNumberOfTriangles) {
   for (const double part : {0.7, 1.0, 1.4}) {
     RegionBoundary boundary = square(30);
     boundary.size = part / 30;
-    const RegionMesh mesh = quality_region(boundary, {}, {});
+    const RegionMesh mesh = quality_region(boundary, {}, {}).mesh;
     const double expected = triangles_for(1, boundary.size);
     EXPECT_NEAR(static_cast<double>(mesh.triangles.size()), expected, 0.15 * expected) << part;
   }
@@ -74,14 +74,16 @@ TEST(Sizes, GiveTheNumberOfTrianglesWhereTheyGrow) {
       RegionBoundary disc = boundary_of({circle(1, 0.1)}, {{0, 0}});
       disc.size = 0.1;
       for (const Point& p : disc.points) disc.size_at.push_back(p == Point{0, 0} ? fine : 0);
-      const auto of_disc = static_cast<double>(quality_region(disc, options, {}).triangles.size());
+      const auto of_disc =
+          static_cast<double>(quality_region(disc, options, {}).mesh.triangles.size());
       const double around_point =
           triangles_between(0, 1, [&](double r) { return std::min(0.1, fine + (growth - 1) * r); });
       EXPECT_NEAR(of_disc, around_point, 0.15 * around_point) << growth << ' ' << fine;
       // From a fine inner boundary.
       RegionBoundary ring = boundary_of({circle(1, 0.1), reversed(circle(0.2, fine))});
       ring.size = 0.1;
-      const auto of_ring = static_cast<double>(quality_region(ring, options, {}).triangles.size());
+      const auto of_ring =
+          static_cast<double>(quality_region(ring, options, {}).mesh.triangles.size());
       const double around_hole = triangles_between(
           0.2, 1, [&](double r) { return std::min(0.1, fine + (growth - 1) * (r - 0.2)); });
       EXPECT_NEAR(of_ring, around_hole, 0.15 * around_hole) << growth << ' ' << fine;
@@ -101,7 +103,8 @@ TEST(Sizes, GiveTheNumberOfTrianglesOfABackground) {
     options.size_field = [&](Point p) {
       return restored ? size(std::hypot(p.x - 1024, p.y + 512)) : size(std::hypot(p.x, p.y));
     };
-    const auto triangles = static_cast<double>(quality_region(disc, options, {}).triangles.size());
+    const auto triangles =
+        static_cast<double>(quality_region(disc, options, {}).mesh.triangles.size());
     const double expected = triangles_between(0, 1, size);
     EXPECT_NEAR(triangles, expected, 0.15 * expected) << size(0) << restored;
   };
@@ -132,18 +135,18 @@ TEST(Sizes, TheSmallestCounts) {
   boundary.size = 1.0 / 30;
   Options options;
   options.size_field = [](Point) { return 0.5; };
-  const std::size_t region = quality_region(boundary, options, {}).triangles.size();
-  EXPECT_EQ(region, quality_region(boundary, {}, {}).triangles.size());
+  const std::size_t region = quality_region(boundary, options, {}).mesh.triangles.size();
+  EXPECT_EQ(region, quality_region(boundary, {}, {}).mesh.triangles.size());
   boundary.size = 0.5;
   options.size_field = [](Point) { return 1.0 / 30; };
-  EXPECT_EQ(quality_region(boundary, options, {}).triangles.size(), region);
+  EXPECT_EQ(quality_region(boundary, options, {}).mesh.triangles.size(), region);
 }
 
 TEST(Sizes, NoWishChangesNothing) {
   RegionBoundary boundary = boundary_of({regular_polygon(40)});
-  const std::vector<IndexTriple> plain = quality_region(boundary, {}, {}).triangles;
+  const std::vector<IndexTriple> plain = quality_region(boundary, {}, {}).mesh.triangles;
   boundary.size = 3;  // longer than any edge can be
-  EXPECT_EQ(quality_region(boundary, {}, {}).triangles, plain);
+  EXPECT_EQ(quality_region(boundary, {}, {}).mesh.triangles, plain);
 }
 
 TEST(Sizes, YieldToAnglesBesideLongSides) {
@@ -151,7 +154,7 @@ TEST(Sizes, YieldToAnglesBesideLongSides) {
   for (const double size : {0.1, 0.05, 0.02}) {
     RegionBoundary boundary = square(4);
     boundary.size = size;
-    const RegionMesh mesh = quality_region(boundary, {}, {});
+    const RegionMesh mesh = quality_region(boundary, {}, {}).mesh;
     const Quality quality = measure_angles(all_points(boundary, mesh), mesh.triangles);
     EXPECT_LE(quality.largest_nu.supplement().in_degrees(), 100.0001) << size;
     EXPECT_GE(quality.smallest.in_degrees(), 18) << size;
@@ -162,12 +165,12 @@ TEST(Sizes, YieldToAnglesBesideLongSides) {
 TEST(Sizes, GrowFromAFinePoint) {
   RegionBoundary boundary = boundary_of({regular_polygon(60)}, {{0, 0}});
   boundary.size = 0.1;
-  const std::size_t none = quality_region(boundary, {}, {}).triangles.size();
+  const std::size_t none = quality_region(boundary, {}, {}).mesh.triangles.size();
   for (const Point& p : boundary.points) boundary.size_at.push_back(p == Point{0, 0} ? 0.002 : 0);
-  const std::size_t gentle = quality_region(boundary, {}, {}).triangles.size();
+  const std::size_t gentle = quality_region(boundary, {}, {}).mesh.triangles.size();
   Options options;
   options.growth = 2;
-  const std::size_t steep = quality_region(boundary, options, {}).triangles.size();
+  const std::size_t steep = quality_region(boundary, options, {}).mesh.triangles.size();
   EXPECT_GT(gentle, steep);
   EXPECT_GT(steep, none);
 }
@@ -175,11 +178,11 @@ TEST(Sizes, GrowFromAFinePoint) {
 TEST(Sizes, AGrowthAloneCountsFromTheEdgesOfTheBoundary) {
   const RegionBoundary boundary = boundary_of({regular_polygon(200)});
   const double side = 2 * 3.14159265 / 200;
-  std::size_t last = quality_region(boundary, {}, {}).triangles.size();
+  std::size_t last = quality_region(boundary, {}, {}).mesh.triangles.size();
   for (const double growth : {1.3, 1.1, 1.03}) {
     Options options;
     options.growth = growth;
-    const RegionMesh mesh = quality_region(boundary, options, {});
+    const RegionMesh mesh = quality_region(boundary, options, {}).mesh;
     const double wished =
         triangles_between(0, 1, [&](double r) { return side + (growth - 1) * (1 - r); });
     EXPECT_NEAR(static_cast<double>(mesh.triangles.size()), wished, 0.15 * wished) << growth;

@@ -147,7 +147,7 @@ class CutSearch {
     };
     for (std::size_t k = 0; k < std::min(kKicked, trials.size()); ++k) {
       if (!is_worth_it(trials[k].merit)) {
-        improve_by_kicks(trials[k].mesh, goal_, trials[k].merit, budget);
+        trials[k].merit = improve_by_kicks(trials[k].mesh, goal_, trials[k].merit, budget);
       }
       if (!is_worth_it(trials[k].merit)) continue;
       best = std::move(trials[k]);

@@ -35,8 +35,9 @@ class JointPlacement {
     }
   }
 
-  bool run(std::uint64_t& evaluations) {
-    if (vertices_.size() < 2) return false;
+  JointMove run() {
+    if (vertices_.size() < 2) return {};
+    std::uint64_t evaluations = 0;
     double worst = worst_now();
     const double first = worst;
     double box = kFirstBox;
@@ -63,13 +64,13 @@ class JointPlacement {
     }
     if (!(worst < first) || !is_valid()) {
       put(before_);
-      return false;
+      return {false, evaluations};
     }
     for (const std::uint32_t s : triangles_) mesh_.measure(s);
     for (const std::uint32_t s : triangles_) {
       for (const std::uint32_t n : mesh_.triangles[s].n) mesh_.measure_beyond(n);
     }
-    return true;
+    return {true, evaluations};
   }
 
  private:
@@ -236,8 +237,8 @@ class JointPlacement {
 
 }  // namespace
 
-bool place_jointly(MutableMesh& mesh, std::uint32_t t, std::uint64_t& evaluations) {
-  return JointPlacement(mesh, t).run(evaluations);
+JointMove place_jointly(MutableMesh& mesh, std::uint32_t t) {
+  return JointPlacement(mesh, t).run();
 }
 
 }  // namespace cover

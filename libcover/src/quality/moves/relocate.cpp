@@ -24,7 +24,8 @@ bool try_relocate(Piece& piece, std::uint32_t t) {
     if (mesh.is_fixed(v) || !cavity.start_star(v)) continue;
     const double limit = improvement_of(cavity.worst());
     const Point before = mesh.points[v];
-    const Placement placement = place(Hole(mesh, cavity), before, limit, piece.evaluations);
+    const Placement placement = place(Hole(mesh, cavity), before, limit);
+    piece.evaluations += placement.evaluations;
     if (placement.worst < limit && relocate(mesh, cavity, placement.at)) {
       // A hole and the mesh round in different ways: an excess that is no more than that would be
       // mended again and again, until the budget is used up, by leaving the vertex where it is.

@@ -48,7 +48,8 @@ bool try_restar(Piece& piece, std::uint32_t t) {
       Placement placement{p, kInverted};
       ++piece.evaluations;
       if (has_room(mesh, cavity, limit)) {
-        placement = place(hole, p, 0, piece.evaluations);
+        placement = place(hole, p, 0);
+        piece.evaluations += placement.evaluations;
         if (!(placement.worst < kInverted)) break;
         p = placement.at;
       } else if (hole.worst(p, kInverted) == kInverted) {
@@ -67,7 +68,10 @@ bool try_restar(Piece& piece, std::uint32_t t) {
   }
   if (!(best.worst < kInverted)) return false;
   const double limit = improvement_of(best_cavity.worst());
-  if (best.worst > 0) best = place(Hole(mesh, best_cavity), best.at, limit, piece.evaluations);
+  if (best.worst > 0) {
+    best = place(Hole(mesh, best_cavity), best.at, limit);
+    piece.evaluations += best.evaluations;
+  }
   if (!(best.worst < limit)) return false;
   if (!install_star(mesh, best_cavity, best.at, piece.installed)) return false;
   piece.look_around_installed();

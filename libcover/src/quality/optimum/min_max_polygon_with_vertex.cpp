@@ -29,8 +29,8 @@ class PolygonWithVertex {
     fill_table();
   }
 
-  double run(double limit, Patch& patch, std::uint64_t& evaluations) {
-    evaluations += kTableCost;
+  PlacedVertex run(double limit, Patch& patch) {
+    std::uint64_t evaluations = kTableCost;
     struct Start {
       double value;
       Point p;
@@ -60,8 +60,9 @@ class PolygonWithVertex {
           best = value;
           collect(p, patch);
         }
-        if (best <= 0) return best < limit ? best : kInverted;
-        const Placement placement = place(star_hole(), p, best, evaluations);
+        if (best <= 0) return {best < limit ? best : kInverted, evaluations};
+        const Placement placement = place(star_hole(), p, best);
+        evaluations += placement.evaluations;
         if (!(placement.worst < value)) break;
         p = placement.at;
         const double now = best_star(p, kInverted);
@@ -74,7 +75,7 @@ class PolygonWithVertex {
         collect(p, patch);
       }
     }
-    return best < limit ? best : kInverted;
+    return {best < limit ? best : kInverted, evaluations};
   }
 
  private:
@@ -192,10 +193,10 @@ class PolygonWithVertex {
 
 }  // namespace
 
-double min_max_polygon_with_vertex(const MutableMesh& mesh, const Cavity& cavity, double limit,
-                                   Patch& patch, std::uint64_t& evaluations) {
-  if (cavity.size() > kPolygonLimit) return kInverted;
-  return PolygonWithVertex(mesh, cavity).run(limit, patch, evaluations);
+PlacedVertex min_max_polygon_with_vertex(const MutableMesh& mesh, const Cavity& cavity,
+                                         double limit, Patch& patch) {
+  if (cavity.size() > kPolygonLimit) return {};
+  return PolygonWithVertex(mesh, cavity).run(limit, patch);
 }
 
 }  // namespace cover

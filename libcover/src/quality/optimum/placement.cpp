@@ -213,43 +213,42 @@ Point Hole::centre() const {
   return edges_[0].a() + (1.0 / size_) * sum;
 }
 
-namespace {
-
 /// Steps to the lowest point of a linear model of the star, as far as it can be trusted.
-void follow_model(const Hole& hole, Placement& best, double wanted, std::uint64_t& evaluations) {
+Placement place(const Hole& hole, Point start, double wanted) {
+  Placement best{start};
   LinearPieces buffers[2];
   LinearPieces *here = &buffers[0], *there = &buffers[1];
   double radius = kFirstStep * hole.shortest_spoke(best.at);
   best.worst = hole.linearise(best.at, kInverted, radius, -kMargin, *here);
-  evaluations += kStepCost;
-  if (!(best.worst > 0) || best.worst == kInverted) return;
+  best.evaluations += kStepCost;
+  if (!(best.worst > 0) || best.worst == kInverted) return best;
   for (int k = 0; k < kModelSteps; ++k) {
     const Descent down = descend(*here, -kMargin, radius);
     const double gain = best.worst - down.value;
-    if (!(gain > (best.worst > 1 ? kLeastGainFar : kLeastGain) * best.worst)) return;
-    if (!down.is_cut_short && !(down.value < wanted)) return;
+    if (!(gain > (best.worst > 1 ? kLeastGainFar : kLeastGain) * best.worst)) return best;
+    if (!down.is_cut_short && !(down.value < wanted)) return best;
     Point p = best.at + down.step;
     double value = hole.linearise(p, kInverted, 2 * radius, -kMargin, *there);
-    evaluations += kStepCost;
+    best.evaluations += kStepCost;
     if (value >= best.worst && value < kInverted) {  // back into a valley that is curved
       p = p + descend(*there, -kMargin, length(down.step)).step;
       value = hole.linearise(p, best.worst, 2 * radius, -kMargin, *there);
-      evaluations += kStepCost;
+      best.evaluations += kStepCost;
     }
     if (!(value < best.worst)) {
       radius = length(down.step) / 2;
       continue;
     }
     const double kept = (best.worst - value) / gain;
-    best = {p, value};
-    if (value <= 0) return;
+    best.at = p;
+    best.worst = value;
+    if (value <= 0) return best;
     if (kept < 0.25) radius = length(down.step) / 2;
     if (kept > 0.75 && down.is_cut_short) radius *= 2;
     std::swap(here, there);
   }
+  return best;
 }
-
-}  // namespace
 
 WidestCorner::WidestCorner(const Goal& goal, double limit) {
   const double largest = goal.large + limit;  // twice that angle is 180 degrees and another one
@@ -292,12 +291,6 @@ bool has_room(const MutableMesh& mesh, const Cavity& cavity, double limit) {
     allowed_before = allowed;
   }
   return true;
-}
-
-Placement place(const Hole& hole, Point start, double wanted, std::uint64_t& evaluations) {
-  Placement best{start, kInverted};
-  follow_model(hole, best, wanted, evaluations);
-  return best;
 }
 
 }  // namespace cover

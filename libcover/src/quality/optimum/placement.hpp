@@ -97,13 +97,14 @@ bool has_room(const MutableMesh& mesh, const Cavity& cavity, double limit);
 struct Placement {
   Point at;
   double worst = kInverted;
+  std::uint64_t evaluations = 0;  ///< stars that were looked at to find it
 };
 
 /// Looks for a place for a vertex, from `start`. Stops where all triangles meet the goal, and where
 /// the lowest point of the linear model is at `wanted` or above.
 ///
-/// ENSURES: never worse than `start`; `evaluations` is raised by the stars that were looked at.
-///          A start that does not see the whole loop is the end, with `worst` infinite.
-Placement place(const Hole& hole, Point start, double wanted, std::uint64_t& evaluations);
+/// ENSURES: never worse than `start`. A start that does not see the whole loop is the end, with
+///          `worst` infinite.
+Placement place(const Hole& hole, Point start, double wanted);
 
 }  // namespace cover

@@ -111,11 +111,10 @@ bool Candidates::has_room_for_one_star() const {
 }
 
 std::optional<Candidate> Candidates::one_star(const Candidate& cdt) {
-  std::uint64_t evaluations = 0;
-  const auto star = cover::one_star(*cdt.mesh, boundary_, evaluations);
-  budget_.spend(evaluations);
-  if (!star) return std::nullopt;
-  Candidate made = candidate(*star, "one star");
+  const OneStar found = cover::one_star(*cdt.mesh, boundary_);
+  budget_.spend(found.evaluations);
+  if (!found.star) return std::nullopt;
+  Candidate made = candidate(*found.star, "one star");
   proof_->has_seen(angles_of(*made.mesh));
   return made;
 }
@@ -128,10 +127,10 @@ std::optional<Candidate> Candidates::evenly_refined(Candidate cdt) const {
 
 Candidate Candidates::optimised(Candidate cdt, Search search) {
   Budget half = budget_.share(2);  // the rest is for candidates that may start better
-  AngleRange uncoupled{std::numbers::pi, 0};
-  cdt.merit =
-      optimise(cdt.mesh.change(), goal_, half, sizes_, order_, search, sharing_, &uncoupled);
-  if (uncoupled.least > 0) proof_->has_seen(uncoupled);
+  const Optimised reached =
+      optimise(cdt.mesh.change(), goal_, half, sizes_, order_, search, sharing_);
+  cdt.merit = reached.merit;
+  if (reached.before_couplings) proof_->has_seen(*reached.before_couplings);
   budget_.take_back(half);
   cdt.method = "refined, improved";
   return cdt;
@@ -208,17 +207,15 @@ Candidate Candidates::optimised_within(Candidate cdt, Search search, std::uint64
 }
 
 Candidate Candidates::restarted_within(const Candidate& from, std::uint64_t evaluations) const {
-  Candidate best = from;
   Budget budget{evaluations, budget_.stop};
-  best.mesh = best_restart(*from.mesh, goal_, ceiling_, best.merit, budget);
-  best.method = "restarted, improved";
-  return measured(std::move(best));
+  Restarted best = best_restart(*from.mesh, from.merit, goal_, ceiling_, budget);
+  return measured({std::move(best.mesh), best.merit, "restarted, improved"});
 }
 
 Candidate Candidates::restarted(const Candidate& from) const {
-  Candidate best = from;
   Budget budget{effort::kRestarts, budget_.stop};
-  best.mesh = best_restart(*from.mesh, goal_, ceiling_, best.merit, budget);
+  Restarted found = best_restart(*from.mesh, from.merit, goal_, ceiling_, budget);
+  Candidate best{std::move(found.mesh), found.merit, from.method};
   if (order_.is_better(best.merit, from.merit)) best.method = "restarted, improved";
   if (is_done(best) && best.merit.above == 0) return best;
   Candidate further = best;

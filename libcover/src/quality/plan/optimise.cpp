@@ -158,9 +158,8 @@ Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search
   return merit_of(mesh, goal, sharing.team);
 }
 
-Merit optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const SizeField& sizes,
-               const Order& order, Search search, const Sharing& sharing,
-               AngleRange* before_couplings) {
+Optimised optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const SizeField& sizes,
+                   const Order& order, Search search, const Sharing& sharing) {
   const Goal goal = with_sides(asked);
   mesh.set_goal(goal, sharing.team);
   RefineLimits limits;
@@ -207,10 +206,11 @@ Merit optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const SizeF
   if (is_thorough(search) && !is_tiny && is_worth_a_search(merit))
     search_excerpts(mesh, goal, budget, Trials::usual, sharing);
   if (!sizes.is_active()) budget.spend(thin_out(mesh, budget.left, sharing).evaluations);
-  if (goal == asked) return merit_of(mesh, goal, sharing.team);
-  if (before_couplings != nullptr) *before_couplings = angles_of(mesh, sharing.team);
-  return mind_couplings(mesh, asked, budget, is_tiny ? Search::none : search, sharing,
-                        coupling_evaluations(search));
+  if (goal == asked) return {merit_of(mesh, goal, sharing.team), std::nullopt};
+  const AngleRange before_couplings = angles_of(mesh, sharing.team);
+  return {mind_couplings(mesh, asked, budget, is_tiny ? Search::none : search, sharing,
+                         coupling_evaluations(search)),
+          before_couplings};
 }
 
 AngleRange angles_of(const MutableMesh& mesh, const Team& team) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "limits/angles/angle_range.hpp"
 #include "quality/effort/budget.hpp"
@@ -21,15 +22,21 @@ enum class Search {
   usual,  ///< with more of a budget where few are left
 };
 
+/// What a triangulation has reached.
+struct Optimised {
+  Merit merit;
+  std::optional<AngleRange>
+      before_couplings;  ///< angles before couplings had their say, if they did
+};
+
 /// Refines and improves a constrained Delaunay triangulation. With wished sizes nothing is thinned
 /// out.
 ///
 /// REQUIRES: `mesh` is constrained Delaunay
-/// ENSURES:  returns what was reached, by `goal`; nothing promises that it is better than before.
-///           `before_couplings`, if it is given, becomes the angles before couplings had their say.
-Merit optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeField& sizes = {},
-               const Order& order = {}, Search search = Search::usual, const Sharing& sharing = {},
-               AngleRange* before_couplings = nullptr);
+/// ENSURES:  returns what was reached, by `goal`; nothing promises that it is better than before
+Optimised optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeField& sizes = {},
+                   const Order& order = {}, Search search = Search::usual,
+                   const Sharing& sharing = {});
 
 /// The extreme angles of all triangles.
 AngleRange angles_of(const MutableMesh& mesh, const Team& team = {});

@@ -29,10 +29,9 @@ bool improve_jointly(MutableMesh& mesh, Budget& budget, IsEnough is_enough) {
   for (int k = 0; k < kTimes && !budget.is_used_up(); ++k) {
     const std::uint32_t worst = worst_of(mesh);
     if (!(mesh.excess[worst] > kSameCot)) return false;
-    std::uint64_t evaluations = 0;
-    const bool moved = place_jointly(mesh, worst, evaluations);
-    budget.spend(evaluations);
-    if (!moved) return false;
+    const JointMove move = place_jointly(mesh, worst);
+    budget.spend(move.evaluations);
+    if (!move.has_moved) return false;
     if (is_enough()) return true;
     budget.spend(improve(mesh, budget.left).evaluations);
     if (is_enough()) return true;

@@ -39,8 +39,8 @@ bool kick_and_improve(MutableMesh& mesh, const Goal& goal, Budget& budget) {
   return false;
 }
 
-void improve_by_kicks(MutableMesh& mesh, const Goal& goal, Merit& merit, Budget& budget) {
-  if (merit.above == 0) return;
+Merit improve_by_kicks(MutableMesh& mesh, const Goal& goal, const Merit& before, Budget& budget) {
+  if (before.above == 0) return before;
   std::vector<std::uint32_t> queue;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (is_above(mesh, t, goal)) queue.push_back(t);
@@ -55,7 +55,7 @@ void improve_by_kicks(MutableMesh& mesh, const Goal& goal, Merit& merit, Budget&
       if (is_above(mesh, changed, goal)) queue.push_back(changed);
     }
   }
-  merit = merit_of(mesh, goal);
+  return merit_of(mesh, goal);
 }
 
 }  // namespace cover

@@ -18,9 +18,10 @@ bool kick_and_improve(MutableMesh& mesh, const Goal& goal, Budget& budget);
 /// one of its edges, a flip, the removal of a vertex; and improves what comes of it, for the goal
 /// that `mesh` has set. Keeps what is better by `goal`, and goes on from there.
 ///
-/// REQUIRES: `mesh` is improved, `merit` is its merit by `goal`
-/// ENSURES:  neither the largest angle nor the number of triangles above the goal has grown
+/// REQUIRES: `mesh` is improved, `before` is its merit by `goal`
+/// ENSURES:  returns the merit afterwards; neither the largest angle nor the number of triangles
+///           above the goal has grown
 /// Cost:     an attempt looks at some dozens of triangles around, however many there are
-void improve_by_kicks(MutableMesh& mesh, const Goal& goal, Merit& merit, Budget& budget);
+Merit improve_by_kicks(MutableMesh& mesh, const Goal& goal, const Merit& before, Budget& budget);
 
 }  // namespace cover

@@ -111,12 +111,10 @@ class Attempts {
     for (bool grown = true; grown && !budget_.is_used_up();) {
       grown = cavity.size() < kPolygonLimit && grow(start, cavity);
       if (cavity.size() == 3 || (grown && cavity.size() < kLeastHole)) continue;
-      std::uint64_t evaluations = 0;
       Patch patch;
-      const double worst =
-          min_max_polygon_with_vertex(start, cavity, cavity.worst(), patch, evaluations);
-      budget_.spend(evaluations);
-      if (!(worst < cavity.worst())) continue;
+      const PlacedVertex placed = min_max_polygon_with_vertex(start, cavity, cavity.worst(), patch);
+      budget_.spend(placed.evaluations);
+      if (!(placed.worst < cavity.worst())) continue;
       trial_ = start;
       Installed installed;
       if (!install_patch(trial_, cavity, patch, installed)) continue;

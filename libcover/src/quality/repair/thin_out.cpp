@@ -101,7 +101,8 @@ class Thinner {
       const Point middle = midpoint(mesh_.points[u], mesh_.points[v]);
       ++evaluations_;
       if (hole.worst(middle, kHopeless) > kHopeless) continue;
-      const Placement placement = place(hole, middle, kLimit, evaluations_);
+      const Placement placement = place(hole, middle, kLimit);
+      evaluations_ += placement.evaluations;
       if (placement.worst <= kLimit && install_star(mesh_, cavity_, placement.at, installed_)) {
         return true;
       }

@@ -3,6 +3,8 @@
 // clockwise. Tested by tests/unit/quality/starts/one_star_test.cpp.
 #include "quality/starts/one_star.hpp"
 
+#include <utility>
+
 #include "geom/predicates.hpp"
 #include "quality/optimum/placement.hpp"
 
@@ -13,11 +15,10 @@ constexpr std::size_t kMostSides = 64;  ///< where small angles count
 
 }  // namespace
 
-std::optional<Triangulation> one_star(const MutableMesh& mesh, const RegionBoundary& boundary,
-                                      std::uint64_t& evaluations) {
+OneStar one_star(const MutableMesh& mesh, const RegionBoundary& boundary) {
   const std::size_t n = boundary.sides.size();
-  if (n < 4 || n != boundary.points.size()) return std::nullopt;      // isolated points, or pinched
-  if (n > kMostSides && mesh.goal().weight > 0) return std::nullopt;  // small angles at the hub
+  if (n < 4 || n != boundary.points.size()) return {};      // isolated points, or pinched
+  if (n > kMostSides && mesh.goal().weight > 0) return {};  // small angles at the hub
   std::vector<Hole::Edge> edges;
   edges.reserve(n);
   for (std::size_t s = 0; s < n; ++s) {
@@ -25,10 +26,10 @@ std::optional<Triangulation> one_star(const MutableMesh& mesh, const RegionBound
     edges.push_back(Hole::edge(mesh.points[a], mesh.points[b], &mesh.allowances[s]));
   }
   const Hole hole(mesh.goal(), edges);
-  const Placement hub = place(hole, hole.centre(), kInverted, evaluations);
-  if (hub.worst == kInverted) return std::nullopt;
+  const Placement hub = place(hole, hole.centre(), kInverted);
+  if (hub.worst == kInverted) return {{}, hub.evaluations};
   for (const Hole::Edge& e : edges) {
-    if (orientation(e.a(), e.b(), hub.at) != Sign::positive) return std::nullopt;
+    if (orientation(e.a(), e.b(), hub.at) != Sign::positive) return {{}, hub.evaluations};
   }
 
   Triangulation star;
@@ -46,7 +47,7 @@ std::optional<Triangulation> one_star(const MutableMesh& mesh, const RegionBound
     star.triangles[s].n = {starts_at[b], ends_at[a], kNone};
     star.triangles[s].set_locked(2, true);
   }
-  return star;
+  return {std::move(star), hub.evaluations};
 }
 
 }  // namespace cover

@@ -10,13 +10,18 @@
 
 namespace cover {
 
+/// A star, if there is one, and what it took to look for it.
+struct OneStar {
+  std::optional<Triangulation> star;
+  std::uint64_t evaluations = 0;  ///< stars looked at
+};
+
 /// The triangulation that joins every side to one new vertex, well placed, if all sides see it. For
 /// round regions with many sides it has the fewest triangles and a smaller largest angle than
 /// any refinement.
 ///
 /// REQUIRES: `mesh` is the region's constrained Delaunay triangulation, its goal set
 /// Cost:     O(sides), most often after a single look
-std::optional<Triangulation> one_star(const MutableMesh& mesh, const RegionBoundary& boundary,
-                                      std::uint64_t& evaluations);
+OneStar one_star(const MutableMesh& mesh, const RegionBoundary& boundary);
 
 }  // namespace cover

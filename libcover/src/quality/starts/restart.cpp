@@ -77,9 +77,10 @@ std::optional<MutableMesh> restart(const MutableMesh& mesh, std::size_t count,
   return result;
 }
 
-MutableMesh best_restart(const MutableMesh& mesh, const Goal& goal, double ceiling, Merit& merit,
-                         Budget& budget) {
-  MutableMesh best = mesh;
+Restarted best_restart(const MutableMesh& mesh, const Merit& before, const Goal& goal,
+                       double ceiling, Budget& budget) {
+  Restarted best{mesh, before};
+  const Merit& merit = best.merit;
   /// Improves `trial` with the largest angle first, down to -cot `aim`; keeps it if it is better.
   const auto try_it = [&](MutableMesh trial, double aim, double light) {
     trial.set_goal(goal.with(aim, goal.small, light * goal.weight));
@@ -88,8 +89,7 @@ MutableMesh best_restart(const MutableMesh& mesh, const Goal& goal, double ceili
     trial.set_goal(goal);
     const Merit reached = merit_of(trial, goal);
     if (is_smaller_cot(ceiling, reached.large) || !is_better(reached, merit)) return;
-    merit = reached;
-    best = std::move(trial);
+    best = {std::move(trial), reached};
   };
 
   // What is aimed at, in turn: the region's own target; the goal; few triangles above 120 degrees.
@@ -107,7 +107,7 @@ MutableMesh best_restart(const MutableMesh& mesh, const Goal& goal, double ceili
   // Steps count by what they win of an excess: near the aim, small ones do.
   for (const double part : kPolished) {
     if (!is_smaller_cot(merit.target, merit.large) || budget.is_used_up()) break;
-    try_it(best, merit.large - part * (merit.large - merit.target), 0);
+    try_it(best.mesh, merit.large - part * (merit.large - merit.target), 0);
   }
   return best;
 }

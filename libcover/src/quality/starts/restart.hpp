@@ -22,14 +22,19 @@ inline constexpr std::uint64_t kRestartCost = 300;
 std::optional<MutableMesh> restart(const MutableMesh& mesh, std::size_t count,
                                    std::uint32_t number);
 
+/// A mesh and its merit.
+struct Restarted {
+  MutableMesh mesh;
+  Merit merit;
+};
+
 /// The best by `goal` of some restarts with one to three free vertices, improved with the largest
 /// angle before all else; or `mesh`, if that is better. For tiny regions: there one restart in
 /// three finds what no step from any other triangulation leads to.
 ///
-/// REQUIRES: `merit` is that of `mesh` by `goal`
-/// ENSURES:  `merit` is that of the result; -cot of its largest angle is above `ceiling` only if it
-///           is `mesh`
-MutableMesh best_restart(const MutableMesh& mesh, const Goal& goal, double ceiling, Merit& merit,
-                         Budget& budget);
+/// REQUIRES: `before` is the merit of `mesh` by `goal`
+/// ENSURES:  -cot of the largest angle is above `ceiling` only if the result is `mesh`
+Restarted best_restart(const MutableMesh& mesh, const Merit& before, const Goal& goal,
+                       double ceiling, Budget& budget);
 
 }  // namespace cover

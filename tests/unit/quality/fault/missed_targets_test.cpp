@@ -50,7 +50,7 @@ TEST(MissedTargets, SmallAnglesThatSidesForceAreToldApart) {
 TEST(MissedTargets, SegmentsThatForceAreNamedByTheirEndsWorstFirst) {
   // The notch sees the lower side flat.
   const RegionBoundary boundary = boundary_of({{{0, 0}, {8, 0}, {8, 1}, {4, 0.75}, {0, 1}}});
-  RegionMesh mesh = quality_region(boundary, Options{}, {});
+  RegionMesh mesh = quality_region(boundary, Options{}, {}).mesh;
   report_again(boundary, Options{}, false, mesh);
   ASSERT_FALSE(mesh.report.notes.empty());
   EXPECT_NE(mesh.report.notes[0].message.find("from (0, 0) to (8, 0)"), std::string::npos)

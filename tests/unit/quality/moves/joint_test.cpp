@@ -57,9 +57,12 @@ TEST(Joint, MendsWhereTrianglesTieThatShareVertices) {
   const Everything before(small.mesh);
 
   std::uint64_t evaluations = 0;
-  while (place_jointly(small.mesh, worst_triangle(small.mesh), evaluations)) {
+  JointMove move;
+  do {
+    move = place_jointly(small.mesh, worst_triangle(small.mesh));
+    evaluations += move.evaluations;
     expect_sound(small.mesh, small.boundary);
-  }
+  } while (move.has_moved);
   EXPECT_LT(worst_excess(small.mesh), 0.5 * stuck);
   EXPECT_GT(evaluations, 0U);
 
@@ -74,14 +77,13 @@ TEST(Joint, MendsWhereTrianglesTieThatShareVertices) {
 
 TEST(Joint, LeavesTheBestPlaces) {
   SmallMesh small = two_stars(goal_of(61, 0), kSquares, {-0.9, 0.1}, {0.9, 0.2});
-  std::uint64_t evaluations = 0;
   int moved = 0;
-  while (moved < 50 && place_jointly(small.mesh, worst_triangle(small.mesh), evaluations)) ++moved;
+  while (moved < 50 && place_jointly(small.mesh, worst_triangle(small.mesh)).has_moved) ++moved;
   ASSERT_GT(moved, 0);
   ASSERT_LT(moved, 50);
   ASSERT_GT(worst_excess(small.mesh), 0);
   const Everything before(small.mesh);
-  EXPECT_FALSE(place_jointly(small.mesh, worst_triangle(small.mesh), evaluations));
+  EXPECT_FALSE(place_jointly(small.mesh, worst_triangle(small.mesh)).has_moved);
   EXPECT_TRUE(Everything(small.mesh) == before);
 }
 
@@ -90,10 +92,10 @@ TEST(Joint, LeavesFixedVerticesAndNeedsTwoFreeOnes) {
     SmallMesh small = two_stars(goal_of(65, 0), kSquares, {-0.4, 0.5}, {0.5, 0.4}, fixed);
     ASSERT_GT(worst_excess(small.mesh), 0);
     const Everything before(small.mesh);
-    std::uint64_t evaluations = 0;
-    EXPECT_FALSE(place_jointly(small.mesh, 0, evaluations));
+    const JointMove move = place_jointly(small.mesh, 0);
+    EXPECT_FALSE(move.has_moved);
     EXPECT_TRUE(Everything(small.mesh) == before);
-    EXPECT_EQ(evaluations, 0U);
+    EXPECT_EQ(move.evaluations, 0U);
   }
 }
 
@@ -101,8 +103,7 @@ TEST(Joint, LeavesWhatMeetsTheGoal) {
   SmallMesh small = two_stars(goal_of(120, 0), kSquares, {-1, 0}, {1, 0});
   ASSERT_LE(worst_excess(small.mesh), 0);
   const Everything before(small.mesh);
-  std::uint64_t evaluations = 0;
-  EXPECT_FALSE(place_jointly(small.mesh, 0, evaluations));
+  EXPECT_FALSE(place_jointly(small.mesh, 0).has_moved);
   EXPECT_TRUE(Everything(small.mesh) == before);
 }
 

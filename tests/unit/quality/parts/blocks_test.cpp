@@ -198,10 +198,10 @@ TEST(Blocks, RandomRegionsInTinyBlocks) {
     Options options;
     if (k % 3 == 1) options.couplings = Couplings::last;
     if (k % 3 == 2) options.effort = Effort::fast;
-    RegionMesh mesh = quality_region(boundary, options, {}, {{}, 12});
+    RegionMesh mesh = quality_region(boundary, options, {}, {{}, 12}).mesh;
     RegionMesh other;
     with_team(4, [&](const Team& team) {
-      other = quality_region(boundary, options, {}, {team, 12});
+      other = quality_region(boundary, options, {}, {team, 12}).mesh;
     });
     EXPECT_EQ(mesh.triangles, other.triangles) << region.kind;
     EXPECT_EQ(mesh.steiner, other.steiner) << region.kind;

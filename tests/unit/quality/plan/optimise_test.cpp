@@ -14,7 +14,7 @@ TEST(Optimise, MeetsTheGoalOnASmoothStar) {
   const RegionBoundary boundary = smooth_star(500);
   MutableMesh mesh = cdt_mesh(boundary);
   Budget budget = large_budget();
-  const Merit merit = optimise(mesh, default_goal(), budget);
+  const Merit merit = optimise(mesh, default_goal(), budget).merit;
   expect_sound(mesh, boundary);
   EXPECT_EQ(merit.above, 0u);
   EXPECT_DOUBLE_EQ(merit.large, default_goal().large);
@@ -27,7 +27,7 @@ TEST(Optimise, MeetsRightAnglesOnASmoothStar) {
   const Goal goal = Goal::of(Angle::degrees(90), Angle::degrees(20));
   MutableMesh mesh = cdt_mesh(boundary);
   Budget budget{1'500'000, {}, false};  // three times what it takes
-  const Merit merit = optimise(mesh, goal, budget);
+  const Merit merit = optimise(mesh, goal, budget).merit;
   expect_sound(mesh, boundary);
   EXPECT_EQ(merit.missed, 0u);
   EXPECT_LT(merit.triangles, 6 * 2000u);

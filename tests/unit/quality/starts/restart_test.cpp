@@ -27,18 +27,17 @@ TEST(Restart, TheBestIsNoWorseAndKeepsTheCeiling) {
       {{{0, 0}, {9.08, -4.23}, {34.98, 5.61}, {33.54, 16.78}, {24.91, 25.02}, {21.82, 25.77}}});
   const MutableMesh mesh = cdt_mesh(boundary);
   const Merit before = merit_of(mesh, default_goal());
-  Merit merit = before;
   Budget budget{1'000'000, {}};
-  const MutableMesh best = best_restart(mesh, default_goal(), before.large, merit, budget);
+  const auto [best, merit] = best_restart(mesh, before, default_goal(), before.large, budget);
   expect_sound(best, boundary);
   EXPECT_TRUE(is_better(merit, before));
   EXPECT_FALSE(is_better(merit, merit_of(best, default_goal())));
   EXPECT_LT(budget.left, 1'000'000u);
 
-  merit = before;
   const double none = default_goal().large - 1;
-  EXPECT_EQ(best_restart(mesh, default_goal(), none, merit, budget).points, mesh.points);
-  EXPECT_EQ(merit.large, before.large);
+  const Restarted same = best_restart(mesh, before, default_goal(), none, budget);
+  EXPECT_EQ(same.mesh.points, mesh.points);
+  EXPECT_EQ(same.merit.large, before.large);
 }
 
 }  // namespace
