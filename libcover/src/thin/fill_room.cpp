@@ -94,8 +94,8 @@ class RoomFiller {
   const HalfDiscRoom& room_;
   Random random_;
   std::map<std::array<Point, 3>, std::vector<Point>> found_;  ///< by the corners on a circle
-  std::vector<std::uint32_t> first_;  ///< gravely bad at first
-  int circles_ = 0;                   ///< searched so far
+  std::vector<std::uint32_t> first_;                          ///< gravely bad at first
+  int circles_ = 0;                                           ///< searched so far
   bool is_hopeless_ = false;
 };
 
