@@ -258,7 +258,13 @@ Input vast_range(Dice& dice) {
   return input;
 }
 
-class RandomSoup : public ::testing::TestWithParam<Input (*)(Dice&)> {};
+struct Kind {
+  const char* name;
+  Input (*make)(Dice&);
+};
+void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
+
+class RandomSoup : public ::testing::TestWithParam<Kind> {};
 
 TEST_P(RandomSoup, BecomesAPslg) {
   const std::uint64_t seed = testing::test_seed(21);
@@ -266,7 +272,7 @@ TEST_P(RandomSoup, BecomesAPslg) {
   Dice dice{std::mt19937_64(seed)};
   for (std::uint64_t k = 0; k < soup_count(); ++k) {
     SCOPED_TRACE("soup " + std::to_string(k));
-    const auto out = clean(GetParam()(dice));
+    const auto out = clean(GetParam().make(dice));
     if (!out) {
       // No other reason to refuse a soup: seeds at random may contradict it, vast ones be too vast.
       const std::set<ErrorCode> right{ErrorCode::nothing_enclosed, ErrorCode::seed_in_void,
@@ -279,11 +285,17 @@ TEST_P(RandomSoup, BecomesAPslg) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, RandomSoup,
-                         ::testing::Values(&crossing_segments, &grid_segments, &grid_rectangles,
-                                           &near_rectangles, &wild_rings, &collinear_segments,
-                                           &near_segments, &pencil, &twisted_rings, &mixture,
-                                           &vast_range, &pencil_of_triangles, &lattice_of_doubles));
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, RandomSoup,
+    ::testing::Values(
+        Kind{"crossing_segments", &crossing_segments}, Kind{"grid_segments", &grid_segments},
+        Kind{"grid_rectangles", &grid_rectangles}, Kind{"near_rectangles", &near_rectangles},
+        Kind{"wild_rings", &wild_rings}, Kind{"collinear_segments", &collinear_segments},
+        Kind{"near_segments", &near_segments}, Kind{"pencil", &pencil},
+        Kind{"twisted_rings", &twisted_rings}, Kind{"mixture", &mixture},
+        Kind{"vast_range", &vast_range}, Kind{"pencil_of_triangles", &pencil_of_triangles},
+        Kind{"lattice_of_doubles", &lattice_of_doubles}),
+    [](const auto& test) { return test.param.name; });
 
 TEST(Soup, SizesOfPolygons) {
   Input input;
