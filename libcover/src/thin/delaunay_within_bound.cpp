@@ -96,9 +96,9 @@ std::optional<MendedMesh> mend_nearby(const RegionBoundary& boundary, const Regi
   if (!wanted) return {};
   const ConformingMesh before = mutable_mesh(boundary, mesh);
   MeshWithUndo mending(before, *std::move(wanted));
-  const bool only_sides = is_sound(mesh.report) && mesh.layer_triangles == 0;
-  const std::uint64_t places = only_sides ? effort.places_per_side : effort.places_per_angle;
-  mend_mesh(mending, {0, 0, places, kMostPlaces, stop});
+  const std::uint64_t for_sides =
+      mesh.layer_triangles == 0 ? effort.places_per_side : effort.places_per_angle;
+  mend_mesh(mending, {0, 0, effort.places_per_angle, kMostPlaces, stop}, for_sides);
   if (mending.grave() > 0) return {};
   return taken_if_better(boundary, mesh, before, mending);
 }
@@ -138,7 +138,7 @@ std::vector<std::uint32_t> encroaching(const MeshWithUndo& mesh, const RegionBou
 /// Takes away what encroaches free sides, or all vertices inside, and puts others where that leaves
 /// angles beyond the bound.
 std::optional<MendedMesh> mend_with_room(const RegionBoundary& boundary, const RegionMesh& mesh,
-                                         const std::stop_token& stop) {
+                                         int most_circles, const std::stop_token& stop) {
   std::optional<std::vector<WantedAngles>> wanted = wanted_angles(mesh);
   if (!wanted || mesh.layer_vertices > 0 || boundary.sides.size() > kFewSides ||
       mesh.report.box.negative_given_up > kFewGivenUp)
@@ -163,7 +163,7 @@ std::optional<MendedMesh> mend_with_room(const RegionBoundary& boundary, const R
       for (const std::uint32_t v : gone) went = went && mending.remove(v);
       gone = encroaching(mending, boundary, is_free);
     }
-    if (!went || !fill_room(mending, room, 0, stop)) continue;
+    if (!went || !fill_room(mending, room, 0, most_circles, stop)) continue;
     std::optional<MendedMesh> mended = taken_if_better(boundary, mesh, before, mending);
     if (mended) return mended;
   }
@@ -187,13 +187,13 @@ std::optional<MendedMesh> mend_couplings_within_bound(const RegionBoundary& boun
     if (more) mended = std::move(more);
   };
   // Few places first, then room, which is looked for in order; many places are the last resort.
-  const bool may_be_short = effort.looks_for_room && mesh.layer_vertices == 0;
+  const bool may_be_short = effort.circles_with_room > 0 && mesh.layer_vertices == 0;
   MendEffort first = effort;
   if (may_be_short)
     first.places_per_side = std::min(effort.places_per_side, MendEffort::kFewPlaces);
   take(mend_nearby(boundary, mesh, stop, first));
-  if (is_done() || !effort.looks_for_room || !is_sound(now().report)) return mended;
-  take(mend_with_room(boundary, now(), stop));
+  if (is_done() || effort.circles_with_room == 0 || !is_sound(now().report)) return mended;
+  take(mend_with_room(boundary, now(), effort.circles_with_room, stop));
   if (is_done() || first.places_per_side == effort.places_per_side) return mended;
   take(mend_nearby(boundary, now(), stop, effort));
   return mended;

@@ -74,17 +74,19 @@ class Thinner {
     return thinned;
   }
 
-  Thinned run_on_grave_ones() {
+  Thinned run_on_grave_ones(std::uint64_t places_per_sign) {
     Thinned thinned{mesh_.bad(), 0};
-    left_ = places_to_mend();
+    left_ = std::min<std::uint64_t>(
+        effort_.places_to_mend_at_most,
+        effort_.places_per_bad * mesh_.grave() + places_per_sign * (mesh_.bad() - mesh_.grave()));
     for (std::size_t before = mesh_.grave() + 1; mesh_.grave() < before && !is_over();) {
       before = mesh_.grave();
       for (std::uint32_t t = 0; t < mesh_.triangles().size() && !is_over(); ++t) {
-        if (is_grave(t)) mend_one(t);
+        if (is_grave(t)) mend_one(t, places_per_sign);
       }
     }
     for (std::uint32_t t = 0; t < mesh_.triangles().size() && !is_over(); ++t) {
-      if (is_bad_by_a_movable(t)) mend_one(t);
+      if (is_bad_by_a_movable(t)) mend_one(t, places_per_sign);
     }
     thinned.bad = mesh_.bad();
     return thinned;
@@ -220,7 +222,7 @@ class Thinner {
 
   /// A triangle that is gravely bad at least becomes one with a wrong sign of a coupling at a
   /// piece.
-  void mend_one(std::uint32_t t) {
+  void mend_one(std::uint32_t t, std::uint64_t places_per_sign) {
     const std::size_t before = mesh_.bad(), grave = is_grave(t) ? 1 : 0;
     most_grave_ = mesh_.grave() - grave;
     focus_ = t;
@@ -235,7 +237,8 @@ class Thinner {
             k < kFew ? repair(allowed, kMore[k], 12 + 6 * kMore[k]) : take_away_around(t, allowed);
         if (!mended) mesh_.undo(0);
       }
-      mended = mended || make_anew(t, allowed);
+      mended =
+          mended || make_anew(t, allowed, more == 0 ? places_per_sign : effort_.places_per_bad);
     }
     keep();
     focus_ = kNone;
@@ -247,7 +250,7 @@ class Thinner {
     const std::size_t allowed = mesh_.bad() - 1;
     most_grave_ = mesh_.grave();
     focus_ = t;
-    if (!drive_out(allowed)) make_anew(t, allowed);
+    if (!drive_out(allowed)) make_anew(t, allowed, effort_.places_per_bad);
     keep();
   }
 
@@ -288,9 +291,9 @@ class Thinner {
   }
 
   /// Takes some vertices near a triangle away and puts others there, many times.
-  bool make_anew(std::uint32_t t, std::size_t allowed) {
+  bool make_anew(std::uint32_t t, std::size_t allowed, std::uint64_t most_places) {
     const std::array<std::uint32_t, 3> corners = mesh_.triangles()[t].v;
-    const std::uint64_t spent = left_ - std::min(left_, effort_.places_per_bad);
+    const std::uint64_t spent = left_ - std::min(left_, most_places);
     while (left_ > spent && !is_over()) {
       spares_.clear();
       starts_.clear();
@@ -662,8 +665,8 @@ Thinned mend_what_is_left(MeshWithUndo& mesh, const ThinEffort& effort) {
   return Thinner(mesh, effort).run_on_what_is_left();
 }
 
-Thinned mend_mesh(MeshWithUndo& mesh, const ThinEffort& effort) {
-  return Thinner(mesh, effort).run_on_grave_ones();
+Thinned mend_mesh(MeshWithUndo& mesh, const ThinEffort& effort, std::uint64_t places_per_sign) {
+  return Thinner(mesh, effort).run_on_grave_ones(places_per_sign);
 }
 
 }  // namespace cover

@@ -15,8 +15,7 @@ namespace {
 
 constexpr int kAttempts = 30;
 constexpr int kMostAdded = 10;            ///< by an attempt
-constexpr int kMostCircles = 120;         ///< in all
-constexpr std::size_t kPlacesTried = 64;  ///< for a vertex
+constexpr std::size_t kPlacesTried = 32;  ///< for a vertex
 constexpr double kNoise =
     0.4;  ///< of costs, for other ways than the first one; a bad triangle is 0.4
 
@@ -28,9 +27,9 @@ class RoomFiller {
     }
   }
 
-  bool run(std::size_t most_grave, const std::stop_token& stop) {
+  bool run(std::size_t most_grave, int most_circles, const std::stop_token& stop) {
     for (int k = 0;
-         k < kAttempts && !is_hopeless_ && circles_ < kMostCircles && !stop.stop_requested(); ++k) {
+         k < kAttempts && !is_hopeless_ && circles_ < most_circles && !stop.stop_requested(); ++k) {
       int added = 0;
       while (mesh_.grave() > most_grave && added < kMostAdded && add(k == 0 ? 0 : kNoise)) ++added;
       if (mesh_.grave() <= most_grave) {
@@ -102,9 +101,9 @@ class RoomFiller {
 }  // namespace
 
 bool fill_room(MeshWithUndo& mesh, const HalfDiscRoom& room, std::size_t most_grave,
-               const std::stop_token& stop) {
+               int most_circles, const std::stop_token& stop) {
   mesh.keep();
-  return RoomFiller(mesh, room).run(most_grave, stop);
+  return RoomFiller(mesh, room).run(most_grave, most_circles, stop);
 }
 
 }  // namespace cover

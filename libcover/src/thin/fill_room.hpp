@@ -16,8 +16,8 @@ namespace cover {
 /// afar ends.
 /// REQUIRES: `room` is of the region of the mesh, the only one
 /// ENSURES: the same mesh for the same input, whatever the machine
-/// Cost:    up to 120 searches for room; one, where a proof says that there is none
+/// Cost:    `most_circles` searches for room and 9 more; one, where a proof says that there is none
 bool fill_room(MeshWithUndo& mesh, const HalfDiscRoom& room, std::size_t most_grave,
-               const std::stop_token& stop);
+               int most_circles, const std::stop_token& stop);
 
 }  // namespace cover

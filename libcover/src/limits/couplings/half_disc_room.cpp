@@ -31,7 +31,7 @@ namespace {
 constexpr double kMargin = 1e-9;    ///< of lengths: far more than rounding makes
 constexpr double kFlattest = 1e-5;  ///< of triangles, twice their area in parts of squared lengths
 constexpr int kLevels = 14;         ///< of division
-constexpr int kFirstLevel = 6;      ///< from it on places are looked for
+constexpr int kFirstLevel = 4;      ///< from it on places are looked for
 constexpr std::size_t kMostBoxes = 24'000;  ///< of one level, and in all for a circle,
 constexpr std::size_t kLeastBoxes = 300;    ///< but fewer
 constexpr std::size_t kMostWork = 500'000;  ///< where there are many sides, which each box asks
