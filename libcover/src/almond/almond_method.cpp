@@ -102,7 +102,7 @@ class AlmondMethod {
     if (!remainder.chords.empty()) {
       std::vector<std::uint32_t> vertex = std::move(remainder.vertex);
       const std::vector<std::uint32_t> arc_chord = std::move(remainder.arc_chord);
-      RemainderFill fill(std::move(remainder), plan_, rule_.nu, stop_);
+      RemainderFill fill(std::move(remainder), plan_, memory_, rule_.nu, stop_);
       std::vector<std::uint32_t> sleeping;
       for (const std::uint32_t c : fill.refine()) {
         const std::uint32_t k = layer.chords[arc_chord[c]].almond;
@@ -348,6 +348,7 @@ class AlmondMethod {
   const AlmondInput& input_;
   const CutRule& rule_;
   const FillPlan& plan_;
+  FillMemory memory_;
   const std::stop_token& stop_;
   std::vector<Almond> almonds_;
   using Cut = std::array<std::uint32_t, 2>;

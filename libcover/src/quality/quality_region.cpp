@@ -32,10 +32,10 @@ constexpr std::size_t kMostHandedOver = 10'000;  ///< points of a region whose p
 class RegionWork {
  public:
   RegionWork(const RegionBoundary& boundary, const Options& options, const std::stop_token& stop,
-             bool shifted, const Sharing& sharing)
+             bool shifted, const Sharing& sharing, std::optional<RegionMesh> almonds)
       : boundary_(boundary),
         options_(options),
-        candidates_(boundary, options, stop, shifted, sharing) {}
+        candidates_(boundary, options, stop, shifted, sharing, std::move(almonds)) {}
 
   /// ENSURES: no triangles if rounding on the way back to the plane turned one over, or the run is
   ///          to stop
@@ -64,6 +64,7 @@ class RegionWork {
     if (boundary_.points.size() > kMostHandedOver) return nullptr;
     return candidates_.take_proof();
   }
+  [[nodiscard]] std::optional<RegionMesh> take_almonds() { return candidates_.take_almonds(); }
   [[nodiscard]] bool is_shifted() const { return candidates_.frame().is_shifted(); }
 
  private:
@@ -168,12 +169,16 @@ class RegionWork {
 }  // namespace
 
 ProvenMesh quality_region(const RegionBoundary& boundary, const Options& options,
-                          const std::stop_token& stop, const Sharing& sharing) {
-  RegionWork shifted(boundary, options, stop, true, sharing);
+                          const std::stop_token& stop, const Sharing& sharing,
+                          std::optional<RegionMesh> almonds) {
+  RegionWork shifted(boundary, options, stop, true, sharing, std::move(almonds));
   ProvenMesh out{shifted.run()};
   out.proof = shifted.take_proof();
+  out.almonds = shifted.take_almonds();
   if (out.mesh.triangles.empty() && shifted.is_shifted() && !stop.stop_requested()) {
-    out.mesh = RegionWork(boundary, options, stop, false, sharing).run();
+    RegionWork in_the_plane(boundary, options, stop, false, sharing, std::move(out.almonds));
+    out.mesh = in_the_plane.run();
+    out.almonds = in_the_plane.take_almonds();
   }
   return out;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <stop_token>
 
 #include <cover/options.hpp>
@@ -18,6 +19,7 @@ namespace cover {
 struct ProvenMesh {
   RegionMesh mesh;
   std::unique_ptr<RegionProof> proof{};  ///< none: the region is large, or nobody made one
+  std::optional<RegionMesh> almonds{};   ///< what almond_region() made of it, if that was asked
 };
 
 /// Triangulates one region without putting a vertex on its boundary, with its largest angle near
@@ -27,8 +29,10 @@ struct ProvenMesh {
 ///          a part of a region. Without sizes, by Order no worse than the constrained Delaunay
 ///          triangulation and than all that the steps of the plan which ran compared with it.
 ///          RegionMesh::report::notes says which targets were missed, where and why.
+/// `almonds` is what almond_region() made of the region, where it was asked already.
 /// Threads: pure function of its arguments, but for the team, on which nothing depends.
 ProvenMesh quality_region(const RegionBoundary& boundary, const Options& options,
-                          const std::stop_token& stop, const Sharing& sharing = {});
+                          const std::stop_token& stop, const Sharing& sharing = {},
+                          std::optional<RegionMesh> almonds = {});
 
 }  // namespace cover

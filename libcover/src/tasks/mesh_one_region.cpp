@@ -52,9 +52,10 @@ struct Attempt : ProvenMesh {
   std::optional<BoundaryFault> fault{};
 };
 
-Attempt attempt(RegionMethod method, const RegionBoundary& boundary, const Options& options,
-                const std::stop_token& stop, const Team& team) {
-  Attempt out{method(boundary, options, stop, team)};
+/// What a method made of the region, measured, and its fault.
+Attempt judged(ProvenMesh made, const RegionBoundary& boundary, const std::stop_token& stop,
+               const Team& team) {
+  Attempt out{std::move(made)};
   if (stop.stop_requested()) return out;
   RegionMesh& mesh = out.mesh;
   const std::vector<Point> points = all_points(boundary, mesh);
@@ -87,6 +88,11 @@ Attempt attempt(RegionMethod method, const RegionBoundary& boundary, const Optio
   }
   if (out.fault || !measures_ahead) fill_report(boundary, mesh, team);
   return out;
+}
+
+Attempt attempt(RegionMethod method, const RegionBoundary& boundary, const Options& options,
+                const std::stop_token& stop, const Team& team) {
+  return judged(method(boundary, options, stop, team), boundary, stop, team);
 }
 
 ProvenMesh by_quality(const RegionBoundary& boundary, const Options& options,
@@ -165,10 +171,15 @@ ProvenMesh mesh_region(const RegionBoundary& boundary, const Options& options,
   const bool promised = CutRule{options.paper, options.pieces}.promises_bound();
   const bool will_do =
       !first.fault && (first.mesh.report.bound_held || !promised || boundary.is_part);
-  if (stop.stop_requested() || will_do) return std::move(first);
-  Attempt other = attempt(quality ? by_almonds : by_quality, boundary, options, stop, team);
+  if (stop.stop_requested() || will_do) return first;
+  const auto by_the_other = [&]() -> ProvenMesh {
+    if (!quality) return quality_region(boundary, options, stop, {team}, first.mesh);
+    if (first.almonds) return {*std::exchange(first.almonds, std::nullopt)};
+    return by_almonds(boundary, options, stop, team);
+  };
+  Attempt other = judged(by_the_other(), boundary, stop, team);
   other.proof = std::move(first.proof);
-  if (stop.stop_requested()) return std::move(other);
+  if (stop.stop_requested()) return other;
   if (first.fault && other.fault) {
     Attempt plain = attempt(plain_region, boundary, options, stop, team);
     if (plain.fault) throw InternalFault(plain.fault->what, std::move(plain.fault->where));
@@ -177,16 +188,16 @@ ProvenMesh mesh_region(const RegionBoundary& boundary, const Options& options,
     plain.mesh.report.notes.push_back(
         note_of_fallback(boundary, other, second, "constrained Delaunay triangulation"));
     plain.proof = std::move(other.proof);
-    return std::move(plain);
+    return plain;
   }
   if (!first.fault && (other.fault || other.mesh.report.quality.largest_nu <=
                                           first.mesh.report.quality.largest_nu)) {
     first.proof = std::move(other.proof);
-    return std::move(first);
+    return first;
   }
   other.mesh.report.notes.push_back(
       note_of_fallback(boundary, first, asked, fmt::format("{} method", second)));
-  return std::move(other);
+  return other;
 }
 
 /// What the methods leave of negative couplings that are not forced: mostly where only the almond
@@ -224,11 +235,12 @@ ProvenMesh mesh_with_its_layers(const RegionBoundary& boundary, const Options& o
 RegionMesh mesh_one_region(const RegionBoundary& boundary, const Options& options,
                            const std::stop_token& stop, const Team& team) {
   const StageClock clock;
-  auto [mesh, proof] = mesh_with_its_layers(boundary, options, stop, team);
+  ProvenMesh made = mesh_with_its_layers(boundary, options, stop, team);
+  RegionReport& report = made.mesh.report;
   if (!stop.stop_requested())
-    mesh.report.limits = limits_of(boundary, mesh, options, team, std::move(proof));
-  mesh.report.seconds = clock.seconds();
-  return mesh;
+    report.limits = limits_of(boundary, made.mesh, options, team, std::move(made.proof));
+  report.seconds = clock.seconds();
+  return std::move(made.mesh);
 }
 
 }  // namespace cover

@@ -60,7 +60,7 @@ TEST(QualityRegion, LeavesAGoodTriangleAlone) {
 TEST(QualityRegion, HandsOverItsTriangulationWithWhatWasProven) {
   const RegionBoundary boundary =
       boundary_of({{{100, 50}, {101, 50}, {101, 50.0625}, {100.5, 50.125}, {100, 50.5}}});
-  const auto [mesh, proof] = quality_region(boundary, {}, {});
+  const auto [mesh, proof, almonds] = quality_region(boundary, {}, {});
   ASSERT_FALSE(mesh.report.notes.empty());
   ASSERT_TRUE(proof);
   const Triangulation& cdt = proof->cdt();

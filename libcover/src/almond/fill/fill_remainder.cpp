@@ -25,10 +25,11 @@ std::vector<std::vector<std::uint32_t>> members_of_parts(const Triangulation& cd
 
 }  // namespace
 
-RemainderFill::RemainderFill(Remainder remainder, const FillPlan& plan, double nu,
-                             std::stop_token stop)
+RemainderFill::RemainderFill(Remainder remainder, const FillPlan& plan, FillMemory& memory,
+                             double nu, std::stop_token stop)
     : r_(std::move(remainder)),
       plan_(plan),
+      memory_(memory),
       nu_(nu),
       stop_(std::move(stop)),
       known_(r_.cdt.points.size()) {}
@@ -87,7 +88,7 @@ void RemainderFill::fill_part(std::span<const std::uint32_t> members) {
   std::size_t which = plan_.fillers.size();
   bool held = false;
   for (std::size_t i = 0; i < plan_.fillers.size() && !held; ++i) {
-    Filling filling = plan_.fillers[i]->fill(part.task, stop_);
+    Filling filling = memory_.filling(*plan_.fillers[i], i, part.task, stop_);
     if (filling.triangles.empty()) continue;
     std::vector<Point> points = part.task.points;
     points.insert(points.end(), filling.added.begin(), filling.added.end());

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "almond/fill/fill_memory.hpp"
 #include "almond/fill/remainder.hpp"
 
 namespace cover {
@@ -37,8 +38,9 @@ struct FilledRemainder {
 /// coordinates.
 class RemainderFill {
  public:
-  /// `plan` outlives this object.
-  RemainderFill(Remainder remainder, const FillPlan& plan, double nu, std::stop_token stop);
+  /// `plan` and `memory` outlive this object.
+  RemainderFill(Remainder remainder, const FillPlan& plan, FillMemory& memory, double nu,
+                std::stop_token stop);
 
   /// The first step, if the plan has it: refines the whole remainder.
   /// Returns the locked chords that kept a triangle from the bound; none if the bound holds.
@@ -59,6 +61,7 @@ class RemainderFill {
 
   Remainder r_;
   const FillPlan& plan_;
+  FillMemory& memory_;
   double nu_;
   std::stop_token stop_;
   std::size_t known_;  ///< vertices before refinement

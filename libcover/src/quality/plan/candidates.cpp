@@ -51,8 +51,10 @@ Goal goal_of(const Options& options, const AngleLimit& limit) {
 }  // namespace
 
 Candidates::Candidates(const RegionBoundary& boundary, const Options& options,
-                       const std::stop_token& stop, bool shifted, const Sharing& sharing)
+                       const std::stop_token& stop, bool shifted, const Sharing& sharing,
+                       std::optional<RegionMesh> almonds)
     : boundary_(boundary),
+      almonds_(std::move(almonds)),
       options_(options),
       sharing_(sharing),
       frame_(frame_of(boundary, shifted)),
@@ -234,8 +236,9 @@ Candidate Candidates::searched(const Candidate& from, const Goal& aim, std::uint
   return measured(std::move(further));
 }
 
-Candidate Candidates::from_almonds() const {
-  const RegionMesh almond = almond_region(boundary_, options_, budget_.stop);
+Candidate Candidates::from_almonds() {
+  if (!almonds_) almonds_ = almond_region(boundary_, options_, budget_.stop);
+  const RegionMesh& almond = *almonds_;
   if (find_fault({all_points(boundary_, almond), almond.triangles, boundary_.sides,
                   boundary_.segments, boundary_.points.size()}))
     return {};  // stopped, or broken by rounding

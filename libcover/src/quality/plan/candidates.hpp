@@ -22,6 +22,7 @@
 #include "target/angle_limit.hpp"
 #include "target/goal.hpp"
 #include "target/local_frame.hpp"
+#include "target/region_mesh.hpp"
 
 namespace cover {
 
@@ -37,9 +38,11 @@ struct Candidate {
 /// restarts and searches of single triangles have budgets of their own.
 class Candidates {
  public:
+  /// `almonds` is what almond_region() made of the region, where it was asked already.
+  ///
   /// REQUIRES: `boundary` and `options` outlive this object
   Candidates(const RegionBoundary& boundary, const Options& options, const std::stop_token& stop,
-             bool shifted, const Sharing& sharing = {});
+             bool shifted, const Sharing& sharing = {}, std::optional<RegionMesh> almonds = {});
   Candidates(const Candidates&) = delete;
   Candidates& operator=(const Candidates&) = delete;
 
@@ -101,7 +104,7 @@ class Candidates {
                                    std::uint64_t each) const;
   /// The almond method's triangulation: it carries the proof of promise 3. Empty if the run is to
   /// stop.
-  [[nodiscard]] Candidate from_almonds() const;
+  [[nodiscard]] Candidate from_almonds();
   /// With its inner edges flipped until none has a negative coupling, if these count.
   [[nodiscard]] Candidate coupled(Candidate c) const;
   /// What `find` makes when it aims at another goal, with half the budget of a region.
@@ -142,6 +145,8 @@ class Candidates {
   /// The region's constrained Delaunay triangulation and what was proven by it, handed over:
   /// nothing else is asked of these candidates from then on.
   [[nodiscard]] std::unique_ptr<RegionProof> take_proof() { return std::move(proof_); }
+  /// What the almond method made of the region in the plane, if it was asked, handed over likewise.
+  [[nodiscard]] std::optional<RegionMesh> take_almonds() { return std::move(almonds_); }
   /// Whether improving `start` may lead to something better than `best`: it is better already, or
   /// the region is so small that it can be tried in any case.
   [[nodiscard]] bool is_promising(const Candidate& start, const Candidate& best) const;
@@ -154,6 +159,7 @@ class Candidates {
   [[nodiscard]] Candidate measured(Candidate c) const;
 
   const RegionBoundary& boundary_;
+  std::optional<RegionMesh> almonds_;  ///< what almond_region() made, once asked
   const Options& options_;
   Sharing sharing_;
   LocalFrame frame_;
