@@ -32,8 +32,10 @@ constexpr int kInVain = 2;
 /// best one, are of no use for any target: where no double has room, each cut forces further ones.
 constexpr int kInVainForAll = 2;
 constexpr std::size_t kFarMore = 2;
-constexpr std::size_t kMostPoints = 4;  ///< times those at first: then there are no more rounds
-constexpr std::size_t kMostCut = 16;    ///< times those at first: a round is given up
+/// Of so many points at first one such round is enough: each takes longer than all before it.
+constexpr std::size_t kVeryMany = 10'000;
+constexpr std::size_t kMostPoints = 4;  ///< times those at first: then there are no more rounds,
+                                        ///< and one that makes more is given up
 /// So many new points for each triangle that is left are too many as well. Drawings take one or
 /// two; in a layer thousands of times as long as thick, each half cuts what faces it, all along.
 constexpr std::size_t kMostCutForOne = 32;
@@ -157,12 +159,13 @@ Status cut_until_met(Work& work, const Options& options, const Callbacks& callba
     if (now.work.pslg.points.size() < kFewPoints) return false;
     const auto above = static_cast<double>(now.left.above);
     if (is_acute && above > kNearlyAll * static_cast<double>(now.triangles())) return true;
+    const int most_worse = points < kVeryMany ? kInVainForAll : 1;
     return now.left.above > kEverywhere * points ||
-           (in_vain >= kInVainForAll && now.left.above > kFarMore * best.left.above);
+           (in_vain >= most_worse && now.left.above > kFarMore * best.left.above);
   };
   const auto most_cut = [&] {
     const std::size_t for_all = now.work.pslg.points.size() + kMostCutForOne * now.left.above;
-    return std::max(std::min(kMostCut * points, for_all), kFewPoints);
+    return std::max(std::min(kMostPoints * points, for_all), kFewPoints);
   };
   for (int k = 0; k < kRounds && status && best.left.above > 0 && !is_of_no_use() &&
                   now.work.pslg.points.size() < kMostPoints * points;
