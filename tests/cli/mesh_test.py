@@ -392,6 +392,8 @@ class Files(Case):
             self.refuse(f'cannot write {words[-1]}: No such file or directory', 'mesh', 'd.poly', *words, code=5)
             self.refuse('No such file or directory', 'mesh', 'd.poly', *words, '--dry-run', code=5)
         self.refuse('Is a directory', 'mesh', 'd.poly', '-o', 'x.vtu', '--log', 'd', code=5)
+        self.refuse('Not a directory', 'mesh', 'd.poly', '-o', 'd.poly/x.vtu', code=5)
+        self.refuse('Not a directory', 'mesh', 'd.poly', '-o', 'x.vtu', '--report', 'd.poly/r.json', code=5)
         self.refuse('cannot write d.poly/x.vtu', 'mesh', 'd.poly', '-o', 'd.poly/x.vtu', code=5)
 
 

@@ -72,8 +72,9 @@ Status check_folder(const NamedFile& file) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) return failure(EISDIR);
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  // Asked first: a file that is no program is one that may not be entered.
+  if (fs::exists(folder, ignored) && !fs::is_directory(folder, ignored)) return failure(ENOTDIR);
   if (access(folder.c_str(), W_OK | X_OK) != 0) return failure(errno);
-  if (!fs::is_directory(folder, ignored)) return failure(ENOTDIR);
   return ok();
 }
 

@@ -121,14 +121,17 @@ class Builder : public DL_CreationAdapter {
 
   void addInsert(const DL_InsertData& d) override {
     if (!is_plane()) return;
+    // What lies on itself is drawn once.
+    const int columns = d.colSp == 0 ? 1 : std::max(1, d.cols);
+    const int rows = d.rowSp == 0 ? 1 : std::max(1, d.rows);
     DxfInsert insert{attributes.getLayer(),
                      d.name,
                      {d.ipx, d.ipy},
                      d.sx,
                      d.sy,
                      d.angle,
-                     std::max(1, d.cols),
-                     std::max(1, d.rows),
+                     columns,
+                     rows,
                      d.colSp,
                      d.rowSp,
                      is_mirrored()};

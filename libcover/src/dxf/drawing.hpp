@@ -63,7 +63,7 @@ struct DxfText {
   std::string text;
 };
 
-/// A block in a drawing or block, once or in rows and columns.
+/// A block in a drawing or block, once or in rows and columns that are apart.
 struct DxfInsert {
   std::string layer;
   std::string block;

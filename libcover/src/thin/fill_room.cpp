@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kAttempts = 30;
 constexpr int kMostAdded = 10;            ///< by an attempt
-constexpr std::size_t kPlacesTried = 32;  ///< for a vertex
+constexpr std::size_t kPlacesTried = 64;  ///< for a vertex
 constexpr double kNoise =
     0.4;  ///< of costs, for other ways than the first one; a bad triangle is 0.4
 

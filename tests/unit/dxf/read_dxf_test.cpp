@@ -178,6 +178,15 @@ TEST(ReadDxf, EllipsesAndSplines) {
   EXPECT_NEAR(area_of(spline, 0.5), 4.0 / 3, 1e-4);  // a parabola of height 1 over 2
 }
 
+TEST(ReadDxf, CopiesOnTheSamePlaceAreDrawnOnce) {
+  DxfWriter d;
+  d.begin_blocks().begin_block("bar", 0, 0).line("0", 0, 0, 1, 0).end_block().end_section();
+  d.begin_entities().insert("bar", "iron", {{10, 0}, {20, 0}, {71, 30000}});
+  d.insert("bar", "iron", {{10, 0}, {20, 1}, {70, 30000}, {71, 2}, {45, 3}});
+  const Input input = read(d.finish());
+  EXPECT_EQ(input.segments.size(), 3);
+}
+
 TEST(ReadDxf, BlocksAreMovedTurnedScaledAndMirrored) {
   DxfWriter d;
   d.begin_blocks().begin_block("tooth", 1, 0);
@@ -310,11 +319,12 @@ TEST(ReadDxf, BadFilesAreRefused) {
 TEST(ReadDxf, BombsAndLiesAreRefusedAtOnce) {
   DxfWriter array;
   array.begin_blocks().begin_block("a").circle("0", 0, 0, 1).end_block().end_section();
-  array.begin_entities().insert("a", "0", {{10, 0}, {70, 1000000000}, {71, 1000000000}});
+  const DxfWriter::Groups steps{{70, 1000000000}, {71, 1000000000}, {44, 1}, {45, 1}};
+  array.begin_entities().insert("a", "0", steps);
   EXPECT_NE(message(array.finish()).find("blocks make 1e+18 things"), std::string::npos);
   DxfWriter empty;
   empty.begin_blocks().begin_block("a").end_block().end_section();
-  empty.begin_entities().insert("a", "0", {{10, 0}, {70, 1000000000}, {71, 1000000000}});
+  empty.begin_entities().insert("a", "0", steps);
   EXPECT_NE(message(empty.finish()).find("blocks make 1e+18 things"), std::string::npos);
   DxfWriter nested;
   nested.begin_blocks().begin_block("b0").circle("0", 0, 0, 1).end_block();
