@@ -25,11 +25,21 @@ Key key_of(const SegmentSides& sides, const Segment& segment) {
   return low == kVoid ? Key{high, kVoid, segment.name} : Key{low, high, segment.name};
 }
 
+constexpr std::uint32_t kEnd = 0xffffffffU;
+constexpr std::uint32_t kSeveral = kEnd - 1;
+
+/// Steps that start and end at a vertex: one, none (kEnd) or kSeveral.
+struct StepsAtVertex {
+  std::uint32_t starts = kEnd, ends = kEnd;
+};
+using StepsAtVertices = std::vector<StepsAtVertex>;
+
 /// The segments of one interface in the order of its chains.
 class Chains {
  public:
+  /// `at` has no steps, before and after.
   Chains(const Pslg& pslg, const RegionTable& table, RegionId left,
-         std::span<const SegmentId> segments)
+         std::span<const SegmentId> segments, StepsAtVertices& at)
       : pslg_(pslg) {
     steps_.reserve(segments.size());
     for (const SegmentId s : segments) {
@@ -37,7 +47,7 @@ class Chains {
       const bool forward = table.sides[s.index()].left == left;
       steps_.push_back({forward ? segment.a : segment.b, forward ? segment.b : segment.a, s});
     }
-    link();
+    link(at);
   }
 
   /// First chains that have a beginning, then closed ones, each from its lowest point on.
@@ -69,7 +79,6 @@ class Chains {
     VertexId from, to;
     SegmentId segment;
   };
-  static constexpr std::uint32_t kEnd = 0xffffffffU;
 
   [[nodiscard]] bool is_before(std::uint32_t j, std::uint32_t k) const {
     const auto at = [this](VertexId v) { return pslg_.points[v.index()]; };
@@ -78,41 +87,25 @@ class Chains {
   }
 
   /// A step goes on in another where it alone ends and the other alone starts.
-  void link() {
-    struct End {
-      VertexId at;
-      std::uint32_t step;
-      auto operator<=>(const End&) const = default;
-    };
-    std::vector<End> starts, ends;
-    starts.reserve(steps_.size());
-    ends.reserve(steps_.size());
+  void link(StepsAtVertices& at) {
     for (std::uint32_t k = 0; k < steps_.size(); ++k) {
-      starts.push_back({steps_[k].from, k});
-      ends.push_back({steps_[k].to, k});
+      add(at[steps_[k].from.index()].starts, k);
+      add(at[steps_[k].to.index()].ends, k);
     }
-    std::sort(starts.begin(), starts.end());
-    std::sort(ends.begin(), ends.end());
     next_.assign(steps_.size(), kEnd);
     has_one_before_.assign(steps_.size(), false);
     used_.assign(steps_.size(), false);
-    const auto is_alone = [](const std::vector<End>& all, std::size_t k) {
-      return (k == 0 || all[k - 1].at != all[k].at) &&
-             (k + 1 == all.size() || all[k + 1].at != all[k].at);
-    };
-    for (std::size_t s = 0, e = 0; s < starts.size() && e < ends.size();) {
-      if (starts[s].at < ends[e].at) {
-        ++s;
-      } else if (ends[e].at < starts[s].at) {
-        ++e;
-      } else {
-        if (is_alone(starts, s) && is_alone(ends, e)) {
-          next_[ends[e].step] = starts[s].step;
-          has_one_before_[starts[s].step] = true;
-        }
-        ++s;
-      }
+    for (std::uint32_t k = 0; k < steps_.size(); ++k) {
+      const StepsAtVertex& here = at[steps_[k].to.index()];
+      if (here.ends != k || here.starts >= kSeveral) continue;
+      next_[k] = here.starts;
+      has_one_before_[here.starts] = true;
     }
+    for (const Step& step : steps_) at[step.from.index()] = at[step.to.index()] = {};
+  }
+
+  static void add(std::uint32_t& known, std::uint32_t step) {
+    known = known == kEnd ? step : kSeveral;
   }
 
   /// Chains from these steps on, which are put in order.
@@ -164,6 +157,7 @@ void build_interfaces(const Pslg& pslg, RegionTable& table) {
   }
   if (!std::is_sorted(keyed.begin(), keyed.end())) std::sort(keyed.begin(), keyed.end());
   std::vector<SegmentId> group;
+  StepsAtVertices at(pslg.points.size());
   for (std::size_t k = 0; k < keyed.size();) {
     const Key key = keyed[k].first;
     group.clear();
@@ -174,7 +168,7 @@ void build_interfaces(const Pslg& pslg, RegionTable& table) {
     line.name = name_of(pslg, table, key);
     line.left = key.left;
     line.right = key.right;
-    line.segments = Chains(pslg, table, key.left, group).in_order();
+    line.segments = Chains(pslg, table, key.left, group, at).in_order();
     for (const SegmentId s : line.segments) {
       const Segment& segment = pslg.segments[s.index()];
       line.length += length(pslg.points[segment.b.index()] - pslg.points[segment.a.index()]);

@@ -2,12 +2,21 @@
 #include "io/text/json/split_json.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cstddef>
 #include <system_error>
 #include <type_traits>
 
 namespace cover {
 namespace {
+
+/// By character: whether it opens or ends something. Between brackets nearly none does.
+constexpr auto kIsMark = [] {
+  std::array<bool, 256> is_mark{};
+  for (const unsigned char c : {'"', '{', '}', '[', ']'}) is_mark[c] = true;
+  return is_mark;
+}();
 
 /// Goes through a text from bracket to bracket. Every function is false where the text is none of
 /// JSON; some texts that are none pass.
@@ -66,8 +75,12 @@ class Scanner {
 
   bool pass_brackets() {
     std::size_t depth = 0;
-    while (at_ < text_.size()) {
-      const char c = text_[at_];
+    for (;;) {
+      const auto mark = std::find_if(text_.begin() + static_cast<std::ptrdiff_t>(at_), text_.end(),
+                                     [](char c) { return kIsMark[static_cast<unsigned char>(c)]; });
+      if (mark == text_.end()) return false;
+      at_ = static_cast<std::size_t>(mark - text_.begin());
+      const char c = *mark;
       if (c == '"') {
         if (!pass_string()) return false;
         continue;
@@ -76,7 +89,6 @@ class Scanner {
       if (c == '{' || c == '[') ++depth;
       if ((c == '}' || c == ']') && --depth == 0) return true;
     }
-    return false;
   }
 
   std::string_view text_;
