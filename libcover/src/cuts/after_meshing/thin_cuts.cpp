@@ -32,8 +32,13 @@ namespace {
 /// Angles that are kept as they are, in parts of themselves: no rounding makes them too small.
 constexpr double kSlack = 1 - 1e-9;
 
-/// Of smallest angles, where the last obtuse triangles are mended, in turn; 0: any.
-constexpr std::array kPartsForTheLast{0.2, 0.0};
+/// How the last obtuse triangles are mended, in turn.
+struct Last {
+  double part;          ///< of smallest angles, that is kept there; 0: none
+  std::uint64_t times;  ///< as many places for each
+  std::size_t most;     ///< if so many are left
+};
+constexpr std::array kLast{Last{0.2, 1, kNone}, Last{0, 1, kNone}, Last{0, 10, 6}};
 
 ThinEffort effort_of(Effort effort, std::size_t vertices) {
   switch (effort) {
@@ -48,10 +53,11 @@ ThinEffort effort_of(Effort effort, std::size_t vertices) {
 }
 
 /// For the last obtuse triangles: there are few, and each may be hard. With a ninth of it combs
-/// whose slits are a thousandth wide keep 50, 19 and 26 in place of 13, 7 and 6.
-ThinEffort effort_for_the_last(const ThinEffort& effort) {
+/// whose slits are a thousandth wide keep 50, 19 and 26 in place of 13, 7 and 6; with ten times as
+/// much in the end, where it is 6 or fewer, 0, 0 and 1 in place of 4, 6 and 2.
+ThinEffort effort_for_the_last(const ThinEffort& effort, const Last& last) {
   constexpr std::uint64_t kPlaces = 100'000;
-  return {0, 0, kPlaces, 3 * effort.places_to_mend_at_most, effort.stop};
+  return {0, 0, last.times * kPlaces, 3 * effort.places_to_mend_at_most, effort.stop};
 }
 
 bool touches_a_region(const SegmentSides& sides) {
@@ -297,11 +303,11 @@ class Thinning {
     effort.stop = stop;
     Thinned thinned = thin_mesh(mutable_mesh, effort);
     ConformingMesh result = mutable_mesh.result(mesh_);
-    for (const double part : kPartsForTheLast) {
-      if (thinned.bad == 0) break;
-      MeshWithUndo last(result, angles_for_the_last(result, part, angles));
-      thinned.bad = mend_what_is_left(last, effort_for_the_last(effort)).bad;
-      result = last.result(result);
+    for (const Last& last : kLast) {
+      if (thinned.bad == 0 || thinned.bad > last.most) continue;
+      MeshWithUndo mending(result, angles_for_the_last(result, last.part, angles));
+      thinned.bad = mend_what_is_left(mending, effort_for_the_last(effort, last)).bad;
+      result = mending.result(result);
     }
     trial.after = result.points.size() - first;
     trial.is_better = thinned.bad < thinned.bad_before ||
