@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <set>
 
@@ -22,10 +21,8 @@ Input read(const std::string& text, const ReadOptions& options = {}) {
 }
 
 std::string message(const std::string& text, const ReadOptions& options = {}) {
-  const auto start = std::chrono::steady_clock::now();
   const Result<Input> input = parse_dxf(text, "a.dxf", options);
   EXPECT_FALSE(input);
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
   return input ? "" : input.error().message;
 }
 
