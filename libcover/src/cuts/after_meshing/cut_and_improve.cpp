@@ -29,52 +29,65 @@ constexpr double kEnd = 0.01;             ///< of a side: no cut is nearer to it
 constexpr std::size_t kKicked = 5;        ///< trials that are kicked
 constexpr double kGain = 0.2;  ///< of its excess, that the worst triangle must win for a cut
 
+/// A side with the triangle that has it.
+struct SidePlace {
+  std::uint32_t side;
+  std::uint32_t triangle;
+  int edge;
+};
+
+/// Those of two sides that have a triangle; kNone is no side.
+std::vector<SidePlace> places_of(const MutableMesh& mesh, std::array<std::uint32_t, 2> sides) {
+  std::vector<SidePlace> places;
+  for (const std::uint32_t side : sides) {
+    if (side == kNone) continue;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto& n = mesh.triangles[t].n;
+      const auto edge = std::find(n.begin(), n.end(), kSideBit | side);
+      if (edge != n.end()) places.push_back({side, t, static_cast<int>(edge - n.begin())});
+    }
+  }
+  return places;
+}
+
+/// Whether both parts of the triangle are counter-clockwise if its side is cut at `p`.
+bool may_be_cut_at(const MutableMesh& mesh, const SidePlace& place, Point p) {
+  const Point apex = mesh.corner(place.triangle, place.edge);
+  const Point a = mesh.corner(place.triangle, next3(place.edge));
+  const Point b = mesh.corner(place.triangle, prev3(place.edge));
+  return orientation(apex, a, p) == Sign::positive && orientation(apex, p, b) == Sign::positive;
+}
+
+/// REQUIRES: may_be_cut_at() the place of `m`
+void cut_one_side(MutableMesh& mesh, const SidePlace& place, std::uint32_t m) {
+  const std::uint32_t t = place.triangle, t2 = mesh.add_triangle();
+  const auto corner = static_cast<std::size_t>(place.edge), a = (corner + 1) % 3,
+             b = (corner + 2) % 3;
+  const MeshTriangle old = mesh.triangles[t];
+  const auto side = static_cast<std::uint32_t>(mesh.sides.size());
+  mesh.sides.repeat(place.side);
+  mesh.allowances.push_back(mesh.allowances[place.side]);
+  mesh.triangles[t] = {{old.v[corner], old.v[a], m}, {kSideBit | place.side, t2, old.n[b]}};
+  mesh.triangles[t2] = {{old.v[corner], m, old.v[b]}, {kSideBit | side, old.n[a], t}};
+  mesh.link(old.n[a], old.v[b], old.v[corner], t2);
+  for (const std::uint32_t v : {old.v[corner], old.v[a], m}) mesh.home[v] = t;
+  mesh.home[old.v[b]] = t2;
+  mesh.measure(t);
+  mesh.measure(t2);
+}
+
 /// Cuts side `s` of `mesh`, and `r` on the other side of its segment (kNone: the void), at `m`, a
 /// fixed vertex without triangles. The parts at the starts of both keep their numbers, both parts
 /// what was allowed to the whole.
 ///
 /// ENSURES: false, and nothing has changed, if a triangle would not be counter-clockwise
 bool cut_side(MutableMesh& mesh, std::uint32_t s, std::uint32_t r, std::uint32_t m) {
-  const std::array<std::uint32_t, 2> both{s, r};
-  std::array<std::uint32_t, 2> at{kNone, kNone};
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (const std::uint32_t n : mesh.triangles[t].n) {
-      for (std::size_t k = 0; k < 2; ++k) {
-        if (both[k] != kNone && n == (kSideBit | both[k])) at[k] = t;
-      }
-    }
-  }
-  const auto edge_of = [&](std::size_t k) {
-    const auto& n = mesh.triangles[at[k]].n;
-    return static_cast<int>(std::find(n.begin(), n.end(), kSideBit | both[k]) - n.begin());
-  };
-  for (std::size_t k = 0; k < 2; ++k) {
-    if (at[k] == kNone) continue;
-    const int e = edge_of(k);
-    const Point c = mesh.corner(at[k], e), p = mesh.points[m];
-    if (orientation(c, mesh.corner(at[k], next3(e)), p) != Sign::positive ||
-        orientation(c, p, mesh.corner(at[k], prev3(e))) != Sign::positive) {
-      return false;
-    }
-  }
-  for (std::size_t k = 0; k < 2; ++k) {
-    if (at[k] == kNone) continue;
-    const int e = edge_of(k);
-    const std::uint32_t t = at[k], t2 = mesh.add_triangle();
-    const auto corner = static_cast<std::size_t>(e), a = static_cast<std::size_t>(next3(e)),
-               b = static_cast<std::size_t>(prev3(e));
-    const MeshTriangle old = mesh.triangles[t];
-    const auto side = static_cast<std::uint32_t>(mesh.sides.size());
-    mesh.sides.repeat(both[k]);
-    mesh.allowances.push_back(mesh.allowances[both[k]]);
-    mesh.triangles[t] = {{old.v[corner], old.v[a], m}, {kSideBit | both[k], t2, old.n[b]}};
-    mesh.triangles[t2] = {{old.v[corner], m, old.v[b]}, {kSideBit | side, old.n[a], t}};
-    mesh.link(old.n[a], old.v[b], old.v[corner], t2);
-    for (const std::uint32_t v : {old.v[corner], old.v[a], m}) mesh.home[v] = t;
-    mesh.home[old.v[b]] = t2;
-    mesh.measure(t);
-    mesh.measure(t2);
-  }
+  const std::vector<SidePlace> places = places_of(mesh, {s, r});
+  const Point p = mesh.points[m];
+  if (!std::all_of(places.begin(), places.end(),
+                   [&](const SidePlace& place) { return may_be_cut_at(mesh, place, p); }))
+    return false;
+  for (const SidePlace& place : places) cut_one_side(mesh, place, m);
   return true;
 }
 

@@ -46,6 +46,54 @@ std::vector<std::uint32_t> places_in(const std::vector<std::uint32_t>& order) {
   return place;
 }
 
+/// The Steiner vertices of all regions in the order of their coordinates.
+class SteinerOrder {
+ public:
+  explicit SteinerOrder(std::span<const RegionMesh> meshes) {
+    std::vector<Point> by_region;
+    for (const RegionMesh& mesh : meshes) {
+      before_.push_back(by_region.size());
+      by_region.insert(by_region.end(), mesh.steiner.begin(), mesh.steiner.end());
+    }
+    const std::vector<std::uint32_t> order = order_by_place(by_region);
+    points_ = in_order(by_region, order);
+    place_ = places_in(order);
+  }
+
+  [[nodiscard]] const std::vector<Point>& points() const { return points_; }
+  /// Where a region's own vertex `k` stands among all.
+  [[nodiscard]] std::uint32_t place_of(std::size_t region, std::size_t k) const {
+    return place_[before_[region] + k];
+  }
+
+ private:
+  std::vector<std::size_t> before_;  ///< by region: vertices of those before it
+  std::vector<Point> points_;
+  std::vector<std::uint32_t> place_;
+};
+
+IndexTriple from_the_lowest(IndexTriple triangle) {
+  std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+  return triangle;
+}
+
+/// By side, of the region alone.
+std::vector<SideLimit> limits_of(const RegionBoundary& boundary) {
+  const Triangulation cdt = triangulate_region(boundary.points, boundary.sides);
+  return side_limits(cdt, locate_sides(cdt, boundary.sides));
+}
+
+/// By segment: whether it may not be cut here, being periodic or the chord of an arc.
+std::vector<std::uint8_t> bound_segments(const Pslg& pslg) {
+  std::vector<std::uint8_t> is_bound(pslg.segments.size(), 0);
+  for (const SegmentPair& pair : pslg.periodic)
+    is_bound[pair.from.index()] = is_bound[pair.to.index()] = 1;
+  for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+    if (circle_of(pslg, pslg.segments[s]) != nullptr) is_bound[s] = 1;
+  }
+  return is_bound;
+}
+
 /// In the plane, where rounding is that of the coordinates that are written.
 bool is_obtuse(const std::array<Point, 3>& corners, const LocalFrame& frame) {
   const auto& [a, b, c] = corners;
@@ -60,57 +108,38 @@ JoinedRegions::JoinedRegions(const Pslg& pslg, std::span<const RegionBoundary> b
       by_place_(order_by_place(pslg.points)),
       frame_(in_order(pslg.points, by_place_)),
       points_(pslg.points.size()),
-      is_bound_(pslg.segments.size(), 0) {
-  for (const SegmentPair& pair : pslg.periodic)
-    is_bound_[pair.from.index()] = is_bound_[pair.to.index()] = 1;
-  for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
-    if (circle_of(pslg, pslg.segments[s]) != nullptr) is_bound_[s] = 1;
-  }
+      first_steiner_(2 * points_),  // room for as many cuts
+      is_bound_(bound_segments(pslg)) {
+  const SteinerOrder steiner(meshes);
   std::vector<Point> points = frame_.points();
-  points.resize(2 * points_);  // room for as many cuts
-  first_steiner_ = points.size();
-  std::vector<Point> steiner;
-  for (const RegionMesh& mesh : meshes)
-    steiner.insert(steiner.end(), mesh.steiner.begin(), mesh.steiner.end());
-  const std::vector<std::uint32_t> steiner_by_place = order_by_place(steiner);
-  for (const std::uint32_t v : steiner_by_place) points.push_back(frame_.enter(steiner[v]));
+  points.resize(first_steiner_);
+  for (const Point& p : steiner.points()) points.push_back(frame_.enter(p));
   const std::vector<std::uint32_t> place = places_in(by_place_);
-  const std::vector<std::uint32_t> steiner_place = places_in(steiner_by_place);
-  std::size_t steiner_before = 0;  // of the regions before
   std::vector<IndexTriple> triangles;
-  struct Side {
-    IndexPair ends;
-    std::uint32_t region, segment;
-    SideLimit limit;
-  };
   std::vector<Side> sides;
-  for (std::size_t r = 0; r < meshes.size(); ++r) {
+  for (std::uint32_t r = 0; r < meshes.size(); ++r) {
     const RegionBoundary& boundary = boundaries[r];
-    const std::size_t own = boundary.points.size();
-    const auto global = [&](std::uint32_t v) {
-      return v < own ? place[boundary.vertices[v].index()]
-                     : static_cast<std::uint32_t>(first_steiner_) +
-                           steiner_place[steiner_before + v - own];
+    const auto number = [&](std::uint32_t v) {
+      return v < boundary.points.size() ? place[boundary.vertices[v].index()]
+                                        : static_cast<std::uint32_t>(first_steiner_) +
+                                              steiner.place_of(r, v - boundary.points.size());
     };
-    for (const auto& [a, b, c] : meshes[r].triangles) {
-      IndexTriple triangle{global(a), global(b), global(c)};
-      std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()),
-                  triangle.end());
-      triangles.push_back(triangle);
-    }
-    const Triangulation cdt = triangulate_region(boundary.points, boundary.sides);
-    const std::vector<SideLimit> limits = side_limits(cdt, locate_sides(cdt, boundary.sides));
+    for (const auto& [a, b, c] : meshes[r].triangles)
+      triangles.push_back(from_the_lowest({number(a), number(b), number(c)}));
+    const std::vector<SideLimit> limits = limits_of(boundary);
     for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
-      sides.push_back({{global(boundary.sides[s][0]), global(boundary.sides[s][1])},
-                       static_cast<std::uint32_t>(r),
-                       static_cast<std::uint32_t>(boundary.segments[s].index()),
-                       limits[s]});
+      const auto& [a, b] = boundary.sides[s];
+      const auto segment = static_cast<std::uint32_t>(boundary.segments[s].index());
+      sides.push_back({{number(a), number(b)}, r, segment, limits[s]});
     }
-    steiner_before += meshes[r].steiner.size();
   }
   std::sort(triangles.begin(), triangles.end());
   std::sort(sides.begin(), sides.end(),
             [](const Side& x, const Side& y) { return x.ends < y.ends; });
+  join(with_neighbours(std::move(points), triangles), sides);
+}
+
+void JoinedRegions::join(const Triangulation& all, std::span<const Side> sides) {
   std::vector<IndexPair> pairs;
   std::vector<SideLimit> limits;
   for (const Side& side : sides) {
@@ -119,10 +148,9 @@ JoinedRegions::JoinedRegions(const Pslg& pslg, std::span<const RegionBoundary> b
     region_.push_back(side.region);
     segment_.push_back(side.segment);
   }
-  const Triangulation all = with_neighbours(std::move(points), triangles);
   const std::vector<EdgeRef> at = locate_sides(all, pairs);
   mesh_ = MutableMesh(all, static_cast<std::uint32_t>(first_steiner_), at, std::move(limits));
-  mesh_.set_goal({goal.large, goal.small, goal.weight * kLightWeight});
+  mesh_.set_goal({goal_.large, goal_.small, goal_.weight * kLightWeight});
   for (const auto& [a, b] : pairs) {
     const auto other = std::lower_bound(pairs.begin(), pairs.end(), IndexPair{b, a});
     const bool is_there = other != pairs.end() && *other == IndexPair{b, a};

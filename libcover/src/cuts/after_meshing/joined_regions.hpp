@@ -70,6 +70,14 @@ class JoinedRegions {
                 std::vector<RegionMesh>& meshes) const;
 
  private:
+  /// A side of a region, by the vertices of the joined mesh.
+  struct Side {
+    IndexPair ends;
+    std::uint32_t region, segment;
+    SideLimit limit;
+  };
+  /// Makes the mesh, and joins what lies on both sides of each segment; `sides` are in order.
+  void join(const Triangulation& all, std::span<const Side> sides);
   std::uint32_t add_side(std::uint32_t parent, Excerpt& excerpt);
   [[nodiscard]] std::vector<std::uint32_t> regions_of_triangles() const;
 
