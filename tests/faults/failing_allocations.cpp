@@ -55,6 +55,14 @@ void give_back(void* block) noexcept {
   std::free(header);
 }
 
+void* allocate_or_null(std::size_t size) noexcept {
+  try {
+    return allocate(size);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
+
 }  // namespace
 
 void fail_allocation(std::size_t at) {
@@ -80,7 +88,20 @@ void free_block_before_failure() {
 
 void* operator new(std::size_t size) { return cover::testing::allocate(size); }
 void* operator new[](std::size_t size) { return cover::testing::allocate(size); }
+// A sanitizer has its own of these, whose blocks have no header.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return cover::testing::allocate_or_null(size);
+}
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
+  return cover::testing::allocate_or_null(size);
+}
 void operator delete(void* block) noexcept { cover::testing::give_back(block); }
 void operator delete[](void* block) noexcept { cover::testing::give_back(block); }
+void operator delete(void* block, const std::nothrow_t&) noexcept {
+  cover::testing::give_back(block);
+}
+void operator delete[](void* block, const std::nothrow_t&) noexcept {
+  cover::testing::give_back(block);
+}
 void operator delete(void* block, std::size_t) noexcept { cover::testing::give_back(block); }
 void operator delete[](void* block, std::size_t) noexcept { cover::testing::give_back(block); }
