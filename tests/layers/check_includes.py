@@ -29,6 +29,8 @@ def faults(root, path, layer):
         for test in re.findall(r'tests/[\w/.]+\.(?:cpp|py)', line):
             if not (root / test).exists():
                 yield number, f'there is no {test}'
+        if 'fmt::format_to' in line:
+            yield number, 'fmt::format_to: what clang calls for it, a libfmt built by g++ does not have; fmt::format'
         match = re.match(r'\s*#\s*include\s*(["<])([^">]+)', line)
         if not match:
             continue

@@ -127,7 +127,7 @@ class Checker {
     out_.text += '\n';
   }
   void put(long code, std::string_view value) {
-    fmt::format_to(std::back_inserter(out_.text), "{:3}\n{}\n", code, value);
+    out_.text += fmt::format("{:3}\n{}\n", code, value);
   }
 
   void entity() {

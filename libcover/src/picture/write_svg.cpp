@@ -1,6 +1,5 @@
 // A drawing as SVG: one path per colour, so that no seams show between triangles of one region.
 // Tested by tests/unit/picture/picture_test.cpp.
-#include <iterator>
 #include <string>
 
 #include <fmt/core.h>
@@ -67,7 +66,7 @@ class SvgWriter {
 
   template <class... T>
   void put(fmt::format_string<T...> form, T&&... values) {
-    fmt::format_to(std::back_inserter(out_), form, std::forward<T>(values)...);
+    out_ += fmt::format(form, std::forward<T>(values)...);
   }
 
   std::string& out_;

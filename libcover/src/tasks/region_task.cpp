@@ -7,14 +7,14 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <charconv>
 #include <exception>
 #include <mutex>
 #include <numeric>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <thread>
-
-#include <fmt/core.h>
 
 #include "base/run_all.hpp"
 #include "cdt/region_cdt.hpp"
@@ -127,10 +127,11 @@ Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned work
   const auto run = [&](const Batch& batch, const Team& team) {
     for (std::size_t k = batch.first; k < batch.last; ++k) {
       if (progress.must_stop()) return;
+      constexpr std::string_view kWord = "region ";
       std::array<char, 32> name{};  // no allocation, which may fail
-      const auto end =
-          fmt::format_to_n(name.data(), name.size(), "region {}", boundaries[order[k]].id.value());
-      Status status = errors_as_values({name.data(), end.size}, [&] {
+      char* const digits = std::copy(kWord.begin(), kWord.end(), name.begin());
+      const auto end = std::to_chars(digits, name.end(), boundaries[order[k]].id.value());
+      Status status = errors_as_values({name.begin(), end.ptr}, [&] {
         task(order[k], team);
         return ok();
       });

@@ -3,7 +3,6 @@
 #include <cover/text.hpp>
 
 #include <cstdint>
-#include <iterator>
 
 #include <fmt/core.h>
 
@@ -46,22 +45,19 @@ bool is_mark(std::uint32_t c) {
 std::string printable(std::string_view text) {
   std::string out;
   out.reserve(text.size());
-  const auto put = [&](fmt::format_string<std::uint32_t> form, std::uint32_t value) {
-    fmt::format_to(std::back_inserter(out), form, std::move(value));
-  };
   while (!text.empty()) {
     const CodePoint c = first_of(text);
     const std::size_t size = c.size == 0 ? 1 : c.size;
     if (c.size == 0) {
-      put("\\x{:02x}", static_cast<std::uint8_t>(text[0]));
+      out += fmt::format("\\x{:02x}", static_cast<std::uint8_t>(text[0]));
     } else if (c.value == '\n') {
       out += "\\n";
     } else if (c.value == '\t') {
       out += "\\t";
     } else if (is_control(c.value)) {
-      put("\\x{:02x}", c.value);
+      out += fmt::format("\\x{:02x}", c.value);
     } else if (is_mark(c.value)) {
-      put("\\u{:04x}", c.value);
+      out += fmt::format("\\u{:04x}", c.value);
     } else {
       out += text.substr(0, size);
     }

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <string_view>
 
@@ -21,11 +20,11 @@ namespace {
 void write_points(std::string& text, const Pslg& pslg) {
   const auto& markers = pslg.point_markers;
   const bool marked = std::any_of(markers.begin(), markers.end(), [](int m) { return m != 0; });
-  fmt::format_to(std::back_inserter(text), "{} 2 0 {}\n", pslg.points.size(), marked ? 1 : 0);
+  text += fmt::format("{} 2 0 {}\n", pslg.points.size(), marked ? 1 : 0);
   for (std::size_t k = 0; k < pslg.points.size(); ++k) {
     const Point p = pslg.points[k];
-    fmt::format_to(std::back_inserter(text), "{} {:.17g} {:.17g}", k + 1, p.x, p.y);
-    if (marked) fmt::format_to(std::back_inserter(text), " {}", markers[k]);
+    text += fmt::format("{} {:.17g} {:.17g}", k + 1, p.x, p.y);
+    if (marked) text += fmt::format(" {}", markers[k]);
     text.push_back('\n');
   }
 }
@@ -33,12 +32,11 @@ void write_points(std::string& text, const Pslg& pslg) {
 void write_segments(std::string& text, const Pslg& pslg) {
   const bool marked = std::any_of(pslg.segments.begin(), pslg.segments.end(),
                                   [](const Segment& s) { return s.marker != 0; });
-  fmt::format_to(std::back_inserter(text), "{} {}\n", pslg.segments.size(), marked ? 1 : 0);
+  text += fmt::format("{} {}\n", pslg.segments.size(), marked ? 1 : 0);
   for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
     const Segment& segment = pslg.segments[s];
-    fmt::format_to(std::back_inserter(text), "{} {} {}", s + 1, segment.a.value() + 1,
-                   segment.b.value() + 1);
-    if (marked) fmt::format_to(std::back_inserter(text), " {}", segment.marker);
+    text += fmt::format("{} {} {}", s + 1, segment.a.value() + 1, segment.b.value() + 1);
+    if (marked) text += fmt::format(" {}", segment.marker);
     text.push_back('\n');
   }
 }
@@ -67,30 +65,29 @@ bool must_omit_unnamed(const RegionTable& table) {
 }
 
 void write_seeds(std::string& text, const RegionTable& table) {
-  fmt::format_to(std::back_inserter(text), "{}\n", table.void_seeds.size());
+  text += fmt::format("{}\n", table.void_seeds.size());
   for (std::size_t k = 0; k < table.void_seeds.size(); ++k) {
     const Point p = table.void_seeds[k];
-    fmt::format_to(std::back_inserter(text), "{} {:.17g} {:.17g}\n", k + 1, p.x, p.y);
+    text += fmt::format("{} {:.17g} {:.17g}\n", k + 1, p.x, p.y);
   }
   const bool omit = must_omit_unnamed(table);
   const auto has_seed = [&](const Region& r) {
     return r.inside && !(omit && r.material_name == kUnnamed);
   };
-  fmt::format_to(std::back_inserter(text), "{}\n",
-                 std::count_if(table.regions.begin(), table.regions.end(), has_seed));
+  text += fmt::format("{}\n", std::count_if(table.regions.begin(), table.regions.end(), has_seed));
   for (const Region& r : table.regions) {
     if (!has_seed(r)) {
       if (!r.inside) {
-        fmt::format_to(std::back_inserter(text), "# region {}, {}, {}, holds no double: no seed\n",
-                       r.id.value(), on_one_line(r.name), on_one_line(r.material_name));
+        text += fmt::format("# region {}, {}, {}, holds no double: no seed\n", r.id.value(),
+                            on_one_line(r.name), on_one_line(r.material_name));
       }
       continue;
     }
     // The largest area as the reader understands it: of an equilateral triangle of that edge.
     const double area = r.size ? *r.size * *r.size * std::numbers::sqrt3 / 4 : -1;
-    fmt::format_to(std::back_inserter(text), "{} {:.17g} {:.17g} {} {:.17g}  # {}, {}\n",
-                   r.id.value(), r.inside->x, r.inside->y, r.material, area, on_one_line(r.name),
-                   on_one_line(r.material_name));
+    text += fmt::format("{} {:.17g} {:.17g} {} {:.17g}  # {}, {}\n", r.id.value(), r.inside->x,
+                        r.inside->y, r.material, area, on_one_line(r.name),
+                        on_one_line(r.material_name));
   }
 }
 
@@ -99,11 +96,11 @@ void write_seeds(std::string& text, const RegionTable& table) {
 Status write_poly(const Pslg& pslg, const RegionTable& table, const std::string& path) {
   return memory_as_value(path, [&]() -> Status {
     std::string text;
-    fmt::format_to(std::back_inserter(text), "# points\n");
+    text += fmt::format("# points\n");
     write_points(text, pslg);
-    fmt::format_to(std::back_inserter(text), "# segments\n");
+    text += fmt::format("# segments\n");
     write_segments(text, pslg);
-    fmt::format_to(std::back_inserter(text), "# holes, then regions: material, area, name\n");
+    text += fmt::format("# holes, then regions: material, area, name\n");
     write_seeds(text, table);
     Result<AtomicFile> file = AtomicFile::create(path);
     if (!file) return file.error();
