@@ -177,7 +177,7 @@ TEST(QualityRegion, KeepsLargeAnglesFewWhereOneIsForced) {
 TEST(QualityRegion, StartsEvenlyWhereRefinementGetsStuck) {
   std::mt19937_64 random(3);
   Options options = for_largest();
-  options.max_angle = Angle::degrees(88);
+  options.max_angle = Angle::degrees(75);
   int even = 0, missed = 0;
   for (int k = 0; k < 60; ++k) {
     const RegionBoundary boundary = boundary_of({wavy_square(8, 0.08, random)});

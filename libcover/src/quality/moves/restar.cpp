@@ -9,7 +9,8 @@
 namespace cover {
 namespace {
 
-constexpr int kLargestCavity = 4;  ///< triangles: larger ones succeed once in thirty times
+constexpr int kLargestCavity = 4;          ///< triangles: larger ones succeed once in thirty times,
+constexpr int kLargestDelaunayCavity = 8;  ///< but for those that a new vertex needs. Not measured.
 
 /// Grows the cavity across the edge with the worst triangle among those that can be taken in and
 /// whose new vertex `p` sees.
@@ -23,6 +24,30 @@ bool grow_towards(Cavity& cavity, Point p, const Hole& hole) {
     if (cavity.grow(k)) return true;
   }
   return false;
+}
+
+/// Grows the cavity until it is that of `p` in a Delaunay triangulation, which is all that a star
+/// may replace where no coupling may become negative.
+///
+/// ENSURES: false if `p` would make the coupling of a side negative, or more triangles are in its way
+///          than a star can replace well
+bool grow_to_delaunay(const MutableMesh& mesh, Cavity& cavity, Point p) {
+  for (int k = 0; k < cavity.size();) {
+    const std::uint32_t end = cavity.vertex(cavity.next(k)), beyond = cavity.outer(k);
+    const Vector u = mesh.points[cavity.vertex(k)] - p, v = mesh.points[end] - p;
+    const double area = cross(u, v);
+    if (!(area > 0)) return false;
+    const double cot = dot(u, v) / area;
+    if (is_side(beyond)) {
+      if (cot < mesh.allowance(beyond)->least_cot) return false;
+    } else if (cot + mesh.cot_opposite(beyond, end) < 0) {
+      if (cavity.triangle_count() == kLargestDelaunayCavity || !cavity.grow(k)) return false;
+      k = 0;
+      continue;
+    }
+    ++k;
+  }
+  return true;
 }
 
 /// The middle of the edge of `t` that loop edge i of Cavity::start is.
@@ -42,6 +67,11 @@ bool try_restar(Piece& piece, std::uint32_t t) {
     cavity.start(t);
     if (i >= 0 && !cavity.grow(i)) continue;
     Point p = i < 0 ? Hole(mesh, cavity).centre() : midpoint_of_loop_edge(mesh, t, i);
+    // In vain in most cases where couplings count: that must be told soon.
+    if (mesh.goal().coupling.strict && !grow_to_delaunay(mesh, cavity, p)) {
+      ++piece.evaluations;
+      continue;
+    }
     for (;;) {
       const Hole hole(mesh, cavity);
       const double limit = improvement_of(cavity.worst());

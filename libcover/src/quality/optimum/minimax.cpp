@@ -65,26 +65,30 @@ double times_within(Vector step, Vector along, double radius) {
   return c < 0 ? (std::sqrt(b * b - a * c) - b) / a : 0;
 }
 
+using Times = std::array<double, LinearPieces::kCapacity>;
+
 /// How often `slope`, with squared length `rate`, can be taken off the step of `from` until each
 /// piece ties with the largest; infinite for those that fall as fast.
-std::array<double, LinearPieces::kCapacity> times_until_ties(const LinearPieces& pieces,
-                                                             const Descent& from, Vector slope,
-                                                             double rate) {
-  std::array<double, LinearPieces::kCapacity> times;
-  for (std::size_t k = 0; k < pieces.count(); ++k) {
-    const double closing = rate - dot(pieces.slope(k), slope);
-    const double until = std::max(from.value - pieces.at(k, from.step), 0.0) / closing;
+void find_times_until_ties(const LinearPieces& pieces, const Descent& from, Vector slope,
+                           double rate, double* times) {
+  const double* const values = pieces.values();
+  const double* const slopes_x = pieces.slopes_x();
+  const double* const slopes_y = pieces.slopes_y();
+  const std::size_t count = pieces.count();
+  for (std::size_t k = 0; k < count; ++k) {
+    const double closing = rate - (slopes_x[k] * slope.x + slopes_y[k] * slope.y);
+    const double here = values[k] + (slopes_x[k] * from.step.x + slopes_y[k] * from.step.y);
+    const double below = from.value - here;
+    const double until = (below < 0 ? 0 : below) / closing;
     times[k] = closing > 0 ? until : kNever;
   }
-  return times;
 }
 
 /// The first of `count` times that is the least of them, if that is below `most`; else `count`.
 ///
 /// The least time alone, and then its place, take no move between registers of numbers and of
 /// places for each time: a quarter of all of descend().
-std::size_t first_of_least(const std::array<double, LinearPieces::kCapacity>& times,
-                           std::size_t count, double most) {
+std::size_t first_of_least(const double* times, std::size_t count, double most) {
   double least = most;
   for (std::size_t k = 0; k < count; ++k) least = times[k] < least ? times[k] : least;
   if (!(least < most)) return count;
@@ -93,26 +97,46 @@ std::size_t first_of_least(const std::array<double, LinearPieces::kCapacity>& ti
   return first;
 }
 
+/// The first piece with the largest value.
+std::size_t largest_piece(const LinearPieces& pieces) {
+  const double* const values = pieces.values();
+  std::size_t largest = 0;
+  for (std::size_t k = 1; k < pieces.count(); ++k) {
+    if (values[k] > values[largest]) largest = k;
+  }
+  return largest;
+}
+
+/// The squared length of the steepest slope.
+double steepest_slope(const LinearPieces& pieces) {
+  const double* const x = pieces.slopes_x();
+  const double* const y = pieces.slopes_y();
+  double steepest = 0;
+  for (std::size_t k = 0; k < pieces.count(); ++k) {
+    const double size = x[k] * x[k] + y[k] * y[k];
+    steepest = steepest < size ? size : steepest;
+  }
+  return steepest;
+}
+
 }  // namespace
 
 Descent descend(const LinearPieces& pieces, double level, double radius) {
   Tie tie;
   tie.count = 1;
-  double steepest = 0;
-  for (std::size_t k = 0; k < pieces.count(); ++k) {
-    if (pieces.value(k) > pieces.value(tie.pieces[0])) tie.pieces[0] = k;
-    steepest = std::max(steepest, squared_length(pieces.slope(k)));
-  }
+  tie.pieces[0] = largest_piece(pieces);
+  const double steepest = steepest_slope(pieces);
   Descent result{{}, pieces.value(tie.pieces[0]), false};
+  Times until;
   for (int pivot = 0; pivot < kPivots && result.value > level; ++pivot) {
     const Vector slope = shortest_slope(pieces, tie);
     const double rate = squared_length(slope);
     if (!(rate > kFlat * steepest)) break;
     // As far as the level, the first piece that ties, or the radius.
-    auto until = times_until_ties(pieces, result, slope, rate);
+    find_times_until_ties(pieces, result, slope, rate, until.data());
     for (std::size_t k = 0; k < tie.count; ++k) until[tie.pieces[k]] = kNever;
     double times = (result.value - level) / rate;
-    std::size_t joins = first_of_least(until, pieces.count(), times);
+    std::size_t joins = first_of_least(until.data(), pieces.count(), times);
     if (joins < pieces.count()) times = until[joins];
     Vector step = result.step - times * slope;
     if (!(squared_length(step) <= radius * radius)) {

@@ -19,9 +19,9 @@ class LinearPieces {
   /// Adds a piece if it `matters`; without a branch, because nobody can predict that.
   void add_if(bool matters, double value, Vector slope) {
     if (count_ == kCapacity) return;
-    values_[count_] = value;
-    slopes_x_[count_] = slope.x;
-    slopes_y_[count_] = slope.y;
+    values_.data()[count_] = value;
+    slopes_x_.data()[count_] = slope.x;
+    slopes_y_.data()[count_] = slope.y;
     count_ += matters ? 1 : 0;
   }
 
@@ -29,8 +29,12 @@ class LinearPieces {
   [[nodiscard]] double value(std::size_t k) const { return values_[k]; }
   [[nodiscard]] Vector slope(std::size_t k) const { return {slopes_x_[k], slopes_y_[k]}; }
   [[nodiscard]] double at(std::size_t k, Vector step) const {
-    return values_[k] + (slopes_x_[k] * step.x + slopes_y_[k] * step.y);
+    return value(k) + dot(slope(k), step);
   }
+  /// The first count() of these are set. Loops over them are vectorized, since no index is checked.
+  [[nodiscard]] const double* values() const { return values_.data(); }
+  [[nodiscard]] const double* slopes_x() const { return slopes_x_.data(); }
+  [[nodiscard]] const double* slopes_y() const { return slopes_y_.data(); }
 
  private:
   std::array<double, kCapacity> values_, slopes_x_, slopes_y_;

@@ -1,5 +1,6 @@
 #include "quality/moves/restar.hpp"
 
+#include "quality/fault/merit.hpp"
 #include "quality/moves/flip.hpp"
 #include "quality/moves/relocate.hpp"
 #include "quality/moves/remove.hpp"
@@ -47,6 +48,21 @@ TEST(Restar, MendsALargeAngleWithANewVertex) {
   expect_sound(small.mesh, small.boundary);
   EXPECT_LE(angles_of(small.mesh).largest, 75 + 1e-9);
   EXPECT_LT(length(small.mesh.points[5] - Point{0, 0}), 0.1);
+}
+
+TEST(Restar, TakesInWhatANewVertexWouldMakeNegative) {
+  // Where no coupling may become negative, a star must be Delaunay: from the ear and its neighbour
+  // alone it is not, since the circle of the third triangle holds the new vertex.
+  Goal goal = goal_of(75, 0);
+  goal.coupling = {kCouplingFirst, true, true, kInverted};
+  for (const std::uint32_t t : {0U, 2U}) {
+    SmallMesh small = pentagon(goal);
+    Piece piece(small.mesh);
+    ASSERT_TRUE(try_restar(piece, t));
+    expect_sound(small.mesh, small.boundary);
+    EXPECT_LE(angles_of(small.mesh).largest, 75 + 1e-9);
+    EXPECT_EQ(merit_of(small.mesh, goal).negative, 0U);
+  }
 }
 
 TEST(Restar, HasTheStarAndWhatLiesBesideItLookedAtAgain) {
