@@ -35,9 +35,30 @@ Result<AtomicFile> AtomicFile::create(const std::string& path, std::stop_token s
 }
 
 Status AtomicFile::commit() {
+  if (Status status = replace(); !status) return status;
+  return sync_place();
+}
+
+Status AtomicFile::replace() {
   file_.sync();
-  if (Status status = file_.rename(target_); !status) return status;
+  return file_.rename(target_);
+}
+
+Status AtomicFile::sync_place() const {
   return target_.empty() ? ok() : sync_folder(target_.parent_path(), path_);
+}
+
+Status commit_together(std::span<AtomicFile* const> files) {
+  Status all = ok();
+  const auto keep = [&all](Status status) {
+    if (!status && all) all = std::move(status);
+  };
+  for (AtomicFile* file : files) {
+    keep(file->replace());
+    if (!all && file == files.front()) return all;
+  }
+  for (const AtomicFile* file : files) keep(file->sync_place());
+  return all;
 }
 
 Status replace_file(const std::string& path, std::string_view bytes) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -43,6 +44,12 @@ class AtomicFile {
   Status commit();
 
  private:
+  friend Status commit_together(std::span<AtomicFile* const> files);
+
+  /// The two halves of `commit`.
+  Status replace();
+  [[nodiscard]] Status sync_place() const;
+
   AtomicFile(std::string path, std::filesystem::path target, TemporaryFile file)
       : path_(std::move(path)), target_(std::move(target)), file_(std::move(file)) {}
 
@@ -50,5 +57,12 @@ class AtomicFile {
   std::filesystem::path target_;  ///< empty: written to directly
   TemporaryFile file_;
 };
+
+/// Commits prepared files that belong together. Nothing but their renames lies between the first
+/// and the last, so a kill has little time to mix the old ones with the new; where the first cannot
+/// be renamed, none is. After that, a failure is no reason to leave others old: the first is told.
+///
+/// Errors: cannot_write
+Status commit_together(std::span<AtomicFile* const> files);
 
 }  // namespace cover

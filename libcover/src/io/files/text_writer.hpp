@@ -46,6 +46,9 @@ class TextWriter {
     return file_.prepare();
   }
 
+  /// For commit_together(), once prepared.
+  [[nodiscard]] AtomicFile& file() { return file_; }
+
   /// Closes and renames; to be called once.
   /// Errors: cannot_write, also of earlier output.
   Status commit() {

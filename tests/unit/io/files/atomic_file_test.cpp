@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -156,6 +157,26 @@ TEST(AtomicFile, SaysWhyAFileCannotBeWritten) {
   EXPECT_NE(missing.error().message.find("mesh.txt: No such file or directory"), std::string::npos)
       << missing.error().message;
   EXPECT_FALSE(AtomicFile::create(folder.path().string()));
+}
+
+TEST(AtomicFile, FilesThatBelongTogetherStayOldWhereTheFirstCannotBeRenamed) {
+  const TemporaryFolder folder;
+  const fs::path first = folder.path() / "first", second = folder.path() / "second";
+  for (const bool blocked : {true, false}) {
+    std::ofstream(second) << "old";
+    auto a = AtomicFile::create(first.string()), b = AtomicFile::create(second.string());
+    ASSERT_TRUE(a && b);
+    a->write("new");
+    b->write("new");
+    ASSERT_TRUE(a->prepare() && b->prepare());
+    // A file cannot take the place of a folder.
+    if (blocked) fs::create_directory(first);
+    EXPECT_EQ(static_cast<bool>(commit_together(std::array{&*a, &*b})), !blocked);
+    EXPECT_EQ(content(second), blocked ? "old" : "new");
+    if (blocked) fs::remove(first);
+  }
+  EXPECT_EQ(content(first), "new");
+  EXPECT_EQ(files_in(folder.path()), 2U);
 }
 
 TEST(AtomicFile, WritesToADeviceDirectly) {

@@ -268,11 +268,9 @@ Status write_msh_parts(const MeshView& view, const RegionTable& table, const std
     if (Status status = file->prepare(); !status) return status;
     files.push_back(*std::move(file));
   }
-  Status all = ok();
-  for (TextWriter& file : files) {  // a folder that cannot be synced is no reason to mix meshes
-    if (Status status = file.commit(); !status && all) all = std::move(status);
-  }
-  return all;
+  std::vector<AtomicFile*> prepared;
+  for (TextWriter& file : files) prepared.push_back(&file.file());
+  return commit_together(prepared);
 }
 
 }  // namespace cover

@@ -58,14 +58,12 @@ Status write_triangle(const Output& output, const std::string& path, const Write
   write_nodes(view, files[0]);
   write_elements(view, files[1]);
   write_edges(view, files[2]);
+  std::vector<AtomicFile*> prepared;
   for (TextWriter& file : files) {
     if (Status status = file.prepare(); !status) return status;
+    prepared.push_back(&file.file());
   }
-  Status all = ok();
-  for (TextWriter& file : files) {  // a folder that cannot be synced is no reason to mix meshes
-    if (Status status = file.commit(); !status && all) all = std::move(status);
-  }
-  return all;
+  return commit_together(prepared);
 }
 
 }  // namespace cover

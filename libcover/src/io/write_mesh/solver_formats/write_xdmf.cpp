@@ -335,9 +335,7 @@ Status write_xdmf_file(const XdmfSource& source, const std::string& path,
   if (done) done = numbers->prepare();
   if (done) done = text->prepare();
   if (!done) return done;
-  // A folder that cannot be synced is no reason to mix meshes.
-  Status first = numbers->commit(), second = text->commit();
-  return first ? std::move(second) : std::move(first);
+  return commit_together(std::array{&*numbers, &text->file()});
 }
 
 Status write_xdmf(const Output& output, const std::string& path, const WriteOptions& options) {
