@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <system_error>
 
 #include <fmt/core.h>
 
@@ -83,14 +85,16 @@ struct Close {
 };
 using OpenFile = std::unique_ptr<std::FILE, Close>;
 
-const Error& stdout_failed() {
-  static const Error error{ErrorCode::cannot_write, "cannot write to standard output", {}, {}};
-  return error;
+/// By errno, where a call has set it.
+Error stdout_failed() {
+  const std::string why = errno != 0 ? ": " + std::generic_category().message(errno) : "";
+  return {ErrorCode::cannot_write, "cannot write to standard output" + why, {}, {}};
 }
 
 Status copy_to_stdout(std::FILE* file) {
   std::array<char, 65536> buffer;
   bool good = true;
+  errno = 0;
   for (std::size_t n = 0; good && (n = std::fread(buffer.data(), 1, buffer.size(), file)) > 0;) {
     good = std::fwrite(buffer.data(), 1, n, stdout) == n;
   }

@@ -105,7 +105,7 @@ Status check_room(const std::string& target, double bytes) {
   if (bytes <= free) return ok();
   return Error{
       ErrorCode::cannot_write,
-      fmt::format("cannot write {}: it takes about {:.0f} MB, and the disk has {:.0f} left", target,
+      fmt::format("cannot write {}: it takes about {:.3g} MB, and the disk has {:.3g} left", target,
                   bytes / kMegabyte, free / kMegabyte),
       {},
       {}};
