@@ -171,6 +171,7 @@ class BadInput(Case):
         for part in parts:
             self.assertIn(part, err)
         self.assertNotIn('bad.vtu', self.files())
+        return err
 
     def test_missing_file(self):
         _, err = self.run_cover('mesh', 'none.poly', '-o', 'a.vtu', code=5)
@@ -203,8 +204,11 @@ class BadInput(Case):
 
     def test_what_would_mesh_it_is_said(self):
         text = SQUARE.replace('4 0\n1 1 2', '3 0\n1 1 2').replace('4 4 1\n', '')
-        self.refuse(text, 3, '--weld auto', '--hull meshes the convex hull')
+        self.assertNotIn('--weld', self.refuse(text, 3, '--hull meshes the convex hull'))
         self.run_cover('mesh', 'bad.poly', '-o', 'hull.vtu', '--hull', '-q')
+        gap = SQUARE.replace('4 2 0 0', '5 2 0 0').replace('4 0\n1 1 2', '5 0 0.0001\n4 0\n1 1 2').replace('4 4 1', '4 4 5')
+        self.refuse(gap, 3, '2 ends of lines nearly meet another, the first at (0, 0), 0.0001 away: --weld 2e-04 closes such gaps')
+        self.run_cover('mesh', 'bad.poly', '-o', 'closed.vtu', '--weld', '2e-4', '-q')
 
     def test_nothing_enclosed(self):
         self.refuse('2 2 0 0\n1 0 0\n2 1 0\n1 0\n1 1 2\n0\n', 3)
@@ -276,6 +280,7 @@ class Streams(Case):
                           ['mesh', 's.poly', '-o', 's.vtu', '--print-config'], ['convert', 's.vtu', '-o', '-']):
                 run = self.with_stdout(full, *words)
                 self.assertEqual((run.returncode, run.stderr.count('cannot write to standard output')), (5, 1), words)
+            self.assertIn('cannot write to standard output: No space left on device\n', run.stderr)
             self.assertEqual(self.with_stdout(full, 'mesh', 's.poly', '-o', 's.vtu', '-q').returncode, 0)
 
     def test_a_full_disk_behind_the_log(self):

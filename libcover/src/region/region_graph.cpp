@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -236,9 +237,16 @@ Error nothing_enclosed(const Pslg& pslg, const char* what) {
       ErrorCode::nothing_enclosed, pslg.source.empty() ? what : pslg.source + ": " + what, {}, {}};
 }
 
+/// Gaps wider than this part of the drawing's size are not taken for errors of drawing.
+constexpr double kSmallGap = 0x1p-19;
+/// Gaps of at most this part of the drawing's size are named where lines are left out.
+constexpr double kNamedGap = 0x1p-7;
+
 /// "; only one segment ends at point 1 at (0, 0) and at point 4 at (0, 1)": where an outline is
-/// open. Their places are put into `error`.
-void tell_open_ends(const Pslg& pslg, Error& error) {
+/// open. Their places are appended to `where`, what they are in the input to `inputs`. Looks at the
+/// points of `looked_at`.
+std::string open_ends(const Pslg& pslg, const std::vector<bool>& looked_at,
+                      std::vector<Point>& where, std::vector<InputRef>& inputs) {
   std::vector<std::size_t> degree(pslg.points.size(), 0);
   for (const Segment& s : pslg.segments) {
     ++degree[s.a.index()];
@@ -246,60 +254,113 @@ void tell_open_ends(const Pslg& pslg, Error& error) {
   }
   std::vector<std::string> names;
   for (std::size_t v = 0; v < degree.size(); ++v) {
-    if (degree[v] != 1) continue;
+    if (degree[v] != 1 || !looked_at[v]) continue;
     const std::string place = describe(pslg.points[v]);
-    error.where.push_back(pslg.points[v]);
+    where.push_back(pslg.points[v]);
     if (pslg.point_ids[v] < 0) {
       names.push_back(place);
       continue;
     }
     names.push_back(fmt::format("point {} at {}", pslg.point_ids[v], place));
-    error.inputs.push_back({InputKind::point, pslg.point_ids[v]});
+    inputs.push_back({InputKind::point, pslg.point_ids[v]});
   }
-  if (names.empty()) return;
-  error.message += "; only one segment ends at " + names[0];
-  if (names.size() == 2) error.message += " and at " + names[1];
-  if (names.size() > 2) {
-    error.message += fmt::format(", and so at {}", counted(names.size() - 1, "more point"));
-  }
+  if (names.empty()) return {};
+  std::string out = "; only one segment ends at " + names[0];
+  if (names.size() == 2) out += " and at " + names[1];
+  if (names.size() > 2)
+    out += fmt::format(", and so at {}", counted(names.size() - 1, "more point"));
+  return out;
 }
 
-/// Segments that enclose nothing although they nearly meet: what is left of a drawing whose lines
-/// miss each other. Nothing where welding was decided upon, or there is no such segment.
-std::optional<Error> open_beside_gaps(const Pslg& pslg, std::span<const IndexPair> segments,
-                                      const RegionTable& table, const Options& options) {
-  if (options.weld || table.void_segments.empty() || !pslg.side_seeds.empty()) return std::nullopt;
+/// The gaps of at most `reach` beside loose ends that `looked_at` has.
+std::vector<LooseGap> gaps_beside(const Pslg& pslg, std::span<const IndexPair> segments,
+                                  const std::vector<bool>& looked_at, double reach) {
+  std::vector<LooseGap> gaps = find_loose_gaps(pslg.points, segments, reach);
+  std::erase_if(gaps, [&](const LooseGap& gap) { return !looked_at[gap.loose]; });
+  return gaps;
+}
+
+/// "2 ends of lines nearly meet another, the first at (0, 1), 1e-09 away"
+std::string nearly_meet(const Pslg& pslg, const std::vector<LooseGap>& gaps) {
+  return fmt::format("{} of lines nearly meet{} another, the first at {}, {} away",
+                     counted(gaps.size(), "end"), gaps.size() == 1 ? "s" : "",
+                     describe(pslg.points[gaps[0].loose]), describe_roughly(gaps[0].distance));
+}
+
+/// What --weld takes for gaps in a drawing so large: auto, or a tolerance with one digit.
+std::string weld_for(const std::vector<LooseGap>& gaps, double extent) {
+  double widest = 0;
+  for (const LooseGap& gap : gaps) widest = std::max(widest, gap.distance / extent);
+  if (widest <= kAutoWeld) return "--weld auto";
+  const double unit = std::pow(10, std::floor(std::log10(widest)));
+  // Above what is measured, which is rounded.
+  return fmt::format("--weld {:.0e}", std::ceil(widest / unit * (1 + 0x1p-20)) * unit);
+}
+
+Box box_of_ends(const Pslg& pslg, std::span<const IndexPair> segments) {
   Box box;
   for (const IndexPair& segment : segments) {
     for (const std::uint32_t v : segment) box.add(pslg.points[v]);
   }
-  const double reach = kAutoWeld * box.extent();
-  std::vector<bool> in_void(pslg.points.size(), false);
+  return box;
+}
+
+/// "1 segment encloses", "3 segments enclose".
+std::string enclosing(std::size_t n) {
+  return counted(n, "segment") + (n == 1 ? " encloses" : " enclose");
+}
+
+/// Segments in the void: an error where their ends nearly meet, as what is left of a drawing whose
+/// lines miss each other, unless welding was decided upon; else a warning of open ends. Lines with
+/// names are told of one by one.
+std::optional<Error> tell_open(const Pslg& pslg, std::span<const IndexPair> segments,
+                               const RegionTable& table, const Options& options,
+                               std::vector<Note>& notes) {
+  if (table.void_segments.empty() || !pslg.side_seeds.empty()) return std::nullopt;
+  std::vector<bool> in_void(pslg.points.size(), false), unnamed(in_void);
+  std::size_t count = 0;
   for (const SegmentId s : table.void_segments) {
-    for (const std::uint32_t v : segments[s.index()]) in_void[v] = true;
+    const bool has_name = pslg.segments[s.index()].name != 0;
+    count += has_name ? 0 : 1;
+    for (const std::uint32_t v : segments[s.index()]) {
+      in_void[v] = true;
+      if (!has_name) unnamed[v] = true;
+    }
   }
-  std::vector<LooseGap> gaps = find_loose_gaps(pslg.points, segments, reach);
-  std::erase_if(gaps, [&](const LooseGap& gap) { return !in_void[gap.loose]; });
-  if (gaps.empty()) return std::nullopt;
-  const Point at = pslg.points[gaps[0].loose];
-  return Error{
-      ErrorCode::nothing_enclosed,
-      fmt::format("{}{} nothing, and {} of lines nearly meet another, the first at {}, {} away: "
-                  "--weld auto closes such gaps, --weld off meshes what is closed",
-                  pslg.source.empty() ? "" : pslg.source + ": ",
-                  table.void_segments.size() == 1
-                      ? "1 segment encloses"
-                      : counted(table.void_segments.size(), "segment") + " enclose",
-                  gaps.size() == 1 ? "1 end" : counted(gaps.size(), "end"), describe(at),
-                  describe_roughly(gaps[0].distance)),
-      {at, pslg.points[gaps[0].other]},
-      {}};
+  const double extent = box_of_ends(pslg, segments).extent();
+  if (!options.weld) {
+    const std::vector<LooseGap> small = gaps_beside(pslg, segments, in_void, kSmallGap * extent);
+    if (!small.empty())
+      return Error{ErrorCode::nothing_enclosed,
+                   fmt::format("{}{} nothing, and {}: {} closes such gaps, --weld off meshes what "
+                               "is closed",
+                               pslg.source.empty() ? "" : pslg.source + ": ",
+                               enclosing(table.void_segments.size()), nearly_meet(pslg, small),
+                               weld_for(small, extent)),
+                   {pslg.points[small[0].loose], pslg.points[small[0].other]},
+                   {}};
+  }
+  Note note{Note::Kind::warning, kVoid, {}, {}};
+  std::vector<InputRef> ends;
+  const std::string open = open_ends(pslg, unnamed, note.where, ends);
+  if (open.empty()) return std::nullopt;
+  note.message = fmt::format("{} nothing and {} out of the mesh{}", enclosing(count),
+                             count == 1 ? "stays" : "stay", open);
+  const std::vector<LooseGap> gaps = gaps_beside(pslg, segments, unnamed, kNamedGap * extent);
+  if (!gaps.empty())
+    note.message +=
+        fmt::format("; {} ({} closes such gaps)", nearly_meet(pslg, gaps), weld_for(gaps, extent));
+  notes.push_back(std::move(note));
+  return std::nullopt;
 }
 
 /// What might mesh it after all.
-void tell_remedies(const Pslg& pslg, const Options& options, Error& error) {
-  if (options.weld.value_or(0) < kAutoWeld && !error.where.empty())
-    error.message += "; --weld auto unites ends that miss each other by rounding";
+void tell_remedies(const Pslg& pslg, std::span<const IndexPair> segments, Error& error) {
+  const double extent = box_of_ends(pslg, segments).extent();
+  const std::vector<LooseGap> gaps = find_loose_gaps(pslg.points, segments, kNamedGap * extent);
+  if (!gaps.empty())
+    error.message +=
+        fmt::format("; {}: {} closes such gaps", nearly_meet(pslg, gaps), weld_for(gaps, extent));
   if (pslg.points.size() > 2) error.message += "; --hull meshes the convex hull around them";
 }
 
@@ -327,8 +388,9 @@ Result<TriangulatedTable> build_triangulated_table(const Pslg& pslg, const Optio
   };
   if (faces.count == 1) {
     Error error = nothing_enclosed(pslg, "the segments enclose nothing");
-    tell_open_ends(pslg, error);
-    tell_remedies(pslg, options, error);
+    error.message +=
+        open_ends(pslg, std::vector<bool>(pslg.points.size(), true), error.where, error.inputs);
+    tell_remedies(pslg, pairs, error);
     return with_near_misses(std::move(error));
   }
   Result<SeededFaces> seeded = apply_seeds(pslg, faces, notes);
@@ -349,7 +411,7 @@ Result<TriangulatedTable> build_triangulated_table(const Pslg& pslg, const Optio
     made.large = maker.large_regions();
   });
   std::move(of_table.begin(), of_table.end(), std::back_inserter(notes));
-  if (auto error = open_beside_gaps(pslg, pairs, made.table, options)) return *std::move(error);
+  if (auto error = tell_open(pslg, pairs, made.table, options, notes)) return *std::move(error);
   return made;
 }
 

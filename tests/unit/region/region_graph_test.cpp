@@ -243,8 +243,7 @@ TEST(BuildRegionTable, RefusesWhatEnclosesNothing) {
   EXPECT_EQ(
       find(input).error().message,
       "open.poly: the segments enclose nothing; only one segment ends at point 0 at (0, 0) and "
-      "at point 2 at (1, 1); --weld auto unites ends that miss each other by rounding; --hull "
-      "meshes the convex hull around them");
+      "at point 2 at (1, 1); --hull meshes the convex hull around them");
   EXPECT_EQ(find(input).error().where, (std::vector<Point>{{0, 0}, {1, 1}}));
   input.points = {{0, 0}, {1, 1}, {2, 2}};
   EXPECT_EQ(find(input).error().message, "open.poly: all points lie on one line");

@@ -49,9 +49,9 @@ TEST(LooseEnds, ClosedLinesNearEachOtherStay) {
   EXPECT_EQ(out->pslg.points.size(), 6U);
 }
 
-TEST(LooseEnds, WhatIsLeftOpenBesideSmallGapsIsRefusedWithAdvice) {
-  // One square is closed, the other misses itself by more than rounding.
-  Input input = four_lines(1e-10);
+/// A closed square, and four lines beside it that miss each other by `gap`.
+Input closed_beside_open(double gap) {
+  Input input = four_lines(gap);
   const Input closed = testing::segments_between({{20, 0}, {21, 0}, {21, 1}, {20, 1}},
                                                  {{0, 1}, {1, 2}, {2, 3}, {3, 0}});
   const auto first = static_cast<std::uint32_t>(input.points.size());
@@ -61,6 +61,11 @@ TEST(LooseEnds, WhatIsLeftOpenBesideSmallGapsIsRefusedWithAdvice) {
     s.b += first;
     input.segments.push_back(s);
   }
+  return input;
+}
+
+TEST(LooseEnds, WhatIsLeftOpenBesideSmallGapsIsRefusedWithAdvice) {
+  const Input input = closed_beside_open(1e-10);
   const auto out = clean(input);
   ASSERT_FALSE(out);
   EXPECT_EQ(out.error().code, ErrorCode::nothing_enclosed);
@@ -74,6 +79,37 @@ TEST(LooseEnds, WhatIsLeftOpenBesideSmallGapsIsRefusedWithAdvice) {
   const auto asked = clean(input, options);
   ASSERT_TRUE(asked) << asked.error().message;
   EXPECT_EQ(asked->table.regions.size(), 1U);
+}
+
+TEST(LooseEnds, TheToleranceThatIsAdvisedClosesWiderGaps) {
+  const Input input = closed_beside_open(2e-5);  // of 21
+  const auto out = clean(input);
+  ASSERT_FALSE(out);
+  EXPECT_NE(out.error().message.find(
+                "4 segments enclose nothing, and 8 ends of lines nearly meet another, the first "
+                "at (0, 0), 2e-05 away: --weld 1e-06 closes such gaps"),
+            std::string::npos)
+      << out.error().message;
+  Options options;
+  options.weld = 1e-6;
+  const auto welded = clean(input, options);
+  ASSERT_TRUE(welded) << welded.error().message;
+  EXPECT_EQ(welded->table.regions.size(), 2U);
+}
+
+TEST(LooseEnds, WhatStaysOutOfTheMeshIsTold) {
+  const auto near = clean(closed_beside_open(0.01));
+  ASSERT_TRUE(near) << near.error().message;
+  EXPECT_TRUE(
+      near->tells("4 segments enclose nothing and stay out of the mesh; only one segment "
+                  "ends at point 0 at (0, 0), and so at 7 more points; 8 ends of lines "
+                  "nearly meet another, the first at (0, 0), 0.01 away (--weld 5e-04 "
+                  "closes such gaps)"));
+  // Lines that are open on purpose.
+  const auto far = clean(closed_beside_open(3));
+  ASSERT_TRUE(far) << far.error().message;
+  EXPECT_TRUE(far->tells("4 segments enclose nothing and stay out of the mesh"));
+  EXPECT_FALSE(far->tells("--weld"));
 }
 
 }  // namespace
