@@ -31,6 +31,9 @@ struct Void {
 /// one size.
 constexpr double kMeant = 8;
 
+/// Welding moves no end by more than the shortest line there divided by this (clean/ends/weld.hpp).
+constexpr double kHeldBack = 8;
+
 /// A thin void, as wide as a strip of its area and perimeter.
 struct Gap {
   double width = 0;
@@ -57,8 +60,8 @@ std::size_t leave_out_meant(std::vector<Gap>& gaps) {
 
 /// A tolerance of welding that is certainly above a width, with one digit: what is found of widths
 /// is about half too little.
-double tolerance_above(double width, const std::vector<Point>& points) {
-  const double relative = 2 * width / box_of(points).extent();
+double tolerance_above(double width, double extent) {
+  const double relative = 2 * width / extent;
   const double unit = std::pow(10, std::floor(std::log10(relative)));
   return std::ceil(relative / unit) * unit;
 }
@@ -107,7 +110,8 @@ void warn_of_gaps(const Pslg& pslg, const Faces& faces, const SeededFaces& seede
     area += gap.area;
     where.push_back(gap.where);
   }
-  const double tolerance = tolerance_above(widest, pslg.points);
+  const double extent = box_of(pslg.points).extent();
+  const double tolerance = tolerance_above(widest, extent);
   notes.push_back(
       {Note::Kind::warning, kVoid,
        fmt::format(
@@ -120,7 +124,9 @@ void warn_of_gaps(const Pslg& pslg, const Faces& faces, const SeededFaces& seede
                : fmt::format(" ({} far wider {})", meant,
                              meant == 1 ? "one is taken as meant" : "ones are taken as meant"),
            tolerance > weld
-               ? fmt::format(", or close gaps of this width with --weld {:.0e}", tolerance)
+               ? fmt::format(", or close gaps of this width with --weld {:.0e}, which is held back "
+                             "beside lines shorter than {}",
+                             tolerance, describe_roughly(kHeldBack * tolerance * extent))
                : std::string("; --weld is held back there by the shortest lines")),
        std::move(where)});
 }
