@@ -366,7 +366,7 @@ void take_own_cuts(const CheckCommand& command, const MeshTriangles& mesh, Prepa
     }
     const std::size_t cuts = adopt_cuts(prepared.pslg, prepared.table, mesh.soup);
     if (!command.verbosity.quiet)
-      fmt::print("Segments are cut at {} points by the run itself: {}\n", grouped(cuts), option);
+      fmt::print("Segments are cut at {} by the run itself: {}\n", counted(cuts, "point"), option);
     found = verify_cover(prepared.pslg, prepared.table, mesh.soup, verify);
   }
 }

@@ -130,7 +130,7 @@ class Gatherer {
   void add_polygon(std::uint32_t p) {
     const auto drop = [&](const std::string& what, std::vector<Point> where) {
       changes_.push_back({Change::Kind::dropped,
-                          what + " has fewer than three corners",
+                          what + " has fewer than three different corners",
                           std::move(where),
                           {{InputKind::polygon, input_.polygons[p].id}}});
     };

@@ -686,11 +686,12 @@ TEST(Soup, HasNothingToSayOfPolygonsWithoutArea) {
   add_polygon(input, {{0, 0}, {1, 1}}, "line");
   EXPECT_EQ(clean(input).error().code, ErrorCode::nothing_enclosed);
   EXPECT_EQ(clean(input).error().message,
-            "x.json: no polygon covers anything; polygon 1 'line' has fewer than three corners");
+            "x.json: no polygon covers anything; polygon 1 'line' has fewer than three different "
+            "corners");
   add_polygon(input, rectangle(2, 2, 3, 3), "a");
   const auto out = clean(input);
   ASSERT_TRUE(out) << out.error().message;
-  EXPECT_TRUE(out->tells("polygon 1 'line' has fewer than three corners"));
+  EXPECT_TRUE(out->tells("polygon 1 'line' has fewer than three different corners"));
   EXPECT_FALSE(out->tells("covered by others"));
   EXPECT_FALSE(out->tells("has no inside"));
   EXPECT_EQ(out->pslg.points.size(), 4U);

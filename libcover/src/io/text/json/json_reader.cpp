@@ -198,7 +198,8 @@ bool JsonReader::expect_keys(const Json& object, const std::vector<std::string_v
     }
     const std::vector<std::string> known(keys.begin(), keys.end());
     const std::optional<std::string> meant = closest(key, known);
-    fail(value, "unknown key" + (meant ? " (did you mean \"" + *meant + "\"?)" : ""));
+    fail(value, "unknown key (" + (meant ? "did you mean \"" + *meant + "\"?)"
+                                         : "known are \"" + listed(known, "\", \"") + "\")"));
     return false;
   }
   return true;

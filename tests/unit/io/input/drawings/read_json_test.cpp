@@ -139,6 +139,10 @@ TEST(ReadJson, NamesThePlaceOfEveryError) {
             "deck.json: regoins: unknown key (did you mean \"regions\"?)");
   EXPECT_EQ(message(R"({"polygons": [{"materail": "a", "rings": []}]})"),
             "deck.json: polygons[0].materail: unknown key (did you mean \"material\"?)");
+  EXPECT_EQ(message(R"({"polygons": [{"name": "a", "rings": []}]})")
+                .find("deck.json: polygons[0].name: unknown key (known are \"material\", "),
+            0U)
+      << message(R"({"polygons": [{"name": "a", "rings": []}]})");
   EXPECT_EQ(message(R"({"points": [[0, 0], [1, "a"]], "segments": []})"),
             "deck.json: points[1][1]: expected a number, found \"a\"");
   EXPECT_EQ(message(R"({"points": [[0, 0], [1]], "segments": []})"),
