@@ -8,8 +8,12 @@ namespace cover::python {
 namespace {
 
 std::vector<Point> points_from(const py::handle& value, const char* what) {
-  const Points array = Points::ensure(value);
-  if (!array) throw py::type_error(std::string(what) + " must be numbers of the shape (n, 2)");
+  const auto given = py::array::ensure(value);
+  // Casting leaves out an imaginary part.
+  const bool is_complex = given && given.dtype().kind() == 'c';
+  const Points array = is_complex ? Points() : Points::ensure(value);
+  if (is_complex || !array)
+    throw py::type_error(std::string(what) + " must be numbers of the shape (n, 2)");
   if (array.size() == 0) return {};
   if (array.ndim() != 2 || array.shape(1) != 2)
     throw py::value_error(std::string(what) + " must have the shape (n, 2)");
@@ -77,6 +81,8 @@ Input pslg_from(const py::object& points, const py::object& ends, const py::list
   }
   name_segments(lines, input.segments);
   for (const py::handle& item : regions) {
+    if (!py::isinstance<py::sequence>(item))
+      throw py::type_error("a region is (x, y, material) or (x, y, material, name)");
     const auto fields = py::reinterpret_borrow<py::sequence>(item);
     if (fields.size() < 3 || fields.size() > 4)
       throw py::value_error("a region is (x, y, material) or (x, y, material, name)");

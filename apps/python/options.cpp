@@ -42,7 +42,7 @@ std::string expected(const OptionOf<Target>& entry) {
     case OptionKind::text:
       break;
   }
-  return std::string(entry.help);
+  return "text or a number: " + std::string(entry.help);
 }
 
 /// A keyword argument as texts for the table.

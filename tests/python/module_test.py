@@ -215,7 +215,9 @@ class Polygons(unittest.TestCase):
 
     def test_mistakes_in_their_shape_are_told_in_words(self):
         square = [(0, 0), (4, 0), (4, 4), (0, 4)]
-        for polygons, said in (({'a': 3}, 'polygons must be a list'), ([square], 'polygon 0 is no'),
+        with self.assertRaisesRegex(TypeError, 'lines must be a dictionary: paths by'):
+            cover.mesh_polygons([('a', [square])], lines=[square[:2]])
+        for polygons, said in (({'a': 3}, 'polygons must be a list'), (None, 'polygons must be a list'), ([square], 'polygon 0 is no'),
                                ([('a', [square]), 'b'], 'polygon 1 is no'), ([([square], 'a')], 'polygon 0: its material'),
                                ([('a', 3)], 'polygon 0: its rings'), ([('a', [3, 4])], 'polygon 0: a ring'),
                                ([([(0, 0), (1, 0)], [square])], 'polygon 0: its material')):
@@ -310,6 +312,13 @@ class Mistakes(unittest.TestCase):
         with self.assertRaises(TypeError) as caught:
             cover.mesh([('a', 'b')], [(0, 0)])
         self.assertIn('points must be numbers', str(caught.exception))
+        for said, arguments, options in (('points must be numbers', (np.array(SQUARE) * 1j, SEGMENTS), {}),
+                                         ('a region is', (SQUARE, SEGMENTS, [1, 2]), {}),
+                                         ('lines must be a dictionary: segments by', (SQUARE, SEGMENTS), dict(lines=[0, 1])),
+                                         ('size: .* is not text or a number: Edge length', (SQUARE, SEGMENTS),
+                                          dict(size=lambda x, y: 0.1))):
+            with self.assertRaisesRegex(TypeError, said):
+                cover.mesh(*arguments, **options)
         with self.assertRaises(ValueError):
             cover.mesh(SQUARE, SEGMENTS, [(0.5, 0.5)])
         with self.assertRaises(TypeError):

@@ -66,7 +66,14 @@ def mesh(points, segments, regions=(), holes=(), *, lines=None, progress=None, *
     named interfaces, the indices of their segments by name.
     progress(stage, done, total) is called now and then; returning False raises Cancelled.
     """
-    return _mesh_pslg(points, segments, list(regions), holes, dict(lines or {}), options, progress)
+    return _mesh_pslg(points, segments, list(regions), holes, dict(_by_name(lines, "segments")), options, progress)
+
+
+def _by_name(lines, what):
+    """The dictionary of lines, which may be none."""
+    if lines is not None and not hasattr(lines, "items"):
+        raise TypeError(f"lines must be a dictionary: {what} by the name of the line")
+    return lines or {}
 
 
 def _plain(path):
@@ -111,7 +118,7 @@ def mesh_polygons(polygons, *, lines=None, holes=(), chord_error=None, unit=None
     priority wins, then the later one, or as the option overlap says.
     lines: contacts, paths by name; a name may have a list of paths. holes: (k, 2) floats, a point in each void.
     """
-    if isinstance(polygons, (str, dict)):
+    if isinstance(polygons, (str, dict)) or not hasattr(polygons, "__iter__"):
         raise TypeError("polygons must be a list of (material, rings), (material, rings, name) or dictionaries")
     polygons = list(polygons)
     for k, polygon in enumerate(polygons):
@@ -121,7 +128,7 @@ def mesh_polygons(polygons, *, lines=None, holes=(), chord_error=None, unit=None
     if simple:
         return _mesh_polygons(polygons, options, progress)
     document = {"polygons": [_document(p) for p in polygons], "lines": [], "holes": _plain(holes)}
-    for name, paths in (lines or {}).items():
+    for name, paths in _by_name(lines, "paths").items():
         # One path begins with a point or a curve, a list of them with a path.
         first = paths[0] if len(paths) else ()
         one = isinstance(first, dict) or (len(first) == 2 and not any(isinstance(x, dict) or hasattr(x, "__len__") for x in first))
