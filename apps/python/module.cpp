@@ -88,7 +88,8 @@ PyMesh mesh_input(const Input& input, const py::dict& options, const py::object&
 
 /// Meshes a file; its options are those of reading and of meshing.
 PyMesh mesh_file(const std::string& path, py::dict keywords, const py::object& progress) {
-  const ReadOptions options = take_read_options(keywords);
+  ReadOptions options = take_read_options(keywords);
+  options.threads = options_from(keywords).threads;
   Result<Input> input = [&] {
     const py::gil_scoped_release release;
     return reading::read_geometry(path, options);

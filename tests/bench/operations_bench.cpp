@@ -365,6 +365,8 @@ extern "C" void __sanitizer_cov_trace_pc() {
 
 namespace cover {
 
+unsigned worker_count(unsigned threads) { return threads != 0 ? threads : 2; }
+
 void run_all(std::size_t count, unsigned workers,
              const std::function<void(std::size_t, const Team&)>& run) {
   if (workers < 2) {

@@ -72,7 +72,8 @@ std::vector<NamedFile> GeometryFile::read_files() const {
   return files;
 }
 
-Result<Input> GeometryFile::read() {
+Result<Input> GeometryFile::read(unsigned threads) {
+  options_.threads = threads;
   for (const auto& written : written_) {
     for (const std::string& text : written.texts()) {
       // They were checked when the command line was.

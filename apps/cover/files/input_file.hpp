@@ -26,10 +26,10 @@ class GeometryFile {
   [[nodiscard]] std::vector<NamedFile> read_files() const;
 
   /// Reads the files, which become one geometry in this order; `-` is standard input, whose format
-  /// follows from how it begins.
+  /// follows from how it begins. By that many threads; 0: all cores.
   ///
   /// Errors: those of read_input() and of the readers that are built in
-  [[nodiscard]] Result<Input> read();
+  [[nodiscard]] Result<Input> read(unsigned threads = 0);
 
   /// Options that were given but do nothing, a sentence each.
   /// REQUIRES: read() was called

@@ -21,9 +21,10 @@ struct Window {
 
 /// How a geometry file is to be understood. Readers look at what concerns their format only.
 struct ReadOptions {
-  std::string format;  ///< extension that names the format, as ".gds"; empty: the file's own
-  std::string unit;    ///< nm, um, mm, cm or m, whatever the file says; empty: what it says
-  double scale = 1;    ///< all lengths are multiplied by this; > 0
+  std::string format;    ///< extension that names the format, as ".gds"; empty: the file's own
+  std::string unit;      ///< nm, um, mm, cm or m, whatever the file says; empty: what it says
+  double scale = 1;      ///< all lengths are multiplied by this; > 0
+  unsigned threads = 0;  ///< that long files are read by; 0: all cores. What is read is the same
 
   std::vector<std::string> layers;     ///< what is read, by name or as "68/20"; empty: all
   std::vector<std::string> layer_map;  ///< "68/20=met1", or files of such lines: see read_gds()

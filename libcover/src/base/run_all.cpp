@@ -138,6 +138,10 @@ class Pool final : public Crew {
 
 }  // namespace
 
+unsigned worker_count(unsigned threads) {
+  return threads != 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
+}
+
 void run_all(std::size_t count, unsigned workers,
              const std::function<void(std::size_t, const Team&)>& run) {
   if (workers < 2) {

@@ -9,6 +9,9 @@
 
 namespace cover {
 
+/// The workers that somebody wishes for: all cores if none are given, and at least one.
+unsigned worker_count(unsigned threads);
+
 /// Calls `run` with 0, 1, ..., count - 1, which begin in this order, in up to `workers` threads of
 /// which the caller's is one. Where the system has no more threads, fewer do the work.
 ///

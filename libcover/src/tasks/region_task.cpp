@@ -108,9 +108,7 @@ std::size_t cost_of(const RegionBoundary& boundary) {
          static_cast<std::size_t>(std::clamp(most_triangles(boundary), 0.0, kMostCost));
 }
 
-unsigned worker_count(const Options& options) {
-  return options.threads != 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
-}
+unsigned worker_count(const Options& options) { return worker_count(options.threads); }
 
 Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned workers,
                        std::string_view stage, const Callbacks& callbacks,

@@ -18,7 +18,8 @@ namespace cover {
 struct ImageOptions;
 
 /// Triangle's .poly; where it has no points they are in the .node beside `source`.
-Result<Input> parse_poly(std::string_view text, const std::string& source);
+Result<Input> parse_poly(std::string_view text, const std::string& source,
+                         const ReadOptions& options = {});
 
 /// Our own JSON: points and segments, or painted polygons, with curves. See input.schema.json.
 /// GeoJSON is known by what stands in it; of `options`, only that looks at fields.

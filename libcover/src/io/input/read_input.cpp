@@ -119,7 +119,7 @@ struct Format {
 
 /// All formats that are read from one text.
 constexpr std::array kFormats{
-    Format{".poly", plain<parse_poly>},
+    Format{".poly", with_options<parse_poly>},
     Format{".msh", plain<parse_msh>},
     Format{".tif", tif},
     Format{".str", plain<parse_suprem>},

@@ -46,8 +46,15 @@ class LineReader {
 
   /// Bytes that have not been read: no header may announce more lines.
   [[nodiscard]] std::size_t left() const { return rest_.size(); }
+  /// The same as text, which begins with the next line.
+  [[nodiscard]] std::string_view rest() const { return rest_; }
   /// Goes on to the next line that has a field; false at the end of the text.
   bool next();
+  /// Passes whole lines, of so many bytes, that somebody else has read.
+  void pass(std::size_t bytes, int lines) {
+    rest_.remove_prefix(bytes);
+    line_ += lines;
+  }
 
   /// The fields of the current line.
   [[nodiscard]] const std::vector<std::string_view>& fields() const { return fields_; }

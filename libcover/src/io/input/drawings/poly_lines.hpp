@@ -9,6 +9,8 @@
 
 #include <cover/input.hpp>
 
+#include "base/team.hpp"
+#include "io/text/plain_lines.hpp"
 #include "io/text/text.hpp"
 
 namespace cover {
@@ -28,7 +30,8 @@ struct Wanted {
 /// file and line. `what` names in errors what is read.
 class PolyLines {
  public:
-  PolyLines(std::string_view text, const std::string& source) : lines_(text, source, '#') {}
+  PolyLines(std::string_view text, const std::string& source, const Team& team = {})
+      : lines_(text, source, '#'), team_(team) {}
 
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
 
@@ -55,6 +58,35 @@ class PolyLines {
   void make_room(std::size_t count, std::vector<T>& values) const {
     constexpr std::size_t kShortestLine = 6;  // "1 0 0\n"
     values.reserve(values.size() + std::min(count, lines_.left() / kShortestLine));
+  }
+  /// Reads up to `most` items from plain lines (plain_lines.hpp), as long as they follow each
+  /// other; returns how many. `put(part, place, line)` puts the items of a range to their places,
+  /// the first of all to 0, and counts its lines from `line` on; others do so at the same time.
+  template <class Item, class Read, class Follows, class MakeRoom, class Put>
+  std::size_t read_plain(std::size_t most, const Read& read, const Follows& follows,
+                         const MakeRoom& make_room, const Put& put) {
+    constexpr std::size_t kMostRanges = 32;
+    std::size_t done = 0;
+    bool goes_on = true;
+    for (std::size_t ranges = 1; goes_on && done < most;) {
+      const auto parts = read_plain_ranges<Item>(lines_.rest(), most - done, ranges, read, team_);
+      goes_on = !parts.empty();
+      std::vector<std::size_t> places;
+      std::vector<int> lines;
+      for (const PlainLines<Item>& part : parts) {
+        goes_on = follows(part);
+        if (!goes_on) break;
+        goes_on = part.is_all;
+        places.push_back(done);
+        lines.push_back(lines_.line());
+        lines_.pass(part.bytes, part.line_count);
+        done += part.items.size();
+      }
+      make_room(done);
+      team_.each(places.size(), [&](std::size_t k) { put(parts[k], places[k], lines[k]); });
+      ranges = team_.workers() > 1 ? std::min(2 * ranges, kMostRanges) : 1;
+    }
+    return done;
   }
   /// Notes that a line of the kind `what` has more fields than the `expected` ones.
   void check_surplus(std::string_view what, std::size_t expected);
@@ -84,6 +116,7 @@ class PolyLines {
   bool coordinate(std::size_t field, const Wanted& what, double& value);
 
   LineReader lines_;
+  Team team_;
   std::optional<Error> error_;
   std::string counts_;  ///< what the headers so far announce, in words
   Surplus surplus_;

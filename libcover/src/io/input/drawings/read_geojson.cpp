@@ -262,7 +262,8 @@ Result<Input> read_geojson(const Json& document, const std::string& source,
 std::optional<Input> read_geojson(const SplitJson& split, const std::string& source,
                                   const ReadOptions& options) {
   const Result<JsonDocument> rest = parse_json_text(split.rest, source);
-  return rest ? GeoReader(rest->root(), source, options).read(split.elements) : std::nullopt;
+  return rest ? GeoReader(rest->root(), source, options).read(split.find("features")->elements)
+              : std::nullopt;
 }
 
 Result<Input> parse_geojson(std::string_view text, const std::string& source,

@@ -21,6 +21,7 @@ Result<Input> read_geojson(const Json& document, const std::string& source,
 
 /// The same of a document without its features, and these, so that there is one tree at a time;
 /// nothing where something is wrong: then the whole document tells.
+/// REQUIRES: the features alone were taken out
 std::optional<Input> read_geojson(const SplitJson& split, const std::string& source,
                                   const ReadOptions& options);
 

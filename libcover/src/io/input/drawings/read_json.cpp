@@ -8,16 +8,20 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
 #include <span>
 
+#include "base/containers/give_back.hpp"
+#include "base/run_all.hpp"
 #include "io/input/drawings/curves.hpp"
 #include "io/input/drawings/read_geojson.hpp"
 #include "io/input/formats.hpp"
 #include "io/text/json/json_reader.hpp"
+#include "io/text/json/read_pairs.hpp"
 #include "io/text/json/split_json.hpp"
 
 namespace cover {
@@ -38,13 +42,16 @@ const std::vector<std::string_view> kFreeKeys{"name",  "source", "license",
 
 /// Long arrays of a document whose own are empty.
 struct TakenOut {
-  std::span<const std::string_view> points{}, segments{}, polygons{};
+  Pairs<double> points{};
+  Pairs<long> ends{};  ///< of the first segments
+  std::vector<std::string_view> segments{}, polygons{};
 };
 
 class InputReader {
  public:
-  InputReader(const Json& document, const std::string& source, const TakenOut& elements = {})
-      : document_(document), json_(document, source), elements_(elements) {
+  InputReader(const Json& document, const std::string& source, TakenOut elements = {},
+              const Team& team = {})
+      : document_(document), json_(document, source), elements_(std::move(elements)), team_(team) {
     input_.source = source;
     input_.void_rule = VoidRule::unseeded_faces;
   }
@@ -243,12 +250,12 @@ class InputReader {
 
   void read_points() {
     for_each("points", [&](const Json& p, long) { input_.points.push_back(json_.point(p)); });
-    input_.points.reserve(input_.points.size() + elements_.points.size());
-    for (const std::string_view element : elements_.points) {
-      const std::optional<Point> p = read_pair(element);
-      if (!p) return json_.fail(document_, "no point");
-      input_.points.push_back(*p);
-    }
+    const std::size_t first = input_.points.size();
+    input_.points.resize(first + elements_.points.size);
+    elements_.points.for_each(team_, [&](std::size_t k, const std::array<double, 2>& pair) {
+      input_.points[first + k] = {pair[0], pair[1]};
+    });
+    give_back(elements_.points.ranges);
     given_points_ = input_.points.size();
   }
 
@@ -285,9 +292,10 @@ class InputReader {
         add_segment(segment, item);
     };
     for_each("segments", read);
+    if (!read_ends()) return json_.fail(document_, "no point", ErrorCode::id_out_of_range);
     input_.segments.reserve(input_.segments.size() + elements_.segments.size());
     for (std::size_t k = 0; k < elements_.segments.size() && !json_.failed(); ++k) {
-      const auto id = static_cast<long>(k);
+      const auto id = static_cast<long>(elements_.ends.size + k);
       const auto ends = read_integer_pair(elements_.segments[k]);
       if (!ends) {
         as_tree(elements_.segments[k], id, read);
@@ -299,6 +307,24 @@ class InputReader {
       segment.b = checked_index((*ends)[1], document_);
       input_.segments.push_back(std::move(segment));
     }
+  }
+
+  /// Segments that are pairs of numbers; false where one of these is of no point.
+  bool read_ends() {
+    std::atomic<bool> are_points = true;
+    const std::size_t first = input_.segments.size();
+    input_.segments.resize(first + elements_.ends.size);
+    elements_.ends.for_each(team_, [&](std::size_t k, const std::array<long, 2>& ends) {
+      InputSegment& segment = input_.segments[first + k];
+      segment.id = static_cast<long>(k);
+      for (const long end : ends) {
+        if (end < 0 || static_cast<std::size_t>(end) >= given_points_) are_points = false;
+      }
+      segment.a = static_cast<std::uint32_t>(ends[0]);
+      segment.b = static_cast<std::uint32_t>(ends[1]);
+    });
+    give_back(elements_.ends.ranges);
+    return are_points;
   }
 
   /// The segment whose ends are the pair of indices `ends`.
@@ -488,6 +514,7 @@ class InputReader {
   const Json& document_;
   JsonReader json_;
   TakenOut elements_;
+  Team team_;
   Input input_;
   CurveCutter cutter_;
   std::optional<double> chord_error_;
@@ -510,42 +537,55 @@ void warn_of_options(const ReadOptions& o, Input& input) {
   tell(!o.keep_fields.empty(), "keep-field");
 }
 
-/// Features, or points, segments and polygons without curves, one tree at a time or none at all;
-/// nothing where that does not work: then the whole document tells why.
-std::optional<Input> parse_in_parts(std::string_view text, const std::string& source,
-                                    const ReadOptions& options) {
-  if (const auto split = split_json(text, {"features"}))
-    return read_geojson(*split, source, options);
+/// Points, segments and polygons without curves, one tree at a time or none at all; nothing where
+/// that does not work. Points that are no pairs are left to the whole document.
+std::optional<Input> parse_own_in_parts(std::string_view text, const std::string& source,
+                                        const ReadOptions& options, const Team& team) {
+  TakenOut out;
+  const auto pass = [&](std::string_view name, std::size_t from) -> Passed {
+    if (name == "points") {
+      out.points = read_pairs<double>(text, from, team);
+      return {out.points.end, out.points.is_closed};
+    }
+    if (name == "segments") {
+      out.ends = read_pairs<long>(text, from, team);
+      return {out.ends.end, out.ends.is_closed};
+    }
+    return {from, false};
+  };
+  const auto split = split_json(text, {"features", "points", "segments", "polygons"}, pass);
+  if (!split) return std::nullopt;
+  if (split->find("features") != nullptr) {
+    const auto features = split_json(text, {"features"});
+    return features ? read_geojson(*features, source, options) : std::nullopt;
+  }
   // Curves are cut alike in all of a document, which is looked at twice for it.
   const auto is_curved = [](std::string_view element) {
     return element.find("\"circle\"") != element.npos || element.find("\"arc\"") != element.npos ||
            element.find('\\') != element.npos;
   };
-  std::array<std::optional<SplitJson>, 3> splits;  // each of the rest of the one before
-  constexpr std::array kNames{"points", "segments", "polygons"};
-  std::string_view left = text;
-  for (std::size_t k = 0; k < kNames.size(); ++k) {
-    std::optional<SplitJson>& split = splits[k];
-    split = split_json(left, {kNames[k]});
-    if (!split) continue;
-    if (k > 0 && std::any_of(split->elements.begin(), split->elements.end(), is_curved))
-      return std::nullopt;
-    left = split->rest;
-  }
-  if (left.data() == text.data()) return std::nullopt;
-  const Result<JsonDocument> rest = parse_json_text(left, source);
+  const Result<JsonDocument> rest = parse_json_text(split->rest, source);
   if (!rest || is_geojson(rest->root())) return std::nullopt;
-  TakenOut out;
-  const std::array<std::span<const std::string_view>*, 3> spans{&out.points, &out.segments,
-                                                                &out.polygons};
-  for (std::size_t k = 0; k < spans.size(); ++k) {
-    if (!splits[k]) continue;
-    if (JsonReader::member(rest->root(), kNames[k]) == nullptr) return std::nullopt;
-    *spans[k] = splits[k]->elements;
+  for (const SplitJson::Array& array : split->arrays) {
+    if (JsonReader::member(rest->root(), array.name) == nullptr ||
+        std::any_of(array.elements.begin(), array.elements.end(), is_curved))
+      return std::nullopt;
+    if (array.name == "points" && !array.elements.empty()) return std::nullopt;
+    if (array.name == "segments") out.segments = array.elements;
+    if (array.name == "polygons") out.polygons = array.elements;
   }
-  Result<Input> input = InputReader(rest->root(), source, out).read();
+  Result<Input> input = InputReader(rest->root(), source, std::move(out), team).read();
   if (input) warn_of_options(options, *input);
   return input ? std::optional(*std::move(input)) : std::nullopt;
+}
+
+/// By features, too; nothing where that does not work: then the whole document tells why.
+std::optional<Input> parse_in_parts(std::string_view text, const std::string& source,
+                                    const ReadOptions& options) {
+  std::optional<Input> input;
+  with_team(worker_count(options.threads),
+            [&](const Team& team) { input = parse_own_in_parts(text, source, options, team); });
+  return input;
 }
 
 }  // namespace

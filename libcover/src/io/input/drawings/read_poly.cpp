@@ -11,11 +11,13 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <unordered_map>
 
 #include "base/faults/out_of_memory.hpp"
+#include "base/run_all.hpp"
 #include "io/input/drawings/poly_lines.hpp"
 #include "io/input/formats.hpp"
 #include "io/text/text.hpp"
@@ -36,6 +38,13 @@ class Numbering {
     if (const auto known = find(id)) return known;
     others_.emplace(id, static_cast<std::uint32_t>(size_ + others_.size()));
     return {};
+  }
+  /// Adds the next indices for `count` numbers from `id` on; false if one of them might be known.
+  bool add_run(long id, std::size_t count) {
+    if (!others_.empty() || (size_ != 0 && from_first(id) != size_)) return false;
+    if (size_ == 0) first_ = id;
+    size_ += count;
+    return true;
   }
   [[nodiscard]] std::optional<std::uint32_t> find(long id) const {
     if (from_first(id) < size_) return static_cast<std::uint32_t>(from_first(id));
@@ -81,8 +90,19 @@ class PolyReader : public PolyLines {
   void take_ids(PolyReader& other) { numbering_ = std::move(other.numbering_); }
 
  private:
+  /// Of lines that are read one by one, so many are read before plain ones are looked for again.
+  static constexpr std::size_t kOneByOne = 1000;
+
+  struct PlainPoint {
+    long id;
+    Point at;
+    int marker;
+  };
+
   bool end_point(std::size_t field, long segment, std::uint32_t& index);
   bool point(Input& input, long attributes, bool has_markers);
+  std::size_t read_plain_points(Input& input, std::size_t most, long attributes, bool has_markers);
+  std::size_t read_plain_segments(Input& input, std::size_t most, bool has_markers);
 
   Numbering numbering_;
 };
@@ -108,6 +128,91 @@ bool PolyReader::point(Input& input, long attributes, bool has_markers) {
   return true;
 }
 
+/// The marker that may end a line. It is 0 where there is none.
+bool read_marker(PlainLine& line, bool has_markers, int& marker) {
+  long value = 0;
+  if (has_markers && line.has_more() && !line.integer(value)) return false;
+  marker = static_cast<int>(value);
+  return marker == value;
+}
+
+/// Points whose numbers count on.
+std::size_t PolyReader::read_plain_points(Input& input, std::size_t most, long attributes,
+                                          bool has_markers) {
+  const std::size_t first = input.points.size();
+  const auto read = [&](PlainLine& line, std::vector<PlainPoint>& points) {
+    PlainPoint p{};
+    double ignored = 0;
+    if (!line.integer(p.id) || !line.real(p.at.x) || !line.real(p.at.y)) return false;
+    for (long k = 0; k < attributes && line.has_more(); ++k) {
+      if (!line.real(ignored)) return false;
+    }
+    if (!read_marker(line, has_markers, p.marker)) return false;
+    if (!points.empty() &&
+        (points.back().id == std::numeric_limits<long>::max() || p.id != points.back().id + 1))
+      return false;
+    points.push_back(p);
+    return true;
+  };
+  return read_plain<PlainPoint>(
+      most, read,
+      [&](const PlainLines<PlainPoint>& part) {
+        return part.items.empty() || numbering_.add_run(part.items[0].id, part.items.size());
+      },
+      [&](std::size_t count) {
+        input.points.resize(first + count);
+        input.point_ids.resize(first + count);
+        input.point_lines.resize(first + count);
+        if (has_markers) input.point_markers.resize(first + count);
+      },
+      [&](const PlainLines<PlainPoint>& part, std::size_t place, int line) {
+        for (std::size_t k = 0; k < part.items.size(); ++k) {
+          const std::size_t v = first + place + k;
+          input.points[v] = part.items[k].at;
+          input.point_ids[v] = part.items[k].id;
+          input.point_lines[v] = line + part.lines[k];
+          if (has_markers) input.point_markers[v] = part.items[k].marker;
+        }
+      });
+}
+
+std::size_t PolyReader::read_plain_segments(Input& input, std::size_t most, bool has_markers) {
+  struct Plain {
+    long id;
+    std::uint32_t a, b;
+    int marker;
+  };
+  const std::size_t first = input.segments.size();
+  const auto end = [&](PlainLine& line, std::uint32_t& index) {
+    long id = 0;
+    if (!line.integer(id)) return false;
+    const std::optional<std::uint32_t> found = numbering_.find(id);
+    index = found.value_or(0);
+    return found.has_value();
+  };
+  const auto read = [&](PlainLine& line, std::vector<Plain>& segments) {
+    Plain s{};
+    if (!line.integer(s.id) || !end(line, s.a) || !end(line, s.b) ||
+        !read_marker(line, has_markers, s.marker))
+      return false;
+    segments.push_back(s);
+    return true;
+  };
+  return read_plain<Plain>(
+      most, read, [](const PlainLines<Plain>&) { return true; },
+      [&](std::size_t count) { input.segments.resize(first + count); },
+      [&](const PlainLines<Plain>& part, std::size_t place, int line) {
+        for (std::size_t k = 0; k < part.items.size(); ++k) {
+          InputSegment& segment = input.segments[first + place + k];
+          segment.id = part.items[k].id;
+          segment.a = part.items[k].a;
+          segment.b = part.items[k].b;
+          segment.marker = part.items[k].marker;
+          segment.line = line + part.lines[k];
+        }
+      });
+}
+
 bool PolyReader::read_points(Input& input) {
   std::size_t count = 0;
   if (!header("points", count)) return false;
@@ -120,7 +225,12 @@ bool PolyReader::read_points(Input& input) {
   make_room(count, input.points);
   make_room(count, input.point_ids);
   make_room(count, input.point_lines);
-  for (std::size_t k = 0; k < count; ++k) {
+  for (std::size_t k = 0, next_plain = 0; k < count; ++k) {
+    if (k == next_plain) {
+      k += read_plain_points(input, count - k, attributes, has_markers);
+      next_plain = k + kOneByOne;
+      if (k == count) break;
+    }
     if (!next_line({.kind = "point", .number = static_cast<long>(k + 1), .of = count}) ||
         !point(input, attributes, has_markers)) {
       return false;
@@ -148,7 +258,12 @@ bool PolyReader::read_segments(Input& input) {
   if (!header("segments", count)) return false;
   const bool has_markers = optional_count(1) != 0;
   make_room(count, input.segments);
-  for (std::size_t k = 0; k < count; ++k) {
+  for (std::size_t k = 0, next_plain = 0; k < count; ++k) {
+    if (k == next_plain) {
+      k += read_plain_segments(input, count - k, has_markers);
+      next_plain = k + kOneByOne;
+      if (k == count) break;
+    }
     InputSegment segment;
     if (!next_line({.kind = "segment", .number = static_cast<long>(k + 1), .of = count}) ||
         !integer(0, {"the number of a segment"}, segment.id) ||
@@ -219,7 +334,8 @@ bool PolyReader::read_regions(Input& input) {
 }
 
 /// Reads the points of a .poly that has none from the .node beside it.
-std::optional<Error> read_node(const std::string& poly_path, PolyReader& poly, Input& input) {
+std::optional<Error> read_node(const std::string& poly_path, const Team& team, PolyReader& poly,
+                               Input& input) {
   const std::string path = std::filesystem::path(poly_path).replace_extension(".node").string();
   const Result<std::string> text = read_file(path);
   if (!text) {
@@ -227,22 +343,21 @@ std::optional<Error> read_node(const std::string& poly_path, PolyReader& poly, I
     error.message += fmt::format(" ({} has no points of its own)", poly_path);
     return error;
   }
-  PolyReader reader(*text, path);
+  PolyReader reader(*text, path, team);
   if (!reader.read_points(input) || !reader.expect_end()) return reader.error();
   reader.report_surplus(input);
   poly.take_ids(reader);
   return {};
 }
 
-}  // namespace
-
-Result<Input> parse_poly(std::string_view text, const std::string& source) {
+Result<Input> parse_poly_by_team(std::string_view text, const std::string& source,
+                                 const Team& team) {
   Input input;
   input.source = source;
-  PolyReader reader(text, source);
+  PolyReader reader(text, source, team);
   if (!reader.read_points(input)) return *reader.error();
   if (input.points.empty()) {
-    if (auto error = read_node(source, reader, input)) return *error;
+    if (auto error = read_node(source, team, reader, input)) return *error;
   }
   if (!reader.read_segments(input) || !reader.read_holes(input) || !reader.read_regions(input) ||
       !reader.expect_end()) {
@@ -250,6 +365,16 @@ Result<Input> parse_poly(std::string_view text, const std::string& source) {
   }
   reader.report_surplus(input);
   return input;
+}
+
+}  // namespace
+
+Result<Input> parse_poly(std::string_view text, const std::string& source,
+                         const ReadOptions& options) {
+  std::optional<Result<Input>> input;
+  with_team(worker_count(options.threads),
+            [&](const Team& team) { input.emplace(parse_poly_by_team(text, source, team)); });
+  return *std::move(input);
 }
 
 Result<Input> read_poly(const std::string& path) {

@@ -3,10 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cstddef>
-#include <system_error>
-#include <type_traits>
+#include <utility>
 
 namespace cover {
 namespace {
@@ -25,6 +22,7 @@ class Scanner {
   explicit Scanner(std::string_view text) : text_(text) {}
 
   [[nodiscard]] std::size_t at() const { return at_; }
+  void go_to(std::size_t at) { at_ = at; }
   /// The next character that is not blank; 0 at the end.
   char peek() {
     while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
@@ -96,127 +94,62 @@ class Scanner {
 };
 
 /// The elements of the array that comes next.
-bool read_elements(Scanner& scan, std::vector<std::string_view>& elements) {
+bool read_elements(Scanner& scan, const PassElements& pass, SplitJson::Array& array) {
   if (!scan.take('[')) return false;
-  if (scan.take(']')) return true;
+  const auto [passed, is_closed] = pass ? pass(array.name, scan.at()) : Passed{scan.at(), false};
+  const bool is_first = passed == scan.at();
+  scan.go_to(passed);
+  if ((is_first || is_closed) && scan.take(']')) return true;
   do {
     std::string_view element;
     if (!scan.value(element)) return false;
-    elements.push_back(element);
+    array.elements.push_back(element);
   } while (scan.take(','));
   return scan.take(']');
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-/// A pair of numbers in brackets, as JSON writes them: from_chars() takes more.
-class PairReader {
- public:
-  explicit PairReader(std::string_view text) : at_(text.data()), end_(at_ + text.size()) {}
-
-  template <class Number>
-  std::optional<std::array<Number, 2>> read() {
-    std::array<Number, 2> pair{};
-    if (take('[') && number(pair[0]) && take(',') && number(pair[1]) && take(']') && at_ == end_)
-      return pair;
-    return std::nullopt;
-  }
-
- private:
-  bool take(char c) {
-    pass_blanks();
-    if (at_ == end_ || *at_ != c) return false;
-    ++at_;
-    return true;
-  }
-  void pass_blanks() {
-    while (at_ != end_ && (*at_ == ' ' || *at_ == '\n' || *at_ == '\r' || *at_ == '\t')) ++at_;
-  }
-  const char* after_digits(const char* from) const {
-    return std::find_if_not(from, end_, is_digit);
-  }
-
-  /// The end of the number that begins here, and whether it is an integer; null if there is none.
-  const char* end_of_number(bool& is_integer) const {
-    const char* p = at_ != end_ && *at_ == '-' ? at_ + 1 : at_;
-    const char* q = after_digits(p);
-    if (q == p || (*p == '0' && q - p > 1)) return nullptr;
-    is_integer = true;
-    if (q != end_ && *q == '.') {
-      is_integer = false;
-      p = q + 1;
-      q = after_digits(p);
-      if (q == p) return nullptr;
-    }
-    if (q != end_ && (*q == 'e' || *q == 'E')) {
-      is_integer = false;
-      p = q + 1;
-      if (p != end_ && (*p == '+' || *p == '-')) ++p;
-      q = after_digits(p);
-      if (q == p) return nullptr;
-    }
-    return q;
-  }
-
-  template <class Number>
-  bool number(Number& out) {
-    pass_blanks();
-    bool is_integer = false;
-    const char* const end = end_of_number(is_integer);
-    if (end == nullptr) return false;
-    // Integers are integers first, so that -0 is 0.
-    long whole = 0;
-    std::from_chars_result result{};
-    if (is_integer) {
-      result = std::from_chars(at_, end, whole);
-      out = static_cast<Number>(whole);
-    } else if constexpr (std::is_same_v<Number, double>) {
-      result = std::from_chars(at_, end, out);
+/// Takes arrays out of the object that the text is, until there is nothing more or it is none.
+void take_out(std::string_view text, std::initializer_list<std::string_view> names,
+              const PassElements& pass, SplitJson& split, std::size_t& copied) {
+  Scanner scan(text);
+  if (!scan.take('{')) return;
+  do {
+    std::string_view key;
+    if (!scan.string(key) || !scan.take(':')) return;
+    key = key.substr(1, key.size() - 2);
+    if (scan.peek() == '[' && std::find(names.begin(), names.end(), key) != names.end() &&
+        split.find(key) == nullptr) {
+      const std::size_t begin = scan.at();
+      SplitJson::Array array{std::string(key), {}};
+      if (!read_elements(scan, pass, array)) return;
+      split.arrays.push_back(std::move(array));
+      split.rest += text.substr(copied, begin - copied);
+      split.rest += "[]";
+      copied = scan.at();
     } else {
-      return false;
+      std::string_view passed;
+      if (!scan.value(passed)) return;
     }
-    at_ = end;
-    return result.ec == std::errc() && result.ptr == end;
-  }
-
-  const char* at_;
-  const char* end_;
-};
+  } while (scan.take(','));
+}
 
 }  // namespace
 
-std::optional<Point> read_pair(std::string_view element) {
-  const auto pair = PairReader(element).read<double>();
-  if (!pair) return std::nullopt;
-  return Point{(*pair)[0], (*pair)[1]};
-}
-
-std::optional<std::array<long, 2>> read_integer_pair(std::string_view element) {
-  return PairReader(element).read<long>();
-}
-
 std::optional<SplitJson> split_json(std::string_view text,
-                                    std::initializer_list<std::string_view> names) {
-  Scanner scan(text);
-  if (!scan.take('{')) return std::nullopt;
-  do {
-    std::string_view key;
-    if (!scan.string(key) || !scan.take(':')) return std::nullopt;
-    key = key.substr(1, key.size() - 2);
-    if (scan.peek() == '[' && std::find(names.begin(), names.end(), key) != names.end()) {
-      SplitJson split;
-      split.name = key;
-      const std::size_t begin = scan.at();
-      if (!read_elements(scan, split.elements)) return std::nullopt;
-      split.rest = text.substr(0, begin);
-      split.rest += "[]";
-      split.rest += text.substr(scan.at());
-      return split;
-    }
-    std::string_view passed;
-    if (!scan.value(passed)) return std::nullopt;
-  } while (scan.take(','));
-  return std::nullopt;
+                                    std::initializer_list<std::string_view> names,
+                                    const PassElements& pass) {
+  SplitJson split;
+  std::size_t copied = 0;
+  take_out(text, names, pass, split, copied);
+  if (split.arrays.empty()) return std::nullopt;
+  split.rest += text.substr(copied);
+  return split;
+}
+
+const SplitJson::Array* SplitJson::find(std::string_view name) const {
+  const auto at = std::find_if(arrays.begin(), arrays.end(),
+                               [&](const Array& array) { return array.name == name; });
+  return at == arrays.end() ? nullptr : &*at;
 }
 
 }  // namespace cover

@@ -4,6 +4,11 @@
 
 #include <cover/read_input.hpp>
 
+#include <fmt/core.h>
+
+#include <array>
+#include <string>
+
 #include "io/input/formats.hpp"
 #include "support/cases_folder.hpp"
 
@@ -157,6 +162,64 @@ TEST(ReadJson, NamesThePlaceOfEveryError) {
             "deck.json: the key \"points\" is given twice in one object");
   EXPECT_EQ(message(R"({"points": [], "unit": "inch"})"),
             "deck.json: unit: expected a unit of length: nm, um, mm, cm or m");
+}
+
+/// What is wrong, or else what was read.
+std::string told(std::string_view text, unsigned threads) {
+  ReadOptions options;
+  options.threads = threads;
+  const Result<Input> input = parse_json(text, "deck.json", options);
+  if (!input) return input.error().message;
+  std::string out;
+  for (const Point& p : input->points) out += fmt::format("{} {}\n", p.x, p.y);
+  for (const InputSegment& s : input->segments)
+    out += fmt::format("{}: {} {} {}\n", s.id, s.a, s.b, s.name);
+  return out + fmt::format("{} holes\n", input->holes.size());
+}
+
+/// Some megabytes, of which one point and one segment are others, and one segment has a name.
+std::string large_file(const char* point, const char* segment, const char* name, long named) {
+  constexpr long kPoints = 30'000;
+  std::string text = R"({"points": [)";
+  for (long k = 0; k < kPoints; ++k) {
+    const bool is_other = k == 14'567;
+    text += is_other ? std::string(point) : fmt::format("[{}, {}]", 0.1 * k, k % 7 == 0 ? -0 : k);
+    text += k + 1 < kPoints ? ", " : "";
+  }
+  text += R"(], "holes": [[0.5, 0.25]], "segments": [)";
+  for (long k = 0; k < kPoints; ++k) {
+    text += k == 25'678 ? segment : fmt::format("[{},{}]", k, (k + 1) % kPoints);
+    if (k == named) text += fmt::format(R"(, {{"points": [3, 4], "name": "{}"}})", name);
+    text += k + 1 < kPoints ? ", " : "";
+  }
+  return text + "]}";
+}
+
+/// By a tree of the whole, which a name with an escape asks for.
+TEST(ReadJson, ReadsTheSameByAnyNumberOfThreads) {
+  const std::array<std::array<const char*, 2>, 8> others{{
+      {"[3, 4]", "[5, 6]"},
+      {"[3, 4]", R"({"points": [5, 6], "name": "c"})"},
+      {"[3, \"4\"]", "[5, 6]"},
+      {"[3, 4, 5]", "[5, 6]"},
+      {"[3, 4]", "[5, 30000]"},
+      {"[3, 4]", "[5, 6.5]"},
+      {"[3, 4],", "[5, 6]"},
+      {"[3, 4]", "[5, -1]"},
+  }};
+  for (const auto& [point, segment] : others) {
+    for (const long named : {0L, 13'456L, 29'999L}) {
+      const std::string expected = told(large_file(point, segment, R"(\u0062)", named), 1);
+      const std::string text = large_file(point, segment, "b", named);
+      for (const unsigned threads : {1U, 2U, 3U, 7U})
+        EXPECT_TRUE(told(text, threads) == expected)
+            << point << ", " << segment << ": " << told(text, threads).substr(0, 200) << "\nnot\n"
+            << expected.substr(0, 200);
+    }
+  }
+  const std::string text = large_file("[3, 4]", "[5, 6]", "b", 0);
+  for (const std::size_t length : {text.size() / 3, text.size() - 1})
+    EXPECT_EQ(told(text.substr(0, length), 3), told(text.substr(0, length), 1));
 }
 
 TEST(ReadJson, PolygonsHaveSizes) {

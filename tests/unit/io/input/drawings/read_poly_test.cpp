@@ -2,6 +2,11 @@
 
 #include <cover/read_input.hpp>
 
+#include <fmt/core.h>
+
+#include <array>
+#include <string>
+
 #include "support/temporary_folder.hpp"
 
 namespace cover {
@@ -107,6 +112,84 @@ TEST(ReadPoly, NamesTheNodeFileThatIsMissing) {
   EXPECT_EQ(input.error().code, ErrorCode::cannot_open);
   EXPECT_NE(input.error().message.find("in.node: No such file or directory"), std::string::npos);
   EXPECT_NE(input.error().message.find("in.poly has no points of its own"), std::string::npos);
+}
+
+/// What is wrong, or else what was read.
+std::string told(std::string_view text, unsigned threads) {
+  ReadOptions options;
+  options.threads = threads;
+  const Result<Input> input = parse_input(text, ".poly", "in.poly", options);
+  if (!input) return input.error().message;
+  std::string out;
+  for (const std::string& warning : input->warnings) out += warning + "\n";
+  for (std::size_t v = 0; v < input->points.size(); ++v)
+    out += fmt::format("{} {} {} line {} marker {}\n", input->point_ids[v], input->points[v].x,
+                       input->points[v].y, input->point_lines[v],
+                       input->point_markers.empty() ? -1 : input->point_markers[v]);
+  for (const InputSegment& s : input->segments)
+    out += fmt::format("{}: {} {} line {} marker {}\n", s.id, s.a, s.b, s.line, s.marker);
+  return out + fmt::format("{} holes\n", input->holes.size());
+}
+
+/// A megabyte, in which some points and segments are other lines.
+std::string large_file(const char* edit_point, const char* edit_segment) {
+  constexpr long kPoints = 30'000;
+  std::string text = fmt::format("{} 2 1 1\n", kPoints);
+  for (long k = 0; k < kPoints; ++k) {
+    const bool edited = k % 13'456 == 13'455;
+    text += edited ? fmt::format(fmt::runtime(edit_point), k + 5)
+                   : fmt::format("{} {} {} 0.25 {}", k + 5, 0.1 * k, -k, k % 3);
+    text += k % 1000 == 0 ? "\r\n\n" : "\n";
+  }
+  text += fmt::format("{} 1\n", kPoints);
+  for (long k = 0; k < kPoints; ++k) {
+    const bool edited = k % 14'567 == 14'566;
+    text += edited ? fmt::format(fmt::runtime(edit_segment), k)
+                   : fmt::format("{} {} {} {}", k, k + 5, (k + 1) % kPoints + 5, k % 5);
+    text += "\n";
+  }
+  return text + "0\n";
+}
+
+/// The same with a comment behind each line, so that none is plain.
+std::string with_comments(std::string text) {
+  std::string out;
+  for (const char c : text) out += c == '\n' ? std::string(" #\n") : std::string(1, c);
+  return out;
+}
+
+TEST(ReadPoly, ReadsTheSameByAnyNumberOfThreads) {
+  const std::array<std::array<const char*, 2>, 13> edits{{
+      {"{} 3 4 0 7", "{} 5 6 7"},
+      {"{}, 3, 4, 0, 7", "{}, 5, 6, 7 # a comment"},
+      {"{} +3 4 x 7", "{} 5 6"},
+      {"{} 3 4", "{} 5 6"},
+      {"{} 3 4 0 7 8", "{} 5 6 7 8"},
+      {"# left out\n{} 3 4 0 7", "\n\n{} 5 6 7"},
+      {"9{} 3 4 0 7", "9{} 5 6 7"},
+      {"{} 3 y 0 7", "{} 5 6 7"},
+      {"{} 3 4 0 7", "{} 5 4 7"},
+      {"{} 3 inf 0 7", "{} 5 6 7"},
+      {"6 3 4 0 7 # {}", "{} 5 6 7"},
+      {"{} 3 4 0 99999999999", "{} 5 6 7"},
+      {"{} 3 4 0 7", "{0} 5 6 7\n{0} 5 6 7"},
+  }};
+  for (const auto& [point, segment] : edits) {
+    const std::string text = large_file(point, segment);
+    const std::string expected = told(with_comments(text), 1);
+    for (const unsigned threads : {1U, 2U, 3U, 7U})
+      EXPECT_TRUE(told(text, threads) == expected)
+          << point << ", " << segment << ": " << told(text, threads).substr(0, 200) << "\nnot\n"
+          << expected.substr(0, 200);
+  }
+}
+
+TEST(ReadPoly, EndsLargeFilesWhereTheyAreCutOff) {
+  const std::string text = large_file("{} 3 4 0 7", "{} 5 6 7");
+  for (const std::size_t length : {text.size() / 4, text.size() / 2, text.size() - 3}) {
+    const std::string cut = text.substr(0, length);
+    EXPECT_EQ(told(cut, 3), told(with_comments(cut), 1));
+  }
 }
 
 TEST(ReadInput, NamesTheFormatsItKnows) {

@@ -5,9 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <array>
-#include <cmath>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -23,9 +20,9 @@ TEST(SplitJson, TakesTheElementsOut) {
   const auto split = split_json(text, {"polygons", "features"});
   ASSERT_TRUE(split);
   const Json whole = Json::parse(text), rest = Json::parse(split->rest);
-  ASSERT_EQ(split->elements.size(), whole["features"].size());
-  for (std::size_t k = 0; k < split->elements.size(); ++k)
-    EXPECT_EQ(Json::parse(split->elements[k]), whole["features"][k]);
+  ASSERT_EQ(split->arrays[0].elements.size(), whole["features"].size());
+  for (std::size_t k = 0; k < split->arrays[0].elements.size(); ++k)
+    EXPECT_EQ(Json::parse(split->arrays[0].elements[k]), whole["features"][k]);
   EXPECT_EQ(rest["features"], Json::array());
   EXPECT_EQ(rest["a"], whole["a"]);
   EXPECT_EQ(rest["last"], whole["last"]);
@@ -34,7 +31,7 @@ TEST(SplitJson, TakesTheElementsOut) {
 TEST(SplitJson, KnowsEmptyArrays) {
   const auto split = split_json(R"({"features":[ ]})", {"features"});
   ASSERT_TRUE(split);
-  EXPECT_TRUE(split->elements.empty());
+  EXPECT_TRUE(split->arrays[0].elements.empty());
 }
 
 TEST(SplitJson, LeavesTheRestToTheParser) {
@@ -52,36 +49,32 @@ TEST(SplitJson, HidesNoFaultBehindTheArray) {
   EXPECT_FALSE(Json::accept(split->rest));
 }
 
-TEST(ReadPair, FindsWhatAParserFinds) {
-  for (const char* text : {"[1,2]", " [ -0 , 0.0 ]", "[-0.0,1e3]", "[0.1,123456789012345678]",
-                           "[1E+5,2.5e-300]", "[9007199254740993,-9007199254740993]",
-                           "[4.9e-322,1.7976931348623157e308]", "[\t1 ,\n2 ]"}) {
-    const std::string_view element = std::string_view(text).substr(text[0] == ' ' ? 1 : 0);
-    const std::optional<Point> p = read_pair(element);
-    if (!p) {
-      EXPECT_NE(element.find("e-322"), element.npos) << text;  // left to the parser
-      continue;
-    }
-    const Json json = Json::parse(element);
-    EXPECT_EQ(p->x, json[0].get<double>()) << text;
-    EXPECT_EQ(p->y, json[1].get<double>()) << text;
-    EXPECT_EQ(std::signbit(p->x), std::signbit(json[0].get<double>())) << text;
-  }
-  EXPECT_EQ(read_integer_pair("[ 3 , -4 ]"), (std::array<long, 2>{3, -4}));
+TEST(SplitJson, TakesOfEachNameTheFirst) {
+  const std::string text = R"({"b":[1,2],"x":0,"a":[3],"b":[4],"c":[]})";
+  const auto split = split_json(text, {"a", "b"});
+  ASSERT_TRUE(split);
+  ASSERT_EQ(split->arrays.size(), 2U);
+  EXPECT_EQ(split->arrays[0].name, "b");
+  EXPECT_EQ(split->arrays[1].name, "a");
+  EXPECT_EQ(split->rest, R"({"b":[],"x":0,"a":[],"b":[4],"c":[]})");
+  EXPECT_EQ(split->find("c"), nullptr);
 }
 
-TEST(ReadPair, LeavesTheRestToTheParser) {
-  for (const char* text : {"",          "[",       "[]",        "[1]",
-                           "[1,2",      "[1,2,3]", "[1,2] ",    "[01,2]",
-                           "[1.,2]",    "[.5,2]",  "[+1,2]",    "[1,nan]",
-                           "[inf,1]",   "[1e,2]",  "[1e999,2]", "[1,99999999999999999999]",
-                           "[\"1\",2]", "{}",      "[1 2]",     "[--1,2]",
-                           "[-,2]",     "[0x1,2]", "null"}) {
-    EXPECT_FALSE(read_pair(text)) << text;
-    EXPECT_FALSE(read_integer_pair(text)) << text;
-  }
-  EXPECT_FALSE(read_integer_pair("[1.0,2]"));
-  EXPECT_FALSE(read_integer_pair("[1,2e0]"));
+/// Whoever passes elements says how far; a comma must have an element behind it.
+TEST(SplitJson, GoesOnBehindWhatIsPassed) {
+  const auto pass_to = [](std::size_t to, bool is_closed) {
+    return [=](std::string_view, std::size_t) { return Passed{to, is_closed}; };
+  };
+  const std::string text = R"({"a":[1,2,3],"x":0})";
+  const auto behind_one = split_json(text, {"a"}, pass_to(8, false));
+  ASSERT_TRUE(behind_one);
+  ASSERT_EQ(behind_one->arrays[0].elements.size(), 2U);
+  EXPECT_EQ(behind_one->arrays[0].elements[0], "2");
+  const auto closed = split_json(text, {"a"}, pass_to(11, true));
+  ASSERT_TRUE(closed);
+  EXPECT_TRUE(closed->arrays[0].elements.empty());
+  EXPECT_EQ(closed->rest, R"({"a":[],"x":0})");
+  EXPECT_FALSE(split_json(R"({"a":[1,]})", {"a"}, pass_to(8, false)));
 }
 
 }  // namespace
