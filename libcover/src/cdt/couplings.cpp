@@ -4,18 +4,27 @@
 #include "cdt/couplings.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "geom/predicates.hpp"
 
 namespace cover {
+namespace {
+
+constexpr std::size_t kEdgesAtATime = 1 << 16;  // half-edges
+
+}  // namespace
 
 std::vector<std::uint32_t> across_edges(std::size_t points, std::span<const IndexTriple> triangles,
-                                        std::span<const IndexPair> sides) {
-  std::vector<std::uint32_t> across = opposite_half_edges(points, triangles);
-  const auto outer = std::count(across.begin(), across.end(), HalfEdges::kAbsent);
+                                        std::span<const IndexPair> sides, const Team& team) {
+  std::vector<std::uint32_t> across = opposite_half_edges(points, triangles, team);
+  std::atomic<std::ptrdiff_t> outer = 0;
+  team.each_range(across.size(), kEdgesAtATime, [&](std::size_t first, std::size_t last) {
+    outer += std::count(across.data() + first, across.data() + last, HalfEdges::kAbsent);
+  });
   if (outer == static_cast<std::ptrdiff_t>(sides.size())) return across;
-  const HalfEdges half_edges(points, triangles);  // slits have triangles on both sides
+  const HalfEdges half_edges(points, triangles, team);  // slits have triangles on both sides
   for (const auto& [a, b] : sides) {
     const std::uint32_t h = half_edges.find(a, b);
     if (h != HalfEdges::kAbsent) across[h] = HalfEdges::kAbsent;
@@ -68,23 +77,29 @@ template <class IsDoubtful>
 std::vector<NegativeEdge> negative_among(std::span<const Point> points,
                                          std::span<const IndexTriple> triangles,
                                          std::span<const std::uint32_t> across,
-                                         const IsDoubtful& is_doubtful) {
+                                         const IsDoubtful& is_doubtful, const Team& team) {
   const auto source = [&](std::uint32_t h) { return triangles[h / 3][h % 3]; };
-  std::vector<NegativeEdge> found;
-  for (std::uint32_t h = 0; h < across.size(); ++h) {
+  std::vector<std::vector<NegativeEdge>> found(Team::ranges(across.size(), kEdgesAtATime));
+  const auto look_at = [&](std::uint32_t h, std::vector<NegativeEdge>& own) {
     const std::uint32_t twin = across[h];
-    if ((twin != HalfEdges::kAbsent && twin < h) || !is_doubtful(h)) continue;
+    if ((twin != HalfEdges::kAbsent && twin < h) || !is_doubtful(h)) return;
     const std::uint32_t a = source(h), b = source(HalfEdges::next(h)),
                         c = source(HalfEdges::previous(h));
     if (twin == HalfEdges::kAbsent) {
       if (compare_with_90_degrees(points[a], points[c], points[b]) == Sign::positive)
-        found.push_back({{a, b}, c, true});
+        own.push_back({{a, b}, c, true});
     } else if (in_circle(points[a], points[b], points[c],
                          points[source(HalfEdges::previous(twin))]) == Sign::positive) {
-      found.push_back({{a, b}, c, false});
+      own.push_back({{a, b}, c, false});
     }
-  }
-  return found;
+  };
+  team.each_range(across.size(), kEdgesAtATime, [&](std::size_t first, std::size_t last) {
+    for (auto h = static_cast<std::uint32_t>(first); h < last; ++h)
+      look_at(h, found[first / kEdgesAtATime]);
+  });
+  std::vector<NegativeEdge> all;
+  for (const auto& some : found) all.insert(all.end(), some.begin(), some.end());
+  return all;
 }
 
 /// Up to this size a cotangent in doubles is off by less than 1e-8: differences of coordinates are
@@ -97,20 +112,22 @@ constexpr double kSureSum = 1e-6;
 std::vector<NegativeEdge> negative_edges(std::span<const Point> points,
                                          std::span<const IndexTriple> triangles,
                                          std::span<const IndexPair> sides) {
-  return negative_among(points, triangles, across_edges(points.size(), triangles, sides),
-                        [](std::uint32_t) { return true; });
+  return negative_among(
+      points, triangles, across_edges(points.size(), triangles, sides),
+      [](std::uint32_t) { return true; }, Team());
 }
 
 std::vector<NegativeEdge> negative_edges(std::span<const Point> points,
                                          std::span<const IndexTriple> triangles,
                                          std::span<const std::uint32_t> across,
-                                         std::span<const double> cots) {
+                                         std::span<const double> cots, const Team& team) {
   const auto is_sure = [&](double cot) { return std::abs(cot) < kSureCot; };
-  return negative_among(points, triangles, across, [&](std::uint32_t h) {
+  const auto is_doubtful = [&](std::uint32_t h) {
     const std::uint32_t twin = across[h];
     const double other = twin == HalfEdges::kAbsent ? 0 : cots[twin];
     return !(is_sure(cots[h]) && is_sure(other) && cots[h] + other > kSureSum);
-  });
+  };
+  return negative_among(points, triangles, across, is_doubtful, team);
 }
 
 }  // namespace cover

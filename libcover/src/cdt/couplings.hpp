@@ -16,7 +16,7 @@ namespace cover {
 /// The opposite of every half-edge, numbered as in HalfEdges; kAbsent for `sides`, the directed
 /// sides of the triangles' region, which may be slits.
 std::vector<std::uint32_t> across_edges(std::size_t points, std::span<const IndexTriple> triangles,
-                                        std::span<const IndexPair> sides);
+                                        std::span<const IndexPair> sides, const Team& team = {});
 
 /// An edge whose form factor, half the sum of the cotangents of the angles opposite to it in one
 /// region, is negative.
@@ -42,7 +42,7 @@ std::vector<NegativeEdge> negative_edges(std::span<const Point> points,
 std::vector<NegativeEdge> negative_edges(std::span<const Point> points,
                                          std::span<const IndexTriple> triangles,
                                          std::span<const std::uint32_t> across,
-                                         std::span<const double> cots);
+                                         std::span<const double> cots, const Team& team = {});
 
 /// Flips inner edges until all of them are locally Delaunay, and none has a negative coupling;
 /// returns how many. Triangles keep their places in the list, two by two. Edges whose flip would

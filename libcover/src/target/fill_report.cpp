@@ -27,6 +27,8 @@ namespace {
 constexpr double kCotangentOf150 = -std::numbers::sqrt3;
 /// In cotangents: from here on doubles tell that an angle is acute, or obtuse.
 constexpr double kNearRight = 1e-9;
+/// Triangles. The same for any team: areas are summed in the same order.
+constexpr std::size_t kTrianglesAtATime = 1 << 17;
 constexpr std::size_t kUpToRight = 8;  ///< the bin of 80 to 90 degrees
 /// Spacings of doubles: a triangle that is no higher than that cannot be divided.
 constexpr double kNoRoom = 64;
@@ -154,12 +156,12 @@ Quality measure_some(std::span<const Point> points, std::span<const IndexTriple>
 
 Quality measure_angles(std::span<const Point> points, std::span<const IndexTriple> triangles,
                        const Team& team) {
-  constexpr std::size_t kRange = 1 << 17;  // whatever the team: areas are summed in the same order
   const BinLimits limits = bin_limits();
-  if (triangles.size() <= kRange) return measure_some(points, triangles, limits);
-  std::vector<Quality> parts(Team::ranges(triangles.size(), kRange));
-  team.each_range(triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
-    parts[first / kRange] = measure_some(points, triangles.subspan(first, last - first), limits);
+  if (triangles.size() <= kTrianglesAtATime) return measure_some(points, triangles, limits);
+  std::vector<Quality> parts(Team::ranges(triangles.size(), kTrianglesAtATime));
+  team.each_range(triangles.size(), kTrianglesAtATime, [&](std::size_t first, std::size_t last) {
+    parts[first / kTrianglesAtATime] =
+        measure_some(points, triangles.subspan(first, last - first), limits);
   });
   Quality sum = parts[0];
   for (std::size_t k = 1; k < parts.size(); ++k) merge(sum, parts[k]);
@@ -175,26 +177,30 @@ struct Opposites {
 };
 
 Opposites opposites_of(std::span<const Point> points, std::span<const IndexTriple> triangles,
-                       std::span<const IndexPair> sides) {
+                       std::span<const IndexPair> sides, const Team& team) {
   Opposites of;
-  of.cots.reserve(3 * triangles.size());
-  for (const auto& [i, j, k] : triangles) {
-    const Point corners[3] = {points[i], points[j], points[k]};
-    const double doubled_area = cross(corners[1] - corners[0], corners[2] - corners[0]);
-    for (std::size_t h = 0; h < 3; ++h)
-      of.cots.push_back(
-          cotangent(corners[h], corners[(h + 2) % 3], corners[(h + 1) % 3], doubled_area));
-  }
-  of.across = across_edges(points.size(), triangles, sides);
+  of.cots.resize(3 * triangles.size());
+  team.each_range(triangles.size(), kTrianglesAtATime, [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) {
+      const auto& [i, j, k] = triangles[t];
+      const Point corners[3] = {points[i], points[j], points[k]};
+      const double doubled_area = cross(corners[1] - corners[0], corners[2] - corners[0]);
+      for (std::size_t h = 0; h < 3; ++h)
+        of.cots[3 * t + h] =
+            cotangent(corners[h], corners[(h + 2) % 3], corners[(h + 1) % 3], doubled_area);
+    }
+  });
+  of.across = across_edges(points.size(), triangles, sides, team);
   return of;
 }
 
-BoxMethod measure_boxes(std::span<const Point> points, std::span<const IndexTriple> triangles,
-                        const Opposites& opposites) {
+/// Of the half-edges from `first` to before `last`.
+BoxMethod measure_some_boxes(std::span<const Point> points, std::span<const IndexTriple> triangles,
+                             const Opposites& opposites, std::size_t first, std::size_t last) {
   BoxMethod box;
   const auto& [cots, across] = opposites;
   const auto source = [&](std::uint32_t h) { return points[triangles[h / 3][h % 3]]; };
-  for (std::uint32_t h = 0; h < across.size(); ++h) {
+  for (auto h = static_cast<std::uint32_t>(first); h < last; ++h) {
     // |e| d_e / 2 with d_e = |e| |cot| / 2, the distance from the edge's midpoint to the
     // circumcentre
     box.box_area += squared_length(source(HalfEdges::next(h)) - source(h)) * std::abs(cots[h]) / 4;
@@ -213,11 +219,27 @@ BoxMethod measure_boxes(std::span<const Point> points, std::span<const IndexTrip
   return box;
 }
 
+BoxMethod measure_boxes(std::span<const Point> points, std::span<const IndexTriple> triangles,
+                        const Opposites& opposites, const Team& team) {
+  constexpr std::size_t kHalfEdges = 3 * kTrianglesAtATime;
+  std::vector<BoxMethod> parts(Team::ranges(3 * triangles.size(), kHalfEdges));
+  team.each_range(3 * triangles.size(), kHalfEdges, [&](std::size_t first, std::size_t last) {
+    parts[first / kHalfEdges] = measure_some_boxes(points, triangles, opposites, first, last);
+  });
+  BoxMethod sum;
+  for (const BoxMethod& part : parts) {
+    sum.box_area += part.box_area;
+    sum.obtuse_sides += part.obtuse_sides;
+    sum.non_delaunay_edges += part.non_delaunay_edges;
+  }
+  return sum;
+}
+
 }  // namespace
 
 BoxMethod measure_boxes(std::span<const Point> points, std::span<const IndexTriple> triangles,
                         std::span<const IndexPair> sides) {
-  return measure_boxes(points, triangles, opposites_of(points, triangles, sides));
+  return measure_boxes(points, triangles, opposites_of(points, triangles, sides, Team()), Team());
 }
 
 namespace {
@@ -259,10 +281,11 @@ void find_forced(const RegionBoundary& boundary, Angle nu_bound,
 std::vector<NegativeCoupling> measure_couplings(const RegionBoundary& boundary,
                                                 const RegionMesh& mesh,
                                                 std::span<const Point> points,
-                                                const Opposites& opposites, BoxMethod& box) {
+                                                const Opposites& opposites, const Team& team,
+                                                BoxMethod& box) {
   std::vector<NegativeCoupling> found;
   const std::vector<NegativeEdge> negative =
-      negative_edges(points, mesh.triangles, opposites.across, opposites.cots);
+      negative_edges(points, mesh.triangles, opposites.across, opposites.cots, team);
   // Layers were asked for, so their vertices are as given as those of the boundary.
   const auto given = points.first(boundary.points.size() + mesh.layer_vertices);
   // In a Delaunay mesh it is the apex that sees a side under the largest angle: if it is given, no
@@ -348,9 +371,9 @@ void fill_report(const RegionBoundary& boundary, RegionMesh& mesh, const Team& t
       report.quality = measure_angles(points, mesh.triangles, team);
       return;
     }
-    const Opposites opposites = opposites_of(points, mesh.triangles, boundary.sides);
-    report.box = measure_boxes(points, mesh.triangles, opposites);
-    report.couplings = measure_couplings(boundary, mesh, points, opposites, report.box);
+    const Opposites opposites = opposites_of(points, mesh.triangles, boundary.sides, team);
+    report.box = measure_boxes(points, mesh.triangles, opposites, team);
+    report.couplings = measure_couplings(boundary, mesh, points, opposites, team, report.box);
   });
   report.input_vertices = boundary.points.size();
   report.steiner_vertices = mesh.steiner.size();

@@ -3,6 +3,7 @@
 #include "target/whole_mesh.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -13,12 +14,18 @@
 namespace cover {
 namespace {
 
+constexpr std::size_t kAtATime = 1 << 15;
+
+/// Sets a flag that others may set at the same time.
+void set(std::uint8_t& flag) { std::atomic_ref(flag).store(1, std::memory_order_relaxed); }
+
 class Finder {
  public:
-  explicit Finder(const MeshOfRegion& mesh)
+  Finder(const MeshOfRegion& mesh, const Team& team)
       : mesh_(mesh),
-        edges_(mesh.points.size(), mesh.triangles),
-        is_side_(3 * mesh.triangles.size(), false) {}
+        team_(team),
+        edges_(mesh.points.size(), mesh.triangles, team),
+        is_side_(3 * mesh.triangles.size(), 0) {}
 
   std::optional<BoundaryFault> find() {
     std::optional<BoundaryFault> fault = find_bad_triangle();
@@ -35,28 +42,55 @@ class Finder {
     return {"the edge from " + describe(a) + " to " + describe(b) + what, {a, b}, {}};
   }
 
+  /// The first of the numbers below `count` for which `is_it` holds; `count` if there is none.
+  template <class IsIt>
+  [[nodiscard]] std::size_t find_first(std::size_t count, const IsIt& is_it) const {
+    std::atomic<std::size_t> found = count;
+    team_.each_range(count, kAtATime, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last && first < found; ++k) {
+        if (!is_it(k)) continue;
+        std::size_t other = found;
+        while (k < other && !found.compare_exchange_weak(other, k)) {
+        }
+        return;
+      }
+    });
+    return found;
+  }
+
   [[nodiscard]] std::optional<BoundaryFault> find_bad_triangle() const {
-    if (mesh_.triangles.empty()) return BoundaryFault{"there are no triangles", {}, {}};
-    for (const auto& [a, b, c] : mesh_.triangles) {
-      if (orientation(at(a), at(b), at(c)) == Sign::positive) continue;
+    const auto& triangles = mesh_.triangles;
+    if (triangles.empty()) return BoundaryFault{"there are no triangles", {}, {}};
+    const std::size_t bad = find_first(triangles.size(), [&](std::size_t t) {
+      const auto& [a, b, c] = triangles[t];
+      return orientation(at(a), at(b), at(c)) != Sign::positive;
+    });
+    if (bad != triangles.size()) {
+      const auto& [a, b, c] = triangles[bad];
       return BoundaryFault{"the triangle " + describe(at(a)) + ", " + describe(at(b)) + ", " +
                                describe(at(c)) + " is not counter-clockwise",
                            {at(a), at(b), at(c)},
                            {}};
     }
-    if (edges_.all_different()) return std::nullopt;
+    if (edges_.all_different(team_)) return std::nullopt;
     return BoundaryFault{"two triangles have the same edge", {}, {}};
   }
 
+  /// Whole sides first, which are no pieces of others.
   std::optional<BoundaryFault> find_missing_side() {
-    for (std::size_t s = 0; s < mesh_.sides.size(); ++s) {
-      const auto& [a, b] = mesh_.sides[s];
-      const std::uint32_t h = edges_.find(a, b);
-      if (h != HalfEdges::kAbsent) {
-        is_side_[h] = true;
-      } else if (mesh_.segments[s] != kHullSide || !walk_hull(a, b)) {
-        return edge_fault(at(a), at(b), " is a side, and no edge of the triangles");
+    std::vector<std::uint8_t> is_missing(mesh_.sides.size(), 0);
+    team_.each_range(mesh_.sides.size(), kAtATime, [&](std::size_t first, std::size_t last) {
+      for (std::size_t s = first; s < last; ++s) {
+        const std::uint32_t h = edges_.find(mesh_.sides[s][0], mesh_.sides[s][1]);
+        set(h == HalfEdges::kAbsent ? is_missing[s] : is_side_[h]);
       }
+    });
+    for (auto missing = is_missing.begin();
+         (missing = std::find(missing, is_missing.end(), 1)) != is_missing.end(); ++missing) {
+      const auto s = static_cast<std::size_t>(missing - is_missing.begin());
+      const auto& [a, b] = mesh_.sides[s];
+      if (mesh_.segments[s] != kHullSide || !walk_hull(a, b))
+        return edge_fault(at(a), at(b), " is a side, and no edge of the triangles");
     }
     return std::nullopt;
   }
@@ -66,9 +100,9 @@ class Finder {
     if (open_.empty()) collect_open_edges();
     for (std::uint32_t v = a; v != b;) {
       auto piece = std::lower_bound(open_.begin(), open_.end(), OpenEdge{v, 0});
-      while (piece != open_.end() && piece->from == v && is_side_[piece->half_edge]) ++piece;
+      while (piece != open_.end() && piece->from == v && is_side_[piece->half_edge] != 0) ++piece;
       if (piece == open_.end() || piece->from != v) return false;
-      is_side_[piece->half_edge] = true;
+      is_side_[piece->half_edge] = 1;
       v = edges_.target(piece->half_edge);
       if (v < mesh_.boundary_points && v != b) return false;
     }
@@ -86,31 +120,33 @@ class Finder {
   }
 
   [[nodiscard]] std::optional<BoundaryFault> find_open_edge() const {
-    for (std::uint32_t h = 0; h < edges_.size(); ++h) {
-      const Point a = at(edges_.source(h)), b = at(edges_.target(h));
+    const auto is_open = [&](std::uint32_t h) {
       const std::uint32_t twin = edges_.twin(h);
-      if (!is_side_[h]) {
-        if (twin == HalfEdges::kAbsent)
-          return edge_fault(a, b, " has nothing on its other side, and is no side");
-        continue;
-      }
+      if (is_side_[h] == 0) return twin == HalfEdges::kAbsent;
       // A slit has triangles on both sides, and is a side twice.
-      if (twin != HalfEdges::kAbsent && !is_side_[twin])
-        return edge_fault(a, b, " is a side, and has triangles on both sides");
-    }
-    return std::nullopt;
+      return twin != HalfEdges::kAbsent && is_side_[twin] == 0;
+    };
+    const std::size_t bad = find_first(
+        edges_.size(), [&](std::size_t h) { return is_open(static_cast<std::uint32_t>(h)); });
+    if (bad == edges_.size()) return std::nullopt;
+    const auto h = static_cast<std::uint32_t>(bad);
+    return edge_fault(at(edges_.source(h)), at(edges_.target(h)),
+                      is_side_[h] == 0 ? " has nothing on its other side, and is no side"
+                                       : " is a side, and has triangles on both sides");
   }
 
   [[nodiscard]] std::optional<BoundaryFault> find_lost_point() const {
-    std::vector<bool> used(mesh_.points.size(), false);
-    for (const IndexTriple& t : mesh_.triangles) {
-      for (const std::uint32_t v : t) used[v] = true;
-    }
-    for (std::uint32_t v = 0; v < mesh_.boundary_points; ++v) {
-      if (!used[v])
-        return BoundaryFault{"the point " + describe(at(v)) + " is no vertex", {at(v)}, {v}};
-    }
-    return std::nullopt;
+    std::vector<std::uint8_t> used(mesh_.points.size(), 0);
+    team_.each_range(mesh_.triangles.size(), kAtATime, [&](std::size_t first, std::size_t last) {
+      for (std::size_t t = first; t < last; ++t) {
+        for (const std::uint32_t v : mesh_.triangles[t]) set(used[v]);
+      }
+    });
+    const auto end = used.begin() + static_cast<std::ptrdiff_t>(mesh_.boundary_points);
+    const auto lost = std::find(used.begin(), end, 0);
+    if (lost == end) return std::nullopt;
+    const auto v = static_cast<std::uint32_t>(lost - used.begin());
+    return BoundaryFault{"the point " + describe(at(v)) + " is no vertex", {at(v)}, {v}};
   }
 
   struct OpenEdge {
@@ -119,14 +155,17 @@ class Finder {
   };
 
   const MeshOfRegion& mesh_;
+  const Team& team_;
   HalfEdges edges_;
-  std::vector<bool> is_side_;   ///< by half-edge
-  std::vector<OpenEdge> open_;  ///< no triangle on the other side, no whole side
+  std::vector<std::uint8_t> is_side_;  ///< by half-edge
+  std::vector<OpenEdge> open_;         ///< no triangle on the other side, no whole side
 };
 
 }  // namespace
 
-std::optional<BoundaryFault> find_fault(const MeshOfRegion& mesh) { return Finder(mesh).find(); }
+std::optional<BoundaryFault> find_fault(const MeshOfRegion& mesh, const Team& team) {
+  return Finder(mesh, team).find();
+}
 
 std::optional<BoundaryFault> find_fault(const RegionBoundary& boundary, const RegionMesh& mesh) {
   return find_fault({all_points(boundary, mesh), mesh.triangles, boundary.sides, boundary.segments,

@@ -7,6 +7,7 @@
 #include <cover/ids.hpp>
 #include <cover/point.hpp>
 
+#include "base/team.hpp"
 #include "cdt/region_cdt.hpp"
 #include "geom/topology/half_edges.hpp"
 #include "region/region_boundary.hpp"
@@ -29,7 +30,7 @@ struct MeshOfRegion {
 ///
 /// EXACT: yes, up to where the points on split sides of the hull lie
 /// Cost:  O(triangles), for the few edges that a vertex usually has
-std::optional<BoundaryFault> find_fault(const MeshOfRegion& mesh);
+std::optional<BoundaryFault> find_fault(const MeshOfRegion& mesh, const Team& team = {});
 std::optional<BoundaryFault> find_fault(const RegionBoundary& boundary, const RegionMesh& mesh);
 
 }  // namespace cover

@@ -78,7 +78,8 @@ Attempt judged(ProvenMesh made, const RegionBoundary& boundary, const std::stop_
                 fill_report(boundary, mesh, team);
               } else {
                 out.fault = find_fault({points, mesh.triangles, boundary.sides, boundary.segments,
-                                        boundary.points.size()});
+                                        boundary.points.size()},
+                                       team);
               }
             });
   if (out.fault) {

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "base/team.hpp"
+
 namespace cover {
 
 /// Three vertex indices, counter-clockwise.
@@ -19,8 +21,8 @@ class HalfEdges {
   static constexpr std::uint32_t kAbsent = 0xffffffffU;
 
   /// REQUIRES: vertex indices below `vertices`; `triangles` outlives this object
-  /// Cost:     O(vertices + triangles), 12 bytes per half-edge
-  HalfEdges(std::size_t vertices, std::span<const IndexTriple> triangles);
+  /// Cost:     O(vertices + triangles), 12 bytes per half-edge; 4 bytes more with several threads
+  HalfEdges(std::size_t vertices, std::span<const IndexTriple> triangles, const Team& team = {});
 
   /// The half-edge from `a` to `b`, or kAbsent. If several triangles claim it: the first of them.
   [[nodiscard]] std::uint32_t find(std::uint32_t a, std::uint32_t b) const;
@@ -28,7 +30,7 @@ class HalfEdges {
   [[nodiscard]] std::uint32_t twin(std::uint32_t h) const { return find(target(h), source(h)); }
 
   /// True if no two triangles have the same directed edge.
-  [[nodiscard]] bool all_different() const;
+  [[nodiscard]] bool all_different(const Team& team = {}) const;
 
   [[nodiscard]] std::uint32_t source(std::uint32_t h) const { return triangles_[h / 3][h % 3]; }
   [[nodiscard]] std::uint32_t target(std::uint32_t h) const { return source(next(h)); }
@@ -45,6 +47,10 @@ class HalfEdges {
     std::uint32_t half_edge;
   };
 
+  void sort_all();
+  void sort_by_spans(const Team& team);
+  void sort_around(std::size_t vertex);
+
   std::span<const IndexTriple> triangles_;
   std::vector<std::uint32_t> first_;  ///< by source vertex, into sorted_
   std::vector<Entry> sorted_;         ///< by source vertex, then target, then half-edge
@@ -55,8 +61,9 @@ class HalfEdges {
 ///
 /// REQUIRES: no two triangles have the same directed edge
 /// Cost:     O(triangles) and 4 bytes per half-edge, for the few edges that a vertex usually has;
-///           at most O(n log n) and 16 bytes more
+///           at most O(n log n) and 16 bytes more; 4 bytes more with several threads
 std::vector<std::uint32_t> opposite_half_edges(std::size_t vertices,
-                                               std::span<const IndexTriple> triangles);
+                                               std::span<const IndexTriple> triangles,
+                                               const Team& team = {});
 
 }  // namespace cover
