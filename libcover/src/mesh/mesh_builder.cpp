@@ -12,6 +12,8 @@
 #include "mesh/mesh_builder.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <utility>
 
 #include <cover/mesh.hpp>
 
@@ -29,6 +31,15 @@ constexpr std::size_t kRange = 1 << 15;
 
 Vertex vertex(std::uint32_t v) { return Vertex(static_cast<int>(v)); }
 
+/// Of numbers that several threads have.
+void keep_larger(std::uint32_t number, std::uint32_t& kept) {
+  const std::atomic_ref shared(kept);
+  std::uint32_t other = shared.load(std::memory_order_relaxed);
+  while (other < number &&
+         !shared.compare_exchange_weak(other, number, std::memory_order_relaxed)) {
+  }
+}
+
 }  // namespace
 
 /// A fan of triangles around a boundary vertex, from its first edge counter-clockwise to its last.
@@ -39,54 +50,78 @@ struct MeshBuilder::Fan {
   Halfedge leaving;           ///< boundary half-edge along the last edge
 };
 
-MeshBuilder::MeshBuilder(std::span<const Point> points, std::span<const IndexTriple> triangles)
+MeshBuilder::MeshBuilder(std::span<const Point> points, std::span<const IndexTriple> triangles,
+                         const Team& team)
     : points_(points),
       triangles_(triangles),
-      half_edge_(opposite_half_edges(points.size(), triangles)) {
-  number_half_edges();
+      half_edge_(opposite_half_edges(points.size(), triangles, team)) {
+  number_half_edges(team);
 }
 
-Mesh MeshBuilder::build(const Team& team, const std::function<void(Mesh&)>& more) const {
+Mesh MeshBuilder::build(const Team& team) const {
   Mesh mesh;
-  mesh.tri().resize(points_.size(), edges_, triangles_.size());
-  // What each of them sets is no other's.
-  constexpr std::size_t kWhole = 2;
-  team.each(kWhole + Team::ranges(triangles_.size(), kRange), [&](std::size_t k) {
-    if (k == 0) {
-      set_homes(mesh.tri());
-    } else if (k == 1) {
-      set_points(mesh.tri());
-      if (more) more(mesh);
-    } else {
-      const std::size_t first = (k - kWhole) * kRange;
-      set_faces(first, std::min(triangles_.size(), first + kRange), mesh.tri());
+  TriMesh& tri = mesh.tri();
+  tri.resize(points_.size(), edges_, triangles_.size());
+  std::vector<std::uint32_t> last_of(points_.size(), 0);
+  team.each_range(triangles_.size(), kRange, [&](std::size_t first, std::size_t last) {
+    set_faces(first, last, last_of, tri);
+  });
+  team.each_range(points_.size(), kRange, [&](std::size_t first, std::size_t last) {
+    for (auto v = static_cast<std::uint32_t>(first); v < last; ++v) {
+      tri.set_point(vertex(v), TriMesh::Point(points_[v].x, points_[v].y, 0));
+      if (last_of[v] != 0) tri.set_halfedge_handle(vertex(v), halfedge(last_of[v] - 1));
     }
   });
-  set_boundary(team, mesh.tri());
+  set_boundary(team, tri);
   return mesh;
 }
 
-/// In place of their opposites, of which each is looked at once.
-void MeshBuilder::number_half_edges() {
-  for (std::uint32_t h = 0; h < half_edge_.size(); ++h) {
-    const std::uint32_t twin = half_edge_[h];
-    if (twin < h) {
-      half_edge_[h] = half_edge_[twin] + 1;
-    } else {
-      half_edge_[h] = static_cast<std::uint32_t>(2 * edges_++);
-      if (twin == HalfEdges::kAbsent) boundary_.push_back(half_edge_[h]);
+/// In place of their opposites. The first half-edge of an edge, in the order of the faces, counts;
+/// it is not looked at again where the other one takes its number.
+void MeshBuilder::number_half_edges(const Team& team) {
+  constexpr std::size_t kWord = 64, kAtATime = kRange;
+  static_assert(kAtATime % kWord == 0);  // so that threads share no word
+  std::vector<std::uint64_t> is_second(Team::ranges(half_edge_.size(), kWord), 0);
+  const std::size_t ranges = Team::ranges(half_edge_.size(), kAtATime);
+  std::vector<std::uint32_t> edges_before(ranges + 1, 0);
+  std::vector<std::vector<std::uint32_t>> boundary(ranges);
+  team.each_range(half_edge_.size(), kAtATime, [&](std::size_t first, std::size_t last) {
+    std::uint32_t own = 0;
+    for (std::size_t h = first; h < last; ++h) {
+      if (half_edge_[h] < h) {
+        is_second[h / kWord] |= std::uint64_t{1} << (h % kWord);
+      } else {
+        ++own;
+      }
     }
-  }
+    edges_before[first / kAtATime + 1] = own;
+  });
+  for (std::size_t k = 1; k <= ranges; ++k) edges_before[k] += edges_before[k - 1];
+  edges_ = edges_before.back();
+  const auto is_first = [&](std::size_t h) {
+    return (is_second[h / kWord] >> (h % kWord) & 1) == 0;
+  };
+  team.each_range(half_edge_.size(), kAtATime, [&](std::size_t first, std::size_t last) {
+    std::uint32_t next = 2 * edges_before[first / kAtATime];
+    for (std::size_t h = first; h < last; ++h) {
+      if (!is_first(h)) continue;
+      if (std::exchange(half_edge_[h], next) == HalfEdges::kAbsent)
+        boundary[first / kAtATime].push_back(next);
+      next += 2;
+    }
+  });
+  team.each_range(half_edge_.size(), kAtATime, [&](std::size_t first, std::size_t last) {
+    for (std::size_t h = first; h < last; ++h) {
+      if (!is_first(h)) half_edge_[h] = half_edge_[half_edge_[h]] + 1;
+    }
+  });
+  for (const auto& some : boundary) boundary_.insert(boundary_.end(), some.begin(), some.end());
 }
 
-void MeshBuilder::set_points(TriMesh& tri) const {
-  for (std::uint32_t v = 0; v < points_.size(); ++v) {
-    tri.set_point(vertex(v), TriMesh::Point(points_[v].x, points_[v].y, 0));
-  }
-}
-
-/// The faces and their half-edges.
-void MeshBuilder::set_faces(std::size_t first, std::size_t last, TriMesh& tri) const {
+/// The faces and their half-edges; `last_of` has, for each vertex, one more than the last half-edge
+/// that leaves it.
+void MeshBuilder::set_faces(std::size_t first, std::size_t last, std::span<std::uint32_t> last_of,
+                            TriMesh& tri) const {
   for (auto t = static_cast<std::uint32_t>(first); t < last; ++t) {
     const TriMesh::FaceHandle face(static_cast<int>(t));
     for (std::uint32_t i = 0; i < 3; ++i) {
@@ -95,15 +130,8 @@ void MeshBuilder::set_faces(std::size_t first, std::size_t last, TriMesh& tri) c
       tri.set_face_handle(edge, face);
       tri.set_next_halfedge_handle(edge, halfedge(3 * t + (i + 1) % 3));
       if (i == 0) tri.set_halfedge_handle(face, edge);  // keeps the order of the corners
+      keep_larger(3 * t + i + 1, last_of[triangles_[t][i]]);
     }
-  }
-}
-
-/// Of each vertex the half-edge that leaves it in its last face.
-void MeshBuilder::set_homes(TriMesh& tri) const {
-  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-    for (std::uint32_t i = 0; i < 3; ++i)
-      tri.set_halfedge_handle(vertex(triangles_[t][i]), halfedge(3 * t + i));
   }
 }
 
@@ -126,18 +154,26 @@ void MeshBuilder::set_boundary(const Team& team, TriMesh& tri) const {
         return f.vertex != g.vertex ? f.vertex < g.vertex : f.arriving < g.arriving;
       },
       team);
-  for (auto first = fans.begin(); first != fans.end();) {
-    const auto last =
-        std::find_if(first, fans.end(), [&](const Fan& f) { return f.vertex != first->vertex; });
-    if (last - first > 1) sort_by_direction({first, last});
-    for (auto fan = first; fan != last; ++fan) {
-      const auto before = fan == first ? last - 1 : fan - 1;
-      tri.set_next_halfedge_handle(fan->arriving, before->leaving);
+  // Fans of one vertex belong to the range in which the first of them is.
+  const auto begin_of_vertex = [&](std::size_t k) {
+    while (k > 0 && k < fans.size() && fans[k].vertex == fans[k - 1].vertex) ++k;
+    return fans.begin() + static_cast<std::ptrdiff_t>(k);
+  };
+  team.each_range(fans.size(), kRange, [&](std::size_t begin, std::size_t end) {
+    const auto end_of_range = begin_of_vertex(end);
+    for (auto first = begin_of_vertex(begin); first < end_of_range;) {
+      const auto last = std::find_if(first, end_of_range,
+                                     [&](const Fan& f) { return f.vertex != first->vertex; });
+      if (last - first > 1) sort_by_direction({first, last});
+      for (auto fan = first; fan != last; ++fan) {
+        const auto before = fan == first ? last - 1 : fan - 1;
+        tri.set_next_halfedge_handle(fan->arriving, before->leaving);
+      }
+      // OpenMesh knows a boundary vertex by its half-edge.
+      tri.set_halfedge_handle(vertex(first->vertex), first->leaving);
+      first = last;
     }
-    // OpenMesh knows a boundary vertex by its half-edge.
-    tri.set_halfedge_handle(vertex(first->vertex), first->leaving);
-    first = last;
-  }
+  });
 }
 
 /// The fan around the source of `first`, an edge without a triangle on its right.

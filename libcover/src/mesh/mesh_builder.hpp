@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -19,15 +18,13 @@ class MeshBuilder {
  public:
   /// REQUIRES: vertex indices below points.size(); no directed edge occurs twice
   /// Cost:     O(n), 4 bytes per half-edge
-  MeshBuilder(std::span<const Point> points, std::span<const IndexTriple> triangles);
+  MeshBuilder(std::span<const Point> points, std::span<const IndexTriple> triangles,
+              const Team& team = {});
 
   /// The mesh: vertices and faces in the order given, edges in the order in which faces have them.
   /// A vertex may have several fans of triangles with void between.
   ///
-  /// `more` is called with the mesh as soon as it has its size, by another thread of the team: it
-  /// may set properties of vertices and faces, but neither points nor what lies beside what.
-  [[nodiscard]] Mesh build(const Team& team = {},
-                           const std::function<void(Mesh&)>& more = {}) const;
+  [[nodiscard]] Mesh build(const Team& team = {}) const;
 
   /// The edge of half-edge `h` (numbered as in HalfEdges) in what build() makes.
   [[nodiscard]] TriMesh::EdgeHandle edge_of(std::uint32_t h) const {
@@ -40,10 +37,9 @@ class MeshBuilder {
   [[nodiscard]] TriMesh::HalfedgeHandle halfedge(std::uint32_t h) const {
     return TriMesh::HalfedgeHandle(static_cast<int>(half_edge_[h]));
   }
-  void number_half_edges();
-  void set_points(TriMesh& tri) const;
-  void set_faces(std::size_t first, std::size_t last, TriMesh& tri) const;
-  void set_homes(TriMesh& tri) const;
+  void number_half_edges(const Team& team);
+  void set_faces(std::size_t first, std::size_t last, std::span<std::uint32_t> last_of,
+                 TriMesh& tri) const;
   void set_boundary(const Team& team, TriMesh& tri) const;
   static Fan fan_from(const TriMesh& tri, TriMesh::HalfedgeHandle first);
   void sort_by_direction(std::span<Fan> fans) const;

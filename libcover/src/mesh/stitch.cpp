@@ -9,19 +9,22 @@
 #include <optional>
 
 #include "base/containers/give_back.hpp"
+#include "base/containers/unset_vector.hpp"
 #include "mesh/find_edges.hpp"
 #include "mesh/mesh_builder.hpp"
 
 namespace cover {
 namespace {
 
+constexpr std::size_t kItemsAtATime = 1 << 15;
+
 /// All triangles by global vertex.
 struct Gathered {
-  std::vector<Point> points;              ///< first those of the PSLG
+  UnsetVector<Point> points;              ///< first those of the PSLG
   std::size_t inputs = 0;                 ///< of these
   std::vector<std::size_t> triangles_of;  ///< how many, by region
   std::vector<std::uint32_t> vertex_of;   ///< by VertexId; kNone: not in the mesh
-  std::vector<IndexTriple> triangles;
+  UnsetVector<IndexTriple> triangles;
 };
 
 void number_input_vertices(const Pslg& pslg, std::span<const RegionBoundary> boundaries,
@@ -34,7 +37,7 @@ void number_input_vertices(const Pslg& pslg, std::span<const RegionBoundary> bou
 
 /// Each mesh gives its memory back as soon as it is there.
 Gathered gather(const Pslg& pslg, std::span<const RegionBoundary> boundaries,
-                std::span<RegionMesh> meshes) {
+                std::span<RegionMesh> meshes, const Team& team) {
   Gathered all;
   std::size_t triangles = 0, steiner = 0;
   for (const RegionMesh& mesh : meshes) {
@@ -42,44 +45,59 @@ Gathered gather(const Pslg& pslg, std::span<const RegionBoundary> boundaries,
     steiner += mesh.steiner.size();
     all.triangles_of.push_back(mesh.triangles.size());
   }
-  all.triangles.reserve(triangles);
+  all.triangles.resize(triangles);
   all.points.reserve(pslg.points.size() + steiner);
   number_input_vertices(pslg, boundaries, all);
+  std::size_t next = 0;
   for (std::size_t r = 0; r < meshes.size(); ++r) {
     const std::vector<VertexId>& vertices = boundaries[r].vertices;
     const auto first_steiner = static_cast<std::uint32_t>(all.points.size());
     const auto boundary_size = static_cast<std::uint32_t>(vertices.size());
     all.points.insert(all.points.end(), meshes[r].steiner.begin(), meshes[r].steiner.end());
-    for (IndexTriple t : meshes[r].triangles) {
-      for (std::uint32_t& v : t) {
-        v = v < boundary_size ? all.vertex_of[vertices[v].index()]
-                              : first_steiner + (v - boundary_size);
+    const auto& own = meshes[r].triangles;
+    team.each_range(own.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
+      for (std::size_t t = first; t < last; ++t) {
+        IndexTriple& triangle = all.triangles[next + t];
+        for (std::size_t i = 0; i < 3; ++i) {
+          const std::uint32_t v = own[t][i];
+          triangle[i] = v < boundary_size ? all.vertex_of[vertices[v].index()]
+                                          : first_steiner + (v - boundary_size);
+        }
       }
-      all.triangles.push_back(t);
-    }
+    });
+    next += own.size();
     give_back(meshes[r].triangles);
     give_back(meshes[r].steiner);
   }
   return all;
 }
 
-void set_input_ids(const Gathered& all, Mesh& mesh) {
-  for (std::size_t v = 0; v < all.points.size(); ++v)
-    mesh.set_input_id(TriMesh::VertexHandle(static_cast<int>(v)), -1);
-  for (std::size_t v = 0; v < all.vertex_of.size(); ++v) {
-    if (all.vertex_of[v] == kNone) continue;
-    mesh.set_input_id(TriMesh::VertexHandle(static_cast<int>(all.vertex_of[v])),
-                      static_cast<long>(v));
-  }
+void set_input_ids(const Gathered& all, const Team& team, Mesh& mesh) {
+  const auto handle = [](std::size_t v) { return TriMesh::VertexHandle(static_cast<int>(v)); };
+  team.each_range(all.points.size() - all.inputs, kItemsAtATime,
+                  [&](std::size_t first, std::size_t last) {
+                    for (std::size_t v = first; v < last; ++v)
+                      mesh.set_input_id(handle(all.inputs + v), -1);
+                  });
+  team.each_range(all.vertex_of.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) {
+      if (all.vertex_of[v] != kNone)
+        mesh.set_input_id(handle(all.vertex_of[v]), static_cast<long>(v));
+    }
+  });
 }
 
-void set_regions(const RegionTable& table, const Gathered& all, Mesh& mesh) {
-  int face = 0;
+void set_regions(const RegionTable& table, const Gathered& all, const Team& team, Mesh& mesh) {
+  std::size_t next = 0;
   for (std::size_t r = 0; r < all.triangles_of.size(); ++r) {
-    for (std::size_t k = 0; k < all.triangles_of[r]; ++k, ++face) {
-      mesh.set_region(TriMesh::FaceHandle(face), table.regions[r].id);
-      mesh.set_material(TriMesh::FaceHandle(face), table.regions[r].material);
-    }
+    team.each_range(all.triangles_of[r], kItemsAtATime, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) {
+        const TriMesh::FaceHandle face(static_cast<int>(next + k));
+        mesh.set_region(face, table.regions[r].id);
+        mesh.set_material(face, table.regions[r].material);
+      }
+    });
+    next += all.triangles_of[r];
   }
 }
 
@@ -89,7 +107,7 @@ struct SegmentEdges {
   std::vector<std::uint32_t> half_edges;  ///< HalfEdges::kAbsent: none after all
 };
 
-SegmentEdges find_segments(const Pslg& pslg, const Gathered& all) {
+SegmentEdges find_segments(const Pslg& pslg, const Gathered& all, const Team& team) {
   SegmentEdges found;
   std::vector<std::array<std::uint32_t, 2>> ends;
   for (std::uint32_t s = 0; s < pslg.segments.size(); ++s) {
@@ -99,19 +117,22 @@ SegmentEdges find_segments(const Pslg& pslg, const Gathered& all) {
     ends.push_back({a, b});
     found.segments.push_back(s);
   }
-  found.half_edges = find_edges(all.inputs, all.triangles, ends);
+  found.half_edges = find_edges(all.inputs, all.triangles, ends, team);
   return found;
 }
 
 void set_segments(const Pslg& pslg, const RegionTable& table, const SegmentEdges& found,
-                  const MeshBuilder& builder, Mesh& mesh) {
-  for (std::size_t k = 0; k < found.segments.size(); ++k) {
-    if (found.half_edges[k] == HalfEdges::kAbsent) continue;
+                  const MeshBuilder& builder, const Team& team, Mesh& mesh) {
+  const auto set = [&](std::size_t k) {
+    if (found.half_edges[k] == HalfEdges::kAbsent) return;
     const std::uint32_t s = found.segments[k];
     const TriMesh::EdgeHandle edge = builder.edge_of(found.half_edges[k]);
     mesh.set_interface(edge, table.sides[s].interface);
     mesh.set_marker(edge, pslg.segments[s].marker);
-  }
+  };
+  team.each_range(found.segments.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) set(k);
+  });
 }
 
 }  // namespace
@@ -131,22 +152,21 @@ std::vector<std::uint32_t> input_vertices(const Pslg& pslg,
 
 Mesh stitch(const Pslg& pslg, const RegionTable& table, std::vector<RegionBoundary> boundaries,
             std::span<RegionMesh> meshes, const Team& team) {
-  const Gathered all = gather(pslg, boundaries, meshes);
+  const Gathered all = gather(pslg, boundaries, meshes, team);
   give_back(boundaries);
   std::optional<MeshBuilder> builder;
   SegmentEdges segments;
   team.each(2, [&](std::size_t k) {
     if (k == 0) {
-      builder.emplace(all.points, all.triangles);
+      builder.emplace(all.points, all.triangles, team);
     } else {
-      segments = find_segments(pslg, all);
+      segments = find_segments(pslg, all, team);
     }
   });
-  Mesh mesh = builder->build(team, [&](Mesh& made) {
-    set_input_ids(all, made);
-    set_regions(table, all, made);
-  });
-  set_segments(pslg, table, segments, *builder, mesh);
+  Mesh mesh = builder->build(team);
+  set_input_ids(all, team, mesh);
+  set_regions(table, all, team, mesh);
+  set_segments(pslg, table, segments, *builder, team, mesh);
   return mesh;
 }
 
