@@ -102,6 +102,11 @@ struct MeshView {
 /// Cost: O(n log n) in the number of lines, linear in all else.
 MeshView view_of(const Output& output, const WriteOptions& options);
 
+/// The same without lines and their groups, for formats that hold none.
+///
+/// Cost: linear
+MeshView view_of_triangles(const Output& output, const WriteOptions& options);
+
 /// The angles of triangle t, by corner. Second-order triangles count as straight.
 std::array<Angle, 3> angles_of(const MeshView& view, std::size_t t);
 

@@ -177,11 +177,12 @@ class Viewer {
         periodic_(output.periodic),
         options_(options) {}
 
-  MeshView make() {
+  MeshView make(bool with_lines) {
     group_regions(table_, options_.ids, view_);
     add_points();
     add_triangles();
-    add_lines(table_, all_lines(), options_, view_);
+    // Nodes on periodic sides are found by their lines.
+    if (with_lines || !periodic_.empty()) add_lines(table_, all_lines(), options_, view_);
     if (!periodic_.empty()) add_periodic();
     add_arrays();
     return std::move(view_);
@@ -202,7 +203,10 @@ class Viewer {
   void add_points() {
     view_.corners = tri_.n_vertices();
     view_.points.reserve(tri_.n_vertices() + (options_.order == 2 ? tri_.n_edges() : 0));
-    for (int v = 0; v < static_cast<int>(tri_.n_vertices()); ++v) view_.points.push_back(at(v));
+    view_.points.resize(tri_.n_vertices());
+    team_.each_range(tri_.n_vertices(), kRange, [this](std::size_t first, std::size_t last) {
+      for (std::size_t v = first; v < last; ++v) view_.points[v] = at(static_cast<int>(v));
+    });
     if (options_.order != 2) return;
     for (const Edge e : tri_.edges()) {
       const Halfedge h = TriMesh::s_halfedge_handle(e, 0);
@@ -339,16 +343,24 @@ class Viewer {
   MeshView view_;
 };
 
-}  // namespace
-
-MeshView view_of(const Output& output, const WriteOptions& options) {
+MeshView make_view(const Output& output, const WriteOptions& options, bool with_lines) {
   MeshView view;
   with_team(output.report.threads,
-            [&](const Team& team) { view = Viewer(output, options, team).make(); });
+            [&](const Team& team) { view = Viewer(output, options, team).make(with_lines); });
   const std::size_t uncut = output.report.uncut_points;
   if (uncut > 0 && output.pslg.points.size() > uncut)
     view.cut_vertices = output.pslg.points.size() - uncut;
   return view;
+}
+
+}  // namespace
+
+MeshView view_of(const Output& output, const WriteOptions& options) {
+  return make_view(output, options, true);
+}
+
+MeshView view_of_triangles(const Output& output, const WriteOptions& options) {
+  return make_view(output, options, false);
 }
 
 std::array<Angle, 3> angles_of(const MeshView& view, std::size_t t) {

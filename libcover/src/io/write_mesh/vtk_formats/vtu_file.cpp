@@ -4,8 +4,10 @@
 // against VTK's reader.
 #include "io/write_mesh/vtk_formats/vtu_file.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <span>
+#include <string>
 
 #include <fmt/core.h>
 
@@ -27,7 +29,7 @@ std::string vtu_attributes(const VtuArray& array) {
 
 class VtuWriter {
  public:
-  explicit VtuWriter(const ByteSink& sink) : out_(sink) {}
+  VtuWriter(const ByteSink& sink, const Team& team) : sink_(sink), team_(team), out_(sink) {}
 
   void write(const VtuGrid& grid) {
     out_.put(
@@ -47,10 +49,8 @@ class VtuWriter {
     announce("Points", "Points", {&grid.coordinates, 1});
     announce("Cells", "Cells", grid.connectivity);
     out_.put("    </Piece>\n  </UnstructuredGrid>\n  <AppendedData encoding=\"raw\">\n   _");
-    for (const VtuArray* array : announced_) {
-      out_.put(array->bytes);
-      array->write(out_);
-    }
+    for (const VtuArray* array : announced_) put_array(*array);
+    write_pieces();
     out_.put("\n  </AppendedData>\n</VTKFile>\n");
     out_.flush();
   }
@@ -67,7 +67,57 @@ class VtuWriter {
     out_.put(fmt::format("      </{}>\n", end));
   }
 
+  /// Some items of an array whose size stands in front of the first of them.
+  struct Piece {
+    const VtuArray* array;
+    std::size_t first, last;
+  };
+
+  void put_array(const VtuArray& array) {
+    if (!array.write.has_ranges()) {
+      write_pieces();
+      out_.put(array.bytes);
+      array.write(out_);
+      return;
+    }
+    constexpr std::size_t kPiece = 1 << 17;
+    const std::size_t items = array.write.items(), step = array.write.items_in(kPiece);
+    for (std::size_t first = 0; first == 0 || first < items; first += step)
+      pieces_.push_back({&array, first, std::min(items, first + step)});
+  }
+
+  /// Those that were put, some at a time: while they are made, those before them are written.
+  void write_pieces() {
+    if (pieces_.empty()) return;
+    constexpr std::size_t kAtATime = 32;
+    const std::size_t step = team_.workers() > 1 ? kAtATime : 1;
+    out_.flush();
+    std::vector<std::string> made(step), written(step);
+    for (std::size_t k = 0; k < pieces_.size() + step; k += step) {
+      const std::size_t count = k < pieces_.size() ? std::min(step, pieces_.size() - k) : 0;
+      team_.each(1 + count, [&](std::size_t part) {
+        if (part > 0) return make(pieces_[k + part - 1], made[part - 1]);
+        for (std::string& bytes : written) {
+          if (!bytes.empty()) sink_(bytes);
+          bytes.clear();
+        }
+      });
+      made.swap(written);
+    }
+    pieces_.clear();
+  }
+
+  static void make(const Piece& piece, std::string& bytes) {
+    const VtuArray& array = *piece.array;
+    if (piece.first == 0)
+      bytes.append(reinterpret_cast<const char*>(&array.bytes), sizeof array.bytes);
+    array.write.append(piece.first, piece.last, bytes);
+  }
+
+  const ByteSink& sink_;
+  const Team& team_;
   BinaryWriter out_;
+  std::vector<Piece> pieces_;
   std::uint64_t offset_ = 0;
   std::vector<const VtuArray*> announced_;
 };
@@ -96,6 +146,8 @@ std::string pvtu_text(const VtuGrid& piece, std::span<const std::string> files) 
   return text + "  </PUnstructuredGrid>\n</VTKFile>\n";
 }
 
-void write_vtu_bytes(const VtuGrid& grid, const ByteSink& sink) { VtuWriter(sink).write(grid); }
+void write_vtu_bytes(const VtuGrid& grid, const ByteSink& sink, const Team& team) {
+  VtuWriter(sink, team).write(grid);
+}
 
 }  // namespace cover

@@ -2,15 +2,16 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
 
-#include "io/files/binary_writer.hpp"
+#include "base/team.hpp"
+#include "io/files/byte_sink.hpp"
 #include "io/vtk_files/arrays/number_array.hpp"
+#include "io/write_mesh/array_writer.hpp"
 
 namespace cover {
 
@@ -21,7 +22,7 @@ struct VtuArray {
   std::size_t components = 1;
   std::string more;  ///< further attributes in XML, with a blank in front
   std::uint64_t bytes = 0;
-  std::function<void(BinaryWriter&)> write;
+  ArrayWriter write;
 };
 
 template <class T>
@@ -40,9 +41,7 @@ VtuArray vtu_array(std::string_view name, std::size_t size, Value value) {
           1,
           {},
           size * sizeof(T),
-          [size, value = std::move(value)](BinaryWriter& out) {
-            for (std::size_t k = 0; k < size; ++k) out.put(static_cast<T>(value(k)));
-          }};
+          array_of_values<T>(size, std::move(value))};
 }
 
 /// A grid whose cells are all of one type.
@@ -63,7 +62,7 @@ struct VtuGrid {
 std::string pvtu_text(const VtuGrid& piece, std::span<const std::string> files);
 
 /// Writes a .vtu file: raw appended data, 64-bit sizes, not compressed, as VTK's own writer does
-/// it but for the ranges of the arrays.
-void write_vtu_bytes(const VtuGrid& grid, const ByteSink& sink);
+/// it but for the ranges of the arrays. A thread of the team writes bytes while others make more.
+void write_vtu_bytes(const VtuGrid& grid, const ByteSink& sink, const Team& team = {});
 
 }  // namespace cover

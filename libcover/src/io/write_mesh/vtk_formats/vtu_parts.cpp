@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <memory>
 #include <numeric>
 
@@ -22,14 +23,11 @@ enum class CellType : std::uint8_t {
   quadratic_triangle = 22
 };
 
+/// A point as VTK has it.
+using Place3 = std::array<double, 3>;
+
 CellType type_of_triangles(const MeshView& view) {
   return view.second_order() ? CellType::quadratic_triangle : CellType::triangle;
-}
-
-/// Writes `value(0)`, ..., `value(size - 1)`, each as a T.
-template <class T, class Value>
-ArrayWriter each(std::size_t size, Value value) {
-  return vtu_array<T>("", size, std::move(value)).write;
 }
 
 /// Points and cells; `coordinates` and `nodes` write all of them.
@@ -56,14 +54,19 @@ void add_cells(std::size_t points, ArrayWriter coordinates, std::size_t cells, C
 /// The same of `cells`; `point(p)` is a place.
 template <class Place>
 void add_cells(const Cells& cells, CellType type, std::size_t points, Place place, VtuGrid& grid) {
-  add_cells(
-      points,
-      [points, place](BinaryWriter& out) {
-        for (std::size_t p = 0; p < points; ++p) put_place(place(p), out);
-      },
-      cells.size(), type, cells.nodes_each,
-      each<std::int64_t>(cells.nodes.size(), [&cells](std::size_t k) { return cells.nodes[k]; }),
-      grid);
+  add_cells(points,
+            ArrayWriter(points, sizeof(Place3),
+                        [place](std::size_t first, std::size_t last, char* to) {
+                          for (std::size_t p = first; p < last; ++p, to += sizeof(Place3)) {
+                            const Point at = place(p);
+                            const Place3 numbers{at.x, at.y, 0};
+                            std::memcpy(to, numbers.data(), sizeof numbers);
+                          }
+                        }),
+            cells.size(), type, cells.nodes_each,
+            array_of_values<std::int64_t>(cells.nodes.size(),
+                                          [&cells](std::size_t k) { return cells.nodes[k]; }),
+            grid);
 }
 
 /// The class of each point, where there are periodic sides; `number(p)` is its number in the whole
@@ -196,8 +199,9 @@ void add_triangle_arrays(const MeshView& view, std::size_t triangles, Number num
   const auto largest = [extremes](std::size_t k) { return (*extremes)[k][0]; };
   const auto smallest = [extremes](std::size_t k) { return (*extremes)[k][1]; };
   add_triangle_arrays(
-      {triangles, each<std::int32_t>(triangles, material), each<std::int32_t>(triangles, region),
-       each<double>(triangles, largest), each<double>(triangles, smallest)},
+      {triangles, array_of_values<std::int32_t>(triangles, material),
+       array_of_values<std::int32_t>(triangles, region),
+       array_of_values<double>(triangles, largest), array_of_values<double>(triangles, smallest)},
       grid);
   for (const Attribute& attribute : view.attributes) {
     const auto value = [&attribute, &view, number](std::size_t k) {
@@ -250,7 +254,7 @@ VtuGrid whole_grid(const MeshView& view, const Team& team) {
 }
 
 void write_whole(const MeshView& view, const ByteSink& sink, const Team& team) {
-  write_vtu_bytes(whole_grid(view, team), sink);
+  write_vtu_bytes(whole_grid(view, team), sink, team);
 }
 
 void write_triangles(const MeshView& view, std::span<const std::size_t> triangles,

@@ -15,9 +15,6 @@
 
 namespace cover {
 
-/// Writes the numbers of one array.
-using ArrayWriter = std::function<void(BinaryWriter&)>;
-
 /// What triangles have beside their corners.
 struct TriangleArrays {
   std::size_t triangles = 0;

@@ -10,7 +10,7 @@ namespace cover {
 Status write_vtu(const Output& output, const std::string& path, const WriteOptions& options) {
   Result<AtomicFile> file = AtomicFile::create(path, options.stop);
   if (!file) return std::move(file).error();
-  const MeshView view = view_of(output, options);
+  const MeshView view = view_of_triangles(output, options);
   with_team(output.report.threads, [&](const Team& team) {
     write_whole(
         view, [&](std::string_view bytes) { file->write(bytes); }, team);
