@@ -12,7 +12,9 @@
 #include "cdt/divide.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -29,6 +31,7 @@ using Edge = std::uint32_t;
 
 constexpr std::size_t kTask = 1 << 14;         ///< points: halves of less are one thread's
 constexpr std::size_t kRange = 1 << 16;        ///< edges that are looked at in one go
+constexpr std::size_t kSlices = 1 << 10;       ///< of sites, to find the middle one
 constexpr std::size_t kMostPoints = 1U << 29;  ///< so that edges have numbers
 constexpr std::size_t kFlipsPerPoint = 32;     ///< more than that is another method's
 
@@ -96,7 +99,9 @@ class Divided {
   Triangulation take(std::span<const Point> points) {
     constexpr std::uint32_t kOuter = kNone - 1;
     std::vector<std::uint32_t> ids(sites_.size());
-    for (std::size_t k = 0; k < ids.size(); ++k) ids[k] = sites_[k].id;
+    team_.each_range(ids.size(), kRange, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) ids[k] = sites_[k].id;
+    });
     give_back(sites_);
     // Where next_ is not needed any more stands the triangle on the left of an edge.
     std::vector<Edge> outer;
@@ -255,12 +260,10 @@ class Divided {
   Part divide(std::uint32_t first, std::uint32_t last) {
     const std::uint32_t count = last - first;
     if (count <= 3) return triangle_of(first, last);
-    Box box;
-    for (std::uint32_t k = first; k < last; ++k) box.add(at(k));
+    const Box box = box_of(first, last);
     const bool by_y = box.height() > box.width();
     const std::uint32_t middle = first + count / 2;
-    std::nth_element(sites_.begin() + first, sites_.begin() + middle, sites_.begin() + last,
-                     [by_y](const Site& a, const Site& b) { return is_before(by_y, a.p, b.p); });
+    halve(first, middle, last, by_y, box);
     Part parts[2];
     const auto half = [&](std::size_t k) {
       parts[k] = k == 0 ? divide(first, middle) : divide(middle, last);
@@ -272,6 +275,75 @@ class Divided {
       half(1);
     }
     return has_twins_ ? parts[0] : merge(parts[0], parts[1], by_y);
+  }
+
+  [[nodiscard]] Box box_of(std::uint32_t first, std::uint32_t last) const {
+    Box box;
+    if (!is_for_team(last - first)) {
+      for (std::uint32_t k = first; k < last; ++k) box.add(at(k));
+      return box;
+    }
+    std::vector<Box> boxes(Team::ranges(last - first, kRange));
+    team_.each_range(last - first, kRange, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) boxes[begin / kRange].add(sites_[first + k].p);
+    });
+    for (const Box& part : boxes) box.include(part);
+    return box;
+  }
+
+  /// Whether so many sites are put in halves by all threads.
+  [[nodiscard]] bool is_for_team(std::size_t sites) const {
+    return team_.workers() > 1 && sites >= 2 * kRange;
+  }
+
+  /// Puts those that come first along an axis before `middle`. In which order does not matter:
+  /// it is the sets that decide about everything else.
+  void halve(std::uint32_t first, std::uint32_t middle, std::uint32_t last, bool by_y,
+             const Box& box) {
+    const auto begin = sites_.begin() + first, end = sites_.begin() + last;
+    const auto before = [by_y](const Site& a, const Site& b) { return is_before(by_y, a.p, b.p); };
+    if (!is_for_team(last - first))
+      return std::nth_element(begin, sites_.begin() + middle, end, before);
+    // Slices across the axis, of which one has the middle. Rounding keeps their order.
+    const double low = by_y ? box.low.y : box.low.x, high = by_y ? box.high.y : box.high.x;
+    const double slices = (kSlices - 1) / (high - low);
+    if (!std::isfinite(high - low) || !std::isfinite(slices))
+      return std::nth_element(begin, sites_.begin() + middle, end, before);
+    const auto slice_of = [&](const Site& site) {
+      return static_cast<std::size_t>(((by_y ? site.p.y : site.p.x) - low) * slices);
+    };
+    const std::size_t ranges = Team::ranges(last - first, kRange);
+    const auto each_range = [&](const auto& use) {
+      team_.each_range(last - first, kRange, [&](std::size_t from, std::size_t to) {
+        for (std::size_t k = from; k < to; ++k) use(from / kRange, sites_[first + k]);
+      });
+    };
+    std::vector<std::array<std::uint32_t, kSlices>> in_slice(ranges);
+    each_range([&](std::size_t range, const Site& site) { ++in_slice[range][slice_of(site)]; });
+    std::size_t chosen = 0;
+    std::uint32_t below = 0, inside = 0;
+    for (; chosen < kSlices; ++chosen, below += inside) {
+      inside = 0;
+      for (const auto& counts : in_slice) inside += counts[chosen];
+      if (first + below + inside > middle) break;
+    }
+    // Where sites of each range go: below the slice, into it, above it.
+    std::vector<std::array<std::uint32_t, 3>> place(ranges);
+    std::array<std::uint32_t, 3> next{0, below, below + inside};
+    for (std::size_t r = 0; r < ranges; ++r) {
+      place[r] = next;
+      for (std::size_t slice = 0; slice < kSlices; ++slice)
+        next[slice < chosen ? 0 : slice == chosen ? 1 : 2] += in_slice[r][slice];
+    }
+    UnsetVector<Site> put(last - first);
+    each_range([&](std::size_t range, const Site& site) {
+      const std::size_t slice = slice_of(site);
+      put[place[range][slice < chosen ? 0 : slice == chosen ? 1 : 2]++] = site;
+    });
+    team_.each_range(last - first, kRange, [&](std::size_t from, std::size_t to) {
+      std::copy(put.data() + from, put.data() + to, sites_.data() + first + from);
+    });
+    std::nth_element(begin + below, sites_.begin() + middle, begin + below + inside, before);
   }
 
   Part triangle_of(std::uint32_t first, std::uint32_t last) {
@@ -340,13 +412,24 @@ class Divided {
 
   // Segments.
 
+  /// The last edge that leaves each point.
   void find_heads() {
     place_.resize(sites_.size());
-    for (std::uint32_t k = 0; k < sites_.size(); ++k) place_[sites_[k].id] = k;
+    team_.each_range(sites_.size(), kRange, [this](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k)
+        place_[sites_[k].id] = static_cast<std::uint32_t>(k);
+    });
     head_.assign(sites_.size(), kNone);
-    for (Edge e = 0; e < org_.size(); ++e) {
-      if (org_[e] != kNone) head_[org_[e]] = e;
-    }
+    team_.each_range(org_.size(), kRange, [this](std::size_t first, std::size_t last) {
+      for (auto e = static_cast<Edge>(first); e < last; ++e) {
+        if (org_[e] == kNone) continue;
+        const std::atomic_ref head(head_[org_[e]]);
+        Edge other = head.load(std::memory_order_relaxed);
+        while ((other == kNone || other < e) &&
+               !head.compare_exchange_weak(other, e, std::memory_order_relaxed)) {
+        }
+      }
+    });
   }
 
   /// Around both points at a time: one of them may have very many edges.

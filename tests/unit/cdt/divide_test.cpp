@@ -7,6 +7,7 @@
 #include <random>
 #include <set>
 
+#include "base/run_all.hpp"
 #include "geom/predicates.hpp"
 
 namespace cover {
@@ -137,6 +138,30 @@ TEST(TriangulateDivided, SaysNothingOfConflicts) {
     auto points = random_points(200, seed, 0);
     points.push_back(points[seed]);
     EXPECT_FALSE(triangulate_divided(points, none, {}));
+  }
+}
+
+/// Points that several threads put in halves: scattered, on lines, nearly all at one place.
+TEST(TriangulateDivided, IsTheSameForAnyNumberOfThreads) {
+  constexpr std::size_t kMany = 150'000;
+  std::vector<Point> dense = random_points(kMany, 5, 0);
+  for (Point& p : dense) p = {std::pow(p.x, 40), p.y * 0.5};
+  dense.push_back({3, 2});
+  for (const auto& points : {random_points(kMany, 1, 0), random_points(2 * kMany, 2, 450), dense}) {
+    const auto segments = random_segments(points, 30, 3);
+    const auto alone = triangulate_divided(points, segments, {});
+    ASSERT_TRUE(alone);
+    for (const unsigned workers : {2U, 3U, 7U}) {
+      with_team(workers, [&](const Team& team) {
+        const auto divided = triangulate_divided(points, segments, team);
+        ASSERT_TRUE(divided);
+        ASSERT_EQ(divided->triangles.size(), alone->triangles.size());
+        for (std::size_t t = 0; t < alone->triangles.size(); ++t) {
+          ASSERT_EQ(divided->triangles[t].v, alone->triangles[t].v);
+          ASSERT_EQ(divided->triangles[t].n, alone->triangles[t].n);
+        }
+      });
+    }
   }
 }
 
