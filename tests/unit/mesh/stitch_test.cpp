@@ -11,7 +11,9 @@
 #include <cover/mesh.hpp>
 
 #include "almond/almond_region.hpp"
+#include "base/run_all.hpp"
 #include "mesh/find_edges.hpp"
+#include "mesh/mesh_builder.hpp"
 #include "support/inputs/shapes.hpp"
 
 namespace cover {
@@ -127,6 +129,70 @@ TEST(FindEdges, InEitherDirectionAndOnlyThoseThatAreThere) {
     EXPECT_TRUE(ends == pairs[k] || ends == (std::array{pairs[k][1], pairs[k][0]})) << k;
   }
   EXPECT_EQ(find_edges(1, triangles, pairs)[1], HalfEdges::kAbsent) << "beyond what was asked for";
+}
+
+/// The black squares of a chessboard, each cut in two: more than one thread takes for itself. At
+/// inner vertices two of them meet.
+struct Chessboard {
+  std::vector<Point> points;
+  std::vector<IndexTriple> triangles;
+  std::vector<std::array<std::uint32_t, 2>> pairs;  ///< sides of all squares, from either end
+
+  explicit Chessboard(std::uint32_t n) : points((n + 1) * (n + 1)) {
+    const auto at = [&](std::uint32_t x, std::uint32_t y) {
+      const std::size_t place = std::size_t{7919} * ((n + 1) * y + x) % points.size();
+      points[place] = {static_cast<double>(x), static_cast<double>(y)};
+      return static_cast<std::uint32_t>(place);
+    };
+    for (std::uint32_t k = 0; k < n * n; ++k) {
+      const std::uint32_t x = k % n, y = k / n;
+      pairs.push_back({at(x, y), at(x + 1, y)});
+      pairs.push_back({at(x, y + 1), at(x, y)});
+      if ((x + y) % 2 != 0) continue;
+      triangles.push_back({at(x, y), at(x + 1, y), at(x, y + 1)});
+      triangles.push_back({at(x, y + 1), at(x + 1, y), at(x + 1, y + 1)});
+    }
+  }
+};
+
+TEST(FindEdges, IsTheSameForAnyNumberOfThreads) {
+  const Chessboard board(301);
+  const auto alone = find_edges(board.points.size(), board.triangles, board.pairs);
+  EXPECT_NE(std::count(alone.begin(), alone.end(), HalfEdges::kAbsent), 0);
+  for (const unsigned workers : {2U, 3U, 7U}) {
+    with_team(workers, [&](const Team& team) {
+      EXPECT_EQ(find_edges(board.points.size(), board.triangles, board.pairs, team), alone);
+    });
+  }
+}
+
+TEST(MeshBuilder, BuildsTheSameForAnyNumberOfThreads) {
+  const Chessboard board(301);
+  const MeshBuilder builder(board.points, board.triangles);
+  const Mesh alone = builder.build();
+  const TriMesh& tri = alone.tri();
+  for (const auto h : tri.halfedges())
+    ASSERT_EQ(tri.prev_halfedge_handle(tri.next_halfedge_handle(h)), h);
+  for (const unsigned workers : {2U, 3U, 7U}) {
+    with_team(workers, [&](const Team& team) {
+      const MeshBuilder divided(board.points, board.triangles, team);
+      const Mesh mesh = divided.build(team);
+      ASSERT_EQ(mesh.tri().n_edges(), tri.n_edges());
+      for (const auto h : tri.halfedges()) {
+        ASSERT_EQ(mesh.tri().next_halfedge_handle(h), tri.next_halfedge_handle(h));
+        ASSERT_EQ(mesh.tri().to_vertex_handle(h), tri.to_vertex_handle(h));
+        ASSERT_EQ(mesh.tri().face_handle(h), tri.face_handle(h));
+      }
+      for (const auto v : tri.vertices()) {
+        ASSERT_EQ(mesh.tri().halfedge_handle(v), tri.halfedge_handle(v));
+        ASSERT_EQ(mesh.tri().point(v), tri.point(v));
+      }
+      for (const auto f : tri.faces())
+        ASSERT_EQ(mesh.tri().halfedge_handle(f), tri.halfedge_handle(f));
+      for (std::uint32_t h = 0; h < 3 * board.triangles.size(); ++h)
+        ASSERT_EQ(divided.edge_of(h), builder.edge_of(h));
+    });
+  }
 }
 
 TEST(Stitch, JoinsNeighboursAlongTheirSegment) {

@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "base/run_all.hpp"
 #include "cdt/cdt.hpp"
 #include "geom/vector.hpp"
 #include "support/inputs/shapes.hpp"
@@ -34,6 +38,51 @@ Region square() {
 }
 
 TEST(WholeMesh, FindsNothingWhereAllIsThere) { EXPECT_EQ(square().fault(), ""); }
+
+/// More triangles than one thread takes for itself, with faults at several places: the first counts.
+TEST(WholeMesh, FindsTheSameByAnyNumberOfThreads) {
+  constexpr std::uint32_t n = 200;
+  std::vector<Point> points;
+  std::vector<IndexTriple> grid;
+  const auto at = [](std::uint32_t x, std::uint32_t y) { return (n + 1) * y + x; };
+  for (std::uint32_t v = 0; v < (n + 1) * (n + 1); ++v)
+    points.push_back({static_cast<double>(v % (n + 1)), static_cast<double>(v / (n + 1))});
+  for (std::uint32_t k = 0; k < n * n; ++k) {
+    const std::uint32_t x = k % n, y = k / n;
+    grid.push_back({at(x, y), at(x + 1, y), at(x, y + 1)});
+    grid.push_back({at(x, y + 1), at(x + 1, y), at(x + 1, y + 1)});
+  }
+  std::vector<IndexPair> sides;
+  for (std::uint32_t k = 0; k < n; ++k) {
+    sides.push_back({at(k, 0), at(k + 1, 0)});
+    sides.push_back({at(n, k), at(n, k + 1)});
+    sides.push_back({at(k + 1, n), at(k, n)});
+    sides.push_back({at(0, k + 1), at(0, k)});
+  }
+  std::sort(sides.begin(), sides.end());
+  const std::vector<SegmentId> segments(sides.size(), SegmentId(1));
+  const auto fault = [&](std::vector<IndexTriple> triangles, std::size_t given, const Team& team) {
+    const auto found = find_fault({points, triangles, sides, segments, given}, team);
+    return found ? found->what : "";
+  };
+  std::vector<IndexTriple> turned = grid, doubled = grid, open = grid;
+  for (const std::size_t t : {79'000U, 70'001U, 70'003U}) std::swap(turned[t][0], turned[t][1]);
+  doubled.push_back(grid[41]);
+  open.erase(open.begin() + 70'000, open.begin() + 70'010);
+  points.push_back({-1, -1});
+  const std::size_t given = points.size();
+  for (const auto& [triangles, lost] :
+       {std::pair(grid, 0U), std::pair(turned, 0U), std::pair(doubled, 0U), std::pair(open, 0U),
+        std::pair(grid, 1U)}) {
+    const std::string alone = fault(triangles, given - 1 + lost, Team());
+    EXPECT_EQ(alone.empty(), triangles == grid && lost == 0);
+    for (const unsigned workers : {2U, 3U, 7U}) {
+      with_team(workers, [&, &triangles = triangles, &lost = lost](const Team& team) {
+        EXPECT_EQ(fault(triangles, given - 1 + lost, team), alone);
+      });
+    }
+  }
+}
 
 TEST(WholeMesh, FindsEveryKindOfDamage) {
   Region region = square();

@@ -1,7 +1,7 @@
 // Not VTK's own writer, because that one does not look at what its stream says when the disk is
 // full, heeds no stop, needs a copy of the whole mesh in its own classes, and takes a millisecond
-// for a file, however small. Tested by tests/unit/io/write_mesh/vtk_formats/write_vtu_test.cpp,
-// against VTK's reader.
+// for a file, however small. Tested by vtu_file_test.cpp and, against VTK's reader, by
+// tests/unit/io/write_mesh/vtk_formats/write_vtu_test.cpp.
 #include "io/write_mesh/vtk_formats/vtu_file.hpp"
 
 #include <algorithm>
