@@ -9,14 +9,15 @@ namespace cover {
 
 /// About what a run takes.
 struct Estimate {
-  double triangles = 0;  ///< by the sizes wished, and at least what the segments take without any
-  double bytes = 0;      ///< of memory, at its most
-  double available = 0;  ///< bytes that this process can have; infinite where that is not known
+  double triangles = 0;   ///< by the sizes wished, and at least what the segments take without any
+  double bytes = 0;       ///< of memory, at its most
+  double available = 0;   ///< bytes that this process can have; infinite where that is not known
+  bool by_disks = false;  ///< disks are packed, as many as lines close to each other need
 };
 
 /// Figures for `prepared`, which prepare() made with these options. Measured for the quality
 /// method; triangles are right up to a third where sizes are wished that segments allow, else up to
-/// a factor of two.
+/// a factor of two, of disks up to one of ten.
 ///
 /// Errors: those of sizes (bad_option)
 /// Cost:   O(n log n)

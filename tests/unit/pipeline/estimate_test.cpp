@@ -29,6 +29,24 @@ TEST(Estimate, IsNearWhatTheMeshTakes) {
   }
 }
 
+TEST(Estimate, OfDisksIsRightUpToAFactorOfTen) {
+  const Input input = testing::checker(3, 30, 7);
+  for (const Method method : {Method::nonobtuse, Method::almond}) {
+    Options options;
+    options.method = method;
+    options.fill = Fill::disks;
+    const Result<Prepared> prepared = prepare(input, options);
+    ASSERT_TRUE(prepared) << prepared.error().message;
+    const Estimate expected = estimate(*prepared, options).value();
+    EXPECT_TRUE(expected.by_disks);
+    const auto made =
+        static_cast<double>(testing::must_mesh(input, options).report.quality.triangles);
+    EXPECT_LT(expected.triangles, 10 * made);
+    EXPECT_GT(expected.triangles, made / 10);
+  }
+  EXPECT_FALSE(estimate(prepare(input).value()).value().by_disks);
+}
+
 TEST(Estimate, GrowsWithTheTriangles) {
   const Input input = testing::checker(3, 30, 7);
   Options fine;
