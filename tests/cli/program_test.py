@@ -57,6 +57,13 @@ class Usage(Case):
         err = self.run_cover('mesh', '--split-interfaces', 'a.poly', '-o', 'a.vtu', code=2)[1]
         self.assertIn("--split-interfaces: 'a.poly' is not a number; before a file, write it with '='", err)
 
+    def test_wrong_numbers_of_values(self):
+        for words, message in ((['mesh', 'a.poly', '-o'], '--output needs FILE behind it'),
+                               (['mesh', 'a.poly', '-o', 'a.vtu', '-j', '1', '-j', '2'], '--threads is given 2 times, once is the most'),
+                               (['render', 'a.vtu', '-o', 'a.svg', '--range', '1'], '--range takes 2 values, not 1'),
+                               (['render', 'a.vtu', '-o', 'a.svg', '--range', '1,2,3'], '--range takes 2 values, not 3')):
+            self.assertTrue(self.run_cover(*words, code=2)[1].startswith(f'cover: error: {message}\n'), words)
+
     def test_nothing_to_do(self):
         self.assertIn('no input file', self.run_cover('mesh', '-o', 'a.vtu', code=2)[1])
         self.assertIn('nothing to write', self.run_cover('mesh', 'a.poly', code=2)[1])
@@ -149,6 +156,9 @@ class DryRun(Case):
         made, _ = self.run_cover('mesh', 's.poly', '-o', 's.vtu', *fine)
         made = float(re.match(r'([0-9,]+) triangles', made)[1].replace(',', ''))
         self.assertLess(abs(about - made), 0.3 * made)
+        self.assertNotIn('disks', out)
+        out, _ = self.run_cover('mesh', SAMPLES / 'plate.poly', '-o', 's.vtu', '--dry-run', '--method', 'nonobtuse')
+        self.assertRegex(out, r'A mesh takes about 1.1e\+03 triangles .*, ten times that where disks must fit between lines')
 
     def test_what_does_not_fit(self):
         self.write('s.poly', SQUARE)

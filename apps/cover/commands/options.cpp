@@ -66,6 +66,25 @@ std::string yes_or_no(const std::string& text) {
 }
 
 /// What was wrong, in words for the user.
+/// What CLI11 says of the number of values in words that it never inflects: "--range: At Most 2
+/// required but received 3", "--method: 1 required NAME missing".
+std::string explain_number(const std::string& said) {
+  const std::size_t colon = said.find(": ");
+  if (colon == std::string::npos) return said;
+  const std::string name = said.substr(0, colon);
+  std::istringstream words(said.substr(colon + 2));
+  std::string first, second, number, ignored, received;
+  words >> first >> second >> number;
+  if (second == "required" && first == "1")
+    return fmt::format("{} needs {} behind it", name, number);
+  if (first != "At") return said;
+  words >> ignored >> ignored >> ignored;  // "required but received"
+  std::getline(words >> std::ws, received);
+  if (second == "Most" && number == "1")
+    return fmt::format("{} is given {} times, once is the most", name, received);
+  return fmt::format("{} takes {} values, not {}", name, number, received);
+}
+
 std::string explain(const CLI::App& command, const CLI::ParseError& error) {
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     const std::string word = command.remaining().front();
@@ -88,6 +107,8 @@ std::string explain(const CLI::App& command, const CLI::ParseError& error) {
   if (dynamic_cast<const CLI::FileError*>(&error) != nullptr) {
     return fmt::format("cannot read the --config file: {}", error.what());
   }
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr)
+    return explain_number(error.what());
   return error.what();
 }
 
