@@ -1,0 +1,124 @@
+// Between two walls that are a thousandth or a millionth of their length apart a cut of one is a
+// cut of the other, and what is right on one side is hardly ever so on the other: no search finds
+// both at once. As a line, a cleft is a segment like any other.
+// Tested by tests/unit/cuts/after_meshing/mesh_with_closed_clefts_test.cpp.
+#include "cuts/after_meshing/mesh_with_closed_clefts.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "cuts/after_meshing/cut_until_met.hpp"
+#include "cuts/after_meshing/one_mesh.hpp"
+#include "cuts/after_meshing/thin_cuts.hpp"
+#include "cuts/before_meshing/split_interfaces.hpp"
+#include "cuts/clefts/closed_clefts.hpp"
+#include "cuts/unite_pieces.hpp"
+#include "quality/fault/missed_targets.hpp"
+#include "region/region_graph.hpp"
+#include "target/fill_report.hpp"
+#include "tasks/errors_as_values.hpp"
+#include "tasks/region_task.hpp"
+#include "thin/fewer_vertices.hpp"
+
+namespace cover {
+namespace {
+
+constexpr std::uint64_t kPlacesForOne = 20'000;  ///< tried for an obtuse triangle
+constexpr std::uint64_t kMostPlaces = 3'000'000;
+
+bool has_obtuse(const std::vector<RegionMesh>& meshes) {
+  return std::any_of(meshes.begin(), meshes.end(),
+                     [](const RegionMesh& mesh) { return mesh.report.quality.obtuse > 0; });
+}
+
+/// Cuts segments and meshes regions as it is done without clefts.
+Status mesh_closed(Work& work, const Options& options, const std::stop_token& stop) {
+  Callbacks quiet;
+  quiet.stop = stop;
+  std::vector<Note> notes;
+  if (Status status = split_interfaces(work.pslg, work.table, options, notes); !status)
+    return status;
+  work.boundaries = split_regions(work.pslg, work.table);
+  Result<std::vector<RegionMesh>> meshes = mesh_regions(work.boundaries, options, quiet);
+  if (!meshes) return std::move(meshes).error();
+  work.meshes = *std::move(meshes);
+  return cut_until_met(work, options, quiet);
+}
+
+/// The mesh of closed clefts in one, without the obtuse triangles that a few more vertices mend.
+/// Points that came before any segment was cut have the numbers they had; those that came before
+/// any was meshed stay where they are, as ends of clefts need them there.
+ConformingMesh mended(const ClosedClefts& closed, const std::stop_token& stop) {
+  const Work& work = closed.work;
+  Pslg uncut = work.pslg;
+  RegionTable table = work.table;
+  const std::vector<std::uint32_t> whole = unite_pieces(uncut, table, closed.was_point.size());
+  ConformingMesh mesh = join(work, uncut, whole);
+  const auto given = static_cast<std::ptrdiff_t>(work.report.uncut_points);
+  const std::vector<std::uint32_t> lines(mesh.line.begin(), mesh.line.begin() + given);
+  std::fill(mesh.line.begin(), mesh.line.begin() + given, ConformingMesh::kFixed);
+  std::vector<std::uint32_t> fixed = sort_by_place(mesh);
+  std::erase_if(fixed, [&](std::uint32_t v) { return v >= lines.size(); });
+
+  MeshWithUndo mending(mesh, std::vector<WantedAngles>(work.meshes.size()));
+  const ThinEffort effort{0, 0, kPlacesForOne, kMostPlaces, stop};
+  thin_mesh(mending, effort);
+  mend_what_is_left(mending, effort);
+  mesh = mending.result(mesh);
+
+  auto next_fixed = fixed.begin();
+  auto next = static_cast<std::uint32_t>(lines.size());
+  std::vector<std::uint32_t> number;
+  for (const std::uint32_t line : mesh.line)
+    number.push_back(line == ConformingMesh::kFixed ? *next_fixed++ : next++);
+  renumber(number, mesh);
+  std::copy(lines.begin(), lines.end(), mesh.line.begin());
+  return mesh;
+}
+
+/// Puts `opened` into `whole`, whose segments are whole; false if a region would be broken.
+bool take(OpenedClefts opened, const Options& options, Work& whole) {
+  const std::size_t points = whole.pslg.points.size();
+  std::vector<std::uint32_t> fixed = sort_by_place(opened.mesh);
+  std::vector<std::uint32_t> number(fixed.size());
+  for (std::uint32_t v = 0; v < fixed.size(); ++v) number[fixed[v]] = v;
+  for (FollowedVertex& pair : opened.pairs)
+    pair = {number[pair.first], number[pair.other], pair.right_at_first};
+  ease(opened.pairs, opened.mesh);
+  std::erase_if(fixed, [&](std::uint32_t v) { return v >= points; });
+  separate(opened.mesh, fixed, whole);
+  std::erase_if(whole.report.notes, [](const Note& note) { return note.kind == Note::Kind::cut; });
+  if (!is_sound(whole)) return false;
+  for (std::size_t r = 0; r < whole.boundaries.size(); ++r) {
+    report_again(whole.boundaries[r], options, false, whole.meshes[r]);
+    fill_report(whole.boundaries[r], whole.meshes[r]);
+  }
+  return true;
+}
+
+}  // namespace
+
+Status mesh_with_closed_clefts(Work& work, const Options& options, const Callbacks& callbacks) {
+  // What is cut for boxes is told cut by cut, and stays.
+  if (options.box_method || !wants_thinning(work, work.boundaries, options) ||
+      !has_obtuse(work.meshes))
+    return ok();
+  return errors_as_values("close clefts", [&]() -> Status {
+    Work whole = work;
+    unite_pieces(whole.pslg, whole.table, work.report.uncut_points);
+    std::vector<Cleft> clefts =
+        find_clefts(whole.pslg, whole.table, split_regions(whole.pslg, whole.table));
+    if (clefts.empty()) return ok();
+    std::optional<ClosedClefts> closed = close_clefts(whole, std::move(clefts));
+    if (!closed) return ok();
+    if (Status status = mesh_closed(closed->work, options, callbacks.stop); !status) return status;
+    std::optional<OpenedClefts> opened =
+        open_clefts(mended(*closed, callbacks.stop), *closed, whole);
+    if (callbacks.stop.stop_requested()) return Error{ErrorCode::cancelled, "interrupted", {}, {}};
+    if (opened && take(*std::move(opened), options, whole)) work = std::move(whole);
+    return ok();
+  });
+}
+
+}  // namespace cover

@@ -1,0 +1,29 @@
+// All regions as one mesh, whose cuts may be others, and back.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "cuts/work.hpp"
+#include "thin/conforming_mesh.hpp"
+
+namespace cover {
+
+/// The meshes of all regions in one. `uncut` is the PSLG of `work` before its segments were cut;
+/// `whole`: by segment of `work`, which of those it is a piece of, see unite_pieces().
+ConformingMesh join(const Work& work, const Pslg& uncut, const std::vector<std::uint32_t>& whole);
+
+/// Points, lines and triangles in the order of their coordinates, which does not depend on that of
+/// the input. Returns the old numbers of the points.
+std::vector<std::uint32_t> sort_by_place(ConformingMesh& mesh);
+
+/// Gives each point another number, `number`, by the one it has.
+///
+/// REQUIRES: `number` is a permutation
+void renumber(const std::vector<std::uint32_t>& number, ConformingMesh& mesh);
+
+/// Puts what has come of the mesh into `work`, whose segments are whole. `old` are the numbers
+/// that its fixed points have in the PSLG, in their order in `mesh`.
+void separate(const ConformingMesh& mesh, const std::vector<std::uint32_t>& old, Work& work);
+
+}  // namespace cover

@@ -1,0 +1,56 @@
+// Clefts are closed to lines, so that what is left has no narrow parts, and opened again.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "cuts/clefts/find_clefts.hpp"
+#include "cuts/work.hpp"
+#include "thin/conforming_mesh.hpp"
+#include "thin/ease_mesh.hpp"
+
+namespace cover {
+
+/// A plane whose clefts are closed.
+struct ClosedClefts {
+  /// Not split yet. From each end of a cleft a slit goes on: its first piece sees the end at a right
+  /// angle.
+  Work work;
+  std::vector<Cleft> clefts;
+  /// By point of `work`, before any segment was cut: its number among the points of the PSLG before
+  /// it, after which those come that are new.
+  std::vector<std::uint32_t> was_point;
+  std::vector<Segment> segments;  ///< of `work`, before any was cut: whole; by those numbers
+  /// By whole segment of `work`: which one of the PSLG before it was; kNone for slits.
+  std::vector<std::uint32_t> was;
+  /// By cleft and end: the whole segment of `work` that is the slit; kNone if there is none.
+  std::vector<std::array<std::uint32_t, 2>> slit;
+  std::vector<std::uint32_t> wall;  ///< by cleft: the whole segment of `work`
+};
+
+/// A mesh whose clefts were opened.
+struct OpenedClefts {
+  ConformingMesh mesh;
+  std::vector<FollowedVertex> pairs;  ///< cuts of a first wall and their feet on the other
+};
+
+/// Closes `clefts`: the other wall becomes the first one. Where an end is slanted, the wall is cut
+/// so near to it that both triangles there can do without an obtuse angle.
+///
+/// REQUIRES: clefts of `whole`, whose segments are not cut, and at least one of them
+/// Returns:  nothing if the plane would not be a sound one any more
+std::optional<ClosedClefts> close_clefts(const Prepared& whole, std::vector<Cleft> clefts);
+
+/// Opens them again: each triangle takes the corners of its side of the cleft, each cut of a wall
+/// gets another one at its foot on the other wall, and triangles fill what is between.
+///
+/// REQUIRES: `mesh` is that of closed.work in one, whose points have the numbers they have there;
+///           `whole` is what close_clefts() had
+/// ENSURES:  points of `whole` have their numbers, others come after them
+/// Returns:  nothing if feet are not in the order of the cuts, or beyond a wall, or if a triangle
+///           turned over
+std::optional<OpenedClefts> open_clefts(const ConformingMesh& mesh, const ClosedClefts& closed,
+                                        const Prepared& whole);
+
+}  // namespace cover
