@@ -1,6 +1,7 @@
 // Tested by tests/unit/region/region_graph_test.cpp.
 #include "faces/face_measures.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -67,34 +68,83 @@ void search_inside(const Faces& faces, std::vector<bool>& wanted, std::vector<Fa
   }
 }
 
-}  // namespace
+/// What some triangles tell of a face.
+struct Measured {
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-std::vector<FaceMeasure> measure_faces(const Faces& faces) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  std::vector<FaceMeasure> out(faces.count);
-  for (FaceMeasure& m : out) m.smallest_side.first = {kInfinity, kInfinity};
-  std::vector<Sum> doubled(faces.count);
-  std::vector<double> largest(faces.count, -1);
-  std::vector<bool> missing(faces.count, true);
-  for (std::size_t t = 0; t < faces.of_triangle.size(); ++t) {
-    const std::uint32_t face = faces.of_triangle[t];
+  double largest = -1;  ///< twice the area of a triangle
+  Point inside;         ///< its centroid, as rounded
+  bool is_inside = false;
+  bool has_triangles = false;
+  std::pair<Point, Point> smallest_side{{kInfinity, kInfinity}, {}};
+
+  /// Those of later triangles.
+  void add(const Measured& later) {
+    const std::pair smallest = std::min(smallest_side, later.smallest_side);
+    const bool has_some = has_triangles || later.has_triangles;
+    if (later.largest > largest) *this = later;
+    smallest_side = smallest;
+    has_triangles = has_some;
+  }
+};
+
+/// Measures the triangles from `first` to before `last`; `add_area(t, twice its area)` for each.
+template <class AddArea>
+void measure_some(const Faces& faces, std::size_t first, std::size_t last,
+                  std::vector<Measured>& of_face, const AddArea& add_area) {
+  for (std::size_t t = first; t < last; ++t) {
+    Measured& face = of_face[faces.of_triangle[t]];
     const Triangle& f = faces.triangulation.triangles[t];
     const auto c = corners(faces, t);
     const double area = cross(c[1] - c[0], c[2] - c[0]);
-    doubled[face].add(area);
-    if (area > largest[face]) {
-      largest[face] = area;
-      out[face].inside = centroid(c);
-      missing[face] = !strictly_inside(c, centroid(c));
+    add_area(t, area);
+    face.has_triangles = true;
+    if (area > face.largest) {
+      face.largest = area;
+      face.inside = centroid(c);
+      face.is_inside = strictly_inside(c, face.inside);
     }
     for (std::size_t i = 0; i < 3; ++i) {
       if (!f.is_locked(static_cast<int>(i)) && f.n[i] != kNone) continue;
       const std::pair side(c[(i + 1) % 3], c[(i + 2) % 3]);
-      out[face].smallest_side = std::min(out[face].smallest_side, side);
+      face.smallest_side = std::min(face.smallest_side, side);
     }
   }
-  for (std::size_t f = 0; f < faces.count; ++f) out[f].area = doubled[f].value() / 2;
-  search_inside(faces, missing, out);
+}
+
+}  // namespace
+
+std::vector<FaceMeasure> measure_faces(const Faces& faces, const Team& team) {
+  constexpr std::size_t kRange = 1 << 15, kFew = 64;
+  const std::size_t triangles = faces.of_triangle.size();
+  std::vector<Measured> measured(faces.count);
+  std::vector<Sum> doubled(faces.count);
+  if (team.workers() > 1 && faces.count <= kFew && triangles > kRange) {
+    std::vector<std::vector<Measured>> parts(Team::ranges(triangles, kRange), measured);
+    std::vector<double> areas(triangles);  // which are summed in their order
+    team.each_range(triangles, kRange, [&](std::size_t first, std::size_t last) {
+      measure_some(faces, first, last, parts[first / kRange],
+                   [&](std::size_t t, double area) { areas[t] = area; });
+    });
+    for (const std::vector<Measured>& part : parts) {
+      for (std::size_t f = 0; f < faces.count; ++f) measured[f].add(part[f]);
+    }
+    for (std::size_t t = 0; t < triangles; ++t) doubled[faces.of_triangle[t]].add(areas[t]);
+  } else {
+    measure_some(faces, 0, triangles, measured,
+                 [&](std::size_t t, double area) { doubled[faces.of_triangle[t]].add(area); });
+  }
+  std::vector<FaceMeasure> out(faces.count);
+  std::vector<bool> missing(faces.count);
+  for (std::size_t f = 0; f < faces.count; ++f) {
+    out[f].area = doubled[f].value() / 2;
+    out[f].smallest_side = measured[f].smallest_side;
+    out[f].inside = measured[f].inside;
+    missing[f] = !measured[f].is_inside && measured[f].has_triangles;
+    if (!measured[f].has_triangles) out[f].inside.reset();
+  }
+  if (std::find(missing.begin(), missing.end(), true) != missing.end())
+    search_inside(faces, missing, out);
   for (std::size_t f = 0; f < faces.count; ++f) {
     if (missing[f]) out[f].inside.reset();
   }

@@ -7,6 +7,7 @@
 
 #include <cover/point.hpp>
 
+#include "base/team.hpp"
 #include "faces/faces.hpp"
 
 namespace cover {
@@ -23,6 +24,6 @@ struct FaceMeasure {
 /// `area` is a compensated sum; `inside` is checked with exact predicates. A face that is found to
 /// hold no double but on its triangulation's edges gets a point there.
 /// Cost: O(n).
-std::vector<FaceMeasure> measure_faces(const Faces& faces);
+std::vector<FaceMeasure> measure_faces(const Faces& faces, const Team& team = {});
 
 }  // namespace cover

@@ -4,6 +4,7 @@
 #include "faces/faces.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 namespace cover {
@@ -90,19 +91,22 @@ class SegmentIndex {
   std::vector<std::uint32_t> sorted_;  ///< by lower, then upper end
 };
 
-void find_sides(Faces& faces, std::span<const IndexPair> segments) {
-  faces.of_segment.assign(segments.size(), {kOutside, kOutside});
-  const SegmentIndex index(faces.triangulation.points.size(), segments);
-  for (std::size_t t = 0; t < faces.of_triangle.size(); ++t) {
-    const Triangle& f = faces.triangulation.triangles[t];
-    for (int i = 0; i < 3; ++i) {
-      if (!f.is_locked(i)) continue;
-      const std::uint32_t u = f.v[static_cast<std::size_t>(next3(i))];
-      const std::uint32_t v = f.v[static_cast<std::size_t>(prev3(i))];
-      const std::uint32_t s = index.find(u, v);
-      faces.of_segment[s][segments[s][0] == u ? 0 : 1] = faces.of_triangle[t];
+/// Each side is one triangle's.
+void find_sides(Faces& faces, std::span<const IndexPair> segments, const SegmentIndex& index,
+                const Team& team) {
+  constexpr std::size_t kRange = 1 << 15;
+  team.each_range(faces.of_triangle.size(), kRange, [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) {
+      const Triangle& f = faces.triangulation.triangles[t];
+      for (int i = 0; i < 3; ++i) {
+        if (!f.is_locked(i)) continue;
+        const std::uint32_t u = f.v[static_cast<std::size_t>(next3(i))];
+        const std::uint32_t v = f.v[static_cast<std::size_t>(prev3(i))];
+        const std::uint32_t s = index.find(u, v);
+        faces.of_segment[s][segments[s][0] == u ? 0 : 1] = faces.of_triangle[t];
+      }
     }
-  }
+  });
 }
 
 }  // namespace
@@ -113,11 +117,20 @@ Faces find_faces(std::span<const Point> points, std::span<const IndexPair> segme
   return faces_of(std::move(cdt.triangulation), segments, hull);
 }
 
-Faces faces_of(Triangulation triangulation, std::span<const IndexPair> segments, bool hull) {
+Faces faces_of(Triangulation triangulation, std::span<const IndexPair> segments, bool hull,
+               const Team& team) {
   Faces faces;
   faces.triangulation = std::move(triangulation);
-  number_faces(faces, hull);
-  find_sides(faces, segments);
+  std::optional<SegmentIndex> index;
+  team.each(2, [&](std::size_t k) {
+    if (k == 0) {
+      number_faces(faces, hull);
+    } else {
+      index.emplace(faces.triangulation.points.size(), segments);
+      faces.of_segment.assign(segments.size(), {kOutside, kOutside});
+    }
+  });
+  find_sides(faces, segments, *index, team);
   return faces;
 }
 

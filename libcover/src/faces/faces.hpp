@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/team.hpp"
 #include "cdt/cdt.hpp"
 
 namespace cover {
@@ -33,6 +34,7 @@ Faces find_faces(std::span<const Point> points, std::span<const IndexPair> segme
 /// The same over a triangulation that is there already, with the segments as its locked edges.
 ///
 /// Cost: O(n log n).
-Faces faces_of(Triangulation triangulation, std::span<const IndexPair> segments, bool hull);
+Faces faces_of(Triangulation triangulation, std::span<const IndexPair> segments, bool hull,
+               const Team& team = {});
 
 }  // namespace cover

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <set>
@@ -27,18 +28,40 @@ class NearMisses {
   NearMisses(const Pslg& pslg, const Triangulation& triangulation, std::vector<Note>& notes)
       : pslg_(pslg), triangulation_(triangulation), notes_(notes) {}
 
-  /// Looks at corner i of triangle t and the edge opposite to it.
-  void look(std::uint32_t t, int i) {
+  /// A corner of a triangle, to which something is near.
+  struct Corner {
+    std::uint32_t triangle;
+    int i;
+  };
+
+  /// Adds the corners of triangle t that are near to the edge opposite, or whose edge opposite is
+  /// short.
+  void collect(std::uint32_t t, std::vector<Corner>& found) const {
     const Triangle& f = triangulation_.triangles[t];
-    const std::uint32_t w = f.v[static_cast<std::size_t>(i)];
-    const std::uint32_t u = f.v[static_cast<std::size_t>(next3(i))];
-    const std::uint32_t v = f.v[static_cast<std::size_t>(prev3(i))];
-    const double uv = length(at(v) - at(u)), vw = length(at(w) - at(v)), wu = length(at(u) - at(w));
-    if (uv < kNear * std::min(vw, wu)) {
-      if (!f.is_locked(i)) points(u, v, uv);
-    } else if (!f.is_locked(next3(i)) && !f.is_locked(prev3(i)) && is_beside(w, u, v) &&
-               distance(w, u, v) < kNear * std::min(vw, wu)) {
-      look_across(w, t, i, kNear * std::min(vw, wu));
+    std::array<double, 3> opposite{};  // the lengths of the edges
+    for (int i = 0; i < 3; ++i)
+      opposite[place(i)] = length(at(f.v[place(prev3(i))]) - at(f.v[place(next3(i))]));
+    for (int i = 0; i < 3; ++i) {
+      const double beside = std::min(opposite[place(next3(i))], opposite[place(prev3(i))]);
+      if (opposite[place(i)] < kNear * beside) {
+        if (!f.is_locked(i)) found.push_back({t, i});
+      } else if (!f.is_locked(next3(i)) && !f.is_locked(prev3(i)) && is_near_edge(f, i, beside)) {
+        found.push_back({t, i});
+      }
+    }
+  }
+
+  /// Tells of what was collected.
+  void look(const Corner& corner) {
+    const auto& [t, i] = corner;
+    const Triangle& f = triangulation_.triangles[t];
+    const std::uint32_t w = f.v[place(i)], u = f.v[place(next3(i))], v = f.v[place(prev3(i))];
+    const double uv = length(at(v) - at(u));
+    const double beside = std::min(length(at(w) - at(v)), length(at(u) - at(w)));
+    if (uv < kNear * beside) {
+      points(u, v, uv);
+    } else {
+      look_across(w, t, i, kNear * beside);
     }
   }
 
@@ -51,6 +74,13 @@ class NearMisses {
   }
 
  private:
+  static std::size_t place(int i) { return static_cast<std::size_t>(i); }
+
+  [[nodiscard]] bool is_near_edge(const Triangle& f, int i, double beside) const {
+    const std::uint32_t w = f.v[place(i)], u = f.v[place(next3(i))], v = f.v[place(prev3(i))];
+    return is_beside(w, u, v) && distance(w, u, v) < kNear * beside;
+  }
+
   [[nodiscard]] std::string name(std::uint32_t p) const {
     const long id = pslg_.point_ids[p];
     return id < 0 ? fmt::format("the point at {}", describe(pslg_.points[p]))
@@ -128,11 +158,19 @@ class NearMisses {
 
 constexpr const char* kRemedy = " (--weld closes such gaps)";
 
-std::vector<Note> find_near_misses(const Pslg& pslg, const Triangulation& triangulation) {
+std::vector<Note> find_near_misses(const Pslg& pslg, const Triangulation& triangulation,
+                                   const Team& team) {
+  constexpr std::size_t kRange = 1 << 15;
+  const std::size_t triangles = triangulation.triangles.size();
   std::vector<Note> notes;
   NearMisses misses(pslg, triangulation, notes);
-  for (std::uint32_t t = 0; t < triangulation.triangles.size(); ++t) {
-    for (int i = 0; i < 3; ++i) misses.look(t, i);
+  std::vector<std::vector<NearMisses::Corner>> found(Team::ranges(triangles, kRange));
+  team.each_range(triangles, kRange, [&](std::size_t first, std::size_t last) {
+    for (auto t = static_cast<std::uint32_t>(first); t < last; ++t)
+      misses.collect(t, found[first / kRange]);
+  });
+  for (const auto& some : found) {
+    for (const NearMisses::Corner& corner : some) misses.look(corner);
   }
   misses.finish();
   return notes;
@@ -140,15 +178,15 @@ std::vector<Note> find_near_misses(const Pslg& pslg, const Triangulation& triang
 
 }  // namespace
 
-void warn_of_near_misses(const Pslg& pslg, const Triangulation& triangulation,
+void warn_of_near_misses(const Pslg& pslg, const Triangulation& triangulation, const Team& team,
                          std::vector<Note>& notes) {
-  std::vector<Note> misses = find_near_misses(pslg, triangulation);
+  std::vector<Note> misses = find_near_misses(pslg, triangulation, team);
   if (!misses.empty()) misses[0].message += kRemedy;
   std::move(misses.begin(), misses.end(), std::back_inserter(notes));
 }
 
 std::string near_misses_behind(const Pslg& pslg, const Triangulation& triangulation) {
-  const std::vector<Note> misses = find_near_misses(pslg, triangulation);
+  const std::vector<Note> misses = find_near_misses(pslg, triangulation, Team());
   if (misses.empty()) return {};
   std::string out = "; " + misses[0].message;
   if (misses.size() > 1) {

@@ -7,6 +7,7 @@
 #include <cover/pslg.hpp>
 #include <cover/report.hpp>
 
+#include "base/team.hpp"
 #include "cdt/triangulation.hpp"
 
 namespace cover {
@@ -17,7 +18,7 @@ namespace cover {
 /// REQUIRES: `triangulation` is the constrained Delaunay triangulation of the PSLG's hull: what is
 ///           near each other in sight of each other shares a triangle in it
 /// Cost:     O(n).
-void warn_of_near_misses(const Pslg& pslg, const Triangulation& triangulation,
+void warn_of_near_misses(const Pslg& pslg, const Triangulation& triangulation, const Team& team,
                          std::vector<Note>& notes);
 
 /// The same as an end of a sentence about faces that are not as they should be, "; point 4 at ...

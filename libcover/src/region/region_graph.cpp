@@ -53,18 +53,27 @@ class TableMaker {
   TableMaker(const Pslg& pslg, const Faces& faces, const SeededFaces& seeded)
       : pslg_(pslg), faces_(faces), seeded_(seeded), region_of_face_(faces.count) {}
 
-  RegionTable make(std::vector<Note>& notes) {
-    add_regions(number_materials(pslg_.seeds, notes), notes);
+  TriangulatedTable make(std::vector<Note>& notes, const Team& team) {
+    add_regions(number_materials(pslg_.seeds, notes), team, notes);
     add_attributes();
     add_sides();
-    add_hull_sides();
-    add_points();
-    warn_of_lines_in_void(notes);
-    build_interfaces(pslg_, table_);
-    return std::move(table_);
+    std::vector<TriangulatedRegion> large;
+    // What each of them fills in is no other's.
+    team.each(3, [&](std::size_t k) {
+      if (k == 0) {
+        build_interfaces(pslg_, table_);
+      } else if (k == 1) {
+        add_hull_sides();
+        add_points();
+      } else {
+        warn_of_lines_in_void(notes);
+        large = large_regions();
+      }
+    });
+    return {std::move(table_), std::move(large)};
   }
 
-  /// REQUIRES: a table was made
+ private:
   [[nodiscard]] std::vector<TriangulatedRegion> large_regions() const {
     std::vector<std::size_t> count(faces_.count, 0);
     for (const std::uint32_t face : faces_.of_triangle) ++count[face];
@@ -84,9 +93,8 @@ class TableMaker {
     return large;
   }
 
- private:
-  void add_regions(const Materials& materials, std::vector<Note>& notes) {
-    const std::vector<FaceMeasure> measures = measure_faces(faces_);
+  void add_regions(const Materials& materials, const Team& team, std::vector<Note>& notes) {
+    const std::vector<FaceMeasure> measures = measure_faces(faces_, team);
     for (const std::uint32_t face : faces_in_order(pslg_, seeded_, measures)) {
       Region region;
       region.id = region_of_face_[face] = RegionId{table_.regions.size() + 1};
@@ -373,7 +381,7 @@ Result<TriangulatedTable> build_triangulated_table(const Pslg& pslg, const Optio
   std::vector<IndexPair> pairs;
   pairs.reserve(pslg.segments.size());
   for (const Segment& s : pslg.segments) pairs.push_back({s.a.value(), s.b.value()});
-  const Faces faces = whole ? faces_of(*std::move(whole), pairs, options.hull)
+  const Faces faces = whole ? faces_of(*std::move(whole), pairs, options.hull, team)
                             : find_faces(pslg.points, pairs, options.hull);
   if (faces.of_triangle.empty()) {
     Error error =
@@ -399,18 +407,18 @@ Result<TriangulatedTable> build_triangulated_table(const Pslg& pslg, const Optio
     return nothing_enclosed(pslg, "the hole seeds leave no region");
   }
   TriangulatedTable made;
-  std::vector<Note> of_table;
-  team.each(2, [&](std::size_t k) {
-    if (k == 1) {
-      warn_of_near_misses(pslg, faces.triangulation, notes);
-      warn_of_gaps(pslg, faces, *seeded, options.weld.value_or(kAutoWeld), notes);
-      return;
+  std::vector<Note> of_gaps, of_table;
+  team.each(3, [&](std::size_t k) {
+    if (k == 0) {
+      made = TableMaker(pslg, faces, *seeded).make(of_table, team);
+    } else if (k == 1) {
+      warn_of_near_misses(pslg, faces.triangulation, team, notes);
+    } else {
+      warn_of_gaps(pslg, faces, *seeded, options.weld.value_or(kAutoWeld), of_gaps);
     }
-    TableMaker maker(pslg, faces, *seeded);
-    made.table = maker.make(of_table);
-    made.large = maker.large_regions();
   });
-  std::move(of_table.begin(), of_table.end(), std::back_inserter(notes));
+  for (std::vector<Note>* some : {&of_gaps, &of_table})
+    std::move(some->begin(), some->end(), std::back_inserter(notes));
   if (auto error = tell_open(pslg, pairs, made.table, options, notes)) return *std::move(error);
   return made;
 }

@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
 
+#include "base/run_all.hpp"
 #include "clean/pslg.hpp"
 #include "support/inputs/inputs.hpp"
 #include "support/inputs/shapes.hpp"
@@ -386,6 +390,60 @@ TEST(BuildRegionTable, DoesNotDependOnScaleOrOrder) {
     EXPECT_NEAR(mixed->table.regions[k].area, base->table.regions[k].area, 1e-15);
     EXPECT_EQ(mixed->table.regions[k].material, base->table.regions[k].material);
     EXPECT_EQ(mixed->table.regions[k].sides, base->table.regions[k].sides);
+  }
+}
+
+/// Rings of many points, squares inside them, points near to each other and to a segment.
+TEST(BuildRegionTable, IsTheSameForAnyNumberOfThreads) {
+  Input input;
+  for (int ring = 1; ring <= 3; ++ring) {
+    testing::Loop loop;
+    for (int k = 0; k < 30'000; ++k) {
+      const double turn = 2 * 3.14159265358979 * k / 30'000;
+      const double radius = ring + 0.01 * std::sin(40 * turn);
+      loop.push_back({radius * std::cos(turn), radius * std::sin(turn)});
+    }
+    add_loop(input, loop, ring == 2 ? "middle" : "");
+  }
+  add_loop(input, square(-0.5, 0.5));
+  for (const Point p : {Point{0.1, 0.2}, Point{0.1, 0.2 + 1e-9}, Point{0.3, 0.5 - 1e-9}})
+    input.points.push_back(p);
+  input.seeds = {seed({1.5, 0}, "3", 1), seed({0, 0}, "5", 2)};
+  const auto made = [&](const Team& team) {
+    Report report;
+    std::optional<Triangulation> whole;
+    const auto pslg = make_pslg(input, {}, report, &whole, team);
+    EXPECT_TRUE(pslg && whole);
+    std::vector<Note> notes;
+    auto table = build_triangulated_table(*pslg, {}, notes, std::move(whole), team);
+    EXPECT_TRUE(table);
+    return std::pair(*std::move(table), std::move(notes));
+  };
+  const auto [alone, notes] = made(Team());
+  EXPECT_EQ(alone.table.regions.size(), 4U);
+  EXPECT_EQ(alone.table.isolated_points.size(), 3U);
+  EXPECT_EQ(alone.large.size(), 2U);
+  EXPECT_GE(notes.size(), 2U);
+  for (const unsigned workers : {2U, 3U, 7U}) {
+    with_team(workers, [&, &alone = alone, &notes = notes](const Team& team) {
+      const auto [table, told] = made(team);
+      ASSERT_EQ(told.size(), notes.size());
+      for (std::size_t k = 0; k < told.size(); ++k) EXPECT_EQ(told[k].message, notes[k].message);
+      ASSERT_EQ(table.table.regions.size(), alone.table.regions.size());
+      for (std::size_t r = 0; r < alone.table.regions.size(); ++r) {
+        const Region &one = table.table.regions[r], &other = alone.table.regions[r];
+        EXPECT_EQ(one.area, other.area);
+        EXPECT_EQ(one.inside, other.inside);
+        EXPECT_EQ(one.sides, other.sides);
+      }
+      for (std::size_t s = 0; s < alone.table.sides.size(); ++s) {
+        ASSERT_EQ(table.table.sides[s].left, alone.table.sides[s].left);
+        ASSERT_EQ(table.table.sides[s].right, alone.table.sides[s].right);
+        ASSERT_EQ(table.table.sides[s].interface, alone.table.sides[s].interface);
+      }
+      for (std::size_t k = 0; k < alone.large.size(); ++k)
+        EXPECT_EQ(table.large[k].triangles, alone.large[k].triangles);
+    });
   }
 }
 
