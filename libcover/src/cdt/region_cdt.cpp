@@ -63,7 +63,7 @@ class Assembly {
       : sides_(sides),
         triangles_(triangles),
         team_(team),
-        opposite_(opposite_half_edges(points.size(), triangles)),
+        opposite_(opposite_half_edges(points.size(), triangles, team)),
         first_side_(points.size() + 1, 0) {
     for (const IndexPair& side : sides) ++first_side_[side[0] + 1];
     for (std::size_t v = 1; v < first_side_.size(); ++v) first_side_[v] += first_side_[v - 1];
@@ -178,20 +178,26 @@ std::optional<BoundaryFault> find_fault(const CdtResult& cdt, std::span<const Po
   return fault_at("the point " + describe(points[p]) + " does not lie in the region", points, {p});
 }
 
-void put_in_order(std::size_t points, std::vector<IndexTriple>& triangles) {
+void put_in_order(std::size_t points, std::vector<IndexTriple>& triangles, const Team& team) {
+  constexpr std::size_t kAtATime = 1 << 15;
   std::vector<std::uint32_t> next(points + 1, 0);
-  for (IndexTriple& t : triangles) {
-    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-    ++next[t[0] + 1];
-  }
+  team.each_range(triangles.size(), kAtATime, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      IndexTriple& t = triangles[k];
+      std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    }
+  });
+  for (const IndexTriple& t : triangles) ++next[t[0] + 1];
   for (std::size_t v = 1; v < next.size(); ++v) next[v] += next[v - 1];
   std::vector<IndexTriple> sorted(triangles.size());
   for (const IndexTriple& t : triangles) sorted[next[t[0]]++] = t;
   triangles = std::move(sorted);
-  for (std::size_t first = 0, v = 0; v < points; ++v) {  // next[v] is where v + 1 begins
-    std::sort(triangles.begin() + static_cast<std::ptrdiff_t>(first), triangles.begin() + next[v]);
-    first = next[v];
-  }
+  team.each_range(points, kAtATime, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {  // next[v] is where v + 1 begins
+      const auto first = static_cast<std::ptrdiff_t>(v == 0 ? 0 : next[v - 1]);
+      std::sort(triangles.begin() + first, triangles.begin() + next[v]);
+    }
+  });
 }
 
 Triangulation triangulate_region(std::span<const Point> points, std::span<const IndexPair> sides,
@@ -208,7 +214,7 @@ Triangulation triangulate_region(std::span<const Point> points, std::span<const 
   triangles.reserve(cdt.triangulation.triangles.size());
   for (const Triangle& t : cdt.triangulation.triangles) triangles.push_back(t.v);
   cdt = {};
-  put_in_order(points.size(), triangles);
+  put_in_order(points.size(), triangles, team);
   return Assembly(points, sides, triangles, team).take();
 }
 

@@ -39,7 +39,7 @@ inline constexpr std::size_t kLargeRegion = 50'000;
 ///
 /// REQUIRES: corners below `points`
 /// Cost:     O(points + n), for the few triangles that a point usually has
-void put_in_order(std::size_t points, std::vector<IndexTriple>& triangles);
+void put_in_order(std::size_t points, std::vector<IndexTriple>& triangles, const Team& team = {});
 
 /// The constrained Delaunay triangulation of a region: every side has a triangle on its left, every
 /// point is a corner.

@@ -46,11 +46,14 @@ Pslg take_over(const Input& input) {
   pslg.point_markers = input.point_markers;
   pslg.point_markers.resize(input.points.size());
   std::map<std::string, std::uint32_t> name_index{{"", 0}};
+  auto name = name_index.begin();
   pslg.segments.reserve(input.segments.size());
   for (const InputSegment& s : input.segments) {
-    const auto [name, is_new] =
-        name_index.emplace(s.name, static_cast<std::uint32_t>(pslg.names.size()));
-    if (is_new) pslg.names.push_back(s.name);
+    if (s.name != name->first) {  // mostly it is that of the segment before
+      const auto next = static_cast<std::uint32_t>(pslg.names.size());
+      name = name_index.try_emplace(s.name, next).first;
+      if (name->second == next) pslg.names.push_back(s.name);
+    }
     pslg.segments.push_back({VertexId{s.a}, VertexId{s.b}, s.marker, name->second, s.id});
   }
   pslg.seeds = input.seeds;

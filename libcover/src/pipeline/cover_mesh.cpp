@@ -43,7 +43,7 @@ Status split(Work& work, const Options& options, bool memory_counts,
     if (!pieces) return std::move(pieces).error();
     work.boundaries = *std::move(pieces);
     if (work.pslg.points.size() == work.report.uncut_points)
-      add_known_triangles(large, work.pslg.points.size(), work.boundaries);
+      add_known_triangles(large, work.pslg.points.size(), work.boundaries, team);
     return check_expected_triangles(work.table, work.boundaries, options,
                                     memory_for_mesh(memory_counts));
   });

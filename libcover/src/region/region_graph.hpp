@@ -53,6 +53,6 @@ std::vector<RegionBoundary> split_regions(const Pslg& pslg, const RegionTable& t
 /// Hands their triangles over to the boundaries of large regions (RegionBoundary::known_cdt), if
 /// the points are still what they were.
 void add_known_triangles(std::span<TriangulatedRegion> large, std::size_t points,
-                         std::span<RegionBoundary> boundaries);
+                         std::span<RegionBoundary> boundaries, const Team& team = {});
 
 }  // namespace cover

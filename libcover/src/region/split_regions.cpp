@@ -3,6 +3,7 @@
 // curve.
 // Tested by tests/unit/region/split_regions_test.cpp.
 #include <algorithm>
+#include <atomic>
 #include <functional>
 #include <numeric>
 
@@ -122,7 +123,8 @@ std::vector<RegionBoundary> split_regions(const Pslg& pslg, const RegionTable& t
 }
 
 void add_known_triangles(std::span<TriangulatedRegion> large, std::size_t points,
-                         std::span<RegionBoundary> boundaries) {
+                         std::span<RegionBoundary> boundaries, const Team& team) {
+  constexpr std::size_t kRange = 1 << 15;
   std::vector<std::uint32_t> local;
   for (TriangulatedRegion& region : large) {
     RegionBoundary& boundary = boundaries[region.id.index() - 1];
@@ -134,11 +136,19 @@ void add_known_triangles(std::span<TriangulatedRegion> large, std::size_t points
       return std::all_of(t.begin(), t.end(),
                          [&](std::uint32_t v) { return v < points && local[v] != kNone; });
     };
-    if (!std::all_of(region.triangles.begin(), region.triangles.end(), in_region)) continue;
     std::vector<IndexTriple> known = std::move(region.triangles);
-    for (IndexTriple& t : known)
-      for (std::uint32_t& v : t) v = local[v];
-    put_in_order(boundary.points.size(), known);
+    std::atomic<bool> are_inside = true;
+    team.each_range(known.size(), kRange, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) {
+        if (!in_region(known[k])) {
+          are_inside = false;
+          return;
+        }
+        for (std::uint32_t& v : known[k]) v = local[v];
+      }
+    });
+    if (!are_inside) continue;
+    put_in_order(boundary.points.size(), known, team);
     boundary.known_cdt = std::make_shared<std::vector<IndexTriple>>(std::move(known));
   }
 }

@@ -169,7 +169,9 @@ void warn_of_sizes(const Pslg& pslg, const Options& options,
     return length(pslg.points[segment.b.index()] - pslg.points[segment.a.index()]);
   };
   for (const RegionBoundary& boundary : boundaries) {
-    for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
+    const bool has_wishes = boundary.size > 0 || boundary.size_function ||
+                            !boundary.size_at.empty() || options.size_field;
+    for (std::size_t s = 0; has_wishes && s < boundary.sides.size(); ++s) {
       const std::size_t segment = boundary.segments[s].index();
       if (boundary.segments[s] == kHullSide || is_long[segment]) continue;
       const auto& [a, b] = boundary.sides[s];

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/faults/internal_fault.hpp"
+#include "base/run_all.hpp"
 #include "support/inputs/shapes.hpp"
 
 namespace cover {
@@ -109,6 +110,26 @@ TEST(TriangulateRegion, TakesWhatIsKnownIfThereIsNothingElse) {
     }
   }
   EXPECT_EQ(locked, region.sides.size());
+}
+
+/// More triangles than one thread takes for itself, in any order and from any corner on.
+TEST(PutInOrder, IsTheSameForAnyNumberOfThreads) {
+  constexpr std::uint32_t kPoints = 40'000;
+  Triples triangles;
+  for (std::uint32_t k = 0; k < 2 * kPoints; ++k) {
+    const std::uint32_t v = 7919 * k % kPoints;
+    triangles.push_back({(v + 3 + k % 5) % kPoints, v, (v + 1 + k % 2) % kPoints});
+  }
+  Triples alone = triangles;
+  put_in_order(kPoints, alone);
+  EXPECT_TRUE(std::is_sorted(alone.begin(), alone.end()));
+  for (const unsigned workers : {2U, 3U, 7U}) {
+    with_team(workers, [&](const Team& team) {
+      Triples sorted = triangles;
+      put_in_order(kPoints, sorted, team);
+      EXPECT_EQ(sorted, alone);
+    });
+  }
 }
 
 TEST(TriangulateRegion, FindsItselfWhatIsKnownWrongly) {

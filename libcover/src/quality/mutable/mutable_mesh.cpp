@@ -2,6 +2,7 @@
 #include "quality/mutable/mutable_mesh.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -104,7 +105,15 @@ void MutableMesh::set_goal(const Goal& goal, const Team& team) {
   goal_ = goal;
   allowances.clear();
   allowances.reserve(sides.size());
-  for (const SideLimit& side : sides) allowances.push_back(allowance_for(side, goal));
+  constexpr std::size_t kAtATime = 1 << 18;  // sides: several megabytes
+  std::vector<Allowance> found;
+  for (std::size_t begin = 0; begin < sides.size(); begin += kAtATime) {
+    found.resize(std::min(kAtATime, sides.size() - begin));
+    team.each_range(found.size(), kRange, [&](std::size_t first, std::size_t last) {
+      for (std::size_t s = first; s < last; ++s) found[s] = allowance_for(sides[begin + s], goal);
+    });
+    for (const Allowance& allowance : found) allowances.push_back(allowance);
+  }
   measure_all(team);
 }
 
@@ -348,6 +357,54 @@ void MutableMesh::arrange(const Team& team) {
   free_triangles_.clear();
 }
 
+namespace {
+
+/// Numbers the vertices of triangles that are not fixed, by ranges of triangles, in the order of
+/// their first corners, and sets the home of each to its last triangle. `vertex` has the numbers of
+/// those that are fixed, and gets those of the others; returns the number after the last one.
+std::uint32_t number_by_team(std::span<MeshTriangle> triangles, std::uint32_t fixed,
+                             std::span<std::uint32_t> vertex, std::span<std::uint32_t> home,
+                             const Team& team) {
+  std::vector<std::uint32_t> first_corner(vertex.size(), kNone);
+  const auto for_each = [&](const auto& use) {
+    team.each_range(triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+      for (auto t = static_cast<std::uint32_t>(first); t < last; ++t) {
+        for (std::uint32_t i = 0; i < 3; ++i) use(first / kRange, 3 * t + i, triangles[t].v[i]);
+      }
+    });
+  };
+  for_each([&](std::size_t, std::uint32_t corner, std::uint32_t v) {
+    if (v < fixed) return;
+    const std::atomic_ref least(first_corner[v]);
+    std::uint32_t other = least.load(std::memory_order_relaxed);
+    while (corner < other &&
+           !least.compare_exchange_weak(other, corner, std::memory_order_relaxed)) {
+    }
+  });
+  std::vector<std::uint32_t> next(Team::ranges(triangles.size(), kRange) + 1, 0);
+  for_each([&](std::size_t range, std::uint32_t corner, std::uint32_t v) {
+    if (first_corner[v] == corner) ++next[range + 1];
+  });
+  next[0] = fixed;
+  for (std::size_t k = 1; k < next.size(); ++k) next[k] += next[k - 1];
+  const std::uint32_t end = next.back();
+  for_each([&](std::size_t range, std::uint32_t corner, std::uint32_t v) {
+    if (first_corner[v] == corner) vertex[v] = next[range]++;
+  });
+  for_each([&](std::size_t, std::uint32_t corner, std::uint32_t v) {
+    const std::uint32_t t = corner / 3, number = vertex[v];
+    triangles[t].v[corner % 3] = number;
+    const std::atomic_ref last(home[number]);
+    std::uint32_t other = last.load(std::memory_order_relaxed);
+    while ((other == kNone || other < t) &&
+           !last.compare_exchange_weak(other, t, std::memory_order_relaxed)) {
+    }
+  });
+  return end;
+}
+
+}  // namespace
+
 void MutableMesh::number_vertices(const Team& team) {
   const std::size_t count = points.size() - free_vertices_.size();
   const std::size_t room = count + count / kSpareOf;
@@ -356,11 +413,15 @@ void MutableMesh::number_vertices(const Team& team) {
   std::uint32_t next = fixed_;
   home.reserve(room);
   home.assign(count, kNone);
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    for (std::uint32_t& v : triangles[t].v) {
-      if (vertex[v] == kNone) vertex[v] = next++;
-      v = vertex[v];
-      home[v] = t;
+  if (team.workers() > 1) {
+    next = number_by_team(triangles, fixed_, vertex, home, team);
+  } else {
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+      for (std::uint32_t& v : triangles[t].v) {
+        if (vertex[v] == kNone) vertex[v] = next++;
+        v = vertex[v];
+        home[v] = t;
+      }
     }
   }
   UnsetVector<Point> sorted;

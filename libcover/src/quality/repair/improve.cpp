@@ -21,6 +21,8 @@ namespace {
 /// more instructions.
 constexpr std::array<Move, 4> kMoves{try_flip, try_relocate, try_remove, try_restar};
 
+constexpr std::size_t kAtATime = 1 << 15;  // triangles
+
 /// Excesses as if every triangle had been tried, but for those near a border and those of parts
 /// that ran out of budget.
 UnsetVector<double> known_after(const MutableMesh& mesh, const Borders& borders,
@@ -32,18 +34,18 @@ UnsetVector<double> known_after(const MutableMesh& mesh, const Borders& borders,
   return known;
 }
 
-}  // namespace
+/// Whether a triangle is not as good as the goal, and other than it is known.
+bool is_to_try(const MutableMesh& mesh, std::span<const double> known, std::size_t t) {
+  return mesh.excess[t] > 0 && (t >= known.size() || mesh.excess[t] != known[t]);
+}
 
-ImproveResult improve(MutableMesh& mesh, std::uint64_t budget, std::span<const double> known) {
+/// Tries what is queued, and what becomes of that.
+ImproveResult work_off(MutableMesh& mesh, std::uint64_t budget, OnceQueue& queue) {
   ImproveResult result;
   Piece piece(mesh);
-  OnceQueue queue;
   const auto enqueue = [&](std::uint32_t t) {
     if (mesh.excess[t] > 0) queue.push(t);
   };
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (t >= known.size() || mesh.excess[t] != known[t]) enqueue(t);
-  }
   while (!queue.empty()) {
     const std::uint32_t t = queue.pop();
     if (!(mesh.excess[t] > 0)) continue;
@@ -59,6 +61,16 @@ ImproveResult improve(MutableMesh& mesh, std::uint64_t budget, std::span<const d
   }
   result.evaluations = piece.evaluations;
   return result;
+}
+
+}  // namespace
+
+ImproveResult improve(MutableMesh& mesh, std::uint64_t budget, std::span<const double> known) {
+  OnceQueue queue;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (is_to_try(mesh, known, t)) queue.push(t);
+  }
+  return work_off(mesh, budget, queue);
 }
 
 ImproveResult improve(MutableMesh& mesh, std::uint64_t budget, std::span<const double> known,
@@ -92,7 +104,19 @@ ImproveResult improve(MutableMesh& mesh, std::uint64_t budget, std::span<const d
   const UnsetVector<double> tried = known_after(mesh, borders, untried, sharing.team);
   if (flips) make_delaunay(mesh, borders.triangles);
   const std::uint64_t left = budget - std::min(budget, sum.evaluations);
-  const ImproveResult last = improve(mesh, left, tried);
+  std::vector<std::vector<std::uint32_t>> to_try(Team::ranges(mesh.triangles.size(), kAtATime));
+  sharing.team.each_range(mesh.triangles.size(), kAtATime,
+                          [&](std::size_t first, std::size_t last) {
+                            for (std::size_t t = first; t < last; ++t) {
+                              if (is_to_try(mesh, tried, t))
+                                to_try[first / kAtATime].push_back(static_cast<std::uint32_t>(t));
+                            }
+                          });
+  OnceQueue queue;
+  for (const std::vector<std::uint32_t>& some : to_try) {
+    for (const std::uint32_t t : some) queue.push(t);
+  }
+  const ImproveResult last = work_off(mesh, left, queue);
   return {sum.evaluations + last.evaluations, last.budget_used_up};
 }
 

@@ -2,6 +2,8 @@
 
 #include "../mesh_checks.hpp"
 #include "base/containers/shared.hpp"
+#include "base/run_all.hpp"
+#include "quality/mutable/to_region_mesh.hpp"
 #include "quality/repair/improve.hpp"
 #include "quality/starts/delaunay_refinement.hpp"
 
@@ -119,6 +121,45 @@ TEST(MutableMesh, IsTheSameMeshAfterArrangement) {
   EXPECT_EQ(mesh.triangles.size(), mesh.triangle_count());
   EXPECT_EQ(std::count(mesh.home.begin(), mesh.home.end(), kNone), 0);
   expect_sound(mesh, boundary);
+}
+
+/// Some ranges of triangles, with places that are free.
+TEST(MutableMesh, IsArrangedTheSameByAnyNumberOfThreads) {
+  const RegionBoundary boundary = smooth_star(20'000);
+  MutableMesh mesh = cdt_mesh(boundary);
+  refine(mesh, RefineLimits{.smallest_cot = 2, .budget = 100'000});
+  for (int k = 0; k < 3; ++k) {
+    mesh.drop_vertex(mesh.add_vertex({0, 0}));
+    mesh.drop_triangle(mesh.add_triangle());
+  }
+  const LocalFrame frame(boundary.points);
+  const RegionMesh before = to_region_mesh(mesh, frame, boundary.points);
+  const auto changed = [&](const Team& team) {
+    MutableMesh copy = mesh;
+    copy.arrange(team);
+    copy.set_goal(Goal::of(Angle::degrees(95), Angle::degrees(25)), team);
+    return copy;
+  };
+  const MutableMesh alone = changed(Team());
+  for (const unsigned workers : {2U, 3U, 7U}) {
+    with_team(workers, [&](const Team& team) {
+      const RegionMesh made = to_region_mesh(mesh, frame, boundary.points, team);
+      EXPECT_FALSE(made.triangles.empty());
+      EXPECT_EQ(made.triangles, before.triangles);
+      EXPECT_EQ(made.steiner, before.steiner);
+      const MutableMesh other = changed(team);
+      ASSERT_EQ(other.triangles.size(), alone.triangles.size());
+      for (std::size_t t = 0; t < alone.triangles.size(); ++t) {
+        ASSERT_EQ(other.triangles[t].v, alone.triangles[t].v);
+        ASSERT_EQ(other.triangles[t].n, alone.triangles[t].n);
+        ASSERT_EQ(other.excess[t], alone.excess[t]);
+      }
+      EXPECT_EQ(other.points, alone.points);
+      EXPECT_EQ(other.home, alone.home);
+      for (std::size_t s = 0; s < alone.sides.size(); ++s)
+        ASSERT_EQ(other.allowances[s], alone.allowances[s]);
+    });
+  }
 }
 
 TEST(MutableMesh, TellsWhetherSidesForceAnything) {
