@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <atomic>
 #include <functional>
-#include <numeric>
 
 #include "base/sort_by_team.hpp"
 #include "cdt/region_cdt.hpp"
@@ -44,14 +43,24 @@ std::vector<Pieces> deal_out(const Pslg& pslg, const RegionTable& table) {
   return out;
 }
 
+/// Calls `use` with the numbers below `count`, ranges at a time.
+template <class Use>
+void for_each(std::size_t count, const Team& team, const Use& use) {
+  constexpr std::size_t kRange = 1 << 15;
+  team.each_range(count, kRange, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) use(k);
+  });
+}
+
 /// The place of every point in lexicographic order.
 std::vector<std::uint32_t> ranks(const std::vector<Point>& points, const Team& team) {
   std::vector<std::uint32_t> order(points.size()), rank(points.size());
-  std::iota(order.begin(), order.end(), 0U);
+  for_each(points.size(), team, [&](std::size_t k) { order[k] = static_cast<std::uint32_t>(k); });
   // No two points are equal.
   sort_by_team(
       order, [&](std::uint32_t i, std::uint32_t j) { return points[i] < points[j]; }, team);
-  for (std::uint32_t k = 0; k < order.size(); ++k) rank[order[k]] = k;
+  for_each(order.size(), team,
+           [&](std::size_t k) { rank[order[k]] = static_cast<std::uint32_t>(k); });
   return rank;
 }
 
@@ -64,42 +73,46 @@ class BoundaryMaker {
     RegionBoundary out;
     out.id = id;
     add_vertices(pieces, out);
-    std::vector<std::pair<IndexPair, SegmentId>> sides;
-    sides.reserve(pieces.sides.size());
-    for (const GlobalSide& s : pieces.sides) {
-      sides.push_back({{local_[s.from.index()], local_[s.to.index()]}, s.segment});
-    }
+    std::vector<std::pair<IndexPair, SegmentId>> sides(pieces.sides.size());
+    for_each(sides.size(), team_, [&](std::size_t k) {
+      const GlobalSide& s = pieces.sides[k];
+      sides[k] = {{local_[s.from.index()], local_[s.to.index()]}, s.segment};
+    });
     sort_by_team(sides, std::less(), team_);
-    out.sides.reserve(sides.size());
-    out.segments.reserve(sides.size());
-    for (const auto& [side, segment] : sides) {
-      out.sides.push_back(side);
-      out.segments.push_back(segment);
-    }
+    out.sides.resize(sides.size());
+    out.segments.resize(sides.size());
+    for_each(sides.size(), team_, [&](std::size_t k) {
+      out.sides[k] = sides[k].first;
+      out.segments[k] = sides[k].second;
+    });
     return out;
   }
 
  private:
   void add_vertices(const Pieces& pieces, RegionBoundary& out) {
     std::vector<VertexId> ascending = pieces.isolated;
-    for (const GlobalSide& s : pieces.sides) {
-      ascending.push_back(s.from);
-      ascending.push_back(s.to);
-    }
+    const std::size_t isolated = ascending.size();
+    ascending.resize(isolated + 2 * pieces.sides.size());
+    for_each(pieces.sides.size(), team_, [&](std::size_t k) {
+      ascending[isolated + 2 * k] = pieces.sides[k].from;
+      ascending[isolated + 2 * k + 1] = pieces.sides[k].to;
+    });
     sort_by_team(
         ascending, [this](VertexId u, VertexId v) { return rank_[u.index()] < rank_[v.index()]; },
         team_);
     ascending.erase(std::unique(ascending.begin(), ascending.end()), ascending.end());
     std::vector<Point> points(ascending.size());
-    std::transform(ascending.begin(), ascending.end(), points.begin(),
-                   [this](VertexId v) { return pslg_.points[v.index()]; });
-    out.vertices.reserve(points.size());
-    out.points.reserve(points.size());
-    for (const std::uint32_t k : spatial_order(points, team_)) {
-      local_[ascending[k].index()] = static_cast<std::uint32_t>(out.points.size());
-      out.vertices.push_back(ascending[k]);
-      out.points.push_back(points[k]);
-    }
+    for_each(points.size(), team_,
+             [&](std::size_t k) { points[k] = pslg_.points[ascending[k].index()]; });
+    out.vertices.resize(points.size());
+    out.points.resize(points.size());
+    const auto order = spatial_order(points, team_);
+    for_each(order.size(), team_, [&](std::size_t place) {
+      const std::uint32_t k = order[place];
+      local_[ascending[k].index()] = static_cast<std::uint32_t>(place);
+      out.vertices[place] = ascending[k];
+      out.points[place] = points[k];
+    });
   }
 
   const Pslg& pslg_;

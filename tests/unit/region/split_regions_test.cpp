@@ -1,7 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
 
+#include "base/run_all.hpp"
 #include "cdt/cdt.hpp"
 #include "clean/pslg.hpp"
 #include "geom/spatial_order.hpp"
@@ -80,6 +85,49 @@ TEST(SplitRegions, MarksHullSides) {
   ASSERT_EQ(boundaries.size(), 1U);
   EXPECT_EQ(boundaries[0].sides.size(), 6U);
   EXPECT_EQ(std::count(boundaries[0].segments.begin(), boundaries[0].segments.end(), kHullSide), 4);
+}
+
+/// A disk in a ring, with many points, and the triangles that are known of the ring.
+TEST(SplitRegions, IsTheSameForAnyNumberOfThreads) {
+  constexpr std::uint32_t kPoints = 30'000;
+  Input input;
+  for (std::uint32_t ring = 1; ring <= 2; ++ring) {
+    const auto first = static_cast<std::uint32_t>(input.points.size());
+    for (std::uint32_t k = 0; k < kPoints; ++k) {
+      const double turn = 2 * 3.14159265358979 * k / kPoints;
+      input.points.push_back({ring * std::cos(turn), ring * std::sin(turn)});
+      input.segments.push_back({first + k, first + (k + 1) % kPoints, 0, k, 0, ""});
+    }
+  }
+  input.points.push_back({0.25, 0.5});
+  const auto made = [&](const Team& team) {
+    Report report;
+    std::optional<Triangulation> whole;
+    const auto pslg = make_pslg(input, {}, report, &whole, team);
+    std::vector<Note> notes;
+    auto found = build_triangulated_table(*pslg, {}, notes, std::move(whole), team);
+    std::vector<RegionBoundary> all = split_regions(*pslg, found->table, team);
+    add_known_triangles(found->large, pslg->points.size(), all, team);
+    return all;
+  };
+  const std::vector<RegionBoundary> alone = made(Team());
+  ASSERT_EQ(alone.size(), 2U);
+  std::size_t known = 0;
+  for (const RegionBoundary& b : alone) known += b.known_triangles().size();
+  EXPECT_EQ(known, 2 * kPoints);
+  for (const unsigned workers : {2U, 3U, 7U}) {
+    with_team(workers, [&](const Team& team) {
+      const std::vector<RegionBoundary> all = made(team);
+      ASSERT_EQ(all.size(), alone.size());
+      for (std::size_t r = 0; r < all.size(); ++r) {
+        EXPECT_EQ(all[r].points, alone[r].points);
+        EXPECT_EQ(all[r].vertices, alone[r].vertices);
+        EXPECT_EQ(all[r].sides, alone[r].sides);
+        EXPECT_EQ(all[r].segments, alone[r].segments);
+        EXPECT_TRUE(std::ranges::equal(all[r].known_triangles(), alone[r].known_triangles()));
+      }
+    });
+  }
 }
 
 }  // namespace
