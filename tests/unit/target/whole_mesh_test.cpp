@@ -39,7 +39,7 @@ Region square() {
 
 TEST(WholeMesh, FindsNothingWhereAllIsThere) { EXPECT_EQ(square().fault(), ""); }
 
-/// More triangles than one thread takes for itself, with faults at several places: the first counts.
+/// More triangles than one thread takes for itself, and faults at several places: the first counts.
 TEST(WholeMesh, FindsTheSameByAnyNumberOfThreads) {
   constexpr std::uint32_t n = 200;
   std::vector<Point> points;
