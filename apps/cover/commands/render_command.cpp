@@ -50,6 +50,72 @@ std::string extension_of(const std::string& output, const std::string& format) {
   return output == "-" ? "." + format : std::filesystem::path(output).extension().string();
 }
 
+/// What the command line says.
+struct Asked {
+  std::string path, format = "svg";
+  std::vector<std::string> outputs;
+  std::vector<double> window, range;
+  PictureOptions options;
+  Verbosity verbosity;
+  bool no_edges = false;
+
+  [[nodiscard]] PictureOptions picture_options() const {
+    PictureOptions all = options;
+    all.edges = !no_edges;
+    if (!window.empty()) all.window = {{window[0], window[1]}, {window[2], window[3]}};
+    if (!range.empty()) all.range = {range[0], range[1]};
+    return all;
+  }
+};
+
+void add_options(CLI::App& app, Asked& asked) {
+  app.add_option("mesh", asked.path,
+                 fmt::format("Mesh to draw: .vtm, {}; names from the .vtm or .json beside it",
+                             listed(mesh_formats())))
+      ->type_name("")
+      ->required();
+  app.add_option("-o,--output", asked.outputs, "Picture to write (.svg, .png); '-' is stdout")
+      ->type_name("FILE")
+      ->allow_extra_args(false)
+      ->required();
+  app.add_option("--format", asked.format, "Format of '-o -': svg or png")
+      ->check(one_of({"svg", "png"}))
+      ->type_name("EXT")
+      ->capture_default_str();
+  app.add_option("--color", asked.options.color, "Colour by this cell array, say max_angle")
+      ->type_name("ARRAY");
+  app.add_option("--range", asked.range,
+                 "Values at both ends of the colours: LOW,HIGH (default: found)")
+      ->type_name("LOW,HIGH")
+      ->delimiter(',')
+      ->expected(2);
+  app.add_option("--window", asked.window, "Draw only this part: X0,Y0,X1,Y1")
+      ->type_name("BOX")
+      ->delimiter(',')
+      ->expected(4);
+  app.add_option("--width", asked.options.width, "Width in pixels")
+      ->check(number_in({200, 20000}))
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_option("--worst", asked.options.worst, "Mark so many of the largest angles")
+      ->check(number_in({0, 100}))
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_flag("--no-edges", asked.no_edges, "Leave out the edges inside regions");
+  app.add_option("--title", asked.options.title,
+                 "First line (default: name and number of triangles)")
+      ->type_name("TEXT");
+  add_verbosity(app, asked.verbosity);
+}
+
+Status draw(const PictureMesh& picture, const PictureOptions& options, const std::string& output,
+            const std::string& extension) {
+  return write_to(output, extension, [&](const std::string& target) {
+    return extension == ".svg" ? write_svg(picture, options, target)
+                               : write_png(picture, options, target);
+  });
+}
+
 }  // namespace
 
 int run_render(Arguments arguments) {
@@ -60,79 +126,34 @@ int run_render(Arguments arguments) {
   cover render device.vtm -o device.png --color max_angle
   cover render device.vtm -o oxide.png --window -60,-10,60,10
 )");
-  std::string path, format = "svg";
-  std::vector<std::string> outputs;
-  std::vector<double> window, range;
-  PictureOptions options;
-  Verbosity verbosity;
-  bool no_edges = false;
-  app.add_option("mesh", path,
-                 fmt::format("Mesh to draw: .vtm, {}; names from the .vtm or .json beside it",
-                             listed(mesh_formats())))
-      ->type_name("")
-      ->required();
-  app.add_option("-o,--output", outputs, "Picture to write (.svg, .png); '-' is stdout")
-      ->type_name("FILE")
-      ->allow_extra_args(false)
-      ->required();
-  app.add_option("--format", format, "Format of '-o -': svg or png")
-      ->check(one_of({"svg", "png"}))
-      ->type_name("EXT")
-      ->capture_default_str();
-  app.add_option("--color", options.color, "Colour by this cell array, say max_angle")
-      ->type_name("ARRAY");
-  app.add_option("--range", range, "Values at both ends of the colours: LOW,HIGH (default: found)")
-      ->type_name("LOW,HIGH")
-      ->delimiter(',')
-      ->expected(2);
-  app.add_option("--window", window, "Draw only this part: X0,Y0,X1,Y1")
-      ->type_name("BOX")
-      ->delimiter(',')
-      ->expected(4);
-  app.add_option("--width", options.width, "Width in pixels")
-      ->check(number_in({200, 20000}))
-      ->type_name("N")
-      ->capture_default_str();
-  app.add_option("--worst", options.worst, "Mark so many of the largest angles")
-      ->check(number_in({0, 100}))
-      ->type_name("N")
-      ->capture_default_str();
-  app.add_flag("--no-edges", no_edges, "Leave out the edges inside regions");
-  app.add_option("--title", options.title, "First line (default: name and number of triangles)")
-      ->type_name("TEXT");
-  add_verbosity(app, verbosity);
+  Asked asked;
+  add_options(app, asked);
   if (const auto code = parse(app, std::move(arguments))) return *code;
-  options.edges = !no_edges;
-  if (!window.empty()) options.window = {{window[0], window[1]}, {window[2], window[3]}};
 
-  if (!range.empty()) options.range = {range[0], range[1]};
-
-  std::vector<NamedFile> written{log_file(verbosity)};
-  for (const std::string& output : outputs) {
-    const std::string extension = extension_of(output, format);
+  std::vector<NamedFile> written{log_file(asked.verbosity)};
+  for (const std::string& output : asked.outputs) {
+    const std::string extension = extension_of(output, asked.format);
     if (extension != ".svg" && extension != ".png")
       return usage_error(app, fmt::format("cannot draw '{}': possible are .svg, .png", output));
     written.push_back({"-o", output});
   }
-  if (const Status files = check_files({{"", path}}, written); !files)
+  if (const Status files = check_files({{"", asked.path}}, written); !files)
     return usage_error(app, files.error());
 
-  const auto log = make_logger(verbosity);
-  const Result<PictureMesh> picture = read_picture(path);
+  const auto log = make_logger(asked.verbosity);
+  const Result<PictureMesh> picture = read_picture(asked.path);
   if (!picture) return fail(*log, picture.error());
+  PictureOptions options = asked.picture_options();
   check_window(options, picture->mesh.soup.points, *log);
   if (options.title.empty()) {
-    options.title = fmt::format("{}: {} triangles", std::filesystem::path(path).filename().string(),
-                                grouped(picture->mesh.soup.triangles.size()));
+    const std::string name = std::filesystem::path(asked.path).filename().string();
+    options.title =
+        fmt::format("{}: {} triangles", name, grouped(picture->mesh.soup.triangles.size()));
   }
-  for (const std::string& output : outputs) {
-    const std::string extension = extension_of(output, format);
-    const Status drawn = write_to(output, extension, [&](const std::string& target) {
-      return extension == ".svg" ? write_svg(*picture, options, target)
-                                 : write_png(*picture, options, target);
-    });
+  for (const std::string& output : asked.outputs) {
+    const Status drawn = draw(*picture, options, output, extension_of(output, asked.format));
     if (!drawn) return fail(*log, drawn.error());
-    if (!verbosity.quiet && output != "-") fmt::print("Wrote {}\n", output);
+    if (!asked.verbosity.quiet && output != "-") fmt::print("Wrote {}\n", output);
   }
   return exit_ok;
 }

@@ -302,23 +302,9 @@ std::string region_name(const RegionTable& table, RegionId id) {
   return id == kVoid ? "void" : table.region(id).name;
 }
 
-}  // namespace
-
-std::string mesh_text(const StreamedOutput& streamed, bool every_region) {
-  const Output& output = streamed.output;
-  std::string out = replaced_rows(output) + totals(output, streamed.counts);
-  if (output.report.regions.size() > 1) out += '\n' + region_rows(output, every_region);
-  out += layer_rows(output);
-  return out + '\n' + histogram(output.report.quality) + '\n' + times(output.report);
-}
-
-std::string info_text(const Prepared& prepared, bool every_region) {
+/// What `cover info` says of regions: all of them, or those of the largest angles.
+std::string bounds_of_regions(const Prepared& prepared, bool every_region) {
   const RegionTable& table = prepared.table;
-  std::string out = fmt::format("{}, {}, {}, {}\n\n", plural(prepared.pslg.points.size(), "point"),
-                                plural(prepared.pslg.segments.size(), "segment"),
-                                plural(table.regions.size(), "region"),
-                                plural(table.interfaces.size(), "interface"));
-
   std::vector<TextTable::Column> columns{{"region"},
                                          {"name", Align::left},
                                          {"material", Align::left},
@@ -350,9 +336,13 @@ std::string info_text(const Prepared& prepared, bool every_region) {
     if (sized) cells.push_back(region.size ? fmt::format("{:.6g}", *region.size) : "");
     regions.add(std::move(cells));
   }
-  out += "Regions; bounds on the largest angle, in degrees: lowest (no mesh is below), proven\n" +
+  return "Regions; bounds on the largest angle, in degrees: lowest (no mesh is below), proven\n" +
          regions.text() + more(table.regions.size(), order.size(), "regions, largest angle first");
+}
 
+/// What it says of their borders: all of them, or the longest.
+std::string lines_between(const Prepared& prepared, bool every_line) {
+  const RegionTable& table = prepared.table;
   TextTable interfaces({{"line"},
                         {"name", Align::left},
                         {"kind", Align::left},
@@ -361,7 +351,7 @@ std::string info_text(const Prepared& prepared, bool every_region) {
                         {"segments"},
                         {"length"},
                         {"markers", Align::left}});
-  const auto longest = rows(table.interfaces.size(), every_region,
+  const auto longest = rows(table.interfaces.size(), every_line,
                             [&](std::size_t i) { return -table.interfaces[i].length; });
   for (const std::size_t i : longest) {
     const Interface& line = table.interfaces[i];
@@ -370,8 +360,27 @@ std::string info_text(const Prepared& prepared, bool every_region) {
                     grouped(line.segments.size()), fmt::format("{:.6g}", line.length),
                     markers(prepared.pslg, line)});
   }
-  out += "\nInterfaces, outlines and contacts\n" + interfaces.text() +
+  return "\nInterfaces, outlines and contacts\n" + interfaces.text() +
          more(table.interfaces.size(), longest.size(), "lines, longest first");
+}
+
+}  // namespace
+
+std::string mesh_text(const StreamedOutput& streamed, bool every_region) {
+  const Output& output = streamed.output;
+  std::string out = replaced_rows(output) + totals(output, streamed.counts);
+  if (output.report.regions.size() > 1) out += '\n' + region_rows(output, every_region);
+  out += layer_rows(output);
+  return out + '\n' + histogram(output.report.quality) + '\n' + times(output.report);
+}
+
+std::string info_text(const Prepared& prepared, bool every_region) {
+  const RegionTable& table = prepared.table;
+  std::string out = fmt::format("{}, {}, {}, {}\n\n", plural(prepared.pslg.points.size(), "point"),
+                                plural(prepared.pslg.segments.size(), "segment"),
+                                plural(table.regions.size(), "region"),
+                                plural(table.interfaces.size(), "interface"));
+  out += bounds_of_regions(prepared, every_region) + lines_between(prepared, every_region);
   if (!table.void_points.empty() || !table.void_segments.empty()) {
     out += fmt::format("\nWholly in the void, left out of a mesh: {}, {}\n",
                        plural(table.void_points.size(), "point"),
