@@ -452,84 +452,97 @@ bool MeshWithUndo::fill(std::span<Corner> corners, std::uint32_t region,
   return false;
 }
 
-bool MeshWithUndo::remove(std::uint32_t v) {
-  const std::size_t before = mark();
-  if (!star_of(v)) return false;
-  const std::uint32_t line = vertices_[v].line;
-  const auto corner = [&](const Triangle& t) {
-    return t.v[0] == v ? std::size_t{0} : t.v[1] == v ? std::size_t{1} : std::size_t{2};
-  };
-  // From a piece on, where the vertex cuts a line.
+/// Which corner of a triangle a vertex is.
+std::size_t MeshWithUndo::corner_of(const Triangle& t, std::uint32_t v) {
+  return t.v[0] == v ? 0 : t.v[1] == v ? 1 : 2;
+}
+
+/// Lets a star begin at its first piece, where the vertex cuts a line; false where other pieces end
+/// at the vertex than the two of its line, or the one of them at a hull.
+bool MeshWithUndo::turn_star_to_line(std::uint32_t v) {
   std::size_t first = 0, walls = 0;
   for (std::size_t k = 0; k < star_.size(); ++k) {
     const Triangle& t = triangles_[star_[k]];
-    if (t.line[(corner(t) + 2) % 3] == kOnNoLine) continue;
+    if (t.line[(corner_of(t, v) + 2) % 3] == kOnNoLine) continue;
     if (walls == 0) first = k;
     ++walls;
   }
   const Triangle& last = triangles_[star_.back()];
-  const bool is_open = last.n[(corner(last) + 1) % 3] == kNone;
-  const bool is_cut = line < lines_.size();
-  if (is_cut ? walls != (is_open ? 1U : 2U) : walls != 0) return false;
+  const bool is_open = last.n[(corner_of(last, v) + 1) % 3] == kNone;
+  if (walls != (!cuts_line(v) ? 0U : is_open ? 1U : 2U)) return false;
   if (is_open) first = 0;
   std::rotate(star_.begin(), star_.begin() + static_cast<std::ptrdiff_t>(first), star_.end());
+  return true;
+}
 
+/// The part of a star from its triangle `k` to the next piece: its corners, closed by the piece that
+/// is whole again, and its triangles as slots. Returns where the next part begins.
+std::size_t MeshWithUndo::take_part(std::uint32_t v, std::size_t k) {
+  corners_.clear();
+  slots_.clear();
+  const bool is_cut = cuts_line(v);
+  std::uint32_t end = kNone;
+  for (bool is_done = false; k < star_.size() && !is_done; ++k) {
+    const Triangle& t = triangles_[star_[k]];
+    const std::size_t i = corner_of(t, v);
+    corners_.push_back({t.v[(i + 1) % 3], t.n[i], t.line[i]});
+    slots_.push_back(star_[k]);
+    end = t.v[(i + 2) % 3];
+    is_done = is_cut && t.line[(i + 1) % 3] != kOnNoLine;
+  }
+  if (is_cut) corners_.push_back({end, kNone, vertices_[v].line});
+  return k;
+}
+
+/// The one of these triangles that is used and has the piece from `a` to `b` of a line, or kNone.
+std::uint32_t MeshWithUndo::triangle_at_piece(std::span<const std::uint32_t> triangles,
+                                              std::uint32_t a, std::uint32_t b,
+                                              std::uint32_t line) const {
+  std::uint32_t found = kNone;
+  for (const std::uint32_t t : triangles) {
+    if (std::find(slots_.begin(), slots_.end(), t) != slots_.end()) continue;
+    const Triangle& triangle = triangles_[t];
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (triangle.line[i] == line && triangle.v[(i + 1) % 3] == a && triangle.v[(i + 2) % 3] == b)
+        found = t;
+    }
+  }
+  return found;
+}
+
+bool MeshWithUndo::remove(std::uint32_t v) {
+  const std::size_t before = mark();
+  if (!star_of(v) || !turn_star_to_line(v)) return false;
+  const std::uint32_t line = vertices_[v].line;
+  const bool is_cut = cuts_line(v);
   std::array<std::uint32_t, 2> closing{kNone, kNone};  // triangles at the piece that is whole again
   std::array<std::uint32_t, 2> ends{kNone, kNone};
-  std::size_t at_part = 0;
+  std::size_t part = 0;
   save_vertex(v);
-  for (std::size_t k = 0; k < star_.size();) {
-    corners_.clear();
-    slots_.clear();
+  for (std::size_t k = 0; k < star_.size(); ++part) {
     const std::uint32_t region = triangles_[star_[k]].region;
-    std::uint32_t end = kNone;
-    for (; k < star_.size(); ++k) {
-      const Triangle& t = triangles_[star_[k]];
-      const std::size_t i = corner(t);
-      corners_.push_back({t.v[(i + 1) % 3], t.n[i], t.line[i]});
-      slots_.push_back(star_[k]);
-      end = t.v[(i + 2) % 3];
-      if (is_cut && t.line[(i + 1) % 3] != kOnNoLine) {
-        ++k;
-        break;
-      }
-    }
-    if (is_cut) {
-      corners_.push_back({end, kNone, line});
-      if (at_part == 0) ends = {corners_.front().vertex, end};
-    }
+    k = take_part(v, k);
+    if (is_cut && part == 0) ends = {corners_.front().vertex, corners_.back().vertex};
     const std::vector<std::uint32_t> own = slots_;
-    if (at_part > 1 || corners_.size() < 3 || !fill(corners_, region, slots_)) {
+    bool is_filled = part <= 1 && corners_.size() >= 3 && fill(corners_, region, slots_);
+    if (is_filled && is_cut) {
+      closing[part] = triangle_at_piece(own, ends[1 - part], ends[part], line);
+      is_filled = closing[part] != kNone;
+    }
+    if (!is_filled) {
       undo(before);
       return false;
-    }
-    if (is_cut) {
-      const std::uint32_t a = at_part == 0 ? ends[1] : ends[0];
-      for (const std::uint32_t t : own) {
-        if (std::find(slots_.begin(), slots_.end(), t) != slots_.end()) continue;
-        for (std::size_t i = 0; i < 3; ++i) {
-          const Triangle& triangle = triangles_[t];
-          if (triangle.line[i] == line && triangle.v[(i + 1) % 3] == a &&
-              triangle.v[(i + 2) % 3] == ends[at_part == 0 ? 0 : 1])
-            closing[at_part] = t;
-        }
-      }
-      if (closing[at_part] == kNone) {
-        undo(before);
-        return false;
-      }
     }
     for (const std::uint32_t t : slots_) {
       write(t, Triangle{});
       free_triangle(t);
     }
-    ++at_part;
   }
   if (closing[0] != kNone && closing[1] != kNone) {
-    journal_.push_back({closing[0], triangles_[closing[0]]});
-    link(closing[0], ends[1], ends[0], closing[1]);
-    journal_.push_back({closing[1], triangles_[closing[1]]});
-    link(closing[1], ends[0], ends[1], closing[0]);
+    for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+      journal_.push_back({closing[k], triangles_[closing[k]]});
+      link(closing[k], ends[1 - k], ends[k], closing[1 - k]);
+    }
   }
   vertices_[v].home = kNone;
   return true;

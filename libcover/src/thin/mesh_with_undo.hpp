@@ -143,6 +143,13 @@ class MeshWithUndo {
   bool gather(const Spot& spot);
   [[nodiscard]] std::array<std::uint32_t, 2> ends_of(const Spot& spot) const;
   bool star_of(std::uint32_t v);
+  [[nodiscard]] static std::size_t corner_of(const Triangle& t, std::uint32_t v);
+  [[nodiscard]] bool cuts_line(std::uint32_t v) const { return vertices_[v].line < lines_.size(); }
+  bool turn_star_to_line(std::uint32_t v);
+  std::size_t take_part(std::uint32_t v, std::size_t k);
+  [[nodiscard]] std::uint32_t triangle_at_piece(std::span<const std::uint32_t> triangles,
+                                                std::uint32_t a, std::uint32_t b,
+                                                std::uint32_t line) const;
   bool fill(std::span<Corner> corners, std::uint32_t region, std::vector<std::uint32_t>& slots);
   [[nodiscard]] bool is_ear(std::span<const Corner> corners, std::size_t k, bool delaunay) const;
 
