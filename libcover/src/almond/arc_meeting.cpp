@@ -80,7 +80,11 @@ Meetings meet(const Almond& a, std::span<const KnownVertex> known_a, const Almon
   const double b2 = is_known(a.v) ? 0 : b.power(a.to);
   const double b1 =
       a.cos_nu * b.power(tangents_meet) - b.sin_nu * squared_length(a.chord()) / (4 * a.cos_nu);
-  const Roots roots = common == 1 ? solve_other(b0, b1, b2, shared.ratio) : solve(b0, b1, b2);
+  Roots roots = common == 1 ? solve_other(b0, b1, b2, shared.ratio) : solve(b0, b1, b2);
+  // A common vertex some units in the last place beside an end of `a` has a ratio without digits.
+  if (common == 1 && roots.count == 1 &&
+      std::abs(b.power(a.at_ratio(roots.r[0]))) > kTouch * squared_length(b.chord()))
+    roots = solve(b0, b1, b2);
 
   Meetings meetings;
   for (int i = 0; i < roots.count; ++i) {

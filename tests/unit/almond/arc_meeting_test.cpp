@@ -53,6 +53,21 @@ TEST(Meet, ACommonEndGivesTheOtherPointWithoutASquareRoot) {
   }
 }
 
+TEST(Meet, ACommonVertexWhoseRatioHasNoDigitsLeftDoesNotLead) {
+  // It is two units in the last place above the start of `a`: its ratio is wrong by a factor.
+  const Almond a = almond_of({0, 1}, {0.9, 1.3}, kPi / 3);
+  const Almond b = almond_of({2, 10}, {0, 1.0000000000000004}, 0);
+  for (const double ratio : {1e-17, 2e-16, 5e-16, 1e-15}) {
+    const std::vector<KnownVertex> known_a{{0, 0}, {1, kInfinity}, {3, ratio}};
+    const std::vector<KnownVertex> known_b{{2, 0}, {3, kInfinity}};
+    const Meetings m = meet(a, known_a, b, known_b);
+    for (int i = 0; i < m.count; ++i) {
+      EXPECT_NEAR(b.power(m.item[static_cast<std::size_t>(i)].at), 0, 1e-5 * b.length * b.length)
+          << ratio;
+    }
+  }
+}
+
 TEST(Meet, ArcsTangentAtACommonEndDoNotMeet) {
   // A corner of 120 degrees.
   const Point far{std::cos(2 * kPi / 3), std::sin(2 * kPi / 3)};
