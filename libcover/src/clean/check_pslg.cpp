@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -14,6 +15,7 @@
 
 #include <cover/text.hpp>
 
+#include "base/containers/give_back.hpp"
 #include "base/faults/complaint.hpp"
 #include "base/sort_by_team.hpp"
 #include "cdt/cdt.hpp"
@@ -157,16 +159,26 @@ std::optional<Error> find_unusable(const Input& input) {
 }
 
 std::optional<Triangulation> triangulation_if_pslg(const Input& input, const Team& team) {
-  std::vector<IndexPair> pairs;
-  pairs.reserve(input.segments.size());
-  for (const InputSegment& s : input.segments) {
-    if (s.a == s.b) return std::nullopt;
-    pairs.push_back({std::min(s.a, s.b), std::max(s.a, s.b)});
-  }
-  sort_by_team(pairs, std::less(), team);
-  if (std::adjacent_find(pairs.begin(), pairs.end()) != pairs.end()) return std::nullopt;
-  pairs.clear();
-  for (const InputSegment& s : input.segments) pairs.push_back({s.a, s.b});
+  constexpr std::size_t kRange = 1 << 15;
+  const std::size_t count = input.segments.size();
+  std::vector<IndexPair> pairs(count), ascending(count);
+  std::atomic<bool> all_differ = true;
+  team.each_range(count, kRange, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      const InputSegment& s = input.segments[k];
+      pairs[k] = {s.a, s.b};
+      ascending[k] = {std::min(s.a, s.b), std::max(s.a, s.b)};
+      if (s.a == s.b) all_differ = false;
+    }
+  });
+  if (!all_differ) return std::nullopt;
+  sort_by_team(ascending, std::less(), team);
+  team.each_range(count, kRange, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = std::max<std::size_t>(first, 1); k < last; ++k)
+      if (ascending[k - 1] == ascending[k]) all_differ = false;
+  });
+  if (!all_differ) return std::nullopt;
+  give_back(ascending);
   CdtResult cdt = triangulate_hull(input.points, pairs, team);
   if (!cdt.conflicts.empty()) return std::nullopt;
   return std::move(cdt.triangulation);

@@ -34,10 +34,7 @@
 namespace cover {
 namespace {
 
-/// The points and segments of a clean input.
-Pslg take_over(const Input& input) {
-  Pslg pslg;
-  pslg.source = input.source;
+void take_over_points(const Input& input, Pslg& pslg) {
   pslg.points = input.points;
   pslg.point_ids.reserve(input.points.size());
   for (std::size_t k = 0; k < input.points.size(); ++k) {
@@ -45,6 +42,9 @@ Pslg take_over(const Input& input) {
   }
   pslg.point_markers = input.point_markers;
   pslg.point_markers.resize(input.points.size());
+}
+
+void take_over_segments(const Input& input, Pslg& pslg) {
   std::map<std::string, std::uint32_t> name_index{{"", 0}};
   auto name = name_index.begin();
   pslg.segments.reserve(input.segments.size());
@@ -56,6 +56,19 @@ Pslg take_over(const Input& input) {
     }
     pslg.segments.push_back({VertexId{s.a}, VertexId{s.b}, s.marker, name->second, s.id});
   }
+}
+
+/// The points and segments of a clean input.
+Pslg take_over(const Input& input, const Team& team) {
+  Pslg pslg;
+  pslg.source = input.source;
+  team.each(2, [&](std::size_t k) {
+    if (k == 0) {
+      take_over_segments(input, pslg);
+    } else {
+      take_over_points(input, pslg);
+    }
+  });
   pslg.seeds = input.seeds;
   pslg.holes = input.holes;
   pslg.void_rule = input.void_rule;
@@ -216,7 +229,7 @@ Result<Pslg> make_pslg(const Input& input, const Options& options, Report& repor
   }
   const bool keep = is_clean && options.weld.value_or(0) <= 0;
   Result<Pslg> pslg =
-      keep ? take_over(input) : clean_up_unless_endless(input, options, report, team);
+      keep ? take_over(input, team) : clean_up_unless_endless(input, options, report, team);
   const bool is_seeded = !input.seeds.empty() || !input.holes.empty();
   if (pslg && is_seeded && !input.polygons.empty()) {
     pslg = place_seeds(input, *std::move(pslg), report.notes);
