@@ -2,8 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
 
+#include "base/run_all.hpp"
 #include "support/inputs/inputs.hpp"
 #include "support/inputs/shapes.hpp"
 
@@ -68,6 +74,43 @@ TEST(MakePslgStrict, ListsAllDuplicatePoints) {
   EXPECT_EQ(e.where, (std::vector<Point>{{0, 0}, {1, 0}}));
   ASSERT_EQ(e.inputs.size(), 4U);
   EXPECT_EQ(e.inputs[3].id, 5);
+}
+
+/// A ring of more segments than one thread takes for itself: clean, with one of them twice, and
+/// with one that is no segment.
+TEST(MakePslg, IsTheSameForAnyNumberOfThreads) {
+  constexpr int kPoints = 70'000;
+  std::vector<Point> points;
+  std::vector<std::pair<int, int>> ring;
+  for (int k = 0; k < kPoints; ++k) {
+    const double turn = 2 * 3.14159265358979 * k / kPoints;
+    points.push_back({std::cos(turn), std::sin(turn)});
+    ring.emplace_back(k + 1, (k + 1) % kPoints + 1);
+  }
+  std::vector<std::pair<int, int>> twice = ring, at_point = ring;
+  twice.emplace_back(41, 40);
+  at_point.emplace_back(7, 7);
+  for (const auto& segments : {ring, twice, at_point}) {
+    Input input = poly(points, segments);
+    input.segments[12].name = input.segments[60'000].name = "gate";
+    for (const unsigned workers : {1U, 2U, 3U, 7U}) {
+      with_team(workers, [&](const Team& team) {
+        Report report;
+        std::optional<Triangulation> whole;
+        const auto pslg = make_pslg(input, {}, report, &whole, team);
+        ASSERT_TRUE(pslg);
+        EXPECT_EQ(pslg->points, points);
+        EXPECT_EQ(pslg->point_ids, input.point_ids);
+        EXPECT_EQ(pslg->segments.size(), ring.size());
+        EXPECT_EQ(whole.has_value(), segments == ring);
+        EXPECT_EQ(report.changes.empty(), segments == ring);
+        const auto named =
+            std::count_if(pslg->segments.begin(), pslg->segments.end(),
+                          [&](const Segment& s) { return pslg->names[s.name] == "gate"; });
+        EXPECT_EQ(named, 2);
+      });
+    }
+  }
 }
 
 TEST(MakePslg, CountsWhatItDoesNotList) {
