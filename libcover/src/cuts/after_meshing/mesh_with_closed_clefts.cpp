@@ -46,15 +46,20 @@ Status mesh_closed(Work& work, const Options& options, const std::stop_token& st
   return cut_until_met(work, options, quiet);
 }
 
-/// The mesh of closed clefts in one, without the obtuse triangles that a few more vertices mend.
-/// Points that came before any segment was cut have the numbers they had; those that came before
-/// any was meshed stay where they are, as ends of clefts need them there.
-ConformingMesh mended(const ClosedClefts& closed, const std::stop_token& stop) {
-  const Work& work = closed.work;
-  Pslg uncut = work.pslg;
-  RegionTable table = work.table;
+/// The mesh of closed clefts in one.
+ConformingMesh joined(const ClosedClefts& closed) {
+  Pslg uncut = closed.work.pslg;
+  RegionTable table = closed.work.table;
   const std::vector<std::uint32_t> whole = unite_pieces(uncut, table, closed.was_point.size());
-  ConformingMesh mesh = join(work, uncut, whole);
+  return join(closed.work, uncut, whole);
+}
+
+/// The same without the obtuse triangles that a few more vertices mend. Points that came before any
+/// region was meshed have the numbers they had, and stay where they are, as ends of clefts need
+/// them there.
+ConformingMesh mended(ConformingMesh mesh, const ClosedClefts& closed,
+                      const std::stop_token& stop) {
+  const Work& work = closed.work;
   const auto given = static_cast<std::ptrdiff_t>(work.report.uncut_points);
   const std::vector<std::uint32_t> lines(mesh.line.begin(), mesh.line.begin() + given);
   std::fill(mesh.line.begin(), mesh.line.begin() + given, ConformingMesh::kFixed);
@@ -113,8 +118,11 @@ Status mesh_with_closed_clefts(Work& work, const Options& options, const Callbac
     std::optional<ClosedClefts> closed = close_clefts(whole, std::move(clefts));
     if (!closed) return ok();
     if (Status status = mesh_closed(closed->work, options, callbacks.stop); !status) return status;
+    const ConformingMesh mesh = joined(*closed);
     std::optional<OpenedClefts> opened =
-        open_clefts(mended(*closed, callbacks.stop), *closed, whole);
+        open_clefts(mended(mesh, *closed, callbacks.stop), *closed, whole);
+    // What mends may come nearer to a wall than the other one will be.
+    if (!opened) opened = open_clefts(mesh, *closed, whole);
     if (callbacks.stop.stop_requested()) return Error{ErrorCode::cancelled, "interrupted", {}, {}};
     if (opened && take(*std::move(opened), options, whole)) work = std::move(whole);
     return ok();
