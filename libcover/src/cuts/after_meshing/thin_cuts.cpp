@@ -38,8 +38,7 @@ struct Last {
   std::uint64_t times;  ///< as many places for each
   std::size_t most;     ///< if so many are left
 };
-constexpr std::array kLast{Last{0.2, 1, kNone}, Last{0, 1, kNone}, Last{0, 10, 6},
-                           Last{0, 50, 3}};
+constexpr std::array kLast{Last{0.2, 1, kNone}, Last{0, 1, kNone}, Last{0, 10, 6}, Last{0, 50, 3}};
 
 ThinEffort effort_of(Effort effort, std::size_t vertices) {
   switch (effort) {
@@ -137,6 +136,7 @@ void tell(const Pslg& pslg, std::size_t first, std::size_t before, std::size_t a
 /// What came of taking vertices away.
 struct ThinTrial {
   std::size_t before = 0, after = 0;  ///< new vertices
+  std::size_t bad = 0;                ///< triangles
   bool is_better = false;             ///< fewer obtuse triangles or vertices, before all is judged
   std::optional<Work> work;           ///< nothing: not what was asked for,
   std::string fault;                  ///< for this reason, where it is better
@@ -155,16 +155,25 @@ class Thinning {
     std::erase_if(fixed_, [&](std::uint32_t v) { return v >= first; });
   }
 
-  [[nodiscard]] ThinTrial run(Effort how, const std::stop_token& stop) const {
+  /// `mends_first`: bad triangles are mended in any way while there are all vertices.
+  [[nodiscard]] ThinTrial run(Effort how, bool mends_first, const std::stop_token& stop) const {
     ThinTrial trial;
     const std::size_t first = work_.report.uncut_points;
     trial.before = mesh_.points.size() - first;
-    const std::vector<WantedAngles> angles = angles_of(work_.meshes, options_);
-    MeshWithUndo mutable_mesh(mesh_, angles);
+    std::vector<WantedAngles> angles = angles_of(work_.meshes, options_);
     ThinEffort effort = effort_of(how, trial.before);
     effort.stop = stop;
+    ConformingMesh start = mesh_;
+    const std::size_t bad_before = MeshWithUndo(start, angles).bad();
+    if (mends_first) {
+      angles = angles_for_the_last(start, 0, angles);
+      MeshWithUndo mending(start, angles);
+      mend_what_is_left(mending, effort_for_the_last(effort, kLast[0]));
+      start = mending.result(start);
+    }
+    MeshWithUndo mutable_mesh(start, angles);
     Thinned thinned = thin_mesh(mutable_mesh, effort);
-    ConformingMesh result = mutable_mesh.result(mesh_);
+    ConformingMesh result = mutable_mesh.result(start);
     for (const Last& last : kLast) {
       if (thinned.bad == 0 || thinned.bad > last.most) continue;
       MeshWithUndo mending(result, angles_for_the_last(result, last.part, angles));
@@ -172,8 +181,9 @@ class Thinning {
       result = mending.result(result);
     }
     trial.after = result.points.size() - first;
-    trial.is_better = thinned.bad < thinned.bad_before ||
-                      (thinned.bad == thinned.bad_before && trial.after < trial.before);
+    trial.bad = thinned.bad;
+    trial.is_better =
+        thinned.bad < bad_before || (thinned.bad == bad_before && trial.after < trial.before);
     if (stop.stop_requested() || !trial.is_better) return trial;
     if (options_.box_method && thinned.bad > 0) {
       trial.fault =
@@ -212,10 +222,20 @@ class Thinning {
   std::vector<std::uint32_t> fixed_;  ///< by fixed vertex of mesh_: its number in the PSLG
 };
 
-/// That effort, and less, by which a search goes another way.
-std::span<const Effort> efforts_from(Effort effort) {
-  static constexpr std::array kEfforts{Effort::thorough, Effort::normal, Effort::fast};
-  return {std::find(kEfforts.begin(), kEfforts.end(), effort), kEfforts.end()};
+struct Attempt {
+  Effort effort;
+  bool mends_first;
+};
+
+/// With that effort, and with less, by which a search goes another way: one after another until no
+/// triangle is bad.
+std::vector<Attempt> attempts_from(Effort effort) {
+  constexpr std::array kEfforts{Effort::thorough, Effort::normal, Effort::fast};
+  std::vector<Attempt> attempts{{effort, false}, {effort, true}};
+  for (const auto* less = std::find(kEfforts.begin(), kEfforts.end(), effort) + 1;
+       less < kEfforts.end(); ++less)
+    attempts.push_back({*less, false});
+  return attempts;
 }
 
 }  // namespace
@@ -235,18 +255,25 @@ Status thin_cuts(Work& work, const Options& options, const Callbacks& callbacks)
   if (!wants_thinning(work, work.boundaries, options)) return ok();
   return errors_as_values("thin out", [&]() -> Status {
     const Thinning thinning(work, options);
+    std::optional<ThinTrial> best;
     std::string fault;
-    for (const Effort effort : efforts_from(options.effort)) {
-      ThinTrial trial = thinning.run(effort, callbacks.stop);
+    for (const Attempt& attempt : attempts_from(options.effort)) {
+      ThinTrial trial = thinning.run(attempt.effort, attempt.mends_first, callbacks.stop);
       if (callbacks.stop.stop_requested())
         return Error{ErrorCode::cancelled, "interrupted", {}, {}};
-      if (trial.work) {
-        work = *std::move(trial.work);
-        tell(work.pslg, work.report.uncut_points, trial.before, trial.after, options, work.report);
-        return ok();
+      if (!trial.work && !trial.is_better && !best && fault.empty()) break;
+      const bool is_all = trial.work && trial.bad == 0;
+      if (!trial.work) {
+        fault = std::move(trial.fault);
+      } else if (!best || trial.bad < best->bad) {
+        best = std::move(trial);
       }
-      if (!trial.is_better) break;
-      fault = std::move(trial.fault);
+      if (is_all) break;
+    }
+    if (best) {
+      work = *std::move(best->work);
+      tell(work.pslg, work.report.uncut_points, best->before, best->after, options, work.report);
+      return ok();
     }
     if (fault.empty()) return ok();
     work.report.notes.push_back(
