@@ -14,8 +14,7 @@ namespace cover {
 
 /// A plane whose clefts are closed.
 struct ClosedClefts {
-  /// Not split yet. From each end of a cleft a slit goes on: its first piece sees the end at a right
-  /// angle.
+  /// Not split yet. From each end of a cleft a slit goes on, at a right angle.
   Work work;
   std::vector<Cleft> clefts;
   /// By point of `work`, before any segment was cut: its number among the points of the PSLG before
