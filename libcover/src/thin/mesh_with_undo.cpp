@@ -475,8 +475,8 @@ bool MeshWithUndo::turn_star_to_line(std::uint32_t v) {
   return true;
 }
 
-/// The part of a star from its triangle `k` to the next piece: its corners, closed by the piece that
-/// is whole again, and its triangles as slots. Returns where the next part begins.
+/// The part of a star from its triangle `k` to the next piece: its triangles as slots, and its
+/// corners, closed by the piece that is whole again. Returns where the next part begins.
 std::size_t MeshWithUndo::take_part(std::uint32_t v, std::size_t k) {
   corners_.clear();
   slots_.clear();
