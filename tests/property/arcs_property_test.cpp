@@ -20,9 +20,9 @@ namespace cover {
 namespace {
 
 /// Random devices: COVER_ARC_TRIALS if set.
-std::size_t trials() { return testing::cases_asked_for("COVER_ARC_TRIALS", 80); }
+std::size_t arc_trials() { return testing::cases_asked_for("COVER_ARC_TRIALS", 80); }
 
-Options random_options(std::mt19937_64& random) {
+Options random_arc_options(std::mt19937_64& random) {
   Options options;
   options.effort = Effort::fast;
   const std::size_t kind = random() % 5;
@@ -69,7 +69,7 @@ struct Seen {
 void check_device(std::uint64_t seed, Seen& seen) {
   std::mt19937_64 random(seed);
   const Input input = testing::random_arc_device(seed);
-  const Result<Output> output = cover_mesh(input, random_options(random));
+  const Result<Output> output = cover_mesh(input, random_arc_options(random));
   ASSERT_TRUE(output) << output.error().message;
   ASSERT_EQ(testing::violations(*output), "");
   const CurvedMesh curved = curved_mesh(*output);
@@ -103,7 +103,7 @@ void check_device(std::uint64_t seed, Seen& seen) {
 TEST(Arcs, NoTriangleOfSecondOrderIsInverted) {
   const std::uint64_t first = testing::test_seed(3000);
   Seen seen;
-  for (std::uint64_t seed = first; seed < first + trials(); ++seed) {
+  for (std::uint64_t seed = first; seed < first + arc_trials(); ++seed) {
     SCOPED_TRACE(testing::seed_trace(seed));
     ASSERT_NO_FATAL_FAILURE(check_device(seed, seen));
   }
@@ -111,7 +111,7 @@ TEST(Arcs, NoTriangleOfSecondOrderIsInverted) {
   RecordProperty("straight", std::to_string(seen.straight));
   RecordProperty("moved", std::to_string(seen.moved));
   EXPECT_GT(seen.curved, 20 * seen.straight);
-  EXPECT_GT(seen.cut, trials() / 4);
+  EXPECT_GT(seen.cut, arc_trials() / 4);
 }
 
 // An arc was cut on its chord, and an edge inside a region leads to a vertex of the arc too.

@@ -15,9 +15,9 @@ namespace cover {
 namespace {
 
 /// Random cells and sectors: COVER_PERIODIC_TRIALS if set.
-std::size_t trials() { return testing::cases_asked_for("COVER_PERIODIC_TRIALS", 60); }
+std::size_t periodic_trials() { return testing::cases_asked_for("COVER_PERIODIC_TRIALS", 60); }
 
-Options random_options(std::mt19937_64& random) {
+Options random_periodic_options(std::mt19937_64& random) {
   Options options;
   options.effort = Effort::fast;
   switch (random() % 6) {
@@ -49,14 +49,14 @@ Options random_options(std::mt19937_64& random) {
 TEST(Periodic, NoVertexIsWithoutItsPartner) {
   const std::uint64_t first = testing::test_seed(1500);
   std::size_t cut = 0, completed = 0;
-  for (std::uint64_t seed = first; seed < first + trials(); ++seed) {
+  for (std::uint64_t seed = first; seed < first + periodic_trials(); ++seed) {
     SCOPED_TRACE(testing::seed_trace(seed));
     std::mt19937_64 random(seed);
     const bool gaps = random() % 2 == 0;
     const std::size_t kind = random() % 4;
     const Input input =
         kind < 2 ? testing::random_cell(seed, gaps) : testing::random_sector(seed, gaps, kind == 3);
-    const Options options = random_options(random);
+    const Options options = random_periodic_options(random);
     const Result<Output> output = cover_mesh(input, options);
     ASSERT_TRUE(output) << output.error().message;
     ASSERT_EQ(output->periodic.size(), input.periodic.size());
@@ -65,8 +65,8 @@ TEST(Periodic, NoVertexIsWithoutItsPartner) {
     cut += output->pslg.points.size() > output->report.uncut_points ? 1 : 0;
     completed += output->report.changes.empty() ? 0 : 1;
   }
-  EXPECT_GT(cut, trials() / 3);
-  EXPECT_GT(completed, trials() / 10);
+  EXPECT_GT(cut, periodic_trials() / 3);
+  EXPECT_GT(completed, periodic_trials() / 10);
 }
 
 }  // namespace

@@ -22,19 +22,19 @@ namespace {
 using testing::must_mesh;
 using testing::shape_of;
 
-struct Method {
+struct Way {
   const char* name;
   cover::Method method;
   Fill fill;
 };
 
-const Method kMethods[] = {
+const Way kWays[] = {
     {"refine", cover::Method::almond, Fill::refine},
     {"disks", cover::Method::almond, Fill::disks},
     {"quality", cover::Method::quality, Fill::refine},
 };
 
-class Pipeline : public ::testing::TestWithParam<std::tuple<testing::RandomInput, Method>> {
+class Pipeline : public ::testing::TestWithParam<std::tuple<testing::RandomInput, Way>> {
  protected:
   static constexpr std::uint64_t kInputs = 3;
 
@@ -166,7 +166,7 @@ TEST(PlanarGraph, KeepsItsPromisesByEveryMethod) {
 
 INSTANTIATE_TEST_SUITE_P(Random, Pipeline,
                          ::testing::Combine(::testing::ValuesIn(testing::kRandomDevices),
-                                            ::testing::ValuesIn(kMethods)),
+                                            ::testing::ValuesIn(kWays)),
                          [](const auto& sample) {
                            return std::string(std::get<0>(sample.param).name) + "_" +
                                   std::get<1>(sample.param).name;

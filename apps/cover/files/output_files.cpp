@@ -43,9 +43,8 @@ const std::vector<Format>& picture_formats(int order = 1) {
   return order == 2 ? curved : formats;
 }
 
-template <auto Write>
-Status report_with(const Output& output, const std::string& path, const std::stop_token&) {
-  return Write(output, path);
+Status report_as_json(const Output& output, const std::string& path, const std::stop_token&) {
+  return write_report_json(output, path);
 }
 
 template <int Order>
@@ -54,9 +53,8 @@ Status page_with(const Output& output, const std::string& path, const std::stop_
 }
 
 const std::vector<Format>& report_formats(int order) {
-  static const std::vector<Format> formats{{".json", report_with<write_report_json>},
-                                           {".html", page_with<1>}},
-      curved{{".json", report_with<write_report_json>}, {".html", page_with<2>}};
+  static const std::vector<Format> formats{{".json", report_as_json}, {".html", page_with<1>}},
+      curved{{".json", report_as_json}, {".html", page_with<2>}};
   return order == 2 ? curved : formats;
 }
 

@@ -23,7 +23,7 @@ std::uint64_t fuzz_count(std::uint64_t fallback) {
 /// Stops at the first failure unless many cases were asked for.
 bool stop_early() { return std::getenv("COVER_FUZZ") == nullptr; }
 
-void expect_covered(const RegionBoundary& boundary, const Options& options) {
+void expect_promises_kept(const RegionBoundary& boundary, const Options& options) {
   const RegionMesh mesh = almond_region(boundary, options, {});
   EXPECT_EQ(testing::judge_region(boundary, mesh), "");
   if (std::getenv("COVER_SHOW_NOTES") != nullptr) {
@@ -37,7 +37,7 @@ void run(std::uint64_t count, std::uint64_t seed, const Options& options,
     std::mt19937_64 random(seed + k);
     const testing::RandomRegion region = make(random);
     SCOPED_TRACE(testing::seed_trace(seed + k) + " " + region.kind);
-    expect_covered(region.boundary, options);
+    expect_promises_kept(region.boundary, options);
     if (::testing::Test::HasFailure() && stop_early()) return;
   }
 }

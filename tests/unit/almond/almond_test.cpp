@@ -12,13 +12,12 @@
 namespace cover {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 using testing::almond_of;
 
 TEST(Almond, PointsOfTheArcSeeTheSideUnderItsAngle) {
   // Rounded coordinates, of size 4, turn the spokes from the ends by some 1e-15 over their length.
-  for (const double nu : {kPi / 3, 0.5, 1e-3, 1e-9}) {
+  for (const double nu : {std::numbers::pi / 3, 0.5, 1e-3, 1e-9}) {
     const Almond a = almond_of({1, 2}, {4, -1}, nu);
     for (const double s : {0.001, 0.2, 0.5, 0.9}) {
       const double rounding = 1e-15 / (nu * std::min(s, 1 - s));
@@ -42,8 +41,8 @@ TEST(Almond, PlaceIsZeroAndOneAtTheEnds) {
 }
 
 TEST(Almond, PowerTellsInsideFromOutside) {
-  const Almond a = almond_of({-1, 0}, {1, 0}, kPi / 3);
-  EXPECT_NEAR(a.height(), std::tan(kPi / 6), 1e-15);
+  const Almond a = almond_of({-1, 0}, {1, 0}, std::numbers::pi / 3);
+  EXPECT_NEAR(a.height(), std::tan(std::numbers::pi / 6), 1e-15);
   EXPECT_LT(a.power({0, 0.99 * a.height()}), 0);
   EXPECT_GT(a.power({0, 1.01 * a.height()}), 0);
   const Vector up{0, 1};
@@ -68,7 +67,7 @@ TEST(MakeAlmonds, CapsAt120Degrees) {
   for (const Almond& a : almonds) {
     const bool lower = a.from.y == 0 && a.to.y == 0;
     EXPECT_EQ(a.passes_apex(), lower);
-    EXPECT_DOUBLE_EQ(a.nu, lower ? 2 * std::atan(0.1) : kPi / 3);
+    EXPECT_DOUBLE_EQ(a.nu, lower ? 2 * std::atan(0.1) : std::numbers::pi / 3);
   }
 }
 

@@ -11,8 +11,6 @@ namespace {
 
 using testing::Stages;
 
-constexpr double kPi = std::numbers::pi;
-
 TEST(TriangulateAlmonds, PaperCentreSeesTheSideUnderThePromisedAngle) {
   const Stages s(testing::boundary_of({testing::regular_polygon(20)}));
   std::vector<Point> points = s.layer.points;
@@ -26,7 +24,7 @@ TEST(TriangulateAlmonds, PaperCentreSeesTheSideUnderThePromisedAngle) {
     const Point a = points[t[0]], b = points[t[1]], c = points[t[2]];
     least = std::min({least, nu_at(b, a, c), nu_at(c, b, a), nu_at(a, c, b)});
   }
-  EXPECT_NEAR(least, kPi / 6, 1e-12);
+  EXPECT_NEAR(least, std::numbers::pi / 6, 1e-12);
 }
 
 }  // namespace

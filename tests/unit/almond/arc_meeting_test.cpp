@@ -13,12 +13,11 @@ namespace {
 
 using testing::almond_of;
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 TEST(Meet, TwoArcsThatCrossTwice) {
-  const Almond a = almond_of({0, 0}, {1, 0}, kPi / 3), b = almond_of({1, 0.4}, {0, 0.4}, kPi / 3);
-  const std::vector<KnownVertex> known_a{{0, 0}, {1, kInfinity}}, known_b{{2, 0}, {3, kInfinity}};
+  const Almond a = almond_of({0, 0}, {1, 0}, std::numbers::pi / 3),
+               b = almond_of({1, 0.4}, {0, 0.4}, std::numbers::pi / 3);
+  const std::vector<KnownVertex> known_a{{0, 0}, {1, std::numeric_limits<double>::infinity()}},
+      known_b{{2, 0}, {3, std::numeric_limits<double>::infinity()}};
   const Meetings m = meet(a, known_a, b, known_b);
   ASSERT_EQ(m.count, 2);
   for (const Meeting& x : m.item) {
@@ -31,10 +30,11 @@ TEST(Meet, TwoArcsThatCrossTwice) {
 }
 
 TEST(Meet, TouchingArcsHaveOnePoint) {
-  const double height = almond_of({0, 0}, {1, 0}, kPi / 3).height();
-  const Almond a = almond_of({0, 0}, {1, 0}, kPi / 3);
-  const Almond b = almond_of({1, 2 * height}, {0, 2 * height}, kPi / 3);
-  const std::vector<KnownVertex> known_a{{0, 0}, {1, kInfinity}}, known_b{{2, 0}, {3, kInfinity}};
+  const double height = almond_of({0, 0}, {1, 0}, std::numbers::pi / 3).height();
+  const Almond a = almond_of({0, 0}, {1, 0}, std::numbers::pi / 3);
+  const Almond b = almond_of({1, 2 * height}, {0, 2 * height}, std::numbers::pi / 3);
+  const std::vector<KnownVertex> known_a{{0, 0}, {1, std::numeric_limits<double>::infinity()}},
+      known_b{{2, 0}, {3, std::numeric_limits<double>::infinity()}};
   const Meetings m = meet(a, known_a, b, known_b);
   ASSERT_EQ(m.count, 1);
   EXPECT_NEAR(m.item[0].at.x, 0.5, 1e-6);
@@ -42,10 +42,11 @@ TEST(Meet, TouchingArcsHaveOnePoint) {
 
 TEST(Meet, ACommonEndGivesTheOtherPointWithoutASquareRoot) {
   // A right corner: the arcs cross once more on its bisector; seen from either side.
-  const Almond a = almond_of({0, 0}, {1, 0}, kPi / 3);
-  Almond b = almond_of({0, 1}, {0, 0}, kPi / 3);
+  const Almond a = almond_of({0, 0}, {1, 0}, std::numbers::pi / 3);
+  Almond b = almond_of({0, 1}, {0, 0}, std::numbers::pi / 3);
   b.u = 2, b.v = 0;
-  const std::vector<KnownVertex> known_a{{0, 0}, {1, kInfinity}}, known_b{{2, 0}, {0, kInfinity}};
+  const std::vector<KnownVertex> known_a{{0, 0}, {1, std::numeric_limits<double>::infinity()}},
+      known_b{{2, 0}, {0, std::numeric_limits<double>::infinity()}};
   for (const Meetings& m : {meet(a, known_a, b, known_b), meet(b, known_b, a, known_a)}) {
     ASSERT_EQ(m.count, 1);
     EXPECT_NEAR(m.item[0].at.x, m.item[0].at.y, 1e-15);
@@ -70,9 +71,11 @@ TEST(Meet, ACommonVertexWhoseRatioHasNoDigitsLeftDoesNotLead) {
 
 TEST(Meet, ArcsTangentAtACommonEndDoNotMeet) {
   // A corner of 120 degrees.
-  const Point far{std::cos(2 * kPi / 3), std::sin(2 * kPi / 3)};
-  const Almond a = almond_of({0, 0}, {1, 0}, kPi / 3), b = almond_of(far, {0, 0}, kPi / 3);
-  const std::vector<KnownVertex> known_a{{0, 0}, {1, kInfinity}}, known_b{{2, 0}, {0, kInfinity}};
+  const Point far{std::cos(2 * std::numbers::pi / 3), std::sin(2 * std::numbers::pi / 3)};
+  const Almond a = almond_of({0, 0}, {1, 0}, std::numbers::pi / 3),
+               b = almond_of(far, {0, 0}, std::numbers::pi / 3);
+  const std::vector<KnownVertex> known_a{{0, 0}, {1, std::numeric_limits<double>::infinity()}},
+      known_b{{2, 0}, {0, std::numeric_limits<double>::infinity()}};
   EXPECT_EQ(meet(a, known_a, b, known_b).count, 0);
 }
 

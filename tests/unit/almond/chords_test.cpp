@@ -14,8 +14,6 @@ namespace {
 using testing::square;
 using testing::Stages;
 
-constexpr double kPi = std::numbers::pi;
-
 TEST(CutChords, PaperCutsIntoSixths) {
   const Stages s(testing::boundary_of({testing::regular_polygon(40)}));
   EXPECT_EQ(s.count(ChordKind::exterior), 240U);
@@ -46,7 +44,7 @@ TEST(CutChords, TheTwoSidesOfASlitAreNoPartners) {
 
 TEST(LongestPiece, IsTheProvenConstantWhereNothingIsToSpare) {
   CutRule rule;
-  for (const double almond_nu : {kPi / 3, 1e-3, 1e-9}) {
+  for (const double almond_nu : {std::numbers::pi / 3, 1e-3, 1e-9}) {
     rule.nu = almond_nu / 2;
     // g - 1/2 with k = 0.495: sqrt(0.495) - 1/2 as nu goes to 0, a little more at 60 degrees.
     EXPECT_NEAR(rule.longest_piece(almond_nu), std::sqrt(kCentre) - 0.5, 0.01);

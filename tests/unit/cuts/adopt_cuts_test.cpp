@@ -12,7 +12,7 @@ namespace cover {
 namespace {
 
 /// A square of two triangles in which the diagonal is a segment.
-Input square() {
+Input cut_square() {
   Input input = testing::segments_between({{0, 0}, {3, 0}, {3, 3}, {0, 3}},
                                           {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {2, 0}});
   for (InputSegment& s : input.segments) s.marker = static_cast<int>(10 * s.a + s.b);
@@ -23,7 +23,7 @@ struct Clean {
   Pslg pslg;
   RegionTable table;
   Clean() {
-    const Result<Prepared> prepared = prepare(square());
+    const Result<Prepared> prepared = prepare(cut_square());
     pslg = prepared->pslg;
     table = prepared->table;
   }

@@ -14,7 +14,7 @@ using namespace testing;
 
 const ReachedAngles kWanted{Angle::degrees(80), Angle::degrees(20)};
 
-Triangulation cdt_of(const Loop& loop) {
+Triangulation region_cdt_of(const Loop& loop) {
   const RegionBoundary boundary = boundary_of({loop});
   return triangulate_domain(boundary.points, boundary.sides).triangulation;
 }
@@ -24,7 +24,7 @@ ReachedAngles reached(double largest, double smallest) {
 }
 
 TEST(RegionLimits, ATriangleIsOptimal) {
-  const Triangulation cdt = cdt_of({{0, 0}, {1, 0}, {0.1, 0.1}});
+  const Triangulation cdt = region_cdt_of({{0, 0}, {1, 0}, {0.1, 0.1}});
   const double largest = 180 - 45 - std::atan2(0.1, 0.9) * 180 / std::numbers::pi;
   const RegionLimits limits =
       region_limits(cdt, reached(largest, std::atan2(0.1, 0.9) * 180 / std::numbers::pi), kWanted);
@@ -34,7 +34,7 @@ TEST(RegionLimits, ATriangleIsOptimal) {
 
 TEST(RegionLimits, StandingsFollowTheGap) {
   // 10 long and 1 high: no triangle on a long side has all angles above 11.31 degrees.
-  const Triangulation cdt = cdt_of({{0, 0}, {10, 0}, {10, 1}, {0, 1}});
+  const Triangulation cdt = region_cdt_of({{0, 0}, {10, 0}, {10, 1}, {0, 1}});
   const RegionLimits near = region_limits(cdt, reached(100, 10.8), kWanted);
   EXPECT_EQ(near.of_largest, Standing::met);
   EXPECT_TRUE(near.of_smallest == Standing::near || near.of_smallest == Standing::optimal);

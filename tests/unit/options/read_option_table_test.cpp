@@ -8,7 +8,7 @@
 namespace cover {
 namespace {
 
-std::vector<std::string> values_of(const ReadOptionEntry& entry) {
+std::vector<std::string> values_read_by(const ReadOptionEntry& entry) {
   if (!entry.words().empty()) return {std::string(entry.words().back())};
   if (entry.kind == OptionKind::flag) return {"true"};
   if (entry.kind == OptionKind::number) return {"0.5"};
@@ -42,14 +42,14 @@ TEST(ReadOptionTable, WhatIsSetIsToldAndSetAgain) {
   for (const ReadOptionEntry& entry : read_option_table()) {
     SCOPED_TRACE(entry.name);
     ReadOptions options;
-    for (const std::string& value : values_of(entry)) {
+    for (const std::string& value : values_read_by(entry)) {
       const Status status = entry.set(entry, value, options);
       ASSERT_TRUE(status) << status.error().message;
     }
     EXPECT_TRUE(check_read_options(options));
     EXPECT_EQ(entry.get(entry, options), entry.name == "window"
                                              ? std::vector<std::string>{"-1,0.5,2,1000"}
-                                             : values_of(entry));
+                                             : values_read_by(entry));
     for (const ReadOptionEntry& other : read_option_table()) {
       if (&other == &entry) continue;
       EXPECT_EQ(other.get(other, options), other.get(other, ReadOptions())) << other.name;

@@ -23,7 +23,7 @@ std::string drawn(const PackingRecord& record, PackingStage stage) {
   return text.str();
 }
 
-std::size_t count(const std::string& text, const std::string& word) {
+std::size_t count_of(const std::string& text, const std::string& word) {
   std::size_t n = 0;
   for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++n;
   return n;
@@ -34,10 +34,10 @@ TEST(PackingSvg, ShowsEveryDisk) {
   PackingRecord record;
   (void)make_disk_filler({.record = &record})->fill(task, {});
   const std::string gaps = drawn(record, PackingStage::gaps);
-  EXPECT_EQ(count(gaps, "<circle"), record.disks.size());
+  EXPECT_EQ(count_of(gaps, "<circle"), record.disks.size());
   EXPECT_NE(gaps.find("good"), std::string::npos);
-  EXPECT_EQ(count(drawn(record, PackingStage::disks), "<circle"), 6U + 2U);  // and the legend's
-  EXPECT_EQ(count(drawn(record, PackingStage::triangles), "<circle"), 0U);
+  EXPECT_EQ(count_of(drawn(record, PackingStage::disks), "<circle"), 6U + 2U);  // and the legend's
+  EXPECT_EQ(count_of(drawn(record, PackingStage::triangles), "<circle"), 0U);
 }
 
 TEST(PackingSvg, SaysWhereItCannotWrite) {

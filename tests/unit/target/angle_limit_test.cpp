@@ -10,8 +10,6 @@
 namespace cover {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 AngleLimit limit_of(const RegionBoundary& boundary) {
   const CdtResult cdt = triangulate_domain(boundary.points, boundary.sides);
   EXPECT_TRUE(cdt.conflicts.empty());
@@ -20,14 +18,15 @@ AngleLimit limit_of(const RegionBoundary& boundary) {
 
 TEST(AngleLimit, OfATriangleIsItsLargestAngle) {
   const AngleLimit limit = limit_of(testing::boundary_of({{{0, 0}, {2, 0}, {1, 1}}}));
-  EXPECT_DOUBLE_EQ(limit.nu, kPi / 2);
-  EXPECT_DOUBLE_EQ(limit.promised_nu(), kPi / 6);
+  EXPECT_DOUBLE_EQ(limit.nu, std::numbers::pi / 2);
+  EXPECT_DOUBLE_EQ(limit.promised_nu(), std::numbers::pi / 6);
   EXPECT_EQ(limit.above_120, 0U);
 }
 
 TEST(AngleLimit, OfARegularPolygonIsTheInscribedAngle) {
   const AngleLimit limit = limit_of(testing::boundary_of({testing::regular_polygon(100)}));
-  for (const double nu : limit.side_nu) EXPECT_NEAR(kPi - nu, kPi / 100, 1e-12);
+  for (const double nu : limit.side_nu)
+    EXPECT_NEAR(std::numbers::pi - nu, std::numbers::pi / 100, 1e-12);
 }
 
 TEST(AngleLimit, SeesSlitsFromBothSides) {

@@ -17,8 +17,6 @@
 namespace cover {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 TEST(MeasureAngles, EquilateralTriangleInEveryRotation) {
   const double h = std::sqrt(3.0) / 2;
   const std::vector<Point> points{{0, 0}, {1, 0}, {0.5, h}};
@@ -93,7 +91,7 @@ TEST(MeasureAngles, WhatRoundingMakesIsNotObtuse) {
     const std::vector<IndexTriple> triangles{{0, 1, 2}, {1, 3, 2}};
     for (const Point end : {a, b}) {
       exactly += compare_with_90_degrees(end, foot, p) == Sign::positive ? 1 : 0;
-      by_more_than_before += angle_at(end, foot, p) > kPi / 2 + 1e-9 ? 1 : 0;
+      by_more_than_before += angle_at(end, foot, p) > std::numbers::pi / 2 + 1e-9 ? 1 : 0;
     }
     EXPECT_EQ(measure_angles(points, triangles).obtuse, 0u);
     by_rounding += measure_angles(points, triangles).obtuse_by_rounding;
@@ -242,7 +240,7 @@ TEST(Measure, NoTriangleHoldsNoBound) {
   RegionMesh mesh;
   fill_report(boundary, mesh);
   EXPECT_FALSE(mesh.report.bound_held);
-  EXPECT_NEAR(mesh.report.quality.largest_nu.in_radians(), kPi, 0);
+  EXPECT_NEAR(mesh.report.quality.largest_nu.in_radians(), std::numbers::pi, 0);
 }
 
 }  // namespace

@@ -12,14 +12,14 @@
 namespace cover {
 namespace {
 
-constexpr std::uint32_t kFixed = ConformingMesh::kFixed;
+constexpr std::uint32_t kFixedVertices = ConformingMesh::kFixed;
 
 /// Two squares side by side, with one line between them from (1, 0) to (1, 1); the outer ones stay
 /// whole but for the lowest of the left square.
 ConformingMesh two_squares() {
   ConformingMesh mesh;
   mesh.points = {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}};
-  mesh.line.assign(6, kFixed);
+  mesh.line.assign(6, kFixedVertices);
   mesh.lines = {{{1, 0}, {1, 1}}, {{0, 0}, {1, 0}}};
   mesh.pieces = {{1, 4, 0}, {0, 1, 1}, {1, 2, 2}, {2, 3, 2}, {3, 4, 2}, {4, 5, 2}, {5, 0, 2}};
   mesh.triangles = {{0, 1, 4}, {0, 4, 5}, {1, 2, 3}, {1, 3, 4}};
@@ -161,7 +161,7 @@ TEST(MeshWithUndo, CutsBothRegionsAndOnlyLinesThatMayBe) {
 TEST(MeshWithUndo, CountsWhatIsObtuseAndWhatIsTooSharp) {
   ConformingMesh mesh;
   mesh.points = {{0, 0}, {4, 0}, {1, 1}};
-  mesh.line.assign(3, kFixed);
+  mesh.line.assign(3, kFixedVertices);
   mesh.pieces = {{0, 1, 7}, {1, 2, 7}, {2, 0, 7}};
   mesh.triangles = {{0, 1, 2}};
   mesh.region = {0};

@@ -10,7 +10,7 @@ namespace cover {
 namespace {
 
 /// Lines across, and as many upright ones: each crosses each of the others.
-std::vector<PlainSegment> grid(int n) {
+std::vector<PlainSegment> crossing_lines(int n) {
   std::vector<PlainSegment> out;
   for (int k = 0; k < n; ++k) {
     out.push_back({{0, k + 0.5}, {static_cast<double>(n), k + 0.5}});
@@ -21,7 +21,7 @@ std::vector<PlainSegment> grid(int n) {
 
 TEST(CrossingsAtLeast, OfAGridNearlyAll) {
   for (const int n : {100, 3000}) {
-    const double all = static_cast<double>(n) * n, found = crossings_at_least(grid(n));
+    const double all = static_cast<double>(n) * n, found = crossings_at_least(crossing_lines(n));
     EXPECT_LE(found, all);
     EXPECT_GE(found, 0.8 * all);
   }

@@ -21,7 +21,7 @@
 namespace cover {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// Equal, bit for bit, but for which NaN it is.
 void expect_same(const std::vector<double>& a, const std::vector<double>& b) {
@@ -37,10 +37,10 @@ Output device_with_arrays() {
   std::vector<double> words, heights, values;
   for (std::size_t r = 0; r < output.table.regions.size(); ++r) {
     words.push_back(static_cast<double>(r % 3));
-    heights.push_back(r == 1 ? kNone : 0.1 + static_cast<double>(r) / 3);
+    heights.push_back(r == 1 ? kNan : 0.1 + static_cast<double>(r) / 3);
   }
   for (std::size_t v = 0; v < output.mesh.vertices(); ++v)
-    values.push_back(v == 0 ? kNone : -1e15 / (1 + static_cast<double>(v)));
+    values.push_back(v == 0 ? kNan : -1e15 / (1 + static_cast<double>(v)));
   output.table.attributes = {{"N\xc3\xa4he: x & use", true, {"W\xc3\xa4lder", "b <c>"}, words},
                              {"RegionId", false, {}, heights}};  // a name that is taken
   output.fields = {{"Net/1e17", values}, {"Boron", values}};
@@ -125,8 +125,8 @@ TEST(CarriedArrays, WhatIsLeftOutIsTold) {
   stored.soup.triangles = {{0, 1, 2}, {0, 2, 3}};
   stored.soup.region = {1, 1};
   const std::vector<std::string> told = take_arrays(
-      {{"RegionId", {1, 1}}, {"error", {0.5, 0.25}}, {"same", {7, 7}}, {"none", {kNone, kNone}}},
-      {}, {{"same", {"a", "b"}}}, stored);
+      {{"RegionId", {1, 1}}, {"error", {0.5, 0.25}}, {"same", {7, 7}}, {"none", {kNan, kNan}}}, {},
+      {{"same", {"a", "b"}}}, stored);
   ASSERT_EQ(told.size(), 1U);
   EXPECT_EQ(told[0], "arrays of triangles that differ within a region are left out: error");
   ASSERT_EQ(stored.attributes.size(), 2U);

@@ -29,15 +29,15 @@ nlohmann::json written(const Output& output) {
 
 TEST(WriteReportJson, HoldsWhatTheReportHolds) {
   const Output output = cover_mesh(testing::checker(3, 4, 5)).value();
-  const nlohmann::json json = written(output);
-  EXPECT_EQ(json["format"], "cover report");
-  EXPECT_EQ(json["mesh"]["triangles"], output.mesh.tri().n_faces());
-  EXPECT_EQ(json["mesh"]["vertices"], output.mesh.tri().n_vertices());
-  EXPECT_EQ(json["input"]["segments"], output.pslg.segments.size());
-  ASSERT_EQ(json["regions"].size(), 9U);
+  const nlohmann::json found = written(output);
+  EXPECT_EQ(found["format"], "cover report");
+  EXPECT_EQ(found["mesh"]["triangles"], output.mesh.tri().n_faces());
+  EXPECT_EQ(found["mesh"]["vertices"], output.mesh.tri().n_vertices());
+  EXPECT_EQ(found["input"]["segments"], output.pslg.segments.size());
+  ASSERT_EQ(found["regions"].size(), 9U);
   std::size_t triangles = 0, angles = 0;
   for (std::size_t r = 0; r < 9; ++r) {
-    const auto& region = json["regions"][r];
+    const auto& region = found["regions"][r];
     const RegionReport& report = output.report.regions[r];
     EXPECT_EQ(region["id"], r + 1);
     EXPECT_EQ(region["name"], output.table.regions[r].name);
@@ -51,11 +51,11 @@ TEST(WriteReportJson, HoldsWhatTheReportHolds) {
     for (const auto& bin : region["histogram"]) angles += bin.get<std::size_t>();
     EXPECT_EQ(region["box"]["obtuse_sides"], report.box.obtuse_sides);
   }
-  EXPECT_EQ(json["overall"]["triangles"], triangles);
+  EXPECT_EQ(found["overall"]["triangles"], triangles);
   EXPECT_EQ(angles, 3 * triangles);
-  EXPECT_EQ(json["interfaces"].size(), output.table.interfaces.size());
-  EXPECT_GE(json["times"].size(), 4U);
-  EXPECT_FALSE(json.contains("replaced"));
+  EXPECT_EQ(found["interfaces"].size(), output.table.interfaces.size());
+  EXPECT_GE(found["times"].size(), 4U);
+  EXPECT_FALSE(found.contains("replaced"));
 }
 
 TEST(WriteReportJson, ListsEveryChangeOfTheInput) {
@@ -89,13 +89,13 @@ TEST(WriteReportJson, NotesAndStrangeNames) {
   output.report.regions[0].bound_held = false;
   output.report.notes.push_back({Note::Kind::change, kVoid, "welded", {}});
   output.report.replaced = {{RegionId{1}, 12, 5}};
-  const nlohmann::json json = written(output);
-  EXPECT_EQ(json["regions"][0]["notes"][0]["kind"], "below_resolution");
-  EXPECT_EQ(json["regions"][0]["notes"][0]["where"][0][1], -2);
-  EXPECT_EQ(json["overall"]["bound_missed"], nlohmann::json::array({1}));
-  EXPECT_EQ(json["notes"][0]["kind"], "change");
-  EXPECT_EQ(json["replaced"].size(), 1U);
-  EXPECT_EQ(json["replaced"][0]["triangles"], 12);
+  const nlohmann::json found = written(output);
+  EXPECT_EQ(found["regions"][0]["notes"][0]["kind"], "below_resolution");
+  EXPECT_EQ(found["regions"][0]["notes"][0]["where"][0][1], -2);
+  EXPECT_EQ(found["overall"]["bound_missed"], nlohmann::json::array({1}));
+  EXPECT_EQ(found["notes"][0]["kind"], "change");
+  EXPECT_EQ(found["replaced"].size(), 1U);
+  EXPECT_EQ(found["replaced"][0]["triangles"], 12);
 }
 
 }  // namespace

@@ -14,28 +14,28 @@ namespace {
 
 using namespace testing;
 
-constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kOneDegree = std::numbers::pi / 180;
 
 TEST(FanGrowth, OneTriangleIsExact) {
-  const FanGrowth growth({100 * kDegree, 20 * kDegree});
+  const FanGrowth growth({100 * kOneDegree, 20 * kOneDegree});
   // Angles 70, 90 and 20: 90 is allowed, and 20 is the least.
-  EXPECT_NEAR(growth.log_ratio(70 * kDegree, 70 * kDegree),
-              std::max(std::log(1 / std::sin(20 * kDegree)),
-                       growth.log_ratio(35 * kDegree, 35 * kDegree) * 2),
+  EXPECT_NEAR(growth.log_ratio(70 * kOneDegree, 70 * kOneDegree),
+              std::max(std::log(1 / std::sin(20 * kOneDegree)),
+                       growth.log_ratio(35 * kOneDegree, 35 * kOneDegree) * 2),
               1e-6);
   // Angles 30 at the vertex, then 50 and 100, not 20 and 130.
-  EXPECT_NEAR(growth.log_ratio(30 * kDegree, 30 * kDegree),
-              std::log(std::sin(100 * kDegree) / std::sin(50 * kDegree)), 1e-6);
+  EXPECT_NEAR(growth.log_ratio(30 * kOneDegree, 30 * kOneDegree),
+              std::log(std::sin(100 * kOneDegree) / std::sin(50 * kOneDegree)), 1e-6);
 }
 
 TEST(FanGrowth, NoTrianglesWithoutRoom) {
-  const FanGrowth growth({100 * kDegree, 20 * kDegree});
-  EXPECT_LT(growth.log_ratio(0, 19 * kDegree), 0);
-  EXPECT_GE(growth.log_ratio(0, 21 * kDegree), 0);
+  const FanGrowth growth({100 * kOneDegree, 20 * kOneDegree});
+  EXPECT_LT(growth.log_ratio(0, 19 * kOneDegree), 0);
+  EXPECT_GE(growth.log_ratio(0, 21 * kOneDegree), 0);
   // Above 100 degrees there must be two triangles, and then 40 each are possible.
-  EXPECT_GE(growth.log_ratio(101 * kDegree, 101 * kDegree), 0);
-  const FanGrowth stiff({70 * kDegree, 50 * kDegree});
-  EXPECT_LT(stiff.log_ratio(80 * kDegree, 90 * kDegree), 0);
+  EXPECT_GE(growth.log_ratio(101 * kOneDegree, 101 * kOneDegree), 0);
+  const FanGrowth stiff({70 * kOneDegree, 50 * kOneDegree});
+  EXPECT_LT(stiff.log_ratio(80 * kOneDegree, 90 * kOneDegree), 0);
 }
 
 // What is seen at once is what the bound says.
@@ -45,8 +45,8 @@ TEST(FanGrowth, MayLeadAsFarAsItGrows) {
     return std::uniform_real_distribution<double>(a, b)(random);
   };
   for (int k = 0; k < 2000; ++k) {
-    const FanGrowth growth({uniform(62, 150) * kDegree, uniform(0, 40) * kDegree});
-    const double low = uniform(0, 200) * kDegree, high = low + uniform(0, 30) * kDegree;
+    const FanGrowth growth({uniform(62, 150) * kOneDegree, uniform(0, 40) * kOneDegree});
+    const double low = uniform(0, 200) * kOneDegree, high = low + uniform(0, 30) * kOneDegree;
     const double bound = growth.log_ratio(low, high);
     if (bound < 0) {
       EXPECT_FALSE(growth.may_lead(low, high, 1.5));
@@ -66,8 +66,8 @@ TEST(FanGrowth, TwoFansGrowNoFasterThanOneOfBoth) {
   };
   for (int round = 0; round < 5000; ++round) {
     const FanGrowth growth(
-        {uniform(65, 175) * kDegree, std::pow(10, uniform(-3, std::log10(55))) * kDegree});
-    const double a = uniform(0, 180) * kDegree, b = uniform(0, 180) * kDegree;
+        {uniform(65, 175) * kOneDegree, std::pow(10, uniform(-3, std::log10(55))) * kOneDegree});
+    const double a = uniform(0, 180) * kOneDegree, b = uniform(0, 180) * kOneDegree;
     const double of_a = growth.log_ratio(a, a), of_b = growth.log_ratio(b, b);
     if (of_a < 0 || of_b < 0) continue;
     const double of_both = growth.log_ratio(a + b, a + b);
@@ -82,15 +82,15 @@ TEST(FanGrowth, TwoFansGrowNoFasterThanOneOfBoth) {
 TEST(FanGrowth, FansOfVeryManyTrianglesAreNotBounded) {
   // Where all angles may be flat, isosceles triangles double the edge each: no walk over 1e10.
   for (const double least : {0.5, 1e-8, 1e-300}) {
-    const FanGrowth growth({std::numbers::pi - least * kDegree, least * kDegree});
+    const FanGrowth growth({std::numbers::pi - least * kOneDegree, least * kOneDegree});
     EXPECT_EQ(growth.log_ratio(0, std::numbers::pi), std::numeric_limits<double>::infinity())
         << least;
   }
-  const FanGrowth wide({176 * kDegree, 2 * kDegree});
+  const FanGrowth wide({176 * kOneDegree, 2 * kOneDegree});
   EXPECT_NEAR(wide.log_ratio(0, std::numbers::pi), 90 * std::log(2), 1);
   // Fans of few triangles keep their bound, however small the least angle is beside them.
-  EXPECT_LT(FanGrowth({100 * kDegree, 2 * kDegree}).log_ratio(0, std::numbers::pi), 100);
-  EXPECT_LT(FanGrowth({100 * kDegree, 1e-8 * kDegree}).log_ratio(0, 2e-8 * kDegree), 100);
+  EXPECT_LT(FanGrowth({100 * kOneDegree, 2 * kOneDegree}).log_ratio(0, std::numbers::pi), 100);
+  EXPECT_LT(FanGrowth({100 * kOneDegree, 1e-8 * kOneDegree}).log_ratio(0, 2e-8 * kOneDegree), 100);
 }
 
 TEST(FanGrowth, NoRandomFanGrowsFaster) {
@@ -99,7 +99,7 @@ TEST(FanGrowth, NoRandomFanGrowsFaster) {
     return std::uniform_real_distribution<double>(a, b)(random);
   };
   for (int round = 0; round < 20000; ++round) {
-    const AngleRange range{uniform(65, 175) * kDegree, uniform(1, 55) * kDegree};
+    const AngleRange range{uniform(65, 175) * kOneDegree, uniform(1, 55) * kOneDegree};
     const FanGrowth growth(range);
     double sum = 0, log_ratio = 0, nearest = 1, reach_sum = 0;
     bool possible = true;
@@ -128,8 +128,8 @@ TEST(FanGrowth, NoRandomFanGrowsFaster) {
     }
     if (!possible || sum > 2 * std::numbers::pi) continue;
     EXPECT_LE(std::abs(log_ratio), growth.log_ratio(sum, sum) + 1e-9)
-        << triangles << " triangles, angles from " << range.least / kDegree << " to "
-        << range.most / kDegree << ", sum " << sum / kDegree;
+        << triangles << " triangles, angles from " << range.least / kOneDegree << " to "
+        << range.most / kOneDegree << ", sum " << sum / kOneDegree;
     EXPECT_LE(std::abs(log_ratio), growth.log_ratio(sum - 0.1, sum + 0.2) + 1e-9);
   }
 }

@@ -11,7 +11,7 @@
 namespace cover {
 namespace {
 
-double largest(const LinearFunctions& f, const std::vector<double>& step) {
+double largest_slack(const LinearFunctions& f, const std::vector<double>& step) {
   double value = -1e300;
   for (std::size_t k = 0; k < f.count(); ++k) {
     const double* row = &f.rows[k * (f.dimension + 1)];
@@ -49,13 +49,13 @@ TEST(LinearProgram, NothingInTheBoxIsLower) {
     const double expected = lowest_in_box(f, step);
     ASSERT_EQ(step.size(), f.dimension);
     for (const double x : step) EXPECT_LE(std::abs(x), 1 + 1e-9);
-    EXPECT_NEAR(largest(f, step), expected, 1e-9);
+    EXPECT_NEAR(largest_slack(f, step), expected, 1e-9);
     for (int m = 0; m < 200; ++m) {  // near by, and anywhere
       std::vector<double> other;
       for (const double x : step) {
         other.push_back(m % 2 == 0 ? unit(random) : std::clamp(x + 0.01 * unit(random), -1.0, 1.0));
       }
-      EXPECT_GE(largest(f, other), expected - 1e-9);
+      EXPECT_GE(largest_slack(f, other), expected - 1e-9);
     }
   }
 }

@@ -20,14 +20,14 @@ TEST(SpreadSizes, GrowAlongTheShortestWay) {
 }
 
 /// A unit square of two triangles, one of them clockwise, with the sizes 1 + x + 2 y.
-SizeSamples square() {
+SizeSamples square_of_sizes() {
   return {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1, 2}, {0, 3, 2}}, {1, 2, 4, 3}};
 }
 
 constexpr double kSteep = 100;  ///< a growth that changes nothing
 
 TEST(SizeFunction, IsLinearInTriangles) {
-  const SizeFunction size = size_function(square(), kSteep).value();
+  const SizeFunction size = size_function(square_of_sizes(), kSteep).value();
   for (const Point p : {Point{0, 0}, Point{0.25, 0.125}, Point{0.125, 0.5}, Point{0.5, 0.5},
                         Point{1, 1}, Point{0.75, 1}}) {
     EXPECT_DOUBLE_EQ(size(p), 1 + p.x + 2 * p.y);
@@ -35,7 +35,7 @@ TEST(SizeFunction, IsLinearInTriangles) {
 }
 
 TEST(SizeFunction, OutsideTheNearestPlaceCounts) {
-  const SizeFunction size = size_function(square(), kSteep).value();
+  const SizeFunction size = size_function(square_of_sizes(), kSteep).value();
   EXPECT_DOUBLE_EQ(size({0.25, -7}), 1.25);
   EXPECT_DOUBLE_EQ(size({3, 0.5}), 3);
   EXPECT_DOUBLE_EQ(size({-1, -1}), 1);
@@ -43,7 +43,7 @@ TEST(SizeFunction, OutsideTheNearestPlaceCounts) {
 }
 
 TEST(SizeFunction, PointsWithoutTriangles) {
-  SizeSamples samples = square();
+  SizeSamples samples = square_of_sizes();
   samples.triangles.clear();
   const SizeFunction size = size_function(samples, kSteep).value();
   EXPECT_EQ(size({0.25, 0.125}), 1);
@@ -51,14 +51,14 @@ TEST(SizeFunction, PointsWithoutTriangles) {
 }
 
 TEST(SizeFunction, FlatTrianglesDoNoHarm) {
-  SizeSamples samples = square();
+  SizeSamples samples = square_of_sizes();
   samples.triangles.insert(samples.triangles.begin(), {{0, 2, 2}, {0, 0, 0}});
   const SizeFunction size = size_function(samples, kSteep).value();
   EXPECT_DOUBLE_EQ(size({0.5, 0.5}), 2.5);
 }
 
 TEST(SizeFunction, GrowsNoFasterThanAsked) {
-  SizeSamples samples = square();
+  SizeSamples samples = square_of_sizes();
   samples.sizes = {0.25, 8, 8, 8};
   const SizeFunction size = size_function(samples, 1.5).value();
   EXPECT_DOUBLE_EQ(size({1, 0}), 0.75);
@@ -96,7 +96,7 @@ TEST(SizeFunction, IsTheSameInAnyUnitAndForAnyOrderOfTriangles) {
 
 TEST(SizeFunction, RefusesWhatIsNoField) {
   const auto code = [](auto change) {
-    SizeSamples samples = square();
+    SizeSamples samples = square_of_sizes();
     change(samples);
     const Result<SizeFunction> size = size_function(samples, 1.3);
     return size ? ErrorCode::internal : size.error().code;
@@ -108,7 +108,7 @@ TEST(SizeFunction, RefusesWhatIsNoField) {
   EXPECT_EQ(code([](SizeSamples& s) { s.points[1].x = INFINITY; }),
             ErrorCode::non_finite_coordinate);
   EXPECT_EQ(code([](SizeSamples& s) { s.triangles[1][0] = 4; }), ErrorCode::id_out_of_range);
-  SizeSamples samples = square();
+  SizeSamples samples = square_of_sizes();
   samples.sizes[3] = -2;
   const Error error = size_function(samples, 1.3).error();
   EXPECT_NE(error.message.find("(0, 1)"), std::string::npos) << error.message;

@@ -5,7 +5,7 @@
 namespace cover {
 namespace {
 
-std::string message(std::string_view text) {
+std::string geojson_message(std::string_view text) {
   const Result<Input> input = parse_geojson(text, "map.geojson");
   EXPECT_FALSE(input.has_value());
   return input ? "" : input.error().message;
@@ -164,16 +164,17 @@ TEST(ReadGeojson, PropertiesAreChosenWhateverTheFileIsCalled) {
 }
 
 TEST(ReadGeojson, NamesThePlaceOfEveryError) {
-  EXPECT_EQ(message(R"({"type": "Polygo", "coordinates": []})"),
+  EXPECT_EQ(geojson_message(R"({"type": "Polygo", "coordinates": []})"),
             "map.geojson: the type \"Polygo\" is not one of GeoJSON");
-  EXPECT_EQ(message(R"({"type": "FeatureCollection", "features": [{"type": "Feature", "geometry":
+  EXPECT_EQ(
+      geojson_message(R"({"type": "FeatureCollection", "features": [{"type": "Feature", "geometry":
                         {"type": "Polygon", "coordinates": [[[0, 0], [1]]]}}]})"),
-            "map.geojson: features[0].geometry.coordinates[0][1]: expected a point [x, y], found 1 "
-            "number");
-  EXPECT_EQ(message(R"({"features": []})"), "map.geojson: the key \"type\" is missing");
-  EXPECT_EQ(message(R"({"type": "FeatureCollection", "features": []})"),
+      "map.geojson: features[0].geometry.coordinates[0][1]: expected a point [x, y], found 1 "
+      "number");
+  EXPECT_EQ(geojson_message(R"({"features": []})"), "map.geojson: the key \"type\" is missing");
+  EXPECT_EQ(geojson_message(R"({"type": "FeatureCollection", "features": []})"),
             "map.geojson: no Polygon, MultiPolygon or LineString in it");
-  EXPECT_EQ(message("7"), "map.geojson: expected a GeoJSON object");
+  EXPECT_EQ(geojson_message("7"), "map.geojson: expected a GeoJSON object");
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ Input read(std::string_view text) {
   return input ? *input : Input{};
 }
 
-std::string message(std::string_view text) {
+std::string message_of(std::string_view text) {
   const Result<Input> input = parse_json(text, "deck.json");
   EXPECT_FALSE(input.has_value());
   return input ? "" : input.error().message;
@@ -118,7 +118,7 @@ TEST(ReadJson, ReadsLayersOfLines) {
 
 TEST(ReadJson, RefusesLayersThatAreNone) {
   const auto with = [](const std::string& layers) {
-    return message(R"({"points": [[0, 0]], "layers": [)" + layers + "]}");
+    return message_of(R"({"points": [[0, 0]], "layers": [)" + layers + "]}");
   };
   EXPECT_NE(with(R"({"first": 1, "growth": 1, "count": 1})").find("\"line\" is missing"),
             std::string::npos);
@@ -133,34 +133,34 @@ TEST(ReadJson, RefusesLayersThatAreNone) {
                           R"({"line": "a", "first": 1, "growth": 1, "count": 1.5})"}) {
     EXPECT_NE(with(bad).find("layers[0]"), std::string::npos) << bad;
   }
-  EXPECT_NE(message(R"({"points": [[0, 0], [1, 1]], "segments": [
+  EXPECT_NE(message_of(R"({"points": [[0, 0], [1, 1]], "segments": [
               {"points": [0, 1], "layers": {"first": 1, "growth": 2}}]})")
                 .find("layers need a \"name\""),
             std::string::npos);
 }
 
 TEST(ReadJson, NamesThePlaceOfEveryError) {
-  EXPECT_EQ(message(R"({"points": [], "segments": [], "regoins": []})"),
+  EXPECT_EQ(message_of(R"({"points": [], "segments": [], "regoins": []})"),
             "deck.json: regoins: unknown key (did you mean \"regions\"?)");
-  EXPECT_EQ(message(R"({"polygons": [{"materail": "a", "rings": []}]})"),
+  EXPECT_EQ(message_of(R"({"polygons": [{"materail": "a", "rings": []}]})"),
             "deck.json: polygons[0].materail: unknown key (did you mean \"material\"?)");
-  EXPECT_EQ(message(R"({"polygons": [{"name": "a", "rings": []}]})")
+  EXPECT_EQ(message_of(R"({"polygons": [{"name": "a", "rings": []}]})")
                 .find("deck.json: polygons[0].name: unknown key (known are \"material\", "),
             0U)
-      << message(R"({"polygons": [{"name": "a", "rings": []}]})");
-  EXPECT_EQ(message(R"({"points": [[0, 0], [1, "a"]], "segments": []})"),
+      << message_of(R"({"polygons": [{"name": "a", "rings": []}]})");
+  EXPECT_EQ(message_of(R"({"points": [[0, 0], [1, "a"]], "segments": []})"),
             "deck.json: points[1][1]: expected a number, found \"a\"");
-  EXPECT_EQ(message(R"({"points": [[0, 0], [1]], "segments": []})"),
+  EXPECT_EQ(message_of(R"({"points": [[0, 0], [1]], "segments": []})"),
             "deck.json: points[1]: expected a point [x, y], found 1 number");
-  EXPECT_EQ(message(R"({"points": [[0, 0], [1, 0]], "segments": [[0, 2]]})"),
+  EXPECT_EQ(message_of(R"({"points": [[0, 0], [1, 0]], "segments": [[0, 2]]})"),
             "deck.json: segments[0][1]: there is no point 2: the points are 0 to 1");
-  EXPECT_EQ(message(R"({"polygons": [{"rings": []}]})"),
+  EXPECT_EQ(message_of(R"({"polygons": [{"rings": []}]})"),
             "deck.json: polygons[0]: the key \"material\" is missing");
-  EXPECT_EQ(message("{}"), "deck.json: found no \"points\", \"segments\" or \"polygons\"");
-  EXPECT_EQ(message("[]"), "deck.json: expected an object, found an array");
-  EXPECT_EQ(message(R"({"points": [], "points": []})"),
+  EXPECT_EQ(message_of("{}"), "deck.json: found no \"points\", \"segments\" or \"polygons\"");
+  EXPECT_EQ(message_of("[]"), "deck.json: expected an object, found an array");
+  EXPECT_EQ(message_of(R"({"points": [], "points": []})"),
             "deck.json: the key \"points\" is given twice in one object");
-  EXPECT_EQ(message(R"({"points": [], "unit": "inch"})"),
+  EXPECT_EQ(message_of(R"({"points": [], "unit": "inch"})"),
             "deck.json: unit: expected a unit of length: nm, um, mm, cm or m");
 }
 
@@ -230,21 +230,21 @@ TEST(ReadJson, PolygonsHaveSizes) {
   ASSERT_TRUE(input) << input.error().message;
   EXPECT_EQ(input->polygons[0].size, 0.5);
   EXPECT_FALSE(input->polygons[1].size);
-  EXPECT_EQ(message(R"({"polygons": [{"material": "a", "size": 0, "rings": []}]})"),
+  EXPECT_EQ(message_of(R"({"polygons": [{"material": "a", "size": 0, "rings": []}]})"),
             "deck.json: polygons[0].size: expected a number above zero, found 0");
 }
 
 TEST(ReadJson, SaysLineAndColumnOfBrokenSyntax) {
-  const std::string text = message("{\"points\": [[0, 0],\n  [1, ]]}");
+  const std::string text = message_of("{\"points\": [[0, 0],\n  [1, ]]}");
   EXPECT_NE(text.find("line 2, column 7"), std::string::npos) << text;
-  EXPECT_NE(message("{\"points\": [[1e999, 0]]}").find("number overflow"), std::string::npos);
-  message("");
-  message("{\"points\": [[NaN, 0]]}");
+  EXPECT_NE(message_of("{\"points\": [[1e999, 0]]}").find("number overflow"), std::string::npos);
+  message_of("");
+  message_of("{\"points\": [[NaN, 0]]}");
 }
 
 TEST(ReadJson, RefusesImpossibleCurves) {
   const auto ring = [](const std::string& item) {
-    return message(R"({"polygons": [{"material": "a", "rings": [[)" + item + "]]}]}");
+    return message_of(R"({"polygons": [{"material": "a", "rings": [[)" + item + "]]}]}");
   };
   EXPECT_EQ(
       ring(R"({"circle": {"centre": [0, 0], "radius": 0, "chords": 8}})"),
@@ -258,7 +258,7 @@ TEST(ReadJson, RefusesImpossibleCurves) {
   EXPECT_NE(ring(R"({"circle": {"centre": [0, 0], "radius": 1, "chord_error": 1e-18}})")
                 .find("more than 4194304 points"),
             std::string::npos);
-  EXPECT_NE(message(R"({"points": [[1, 0], [3, 0]], "segments": [{"points": [0, 1],
+  EXPECT_NE(message_of(R"({"points": [[1, 0], [3, 0]], "segments": [{"points": [0, 1],
                         "arc": {"centre": [0, 0], "chords": 3}}]})")
                 .find("are not equally far from the centre"),
             std::string::npos);
@@ -270,13 +270,13 @@ TEST(ReadJson, LimitsTheCurvePointsOfAFileAsAWhole) {
     text +=
         std::string(k ? "," : "") +
         R"({"material": "a", "rings": [[{"circle": {"centre": [0, 0], "radius": 1, "chords": 400000}}]]})";
-  EXPECT_NE(message(text + "]}").find("more than 4194304 points"), std::string::npos);
+  EXPECT_NE(message_of(text + "]}").find("more than 4194304 points"), std::string::npos);
 }
 
 TEST(ReadJson, SurvivesDeepNesting) {
   const std::string open(200000, '['), close(200000, ']');
-  EXPECT_NE(message("{\"points\": [" + open + close + "]}"), "");
-  EXPECT_NE(message(open), "");
+  EXPECT_NE(message_of("{\"points\": [" + open + close + "]}"), "");
+  EXPECT_NE(message_of(open), "");
 }
 
 TEST(ReadJson, ReadsEveryCaseThatIsThere) {

@@ -15,7 +15,7 @@ namespace {
 using testing::TemporaryFolder;
 
 /// Reads `text` as the file in.poly.
-Result<Input> read(std::string_view text) {
+Result<Input> read_poly_files(std::string_view text) {
   const TemporaryFolder folder;
   return read_input(folder.write("in.poly", text));
 }
@@ -30,7 +30,7 @@ struct Refusal {
 void PrintTo(const Refusal& r, std::ostream* out) { *out << r.what; }
 
 TEST(ReadPoly, ReadsEverySection) {
-  const auto input = read(
+  const auto input = read_poly_files(
       "# a square with a hole\n"
       "4 2 1 1   # points\n"
       "10  0 0  0.5  3\n"
@@ -70,7 +70,7 @@ TEST(ReadPoly, ReadsEverySection) {
 }
 
 TEST(ReadPoly, NeedsNoMarkersAttributesOrRegions) {
-  const auto input = read("3\n0 0 0\n1 1 0\n2 0 1\n1\n0 0 2\n0\n");
+  const auto input = read_poly_files("3\n0 0 0\n1 1 0\n2 0 1\n1\n0 0 2\n0\n");
   ASSERT_TRUE(input) << input.error().message;
   EXPECT_EQ(input->points.size(), 3U);
   EXPECT_TRUE(input->point_markers.empty());
@@ -79,14 +79,14 @@ TEST(ReadPoly, NeedsNoMarkersAttributesOrRegions) {
 }
 
 TEST(ReadPoly, TakesCommasBeforeBlanksAsBlanks) {
-  const auto input = read("3, 2\n0, 0, 0\n1 , 1, 0.5\n2 0, 1\n1\n0 0, 2,\n0\n");
+  const auto input = read_poly_files("3, 2\n0, 0, 0\n1 , 1, 0.5\n2 0, 1\n1\n0 0, 2,\n0\n");
   ASSERT_TRUE(input) << input.error().message;
   EXPECT_EQ(input->points, (std::vector<Point>{{0, 0}, {1, 0.5}, {0, 1}}));
   EXPECT_TRUE(input->warnings.empty());
 }
 
 TEST(ReadPoly, TellsWhatItLeavesOut) {
-  const auto input = read("3 2 0 0\n0 0 0 7\n1 1 0\n2 0 1 8 9\n1 1\n0 0 2 5\n0\n");
+  const auto input = read_poly_files("3 2 0 0\n0 0 0 7\n1 1 0\n2 0 1 8 9\n1 1\n0 0 2 5\n0\n");
   ASSERT_TRUE(input) << input.error().message;
   EXPECT_EQ(input->segments[0].marker, 5);
   ASSERT_EQ(input->warnings.size(), 1U);
@@ -107,7 +107,7 @@ TEST(ReadPoly, TakesPointsFromTheNodeFile) {
 }
 
 TEST(ReadPoly, NamesTheNodeFileThatIsMissing) {
-  const auto input = read("0 2 0 0\n1 0\n1 2 3\n0\n");
+  const auto input = read_poly_files("0 2 0 0\n1 0\n1 2 3\n0\n");
   ASSERT_FALSE(input);
   EXPECT_EQ(input.error().code, ErrorCode::cannot_open);
   EXPECT_NE(input.error().message.find("in.node: No such file or directory"), std::string::npos);
@@ -203,7 +203,7 @@ TEST(ReadInput, NamesTheFormatsItKnows) {
 class ReadPolyRefuses : public ::testing::TestWithParam<Refusal> {};
 
 TEST_P(ReadPolyRefuses, WithFileAndLine) {
-  const auto input = read(GetParam().text);
+  const auto input = read_poly_files(GetParam().text);
   ASSERT_FALSE(input);
   EXPECT_EQ(input.error().code, GetParam().code);
   const std::string& message = input.error().message;

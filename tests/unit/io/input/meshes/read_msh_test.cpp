@@ -118,13 +118,13 @@ TEST_P(ReadMsh, TakesTheBordersOfPhysicalGroups) {
 INSTANTIATE_TEST_SUITE_P(Versions, ReadMsh, ::testing::Values(kMesh22, kMesh41),
                          [](const auto& sample) { return sample.index == 0 ? "msh22" : "msh41"; });
 
-std::string message(std::string text) {
+std::string msh_message(std::string text) {
   const Result<Input> input = parse_msh(text, "dev.msh");
   EXPECT_FALSE(input.has_value());
   return input ? "" : input.error().message;
 }
 
-std::string replaced(std::string_view from, std::string_view to) {
+std::string with_replaced(std::string_view from, std::string_view to) {
   std::string text(kMesh22);
   const auto at = text.find(from);
   EXPECT_NE(at, std::string::npos);
@@ -132,25 +132,25 @@ std::string replaced(std::string_view from, std::string_view to) {
 }
 
 TEST(ReadMshErrors, SayFileAndLine) {
-  EXPECT_EQ(message(replaced("2.2 0 8", "2.2 1 8")),
+  EXPECT_EQ(msh_message(with_replaced("2.2 0 8", "2.2 1 8")),
             "dev.msh:2: a binary .msh with another order of bytes than this machine's");
-  EXPECT_EQ(message(replaced("2.2 0 8", "2.2 7 8")),
+  EXPECT_EQ(msh_message(with_replaced("2.2 0 8", "2.2 7 8")),
             "dev.msh:2: the file type is 7; 0 is text, 1 binary");
-  EXPECT_EQ(message(replaced("2.2 0 8", "4 0 8")),
+  EXPECT_EQ(msh_message(with_replaced("2.2 0 8", "4 0 8")),
             "dev.msh:2: version 4 of .msh; versions 2.2 and 4.1 are read (gmsh -format msh22 or "
             "msh41)");
-  EXPECT_EQ(message(replaced("6 2 1 3\n7", "6 2 one 3\n7")),
+  EXPECT_EQ(msh_message(with_replaced("6 2 1 3\n7", "6 2 one 3\n7")),
             "dev.msh:20: expected a coordinate, found 'one'");
-  EXPECT_EQ(message(replaced("1 2 5\n5", "1 2 99\n5")),
+  EXPECT_EQ(msh_message(with_replaced("1 2 5\n5", "1 2 99\n5")),
             "dev.msh:28: element 4 has the node 99, which is not given");
-  EXPECT_EQ(message(replaced("4 2 2 1 1", "4 4 2 1 1")),
+  EXPECT_EQ(msh_message(with_replaced("4 2 2 1 1", "4 4 2 1 1")),
             "dev.msh:28: elements of type 4; points, lines, triangles and quadrangles of a plane "
             "mesh are read");
-  EXPECT_EQ(message(replaced("7 9 9 0", "6 9 9 0")), "dev.msh:21: node 6 is given twice");
-  EXPECT_EQ(message("$NOD"), "dev.msh:1: expected $MeshFormat, found '$NOD'");
-  EXPECT_NE(message(replaced("6 2 1 3", "6 2 1 4")).find("not in a plane z = constant"),
+  EXPECT_EQ(msh_message(with_replaced("7 9 9 0", "6 9 9 0")), "dev.msh:21: node 6 is given twice");
+  EXPECT_EQ(msh_message("$NOD"), "dev.msh:1: expected $MeshFormat, found '$NOD'");
+  EXPECT_NE(msh_message(with_replaced("6 2 1 3", "6 2 1 4")).find("not in a plane z = constant"),
             std::string::npos);
-  EXPECT_NE(message(std::string(kMesh22.substr(0, 300))), "");
+  EXPECT_NE(msh_message(std::string(kMesh22.substr(0, 300))), "");
 }
 
 /// A file as gmsh writes it with Mesh.Binary = 1.

@@ -36,13 +36,13 @@ std::string scalars(std::string_view name, std::string_view values) {
   return fmt::format("SCALARS {} double 1\nLOOKUP_TABLE default\n{}\n", name, values);
 }
 
-Result<SizeSamples> read(const std::string& name, const std::string& text) {
+Result<SizeSamples> read_sizes(const std::string& name, const std::string& text) {
   const TemporaryFolder folder;
   return read_size_field(folder.write(name, text));
 }
 
 TEST(ReadSizeField, TheOnlyArrayOfAnyName) {
-  const auto field = read("h.vtk", legacy(scalars("spacing", "1 2 3 4 5")));
+  const auto field = read_sizes("h.vtk", legacy(scalars("spacing", "1 2 3 4 5")));
   ASSERT_TRUE(field) << field.error().message;
   EXPECT_EQ(field->points.size(), 5U);
   EXPECT_EQ(field->points[4], (Point{2, 0}));
@@ -54,17 +54,17 @@ TEST(ReadSizeField, TheOnlyArrayOfAnyName) {
 
 TEST(ReadSizeField, ByNameAmongSeveral) {
   const std::string several = scalars("u", "9 9 9 9 9") + scalars("h", "1 2 3 4 5");
-  const auto field = read("h.vtk", legacy(several));
+  const auto field = read_sizes("h.vtk", legacy(several));
   ASSERT_TRUE(field) << field.error().message;
   EXPECT_EQ(field->sizes[1], 2);
   const auto error =
-      read("h.vtk", legacy(scalars("u", "9 9 9 9 9") + scalars("v", "1 2 3 4 5"))).error();
+      read_sizes("h.vtk", legacy(scalars("u", "9 9 9 9 9") + scalars("v", "1 2 3 4 5"))).error();
   EXPECT_EQ(error.code, ErrorCode::syntax);
   EXPECT_NE(error.message.find("u, v"), std::string::npos) << error.message;
 }
 
 TEST(ReadSizeField, Images) {
-  const auto field = read("h.vtk", R"(# vtk DataFile Version 3.0
+  const auto field = read_sizes("h.vtk", R"(# vtk DataFile Version 3.0
 image
 ASCII
 DATASET STRUCTURED_POINTS
@@ -82,15 +82,16 @@ LOOKUP_TABLE default
 }
 
 TEST(ReadSizeField, WhatIsNone) {
-  EXPECT_EQ(read("h.vtk", legacy("VECTORS v double\n1 0 0 1 0 0 1 0 0 1 0 0 1 0 0\n")).error().code,
-            ErrorCode::syntax);
-  EXPECT_EQ(read("h.vtk", "rubbish").error().code, ErrorCode::syntax);
-  EXPECT_EQ(read("h.txt", "1,2").error().code, ErrorCode::unsupported_format);
+  EXPECT_EQ(
+      read_sizes("h.vtk", legacy("VECTORS v double\n1 0 0 1 0 0 1 0 0 1 0 0 1 0 0\n")).error().code,
+      ErrorCode::syntax);
+  EXPECT_EQ(read_sizes("h.vtk", "rubbish").error().code, ErrorCode::syntax);
+  EXPECT_EQ(read_sizes("h.txt", "1,2").error().code, ErrorCode::unsupported_format);
   EXPECT_EQ(read_size_field("none.vtu").error().code, ErrorCode::cannot_open);
 }
 
 TEST(ReadSizeField, TablesOfPoints) {
-  const auto field = read("h.CSV", "# x y h\n0,0,1\n1, 0, 2\n\n0 1 3\n1,1,4\n1,1,4\n");
+  const auto field = read_sizes("h.CSV", "# x y h\n0,0,1\n1, 0, 2\n\n0 1 3\n1,1,4\n1,1,4\n");
   ASSERT_TRUE(field) << field.error().message;
   EXPECT_EQ(field->points.size(), 4U);
   EXPECT_EQ(field->triangles.size(), 2U);
@@ -98,7 +99,7 @@ TEST(ReadSizeField, TablesOfPoints) {
   EXPECT_DOUBLE_EQ(size({0.25, 0.5}), 1 + 0.25 + 2 * 0.5);
   EXPECT_DOUBLE_EQ(size({3, 1}), 4);  // nearest
   EXPECT_DOUBLE_EQ(size({0.5, -9}), 1.5);
-  const auto named = read("h.csv", "\"h\",other,y,x\n5,9,1,0\n6,9,1,1\n");
+  const auto named = read_sizes("h.csv", "\"h\",other,y,x\n5,9,1,0\n6,9,1,1\n");
   ASSERT_TRUE(named) << named.error().message;
   EXPECT_EQ(named->points, (std::vector<Point>{{0, 1}, {1, 1}}));
   EXPECT_EQ(named->sizes, (std::vector<double>{5, 6}));
@@ -107,7 +108,7 @@ TEST(ReadSizeField, TablesOfPoints) {
 
 TEST(ReadSizeField, TablesThatAreNone) {
   const auto refusal = [](const std::string& text) {
-    const auto field = read("h.csv", text);
+    const auto field = read_sizes("h.csv", text);
     EXPECT_FALSE(field) << text;
     const std::string message = field ? "" : field.error().message;
     return message.substr(message.find("h.csv") + 5);

@@ -91,7 +91,7 @@ TEST(ReadVtkInputLines, KeepTheirNumber) {
   EXPECT_EQ(named, 1);
 }
 
-std::string message(const std::string& name, std::string_view text) {
+std::string vtk_message(const std::string& name, std::string_view text) {
   const TemporaryFolder folder;
   const Result<Input> input = read_vtk_input(folder.write(name, text));
   EXPECT_FALSE(input.has_value());
@@ -137,20 +137,20 @@ TEST(ReadVtkInputFiles, ThatAreCutOffSaySo) {
 TEST(ReadVtkInputErrors, NameTheFile) {
   const std::string no_integers =
       replaced(replaced(kPolyData, "Int32", "Float64"), "3 7<", "3.5 7<");
-  EXPECT_EQ(message("a.vtp", no_integers),
+  EXPECT_EQ(vtk_message("a.vtp", no_integers),
             "a.vtp: no cell array of whole numbers called material (or MaterialID, mat_id, ...); "
             "the cell arrays are phase (no whole numbers), stress (no whole numbers)");
   const std::string two =
       replaced(replaced(kGrid, "RegionId", "colour"), "\"material\"", "\"kind\"");
-  EXPECT_EQ(message("a.vtu", two),
+  EXPECT_EQ(vtk_message("a.vtu", two),
             "a.vtu: no cell array of whole numbers called material (or MaterialID, mat_id, ...); "
             "the cell arrays are colour, kind");
-  EXPECT_EQ(message("a.vtu", "no XML"), "a.vtu:1: no valid XML: syntax error");
-  EXPECT_EQ(message("a.vtk", "no VTK"),
+  EXPECT_EQ(vtk_message("a.vtu", "no XML"), "a.vtu:1: no valid XML: syntax error");
+  EXPECT_EQ(vtk_message("a.vtk", "no VTK"),
             "a.vtk:1: no file of VTK: it does not begin with '# vtk DataFile Version'");
-  EXPECT_EQ(message("a.vtu", replaced(kGrid, "2 1 5<", "2 1 6<")),
+  EXPECT_EQ(vtk_message("a.vtu", replaced(kGrid, "2 1 5<", "2 1 6<")),
             "a.vtu: the mesh is not in a plane z = constant: point 0 has z = 5, point 5 6");
-  EXPECT_EQ(message("a.vtu", replaced(kGrid, "8 9<", "8 10<")),
+  EXPECT_EQ(vtk_message("a.vtu", replaced(kGrid, "8 9<", "8 10<")),
             "a.vtu: cell 1 is of VTK's type 10; plane meshes of triangles, quadrangles and "
             "polygons are read");
   EXPECT_FALSE(read_vtk_input("nowhere.vtu").has_value());

@@ -31,7 +31,7 @@ std::vector<std::string> split(const std::string& line) {
   return fields;
 }
 
-Deck parse(const std::string& path) {
+Deck parse_inp_text(const std::string& path) {
   Deck deck;
   std::istringstream text(testing::content(path));
   std::map<long, WrittenCell> elements;
@@ -70,7 +70,7 @@ class WriteInp : public ::testing::Test {
   Deck written(const WriteOptions& options) {
     const Status status = write_inp(output_, path_, options);
     EXPECT_TRUE(status) << status.error().message;
-    return parse(path_);
+    return parse_inp_text(path_);
   }
 
   testing::TemporaryFolder folder_;

@@ -23,7 +23,7 @@ std::vector<WrittenCell> cells(testing::Words& words, const std::string& keyword
   return cells;
 }
 
-WrittenMesh parse(const std::string& path, bool second_order) {
+WrittenMesh parse_medit_text(const std::string& path, bool second_order) {
   testing::Words words(testing::content(path));
   for (const char* word : {"MeshVersionFormatted", "2", "Dimension", "2", "Vertices"})
     words.expect(word);
@@ -48,7 +48,7 @@ TEST(WriteMedit, HoldsEverything) {
     WriteOptions options;
     options.order = order;
     ASSERT_TRUE(write_medit(output, path, options));
-    WrittenMesh file = parse(path, order == 2);
+    WrittenMesh file = parse_medit_text(path, order == 2);
     testing::expect_same_triangles(output, file, order);
     testing::expect_materials(output, file);
     testing::expect_same_lines(output, file);

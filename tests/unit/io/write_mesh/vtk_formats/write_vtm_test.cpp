@@ -30,7 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Output checker_output() {
+Output output_with_blocks() {
   Result<Output> output = cover_mesh(testing::checker(3, 4, 5));
   EXPECT_TRUE(output) << output.error().message;
   return std::move(output).value();
@@ -50,7 +50,7 @@ std::map<std::string, vtkSmartPointer<vtkUnstructuredGrid>> blocks_of(vtkMultiBl
 
 TEST(WriteVtm, NamedBlocksForRegionsAndInterfaces) {
   const testing::TemporaryFolder folder;
-  Output output = checker_output();
+  Output output = output_with_blocks();
   output.table.regions[3].name = "a/b";
   for (Region& region : output.table.regions)  // two materials, one name
     if (region.id.value() > 4) region.name = "Si";
@@ -172,42 +172,42 @@ TEST(WriteVtm, ReplacesItsOwnPiecesOnly) {
       "checker/checker_7.vtu", "checker/checker_8_0123456789abcdeg.vtu"};
   fs::create_directories(pieces / "deep");
   for (const std::string& name : foreign) (void)folder.write(name, name);
-  ASSERT_TRUE(write_vtm(checker_output(), path));
+  ASSERT_TRUE(write_vtm(output_with_blocks(), path));
   const auto first = contents(folder.path());
   // What a killed run leaves behind, and a piece of a .vtm that VTK wrote.
   (void)folder.write("checker/checker_99_0123456789abcdef.vtu", "");
   (void)folder.write("checker/.checker.3.tmp", "");
   (void)folder.write(".checker.vtm.0.tmp", "");
-  ASSERT_TRUE(write_vtm(checker_output(), path));
+  ASSERT_TRUE(write_vtm(output_with_blocks(), path));
   EXPECT_EQ(contents(folder.path()), first) << "same bytes, same names, nothing else";
   (void)folder.write("checker.vtm", "<DataSet index=\"0\" file=\"checker/checker_99.vtu\"/>");
   (void)folder.write("checker/checker_99.vtu", "");
-  ASSERT_TRUE(write_vtm(checker_output(), path));
+  ASSERT_TRUE(write_vtm(output_with_blocks(), path));
   EXPECT_EQ(contents(folder.path()), first);
-  Output other = checker_output();
+  Output other = output_with_blocks();
   other.table.regions[3].material = 77;
   ASSERT_TRUE(write_vtm(other, path));
   const auto second = contents(folder.path());
   EXPECT_NE(second, first);
   for (const std::string& name : foreign) EXPECT_EQ(second.at(name), name);
-  ASSERT_TRUE(write_vtm(checker_output(), path));
+  ASSERT_TRUE(write_vtm(output_with_blocks(), path));
   EXPECT_EQ(contents(folder.path()), first);
 }
 
 TEST(WriteVtm, MendsADamagedPiece) {
   const testing::TemporaryFolder folder;
   const fs::path path = folder.path() / "checker.vtm";
-  ASSERT_TRUE(write_vtm(checker_output(), path));
+  ASSERT_TRUE(write_vtm(output_with_blocks(), path));
   const auto whole = contents(folder.path());
   for (const auto& entry : fs::directory_iterator(folder.path() / "checker"))
     fs::resize_file(entry.path(), 10);
-  ASSERT_TRUE(write_vtm(checker_output(), path));
+  ASSERT_TRUE(write_vtm(output_with_blocks(), path));
   EXPECT_EQ(contents(folder.path()), whole);
 }
 
 TEST(WriteVtm, LosesNothingWhereItFails) {
   const testing::TemporaryFolder folder;
-  const Output output = checker_output();
+  const Output output = output_with_blocks();
   const fs::path path = folder.path() / "checker.vtm";
   // A folder under the name of the file.
   fs::create_directories(path / "in the way");
@@ -231,13 +231,13 @@ TEST(WriteVtm, HeedsAStop) {
   std::stop_source source;
   source.request_stop();
   stopped.stop = source.get_token();
-  Status status = write_vtm(checker_output(), path, stopped);
+  Status status = write_vtm(output_with_blocks(), path, stopped);
   ASSERT_FALSE(status);
   EXPECT_EQ(status.error().code, ErrorCode::cancelled);
   EXPECT_TRUE(fs::is_empty(folder.path()));
-  ASSERT_TRUE(write_vtm(checker_output(), path));
+  ASSERT_TRUE(write_vtm(output_with_blocks(), path));
   const auto before = contents(folder.path());
-  Output other = checker_output();
+  Output other = output_with_blocks();
   other.table.regions[3].material = 77;
   status = write_vtm(other, path, stopped);
   ASSERT_FALSE(status);
@@ -251,7 +251,7 @@ TEST(WriteVtm, KeepsPermissionsAndLinks) {
   fs::create_symlink("real/checker.vtm", link);
   (void)folder.write("real/checker.vtm", "");
   fs::permissions(path, fs::perms(0600));
-  ASSERT_TRUE(write_vtm(checker_output(), link));
+  ASSERT_TRUE(write_vtm(output_with_blocks(), link));
   EXPECT_TRUE(fs::is_symlink(link));
   for (const auto& entry : fs::recursive_directory_iterator(folder.path() / "real")) {
     EXPECT_EQ(entry.status().permissions(), fs::perms(entry.is_directory() ? 0700 : 0600))
@@ -259,12 +259,12 @@ TEST(WriteVtm, KeepsPermissionsAndLinks) {
   }
   const Result<Output> read = read_output(link);
   ASSERT_TRUE(read) << read.error().message;
-  EXPECT_EQ(read->mesh.tri().n_faces(), checker_output().mesh.tri().n_faces());
+  EXPECT_EQ(read->mesh.tri().n_faces(), output_with_blocks().mesh.tri().n_faces());
 }
 
 TEST(WriteVtm, LinesHaveTheirLeftRegionOnTheLeft) {
   const testing::TemporaryFolder folder;
-  const Output output = checker_output();
+  const Output output = output_with_blocks();
   const fs::path path = folder.path() / "checker.vtm";
   ASSERT_TRUE(write_vtm(output, path));
   vtkNew<vtkXMLMultiBlockDataReader> reader;
