@@ -26,10 +26,14 @@ namespace {
 
 constexpr std::uint64_t kPlacesForOne = 20'000;  ///< tried for an obtuse triangle
 constexpr std::uint64_t kMostPlaces = 3'000'000;
+constexpr std::size_t kCorners = 4;  ///< of a cleft: half of all points at least, or few help
 
-bool has_obtuse(const std::vector<RegionMesh>& meshes) {
-  return std::any_of(meshes.begin(), meshes.end(),
-                     [](const RegionMesh& mesh) { return mesh.report.quality.obtuse > 0; });
+/// Whether so many triangles are obtuse that halving segments was in vain. A few are mended where
+/// they are, with fewer vertices.
+bool misses_nearly_everywhere(const Work& work) {
+  std::size_t obtuse = 0;
+  for (const RegionMesh& mesh : work.meshes) obtuse += mesh.report.quality.obtuse;
+  return 2 * obtuse > work.report.uncut_points;
 }
 
 /// Cuts segments and meshes regions as it is done without clefts.
@@ -107,14 +111,14 @@ bool take(OpenedClefts opened, const Options& options, Work& whole) {
 Status mesh_with_closed_clefts(Work& work, const Options& options, const Callbacks& callbacks) {
   // What is cut for boxes is told cut by cut, and stays.
   if (options.box_method || !wants_thinning(work, work.boundaries, options) ||
-      !has_obtuse(work.meshes))
+      !misses_nearly_everywhere(work))
     return ok();
   return errors_as_values("close clefts", [&]() -> Status {
     Work whole = work;
     unite_pieces(whole.pslg, whole.table, work.report.uncut_points);
     std::vector<Cleft> clefts =
         find_clefts(whole.pslg, whole.table, split_regions(whole.pslg, whole.table));
-    if (clefts.empty()) return ok();
+    if (2 * kCorners * clefts.size() < work.report.uncut_points) return ok();
     std::optional<ClosedClefts> closed = close_clefts(whole, std::move(clefts));
     if (!closed) return ok();
     if (Status status = mesh_closed(closed->work, options, callbacks.stop); !status) return status;

@@ -9,7 +9,8 @@
 
 namespace cover {
 
-/// Where triangles are obtuse and regions have clefts, these are closed to lines, what is left is
+/// Where many triangles are obtuse, one for every other point of the input or more, and half of these
+/// points are corners of clefts, these are closed to lines, what is left is
 /// meshed and cut until it meets its target, and the clefts are opened again. Few triangles are
 /// obtuse then, by little, which thin_cuts() mends; its note tells what was cut.
 ///

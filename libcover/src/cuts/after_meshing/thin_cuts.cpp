@@ -38,7 +38,7 @@ struct Last {
   std::uint64_t times;  ///< as many places for each
   std::size_t most;     ///< if so many are left
 };
-constexpr std::array kLast{Last{0.2, 1, kNone}, Last{0, 1, kNone}, Last{0, 10, 6}};
+constexpr std::array kLast{Last{0.2, 1, kNone}, Last{0, 1, kNone}, Last{0, 10, 6}, Last{0, 50, 3}};
 
 ThinEffort effort_of(Effort effort, std::size_t vertices) {
   switch (effort) {
