@@ -9,10 +9,10 @@
 
 namespace cover {
 
-/// Where many triangles are obtuse, one for every other point of the input or more, and half of these
-/// points are corners of clefts, these are closed to lines, what is left is
-/// meshed and cut until it meets its target, and the clefts are opened again. Few triangles are
-/// obtuse then, by little, which thin_cuts() mends; its note tells what was cut.
+/// Where one triangle is obtuse for every other point of the input, or more, and half of these
+/// points are corners of clefts, the clefts are closed to lines, what is left is meshed and cut
+/// until it meets its target, and they are opened again. Few triangles are obtuse then, by little,
+/// which thin_cuts() mends; its note tells what was cut.
 ///
 /// ENSURES: without clefts, or where that cannot be, `work` is as it was
 /// Errors:  those of meshing

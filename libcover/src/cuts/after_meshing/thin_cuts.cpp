@@ -231,10 +231,11 @@ struct Attempt {
 /// triangle is bad.
 std::vector<Attempt> attempts_from(Effort effort) {
   constexpr std::array kEfforts{Effort::thorough, Effort::normal, Effort::fast};
-  std::vector<Attempt> attempts{{effort, false}, {effort, true}};
+  std::vector<Attempt> attempts{{effort, false}};
   for (const auto* less = std::find(kEfforts.begin(), kEfforts.end(), effort) + 1;
        less < kEfforts.end(); ++less)
     attempts.push_back({*less, false});
+  attempts.push_back({effort, true});
   return attempts;
 }
 
