@@ -136,7 +136,7 @@ void tell(const Pslg& pslg, std::size_t first, std::size_t before, std::size_t a
 /// What came of taking vertices away.
 struct ThinTrial {
   std::size_t before = 0, after = 0;  ///< new vertices
-  std::size_t bad = 0;                ///< triangles
+  std::size_t bad = 0;                ///< obtuse triangles, once all is judged
   bool is_better = false;             ///< fewer obtuse triangles or vertices, before all is judged
   std::optional<Work> work;           ///< nothing: not what was asked for,
   std::string fault;                  ///< for this reason, where it is better
@@ -181,7 +181,6 @@ class Thinning {
       result = mending.result(result);
     }
     trial.after = result.points.size() - first;
-    trial.bad = thinned.bad;
     trial.is_better =
         thinned.bad < bad_before || (thinned.bad == bad_before && trial.after < trial.before);
     if (stop.stop_requested() || !trial.is_better) return trial;
@@ -211,6 +210,7 @@ class Thinning {
     } else if (loses_a_bound(work_.meshes, thin.meshes)) {
       trial.fault = "a region would lose its bound";
     } else {
+      trial.bad = left;
       trial.work = std::move(thin);
     }
   }
@@ -231,11 +231,10 @@ struct Attempt {
 /// triangle is bad.
 std::vector<Attempt> attempts_from(Effort effort) {
   constexpr std::array kEfforts{Effort::thorough, Effort::normal, Effort::fast};
-  std::vector<Attempt> attempts{{effort, false}};
+  std::vector<Attempt> attempts{{effort, false}, {effort, true}};
   for (const auto* less = std::find(kEfforts.begin(), kEfforts.end(), effort) + 1;
        less < kEfforts.end(); ++less)
     attempts.push_back({*less, false});
-  attempts.push_back({effort, true});
   return attempts;
 }
 
