@@ -56,7 +56,7 @@ TEST(Meet, ACommonEndGivesTheOtherPointWithoutASquareRoot) {
 
 TEST(Meet, ACommonVertexWhoseRatioHasNoDigitsLeftDoesNotLead) {
   // It is two units in the last place above the start of `a`: its ratio is wrong by a factor.
-  const Almond a = almond_of({0, 1}, {0.9, 1.3}, kPi / 3);
+  const Almond a = almond_of({0, 1}, {0.9, 1.3}, std::numbers::pi / 3);
   const Almond b = almond_of({2, 10}, {0, 1.0000000000000004}, 0);
   for (const double ratio : {1e-17, 2e-16, 5e-16, 1e-15}) {
     const std::vector<KnownVertex> known_a{{0, 0}, {1, kInfinity}, {3, ratio}};

@@ -29,8 +29,8 @@ bool grow_towards(Cavity& cavity, Point p, const Hole& hole) {
 /// Grows the cavity until it is that of `p` in a Delaunay triangulation, which is all that a star
 /// may replace where no coupling may become negative.
 ///
-/// ENSURES: false if `p` would make the coupling of a side negative, or more triangles are in its way
-///          than a star can replace well
+/// ENSURES: false if `p` would make the coupling of a side negative, or if more triangles are in
+///          its way than a star can replace well
 bool grow_to_delaunay(const MutableMesh& mesh, Cavity& cavity, Point p) {
   for (int k = 0; k < cavity.size();) {
     const std::uint32_t end = cavity.vertex(cavity.next(k)), beyond = cavity.outer(k);

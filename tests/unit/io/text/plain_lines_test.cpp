@@ -15,7 +15,7 @@ namespace {
 
 using Pair = std::pair<long, double>;
 
-bool read_pair(PlainLine& line, std::vector<Pair>& items) {
+bool read_long_and_double(PlainLine& line, std::vector<Pair>& items) {
   Pair pair;
   if (!line.integer(pair.first) || !line.real(pair.second)) return false;
   items.push_back(pair);
@@ -23,7 +23,8 @@ bool read_pair(PlainLine& line, std::vector<Pair>& items) {
 }
 
 TEST(PlainLines, PassesBlanksAndEmptyLines) {
-  const auto read = read_plain_lines<Pair>("1 2\n\n \t 3   4e1 \r\n  \n5 6", 10, read_pair);
+  const auto read =
+      read_plain_lines<Pair>("1 2\n\n \t 3   4e1 \r\n  \n5 6", 10, read_long_and_double);
   EXPECT_EQ(read.items, (std::vector<Pair>{{1, 2}, {3, 40}, {5, 6}}));
   EXPECT_EQ(read.lines, (std::vector<int>{1, 3, 5}));
   EXPECT_EQ(read.line_count, 5);
@@ -35,7 +36,7 @@ TEST(PlainLines, EndsBeforeWhatIsNotPlain) {
        {"3 4 5", "3", "3 4 # here", "3, 4", "+3 4", "3 +4", "3.5 4", "3 inf", "3 nan", "3 1e999",
         "3 4x", "# 3 4", "99999999999999999999 1", "3 0x1"}) {
     const std::string text = std::string("1 2\n") + line + "\n5 6\n";
-    const auto read = read_plain_lines<Pair>(text, 10, read_pair);
+    const auto read = read_plain_lines<Pair>(text, 10, read_long_and_double);
     EXPECT_EQ(read.items, (std::vector<Pair>{{1, 2}})) << line;
     EXPECT_EQ(text.substr(read.bytes), line + std::string("\n5 6\n"));
     EXPECT_EQ(read.line_count, 1) << line;
@@ -44,11 +45,11 @@ TEST(PlainLines, EndsBeforeWhatIsNotPlain) {
 }
 
 TEST(PlainLines, EndsWhenThereAreEnough) {
-  const auto read = read_plain_lines<Pair>("1 2\n3 4\nx", 2, read_pair);
+  const auto read = read_plain_lines<Pair>("1 2\n3 4\nx", 2, read_long_and_double);
   EXPECT_EQ(read.items.size(), 2U);
   EXPECT_EQ(read.bytes, 8U);
   EXPECT_FALSE(read.is_all);
-  EXPECT_EQ(read_plain_lines<Pair>("x", 0, read_pair).items.size(), 0U);
+  EXPECT_EQ(read_plain_lines<Pair>("x", 0, read_long_and_double).items.size(), 0U);
 }
 
 /// Ranges in their order, up to the line that is not plain, or to the last that was asked for.
@@ -62,7 +63,7 @@ TEST(PlainLines, RangesAreOneTextForAnyNumberOfThreads) {
   for (const std::size_t most : {std::size_t{1'000'000}, std::size_t{77'777}}) {
     for (const unsigned workers : {1U, 2U, 3U, 7U}) {
       with_team(workers, [&](const Team& team) {
-        const auto parts = read_plain_ranges<Pair>(text, most, 32, read_pair, team);
+        const auto parts = read_plain_ranges<Pair>(text, most, 32, read_long_and_double, team);
         EXPECT_GT(parts.size(), 3U);
         std::size_t bytes = 0;
         int next = 0, lines = 0;

@@ -115,7 +115,7 @@ TEST(ReadPoly, NamesTheNodeFileThatIsMissing) {
 }
 
 /// What is wrong, or else what was read.
-std::string told(std::string_view text, unsigned threads) {
+std::string told_of_poly(std::string_view text, unsigned threads) {
   ReadOptions options;
   options.threads = threads;
   const Result<Input> input = parse_input(text, ".poly", "in.poly", options);
@@ -176,10 +176,11 @@ TEST(ReadPoly, ReadsTheSameByAnyNumberOfThreads) {
   }};
   for (const auto& [point, segment] : edits) {
     const std::string text = large_file(point, segment);
-    const std::string expected = told(with_comments(text), 1);
+    const std::string expected = told_of_poly(with_comments(text), 1);
     for (const unsigned threads : {1U, 2U, 3U, 7U})
-      EXPECT_TRUE(told(text, threads) == expected)
-          << point << ", " << segment << ": " << told(text, threads).substr(0, 200) << "\nnot\n"
+      EXPECT_TRUE(told_of_poly(text, threads) == expected)
+          << point << ", " << segment << ": " << told_of_poly(text, threads).substr(0, 200)
+          << "\nnot\n"
           << expected.substr(0, 200);
   }
 }
@@ -188,7 +189,7 @@ TEST(ReadPoly, EndsLargeFilesWhereTheyAreCutOff) {
   const std::string text = large_file("{} 3 4 0 7", "{} 5 6 7");
   for (const std::size_t length : {text.size() / 4, text.size() / 2, text.size() - 3}) {
     const std::string cut = text.substr(0, length);
-    EXPECT_EQ(told(cut, 3), told(with_comments(cut), 1));
+    EXPECT_EQ(told_of_poly(cut, 3), told_of_poly(with_comments(cut), 1));
   }
 }
 
