@@ -68,7 +68,8 @@ bool try_restar(Piece& piece, std::uint32_t t) {
     if (i >= 0 && !cavity.grow(i)) continue;
     Point p = i < 0 ? Hole(mesh, cavity).centre() : midpoint_of_loop_edge(mesh, t, i);
     // In vain in most cases where couplings count: that must be told soon.
-    if (mesh.goal().coupling.strict && !grow_to_delaunay(mesh, cavity, p)) {
+    const CouplingGoal& coupling = mesh.goal().coupling;
+    if (coupling.strict && coupling.takes_whole_cavities && !grow_to_delaunay(mesh, cavity, p)) {
       ++piece.evaluations;
       continue;
     }

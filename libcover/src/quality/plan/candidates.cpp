@@ -41,10 +41,12 @@ std::vector<SideLimit> limits_of(const Triangulation& cdt, const AngleLimit& lim
   return limits;
 }
 
-Goal goal_of(const Options& options, const AngleLimit& limit) {
+Goal goal_of(const Options& options, const AngleLimit& limit, bool is_part) {
   Goal goal = Goal::of(options.max_angle, options.min_angle);
   if (minds_couplings(options))
-    goal.coupling = {kCouplingFirst, true, true, (1 - kSameCot) / std::tan(limit.promised_nu())};
+    // Beside layers, of 400 devices with little effort two kept negative couplings inside with it.
+    goal.coupling = {kCouplingFirst, true, true, (1 - kSameCot) / std::tan(limit.promised_nu()),
+                     !is_part};
   return goal;
 }
 
@@ -63,7 +65,7 @@ Candidates::Candidates(const RegionBoundary& boundary, const Options& options,
       cdt_(proof_->cdt()),
       limit_(angle_limit(cdt_, boundary.sides, boundary.segments, sharing.team)),
       side_limits_(limits_of(cdt_, limit_, options, sharing.team)),
-      goal_(goal_of(options, limit_)),
+      goal_(goal_of(options, limit_, boundary.is_part)),
       sizes_(boundary, cdt_, options.growth, background_in_frame()),
       given_(effort::kBudgetAtLeast + effort::kBudgetPerPoint * boundary.points.size()),
       budget_{given_, stop} {}
