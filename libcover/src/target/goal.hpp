@@ -43,7 +43,8 @@ struct CouplingGoal {
   bool strict = false;  ///< a negative one on an inner edge counts like an inverted triangle
   /// -cot of an angle. Larger ones weigh more than any coupling.
   double bound = std::numeric_limits<double>::infinity();
-  /// Where strict, a star may replace all that is in the way of its vertex.
+  /// Where strict, a star replaces all that is in the way of its vertex. (Not beside layers, whose
+  /// couplings with the rest of the region are not those of its sides.)
   bool takes_whole_cavities = true;
   bool operator==(const CouplingGoal&) const = default;
 };

@@ -102,50 +102,15 @@ std::optional<std::vector<Point>> cuts_across(const Pslg& pslg, const Cleft& cle
 class Closer {
  public:
   Closer(const Prepared& whole, std::vector<Cleft> clefts) : whole_(whole) {
-    for (Cleft& cleft : clefts) {
-      const bool is_narrow = std::all_of(cleft.end.begin(), cleft.end.end(), [&](const auto& end) {
-        return end.room > kNarrow * length(point_of(whole.pslg, end.corner[1]) -
-                                           point_of(whole.pslg, end.corner[0]));
-      });
-      (is_narrow ? closed_.clefts : wide_).push_back(cleft);
-    }
-    to_.resize(whole.pslg.points.size());
-    std::iota(to_.begin(), to_.end(), 0U);
-    std::vector<std::uint32_t> cleft_of(whole.pslg.segments.size(), kNone);
-    std::vector<bool> goes(whole.pslg.segments.size(), false);
-    for (std::uint32_t k = 0; k < closed_.clefts.size(); ++k) {
-      const Cleft& cleft = closed_.clefts[k];
-      for (const Cleft::End& end : cleft.end) {
-        to_[end.corner[1].index()] = end.corner[0].value();
-        if (end.segment) goes[end.segment->index()] = true;
-      }
-      goes[cleft.wall[1].index()] = true;
-      cleft_of[cleft.wall[0].index()] = k;
-    }
-    closed_.wall.resize(closed_.clefts.size());
-    Work& work = closed_.work;
-    work.pslg.points = whole.pslg.points;
-    work.pslg.names = whole.pslg.names;
-    work.table.regions = whole.table.regions;
-    work.table.isolated_points = whole.table.isolated_points;
-    for (std::uint32_t s = 0; s < goes.size(); ++s) {
-      if (goes[s]) continue;
-      const Segment& segment = whole.pslg.segments[s];
-      SegmentSides sides = whole.table.sides[s];
-      if (sides.left == kVoid && sides.right == kVoid) continue;
-      if (const std::uint32_t k = cleft_of[s]; k != kNone) {
-        closed_.wall[k] = static_cast<std::uint32_t>(work.pslg.segments.size());
-        const Cleft& cleft = closed_.clefts[k];
-        (segment.a == cleft.end[0].corner[0] ? sides.right : sides.left) = cleft.behind[1];
-      }
-      add(to_[segment.a.index()], to_[segment.b.index()], sides, s);
-    }
+    for (Cleft& cleft : clefts) (is_narrow(cleft) ? closed_.clefts : wide_).push_back(cleft);
+    take_over_segments();
     for (const Cleft& cleft : closed_.clefts) add_slits(cleft);
     drop_unused();
-    work.pslg.point_ids.resize(work.pslg.points.size(), -1);
-    work.pslg.point_markers.resize(work.pslg.points.size(), 0);
+    Pslg& pslg = closed_.work.pslg;
+    pslg.point_ids.resize(pslg.points.size(), -1);
+    pslg.point_markers.resize(pslg.points.size(), 0);
     cut();
-    work.report.uncut_points = work.pslg.points.size();
+    closed_.work.report.uncut_points = pslg.points.size();
   }
 
   std::optional<ClosedClefts> closed() && {
@@ -158,6 +123,49 @@ class Closer {
   }
 
  private:
+  [[nodiscard]] bool is_narrow(const Cleft& cleft) const {
+    return std::all_of(cleft.end.begin(), cleft.end.end(), [&](const Cleft::End& end) {
+      return end.room > kNarrow * length(point_of(whole_.pslg, end.corner[1]) -
+                                         point_of(whole_.pslg, end.corner[0]));
+    });
+  }
+
+  /// All segments but second walls and ends. What ended at a corner of these ends at that of the
+  /// first wall, which has behind it what was behind the second.
+  void take_over_segments() {
+    const Pslg& pslg = whole_.pslg;
+    std::vector<std::uint32_t> to(pslg.points.size());  // by point: which one it becomes
+    std::iota(to.begin(), to.end(), 0U);
+    std::vector<std::uint32_t> cleft_of(pslg.segments.size(), kNone);
+    std::vector<bool> goes(pslg.segments.size(), false);
+    for (std::uint32_t k = 0; k < closed_.clefts.size(); ++k) {
+      const Cleft& cleft = closed_.clefts[k];
+      for (const Cleft::End& end : cleft.end) {
+        to[end.corner[1].index()] = end.corner[0].value();
+        if (end.segment) goes[end.segment->index()] = true;
+      }
+      goes[cleft.wall[1].index()] = true;
+      cleft_of[cleft.wall[0].index()] = k;
+    }
+    closed_.wall.resize(closed_.clefts.size());
+    Work& work = closed_.work;
+    work.pslg.points = pslg.points;
+    work.pslg.names = pslg.names;
+    work.table.regions = whole_.table.regions;
+    work.table.isolated_points = whole_.table.isolated_points;
+    for (std::uint32_t s = 0; s < goes.size(); ++s) {
+      SegmentSides sides = whole_.table.sides[s];
+      if (goes[s] || (sides.left == kVoid && sides.right == kVoid)) continue;
+      const Segment& segment = pslg.segments[s];
+      if (const std::uint32_t k = cleft_of[s]; k != kNone) {
+        closed_.wall[k] = static_cast<std::uint32_t>(work.pslg.segments.size());
+        const Cleft& cleft = closed_.clefts[k];
+        (segment.a == cleft.end[0].corner[0] ? sides.right : sides.left) = cleft.behind[1];
+      }
+      add(to[segment.a.index()], to[segment.b.index()], sides, s);
+    }
+  }
+
   void add(std::uint32_t a, std::uint32_t b, SegmentSides sides, std::uint32_t was) {
     Segment segment;
     segment.a = VertexId{a}, segment.b = VertexId{b};
@@ -241,8 +249,7 @@ class Closer {
 
   const Prepared& whole_;
   ClosedClefts closed_;
-  std::vector<Cleft> wide_;        ///< these stay open
-  std::vector<std::uint32_t> to_;  ///< by point: which one it has become
+  std::vector<Cleft> wide_;  ///< these stay open
 };
 
 /// The same mesh with all points of the plane before, which have their numbers again.

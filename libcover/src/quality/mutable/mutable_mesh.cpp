@@ -415,7 +415,7 @@ void MutableMesh::number_vertices(const Team& team) {
   home.assign(count, kNone);
   if (team.workers() > 1) {
     next = number_by_team(triangles, fixed_, vertex, home, team);
-  } else {
+  } else {  // the same in one pass
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
       for (std::uint32_t& v : triangles[t].v) {
         if (vertex[v] == kNone) vertex[v] = next++;
