@@ -116,10 +116,10 @@ Status mesh_with_closed_clefts(Work& work, const Options& options, const Callbac
   return errors_as_values("close clefts", [&]() -> Status {
     Work whole = work;
     unite_pieces(whole.pslg, whole.table, work.report.uncut_points);
-    std::vector<Cleft> clefts =
+    const std::vector<Cleft> clefts =
         find_clefts(whole.pslg, whole.table, split_regions(whole.pslg, whole.table));
     if (2 * kCorners * clefts.size() < work.report.uncut_points) return ok();
-    std::optional<ClosedClefts> closed = close_clefts(whole, std::move(clefts));
+    std::optional<ClosedClefts> closed = close_clefts(whole, clefts);
     if (!closed) return ok();
     if (Status status = mesh_closed(closed->work, options, callbacks.stop); !status) return status;
     const ConformingMesh mesh = joined(*closed);

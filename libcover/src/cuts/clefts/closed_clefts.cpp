@@ -101,8 +101,8 @@ std::optional<std::vector<Point>> cuts_across(const Pslg& pslg, const Cleft& cle
 
 class Closer {
  public:
-  Closer(const Prepared& whole, std::vector<Cleft> clefts) : whole_(whole) {
-    for (Cleft& cleft : clefts) (is_narrow(cleft) ? closed_.clefts : wide_).push_back(cleft);
+  Closer(const Prepared& whole, std::span<const Cleft> clefts) : whole_(whole) {
+    for (const Cleft& cleft : clefts) (is_narrow(cleft) ? closed_.clefts : wide_).push_back(cleft);
     take_over_segments();
     for (const Cleft& cleft : closed_.clefts) add_slits(cleft);
     drop_unused();
@@ -472,8 +472,8 @@ class Opener {
 
 }  // namespace
 
-std::optional<ClosedClefts> close_clefts(const Prepared& whole, std::vector<Cleft> clefts) {
-  return Closer(whole, std::move(clefts)).closed();
+std::optional<ClosedClefts> close_clefts(const Prepared& whole, std::span<const Cleft> clefts) {
+  return Closer(whole, clefts).closed();
 }
 
 std::optional<OpenedClefts> open_clefts(const ConformingMesh& mesh, const ClosedClefts& closed,

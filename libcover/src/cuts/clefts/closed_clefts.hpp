@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "cuts/clefts/find_clefts.hpp"
@@ -39,7 +40,7 @@ struct OpenedClefts {
 ///
 /// REQUIRES: clefts of `whole`, whose segments are not cut, and at least one of them
 /// Returns:  nothing if the plane would not be a sound one any more
-std::optional<ClosedClefts> close_clefts(const Prepared& whole, std::vector<Cleft> clefts);
+std::optional<ClosedClefts> close_clefts(const Prepared& whole, std::span<const Cleft> clefts);
 
 /// Opens them again: each triangle takes the corners of its side of the cleft, each cut of a wall
 /// gets another one at its foot on the other wall, and triangles fill what is between.
