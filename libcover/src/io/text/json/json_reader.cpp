@@ -133,7 +133,8 @@ void drop_last_child(Json& value) {
 
 }  // namespace
 
-void take_apart(Json& value) noexcept {
+// Moved and erased in place, values throw nothing.
+void take_apart(Json& value) noexcept {  // NOLINT(bugprone-exception-escape)
   // On the way down a parent waits in the place that its last child had in its last child.
   Json here = std::move(value), parent;
   bool has_parent = false;
@@ -212,17 +213,17 @@ const Json* JsonReader::member(const Json& object, std::string_view key) {
 }
 
 const Json& JsonReader::required(const Json& object, std::string_view key) {
-  static const Json kNothing;
+  static const Json nothing;
   if (const Json* value = member(object, key)) return *value;
   fail(object, fmt::format("the key \"{}\" is missing", key));
-  return kNothing;
+  return nothing;
 }
 
 const Json& JsonReader::array(const Json& value, std::string_view of_what) {
-  static const Json kNone = Json::array();
+  static const Json none = Json::array();
   if (value.is_array()) return value;
   fail(value, fmt::format("expected an array of {}, found {}", of_what, shown(value)));
-  return kNone;
+  return none;
 }
 
 double JsonReader::number(const Json& value) {
