@@ -315,6 +315,7 @@ struct CheckCommand {
         ->type_name("WHEN")
         ->capture_default_str();
     library.add(app, OptionGroup::cleaning);
+    library.add_threads(app);
     add_verbosity(app, verbosity);
   }
 
@@ -400,11 +401,12 @@ int run_check(Arguments arguments) {
   Result<Options> options = command.library.make();
   if (!options) return usage_error(command.app, options.error().message);
   options->hull = verify.hull;
+  verify.threads = options->threads;
   const Status files = check_files(command.read_files(), {log_file(command.verbosity)});
   if (!files) return usage_error(command.app, files.error());
 
   const auto log = make_logger(command.verbosity);
-  Result<Input> input = command.input.read();
+  Result<Input> input = command.input.read(options->threads);
   if (!input) return fail(*log, input.error());
   for (const std::string& option : command.input.ignored()) log->warn("{}", option);
   std::vector<PeriodicRule> rules = options->periodic;

@@ -21,6 +21,7 @@ int run_info(Arguments arguments) {
   LibraryOptions library;
   input_file.add(app, true)->required();
   library.add(app, OptionGroup::cleaning);
+  library.add_threads(app);
   add_verbosity(app, verbosity);
   if (const auto code = parse(app, std::move(arguments))) return *code;
   const Result<Options> options = library.make();
@@ -29,7 +30,7 @@ int run_info(Arguments arguments) {
   if (!files) return usage_error(app, files.error());
 
   const auto log = make_logger(verbosity);
-  const Result<Input> input = input_file.read();
+  const Result<Input> input = input_file.read(options->threads);
   if (!input) return fail(*log, input.error());
   for (const std::string& option : input_file.ignored()) log->warn("{}", option);
   const Result<Prepared> prepared = prepare(*input, *options);

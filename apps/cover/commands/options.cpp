@@ -267,6 +267,12 @@ void LibraryOptions::add(CLI::App& command, OptionGroup group) {
   }
 }
 
+void LibraryOptions::add_threads(CLI::App& command) {
+  const OptionEntry* const entry = find_option("threads");
+  written_.push_back({entry, default_text(*entry), nullptr, {}, false});
+  written_.back().add_to(command, "Options");
+}
+
 Result<OptionReader> LibraryOptions::read() const {
   OptionReader reader;
   for (const WrittenOption<Options>& written : written_) {

@@ -63,6 +63,8 @@ class LibraryOptions {
  public:
   /// Adds all options of a group.
   void add(CLI::App& command, OptionGroup group);
+  /// Adds the number of threads.
+  void add_threads(CLI::App& command);
 
   /// Everything but the background sizes.
   ///

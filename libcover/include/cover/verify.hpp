@@ -38,6 +38,7 @@ struct VerifyOptions {
   /// groups instead; but no number stands for two materials.
   bool material_numbers = true;
   bool box_method = false;  ///< list negative couplings; they are no violations
+  unsigned threads = 0;     ///< 0: all cores. What is found does not depend on it
 };
 
 /// A broken promise.

@@ -9,23 +9,29 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <iterator>
 #include <mutex>
 #include <numeric>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "base/containers/give_back.hpp"
 #include "base/faults/out_of_memory.hpp"
 #include "base/run_all.hpp"
+#include "base/sort_by_team.hpp"
 #include "cdt/triangulation.hpp"
 #include "io/vtk_files/mapped_triangles.hpp"
 #include "pipeline/find_regions.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/region_task.hpp"
+#include "verify/verify_by_team.hpp"
 
 namespace cover {
 namespace {
+
+constexpr std::size_t kRange = 1 << 15;  // triangles, vertices
 
 /// Regions [first, last) by RegionId - 1, and their triangles in the file.
 struct Part {
@@ -83,6 +89,42 @@ class ByPart {
   std::vector<std::uint32_t> numbers_;
 };
 
+/// A set of numbers, each with its place in the set: a bit for each number that there may be.
+class NumbersInUse {
+ public:
+  explicit NumbersInUse(std::size_t numbers) : words_(numbers / 64 + 1, 0) {}
+
+  /// May be called by several threads at a time.
+  void add(std::uint32_t number) {
+    const std::uint64_t bit = std::uint64_t{1} << number % 64;
+    const std::atomic_ref word(words_[number / 64]);
+    if ((word.load(std::memory_order_relaxed) & bit) == 0)
+      word.fetch_or(bit, std::memory_order_relaxed);
+  }
+
+  /// The numbers, ascending. Nothing is added after that.
+  std::vector<std::uint32_t> listed() {
+    std::vector<std::uint32_t> numbers;
+    before_.reserve(words_.size());
+    for (std::uint32_t k = 0; k < words_.size(); ++k) {
+      before_.push_back(static_cast<std::uint32_t>(numbers.size()));
+      for (std::uint64_t word = words_[k]; word != 0; word &= word - 1)
+        numbers.push_back(64 * k + static_cast<std::uint32_t>(std::countr_zero(word)));
+    }
+    return numbers;
+  }
+
+  /// The place of a number in that list.
+  [[nodiscard]] std::uint32_t rank(std::uint32_t number) const {
+    const std::uint64_t lower = words_[number / 64] & ((std::uint64_t{1} << number % 64) - 1);
+    return before_[number / 64] + static_cast<std::uint32_t>(std::popcount(lower));
+  }
+
+ private:
+  std::vector<std::uint64_t> words_;
+  std::vector<std::uint32_t> before_;  ///< by word: how many numbers there are in those before it
+};
+
 /// The input of a part, with all else as the void.
 struct PartInput {
   Pslg pslg;
@@ -107,9 +149,9 @@ class Checker {
 
   std::optional<CheckInParts> run(unsigned workers) {
     std::atomic<bool> holds = true;
-    run_all(parts_.size(), workers, [&](std::size_t part) {
+    run_all(parts_.size(), workers, [&](std::size_t part, const Team& team) {
       if (!holds) return;
-      const Status checked = errors_as_values("check", [&] { return check(part); });
+      const Status checked = errors_as_values("check", [&] { return check(part, team); });
       if (!checked) holds = false;
     });
     return holds ? std::optional(sum()) : std::nullopt;
@@ -189,65 +231,85 @@ class Checker {
 
   /// The triangles of a part on points of their own; `vertices` are these points in the file.
   /// False where an index is none.
-  bool read(const Part& part, TriangleSoup& soup, std::vector<std::uint32_t>& vertices) const {
+  bool read(const Part& part, TriangleSoup& soup, std::vector<std::uint32_t>& vertices,
+            const Team& team) const {
     const std::size_t count = part.last_triangle - part.first_triangle;
-    soup.triangles.reserve(count);
-    vertices.reserve(3 * count);
-    for (std::size_t t = part.first_triangle; t < part.last_triangle; ++t) {
-      std::array<std::uint32_t, 3> corners{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto corner = as_index(mesh_.corners[3 * t + k], mesh_.points);
-        if (!corner) return false;
-        corners[k] = static_cast<std::uint32_t>(*corner);
-        vertices.push_back(corners[k]);
+    soup.triangles.resize(count);
+    soup.region.resize(count);
+    soup.material.resize(count);
+    std::atomic<bool> is_right = true;
+    NumbersInUse in_use(mesh_.points);
+    team.each_range(count, kRange, [&](std::size_t first, std::size_t last) {
+      for (std::size_t t = first; t < last && is_right; ++t) {
+        const std::size_t in_file = part.first_triangle + t;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const auto corner = as_index(mesh_.corners[3 * in_file + k], mesh_.points);
+          if (!corner) {
+            is_right = false;
+            return;
+          }
+          soup.triangles[t][k] = static_cast<std::uint32_t>(*corner);
+          in_use.add(soup.triangles[t][k]);
+        }
+        soup.region[t] = mesh_.region[in_file];
+        soup.material[t] = mesh_.material[in_file];
       }
-      soup.triangles.push_back(corners);
-      soup.region.push_back(mesh_.region[t]);
-      soup.material.push_back(mesh_.material[t]);
-    }
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    for (auto& corners : soup.triangles) {
-      for (std::uint32_t& v : corners)
-        v = static_cast<std::uint32_t>(std::lower_bound(vertices.begin(), vertices.end(), v) -
-                                       vertices.begin());
-    }
-    soup.points.reserve(vertices.size());
-    for (const std::uint32_t v : vertices) soup.points.push_back(mesh_.place(v));
+    });
+    if (!is_right) return false;
+    vertices = in_use.listed();
+    team.each_range(count, kRange, [&](std::size_t first, std::size_t last) {
+      for (std::size_t t = first; t < last; ++t) {
+        for (std::uint32_t& v : soup.triangles[t]) v = in_use.rank(v);
+      }
+    });
+    soup.points.resize(vertices.size());
+    team.each_range(vertices.size(), kRange, [&](std::size_t first, std::size_t last) {
+      for (std::size_t v = first; v < last; ++v) soup.points[v] = mesh_.place(vertices[v]);
+    });
     return true;
   }
 
   /// Whether other parts have the same vertices at the points of the input.
   bool agree_on_vertices(const PartInput& in, const TriangleSoup& soup,
-                         std::span<const std::uint32_t> vertices) {
-    std::vector<std::uint32_t> by_place(in.pslg.points.size());
-    std::iota(by_place.begin(), by_place.end(), 0U);
+                         std::span<const std::uint32_t> vertices, const Team& team) {
     const std::vector<Point>& points = in.pslg.points;
-    std::sort(by_place.begin(), by_place.end(),
-              [&](std::uint32_t p, std::uint32_t q) { return points[p] < points[q]; });
+    std::vector<std::uint32_t> by_place(points.size());
+    std::iota(by_place.begin(), by_place.end(), 0U);
+    sort_by_team(
+        by_place,
+        [&](std::uint32_t p, std::uint32_t q) {
+          return std::tie(points[p], p) < std::tie(points[q], q);
+        },
+        team);
+    std::vector<std::uint32_t> input_point(vertices.size(), kNone);
+    team.each_range(vertices.size(), kRange, [&](std::size_t first, std::size_t last) {
+      for (std::size_t v = first; v < last; ++v) {
+        const auto at = std::lower_bound(
+            by_place.begin(), by_place.end(), soup.points[v],
+            [&](std::uint32_t p, const Point& place) { return points[p] < place; });
+        if (at != by_place.end() && points[*at] == soup.points[v]) input_point[v] = *at;
+      }
+    });
     const std::lock_guard lock(mutex_);
     for (std::size_t v = 0; v < vertices.size(); ++v) {
-      const auto at =
-          std::lower_bound(by_place.begin(), by_place.end(), soup.points[v],
-                           [&](std::uint32_t p, const Point& place) { return points[p] < place; });
-      if (at == by_place.end() || points[*at] != soup.points[v]) continue;
-      std::uint32_t& known = vertex_of_[in.point_of[*at]];
+      if (input_point[v] == kNone) continue;
+      std::uint32_t& known = vertex_of_[in.point_of[input_point[v]]];
       if (known != kNone && known != vertices[v]) return false;
       known = vertices[v];
     }
     return true;
   }
 
-  Status check(std::size_t number) {
+  Status check(std::size_t number, const Team& team) {
     const Error broken{ErrorCode::other_mesh, "a promise is broken", {}, {}};
     const Part& part = parts_[number];
     TriangleSoup soup;
     std::vector<std::uint32_t> vertices;
-    if (!read(part, soup, vertices)) return broken;
+    if (!read(part, soup, vertices, team)) return broken;
     mesh_.file.forget();
     const PartInput in = input_of(number);
-    if (!agree_on_vertices(in, soup, vertices)) return broken;
-    Verification found = verify_cover(in.pslg, in.table, soup, verify_);
+    if (!agree_on_vertices(in, soup, vertices, team)) return broken;
+    Verification found = verify_by_team(in.pslg, in.table, soup, verify_, team);
     if (found.violation_count > 0 || found.regions != part.last - part.first) return broken;
     give_back(found.triangle_regions);
     found_[number] = std::move(found);

@@ -2,37 +2,37 @@
 #include "verify/expected_domain.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <numbers>
-#include <unordered_map>
 
+#include "base/containers/union_find.hpp"
+#include "geom/topology/half_edges.hpp"
 #include "geom/vector.hpp"
+#include "verify/by_region.hpp"
 
 namespace cover {
 namespace {
 
-/// A directed edge as one number.
-constexpr std::uint64_t key(std::uint32_t a, std::uint32_t b) {
-  return static_cast<std::uint64_t>(a) << 32 | b;
-}
+constexpr std::size_t kRange = 1 << 15;  // sides, triangles
 
 class Finder {
  public:
-  Finder(const Pslg& pslg, const RegionTable& table, bool hull)
-      : pslg_(pslg), table_(table), hull_(hull) {}
+  Finder(const Pslg& pslg, const RegionTable& table, bool hull, const Team& team)
+      : pslg_(pslg), table_(table), hull_(hull), team_(team) {}
 
   ExpectedDomain find() {
     std::vector<IndexPair> segments;
     segments.reserve(pslg_.segments.size());
     for (const Segment& s : pslg_.segments) segments.push_back({s.a.value(), s.b.value()});
-    CdtResult cdt = triangulate_hull(pslg_.points, segments);
+    CdtResult cdt = triangulate_hull(pslg_.points, segments, team_);
     domain_.conflicts = std::move(cdt.conflicts);
     if (!domain_.conflicts.empty()) return std::move(domain_);
     triangles_ = std::move(cdt.triangulation.triangles);
     add_segment_sides();
     flood_regions();
-    domain_.point_region.assign(pslg_.points.size(), kVoid);
-    domain_.nu_opt.assign(table_.regions.size() + 1, std::numbers::pi);
-    for (std::size_t t = 0; t < triangles_.size(); ++t) visit(triangles_[t], region_[t]);
+    if (hull_) add_hull_sides();
+    find_used_points();
+    find_bounds();
     domain_.cdt = {pslg_.points, std::move(triangles_)};
     domain_.cdt_region = std::move(region_);
     return std::move(domain_);
@@ -47,69 +47,101 @@ class Finder {
     }
   }
 
-  /// The region of each triangle, carried from the sides over edges that are no segments.
+  /// The region of each triangle: triangles that share an edge which is no segment are of one, and
+  /// sides tell which.
   void flood_regions() {
-    std::unordered_map<std::uint64_t, std::size_t> side_at;
-    side_at.reserve(domain_.sides.size());
-    for (std::size_t s = 0; s < domain_.sides.size(); ++s)
-      side_at[key(domain_.sides[s].a, domain_.sides[s].b)] = s;
-    std::unordered_map<std::uint64_t, RegionId> hull_side;
-    if (hull_) {  // where there are no segments, nothing else tells
-      for (const HullSide& side : table_.hull_sides)
-        hull_side[key(side.a.value(), side.b.value())] = side.region;
-    }
-    region_.assign(triangles_.size(), kVoid);
-    std::vector<std::uint32_t> stack;
-    const auto reach = [&](std::uint32_t t, RegionId region) {
-      if (region == kVoid || region_[t] != kVoid) return;
-      region_[t] = region;
-      stack.push_back(t);
+    std::vector<IndexTriple> corners(triangles_.size());
+    SharedUnionFind pieces(triangles_.size());
+    each_triangle([&](std::uint32_t t) {
+      corners[t] = triangles_[t].v;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t beyond = triangles_[t].n[i];
+        if (beyond != kNone && beyond < t && !triangles_[t].is_locked(static_cast<int>(i)))
+          pieces.unite(t, beyond);
+      }
+    });
+    std::vector<RegionId> of_piece(triangles_.size(), kVoid);
+    const auto reach = [&](std::uint32_t half_edge, RegionId region) {
+      RegionId& known = of_piece[pieces.find(half_edge / 3)];
+      if (known == kVoid) known = region;
     };
-    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+    const HalfEdges edges(pslg_.points.size(), corners, team_);
+    const std::vector<std::uint32_t> beside = find_apices(edges);
+    for (std::size_t s = 0; s < beside.size(); ++s) {
+      if (beside[s] != HalfEdges::kAbsent) reach(beside[s], domain_.sides[s].region);
+    }
+    if (hull_) {  // where there are no segments, nothing else tells
+      for (const HullSide& side : table_.hull_sides) {
+        const std::uint32_t h = edges.find(side.a.value(), side.b.value());
+        if (h != HalfEdges::kAbsent) reach(h, side.region);
+      }
+    }
+    region_.resize(triangles_.size());
+    each_triangle([&](std::uint32_t t) { region_[t] = of_piece[pieces.find(t)]; });
+  }
+
+  /// The half-edge of the triangle on each side, whose third corner is its apex.
+  std::vector<std::uint32_t> find_apices(const HalfEdges& edges) {
+    std::vector<std::uint32_t> beside(domain_.sides.size());
+    team_.each_range(beside.size(), kRange, [&](std::size_t first, std::size_t last) {
+      for (std::size_t s = first; s < last; ++s) {
+        ExpectedSide& side = domain_.sides[s];
+        beside[s] = edges.find(side.a, side.b);
+        if (beside[s] != HalfEdges::kAbsent)
+          side.apex = edges.source(HalfEdges::previous(beside[s]));
+      }
+    });
+    return beside;
+  }
+
+  void add_hull_sides() {
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      if (region_[t] == kVoid) continue;
       for (int i = 0; i < 3; ++i) {
-        const bool is_outer = triangles_[t].n[static_cast<std::size_t>(i)] == kNone;
-        if (!triangles_[t].is_locked(i) && !is_outer) continue;
-        const auto [a, b] = edge(triangles_[t], i);
-        if (const auto side = side_at.find(key(a, b)); side != side_at.end()) {
-          domain_.sides[side->second].apex = triangles_[t].v[static_cast<std::size_t>(i)];
-          reach(t, domain_.sides[side->second].region);
-        } else if (const auto outer = hull_side.find(key(a, b)); outer != hull_side.end()) {
-          reach(t, outer->second);
-        }
-      }
-      while (!stack.empty()) {
-        const std::uint32_t from = stack.back();
-        stack.pop_back();
-        for (int i = 0; i < 3; ++i) {
-          const std::uint32_t to = triangles_[from].n[static_cast<std::size_t>(i)];
-          if (to != kNone && !triangles_[from].is_locked(i)) reach(to, region_[from]);
-        }
+        const Triangle& f = triangles_[t];
+        if (f.is_locked(i) || f.n[static_cast<std::size_t>(i)] != kNone) continue;
+        domain_.sides.push_back({f.v[static_cast<std::size_t>(next3(i))],
+                                 f.v[static_cast<std::size_t>(prev3(i))], region_[t], true,
+                                 f.v[static_cast<std::size_t>(i)]});
       }
     }
   }
 
-  void visit(const Triangle& t, RegionId region) {
-    if (region == kVoid) return;
-    for (int i = 0; i < 3; ++i) {
-      const auto [a, b] = edge(t, i);
-      const std::uint32_t apex = t.v[static_cast<std::size_t>(i)];
-      domain_.point_region[apex] = region;
-      if (t.is_locked(i)) {
-        double& nu = domain_.nu_opt[region.index()];
-        nu = std::min(nu, nu_at(pslg_.points[a], pslg_.points[apex], pslg_.points[b]));
-      } else if (hull_ && t.n[static_cast<std::size_t>(i)] == kNone) {
-        domain_.sides.push_back({a, b, region, true, apex});
-      }
-    }
+  void find_used_points() {
+    domain_.is_used.assign(pslg_.points.size(), 0);
+    each_triangle([&](std::uint32_t t) {
+      if (region_[t] == kVoid) return;
+      for (const std::uint32_t v : triangles_[t].v)
+        std::atomic_ref(domain_.is_used[v]).store(1, std::memory_order_relaxed);
+    });
   }
 
-  static IndexPair edge(const Triangle& t, int i) {
-    return {t.v[static_cast<std::size_t>(next3(i))], t.v[static_cast<std::size_t>(prev3(i))]};
+  void find_bounds() {
+    domain_.nu_opt.assign(table_.regions.size() + 1, std::numbers::pi);
+    const auto keep_least = [](double& least, double nu) { least = std::min(least, nu); };
+    fold_by_region(
+        2 * pslg_.segments.size(), [&](std::size_t s) { return domain_.sides[s].region; },
+        std::numbers::pi,
+        [&](double& least, std::size_t s) {
+          const ExpectedSide& side = domain_.sides[s];
+          if (side.apex == side.a) return;  // nothing sees it
+          keep_least(least,
+                     nu_at(pslg_.points[side.a], pslg_.points[side.apex], pslg_.points[side.b]));
+        },
+        keep_least, domain_.nu_opt, team_);
+  }
+
+  template <class Use>
+  void each_triangle(const Use& use) const {
+    team_.each_range(triangles_.size(), kRange, [&](std::size_t first, std::size_t last) {
+      for (std::size_t t = first; t < last; ++t) use(static_cast<std::uint32_t>(t));
+    });
   }
 
   const Pslg& pslg_;
   const RegionTable& table_;
   bool hull_;
+  const Team& team_;
   std::vector<Triangle> triangles_;
   std::vector<RegionId> region_;  ///< by triangle
   ExpectedDomain domain_;
@@ -117,8 +149,9 @@ class Finder {
 
 }  // namespace
 
-ExpectedDomain expected_domain(const Pslg& pslg, const RegionTable& table, bool hull) {
-  return Finder(pslg, table, hull).find();
+ExpectedDomain expected_domain(const Pslg& pslg, const RegionTable& table, bool hull,
+                               const Team& team) {
+  return Finder(pslg, table, hull, team).find();
 }
 
 }  // namespace cover

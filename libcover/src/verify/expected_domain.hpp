@@ -8,6 +8,7 @@
 #include <cover/pslg.hpp>
 #include <cover/regions.hpp>
 
+#include "base/team.hpp"
 #include "cdt/cdt.hpp"
 
 namespace cover {
@@ -25,7 +26,7 @@ struct ExpectedSide {
 /// The domain of a PSLG.
 struct ExpectedDomain {
   std::vector<ExpectedSide> sides;     ///< two per segment, in order; then those of the hull
-  std::vector<RegionId> point_region;  ///< by VertexId: some region at the point; kVoid: none
+  std::vector<std::uint8_t> is_used;   ///< by VertexId: whether some region has the point
   std::vector<double> nu_opt;          ///< by RegionId, in radians; pi where nothing is forced
   Triangulation cdt;                   ///< of the whole PSLG,
   std::vector<RegionId> cdt_region;    ///< and the region of each of its triangles
@@ -37,6 +38,7 @@ struct ExpectedDomain {
 /// segment is on no triangle with it, and apices on one circle see it under the same angle.
 ///
 /// Cost: O(n log n)
-ExpectedDomain expected_domain(const Pslg& pslg, const RegionTable& table, bool hull);
+ExpectedDomain expected_domain(const Pslg& pslg, const RegionTable& table, bool hull,
+                               const Team& team = {});
 
 }  // namespace cover

@@ -20,12 +20,15 @@
 
 #include <fmt/core.h>
 
+#include "base/numbers_where.hpp"
+#include "base/run_all.hpp"
 #include "geom/predicates.hpp"
 #include "geom/topology/soup_edges.hpp"
 #include "geom/vector.hpp"
 #include "verify/expected_domain.hpp"
 #include "verify/verify_bound.hpp"
 #include "verify/verify_boxes.hpp"
+#include "verify/verify_by_team.hpp"
 #include "verify/verify_labels.hpp"
 #include "verify/verify_limits.hpp"
 #include "verify/verify_regions.hpp"
@@ -34,17 +37,23 @@ namespace cover {
 namespace {
 
 constexpr std::size_t kMostListed = 10;  // of a kind
+constexpr std::size_t kRange = 1 << 15;  // points, sides, triangles
 
 class Verifier {
  public:
   Verifier(const Pslg& pslg, const RegionTable& table, const TriangleSoup& mesh,
-           const VerifyOptions& options)
-      : pslg_(pslg), table_(table), mesh_(mesh), options_(options), edges_(mesh) {
+           const VerifyOptions& options, const Team& team)
+      : pslg_(pslg),
+        table_(table),
+        mesh_(mesh),
+        options_(options),
+        team_(team),
+        edges_(mesh, team) {
     for (const Point& p : pslg.points) scale_ = std::max({scale_, std::abs(p.x), std::abs(p.y)});
   }
 
   Verification run() {
-    domain_ = expected_domain(pslg_, table_, options_.hull);
+    domain_ = expected_domain(pslg_, table_, options_.hull, team_);
     if (!domain_.conflicts.empty()) {
       add(Kind::input, 1, "the input is no clean planar straight-line graph", {});
       return std::move(result_);
@@ -68,7 +77,7 @@ class Verifier {
     if (options_.box_method) check_couplings();
     if (result_.violation_count == 0 && !options_.allow_split && !options_.hull)
       result_.limits = verify_limits(mesh_, region_, domain_,
-                                     {options_.max_angle.supplement(), options_.min_angle});
+                                     {options_.max_angle.supplement(), options_.min_angle}, team_);
     result_.triangle_regions = std::move(region_);
     return std::move(result_);
   }
@@ -123,23 +132,31 @@ class Verifier {
                       k, t[0], t[1], t[2]),
           {});
     }
-    for (const SoupEdges::Edge& e : edges_.all()) {
-      if (e.from != mesh_.triangles[e.triangle][0]) continue;  // once per triangle
+    const auto all = edges_.all();
+    const auto sign_of = [this](const SoupEdges::Edge& e) {
       const auto [a, b, c] = corners(e.triangle);
-      const Sign sign = orientation(a, b, c);
-      if (sign == Sign::positive) continue;
+      return orientation(a, b, c);
+    };
+    const auto is_turned = [&](std::uint32_t k) {
+      return all[k].from == mesh_.triangles[all[k].triangle][0] &&  // once per triangle
+             sign_of(all[k]) != Sign::positive;
+    };
+    for (const std::uint32_t k : numbers_where(all.size(), is_turned, team_)) {
+      const SoupEdges::Edge& e = all[k];
+      const auto [a, b, c] = corners(e.triangle);
       add(Kind::orientation, 2,
           fmt::format("triangle {} with corners {}, {}, {} is {}", e.triangle, describe(a),
-                      describe(b), describe(c), sign == Sign::zero ? "flat" : "clockwise"),
+                      describe(b), describe(c), sign_of(e) == Sign::zero ? "flat" : "clockwise"),
           {a, b, c});
     }
-    for (const auto& [v, w] : edges_.doubles()) {
+    for (const auto& [v, w] : edges_.doubles(team_)) {
       add(Kind::doubled, 2, fmt::format("vertices {} and {} are both at {}", v, w, describe(at(v))),
           {at(v)});
     }
-    const auto all = edges_.all();
-    for (std::size_t k = 1; k < all.size(); ++k) {
-      if (all[k - 1].from != all[k].from || all[k - 1].to != all[k].to) continue;
+    const auto is_second = [&](std::uint32_t k) {
+      return k > 0 && all[k - 1].from == all[k].from && all[k - 1].to == all[k].to;
+    };
+    for (const std::uint32_t k : numbers_where(all.size(), is_second, team_)) {
       add(Kind::overlap, 2,
           fmt::format("triangles {} and {} overlap: both have the {}", all[k - 1].triangle,
                       all[k].triangle, edge_text(all[k])),
@@ -150,9 +167,13 @@ class Verifier {
   void check_points() {
     vertex_.assign(pslg_.points.size(), std::nullopt);
     is_input_.assign(mesh_.points.size(), false);
+    team_.each_range(vertex_.size(), kRange, [this](std::size_t first, std::size_t last) {
+      for (std::size_t v = first; v < last; ++v) {
+        if (domain_.is_used[v] != 0) vertex_[v] = edges_.vertex_at(pslg_.points[v]);
+      }
+    });
     for (std::uint32_t v = 0; v < pslg_.points.size(); ++v) {
-      if (domain_.point_region[v] == kVoid) continue;
-      vertex_[v] = edges_.vertex_at(pslg_.points[v]);
+      if (domain_.is_used[v] == 0) continue;
       if (!vertex_[v]) {
         add(Kind::point, 1, input_point(v) + " is no vertex of the mesh", {pslg_.points[v]});
       } else {
@@ -163,6 +184,13 @@ class Verifier {
 
   void check_sides() {
     side_of_.assign(edges_.all().size(), kNoSide);
+    edge_of_.assign(domain_.sides.size(), std::nullopt);
+    team_.each_range(edge_of_.size(), kRange, [this](std::size_t first, std::size_t last) {
+      for (std::size_t s = first; s < last; ++s) {
+        const auto from = vertex_[domain_.sides[s].a], to = vertex_[domain_.sides[s].b];
+        if (from && to) edge_of_[s] = edges_.find(*from, *to);
+      }
+    });
     const std::size_t segment_sides = 2 * pslg_.segments.size();
     for (std::uint32_t s = 0; s < segment_sides; s += 2) {
       if (domain_.sides[s].region == kVoid && domain_.sides[s + 1].region == kVoid) continue;
@@ -180,7 +208,7 @@ class Verifier {
     const ExpectedSide& side = domain_.sides[s];
     const auto from = vertex_[side.a], to = vertex_[side.b];
     if (!from || !to) return false;  // said already
-    const auto edge = edges_.find(*from, *to);
+    const auto edge = edge_of_[s];
     if (side.region == kVoid) {
       if (edge) report_in_void(side, edges_.all()[*edge]);
       return !edge;
@@ -239,11 +267,14 @@ class Verifier {
 
   void check_inner_edges() {
     const auto all = edges_.all();
-    for (std::size_t k = 0; k < all.size(); ++k) {
-      const bool has_reverse = edges_.find(all[k].to, all[k].from).has_value();
+    twins_ = edges_.twins(team_);
+    const auto is_to_tell = [&](std::uint32_t k) {
+      return side_of_[k] == kNoSide ? twins_[k] == SoupEdges::kNoTwin : !is_whole(all[k], k);
+    };
+    for (const std::uint32_t k : numbers_where(all.size(), is_to_tell, team_)) {
       if (side_of_[k] != kNoSide) {
-        check_piece(all[k], side_of_[k], has_reverse);
-      } else if (!has_reverse) {
+        check_piece(all[k], side_of_[k], twins_[k] != SoupEdges::kNoTwin);
+      } else {
         add(Kind::open_edge, 2,
             fmt::format(
                 "the {} of triangle {} has no triangle on its other side and is no segment: a "
@@ -254,11 +285,16 @@ class Verifier {
     }
   }
 
+  /// Whether an edge on a side is all of it.
+  [[nodiscard]] bool is_whole(const SoupEdges::Edge& e, std::uint32_t k) const {
+    const ExpectedSide& side = domain_.sides[side_of_[k]];
+    return e.from == vertex_[side.a] && e.to == vertex_[side.b];
+  }
+
   /// A piece of a split side needs a triangle on its other side just where there is a region. Whole
   /// sides have been looked at.
   void check_piece(const SoupEdges::Edge& e, std::uint32_t s, bool has_reverse) {
     const ExpectedSide& side = domain_.sides[s];
-    if (e.from == vertex_[side.a] && e.to == vertex_[side.b]) return;
     const RegionId other = side.hull ? kVoid : domain_.sides[s ^ 1].region;
     if (has_reverse == (other != kVoid)) return;
     add(has_reverse ? Kind::in_void : Kind::open_edge, 2,
@@ -270,7 +306,7 @@ class Verifier {
   }
 
   void find_regions() {
-    TriangleRegions regions = regions_of_triangles(mesh_, edges_, side_of_, domain_);
+    TriangleRegions regions = regions_of_triangles(mesh_, edges_, twins_, side_of_, domain_, team_);
     for (const TwoRegions& mixed : regions.mixed) report_two_regions(mixed);
     for (const std::uint32_t triangle : regions.lost) report_no_region(triangle);
     result_.regions = regions.count;
@@ -374,7 +410,7 @@ class Verifier {
   }
 
   void check_bound() {
-    const BoundCheck check = verify_bound(mesh_, region_, domain_, scale_, flat_on_hull());
+    const BoundCheck check = verify_bound(mesh_, region_, domain_, scale_, flat_on_hull(), team_);
     result_.within_rounding = check.within_rounding;
     for (const BoundMissed& missed : check.missed) {
       const auto [a, b, c] = corners(missed.triangle);
@@ -391,12 +427,15 @@ class Verifier {
   const RegionTable& table_;
   const TriangleSoup& mesh_;
   const VerifyOptions& options_;
+  const Team& team_;
   SoupEdges edges_;
   double scale_ = 0;  ///< largest coordinate
   ExpectedDomain domain_;
   std::vector<std::optional<std::uint32_t>> vertex_;  ///< of the mesh, by VertexId
   std::vector<bool> is_input_;                        ///< by vertex of the mesh
+  std::vector<std::optional<std::size_t>> edge_of_;   ///< by side, index into edges_.all()
   std::vector<std::uint32_t> side_of_;                ///< by edge, index into domain_.sides
+  std::vector<std::uint32_t> twins_;                  ///< by edge, see SoupEdges
   std::vector<RegionId> region_;                      ///< by triangle
   std::map<Kind, std::size_t> listed_;
   Verification result_;
@@ -406,7 +445,16 @@ class Verifier {
 
 Verification verify_cover(const Pslg& pslg, const RegionTable& table, const TriangleSoup& mesh,
                           const VerifyOptions& options) {
-  return Verifier(pslg, table, mesh, options).run();
+  const bool is_small = mesh.triangles.size() < 2 * kRange;  // to be divided
+  Verification found;
+  with_team(is_small ? 1 : worker_count(options.threads),
+            [&](const Team& team) { found = verify_by_team(pslg, table, mesh, options, team); });
+  return found;
+}
+
+Verification verify_by_team(const Pslg& pslg, const RegionTable& table, const TriangleSoup& mesh,
+                            const VerifyOptions& options, const Team& team) {
+  return Verifier(pslg, table, mesh, options, team).run();
 }
 
 }  // namespace cover

@@ -6,6 +6,7 @@
 
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
+#include "verify/by_region.hpp"
 
 namespace cover {
 namespace {
@@ -21,10 +22,13 @@ struct Worst {
 
 BoundCheck verify_bound(const TriangleSoup& mesh, std::span<const RegionId> region,
                         const ExpectedDomain& domain, double scale,
-                        std::span<const std::uint32_t> without_room) {
-  std::vector<Worst> worst(domain.nu_opt.size());
-  for (std::uint32_t t = 0; t < region.size(); ++t) {
-    if (region[t] == kVoid) continue;
+                        std::span<const std::uint32_t> without_room, const Team& team) {
+  const auto merge = [](Worst& w, const Worst& other) {
+    w.nu = std::min(w.nu, other.nu);
+    if (other.nu_rounded < w.nu_rounded)
+      w.nu_rounded = other.nu_rounded, w.triangle = other.triangle;
+  };
+  const auto add = [&](Worst& w, std::size_t t) {
     const auto& v = mesh.triangles[t];
     const Point a = mesh.points[v[0]], b = mesh.points[v[1]], c = mesh.points[v[2]];
     const double nu = std::min({nu_at(b, a, c), nu_at(c, b, a), nu_at(a, c, b)});
@@ -32,11 +36,12 @@ BoundCheck verify_bound(const TriangleSoup& mesh, std::span<const RegionId> regi
     // as much again for the coordinates from which they were made.
     const double shortest = std::min({length(b - a), length(c - b), length(a - c)});
     const double rounded = nu + 4 * spacing_at(scale) / shortest;
-    Worst& w = worst[region[t].index()];
-    w.nu = std::min(w.nu, nu);
-    if (std::binary_search(without_room.begin(), without_room.end(), t)) continue;
-    if (rounded < w.nu_rounded) w.nu_rounded = rounded, w.triangle = t;
-  }
+    const bool has_room = !std::binary_search(without_room.begin(), without_room.end(), t);
+    merge(w, {nu, has_room ? rounded : std::numbers::pi, static_cast<std::uint32_t>(t)});
+  };
+  std::vector<Worst> worst(domain.nu_opt.size());
+  fold_by_region(
+      region.size(), [&](std::size_t t) { return region[t]; }, Worst{}, add, merge, worst, team);
   BoundCheck check;
   for (std::uint32_t r = 1; r < worst.size(); ++r) {
     const double bound = std::min(domain.nu_opt[r] / 2, std::numbers::pi / 6);

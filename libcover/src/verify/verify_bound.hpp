@@ -33,6 +33,6 @@ struct BoundCheck {
 /// hold no vertex to split it: they count as kept by rounding.
 BoundCheck verify_bound(const TriangleSoup& mesh, std::span<const RegionId> region,
                         const ExpectedDomain& domain, double scale,
-                        std::span<const std::uint32_t> without_room);
+                        std::span<const std::uint32_t> without_room, const Team& team = {});
 
 }  // namespace cover

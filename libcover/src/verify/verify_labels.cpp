@@ -21,12 +21,17 @@ void verify_region_ids(const TriangleSoup& mesh, std::span<const RegionId> regio
                        const LabelFault& fault) {
   std::map<RegionId, std::int64_t> id_of;
   std::map<std::int64_t, RegionId> region_of;
+  RegionId right = kVoid;  // of the triangle before, if its number was right
+  std::int64_t right_id = 0;
   for (std::uint32_t t = 0; t < region.size(); ++t) {
-    if (region[t] == kVoid) continue;
     const std::int64_t id = mesh.region[t];
+    if (region[t] == kVoid || (region[t] == right && id == right_id)) continue;
     const std::int64_t its = id_of.emplace(region[t], id).first->second;
     const RegionId its_region = region_of.emplace(id, region[t]).first->second;
-    if (its == id && its_region == region[t]) continue;
+    if (its == id && its_region == region[t]) {
+      right = region[t], right_id = id;
+      continue;
+    }
     fault(t, fmt::format("{} has RegionId {}, as others of region {}, but lies in region {} with "
                          "RegionId {}",
                          triangle_text(mesh, t), id, its_region.value(), region[t].value(), its));

@@ -12,6 +12,7 @@
 #include "geom/angle_rounding.hpp"
 #include "geom/vector.hpp"
 #include "limits/region_limits.hpp"
+#include "verify/by_region.hpp"
 
 namespace cover {
 namespace {
@@ -90,36 +91,61 @@ class Cutter {
   std::vector<std::uint32_t> local_triangle_, local_point_, points_;
 };
 
-}  // namespace
+/// What the triangles of a region have reached.
+struct Reached {
+  ReachedAngles angles{Angle::degrees(180), Angle::degrees(180)};
+  bool is_obtuse = false;
+};
 
-std::vector<RegionLimits> verify_limits(const TriangleSoup& mesh, std::span<const RegionId> region,
-                                        const ExpectedDomain& domain, const ReachedAngles& wanted) {
-  const std::size_t regions = domain.nu_opt.size();  // with the void
-  std::vector<ReachedAngles> reached(regions, {Angle::degrees(180), Angle::degrees(180)});
-  std::vector<bool> is_obtuse(regions, false);
-  for (std::size_t t = 0; t < region.size(); ++t) {
-    if (region[t] == kVoid) continue;
+std::vector<ReachedAngles> angles_by_region(const TriangleSoup& mesh,
+                                            std::span<const RegionId> region, std::size_t regions,
+                                            const Team& team) {
+  const auto add = [&](Reached& worst, std::size_t t) {
     const auto& v = mesh.triangles[t];
-    ReachedAngles& worst = reached[region[t].index()];
     for (std::size_t i = 0; i < 3; ++i) {
       const Point a = mesh.points[v[i]], b = mesh.points[v[(i + 1) % 3]];
       const Point c = mesh.points[v[(i + 2) % 3]];
-      worst.largest_nu = std::min(worst.largest_nu, Angle::radians(nu_at(b, a, c)));
-      worst.smallest = std::min(worst.smallest, Angle::radians(angle_at(b, a, c)));
-      if (bluntness(b, a, c) == Blunt::yes) is_obtuse[region[t].index()] = true;
+      worst.angles.largest_nu = std::min(worst.angles.largest_nu, Angle::radians(nu_at(b, a, c)));
+      worst.angles.smallest = std::min(worst.angles.smallest, Angle::radians(angle_at(b, a, c)));
+      if (bluntness(b, a, c) == Blunt::yes) worst.is_obtuse = true;
     }
-  }
-  for (std::size_t r = 1; r < regions; ++r)
-    reached[r].largest_nu = judged_nu(reached[r].largest_nu, is_obtuse[r]);
+  };
+  const auto merge = [](Reached& worst, const Reached& other) {
+    worst.angles.largest_nu = std::min(worst.angles.largest_nu, other.angles.largest_nu);
+    worst.angles.smallest = std::min(worst.angles.smallest, other.angles.smallest);
+    worst.is_obtuse |= other.is_obtuse;
+  };
+  std::vector<Reached> reached(regions);
+  fold_by_region(
+      region.size(), [&](std::size_t t) { return region[t]; }, Reached{}, add, merge, reached,
+      team);
+  std::vector<ReachedAngles> angles;
+  for (const Reached& r : reached)
+    angles.push_back({judged_nu(r.angles.largest_nu, r.is_obtuse), r.angles.smallest});
+  return angles;
+}
+
+}  // namespace
+
+std::vector<RegionLimits> verify_limits(const TriangleSoup& mesh, std::span<const RegionId> region,
+                                        const ExpectedDomain& domain, const ReachedAngles& wanted,
+                                        const Team& team) {
+  constexpr std::size_t kGroups = 32;  // of regions, each with tables as long as the whole
+  const std::size_t regions = domain.nu_opt.size();  // with the void
+  const std::vector<ReachedAngles> reached = angles_by_region(mesh, region, regions, team);
   std::vector<std::vector<std::uint32_t>> triangles(regions);
   for (std::uint32_t t = 0; t < domain.cdt_region.size(); ++t) {
     const std::size_t r = domain.cdt_region[t].index();
     if (domain.cdt_region[t] != kVoid && !meets(reached[r], wanted)) triangles[r].push_back(t);
   }
-  Cutter cutter(domain);
-  std::vector<RegionLimits> limits;
-  for (std::size_t r = 1; r < regions; ++r)
-    limits.push_back(region_limits(cutter.cut(triangles[r]), reached[r], wanted));
+  std::vector<RegionLimits> limits(regions - 1);
+  team.each_range(limits.size(), Team::ranges(limits.size(), kGroups),
+                  [&](std::size_t first, std::size_t last) {
+                    Cutter cutter(domain);
+                    for (std::size_t k = first; k < last; ++k)
+                      limits[k] =
+                          region_limits(cutter.cut(triangles[k + 1]), reached[k + 1], wanted, team);
+                  });
   return limits;
 }
 

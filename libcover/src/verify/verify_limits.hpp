@@ -17,6 +17,7 @@ namespace cover {
 /// REQUIRES: the triangles are known to cover the regions, and no side is split
 /// Cost:     O(n), and ProofEffort for every region that misses a target
 std::vector<RegionLimits> verify_limits(const TriangleSoup& mesh, std::span<const RegionId> region,
-                                        const ExpectedDomain& domain, const ReachedAngles& wanted);
+                                        const ExpectedDomain& domain, const ReachedAngles& wanted,
+                                        const Team& team = {});
 
 }  // namespace cover

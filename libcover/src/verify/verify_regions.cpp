@@ -5,19 +5,25 @@
 #include <algorithm>
 
 #include "base/containers/union_find.hpp"
+#include "base/numbers_where.hpp"
 
 namespace cover {
 
 TriangleRegions regions_of_triangles(const TriangleSoup& mesh, const SoupEdges& edges,
+                                     std::span<const std::uint32_t> twins,
                                      std::span<const std::uint32_t> side_of,
-                                     const ExpectedDomain& domain) {
+                                     const ExpectedDomain& domain, const Team& team) {
+  constexpr std::size_t kRange = 1 << 15;
   const auto all = edges.all();
-  UnionFind pieces(mesh.triangles.size());
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    if (side_of[k] != kNoSide) continue;
-    const auto twin = edges.find(all[k].to, all[k].from);
-    if (twin && side_of[*twin] == kNoSide) pieces.unite(all[k].triangle, all[*twin].triangle);
-  }
+  SharedUnionFind pieces(mesh.triangles.size());
+  team.each_range(all.size(), kRange, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      const std::uint32_t twin = twins[k];
+      if (side_of[k] != kNoSide || twin == SoupEdges::kNoTwin || side_of[twin] != kNoSide) continue;
+      if (twin > k || twins[twin] != k)  // else the twin has done so
+        pieces.unite(all[k].triangle, all[twin].triangle);
+    }
+  });
 
   TriangleRegions regions;
   std::vector<RegionId> of_piece(mesh.triangles.size(), kVoid);
@@ -30,17 +36,21 @@ TriangleRegions regions_of_triangles(const TriangleSoup& mesh, const SoupEdges& 
   }
 
   regions.of.assign(mesh.triangles.size(), kVoid);
+  team.each_range(mesh.triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t)
+      regions.of[t] = of_piece[pieces.find(static_cast<std::uint32_t>(t))];
+  });
+  for (const std::uint32_t k : numbers_where(
+           all.size(),
+           [&](std::uint32_t k) {
+             return all[k].from == mesh.triangles[all[k].triangle][0] &&  // once per triangle
+                    regions.of[all[k].triangle] == kVoid;
+           },
+           team))
+    regions.lost.push_back(all[k].triangle);
   std::vector<bool> met(domain.nu_opt.size(), false);
-  for (const SoupEdges::Edge& e : all) {
-    if (e.from != mesh.triangles[e.triangle][0]) continue;  // once per triangle
-    const RegionId region = of_piece[pieces.find(e.triangle)];
-    regions.of[e.triangle] = region;
-    if (region == kVoid)
-      regions.lost.push_back(e.triangle);
-    else
-      met[region.index()] = true;
-  }
-  regions.count = static_cast<std::size_t>(std::count(met.begin(), met.end(), true));
+  for (const RegionId region : regions.of) met[region.index()] = true;
+  regions.count = static_cast<std::size_t>(std::count(met.begin() + 1, met.end(), true));
   return regions;
 }
 

@@ -30,12 +30,13 @@ struct TriangleRegions {
   std::size_t count = 0;            ///< of regions that have triangles
 };
 
-/// Carries the regions of sides over all edges that are on none. `side_of` is by edge, an index
-/// into domain.sides or kNoSide.
+/// Carries the regions of sides over all edges that are on none. By edge: `side_of` is an index
+/// into domain.sides or kNoSide, `twins` as SoupEdges tells.
 ///
 /// Cost: O(n log n)
 TriangleRegions regions_of_triangles(const TriangleSoup& mesh, const SoupEdges& edges,
+                                     std::span<const std::uint32_t> twins,
                                      std::span<const std::uint32_t> side_of,
-                                     const ExpectedDomain& domain);
+                                     const ExpectedDomain& domain, const Team& team = {});
 
 }  // namespace cover

@@ -77,6 +77,22 @@ TEST(CheckInParts, FindsWhatTheWholeFinds) {
   }
 }
 
+TEST(CheckInParts, DividesALargePartAmongThreads) {
+  const testing::TemporaryFolder folder;
+  const Case mesh = meshed(testing::checker(40, 12, 1));
+  const std::string path = folder.path() / "x.vtu";
+  ASSERT_TRUE(write_mesh(mesh.output, path));
+  for (const unsigned threads : {1U, 3U}) {
+    Options options;
+    options.threads = threads;
+    const auto found = check_in_parts(mesh.prepared, path, {}, options, 10'000'000);
+    ASSERT_TRUE(found.has_value());
+    EXPECT_GT(found->triangles, 70'000U);
+    EXPECT_EQ(found->found.regions, mesh.prepared.table.regions.size());
+    EXPECT_EQ(found->found.segments_whole, mesh.prepared.pslg.segments.size());
+  }
+}
+
 TEST(CheckInParts, HoldsOnAwkwardGraphs) {
   const testing::TemporaryFolder folder;
   std::size_t held = 0;

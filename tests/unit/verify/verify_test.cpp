@@ -445,6 +445,42 @@ TEST(Verify, AtMostTenOfAKindAreListed) {
   EXPECT_EQ(v.violations.size(), 10U);
 }
 
+/// A hundred thousand triangles, so that work is divided, with every few thousandth one damaged.
+TEST(Verify, AnyNumberOfThreadsFindsTheSame) {
+  const Input input = testing::checker(40, 12, 1);
+  const Result<Prepared> prepared = prepare(input);
+  const Result<Output> output = cover_mesh(input);
+  ASSERT_TRUE(prepared && output);
+  const TriangleSoup good = triangle_soup(output->mesh);
+  ASSERT_GT(good.triangles.size(), 70'000U);
+  std::mt19937_64 random(testing::test_seed(11));
+  SCOPED_TRACE(testing::seed_trace(testing::test_seed(11)));
+  for (int round = 0; round < 8; ++round) {
+    TriangleSoup mesh = good;
+    for (std::size_t k = 0; round > 0 && k < 20; ++k) {
+      const std::size_t t = random() % mesh.triangles.size();
+      if (round % 4 == 1) std::swap(mesh.triangles[t][0], mesh.triangles[t][1]);
+      if (round % 4 == 2) mesh.triangles[t][2] = std::uint32_t(random() % (mesh.points.size() + 1));
+      if (round % 4 == 3) mesh.points[mesh.triangles[t][0]].x += 1e-9;
+      if (round % 4 == 0) mesh.region[t] += 1, mesh.material[t] += 1;
+    }
+    VerifyOptions options{.box_method = true, .threads = 1};
+    const Verification one = verify_cover(prepared->pslg, prepared->table, mesh, options);
+    EXPECT_EQ(one.violations.empty(), round == 0) << all_of(one);
+    for (const unsigned threads : {2U, 3U, 7U}) {
+      options.threads = threads;
+      const Verification found = verify_cover(prepared->pslg, prepared->table, mesh, options);
+      EXPECT_EQ(found.violation_count, one.violation_count);
+      EXPECT_EQ(all_of(found), all_of(one));
+      EXPECT_EQ(found.segments_whole, one.segments_whole);
+      EXPECT_EQ(found.regions, one.regions);
+      EXPECT_EQ(found.triangle_regions, one.triangle_regions);
+      EXPECT_EQ(found.limits.size(), one.limits.size());
+      EXPECT_EQ(found.negative_couplings.size(), one.negative_couplings.size());
+    }
+  }
+}
+
 TEST(Verify, EmptyMeshLacksEverything) {
   Device d;
   d.mesh = {};

@@ -29,6 +29,11 @@ class HalfEdges {
   /// The opposite half-edge, or kAbsent where no triangle lies on the other side.
   [[nodiscard]] std::uint32_t twin(std::uint32_t h) const { return find(target(h), source(h)); }
 
+  /// All half-edges by their source, then their target, then their number: the one at place `k`.
+  [[nodiscard]] std::uint32_t in_order(std::size_t k) const { return sorted_[k].half_edge; }
+  /// The place there of the first that leaves `vertex`; of size() for one vertex beyond the last.
+  [[nodiscard]] std::uint32_t first_leaving(std::size_t vertex) const { return first_[vertex]; }
+
   /// True if no two triangles have the same directed edge.
   [[nodiscard]] bool all_different(const Team& team = {}) const;
 

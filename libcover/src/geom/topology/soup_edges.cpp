@@ -5,11 +5,16 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/numbers_where.hpp"
+#include "base/sort_by_team.hpp"
+#include "geom/topology/half_edges.hpp"
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
 namespace {
+
+constexpr std::size_t kRange = 1 << 15;  // vertices, edges
 
 bool is_usable(const TriangleSoup& soup, const std::array<std::uint32_t, 3>& t) {
   const auto is_finite = [&](std::uint32_t v) {
@@ -23,26 +28,42 @@ bool is_usable(const TriangleSoup& soup, const std::array<std::uint32_t, 3>& t) 
 
 double offset_on_segment(double scale) { return 8 * spacing_at(scale); }
 
-SoupEdges::SoupEdges(const TriangleSoup& soup) : soup_(soup), first_(soup.points.size() + 1, 0) {
-  edges_.reserve(3 * soup.triangles.size());
-  for (std::uint32_t k = 0; k < soup.triangles.size(); ++k) {
-    const auto& t = soup.triangles[k];
-    if (!is_usable(soup, t)) {
-      unusable_.push_back(k);
-      continue;
-    }
-    for (std::size_t i = 0; i < 3; ++i) edges_.push_back({t[i], t[(i + 1) % 3], k});
+SoupEdges::SoupEdges(const TriangleSoup& soup, const Team& team) : soup_(soup) {
+  const auto is_fine = [&](std::uint32_t k) { return is_usable(soup, soup.triangles[k]); };
+  unusable_ = numbers_where(
+      soup.triangles.size(), [&](std::uint32_t k) { return !is_fine(k); }, team);
+  if (unusable_.empty()) {
+    sort_edges(HalfEdges(soup.points.size(), soup.triangles, team), {}, team);
+  } else {
+    const std::vector<std::uint32_t> usable = numbers_where(soup.triangles.size(), is_fine, team);
+    std::vector<IndexTriple> triangles;
+    for (const std::uint32_t k : usable) triangles.push_back(soup.triangles[k]);
+    sort_edges(HalfEdges(soup.points.size(), triangles, team), usable, team);
   }
-  std::sort(edges_.begin(), edges_.end(), [](const Edge& e, const Edge& f) {
-    return std::tie(e.from, e.to, e.triangle) < std::tie(f.from, f.to, f.triangle);
+  by_place_ = numbers_where(
+      soup.points.size(), [&](std::uint32_t v) { return first_[v] != first_[v + 1]; }, team);
+  sort_by_team(
+      by_place_,
+      [&](std::uint32_t a, std::uint32_t b) {
+        return std::tie(soup.points[a], a) < std::tie(soup.points[b], b);
+      },
+      team);
+}
+
+/// `number_of`, by triangle of `sorted`: its number in the soup; empty if it is the same.
+void SoupEdges::sort_edges(const HalfEdges& sorted, std::span<const std::uint32_t> number_of,
+                           const Team& team) {
+  first_.resize(soup_.points.size() + 1);
+  edges_.resize(sorted.size());
+  team.each_range(first_.size(), kRange, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) first_[v] = sorted.first_leaving(v);
   });
-  for (const Edge& e : edges_) ++first_[e.from + 1];
-  for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
-  for (std::uint32_t v = 0; v < soup.points.size(); ++v) {
-    if (first_[v] != first_[v + 1]) by_place_.push_back(v);
-  }
-  std::sort(by_place_.begin(), by_place_.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return std::tie(soup.points[a], a) < std::tie(soup.points[b], b);
+  team.each_range(edges_.size(), kRange, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      const std::uint32_t h = sorted.in_order(k);
+      const std::uint32_t triangle = number_of.empty() ? h / 3 : number_of[h / 3];
+      edges_[k] = {sorted.source(h), sorted.target(h), triangle};
+    }
   });
 }
 
@@ -56,6 +77,17 @@ std::optional<std::size_t> SoupEdges::find(std::uint32_t from, std::uint32_t to)
       std::partition_point(edges.begin(), edges.end(), [&](const Edge& e) { return e.to < to; });
   if (it == edges.end() || it->to != to) return std::nullopt;
   return first_[from] + static_cast<std::size_t>(it - edges.begin());
+}
+
+std::vector<std::uint32_t> SoupEdges::twins(const Team& team) const {
+  std::vector<std::uint32_t> twins(edges_.size());
+  team.each_range(edges_.size(), kRange, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      const auto twin = find(edges_[k].to, edges_[k].from);
+      twins[k] = twin ? static_cast<std::uint32_t>(*twin) : kNoTwin;
+    }
+  });
+  return twins;
 }
 
 std::vector<std::size_t> SoupEdges::along(std::uint32_t from, std::uint32_t to, double offset,
@@ -123,13 +155,13 @@ std::optional<std::uint32_t> SoupEdges::vertex_at(Point p) const {
   return *it;
 }
 
-std::vector<std::array<std::uint32_t, 2>> SoupEdges::doubles() const {
+std::vector<std::array<std::uint32_t, 2>> SoupEdges::doubles(const Team& team) const {
+  const auto place = [&](std::uint32_t k) { return soup_.points[by_place_[k]]; };
   std::vector<std::array<std::uint32_t, 2>> pairs;
-  for (std::size_t k = 1; k < by_place_.size(); ++k) {
-    if (soup_.points[by_place_[k - 1]] == soup_.points[by_place_[k]]) {
-      pairs.push_back({by_place_[k - 1], by_place_[k]});
-    }
-  }
+  for (const std::uint32_t k : numbers_where(
+           by_place_.size(), [&](std::uint32_t k) { return k > 0 && place(k - 1) == place(k); },
+           team))
+    pairs.push_back({by_place_[k - 1], by_place_[k]});
   return pairs;
 }
 

@@ -8,7 +8,11 @@
 
 #include <cover/verify.hpp>
 
+#include "base/team.hpp"
+
 namespace cover {
+
+class HalfEdges;
 
 /// How far off a segment a vertex may be that was put on it: what rounding does, where no
 /// coordinate is larger than `scale`.
@@ -27,7 +31,7 @@ class SoupEdges {
 
   /// REQUIRES: `soup` outlives this object
   /// Cost:     O(n log n)
-  explicit SoupEdges(const TriangleSoup& soup);
+  explicit SoupEdges(const TriangleSoup& soup, const Team& team = {});
 
   /// All edges, by `from`, then `to`, then triangle.
   [[nodiscard]] std::span<const Edge> all() const { return edges_; }
@@ -35,6 +39,11 @@ class SoupEdges {
   [[nodiscard]] std::span<const Edge> leaving(std::uint32_t vertex) const;
   /// Index in all() of the first edge between two vertices.
   [[nodiscard]] std::optional<std::size_t> find(std::uint32_t from, std::uint32_t to) const;
+
+  /// By place in all(): the place of the first edge the other way round, kNoTwin if there is none.
+  [[nodiscard]] std::vector<std::uint32_t> twins(const Team& team = {}) const;
+  /// "No edge."
+  static constexpr std::uint32_t kNoTwin = 0xffffffffU;
 
   /// What a way along a segment has on its sides, by the RegionIds that the mesh bears: the
   /// triangles on its left, and those on its right or none. Where segments are nearer to each other
@@ -72,7 +81,7 @@ class SoupEdges {
   /// The vertex of a triangle at exactly this place.
   [[nodiscard]] std::optional<std::uint32_t> vertex_at(Point p) const;
   /// Pairs of different vertices of triangles at the same place.
-  [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> doubles() const;
+  [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> doubles(const Team& team = {}) const;
 
  private:
   /// What along() looks for.
@@ -85,11 +94,13 @@ class SoupEdges {
     const Banks* banks;  ///< nullptr: whatever lies there
   };
 
+  void sort_edges(const HalfEdges& sorted, std::span<const std::uint32_t> number_of,
+                  const Team& team);
   [[nodiscard]] std::vector<std::size_t> follow(const Way& way) const;
   [[nodiscard]] std::optional<std::size_t> next_of(const Way& way, std::uint32_t at) const;
 
   const TriangleSoup& soup_;
-  std::vector<std::size_t> first_;  ///< by vertex, into edges_
+  std::vector<std::uint32_t> first_;  ///< by vertex, into edges_; and the end
   std::vector<Edge> edges_;
   std::vector<std::uint32_t> unusable_;
   std::vector<std::uint32_t> by_place_;  ///< used vertices, by coordinates, then index
