@@ -26,11 +26,11 @@
 #include "geom/topology/soup_edges.hpp"
 #include "geom/vector.hpp"
 #include "verify/expected_domain.hpp"
-#include "verify/verify_bound.hpp"
-#include "verify/verify_boxes.hpp"
+#include "verify/promises/verify_bound.hpp"
+#include "verify/promises/verify_boxes.hpp"
+#include "verify/promises/verify_labels.hpp"
+#include "verify/promises/verify_limits.hpp"
 #include "verify/verify_by_team.hpp"
-#include "verify/verify_labels.hpp"
-#include "verify/verify_limits.hpp"
 #include "verify/verify_regions.hpp"
 
 namespace cover {

@@ -1,5 +1,5 @@
 // Tested by tests/unit/verify/verify_test.cpp.
-#include "verify/verify_bound.hpp"
+#include "verify/promises/verify_bound.hpp"
 
 #include <algorithm>
 #include <numbers>

@@ -1,5 +1,5 @@
 // Tested by tests/unit/verify/verify_test.cpp.
-#include "verify/verify_boxes.hpp"
+#include "verify/promises/verify_boxes.hpp"
 
 #include <algorithm>
 #include <array>

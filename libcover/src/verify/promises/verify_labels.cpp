@@ -1,5 +1,5 @@
 // Tested by tests/unit/verify/verify_test.cpp.
-#include "verify/verify_labels.hpp"
+#include "verify/promises/verify_labels.hpp"
 
 #include <map>
 

@@ -1,4 +1,4 @@
-#include "verify/verify_limits.hpp"
+#include "verify/promises/verify_limits.hpp"
 
 #include <gtest/gtest.h>
 
