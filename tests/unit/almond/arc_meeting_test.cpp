@@ -13,11 +13,13 @@ namespace {
 
 using testing::almond_of;
 
+/// The ratio at the end of an arc.
+constexpr double kAtTheEnd = std::numeric_limits<double>::infinity();
+
 TEST(Meet, TwoArcsThatCrossTwice) {
   const Almond a = almond_of({0, 0}, {1, 0}, std::numbers::pi / 3),
                b = almond_of({1, 0.4}, {0, 0.4}, std::numbers::pi / 3);
-  const std::vector<KnownVertex> known_a{{0, 0}, {1, std::numeric_limits<double>::infinity()}},
-      known_b{{2, 0}, {3, std::numeric_limits<double>::infinity()}};
+  const std::vector<KnownVertex> known_a{{0, 0}, {1, kAtTheEnd}}, known_b{{2, 0}, {3, kAtTheEnd}};
   const Meetings m = meet(a, known_a, b, known_b);
   ASSERT_EQ(m.count, 2);
   for (const Meeting& x : m.item) {
@@ -33,8 +35,7 @@ TEST(Meet, TouchingArcsHaveOnePoint) {
   const double height = almond_of({0, 0}, {1, 0}, std::numbers::pi / 3).height();
   const Almond a = almond_of({0, 0}, {1, 0}, std::numbers::pi / 3);
   const Almond b = almond_of({1, 2 * height}, {0, 2 * height}, std::numbers::pi / 3);
-  const std::vector<KnownVertex> known_a{{0, 0}, {1, std::numeric_limits<double>::infinity()}},
-      known_b{{2, 0}, {3, std::numeric_limits<double>::infinity()}};
+  const std::vector<KnownVertex> known_a{{0, 0}, {1, kAtTheEnd}}, known_b{{2, 0}, {3, kAtTheEnd}};
   const Meetings m = meet(a, known_a, b, known_b);
   ASSERT_EQ(m.count, 1);
   EXPECT_NEAR(m.item[0].at.x, 0.5, 1e-6);
@@ -45,8 +46,7 @@ TEST(Meet, ACommonEndGivesTheOtherPointWithoutASquareRoot) {
   const Almond a = almond_of({0, 0}, {1, 0}, std::numbers::pi / 3);
   Almond b = almond_of({0, 1}, {0, 0}, std::numbers::pi / 3);
   b.u = 2, b.v = 0;
-  const std::vector<KnownVertex> known_a{{0, 0}, {1, std::numeric_limits<double>::infinity()}},
-      known_b{{2, 0}, {0, std::numeric_limits<double>::infinity()}};
+  const std::vector<KnownVertex> known_a{{0, 0}, {1, kAtTheEnd}}, known_b{{2, 0}, {0, kAtTheEnd}};
   for (const Meetings& m : {meet(a, known_a, b, known_b), meet(b, known_b, a, known_a)}) {
     ASSERT_EQ(m.count, 1);
     EXPECT_NEAR(m.item[0].at.x, m.item[0].at.y, 1e-15);
@@ -59,8 +59,8 @@ TEST(Meet, ACommonVertexWhoseRatioHasNoDigitsLeftDoesNotLead) {
   const Almond a = almond_of({0, 1}, {0.9, 1.3}, std::numbers::pi / 3);
   const Almond b = almond_of({2, 10}, {0, 1.0000000000000004}, 0);
   for (const double ratio : {1e-17, 2e-16, 5e-16, 1e-15}) {
-    const std::vector<KnownVertex> known_a{{0, 0}, {1, kInfinity}, {3, ratio}};
-    const std::vector<KnownVertex> known_b{{2, 0}, {3, kInfinity}};
+    const std::vector<KnownVertex> known_a{{0, 0}, {1, kAtTheEnd}, {3, ratio}};
+    const std::vector<KnownVertex> known_b{{2, 0}, {3, kAtTheEnd}};
     const Meetings m = meet(a, known_a, b, known_b);
     for (int i = 0; i < m.count; ++i) {
       EXPECT_NEAR(b.power(m.item[static_cast<std::size_t>(i)].at), 0, 1e-5 * b.length * b.length)
@@ -74,8 +74,7 @@ TEST(Meet, ArcsTangentAtACommonEndDoNotMeet) {
   const Point far{std::cos(2 * std::numbers::pi / 3), std::sin(2 * std::numbers::pi / 3)};
   const Almond a = almond_of({0, 0}, {1, 0}, std::numbers::pi / 3),
                b = almond_of(far, {0, 0}, std::numbers::pi / 3);
-  const std::vector<KnownVertex> known_a{{0, 0}, {1, std::numeric_limits<double>::infinity()}},
-      known_b{{2, 0}, {0, std::numeric_limits<double>::infinity()}};
+  const std::vector<KnownVertex> known_a{{0, 0}, {1, kAtTheEnd}}, known_b{{2, 0}, {0, kAtTheEnd}};
   EXPECT_EQ(meet(a, known_a, b, known_b).count, 0);
 }
 
