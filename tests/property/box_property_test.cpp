@@ -60,15 +60,14 @@ RandomMesh random_mesh(const RegionBoundary& boundary, const Triangulation& plai
 void flip_at_random(RandomMesh& mesh, std::mt19937_64& random) {
   std::vector<std::uint8_t> changed(mesh.cdt.triangles.size(), 0);
   for (std::uint32_t t = 0; t < mesh.cdt.triangles.size(); ++t) {
-    const auto i = static_cast<std::size_t>(random() % 3);
+    const Corner i = static_cast<std::uint32_t>(random() % 3);
     const std::uint32_t u = mesh.cdt.triangles[t].n[i];
-    if (u == kNone || mesh.cdt.triangles[t].is_locked(static_cast<int>(i)) || changed[t] != 0 ||
-        changed[u] != 0)
+    if (u == kNone || mesh.cdt.triangles[t].is_locked(i) || changed[t] != 0 || changed[u] != 0)
       continue;
     const auto& v = mesh.cdt.triangles[t].v;
-    const std::uint32_t a = v[i], b = v[(i + 1) % 3], c = v[(i + 2) % 3];
+    const std::uint32_t a = v[i], b = v[i.next()], c = v[i.previous()];
     const Triangle& other = mesh.cdt.triangles[u];
-    const std::uint32_t d = other.v[static_cast<std::size_t>(other.edge_to(t))];
+    const std::uint32_t d = other.v[other.edge_to(t)];
     if (orientation(mesh.points[a], mesh.points[b], mesh.points[d]) != Sign::positive ||
         orientation(mesh.points[a], mesh.points[d], mesh.points[c]) != Sign::positive)
       continue;

@@ -89,15 +89,14 @@ class Walker {
 
   /// Puts the triangles behind the edges that the almond crosses on the stack, but not the one
   /// behind edge `entered`.
-  void leave(std::uint32_t triangle, int entered) {
+  void leave(std::uint32_t triangle, Corner entered) {
     const Triangle& f = cdt_.triangles[triangle];
-    for (int i = 0; i < 3; ++i) {
-      const std::uint32_t next = f.n[static_cast<std::size_t>(i)];
+    for (const Corner i : kCorners) {
+      const std::uint32_t next = f.n[i];
       if (i == entered || f.is_locked(i) || next == kNone) continue;
-      if (crosses(f.v[static_cast<std::size_t>(next3(i))],
-                  f.v[static_cast<std::size_t>(prev3(i))])) {
-        const int back = cdt_.triangles[next].edge_to(triangle);
-        stack_.push_back({next, static_cast<std::uint8_t>(back)});
+      if (crosses(f.v[i.next()], f.v[i.previous()])) {
+        const Corner back = cdt_.triangles[next].edge_to(triangle);
+        stack_.push_back({next, back});
       }
     }
   }

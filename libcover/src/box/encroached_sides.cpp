@@ -13,8 +13,8 @@ std::vector<EncroachedSide> encroached_sides(const Triangulation& cdt,
   for (std::size_t s = 0; s < at.size(); ++s) {
     if (at[s].triangle == kNone) continue;
     const auto& v = cdt.triangles[at[s].triangle].v;
-    const auto i = static_cast<std::size_t>(at[s].edge);
-    const std::uint32_t a = v[(i + 1) % 3], b = v[(i + 2) % 3];
+    const Corner i = at[s].edge;
+    const std::uint32_t a = v[i.next()], b = v[i.previous()];
     if (compare_with_90_degrees(cdt.points[a], cdt.points[v[i]], cdt.points[b]) == Sign::positive)
       found.push_back({s, v[i]});
   }

@@ -43,11 +43,11 @@ bool ObstacleFinder::sees_foot(std::uint32_t start, Point foot, Point p) {
 
 std::vector<Obstacle> ObstacleFinder::obstacles(EdgeRef side) {
   ++call_;
-  const auto corner = [&](std::uint32_t t, int i) {
-    return cdt_.points[cdt_.triangles[t].v[static_cast<std::size_t>(i)]];
+  const auto corner = [&](std::uint32_t t, Corner i) {
+    return cdt_.points[cdt_.triangles[t].v[i]];
   };
-  const Point a = corner(side.triangle, next3(side.edge)),
-              b = corner(side.triangle, prev3(side.edge));
+  const Point a = corner(side.triangle, side.edge.next()),
+              b = corner(side.triangle, side.edge.previous());
   const Vector along = b - a;
   const Point centre = midpoint(a, b);
   const double squared = squared_length(along);
@@ -59,15 +59,15 @@ std::vector<Obstacle> ObstacleFinder::obstacles(EdgeRef side) {
     const std::uint32_t t = stack_.back();
     stack_.pop_back();
     --budget_;
-    for (int i = 0; i < 3; ++i) {
-      const std::uint32_t w = cdt_.triangles[t].v[static_cast<std::size_t>(i)];
+    for (const Corner i : kCorners) {
+      const std::uint32_t w = cdt_.triangles[t].v[i];
       const Point p = cdt_.points[w];
       if (compare_with_90_degrees(a, p, b) == Sign::positive &&
           orientation(a, b, p) == Sign::positive)
         met.push_back(w);
-      const std::uint32_t n = cdt_.triangles[t].n[static_cast<std::size_t>(i)];
+      const std::uint32_t n = cdt_.triangles[t].n[i];
       if (n == kNone || cdt_.triangles[t].is_locked(i) || stamp_[n] == call_) continue;
-      if (!meets_disk(corner(t, next3(i)), corner(t, prev3(i)), centre, squared / 4)) continue;
+      if (!meets_disk(corner(t, i.next()), corner(t, i.previous()), centre, squared / 4)) continue;
       stamp_[n] = call_;
       stack_.push_back(n);
     }

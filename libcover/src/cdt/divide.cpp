@@ -132,10 +132,11 @@ class Divided {
         Edge e = static_cast<Edge>(k);
         if (!is_first(e)) continue;
         Triangle& triangle = out.triangles[number];
-        for (std::uint32_t i = 0; i < 3; ++i, e = lnext(e)) {
+        for (const Corner i : kCorners) {
           triangle.v[i] = ids[org_[e]];
-          triangle.n[(i + 2) % 3] = e;  // for now
-          if (is_locked_[e / 2] != 0) triangle.set_locked(static_cast<int>((i + 2) % 3), true);
+          triangle.n[i.previous()] = e;  // for now
+          if (is_locked_[e / 2] != 0) triangle.set_locked(i.previous(), true);
+          e = lnext(e);
         }
         ++number;
       }

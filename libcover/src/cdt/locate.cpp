@@ -6,6 +6,8 @@
 // Tested by tests/unit/cdt/locate_test.cpp.
 #include "cdt/locate.hpp"
 
+#include <optional>
+
 #include "geom/predicates.hpp"
 
 namespace cover {
@@ -17,19 +19,20 @@ Location Locator::locate(Point p) {
   for (;;) {
     state_ = state_ * 6364136223846793005U + 1442695040888963407U;  // Knuth's MMIX generator
     const Triangle& f = triangles[last_];
-    int i = static_cast<int>((state_ >> 33) % 3);
-    int edges_through = 0, on_edge = 0, edge_sum = 0, beyond = -1;
-    for (int k = 0; k < 3 && beyond < 0; ++k, i = next3(i)) {
-      const Sign side = orientation(points[f.v[static_cast<std::size_t>(next3(i))]],
-                                    points[f.v[static_cast<std::size_t>(prev3(i))]], p);
+    auto i = Corner(static_cast<std::uint32_t>((state_ >> 33) % 3));
+    Corner on_edge;
+    std::uint32_t edges_through = 0, edge_sum = 0;
+    std::optional<Corner> beyond;
+    for (int k = 0; k < 3 && !beyond; ++k, i = i.next()) {
+      const Sign side = orientation(points[f.v[i.next()]], points[f.v[i.previous()]], p);
       if (side == Sign::negative) beyond = i;
       if (side != Sign::zero) continue;
       ++edges_through;
       on_edge = i;
       edge_sum += i;
     }
-    if (beyond >= 0) {
-      const std::uint32_t next = f.n[static_cast<std::size_t>(beyond)];
+    if (beyond) {
+      const std::uint32_t next = f.n[*beyond];
       if (next == kNone) return {};
       last_ = next;
       continue;

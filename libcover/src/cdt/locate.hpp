@@ -12,7 +12,7 @@ struct Location {
   enum class Kind { inside, on_edge, on_vertex, outside };
   Kind kind = Kind::outside;
   std::uint32_t triangle = kNone;  ///< one that contains the point; none if outside
-  int index = 0;                   ///< edge or corner of the triangle
+  Corner index;                    ///< edge or corner of the triangle
 };
 
 /// Finds points by walking; a walk starts where the last one ended.

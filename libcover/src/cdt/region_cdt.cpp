@@ -104,9 +104,9 @@ class Assembly {
   void fill(std::size_t t) {
     Triangle& triangle = out_.triangles[t];
     triangle.v = triangles_[t];
-    for (std::size_t i = 0; i < 3; ++i) {  // half-edge i starts at corner i: opposite to i + 2
-      const std::size_t edge = (i + 2) % 3;
-      const std::uint32_t u = triangle.v[i], v = triangle.v[(i + 1) % 3];
+    for (const Corner i : kCorners) {  // half-edge i starts at corner i: opposite to i + 2
+      const std::size_t edge = i.previous();
+      const std::uint32_t u = triangle.v[i], v = triangle.v[i.next()];
       const std::uint32_t twin = opposite_[3 * t + i];
       triangle.n[edge] = twin == HalfEdges::kAbsent ? kNone : twin / 3;
       if (is_side(u, v) || is_side(v, u)) triangle.set_locked(static_cast<int>(edge), true);
@@ -119,18 +119,18 @@ class Assembly {
     const auto& points = out_.points;
     const Point a = points[own.v[0]], b = points[own.v[1]], c = points[own.v[2]];
     if (orientation(a, b, c) != Sign::positive) return false;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (const Corner i : kCorners) {
       const std::uint32_t n = own.n[i];
-      if (own.is_locked(static_cast<int>(i))) {
+      if (own.is_locked(i)) {
         // A triangle on the right of a side is there for a slit alone, which is a side both ways.
-        const std::uint32_t u = own.v[(i + 1) % 3], v = own.v[(i + 2) % 3];
+        const std::uint32_t u = own.v[i.next()], v = own.v[i.previous()];
         if (!is_side(u, v) || (n != kNone && !is_side(v, u))) return false;
         ++sides;
       } else if (n == kNone) {
         return false;
       } else if (n > t) {
         const Triangle& other = out_.triangles[n];
-        const Point beyond = points[other.v[static_cast<std::size_t>(other.edge_to(t))]];
+        const Point beyond = points[other.v[other.edge_to(t)]];
         if (in_circle(a, b, c, beyond) != Sign::negative) return false;
       }
     }

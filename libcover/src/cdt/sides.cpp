@@ -18,10 +18,9 @@ std::vector<EdgeRef> locate_sides(const Triangulation& cdt, std::span<const Inde
   const auto look_at = [&](std::uint32_t t) {
     const Triangle& f = cdt.triangles[t];
     if (f.locked == 0) return;
-    for (int i = 0; i < 3; ++i) {
+    for (const Corner i : kCorners) {
       if (!f.is_locked(i)) continue;
-      const IndexPair pair{f.v[static_cast<std::size_t>(next3(i))],
-                           f.v[static_cast<std::size_t>(prev3(i))]};
+      const IndexPair pair{f.v[i.next()], f.v[i.previous()]};
       const auto begin = sides.begin() + first[pair[0]], end = sides.begin() + first[pair[0] + 1];
       const auto side = std::lower_bound(begin, end, pair);
       if (side == end || *side != pair) continue;

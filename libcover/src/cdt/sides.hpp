@@ -14,7 +14,7 @@ namespace cover {
 /// A directed edge of a triangulation: edge `edge` of triangle `triangle`, which lies on its left.
 struct EdgeRef {
   std::uint32_t triangle = kNone;  ///< kNone: the pair is no edge with a triangle on its left
-  std::uint8_t edge = 0;
+  Corner edge;
 };
 
 /// The triangle on the left of each directed side.

@@ -5,6 +5,8 @@
 // Tested by tests/unit/almond/fill/refine_large_angles_test.cpp.
 #include "cdt/sight.hpp"
 
+#include <optional>
+
 #include "geom/predicates.hpp"
 
 namespace cover {
@@ -12,32 +14,32 @@ namespace cover {
 Walk walk_straight(const Triangulation& cdt, std::uint32_t start, Point from, Point to) {
   Walk walk;
   walk.at.triangle = start;
-  int entered = -1;
+  std::optional<Corner> entered;
   for (; walk.passed <= cdt.triangles.size(); ++walk.passed) {
     const Triangle& f = cdt.triangles[walk.at.triangle];
-    int leave = -1;
-    for (int i = 0; i < 3; ++i) {
+    std::optional<Corner> leave;
+    for (const Corner i : kCorners) {
       if (i == entered) continue;
-      const Point a = cdt.points[f.v[static_cast<std::size_t>(next3(i))]];
-      const Point b = cdt.points[f.v[static_cast<std::size_t>(prev3(i))]];
+      const Point a = cdt.points[f.v[i.next()]];
+      const Point b = cdt.points[f.v[i.previous()]];
       if (orientation(a, b, to) != Sign::negative) continue;
       // Edge i runs from a to b. If an edge was chosen before, the two share a corner.
-      if (leave < 0) {
+      if (!leave) {
         leave = i;
       } else {
-        const bool shares_a = leave == prev3(i);
+        const bool shares_a = leave == i.previous();
         const Sign side = orientation(from, to, shares_a ? a : b);
         const bool through_this = shares_a ? side != Sign::positive : side == Sign::positive;
         if (through_this) leave = i;
       }
     }
-    if (leave < 0) {
+    if (!leave) {
       walk.arrived = true;
       return walk;
     }
-    walk.at.edge = static_cast<std::uint8_t>(leave);
-    const std::uint32_t next = f.n[static_cast<std::size_t>(leave)];
-    if (next == kNone || f.is_locked(leave)) return walk;
+    walk.at.edge = *leave;
+    const std::uint32_t next = f.n[*leave];
+    if (next == kNone || f.is_locked(*leave)) return walk;
     entered = cdt.triangles[next].edge_to(walk.at.triangle);
     walk.at.triangle = next;
   }

@@ -98,8 +98,8 @@ std::vector<bool> triangles_of_regions(const Pslg& pslg, const RegionTable& tabl
   while (!reached.empty()) {
     const Triangle& f = whole.triangles[reached.back()];
     reached.pop_back();
-    for (int i = 0; i < 3; ++i) {
-      if (!f.is_locked(i)) reach(f.n[static_cast<std::size_t>(i)]);
+    for (const Corner i : kCorners) {
+      if (!f.is_locked(i)) reach(f.n[i]);
     }
   }
   return is_reached;

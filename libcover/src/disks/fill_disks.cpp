@@ -203,7 +203,7 @@ class TaskRun {
     std::vector<IndexPair> edges = outer_edges(filling);
     edges.reserve(edges.size() + 3 * filling.triangles.size());
     for (const auto& t : filling.triangles) {
-      for (std::size_t k = 0; k < 3; ++k) edges.push_back({t[k], t[(k + 1) % 3]});
+      for (const Corner k : kCorners) edges.push_back({t[k], t[k.next()]});
     }
     std::vector<IndexPair> opposite;
     opposite.reserve(edges.size());

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "disks/gaps/small_polygon.hpp"
+#include "geom/topology/corner.hpp"
 
 namespace cover::disks {
 namespace {
@@ -46,8 +47,8 @@ class ThinOut {
     std::vector<std::array<Index, 2>> edges;
     for (const Index t : stars_[v]) {
       const auto& f = draft_.triangles[t];
-      const std::size_t i = f[0] == v ? 0 : f[1] == v ? 1 : 2;
-      edges.push_back({f[(i + 1) % 3], f[(i + 2) % 3]});
+      const Corner i = f[0] == v ? 0U : f[1] == v ? 1U : 2U;
+      edges.push_back({f[i.next()], f[i.previous()]});
     }
     std::size_t start = 0;  // on a chord: the edge that no other leads to
     for (std::size_t k = 0; k < edges.size(); ++k) {

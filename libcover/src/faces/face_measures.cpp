@@ -58,9 +58,10 @@ void search_inside(const Faces& faces, std::vector<bool>& wanted, std::vector<Fa
     const std::uint32_t face = faces.of_triangle[t];
     const Triangle& f = faces.triangulation.triangles[t];
     const auto c = corners(faces, t);
-    for (std::size_t i = 0; i < 3 && wanted[face]; ++i) {
-      const Point u = c[(i + 1) % 3], v = c[(i + 2) % 3], m = midpoint(u, v);
-      if (f.is_locked(static_cast<int>(i)) || f.n[i] == kNone || m == u || m == v) continue;
+    for (const Corner i : kCorners) {
+      if (!wanted[face]) break;
+      const Point u = c[i.next()], v = c[i.previous()], m = midpoint(u, v);
+      if (f.is_locked(i) || f.n[i] == kNone || m == u || m == v) continue;
       if (orientation(u, v, m) != Sign::zero) continue;
       out[face].inside = m;
       wanted[face] = false;
@@ -104,9 +105,9 @@ void measure_some(const Faces& faces, std::size_t first, std::size_t last,
       face.inside = centroid(c);
       face.is_inside = strictly_inside(c, face.inside);
     }
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!f.is_locked(static_cast<int>(i)) && f.n[i] != kNone) continue;
-      const std::pair side(c[(i + 1) % 3], c[(i + 2) % 3]);
+    for (const Corner i : kCorners) {
+      if (!f.is_locked(i) && f.n[i] != kNone) continue;
+      const std::pair side(c[i.next()], c[i.previous()]);
       face.smallest_side = std::min(face.smallest_side, side);
     }
   }

@@ -21,9 +21,9 @@ bool flood(Faces& faces, std::uint32_t start, std::uint32_t face,
   while (!stack.empty()) {
     const Triangle& f = faces.triangulation.triangles[stack.back()];
     stack.pop_back();
-    for (int i = 0; i < 3; ++i) {
+    for (const Corner i : kCorners) {
       if (f.is_locked(i)) continue;
-      const std::uint32_t next = f.n[static_cast<std::size_t>(i)];
+      const std::uint32_t next = f.n[i];
       if (next == kNone) {
         open = true;
       } else if (faces.of_triangle[next] == kUnseen) {
@@ -98,10 +98,10 @@ void find_sides(Faces& faces, std::span<const IndexPair> segments, const Segment
   team.each_range(faces.of_triangle.size(), kRange, [&](std::size_t first, std::size_t last) {
     for (std::size_t t = first; t < last; ++t) {
       const Triangle& f = faces.triangulation.triangles[t];
-      for (int i = 0; i < 3; ++i) {
+      for (const Corner i : kCorners) {
         if (!f.is_locked(i)) continue;
-        const std::uint32_t u = f.v[static_cast<std::size_t>(next3(i))];
-        const std::uint32_t v = f.v[static_cast<std::size_t>(prev3(i))];
+        const std::uint32_t u = f.v[i.next()];
+        const std::uint32_t v = f.v[i.previous()];
         const std::uint32_t s = index.find(u, v);
         faces.of_segment[s][segments[s][0] == u ? 0 : 1] = faces.of_triangle[t];
       }

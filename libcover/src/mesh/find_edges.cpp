@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <atomic>
 
+#include "geom/topology/corner.hpp"
+
 namespace cover {
 namespace {
 
@@ -57,8 +59,7 @@ std::vector<std::uint32_t> find_edges(std::size_t vertices, std::span<const Inde
   };
   team.each_range(triangles.size(), kTrianglesAtATime, [&](std::size_t begin, std::size_t end) {
     for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t) {
-      for (std::uint32_t i = 0; i < 3; ++i)
-        look_at({triangles[t][i], triangles[t][(i + 1) % 3]}, 3 * t + i);
+      for (const Corner i : kCorners) look_at({triangles[t][i], triangles[t][i.next()]}, 3 * t + i);
     }
   });
   return found;

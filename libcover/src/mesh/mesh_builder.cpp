@@ -19,6 +19,7 @@
 
 #include "base/sort_by_team.hpp"
 #include "geom/predicates.hpp"
+#include "geom/topology/corner.hpp"
 
 namespace cover {
 
@@ -124,11 +125,11 @@ void MeshBuilder::set_faces(std::size_t first, std::size_t last, std::span<std::
                             TriMesh& tri) const {
   for (auto t = static_cast<std::uint32_t>(first); t < last; ++t) {
     const TriMesh::FaceHandle face(static_cast<int>(t));
-    for (std::uint32_t i = 0; i < 3; ++i) {
+    for (const Corner i : kCorners) {
       const Halfedge edge = halfedge(3 * t + i);
-      tri.set_vertex_handle(edge, vertex(triangles_[t][(i + 1) % 3]));
+      tri.set_vertex_handle(edge, vertex(triangles_[t][i.next()]));
       tri.set_face_handle(edge, face);
-      tri.set_next_halfedge_handle(edge, halfedge(3 * t + (i + 1) % 3));
+      tri.set_next_halfedge_handle(edge, halfedge(3 * t + i.next()));
       if (i == 0) tri.set_halfedge_handle(face, edge);  // keeps the order of the corners
       keep_larger(3 * t + i + 1, last_of[triangles_[t][i]]);
     }

@@ -133,11 +133,11 @@ class RegionWork {
     const auto is_negative = [&](std::uint32_t t) {
       if (mesh.is_hole(t)) return false;
       const auto& [v, n] = mesh.triangles[t];
-      for (std::size_t i = 0; i < 3; ++i) {
+      for (const Corner i : kCorners) {
         if (is_side(n[i]) || n[i] < t) continue;
         const MeshTriangle& other = mesh.triangles[n[i]];
         const std::uint32_t beyond =
-            other.v[static_cast<std::size_t>(other.edge_from(v[(i + 2) % 3]))];
+            other.v[static_cast<std::size_t>(other.edge_from(v[i.previous()]))];
         if (in_circle(at(v[0]), at(v[1]), at(v[2]), at(beyond)) == Sign::positive) return true;
       }
       return false;

@@ -29,33 +29,33 @@ class NearMisses {
       : pslg_(pslg), triangulation_(triangulation), notes_(notes) {}
 
   /// A corner of a triangle, to which something is near.
-  struct Corner {
+  struct CornerOfTriangle {
     std::uint32_t triangle;
-    int i;
+    Corner i;
   };
 
   /// Adds the corners of triangle t that are near to the edge opposite, or whose edge opposite is
   /// short.
-  void collect(std::uint32_t t, std::vector<Corner>& found) const {
+  void collect(std::uint32_t t, std::vector<CornerOfTriangle>& found) const {
     const Triangle& f = triangulation_.triangles[t];
     std::array<double, 3> opposite{};  // the lengths of the edges
-    for (int i = 0; i < 3; ++i)
-      opposite[place(i)] = length(at(f.v[place(prev3(i))]) - at(f.v[place(next3(i))]));
-    for (int i = 0; i < 3; ++i) {
-      const double beside = std::min(opposite[place(next3(i))], opposite[place(prev3(i))]);
-      if (opposite[place(i)] < kNear * beside) {
+    for (const Corner i : kCorners) opposite[i] = length(at(f.v[i.previous()]) - at(f.v[i.next()]));
+    for (const Corner i : kCorners) {
+      const double beside = std::min(opposite[i.next()], opposite[i.previous()]);
+      if (opposite[i] < kNear * beside) {
         if (!f.is_locked(i)) found.push_back({t, i});
-      } else if (!f.is_locked(next3(i)) && !f.is_locked(prev3(i)) && is_near_edge(f, i, beside)) {
+      } else if (!f.is_locked(i.next()) && !f.is_locked(i.previous()) &&
+                 is_near_edge(f, i, beside)) {
         found.push_back({t, i});
       }
     }
   }
 
   /// Tells of what was collected.
-  void look(const Corner& corner) {
+  void look(const CornerOfTriangle& corner) {
     const auto& [t, i] = corner;
     const Triangle& f = triangulation_.triangles[t];
-    const std::uint32_t w = f.v[place(i)], u = f.v[place(next3(i))], v = f.v[place(prev3(i))];
+    const std::uint32_t w = f.v[i], u = f.v[i.next()], v = f.v[i.previous()];
     const double uv = length(at(v) - at(u));
     const double beside = std::min(length(at(w) - at(v)), length(at(u) - at(w)));
     if (uv < kNear * beside) {
@@ -74,10 +74,8 @@ class NearMisses {
   }
 
  private:
-  static std::size_t place(int i) { return static_cast<std::size_t>(i); }
-
-  [[nodiscard]] bool is_near_edge(const Triangle& f, int i, double beside) const {
-    const std::uint32_t w = f.v[place(i)], u = f.v[place(next3(i))], v = f.v[place(prev3(i))];
+  [[nodiscard]] bool is_near_edge(const Triangle& f, Corner i, double beside) const {
+    const std::uint32_t w = f.v[i], u = f.v[i.next()], v = f.v[i.previous()];
     return is_beside(w, u, v) && distance(w, u, v) < kNear * beside;
   }
 
@@ -107,27 +105,26 @@ class NearMisses {
 
   /// Goes on from point w across edge i of triangle t, as long as edges are nearer than `reach`, to
   /// the segment behind them.
-  void look_across(std::uint32_t w, std::uint32_t t, int i, double reach) {
+  void look_across(std::uint32_t w, std::uint32_t t, Corner i, double reach) {
     for (int step = 0; step < kMostSteps; ++step) {
       const Triangle& f = triangulation_.triangles[t];
-      const std::uint32_t u = f.v[static_cast<std::size_t>(next3(i))];
-      const std::uint32_t v = f.v[static_cast<std::size_t>(prev3(i))];
+      const std::uint32_t u = f.v[i.next()];
+      const std::uint32_t v = f.v[i.previous()];
       if (f.is_locked(i)) {
         if (is_beside(w, u, v)) point_and_segment(w, u, v, distance(w, u, v));
         return;
       }
-      const std::uint32_t next = f.n[static_cast<std::size_t>(i)];
+      const std::uint32_t next = f.n[i];
       if (next == kNone) return;
       const Triangle& g = triangulation_.triangles[next];
-      const int back = g.edge_to(t);
+      const Corner back = g.edge_to(t);
       // Of the two edges on the far side the one that runs past w: its ends are on both sides of w.
-      const std::uint32_t apex = g.v[static_cast<std::size_t>(back)];
+      const std::uint32_t apex = g.v[back];
       const Vector along = at(v) - at(u);
-      i = dot(along, at(apex) - at(w)) > 0 ? next3(back) : prev3(back);
+      i = dot(along, at(apex) - at(w)) > 0 ? back.next() : back.previous();
       t = next;
       const Triangle& h = triangulation_.triangles[t];
-      if (distance(w, h.v[static_cast<std::size_t>(next3(i))],
-                   h.v[static_cast<std::size_t>(prev3(i))]) >= reach) {
+      if (distance(w, h.v[i.next()], h.v[i.previous()]) >= reach) {
         return;
       }
     }
@@ -164,13 +161,13 @@ std::vector<Note> find_near_misses(const Pslg& pslg, const Triangulation& triang
   const std::size_t triangles = triangulation.triangles.size();
   std::vector<Note> notes;
   NearMisses misses(pslg, triangulation, notes);
-  std::vector<std::vector<NearMisses::Corner>> found(Team::ranges(triangles, kRange));
+  std::vector<std::vector<NearMisses::CornerOfTriangle>> found(Team::ranges(triangles, kRange));
   team.each_range(triangles, kRange, [&](std::size_t first, std::size_t last) {
     for (auto t = static_cast<std::uint32_t>(first); t < last; ++t)
       misses.collect(t, found[first / kRange]);
   });
   for (const auto& some : found) {
-    for (const NearMisses::Corner& corner : some) misses.look(corner);
+    for (const NearMisses::CornerOfTriangle& corner : some) misses.look(corner);
   }
   misses.finish();
   return notes;

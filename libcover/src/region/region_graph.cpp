@@ -197,11 +197,9 @@ class TableMaker {
     for (std::size_t t = 0; t < faces_.of_triangle.size(); ++t) {
       const RegionId region = region_of_face_[faces_.of_triangle[t]];
       const Triangle& f = faces_.triangulation.triangles[t];
-      for (int i = 0; i < 3; ++i) {
-        if (region == kVoid || f.is_locked(i) || f.n[static_cast<std::size_t>(i)] != kNone)
-          continue;
-        table_.hull_sides.push_back({VertexId{f.v[static_cast<std::size_t>(next3(i))]},
-                                     VertexId{f.v[static_cast<std::size_t>(prev3(i))]}, region});
+      for (const Corner i : kCorners) {
+        if (region == kVoid || f.is_locked(i) || f.n[i] != kNone) continue;
+        table_.hull_sides.push_back({VertexId{f.v[i.next()]}, VertexId{f.v[i.previous()]}, region});
         count_side(region);
       }
     }

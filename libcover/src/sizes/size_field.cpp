@@ -77,7 +77,7 @@ SizeField::SizeField(const RegionBoundary& boundary, const Triangulation& cdt,
   }
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (const Triangle& t : cdt.triangles) {
-    for (std::size_t i = 0; i < 3; ++i) edges.emplace_back(t.v[i], t.v[(i + 1) % 3]);
+    for (const Corner i : kCorners) edges.emplace_back(t.v[i], t.v[i.next()]);
   }
   spread_sizes(cdt.points, edges, slope_, at_);
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "geom/topology/corner.hpp"
+
 namespace cover {
 
 Goal Goal::of(Angle max, Angle min) {
@@ -20,14 +22,14 @@ Goal Goal::of(Angle max, Angle min) {
 double excess(const Goal& goal, const Corners& k, const Allowance* const side[3]) {
   if (!(k.cross > 0)) return kInverted;
   double small = goal.small;
-  for (int i = 0; i < 3; ++i) {
+  for (const Corner i : kCorners) {
     if (side[i] != nullptr) small = std::max(small, goal.small + side[i]->small);
   }
   double worst = -kInverted;
-  for (int i = 0; i < 3; ++i) {
+  for (const Corner i : kCorners) {
     const double large = goal.large + (side[i] != nullptr ? side[i]->large : 0);
     worst = std::max(worst, -k.dot[i] - large * k.cross);
-    const bool of_the_input = side[(i + 1) % 3] != nullptr && side[(i + 2) % 3] != nullptr;
+    const bool of_the_input = side[i.next()] != nullptr && side[i.previous()] != nullptr;
     if (!of_the_input) worst = std::max(worst, goal.weight * (k.dot[i] - small * k.cross));
   }
   return worst / k.cross;

@@ -119,9 +119,9 @@ std::vector<std::uint32_t> encroaching(const MeshWithUndo& mesh, const RegionBou
   std::vector<std::uint32_t> found;
   for (const MeshWithUndo::Triangle& t : mesh.triangles()) {
     if (t.v[0] == kNone || t.cost == 0) continue;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (const Corner i : kCorners) {
       if (t.line[i] == ConformingMesh::kInside || !mesh.is_movable(t.v[i])) continue;
-      const IndexPair edge{t.v[(i + 1) % 3], t.v[(i + 2) % 3]};
+      const IndexPair edge{t.v[i.next()], t.v[i.previous()]};
       const auto side = std::lower_bound(boundary.sides.begin(), boundary.sides.end(), edge);
       const bool is_side = side != boundary.sides.end() && *side == edge;
       if (is_side && is_free[static_cast<std::size_t>(side - boundary.sides.begin())] &&

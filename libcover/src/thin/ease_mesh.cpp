@@ -46,9 +46,9 @@ class Easer {
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
       const IndexTriple& v = mesh.triangles[t];
       std::array<bool, 3>& faces = faces_piece_.emplace_back();
-      for (std::size_t i = 0; i < 3; ++i) {
+      for (const Corner i : kCorners) {
         around_[v[i]].push_back(t);
-        const auto [b, c] = std::minmax(v[(i + 1) % 3], v[(i + 2) % 3]);
+        const auto [b, c] = std::minmax(v[i.next()], v[i.previous()]);
         faces[i] = std::binary_search(pieces.begin(), pieces.end(), IndexPair{b, c});
       }
     }
@@ -61,7 +61,7 @@ class Easer {
       const std::uint32_t t = waiting_.front();
       waiting_.pop_front();
       is_waiting_[t] = false;
-      for (std::size_t i = 0; i < 3; ++i) right(t, i);
+      for (const Corner i : kCorners) right(t, i);
     }
   }
 
@@ -151,9 +151,9 @@ class Easer {
   }
 
   /// Makes the angle at corner `i` right if it is obtuse.
-  void right(std::uint32_t t, std::size_t i) {
+  void right(std::uint32_t t, Corner i) {
     const IndexTriple& v = mesh_.triangles[t];
-    const std::uint32_t a = v[i], b = v[(i + 1) % 3], c = v[(i + 2) % 3];
+    const std::uint32_t a = v[i], b = v[i.next()], c = v[i.previous()];
     const Vector ab = points_[b] - points_[a], ac = points_[c] - points_[a];
     const Blunt is = bluntness(points_[b], points_[a], points_[c]);
     if (is == Blunt::no || (is == Blunt::by_rounding && !faces_piece_[t][i])) return;

@@ -203,11 +203,11 @@ class Thinner {
   }
 
   /// The corner that sees a piece opposite to it at more than a right angle; nothing if none does.
-  [[nodiscard]] std::optional<std::size_t> corner_over_a_piece(std::uint32_t t) const {
+  [[nodiscard]] std::optional<Corner> corner_over_a_piece(std::uint32_t t) const {
     const MeshWithUndo::Triangle& triangle = mesh_.triangles()[t];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Point apex = mesh_.at(triangle.v[i]), a = mesh_.at(triangle.v[(i + 1) % 3]),
-                  b = mesh_.at(triangle.v[(i + 2) % 3]);
+    for (const Corner i : kCorners) {
+      const Point apex = mesh_.at(triangle.v[i]), a = mesh_.at(triangle.v[i.next()]),
+                  b = mesh_.at(triangle.v[i.previous()]);
       if (triangle.line[i] != ConformingMesh::kInside && dot(a - apex, b - apex) < 0) return i;
     }
     return std::nullopt;
@@ -281,7 +281,7 @@ class Thinner {
       const auto corner = corner_over_a_piece(t);
       if (!corner) continue;
       const Point apex = mesh_.at(mesh_.triangles()[t].v[*corner]);
-      const Spot spot = mesh_.on_line(apex, t, static_cast<int>(*corner));
+      const Spot spot = mesh_.on_line(apex, t, *corner);
       spend(1);
       if (spot.triangle == kNone || !(mesh_.change_with(spot) < kInfinite)) continue;
       worst = mesh_.triangles()[t].cost;
@@ -419,24 +419,24 @@ class Thinner {
   [[nodiscard]] std::vector<std::uint32_t> neighbours(std::uint32_t v) const {
     std::vector<std::uint32_t> found;
     const std::uint32_t start = mesh_.vertices()[v].home;
-    const auto turn = [&](std::uint32_t t, std::size_t to, std::size_t over) {
+    const auto turn = [&](std::uint32_t t, bool left) {
       const MeshWithUndo::Triangle& triangle = mesh_.triangles()[t];
-      const std::size_t i = corner_of(triangle, v);
-      found.push_back(triangle.v[(i + to) % 3]);
-      return triangle.n[(i + over) % 3];
+      const Corner i = corner_of(triangle, v);
+      found.push_back(triangle.v[left ? i.previous() : i.next()]);
+      return triangle.n[left ? i.next() : i.previous()];
     };
     std::uint32_t t = start;
     do {
-      t = turn(t, 2, 1);
+      t = turn(t, true);
     } while (t != kNone && t != start && found.size() < kMostNeighbours);
     if (t == kNone) {
-      for (t = start; t != kNone && found.size() < kMostNeighbours;) t = turn(t, 1, 2);
+      for (t = start; t != kNone && found.size() < kMostNeighbours;) t = turn(t, false);
     }
     return found;
   }
 
-  static std::size_t corner_of(const MeshWithUndo::Triangle& t, std::uint32_t v) {
-    return t.v[0] == v ? 0 : t.v[1] == v ? 1 : 2;
+  static Corner corner_of(const MeshWithUndo::Triangle& t, std::uint32_t v) {
+    return t.v[0] == v ? 0U : t.v[1] == v ? 1U : 2U;
   }
 
   void spend(std::uint64_t places) { left_ -= std::min(left_, places); }
@@ -461,10 +461,9 @@ class Thinner {
         all.insert(all.end(), starts_.begin(), starts_.end());
         best_spot(all, t, kNone, action);
         const MeshWithUndo::Triangle now = mesh_.triangles()[t];
-        for (int i = 0; i < 3; ++i) {
-          if (now.line[static_cast<std::size_t>(i)] != ConformingMesh::kInside)
-            improve(mesh_.on_line(mesh_.at(now.v[static_cast<std::size_t>(i)]), t, i), kNone,
-                    action);
+        for (const Corner i : kCorners) {
+          if (now.line[i] != ConformingMesh::kInside)
+            improve(mesh_.on_line(mesh_.at(now.v[i]), t, i), kNone, action);
         }
       }
       starts.insert(starts.begin(), Point{});
@@ -552,13 +551,11 @@ class Thinner {
 
   /// The foot of the blunt corner, the centroid, two places over the middle of the longest edge.
   [[nodiscard]] static std::vector<Point> around(std::array<Point, 3> p) {
-    const auto across = [&](std::size_t i) {
-      return squared_length(p[(i + 2) % 3] - p[(i + 1) % 3]);
-    };
-    const std::size_t i = across(0) >= across(1) && across(0) >= across(2) ? 0
-                          : across(1) >= across(2)                         ? 1
-                                                                           : 2;
-    const Point a = p[(i + 1) % 3], b = p[(i + 2) % 3], c = p[i];
+    const auto across = [&](Corner i) { return squared_length(p[i.previous()] - p[i.next()]); };
+    const Corner i = across(0) >= across(1) && across(0) >= across(2) ? 0U
+                     : across(1) >= across(2)                         ? 1U
+                                                                      : 2U;
+    const Point a = p[i.next()], b = p[i.previous()], c = p[i];
     const Vector ab = b - a;
     const Point foot = a + (dot(c - a, ab) / squared_length(ab)) * ab;
     const Point centroid = c + (1.0 / 3) * ((a - c) + (b - c));
@@ -593,12 +590,11 @@ class Thinner {
     for (const std::uint32_t t : all) {
       const MeshWithUndo::Triangle triangle = mesh_.triangles()[t];
       if (triangle.v[0] == kNone) continue;
-      for (int i = 0; i < 3; ++i) {
-        if (triangle.line[static_cast<std::size_t>(i)] != line) continue;
+      for (const Corner i : kCorners) {
+        if (triangle.line[i] != line) continue;
         if (is_first) {
           for (const Point& start : starts) improve(mesh_.on_line(start, t, i), vertex, action);
-          improve(mesh_.on_line(mesh_.at(triangle.v[static_cast<std::size_t>(i)]), t, i), vertex,
-                  action);
+          improve(mesh_.on_line(mesh_.at(triangle.v[i]), t, i), vertex, action);
         }
         is_first = false;
       }
@@ -615,15 +611,15 @@ class Thinner {
       if (then < action.cost - 1e-12) action = {then, vertex, spot};
       if (then < 1e-12 || k == tuning_.projections) return;
       const Point p = projected(spot);
-      spot = spot.edge >= 0 ? mesh_.on_line(p, spot.triangle, spot.edge)
-                            : mesh_.locate(p, spot.triangle);
+      spot = spot.edge.has_value() ? mesh_.on_line(p, spot.triangle, *spot.edge)
+                                   : mesh_.locate(p, spot.triangle);
     }
   }
 
   /// `spot`, moved towards where all triangles on its rim would be good.
   [[nodiscard]] Point projected(const Spot& spot) const {
     Point p = spot.at;
-    const bool on_line = spot.edge >= 0;
+    const bool on_line = spot.edge.has_value();
     for (int cycle = 0; cycle < tuning_.cycles; ++cycle) {
       for (const RimEdge& e : mesh_.rim()) {
         const Point a = mesh_.at(e.a), b = mesh_.at(e.b);
@@ -636,7 +632,7 @@ class Thinner {
         if (far2 < length2 / 4 && far2 > 0)
           p = m + (tuning_.beyond * std::sqrt(length2 / 4 / far2)) * (p - m);
       }
-      if (on_line) p = mesh_.on_line(p, spot.triangle, spot.edge).at;
+      if (on_line) p = mesh_.on_line(p, spot.triangle, *spot.edge).at;
     }
     return p;
   }

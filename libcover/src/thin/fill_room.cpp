@@ -84,7 +84,7 @@ class RoomFiller {
     double least = std::numeric_limits<double>::infinity();
     for (const Point& place : places) {
       const Spot spot = mesh_.locate(place, t);
-      if (spot.triangle == kNone || spot.edge >= 0) continue;
+      if (spot.triangle == kNone || spot.edge) continue;
       const double cost = mesh_.change_with(spot) + noise * random_.unit();
       if (cost < least) least = cost, best = spot;
     }

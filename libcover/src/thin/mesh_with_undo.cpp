@@ -18,7 +18,7 @@ constexpr double kCannotBe = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kOnNoLine = ConformingMesh::kInside;
 constexpr std::size_t kMostInHole = 96;   ///< triangles: larger ones are left alone
 constexpr std::size_t kMostCorners = 40;  ///< of a hole that a vertex leaves
-constexpr int kMostSteps = 64;            ///< of a walk
+constexpr std::uint32_t kMostSteps = 64;  ///< of a walk
 constexpr double kFilter = 1e-12;    ///< of the largest product: below, signs are looked at exactly
 constexpr float kBadBySign = 0.25;   ///< cost of a triangle whose coupling has the wrong sign
 constexpr float kBeyondWorst = 16;   ///< more than all else that a triangle costs
@@ -50,15 +50,15 @@ void MeshWithUndo::link_all(const ConformingMesh& mesh) {
     triangle.v = mesh.triangles[t];
     triangle.region = mesh.region[t];
     triangle.line.fill(kOnNoLine);
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const std::uint32_t twin = across[3 * t + (i + 1) % 3];
+    for (const Corner i : kCorners) {
+      const std::uint32_t twin = across[3 * t + i.next()];
       triangle.n[i] = twin == HalfEdges::kAbsent ? kNone : twin / 3;
       vertices_[triangle.v[i]].home = t;
     }
   }
   for (const auto& [a, b, line] : mesh.pieces) {
     for (const std::uint32_t h : {edges.find(a, b), edges.find(b, a)}) {
-      if (h != HalfEdges::kAbsent) triangles_[h / 3].line[(h + 2) % 3] = line;
+      if (h != HalfEdges::kAbsent) triangles_[h / 3].line[Corner(h % 3).previous()] = line;
     }
   }
 }
@@ -70,22 +70,22 @@ void MeshWithUndo::make_delaunay() {
   while (!waiting.empty()) {
     const std::uint32_t t = waiting.back();
     waiting.pop_back();
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (const Corner i : kCorners) {
       const std::uint32_t u = triangles_[t].n[i];
       if (u == kNone || triangles_[t].line[i] != kOnNoLine) continue;
       const Triangle s = triangles_[t], o = triangles_[u];
-      const std::size_t j = o.n[0] == t ? 0 : o.n[1] == t ? 1 : 2;
-      const std::uint32_t p = s.v[i], a = s.v[(i + 1) % 3], b = s.v[(i + 2) % 3], q = o.v[j];
+      const Corner j = o.n[0] == t ? 0U : o.n[1] == t ? 1U : 2U;
+      const std::uint32_t p = s.v[i], a = s.v[i.next()], b = s.v[i.previous()], q = o.v[j];
       if (in_circle(at(p), at(a), at(b), at(q)) != Sign::positive) continue;
       // (p, a, b) and (q, b, a) become (p, a, q) and (q, b, p).
       Triangle x{{p, a, q},
-                 {o.n[(j + 1) % 3], u, s.n[(i + 2) % 3]},
-                 {o.line[(j + 1) % 3], kOnNoLine, s.line[(i + 2) % 3]},
+                 {o.n[j.next()], u, s.n[i.previous()]},
+                 {o.line[j.next()], kOnNoLine, s.line[i.previous()]},
                  s.region,
                  0};
       Triangle y{{q, b, p},
-                 {s.n[(i + 1) % 3], t, o.n[(j + 2) % 3]},
-                 {s.line[(i + 1) % 3], kOnNoLine, o.line[(j + 2) % 3]},
+                 {s.n[i.next()], t, o.n[j.previous()]},
+                 {s.line[i.next()], kOnNoLine, o.line[j.previous()]},
                  s.region,
                  0};
       triangles_[t] = x, triangles_[u] = y;
@@ -121,9 +121,9 @@ double MeshWithUndo::cost_of(const std::array<Point, 3>& p, const std::array<boo
     if (is == Blunt::yes) cost = kBadAtLeast - blunt / std::hypot(blunt, doubled_area);
   }
   if (cost == 0 && blunt < kFilter * sharp) {
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (const Corner i : kCorners) {
       if (is_piece[i] && product[i] < kFilter * sharp &&
-          compare_with_90_degrees(p[(i + 1) % 3], p[i], p[(i + 2) % 3]) == Sign::positive)
+          compare_with_90_degrees(p[i.next()], p[i], p[i.previous()]) == Sign::positive)
         cost = kBadBySign;
     }
   }
@@ -229,14 +229,14 @@ std::vector<std::uint32_t> MeshWithUndo::written_since(std::size_t mark) const {
 void MeshWithUndo::link(std::uint32_t beyond, std::uint32_t a, std::uint32_t b, std::uint32_t t) {
   if (beyond == kNone) return;
   Triangle& triangle = triangles_[beyond];
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (triangle.v[(i + 1) % 3] == a && triangle.v[(i + 2) % 3] == b) triangle.n[i] = t;
+  for (const Corner i : kCorners) {
+    if (triangle.v[i.next()] == a && triangle.v[i.previous()] == b) triangle.n[i] = t;
   }
 }
 
-Spot MeshWithUndo::on_line(Point p, std::uint32_t triangle, int edge) const {
+Spot MeshWithUndo::on_line(Point p, std::uint32_t triangle, Corner edge) const {
   const Triangle& t = triangles_[triangle];
-  const std::uint32_t line = t.line[static_cast<std::size_t>(edge)];
+  const std::uint32_t line = t.line[edge];
   if (line >= lines_.size()) return {};
   const Point a = lines_[line].a, b = lines_[line].b;
   const Vector along = b - a;
@@ -247,22 +247,21 @@ Spot MeshWithUndo::on_line(Point p, std::uint32_t triangle, int edge) const {
 }
 
 Spot MeshWithUndo::locate(Point p, std::uint32_t triangle) const {
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (std::uint32_t step = 0; step < kMostSteps; ++step) {
     const Triangle& t = triangles_[triangle];
     if (t.v[0] == kNone) return {};
-    int through = -1;
-    for (int i = 0; i < 3; ++i) {
-      const int k = (i + step) % 3;
-      const Point a = at(t.v[static_cast<std::size_t>(next3(k))]);
-      const Point b = at(t.v[static_cast<std::size_t>(prev3(k))]);
+    std::optional<Corner> through;
+    for (const Corner i : kCorners) {
+      const Corner k = (i + step) % 3;
+      const Point a = at(t.v[k.next()]);
+      const Point b = at(t.v[k.previous()]);
       if (orientation(a, b, p) != Sign::negative) continue;
       through = k;
-      if (t.line[static_cast<std::size_t>(k)] == kOnNoLine) break;
+      if (t.line[k] == kOnNoLine) break;
     }
-    if (through < 0) return {p, triangle, -1};
-    const auto k = static_cast<std::size_t>(through);
-    if (t.line[k] != kOnNoLine) return on_line(p, triangle, through);
-    triangle = t.n[k];
+    if (!through) return {p, triangle};
+    if (t.line[*through] != kOnNoLine) return on_line(p, triangle, *through);
+    triangle = t.n[*through];
   }
   return {};
 }
@@ -279,12 +278,12 @@ bool MeshWithUndo::gather(const Spot& spot) {
   };
   enter(spot.triangle);
   std::uint32_t other = kNone;
-  if (spot.edge >= 0) {
-    const auto e = static_cast<std::size_t>(spot.edge);
+  if (spot.edge) {
+    const Corner e = *spot.edge;
     other = triangles_[spot.triangle].n[e];
     // Beyond the piece's ends nothing is cut.
-    const Point from = at(triangles_[spot.triangle].v[(e + 1) % 3]),
-                to = at(triangles_[spot.triangle].v[(e + 2) % 3]);
+    const Point from = at(triangles_[spot.triangle].v[e.next()]),
+                to = at(triangles_[spot.triangle].v[e.previous()]);
     if (!(dot(spot.at - from, to - from) > 0) || !(dot(spot.at - to, from - to) > 0)) return false;
     if (other != kNone) enter(other);
   }
@@ -293,11 +292,11 @@ bool MeshWithUndo::gather(const Spot& spot) {
     const std::uint32_t t = cavity_[head];
     const Triangle& triangle = triangles_[t];
     if (angles_[triangle.region].closed) return false;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (const Corner i : kCorners) {
       const std::uint32_t n = triangle.n[i];
       // The piece that is cut is no part of the rim, on either side.
-      if (spot.edge >= 0 && ((t == spot.triangle && i == static_cast<std::size_t>(spot.edge)) ||
-                             (t == other && n == spot.triangle && triangle.line[i] != kOnNoLine)))
+      if (spot.edge && ((t == spot.triangle && i == *spot.edge) ||
+                        (t == other && n == spot.triangle && triangle.line[i] != kOnNoLine)))
         continue;
       if (triangle.line[i] == kOnNoLine && n != kNone) {
         if (stamp_[n] == stamps_) continue;
@@ -308,7 +307,7 @@ bool MeshWithUndo::gather(const Spot& spot) {
         }
       }
       rim_.push_back(
-          {triangle.v[(i + 1) % 3], triangle.v[(i + 2) % 3], n, triangle.line[i], triangle.region});
+          {triangle.v[i.next()], triangle.v[i.previous()], n, triangle.line[i], triangle.region});
     }
   }
   return std::all_of(rim_.begin(), rim_.end(), [&](const RimEdge& e) {
@@ -318,10 +317,10 @@ bool MeshWithUndo::gather(const Spot& spot) {
 
 /// Those of the piece that is cut; kNone if none is.
 std::array<std::uint32_t, 2> MeshWithUndo::ends_of(const Spot& spot) const {
-  if (spot.edge < 0) return {kNone, kNone};
-  const auto e = static_cast<std::size_t>(spot.edge);
+  if (!spot.edge) return {kNone, kNone};
+  const Corner e = *spot.edge;
   const Triangle& t = triangles_[spot.triangle];
-  return {t.v[(e + 1) % 3], t.v[(e + 2) % 3]};
+  return {t.v[e.next()], t.v[e.previous()]};
 }
 
 double MeshWithUndo::change_with(const Spot& spot) {
@@ -338,9 +337,7 @@ double MeshWithUndo::change_with(const Spot& spot) {
 
 std::uint32_t MeshWithUndo::insert(const Spot& spot, std::uint32_t v) {
   if (!gather(spot)) return kNone;
-  const std::uint32_t line =
-      spot.edge >= 0 ? triangles_[spot.triangle].line[static_cast<std::size_t>(spot.edge)]
-                     : kOnNoLine;
+  const std::uint32_t line = spot.edge ? triangles_[spot.triangle].line[*spot.edge] : kOnNoLine;
   const std::array<std::uint32_t, 2> ends = ends_of(spot);
   if (v == kNone) {
     v = static_cast<std::uint32_t>(vertices_.size());
@@ -377,22 +374,19 @@ std::uint32_t MeshWithUndo::insert(const Spot& spot, std::uint32_t v) {
 bool MeshWithUndo::star_of(std::uint32_t v) {
   star_.clear();
   const std::uint32_t start = vertices_[v].home;
-  const auto corner = [&](std::uint32_t t) {
-    const auto& c = triangles_[t].v;
-    return c[0] == v ? std::size_t{0} : c[1] == v ? std::size_t{1} : std::size_t{2};
-  };
+  const auto corner = [&](std::uint32_t t) { return corner_of(triangles_[t], v); };
   std::uint32_t t = start;
   do {
     star_.push_back(t);
     if (star_.size() > kMostCorners) return false;
-    t = triangles_[t].n[(corner(t) + 1) % 3];
+    t = triangles_[t].n[corner(t).next()];
   } while (t != start && t != kNone);
   if (t == start) {  // the same triangles come of it, whichever is the vertex's home
     std::rotate(star_.begin(), std::min_element(star_.begin(), star_.end()), star_.end());
     return true;
   }
-  for (t = triangles_[start].n[(corner(start) + 2) % 3]; t != kNone;
-       t = triangles_[t].n[(corner(t) + 2) % 3]) {
+  for (t = triangles_[start].n[corner(start).previous()]; t != kNone;
+       t = triangles_[t].n[corner(t).previous()]) {
     star_.insert(star_.begin(), t);
     if (star_.size() > kMostCorners) return false;
   }
@@ -400,7 +394,7 @@ bool MeshWithUndo::star_of(std::uint32_t v) {
 }
 
 /// Whether corners k, k + 1 and k + 2 can be cut off.
-bool MeshWithUndo::is_ear(std::span<const Corner> corners, std::size_t k, bool delaunay) const {
+bool MeshWithUndo::is_ear(std::span<const HoleCorner> corners, std::size_t k, bool delaunay) const {
   const std::size_t n = corners.size();
   const Point a = at(corners[k].vertex), b = at(corners[(k + 1) % n].vertex),
               c = at(corners[(k + 2) % n].vertex);
@@ -417,7 +411,7 @@ bool MeshWithUndo::is_ear(std::span<const Corner> corners, std::size_t k, bool d
 }
 
 /// Triangulates a hole with `slots`, which it uses up from the end.
-bool MeshWithUndo::fill(std::span<Corner> corners, std::uint32_t region,
+bool MeshWithUndo::fill(std::span<HoleCorner> corners, std::uint32_t region,
                         std::vector<std::uint32_t>& slots) {
   while (corners.size() >= 3) {
     const std::size_t n = corners.size();
@@ -437,11 +431,11 @@ bool MeshWithUndo::fill(std::span<Corner> corners, std::uint32_t region,
                region,
                0};
     write(slot, t);
-    for (std::size_t e = 0; e < 3; ++e) {
+    for (const Corner e : kCorners) {
       const std::uint32_t beyond = t.n[e];
       if (beyond == kNone) continue;
       journal_.push_back({beyond, triangles_[beyond]});
-      link(beyond, t.v[(e + 2) % 3], t.v[(e + 1) % 3], slot);
+      link(beyond, t.v[e.previous()], t.v[e.next()], slot);
     }
     if (n == 3) return true;
     corners[i].beyond = slot;
@@ -453,8 +447,8 @@ bool MeshWithUndo::fill(std::span<Corner> corners, std::uint32_t region,
 }
 
 /// Which corner of a triangle a vertex is.
-std::size_t MeshWithUndo::corner_of(const Triangle& t, std::uint32_t v) {
-  return t.v[0] == v ? 0 : t.v[1] == v ? 1 : 2;
+Corner MeshWithUndo::corner_of(const Triangle& t, std::uint32_t v) {
+  return t.v[0] == v ? 0U : t.v[1] == v ? 1U : 2U;
 }
 
 /// Lets a star begin at its first piece, where the vertex cuts a line; false where other pieces end
@@ -463,12 +457,12 @@ bool MeshWithUndo::turn_star_to_line(std::uint32_t v) {
   std::size_t first = 0, walls = 0;
   for (std::size_t k = 0; k < star_.size(); ++k) {
     const Triangle& t = triangles_[star_[k]];
-    if (t.line[(corner_of(t, v) + 2) % 3] == kOnNoLine) continue;
+    if (t.line[corner_of(t, v).previous()] == kOnNoLine) continue;
     if (walls == 0) first = k;
     ++walls;
   }
   const Triangle& last = triangles_[star_.back()];
-  const bool is_open = last.n[(corner_of(last, v) + 1) % 3] == kNone;
+  const bool is_open = last.n[corner_of(last, v).next()] == kNone;
   if (walls != (!cuts_line(v) ? 0U : is_open ? 1U : 2U)) return false;
   if (is_open) first = 0;
   std::rotate(star_.begin(), star_.begin() + static_cast<std::ptrdiff_t>(first), star_.end());
@@ -484,11 +478,11 @@ std::size_t MeshWithUndo::take_part(std::uint32_t v, std::size_t k) {
   std::uint32_t end = kNone;
   for (bool is_done = false; k < star_.size() && !is_done; ++k) {
     const Triangle& t = triangles_[star_[k]];
-    const std::size_t i = corner_of(t, v);
-    corners_.push_back({t.v[(i + 1) % 3], t.n[i], t.line[i]});
+    const Corner i = corner_of(t, v);
+    corners_.push_back({t.v[i.next()], t.n[i], t.line[i]});
     slots_.push_back(star_[k]);
-    end = t.v[(i + 2) % 3];
-    is_done = is_cut && t.line[(i + 1) % 3] != kOnNoLine;
+    end = t.v[i.previous()];
+    is_done = is_cut && t.line[i.next()] != kOnNoLine;
   }
   if (is_cut) corners_.push_back({end, kNone, vertices_[v].line});
   return k;
@@ -502,8 +496,8 @@ std::uint32_t MeshWithUndo::triangle_at_piece(std::span<const std::uint32_t> tri
   for (const std::uint32_t t : triangles) {
     if (std::find(slots_.begin(), slots_.end(), t) != slots_.end()) continue;
     const Triangle& triangle = triangles_[t];
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (triangle.line[i] == line && triangle.v[(i + 1) % 3] == a && triangle.v[(i + 2) % 3] == b)
+    for (const Corner i : kCorners) {
+      if (triangle.line[i] == line && triangle.v[i.next()] == a && triangle.v[i.previous()] == b)
         found = t;
     }
   }
@@ -565,9 +559,9 @@ ConformingMesh MeshWithUndo::result(const ConformingMesh& before) const {
     if (t.v[0] == kNone) continue;
     mesh.triangles.push_back({number[t.v[0]], number[t.v[1]], number[t.v[2]]});
     mesh.region.push_back(t.region);
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (const Corner i : kCorners) {
       if (t.line[i] == kOnNoLine || (t.n[i] != kNone && t.n[i] < k)) continue;
-      mesh.pieces.push_back({number[t.v[(i + 1) % 3]], number[t.v[(i + 2) % 3]], t.line[i]});
+      mesh.pieces.push_back({number[t.v[i.next()]], number[t.v[i.previous()]], t.line[i]});
     }
   }
   return mesh;

@@ -5,9 +5,11 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "geom/topology/corner.hpp"
 #include "thin/conforming_mesh.hpp"
 
 namespace cover {
@@ -25,7 +27,7 @@ struct WantedAngles {
 struct Spot {
   Point at;
   std::uint32_t triangle = kNone;
-  int edge = -1;  ///< -1: inside
+  std::optional<Corner> edge = {};  ///< none: inside
 };
 
 /// The triangle that a new vertex makes with an edge of the hole around it.
@@ -99,7 +101,7 @@ class MeshWithUndo {
   /// the spot is on it, at the foot of `p`, if it may be cut; kNone: nowhere.
   [[nodiscard]] Spot locate(Point p, std::uint32_t triangle) const;
   /// The spot on the line of edge `edge` of `triangle` that is nearest to `p`.
-  [[nodiscard]] Spot on_line(Point p, std::uint32_t triangle, int edge) const;
+  [[nodiscard]] Spot on_line(Point p, std::uint32_t triangle, Corner edge) const;
 
   /// By how much the cost would change with a vertex at `spot`; infinite if that cannot be. The
   /// rim of the hole around it is in rim() then.
@@ -123,7 +125,7 @@ class MeshWithUndo {
     std::uint32_t vertex;
     Vertex old;
   };
-  struct Corner {
+  struct HoleCorner {
     std::uint32_t vertex;
     std::uint32_t beyond, line;  ///< of the edge to the next corner
   };
@@ -143,15 +145,16 @@ class MeshWithUndo {
   bool gather(const Spot& spot);
   [[nodiscard]] std::array<std::uint32_t, 2> ends_of(const Spot& spot) const;
   bool star_of(std::uint32_t v);
-  [[nodiscard]] static std::size_t corner_of(const Triangle& t, std::uint32_t v);
+  [[nodiscard]] static Corner corner_of(const Triangle& t, std::uint32_t v);
   [[nodiscard]] bool cuts_line(std::uint32_t v) const { return vertices_[v].line < lines_.size(); }
   bool turn_star_to_line(std::uint32_t v);
   std::size_t take_part(std::uint32_t v, std::size_t k);
   [[nodiscard]] std::uint32_t triangle_at_piece(std::span<const std::uint32_t> triangles,
                                                 std::uint32_t a, std::uint32_t b,
                                                 std::uint32_t line) const;
-  bool fill(std::span<Corner> corners, std::uint32_t region, std::vector<std::uint32_t>& slots);
-  [[nodiscard]] bool is_ear(std::span<const Corner> corners, std::size_t k, bool delaunay) const;
+  bool fill(std::span<HoleCorner> corners, std::uint32_t region, std::vector<std::uint32_t>& slots);
+  [[nodiscard]] bool is_ear(std::span<const HoleCorner> corners, std::size_t k,
+                            bool delaunay) const;
 
   std::vector<WantedAngles> angles_;
   std::vector<StraightLine> lines_;
@@ -169,7 +172,7 @@ class MeshWithUndo {
   std::vector<std::uint32_t> stamp_;  ///< by triangle
   std::uint32_t stamps_ = 0;
   std::vector<std::uint32_t> star_;
-  std::vector<Corner> corners_;
+  std::vector<HoleCorner> corners_;
   std::vector<std::uint32_t> slots_;
 };
 

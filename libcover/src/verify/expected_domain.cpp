@@ -54,10 +54,9 @@ class Finder {
     SharedUnionFind pieces(triangles_.size());
     each_triangle([&](std::uint32_t t) {
       corners[t] = triangles_[t].v;
-      for (std::size_t i = 0; i < 3; ++i) {
+      for (const Corner i : kCorners) {
         const std::uint32_t beyond = triangles_[t].n[i];
-        if (beyond != kNone && beyond < t && !triangles_[t].is_locked(static_cast<int>(i)))
-          pieces.unite(t, beyond);
+        if (beyond != kNone && beyond < t && !triangles_[t].is_locked(i)) pieces.unite(t, beyond);
       }
     });
     std::vector<RegionId> of_piece(triangles_.size(), kVoid);
@@ -97,12 +96,10 @@ class Finder {
   void add_hull_sides() {
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
       if (region_[t] == kVoid) continue;
-      for (int i = 0; i < 3; ++i) {
+      for (const Corner i : kCorners) {
         const Triangle& f = triangles_[t];
-        if (f.is_locked(i) || f.n[static_cast<std::size_t>(i)] != kNone) continue;
-        domain_.sides.push_back({f.v[static_cast<std::size_t>(next3(i))],
-                                 f.v[static_cast<std::size_t>(prev3(i))], region_[t], true,
-                                 f.v[static_cast<std::size_t>(i)]});
+        if (f.is_locked(i) || f.n[i] != kNone) continue;
+        domain_.sides.push_back({f.v[i.next()], f.v[i.previous()], region_[t], true, f.v[i]});
       }
     }
   }

@@ -399,8 +399,8 @@ class Verifier {
     std::size_t next = flat.size();
     for (flat.push_back(side.triangle); next < flat.size(); ++next) {
       const auto& t = mesh_.triangles[flat[next]];
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto twin = edges_.find(t[(i + 1) % 3], t[i]);
+      for (const Corner i : kCorners) {
+        const auto twin = edges_.find(t[i.next()], t[i]);
         if (!twin || side_of_[*twin] != kNoSide) continue;
         const std::uint32_t beyond = edges_.all()[*twin].triangle;
         if (is_flat(beyond) && std::find(flat.begin(), flat.end(), beyond) == flat.end())

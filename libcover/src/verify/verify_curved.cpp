@@ -12,6 +12,7 @@
 #include <fmt/core.h>
 
 #include "geom/curves/arc.hpp"
+#include "geom/topology/corner.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -44,7 +45,7 @@ class CurvedVerifier {
   void check_triangles() {
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
       CurvedTriangle triangle;
-      for (std::size_t i = 0; i < 3; ++i) {
+      for (const Corner i : kCorners) {
         triangle[i] = mesh_.points[mesh_.triangles[t][i]];
         triangle[3 + i] = middles_[t][i];
       }
@@ -52,8 +53,7 @@ class CurvedVerifier {
         add(fmt::format("triangle {} at {}, {}, {}: its Jacobian is not positive everywhere", t,
                         describe(triangle[0]), describe(triangle[1]), describe(triangle[2])),
             {triangle[0], triangle[1], triangle[2]});
-      for (std::size_t i = 0; i < 3; ++i)
-        check_edge(triangle[i], triangle[(i + 1) % 3], triangle[3 + i]);
+      for (const Corner i : kCorners) check_edge(triangle[i], triangle[i.next()], triangle[3 + i]);
     }
   }
 

@@ -19,6 +19,7 @@
 
 #include "geom/angle_rounding.hpp"
 #include "geom/predicates.hpp"
+#include "geom/topology/corner.hpp"
 #include "geom/topology/soup_edges.hpp"
 #include "geom/vector.hpp"
 
@@ -102,10 +103,10 @@ class LayerFinder {
     for (const std::uint32_t t : of_region->second) {
       const auto& v = mesh_.triangles[t];
       double wide = 0;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Vector u = at(v[(i + 1) % 3]) - at(v[i]), w = at(v[(i + 2) % 3]) - at(v[i]);
+      for (const Corner i : kCorners) {
+        const Vector u = at(v[i.next()]) - at(v[i]), w = at(v[i.previous()]) - at(v[i]);
         wide = std::max(wide, std::atan2(cross(u, w), dot(u, w)));
-        found.negative += is_negative(v[i], v[(i + 1) % 3], v[(i + 2) % 3], of_region->second);
+        found.negative += is_negative(v[i], v[i.next()], v[i.previous()], of_region->second);
       }
       ++found.triangles;
       found.above_90 += bluntness_of(at(v[0]), at(v[1]), at(v[2])) == Blunt::yes ? 1 : 0;

@@ -285,16 +285,14 @@ RandomRegion random_hull(std::mt19937_64& random) {
   while (!stack.empty()) {
     const Triangle& f = triangles[stack.back()];
     stack.pop_back();
-    for (int i = 0; i < 3; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      used[f.v[k]] = true;
-      if (f.is_locked(i) || f.n[k] == kNone) {
+    for (const Corner i : kCorners) {
+      used[f.v[i]] = true;
+      if (f.is_locked(i) || f.n[i] == kNone) {
         sides.push_back(
-            {{f.v[static_cast<std::size_t>(next3(i))], f.v[static_cast<std::size_t>(prev3(i))]},
-             f.is_locked(i) ? SegmentId{0U} : kHullSide});
-      } else if (!inside[f.n[k]]) {
-        inside[f.n[k]] = true;
-        stack.push_back(f.n[k]);
+            {{f.v[i.next()], f.v[i.previous()]}, f.is_locked(i) ? SegmentId{0U} : kHullSide});
+      } else if (!inside[f.n[i]]) {
+        inside[f.n[i]] = true;
+        stack.push_back(f.n[i]);
       }
     }
   }

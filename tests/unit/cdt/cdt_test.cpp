@@ -21,12 +21,12 @@ void expect_consistent(const Triangulation& t) {
   for (std::uint32_t k = 0; k < t.triangles.size(); ++k) {
     const Triangle& f = t.triangles[k];
     ASSERT_EQ(orientation(t.points[f.v[0]], t.points[f.v[1]], t.points[f.v[2]]), Sign::positive);
-    for (int i = 0; i < 3; ++i) {
-      const std::uint32_t n = f.n[static_cast<std::size_t>(i)];
+    for (const Corner i : kCorners) {
+      const std::uint32_t n = f.n[i];
       if (n == kNone) continue;
       const Triangle& g = t.triangles[n];
-      const int j = g.edge_to(k);
-      ASSERT_EQ(g.n[static_cast<std::size_t>(j)], k);
+      const Corner j = g.edge_to(k);
+      ASSERT_EQ(g.n[j], k);
       EXPECT_EQ(g.is_locked(j), f.is_locked(i));
     }
   }

@@ -61,9 +61,8 @@ using Edges = std::set<std::array<std::uint32_t, 3>>;  // and whether it is lock
 Edges edges_of(const Triangulation& t) {
   Edges edges;
   for (const Triangle& f : t.triangles) {
-    for (int i = 0; i < 3; ++i) {
-      const auto [a, b] = std::minmax(f.v[static_cast<std::size_t>(next3(i))],
-                                      f.v[static_cast<std::size_t>(prev3(i))]);
+    for (const Corner i : kCorners) {
+      const auto [a, b] = std::minmax(f.v[i.next()], f.v[i.previous()]);
       edges.insert({a, b, f.is_locked(i) ? 1U : 0U});
     }
   }
@@ -78,18 +77,17 @@ void expect_delaunay(const Triangulation& t) {
     const Triangle& f = t.triangles[k];
     const auto at = [&](std::size_t i) { return t.points[f.v[i]]; };
     ASSERT_EQ(orientation(at(0), at(1), at(2)), Sign::positive);
-    for (int i = 0; i < 3; ++i) {
-      const std::uint32_t n = f.n[static_cast<std::size_t>(i)];
+    for (const Corner i : kCorners) {
+      const std::uint32_t n = f.n[i];
       outer += n == kNone ? 1 : 0;
       if (n == kNone) continue;
       const Triangle& g = t.triangles[n];
-      const int j = g.edge_to(k);
-      ASSERT_EQ(g.n[static_cast<std::size_t>(j)], k);
-      ASSERT_EQ(g.v[static_cast<std::size_t>(next3(j))], f.v[static_cast<std::size_t>(prev3(i))]);
+      const Corner j = g.edge_to(k);
+      ASSERT_EQ(g.n[j], k);
+      ASSERT_EQ(g.v[j.next()], f.v[i.previous()]);
       ASSERT_EQ(g.is_locked(j), f.is_locked(i));
       if (!f.is_locked(i)) {
-        ASSERT_NE(in_circle(at(0), at(1), at(2), t.points[g.v[static_cast<std::size_t>(j)]]),
-                  Sign::positive);
+        ASSERT_NE(in_circle(at(0), at(1), at(2), t.points[g.v[j]]), Sign::positive);
       }
     }
   }

@@ -38,8 +38,8 @@ TEST(Locator, EndsInTriangulationsThatAreNotDelaunay) {
     const Location at = locator.locate(p);
     if (at.kind == Location::Kind::outside) continue;
     const auto& v = t.triangles[at.triangle].v;
-    for (std::size_t i = 0; i < 3; ++i) {
-      ASSERT_NE(orientation(t.points[v[i]], t.points[v[(i + 1) % 3]], p), Sign::negative);
+    for (const Corner i : kCorners) {
+      ASSERT_NE(orientation(t.points[v[i]], t.points[v[i.next()]], p), Sign::negative);
     }
   }
 }

@@ -100,12 +100,12 @@ TEST(TriangulateRegion, TakesWhatIsKnownIfThereIsNothingElse) {
   std::size_t locked = 0;
   for (std::uint32_t t = 0; t < taken.triangles.size(); ++t) {
     const Triangle& f = taken.triangles[t];
-    for (int i = 0; i < 3; ++i) {
-      const std::uint32_t n = f.n[static_cast<std::size_t>(i)];
+    for (const Corner i : kCorners) {
+      const std::uint32_t n = f.n[i];
       locked += f.is_locked(i) ? 1 : 0;
       if (n == kNone) continue;
       const Triangle& g = taken.triangles[n];
-      EXPECT_EQ(g.n[static_cast<std::size_t>(g.edge_to(t))], t);
+      EXPECT_EQ(g.n[g.edge_to(t)], t);
       EXPECT_EQ(g.is_locked(g.edge_to(t)), f.is_locked(i));
     }
   }
@@ -152,14 +152,14 @@ TEST(TriangulateRegion, FindsItselfWhatIsKnownWrongly) {
   const Triangulation own = triangulate_region(region.points, region.sides);
   std::size_t flipped = 0;
   for (std::uint32_t t = 0; t < own.triangles.size(); ++t) {
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (const Corner i : kCorners) {
       const Triangle& f = own.triangles[t];
-      if (f.is_locked(static_cast<int>(i)) || f.n[i] < t) continue;
+      if (f.is_locked(i) || f.n[i] < t) continue;
       const Triangle& g = own.triangles[f.n[i]];
-      const std::uint32_t d = g.v[static_cast<std::size_t>(g.edge_to(t))];
+      const std::uint32_t d = g.v[g.edge_to(t)];
       wrong = right;
-      wrong[t] = {f.v[i], f.v[(i + 1) % 3], d};
-      wrong[f.n[i]] = {f.v[i], d, f.v[(i + 2) % 3]};
+      wrong[t] = {f.v[i], f.v[i.next()], d};
+      wrong[f.n[i]] = {f.v[i], d, f.v[i.previous()]};
       expect_own(wrong, "not Delaunay");
       ++flipped;
     }

@@ -17,9 +17,8 @@ TEST(LocateSides, FindsTheTriangleOnTheLeftOfEverySide) {
   for (std::size_t s = 0; s < at.size(); ++s) {
     ASSERT_LT(at[s].triangle, cdt.triangles.size());
     const Triangle& t = cdt.triangles[at[s].triangle];
-    const int from = next3(at[s].edge), to = prev3(at[s].edge);
-    EXPECT_EQ(t.v[static_cast<std::size_t>(from)], boundary.sides[s][0]);
-    EXPECT_EQ(t.v[static_cast<std::size_t>(to)], boundary.sides[s][1]);
+    EXPECT_EQ(t.v[at[s].edge.next()], boundary.sides[s][0]);
+    EXPECT_EQ(t.v[at[s].edge.previous()], boundary.sides[s][1]);
     EXPECT_TRUE(t.is_locked(at[s].edge));
   }
 }

@@ -151,7 +151,7 @@ TEST(Couplings, FlipsMakeTheMeshDelaunay) {
     std::size_t spoiled = 0;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
       const std::uint32_t u = mesh.triangles[t].n[t % 3];
-      if (!is_side(u) && mesh.flip(t, static_cast<int>(t % 3))) ++spoiled;
+      if (!is_side(u) && mesh.flip(t, t % 3)) ++spoiled;
     }
     expect_sound(mesh, boundary);
     ASSERT_GT(spoiled, 0u);

@@ -36,8 +36,8 @@ inline void expect_sound(const MutableMesh& mesh, const RegionBoundary& boundary
     ASSERT_EQ(orientation(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)), Sign::positive);
     area += cross(mesh.corner(t, 1) - mesh.corner(t, 0), mesh.corner(t, 2) - mesh.corner(t, 0)) / 2;
     EXPECT_DOUBLE_EQ(mesh.excess[t], mesh.excess_of(m.v, m.n));
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t a = m.v[(i + 1) % 3], b = m.v[(i + 2) % 3];
+    for (const Corner i : kCorners) {
+      const std::uint32_t a = m.v[i.next()], b = m.v[i.previous()];
       if (is_side(m.n[i])) {
         const std::uint32_t s = side_index(m.n[i]);
         EXPECT_EQ(boundary.sides[s], (IndexPair{a, b}));
@@ -45,9 +45,9 @@ inline void expect_sound(const MutableMesh& mesh, const RegionBoundary& boundary
         continue;
       }
       const MeshTriangle& other = mesh.triangles[m.n[i]];
-      const int j = other.edge_from(b);
-      ASSERT_EQ(other.n[static_cast<std::size_t>(j)], t);
-      ASSERT_EQ(other.v[static_cast<std::size_t>(prev3(j))], a);
+      const Corner j = other.edge_from(b);
+      ASSERT_EQ(other.n[j], t);
+      ASSERT_EQ(other.v[j.previous()], a);
     }
   }
   for (const int count : seen) EXPECT_EQ(count, 1);

@@ -54,16 +54,17 @@ void expect_delaunay(const MeshWithUndo& mesh) {
     const Point a = mesh.at(t.v[0]), b = mesh.at(t.v[1]), c = mesh.at(t.v[2]);
     ASSERT_EQ(orientation(a, b, c), Sign::positive);
     area += cross(b - a, c - a) / 2;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (const Corner i : kCorners) {
       if (t.n[i] == kNone) continue;
       const MeshWithUndo::Triangle& o = all[t.n[i]];
-      const auto back = std::find(o.n.begin(), o.n.end(), k) - o.n.begin();
-      ASSERT_LT(back, 3);
-      EXPECT_EQ(o.line[static_cast<std::size_t>(back)], t.line[i]);
-      EXPECT_EQ(o.v[static_cast<std::size_t>((back + 1) % 3)], t.v[(i + 2) % 3]);
+      ASSERT_EQ(std::count(o.n.begin(), o.n.end(), k), 1);
+      const Corner back =
+          static_cast<std::uint32_t>(std::find(o.n.begin(), o.n.end(), k) - o.n.begin());
+      EXPECT_EQ(o.line[back], t.line[i]);
+      EXPECT_EQ(o.v[back.next()], t.v[i.previous()]);
       if (t.line[i] == ConformingMesh::kInside) {
         EXPECT_EQ(o.region, t.region);
-        EXPECT_NE(in_circle(a, b, c, mesh.at(o.v[static_cast<std::size_t>(back)])), Sign::positive);
+        EXPECT_NE(in_circle(a, b, c, mesh.at(o.v[back])), Sign::positive);
       }
     }
   }
@@ -103,7 +104,7 @@ TEST(MeshWithUndo, EveryStepCanBeTakenBack) {
       EXPECT_EQ(v == kNone, change == std::numeric_limits<double>::infinity());
       if (v == kNone) continue;
       EXPECT_NEAR(mesh.cost(), cost + change, 1e-5);
-      cuts += spot.edge >= 0 ? 1 : 0;
+      cuts += spot.edge ? 1 : 0;
       added.push_back(v);
     }
     expect_delaunay(mesh);
@@ -130,7 +131,7 @@ TEST(MeshWithUndo, EveryStepCanBeTakenBack) {
 TEST(MeshWithUndo, CutsBothRegionsAndOnlyLinesThatMayBe) {
   MeshWithUndo mesh(two_squares(), std::vector<WantedAngles>(2));
   const Spot between = mesh.locate({1.5, 0.4}, 0);  // triangle 0 lies in the left square
-  ASSERT_EQ(between.edge >= 0, true);
+  ASSERT_TRUE(between.edge);
   EXPECT_EQ(between.at, (Point{1, 0.4}));
   const std::uint32_t v = mesh.insert(between);
   ASSERT_NE(v, kNone);

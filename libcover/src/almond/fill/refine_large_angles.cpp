@@ -85,7 +85,7 @@ class Refiner {
   struct Rim {
     std::uint32_t a, b;
     std::uint32_t outer;  ///< triangle behind it
-    int outer_edge;       ///< its edge there
+    Corner outer_edge;    ///< its edge there
     std::uint32_t chord;
     bool locked;
   };
@@ -98,20 +98,18 @@ class Refiner {
     in_cavity_.reserve(cdt_.triangles.capacity());
   }
 
-  [[nodiscard]] Point corner(const Triangle& f, int i) const {
-    return cdt_.points[f.v[static_cast<std::size_t>(i)]];
-  }
+  [[nodiscard]] Point corner(const Triangle& f, Corner i) const { return cdt_.points[f.v[i]]; }
 
-  static int longest_edge(Point a, Point b, Point c) {
+  static Corner longest_edge(Point a, Point b, Point c) {
     const double ea = squared_length(c - b), eb = squared_length(a - c), ec = squared_length(b - a);
-    return ea >= eb && ea >= ec ? 0 : eb >= ec ? 1 : 2;
+    return ea >= eb && ea >= ec ? 0U : eb >= ec ? 1U : 2U;
   }
 
   /// Queues `t` if it has too large an angle; the flattest come first.
   void enqueue(std::uint32_t t) {
     const Triangle& f = cdt_.triangles[t];
-    const int i = longest_edge(corner(f, 0), corner(f, 1), corner(f, 2));
-    const Vector u = corner(f, next3(i)) - corner(f, i), v = corner(f, prev3(i)) - corner(f, i);
+    const Corner i = longest_edge(corner(f, 0), corner(f, 1), corner(f, 2));
+    const Vector u = corner(f, i.next()) - corner(f, i), v = corner(f, i.previous()) - corner(f, i);
     const double flat = -dot(u, v), area = std::abs(cross(u, v));
     const double target = std::min({tan_target_[f.v[0]], tan_target_[f.v[1]], tan_target_[f.v[2]]});
     if (!(flat > 0 && area < target * flat)) return;
@@ -127,27 +125,28 @@ class Refiner {
   bool treat(std::uint32_t t) {
     passed_ = 0;
     const Triangle& f = cdt_.triangles[t];
-    const int i = longest_edge(corner(f, 0), corner(f, 1), corner(f, 2));
+    const Corner i = longest_edge(corner(f, 0), corner(f, 1), corner(f, 2));
     // The circumcentre lies behind the longest edge.
-    if (is_rim(f, i)) return split_chord({t, static_cast<std::uint8_t>(i)});
-    const Point inside = midpoint(corner(f, i), midpoint(corner(f, next3(i)), corner(f, prev3(i))));
+    if (is_rim(f, i)) return split_chord({t, i});
+    const Point inside =
+        midpoint(corner(f, i), midpoint(corner(f, i.next()), corner(f, i.previous())));
     const Point centre = circumcentre(f, i);
     if (!std::isfinite(centre.x) || !std::isfinite(centre.y)) {
-      return insert_inside(t, midpoint(corner(f, next3(i)), corner(f, prev3(i))));
+      return insert_inside(t, midpoint(corner(f, i.next()), corner(f, i.previous())));
     }
     const Walk walk = walk_straight(cdt_, t, inside, centre);
     passed_ = walk.passed;
     return walk.arrived ? insert_inside(walk.at.triangle, centre) : split_chord(walk.at);
   }
 
-  [[nodiscard]] static bool is_rim(const Triangle& f, int i) {
-    return f.is_locked(i) || f.n[static_cast<std::size_t>(i)] == kNone;
+  [[nodiscard]] static bool is_rim(const Triangle& f, Corner i) {
+    return f.is_locked(i) || f.n[i] == kNone;
   }
 
   /// Relative to the corner of the largest angle, whose edges are the short ones.
-  [[nodiscard]] Point circumcentre(const Triangle& f, int apex) const {
+  [[nodiscard]] Point circumcentre(const Triangle& f, Corner apex) const {
     const Point o = corner(f, apex);
-    const Vector u = corner(f, next3(apex)) - o, v = corner(f, prev3(apex)) - o;
+    const Vector u = corner(f, apex.next()) - o, v = corner(f, apex.previous()) - o;
     const double u2 = squared_length(u), v2 = squared_length(v), d = 2 * cross(u, v);
     return {o.x + (v.y * u2 - u.y * v2) / d, o.y + (u.x * v2 - v.x * u2) / d};
   }
@@ -173,8 +172,8 @@ class Refiner {
       return false;
     }
     if (f.n[at.edge] != kNone || chord == kNone) return false;
-    const std::uint32_t a = f.v[static_cast<std::size_t>(next3(at.edge))];
-    const std::uint32_t b = f.v[static_cast<std::size_t>(prev3(at.edge))];
+    const std::uint32_t a = f.v[at.edge.next()];
+    const std::uint32_t b = f.v[at.edge.previous()];
     const Point z = split_point(at, cdt_.points[a], cdt_.points[b]);
     if (z == cdt_.points[a] || z == cdt_.points[b]) return false;
     collect_cavity(at.triangle, z);
@@ -203,21 +202,19 @@ class Refiner {
   /// True if, turning about an end of the edge, another boundary edge is met within 60 degrees.
   [[nodiscard]] bool is_sharp(EdgeRef at, bool about_a) const {
     const Triangle* f = &cdt_.triangles[at.triangle];
-    const std::uint32_t centre =
-        f->v[static_cast<std::size_t>(about_a ? next3(at.edge) : prev3(at.edge))];
+    const std::uint32_t centre = f->v[about_a ? at.edge.next() : at.edge.previous()];
     const Point o = cdt_.points[centre];
-    const Vector u =
-        cdt_.points[f->v[static_cast<std::size_t>(about_a ? prev3(at.edge) : next3(at.edge))]] - o;
+    const Vector u = cdt_.points[f->v[about_a ? at.edge.previous() : at.edge.next()]] - o;
     for (std::uint32_t t = at.triangle;;) {
       f = &cdt_.triangles[t];
-      const int c = f->corner_of(centre);
-      const int far = about_a ? prev3(c) : next3(c);    // the corner turned to
-      const int leave = about_a ? next3(c) : prev3(c);  // the edge from the centre to it
+      const Corner c = f->corner_of(centre);
+      const Corner far = about_a ? c.previous() : c.next();    // the corner turned to
+      const Corner leave = about_a ? c.next() : c.previous();  // the edge from the centre to it
       const Vector v = corner(*f, far) - o;
       const double d = dot(u, v);
       if (d <= 0 || 4 * d * d < squared_length(u) * squared_length(v)) return false;
       if (is_rim(*f, leave)) return true;
-      t = f->n[static_cast<std::size_t>(leave)];
+      t = f->n[leave];
     }
   }
 
@@ -233,8 +230,8 @@ class Refiner {
     for (std::size_t k = 0; k < cavity_.size(); ++k) {
       const std::uint32_t at = cavity_[k];
       const Triangle& f = cdt_.triangles[at];
-      for (int i = 0; i < 3; ++i) {
-        const std::uint32_t next = f.n[static_cast<std::size_t>(i)];
+      for (const Corner i : kCorners) {
+        const std::uint32_t next = f.n[i];
         if (!is_rim(f, i)) {
           if (in_cavity_[next] == stamp_) continue;
           const Triangle& g = cdt_.triangles[next];
@@ -244,10 +241,9 @@ class Refiner {
             continue;
           }
         }
-        rim_.push_back({f.v[static_cast<std::size_t>(next3(i))],
-                        f.v[static_cast<std::size_t>(prev3(i))], next,
-                        next == kNone ? 0 : cdt_.triangles[next].edge_to(at),
-                        edges_[at][static_cast<std::size_t>(i)], f.is_locked(i)});
+        rim_.push_back({f.v[i.next()], f.v[i.previous()], next,
+                        next == kNone ? Corner() : cdt_.triangles[next].edge_to(at), edges_[at][i],
+                        f.is_locked(i)});
         if (until_encroached && is_rim(f, i) && is_encroached(rim_.back(), z)) {
           seen_ += cavity_.size();
           return false;
@@ -266,10 +262,9 @@ class Refiner {
   [[nodiscard]] EdgeRef rim_at(const Rim& rim) const {
     for (const std::uint32_t t : cavity_) {
       const Triangle& f = cdt_.triangles[t];
-      for (int i = 0; i < 3; ++i) {
-        if (f.v[static_cast<std::size_t>(next3(i))] == rim.a &&
-            f.v[static_cast<std::size_t>(prev3(i))] == rim.b) {
-          return {t, static_cast<std::uint8_t>(i)};
+      for (const Corner i : kCorners) {
+        if (f.v[i.next()] == rim.a && f.v[i.previous()] == rim.b) {
+          return {t, i};
         }
       }
     }
@@ -303,7 +298,7 @@ class Refiner {
       f.n[0] = rim.outer;
       f.set_locked(0, rim.locked);
       if (rim.outer != kNone) {
-        cdt_.triangles[rim.outer].n[static_cast<std::size_t>(rim.outer_edge)] = cavity_[k];
+        cdt_.triangles[rim.outer].n[rim.outer_edge] = cavity_[k];
       }
       edges_[cavity_[k]] = {rim.chord, kNone, kNone};
       cdt_.triangles[cavity_[k]] = f;
@@ -346,15 +341,16 @@ class Refiner {
     const double tan_keep = std::tan(goal_.keep_nu);
     for (std::uint32_t t = 0; t < cdt_.triangles.size(); ++t) {
       const Triangle& f = cdt_.triangles[t];
-      const int i = longest_edge(corner(f, 0), corner(f, 1), corner(f, 2));
-      const Vector u = corner(f, next3(i)) - corner(f, i), v = corner(f, prev3(i)) - corner(f, i);
+      const Corner i = longest_edge(corner(f, 0), corner(f, 1), corner(f, 2));
+      const Vector u = corner(f, i.next()) - corner(f, i),
+                   v = corner(f, i.previous()) - corner(f, i);
       if (std::abs(cross(u, v)) >= -tan_keep * dot(u, v)) continue;
-      for (std::uint8_t k = 0; k < 3; ++k) add({t, k});
+      for (const Corner k : kCorners) add({t, k});
       if (in_a_hurry) continue;
       const Point centre = circumcentre(f, i);
       if (is_rim(f, i) || !std::isfinite(centre.x) || !std::isfinite(centre.y)) continue;
       const Walk walk = walk_straight(
-          cdt_, t, midpoint(corner(f, i), midpoint(corner(f, next3(i)), corner(f, prev3(i)))),
+          cdt_, t, midpoint(corner(f, i), midpoint(corner(f, i.next()), corner(f, i.previous()))),
           centre);
       if (!walk.arrived) {
         add(walk.at);
@@ -444,15 +440,15 @@ std::vector<std::uint32_t> match_chords(const Triangulation& cdt, std::span<cons
   edges.assign(cdt.triangles.size(), {kNone, kNone, kNone});
   for (std::uint32_t t = 0; t < cdt.triangles.size(); ++t) {
     const Triangle& f = cdt.triangles[t];
-    for (int i = 0; i < 3; ++i) {
-      if (!f.is_locked(i) && f.n[static_cast<std::size_t>(i)] != kNone) continue;
-      const std::uint32_t a = f.v[static_cast<std::size_t>(next3(i))];
-      const std::uint32_t b = f.v[static_cast<std::size_t>(prev3(i))];
+    for (const Corner i : kCorners) {
+      if (!f.is_locked(i) && f.n[i] != kNone) continue;
+      const std::uint32_t a = f.v[i.next()];
+      const std::uint32_t b = f.v[i.previous()];
       std::uint32_t c = head[a];
       while (c != kNone && (chords[c].b != b || found[c])) c = next[c];
       if (c != kNone) {
         found[c] = true;
-        edges[t][static_cast<std::size_t>(i)] = c;
+        edges[t][i] = c;
         continue;
       }
       const std::size_t known = faults.size();

@@ -132,8 +132,8 @@ class Search {
 
   void run() {
     for (std::uint32_t t = 0; t < graph_.triangulation.triangles.size(); ++t) {
-      for (int i = 0; i < 3; ++i) {
-        const std::uint32_t w = graph_.triangulation.triangles[t].v[static_cast<std::size_t>(i)];
+      for (const Corner i : kCorners) {
+        const std::uint32_t w = graph_.triangulation.triangles[t].v[i];
         if (w < limit_.size()) look_from(w, t, i);
       }
     }
@@ -154,10 +154,10 @@ class Search {
   [[nodiscard]] Point at(std::uint32_t p) const { return noded_.points[p]; }
 
   /// Looks from w, corner i of triangle t, through the opposite edge and on.
-  void look_from(std::uint32_t w, std::uint32_t t, int i) {
+  void look_from(std::uint32_t w, std::uint32_t t, Corner i) {
     const Triangle& f = graph_.triangulation.triangles[t];
-    look_at_point(w, f.v[static_cast<std::size_t>(next3(i))]);
-    look_at_point(w, f.v[static_cast<std::size_t>(prev3(i))]);
+    look_at_point(w, f.v[i.next()]);
+    look_at_point(w, f.v[i.previous()]);
     stack_.assign(1, {t, i});
     for (int seen = 0; !stack_.empty() && seen < kMostTriangles; ++seen) {
       const auto [g, k] = stack_.back();
@@ -166,18 +166,18 @@ class Search {
     }
   }
 
-  void look_through(std::uint32_t w, std::uint32_t t, int i) {
+  void look_through(std::uint32_t w, std::uint32_t t, Corner i) {
     const Triangle& f = graph_.triangulation.triangles[t];
-    const std::uint32_t u = f.v[static_cast<std::size_t>(next3(i))];
-    const std::uint32_t v = f.v[static_cast<std::size_t>(prev3(i))];
+    const std::uint32_t u = f.v[i.next()];
+    const std::uint32_t v = f.v[i.previous()];
     if (u == w || v == w || !(distance_from_segment(at(u), at(v), at(w)) <= limit_[w])) return;
     if (f.is_locked(i)) return look_at_edge(w, u, v);
-    const std::uint32_t next = f.n[static_cast<std::size_t>(i)];
+    const std::uint32_t next = f.n[i];
     if (next == kNone) return;
-    const int back = graph_.triangulation.triangles[next].edge_to(t);
-    look_at_point(w, graph_.triangulation.triangles[next].v[static_cast<std::size_t>(back)]);
-    stack_.push_back({next, next3(back)});
-    stack_.push_back({next, prev3(back)});
+    const Corner back = graph_.triangulation.triangles[next].edge_to(t);
+    look_at_point(w, graph_.triangulation.triangles[next].v[back]);
+    stack_.push_back({next, back.next()});
+    stack_.push_back({next, back.previous()});
   }
 
   void look_at_point(std::uint32_t w, std::uint32_t u) {

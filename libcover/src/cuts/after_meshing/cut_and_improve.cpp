@@ -33,7 +33,7 @@ constexpr double kGain = 0.2;  ///< of its excess, that the worst triangle must 
 struct SidePlace {
   std::uint32_t side;
   std::uint32_t triangle;
-  int edge;
+  Corner edge;
 };
 
 /// Those of two sides that have a triangle; kNone is no side.
@@ -44,7 +44,8 @@ std::vector<SidePlace> places_of(const MutableMesh& mesh, std::array<std::uint32
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
       const auto& n = mesh.triangles[t].n;
       const auto edge = std::find(n.begin(), n.end(), kSideBit | side);
-      if (edge != n.end()) places.push_back({side, t, static_cast<int>(edge - n.begin())});
+      if (edge != n.end())
+        places.push_back({side, t, static_cast<std::uint32_t>(edge - n.begin())});
     }
   }
   return places;
@@ -53,16 +54,15 @@ std::vector<SidePlace> places_of(const MutableMesh& mesh, std::array<std::uint32
 /// Whether both parts of the triangle are counter-clockwise if its side is cut at `p`.
 bool may_be_cut_at(const MutableMesh& mesh, const SidePlace& place, Point p) {
   const Point apex = mesh.corner(place.triangle, place.edge);
-  const Point a = mesh.corner(place.triangle, next3(place.edge));
-  const Point b = mesh.corner(place.triangle, prev3(place.edge));
+  const Point a = mesh.corner(place.triangle, place.edge.next());
+  const Point b = mesh.corner(place.triangle, place.edge.previous());
   return orientation(apex, a, p) == Sign::positive && orientation(apex, p, b) == Sign::positive;
 }
 
 /// REQUIRES: may_be_cut_at() the place of `m`
 void cut_one_side(MutableMesh& mesh, const SidePlace& place, std::uint32_t m) {
   const std::uint32_t t = place.triangle, t2 = mesh.add_triangle();
-  const auto corner = static_cast<std::size_t>(place.edge), a = (corner + 1) % 3,
-             b = (corner + 2) % 3;
+  const Corner corner = place.edge, a = corner.next(), b = corner.previous();
   const MeshTriangle old = mesh.triangles[t];
   const auto side = static_cast<std::uint32_t>(mesh.sides.size());
   mesh.sides.repeat(place.side);
@@ -134,11 +134,11 @@ class CutSearch {
     const std::uint32_t last =
         std::min(kCutAround, static_cast<std::uint32_t>(excerpt.mesh.triangles.size()));
     for (std::uint32_t t = 0; t < last && !budget.is_used_up(); ++t) {
-      for (int e = 0; e < 3; ++e) {
+      for (const Corner e : kCorners) {
         const std::uint32_t n = excerpt.mesh.triangles[t].n[static_cast<std::size_t>(e)];
         if (!is_side(n) || !is_side(excerpt.outside[side_index(n)])) continue;
         if (!whole_.is_free(side_index(excerpt.outside[side_index(n)]))) continue;
-        const Point a = excerpt.mesh.corner(t, next3(e)), b = excerpt.mesh.corner(t, prev3(e));
+        const Point a = excerpt.mesh.corner(t, e.next()), b = excerpt.mesh.corner(t, e.previous());
         for (const Point& place : places_on(a, b, excerpt.mesh)) {
           if (auto trial = cut_at(excerpt, side_index(n), place, budget)) {
             trials.push_back(*std::move(trial));
@@ -172,7 +172,7 @@ class CutSearch {
   /// The middle of ab, and the feet on it of the corners of triangle 0.
   [[nodiscard]] static std::vector<Point> places_on(Point a, Point b, const MutableMesh& mesh) {
     std::vector<Point> places{midpoint(a, b)};
-    for (int i = 0; i < 3; ++i) {
+    for (const Corner i : kCorners) {
       const double part = dot(mesh.corner(0, i) - a, b - a) / squared_length(b - a);
       if (part > kEnd && part < 1 - kEnd) places.push_back(a + part * (b - a));
     }

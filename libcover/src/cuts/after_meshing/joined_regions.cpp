@@ -180,10 +180,10 @@ std::vector<SegmentId> JoinedRegions::segments_to_halve() const {
   for (const std::uint32_t above : triangles_above()) {
     std::vector<std::pair<double, std::uint32_t>> sides;  // with their squared lengths
     for (const std::uint32_t t : triangles_around(mesh_, above, kHalvedAround)) {
-      for (int i = 0; i < 3; ++i) {
-        const std::uint32_t n = mesh_.triangles[t].n[static_cast<std::size_t>(i)];
+      for (const Corner i : kCorners) {
+        const std::uint32_t n = mesh_.triangles[t].n[i];
         if (!is_side(n)) continue;
-        const Vector along = mesh_.corner(t, prev3(i)) - mesh_.corner(t, next3(i));
+        const Vector along = mesh_.corner(t, i.previous()) - mesh_.corner(t, i.next());
         sides.emplace_back(squared_length(along), side_index(n));
       }
     }
@@ -298,7 +298,7 @@ void JoinedRegions::separate(const Pslg& pslg, std::span<const RegionBoundary> b
     meshes[r].triangles.clear();
     for (const std::uint32_t t : of_region[r]) {
       IndexTriple triangle{};
-      for (std::size_t i = 0; i < 3; ++i) {
+      for (const Corner i : kCorners) {
         const std::uint32_t v = mesh_.triangles[t].v[i];
         if (v < first_steiner_) {
           triangle[i] = local[id[v].index()];
@@ -320,7 +320,7 @@ std::vector<std::uint32_t> JoinedRegions::regions_of_triangles() const {
   std::vector<std::uint32_t> region(mesh_.triangles.size(), kNone), stack;
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
     if (mesh_.is_hole(t)) continue;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (const Corner i : kCorners) {
       if (is_side(mesh_.triangles[t].n[i])) {
         region[t] = region_[side_index(mesh_.triangles[t].n[i])];
         stack.push_back(t);

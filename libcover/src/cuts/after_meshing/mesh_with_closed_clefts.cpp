@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::uint64_t kPlacesForOne = 20'000;  ///< tried for an obtuse triangle
 constexpr std::uint64_t kMostPlaces = 3'000'000;
-constexpr std::size_t kCorners = 4;  ///< of a cleft: half of all points at least, or few help
+constexpr std::size_t kLeastCorners = 4;  ///< of a cleft: half of all points at least, or few help
 
 /// Whether so many triangles are obtuse that halving segments was in vain. A few are mended where
 /// they are, with fewer vertices.
@@ -118,7 +118,7 @@ Status mesh_with_closed_clefts(Work& work, const Options& options, const Callbac
     unite_pieces(whole.pslg, whole.table, work.report.uncut_points);
     const std::vector<Cleft> clefts =
         find_clefts(whole.pslg, whole.table, split_regions(whole.pslg, whole.table));
-    if (2 * kCorners * clefts.size() < work.report.uncut_points) return ok();
+    if (2 * kLeastCorners * clefts.size() < work.report.uncut_points) return ok();
     std::optional<ClosedClefts> closed = close_clefts(whole, clefts);
     if (!closed) return ok();
     if (Status status = mesh_closed(closed->work, options, callbacks.stop); !status) return status;

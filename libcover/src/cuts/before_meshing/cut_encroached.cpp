@@ -78,13 +78,13 @@ class RegionView {
     collect_cavity(at_[side], p);
     std::size_t count = 0;
     for (const std::uint32_t t : cavity_) {
-      for (std::size_t i = 0; i < 3; ++i) {
+      for (const Corner i : kCorners) {
         const std::uint32_t other = side_of_[3 * t + i];
         if (other == kNone || boundary_.segments[other] == boundary_.segments[side] ||
             is_encroached_[other] != 0)
           continue;
         const auto& v = cdt_.triangles[t].v;
-        if (compare_with_90_degrees(cdt_.points[v[(i + 1) % 3]], p, cdt_.points[v[(i + 2) % 3]]) ==
+        if (compare_with_90_degrees(cdt_.points[v[i.next()]], p, cdt_.points[v[i.previous()]]) ==
             Sign::positive)
           ++count;
       }
@@ -112,8 +112,8 @@ class RegionView {
     stamp_[start.triangle] = round_;
     for (std::size_t k = 0; k < cavity_.size(); ++k) {
       const Triangle& t = cdt_.triangles[cavity_[k]];
-      for (int i = 0; i < 3; ++i) {
-        const std::uint32_t n = t.n[static_cast<std::size_t>(i)];
+      for (const Corner i : kCorners) {
+        const std::uint32_t n = t.n[i];
         if (n == kNone || t.is_locked(i) || stamp_[n] == round_) continue;
         const auto& v = cdt_.triangles[n].v;
         if (in_circle(cdt_.points[v[0]], cdt_.points[v[1]], cdt_.points[v[2]], p) != Sign::positive)

@@ -296,10 +296,9 @@ class Splitter {
     for (const HullSide& side : table_.hull_sides) sides.push_back({side.a, side.b});
     std::sort(sides.begin(), sides.end());
     for (const Triangle& t : whole.triangles) {
-      for (int i = 0; i < 3; ++i) {
-        if (t.n[static_cast<std::size_t>(i)] != kNone || t.is_locked(i)) continue;
-        const std::array<VertexId, 2> ends{VertexId{t.v[static_cast<std::size_t>(next3(i))]},
-                                           VertexId{t.v[static_cast<std::size_t>(prev3(i))]}};
+      for (const Corner i : kCorners) {
+        if (t.n[i] != kNone || t.is_locked(i)) continue;
+        const std::array<VertexId, 2> ends{VertexId{t.v[i.next()]}, VertexId{t.v[i.previous()]}};
         if (std::binary_search(sides.begin(), sides.end(), ends)) continue;
         for (const VertexId v : ends) {
           if (v.index() >= before_->pslg.points.size()) broken_.push_back(v);

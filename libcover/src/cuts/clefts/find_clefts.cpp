@@ -74,21 +74,19 @@ class Finder {
     const auto& [cdt, side] = sided_cdt;
     for (std::uint32_t t = 0; t < cdt.triangles.size(); ++t) {
       const Triangle& triangle = cdt.triangles[t];
-      for (int i = 0; i < 3; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        if (const std::uint32_t s = side[t][k]; s != kNone) {
-          note_height(boundary, s, boundary.points[triangle.v[k]]);
+      for (const Corner i : kCorners) {
+        if (const std::uint32_t s = side[t][i]; s != kNone) {
+          note_height(boundary, s, boundary.points[triangle.v[i]]);
           continue;
         }
-        const std::uint32_t u = triangle.n[k];
+        const std::uint32_t u = triangle.n[i];
         if (u == kNone || u < t) continue;
-        const auto j = static_cast<std::size_t>(cdt.triangles[u].edge_to(t));
+        const Corner j = cdt.triangles[u].edge_to(t);
         // Opposite walls, either way.
-        for (const std::size_t to : {std::size_t{1}, std::size_t{2}}) {
-          const std::uint32_t a = side[t][(k + to) % 3], b = side[u][(j + to) % 3];
-          if (a == kNone || b == kNone) continue;
-          add(boundary, {a, b}, {side[t][(k + 3 - to) % 3], side[u][(j + 3 - to) % 3]}, all);
-        }
+        const std::array next{side[t][i.next()], side[u][j.next()]};
+        const std::array previous{side[t][i.previous()], side[u][j.previous()]};
+        add(boundary, next, previous, all);
+        add(boundary, previous, next, all);
       }
     }
   }
@@ -102,9 +100,10 @@ class Finder {
         std::abs(cross(b - a, apex - a)) / length(b - a);
   }
 
-  /// `walls` and `across` are sides of the region; of the ends some may be kNone.
+  /// `walls` and `across` are sides of the region; kNone: no side.
   void add(const RegionBoundary& boundary, std::array<std::uint32_t, 2> walls,
            std::array<std::uint32_t, 2> across, std::vector<Cleft>& all) const {
+    if (walls[0] == kNone || walls[1] == kNone) return;
     const auto corner = [&](std::size_t wall, std::size_t k) {
       return boundary.vertices[boundary.sides[walls[wall]][k]];
     };

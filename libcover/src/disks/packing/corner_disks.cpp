@@ -17,7 +17,7 @@ namespace cover::disks {
 namespace {
 
 /// The disks of a visit.
-struct Corner {
+struct DiskCorner {
   double theta = kFullTurn;
   Index first_disk = kNoIndex;  ///< element
   Index disks = 1;
@@ -61,12 +61,13 @@ class CornerDisks {
   const Triangulation& cdt_;
   std::span<const Chord> chords_;
   Visits visits_;
-  std::vector<Corner> corners_;  ///< by visit
+  std::vector<DiskCorner> corners_;  ///< by visit
 };
 
 double CornerDisks::distance_to_edge(Point p, TriangleCorner opposite) const {
   const Triangle& t = cdt_.triangles[opposite / 3];
-  const Point a = at(t.v[(opposite + 1) % 3]), b = at(t.v[(opposite + 2) % 3]);
+  const Corner i = opposite % 3;
+  const Point a = at(t.v[i.next()]), b = at(t.v[i.previous()]);
   const Vector e = b - a, v = p - a;
   if (cross(e, v) <= 0) return std::numeric_limits<double>::infinity();
   return norm(v - std::clamp(dot(v, e) / squared_length(e), 0.0, 1.0) * e);
@@ -84,7 +85,7 @@ double CornerDisks::clearance(const Visit& visit) const {
   const auto look_at = [&](TriangleCorner c) {
     const double distance = distance_to_edge(p, c);
     if (distance >= d) return;
-    if (cdt_.triangles[c / 3].is_locked(static_cast<int>(c % 3))) {
+    if (cdt_.triangles[c / 3].is_locked(c % 3)) {
       d = distance;
     } else {
       open.push_back(c);
@@ -95,10 +96,10 @@ double CornerDisks::clearance(const Visit& visit) const {
     const TriangleCorner c = open.back();
     open.pop_back();
     const Index n = cdt_.triangles[c / 3].n[c % 3];
-    const int i = cdt_.triangles[n].edge_to(c / 3);
-    d = std::min(d, norm(at(cdt_.triangles[n].v[static_cast<std::size_t>(i)]) - p));
-    look_at(3 * n + static_cast<Index>(next3(i)));
-    look_at(3 * n + static_cast<Index>(prev3(i)));
+    const Corner i = cdt_.triangles[n].edge_to(c / 3);
+    d = std::min(d, norm(at(cdt_.triangles[n].v[i]) - p));
+    look_at(3 * n + i.next());
+    look_at(3 * n + i.previous());
   }
   return d;
 }
@@ -107,7 +108,7 @@ void CornerDisks::fill_corner(Index k, double fraction) {
   const Index chord_in = visit(k).chord_in, vertex = visit(k).vertex;
   const Point v = at(vertex);
   const Vector out = packing_.elements[k].d, in = -1.0 * packing_.elements[chord_in].d;
-  Corner& corner = corners_[k];
+  DiskCorner& corner = corners_[k];
   corner.theta = turn(out, in);
   if (corner.theta == 0) corner.theta = kFullTurn;
   constexpr double kSector = kFullTurn / 3 * (1 + 1e-12);
@@ -149,7 +150,7 @@ void CornerDisks::make_cycles() {
   for (Index k = 0; k < chords_.size(); ++k) end_of[visit(k).chord_in] = corners_[k].touch.back();
   for (Index k = 0; k < chords_.size(); ++k) packing_.add_side(k, corners_[k].touch[0], end_of[k]);
   for (Index k = 0; k < corners_.size(); ++k) {
-    const Corner& corner = corners_[k];
+    const DiskCorner& corner = corners_[k];
     if (visit(k).is_isolated()) {
       packing_.add_side(corner.first_disk, kNoIndex, kNoIndex);
       continue;
@@ -167,7 +168,7 @@ void CornerDisks::make_cycles() {
 }
 
 Index CornerDisks::disk_towards(Index k, Point p) const {
-  const Corner& corner = corners_[k];
+  const DiskCorner& corner = corners_[k];
   if (visit(k).is_isolated()) return corner.first_disk;
   const double angle = turn(packing_.elements[k].d, p - at(visit(k).vertex));
   const auto sector = static_cast<Index>(angle / corner.theta * corner.disks);

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "geom/topology/corner.hpp"
+
 namespace cover::disks {
 
 Element make_disk(Point centre, double radius, Index vertex) {
@@ -62,13 +64,13 @@ double way_back(const Element& e, Point from, Point to) {
 Point circumcentre(Point a, Point b, Point c) {
   // From the vertex with the widest angle the two other sides are shortest: least cancellation.
   const std::array<Point, 3> p{a, b, c};
-  std::size_t k = 0;
+  Corner k;
   double longest = -1;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double l = squared_length(p[(i + 1) % 3] - p[(i + 2) % 3]);
+  for (const Corner i : kCorners) {
+    const double l = squared_length(p[i.next()] - p[i.previous()]);
     if (l > longest) longest = l, k = i;
   }
-  const Vector u = p[(k + 1) % 3] - p[k], v = p[(k + 2) % 3] - p[k];
+  const Vector u = p[k.next()] - p[k], v = p[k.previous()] - p[k];
   const double u2 = squared_length(u), v2 = squared_length(v), twice = 2 * cross(u, v);
   return p[k] + Vector{(u2 * v.y - v2 * u.y) / twice, (v2 * u.x - u2 * v.x) / twice};
 }

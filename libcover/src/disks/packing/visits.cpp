@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "geom/topology/half_edges.hpp"
+
 namespace cover::disks {
 namespace {
 
@@ -15,17 +17,15 @@ std::vector<Index> chords_by_edge(const Triangulation& cdt, std::span<const Chor
   std::vector<Index> result(3 * cdt.triangles.size(), kNoIndex);
   for (TriangleCorner c = 0; c < result.size(); ++c) {
     const Triangle& t = cdt.triangles[c / 3];
-    if (!t.is_locked(static_cast<int>(c % 3))) continue;
-    const std::array<Index, 2> wanted{t.v[(c + 1) % 3], t.v[(c + 2) % 3]};
+    const Corner i = c % 3;
+    if (!t.is_locked(i)) continue;
+    const std::array<Index, 2> wanted{t.v[i.next()], t.v[i.previous()]};
     const auto it = std::lower_bound(sorted.begin(), sorted.end(), wanted,
                                      [&](Index k, const auto& e) { return ends(k) < e; });
     if (it != sorted.end() && ends(*it) == wanted) result[c] = *it;
   }
   return result;
 }
-
-/// The corner `step` further on in the same triangle.
-TriangleCorner around(TriangleCorner c, Index step) { return c - c % 3 + (c % 3 + step) % 3; }
 
 /// Turns counter-clockwise from `first` to the next chord, or all the way round.
 Visit turn_around(const Triangulation& cdt, TriangleCorner first,
@@ -36,13 +36,13 @@ Visit turn_around(const Triangulation& cdt, TriangleCorner first,
   do {
     visit.fan.push_back(c);
     // The edge on the left, from the triangle's third corner to this vertex.
-    const TriangleCorner exit = around(c, 1);
-    if (cdt.triangles[c / 3].is_locked(static_cast<int>(exit % 3))) {
+    const TriangleCorner exit = HalfEdges::next(c);
+    if (cdt.triangles[c / 3].is_locked(exit % 3)) {
       visit.chord_in = chord_by_edge[exit];
       return visit;
     }
     const Index n = cdt.triangles[c / 3].n[exit % 3];
-    c = 3 * n + static_cast<Index>(cdt.triangles[n].corner_of(visit.vertex));
+    c = 3 * n + cdt.triangles[n].corner_of(visit.vertex);
   } while (c != first);
   return visit;
 }
@@ -56,7 +56,7 @@ Visits find_visits(const Triangulation& cdt, std::span<const Chord> chords) {
   visits.at_corner.assign(chord_by_edge.size(), kNoIndex);
   for (TriangleCorner c = 0; c < chord_by_edge.size(); ++c) {
     if (chord_by_edge[c] == kNoIndex) continue;
-    visits.all[chord_by_edge[c]] = turn_around(cdt, around(c, 1), chord_by_edge);
+    visits.all[chord_by_edge[c]] = turn_around(cdt, HalfEdges::next(c), chord_by_edge);
   }
   for (Index k = 0; k < visits.all.size(); ++k) {
     for (const TriangleCorner c : visits.all[k].fan) visits.at_corner[c] = k;
@@ -75,8 +75,8 @@ std::vector<Visits::Edge> Visits::inner_edges(const Triangulation& cdt) const {
   std::vector<Edge> edges;
   for (TriangleCorner c = 0; c < at_corner.size(); ++c) {
     const Triangle& t = cdt.triangles[c / 3];
-    if (t.is_locked(static_cast<int>(c % 3)) || t.n[c % 3] < c / 3) continue;
-    edges.push_back({at_corner[around(c, 1)], at_corner[around(c, 2)]});
+    if (t.is_locked(c % 3) || t.n[c % 3] < c / 3) continue;
+    edges.push_back({at_corner[HalfEdges::next(c)], at_corner[HalfEdges::previous(c)]});
   }
   return edges;
 }

@@ -61,7 +61,7 @@ void ApexSearch::enter(std::uint32_t s) {
   const Vector v = view_.point(side.b) - origin_;
   length_ = length(v);
   along_ = (1 / length_) * v;
-  const Corner &start = view_.corner(side.start), &end = view_.corner(side.end);
+  const RegionCorner &start = view_.corner(side.start), &end = view_.corner(side.end);
   enter_end(a_, start, false);
   enter_end(b_, end, true);
   is_triangle_ = start.last - start.first == 2 && end.last - end.first == 2 &&
@@ -69,7 +69,7 @@ void ApexSearch::enter(std::uint32_t s) {
   collect_obstacles(side);
 }
 
-void ApexSearch::enter_end(End& end, const Corner& corner, bool reversed) {
+void ApexSearch::enter_end(End& end, const RegionCorner& corner, bool reversed) {
   const auto seen = view_.seen_from(corner);
   end.corner = corner.angle;
   end.seen.clear();
@@ -93,15 +93,15 @@ void ApexSearch::collect_obstacles(const RegionSide& side) {
   stamp_[side.triangle] = round_;
   for (std::size_t k = 0; k < visited_.size(); ++k) {
     const Triangle& f = cdt.triangles[visited_[k]];
-    for (int i = 0; i < 3; ++i) {
+    for (const Corner i : kCorners) {
       const std::uint32_t s = view_.side_at(visited_[k], i);
       if (s == kNone) {
-        const std::uint32_t next = f.n[static_cast<std::size_t>(i)];
+        const std::uint32_t next = f.n[i];
         if (visited_.size() < kTriangles && stamp_[next] != round_) {
           stamp_[next] = round_;
           visited_.push_back(next);
           const Triangle& g = cdt.triangles[next];
-          vertices_.push_back(local(g.v[static_cast<std::size_t>(g.edge_to(visited_[k]))]));
+          vertices_.push_back(local(g.v[g.edge_to(visited_[k])]));
         }
         continue;
       }
@@ -127,7 +127,7 @@ void ApexSearch::collect_obstacles(const RegionSide& side) {
       o.faces_b = at_b > room;
     }
   }
-  vertices_.push_back(local(cdt.triangles[side.triangle].v[static_cast<std::size_t>(side.edge)]));
+  vertices_.push_back(local(cdt.triangles[side.triangle].v[side.edge]));
   last_ban_ = Ban::zone;
   last_which_ = 0;
 }

@@ -63,7 +63,7 @@ class ApexSearch {
   enum class Ban : std::uint8_t { zone, shadow_of_a, shadow_of_b, wedge_at_a, wedge_at_b };
 
   void enter(std::uint32_t side);
-  void enter_end(End& end, const Corner& corner, bool reversed);
+  void enter_end(End& end, const RegionCorner& corner, bool reversed);
   void collect_obstacles(const RegionSide& side);
   [[nodiscard]] Place local(std::uint32_t v) const;
   [[nodiscard]] bool ear_is_possible(bool at_a) const;

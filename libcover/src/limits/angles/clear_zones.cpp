@@ -66,17 +66,16 @@ ClearZones::State ClearZones::find_out(const RegionSide& side) {
     return squared_length(p + t * d) < radius * radius;
   };
   State state{true, false, false, false};
-  stack_.assign(
-      1, 4 * static_cast<std::uint64_t>(side.triangle) + static_cast<std::uint64_t>(side.edge));
+  stack_.assign(1, 4 * std::uint64_t{side.triangle} + side.edge);
   for (std::size_t visited = 0; !stack_.empty(); ++visited) {
     if (visited == kMostTriangles) return state;
     const auto t = static_cast<std::uint32_t>(stack_.back() / 4);
-    const int entry = static_cast<int>(stack_.back() % 4);
+    const Corner entry = static_cast<std::uint32_t>(stack_.back() % 4);
     stack_.pop_back();
     const Triangle& f = cdt.triangles[t];
-    for (const int i : {next3(entry), prev3(entry)}) {
-      const std::uint32_t v = f.v[static_cast<std::size_t>(next3(i))];
-      const std::uint32_t w = f.v[static_cast<std::size_t>(prev3(i))];
+    for (const Corner i : {entry.next(), entry.previous()}) {
+      const std::uint32_t v = f.v[i.next()];
+      const std::uint32_t w = f.v[i.previous()];
       if (!comes_in(v, w)) continue;
       if (view_.side_at(t, i) != kNone) {
         if (v == side.b) {
@@ -88,9 +87,8 @@ ClearZones::State ClearZones::find_out(const RegionSide& side) {
         }
         continue;
       }
-      const std::uint32_t beyond = f.n[static_cast<std::size_t>(i)];
-      stack_.push_back(4 * static_cast<std::uint64_t>(beyond) +
-                       static_cast<std::uint64_t>(cdt.triangles[beyond].edge_to(t)));
+      const std::uint32_t beyond = f.n[i];
+      stack_.push_back(4 * std::uint64_t{beyond} + cdt.triangles[beyond].edge_to(t));
     }
   }
   state.clear = true;

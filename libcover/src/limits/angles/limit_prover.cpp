@@ -198,7 +198,7 @@ bool LimitProver::is_known_as_open(const AngleRange& range, const ProofEffort& e
 bool LimitProver::corners_refute(const FanGrowth& growth) const {
   const auto sides = view_.sides();
   return std::any_of(sides.begin(), sides.end(), [&](const RegionSide& side) {
-    const Corner& corner = view_.corner(side.start);
+    const RegionCorner& corner = view_.corner(side.start);
     const double before =
         length(view_.point(view_.seen_from(corner).back().vertex) - view_.point(side.a));
     const double after = length(view_.point(side.b) - view_.point(side.a));

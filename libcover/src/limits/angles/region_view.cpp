@@ -11,7 +11,7 @@
 namespace cover {
 namespace {
 
-std::uint32_t at(const Triangle& f, int i) { return f.v[static_cast<std::size_t>(i)]; }
+std::uint32_t at(const Triangle& f, Corner i) { return f.v[i]; }
 
 }  // namespace
 
@@ -45,10 +45,10 @@ void RegionView::find_sides() {
   side_of_.assign(3 * cdt_.triangles.size(), kNone);
   for (std::uint32_t t = 0; t < cdt_.triangles.size(); ++t) {
     const Triangle& f = cdt_.triangles[t];
-    for (int i = 0; i < 3; ++i) {
-      if (f.n[static_cast<std::size_t>(i)] != kNone && !f.is_locked(i)) continue;
-      side_of_[3 * t + static_cast<std::uint32_t>(i)] = static_cast<std::uint32_t>(sides_.size());
-      RegionSide side{at(f, next3(i)), at(f, prev3(i)), t, i};
+    for (const Corner i : kCorners) {
+      if (f.n[i] != kNone && !f.is_locked(i)) continue;
+      side_of_[3 * t + i] = static_cast<std::uint32_t>(sides_.size());
+      RegionSide side{at(f, i.next()), at(f, i.previous()), t, i};
       side.nu_opt = nu_at(point(side.a), point(at(f, i)), point(side.b));
       sides_.push_back(side);
       const Point p = point(side.a);
@@ -61,14 +61,14 @@ void RegionView::find_sides() {
 
 void RegionView::walk_corner(std::uint32_t s) {
   const RegionSide& side = sides_[s];
-  Corner& corner = corners_[s];
+  RegionCorner& corner = corners_[s];
   corner.vertex = side.a;
   corner.first = static_cast<std::uint32_t>(sighted_.size());
   sighted_.push_back({side.b, 0});
   const Point a = point(side.a);
   Point previous = point(side.b);
   std::uint32_t t = side.triangle;
-  int entry = side.edge;
+  Corner entry = side.edge;
   for (;;) {
     const Triangle& f = cdt_.triangles[t];
     const std::uint32_t w = at(f, entry);
@@ -76,14 +76,14 @@ void RegionView::walk_corner(std::uint32_t s) {
     corner.angle += std::atan2(cross(previous - a, p - a), dot(previous - a, p - a));
     sighted_.push_back({w, corner.angle});
     previous = p;
-    const int exit = prev3(entry);
+    const Corner exit = entry.previous();
     const std::uint32_t reached = side_at(t, exit);
     if (reached != kNone) {
       sides_[s].start = s;
       sides_[reached].end = s;
       break;
     }
-    const std::uint32_t beyond = f.n[static_cast<std::size_t>(exit)];
+    const std::uint32_t beyond = f.n[exit];
     entry = cdt_.triangles[beyond].edge_to(t);
     t = beyond;
   }

@@ -17,7 +17,7 @@ struct Sighted {
 };
 
 /// A corner of a region: between the side that leaves its vertex and the next one to the left.
-struct Corner {
+struct RegionCorner {
   std::uint32_t vertex = 0;
   std::uint32_t first = 0;  ///< its Sighted ones: [first, last), the ends of both sides with them
   std::uint32_t last = 0;
@@ -29,7 +29,7 @@ struct RegionSide {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
   std::uint32_t triangle = 0;  ///< on its left
-  int edge = 0;                ///< of the triangle
+  Corner edge;                 ///< of the triangle
   std::uint32_t start = 0;     ///< the corner at a
   std::uint32_t end = 0;       ///< the corner at b
   double nu_opt = 0;           ///< pi minus the angle under which the best vertex sees it
@@ -45,8 +45,8 @@ class RegionView {
 
   [[nodiscard]] const Triangulation& cdt() const { return cdt_; }
   [[nodiscard]] std::span<const RegionSide> sides() const { return sides_; }
-  [[nodiscard]] const Corner& corner(std::uint32_t c) const { return corners_[c]; }
-  [[nodiscard]] std::span<const Sighted> seen_from(const Corner& c) const {
+  [[nodiscard]] const RegionCorner& corner(std::uint32_t c) const { return corners_[c]; }
+  [[nodiscard]] std::span<const Sighted> seen_from(const RegionCorner& c) const {
     return std::span(sighted_).subspan(c.first, c.last - c.first);
   }
   /// No two points of the region are farther apart.
@@ -56,8 +56,8 @@ class RegionView {
   [[nodiscard]] double bend() const { return bend_; }
   [[nodiscard]] Point point(std::uint32_t v) const { return cdt_.points[v]; }
   /// The side at edge `edge` of triangle `t`; kNone: that edge is no side.
-  [[nodiscard]] std::uint32_t side_at(std::uint32_t t, int edge) const {
-    return side_of_[3 * t + static_cast<std::uint32_t>(edge)];
+  [[nodiscard]] std::uint32_t side_at(std::uint32_t t, Corner edge) const {
+    return side_of_[3 * t + edge];
   }
 
  private:
@@ -70,7 +70,7 @@ class RegionView {
   double bend_ = std::numeric_limits<double>::infinity();
   std::vector<RegionSide> sides_;
   std::vector<std::uint32_t> side_of_;  ///< by half-edge
-  std::vector<Corner> corners_;         ///< corner i begins with side i
+  std::vector<RegionCorner> corners_;   ///< corner i begins with side i
   std::vector<Sighted> sighted_;
 };
 

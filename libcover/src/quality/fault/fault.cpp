@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "geom/topology/corner.hpp"
+
 namespace cover {
 namespace {
 
@@ -18,14 +20,14 @@ Fault fault_of(const Corners& k, const SideAllowances& sides, const Goal& goal) 
   for (const Allowance* side : sides) {
     if (side != nullptr) small = std::max(small, goal.small + side->small);
   }
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (const Corner i : kCorners) {
     const double cot = k.dot[i] / k.cross;
     const double large = goal.large + (sides[i] != nullptr ? sides[i]->large : 0);
     if (-cot > large + kSameCot * std::max(1.0, large)) {
       const double target = angle_of(-large);
       fault.wide = std::max(fault.wide, (angle_of(cot) - target) / (std::numbers::pi - target));
     }
-    const bool of_the_input = sides[(i + 1) % 3] != nullptr && sides[(i + 2) % 3] != nullptr;
+    const bool of_the_input = sides[i.next()] != nullptr && sides[i.previous()] != nullptr;
     if (goal.weight > 0 && !of_the_input && cot > small * (1 + kSameCot)) {
       fault.narrow = std::max(fault.narrow, 1 - angle_of(cot) / angle_of(small));
     }

@@ -68,7 +68,7 @@ void note_forced(const RegionBoundary& boundary, const AngleLimit& limit, Angle 
 
 /// In the plane, where rounding is that of the coordinates that are written.
 bool is_obtuse(const MutableMesh& mesh, std::uint32_t t, Point origin) {
-  const auto corner = [&](int i) {
+  const auto corner = [&](Corner i) {
     const Point p = mesh.corner(t, i);
     return Point{p.x + origin.x, p.y + origin.y};
   };
@@ -107,7 +107,7 @@ struct MissedAngles {
     for (const std::uint32_t across : n) {
       if (is_side(across)) allowed = std::max(allowed, mesh.allowance(across)->small);
     }
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (const Corner i : kCorners) {
       const Point in_frame = mesh.points[mesh.triangles[t].v[i]];
       const Point at{in_frame.x + origin.x, in_frame.y + origin.y};
       const double cot = k.dot[i] / k.cross;
@@ -115,7 +115,7 @@ struct MissedAngles {
       if (-cot > goal.large + (side != nullptr ? side->large : 0) + kRounding &&
           (options.max_angle != Angle::degrees(90) || is_obtuse(mesh, t, origin)))
         large.add(at);
-      const bool of_the_input = is_side(n[(i + 1) % 3]) && is_side(n[(i + 2) % 3]);
+      const bool of_the_input = is_side(n[i.next()]) && is_side(n[i.previous()]);
       if (goal.weight == 0 || t < thin || of_the_input || cot <= goal.small * (1 + kRounding))
         continue;
       // Where sides force it, no triangle on that side is without such an angle.

@@ -9,17 +9,17 @@ namespace {
 
 /// Whether the coupling of edge i of `t`, with the cotangent opposite to it in `t`, is negative and
 /// counts: once for the two triangles of an inner edge.
-bool is_negative(const MutableMesh& mesh, std::uint32_t t, std::size_t i, double cot,
+bool is_negative(const MutableMesh& mesh, std::uint32_t t, Corner i, double cot,
                  const CouplingGoal& goal) {
   const auto& [v, n] = mesh.triangles[t];
   if (is_side(n[i])) return goal.weight > 0 && cot < mesh.sides[side_index(n[i])].least_cot;
   if (!goal.inside || n[i] < t) return false;
-  const std::uint32_t from = v[(i + 2) % 3];
+  const std::uint32_t from = v[i.previous()];
   const double sum = cot + mesh.cot_opposite(n[i], from);
   if (sum >= 0) return false;
   const MeshTriangle& other = mesh.triangles[n[i]];
   const bool is_given = mesh.is_fixed(v[0]) && mesh.is_fixed(v[1]) && mesh.is_fixed(v[2]) &&
-                        mesh.is_fixed(other.v[static_cast<std::size_t>(other.edge_from(from))]);
+                        mesh.is_fixed(other.v[other.edge_from(from)]);
   return !is_given || sum < -kSameCot;
 }
 
@@ -30,7 +30,7 @@ Shortfall sum_up(const MutableMesh& mesh, std::uint32_t t, const Goal& goal, boo
   std::array<Allowance, 3> other;  // by a goal that is not the one set
   SideAllowances sides{};
   double allowed_small = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (const Corner i : kCorners) {
     if (!is_side(n[i])) continue;
     if (!is_set) other[i] = allowance_for(mesh.sides[side_index(n[i])], goal);
     sides[i] = is_set ? mesh.allowance(n[i]) : &other[i];
@@ -38,7 +38,7 @@ Shortfall sum_up(const MutableMesh& mesh, std::uint32_t t, const Goal& goal, boo
   }
   Shortfall shortfall;
   if (with_fault) shortfall.fault = fault_of(k, sides, goal);
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (const Corner i : kCorners) {
     const double cot = k.cross > 0 ? k.dot[i] / k.cross : -kInverted;
     const double limit = goal.large + (sides[i] != nullptr ? sides[i]->large : 0);
     if (goal.coupling.weight > 0 && is_negative(mesh, t, i, cot, goal.coupling))
@@ -46,7 +46,7 @@ Shortfall sum_up(const MutableMesh& mesh, std::uint32_t t, const Goal& goal, boo
     shortfall.largest = std::max(shortfall.largest, -cot);
     shortfall.large = std::max(shortfall.large, -cot - limit);
     shortfall.is_far = shortfall.is_far || -cot > std::max(kFarAbove, limit) + kSameCot;
-    const bool of_the_input = is_side(n[(i + 1) % 3]) && is_side(n[(i + 2) % 3]);
+    const bool of_the_input = is_side(n[i.next()]) && is_side(n[i.previous()]);
     if (!of_the_input)
       shortfall.small = std::max(shortfall.small, cot - goal.small - allowed_small);
   }

@@ -23,8 +23,6 @@ constexpr double kLeastGain = 0.01;      ///< of the excess
 constexpr double kMargin = 0.02;         ///< aim so far below the goal
 constexpr std::uint64_t kStepCost = 60;  ///< star evaluations in the time of one step
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 class JointPlacement {
  public:
   JointPlacement(MutableMesh& mesh, std::uint32_t t) : mesh_(mesh) {
@@ -106,7 +104,7 @@ class JointPlacement {
     std::uint32_t s = mesh_.home[v];
     do {
       visit(s);
-      s = mesh_.triangles[s].n[at(next3(mesh_.triangles[s].corner_of(v)))];
+      s = mesh_.triangles[s].n[mesh_.triangles[s].corner_of(v).next()];
     } while (s != mesh_.home[v]);
   }
 
@@ -157,13 +155,13 @@ class JointPlacement {
         if (is_side(n)) allowed = std::max(allowed, mesh_.allowances[side_index(n)].small);
       }
       double large = -kInverted, small = -kInverted;
-      int large_at = 0, small_at = 0;
-      for (int i = 0; i < 3; ++i) {
+      Corner large_at, small_at;
+      for (const Corner i : kCorners) {
         const double cot = k.dot[i] / k.cross;
-        const Allowance* side = mesh_.allowance(triangle.n[at(i)]);
+        const Allowance* side = mesh_.allowance(triangle.n[i]);
         const double above = -cot - mesh_.goal().large - (side != nullptr ? side->large : 0);
         if (above > large) large = above, large_at = i;
-        if (is_side(triangle.n[at(next3(i))]) && is_side(triangle.n[at(prev3(i))])) continue;
+        if (is_side(triangle.n[i.next()]) && is_side(triangle.n[i.previous()])) continue;
         const double below = mesh_.goal().weight * (cot - mesh_.goal().small - allowed);
         if (below > small) small = below, small_at = i;
       }
@@ -180,17 +178,17 @@ class JointPlacement {
   void add_couplings(LinearFunctions& f, std::uint32_t s, const Corners& k, double box) const {
     const CouplingGoal& coupling = mesh_.goal().coupling;
     const MeshTriangle& triangle = mesh_.triangles[s];
-    int widest = 0;
-    for (int i = 0; i < 3; ++i) {
+    Corner widest;
+    for (const Corner i : kCorners) {
       if (k.dot[i] < k.dot[widest]) widest = i;
       const double cot = k.dot[i] / k.cross;
-      const std::uint32_t n = triangle.n[at(i)];
+      const std::uint32_t n = triangle.n[i];
       if (is_side(n)) {
         const double least = mesh_.allowance(n)->least_cot;
         if (least > -kInverted)
           add(f, s, k, i, coupling.weight * (least - cot), -coupling.weight, box);
       } else if (coupling.inside) {
-        const int j = mesh_.triangles[n].edge_from(triangle.v[at(prev3(i))]);
+        const Corner j = mesh_.triangles[n].edge_from(triangle.v[i.previous()]);
         const Corners o(mesh_.corner(n, 0), mesh_.corner(n, 1), mesh_.corner(n, 2));
         const double sum = cot + o.dot[j] / o.cross;
         add(f, s, k, i, coupling.weight * (kLeastCoupling - sum), -coupling.weight, box);
@@ -203,7 +201,7 @@ class JointPlacement {
   }
 
   /// Adds `factor` times the cotangent at corner i of `s`, whose value is `value` now.
-  void add(LinearFunctions& f, std::uint32_t s, const Corners& k, int i, double value,
+  void add(LinearFunctions& f, std::uint32_t s, const Corners& k, Corner i, double value,
            double factor, double box) const {
     const std::size_t row = f.rows.size();
     f.rows.resize(row + 1 + f.dimension, 0.0);
@@ -211,17 +209,17 @@ class JointPlacement {
     add_slopes(f, row, s, k, i, factor, box);
   }
 
-  void add_slopes(LinearFunctions& f, std::size_t row, std::uint32_t s, const Corners& k, int i,
+  void add_slopes(LinearFunctions& f, std::size_t row, std::uint32_t s, const Corners& k, Corner i,
                   double factor, double box) const {
     const Point a = mesh_.corner(s, i);
-    const Vector u = mesh_.corner(s, next3(i)) - a, v = mesh_.corner(s, prev3(i)) - a;
+    const Vector u = mesh_.corner(s, i.next()) - a, v = mesh_.corner(s, i.previous()) - a;
     const double cot = k.dot[i] / k.cross;
     const Vector by_b = (factor / k.cross) * (v + cot * left_normal(v));
     const Vector by_c = (factor / k.cross) * (u - cot * left_normal(u));
-    const std::array<std::pair<int, Vector>, 3> by{
-        {{next3(i), by_b}, {prev3(i), by_c}, {i, -1.0 * (by_b + by_c)}}};
+    const std::array<std::pair<Corner, Vector>, 3> by{
+        {{i.next(), by_b}, {i.previous(), by_c}, {i, -1.0 * (by_b + by_c)}}};
     for (const auto& [corner, slope] : by) {
-      const std::size_t m = index_of(mesh_.triangles[s].v[at(corner)]);
+      const std::size_t m = index_of(mesh_.triangles[s].v[corner]);
       if (m == vertices_.size()) continue;
       f.rows[row + 1 + 2 * m] += box * reach_[m] * slope.x;
       f.rows[row + 2 + 2 * m] += box * reach_[m] * slope.y;

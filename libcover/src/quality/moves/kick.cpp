@@ -18,17 +18,17 @@ bool put_inside(MutableMesh& mesh, std::uint32_t t) {
   return install_star(mesh, cavity, a + (1.0 / 3) * (to_b + to_c), installed);
 }
 
-bool put_on_edge(MutableMesh& mesh, std::uint32_t t, int i) {
+bool put_on_edge(MutableMesh& mesh, std::uint32_t t, Corner i) {
   Cavity cavity(mesh);
   cavity.start(t);
   Installed installed;
   return cavity.grow(i) &&
-         install_star(mesh, cavity, midpoint(mesh.corner(t, i), mesh.corner(t, next3(i))),
+         install_star(mesh, cavity, midpoint(mesh.corner(t, i), mesh.corner(t, i.next())),
                       installed);
 }
 
-bool remove_corner(MutableMesh& mesh, std::uint32_t t, int i) {
-  const std::uint32_t v = mesh.triangles[t].v[static_cast<std::size_t>(i)];
+bool remove_corner(MutableMesh& mesh, std::uint32_t t, Corner i) {
+  const std::uint32_t v = mesh.triangles[t].v[i];
   Cavity cavity(mesh);
   Patch patch;
   Installed installed;
@@ -40,14 +40,14 @@ bool remove_corner(MutableMesh& mesh, std::uint32_t t, int i) {
 }  // namespace
 
 bool do_kick(MutableMesh& mesh, std::uint32_t t, Kick kick) {
-  const int i = kick.at;
+  const Corner i = kick.at;
   switch (kick.what) {
     case Kick::What::vertex_inside:
       return put_inside(mesh, t);
     case Kick::What::vertex_on_edge:
       return put_on_edge(mesh, t, i);
     case Kick::What::flip:
-      return !is_side(mesh.triangles[t].n[static_cast<std::size_t>(i)]) && mesh.flip(t, i);
+      return !is_side(mesh.triangles[t].n[i]) && mesh.flip(t, i);
     case Kick::What::removal:
       return remove_corner(mesh, t, i);
   }

@@ -17,7 +17,7 @@ struct Kick {
     removal          ///< of corner `at`
   };
   What what;
-  int at = 0;
+  Corner at = 0;
 };
 
 /// All that there are, in the order in which they are tried.

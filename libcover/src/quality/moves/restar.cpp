@@ -51,8 +51,8 @@ bool grow_to_delaunay(const MutableMesh& mesh, Cavity& cavity, Point p) {
 }
 
 /// The middle of the edge of `t` that loop edge i of Cavity::start is.
-Point midpoint_of_loop_edge(const MutableMesh& mesh, std::uint32_t t, int i) {
-  return midpoint(mesh.corner(t, i), mesh.corner(t, next3(i)));
+Point midpoint_of_loop_edge(const MutableMesh& mesh, std::uint32_t t, Corner i) {
+  return midpoint(mesh.corner(t, i), mesh.corner(t, i.next()));
 }
 
 }  // namespace
@@ -66,7 +66,8 @@ bool try_restar(Piece& piece, std::uint32_t t) {
   for (int i = -1; i < 3; ++i) {
     cavity.start(t);
     if (i >= 0 && !cavity.grow(i)) continue;
-    Point p = i < 0 ? Hole(mesh, cavity).centre() : midpoint_of_loop_edge(mesh, t, i);
+    Point p = i < 0 ? Hole(mesh, cavity).centre()
+                    : midpoint_of_loop_edge(mesh, t, static_cast<std::uint32_t>(i));
     // In vain in most cases where couplings count: that must be told soon.
     const CouplingGoal& coupling = mesh.goal().coupling;
     if (coupling.strict && coupling.takes_whole_cavities && !grow_to_delaunay(mesh, cavity, p)) {

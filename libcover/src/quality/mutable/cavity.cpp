@@ -45,7 +45,7 @@ void Cavity::start(std::uint32_t t) {
   size_ = 3;
   triangle_count_ = swallowed_count_ = 0;
   worst_ = -kInverted;
-  for (int i = 0; i < 3; ++i) loop_[at(i)] = {s.v[at(i)], s.n[at(prev3(i))]};
+  for (const Corner i : kCorners) loop_[i] = {s.v[i], s.n[i.previous()]};
   take(t);
 }
 
@@ -58,10 +58,10 @@ bool Cavity::start_star(std::uint32_t v) {
   do {
     if (size_ == kCapacity) return false;
     const MeshTriangle& s = mesh_->triangles[t];
-    const int i = s.corner_of(v);
-    loop_[at(size_++)] = {s.v[at(next3(i))], s.n[at(i)]};
+    const Corner i = s.corner_of(v);
+    loop_[at(size_++)] = {s.v[i.next()], s.n[i]};
     take(t);
-    t = s.n[at(next3(i))];
+    t = s.n[i.next()];
   } while (t != mesh_->home[v]);
   return true;
 }
@@ -71,10 +71,10 @@ bool Cavity::grow(int k) {
   if (is_side(t) || triangle_count_ == kCapacity) return false;
   const MeshTriangle& s = mesh_->triangles[t];
   const int after = next(k), before = previous(k);
-  const int j = s.edge_from(vertex(after));  // edge j of s runs from the end to the start of k
+  const Corner j = s.edge_from(vertex(after));  // edge j of s runs from the end to the start of k
   const std::uint32_t c = s.v[at(j)];
-  const std::uint32_t first = s.n[at(next3(j))];   // across start - c
-  const std::uint32_t second = s.n[at(prev3(j))];  // across c - end
+  const std::uint32_t first = s.n[j.next()];       // across start - c
+  const std::uint32_t second = s.n[j.previous()];  // across c - end
   if (outer(after) == t) {  // c is the end of the next edge: the vertex between is swallowed
     const std::uint32_t inner = vertex(after);
     if (size_ <= 3 || mesh_->is_fixed(inner)) return false;
@@ -109,7 +109,7 @@ bool Cavity::sees_beyond(int k, Point p) const {
   const std::uint32_t t = outer(k);
   if (is_side(t)) return false;
   const MeshTriangle& s = mesh_->triangles[t];
-  const Point c = mesh_->points[s.v[at(s.edge_from(vertex(next(k))))]];
+  const Point c = mesh_->points[s.v[s.edge_from(vertex(next(k)))]];
   const Vector to_a = mesh_->points[vertex(k)] - p, to_b = mesh_->points[vertex(next(k))] - p;
   return cross(to_a, c - p) > 0 && cross(c - p, to_b) > 0;
 }
@@ -163,8 +163,8 @@ bool install_patch(MutableMesh& mesh, const Cavity& cavity, const Patch& patch,
   reuse_places(mesh, cavity, patch.count(), installed);
   for (int k = 0; k < patch.count(); ++k) {
     MeshTriangle& t = mesh.triangles[installed.triangles[at(k)]];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const int from = patch.corners(k)[(i + 1) % 3], to = patch.corners(k)[(i + 2) % 3];
+    for (const Corner i : kCorners) {
+      const int from = patch.corners(k)[i.next()], to = patch.corners(k)[i.previous()];
       t.v[i] = vertex(patch.corners(k)[i]);
       mesh.home[t.v[i]] = installed.triangles[at(k)];
       if (from < cavity.size() && to == cavity.next(from)) {  // on the loop
@@ -174,8 +174,8 @@ bool install_patch(MutableMesh& mesh, const Cavity& cavity, const Patch& patch,
       }
       for (int m = 0; m < patch.count(); ++m) {  // inside: another triangle has it backwards
         const Patch::Corner& other = patch.corners(m);
-        for (std::size_t j = 0; j < 3; ++j) {
-          if (other[j] == to && other[(j + 1) % 3] == from) t.n[i] = installed.triangles[at(m)];
+        for (const Corner j : kCorners) {
+          if (other[j] == to && other[j.next()] == from) t.n[i] = installed.triangles[at(m)];
         }
       }
     }

@@ -8,9 +8,9 @@ namespace cover {
 namespace {
 
 /// Whether edge i of `t`, if it is no side, has a negative coupling.
-bool is_negative(const MutableMesh& mesh, std::uint32_t t, int i) {
-  const std::uint32_t u = mesh.triangles[t].n[static_cast<std::size_t>(i)];
-  const std::uint32_t from = mesh.triangles[t].v[static_cast<std::size_t>(prev3(i))];
+bool is_negative(const MutableMesh& mesh, std::uint32_t t, Corner i) {
+  const std::uint32_t u = mesh.triangles[t].n[i];
+  const std::uint32_t from = mesh.triangles[t].v[i.previous()];
   return in_circle(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2),
                    mesh.corner(u, mesh.triangles[u].edge_from(from))) == Sign::positive;
 }
@@ -33,8 +33,8 @@ class Flips {
 
  private:
   void flip_one(std::uint32_t t, std::uint32_t first) {
-    for (int i = 0; i < 3; ++i) {
-      const std::uint32_t u = mesh_.triangles[t].n[static_cast<std::size_t>(i)];
+    for (const Corner i : kCorners) {
+      const std::uint32_t u = mesh_.triangles[t].n[i];
       if (is_side(u) || u < first || !is_negative(mesh_, t, i) || !mesh_.flip(t, i)) continue;
       ++count_;
       stack_.push_back(t);

@@ -22,8 +22,6 @@ constexpr std::size_t kRange = 1 << 15;  ///< triangles that are looked at in on
 /// fortieth more of them. What is not used costs nothing.
 constexpr std::size_t kSpareOf = 16;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// Takes places that are free, the last one first, and then those behind `size`, which grows.
 void take_places(std::span<std::uint32_t> places, std::vector<std::uint32_t>& free,
                  std::size_t size) {
@@ -66,10 +64,10 @@ MutableMesh::MutableMesh(const Triangulation& triangulation, std::uint32_t fixed
   team.each_range(triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       const auto t = static_cast<std::uint32_t>(k);
-      for (int i = 0; i < 3; ++i) {
-        if (triangles[t].n[at(i)] == kNone)
+      for (const Corner i : kCorners) {
+        if (triangles[t].n[i] == kNone)
           throw InternalFault("an edge of the triangulation has nothing on its other side",
-                              {corner(t, next3(i)), corner(t, prev3(i))});
+                              {corner(t, i.next()), corner(t, i.previous())});
       }
     }
   });
@@ -153,7 +151,7 @@ double MutableMesh::coupled_excess(const std::array<std::uint32_t, 3>& v,
   double worst = has_sides ? cover::excess(goal_, k, side) : cover::excess(goal_, k);
   if (worst == kInverted) return kInverted;
   const double inverse = 1 / k.cross;
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (const Corner i : kCorners) {
     const double cot = k.dot[i] * inverse;
     worst = std::max(worst, kBoundFirst * (-cot - goal_.coupling.bound));
     if (side[i] != nullptr) {
@@ -162,12 +160,12 @@ double MutableMesh::coupled_excess(const std::array<std::uint32_t, 3>& v,
       continue;
     }
     if (!goal_.coupling.inside || n[i] == kSomeTriangle) continue;
-    const std::uint32_t from = v[(i + 2) % 3];
+    const std::uint32_t from = v[i.previous()];
     const double sum = cot + cot_opposite(n[i], from);
     if (sum >= kLeastCoupling) continue;
     const auto& o = triangles[n[i]];
     const bool is_given =
-        is_fixed(v[0]) && is_fixed(v[1]) && is_fixed(v[2]) && is_fixed(o.v[at(o.edge_from(from))]);
+        is_fixed(v[0]) && is_fixed(v[1]) && is_fixed(v[2]) && is_fixed(o.v[o.edge_from(from)]);
     worst = std::max(worst, inner_excess(sum, is_given));
   }
   return worst;
@@ -175,8 +173,8 @@ double MutableMesh::coupled_excess(const std::array<std::uint32_t, 3>& v,
 
 double MutableMesh::cot_opposite(std::uint32_t t, std::uint32_t from) const {
   const MeshTriangle& s = triangles[t];
-  const int i = s.edge_from(from);
-  const Point p = points[s.v[at(i)]], a = points[s.v[at(next3(i))]], b = points[s.v[at(prev3(i))]];
+  const Corner i = s.edge_from(from);
+  const Point p = points[s.v[i]], a = points[s.v[i.next()]], b = points[s.v[i.previous()]];
   const double ux = a.x - p.x, uy = a.y - p.y, vx = b.x - p.x, vy = b.y - p.y;
   return (ux * vx + uy * vy) / (ux * vy - uy * vx);
 }
@@ -184,8 +182,8 @@ double MutableMesh::cot_opposite(std::uint32_t t, std::uint32_t from) const {
 void MutableMesh::link(std::uint32_t n, std::uint32_t a, std::uint32_t b, std::uint32_t t) {
   if (is_side(n)) return;
   MeshTriangle& other = triangles[n];
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (other.v[(k + 1) % 3] == b && other.v[(k + 2) % 3] == a) other.n[k] = t;
+  for (const Corner k : kCorners) {
+    if (other.v[k.next()] == b && other.v[k.previous()] == a) other.n[k] = t;
   }
 }
 
@@ -253,17 +251,17 @@ void MutableMesh::drop_triangle(std::uint32_t t) {
   free_triangles_.push_back(t);
 }
 
-double MutableMesh::excess_after_flip(std::uint32_t t, int i, double limit) const {
+double MutableMesh::excess_after_flip(std::uint32_t t, Corner i, double limit) const {
   const MeshTriangle& s = triangles[t];
-  const std::uint32_t u = s.n[at(i)];
+  const std::uint32_t u = s.n[i];
   const MeshTriangle& o = triangles[u];
-  const std::uint32_t a = s.v[at(i)], b = s.v[at(next3(i))], c = s.v[at(prev3(i))];
-  const int j = o.edge_from(c);
-  const std::uint32_t d = o.v[at(j)];
+  const std::uint32_t a = s.v[i], b = s.v[i.next()], c = s.v[i.previous()];
+  const Corner j = o.edge_from(c);
+  const std::uint32_t d = o.v[j];
   const std::uint32_t between = goal_.coupling.inside ? kSomeTriangle : t;
-  double worst = excess_of({a, b, d}, {o.n[at(next3(j))], between, s.n[at(prev3(i))]});
+  double worst = excess_of({a, b, d}, {o.n[j.next()], between, s.n[i.previous()]});
   if (worst > limit) return worst;
-  worst = std::max(worst, excess_of({a, d, c}, {o.n[at(prev3(j))], s.n[at(next3(i))], between}));
+  worst = std::max(worst, excess_of({a, d, c}, {o.n[j.previous()], s.n[i.next()], between}));
   if (!goal_.coupling.inside || worst == kInverted) return worst;
   const Corners k(points[a], points[b], points[d]), l(points[a], points[d], points[c]);
   const double sum = k.dot[1] / k.cross + l.dot[2] / l.cross;
@@ -271,19 +269,19 @@ double MutableMesh::excess_after_flip(std::uint32_t t, int i, double limit) cons
   return sum < kLeastCoupling ? std::max(worst, inner_excess(sum, is_given)) : worst;
 }
 
-bool MutableMesh::flip(std::uint32_t t, int i) {
+bool MutableMesh::flip(std::uint32_t t, Corner i) {
   MeshTriangle& s = triangles[t];
-  const std::uint32_t u = s.n[at(i)];
+  const std::uint32_t u = s.n[i];
   MeshTriangle& o = triangles[u];
-  const std::uint32_t a = s.v[at(i)], b = s.v[at(next3(i))], c = s.v[at(prev3(i))];
-  const int j = o.edge_from(c);
-  const std::uint32_t d = o.v[at(j)];
+  const std::uint32_t a = s.v[i], b = s.v[i.next()], c = s.v[i.previous()];
+  const Corner j = o.edge_from(c);
+  const std::uint32_t d = o.v[j];
   if (orientation(points[a], points[b], points[d]) != Sign::positive ||
       orientation(points[a], points[d], points[c]) != Sign::positive) {
     return false;
   }
-  const std::uint32_t ab = s.n[at(prev3(i))], ca = s.n[at(next3(i))];
-  const std::uint32_t bd = o.n[at(next3(j))], dc = o.n[at(prev3(j))];
+  const std::uint32_t ab = s.n[i.previous()], ca = s.n[i.next()];
+  const std::uint32_t bd = o.n[j.next()], dc = o.n[j.previous()];
   s = {{a, b, d}, {bd, u, ab}};
   o = {{a, d, c}, {dc, ca, t}};
   link(bd, b, d, t);
@@ -369,7 +367,7 @@ std::uint32_t number_by_team(std::span<MeshTriangle> triangles, std::uint32_t fi
   const auto for_each = [&](const auto& use) {
     team.each_range(triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
       for (auto t = static_cast<std::uint32_t>(first); t < last; ++t) {
-        for (std::uint32_t i = 0; i < 3; ++i) use(first / kRange, 3 * t + i, triangles[t].v[i]);
+        for (const Corner i : kCorners) use(first / kRange, 3 * t + i, triangles[t].v[i]);
       }
     });
   };

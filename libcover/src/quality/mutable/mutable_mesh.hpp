@@ -34,10 +34,12 @@ struct MeshTriangle {
   std::array<std::uint32_t, 3> v{kNone, kNone, kNone};
   std::array<std::uint32_t, 3> n{};
 
-  [[nodiscard]] int corner_of(std::uint32_t w) const { return v[0] == w ? 0 : v[1] == w ? 1 : 2; }
+  [[nodiscard]] Corner corner_of(std::uint32_t w) const {
+    return v[0] == w ? 0U : v[1] == w ? 1U : 2U;
+  }
   /// The edge from a to b.
   /// REQUIRES: it is one.
-  [[nodiscard]] int edge_from(std::uint32_t a) const { return prev3(corner_of(a)); }
+  [[nodiscard]] Corner edge_from(std::uint32_t a) const { return corner_of(a).previous(); }
 };
 
 /// The limits of the sides of a region, which its meshes have in common: they take 88 bytes each,
@@ -112,9 +114,7 @@ class MutableMesh {
     return triangles.size() - free_triangles_.size();
   }
 
-  [[nodiscard]] Point corner(std::uint32_t t, int i) const {
-    return points[triangles[t].v[static_cast<std::size_t>(i)]];
-  }
+  [[nodiscard]] Point corner(std::uint32_t t, Corner i) const { return points[triangles[t].v[i]]; }
   /// The allowance of the side in place of neighbour `n`, null for a triangle.
   [[nodiscard]] const Allowance* allowance(std::uint32_t n) const {
     return is_side(n) ? &allowances[side_index(n)] : nullptr;
@@ -158,12 +158,12 @@ class MutableMesh {
   /// `limit` once that is passed.
   ///
   /// REQUIRES: that edge is no side
-  [[nodiscard]] double excess_after_flip(std::uint32_t t, int i, double limit) const;
+  [[nodiscard]] double excess_after_flip(std::uint32_t t, Corner i, double limit) const;
   /// Flips edge i of `t`. Both triangles keep their places.
   ///
   /// ENSURES: false, and nothing has changed, if exact arithmetic finds one of the new triangles
   ///          not counter-clockwise
-  bool flip(std::uint32_t t, int i);
+  bool flip(std::uint32_t t, Corner i);
 
   /// Renumbers triangles and free vertices from the sides inwards, so that neighbours are near each
   /// other in memory and no holes are left.

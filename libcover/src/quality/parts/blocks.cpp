@@ -90,13 +90,12 @@ class BlockWork {
     Part& part = parts_[index];
     for (const std::uint32_t t : part.block.triangles) {
       const auto& [v, n] = whole_.triangles[t];
-      for (std::uint32_t i = 0; i < 3; ++i) {
+      for (const Corner i : kCorners) {
         owners_.claim(v[i], static_cast<std::uint32_t>(index));
         if (is_side(n[i])) {
           ++part.block.first_border;
         } else if (const std::uint32_t beyond = labels_.of_triangle[n[i]]; beyond != index) {
-          const auto j =
-              static_cast<std::uint32_t>(whole_.triangles[n[i]].edge_from(v[(i + 2) % 3]));
+          const Corner j = whole_.triangles[n[i]].edge_from(v[i.previous()]);
           part.border.push_back({3 * t + i, beyond, 3 * n[i] + j, 0, 0, least_cot_across(t, i)});
         }
       }
@@ -105,11 +104,11 @@ class BlockWork {
 
   /// What may become of the coupling of edge i of `t`, of which another part may use as much: the
   /// sum is above zero if it was, or no less than before.
-  [[nodiscard]] double least_cot_across(std::uint32_t t, std::uint32_t i) const {
+  [[nodiscard]] double least_cot_across(std::uint32_t t, Corner i) const {
     if (!whole_.goal().coupling.inside) return -kInverted;
     const auto& [v, n] = whole_.triangles[t];
-    const double own = whole_.cot_opposite(t, v[(i + 1) % 3]);
-    const double sum = own + whole_.cot_opposite(n[i], v[(i + 2) % 3]);
+    const double own = whole_.cot_opposite(t, v[i.next()]);
+    const double sum = own + whole_.cot_opposite(n[i], v[i.previous()]);
     return own - std::max(sum / 2 - kLeastCoupling, 0.0);
   }
 
@@ -161,8 +160,8 @@ class BlockWork {
     };
     for (const std::uint32_t t : part.block.triangles) {
       const auto& [v, n] = whole_.triangles[t];
-      for (std::size_t i = 0; i < 3; ++i) {
-        if (is_side(n[i]) || is_border(n[i])) number(v[(i + 1) % 3]), number(v[(i + 2) % 3]);
+      for (const Corner i : kCorners) {
+        if (is_side(n[i]) || is_border(n[i])) number(v[i.next()]), number(v[i.previous()]);
         if (whole_.is_fixed(v[i])) number(v[i]);
       }
     }
@@ -183,7 +182,7 @@ class BlockWork {
       const std::uint32_t t = block.triangles[k];
       const auto& [v, n] = whole_.triangles[t];
       MeshTriangle& triangle = mesh.triangles[k];
-      for (std::uint32_t i = 0; i < 3; ++i) {
+      for (const Corner i : kCorners) {
         triangle.v[i] = owners_.is_shared(v[i]) ? shared[v[i]] : owners_[v[i]];
         mesh.home[triangle.v[i]] = k;
         if (is_side(n[i])) {
@@ -221,7 +220,7 @@ class BlockWork {
       for (const BorderEdge& edge : part.border) {
         borders.triangles.push_back(edge.triangle);
         const auto& v = whole_.triangles[edge.triangle].v;
-        borders.vertices.push_back(v[(edge.edge + 1U) % 3]);
+        borders.vertices.push_back(v[edge.edge.next()]);
       }
     }
     const auto sort = [](std::vector<std::uint32_t>& numbers) {

@@ -46,8 +46,8 @@ Excerpt::Excerpt(const MutableMesh& whole, std::uint32_t t, std::size_t limit,
   };
   for (const std::uint32_t place : triangles_) {
     const auto& [v, n] = whole.triangles[place];
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (!is_inside(n[i])) number(v[(i + 1) % 3]), number(v[(i + 2) % 3]);
+    for (const Corner i : kCorners) {
+      if (!is_inside(n[i])) number(v[i.next()]), number(v[i.previous()]);
       (whole.is_fixed(v[i]) ? number(v[i]) : inner.push_back(v[i]));
     }
   }
@@ -65,7 +65,7 @@ Excerpt::Excerpt(const MutableMesh& whole, std::uint32_t t, std::size_t limit,
   for (std::uint32_t k = 0; k < triangles_.size(); ++k) {
     const auto& [v, n] = whole.triangles[triangles_[k]];
     Triangle& triangle = part.triangles.emplace_back();
-    for (std::uint32_t i = 0; i < 3; ++i) {
+    for (const Corner i : kCorners) {
       triangle.v[i] = vertex_number[v[i]];
       if (is_inside(n[i])) {
         triangle.n[i] = triangle_number[n[i]];
@@ -75,7 +75,7 @@ Excerpt::Excerpt(const MutableMesh& whole, std::uint32_t t, std::size_t limit,
       outside.push_back(n[i]);
       limits.push_back(is_side(n[i]) ? whole.sides[side_index(n[i])] : kNoLimit);
       if (is_side(n[i]) || !whole.goal().coupling.inside) continue;
-      limits.back().least_cot = -whole.cot_opposite(n[i], v[(i + 2) % 3]);
+      limits.back().least_cot = -whole.cot_opposite(n[i], v[i.previous()]);
       limits.back().is_inner = true;
     }
   }
@@ -106,15 +106,15 @@ std::vector<std::uint32_t> Excerpt::replace(MutableMesh& whole, const MutableMes
   for (std::uint32_t t = 0; t < part.triangles.size(); ++t) {
     if (part.is_hole(t)) continue;
     MeshTriangle& triangle = whole.triangles[place[t]];
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (const Corner i : kCorners) {
       triangle.v[i] = vertex[part.triangles[t].v[i]];
       whole.home[triangle.v[i]] = place[t];
     }
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (const Corner i : kCorners) {
       const std::uint32_t n = part.triangles[t].n[i];
       triangle.n[i] = is_side(n) ? outside[side_index(n)] : place[n];
       if (is_side(n)) {
-        whole.link(triangle.n[i], triangle.v[(i + 1) % 3], triangle.v[(i + 2) % 3], place[t]);
+        whole.link(triangle.n[i], triangle.v[i.next()], triangle.v[i.previous()], place[t]);
       }
     }
     if (!whole.goal().coupling.inside) whole.measure(place[t]);

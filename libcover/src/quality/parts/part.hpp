@@ -100,7 +100,7 @@ struct BorderEdge {
   std::uint32_t part = 0;       ///< the part beyond,
   std::uint32_t across = 0;     ///< and the half-edge there
   std::uint32_t triangle = 0;   ///< the place in the whole now
-  std::uint8_t edge = 0;
+  Corner edge;
   double least_cot = -kInverted;  ///< of the angle opposite to it
 };
 /// What a part has more than before, in places that are not known yet.

@@ -105,7 +105,7 @@ MeshTriangle PutBack::placed(Part& part, std::uint32_t t, std::span<const std::u
                              bool& tells_extras) const {
   const MeshTriangle& from = part.block.mesh.triangles[t];
   MeshTriangle to;
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (const Corner i : kCorners) {
     const std::uint32_t n = from.n[i];
     to.v[i] = part.block.vertices[from.v[i]];
     if (!is_side(n)) {
@@ -116,7 +116,7 @@ MeshTriangle PutBack::placed(Part& part, std::uint32_t t, std::span<const std::u
     } else {
       BorderEdge& edge = part.border[side_index(n) - part.block.first_border];
       edge.triangle = place[t];
-      edge.edge = static_cast<std::uint8_t>(i);
+      edge.edge = i;
       to.n[i] = kSomeTriangle;
     }
     tells_extras |= to.v[i] >= vertices_;

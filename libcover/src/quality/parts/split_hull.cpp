@@ -30,8 +30,7 @@ std::vector<EdgeRef> pieces_of_hull(const Triangulation& triangles,
 /// The ends of an edge, with its triangle on the left.
 IndexPair ends_of(const Triangulation& triangles, EdgeRef edge) {
   const auto& v = triangles.triangles[edge.triangle].v;
-  return {v[static_cast<std::size_t>(next3(edge.edge))],
-          v[static_cast<std::size_t>(prev3(edge.edge))]};
+  return {v[edge.edge.next()], v[edge.edge.previous()]};
 }
 
 /// Puts the ends of `pieces` behind the first `fixed` points, and returns how many stay in place.

@@ -19,8 +19,6 @@
 namespace cover {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// Circumradius allowed, times the size. An equilateral triangle has 0.577; what refinement leaves
 /// is smaller on average than what it may leave, and with this factor the number of triangles is
 /// that of equilateral ones, within 10 % on squares and discs.
@@ -100,7 +98,7 @@ class Refinement {
   /// An edge of a triangle of the cavity, beyond which nobody has looked yet.
   struct OpenEdge {
     std::uint32_t triangle;
-    int edge;
+    Corner edge;
   };
 
   /// Marks the triangles on sides whose apex angle is forced, and on edges of such triangles.
@@ -130,10 +128,10 @@ class Refinement {
   /// Whether a side, or a triangle that is guarded, sees its corner opposite at more than the goal.
   [[nodiscard]] bool is_forced(std::uint32_t t) const {
     if (mesh_.is_hole(t)) return false;
-    for (int i = 0; i < 3; ++i) {
-      const std::uint32_t n = mesh_.triangles[t].n[at(i)];
+    for (const Corner i : kCorners) {
+      const std::uint32_t n = mesh_.triangles[t].n[i];
       if (is_side(n) ? is_border(n) : guarded_[n] == 0) continue;
-      const Corners k(mesh_.corner(t, i), mesh_.corner(t, next3(i)), mesh_.corner(t, prev3(i)));
+      const Corners k(mesh_.corner(t, i), mesh_.corner(t, i.next()), mesh_.corner(t, i.previous()));
       if (-k.dot[0] > mesh_.goal().large * k.cross) return true;
     }
     return false;
@@ -174,9 +172,9 @@ class Refinement {
   /// An angle below the limit that is not one between two sides.
   [[nodiscard]] bool has_small_angle(std::uint32_t t, const Corners& k) const {
     const auto& n = mesh_.triangles[t].n;
-    for (int i = 0; i < 3; ++i) {
+    for (const Corner i : kCorners) {
       if (k.dot[i] <= limits_.smallest_cot * k.cross) continue;
-      if (!is_own_side(n[at(next3(i))]) || !is_own_side(n[at(prev3(i))])) return true;
+      if (!is_own_side(n[i.next()]) || !is_own_side(n[i.previous()])) return true;
     }
     return false;
   }
@@ -205,9 +203,9 @@ class Refinement {
       for (std::size_t k = first; k < last; ++k) {
         const auto t = static_cast<std::uint32_t>(k);
         if (mesh_.is_hole(t)) continue;
-        for (int i = 0; i < 3; ++i) {
-          own =
-              std::min(own, squared_length(mesh_.corner(t, prev3(i)) - mesh_.corner(t, next3(i))));
+        for (const Corner i : kCorners) {
+          own = std::min(own,
+                         squared_length(mesh_.corner(t, i.previous()) - mesh_.corner(t, i.next())));
         }
       }
     });
@@ -220,16 +218,16 @@ class Refinement {
   /// far from 0, it would halve the edge, and so would all that come after it. Nor where squares of
   /// lengths are no normal numbers, which tell nothing of that.
   [[nodiscard]] std::optional<Point> centre_of(std::uint32_t t) const {
-    int shortest = 0;
+    Corner shortest;
     double length2 = kInverted;
-    for (int i = 0; i < 3; ++i) {
-      const double l = squared_length(mesh_.corner(t, prev3(i)) - mesh_.corner(t, next3(i)));
+    for (const Corner i : kCorners) {
+      const double l = squared_length(mesh_.corner(t, i.previous()) - mesh_.corner(t, i.next()));
       if (l < length2) {
         length2 = l;
         shortest = i;
       }
     }
-    const Point a = mesh_.corner(t, next3(shortest)), b = mesh_.corner(t, prev3(shortest));
+    const Point a = mesh_.corner(t, shortest.next()), b = mesh_.corner(t, shortest.previous());
     const Vector e = b - a, u = mesh_.corner(t, shortest) - a;
     const Vector w = mesh_.corner(t, shortest) - b;
     // The circumcentre is at height |e| cot(apex) / 2 above the middle of e.
@@ -247,14 +245,15 @@ class Refinement {
     std::uint32_t from = kNone;
     for (;;) {
       std::uint32_t go = kNone;
-      for (int i = 0; i < 3 && go == kNone; ++i) {
-        const std::uint32_t n = mesh_.triangles[t].n[at(i)];
+      for (const Corner i : kCorners) {
+        const std::uint32_t n = mesh_.triangles[t].n[i];
         if (n == from) continue;
-        if (orientation(mesh_.corner(t, next3(i)), mesh_.corner(t, prev3(i)), p) ==
+        if (orientation(mesh_.corner(t, i.next()), mesh_.corner(t, i.previous()), p) ==
             Sign::negative) {
           if (is_border(n)) is_stopped_ = true;
           if (is_side(n)) return kNone;
           go = n;
+          break;
         }
       }
       if (go == kNone) return t;
@@ -281,16 +280,16 @@ class Refinement {
     while (!open_.empty()) {
       const auto [t, i] = open_.back();
       open_.pop_back();
-      const std::uint32_t n = mesh_.triangles[t].n[at(i)];
+      const std::uint32_t n = mesh_.triangles[t].n[i];
       if (!is_side(n) && stamp_[n] == round_) continue;
-      const std::uint32_t va = mesh_.triangles[t].v[at(next3(i))];
-      const std::uint32_t vb = mesh_.triangles[t].v[at(prev3(i))];
+      const std::uint32_t va = mesh_.triangles[t].v[i.next()];
+      const std::uint32_t vb = mesh_.triangles[t].v[i.previous()];
       if (!is_side(n) && in_circle(mesh_.corner(n, 0), mesh_.corner(n, 1), mesh_.corner(n, 2), p) ==
                              Sign::positive) {
         if (!take(n)) return false;
-        const int entry = mesh_.triangles[n].edge_from(vb);
-        open_.push_back({n, prev3(entry)});
-        open_.push_back({n, next3(entry)});
+        const Corner entry = mesh_.triangles[n].edge_from(vb);
+        open_.push_back({n, entry.previous()});
+        open_.push_back({n, entry.next()});
         continue;
       }
       if (is_border(n)) {

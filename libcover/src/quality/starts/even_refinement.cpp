@@ -17,11 +17,10 @@ constexpr double kMostArea = 8;  ///< per vertex, in h^2: some 7 triangles per v
 bool refine_evenly(MutableMesh& mesh) {
   double shortest2 = kInverted, longest_side2 = 0, twice_area = 0;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (int i = 0; i < 3; ++i) {
-      const double l = squared_length(mesh.corner(t, prev3(i)) - mesh.corner(t, next3(i)));
+    for (const Corner i : kCorners) {
+      const double l = squared_length(mesh.corner(t, i.previous()) - mesh.corner(t, i.next()));
       shortest2 = std::min(shortest2, l);
-      if (is_side(mesh.triangles[t].n[static_cast<std::size_t>(i)]))
-        longest_side2 = std::max(longest_side2, l);
+      if (is_side(mesh.triangles[t].n[i])) longest_side2 = std::max(longest_side2, l);
     }
     twice_area += Corners(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)).cross;
   }

@@ -31,9 +31,9 @@ std::vector<NumberedSide> sides_in_order(const MutableMesh& mesh) {
   std::vector<NumberedSide> sides;
   for (const MeshTriangle& t : mesh.triangles) {
     if (t.v[0] == kNone) continue;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (const Corner i : kCorners) {
       if (is_side(t.n[i]))
-        sides.push_back({{t.v[(i + 1) % 3], t.v[(i + 2) % 3]}, side_index(t.n[i])});
+        sides.push_back({{t.v[i.next()], t.v[i.previous()]}, side_index(t.n[i])});
     }
   }
   std::sort(sides.begin(), sides.end());

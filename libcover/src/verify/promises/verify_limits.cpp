@@ -18,13 +18,14 @@ namespace cover {
 namespace {
 
 /// The triangle with its corner `first` in front.
-Triangle turned(const Triangle& f, int first) {
+Triangle turned(const Triangle& f, Corner first) {
   Triangle out;
-  for (int i = 0; i < 3; ++i) {
-    const int from = (first + i) % 3;
-    out.v[static_cast<std::size_t>(i)] = f.v[static_cast<std::size_t>(from)];
-    out.n[static_cast<std::size_t>(i)] = f.n[static_cast<std::size_t>(from)];
+  Corner from = first;
+  for (const Corner i : kCorners) {
+    out.v[i] = f.v[from];
+    out.n[i] = f.n[from];
     out.set_locked(i, f.is_locked(from));
+    from = from.next();
   }
   return out;
 }
@@ -64,15 +65,15 @@ class Cutter {
   struct Placed {
     std::array<Point, 3> corners;
     std::uint32_t triangle = 0;
-    int first = 0;  ///< the lowest corner
+    Corner first;  ///< the lowest corner
   };
 
   [[nodiscard]] Placed place_of(std::uint32_t t) const {
     Placed placed;
     placed.triangle = t;
-    for (std::size_t i = 0; i < 3; ++i) placed.corners[i] = whole_.points[whole_.triangles[t].v[i]];
+    for (const Corner i : kCorners) placed.corners[i] = whole_.points[whole_.triangles[t].v[i]];
     const auto lowest = std::min_element(placed.corners.begin(), placed.corners.end());
-    placed.first = static_cast<int>(lowest - placed.corners.begin());
+    placed.first = static_cast<std::uint32_t>(lowest - placed.corners.begin());
     std::rotate(placed.corners.begin(), lowest, placed.corners.end());
     return placed;
   }
@@ -102,9 +103,9 @@ std::vector<ReachedAngles> angles_by_region(const TriangleSoup& mesh,
                                             const Team& team) {
   const auto add = [&](Reached& worst, std::size_t t) {
     const auto& v = mesh.triangles[t];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Point a = mesh.points[v[i]], b = mesh.points[v[(i + 1) % 3]];
-      const Point c = mesh.points[v[(i + 2) % 3]];
+    for (const Corner i : kCorners) {
+      const Point a = mesh.points[v[i]], b = mesh.points[v[i.next()]];
+      const Point c = mesh.points[v[i.previous()]];
       worst.angles.largest_nu = std::min(worst.angles.largest_nu, Angle::radians(nu_at(b, a, c)));
       worst.angles.smallest = std::min(worst.angles.smallest, Angle::radians(angle_at(b, a, c)));
       if (bluntness(b, a, c) == Blunt::yes) worst.is_obtuse = true;

@@ -45,9 +45,9 @@ TEST(AnglesAround, TakeAwayNoProof) {
     ReachedAngles reached{Angle::degrees(180), Angle::degrees(60)};
     for (const Triangle& t : cdt.triangles) {
       triangles.push_back(t.v);
-      for (std::size_t i = 0; i < 3; ++i) {
-        const double angle = angle_at(cdt.points[t.v[(i + 1) % 3]], cdt.points[t.v[i]],
-                                      cdt.points[t.v[(i + 2) % 3]]);
+      for (const Corner i : kCorners) {
+        const double angle =
+            angle_at(cdt.points[t.v[i.next()]], cdt.points[t.v[i]], cdt.points[t.v[i.previous()]]);
         reached.largest_nu =
             std::min(reached.largest_nu, Angle::degrees(180 - angle * 180 / std::numbers::pi));
         reached.smallest = std::min(reached.smallest, Angle::radians(angle));

@@ -46,9 +46,9 @@ struct Angles {
 Angles angles_of(const Triangulation& mesh) {
   Angles angles;
   for (const Triangle& f : mesh.triangles) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double x = angle_at(mesh.points[f.v[(i + 1) % 3]], mesh.points[f.v[i]],
-                                mesh.points[f.v[(i + 2) % 3]]);
+    for (const Corner i : kCorners) {
+      const double x =
+          angle_at(mesh.points[f.v[i.next()]], mesh.points[f.v[i]], mesh.points[f.v[i.previous()]]);
       angles.largest = std::max(angles.largest, x);
       angles.smallest = std::min(angles.smallest, x);
     }
@@ -119,16 +119,16 @@ class RandomMeshes {
   void flip_some(Triangulation& mesh) {
     for (int k = 0; k < 4; ++k) {
       const auto t = static_cast<std::uint32_t>(random_() % mesh.triangles.size());
-      const int i = static_cast<int>(random_() % 3);
+      const Corner i = static_cast<std::uint32_t>(random_() % 3);
       Triangle& f = mesh.triangles[t];
-      const std::uint32_t n = f.n[static_cast<std::size_t>(i)];
+      const std::uint32_t n = f.n[i];
       if (n == kNone || f.is_locked(i)) continue;
       Triangle& g = mesh.triangles[n];
-      const int j = g.edge_to(t);
-      const std::uint32_t p = f.v[static_cast<std::size_t>(i)];
-      const std::uint32_t a = f.v[static_cast<std::size_t>(next3(i))];
-      const std::uint32_t b = f.v[static_cast<std::size_t>(prev3(i))];
-      const std::uint32_t q = g.v[static_cast<std::size_t>(j)];
+      const Corner j = g.edge_to(t);
+      const std::uint32_t p = f.v[i];
+      const std::uint32_t a = f.v[i.next()];
+      const std::uint32_t b = f.v[i.previous()];
+      const std::uint32_t q = g.v[j];
       const auto& x = mesh.points;
       if (orientation(x[p], x[a], x[q]) != Sign::positive ||
           orientation(x[p], x[q], x[b]) != Sign::positive)

@@ -20,7 +20,7 @@ TEST(RegionView, CornersOfASquare) {
   const RegionView view(cdt);
   ASSERT_EQ(view.sides().size(), 4U);
   for (const RegionSide& side : view.sides()) {
-    const Corner &start = view.corner(side.start), &end = view.corner(side.end);
+    const RegionCorner &start = view.corner(side.start), &end = view.corner(side.end);
     EXPECT_EQ(start.vertex, side.a);
     EXPECT_EQ(end.vertex, side.b);
     EXPECT_NEAR(start.angle, std::numbers::pi / 2, 1e-15);

@@ -36,7 +36,7 @@ struct SmallMesh {
         triangle.n[i] = twin / 3;
         continue;
       }
-      triangle.set_locked(static_cast<int>(i), true);
+      triangle.set_locked(i, true);
       boundary.sides.push_back(edge);
     }
     std::sort(boundary.sides.begin(), boundary.sides.end());

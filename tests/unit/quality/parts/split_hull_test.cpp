@@ -41,8 +41,8 @@ TEST(SplitHull, PiecesAreSidesAndTheirEndsAreFixed) {
   }
   const EdgeRef first = sides.at[bottom];
   const auto& v = triangles.triangles[first.triangle].v;
-  EXPECT_EQ(v[static_cast<std::size_t>(next3(first.edge))], a);
-  EXPECT_EQ(triangles.points[v[static_cast<std::size_t>(prev3(first.edge))]], (Point{2, 0}));
+  EXPECT_EQ(v[first.edge.next()], a);
+  EXPECT_EQ(triangles.points[v[first.edge.previous()]], (Point{2, 0}));
 
   // A side that is no side of the hull and not there is not replaced by anything.
   boundary.segments[bottom] = SegmentId{0U};

@@ -17,8 +17,8 @@ TEST(Refine, RemovesSmallAnglesAndStaysDelaunay) {
   EXPECT_LT(mesh.triangle_count(), 4 * 200u);
   EXPECT_LE(merit_of(mesh, mesh.goal()).small, 1 / std::tan(19.999 * 3.14159265 / 180));
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (int i = 0; i < 3; ++i) {
-      const std::uint32_t n = mesh.triangles[t].n[static_cast<std::size_t>(i)];
+    for (const Corner i : kCorners) {
+      const std::uint32_t n = mesh.triangles[t].n[i];
       if (is_side(n)) continue;
       for (const std::uint32_t v : mesh.triangles[n].v) {
         EXPECT_NE(
@@ -38,10 +38,10 @@ TEST(Refine, KeepsOutOfForcedTriangles) {
   double forced = 0;
   for (const SideLimit& side : mesh.sides) forced = std::max(forced, -side.apex_cot);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (int i = 0; i < 3; ++i) {
-      const std::uint32_t n = mesh.triangles[t].n[static_cast<std::size_t>(i)];
+    for (const Corner i : kCorners) {
+      const std::uint32_t n = mesh.triangles[t].n[i];
       if (!is_side(n) || mesh.allowances[side_index(n)].large == 0) continue;
-      const Corners k(mesh.corner(t, i), mesh.corner(t, next3(i)), mesh.corner(t, prev3(i)));
+      const Corners k(mesh.corner(t, i), mesh.corner(t, i.next()), mesh.corner(t, i.previous()));
       EXPECT_NEAR(k.dot[0] / k.cross, mesh.sides[side_index(n)].apex_cot, 1e-9);
     }
   }
