@@ -16,15 +16,17 @@
 #include <spdlog/common.h>
 
 #include "commands/exit_code.hpp"
+#include "memory/page_pool.hpp"
 
 namespace cover::app {
 namespace {
 
-/// Keeps the largest arrays apart from the others, so that each goes back to the system when it is
-/// freed. glibc does so too until the first of them is freed; then it puts ever larger ones among
-/// the small ones, where what is freed stays. What is smaller comes again and again: as much of it
-/// is kept at the end of the heap, and asked for at a time, as saves two of three page faults.
+/// Large arrays go to a pool of pages, so that each gives way to others when it is freed. malloc
+/// would put ever larger ones among the small ones, where what is freed stays. What it has for
+/// others comes again and again: as much of it is kept at the end of the heap, and asked for at a
+/// time, as saves two of three page faults.
 void keep_apart_large_arrays() {
+  pool_large_arrays();
 #ifdef __GLIBC__
   constexpr int kMegabyte = 1 << 20;
   mallopt(M_MMAP_THRESHOLD, 8 * kMegabyte);

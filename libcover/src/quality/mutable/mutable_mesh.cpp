@@ -330,8 +330,9 @@ std::vector<std::uint32_t> MutableMesh::order_from_sides(UnsetVector<std::uint32
 // There is most memory in use here, so one array is replaced after the other.
 void MutableMesh::arrange(const Team& team) {
   give_back(home);
+  give_back(excess);
   UnsetVector<std::uint32_t> number;
-  const std::vector<std::uint32_t> order = order_from_sides(number, team);
+  std::vector<std::uint32_t> order = order_from_sides(number, team);
   const std::size_t room = order.size() + order.size() / kSpareOf;
   UnsetVector<MeshTriangle> sorted;
   sorted.reserve(room);
@@ -344,15 +345,12 @@ void MutableMesh::arrange(const Team& team) {
   });
   triangles = std::move(sorted);
   give_back(number);
-  UnsetVector<double> sorted_excess;
-  sorted_excess.reserve(room);
-  sorted_excess.resize(order.size());
-  team.each_range(order.size(), kRange, [&](std::size_t first, std::size_t last) {
-    for (std::size_t k = first; k < last; ++k) sorted_excess[k] = excess[order[k]];
-  });
-  excess = std::move(sorted_excess);
+  give_back(order);
   number_vertices(team);
   free_triangles_.clear();
+  excess.reserve(room);
+  excess.resize(triangles.size());
+  measure_all(team);
 }
 
 namespace {

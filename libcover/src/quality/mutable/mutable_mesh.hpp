@@ -166,7 +166,7 @@ class MutableMesh {
   bool flip(std::uint32_t t, Corner i);
 
   /// Renumbers triangles and free vertices from the sides inwards, so that neighbours are near each
-  /// other in memory and no holes are left.
+  /// other in memory and no holes are left. Computes all excesses anew.
   void arrange(const Team& team = {});
 
   /// Whether exact arithmetic finds all triangles counter-clockwise.

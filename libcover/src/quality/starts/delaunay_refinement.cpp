@@ -422,7 +422,6 @@ void refine(MutableMesh& mesh, const RefineLimits& limits, SizeField sizes,
     Refinement(mesh, limits, sizes).run();
   }
   mesh.arrange(sharing.team);
-  mesh.measure_all(sharing.team);
 }
 
 }  // namespace cover

@@ -1,0 +1,157 @@
+// See page_pool.hpp. Tested by tests/unit/app/page_pool_test.cpp.
+#include "memory/page_pool.hpp"
+
+#include <algorithm>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#include <unistd.h>
+#endif
+
+namespace cover::app {
+
+#ifdef __linux__
+namespace {
+
+std::size_t whole_pages(std::size_t bytes) {
+  static const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  return (bytes + page - 1) / page * page;
+}
+
+/// Pages of zeros that nobody has touched; null where there are none.
+char* map_pages(char* at, std::size_t bytes) {
+  const int flags = MAP_PRIVATE | MAP_ANONYMOUS | (at != nullptr ? MAP_FIXED : 0);
+  void* const mapped = mmap(at, bytes, PROT_READ | PROT_WRITE, flags, -1, 0);
+  return mapped != MAP_FAILED ? static_cast<char*>(mapped) : nullptr;
+}
+
+}  // namespace
+
+void* PagePool::take(std::size_t bytes) noexcept {
+  const std::lock_guard lock(mutex_);
+  bytes = whole_pages(bytes);
+  if (count_ == kMostPieces) return nullptr;
+  if (Piece* const piece = best_fit(bytes); piece != nullptr) {
+    char* const array = piece->at;
+    piece->at += bytes;
+    piece->bytes -= bytes;
+    kept_ -= bytes;
+    add({array, bytes, array});
+    erase_empty();
+    return array;
+  }
+  char* const array = map_pages(nullptr, bytes);
+  if (array == nullptr) return nullptr;
+  std::size_t moved = 0;
+  if (!move_kept(array, bytes, moved)) {
+    munmap(array, bytes);
+    std::for_each(pieces_.begin(), pieces_.begin() + static_cast<std::ptrdiff_t>(count_),
+                  [&](Piece& piece) {
+                    if (piece.array == array) piece.bytes = 0;
+                  });
+    used_ -= moved;
+    erase_empty();
+    return nullptr;
+  }
+  if (moved < bytes) add({array + moved, bytes - moved, array});
+  erase_empty();
+  return array;
+}
+
+PagePool::Piece* PagePool::best_fit(std::size_t bytes) {
+  Piece* best = nullptr;
+  for (std::size_t k = 0; k < count_; ++k) {
+    Piece& piece = pieces_[k];
+    if (piece.array != nullptr || piece.bytes < bytes) continue;
+    if (best == nullptr || piece.bytes < best->bytes) best = &piece;
+  }
+  return best;
+}
+
+/// Moves pages that are kept to the beginning of `array`; false where a hole is left there.
+bool PagePool::move_kept(char* array, std::size_t bytes, std::size_t& moved) {
+  const std::size_t before = count_;
+  for (std::size_t k = 0; k < before && moved < bytes; ++k) {
+    Piece& piece = pieces_[k];
+    if (piece.array != nullptr) continue;
+    if (count_ + 2 > kMostPieces) break;  // one for the rest
+    const std::size_t part = std::min(piece.bytes, bytes - moved);
+    char* const to = array + moved;
+    if (mremap(piece.at, part, part, MREMAP_MAYMOVE | MREMAP_FIXED, to) == MAP_FAILED) {
+      return map_pages(to, bytes - moved) != nullptr;  // what was there may be gone
+    }
+    piece.at += part;
+    piece.bytes -= part;
+    kept_ -= part;
+    add({to, part, array});
+    moved += part;
+  }
+  return true;
+}
+
+void PagePool::add(const Piece& piece) {
+  pieces_[count_++] = piece;
+  used_ += piece.bytes;
+  most_used_ = std::max(most_used_, used_);
+}
+
+void PagePool::erase_empty() {
+  const auto end = pieces_.begin() + static_cast<std::ptrdiff_t>(count_);
+  const auto is_empty = [](const Piece& piece) { return piece.bytes == 0; };
+  count_ =
+      static_cast<std::size_t>(std::remove_if(pieces_.begin(), end, is_empty) - pieces_.begin());
+}
+
+bool PagePool::give(void* array) noexcept {
+  const std::lock_guard lock(mutex_);
+  const std::size_t before = used_;
+  for (std::size_t k = 0; k < count_; ++k) {
+    if (pieces_[k].array != array) continue;
+    pieces_[k].array = nullptr;
+    used_ -= pieces_[k].bytes;
+    kept_ += pieces_[k].bytes;
+  }
+  if (used_ == before) return false;
+  keep_at_most(whole_pages(most_used_ / 4));
+  return true;
+}
+
+bool PagePool::release() noexcept {
+  const std::lock_guard lock(mutex_);
+  if (kept_ == 0) return false;
+  keep_at_most(0);
+  return true;
+}
+
+void PagePool::keep_at_most(std::size_t bytes) noexcept {
+  for (std::size_t k = count_; k-- > 0 && kept_ > bytes;) {
+    Piece& piece = pieces_[k];
+    if (piece.array != nullptr) continue;
+    const std::size_t part = std::min(piece.bytes, kept_ - bytes);
+    munmap(piece.at + (piece.bytes - part), part);
+    piece.bytes -= part;
+    kept_ -= part;
+  }
+  erase_empty();
+}
+
+#else
+
+// What moves pages is Linux's own.
+void* PagePool::take(std::size_t /*bytes*/) noexcept { return nullptr; }
+bool PagePool::give(void* /*array*/) noexcept { return false; }
+bool PagePool::release() noexcept { return false; }
+
+#endif
+
+std::size_t PagePool::used() const {
+  const std::lock_guard lock(mutex_);
+  return used_;
+}
+
+std::size_t PagePool::kept() const {
+  const std::lock_guard lock(mutex_);
+  return kept_;
+}
+
+}  // namespace cover::app
