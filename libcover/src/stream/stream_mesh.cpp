@@ -232,9 +232,10 @@ Status write_streamed_mesh(const StreamedOutput& output, const std::string& path
   return memory_as_value(path, [&]() -> Status {
     const Output& rest = output.output;
     const SpooledParts& parts = *output.parts;
-    return write_spooled({parts.spool, rest.table, rest.report, rest.pslg.segments.size(),
-                          [&] { return lines_of(rest.pslg, rest.table, parts); }},
-                         path, options);
+    return write_spooled(
+        {parts.spool, rest.table, rest.report, rest.pslg.segments.size(),
+         [&] { return lines_of(rest.pslg, rest.table, parts); }, rest.report.threads},
+        path, options);
   });
 }
 

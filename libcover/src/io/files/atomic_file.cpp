@@ -19,6 +19,11 @@ bool is_special(const fs::path& target) {
 
 }  // namespace
 
+bool is_written_directly(const std::string& path) {
+  const Result<fs::path> target = end_of_links(path);
+  return target && is_special(*target);
+}
+
 Result<AtomicFile> AtomicFile::create(const std::string& path, std::stop_token stop) {
   Result<fs::path> target = end_of_links(path);
   if (!target) return std::move(target).error();

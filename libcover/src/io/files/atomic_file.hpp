@@ -31,6 +31,10 @@ class AtomicFile {
   /// Appends `bytes`. A failure is kept and reported by `commit`.
   void write(std::string_view bytes) { file_.write(bytes); }
 
+  /// Where the file stands until then, for whoever writes parts of it to their places; empty where
+  /// it is written to directly.
+  [[nodiscard]] const std::filesystem::path& temporary_path() const { return file_.path(); }
+
   /// Has the file on the disk under its temporary name, so that all that is left for `commit` is a
   /// rename: where several files belong together, none of them appears if one fails. A stop is
   /// heeded no more after that.
@@ -57,6 +61,9 @@ class AtomicFile {
   std::filesystem::path target_;  ///< empty: written to directly
   TemporaryFile file_;
 };
+
+/// Whether an AtomicFile writes to `path` itself: a device, a pipe, a file that someone has opened.
+bool is_written_directly(const std::string& path);
 
 /// Commits prepared files that belong together. Nothing but their renames lies between the first
 /// and the last, so a kill has little time to mix the old ones with the new; where the first cannot

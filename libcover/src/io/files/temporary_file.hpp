@@ -63,6 +63,9 @@ class TemporaryFile {
 
   void write(std::string_view bytes);
 
+  /// Its name; empty for a device or a pipe.
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
   /// Has everything on the disk; then a power failure costs nothing of what is renamed. Nothing to
   /// do a second time.
   void sync();

@@ -48,7 +48,7 @@ class Hdf5Layout {
   /// A new file; negative where the library fails.
   hid_t create();
   /// All of the file, once it is closed.
-  [[nodiscard]] const Hdf5Bytes& bytes() const { return *bytes_; }
+  [[nodiscard]] std::shared_ptr<const Hdf5Bytes> bytes() const { return bytes_; }
 
  private:
   std::shared_ptr<Hdf5Bytes> bytes_;

@@ -73,12 +73,7 @@ hid_t native_type(NumberType type) {
   return H5T_NATIVE_DOUBLE;
 }
 
-/// Where the numbers of a data set stand in the file.
-struct Extent {
-  haddr_t at = 0;
-  const Hdf5Numbers* data = nullptr;
-  std::uint64_t bytes = 0;
-};
+using Extent = Hdf5Plan::Extent;
 
 /// Makes the objects of a file. Every function is false where the library fails.
 class Maker {
@@ -166,39 +161,56 @@ class Maker {
   std::vector<Extent> extents_;
 };
 
+using Use = std::function<void(std::uint64_t at, std::string_view bytes)>;
+
 /// The structures of the library from `from` up to `to`.
-void put_structures(const Hdf5Bytes& bytes, std::uint64_t from, std::uint64_t to,
-                    BinaryWriter& out) {
+void use_structures(const Hdf5Bytes& bytes, std::uint64_t from, std::uint64_t to, const Use& use) {
   constexpr std::uint64_t kMost = 1 << 16;
   std::string buffer;
   while (from < to) {
     buffer.resize(std::min(kMost, to - from));
     bytes.read(from, buffer.size(), buffer.data());
-    out.put(std::string_view(buffer));
+    use(from, buffer);
     from += buffer.size();
   }
 }
 
 }  // namespace
 
-Status write_hdf5(const Hdf5Content& content, const ByteSink& sink) {
+void Hdf5Plan::each_structure(const Use& use) const {
+  std::uint64_t at = 0;
+  for (const Extent& extent : extents) {
+    use_structures(*structures, at, extent.at, use);
+    at = extent.at + extent.bytes;
+  }
+  use_structures(*structures, at, size, use);
+}
+
+Result<Hdf5Plan> lay_out_hdf5(const Hdf5Content& content) {
   const Silence silence;
   Hdf5Layout layout;
   Handle file(layout.create(), H5Fclose);
   Maker maker(file);
   // The library has no disk to wait for: memory is all that it can lack.
-  if (!file.is_open() || !maker.make(content) || !file.close() || layout.bytes().lacks_memory) {
+  if (!file.is_open() || !maker.make(content) || !file.close() || layout.bytes()->lacks_memory) {
     return Error{
         ErrorCode::out_of_memory, "out of memory: HDF5's library cannot lay out the file", {}, {}};
   }
+  return Hdf5Plan{std::move(maker).extents(), layout.bytes()->end, layout.bytes()};
+}
+
+Status write_hdf5(const Hdf5Content& content, const ByteSink& sink) {
+  Result<Hdf5Plan> plan = lay_out_hdf5(content);
+  if (!plan) return std::move(plan).error();
   BinaryWriter out(sink);
+  const auto put = [&out](std::uint64_t, std::string_view bytes) { out.put(bytes); };
   std::uint64_t at = 0;
-  for (const Extent& extent : std::move(maker).extents()) {
-    put_structures(layout.bytes(), at, extent.at, out);
+  for (const Extent& extent : plan->extents) {
+    use_structures(*plan->structures, at, extent.at, put);
     extent.data->write(out);
     at = extent.at + extent.bytes;
   }
-  put_structures(layout.bytes(), at, layout.bytes().end, out);
+  use_structures(*plan->structures, at, plan->size, put);
   out.flush();
   return ok();
 }

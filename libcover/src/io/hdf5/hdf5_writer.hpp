@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +15,8 @@
 #include "io/vtk_files/arrays/number_array.hpp"
 
 namespace cover {
+
+class Hdf5Bytes;
 
 /// A data set of numbers, which are asked for when the file is written.
 struct Hdf5Numbers {
@@ -44,6 +47,28 @@ struct Hdf5Content {
   std::vector<Hdf5Numbers> numbers;
   std::vector<Hdf5Texts> texts;
 };
+
+/// A file that is laid out: where each data set goes, and what stands between them.
+struct Hdf5Plan {
+  /// The place of a data set that has numbers.
+  struct Extent {
+    std::uint64_t at = 0;
+    const Hdf5Numbers* data = nullptr;
+    std::uint64_t bytes = 0;
+  };
+  std::vector<Extent> extents;  ///< in the order of the file
+  std::uint64_t size = 0;       ///< of the file
+  std::shared_ptr<const Hdf5Bytes> structures;
+
+  /// Everything that is no data set: bytes and their place, piece by piece.
+  void each_structure(
+      const std::function<void(std::uint64_t at, std::string_view bytes)>& use) const;
+};
+
+/// Lays a file out, for whoever writes its parts to their places; refers to `content`.
+///
+/// Errors, Threads: as write_hdf5()
+Result<Hdf5Plan> lay_out_hdf5(const Hdf5Content& content);
 
 /// Writes a file of HDF5's oldest version, which everything reads: contiguous data sets, no times,
 /// so that equal contents are equal bytes. Texts are in UTF-8.

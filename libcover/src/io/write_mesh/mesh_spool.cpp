@@ -35,6 +35,15 @@ Result<MeshSpool> MeshSpool::beside(const std::string& target, std::span<const P
   return spool;
 }
 
+Result<MeshSpool> MeshSpool::without_input(const std::string& target, std::size_t input_vertices,
+                                           std::size_t regions) {
+  Result<SpoolFile> file = SpoolFile::beside(target);
+  if (!file) return std::move(file).error();
+  MeshSpool spool(*std::move(file), input_vertices, regions);
+  spool.has_input_ = false;
+  return spool;
+}
+
 void MeshSpool::add(std::size_t region, std::span<const Point> steiner,
                     std::span<const IndexTriple> triangles,
                     std::span<const std::array<double, 2>> angles) {
@@ -64,6 +73,11 @@ Status MeshSpool::finish() {
   return file_.status();
 }
 
+bool MeshSpool::has_all() const {
+  return has_input_ && std::all_of(places_.begin(), places_.end(),
+                                   [](const Place& place) { return place.at != kElsewhere; });
+}
+
 std::vector<std::uint64_t> MeshSpool::first_triangles() const {
   std::vector<std::uint64_t> first{0};
   first.reserve(places_.size() + 1);
@@ -71,39 +85,61 @@ std::vector<std::uint64_t> MeshSpool::first_triangles() const {
   return first;
 }
 
-Status MeshSpool::each_vertex(const Places& use) const {
+Status MeshSpool::each_input_vertex(const Places& use) const {
   std::vector<Point> room;
-  const auto read = [&](std::uint64_t at, std::size_t count) {
-    room.resize(count);
-    const Status status = file_.read(at, room_of(room));
-    if (status) use(room);
-    return status;
-  };
-  for (std::size_t done = 0; done < input_vertices_;) {
-    const std::size_t count = std::min(kVerticesAtATime, input_vertices_ - done);
-    if (Status status = read(done * sizeof(Point), count); !status) return status;
-    done += count;
+  for (std::size_t done = 0; done < input_vertices_; done += room.size()) {
+    room.resize(std::min(kVerticesAtATime, input_vertices_ - done));
+    if (Status status = file_.read(done * sizeof(Point), room_of(room)); !status) return status;
+    use(room);
   }
-  for (const Place& place : places_) {
-    if (place.steiner == 0) continue;
-    if (Status status = read(place.at, place.steiner); !status) return status;
+  return ok();
+}
+
+Status MeshSpool::each_vertex(const Places& use) const {
+  if (Status status = each_input_vertex(use); !status) return status;
+  std::vector<Point> room;
+  for (std::size_t r = 0; r < places_.size(); ++r) {
+    if (places_[r].steiner == 0) continue;
+    room.resize(places_[r].steiner);
+    if (Status status = read_steiner(r, 0, room); !status) return status;
+    use(room);
   }
   return ok();
 }
 
 Status MeshSpool::corners_of(std::size_t region, std::uint32_t first_steiner,
                              std::vector<IndexTriple>& room) const {
+  room.resize(places_[region].triangles);
+  return read_corners(region, first_steiner, 0, room);
+}
+
+Status MeshSpool::read_steiner(std::size_t region, std::size_t first, std::span<Point> out) const {
+  return file_.read(places_[region].at + first * sizeof(Point), std::as_writable_bytes(out));
+}
+
+Status MeshSpool::read_corners(std::size_t region, std::uint32_t first_steiner, std::size_t first,
+                               std::span<IndexTriple> out) const {
   const Place& place = places_[region];
-  room.resize(place.triangles);
-  const Status status = file_.read(place.at + place.steiner * sizeof(Point), room_of(room));
+  Status status = file_.read(place.at + place.steiner * sizeof(Point) + first * sizeof(IndexTriple),
+                             std::as_writable_bytes(out));
   if (!status) return status;
   const auto inputs = static_cast<std::uint32_t>(input_vertices_);
-  for (IndexTriple& t : room) {
+  for (IndexTriple& t : out) {
     for (std::uint32_t& v : t) {
       if (v >= inputs) v = first_steiner + (v - inputs);
     }
   }
   return ok();
+}
+
+Status MeshSpool::read_angles(std::size_t region, bool largest, std::size_t first,
+                              std::span<double> out) const {
+  const Place& place = places_[region];
+  const std::size_t column = largest ? 0 : place.triangles;
+  const std::uint64_t at = place.at + place.steiner * sizeof(Point) +
+                           place.triangles * sizeof(IndexTriple) +
+                           (column + first) * sizeof(double);
+  return file_.read(at, std::as_writable_bytes(out));
 }
 
 Status MeshSpool::each_triangle(const Corners& use) const {
@@ -126,12 +162,9 @@ Status MeshSpool::triangles_of(std::span<const std::uint32_t> regions, const Cor
 
 Status MeshSpool::each_angle(bool largest, const Angles& use) const {
   std::vector<double> room;
-  for (const Place& place : places_) {
-    room.resize(place.triangles);
-    const std::uint64_t column = largest ? 0 : place.triangles * sizeof(double);
-    const std::uint64_t at =
-        place.at + place.steiner * sizeof(Point) + place.triangles * sizeof(IndexTriple) + column;
-    if (Status status = file_.read(at, room_of(room)); !status) return status;
+  for (std::size_t r = 0; r < places_.size(); ++r) {
+    room.resize(places_[r].triangles);
+    if (Status status = read_angles(r, largest, 0, room); !status) return status;
     use(room);
   }
   return ok();

@@ -28,12 +28,21 @@ class MeshSpool {
   /// Errors: cannot_write, in the name of `target`
   static Result<MeshSpool> beside(const std::string& target, std::span<const Point> input,
                                   std::size_t regions);
+  /// For some regions of a mesh with so many vertices of the input, which another spool has.
+  static Result<MeshSpool> without_input(const std::string& target, std::size_t input_vertices,
+                                         std::size_t regions);
 
   /// Adds a region, whose numbers of Steiner vertices begin with input_vertices().
   ///
   /// Threads: any, each with regions of its own
   void add(std::size_t region, std::span<const Point> steiner,
            std::span<const IndexTriple> triangles, std::span<const std::array<double, 2>> angles);
+  /// Notes a region that is in another spool.
+  ///
+  /// Threads: as add()
+  void add_elsewhere(std::size_t region, std::uint32_t steiner, std::uint32_t triangles) {
+    places_[region] = {kElsewhere, steiner, triangles};
+  }
   /// False once a region could not be added: then no more need be made.
   [[nodiscard]] bool is_good() const { return file_.is_good(); }
   /// All regions are there.
@@ -45,15 +54,20 @@ class MeshSpool {
 
   [[nodiscard]] std::size_t regions() const { return places_.size(); }
   [[nodiscard]] std::size_t input_vertices() const { return input_vertices_; }
+  [[nodiscard]] bool has_input() const { return has_input_; }
+  [[nodiscard]] bool has(std::size_t region) const { return places_[region].at != kElsewhere; }
+  [[nodiscard]] bool has_all() const;
   [[nodiscard]] std::size_t vertices() const { return vertices_; }
   [[nodiscard]] std::size_t triangles() const { return triangles_; }
   [[nodiscard]] std::size_t triangles(std::size_t region) const {
     return places_[region].triangles;
   }
+  [[nodiscard]] std::size_t steiner(std::size_t region) const { return places_[region].steiner; }
   /// The numbers of triangles before each region's; one more than there are regions.
   [[nodiscard]] std::vector<std::uint64_t> first_triangles() const;
 
   // Passes over the file, in the order of a Mesh. Errors of all: cannot_write
+  // REQUIRES: has_all()
 
   using Places = std::function<void(std::span<const Point>)>;
   using Corners = std::function<void(std::size_t region, std::span<const IndexTriple>)>;
@@ -67,16 +81,32 @@ class MeshSpool {
   Status triangles_of(std::span<const std::uint32_t> regions, const Corners& use) const;
   /// The largest angles of the triangles, or the smallest ones.
   Status each_angle(bool largest, const Angles& use) const;
-  /// The vertices that are points of the input.
+
+  // Of the input alone.
+  // REQUIRES: has_input()
+
+  Status each_input_vertex(const Places& use) const;
   [[nodiscard]] Result<std::vector<Point>> input_points() const;
+
+  // Some of what one region has, from its `first` on. Errors of all: cannot_write
+  // REQUIRES: has(region); of what it has, there is as much
+
+  Status read_steiner(std::size_t region, std::size_t first, std::span<Point> out) const;
+  /// Steiner vertices get numbers from `first_steiner` on.
+  Status read_corners(std::size_t region, std::uint32_t first_steiner, std::size_t first,
+                      std::span<IndexTriple> out) const;
+  Status read_angles(std::size_t region, bool largest, std::size_t first,
+                     std::span<double> out) const;
 
  private:
   MeshSpool(SpoolFile file, std::size_t input, std::size_t regions)
       : file_(std::move(file)), input_vertices_(input), places_(regions) {}
 
+  static constexpr std::uint64_t kElsewhere = ~std::uint64_t{0};
+
   /// Of a region: Steiner vertices, corners, largest angles, smallest angles.
   struct Place {
-    std::uint64_t at = 0;
+    std::uint64_t at = kElsewhere;
     std::uint32_t steiner = 0;
     std::uint32_t triangles = 0;
   };
@@ -85,6 +115,7 @@ class MeshSpool {
                     std::vector<IndexTriple>& room) const;
 
   SpoolFile file_;
+  bool has_input_ = true;
   std::size_t input_vertices_ = 0;
   std::vector<Place> places_;
   std::vector<std::uint32_t> first_steiner_;  ///< by region, once finished

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "base/run_all.hpp"
 #include "io/files/atomic_file.hpp"
 #include "io/write_mesh/solver_formats/msh_text.hpp"
 #include "io/write_mesh/solver_formats/xdmf_file.hpp"
@@ -177,6 +178,16 @@ Status write_spooled_vtu(const SpooledMesh& mesh, const std::string& path,
   return arrays.status() ? file->commit() : arrays.status();
 }
 
+/// Adds what is known of the mesh.
+void complete_plan(const SpooledMesh& mesh, ColumnPlan& plan) {
+  plan.input_vertices = mesh.spool.input_vertices();
+  plan.regions.reserve(mesh.spool.regions());
+  for (std::size_t r = 0; r < mesh.spool.regions(); ++r)
+    plan.regions.push_back({static_cast<std::uint32_t>(mesh.spool.steiner(r)),
+                            static_cast<std::uint32_t>(mesh.spool.triangles(r)),
+                            mesh.table.regions[r].material});
+}
+
 Status write_spooled_vtkhdf(const SpooledMesh& mesh, const std::string& path,
                             const WriteOptions& options) {
   WriteOptions all = options;
@@ -185,7 +196,19 @@ Status write_spooled_vtkhdf(const SpooledMesh& mesh, const std::string& path,
   SpooledArrays arrays(mesh);
   const VtkHdfSource source{mesh.table,    mesh.report, lines,
                             arrays.grid(), 3,           mesh.spool.input_vertices()};
-  return write_vtkhdf_file(source, path, options.stop, [&] { return arrays.status(); });
+  if (!mesh.elsewhere && !can_write_from_elsewhere(path, options))
+    return write_vtkhdf_file(source, path, options.stop, [&] { return arrays.status(); });
+  return write_vtkhdf_columns(source, path, options.stop, [&](ColumnPlan plan) {
+    complete_plan(mesh, plan);
+    const auto here = [&] {
+      Status status = ok();
+      with_team(mesh.threads, [&](const Team& team) {
+        status = write_columns(mesh.spool, plan, options.stop, team);
+      });
+      return status;
+    };
+    return mesh.elsewhere ? mesh.elsewhere(plan, here) : here();
+  });
 }
 
 Status write_spooled_msh(const SpooledMesh& mesh, const std::string& path,
@@ -214,6 +237,11 @@ bool can_write_spooled(const std::string& path, const WriteOptions& options) {
   if (options.parts != 1) return false;
   return extension == ".vtu" || extension == ".vtkhdf" || extension == ".msh" ||
          (extension == ".xdmf" && options.xdmf == "hdf5");
+}
+
+bool can_write_from_elsewhere(const std::string& path, const WriteOptions& options) {
+  return can_write_spooled(path, options) && extension_of(path) == ".vtkhdf" &&
+         !is_written_directly(path);
 }
 
 Status write_spooled(const SpooledMesh& mesh, const std::string& path,

@@ -11,6 +11,7 @@
 
 #include <cover/mesh_view.hpp>
 #include "io/write_mesh/mesh_spool.hpp"
+#include "io/write_mesh/region_columns.hpp"
 
 namespace cover {
 
@@ -21,15 +22,23 @@ struct SpooledMesh {
   const Report& report;
   std::size_t line_count = 0;  ///< at the most
   std::function<std::vector<LineEdge>()> lines;
+  unsigned threads = 1;  ///< that may write
+  /// Has the plan of a .vtkhdf carried out by whoever has regions that `spool` has not, while it
+  /// calls `here`; empty: the spool has all of them.
+  std::function<Status(const ColumnPlan& plan, const std::function<Status()>& here)> elsewhere{};
 };
 
 /// The formats that can be written so: .vtu, .vtkhdf, .msh, .xdmf with its numbers in HDF5.
 bool can_write_spooled(const std::string& path, const WriteOptions& options);
 
+/// Whether that can be done where regions are in several spools: only .vtkhdf, and no device.
+bool can_write_from_elsewhere(const std::string& path, const WriteOptions& options);
+
 /// Writes what write_mesh() writes of the same mesh, byte for byte. The room on the disk is looked
 /// at first.
 ///
-/// REQUIRES: can_write_spooled(path, options); options.order is 1
+/// REQUIRES: can_write_spooled(path, options); options.order is 1; where mesh.elsewhere is set,
+///           can_write_from_elsewhere(path, options)
 /// Errors:   cannot_write, cancelled, out_of_memory
 /// Memory:   some 80 bytes for each line, and in .msh 16 for each point of the input
 Status write_spooled(const SpooledMesh& mesh, const std::string& path, const WriteOptions& options);

@@ -9,6 +9,7 @@
 #include <cover/report.hpp>
 
 #include <cover/mesh_view.hpp>
+#include "io/write_mesh/region_columns.hpp"
 #include "io/write_mesh/vtk_formats/vtu_file.hpp"
 
 namespace cover {
@@ -29,5 +30,13 @@ struct VtkHdfSource {
 /// Errors: cannot_write, out_of_memory, cancelled; those of `status`
 Status write_vtkhdf_file(const VtkHdfSource& source, const std::string& path,
                          const std::stop_token& stop, const std::function<Status()>& status);
+
+/// The same file where whoever has regions writes what belongs to these: `write` does so by a plan,
+/// which has neither vertices nor regions yet. A target that is no regular file is refused.
+///
+/// Errors: cannot_write, out_of_memory, cancelled; those of `write`
+Status write_vtkhdf_columns(const VtkHdfSource& source, const std::string& path,
+                            const std::stop_token& stop,
+                            const std::function<Status(ColumnPlan)>& write);
 
 }  // namespace cover

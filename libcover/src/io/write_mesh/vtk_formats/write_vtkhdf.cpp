@@ -1,13 +1,22 @@
 // VTKHDF 1.0, an unstructured grid of one piece: the triangles and arrays of a .vtu, and as field
 // data all that the .vtm and the manifest know, so that one file is enough.
 // Tested by tests/unit/io/write_mesh/vtk_formats/write_vtkhdf_test.cpp.
+#include <array>
+#include <cerrno>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <utility>
+
 #include <cover/mesh.hpp>
 #include <cover/write_mesh.hpp>
 
 #include "base/run_all.hpp"
 #include "io/files/atomic_file.hpp"
+#include "io/files/temporary_file.hpp"
 #include "io/hdf5/hdf5_writer.hpp"
 #include "io/text/array_names.hpp"
+#include "io/write_mesh/placed_file.hpp"
 #include "io/write_mesh/vtk_formats/vtkhdf_file.hpp"
 #include "io/write_mesh/vtk_formats/vtu_parts.hpp"
 
@@ -129,6 +138,42 @@ class VtkHdfContent {
   Hdf5Content content_;
 };
 
+/// The arrays whose numbers belong to regions.
+std::optional<Column> column_of(const std::string& path) {
+  static constexpr std::array<std::pair<std::string_view, Column>, 10> kColumns{
+      {{"Points", Column::places},
+       {"Connectivity", Column::corners},
+       {"Offsets", Column::ends},
+       {"Types", Column::types},
+       {"CellData/material", Column::material},
+       {"CellData/MaterialID", Column::material},
+       {"CellData/mat_id", Column::material},
+       {"CellData/RegionId", Column::region},
+       {"CellData/max_angle", Column::largest},
+       {"CellData/min_angle", Column::smallest}}};
+  for (const auto& [name, column] : kColumns)
+    if (path == kRoot + std::string(name)) return column;
+  return std::nullopt;
+}
+
+/// Puts all numbers of a data set to their place.
+void write_numbers(const Hdf5Plan::Extent& extent, PlacedFile& file) {
+  std::uint64_t at = extent.at;
+  const ByteSink sink = [&](std::string_view bytes) {
+    file.write(at, bytes);
+    at += bytes.size();
+  };
+  BinaryWriter out(sink);
+  extent.data->write(out);
+  out.flush();
+}
+
+std::string absolute_path(const std::filesystem::path& path) {
+  std::error_code failed;
+  const std::filesystem::path absolute = std::filesystem::absolute(path, failed);
+  return failed ? path.string() : absolute.string();
+}
+
 }  // namespace
 
 Status write_vtkhdf_file(const VtkHdfSource& source, const std::string& path,
@@ -139,6 +184,34 @@ Status write_vtkhdf_file(const VtkHdfSource& source, const std::string& path,
   Status written = write_hdf5(content.make(), [&](std::string_view bytes) { file->write(bytes); });
   if (written) written = status();
   return written ? file->commit() : written;
+}
+
+Status write_vtkhdf_columns(const VtkHdfSource& source, const std::string& path,
+                            const std::stop_token& stop,
+                            const std::function<Status(ColumnPlan)>& write) {
+  VtkHdfContent content(source);
+  const Hdf5Content made = content.make();
+  Result<Hdf5Plan> layout = lay_out_hdf5(made);
+  if (!layout) return std::move(layout).error();
+  Result<AtomicFile> file = AtomicFile::create(path, stop);
+  if (!file) return std::move(file).error();
+  if (file->temporary_path().empty()) return cannot_write(path, ESPIPE);
+  ColumnPlan plan{absolute_path(file->temporary_path()), path, 0, {}, {}};
+  Result<PlacedFile> placed = PlacedFile::open(plan.path, path, stop);
+  if (!placed) return std::move(placed).error();
+  placed->resize(layout->size);
+  layout->each_structure(
+      [&](std::uint64_t at, std::string_view bytes) { placed->write(at, bytes); });
+  for (const Hdf5Plan::Extent& extent : layout->extents) {
+    if (const auto column = column_of(extent.data->path)) {
+      plan.columns.push_back({*column, extent.at});
+    } else {
+      write_numbers(extent, *placed);
+    }
+  }
+  if (Status written = placed->finish(); !written) return written;
+  if (Status written = write(std::move(plan)); !written) return written;
+  return file->commit();
 }
 
 Status write_vtkhdf(const Output& output, const std::string& path, const WriteOptions& options) {
