@@ -29,6 +29,8 @@ struct Callbacks {
   /// Has regions meshed in other processes as well; empty: all are meshed here. Methods quality and
   /// almond.
   ShareOut share_out;
+  /// Has parts of files written by the processes that keep meshes, see StreamOptions::may_stay.
+  WriteElsewhere write_elsewhere;
 };
 
 }  // namespace cover

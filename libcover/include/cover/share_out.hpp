@@ -37,6 +37,12 @@ class RegionJobs {
   /// Tells when all that is left may be left.
   [[nodiscard]] virtual std::stop_token stop() const = 0;
 
+  /// To be called before anything is shared out. Where meshes may stay in the processes that make
+  /// them, `offer` is called with what KeptRegions::open() needs, and says whether all others can
+  /// do it; no file that it needs is there afterwards. True: boundary() is for KeptRegions::mesh()
+  /// now, and accept() takes what that has made.
+  virtual bool offer_to_keep(const std::function<bool(const Bytes& how)>& offer) = 0;
+
   /// Meshes a region in this process.
   ///
   /// Threads: any, each with regions of its own; accept() may run meanwhile
@@ -57,6 +63,11 @@ class RegionJobs {
 /// Has every region of the jobs meshed, once, here or elsewhere. What goes wrong inside of a region
 /// is kept with it; an error of this function is one of the way between processes.
 using ShareOut = std::function<Status(RegionJobs&)>;
+
+/// Has KeptRegions::write() carry out a plan in all other processes that keep meshes, while it
+/// calls `here`, which does the same in this one. Returns when all have, with the first error.
+using WriteElsewhere =
+    std::function<Status(const Bytes& plan, const std::function<Status()>& here)>;
 
 /// The options of a run elsewhere. A size field has its name alone: see load_size_field().
 ///

@@ -20,6 +20,10 @@ namespace cover {
 struct StreamOptions {
   std::string beside;         ///< a file on the disk where there is room, as the one to be written
   double most_in_memory = 0;  ///< expected triangles from which on it does
+  /// Whether meshes may stay in the processes of Callbacks::share_out, if all of them see the
+  /// folder of `beside`. They must be there then when files are written, and of these
+  /// can_write_from_elsewhere() must be true.
+  bool may_stay = false;
 };
 
 /// A mesh on the disk.
@@ -39,6 +43,10 @@ std::string needs_whole_mesh(const Input& input, const Options& options);
 /// The same of a file that is to be written.
 std::string needs_whole_mesh(const std::string& path, const WriteOptions& options);
 
+/// Whether a file can be written whose regions are in several processes: only .vtkhdf, and no
+/// device.
+bool can_write_from_elsewhere(const std::string& path, const WriteOptions& options);
+
 /// Makes the mesh that cover_mesh() makes. Where it is expected to be large, each region goes to
 /// the disk when it is done, and what it was made of is given back.
 ///
@@ -53,7 +61,7 @@ Result<StreamedOutput> stream_mesh(Input&& input, const Options& options,
 /// Writes the file that write_mesh() writes of the same mesh in memory, byte for byte.
 ///
 /// REQUIRES: output.is_streamed(), and needs_whole_mesh(path, options) is empty
-/// Errors:   cannot_write, also where the disk has no room for the file; cancelled
+/// Errors:   bad_option where regions are elsewhere and cannot be written from there; cannot_write, also where the disk has no room for the file; cancelled
 Status write_streamed_mesh(const StreamedOutput& output, const std::string& path,
                            const WriteOptions& options = {});
 

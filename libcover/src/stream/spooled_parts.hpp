@@ -6,6 +6,7 @@
 
 #include <cover/pslg.hpp>
 #include <cover/regions.hpp>
+#include <cover/share_out.hpp>
 #include <cover/stream_mesh.hpp>
 
 #include <cover/mesh_view.hpp>
@@ -19,6 +20,7 @@ struct SpooledParts {
   /// By SegmentId: twice the first of its half-edges in its first region, counted there, and one
   /// more if that leads from the segment's second point to its first; kNone: not in the mesh.
   std::vector<std::uint32_t> first_half_edge;
+  WriteElsewhere elsewhere;  ///< where some regions are in other processes
 };
 
 /// The region whose triangles come first beside a segment; kVoid: none.

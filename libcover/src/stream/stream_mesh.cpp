@@ -7,25 +7,29 @@
 #include <cover/stream_mesh.hpp>
 
 #include <filesystem>
+#include <random>
 #include <utility>
 
 #include <fmt/core.h>
 
 #include "base/containers/give_back.hpp"
+#include "base/faults/internal_fault.hpp"
 #include "base/faults/out_of_memory.hpp"
-#include "geom/topology/half_edges.hpp"
+#include "io/files/temporary_file.hpp"
 #include "io/report/report_text.hpp"
-#include "io/write_mesh/vtk_formats/vtu_parts.hpp"
 #include "io/write_mesh/write_spooled.hpp"
 #include "mesh/stitch.hpp"
 #include "pipeline/find_regions.hpp"
 #include "pipeline/steps.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/expected_triangles.hpp"
+#include "stream/keep_bytes.hpp"
+#include "stream/spool_region.hpp"
 #include "stream/spooled_parts.hpp"
 #include "target/fill_report.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/region_task.hpp"
+#include "tasks/share_out_regions.hpp"
 
 namespace cover {
 namespace {
@@ -45,46 +49,53 @@ class Spooler {
 
   void take(std::size_t region, RegionMesh mesh) {
     RegionBoundary& boundary = boundaries_[region];
-    const std::vector<Point> points = all_points(boundary, mesh);
-    note_lines(boundary, points.size(), mesh.triangles);
-    std::vector<std::array<double, 2>> angles;
-    angles.reserve(mesh.triangles.size());
-    const auto size = static_cast<std::uint32_t>(boundary.vertices.size());
-    const auto inputs = static_cast<std::uint32_t>(spool_.input_vertices());
-    for (IndexTriple& t : mesh.triangles) {
-      angles.push_back(extreme_degrees(points[t[0]], points[t[1]], points[t[2]]));
-      for (std::uint32_t& v : t)
-        v = v < size ? vertex_of_[boundary.vertices[v].index()] : inputs + (v - size);
-    }
-    spool_.add(region, mesh.steiner, mesh.triangles, angles);
     reports_[region] = std::move(mesh.report);
+    note_lines(boundary, spool_region(region, boundary, vertices(region), std::move(mesh), spool_));
     boundary = {};
   }
 
+  /// Takes what is told of a region whose mesh is in another process.
+  void take_elsewhere(std::size_t region, KeptMesh mesh) {
+    RegionBoundary& boundary = boundaries_[region];
+    if (mesh.half_edges.size() != boundary.sides.size())
+      throw InternalFault("another process told of another region", {boundary.points.front()});
+    reports_[region] = std::move(mesh.report);
+    spool_.add_elsewhere(region, mesh.steiner, mesh.triangles);
+    note_lines(boundary, mesh.half_edges);
+    boundary = {};
+  }
+
+  /// The numbers that the vertices of a region have in the mesh.
+  [[nodiscard]] std::vector<VertexId> vertices(std::size_t region) const {
+    std::vector<VertexId> numbers;
+    numbers.reserve(boundaries_[region].vertices.size());
+    for (const VertexId v : boundaries_[region].vertices)
+      numbers.emplace_back(vertex_of_[v.index()]);
+    return numbers;
+  }
+
   /// What is kept in memory; to be called once.
-  SpooledParts finish(Report& report) {
+  SpooledParts finish(Report& report, const WriteElsewhere& elsewhere) {
     for (const RegionReport& region : reports_) {
       merge(report.quality, region.quality);
       report.steiner_vertices += region.steiner_vertices;
     }
     report.regions = std::move(reports_);
-    return {std::move(spool_), std::move(vertex_of_), std::move(first_half_edge_)};
+    const bool is_whole = spool_.has_all();
+    return {std::move(spool_), std::move(vertex_of_), std::move(first_half_edge_),
+            is_whole ? WriteElsewhere() : elsewhere};
   }
 
  private:
   /// One region alone writes to the place of a segment, so that threads do not meet.
-  void note_lines(const RegionBoundary& boundary, std::size_t points,
-                  std::span<const IndexTriple> triangles) {
-    const HalfEdges edges(points, triangles);
+  void note_lines(const RegionBoundary& boundary, std::span<const std::uint32_t> half_edges) {
     for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
       const SegmentId id = boundary.segments[s];
       if (id == kHullSide || first_region(table_.sides[id.index()]) != boundary.id) continue;
       std::uint32_t& first = first_half_edge_[id.index()];
-      const auto [a, b] = boundary.sides[s];
-      const std::uint32_t edge = edges.find(a, b);
-      if (edge == HalfEdges::kAbsent) continue;
-      const bool is_back = boundary.vertices[a] != pslg_.segments[id.index()].a;
-      first = std::min(first, 2 * edge + (is_back ? 1 : 0));
+      if (half_edges[s] == kNone) continue;
+      const bool is_back = boundary.vertices[boundary.sides[s][0]] != pslg_.segments[id.index()].a;
+      first = std::min(first, 2 * half_edges[s] + (is_back ? 1 : 0));
     }
   }
 
@@ -121,6 +132,22 @@ Status check_room_for(double triangles, const std::string& path) {
   return check_room(path, kSurely * (kSpooled + kWritten) * triangles);
 }
 
+/// Offers to other processes that they keep what they mesh beside the file `beside`.
+bool offer_to_keep(const std::string& beside, std::size_t input_vertices, std::size_t regions,
+                   const std::function<bool(const Bytes& how)>& offer) {
+  namespace fs = std::filesystem;
+  std::error_code failed;
+  const Result<fs::path> target = end_of_links(fs::absolute(beside, failed));
+  if (failed || !target) return false;
+  Result<TemporaryFile> seen = TemporaryFile::beside(*target, beside, {}, {});
+  if (!seen) return false;
+  std::random_device dice;
+  const std::uint64_t word = std::uniform_int_distribution<std::uint64_t>()(dice);
+  seen->write({reinterpret_cast<const char*>(&word), sizeof word});
+  return offer(to_bytes(
+      OfferToKeep{target->string(), seen->path().string(), word, input_vertices, regions}));
+}
+
 /// Meshes the regions into a spool file.
 Result<StreamedOutput> spool_work(Work work, const Options& options, const StreamOptions& stream,
                                   const Callbacks& callbacks, StageClock& clock) {
@@ -132,14 +159,22 @@ Result<StreamedOutput> spool_work(Work work, const Options& options, const Strea
   if (!spool) return std::move(spool).error();
   give_back(input);
   Spooler spooler(work.pslg, work.table, work.boundaries, *spool, std::move(vertex_of));
+  const Staying staying{
+      [&](const std::function<bool(const Bytes& how)>& offer) {
+        return offer_to_keep(stream.beside, spool->input_vertices(), work.boundaries.size(), offer);
+      },
+      [&](std::size_t region) { return spooler.vertices(region); },
+      [&](std::size_t region, KeptMesh mesh) { spooler.take_elsewhere(region, std::move(mesh)); }};
   Status meshed = mesh_regions_into(
       work.boundaries, options, callbacks,
       [&](std::size_t region, RegionMesh mesh) { spooler.take(region, std::move(mesh)); },
-      [&] { return spool->is_good(); });
+      [&] { return spool->is_good(); },
+      stream.may_stay && callbacks.write_elsewhere ? &staying : nullptr);
   if (!meshed) return std::move(meshed).error();
   if (Status finished = spool->finish(); !finished) return std::move(finished).error();
   clock.note("mesh", work.report.times);
-  auto parts = std::make_shared<const SpooledParts>(spooler.finish(work.report));
+  auto parts =
+      std::make_shared<const SpooledParts>(spooler.finish(work.report, callbacks.write_elsewhere));
   const MeshCounts counts = count_of(*parts, work.table);
   return StreamedOutput{
       Output{Mesh(), std::move(work.pslg), std::move(work.table), std::move(work.report)}, counts,
@@ -221,6 +256,10 @@ std::string needs_whole_mesh(const std::string& path, const WriteOptions& option
   return {};
 }
 
+bool can_write_from_elsewhere(const std::string& path, const WriteOptions& options) {
+  return needs_whole_mesh(path, options).empty() && is_written_by_columns(path);
+}
+
 Result<StreamedOutput> stream_mesh(Input&& input, const Options& options,
                                    const StreamOptions& stream, const Callbacks& callbacks) {
   return memory_as_value(
@@ -232,9 +271,16 @@ Status write_streamed_mesh(const StreamedOutput& output, const std::string& path
   return memory_as_value(path, [&]() -> Status {
     const Output& rest = output.output;
     const SpooledParts& parts = *output.parts;
+    if (parts.elsewhere && !can_write_from_elsewhere(path, options))
+      return Error{ErrorCode::bad_option, path + ": some regions are in other processes", {}, {}};
+    decltype(SpooledMesh::elsewhere) elsewhere;
+    if (parts.elsewhere)
+      elsewhere = [&](const ColumnPlan& plan, const std::function<Status()>& here) {
+        return parts.elsewhere(to_bytes(plan), here);
+      };
     return write_spooled(
         {parts.spool, rest.table, rest.report, rest.pslg.segments.size(),
-         [&] { return lines_of(rest.pslg, rest.table, parts); }, rest.report.threads},
+         [&] { return lines_of(rest.pslg, rest.table, parts); }, rest.report.threads, elsewhere},
         path, options);
   });
 }

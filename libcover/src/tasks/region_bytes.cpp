@@ -60,6 +60,12 @@ auto members(T& mesh) {
   return std::tie(steiner, triangles, layer_triangles, layer_vertices, report);
 }
 
+template <Either<KeptMesh> T>
+auto members(T& mesh) {
+  auto& [report, steiner, triangles, half_edges] = mesh;
+  return std::tie(report, steiner, triangles, half_edges);
+}
+
 template <Either<RegionBoundary> T>
 auto members(T& boundary) {
   auto& [id, points, vertices, sides, segments, size, size_at, size_expressions, size_function,
@@ -209,21 +215,37 @@ Result<T> value_of(std::span<const std::byte> bytes) {
   return value;
 }
 
+/// A value or an error.
+template <class T>
+Bytes bytes_of_result(const Result<T>& result) {
+  ByteWriter writer;
+  writer.put(result ? Answer::mesh : Answer::error);
+  if (result) {
+    writer.put(*result);
+  } else {
+    writer.put(result.error());
+  }
+  return writer.take();
+}
+
+template <class T>
+Result<T> result_of_bytes(std::span<const std::byte> bytes) {
+  if (bytes.empty()) return not_ours();
+  if (bytes.front() == std::byte{static_cast<std::uint8_t>(Answer::mesh)})
+    return value_of<T>(bytes.subspan(1));
+  ByteReader reader(bytes.subspan(1));
+  Error sent;
+  reader.get(sent);
+  return reader.whole() ? std::move(sent) : not_ours();
+}
+
 }  // namespace
 
 Bytes to_bytes(const RegionBoundary& boundary) { return bytes_of(boundary); }
 Bytes to_bytes(const Options& options) { return bytes_of(options); }
 
-Bytes to_bytes(const Result<RegionMesh>& mesh) {
-  ByteWriter writer;
-  writer.put(mesh ? Answer::mesh : Answer::error);
-  if (mesh) {
-    writer.put(*mesh);
-  } else {
-    writer.put(mesh.error());
-  }
-  return writer.take();
-}
+Bytes to_bytes(const Result<RegionMesh>& mesh) { return bytes_of_result(mesh); }
+Bytes to_bytes(const Result<KeptMesh>& mesh) { return bytes_of_result(mesh); }
 
 Result<RegionBoundary> boundary_of_bytes(std::span<const std::byte> bytes) {
   return value_of<RegionBoundary>(bytes);
@@ -234,13 +256,11 @@ Result<Options> options_of_bytes(std::span<const std::byte> bytes) {
 }
 
 Result<RegionMesh> mesh_of_bytes(std::span<const std::byte> bytes) {
-  if (bytes.empty()) return not_ours();
-  if (bytes.front() == std::byte{static_cast<std::uint8_t>(Answer::mesh)})
-    return value_of<RegionMesh>(bytes.subspan(1));
-  ByteReader reader(bytes.subspan(1));
-  Error sent;
-  reader.get(sent);
-  return reader.whole() ? std::move(sent) : not_ours();
+  return result_of_bytes<RegionMesh>(bytes);
+}
+
+Result<KeptMesh> kept_of_bytes(std::span<const std::byte> bytes) {
+  return result_of_bytes<KeptMesh>(bytes);
 }
 
 }  // namespace cover

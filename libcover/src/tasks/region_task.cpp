@@ -172,8 +172,8 @@ Result<std::vector<RegionReport>> limit_regions(std::span<const RegionBoundary> 
 
 Status mesh_regions_into(std::span<const RegionBoundary> boundaries, const Options& options,
                          const Callbacks& callbacks, const RegionSink& sink,
-                         const std::function<bool()>& is_good) {
-  if (callbacks.share_out) return share_out_regions(boundaries, options, callbacks, sink);
+                         const std::function<bool()>& is_good, const Staying* staying) {
+  if (callbacks.share_out) return share_out_regions(boundaries, options, callbacks, sink, staying);
   return for_each_region(boundaries, worker_count(options), "mesh", callbacks,
                          [&](std::size_t k, const Team& team) {
                            if (is_good())

@@ -23,12 +23,17 @@ Result<RegionMesh> try_region(const RegionBoundary& boundary, const Options& opt
   });
 }
 
-Bytes mesh_bytes(std::span<const std::byte> boundary, const Options& options,
-                 const std::stop_token& stop, const Team& team = {}) {
-  Result<RegionBoundary> read = boundary_of_bytes(boundary);
+Result<RegionBoundary> read_boundary(std::span<const std::byte> bytes) {
+  Result<RegionBoundary> read = boundary_of_bytes(bytes);
   if (read) {
     if (Status status = read_expressions(*read); !status) read = std::move(status).error();
   }
+  return read;
+}
+
+Bytes mesh_bytes(std::span<const std::byte> boundary, const Options& options,
+                 const std::stop_token& stop, const Team& team = {}) {
+  const Result<RegionBoundary> read = read_boundary(boundary);
   return to_bytes(read ? try_region(*read, options, stop, team) : Result<RegionMesh>(read.error()));
 }
 
@@ -39,11 +44,12 @@ enum class State : std::uint8_t { left_out, done, failed };
 class Jobs final : public RegionJobs {
  public:
   Jobs(std::span<const RegionBoundary> boundaries, const Options& options,
-       const Callbacks& callbacks, const RegionSink& sink)
+       const Callbacks& callbacks, const RegionSink& sink, const Staying* staying)
       : boundaries_(boundaries),
         options_(options),
         callbacks_(callbacks),
         sink_(sink),
+        staying_(staying),
         states_(boundaries.size(), State::left_out),
         progress_{"mesh", 0, 0} {
     costs_.reserve(boundaries.size());
@@ -54,7 +60,14 @@ class Jobs final : public RegionJobs {
   [[nodiscard]] std::size_t size() const override { return boundaries_.size(); }
   [[nodiscard]] std::size_t cost(std::size_t region) const override { return costs_[region]; }
   [[nodiscard]] Bytes boundary(std::size_t region) const override {
-    return to_bytes(boundaries_[region]);
+    if (!is_staying_) return to_bytes(boundaries_[region]);
+    RegionBoundary boundary = boundaries_[region];
+    boundary.vertices = staying_->vertices(region);
+    return to_bytes(boundary);
+  }
+  bool offer_to_keep(const std::function<bool(const Bytes& how)>& offer) override {
+    is_staying_ = staying_ != nullptr && staying_->offer(offer);
+    return is_staying_;
   }
   [[nodiscard]] Bytes options() const override { return to_bytes(options_); }
   [[nodiscard]] std::stop_token stop() const override { return callbacks_.stop; }
@@ -71,7 +84,10 @@ class Jobs final : public RegionJobs {
     });
   }
   void accept(std::size_t region, std::span<const std::byte> result) override {
-    keep(region, mesh_of_bytes(result));
+    if (is_staying_)
+      keep(region, kept_of_bytes(result), staying_->sink);
+    else
+      keep(region, mesh_of_bytes(result));
   }
 
   /// The error of the first region that has no mesh.
@@ -85,10 +101,12 @@ class Jobs final : public RegionJobs {
   }
 
  private:
-  void keep(std::size_t region, Result<RegionMesh> mesh) {
+  void keep(std::size_t region, Result<RegionMesh> mesh) { keep(region, std::move(mesh), sink_); }
+  template <class Made, class Sink>
+  void keep(std::size_t region, Result<Made> mesh, const Sink& sink) {
     Status kept = mesh ? errors_as_values("keeping a region",
                                           [&] {
-                                            sink_(region, *std::move(mesh));
+                                            sink(region, *std::move(mesh));
                                             return ok();
                                           })
                        : Status(std::move(mesh).error());
@@ -107,6 +125,8 @@ class Jobs final : public RegionJobs {
   const Options& options_;
   const Callbacks& callbacks_;
   const RegionSink& sink_;
+  const Staying* staying_;
+  bool is_staying_ = false;  ///< what is meshed elsewhere
   std::vector<State> states_;
   std::map<std::size_t, Error> errors_;
   std::mutex mutex_;
@@ -116,12 +136,24 @@ class Jobs final : public RegionJobs {
 }  // namespace
 
 Status share_out_regions(std::span<const RegionBoundary> boundaries, const Options& options,
-                         const Callbacks& callbacks, const RegionSink& sink) {
-  Jobs jobs(boundaries, options, callbacks, sink);
+                         const Callbacks& callbacks, const RegionSink& sink,
+                         const Staying* staying) {
+  Jobs jobs(boundaries, options, callbacks, sink, staying);
   Status shared = callbacks.share_out(jobs);
   if (!shared) return shared;
   if (callbacks.stop.stop_requested()) return Error{ErrorCode::cancelled, "interrupted", {}, {}};
   return jobs.finish();
+}
+
+Bytes keep_region_bytes(
+    std::span<const std::byte> boundary, const Options& options, const Team& team,
+    const std::function<KeptMesh(const RegionBoundary& boundary, RegionMesh mesh)>& keep) {
+  const Result<RegionBoundary> read = read_boundary(boundary);
+  if (!read) return to_bytes(Result<KeptMesh>(read.error()));
+  Result<RegionMesh> mesh = try_region(*read, options, {}, team);
+  if (!mesh) return to_bytes(Result<KeptMesh>(std::move(mesh).error()));
+  return to_bytes(errors_as_values(
+      "keeping a region", [&] { return Result<KeptMesh>(keep(*read, *std::move(mesh))); }));
 }
 
 Bytes mesh_region_bytes(std::span<const std::byte> boundary, const Options& options,

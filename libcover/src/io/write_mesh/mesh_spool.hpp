@@ -45,6 +45,8 @@ class MeshSpool {
   }
   /// False once a region could not be added: then no more need be made.
   [[nodiscard]] bool is_good() const { return file_.is_good(); }
+  /// Errors: cannot_write, for what an add() met
+  [[nodiscard]] Status status() const { return file_.status(); }
   /// All regions are there.
   ///
   /// Errors: cannot_write, for what an add() met

@@ -1,5 +1,5 @@
 // Regions that follow each other are neighbours in every array, so that a stretch of them is one
-// piece of each. Tested by tests/unit/stream/stream_mesh_test.cpp.
+// piece of each. Tested by tests/unit/stream/kept_regions_test.cpp.
 #include "io/write_mesh/region_columns.hpp"
 
 #include <algorithm>

@@ -196,7 +196,7 @@ Status write_spooled_vtkhdf(const SpooledMesh& mesh, const std::string& path,
   SpooledArrays arrays(mesh);
   const VtkHdfSource source{mesh.table,    mesh.report, lines,
                             arrays.grid(), 3,           mesh.spool.input_vertices()};
-  if (!mesh.elsewhere && !can_write_from_elsewhere(path, options))
+  if (!is_written_by_columns(path))
     return write_vtkhdf_file(source, path, options.stop, [&] { return arrays.status(); });
   return write_vtkhdf_columns(source, path, options.stop, [&](ColumnPlan plan) {
     complete_plan(mesh, plan);
@@ -239,9 +239,8 @@ bool can_write_spooled(const std::string& path, const WriteOptions& options) {
          (extension == ".xdmf" && options.xdmf == "hdf5");
 }
 
-bool can_write_from_elsewhere(const std::string& path, const WriteOptions& options) {
-  return can_write_spooled(path, options) && extension_of(path) == ".vtkhdf" &&
-         !is_written_directly(path);
+bool is_written_by_columns(const std::string& path) {
+  return extension_of(path) == ".vtkhdf" && !is_written_directly(path);
 }
 
 Status write_spooled(const SpooledMesh& mesh, const std::string& path,

@@ -31,14 +31,14 @@ struct SpooledMesh {
 /// The formats that can be written so: .vtu, .vtkhdf, .msh, .xdmf with its numbers in HDF5.
 bool can_write_spooled(const std::string& path, const WriteOptions& options);
 
-/// Whether that can be done where regions are in several spools: only .vtkhdf, and no device.
-bool can_write_from_elsewhere(const std::string& path, const WriteOptions& options);
+/// Whether whoever has regions may write their parts: only .vtkhdf, and no device.
+bool is_written_by_columns(const std::string& path);
 
 /// Writes what write_mesh() writes of the same mesh, byte for byte. The room on the disk is looked
 /// at first.
 ///
 /// REQUIRES: can_write_spooled(path, options); options.order is 1; where mesh.elsewhere is set,
-///           can_write_from_elsewhere(path, options)
+///           is_written_by_columns(path)
 /// Errors:   cannot_write, cancelled, out_of_memory
 /// Memory:   some 80 bytes for each line, and in .msh 16 for each point of the input
 Status write_spooled(const SpooledMesh& mesh, const std::string& path, const WriteOptions& options);
