@@ -25,7 +25,9 @@ Usage: mpirun -n 4 cover-mpi mesh INPUT -o FILE ...
 
 Rank 0 reads the input, shares its regions out among all ranks and writes the files. They are the
 same, byte for byte, as those of 'cover mesh', for any number of ranks and threads. Each rank takes
-its part of the cores of its machine, or as many threads as -j says.
+its part of the cores of its machine, or as many threads as -j says. Large meshes that go to .vtkhdf
+files stay with the ranks that make them, and all ranks write: the folder must be one that all of
+them see, else meshes travel to rank 0.
 
   cover-mpi mesh --help   the options, which are those of 'cover mesh'
 )";
@@ -42,7 +44,7 @@ int lead(const std::vector<std::string>& words) {
   }
   if (words[0] == "mesh") {
     return cover::app::run_mesh({words.begin() + 1, words.end()},
-                                cover::mpi::share_out_among_ranks);
+                                {cover::mpi::share_out_among_ranks, cover::mpi::write_among_ranks});
   }
   fmt::print(stderr,
              "cover-mpi: error: '{}' is no command of cover-mpi, which has only 'mesh'; the others "

@@ -86,6 +86,21 @@ void send(std::span<const std::byte> bytes, int rank, Tag tag) {
   });
 }
 
+bool all_agree(bool agrees) {
+  int mine = agrees ? 1 : 0, all = 0;
+  MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
+  return all != 0;
+}
+
+void spread(Bytes& bytes) {
+  std::size_t size = bytes.size();
+  MPI_Bcast(&size, sizeof size, MPI_BYTE, 0, MPI_COMM_WORLD);
+  bytes.resize(size);
+  for_pieces(size, [&](std::size_t at, int count) {
+    MPI_Bcast(bytes.data() + at, count, MPI_BYTE, 0, MPI_COMM_WORLD);
+  });
+}
+
 Outbox::~Outbox() {
   for (Letter& letter : letters_)
     MPI_Waitall(static_cast<int>(letter.requests.size()), letter.requests.data(),

@@ -1,7 +1,7 @@
 // What ranks say to each other: bytes with a tag, of any length.
 //
-// Rank 0 reads, splits, meshes and writes; the others mesh what it sends them. All calls of MPI are
-// made by the main thread of a rank.
+// Rank 0 reads, splits, meshes and writes; the others mesh what it sends them, and write what they
+// keep. All calls of MPI are made by the main thread of a rank.
 #pragma once
 
 #include <cstddef>
@@ -21,6 +21,9 @@ enum class Tag : int {
   options,  ///< rank 0 to others: the options from here on
   regions,  ///< rank 0 to others: Parcels to be meshed
   meshes,   ///< others to rank 0: Parcels of what became of them
+  keep,     ///< rank 0 to others: where meshes may stay; all of them agree then, see all_agree()
+  write,    ///< rank 0 to others: a plan of what is to be written comes, see spread()
+  written,  ///< others to rank 0: why that failed, as text; empty: it did not
   failed,   ///< others to rank 0: why a rank cannot go on, as text
   end,      ///< rank 0 to others: nothing more will come
 };
@@ -68,6 +71,11 @@ class Outbox {
   };
   std::list<Letter> letters_;
 };
+
+/// Whether all ranks agree; to be called by each of them.
+bool all_agree(bool agrees);
+/// What rank 0 has, for all ranks; to be called by each of them.
+void spread(Bytes& bytes);
 
 /// Sleeps for the time between two looks for messages.
 void rest();

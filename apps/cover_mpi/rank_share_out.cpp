@@ -20,14 +20,17 @@ int rank_count() {
   return count;
 }
 
-/// The regions that nobody has yet, the largest first.
+/// The regions that nobody has yet: the large ones first, the largest of them at first; the others,
+/// of which a part has many, as they come, since neighbours are neighbours in files, too.
 class Queue {
  public:
   Queue(const RegionJobs& jobs, std::size_t takers) : costs_(jobs.size()), takers_(takers) {
     for (std::size_t k = 0; k < costs_.size(); ++k) rest_ += costs_[k] = jobs.cost(k);
     order_.resize(costs_.size());
     std::iota(order_.begin(), order_.end(), std::size_t{0});
-    std::stable_sort(order_.begin(), order_.end(),
+    const auto small = std::stable_partition(
+        order_.begin(), order_.end(), [&](std::size_t k) { return costs_[k] >= kLeastPart; });
+    std::stable_sort(order_.begin(), small,
                      [&](std::size_t a, std::size_t b) { return costs_[a] > costs_[b]; });
   }
 
@@ -75,6 +78,15 @@ class Here {
   std::jthread thread_;
 };
 
+/// What another rank says in words.
+Error told_error(ErrorCode code, const Message& message) {
+  const auto* text = reinterpret_cast<const char*>(message.bytes.data());
+  return {code,
+          "rank " + std::to_string(message.rank) + ": " + std::string(text, message.bytes.size()),
+          {},
+          {}};
+}
+
 }  // namespace
 
 unsigned threads_of_rank(unsigned asked) {
@@ -96,6 +108,11 @@ Status share_out_among_ranks(RegionJobs& jobs) {
   for (int rank = 1; rank < ranks; ++rank) outbox.send(options, rank, Tag::options);
   // A collective call: the others make it when the options have come.
   const unsigned threads = threads_of_rank(known->threads);
+
+  jobs.offer_to_keep([&](const Bytes& how) {
+    for (int rank = 1; rank < ranks; ++rank) outbox.send(how, rank, Tag::keep);
+    return all_agree(true);
+  });
 
   Queue queue(jobs, static_cast<std::size_t>(ranks) * threads);
   int at_work = 0;  // other ranks
@@ -119,18 +136,28 @@ Status share_out_among_ranks(RegionJobs& jobs) {
     }
     if (message->tag == Tag::failed) {
       queue.close();
-      const auto* text = reinterpret_cast<const char*>(message->bytes.data());
-      return Error{
-          ErrorCode::internal,
-          "rank " + std::to_string(message->rank) + ": " + std::string(text, message->bytes.size()),
-          {},
-          {}};
+      return told_error(ErrorCode::internal, *message);
     }
     for (const Parcel& parcel : unpack(message->bytes)) jobs.accept(parcel.number, parcel.bytes);
     --at_work;
     employ(message->rank);
   }
   return ok();
+}
+
+Status write_among_ranks(const Bytes& plan, const std::function<Status()>& here) {
+  const int ranks = rank_count();
+  for (int rank = 1; rank < ranks; ++rank) send({}, rank, Tag::write);
+  Bytes sent = plan;
+  spread(sent);
+  Status all = here();
+  // Who was interrupted waits for nobody.
+  if (!all && all.error().code == ErrorCode::cancelled) return all;
+  for (int answers = 1; answers < ranks; ++answers) {
+    const Message message = receive();
+    if (all && !message.bytes.empty()) all = told_error(ErrorCode::cannot_write, message);
+  }
+  return all;
 }
 
 void dismiss_ranks() {

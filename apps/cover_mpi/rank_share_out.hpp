@@ -1,6 +1,8 @@
 // Regions shared out among ranks, by rank 0.
 #pragma once
 
+#include <functional>
+
 #include <cover/share_out.hpp>
 
 namespace cover::mpi {
@@ -11,6 +13,12 @@ namespace cover::mpi {
 /// Threads: called by the main thread of rank 0
 /// Errors:  internal with the reason that another rank gave for going on no more
 Status share_out_among_ranks(RegionJobs& jobs);
+
+/// Has a plan carried out by all ranks, by this one with `here`: see Callbacks::write_elsewhere.
+///
+/// Threads: as share_out_among_ranks()
+/// Errors:  those of `here`; else of another rank, which is named
+Status write_among_ranks(const Bytes& plan, const std::function<Status()>& here);
 
 /// Lets the other ranks end.
 void dismiss_ranks();

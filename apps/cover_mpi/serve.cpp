@@ -1,9 +1,11 @@
 #include "serve.hpp"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <cover/kept_regions.hpp>
 #include <cover/options.hpp>
 #include <cover/read_size_field.hpp>
 
@@ -13,11 +15,19 @@
 namespace cover::mpi {
 namespace {
 
-/// Meshes parcels in place, on some threads.
-void mesh_all(std::vector<Parcel>& parcels, const Options& options, unsigned threads) {
+/// Meshes parcels in place, on some threads; what is kept says of its meshes where they stay.
+void mesh_all(std::vector<Parcel>& parcels, const Options& options, unsigned threads,
+              std::optional<KeptRegions>& kept) {
+  std::vector<std::size_t> numbers;
   std::vector<Bytes> regions;
-  for (Parcel& parcel : parcels) regions.push_back(std::move(parcel.bytes));
-  mesh_region_bytes(regions, options, threads);
+  for (Parcel& parcel : parcels) {
+    numbers.push_back(parcel.number);
+    regions.push_back(std::move(parcel.bytes));
+  }
+  if (kept)
+    kept->mesh(numbers, regions, options, threads);
+  else
+    mesh_region_bytes(regions, options, threads);
   for (std::size_t k = 0; k < parcels.size(); ++k) parcels[k].bytes = std::move(regions[k]);
 }
 
@@ -29,14 +39,30 @@ Result<Options> options_here(std::span<const std::byte> bytes) {
   return options;
 }
 
-void tell_failure(const std::string& why) {
-  send(std::as_bytes(std::span(why.data(), why.size())), 0, Tag::failed);
+void tell(const std::string& text, Tag tag) {
+  send(std::as_bytes(std::span(text.data(), text.size())), 0, tag);
+}
+
+/// What has to stay here, if all ranks can keep it.
+std::optional<KeptRegions> agree_to_keep(std::span<const std::byte> how) {
+  Result<KeptRegions> opened = KeptRegions::open(how);
+  if (!all_agree(opened.has_value())) return std::nullopt;
+  return *std::move(opened);
+}
+
+/// Writes what stays here, and tells of it.
+void write_kept(const std::optional<KeptRegions>& kept, unsigned threads) {
+  Bytes plan;
+  spread(plan);
+  const Status written = kept ? kept->write(plan, threads) : ok();
+  tell(written ? std::string() : written.error().message, Tag::written);
 }
 
 }  // namespace
 
 void serve() {
   Options options;
+  std::optional<KeptRegions> kept;
   unsigned threads = 1;
   bool failed = false;
   while (true) {
@@ -46,11 +72,15 @@ void serve() {
       Result<Options> sent = options_here(message.bytes);
       threads = threads_of_rank(sent ? sent->threads : 1);
       failed = !sent;
-      if (failed) tell_failure(sent.error().message);
+      if (failed) tell(sent.error().message, Tag::failed);
       if (!failed) options = *std::move(sent);
+    } else if (message.tag == Tag::keep) {
+      kept = agree_to_keep(message.bytes);
+    } else if (message.tag == Tag::write) {
+      write_kept(kept, threads);
     } else if (!failed) {
       std::vector<Parcel> parcels = unpack(message.bytes);
-      mesh_all(parcels, options, threads);
+      mesh_all(parcels, options, threads, kept);
       send(pack(parcels), 0, Tag::meshes);
     }
   }

@@ -3,7 +3,7 @@
 
 namespace cover::mpi {
 
-/// Meshes what rank 0 sends until it sends no more.
+/// Meshes what rank 0 sends, and writes what stays here, until it sends no more.
 void serve();
 
 }  // namespace cover::mpi

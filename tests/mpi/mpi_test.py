@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 """mpi_test.py COVER COVER_MPI MPIRUN DATA: the files of cover-mpi are those of cover, byte for byte, for any number of
 ranks; what goes wrong ends the run, and leaves nothing under the final name."""
+import json
 import os
 import pathlib
 import random
+import shlex
 import signal
 import subprocess
 import sys
@@ -12,6 +14,7 @@ import time
 import unittest
 
 COVER, COVER_MPI, MPIRUN, DATA = [pathlib.Path(a) for a in sys.argv[1:5]]
+HERE = pathlib.Path(__file__).resolve().parent
 # A test may run as root, on a machine with fewer cores than ranks.
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1',
                    OMPI_MCA_rmaps_base_oversubscribe='1')
@@ -37,6 +40,12 @@ def grid_poly(cells):
     lines = [f'{len(points)} 2 0 0', *(f'{i} {x} {y}' for i, (x, y) in enumerate(points)), f'{len(segments)} 0',
              *(f'{i} {a} {b}' for i, (a, b) in enumerate(segments)), '0']
     return '\n'.join(lines) + '\n'
+
+
+def layout_poly(cells):
+    """A drawing of cells x cells regions of some 50 triangles each."""
+    made = subprocess.run([sys.executable, HERE.parent / 'bench/inputs/layout.py', str(cells)], capture_output=True, text=True, check=True)
+    return made.stdout
 
 
 def processes_with(words):
@@ -72,6 +81,51 @@ class CoverMpi(unittest.TestCase):
         drawing = self.folder / 'grid.poly'
         drawing.write_text(grid_poly(12))
         self.same(drawing, '--size', '0.2')
+
+    def test_same_bytes_where_meshes_stay_with_their_ranks(self):
+        """All ranks write the file; options that need whole meshes or one writer have their way."""
+        drawing = self.folder / 'layout.poly'
+        drawing.write_text(layout_poly(12))
+        self.same(drawing, '--stream', 'on', form='vtkhdf')
+        self.same(DATA / 'mosfet.poly', '--stream', 'on', '-j', '2', form='vtkhdf')
+        self.same(drawing, '--stream', 'on', '-o', self.folder / 'beside.msh', ranks=(3,), form='vtkhdf')
+        self.same(drawing, '--stream', 'on', '-o', self.folder / 'second.vtkhdf', ranks=(3,), form='vtkhdf')
+        self.assertEqual((self.folder / 'second.vtkhdf').read_bytes(), (self.folder / 'alone.vtkhdf').read_bytes())
+        report = self.folder / 'report.json'
+        self.same(drawing, '--stream', 'on', '--report', report, ranks=(2,), form='vtkhdf')
+        self.assertEqual(len(json.loads(report.read_text())['regions']), 144)
+        self.assertEqual([p.name for p in self.folder.iterdir() if p.name.startswith('.')], [])
+
+    def on_two(self, second, *arguments):
+        """Rank 0 as it is; rank 1 in a shell, after the commands `second`."""
+        words = [str(a) for a in (COVER_MPI, *arguments)]
+        script = f'{second}; exec {shlex.join(words)}'
+        return [str(MPIRUN), '-n', '1', *words, ':', '-n', '1', 'sh', '-c', script]
+
+    def test_a_rank_that_cannot_write(self):
+        drawing, target = self.folder / 'layout.poly', self.folder / 'x.vtkhdf'
+        drawing.write_text(layout_poly(60))
+        target.write_text('old')
+        done = run(self.on_two('trap "" XFSZ; ulimit -f 10000', 'mesh', drawing, '-o', target, '--stream', 'on'))
+        self.assertEqual(done.returncode, 5, done.stderr)
+        self.assertRegex(done.stderr, r'rank 1: cannot write .*x\.vtkhdf: File too large')
+        self.assertEqual(target.read_text(), 'old')
+        self.assertEqual([p.name for p in self.folder.iterdir() if p.name.startswith('.')], [])
+
+    def test_ranks_that_do_not_share_the_folder(self):
+        """Meshes travel then."""
+        drawing, target, alone = (self.folder / name for name in ('layout.poly', 'x.vtkhdf', 'alone.vtkhdf'))
+        drawing.write_text(layout_poly(10))
+        hide = f'mount -t tmpfs none {shlex.quote(str(self.folder))}'
+        if subprocess.run(['unshare', '-m', 'sh', '-c', hide], capture_output=True, check=False).returncode != 0:
+            self.skipTest('nothing can be mounted here')
+        mesh = ('mesh', drawing, '-q', '--stream', 'on')
+        self.assertEqual(run([COVER, *mesh, '-o', alone]).returncode, 0)
+        words = shlex.join([str(a) for a in (COVER_MPI, *mesh, '-o', target)])
+        second = f'exec unshare -m sh -c {shlex.quote(f"{hide} && exec {words}")}'
+        done = run(self.on_two(second, *mesh, '-o', target))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(target.read_bytes(), alone.read_bytes())
 
     def test_same_bytes_with_options(self):
         self.same(DATA / 'diode.poly', '--method', 'almond', ranks=(2,), form='msh')
@@ -122,15 +176,15 @@ class CoverMpi(unittest.TestCase):
 
     def test_ranks_killed_at_any_moment(self):
         """An error, no hang, and the old file or the new one; the next run leaves nothing else."""
-        drawing = self.folder / 'grid.poly'
-        drawing.write_text(grid_poly(20))
-        for form in ('vtu', 'vtkhdf'):
+        drawing = self.folder / 'layout.poly'
+        drawing.write_text(layout_poly(40))
+        for form, stream in (('vtu', 'off'), ('vtkhdf', 'off'), ('vtkhdf', 'on')):
             target = self.folder / f'x.{form}'
-            mesh = ('mesh', drawing, '-o', target, '-q', '--size', '0.15')
+            mesh = ('mesh', drawing, '-o', target, '-q', '--stream', stream)
             start = time.monotonic()
             self.assertEqual(run(on_ranks(3, *mesh)).returncode, 0)
             took = time.monotonic() - start
-            new, dice, killed = target.read_bytes(), random.Random(form), 0
+            new, dice, killed = target.read_bytes(), random.Random(form + stream), 0
             for k in range(KILLS):
                 target.write_text('old')
                 killed += self.kill_one(on_ranks(3, *mesh), drawing, k % 3, dice.uniform(0, took))

@@ -11,8 +11,14 @@ namespace cover::app {
 /// What follows the name of the subcommand.
 using Arguments = std::vector<std::string>;
 
-/// `cover mesh`: triangulates a geometry file; with `share_out`, in other processes as well.
-int run_mesh(Arguments arguments, ShareOut share_out = {});
+/// Processes that take a part in the work; none by default.
+struct OtherProcesses {
+  ShareOut share_out;
+  WriteElsewhere write_elsewhere;
+};
+
+/// `cover mesh`: triangulates a geometry file.
+int run_mesh(Arguments arguments, const OtherProcesses& others = {});
 /// `cover info`: regions, interfaces and what can be reached; no mesh.
 int run_info(Arguments arguments);
 /// `cover check`: the promises, on any mesh.

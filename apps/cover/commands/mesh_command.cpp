@@ -300,6 +300,13 @@ std::string needs_whole_mesh(const MeshCommand& command, const Input& input,
   return {};
 }
 
+/// Whether other processes may keep their meshes until they write them.
+bool may_stay(const MeshCommand& command) {
+  return std::all_of(command.outputs.begin(), command.outputs.end(), [&](const std::string& path) {
+    return can_write_from_elsewhere(path, command.formats.make());
+  });
+}
+
 /// Makes the mesh, in memory or on the disk, or parts of it again.
 Result<StreamedOutput> make_mesh(const MeshCommand& command, Input input, const Options& options,
                                  const Callbacks& callbacks, spdlog::logger& log) {
@@ -310,7 +317,7 @@ Result<StreamedOutput> make_mesh(const MeshCommand& command, Input input, const 
     if (why.empty()) {
       const StreamOptions stream{
           command.outputs.empty() ? command.reports.front() : command.outputs.front(),
-          command.stream == "on" ? 0 : kManyTriangles};
+          command.stream == "on" ? 0 : kManyTriangles, may_stay(command)};
       return stream_mesh(std::move(input), options, stream, callbacks);
     }
     if (command.stream == "on")
@@ -330,13 +337,14 @@ Result<StreamedOutput> make_mesh(const MeshCommand& command, Input input, const 
 
 /// Meshes, writes, reports.
 int run(const MeshCommand& command, Input input, const Options& options,
-        const std::vector<File>& files, ShareOut share_out, spdlog::logger& log) {
+        const std::vector<File>& files, const OtherProcesses& others, spdlog::logger& log) {
   Interrupt interrupt;
   ProgressLine line(command.show_progress());
   Callbacks callbacks;
   callbacks.progress = [&](const Progress& step) { line.update(step); };
   callbacks.stop = interrupt.token();
-  callbacks.share_out = std::move(share_out);
+  callbacks.share_out = others.share_out;
+  callbacks.write_elsewhere = others.write_elsewhere;
   std::vector<PackingRecord> packings;
   if (!command.dump_folder.empty()) {
     callbacks.packing = [&](RegionId, const PackingRecord& packing) {
@@ -379,7 +387,7 @@ int run(const MeshCommand& command, Input input, const Options& options,
 
 }  // namespace
 
-int run_mesh(Arguments arguments, ShareOut share_out) {
+int run_mesh(Arguments arguments, const OtherProcesses& others) {
   MeshCommand command;
   if (const auto code = parse(command.app, std::move(arguments))) return *code;
   if (command.print_config) {
@@ -413,9 +421,8 @@ int run_mesh(Arguments arguments, ShareOut share_out) {
             input->lines.size());
   for (const std::string& option : command.library.ignored()) log->warn("{}", option);
   for (const std::string& option : command.input.ignored()) log->warn("{}", option);
-  return command.dry_run
-             ? dry_run(command, *input, *options, *log)
-             : run(command, *std::move(input), *options, *files, std::move(share_out), *log);
+  return command.dry_run ? dry_run(command, *input, *options, *log)
+                         : run(command, *std::move(input), *options, *files, others, *log);
 }
 
 }  // namespace cover::app

@@ -26,8 +26,8 @@ struct Staying {
   std::function<void(std::size_t region, KeptMesh mesh)> sink;
 };
 
-/// Has every region meshed by Callbacks::share_out, and hands each to `sink` when it is done, or what is
-/// told of it to staying.sink.
+/// Has every region meshed by Callbacks::share_out, and hands each to `sink` when it is done, or
+/// what is told of it to staying.sink.
 ///
 /// REQUIRES: callbacks.share_out
 /// Errors:   as mesh_regions_into(), and those of share_out
