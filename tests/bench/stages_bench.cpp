@@ -74,13 +74,17 @@ Options options_for(const std::string& method) {
   return options;
 }
 
+/// As cover_mesh makes them, which has triangulated everything to find the regions.
 std::vector<RegionBoundary> boundaries_of(const Input& input, const Options& options) {
   Report report;
-  const auto pslg = make_pslg(input, options, report);
+  std::optional<Triangulation> whole;
+  const auto pslg = make_pslg(input, options, report, &whole);
   if (!pslg) throw std::runtime_error(pslg.error().message);
-  const auto table = build_region_table(*pslg, options, report.notes);
-  if (!table) throw std::runtime_error(table.error().message);
-  return split_regions(*pslg, *table);
+  auto found = build_triangulated_table(*pslg, options, report.notes, std::move(whole));
+  if (!found) throw std::runtime_error(found.error().message);
+  std::vector<RegionBoundary> boundaries = split_regions(*pslg, found->table);
+  add_known_triangles(found->triangulated, pslg->points.size(), boundaries);
+  return boundaries;
 }
 
 void mesh_stage(benchmark::State& state, const std::function<Input()>& make_input,

@@ -235,7 +235,7 @@ class Sizes(Case):
     def test_tables_of_points(self):
         fine = self.fine_square()
         expected = self.triangles(fine, '--size-field', self.field('h.vtk', '0.05 0.05 0.3 0.3'))
-        table = self.write('h.csv', 'x,y,h\n0,0,0.05\n0,1,0.05\n1,0,0.3\n1,1,0.3\n')
+        table = self.write('h.csv', 'x,y,h\n0,0,0.05\n1,0,0.05\n0,1,0.3\n1,1,0.3\n')
         self.assertAlmostEqual(self.triangles(fine, '--size-field', table), expected, delta=0.02 * expected)
         error = self.run_cover('mesh', fine, '-o', 'd.vtu', '--size-field', self.write('h.csv', '0,0,1\n1,0\n'), code=5)[1]
         self.assertIn('h.csv:2: expected 3 numbers, found 2', error)

@@ -30,9 +30,8 @@ struct BoundaryFault {
 std::optional<BoundaryFault> find_fault(const CdtResult& cdt, std::span<const Point> points,
                                         std::span<const IndexPair> sides);
 
-/// From so many points on a region is large: one thread has its triangulation to itself for so long
-/// that what is known of it already is worth being kept, and its triangles come in an order that
-/// does not tell who has made them.
+/// From so many points on a region is large: several threads may divide what is to be done for its
+/// triangulation.
 inline constexpr std::size_t kLargeRegion = 50'000;
 
 /// Sorts triangles by their corners, the lowest corner of each first.
@@ -42,12 +41,13 @@ inline constexpr std::size_t kLargeRegion = 50'000;
 void put_in_order(std::size_t points, std::vector<IndexTriple>& triangles, const Team& team = {});
 
 /// The constrained Delaunay triangulation of a region: every side has a triangle on its left, every
-/// point is a corner.
+/// point is a corner. Its triangles are in order (put_in_order()), which does not tell who has made
+/// them.
 ///
-/// `known` are its triangles as somebody else has found them, in order (put_in_order()), or any
-/// others, or none. They are taken if they are the only ones that there can be: then nothing
-/// depends on them but the time. That is so if they fill the sides, each is counter-clockwise, and
-/// no inner edge has its corners on or within one circle.
+/// `known` are its triangles as somebody else has found them, in that order, or any others, or
+/// none. They are taken if they are the only ones that there can be: then nothing depends on them
+/// but the time. That is so if they fill the sides, each is counter-clockwise, and no inner edge
+/// has its corners on or within one circle.
 ///
 /// REQUIRES: no two of `known` have the same directed edge
 /// EXACT:    yes

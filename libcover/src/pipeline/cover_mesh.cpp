@@ -37,13 +37,13 @@ namespace {
 
 /// One piece of work per region.
 Status split(Work& work, const Options& options, bool memory_counts,
-             std::span<TriangulatedRegion> large) {
+             std::span<TriangulatedRegion> triangulated) {
   return by_team("split", worker_count(options), [&](const Team& team) -> Status {
     auto pieces = pieces_of_work(work.pslg, work.table, options, team);
     if (!pieces) return std::move(pieces).error();
     work.boundaries = *std::move(pieces);
     if (work.pslg.points.size() == work.report.uncut_points)
-      add_known_triangles(large, work.pslg.points.size(), work.boundaries, team);
+      add_known_triangles(triangulated, work.pslg.points.size(), work.boundaries, team);
     return check_expected_triangles(work.table, work.boundaries, options,
                                     memory_for_mesh(memory_counts));
   });
@@ -76,7 +76,7 @@ Result<Work> work_of(AnyInput&& input, const Options& options, bool memory_count
   Work work{std::move(found->prepared)};
   work.rules = std::move(rules);
   work.field = std::move(field);
-  if (Status status = split(work, options, memory_counts, found->large); !status)
+  if (Status status = split(work, options, memory_counts, found->triangulated); !status)
     return std::move(status).error();
   warn_of_sizes(work.pslg, options, work.boundaries, work.report.notes);
   clock.note("split", work.report.times);

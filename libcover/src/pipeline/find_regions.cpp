@@ -96,7 +96,7 @@ Result<FoundRegions> find(const Input& input, Release release, const Options& op
   report.input_points = prepared.pslg.points.size();
   report.input_segments = prepared.pslg.segments.size();
   report.threads = worker_count(options);
-  return FoundRegions{std::move(prepared), std::move(made->large)};
+  return FoundRegions{std::move(prepared), std::move(made->triangulated)};
 }
 
 }  // namespace

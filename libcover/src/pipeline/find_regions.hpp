@@ -24,7 +24,7 @@ Status begin_stage(std::string_view stage, const Callbacks& callbacks);
 /// What is prepared, and what was found on the way.
 struct FoundRegions {
   Prepared prepared;
-  std::vector<TriangulatedRegion> large;
+  std::vector<TriangulatedRegion> triangulated;
 };
 
 /// Input made clean and its regions, with segments cut as the options ask; no lower bounds yet.

@@ -57,7 +57,7 @@ class TableMaker {
     add_regions(number_materials(pslg_.seeds, notes), team, notes);
     add_attributes();
     add_sides();
-    std::vector<TriangulatedRegion> large;
+    std::vector<TriangulatedRegion> triangulated;
     // What each of them fills in is no other's.
     team.each(3, [&](std::size_t k) {
       if (k == 0) {
@@ -67,30 +67,29 @@ class TableMaker {
         add_points();
       } else {
         warn_of_lines_in_void(notes);
-        large = large_regions();
+        triangulated = triangulated_regions();
       }
     });
-    return {std::move(table_), std::move(large)};
+    return {std::move(table_), std::move(triangulated)};
   }
 
  private:
-  [[nodiscard]] std::vector<TriangulatedRegion> large_regions() const {
+  [[nodiscard]] std::vector<TriangulatedRegion> triangulated_regions() const {
     std::vector<std::size_t> count(faces_.count, 0);
     for (const std::uint32_t face : faces_.of_triangle) ++count[face];
     std::vector<std::size_t> place(faces_.count, kNone);
-    std::vector<TriangulatedRegion> large;
+    std::vector<TriangulatedRegion> regions;
     for (std::size_t f = 1; f < faces_.count; ++f) {
-      if (region_of_face_[f] == kVoid || count[f] + 2 < kLargeRegion) continue;
-      place[f] = large.size();
-      large.push_back({region_of_face_[f], {}});
-      large.back().triangles.reserve(count[f]);
+      if (region_of_face_[f] == kVoid) continue;
+      place[f] = regions.size();
+      regions.push_back({region_of_face_[f], {}});
+      regions.back().triangles.reserve(count[f]);
     }
-    if (large.empty()) return large;
     for (std::size_t t = 0; t < faces_.of_triangle.size(); ++t) {
       const std::size_t k = place[faces_.of_triangle[t]];
-      if (k != kNone) large[k].triangles.push_back(faces_.triangulation.triangles[t].v);
+      if (k != kNone) regions[k].triangles.push_back(faces_.triangulation.triangles[t].v);
     }
-    return large;
+    return regions;
   }
 
   void add_regions(const Materials& materials, const Team& team, std::vector<Note>& notes) {

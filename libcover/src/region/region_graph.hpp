@@ -17,16 +17,16 @@
 
 namespace cover {
 
-/// A large region (kLargeRegion) as part of the triangulation of everything, by VertexId.
+/// A region as part of the triangulation of everything, by VertexId.
 struct TriangulatedRegion {
   RegionId id;
   std::vector<IndexTriple> triangles;
 };
 
-/// The regions, and the triangles that were found of the large ones on the way.
+/// The regions, and the triangles that were found of them on the way.
 struct TriangulatedTable {
   RegionTable table;
-  std::vector<TriangulatedRegion> large;
+  std::vector<TriangulatedRegion> triangulated;
 };
 
 /// Finds regions, materials, names and interfaces. Warnings are appended to `notes`.
@@ -50,9 +50,9 @@ Result<RegionTable> build_region_table(const Pslg& pslg, const Options& options,
 std::vector<RegionBoundary> split_regions(const Pslg& pslg, const RegionTable& table,
                                           const Team& team = {});
 
-/// Hands their triangles over to the boundaries of large regions (RegionBoundary::known_cdt), if
-/// the points are still what they were.
-void add_known_triangles(std::span<TriangulatedRegion> large, std::size_t points,
+/// Hands their triangles over to the boundaries of regions (RegionBoundary::known_cdt), if the
+/// points are still what they were.
+void add_known_triangles(std::span<TriangulatedRegion> regions, std::size_t points,
                          std::span<RegionBoundary> boundaries, const Team& team = {});
 
 }  // namespace cover

@@ -135,19 +135,19 @@ std::vector<RegionBoundary> split_regions(const Pslg& pslg, const RegionTable& t
   return out;
 }
 
-void add_known_triangles(std::span<TriangulatedRegion> large, std::size_t points,
+void add_known_triangles(std::span<TriangulatedRegion> regions, std::size_t points,
                          std::span<RegionBoundary> boundaries, const Team& team) {
   constexpr std::size_t kRange = 1 << 15;
-  std::vector<std::uint32_t> local;
-  for (TriangulatedRegion& region : large) {
+  std::vector<std::uint32_t> local(points, 0);
+  for (TriangulatedRegion& region : regions) {
     RegionBoundary& boundary = boundaries[region.id.index() - 1];
-    if (boundary.points.size() < kLargeRegion) continue;
-    local.assign(points, kNone);
-    for (std::uint32_t v = 0; v < boundary.vertices.size(); ++v)
-      local[boundary.vertices[v].index()] = v;
+    const std::vector<VertexId>& vertices = boundary.vertices;
+    for (std::uint32_t v = 0; v < vertices.size(); ++v) local[vertices[v].index()] = v;
+    const auto is_vertex = [&](std::uint32_t v) {  // what was another region's is not set back
+      return v < points && local[v] < vertices.size() && vertices[local[v]].index() == v;
+    };
     const auto in_region = [&](const IndexTriple& t) {
-      return std::all_of(t.begin(), t.end(),
-                         [&](std::uint32_t v) { return v < points && local[v] != kNone; });
+      return std::all_of(t.begin(), t.end(), is_vertex);
     };
     std::vector<IndexTriple> known = std::move(region.triangles);
     std::atomic<bool> are_inside = true;

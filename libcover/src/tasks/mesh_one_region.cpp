@@ -17,7 +17,6 @@
 #include "almond/almond_region.hpp"
 #include "almond/chords.hpp"
 #include "base/faults/internal_fault.hpp"
-#include "cdt/cdt.hpp"
 #include "cdt/region_cdt.hpp"
 #include "layers/layered_region.hpp"
 #include "limits/region_limits.hpp"
@@ -37,11 +36,8 @@ namespace {
 constexpr std::size_t kManyTriangles = 100'000;
 
 std::unique_ptr<RegionProof> proof_of(const RegionBoundary& boundary) {
-  if (boundary.points.size() >= kLargeRegion)  // of others nothing is known
-    return std::make_unique<RegionProof>(
-        triangulate_region(boundary.points, boundary.sides, boundary.known_triangles()));
   return std::make_unique<RegionProof>(
-      triangulate_domain(boundary.points, boundary.sides).triangulation);
+      triangulate_region(boundary.points, boundary.sides, boundary.known_triangles()));
 }
 
 using RegionMethod = ProvenMesh (*)(const RegionBoundary&, const Options&, const std::stop_token&,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cdt/region_cdt.hpp"
 #include "mesh_checks.hpp"
 #include "support/inputs/inputs.hpp"
 #include "target/fill_report.hpp"
@@ -64,7 +65,7 @@ TEST(QualityRegion, HandsOverItsTriangulationWithWhatWasProven) {
   ASSERT_FALSE(mesh.report.notes.empty());
   ASSERT_TRUE(proof);
   const Triangulation& cdt = proof->cdt();
-  const Triangulation own = triangulate_domain(boundary.points, boundary.sides).triangulation;
+  const Triangulation own = triangulate_region(boundary.points, boundary.sides);
   ASSERT_EQ(cdt.points.size(), own.points.size());
   for (std::size_t k = 0; k < own.points.size(); ++k) {
     const Vector shifted = cdt.points[k] - cdt.points[0], plain = own.points[k] - own.points[0];

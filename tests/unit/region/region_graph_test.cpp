@@ -422,7 +422,7 @@ TEST(BuildRegionTable, IsTheSameForAnyNumberOfThreads) {
   const auto [alone, notes] = made(Team());
   EXPECT_EQ(alone.table.regions.size(), 4U);
   EXPECT_EQ(alone.table.isolated_points.size(), 3U);
-  EXPECT_EQ(alone.large.size(), 2U);
+  EXPECT_EQ(alone.triangulated.size(), 4U);
   EXPECT_GE(notes.size(), 2U);
   for (const unsigned workers : {2U, 3U, 7U}) {
     with_team(workers, [&, &alone = alone, &notes = notes](const Team& team) {
@@ -441,8 +441,8 @@ TEST(BuildRegionTable, IsTheSameForAnyNumberOfThreads) {
         ASSERT_EQ(table.table.sides[s].right, alone.table.sides[s].right);
         ASSERT_EQ(table.table.sides[s].interface, alone.table.sides[s].interface);
       }
-      for (std::size_t k = 0; k < alone.large.size(); ++k)
-        EXPECT_EQ(table.large[k].triangles, alone.large[k].triangles);
+      for (std::size_t k = 0; k < alone.triangulated.size(); ++k)
+        EXPECT_EQ(table.triangulated[k].triangles, alone.triangulated[k].triangles);
     });
   }
 }

@@ -107,14 +107,14 @@ TEST(SplitRegions, IsTheSameForAnyNumberOfThreads) {
     std::vector<Note> notes;
     auto found = build_triangulated_table(*pslg, {}, notes, std::move(whole), team);
     std::vector<RegionBoundary> all = split_regions(*pslg, found->table, team);
-    add_known_triangles(found->large, pslg->points.size(), all, team);
+    add_known_triangles(found->triangulated, pslg->points.size(), all, team);
     return all;
   };
   const std::vector<RegionBoundary> alone = made(Team());
   ASSERT_EQ(alone.size(), 2U);
   std::size_t known = 0;
   for (const RegionBoundary& b : alone) known += b.known_triangles().size();
-  EXPECT_EQ(known, 2 * kPoints);
+  EXPECT_EQ(known, 3 * kPoints);
   for (const unsigned workers : {2U, 3U, 7U}) {
     with_team(workers, [&](const Team& team) {
       const std::vector<RegionBoundary> all = made(team);
