@@ -1,4 +1,5 @@
-// The stages of one region, in order.
+// The almond method for one region: the bound, then almonds where they are needed
+// (docs/almond_method.md).
 #pragma once
 
 #include <stop_token>
