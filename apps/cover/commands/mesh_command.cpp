@@ -50,6 +50,16 @@ struct MeshCommand {
   explicit MeshCommand() : app("Triangulate all regions of a geometry file", "cover mesh") {
     app.footer(kExamples);
     app.set_help_flag("-h,--help", "Show this help");
+    add_input_and_output();
+    library.add(app, OptionGroup::meshing);
+    library.add(app, OptionGroup::cleaning);
+    add_meshing_again();
+    add_files();
+    add_configuration();
+    add_messages();
+  }
+
+  void add_input_and_output() {
     input.add(app, true);
     app.add_option(
            "-o,--output", outputs,
@@ -58,8 +68,9 @@ struct MeshCommand {
                mesh_extensions()))
         ->type_name("FILE")
         ->allow_extra_args(false);
-    library.add(app, OptionGroup::meshing);
-    library.add(app, OptionGroup::cleaning);
+  }
+
+  void add_meshing_again() {
     const char* again = "Meshing again";
     CLI::Option* only_option =
         app.add_option("--only", only, "Mesh only these regions, called as for --size")
@@ -72,6 +83,9 @@ struct MeshCommand {
             ->group(again);
     only_option->needs(onto_option);
     onto_option->needs(only_option);
+  }
+
+  void add_files() {
     const char* files = "Files";
     app.add_option("--format", format, "Format of '-o -'")
         ->type_name("EXT")
@@ -101,6 +115,10 @@ struct MeshCommand {
            "Check the input, say what would be done and estimate triangles and memory; no mesh")
         ->group(files)
         ->configurable(false);
+  }
+
+  void add_configuration() {
+    const char* files = "Files";
     app.set_config("--config", "", "Read options from a TOML file")
         ->type_name("FILE")
         ->group(files);
@@ -108,6 +126,9 @@ struct MeshCommand {
     app.add_flag("--print-config", print_config, "Print these options as a --config file")
         ->group(files)
         ->configurable(false);
+  }
+
+  void add_messages() {
     app.add_option("--stats", stats, "Report on stdout as text or json")
         ->check(one_of({"text", "json"}))
         ->type_name("FORM")

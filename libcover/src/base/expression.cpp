@@ -198,72 +198,66 @@ Result<Expression> Expression::parse(std::string_view text, std::span<const std:
   return ExpressionParser(text, names).parse();
 }
 
+double Expression::of_one(Operation operation, double x) {
+  switch (operation) {
+    case Operation::negative:
+      return -x;
+    case Operation::abs:
+      return std::abs(x);
+    case Operation::sqrt:
+      return std::sqrt(x);
+    case Operation::exp:
+      return std::exp(x);
+    case Operation::log:
+      return std::log(x);
+    case Operation::sin:
+      return std::sin(x);
+    case Operation::cos:
+      return std::cos(x);
+    case Operation::asinh:
+      return std::asinh(x);
+    case Operation::tanh:
+      return std::tanh(x);
+    default:
+      return std::nan("");
+  }
+}
+
+/// Of min and max, what is no number stays none.
+double Expression::of_two(Operation operation, double x, double y) {
+  switch (operation) {
+    case Operation::plus:
+      return x + y;
+    case Operation::minus:
+      return x - y;
+    case Operation::times:
+      return x * y;
+    case Operation::over:
+      return x / y;
+    case Operation::power:
+      return std::pow(x, y);
+    case Operation::min:
+      return x <= y ? x : x > y ? y : x + y;
+    case Operation::max:
+      return x >= y ? x : x < y ? y : x + y;
+    default:
+      return std::nan("");
+  }
+}
+
 double Expression::operator()(std::span<const double> values) const {
   std::array<double, kMostValues> stack;  // NOLINT: written before it is read
   std::size_t n = 0;
-  const auto one = [&](double value) { stack[n - 1] = value; };
-  const auto two = [&](double value) {
-    --n;
-    stack[n - 1] = value;
-  };
-  for (const Step& step : steps_) {
-    const double last = n > 0 ? stack[n - 1] : 0, before = n > 1 ? stack[n - 2] : 0;
-    switch (step.operation) {
-      case Operation::number:
-        stack[n++] = step.number;
-        break;
-      case Operation::name:
-        stack[n++] = values[step.name];
-        break;
-      case Operation::negative:
-        one(-last);
-        break;
-      case Operation::plus:
-        two(before + last);
-        break;
-      case Operation::minus:
-        two(before - last);
-        break;
-      case Operation::times:
-        two(before * last);
-        break;
-      case Operation::over:
-        two(before / last);
-        break;
-      case Operation::power:
-        two(std::pow(before, last));
-        break;
-      // What is no number stays none.
-      case Operation::min:
-        two(before <= last ? before : before > last ? last : before + last);
-        break;
-      case Operation::max:
-        two(before >= last ? before : before < last ? last : before + last);
-        break;
-      case Operation::abs:
-        one(std::abs(last));
-        break;
-      case Operation::sqrt:
-        one(std::sqrt(last));
-        break;
-      case Operation::exp:
-        one(std::exp(last));
-        break;
-      case Operation::log:
-        one(std::log(last));
-        break;
-      case Operation::sin:
-        one(std::sin(last));
-        break;
-      case Operation::cos:
-        one(std::cos(last));
-        break;
-      case Operation::asinh:
-        one(std::asinh(last));
-        break;
-      case Operation::tanh:
-        one(std::tanh(last));
-        break;
+  for (const auto& [operation, number, name] : steps_) {
+    if (operation == Operation::number) {
+      stack[n++] = number;
+    } else if (operation == Operation::name) {
+      stack[n++] = values[name];
+    } else if (takes_two(operation)) {
+      --n;
+      stack[n - 1] = of_two(operation, stack[n - 1], stack[n]);
+    } else {
+      stack[n - 1] = of_one(operation, stack[n - 1]);
     }
   }
   return steps_.empty() ? std::nan("") : stack[0];

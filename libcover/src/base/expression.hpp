@@ -61,6 +61,12 @@ class Expression {
     double number = 0;
     std::uint32_t name = 0;
   };
+  static constexpr bool takes_two(Operation operation) {
+    return operation >= Operation::plus && operation <= Operation::max;
+  }
+  static double of_one(Operation operation, double x);
+  static double of_two(Operation operation, double x, double y);
+
   std::vector<Step> steps_;
 };
 

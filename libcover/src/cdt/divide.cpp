@@ -97,63 +97,13 @@ class Divided {
 
   /// To be called last.
   Triangulation take(std::span<const Point> points) {
-    constexpr std::uint32_t kOuter = kNone - 1;
-    std::vector<std::uint32_t> ids(sites_.size());
-    team_.each_range(ids.size(), kRange, [&](std::size_t first, std::size_t last) {
-      for (std::size_t k = first; k < last; ++k) ids[k] = sites_[k].id;
-    });
-    give_back(sites_);
-    // Where next_ is not needed any more stands the triangle on the left of an edge.
-    std::vector<Edge> outer;
-    each_hull_edge(hull_, [&](Edge e) { outer.push_back(sym(e)); });
-    UnsetVector<std::uint32_t>& left = next_;
-    team_.each_range(left.size(), kRange, [&](std::size_t first, std::size_t last) {
-      std::fill(left.data() + first, left.data() + last, kNone);
-    });
-    for (const Edge e : outer) left[e] = kOuter;
-    give_back(outer);
-    const auto is_first = [&](Edge e) {
-      if (org_[e] == kNone || left[e] == kOuter) return false;
-      const Edge f = lnext(e);
-      return e < f && e < lnext(f);
-    };
-    std::vector<std::uint32_t> before(Team::ranges(left.size(), kRange) + 1, 0);
-    team_.each_range(left.size(), kRange, [&](std::size_t first, std::size_t last) {
-      std::uint32_t own = 0;
-      for (std::size_t e = first; e < last; ++e) own += is_first(static_cast<Edge>(e)) ? 1 : 0;
-      before[first / kRange + 1] = own;
-    });
-    for (std::size_t k = 1; k < before.size(); ++k) before[k] += before[k - 1];
+    const std::vector<std::uint32_t> ids = take_ids();
+    mark_outer_edges();
+    const std::vector<std::uint32_t> before = count_triangles();
     Triangulation out;
     out.triangles.resize(before.back());
-    team_.each_range(left.size(), kRange, [&](std::size_t first, std::size_t last) {
-      std::uint32_t number = before[first / kRange];
-      for (std::size_t k = first; k < last; ++k) {
-        Edge e = static_cast<Edge>(k);
-        if (!is_first(e)) continue;
-        Triangle& triangle = out.triangles[number];
-        for (const Corner i : kCorners) {
-          triangle.v[i] = ids[org_[e]];
-          triangle.n[i.previous()] = e;  // for now
-          if (is_locked_[e / 2] != 0) triangle.set_locked(i.previous(), true);
-          e = lnext(e);
-        }
-        ++number;
-      }
-    });
-    team_.each_range(out.triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
-      for (std::size_t t = first; t < last; ++t) {
-        for (const Edge e : out.triangles[t].n) left[e] = static_cast<std::uint32_t>(t);
-      }
-    });
-    team_.each_range(out.triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
-      for (std::size_t k = first; k < last; ++k) {
-        for (std::uint32_t& n : out.triangles[k].n) {
-          n = left[sym(n)];
-          if (n == kOuter) n = kNone;
-        }
-      }
-    });
+    write_triangles(ids, before, out.triangles);
+    link_triangles(out.triangles);
     give_back(org_);
     give_back(next_);
     give_back(prev_);
@@ -163,6 +113,85 @@ class Divided {
   }
 
  private:
+  static constexpr std::uint32_t kOuter = kNone - 1;
+
+  /// Where next_ is not needed any more, the triangle on the left of an edge stands.
+  [[nodiscard]] UnsetVector<std::uint32_t>& left() { return next_; }
+
+  /// The numbers of the points, by site; sites are given back.
+  std::vector<std::uint32_t> take_ids() {
+    std::vector<std::uint32_t> ids(sites_.size());
+    team_.each_range(ids.size(), kRange, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) ids[k] = sites_[k].id;
+    });
+    give_back(sites_);
+    return ids;
+  }
+
+  void mark_outer_edges() {
+    std::vector<Edge> outer;
+    each_hull_edge(hull_, [&](Edge e) { outer.push_back(sym(e)); });
+    team_.each_range(left().size(), kRange, [&](std::size_t first, std::size_t last) {
+      std::fill(left().data() + first, left().data() + last, kNone);
+    });
+    for (const Edge e : outer) left()[e] = kOuter;
+  }
+
+  /// Whether a triangle lies on the left of `e`, whose first edge it is.
+  [[nodiscard]] bool is_first(Edge e) const {
+    if (org_[e] == kNone || next_[e] == kOuter) return false;
+    const Edge f = lnext(e);
+    return e < f && e < lnext(f);
+  }
+
+  /// By range of edges: the triangles before it; all of them at the end.
+  [[nodiscard]] std::vector<std::uint32_t> count_triangles() const {
+    std::vector<std::uint32_t> before(Team::ranges(next_.size(), kRange) + 1, 0);
+    team_.each_range(next_.size(), kRange, [&](std::size_t first, std::size_t last) {
+      std::uint32_t own = 0;
+      for (std::size_t e = first; e < last; ++e) own += is_first(static_cast<Edge>(e)) ? 1 : 0;
+      before[first / kRange + 1] = own;
+    });
+    for (std::size_t k = 1; k < before.size(); ++k) before[k] += before[k - 1];
+    return before;
+  }
+
+  /// In place of neighbours, triangles get their edges.
+  void write_triangles(std::span<const std::uint32_t> ids, std::span<const std::uint32_t> before,
+                       std::vector<Triangle>& triangles) {
+    team_.each_range(left().size(), kRange, [&](std::size_t first, std::size_t last) {
+      std::uint32_t number = before[first / kRange];
+      for (std::size_t k = first; k < last; ++k) {
+        Edge e = static_cast<Edge>(k);
+        if (!is_first(e)) continue;
+        Triangle& triangle = triangles[number];
+        for (const Corner i : kCorners) {
+          triangle.v[i] = ids[org_[e]];
+          triangle.n[i.previous()] = e;
+          if (is_locked_[e / 2] != 0) triangle.set_locked(i.previous(), true);
+          e = lnext(e);
+        }
+        ++number;
+      }
+    });
+  }
+
+  void link_triangles(std::vector<Triangle>& triangles) {
+    team_.each_range(triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+      for (std::size_t t = first; t < last; ++t) {
+        for (const Edge e : triangles[t].n) left()[e] = static_cast<std::uint32_t>(t);
+      }
+    });
+    team_.each_range(triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+      for (std::size_t t = first; t < last; ++t) {
+        for (std::uint32_t& n : triangles[t].n) {
+          n = left()[sym(n)];
+          if (n == kOuter) n = kNone;
+        }
+      }
+    });
+  }
+
   struct Site {
     Point p;
     std::uint32_t id;
