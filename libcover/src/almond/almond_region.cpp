@@ -9,7 +9,6 @@
 
 #include "almond/almond_method.hpp"
 #include "almond/fill/fill_refine.hpp"
-#include "base/containers/give_back.hpp"
 #include "cdt/region_cdt.hpp"
 #include "disks/fill_disks.hpp"
 #include "geom/predicates.hpp"
@@ -55,7 +54,6 @@ class AlmondRegion {
  private:
   void triangulate() {
     cdt_ = triangulate_region(frame_.take_points(), boundary_.sides, boundary_.known_triangles());
-    if (boundary_.known_cdt) give_back(*boundary_.known_cdt);  // the other way is rare
     limit_ = angle_limit(cdt_, boundary_.sides, boundary_.segments);
   }
 

@@ -39,9 +39,8 @@ struct RegionBoundary {
   /// Part of a region, whose bound counts for both: what misses its own gets no almonds.
   bool is_part = false;
   /// The triangles of triangulate_region(), or what they were before something was changed, where
-  /// they were found on the way. Only time depends on them: who is the last to need them may empty
-  /// the list, which copies have in common.
-  std::shared_ptr<std::vector<IndexTriple>> known_cdt{};
+  /// they were found on the way. Only time depends on them.
+  std::shared_ptr<const std::vector<IndexTriple>> known_cdt{};
 
   [[nodiscard]] std::span<const IndexTriple> known_triangles() const {
     return known_cdt ? *known_cdt : std::span<const IndexTriple>();

@@ -162,7 +162,7 @@ void add_known_triangles(std::span<TriangulatedRegion> regions, std::size_t poin
     });
     if (!are_inside) continue;
     put_in_order(boundary.points.size(), known, team);
-    boundary.known_cdt = std::make_shared<std::vector<IndexTriple>>(std::move(known));
+    boundary.known_cdt = std::make_shared<const std::vector<IndexTriple>>(std::move(known));
   }
 }
 
