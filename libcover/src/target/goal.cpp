@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "geom/topology/corner.hpp"
-
 namespace cover {
 
 Goal Goal::of(Angle max, Angle min) {
@@ -19,18 +17,18 @@ Goal Goal::of(Angle max, Angle min) {
   return goal;
 }
 
-double excess(const Goal& goal, const Corners& k, const Allowance* const side[3]) {
+double excess(const Goal& goal, const Corners& k, const SideAllowances& sides) {
   if (!(k.cross > 0)) return kInverted;
   double small = goal.small;
-  for (const Corner i : kCorners) {
-    if (side[i] != nullptr) small = std::max(small, goal.small + side[i]->small);
+  for (const Allowance* side : sides) {
+    if (side != nullptr) small = std::max(small, goal.small + side->small);
   }
   double worst = -kInverted;
   for (const Corner i : kCorners) {
-    const double large = goal.large + (side[i] != nullptr ? side[i]->large : 0);
+    const double large = goal.large + (sides[i] != nullptr ? sides[i]->large : 0);
     worst = std::max(worst, -k.dot[i] - large * k.cross);
-    const bool of_the_input = side[i.next()] != nullptr && side[i.previous()] != nullptr;
-    if (!of_the_input) worst = std::max(worst, goal.weight * (k.dot[i] - small * k.cross));
+    if (!is_between_sides(sides, i))
+      worst = std::max(worst, goal.weight * (k.dot[i] - small * k.cross));
   }
   return worst / k.cross;
 }

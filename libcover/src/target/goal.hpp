@@ -17,10 +17,13 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include <cover/angle.hpp>
 #include <cover/point.hpp>
+
+#include "geom/topology/corner.hpp"
 
 namespace cover {
 
@@ -35,6 +38,14 @@ struct Allowance {
 
   bool operator==(const Allowance&) const = default;
 };
+
+/// What the sides of a triangle allow, by the corner opposite to them; null: that edge is none.
+using SideAllowances = std::array<const Allowance*, 3>;
+
+/// Whether corner i lies between two sides: its angle is the input's own, and never too small.
+inline bool is_between_sides(const SideAllowances& sides, Corner i) {
+  return sides[i.next()] != nullptr && sides[i.previous()] != nullptr;
+}
 
 /// What negative couplings count for, beside angles.
 struct CouplingGoal {
@@ -115,11 +126,11 @@ inline double excess(const Goal& goal, Point a, Point b, Point c) {
   return excess(goal, Corners(a, b, c));
 }
 
-/// The excess of a triangle with sides. `side[i]` belongs to the edge opposite to corner i, null
+/// The excess of a triangle with sides. `sides[i]` belongs to the edge opposite to corner i, null
 /// where that edge is no side.
-double excess(const Goal& goal, const Corners& k, const Allowance* const side[3]);
-inline double excess(const Goal& goal, Point a, Point b, Point c, const Allowance* const side[3]) {
-  return excess(goal, Corners(a, b, c), side);
+double excess(const Goal& goal, const Corners& k, const SideAllowances& sides);
+inline double excess(const Goal& goal, Point a, Point b, Point c, const SideAllowances& sides) {
+  return excess(goal, Corners(a, b, c), sides);
 }
 
 }  // namespace cover

@@ -64,8 +64,8 @@ TEST(Goal, AllowsWhatASideForces) {
   const Point u{1, 0}, v = at_angle(140), w{0, 0};
   const double forced = 1 / std::tan(40 * std::numbers::pi / 180) - goal.large;
   const Allowance side{forced, 0};
-  const Allowance* opposite_to_w[3] = {&side, nullptr, nullptr};
-  const Allowance* elsewhere[3] = {nullptr, &side, nullptr};
+  const SideAllowances opposite_to_w{&side, nullptr, nullptr};
+  const SideAllowances elsewhere{nullptr, &side, nullptr};
   EXPECT_NEAR(excess(goal, w, u, v, opposite_to_w), 0, 1e-12);
   EXPECT_GT(excess(goal, w, u, v, elsewhere), 0.5);
 }
@@ -73,8 +73,8 @@ TEST(Goal, AllowsWhatASideForces) {
 TEST(Goal, DoesNotCountACornerOfTheInput) {
   const Goal goal = Goal::of(Angle::degrees(100), Angle::degrees(20));
   const Allowance none;
-  const Allowance* two_sides[3] = {nullptr, &none, &none};  // meeting at corner 0
-  const Allowance* one_side[3] = {nullptr, &none, nullptr};
+  const SideAllowances two_sides{nullptr, &none, &none};  // meeting at corner 0
+  const SideAllowances one_side{nullptr, &none, nullptr};
   EXPECT_LT(excess(goal, {0, 0}, {1, 0}, at_angle(5), two_sides), 0);
   EXPECT_GT(excess(goal, {0, 0}, {1, 0}, at_angle(5), one_side), 0);
 }

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "geom/topology/corner.hpp"
-
 namespace cover {
 namespace {
 
@@ -27,8 +25,7 @@ Fault fault_of(const Corners& k, const SideAllowances& sides, const Goal& goal) 
       const double target = angle_of(-large);
       fault.wide = std::max(fault.wide, (angle_of(cot) - target) / (std::numbers::pi - target));
     }
-    const bool of_the_input = sides[i.next()] != nullptr && sides[i.previous()] != nullptr;
-    if (goal.weight > 0 && !of_the_input && cot > small * (1 + kSameCot)) {
+    if (goal.weight > 0 && !is_between_sides(sides, i) && cot > small * (1 + kSameCot)) {
       fault.narrow = std::max(fault.narrow, 1 - angle_of(cot) / angle_of(small));
     }
   }

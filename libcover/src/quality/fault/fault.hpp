@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 
 #include "target/goal.hpp"
 
@@ -16,9 +15,6 @@ struct Fault {
   double narrow = 0;  ///< (target - smallest) / target; corners between two sides do not count
   [[nodiscard]] double worst() const { return std::max(wide, narrow); }
 };
-
-/// What the sides of a triangle allow, by the corner opposite to them; null: that edge is none.
-using SideAllowances = std::array<const Allowance*, 3>;
 
 /// The fault of the triangle with these corners.
 ///

@@ -115,8 +115,8 @@ struct MissedAngles {
       if (-cot > goal.large + (side != nullptr ? side->large : 0) + kRounding &&
           (options.max_angle != Angle::degrees(90) || is_obtuse(mesh, t, origin)))
         large.add(at);
-      const bool of_the_input = is_side(n[i.next()]) && is_side(n[i.previous()]);
-      if (goal.weight == 0 || t < thin || of_the_input || cot <= goal.small * (1 + kRounding))
+      if (goal.weight == 0 || t < thin || mesh.triangles[t].is_between_sides(i) ||
+          cot <= goal.small * (1 + kRounding))
         continue;
       // Where sides force it, no triangle on that side is without such an angle.
       (allowed > 0 ? forced : small).add(at);

@@ -46,8 +46,7 @@ Shortfall sum_up(const MutableMesh& mesh, std::uint32_t t, const Goal& goal, boo
     shortfall.largest = std::max(shortfall.largest, -cot);
     shortfall.large = std::max(shortfall.large, -cot - limit);
     shortfall.is_far = shortfall.is_far || -cot > std::max(kFarAbove, limit) + kSameCot;
-    const bool of_the_input = is_side(n[i.next()]) && is_side(n[i.previous()]);
-    if (!of_the_input)
+    if (!is_between_sides(sides, i))
       shortfall.small = std::max(shortfall.small, cot - goal.small - allowed_small);
   }
   return shortfall;

@@ -161,7 +161,7 @@ class JointPlacement {
         const Allowance* side = mesh_.allowance(triangle.n[i]);
         const double above = -cot - mesh_.goal().large - (side != nullptr ? side->large : 0);
         if (above > large) large = above, large_at = i;
-        if (is_side(triangle.n[i.next()]) && is_side(triangle.n[i.previous()])) continue;
+        if (triangle.is_between_sides(i)) continue;
         const double below = mesh_.goal().weight * (cot - mesh_.goal().small - allowed);
         if (below > small) small = below, small_at = i;
       }

@@ -138,25 +138,25 @@ double MutableMesh::excess_of(const std::array<std::uint32_t, 3>& v,
   if (coupling.weight > 0 && (has_sides || coupling.inside)) return coupled_excess(v, n);
   const Point a = points[v[0]], b = points[v[1]], c = points[v[2]];
   if (!has_sides) return cover::excess(goal_, a, b, c);
-  const Allowance* const side[3] = {allowance(n[0]), allowance(n[1]), allowance(n[2])};
-  return cover::excess(goal_, a, b, c, side);
+  const SideAllowances allowed{allowance(n[0]), allowance(n[1]), allowance(n[2])};
+  return cover::excess(goal_, a, b, c, allowed);
 }
 
 double MutableMesh::coupled_excess(const std::array<std::uint32_t, 3>& v,
                                    const std::array<std::uint32_t, 3>& n) const {
   const Point a = points[v[0]], b = points[v[1]], c = points[v[2]];
-  const Allowance* const side[3] = {allowance(n[0]), allowance(n[1]), allowance(n[2])};
+  const SideAllowances allowed{allowance(n[0]), allowance(n[1]), allowance(n[2])};
   const bool has_sides = ((n[0] | n[1] | n[2]) & kSideBit) != 0;
   const Corners k(a, b, c);
-  double worst = has_sides ? cover::excess(goal_, k, side) : cover::excess(goal_, k);
+  double worst = has_sides ? cover::excess(goal_, k, allowed) : cover::excess(goal_, k);
   if (worst == kInverted) return kInverted;
   const double inverse = 1 / k.cross;
   for (const Corner i : kCorners) {
     const double cot = k.dot[i] * inverse;
     worst = std::max(worst, kBoundFirst * (-cot - goal_.coupling.bound));
-    if (side[i] != nullptr) {
-      if (cot < side[i]->lowest_cot) return kInverted;
-      worst = std::max(worst, goal_.coupling.weight * (side[i]->least_cot - cot));
+    if (allowed[i] != nullptr) {
+      if (cot < allowed[i]->lowest_cot) return kInverted;
+      worst = std::max(worst, goal_.coupling.weight * (allowed[i]->least_cot - cot));
       continue;
     }
     if (!goal_.coupling.inside || n[i] == kSomeTriangle) continue;

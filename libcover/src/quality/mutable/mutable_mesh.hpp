@@ -37,6 +37,10 @@ struct MeshTriangle {
   [[nodiscard]] Corner corner_of(std::uint32_t w) const {
     return v[0] == w ? 0U : v[1] == w ? 1U : 2U;
   }
+  /// Whether corner i lies between two sides: its angle is the input's own.
+  [[nodiscard]] bool is_between_sides(Corner i) const {
+    return is_side(n[i.next()]) && is_side(n[i.previous()]);
+  }
   /// The edge from a to b.
   /// REQUIRES: it is one.
   [[nodiscard]] Corner edge_from(std::uint32_t a) const { return corner_of(a).previous(); }

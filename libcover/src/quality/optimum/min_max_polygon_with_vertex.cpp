@@ -147,8 +147,8 @@ class PolygonWithVertex {
 
   [[nodiscard]] double excess_at(int i, int length, Point p) const {
     const Point a = corner(i), b = corner(wrapped(i + length));
-    const Allowance* const side[3] = {nullptr, nullptr, mesh_.allowance(across(i, length))};
-    return excess(mesh_.goal(), a, b, p, side);
+    const SideAllowances sides{nullptr, nullptr, mesh_.allowance(across(i, length))};
+    return excess(mesh_.goal(), a, b, p, sides);
   }
 
   /// The hole that the star fills.
