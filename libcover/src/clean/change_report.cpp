@@ -187,22 +187,15 @@ Coverage look_at_edges(const Network& network, const EdgeGraph& graph,
                        const std::vector<EdgeOwners>& owners, std::size_t polygons) {
   Coverage out;
   out.has_inside.assign(polygons, false);
-  std::vector<std::uint32_t> here;  // the polygons on an edge, as often as they lie on it
+  std::vector<std::uint32_t> buffer;
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
-    here.clear();
-    for (const Strand& s : graph.strands(network, e)) {
-      const Origin origin = network.raws[s.raw].origin;
-      if (origin.kind == Origin::Kind::ring) here.push_back(origin.index);
-    }
-    std::sort(here.begin(), here.end());
-    for (auto first = here.begin(), last = first; first != here.end(); first = last) {
-      last = std::upper_bound(first, here.end(), *first);
-      const bool is_odd = (last - first) % 2 != 0;
-      if (is_odd) out.has_inside[*first] = true;
-      if (is_odd || owners[e][0] != owners[e][1]) continue;
-      out.folds[*first].push_back(network.points[graph.edges[e][0]]);
-      out.folds[*first].push_back(network.points[graph.edges[e][1]]);
-    }
+    each_polygon_on(graph, network, e, buffer, [&](std::uint32_t polygon, std::ptrdiff_t times) {
+      const bool is_odd = times % 2 != 0;
+      if (is_odd) out.has_inside[polygon] = true;
+      if (is_odd || owners[e][0] != owners[e][1]) return;
+      out.folds[polygon].push_back(network.points[graph.edges[e][0]]);
+      out.folds[polygon].push_back(network.points[graph.edges[e][1]]);
+    });
   }
   return out;
 }

@@ -1,7 +1,9 @@
 // Cutting lines where they meet, until they meet at points only.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <stdexcept>
 #include <vector>
@@ -26,6 +28,24 @@ struct EdgeGraph {
     return {network.strands.data() + first[k], first[k + 1] - first[k]};
   }
 };
+
+/// Calls visit(polygon, times) for each polygon whose ring has edge `k`, by number, with how often
+/// it has it: a polygon that has it an odd number of times has an inside on one side of it.
+/// `buffer` is used again and again.
+template <class Visit>
+void each_polygon_on(const EdgeGraph& graph, const Network& network, std::size_t k,
+                     std::vector<std::uint32_t>& buffer, Visit visit) {
+  buffer.clear();
+  for (const Strand& s : graph.strands(network, k)) {
+    const Origin origin = network.raws[s.raw].origin;
+    if (origin.kind == Origin::Kind::ring) buffer.push_back(origin.index);
+  }
+  std::sort(buffer.begin(), buffer.end());
+  for (auto first = buffer.begin(), last = first; first != buffer.end(); first = last) {
+    last = std::upper_bound(first, buffer.end(), *first);
+    visit(*first, last - first);
+  }
+}
 
 /// Thrown where rounded crossings make further ones, far more than the lines had: beside 0, where
 /// doubles are as fine as nowhere else, that goes on for as long as doubles get finer; or where a

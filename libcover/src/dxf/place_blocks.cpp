@@ -3,12 +3,12 @@
 
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <set>
 
 #include <fmt/core.h>
 
+#include "geom/turn.hpp"
 #include "io/text/limits.hpp"
 #include "io/text/text.hpp"
 
@@ -17,13 +17,7 @@ namespace {
 
 /// Where the point (column, row) of an insert takes its block; quarters of a turn are exact.
 Affine place_of(const DxfInsert& insert, Point base, int column, int row) {
-  const double turn = std::fmod(insert.angle, 360);
-  double cosine = std::cos(turn * std::numbers::pi / 180);
-  double sine = std::sin(turn * std::numbers::pi / 180);
-  if (std::fmod(turn, 90) == 0) {
-    cosine = std::round(cosine);
-    sine = std::round(sine);
-  }
+  const auto [cosine, sine] = Turn::by_degrees(insert.angle);
   const double right = column * insert.column_step, up = row * insert.row_step;
   const Affine turned{cosine, -sine,  insert.at.x + cosine * right - sine * up,
                       sine,   cosine, insert.at.y + sine * right + cosine * up};

@@ -32,24 +32,31 @@ using testing::violations;
 /// Points without segments, whose hull is meshed.
 Input scattered(const std::vector<Point>& points) { return testing::segments_between(points, {}); }
 
-TEST(CoverMesh, MeshesTheHullOfPointsThatAreNearALine) {
-  // The second method splits sides of the hull; the first one goes on from there.
+/// Meshes the hull of `input` in one thread, and looks for broken promises.
+Verification mesh_hull(const Input& input, Result<Output>& output) {
   Options options;
   options.hull = true;
   options.threads = 1;
+  output = cover_mesh(input, options);
+  EXPECT_TRUE(output.has_value()) << output.error().message;
+  if (!output) return {};
+  VerifyOptions verify;
+  verify.hull = true;
+  const Verification found =
+      verify_cover(output->pslg, output->table, triangle_soup(output->mesh), verify);
+  EXPECT_TRUE(found.violations.empty()) << found.violations.front().message;
+  return found;
+}
+
+TEST(CoverMesh, MeshesTheHullOfPointsThatAreNearALine) {
+  // The second method splits sides of the hull; the first one goes on from there.
   const std::vector<std::vector<Point>> inputs{{{1, 5}, {7, 4}, {2, 0}, {6, 9}},
                                                {{0, 0}, {1, 8}, {2, 9}, {0, 1}},
                                                {{4, 900}, {7, 500}, {2, 100}, {6, 800}},
                                                {{4, 2}, {4, 0}, {6, 1}, {8, 1}, {12, 2}, {12, 0}}};
   for (const std::vector<Point>& points : inputs) {
-    const Result<Output> output = cover_mesh(scattered(points), options);
-    ASSERT_TRUE(output.has_value()) << output.error().message;
-    VerifyOptions verify;
-    verify.hull = true;
-    const Verification found =
-        verify_cover(output->pslg, output->table, triangle_soup(output->mesh), verify);
-    EXPECT_TRUE(found.violations.empty()) << found.violations.front().message;
-    EXPECT_EQ(found.regions, 1U);
+    Result<Output> output = Output();
+    EXPECT_EQ(mesh_hull(scattered(points), output).regions, 1U);
   }
 }
 
@@ -57,17 +64,9 @@ TEST(CoverMesh, SliversOnTheHullThatDoublesCannotDivideAreNamed) {
   // Decimals on one line are no doubles on one line: (30.4, 9.45) lies 7e-16 inside the hull.
   const Input input = testing::segments_between({{31, 9.21}, {30.2, 9.53}, {30.4, 9.45}, {30, 8}},
                                                 {{0, 2}, {2, 1}, {1, 3}, {3, 0}});
-  Options options;
-  options.hull = true;
-  options.threads = 1;
-  const Result<Output> output = cover_mesh(input, options);
-  ASSERT_TRUE(output.has_value()) << output.error().message;
-  VerifyOptions verify;
-  verify.hull = true;
-  const Verification found =
-      verify_cover(output->pslg, output->table, triangle_soup(output->mesh), verify);
-  EXPECT_TRUE(found.violations.empty()) << found.violations.front().message;
-  EXPECT_EQ(found.within_rounding, 1U);
+  Result<Output> output = Output();
+  EXPECT_EQ(mesh_hull(input, output).within_rounding, 1U);
+  ASSERT_TRUE(output);
   ASSERT_EQ(output->report.regions.size(), 2U);
   int named = 0;
   for (const RegionReport& region : output->report.regions) {

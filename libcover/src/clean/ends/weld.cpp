@@ -388,18 +388,11 @@ std::vector<bool> wide_polygons(const Input& input, const Network& drawing) {
 std::vector<bool> polygons_with_inside(const Input& input, const Network& noded,
                                        const EdgeGraph& graph) {
   std::vector<bool> out(input.polygons.size(), false);
-  std::vector<std::uint32_t> here;
+  std::vector<std::uint32_t> buffer;
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
-    here.clear();
-    for (const Strand& s : graph.strands(noded, e)) {
-      const Origin from = noded.raws[s.raw].origin;
-      if (from.kind == Origin::Kind::ring) here.push_back(from.index);
-    }
-    std::sort(here.begin(), here.end());
-    for (auto first = here.begin(), last = first; first != here.end(); first = last) {
-      last = std::upper_bound(first, here.end(), *first);
-      if ((last - first) % 2 != 0) out[*first] = true;
-    }
+    each_polygon_on(graph, noded, e, buffer, [&](std::uint32_t polygon, std::ptrdiff_t times) {
+      if (times % 2 != 0) out[polygon] = true;
+    });
   }
   return out;
 }

@@ -54,7 +54,7 @@ Status mesh_closed(Work& work, const Options& options, const std::stop_token& st
 ConformingMesh joined(const ClosedClefts& closed) {
   Pslg uncut = closed.work.pslg;
   RegionTable table = closed.work.table;
-  const std::vector<std::uint32_t> whole = unite_pieces(uncut, table, closed.was_point.size());
+  const std::vector<std::uint32_t> whole = unite_pieces(uncut, table, closed.point_before.size());
   return join(closed.work, uncut, whole);
 }
 

@@ -46,9 +46,9 @@ constexpr double kFootRounding = 0x1p-46;
 constexpr double kShortestPiece = 0x1p-45;  ///< of a segment: no piece is shorter
 
 /// One region in one pass.
-class RegionView {
+class RegionInPass {
  public:
-  explicit RegionView(RegionBoundary boundary)
+  explicit RegionInPass(RegionBoundary boundary)
       : boundary_(std::move(boundary)),
         cdt_(triangulate_region(boundary_.points, boundary_.sides)),
         at_(locate_sides(cdt_, boundary_.sides)),
@@ -186,7 +186,7 @@ class Cutter {
     return std::minmax({at(segment.a), at(segment.b)});
   }
 
-  RegionView& view(std::size_t region) {
+  RegionInPass& view(std::size_t region) {
     if (!views_[region]) views_[region].emplace(boundaries_[region]);
     return *views_[region];
   }
@@ -223,7 +223,7 @@ class Cutter {
     std::vector<std::uint32_t> index(pslg_.segments.size(), kNone);
     for (std::size_t r = 0; r < boundaries_.size(); ++r) {
       if (dirty_[r] == 0) continue;
-      RegionView& v = view(r);
+      RegionInPass& v = view(r);
       dirty_[r] = v.encroached().empty() ? 0 : 1;
       for (const EncroachedSide& e : v.encroached()) add(v, e, index, found);
     }
@@ -235,7 +235,7 @@ class Cutter {
     return found;
   }
 
-  void add(RegionView& v, const EncroachedSide& e, std::vector<std::uint32_t>& index,
+  void add(RegionInPass& v, const EncroachedSide& e, std::vector<std::uint32_t>& index,
            std::vector<Encroached>& found) const {
     const SegmentId id = v.boundary().segments[e.side];
     if (id == kHullSide) return;
@@ -449,7 +449,7 @@ class Cutter {
   std::size_t most_points_;             ///< with more of them it is a cascade
   std::optional<WholeSegments> whole_;  ///< of the present pass
   std::vector<RegionBoundary> boundaries_;
-  std::vector<std::optional<RegionView>> views_;         ///< by region, of the present pass
+  std::vector<std::optional<RegionInPass>> views_;       ///< by region, of the present pass
   std::vector<std::vector<SegmentSide>> sides_;          ///< by segment
   std::vector<std::vector<std::uint32_t>> segments_at_;  ///< by vertex
   std::vector<std::uint8_t> dirty_;                      ///< by region

@@ -173,7 +173,7 @@ class Closer {
     closed_.work.pslg.segments.push_back(segment);
     closed_.segments.push_back(segment);
     closed_.work.table.sides.push_back(sides);
-    closed_.was.push_back(was);
+    closed_.segment_before.push_back(was);
   }
 
   void add_slits(const Cleft& cleft) {
@@ -202,7 +202,7 @@ class Closer {
       if (!is_used[v]) continue;
       number[v] = VertexId{points.size()};
       points.push_back(pslg.points[v]);
-      closed_.was_point.push_back(v);
+      closed_.point_before.push_back(v);
     }
     pslg.points = std::move(points);
     for (Segment& s : pslg.segments) s.a = number[s.a.index()], s.b = number[s.b.index()];
@@ -232,8 +232,8 @@ class Closer {
       add(closed_.wall[k], cleft, along(cleft, first_cuts(whole_.pslg, cleft)));
     }
     std::vector<std::uint32_t> now(whole_.pslg.segments.size(), kNone);
-    for (std::uint32_t s = 0; s < closed_.was.size(); ++s) {
-      if (closed_.was[s] != kNone) now[closed_.was[s]] = s;
+    for (std::uint32_t s = 0; s < closed_.segment_before.size(); ++s) {
+      if (closed_.segment_before[s] != kNone) now[closed_.segment_before[s]] = s;
     }
     for (const Cleft& cleft : wide_) {
       const std::vector<Point> points = along(cleft, cuts_by_shells(whole_.pslg, cleft));
@@ -255,7 +255,7 @@ class Closer {
 /// The same mesh with all points of the plane before, which have their numbers again.
 ConformingMesh with_numbers_before(const ConformingMesh& mesh, const ClosedClefts& closed,
                                    const std::vector<Point>& before) {
-  const std::vector<std::uint32_t>& was = closed.was_point;
+  const std::vector<std::uint32_t>& was = closed.point_before;
   const std::size_t old = std::max<std::size_t>(before.size(), was.back() + 1);
   const auto number = [&](std::uint32_t v) {
     return v < was.size() ? was[v] : static_cast<std::uint32_t>(v - was.size() + old);
@@ -283,7 +283,7 @@ class Opener {
         closed_(closed),
         whole_(whole),
         edges_(mesh_.points.size(), mesh_.triangles),
-        on_(closed.was.size()) {
+        on_(closed.segment_before.size()) {
     for (std::uint32_t v = 0; v < mesh_.points.size(); ++v) {
       if (mesh_.line[v] < on_.size()) on_[mesh_.line[v]].push_back(v);
     }
@@ -311,15 +311,15 @@ class Opener {
       std::uint32_t line = mesh_.line[v];
       if (v < pslg.points.size()) {
         line = ConformingMesh::kFixed;
-      } else if (line < closed_.was.size() && closed_.was[line] != kNone) {
-        line = closed_.was[line];
+      } else if (line < closed_.segment_before.size() && closed_.segment_before[line] != kNone) {
+        line = closed_.segment_before[line];
       } else {
         line = ConformingMesh::kInside;
       }
       out_.line.push_back(line);
     }
     for (const ConformingMesh::Piece& piece : mesh_.pieces) {
-      const std::uint32_t was = closed_.was[piece.line];
+      const std::uint32_t was = closed_.segment_before[piece.line];
       if (was == kNone) continue;
       const Segment &before = pslg.segments[was], &now = closed_.segments[piece.line];
       const auto corner = [&](std::uint32_t v) {
@@ -417,7 +417,8 @@ class Opener {
 
   [[nodiscard]] bool is_on_slit(std::uint32_t v) const {
     return mesh_.line[v] == ConformingMesh::kFixed ||
-           (mesh_.line[v] < closed_.was.size() && closed_.was[mesh_.line[v]] == kNone);
+           (mesh_.line[v] < closed_.segment_before.size() &&
+            closed_.segment_before[mesh_.line[v]] == kNone);
   }
 
   /// What lies nearly as near to the first wall as the other one will go on before that.

@@ -18,12 +18,12 @@ struct ClosedClefts {
   /// Not split yet. From each end of a cleft a slit goes on, at a right angle.
   Work work;
   std::vector<Cleft> clefts;
-  /// By point of `work`, before any segment was cut: its number among the points of the PSLG before
-  /// it, after which those come that are new.
-  std::vector<std::uint32_t> was_point;
+  /// By point of `work`, before any segment was cut: its number in the PSLG whose clefts were open.
+  /// New points have numbers after those.
+  std::vector<std::uint32_t> point_before;
   std::vector<Segment> segments;  ///< of `work`, before any was cut: whole; by those numbers
-  /// By whole segment of `work`: which one of the PSLG before it was; kNone for slits.
-  std::vector<std::uint32_t> was;
+  /// By whole segment of `work`: its number in the PSLG whose clefts were open; kNone for slits.
+  std::vector<std::uint32_t> segment_before;
   /// By cleft and end: the whole segment of `work` that is the slit; kNone if there is none.
   std::vector<std::array<std::uint32_t, 2>> slit;
   std::vector<std::uint32_t> wall;  ///< by cleft: the whole segment of `work`

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include <fmt/core.h>
@@ -13,6 +12,7 @@
 #include <cover/text.hpp>
 
 #include "geom/box.hpp"
+#include "geom/turn.hpp"
 #include "geom/vector.hpp"
 #include "io/input/drawings/curves.hpp"
 #include "io/layout/path_outline.hpp"
@@ -42,13 +42,7 @@ struct Placement {
 
 /// Without its place. Quarters of a turn are exact.
 Placement placement_of(const GdsReference& reference) {
-  const double turn = std::fmod(reference.angle, 360);
-  double cosine = std::cos(turn * std::numbers::pi / 180);
-  double sine = std::sin(turn * std::numbers::pi / 180);
-  if (std::fmod(turn, 90) == 0) {
-    cosine = std::round(cosine);
-    sine = std::round(sine);
-  }
+  const auto [cosine, sine] = Turn::by_degrees(reference.angle);
   const double m = reference.magnification, mirror = reference.mirrored ? -1 : 1;
   return {m * cosine, -m * sine * mirror, 0, m * sine, m * cosine * mirror, 0, m};
 }

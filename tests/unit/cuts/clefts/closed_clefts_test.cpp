@@ -37,7 +37,7 @@ TEST(ClosedClefts, OpenedAgainTheyFillTheirRegions) {
   ASSERT_TRUE(closed.has_value());
   ASSERT_EQ(closed->clefts.size(), 3u);
   // Both corners of an end have become one, and a slit begins at each.
-  EXPECT_EQ(closed->was_point.size(), prepared->pslg.points.size() - 6 + 6);
+  EXPECT_EQ(closed->point_before.size(), prepared->pslg.points.size() - 6 + 6);
   Work& work = closed->work;
   work.boundaries = split_regions(work.pslg, work.table);
   Result<std::vector<RegionMesh>> meshes = mesh_regions(work.boundaries, {}, {});
@@ -45,7 +45,7 @@ TEST(ClosedClefts, OpenedAgainTheyFillTheirRegions) {
   work.meshes = *std::move(meshes);
   Pslg uncut = work.pslg;
   RegionTable table = work.table;
-  const auto whole = unite_pieces(uncut, table, closed->was_point.size());
+  const auto whole = unite_pieces(uncut, table, closed->point_before.size());
   const std::optional<OpenedClefts> opened =
       open_clefts(join(work, uncut, whole), *closed, *prepared);
   ASSERT_TRUE(opened.has_value());

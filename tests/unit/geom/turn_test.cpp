@@ -1,0 +1,27 @@
+#include "geom/turn.hpp"
+
+#include <gtest/gtest.h>
+
+namespace cover {
+namespace {
+
+TEST(Turn, QuartersAreExact) {
+  for (const double full : {-720.0, 0.0, 360.0}) {
+    EXPECT_EQ(Turn::by_degrees(full).cosine, 1);
+    EXPECT_EQ(Turn::by_degrees(full).sine, 0);
+    EXPECT_EQ(Turn::by_degrees(full + 90).cosine, 0);
+    EXPECT_EQ(Turn::by_degrees(full + 90).sine, 1);
+    EXPECT_EQ(Turn::by_degrees(full + 180).cosine, -1);
+    EXPECT_EQ(Turn::by_degrees(full - 90).sine, -1);
+  }
+}
+
+TEST(Turn, OthersAreRounded) {
+  const Turn turn = Turn::by_degrees(30);
+  EXPECT_NEAR(turn.cosine, std::sqrt(3) / 2, 1e-15);
+  EXPECT_NEAR(turn.sine, 0.5, 1e-15);
+  EXPECT_NE(Turn::by_degrees(90.0000001).cosine, 0);
+}
+
+}  // namespace
+}  // namespace cover
