@@ -11,6 +11,7 @@
 #include <condition_variable>
 #include <map>
 #include <mutex>
+#include <random>
 #include <set>
 #include <stdexcept>
 #include <thread>
@@ -57,6 +58,30 @@ TEST(CoverMesh, MeshesTheHullOfPointsThatAreNearALine) {
   for (const std::vector<Point>& points : inputs) {
     Result<Output> output = Output();
     EXPECT_EQ(mesh_hull(scattered(points), output).regions, 1U);
+  }
+}
+
+TEST(CoverMesh, MeshesTheHullOfPointsThatOnlyRoundingKeepsOffALine) {
+  // Split sides are rounded outwards: cavities then had vertices inside, which were lost.
+  Options options;
+  options.hull = true;
+  options.threads = 1;
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> place(0, 1);
+    std::vector<Point> points;
+    for (int k = 0; k < 100; ++k) {
+      const double t = place(random);
+      points.push_back({3.7 * t + 0.1, 1.3 * t + 0.7});
+    }
+    const Result<Output> output = cover_mesh(scattered(points), options);
+    ASSERT_TRUE(output.has_value()) << output.error().message;
+    VerifyOptions verify;
+    verify.hull = true;
+    const Verification found =
+        verify_cover(output->pslg, output->table, triangle_soup(output->mesh), verify);
+    EXPECT_TRUE(found.violations.empty()) << seed << ": " << found.violations.front().message;
+    EXPECT_EQ(found.regions, 1U);
   }
 }
 

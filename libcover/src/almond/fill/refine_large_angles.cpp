@@ -70,7 +70,8 @@ class Refiner {
   /// by side, each of them may pass all others.
   [[nodiscard]] std::size_t most_wasted() const { return 10000 + 100 * cdt_.triangles.size(); }
 
-  /// Triangles in cavities after so many tries. Ten for each are many, but for the first ones.
+  /// Triangles in cavities, and turned over about ends of chords, after so many tries. Ten for each
+  /// are many, but for the first ones.
   /// Where all points lie nearly on one line or circle, every cavity has nearly all triangles, and
   /// every test is exact.
   [[nodiscard]] std::size_t most_seen(std::size_t tries) const {
@@ -156,7 +157,7 @@ class Refiner {
       passed_ += cavity_.size();
       return split_chord(rim_at(rim_.back()));
     }
-    if (!fan_is_positive(z)) return false;
+    if (!is_disk(cavity_.size(), rim_.size()) || !fan_is_positive(z)) return false;
     tan_target_.push_back(std::tan(goal_.target_nu));
     dig(z, nullptr);
     return true;
@@ -181,7 +182,7 @@ class Refiner {
                                     [&](const Rim& rim) { return rim.a == a && rim.b == b; });
     const Rim edge = *split;
     rim_.erase(split);
-    if (!fan_is_positive(z)) return false;
+    if (!is_disk(cavity_.size(), rim_.size() + 1) || !fan_is_positive(z)) return false;
     splits_.push_back({chord, static_cast<std::uint32_t>(cdt_.points.size())});
     tan_target_.push_back(tan_target_of(chords_[chord]));
     dig(z, &edge);
@@ -191,7 +192,7 @@ class Refiner {
   /// Half way; or, from an end where another chord is within 60 degrees, at a power of two between
   /// a third and two thirds of the length: chords that meet sharply then get vertices at equal
   /// distances, which do not encroach upon each other.
-  [[nodiscard]] Point split_point(EdgeRef at, Point a, Point b) const {
+  [[nodiscard]] Point split_point(EdgeRef at, Point a, Point b) {
     const bool sharp_a = is_sharp(at, true), sharp_b = !sharp_a && is_sharp(at, false);
     if (!sharp_a && !sharp_b) return midpoint(a, b);
     const double length = cover::length(b - a);
@@ -200,12 +201,12 @@ class Refiner {
   }
 
   /// True if, turning about an end of the edge, another boundary edge is met within 60 degrees.
-  [[nodiscard]] bool is_sharp(EdgeRef at, bool about_a) const {
+  [[nodiscard]] bool is_sharp(EdgeRef at, bool about_a) {
     const Triangle* f = &cdt_.triangles[at.triangle];
     const std::uint32_t centre = f->v[about_a ? at.edge.next() : at.edge.previous()];
     const Point o = cdt_.points[centre];
     const Vector u = cdt_.points[f->v[about_a ? at.edge.previous() : at.edge.next()]] - o;
-    for (std::uint32_t t = at.triangle;;) {
+    for (std::uint32_t t = at.triangle;; ++seen_) {
       f = &cdt_.triangles[t];
       const Corner c = f->corner_of(centre);
       const Corner far = about_a ? c.previous() : c.next();    // the corner turned to
@@ -270,6 +271,11 @@ class Refiner {
     }
     return {};
   }
+
+  /// By Euler's formula, whether a cavity of so many triangles and edges on its rim has no hole and
+  /// no vertex inside, which would be lost. Where a split chord was rounded outwards, circles of
+  /// Delaunay triangles may have vertices inside.
+  static bool is_disk(std::size_t triangles, std::size_t edges) { return edges == triangles + 2; }
 
   [[nodiscard]] bool fan_is_positive(Point z) const {
     return std::all_of(rim_.begin(), rim_.end(), [&](const Rim& rim) {
