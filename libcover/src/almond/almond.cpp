@@ -62,9 +62,10 @@ double Almond::height() const { return length / 2 * std::tan(nu / 2); }
 
 std::vector<Almond> make_almonds(const Triangulation& cdt, std::span<const IndexPair> sides,
                                  std::span<const SegmentId> segments, const AngleLimit& limit,
-                                 Point origin) {
+                                 Point origin, const Team& team) {
+  constexpr std::size_t kRange = 1 << 14;
   std::vector<Almond> almonds(sides.size());
-  for (std::size_t k = 0; k < sides.size(); ++k) {
+  const auto make = [&](std::size_t k) {
     Almond& a = almonds[k];
     a.u = sides[k][0];
     a.v = sides[k][1];
@@ -79,11 +80,14 @@ std::vector<Almond> make_almonds(const Triangulation& cdt, std::span<const Index
                    a.length;
     if (segments[k] == kHullSide) {
       a.kind = AlmondKind::hull_side;
-      continue;
+      return;
     }
     a.apex_limits = compare_with_120_degrees(a.from, cdt.points[a.apex], a.to) != Sign::negative;
     a.set_nu(a.apex_limits ? limit.side_nu[k] : std::numbers::pi / 3);
-  }
+  };
+  team.each_range(sides.size(), kRange, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) make(k);
+  });
   return almonds;
 }
 

@@ -8,6 +8,7 @@
 #include <cover/ids.hpp>
 #include <cover/point.hpp>
 
+#include "base/team.hpp"
 #include "cdt/sides.hpp"
 #include "geom/vector.hpp"
 #include "target/angle_limit.hpp"
@@ -88,6 +89,6 @@ inline constexpr double kRounding = 0x1p-50;
 /// the coordinates in the end, and decides what they can resolve.
 std::vector<Almond> make_almonds(const Triangulation& cdt, std::span<const IndexPair> sides,
                                  std::span<const SegmentId> segments, const AngleLimit& limit,
-                                 Point origin);
+                                 Point origin, const Team& team = {});
 
 }  // namespace cover

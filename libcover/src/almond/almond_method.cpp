@@ -40,7 +40,8 @@ class AlmondMethod {
         rule_(rule),
         plan_(plan),
         stop_(stop),
-        almonds_(make_almonds(input.cdt, input.sides, input.segments, input.limit, input.origin)),
+        almonds_(make_almonds(input.cdt, input.sides, input.segments, input.limit, input.origin,
+                              input.team)),
         repairs_(almonds_.size(), 0) {
     const double b = std::min(input.limit.nu, std::numbers::pi / 3);
     least_nu_ = rule.paper ? b : (1 - kSlack) * b;
@@ -83,9 +84,10 @@ class AlmondMethod {
  private:
   /// One trial; returns the almonds at fault or to be woken, none if mesh_ is complete.
   std::vector<std::uint32_t> try_once(double unite) {
-    ChordLayer layer = all_left_out_
-                           ? chords_of_sides()
-                           : cut_chords(lay_arcs(input_.cdt, almonds_, unite), almonds_, rule_);
+    ChordLayer layer =
+        all_left_out_
+            ? chords_of_sides()
+            : cut_chords(lay_arcs(input_.cdt, almonds_, unite, input_.team), almonds_, rule_);
     if (!layer.faults.empty()) return layer.faults;
     const bool no_almonds =
         all_left_out_ || (std::none_of(almonds_.begin(), almonds_.end(),
@@ -102,7 +104,7 @@ class AlmondMethod {
     if (!remainder.chords.empty()) {
       std::vector<std::uint32_t> vertex = std::move(remainder.vertex);
       const std::vector<std::uint32_t> arc_chord = std::move(remainder.arc_chord);
-      RemainderFill fill(std::move(remainder), plan_, memory_, rule_.nu, stop_);
+      RemainderFill fill(std::move(remainder), plan_, memory_, rule_.nu, stop_, input_.team);
       std::vector<std::uint32_t> sleeping;
       for (const std::uint32_t c : fill.refine()) {
         const std::uint32_t k = layer.chords[arc_chord[c]].almond;

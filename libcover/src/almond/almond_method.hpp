@@ -12,6 +12,7 @@
 
 #include "almond/chords.hpp"
 #include "almond/fill/fill_remainder.hpp"
+#include "base/team.hpp"
 #include "target/angle_limit.hpp"
 
 namespace cover {
@@ -24,6 +25,7 @@ struct AlmondInput {
   const AngleLimit& limit;
   Point origin;          ///< to be added to all coordinates in the end
   bool sparing = false;  ///< only almonds that turn out to be needed; else one on every side
+  Team team{};           ///< who shares the work
 };
 
 /// Something to report about a side.

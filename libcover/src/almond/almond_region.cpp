@@ -31,8 +31,13 @@ FillPlan make_plan(const Options& options) {
 
 class AlmondRegion {
  public:
-  AlmondRegion(const RegionBoundary& boundary, const Options& options, std::stop_token stop)
-      : boundary_(boundary), options_(options), stop_(std::move(stop)), frame_(boundary.points) {}
+  AlmondRegion(const RegionBoundary& boundary, const Options& options, std::stop_token stop,
+               const Team& team)
+      : boundary_(boundary),
+        options_(options),
+        stop_(std::move(stop)),
+        team_(team),
+        frame_(boundary.points) {}
 
   RegionMesh run() {
     triangulate();
@@ -53,8 +58,9 @@ class AlmondRegion {
 
  private:
   void triangulate() {
-    cdt_ = triangulate_region(frame_.take_points(), boundary_.sides, boundary_.known_triangles());
-    limit_ = angle_limit(cdt_, boundary_.sides, boundary_.segments);
+    cdt_ = triangulate_region(frame_.take_points(), boundary_.sides, boundary_.known_triangles(),
+                              team_);
+    limit_ = angle_limit(cdt_, boundary_.sides, boundary_.segments, team_);
   }
 
   void describe_limit() {
@@ -93,7 +99,7 @@ class AlmondRegion {
     // Disk packing puts vertices on every chord, so it needs almonds before every side.
     const bool sparing = !options_.paper && options_.fill == Fill::refine;
     AlmondMesh almonds = mesh_by_almonds(
-        {cdt_, boundary_.sides, boundary_.segments, limit_, frame_.origin(), sparing}, rule,
+        {cdt_, boundary_.sides, boundary_.segments, limit_, frame_.origin(), sparing, team_}, rule,
         make_plan(options_), stop_);
     const std::size_t inputs = boundary_.points.size();
     mesh_.steiner.clear();
@@ -146,6 +152,7 @@ class AlmondRegion {
   const RegionBoundary& boundary_;
   const Options& options_;
   std::stop_token stop_;
+  const Team& team_;
   LocalFrame frame_;
   Triangulation cdt_;
   AngleLimit limit_;
@@ -155,8 +162,8 @@ class AlmondRegion {
 }  // namespace
 
 RegionMesh almond_region(const RegionBoundary& boundary, const Options& options,
-                         std::stop_token stop) {
-  return AlmondRegion(boundary, options, std::move(stop)).run();
+                         std::stop_token stop, const Team& team) {
+  return AlmondRegion(boundary, options, std::move(stop), team).run();
 }
 
 }  // namespace cover

@@ -65,16 +65,21 @@ std::vector<Pair> find_pairs(const Triangulation& cdt, std::span<const Almond> a
 
 class Layer {
  public:
-  Layer(const Triangulation& cdt, std::span<const Almond> almonds)
-      : cdt_(cdt), almonds_(almonds), reach_(walk_almonds(cdt, almonds)), points_(cdt.points) {}
+  Layer(const Triangulation& cdt, std::span<const Almond> almonds, const Team& team)
+      : cdt_(cdt),
+        almonds_(almonds),
+        team_(team),
+        reach_(walk_almonds(cdt, almonds)),
+        points_(cdt.points) {}
 
   ArcLayer build(double unite) {
-    entries_.reserve(reach_.known.size());
-    for (std::uint32_t k = 0; k < almonds_.size(); ++k) {
-      for (const KnownVertex& known : reach_.known_of(k)) {
-        entries_.push_back({almonds_[k].place_of_ratio(known.ratio), k, known.vertex});
-      }
-    }
+    entries_.resize(reach_.known.size());
+    team_.each_range(almonds_.size(), kRange, [this](std::size_t first, std::size_t last) {
+      std::size_t at = reach_.first_known[first];
+      for (auto k = static_cast<std::uint32_t>(first); k < last; ++k)
+        for (const KnownVertex& known : reach_.known_of(k))
+          entries_[at++] = {almonds_[k].place_of_ratio(known.ratio), k, known.vertex};
+    });
     for (const Pair& pair : find_pairs(cdt_, almonds_, reach_)) add_meetings(pair[0], pair[1]);
     sort_entries();
     return unite_near(unite);
@@ -86,6 +91,8 @@ class Layer {
     std::uint32_t almond;
     std::uint32_t vertex;
   };
+  /// Almonds that are one piece of work.
+  static constexpr std::size_t kRange = 1 << 14;
 
   void add_meetings(std::uint32_t a, std::uint32_t b) {
     const Meetings meetings =
@@ -123,12 +130,13 @@ class Layer {
     std::vector<Entry> sorted(entries_.size());
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
     for (const Entry& e : entries_) sorted[next[e.almond]++] = e;
-    for (std::size_t k = 0; k + 1 < first_.size(); ++k) {
-      std::sort(sorted.begin() + first_[k], sorted.begin() + first_[k + 1],
-                [](const Entry& a, const Entry& b) {
-                  return a.place < b.place || (a.place == b.place && a.vertex < b.vertex);
-                });
-    }
+    team_.each_range(almonds_.size(), kRange, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k)
+        std::sort(sorted.begin() + first_[k], sorted.begin() + first_[k + 1],
+                  [](const Entry& a, const Entry& b) {
+                    return a.place < b.place || (a.place == b.place && a.vertex < b.vertex);
+                  });
+    });
     entries_ = std::move(sorted);
   }
 
@@ -183,6 +191,7 @@ class Layer {
 
   const Triangulation& cdt_;
   std::span<const Almond> almonds_;
+  const Team& team_;
   Reach reach_;
   std::vector<Point> points_;
   std::vector<Entry> entries_;
@@ -191,8 +200,9 @@ class Layer {
 
 }  // namespace
 
-ArcLayer lay_arcs(const Triangulation& cdt, std::span<const Almond> almonds, double unite) {
-  return Layer(cdt, almonds).build(unite);
+ArcLayer lay_arcs(const Triangulation& cdt, std::span<const Almond> almonds, double unite,
+                  const Team& team) {
+  return Layer(cdt, almonds, team).build(unite);
 }
 
 }  // namespace cover

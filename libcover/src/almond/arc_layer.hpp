@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "almond/almond.hpp"
+#include "base/team.hpp"
 
 namespace cover {
 
@@ -32,6 +33,7 @@ struct ArcLayer {
 /// point are ordinary. `unite` scales that distance (1, or more when a repair asks for it).
 /// Cost: O(n log n); meetings are linear in number because no point lies in three almonds (Lemma 5)
 /// Ref:  mitchell_1993_covering, section 3
-ArcLayer lay_arcs(const Triangulation& cdt, std::span<const Almond> almonds, double unite);
+ArcLayer lay_arcs(const Triangulation& cdt, std::span<const Almond> almonds, double unite,
+                  const Team& team = {});
 
 }  // namespace cover

@@ -98,15 +98,15 @@ ProvenMesh by_quality(const RegionBoundary& boundary, const Options& options,
 }
 
 ProvenMesh by_almonds(const RegionBoundary& boundary, const Options& options,
-                      const std::stop_token& stop, const Team&) {
-  return {almond_region(boundary, options, stop)};
+                      const std::stop_token& stop, const Team& team) {
+  return {almond_region(boundary, options, stop, team)};
 }
 
 /// The constrained Delaunay triangulation, which no rounding can break.
 ProvenMesh plain_region(const RegionBoundary& boundary, const Options&, const std::stop_token&,
-                        const Team&) {
+                        const Team& team) {
   const Triangulation cdt =
-      triangulate_region(boundary.points, boundary.sides, boundary.known_triangles());
+      triangulate_region(boundary.points, boundary.sides, boundary.known_triangles(), team);
   RegionMesh mesh;
   mesh.report.id = boundary.id;
   mesh.report.method = "cdt";

@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "base/run_all.hpp"
+#include "support/inputs/inputs.hpp"
 #include "support/inputs/shapes.hpp"
 #include "support/region_oracle.hpp"
 
@@ -64,6 +66,23 @@ TEST(AlmondRegion, ALongArcOverItsChord) {
   const RegionMesh mesh = almond_region(boundary, {}, {});
   EXPECT_EQ(testing::judge_region(boundary, mesh), "");
   EXPECT_EQ(mesh.report.method, "almond");
+}
+
+// Large enough for several ranges of sides and triangles.
+TEST(AlmondRegion, IsTheSameForAnyNumberOfThreads) {
+  constexpr int kSize = 50'000;
+  const auto boundary = boundary_of({testing::smooth_star(kSize, 3)});
+  const RegionMesh alone = almond_region(boundary, {}, {});
+  EXPECT_EQ(alone.report.method, "almond");
+  EXPECT_GT(alone.steiner.size(), 1000U);
+  for (const unsigned workers : {2U, 3U, 7U}) {
+    SCOPED_TRACE(workers);
+    RegionMesh shared;
+    with_team(workers, [&](const Team& team) { shared = almond_region(boundary, {}, {}, team); });
+    EXPECT_TRUE(shared.steiner == alone.steiner);
+    EXPECT_TRUE(shared.triangles == alone.triangles);
+    EXPECT_EQ(shared.report.notes.size(), alone.report.notes.size());
+  }
 }
 
 TEST(AlmondRegion, RandomStars) {

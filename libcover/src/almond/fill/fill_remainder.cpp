@@ -2,6 +2,7 @@
 #include "almond/fill/fill_remainder.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -26,18 +27,19 @@ std::vector<std::vector<std::uint32_t>> members_of_parts(const Triangulation& cd
 }  // namespace
 
 RemainderFill::RemainderFill(Remainder remainder, const FillPlan& plan, FillMemory& memory,
-                             double nu, std::stop_token stop)
+                             double nu, std::stop_token stop, const Team& team)
     : r_(std::move(remainder)),
       plan_(plan),
       memory_(memory),
       nu_(nu),
       stop_(std::move(stop)),
+      team_(team),
       known_(r_.cdt.points.size()) {}
 
 std::vector<std::uint32_t> RemainderFill::refine() {
   if (!plan_.refine_first) return {};
-  Refinement refinement = refine_large_angles(r_.cdt, r_.edges, r_.chords,
-                                              {kRefineTarget, nu_, refine_budget(known_)}, stop_);
+  Refinement refinement = refine_large_angles(
+      r_.cdt, r_.edges, r_.chords, {kRefineTarget, nu_, refine_budget(known_)}, stop_, team_);
   refined_ = std::move(refinement.splits);
   held_ = all_hold();
   return held_ ? std::vector<std::uint32_t>{} : std::move(refinement.blocking);
@@ -62,9 +64,18 @@ FilledRemainder RemainderFill::finish() {
 bool RemainderFill::all_hold() const {
   const auto& p = r_.cdt.points;
   const double tan_nu = std::tan(nu_);
-  return std::all_of(r_.cdt.triangles.begin(), r_.cdt.triangles.end(), [&](const Triangle& f) {
-    return !is_flatter(p[f.v[0]], p[f.v[1]], p[f.v[2]], tan_nu);
+  const auto& triangles = r_.cdt.triangles;
+  constexpr std::size_t kRange = 1 << 15;
+  std::atomic<bool> all = true;
+  team_.each_range(triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+    if (all &&
+        std::any_of(triangles.begin() + static_cast<std::ptrdiff_t>(first),
+                    triangles.begin() + static_cast<std::ptrdiff_t>(last), [&](const Triangle& f) {
+                      return is_flatter(p[f.v[0]], p[f.v[1]], p[f.v[2]], tan_nu);
+                    }))
+      all = false;
   });
+  return all;
 }
 
 bool RemainderFill::holds(const std::vector<Point>& points, const Triangles& triangles) const {

@@ -11,6 +11,7 @@
 
 #include "almond/fill/fill_memory.hpp"
 #include "almond/fill/remainder.hpp"
+#include "base/team.hpp"
 
 namespace cover {
 
@@ -40,7 +41,7 @@ class RemainderFill {
  public:
   /// `plan` and `memory` outlive this object.
   RemainderFill(Remainder remainder, const FillPlan& plan, FillMemory& memory, double nu,
-                std::stop_token stop);
+                std::stop_token stop, const Team& team = {});
 
   /// The first step, if the plan has it: refines the whole remainder.
   /// Returns the locked chords that kept a triangle from the bound; none if the bound holds.
@@ -64,6 +65,7 @@ class RemainderFill {
   FillMemory& memory_;
   double nu_;
   std::stop_token stop_;
+  Team team_;
   std::size_t known_;  ///< vertices before refinement
   bool held_ = false;  ///< after refinement
   std::vector<ChordSplit> refined_;

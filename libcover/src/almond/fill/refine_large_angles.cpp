@@ -20,18 +20,23 @@ namespace {
 class Refiner {
  public:
   Refiner(Triangulation& cdt, ChordEdges& edges, std::span<const Chord> chords,
-          const RefineGoal& goal)
+          const RefineGoal& goal, const Team& team)
       : cdt_(cdt),
         edges_(edges),
         chords_(chords),
         goal_(goal),
+        team_(team),
         first_points_(cdt.points.size()),
         tan_target_(cdt.points.size(), std::tan(goal.target_nu)),
         version_(cdt.triangles.size(), 0),
         in_cavity_(cdt.triangles.size(), 0) {
-    for (const Chord& chord : chords) {
-      for (const std::uint32_t v : {chord.a, chord.b}) {
-        tan_target_[v] = std::min(tan_target_[v], tan_target_of(chord));
+    std::vector<double> tan_target(chords.size());
+    team.each_range(chords.size(), kRange, [&](std::size_t first, std::size_t last) {
+      for (std::size_t c = first; c < last; ++c) tan_target[c] = tan_target_of(chords[c]);
+    });
+    for (std::size_t c = 0; c < chords.size(); ++c) {
+      for (const std::uint32_t v : {chords[c].a, chords[c].b}) {
+        tan_target_[v] = std::min(tan_target_[v], tan_target[c]);
       }
     }
   }
@@ -39,7 +44,7 @@ class Refiner {
   Refinement run(const std::stop_token& stop) {
     reserve();
     std::size_t budget = goal_.budget;
-    for (std::uint32_t t = 0; t < cdt_.triangles.size(); ++t) enqueue(t);
+    enqueue_all();
     Refinement result;
     result.target_reached = true;
     while (!queue_.empty()) {
@@ -106,15 +111,30 @@ class Refiner {
     return ea >= eb && ea >= ec ? 0U : eb >= ec ? 1U : 2U;
   }
 
+  void enqueue_all() {
+    std::vector<std::int16_t> bucket(cdt_.triangles.size());
+    team_.each_range(bucket.size(), kRange, [&](std::size_t first, std::size_t last) {
+      for (std::size_t t = first; t < last; ++t)
+        bucket[t] = static_cast<std::int16_t>(bucket_of(static_cast<std::uint32_t>(t)));
+    });
+    for (std::uint32_t t = 0; t < bucket.size(); ++t)
+      if (bucket[t] != kGood) queue_.push(bucket[t], {t, version_[t]});
+  }
+
   /// Queues `t` if it has too large an angle; the flattest come first.
   void enqueue(std::uint32_t t) {
+    if (const int bucket = bucket_of(t); bucket != kGood) queue_.push(bucket, {t, version_[t]});
+  }
+
+  /// Where it belongs in the queue; kGood: nowhere.
+  [[nodiscard]] int bucket_of(std::uint32_t t) const {
     const Triangle& f = cdt_.triangles[t];
     const Corner i = longest_edge(corner(f, 0), corner(f, 1), corner(f, 2));
     const Vector u = corner(f, i.next()) - corner(f, i), v = corner(f, i.previous()) - corner(f, i);
     const double flat = -dot(u, v), area = std::abs(cross(u, v));
     const double target = std::min({tan_target_[f.v[0]], tan_target_[f.v[1]], tan_target_[f.v[2]]});
-    if (!(flat > 0 && area < target * flat)) return;
-    queue_.push(kRightAngle + half_octave(area / flat), {t, version_[t]});
+    if (!(flat > 0 && area < target * flat)) return kGood;
+    return std::max(kRightAngle + half_octave(area / flat), 0);
   }
 
   /// Targets are below 90 degrees, where the tangent grows.
@@ -397,9 +417,12 @@ class Refiner {
   ChordEdges& edges_;
   std::span<const Chord> chords_;
   RefineGoal goal_;
+  const Team& team_;
   std::size_t first_points_;
   std::vector<double> tan_target_;         ///< by vertex; a triangle has the least of its corners'
   static constexpr int kRightAngle = 120;  ///< bucket of tan nu = 1; the targets lie below
+  static constexpr int kGood = -1;
+  static constexpr std::size_t kRange = 1 << 15;  ///< triangles that are one piece of work
   BucketQueue<Bad> queue_;
   std::vector<std::uint32_t> version_;    ///< by triangle; an entry of the queue may be out of date
   std::vector<std::uint32_t> in_cavity_;  ///< by triangle: stamp of the last cavity it was in
@@ -479,8 +502,9 @@ void reserve_for_refinement(std::size_t points, std::size_t triangles, Triangula
 }
 
 Refinement refine_large_angles(Triangulation& cdt, ChordEdges& edges, std::span<const Chord> chords,
-                               const RefineGoal& goal, const std::stop_token& stop) {
-  return Refiner(cdt, edges, chords, goal).run(stop);
+                               const RefineGoal& goal, const std::stop_token& stop,
+                               const Team& team) {
+  return Refiner(cdt, edges, chords, goal, team).run(stop);
 }
 
 }  // namespace cover

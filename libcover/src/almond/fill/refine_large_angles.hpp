@@ -7,6 +7,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "base/team.hpp"
 #include "cdt/triangulation.hpp"
 #include "target/filler.hpp"
 
@@ -59,6 +60,7 @@ struct RefineGoal {
 ///           above 138.6 degrees has a ratio of circumradius to shortest edge at which Ruppert's
 ///           argument ends
 Refinement refine_large_angles(Triangulation& cdt, ChordEdges& edges, std::span<const Chord> chords,
-                               const RefineGoal& goal, const std::stop_token& stop);
+                               const RefineGoal& goal, const std::stop_token& stop,
+                               const Team& team = {});
 
 }  // namespace cover
