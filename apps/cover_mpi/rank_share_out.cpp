@@ -89,25 +89,14 @@ Error told_error(ErrorCode code, const Message& message) {
 
 }  // namespace
 
-unsigned threads_of_rank(unsigned asked) {
-  if (asked > 0) return asked;
-  MPI_Comm machine;
-  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
-  int ranks = 1;
-  MPI_Comm_size(machine, &ranks);
-  MPI_Comm_free(&machine);
-  return std::max(1U, std::thread::hardware_concurrency() / static_cast<unsigned>(ranks));
-}
-
-Status share_out_among_ranks(RegionJobs& jobs) {
+Status share_out_among_ranks(RegionJobs& jobs, const RankCores& cores) {
   const Bytes options = jobs.options();
   const Result<Options> known = options_of_bytes(options);
   if (!known) return known.error();
   const int ranks = rank_count();
   Outbox outbox;
   for (int rank = 1; rank < ranks; ++rank) outbox.send(options, rank, Tag::options);
-  // A collective call: the others make it when the options have come.
-  const unsigned threads = threads_of_rank(known->threads);
+  const unsigned threads = threads_of_rank(known->threads, cores);
 
   jobs.offer_to_keep([&](const Bytes& how) {
     for (int rank = 1; rank < ranks; ++rank) outbox.send(how, rank, Tag::keep);

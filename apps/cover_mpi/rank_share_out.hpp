@@ -5,6 +5,8 @@
 
 #include <cover/share_out.hpp>
 
+#include "rank_cores.hpp"
+
 namespace cover::mpi {
 
 /// Gives regions to whoever has nothing to do, the largest first: threads of this process and other
@@ -12,7 +14,7 @@ namespace cover::mpi {
 ///
 /// Threads: called by the main thread of rank 0
 /// Errors:  internal with the reason that another rank gave for going on no more
-Status share_out_among_ranks(RegionJobs& jobs);
+Status share_out_among_ranks(RegionJobs& jobs, const RankCores& cores);
 
 /// Has a plan carried out by all ranks, by this one with `here`: see Callbacks::write_elsewhere.
 ///
@@ -22,9 +24,5 @@ Status write_among_ranks(const Bytes& plan, const std::function<Status()>& here)
 
 /// Lets the other ranks end.
 void dismiss_ranks();
-
-/// The threads that a rank uses for meshing: what `asked` says; 0 is its part of the cores of its
-/// machine.
-unsigned threads_of_rank(unsigned asked);
 
 }  // namespace cover::mpi

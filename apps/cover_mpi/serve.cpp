@@ -60,7 +60,7 @@ void write_kept(const std::optional<KeptRegions>& kept, unsigned threads) {
 
 }  // namespace
 
-void serve() {
+void serve(const RankCores& cores) {
   Options options;
   std::optional<KeptRegions> kept;
   unsigned threads = 1;
@@ -70,7 +70,7 @@ void serve() {
     if (message.tag == Tag::end) return;
     if (message.tag == Tag::options) {
       Result<Options> sent = options_here(message.bytes);
-      threads = threads_of_rank(sent ? sent->threads : 1);
+      threads = threads_of_rank(sent ? sent->threads : 1, cores);
       failed = !sent;
       if (failed) tell(sent.error().message, Tag::failed);
       if (!failed) options = *std::move(sent);

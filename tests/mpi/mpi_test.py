@@ -96,6 +96,33 @@ class CoverMpi(unittest.TestCase):
         self.assertEqual(len(json.loads(report.read_text())['regions']), 144)
         self.assertEqual([p.name for p in self.folder.iterdir() if p.name.startswith('.')], [])
 
+    def test_several_inputs(self):
+        tiles = []
+        for k in range(3):
+            square = [[k, 0], [k + 1, 0], [k + 1, 1], [k, 1], [k, 0]]
+            tiles.append(self.folder / f'tile_{k}.geojson')
+            tiles[k].write_text(json.dumps({'type': 'FeatureCollection', 'features': [
+                {'type': 'Feature', 'properties': {'name': f'tile {k}'}, 'geometry': {'type': 'Polygon', 'coordinates': [square]}}]}))
+        alone, together = self.folder / 'alone.vtkhdf', self.folder / 'together.vtkhdf'
+        mesh = ('mesh', *tiles, '--stream', 'on')
+        done = run([COVER, *mesh, '-o', alone])
+        self.assertIn('3 regions', done.stdout)
+        done = run(on_ranks(2, *mesh, '-o', together))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(together.read_bytes(), alone.read_bytes())
+        done = run(on_ranks(2, 'mesh', tiles[0], self.folder / 'none.geojson', '-o', self.folder / 'x.vtkhdf'))
+        self.assertEqual(done.returncode, 5, done.stderr)
+        self.assertIn('none.geojson', done.stderr)
+
+    def test_tells_of_cores_that_are_not_used(self):
+        if len(os.sched_getaffinity(0)) < 2:
+            self.skipTest('there is one core')
+        mesh = ('mesh', DATA / 'diode.poly', '-o', self.folder / 'x.vtu')
+        for bind, told in (('core', True), ('none', False)):
+            done = run([MPIRUN, '-n', 1, '--bind-to', bind, COVER_MPI, *mesh])
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual('--bind-to none' in done.stderr, told, done.stderr)
+
     def on_two(self, second, *arguments):
         """Rank 0 as it is; rank 1 in a shell, after the commands `second`."""
         words = [str(a) for a in (COVER_MPI, *arguments)]
