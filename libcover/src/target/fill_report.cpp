@@ -14,6 +14,7 @@
 
 #include "box/encroached_sides.hpp"
 #include "cdt/couplings.hpp"
+#include "cdt/region_cdt.hpp"
 #include "geom/angle_rounding.hpp"
 #include "geom/predicates.hpp"
 #include "geom/ulp.hpp"
@@ -43,16 +44,15 @@ struct Sorted {
 
 Sorted sort_corners(Point a, Point b, Point c) {
   const double ab = squared_length(b - a), bc = squared_length(c - b), ca = squared_length(a - c);
-  Sorted s;
-  if (bc >= ab && bc >= ca) {
-    s = {a, b, c, ab < ca ? c : b, {}};
-  } else if (ca >= ab) {
-    s = {b, c, a, bc < ab ? a : c, {}};
-  } else {
-    s = {c, a, b, ca < bc ? b : a, {}};
-  }
-  s.blunt = s.sharp == s.p ? s.q : s.p;
-  return s;
+  // Looked up, without a branch: nobody can predict which corner it is.
+  const Point corner[5] = {a, b, c, a, b};
+  const double opposite[5] = {bc, ca, ab, bc, ca};
+  const bool is_first = (bc >= ab) & (bc >= ca);
+  const std::size_t apex = is_first ? 0 : ca >= ab ? 1 : 2;
+  const std::size_t sharp =
+      apex + 1 + static_cast<std::size_t>(opposite[apex + 2] < opposite[apex + 1]);
+  return {corner[apex], corner[apex + 1], corner[apex + 2], corner[sharp],
+          corner[2 * apex + 3 - sharp]};
 }
 
 double cotangent(Point a, Point corner, Point b, double doubled_area) {
@@ -176,8 +176,10 @@ struct Opposites {
   std::vector<std::uint32_t> across;  ///< across_edges()
 };
 
+/// `across` is what across_edges() makes, if it is known.
 Opposites opposites_of(std::span<const Point> points, std::span<const IndexTriple> triangles,
-                       std::span<const IndexPair> sides, const Team& team) {
+                       std::span<const IndexPair> sides, const Team& team,
+                       std::vector<std::uint32_t> across = {}) {
   Opposites of;
   of.cots.resize(3 * triangles.size());
   team.each_range(triangles.size(), kTrianglesAtATime, [&](std::size_t first, std::size_t last) {
@@ -190,30 +192,35 @@ Opposites opposites_of(std::span<const Point> points, std::span<const IndexTripl
             cotangent(corners[h], corners[(h + 2) % 3], corners[(h + 1) % 3], doubled_area);
     }
   });
-  of.across = across_edges(points.size(), triangles, sides, team);
+  of.across = across.size() == of.cots.size() ? std::move(across)
+                                              : across_edges(points.size(), triangles, sides, team);
   return of;
 }
 
-/// Of the half-edges from `first` to before `last`.
+/// Of the triangles from `first` to before `last`.
 BoxMethod measure_some_boxes(std::span<const Point> points, std::span<const IndexTriple> triangles,
                              const Opposites& opposites, std::size_t first, std::size_t last) {
   BoxMethod box;
   const auto& [cots, across] = opposites;
-  const auto source = [&](std::uint32_t h) { return points[triangles[h / 3][h % 3]]; };
-  for (auto h = static_cast<std::uint32_t>(first); h < last; ++h) {
-    // |e| d_e / 2 with d_e = |e| |cot| / 2, the distance from the edge's midpoint to the
-    // circumcentre
-    box.box_area += squared_length(source(HalfEdges::next(h)) - source(h)) * std::abs(cots[h]) / 4;
-    const std::uint32_t twin = across[h];
-    if (twin == HalfEdges::kAbsent) {
-      const bool is_obtuse =
-          cots[h] < kNearRight && bluntness(source(h), source(HalfEdges::previous(h)),
-                                            source(HalfEdges::next(h))) == Blunt::yes;
-      box.obtuse_sides += is_obtuse ? 1 : 0;
-    } else if (h < twin && cots[h] + cots[twin] < -kNearRight &&
-               in_circle(source(h), source(HalfEdges::next(h)), source(HalfEdges::previous(h)),
-                         source(HalfEdges::previous(twin))) == Sign::positive) {
-      ++box.non_delaunay_edges;
+  for (std::size_t t = first; t < last; ++t) {
+    const Point corner[3] = {points[triangles[t][0]], points[triangles[t][1]],
+                             points[triangles[t][2]]};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto h = static_cast<std::uint32_t>(3 * t + i);
+      const Point from = corner[i], to = corner[(i + 1) % 3], beside = corner[(i + 2) % 3];
+      // |e| d_e / 2 with d_e = |e| |cot| / 2, the distance from the edge's midpoint to the
+      // circumcentre
+      box.box_area += squared_length(to - from) * std::abs(cots[h]) / 4;
+      const std::uint32_t twin = across[h];
+      if (twin == HalfEdges::kAbsent) {
+        const bool is_obtuse = cots[h] < kNearRight && bluntness(from, beside, to) == Blunt::yes;
+        box.obtuse_sides += is_obtuse ? 1 : 0;
+      } else if (h < twin && cots[h] + cots[twin] < -kNearRight) {
+        const std::uint32_t beyond = HalfEdges::previous(twin);
+        if (in_circle(from, to, beside, points[triangles[beyond / 3][beyond % 3]]) ==
+            Sign::positive)
+          ++box.non_delaunay_edges;
+      }
     }
   }
   return box;
@@ -221,10 +228,10 @@ BoxMethod measure_some_boxes(std::span<const Point> points, std::span<const Inde
 
 BoxMethod measure_boxes(std::span<const Point> points, std::span<const IndexTriple> triangles,
                         const Opposites& opposites, const Team& team) {
-  constexpr std::size_t kHalfEdges = 3 * kTrianglesAtATime;
-  std::vector<BoxMethod> parts(Team::ranges(3 * triangles.size(), kHalfEdges));
-  team.each_range(3 * triangles.size(), kHalfEdges, [&](std::size_t first, std::size_t last) {
-    parts[first / kHalfEdges] = measure_some_boxes(points, triangles, opposites, first, last);
+  std::vector<BoxMethod> parts(Team::ranges(triangles.size(), kTrianglesAtATime));
+  team.each_range(triangles.size(), kTrianglesAtATime, [&](std::size_t first, std::size_t last) {
+    parts[first / kTrianglesAtATime] =
+        measure_some_boxes(points, triangles, opposites, first, last);
   });
   BoxMethod sum;
   for (const BoxMethod& part : parts) {
@@ -256,6 +263,13 @@ std::vector<std::array<Point, 3>> triangles_beyond(const Triangulation& cdt, Ang
   return beyond;
 }
 
+/// The triangulation of the points of the boundary, and of what else is given.
+Triangulation cdt_of_given(const RegionBoundary& boundary, std::span<const Point> given) {
+  if (given.size() == boundary.points.size())
+    return triangulate_region(boundary.points, boundary.sides, boundary.known_triangles());
+  return triangulate_domain(given, boundary.sides).triangulation;
+}
+
 /// Of the sides that are given up: those that the bound forces.
 void find_forced(const RegionBoundary& boundary, Angle nu_bound,
                  std::vector<NegativeCoupling>& couplings) {
@@ -265,7 +279,7 @@ void find_forced(const RegionBoundary& boundary, Angle nu_bound,
   if (std::any_of(couplings.begin(), couplings.end(), is_inside) ||
       std::find(segments.begin(), segments.end(), kHullSide) != segments.end())
     return;
-  const Triangulation cdt = triangulate_domain(boundary.points, boundary.sides).triangulation;
+  const Triangulation cdt = cdt_of_given(boundary, boundary.points);
   std::vector<bool> is_free(boundary.sides.size(), true);
   for (const EncroachedSide& e : encroached_sides(cdt, locate_sides(cdt, boundary.sides)))
     is_free[e.side] = false;
@@ -295,7 +309,7 @@ std::vector<NegativeCoupling> measure_couplings(const RegionBoundary& boundary,
                   [&](const NegativeEdge& e) { return e.is_side && e.apex < given.size(); });
   std::vector<std::uint32_t> encroached_by(boundary.sides.size(), kNone);
   if (!apexes_tell) {
-    const Triangulation cdt = triangulate_domain(given, boundary.sides).triangulation;
+    const Triangulation cdt = cdt_of_given(boundary, given);
     for (const EncroachedSide& e : encroached_sides(cdt, locate_sides(cdt, boundary.sides)))
       encroached_by[e.side] = e.vertex;
   }
@@ -363,7 +377,8 @@ void set_limits(const AngleLimit& limit, RegionReport& report) {
   report.forced_above_150 = limit.above_150;
 }
 
-void fill_report(const RegionBoundary& boundary, RegionMesh& mesh, const Team& team) {
+void fill_report(const RegionBoundary& boundary, RegionMesh& mesh, const Team& team,
+                 std::vector<std::uint32_t> across) {
   const std::vector<Point> points = all_points(boundary, mesh);
   RegionReport& report = mesh.report;
   team.each(2, [&](std::size_t k) {
@@ -371,7 +386,8 @@ void fill_report(const RegionBoundary& boundary, RegionMesh& mesh, const Team& t
       report.quality = measure_angles(points, mesh.triangles, team);
       return;
     }
-    const Opposites opposites = opposites_of(points, mesh.triangles, boundary.sides, team);
+    const Opposites opposites =
+        opposites_of(points, mesh.triangles, boundary.sides, team, std::move(across));
     report.box = measure_boxes(points, mesh.triangles, opposites, team);
     report.couplings = measure_couplings(boundary, mesh, points, opposites, team, report.box);
   });

@@ -1,7 +1,9 @@
 // What a triangulation has reached, for reports: angles, and what a box method will meet.
 #pragma once
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include <cover/report.hpp>
 
@@ -42,7 +44,9 @@ void set_limits(const AngleLimit& limit, RegionReport& report);
 /// Fills `mesh.report` from the triangles: quality, box, numbers of vertices, and bound_held from
 /// nu_bound. Where the bound is missed a note names the worst triangle.
 ///
-/// REQUIRES: report.id and report.nu_bound are set
-void fill_report(const RegionBoundary& boundary, RegionMesh& mesh, const Team& team = {});
+/// REQUIRES: report.id and report.nu_bound are set; `across` is nothing, or what across_edges() makes
+///           of the triangles
+void fill_report(const RegionBoundary& boundary, RegionMesh& mesh, const Team& team = {},
+                 std::vector<std::uint32_t> across = {});
 
 }  // namespace cover

@@ -27,7 +27,8 @@ class Finder {
         edges_(mesh.points.size(), mesh.triangles, team),
         is_side_(3 * mesh.triangles.size(), 0) {}
 
-  std::optional<BoundaryFault> find() {
+  std::optional<BoundaryFault> find(std::vector<std::uint32_t>* across) {
+    across_ = across;
     std::optional<BoundaryFault> fault = find_bad_triangle();
     if (!fault) fault = find_missing_side();
     if (!fault) fault = find_open_edge();
@@ -120,8 +121,10 @@ class Finder {
   }
 
   [[nodiscard]] std::optional<BoundaryFault> find_open_edge() const {
+    if (across_ != nullptr) across_->resize(edges_.size());
     const auto is_open = [&](std::uint32_t h) {
       const std::uint32_t twin = edges_.twin(h);
+      if (across_ != nullptr) (*across_)[h] = is_side_[h] == 0 ? twin : HalfEdges::kAbsent;
       if (is_side_[h] == 0) return twin == HalfEdges::kAbsent;
       // A slit has triangles on both sides, and is a side twice.
       return twin != HalfEdges::kAbsent && is_side_[twin] == 0;
@@ -159,12 +162,14 @@ class Finder {
   HalfEdges edges_;
   std::vector<std::uint8_t> is_side_;  ///< by half-edge
   std::vector<OpenEdge> open_;         ///< no triangle on the other side, no whole side
+  std::vector<std::uint32_t>* across_ = nullptr;
 };
 
 }  // namespace
 
-std::optional<BoundaryFault> find_fault(const MeshOfRegion& mesh, const Team& team) {
-  return Finder(mesh, team).find();
+std::optional<BoundaryFault> find_fault(const MeshOfRegion& mesh, const Team& team,
+                                        std::vector<std::uint32_t>* across) {
+  return Finder(mesh, team).find(across);
 }
 
 std::optional<BoundaryFault> find_fault(const RegionBoundary& boundary, const RegionMesh& mesh) {

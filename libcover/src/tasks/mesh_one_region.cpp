@@ -63,6 +63,7 @@ Attempt judged(ProvenMesh made, const RegionBoundary& boundary, const std::stop_
                   [](const Note& note) { return note.kind == Note::Kind::target_missed; });
   // Large meshes are measured meanwhile, too, and once more if they are faulty.
   const bool measures_ahead = team.workers() > 1 && mesh.triangles.size() >= kManyTriangles;
+  std::vector<std::uint32_t> across;
   const RegionReport unmeasured = measures_ahead ? mesh.report : RegionReport();
   team.each(looks_ahead      ? 3
             : measures_ahead ? 2
@@ -75,15 +76,16 @@ Attempt judged(ProvenMesh made, const RegionBoundary& boundary, const std::stop_
               } else {
                 out.fault = find_fault({points, mesh.triangles, boundary.sides, boundary.segments,
                                         boundary.points.size()},
-                                       team);
+                                       team, measures_ahead ? nullptr : &across);
               }
             });
   if (out.fault) {
     mesh.steiner.clear();
     mesh.triangles.clear();
+    across.clear();
     if (measures_ahead) mesh.report = unmeasured;
   }
-  if (out.fault || !measures_ahead) fill_report(boundary, mesh, team);
+  if (out.fault || !measures_ahead) fill_report(boundary, mesh, team, std::move(across));
   return out;
 }
 

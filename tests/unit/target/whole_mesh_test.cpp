@@ -9,6 +9,7 @@
 
 #include "base/run_all.hpp"
 #include "cdt/cdt.hpp"
+#include "cdt/couplings.hpp"
 #include "geom/vector.hpp"
 #include "support/inputs/shapes.hpp"
 
@@ -38,6 +39,16 @@ Region square() {
 }
 
 TEST(WholeMesh, FindsNothingWhereAllIsThere) { EXPECT_EQ(square().fault(), ""); }
+
+TEST(WholeMesh, TellsWhatLiesAcrossEdges) {
+  const Region region = square();  // with a slit, which has triangles on both sides
+  const auto& sides = region.boundary.sides;
+  std::vector<std::uint32_t> across;
+  EXPECT_FALSE(find_fault({region.points, region.triangles, sides, region.boundary.segments,
+                           region.boundary.points.size()},
+                          {}, &across));
+  EXPECT_EQ(across, across_edges(region.points.size(), region.triangles, sides));
+}
 
 /// More triangles than one thread takes for itself, and faults at several places: the first counts.
 TEST(WholeMesh, FindsTheSameByAnyNumberOfThreads) {
