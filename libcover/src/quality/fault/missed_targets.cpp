@@ -102,11 +102,12 @@ struct MissedAngles {
     if (mesh.is_hole(t)) return;
     const Goal& goal = mesh.goal();
     const auto& n = mesh.triangles[t].n;
-    const Corners k(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
     double allowed = 0;
     for (const std::uint32_t across : n) {
       if (is_side(across)) allowed = std::max(allowed, mesh.allowance(across)->small);
     }
+    if (mesh.excess[t] <= 0 && allowed == 0) return;
+    const Corners k(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
     for (const Corner i : kCorners) {
       const Point in_frame = mesh.points[mesh.triangles[t].v[i]];
       const Point at{in_frame.x + origin.x, in_frame.y + origin.y};

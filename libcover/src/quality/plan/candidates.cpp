@@ -88,13 +88,12 @@ Goal Candidates::own_goal(const MutableMesh& mesh) const {
   return own;
 }
 
-Candidate Candidates::candidate(const Triangulation& triangles, std::string method) const {
+Candidate Candidates::plain(const Triangulation& triangles, std::string method) const {
   const auto fixed = static_cast<std::uint32_t>(boundary_.points.size());
-  return coupled(
-      {MutableMesh(triangles, fixed, locate_sides(triangles, boundary_.sides, sharing_.team),
-                   side_limits_, sharing_.team),
-       {},
-       std::move(method)});
+  return {MutableMesh(triangles, fixed, locate_sides(triangles, boundary_.sides, sharing_.team),
+                      side_limits_, sharing_.team),
+          {},
+          std::move(method)};
 }
 
 Candidate Candidates::coupled(Candidate c) const {
@@ -118,7 +117,7 @@ std::optional<Candidate> Candidates::one_star(const Candidate& cdt) {
   const OneStar found = cover::one_star(*cdt.mesh, boundary_);
   budget_.spend(found.evaluations);
   if (!found.star) return std::nullopt;
-  Candidate made = candidate(*found.star, "one star");
+  Candidate made = coupled(plain(*found.star, "one star"));
   proof_->has_seen(angles_of(*made.mesh));
   return made;
 }
