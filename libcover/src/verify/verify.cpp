@@ -36,8 +36,8 @@
 namespace cover {
 namespace {
 
-constexpr std::size_t kMostListed = 10;  // of a kind
-constexpr std::size_t kRange = 1 << 15;  // points, sides, triangles
+constexpr std::size_t kMostListed = 10;         // of a kind
+constexpr std::size_t kItemsAtATime = 1 << 15;  // points, sides, triangles
 
 class Verifier {
  public:
@@ -167,7 +167,7 @@ class Verifier {
   void check_points() {
     vertex_.assign(pslg_.points.size(), std::nullopt);
     is_input_.assign(mesh_.points.size(), false);
-    team_.each_range(vertex_.size(), kRange, [this](std::size_t first, std::size_t last) {
+    team_.each_range(vertex_.size(), kItemsAtATime, [this](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) {
         if (domain_.is_used[v] != 0) vertex_[v] = edges_.vertex_at(pslg_.points[v]);
       }
@@ -185,7 +185,7 @@ class Verifier {
   void check_sides() {
     side_of_.assign(edges_.all().size(), kNoSide);
     edge_of_.assign(domain_.sides.size(), std::nullopt);
-    team_.each_range(edge_of_.size(), kRange, [this](std::size_t first, std::size_t last) {
+    team_.each_range(edge_of_.size(), kItemsAtATime, [this](std::size_t first, std::size_t last) {
       for (std::size_t s = first; s < last; ++s) {
         const auto from = vertex_[domain_.sides[s].a], to = vertex_[domain_.sides[s].b];
         if (from && to) edge_of_[s] = edges_.find(*from, *to);
@@ -445,7 +445,7 @@ class Verifier {
 
 Verification verify_cover(const Pslg& pslg, const RegionTable& table, const TriangleSoup& mesh,
                           const VerifyOptions& options) {
-  const bool is_small = mesh.triangles.size() < 2 * kRange;  // to be divided
+  const bool is_small = mesh.triangles.size() < 2 * kItemsAtATime;  // to be divided
   Verification found;
   with_team(is_small ? 1 : worker_count(options.threads),
             [&](const Team& team) { found = verify_by_team(pslg, table, mesh, options, team); });
