@@ -19,7 +19,9 @@ class Allowances {
   explicit Allowances(std::size_t sides) : which_(sides, 0), different_(1) {}
 
   [[nodiscard]] std::size_t size() const { return which_.size(); }
-  const Allowance& operator[](std::size_t side) const { return different_[which_[side]]; }
+  const Allowance& operator[](std::size_t side) const {
+    return different_.data()[which_[side]];  // which_ names no others
+  }
 
   void reserve(std::size_t sides) { which_.reserve(sides); }
   void clear() {

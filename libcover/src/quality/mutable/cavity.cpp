@@ -21,18 +21,21 @@ void reuse_places(MutableMesh& mesh, const Cavity& cavity, int count, Installed&
 
 /// Whether all triangles from the loop to `p` are counter-clockwise, exactly.
 bool sees_loop(const MutableMesh& mesh, const Cavity& cavity, Point p) {
+  const Point* const points = mesh.points.data();
+  Point a = points[cavity.vertex(cavity.size() - 1)];
   for (int k = 0; k < cavity.size(); ++k) {
-    const Point a = mesh.points[cavity.vertex(k)], b = mesh.points[cavity.vertex(cavity.next(k))];
+    const Point b = points[cavity.vertex(k)];
     if (orientation(a, b, p) != Sign::positive) return false;
+    a = b;
   }
   return true;
 }
 
 }  // namespace
 
-void Cavity::take(std::uint32_t t) {
+void Cavity::take(std::uint32_t t, const double* excess) {
   triangles_[at(triangle_count_++)] = t;
-  worst_ = std::max(worst_, mesh_->excess[t]);
+  worst_ = std::max(worst_, excess[t]);
 }
 
 void Cavity::erase(int k) {
@@ -46,7 +49,7 @@ void Cavity::start(std::uint32_t t) {
   triangle_count_ = swallowed_count_ = 0;
   worst_ = -kInverted;
   for (const Corner i : kCorners) loop_[i] = {s.v[i], s.n[i.previous()]};
-  take(t);
+  take(t, mesh_->excess.data());
 }
 
 bool Cavity::start_star(std::uint32_t v) {
@@ -54,22 +57,26 @@ bool Cavity::start_star(std::uint32_t v) {
   swallowed_count_ = 1;
   swallowed_[0] = v;
   worst_ = -kInverted;
-  std::uint32_t t = mesh_->home[v];
+  const std::uint32_t home = mesh_->home[v];
+  const MeshTriangle* const triangles = mesh_->triangles.data();
+  const double* const excess = mesh_->excess.data();
+  std::uint32_t t = home;
   do {
     if (size_ == kCapacity) return false;
-    const MeshTriangle& s = mesh_->triangles[t];
-    const Corner i = s.corner_of(v);
-    loop_[at(size_++)] = {s.v[i.next()], s.n[i]};
-    take(t);
-    t = s.n[i.next()];
-  } while (t != mesh_->home[v]);
+    const auto& [corners, across] = triangles[t];
+    const Corner i = triangles[t].corner_of(v);
+    loop_[at(size_++)] = {corners[i.next()], across[i]};
+    take(t, excess);
+    t = across[i.next()];
+  } while (t != home);
   return true;
 }
 
 bool Cavity::grow(int k) {
   const std::uint32_t t = outer(k);
   if (is_side(t) || triangle_count_ == kCapacity) return false;
-  const MeshTriangle& s = mesh_->triangles[t];
+  const MeshTriangle& s = mesh_->triangles.data()[t];
+  const double* const excess = mesh_->excess.data();
   const int after = next(k), before = previous(k);
   const Corner j = s.edge_from(vertex(after));  // edge j of s runs from the end to the start of k
   const std::uint32_t c = s.v[at(j)];
@@ -80,7 +87,7 @@ bool Cavity::grow(int k) {
     if (size_ <= 3 || mesh_->is_fixed(inner)) return false;
     loop_[at(k)].outer = first;
     swallowed_[at(swallowed_count_++)] = inner;
-    take(t);
+    take(t, excess);
     erase(after);
     return true;
   }
@@ -89,7 +96,7 @@ bool Cavity::grow(int k) {
     if (size_ <= 3 || mesh_->is_fixed(inner)) return false;
     loop_[at(before)].outer = second;
     swallowed_[at(swallowed_count_++)] = inner;
-    take(t);
+    take(t, excess);
     erase(k);
     return true;
   }
@@ -101,7 +108,7 @@ bool Cavity::grow(int k) {
   ++size_;
   loop_[at(k)].outer = first;
   loop_[at(k + 1)] = {c, second};
-  take(t);
+  take(t, excess);
   return true;
 }
 

@@ -1,6 +1,7 @@
 // A hole in the triangulation: the triangles to be replaced and the loop around them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -16,6 +17,20 @@ class Cavity {
   static constexpr int kCapacity = 32;  ///< edges of the loop
 
   explicit Cavity(const MutableMesh& mesh) : mesh_(&mesh) {}
+  Cavity(const Cavity& other) : mesh_(other.mesh_) { *this = other; }
+  /// Most of the room is not in use, and is left as it is.
+  Cavity& operator=(const Cavity& other) {
+    if (this == &other) return *this;
+    mesh_ = other.mesh_;
+    std::copy_n(other.loop_.begin(), size_ = other.size_, loop_.begin());
+    std::copy_n(other.triangles_.begin(), triangle_count_ = other.triangle_count_,
+                triangles_.begin());
+    std::copy_n(other.swallowed_.begin(), swallowed_count_ = other.swallowed_count_,
+                swallowed_.begin());
+    worst_ = other.worst_;
+    return *this;
+  }
+  ~Cavity() = default;
 
   /// Begins with one triangle.
   void start(std::uint32_t t);
@@ -50,7 +65,7 @@ class Cavity {
     std::uint32_t outer;  ///< the triangle or side on the right
   };
   static std::size_t at(int k) { return static_cast<std::size_t>(k); }
-  void take(std::uint32_t t);
+  void take(std::uint32_t t, const double* excess);
   void erase(int k);
 
   const MutableMesh* mesh_;

@@ -11,6 +11,9 @@
 #include "geom/predicates.hpp"
 
 namespace cover {
+// Triangles of a mesh name corners and neighbours of the same mesh: the innermost functions take
+// them from the arrays themselves, since each access that is checked takes as long as a product.
+
 namespace {
 
 /// Rounding slack of an allowance: the same triangle from another corner must not count as worse.
@@ -136,7 +139,8 @@ double MutableMesh::excess_of(const std::array<std::uint32_t, 3>& v,
   const CouplingGoal& coupling = goal_.coupling;
   const bool has_sides = ((n[0] | n[1] | n[2]) & kSideBit) != 0;
   if (coupling.weight > 0 && (has_sides || coupling.inside)) return coupled_excess(v, n);
-  const Point a = points[v[0]], b = points[v[1]], c = points[v[2]];
+  const Point* const point = points.data();
+  const Point a = point[v[0]], b = point[v[1]], c = point[v[2]];
   if (!has_sides) return cover::excess(goal_, a, b, c);
   const SideAllowances allowed{allowance(n[0]), allowance(n[1]), allowance(n[2])};
   return cover::excess(goal_, a, b, c, allowed);
@@ -144,10 +148,10 @@ double MutableMesh::excess_of(const std::array<std::uint32_t, 3>& v,
 
 double MutableMesh::coupled_excess(const std::array<std::uint32_t, 3>& v,
                                    const std::array<std::uint32_t, 3>& n) const {
-  const Point a = points[v[0]], b = points[v[1]], c = points[v[2]];
+  const Point* const point = points.data();
   const SideAllowances allowed{allowance(n[0]), allowance(n[1]), allowance(n[2])};
   const bool has_sides = ((n[0] | n[1] | n[2]) & kSideBit) != 0;
-  const Corners k(a, b, c);
+  const Corners k(point[v[0]], point[v[1]], point[v[2]]);
   double worst = has_sides ? cover::excess(goal_, k, allowed) : cover::excess(goal_, k);
   if (worst == kInverted) return kInverted;
   const double inverse = 1 / k.cross;
@@ -163,7 +167,7 @@ double MutableMesh::coupled_excess(const std::array<std::uint32_t, 3>& v,
     const std::uint32_t from = v[i.previous()];
     const double sum = cot + cot_opposite(n[i], from);
     if (sum >= kLeastCoupling) continue;
-    const auto& o = triangles[n[i]];
+    const auto& o = triangles.data()[n[i]];
     const bool is_given =
         is_fixed(v[0]) && is_fixed(v[1]) && is_fixed(v[2]) && is_fixed(o.v[o.edge_from(from)]);
     worst = std::max(worst, inner_excess(sum, is_given));
@@ -172,16 +176,17 @@ double MutableMesh::coupled_excess(const std::array<std::uint32_t, 3>& v,
 }
 
 double MutableMesh::cot_opposite(std::uint32_t t, std::uint32_t from) const {
-  const MeshTriangle& s = triangles[t];
+  const MeshTriangle& s = triangles.data()[t];
+  const Point* const point = points.data();
   const Corner i = s.edge_from(from);
-  const Point p = points[s.v[i]], a = points[s.v[i.next()]], b = points[s.v[i.previous()]];
+  const Point p = point[s.v[i]], a = point[s.v[i.next()]], b = point[s.v[i.previous()]];
   const double ux = a.x - p.x, uy = a.y - p.y, vx = b.x - p.x, vy = b.y - p.y;
   return (ux * vx + uy * vy) / (ux * vy - uy * vx);
 }
 
 void MutableMesh::link(std::uint32_t n, std::uint32_t a, std::uint32_t b, std::uint32_t t) {
   if (is_side(n)) return;
-  MeshTriangle& other = triangles[n];
+  MeshTriangle& other = triangles.data()[n];
   for (const Corner k : kCorners) {
     if (other.v[k.next()] == b && other.v[k.previous()] == a) other.n[k] = t;
   }
@@ -252,9 +257,9 @@ void MutableMesh::drop_triangle(std::uint32_t t) {
 }
 
 double MutableMesh::excess_after_flip(std::uint32_t t, Corner i, double limit) const {
-  const MeshTriangle& s = triangles[t];
+  const MeshTriangle& s = triangles.data()[t];
   const std::uint32_t u = s.n[i];
-  const MeshTriangle& o = triangles[u];
+  const MeshTriangle& o = triangles.data()[u];
   const std::uint32_t a = s.v[i], b = s.v[i.next()], c = s.v[i.previous()];
   const Corner j = o.edge_from(c);
   const std::uint32_t d = o.v[j];

@@ -26,14 +26,18 @@ constexpr double kLeastGainFar = 0.01;  ///< beyond 140 degrees, where each degr
 Hole::Hole(const MutableMesh& mesh, const Cavity& cavity)
     : goal_(&mesh.goal()), size_(cavity.size()) {
   edges_ = own_.data();
+  const Point* const points = mesh.points.data();
+  Point a = points[cavity.vertex(0)];
   for (int k = 0; k < size_; ++k) {
-    own_[static_cast<std::size_t>(k)] =
-        edge(mesh.points[cavity.vertex(k)], mesh.points[cavity.vertex(cavity.next(k))],
-             mesh.allowance(cavity.outer(k)));
-    if (!goal_->coupling.inside || is_side(cavity.outer(k))) continue;
-    const double lowest = -mesh.cot_opposite(cavity.outer(k), cavity.vertex(cavity.next(k)));
-    own_[static_cast<std::size_t>(k)].least_cot = lowest + kLeastCoupling;
-    if (goal_->coupling.strict) own_[static_cast<std::size_t>(k)].lowest_cot = lowest;
+    Edge& own = own_[static_cast<std::size_t>(k)];
+    const std::uint32_t end = cavity.vertex(cavity.next(k)), outer = cavity.outer(k);
+    const Point b = points[end];
+    own = edge(a, b, mesh.allowance(outer));
+    a = b;
+    if (!goal_->coupling.inside || is_side(outer)) continue;
+    const double lowest = -mesh.cot_opposite(outer, end);
+    own.least_cot = lowest + kLeastCoupling;
+    if (goal_->coupling.strict) own.lowest_cot = lowest;
   }
 }
 
@@ -278,10 +282,11 @@ bool has_room(const MutableMesh& mesh, const Cavity& cavity, double limit) {
     return side != nullptr ? side->small : 0;
   };
   const int last = cavity.size() - 1;
-  Point before = mesh.points[cavity.vertex(last)], p = mesh.points[cavity.vertex(0)];
+  const Point* const points = mesh.points.data();
+  Point before = points[cavity.vertex(last)], p = points[cavity.vertex(0)];
   double allowed_before = allowed_at(last);
   for (int k = 0; k < cavity.size(); ++k) {
-    const Point after = mesh.points[cavity.vertex(cavity.next(k))];
+    const Point after = points[cavity.vertex(cavity.next(k))];
     if (!widest.allows(before, p, after)) return false;
     const double allowed = allowed_at(k);
     if (goal.weight > 0 &&

@@ -89,8 +89,15 @@ class Thinner {
   /// vertex.
   bool try_merge(std::uint32_t v) {
     const Cavity star = cavity_;
+    std::array<double, Cavity::kCapacity> distances{};  // squared; infinite: no partner
+    const Point* const points = mesh_.points.data();
+    for (int k = 0; k < star.size(); ++k) {
+      const std::uint32_t w = star.vertex(k);
+      distances[at(k)] = mesh_.is_fixed(w) ? kInverted : squared_length(points[w] - points[v]);
+    }
+    const std::span<const double> known = std::span(distances).first(at(star.size()));
     for (int attempt = 0; attempt < kPartners; ++attempt) {
-      const int k = nearest_free(star, v, attempt);
+      const int k = nearest_free(known, attempt);
       if (k < 0) return false;
       const std::uint32_t u = star.vertex(k);
       vertices_[v].partners[at(attempt)] = u;
@@ -114,28 +121,27 @@ class Thinner {
   /// that they share: there most loops are too wide, and this is known before the cavity is grown.
   [[nodiscard]] bool has_room_beside(const Cavity& star, int k) const {
     const int before = star.previous(k), after = star.next(k);
-    const auto corner = [&](int i) { return mesh_.points[star.vertex(i)]; };
+    const Point* const points = mesh_.points.data();
+    const auto corner = [&](int i) { return points[star.vertex(i)]; };
     const auto beyond = [&](int i) {  // the corner across loop edge i, which is no side
       const MeshTriangle& t = mesh_.triangles[star.outer(i)];
-      return mesh_.points[t.v[at(t.edge_from(star.vertex(star.next(i))))]];
+      return points[t.v[at(t.edge_from(star.vertex(star.next(i))))]];
     };
     return widest_.allows(corner(star.previous(before)), corner(before), beyond(before)) &&
            widest_.allows(beyond(k), corner(after), corner(star.next(after)));
   }
 
-  /// The loop index of the free vertex that `rank` others are nearer to `v` than; -1: there is
-  /// none.
-  [[nodiscard]] int nearest_free(const Cavity& star, std::uint32_t v, int rank) const {
+  /// The index of the distance that `rank` others are less than; -1: there is none.
+  static int nearest_free(std::span<const double> distances, int rank) {
     int result = -1;
     double last = -1;
     for (int r = 0; r <= rank; ++r) {
       double least = kInverted;
       result = -1;
-      for (int k = 0; k < star.size(); ++k) {
-        const double d = squared_length(mesh_.points[star.vertex(k)] - mesh_.points[v]);
-        if (mesh_.is_fixed(star.vertex(k)) || d <= last || d >= least) continue;
-        least = d;
-        result = k;
+      for (std::size_t k = 0; k < distances.size(); ++k) {
+        if (distances[k] <= last || distances[k] >= least) continue;
+        least = distances[k];
+        result = static_cast<int>(k);
       }
       last = least;
     }

@@ -146,15 +146,16 @@ class Refinement {
   /// edges come first: what is put near them improves the longer ones around for nothing.
   void enqueue(std::uint32_t t) {
     if (guarded_[t] != 0) return;
-    const Corners k(mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2));
+    const auto& v = mesh_.triangles[t].v;
+    const Point* const points = mesh_.points.data();
+    const Corners k(points[v[0]], points[v[1]], points[v[2]]);
     if (!has_small_angle(t, k) && !is_too_large(t, k)) return;
     // The dot products at the ends of an edge add up to its squared length.
     const double shortest2 =
         std::min({k.dot[0] + k.dot[1], k.dot[1] + k.dot[2], k.dot[2] + k.dot[0]});
     const int bucket = half_octave(shortest2) - shortest_;
     BucketQueue<Entry>& queue = bucket < block_end_ ? block_ : waiting_;
-    queue.push(&queue == &block_ ? bucket : bucket / kBucketsPerBlock,
-               {t, mesh_.triangles[t].v, bucket});
+    queue.push(&queue == &block_ ? bucket : bucket / kBucketsPerBlock, {t, v, bucket});
   }
 
   /// Fills the empty block from those that wait; false if there are none.
@@ -242,14 +243,16 @@ class Refinement {
 
   /// The triangle that contains `p`, from `t` on; kNone if a side is in the way.
   [[nodiscard]] std::uint32_t locate(std::uint32_t t, Point p) {
+    const MeshTriangle* const triangles = mesh_.triangles.data();
+    const Point* const points = mesh_.points.data();
     std::uint32_t from = kNone;
     for (;;) {
       std::uint32_t go = kNone;
+      const auto& [v, across] = triangles[t];
       for (const Corner i : kCorners) {
-        const std::uint32_t n = mesh_.triangles[t].n[i];
+        const std::uint32_t n = across[i];
         if (n == from) continue;
-        if (orientation(mesh_.corner(t, i.next()), mesh_.corner(t, i.previous()), p) ==
-            Sign::negative) {
+        if (orientation(points[v[i.next()]], points[v[i.previous()]], p) == Sign::negative) {
           if (is_border(n)) is_stopped_ = true;
           if (is_side(n)) return kNone;
           go = n;
@@ -276,27 +279,33 @@ class Refinement {
     cavity_.clear();
     loop_.clear();
     if (!take(start)) return false;
+    const MeshTriangle* const triangles = mesh_.triangles.data();
+    const Point* const points = mesh_.points.data();
     open_ = {{start, 2}, {start, 1}, {start, 0}};  // depth first, counter-clockwise
     while (!open_.empty()) {
       const auto [t, i] = open_.back();
       open_.pop_back();
-      const std::uint32_t n = mesh_.triangles[t].n[i];
+      const MeshTriangle& own = triangles[t];
+      const std::uint32_t n = own.n[i];
       if (!is_side(n) && stamp_[n] == round_) continue;
-      const std::uint32_t va = mesh_.triangles[t].v[i.next()];
-      const std::uint32_t vb = mesh_.triangles[t].v[i.previous()];
-      if (!is_side(n) && in_circle(mesh_.corner(n, 0), mesh_.corner(n, 1), mesh_.corner(n, 2), p) ==
-                             Sign::positive) {
-        if (!take(n)) return false;
-        const Corner entry = mesh_.triangles[n].edge_from(vb);
-        open_.push_back({n, entry.previous()});
-        open_.push_back({n, entry.next()});
-        continue;
+      const std::uint32_t va = own.v[i.next()], vb = own.v[i.previous()];
+      if (!is_side(n)) {
+        const MeshTriangle& other = triangles[n];
+        const auto& corners = other.v;
+        if (in_circle(points[corners[0]], points[corners[1]], points[corners[2]], p) ==
+            Sign::positive) {
+          if (!take(n)) return false;
+          const Corner entry = other.edge_from(vb);
+          open_.push_back({n, entry.previous()});
+          open_.push_back({n, entry.next()});
+          continue;
+        }
       }
       if (is_border(n)) {
         is_stopped_ = true;
         return false;
       }
-      const Point a = mesh_.points[va], b = mesh_.points[vb];
+      const Point a = points[va], b = points[vb];
       if (is_side(n)) {
         const Corners c(p, a, b);
         if (!(c.dot[0] >= limits_.apex_cot * c.cross)) return false;
