@@ -1,6 +1,7 @@
 // Work that waits in line, each piece once at a time.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -13,6 +14,10 @@ namespace cover {
 ///       largest
 class OnceQueue {
  public:
+  OnceQueue() = default;
+  /// For numbers below `end`; others may come.
+  explicit OnceQueue(std::size_t end) : waits_(end, 0) { queue_.reserve(std::min(end, kFew)); }
+
   [[nodiscard]] bool empty() const { return head_ == queue_.size(); }
   [[nodiscard]] std::size_t size() const { return queue_.size() - head_; }
 
@@ -31,6 +36,7 @@ class OnceQueue {
   }
 
  private:
+  static constexpr std::size_t kFew = 1'024;
   std::vector<std::uint32_t> queue_;
   std::size_t head_ = 0;
   std::vector<std::uint8_t> waits_;  ///< by number

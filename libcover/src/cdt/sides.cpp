@@ -20,10 +20,11 @@ std::vector<EdgeRef> locate_sides(const Triangulation& cdt, std::span<const Inde
     if (f.locked == 0) return;
     for (const Corner i : kCorners) {
       if (!f.is_locked(i)) continue;
-      const IndexPair pair{f.v[i.next()], f.v[i.previous()]};
-      const auto begin = sides.begin() + first[pair[0]], end = sides.begin() + first[pair[0] + 1];
-      const auto side = std::lower_bound(begin, end, pair);
-      if (side == end || *side != pair) continue;
+      const std::uint32_t from = f.v[i.next()], to = f.v[i.previous()];
+      const auto begin = sides.begin() + first[from], end = sides.begin() + first[from + 1];
+      const auto side = std::lower_bound(
+          begin, end, to, [](const IndexPair& s, std::uint32_t v) { return s[1] < v; });
+      if (side == end || (*side)[1] != to) continue;
       at[static_cast<std::size_t>(side - sides.begin())] = {t, static_cast<std::uint8_t>(i)};
     }
   };

@@ -18,6 +18,7 @@ Fault fault_of(const Corners& k, const SideAllowances& sides, const Goal& goal) 
   for (const Allowance* side : sides) {
     if (side != nullptr) small = std::max(small, goal.small + side->small);
   }
+  double sharpest = -kInverted;
   for (const Corner i : kCorners) {
     const double cot = k.dot[i] / k.cross;
     const double large = goal.large + (sides[i] != nullptr ? sides[i]->large : 0);
@@ -25,10 +26,10 @@ Fault fault_of(const Corners& k, const SideAllowances& sides, const Goal& goal) 
       const double target = angle_of(-large);
       fault.wide = std::max(fault.wide, (angle_of(cot) - target) / (std::numbers::pi - target));
     }
-    if (goal.weight > 0 && !is_between_sides(sides, i) && cot > small * (1 + kSameCot)) {
-      fault.narrow = std::max(fault.narrow, 1 - angle_of(cot) / angle_of(small));
-    }
+    if (!is_between_sides(sides, i)) sharpest = std::max(sharpest, cot);
   }
+  if (goal.weight > 0 && sharpest > small * (1 + kSameCot))
+    fault.narrow = 1 - angle_of(sharpest) / angle_of(small);
   return fault;
 }
 

@@ -66,6 +66,10 @@ Merit merit_of(const MutableMesh& mesh, const Goal& goal, const Team& team) {
   Merit merit{goal.large, goal.large, 0, 0, goal.small, mesh.triangle_count(), true, {}, 0, 0, 0};
   for (const SideLimit& side : mesh.sides) merit.target = std::max(merit.target, -side.apex_cot);
   merit.large = merit.target;
+  if (mesh.triangles.size() <= kRange) {  // no list of one
+    add_faults(mesh, goal, 0, mesh.triangles.size(), merit);
+    return merit;
+  }
   std::vector<Merit> parts(Team::ranges(mesh.triangles.size(), kRange), merit);
   team.each_range(mesh.triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
     add_faults(mesh, goal, first, last, parts[first / kRange]);

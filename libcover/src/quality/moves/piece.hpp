@@ -24,10 +24,11 @@ inline double improvement_of(double worst) {
 
 /// A triangulation that moves are made on, with their buffers.
 struct Piece {
+  static constexpr std::size_t kRoom = 64;  ///< for what most moves change
   static constexpr std::uint64_t kFewFlips = 4'096;
   static constexpr std::uint64_t kFlipsPerTriangle = 64;
 
-  explicit Piece(MutableMesh& whole) : mesh(whole), cavity(whole) {}
+  explicit Piece(MutableMesh& whole) : mesh(whole), cavity(whole) { again.reserve(kRoom); }
 
   MutableMesh& mesh;
   Cavity cavity;

@@ -106,6 +106,10 @@ void MutableMesh::set_goal(const Goal& goal, const Team& team) {
   goal_ = goal;
   allowances.clear();
   allowances.reserve(sides.size());
+  if (sides.size() <= kRange) {
+    for (const SideLimit& side : sides) allowances.push_back(allowance_for(side, goal));
+    return measure_all(team);
+  }
   constexpr std::size_t kAtATime = 1 << 18;  // sides: several megabytes
   std::vector<Allowance> found;
   for (std::size_t begin = 0; begin < sides.size(); begin += kAtATime) {

@@ -66,7 +66,7 @@ ImproveResult work_off(MutableMesh& mesh, std::uint64_t budget, OnceQueue& queue
 }  // namespace
 
 ImproveResult improve(MutableMesh& mesh, std::uint64_t budget, std::span<const double> known) {
-  OnceQueue queue;
+  OnceQueue queue(mesh.triangles.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (is_to_try(mesh, known, t)) queue.push(t);
   }

@@ -36,6 +36,7 @@ constexpr double kMostMoved = 1.0 / 64;
 constexpr std::size_t kRange = 1 << 15;  ///< triangles that are looked at in one go
 constexpr std::size_t kSpare = 4;        ///< one in so many may be added before lists move
 
+constexpr std::size_t kRoom = 32;        ///< triangles of a cavity: nearly all have fewer
 constexpr std::size_t kLargeFan = 1024;  ///< triangles around a new vertex, queued in rounds
 
 class Refinement {
@@ -50,6 +51,9 @@ class Refinement {
     guarded_.reserve(count + count / kSpare);
     stamp_.assign(count, 0);
     guarded_.assign(count, 0);
+    cavity_.reserve(kRoom);
+    loop_.reserve(kRoom);
+    open_.reserve(kRoom);
     guard_forced();
     shortest_ = shortest_edge();
   }
