@@ -29,6 +29,14 @@ constexpr double kSlack = 0.005;
 constexpr int kTrials = 40;
 /// From this trial on points are united from as far apart as ever; only repairs change anything.
 constexpr int kUnited = 4;
+/// Fewer trials where each looks at so much, as in a region whose points are all nearly on a line:
+/// there every almond reaches every triangle.
+constexpr int kTrialsAtLeast = 8;
+constexpr std::size_t kMostVisits = 10'000'000;
+constexpr std::size_t kMostVisitsPerAlmond = 1'000;
+/// From kUnited on so many crossings are repaired in a trial: one by one, hundreds of them would use
+/// up all trials.
+constexpr std::size_t kMostConflicts = 200;
 /// After so many rounds of waking some almonds, all are woken.
 constexpr int kRounds = 4;
 
@@ -61,14 +69,15 @@ class AlmondMethod {
     for (int trial = 0;; ++trial) {
       // Points that should have been one can be farther apart than a first guess says.
       const double unite = trial == 0 ? 1 : trial < kUnited ? 0x1p+10 : 0x1p+20;
-      const std::vector<std::uint32_t> faults = try_once(unite);
+      const std::vector<std::uint32_t> faults =
+          try_once(unite, trial < kUnited ? 1 : kMostConflicts);
       if (faults.empty()) break;
       if (wake(faults)) {
         --trial;
         all_left_out_ = false;
       } else if (all_left_out_) {
         throw InternalFault("almonds: a region without almonds fails", {input_.cdt.points.front()});
-      } else if (trial < kTrials &&
+      } else if (trial < kTrials && !(trial >= kTrialsAtLeast && has_visited_enough()) &&
                  (repair(faults, /*unite_first=*/trial == 0 && rule_.paper) || trial < kUnited)) {
         continue;
       } else {
@@ -83,18 +92,17 @@ class AlmondMethod {
 
  private:
   /// One trial; returns the almonds at fault or to be woken, none if mesh_ is complete.
-  std::vector<std::uint32_t> try_once(double unite) {
+  std::vector<std::uint32_t> try_once(double unite, std::size_t most_conflicts) {
     ChordLayer layer =
-        all_left_out_
-            ? chords_of_sides()
-            : cut_chords(lay_arcs(input_.cdt, almonds_, unite, input_.team), almonds_, rule_);
+        all_left_out_ ? chords_of_sides() : cut_chords(lay_out(unite), almonds_, rule_);
     if (!layer.faults.empty()) return layer.faults;
     const bool no_almonds =
         all_left_out_ || (std::none_of(almonds_.begin(), almonds_.end(),
                                        [](const Almond& a) { return a.has_arc(); }) &&
                           layer.chords.size() == almonds_.size());
-    Remainder remainder = no_almonds ? whole_region(input_.cdt, layer, almonds_)
-                                     : find_remainder(layer, almonds_, isolated_off_arcs(layer));
+    Remainder remainder =
+        no_almonds ? whole_region(input_.cdt, layer, almonds_)
+                   : find_remainder(layer, almonds_, isolated_off_arcs(layer), most_conflicts);
     if (!remainder.faults.empty()) return remainder.faults;
 
     mesh_.points = std::move(layer.points);
@@ -117,6 +125,16 @@ class AlmondMethod {
         triangulate_almonds(almonds_, layer, splits, rule_, mesh_.points, mesh_.triangles);
     if (!faults.empty()) return faults;
     return almonds_over_lost_points();
+  }
+
+  ArcLayer lay_out(double unite) {
+    ArcLayer layer = lay_arcs(input_.cdt, almonds_, unite, input_.team);
+    visits_ += layer.visits;
+    return layer;
+  }
+
+  [[nodiscard]] bool has_visited_enough() const {
+    return visits_ > kMostVisits + kMostVisitsPerAlmond * almonds_.size();
   }
 
   /// The chords of a region without almonds: its sides, those of the hull to be split as needed.
@@ -357,6 +375,7 @@ class AlmondMethod {
   std::vector<AlmondKind> awake_kind_;                ///< by almond
   std::vector<bool> asleep_;                          ///< by almond: not needed so far
   int rounds_ = 0;                                    ///< of waking
+  std::size_t visits_ = 0;                            ///< in all trials
   bool all_left_out_ = false;                         ///< after kTrials trials
   std::vector<Cut> cuts_;                             ///< (almond, side through it), in order
   std::vector<int> repairs_;                          ///< by almond

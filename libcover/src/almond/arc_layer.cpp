@@ -80,9 +80,12 @@ class Layer {
         for (const KnownVertex& known : reach_.known_of(k))
           entries_[at++] = {almonds_[k].place_of_ratio(known.ratio), k, known.vertex};
     });
-    for (const Pair& pair : find_pairs(cdt_, almonds_, reach_)) add_meetings(pair[0], pair[1]);
+    const std::vector<Pair> pairs = find_pairs(cdt_, almonds_, reach_);
+    for (const Pair& pair : pairs) add_meetings(pair[0], pair[1]);
     sort_entries();
-    return unite_near(unite);
+    ArcLayer layer = unite_near(unite);
+    layer.visits = reach_.visitors.size() + pairs.size();
+    return layer;
   }
 
  private:

@@ -21,6 +21,7 @@ struct ArcLayer {
   std::vector<Point> points;         ///< those of the triangulation, then the meetings
   std::vector<std::uint32_t> first;  ///< by almond, into `vertices`; one more at the end
   std::vector<ArcVertex> vertices;   ///< from u to v, both included; no vertex twice in a row
+  std::size_t visits = 0;            ///< of almonds in triangles, and pairs of them looked at
 
   [[nodiscard]] std::span<const ArcVertex> of(std::size_t almond) const {
     return std::span(vertices).subspan(first[almond], first[almond + 1] - first[almond]);

@@ -74,15 +74,16 @@ class Builder {
     }
   }
 
-  /// Inserts everything; a conflict stops it. Long segments that all cross the same edges make
-  /// insertion in a given order quadratic, in random order not (shewchuk_brown_2015).
-  std::vector<CdtConflict> insert_all() {
+  /// Inserts everything; so many conflicts stop it. Long segments that all cross the same edges
+  /// make insertion in a given order quadratic, in random order not (shewchuk_brown_2015).
+  std::vector<CdtConflict> insert_all(std::size_t most_conflicts = 1) {
     insert_points();
     if (!conflicts_.empty()) return conflicts_;
     for (const std::uint32_t s : rounds(segments_.size())) {
       insert_segment(s);
-      if (!conflicts_.empty()) return conflicts_;
+      if (conflicts_.size() >= most_conflicts) break;
     }
+    if (!conflicts_.empty()) return conflicts_;
     // Only now: faces that segments made have whatever their memory held.
     for (auto f = cdt_.all_faces_begin(); f != cdt_.all_faces_end(); ++f) f->info() = 0;
     return {};
@@ -279,10 +280,11 @@ CdtResult triangulate_hull(std::span<const Point> points, std::span<const IndexP
   return result;
 }
 
-CdtResult triangulate_domain(std::span<const Point> points, std::span<const IndexPair> sides) {
+CdtResult triangulate_domain(std::span<const Point> points, std::span<const IndexPair> sides,
+                             std::size_t most_conflicts) {
   Builder builder(points, sides);
   CdtResult result;
-  result.conflicts = builder.insert_all();
+  result.conflicts = builder.insert_all(most_conflicts);
   if (!result.conflicts.empty()) return result;
   builder.mark_left_of_sides();
   result.triangulation = builder.copy_marked();

@@ -47,6 +47,10 @@ CdtResult triangulate_hull(std::span<const Point> points, std::span<const IndexP
 /// The sides bound a domain if, around every vertex, domain and void alternate properly. If they do
 /// not, the result is a set of triangles in the convex hull for which some side has no triangle on
 /// its left, or one on its right.
-CdtResult triangulate_domain(std::span<const Point> points, std::span<const IndexPair> sides);
+///
+/// Of sides that conflict, up to `most_conflicts` are told: each of those that could not be
+/// inserted, with the first one that is in its way.
+CdtResult triangulate_domain(std::span<const Point> points, std::span<const IndexPair> sides,
+                             std::size_t most_conflicts = 1);
 
 }  // namespace cover

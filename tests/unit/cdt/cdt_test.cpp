@@ -83,6 +83,10 @@ TEST(TriangulateHull, NamesWhatIsNoPslg) {
   EXPECT_EQ(r.conflicts[0].kind, CdtConflict::Kind::crossing);
   EXPECT_EQ(r.conflicts[0].first, 0U);
   EXPECT_EQ(r.conflicts[0].second, 1U);
+  const std::vector<Point> two{{0, 0}, {4, 4}, {0, 4}, {4, 0}, {9, 0}, {9, 4}, {8, 2}, {10, 2}};
+  const std::vector<IndexPair> crossing{{0, 1}, {2, 3}, {4, 5}, {6, 7}};
+  EXPECT_EQ(triangulate_domain(two, crossing).conflicts.size(), 1U);
+  EXPECT_EQ(triangulate_domain(two, crossing, 5).conflicts.size(), 2U);
   auto twice = square;
   twice.push_back({1, 1});
   r = triangulate_hull(twice, none);

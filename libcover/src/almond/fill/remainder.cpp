@@ -37,9 +37,9 @@ void blame_all_across(const Remainder& r, const ChordLayer& layer, std::span<con
 
 /// The almonds that a conflict of the constrained triangulation points at. Of a side that has no
 /// arc any more, all that cross it: one by one they would take some trials each.
-std::vector<std::uint32_t> blame(const Remainder& r, const ChordLayer& layer,
-                                 std::span<const Almond> of_sides, std::span<const Point> points,
-                                 const CdtConflict& conflict) {
+std::vector<std::uint32_t> blame_for(const Remainder& r, const ChordLayer& layer,
+                                     std::span<const Almond> of_sides,
+                                     std::span<const Point> points, const CdtConflict& conflict) {
   std::vector<std::uint32_t> almonds;
   const auto chord = [&](std::uint32_t c) {
     almonds.push_back(layer.chords[r.arc_chord[c]].almond);
@@ -64,6 +64,23 @@ std::vector<std::uint32_t> blame(const Remainder& r, const ChordLayer& layer,
   return almonds;
 }
 
+/// The almonds of all `conflicts`, but for those that share an almond with one before: where many
+/// chords cross one, it is the one to be changed, not all of them.
+std::vector<std::uint32_t> blame(const Remainder& r, const ChordLayer& layer,
+                                 std::span<const Almond> of_sides, std::span<const Point> points,
+                                 std::span<const CdtConflict> conflicts) {
+  std::vector<std::uint32_t> almonds;
+  std::vector<bool> is_blamed(of_sides.size(), false);
+  for (const CdtConflict& conflict : conflicts) {
+    const std::vector<std::uint32_t> more = blame_for(r, layer, of_sides, points, conflict);
+    if (std::any_of(more.begin(), more.end(), [&](std::uint32_t k) { return is_blamed[k]; }))
+      continue;
+    for (const std::uint32_t k : more) is_blamed[k] = true;
+    almonds.insert(almonds.end(), more.begin(), more.end());
+  }
+  return almonds;
+}
+
 /// Beside an almond the fill need not be better than the almond itself: 35 degrees for one of 60,
 /// and less in proportion. (Else a flat almond in a narrow place would cost vertices without end.)
 double fill_nu(const Almond& almond) {
@@ -73,7 +90,7 @@ double fill_nu(const Almond& almond) {
 }  // namespace
 
 Remainder find_remainder(const ChordLayer& layer, std::span<const Almond> almonds,
-                         std::span<const std::uint32_t> isolated) {
+                         std::span<const std::uint32_t> isolated, std::size_t most_conflicts) {
   Remainder r;
   std::vector<Point> points;
   std::vector<std::uint32_t> local(layer.points.size(), kNone);
@@ -103,9 +120,9 @@ Remainder find_remainder(const ChordLayer& layer, std::span<const Almond> almond
   if (r.chords.empty()) return r;
   for (const std::uint32_t v : isolated) add(v);
 
-  CdtResult result = triangulate_domain(points, pairs);
+  CdtResult result = triangulate_domain(points, pairs, most_conflicts);
   if (!result.conflicts.empty()) {
-    r.faults = blame(r, layer, almonds, points, result.conflicts.front());
+    r.faults = blame(r, layer, almonds, points, result.conflicts);
     return r;
   }
   r.cdt = std::move(result.triangulation);

@@ -27,10 +27,11 @@ struct Remainder {
 ///
 /// ENSURES: without faults the chords are the whole boundary of `cdt`; together with interior
 ///          chords that occur in both directions, remainder and almonds then bound each other
-///          exactly.
-/// Cost:    O(n log n)
+///          exactly. Of places where chords conflict, up to `most_conflicts` are named, of each
+///          almond one.
+/// Cost:    O(n log n), and O(n) for each conflict
 Remainder find_remainder(const ChordLayer& layer, std::span<const Almond> almonds,
-                         std::span<const std::uint32_t> isolated);
+                         std::span<const std::uint32_t> isolated, std::size_t most_conflicts = 1);
 
 /// The remainder where no side has an almond: the region itself, whose triangulation is at hand.
 Remainder whole_region(const Triangulation& cdt, const ChordLayer& layer,

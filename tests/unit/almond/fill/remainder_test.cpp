@@ -63,5 +63,31 @@ TEST(FindRemainder, NamesAllThatCrossASideLeftOut) {
   EXPECT_EQ(std::find(r.faults.begin(), r.faults.end(), 1U), r.faults.end());
 }
 
+/// Arcs of three pairs of almonds cross, and one of these a fourth: one by one on request only.
+TEST(FindRemainder, NamesAsManyCrossingsAsAskedFor) {
+  ChordLayer layer;
+  std::vector<Almond> almonds(7);
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const double x = 10 * k;
+    const auto first = static_cast<std::uint32_t>(layer.points.size());
+    layer.points.insert(layer.points.end(), {{x, 0}, {x + 4, 4}, {x, 4}, {x + 4, 0}});
+    layer.chords.push_back({first, first + 1, 2 * k, ChordKind::exterior, 0, 1});
+    layer.chords.push_back({first + 2, first + 3, 2 * k + 1, ChordKind::exterior, 0, 1});
+  }
+  layer.points.insert(layer.points.end(), {{1, -1}, {1, 5}});
+  layer.chords.push_back({12, 13, 6, ChordKind::exterior, 0, 1});
+  const auto faults = [&](std::size_t most) {
+    std::vector<std::uint32_t> all = find_remainder(layer, almonds, {}, most).faults;
+    std::sort(all.begin(), all.end());
+    return all;
+  };
+  EXPECT_EQ(faults(1).size(), 2U);
+  const std::vector<std::uint32_t> all = faults(10);
+  EXPECT_TRUE(std::adjacent_find(all.begin(), all.end()) == all.end());
+  EXPECT_EQ(all.size(), 6U);  // of the three that cross each other, two
+  for (const std::uint32_t almond : {2U, 3U, 4U, 5U})
+    EXPECT_TRUE(std::binary_search(all.begin(), all.end(), almond)) << almond;
+}
+
 }  // namespace
 }  // namespace cover
