@@ -47,15 +47,24 @@ constexpr double kFootFloor = 0x1p-40;  ///< of its segment: the shortest piece 
 constexpr double kRounding = 1e-9;      ///< radians
 constexpr int kTrials = 8;  ///< single cuts are taken back so often, then all of a broken region
 constexpr std::size_t kPlaces = 8;
+/// Passes have looked at enough once they have seen so many points for each that there is now, and
+/// so many at all, and so many more segments are stuck than are cut: more passes, each of which cuts
+/// what the one before it left too long, leave the angle as far off.
+constexpr std::size_t kLooksPerPoint = 12;
+constexpr std::size_t kLooksAtLeast = 250'000;
+constexpr std::size_t kFarMoreStuck = 16;
 
 /// What the regions on both sides of a segment want.
 struct Wish {
   bool forced = false;           ///< an angle that is too large is forced on it
+  std::uint8_t forced_from = 0;  ///< kLeft, kRight or both
   double nu = std::numbers::pi;  ///< of the worst one
   Point apex;                    ///< sees it at that angle
   std::vector<Point> apexes;     ///< of the triangles on both sides
   std::optional<SegmentSizes> sizes;
 };
+
+constexpr std::uint8_t kLeft = 1, kRight = 2;  ///< of a segment
 
 /// A segment before it was cut.
 struct Whole {
@@ -79,6 +88,7 @@ class Splitter {
       whole_.push_back({a, b, length_of(pslg.segments[s])});
     }
     rigid_.assign(pslg.segments.size(), 0);
+    stuck_from_.assign(pslg.segments.size(), 0);
   }
 
   /// Cuts `halved` in any case, where there is room. False if that takes more than `most` points.
@@ -98,8 +108,12 @@ class Splitter {
       if (cuts->empty()) break;
       if (points_with(*cuts) > most) return false;
       ++pass;
-      if (pass == kPasses) break;  // nobody would look at what these cuts break
-      before_ = Before{pslg_, table_, whole_, rigid_, *std::move(cuts), 0};
+      // Nobody would look at what the last cuts break.
+      if (pass == kPasses || is_in_vain(cuts->size())) {
+        left_long_ = cuts->size();
+        break;
+      }
+      before_ = Before{pslg_, table_, whole_, rigid_, stuck_from_, *std::move(cuts), 0};
       apply(before_->cuts);
     }
     return true;
@@ -118,14 +132,22 @@ class Splitter {
                                    describe(where.front())),
                        std::move(where)});
     }
+    if (left_long_ > 0 && stuck_.empty())
+      notes.push_back({Note::Kind::warning,
+                       kVoid,
+                       fmt::format("{} would have to be cut further to force no angle above {:.6g} "
+                                   "degrees",
+                                   counted(left_long_, "segment"), degrees),
+                       {}});
     if (stuck_.empty()) return;
     std::vector<Point> where = stuck_;
     where.resize(std::min(where.size(), kPlaces));
-    notes.push_back({Note::Kind::warning, kVoid,
-                     fmt::format("{} would have to be cut too short to force no angle above {:.6g} "
-                                 "degrees, the first near {}",
-                                 counted(stuck_.size(), "segment"), degrees, describe(where[0])),
-                     std::move(where)});
+    std::string text = fmt::format(
+        "{} would have to be cut too short to force no angle above {:.6g} degrees, the first near "
+        "{}",
+        counted(stuck_.size(), "segment"), degrees, describe(where[0]));
+    if (left_long_ > 0) text += fmt::format("; {} more would have to be cut further", left_long_);
+    notes.push_back({Note::Kind::warning, kVoid, std::move(text), std::move(where)});
   }
 
  private:
@@ -136,6 +158,12 @@ class Splitter {
     std::size_t points = pslg_.points.size();
     for (const SegmentCut& cut : cuts) points += cut.points.size();
     return points;
+  }
+
+  /// Whether so many cuts, of another pass, would leave the angle as far off.
+  [[nodiscard]] bool is_in_vain(std::size_t cuts) const {
+    return looked_at_ > std::max(kLooksAtLeast, kLooksPerPoint * pslg_.points.size()) &&
+           stuck_.size() > kFarMoreStuck * cuts;
   }
 
   /// One cut for every segment that a region that changed wants shorter.
@@ -153,12 +181,11 @@ class Splitter {
     if (before_ && broken_.empty()) look_at_void();
     std::fill(dirty_.begin(), dirty_.end(), std::uint8_t{0});
     std::vector<SegmentCut> cuts;
-    stuck_.clear();
     for (std::size_t s = 0; s < wishes_.size(); ++s) {
       const Segment& segment = pslg_.segments[s];
       const Wish& wish = wishes_[s];
       if (rigid_[s] != 0) {
-        if (wish.forced) stuck_.push_back(midpoint(at(segment.a), at(segment.b)));
+        stuck_from_[s] |= wish.forced_from;
       } else if (wish.sizes && wish.sizes->is_long()) {
         cuts.push_back({SegmentId{s}, wish.sizes->cuts()});
         for (Point& place : cuts.back().points) place = on_whole(s, place);
@@ -166,10 +193,15 @@ class Splitter {
         const auto place = place_on(segment, wish, whole_[s].length);
         if (place) {
           cuts.push_back({SegmentId{s}, {on_whole(s, *place)}});
-        } else if (wish.forced) {
-          stuck_.push_back(midpoint(at(segment.a), at(segment.b)));
+        } else {
+          stuck_from_[s] |= wish.forced_from;
         }
       }
+    }
+    stuck_.clear();
+    for (std::size_t s = 0; s < stuck_from_.size(); ++s) {
+      const Segment& segment = pslg_.segments[s];
+      if (stuck_from_[s] != 0) stuck_.push_back(midpoint(at(segment.a), at(segment.b)));
     }
     return onto_arcs(pslg_, table_, classes.with_images(std::move(cuts)));
   }
@@ -177,6 +209,7 @@ class Splitter {
   /// Notes what a region wants of its sides: sizes as its mesh will have them, graded from all of
   /// its boundary, so that no long side is left beside short edges.
   void wish(RegionBoundary& boundary) {
+    looked_at_ += boundary.points.size();
     CdtResult result = triangulate_domain(boundary.points, boundary.sides);
     if (const auto fault = find_fault(result, boundary.points, boundary.sides)) {
       note_broken(boundary, *fault);
@@ -193,20 +226,30 @@ class Splitter {
     for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
       if (boundary.segments[s] == kHullSide) continue;
       const Segment& segment = pslg_.segments[boundary.segments[s].index()];
+      const std::uint8_t from = side_of(boundary, s, segment);
+      stuck_from_[boundary.segments[s].index()] &= static_cast<std::uint8_t>(~from);
       Wish& wish = wishes_[boundary.segments[s].index()];
       if (!wish.sizes) wish.sizes.emplace(at(segment.a), at(segment.b), options_);
       wish.sizes->add(boundary, s);
       const EdgeRef& edge = limit.at[s];
       const Point apex = cdt.points[cdt.triangles[edge.triangle].v[edge.edge]];
       wish.apexes.push_back(apex);
-      if (limit.side_nu[s] >= least_nu_ || limit.side_nu[s] > wish.nu) continue;
-      if (limit.side_nu[s] == wish.nu && wish.apex < apex) continue;
+      if (limit.side_nu[s] >= least_nu_) continue;
       // A foot of an earlier pass is rounded, and sees what it was made for so.
       if (is_right_ && bluntness(at(segment.a), apex, at(segment.b)) != Blunt::yes) continue;
+      wish.forced_from |= from;
+      if (limit.side_nu[s] > wish.nu) continue;
+      if (limit.side_nu[s] == wish.nu && wish.apex < apex) continue;
       wish.forced = true;
       wish.nu = limit.side_nu[s];
       wish.apex = apex;
     }
+  }
+
+  /// From which side of `segment` its region sees side `s`.
+  static std::uint8_t side_of(const RegionBoundary& boundary, std::size_t s,
+                              const Segment& segment) {
+    return boundary.vertices[boundary.sides[s][0]] == segment.a ? kLeft : kRight;
   }
 
   /// Where to cut a piece of a segment that is `whole` long; nothing if pieces would be too short,
@@ -349,6 +392,7 @@ class Splitter {
     table_ = before.table;
     whole_ = before.whole;
     rigid_ = before.rigid;
+    stuck_from_ = before.stuck_from;
     before.cuts = std::move(cuts);
     ++before.trials;
     before_ = std::move(before);
@@ -363,19 +407,22 @@ class Splitter {
 
   void apply(const std::vector<SegmentCut>& cuts) {
     std::vector<Whole> whole;
-    std::vector<std::uint8_t> rigid;
+    std::vector<std::uint8_t> rigid, stuck_from;
     auto cut = cuts.begin();
     for (std::size_t s = 0; s < whole_.size(); ++s) {
       whole.push_back(whole_[s]);
       rigid.push_back(rigid_[s]);
+      stuck_from.push_back(stuck_from_[s]);
       if (cut == cuts.end() || cut->segment.index() != s) continue;
       whole.insert(whole.end(), cut->points.size(), whole_[s]);
       rigid.insert(rigid.end(), cut->points.size(), rigid_[s]);
+      stuck_from.insert(stuck_from.end(), cut->points.size(), 0);
       mark_dirty(table_.sides[s]);
       ++cut;
     }
     whole_ = std::move(whole);
     rigid_ = std::move(rigid);
+    stuck_from_ = std::move(stuck_from);
     cut_segments(pslg_, table_, cuts);
   }
 
@@ -385,6 +432,7 @@ class Splitter {
     RegionTable table;
     std::vector<Whole> whole;
     std::vector<std::uint8_t> rigid;
+    std::vector<std::uint8_t> stuck_from;
     std::vector<SegmentCut> cuts;
     int trials = 0;  ///< so many of them were taken back
   };
@@ -402,7 +450,12 @@ class Splitter {
   std::vector<std::uint8_t> halved_;  ///< by segment: to be cut half way if it is not otherwise
   std::vector<Whole> whole_;          ///< by segment: what it is a piece of
   std::vector<std::uint8_t> rigid_;   ///< by segment: rounded cuts on it broke something
-  std::vector<Point> stuck_;
+  /// By segment: from which sides angles are forced on it though it cannot be cut. What a region
+  /// said last holds until it is looked at again.
+  std::vector<std::uint8_t> stuck_from_;
+  std::vector<Point> stuck_;   ///< the middles of these segments
+  std::size_t looked_at_ = 0;  ///< points of regions, in all passes
+  std::size_t left_long_ = 0;  ///< segments that were to be cut when no more passes were made
   std::optional<Before> before_;
   std::vector<VertexId> broken_;  ///< cuts that broke something
 };
