@@ -20,6 +20,7 @@
 #include "dxf/ends.hpp"
 #include "dxf/place_blocks.hpp"
 #include "dxf/spline.hpp"
+#include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 #include "io/input/drawings/curves.hpp"
 #include "io/text/text.hpp"
@@ -29,6 +30,10 @@ namespace {
 
 /// More points than this from the curves of one file are taken for a mistake.
 constexpr std::size_t kMostDxfPoints = std::size_t{1} << 22U;
+
+/// Ends of lines that are no farther apart than so many units in the last place are united without
+/// a word: blocks that are turned move them by as much.
+constexpr double kUlpsUnsaid = 4;
 
 using Path = std::vector<Point>;
 
@@ -175,8 +180,11 @@ class DxfConverter {
 
   void add_bulge(Point a, Point b, double bulge, const Affine& place) {
     const Point centre = midpoint(a, b) + ((1 - bulge * bulge) / (4 * bulge)) * left_normal(b - a);
-    if (a == b || bulge == 0 || !std::isfinite(centre.x) || !std::isfinite(centre.y))
+    if (a == b || bulge == 0 || !std::isfinite(centre.x) || !std::isfinite(centre.y)) {
+      note_united(place(a));
+      note_united(place(b));
       return add_path(Path{place(a), place(b)});
+    }
     const double radius =
         length(a - centre) * std::max(std::hypot(place.a, place.d), std::hypot(place.b, place.e));
     const double step = step_for(radius);
@@ -214,6 +222,17 @@ class DxfConverter {
                                  input_.source, kMostDxfPoints),
                      {},
                      {}};
+  }
+
+  /// Counts ends of lines that are taken for others though they are farther off than cleaning would
+  /// unite them, which tells what it does.
+  void note_united(Point p) {
+    if (!std::isfinite(p.x) || !std::isfinite(p.y)) return;
+    const Point q = ends_.same(p);
+    const double away = std::max(std::abs(p.x - q.x), std::abs(p.y - q.y));
+    if (away <= kUlpsUnsaid * spacing_at(size_)) return;
+    ++united_;
+    farthest_united_ = std::max(farthest_united_, away);
   }
 
   void add_path(std::optional<Path> path) {
@@ -281,6 +300,9 @@ class DxfConverter {
     const auto warn = [&](std::size_t count, std::string_view what) {
       if (count > 0) input_.warnings.push_back(fmt::format("{} {}", count, what));
     };
+    if (united_ > 0)
+      input_.warnings.push_back(fmt::format("{} of lines taken for others, up to {:.2g} away",
+                                            counted(united_, "end"), farthest_united_));
     warn(fit_splines_, "splines have fit points only: they are joined by straight lines");
     warn(bad_splines_, "splines whose knots do not fit their points are left out");
     if (options_.label_layer.empty())
@@ -301,7 +323,8 @@ class DxfConverter {
   bool named_ = false;
   const std::string* layer_ = nullptr;  ///< of the curve that is added; nullptr: no name
   long number_ = 0;                     ///< of the curve
-  std::size_t bad_splines_ = 0, fit_splines_ = 0, other_texts_ = 0;
+  std::size_t bad_splines_ = 0, fit_splines_ = 0, other_texts_ = 0, united_ = 0;
+  double farthest_united_ = 0;
   std::optional<Error> error_;
 };
 

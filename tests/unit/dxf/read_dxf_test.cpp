@@ -56,6 +56,19 @@ TEST(ReadDxf, LinesMeetWhereTheyAreTheSame) {
   EXPECT_DOUBLE_EQ(area_of(input), 0.01);
 }
 
+TEST(ReadDxf, EndsOfLinesThatAreTakenForOthersAreTold) {
+  for (const auto& [away, warnings] : {std::pair(1e-13, 1U), std::pair(0x1p-54, 0U)}) {
+    DxfWriter d;
+    d.begin_entities().line("0", 0, 0, 0.1, 0).line("0", 0.1, 0, 0.1, 0.2);
+    d.line("0", 0.1, 0.2 + away, 0, 0);
+    const Input input = read(d.finish());
+    EXPECT_EQ(input.points.size(), 3U);
+    ASSERT_EQ(input.warnings.size(), warnings) << away;
+    if (warnings == 0) continue;
+    EXPECT_EQ(input.warnings[0], "1 end of lines taken for others, up to 1e-13 away");
+  }
+}
+
 TEST(ReadDxf, CirclesAndArcsShareTheirPoints) {
   DxfWriter d;
   // A sector of 60 degrees of the circle, by the doubles that a program computes.
