@@ -38,6 +38,11 @@ class Usage(Case):
         error = self.run_cover('mesh', 'a.poly', '-o', 'a.vtu', '--fil=disks', code=2)[1]
         self.assertIn("unknown option '--fil=disks'; did you mean '--fill'?", error)
 
+    def test_short_option_with_equals(self):
+        # A file '=a.vtu' would be written.
+        error = self.run_cover('mesh', 'a.poly', '-o=a.vtu', code=2)[1]
+        self.assertIn("'-o=a.vtu': the value of -o stands behind it without '='", error)
+
     def test_misspelt_word(self):
         error = self.run_cover('mesh', 'a.poly', '-o', 'a.vtu', '--fill', 'disk', code=2)[1]
         self.assertIn("'disk' is not one of refine, disks; did you mean 'disks'?", error)

@@ -143,8 +143,26 @@ void add_verbosity(CLI::App& command, Verbosity& verbosity) {
       ->group(group);
 }
 
+namespace {
+
+/// A short option with its value behind '=' (`-o=x.vtu`), which would belong to the value.
+std::optional<std::string> short_with_equals(const CLI::App& command, const Arguments& arguments) {
+  for (const std::string& word : arguments) {
+    if (word == "--") return std::nullopt;
+    if (word.size() < 3 || word[0] != '-' || word[2] != '=') continue;
+    const CLI::Option* option = command.get_option_no_throw(word.substr(0, 2));
+    if (option != nullptr && option->get_expected_max() > 0)
+      return fmt::format("'{}': the value of {} stands behind it without '='", word,
+                         word.substr(0, 2));
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<int> parse(CLI::App& command, Arguments arguments) {
   command.formatter(std::make_shared<NarrowHelp>());
+  if (const auto wrong = short_with_equals(command, arguments)) return usage_error(command, *wrong);
   std::reverse(arguments.begin(), arguments.end());
   for (CLI::Option* option : command.get_options()) {
     const bool counts = option->check_lname("verbose") || option->check_lname("help");

@@ -4,12 +4,17 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <cover/text.hpp>
 
 #include "geom/predicates.hpp"
+#include "geom/topology/soup_edges.hpp"
+#include "geom/ulp.hpp"
+#include "geom/vector.hpp"
 
 namespace cover {
 namespace {
@@ -96,21 +101,27 @@ class Finder {
     return std::nullopt;
   }
 
-  /// Marks the pieces of a side of the hull; false if they do not lead from `a` to `b`.
+  /// Marks the pieces of a side of the hull; false if they do not lead from `a` to `b`, straight on
+  /// but for rounding.
   bool walk_hull(std::uint32_t a, std::uint32_t b) {
     if (open_.empty()) collect_open_edges();
+    const Vector along = at(b) - at(a);
+    const double farthest = farthest_off_ * length(along);
     for (std::uint32_t v = a; v != b;) {
       auto piece = std::lower_bound(open_.begin(), open_.end(), OpenEdge{v, 0});
       while (piece != open_.end() && piece->from == v && is_side_[piece->half_edge] != 0) ++piece;
       if (piece == open_.end() || piece->from != v) return false;
       is_side_[piece->half_edge] = 1;
-      v = edges_.target(piece->half_edge);
+      const std::uint32_t last = std::exchange(v, edges_.target(piece->half_edge));
       if (v < mesh_.boundary_points && v != b) return false;
+      if (dot(at(v) - at(last), along) <= 0) return false;
+      if (v != b && std::abs(cross(along, at(v) - at(a))) > farthest) return false;
     }
     return true;
   }
 
   void collect_open_edges() {
+    farthest_off_ = offset_on_segment(largest_coordinate(mesh_.points));
     for (std::uint32_t h = 0; h < edges_.size(); ++h) {
       const bool is_whole_side = std::binary_search(mesh_.sides.begin(), mesh_.sides.end(),
                                                     IndexPair{edges_.source(h), edges_.target(h)});
@@ -163,6 +174,7 @@ class Finder {
   std::vector<std::uint8_t> is_side_;  ///< by half-edge
   std::vector<OpenEdge> open_;         ///< no triangle on the other side, no whole side
   std::vector<std::uint32_t>* across_ = nullptr;
+  double farthest_off_ = 0;            ///< of a side of the hull, for points that split it
 };
 
 }  // namespace

@@ -137,6 +137,10 @@ TEST(WholeMesh, SidesOfTheHullMayBeSplit) {
   EXPECT_NE(region.fault(), "");
   std::fill(region.boundary.segments.begin(), region.boundary.segments.end(), kHullSide);
   EXPECT_EQ(region.fault(), "");
+  const Point middle = region.points[3];
+  region.points[3] = middle + 0x1p-20 * (region.points[t[2]] - middle);
+  EXPECT_NE(region.fault(), "");  // no longer on the side
+  region.points[3] = middle;
   region.triangles.pop_back();
   EXPECT_NE(region.fault(), "");
 }
