@@ -18,6 +18,8 @@
 namespace cover {
 namespace {
 
+constexpr std::size_t kRange = 1 << 14;  ///< sides that are looked at in one go
+
 constexpr double kHighEnough = 0.5;  ///< times the side: there x is 45 degrees
 
 /// The height at which the perpendicular bisector of `side` meets another one, in lengths of the
@@ -75,19 +77,20 @@ CornerLimit corner_limit(const Triangulation& cdt, EdgeRef side, bool at_end) {
 }  // namespace
 
 void mind_free_sides(const Triangulation& cdt, std::span<const EdgeRef> side_at,
-                     std::span<SideLimit> limits) {
-  for (std::size_t s = 0; s < side_at.size(); ++s) {
-    const auto& v = cdt.triangles[side_at[s].triangle].v;
-    const Corner i = side_at[s].edge;
-    const Point a = cdt.points[v[i.next()]], b = cdt.points[v[i.previous()]];
-    if (compare_with_90_degrees(a, cdt.points[v[i]], b) != Sign::positive)
-      limits[s].least_cot = std::min(0.0, limits[s].apex_cot - kSameCot);
-  }
+                     std::span<SideLimit> limits, const Team& team) {
+  team.each_range(side_at.size(), kRange, [&](std::size_t first, std::size_t last) {
+    for (std::size_t s = first; s < last; ++s) {
+      const auto& v = cdt.triangles[side_at[s].triangle].v;
+      const Corner i = side_at[s].edge;
+      const Point a = cdt.points[v[i.next()]], b = cdt.points[v[i.previous()]];
+      if (compare_with_90_degrees(a, cdt.points[v[i]], b) != Sign::positive)
+        limits[s].least_cot = std::min(0.0, limits[s].apex_cot - kSameCot);
+    }
+  });
 }
 
 std::vector<SideLimit> side_limits(const Triangulation& cdt, std::span<const EdgeRef> side_at,
                                    const Team& team) {
-  constexpr std::size_t kRange = 1 << 14;
   std::vector<SideLimit> limits(side_at.size());
   team.each_range(side_at.size(), kRange, [&](std::size_t first, std::size_t last) {
     for (std::size_t s = first; s < last; ++s) {

@@ -40,7 +40,7 @@ inline constexpr SideLimit kNoLimit{std::numeric_limits<double>::infinity(), 0, 
 /// EXACT:    which sides these are
 /// Ref:      docs/box_method.md, Theorem 1
 void mind_free_sides(const Triangulation& cdt, std::span<const EdgeRef> side_at,
-                     std::span<SideLimit> limits);
+                     std::span<SideLimit> limits, const Team& team = {});
 
 /// The limits of the sides, in the order of `side_at`.
 ///

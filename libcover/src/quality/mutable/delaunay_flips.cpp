@@ -1,6 +1,8 @@
 // Tested by tests/unit/quality/couplings_test.cpp.
 #include "quality/mutable/delaunay_flips.hpp"
 
+#include <atomic>
+
 #include "geom/predicates.hpp"
 
 namespace cover {
@@ -13,6 +15,26 @@ bool is_negative(const MutableMesh& mesh, std::uint32_t t, Corner i) {
   const std::uint32_t from = mesh.triangles[t].v[i.previous()];
   return in_circle(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2),
                    mesh.corner(u, mesh.triangles[u].edge_from(from))) == Sign::positive;
+}
+
+/// The first triangle with a negative coupling to a later one, or how many triangles there are.
+std::uint32_t first_negative(const MutableMesh& mesh, const Team& team) {
+  constexpr std::size_t kRange = 1 << 14;
+  const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
+  std::atomic<std::uint32_t> least = count;
+  team.each_range(count, kRange, [&](std::size_t first, std::size_t last) {
+    for (auto t = static_cast<std::uint32_t>(first); t < last && t < least; ++t) {
+      if (mesh.is_hole(t)) continue;
+      for (int i = 0; i < 3; ++i) {
+        const std::uint32_t u = mesh.triangles[t].n[static_cast<std::size_t>(i)];
+        if (is_side(u) || u < t || !is_negative(mesh, t, i)) continue;
+        std::uint32_t other = least;
+        while (t < other && !least.compare_exchange_weak(other, t)) {
+        }
+      }
+    }
+  });
+  return least;
 }
 
 class Flips {
@@ -50,9 +72,11 @@ class Flips {
 
 }  // namespace
 
-std::size_t make_delaunay(MutableMesh& mesh) {
+std::size_t make_delaunay(MutableMesh& mesh, const Team& team) {
   Flips flips(mesh);
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+  const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
+  const std::uint32_t begin = team.workers() > 1 ? first_negative(mesh, team) : 0;
+  for (std::uint32_t t = begin; t < count; ++t) {
     if (!mesh.is_hole(t)) flips.flip_from(t, t);
   }
   return flips.count();

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "base/team.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
 
 namespace cover {
@@ -14,7 +15,7 @@ namespace cover {
 ///
 /// EXACT: yes, in the frame of the mesh
 /// Cost:  O(triangles), and what each flip entails
-std::size_t make_delaunay(MutableMesh& mesh);
+std::size_t make_delaunay(MutableMesh& mesh, const Team& team = {});
 /// The same where all edges but those of `triangles` are locally Delaunay already.
 std::size_t make_delaunay(MutableMesh& mesh, std::span<const std::uint32_t> triangles);
 

@@ -38,6 +38,15 @@ void take_places(std::span<std::uint32_t> places, std::vector<std::uint32_t>& fr
   }
 }
 
+/// Sets the home of a vertex to the last of its triangles, in any order; kNone comes before all.
+void set_to_last(std::uint32_t& home, std::uint32_t t) {
+  const std::atomic_ref last(home);
+  std::uint32_t other = last.load(std::memory_order_relaxed);
+  while ((other == kNone || other < t) &&
+         !last.compare_exchange_weak(other, t, std::memory_order_relaxed)) {
+  }
+}
+
 }  // namespace
 
 MutableMesh::MutableMesh(const Triangulation& triangulation, std::uint32_t fixed,
@@ -56,8 +65,16 @@ MutableMesh::MutableMesh(const Triangulation& triangulation, std::uint32_t fixed
       excess[t] = 0;
     }
   });
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    for (const std::uint32_t v : triangles[t].v) home[v] = t;
+  if (team.workers() > 1) {
+    team.each_range(triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+      for (auto t = static_cast<std::uint32_t>(first); t < last; ++t) {
+        for (const std::uint32_t v : triangles[t].v) set_to_last(home[v], t);
+      }
+    });
+  } else {  // the same
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+      for (const std::uint32_t v : triangles[t].v) home[v] = t;
+    }
   }
   for (std::uint32_t s = 0; s < side_at.size(); ++s) {
     if (side_at[s].triangle == kNone)
@@ -104,21 +121,8 @@ Allowance allowance_for(const SideLimit& side, const Goal& goal) {
 void MutableMesh::set_goal(const Goal& goal, const Team& team) {
   if (goal == goal_) return;
   goal_ = goal;
-  allowances.clear();
-  allowances.reserve(sides.size());
-  if (sides.size() <= kRange) {
-    for (const SideLimit& side : sides) allowances.push_back(allowance_for(side, goal));
-    return measure_all(team);
-  }
-  constexpr std::size_t kAtATime = 1 << 18;  // sides: several megabytes
-  std::vector<Allowance> found;
-  for (std::size_t begin = 0; begin < sides.size(); begin += kAtATime) {
-    found.resize(std::min(kAtATime, sides.size() - begin));
-    team.each_range(found.size(), kRange, [&](std::size_t first, std::size_t last) {
-      for (std::size_t s = first; s < last; ++s) found[s] = allowance_for(sides[begin + s], goal);
-    });
-    for (const Allowance& allowance : found) allowances.push_back(allowance);
-  }
+  allowances.assign(
+      sides.size(), [&](std::size_t s) { return allowance_for(sides[s], goal); }, team);
   measure_all(team);
 }
 
@@ -399,11 +403,7 @@ std::uint32_t number_by_team(std::span<MeshTriangle> triangles, std::uint32_t fi
   for_each([&](std::size_t, std::uint32_t corner, std::uint32_t v) {
     const std::uint32_t t = corner / 3, number = vertex[v];
     triangles[t].v[corner % 3] = number;
-    const std::atomic_ref last(home[number]);
-    std::uint32_t other = last.load(std::memory_order_relaxed);
-    while ((other == kNone || other < t) &&
-           !last.compare_exchange_weak(other, t, std::memory_order_relaxed)) {
-    }
+    set_to_last(home[number], t);
   });
   return end;
 }

@@ -37,7 +37,7 @@ LocalFrame frame_of(const RegionBoundary& boundary, bool shifted) {
 std::vector<SideLimit> limits_of(const Triangulation& cdt, const AngleLimit& limit,
                                  const Options& options, const Team& team) {
   std::vector<SideLimit> limits = side_limits(cdt, limit.at, team);
-  if (minds_couplings(options)) mind_free_sides(cdt, limit.at, limits);
+  if (minds_couplings(options)) mind_free_sides(cdt, limit.at, limits, team);
   return limits;
 }
 
@@ -88,16 +88,17 @@ Goal Candidates::own_goal(const MutableMesh& mesh) const {
   return own;
 }
 
-Candidate Candidates::plain(const Triangulation& triangles, std::string method) const {
+Candidate Candidates::as_it_is() const { return measured(plain(cdt_, limit_.at, "cdt")); }
+
+Candidate Candidates::plain(const Triangulation& triangles, std::span<const EdgeRef> side_at,
+                            std::string method) const {
   const auto fixed = static_cast<std::uint32_t>(boundary_.points.size());
-  return {MutableMesh(triangles, fixed, locate_sides(triangles, boundary_.sides, sharing_.team),
-                      side_limits_, sharing_.team),
-          {},
-          std::move(method)};
+  return {
+      MutableMesh(triangles, fixed, side_at, side_limits_, sharing_.team), {}, std::move(method)};
 }
 
 Candidate Candidates::coupled(Candidate c) const {
-  if (goal_.coupling.inside) make_delaunay(c.mesh.change());
+  if (goal_.coupling.inside) make_delaunay(c.mesh.change(), sharing_.team);
   return measured(std::move(c));
 }
 
@@ -117,7 +118,8 @@ std::optional<Candidate> Candidates::one_star(const Candidate& cdt) {
   const OneStar found = cover::one_star(*cdt.mesh, boundary_);
   budget_.spend(found.evaluations);
   if (!found.star) return std::nullopt;
-  Candidate made = coupled(plain(*found.star, "one star"));
+  const std::vector<EdgeRef> side_at = locate_sides(*found.star, boundary_.sides, sharing_.team);
+  Candidate made = coupled(plain(*found.star, side_at, "one star"));
   proof_->has_seen(angles_of(*made.mesh));
   return made;
 }

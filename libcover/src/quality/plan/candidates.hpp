@@ -71,7 +71,7 @@ class Candidates {
   [[nodiscard]] Goal own_goal(const MutableMesh& mesh) const;
 
   /// The constrained Delaunay triangulation.
-  [[nodiscard]] Candidate as_it_is() const { return measured(plain(cdt_, "cdt")); }
+  [[nodiscard]] Candidate as_it_is() const;
   /// One star around a single new vertex, if there is one that sees all sides.
   [[nodiscard]] std::optional<Candidate> one_star(const Candidate& cdt);
   /// Whether so few sides share the 360 degrees at it that each may have the smallest angle asked.
@@ -153,7 +153,9 @@ class Candidates {
 
  private:
   [[nodiscard]] SizeFunction background_in_frame() const;
-  [[nodiscard]] Candidate plain(const Triangulation& triangles, std::string method) const;
+  /// Side s is the edge side_at[s] of `triangles`.
+  [[nodiscard]] Candidate plain(const Triangulation& triangles, std::span<const EdgeRef> side_at,
+                                std::string method) const;
   [[nodiscard]] bool is_near_its_limits(const Merit& merit, const MutableMesh& mesh);
   /// With its merit by the present goal.
   [[nodiscard]] Candidate measured(Candidate c) const;

@@ -175,7 +175,7 @@ class ExcerptSearch {
   /// Works on several at a time whose excerpts do not touch, so that none changes what another one
   /// looks at. How many does not depend on the team.
   void run(const Team& team) {
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) enqueue(t);
+    enqueue_all(team);
     while (!queue_.empty()) {
       if (budget_.is_used_up()) {
         budget_.was_too_small = true;
@@ -214,6 +214,19 @@ class ExcerptSearch {
 
   void enqueue(std::uint32_t t) {
     if (is_left(t)) queue_.push(t);
+  }
+
+  void enqueue_all(const Team& team) {
+    constexpr std::size_t kRange = 1 << 15;
+    std::vector<std::vector<std::uint32_t>> left(Team::ranges(mesh_.triangles.size(), kRange));
+    team.each_range(mesh_.triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+      for (auto t = static_cast<std::uint32_t>(first); t < last; ++t) {
+        if (is_left(t)) left[first / kRange].push_back(t);
+      }
+    });
+    for (const std::vector<std::uint32_t>& some : left) {
+      for (const std::uint32_t t : some) queue_.push(t);
+    }
   }
 
   /// Spends on `t` one of `shares` equal shares of the budget at most.
