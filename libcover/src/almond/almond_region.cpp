@@ -58,8 +58,8 @@ class AlmondRegion {
 
  private:
   void triangulate() {
-    cdt_ = triangulate_region(frame_.take_points(), boundary_.sides, boundary_.known_triangles(),
-                              team_);
+    cdt_ = triangulate_in_order(frame_.take_points(), boundary_.sides, boundary_.known_triangles(),
+                                team_);
     limit_ = angle_limit(cdt_, boundary_.sides, boundary_.segments, team_);
   }
 

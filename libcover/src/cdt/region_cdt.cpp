@@ -235,6 +235,15 @@ void put_in_order(std::size_t points, std::vector<IndexTriple>& triangles, const
 
 Triangulation triangulate_region(std::span<const Point> points, std::span<const IndexPair> sides,
                                  std::span<const IndexTriple> known, const Team& team) {
+  if (points.size() >= kLargeRegion) return triangulate_in_order(points, sides, known, team);
+  CdtResult cdt = triangulate_domain(points, sides);
+  if (auto fault = find_fault(cdt, points, sides))
+    throw InternalFault(fault->what, std::move(fault->where));
+  return std::move(cdt.triangulation);
+}
+
+Triangulation triangulate_in_order(std::span<const Point> points, std::span<const IndexPair> sides,
+                                   std::span<const IndexTriple> known, const Team& team) {
   if (!known.empty() && are_corners(known, points.size())) {
     Assembly assembly(points, sides, known, team);
     if (assembly.is_the_only_one()) return assembly.take();

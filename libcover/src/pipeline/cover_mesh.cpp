@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/faults/out_of_memory.hpp"
+#include "cdt/region_cdt.hpp"
 #include "cuts/after_meshing/cut_for_boxes.hpp"
 #include "cuts/after_meshing/cut_until_met.hpp"
 #include "cuts/after_meshing/mesh_with_closed_clefts.hpp"
@@ -42,6 +43,11 @@ Status split(Work& work, const Options& options, bool memory_counts,
     auto pieces = pieces_of_work(work.pslg, work.table, options, team);
     if (!pieces) return std::move(pieces).error();
     work.boundaries = *std::move(pieces);
+    if (options.method != Method::almond) {  // others look at those of large regions only
+      for (TriangulatedRegion& region : triangulated) {
+        if (region.triangles.size() + 2 < kLargeRegion) region.triangles = {};
+      }
+    }
     if (work.pslg.points.size() == work.report.uncut_points)
       add_known_triangles(triangulated, work.pslg.points.size(), work.boundaries, team);
     return check_expected_triangles(work.table, work.boundaries, options,

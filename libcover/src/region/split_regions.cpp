@@ -140,6 +140,7 @@ void add_known_triangles(std::span<TriangulatedRegion> regions, std::size_t poin
   constexpr std::size_t kRange = 1 << 15;
   std::vector<std::uint32_t> local(points, 0);
   for (TriangulatedRegion& region : regions) {
+    if (region.triangles.empty()) continue;
     RegionBoundary& boundary = boundaries[region.id.index() - 1];
     const std::vector<VertexId>& vertices = boundary.vertices;
     for (std::uint32_t v = 0; v < vertices.size(); ++v) local[vertices[v].index()] = v;

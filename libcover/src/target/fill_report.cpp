@@ -266,7 +266,7 @@ std::vector<std::array<Point, 3>> triangles_beyond(const Triangulation& cdt, Ang
 /// The triangulation of the points of the boundary, and of what else is given.
 Triangulation cdt_of_given(const RegionBoundary& boundary, std::span<const Point> given) {
   if (given.size() == boundary.points.size())
-    return triangulate_region(boundary.points, boundary.sides, boundary.known_triangles());
+    return triangulate_in_order(boundary.points, boundary.sides, boundary.known_triangles());
   return triangulate_domain(given, boundary.sides).triangulation;
 }
 

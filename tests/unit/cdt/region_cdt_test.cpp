@@ -61,7 +61,7 @@ TEST(RegionCdt, NamesWhatRoundingBrokeAndWhere) {
 TEST(RegionCdt, ThrowsAFaultWithThePlace) {
   const RegionBoundary boundary = testing::boundary_of({kSquare}, {{5, 1}});
   try {
-    triangulate_region(boundary.points, boundary.sides);
+    triangulate_in_order(boundary.points, boundary.sides);
     FAIL() << "no fault";
   } catch (const InternalFault& fault) {
     EXPECT_EQ(fault.where(), std::vector<Point>({{5, 1}}));
@@ -86,18 +86,18 @@ RegionBoundary odd_region() {
 
 TEST(TriangulateRegion, TakesWhatIsKnownIfThereIsNothingElse) {
   const RegionBoundary region = odd_region();
-  const Triangulation own = triangulate_region(region.points, region.sides);
+  const Triangulation own = triangulate_in_order(region.points, region.sides);
   Triples known = triples_of(own);
   put_in_order(region.points.size(), known);
   EXPECT_EQ(triples_of(own), known);
-  const Triangulation same = triangulate_region(region.points, region.sides, known);
+  const Triangulation same = triangulate_in_order(region.points, region.sides, known);
   for (std::size_t t = 0; t < own.triangles.size(); ++t) {
     EXPECT_EQ(same.triangles[t].v, own.triangles[t].v);
     EXPECT_EQ(same.triangles[t].n, own.triangles[t].n);
     EXPECT_EQ(same.triangles[t].locked, own.triangles[t].locked);
   }
   std::reverse(known.begin(), known.end());  // so that we can tell
-  const Triangulation taken = triangulate_region(region.points, region.sides, known);
+  const Triangulation taken = triangulate_in_order(region.points, region.sides, known);
   EXPECT_EQ(triples_of(taken), known);
   std::size_t locked = 0;
   for (std::uint32_t t = 0; t < taken.triangles.size(); ++t) {
@@ -136,10 +136,10 @@ TEST(PutInOrder, IsTheSameForAnyNumberOfThreads) {
 
 TEST(TriangulateRegion, FindsItselfWhatIsKnownWrongly) {
   const RegionBoundary region = odd_region();
-  const Triples right = triples_of(triangulate_region(region.points, region.sides));
+  const Triples right = triples_of(triangulate_in_order(region.points, region.sides));
   const auto expect_own = [&](Triples known, const char* what) {
     std::reverse(known.begin(), known.end());
-    EXPECT_EQ(triples_of(triangulate_region(region.points, region.sides, known)), right) << what;
+    EXPECT_EQ(triples_of(triangulate_in_order(region.points, region.sides, known)), right) << what;
   };
   Triples wrong = right;
   wrong.pop_back();
@@ -151,7 +151,7 @@ TEST(TriangulateRegion, FindsItselfWhatIsKnownWrongly) {
   std::swap(wrong[0][1], wrong[0][2]);
   expect_own(wrong, "clockwise");
   // The other diagonal of any two triangles that makes triangles, too.
-  const Triangulation own = triangulate_region(region.points, region.sides);
+  const Triangulation own = triangulate_in_order(region.points, region.sides);
   std::size_t flipped = 0;
   for (std::uint32_t t = 0; t < own.triangles.size(); ++t) {
     for (const Corner i : kCorners) {
@@ -171,7 +171,7 @@ TEST(TriangulateRegion, FindsItselfWhatIsKnownWrongly) {
 
 TEST(TriangulateRegion, FindsItselfWhatMayBeOtherwise) {
   const RegionBoundary square = testing::boundary_of({kSquare});
-  const Triples own = triples_of(triangulate_region(square.points, square.sides));
+  const Triples own = triples_of(triangulate_in_order(square.points, square.sides));
   ASSERT_EQ(own.size(), 2U);
   for (std::uint32_t first = 0; first < 2; ++first) {  // with either diagonal
     Triples known{{0, 1, 2}, {0, 2, 3}};
@@ -182,7 +182,7 @@ TEST(TriangulateRegion, FindsItselfWhatMayBeOtherwise) {
     }
     for (IndexTriple& t : known)
       for (std::uint32_t& v : t) v = around[(v + first) % 4];
-    EXPECT_EQ(triples_of(triangulate_region(square.points, square.sides, known)), own);
+    EXPECT_EQ(triples_of(triangulate_in_order(square.points, square.sides, known)), own);
   }
 }
 
