@@ -85,6 +85,28 @@ TEST(CoverMesh, MeshesTheHullOfPointsThatOnlyRoundingKeepsOffALine) {
   }
 }
 
+TEST(CoverMesh, DisksInTheHullOfATurnedLatticeLeaveNoRingOpen) {
+  // Points that rounding keeps off the sides of the hull; disks about them touched nothing.
+  Options options;
+  options.hull = true;
+  options.fill = Fill::disks;
+  options.threads = 1;
+  constexpr double kTurn = 0.872798298841068;
+  const double c = std::cos(kTurn), s = std::sin(kTurn);
+  std::vector<Point> points;
+  for (int k = 0; k < 30; ++k) {
+    const double x = k % 7 / 10.0, y = k / 7 / 10.0;
+    points.push_back({(x * c - y * s) * 1e-3 + 1, (x * s + y * c) * 1e-3 + 1});
+  }
+  const Result<Output> output = cover_mesh(scattered(points), options);
+  ASSERT_TRUE(output.has_value()) << output.error().message;
+  VerifyOptions verify;
+  verify.hull = true;
+  const Verification found =
+      verify_cover(output->pslg, output->table, triangle_soup(output->mesh), verify);
+  EXPECT_TRUE(found.violations.empty()) << found.violations.front().message;
+}
+
 TEST(CoverMesh, SliversOnTheHullThatDoublesCannotDivideAreNamed) {
   // Decimals on one line are no doubles on one line: (30.4, 9.45) lies 7e-16 inside the hull.
   const Input input = testing::segments_between({{31, 9.21}, {30.2, 9.53}, {30.4, 9.45}, {30, 8}},

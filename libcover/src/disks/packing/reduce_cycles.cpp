@@ -39,7 +39,9 @@ class Reduction {
     while (!open.empty()) {
       const Index cycle = open.back();
       open.pop_back();
-      if (packing_.cycles[cycle].size <= 4) continue;
+      const Index size = packing_.cycles[cycle].size;
+      if (size < 3) return false;  // rounding has left a disk apart, or two that touch twice
+      if (size <= 4) continue;
       const auto disk = best_disk(cycle);
       if (!disk) return false;
       const std::vector<Index> arcs = packing_.insert_disk(disk->circle, disk->contacts);
