@@ -322,6 +322,10 @@ class Mesh(Case):
     def test_no_progress_without_a_terminal(self):
         self.assertNotIn('%', self.run_cover('mesh', SAMPLES / 'coax.poly', '-o', 'd.vtu')[1])
 
+    def test_progress_tells_of_writing(self):
+        told = self.run_cover('mesh', SAMPLES / 'coax.poly', '-o', 'd.vtu', '--progress', 'on')[1]
+        self.assertIn('write', told.split('mesh')[-1])
+
     def test_progress_on_a_terminal(self):
         try:
             master, slave = pty.openpty()

@@ -250,10 +250,13 @@ int write_files(const MeshCommand& command, const std::vector<File>& files,
     WriteOptions format = command.formats.make();
     format.stop = stop;
     const bool is_report = k >= command.outputs.size();  // they come last
+    ProgressLine line(file.path == "-" ? ShowProgress::off : command.show_progress());
+    line.update({"write", 0, 0});
     const Status written = !streamed.is_streamed() ? write_to(file.write, streamed.output,
                                                               file.path, "." + command.format, stop)
                            : is_report             ? write_report_json(streamed, file.path)
                                        : write_streamed_mesh(streamed, file.path, format);
+    line.clear();
     if (!written) return fail(log, written.error());
     log.info("wrote {}", file.path == "-" ? "to standard output" : file.path);
   }
