@@ -417,9 +417,9 @@ class Memory(Case):
         if self.peak('mesh', square, '-j', 1, '-o', self.dir / 'square.vtu') > 100 << 20:
             self.skipTest('a sanitizer takes memory of its own')
         small, large = [self.star(n) for n in (120000, 300000)]
-        # The almond method makes hardly more triangles than there are points, which take memory, too: 460 were counted.
+        # The almond method makes hardly more triangles than there are points, which take memory, too: 448 were counted.
         self.assertLess(self.bytes_per_triangle('almond', [small, large]), 470)
-        # Regions of more than 100,000 triangles are worked on in parts, which are copies: 237 were counted.
+        # Regions of more than 100,000 triangles are worked on in parts, which are copies: 234 were counted.
         self.assertLess(self.bytes_per_triangle('quality', [small, large]), 240)
 
     def test_out_of_memory(self):

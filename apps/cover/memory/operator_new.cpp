@@ -27,7 +27,7 @@ void pool_large_arrays() {}
 
 namespace {
 
-constexpr std::size_t kLarge = std::size_t{2} << 20;
+constexpr std::size_t kLarge = std::size_t{1} << 19;
 constexpr std::uintptr_t kSmallestPage = 4096;
 
 constinit PagePool pool;

@@ -73,7 +73,7 @@ double largest_forced(const MutableMesh& mesh, const Team& team) {
 }  // namespace
 
 Merit merit_of(const MutableMesh& mesh, const Goal& goal, const Team& team) {
-  constexpr std::size_t kRange = 1 << 17;  // whatever the team: faults are summed in the same order
+  constexpr std::size_t kRange = 1 << 15;  // whatever the team: faults are summed in the same order
   Merit merit{goal.large, goal.large, 0, 0, goal.small, mesh.triangle_count(), true, {}, 0, 0, 0};
   if (mesh.triangles.size() <= kRange) {  // no lists of one
     for (const SideLimit& side : mesh.sides) merit.target = std::max(merit.target, -side.apex_cot);

@@ -33,6 +33,11 @@ constexpr int kBucketsPerBlock = 16;  ///< two per factor of two, in squared len
 /// Of a centre's distance from a corner, squared: rounding may take or add an eighth.
 constexpr double kMostMoved = 1.0 / 64;
 
+/// Parts are smaller than where a mesh is improved, until there are enough: their triangles become
+/// some three times as many, and what waits at their borders is for one thread.
+constexpr std::size_t kLeastPart = 12'500;  ///< triangles
+constexpr std::size_t kEnoughParts = 32;
+
 constexpr std::size_t kRange = 1 << 15;  ///< triangles that are looked at in one go
 constexpr std::size_t kSpare = 4;        ///< one in so many may be added before lists move
 
@@ -429,8 +434,10 @@ void refine_in_blocks(MutableMesh& mesh, const RefineLimits& limits, SizeField& 
 
 void refine(MutableMesh& mesh, const RefineLimits& limits, SizeField sizes,
             const Sharing& sharing) {
-  if (sharing.divides(mesh)) {
-    refine_in_blocks(mesh, limits, sizes, sharing);
+  Sharing parts = sharing;
+  parts.block = std::min(parts.block, std::max(kLeastPart, mesh.triangle_count() / kEnoughParts));
+  if (parts.divides(mesh)) {
+    refine_in_blocks(mesh, limits, sizes, parts);
   } else {
     Refinement(mesh, limits, sizes).run();
   }
