@@ -2,6 +2,7 @@
 #include "target/flat_on_hull.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "cdt/couplings.hpp"
 #include "geom/ulp.hpp"
@@ -20,20 +21,32 @@ std::vector<IndexTriple> without_flat_on_hull(const RegionBoundary& boundary,
   const double most = kFlatOnHull * spacing_at(largest_coordinate(points));
   const std::vector<std::uint32_t> across = across_edges(points.size(), triangles, boundary.sides);
   std::vector<bool> is_flat(triangles.size(), false);
-  std::vector<std::uint32_t> stack;
+  struct HullEdge {
+    Point from, to;
+    std::uint32_t half_edge;
+  };
+  std::vector<HullEdge> hull;
   for (std::uint32_t h = 0; h < across.size(); ++h) {
     const IndexPair edge{triangles[h / 3][h % 3], triangles[h / 3][(h + 1) % 3]};
     const auto side = std::lower_bound(boundary.sides.begin(), boundary.sides.end(), edge);
     if (side == boundary.sides.end() || *side != edge ||
         boundary.segments[static_cast<std::size_t>(side - boundary.sides.begin())] != kHullSide)
       continue;
-    const Point a = points[edge[0]];
-    const Vector along = points[edge[1]] - a;
-    for (stack.push_back(h / 3); !stack.empty();) {
+    hull.push_back({points[edge[0]], points[edge[1]], h});
+  }
+  // What one side has found ends the search from others: in the order of the verifier.
+  std::sort(hull.begin(), hull.end(), [](const HullEdge& a, const HullEdge& b) {
+    return std::pair(a.from, a.to) < std::pair(b.from, b.to);
+  });
+  std::vector<std::uint32_t> stack;
+  for (const HullEdge& side : hull) {
+    const Point from = side.from;
+    const Vector along = side.to - from;
+    for (stack.push_back(side.half_edge / 3); !stack.empty();) {
       const std::uint32_t t = stack.back();
       stack.pop_back();
       if (is_flat[t] || std::any_of(triangles[t].begin(), triangles[t].end(), [&](std::uint32_t v) {
-            return cross(along, points[v] - a) >= most * length(along);
+            return cross(along, points[v] - from) >= most * length(along);
           }))
         continue;
       is_flat[t] = true;

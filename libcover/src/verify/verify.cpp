@@ -375,18 +375,26 @@ class Verifier {
   }
 
   /// The triangles between a side of the hull and points that could lie on it by rounding: no
-  /// vertex that splits the side would be told from these.
+  /// vertex that splits the side would be told from these. Sides come in the order of their places,
+  /// since what one has found ends the search from others.
   [[nodiscard]] std::vector<std::uint32_t> flat_on_hull() const {
-    std::vector<std::uint32_t> flat;
     const auto all = edges_.all();
+    std::vector<SoupEdges::Edge> sides;
     for (std::size_t k = 0; k < all.size(); ++k) {
-      if (side_of_[k] != kNoSide && domain_.sides[side_of_[k]].hull) add_flat_on(all[k], flat);
+      if (side_of_[k] != kNoSide && domain_.sides[side_of_[k]].hull) sides.push_back(all[k]);
     }
+    std::sort(sides.begin(), sides.end(), [&](const auto& a, const auto& b) {
+      return std::pair(at(a.from), at(a.to)) < std::pair(at(b.from), at(b.to));
+    });
+    std::vector<std::uint32_t> flat;
+    std::vector<bool> is_found(sides.empty() ? 0 : mesh_.triangles.size(), false);
+    for (const SoupEdges::Edge& side : sides) add_flat_on(side, is_found, flat);
     std::sort(flat.begin(), flat.end());
     return flat;
   }
 
-  void add_flat_on(const SoupEdges::Edge& side, std::vector<std::uint32_t>& flat) const {
+  void add_flat_on(const SoupEdges::Edge& side, std::vector<bool>& is_found,
+                   std::vector<std::uint32_t>& flat) const {
     const Point a = at(side.from);
     const Vector along = at(side.to) - a;
     const auto is_flat = [&](std::uint32_t t) {
@@ -395,16 +403,18 @@ class Verifier {
         return cross(along, p - a) < offset_on_segment(scale_) * length(along);
       });
     };
-    if (!is_flat(side.triangle)) return;
     std::size_t next = flat.size();
-    for (flat.push_back(side.triangle); next < flat.size(); ++next) {
+    const auto add = [&](std::uint32_t t) {
+      if (is_found[t] || !is_flat(t)) return;
+      is_found[t] = true;
+      flat.push_back(t);
+    };
+    for (add(side.triangle); next < flat.size(); ++next) {
       const auto& t = mesh_.triangles[flat[next]];
       for (const Corner i : kCorners) {
         const auto twin = edges_.find(t[i.next()], t[i]);
         if (!twin || side_of_[*twin] != kNoSide) continue;
-        const std::uint32_t beyond = edges_.all()[*twin].triangle;
-        if (is_flat(beyond) && std::find(flat.begin(), flat.end(), beyond) == flat.end())
-          flat.push_back(beyond);
+        add(edges_.all()[*twin].triangle);
       }
     }
   }

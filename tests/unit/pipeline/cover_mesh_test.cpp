@@ -85,6 +85,34 @@ TEST(CoverMesh, MeshesTheHullOfPointsThatOnlyRoundingKeepsOffALine) {
   }
 }
 
+TEST(CoverMesh, TheVerifierExcusesOnTheHullWhatTheReportExcuses) {
+  Options options;
+  options.hull = true;
+  options.method = Method::almond;
+  options.threads = 1;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> place(0, 1);
+    const double turn = 6 * place(random);
+    std::vector<Point> points;
+    for (int k = 0; k < 200; ++k) {
+      const double t = 1e-9 * place(random);
+      points.push_back({t * std::cos(turn), t * std::sin(turn)});
+    }
+    const Result<Output> output = cover_mesh(scattered(points), options);
+    ASSERT_TRUE(output.has_value()) << output.error().message;
+    const auto& notes = output->report.regions.at(0).notes;
+    const bool is_told = std::any_of(notes.begin(), notes.end(), [](const Note& note) {
+      return note.kind == Note::Kind::bound_missed;
+    });
+    VerifyOptions verify;
+    verify.hull = true;
+    const Verification found =
+        verify_cover(output->pslg, output->table, triangle_soup(output->mesh), verify);
+    EXPECT_EQ(!found.violations.empty(), is_told) << seed;
+  }
+}
+
 TEST(CoverMesh, DisksInTheHullOfATurnedLatticeLeaveNoRingOpen) {
   // Points that rounding keeps off the sides of the hull; disks about them touched nothing.
   Options options;
