@@ -1,6 +1,7 @@
 // Tested by tests/unit/io/read_mesh/read_output_test.cpp.
 #include <cover/stored_mesh.hpp>
 
+#include <algorithm>
 #include <deque>
 #include <filesystem>
 #include <limits>
@@ -34,6 +35,17 @@ Region region_of(const Json& json) {
   region.material = json.at("material");
   region.material_name = json.at("material_name");
   return region;
+}
+
+/// Lines that are not listed, beside as many as are: without a limit, one number would take all
+/// memory.
+constexpr std::size_t kMostUnlisted = std::size_t{1} << 20U;
+
+std::size_t largest_line(const Json& lines) {
+  std::size_t largest = 0;
+  for (const Json& line : lines)
+    largest = std::max<std::size_t>(largest, line.at("id").get<std::uint32_t>());
+  return largest;
 }
 
 void add_line(const Json& json, StoredMesh& stored) {
@@ -147,7 +159,10 @@ Result<bool> read_manifest(const std::string& path, std::span<const std::int64_t
     read_origin(json, stored);
     stored.input_vertices = json.at("counts").at("input_vertices");
     for (const Json& region : json.at("regions")) stored.regions.push_back(region_of(region));
-    for (const Json& line : json.at("lines")) add_line(line, stored);
+    const Json& lines = json.at("lines");
+    if (const std::size_t last = largest_line(lines); last > 2 * lines.size() + kMostUnlisted)
+      return wrong(fmt::format("a line has the number {}, and {} are listed", last, lines.size()));
+    for (const Json& line : lines) add_line(line, stored);
     for (const Json& arc : json.value("arcs", Json::array()))
       stored.arcs.push_back({{{arc.at("centre").at(0), arc.at("centre").at(1)}, arc.at("radius")},
                              arc.at("edges").get<decltype(StoredArc::edges)>()});

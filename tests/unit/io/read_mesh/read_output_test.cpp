@@ -14,6 +14,7 @@
 #include <cover/version.hpp>
 #include <cover/write_mesh.hpp>
 
+#include "io/text/text.hpp"
 #include "support/inputs/inputs.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/written_mesh.hpp"
@@ -117,6 +118,24 @@ TEST(ReadOutput, TheManifestSaysHowTheMeshCameAbout) {
   EXPECT_EQ(read->report.provenance.source, written.report.provenance.source);
   EXPECT_EQ(read->report.provenance.version, COVER_VERSION);
   EXPECT_EQ(read->report.provenance.settings, written.report.provenance.settings);
+}
+
+TEST(ReadOutput, RefusesNumbersOfLinesWithoutEnd) {
+  const testing::TemporaryFolder folder;
+  const Output written = device();
+  const std::string path = folder.path() / "device.vtu", names = folder.path() / "device.json";
+  ASSERT_TRUE(write_vtu(written, path));
+  ASSERT_TRUE(write_manifest(written, names));
+  std::string text = read_file(names).value();
+  const std::size_t id = text.find("\"id\"", text.find("\"lines\": ["));
+  ASSERT_NE(id, std::string::npos);
+  const std::size_t first = text.find_first_of("0123456789", id);
+  text.replace(first, text.find_first_not_of("0123456789", first) - first, "4294967295");
+  std::ofstream(names) << text;
+  const Result<Output> read = read_output(path);
+  ASSERT_FALSE(read);
+  EXPECT_NE(read.error().message.find("a line has the number 4294967295"), std::string::npos)
+      << read.error().message;
 }
 
 TEST(ReadOutput, WithoutEitherItSaysWhatIsMissing) {
