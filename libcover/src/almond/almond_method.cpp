@@ -34,8 +34,8 @@ constexpr int kUnited = 4;
 constexpr int kTrialsAtLeast = 8;
 constexpr std::size_t kMostVisits = 10'000'000;
 constexpr std::size_t kMostVisitsPerAlmond = 1'000;
-/// From kUnited on so many crossings are repaired in a trial: one by one, hundreds of them would use
-/// up all trials.
+/// From kUnited on so many crossings are repaired in a trial: one by one, hundreds of them would
+/// use up all trials.
 constexpr std::size_t kMostConflicts = 200;
 /// After so many rounds of waking some almonds, all are woken.
 constexpr int kRounds = 4;

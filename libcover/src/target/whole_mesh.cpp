@@ -174,7 +174,7 @@ class Finder {
   std::vector<std::uint8_t> is_side_;  ///< by half-edge
   std::vector<OpenEdge> open_;         ///< no triangle on the other side, no whole side
   std::vector<std::uint32_t>* across_ = nullptr;
-  double farthest_off_ = 0;            ///< of a side of the hull, for points that split it
+  double farthest_off_ = 0;  ///< of a side of the hull, for points that split it
 };
 
 }  // namespace

@@ -48,8 +48,8 @@ constexpr double kRounding = 1e-9;      ///< radians
 constexpr int kTrials = 8;  ///< single cuts are taken back so often, then all of a broken region
 constexpr std::size_t kPlaces = 8;
 /// Passes have looked at enough once they have seen so many points for each that there is now, and
-/// so many at all, and so many more segments are stuck than are cut: more passes, each of which cuts
-/// what the one before it left too long, leave the angle as far off.
+/// so many at all, and so many more segments are stuck than are cut: more passes, each of which
+/// cuts what the one before it left too long, leave the angle as far off.
 constexpr std::size_t kLooksPerPoint = 12;
 constexpr std::size_t kLooksAtLeast = 250'000;
 constexpr std::size_t kFarMoreStuck = 16;
