@@ -44,8 +44,8 @@ void set_limits(const AngleLimit& limit, RegionReport& report);
 /// Fills `mesh.report` from the triangles: quality, box, numbers of vertices, and bound_held from
 /// nu_bound. Where the bound is missed a note names the worst triangle.
 ///
-/// REQUIRES: report.id and report.nu_bound are set; `across` is nothing, or what across_edges() makes
-///           of the triangles
+/// REQUIRES: report.id and report.nu_bound are set; `across` is nothing, or what across_edges()
+///           makes of the triangles
 void fill_report(const RegionBoundary& boundary, RegionMesh& mesh, const Team& team = {},
                  std::vector<std::uint32_t> across = {});
 
