@@ -330,9 +330,9 @@ class DxfConverter {
 
 /// Notes what the drawing says of its unit.
 void set_unit(Input& input, int unit, const ReadOptions& options) {
-  static const std::map<int, const char*> kUnits{
+  static const std::map<int, const char*> units{
       {4, "mm"}, {5, "cm"}, {6, "m"}, {12, "nm"}, {13, "um"}};
-  if (const auto known = kUnits.find(unit); known != kUnits.end()) {
+  if (const auto known = units.find(unit); known != units.end()) {
     input.unit = known->second;
   } else if (unit == 1 && options.unit.empty()) {
     input.warnings.emplace_back("the drawing is in inches: --scale 25.4 --unit mm makes it mm");
