@@ -145,39 +145,6 @@ class Assembly {
   Triangulation out_;
 };
 
-/// The same triangles as put_in_order() would put them.
-Triangulation in_order(Triangulation all) {
-  std::vector<std::uint32_t> next(all.points.size() + 1, 0);
-  for (Triangle& t : all.triangles) {
-    const auto lowest = std::min_element(t.v.begin(), t.v.end()) - t.v.begin();
-    std::rotate(t.v.begin(), t.v.begin() + lowest, t.v.end());
-    std::rotate(t.n.begin(), t.n.begin() + lowest, t.n.end());
-    const unsigned twice = t.locked * 0b1001U;
-    t.locked = static_cast<std::uint8_t>(twice >> lowest & 0b111U);
-    ++next[t.v[0] + 1];
-  }
-  for (std::size_t v = 1; v < next.size(); ++v) next[v] += next[v - 1];
-  std::vector<std::uint32_t> order(all.triangles.size());
-  for (std::uint32_t t = 0; t < order.size(); ++t) order[next[all.triangles[t].v[0]]++] = t;
-  std::ptrdiff_t first = 0;
-  for (std::size_t v = 0; v + 1 < next.size(); first = next[v++]) {
-    if (next[v] - first > 1)
-      std::sort(order.begin() + first, order.begin() + next[v],
-                [&](std::uint32_t s, std::uint32_t t) {
-                  return all.triangles[s].v[1] < all.triangles[t].v[1];
-                });
-  }
-  std::vector<std::uint32_t> number(order.size());
-  for (std::uint32_t k = 0; k < order.size(); ++k) number[order[k]] = k;
-  std::vector<Triangle> sorted(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    sorted[k] = all.triangles[order[k]];
-    for (std::uint32_t& n : sorted[k].n) n = n == kNone ? kNone : number[n];
-  }
-  all.triangles = std::move(sorted);
-  return all;
-}
-
 bool are_corners(std::span<const IndexTriple> triangles, std::size_t points) {
   return std::all_of(triangles.begin(), triangles.end(), [&](const IndexTriple& t) {
     return std::max({t[0], t[1], t[2]}) < points;
@@ -251,7 +218,6 @@ Triangulation triangulate_in_order(std::span<const Point> points, std::span<cons
   CdtResult cdt = triangulate_domain(points, sides);
   if (auto fault = find_fault(cdt, points, sides))
     throw InternalFault(fault->what, std::move(fault->where));
-  if (points.size() < kLargeRegion) return in_order(std::move(cdt.triangulation));
   std::vector<IndexTriple> triangles;
   triangles.reserve(cdt.triangulation.triangles.size());
   for (const Triangle& t : cdt.triangulation.triangles) triangles.push_back(t.v);
