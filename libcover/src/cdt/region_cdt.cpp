@@ -145,6 +145,14 @@ class Assembly {
   Triangulation out_;
 };
 
+/// In the order in which points were inserted.
+Triangulation as_made(std::span<const Point> points, std::span<const IndexPair> sides) {
+  CdtResult cdt = triangulate_domain(points, sides);
+  if (auto fault = find_fault(cdt, points, sides))
+    throw InternalFault(fault->what, std::move(fault->where));
+  return std::move(cdt.triangulation);
+}
+
 bool are_corners(std::span<const IndexTriple> triangles, std::size_t points) {
   return std::all_of(triangles.begin(), triangles.end(), [&](const IndexTriple& t) {
     return std::max({t[0], t[1], t[2]}) < points;
@@ -202,11 +210,8 @@ void put_in_order(std::size_t points, std::vector<IndexTriple>& triangles, const
 
 Triangulation triangulate_region(std::span<const Point> points, std::span<const IndexPair> sides,
                                  std::span<const IndexTriple> known, const Team& team) {
-  if (points.size() >= kLargeRegion) return triangulate_in_order(points, sides, known, team);
-  CdtResult cdt = triangulate_domain(points, sides);
-  if (auto fault = find_fault(cdt, points, sides))
-    throw InternalFault(fault->what, std::move(fault->where));
-  return std::move(cdt.triangulation);
+  return points.size() < kLargeRegion ? as_made(points, sides)
+                                      : triangulate_in_order(points, sides, known, team);
 }
 
 Triangulation triangulate_in_order(std::span<const Point> points, std::span<const IndexPair> sides,
@@ -215,13 +220,9 @@ Triangulation triangulate_in_order(std::span<const Point> points, std::span<cons
     Assembly assembly(points, sides, known, team);
     if (assembly.is_the_only_one()) return assembly.take();
   }
-  CdtResult cdt = triangulate_domain(points, sides);
-  if (auto fault = find_fault(cdt, points, sides))
-    throw InternalFault(fault->what, std::move(fault->where));
   std::vector<IndexTriple> triangles;
-  triangles.reserve(cdt.triangulation.triangles.size());
-  for (const Triangle& t : cdt.triangulation.triangles) triangles.push_back(t.v);
-  cdt = {};
+  for (const Triangulation made = as_made(points, sides); const Triangle& t : made.triangles)
+    triangles.push_back(t.v);
   put_in_order(points.size(), triangles, team);
   return Assembly(points, sides, triangles, team).take();
 }
