@@ -76,7 +76,9 @@ TEST(PlainLines, RangesAreOneTextForAnyNumberOfThreads) {
           lines += part.line_count;
         }
         EXPECT_EQ(next, std::min<int>(kPlain, static_cast<int>(most)));
-        if (most > kPlain) EXPECT_EQ(bytes, plain);
+        if (most > kPlain) {
+          EXPECT_EQ(bytes, plain);
+        }
         EXPECT_FALSE(parts.back().is_all);
       });
     }

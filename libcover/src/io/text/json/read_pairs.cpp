@@ -10,6 +10,14 @@
 #include <type_traits>
 
 namespace cover {
+
+template <class Number>
+struct PairRange {
+  std::vector<std::array<Number, 2>> pairs{};
+  std::size_t end = 0;  ///< behind the comma of the last pair, or the "]" behind it
+  bool is_closed = false;
+};
+
 namespace {
 
 constexpr std::size_t kRange = 1 << 17;         // bytes
@@ -107,17 +115,10 @@ std::size_t behind_pair(std::string_view text, std::size_t at, std::size_t end) 
   return end;
 }
 
-template <class Number>
-struct Range {
-  std::vector<std::array<Number, 2>> pairs{};
-  std::size_t end = 0;  ///< behind the comma of the last pair, or the "]" behind it
-  bool is_closed = false;
-};
-
 /// The pairs that begin in [begin, end).
 template <class Number>
-Range<Number> read_range(std::string_view text, std::size_t begin, std::size_t end) {
-  Range<Number> range;
+PairRange<Number> read_range(std::string_view text, std::size_t begin, std::size_t end) {
+  PairRange<Number> range;
   range.pairs.reserve((end - begin) / kFewestBytes);
   range.end = begin;
   PairReader reader(text.substr(begin));
@@ -157,7 +158,7 @@ Pairs<Number> read_pairs(std::string_view text, std::size_t begin, const Team& t
     if (next == end) break;
     begins.push_back(next);
   }
-  std::vector<Range<Number>> ranges(begins.size());
+  std::vector<PairRange<Number>> ranges(begins.size());
   begins.push_back(end);
   team.each(ranges.size(),
             [&](std::size_t k) { ranges[k] = read_range<Number>(text, begins[k], begins[k + 1]); });

@@ -42,7 +42,7 @@ class RawBytes {
 constexpr std::string_view kBit = "Bit";
 
 std::optional<NumberType> xml_type(std::string_view name) {
-  constexpr std::pair<std::string_view, NumberType> kTypes[] = {
+  constexpr std::pair<std::string_view, NumberType> kXmlTypes[] = {
       {"Int8", NumberType::int8},       {"UInt8", NumberType::uint8},
       {"Int16", NumberType::int16},     {"UInt16", NumberType::uint16},
       {"Int32", NumberType::int32},     {"UInt32", NumberType::uint32},
@@ -50,7 +50,7 @@ std::optional<NumberType> xml_type(std::string_view name) {
       {"Float32", NumberType::float32}, {"Float64", NumberType::float64},
       {kBit, NumberType::uint8},  // eight of them in a byte
   };
-  for (const auto& [known, type] : kTypes)
+  for (const auto& [known, type] : kXmlTypes)
     if (known == name) return type;
   return std::nullopt;
 }

@@ -89,8 +89,8 @@ class VtuWriter {
   /// Those that were put, some at a time: while they are made, those before them are written.
   void write_pieces() {
     if (pieces_.empty()) return;
-    constexpr std::size_t kAtATime = 32;
-    const std::size_t step = team_.workers() > 1 ? kAtATime : 1;
+    constexpr std::size_t kPiecesAtATime = 32;
+    const std::size_t step = team_.workers() > 1 ? kPiecesAtATime : 1;
     out_.flush();
     std::vector<std::string> made(step), written(step);
     for (std::size_t k = 0; k < pieces_.size() + step; k += step) {

@@ -183,7 +183,8 @@ std::string large_file(const char* point, const char* segment, const char* name,
   std::string text = R"({"points": [)";
   for (long k = 0; k < kPoints; ++k) {
     const bool is_other = k == 14'567;
-    text += is_other ? std::string(point) : fmt::format("[{}, {}]", 0.1 * k, k % 7 == 0 ? -0 : k);
+    text += is_other ? std::string(point)
+                     : fmt::format("[{}, {}]", 0.1 * static_cast<double>(k), k % 7 == 0 ? 0 : k);
     text += k + 1 < kPoints ? ", " : "";
   }
   text += R"(], "holes": [[0.5, 0.25]], "segments": [)";

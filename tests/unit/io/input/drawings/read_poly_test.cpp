@@ -137,8 +137,9 @@ std::string large_file(const char* edit_point, const char* edit_segment) {
   std::string text = fmt::format("{} 2 1 1\n", kPoints);
   for (long k = 0; k < kPoints; ++k) {
     const bool edited = k % 13'456 == 13'455;
-    text += edited ? fmt::format(fmt::runtime(edit_point), k + 5)
-                   : fmt::format("{} {} {} 0.25 {}", k + 5, 0.1 * k, -k, k % 3);
+    text += edited
+                ? fmt::format(fmt::runtime(edit_point), k + 5)
+                : fmt::format("{} {} {} 0.25 {}", k + 5, 0.1 * static_cast<double>(k), -k, k % 3);
     text += k % 1000 == 0 ? "\r\n\n" : "\n";
   }
   text += fmt::format("{} 1\n", kPoints);
