@@ -9,6 +9,7 @@
 
 #include <cover/arcs.hpp>
 #include <cover/attribute.hpp>
+#include <cover/change.hpp>
 #include <cover/options.hpp>
 #include <cover/plane_field.hpp>
 #include <cover/point.hpp>
@@ -94,6 +95,7 @@ struct Input {
   std::vector<ArcCircle> circles;      ///< of segments, rings and lines that are chords of arcs
   std::vector<PeriodicRule> periodic;  ///< beside those of Options::periodic
   std::vector<LayerRule> layers;       ///< before Options::layers, which win over them
+  std::vector<Change> changes{};       ///< what the reader did to the geometry of its file
 };
 
 }  // namespace cover

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <cover/angle.hpp>
+#include <cover/change.hpp>
 #include <cover/error.hpp>
 #include <cover/ids.hpp>
 #include <cover/layers.hpp>
@@ -32,20 +33,6 @@ struct Note {
   RegionId region;      ///< kVoid: the whole input
   std::string message;  ///< a sentence with coordinates and ids
   std::vector<Point> where;
-};
-
-/// Something that was done to the input to make a clean PSLG of it.
-struct Change {
-  enum class Kind {
-    split,    ///< a segment was cut, where another one crosses or touches it
-    welded,   ///< a point or a segment was moved onto another one
-    dropped,  ///< an element that adds nothing was left out
-    merged,   ///< two elements became one
-  };
-  Kind kind = Kind::split;
-  std::string message;  ///< a sentence with coordinates and ids
-  std::vector<Point> where;
-  std::vector<InputRef> inputs;  ///< the elements concerned
 };
 
 /// Angle statistics of a set of triangles.

@@ -244,6 +244,7 @@ Result<Pslg> make_pslg(const Input& input, const Options& options, Report& repor
                  {},
                  {}};
   }
+  report.changes.insert(report.changes.begin(), input.changes.begin(), input.changes.end());
   if (options.strict) {
     if (auto error = changes_as_error(input, report.changes)) return *error;
   }

@@ -224,15 +224,20 @@ class DxfConverter {
                      {}};
   }
 
-  /// Counts ends of lines that are taken for others though they are farther off than cleaning would
-  /// unite them, which tells what it does.
+  /// Notes an end of a line that is taken for another though it is farther off than rounding takes
+  /// it.
   void note_united(Point p) {
     if (!std::isfinite(p.x) || !std::isfinite(p.y)) return;
     const Point q = ends_.same(p);
     const double away = std::max(std::abs(p.x - q.x), std::abs(p.y - q.y));
     if (away <= kUlpsUnsaid * spacing_at(size_)) return;
-    ++united_;
-    farthest_united_ = std::max(farthest_united_, away);
+    if (!united_.insert(p).second) return;
+    input_.changes.push_back(
+        {Change::Kind::welded,
+         fmt::format("an end of curve {} at {} was moved by {} onto the end of another at {}",
+                     number_, describe(p), describe_roughly(away), describe(q)),
+         {p, q},
+         {{InputKind::segment, number_}}});
   }
 
   void add_path(std::optional<Path> path) {
@@ -300,9 +305,6 @@ class DxfConverter {
     const auto warn = [&](std::size_t count, std::string_view what) {
       if (count > 0) input_.warnings.push_back(fmt::format("{} {}", count, what));
     };
-    if (united_ > 0)
-      input_.warnings.push_back(fmt::format("{} of lines taken for others, up to {:.2g} away",
-                                            counted(united_, "end"), farthest_united_));
     warn(fit_splines_, "splines have fit points only: they are joined by straight lines");
     warn(bad_splines_, "splines whose knots do not fit their points are left out");
     if (options_.label_layer.empty())
@@ -323,8 +325,8 @@ class DxfConverter {
   bool named_ = false;
   const std::string* layer_ = nullptr;  ///< of the curve that is added; nullptr: no name
   long number_ = 0;                     ///< of the curve
-  std::size_t bad_splines_ = 0, fit_splines_ = 0, other_texts_ = 0, united_ = 0;
-  double farthest_united_ = 0;
+  std::size_t bad_splines_ = 0, fit_splines_ = 0, other_texts_ = 0;
+  std::set<Point> united_;  ///< ends that were moved
   std::optional<Error> error_;
 };
 

@@ -57,15 +57,25 @@ TEST(ReadDxf, LinesMeetWhereTheyAreTheSame) {
 }
 
 TEST(ReadDxf, EndsOfLinesThatAreTakenForOthersAreTold) {
-  for (const auto& [away, warnings] : {std::pair(1e-13, 1U), std::pair(0x1p-54, 0U)}) {
+  for (const auto& [away, changes] : {std::pair(1e-13, 1U), std::pair(0x1p-54, 0U)}) {
     DxfWriter d;
     d.begin_entities().line("0", 0, 0, 0.1, 0).line("0", 0.1, 0, 0.1, 0.2);
     d.line("0", 0.1, 0.2 + away, 0, 0);
     const Input input = read(d.finish());
     EXPECT_EQ(input.points.size(), 3U);
-    ASSERT_EQ(input.warnings.size(), warnings) << away;
-    if (warnings == 0) continue;
-    EXPECT_EQ(input.warnings[0], "1 end of lines taken for others, up to 1e-13 away");
+    ASSERT_EQ(input.changes.size(), changes) << away;
+    Options strict;
+    strict.strict = true;
+    const auto refused = testing::clean(input, strict);
+    EXPECT_EQ(refused.has_value(), changes == 0);
+    const auto cleaned = testing::clean(input);
+    ASSERT_TRUE(cleaned) << cleaned.error().message;
+    EXPECT_EQ(cleaned->report.changes.size(), changes);
+    if (changes == 0) continue;
+    EXPECT_EQ(input.changes[0].message,
+              "an end of curve 2 at (0.1, 0.20000000000010001) was moved by 1e-13 onto the end of "
+              "another at (0.1, 0.2)");
+    EXPECT_EQ(refused.error().code, ErrorCode::changed_input);
   }
 }
 

@@ -145,6 +145,7 @@ Status join(Input& all, Input more, std::size_t file) {
   append(all.lines, std::move(more.lines));
   append(all.periodic, std::move(more.periodic));
   append(all.layers, std::move(more.layers));
+  append(all.changes, std::move(more.changes));
   for (const std::string& warning : more.warnings)
     all.warnings.push_back(fmt::format("{}: {}", more.source, warning));
   return ok();
