@@ -14,6 +14,7 @@
 #include "commands/commands.hpp"
 #include "commands/exit_code.hpp"
 #include "commands/guarded.hpp"
+#include "rank_read.hpp"
 #include "rank_share_out.hpp"
 #include "serve.hpp"
 
@@ -27,7 +28,8 @@ constexpr const char* kHelp =
 Usage: mpirun -n 4 cover-mpi mesh INPUT -o FILE ...
 
 Rank 0 reads the input, shares its regions out among all ranks and writes the files. They are the
-same, byte for byte, as those of 'cover mesh', for any number of ranks and threads. Each rank takes
+same, byte for byte, as those of 'cover mesh', for any number of ranks and threads. Several input
+files are read by all ranks; what another rank cannot read, rank 0 reads. Each rank takes
 its part of the cores that mpirun lets it use ('mpirun --bind-to none': of all cores of its
 machine), or as many threads as -j says. Large meshes that go to .vtkhdf
 files stay with the ranks that make them, and all ranks write: the folder must be one that all of
@@ -61,8 +63,9 @@ int lead(const std::vector<std::string>& words, const RankCores& cores) {
     const auto share_out = [&](cover::RegionJobs& jobs) {
       return cover::mpi::share_out_among_ranks(jobs, cores);
     };
-    return cover::app::run_mesh({words.begin() + 1, words.end()},
-                                {share_out, cover::mpi::write_among_ranks});
+    return cover::app::run_mesh(
+        {words.begin() + 1, words.end()},
+        {share_out, cover::mpi::write_among_ranks, cover::mpi::read_among_ranks});
   }
   fmt::print(stderr,
              "cover-mpi: error: '{}' is no command of cover-mpi, which has only 'mesh'; the others "

@@ -54,6 +54,12 @@ std::vector<Parcel> unpack(std::span<const std::byte> bytes) {
   return parcels;
 }
 
+int rank_count() {
+  int count = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &count);
+  return count;
+}
+
 std::optional<Message> receive_if_any() {
   int there = 0;
   MPI_Status status;

@@ -1,7 +1,7 @@
 // What ranks say to each other: bytes with a tag, of any length.
 //
-// Rank 0 reads, splits, meshes and writes; the others mesh what it sends them, and write what they
-// keep. All calls of MPI are made by the main thread of a rank.
+// Rank 0 reads, splits, meshes and writes; the others read files and mesh regions that it names,
+// and write what they keep. All calls of MPI are made by the main thread of a rank.
 #pragma once
 
 #include <cstddef>
@@ -18,6 +18,8 @@
 namespace cover::mpi {
 
 enum class Tag : int {
+  files,    ///< rank 0 to others: files to read, as bytes_of_files() makes them
+  inputs,   ///< others to rank 0: a Parcel for each of them, in their order
   options,  ///< rank 0 to others: the options from here on
   regions,  ///< rank 0 to others: Parcels to be meshed
   meshes,   ///< others to rank 0: Parcels of what became of them
@@ -42,6 +44,9 @@ struct Parcel {
 };
 Bytes pack(std::span<const Parcel> parcels);
 std::vector<Parcel> unpack(std::span<const std::byte> bytes);
+
+/// How many processes there are.
+int rank_count();
 
 /// The next message from any rank, if one is there.
 std::optional<Message> receive_if_any();

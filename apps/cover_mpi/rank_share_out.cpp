@@ -14,12 +14,6 @@
 namespace cover::mpi {
 namespace {
 
-int rank_count() {
-  int count = 1;
-  MPI_Comm_size(MPI_COMM_WORLD, &count);
-  return count;
-}
-
 /// The regions that nobody has yet: the large ones first, the largest of them at first; the others,
 /// of which a part has many, as they come, since neighbours are neighbours in files, too.
 class Queue {

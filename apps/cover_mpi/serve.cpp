@@ -10,6 +10,7 @@
 #include <cover/read_size_field.hpp>
 
 #include "messages.hpp"
+#include "rank_read.hpp"
 #include "rank_share_out.hpp"
 
 namespace cover::mpi {
@@ -74,6 +75,8 @@ void serve(const RankCores& cores) {
       failed = !sent;
       if (failed) tell(sent.error().message, Tag::failed);
       if (!failed) options = *std::move(sent);
+    } else if (message.tag == Tag::files) {
+      read_for_rank_0(message.bytes, cores);
     } else if (message.tag == Tag::keep) {
       kept = agree_to_keep(message.bytes);
     } else if (message.tag == Tag::write) {

@@ -6,6 +6,7 @@ import os
 import pathlib
 import random
 import shlex
+import shutil
 import signal
 import subprocess
 import sys
@@ -107,12 +108,28 @@ class CoverMpi(unittest.TestCase):
         mesh = ('mesh', *tiles, '--stream', 'on')
         done = run([COVER, *mesh, '-o', alone])
         self.assertIn('3 regions', done.stdout)
-        done = run(on_ranks(2, *mesh, '-o', together))
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(together.read_bytes(), alone.read_bytes())
+        for ranks in (1, 2, 3, 7):
+            done = run(on_ranks(ranks, *mesh, '-o', together))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(together.read_bytes(), alone.read_bytes(), ranks)
+        if shutil.which('strace'):
+            self.assertEqual(self.readers(2, *mesh, '-o', together), 2)
         done = run(on_ranks(2, 'mesh', tiles[0], self.folder / 'none.geojson', '-o', self.folder / 'x.vtkhdf'))
         self.assertEqual(done.returncode, 5, done.stderr)
         self.assertIn('none.geojson', done.stderr)
+        # The other rank sees none of them; rank 0 does.
+        elsewhere = [MPIRUN, '-n', '1', '-wdir', self.folder, COVER_MPI, 'mesh', *(t.name for t in tiles), '-o', 'here.vtkhdf',
+                     ':', '-n', '1', '-wdir', '/', COVER_MPI, 'mesh', 'x']
+        done = run(elsewhere)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn('3 regions', done.stdout)
+
+    def readers(self, ranks, *arguments):
+        """How many processes open tiles, as strace sees it."""
+        trace = self.folder / 'trace'
+        watched = ['strace', '-f', '-qq', '-e', 'trace=openat', '-o', trace, *on_ranks(ranks, *arguments)]
+        self.assertEqual(run(watched).returncode, 0)
+        return len({line.split()[0] for line in trace.read_text().splitlines() if 'tile_' in line and 'O_RDONLY' in line})
 
     def test_tells_of_cores_that_are_not_used(self):
         if len(os.sched_getaffinity(0)) < 2:

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <cover/read_elsewhere.hpp>
 #include <cover/share_out.hpp>
 
 namespace cover::app {
@@ -15,6 +16,7 @@ using Arguments = std::vector<std::string>;
 struct OtherProcesses {
   ShareOut share_out;
   WriteElsewhere write_elsewhere;
+  ReadFiles read_files;
 };
 
 /// `cover mesh`: triangulates a geometry file.

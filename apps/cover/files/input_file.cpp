@@ -40,6 +40,18 @@ Result<Input> read_stream(std::istream& stream, const std::string& name, ReadOpt
   return reading::parse_geometry(text, name, options);
 }
 
+/// A pipe, as a shell's <(...), has no extension that would tell its format.
+bool is_nameless_pipe(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return !file.has_extension() && std::filesystem::is_fifo(file, ignored);
+}
+
+/// Can be read once, by one process.
+bool is_stream(const std::string& path) {
+  std::error_code ignored;
+  return path == "-" || std::filesystem::is_fifo(path, ignored);
+}
+
 }  // namespace
 
 CLI::Option* GeometryFile::add(CLI::App& command, bool several) {
@@ -72,7 +84,7 @@ std::vector<NamedFile> GeometryFile::read_files() const {
   return files;
 }
 
-Result<Input> GeometryFile::read(unsigned threads) {
+Result<Input> GeometryFile::read(unsigned threads, const ReadFiles& read_files) {
   options_.threads = threads;
   for (const auto& written : written_) {
     for (const std::string& text : written.texts()) {
@@ -82,24 +94,32 @@ Result<Input> GeometryFile::read(unsigned threads) {
     }
   }
   if (paths_.size() == 1) return read_one(paths_.front());
-  std::vector<Input> inputs;
+  Result<std::vector<Input>> inputs = read_several(read_files);
+  if (!inputs) return inputs.error();
+  return join_inputs(*std::move(inputs));
+}
+
+Result<std::vector<Input>> GeometryFile::read_several(const ReadFiles& read_files) {
   const std::string format = options_.format;
-  for (const std::string& path : paths_) {
+  const auto read_here = [&](const std::string& path) {
     options_.format = format;  // each file has its own unless one was given
-    Result<Input> input = read_one(path);
-    if (!input) return input;
+    return read_one(path);
+  };
+  if (read_files && std::none_of(paths_.begin(), paths_.end(), is_stream))
+    return read_files({paths_, options_}, read_here);
+  std::vector<Input> inputs;
+  for (const std::string& path : paths_) {
+    Result<Input> input = read_here(path);
+    if (!input) return input.error();
     inputs.push_back(*std::move(input));
   }
-  return join_inputs(std::move(inputs));
+  return inputs;
 }
 
 Result<Input> GeometryFile::read_one(const std::string& path) {
   if (path == "-") return read_stream(std::cin, "standard input", options_);
-  const std::filesystem::path file(path);
-  std::error_code ignored;
-  // A pipe, as a shell's <(...), has no extension that would tell.
-  if (!file.has_extension() && std::filesystem::is_fifo(file, ignored)) {
-    std::ifstream pipe(file, std::ios::binary);
+  if (is_nameless_pipe(path)) {
+    std::ifstream pipe(path, std::ios::binary);
     return read_stream(pipe, path, options_);
   }
   if (options_.format.empty()) options_.format = reading::format_of_name(path);

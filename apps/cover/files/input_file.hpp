@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cover/input.hpp>
+#include <cover/read_elsewhere.hpp>
 #include <cover/read_options.hpp>
 #include <cover/result.hpp>
 
@@ -26,10 +27,11 @@ class GeometryFile {
   [[nodiscard]] std::vector<NamedFile> read_files() const;
 
   /// Reads the files, which become one geometry in this order; `-` is standard input, whose format
-  /// follows from how it begins. By that many threads; 0: all cores.
+  /// follows from how it begins. By that many threads; 0: all cores. Several files are read by
+  /// `read_files` if it is given, and none of them is a stream.
   ///
   /// Errors: those of read_input() and of the readers that are built in
-  [[nodiscard]] Result<Input> read(unsigned threads = 0);
+  [[nodiscard]] Result<Input> read(unsigned threads = 0, const ReadFiles& read_files = {});
 
   /// Options that were given but do nothing, a sentence each.
   /// REQUIRES: read() was called
@@ -39,6 +41,7 @@ class GeometryFile {
   [[nodiscard]] std::vector<Provenance::Setting> settings() const;
 
  private:
+  [[nodiscard]] Result<std::vector<Input>> read_several(const ReadFiles& read_files);
   Result<Input> read_one(const std::string& path);
 
   std::vector<std::string> paths_;

@@ -8,9 +8,9 @@
 
 #include "base/run_all.hpp"
 #include "sizes/sizes.hpp"
+#include "tasks/bytes/region_bytes.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/mesh_one_region.hpp"
-#include "tasks/region_bytes.hpp"
 #include "tasks/region_task.hpp"
 
 namespace cover {

@@ -1,7 +1,4 @@
 // Regions, meshes and options as bytes, for other processes of the same program.
-//
-// Every member travels as it lies in memory: the machines of a run are of one kind. Structures are
-// taken apart by structured bindings, so that a new member which is not sent does not compile.
 #pragma once
 
 #include <cstdint>

@@ -1,35 +1,36 @@
-// Tested by tests/unit/pipeline/share_out_test.cpp.
-#include "tasks/region_bytes.hpp"
+// Values as bytes, for other processes of the same program.
+//
+// Every member travels as it lies in memory: the machines of a run are of one kind. Structures are
+// taken apart by structured bindings, each by an overload of `members` in this namespace, so that a
+// new member which is not sent does not compile.
+#pragma once
 
 #include <concepts>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
+#include <memory>
+#include <span>
 #include <string>
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <vector>
+
+#include <cover/error.hpp>
+#include <cover/options.hpp>
+#include <cover/result.hpp>
+#include <cover/share_out.hpp>
 
 namespace cover {
-namespace {
 
 template <class T, class Of>
 concept Either = std::same_as<std::remove_const_t<T>, Of>;
-
-template <Either<Note> T>
-auto members(T& note) {
-  auto& [kind, region, message, where] = note;
-  return std::tie(kind, region, message, where);
-}
 
 template <Either<Error> T>
 auto members(T& error) {
   auto& [code, message, where, inputs] = error;
   return std::tie(code, message, where, inputs);
-}
-
-template <Either<LayerReport::Short> T>
-auto members(T& part) {
-  auto& [why, segments, at] = part;
-  return std::tie(why, segments, at);
 }
 
 template <Either<LayerRule> T>
@@ -38,67 +39,10 @@ auto members(T& rule) {
   return std::tie(line, region, first, growth, count);
 }
 
-template <Either<LayerReport> T>
-auto members(T& report) {
-  auto& [asked, segments, length, complete, fewest, most, thickness, cut_short] = report;
-  return std::tie(asked, segments, length, complete, fewest, most, thickness, cut_short);
-}
-
-template <Either<RegionReport> T>
-auto members(T& report) {
-  auto& [id, method, nu_opt, nu_bound, quality, box, couplings, input_vertices, steiner_vertices,
-         forced_above_120, forced_above_150, layers, limits, has_no_room, bound_held, notes,
-         seconds] = report;
-  return std::tie(id, method, nu_opt, nu_bound, quality, box, couplings, input_vertices,
-                  steiner_vertices, forced_above_120, forced_above_150, layers, limits, has_no_room,
-                  bound_held, notes, seconds);
-}
-
-template <Either<RegionMesh> T>
-auto members(T& mesh) {
-  auto& [steiner, triangles, layer_triangles, layer_vertices, report] = mesh;
-  return std::tie(steiner, triangles, layer_triangles, layer_vertices, report);
-}
-
-template <Either<KeptMesh> T>
-auto members(T& mesh) {
-  auto& [report, steiner, triangles, half_edges] = mesh;
-  return std::tie(report, steiner, triangles, half_edges);
-}
-
-template <Either<RegionBoundary> T>
-auto members(T& boundary) {
-  auto& [id, points, vertices, sides, segments, size, size_at, size_expressions, size_function,
-         layers, is_part, known_cdt] = boundary;
-  static_cast<void>(size_function);
-  static_cast<void>(known_cdt);  // finding them again is not more than sending them
-  return std::tie(id, points, vertices, sides, segments, size, size_at, size_expressions, layers,
-                  is_part);
-}
-
-template <Either<SizeRule> T>
-auto members(T& rule) {
-  auto& [name, size, at, expression] = rule;
-  return std::tie(name, size, at, expression);
-}
-
 template <Either<PeriodicRule> T>
 auto members(T& rule) {
   auto& [from, to, map, centre, angle] = rule;
   return std::tie(from, to, map, centre, angle);
-}
-
-template <Either<Options> T>
-auto members(T& options) {
-  auto& [method, fill, paper, pieces, hull, max_angle, min_angle, prefer, effort, couplings, sizes,
-         input_sizes, size_field, size_field_name, size_of, size_step, growth, box_method,
-         split_interfaces, layers, periodic, overlap, weld, strict, merge_materials, require,
-         threads] = options;
-  static_cast<void>(size_field);
-  return std::tie(method, fill, paper, pieces, hull, max_angle, min_angle, prefer, effort,
-                  couplings, sizes, input_sizes, size_field_name, size_of, size_step, growth,
-                  box_method, split_interfaces, layers, periodic, overlap, weld, strict,
-                  merge_materials, require, threads);
 }
 
 /// As it lies in memory.
@@ -123,6 +67,11 @@ class ByteWriter {
     } else {
       for (const T& value : values) put(value);
     }
+  }
+  template <class T>
+  void put(const std::shared_ptr<const T>& value) {
+    put(value != nullptr);
+    if (value) put(*value);
   }
   template <class T>
   requires requires(const T& value) { members(value); }
@@ -162,6 +111,15 @@ class ByteReader {
     }
   }
   template <class T>
+  void get(std::shared_ptr<const T>& value) {
+    bool is_there = false;
+    get(is_there);
+    if (!is_there) return;
+    auto made = std::make_shared<T>();
+    get(*made);
+    value = std::move(made);
+  }
+  template <class T>
   requires requires(T& value) { members(value); }
   void get(T& value) {
     std::apply([this](auto&... member) { (this->get(member), ...); }, members(value));
@@ -192,8 +150,8 @@ class ByteReader {
   bool short_ = false;
 };
 
-/// The first byte of a mesh or of an error in its place.
-enum class Answer : std::uint8_t { mesh, error };
+/// The first byte of a value or of an error in its place.
+enum class Answer : std::uint8_t { value, error };
 
 template <class T>
 Bytes bytes_of(const T& value) {
@@ -202,7 +160,7 @@ Bytes bytes_of(const T& value) {
   return writer.take();
 }
 
-Error not_ours() {
+inline Error not_ours() {
   return {ErrorCode::internal, "another process sent what this one cannot read", {}, {}};
 }
 
@@ -219,7 +177,7 @@ Result<T> value_of(std::span<const std::byte> bytes) {
 template <class T>
 Bytes bytes_of_result(const Result<T>& result) {
   ByteWriter writer;
-  writer.put(result ? Answer::mesh : Answer::error);
+  writer.put(result ? Answer::value : Answer::error);
   if (result) {
     writer.put(*result);
   } else {
@@ -231,36 +189,12 @@ Bytes bytes_of_result(const Result<T>& result) {
 template <class T>
 Result<T> result_of_bytes(std::span<const std::byte> bytes) {
   if (bytes.empty()) return not_ours();
-  if (bytes.front() == std::byte{static_cast<std::uint8_t>(Answer::mesh)})
+  if (bytes.front() == std::byte{static_cast<std::uint8_t>(Answer::value)})
     return value_of<T>(bytes.subspan(1));
   ByteReader reader(bytes.subspan(1));
   Error sent;
   reader.get(sent);
   return reader.whole() ? std::move(sent) : not_ours();
-}
-
-}  // namespace
-
-Bytes to_bytes(const RegionBoundary& boundary) { return bytes_of(boundary); }
-Bytes to_bytes(const Options& options) { return bytes_of(options); }
-
-Bytes to_bytes(const Result<RegionMesh>& mesh) { return bytes_of_result(mesh); }
-Bytes to_bytes(const Result<KeptMesh>& mesh) { return bytes_of_result(mesh); }
-
-Result<RegionBoundary> boundary_of_bytes(std::span<const std::byte> bytes) {
-  return value_of<RegionBoundary>(bytes);
-}
-
-Result<Options> options_of_bytes(std::span<const std::byte> bytes) {
-  return value_of<Options>(bytes);
-}
-
-Result<RegionMesh> mesh_of_bytes(std::span<const std::byte> bytes) {
-  return result_of_bytes<RegionMesh>(bytes);
-}
-
-Result<KeptMesh> kept_of_bytes(std::span<const std::byte> bytes) {
-  return result_of_bytes<KeptMesh>(bytes);
 }
 
 }  // namespace cover
