@@ -107,7 +107,7 @@ bool is_above(const MutableMesh& mesh, std::uint32_t t, const Goal& goal) {
 
 bool is_smaller_cot(double a, double b) { return a < b - kSameCot * std::max(1.0, std::abs(b)); }
 
-bool is_better(const Merit& a, const Merit& b) {
+bool is_better_by_largest(const Merit& a, const Merit& b) {
   const bool is_same = !is_smaller_cot(a.large, b.large) && !is_smaller_cot(b.large, a.large);
   const bool is_near = are_near(a, b);
   if (!is_same && !is_near && !are_alike(a, b)) return a.large < b.large;
@@ -135,7 +135,7 @@ bool Order::is_better(const Merit& a, const Merit& b) const {
   const bool is_within = is_within_bound(a);
   if (is_within != is_within_bound(b)) return is_within;
   if (a.negative != b.negative) return a.negative < b.negative;
-  if (prefer == Prefer::largest) return cover::is_better(a, b);
+  if (prefer == Prefer::largest) return is_better_by_largest(a, b);
   const auto steps = [](double fault) { return std::lround(fault / kAlikeFault); };
   const auto key = [&](const Merit& m) {
     const long fault = steps(m.fault.worst());

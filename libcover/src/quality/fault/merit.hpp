@@ -50,7 +50,7 @@ bool is_smaller_cot(double a, double b);
 /// may be many.
 ///
 /// REQUIRES: the same targets
-bool is_better(const Merit& a, const Merit& b);
+bool is_better_by_largest(const Merit& a, const Merit& b);
 
 /// What is preferred: Options::prefer, but the largest angle where less than 95 degrees is asked
 /// for.
@@ -69,11 +69,11 @@ struct Order {
   double bound = kInverted;  ///< -cot of the largest angle that is promised: beyond is worse
 
   /// Within the bound; with fewer negative couplings, where they count. Then, by Prefer::largest,
-  /// as above.
+  /// is_better_by_largest().
   ///
-  /// By Prefer::balanced: the smaller fault if one of them is degenerate; then
-  /// fewer triangles above 120 degrees, the smaller fault, fewer triangles that have one, the
-  /// smaller sum of faults, fewer triangles. A strict weak ordering.
+  /// By Prefer::balanced: the smaller fault if one of them is degenerate; then fewer triangles
+  /// above 120 degrees, the smaller fault, fewer triangles that have one, the smaller sum of
+  /// faults, fewer triangles. A strict weak ordering.
   ///
   /// REQUIRES: both merits are by the same goal
   [[nodiscard]] bool is_better(const Merit& a, const Merit& b) const;

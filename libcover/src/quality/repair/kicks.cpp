@@ -32,7 +32,7 @@ bool kick_and_improve(MutableMesh& mesh, const Goal& goal, Budget& budget) {
     if (!do_kick(trial, 0, kick)) continue;
     improve_with_slack(trial, budget);
     const Merit now = merit_of(trial, goal);
-    if (now.above > before.above || !is_better(now, before)) continue;
+    if (now.above > before.above || !is_better_by_largest(now, before)) continue;
     mesh = std::move(trial);
     return true;
   }

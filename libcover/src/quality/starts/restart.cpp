@@ -88,7 +88,7 @@ Restarted best_restart(const MutableMesh& mesh, const Merit& before, const Goal&
     improve_jointly(trial, budget, [] { return false; });
     trial.set_goal(goal);
     const Merit reached = merit_of(trial, goal);
-    if (is_smaller_cot(ceiling, reached.large) || !is_better(reached, merit)) return;
+    if (is_smaller_cot(ceiling, reached.large) || !is_better_by_largest(reached, merit)) return;
     best = {std::move(trial), reached};
   };
 

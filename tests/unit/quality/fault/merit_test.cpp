@@ -50,33 +50,35 @@ TEST(Merit, TellsAnglesThatTheInputForcesFromThoseThatItDoesNot) {
 
 TEST(Merit, OrdersByLargestThenFarAboveThenAboveThenSmallestThenTriangles) {
   const Merit base{0, 2, 5, 3, 3, 100, false};
-  EXPECT_FALSE(is_better(base, base));
-  EXPECT_TRUE(is_better({0, 1.9, 9, 9, 9, 999, false}, base));
-  EXPECT_TRUE(is_better({0, 2, 9, 2, 9, 999, false}, base));
-  EXPECT_TRUE(is_better({0, 2, 4, 3, 9, 999, false}, base));
-  EXPECT_TRUE(is_better({0, 2, 5, 3, 2.9, 999, false}, base));
-  EXPECT_TRUE(is_better({0, 2, 5, 3, 3, 99, false}, base));
-  EXPECT_FALSE(is_better({0, 2 - 1e-13, 6, 3, 3, 100, false}, base));
+  EXPECT_FALSE(is_better_by_largest(base, base));
+  EXPECT_TRUE(is_better_by_largest({0, 1.9, 9, 9, 9, 999, false}, base));
+  EXPECT_TRUE(is_better_by_largest({0, 2, 9, 2, 9, 999, false}, base));
+  EXPECT_TRUE(is_better_by_largest({0, 2, 4, 3, 9, 999, false}, base));
+  EXPECT_TRUE(is_better_by_largest({0, 2, 5, 3, 2.9, 999, false}, base));
+  EXPECT_TRUE(is_better_by_largest({0, 2, 5, 3, 3, 99, false}, base));
+  EXPECT_FALSE(is_better_by_largest({0, 2 - 1e-13, 6, 3, 3, 100, false}, base));
 }
 
 TEST(Merit, CountsDecideBetweenLargestAnglesThatAreAlike) {
   // 126 and 124 degrees; 126 and 134; just above the target.
   const Merit three{0, 0.6745, 5, 3, 3, 100, false}, one{0, 0.7265, 5, 1, 3, 100, false};
-  EXPECT_TRUE(is_better(one, three));
-  EXPECT_FALSE(is_better(three, one));
-  EXPECT_TRUE(is_better(three, {0, 0.9657, 5, 1, 3, 100, false}));
+  EXPECT_TRUE(is_better_by_largest(one, three));
+  EXPECT_FALSE(is_better_by_largest(three, one));
+  EXPECT_TRUE(is_better_by_largest(three, {0, 0.9657, 5, 1, 3, 100, false}));
   // Near 180 degrees what remains counts: 0.187 and 0.186 degrees, against 0.2.
-  EXPECT_TRUE(is_better({0, 306, 90, 30, 9, 100, false}, {0, 305, 90, 80, 9, 100, false}));
-  EXPECT_FALSE(is_better({0, 306, 90, 30, 9, 100, false}, {0, 286, 90, 80, 9, 100, false}));
+  EXPECT_TRUE(
+      is_better_by_largest({0, 306, 90, 30, 9, 100, false}, {0, 305, 90, 80, 9, 100, false}));
+  EXPECT_FALSE(
+      is_better_by_largest({0, 306, 90, 30, 9, 100, false}, {0, 286, 90, 80, 9, 100, false}));
   // The target itself is like nothing else: 126 degrees, forced, against 128.
   const Merit met{0.7265, 0.7265, 5, 3, 3, 100, false};
-  EXPECT_TRUE(is_better(met, {0.7265, 0.7813, 5, 1, 3, 100, false}));
-  EXPECT_FALSE(is_better({0.7265, 0.7813, 5, 1, 3, 100, false}, met));
+  EXPECT_TRUE(is_better_by_largest(met, {0.7265, 0.7813, 5, 1, 3, 100, false}));
+  EXPECT_FALSE(is_better_by_largest({0.7265, 0.7813, 5, 1, 3, 100, false}, met));
   const Merit many{0, 0.01, 8, 0, 3, 100, false}, few{0, 0.04, 1, 0, 3, 100, false};
-  EXPECT_TRUE(is_better(few, many));
-  EXPECT_FALSE(is_better(many, few));
-  EXPECT_TRUE(is_better(many, {0, 0.06, 1, 0, 3, 100, false}));
-  EXPECT_TRUE(is_better({0, 0, 0, 0, 9, 100, true}, few));
+  EXPECT_TRUE(is_better_by_largest(few, many));
+  EXPECT_FALSE(is_better_by_largest(many, few));
+  EXPECT_TRUE(is_better_by_largest(many, {0, 0.06, 1, 0, 3, 100, false}));
+  EXPECT_TRUE(is_better_by_largest({0, 0, 0, 0, 9, 100, true}, few));
 }
 
 TEST(Merit, IsTheSameWhetherOrNotTheGoalIsSet) {
@@ -115,7 +117,7 @@ TEST(Order, BalancesWideAndNarrow) {
 
 TEST(Merit, WhatIsWithinTheBoundIsBetterWhateverIsPreferred) {
   const Merit within{0, 2, 9, 9, 3, 100, false}, beyond{0, 2.01, 1, 1, 3, 100, false};
-  ASSERT_TRUE(is_better(beyond, within)) << "alike, so that the counts decide";
+  ASSERT_TRUE(is_better_by_largest(beyond, within)) << "alike, so that the counts decide";
   for (const Prefer prefer : {Prefer::largest, Prefer::balanced}) {
     const Order order{prefer, 0.72, 2.005};
     EXPECT_TRUE(order.is_better(within, beyond));

@@ -30,8 +30,8 @@ TEST(Restart, TheBestIsNoWorseAndKeepsTheCeiling) {
   Budget budget{1'000'000, {}};
   const auto [best, merit] = best_restart(mesh, before, default_goal(), before.large, budget);
   expect_sound(best, boundary);
-  EXPECT_TRUE(is_better(merit, before));
-  EXPECT_FALSE(is_better(merit, merit_of(best, default_goal())));
+  EXPECT_TRUE(is_better_by_largest(merit, before));
+  EXPECT_FALSE(is_better_by_largest(merit, merit_of(best, default_goal())));
   EXPECT_LT(budget.left, 1'000'000u);
 
   const double none = default_goal().large - 1;
