@@ -8,6 +8,7 @@
 #include "support/cases_folder.hpp"
 #include "support/inputs/dxf_writer.hpp"
 #include "support/inputs/soups.hpp"
+#include "support/read_result.hpp"
 
 namespace cover {
 namespace {
@@ -15,15 +16,11 @@ namespace {
 using testing::DxfWriter;
 
 Input read(const std::string& text, const ReadOptions& options = {}) {
-  Result<Input> input = parse_dxf(text, "a.dxf", options);
-  EXPECT_TRUE(input) << input.error().message;
-  return input ? *input : Input();
+  return testing::must_read(parse_dxf(text, "a.dxf", options));
 }
 
 std::string message(const std::string& text, const ReadOptions& options = {}) {
-  const Result<Input> input = parse_dxf(text, "a.dxf", options);
-  EXPECT_FALSE(input);
-  return input ? "" : input.error().message;
+  return testing::must_refuse(parse_dxf(text, "a.dxf", options));
 }
 
 /// The area of all regions.

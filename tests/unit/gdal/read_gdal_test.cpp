@@ -15,6 +15,7 @@
 #include <cover/verify.hpp>
 
 #include "support/inputs/soups.hpp"
+#include "support/read_result.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace cover {
@@ -57,14 +58,11 @@ class ReadGdal : public ::testing::Test {
   }
 
   Input read(const std::string& path, const ReadOptions& options = {}) {
-    Result<Input> input = read_gdal(path, options);
-    EXPECT_TRUE(input) << input.error().message;
-    return input ? *input : Input();
+    return testing::must_read(read_gdal(path, options));
   }
   static std::string message(const std::string& path, const ReadOptions& options = {}) {
-    const Result<Input> input = read_gdal(path, options);
-    EXPECT_FALSE(input) << path;
-    return input ? "" : input.error().message;
+    SCOPED_TRACE(path);
+    return testing::must_refuse(read_gdal(path, options));
   }
 
   testing::TemporaryFolder folder_;

@@ -9,6 +9,7 @@
 
 #include "support/inputs/gds_writer.hpp"
 #include "support/inputs/soups.hpp"
+#include "support/read_result.hpp"
 
 namespace cover {
 namespace {
@@ -17,15 +18,11 @@ using testing::GdsWriter;
 using Points = std::vector<Point>;
 
 Input read(const std::string& bytes, const ReadOptions& options = {}) {
-  Result<Input> input = parse_gds(bytes, "a.gds", options);
-  EXPECT_TRUE(input) << input.error().message;
-  return input ? *input : Input();
+  return testing::must_read(parse_gds(bytes, "a.gds", options));
 }
 
 std::string message(const std::string& bytes, const ReadOptions& options = {}) {
-  const Result<Input> input = parse_gds(bytes, "a.gds", options);
-  EXPECT_FALSE(input);
-  return input ? "" : input.error().message;
+  return testing::must_refuse(parse_gds(bytes, "a.gds", options));
 }
 
 double area_of(const Input& input, const std::string& material) {

@@ -11,20 +11,15 @@
 
 #include "io/input/formats.hpp"
 #include "support/cases_folder.hpp"
+#include "support/read_result.hpp"
 
 namespace cover {
 namespace {
 
-Input read(std::string_view text) {
-  Result<Input> input = parse_json(text, "deck.json");
-  EXPECT_TRUE(input.has_value()) << (input ? "" : input.error().message);
-  return input ? *input : Input{};
-}
+Input read(std::string_view text) { return testing::must_read(parse_json(text, "deck.json")); }
 
 std::string message_of(std::string_view text) {
-  const Result<Input> input = parse_json(text, "deck.json");
-  EXPECT_FALSE(input.has_value());
-  return input ? "" : input.error().message;
+  return testing::must_refuse(parse_json(text, "deck.json"));
 }
 
 TEST(ReadJson, ReadsAPslg) {

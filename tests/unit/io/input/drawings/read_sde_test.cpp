@@ -6,20 +6,16 @@
 
 #include "io/input/formats.hpp"
 #include "support/inputs/soups.hpp"
+#include "support/read_result.hpp"
 
 namespace cover {
 namespace {
 
-Input read(const std::string& text) {
-  Result<Input> input = parse_sde(text, "a.cmd");
-  EXPECT_TRUE(input) << input.error().message;
-  return input ? *input : Input();
-}
+Input read(const std::string& text) { return testing::must_read(parse_sde(text, "a.cmd")); }
 
 std::string refusal(const std::string& text) {
-  const Result<Input> input = parse_sde(text, "a.cmd");
-  EXPECT_FALSE(input) << text;
-  return input ? "" : input.error().message;
+  SCOPED_TRACE(text);
+  return testing::must_refuse(parse_sde(text, "a.cmd"));
 }
 
 constexpr const char* kBody =
