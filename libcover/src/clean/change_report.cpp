@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
 #include <string_view>
 #include <tuple>
 
 #include <cover/text.hpp>
 
 #include "base/containers/give_back.hpp"
+#include "base/containers/order.hpp"
 #include "base/faults/complaint.hpp"
 
 namespace cover {
@@ -74,25 +74,20 @@ std::vector<bool> corners_of_polygons(const Network& network) {
 
 /// By point of the network: its place in the order of coordinates.
 std::vector<std::uint32_t> ranks_of_points(const Network& network) {
-  std::vector<std::uint32_t> order(network.points.size()), rank(order.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t v, std::uint32_t w) {
+  return places_in(sorted_numbers(network.points.size(), [&](std::uint32_t v, std::uint32_t w) {
     return network.points[v] < network.points[w];
-  });
-  for (std::uint32_t k = 0; k < order.size(); ++k) rank[order[k]] = k;
-  return rank;
+  }));
 }
 
 /// The lines of `edges` by the line that they are a copy of, such as a border that two neighbours
 /// store: the first of the copies.
 std::vector<std::uint32_t> first_copies(const Network& network) {
-  std::vector<std::uint32_t> order(network.raws.size()), first(order.size());
-  std::iota(order.begin(), order.end(), 0U);
   const auto line = [&](std::uint32_t r) {
     return std::pair<Point, Point>(std::minmax(network.raws[r].a, network.raws[r].b));
   };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t q, std::uint32_t r) { return line(q) < line(r); });
+  const std::vector<std::uint32_t> order = sorted_numbers(
+      network.raws.size(), [&](std::uint32_t q, std::uint32_t r) { return line(q) < line(r); });
+  std::vector<std::uint32_t> first(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) {
     const bool is_copy = k > 0 && line(order[k - 1]) == line(order[k]);
     first[order[k]] = is_copy ? first[order[k - 1]] : order[k];

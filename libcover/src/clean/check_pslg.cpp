@@ -10,12 +10,12 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <vector>
 
 #include <cover/text.hpp>
 
 #include "base/containers/give_back.hpp"
+#include "base/containers/order.hpp"
 #include "base/faults/complaint.hpp"
 #include "base/sort_by_team.hpp"
 #include "cdt/cdt.hpp"
@@ -32,11 +32,9 @@ InputRef segment_ref(const Input& input, std::size_t s) {
 }
 
 std::optional<Error> find_duplicate_points(const Input& input) {
-  std::vector<std::uint32_t> order(input.points.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
-    return std::pair(input.points[i], i) < std::pair(input.points[j], j);
-  });
+  const std::vector<std::uint32_t> order = sorted_numbers(
+      input.points.size(),
+      [&](std::uint32_t i, std::uint32_t j) { return input.points[i] < input.points[j]; });
   Complaint complaint(ErrorCode::duplicate_point, input.source);
   for (std::size_t k = 1; k < order.size(); ++k) {
     const std::size_t i = order[k - 1], j = order[k];

@@ -10,12 +10,12 @@
 #include <charconv>
 #include <exception>
 #include <mutex>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
 
+#include "base/containers/order.hpp"
 #include "base/run_all.hpp"
 #include "cdt/region_cdt.hpp"
 #include "sizes/expected_triangles.hpp"
@@ -50,11 +50,8 @@ std::vector<std::size_t> costs_of(std::span<const RegionBoundary> boundaries) {
 }
 
 std::vector<std::size_t> largest_first(std::span<const std::size_t> costs) {
-  std::vector<std::size_t> order(costs.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return costs[a] > costs[b]; });
-  return order;
+  return sorted_numbers<std::size_t>(
+      costs.size(), [&](std::size_t a, std::size_t b) { return costs[a] > costs[b]; });
 }
 
 std::vector<Batch> make_batches(std::span<const std::size_t> costs,

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include <cover/text.hpp>
 
+#include "base/containers/order.hpp"
 #include "base/faults/complaint.hpp"
 
 namespace cover {
@@ -40,11 +40,9 @@ class Assembler {
  private:
   /// Points of the input in their order; kNoIndex comes last.
   void add_points() {
-    std::vector<std::uint32_t> order(network_.points.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::stable_sort(order.begin(), order.end(), [this](std::uint32_t v, std::uint32_t w) {
-      return network_.input[v] < network_.input[w];
-    });
+    const std::vector<std::uint32_t> order = sorted_numbers(
+        network_.points.size(),
+        [this](std::uint32_t v, std::uint32_t w) { return network_.input[v] < network_.input[w]; });
     vertex_.resize(order.size());
     for (const std::uint32_t v : order) {
       vertex_[v] = VertexId{pslg_.points.size()};
@@ -59,14 +57,11 @@ class Assembler {
 
   /// The edges in the order of the lines that they belong to.
   [[nodiscard]] std::vector<std::size_t> edge_order() const {
-    std::vector<std::size_t> order(graph_.edges.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
     const auto line = [this](std::size_t e) {
       return network_.raws[graph_.strands(network_, e).front().raw].origin;
     };
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t e, std::size_t f) { return line(e) < line(f); });
-    return order;
+    return sorted_numbers<std::size_t>(
+        graph_.edges.size(), [&](std::size_t e, std::size_t f) { return line(e) < line(f); });
   }
 
   void add_segments() {

@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
-#include <tuple>
 
 #include <cover/text.hpp>
 
+#include "base/containers/order.hpp"
 #include "base/containers/union_find.hpp"
 #include "geom/vector.hpp"
 
@@ -56,11 +56,8 @@ class BorderFinder {
 
   /// `place_[i]`: the first of the points where point i lies.
   void unite_points() {
-    std::vector<Index> order(mesh_.points.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::sort(order.begin(), order.end(), [&](Index i, Index j) {
-      return std::tie(mesh_.points[i], i) < std::tie(mesh_.points[j], j);
-    });
+    const std::vector<Index> order = sorted_numbers(
+        mesh_.points.size(), [&](Index i, Index j) { return mesh_.points[i] < mesh_.points[j]; });
     place_.resize(order.size());
     std::size_t united = 0;
     for (std::size_t k = 0; k < order.size(); ++k) {
@@ -75,20 +72,18 @@ class BorderFinder {
 
   /// `cell_[i]`: false where an earlier cell has the same corners.
   void unite_cells() {
-    std::vector<Index> order(mesh_.cells());
-    std::iota(order.begin(), order.end(), 0U);
     sorted_ = mesh_.corners;
     for (Index& corner : sorted_) corner = place_[corner];
     const auto key = [&](Index c) {
       return std::span(sorted_).subspan(mesh_.first[c], mesh_.first[c + 1] - mesh_.first[c]);
     };
-    for (const Index c : order) std::sort(key(c).begin(), key(c).end());
+    for (Index c = 0; c < mesh_.cells(); ++c) std::sort(key(c).begin(), key(c).end());
     const auto compare = [&](Index c, Index d) {
       return std::lexicographical_compare_three_way(key(c).begin(), key(c).end(), key(d).begin(),
                                                     key(d).end());
     };
-    std::stable_sort(order.begin(), order.end(),
-                     [&](Index c, Index d) { return compare(c, d) < 0; });
+    const std::vector<Index> order =
+        sorted_numbers(mesh_.cells(), [&](Index c, Index d) { return compare(c, d) < 0; });
     counts_.assign(mesh_.cells(), true);
     std::size_t repeated = 0;
     for (std::size_t k = 1; k < order.size(); ++k) {

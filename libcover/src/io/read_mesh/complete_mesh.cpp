@@ -4,12 +4,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 #include <unordered_set>
 
 #include <cover/text.hpp>
 
+#include "base/containers/order.hpp"
 #include "geom/topology/half_edges.hpp"
 
 namespace cover {
@@ -138,16 +138,12 @@ bool take_materials(StoredMesh& stored) {
 
 void sort_by_region(TriangleSoup& soup) {
   if (std::is_sorted(soup.region.begin(), soup.region.end())) return;
-  std::vector<std::size_t> order(soup.triangles.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return soup.region[a] < soup.region[b]; });
-  const TriangleSoup before = soup;
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    soup.triangles[k] = before.triangles[order[k]];
-    soup.region[k] = before.region[order[k]];
-    soup.material[k] = before.material[order[k]];
-  }
+  const auto order = sorted_numbers<std::size_t>(
+      soup.triangles.size(),
+      [&](std::size_t a, std::size_t b) { return soup.region[a] < soup.region[b]; });
+  soup.triangles = in_order(soup.triangles, order);
+  soup.region = in_order(soup.region, order);
+  soup.material = in_order(soup.material, order);
 }
 
 }  // namespace cover

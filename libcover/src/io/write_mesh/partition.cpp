@@ -2,9 +2,9 @@
 #include "io/write_mesh/partition.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "base/containers/buckets.hpp"
+#include "base/containers/order.hpp"
 #include "geom/spatial_order.hpp"
 
 namespace cover {
@@ -12,14 +12,9 @@ namespace {
 
 /// Indices of places along a Hilbert curve.
 std::vector<std::uint32_t> along_curve(const std::vector<Point>& places) {
-  std::vector<std::uint32_t> order(places.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return places[a] < places[b]; });
-  std::vector<Point> sorted;
-  sorted.reserve(places.size());
-  for (const std::uint32_t k : order) sorted.push_back(places[k]);
-  std::vector<std::uint32_t> curve = spatial_order(sorted);
+  const std::vector<std::uint32_t> order = sorted_numbers(
+      places.size(), [&](std::uint32_t a, std::uint32_t b) { return places[a] < places[b]; });
+  std::vector<std::uint32_t> curve = spatial_order(in_order(places, order));
   for (std::uint32_t& k : curve) k = order[k];
   return curve;
 }
