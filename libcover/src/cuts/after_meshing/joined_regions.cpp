@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
+#include "base/containers/order.hpp"
 #include "cdt/cdt.hpp"
 #include "cdt/region_cdt.hpp"
+#include "cuts/after_meshing/hand_out_triangles.hpp"
 #include "geom/angle_rounding.hpp"
 #include "geom/curves/arc.hpp"
 #include "geom/predicates.hpp"
@@ -24,26 +25,8 @@ constexpr double kLong = 0.64;  ///< of the squared length of the longest side: 
 /// The numbers of `points` in the order of their coordinates, which does not depend on that of the
 /// input.
 std::vector<std::uint32_t> order_by_place(std::span<const Point> points) {
-  std::vector<std::uint32_t> order(points.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return points[a] < points[b]; });
-  return order;
-}
-
-std::vector<Point> in_order(std::span<const Point> points,
-                            const std::vector<std::uint32_t>& order) {
-  std::vector<Point> out;
-  out.reserve(points.size());
-  for (const std::uint32_t v : order) out.push_back(points[v]);
-  return out;
-}
-
-/// What each number has become: where it stands in `order`.
-std::vector<std::uint32_t> places_in(const std::vector<std::uint32_t>& order) {
-  std::vector<std::uint32_t> place(order.size());
-  for (std::uint32_t k = 0; k < order.size(); ++k) place[order[k]] = k;
-  return place;
+  return sorted_numbers(points.size(),
+                        [&](std::uint32_t a, std::uint32_t b) { return points[a] < points[b]; });
 }
 
 /// The Steiner vertices of all regions in the order of their coordinates.
@@ -271,48 +254,32 @@ bool JoinedRegions::is_valid() const {
 
 void JoinedRegions::separate(const Pslg& pslg, std::span<const RegionBoundary> boundaries,
                              std::vector<RegionMesh>& meshes) const {
-  const std::vector<std::uint32_t> region = regions_of_triangles();
-  std::vector<std::uint32_t> number(mesh_.points.size(), kNone);
-  std::vector<VertexId> id(first_steiner_);
-  for (std::size_t v = 0; v < points_; ++v) id[v] = VertexId{by_place_[v]};
-  std::vector<std::pair<Point, VertexId>> added;
-  for (std::size_t v = points_; v < pslg.points.size(); ++v) {
-    added.push_back({pslg.points[v], VertexId{v}});
+  const std::vector<std::uint32_t> id = ids_of_vertices(pslg), region = regions_of_triangles();
+  std::vector<Point> points;
+  for (const Point& p : mesh_.points) points.push_back(frame_.restore(p));
+  std::vector<IndexTriple> triangles;
+  std::vector<std::uint32_t> region_of;
+  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+    if (mesh_.is_hole(t)) continue;
+    triangles.push_back(mesh_.triangles[t].v);
+    region_of.push_back(region[t]);
   }
+  hand_out_triangles({points, id, triangles, region_of}, boundaries, pslg.points.size(), meshes);
+}
+
+/// By vertex: its point of `pslg`, which has the cuts; kNone inside a region.
+std::vector<std::uint32_t> JoinedRegions::ids_of_vertices(const Pslg& pslg) const {
+  std::vector<std::uint32_t> id(mesh_.points.size(), kNone);
+  std::copy(by_place_.begin(), by_place_.end(), id.begin());
+  std::vector<std::pair<Point, std::uint32_t>> added;
+  for (std::size_t v = points_; v < pslg.points.size(); ++v)
+    added.push_back({pslg.points[v], static_cast<std::uint32_t>(v)});
   std::sort(added.begin(), added.end());
   for (std::size_t v = points_; v < points_ + cuts_; ++v) {
-    const std::pair wanted(frame_.restore(mesh_.points[v]), VertexId{0});
+    const std::pair wanted(frame_.restore(mesh_.points[v]), 0U);
     id[v] = std::lower_bound(added.begin(), added.end(), wanted)->second;
   }
-  std::vector<std::vector<std::uint32_t>> of_region(meshes.size());
-  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-    if (!mesh_.is_hole(t)) of_region[region[t]].push_back(t);
-  }
-  std::vector<std::uint32_t> local(pslg.points.size());
-  for (std::size_t r = 0; r < meshes.size(); ++r) {
-    const RegionBoundary& boundary = boundaries[r];
-    for (std::uint32_t v = 0; v < boundary.vertices.size(); ++v) {
-      local[boundary.vertices[v].index()] = v;
-    }
-    meshes[r].steiner.clear();
-    meshes[r].triangles.clear();
-    for (const std::uint32_t t : of_region[r]) {
-      IndexTriple triangle{};
-      for (const Corner i : kCorners) {
-        const std::uint32_t v = mesh_.triangles[t].v[i];
-        if (v < first_steiner_) {
-          triangle[i] = local[id[v].index()];
-          continue;
-        }
-        if (number[v] == kNone) {
-          number[v] = static_cast<std::uint32_t>(boundary.points.size() + meshes[r].steiner.size());
-          meshes[r].steiner.push_back(frame_.restore(mesh_.points[v]));
-        }
-        triangle[i] = number[v];
-      }
-      meshes[r].triangles.push_back(triangle);
-    }
-  }
+  return id;
 }
 
 /// By triangle: the index of the region that it lies in.

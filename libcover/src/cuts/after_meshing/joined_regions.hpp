@@ -80,6 +80,7 @@ class JoinedRegions {
   void join(const Triangulation& all, std::span<const Side> sides);
   std::uint32_t add_side(std::uint32_t parent, Excerpt& excerpt);
   [[nodiscard]] std::vector<std::uint32_t> regions_of_triangles() const;
+  [[nodiscard]] std::vector<std::uint32_t> ids_of_vertices(const Pslg& pslg) const;
 
   Goal goal_;
   std::vector<std::uint32_t> by_place_;  ///< points of the PSLG in the order of the mesh

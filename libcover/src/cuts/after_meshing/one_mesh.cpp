@@ -2,9 +2,10 @@
 #include "cuts/after_meshing/one_mesh.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
+#include "base/containers/order.hpp"
+#include "cuts/after_meshing/hand_out_triangles.hpp"
 #include "cuts/cut_segments.hpp"
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"
@@ -16,21 +17,46 @@ bool touches_a_region(const SegmentSides& sides) {
   return sides.left != kVoid || sides.right != kVoid;
 }
 
-/// `list` in the order that `order` tells.
-template <class T>
-std::vector<T> in_order(const std::vector<T>& list, const std::vector<std::uint32_t>& order) {
-  std::vector<T> out;
-  out.reserve(list.size());
-  for (const std::uint32_t k : order) out.push_back(list[k]);
-  return out;
+/// Vertices that cut a segment, in their order along it.
+std::vector<std::uint32_t> cuts_in_order(const ConformingMesh& mesh, const Pslg& pslg) {
+  std::vector<std::uint32_t> cuts;
+  for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
+    if (mesh.line[v] < mesh.lines.size()) cuts.push_back(v);
+  }
+  const auto along = [&](std::uint32_t v) {
+    const Segment& s = pslg.segments[mesh.line[v]];
+    const Point a = pslg.points[s.a.index()], b = pslg.points[s.b.index()];
+    return dot(mesh.points[v] - a, b - a);
+  };
+  std::sort(cuts.begin(), cuts.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return mesh.line[a] != mesh.line[b] ? mesh.line[a] < mesh.line[b] : along(a) < along(b);
+  });
+  return cuts;
 }
 
-template <class Less>
-std::vector<std::uint32_t> sorted_order(std::size_t n, Less less) {
-  std::vector<std::uint32_t> order(n);
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), less);
-  return order;
+/// By vertex: its point once `first` points are followed by the cuts; kNone inside a region.
+std::vector<std::uint32_t> points_of(const ConformingMesh& mesh,
+                                     const std::vector<std::uint32_t>& old,
+                                     const std::vector<std::uint32_t>& cuts, std::size_t first) {
+  std::vector<std::uint32_t> id(mesh.points.size(), kNone);
+  std::size_t fixed = 0;
+  for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
+    if (mesh.line[v] == ConformingMesh::kFixed) id[v] = old[fixed++];
+  }
+  for (std::size_t k = 0; k < cuts.size(); ++k) id[cuts[k]] = static_cast<std::uint32_t>(first + k);
+  return id;
+}
+
+/// The same cuts, segment by segment.
+std::vector<SegmentCut> segment_cuts(const ConformingMesh& mesh,
+                                     const std::vector<std::uint32_t>& cuts) {
+  std::vector<SegmentCut> lines;
+  for (const std::uint32_t v : cuts) {
+    const SegmentId segment{mesh.line[v]};
+    if (lines.empty() || lines.back().segment != segment) lines.push_back({segment, {}});
+    lines.back().points.push_back(mesh.points[v]);
+  }
+  return lines;
 }
 
 }  // namespace
@@ -48,7 +74,7 @@ void renumber(const std::vector<std::uint32_t>& number, ConformingMesh& mesh) {
 }
 
 std::vector<std::uint32_t> sort_by_place(ConformingMesh& mesh) {
-  std::vector<std::uint32_t> order = sorted_order(
+  std::vector<std::uint32_t> order = sorted_numbers(
       mesh.points.size(),
       [&](std::uint32_t a, std::uint32_t b) { return mesh.points[a] < mesh.points[b]; });
   std::vector<std::uint32_t> number(order.size());
@@ -60,7 +86,7 @@ std::vector<std::uint32_t> sort_by_place(ConformingMesh& mesh) {
   for (IndexTriple& t : mesh.triangles) {
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   }
-  const std::vector<std::uint32_t> by_corners = sorted_order(
+  const std::vector<std::uint32_t> by_corners = sorted_numbers(
       mesh.triangles.size(),
       [&](std::uint32_t a, std::uint32_t b) { return mesh.triangles[a] < mesh.triangles[b]; });
   mesh.triangles = in_order(mesh.triangles, by_corners);
@@ -102,58 +128,12 @@ ConformingMesh join(const Work& work, const Pslg& uncut, const std::vector<std::
 }
 
 void separate(const ConformingMesh& mesh, const std::vector<std::uint32_t>& old, Work& work) {
-  std::vector<std::uint32_t> cuts;  // vertices, along their segments
-  for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
-    if (mesh.line[v] < mesh.lines.size()) cuts.push_back(v);
-  }
-  const auto along = [&](std::uint32_t v) {
-    const Segment& s = work.pslg.segments[mesh.line[v]];
-    const Point a = work.pslg.points[s.a.index()], b = work.pslg.points[s.b.index()];
-    return dot(mesh.points[v] - a, b - a);
-  };
-  std::sort(cuts.begin(), cuts.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return mesh.line[a] != mesh.line[b] ? mesh.line[a] < mesh.line[b] : along(a) < along(b);
-  });
-  std::vector<std::uint32_t> id(mesh.points.size(), kNone);
-  std::size_t fixed = 0;
-  for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
-    if (mesh.line[v] == ConformingMesh::kFixed) id[v] = old[fixed++];
-  }
-  std::vector<SegmentCut> lines;
-  for (std::size_t k = 0; k < cuts.size(); ++k) {
-    const SegmentId segment{mesh.line[cuts[k]]};
-    if (lines.empty() || lines.back().segment != segment) lines.push_back({segment, {}});
-    lines.back().points.push_back(mesh.points[cuts[k]]);
-    id[cuts[k]] = static_cast<std::uint32_t>(work.pslg.points.size() + k);
-  }
-  cut_segments(work.pslg, work.table, lines);
+  const std::vector<std::uint32_t> cuts = cuts_in_order(mesh, work.pslg);
+  const std::vector<std::uint32_t> id = points_of(mesh, old, cuts, work.pslg.points.size());
+  cut_segments(work.pslg, work.table, segment_cuts(mesh, cuts));
   work.boundaries = split_regions(work.pslg, work.table);
-  std::vector<std::uint32_t> local(work.pslg.points.size()), number(mesh.points.size(), kNone);
-  std::vector<std::vector<std::uint32_t>> of_region(work.meshes.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) of_region[mesh.region[t]].push_back(t);
-  for (std::size_t r = 0; r < work.meshes.size(); ++r) {
-    const RegionBoundary& boundary = work.boundaries[r];
-    RegionMesh& part = work.meshes[r];
-    for (std::uint32_t v = 0; v < boundary.vertices.size(); ++v)
-      local[boundary.vertices[v].index()] = v;
-    part.steiner.clear();
-    part.triangles.clear();
-    for (const std::uint32_t t : of_region[r]) {
-      IndexTriple triangle = mesh.triangles[t];
-      for (std::uint32_t& v : triangle) {
-        if (id[v] != kNone) {
-          v = local[id[v]];
-          continue;
-        }
-        if (number[v] == kNone) {
-          number[v] = static_cast<std::uint32_t>(boundary.points.size() + part.steiner.size());
-          part.steiner.push_back(mesh.points[v]);
-        }
-        v = number[v];
-      }
-      part.triangles.push_back(triangle);
-    }
-  }
+  hand_out_triangles({mesh.points, id, mesh.triangles, mesh.region}, work.boundaries,
+                     work.pslg.points.size(), work.meshes);
 }
 
 }  // namespace cover
