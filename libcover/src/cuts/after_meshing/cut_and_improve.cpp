@@ -15,6 +15,7 @@
 #include "cuts/cut_segments.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
+#include "quality/effort/effort.hpp"
 #include "quality/fault/merit.hpp"
 #include "quality/repair/kicks.hpp"
 #include "region/region_graph.hpp"
@@ -23,7 +24,6 @@
 namespace cover {
 namespace {
 
-constexpr std::size_t kTriangles = 64;    ///< in an excerpt
 constexpr std::uint32_t kCutAround = 16;  ///< triangles of it whose sides may be cut
 constexpr double kEnd = 0.01;             ///< of a side: no cut is nearer to its ends
 constexpr std::size_t kKicked = 5;        ///< trials that are kicked
@@ -119,7 +119,7 @@ class CutSearch {
 
   /// Returns the triangles that changed.
   std::vector<std::uint32_t> attempt(std::uint32_t t, Budget& budget) {
-    Excerpt excerpt = whole_.excerpt_around(t, kTriangles);
+    Excerpt excerpt = whole_.excerpt_around(t, effort::kExcerpt);
     Trial best{excerpt.mesh, merit_of(excerpt.mesh, goal_)};
     if (kick_and_improve(best.mesh, goal_, budget))
       return whole_.put_back(excerpt, best.mesh, best.side);
