@@ -105,6 +105,36 @@ std::vector<bool> triangles_of_regions(const Pslg& pslg, const RegionTable& tabl
   return is_reached;
 }
 
+/// Puts `points` on `segment`, in their order, and the pieces before the last one behind `pieces`.
+/// Returns the last piece.
+Segment put_points(Pslg& pslg, const Segment& segment, std::span<const Point> points,
+                   std::vector<Segment>& pieces) {
+  Segment piece = segment;
+  for (const Point p : points) {
+    piece.b = VertexId{pslg.points.size()};
+    pslg.points.push_back(p);
+    pslg.point_ids.push_back(-1);
+    pslg.point_markers.push_back(piece.marker);
+    pieces.push_back(piece);
+    piece.a = piece.b;
+  }
+  piece.b = segment.b;
+  return piece;
+}
+
+/// Replaces segments by their pieces in all lines between regions, and in the void.
+///
+/// REQUIRES: `table.sides` are those of the old segments
+void replace_in_lines(RegionTable& table, const Pieces& pieces) {
+  std::vector<bool> against(pieces.size(), false);
+  for (const Interface& line : table.interfaces) {
+    for (const SegmentId s : line.segments)
+      against[s.index()] = table.sides[s.index()].left != line.left;
+  }
+  for (Interface& line : table.interfaces) replace(line.segments, pieces, against);
+  replace(table.void_segments, pieces, against);
+}
+
 }  // namespace
 
 void cut_segments(Pslg& pslg, RegionTable& table, std::span<const SegmentCut> cuts) {
@@ -115,23 +145,16 @@ void cut_segments(Pslg& pslg, RegionTable& table, std::span<const SegmentCut> cu
   auto cut = cuts.begin();
   for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
     const std::size_t first = segments.size();
-    Segment piece = pslg.segments[s];
+    Segment last_piece = pslg.segments[s];
     if (cut != cuts.end() && cut->segment.index() == s) {
-      if (circle_of(pslg, piece) != nullptr)
-        apply_bend(bend_of(pslg.points[piece.a.index()], pslg.points[piece.b.index()], cut->points),
+      if (circle_of(pslg, last_piece) != nullptr)
+        apply_bend(bend_of(pslg.points[last_piece.a.index()], pslg.points[last_piece.b.index()],
+                           cut->points),
                    table.sides[s], table);
-      for (const Point p : cut->points) {
-        piece.b = VertexId{pslg.points.size()};
-        pslg.points.push_back(p);
-        pslg.point_ids.push_back(-1);
-        pslg.point_markers.push_back(piece.marker);
-        segments.push_back(piece);
-        piece.a = piece.b;
-      }
+      last_piece = put_points(pslg, last_piece, cut->points, segments);
       ++cut;
     }
-    piece.b = pslg.segments[s].b;
-    segments.push_back(piece);
+    segments.push_back(last_piece);
     sides.resize(segments.size(), table.sides[s]);
     if (!pslg.side_seeds.empty()) seeds.resize(segments.size(), pslg.side_seeds[s]);
     pieces.emplace_back(first, segments.size());
@@ -140,14 +163,7 @@ void cut_segments(Pslg& pslg, RegionTable& table, std::span<const SegmentCut> cu
       if (r != kVoid) table.regions[r.index() - 1].sides += added;
     }
   }
-  std::vector<bool> against(pieces.size(), false);
-  for (const Interface& line : table.interfaces) {
-    for (const SegmentId s : line.segments) {
-      against[s.index()] = table.sides[s.index()].left != line.left;
-    }
-  }
-  for (Interface& line : table.interfaces) replace(line.segments, pieces, against);
-  replace(table.void_segments, pieces, against);
+  replace_in_lines(table, pieces);
   pslg.segments = std::move(segments);
   pslg.side_seeds = std::move(seeds);
   pslg.periodic = pairs_of_pieces(pslg.periodic, pieces);

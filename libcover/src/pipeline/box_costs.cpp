@@ -13,11 +13,10 @@
 namespace cover {
 namespace {
 
-Result<BoxCosts> count_costs(const Prepared& prepared, const Options& options,
-                             const Callbacks& callbacks) {
-  const Pslg& pslg = prepared.pslg;
-  const RegionTable& table = prepared.table;
-  const std::vector<RegionBoundary> boundaries = split_regions(pslg, table);
+/// The encroached segments of each region.
+Result<std::vector<std::vector<EncroachedSegment>>> encroached_in(
+    const std::vector<RegionBoundary>& boundaries, const Options& options,
+    const Callbacks& callbacks) {
   std::vector<std::vector<EncroachedSegment>> encroached(boundaries.size());
   Status found = for_each_region(
       boundaries, worker_count(options), "box method", callbacks, [&](std::size_t r) {
@@ -25,35 +24,45 @@ Result<BoxCosts> count_costs(const Prepared& prepared, const Options& options,
         encroached[r] = encroached_segments(boundaries[r], cdt.triangulation);
       });
   if (!found) return std::move(found).error();
+  return encroached;
+}
+
+/// Cuts copies as --box-method does, and as --split-interfaces=90 does.
+Status try_cuts(Pslg pslg, RegionTable table, BoxCosts& costs) {
+  const std::size_t points = pslg.points.size();
+  Pslg cut_pslg = pslg;
+  RegionTable cut_table = table;
+  std::vector<BoxCut> cuts;
+  std::vector<Point> stuck;
+  cut_encroached(cut_pslg, cut_table, points, VertexId{points}, cuts, stuck);
+  costs.cuts = cuts.size();
+  costs.uncut = stuck.size();
+  Options right;
+  right.split_interfaces = Angle::degrees(90);
+  std::vector<Note> notes;
+  Status split = split_interfaces(pslg, table, right, notes);
+  costs.cuts_for_right_angles = pslg.points.size() - points;
+  return split;
+}
+
+Result<BoxCosts> count_costs(const Prepared& prepared, const Options& options,
+                             const Callbacks& callbacks) {
+  const std::vector<RegionBoundary> boundaries = split_regions(prepared.pslg, prepared.table);
+  const auto encroached = encroached_in(boundaries, options, callbacks);
+  if (!encroached) return encroached.error();
   BoxCosts costs;
   for (std::size_t r = 0; r < boundaries.size(); ++r) {
     costs.sides += boundaries[r].sides.size();
-    costs.encroached_sides += encroached[r].size();
-    for (const EncroachedSegment& e : encroached[r])
+    costs.encroached_sides += (*encroached)[r].size();
+    for (const EncroachedSegment& e : (*encroached)[r])
       costs.encroached.push_back(
           {NegativeCoupling::Kind::encroached, boundaries[r].id, e.a, e.b, e.by});
   }
-  const ForcedCuts forced = forced_cuts(encroached);
+  const ForcedCuts forced = forced_cuts(*encroached);
   costs.encroached_segments = forced.segments;
   costs.least_cuts = forced.least;
-  Status cut = errors_as_values("box method", [&] {
-    Pslg cut_pslg = pslg;
-    RegionTable cut_table = table;
-    std::vector<BoxCut> cuts;
-    std::vector<Point> stuck;
-    cut_encroached(cut_pslg, cut_table, pslg.points.size(), VertexId{pslg.points.size()}, cuts,
-                   stuck);
-    costs.cuts = cuts.size();
-    costs.uncut = stuck.size();
-    cut_pslg = pslg;
-    cut_table = table;
-    Options right;
-    right.split_interfaces = Angle::degrees(90);
-    std::vector<Note> notes;
-    Status split = split_interfaces(cut_pslg, cut_table, right, notes);
-    costs.cuts_for_right_angles = cut_pslg.points.size() - pslg.points.size();
-    return split;
-  });
+  Status cut = errors_as_values("box method",
+                                [&] { return try_cuts(prepared.pslg, prepared.table, costs); });
   if (!cut) return std::move(cut).error();
   return costs;
 }

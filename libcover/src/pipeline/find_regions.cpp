@@ -49,6 +49,28 @@ std::vector<PeriodicRule> periodic_rules(const Input& input, const Options& opti
 
 namespace {
 
+/// What the report tells of an input as it was read.
+Report report_on(const Input& input, const Options& options) {
+  Report report;
+  report.provenance = {input.source, COVER_VERSION, describe_options(options)};
+  report.unit = input.unit;
+  report.scale = input.scale;
+  for (const std::string& warning : input.warnings)
+    report.notes.push_back({Note::Kind::warning, kVoid, warning, {}});
+  report.threads = worker_count(options);
+  return report;
+}
+
+/// Cuts segments as far as that can be told before anything is meshed.
+Status cut_before_meshing(Prepared& prepared, const Options& options, bool memory_counts) {
+  Status status = check_wishes(prepared.pslg, prepared.table, options, memory_counts);
+  if (status)
+    status = split_interfaces(prepared.pslg, prepared.table, options, prepared.report.notes);
+  if (status) status = cut_for_layers(prepared, options);
+  if (status) cut_for_boxes(prepared, options);
+  return status;
+}
+
 /// `release` gives the input back, if it may go.
 template <class Release>
 Result<FoundRegions> find(const Input& input, Release release, const Options& options,
@@ -56,11 +78,7 @@ Result<FoundRegions> find(const Input& input, Release release, const Options& op
   if (Status status = check_options(options); !status) return std::move(status).error();
   Prepared prepared;
   Report& report = prepared.report;
-  report.provenance = {input.source, COVER_VERSION, describe_options(options)};
-  report.unit = input.unit;
-  report.scale = input.scale;
-  for (const std::string& warning : input.warnings)
-    report.notes.push_back({Note::Kind::warning, kVoid, warning, {}});
+  report = report_on(input, options);
   if (Status status = begin_stage("clean", callbacks); !status) return std::move(status).error();
   std::optional<Triangulation> whole;
   Result<Pslg> pslg = by_team("clean", worker_count(options), [&](const Team& team) {
@@ -84,18 +102,11 @@ Result<FoundRegions> find(const Input& input, Release release, const Options& op
   clock.note("regions", report.times);
   report.uncut_points = prepared.pslg.points.size();
   report.uncut_segments = prepared.pslg.segments.size();
-  Status status = errors_as_values("split interfaces", [&] {
-    Status sizes = check_wishes(prepared.pslg, prepared.table, options, memory_counts);
-    if (!sizes) return sizes;
-    Status split = split_interfaces(prepared.pslg, prepared.table, options, report.notes);
-    if (split) split = cut_for_layers(prepared, options);
-    if (split) cut_for_boxes(prepared, options);
-    return split;
-  });
-  if (!status) return std::move(status).error();
+  Status cut = errors_as_values(
+      "split interfaces", [&] { return cut_before_meshing(prepared, options, memory_counts); });
+  if (!cut) return std::move(cut).error();
   report.input_points = prepared.pslg.points.size();
   report.input_segments = prepared.pslg.segments.size();
-  report.threads = worker_count(options);
   return FoundRegions{std::move(prepared), std::move(made->triangulated)};
 }
 

@@ -205,6 +205,21 @@ bool has_name(const Region& region, std::string_view name) {
 
 Error bad_line(std::string_view what) { return {ErrorCode::bad_option, std::string(what), {}, {}}; }
 
+/// The rule for layers along `line` in a region: the last one that fits, null if there is none.
+const LayerRule* rule_of(const Region& region, std::string_view line,
+                         std::span<const LayerRule> rules) {
+  const auto rule = std::find_if(rules.rbegin(), rules.rend(), [&](const LayerRule& r) {
+    return r.line == line && (r.region.empty() || has_name(region, r.region));
+  });
+  return rule == rules.rend() ? nullptr : &*rule;
+}
+
+/// Whether there are rules for the line, of which none was for the region in question.
+bool is_of_other_side(std::string_view line, std::span<const LayerRule> rules) {
+  return std::any_of(rules.begin(), rules.end(),
+                     [&](const LayerRule& r) { return r.line == line; });
+}
+
 }  // namespace
 
 Result<std::vector<LayersFound>> verify_layers(const Pslg& pslg, const RegionTable& table,
@@ -214,6 +229,17 @@ Result<std::vector<LayersFound>> verify_layers(const Pslg& pslg, const RegionTab
   std::map<RegionId, LayersFound> found;
   std::vector<std::string> names;
   LayerFinder finder(pslg, mesh);
+  const auto look_beside = [&](RegionId side, Point from, Point to) {
+    if (side == kVoid || (!region.empty() && !has_name(table.region(side), region))) return;
+    LayersFound& layers = found[side];
+    layers.region = side;
+    const LayerRule* rule = rule_of(table.region(side), line, rules);
+    if (rule == nullptr && is_of_other_side(line, rules)) {
+      finder.count(from, to, layers);
+    } else {
+      finder.add(from, to, rule, layers);
+    }
+  };
   bool is_known = false;
   for (const Interface& part : table.interfaces) {
     names.push_back(part.name);
@@ -222,21 +248,8 @@ Result<std::vector<LayersFound>> verify_layers(const Pslg& pslg, const RegionTab
     for (const SegmentId s : part.segments) {
       const Segment& segment = pslg.segments[s.index()];
       const Point a = pslg.points[segment.a.index()], b = pslg.points[segment.b.index()];
-      const auto add = [&](RegionId side, Point from, Point to) {
-        if (side == kVoid || (!region.empty() && !has_name(table.region(side), region))) return;
-        LayersFound& layers = found[side];
-        layers.region = side;
-        const auto rule = std::find_if(rules.rbegin(), rules.rend(), [&](const LayerRule& r) {
-          return r.line == line && (r.region.empty() || has_name(table.region(side), r.region));
-        });
-        if (rule != rules.rend()) return finder.add(from, to, &*rule, layers);
-        const bool is_of_other_side = std::any_of(
-            rules.begin(), rules.end(), [&](const LayerRule& r) { return r.line == line; });
-        if (is_of_other_side) return finder.count(from, to, layers);
-        finder.add(from, to, nullptr, layers);
-      };
-      add(table.sides[s.index()].left, a, b);
-      add(table.sides[s.index()].right, b, a);
+      look_beside(table.sides[s.index()].left, a, b);
+      look_beside(table.sides[s.index()].right, b, a);
     }
   }
   if (!is_known) {

@@ -52,8 +52,8 @@ constexpr std::uint64_t kEvaluationsPerPoint = 20'000;
 constexpr std::uint64_t kEvaluationsAtLeast = 3'000'000;
 constexpr std::uint64_t kMostEvaluations = 20'000'000;
 constexpr std::uint64_t kMostEvaluationsPerPoint = 1'000;
-constexpr std::size_t kMany =
-    4;  ///< one triangle above for so many points is too many for a search
+/// One triangle above the target for so many points is too many for a search.
+constexpr std::size_t kMany = 4;
 
 /// A mesh, and what is left above the target in it.
 struct Trial {
@@ -126,6 +126,56 @@ class Rounds {
   Budget budget_;
 };
 
+/// Whether another round may be of use.
+class Prospects {
+ public:
+  Prospects(const Options& options, std::size_t points)
+      : points_(points), is_acute_(options.max_angle < Angle::degrees(90)) {}
+
+  void note_round(bool is_better) { in_vain_ = is_better ? 0 : in_vain_ + 1; }
+
+  /// After a round that left `now`, of which the best left `best`.
+  [[nodiscard]] bool are_there(const Trial& now, const CutResult& best) const {
+    const std::size_t points = now.work.pslg.points.size();
+    if (best.above == 0 || points >= kMostPoints * points_) return false;
+    if (in_vain_ >= (is_acute_ ? kInVain : kRounds)) return false;
+    if (points < kFewPoints) return true;
+    const auto above = static_cast<double>(now.left.above);
+    if (is_acute_ && above > kNearlyAll * static_cast<double>(now.triangles())) return false;
+    const int most_worse = points_ < kVeryMany ? kInVainForAll : 1;
+    return now.left.above <= kEverywhere * points_ &&
+           (in_vain_ < most_worse || now.left.above <= kFarMore * best.above);
+  }
+
+  /// The points that the next round may lead to.
+  [[nodiscard]] std::size_t most_points(const Trial& now) const {
+    const std::size_t for_all = now.work.pslg.points.size() + kMostCutForOne * now.left.above;
+    return std::max(std::min(kMostPoints * points_, for_all), kFewPoints);
+  }
+
+ private:
+  std::size_t points_;  ///< at first
+  bool is_acute_;       ///< less than 90 degrees are asked for
+  int in_vain_ = 0;     ///< rounds since the last one that left fewer triangles
+};
+
+/// Halves segments and improves in turn, as long as that may be of use. Keeps in `best` what leaves
+/// the fewest triangles above the target.
+Status halve_in_rounds(Trial& best, Rounds& rounds, Prospects prospects) {
+  Status status = rounds.improve(best);
+  Trial now = best;
+  for (int k = 0; k < kRounds && status && prospects.are_there(now, best.left); ++k) {
+    const Result<bool> halved = rounds.halve(now.work, prospects.most_points(now));
+    if (!halved) return halved.error();
+    if (!*halved) break;
+    status = rounds.improve(now);
+    const bool is_better = status && now.left.above < best.left.above;
+    prospects.note_round(is_better);
+    if (is_better) best = now;
+  }
+  return status;
+}
+
 /// What was cut since there were `before` points.
 Note note_of_cuts(const Pslg& pslg, std::size_t before, const Options& options) {
   std::vector<Point> where(pslg.points.begin() + static_cast<std::ptrdiff_t>(before),
@@ -149,35 +199,7 @@ Status cut_until_met(Work& work, const Options& options, const Callbacks& callba
   const std::size_t points = work.pslg.points.size();
   Rounds rounds(options, callbacks, points);
   Trial best{std::move(work)};
-  Status status = rounds.improve(best);
-  Trial now = best;
-  const bool is_acute = options.max_angle < Angle::degrees(90);
-  const int most_in_vain = is_acute ? kInVain : kRounds;
-  int in_vain = 0;  // rounds since the last one that left fewer triangles
-  const auto is_of_no_use = [&] {
-    if (in_vain >= most_in_vain) return true;
-    if (now.work.pslg.points.size() < kFewPoints) return false;
-    const auto above = static_cast<double>(now.left.above);
-    if (is_acute && above > kNearlyAll * static_cast<double>(now.triangles())) return true;
-    const int most_worse = points < kVeryMany ? kInVainForAll : 1;
-    return now.left.above > kEverywhere * points ||
-           (in_vain >= most_worse && now.left.above > kFarMore * best.left.above);
-  };
-  const auto most_cut = [&] {
-    const std::size_t for_all = now.work.pslg.points.size() + kMostCutForOne * now.left.above;
-    return std::max(std::min(kMostPoints * points, for_all), kFewPoints);
-  };
-  for (int k = 0; k < kRounds && status && best.left.above > 0 && !is_of_no_use() &&
-                  now.work.pslg.points.size() < kMostPoints * points;
-       ++k) {
-    const Result<bool> halved = rounds.halve(now.work, most_cut());
-    if (!halved) return halved.error();
-    if (!*halved) break;
-    status = rounds.improve(now);
-    const bool is_better = status && now.left.above < best.left.above;
-    in_vain = is_better ? 0 : in_vain + 1;
-    if (is_better) best = now;
-  }
+  const Status status = halve_in_rounds(best, rounds, Prospects(options, points));
   if (!status) return status;
   work = std::move(best.work);
   return errors_as_values("measure", [&] {

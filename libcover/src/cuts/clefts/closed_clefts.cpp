@@ -347,17 +347,7 @@ class Opener {
     std::sort(first.begin(), first.end(), [&](std::uint32_t x, std::uint32_t y) {
       return dot(mesh_.points[x] - a, b - a) < dot(mesh_.points[y] - a, b - a);
     });
-    std::vector<Point> points;
-    for (const std::uint32_t v : first) points.push_back(mesh_.points[v]);
-    const std::optional<std::vector<Point>> across = cuts_across(pslg, cleft, points);
-    if (!across) return false;
-    for (const Point p : *across) {
-      other.push_back(static_cast<std::uint32_t>(out_.points.size()));
-      out_.points.push_back(p);
-      out_.line.push_back(cleft.wall[1].value());
-    }
-    for (std::size_t i = 0; i < first.size(); ++i)
-      pairs_.push_back({first[i], other[i], is_right_at_first(pslg, cleft, i, first.size())});
+    if (!cut_across(cleft, first, other)) return false;
     first.insert(first.begin(), cleft.end[0].corner[0].value());
     first.push_back(cleft.end[1].corner[0].value());
     other.insert(other.begin(), cleft.end[0].corner[1].value());
@@ -369,6 +359,36 @@ class Opener {
       const std::uint32_t to = i > 0 ? first[i - 1] : next[0];
       turn_over(cleft, first[i], from, to, other[i]);
     }
+    end_at(cleft, next);
+    for (std::size_t i = 0; i + 1 < first.size(); ++i) {
+      out_.pieces.push_back({other[i], other[i + 1], cleft.wall[1].value()});
+      fill(first[i], other[i], other[i + 1], first[i + 1], cleft.region);
+    }
+    return true;
+  }
+
+  /// Cuts the other wall across from each cut of the first one; `other` gets the new vertices.
+  /// False if there is no room for them.
+  bool cut_across(const Cleft& cleft, const std::vector<std::uint32_t>& first,
+                  std::vector<std::uint32_t>& other) {
+    std::vector<Point> points;
+    for (const std::uint32_t v : first) points.push_back(mesh_.points[v]);
+    const std::optional<std::vector<Point>> across = cuts_across(whole_.pslg, cleft, points);
+    if (!across) return false;
+    for (const Point p : *across) {
+      other.push_back(static_cast<std::uint32_t>(out_.points.size()));
+      out_.points.push_back(p);
+      out_.line.push_back(cleft.wall[1].value());
+    }
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      pairs_.push_back(
+          {first[i], other[i], is_right_at_first(whole_.pslg, cleft, i, first.size())});
+    }
+    return true;
+  }
+
+  /// The segments at both ends, and the triangles over them; `next` are the first vertices beyond.
+  void end_at(const Cleft& cleft, std::array<std::uint32_t, 2> next) {
     for (std::size_t e = 0; e < 2; ++e) {
       const Cleft::End& end = cleft.end[e];
       const std::uint32_t p = end.corner[0].value(), q = end.corner[1].value();
@@ -377,11 +397,6 @@ class Opener {
       out_.triangles.push_back(e == 0 ? IndexTriple{q, p, next[e]} : IndexTriple{p, q, next[e]});
       out_.region.push_back(end.beyond.value() - 1);
     }
-    for (std::size_t i = 0; i + 1 < first.size(); ++i) {
-      out_.pieces.push_back({other[i], other[i + 1], cleft.wall[1].value()});
-      fill(first[i], other[i], other[i + 1], first[i + 1], cleft.region);
-    }
-    return true;
   }
 
   /// The vertex beside the end on its slit; kNone without one.

@@ -104,6 +104,18 @@ class Finder {
   void add(const RegionBoundary& boundary, std::array<std::uint32_t, 2> walls,
            std::array<std::uint32_t, 2> across, std::vector<Cleft>& all) const {
     if (walls[0] == kNone || walls[1] == kNone) return;
+    Cleft cleft = between(boundary, walls);
+    if (!is_narrow(cleft)) return;
+    for (Cleft::End& end : cleft.end) look_beyond(boundary, across, end);
+    if (cleft.behind[0] == kVoid && cleft.behind[1] == kVoid) return;
+    // Without it there would be nothing left of the region.
+    if (cleft.end[0].segment && cleft.end[1].segment) return;
+    all.push_back(cleft);
+  }
+
+  /// What lies between two sides, narrow or not.
+  [[nodiscard]] Cleft between(const RegionBoundary& boundary,
+                              std::array<std::uint32_t, 2> walls) const {
     const auto corner = [&](std::size_t wall, std::size_t k) {
       return boundary.vertices[boundary.sides[walls[wall]][k]];
     };
@@ -124,36 +136,42 @@ class Finder {
     // The first wall is followed against its direction: the cleft lies on its right then.
     cleft.end[0].corner = {corner(first, 1), corner(1 - first, 0)};
     cleft.end[1].corner = {corner(first, 0), corner(1 - first, 1)};
-    const auto wall_length = [&](std::size_t w) {
-      return length(point(cleft.end[1].corner[w]) - point(cleft.end[0].corner[w]));
+    return cleft;
+  }
+
+  /// Whether its walls are far longer than they are apart, and its ends run nearly straight across.
+  /// Notes how far from that they are.
+  [[nodiscard]] bool is_narrow(Cleft& cleft) const {
+    const auto along = [&](std::size_t wall) {
+      return point(cleft.end[1].corner[wall]) - point(cleft.end[0].corner[wall]);
     };
     for (Cleft::End& end : cleft.end) {
-      if (end.corner[0] == end.corner[1]) return;
+      if (end.corner[0] == end.corner[1]) return false;
       const Vector over = point(end.corner[1]) - point(end.corner[0]);
       const double width = length(over);
-      if (kLong * width > std::min(wall_length(0), wall_length(1))) return;
-      for (const std::size_t w : {std::size_t{0}, std::size_t{1}}) {
-        const Vector along = point(cleft.end[1].corner[w]) - point(cleft.end[0].corner[w]);
-        end.slant = std::max(end.slant, std::abs(dot(over, along)) / (width * wall_length(w)));
-      }
-      if (end.slant > kMostSlant) return;
-      end.beyond = boundary.id;
-      for (const std::uint32_t s : across) {
-        if (s == kNone) continue;
-        const auto [from, to] = boundary.sides[s];
-        const std::array<VertexId, 2> ends{boundary.vertices[from], boundary.vertices[to]};
-        if (ends != std::array{end.corner[0], end.corner[1]} &&
-            ends != std::array{end.corner[1], end.corner[0]})
-          continue;
-        end.segment = boundary.segments[s];
-        const SegmentSides& sides = table_.sides[end.segment->index()];
-        end.beyond = ends[0] == pslg_.segments[end.segment->index()].a ? sides.right : sides.left;
-      }
+      if (kLong * width > std::min(length(along(0)), length(along(1)))) return false;
+      for (const std::size_t w : {std::size_t{0}, std::size_t{1}})
+        end.slant = std::max(end.slant, std::abs(dot(over, along(w))) / (width * length(along(w))));
+      if (end.slant > kMostSlant) return false;
     }
-    if (cleft.behind[0] == kVoid && cleft.behind[1] == kVoid) return;
-    // Without it there would be nothing left of the region.
-    if (cleft.end[0].segment && cleft.end[1].segment) return;
-    all.push_back(cleft);
+    return true;
+  }
+
+  /// Finds the segment across an end, and what lies there; `across` as in add().
+  void look_beyond(const RegionBoundary& boundary, std::array<std::uint32_t, 2> across,
+                   Cleft::End& end) const {
+    end.beyond = boundary.id;
+    for (const std::uint32_t s : across) {
+      if (s == kNone) continue;
+      const auto [from, to] = boundary.sides[s];
+      const std::array<VertexId, 2> ends{boundary.vertices[from], boundary.vertices[to]};
+      if (ends != std::array{end.corner[0], end.corner[1]} &&
+          ends != std::array{end.corner[1], end.corner[0]})
+        continue;
+      end.segment = boundary.segments[s];
+      const SegmentSides& sides = table_.sides[end.segment->index()];
+      end.beyond = ends[0] == pslg_.segments[end.segment->index()].a ? sides.right : sides.left;
+    }
   }
 
   /// Whether nothing is nearly as near as the walls are to each other; finds how near.

@@ -54,6 +54,37 @@ void find_forced(const ExpectedDomain& domain, std::span<const Point> points, Re
   tell_forced(points, sides, is_free, triangles_beyond(domain, points, region), given_up);
 }
 
+/// The same in all regions, but for those with a negative coupling inside: it may be the one that
+/// the proof speaks of.
+void find_forced(const ExpectedDomain& domain, std::span<const Point> points,
+                 std::span<const NegativeCoupling> inside, std::span<NegativeCoupling> on_sides) {
+  const auto has_inside = [&](RegionId r) {
+    return std::any_of(inside.begin(), inside.end(),
+                       [&](const NegativeCoupling& c) { return c.region == r; });
+  };
+  std::vector<RegionId> told;
+  for (const NegativeCoupling& c : on_sides) {
+    if (c.kind == NegativeCoupling::Kind::given_up && !has_inside(c.region))
+      told.push_back(c.region);
+  }
+  std::sort(told.begin(), told.end());
+  told.erase(std::unique(told.begin(), told.end()), told.end());
+  for (const RegionId r : told) find_forced(domain, points, r, on_sides);
+}
+
+void count_if_obtuse(const TriangleSoup& mesh, const IndexTriple& t, BoxCheck& check) {
+  const Blunt blunt = bluntness_of(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
+  check.obtuse += blunt != Blunt::no ? 1 : 0;
+  check.obtuse_by_rounding += blunt == Blunt::by_rounding ? 1 : 0;
+}
+
+Point corner_beyond(const TriangleSoup& mesh, const SoupEdges::Edge& e) {
+  const IndexTriple& t = mesh.triangles[e.triangle];
+  const auto other =
+      std::find_if(t.begin(), t.end(), [&](auto v) { return v != e.from && v != e.to; });
+  return mesh.points[*other];
+}
+
 }  // namespace
 
 BoxCheck verify_boxes(const TriangleSoup& mesh, const SoupEdges& edges,
@@ -61,28 +92,16 @@ BoxCheck verify_boxes(const TriangleSoup& mesh, const SoupEdges& edges,
                       std::span<const RegionId> region, std::span<const Point> points) {
   using Kind = NegativeCoupling::Kind;
   const auto all = edges.all();
-  const auto corner_beyond = [&](const SoupEdges::Edge& e) {
-    const auto& t = mesh.triangles[e.triangle];
-    const auto other =
-        std::find_if(t.begin(), t.end(), [&](auto v) { return v != e.from && v != e.to; });
-    return mesh.points[*other];
-  };
   BoxCheck check;
   std::vector<NegativeCoupling> on_sides;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const SoupEdges::Edge& e = all[k];
-    if (e.from == mesh.triangles[e.triangle][0]) {  // once per triangle
-      const auto& t = mesh.triangles[e.triangle];
-      const Point p = mesh.points[t[0]], q = mesh.points[t[1]], r = mesh.points[t[2]];
-      const Blunt blunt = bluntness_of(p, q, r);
-      check.obtuse += blunt != Blunt::no ? 1 : 0;
-      check.obtuse_by_rounding += blunt == Blunt::by_rounding ? 1 : 0;
-    }
-    const Point a = mesh.points[e.from], b = mesh.points[e.to], c = corner_beyond(e);
+    const IndexTriple& triangle = mesh.triangles[e.triangle];
+    if (e.from == triangle[0]) count_if_obtuse(mesh, triangle, check);  // once per triangle
+    const Point a = mesh.points[e.from], b = mesh.points[e.to], c = corner_beyond(mesh, e);
     if (side_of[k] != kNoSide) {
       if (!is_obtuse(a, c, b)) continue;
-      const ExpectedSide& side = domain.sides[side_of[k]];
-      const Point by = points[side.apex];
+      const Point by = points[domain.sides[side_of[k]].apex];
       const bool is_encroached = is_obtuse(a, by, b);
       on_sides.push_back({is_encroached ? Kind::encroached : Kind::given_up, region[e.triangle], a,
                           b, is_encroached ? by : c});
@@ -90,20 +109,10 @@ BoxCheck verify_boxes(const TriangleSoup& mesh, const SoupEdges& edges,
     }
     const auto twin = edges.find(e.to, e.from);
     if (!twin || e.to < e.from) continue;
-    if (in_circle(a, b, c, corner_beyond(all[*twin])) == Sign::positive)
+    if (in_circle(a, b, c, corner_beyond(mesh, all[*twin])) == Sign::positive)
       check.negative.push_back({Kind::inside, region[e.triangle], a, b, c});
   }
-  const auto has_inside = [&](RegionId r) {
-    return std::any_of(check.negative.begin(), check.negative.end(),
-                       [&](const NegativeCoupling& c) { return c.region == r; });
-  };
-  std::vector<RegionId> told;
-  for (const NegativeCoupling& c : on_sides) {
-    if (c.kind == Kind::given_up && !has_inside(c.region)) told.push_back(c.region);
-  }
-  std::sort(told.begin(), told.end());
-  told.erase(std::unique(told.begin(), told.end()), told.end());
-  for (const RegionId r : told) find_forced(domain, points, r, on_sides);
+  find_forced(domain, points, check.negative, on_sides);
   check.negative.insert(check.negative.end(), on_sides.begin(), on_sides.end());
   return check;
 }
