@@ -199,7 +199,7 @@ Status cut_until_met(Work& work, const Options& options, const Callbacks& callba
   const std::size_t points = work.pslg.points.size();
   Rounds rounds(options, callbacks, points);
   Trial best{std::move(work)};
-  const Status status = halve_in_rounds(best, rounds, Prospects(options, points));
+  Status status = halve_in_rounds(best, rounds, Prospects(options, points));
   if (!status) return status;
   work = std::move(best.work);
   return errors_as_values("measure", [&] {
