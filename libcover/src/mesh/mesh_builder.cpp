@@ -41,6 +41,20 @@ void keep_larger(std::uint32_t number, std::uint32_t& kept) {
   }
 }
 
+/// Where ranges of fans begin of which none has a vertex of another, and the end. To be asked before
+/// any of them is sorted: both sides of each place are looked at.
+template <class Fan>
+std::vector<std::size_t> begin_of_ranges(const std::vector<Fan>& fans) {
+  std::vector<std::size_t> begin;
+  for (std::size_t at = 0; at < fans.size(); at += kRange) {
+    begin.push_back(at);
+    std::size_t& k = begin.back();
+    while (k > 0 && k < fans.size() && fans[k].vertex == fans[k - 1].vertex) ++k;
+  }
+  begin.push_back(fans.size());
+  return begin;
+}
+
 }  // namespace
 
 /// A fan of triangles around a boundary vertex, from its first edge counter-clockwise to its last.
@@ -155,14 +169,10 @@ void MeshBuilder::set_boundary(const Team& team, TriMesh& tri) const {
         return f.vertex != g.vertex ? f.vertex < g.vertex : f.arriving < g.arriving;
       },
       team);
-  // Fans of one vertex belong to the range in which the first of them is.
-  const auto begin_of_vertex = [&](std::size_t k) {
-    while (k > 0 && k < fans.size() && fans[k].vertex == fans[k - 1].vertex) ++k;
-    return fans.begin() + static_cast<std::ptrdiff_t>(k);
-  };
-  team.each_range(fans.size(), kRange, [&](std::size_t begin, std::size_t end) {
-    const auto end_of_range = begin_of_vertex(end);
-    for (auto first = begin_of_vertex(begin); first < end_of_range;) {
+  const std::vector<std::size_t> begin = begin_of_ranges(fans);
+  team.each(begin.size() - 1, [&](std::size_t k) {
+    const auto end_of_range = fans.begin() + static_cast<std::ptrdiff_t>(begin[k + 1]);
+    for (auto first = fans.begin() + static_cast<std::ptrdiff_t>(begin[k]); first < end_of_range;) {
       const auto last = std::find_if(first, end_of_range,
                                      [&](const Fan& f) { return f.vertex != first->vertex; });
       if (last - first > 1) sort_by_direction({first, last});
