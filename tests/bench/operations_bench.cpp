@@ -90,13 +90,38 @@ class Recorder {
     const std::size_t parent = now_;
     std::vector<std::size_t> parts;
     for (std::size_t k = 0; k < count; ++k) {
-      now_ = tasks_.size();
-      parts.push_back(now_);
-      tasks_.emplace_back().emplace_back();
-      last_ = blocks;
+      begin_task(parts);
       run(k);
       close();
     }
+    end_tasks(parent, std::move(parts), in_pool);
+  }
+
+  [[nodiscard]] const std::vector<Task>& tasks() const { return tasks_; }
+  [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
+
+ private:
+  /// No samples while the list of tasks changes, which has blocks, too.
+  class NoSamples {
+   public:
+    NoSamples() = default;
+    NoSamples(const NoSamples&) = delete;
+    NoSamples& operator=(const NoSamples&) = delete;
+    ~NoSamples() { next_sample = next_; }
+
+   private:
+    Count next_ = std::exchange(next_sample, kNever);
+  };
+
+  void begin_task(std::vector<std::size_t>& parts) {
+    const NoSamples none;
+    now_ = tasks_.size();
+    parts.push_back(now_);
+    tasks_.emplace_back().emplace_back();
+    last_ = blocks;
+  }
+  void end_tasks(std::size_t parent, std::vector<std::size_t>&& parts, bool in_pool) {
+    const NoSamples none;
     now_ = parent;
     tasks_[now_].back().parts = std::move(parts);
     tasks_[now_].back().in_pool = in_pool;
@@ -104,10 +129,6 @@ class Recorder {
     last_ = blocks;
   }
 
-  [[nodiscard]] const std::vector<Task>& tasks() const { return tasks_; }
-  [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
-
- private:
   void close() {
     tasks_[now_].back().operations += blocks - last_;
     last_ = blocks;
@@ -360,7 +381,7 @@ void print_counts() {
 }  // namespace
 
 extern "C" void __sanitizer_cov_trace_pc() {
-  if (++blocks == next_sample) recorder.sample();
+  if (++blocks >= next_sample) recorder.sample();
 }
 
 namespace cover {
