@@ -26,7 +26,7 @@ class BlockWork {
         team_(sharing.team),
         labels_(label_parts(whole, block_count(whole, sharing), team_)),
         parts_(labels_.count),
-        owners_(whole.points.size()) {}
+        owners_(whole.points.size(), team_) {}
 
   Borders run(const std::function<void(Block&)>& work,
               const std::function<void(const Block&)>& done) {
@@ -60,7 +60,7 @@ class BlockWork {
  private:
   /// Tells every part its triangles, and every triangle its number there.
   void number() {
-    const std::vector<std::uint32_t>& label = labels_.of_triangle;
+    const UnsetVector<std::uint32_t>& label = labels_.of_triangle;
     number_.resize(label.size());
     std::vector<std::vector<std::uint32_t>> before(Team::ranges(label.size(), kRange));
     team_.each_range(label.size(), kRange, [&](std::size_t first, std::size_t last) {
@@ -237,7 +237,7 @@ class BlockWork {
   PartLabels labels_;
   std::vector<Part> parts_;
   VertexOwners owners_;
-  std::vector<std::uint32_t> number_;  ///< by triangle: in its part
+  UnsetVector<std::uint32_t> number_;  ///< by triangle: in its part
 };
 
 }  // namespace

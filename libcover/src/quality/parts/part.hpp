@@ -1,6 +1,7 @@
 // A part of a large mesh, and what is known of it: for blocks and put_back alone.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <bit>
 #include <cstddef>
@@ -8,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/containers/unset_vector.hpp"
+#include "base/team.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
 #include "quality/parts/blocks.hpp"
 
@@ -58,7 +61,13 @@ class NumberTable {
 /// Whose a vertex is: nobody's, that of a part, or that of several. Then its number in its part.
 class VertexOwners {
  public:
-  explicit VertexOwners(std::size_t vertices) : state_(vertices, kNone) {}
+  VertexOwners(std::size_t vertices, const Team& team) {
+    constexpr std::size_t kSetTogether = 1 << 16;
+    state_.resize(vertices);
+    team.each_range(vertices, kSetTogether, [this](std::size_t first, std::size_t last) {
+      std::fill(state_.data() + first, state_.data() + last, kNone);
+    });
+  }
 
   /// Threads: any, with any vertices
   void claim(std::uint32_t v, std::uint32_t part) {
@@ -77,7 +86,7 @@ class VertexOwners {
 
  private:
   static constexpr std::uint32_t kOwnerBit = 0x80000000U, kShared = kNone - 1;
-  std::vector<std::uint32_t> state_;
+  UnsetVector<std::uint32_t> state_;
 };
 
 /// Gives the places that a part had to what it has now. What is more is numbered from `extra` on.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <span>
+#include <vector>
 
 #include "geom/box.hpp"
 
@@ -73,10 +74,11 @@ class Tree {
 };
 
 /// ENSURES: numbers below `parts`, all of them from 0 to the largest; kNone for holes
-std::vector<std::uint32_t> branches_of(const MutableMesh& mesh, std::size_t parts) {
+UnsetVector<std::uint32_t> branches_of(const MutableMesh& mesh, std::size_t parts) {
   const std::size_t count = mesh.triangles.size();
   const std::size_t least = (mesh.triangle_count() + parts - 1) / parts;
-  std::vector<std::uint32_t> order, parent(count, kNone), label(count, kNone);
+  std::vector<std::uint32_t> order, parent(count, kNone);
+  UnsetVector<std::uint32_t> label(count, kNone);
   order.reserve(mesh.triangle_count());
   std::vector<std::uint32_t> size(count, 0);  // of what hangs on a triangle; 0: not seen
   for (std::uint32_t root = 0; root < count; ++root) {

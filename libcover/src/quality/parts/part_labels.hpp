@@ -3,8 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
+#include "base/containers/unset_vector.hpp"
 #include "base/team.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
 
@@ -12,7 +12,7 @@ namespace cover {
 
 /// Parts of a mesh that depend on the mesh alone.
 struct PartLabels {
-  std::vector<std::uint32_t> of_triangle;  ///< kNone for holes
+  UnsetVector<std::uint32_t> of_triangle;  ///< kNone for holes
   std::size_t count = 0;
 };
 
