@@ -307,6 +307,57 @@ bool MutableMesh::flip(std::uint32_t t, Corner i) {
   return true;
 }
 
+namespace {
+
+constexpr std::size_t kLevelRange = 1 << 12;  ///< triangles
+constexpr std::size_t kLargeLevel = 4 * kLevelRange;
+constexpr unsigned kWorkersForLevels = 4;  ///< three times the work of one
+
+/// Numbers the triangles beside those of `order` from `first` on, which have no number, in the
+/// order in which one thread would find them. Until it is known who finds a triangle first, its
+/// number is a claim: the least is kept.
+void visit_next_level(std::span<const MeshTriangle> triangles, std::size_t first,
+                      std::vector<std::uint32_t>& order, std::span<std::uint32_t> number,
+                      const Team& team) {
+  constexpr std::uint32_t kClaim = 0x80000000U;  // kNone is above all claims
+  const std::size_t last = order.size();
+  const auto for_each = [&](const auto& use) {
+    team.each_range(last - first, kLevelRange, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        for (const Corner i : kCorners) {
+          const std::uint32_t n = triangles[order[first + k]].n[i];
+          if (is_side(n)) continue;
+          const auto claim = static_cast<std::uint32_t>(kClaim | (3 * k + i));
+          use(begin / kLevelRange, n, claim, std::atomic_ref(number[n]));
+        }
+      }
+    });
+  };
+  for_each([](std::size_t, std::uint32_t, std::uint32_t claim, std::atomic_ref<std::uint32_t> now) {
+    std::uint32_t other = now.load(std::memory_order_relaxed);
+    while (other >= kClaim && claim < other &&
+           !now.compare_exchange_weak(other, claim, std::memory_order_relaxed)) {
+    }
+  });
+  std::vector<std::size_t> next(Team::ranges(last - first, kLevelRange) + 1, 0);
+  for_each([&](std::size_t range, std::uint32_t, std::uint32_t claim,
+               std::atomic_ref<std::uint32_t> now) {
+    if (now.load(std::memory_order_relaxed) == claim) ++next[range + 1];
+  });
+  next[0] = last;
+  for (std::size_t k = 1; k < next.size(); ++k) next[k] += next[k - 1];
+  order.resize(next.back());
+  for_each([&](std::size_t range, std::uint32_t n, std::uint32_t claim,
+               std::atomic_ref<std::uint32_t> now) {
+    if (now.load(std::memory_order_relaxed) != claim) return;
+    const std::size_t place = next[range]++;
+    order[place] = n;
+    now.store(static_cast<std::uint32_t>(place), std::memory_order_relaxed);
+  });
+}
+
+}  // namespace
+
 std::vector<std::uint32_t> MutableMesh::order_from_sides(UnsetVector<std::uint32_t>& number,
                                                          const Team& team) const {
   std::vector<std::uint32_t> order;
@@ -332,9 +383,16 @@ std::vector<std::uint32_t> MutableMesh::order_from_sides(UnsetVector<std::uint32
   for (const std::uint32_t t : at_side) {
     if (t != kNone) visit(t);
   }
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    for (const std::uint32_t n : triangles[order[k]].n) {
-      if (!is_side(n)) visit(n);
+  for (std::size_t first = 0, last = order.size(); first < last; last = order.size()) {
+    if (team.workers() >= kWorkersForLevels && last - first >= kLargeLevel) {
+      visit_next_level(triangles, first, order, number, team);
+      first = last;
+      continue;
+    }
+    for (; first < last; ++first) {  // the same
+      for (const std::uint32_t n : triangles[order[first]].n) {
+        if (!is_side(n)) visit(n);
+      }
     }
   }
   return order;

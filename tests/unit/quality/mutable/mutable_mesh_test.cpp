@@ -141,7 +141,7 @@ TEST(MutableMesh, IsArrangedTheSameByAnyNumberOfThreads) {
     return copy;
   };
   const MutableMesh alone = changed(Team());
-  for (const unsigned workers : {2U, 3U, 7U}) {
+  for (const unsigned workers : {2U, 3U, 7U, 64U}) {
     with_team(workers, [&](const Team& team) {
       const RegionMesh made = to_region_mesh(mesh, frame, boundary.points, team);
       EXPECT_FALSE(made.triangles.empty());
