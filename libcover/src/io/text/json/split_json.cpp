@@ -11,7 +11,7 @@ namespace {
 /// By character: whether it opens or ends something. Between brackets nearly none does.
 constexpr auto kIsMark = [] {
   std::array<bool, 256> is_mark{};
-  for (const unsigned char c : {'"', '{', '}', '[', ']'}) is_mark[c] = true;
+  for (const char c : {'"', '{', '}', '[', ']'}) is_mark[static_cast<unsigned char>(c)] = true;
   return is_mark;
 }();
 
