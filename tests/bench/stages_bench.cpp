@@ -83,8 +83,7 @@ std::vector<RegionBoundary> boundaries_of(const Input& input, const Options& opt
   auto found = build_triangulated_table(*pslg, options, report.notes, std::move(whole));
   if (!found) throw std::runtime_error(found.error().message);
   std::vector<RegionBoundary> boundaries = split_regions(*pslg, found->table);
-  if (options.method == Method::almond)  // of small regions no other method looks at them
-    add_known_triangles(found->triangulated, pslg->points.size(), boundaries);
+  add_known_triangles(found->triangulated, pslg->points.size(), boundaries);
   return boundaries;
 }
 

@@ -210,8 +210,8 @@ void put_in_order(std::size_t points, std::vector<IndexTriple>& triangles, const
 
 Triangulation triangulate_region(std::span<const Point> points, std::span<const IndexPair> sides,
                                  std::span<const IndexTriple> known, const Team& team) {
-  return points.size() < kLargeRegion ? as_made(points, sides)
-                                      : triangulate_in_order(points, sides, known, team);
+  const bool is_middling = points.size() > kSmallRegion && points.size() < kLargeRegion;
+  return is_middling ? as_made(points, sides) : triangulate_in_order(points, sides, known, team);
 }
 
 Triangulation triangulate_in_order(std::span<const Point> points, std::span<const IndexPair> sides,

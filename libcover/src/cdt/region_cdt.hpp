@@ -30,9 +30,9 @@ struct BoundaryFault {
 std::optional<BoundaryFault> find_fault(const CdtResult& cdt, std::span<const Point> points,
                                         std::span<const IndexPair> sides);
 
-/// From so many points on a region is large: several threads may divide what is to be done for its
-/// triangulation.
-inline constexpr std::size_t kLargeRegion = 50'000;
+/// Regions of no more points than the one and from the other on are triangulated in order: in small
+/// ones all moves are tried in any case, and large ones average over many places.
+inline constexpr std::size_t kSmallRegion = 16, kLargeRegion = 1'000;
 
 /// Sorts triangles by their corners, the lowest corner of each first.
 ///
@@ -55,9 +55,10 @@ void put_in_order(std::size_t points, std::vector<IndexTriple>& triangles, const
 Triangulation triangulate_in_order(std::span<const Point> points, std::span<const IndexPair> sides,
                                    std::span<const IndexTriple> known = {}, const Team& team = {});
 
-/// The same, but the triangles of regions that are not large come as they are made, and `known` is
-/// not looked at: triangles that were inserted one after the other are a better start for moves.
-/// In order, one of 900 wavy squares ends at 105.4 degrees instead of 99.998.
+/// The same, but the triangles of regions that are neither small nor large come as they are made,
+/// and `known` is not looked at: triangles that were inserted one after the other are a better
+/// start for moves. In order, 40 of 40,000 wavy squares of 61 points miss 100 degrees instead of
+/// 31, for 8 % fewer instructions; one of the 900 of the benchmark ends at 105.4 instead of 99.998.
 ///
 /// REQUIRES, EXACT, Errors: as above
 Triangulation triangulate_region(std::span<const Point> points, std::span<const IndexPair> sides,

@@ -36,13 +36,6 @@
 namespace cover {
 namespace {
 
-/// What is known of small regions is looked at by the almond method only (triangulate_region()).
-void forget_small(std::span<TriangulatedRegion> triangulated) {
-  for (TriangulatedRegion& region : triangulated) {
-    if (region.triangles.size() + 2 < kLargeRegion) region.triangles = {};
-  }
-}
-
 /// One piece of work per region.
 Status split(Work& work, const Options& options, bool memory_counts,
              std::span<TriangulatedRegion> triangulated) {
@@ -50,7 +43,6 @@ Status split(Work& work, const Options& options, bool memory_counts,
     auto pieces = pieces_of_work(work.pslg, work.table, options, team);
     if (!pieces) return std::move(pieces).error();
     work.boundaries = *std::move(pieces);
-    if (options.method != Method::almond) forget_small(triangulated);
     if (work.pslg.points.size() == work.report.uncut_points)
       add_known_triangles(triangulated, work.pslg.points.size(), work.boundaries, team);
     return check_expected_triangles(work.table, work.boundaries, options,
