@@ -46,6 +46,13 @@ ProofEffort glance(ProofEffort effort) {
   return effort;
 }
 
+/// The effort for the largest angle: of 940 Voronoi cells that miss their target 5 are near by what
+/// corners say, and 2 more by boxes, which are better spent on the smallest angle.
+ProofEffort by_corners(ProofEffort effort) {
+  if (!effort.asks_far) effort.per_search = effort.at_first = 0;
+  return effort;
+}
+
 }  // namespace
 
 LimitProver::LimitProver(const Triangulation& cdt, const Team& team)
@@ -209,7 +216,7 @@ bool LimitProver::corners_refute(const FanGrowth& growth) const {
 
 bool LimitProver::ask_sides(const AngleRange& range, const FanGrowth& growth, std::uint64_t& budget,
                             const ProofEffort& effort, Asked asked) {
-  if (asked == Asked::last && !has_refuter_) return false;
+  if (effort.per_search == 0 || (asked == Asked::last && !has_refuter_)) return false;
   Question question(view_, team_, growth, range.most);
   const auto sides = static_cast<std::uint32_t>(view_.sides().size());
   undecided_.clear();
@@ -297,7 +304,7 @@ ProvenLimits LimitProver::prove(const ReachedAngles& reached, const ReachedAngle
   if (reached.largest_nu < wanted.largest_nu) {
     const auto ask = [&](double gap, Asked asked) {
       if (largest - gap <= largest_limit) return true;
-      const ProofEffort for_this = gap == kNearQuestion ? effort : quick(effort);
+      const ProofEffort for_this = by_corners(gap == kNearQuestion ? effort : quick(effort));
       if (!refutes({largest - gap, 0}, budget, for_this, asked)) return false;
       largest_limit = largest - gap;
       return true;
