@@ -120,10 +120,14 @@ Allowance allowance_for(const SideLimit& side, const Goal& goal) {
 
 void MutableMesh::set_goal(const Goal& goal, const Team& team) {
   if (goal == goal_) return;
+  set_goal_unmeasured(goal, team);
+  measure_all(team);
+}
+
+void MutableMesh::set_goal_unmeasured(const Goal& goal, const Team& team) {
   goal_ = goal;
   allowances.assign(
       sides.size(), [&](std::size_t s) { return allowance_for(sides[s], goal); }, team);
-  measure_all(team);
 }
 
 bool MutableMesh::is_unforced() const {

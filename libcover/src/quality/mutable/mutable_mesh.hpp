@@ -108,6 +108,8 @@ class MutableMesh {
   [[nodiscard]] const Goal& goal() const { return goal_; }
   /// ENSURES: all excesses are by `goal`, if they were by the goal before
   void set_goal(const Goal& goal, const Team& team = {});
+  /// The same for whoever does not look at excesses before measure_all() or arrange().
+  void set_goal_unmeasured(const Goal& goal, const Team& team = {});
   /// Computes all excesses anew.
   void measure_all(const Team& team = {});
 

@@ -71,6 +71,13 @@ bool is_worth_a_search(const Merit& merit) {
 
 bool is_thorough(Search search) { return search == Search::again || search == Search::usual; }
 
+/// What may be spent on each triangle after refinement, where not all may be.
+std::uint64_t improve_evaluations(Search search, bool is_tiny) {
+  return search == Search::none ? effort::kImproveFast
+         : is_tiny              ? effort::kImproveTiny
+                                : effort::kImprovePerTriangle;
+}
+
 /// What may be spent on each triangle when couplings have become heavier.
 std::uint64_t coupling_evaluations(Search search) {
   return search == Search::none  ? effort::kCoupleFast
@@ -161,7 +168,8 @@ Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search
 Optimised optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const SizeField& sizes,
                    const Order& order, Search search, const Sharing& sharing) {
   const Goal goal = with_sides(asked);
-  mesh.set_goal(goal, sharing.team);
+  const bool is_tiny = mesh.fixed_vertices() <= kTinyRegion && !sizes.is_active();
+  mesh.set_goal_unmeasured(goal, sharing.team);  // what is refined is measured in the end
   RefineLimits limits;
   limits.keeps_couplings = goal.coupling.weight > 0;
   limits.smallest_cot = 1 / std::tan(refined_to(goal).in_radians());
@@ -176,9 +184,7 @@ Optimised optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const S
   Budget part = budget.share(effort::kImprovementsPart);
   std::uint64_t kept = 0;
   if (!is_thorough(search)) {
-    const std::uint64_t each =
-        search == Search::none ? effort::kImproveFast : effort::kImprovePerTriangle;
-    const std::uint64_t most = each * mesh.triangle_count();
+    const std::uint64_t most = improve_evaluations(search, is_tiny) * mesh.triangle_count();
     kept = part.left - std::min(part.left, most);
     part.left -= kept;
   }
@@ -202,7 +208,6 @@ Optimised optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const S
   if (search == Search::usual && has_at_most(merit, effort::kShareWorthMore)) {
     budget.left += effort::kMoreForEach * std::min(merit.above, effort::kMostWorthMore);
   }
-  const bool is_tiny = mesh.fixed_vertices() <= kTinyRegion && !sizes.is_active();
   if (is_thorough(search) && !is_tiny && is_worth_a_search(merit))
     search_excerpts(mesh, goal, budget, Trials::usual, sharing);
   if (!sizes.is_active()) budget.spend(thin_out(mesh, budget.left, sharing).evaluations);
