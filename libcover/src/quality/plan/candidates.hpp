@@ -90,6 +90,8 @@ class Candidates {
   [[nodiscard]] Candidate improved(const Candidate& c);
   /// The same with a budget of its own.
   [[nodiscard]] Candidate improved_within(const Candidate& c, std::uint64_t evaluations);
+  /// Without the vertices inside that make couplings of sides negative.
+  [[nodiscard]] Candidate giving_way(Candidate c) const;
   /// What becomes of `from` when its angles above -cot `large` are narrowed at the price of small
   /// angles, as little of them as leads there; or `best` if that is better.
   [[nodiscard]] Candidate narrowed(const Candidate& best, const Candidate& from, double large);

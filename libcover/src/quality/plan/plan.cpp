@@ -60,6 +60,14 @@ bool may_have_room(const PlanProgress& p) {
          p.best.merit.triangles != p.cdt.merit.triangles || is_beyond_bound(p);
 }
 
+/// With little effort less room is believed in.
+bool may_have_much_room(const PlanProgress& p) {
+  const std::uint32_t points = p.cdt.mesh->fixed_vertices();
+  const bool star_is_better = p.best.merit.triangles != p.cdt.merit.triangles;
+  return is_beyond_bound(p) || points > effort::kPointsOfFewRooms ||
+         (star_is_better && points > effort::kPointsOfOneRoom);
+}
+
 void take(PlanProgress& p, Candidate other) { p.make.take_if_better(p.best, std::move(other)); }
 
 void as_it_is(PlanProgress& p) {
@@ -77,13 +85,18 @@ void best_star(PlanProgress& p) {
 }
 /// What is near its limits is not searched; the answer counts for the report, too.
 void limits(PlanProgress& p) { p.is_settled = p.make.is_settled(p.best); }
+/// Where only couplings of sides keep it from being taken, without the vertices in their way, too.
+void take_refined(PlanProgress& p) {
+  if (p.refined.merit.negative > p.best.merit.negative) take(p, p.make.giving_way(p.refined));
+  take(p, p.refined);
+}
 void refined(PlanProgress& p) {
   p.refined = p.make.optimised(p.cdt, Search::none);
-  take(p, p.refined);
+  take_refined(p);
 }
 void refined_and_searched(PlanProgress& p) {
   p.refined = p.make.optimised(p.cdt, Search::few);
-  take(p, p.refined);
+  take_refined(p);
 }
 void refined_and_searched_all(PlanProgress& p) {
   p.refined = p.make.optimised(p.cdt, Search::usual);
@@ -157,7 +170,7 @@ constexpr std::array kFast{
     Step{"cdt", always, as_it_is, StopWhen::alone},
     Step{"one star", has_room_for_one_star, best_star, StopWhen::complete},
     Step{"limits of that", may_be_near, limits, StopWhen::near},
-    Step{"refined, improved", may_have_room, refined, StopWhen::complete},
+    Step{"refined, improved", may_have_much_room, refined, StopWhen::complete},
     Step{"the same within the bound", refined_is_beyond_bound, within_bound},
     Step{"almonds", is_beyond_bound, bound_kept},
 };
