@@ -75,10 +75,10 @@ inline constexpr double kAimBelowLimit = 0.008;  ///< aimed at below these, in c
 /// Star evaluations for that, at most, for the bound and for fewer angles above 120 degrees. Voronoi
 /// cells end with as many of these with 100, for 2 % more instructions; with 50 for the bound more
 /// sides are left to be mended afterwards, which takes longer.
-inline constexpr std::uint64_t kNarrowedToBound = 100, kNarrowedPerTriangle = 100;
+inline constexpr std::uint64_t kNarrowedToBound = 100, kNarrowedPerTriangle = 50;
 /// Star evaluations after refinement. Tiny regions, where little more is reached with twice as
 /// many (means of the fault 0.2 % smaller, 4 % more instructions), are improved again by restarts.
-inline constexpr std::uint64_t kImprovePerTriangle = 100, kImproveTiny = 100;
+inline constexpr std::uint64_t kImprovePerTriangle = 100, kImproveTiny = 50;
 /// Star evaluations for each triangle, each time that couplings have become heavier: without a
 /// limit Voronoi cells take a third more time, for the same faults up to 0.1 %; with 60, 3 % more.
 inline constexpr std::uint64_t kCouplePerTriangle = 30;
