@@ -72,9 +72,9 @@ inline constexpr std::uint64_t kSearchForOwn = 100'000, kSearchForFar = 5'000;
 inline constexpr std::array<double, 10> kSmallestParts{0.75, 0.6,  0.45, 0.36, 0.285,
                                                        0.22, 0.16, 0.11, 0.06, 0.018};
 inline constexpr double kAimBelowLimit = 0.008;  ///< aimed at below these, in cotangents
-/// Star evaluations for that, at most, for the bound and for fewer angles above 120 degrees. Voronoi
-/// cells end with as many of these with 100, for 2 % more instructions; with 50 for the bound more
-/// sides are left to be mended afterwards, which takes longer.
+/// Star evaluations for that at most, for the bound and for fewer angles above 120 degrees. With
+/// 100 Voronoi cells end with as many of these, for 2 % more instructions; with 50 for the bound
+/// more sides are left to be mended afterwards, which takes longer.
 inline constexpr std::uint64_t kNarrowedToBound = 100, kNarrowedPerTriangle = 50;
 /// Star evaluations after refinement. Tiny regions, where little more is reached with twice as
 /// many (means of the fault 0.2 % smaller, 4 % more instructions), are improved again by restarts.

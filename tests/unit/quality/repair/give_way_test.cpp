@@ -17,7 +17,7 @@ Goal with_couplings() {
   return goal;
 }
 
-/// The constrained Delaunay triangulation with couplings of the sides that nothing given encroaches.
+/// The constrained Delaunay triangulation, minding the sides that no given vertex encroaches.
 MutableMesh mesh_with_free_sides(const RegionBoundary& boundary) {
   const Triangulation cdt = triangulate_domain(boundary.points, boundary.sides).triangulation;
   const std::vector<EdgeRef> at = locate_sides(cdt, boundary.sides);
