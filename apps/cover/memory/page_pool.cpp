@@ -30,7 +30,6 @@ char* map_pages(char* at, std::size_t bytes) {
 void* PagePool::take(std::size_t bytes) noexcept {
   const std::lock_guard lock(mutex_);
   bytes = whole_pages(bytes);
-  if (count_ == kMostPieces) unmap_kept();  // or whoever comes next would find none of them
   if (count_ == kMostPieces) return nullptr;
   if (Piece* const piece = best_fit(bytes); piece != nullptr) {
     char* const array = piece->at;
@@ -93,6 +92,7 @@ bool PagePool::move_kept(char* array, std::size_t bytes, std::size_t& moved) {
 void PagePool::add(const Piece& piece) {
   pieces_[count_++] = piece;
   used_ += piece.bytes;
+  most_used_ = std::max(most_used_, used_);
 }
 
 void PagePool::erase_empty() {
@@ -111,24 +111,27 @@ bool PagePool::give(void* array) noexcept {
     used_ -= pieces_[k].bytes;
     kept_ += pieces_[k].bytes;
   }
-  return used_ != before;
+  if (used_ == before) return false;
+  keep_at_most(whole_pages(most_used_ / 4));
+  return true;
 }
 
 bool PagePool::release() noexcept {
   const std::lock_guard lock(mutex_);
   if (kept_ == 0) return false;
-  unmap_kept();
+  keep_at_most(0);
   return true;
 }
 
-void PagePool::unmap_kept() noexcept {
-  for (std::size_t k = 0; k < count_; ++k) {
+void PagePool::keep_at_most(std::size_t bytes) noexcept {
+  for (std::size_t k = count_; k-- > 0 && kept_ > bytes;) {
     Piece& piece = pieces_[k];
     if (piece.array != nullptr) continue;
-    munmap(piece.at, piece.bytes);
-    piece.bytes = 0;
+    const std::size_t part = std::min(piece.bytes, kept_ - bytes);
+    munmap(piece.at + (piece.bytes - part), part);
+    piece.bytes -= part;
+    kept_ -= part;
   }
-  kept_ = 0;
   erase_empty();
 }
 

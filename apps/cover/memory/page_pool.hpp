@@ -19,7 +19,7 @@ class PagePool {
   /// Room for `bytes`, from the pages that are kept and then from the system, at the beginning of a
   /// page; null where there is none.
   [[nodiscard]] void* take(std::size_t bytes) noexcept;
-  /// Keeps the pages of an array: with those in use they are never more than were in use at a time.
+  /// Keeps the pages of an array, but no more than a quarter of the most that were in use.
   ///
   /// ENSURES: false, and nothing has happened, where take() has not made it
   [[nodiscard]] bool give(void* array) noexcept;
@@ -41,7 +41,7 @@ class PagePool {
   /// The smallest piece that is kept and has so many bytes; null if none has.
   Piece* best_fit(std::size_t bytes);
   bool move_kept(char* array, std::size_t bytes, std::size_t& moved);
-  void unmap_kept() noexcept;
+  void keep_at_most(std::size_t bytes) noexcept;
   void add(const Piece& piece);
   void erase_empty();
 
@@ -51,7 +51,7 @@ class PagePool {
   mutable std::mutex mutex_;
   std::array<Piece, kMostPieces> pieces_{};
   std::size_t count_ = 0;
-  std::size_t used_ = 0, kept_ = 0;
+  std::size_t used_ = 0, kept_ = 0, most_used_ = 0;
 };
 
 /// From now on `operator new` takes large arrays from a pool, but for sanitizers, which have one of
