@@ -41,8 +41,8 @@ void keep_larger(std::uint32_t number, std::uint32_t& kept) {
   }
 }
 
-/// Where ranges of fans begin of which none has a vertex of another, and the end. To be asked before
-/// any of them is sorted: both sides of each place are looked at.
+/// Where ranges of fans begin of which none has a vertex of another, and the end. To be asked
+/// before any of them is sorted: both sides of each place are looked at.
 template <class Fan>
 std::vector<std::size_t> begin_of_ranges(const std::vector<Fan>& fans) {
   std::vector<std::size_t> begin;
