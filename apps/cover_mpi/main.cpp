@@ -29,11 +29,10 @@ Usage: mpirun -n 4 cover-mpi mesh INPUT -o FILE ...
 
 Rank 0 reads the input, shares its regions out among all ranks and writes the files. They are the
 same, byte for byte, as those of 'cover mesh', for any number of ranks and threads. Several input
-files are read by all ranks; what another rank cannot read, rank 0 reads. Each rank takes
-its part of the cores that mpirun lets it use ('mpirun --bind-to none': of all cores of its
-machine), or as many threads as -j says. Large meshes that go to .vtkhdf
-files stay with the ranks that make them, and all ranks write: the folder must be one that all of
-them see, else meshes travel to rank 0.
+files are read by all ranks; what another rank cannot read, rank 0 reads. Each rank takes its part
+of the cores that mpirun lets it use ('mpirun --bind-to none': of all cores of its machine), or as
+many threads as -j says. Large meshes that go to .vtkhdf files stay with the ranks that make them,
+and all ranks write: the folder must be one that all of them see, else meshes travel to rank 0.
 
   cover-mpi mesh --help   the options, which are those of 'cover mesh'
 )";

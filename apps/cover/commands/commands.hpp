@@ -16,7 +16,7 @@ using Arguments = std::vector<std::string>;
 struct OtherProcesses {
   ShareOut share_out;
   WriteElsewhere write_elsewhere;
-  ReadFiles read_files;
+  ReadElsewhere read_elsewhere;
 };
 
 /// `cover mesh`: triangulates a geometry file.

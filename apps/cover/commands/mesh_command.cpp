@@ -437,7 +437,7 @@ int run_mesh(Arguments arguments, const OtherProcesses& others) {
   if (!checked) return usage_error(command.app, checked.error());
 
   const auto log = make_logger(command.verbosity);
-  Result<Input> input = command.input.read(options->threads, others.read_files);
+  Result<Input> input = command.input.read(options->threads, others.read_elsewhere);
   if (!input) return fail(*log, input.error());
   if (const Status status = load_size_field(*options); !status) return fail(*log, status.error());
   log->info("read {}: {} points, {} segments, {} polygons, {} lines", command.input.path(),

@@ -84,7 +84,7 @@ std::vector<NamedFile> GeometryFile::read_files() const {
   return files;
 }
 
-Result<Input> GeometryFile::read(unsigned threads, const ReadFiles& read_files) {
+Result<Input> GeometryFile::read(unsigned threads, const ReadElsewhere& read_elsewhere) {
   options_.threads = threads;
   for (const auto& written : written_) {
     for (const std::string& text : written.texts()) {
@@ -94,19 +94,19 @@ Result<Input> GeometryFile::read(unsigned threads, const ReadFiles& read_files) 
     }
   }
   if (paths_.size() == 1) return read_one(paths_.front());
-  Result<std::vector<Input>> inputs = read_several(read_files);
+  Result<std::vector<Input>> inputs = read_several(read_elsewhere);
   if (!inputs) return inputs.error();
   return join_inputs(*std::move(inputs));
 }
 
-Result<std::vector<Input>> GeometryFile::read_several(const ReadFiles& read_files) {
+Result<std::vector<Input>> GeometryFile::read_several(const ReadElsewhere& read_elsewhere) {
   const std::string format = options_.format;
   const auto read_here = [&](const std::string& path) {
     options_.format = format;  // each file has its own unless one was given
     return read_one(path);
   };
-  if (read_files && std::none_of(paths_.begin(), paths_.end(), is_stream))
-    return read_files({paths_, options_}, read_here);
+  if (read_elsewhere && std::none_of(paths_.begin(), paths_.end(), is_stream))
+    return read_elsewhere({paths_, options_}, read_here);
   std::vector<Input> inputs;
   for (const std::string& path : paths_) {
     Result<Input> input = read_here(path);

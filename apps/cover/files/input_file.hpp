@@ -28,10 +28,10 @@ class GeometryFile {
 
   /// Reads the files, which become one geometry in this order; `-` is standard input, whose format
   /// follows from how it begins. By that many threads; 0: all cores. Several files are read by
-  /// `read_files` if it is given, and none of them is a stream.
+  /// `read_elsewhere` if it is given, and none of them is a stream.
   ///
   /// Errors: those of read_input() and of the readers that are built in
-  [[nodiscard]] Result<Input> read(unsigned threads = 0, const ReadFiles& read_files = {});
+  [[nodiscard]] Result<Input> read(unsigned threads = 0, const ReadElsewhere& read_elsewhere = {});
 
   /// Options that were given but do nothing, a sentence each.
   /// REQUIRES: read() was called
@@ -41,7 +41,7 @@ class GeometryFile {
   [[nodiscard]] std::vector<Provenance::Setting> settings() const;
 
  private:
-  [[nodiscard]] Result<std::vector<Input>> read_several(const ReadFiles& read_files);
+  [[nodiscard]] Result<std::vector<Input>> read_several(const ReadElsewhere& read_elsewhere);
   Result<Input> read_one(const std::string& path);
 
   std::vector<std::string> paths_;

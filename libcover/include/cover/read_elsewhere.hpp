@@ -24,7 +24,7 @@ struct FilesToRead {
 /// this process.
 ///
 /// Errors: that of the first file that cannot be read
-using ReadFiles = std::function<Result<std::vector<Input>>(
+using ReadElsewhere = std::function<Result<std::vector<Input>>(
     const FilesToRead& files, const std::function<Result<Input>(const std::string& path)>& here)>;
 
 /// For another process of this program, on a machine of the same kind.

@@ -131,9 +131,7 @@ class Divided {
   void mark_outer_edges() {
     std::vector<Edge> outer;
     each_hull_edge(hull_, [&](Edge e) { outer.push_back(sym(e)); });
-    team_.each_range(left().size(), kRange, [&](std::size_t first, std::size_t last) {
-      std::fill(left().data() + first, left().data() + last, kNone);
-    });
+    set_all(left(), kNone, team_);
     for (const Edge e : outer) left()[e] = kOuter;
   }
 

@@ -67,18 +67,14 @@ double largest_nu_of(Point a, Point b, Point c) {
 /// Cotangents of 10, 20, ..., 170 degrees, made up to a whole tree of binary search.
 using BinLimits = std::array<double, 31>;
 
-constexpr BinLimits bin_limits() {
-  // A right angle is not above 90 degrees: the upper bins hold the obtuse ones.
-  constexpr std::array<double, 17> cotangents{
-      5.6712818196177093,   2.7474774194546225,   1.7320508075688774,
-      1.19175359259421,     0.83909963117728004,  0.57735026918962595,
-      0.36397023426620245,  0.17632698070846506,  -std::numeric_limits<double>::min(),
-      -0.17632698070846492, -0.36397023426620234, -0.5773502691896254,
-      -0.83909963117728004, -1.1917535925942095,  -1.7320508075688774,
-      -2.7474774194546208,  -5.6712818196177119};
-  BinLimits limits{};
+BinLimits bin_limits() {
+  BinLimits limits;
   limits.fill(std::numeric_limits<double>::quiet_NaN());  // none of them is reached
-  std::copy(cotangents.begin(), cotangents.end(), limits.begin());
+  for (std::size_t k = 0; k < 17; ++k) {
+    limits[k] = 1 / std::tan(Angle::degrees(10.0 * static_cast<double>(k + 1)).in_radians());
+  }
+  // A right angle is not above 90 degrees: the upper bins hold the obtuse ones.
+  limits[kUpToRight] = -std::numeric_limits<double>::min();
   return limits;
 }
 
@@ -160,7 +156,7 @@ Quality measure_some(std::span<const Point> points, std::span<const IndexTriple>
 
 Quality measure_angles(std::span<const Point> points, std::span<const IndexTriple> triangles,
                        const Team& team) {
-  constexpr BinLimits limits = bin_limits();
+  static const BinLimits limits = bin_limits();  // small regions come by the thousand
   if (triangles.size() <= kTrianglesAtATime) return measure_some(points, triangles, limits);
   std::vector<Quality> parts(Team::ranges(triangles.size(), kTrianglesAtATime));
   team.each_range(triangles.size(), kTrianglesAtATime, [&](std::size_t first, std::size_t last) {

@@ -39,6 +39,15 @@ struct UnsetAllocator : std::allocator<T> {
 template <class T>
 using UnsetVector = std::vector<T, UnsetAllocator<T>>;
 
+/// Makes all items `value`, each by the thread that touches it first.
+template <class T>
+void set_all(UnsetVector<T>& list, std::type_identity_t<T> value, const Team& team) {
+  constexpr std::size_t kRange = 1 << 16;
+  team.each_range(list.size(), kRange, [&](std::size_t first, std::size_t last) {
+    std::fill(list.data() + first, list.data() + last, value);
+  });
+}
+
 /// A copy with room for `most` items, or for more if there are more.
 template <class T>
 UnsetVector<T> copy_of(const UnsetVector<T>& list, const Team& team, std::size_t most = 0) {

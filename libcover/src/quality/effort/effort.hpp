@@ -75,7 +75,7 @@ inline constexpr double kAimBelowLimit = 0.008;  ///< aimed at below these, in c
 /// Star evaluations for that at most, for the bound and for fewer angles above 120 degrees. With
 /// 100 Voronoi cells end with as many of these, for 2 % more instructions; with 50 for the bound
 /// more sides are left to be mended afterwards, which takes longer.
-inline constexpr std::uint64_t kNarrowedToBound = 100, kNarrowedPerTriangle = 50;
+inline constexpr std::uint64_t kNarrowedToBound = 100, kNarrowedToFewerFar = 50;
 /// Star evaluations after refinement. Tiny regions, where little more is reached with twice as
 /// many (means of the fault 0.2 % smaller, 4 % more instructions), are improved again by restarts.
 inline constexpr std::uint64_t kImprovePerTriangle = 100, kImproveTiny = 50;

@@ -1,7 +1,6 @@
 // A part of a large mesh, and what is known of it: for blocks and put_back alone.
 #pragma once
 
-#include <algorithm>
 #include <atomic>
 #include <bit>
 #include <cstddef>
@@ -10,7 +9,6 @@
 #include <vector>
 
 #include "base/containers/unset_vector.hpp"
-#include "base/team.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
 #include "quality/parts/blocks.hpp"
 
@@ -62,11 +60,8 @@ class NumberTable {
 class VertexOwners {
  public:
   VertexOwners(std::size_t vertices, const Team& team) {
-    constexpr std::size_t kSetTogether = 1 << 16;
     state_.resize(vertices);
-    team.each_range(vertices, kSetTogether, [this](std::size_t first, std::size_t last) {
-      std::fill(state_.data() + first, state_.data() + last, kNone);
-    });
+    set_all(state_, kNone, team);
   }
 
   /// Threads: any, with any vertices

@@ -171,13 +171,12 @@ Candidate Candidates::giving_way(Candidate c) const {
   return give_way_to_sides(c.mesh.change()) > 0 ? measured(std::move(c)) : c;
 }
 
-Candidate Candidates::narrowed(const Candidate& best, const Candidate& from, double large) {
+Candidate Candidates::narrowed(const Candidate& best, const Candidate& from, double large,
+                               std::uint64_t each) {
   Candidate found = best;
   const double smallest = std::atan2(1.0, goal_.small);
   Candidate trial = from;
   bool is_better = false;
-  const std::uint64_t each =
-      large == kFarAbove ? effort::kNarrowedPerTriangle : effort::kNarrowedToBound;
   budget_.within(each * from.merit.triangles, [&] {
     for (const double part : effort::kSmallestParts) {
       if (1 - part > order_.degenerate || budget_.is_used_up()) break;

@@ -34,8 +34,8 @@ struct Candidate {
 };
 
 /// What can be tried on a region. What refines or improves shares one budget and takes at most half
-/// of what is left, so that it reaches all; narrowed() takes 100 stars for each triangle. Random
-/// restarts and searches of single triangles have budgets of their own.
+/// of what is left, so that it reaches all. Random restarts and searches of single triangles have
+/// budgets of their own.
 class Candidates {
  public:
   /// `almonds` is what almond_region() made of the region, where it was asked already.
@@ -94,7 +94,9 @@ class Candidates {
   [[nodiscard]] Candidate giving_way(Candidate c) const;
   /// What becomes of `from` when its angles above -cot `large` are narrowed at the price of small
   /// angles, as little of them as leads there; or `best` if that is better.
-  [[nodiscard]] Candidate narrowed(const Candidate& best, const Candidate& from, double large);
+  /// Takes `each` star evaluations for a triangle at most.
+  [[nodiscard]] Candidate narrowed(const Candidate& best, const Candidate& from, double large,
+                                   std::uint64_t each);
   /// The best of random restarts.
   [[nodiscard]] Candidate restarted_within(const Candidate& from, std::uint64_t evaluations) const;
   /// The best of random restarts; where that misses the target for the largest angle, what a

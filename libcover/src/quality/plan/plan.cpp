@@ -54,18 +54,21 @@ bool may_be_near(const PlanProgress& p) {
 
 bool has_couplings(const PlanProgress& p) { return p.make.goal().coupling.weight > 0; }
 
+bool is_star_taken(const PlanProgress& p) {
+  return p.best.merit.triangles != p.cdt.merit.triangles;
+}
+
 /// Room for more than one vertex, or at least for one that is better than none.
 bool may_have_room(const PlanProgress& p) {
   return !has_couplings(p) || p.cdt.mesh->fixed_vertices() > effort::kPointsOfOneRoom ||
-         p.best.merit.triangles != p.cdt.merit.triangles || is_beyond_bound(p);
+         is_star_taken(p) || is_beyond_bound(p);
 }
 
 /// With little effort less room is believed in.
 bool may_have_much_room(const PlanProgress& p) {
   const std::uint32_t points = p.cdt.mesh->fixed_vertices();
-  const bool star_is_better = p.best.merit.triangles != p.cdt.merit.triangles;
   return is_beyond_bound(p) || points > effort::kPointsOfFewRooms ||
-         (star_is_better && points > effort::kPointsOfOneRoom);
+         (is_star_taken(p) && points > effort::kPointsOfOneRoom);
 }
 
 void take(PlanProgress& p, Candidate other) { p.make.take_if_better(p.best, std::move(other)); }
@@ -114,10 +117,13 @@ void sized_and_searched(PlanProgress& p) {
   p.best = p.refined = p.make.optimised(p.cdt, Search::few);
 }
 void sized_and_searched_all(PlanProgress& p) { p.best = p.make.optimised(p.cdt, Search::usual); }
-void within_bound(PlanProgress& p) {
-  p.best = p.make.narrowed(p.best, p.refined, p.make.order().bound);
+Candidate narrowed_to_bound(const PlanProgress& p, const Candidate& from) {
+  return p.make.narrowed(p.best, from, p.make.order().bound, effort::kNarrowedToBound);
 }
-void with_fewer_far(PlanProgress& p) { p.best = p.make.narrowed(p.best, p.refined, kFarAbove); }
+void within_bound(PlanProgress& p) { p.best = narrowed_to_bound(p, p.refined); }
+void with_fewer_far(PlanProgress& p) {
+  p.best = p.make.narrowed(p.best, p.refined, kFarAbove, effort::kNarrowedToFewerFar);
+}
 void restarted(PlanProgress& p) { take(p, p.make.restarted(p.best)); }
 void improved(PlanProgress& p) { take(p, p.make.improved(p.best)); }
 void evenly_refined(PlanProgress& p) {
@@ -158,7 +164,7 @@ void bound_kept(PlanProgress& p) {
   Candidate flipped = p.make.coupled(almond);
   take(p, flipped);
   take(p, std::move(almond));
-  if (p.best.merit.negative > 0) p.best = p.make.narrowed(p.best, flipped, p.make.order().bound);
+  if (p.best.merit.negative > 0) p.best = narrowed_to_bound(p, flipped);
 }
 void bound_kept_sized(PlanProgress& p) {
   if (p.make.is_part()) return;
