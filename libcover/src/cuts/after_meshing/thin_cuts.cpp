@@ -9,6 +9,7 @@
 #include <numeric>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <utility>
 
@@ -16,6 +17,7 @@
 
 #include <cover/text.hpp>
 
+#include "base/run_all.hpp"
 #include "cuts/after_meshing/one_mesh.hpp"
 #include "cuts/unite_pieces.hpp"
 #include "geom/vector.hpp"
@@ -34,11 +36,16 @@ constexpr double kSlack = 1 - 1e-9;
 
 /// How the last obtuse triangles are mended, in turn.
 struct Last {
-  double part;          ///< of smallest angles, that is kept there; 0: none
+  double part;          ///< of smallest angles, that is kept there
   std::uint64_t times;  ///< as many places for each
   std::size_t most;     ///< if so many are left
 };
-constexpr std::array kLast{Last{0.2, 1, kNone}, Last{0, 1, kNone}, Last{0, 10, 6}, Last{0, 50, 3}};
+/// Of the smallest angles, where nothing else mends what is left: with no limit at all triangles of
+/// a few units in the last place came in between, whose angles are rounding's (110 degrees, where
+/// none is obtuse but for it).
+constexpr double kLeastPart = 1e-6;
+constexpr std::array kLast{Last{0.2, 1, kNone}, Last{kLeastPart, 1, kNone}, Last{kLeastPart, 10, 6},
+                           Last{kLeastPart, 50, 3}};
 
 ThinEffort effort_of(Effort effort, std::size_t vertices) {
   switch (effort) {
@@ -57,7 +64,7 @@ ThinEffort effort_of(Effort effort, std::size_t vertices) {
 /// much in the end, where it is 6 or fewer, 0, 0 and 1 in place of 4, 6 and 2.
 ThinEffort effort_for_the_last(const ThinEffort& effort, const Last& last) {
   constexpr std::uint64_t kPlaces = 100'000;
-  return {0, 0, last.times * kPlaces, 3 * effort.places_to_mend_at_most, effort.stop};
+  return {0, 0, last.times * kPlaces, effort.places_to_mend_at_most, effort.stop};
 }
 
 /// By region: no angle becomes smaller than the target, or than what there is; and where triangles
@@ -80,7 +87,7 @@ std::vector<WantedAngles> angles_of(const std::vector<RegionMesh>& meshes, const
 }
 
 /// Smaller angles in the regions around obtuse triangles that are left, down to a part of what is
-/// asked, or any: right angles come first.
+/// asked: right angles come first.
 std::vector<WantedAngles> angles_for_the_last(const ConformingMesh& mesh, double part,
                                               const std::vector<WantedAngles>& angles) {
   const MeshWithUndo now(mesh, angles);
@@ -92,7 +99,7 @@ std::vector<WantedAngles> angles_for_the_last(const ConformingMesh& mesh, double
   std::vector<WantedAngles> out = angles;
   for (const MeshWithUndo::Triangle& t : now.triangles()) {
     if (t.v[0] == kNone || (!is_near[t.v[0]] && !is_near[t.v[1]] && !is_near[t.v[2]])) continue;
-    out[t.region].largest_cot = part > 0 ? angles[t.region].largest_cot / part : 0;
+    out[t.region].largest_cot = angles[t.region].largest_cot / part;
   }
   return out;
 }
@@ -166,7 +173,7 @@ class Thinning {
     ConformingMesh start = mesh_;
     const std::size_t bad_before = MeshWithUndo(start, angles).bad();
     if (mends_first) {
-      angles = angles_for_the_last(start, 0, angles);
+      angles = angles_for_the_last(start, kLeastPart, angles);
       MeshWithUndo mending(start, angles);
       mend_what_is_left(mending, effort_for_the_last(effort, kLast[0]));
       start = mending.result(start);
@@ -227,15 +234,50 @@ struct Attempt {
   bool mends_first;
 };
 
-/// With that effort, and with less, by which a search goes another way: one after another until no
-/// triangle is bad.
+/// With that effort, and with less, by which a search goes another way. What mends first comes
+/// first: it has fewer to mend in the end, which takes the longest, and often leaves none.
 std::vector<Attempt> attempts_from(Effort effort) {
   constexpr std::array kEfforts{Effort::thorough, Effort::normal, Effort::fast};
-  std::vector<Attempt> attempts{{effort, false}, {effort, true}};
+  std::vector<Attempt> attempts{{effort, true}, {effort, false}};
   for (const auto* less = std::find(kEfforts.begin(), kEfforts.end(), effort) + 1;
        less < kEfforts.end(); ++less)
     attempts.push_back({*less, false});
   return attempts;
+}
+
+using TrialOrError = Result<ThinTrial>;
+
+/// Whether what comes after this attempt is of no use: no triangle is bad, or the first attempt has
+/// found nothing better.
+bool settles(const TrialOrError& trial, std::size_t attempt) {
+  if (!trial) return true;
+  return trial->work ? trial->bad == 0 : attempt == 0 && !trial->is_better;
+}
+
+/// The attempts up to the first that settles it, several of them at a time if there are threads for
+/// it: what the later ones have done is of no use then, and no matter.
+std::vector<TrialOrError> trials_of(const Thinning& thinning, const Options& options,
+                                    const std::stop_token& stop) {
+  const std::vector<Attempt> attempts = attempts_from(options.effort);
+  std::vector<std::optional<TrialOrError>> made(attempts.size());
+  std::vector<std::stop_source> ends(attempts.size());
+  const auto end_from = [&](std::size_t first) {
+    for (std::size_t k = first; k < ends.size(); ++k) ends[k].request_stop();
+  };
+  const std::stop_callback on_stop(stop, [&] { end_from(0); });
+  run_all(attempts.size(), worker_count(options.threads), [&](std::size_t k) {
+    if (ends[k].stop_requested()) return;
+    made[k] = errors_as_values("thin out", [&]() -> TrialOrError {
+      return thinning.run(attempts[k].effort, attempts[k].mends_first, ends[k].get_token());
+    });
+    if (settles(*made[k], k)) end_from(k + 1);
+  });
+  std::vector<TrialOrError> trials;
+  for (std::size_t k = 0; k < made.size() && made[k]; ++k) {
+    trials.push_back(*std::move(made[k]));
+    if (settles(trials.back(), k)) break;
+  }
+  return trials;
 }
 
 }  // namespace
@@ -255,20 +297,17 @@ Status thin_cuts(Work& work, const Options& options, const Callbacks& callbacks)
   if (!wants_thinning(work, work.boundaries, options)) return ok();
   return errors_as_values("thin out", [&]() -> Status {
     const Thinning thinning(work, options);
+    std::vector<TrialOrError> trials = trials_of(thinning, options, callbacks.stop);
+    if (callbacks.stop.stop_requested()) return Error{ErrorCode::cancelled, "interrupted", {}, {}};
     std::optional<ThinTrial> best;
     std::string fault;
-    for (const Attempt& attempt : attempts_from(options.effort)) {
-      ThinTrial trial = thinning.run(attempt.effort, attempt.mends_first, callbacks.stop);
-      if (callbacks.stop.stop_requested())
-        return Error{ErrorCode::cancelled, "interrupted", {}, {}};
-      if (!trial.work && !trial.is_better && !best && fault.empty()) break;
-      const bool is_all = trial.work && trial.bad == 0;
-      if (!trial.work) {
-        fault = std::move(trial.fault);
-      } else if (!best || trial.bad < best->bad) {
-        best = std::move(trial);
+    for (TrialOrError& trial : trials) {
+      if (!trial) return std::move(trial).error();
+      if (!trial->work) {
+        fault = std::move(trial->fault);
+      } else if (!best || trial->bad < best->bad) {
+        best = *std::move(trial);
       }
-      if (is_all) break;
     }
     if (best) {
       work = *std::move(best->work);

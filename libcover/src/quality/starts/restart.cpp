@@ -21,7 +21,7 @@ namespace cover {
 namespace {
 
 constexpr std::uint32_t kRestarts = 27;         ///< where the target for large angles is missed
-constexpr std::uint32_t kRestartsForSmall = 6;  ///< where only small angles are left
+constexpr std::uint32_t kRestartsForSmall = 6;  ///< where only small angles are left, or at last
 constexpr std::array<double, 3> kPolished{0.2, 0.04, 0.008};  ///< of what is missed: last aims
 
 /// A side and its number.
@@ -95,9 +95,12 @@ Restarted best_restart(const MutableMesh& mesh, const Merit& before, const Goal&
   // What is aimed at, in turn: the region's own target; the goal; few triangles above 120 degrees.
   const std::array<double, 3> aims{merit.target, goal.large,
                                    std::max(goal.large, std::min(kFarAbove, merit.target))};
-  const bool only_small = merit.above == 0 && !is_smaller_cot(merit.target, merit.large);
-  const std::uint32_t restarts = only_small ? kRestartsForSmall : kRestarts;
-  for (std::uint32_t k = 0; k < restarts && !budget.is_used_up(); ++k) {
+  const auto only_small_are_left = [&] {
+    return merit.above == 0 && !is_smaller_cot(merit.target, merit.large);
+  };
+  const bool only_small = only_small_are_left();
+  for (std::uint32_t k = 0; k < kRestarts && !budget.is_used_up(); ++k) {
+    if (k >= kRestartsForSmall && only_small_are_left()) break;
     std::optional<MutableMesh> start = restart(mesh, 1 + k / aims.size() % 3, k);
     budget.spend(kRestartCost);
     if (start)

@@ -33,6 +33,29 @@ const Note* note_of(const Output& output) {
   return nullptr;
 }
 
+/// A wedge of two degrees, a ten-thousandth beside a ring of 32 chords.
+Input wedge_beside_a_ring() {
+  std::vector<Point> points;
+  std::vector<std::array<std::uint32_t, 2>> segments;
+  const auto add = [&](const std::vector<Point>& loop) {
+    const auto first = static_cast<std::uint32_t>(points.size()),
+               n = static_cast<std::uint32_t>(loop.size());
+    for (std::uint32_t k = 0; k < n; ++k) segments.push_back({first + k, first + (k + 1) % n});
+    points.insert(points.end(), loop.begin(), loop.end());
+  };
+  for (const double radius : {1.05, 1.0}) {
+    std::vector<Point> loop;
+    for (int k = 0; k < 32; ++k)
+      loop.push_back({radius * std::cos(2 * std::numbers::pi * k / 32),
+                      radius * std::sin(2 * std::numbers::pi * k / 32)});
+    add(loop);
+  }
+  const double x = 1.0501, half = 1.5 * std::tan(std::numbers::pi / 180);
+  add({{x, 0}, {x + 1.5, -half}, {x + 1.5, half}});
+  add({{-2, -2}, {4, -2}, {4, 2}, {-2, 2}});
+  return testing::segments_between(points, segments);
+}
+
 TEST(ThinCuts, TakesVerticesAwayAndLeavesNoObtuseTriangle) {
   std::size_t told = 0;
   for (const testing::RandomInput& kind : testing::kRandomDevices) {
@@ -124,6 +147,7 @@ TEST(ThinCuts, NoRegionLosesItsBound) {
 TEST(ThinCuts, DependsOnNeitherUnitNorThreads) {
   for (const std::uint64_t seed : {1U, 2U})
     expect_same_for_threads_and_unit(testing::random_cells(12, seed));
+  expect_same_for_threads_and_unit(wedge_beside_a_ring());  // by several attempts
 }
 
 TEST(ThinCuts, GoesWithBoxMethod) {
@@ -164,28 +188,9 @@ TEST(ThinCuts, MoreEffortTakesNoMoreVertices) {
   }
 }
 
-// A wedge of two degrees, a ten-thousandth beside a ring of 32 chords: the last obtuse triangle
-// needs angles that are smaller than any before.
+// The last obtuse triangle needs angles that are smaller than any before.
 TEST(ThinCuts, RightAnglesComeBeforeSmallOnes) {
-  std::vector<Point> points;
-  std::vector<std::array<std::uint32_t, 2>> segments;
-  const auto add = [&](const std::vector<Point>& loop) {
-    const auto first = static_cast<std::uint32_t>(points.size()),
-               n = static_cast<std::uint32_t>(loop.size());
-    for (std::uint32_t k = 0; k < n; ++k) segments.push_back({first + k, first + (k + 1) % n});
-    points.insert(points.end(), loop.begin(), loop.end());
-  };
-  for (const double radius : {1.05, 1.0}) {
-    std::vector<Point> loop;
-    for (int k = 0; k < 32; ++k)
-      loop.push_back({radius * std::cos(2 * std::numbers::pi * k / 32),
-                      radius * std::sin(2 * std::numbers::pi * k / 32)});
-    add(loop);
-  }
-  const double x = 1.0501, half = 1.5 * std::tan(std::numbers::pi / 180);
-  add({{x, 0}, {x + 1.5, -half}, {x + 1.5, half}});
-  add({{-2, -2}, {4, -2}, {4, 2}, {-2, 2}});
-  const Output output = mesh_of(testing::segments_between(points, segments), no_obtuse_angle());
+  const Output output = mesh_of(wedge_beside_a_ring(), no_obtuse_angle());
   EXPECT_EQ(output.report.quality.obtuse, 0u);
 }
 
