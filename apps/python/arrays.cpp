@@ -28,8 +28,10 @@ std::vector<Point> points_from(const py::handle& value, const char* what) {
 Indices indices_from(const py::handle& value, const char* what) {
   const auto array = py::array::ensure(value);
   if (!array) throw py::type_error(std::string(what) + " must be indices");
+  if (array.size() == 0) return Indices(py::ssize_t{0});  // numpy takes an empty list for floats
   const char kind = array.dtype().kind();
-  if (array.size() == 0 || kind == 'i' || kind == 'u') return Indices::ensure(array);
+  if (kind == 'i' || kind == 'u')
+    return Indices::ensure(array.attr("astype")("int64", py::arg("copy") = false));
   if (kind != 'f') throw py::type_error(std::string(what) + " must be indices: whole numbers");
   Indices indices = Indices::ensure(array.attr("astype")("int64"));
   if (!py::bool_(array.attr("__eq__")(indices).attr("all")()))

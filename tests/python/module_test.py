@@ -75,6 +75,15 @@ class Meshing(unittest.TestCase):
         mesh = cover.mesh([(0, 0), (1, 0), (0, 1)], [(0, 1), (1, 2), (2, 0)])
         self.assertEqual(len(mesh.triangles), 1)
 
+    def test_empty_lists_are_no_segments(self):
+        corners = [(0, 0), (1, 0), (0, 1)]
+        for none in ([], np.array([]), np.zeros((0, 2), int)):
+            self.assertEqual(len(cover.mesh(corners, none, hull=True).triangles), 1)
+            with self.assertRaisesRegex(cover.Error, 'no segments'):
+                cover.mesh(corners, none)
+        ring = np.array([(0, 1), (1, 2), (2, 0)], dtype=np.uint64)
+        self.assertEqual(len(cover.mesh(corners, ring, lines={'a': []}).triangles), 1)
+
     def test_report_and_lines(self):
         mesh = cover.mesh(SQUARE, SEGMENTS, REGIONS, threads=1)
         self.assertEqual([r['name'] for r in mesh.report['regions']], ['bulk', 'SiO2'])

@@ -1,6 +1,6 @@
 // The promises are checked again here, by the checker that shares no code with the mesher, so that
-// a report never repeats what the mesher believes of itself. Tested by
-// tests/unit/app/verdict_test.cpp.
+// a report never repeats what the mesher believes of itself.
+// Tested by tests/unit/app/verdict_test.cpp.
 #include "words/verdict.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // A piece from x to y has an obstacle at (t, h) in its disk just where x < t < y and
 // (t - x)(y - t) > h^2, that is where y > t + h^2 / (t - x). A piece of a right piece is right, so
-// the longest right piece each time leaves the least to do. Tested by
-// tests/unit/box/least_cuts_test.cpp.
+// the longest right piece each time leaves the least to do.
+// Tested by tests/unit/box/least_cuts_test.cpp.
 #include "box/least_cuts.hpp"
 
 #include <algorithm>

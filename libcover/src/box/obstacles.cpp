@@ -1,6 +1,6 @@
 // From the triangle on the side over all edges that meet its diametral disk. A vertex whose
-// perpendicular is blocked is left out: what blocks it mostly has an end that is nearer. Tested by
-// tests/unit/box/least_cuts_test.cpp.
+// perpendicular is blocked is left out: what blocks it mostly has an end that is nearer.
+// Tested by tests/unit/box/least_cuts_test.cpp.
 #include "box/obstacles.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // A segment that is no edge of the mesh is followed from vertex to vertex; a vertex that is a point
-// of the input already lies on no other segment, so no way leads through it. Tested by
-// tests/unit/cuts/adopt_cuts_test.cpp.
+// of the input already lies on no other segment, so no way leads through it.
+// Tested by tests/unit/cuts/adopt_cuts_test.cpp.
 #include <cover/remesh.hpp>
 
 #include <algorithm>

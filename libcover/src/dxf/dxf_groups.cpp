@@ -32,7 +32,8 @@ bool is_text(long code) { return code == 1 || code == 2 || code == 3 || code == 
 
 class Checker {
  public:
-  Checker(std::string_view text, const std::string& source) : rest_(text), source_(source) {}
+  Checker(std::string_view text, const std::string& source)
+      : rest_(without_utf8_mark(text)), source_(source) {}
 
   Result<CheckedDxf> check() {
     if (rest_.starts_with("AutoCAD Binary DXF"))

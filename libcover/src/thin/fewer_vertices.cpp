@@ -220,8 +220,8 @@ class Thinner {
     return corner && mesh_.is_movable(mesh_.triangles()[t].v[*corner]);
   }
 
-  /// A triangle that is gravely bad at least becomes one with a wrong sign of a coupling at a
-  /// piece.
+  /// Mends a triangle. One that is gravely bad may at worst become one whose coupling at a piece
+  /// has the wrong sign.
   void mend_one(std::uint32_t t, std::uint64_t places_per_sign) {
     const std::size_t before = mesh_.bad(), grave = is_grave(t) ? 1 : 0;
     most_grave_ = mesh_.grave() - grave;
@@ -580,23 +580,20 @@ class Thinner {
     for (const Point& start : starts) improve(mesh_.locate(start, from), vertex, action);
   }
 
-  /// The same on the piece of `line` that was made whole since `mark`, and on both sides of it.
+  /// The same on the piece of `line` that was made whole since `mark`.
   void best_on_line(const std::vector<Point>& starts, std::uint32_t line, std::size_t mark,
                     std::uint32_t vertex, Action& action) {
     std::vector<std::uint32_t> all = mesh_.written_since(mark);
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
-    bool is_first = true;
     for (const std::uint32_t t : all) {
       const MeshWithUndo::Triangle triangle = mesh_.triangles()[t];
       if (triangle.v[0] == kNone) continue;
       for (const Corner i : kCorners) {
         if (triangle.line[i] != line) continue;
-        if (is_first) {
-          for (const Point& start : starts) improve(mesh_.on_line(start, t, i), vertex, action);
-          improve(mesh_.on_line(mesh_.at(triangle.v[i]), t, i), vertex, action);
-        }
-        is_first = false;
+        for (const Point& start : starts) improve(mesh_.on_line(start, t, i), vertex, action);
+        improve(mesh_.on_line(mesh_.at(triangle.v[i]), t, i), vertex, action);
+        return;
       }
     }
   }

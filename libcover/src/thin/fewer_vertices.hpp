@@ -44,8 +44,8 @@ Thinned mend_what_is_left(MeshWithUndo& mesh, const ThinEffort& effort);
 /// lie elsewhere. No more triangles become bad in any way.
 ///
 /// ENSURES: the same mesh for the same input, whatever the machine
-/// Cost:    `places_per_sign` for each such triangle, then places_per_bad for each gravely bad one
-///          that may become a wrong sign at a piece; places_to_mend_at_most in all
+/// Cost:    places_per_bad for each gravely bad triangle, `places_per_sign` for each other bad one,
+///          whichever takes them; places_to_mend_at_most in all
 Thinned mend_mesh(MeshWithUndo& mesh, const ThinEffort& effort, std::uint64_t places_per_sign);
 
 }  // namespace cover

@@ -53,6 +53,12 @@ TEST(ReadDxf, LinesMeetWhereTheyAreTheSame) {
   EXPECT_DOUBLE_EQ(area_of(input), 0.01);
 }
 
+TEST(ReadDxf, TheMarkOfUtf8IsPassed) {
+  DxfWriter d;
+  d.begin_entities().line("0", 0, 0, 0.1, 0).line("0", 0.1, 0, 0.1, 0.2).line("0", 0.1, 0.2, 0, 0);
+  EXPECT_EQ(read("\xef\xbb\xbf" + d.finish()).segments.size(), 3U);
+}
+
 TEST(ReadDxf, EndsOfLinesThatAreTakenForOthersAreTold) {
   for (const auto& [away, changes] : {std::pair(1e-13, 1U), std::pair(0x1p-54, 0U)}) {
     DxfWriter d;

@@ -33,7 +33,8 @@ std::vector<std::string> values_of(const OptionEntry& entry) {
   if (entry.name == "size-of") return {"asinh"};
   if (entry.name == "periodic") return {"a=b", "\"x=1\"=c d@mirror", "e=f@-1,2.5:45"};
   if (entry.name == "layers")
-    return {"a=0.5,1.5", "b c@Si O2=1e-3,1,7", "\"a@b=c\"@\"d=\"=2,1,3", "a@\"x@y\"=2,1,3"};
+    return {"a=0.5,1.5",       "b c@Si O2=1e-3,1,7", "\"a@b=c\"@\"d=\"=2,1,3", "a@\"x@y\"=2,1,3",
+            "7\" wafer=1,1,3", "\"7\"\"@x\"=1,1,3",  "\"\"\"\"=1,1,3"};
   return {"a=0.5", "b c=0x=2"};
 }
 

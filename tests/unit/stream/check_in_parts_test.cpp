@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -202,6 +203,23 @@ TEST(CheckInParts, LeavesOtherFilesToTheWhole) {
     EXPECT_FALSE(check_in_parts(mesh.prepared, path, {})) << name;
   }
   EXPECT_FALSE(check_in_parts(mesh.prepared, folder.path() / "none.vtu", {}));
+  // One point beside the plane of the others.
+  const auto& tri = mesh.output.mesh.tri();
+  const auto last = tri.point(tri.vertex_handle(static_cast<unsigned>(tri.n_vertices() - 1)));
+  const auto bytes_of = [&](double z) {
+    const std::array<double, 3> place{last[0], last[1], z};
+    return std::string(reinterpret_cast<const char*>(place.data()), sizeof place);
+  };
+  for (const char* name : {"plane.vtu", "plane.vtkhdf"}) {
+    ASSERT_TRUE(write_mesh(mesh.output, folder.path() / name));
+    EXPECT_TRUE(check_in_parts(mesh.prepared, folder.path() / name, {})) << name;
+    std::string text = read(folder.path() / name);
+    const std::size_t at = text.find(bytes_of(0));
+    ASSERT_NE(at, std::string::npos);
+    std::ofstream(folder.path() / name, std::ios::binary)
+        << text.replace(at, sizeof(double) * 3, bytes_of(5));
+    EXPECT_FALSE(check_in_parts(mesh.prepared, folder.path() / name, {})) << name;
+  }
   const std::string path = folder.path() / "x.vtkhdf";
   ASSERT_TRUE(write_mesh(mesh.output, path));
   std::ofstream(folder.path() / "cut.vtkhdf", std::ios::binary)

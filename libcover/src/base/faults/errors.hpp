@@ -18,4 +18,10 @@ inline Error wrong_file(const std::string& path, std::string_view what) {
   return {ErrorCode::syntax, path + ": " + std::string(what), {}, {}};
 }
 
+/// An error that was found in a file: "PATH: MESSAGE".
+inline Error in_file(const std::string& path, Error found) {
+  found.message = path + ": " + found.message;
+  return found;
+}
+
 }  // namespace cover

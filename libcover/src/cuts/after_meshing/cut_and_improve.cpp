@@ -96,17 +96,18 @@ class CutSearch {
  public:
   CutSearch(JoinedRegions& whole, const Goal& goal) : whole_(whole), goal_(goal) {}
 
-  /// Returns whether it ended because the budget was used up.
+  /// Returns whether the budget was used up before all of them had been tried.
   bool run(Budget& budget) {
     std::vector<std::uint32_t> queue = whole_.triangles_above();
-    for (std::size_t head = 0; head < queue.size() && !budget.is_used_up(); ++head) {
+    std::size_t head = 0;
+    for (; head < queue.size() && !budget.is_used_up(); ++head) {
       const std::uint32_t t = queue[head];
       if (!is_above(whole_.mesh(), t, goal_)) continue;
       for (const std::uint32_t changed : attempt(t, budget)) {
         if (is_above(whole_.mesh(), changed, goal_)) queue.push_back(changed);
       }
     }
-    return budget.is_used_up();
+    return head < queue.size();
   }
 
  private:

@@ -1,6 +1,6 @@
 // A mesh keeps a negative coupling on a side only where the bound or a target needs a vertex in its
-// diametral disk. Cut at the foot of that vertex, the side has two smaller disks without it. Tested
-// by tests/unit/cuts/after_meshing/cut_for_boxes_test.cpp.
+// diametral disk. Cut at the foot of that vertex, the side has two smaller disks without it.
+// Tested by tests/unit/cuts/after_meshing/cut_for_boxes_test.cpp.
 #include "cuts/after_meshing/cut_for_boxes.hpp"
 
 #include <algorithm>
@@ -68,6 +68,12 @@ struct NegativeSide {
   Point apex;
 };
 
+/// Cuts, and by segment the vertex that saw it at too large an angle.
+struct ChosenCuts {
+  std::vector<SegmentCut> cuts;
+  std::map<SegmentId, Point> by;
+};
+
 /// What is cut and meshed, in step.
 class CouplingRounds {
  public:
@@ -78,12 +84,12 @@ class CouplingRounds {
     for (std::size_t r = 0; r < work_.meshes.size(); ++r) flip(r);
     const std::size_t most = most_points_for_boxes(work_.pslg, work_.report.box_cuts);
     for (int round = 0; round < kCouplingRounds && work_.pslg.points.size() <= most; ++round) {
-      const std::vector<SegmentCut> cuts = choose();
-      if (cuts.empty()) break;
+      const ChosenCuts chosen = choose();
+      if (chosen.cuts.empty()) break;
       const Pslg pslg = work_.pslg;
       const RegionTable table = work_.table;
       const std::vector<BoxCut> box_cuts = work_.report.box_cuts;
-      if (Status status = cut_and_mesh(cuts); !status) {
+      if (Status status = cut_and_mesh(chosen); !status) {
         if (status.error().code != ErrorCode::internal) return status;
         // Rounded, the cuts cross something nearly straight: what was before them stays.
         work_.pslg = pslg;
@@ -122,7 +128,7 @@ class CouplingRounds {
       work_.meshes[r] = std::move(flipped);
   }
 
-  [[nodiscard]] std::vector<SegmentCut> choose() const {
+  [[nodiscard]] ChosenCuts choose() const {
     const Pslg& pslg = work_.pslg;
     std::map<SegmentId, Point> apexes;
     for (std::size_t r = 0; r < work_.boundaries.size(); ++r) {
@@ -133,7 +139,9 @@ class CouplingRounds {
       }
     }
     const WholeSegments whole(pslg, work_.report.uncut_points);
+    const PeriodicClasses classes(pslg);
     std::vector<SegmentCut> cuts;
+    ChosenCuts chosen;
     for (const auto& [segment, apex] : apexes) {
       const Segment& s = pslg.segments[segment.index()];
       const auto [a, b] =
@@ -142,10 +150,13 @@ class CouplingRounds {
       const double share = dot(apex - a, along) / squared_length(along);
       const Point foot = whole.on_whole(
           segment, share > kNearEnd && share < 1 - kNearEnd ? foot_on(a, b, apex) : midpoint(a, b));
-      if (has_room_on_segment(a, b, foot, std::vector<Point>{apex}))
-        cuts.push_back({segment, {foot}});
+      if (!has_room_on_segment(a, b, foot, std::vector<Point>{apex})) continue;
+      cuts.push_back({segment, {foot}});
+      for (const SegmentCut& image : classes.images(cuts.back()))
+        chosen.by.emplace(image.segment, apex);
     }
-    return onto_arcs(work_.pslg, work_.table, PeriodicClasses(pslg).with_images(std::move(cuts)));
+    chosen.cuts = onto_arcs(work_.pslg, work_.table, classes.with_images(std::move(cuts)));
+    return chosen;
   }
 
   static std::vector<NegativeSide> negative_sides(const RegionBoundary& boundary,
@@ -165,12 +176,14 @@ class CouplingRounds {
     return found;
   }
 
-  Status cut_and_mesh(const std::vector<SegmentCut>& cuts) {
+  Status cut_and_mesh(const ChosenCuts& chosen) {
     std::vector<BoxCut>& box_cuts = work_.report.box_cuts;
     Result<std::vector<RegionBoundary>> pieces = errors_as_values("cut segments", [&] {
-      for (const SegmentCut& cut : cuts)
-        box_cuts.push_back({cut.points[0], BoxCut::Reason::given_up, cut.points[0]});
-      cut_segments(work_.pslg, work_.table, cuts);
+      for (const SegmentCut& cut : chosen.cuts) {
+        for (const Point p : cut.points)
+          box_cuts.push_back({p, BoxCut::Reason::given_up, chosen.by.at(cut.segment)});
+      }
+      cut_segments(work_.pslg, work_.table, chosen.cuts);
       std::vector<Point> stuck;
       cut_encroached(work_.pslg, work_.table, work_.report.uncut_points, VertexId{0U}, box_cuts,
                      stuck);

@@ -178,9 +178,9 @@ class Thinning {
       mend_what_is_left(mending, effort_for_the_last(effort, kLast[0]));
       start = mending.result(start);
     }
-    MeshWithUndo mutable_mesh(start, angles);
-    Thinned thinned = thin_mesh(mutable_mesh, effort);
-    ConformingMesh result = mutable_mesh.result(start);
+    MeshWithUndo thinning(start, angles);
+    Thinned thinned = thin_mesh(thinning, effort);
+    ConformingMesh result = thinning.result(start);
     for (const Last& last : kLast) {
       if (thinned.bad == 0 || thinned.bad > last.most) continue;
       MeshWithUndo mending(result, angles_for_the_last(result, last.part, angles));
@@ -304,7 +304,7 @@ Status thin_cuts(Work& work, const Options& options, const Callbacks& callbacks)
     for (TrialOrError& trial : trials) {
       if (!trial) return std::move(trial).error();
       if (!trial->work) {
-        fault = std::move(trial->fault);
+        if (fault.empty()) fault = std::move(trial->fault);
       } else if (!best || trial->bad < best->bad) {
         best = *std::move(trial);
       }

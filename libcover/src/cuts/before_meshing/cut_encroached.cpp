@@ -5,8 +5,8 @@
 // interval for each cut, and in it we try, in this order: the distance from an end at which a
 // neighbour's vertex is (shells: equal pieces at a corner never encroach each other, whatever its
 // angle), the feet of obstacles (they keep thin layers from cascading), and the middle. The first
-// one that encroaches the fewest other sides is taken. Tested by
-// tests/unit/cuts/before_meshing/cut_encroached_test.cpp.
+// one that encroaches the fewest other sides is taken.
+// Tested by tests/unit/cuts/before_meshing/cut_encroached_test.cpp.
 #include "cuts/before_meshing/cut_encroached.hpp"
 
 #include <algorithm>

@@ -6,8 +6,9 @@
 //     below s, t  above:  they cross later  <=>  the end that comes first is on the wrong side.
 //
 // Touching and overlapping need no case of their own: ends are looked up among the segments, and
-// segments on one line, in the order of their numbers, pass through the same ends. Tested by
-// tests/unit/geom/subdivision/exact_subdivision_test.cpp, beside all pairs intersected one by one.
+// segments on one line, in the order of their numbers, pass through the same ends.
+// Tested by tests/unit/geom/subdivision/exact_subdivision_test.cpp, beside all pairs intersected
+// one by one.
 #include "geom/subdivision/exact_subdivision.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // The lock is flock's, which the system gives back whatever ends a process. Whoever removes what
 // another run has left behind locks it first, and then looks whether the name still means what it
 // has locked; whoever has just created a file does the same. So nobody's work is removed. On file
-// systems without locks nothing is removed at all. Tested by
-// tests/unit/io/files/atomic_file_test.cpp and tests/faults.
+// systems without locks nothing is removed at all.
+// Tested by tests/unit/io/files/atomic_file_test.cpp and tests/faults.
 #include "io/files/temporary_file.hpp"
 
 #include <fcntl.h>

@@ -1,6 +1,6 @@
 // The library lays the file out; the numbers of data sets come between its structures as they are
-// written, so that no copy of a mesh is made. Tested by
-// tests/unit/io/write_mesh/vtk_formats/write_vtkhdf_test.cpp.
+// written, so that no copy of a mesh is made.
+// Tested by tests/unit/io/write_mesh/vtk_formats/write_vtkhdf_test.cpp.
 #include "io/hdf5/hdf5_writer.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// A table says which parser each extension has. Tested by
-// tests/unit/io/read_mesh/read_mesh_test.cpp.
+// A table says which parser each extension has.
+// Tested by tests/unit/io/read_mesh/read_mesh_test.cpp.
 #include <cover/read_mesh.hpp>
 
 #include <algorithm>

@@ -85,6 +85,8 @@ class BlockFiles {
                    {}};
     Result<DataSetFile> data = read_data_set(piece);
     if (!data) return std::move(data).error();
+    if (Status plane = data->data.check_plane(); !plane)
+      return in_file(piece.string(), std::move(plane).error());
     blocks_.push_back({std::string(group), std::string(element.value("name")), std::move(*data)});
     return ok();
   }

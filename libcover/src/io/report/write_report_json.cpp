@@ -32,22 +32,25 @@
 // "notes", "changes".
 //
 // LIMITS gamma_opt (at least 60: no triangulation is below), nu_opt_radians (pi - gamma_opt,
-// uncut), bound (the largest angle that promise 3 allows), nu_bound_radians, rho, forced_above_120,
-// forced_above_150 PROVEN largest, smallest: how the angles reached stand: "met" (the target),
-// "optimal", "near" (within a degree of the limit), "coupled" (no other mesh has as few negative
-// couplings), "open", "unknown"; where a target is missed also largest_angle and smallest_angle,
-// the limits, under (no mesh whose largest angle is at most this has a larger smallest one),
-// largest_gap and smallest_gap QUALITY triangles, largest_angle, largest_nu_radians (pi - largest
-// angle, which keeps the digits of flat triangles), smallest_angle, obtuse, obtuse_by_rounding,
-// above_120, above_150, histogram (all angles in 18 bins of 10 degrees), meshed_area BOX
-// obtuse_sides, non_delaunay_edges (both by more than rounding), negative_couplings (exact signs),
-// those of them inside, on encroached sides and on sides given up for the angle: negative_inside,
-// negative_encroached, negative_forced, negative_given_up; box_area; of regions also "negative": [
-// { "kind", "edge": [[x, y], [x, y]], "apex": [x, y] } ] LAYERS line, first, growth, count (as
-// asked for; 0: until isotropic), segments and length of the line in this region, complete
-// (segments with all), fewest and most layers over a segment, thickness (of the most), cut_short: [
-// { "why": "end", "room", "turned", "withdrawn", "segments", "at": [x, y] } ] NOTES [ { "kind",
-// "message", "where": [[x, y], ...] } ]
+//   uncut), bound (the largest angle that promise 3 allows), nu_bound_radians, rho,
+//   forced_above_120, forced_above_150
+// PROVEN largest, smallest: how the angles reached stand: "met" (the target), "optimal", "near"
+//   (within a degree of the limit), "coupled" (no other mesh has as few negative couplings),
+//   "open", "unknown"; where a target is missed also largest_angle and smallest_angle, the
+//   limits, under (no mesh whose largest angle is at most this has a larger smallest one),
+//   largest_gap and smallest_gap
+// QUALITY triangles, largest_angle, largest_nu_radians (pi - largest angle, which keeps the
+//   digits of flat triangles), smallest_angle, obtuse, obtuse_by_rounding, above_120, above_150,
+//   histogram (all angles in 18 bins of 10 degrees), meshed_area
+// BOX obtuse_sides, non_delaunay_edges (both by more than rounding), negative_couplings (exact
+//   signs), those of them inside, on encroached sides and on sides given up for the angle:
+//   negative_inside, negative_encroached, negative_forced, negative_given_up; box_area; of
+//   regions also "negative": [ { "kind", "edge": [[x, y], [x, y]], "apex": [x, y] } ]
+// LAYERS line, first, growth, count (as asked for; 0: until isotropic), segments and length of
+//   the line in this region, complete (segments with all), fewest and most layers over a
+//   segment, thickness (of the most), cut_short: [ { "why": "end", "room", "turned",
+//   "withdrawn", "segments", "at": [x, y] } ]
+// NOTES [ { "kind", "message", "where": [[x, y], ...] } ]
 //
 // Tested by tests/unit/io/report/write_report_json_test.cpp.
 #include <algorithm>

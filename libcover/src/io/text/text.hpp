@@ -13,6 +13,13 @@
 
 namespace cover {
 
+/// `text` without the mark of UTF-8 that some editors put at its beginning.
+inline std::string_view without_utf8_mark(std::string_view text) {
+  constexpr std::string_view kMark = "\xef\xbb\xbf";
+  if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
+  return text;
+}
+
 /// The number that the whole of `field` spells; none if it spells none. Too large numbers become
 /// infinite, too small ones zero; "nan" and "inf" are numbers here.
 std::optional<double> parse_double(std::string_view field);

@@ -1,5 +1,5 @@
-// expat tells where tags begin and end; text is never copied. Tested by
-// tests/unit/io/text/xml_tree_test.cpp.
+// expat tells where tags begin and end; text is never copied.
+// Tested by tests/unit/io/text/xml_tree_test.cpp.
 #include "io/text/xml_tree.hpp"
 
 #include <expat.h>

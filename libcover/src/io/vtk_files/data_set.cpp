@@ -85,6 +85,20 @@ const NumberArray* find_array(const std::vector<NumberArray>& arrays, std::strin
 
 }  // namespace
 
+Status DataSet::check_plane() const {
+  for (std::size_t p = 0; p < point_count(); ++p) {
+    const double height = point(0)[2], here = point(p)[2];
+    if (here == height) continue;
+    return Error{ErrorCode::unsupported_format,
+                 fmt::format("the mesh is not in a plane z = constant: point 0 has z = {}, point "
+                             "{} {}",
+                             height, p, here),
+                 {},
+                 {}};
+  }
+  return ok();
+}
+
 const NumberArray* DataSet::array_of_points(std::string_view name) const {
   return find_array(point_arrays, name, point_count());
 }

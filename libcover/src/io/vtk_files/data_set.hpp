@@ -61,6 +61,9 @@ class DataSet {
     return {nodes_.data() + first_[c], first_[c + 1] - first_[c]};
   }
 
+  /// An error where points differ in z; it names no file.
+  [[nodiscard]] Status check_plane() const;
+
   /// The array of that name with one number per point, or per cell; or nullptr.
   [[nodiscard]] const NumberArray* array_of_points(std::string_view name) const;
   [[nodiscard]] const NumberArray* array_of_cells(std::string_view name) const;

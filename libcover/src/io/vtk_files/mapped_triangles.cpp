@@ -46,6 +46,10 @@ bool are_triangles(const NumberView<std::uint8_t>& types, const MappedFile& file
   return all_are(types, file, [](std::size_t) { return cell_type::kTriangle; });
 }
 
+bool are_in_a_plane(const NumberView<double>& places, const MappedFile& file) {
+  return all_are(places, file, [&](std::size_t k) { return places[k % 3 == 2 ? 2 : k]; });
+}
+
 std::optional<MappedTriangles> map_vtkhdf(MappedFile file, const std::string& path) {
   const Result<Hdf5Tree> tree = parse_hdf5(file.bytes(), path);
   if (!tree || tree->contains("/VTKHDF/Steps")) return std::nullopt;
@@ -72,7 +76,7 @@ std::optional<MappedTriangles> map_vtkhdf(MappedFile file, const std::string& pa
       corners->size() != 3 * n || offsets->size() != n + 1 || region->size() != n ||
       material->size() != n)
     return std::nullopt;
-  if (!are_triangles(*types, file) ||
+  if (!are_triangles(*types, file) || !are_in_a_plane(*places, file) ||
       !all_are(*offsets, file, [](std::size_t k) { return static_cast<std::int64_t>(3 * k); }))
     return std::nullopt;
   return MappedTriangles{std::move(file), p, n, *places, *corners, *region, *material};
@@ -135,9 +139,9 @@ std::optional<MappedTriangles> map_vtu(MappedFile file, const std::string& path)
   const auto region = arrays.find<std::int32_t>("CellData", "RegionId", n);
   const auto material = arrays.find<std::int32_t>("CellData", "material", n);
   if (!places || !corners || !offsets || !types || !region || !material) return std::nullopt;
-  if (!are_triangles(*types, file) || !all_are(*offsets, file, [](std::size_t k) {
-        return static_cast<std::int64_t>(3 * (k + 1));
-      }))
+  if (!are_triangles(*types, file) || !are_in_a_plane(*places, file) ||
+      !all_are(*offsets, file,
+               [](std::size_t k) { return static_cast<std::int64_t>(3 * (k + 1)); }))
     return std::nullopt;
   return MappedTriangles{std::move(file), *points, n, *places, *corners, *region, *material};
 }

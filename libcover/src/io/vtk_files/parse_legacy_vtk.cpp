@@ -1,5 +1,5 @@
-// VTK reads these files word by word, wherever lines break, and so does this. Tested by
-// tests/unit/io/vtk_files/read_data_set_test.cpp.
+// VTK reads these files word by word, wherever lines break, and so does this.
+// Tested by tests/unit/io/vtk_files/read_data_set_test.cpp.
 #include <algorithm>
 #include <array>
 #include <bit>

@@ -1,5 +1,5 @@
-// Pieces are put together as they come; most files have one. Tested by
-// tests/unit/io/vtk_files/read_data_set_test.cpp.
+// Pieces are put together as they come; most files have one.
+// Tested by tests/unit/io/vtk_files/read_data_set_test.cpp.
 #include <array>
 #include <optional>
 #include <vector>

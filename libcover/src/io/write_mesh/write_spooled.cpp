@@ -1,5 +1,6 @@
-// Each array of a file is one pass over the spool file. Tested by
-// tests/unit/stream/stream_mesh_test.cpp, against the files of the same mesh in memory.
+// Each array of a file is one pass over the spool file.
+// Tested by tests/unit/stream/stream_mesh_test.cpp, against the files of the same mesh in
+// memory.
 #include "io/write_mesh/write_spooled.hpp"
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 // A question is settled by one side. The side that settled the last one is asked first: the
-// questions of prove() differ in a degree or two. Tested by
-// tests/unit/limits/angles/limit_prover_test.cpp.
+// questions of prove() differ in a degree or two.
+// Tested by tests/unit/limits/angles/limit_prover_test.cpp.
 #include "limits/angles/limit_prover.hpp"
 
 #include <algorithm>

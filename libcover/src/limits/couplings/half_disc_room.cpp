@@ -10,8 +10,8 @@
 // other side is not the region's as well, that is the part on its left. The same holds where just
 // two sides that meet in the box pass, if the corner is below 180 degrees. Near such a corner A, of
 // u degrees between two free sides of lengths a and b, the two discs cover all directions between
-// the sides up to the distance min(a, b) cos(u/2): the nearer side is at most at u/2. Tested by
-// tests/unit/limits/couplings/half_disc_room_test.cpp.
+// the sides up to the distance min(a, b) cos(u/2): the nearer side is at most at u/2.
+// Tested by tests/unit/limits/couplings/half_disc_room_test.cpp.
 #include "limits/couplings/half_disc_room.hpp"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 // What a move changes, and what it leaves behind.
 //
 // A move of improvement takes a triangle that misses the goal and tries to make the triangles
-// around it better: bool try_it(Piece& piece, std::uint32_t t); The keep-rule is the same for these
-// four (flip, relocate, remove, restar): the largest excess of the triangles that are replaced goes
-// down by what is worth the time (improvement_of), or, with fewer triangles, does not go up. Those
-// of the search, joint and kick, are judged by the search.
+// around it better: `bool try_it(Piece& piece, std::uint32_t t)`. The keep-rule is the same for
+// these four (flip, relocate, remove, restar): the largest excess of the triangles that are
+// replaced goes down by what is worth the time (improvement_of), or, with fewer triangles, does not
+// go up. What comes of joint and kick, which work on a copy, is judged by whoever asked for them.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 // With z the largest value at 0, and each variable as a difference p - q of two that are not
 // negative: maximise y so that y + slope (p - q) <= z - value for all functions, and p + q <= 1.
-// All zero is feasible, so that one phase is enough. Tested by
-// tests/unit/quality/optimum/linear_program_test.cpp.
+// All zero is feasible, so that one phase is enough.
+// Tested by tests/unit/quality/optimum/linear_program_test.cpp.
 #include "quality/optimum/linear_program.hpp"
 
 #include <algorithm>

@@ -1,13 +1,13 @@
 // The stages for one region, cheapest first; each is left out once the goal is met.
 //
-// 1. Refine until angles are 24.5 degrees, which spreads vertices well but leaves angles of 132.
+// 1. Refine until angles are 24.5 degrees, which spreads vertices well but leaves angles of 131.
 //    With less there are fewer vertices to begin with, but stages 2 to 4 take longer. Up to 33
 //    degrees where less than 100 are asked for: else thousands of angles are left on large regions,
 //    which no search mends.
 // 2. Improve both angles at once. Enough for most regions.
 // 3. Where many large angles are left, small angles were in the way from the start: again from the
 //    refined triangulation with a weight for small angles so low that they decide only between
-//    equals ("light").
+//    equals ("light"). Only with all effort.
 // 4. Search in excerpts around what is left; in tiny regions random restarts do better.
 // 5. Thin out.
 // 6. Where couplings count, make it Delaunay and improve again (mind_couplings).

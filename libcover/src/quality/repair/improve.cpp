@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/numbers_where.hpp"
 #include "base/once_queue.hpp"
 #include "quality/moves/flip.hpp"
 #include "quality/moves/relocate.hpp"
@@ -21,14 +22,13 @@ namespace {
 /// more instructions.
 constexpr std::array<Move, 4> kMoves{try_flip, try_relocate, try_remove, try_restar};
 
-constexpr std::size_t kAtATime = 1 << 15;  // triangles
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Excesses as if every triangle had been tried, but for those near a border and those of parts
 /// that ran out of budget.
 UnsetVector<double> known_after(const MutableMesh& mesh, const Borders& borders,
                                 std::span<const std::uint32_t> untried, const Team& team) {
   UnsetVector<double> known = copy_of(mesh.excess, team);
-  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   for (const std::uint32_t t : borders.triangles_near(mesh, team)) known[t] = kUnknown;
   for (const std::uint32_t t : untried) known[t] = kUnknown;
   return known;
@@ -85,9 +85,8 @@ ImproveResult improve(MutableMesh& mesh, std::uint64_t budget, std::span<const d
   std::vector<std::uint32_t> untried;
   const auto work = [&](Block& block) {
     std::vector<double> own_known;
-    for (const std::uint32_t t : block.triangles) {
-      if (t < known.size()) own_known.push_back(known[t]);
-    }
+    for (const std::uint32_t t : block.triangles)
+      own_known.push_back(t < known.size() ? known[t] : kUnknown);
     if (flips) make_delaunay(block.mesh);
     const double share = static_cast<double>(block.triangles.size()) / triangles;
     const auto own = static_cast<std::uint64_t>(share * static_cast<double>(budget));
@@ -104,18 +103,10 @@ ImproveResult improve(MutableMesh& mesh, std::uint64_t budget, std::span<const d
   const UnsetVector<double> tried = known_after(mesh, borders, untried, sharing.team);
   if (flips) make_delaunay(mesh, borders.triangles);
   const std::uint64_t left = budget - std::min(budget, sum.evaluations);
-  std::vector<std::vector<std::uint32_t>> to_try(Team::ranges(mesh.triangles.size(), kAtATime));
-  sharing.team.each_range(mesh.triangles.size(), kAtATime,
-                          [&](std::size_t first, std::size_t last) {
-                            for (std::size_t t = first; t < last; ++t) {
-                              if (is_to_try(mesh, tried, t))
-                                to_try[first / kAtATime].push_back(static_cast<std::uint32_t>(t));
-                            }
-                          });
+  const auto wanted = [&](std::uint32_t t) { return is_to_try(mesh, tried, t); };
   OnceQueue queue;
-  for (const std::vector<std::uint32_t>& some : to_try) {
-    for (const std::uint32_t t : some) queue.push(t);
-  }
+  for (const std::uint32_t t : numbers_where(mesh.triangles.size(), wanted, sharing.team))
+    queue.push(t);
   const ImproveResult last = work_off(mesh, left, queue);
   return {sum.evaluations + last.evaluations, last.budget_used_up};
 }

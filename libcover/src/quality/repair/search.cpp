@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/numbers_where.hpp"
 #include "base/once_queue.hpp"
 #include "quality/effort/effort.hpp"
 #include "quality/fault/standing.hpp"
@@ -217,16 +218,8 @@ class ExcerptSearch {
   }
 
   void enqueue_all(const Team& team) {
-    constexpr std::size_t kRange = 1 << 15;
-    std::vector<std::vector<std::uint32_t>> left(Team::ranges(mesh_.triangles.size(), kRange));
-    team.each_range(mesh_.triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
-      for (auto t = static_cast<std::uint32_t>(first); t < last; ++t) {
-        if (is_left(t)) left[first / kRange].push_back(t);
-      }
-    });
-    for (const std::vector<std::uint32_t>& some : left) {
-      for (const std::uint32_t t : some) queue_.push(t);
-    }
+    const auto left = [&](std::uint32_t t) { return is_left(t); };
+    for (const std::uint32_t t : numbers_where(mesh_.triangles.size(), left, team)) queue_.push(t);
   }
 
   /// Spends on `t` one of `shares` equal shares of the budget at most.

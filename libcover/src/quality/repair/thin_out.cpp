@@ -131,7 +131,8 @@ class Thinner {
            widest_.allows(beyond(k), corner(after), corner(star.next(after)));
   }
 
-  /// The index of the distance that `rank` others are less than; -1: there is none.
+  /// The first index of the `rank`-th of the different distances, from 0, in order; -1: there are
+  /// fewer.
   static int nearest_free(std::span<const double> distances, int rank) {
     int result = -1;
     double last = -1;

@@ -1,6 +1,6 @@
 // See delaunay_refinement.hpp. The triangles of a Delaunay cavity, unlike those of `Cavity`, may be
-// many: the first vertex inside a long loop sees most of it. Tested by
-// tests/unit/quality/starts/delaunay_refinement_test.cpp.
+// many: the first vertex inside a long loop sees most of it.
+// Tested by tests/unit/quality/starts/delaunay_refinement_test.cpp.
 #include "quality/starts/delaunay_refinement.hpp"
 
 #include <algorithm>

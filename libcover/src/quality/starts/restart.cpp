@@ -1,8 +1,8 @@
 // A place is drawn in a triangle that is drawn first: where triangles are small there is much to be
 // decided. Places keep their barycentric coordinates, so scaled by a power of two they are the
 // same places. Every other restart of those for the largest angle leaves small angles out: beside
-// a side that is very short, even the lightest weight makes them count for more. Tested by
-// tests/unit/quality/starts/restart_test.cpp.
+// a side that is very short, even the lightest weight makes them count for more.
+// Tested by tests/unit/quality/starts/restart_test.cpp.
 #include "quality/starts/restart.hpp"
 
 #include <algorithm>

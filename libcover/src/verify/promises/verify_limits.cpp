@@ -1,6 +1,6 @@
 // A region's triangles of the constrained Delaunay triangulation of the whole are its own
-// triangulation: what is beyond its sides is out of sight. Tested by
-// tests/unit/verify/promises/verify_limits_test.cpp.
+// triangulation: what is beyond its sides is out of sight.
+// Tested by tests/unit/verify/promises/verify_limits_test.cpp.
 #include "verify/promises/verify_limits.hpp"
 
 #include <algorithm>

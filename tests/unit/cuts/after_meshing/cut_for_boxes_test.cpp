@@ -54,6 +54,18 @@ TEST(CutForBoxes, LeavesNoNegativeCouplingOnRandomDevices) {
   }
 }
 
+TEST(CutForBoxes, TellsWhichVertexSawASideThatIsGivenUp) {
+  std::size_t given_up = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Output output = testing::must_mesh(testing::random_cells(40, seed), for_boxes());
+    for (const BoxCut& cut : output.report.box_cuts) {
+      given_up += cut.reason == BoxCut::Reason::given_up ? 1 : 0;
+      EXPECT_NE(cut.by, cut.at);
+    }
+  }
+  EXPECT_GT(given_up, 0u);
+}
+
 TEST(CutForBoxes, AHalfDiscIsCutForItsAngles) {
   const Output output = testing::must_mesh(half_disc(24), for_boxes());
   EXPECT_TRUE(negative(output).empty());

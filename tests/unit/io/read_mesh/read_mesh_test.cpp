@@ -198,6 +198,8 @@ TEST(ReadMesh, BrokenFilesAreErrors) {
             ErrorCode::truncated);
   EXPECT_EQ(code("e.vtk", "# vtk DataFile Version 3\nx\nASCII\n" + points), ErrorCode::syntax);
   EXPECT_TRUE(read_output(folder.write("f.vtk", head + points + "CELLS 1 4\n3 0 1 2\n" + rest)));
+  EXPECT_EQ(code("g.vtk", head + "POINTS 3 double\n0 0 0 1 0 0 0 1 5\nCELLS 1 4\n3 0 1 2\n" + rest),
+            ErrorCode::unsupported_format);  // not plane
   EXPECT_EQ(code("c.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"), ErrorCode::truncated);
 }
 

@@ -31,7 +31,7 @@ struct Wanted {
 class PolyLines {
  public:
   PolyLines(std::string_view text, const std::string& source, const Team& team = {})
-      : lines_(text, source, '#'), team_(team) {}
+      : lines_(without_utf8_mark(text), source, '#'), team_(team) {}
 
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
 

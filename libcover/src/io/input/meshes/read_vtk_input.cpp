@@ -1,5 +1,5 @@
-// A data set becomes a CellMesh, whose borders are the geometry. Tested by
-// tests/unit/io/input/meshes/read_vtk_input_test.cpp.
+// A data set becomes a CellMesh, whose borders are the geometry.
+// Tested by tests/unit/io/input/meshes/read_vtk_input_test.cpp.
 #include <cover/read_vtk_input.hpp>
 
 #include <algorithm>
@@ -129,20 +129,15 @@ class CellsOfDataSet {
     const std::size_t count = data_.point_count();
     mesh_.points.reserve(count);
     mesh_.point_ids.reserve(count);
-    double height = 0;
     for (std::size_t p = 0; p < count; ++p) {
       const DataSet::Coordinates x = data_.point(p);
-      if (p == 0) height = x[2];
       if (!std::isfinite(x[0]) || !std::isfinite(x[1]))
         return error(ErrorCode::non_finite_coordinate, fmt::format("point {} is not finite", p));
-      if (x[2] != height)
-        return error(ErrorCode::unsupported_format,
-                     fmt::format("the mesh is not in a plane z = constant: point 0 has z = {}, "
-                                 "point {} {}",
-                                 height, p, x[2]));
       mesh_.points.push_back({x[0], x[1]});
       mesh_.point_ids.push_back(static_cast<long>(p));
     }
+    if (const Status plane = data_.check_plane(); !plane)
+      return error(plane.error().code, plane.error().message);
     return std::nullopt;
   }
 

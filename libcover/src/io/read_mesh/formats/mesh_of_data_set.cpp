@@ -69,6 +69,7 @@ Result<MeshFile> mesh_of(const DataSet& data, const std::string& path,
                          const std::function<void(MeshCollector&)>& add) {
   const auto cells = cells_of_types(data, cell_type::kTriangle, cell_type::kQuadraticTriangle);
   if (cells.empty()) return wrong_file(path, "no triangles in it");
+  if (Status plane = data.check_plane(); !plane) return in_file(path, std::move(plane).error());
   MeshCollector collector;
   MeshFile& mesh = collector.mesh;
   mesh.cut_vertices = data.cut_vertices;

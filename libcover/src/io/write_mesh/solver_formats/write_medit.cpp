@@ -1,5 +1,6 @@
-// Medit's .mesh, as FreeFem++, mmg and gmsh read it. The format has no names. Tested by
-// tests/unit/io/write_mesh/solver_formats/write_medit_test.cpp and, in FreeFem++, by tests/solvers.
+// Medit's .mesh, as FreeFem++, mmg and gmsh read it. The format has no names.
+// Tested by tests/unit/io/write_mesh/solver_formats/write_medit_test.cpp and, in FreeFem++, by
+// tests/solvers.
 #include "io/files/text_writer.hpp"
 
 #include <cover/mesh_view.hpp>

@@ -1,5 +1,5 @@
-// A .msh of 4.1 for each part of a mesh, as gmsh splits one. Tested by
-// tests/unit/io/write_mesh/solver_formats/write_msh_test.cpp.
+// A .msh of 4.1 for each part of a mesh, as gmsh splits one.
+// Tested by tests/unit/io/write_mesh/solver_formats/write_msh_test.cpp.
 #include <algorithm>
 #include <filesystem>
 #include <limits>

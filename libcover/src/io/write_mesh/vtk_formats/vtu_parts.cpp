@@ -1,6 +1,6 @@
 // What stands in a file, and in which order, follows from what its readers take: triangles only,
-// the material first and as active scalars, no field data but where segments were cut. Tested by
-// tests/unit/io/write_mesh/vtk_formats/write_vtu_test.cpp.
+// the material first and as active scalars, no field data but where segments were cut.
+// Tested by tests/unit/io/write_mesh/vtk_formats/write_vtu_test.cpp.
 #include "io/write_mesh/vtk_formats/vtu_parts.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // A block per group of regions and per group of lines, under the names that people see in ParaView
 // and that .msh has for its physical groups: whoever extracts the block SiO2 gets all of it. The
 // blocks are files in a folder beside the target. What blocks cannot hold, names of materials above
-// all, stands in an element behind them that VTK does not look at. Tested by
-// tests/unit/io/write_mesh/vtk_formats/write_vtm_test.cpp.
+// all, stands in an element behind them that VTK does not look at.
+// Tested by tests/unit/io/write_mesh/vtk_formats/write_vtm_test.cpp.
 #include <cover/mesh.hpp>
 #include <cover/mesh_view.hpp>
 #include <cover/text.hpp>

@@ -69,6 +69,14 @@ TEST(ReadPoly, ReadsEverySection) {
   EXPECT_EQ(input->void_rule, VoidRule::holes_only);
 }
 
+TEST(ReadPoly, TheMarkOfUtf8IsPassed) {
+  const auto input = read_poly_files(
+      "\xef\xbb\xbf"
+      "3 2\n1 0 0\n2 1 0\n3 0 1\n0\n0\n");
+  ASSERT_TRUE(input) << input.error().message;
+  EXPECT_EQ(input->points.size(), 3u);
+}
+
 TEST(ReadPoly, NeedsNoMarkersAttributesOrRegions) {
   const auto input = read_poly_files("3\n0 0 0\n1 1 0\n2 0 1\n1\n0 0 2\n0\n");
   ASSERT_TRUE(input) << input.error().message;
