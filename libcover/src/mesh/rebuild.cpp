@@ -292,6 +292,7 @@ class Rebuilder {
                              v < n ? static_cast<long>(v) : -1);
     }
     out_.report.input_points = n;
+    out_.report.uncut_points = n - std::min(stored_.cut_vertices, n);
     out_.report.input_segments = out_.pslg.segments.size();
     out_.report.steiner_vertices = soup_.points.size() - n;
   }

@@ -109,6 +109,8 @@ void take_names(const XmlElement& names, StoredMesh& stored) {
   const long points = parse_integer(names.value("InputVertices")).value_or(0);
   if (points > 0 && static_cast<std::size_t>(points) <= stored.soup.points.size())
     stored.input_vertices = static_cast<std::size_t>(points);
+  stored.cut_vertices =
+      static_cast<std::size_t>(std::max(parse_integer(names.value("CutVertices")).value_or(0), 0L));
   for (const XmlElement& element : names.children) {
     if (element.name == "Option")
       stored.provenance.settings.push_back({text(element, "Name"), text(element, "Value")});
@@ -364,6 +366,7 @@ Status take_names_from_vtm(const std::string& path, StoredMesh& stored) {
   stored.unit = std::move(named.unit);
   stored.scale = named.scale;
   stored.input_vertices = named.input_vertices;
+  stored.cut_vertices = std::max(stored.cut_vertices, named.cut_vertices);
   return take_materials(stored) ? ok() : Status(wrong_file(path, "it is of another mesh"));
 }
 
@@ -419,6 +422,7 @@ class Completion {
     StoredMesh stored;
     stored.soup = file->soup;
     stored.second_order = file->second_order;
+    stored.cut_vertices = file->cut_vertices;
     Result<bool> named = read_manifest(beside(".json"), file->group, stored);
     if (!named) return std::move(named).error();
     if (!*named && fs::is_regular_file(beside(".vtm")) && !stored.soup.region.empty()) {

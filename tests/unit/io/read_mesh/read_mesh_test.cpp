@@ -9,6 +9,7 @@
 #include <cover/write_mesh.hpp>
 
 #include "support/inputs/inputs.hpp"
+#include "support/mesh_shape.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/written_mesh.hpp"
 #include "unit/io/read_mesh/edges_of.hpp"
@@ -149,6 +150,27 @@ TEST(ReadMesh, EveryFormatAloneGivesBackWhatItHolds) {
       };
       EXPECT_EQ(lines(now), lines(then)) << contact;
     }
+  }
+}
+
+TEST(ReadMesh, CutsGoOnIntoTheNextFile) {
+  Options options;
+  options.split_interfaces = Angle::degrees(90);
+  const Output written = testing::must_mesh(testing::random_cells(12, 1), options);
+  const std::size_t cuts = written.report.input_points - written.report.uncut_points;
+  ASSERT_GT(cuts, 0u);
+  const testing::TemporaryFolder folder;
+  ASSERT_TRUE(write_mesh(written, folder.path() / "a.vtm"));
+  ASSERT_TRUE(write_mesh(written, folder.path() / "b.vtu"));
+  for (const char* name : {"a.vtm", "b.vtu"}) {
+    SCOPED_TRACE(name);
+    const Result<Output> read = read_output(folder.path() / name);
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(read->report.input_points - read->report.uncut_points, cuts);
+    ASSERT_TRUE(write_mesh(*read, folder.path() / "alone.vtu"));
+    const Result<MeshFile> alone = read_mesh(folder.path() / "alone.vtu");
+    ASSERT_TRUE(alone) << alone.error().message;
+    EXPECT_EQ(alone->cut_vertices, cuts);
   }
 }
 

@@ -114,11 +114,13 @@ class VtmWriter {
     for (const auto v : output_.mesh.tri().vertices())
       input_points += output_.mesh.input_id(v) >= 0 ? 1 : 0;
     const Report& report = output_.report;
+    const std::string cuts =
+        view_.cut_vertices > 0 ? fmt::format(" CutVertices=\"{}\"", view_.cut_vertices) : "";
     text_ += fmt::format(
-        "  <CoverNames InputVertices=\"{}\" Source=\"{}\" Version=\"{}\" Unit=\"{}\" "
+        "  <CoverNames InputVertices=\"{}\"{} Source=\"{}\" Version=\"{}\" Unit=\"{}\" "
         "Scale=\"{}\">\n",
-        input_points, attribute(report.provenance.source), attribute(report.provenance.version),
-        attribute(report.unit), report.scale);
+        input_points, cuts, attribute(report.provenance.source),
+        attribute(report.provenance.version), attribute(report.unit), report.scale);
     for (const Provenance::Setting& setting : report.provenance.settings)
       text_ += fmt::format("    <Option Name=\"{}\" Value=\"{}\"/>\n", attribute(setting.name),
                            attribute(setting.value));
