@@ -11,6 +11,7 @@
 
 #include <fmt/core.h>
 
+#include "base/faults/errors.hpp"
 #include "io/text/text.hpp"
 #include "io/vtk_files/arrays/ascii_numbers.hpp"
 #include "io/vtk_files/arrays/byte_order.hpp"
@@ -95,10 +96,6 @@ class LegacyParser {
     return {code, fmt::format("{}:{}: {}", source_, line, what), {}, {}};
   }
   [[nodiscard]] Error wrong(std::string_view what) const { return error(ErrorCode::syntax, what); }
-  [[nodiscard]] Error in_file(const Error& found) const {
-    return {found.code, fmt::format("{}: {}", source_, found.message), {}, {}};
-  }
-
   std::string_view line() {
     const std::size_t end = std::min(rest_.find('\n'), rest_.size());
     const std::string_view out = rest_.substr(0, end);
@@ -250,7 +247,7 @@ class LegacyParser {
     const auto coordinates = numbers(**type, *points, 3);
     if (!coordinates) return coordinates.error();
     Status status = data_.add_points(*coordinates);
-    return status ? ok() : Status(in_file(status.error()));
+    return status ? ok() : Status(in_file(source_, status.error()));
   }
 
   /// An array of a version from 5 on: its name and type, then `size` integers.
@@ -274,7 +271,7 @@ class LegacyParser {
       const auto offsets = read_part("offsets", *first);
       if (!offsets) return offsets.error();
       auto sound = as_offsets(*offsets, false);
-      if (!sound) return in_file(sound.error());
+      if (!sound) return in_file(source_, sound.error());
       auto nodes = read_part("connectivity", *second);
       if (!nodes) return std::move(nodes).error();
       cells = {std::move(*sound), std::move(*nodes)};
@@ -321,7 +318,7 @@ class LegacyParser {
     auto types = numbers(kInt, *cells, 1);
     if (!types) return std::move(types).error();
     auto bytes = as_cell_types(*types);
-    if (!bytes) return in_file(bytes.error());
+    if (!bytes) return in_file(source_, bytes.error());
     types_ = std::move(*bytes);
     return ok();
   }
@@ -549,22 +546,16 @@ class LegacyParser {
     Status status = kind_ == "unstructured_grid" ? finish_grid()
                     : kind_ == "polydata"        ? finish_surface()
                                                  : finish_lattice();
-    if (!status) return in_file(status.error());
+    if (!status) return in_file(source_, status.error());
     const auto fits = [](std::optional<std::size_t> announced, std::size_t there) {
       return !announced || *announced == there;
     };
     if (!fits(point_items_, data_.point_count()))
-      return in_file({ErrorCode::syntax,
-                      fmt::format("POINT_DATA of {} points, and there are {}", *point_items_,
-                                  data_.point_count()),
-                      {},
-                      {}});
+      return wrong_file(source_, fmt::format("POINT_DATA of {} points, and there are {}",
+                                             *point_items_, data_.point_count()));
     if (!fits(cell_items_, data_.cell_count()))
-      return in_file(
-          {ErrorCode::syntax,
-           fmt::format("CELL_DATA of {} cells, and there are {}", *cell_items_, data_.cell_count()),
-           {},
-           {}});
+      return wrong_file(source_, fmt::format("CELL_DATA of {} cells, and there are {}",
+                                             *cell_items_, data_.cell_count()));
     return ok();
   }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "base/faults/errors.hpp"
 #include "io/text/limits.hpp"
 #include "io/text/text.hpp"
 #include "io/text/xml_tree.hpp"
@@ -50,12 +51,6 @@ class XmlDataSetParser {
     return {code, fmt::format("{}: {}", source_, what), {}, {}};
   }
   [[nodiscard]] Error wrong(std::string_view what) const { return error(ErrorCode::syntax, what); }
-
-  /// An error of the data set, which does not know the file's name.
-  [[nodiscard]] Error in_file(Error found) const {
-    found.message = fmt::format("{}: {}", source_, found.message);
-    return found;
-  }
 
   /// A count that an element has as an attribute; 0 where it has none.
   Result<std::size_t> count(const XmlElement& element, const char* name) const {
@@ -113,7 +108,7 @@ class XmlDataSetParser {
     const auto coordinates = arrays_->read(*array, *points);
     if (!coordinates) return coordinates.error();
     Status status = data_.add_points(*coordinates);
-    return status ? ok() : Status(in_file(std::move(status).error()));
+    return status ? ok() : Status(in_file(source_, std::move(status).error()));
   }
 
   /// An array with one number for each of `items`, of the cells in `element`.
@@ -133,14 +128,14 @@ class XmlDataSetParser {
     const auto nodes = cell_numbers(element, "connectivity", offsets.back());
     if (!nodes) return nodes.error();
     Status status = data_.add_cells(*nodes, offsets, std::move(types), points_before_);
-    return status ? ok() : Status(in_file(std::move(status).error()));
+    return status ? ok() : Status(in_file(source_, std::move(status).error()));
   }
 
   Result<std::vector<std::size_t>> offsets_of(const XmlElement* element, std::size_t cells) const {
     const auto numbers = cell_numbers(element, "offsets", cells);
     if (!numbers) return numbers.error();
     auto offsets = as_offsets(*numbers, true);
-    if (!offsets) return in_file(std::move(offsets).error());
+    if (!offsets) return in_file(source_, std::move(offsets).error());
     return offsets;
   }
 
@@ -155,7 +150,7 @@ class XmlDataSetParser {
     const auto numbers = cell_numbers(element, "types", *cells);
     if (!numbers) return numbers.error();
     auto types = as_cell_types(*numbers);
-    if (!types) return in_file(std::move(types).error());
+    if (!types) return in_file(source_, std::move(types).error());
     return add_cells(element, *offsets, std::move(*types));
   }
 
@@ -169,7 +164,7 @@ class XmlDataSetParser {
       const auto offsets = offsets_of(element, *cells);
       if (!offsets) return offsets.error();
       auto types = surface_types(kind, *offsets);
-      if (!types) return in_file(std::move(types).error());
+      if (!types) return in_file(source_, std::move(types).error());
       if (Status status = add_cells(element, *offsets, std::move(*types)); !status) return status;
     }
     return ok();
@@ -209,7 +204,7 @@ class XmlDataSetParser {
       dimensions[k] = static_cast<std::size_t>(high - low + 1);
     }
     if (Status status = check_lattice(dimensions, text_.size()); !status)
-      return in_file(std::move(status).error());
+      return in_file(source_, std::move(status).error());
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t i = 0; i < dimensions[k]; ++i)
         axes[k].push_back((*origin)[k] +

@@ -21,7 +21,7 @@ namespace cover {
 namespace {
 
 constexpr std::uint32_t kRestarts = 27;         ///< where the target for large angles is missed
-constexpr std::uint32_t kRestartsForSmall = 6;  ///< where only small angles are left, or at last
+constexpr std::uint32_t kRestartsForSmall = 6;  ///< as soon as only small ones are left
 constexpr std::array<double, 3> kPolished{0.2, 0.04, 0.008};  ///< of what is missed: last aims
 
 /// A side and its number.
