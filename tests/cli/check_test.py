@@ -77,6 +77,20 @@ class Check(Case):
         out, _ = self.run_cover('check', plate, 's.msh', code=6)
         self.assertIn('--split-interfaces, --box-method or --method nonobtuse, add --allow-split', out.splitlines()[0])
 
+    def test_cuts_that_nothing_tells_of(self):
+        # A cut segment is one line, not one for each side, and nothing that follows from it is listed.
+        coax = SAMPLES / 'coax_arcs.json'
+        self.run_cover('mesh', coax, '-o', 's.msh', '--split-interfaces', '--size', '1', '-q')
+        out, _ = self.run_cover('check', coax, 's.msh', code=6)
+        first, *rest = out.splitlines()
+        self.assertRegex(first, r'^Segments are cut at \d+ points, those of arcs on their circles; all else is sound\..* add --allow-split$')
+        failed = [line for line in rest if line.startswith('FAILED')]
+        self.assertTrue(failed)
+        for line in failed:
+            self.assertRegex(line, r'^FAILED promise 1: the segment .* is no edge of the mesh')
+        places = [' '.join(sorted(re.findall(r'\([^)]*\)', line)[:2])) for line in failed]
+        self.assertEqual(len(places), len(set(places)))
+
     def test_one_region(self):
         self.write('s.poly', SQUARE)
         self.run_cover('mesh', 's.poly', '-o', 's.vtu', '-q')

@@ -55,6 +55,17 @@ class Convert(Case):
         self.assertIn('neither d.json nor d.vtm is there', err)
         self.assertIn('e.vtm', self.files())
 
+    def test_periodic_pairs_need_the_manifest(self):
+        self.run_cover('mesh', SAMPLES / 'motor_pole.json', '-o', 'p.msh', '-o', 'p.vtu', '-o', 'p.json', '-q')
+        for mesh in ('p.msh', 'p.vtu'):
+            self.assertEqual(self.run_cover('convert', mesh, '-o', 'q.msh')[1], '')
+            self.assertIn('$Periodic', (self.dir / 'q.msh').read_text())
+        (self.dir / 'p.json').unlink()
+        for mesh in ('p.msh', 'p.vtu'):
+            _, err = self.run_cover('convert', mesh, '-o', 'q.msh')
+            self.assertIn(f'{mesh}: pairs of points on periodic sides are left out: only the manifest, p.json, names', err)
+            self.assertNotIn('$Periodic', (self.dir / 'q.msh').read_text())
+
     def test_not_ours(self):
         self.write('x.vtu', 'rubbish')
         _, err = self.run_cover('convert', 'x.vtu', '-o', 'e.vtm', code=5)

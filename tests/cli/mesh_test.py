@@ -287,6 +287,12 @@ class Mesh(Case):
             if '--max-angle' in options:
                 self.assertEqual(overall['obtuse'], 0, options)
 
+    def test_couplings_stay_where_segments_are_cut_for_sizes(self):
+        for name, size in (('mosfet.poly', '20'), ('coax_arcs.json', '0.3'), ('motor_pole.json', '1'), ('tft.json', '50')):
+            overall = self.require(SAMPLES / name, 'box-method', 0, '--split-interfaces', '--size', size)
+            self.assertEqual(overall['box']['negative_couplings'], 0, name)
+            self.assertLessEqual(overall['largest_angle'], 100, name)
+
     def test_right_angles_are_thinned_out(self):
         # A kite between two rectangles: many vertices become a few.
         self.write('kite.json', json.dumps({

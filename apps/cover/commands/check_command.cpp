@@ -338,6 +338,22 @@ struct CheckCommand {
   Verbosity verbosity;
 };
 
+/// Of what is found on a mesh that is sound but for `points` in its segments: each cut segment once.
+/// All else follows from the cuts. `pieces` are the segments of the input that is cut likewise.
+void keep_cut_segments(Verification& found, std::size_t pieces, std::size_t points) {
+  std::vector<Violation> cut;
+  for (Violation& violation : found.violations) {
+    const bool is_cut = violation.promise == 1;
+    const bool is_known = std::any_of(cut.begin(), cut.end(), [&](const Violation& other) {
+      return std::is_permutation(other.where.begin(), other.where.end(), violation.where.begin(),
+                                 violation.where.end());
+    });
+    if (is_cut && !is_known) cut.push_back(std::move(violation));
+  }
+  found.violations = std::move(cut);
+  found.violation_count = pieces - points - found.segments_whole;
+}
+
 /// Where the mesh is sound but for cuts of segments, and the run that made it was to cut them: the
 /// input with these cuts, and what is found on it. Says what was cut, or how cuts are allowed.
 void take_own_cuts(const CheckCommand& command, const MeshTriangles& mesh, Prepared& prepared,
@@ -348,9 +364,10 @@ void take_own_cuts(const CheckCommand& command, const MeshTriangles& mesh, Prepa
     const std::string option = own();
     if (!verify.allow_split && option.empty()) {
       fmt::print(
-          "Arcs are cut at {} points on them; all else is sound. If they were to be cut, add "
-          "--allow-split\n",
+          "Segments are cut at {} points, those of arcs on their circles; all else is sound. If "
+          "they were to be cut, as by --split-interfaces, add --allow-split\n",
           grouped(cut->points));
+      keep_cut_segments(found, cut->found.segments_whole, cut->points);
       return;
     }
     if (!command.verbosity.quiet)
@@ -361,16 +378,18 @@ void take_own_cuts(const CheckCommand& command, const MeshTriangles& mesh, Prepa
     prepared.table = std::move(cut->table);
   } else if (is_split_only(found, prepared, mesh.soup, verify)) {
     const std::string option = own();
+    const std::size_t cuts = adopt_cuts(prepared.pslg, prepared.table, mesh.soup);
+    Verification on_pieces = verify_cover(prepared.pslg, prepared.table, mesh.soup, verify);
     if (option.empty()) {
       fmt::print(
           "Segments have vertices inside; all else is sound. If they were to be cut, as by "
           "--split-interfaces, --box-method or --method nonobtuse, add --allow-split\n");
+      keep_cut_segments(found, on_pieces.segments_whole, cuts);
       return;
     }
-    const std::size_t cuts = adopt_cuts(prepared.pslg, prepared.table, mesh.soup);
     if (!command.verbosity.quiet)
       fmt::print("Segments are cut at {} by the run itself: {}\n", counted(cuts, "point"), option);
-    found = verify_cover(prepared.pslg, prepared.table, mesh.soup, verify);
+    found = std::move(on_pieces);
   }
 }
 

@@ -220,6 +220,7 @@ int dry_run(const MeshCommand& command, const Input& input, const Options& optio
   if (!as_json) {
     const Result<Estimate> all = estimate(*prepared, options);
     if (!all) return fail(log, all.error());
+    log_notes(log, all->notes);
     fmt::print("{}{}", info_text(*prepared, command.verbosity.verbose > 0), estimate_text(*all));
   }
   for (const std::string& name : command.only) {

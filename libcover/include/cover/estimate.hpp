@@ -1,8 +1,11 @@
 // What a mesh will take, before it is made.
 #pragma once
 
+#include <vector>
+
 #include <cover/options.hpp>
 #include <cover/output.hpp>
+#include <cover/report.hpp>
 #include <cover/result.hpp>
 
 namespace cover {
@@ -13,6 +16,7 @@ struct Estimate {
   double bytes = 0;       ///< of memory, at its most
   double available = 0;   ///< bytes that this process can have; infinite where that is not known
   bool by_disks = false;  ///< disks are packed, as many as lines close to each other need
+  std::vector<Note> notes{};  ///< warnings of sizes that segments do not allow
 };
 
 /// Figures for `prepared`, which prepare() made with these options. Measured for the quality

@@ -42,6 +42,8 @@ struct MeshFile {
   /// Vertices that the run which wrote it put on segments of its input; 0 where that is not known:
   /// only a .vtu tells.
   std::size_t cut_vertices = 0;
+  /// VTK, .msh: points are paired on periodic sides. The sides themselves stand in a manifest only.
+  bool has_periodic_points = false;
   /// VTK, .msh, .xdmf: numbers at points, as they are in `soup`, without those that every mesh of
   /// ours has.
   std::vector<PlaneField::Array> point_arrays{};
@@ -62,7 +64,7 @@ Result<MeshFile> read_mesh(const std::string& path);
 /// interfaces and markers come from the manifest (.json) beside it, else from the .vtm beside it,
 /// else from the file itself. So do attributes of regions and values at points, words of attributes
 /// not from a lone .vtu, .msh or .xdmf. What is missing then is said in the report's notes, and
-/// that midpoints of second-order triangles were left out.
+/// that midpoints of second-order triangles, or pairs of periodic sides, were left out.
 ///
 /// Errors: those of read_mesh(); syntax also where the manifest is of another mesh.
 Result<Output> read_output(const std::string& path);

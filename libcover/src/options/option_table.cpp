@@ -403,7 +403,8 @@ constexpr OptionEntry kTable[] = {
         .word_list = {"first", "last"},
         .help = "first: no negative coupling of the box method that the input does not force; "
                 "targets give way, the bound never does. last: angles alone decide",
-        .more = "So they do with --split-interfaces, unless there is --box-method, too.",
+        .more = "With --split-interfaces targets come first, then couplings, unless there is "
+                "--box-method, too.",
         .counts_with = "--method quality",
         .counts = is_quality}),
     flag<&Options::box_method>({

@@ -159,7 +159,7 @@ double about_triangles(const RegionBoundary& boundary, const Options& options) {
   // 1.5 to 1.7 in maps and devices.
   constexpr double kTrianglesPerSide = 1.6;
   const double by_sizes =
-      options.method == Method::quality ? expected_triangles(boundary, options) : 0;
+      options.method == Method::quality ? Estimate(boundary, options).triangles() : 0;
   return std::max(by_sizes, kTrianglesPerSide * static_cast<double>(boundary.sides.size()));
 }
 

@@ -359,6 +359,15 @@ void merge(Quality& sum, const Quality& part) {
   sum.area += part.area;
 }
 
+std::size_t count_above(std::span<const Point> points, std::span<const IndexTriple> triangles,
+                        Angle wanted) {
+  const double least_nu = wanted.supplement().in_radians();
+  const auto is_above = [&](const IndexTriple& t) {
+    return largest_nu_of(points[t[0]], points[t[1]], points[t[2]]) < least_nu;
+  };
+  return static_cast<std::size_t>(std::count_if(triangles.begin(), triangles.end(), is_above));
+}
+
 bool holds_bound(std::span<const Point> points, std::span<const IndexTriple> triangles,
                  Angle nu_bound) {
   const double largest = largest_coordinate(points);

@@ -38,6 +38,10 @@ void merge(Quality& sum, const Quality& part);
 bool holds_bound(std::span<const Point> points, std::span<const IndexTriple> triangles,
                  Angle nu_bound);
 
+/// Triangles with an angle above `wanted`.
+std::size_t count_above(std::span<const Point> points, std::span<const IndexTriple> triangles,
+                        Angle wanted);
+
 /// Fills in what the sides of a region allow at best: nu_opt, nu_bound, forced counts.
 void set_limits(const AngleLimit& limit, RegionReport& report);
 

@@ -211,14 +211,46 @@ RegionMesh with_couplings_mended(const RegionBoundary& boundary, const Options& 
   return std::move(mended->mesh);
 }
 
+/// A region without layers.
+ProvenMesh mesh_and_mend(const RegionBoundary& boundary, const Options& options,
+                         const std::stop_token& stop, const Team& team) {
+  ProvenMesh out = mesh_region(boundary, options, stop, team);
+  if (options.method == Method::quality)
+    out.mesh = with_couplings_mended(boundary, options, stop, std::move(out.mesh));
+  return out;
+}
+
+/// Whether segments are cut afterwards where angles are left above the target: targets come before
+/// couplings then. No coupling is negative where all angles are at most 90 degrees.
+bool is_cut_for_angles(const Options& options) {
+  return options.split_interfaces && !options.box_method && options.layers.empty() &&
+         options.method == Method::quality && minds_couplings(options);
+}
+
+/// A region whose segments are cut where angles are left above the target: without negative
+/// couplings, if that leaves no more angles to cut for.
+ProvenMesh mesh_for_cuts(const RegionBoundary& boundary, const Options& options,
+                         const std::stop_token& stop, const Team& team) {
+  Options for_angles = options;
+  for_angles.couplings = Couplings::last;
+  if (options.max_angle <= Angle::degrees(90))
+    return mesh_and_mend(boundary, for_angles, stop, team);
+  ProvenMesh out = mesh_and_mend(boundary, options, stop, team);
+  const auto above_target = [&](const RegionMesh& mesh) {
+    return count_above(all_points(boundary, mesh), mesh.triangles, options.max_angle);
+  };
+  const std::size_t above = above_target(out.mesh);
+  if (above == 0 || stop.stop_requested()) return out;
+  ProvenMesh other = mesh_and_mend(boundary, for_angles, stop, team);
+  return above_target(other.mesh) < above ? std::move(other) : std::move(out);
+}
+
 /// The region, and its layers if it has some.
 ProvenMesh mesh_with_its_layers(const RegionBoundary& boundary, const Options& options,
                                 const std::stop_token& stop, const Team& team) {
   if (!has_layers(boundary)) {
-    ProvenMesh out = mesh_region(boundary, options, stop, team);
-    if (options.method == Method::quality)
-      out.mesh = with_couplings_mended(boundary, options, stop, std::move(out.mesh));
-    return out;
+    return is_cut_for_angles(options) ? mesh_for_cuts(boundary, options, stop, team)
+                                      : mesh_and_mend(boundary, options, stop, team);
   }
   const auto mesh_rest = [&](const RegionBoundary& rest, const Options& for_rest) {
     return mesh_region(rest, for_rest, stop, team).mesh;

@@ -29,6 +29,21 @@ TEST(Estimate, IsNearWhatTheMeshTakes) {
   }
 }
 
+TEST(Estimate, KnowsThatWholeSegmentsForbidSizes) {
+  const Input square = testing::input_of({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  Options options;
+  options.sizes = {{"", 0.01, false}};
+  const Estimate whole = estimate(prepare(square, options).value(), options).value();
+  EXPECT_LT(whole.triangles, 200) << "by the area alone 23,000";
+  ASSERT_EQ(whole.notes.size(), 1U);
+  EXPECT_NE(whole.notes.front().message.find("4 segments are longer than the sizes asked for"),
+            std::string::npos);
+  options.split_interfaces = Angle::degrees(90);
+  const Estimate cut = estimate(prepare(square, options).value(), options).value();
+  EXPECT_GT(cut.triangles, 10'000);
+  EXPECT_TRUE(cut.notes.empty());
+}
+
 TEST(Estimate, OfDisksIsRightUpToAFactorOfTen) {
   const Input input = testing::checker(3, 30, 7);
   for (const Method method : {Method::nonobtuse, Method::almond}) {

@@ -161,6 +161,7 @@ class BlockReader {
  public:
   std::vector<CellArray> of_triangles;       ///< in the order of the triangles
   std::vector<PlaneField::Array> of_points;  ///< complete after finish()
+  bool has_periodic_points = false;
 
   /// `most` is above any number of a vertex, a region or an interface: what the blocks have in all.
   BlockReader(StoredMesh& stored, std::uint32_t most) : stored_(stored), most_(most) {}
@@ -266,6 +267,7 @@ class BlockReader {
     data_ = &data;
     global_ = data.array_of_points("GlobalNodeId");
     if (global_ == nullptr) return data.point_count() == 0;
+    has_periodic_points |= data.array_of_points("PeriodicNode") != nullptr;
     auto& points = stored_.soup.points;
     for (std::size_t p = 0; p < data.point_count(); ++p) {
       const std::uint32_t v = number(*global_, p);
@@ -312,6 +314,7 @@ struct VtmMesh {
   std::vector<CellArray> of_triangles;
   std::vector<PlaneField::Array> of_points;
   ArrayWords words;
+  bool has_periodic_points = false;
 
   /// The mesh with its arrays, triangles in their order again; `notes` tell what is left out.
   StoredMesh finish(std::vector<std::string>& notes) && {
@@ -346,6 +349,7 @@ Result<VtmMesh> read_vtm(const std::string& path) {
   if (stored.regions.empty()) return wrong_file(path, "no regions in it: not written by cover");
   out.of_triangles = std::move(blocks.of_triangles);
   out.of_points = std::move(blocks.of_points);
+  out.has_periodic_points = blocks.has_periodic_points;
   if (reader.names()) out.words = words_of(*reader.names());
   return out;
 }
@@ -379,6 +383,16 @@ class Completion {
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
   Result<StoredMesh> read() {
+    Result<StoredMesh> stored = read_all();
+    if (stored && has_periodic_points_ && stored->periodic.empty())
+      tell({fmt::format("pairs of points on periodic sides are left out: only the manifest, {}, "
+                        "names these sides",
+                        beside(".json"))});
+    return stored;
+  }
+
+ private:
+  Result<StoredMesh> read_all() {
     if (extension_of(path_) == ".vtm") return read_blocks();
     if (extension_of(path_) == ".vtkhdf") {
       Result<VtkHdfMesh> file = read_vtkhdf_mesh(path_);
@@ -389,7 +403,6 @@ class Completion {
     return file ? complete(*std::move(file)) : std::move(file).error();
   }
 
- private:
   [[nodiscard]] std::string beside(const char* extension) const {
     return fs::path(path_).replace_extension(extension);
   }
@@ -401,6 +414,7 @@ class Completion {
 
   /// A file that holds all that cover knows.
   Result<StoredMesh> read_named(VtkHdfMesh file) {
+    has_periodic_points_ = file.mesh.has_periodic_points;
     StoredMesh stored = std::move(file.names);
     stored.soup = std::move(file.mesh.soup);
     stored.second_order = file.mesh.second_order;
@@ -423,6 +437,7 @@ class Completion {
     stored.soup = file->soup;
     stored.second_order = file->second_order;
     stored.cut_vertices = file->cut_vertices;
+    has_periodic_points_ = file->has_periodic_points;
     Result<bool> named = read_manifest(beside(".json"), file->group, stored);
     if (!named) return std::move(named).error();
     if (!*named && fs::is_regular_file(beside(".vtm")) && !stored.soup.region.empty()) {
@@ -442,6 +457,7 @@ class Completion {
   Result<StoredMesh> read_blocks() {
     Result<VtmMesh> blocks = read_vtm(path_);
     if (!blocks) return std::move(blocks).error();
+    has_periodic_points_ = blocks->has_periodic_points;
     const Result<bool> named = read_manifest(beside(".json"), {}, blocks->mesh);
     if (!named) return named.error();
     std::vector<std::string> left_out;
@@ -466,6 +482,7 @@ class Completion {
 
   std::string path_;
   std::vector<std::string> notes_;
+  bool has_periodic_points_ = false;
 };
 
 }  // namespace

@@ -125,11 +125,7 @@ Prefer preference(const Options& options) {
   return options.max_angle < kStrict ? Prefer::largest : options.prefer;
 }
 
-bool minds_couplings(const Options& options) {
-  const bool cuts_for_angles = options.split_interfaces && !options.box_method &&
-                               options.layers.empty();  // which nothing is cut for afterwards
-  return options.couplings == Couplings::first && !cuts_for_angles;
-}
+bool minds_couplings(const Options& options) { return options.couplings == Couplings::first; }
 
 bool Order::is_better(const Merit& a, const Merit& b) const {
   const bool is_within = is_within_bound(a);

@@ -56,8 +56,7 @@ bool is_better_by_largest(const Merit& a, const Merit& b);
 /// for.
 Prefer preference(const Options& options);
 
-/// Whether couplings come before targets: Options::couplings, but not where segments may be cut for
-/// angles instead: they are not where there are layers.
+/// Whether couplings come before targets.
 bool minds_couplings(const Options& options);
 
 /// How triangulations of one region are compared.

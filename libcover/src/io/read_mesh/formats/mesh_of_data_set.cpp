@@ -73,6 +73,7 @@ Result<MeshFile> mesh_of(const DataSet& data, const std::string& path,
   MeshCollector collector;
   MeshFile& mesh = collector.mesh;
   mesh.cut_vertices = data.cut_vertices;
+  mesh.has_periodic_points = data.array_of_points("PeriodicNode") != nullptr;
   mesh.soup.points.reserve(data.point_count());
   for (std::size_t p = 0; p < data.point_count(); ++p) {
     const DataSet::Coordinates x = data.point(p);

@@ -97,8 +97,10 @@ class MshParser {
       return read_data(section, file_.points.size(), file_.point_arrays);
     else if (section == "$ElementData" && !binary_)
       return read_data(section, file_.elements.size(), file_.element_arrays);
-    else
+    else {
+      file_.has_periodic_points |= section == "$Periodic";
       return tokens_.skip_past("$End" + std::string(section.substr(1)));
+    }
     tokens_.expect("$End" + std::string(section.substr(1)));
   }
 
