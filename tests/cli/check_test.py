@@ -91,6 +91,14 @@ class Check(Case):
         places = [' '.join(sorted(re.findall(r'\([^)]*\)', line)[:2])) for line in failed]
         self.assertEqual(len(places), len(set(places)))
 
+    def test_a_mesh_of_the_hull(self):
+        self.run_cover('mesh', SAMPLES / 'mosfet.poly', '-o', 'h.vtu', '--hull', '-q')
+        out, _ = self.run_cover('check', SAMPLES / 'mosfet.poly', 'h.vtu', code=6)
+        self.assertRegex(out.splitlines()[0], r'^\d+ triangles lie along segments in the void\. If .* convex hull, add --hull$')
+        self.run_cover('check', SAMPLES / 'mosfet.poly', 'h.vtu', '--hull')
+        self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '-q')
+        self.assertNotIn('--hull', self.run_cover('check', SAMPLES / 'mosfet.poly', 'd.vtu', code=6)[0])
+
     def test_one_region(self):
         self.write('s.poly', SQUARE)
         self.run_cover('mesh', 's.poly', '-o', 's.vtu', '-q')

@@ -110,7 +110,7 @@ class Stream(Case):
                             (('-o', 'a.vtu', '--method', 'nonobtuse'), 'method nonobtuse'),
                             (('-o', '-'), 'writing to standard output')):
             _, err = self.run_cover('mesh', device, *words, '--stream', 'on', code=2)
-            self.assertIn(f'--stream on: {what} needs the whole mesh in memory', err)
+            self.assertIn(f'--stream on: the whole mesh is needed in memory for {what}', err)
         self.assertEqual(self.files(), ['plain.poly'])
 
     def test_check_says_the_same(self):

@@ -45,6 +45,20 @@ class Layouts(Case):
         self.assertEqual(set(self.materials(SAMPLES / 'finfet.gds', '--layer', '1', '--layer', '2/0')), {'L1D0', 'L2D0'})
         self.assertEqual(set(self.materials(SAMPLES / 'finfet.gds', *self.MAP, '--layer', 'TiN')), {'TiN'})
 
+    def test_says_why_nothing_is_left(self):
+        for words, why in ((['--layer', '99'], 'nothing is on the layers chosen; others are 1/0'),
+                           (['--window', '10,10,11,11'], 'nothing is in the window; the layout is from (-')):
+            self.assertIn(why, self.run_cover('info', SAMPLES / 'finfet.gds', *words, code=3)[1])
+
+    def test_drawings_and_decks_from_a_pipe(self):
+        for name in ('nmos.cmd', 'nmos.str', 'motor.dxf'):
+            done = subprocess.run([PROGRAM, 'info', '-'], input=(SAMPLES / name).read_bytes(), cwd=self.dir, timeout=60,
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            if name == 'motor.dxf' and b'without which this was built' in done.stderr:
+                continue
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn(b'regions', done.stdout)
+
     def test_options_that_do_nothing_are_told(self):
         self.write('a.poly', SQUARE)
         for command in ('info', 'a.poly'), ('mesh', 'a.poly', '-o', 'a.vtu'):

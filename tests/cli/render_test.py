@@ -36,6 +36,15 @@ class Render(Case):
         _, err = self.run_cover('render', 'd.vtu', '-o', 'd.png', '--color', 'stress', code=2)
         self.assertIn("no cell array 'stress'; it has", err)
 
+    def test_regions_and_materials_as_values(self):
+        # A .vtm has a block for each region, and no array of them; the colours are those of the other formats.
+        self.run_cover('mesh', SAMPLES / 'mosfet.poly', '-o', 'm.vtm', '-o', 'm.vtu', '-q')
+        for name in ('RegionId', 'material'):
+            for mesh in ('m.vtm', 'm.vtu'):
+                self.run_cover('render', mesh, '-o', mesh + '.svg', '--color', name)
+            self.assertEqual((self.dir / 'm.vtm.svg').read_text().count('<path'),
+                             (self.dir / 'm.vtu.svg').read_text().count('<path'))
+
     def test_unknown_format(self):
         self.assertIn('.svg, .png', self.run_cover('render', 'd.vtu', '-o', 'd.gif', code=2)[1])
 

@@ -449,6 +449,10 @@ int run_check(Arguments arguments) {
   Verification found = verify_cover(prepared->pslg, prepared->table, mesh->soup, verify);
   take_own_cuts(command, *mesh, *prepared, found);
   say_what_may_have_moved(found, *prepared, mesh->soup);
+  if (found.in_void > 0 && !verify.hull)
+    fmt::print("{} along segments in the void. If the mesh is to cover the convex hull, add --hull\n",
+               found.in_void == 1 ? "1 triangle lies"
+                                  : fmt::format("{} triangles lie", grouped(found.in_void)));
   int code = print(found, mesh->soup.triangles.size(), quiet);
   const int sides = print_periodic(*prepared, rules, mesh->soup, quiet);
   code = code == exit_ok ? sides : code;

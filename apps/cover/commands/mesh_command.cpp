@@ -347,10 +347,10 @@ Result<StreamedOutput> make_mesh(const MeshCommand& command, Input input, const 
     }
     if (command.stream == "on")
       return Error{ErrorCode::bad_option,
-                   fmt::format("--stream on: {} needs the whole mesh in memory", why),
+                   fmt::format("--stream on: the whole mesh is needed in memory for {}", why),
                    {},
                    {}};
-    log.info("the mesh is held in memory: {} needs the whole of it", why);
+    log.info("the mesh is held in memory: the whole of it is needed for {}", why);
   }
   Result<Output> output = command.onto.empty()
                               ? cover_mesh(std::move(input), options, callbacks)

@@ -18,6 +18,13 @@
 namespace cover::app {
 namespace {
 
+/// Groups of a DXF come in pairs of lines, a code and its value; the first begins a section.
+bool begins_as_dxf(std::string_view text, std::size_t start) {
+  if (text.substr(start, 2) != "0\n" && text.substr(start, 3) != "0\r\n") return false;
+  const std::size_t value = text.find_first_not_of(" \t\r\n", start + 1);
+  return value != std::string_view::npos && text.substr(value).starts_with("SECTION");
+}
+
 std::string_view format_of(std::string_view text) {
   if (text.starts_with(std::string_view("\x00\x06\x00\x02", 4))) return ".gds";
   if (text.starts_with("\x89PNG")) return ".png";
@@ -30,6 +37,11 @@ std::string_view format_of(std::string_view text) {
   if (text.starts_with("# vtk DataFile")) return ".vtk";
   if (first == '<') return ".vtu";  // and VTK's other data sets in XML: their root tells
   if (first == '$') return ".msh";
+  if (first == ';' || first == '(') return ".cmd";
+  if (start != std::string_view::npos && begins_as_dxf(text, start)) return ".dxf";
+  if (text.starts_with("v SUPREM")) return ".str";
+  if (text.starts_with("ObjectType")) return ".mha";
+  if (text.starts_with("BM")) return ".bmp";
   if (first != '{') return ".poly";
   return text.find("\"Feature") != std::string_view::npos ? ".geojson" : ".json";
 }

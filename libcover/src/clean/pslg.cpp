@@ -208,7 +208,8 @@ Result<Pslg> make_pslg(const Input& input, const Options& options, Report& repor
   if (auto error = find_bad_arcs(input)) return *error;
   if (is_empty(input) && !options.hull) {
     return Error{ErrorCode::no_segments,
-                 fmt::format("{}: there are no segments and no polygons", input.source),
+                 fmt::format("{}: there are no segments and no polygons{}{}", input.source,
+                             input.warnings.empty() ? "" : "; ", listed(input.warnings)),
                  {},
                  {}};
   }

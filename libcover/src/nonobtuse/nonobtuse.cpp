@@ -251,7 +251,7 @@ class Nonobtuse {
   [[nodiscard]] double spacing_of_coordinates() const { return spacing_of(work_.pslg.points); }
 
   [[nodiscard]] static Error at_segment(const PslgEnds& ends, const std::string& why) {
-    return {ErrorCode::bad_option,
+    return {ErrorCode::meshing_incomplete,
             fmt::format("method nonobtuse: several regions share segments, and these come so close "
                         "to each other that {}, most near the segment from {} to {}; use another "
                         "method, or mesh the regions one by one",

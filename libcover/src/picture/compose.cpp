@@ -14,6 +14,8 @@
 
 #include <fmt/core.h>
 
+#include <cover/text.hpp>
+
 #include "base/faults/errors.hpp"
 #include "geom/box.hpp"
 #include "geom/vector.hpp"
@@ -258,22 +260,31 @@ class Composer {
     if (has_key()) draw_legend(legend_, drawing_);
   }
 
-  Status fill_values() {
-    const auto found = std::find_if(mesh_.mesh.arrays.begin(), mesh_.mesh.arrays.end(),
-                                    [&](const CellArray& a) { return a.name == options_.color; });
-    if (found == mesh_.mesh.arrays.end()) {
-      std::string names;
-      for (const CellArray& array : mesh_.mesh.arrays) {
-        names += (names.empty() ? "" : ", ") + array.name;
-      }
-      return bad_option(
-          fmt::format("the mesh has no cell array '{}'; it has {}", options_.color, names));
+  /// By triangle. Some formats hold regions and materials otherwise than in arrays.
+  [[nodiscard]] Result<std::vector<double>> values_to_show() const {
+    std::vector<std::string> names;
+    for (const CellArray& array : mesh_.mesh.arrays) {
+      if (array.name == options_.color) return array.values;
+      names.push_back(array.name);
     }
+    for (const auto& [name, numbers] :
+         {std::pair("RegionId", &soup_.region), std::pair("material", &soup_.material)}) {
+      if (numbers->empty()) continue;
+      if (name == options_.color) return std::vector<double>(numbers->begin(), numbers->end());
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
+    }
+    return bad_option(
+        fmt::format("the mesh has no cell array '{}'; it has {}", options_.color, listed(names)));
+  }
+
+  Status fill_values() {
+    const Result<std::vector<double>> values = values_to_show();
+    if (!values) return values.error();
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const std::size_t t : visible_) {
-      if (!std::isfinite(found->values[t])) continue;
-      low = std::min(low, found->values[t]);
-      high = std::max(high, found->values[t]);
+      if (!std::isfinite((*values)[t])) continue;
+      low = std::min(low, (*values)[t]);
+      high = std::max(high, (*values)[t]);
     }
     if (options_.range) std::tie(low, high) = std::tie((*options_.range)[0], (*options_.range)[1]);
     if (!(low <= high)) return bad_option("the range of values is empty");
@@ -283,7 +294,7 @@ class Composer {
       patches[static_cast<std::size_t>(i)].colour = value_colour(i / (kSteps - 1.0));
     }
     for (const std::size_t t : visible_) {
-      const double value = found->values[t];
+      const double value = (*values)[t];
       const double part = high > low && std::isfinite(value)
                               ? std::clamp((value - low) / (high - low), 0.0, 1.0)
                               : 0;

@@ -225,6 +225,7 @@ class Verifier {
   }
 
   void report_in_void(const ExpectedSide& side, const SoupEdges::Edge& edge) {
+    ++result_.in_void;
     add(Kind::in_void, 2,
         fmt::format("triangle {} lies in the void beside the segment from {} to {}", edge.triangle,
                     input_point(side.a), input_point(side.b)),

@@ -113,14 +113,14 @@ TEST(Nonobtuse, RefusesWhatItCannotDo) {
   hull.hull = true;
   const Result<Output> refused = cover_mesh(testing::input_of(kSquare), hull);
   ASSERT_FALSE(refused.has_value());
-  EXPECT_EQ(refused.error().code, ErrorCode::bad_option);
+  EXPECT_EQ(refused.error().code, ErrorCode::meshing_incomplete);
 
   // Two slits 1e-7 apart: ten million disks on each.
   Input close = with_segment(testing::input_of(kSquare), {1, 1}, {3, 1});
   close = with_segment(close, {1, 1 + 1e-7}, {3, 1 + 1e-7});
   const Result<Output> crowded = cover_mesh(close, nonobtuse());
   ASSERT_FALSE(crowded.has_value());
-  EXPECT_EQ(crowded.error().code, ErrorCode::bad_option);
+  EXPECT_EQ(crowded.error().code, ErrorCode::meshing_incomplete);
   EXPECT_EQ(crowded.error().where.size(), 2U);
 }
 

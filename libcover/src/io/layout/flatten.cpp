@@ -101,6 +101,7 @@ class Flattener {
     if (!error_) draw(*top, Placement());
     if (error_) return *std::move(error_);
     tell();
+    if (input_.polygons.empty() && input_.lines.empty()) say_why_empty(totals_[*top].box);
     return std::move(input_);
   }
 
@@ -414,16 +415,29 @@ class Flattener {
       input_.warnings.push_back(fmt::format(
           "{} cells are placed with absolute angle or size: taken as relative", library_.absolute));
     if (options_.layer_map.empty()) return;
+    if (const std::string names = layers_left_out(); !names.empty())
+      input_.warnings.push_back("layers that the layer map does not have are left out: " + names);
+  }
+
+  [[nodiscard]] std::string layers_left_out() const {
     std::vector<std::string> names;
     for (const GdsLayer layer : layers_.left_out())
       names.push_back(fmt::format("{}/{}", layer.layer, layer.type));
     constexpr std::size_t kMostNamed = 20;
     const bool all = names.size() <= kMostNamed;
     if (!all) names.resize(kMostNamed);
-    if (!names.empty())
-      input_.warnings.push_back(
-          fmt::format("layers that the layer map does not have are left out: {}{}", listed(names),
-                      all ? "" : ", ..."));
+    return listed(names) + (all ? "" : ", ...");
+  }
+
+  /// Where nothing was drawn: what there would have been.
+  void say_why_empty(const Box& all) {
+    const std::string names = layers_left_out();
+    if (!names.empty() && options_.layer_map.empty())
+      input_.warnings.push_back("nothing is on the layers chosen; others are " + names);
+    else if (options_.window && !all.is_empty())
+      input_.warnings.push_back(fmt::format("nothing is in the window; the layout is from {} to {}",
+                                            describe(in_user_unit(all.low)),
+                                            describe(in_user_unit(all.high))));
   }
 
   const GdsLibrary& library_;
