@@ -113,7 +113,7 @@ TEST(Nonobtuse, RefusesWhatItCannotDo) {
   hull.hull = true;
   const Result<Output> refused = cover_mesh(testing::input_of(kSquare), hull);
   ASSERT_FALSE(refused.has_value());
-  EXPECT_EQ(refused.error().code, ErrorCode::meshing_incomplete);
+  EXPECT_EQ(refused.error().code, ErrorCode::bad_option);
 
   // Two slits 1e-7 apart: ten million disks on each.
   Input close = with_segment(testing::input_of(kSquare), {1, 1}, {3, 1});
