@@ -6,7 +6,7 @@ import re
 import sys
 
 GROUND = ['base', 'geom', 'cdt']
-ORDER = GROUND + ['limits', 'options', 'faces', 'clean', 'region', 'box', 'target', 'sizes', 'thin', 'layers', 'disks',
+ORDER = GROUND + ['limits', 'options', 'faces', 'clean', 'region', 'box', 'target', 'sizes', 'mend', 'layers', 'disks',
                   'almond', 'quality', 'tasks', 'cuts', 'nonobtuse']
 SEES = {layer: set(ORDER[:i + 1]) for i, layer in enumerate(ORDER)}
 # What judges meshes shares no code that makes or changes triangles with what makes them.

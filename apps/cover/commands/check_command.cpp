@@ -338,7 +338,7 @@ struct CheckCommand {
   Verbosity verbosity;
 };
 
-/// Of what is found on a mesh that is sound but for `points` in its segments: each cut segment once.
+/// Of what is found on a mesh that is sound but for `points` in its segments: each cut one once.
 /// All else follows from the cuts. `pieces` are the segments of the input that is cut likewise.
 void keep_cut_segments(Verification& found, std::size_t pieces, std::size_t points) {
   std::vector<Violation> cut;
@@ -450,9 +450,10 @@ int run_check(Arguments arguments) {
   take_own_cuts(command, *mesh, *prepared, found);
   say_what_may_have_moved(found, *prepared, mesh->soup);
   if (found.in_void > 0 && !verify.hull)
-    fmt::print("{} along segments in the void. If the mesh is to cover the convex hull, add --hull\n",
-               found.in_void == 1 ? "1 triangle lies"
-                                  : fmt::format("{} triangles lie", grouped(found.in_void)));
+    fmt::print(
+        "{} along segments in the void. If the mesh is to cover the convex hull, add --hull\n",
+        found.in_void == 1 ? "1 triangle lies"
+                           : fmt::format("{} triangles lie", grouped(found.in_void)));
   int code = print(found, mesh->soup.triangles.size(), quiet);
   const int sides = print_periodic(*prepared, rules, mesh->soup, quiet);
   code = code == exit_ok ? sides : code;

@@ -20,6 +20,7 @@
 #include "cdt/region_cdt.hpp"
 #include "layers/layered_region.hpp"
 #include "limits/region_limits.hpp"
+#include "mend/couplings/delaunay_within_bound.hpp"
 #include "quality/fault/merit.hpp"
 #include "quality/fault/missed_targets.hpp"
 #include "quality/quality_region.hpp"
@@ -27,7 +28,6 @@
 #include "target/fill_report.hpp"
 #include "target/whole_mesh.hpp"
 #include "tasks/stage_clock.hpp"
-#include "thin/delaunay_within_bound.hpp"
 
 namespace cover {
 namespace {

@@ -14,12 +14,12 @@
 #include "cuts/before_meshing/split_interfaces.hpp"
 #include "cuts/clefts/closed_clefts.hpp"
 #include "cuts/unite_pieces.hpp"
+#include "mend/thin_mesh.hpp"
 #include "quality/fault/missed_targets.hpp"
 #include "region/region_graph.hpp"
 #include "target/fill_report.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/region_task.hpp"
-#include "thin/fewer_vertices.hpp"
 
 namespace cover {
 namespace {
@@ -71,8 +71,8 @@ ConformingMesh mended(ConformingMesh mesh, const ClosedClefts& closed,
   std::erase_if(fixed, [&](std::uint32_t v) { return v >= lines.size(); });
 
   MeshWithUndo mending(mesh, std::vector<WantedAngles>(work.meshes.size()));
-  const ThinEffort effort{0, 0, kPlacesForOne, kMostPlaces, stop};
-  thin_mesh(mending, effort);
+  const RepairEffort effort{kPlacesForOne, kMostPlaces, stop};
+  thin_mesh(mending, {0, 0, effort});
   mend_what_is_left(mending, effort);
   mesh = mending.result(mesh);
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cuts/work.hpp"
-#include "thin/conforming_mesh.hpp"
+#include "mend/conforming_mesh.hpp"
 
 namespace cover {
 

@@ -21,12 +21,12 @@
 #include "cuts/after_meshing/one_mesh.hpp"
 #include "cuts/unite_pieces.hpp"
 #include "geom/vector.hpp"
+#include "mend/thin_mesh.hpp"
 #include "quality/fault/missed_targets.hpp"
 #include "region/region_graph.hpp"
 #include "target/fill_report.hpp"
 #include "target/whole_mesh.hpp"
 #include "tasks/errors_as_values.hpp"
-#include "thin/fewer_vertices.hpp"
 
 namespace cover {
 namespace {
@@ -50,21 +50,21 @@ constexpr std::array kLast{Last{0.2, 1, kNone}, Last{kLeastPart, 1, kNone}, Last
 ThinEffort effort_of(Effort effort, std::size_t vertices) {
   switch (effort) {
     case Effort::fast:
-      return {30, 200'000 + 10 * vertices, 3'000, 300'000, {}};
+      return {30, 200'000 + 10 * vertices, {3'000, 300'000}};
     case Effort::normal:
-      return {1'000, 1'000'000 + 100 * vertices, 20'000, 3'000'000, {}};
+      return {1'000, 1'000'000 + 100 * vertices, {20'000, 3'000'000}};
     case Effort::thorough:
       break;
   }
-  return {20'000, 8'000'000 + 1'000 * vertices, 100'000, 20'000'000, {}};
+  return {20'000, 8'000'000 + 1'000 * vertices, {100'000, 20'000'000}};
 }
 
 /// For the last obtuse triangles: there are few, and each may be hard. With a ninth of it combs
 /// whose slits are a thousandth wide keep 50, 19 and 26 in place of 13, 7 and 6; with ten times as
 /// much in the end, where it is 6 or fewer, 0, 0 and 1 in place of 4, 6 and 2.
-ThinEffort effort_for_the_last(const ThinEffort& effort, const Last& last) {
+RepairEffort effort_for_the_last(const RepairEffort& effort, const Last& last) {
   constexpr std::uint64_t kPlaces = 100'000;
-  return {0, 0, last.times * kPlaces, effort.places_to_mend_at_most, effort.stop};
+  return {last.times * kPlaces, effort.places_at_most, effort.stop};
 }
 
 /// By region: no angle becomes smaller than the target, or than what there is; and where triangles
@@ -169,31 +169,29 @@ class Thinning {
     trial.before = mesh_.points.size() - first;
     std::vector<WantedAngles> angles = angles_of(work_.meshes, options_);
     ThinEffort effort = effort_of(how, trial.before);
-    effort.stop = stop;
+    effort.mending.stop = stop;
     ConformingMesh start = mesh_;
     const std::size_t bad_before = MeshWithUndo(start, angles).bad();
     if (mends_first) {
       angles = angles_for_the_last(start, kLeastPart, angles);
       MeshWithUndo mending(start, angles);
-      mend_what_is_left(mending, effort_for_the_last(effort, kLast[0]));
+      mend_what_is_left(mending, effort_for_the_last(effort.mending, kLast[0]));
       start = mending.result(start);
     }
     MeshWithUndo thinning(start, angles);
-    Thinned thinned = thin_mesh(thinning, effort);
+    std::size_t bad = thin_mesh(thinning, effort).after;
     ConformingMesh result = thinning.result(start);
     for (const Last& last : kLast) {
-      if (thinned.bad == 0 || thinned.bad > last.most) continue;
+      if (bad == 0 || bad > last.most) continue;
       MeshWithUndo mending(result, angles_for_the_last(result, last.part, angles));
-      thinned.bad = mend_what_is_left(mending, effort_for_the_last(effort, last)).bad;
+      bad = mend_what_is_left(mending, effort_for_the_last(effort.mending, last)).after;
       result = mending.result(result);
     }
     trial.after = result.points.size() - first;
-    trial.is_better =
-        thinned.bad < bad_before || (thinned.bad == bad_before && trial.after < trial.before);
+    trial.is_better = bad < bad_before || (bad == bad_before && trial.after < trial.before);
     if (stop.stop_requested() || !trial.is_better) return trial;
-    if (options_.box_method && thinned.bad > 0) {
-      trial.fault =
-          counted(thinned.bad, "triangle") + " would be obtuse or have a negative coupling";
+    if (options_.box_method && bad > 0) {
+      trial.fault = counted(bad, "triangle") + " would be obtuse or have a negative coupling";
     } else {
       judge(result, trial);
     }

@@ -8,8 +8,8 @@
 
 #include "cuts/clefts/find_clefts.hpp"
 #include "cuts/work.hpp"
-#include "thin/conforming_mesh.hpp"
-#include "thin/ease_mesh.hpp"
+#include "mend/conforming_mesh.hpp"
+#include "mend/ease_mesh.hpp"
 
 namespace cover {
 

@@ -385,9 +385,10 @@ class Completion {
   Result<StoredMesh> read() {
     Result<StoredMesh> stored = read_all();
     if (stored && has_periodic_points_ && stored->periodic.empty())
-      tell({fmt::format("pairs of points on periodic sides are left out: only the manifest, {}, "
-                        "names these sides",
-                        beside(".json"))});
+      tell(
+          {fmt::format("pairs of points on periodic sides are left out: only the manifest, {}, "
+                       "names these sides",
+                       beside(".json"))});
     return stored;
   }
 

@@ -1,7 +1,7 @@
 // A triangulation without negative couplings on inner edges is the constrained Delaunay
 // triangulation of its vertices, so vertices are all there is to choose.
-// Tested by tests/unit/thin/delaunay_within_bound_test.cpp.
-#include "thin/delaunay_within_bound.hpp"
+// Tested by tests/unit/mend/couplings/delaunay_within_bound_test.cpp.
+#include "mend/couplings/delaunay_within_bound.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,11 +11,11 @@
 #include "cdt/cdt.hpp"
 #include "geom/predicates.hpp"
 #include "limits/couplings/half_disc_room.hpp"
+#include "mend/couplings/fill_room.hpp"
+#include "mend/mend_mesh.hpp"
+#include "mend/mesh_with_undo.hpp"
 #include "target/fill_report.hpp"
 #include "target/whole_mesh.hpp"
-#include "thin/fewer_vertices.hpp"
-#include "thin/fill_room.hpp"
-#include "thin/mesh_with_undo.hpp"
 
 namespace cover {
 namespace {
@@ -98,7 +98,7 @@ std::optional<MendedMesh> mend_nearby(const RegionBoundary& boundary, const Regi
   MeshWithUndo mending(before, *std::move(wanted));
   const std::uint64_t for_sides =
       mesh.layer_triangles == 0 ? effort.places_per_side : effort.places_per_angle;
-  mend_mesh(mending, {0, 0, effort.places_per_angle, kMostPlaces, stop}, for_sides);
+  mend_mesh(mending, {effort.places_per_angle, kMostPlaces, stop}, for_sides);
   if (mending.grave() > 0) return {};
   return taken_if_better(boundary, mesh, before, mending);
 }

@@ -1,7 +1,7 @@
 // Bowyer's and Watson's way to add a vertex, with pieces of lines as walls; ears to take one away.
 // Everything that is written is remembered, triangle by triangle.
-// Tested by tests/unit/thin/mesh_with_undo_test.cpp.
-#include "thin/mesh_with_undo.hpp"
+// Tested by tests/unit/mend/mesh_with_undo_test.cpp.
+#include "mend/mesh_with_undo.hpp"
 
 #include <algorithm>
 #include <cmath>

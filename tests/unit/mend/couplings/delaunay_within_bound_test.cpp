@@ -1,4 +1,4 @@
-#include "thin/delaunay_within_bound.hpp"
+#include "mend/couplings/delaunay_within_bound.hpp"
 
 #include <gtest/gtest.h>
 

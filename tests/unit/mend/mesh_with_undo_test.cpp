@@ -1,4 +1,4 @@
-#include "thin/mesh_with_undo.hpp"
+#include "mend/mesh_with_undo.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -2,8 +2,8 @@
 // makes g zero, to first order, goes along the gradient of g, as far as each of them may move: a
 // projection onto what the triangle allows. These are done in turn, as often as one is left; where
 // all that is asked for together leaves any room, that ends.
-// Tested by tests/unit/thin/ease_mesh_test.cpp.
-#include "thin/ease_mesh.hpp"
+// Tested by tests/unit/mend/ease_mesh_test.cpp.
+#include "mend/ease_mesh.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "thin/ease_mesh.hpp"
+#include "mend/ease_mesh.hpp"
 
 #include <gtest/gtest.h>
 

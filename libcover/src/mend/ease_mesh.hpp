@@ -5,7 +5,7 @@
 #include <span>
 
 #include "geom/vector.hpp"
-#include "thin/conforming_mesh.hpp"
+#include "mend/conforming_mesh.hpp"
 
 namespace cover {
 

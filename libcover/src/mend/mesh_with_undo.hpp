@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "geom/topology/corner.hpp"
-#include "thin/conforming_mesh.hpp"
+#include "mend/conforming_mesh.hpp"
 
 namespace cover {
 

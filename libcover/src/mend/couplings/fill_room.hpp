@@ -4,7 +4,7 @@
 #include <stop_token>
 
 #include "limits/couplings/half_disc_room.hpp"
-#include "thin/mesh_with_undo.hpp"
+#include "mend/mesh_with_undo.hpp"
 
 namespace cover {
 

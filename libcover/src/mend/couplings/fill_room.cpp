@@ -1,5 +1,5 @@
-// Tested by tests/unit/thin/delaunay_within_bound_test.cpp.
-#include "thin/fill_room.hpp"
+// Tested by tests/unit/mend/couplings/delaunay_within_bound_test.cpp.
+#include "mend/couplings/fill_room.hpp"
 
 #include <algorithm>
 #include <array>

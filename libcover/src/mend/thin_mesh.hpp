@@ -1,0 +1,26 @@
+// Triangulations without obtuse angles, with fewer vertices.
+#pragma once
+
+#include <cstdint>
+
+#include "mend/mend_mesh.hpp"
+#include "mend/mesh_with_undo.hpp"
+
+namespace cover {
+
+/// How long is searched.
+struct ThinEffort {
+  std::uint64_t places_per_vertex = 0;  ///< for every vertex that may go
+  std::uint64_t places_at_most = 0;
+  RepairEffort mending{};  ///< besides
+};
+
+/// Takes vertices away, merges several into fewer and moves them, while no more triangles are bad
+/// than before; adds some where that makes bad triangles fewer. Points of the input stay.
+///
+/// ENSURES: the same mesh for the same input, whatever the machine
+/// Cost:    as `effort` says
+/// Ref:     libcover/docs/box_method.md, "Fewer vertices"
+BadTriangles thin_mesh(MeshWithUndo& mesh, const ThinEffort& effort);
+
+}  // namespace cover

@@ -1,0 +1,58 @@
+#include "mend/mend_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "unit/mend/rectangles.hpp"
+
+namespace cover {
+namespace {
+
+TEST(MendMesh, CutsGoThroughAllThinLayersToWhereThereIsRoom) {
+  // Sixty layers, a hundred times as long as thick, and a vertex in the middle of the first wall.
+  constexpr std::uint32_t kLayers = 60;
+  ConformingMesh before = testing::rectangles(kLayers, 1, 1);
+  for (Point& p : before.points) p.y *= 100;
+  for (StraightLine& line : before.lines) line.a.y *= 100, line.b.y *= 100;
+  const std::uint32_t middle = static_cast<std::uint32_t>(before.points.size());
+  const std::uint32_t low = 0, right = 1, top = kLayers + 1, far = kLayers + 2;
+  before.points.push_back({0, 50});
+  before.line.push_back(ConformingMesh::kFixed);
+  const auto whole = std::find_if(before.pieces.begin(), before.pieces.end(),
+                                  [&](const auto& p) { return p.a == low && p.b == top; });
+  ASSERT_NE(whole, before.pieces.end());
+  const std::uint32_t wall = whole->line;
+  *whole = {low, middle, wall};
+  before.pieces.push_back({middle, top, wall});
+  before.triangles[0] = {low, right, middle};
+  before.triangles[1] = {right, far, middle};
+  before.triangles.push_back({far, top, middle});
+  before.region.push_back(0);
+  MeshWithUndo mesh(before, std::vector<WantedAngles>(kLayers));
+  ASSERT_EQ(mesh.bad(), 1U);
+  const BadTriangles bad = mend_what_is_left(mesh, {100'000, 1'000'000});
+  EXPECT_EQ(bad.after, 0U);
+  EXPECT_EQ(mesh.result(before).points.size(), before.points.size() + kLayers);
+}
+
+TEST(MendMesh, TheFootMendsAnObtuseCornerOverAPiece) {
+  ConformingMesh flat;  // 127 degrees at the top
+  flat.points = {{0, 0}, {4, 0}, {2, 1}};
+  flat.line.assign(3, ConformingMesh::kFixed);
+  flat.lines = {{{0, 0}, {4, 0}}, {{4, 0}, {2, 1}}, {{2, 1}, {0, 0}}};
+  flat.pieces = {{0, 1, 0}, {1, 2, 1}, {2, 0, 2}};
+  flat.triangles = {{0, 1, 2}};
+  flat.region = {0};
+  MeshWithUndo mesh(flat, {{0}});
+  EXPECT_EQ(mesh.grave(), 1U);
+  const BadTriangles none = mend_mesh(mesh, {}, 0);  // no places, nothing done
+  EXPECT_EQ(none.after, 1U);
+  const BadTriangles bad = mend_mesh(mesh, {10'000, 10'000}, 0);
+  EXPECT_EQ(bad.before, 1U);
+  EXPECT_EQ(bad.after, 0U);
+  EXPECT_EQ(mesh.result(flat).points.back(), (Point{2, 0}));
+}
+
+}  // namespace
+}  // namespace cover

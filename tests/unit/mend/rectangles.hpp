@@ -1,0 +1,48 @@
+// Conforming meshes of rectangles, to be thinned out and mended.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "mend/conforming_mesh.hpp"
+
+namespace cover::testing {
+
+/// Rectangles beside each other, columns x rows small squares in all, halved by diagonals; the
+/// regions change at every `width`-th column. Lines may be cut, and are, where squares meet them.
+inline ConformingMesh rectangles(std::uint32_t columns, std::uint32_t rows, std::uint32_t width) {
+  ConformingMesh mesh;
+  const auto number = [&](std::uint32_t x, std::uint32_t y) { return y * (columns + 1) + x; };
+  const double top = rows;
+  const std::uint32_t strips = columns / width;
+  // Lines: bottom and top of every strip, then walls from left to right.
+  for (std::uint32_t s = 0; s < strips; ++s) {
+    const double x = s * width, to = x + width;
+    mesh.lines.push_back({{x, 0}, {to, 0}});
+    mesh.lines.push_back({{x, top}, {to, top}});
+  }
+  for (std::uint32_t s = 0; s <= strips; ++s)
+    mesh.lines.push_back({{double(s * width), 0}, {double(s * width), top}});
+  for (std::uint32_t y = 0; y <= rows; ++y) {
+    for (std::uint32_t x = 0; x <= columns; ++x) {
+      mesh.points.push_back({double(x), double(y)});
+      const bool wall = x % width == 0, edge = y == 0 || y == rows;
+      const std::uint32_t strip = std::min(x / width, strips - 1);
+      mesh.line.push_back(wall && edge ? ConformingMesh::kFixed
+                          : wall       ? 2 * strips + x / width
+                          : edge       ? 2 * strip + (y == 0 ? 0 : 1)
+                                       : ConformingMesh::kInside);
+      if (x < columns && edge)
+        mesh.pieces.push_back({number(x, y), number(x + 1, y), 2 * strip + (y == 0 ? 0 : 1)});
+      if (y < rows && wall)
+        mesh.pieces.push_back({number(x, y), number(x, y + 1), 2 * strips + x / width});
+      if (x == columns || y == rows) continue;
+      mesh.triangles.push_back({number(x, y), number(x + 1, y), number(x + 1, y + 1)});
+      mesh.triangles.push_back({number(x, y), number(x + 1, y + 1), number(x, y + 1)});
+      mesh.region.insert(mesh.region.end(), 2, x / width);
+    }
+  }
+  return mesh;
+}
+
+}  // namespace cover::testing
