@@ -4,9 +4,9 @@
 // the region; the bound is that of the whole region, and the constrained Delaunay triangulation of
 // the rest often tells that no mesh of it can hold that. Inner edges with a negative coupling,
 // where many rows end in one vertex, are flipped away; where that would break the bound, single
-// vertices give way (mend/couplings/delaunay_within_bound), those of layers last. Where something fails
-// still, the sides below the places get a third fewer rows, for couplings one less, and all is done
-// again. Tested by tests/unit/layers/layered_region_test.cpp.
+// vertices give way (mend/couplings/delaunay_within_bound), those of layers last. Where something
+// fails still, the sides below the places get a third fewer rows, for couplings one less, and all
+// is done again. Tested by tests/unit/layers/layered_region_test.cpp.
 #include "layers/layered_region.hpp"
 
 #include <algorithm>
