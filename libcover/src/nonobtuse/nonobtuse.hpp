@@ -13,9 +13,9 @@ namespace cover {
 /// cuts the segments at the points that this puts on them.
 ///
 /// REQUIRES: `work` has boundaries and no meshes
-/// Errors:   bad_option with options.hull meshing_incomplete, where segments of several regions
-///           come so close that too many disks would be needed, or coordinates cannot tell points
-///           on segments apart cancelled; internal
+/// Errors:   bad_option with options.hull; meshing_incomplete where segments of several regions come
+///           so close that too many disks would be needed, or where coordinates cannot tell points
+///           on segments apart; cancelled; internal
 /// Cost:     O(n) disks where no segment has regions on both sides. Where regions share segments,
 ///           disks are centred on all segments first, so that both sides have the same points;
 ///           their number grows with the length of segments over the distance between them
