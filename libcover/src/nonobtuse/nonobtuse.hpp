@@ -13,8 +13,8 @@ namespace cover {
 /// cuts the segments at the points that this puts on them.
 ///
 /// REQUIRES: `work` has boundaries and no meshes
-/// Errors:   bad_option with options.hull; meshing_incomplete where segments of several regions come
-///           so close that too many disks would be needed, or where coordinates cannot tell points
+/// Errors:   bad_option with options.hull; meshing_incomplete where segments of several regions
+///           come so close that too many disks would be needed, or coordinates cannot tell points
 ///           on segments apart; cancelled; internal
 /// Cost:     O(n) disks where no segment has regions on both sides. Where regions share segments,
 ///           disks are centred on all segments first, so that both sides have the same points;

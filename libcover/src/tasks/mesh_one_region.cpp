@@ -21,6 +21,7 @@
 #include "layers/layered_region.hpp"
 #include "limits/region_limits.hpp"
 #include "mend/couplings/delaunay_within_bound.hpp"
+#include "quality/effort/effort.hpp"
 #include "quality/fault/merit.hpp"
 #include "quality/fault/missed_targets.hpp"
 #include "quality/quality_region.hpp"
@@ -228,7 +229,7 @@ bool is_cut_for_angles(const Options& options) {
 }
 
 /// A region whose segments are cut where angles are left above the target: without negative
-/// couplings, if that leaves no more angles to cut for.
+/// couplings, if that leaves no more angles to cut for. Large regions are meshed once.
 ProvenMesh mesh_for_cuts(const RegionBoundary& boundary, const Options& options,
                          const std::stop_token& stop, const Team& team) {
   Options for_angles = options;
@@ -240,7 +241,8 @@ ProvenMesh mesh_for_cuts(const RegionBoundary& boundary, const Options& options,
     return count_above(all_points(boundary, mesh), mesh.triangles, options.max_angle);
   };
   const std::size_t above = above_target(out.mesh);
-  if (above == 0 || stop.stop_requested()) return out;
+  if (above == 0 || boundary.points.size() > effort::kPointsToAimElsewhere || stop.stop_requested())
+    return out;
   ProvenMesh other = mesh_and_mend(boundary, for_angles, stop, team);
   return above_target(other.mesh) < above ? std::move(other) : std::move(out);
 }

@@ -59,7 +59,7 @@ TEST(Nonobtuse, RefusesDisksThatCoordinatesCannotHold) {
                                           {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {2, 4}});
   const Result<Output> refused = cover_mesh(input, nonobtuse());
   ASSERT_FALSE(refused.has_value());
-  EXPECT_EQ(refused.error().code, ErrorCode::bad_option);
+  EXPECT_EQ(refused.error().code, ErrorCode::meshing_incomplete);
   EXPECT_NE(refused.error().message.find("rounded coordinates cannot hold"), std::string::npos)
       << refused.error().message;
   EXPECT_EQ(refused.error().where, std::vector<Point>({{0, 8}, {0, 0}}));
