@@ -21,6 +21,12 @@ inline std::optional<Point> exact_foot(Point a, Point b, Point p) {
   return std::nullopt;
 }
 
+/// The point on the line from `a` to `b` at this part of the way, measured from the nearer end, so
+/// that what is exact there stays so.
+inline Point at_part(Point a, Point b, double part) {
+  return part <= 0.5 ? a + part * (b - a) : b + (part - 1) * (b - a);
+}
+
 /// How far along a segment, however short, the foot of a point is that lies at `to` from its start.
 ///
 /// REQUIRES: along != 0; the foot lies on the segment, up to rounding

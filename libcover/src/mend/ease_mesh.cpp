@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "geom/angle_rounding.hpp"
+#include "geom/foot.hpp"
 #include "geom/predicates.hpp"
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
@@ -98,8 +99,7 @@ class Easer {
   /// On its line, at the foot of `p`.
   [[nodiscard]] Point on_line(std::uint32_t v, Point p) const {
     const auto& [a, b] = mesh_.lines[mesh_.line[v]];
-    const double along = dot(p - a, b - a) / squared_length(b - a);
-    return along <= 0.5 ? a + along * (b - a) : b + (along - 1) * (b - a);
+    return at_part(a, b, dot(p - a, b - a) / squared_length(b - a));
   }
 
   /// `gradient` of g by the place of `v`, for what moves it.
@@ -109,9 +109,10 @@ class Easer {
       return;
     }
     double by = dot(gradient, direction(v));
-    if (leader_[v] != kNone) {
-      by *= dot(direction(v), direction(leader_[v]));
-      v = leader_[v];
+    if (const std::uint32_t leader = leader_[v]; leader != kNone) {
+      const double cosine = dot(direction(v), direction(leader));
+      by = right_at_first_[leader] ? by / cosine : by * cosine;
+      v = leader;
     }
     const auto same = std::find_if(movers.begin(), movers.end(),
                                    [&](const Mover& mover) { return mover.vertex == v; });
@@ -204,8 +205,7 @@ class Easer {
 }  // namespace
 
 Point straight_across(Point p, Vector along, Point a, Point b) {
-  const double part = dot(p - a, along) / dot(b - a, along);
-  return part <= 0.5 ? a + part * (b - a) : b + (part - 1) * (b - a);
+  return at_part(a, b, dot(p - a, along) / dot(b - a, along));
 }
 
 bool ease(std::span<const FollowedVertex> pairs, ConformingMesh& mesh) {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "geom/angle_rounding.hpp"
+#include "geom/foot.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 
@@ -240,10 +241,7 @@ Spot MeshWithUndo::on_line(Point p, std::uint32_t triangle, Corner edge) const {
   if (line >= lines_.size()) return {};
   const Point a = lines_[line].a, b = lines_[line].b;
   const Vector along = b - a;
-  // From the nearer end, so that what is exact there stays so.
-  const double from_a = dot(p - a, along) / squared_length(along);
-  const Point foot = from_a <= 0.5 ? a + from_a * along : b + (from_a - 1) * along;
-  return {foot, triangle, edge};
+  return {at_part(a, b, dot(p - a, along) / squared_length(along)), triangle, edge};
 }
 
 Spot MeshWithUndo::locate(Point p, std::uint32_t triangle) const {

@@ -21,7 +21,6 @@
 #include "layers/layered_region.hpp"
 #include "limits/region_limits.hpp"
 #include "mend/couplings/delaunay_within_bound.hpp"
-#include "quality/effort/effort.hpp"
 #include "quality/fault/merit.hpp"
 #include "quality/fault/missed_targets.hpp"
 #include "quality/quality_region.hpp"
@@ -32,6 +31,9 @@
 
 namespace cover {
 namespace {
+
+/// Of a region that is meshed with couplings and without, where segments are cut for angles.
+constexpr std::size_t kPointsToMeshTwice = 500;
 
 /// From so many on, several threads judge a mesh: some tenths of a second of work.
 constexpr std::size_t kManyTriangles = 100'000;
@@ -229,7 +231,8 @@ bool is_cut_for_angles(const Options& options) {
 }
 
 /// A region whose segments are cut where angles are left above the target: without negative
-/// couplings, if that leaves no more angles to cut for. Large regions are meshed once.
+/// couplings, if that leaves no more angles to cut for. Large regions, and those whose own sides
+/// forbid the target, are meshed once.
 ProvenMesh mesh_for_cuts(const RegionBoundary& boundary, const Options& options,
                          const std::stop_token& stop, const Team& team) {
   Options for_angles = options;
@@ -241,7 +244,9 @@ ProvenMesh mesh_for_cuts(const RegionBoundary& boundary, const Options& options,
     return count_above(all_points(boundary, mesh), mesh.triangles, options.max_angle);
   };
   const std::size_t above = above_target(out.mesh);
-  if (above == 0 || boundary.points.size() > effort::kPointsToAimElsewhere || stop.stop_requested())
+  const bool is_forbidden = out.mesh.report.nu_opt < options.max_angle.supplement();
+  if (above == 0 || is_forbidden || boundary.points.size() > kPointsToMeshTwice ||
+      stop.stop_requested())
     return out;
   ProvenMesh other = mesh_and_mend(boundary, for_angles, stop, team);
   return above_target(other.mesh) < above ? std::move(other) : std::move(out);

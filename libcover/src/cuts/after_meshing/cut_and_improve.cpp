@@ -29,6 +29,9 @@ constexpr double kEnd = 0.01;             ///< of a side: no cut is nearer to it
 constexpr std::size_t kKicked = 5;        ///< trials that are kicked
 constexpr double kGain = 0.2;  ///< of its excess, that the worst triangle must win for a cut
 
+/// Evaluations that a search has in any case, and that may be spent for each triangle it mends.
+constexpr std::uint64_t kInAnyCase = 15'000'000, kForOne = 150'000;
+
 /// A side with the triangle that has it.
 struct SidePlace {
   std::uint32_t side;
@@ -96,18 +99,26 @@ class CutSearch {
  public:
   CutSearch(JoinedRegions& whole, const Goal& goal) : whole_(whole), goal_(goal) {}
 
-  /// Returns whether the budget was used up before all of them had been tried.
-  bool run(Budget& budget) {
+  /// Returns what kept it from trying all of them, if something did.
+  CutResult run(Budget& budget) {
+    CutResult result;
+    const std::uint64_t first = budget.left;
+    std::uint64_t mended = 0;
     std::vector<std::uint32_t> queue = whole_.triangles_above();
     std::size_t head = 0;
-    for (; head < queue.size() && !budget.is_used_up(); ++head) {
+    for (; head < queue.size() && !budget.is_used_up() && !result.was_in_vain; ++head) {
       const std::uint32_t t = queue[head];
       if (!is_above(whole_.mesh(), t, goal_)) continue;
-      for (const std::uint32_t changed : attempt(t, budget)) {
-        if (is_above(whole_.mesh(), changed, goal_)) queue.push_back(changed);
+      const std::vector<std::uint32_t> changed = attempt(t, budget);
+      mended += changed.empty() ? 0 : 1;
+      for (const std::uint32_t c : changed) {
+        if (is_above(whole_.mesh(), c, goal_)) queue.push_back(c);
       }
+      const std::uint64_t spent = first - budget.left;
+      result.was_in_vain = spent > kInAnyCase && spent > kForOne * mended;
     }
-    return head < queue.size();
+    result.budget_used_up = head < queue.size();
+    return result;
   }
 
  private:
@@ -208,17 +219,18 @@ CutResult cut_and_improve(Work& work, const Options& options, Budget& budget) {
   const Goal goal = Goal::of(options.max_angle, options.min_angle);
   JoinedRegions joined(work.pslg, work.boundaries, work.meshes, goal);
   const std::size_t before = joined.triangles_above().size();
-  const bool budget_used_up = CutSearch(joined, goal).run(budget);
-  if (!joined.has_changed() || !joined.is_valid()) return {before, budget_used_up};
+  CutResult result = CutSearch(joined, goal).run(budget);
+  result.above = before;
+  if (!joined.has_changed() || !joined.is_valid()) return result;
   Work cut = work;
   cut_segments(cut.pslg, cut.table, joined.segment_cuts(work.pslg));
   cut.boundaries = split_regions(cut.pslg, cut.table);
   joined.separate(cut.pslg, cut.boundaries, cut.meshes);
   // Cuts may be too near to each other, or through a thin void to another region.
-  if (!triangulate_whole(cut.pslg).conflicts.empty() || !is_sound(cut))
-    return {before, budget_used_up};
+  if (!triangulate_whole(cut.pslg).conflicts.empty() || !is_sound(cut)) return result;
   work = std::move(cut);
-  return {joined.triangles_above().size(), budget_used_up};
+  result.above = joined.triangles_above().size();
+  return result;
 }
 
 }  // namespace cover

@@ -14,6 +14,7 @@ namespace cover {
 struct CutResult {
   std::size_t above = 0;        ///< triangles above the target
   bool budget_used_up = false;  ///< before all of them had been tried
+  bool was_in_vain = false;     ///< it was given up, as most of what was tried mended nothing
 };
 
 /// Works on the triangles that are left above Options::max_angle by changing the mesh around them,
@@ -25,7 +26,8 @@ struct CutResult {
 ///           the number of triangles above the target grows; at most as many points are added as
 ///           there were
 /// Cost:     O(n log n), and some milliseconds for each triangle that is left, until `budget` is
-///           used up
+///           used up or, after the first 15 million evaluations, 150,000 mend none on average (one
+///           takes 40,000 on maps and Voronoi cells, 400,000 where layers are too thin for any mesh)
 CutResult cut_and_improve(Work& work, const Options& options, Budget& budget);
 
 }  // namespace cover

@@ -74,7 +74,11 @@ class Rounds {
       : options_(options),
         callbacks_(callbacks),
         goal_(Goal::of(options.max_angle, options.min_angle)),
-        budget_{evaluations(options, points), callbacks.stop} {}
+        budget_{
+            evaluations(points, options.max_angle <= Angle::degrees(90) ? kMostTowardsRightAngles
+                                                                        : kMostEvaluationsPerPoint),
+            callbacks.stop},
+        to_spare_(budget_.left - evaluations(points, kMostTowardsRightAngles)) {}
 
   /// Halves segments beside the triangles that are left and meshes again. False if that takes more
   /// than `most` points.
@@ -91,21 +95,20 @@ class Rounds {
   /// Works on the triangles above the target if they are few; counts them.
   Status improve(Trial& trial) {
     return errors_as_values("cut and improve", [&] {
-      trial.left = {joined(trial.work).triangles_above().size(), false};
+      trial.left = {joined(trial.work).triangles_above().size()};
       if (trial.left.above > 0 && kMany * trial.left.above <= trial.work.pslg.points.size()) {
         Budget part = budget_.share(2);
         trial.left = cut_and_improve(trial.work, options_, part);
         budget_.take_back(part);
+        // What is there for searches that mend is not there for others.
+        if (trial.left.was_in_vain) budget_.spend(std::exchange(to_spare_, 0));
       }
       return ok();
     });
   }
 
  private:
-  static std::uint64_t evaluations(const Options& options, std::uint64_t points) {
-    const std::uint64_t per_point = options.max_angle <= Angle::degrees(90)
-                                        ? kMostTowardsRightAngles
-                                        : kMostEvaluationsPerPoint;
+  static std::uint64_t evaluations(std::uint64_t points, std::uint64_t per_point) {
     return kEvaluationsAtLeast +
            std::min(kEvaluationsPerPoint * points, kMostEvaluations + per_point * points);
   }
@@ -130,6 +133,7 @@ class Rounds {
   const Callbacks& callbacks_;
   Goal goal_;
   Budget budget_;
+  std::uint64_t to_spare_;  ///< of it, what is taken away when a search was in vain
 };
 
 /// Whether another round may be of use.

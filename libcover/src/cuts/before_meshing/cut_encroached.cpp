@@ -391,7 +391,7 @@ class Cutter {
     const Point a = both.first, b = both.second;
     const double margin = std::min(kPlaceMargin, (high - low) / 4);
     const auto is_between = [&](double t) { return t > low + margin && t < high - margin; };
-    const auto place_at = [&](double t) { return Place{t, point_on(a, b, t)}; };
+    const auto place_at = [&](double t) { return Place{t, at_part(a, b, t)}; };
     std::vector<Place> shells, places;
     std::vector<std::pair<double, Place>> feet;  // with their heights
     for (const Obstacle& o : e.obstacles) {
@@ -415,10 +415,6 @@ class Cutter {
     shells.resize(std::min(shells.size(), kFeet));
     places.insert(places.end(), shells.begin(), shells.end());
     return places;
-  }
-
-  static Point point_on(Point a, Point b, double t) {
-    return t <= 0.5 ? a + t * (b - a) : b + (1 - t) * (a - b);
   }
 
   /// Names what is still encroached after the last pass.
