@@ -15,6 +15,7 @@
 #include "words/angle_text.hpp"
 #include "words/limits_text.hpp"
 #include "words/text_table.hpp"
+#include "words/verdict.hpp"
 
 namespace cover::app {
 namespace {
@@ -137,6 +138,10 @@ std::string couplings_row(const Report& report) {
             ? ""
             : fmt::format("{} that the bound forces, ", grouped(sum.negative_forced)),
         grouped(sum.negative_given_up));
+  const std::string unsigned_error = error_of_unsigned_boxes(report);
+  if (report.quality.obtuse > 0 && unsigned_error != "0.0 %")
+    places += "\n                         solvers that add up unsigned boxes find " +
+              unsigned_error + " too much area";
   return out + places + '\n';
 }
 
@@ -191,9 +196,12 @@ std::string totals(const Output& output, const MeshCounts& counts) {
                            [](const Note& note) { return note.kind == Note::Kind::target_missed; });
       });
   if (missed > 0) {
-    out += fmt::format("Targets         missed in {} of {}; -v tells where and why\n",
+    const bool for_couplings = std::any_of(report.regions.begin(), report.regions.end(),
+                                           [](const RegionReport& r) { return r.has_no_room; });
+    out += fmt::format("Targets         missed in {} of {}; -v tells where and why{}\n",
                        grouped(static_cast<std::size_t>(missed)),
-                       counted(report.regions.size(), "region"));
+                       counted(report.regions.size(), "region"),
+                       for_couplings ? ", --couplings last lets them come first" : "");
     if (const std::string text = limits_text(limits); !text.empty())
       out += fmt::format("Proven limits   {}\n", text);
   }

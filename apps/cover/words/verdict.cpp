@@ -227,25 +227,30 @@ Finding check_input(const Output& output) {
 }
 
 Finding check_box_method(const Output& output) {
-  double box_area = 0, area = 0;
   std::size_t non_delaunay = 0;
-  for (const RegionReport& region : output.report.regions) {
-    box_area += region.box.box_area;
-    area += region.quality.area;
+  for (const RegionReport& region : output.report.regions)
     non_delaunay += region.box.non_delaunay_edges;
-  }
   const std::size_t obtuse = output.report.quality.obtuse;
   if (obtuse + non_delaunay == 0)
     return {Grade::good, "Finite volumes", "No obtuse triangle: boxes are exact."};
-  const double error = area > 0 ? 100 * (box_area - area) / area : 0;
-  return {Grade::fact, "Finite volumes",
-          fmt::format(
-              "{} obtuse triangles: the areas of solvers that add up unsigned boxes are off "
-              "by {}. It does not matter for finite elements.",
-              grouped(obtuse), error < 100 ? fmt::format("{:.1f} %", error) : "more than 100 %")};
+  return {
+      Grade::fact, "Finite volumes",
+      fmt::format("{} obtuse triangles: the areas of solvers that add up unsigned boxes are off "
+                  "by {}. It does not matter for finite elements.",
+                  grouped(obtuse), error_of_unsigned_boxes(output.report))};
 }
 
 }  // namespace
+
+std::string error_of_unsigned_boxes(const Report& report) {
+  double box_area = 0, area = 0;
+  for (const RegionReport& region : report.regions) {
+    box_area += region.box.box_area;
+    area += region.quality.area;
+  }
+  const double error = area > 0 ? 100 * (box_area - area) / area : 0;
+  return error < 100 ? fmt::format("{:.1f} %", error) : "more than 100 %";
+}
 
 std::vector<Finding> findings_of(const Output& output) {
   std::vector<Finding> findings{check_mesh(output), check_bound(output)};

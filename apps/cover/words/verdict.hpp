@@ -28,6 +28,10 @@ struct Finding {
 /// Cost: O(n log n)
 std::vector<Finding> findings_of(const Output& output);
 
+/// By how much all boxes of the box method together are larger than the mesh, if areas have no
+/// signs: "2.5 %".
+std::string error_of_unsigned_boxes(const Report& report);
+
 /// The worst grade among them.
 Finding::Grade verdict_of(const std::vector<Finding>& findings);
 

@@ -33,6 +33,7 @@ struct RegionBoundary {
   std::vector<SegmentId> segments;  ///< the segment of each side, or kHullSide
   double size = 0;                  ///< wished edge length inside; 0: none
   std::vector<double> size_at;      ///< wished edge length by vertex, 0: none; empty: none at all
+  std::vector<double> size_along;   ///< the same by side, all along it; empty: none at all
   std::vector<std::string> size_expressions;  ///< of size_function, which is the least of them
   SizeFunction size_function;         ///< wished edge length by place, beside Options::size_field
   std::vector<std::uint32_t> layers;  ///< by side: which of Options::layers plus one; empty: none

@@ -24,7 +24,8 @@ void lower(double& size, double wished) {
 }  // namespace
 
 void SegmentSizes::add(const RegionBoundary& boundary, std::size_t s) {
-  lower(inside_, boundary.size);
+  lower(along_, boundary.size);
+  if (!boundary.size_along.empty()) lower(along_, boundary.size_along[s]);
   if (boundary.size_function)
     functions_[functions_[0] == nullptr ? 0 : 1] = &boundary.size_function;
   if (boundary.size_at.empty()) return;
@@ -35,13 +36,12 @@ void SegmentSizes::add(const RegionBoundary& boundary, std::size_t s) {
 }
 
 bool SegmentSizes::has_wish() const {
-  return inside_ > 0 || at_a_ > 0 || at_b_ > 0 || options_->size_field || functions_[0] != nullptr;
+  return along_ > 0 || at_a_ > 0 || at_b_ > 0 || options_->size_field || functions_[0] != nullptr;
 }
 
-/// Infinite where nothing is wished.
-double SegmentSizes::size_at(double part) const {
+double SegmentSizes::wished_at(double part) const {
   double size = 0;
-  lower(size, inside_);
+  lower(size, along_);
   const double whole = length(b_ - a_), slope = options_->growth.value_or(Options::kGrowth) - 1;
   if (at_a_ > 0) lower(size, at_a_ + slope * part * whole);
   if (at_b_ > 0) lower(size, at_b_ + slope * (1 - part) * whole);
@@ -56,7 +56,7 @@ SegmentSizes::Steps SegmentSizes::steps() const {
   Steps steps;
   if (!has_wish()) return steps;
   const double whole = length(b_ - a_);
-  const auto step_at = [&](double part) { return size_at(part) / whole; };
+  const auto step_at = [&](double part) { return wished_at(part) / whole; };
   for (double part = 0; steps.places.size() <= kMostPieces;) {
     // The size in the middle of the step, which is found with that at its beginning.
     const double step = step_at(std::min(part + step_at(part) / 2, 1.0));

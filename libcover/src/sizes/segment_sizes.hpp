@@ -25,6 +25,9 @@ class SegmentSizes {
 
   /// Whether the segment should be more than one edge: it is 1.5 times as long as wished.
   [[nodiscard]] bool is_long() const { return steps().count > kLong; }
+  /// The edge length wished at a part of the way from the end that comes first in the plane;
+  /// infinite where none is.
+  [[nodiscard]] double wished_at(double part) const;
   /// Where to cut it; at most a million pieces. From a to b; the same points from b to a.
   [[nodiscard]] std::vector<Point> cuts() const;
 
@@ -38,14 +41,13 @@ class SegmentSizes {
   };
 
   [[nodiscard]] bool has_wish() const;
-  [[nodiscard]] double size_at(double part) const;
   [[nodiscard]] Steps steps() const;
 
   Point a_, b_;  ///< in their order in the plane
   bool reversed_;
   const Options* options_;
   std::array<const SizeFunction*, 2> functions_{};  ///< of the regions beside it
-  double inside_ = 0;  ///< smallest of the regions; 0: none. As the others
+  double along_ = 0;  ///< smallest of the regions and lines; 0: none. As the others
   double at_a_ = 0, at_b_ = 0;
 };
 

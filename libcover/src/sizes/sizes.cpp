@@ -58,12 +58,13 @@ Result<SizeFunction> function_of(const std::string& expression) {
 
 /// Sets the sizes at PSLG points. False if no line or point has that name.
 bool at_points(const SizeRule& rule, const Pslg& pslg, const RegionTable& table,
-               std::vector<double>& size_at) {
+               std::vector<double>& size_at, std::vector<double>& size_along) {
   bool found = false;
   for (const Interface& line : table.interfaces) {
     if (line.name != rule.name) continue;
     found = true;
     for (const SegmentId s : line.segments) {
+      make_smaller(size_along[s.index()], rule.size);
       make_smaller(size_at[pslg.segments[s.index()].a.index()], rule.size);
       make_smaller(size_at[pslg.segments[s.index()].b.index()], rule.size);
     }
@@ -133,19 +134,22 @@ Status resolve_sizes(const Pslg& pslg, const RegionTable& table, const Options& 
   }
   if (Status status = check_spacing(pslg, table, options); !status) return status;
   if (options.sizes.empty()) return ok();
-  std::vector<double> size_at(pslg.points.size(), 0);
+  std::vector<double> size_at(pslg.points.size(), 0), size_along(pslg.segments.size(), 0);
   for (const SizeRule& rule : options.sizes) {
-    const bool found =
-        rule.at ? at_points(rule, pslg, table, size_at) : inside(rule, table, boundaries);
+    const bool found = rule.at ? at_points(rule, pslg, table, size_at, size_along)
+                               : inside(rule, table, boundaries);
     if (!found) return unknown_name(rule, table);
   }
   for (RegionBoundary& boundary : boundaries) {
     if (Status status = read_expressions(boundary); !status) return status;
     boundary.size_at.clear();
     for (const VertexId v : boundary.vertices) boundary.size_at.push_back(size_at[v.index()]);
-    if (std::all_of(boundary.size_at.begin(), boundary.size_at.end(),
-                    [](double size) { return size == 0; })) {
-      boundary.size_at.clear();
+    boundary.size_along.clear();
+    for (const SegmentId s : boundary.segments)
+      boundary.size_along.push_back(s == kHullSide ? 0 : size_along[s.index()]);
+    for (std::vector<double>* const sizes : {&boundary.size_at, &boundary.size_along}) {
+      if (std::all_of(sizes->begin(), sizes->end(), [](double size) { return size == 0; }))
+        sizes->clear();
     }
   }
   return ok();

@@ -202,6 +202,15 @@ ProvenMesh mesh_region(const RegionBoundary& boundary, const Options& options,
   return other;
 }
 
+/// Whether angles became much worse than they were: more than a cut of a side is worth.
+bool costs_angles(const RegionReport& before, const RegionReport& after) {
+  constexpr double kMostDegrees = 10, kLeastPart = 1.0 / 3;
+  const Quality &was = before.quality, &is = after.quality;
+  return before.bound_held &&
+         (was.largest_nu.in_degrees() > is.largest_nu.in_degrees() + kMostDegrees ||
+          is.smallest.in_radians() < kLeastPart * was.smallest.in_radians());
+}
+
 /// What the methods leave of negative couplings that are not forced: mostly where only the almond
 /// method holds the bound.
 RegionMesh with_couplings_mended(const RegionBoundary& boundary, const Options& options,
@@ -210,6 +219,7 @@ RegionMesh with_couplings_mended(const RegionBoundary& boundary, const Options& 
   std::optional<MendedMesh> mended = mend_couplings_within_bound(
       boundary, mesh, stop, MendEffort::of(options.effort, options.box_method));
   if (!mended) return mesh;
+  if (options.box_method && costs_angles(mesh.report, mended->mesh.report)) return mesh;
   report_again(boundary, options, false, mended->mesh);
   return std::move(mended->mesh);
 }

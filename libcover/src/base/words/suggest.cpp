@@ -27,6 +27,19 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
+/// Whether these are two names joined by a low line, once the other way round: lines between two
+/// regions are called so.
+bool are_swapped(std::string_view word, std::string_view candidate) {
+  if (word.size() != candidate.size()) return false;
+  for (std::size_t k = word.find('_'); k != std::string_view::npos; k = word.find('_', k + 1)) {
+    const std::string_view first = word.substr(0, k), second = word.substr(k + 1);
+    if (candidate.starts_with(second) && candidate.ends_with(first) &&
+        candidate[second.size()] == '_')
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::optional<std::string> closest(std::string_view word, std::span<const std::string> candidates) {
@@ -36,6 +49,7 @@ std::optional<std::string> closest(std::string_view word, std::span<const std::s
   std::size_t best = 1 + word.size() / 3;
   std::optional<std::string> found;
   for (const std::string& candidate : candidates) {
+    if (are_swapped(word, candidate)) return candidate;
     const bool begins = word.size() > 2 && candidate.starts_with(word);
     const std::size_t d = begins ? 1 : distance(word, candidate);
     if (d < best) {

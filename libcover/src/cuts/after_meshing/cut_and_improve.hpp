@@ -27,7 +27,8 @@ struct CutResult {
 ///           there were
 /// Cost:     O(n log n), and some milliseconds for each triangle that is left, until `budget` is
 ///           used up or, after the first 15 million evaluations, 150,000 mend none on average (one
-///           takes 40,000 on maps and Voronoi cells, 400,000 where layers are too thin for any mesh)
+///           takes 40,000 on maps and Voronoi cells, 400,000 where layers are too thin for any
+///           mesh)
 CutResult cut_and_improve(Work& work, const Options& options, Budget& budget);
 
 }  // namespace cover

@@ -4,7 +4,9 @@
 // Half way instead, thin layers with vertices that do not face each other take 10 to 200 times the
 // points; and feet need no care at sharp corners, where they end with a fan of right triangles.
 // What is to be seen at less than 90 degrees is cut half way. Segments longer than wished are cut
-// before that, all at once.
+// before that, all at once; but where two face each other across a layer that is thinner than the
+// edges wished, the coarser one waits for the cuts of the other and gets their feet: steps of its
+// own would face none of them, and each would need its foot on the other side.
 // Tested by tests/unit/cuts/before_meshing/split_interfaces_test.cpp.
 #include "cuts/before_meshing/split_interfaces.hpp"
 
@@ -62,7 +64,12 @@ struct Wish {
   Point apex;                    ///< sees it at that angle
   std::vector<Point> apexes;     ///< of the triangles on both sides
   std::optional<SegmentSizes> sizes;
+  std::vector<Point> across;        ///< vertices that may face it across a thin layer
+  std::vector<SegmentId> opposite;  ///< segments at the apexes
 };
+
+/// A layer is thin if it is so many times as thick as the edges wished along it are long.
+constexpr double kThin = 0.5;
 
 constexpr std::uint8_t kLeft = 1, kRight = 2;  ///< of a segment
 
@@ -187,8 +194,16 @@ class Splitter {
       if (rigid_[s] != 0) {
         stuck_from_[s] |= wish.forced_from;
       } else if (wish.sizes && wish.sizes->is_long()) {
-        cuts.push_back({SegmentId{s}, wish.sizes->cuts()});
-        for (Point& place : cuts.back().points) place = on_whole(s, place);
+        const bool is_periodic = classes.is_periodic(SegmentId{s});
+        std::vector<Point> places;
+        if (!is_periodic) places = feet_across(segment, wish);
+        if (places.empty() && !is_periodic && waits(s)) {
+          mark_dirty(table_.sides[s]);
+          continue;
+        }
+        if (places.empty()) places = wish.sizes->cuts();
+        for (Point& place : places) place = on_whole(s, place);
+        cuts.push_back({SegmentId{s}, std::move(places)});
       } else if (wish.forced || halved_[s] != 0) {
         const auto place = place_on(segment, wish, whole_[s].length);
         if (place) {
@@ -222,6 +237,9 @@ class Splitter {
       boundary.size_at.resize(boundary.points.size());
       for (std::uint32_t v = 0; v < boundary.points.size(); ++v) boundary.size_at[v] = field.at(v);
     }
+    const std::vector<std::vector<std::uint32_t>> sides_at =
+        field.is_active() ? sides_by_vertex(boundary) : std::vector<std::vector<std::uint32_t>>();
+    if (field.is_active()) look_across(boundary, cdt, sides_at);
     const AngleLimit limit = angle_limit(cdt, boundary.sides, boundary.segments);
     for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
       if (boundary.segments[s] == kHullSide) continue;
@@ -234,6 +252,10 @@ class Splitter {
       const EdgeRef& edge = limit.at[s];
       const Point apex = cdt.points[cdt.triangles[edge.triangle].v[edge.edge]];
       wish.apexes.push_back(apex);
+      if (field.is_active()) {
+        for (const std::uint32_t other : sides_at[cdt.triangles[edge.triangle].v[edge.edge]])
+          wish.opposite.push_back(boundary.segments[other]);
+      }
       if (limit.side_nu[s] >= least_nu_) continue;
       // A foot of an earlier pass is rounded, and sees what it was made for so.
       if (is_right_ && bluntness(at(segment.a), apex, at(segment.b)) != Blunt::yes) continue;
@@ -244,6 +266,80 @@ class Splitter {
       wish.nu = limit.side_nu[s];
       wish.apex = apex;
     }
+  }
+
+  static std::vector<std::vector<std::uint32_t>> sides_by_vertex(const RegionBoundary& boundary) {
+    std::vector<std::vector<std::uint32_t>> sides(boundary.points.size());
+    for (std::uint32_t s = 0; s < boundary.sides.size(); ++s) {
+      if (boundary.segments[s] == kHullSide) continue;
+      for (const std::uint32_t v : boundary.sides[s]) sides[v].push_back(s);
+    }
+    return sides;
+  }
+
+  /// Notes which vertices may face a side across a thin layer: neighbours of its ends in the
+  /// constrained Delaunay triangulation, as a chain of vertices along a long side is.
+  void look_across(const RegionBoundary& boundary, const Triangulation& cdt,
+                   const std::vector<std::vector<std::uint32_t>>& sides_at) {
+    for (const Triangle& t : cdt.triangles) {
+      for (const Corner i : kCorners) {
+        const Point p = cdt.points[t.v[i.next()]];
+        for (const std::uint32_t s : sides_at[t.v[i]]) {
+          const auto [a, b] = boundary.sides[s];
+          const Vector along = boundary.points[b] - boundary.points[a];
+          const double part = dot(p - boundary.points[a], along) / squared_length(along);
+          if (part > 0 && part < 1 &&
+              length(p - at_part(boundary.points[a], boundary.points[b], part)) <
+                  kThin * length(along))
+            wishes_[boundary.segments[s].index()].across.push_back(p);
+        }
+      }
+    }
+  }
+
+  /// The feet of vertices that face `piece` across a layer thinner than the edges wished there, in
+  /// their order.
+  [[nodiscard]] std::vector<Point> feet_across(const Segment& piece, const Wish& wish) const {
+    const auto [a, b] = std::minmax({at(piece.a), at(piece.b)});
+    const Vector along = b - a;
+    std::vector<std::pair<double, Point>> feet;
+    for (const Point& p : wish.across) {
+      const double part = dot(p - a, along) / squared_length(along);
+      if (!(part > kFootFloor && part < 1 - kFootFloor)) continue;
+      const Point foot = foot_on(a, b, p);
+      if (length(p - foot) <= kThin * wish.sizes->wished_at(part) &&
+          has_room_on_segment(a, b, foot, wish.apexes))
+        feet.emplace_back(part, foot);
+    }
+    std::sort(feet.begin(), feet.end());
+    std::vector<Point> places;
+    double last = 0;
+    for (const auto& [part, foot] : feet) {
+      if (part - last > kFloor && 1 - part > kFloor) places.push_back(foot), last = part;
+    }
+    if (at(piece.b) < at(piece.a)) std::reverse(places.begin(), places.end());
+    return places;
+  }
+
+  /// Whether a segment across a thin layer is to have shorter edges than segment `s`, and is still
+  /// to be cut.
+  [[nodiscard]] bool waits(std::size_t s) const {
+    const auto length_in_the_middle = [](const Wish& wish) { return wish.sizes->wished_at(0.5); };
+    const Wish& wish = wishes_[s];
+    const double own = length_in_the_middle(wish);
+    return std::any_of(wish.opposite.begin(), wish.opposite.end(), [&](SegmentId other) {
+      const Wish& its = wishes_[other.index()];
+      if (other.index() == s || rigid_[other.index()] != 0 || !its.sizes || !its.sizes->is_long() ||
+          !(length_in_the_middle(its) < own))
+        return false;
+      const Segment& facing = pslg_.segments[other.index()];
+      const Segment& segment = pslg_.segments[s];
+      const Point a = at(segment.a), b = at(segment.b);
+      const auto is_near = [&](Point p) {
+        return std::abs(cross(b - a, p - a)) <= kThin * own * length(b - a);
+      };
+      return is_near(at(facing.a)) && is_near(at(facing.b));
+    });
   }
 
   /// From which side of `segment` its region sees side `s`.

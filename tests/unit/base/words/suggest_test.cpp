@@ -17,6 +17,13 @@ TEST(Closest, ForgivesOneSlipInThreeLetters) {
   EXPECT_EQ(closest("colour", kKeys), std::nullopt);
 }
 
+TEST(Closest, KnowsALineByItsRegionsTheOtherWayRound) {
+  const std::vector<std::string> lines{"gate_oxide", "thin_oxide_p_well", "outline"};
+  EXPECT_EQ(closest("oxide_gate", lines), "gate_oxide");
+  EXPECT_EQ(closest("p_well_thin_oxide", lines), "thin_oxide_p_well");
+  EXPECT_EQ(closest("gate_ledge", lines), std::nullopt);
+}
+
 TEST(Closest, LeavesVeryLongWordsAlone) {
   EXPECT_EQ(closest(std::string(100000, 'x'), kKeys), std::nullopt);
 }

@@ -107,6 +107,44 @@ TEST(SplitInterfaces, CutsToTheSizesOfLinesPointsAndRegions) {
   EXPECT_EQ(on_anode, 9U);
 }
 
+TEST(SplitInterfaces, AWishAtALineHoldsAllAlongIt) {
+  Input input = input_of({{0, 0}, {10, 0}, {10, 4}, {0, 4}});
+  input.segments[0].name = "anode";
+  const Regions cut = cut_for(input, {{"anode", 0.5, true}});
+  std::vector<double> along;
+  for (const Point& p : cut.pslg.points) {
+    if (p.y == 0) along.push_back(p.x);
+  }
+  std::sort(along.begin(), along.end());
+  ASSERT_EQ(along.size(), 21U);
+  for (std::size_t k = 0; k < along.size(); ++k)
+    EXPECT_NEAR(along[k], 0.5 * static_cast<double>(k), 1e-12);
+}
+
+TEST(SplitInterfaces, CutsOfAThinLayerFaceEachOther) {
+  // A layer of 0.01 between two blocks, fine on one side only.
+  constexpr double kTop = 1.01;
+  Input input = segments_between(
+      {{0, 0}, {10, 0}, {10, 1}, {0, 1}, {10, kTop}, {0, kTop}, {10, 2}, {0, 2}},
+      {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {2, 4}, {4, 5}, {5, 3}, {4, 6}, {6, 7}, {7, 5}});
+  input.segments[2].name = "fine";
+  for (const double other : {0.0, 2.0}) {
+    std::vector<SizeRule> sizes{{"fine", 0.5, true}};
+    if (other > 0) sizes.push_back({"", other, false});
+    const Regions cut = cut_for(input, sizes);
+    std::vector<double> low, high;
+    for (const Point& p : cut.pslg.points) {
+      if (p.y == 1) low.push_back(p.x);
+      if (p.y == kTop) high.push_back(p.x);
+    }
+    std::sort(low.begin(), low.end());
+    std::sort(high.begin(), high.end());
+    EXPECT_EQ(low, high);
+    EXPECT_GE(low.size(), 21U);
+    EXPECT_LE(low.size(), 24U) << "on each side";
+  }
+}
+
 TEST(SplitInterfaces, GradesSegmentsThatArePastAFineOne) {
   Input input = two_rectangles();
   input.point_ids = {10, 11, 12, 13, 14, 15};
