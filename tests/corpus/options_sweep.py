@@ -14,9 +14,9 @@ import tempfile
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / 'support'))
 from timed_run import run  # noqa: E402  (after the path)
 
-WAYS = {'default': [], 'hull': ['--hull'], 'split90': ['--split-interfaces', '--max-angle', '90'],
-        'nonobtuse': ['--method', 'nonobtuse'], 'weld': ['--weld', 'auto'], 'box': ['--box-method'],
-        'almond': ['--method', 'almond']}
+WAYS = {'default': [], 'hull': ['--hull'], 'split': ['--split-interfaces'],
+        'split90': ['--split-interfaces', '--max-angle', '90'], 'nonobtuse': ['--method', 'nonobtuse'],
+        'weld': ['--weld', 'auto'], 'box': ['--box-method'], 'almond': ['--method', 'almond']}
 REFUSALS = (2, 3, 4, 5, 7)
 
 
