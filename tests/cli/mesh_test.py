@@ -292,6 +292,13 @@ class Mesh(Case):
             overall = self.require(SAMPLES / name, 'box-method', 0, '--split-interfaces', '--size', size)
             self.assertEqual(overall['box']['negative_couplings'], 0, name)
             self.assertLessEqual(overall['largest_angle'], 100, name)
+        # One region fine and all others coarse: what is beside the fine one is graded from there.
+        for name, coarse, fine in (('mosfet.poly', '50', 'material_3=5'), ('motor_pole.json', '4', 'magnet=0.5'),
+                                   ('tft.json', '100', 'insulator=20')):
+            overall = self.require(SAMPLES / name, 'box-method', 0, '--split-interfaces', '--size', coarse, '--size', fine)
+            self.assertEqual(overall['box']['negative_couplings'], 0, name)
+            self.assertLessEqual(overall['largest_angle'], 100, name)
+            self.assertGreaterEqual(overall['smallest_angle'], 20, name)
 
     def test_right_angles_are_thinned_out(self):
         # A kite between two rectangles: many vertices become a few.
