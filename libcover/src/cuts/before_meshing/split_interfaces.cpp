@@ -222,8 +222,9 @@ class Splitter {
     return onto_arcs(pslg_, table_, classes.with_images(std::move(cuts)));
   }
 
-  /// Sides that are to be cut finely for a region are fine for its neighbour, too, whose other sides
-  /// are graded from them: so its vertices there have the size that is wished inside of the former.
+  /// Sides that are to be cut finely for a region are fine for its neighbour, too, whose other
+  /// sides are graded from them: so its vertices there have the size that is wished inside of the
+  /// former.
   void share_sizes(std::vector<RegionBoundary>& boundaries) const {
     std::vector<double> finest(pslg_.points.size(), std::numeric_limits<double>::infinity());
     for (const RegionBoundary& boundary : boundaries) {
@@ -289,12 +290,16 @@ class Splitter {
     }
   }
 
+  /// None at vertices where very many meet: what lies between those is a wedge and no layer.
   static std::vector<std::vector<std::uint32_t>> sides_by_vertex(const RegionBoundary& boundary) {
+    constexpr std::size_t kMost = 8;
     std::vector<std::vector<std::uint32_t>> sides(boundary.points.size());
     for (std::uint32_t s = 0; s < boundary.sides.size(); ++s) {
       if (boundary.segments[s] == kHullSide) continue;
       for (const std::uint32_t v : boundary.sides[s]) sides[v].push_back(s);
     }
+    for (std::vector<std::uint32_t>& at_vertex : sides)
+      if (at_vertex.size() > kMost) at_vertex.clear();
     return sides;
   }
 

@@ -99,7 +99,8 @@ TEST(SplitInterfaces, CutsToTheSizesOfLinesPointsAndRegions) {
   // 8 pieces, and from their ends growing ones: ln(3.4) / 0.3 or, to 2, ln(5.8) / 0.3. The side on
   // the left, 1 from there, has 0.425 at its ends and two pieces.
   EXPECT_EQ(added({{"left_right", 0.125, true}}), 7U + 2U * (4U - 1U) + 2U * (6U - 1U) + 1U);
-  EXPECT_EQ(added({{"left", 0.25, false}}), 4U * 3U);
+  // Two sides of the right one begin at the fine left one: ln(3.4) / 0.3 pieces.
+  EXPECT_EQ(added({{"left", 0.25, false}}), 4U * 3U + 2U * (4U - 1U));
   EXPECT_EQ(added({{"", 0.5, false}}), 5U * 1U + 2U * 3U);
   const Regions fine = cut_for(input, {{"anode", 0.125, true}});
   std::size_t on_anode = 0;
