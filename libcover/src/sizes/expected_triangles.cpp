@@ -10,6 +10,8 @@
 
 #include <fmt/core.h>
 
+#include <cover/text.hpp>
+
 #include "cdt/cdt.hpp"
 #include "cdt/region_cdt.hpp"
 #include "geom/vector.hpp"
@@ -76,16 +78,25 @@ class Estimate {
         will_be_cut_(options.split_interfaces),
         samples_(cdt_.triangles.size() > kManyTriangles ? 1 : kSamples) {}
 
-  /// More than a mesh holds: at least as many.
-  [[nodiscard]] double triangles() const {
-    if (!sizes_.is_active()) return static_cast<double>(cdt_.triangles.size());
-    double count = 0;
+  /// What the samples say.
+  struct Sum {
+    double triangles = 0;  ///< more than a mesh holds: at least as many
+    double finest = std::numeric_limits<double>::infinity();  ///< size of all of them
+    Point at{};
+  };
+
+  [[nodiscard]] Sum sum() const {
+    Sum sum;
+    if (!sizes_.is_active()) {
+      sum.triangles = static_cast<double>(cdt_.triangles.size());
+      return sum;
+    }
     for (const Triangle& t : cdt_.triangles) {
       const Point a = cdt_.points[t.v[0]];
-      add(t, {a, cdt_.points[t.v[1]] - a, cdt_.points[t.v[2]] - a}, samples_, 0, count);
-      if (count > kMostTriangles) break;
+      add(t, {a, cdt_.points[t.v[1]] - a, cdt_.points[t.v[2]] - a}, samples_, 0, sum);
+      if (sum.triangles > kMostTriangles) break;
     }
-    return count;
+    return sum;
   }
 
  private:
@@ -97,18 +108,20 @@ class Estimate {
 
   /// Adds what `part` of `t` takes, cut by parallels to its edges into as many parts as `samples`
   /// squared; its size is that in the middle.
-  void add(const Triangle& t, const Part& part, int samples, int depth, double& count) const {
+  void add(const Triangle& t, const Part& part, int samples, int depth, Sum& sum) const {
     const double step = 1.0 / samples;
     const auto at = [&](double i, double j) {
       return part.a + i * step * part.u + j * step * part.v;
     };
     const auto add_one = [&](const Part& small) {
       const Point middle = small.a + 1.0 / 3 * (small.u + small.v);
-      const double here = triangles_in(cross(small.u, small.v) / 2, size_in(t, middle));
+      const double size = size_in(t, middle);
+      if (size < sum.finest) sum.finest = size, sum.at = middle;
+      const double here = triangles_in(cross(small.u, small.v) / 2, size);
       if (here <= kMostInSample || depth == kDeepest) {
-        count += here;
-      } else if (count <= kMostTriangles) {
-        add(t, small, 2, depth + 1, count);
+        sum.triangles += here;
+      } else if (sum.triangles <= kMostTriangles) {
+        add(t, small, 2, depth + 1, sum);
       }
     };
     const Vector u = step * part.u, v = step * part.v;
@@ -152,14 +165,14 @@ double expected_triangles(const RegionBoundary& boundary, const Options& options
   if (options.growth)
     most = std::max(most, triangles_in(area_of(boundary), shortest_side(boundary)));
   if (!options.size_field && !boundary.size_function && !(most > kFew)) return most;
-  return Estimate(boundary, options).triangles();
+  return Estimate(boundary, options).sum().triangles;
 }
 
 double about_triangles(const RegionBoundary& boundary, const Options& options) {
   // 1.5 to 1.7 in maps and devices.
   constexpr double kTrianglesPerSide = 1.6;
   const double by_sizes =
-      options.method == Method::quality ? Estimate(boundary, options).triangles() : 0;
+      options.method == Method::quality ? Estimate(boundary, options).sum().triangles : 0;
   return std::max(by_sizes, kTrianglesPerSide * static_cast<double>(boundary.sides.size()));
 }
 
@@ -173,31 +186,35 @@ Status check_expected_triangles(const RegionTable& table,
   if (options.method != Method::quality) return ok();
   double all = 0, most = 0;
   std::size_t sides = 0;
-  const Region* worst = nullptr;
+  const RegionBoundary* worst = nullptr;
   for (const RegionBoundary& boundary : boundaries) {
     const double expected = expected_triangles(boundary, options);
     all += expected;
     sides += boundary.sides.size();
     if (expected <= most) continue;
     most = expected;
-    worst = &table.region(boundary.id);
+    worst = &boundary;
   }
+  const auto where = [&] {
+    const Estimate::Sum sum = Estimate(*worst, options).sum();
+    return fmt::format("most of them in region {} '{}', where edges of {} are asked for at {}",
+                       worst->id.value(), table.region(worst->id).name,
+                       describe_roughly(sum.finest), describe(sum.at));
+  };
   if (all <= kMostTriangles) {
     const double bytes = memory_for(all, sides);
     if (worst == nullptr || kSurely * bytes <= memory) return ok();
-    return Error{
-        ErrorCode::out_of_memory,
-        fmt::format("the sizes asked for take about {:.2g} triangles and {:.3g} GB of "
-                    "memory, and there are {:.3g}; most of them in region {} '{}'",
-                    all, bytes / kGigabyte, memory / kGigabyte, worst->id.value(), worst->name),
-        {},
-        {}};
+    return Error{ErrorCode::out_of_memory,
+                 fmt::format("the sizes asked for take about {:.2g} triangles and {:.3g} GB of "
+                             "memory, and there are {:.3g}; {}",
+                             all, bytes / kGigabyte, memory / kGigabyte, where()),
+                 {},
+                 {}};
   }
   return Error{
       ErrorCode::bad_option,
-      fmt::format("the sizes asked for take more triangles than a mesh can hold, {:.2g}; most of "
-                  "them in region {} '{}'",
-                  kMostTriangles, worst->id.value(), worst->name),
+      fmt::format("the sizes asked for take more triangles than a mesh can hold, {:.2g}; {}",
+                  kMostTriangles, where()),
       {},
       {}};
 }

@@ -97,6 +97,12 @@ class ByteReader {
   void get(T& value) {
     take(&value, sizeof value);
   }
+  void get(bool& value) {  // other bytes than those of false and true are no value at all
+    std::uint8_t byte = 0;
+    get(byte);
+    short_ = short_ || byte > 1;
+    value = byte == 1;
+  }
   void get(std::string& text) {
     text.resize(count(1));
     take(text.data(), text.size());
