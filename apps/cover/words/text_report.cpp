@@ -138,10 +138,10 @@ std::string couplings_row(const Report& report) {
             ? ""
             : fmt::format("{} that the bound forces, ", grouped(sum.negative_forced)),
         grouped(sum.negative_given_up));
-  const std::string unsigned_error = error_of_unsigned_boxes(report);
-  if (report.quality.obtuse > 0 && unsigned_error != "0.0 %")
+  const long excess = excess_of_unsigned_boxes(report);
+  if (report.quality.obtuse > 0 && excess > 0)
     places += "\n                         solvers that add up unsigned boxes find " +
-              unsigned_error + " too much area";
+              excess_text(excess) + " too much area";
   return out + places + '\n';
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <optional>
 
 #include <fmt/core.h>
@@ -237,19 +238,24 @@ Finding check_box_method(const Output& output) {
       Grade::fact, "Finite volumes",
       fmt::format("{} obtuse triangles: the areas of solvers that add up unsigned boxes are off "
                   "by {}. It does not matter for finite elements.",
-                  grouped(obtuse), error_of_unsigned_boxes(output.report))};
+                  grouped(obtuse), excess_text(excess_of_unsigned_boxes(output.report)))};
 }
 
 }  // namespace
 
-std::string error_of_unsigned_boxes(const Report& report) {
+long excess_of_unsigned_boxes(const Report& report) {
   double box_area = 0, area = 0;
   for (const RegionReport& region : report.regions) {
     box_area += region.box.box_area;
     area += region.quality.area;
   }
-  const double error = area > 0 ? 100 * (box_area - area) / area : 0;
-  return error < 100 ? fmt::format("{:.1f} %", error) : "more than 100 %";
+  constexpr double kMost = 1e6;  // obtuse triangles may have boxes without bounds
+  return area > 0 ? std::lround(std::min(1e3 * (box_area - area) / area, kMost)) : 0;
+}
+
+std::string excess_text(long tenths) {
+  return tenths <= 1000 ? fmt::format("{:.1f} %", static_cast<double>(tenths) / 10)
+                        : "more than 100 %";
 }
 
 std::vector<Finding> findings_of(const Output& output) {

@@ -29,8 +29,10 @@ struct Finding {
 std::vector<Finding> findings_of(const Output& output);
 
 /// By how much all boxes of the box method together are larger than the mesh, if areas have no
-/// signs: "2.5 %".
-std::string error_of_unsigned_boxes(const Report& report);
+/// signs, in tenths of a percent.
+long excess_of_unsigned_boxes(const Report& report);
+/// The same in words: "2.5 %".
+std::string excess_text(long tenths);
 
 /// The worst grade among them.
 Finding::Grade verdict_of(const std::vector<Finding>& findings);

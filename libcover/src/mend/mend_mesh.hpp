@@ -1,6 +1,7 @@
 // Fewer bad triangles, by other vertices.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <stop_token>
 

@@ -155,6 +155,22 @@ Status resolve_sizes(const Pslg& pslg, const RegionTable& table, const Options& 
   return ok();
 }
 
+void share_sizes(const Pslg& pslg, std::span<RegionBoundary> boundaries) {
+  std::vector<double> finest(pslg.points.size(), 0);
+  for (const RegionBoundary& boundary : boundaries) {
+    if (!(boundary.size > 0)) continue;
+    for (const VertexId v : boundary.vertices) make_smaller(finest[v.index()], boundary.size);
+  }
+  for (RegionBoundary& boundary : boundaries) {
+    for (std::size_t v = 0; v < boundary.vertices.size(); ++v) {
+      const double size = finest[boundary.vertices[v].index()];
+      if (size == 0 || (boundary.size > 0 && size >= boundary.size)) continue;
+      boundary.size_at.resize(boundary.vertices.size(), 0);
+      make_smaller(boundary.size_at[v], size);
+    }
+  }
+}
+
 void warn_of_sizes(const Pslg& pslg, const Options& options,
                    std::span<const RegionBoundary> boundaries, std::vector<Note>& notes) {
   if (options.method != Method::quality) {

@@ -23,6 +23,13 @@ namespace cover {
 Status resolve_sizes(const Pslg& pslg, const RegionTable& table, const Options& options,
                      std::span<RegionBoundary> boundaries);
 
+/// Gives vertices of a region the size that is wished inside of a neighbour which has them, too, if
+/// that is smaller: where sides are cut to sizes, those between the two are cut so finely, and the
+/// other sides of the region are graded from there.
+///
+/// Cost: O(n)
+void share_sizes(const Pslg& pslg, std::span<RegionBoundary> boundaries);
+
 /// Makes RegionBoundary::size_function of its size_expressions.
 ///
 /// REQUIRES: it is empty

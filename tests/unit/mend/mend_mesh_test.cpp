@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "unit/mend/rectangles.hpp"
+#include "unit/mend/conforming_meshes.hpp"
 
 namespace cover {
 namespace {
@@ -37,13 +37,7 @@ TEST(MendMesh, CutsGoThroughAllThinLayersToWhereThereIsRoom) {
 }
 
 TEST(MendMesh, TheFootMendsAnObtuseCornerOverAPiece) {
-  ConformingMesh flat;  // 127 degrees at the top
-  flat.points = {{0, 0}, {4, 0}, {2, 1}};
-  flat.line.assign(3, ConformingMesh::kFixed);
-  flat.lines = {{{0, 0}, {4, 0}}, {{4, 0}, {2, 1}}, {{2, 1}, {0, 0}}};
-  flat.pieces = {{0, 1, 0}, {1, 2, 1}, {2, 0, 2}};
-  flat.triangles = {{0, 1, 2}};
-  flat.region = {0};
+  const ConformingMesh flat = testing::flat_triangle(1);  // 127 degrees at the top
   MeshWithUndo mesh(flat, {{0}});
   EXPECT_EQ(mesh.grave(), 1U);
   const BadTriangles none = mend_mesh(mesh, {}, 0);  // no places, nothing done

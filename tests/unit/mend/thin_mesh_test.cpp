@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/mend/rectangles.hpp"
+#include "unit/mend/conforming_meshes.hpp"
 
 namespace cover {
 namespace {
@@ -43,13 +43,7 @@ TEST(ThinMesh, AnglesThatAreAskedForStay) {
 }
 
 TEST(ThinMesh, ObtuseTrianglesAreMended) {
-  ConformingMesh flat;  // 127 degrees at the top
-  flat.points = {{0, 0}, {4, 0}, {2, 1}};
-  flat.line.assign(3, kFixed);
-  flat.lines = {{{0, 0}, {4, 0}}, {{4, 0}, {2, 1}}, {{2, 1}, {0, 0}}};
-  flat.pieces = {{0, 1, 0}, {1, 2, 1}, {2, 0, 2}};
-  flat.triangles = {{0, 1, 2}};
-  flat.region = {0};
+  const ConformingMesh flat = testing::flat_triangle(1);  // 127 degrees at the top
   MeshWithUndo mesh(flat, {{0}});
   const BadTriangles bad = thin_mesh(mesh, kEffort);
   EXPECT_EQ(bad.before, 1u);
@@ -60,13 +54,8 @@ TEST(ThinMesh, ObtuseTrianglesAreMended) {
 }
 
 TEST(ThinMesh, WhatIsWorseThanAnyMayBeGoesForWhatIsOnlyBad) {
-  ConformingMesh flat;  // 157 degrees at the top, 11 at both ends, which nothing makes larger
-  flat.points = {{0, 0}, {4, 0}, {2, 0.4}};
-  flat.line.assign(3, kFixed);
-  flat.lines = {{{0, 0}, {4, 0}}, {{4, 0}, {2, 0.4}}, {{2, 0.4}, {0, 0}}};
-  flat.pieces = {{0, 1, 0}, {1, 2, 1}, {2, 0, 2}};
-  flat.triangles = {{0, 1, 2}};
-  flat.region = {0};
+  const ConformingMesh flat = testing::flat_triangle(
+      0.4);  // 157 degrees at the top, 11 at both ends, which nothing makes larger
   const double cot_of_30 = 1.7320508, cot_of_120 = -0.5773503;
   MeshWithUndo mesh(flat, {{cot_of_30, 0, false, cot_of_120}});
   EXPECT_EQ(mesh.beyond_worst(), 1u);

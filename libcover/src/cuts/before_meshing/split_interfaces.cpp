@@ -68,7 +68,7 @@ struct Wish {
   std::vector<SegmentId> opposite;  ///< segments at the apexes
 };
 
-/// A layer is thin if it is so many times as thick as the edges wished along it are long.
+/// A layer is thin if it is no thicker than this part of the edge length wished along it.
 constexpr double kThin = 0.5;
 
 constexpr std::uint8_t kLeft = 1, kRight = 2;  ///< of a segment
@@ -180,7 +180,7 @@ class Splitter {
     if (Status status = resolve_sizes(pslg_, table_, options_, boundaries); !status) {
       return std::move(status).error();
     }
-    share_sizes(boundaries);
+    share_sizes(pslg_, boundaries);
     wishes_.assign(pslg_.segments.size(), {});
     broken_.clear();
     for (std::size_t r = 0; r < boundaries.size(); ++r) {
@@ -220,27 +220,6 @@ class Splitter {
       if (stuck_from_[s] != 0) stuck_.push_back(midpoint(at(segment.a), at(segment.b)));
     }
     return onto_arcs(pslg_, table_, classes.with_images(std::move(cuts)));
-  }
-
-  /// Sides that are to be cut finely for a region are fine for its neighbour, too, whose other
-  /// sides are graded from them: so its vertices there have the size that is wished inside of the
-  /// former.
-  void share_sizes(std::vector<RegionBoundary>& boundaries) const {
-    std::vector<double> finest(pslg_.points.size(), std::numeric_limits<double>::infinity());
-    for (const RegionBoundary& boundary : boundaries) {
-      if (!(boundary.size > 0)) continue;
-      for (const VertexId v : boundary.vertices)
-        finest[v.index()] = std::min(finest[v.index()], boundary.size);
-    }
-    for (RegionBoundary& boundary : boundaries) {
-      for (std::size_t v = 0; v < boundary.vertices.size(); ++v) {
-        const double size = finest[boundary.vertices[v].index()];
-        if (!std::isfinite(size) || (boundary.size > 0 && size >= boundary.size)) continue;
-        boundary.size_at.resize(boundary.vertices.size(), 0);
-        double& wished = boundary.size_at[v];
-        wished = wished > 0 ? std::min(wished, size) : size;
-      }
-    }
   }
 
   /// Notes what a region wants of its sides: sizes as its mesh will have them, graded from all of

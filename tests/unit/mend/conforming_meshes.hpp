@@ -1,4 +1,4 @@
-// Conforming meshes of rectangles, to be thinned out and mended.
+// Conforming meshes to be thinned out and mended.
 #pragma once
 
 #include <algorithm>
@@ -42,6 +42,19 @@ inline ConformingMesh rectangles(std::uint32_t columns, std::uint32_t rows, std:
       mesh.region.insert(mesh.region.end(), 2, x / width);
     }
   }
+  return mesh;
+}
+
+/// One triangle, 4 long and so high, whose sides may be cut.
+inline ConformingMesh flat_triangle(double height) {
+  const Point a{0, 0}, b{4, 0}, c{2, height};
+  ConformingMesh mesh;
+  mesh.points = {a, b, c};
+  mesh.line.assign(3, ConformingMesh::kFixed);
+  mesh.lines = {{a, b}, {b, c}, {c, a}};
+  mesh.pieces = {{0, 1, 0}, {1, 2, 1}, {2, 0, 2}};
+  mesh.triangles = {{0, 1, 2}};
+  mesh.region = {0};
   return mesh;
 }
 
