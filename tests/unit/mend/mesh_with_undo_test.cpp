@@ -71,6 +71,34 @@ void expect_delaunay(const MeshWithUndo& mesh) {
   EXPECT_NEAR(area, 2, 1e-12);
 }
 
+// The foot of a vertex hardly beside a piece is rounded to its other side.
+TEST(MeshWithUndo, NoVertexIsSwallowedByTheHoleOfAnotherOne) {
+  ConformingMesh start;
+  start.points = {{-1.0418561123062906, 10.822590371134186},
+                  {-0.3353603415770599, 9.441066097371566},
+                  {-0.9917312208258062, 10.724573147013327},
+                  {0.41520278913795172, 11.444063086926464}};
+  start.line.assign(4, kFixedVertices);
+  start.lines = {{{-3.268265910321986, 15.17624584472152}, start.points[1]}};
+  start.pieces = {{0, 1, 0}, {1, 3, 1}, {3, 0, 1}};
+  start.triangles = {{0, 1, 2}, {0, 2, 3}, {2, 1, 3}};
+  start.region = {0, 0, 0};
+  ASSERT_EQ(orientation(start.points[0], start.points[1], start.points[2]), Sign::positive);
+  MeshWithUndo mesh(start, std::vector<WantedAngles>(1));
+  const Shape before = shape_of(mesh);
+  const auto flat = std::find_if(
+      mesh.triangles().begin(), mesh.triangles().end(),
+      [](const MeshWithUndo::Triangle& t) { return std::count(t.line.begin(), t.line.end(), 0); });
+  ASSERT_NE(flat, mesh.triangles().end());
+  const auto edge = std::find(flat->line.begin(), flat->line.end(), 0) - flat->line.begin();
+  const auto index = static_cast<std::uint32_t>(flat - mesh.triangles().begin());
+  const Spot spot = mesh.on_line(mesh.at(2), index, Corner(static_cast<std::uint32_t>(edge)));
+  ASSERT_NE(spot.triangle, kNone);
+  ASSERT_NE(orientation(mesh.at(2), mesh.at(0), spot.at), Sign::positive) << "beyond the vertex";
+  EXPECT_EQ(mesh.insert(spot), kNone);
+  EXPECT_EQ(shape_of(mesh), before);
+}
+
 TEST(MeshWithUndo, EveryStepCanBeTakenBack) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> unit(0, 1);
