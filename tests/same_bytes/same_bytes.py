@@ -40,6 +40,7 @@ WAYS = {
     'boxes': ['--box-method'],
     # Generated inputs only, whose extents are known.
     'sized': ['--size', '0.2'],
+    'sized_cut': ['--size', '0.2', '--split-interfaces'],
     'sized_fast': ['--size', '0.2', '--effort', 'fast'],
     'sized_largest': ['--size', '0.2', '--prefer', 'largest'],
     'merged': ['--merge-materials', '--weld', 'auto', '--overlap', 'first'],

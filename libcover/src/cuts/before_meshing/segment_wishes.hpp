@@ -1,0 +1,83 @@
+// What the regions on both sides of a segment want of it before they are meshed.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include <cover/options.hpp>
+#include <cover/pslg.hpp>
+
+#include "cdt/region_cdt.hpp"
+#include "cuts/before_meshing/thin_layers.hpp"
+#include "region/region_boundary.hpp"
+#include "sizes/segment_sizes.hpp"
+
+namespace cover {
+
+/// Sides of a segment from which something is wanted.
+enum class From : std::uint8_t { none = 0, left = 1, right = 2, both = 3 };
+
+constexpr From operator|(From a, From b) {
+  return static_cast<From>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+constexpr From without(From all, From some) {
+  return static_cast<From>(static_cast<unsigned>(all) & ~static_cast<unsigned>(some));
+}
+
+/// From which side of `segment` the region of `boundary` sees its side `s`.
+From seen_from(const RegionBoundary& boundary, std::size_t s, const Segment& segment);
+
+/// What the regions beside a segment want of it.
+struct SegmentWish {
+  From forced_from = From::none;  ///< an angle that is too large is forced on it
+  double nu = std::numbers::pi;   ///< of the worst one
+  Point apex;                     ///< sees it at that angle
+  std::vector<Point> apexes;      ///< of the triangles on both sides
+  std::optional<SegmentSizes> sizes;
+};
+
+/// The wishes for all segments.
+class SegmentWishes {
+ public:
+  /// Vertices from `first_cut` on are cuts, whose distances are no wish.
+  ///
+  /// REQUIRES: Options::split_interfaces; all arguments outlive this
+  SegmentWishes(const Pslg& pslg, const Options& options, VertexId first_cut);
+
+  /// Adds the wishes of a region; sizes as its mesh will have them, graded from all of its
+  /// boundary, so that no long side is left beside short edges (written to `boundary`).
+  ///
+  /// REQUIRES: `boundary` outlives this
+  /// Returns:  why it bounds nothing, if so
+  std::optional<BoundaryFault> add(RegionBoundary& boundary);
+
+  [[nodiscard]] const SegmentWish& of(std::size_t segment) const { return wishes_[segment]; }
+
+  /// Where to cut a segment that is too long at feet of what faces it across a thin layer; empty
+  /// where nothing does.
+  [[nodiscard]] std::vector<Point> feet_across(std::size_t segment) const;
+
+  /// Segments across thin layers from this one that are to have shorter edges and are still too
+  /// long for them.
+  [[nodiscard]] std::vector<SegmentId> finer_across(std::size_t segment) const;
+
+ private:
+  [[nodiscard]] Point at(VertexId v) const { return pslg_->points[v.index()]; }
+  /// Writes the graded sizes to `boundary`. False if it has no wish.
+  bool grade(RegionBoundary& boundary, const Triangulation& cdt) const;
+  /// Adds that a side is seen from `apex` at pi - nu, if that is too much.
+  void add_angle(SegmentWish& wish, const Segment& segment, From from, Point apex, double nu) const;
+
+  const Pslg* pslg_;
+  const Options* options_;
+  VertexId first_cut_;
+  double least_nu_;
+  bool is_right_;  ///< right angles are asked for
+  std::vector<SegmentWish> wishes_;
+  std::vector<Facing> facing_;
+};
+
+}  // namespace cover
