@@ -314,7 +314,7 @@ bool MeshWithUndo::gather(const Spot& spot) {
           {triangle.v[i.next()], triangle.v[i.previous()], n, triangle.line[i], triangle.region});
     }
   }
-  // A spot on a piece is rounded, and may lie beyond a vertex beside it: the hole would swallow that.
+  // A spot on a piece is rounded, and may lie beyond a vertex beside it: the hole would swallow it.
   const bool is_at_hull = spot.edge && other == kNone;
   if (rim_.size() != cavity_.size() + (is_at_hull ? 1 : 2)) return false;
   return std::all_of(rim_.begin(), rim_.end(), [&](const RimEdge& e) {

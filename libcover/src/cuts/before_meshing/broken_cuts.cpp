@@ -7,7 +7,7 @@
 
 #include "base/faults/internal_fault.hpp"
 #include "cdt/cdt.hpp"
-#include "region/region_graph.hpp"
+#include "cuts/cut_segments.hpp"
 
 namespace cover {
 namespace {

@@ -1,12 +1,13 @@
-// Passes over the regions that changed (segment_wishes): every side that its apex sees at too large
-// an angle marks its segment; then all marked segments are cut at once, each at the foot of its apex: the apex and
-// the pieces then make right triangles, and where walls are parallel a structured grid comes of it.
-// Half way instead, thin layers with vertices that do not face each other take 10 to 200 times the
-// points; and feet need no care at sharp corners, where they end with a fan of right triangles.
-// What is to be seen at less than 90 degrees is cut half way. Segments longer than wished are cut
-// before that, all at once; but where two face each other across a layer that is thinner than the
-// edges wished, the coarser one waits for the cuts of the other and gets their feet: steps of its
-// own would face none of them, and each would need its foot on the other side.
+// Passes over the regions that changed: every side that its apex sees at too large an angle marks
+// its segment (segment_wishes); then all marked segments are cut at once, each at the foot of its
+// apex: the apex and the pieces then make right triangles, and where walls are parallel a
+// structured grid comes of it. Half way instead, thin layers with vertices that do not face each
+// other take 10 to 200 times the points; and feet need no care at sharp corners, where they end
+// with a fan of right triangles. What is to be seen at less than 90 degrees is cut half way.
+// Segments longer than wished are cut before that, all at once; but where two face each other
+// across a layer that is thinner than the edges wished (thin_layers), the coarser one waits for the
+// cuts of the other and gets their feet: steps of its own would face none of them, and each would
+// need its foot on the other side. Cuts that broke something are taken back (broken_cuts).
 // Tested by tests/unit/cuts/before_meshing/split_interfaces_test.cpp.
 #include "cuts/before_meshing/split_interfaces.hpp"
 
