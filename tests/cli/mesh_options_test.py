@@ -229,6 +229,11 @@ class Sizes(Case):
         self.assertLess(graded, expected / 2)
         self.assertEqual(self.triangles(fine, '--size', '1=0.05 + 0.5*x'), graded)  # the material 1
         self.assertLess(self.triangles(fine, '--size', 'sqrt(-1 - x)'), expected / 2)  # nothing is asked
+        # Where an expression asks for less than the shortest length, for that.
+        floor = self.triangles(fine, '--size', '1e-9 + 0*x', '--min-size', '0.06')
+        self.assertEqual(floor, self.triangles(fine, '--size', '0.06 + 0*x'))
+        self.assertEqual(self.triangles(fine, '--size', '0.05 + 0.5*x', '--min-size', '0.05'), graded)
+        self.assertIn('it counts with --size-field or an expression', self.run_cover('mesh', fine, '-o', 'd.vtu', '--size', '0.1', '--min-size', '0.2')[1])
         error = self.run_cover('mesh', fine, '-o', 'd.vtu', '--size', '0.1 + y)', code=2)[1]
         self.assertIn("--size: '0.1 + y)', column 8: ')' does not belong here", error)
 

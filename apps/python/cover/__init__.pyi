@@ -37,6 +37,7 @@ class _Options(TypedDict, total=False):
     size_field: Union[None, str, os.PathLike[str]]
     size_of: Optional[str]  # "asinh", "asinh(doping)"
     size_step: float
+    min_size: Optional[float]
     box_method: bool
     layers: _Layers  # by line, or line@region: first, growth[, count]
     split_interfaces: Union[None, bool, float]

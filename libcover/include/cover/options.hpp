@@ -118,6 +118,9 @@ struct Options {
   /// most size_step from one end of an edge to the other. Empty: lengths.
   std::string size_of;
   double size_step = 1;  ///< > 0
+  /// The shortest edge length that the background and expressions ask for, > 0. None: as they say.
+  /// Sizes that are plain numbers count as they are.
+  std::optional<double> min_size;
   /// Ratio of neighbouring edge lengths, > 1. None: kGrowth where there are sizes; elsewhere
   /// triangles grow as fast as their angles allow. With it and no sizes, they grow from the
   /// boundary's edges.

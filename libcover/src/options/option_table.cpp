@@ -340,6 +340,12 @@ constexpr OptionEntry requirements(OptionEntry row) {
 
 bool is_quality(const Options& options) { return options.method == Method::quality; }
 
+bool has_size_functions(const Options& options) {
+  const auto is_expression = [](const SizeRule& rule) { return !rule.expression.empty(); };
+  return options.size_field || !options.size_field_name.empty() ||
+         std::any_of(options.sizes.begin(), options.sizes.end(), is_expression);
+}
+
 // clang-format off
 constexpr OptionEntry kTable[] = {
     word<&Options::method>({
@@ -449,6 +455,14 @@ constexpr OptionEntry kTable[] = {
         .range = ranges::kSize,
         .needs = "size-of",
         .help = "The largest change of what --size-of names along an edge"}),
+    number<&Options::min_size>({
+        .name = "min-size", .placeholder = "H",
+        .range = ranges::kSize,
+        .help = "The shortest edge length that --size-field and expressions of --size ask for",
+        .more = "Where they ask for less, they ask for H. Sizes that are plain numbers count as "
+                "they are.",
+        .counts_with = "--size-field or an expression in --size",
+        .counts = has_size_functions}),
     number<&Options::growth>({
         .name = "growth", .placeholder = "G",
         .range = ranges::kGrowth,

@@ -53,7 +53,12 @@ SizeFunction smaller_of(SizeFunction a, SizeFunction b) {
 }
 
 SizeFunction background_of(const RegionBoundary& boundary, const Options& options) {
-  return smaller_of(options.size_field, boundary.size_function);
+  SizeFunction wishes = smaller_of(options.size_field, boundary.size_function);
+  if (!wishes || !options.min_size) return wishes;
+  return [wishes = std::move(wishes), least = *options.min_size](Point p) {
+    const double size = wish_of(wishes, p);
+    return size > 0 ? std::max(size, least) : 0;
+  };
 }
 
 SizeField::SizeField(const RegionBoundary& boundary, const Triangulation& cdt,

@@ -19,7 +19,7 @@ namespace cover {
 SizeFunction smaller_of(SizeFunction a, SizeFunction b);
 
 /// The background sizes that hold in a region: Options::size_field and
-/// RegionBoundary::size_function.
+/// RegionBoundary::size_function, nowhere smaller than Options::min_size.
 SizeFunction background_of(const RegionBoundary& boundary, const Options& options);
 
 /// h(x): the region's own size or that of the background, the smaller, or less near vertices whose

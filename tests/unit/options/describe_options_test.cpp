@@ -23,6 +23,7 @@ TEST(DescribeOptions, WhateverDiffersUnderTheNamesOfTheCommandLine) {
   options.sizes.push_back({"Si", 0, false, "0.1+abs(y)"});
   options.size_of = "asinh";
   options.size_step = 0.5;
+  options.min_size = 0.001;
   options.input_sizes = false;
   options.size_field = [](Point) { return 1.0; };
   options.size_field_name = "h.vtu";
@@ -39,6 +40,7 @@ TEST(DescribeOptions, WhateverDiffersUnderTheNamesOfTheCommandLine) {
                                                  {"size-field", "h.vtu"},
                                                  {"size-of", "asinh"},
                                                  {"size-step", "0.5"},
+                                                 {"min-size", "0.001"},
                                                  {"overlap", "error"},
                                                  {"weld", "1e-09"}}));
 }
