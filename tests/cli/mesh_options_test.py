@@ -229,6 +229,10 @@ class Sizes(Case):
         self.assertLess(graded, expected / 2)
         self.assertEqual(self.triangles(fine, '--size', '1=0.05 + 0.5*x'), graded)  # the material 1
         self.assertLess(self.triangles(fine, '--size', 'sqrt(-1 - x)'), expected / 2)  # nothing is asked
+        # A fine spot between all vertices of the input is found.
+        self.assertGreater(self.triangles(fine, '--size', '0.01 + 20*((x-0.3)^2 + (y-0.7)^2)'), 300)
+        error = self.run_cover('mesh', fine, '-o', 'd.vtu', '--size', 'x - 0.3', code=2)[1]
+        self.assertIn("the size 'x - 0.3' falls to zero near (0.3", error)
         # Where an expression asks for less than the shortest length, for that.
         floor = self.triangles(fine, '--size', '1e-9 + 0*x', '--min-size', '0.06')
         self.assertEqual(floor, self.triangles(fine, '--size', '0.06 + 0*x'))

@@ -423,8 +423,8 @@ constexpr OptionEntry kTable[] = {
                 "number of the material, or region:ID; a number or an expression of x and y",
         .more = "The ID is the number that reports give a region. Expressions, as 0.1+0.3*abs(y), "
                 "have + - * / ^, pi, min, max, abs, sqrt, exp, log, sin, cos, asinh, tanh; where "
-                "they are no number above zero they ask for nothing. Where several sizes hold, the "
-                "smallest counts."}),
+                "they are no number above zero they ask for nothing; where they fall to zero, "
+                "--min-size must say what counts. Where several sizes hold, the smallest counts."}),
     sizes<true>({
         .name = "size-at", .placeholder = "NAME=h",
         .help = "Edge length at an interface, a contact or a point (NAME=h)",

@@ -35,6 +35,7 @@ struct RegionBoundary {
   std::vector<double> size_at;      ///< wished edge length by vertex, 0: none; empty: none at all
   std::vector<double> size_along;   ///< the same by side, all along it; empty: none at all
   std::vector<std::string> size_expressions;  ///< of size_function, which is the least of them
+  double size_grid = 0;  ///< so near each other are the places where these are looked at first
   SizeFunction size_function;         ///< wished edge length by place, beside Options::size_field
   std::vector<std::uint32_t> layers;  ///< by side: which of Options::layers plus one; empty: none
   /// Part of a region, whose bound counts for both: what misses its own gets no almonds.

@@ -52,13 +52,16 @@ SizeFunction smaller_of(SizeFunction a, SizeFunction b) {
   };
 }
 
-SizeFunction background_of(const RegionBoundary& boundary, const Options& options) {
-  SizeFunction wishes = smaller_of(options.size_field, boundary.size_function);
-  if (!wishes || !options.min_size) return wishes;
-  return [wishes = std::move(wishes), least = *options.min_size](Point p) {
+SizeFunction no_smaller_than(std::optional<double> least, SizeFunction wishes) {
+  if (!least || !wishes) return wishes;
+  return [wishes = std::move(wishes), least = *least](Point p) {
     const double size = wish_of(wishes, p);
     return size > 0 ? std::max(size, least) : 0;
   };
+}
+
+SizeFunction background_of(const RegionBoundary& boundary, const Options& options) {
+  return smaller_of(no_smaller_than(options.min_size, options.size_field), boundary.size_function);
 }
 
 SizeField::SizeField(const RegionBoundary& boundary, const Triangulation& cdt,

@@ -18,8 +18,11 @@ namespace cover {
 /// Where both are, the smaller; an empty function wishes nothing.
 SizeFunction smaller_of(SizeFunction a, SizeFunction b);
 
+/// `wishes`, raised to `least` where they are above zero.
+SizeFunction no_smaller_than(std::optional<double> least, SizeFunction wishes);
+
 /// The background sizes that hold in a region: Options::size_field and
-/// RegionBoundary::size_function, nowhere smaller than Options::min_size.
+/// RegionBoundary::size_function.
 SizeFunction background_of(const RegionBoundary& boundary, const Options& options);
 
 /// h(x): the region's own size or that of the background, the smaller, or less near vertices whose

@@ -30,11 +30,11 @@ Status resolve_sizes(const Pslg& pslg, const RegionTable& table, const Options& 
 /// Cost: O(n)
 void share_sizes(const Pslg& pslg, std::span<RegionBoundary> boundaries);
 
-/// Makes RegionBoundary::size_function of its size_expressions.
+/// Makes RegionBoundary::size_function of its size_expressions: graded_function().
 ///
 /// REQUIRES: it is empty
-/// Errors:   bad_option for what is no expression of x and y
-Status read_expressions(RegionBoundary& boundary);
+/// Errors:   bad_option for what is no expression of x and y, and for what falls to zero
+Status read_expressions(RegionBoundary& boundary, const Options& options);
 
 /// Adds a warning if segments are longer than the sizes wished along them: vertices are put on
 /// none, so triangles beside them are larger than wished. Another one if Options::method makes

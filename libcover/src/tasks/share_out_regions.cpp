@@ -23,17 +23,17 @@ Result<RegionMesh> try_region(const RegionBoundary& boundary, const Options& opt
   });
 }
 
-Result<RegionBoundary> read_boundary(std::span<const std::byte> bytes) {
+Result<RegionBoundary> read_boundary(std::span<const std::byte> bytes, const Options& options) {
   Result<RegionBoundary> read = boundary_of_bytes(bytes);
   if (read) {
-    if (Status status = read_expressions(*read); !status) read = std::move(status).error();
+    if (Status status = read_expressions(*read, options); !status) read = std::move(status).error();
   }
   return read;
 }
 
 Bytes mesh_bytes(std::span<const std::byte> boundary, const Options& options,
                  const std::stop_token& stop, const Team& team = {}) {
-  const Result<RegionBoundary> read = read_boundary(boundary);
+  const Result<RegionBoundary> read = read_boundary(boundary, options);
   return to_bytes(read ? try_region(*read, options, stop, team) : Result<RegionMesh>(read.error()));
 }
 
@@ -148,7 +148,7 @@ Status share_out_regions(std::span<const RegionBoundary> boundaries, const Optio
 Bytes keep_region_bytes(
     std::span<const std::byte> boundary, const Options& options, const Team& team,
     const std::function<KeptMesh(const RegionBoundary& boundary, RegionMesh mesh)>& keep) {
-  const Result<RegionBoundary> read = read_boundary(boundary);
+  const Result<RegionBoundary> read = read_boundary(boundary, options);
   if (!read) return to_bytes(Result<KeptMesh>(read.error()));
   Result<RegionMesh> mesh = try_region(*read, options, {}, team);
   if (!mesh) return to_bytes(Result<KeptMesh>(std::move(mesh).error()));

@@ -231,21 +231,27 @@ TEST(Sizes, ExpressionsHoldWhereTheyAreAsked) {
   const Regions regions = regions_of(two_rectangles());
   auto boundaries = split_regions(regions.pslg, regions.table);
   Options options;
-  options.sizes = {{"", 0, false, "x - 1"}, {"right", 0, false, "0.5"}, {"right", 0.75, false}};
+  options.sizes = {{"", 0, false, "x + 0.25"}, {"right", 0, false, "0.5"}, {"right", 0.75, false}};
   ASSERT_TRUE(resolve_sizes(regions.pslg, regions.table, options, boundaries));
   EXPECT_EQ(boundaries[0].size, 0);
   EXPECT_EQ(boundaries[1].size, 0.75);
-  EXPECT_EQ(boundaries[0].size_function({1.25, 0}), 0.25);
-  EXPECT_EQ(boundaries[1].size_function({1.25, 0}), 0.25);
+  EXPECT_EQ(boundaries[0].size_function({0, 0}), 0.25);
+  EXPECT_EQ(boundaries[1].size_function({0.125, 0}), 0.375);
   EXPECT_EQ(boundaries[1].size_function({2.5, 0}), 0.5);
-  EXPECT_EQ(boundaries[1].size_function({0.5, 0}), 0.5);  // -0.5 is no wish
+  EXPECT_EQ(boundaries[1].size_function({-1, 0}), 0.5);  // -0.75 is no wish
   const SizeFunction all = background_of(boundaries[1], options);
-  EXPECT_EQ(all({1.25, 0}), 0.25);
+  EXPECT_EQ(all({1.25, 0}), 0.5);
   options.size_field = [](Point) { return 0.125; };
   EXPECT_EQ(background_of(boundaries[1], options)({1.25, 0}), 0.125);
   options.sizes.clear();
   ASSERT_TRUE(resolve_sizes(regions.pslg, regions.table, options, boundaries));
   EXPECT_FALSE(boundaries[0].size_function);
+  options.sizes = {{"", 0, false, "x - 2"}};
+  const Status zero = resolve_sizes(regions.pslg, regions.table, options, boundaries);
+  ASSERT_FALSE(zero);
+  EXPECT_NE(zero.error().message.find("'x - 2' falls to zero near (2"), std::string::npos);
+  options.min_size = 0.01;
+  EXPECT_TRUE(resolve_sizes(regions.pslg, regions.table, options, boundaries));
   options.sizes = {{"", 0, false, "x -"}};
   EXPECT_EQ(resolve_sizes(regions.pslg, regions.table, options, boundaries).error().code,
             ErrorCode::bad_option);

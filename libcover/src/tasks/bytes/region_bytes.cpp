@@ -48,11 +48,11 @@ auto members(T& mesh) {
 template <Either<RegionBoundary> T>
 auto members(T& boundary) {
   auto& [id, points, vertices, sides, segments, size, size_at, size_along, size_expressions,
-         size_function, layers, is_part, known_cdt] = boundary;
+         size_grid, size_function, layers, is_part, known_cdt] = boundary;
   static_cast<void>(size_function);
   static_cast<void>(known_cdt);  // finding them again is not more than sending them
   return std::tie(id, points, vertices, sides, segments, size, size_at, size_along,
-                  size_expressions, layers, is_part);
+                  size_expressions, size_grid, layers, is_part);
 }
 
 template <Either<SizeRule> T>
