@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <cstring>
 #include <thread>
 
@@ -52,6 +53,27 @@ std::vector<Parcel> unpack(std::span<const std::byte> bytes) {
     bytes = bytes.subspan(size);
   }
   return parcels;
+}
+
+Bytes bytes_of_status(const Status& status) {
+  if (status) return {};
+  const auto code = static_cast<std::int32_t>(status.error().code);
+  const std::string& text = status.error().message;
+  Bytes bytes(sizeof code + text.size());
+  std::memcpy(bytes.data(), &code, sizeof code);
+  std::memcpy(bytes.data() + sizeof code, text.data(), text.size());
+  return bytes;
+}
+
+Error told_error(const Message& message) {
+  std::int32_t code = 0;
+  std::memcpy(&code, message.bytes.data(), sizeof code);
+  const auto* text = reinterpret_cast<const char*>(message.bytes.data()) + sizeof code;
+  return {static_cast<ErrorCode>(code),
+          "rank " + std::to_string(message.rank) + ": " +
+              std::string(text, message.bytes.size() - sizeof code),
+          {},
+          {}};
 }
 
 int rank_count() {

@@ -13,6 +13,8 @@
 
 #include <mpi.h>
 
+#include <cover/error.hpp>
+#include <cover/result.hpp>
 #include <cover/share_out.hpp>
 
 namespace cover::mpi {
@@ -25,8 +27,8 @@ enum class Tag : int {
   meshes,   ///< others to rank 0: Parcels of what became of them
   keep,     ///< rank 0 to others: where meshes may stay; all of them agree then, see all_agree()
   write,    ///< rank 0 to others: a plan of what is to be written comes, see spread()
-  written,  ///< others to rank 0: why that failed, as text; empty: it did not
-  failed,   ///< others to rank 0: why a rank cannot go on, as text
+  written,  ///< others to rank 0: why that failed, see bytes_of_status(); empty: it did not
+  failed,   ///< others to rank 0: why a rank cannot go on, likewise
   end,      ///< rank 0 to others: nothing more will come
 };
 
@@ -44,6 +46,13 @@ struct Parcel {
 };
 Bytes pack(std::span<const Parcel> parcels);
 std::vector<Parcel> unpack(std::span<const std::byte> bytes);
+
+/// The code and the words of an error; empty: there is none.
+Bytes bytes_of_status(const Status& status);
+/// The error that another rank sent so, with the rank's name.
+///
+/// REQUIRES: the message is not empty
+Error told_error(const Message& message);
 
 /// How many processes there are.
 int rank_count();

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
 #include <mutex>
 #include <numeric>
-#include <string>
 #include <thread>
 
 #include <cover/options.hpp>
@@ -62,24 +62,26 @@ class Here {
  public:
   Here(RegionJobs& jobs, Queue& queue, unsigned threads)
       : thread_([this, &jobs, &queue, threads] {
-          jobs.mesh_here(threads, [&queue] { return queue.take(1); });
+          try {
+            jobs.mesh_here(threads, [&queue] { return queue.take(1); });
+          } catch (...) {
+            thrown_ = std::current_exception();
+          }
           at_work_ = false;
         }) {}
   [[nodiscard]] bool at_work() const { return at_work_; }
+  /// Throws what was thrown there.
+  ///
+  /// REQUIRES: !at_work()
+  void rethrow() const {
+    if (thrown_) std::rethrow_exception(thrown_);
+  }
 
  private:
+  std::exception_ptr thrown_;
   std::atomic<bool> at_work_ = true;
   std::jthread thread_;
 };
-
-/// What another rank says in words.
-Error told_error(ErrorCode code, const Message& message) {
-  const auto* text = reinterpret_cast<const char*>(message.bytes.data());
-  return {code,
-          "rank " + std::to_string(message.rank) + ": " + std::string(text, message.bytes.size()),
-          {},
-          {}};
-}
 
 }  // namespace
 
@@ -119,12 +121,13 @@ Status share_out_among_ranks(RegionJobs& jobs, const RankCores& cores) {
     }
     if (message->tag == Tag::failed) {
       queue.close();
-      return told_error(ErrorCode::internal, *message);
+      return told_error(*message);
     }
     for (const Parcel& parcel : unpack(message->bytes)) jobs.accept(parcel.number, parcel.bytes);
     --at_work;
     employ(message->rank);
   }
+  here.rethrow();
   return ok();
 }
 
@@ -138,7 +141,7 @@ Status write_among_ranks(const Bytes& plan, const std::function<Status()>& here)
   if (!all && all.error().code == ErrorCode::cancelled) return all;
   for (int answers = 1; answers < ranks; ++answers) {
     const Message message = receive();
-    if (all && !message.bytes.empty()) all = told_error(ErrorCode::cannot_write, message);
+    if (all && !message.bytes.empty()) all = told_error(message);
   }
   return all;
 }

@@ -1,7 +1,6 @@
 #include "serve.hpp"
 
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -40,9 +39,8 @@ Result<Options> options_here(std::span<const std::byte> bytes) {
   return options;
 }
 
-void tell(const std::string& text, Tag tag) {
-  send(std::as_bytes(std::span(text.data(), text.size())), 0, tag);
-}
+/// Nothing, if all is well.
+void tell(const Status& status, Tag tag) { send(bytes_of_status(status), 0, tag); }
 
 /// What has to stay here, if all ranks can keep it.
 std::optional<KeptRegions> agree_to_keep(std::span<const std::byte> how) {
@@ -55,8 +53,7 @@ std::optional<KeptRegions> agree_to_keep(std::span<const std::byte> how) {
 void write_kept(const std::optional<KeptRegions>& kept, unsigned threads) {
   Bytes plan;
   spread(plan);
-  const Status written = kept ? kept->write(plan, threads) : ok();
-  tell(written ? std::string() : written.error().message, Tag::written);
+  tell(kept ? kept->write(plan, threads) : ok(), Tag::written);
 }
 
 }  // namespace
@@ -73,7 +70,7 @@ void serve(const RankCores& cores) {
       Result<Options> sent = options_here(message.bytes);
       threads = threads_of_rank(sent ? sent->threads : 1, cores);
       failed = !sent;
-      if (failed) tell(sent.error().message, Tag::failed);
+      if (failed) tell(sent.error(), Tag::failed);
       if (!failed) options = *std::move(sent);
     } else if (message.tag == Tag::files) {
       read_for_rank_0(message.bytes, cores);

@@ -43,6 +43,21 @@ def untested(root):
                 yield f'libcover/src/{inside}: there is no {test}'
 
 
+def defined_twice(root):
+    """Types of one name at namespace scope in two headers: two definitions of one entity."""
+    places = {}
+    for path in sorted([*(root / 'libcover').rglob('*.hpp'), *(root / 'apps').rglob('*.hpp')]):
+        space = ''
+        for line in path.read_text().splitlines():
+            if found := re.match(r'namespace ([\w:]+) \{', line):
+                space = found[1]
+            elif found := re.match(r'(?:struct|class|enum class) (\w+)(?: final)?(?: : .*)? \{', line):
+                places.setdefault((space, found[1]), []).append(path.relative_to(root))
+    for (space, name), paths in places.items():
+        if len(paths) > 1:
+            yield f'{paths[1]}: {space}::{name} is another one in {paths[0]}'
+
+
 def comments(path):
     """Number and text of the lines that are comments; of documents all lines."""
     mark = {'.py': '#', '.sh': '#', '.cmake': '#', '.txt': '#'}.get(path.suffix, '//')
@@ -111,7 +126,7 @@ def main(root):
     sources = [p for top in ('libcover/src', 'libcover/include', 'apps', 'samples', 'tests', 'cmake')
                for p in sorted((root / top).rglob('*')) if p.suffix in ('.cpp', '.hpp', '.py', '.sh', '.cmake')]
     documents = [root / 'README.md', *sorted((root / 'libcover').rglob('*.md')), *sorted((root / 'tests').rglob('*.md'))]
-    found = [*untested(root), *dangling(root, sources + documents), *without_extension(root, sources + documents),
+    found = [*untested(root), *defined_twice(root), *dangling(root, sources + documents), *without_extension(root, sources + documents),
              *chosen_tests(root, documents)]
     print('\n'.join(found) or f'{len(sources)} sources and {len(documents)} documents name what is there')
     return 1 if found or not sources else 0

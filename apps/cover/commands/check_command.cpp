@@ -107,8 +107,7 @@ Verification couplings_of(const Prepared& prepared, const TriangleSoup& mesh,
 }
 
 std::string obtuse_triangles(const Verification& found) {
-  std::string text =
-      fmt::format("{} obtuse triangles", grouped(found.obtuse - found.obtuse_by_rounding));
+  std::string text = fmt::format("{} obtuse triangles", grouped(found.obtuse));
   if (found.obtuse_by_rounding > 0)
     text += fmt::format(", {} more by no more than rounding of coordinates",
                         grouped(found.obtuse_by_rounding));

@@ -66,8 +66,8 @@ struct Verification {
   /// With VerifyOptions::box_method: every edge with a negative coupling in its region, by exact
   /// signs, inner edges first. A side is encroached if a point of the PSLG encroaches it.
   std::vector<NegativeCoupling> negative_couplings;
-  std::size_t obtuse = 0;  ///< with box_method: triangles with an angle above 90 degrees, exactly
-  std::size_t obtuse_by_rounding = 0;  ///< those of them that Quality::obtuse does not count
+  std::size_t obtuse = 0;  ///< with box_method: triangles, as Quality::obtuse counts them
+  std::size_t obtuse_by_rounding = 0;  ///< as Quality::obtuse_by_rounding
 };
 
 /// The mesh of a run as plain arrays.

@@ -1,7 +1,7 @@
 // A vertex's star is taken out and the polygon that it leaves is triangulated with the smallest
 // possible largest angle; if that is small enough it stays so. Vertices come in order of their
 // numbers, last first (the feet inside gaps are younger than centres and tangency points), and
-// again where something changed around them, until nothing does.
+// again where something changed around them, at most kPasses times.
 // Tested by tests/unit/disks/fill_disks_test.cpp.
 #include "disks/thin_out.hpp"
 

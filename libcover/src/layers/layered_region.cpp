@@ -145,9 +145,7 @@ RegionMesh put_together(const RegionBoundary& boundary, const LayerFront& front,
 void mend_couplings(const RegionBoundary& boundary, RegionMesh& mesh) {
   const std::vector<Point> points = all_points(boundary, mesh);
   make_delaunay(points, mesh.triangles, boundary.sides, [&](const IndexTriple& t) {
-    constexpr IndexTriple kCorners{0, 1, 2};
-    const std::array corners{points[t[0]], points[t[1]], points[t[2]]};
-    return holds_bound(corners, std::span(&kCorners, 1), mesh.report.nu_bound);
+    return holds_bound(points, std::span(&t, 1), mesh.report.nu_bound);
   });
 }
 
@@ -294,9 +292,8 @@ class LayeredRegion {
     report.nu_bound = limits_.nu_bound;
     report.forced_above_120 = limits_.forced_above_120;
     report.forced_above_150 = limits_.forced_above_150;
-    const std::vector<Point> points = all_points(boundary_, mesh);
-    if (const auto fault = find_fault(
-            {points, mesh.triangles, boundary_.sides, boundary_.segments, boundary_.points.size()}))
+    if (const auto fault = find_fault({all_points(boundary_, mesh), mesh.triangles, boundary_.sides,
+                                       boundary_.segments, boundary_.points.size()}))
       return fault->points.empty() ? std::vector<std::uint32_t>{0} : fault->points;
     if (options_.couplings == Couplings::first) mend_couplings(boundary_, mesh);
     fill_report(boundary_, mesh);
@@ -308,10 +305,9 @@ class LayeredRegion {
     }
     std::vector<std::uint32_t> out;
     if (report.bound_held) return out;
-    constexpr IndexTriple kCorners{0, 1, 2};
+    const std::vector<Point> points = all_points(boundary_, mesh);
     for (const IndexTriple& t : mesh.triangles) {
-      const std::array corners{points[t[0]], points[t[1]], points[t[2]]};
-      if (!holds_bound(corners, std::span(&kCorners, 1), report.nu_bound))
+      if (!holds_bound(points, std::span(&t, 1), report.nu_bound))
         out.insert(out.end(), t.begin(), t.end());
     }
     return out;

@@ -271,7 +271,10 @@ bool MeshWithUndo::gather(const Spot& spot) {
   rim_.clear();
   cavity_.clear();
   if (spot.triangle == kNone) return false;
-  ++stamps_;
+  if (++stamps_ == 0) {  // what was stamped 2^32 places ago would count as seen
+    std::fill(stamp_.begin(), stamp_.end(), 0);
+    stamps_ = 1;
+  }
   // Half of the time goes here: each access that is checked takes as long as a product.
   const Triangle* const triangles = triangles_.data();
   const Vertex* const vertices = vertices_.data();

@@ -16,7 +16,7 @@ constexpr double kCheaper = 1e-12;  ///< of the cost: less is rounding
 
 }  // namespace
 
-void PlaceSearch::add_one(std::uint32_t t, std::span<const Point> starts, Placement& best) {
+void PlaceSearch::add_one(std::uint32_t t, std::span<const Point> starts, VertexPlace& best) {
   std::vector<Point> all = starts_around(t);
   all.insert(all.end(), starts.begin(), starts.end());
   try_all(all, t, kNone, best);
@@ -27,7 +27,8 @@ void PlaceSearch::add_one(std::uint32_t t, std::span<const Point> starts, Placem
   }
 }
 
-void PlaceSearch::move_one(std::uint32_t t, std::span<const std::uint32_t> stays, Placement& best) {
+void PlaceSearch::move_one(std::uint32_t t, std::span<const std::uint32_t> stays,
+                           VertexPlace& best) {
   std::vector<Point> starts = starts_around(t);
   starts.insert(starts.begin(), Point{});
   for (const std::uint32_t u : movers(t)) {
@@ -37,7 +38,7 @@ void PlaceSearch::move_one(std::uint32_t t, std::span<const std::uint32_t> stays
     left_.spend(kRemoval);
     if (mesh_.remove(u)) {
       starts[0] = old.at;
-      const std::uint32_t from = written_since(mark);
+      const std::uint32_t from = a_triangle_written_since(mark);
       if (old.line == ConformingMesh::kInside) {
         try_all(starts, from, u, best);
       } else {
@@ -86,13 +87,13 @@ std::vector<std::uint32_t> PlaceSearch::movers(std::uint32_t t) const {
 
 /// From `starts`, looked for from triangle `from` on.
 void PlaceSearch::try_all(std::span<const Point> starts, std::uint32_t from, std::uint32_t vertex,
-                          Placement& best) {
+                          VertexPlace& best) {
   for (const Point& start : starts) improve(mesh_.locate(start, from), vertex, best);
 }
 
 /// The same on the piece of `line` that was made whole since `mark`.
 void PlaceSearch::try_on_line(std::span<const Point> starts, std::uint32_t line, std::size_t mark,
-                              std::uint32_t vertex, Placement& best) {
+                              std::uint32_t vertex, VertexPlace& best) {
   std::vector<std::uint32_t> all = mesh_.written_since(mark);
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
@@ -109,7 +110,7 @@ void PlaceSearch::try_on_line(std::span<const Point> starts, std::uint32_t line,
 }
 
 /// Moves a place to where fewer triangles around it are bad.
-void PlaceSearch::improve(Spot spot, std::uint32_t vertex, Placement& best) {
+void PlaceSearch::improve(Spot spot, std::uint32_t vertex, VertexPlace& best) {
   const double cost = mesh_.cost();
   for (int k = 0; k <= kProjections && spot.triangle != kNone; ++k) {
     left_.spend(1);
@@ -144,7 +145,7 @@ Point PlaceSearch::projected(const Spot& spot) const {
 }
 
 /// A triangle that is there and was written since `mark`.
-std::uint32_t PlaceSearch::written_since(std::size_t mark) const {
+std::uint32_t PlaceSearch::a_triangle_written_since(std::size_t mark) const {
   for (const std::uint32_t t : mesh_.written_since(mark)) {
     if (mesh_.triangles()[t].v[0] != kNone) return t;
   }

@@ -26,7 +26,7 @@ struct PlacesLeft {
 constexpr std::uint64_t kRemoval = 4;
 
 /// A vertex put somewhere.
-struct Placement {
+struct VertexPlace {
   double cost = std::numeric_limits<double>::infinity();  ///< of the mesh then
   std::uint32_t vertex = kNone;                           ///< that is moved; kNone: one is added
   Spot spot{};
@@ -39,20 +39,20 @@ class PlaceSearch {
   PlaceSearch(MeshWithUndo& mesh, PlacesLeft& left) : mesh_(mesh), left_(left) {}
 
   /// A new vertex, near bad triangle `t` or on its pieces; from `starts`, too.
-  void add_one(std::uint32_t t, std::span<const Point> starts, Placement& best);
+  void add_one(std::uint32_t t, std::span<const Point> starts, VertexPlace& best);
   /// A corner of `t` or of its neighbours moved, but none in `stays`.
-  void move_one(std::uint32_t t, std::span<const std::uint32_t> stays, Placement& best);
+  void move_one(std::uint32_t t, std::span<const std::uint32_t> stays, VertexPlace& best);
 
  private:
   [[nodiscard]] std::vector<Point> starts_around(std::uint32_t t) const;
   [[nodiscard]] std::vector<std::uint32_t> movers(std::uint32_t t) const;
   void try_all(std::span<const Point> starts, std::uint32_t from, std::uint32_t vertex,
-               Placement& best);
+               VertexPlace& best);
   void try_on_line(std::span<const Point> starts, std::uint32_t line, std::size_t mark,
-                   std::uint32_t vertex, Placement& best);
-  void improve(Spot spot, std::uint32_t vertex, Placement& best);
+                   std::uint32_t vertex, VertexPlace& best);
+  void improve(Spot spot, std::uint32_t vertex, VertexPlace& best);
   [[nodiscard]] Point projected(const Spot& spot) const;
-  [[nodiscard]] std::uint32_t written_since(std::size_t mark) const;
+  [[nodiscard]] std::uint32_t a_triangle_written_since(std::size_t mark) const;
 
   MeshWithUndo& mesh_;
   PlacesLeft& left_;

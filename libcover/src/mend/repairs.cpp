@@ -204,7 +204,7 @@ bool Repairs::repair(int more, int steps, const MostBad& most) {
     if (left_.is_over()) return false;
     const std::uint32_t t = a_bad_triangle();
     if (t == kNone) return false;
-    Placement placement;
+    VertexPlace placement;
     if (more > 0) places_.add_one(t, starts_, placement);
     places_.move_one(t, stay_, placement);
     if (!(placement.cost < kInfinite) || !apply(placement, more)) return false;
@@ -218,10 +218,10 @@ bool Repairs::repair(int more, int steps, const MostBad& most) {
   return is_fine(most);
 }
 
-bool Repairs::apply(const Placement& placement, int& more) {
+bool Repairs::apply(const VertexPlace& placement, int& more) {
   std::uint32_t v = placement.vertex;
   if (v != kNone) {
-    mesh_.remove(v);
+    if (!mesh_.remove(v)) return false;
     stay_.push_back(v);
     if (stay_.size() > kStay) stay_.erase(stay_.begin());
   } else {

@@ -79,7 +79,7 @@ class Repairs {
   void begin_at(std::uint32_t t);
   bool take(std::uint32_t v);
   bool repair(int more, int steps, const MostBad& most);
-  bool apply(const Placement& placement, int& more);
+  bool apply(const VertexPlace& placement, int& more);
   std::uint32_t a_bad_triangle();
   std::optional<Spot> foot_of_a_blunt_corner();
   [[nodiscard]] std::vector<std::uint32_t> removable_around(std::uint32_t t) const;

@@ -246,13 +246,13 @@ class Composer {
     std::size_t next = 0;
     for (auto& entry : rank) entry.second = next++;
     std::map<std::int64_t, std::map<std::string, std::size_t>> variants;
-    std::map<std::int64_t, Patch> patches;
+    std::map<std::int64_t, PaintedPatch> patches;
     for (const std::size_t t : visible_) add_triangle(t, patches[region(t)].triangles);
     for (const auto& [r, m] : material_of) {
       auto& known = variants[m];
       const std::size_t variant = known.emplace(legend_text(r, m), known.size()).first->second;
       if (!patches.contains(r)) continue;
-      Patch& patch = patches[r];
+      PaintedPatch& patch = patches[r];
       patch.colour = shade(material_colour(rank[m]), variant);
       legend_.add(patch.colour, legend_text(r, m), name_of(mesh_.material_names, m, "material"));
       add(std::move(patch));
@@ -289,7 +289,7 @@ class Composer {
     if (options_.range) std::tie(low, high) = std::tie((*options_.range)[0], (*options_.range)[1]);
     if (!(low <= high)) return bad_option("the range of values is empty");
     constexpr int kSteps = 64;
-    std::vector<Patch> patches(kSteps);
+    std::vector<PaintedPatch> patches(kSteps);
     for (int i = 0; i < kSteps; ++i) {
       patches[static_cast<std::size_t>(i)].colour = value_colour(i / (kSteps - 1.0));
     }
@@ -301,7 +301,7 @@ class Composer {
       add_triangle(t,
                    patches[static_cast<std::size_t>(std::lround(part * (kSteps - 1)))].triangles);
     }
-    for (Patch& patch : patches) {
+    for (PaintedPatch& patch : patches) {
       if (!patch.triangles.empty()) add(std::move(patch));
     }
     if (has_key()) draw_colour_bar(options_.color, low, high, drawing_);

@@ -20,7 +20,7 @@ struct Colour {
 };
 
 /// Triangles of one colour.
-struct Patch {
+struct PaintedPatch {
   Colour colour;
   bool clipped = true;  ///< to Drawing::plot
   std::vector<std::array<Point, 3>> triangles;
@@ -60,7 +60,7 @@ struct PixelBox {
   double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 
-using DrawingItem = std::variant<Patch, Stroke, Ring, Label>;
+using DrawingItem = std::variant<PaintedPatch, Stroke, Ring, Label>;
 
 /// A picture.
 struct Drawing {

@@ -23,7 +23,7 @@ class Painter {
         3 * static_cast<std::size_t>(fine_.width) * static_cast<std::size_t>(fine_.height), 255);
   }
 
-  void operator()(const Patch& patch) {
+  void operator()(const PaintedPatch& patch) {
     clip_to(patch.clipped);
     for (const auto& t : patch.triangles) polygon(t, patch.colour, 1);
   }

@@ -22,7 +22,7 @@ class SvgWriter {
   SvgWriter(std::string& out, const std::string& clip_id)
       : out_(out), clip_(fmt::format(" clip-path=\"url(#{})\"", clip_id)) {}
 
-  void operator()(const Patch& patch) {
+  void operator()(const PaintedPatch& patch) {
     const std::string colour = hex(patch.colour);
     // A hair of its own colour closes the seam to the neighbouring colour.
     put("<path{} fill=\"{}\" stroke=\"{}\" stroke-width=\"0.3\" d=\"", clip(patch.clipped), colour,

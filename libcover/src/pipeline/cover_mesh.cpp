@@ -79,7 +79,11 @@ Result<Work> work_of(AnyInput&& input, const Options& options, bool memory_count
   work.field = std::move(field);
   if (Status status = split(work, options, memory_counts, found->triangulated); !status)
     return std::move(status).error();
-  warn_of_sizes(work.pslg, options, work.boundaries, work.report.notes);
+  Status warned = errors_as_values("sizes", [&] {
+    warn_of_sizes(work.pslg, options, work.boundaries, work.report.notes);
+    return ok();
+  });
+  if (!warned) return std::move(warned).error();
   clock.note("split", work.report.times);
   return work;
 }

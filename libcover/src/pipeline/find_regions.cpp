@@ -7,6 +7,7 @@
 #include <cover/option_table.hpp>
 #include <cover/version.hpp>
 
+#include "base/faults/errors.hpp"
 #include "clean/pslg.hpp"
 #include "cuts/after_meshing/cut_for_boxes.hpp"
 #include "cuts/before_meshing/cut_for_layers.hpp"
@@ -23,7 +24,7 @@
 namespace cover {
 
 Status begin_stage(std::string_view stage, const Callbacks& callbacks) {
-  if (callbacks.stop.stop_requested()) return Error{ErrorCode::cancelled, "interrupted", {}, {}};
+  if (callbacks.stop.stop_requested()) return interrupted();
   if (callbacks.progress) callbacks.progress({stage, 0, 0});
   return ok();
 }

@@ -6,16 +6,14 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <charconv>
-#include <exception>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
 
 #include "base/containers/order.hpp"
+#include "base/faults/errors.hpp"
 #include "base/run_all.hpp"
 #include "cdt/region_cdt.hpp"
 #include "sizes/expected_triangles.hpp"
@@ -23,6 +21,7 @@
 #include "target/fill_report.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/mesh_one_region.hpp"
+#include "tasks/progress_count.hpp"
 #include "tasks/share_out_regions.hpp"
 
 namespace cover {
@@ -41,14 +40,6 @@ constexpr double kMostCost = 0x1p40;
 /// Batches are filled up to this cost: some milliseconds of work against microseconds of overhead.
 constexpr std::size_t kBatchCost = 1000;
 
-/// By region. Each takes time in proportion to its sides, so none is computed twice.
-std::vector<std::size_t> costs_of(std::span<const RegionBoundary> boundaries) {
-  std::vector<std::size_t> costs;
-  costs.reserve(boundaries.size());
-  for (const RegionBoundary& boundary : boundaries) costs.push_back(cost_of(boundary));
-  return costs;
-}
-
 std::vector<std::size_t> largest_first(std::span<const std::size_t> costs) {
   return sorted_numbers<std::size_t>(
       costs.size(), [&](std::size_t a, std::size_t b) { return costs[a] > costs[b]; });
@@ -65,44 +56,17 @@ std::vector<Batch> make_batches(std::span<const std::size_t> costs,
   return batches;
 }
 
-/// Counts what is done and tells the caller, one thread at a time. What the caller's function
-/// throws is kept for the caller's thread.
-class ProgressCount {
- public:
-  ProgressCount(std::string_view stage, std::size_t total, const Callbacks& callbacks)
-      : callbacks_(callbacks), state_{stage, 0, total} {}
-
-  void add(std::size_t cost) {
-    if (!callbacks_.progress) return;
-    const std::lock_guard lock(mutex_);
-    state_.done += cost;
-    if (thrown_) return;
-    try {
-      callbacks_.progress(state_);
-    } catch (...) {
-      thrown_ = std::current_exception();
-      has_thrown_ = true;
-    }
-  }
-
-  [[nodiscard]] bool must_stop() const { return has_thrown_ || callbacks_.stop.stop_requested(); }
-  void rethrow() const {
-    if (thrown_) std::rethrow_exception(thrown_);
-  }
-
- private:
-  const Callbacks& callbacks_;
-  std::mutex mutex_;
-  Progress state_;
-  std::exception_ptr thrown_;
-  std::atomic<bool> has_thrown_ = false;
-};
-
 }  // namespace
 
-std::size_t cost_of(const RegionBoundary& boundary) {
-  return boundary.sides.size() + boundary.points.size() +
-         static_cast<std::size_t>(std::clamp(most_triangles(boundary), 0.0, kMostCost));
+std::vector<std::size_t> costs_of(std::span<const RegionBoundary> boundaries) {
+  std::vector<std::size_t> costs;
+  costs.reserve(boundaries.size());
+  for (const RegionBoundary& boundary : boundaries) {
+    const double triangles = std::clamp(most_triangles(boundary), 0.0, kMostCost);
+    costs.push_back(boundary.sides.size() + boundary.points.size() +
+                    static_cast<std::size_t>(triangles));
+  }
+  return costs;
 }
 
 unsigned worker_count(const Options& options) { return worker_count(options.threads); }
@@ -137,7 +101,7 @@ Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned work
   run_all(batches.size(), workers, [&](std::size_t k, const Team& team) { run(batches[k], team); });
   progress.rethrow();
 
-  if (callbacks.stop.stop_requested()) return Error{ErrorCode::cancelled, "interrupted", {}, {}};
+  if (callbacks.stop.stop_requested()) return interrupted();
   for (std::optional<Error>& error : errors) {
     if (error) return std::move(*error);
   }
@@ -170,7 +134,8 @@ Result<std::vector<RegionReport>> limit_regions(std::span<const RegionBoundary> 
 Status mesh_regions_into(std::span<const RegionBoundary> boundaries, const Options& options,
                          const Callbacks& callbacks, const RegionSink& sink,
                          const std::function<bool()>& is_good, const Staying* staying) {
-  if (callbacks.share_out) return share_out_regions(boundaries, options, callbacks, sink, staying);
+  if (callbacks.share_out)
+    return share_out_regions(boundaries, options, callbacks, sink, is_good, staying);
   return for_each_region(boundaries, worker_count(options), "mesh", callbacks,
                          [&](std::size_t k, const Team& team) {
                            if (is_good())

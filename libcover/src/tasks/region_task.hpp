@@ -40,9 +40,9 @@ Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned work
 Result<std::vector<RegionReport>> limit_regions(std::span<const RegionBoundary> boundaries,
                                                 const Options& options, const Callbacks& callbacks);
 
-/// Estimated work of a region. All methods are near linear in the size of the boundary and in the
-/// number of triangles.
-std::size_t cost_of(const RegionBoundary& boundary);
+/// Estimated work of each region. All methods are near linear in the size of the boundary and in
+/// the number of triangles.
+std::vector<std::size_t> costs_of(std::span<const RegionBoundary> boundaries);
 
 /// Takes the mesh of a region.
 ///

@@ -1,16 +1,19 @@
 // Tested by tests/unit/pipeline/share_out_test.cpp.
 #include "tasks/share_out_regions.hpp"
 
-#include <map>
 #include <mutex>
+#include <numeric>
+#include <optional>
 
 #include <fmt/core.h>
 
+#include "base/faults/errors.hpp"
 #include "base/run_all.hpp"
 #include "sizes/sizes.hpp"
 #include "tasks/bytes/region_bytes.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/mesh_one_region.hpp"
+#include "tasks/progress_count.hpp"
 #include "tasks/region_task.hpp"
 
 namespace cover {
@@ -31,10 +34,21 @@ Result<RegionBoundary> read_boundary(std::span<const std::byte> bytes, const Opt
   return read;
 }
 
+/// What `make` makes, or why that fails, for another process.
+template <class Made, class Make>
+Bytes made_bytes(Make make) {
+  Result<Bytes> bytes = errors_as_values(
+      "sending a region", [&] { return Result<Bytes>(to_bytes(Result<Made>(make()))); });
+  return bytes ? *std::move(bytes) : to_bytes(Result<Made>(std::move(bytes).error()));
+}
+
 Bytes mesh_bytes(std::span<const std::byte> boundary, const Options& options,
                  const std::stop_token& stop, const Team& team = {}) {
-  const Result<RegionBoundary> read = read_boundary(boundary, options);
-  return to_bytes(read ? try_region(*read, options, stop, team) : Result<RegionMesh>(read.error()));
+  return made_bytes<RegionMesh>([&]() -> Result<RegionMesh> {
+    const Result<RegionBoundary> read = read_boundary(boundary, options);
+    if (!read) return read.error();
+    return try_region(*read, options, stop, team);
+  });
 }
 
 /// What became of a region.
@@ -44,18 +58,19 @@ enum class State : std::uint8_t { left_out, done, failed };
 class Jobs final : public RegionJobs {
  public:
   Jobs(std::span<const RegionBoundary> boundaries, const Options& options,
-       const Callbacks& callbacks, const RegionSink& sink, const Staying* staying)
+       const Callbacks& callbacks, const RegionSink& sink, const std::function<bool()>& is_good,
+       const Staying* staying)
       : boundaries_(boundaries),
+        costs_(costs_of(boundaries)),
         options_(options),
         callbacks_(callbacks),
         sink_(sink),
+        is_good_(is_good),
         staying_(staying),
         states_(boundaries.size(), State::left_out),
-        progress_{"mesh", 0, 0} {
-    costs_.reserve(boundaries.size());
-    for (const RegionBoundary& boundary : boundaries) costs_.push_back(cost_of(boundary));
-    for (const std::size_t cost : costs_) progress_.total += cost;
-  }
+        errors_(boundaries.size()),
+        progress_("mesh", std::accumulate(costs_.begin(), costs_.end(), std::size_t{0}),
+                  callbacks) {}
 
   [[nodiscard]] std::size_t size() const override { return boundaries_.size(); }
   [[nodiscard]] std::size_t cost(std::size_t region) const override { return costs_[region]; }
@@ -73,14 +88,21 @@ class Jobs final : public RegionJobs {
   [[nodiscard]] std::stop_token stop() const override { return callbacks_.stop; }
 
   void mesh_here(std::size_t region) override {
+    if (is_over()) return;
     keep(region, try_region(boundaries_[region], options_, callbacks_.stop));
   }
   void mesh_here(unsigned threads, const std::function<std::vector<std::size_t>()>& take) override {
     // As many calls as there may be batches: those behind the last one find nothing.
     run_all(boundaries_.size(), threads, [&](std::size_t, const Team& team) {
-      if (stop().stop_requested()) return;
-      for (const std::size_t region : take())
-        keep(region, try_region(boundaries_[region], options_, callbacks_.stop, team));
+      Status status = errors_as_values("sharing out", [&] {
+        if (is_over()) return ok();
+        for (const std::size_t region : take())
+          keep(region, try_region(boundaries_[region], options_, callbacks_.stop, team));
+        return ok();
+      });
+      if (status) return;
+      const std::lock_guard lock(mutex_);
+      if (!of_sharing_) of_sharing_ = std::move(status).error();
     });
   }
   void accept(std::size_t region, std::span<const std::byte> result) override {
@@ -91,11 +113,15 @@ class Jobs final : public RegionJobs {
   }
 
   /// The error of the first region that has no mesh.
+  /// Throws: what Callbacks::progress has thrown
   Status finish() {
+    progress_.rethrow();
+    if (callbacks_.stop.stop_requested()) return interrupted();
     for (std::size_t region = 0; region < states_.size(); ++region) {
-      if (states_[region] == State::failed) return std::move(errors_.at(region));
-      if (states_[region] == State::left_out)
-        return internal_error("sharing out", "a region was left out");
+      if (states_[region] == State::failed) return *std::move(errors_[region]);
+      if (states_[region] == State::done || !is_good_()) continue;
+      return of_sharing_ ? *std::move(of_sharing_)
+                         : internal_error("sharing out", "a region was left out");
     }
     return ok();
   }
@@ -111,12 +137,12 @@ class Jobs final : public RegionJobs {
                                           })
                        : Status(std::move(mesh).error());
     states_[region] = kept ? State::done : State::failed;
-    const std::lock_guard lock(mutex_);
-    if (!kept) errors_.emplace(region, std::move(kept).error());
-    if (!callbacks_.progress) return;
-    progress_.done += costs_[region];
-    callbacks_.progress(progress_);
+    if (!kept) errors_[region] = std::move(kept).error();
+    progress_.add(costs_[region]);
   }
+
+  /// Whether no further region is to be begun here.
+  [[nodiscard]] bool is_over() const { return progress_.must_stop() || !is_good_(); }
 
   std::span<const RegionBoundary> boundaries_;
   /// By region. Each takes time in proportion to its sides, and sorting asks for them again and
@@ -125,35 +151,36 @@ class Jobs final : public RegionJobs {
   const Options& options_;
   const Callbacks& callbacks_;
   const RegionSink& sink_;
+  const std::function<bool()>& is_good_;
   const Staying* staying_;
   bool is_staying_ = false;  ///< what is meshed elsewhere
   std::vector<State> states_;
-  std::map<std::size_t, Error> errors_;
+  std::vector<std::optional<Error>> errors_;  ///< by region
+  ProgressCount progress_;
   std::mutex mutex_;
-  Progress progress_;
+  std::optional<Error> of_sharing_;  ///< the first one beside those of regions
 };
 
 }  // namespace
 
 Status share_out_regions(std::span<const RegionBoundary> boundaries, const Options& options,
                          const Callbacks& callbacks, const RegionSink& sink,
-                         const Staying* staying) {
-  Jobs jobs(boundaries, options, callbacks, sink, staying);
+                         const std::function<bool()>& is_good, const Staying* staying) {
+  Jobs jobs(boundaries, options, callbacks, sink, is_good, staying);
   Status shared = callbacks.share_out(jobs);
-  if (!shared) return shared;
-  if (callbacks.stop.stop_requested()) return Error{ErrorCode::cancelled, "interrupted", {}, {}};
-  return jobs.finish();
+  return shared ? jobs.finish() : shared;
 }
 
 Bytes keep_region_bytes(
     std::span<const std::byte> boundary, const Options& options, const Team& team,
     const std::function<KeptMesh(const RegionBoundary& boundary, RegionMesh mesh)>& keep) {
-  const Result<RegionBoundary> read = read_boundary(boundary, options);
-  if (!read) return to_bytes(Result<KeptMesh>(read.error()));
-  Result<RegionMesh> mesh = try_region(*read, options, {}, team);
-  if (!mesh) return to_bytes(Result<KeptMesh>(std::move(mesh).error()));
-  return to_bytes(errors_as_values(
-      "keeping a region", [&] { return Result<KeptMesh>(keep(*read, *std::move(mesh))); }));
+  return made_bytes<KeptMesh>([&]() -> Result<KeptMesh> {
+    const Result<RegionBoundary> read = read_boundary(boundary, options);
+    if (!read) return read.error();
+    Result<RegionMesh> mesh = try_region(*read, options, {}, team);
+    if (!mesh) return std::move(mesh).error();
+    return keep(*read, *std::move(mesh));
+  });
 }
 
 Bytes mesh_region_bytes(std::span<const std::byte> boundary, const Options& options,

@@ -27,14 +27,16 @@ struct Staying {
 };
 
 /// Has every region meshed by Callbacks::share_out, and hands each to `sink` when it is done, or
-/// what is told of it to staying.sink.
+/// what is told of it to staying.sink. Once `is_good` is false, this process begins no further
+/// region.
 ///
 /// REQUIRES: callbacks.share_out
 /// Errors:   as mesh_regions_into(), and those of share_out
+/// Throws:   what callbacks.progress does
 Status share_out_regions(std::span<const RegionBoundary> boundaries, const Options& options,
                          const Callbacks& callbacks,
                          const std::function<void(std::size_t region, RegionMesh mesh)>& sink,
-                         const Staying* staying = nullptr);
+                         const std::function<bool()>& is_good, const Staying* staying = nullptr);
 
 /// Meshes a region, of which Staying::vertices are sent, for another process; `keep` takes the mesh
 /// and tells of it.

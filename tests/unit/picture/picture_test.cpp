@@ -99,7 +99,7 @@ TEST(Picture, NoSeamBetweenTrianglesOfOneColour) {
   Drawing drawing{40, 40, {0, 0, 40, 40}, {}};
   const Point o{3.3, 4.1}, p{37.2, 6.6}, q{33.3, 36.9}, r{5.2, 31.4}, c{20.11, 19.77};
   const Colour red{200, 10, 10};
-  drawing.items.emplace_back(Patch{red, true, {{o, p, c}, {p, q, c}, {q, r, c}, {r, o, c}}});
+  drawing.items.emplace_back(PaintedPatch{red, true, {{o, p, c}, {p, q, c}, {q, r, c}, {r, o, c}}});
   const Image image = paint(drawing);
   for (int y = 10; y < 30; ++y) {
     for (int x = 10; x < 30; ++x) ASSERT_EQ(at(image, x, y), red) << x << ' ' << y;
@@ -109,7 +109,7 @@ TEST(Picture, NoSeamBetweenTrianglesOfOneColour) {
 TEST(Picture, ClippedItemsStayInThePlot) {
   Drawing drawing{30, 30, {10, 10, 20, 20}, {}};
   const std::array<Point, 3> all{Point{-100, -100}, Point{200, -100}, Point{0, 300}};
-  drawing.items.emplace_back(Patch{{0, 0, 0}, true, {all}});
+  drawing.items.emplace_back(PaintedPatch{{0, 0, 0}, true, {all}});
   const Image image = paint(drawing);
   EXPECT_EQ(at(image, 15, 15), (Colour{0, 0, 0}));
   EXPECT_EQ(at(image, 9, 15), (Colour{255, 255, 255}));

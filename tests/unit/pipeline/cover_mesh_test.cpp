@@ -379,6 +379,19 @@ TEST(CoverMesh, WhatASizeFunctionThrowsIsAnErrorThatSaysSo) {
   }
 }
 
+TEST(CoverMesh, WhatASizeFunctionThrowsOnASegmentOnlyIsAnErrorToo) {
+  Options options;
+  options.size_field = [](Point p) -> double {
+    if (p.y == 0 && p.x > 0 && p.x < 10) throw std::runtime_error("no data here");
+    return 2;
+  };
+  const Result<Output> failed =
+      cover_mesh(testing::input_of({{0, 0}, {10, 0}, {10, 10}, {0, 10}}), options);
+  ASSERT_FALSE(failed.has_value());
+  EXPECT_EQ(failed.error().code, ErrorCode::bad_option);
+  EXPECT_NE(failed.error().message.find("no data here"), std::string::npos);
+}
+
 TEST(CoverMesh, RefusesOptionsOutOfRange) {
   const Input input = testing::checker(1, 2, 1);
   const auto code = [&](auto change) {

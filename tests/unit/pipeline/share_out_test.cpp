@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <mutex>
+#include <new>
+#include <stdexcept>
 
 #include <cover/cover_mesh.hpp>
 #include <cover/write_mesh.hpp>
@@ -114,6 +116,30 @@ TEST(ShareOut, RefusesBytesThatAreNotWhole) {
     const Bytes answer = mesh_region_bytes(std::span(boundary).first(size), Options());
     EXPECT_EQ(answer.front(), std::byte{1}) << size;  // an error
   }
+}
+
+TEST(ShareOut, WhatTheProgressFunctionThrowsReachesTheCaller) {
+  for (const ShareOut& share_out :
+       {ShareOut(half_elsewhere), ShareOut(half_elsewhere_with_threads)}) {
+    Callbacks callbacks;
+    callbacks.share_out = share_out;
+    callbacks.progress = [](const Progress& progress) {
+      if (progress.stage == "mesh" && progress.done > 0) throw std::runtime_error("enough");
+    };
+    EXPECT_THROW((void)cover_mesh(testing::checker(4, 4, 1), Options(), callbacks),
+                 std::runtime_error);
+  }
+}
+
+TEST(ShareOut, WhatIsThrownByWhoTakesRegionsIsAnError) {
+  Callbacks callbacks;
+  callbacks.share_out = [](RegionJobs& jobs) {
+    jobs.mesh_here(2, []() -> std::vector<std::size_t> { throw std::bad_alloc(); });
+    return ok();
+  };
+  const Result<Output> output = cover_mesh(testing::checker(2, 2, 1), Options(), callbacks);
+  ASSERT_FALSE(output);
+  EXPECT_EQ(output.error().code, ErrorCode::out_of_memory);
 }
 
 TEST(ShareOut, ARegionThatIsLeftOutIsAnError) {

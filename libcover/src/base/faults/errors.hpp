@@ -13,6 +13,9 @@ inline Error bad_option(std::string message) {
   return {ErrorCode::bad_option, std::move(message), {}, {}};
 }
 
+/// The caller has asked a run to stop.
+inline Error interrupted() { return {ErrorCode::cancelled, "interrupted", {}, {}}; }
+
 /// A file that does not hold what it should: "PATH: WHAT".
 inline Error wrong_file(const std::string& path, std::string_view what) {
   return {ErrorCode::syntax, path + ": " + std::string(what), {}, {}};

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/faults/errors.hpp"
 #include "cuts/after_meshing/cut_until_met.hpp"
 #include "cuts/after_meshing/one_mesh.hpp"
 #include "cuts/after_meshing/thin_cuts.hpp"
@@ -127,7 +128,7 @@ Status mesh_with_closed_clefts(Work& work, const Options& options, const Callbac
         open_clefts(mended(mesh, *closed, callbacks.stop), *closed, whole);
     // What mends may come nearer to a wall than the other one will be.
     if (!opened) opened = open_clefts(mesh, *closed, whole);
-    if (callbacks.stop.stop_requested()) return Error{ErrorCode::cancelled, "interrupted", {}, {}};
+    if (callbacks.stop.stop_requested()) return interrupted();
     if (opened && take(*std::move(opened), options, whole)) work = std::move(whole);
     return ok();
   });

@@ -17,6 +17,7 @@
 
 #include <cover/text.hpp>
 
+#include "base/faults/errors.hpp"
 #include "base/run_all.hpp"
 #include "cuts/after_meshing/one_mesh.hpp"
 #include "cuts/unite_pieces.hpp"
@@ -296,7 +297,7 @@ Status thin_cuts(Work& work, const Options& options, const Callbacks& callbacks)
   return errors_as_values("thin out", [&]() -> Status {
     const Thinning thinning(work, options);
     std::vector<TrialOrError> trials = trials_of(thinning, options, callbacks.stop);
-    if (callbacks.stop.stop_requested()) return Error{ErrorCode::cancelled, "interrupted", {}, {}};
+    if (callbacks.stop.stop_requested()) return interrupted();
     std::optional<ThinTrial> best;
     std::string fault;
     for (TrialOrError& trial : trials) {

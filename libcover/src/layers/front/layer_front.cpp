@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "cdt/triangulation.hpp"
@@ -23,7 +24,7 @@ namespace cover::layers {
 namespace {
 
 constexpr double kFree = 0.5;  ///< of a layer's thickness: what stays free above it
-constexpr double kSteepest = 0.17364817766693033;  ///< sine of half of kMitre
+const double kSteepest = std::sin(kMitre / 2 * std::numbers::pi / 180);
 constexpr double kSameHeight = 1e-6;  ///< of a layer's thickness: vertices of a wall that serve it
 
 /// Whether a guard is a convex polygon, counter-clockwise.

@@ -27,7 +27,7 @@ constexpr std::size_t kFewSides = 512;               ///< of a region in which r
 constexpr std::size_t kFewGivenUp = 8;               ///< where so few sides are given up
 constexpr std::uint32_t kOfRest = 0, kOfLayers = 1;  ///< in place of regions
 
-ConformingMesh mutable_mesh(const RegionBoundary& boundary, const RegionMesh& mesh) {
+ConformingMesh conforming_mesh_of(const RegionBoundary& boundary, const RegionMesh& mesh) {
   ConformingMesh out;
   out.points = all_points(boundary, mesh);
   out.line.assign(boundary.points.size(), ConformingMesh::kFixed);
@@ -94,7 +94,7 @@ std::optional<MendedMesh> mend_nearby(const RegionBoundary& boundary, const Regi
                                       const std::stop_token& stop, const MendEffort& effort) {
   std::optional<std::vector<WantedAngles>> wanted = wanted_angles(mesh);
   if (!wanted) return {};
-  const ConformingMesh before = mutable_mesh(boundary, mesh);
+  const ConformingMesh before = conforming_mesh_of(boundary, mesh);
   MeshWithUndo mending(before, *std::move(wanted));
   const std::uint64_t for_sides =
       mesh.layer_triangles == 0 ? effort.places_per_side : effort.places_per_angle;
@@ -145,7 +145,7 @@ std::optional<MendedMesh> mend_with_room(const RegionBoundary& boundary, const R
     return {};
   const std::vector<bool> is_free = free_sides(boundary);
   const HalfDiscRoom room(boundary.points, boundary.sides, is_free);
-  const ConformingMesh before = mutable_mesh(boundary, mesh);
+  const ConformingMesh before = conforming_mesh_of(boundary, mesh);
   const MeshWithUndo start(before, *std::move(wanted));
   for (const bool all : {false, true}) {
     if (all && boundary.points.size() > kSmallRegion) break;

@@ -24,7 +24,7 @@ std::string shortened(std::string text, double width) {
   return cut ? text + "..." : text;
 }
 
-Patch rectangle(const PixelBox& b, Colour colour) {
+PaintedPatch rectangle(const PixelBox& b, Colour colour) {
   return {colour,
           false,
           {{Point{b.x0, b.y0}, Point{b.x1, b.y0}, Point{b.x1, b.y1}},

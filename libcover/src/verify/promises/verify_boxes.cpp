@@ -11,7 +11,7 @@
 namespace cover {
 namespace {
 
-bool is_obtuse(Point a, Point p, Point b) {
+bool is_beyond_right_angle(Point a, Point p, Point b) {
   return compare_with_90_degrees(a, p, b) == Sign::positive;
 }
 
@@ -45,7 +45,7 @@ void find_forced(const ExpectedDomain& domain, std::span<const Point> points, Re
     if (side.region != region) continue;
     if (side.hull) return;  // it may be split
     sides.push_back({side.a, side.b});
-    is_free.push_back(!is_obtuse(points[side.a], points[side.apex], points[side.b]));
+    is_free.push_back(!is_beyond_right_angle(points[side.a], points[side.apex], points[side.b]));
   }
   std::vector<NegativeCoupling*> given_up;
   for (NegativeCoupling& c : couplings) {
@@ -74,7 +74,7 @@ void find_forced(const ExpectedDomain& domain, std::span<const Point> points,
 
 void count_if_obtuse(const TriangleSoup& mesh, const IndexTriple& t, BoxCheck& check) {
   const Blunt blunt = bluntness_of(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
-  check.obtuse += blunt != Blunt::no ? 1 : 0;
+  check.obtuse += blunt == Blunt::yes ? 1 : 0;
   check.obtuse_by_rounding += blunt == Blunt::by_rounding ? 1 : 0;
 }
 
@@ -100,9 +100,9 @@ BoxCheck verify_boxes(const TriangleSoup& mesh, const SoupEdges& edges,
     if (e.from == triangle[0]) count_if_obtuse(mesh, triangle, check);  // once per triangle
     const Point a = mesh.points[e.from], b = mesh.points[e.to], c = corner_beyond(mesh, e);
     if (side_of[k] != kNoSide) {
-      if (!is_obtuse(a, c, b)) continue;
+      if (!is_beyond_right_angle(a, c, b)) continue;
       const Point by = points[domain.sides[side_of[k]].apex];
-      const bool is_encroached = is_obtuse(a, by, b);
+      const bool is_encroached = is_beyond_right_angle(a, by, b);
       on_sides.push_back({is_encroached ? Kind::encroached : Kind::given_up, region[e.triangle], a,
                           b, is_encroached ? by : c});
       continue;
