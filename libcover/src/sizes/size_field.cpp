@@ -7,7 +7,6 @@
 #include <limits>
 #include <utility>
 
-#include "geom/box.hpp"
 #include "geom/vector.hpp"
 #include "sizes/fields/ask_size.hpp"
 #include "sizes/spread_sizes.hpp"
@@ -33,6 +32,17 @@ std::vector<double> spacing_of(const RegionBoundary& boundary) {
   }
   for (std::size_t v = 0; v < sum.size(); ++v) sum[v] = count[v] > 0 ? sum[v] / count[v] : kNoSize;
   return sum;
+}
+
+/// Whether the triangulation has an edge longer than `most`. New vertices make shorter ones of it.
+bool has_longer_edge(const RegionBoundary& boundary, const Triangulation& cdt, double most) {
+  for (const Triangle& t : cdt.triangles) {
+    for (const Corner i : kCorners) {
+      const Point a = boundary.points[t.v[i]], b = boundary.points[t.v[i.next()]];
+      if (length(b - a) > most) return true;
+    }
+  }
+  return false;
 }
 
 /// Zero where a function wishes nothing.
@@ -69,8 +79,8 @@ SizeField::SizeField(const RegionBoundary& boundary, const Triangulation& cdt,
     : slope_(growth.value_or(Options::kGrowth) - 1),
       largest_(boundary.size > 0 ? boundary.size : kNoSize),
       background_(std::move(background)) {
-  const double longest_edge = box_of(boundary.points).diagonal();
-  if (!growth && !background_ && boundary.size_at.empty() && largest_ >= longest_edge) return;
+  const bool is_one_size = !growth && !background_ && boundary.size_at.empty();
+  if (is_one_size && !has_longer_edge(boundary, cdt, largest_)) return;
   at_ = spacing_of(boundary);
   for (std::size_t v = 0; v < at_.size(); ++v) {
     if (!boundary.vertices.empty() && !(boundary.vertices[v] < first_cut)) at_[v] = kNoSize;

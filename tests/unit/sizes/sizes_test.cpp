@@ -149,6 +149,18 @@ TEST(Sizes, NoWishChangesNothing) {
   EXPECT_EQ(quality_region(boundary, {}, {}).mesh.triangles, plain);
 }
 
+TEST(Sizes, ASizeThatNoEdgeExceedsChangesNothing) {
+  Loop inner = regular_polygon(40);
+  for (Point& p : inner) p = {0.8 * p.x, 0.8 * p.y};
+  std::reverse(inner.begin(), inner.end());
+  RegionBoundary ring = boundary_of({regular_polygon(40), inner});
+  const std::vector<IndexTriple> plain = quality_region(ring, {}, {}).mesh.triangles;
+  ring.size = 0.5;
+  EXPECT_EQ(quality_region(ring, {}, {}).mesh.triangles, plain);
+  ring.size = 0.1;
+  EXPECT_GT(quality_region(ring, {}, {}).mesh.triangles.size(), plain.size());
+}
+
 TEST(Sizes, YieldToAnglesBesideLongSides) {
   // Fine triangles beside sides of 0.25 would have angles above 100 degrees.
   for (const double size : {0.1, 0.05, 0.02}) {
