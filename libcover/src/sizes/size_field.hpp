@@ -32,8 +32,8 @@ SizeFunction background_of(const RegionBoundary& boundary, const Options& option
 /// A growth is a wish of its own, even without sizes.
 /// A boundary vertex has the size given for it; else the mean length of its sides, or h(x) without
 /// them where that is no more than kNear times as long. A region's size that no edge of its
-/// triangulation exceeds is no wish. Beside sides more than kNear times as long as h(x), sizes are no smaller
-/// than the sides less 0.85 times the distance: angles come before sizes.
+/// triangulation exceeds is no wish. Beside sides more than kNear times as long as h(x), sizes are
+/// no smaller than the sides less 0.85 times the distance: angles come before sizes.
 class SizeField {
  public:
   /// How much shorter sides may be than the region's size without a graded zone along them.

@@ -405,6 +405,8 @@ void fill_report(const RegionBoundary& boundary, RegionMesh& mesh, const Team& t
   report.bound_held =
       !mesh.triangles.empty() && (report.quality.largest_nu >= report.nu_bound ||
                                   holds_bound(points, mesh.triangles, report.nu_bound));
+  // What was missed before something was mended is missed no more.
+  std::erase_if(report.notes, [](const Note& n) { return n.kind == Note::Kind::bound_missed; });
   if (!report.bound_held && !mesh.triangles.empty()) {
     Note note = bound_missed(report, points, worst_triangle(points, mesh.triangles));
     const auto others = without_flat_on_hull(boundary, points, mesh.triangles);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <cover/cover_mesh.hpp>
 
@@ -133,6 +134,40 @@ TEST(LayeredRegion, WithdrawsLayersWhereTheRestWouldBreakTheBound) {
     const auto& parts = report.layers[0].cut_short;
     EXPECT_TRUE(std::any_of(parts.begin(), parts.end(),
                             [](const auto& part) { return part.why == LayerStop::withdrawn; }));
+  }
+}
+
+/// What is left between them is a hair thinner than a row.
+TEST(LayeredRegion, FacesAnotherOneAcrossARowThatIsLeft) {
+  Input input = two_boxes(20, 4, 0.49998);
+  input.segments[1].name = "lid";
+  Options options = with_layers({{"gate", "above", 0.1, 1, 2}, {"lid", "above", 0.1, 1, 2}});
+  options.split_interfaces = Angle::degrees(90);
+  options.sizes = {{"", 0.4, false}};
+  const Output output = testing::must_mesh(input, options);
+  const RegionReport& report = report_of(output, "above");
+  ASSERT_EQ(report.layers.size(), 2U);
+  for (const LayerReport& line : report.layers) {
+    EXPECT_EQ(line.most, 2);
+    EXPECT_GE(line.complete, line.segments - 2);  // all but at the ends
+  }
+}
+
+/// A fibre whose layers break the bound until they are mended.
+TEST(LayeredRegion, TellsOfNoBoundThatIsHeldInTheEnd) {
+  std::vector<Point> points{{0, 0}, {4, 0}, {4, 2}, {0, 2}};
+  std::vector<std::array<std::uint32_t, 2>> ends{{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+  for (std::uint32_t k = 0; k < 12; ++k) {
+    const double turn = k * std::numbers::pi / 6;
+    points.push_back({1.5 + 0.5 * std::cos(turn), 1 + 0.5 * std::sin(turn)});
+    ends.push_back({4 + k, 4 + (k + 1) % 12});
+  }
+  Input input = testing::segments_between(points, ends);
+  for (std::size_t s = 4; s < ends.size(); ++s) input.segments[s].name = "fib";
+  const Output output = testing::must_mesh(input, with_layers({{"fib", "", 0.1, 1.2, 2}}));
+  for (const RegionReport& report : output.report.regions) {
+    EXPECT_TRUE(report.bound_held);
+    for (const Note& note : report.notes) EXPECT_NE(note.kind, Note::Kind::bound_missed);
   }
 }
 

@@ -23,7 +23,9 @@
 namespace cover::layers {
 namespace {
 
-constexpr double kFree = 0.5;  ///< of a layer's thickness: what stays free above it
+/// Of a layer's thickness: what stays free above it. A little less than half, so that where two
+/// lines face each other, what is left between their layers may be a row that is a bit thinner.
+constexpr double kFree = 0.45;
 const double kSteepest = std::sin(kMitre / 2 * std::numbers::pi / 180);
 constexpr double kSameHeight = 1e-6;  ///< of a layer's thickness: vertices of a wall that serve it
 
