@@ -26,6 +26,7 @@
 #include "geom/vector.hpp"
 #include "layers/front/layer_front.hpp"
 #include "mend/couplings/delaunay_within_bound.hpp"
+#include "region/triangulation_of.hpp"
 #include "target/angle_limit.hpp"
 #include "target/fill_report.hpp"
 #include "target/whole_mesh.hpp"
@@ -227,7 +228,7 @@ class LayeredRegion {
         options_(options),
         stop_(std::move(stop)),
         most_(boundary.sides.size(), std::numeric_limits<int>::max()) {
-    const Triangulation cdt = triangulate_region(boundary.points, boundary.sides);
+    const Triangulation cdt = triangulation_of(boundary);
     set_limits(angle_limit(cdt, boundary.sides, boundary.segments), limits_);
   }
 

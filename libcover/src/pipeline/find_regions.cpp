@@ -22,13 +22,6 @@
 #include "tasks/region_task.hpp"
 
 namespace cover {
-
-Status begin_stage(std::string_view stage, const Callbacks& callbacks) {
-  if (callbacks.stop.stop_requested()) return interrupted();
-  if (callbacks.progress) callbacks.progress({stage, 0, 0});
-  return ok();
-}
-
 namespace {
 
 /// Before segments are cut for sizes that no mesh can have, or a dry run ends with a wrong name.
@@ -39,16 +32,6 @@ Status check_wishes(const Pslg& pslg, const RegionTable& table, const Options& o
   return pieces ? check_expected_triangles(table, *pieces, options, memory_for_mesh(memory_counts))
                 : pieces.error();
 }
-
-}  // namespace
-
-std::vector<PeriodicRule> periodic_rules(const Input& input, const Options& options) {
-  std::vector<PeriodicRule> rules = options.periodic;
-  rules.insert(rules.end(), input.periodic.begin(), input.periodic.end());
-  return rules;
-}
-
-namespace {
 
 /// What the report tells of an input as it was read.
 Report report_on(const Input& input, const Options& options) {
@@ -112,6 +95,18 @@ Result<FoundRegions> find(const Input& input, Release release, const Options& op
 }
 
 }  // namespace
+
+Status begin_stage(std::string_view stage, const Callbacks& callbacks) {
+  if (callbacks.stop.stop_requested()) return interrupted();
+  if (callbacks.progress) callbacks.progress({stage, 0, 0});
+  return ok();
+}
+
+std::vector<PeriodicRule> periodic_rules(const Input& input, const Options& options) {
+  std::vector<PeriodicRule> rules = options.periodic;
+  rules.insert(rules.end(), input.periodic.begin(), input.periodic.end());
+  return rules;
+}
 
 Result<FoundRegions> find_regions(const Input& input, const Options& options,
                                   const Callbacks& callbacks, StageClock& clock,

@@ -13,8 +13,8 @@
 #include <cover/text.hpp>
 
 #include "cdt/cdt.hpp"
-#include "cdt/region_cdt.hpp"
 #include "geom/vector.hpp"
+#include "region/triangulation_of.hpp"
 #include "sizes/size_field.hpp"
 
 namespace cover {
@@ -73,7 +73,7 @@ double shortest_side(const RegionBoundary& boundary) {
 class Estimate {
  public:
   Estimate(const RegionBoundary& boundary, const Options& options)
-      : cdt_(triangulate_region(boundary.points, boundary.sides)),
+      : cdt_(triangulation_of(boundary)),
         sizes_(boundary, cdt_, options.growth, background_of(boundary, options)),
         will_be_cut_(options.split_interfaces),
         samples_(cdt_.triangles.size() > kManyTriangles ? 1 : kSamples) {}

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "geom/box.hpp"
 #include "geom/vector.hpp"
 #include "sizes/fields/ask_size.hpp"
 #include "sizes/spread_sizes.hpp"
@@ -79,8 +80,8 @@ SizeField::SizeField(const RegionBoundary& boundary, const Triangulation& cdt,
     : slope_(growth.value_or(Options::kGrowth) - 1),
       largest_(boundary.size > 0 ? boundary.size : kNoSize),
       background_(std::move(background)) {
-  const bool is_one_size = !growth && !background_ && boundary.size_at.empty();
-  if (is_one_size && !has_longer_edge(boundary, cdt, largest_)) return;
+  const double longest_edge = box_of(boundary.points).diagonal();
+  if (!growth && !background_ && boundary.size_at.empty() && largest_ >= longest_edge) return;
   at_ = spacing_of(boundary);
   for (std::size_t v = 0; v < at_.size(); ++v) {
     if (!boundary.vertices.empty() && !(boundary.vertices[v] < first_cut)) at_[v] = kNoSize;
@@ -98,6 +99,13 @@ SizeField::SizeField(const RegionBoundary& boundary, const Triangulation& cdt,
     for (const Corner i : kCorners) edges.emplace_back(t.v[i], t.v[i.next()]);
   }
   spread_sizes(cdt.points, edges, slope_, at_);
+}
+
+SizeField SizeField::where_it_counts(const RegionBoundary& boundary, const Triangulation& cdt,
+                                     std::optional<double> growth, SizeFunction background) {
+  const bool is_one_size = !growth && !background && boundary.size_at.empty();
+  if (is_one_size && boundary.size > 0 && !has_longer_edge(boundary, cdt, boundary.size)) return {};
+  return {boundary, cdt, growth, std::move(background)};
 }
 
 SizeField SizeField::part(std::span<const std::uint32_t> vertices) const {

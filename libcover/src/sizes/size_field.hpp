@@ -31,9 +31,9 @@ SizeFunction background_of(const RegionBoundary& boundary, const Options& option
 ///
 /// A growth is a wish of its own, even without sizes.
 /// A boundary vertex has the size given for it; else the mean length of its sides, or h(x) without
-/// them where that is no more than kNear times as long. A region's size that no edge of its
-/// triangulation exceeds is no wish. Beside sides more than kNear times as long as h(x), sizes are
-/// no smaller than the sides less 0.85 times the distance: angles come before sizes.
+/// them where that is no more than kNear times as long. A region's size that no edge of its meshes
+/// can exceed is no wish. Beside sides more than kNear times as long as h(x), sizes are no smaller
+/// than the sides less 0.85 times the distance: angles come before sizes.
 class SizeField {
  public:
   /// How much shorter sides may be than the region's size without a graded zone along them.
@@ -48,6 +48,11 @@ class SizeField {
   /// The lengths of sides do not count at vertices from `first_cut` on.
   SizeField(const RegionBoundary& boundary, const Triangulation& cdt, std::optional<double> growth,
             SizeFunction background = {}, VertexId first_cut = VertexId{kNone});
+
+  /// The same, and no wish either where one size is asked for that no edge of the triangulation
+  /// exceeds: what is made of that without sizes has shorter edges still, and better angles.
+  static SizeField where_it_counts(const RegionBoundary& boundary, const Triangulation& cdt,
+                                   std::optional<double> growth, SizeFunction background);
 
   /// Whether the region has any wish.
   [[nodiscard]] bool is_active() const { return !at_.empty(); }

@@ -24,6 +24,7 @@
 #include "quality/fault/merit.hpp"
 #include "quality/fault/missed_targets.hpp"
 #include "quality/quality_region.hpp"
+#include "region/triangulation_of.hpp"
 #include "target/angle_limit.hpp"
 #include "target/fill_report.hpp"
 #include "target/whole_mesh.hpp"
@@ -39,8 +40,7 @@ constexpr std::size_t kPointsToMeshTwice = 500;
 constexpr std::size_t kManyTriangles = 100'000;
 
 std::unique_ptr<RegionProof> proof_of(const RegionBoundary& boundary) {
-  return std::make_unique<RegionProof>(
-      triangulate_region(boundary.points, boundary.sides, boundary.known_triangles()));
+  return std::make_unique<RegionProof>(triangulation_of(boundary));
 }
 
 using RegionMethod = ProvenMesh (*)(const RegionBoundary&, const Options&, const std::stop_token&,
@@ -110,8 +110,7 @@ ProvenMesh by_almonds(const RegionBoundary& boundary, const Options& options,
 /// The constrained Delaunay triangulation, which no rounding can break.
 ProvenMesh plain_region(const RegionBoundary& boundary, const Options&, const std::stop_token&,
                         const Team& team) {
-  const Triangulation cdt =
-      triangulate_region(boundary.points, boundary.sides, boundary.known_triangles(), team);
+  const Triangulation cdt = triangulation_of(boundary, team);
   RegionMesh mesh;
   mesh.report.id = boundary.id;
   mesh.report.method = "cdt";

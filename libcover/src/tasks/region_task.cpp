@@ -15,7 +15,7 @@
 #include "base/containers/order.hpp"
 #include "base/faults/errors.hpp"
 #include "base/run_all.hpp"
-#include "cdt/region_cdt.hpp"
+#include "region/triangulation_of.hpp"
 #include "sizes/expected_triangles.hpp"
 #include "target/angle_limit.hpp"
 #include "target/fill_report.hpp"
@@ -122,7 +122,7 @@ Result<std::vector<RegionReport>> limit_regions(std::span<const RegionBoundary> 
   Status status =
       for_each_region(boundaries, worker_count(options), "limits", callbacks, [&](std::size_t k) {
         const RegionBoundary& boundary = boundaries[k];
-        const Triangulation cdt = triangulate_region(boundary.points, boundary.sides);
+        const Triangulation cdt = triangulation_of(boundary);
         set_limits(angle_limit(cdt, boundary.sides, boundary.segments), reports[k]);
         reports[k].id = boundary.id;
         reports[k].input_vertices = boundary.points.size();

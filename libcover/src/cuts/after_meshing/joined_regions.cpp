@@ -7,7 +7,6 @@
 
 #include "base/containers/order.hpp"
 #include "cdt/cdt.hpp"
-#include "cdt/region_cdt.hpp"
 #include "cuts/after_meshing/hand_out_triangles.hpp"
 #include "geom/angle_rounding.hpp"
 #include "geom/curves/arc.hpp"
@@ -15,6 +14,7 @@
 #include "geom/vector.hpp"
 #include "quality/fault/merit.hpp"
 #include "quality/parts/with_neighbours.hpp"
+#include "region/triangulation_of.hpp"
 
 namespace cover {
 namespace {
@@ -62,7 +62,7 @@ IndexTriple from_the_lowest(IndexTriple triangle) {
 
 /// By side, of the region alone.
 std::vector<SideLimit> limits_of(const RegionBoundary& boundary) {
-  const Triangulation cdt = triangulate_region(boundary.points, boundary.sides);
+  const Triangulation cdt = triangulation_of(boundary);
   return side_limits(cdt, locate_sides(cdt, boundary.sides));
 }
 

@@ -17,7 +17,6 @@
 #include "box/encroached_sides.hpp"
 #include "box/least_cuts.hpp"
 #include "box/obstacles.hpp"
-#include "cdt/region_cdt.hpp"
 #include "cuts/before_meshing/onto_arcs.hpp"
 #include "cuts/cut_segments.hpp"
 #include "cuts/periodic/mirror_cuts.hpp"
@@ -27,6 +26,7 @@
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"
+#include "region/triangulation_of.hpp"
 
 namespace cover {
 namespace {
@@ -50,7 +50,7 @@ class RegionInPass {
  public:
   explicit RegionInPass(RegionBoundary boundary)
       : boundary_(std::move(boundary)),
-        cdt_(triangulate_region(boundary_.points, boundary_.sides)),
+        cdt_(triangulation_of(boundary_)),
         at_(locate_sides(cdt_, boundary_.sides)),
         found_(encroached_sides(cdt_, at_)),
         is_encroached_(boundary_.sides.size(), 0),

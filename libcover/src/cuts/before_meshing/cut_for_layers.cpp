@@ -12,7 +12,6 @@
 
 #include <cover/text.hpp>
 
-#include "cdt/region_cdt.hpp"
 #include "cdt/sides.hpp"
 #include "cuts/cut_segments.hpp"
 #include "cuts/room_on_segment.hpp"
@@ -21,6 +20,7 @@
 #include "layers/layered_region.hpp"
 #include "layers/wall_points.hpp"
 #include "region/region_graph.hpp"
+#include "region/triangulation_of.hpp"
 
 namespace cover {
 namespace {
@@ -67,7 +67,7 @@ Status cut_for_layers(Prepared& prepared, const Options& options) {
   }
   for (const RegionBoundary& boundary : boundaries) {
     if (wishes.empty()) break;
-    const Triangulation cdt = triangulate_region(boundary.points, boundary.sides);
+    const Triangulation cdt = triangulation_of(boundary);
     const std::vector<EdgeRef> at = locate_sides(cdt, boundary.sides);
     for (std::size_t s = 0; s < at.size(); ++s) {
       const auto wish = wishes.find(boundary.segments[s]);

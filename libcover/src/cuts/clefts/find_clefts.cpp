@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "cdt/region_cdt.hpp"
 #include "cdt/sides.hpp"
 #include "geom/vector.hpp"
+#include "region/triangulation_of.hpp"
 
 namespace cover {
 namespace {
@@ -26,7 +26,7 @@ struct Sided {
 
 Sided sided(const RegionBoundary& boundary) {
   Sided out;
-  out.cdt = triangulate_region(boundary.points, boundary.sides, boundary.known_triangles());
+  out.cdt = triangulation_of(boundary);
   out.side.resize(out.cdt.triangles.size(), {kNone, kNone, kNone});
   const std::vector<EdgeRef> at = locate_sides(out.cdt, boundary.sides);
   for (std::uint32_t s = 0; s < at.size(); ++s) out.side[at[s].triangle][at[s].edge] = s;

@@ -11,9 +11,9 @@
 #include <cover/text.hpp>
 
 #include "cdt/cdt.hpp"
-#include "cdt/region_cdt.hpp"
 #include "geom/angle_rounding.hpp"
 #include "quality/parts/with_neighbours.hpp"
+#include "region/triangulation_of.hpp"
 #include "target/fill_report.hpp"
 
 namespace cover {
@@ -186,8 +186,7 @@ std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& 
 
 void report_again(const RegionBoundary& boundary, const Options& options, bool budget_used_up,
                   RegionMesh& mesh) {
-  const Triangulation cdt =
-      triangulate_region(boundary.points, boundary.sides, boundary.known_triangles());
+  const Triangulation cdt = triangulation_of(boundary);
   const AngleLimit limit = angle_limit(cdt, boundary.sides, boundary.segments);
   const Triangulation all = with_neighbours(all_points(boundary, mesh), mesh.triangles);
   MutableMesh mutable_mesh(all, static_cast<std::uint32_t>(boundary.points.size()),

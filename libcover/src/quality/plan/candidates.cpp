@@ -74,7 +74,7 @@ Candidates::Candidates(const RegionBoundary& boundary, const Options& options,
       limit_(angle_limit(cdt_, boundary.sides, boundary.segments, sharing.team)),
       side_limits_(limits_of(cdt_, limit_, options, sharing.team)),
       goal_(goal_of(options, limit_, boundary.is_part)),
-      sizes_(boundary, cdt_, options.growth, background_in_frame()),
+      sizes_(SizeField::where_it_counts(boundary, cdt_, options.growth, background_in_frame())),
       given_(effort::kBudgetAtLeast + effort::kBudgetPerPoint * boundary.points.size()),
       budget_{given_, stop} {}
 
