@@ -14,8 +14,6 @@ namespace {
 /// rounding. What is farther off lies on an arc, whose pieces leave its chord.
 constexpr double kOnLine = 2, kFarthestRounded = 16;
 
-}  // namespace
-
 Point back_on_line(Point a, Point b, Point p) {
   const Vector along = b - a;
   const double off = cross(along, p - a) / length(along);
@@ -23,6 +21,8 @@ Point back_on_line(Point a, Point b, Point p) {
   if (std::abs(off) <= kOnLine * spacing || std::abs(off) > kFarthestRounded * spacing) return p;
   return p + (off / length(along)) * Vector{along.y, -along.x};
 }
+
+}  // namespace
 
 WholeSegments::WholeSegments(const Pslg& pslg, std::size_t uncut_points) {
   const std::vector<Segment>& segments = pslg.segments;

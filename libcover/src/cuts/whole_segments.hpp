@@ -10,11 +10,6 @@
 
 namespace cover {
 
-/// `p`, put on the line through a and b if rounding left it beside that: by more than 2 units in
-/// the last place and no more than 16. What is farther off was put there, as on an arc.
-/// Cost: O(1)
-Point back_on_line(Point a, Point b, Point p);
-
 /// The ends that every segment had before it was cut.
 class WholeSegments {
  public:
@@ -25,8 +20,9 @@ class WholeSegments {
   /// The ends of the segment of which `s` is a piece, in its direction.
   [[nodiscard]] std::array<Point, 2> ends(SegmentId s) const { return ends_[s.index()]; }
 
-  /// A cut of the piece `s`, on the line of the segment that was cut first. Feet from wall to wall
-  /// come one by one, each on the piece that the last one left: rounded every time, they would
+  /// A cut of the piece `s`, on the line of the segment that was cut first if rounding left it
+  /// beside that: by more than 2 units in the last place and no more than 16. Feet from wall to
+  /// wall come one by one, each on the piece that the last one left: rounded every time, they would
   /// leave the line by half a unit in the last place each. Chords of arcs are left alone.
   /// Cost: O(1)
   [[nodiscard]] Point on_whole(SegmentId s, Point p) const;

@@ -42,18 +42,23 @@ TEST(WholeSegments, PiecesOfPiecesHaveTheEndsOfTheWhole) {
 
 TEST(WholeSegments, OnlyWhatRoundingTookOffALineIsPutBack) {
   const Point a{1e12, 1e12}, b{1e12 + 3, 1e12 + 1};
+  Pslg pslg;
+  pslg.points = {a, b};
+  pslg.segments = {{VertexId{0}, VertexId{1}}};
+  const WholeSegments whole(pslg, 2);
+  const auto put = [&](Point p) { return whole.on_whole(SegmentId{0}, p); };
   const double spacing = spacing_of(std::array{a, b});
   const Vector across = (spacing / length(b - a)) * Vector{-(b - a).y, (b - a).x};
   const auto off = [&](Point p) { return std::abs(cross(b - a, p - a)) / length(b - a); };
   const Point middle = midpoint(a, b);
-  EXPECT_EQ(back_on_line(a, b, middle), middle);
+  EXPECT_EQ(put(middle), middle);
   for (const double units : {-15.0, -4.0, 4.0, 15.0}) {
     const Point p = middle + units * across;
     ASSERT_GT(off(p), 3 * spacing);
-    EXPECT_LE(off(back_on_line(a, b, p)), spacing) << units;
+    EXPECT_LE(off(put(p)), spacing) << units;
   }
   const Point on_arc = middle + 40 * across;
-  EXPECT_EQ(back_on_line(a, b, on_arc), on_arc);
+  EXPECT_EQ(put(on_arc), on_arc);
 }
 
 }  // namespace

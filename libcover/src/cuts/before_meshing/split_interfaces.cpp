@@ -31,7 +31,6 @@
 #include "cuts/periodic/mirror_cuts.hpp"
 #include "cuts/room_on_segment.hpp"
 #include "cuts/whole_segments.hpp"
-#include "geom/curves/arc.hpp"
 #include "geom/foot.hpp"
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"
@@ -52,7 +51,6 @@ constexpr std::size_t kFarMoreStuck = 16;
 
 /// A segment, maybe one of many that a segment was cut into.
 struct Piece {
-  Point a, b;                    ///< the ends of the segment before it was cut
   double length = 0;             ///< when this began: of a piece, where it was cut before
   bool is_to_halve = false;      ///< if it is not cut otherwise
   bool is_rigid = false;         ///< rounded cuts on it broke something
@@ -66,13 +64,10 @@ class Splitter {
       : pslg_(pslg),
         table_(table),
         options_(options),
-        first_cut_{static_cast<std::uint32_t>(pslg.points.size())},
+        uncut_points_(uncut_points),
+        first_cut_{pslg.points.size()},
         dirty_(table.regions.size(), 1) {
-    const WholeSegments whole(pslg, uncut_points);
-    for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
-      const auto [a, b] = whole.ends(SegmentId{s});
-      pieces_.push_back({a, b, length_of(pslg.segments[s])});
-    }
+    for (const Segment& segment : pslg.segments) pieces_.push_back({length_of(segment)});
   }
 
   /// Cuts `halved` in any case, where there is room. False if that takes more than `most` points.
@@ -163,9 +158,11 @@ class Splitter {
       broken_ = cuts_that_broke_void(pslg_, table_, first_of_last_cuts());
     std::fill(dirty_.begin(), dirty_.end(), std::uint8_t{0});
     const PeriodicClasses classes(pslg_);
+    const WholeSegments whole(pslg_, uncut_points_);
     std::vector<SegmentCut> cuts;
     for (std::size_t s = 0; s < pieces_.size(); ++s) {
       std::vector<Point> places = places_on(s, wishes, classes.is_periodic(SegmentId{s}));
+      for (Point& place : places) place = whole.on_whole(SegmentId{s}, place);
       if (!places.empty()) cuts.push_back({SegmentId{s}, std::move(places)});
     }
     note_stuck();
@@ -210,7 +207,6 @@ class Splitter {
         piece.stuck_from = piece.stuck_from | wish.forced_from;
       }
     }
-    for (Point& place : places) place = on_whole(s, place);
     return places;
   }
 
@@ -236,12 +232,6 @@ class Splitter {
     if (shorter <= kLeastBesideFoot * whole || !has_room_on_segment(a, b, foot, wish.apexes))
       return std::nullopt;
     return foot;
-  }
-
-  /// WholeSegments::on_whole().
-  [[nodiscard]] Point on_whole(std::size_t s, Point p) const {
-    if (circle_of(pslg_, pslg_.segments[s]) != nullptr) return p;
-    return back_on_line(pieces_[s].a, pieces_[s].b, p);
   }
 
   void note_stuck() {
@@ -330,6 +320,7 @@ class Splitter {
   Pslg& pslg_;
   RegionTable& table_;
   const Options& options_;
+  std::size_t uncut_points_;
   /// Feet of what lies on both sides of a thin layer may be near each other; lengths of pieces
   /// between them are no wish, or finer pieces would follow from them, and so on.
   VertexId first_cut_;
