@@ -91,6 +91,31 @@ class Check(Case):
         places = [' '.join(sorted(re.findall(r'\([^)]*\)', line)[:2])) for line in failed]
         self.assertEqual(len(places), len(set(places)))
 
+    def test_other_numbers_of_materials_on_cut_arcs(self):
+        def ring(iron, air):
+            return json.dumps({'polygons': [
+                {'material': iron, 'region': 'a', 'rings': [[[0, 0], [4, 0], [4, 4], [0, 4]]]},
+                {'material': air, 'region': 'b', 'rings': [[{'circle': {'centre': [2, 2], 'radius': 1, 'chords': 8}}]]}]})
+        self.write('ring.json', ring('iron', 'air'))
+        self.write('other.json', ring(7, 9))
+        square = {'points': [[0, 0], [4, 0], [4, 4], [0, 4]], 'segments': [[0, 1], [1, 2], [2, 3], [3, 0]]}
+        for name, material in (('square.json', 1), ('numbered.json', 7)):
+            self.write(name, json.dumps({**square, 'regions': [{'x': 1, 'y': 1, 'material': material}]}))
+        for one, other in (('ring.json', 'other.json'), ('square.json', 'numbered.json')):
+            self.run_cover('mesh', one, '--split-interfaces', '--size', '0.5', '-o', 'r.vtk', '-q')
+            out, _ = self.run_cover('check', other, 'r.vtk', '--allow-split', '--no-bound', code=6)
+            failed = [line for line in out.splitlines() if line.startswith('FAILED')]
+            self.assertTrue(failed)
+            for line in failed:
+                self.assertTrue(line.startswith('FAILED materials: '), line)
+            # Where cuts are not allowed, they are told beside the materials.
+            out, _ = self.run_cover('check', other, 'r.vtk', code=6)
+            self.assertRegex(out, r'^Segments [^\n]*; all else but materials is sound[^\n]* add --allow-split\n')
+            self.assertRegex(out, r'\nFAILED promise 1: ')
+            self.assertRegex(out, r'\nFAILED materials: ')
+            self.assertNotIn('FAILED promise 2', out)
+            self.assertNotIn('all else but', self.run_cover('check', one, 'r.vtk', code=6)[0])
+
     def test_a_mesh_of_the_hull(self):
         self.run_cover('mesh', SAMPLES / 'mosfet.poly', '-o', 'h.vtu', '--hull', '-q')
         out, _ = self.run_cover('check', SAMPLES / 'mosfet.poly', 'h.vtu', code=6)
