@@ -390,8 +390,15 @@ class Files(Case):
         self.run_cover('convert', 'tft.vtm', '-o', 'other.msh', '-q')
         self.assertIn('"gate_contact"', (self.dir / 'other.msh').read_text())
 
-    def test_a_mesh_may_be_replaced_by_its_conversion(self):
-        self.run_cover('convert', 'd.vtu', '-o', 'd.vtu', '--order', 2)
+    def test_a_conversion_does_not_replace_its_mesh(self):
+        # It may lose what the mesh has, as nodes of second order.
+        os.symlink('d.vtu', self.dir / 'link.vtu')
+        for name in ('d.vtu', './d.vtu', 'link.vtu'):
+            self.refuse(f"writing -o '{name}' would replace the input", 'convert', 'd.vtu', '-o', 'e.msh', '-o', name)
+        self.refuse("would replace the input 'link.vtu'", 'convert', 'link.vtu', '-o', 'd.vtu')
+        self.refuse('would replace the input\n', 'convert', 'd.vtm', '-o', 'd.vtm')
+        # Meshing again does: all else stays as it is.
+        self.run_cover('mesh', 'd.poly', '--only', '2', '--onto', 'd.vtu', '-o', 'd.vtu', '-q')
 
     def test_nothing_is_written_twice(self):
         mesh = ('mesh', 'd.poly')

@@ -53,7 +53,7 @@ Examples:
     writers.push_back(*std::move(writer));
     written.push_back({"-o", output, true});
   }
-  if (const Status files = check_files({{"", path, true}}, written); !files)
+  if (const Status files = check_files({{"", path}}, written); !files)
     return usage_error(app, files.error());
 
   const auto log = make_logger(verbosity);
