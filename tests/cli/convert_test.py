@@ -111,6 +111,15 @@ class Names(Case):
                 self.assertRegex(out, re.escape(made) + r' +' + re.escape(name.replace('"', '_')))
         self.assertRegex(out, r'KONTAKT___ +Kontakt Ä')
         self.assertNotIn('in .inp', self.run_cover('mesh', self.write('s.poly', SQUARE), '-o', 's.inp')[0])
+        # All nodes are a set of the writer's own, and names have 80 characters.
+        square = {'polygons': [{'material': 'Si', 'region': 'r' * 81, 'rings': [[[0, 0], [1, 0], [1, 1], [0, 1]]]}],
+                  'lines': [{'name': 'Nall', 'points': [[0, 0], [1, 0]]}]}
+        out, _ = self.run_cover('mesh', self.write('s.json', json.dumps(square)), '-o', 'n.inp')
+        self.assertRegex(out, r'\n *NALL_2 +Nall\n')
+        self.assertRegex(out, r'\n *R{80} +r{81}\n')
+        text = (self.dir / 'n.inp').read_text()
+        self.assertEqual(re.findall(r'NSET=(\w+)', text).count('NALL'), 1)
+        self.assertIn('NSET=NALL_2\n', text)
 
     def test_ids(self):
         squares = [{'material': 'Cu', 'region': f'coil {k}', 'rings': [[[2 * k, 0], [2 * k + 1, 0], [2 * k + 1, 1], [2 * k, 1]]]}
