@@ -212,6 +212,19 @@ class Values(Case):
         for name in ('m.vtu', 'm.vtm', 'm.vtkhdf', 'm.msh', 'n.msh', 'm.xdmf'):
             self.run_cover('check', 'm.geojson', name)
 
+    def test_values_of_merged_polygons_are_told(self):
+        text = (self.dir / 'm.geojson').read_text()
+        self.write('m.geojson', text.replace('"material": "b"', '"material": "a"'))
+        lost = 'the names or attributes of 1 polygon are left out'
+        for option in ('--keep-field', 'height'), ('--name-field', 'use'):
+            told = self.run_cover('mesh', 'm.geojson', '--merge-materials', *option, '-o', 'm.vtu')[1]
+            self.assertIn(lost, told)
+        # Nothing is lost of equal values, and without merging.
+        self.assertNotIn('left out', self.run_cover('mesh', 'm.geojson', '--merge-materials', '-o', 'm.vtu')[1])
+        self.assertNotIn('left out', self.run_cover('mesh', 'm.geojson', '--keep-field', 'height', '-o', 'm.vtu')[1])
+        self.write('m.geojson', text.replace('"material": "c"', '"material": "a"'))
+        self.assertNotIn('left out', self.run_cover('mesh', 'm.geojson', '--merge-materials', '--keep-field', 'use', '-o', 'm.vtu')[1])
+
     def test_names_that_are_taken(self):
         text = (self.dir / 'm.geojson').read_text().replace('"use"', '"RegionId"').replace('"height"', '"a/b"')
         self.write('m.geojson', text)
