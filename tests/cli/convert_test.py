@@ -252,6 +252,14 @@ class Values(Case):
             self.assertEqual(str(self.arrays('g.vtu', 'PointData', 'Net')), str(self.arrays('e.vtu', 'PointData', 'Net')))
         self.assertEqual(str(self.arrays('f.vtu', 'PointData', 'Net')), str(self.arrays('e.vtu', 'PointData', 'Net')))
 
+    def test_formats_without_attributes_are_told(self):
+        told = self.run_cover('mesh', 'm.geojson', *self.KEEP, '-o', 'm.vtk', '-o', 'm.inp', '-o', 'm.vtu', '-o', 'm.svg')[1]
+        self.assertIn('attributes (use, height, fid) are not in m.vtk, m.inp: formats that hold them are .vtu, ', told)
+        for files in ('-o', 'm.vtu'), ('-o', 'm.inp', '-o', 'm.json'), ('-o', 'm.poly', '-o', 'm.svg', '-o', 'm.vtkhdf'):
+            self.assertNotIn('attributes', self.run_cover('mesh', 'm.geojson', *self.KEEP, *files)[1])
+        self.assertNotIn('attributes', self.run_cover('mesh', 'm.geojson', '-o', 'm.vtk')[1])
+        self.assertIn('attributes (', self.run_cover('convert', 'm.vtkhdf', '-o', 'n.mesh')[1])
+
     def test_a_map_may_be_named_json(self):
         self.write('n.json', (self.dir / 'm.geojson').read_text())
         chosen = ('--material-field', 'use', '--name-field', 'fid', '--keep-field', 'height')

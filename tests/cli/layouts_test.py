@@ -65,6 +65,9 @@ class Layouts(Case):
             error = self.run_cover(*command, '--cell', 'TOP', '--unit', 'nm')[1]
             self.assertIn('--cell does nothing: it counts with layouts only', error)
             self.assertNotIn('--unit', error)
+        self.write('a.geojson', '{"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [0, 1], [0, 0]]]}')
+        error = self.run_cover('info', 'a.geojson', '--chord-angle', '10')[1]
+        self.assertIn('--chord-angle does nothing: it counts with drawings, layouts and maps with curves only', error)
 
     def test_scales_that_round_are_told(self):
         self.write('a.poly', SQUARE.replace('3 1 1', '3 1.1 1.3'))

@@ -85,6 +85,13 @@ class Mesh(Case):
         for words in (['--fill', 'disks'], ['--max-angle', 110, '--min-angle', 10], ['--method', 'almond'],
                       ['--method', 'almond', '--max-angle', 170, '--require', 'max-angle']):
             self.assertEqual(warnings(*words), '', words)
+        for option, value, extension in (('--inp-element', 'CPS', '.inp'), ('--msh', '4.1', '.msh'), ('--xdmf', 'hdf5', '.xdmf'),
+                                         ('--lines', 'true', '.vtk')):
+            words = [f'{option}={value}']
+            told = f'{option} does nothing: it counts with {extension} only'
+            self.assertIn(told, warnings(*words))
+            self.assertIn(told, self.run_cover('convert', 'd.vtu', *words, '-o', 'e.mesh')[1])
+            self.assertEqual(warnings(*words, '-o', 'd' + extension), '', words)
 
     def test_missed_targets_are_told_with_v(self):
         flat = self.write('flat.poly', SQUARE.replace('2 1 0', '2 2 0').replace('3 1 1', '3 2 2').replace('4 0 1', '4 1 0.1'))

@@ -61,6 +61,10 @@ Examples:
   const Result<Output> mesh = read_output(path);
   if (!mesh) return fail(*log, mesh.error());
   log_notes(*log, mesh->report.notes);
+  for (const std::string& option : formats.ignored(outputs, format)) log->warn("{}", option);
+  if (const std::string lost = files_without(mesh->table.attributes, outputs, format);
+      !lost.empty())
+    log->warn("{}", lost);
   for (std::size_t k = 0; k < outputs.size(); ++k) {
     const Status done = write_to(writers[k], *mesh, outputs[k], "." + format, interrupt.token());
     if (!done) return fail(*log, done.error());

@@ -446,6 +446,11 @@ int run_mesh(Arguments arguments, const OtherProcesses& others) {
             input->lines.size());
   for (const std::string& option : command.library.ignored()) log->warn("{}", option);
   for (const std::string& option : command.input.ignored()) log->warn("{}", option);
+  for (const std::string& option : command.formats.ignored(command.outputs, command.format))
+    log->warn("{}", option);
+  if (const std::string lost = files_without(input->attributes, command.outputs, command.format);
+      !lost.empty())
+    log->warn("{}", lost);
   return command.dry_run ? dry_run(command, *input, *options, *log)
                          : run(command, *std::move(input), *options, *files, others, *log);
 }

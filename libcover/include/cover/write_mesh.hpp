@@ -31,6 +31,9 @@ bool is_several_files(const std::string& path, const WriteOptions& options = {})
 /// The extensions that write_mesh() knows, each with its dot.
 std::vector<std::string> write_formats();
 
+/// Those of write_formats() that hold RegionTable::attributes.
+std::vector<std::string> attribute_formats();
+
 /// Writes VTK's XML unstructured grid: triangles only, float64 points, raw appended data; cell
 /// arrays material (first, for MFEM), MaterialID, mat_id, RegionId (Int32), max_angle and min_angle
 /// in degrees; then RegionTable::attributes by their names, numbers as Float64, text as Int32,
