@@ -99,6 +99,14 @@ class Names(Case):
             self.assertIn(f'"{name}"', text)
         self.assertIn('Name="a/b _c_ &lt;d&gt;&amp;"', (self.dir / 'm.xdmf').read_text())
 
+    def test_names_of_materials_that_a_lone_xdmf_lacks_are_told(self):
+        for form in 'text', 'hdf5':
+            self.run_cover('mesh', 'd.json', '-o', 'm.xdmf', '--xdmf', form, '-q')
+            self.assertIn('m.xdmf holds no names of materials, and neither m.json nor m.vtm is there: they are made up',
+                          self.run_cover('convert', 'm.xdmf', '-o', 'n.vtu')[1])
+        self.run_cover('mesh', 'd.json', '-o', 'm.json', '-q')
+        self.assertNotIn('made up', self.run_cover('convert', 'm.xdmf', '-o', 'n.vtu')[1])
+
     def test_where_they_cannot_it_is_told(self):
         out, _ = self.run_cover('mesh', 'd.json', '-o', 'm.inp', '-o', 'm.json')
         sets = re.findall(r'ELSET=(\S+)', (self.dir / 'm.inp').read_text())
