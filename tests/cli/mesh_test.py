@@ -47,6 +47,18 @@ class Mesh(Case):
         self.assertEqual(self.files(), ['d.edge', 'd.ele', 'd.inp', 'd.mesh', 'd.msh', 'd.node', 'd.vtk', 'd.xdmf'])
         self.assertIn('4.1 0 8', (self.dir / 'd.msh').read_text())
 
+    def test_markers_of_points_in_a_node_file(self):
+        marked = SQUARE.replace('4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n', '4 2 0 1\n1 0 0 5\n2 1 0 0\n3 1 1 -7\n4 0 1 9\n')
+        self.run_cover('mesh', self.write('s.poly', marked), '-o', 's2.ele', '--size', '0.3', '--split-interfaces', '-q')
+        head, *rows = (self.dir / 's2.node').read_text().splitlines()
+        self.assertEqual(head.split()[1:], ['2', '0', '1'])
+        found = {tuple(map(float, row.split()[1:3])): int(row.split()[3]) for row in rows}
+        self.assertEqual({at: marker for at, marker in found.items() if marker}, {(0, 0): 5, (1, 1): -7, (0, 1): 9})
+        self.assertGreater(len(found), 4)
+        self.run_cover('check', 's.poly', 's2.ele', '--allow-split')
+        self.run_cover('mesh', self.write('s.poly', SQUARE), '-o', 's2.ele', '-q')
+        self.assertEqual((self.dir / 's2.node').read_text().split()[1:4], ['2', '0', '0'])
+
     def test_options_before_the_input(self):
         self.run_cover('mesh', '--size', 1, '--size', '2=0.5', '--require', 'bound', SAMPLES / 'diode.poly', '-o', 'd.vtu', '-q')
         text, _ = self.run_cover('mesh', '--size', 1, '--size', '2=0.5', SAMPLES / 'diode.poly', '-o', 'e.vtu', '--print-config')
