@@ -77,6 +77,18 @@ class Check(Case):
         out, _ = self.run_cover('check', plate, 's.msh', code=6)
         self.assertIn('--split-interfaces, --box-method or --method nonobtuse, add --allow-split', out.splitlines()[0])
 
+    def test_cut_points_are_no_points_of_the_input(self):
+        plate = SAMPLES / 'plate.poly'
+        known = json.loads(self.run_cover('mesh', plate, '--dry-run', '--stats', 'json')[0])['input']
+        out, _ = self.run_cover('mesh', plate, '-o', 's.json', '--report', 'r.json', '--split-interfaces', '--stats', 'json', '-q')
+        report = json.loads((self.dir / 'r.json').read_text())
+        self.assertEqual(report['mesh']['cut_vertices'], 7)
+        for found in report, json.loads(out):
+            self.assertEqual((found['input']['points'], found['input']['segments']), (known['points'], known['segments']))
+        counts = json.loads((self.dir / 's.json').read_text())['counts']
+        self.assertEqual(counts['cut_vertices'], 7)
+        self.assertEqual(counts['input_vertices'] + counts['steiner_vertices'], counts['vertices'])
+
     def test_cuts_that_nothing_tells_of(self):
         # A cut segment is one line, not one for each side, and nothing that follows from it is listed.
         coax = SAMPLES / 'coax_arcs.json'
