@@ -299,8 +299,7 @@ struct CheckCommand {
     app.set_help_flag("-h,--help", "Show this help");
     app.footer(kFooter);
     input.add(app)->required();
-    app.add_option("mesh", mesh_path,
-                   fmt::format("Mesh of any tool: .vtm, {}", listed(mesh_formats())))
+    app.add_option("mesh", mesh_path, fmt::format("Mesh of any tool: {}", listed(mesh_formats())))
         ->type_name("")
         ->required();
     app.add_flag("--allow-split", verify.allow_split,

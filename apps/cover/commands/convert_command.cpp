@@ -29,8 +29,7 @@ Examples:
   std::vector<std::string> outputs;
   FormatOptions formats;
   Verbosity verbosity;
-  app.add_option("mesh", path,
-                 fmt::format("Mesh that cover wrote: .vtm, {}", listed(mesh_formats())))
+  app.add_option("mesh", path, fmt::format("Mesh that cover wrote: {}", listed(mesh_formats())))
       ->type_name("MESH")
       ->required();
   app.add_option(
