@@ -276,12 +276,12 @@ class Values(Case):
         manifest = json.loads((self.dir / 'o.json').read_text())
         self.assertIn('Wald', [r['material_name'] for r in manifest['regions']])
         self.assertEqual(manifest['attributes'][0]['values'], [2.5, None, -1])
-        self.assertIn("name_field: no feature has the property 'fid'", self.run_cover('mesh', 'n.json', *chosen, '-o', 'p.vtu', code=2)[1])
+        self.assertIn("--name-field: no feature has the property 'fid'", self.run_cover('mesh', 'n.json', *chosen, '-o', 'p.vtu', code=2)[1])
         self.write('own.json', '{"polygons": [{"material": "Si", "rings": [[[0, 0], [1, 0], [0, 1]]]}]}')
         self.assertIn('--keep-field does nothing: it counts with maps only', self.run_cover('info', 'own.json', '--keep-field', 'x')[1])
 
     def test_unknown_attribute(self):
-        self.assertIn("keep_field: no feature has the property 'usage'",
+        self.assertIn("--keep-field: no feature has the property 'usage'",
                       self.run_cover('mesh', 'm.geojson', '--keep-field', 'usage', '-o', 'm.vtu', code=2)[1])
         self.assertIn('it counts with maps only', self.run_cover('info', SAMPLES / 'diode.poly', '--keep-field', 'x')[1])
 

@@ -182,7 +182,7 @@ class DryRun(Case):
         self.write('s.poly', SQUARE)
         fine = ('--split-interfaces', '--size', '0.02')
         out, _ = self.run_cover('mesh', 's.poly', '-o', 's.vtu', '--dry-run', *fine)
-        about = float(re.search(r'A mesh takes about ([0-9.e+]+) triangles and \d+ MB of memory', out)[1])
+        about = float(re.search(r'A mesh takes about ([0-9.e+]+) triangles and \d+ MB of memory, of [\d,]+ MB\b', out)[1])
         made, _ = self.run_cover('mesh', 's.poly', '-o', 's.vtu', *fine)
         made = float(re.match(r'([0-9,]+) triangles', made)[1].replace(',', ''))
         self.assertLess(abs(about - made), 0.3 * made)
