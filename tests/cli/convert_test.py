@@ -280,7 +280,22 @@ class Values(Case):
         self.write('own.json', '{"polygons": [{"material": "Si", "rings": [[[0, 0], [1, 0], [0, 1]]]}]}')
         self.assertIn('--keep-field does nothing: it counts with maps only', self.run_cover('info', 'own.json', '--keep-field', 'x')[1])
 
+    def test_holes_outside_of_their_polygon_are_told(self):
+        outer = [[0, 0], [4, 0], [4, 4], [0, 4], [0, 0]]
+        ring = lambda x, y: [[x, y], [x, y + 1], [x + 1, y + 1], [x + 1, y], [x, y]]
+        for rings, told in (([outer, ring(6, 1), ring(1, 1)], '1 inner ring lies outside of the outer ring of its polygon, the first at (6, 1)'),
+                            ([outer, ring(5, 1), ring(1, 8)], '2 inner rings lie outside of the outer ring of their polygons, the first at (5, 1)'),
+                            ([outer, ring(1, 1), ring(3, 2)], None)):
+            self.write('h.geojson', json.dumps({'type': 'Polygon', 'coordinates': rings}))
+            err = self.run_cover('info', 'h.geojson')[1]
+            if told:
+                self.assertIn(told, err)
+            else:
+                self.assertNotIn('inner ring', err)
+
     def test_unknown_attribute(self):
+        self.assertIn("--name-field: no feature has the property 'USE'; did you mean 'use'?",
+                      self.run_cover('mesh', 'm.geojson', '--name-field', 'USE', '-o', 'm.vtu', code=2)[1])
         self.assertIn("--keep-field: no feature has the property 'usage'",
                       self.run_cover('mesh', 'm.geojson', '--keep-field', 'usage', '-o', 'm.vtu', code=2)[1])
         self.assertIn('it counts with maps only', self.run_cover('info', SAMPLES / 'diode.poly', '--keep-field', 'x')[1])
