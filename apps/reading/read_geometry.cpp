@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #ifdef COVER_WITH_DXF
 #include <cover/read_dxf.hpp>
@@ -13,6 +14,7 @@
 #include <cover/read_geo.hpp>
 #endif
 #include <cover/read_input.hpp>
+#include <cover/text.hpp>
 #include <cover/units.hpp>
 
 #include "read_oasis.hpp"
@@ -22,6 +24,31 @@ namespace {
 
 std::string format_in(const std::string& path, const ReadOptions& options) {
   return options.format.empty() ? format_of_name(path) : options.format;
+}
+
+/// What is read here and not by read_input().
+std::string formats_elsewhere() {
+  std::string text = ", .oas";
+#ifdef COVER_WITH_GMSH
+  text += ", .geo";
+#endif
+#ifdef COVER_WITH_DXF
+  text += ", .dxf";
+#endif
+#ifdef COVER_WITH_GDAL
+  text += ", .shp, .gpkg, .fgb, .gml, .kml";
+#endif
+  return text;
+}
+
+/// The error for an unknown format lists those that the library knows: here are more.
+Result<Input> with_all_formats(Result<Input> input, const std::string& more) {
+  if (input || input.error().code != ErrorCode::unsupported_format ||
+      !input.error().message.ends_with(listed(input_formats())))
+    return input;
+  Error error = std::move(input).error();
+  error.message += more;
+  return error;
 }
 
 }  // namespace
@@ -71,7 +98,7 @@ Result<Input> read_geometry(const std::string& path, const ReadOptions& options)
   const bool is_chosen = !options.crs.empty() || !options.layers.empty();
   if (is_map(format) || (format == ".geojson" && is_chosen)) return read_gdal(path, options);
 #endif
-  return read_input(path, options);
+  return with_all_formats(read_input(path, options), formats_elsewhere());
 }
 
 Result<Input> parse_geometry(std::string_view text, const std::string& source,
@@ -79,7 +106,12 @@ Result<Input> parse_geometry(std::string_view text, const std::string& source,
 #ifdef COVER_WITH_DXF
   if (options.format == ".dxf") return parse_dxf(text, source, options);
 #endif
-  return parse_input(text, options.format, source, options);
+  Result<Input> input = parse_input(text, options.format, source, options);
+#ifdef COVER_WITH_DXF
+  return with_all_formats(std::move(input), ", .dxf");
+#else
+  return input;
+#endif
 }
 
 }  // namespace cover::reading

@@ -77,6 +77,18 @@ class Check(Case):
         out, _ = self.run_cover('check', plate, 's.msh', code=6)
         self.assertIn('--split-interfaces, --box-method or --method nonobtuse, add --allow-split', out.splitlines()[0])
 
+    def test_cut_points_are_no_points_of_the_input(self):
+        plate = SAMPLES / 'plate.poly'
+        known = json.loads(self.run_cover('mesh', plate, '--dry-run', '--stats', 'json')[0])['input']
+        out, _ = self.run_cover('mesh', plate, '-o', 's.json', '--report', 'r.json', '--split-interfaces', '--stats', 'json', '-q')
+        report = json.loads((self.dir / 'r.json').read_text())
+        self.assertEqual(report['mesh']['cut_vertices'], 7)
+        for found in report, json.loads(out):
+            self.assertEqual((found['input']['points'], found['input']['segments']), (known['points'], known['segments']))
+        counts = json.loads((self.dir / 's.json').read_text())['counts']
+        self.assertEqual(counts['cut_vertices'], 7)
+        self.assertEqual(counts['input_vertices'] + counts['steiner_vertices'], counts['vertices'])
+
     def test_cuts_that_nothing_tells_of(self):
         # A cut segment is one line, not one for each side, and nothing that follows from it is listed.
         coax = SAMPLES / 'coax_arcs.json'
@@ -90,6 +102,31 @@ class Check(Case):
             self.assertRegex(line, r'^FAILED promise 1: the segment .* is no edge of the mesh')
         places = [' '.join(sorted(re.findall(r'\([^)]*\)', line)[:2])) for line in failed]
         self.assertEqual(len(places), len(set(places)))
+
+    def test_other_numbers_of_materials_on_cut_arcs(self):
+        def ring(iron, air):
+            return json.dumps({'polygons': [
+                {'material': iron, 'region': 'a', 'rings': [[[0, 0], [4, 0], [4, 4], [0, 4]]]},
+                {'material': air, 'region': 'b', 'rings': [[{'circle': {'centre': [2, 2], 'radius': 1, 'chords': 8}}]]}]})
+        self.write('ring.json', ring('iron', 'air'))
+        self.write('other.json', ring(7, 9))
+        square = {'points': [[0, 0], [4, 0], [4, 4], [0, 4]], 'segments': [[0, 1], [1, 2], [2, 3], [3, 0]]}
+        for name, material in (('square.json', 1), ('numbered.json', 7)):
+            self.write(name, json.dumps({**square, 'regions': [{'x': 1, 'y': 1, 'material': material}]}))
+        for one, other in (('ring.json', 'other.json'), ('square.json', 'numbered.json')):
+            self.run_cover('mesh', one, '--split-interfaces', '--size', '0.5', '-o', 'r.vtk', '-q')
+            out, _ = self.run_cover('check', other, 'r.vtk', '--allow-split', '--no-bound', code=6)
+            failed = [line for line in out.splitlines() if line.startswith('FAILED')]
+            self.assertTrue(failed)
+            for line in failed:
+                self.assertTrue(line.startswith('FAILED materials: '), line)
+            # Where cuts are not allowed, they are told beside the materials.
+            out, _ = self.run_cover('check', other, 'r.vtk', code=6)
+            self.assertRegex(out, r'^Segments [^\n]*; all else but materials is sound[^\n]* add --allow-split\n')
+            self.assertRegex(out, r'\nFAILED promise 1: ')
+            self.assertRegex(out, r'\nFAILED materials: ')
+            self.assertNotIn('FAILED promise 2', out)
+            self.assertNotIn('all else but', self.run_cover('check', one, 'r.vtk', code=6)[0])
 
     def test_a_mesh_of_the_hull(self):
         self.run_cover('mesh', SAMPLES / 'mosfet.poly', '-o', 'h.vtu', '--hull', '-q')

@@ -99,6 +99,14 @@ class Names(Case):
             self.assertIn(f'"{name}"', text)
         self.assertIn('Name="a/b _c_ &lt;d&gt;&amp;"', (self.dir / 'm.xdmf').read_text())
 
+    def test_names_of_materials_that_a_lone_xdmf_lacks_are_told(self):
+        for form in 'text', 'hdf5':
+            self.run_cover('mesh', 'd.json', '-o', 'm.xdmf', '--xdmf', form, '-q')
+            self.assertIn('m.xdmf holds no names of materials, and neither m.json nor m.vtm is there: they are made up',
+                          self.run_cover('convert', 'm.xdmf', '-o', 'n.vtu')[1])
+        self.run_cover('mesh', 'd.json', '-o', 'm.json', '-q')
+        self.assertNotIn('made up', self.run_cover('convert', 'm.xdmf', '-o', 'n.vtu')[1])
+
     def test_where_they_cannot_it_is_told(self):
         out, _ = self.run_cover('mesh', 'd.json', '-o', 'm.inp', '-o', 'm.json')
         sets = re.findall(r'ELSET=(\S+)', (self.dir / 'm.inp').read_text())
@@ -111,6 +119,15 @@ class Names(Case):
                 self.assertRegex(out, re.escape(made) + r' +' + re.escape(name.replace('"', '_')))
         self.assertRegex(out, r'KONTAKT___ +Kontakt Ä')
         self.assertNotIn('in .inp', self.run_cover('mesh', self.write('s.poly', SQUARE), '-o', 's.inp')[0])
+        # All nodes are a set of the writer's own, and names have 80 characters.
+        square = {'polygons': [{'material': 'Si', 'region': 'r' * 81, 'rings': [[[0, 0], [1, 0], [1, 1], [0, 1]]]}],
+                  'lines': [{'name': 'Nall', 'points': [[0, 0], [1, 0]]}]}
+        out, _ = self.run_cover('mesh', self.write('s.json', json.dumps(square)), '-o', 'n.inp')
+        self.assertRegex(out, r'\n *NALL_2 +Nall\n')
+        self.assertRegex(out, r'\n *R{80} +r{81}\n')
+        text = (self.dir / 'n.inp').read_text()
+        self.assertEqual(re.findall(r'NSET=(\w+)', text).count('NALL'), 1)
+        self.assertIn('NSET=NALL_2\n', text)
 
     def test_ids(self):
         squares = [{'material': 'Cu', 'region': f'coil {k}', 'rings': [[[2 * k, 0], [2 * k + 1, 0], [2 * k + 1, 1], [2 * k, 1]]]}
@@ -203,6 +220,19 @@ class Values(Case):
         for name in ('m.vtu', 'm.vtm', 'm.vtkhdf', 'm.msh', 'n.msh', 'm.xdmf'):
             self.run_cover('check', 'm.geojson', name)
 
+    def test_values_of_merged_polygons_are_told(self):
+        text = (self.dir / 'm.geojson').read_text()
+        self.write('m.geojson', text.replace('"material": "b"', '"material": "a"'))
+        lost = 'the names or attributes of 1 polygon are left out'
+        for option in ('--keep-field', 'height'), ('--name-field', 'use'):
+            told = self.run_cover('mesh', 'm.geojson', '--merge-materials', *option, '-o', 'm.vtu')[1]
+            self.assertIn(lost, told)
+        # Nothing is lost of equal values, and without merging.
+        self.assertNotIn('left out', self.run_cover('mesh', 'm.geojson', '--merge-materials', '-o', 'm.vtu')[1])
+        self.assertNotIn('left out', self.run_cover('mesh', 'm.geojson', '--keep-field', 'height', '-o', 'm.vtu')[1])
+        self.write('m.geojson', text.replace('"material": "c"', '"material": "a"'))
+        self.assertNotIn('left out', self.run_cover('mesh', 'm.geojson', '--merge-materials', '--keep-field', 'use', '-o', 'm.vtu')[1])
+
     def test_names_that_are_taken(self):
         text = (self.dir / 'm.geojson').read_text().replace('"use"', '"RegionId"').replace('"height"', '"a/b"')
         self.write('m.geojson', text)
@@ -230,6 +260,14 @@ class Values(Case):
             self.assertEqual(str(self.arrays('g.vtu', 'PointData', 'Net')), str(self.arrays('e.vtu', 'PointData', 'Net')))
         self.assertEqual(str(self.arrays('f.vtu', 'PointData', 'Net')), str(self.arrays('e.vtu', 'PointData', 'Net')))
 
+    def test_formats_without_attributes_are_told(self):
+        told = self.run_cover('mesh', 'm.geojson', *self.KEEP, '-o', 'm.vtk', '-o', 'm.inp', '-o', 'm.vtu', '-o', 'm.svg')[1]
+        self.assertIn('attributes (use, height, fid) are not in m.vtk, m.inp: formats that hold them are .vtu, ', told)
+        for files in ('-o', 'm.vtu'), ('-o', 'm.inp', '-o', 'm.json'), ('-o', 'm.poly', '-o', 'm.svg', '-o', 'm.vtkhdf'):
+            self.assertNotIn('attributes', self.run_cover('mesh', 'm.geojson', *self.KEEP, *files)[1])
+        self.assertNotIn('attributes', self.run_cover('mesh', 'm.geojson', '-o', 'm.vtk')[1])
+        self.assertIn('attributes (', self.run_cover('convert', 'm.vtkhdf', '-o', 'n.mesh')[1])
+
     def test_a_map_may_be_named_json(self):
         self.write('n.json', (self.dir / 'm.geojson').read_text())
         chosen = ('--material-field', 'use', '--name-field', 'fid', '--keep-field', 'height')
@@ -238,12 +276,27 @@ class Values(Case):
         manifest = json.loads((self.dir / 'o.json').read_text())
         self.assertIn('Wald', [r['material_name'] for r in manifest['regions']])
         self.assertEqual(manifest['attributes'][0]['values'], [2.5, None, -1])
-        self.assertIn("name_field: no feature has the property 'fid'", self.run_cover('mesh', 'n.json', *chosen, '-o', 'p.vtu', code=2)[1])
+        self.assertIn("--name-field: no feature has the property 'fid'", self.run_cover('mesh', 'n.json', *chosen, '-o', 'p.vtu', code=2)[1])
         self.write('own.json', '{"polygons": [{"material": "Si", "rings": [[[0, 0], [1, 0], [0, 1]]]}]}')
         self.assertIn('--keep-field does nothing: it counts with maps only', self.run_cover('info', 'own.json', '--keep-field', 'x')[1])
 
+    def test_holes_outside_of_their_polygon_are_told(self):
+        outer = [[0, 0], [4, 0], [4, 4], [0, 4], [0, 0]]
+        ring = lambda x, y: [[x, y], [x, y + 1], [x + 1, y + 1], [x + 1, y], [x, y]]
+        for rings, told in (([outer, ring(6, 1), ring(1, 1)], '1 inner ring lies outside of the outer ring of its polygon, the first at (6, 1)'),
+                            ([outer, ring(5, 1), ring(1, 8)], '2 inner rings lie outside of the outer ring of their polygons, the first at (5, 1)'),
+                            ([outer, ring(1, 1), ring(3, 2)], None)):
+            self.write('h.geojson', json.dumps({'type': 'Polygon', 'coordinates': rings}))
+            err = self.run_cover('info', 'h.geojson')[1]
+            if told:
+                self.assertIn(told, err)
+            else:
+                self.assertNotIn('inner ring', err)
+
     def test_unknown_attribute(self):
-        self.assertIn("keep_field: no feature has the property 'usage'",
+        self.assertIn("--name-field: no feature has the property 'USE'; did you mean 'use'?",
+                      self.run_cover('mesh', 'm.geojson', '--name-field', 'USE', '-o', 'm.vtu', code=2)[1])
+        self.assertIn("--keep-field: no feature has the property 'usage'",
                       self.run_cover('mesh', 'm.geojson', '--keep-field', 'usage', '-o', 'm.vtu', code=2)[1])
         self.assertIn('it counts with maps only', self.run_cover('info', SAMPLES / 'diode.poly', '--keep-field', 'x')[1])
 

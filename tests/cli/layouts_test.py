@@ -65,6 +65,19 @@ class Layouts(Case):
             error = self.run_cover(*command, '--cell', 'TOP', '--unit', 'nm')[1]
             self.assertIn('--cell does nothing: it counts with layouts only', error)
             self.assertNotIn('--unit', error)
+        self.write('a.geojson', '{"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [0, 1], [0, 0]]]}')
+        error = self.run_cover('info', 'a.geojson', '--chord-angle', '10')[1]
+        self.assertIn('--chord-angle does nothing: it counts with drawings, layouts and maps with curves only', error)
+
+    def test_formats_of_an_unknown_file_are_all_told(self):
+        error = self.run_cover('info', self.write('a.xyz', 'x'), code=5)[1]
+        known = error.partition('known: ')[2]
+        self.assertIn('.poly, .msh, ', known)
+        help_text = ' '.join(self.run_cover('info', '--help')[0].split())
+        for extension in '.oas', '.dxf', '.shp', '.gpkg', '.fgb', '.gml', '.kml':
+            if extension == '.oas' or extension in help_text:
+                self.assertIn(extension, known)
+        self.assertIn('possible are .vtu, .vtm, ', self.run_cover('convert', 'a.xyz', '-o', 'a.vtu', code=5)[1])
 
     def test_scales_that_round_are_told(self):
         self.write('a.poly', SQUARE.replace('3 1 1', '3 1.1 1.3'))

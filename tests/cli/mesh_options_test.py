@@ -69,6 +69,29 @@ class Arcs(Case):
         self.run_cover('convert', 'b.vtk', '-o', 'c.msh', '--order', '2')
         self.assertIn('edges lie on arcs', self.run_cover('check', coax, 'c.msh', '--allow-split')[0])
 
+    def test_check_looks_at_second_order_in_every_format(self):
+        coax = SAMPLES / 'coax_arcs.json'
+        names = ['a.msh', 'a.vtu', 'a.vtm', 'a.vtkhdf', 'a.xdmf', 'a.ele', 'a.inp', 'a.mesh']
+        self.run_cover('mesh', coax, '--order', '2', *[word for name in names for word in ('-o', name)], '-q')
+        told = {self.run_cover('check', coax, name)[0].splitlines()[-1] for name in names}
+        self.assertEqual(len(told), 1)
+        self.assertRegex(told.pop(), r'^Second order: every Jacobian is positive everywhere; \d+ edges lie on arcs$')
+
+    def test_edges_that_convert_makes_straight_are_told(self):
+        coax = SAMPLES / 'coax_arcs.json'
+        for name in 'a.msh', 'a.vtm', 'a.vtkhdf', 'a.ele':
+            self.run_cover('mesh', coax, '--order', '2', '-o', name, '-q')
+            on_arcs = int(re.search(r'(\d+) edges lie on arcs', self.run_cover('check', coax, name)[0]).group(1))
+            told = self.run_cover('convert', name, '--order', '2', '-o', 'b.inp')[1]
+            straight = re.search(r'; (\d+) edges are curved, and straight with --order 2: only the manifest, a\.json, tells', told)
+            self.assertGreaterEqual(int(straight.group(1)), on_arcs)  # others give way to arcs
+        # Where the manifest tells the arcs, nothing is lost; nor of straight edges.
+        self.run_cover('mesh', coax, '--order', '2', '-o', 'a.msh', '-o', 'a.json', '-q')
+        self.assertNotIn('straight', self.run_cover('convert', 'a.msh', '--order', '2', '-o', 'b.inp')[1])
+        self.assertIn(f'{on_arcs} edges lie on arcs', self.run_cover('check', coax, 'b.inp')[0])
+        self.run_cover('mesh', SAMPLES / 'diode.poly', '--order', '2', '-o', 'd.msh', '-q')
+        self.assertNotIn('straight', self.run_cover('convert', 'd.msh', '--order', '2', '-o', 'b.inp')[1])
+
     def test_check_refuses_what_is_off_its_arc(self):
         coax = SAMPLES / 'coax_arcs.json'
         self.run_cover('mesh', coax, *self.CUT, '--order', '2', '-o', 'a.vtk', '-o', 'a.json', '-q')

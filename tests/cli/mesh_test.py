@@ -47,6 +47,18 @@ class Mesh(Case):
         self.assertEqual(self.files(), ['d.edge', 'd.ele', 'd.inp', 'd.mesh', 'd.msh', 'd.node', 'd.vtk', 'd.xdmf'])
         self.assertIn('4.1 0 8', (self.dir / 'd.msh').read_text())
 
+    def test_markers_of_points_in_a_node_file(self):
+        marked = SQUARE.replace('4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n', '4 2 0 1\n1 0 0 5\n2 1 0 0\n3 1 1 -7\n4 0 1 9\n')
+        self.run_cover('mesh', self.write('s.poly', marked), '-o', 's2.ele', '--size', '0.3', '--split-interfaces', '-q')
+        head, *rows = (self.dir / 's2.node').read_text().splitlines()
+        self.assertEqual(head.split()[1:], ['2', '0', '1'])
+        found = {tuple(map(float, row.split()[1:3])): int(row.split()[3]) for row in rows}
+        self.assertEqual({at: marker for at, marker in found.items() if marker}, {(0, 0): 5, (1, 1): -7, (0, 1): 9})
+        self.assertGreater(len(found), 4)
+        self.run_cover('check', 's.poly', 's2.ele', '--allow-split')
+        self.run_cover('mesh', self.write('s.poly', SQUARE), '-o', 's2.ele', '-q')
+        self.assertEqual((self.dir / 's2.node').read_text().split()[1:4], ['2', '0', '0'])
+
     def test_options_before_the_input(self):
         self.run_cover('mesh', '--size', 1, '--size', '2=0.5', '--require', 'bound', SAMPLES / 'diode.poly', '-o', 'd.vtu', '-q')
         text, _ = self.run_cover('mesh', '--size', 1, '--size', '2=0.5', SAMPLES / 'diode.poly', '-o', 'e.vtu', '--print-config')
@@ -85,6 +97,13 @@ class Mesh(Case):
         for words in (['--fill', 'disks'], ['--max-angle', 110, '--min-angle', 10], ['--method', 'almond'],
                       ['--method', 'almond', '--max-angle', 170, '--require', 'max-angle']):
             self.assertEqual(warnings(*words), '', words)
+        for option, value, extension in (('--inp-element', 'CPS', '.inp'), ('--msh', '4.1', '.msh'), ('--xdmf', 'hdf5', '.xdmf'),
+                                         ('--lines', 'true', '.vtk')):
+            words = [f'{option}={value}']
+            told = f'{option} does nothing: it counts with {extension} only'
+            self.assertIn(told, warnings(*words))
+            self.assertIn(told, self.run_cover('convert', 'd.vtu', *words, '-o', 'e.mesh')[1])
+            self.assertEqual(warnings(*words, '-o', 'd' + extension), '', words)
 
     def test_missed_targets_are_told_with_v(self):
         flat = self.write('flat.poly', SQUARE.replace('2 1 0', '2 2 0').replace('3 1 1', '3 2 2').replace('4 0 1', '4 1 0.1'))
@@ -313,7 +332,8 @@ class Mesh(Case):
             report = json.loads((self.dir / 'd.json').read_text())
             counts[effort] = report['mesh']['vertices']
             self.assertTrue(any('that no right angle needs' in note['message'] for note in report['notes']))
-            self.assertEqual(report['mesh']['cut_vertices'], report['input']['points'] - 8)
+            self.assertEqual(report['input']['points'], 8)
+            self.assertEqual(report['mesh']['vertices'] - report['mesh']['cut_vertices'] - report['mesh']['steiner_vertices'], 8)
             self.run_cover('check', 'kite.json', 'd.vtu', '--allow-split')
         self.assertLessEqual(counts['normal'], counts['fast'])
         self.assertLessEqual(counts['normal'], 12)
@@ -390,8 +410,15 @@ class Files(Case):
         self.run_cover('convert', 'tft.vtm', '-o', 'other.msh', '-q')
         self.assertIn('"gate_contact"', (self.dir / 'other.msh').read_text())
 
-    def test_a_mesh_may_be_replaced_by_its_conversion(self):
-        self.run_cover('convert', 'd.vtu', '-o', 'd.vtu', '--order', 2)
+    def test_a_conversion_does_not_replace_its_mesh(self):
+        # It may lose what the mesh has, as nodes of second order.
+        os.symlink('d.vtu', self.dir / 'link.vtu')
+        for name in ('d.vtu', './d.vtu', 'link.vtu'):
+            self.refuse(f"writing -o '{name}' would replace the input", 'convert', 'd.vtu', '-o', 'e.msh', '-o', name)
+        self.refuse("would replace the input 'link.vtu'", 'convert', 'link.vtu', '-o', 'd.vtu')
+        self.refuse('would replace the input\n', 'convert', 'd.vtm', '-o', 'd.vtm')
+        # Meshing again does: all else stays as it is.
+        self.run_cover('mesh', 'd.poly', '--only', '2', '--onto', 'd.vtu', '-o', 'd.vtu', '-q')
 
     def test_nothing_is_written_twice(self):
         mesh = ('mesh', 'd.poly')

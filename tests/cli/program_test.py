@@ -136,6 +136,31 @@ class Configuration(Case):
             self.write('job.toml', text + '\n')
             self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--config', 'job.toml')
 
+    def test_what_is_not_closed(self):
+        for text, said in (('output = ["x.vtu"\nsize = 4\n', 'job.toml:1: the list that begins with [ has no ] at its end'),
+                           ('size = 4\noutput = ["x.vtu",\n  "x.msh"\n', 'job.toml:2: the list that begins with ['),
+                           ('# job\ninput = "gap.json\n', 'job.toml:2: the string "gap.json has no " at its end'),
+                           ("output = ['x.vtu', 'x.msh]\n", "job.toml:1: the string 'x.msh] has no ' at its end")):
+            self.write('job.toml', text)
+            _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--config', 'job.toml', code=2)
+            self.assertIn(said, err)
+
+    def test_lists_and_comments(self):
+        (self.dir / 'd#1.poly').write_bytes((SAMPLES / 'diode.poly').read_bytes())
+        self.write('job.toml', '\ufeffinput = "d#1.poly"  # the diode\noutput = [  # two\n  "x.vtu",  # one\n  \'x.msh\'\n] # done\n'
+                               'method = almond # that\'s all\n')
+        self.run_cover('mesh', '--config', 'job.toml', '-q')
+        self.assertEqual(self.files(), ['d#1.poly', 'job.toml', 'x.msh', 'x.vtu'])
+
+    def test_an_option_that_stands_alone(self):
+        for text, option in (('true', '90'), ('100', '100'), ('false', None)):
+            self.write('job.toml', f'split-interfaces = {text}\n')
+            self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.json', '--config', 'job.toml', '-q')
+            self.assertEqual(json.loads((self.dir / 'd.json').read_text())['options'].get('split-interfaces'), option)
+        self.write('job.toml', 'split-interfaces = "much"\n')
+        _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.json', '--config', 'job.toml', code=2)
+        self.assertIn("--split-interfaces: 'much' is not a number\n", err)
+
     def test_missing_file(self):
         _, err = self.run_cover('mesh', 'a.poly', '-o', 'd.vtu', '--config', 'none.toml', code=2)
         self.assertIn('none.toml', err)
@@ -157,7 +182,7 @@ class DryRun(Case):
         self.write('s.poly', SQUARE)
         fine = ('--split-interfaces', '--size', '0.02')
         out, _ = self.run_cover('mesh', 's.poly', '-o', 's.vtu', '--dry-run', *fine)
-        about = float(re.search(r'A mesh takes about ([0-9.e+]+) triangles and \d+ MB of memory', out)[1])
+        about = float(re.search(r'A mesh takes about ([0-9.e+]+) triangles and \d+ MB of memory, of [\d,]+ MB\b', out)[1])
         made, _ = self.run_cover('mesh', 's.poly', '-o', 's.vtu', *fine)
         made = float(re.match(r'([0-9,]+) triangles', made)[1].replace(',', ''))
         self.assertLess(abs(about - made), 0.3 * made)

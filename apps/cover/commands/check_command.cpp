@@ -64,7 +64,13 @@ int print(const Verification& found, std::size_t triangles, bool quiet) {
   return exit_ok;
 }
 
-/// Whether the mesh is sound but for vertices inside segments, and angles.
+/// Whether all is well where segments are cut: numbers of materials have no part in that.
+bool is_sound_but_for_materials(const Verification& found) {
+  return std::all_of(found.violations.begin(), found.violations.end(),
+                     [](const Violation& violation) { return violation.promise == 4; });
+}
+
+/// Whether the mesh is sound but for vertices inside segments, angles, and materials.
 bool is_split_only(const Verification& found, const Prepared& prepared, const TriangleSoup& mesh,
                    VerifyOptions verify) {
   const auto is_split = [](const Violation& violation) { return violation.promise == 1; };
@@ -72,7 +78,7 @@ bool is_split_only(const Verification& found, const Prepared& prepared, const Tr
       std::none_of(found.violations.begin(), found.violations.end(), is_split))
     return false;
   verify.allow_split = true;
-  return verify_cover(prepared.pslg, prepared.table, mesh, verify).violations.empty();
+  return is_sound_but_for_materials(verify_cover(prepared.pslg, prepared.table, mesh, verify));
 }
 
 /// An input that was cut as a mesh is.
@@ -83,8 +89,8 @@ struct CutInput {
   Verification found;
 };
 
-/// Where a mesh is sound but for vertices on arcs, which are beside their chords: the input with
-/// these vertices, on which all promises hold.
+/// Where a mesh is sound but for materials and for vertices on arcs, which are beside their chords:
+/// the input with these vertices, on which all promises hold.
 std::optional<CutInput> cut_on_arcs(const Verification& found, const Prepared& prepared,
                                     const TriangleSoup& mesh, const VerifyOptions& verify) {
   if (found.violations.empty() || prepared.pslg.circles.empty()) return std::nullopt;
@@ -92,7 +98,7 @@ std::optional<CutInput> cut_on_arcs(const Verification& found, const Prepared& p
   cut.points = adopt_cuts(cut.pslg, cut.table, mesh);
   if (cut.points == 0) return std::nullopt;
   cut.found = verify_cover(cut.pslg, cut.table, mesh, verify);
-  if (!cut.found.violations.empty()) return std::nullopt;
+  if (!is_sound_but_for_materials(cut.found)) return std::nullopt;
   return cut;
 }
 
@@ -293,8 +299,7 @@ struct CheckCommand {
     app.set_help_flag("-h,--help", "Show this help");
     app.footer(kFooter);
     input.add(app)->required();
-    app.add_option("mesh", mesh_path,
-                   fmt::format("Mesh of any tool: .vtm, {}", listed(mesh_formats())))
+    app.add_option("mesh", mesh_path, fmt::format("Mesh of any tool: {}", listed(mesh_formats())))
         ->type_name("")
         ->required();
     app.add_flag("--allow-split", verify.allow_split,
@@ -337,9 +342,9 @@ struct CheckCommand {
   Verbosity verbosity;
 };
 
-/// Of what is found on a mesh that is sound but for `points` in its segments: each cut one once.
-/// All else follows from the cuts. `pieces` are the segments of the input that is cut likewise.
-void keep_cut_segments(Verification& found, std::size_t pieces, std::size_t points) {
+/// Of what is found on a mesh that is sound but for `points` in its segments: each cut one once,
+/// and what is found on the input that is cut likewise, materials. All else follows from the cuts.
+void keep_cut_segments(Verification& found, const Verification& on_pieces, std::size_t points) {
   std::vector<Violation> cut;
   for (Violation& violation : found.violations) {
     const bool is_cut = violation.promise == 1;
@@ -350,11 +355,19 @@ void keep_cut_segments(Verification& found, std::size_t pieces, std::size_t poin
     if (is_cut && !is_known) cut.push_back(std::move(violation));
   }
   found.violations = std::move(cut);
-  found.violation_count = pieces - points - found.segments_whole;
+  found.violations.insert(found.violations.end(), on_pieces.violations.begin(),
+                          on_pieces.violations.end());
+  found.violation_count =
+      on_pieces.segments_whole - points - found.segments_whole + on_pieces.violation_count;
 }
 
-/// Where the mesh is sound but for cuts of segments, and the run that made it was to cut them: the
-/// input with these cuts, and what is found on it. Says what was cut, or how cuts are allowed.
+const char* all_else(const Verification& on_pieces) {
+  return on_pieces.violations.empty() ? "all else" : "all else but materials";
+}
+
+/// Where the mesh is sound but for materials and cuts of segments, and the run that made it was to
+/// cut them: the input with these cuts, and what is found on it. Says what was cut, or how cuts are
+/// allowed.
 void take_own_cuts(const CheckCommand& command, const MeshTriangles& mesh, Prepared& prepared,
                    Verification& found) {
   const VerifyOptions& verify = command.verify;
@@ -363,10 +376,11 @@ void take_own_cuts(const CheckCommand& command, const MeshTriangles& mesh, Prepa
     const std::string option = own();
     if (!verify.allow_split && option.empty()) {
       fmt::print(
-          "Segments are cut at {} points, those of arcs on their circles; all else is sound. If "
-          "they were to be cut, as by --split-interfaces, add --allow-split\n",
-          grouped(cut->points));
-      keep_cut_segments(found, cut->found.segments_whole, cut->points);
+          "Segments are cut at {} points, those of arcs on their circles; {} is sound. If they "
+          "were "
+          "to be cut, as by --split-interfaces, add --allow-split\n",
+          grouped(cut->points), all_else(cut->found));
+      keep_cut_segments(found, cut->found, cut->points);
       return;
     }
     if (!command.verbosity.quiet)
@@ -381,9 +395,10 @@ void take_own_cuts(const CheckCommand& command, const MeshTriangles& mesh, Prepa
     Verification on_pieces = verify_cover(prepared.pslg, prepared.table, mesh.soup, verify);
     if (option.empty()) {
       fmt::print(
-          "Segments have vertices inside; all else is sound. If they were to be cut, as by "
-          "--split-interfaces, --box-method or --method nonobtuse, add --allow-split\n");
-      keep_cut_segments(found, on_pieces.segments_whole, cuts);
+          "Segments have vertices inside; {} is sound. If they were to be cut, as by "
+          "--split-interfaces, --box-method or --method nonobtuse, add --allow-split\n",
+          all_else(on_pieces));
+      keep_cut_segments(found, on_pieces, cuts);
       return;
     }
     if (!command.verbosity.quiet)

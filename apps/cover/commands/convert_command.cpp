@@ -29,8 +29,7 @@ Examples:
   std::vector<std::string> outputs;
   FormatOptions formats;
   Verbosity verbosity;
-  app.add_option("mesh", path,
-                 fmt::format("Mesh that cover wrote: .vtm, {}", listed(mesh_formats())))
+  app.add_option("mesh", path, fmt::format("Mesh that cover wrote: {}", listed(mesh_formats())))
       ->type_name("MESH")
       ->required();
   app.add_option(
@@ -53,7 +52,7 @@ Examples:
     writers.push_back(*std::move(writer));
     written.push_back({"-o", output, true});
   }
-  if (const Status files = check_files({{"", path, true}}, written); !files)
+  if (const Status files = check_files({{"", path}}, written); !files)
     return usage_error(app, files.error());
 
   const auto log = make_logger(verbosity);
@@ -61,6 +60,10 @@ Examples:
   const Result<Output> mesh = read_output(path);
   if (!mesh) return fail(*log, mesh.error());
   log_notes(*log, mesh->report.notes);
+  for (const std::string& option : formats.ignored(outputs, format)) log->warn("{}", option);
+  if (const std::string lost = files_without(mesh->table.attributes, outputs, format);
+      !lost.empty())
+    log->warn("{}", lost);
   for (std::size_t k = 0; k < outputs.size(); ++k) {
     const Status done = write_to(writers[k], *mesh, outputs[k], "." + format, interrupt.token());
     if (!done) return fail(*log, done.error());

@@ -1,5 +1,10 @@
 #include "commands/format_options.hpp"
 
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/core.h>
+
 namespace cover::app {
 
 void FormatOptions::add(CLI::App& command, const char* group) {
@@ -18,6 +23,24 @@ WriteOptions FormatOptions::make() const {
     }
   }
   return options;
+}
+
+std::vector<std::string> FormatOptions::ignored(const std::vector<std::string>& outputs,
+                                                const std::string& format) const {
+  std::vector<std::string> sentences;
+  for (const auto& written : written_) {
+    const std::string_view counts_with = written.entry->counts_with;
+    const auto asks = [&](const std::string& path) {
+      const std::filesystem::path file = path == "-" ? "stdout." + format : path;
+      return file.extension() == counts_with;
+    };
+    if (counts_with.empty() || written.option->count() == 0 ||
+        std::any_of(outputs.begin(), outputs.end(), asks))
+      continue;
+    sentences.push_back(
+        fmt::format("--{} does nothing: it counts with {} only", written.entry->name, counts_with));
+  }
+  return sentences;
 }
 
 }  // namespace cover::app

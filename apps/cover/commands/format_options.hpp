@@ -2,6 +2,8 @@
 #pragma once
 
 #include <deque>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -16,6 +18,10 @@ class FormatOptions {
  public:
   void add(CLI::App& command, const char* group);
   [[nodiscard]] WriteOptions make() const;
+  /// A sentence for each option that was given and that no file of `outputs` asks for; `format`: of
+  /// standard output, without its dot.
+  [[nodiscard]] std::vector<std::string> ignored(const std::vector<std::string>& outputs,
+                                                 const std::string& format) const;
 
  private:
   std::deque<WrittenOption<WriteOptions>> written_;  ///< which CLI11 points into

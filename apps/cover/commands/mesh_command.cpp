@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 
 #include <fmt/core.h>
 
@@ -22,6 +23,7 @@
 #include "files/dump_stages.hpp"
 #include "files/file_check.hpp"
 #include "files/input_file.hpp"
+#include "files/job_file.hpp"
 #include "files/mesh_file.hpp"
 #include "files/output_files.hpp"
 #include "terminal/console.hpp"
@@ -123,6 +125,7 @@ struct MeshCommand {
         ->type_name("FILE")
         ->group(files);
     app.allow_config_extras(CLI::config_extras_mode::error);
+    app.config_formatter(std::make_shared<JobFile>(app));
     app.add_flag("--print-config", print_config, "Print these options as a --config file")
         ->group(files)
         ->configurable(false);
@@ -446,6 +449,11 @@ int run_mesh(Arguments arguments, const OtherProcesses& others) {
             input->lines.size());
   for (const std::string& option : command.library.ignored()) log->warn("{}", option);
   for (const std::string& option : command.input.ignored()) log->warn("{}", option);
+  for (const std::string& option : command.formats.ignored(command.outputs, command.format))
+    log->warn("{}", option);
+  if (const std::string lost = files_without(input->attributes, command.outputs, command.format);
+      !lost.empty())
+    log->warn("{}", lost);
   return command.dry_run ? dry_run(command, *input, *options, *log)
                          : run(command, *std::move(input), *options, *files, others, *log);
 }

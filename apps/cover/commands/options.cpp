@@ -9,6 +9,8 @@
 
 #include <cover/text.hpp>
 
+#include "files/job_file.hpp"
+
 namespace cover::app {
 namespace {
 
@@ -93,6 +95,8 @@ std::string explain(const CLI::App& command, const CLI::ParseError& error) {
     }
     return fmt::format("unexpected argument '{}'", word);
   }
+  if (const auto* line = dynamic_cast<const JobFileError*>(&error); line != nullptr)
+    return fmt::format("{}:{}: {}", config_file(command).path, line->line(), error.what());
   if (dynamic_cast<const CLI::ConfigError*>(&error) != nullptr) {
     const std::string text = error.what();
     if (const std::size_t end = text.find(": This option is not allowed"); end != std::string::npos)

@@ -70,7 +70,7 @@ struct Asked {
 
 void add_options(CLI::App& app, Asked& asked) {
   app.add_option("mesh", asked.path,
-                 fmt::format("Mesh to draw: .vtm, {}; names from the .vtm or .json beside it",
+                 fmt::format("Mesh to draw: {}; names from the .vtm or .json beside it",
                              listed(mesh_formats())))
       ->type_name("")
       ->required();

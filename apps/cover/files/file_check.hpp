@@ -12,7 +12,7 @@ namespace cover::app {
 struct NamedFile {
   std::string option;    ///< what names it: "-o"; empty: an argument without a name
   std::string path;      ///< `-` is standard input or output; empty: no file
-  bool is_mesh = false;  ///< a mesh may be written over the mesh that it was made from
+  bool is_mesh = false;  ///< a mesh may be written over that of --onto, which it was made from
 };
 
 /// Makes sure that no file that is written takes the place of one that is read or written too,

@@ -52,6 +52,20 @@ Result<Input> read_stream(std::istream& stream, const std::string& name, ReadOpt
   return reading::parse_geometry(text, name, options);
 }
 
+/// Messages of the library call options as keywords of programs, `keep_field: ...`.
+std::string in_words_of_the_command_line(std::string message) {
+  for (const ReadOptionEntry& entry : read_option_table()) {
+    std::string keyword(entry.name);
+    std::replace(keyword.begin(), keyword.end(), '-', '_');
+    const std::size_t place = message.find(": " + keyword + ": ");
+    if (message.starts_with(keyword + ": "))
+      message.replace(0, keyword.size(), fmt::format("--{}", entry.name));
+    else if (place != std::string::npos)
+      message.replace(place + 2, keyword.size(), fmt::format("--{}", entry.name));
+  }
+  return message;
+}
+
 /// A pipe, as a shell's <(...), has no extension that would tell its format.
 bool is_nameless_pipe(const std::filesystem::path& file) {
   std::error_code ignored;
@@ -97,6 +111,14 @@ std::vector<NamedFile> GeometryFile::read_files() const {
 }
 
 Result<Input> GeometryFile::read(unsigned threads, const ReadElsewhere& read_elsewhere) {
+  Result<Input> input = read_all(threads, read_elsewhere);
+  if (input || input.error().code != ErrorCode::bad_option) return input;
+  Error error = std::move(input).error();
+  error.message = in_words_of_the_command_line(std::move(error.message));
+  return error;
+}
+
+Result<Input> GeometryFile::read_all(unsigned threads, const ReadElsewhere& read_elsewhere) {
   options_.threads = threads;
   for (const auto& written : written_) {
     for (const std::string& text : written.texts()) {

@@ -41,6 +41,7 @@ class GeometryFile {
   [[nodiscard]] std::vector<Provenance::Setting> settings() const;
 
  private:
+  Result<Input> read_all(unsigned threads, const ReadElsewhere& read_elsewhere);
   [[nodiscard]] Result<std::vector<Input>> read_several(const ReadElsewhere& read_elsewhere);
   Result<Input> read_one(const std::string& path);
 

@@ -10,12 +10,6 @@
 namespace cover::app {
 
 Result<MeshTriangles> read_triangles(const std::string& path, spdlog::logger& log) {
-  if (std::filesystem::path(path).extension() == ".vtm") {
-    const Result<Output> whole = read_output(path);
-    if (!whole) return whole.error();
-    log_notes(log, whole->report.notes);
-    return MeshTriangles{triangle_soup(whole->mesh)};
-  }
   Result<MeshFile> mesh = read_mesh(path);
   if (!mesh) return std::move(mesh).error();
   if (mesh->second_order)

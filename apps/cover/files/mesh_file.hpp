@@ -20,7 +20,7 @@ struct MeshTriangles {
   std::size_t cut_vertices = 0;                 ///< as MeshFile::cut_vertices
 };
 
-/// The triangles of a mesh, as .vtm or in any format of read_mesh(). Formats that have groups
+/// The triangles of a mesh, in any format of read_mesh(). Formats that have groups
 /// instead of materials need the manifest beside the mesh. A warning tells where midpoints of
 /// second-order triangles were left out, and where a manifest is that of another mesh.
 ///

@@ -138,6 +138,28 @@ std::string mesh_extensions() {
   return fmt::format("{}, {}", listed(write_formats()), extensions(picture_formats()));
 }
 
+std::string files_without(const std::vector<Attribute>& attributes,
+                          const std::vector<std::string>& outputs, const std::string& format) {
+  const std::vector<std::string> holding = attribute_formats();
+  const std::vector<std::string> meshes = write_formats();
+  const auto is_among = [](const std::vector<std::string>& all, const std::string& extension) {
+    return std::find(all.begin(), all.end(), extension) != all.end();
+  };
+  std::vector<std::string> names, without;
+  for (const Attribute& attribute : attributes) names.push_back(attribute.name);
+  for (const std::string& path : outputs) {
+    const std::string extension =
+        path == "-" ? "." + format : std::filesystem::path(path).extension().string();
+    if (extension == ".json") return {};
+    const bool is_mesh = is_among(meshes, extension) && extension != ".poly";
+    if (is_mesh && !is_among(holding, extension))
+      without.push_back(path == "-" ? "standard output" : path);
+  }
+  if (names.empty() || without.empty()) return {};
+  return fmt::format("attributes ({}) are not in {}: formats that hold them are {}", listed(names),
+                     listed(without), listed(holding));
+}
+
 Status write_to(const std::string& path, const std::string& extension,
                 const std::function<Status(const std::string&)>& write) {
   if (path != "-") return write(path);

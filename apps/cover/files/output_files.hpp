@@ -33,6 +33,11 @@ Result<Writer> report_writer(const std::string& path, int order = 1);
 /// The extensions that mesh_writer knows, for help texts.
 std::string mesh_extensions();
 
+/// Where there are `attributes` and files of `outputs` hold none, nor is there a manifest, which
+/// does: a sentence that tells; else empty. `format`: of standard output, without its dot.
+std::string files_without(const std::vector<Attribute>& attributes,
+                          const std::vector<std::string>& outputs, const std::string& format);
+
 /// Writes to `path`; `-` is stdout, where `extension`, with its dot, tells the format.
 Status write_to(const std::string& path, const std::string& extension,
                 const std::function<Status(const std::string&)>& write);

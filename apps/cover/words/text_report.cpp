@@ -403,7 +403,8 @@ std::string estimate_text(const Estimate& estimate) {
       fmt::format("\nA mesh takes about {:.2g} triangles and {} MB of memory", estimate.triangles,
                   grouped(static_cast<std::size_t>(estimate.bytes / kMegabyte)));
   if (std::isfinite(estimate.available))
-    out += fmt::format(" of {}", grouped(static_cast<std::size_t>(estimate.available / kMegabyte)));
+    out += fmt::format(", of {} MB",
+                       grouped(static_cast<std::size_t>(estimate.available / kMegabyte)));
   if (estimate.by_disks)
     out += ", ten times that where disks must fit between lines close to each other";
   return out + "\n";

@@ -128,8 +128,11 @@ struct LineEdge {
 MeshView view_of_lines(const RegionTable& table, std::vector<LineEdge> lines,
                        const WriteOptions& options);
 
+/// The set of all nodes in an input deck of Abaqus.
+inline constexpr const char* kAllNodes = "NALL";
+
 /// What the groups of regions and lines are called as sets of Abaqus: in capitals, beginning with a
-/// letter, unique among the groups given.
+/// letter, at most 80 characters, unique among the groups given, none of them kAllNodes.
 std::vector<std::string> abaqus_names(const std::vector<Group>& groups);
 
 }  // namespace cover

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <cover/input.hpp>
 #include <cover/read_options.hpp>
@@ -40,6 +41,9 @@ Result<Input> read_input(const std::string& path, const ReadOptions& options = {
 /// Errors: as read_input; the .node of a .poly without points is looked for beside `source`.
 Result<Input> parse_input(std::string_view text, std::string_view extension,
                           const std::string& source, const ReadOptions& options = {});
+
+/// The extensions that parse_input() knows, each with its dot.
+std::vector<std::string> input_formats();
 
 /// Reads Triangle's .poly format.
 Result<Input> read_poly(const std::string& path);

@@ -36,8 +36,7 @@ struct MeshFile {
   std::map<std::int64_t, std::string> region_names;  ///< of groups, or of materials
   std::map<std::int64_t, std::string> line_names;    ///< of groups of lines
   bool second_order = false;  ///< triangles had six nodes; their corners were taken
-  /// By triangle, where all have six nodes: the middle nodes, from that of the first edge on. Not
-  /// of .ele and .vtm.
+  /// By triangle, where all have six nodes: the middle nodes, from that of the first edge on.
   std::vector<std::array<Point, 3>> middles{};
   /// Vertices that the run which wrote it put on segments of its input; 0 where that is not known:
   /// only a .vtu tells.
@@ -49,9 +48,9 @@ struct MeshFile {
   std::vector<PlaneField::Array> point_arrays{};
 };
 
-/// Reads the triangles of a mesh, and its lines: .vtu, legacy .vtk, .vtkhdf, gmsh's .msh, .xdmf,
-/// Medit's .mesh, Abaqus' .inp, Triangle's .ele. Other cells are left out. Of triangles with six
-/// nodes the corners are taken, and points that are nothing else are left out.
+/// Reads the triangles of a mesh, and its lines: .vtu, the .vtm of cover, legacy .vtk, .vtkhdf,
+/// gmsh's .msh, .xdmf, Medit's .mesh, Abaqus' .inp, Triangle's .ele. Other cells are left out. Of
+/// triangles with six nodes the corners are taken, and points that are nothing else are left out.
 ///
 /// Of VTK's cell arrays region is RegionId, material the first of material, MaterialID, mat_id,
 /// gmsh:physical, medit:ref, and the group of lines LineID.
@@ -59,12 +58,13 @@ struct MeshFile {
 ///         unsupported_format
 Result<MeshFile> read_mesh(const std::string& path);
 
-/// Reads a mesh that cover wrote, in any format of read_mesh() or as .vtm, as what cover_mesh()
-/// returned, as far as files keep it; see rebuild(). A .vtkhdf holds all of it. Else names,
-/// interfaces and markers come from the manifest (.json) beside it, else from the .vtm beside it,
-/// else from the file itself. So do attributes of regions and values at points, words of attributes
-/// not from a lone .vtu, .msh or .xdmf. What is missing then is said in the report's notes, and
-/// that midpoints of second-order triangles, or pairs of periodic sides, were left out.
+/// Reads a mesh that cover wrote, in any format of read_mesh(), as what cover_mesh() returned, as
+/// far as files keep it; see rebuild(). A .vtkhdf holds all of it. Else names, interfaces and
+/// markers come from the manifest (.json) beside it, else from the .vtm beside it, else from the
+/// file itself. So do attributes of regions and values at points, words of attributes not from a
+/// lone .vtu, .msh or .xdmf. What is missing then is said in the report's notes, and that midpoints
+/// of second-order triangles, of curved edges whose arcs no manifest tells also how many, or pairs
+/// of periodic sides, were left out.
 ///
 /// Errors: those of read_mesh(); syntax also where the manifest is of another mesh.
 Result<Output> read_output(const std::string& path);

@@ -31,6 +31,9 @@ bool is_several_files(const std::string& path, const WriteOptions& options = {})
 /// The extensions that write_mesh() knows, each with its dot.
 std::vector<std::string> write_formats();
 
+/// Those of write_formats() that hold RegionTable::attributes.
+std::vector<std::string> attribute_formats();
+
 /// Writes VTK's XML unstructured grid: triangles only, float64 points, raw appended data; cell
 /// arrays material (first, for MFEM), MaterialID, mat_id, RegionId (Int32), max_angle and min_angle
 /// in degrees; then RegionTable::attributes by their names, numbers as Float64, text as Int32,
@@ -114,9 +117,10 @@ Status write_medit(const Output& output, const std::string& path, const WriteOpt
 /// Errors: cannot_write, with places, also where that flattens triangles or turns them over
 Status write_inp(const Output& output, const std::string& path, const WriteOptions& options = {});
 
-/// Writes Triangle's files `path` with the extensions .node, .ele (attributes material and
-/// RegionId; with options.ids these, RegionId, material) and .edge (lines with the boundary markers
-/// of the input; with the numbers of lines if it has none).
+/// Writes Triangle's files `path` with the extensions .node (with the markers of the input's points
+/// if it has any), .ele (attributes material and RegionId; with options.ids these, RegionId,
+/// material) and .edge (lines with the boundary markers of the input; with the numbers of lines if
+/// it has none).
 Status write_triangle(const Output& output, const std::string& path,
                       const WriteOptions& options = {});
 

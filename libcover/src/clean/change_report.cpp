@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <string_view>
 #include <tuple>
@@ -52,6 +53,16 @@ constexpr std::array<Headline, 4> kHeadlines{{{Change::Kind::merged, "merged"},
                                               {Change::Kind::dropped, "dropped"},
                                               {Change::Kind::welded, "welded"},
                                               {Change::Kind::split, "split"}}};
+
+/// Whether an attribute is the same of two features, each its number plus one; 0: none.
+bool same_value(const Attribute& attribute, std::uint32_t p, std::uint32_t q) {
+  const auto is_none = [&](std::uint32_t feature) {
+    return feature == 0 || std::isnan(attribute.values[feature - 1]) ||
+           (attribute.is_text && attribute.values[feature - 1] == 0);
+  };
+  if (is_none(p) || is_none(q)) return is_none(p) && is_none(q);
+  return attribute.values[p - 1] == attribute.values[q - 1];
+}
 
 }  // namespace
 
@@ -234,6 +245,33 @@ void report_polygons(const Input& input, const Network& network, const EdgeGraph
                                           : " has no inside: its edges cancel each other"),
          {});
   }
+}
+
+void report_merged_values(const Input& input, const Painting& painting, std::vector<Note>& notes) {
+  const auto differ = [&](std::uint32_t p, std::uint32_t q) {
+    const InputPolygon &one = input.polygons[p], &other = input.polygons[q];
+    if (one.region != other.region) return true;
+    return one.feature != other.feature &&
+           std::any_of(input.attributes.begin(), input.attributes.end(), [&](const Attribute& a) {
+             return !same_value(a, one.feature, other.feature);
+           });
+  };
+  std::map<std::uint32_t, std::uint32_t> lost;  // the polygon that counts, by one that does not
+  for (std::size_t e = 0; e < painting.owners.size(); ++e) {
+    for (const std::size_t side : {0U, 1U}) {
+      const std::uint32_t p = painting.owners[e][side], first = painting.regions[e][side];
+      if (p != first && differ(p, first)) lost.emplace(p, first);
+    }
+  }
+  if (lost.empty()) return;
+  const auto [p, first] = *lost.begin();
+  notes.push_back({Note::Kind::warning,
+                   kVoid,
+                   fmt::format("the names or attributes of {} are left out: merged with others, "
+                               "whose first gives its own to the region; so {} gives way to {}",
+                               counted(lost.size(), "polygon"), name_of_polygon(input, p),
+                               name_of_polygon(input, first)),
+                   {}});
 }
 
 void sum_up(const std::vector<Change>& changes, std::vector<Note>& notes) {

@@ -25,6 +25,10 @@ void report_splits(const Input& input, const Network& network,
 void report_polygons(const Input& input, const Network& network, const EdgeGraph& graph,
                      const std::vector<EdgeOwners>& owners, Report& report);
 
+/// Appends a warning where polygons are merged into regions that have the name or the attributes of
+/// another polygon.
+void report_merged_values(const Input& input, const Painting& painting, std::vector<Note>& notes);
+
 /// Appends a note for each kind of change with the number of them and the first few.
 void sum_up(const std::vector<Change>& changes, std::vector<Note>& notes);
 

@@ -85,6 +85,7 @@ Result<EdgeGraph> paint_over(const Input& input, const Options& options, Network
   Result<Painting> painted = paint(input, options.overlap, merge, network, graph);
   if (!painted) return std::move(painted).error();
   report_polygons(input, network, graph, painted->owners, report);
+  report_merged_values(input, *painted, report.notes);
   sizes = std::move(painted->sizes);
   const VisibleEdges visible = visible_edges(network, graph, *painted);
   report_splits(input, network, visible.edges, report.changes);

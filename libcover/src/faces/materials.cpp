@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
@@ -32,6 +33,12 @@ std::optional<std::int32_t> as_kept(const std::string& material) {
   const auto integer = static_cast<std::int32_t>(*value);
   if (integer != *value) return {};
   return integer;
+}
+
+/// Whether a positive integer, not its form, is what cannot be kept.
+bool is_too_large(const std::string& material) {
+  const auto value = as_number(material);
+  return value && *value > kLargest && std::floor(*value) == *value;
 }
 
 /// Hands out the smallest positive numbers that are not taken.
@@ -70,11 +77,14 @@ Materials number_materials(std::span<const RegionSeed> seeds, std::vector<Note>&
     } else {
       number = given[seed.material] = free.next();
       if (nameless) {
-        notes.push_back({Note::Kind::warning,
-                         kVoid,
-                         fmt::format("material {} is no positive integer: it becomes number {}",
-                                     seed.material, number),
-                         {seed.at}});
+        const std::string why = is_too_large(seed.material)
+                                    ? fmt::format("larger than {}", kLargest)
+                                    : "no positive integer";
+        notes.push_back(
+            {Note::Kind::warning,
+             kVoid,
+             fmt::format("material {} is {}: it becomes number {}", seed.material, why, number),
+             {seed.at}});
       }
     }
     out.numbers.push_back(number);

@@ -75,9 +75,11 @@ bool is_format(const ReadOptions& options, Extensions... extensions) {
 bool is_layout(const ReadOptions& o) {
   return is_format(o, ".gds", ".gds2", ".gdsii", ".oas", ".oasis");
 }
-bool is_map(const ReadOptions& o) {
-  return is_format(o, ".shp", ".gpkg", ".fgb", ".gml", ".kml", ".geojson");
+/// GeoJSON has no curves.
+bool is_map_with_curves(const ReadOptions& o) {
+  return is_format(o, ".shp", ".gpkg", ".fgb", ".gml", ".kml");
 }
+bool is_map(const ReadOptions& o) { return is_map_with_curves(o) || is_format(o, ".geojson"); }
 /// GeoJSON is often named .json; what is no map after all is told by its reader.
 bool is_maybe_map(const ReadOptions& o) { return is_map(o) || is_format(o, ".json"); }
 bool is_drawing(const ReadOptions& o) { return is_format(o, ".dxf"); }
@@ -136,8 +138,10 @@ constexpr ReadOptionEntry kReadTable[] = {
         .name = "chord-angle", .placeholder = "DEG",
         .range = ranges::kChordAngle,
         .help = "What a chord may turn by along a curve of a drawing; 5 degrees unless given",
-        .counts_with = "drawings, layouts and maps",
-        .counts = [](const ReadOptions& o) { return is_layout(o) || is_drawing(o) || is_map(o); }}),
+        .counts_with = "drawings, layouts and maps with curves",
+        .counts = [](const ReadOptions& o) {
+          return is_layout(o) || is_drawing(o) || is_map_with_curves(o);
+        }}),
     text<&ReadOptions::material_field>({
         .name = "material-field", .placeholder = "NAME",
         .help = "Attribute of a map that is the material; 'material' unless given, else 'name'",

@@ -19,11 +19,13 @@ constexpr WriteOptionEntry kWriteTable[] = {
     named<&WriteOptions::msh>({
         .name = "msh", .placeholder = "VERSION",
         .word_list = {"2.2", "4.1"},
-        .help = "Version of .msh: 2.2 or 4.1"}),
+        .help = "Version of .msh: 2.2 or 4.1",
+        .counts_with = ".msh"}),
     named<&WriteOptions::xdmf>({
         .name = "xdmf", .placeholder = "FORM",
         .word_list = {"text", "hdf5"},
-        .help = "Numbers of .xdmf: text inside, or hdf5, in X.h5 beside X.xdmf, for large meshes"}),
+        .help = "Numbers of .xdmf: text inside, or hdf5, in X.h5 beside X.xdmf, for large meshes",
+        .counts_with = ".xdmf"}),
     whole<&WriteOptions::parts>({
         .name = "parts", .placeholder = "N",
         .range = ranges::kParts,
@@ -34,7 +36,8 @@ constexpr WriteOptionEntry kWriteTable[] = {
         .help = "Leave out lines between two triangles"}),
     flag<&WriteOptions::lines>({
         .name = "lines",
-        .help = "Lines in .vtk too, as deal.II wants them"}),
+        .help = "Lines in .vtk too, as deal.II wants them",
+        .counts_with = ".vtk"}),
     named<&WriteOptions::ids>({
         .name = "ids", .placeholder = "WHAT",
         .word_list = {"region", "material", "name"},
@@ -43,7 +46,8 @@ constexpr WriteOptionEntry kWriteTable[] = {
     named<&WriteOptions::inp_element>({
         .name = "inp-element", .placeholder = "KIND",
         .word_list = {"S", "CPS", "CPE", "CAX"},
-        .help = "Elements of .inp: S, CPS, CPE or CAX"}),
+        .help = "Elements of .inp: S, CPS, CPE or CAX",
+        .counts_with = ".inp"}),
 };
 // clang-format on
 

@@ -143,6 +143,18 @@ TEST(BuildRegionTable, NumbersMaterialsByFirstAppearanceAroundGivenNumbers) {
   }));
 }
 
+TEST(BuildRegionTable, MaterialsBeyondWhatANumberHoldsAreCalledSo) {
+  Input input = nested();
+  input.seeds = {seed({0.5, 0.5}, "99999999999", 1), seed({1.5, 1.5}, "2.5", 2)};
+  const auto found = find(input);
+  ASSERT_TRUE(found) << found.error().message;
+  for (const char* said : {"material 99999999999 is larger than 2147483647: it becomes number 1",
+                           "material 2.5 is no positive integer: it becomes number 2"})
+    EXPECT_TRUE(std::any_of(found->notes.begin(), found->notes.end(), [&](const Note& n) {
+      return n.message == said;
+    })) << said;
+}
+
 TEST(BuildRegionTable, SeparatesInterfacesOutlinesSlitsAndContacts) {
   Input input;
   add_loop(input, square(0, 4));

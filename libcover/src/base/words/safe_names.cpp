@@ -35,22 +35,28 @@ std::size_t utf8_length(std::string_view text) {
   return length;
 }
 
-/// The names that `form` makes of `names`, all different; those that it leaves alone stay.
+/// The names that `form` makes of `names`, all different, none of those that are `taken` already,
+/// none longer than `longest`; those that may stay do.
 std::vector<std::string> unique_names(std::span<const std::string> names,
-                                      std::string (*form)(std::string_view)) {
+                                      std::string (*form)(std::string_view),
+                                      std::set<std::string> taken = {},
+                                      std::size_t longest = std::string::npos) {
   // Names that are unchanged come first, so that no made-up one takes theirs.
-  std::set<std::string> taken;
   std::vector<std::string> safe(names.size());
   for (std::size_t k = 0; k < names.size(); ++k) {
-    if (form(names[k]) == names[k] && taken.insert(names[k]).second) safe[k] = names[k];
+    const bool may_stay = names[k].size() <= longest && form(names[k]) == names[k];
+    if (may_stay && taken.insert(names[k]).second) safe[k] = names[k];
   }
   std::map<std::string, int> last;
   for (std::size_t k = 0; k < names.size(); ++k) {
     if (!safe[k].empty()) continue;
-    const std::string stem = form(names[k]);
+    const std::string stem = form(names[k]).substr(0, longest);
     int& n = last.emplace(stem, 1).first->second;
     safe[k] = stem;
-    while (!taken.insert(safe[k]).second) safe[k] = fmt::format("{}_{}", stem, ++n);
+    while (!taken.insert(safe[k]).second) {
+      const std::string ending = fmt::format("_{}", ++n);
+      safe[k] = stem.substr(0, longest - ending.size()) + ending;
+    }
   }
   return safe;
 }
@@ -85,6 +91,12 @@ std::string legible_name(std::string_view name) {
 
 std::vector<std::string> unique_safe_names(std::span<const std::string> names) {
   return unique_names(names, safe_name);
+}
+
+std::vector<std::string> unique_safe_names(std::span<const std::string> names,
+                                           const std::set<std::string>& taken,
+                                           std::size_t longest) {
+  return unique_names(names, safe_name, taken, longest);
 }
 
 std::vector<std::string> unique_legible_names(std::span<const std::string> names) {

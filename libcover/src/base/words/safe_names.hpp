@@ -1,6 +1,8 @@
 // Names that any file format, shell and solver script can live with.
 #pragma once
 
+#include <cstddef>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,5 +25,10 @@ std::vector<std::string> unique_legible_names(std::span<const std::string> names
 ///
 /// ENSURES: a name that is safe and occurs once stays as it is.
 std::vector<std::string> unique_safe_names(std::span<const std::string> names);
+
+/// The same where some names are `taken` already and none may be above `longest` characters, which
+/// leave room for a number.
+std::vector<std::string> unique_safe_names(std::span<const std::string> names,
+                                           const std::set<std::string>& taken, std::size_t longest);
 
 }  // namespace cover

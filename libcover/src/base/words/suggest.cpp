@@ -51,7 +51,9 @@ std::optional<std::string> closest(std::string_view word, std::span<const std::s
   for (const std::string& candidate : candidates) {
     if (are_swapped(word, candidate)) return candidate;
     const bool begins = word.size() > 2 && candidate.starts_with(word);
-    const std::size_t d = begins ? 1 : distance(word, candidate);
+    const std::size_t d = lower(word) == lower(candidate) ? 0
+                          : begins                        ? 1
+                                                          : distance(word, candidate);
     if (d < best) {
       best = d;
       found = candidate;

@@ -146,11 +146,9 @@ Error unknown_format(std::string_view extension, const std::string& source) {
     if (other.extension != extension) continue;
     return {ErrorCode::unsupported_format, fmt::format("{}: {}", source, other.what), {}, {}};
   }
-  std::vector<std::string> known;
-  for (const Format& format : kFormats) known.emplace_back(format.extension);
   return {ErrorCode::unsupported_format,
           fmt::format("{}: no reader for files named '*{}'; known: {}", source, extension,
-                      listed(known)),
+                      listed(input_formats())),
           {},
           {}};
 }
@@ -162,6 +160,12 @@ Result<Input> parse_format(const Contents& file, const ReadOptions& options) {
 }
 
 }  // namespace
+
+std::vector<std::string> input_formats() {
+  std::vector<std::string> known;
+  for (const Format& format : kFormats) known.emplace_back(format.extension);
+  return known;
+}
 
 Result<Input> parse_input(std::string_view text, std::string_view extension,
                           const std::string& source, const ReadOptions& options) {

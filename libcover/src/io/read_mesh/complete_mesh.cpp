@@ -115,6 +115,9 @@ std::string complete_from_file(const MeshFile& file, StoredMesh& stored) {
   }
   if (!file.region_names.empty()) {
     stored.regions = named_regions(file, soup);
+    // Groups are named after regions. Where numbers of materials are missing, names are too.
+    if (!file.group.empty() && !file.soup.material.empty())
+      missing.emplace_back("names of materials");
   } else {
     missing.emplace_back("names of regions");
   }

@@ -157,7 +157,11 @@ Result<bool> read_manifest(const std::string& path, std::span<const std::int64_t
     stored.attributes.clear();
     stored.fields.clear();
     read_origin(json, stored);
-    stored.input_vertices = json.at("counts").at("input_vertices");
+    const Json& counts = json.at("counts");
+    stored.input_vertices = counts.at("input_vertices");
+    // Manifests of 0.2.0 do not tell.
+    stored.cut_vertices =
+        std::max(stored.cut_vertices, counts.value("cut_vertices", std::size_t{}));
     for (const Json& region : json.at("regions")) stored.regions.push_back(region_of(region));
     const Json& lines = json.at("lines");
     if (const std::size_t last = largest_line(lines); last > 2 * lines.size() + kMostUnlisted)

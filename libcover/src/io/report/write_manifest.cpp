@@ -6,24 +6,24 @@
 // file as it was named, "unit", "scale": what its coordinates were multiplied by, "options": {
 // name: value }: the method, and what differs from its default; each of them where it is known,
 // "order", "ids": WriteOptions::ids, where set, "counts": { "points", "vertices", "input_vertices",
-// "steiner_vertices", "triangles", "lines", "regions" }; input_vertices with those that cut
-// segments, steiner_vertices are the others, "quality": QUALITY, "region_groups": [ { "tag",
-// "name": in .vtk and .obj, "original", "label": in formats with UTF-8, and "set": in .inp, each if
-// it is not the name, "material" } ], "line_groups": [ the same, without "material" ], "regions": [
-// { "id", "name", "material", "material_name", "group": tag, "triangles", "area", "quality":
-// QUALITY, "gamma_opt", "bound_held" } ], "lines": [ { "id" (0: the hull), "kind", "name", "left",
-// "right", "group": tag, "length", "edges": [[a, b], ...] with the left region on the left,
-// "markers": [of the input, by edge] where there are any, "groups": [tags, by edge] instead of
-// "group" where they differ } ], "attributes": [ { "name": of the array in VTK's files, .msh and
-// .xdmf, "original" if it is not that, "words": of text, what the numbers of the array mean, from 1
-// on, "values": [by region; null: none] } ] where there are any, "fields": [ { "name": of the array
-// at points, "original" } ] where there are any, "periodic": [ { "from", "to": names, "map":
-// "translation", "rotation" or "mirror", "matrix": [[xx, xy, x0], [yx, yy, y0]], which takes "from"
-// to "to", "centre", "angle": of a rotation, "vertices": [[a, its image], ...], "edges": [[a, b,
-// their images], ...] } ] where there are any, "arcs": [ { "centre", "radius", "edges": [[a, b],
-// ...], the shorter arcs between these vertices, "straight": those of "order" 2 that are straight
-// since triangles beside them would not be proven valid } ] where there are any, "warnings":
-// [sentences] }
+// "cut_vertices", "steiner_vertices", "triangles", "lines", "regions" }; of the input_vertices so
+// many cut segments, steiner_vertices are all others, "quality": QUALITY, "region_groups": [ {
+// "tag", "name": in .vtk and .obj, "original", "label": in formats with UTF-8, and "set": in .inp,
+// each if it is not the name, "material" } ], "line_groups": [ the same, without "material" ],
+// "regions": [ { "id", "name", "material", "material_name", "group": tag, "triangles", "area",
+// "quality": QUALITY, "gamma_opt", "bound_held" } ], "lines": [ { "id" (0: the hull), "kind",
+// "name", "left", "right", "group": tag, "length", "edges": [[a, b], ...] with the left region on
+// the left, "markers": [of the input, by edge] where there are any, "groups": [tags, by edge]
+// instead of "group" where they differ } ], "attributes": [ { "name": of the array in VTK's files,
+// .msh and .xdmf, "original" if it is not that, "words": of text, what the numbers of the array
+// mean, from 1 on, "values": [by region; null: none] } ] where there are any, "fields": [ { "name":
+// of the array at points, "original" } ] where there are any, "periodic": [ { "from", "to": names,
+// "map": "translation", "rotation" or "mirror", "matrix": [[xx, xy, x0], [yx, yy, y0]], which takes
+// "from" to "to", "centre", "angle": of a rotation, "vertices": [[a, its image], ...], "edges":
+// [[a, b, their images], ...] } ] where there are any, "arcs": [ { "centre", "radius", "edges":
+// [[a, b], ...], the shorter arcs between these vertices, "straight": those of "order" 2 that are
+// straight since triangles beside them would not be proven valid } ] where there are any,
+// "warnings": [sentences] }
 //
 //   QUALITY  { "largest_angle", "smallest_angle", "obtuse", "above_120", "above_150" }
 //
@@ -127,6 +127,7 @@ class ManifestWriter {
     return {{"points", view_.points.size()},
             {"vertices", view_.corners},
             {"input_vertices", input_points},
+            {"cut_vertices", view_.cut_vertices},
             {"steiner_vertices", view_.corners - input_points},
             {"triangles", view_.triangles.size()},
             {"lines", view_.lines.size()},

@@ -3,8 +3,8 @@
 //
 //   { "format": "cover report", "version": 1,
 //     "cover": version, "options": { name: value } as in the manifest,
-//     "input":  { "source", "unit", "scale", "points", "segments", "void_points": [ids],
-//                 "void_segments": n },
+//     "input":  { "source", "unit", "scale", "points", "segments": before any of them was cut,
+//                 "void_points": [ids], "void_segments": n },
 //     "mesh":   { "vertices", "edges", "triangles", "steiner_vertices": new ones inside regions,
 //                 "cut_vertices": new ones on segments },
 //     "overall": LIMITS + QUALITY + { "bound_held": regions, "bound_missed": [region ids],
@@ -382,8 +382,8 @@ Json input_json(const Pslg& pslg, const RegionTable& table, const Report& report
   return {{"source", report.provenance.source},
           {"unit", report.unit},
           {"scale", report.scale},
-          {"points", report.input_points},
-          {"segments", report.input_segments},
+          {"points", report.uncut_points},
+          {"segments", report.uncut_segments},
           {"void_points", void_points},
           {"void_segments", table.void_segments.size()}};
 }

@@ -379,6 +379,7 @@ MeshView view_of_lines(const RegionTable& table, std::vector<LineEdge> lines,
 }
 
 std::vector<std::string> abaqus_names(const std::vector<Group>& groups) {
+  constexpr std::size_t kLongest = 80;  // what Abaqus and CalculiX read
   std::vector<std::string> names;
   for (const Group& group : groups) {
     std::string name = group.name;
@@ -389,7 +390,7 @@ std::vector<std::string> abaqus_names(const std::vector<Group>& groups) {
     if (name[0] < 'A' || name[0] > 'Z') name.insert(name.begin(), 'X');
     names.push_back(std::move(name));
   }
-  return unique_safe_names(names);
+  return unique_safe_names(names, {kAllNodes}, kLongest);
 }
 
 }  // namespace cover

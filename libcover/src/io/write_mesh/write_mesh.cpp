@@ -51,6 +51,9 @@ constexpr std::array kFormats{
     Format{".poly", write_clean_input},
 };
 
+/// Only .vtm, .vtkhdf and .json hold the words of text; the others number them.
+constexpr std::array kWithAttributes{".vtu", ".vtm", ".vtkhdf", ".msh", ".pvtu", ".xdmf", ".json"};
+
 Result<Format> format_of(const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension().string();
   const auto* const found =
@@ -102,6 +105,10 @@ std::vector<std::string> write_formats() {
   std::vector<std::string> extensions;
   for (const Format& format : kFormats) extensions.emplace_back(format.extension);
   return extensions;
+}
+
+std::vector<std::string> attribute_formats() {
+  return {kWithAttributes.begin(), kWithAttributes.end()};
 }
 
 Status can_write(const std::string& path, const WriteOptions& options) {

@@ -32,6 +32,11 @@ TEST(SafeNames, ManyEqualNamesAreAllDifferent) {
   EXPECT_EQ(std::set<std::string>(safe.begin(), safe.end()).size(), 5000U);
 }
 
+TEST(SafeNames, NamesThatAreTakenAndTooLongOnes) {
+  EXPECT_EQ(unique_safe_names(Names{"ALL", "x", "abcdef", "abcde", "abcdeg"}, {"ALL"}, 5),
+            (Names{"ALL_2", "x", "abc_2", "abcde", "abc_3"}));
+}
+
 TEST(LegibleNames, KeepUtf8) {
   const std::string name =
       "Gr\xc3\xb6\xc3\x9f\x65 \xc2\xb5m \xe6\x97\xa5\xe6\x9c\xac \xf0\x9f\x98\x80";

@@ -17,6 +17,11 @@ TEST(Closest, ForgivesOneSlipInThreeLetters) {
   EXPECT_EQ(closest("colour", kKeys), std::nullopt);
 }
 
+TEST(Closest, ForgivesCapitalsInShortWords) {
+  EXPECT_EQ(closest("ID", std::vector<std::string>{"x", "id", "ad"}), "id");
+  EXPECT_EQ(closest("ID", std::vector<std::string>{"x", "ad"}), std::nullopt);
+}
+
 TEST(Closest, KnowsALineByItsRegionsTheOtherWayRound) {
   const std::vector<std::string> lines{"gate_oxide", "thin_oxide_p_well", "outline"};
   EXPECT_EQ(closest("oxide_gate", lines), "gate_oxide");

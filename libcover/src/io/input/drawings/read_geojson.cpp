@@ -10,14 +10,31 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <set>
 
 #include <cover/text.hpp>
 
+#include "geom/box.hpp"
 #include "io/input/attribute_table.hpp"
 #include "io/input/formats.hpp"
 
 namespace cover {
 namespace {
+
+constexpr long kFeaturesForNames = 100;  ///< whose properties one may have meant
+
+constexpr std::size_t kMostCrossings = 100'000'000;  ///< of rays, looked for in one file
+
+/// Whether a ray from a point to the right crosses a ring an odd number of times.
+bool is_inside(Point p, const std::vector<Point>& ring) {
+  bool inside = false;
+  for (std::size_t k = 0, before = ring.size() - 1; k < ring.size(); before = k++) {
+    const Point a = ring[before], b = ring[k];
+    if ((a.y > p.y) == (b.y > p.y)) continue;
+    if (p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+  }
+  return inside;
+}
 
 class GeoReader {
  public:
@@ -78,6 +95,12 @@ class GeoReader {
       input_.warnings.push_back(
           fmt::format("the property 'size' of {} is no length above 0: left out",
                       counted(no_sizes_, "feature")));
+    if (outside_ > 0)
+      input_.warnings.push_back(
+          fmt::format("{} outside of the outer ring of {}, the first at {}: inside is what rings "
+                      "go round an odd number of times, so there is no hole there but an area",
+                      counted(outside_, "inner ring") + (outside_ == 1 ? " lies" : " lie"),
+                      outside_ == 1 ? "its polygon" : "their polygons", describe(first_outside_)));
     if (auto missing = missing_property()) return *std::move(missing);
     input_.attributes = attributes_.attributes();
     return std::move(input_);
@@ -149,6 +172,8 @@ class GeoReader {
     Properties own;
     const long number = features_++;
     if (const Json* properties = JsonReader::member(feature, "properties")) {
+      if (number < kFeaturesForNames && properties->is_object())
+        for (const auto& property : properties->items()) known_.insert(property.key());
       if (const Json* m = material_.of(*properties)) own.material = read_name(*m);
       if (const Json* n = name_.of(*properties)) own.name = read_name(*n);
       if (const Json* p = priority_.of(*properties)) own.priority = json_.number(*p);
@@ -179,11 +204,11 @@ class GeoReader {
   /// A property that was asked for and that no feature has.
   [[nodiscard]] std::optional<Error> missing_property() const {
     const auto error = [&](const char* option, const std::string& name) {
-      return Error{
-          ErrorCode::bad_option,
-          fmt::format("{}: {}: no feature has the property '{}'", input_.source, option, name),
-          {},
-          {}};
+      return Error{ErrorCode::bad_option,
+                   fmt::format("{}: {}: no feature has the property '{}'{}", input_.source, option,
+                               name, did_you_mean(name, std::vector(known_.begin(), known_.end()))),
+                   {},
+                   {}};
     };
     for (const Meaning* meaning : {&material_, &name_, &priority_})
       if (meaning->must_be_there) return error(meaning->option, meaning->name);
@@ -219,6 +244,7 @@ class GeoReader {
     InputPolygon polygon;
     for (const Json& ring : json_.array(coordinates, "rings"))
       polygon.rings.push_back(read_path(ring));
+    look_for_holes_outside(polygon.rings);
     polygon.material = properties.material.empty() ? "feature_0" : properties.material;
     polygon.region = properties.name;
     polygon.priority = properties.priority;
@@ -226,6 +252,20 @@ class GeoReader {
     polygon.feature = properties.feature;
     polygon.id = static_cast<long>(input_.polygons.size());
     input_.polygons.push_back(std::move(polygon));
+  }
+
+  void look_for_holes_outside(const std::vector<std::vector<Point>>& rings) {
+    if (rings.size() < 2 || rings.front().empty()) return;
+    const Box box = box_of(rings.front());
+    for (std::size_t r = 1; r < rings.size(); ++r) {
+      const auto is_within = [&](Point p) {
+        if (!box.holds(p)) return false;
+        crossings_ += rings.front().size();
+        return crossings_ > kMostCrossings || is_inside(p, rings.front());
+      };
+      if (rings[r].empty() || std::any_of(rings[r].begin(), rings[r].end(), is_within)) continue;
+      if (outside_++ == 0) first_outside_ = rings[r].front();
+    }
   }
 
   void read_line(const Json& coordinates, const Properties& properties) {
@@ -241,8 +281,12 @@ class GeoReader {
   Input input_;
   std::vector<std::pair<const Json*, Properties>> waiting_;  // a stack
   long features_ = 0;
+  std::set<std::string> known_;  ///< properties of the first features
   std::size_t points_ = 0;
   std::size_t no_sizes_ = 0;
+  std::size_t crossings_ = 0;  ///< that were looked for
+  std::size_t outside_ = 0;    ///< inner rings
+  Point first_outside_;
   Meaning material_, name_, priority_;
   AttributeTable attributes_;
 };

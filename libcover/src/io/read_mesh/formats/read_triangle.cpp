@@ -3,6 +3,7 @@
 // Tested by tests/unit/io/read_mesh/read_mesh_test.cpp.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <span>
@@ -83,6 +84,8 @@ class TriangleReader {
     while (table.next()) {
       for (std::size_t k = 0; k < n; ++k) nodes.at(k) = vertex(table, k + 1);
       if (table.failed()) return;
+      // Triangle names the midpoint opposite the first corner first.
+      if (n == 6) std::rotate(nodes.begin() + 3, nodes.begin() + 5, nodes.end());
       collector_.add_triangle(std::span<const std::uint32_t>(nodes).first(n));
       if (attributes >= 1)
         collector_.mesh.soup.material.push_back(table.integer(n + (attributes == 3 ? 3 : 1)));

@@ -120,7 +120,7 @@ Status write_inp(const Output& output, const std::string& path, const WriteOptio
   const MeshView view = view_of(output, options);
   if (Status status = check_rounding(view, path); !status) return status;
   return write_text(path, options.stop, [&](TextWriter& out) {
-    out << "*NODE, NSET=NALL\n";
+    out << "*NODE, NSET=" << kAllNodes << '\n';
     for (std::size_t p = 0; p < view.points.size(); ++p) {
       out << p + 1 << ", " << coordinate(view.points[p].x) << ", " << coordinate(view.points[p].y)
           << ", 0\n";

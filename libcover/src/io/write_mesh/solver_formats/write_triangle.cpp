@@ -14,10 +14,28 @@
 namespace cover {
 namespace {
 
-void write_nodes(const MeshView& view, TextWriter& out) {
-  out << view.points.size() << " 2 0 0\n";
-  for (std::size_t p = 0; p < view.points.size(); ++p)
-    out << p + 1 << ' ' << view.points[p].x << ' ' << view.points[p].y << '\n';
+/// The points of the input that have markers, sorted.
+std::vector<std::pair<Point, int>> marked_points(const Pslg& pslg) {
+  std::vector<std::pair<Point, int>> marked;
+  for (std::size_t p = 0; p < pslg.point_markers.size(); ++p)
+    if (pslg.point_markers[p] != 0) marked.emplace_back(pslg.points[p], pslg.point_markers[p]);
+  std::sort(marked.begin(), marked.end());
+  return marked;
+}
+
+void write_nodes(const MeshView& view, const Pslg& pslg, TextWriter& out) {
+  const std::vector<std::pair<Point, int>> marked = marked_points(pslg);
+  out << view.points.size() << " 2 0 " << (marked.empty() ? 0 : 1) << '\n';
+  for (std::size_t p = 0; p < view.points.size(); ++p) {
+    const Point at = view.points[p];
+    out << p + 1 << ' ' << at.x << ' ' << at.y;
+    if (!marked.empty()) {
+      const auto found = std::partition_point(marked.begin(), marked.end(),
+                                              [&](const auto& entry) { return entry.first < at; });
+      out << ' ' << (found != marked.end() && found->first == at ? found->second : 0);
+    }
+    out << '\n';
+  }
 }
 
 void write_elements(const MeshView& view, TextWriter& out) {
@@ -55,7 +73,7 @@ Status write_triangle(const Output& output, const std::string& path, const Write
     if (!file) return std::move(file).error();
     files.push_back(std::move(*file));
   }
-  write_nodes(view, files[0]);
+  write_nodes(view, output.pslg, files[0]);
   write_elements(view, files[1]);
   write_edges(view, files[2]);
   std::vector<AtomicFile*> prepared;

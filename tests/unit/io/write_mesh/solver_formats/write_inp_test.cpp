@@ -115,6 +115,26 @@ TEST_F(WriteInp, NamesThatDifferInCaseOnly) {
   EXPECT_TRUE(deck.node_sets.contains("X1ST"));
 }
 
+TEST_F(WriteInp, NoSetIsTheSetOfAllNodes) {
+  output_ = testing::structured_mesh(2, 1);
+  output_.table.interfaces[0].name = "Nall";
+  const Deck deck = written({});
+  EXPECT_TRUE(deck.node_sets.contains("NALL_2"));
+  EXPECT_FALSE(deck.node_sets.contains("NALL"));
+}
+
+TEST_F(WriteInp, NamesHaveAtMostEightyCharacters) {
+  output_ = testing::structured_mesh(2, 1);
+  output_.table.regions[0].name = std::string(80, 'a') + "x";
+  output_.table.regions[1].name = std::string(80, 'a') + "y";
+  output_.table.interfaces[0].name = std::string(80, '1');
+  const Deck deck = written({});
+  EXPECT_EQ(
+      deck.mesh.region_names,
+      (std::map<long, std::string>{{1, std::string(80, 'A')}, {2, std::string(78, 'A') + "_2"}}));
+  EXPECT_TRUE(deck.node_sets.contains("X" + std::string(79, '1')));
+}
+
 TEST_F(WriteInp, PlaneElementsOfSecondOrder) {
   WriteOptions options;
   options.order = 2;
