@@ -376,9 +376,8 @@ void take_own_cuts(const CheckCommand& command, const MeshTriangles& mesh, Prepa
     const std::string option = own();
     if (!verify.allow_split && option.empty()) {
       fmt::print(
-          "Segments are cut at {} points, those of arcs on their circles; {} is sound. If they "
-          "were "
-          "to be cut, as by --split-interfaces, add --allow-split\n",
+          "Segments are cut at {} points, those of arcs on their circles; {} is sound. "
+          "If they were to be cut, as by --split-interfaces, add --allow-split\n",
           grouped(cut->points), all_else(cut->found));
       keep_cut_segments(found, cut->found, cut->points);
       return;
