@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <utility>
 
 #ifdef COVER_WITH_DXF
 #include <cover/read_dxf.hpp>
@@ -14,7 +13,6 @@
 #include <cover/read_geo.hpp>
 #endif
 #include <cover/read_input.hpp>
-#include <cover/text.hpp>
 #include <cover/units.hpp>
 
 #include "read_oasis.hpp"
@@ -26,29 +24,35 @@ std::string format_in(const std::string& path, const ReadOptions& options) {
   return options.format.empty() ? format_of_name(path) : options.format;
 }
 
-/// What is read here and not by read_input().
-std::string formats_elsewhere() {
-  std::string text = ", .oas";
-#ifdef COVER_WITH_GMSH
-  text += ", .geo";
-#endif
+/// What is read here, of pipes too, and not by the library's own readers.
+std::vector<std::string> formats_of_pipes_elsewhere() {
 #ifdef COVER_WITH_DXF
-  text += ", .dxf";
+  return {".dxf"};
+#else
+  return {};
 #endif
-#ifdef COVER_WITH_GDAL
-  text += ", .shp, .gpkg, .fgb, .gml, .kml";
-#endif
-  return text;
 }
 
-/// The error for an unknown format lists those that the library knows: here are more.
-Result<Input> with_all_formats(Result<Input> input, const std::string& more) {
-  if (input || input.error().code != ErrorCode::unsupported_format ||
-      !input.error().message.ends_with(listed(input_formats())))
-    return input;
-  Error error = std::move(input).error();
-  error.message += more;
-  return error;
+std::vector<std::string> formats_elsewhere() {
+  std::vector<std::string> formats{".oas"};
+#ifdef COVER_WITH_GMSH
+  formats.emplace_back(".geo");
+#endif
+  for (const std::string& format : formats_of_pipes_elsewhere()) formats.push_back(format);
+#ifdef COVER_WITH_GDAL
+  for (const char* const format : {".shp", ".gpkg", ".fgb", ".gml", ".kml"})
+    formats.emplace_back(format);
+#endif
+  return formats;
+}
+
+/// The library knows of no format but its own; here are more.
+Result<Input> with_all_formats(Result<Input> input, const std::string& format,
+                               const std::string& source, const std::vector<std::string>& others) {
+  if (input || input.error().code != ErrorCode::unsupported_format) return input;
+  const std::vector<std::string> known = input_formats();
+  if (std::find(known.begin(), known.end(), format) != known.end()) return input;
+  return unknown_input_format(format, source, others);
 }
 
 }  // namespace
@@ -98,7 +102,7 @@ Result<Input> read_geometry(const std::string& path, const ReadOptions& options)
   const bool is_chosen = !options.crs.empty() || !options.layers.empty();
   if (is_map(format) || (format == ".geojson" && is_chosen)) return read_gdal(path, options);
 #endif
-  return with_all_formats(read_input(path, options), formats_elsewhere());
+  return with_all_formats(read_input(path, options), format, path, formats_elsewhere());
 }
 
 Result<Input> parse_geometry(std::string_view text, const std::string& source,
@@ -106,12 +110,8 @@ Result<Input> parse_geometry(std::string_view text, const std::string& source,
 #ifdef COVER_WITH_DXF
   if (options.format == ".dxf") return parse_dxf(text, source, options);
 #endif
-  Result<Input> input = parse_input(text, options.format, source, options);
-#ifdef COVER_WITH_DXF
-  return with_all_formats(std::move(input), ", .dxf");
-#else
-  return input;
-#endif
+  return with_all_formats(parse_input(text, options.format, source, options), options.format,
+                          source, formats_of_pipes_elsewhere());
 }
 
 }  // namespace cover::reading

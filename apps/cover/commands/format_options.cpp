@@ -1,9 +1,8 @@
 #include "commands/format_options.hpp"
 
 #include <algorithm>
-#include <filesystem>
 
-#include <fmt/core.h>
+#include "files/output_files.hpp"
 
 namespace cover::app {
 
@@ -31,14 +30,12 @@ std::vector<std::string> FormatOptions::ignored(const std::vector<std::string>& 
   for (const auto& written : written_) {
     const std::string_view counts_with = written.entry->counts_with;
     const auto asks = [&](const std::string& path) {
-      const std::filesystem::path file = path == "-" ? "stdout." + format : path;
-      return file.extension() == counts_with;
+      return extension_of_output(path, format) == counts_with;
     };
     if (counts_with.empty() || written.option->count() == 0 ||
         std::any_of(outputs.begin(), outputs.end(), asks))
       continue;
-    sentences.push_back(
-        fmt::format("--{} does nothing: it counts with {} only", written.entry->name, counts_with));
+    sentences.push_back(does_nothing(*written.entry));
   }
   return sentences;
 }

@@ -319,10 +319,7 @@ std::vector<std::string> LibraryOptions::ignored() const {
   const Result<OptionReader> reader = read();
   std::vector<std::string> sentences;
   if (!reader) return sentences;
-  for (const OptionEntry* entry : reader->idle()) {
-    sentences.push_back(
-        fmt::format("--{} does nothing: it counts with {} only", entry->name, entry->counts_with));
-  }
+  for (const OptionEntry* entry : reader->idle()) sentences.push_back(does_nothing(*entry));
   return sentences;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
 #include <cover/option_table.hpp>
@@ -57,6 +58,12 @@ struct WrittenOption {
   /// As texts for the table; none where it was not given.
   [[nodiscard]] std::vector<std::string> texts() const;
 };
+
+/// What is said of an option that was given and has no effect.
+template <class Target>
+std::string does_nothing(const OptionOf<Target>& entry) {
+  return fmt::format("--{} does nothing: it counts with {} only", entry.name, entry.counts_with);
+}
 
 /// The options that end in cover::Options: those of option_table().
 class LibraryOptions {

@@ -166,8 +166,7 @@ std::vector<std::string> GeometryFile::ignored() const {
     if (written.option->count() == 0 || written.entry->counts == nullptr ||
         written.entry->counts(options_))
       continue;
-    sentences.push_back(fmt::format("--{} does nothing: it counts with {} only",
-                                    written.entry->name, written.entry->counts_with));
+    sentences.push_back(does_nothing(*written.entry));
   }
   return sentences;
 }

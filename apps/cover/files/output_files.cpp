@@ -138,6 +138,10 @@ std::string mesh_extensions() {
   return fmt::format("{}, {}", listed(write_formats()), extensions(picture_formats()));
 }
 
+std::string extension_of_output(const std::string& path, const std::string& format) {
+  return path == "-" ? "." + format : std::filesystem::path(path).extension().string();
+}
+
 std::string files_without(const std::vector<Attribute>& attributes,
                           const std::vector<std::string>& outputs, const std::string& format) {
   const std::vector<std::string> holding = attribute_formats();
@@ -148,8 +152,7 @@ std::string files_without(const std::vector<Attribute>& attributes,
   std::vector<std::string> names, without;
   for (const Attribute& attribute : attributes) names.push_back(attribute.name);
   for (const std::string& path : outputs) {
-    const std::string extension =
-        path == "-" ? "." + format : std::filesystem::path(path).extension().string();
+    const std::string extension = extension_of_output(path, format);
     if (extension == ".json") return {};
     const bool is_mesh = is_among(meshes, extension) && extension != ".poly";
     if (is_mesh && !is_among(holding, extension))

@@ -33,6 +33,10 @@ Result<Writer> report_writer(const std::string& path, int order = 1);
 /// The extensions that mesh_writer knows, for help texts.
 std::string mesh_extensions();
 
+/// The extension that tells the format of an output, with its dot; `format`: of standard output,
+/// without.
+std::string extension_of_output(const std::string& path, const std::string& format);
+
 /// Where there are `attributes` and files of `outputs` hold none, nor is there a manifest, which
 /// does: a sentence that tells; else empty. `format`: of standard output, without its dot.
 std::string files_without(const std::vector<Attribute>& attributes,

@@ -45,6 +45,10 @@ Result<Input> parse_input(std::string_view text, std::string_view extension,
 /// The extensions that parse_input() knows, each with its dot.
 std::vector<std::string> input_formats();
 
+/// The error for a format that parse_input() does not know; `others` are read by the caller.
+Error unknown_input_format(std::string_view extension, const std::string& source,
+                           const std::vector<std::string>& others = {});
+
 /// Reads Triangle's .poly format.
 Result<Input> read_poly(const std::string& path);
 

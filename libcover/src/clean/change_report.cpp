@@ -64,10 +64,6 @@ bool same_value(const Attribute& attribute, std::uint32_t p, std::uint32_t q) {
   return attribute.values[p - 1] == attribute.values[q - 1];
 }
 
-}  // namespace
-
-namespace {
-
 /// The network's points, those that are a corner of a polygon marked.
 std::vector<bool> corners_of_polygons(const Network& network) {
   std::vector<Point> corners;

@@ -46,10 +46,8 @@ double SegmentSizes::wished_at(double part) const {
   if (at_a_ > 0) lower(size, at_a_ + slope * part * whole);
   if (at_b_ > 0) lower(size, at_b_ + slope * (1 - part) * whole);
   const Point here = a_ + part * (b_ - a_);
-  if (options_->size_field) {
-    const double field = ask_size(options_->size_field, here);
-    if (field > 0) lower(size, std::max(field, options_->min_size.value_or(0)));
-  }
+  if (options_->size_field)
+    lower(size, at_least(options_->min_size, ask_size(options_->size_field, here)));
   for (const SizeFunction* function : functions_)
     if (function != nullptr) lower(size, (*function)(here));
   return size > 0 ? size : std::numeric_limits<double>::infinity();

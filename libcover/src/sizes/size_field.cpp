@@ -66,8 +66,7 @@ SizeFunction smaller_of(SizeFunction a, SizeFunction b) {
 SizeFunction no_smaller_than(std::optional<double> least, SizeFunction wishes) {
   if (!least || !wishes) return wishes;
   return [wishes = std::move(wishes), least = *least](Point p) {
-    const double size = wish_of(wishes, p);
-    return size > 0 ? std::max(size, least) : 0;
+    return at_least(least, wish_of(wishes, p));
   };
 }
 

@@ -12,8 +12,8 @@
 
 namespace cover {
 
-From seen_from(const RegionBoundary& boundary, std::size_t s, const Segment& segment) {
-  return boundary.vertices[boundary.sides[s][0]] == segment.a ? From::left : From::right;
+SeenFrom seen_from(const RegionBoundary& boundary, std::size_t s, const Segment& segment) {
+  return boundary.vertices[boundary.sides[s][0]] == segment.a ? SeenFrom::left : SeenFrom::right;
 }
 
 SegmentWishes::SegmentWishes(const Pslg& pslg, const Options& options, VertexId first_cut)
@@ -55,22 +55,22 @@ bool SegmentWishes::grade(RegionBoundary& boundary, const Triangulation& cdt) co
   return true;
 }
 
-void SegmentWishes::add_angle(SegmentWish& wish, const Segment& segment, From from, Point apex,
+void SegmentWishes::add_angle(SegmentWish& wish, const Segment& segment, SeenFrom from, Point apex,
                               double nu) const {
   if (nu >= least_nu_) return;
   // A foot of an earlier pass is rounded, and sees what it was made for so.
   if (is_right_ && bluntness(at(segment.a), apex, at(segment.b)) != Blunt::yes) return;
-  const bool is_first = wish.forced_from == From::none;
+  const bool is_first = wish.forced_from == SeenFrom::none;
   wish.forced_from = wish.forced_from | from;
   if (!is_first && (nu > wish.nu || (nu == wish.nu && wish.apex < apex))) return;
   wish.nu = nu;
   wish.apex = apex;
 }
 
-std::vector<Point> SegmentWishes::feet_across(std::size_t segment) const {
+std::vector<Point> SegmentWishes::feet_on(std::size_t segment) const {
   const Segment& s = pslg_->segments[segment];
-  return cover::feet_across(at(s.a), at(s.b), facing_[segment], *wishes_[segment].sizes,
-                            wishes_[segment].apexes);
+  return feet_across(at(s.a), at(s.b), facing_[segment], *wishes_[segment].sizes,
+                     wishes_[segment].apexes);
 }
 
 std::vector<SegmentId> SegmentWishes::finer_across(std::size_t segment) const {

@@ -17,25 +17,25 @@
 
 namespace cover {
 
-/// Sides of a segment from which something is wanted.
-enum class From : std::uint8_t { none = 0, left = 1, right = 2, both = 3 };
+/// The sides of a segment from which its regions see it: left, right, left | right.
+enum class SeenFrom : std::uint8_t { none = 0, left = 1, right = 2 };
 
-constexpr From operator|(From a, From b) {
-  return static_cast<From>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+constexpr SeenFrom operator|(SeenFrom a, SeenFrom b) {
+  return static_cast<SeenFrom>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
 }
-constexpr From without(From all, From some) {
-  return static_cast<From>(static_cast<unsigned>(all) & ~static_cast<unsigned>(some));
+constexpr SeenFrom without(SeenFrom all, SeenFrom some) {
+  return static_cast<SeenFrom>(static_cast<unsigned>(all) & ~static_cast<unsigned>(some));
 }
 
-/// From which side of `segment` the region of `boundary` sees its side `s`.
-From seen_from(const RegionBoundary& boundary, std::size_t s, const Segment& segment);
+/// SeenFrom which side of `segment` the region of `boundary` sees its side `s`.
+SeenFrom seen_from(const RegionBoundary& boundary, std::size_t s, const Segment& segment);
 
 /// What the regions beside a segment want of it.
 struct SegmentWish {
-  From forced_from = From::none;  ///< an angle that is too large is forced on it
-  double nu = std::numbers::pi;   ///< of the worst one
-  Point apex;                     ///< sees it at that angle
-  std::vector<Point> apexes;      ///< of the triangles on both sides
+  SeenFrom forced_from = SeenFrom::none;  ///< an angle that is too large is forced on it
+  double nu = std::numbers::pi;           ///< of the worst one
+  Point apex;                             ///< sees it at that angle
+  std::vector<Point> apexes;              ///< of the triangles on both sides
   std::optional<SegmentSizes> sizes;
 };
 
@@ -58,7 +58,7 @@ class SegmentWishes {
 
   /// Where to cut a segment that is too long at feet of what faces it across a thin layer; empty
   /// where nothing does.
-  [[nodiscard]] std::vector<Point> feet_across(std::size_t segment) const;
+  [[nodiscard]] std::vector<Point> feet_on(std::size_t segment) const;
 
   /// Segments across thin layers from this one that are to have shorter edges and are still too
   /// long for them.
@@ -69,7 +69,8 @@ class SegmentWishes {
   /// Writes the graded sizes to `boundary`. False if it has no wish.
   bool grade(RegionBoundary& boundary, const Triangulation& cdt) const;
   /// Adds that a side is seen from `apex` at pi - nu, if that is too much.
-  void add_angle(SegmentWish& wish, const Segment& segment, From from, Point apex, double nu) const;
+  void add_angle(SegmentWish& wish, const Segment& segment, SeenFrom from, Point apex,
+                 double nu) const;
 
   const Pslg* pslg_;
   const Options* options_;

@@ -51,11 +51,12 @@ constexpr std::size_t kFarMoreStuck = 16;
 
 /// A segment, maybe one of many that a segment was cut into.
 struct Piece {
-  double length = 0;             ///< when this began: of a piece, where it was cut before
-  bool is_to_halve = false;      ///< if it is not cut otherwise
-  bool is_rigid = false;         ///< rounded cuts on it broke something
-  From stuck_from = From::none;  ///< from there angles are forced on it though it cannot be cut.
-                                 ///< What a region said last holds until it is looked at again
+  double length = 0;         ///< when this began: of a piece, where it was cut before
+  bool is_to_halve = false;  ///< if it is not cut otherwise
+  bool is_rigid = false;     ///< rounded cuts on it broke something
+  SeenFrom stuck_from =
+      SeenFrom::none;  ///< from there angles are forced on it though it cannot be cut.
+                       ///< What a region said last holds until it is looked at again
 };
 
 class Splitter {
@@ -181,7 +182,7 @@ class Splitter {
     for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
       const SegmentId segment = boundary.segments[s];
       if (segment == kHullSide) continue;
-      From& stuck_from = pieces_[segment.index()].stuck_from;
+      SeenFrom& stuck_from = pieces_[segment.index()].stuck_from;
       stuck_from = without(stuck_from, seen_from(boundary, s, pslg_.segments[segment.index()]));
     }
   }
@@ -194,13 +195,13 @@ class Splitter {
     if (piece.is_rigid) {
       piece.stuck_from = piece.stuck_from | wish.forced_from;
     } else if (wish.sizes && wish.sizes->is_long()) {
-      if (!is_periodic) places = wishes.feet_across(s);
+      if (!is_periodic) places = wishes.feet_on(s);
       if (places.empty() && !is_periodic && waits(s, wishes)) {
         mark_dirty(table_.sides[s]);
         return {};
       }
       if (places.empty()) places = wish.sizes->cuts();
-    } else if (wish.forced_from != From::none || piece.is_to_halve) {
+    } else if (wish.forced_from != SeenFrom::none || piece.is_to_halve) {
       if (const auto place = place_on(pslg_.segments[s], wish, piece.length)) {
         places = {*place};
       } else {
@@ -238,7 +239,7 @@ class Splitter {
     stuck_.clear();
     for (std::size_t s = 0; s < pieces_.size(); ++s) {
       const Segment& segment = pslg_.segments[s];
-      if (pieces_[s].stuck_from != From::none)
+      if (pieces_[s].stuck_from != SeenFrom::none)
         stuck_.push_back(midpoint(at(segment.a), at(segment.b)));
     }
   }
@@ -299,7 +300,7 @@ class Splitter {
       piece.is_to_halve = false;
       pieces.push_back(piece);
       if (cut == cuts.end() || cut->segment.index() != s) continue;
-      piece.stuck_from = From::none;
+      piece.stuck_from = SeenFrom::none;
       pieces.insert(pieces.end(), cut->points.size(), piece);
       mark_dirty(table_.sides[s]);
       ++cut;

@@ -141,22 +141,10 @@ constexpr std::array kFormats{
     Format{".mha", picture},
 };
 
-Error unknown_format(std::string_view extension, const std::string& source) {
-  for (const OtherFormat& other : kOtherFormats) {
-    if (other.extension != extension) continue;
-    return {ErrorCode::unsupported_format, fmt::format("{}: {}", source, other.what), {}, {}};
-  }
-  return {ErrorCode::unsupported_format,
-          fmt::format("{}: no reader for files named '*{}'; known: {}", source, extension,
-                      listed(input_formats())),
-          {},
-          {}};
-}
-
 Result<Input> parse_format(const Contents& file, const ReadOptions& options) {
   for (const Format& format : kFormats)
     if (format.extension == file.extension) return format.parse(file, options);
-  return unknown_format(file.extension, file.source);
+  return unknown_input_format(file.extension, file.source);
 }
 
 }  // namespace
@@ -165,6 +153,21 @@ std::vector<std::string> input_formats() {
   std::vector<std::string> known;
   for (const Format& format : kFormats) known.emplace_back(format.extension);
   return known;
+}
+
+Error unknown_input_format(std::string_view extension, const std::string& source,
+                           const std::vector<std::string>& others) {
+  for (const OtherFormat& other : kOtherFormats) {
+    if (other.extension != extension) continue;
+    return {ErrorCode::unsupported_format, fmt::format("{}: {}", source, other.what), {}, {}};
+  }
+  std::vector<std::string> known = input_formats();
+  known.insert(known.end(), others.begin(), others.end());
+  return {ErrorCode::unsupported_format,
+          fmt::format("{}: no reader for files named '*{}'; known: {}", source, extension,
+                      listed(known)),
+          {},
+          {}};
 }
 
 Result<Input> parse_input(std::string_view text, std::string_view extension,

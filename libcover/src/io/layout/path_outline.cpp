@@ -1,8 +1,8 @@
 // Tested by tests/unit/io/layout/path_outline_test.cpp.
 #include "io/layout/path_outline.hpp"
 
-#include "geom/is_simple.hpp"
 #include "geom/predicates.hpp"
+#include "geom/rings/is_simple.hpp"
 #include "geom/vector.hpp"
 #include "io/input/drawings/curves.hpp"
 

@@ -22,9 +22,13 @@ using Writer = Status (*)(const Output&, const std::string& path, const WriteOpt
 /// How many files a mesh becomes.
 enum class Files { one, several, one_or_parts, one_or_with_hdf5 };
 
+/// Of regions. Only .vtm, .vtkhdf and .json hold the words of text; others number them.
+enum class Attributes { held, left_out };
+
 struct Format {
   const char* extension;
   Writer write;
+  Attributes attributes = Attributes::left_out;
   bool second_order = true;  ///< can hold triangles with six nodes, or no triangles at all
   Files files = Files::one;
 };
@@ -34,25 +38,22 @@ Status write_clean_input(const Output& output, const std::string& path, const Wr
 }
 
 constexpr std::array kFormats{
-    Format{".vtu", write_vtu},
-    Format{".vtm", write_vtm, true, Files::several},
-    Format{".vtkhdf", write_vtkhdf},
+    Format{".vtu", write_vtu, Attributes::held},
+    Format{".vtm", write_vtm, Attributes::held, true, Files::several},
+    Format{".vtkhdf", write_vtkhdf, Attributes::held},
     Format{".vtk", write_vtk},
-    Format{".msh", write_msh, true, Files::one_or_parts},
-    Format{".pvtu", write_pvtu, true, Files::several},
-    Format{".xdmf", write_xdmf, true, Files::one_or_with_hdf5},
+    Format{".msh", write_msh, Attributes::held, true, Files::one_or_parts},
+    Format{".pvtu", write_pvtu, Attributes::held, true, Files::several},
+    Format{".xdmf", write_xdmf, Attributes::held, true, Files::one_or_with_hdf5},
     Format{".mesh", write_medit},
     Format{".inp", write_inp},
-    Format{".ele", write_triangle, true, Files::several},
-    Format{".obj", write_obj, false},
-    Format{".off", write_off, false},
-    Format{".ply", write_ply, false},
-    Format{".json", write_manifest},
+    Format{".ele", write_triangle, Attributes::left_out, true, Files::several},
+    Format{".obj", write_obj, Attributes::left_out, false},
+    Format{".off", write_off, Attributes::left_out, false},
+    Format{".ply", write_ply, Attributes::left_out, false},
+    Format{".json", write_manifest, Attributes::held},
     Format{".poly", write_clean_input},
 };
-
-/// Only .vtm, .vtkhdf and .json hold the words of text; the others number them.
-constexpr std::array kWithAttributes{".vtu", ".vtm", ".vtkhdf", ".msh", ".pvtu", ".xdmf", ".json"};
 
 Result<Format> format_of(const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension().string();
@@ -108,7 +109,10 @@ std::vector<std::string> write_formats() {
 }
 
 std::vector<std::string> attribute_formats() {
-  return {kWithAttributes.begin(), kWithAttributes.end()};
+  std::vector<std::string> extensions;
+  for (const Format& format : kFormats)
+    if (format.attributes == Attributes::held) extensions.emplace_back(format.extension);
+  return extensions;
 }
 
 Status can_write(const std::string& path, const WriteOptions& options) {

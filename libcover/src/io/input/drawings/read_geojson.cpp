@@ -15,26 +15,15 @@
 #include <cover/text.hpp>
 
 #include "geom/box.hpp"
+#include "geom/rings/place_in_ring.hpp"
 #include "io/input/attribute_table.hpp"
 #include "io/input/formats.hpp"
 
 namespace cover {
 namespace {
 
-constexpr long kFeaturesForNames = 100;  ///< whose properties one may have meant
-
+constexpr long kFeaturesForNames = 100;              ///< whose properties one may have meant
 constexpr std::size_t kMostCrossings = 100'000'000;  ///< of rays, looked for in one file
-
-/// Whether a ray from a point to the right crosses a ring an odd number of times.
-bool is_inside(Point p, const std::vector<Point>& ring) {
-  bool inside = false;
-  for (std::size_t k = 0, before = ring.size() - 1; k < ring.size(); before = k++) {
-    const Point a = ring[before], b = ring[k];
-    if ((a.y > p.y) == (b.y > p.y)) continue;
-    if (p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
-  }
-  return inside;
-}
 
 class GeoReader {
  public:
@@ -261,7 +250,7 @@ class GeoReader {
       const auto is_within = [&](Point p) {
         if (!box.holds(p)) return false;
         crossings_ += rings.front().size();
-        return crossings_ > kMostCrossings || is_inside(p, rings.front());
+        return crossings_ > kMostCrossings || place_in(rings.front(), p) != Place::outside;
       };
       if (rings[r].empty() || std::any_of(rings[r].begin(), rings[r].end(), is_within)) continue;
       if (outside_++ == 0) first_outside_ = rings[r].front();

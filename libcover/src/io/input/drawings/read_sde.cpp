@@ -16,8 +16,7 @@
 
 #include <cover/text.hpp>
 
-#include "geom/box.hpp"
-#include "geom/predicates.hpp"
+#include "geom/rings/place_in_ring.hpp"
 #include "geom/vector.hpp"
 #include "io/input/drawings/scheme_values.hpp"
 #include "io/input/formats.hpp"
@@ -47,21 +46,6 @@ struct Side {
   Point foot;
   double distance = std::numeric_limits<double>::infinity();
 };
-
-enum class Place { inside, border, outside };
-
-/// Even-odd; exact.
-Place place_in(const std::vector<Point>& ring, Point p) {
-  bool inside = false;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Point a = ring[k], b = ring[(k + 1) % ring.size()];
-    const Sign side = orientation(a, b, p);
-    if (side == Sign::zero && box_of(std::array{a, b}).holds(p)) return Place::border;
-    if ((a.y <= p.y) == (b.y <= p.y)) continue;
-    if ((side == Sign::positive) == (b.y > a.y)) inside = !inside;
-  }
-  return inside ? Place::inside : Place::outside;
-}
 
 /// The bodies of a drawing, and lines on their sides.
 class Drawing {

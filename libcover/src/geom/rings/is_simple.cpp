@@ -1,5 +1,5 @@
-// Tested by tests/unit/geom/is_simple_test.cpp.
-#include "geom/is_simple.hpp"
+// Tested by tests/unit/geom/rings/is_simple_test.cpp.
+#include "geom/rings/is_simple.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2_algorithms.h>

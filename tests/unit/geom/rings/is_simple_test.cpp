@@ -1,4 +1,4 @@
-#include "geom/is_simple.hpp"
+#include "geom/rings/is_simple.hpp"
 
 #include <gtest/gtest.h>
 
