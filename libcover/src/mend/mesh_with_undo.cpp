@@ -20,11 +20,23 @@ constexpr std::uint32_t kOnNoLine = ConformingMesh::kInside;
 constexpr std::size_t kMostInHole = 96;   ///< triangles: larger ones are left alone
 constexpr std::size_t kMostCorners = 40;  ///< of a hole that a vertex leaves
 constexpr std::uint32_t kMostSteps = 64;  ///< of a walk
-constexpr double kFilter = 1e-12;    ///< of the largest product: below, signs are looked at exactly
+constexpr double kFilter = 1e-12;  ///< of the largest product: below, signs are looked at exactly
+/// More than angle_rounding() of a triangle by its largest coordinate over its shortest edge.
+constexpr double kMostRounding = 5 * std::numeric_limits<double>::epsilon();
 constexpr float kBadBySign = 0.25;   ///< cost of a triangle whose coupling has the wrong sign
 constexpr float kBeyondWorst = 16;   ///< more than all else that a triangle costs
 constexpr double kBadAtLeast = 0.4;  ///< cost of a triangle that is hardly bad
 constexpr double kFreeAtMost = 4;    ///< times the triangles: entries of the list of free ones
+
+/// Whether an angle is obtuse by so much that neither its sign nor its rounding matters: for most,
+/// that spares three roots and an exact product.
+bool is_clearly_blunt(const std::array<Point, 3>& p, double blunt, double sharp,
+                      double doubled_area) {
+  if (!(-blunt > kFilter * sharp)) return false;
+  const double shortest = std::sqrt(std::min(
+      {squared_length(p[1] - p[0]), squared_length(p[2] - p[1]), squared_length(p[0] - p[2])}));
+  return -blunt * shortest > std::abs(doubled_area) * kMostRounding * largest_coordinate(p);
+}
 
 }  // namespace
 
@@ -116,9 +128,10 @@ double MeshWithUndo::cost_of(const std::array<Point, 3>& p, const std::array<boo
       cost = kBadAtLeast - blunt / std::hypot(blunt, doubled_area) +
              wanted.least_cot / std::hypot(1, wanted.least_cot);
   } else if (blunt < 0) {
-    const Blunt is = blunt == product[0]   ? bluntness(c, a, b)
-                     : blunt == product[1] ? bluntness(a, b, c)
-                                           : bluntness(b, c, a);
+    const Blunt is = is_clearly_blunt(p, blunt, sharp, doubled_area) ? Blunt::yes
+                     : blunt == product[0]                           ? bluntness(c, a, b)
+                     : blunt == product[1]                           ? bluntness(a, b, c)
+                                                                     : bluntness(b, c, a);
     if (is == Blunt::yes) cost = kBadAtLeast - blunt / std::hypot(blunt, doubled_area);
   }
   if (cost == 0 && blunt < kFilter * sharp) {
@@ -333,17 +346,18 @@ std::array<std::uint32_t, 2> MeshWithUndo::ends_of(const Spot& spot) const {
   return {t.v[e.next()], t.v[e.previous()]};
 }
 
-double MeshWithUndo::change_with(const Spot& spot) {
+double MeshWithUndo::change_with(const Spot& spot, double most) {
   if (!gather(spot)) return kCannotBe;
   double change = 0;
+  for (const std::uint32_t t : cavity_) change -= triangles_[t].cost;
   const std::array<std::uint32_t, 2> ends = ends_of(spot);
   const Vertex* const vertices = vertices_.data();
   for (const RimEdge& e : rim_) {
     const bool at_b = e.b == ends[0] || e.b == ends[1], at_a = e.a == ends[0] || e.a == ends[1];
     change += cost_of({spot.at, vertices[e.a].at, vertices[e.b].at},
                       {e.line != kOnNoLine, at_b, at_a}, e.region);
+    if (change > most) break;
   }
-  for (const std::uint32_t t : cavity_) change -= triangles_[t].cost;
   return change;
 }
 

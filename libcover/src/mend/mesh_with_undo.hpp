@@ -103,9 +103,9 @@ class MeshWithUndo {
   /// The spot on the line of edge `edge` of `triangle` that is nearest to `p`.
   [[nodiscard]] Spot on_line(Point p, std::uint32_t triangle, Corner edge) const;
 
-  /// By how much the cost would change with a vertex at `spot`; infinite if that cannot be. The
-  /// rim of the hole around it is in rim() then.
-  double change_with(const Spot& spot);
+  /// By how much the cost would change with a vertex at `spot`; infinite if that cannot be. More
+  /// than `most` is any number above it. The rim of the hole around it is in rim() then.
+  double change_with(const Spot& spot, double most = std::numeric_limits<double>::infinity());
   [[nodiscard]] std::span<const RimEdge> rim() const { return rim_; }
 
   /// Puts a vertex there: `v`, which is not there, or a new one if that is kNone. Returns it;

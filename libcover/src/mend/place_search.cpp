@@ -32,6 +32,7 @@ void PlaceSearch::move_one(std::uint32_t t, std::span<const std::uint32_t> stays
   std::vector<Point> starts = starts_around(t);
   starts.insert(starts.begin(), Point{});
   for (const std::uint32_t u : movers(t)) {
+    if (best.cost < kCheaper) return;
     if (std::find(stays.begin(), stays.end(), u) != stays.end()) continue;
     const std::size_t mark = mesh_.mark();
     const MeshWithUndo::Vertex old = mesh_.vertices()[u];
@@ -111,10 +112,11 @@ void PlaceSearch::try_on_line(std::span<const Point> starts, std::uint32_t line,
 
 /// Moves a place to where fewer triangles around it are bad.
 void PlaceSearch::improve(Spot spot, std::uint32_t vertex, VertexPlace& best) {
+  if (best.cost < kCheaper) return;
   const double cost = mesh_.cost();
   for (int k = 0; k <= kProjections && spot.triangle != kNone; ++k) {
     left_.spend(1);
-    const double then = cost + mesh_.change_with(spot);
+    const double then = cost + mesh_.change_with(spot, best.cost - cost);
     if (!std::isfinite(then)) return;
     if (then < best.cost - kCheaper) best = {then, vertex, spot};
     if (then < kCheaper || k == kProjections) return;
@@ -128,18 +130,20 @@ void PlaceSearch::improve(Spot spot, std::uint32_t vertex, VertexPlace& best) {
 Point PlaceSearch::projected(const Spot& spot) const {
   Point p = spot.at;
   for (int cycle = 0; cycle < kCycles; ++cycle) {
+    const Point before = p;
     for (const RimEdge& e : mesh_.rim()) {
       const Point a = mesh_.at(e.a), b = mesh_.at(e.b);
       const Vector ab = b - a;
-      const double length2 = squared_length(ab), along = dot(p - a, ab) / length2;
-      if (along < 0) p = p + (-along * kBeyond) * ab;
-      if (along > 1) p = p + ((1 - along) * kBeyond) * ab;
+      const double length2 = squared_length(ab), product = dot(p - a, ab);
+      if (product < 0) p = p + (-(product / length2) * kBeyond) * ab;
+      if (product > length2) p = p + ((1 - product / length2) * kBeyond) * ab;
       const Point m = midpoint(a, b);
       const double far2 = squared_length(p - m);
       if (far2 < length2 / 4 && far2 > 0)
         p = m + (kBeyond * std::sqrt(length2 / 4 / far2)) * (p - m);
     }
     if (spot.edge.has_value()) p = mesh_.on_line(p, spot.triangle, *spot.edge).at;
+    if (p == before) break;
   }
   return p;
 }
