@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "cuts/cut_segments.hpp"
 #include "target/whole_mesh.hpp"
 #include "tasks/region_task.hpp"
 
@@ -26,6 +27,8 @@ Result<std::vector<std::size_t>> mesh_changed(Work& work, std::vector<RegionBoun
 }
 
 bool is_sound(const Work& work) {
+  // Cuts may be too near to each other, or rounded to beyond what faces them.
+  if (!triangulate_whole(work.pslg).conflicts.empty()) return false;
   for (std::size_t r = 0; r < work.meshes.size(); ++r)
     if (find_fault(work.boundaries[r], work.meshes[r])) return false;
   return true;

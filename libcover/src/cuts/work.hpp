@@ -36,7 +36,8 @@ struct Work : Prepared {
 Result<std::vector<std::size_t>> mesh_changed(Work& work, std::vector<RegionBoundary> boundaries,
                                               const Options& options, const Callbacks& callbacks);
 
-/// Whether the mesh of every region is one of its region, see find_fault().
+/// Whether no segments meet but at their ends, and the mesh of every region is one of its region,
+/// see find_fault().
 bool is_sound(const Work& work);
 
 }  // namespace cover

@@ -226,8 +226,7 @@ CutResult cut_and_improve(Work& work, const Options& options, Budget& budget) {
   cut_segments(cut.pslg, cut.table, joined.segment_cuts(work.pslg));
   cut.boundaries = split_regions(cut.pslg, cut.table);
   joined.separate(cut.pslg, cut.boundaries, cut.meshes);
-  // Cuts may be too near to each other, or through a thin void to another region.
-  if (!triangulate_whole(cut.pslg).conflicts.empty() || !is_sound(cut)) return result;
+  if (!is_sound(cut)) return result;
   work = std::move(cut);
   result.above = joined.triangles_above().size();
   return result;

@@ -194,5 +194,21 @@ TEST(ThinCuts, RightAnglesComeBeforeSmallOnes) {
   EXPECT_EQ(output.report.quality.obtuse, 0u);
 }
 
+// Where coordinates are eighths apart, cuts of facing teeth are rounded across each other.
+TEST(ThinCuts, KeepsWhatThereIsWhereRoundingWouldCrossSides) {
+  testing::Loop teeth{{0.8666, 0.5},     {-5.4885, 9.5},   {-7.5894, 7.125}, {-4.9895, 8.625},
+                      {-11.424, 3.75},   {-5.3572, 7.25},  {-10.925, 3},     {-4.8582, 6.375},
+                      {-6.0926, 4.625},  {-4.3593, 5.625}, {-8.1935, 2.25},  {-3.8603, 4.75},
+                      {-8.5612, 0.875},  {-3.3614, 3.875}, {-5.4623, 1.5},   {-2.8624, 3},
+                      {-7.5633, -0.875}, {-2.3635, 2.125}, {-6.1977, -1.25}, {-1.8645, 1.25},
+                      {-7.432, -3.125},  {-0.499, 0.875}};
+  for (Point& p : teeth) p = {1e9 + p.x, 1e15 + p.y};
+  const Output output = mesh_of(testing::input_of(teeth), no_obtuse_angle());
+  EXPECT_TRUE(
+      std::any_of(output.report.notes.begin(), output.report.notes.end(), [](const Note& note) {
+        return note.message.find("rounding would break") != std::string::npos;
+      }));
+}
+
 }  // namespace
 }  // namespace cover
