@@ -24,7 +24,7 @@ bool wants_thinning(const Prepared& prepared, const std::vector<RegionBoundary>&
 ///
 /// ENSURES: a note tells how many went, or that none could
 /// Errors:  cancelled, internal
-/// Cost:    as Options::effort says, see docs/box_method.md
+/// Cost:    as Options::effort says, see docs/cutting_segments.md
 Status thin_cuts(Work& work, const Options& options, const Callbacks& callbacks);
 
 }  // namespace cover
