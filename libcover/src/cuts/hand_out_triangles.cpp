@@ -1,5 +1,5 @@
 // Tested by tests/unit/cuts/after_meshing/one_mesh_test.cpp.
-#include "cuts/after_meshing/hand_out_triangles.hpp"
+#include "cuts/hand_out_triangles.hpp"
 
 namespace cover {
 

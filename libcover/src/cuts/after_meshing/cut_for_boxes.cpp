@@ -12,6 +12,7 @@
 #include <cover/text.hpp>
 
 #include "cdt/couplings.hpp"
+#include "cuts/after_meshing/effort.hpp"
 #include "cuts/before_meshing/cut_encroached.hpp"
 #include "cuts/before_meshing/onto_arcs.hpp"
 #include "cuts/cut_segments.hpp"
@@ -28,9 +29,8 @@
 namespace cover {
 namespace {
 
-constexpr int kCouplingRounds = 24;
-constexpr double kNearEnd =
-    0.1;  ///< of a side: a cut nearer to its ends goes to the middle instead
+/// Of a side: a cut nearer to its ends goes to the middle instead.
+constexpr double kNearEnd = 0.1;
 constexpr std::size_t kPlacesTold = 8;
 
 void warn_of_stuck(const std::vector<Point>& stuck, std::vector<Note>& notes) {
@@ -83,7 +83,8 @@ class CouplingRounds {
   Status run() {
     for (std::size_t r = 0; r < work_.meshes.size(); ++r) flip(r);
     const std::size_t most = most_points_for_boxes(work_.pslg, work_.report.box_cuts);
-    for (int round = 0; round < kCouplingRounds && work_.pslg.points.size() <= most; ++round) {
+    for (int round = 0; round < effort::cuts::kCouplingRounds && work_.pslg.points.size() <= most;
+         ++round) {
       const ChosenCuts chosen = choose();
       if (chosen.cuts.empty()) break;
       const Pslg pslg = work_.pslg;

@@ -10,6 +10,7 @@
 
 #include "base/faults/errors.hpp"
 #include "cuts/after_meshing/cut_until_met.hpp"
+#include "cuts/after_meshing/effort.hpp"
 #include "cuts/after_meshing/one_mesh.hpp"
 #include "cuts/after_meshing/thin_cuts.hpp"
 #include "cuts/before_meshing/split_interfaces.hpp"
@@ -24,10 +25,6 @@
 
 namespace cover {
 namespace {
-
-constexpr std::uint64_t kPlacesForOne = 20'000;  ///< tried for an obtuse triangle
-constexpr std::uint64_t kMostPlaces = 3'000'000;
-constexpr std::size_t kLeastCorners = 4;  ///< of a cleft: half of all points at least, or few help
 
 /// Whether so many triangles are obtuse that halving segments was in vain. A few are mended where
 /// they are, with fewer vertices.
@@ -72,7 +69,8 @@ ConformingMesh mended(ConformingMesh mesh, const ClosedClefts& closed,
   std::erase_if(fixed, [&](std::uint32_t v) { return v >= lines.size(); });
 
   MeshWithUndo mending(mesh, std::vector<WantedAngles>(work.meshes.size()));
-  const RepairEffort effort{kPlacesForOne, kMostPlaces, stop};
+  const RepairEffort effort{effort::cuts::kPlacesBesideClefts,
+                            effort::cuts::kMostPlacesBesideClefts, stop};
   thin_mesh(mending, {0, 0, effort});
   mend_what_is_left(mending, effort);
   mesh = mending.result(mesh);
@@ -119,7 +117,7 @@ Status mesh_with_closed_clefts(Work& work, const Options& options, const Callbac
     unite_pieces(whole.pslg, whole.table, work.report.uncut_points);
     const std::vector<Cleft> clefts =
         find_clefts(whole.pslg, whole.table, split_regions(whole.pslg, whole.table));
-    if (2 * kLeastCorners * clefts.size() < work.report.uncut_points) return ok();
+    if (2 * effort::cuts::kCornersOfCleft * clefts.size() < work.report.uncut_points) return ok();
     std::optional<ClosedClefts> closed = close_clefts(whole, clefts);
     if (!closed) return ok();
     if (Status status = mesh_closed(closed->work, options, callbacks.stop); !status) return status;
