@@ -185,9 +185,7 @@ class CouplingRounds {
           box_cuts.push_back({p, BoxCut::Reason::given_up, chosen.by.at(cut.segment)});
       }
       cut_segments(work_.pslg, work_.table, chosen.cuts);
-      std::vector<Point> stuck;
-      cut_encroached(work_.pslg, work_.table, work_.report.uncut_points, VertexId{0U}, box_cuts,
-                     stuck);
+      cut_encroached(work_, VertexId{0U});
       return pieces_of_work(work_.pslg, work_.table, options_);
     });
     if (!pieces) return std::move(pieces).error();
@@ -206,14 +204,9 @@ class CouplingRounds {
 
 void cut_for_boxes(Prepared& prepared, const Options& options) {
   if (!options.box_method) return;
-  Pslg& pslg = prepared.pslg;
-  RegionTable& table = prepared.table;
-  Report& report = prepared.report;
-  std::vector<Point> stuck;
-  cut_encroached(pslg, table, report.uncut_points, VertexId{pslg.points.size()}, report.box_cuts,
-                 stuck);
-  warn_of_stuck(stuck, report.notes);
-  tell_cuts(report);
+  const VertexId first_cut{prepared.pslg.points.size()};
+  warn_of_stuck(cut_encroached(prepared, first_cut), prepared.report.notes);
+  tell_cuts(prepared.report);
 }
 
 Status cut_until_coupled(Work& work, const Options& options, const Callbacks& callbacks) {
