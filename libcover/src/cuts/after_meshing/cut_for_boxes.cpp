@@ -22,7 +22,6 @@
 #include "geom/foot.hpp"
 #include "geom/vector.hpp"
 #include "quality/fault/missed_targets.hpp"
-#include "target/fill_report.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/pieces_of_work.hpp"
 
@@ -123,8 +122,7 @@ class CouplingRounds {
     if (make_delaunay(all_points(work_.boundaries[r], flipped), flipped.triangles,
                       work_.boundaries[r].sides) == 0)
       return;
-    report_again(work_.boundaries[r], options_, false, flipped);
-    fill_report(work_.boundaries[r], flipped);
+    measure_again(work_.boundaries[r], options_, false, flipped);
     if (flipped.report.bound_held || !work_.meshes[r].report.bound_held)
       work_.meshes[r] = std::move(flipped);
   }

@@ -17,9 +17,7 @@
 #include "cuts/clefts/closed_clefts.hpp"
 #include "cuts/unite_pieces.hpp"
 #include "mend/thin_mesh.hpp"
-#include "quality/fault/missed_targets.hpp"
 #include "region/region_graph.hpp"
-#include "target/fill_report.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/region_task.hpp"
 
@@ -98,10 +96,7 @@ bool take(OpenedClefts opened, const Options& options, Work& whole) {
   separate(opened.mesh, fixed, whole);
   std::erase_if(whole.report.notes, [](const Note& note) { return note.kind == Note::Kind::cut; });
   if (!is_sound(whole)) return false;
-  for (std::size_t r = 0; r < whole.boundaries.size(); ++r) {
-    report_again(whole.boundaries[r], options, false, whole.meshes[r]);
-    fill_report(whole.boundaries[r], whole.meshes[r]);
-  }
+  measure_again(whole, options);
   return true;
 }
 
