@@ -53,8 +53,11 @@ Goal goal_of(const Options& options, const AngleLimit& limit, bool is_part) {
   Goal goal = Goal::of(options.max_angle, options.min_angle);
   if (minds_couplings(options))
     // Beside layers, of 400 devices with little effort two kept negative couplings inside with it.
-    goal.coupling = {kCouplingFirst, true, true, (1 - kSameCot) / std::tan(limit.promised_nu()),
-                     !is_part};
+    goal.coupling = {.weight = kCouplingFirst,
+                     .inside = true,
+                     .strict = true,
+                     .bound = (1 - kSameCot) / std::tan(limit.promised_nu()),
+                     .takes_whole_cavities = !is_part};
   return goal;
 }
 
@@ -231,7 +234,7 @@ Candidate Candidates::restarted_within(const Candidate& from, std::uint64_t eval
 }
 
 Candidate Candidates::restarted(const Candidate& from) const {
-  Budget budget{effort::kRestarts, budget_.stop};
+  Budget budget{effort::kRestartsOfAllEffort, budget_.stop};
   Restarted found = best_restart(*from.mesh, from.merit, goal_, ceiling_, budget);
   Candidate best{std::move(found.mesh), found.merit, from.method};
   if (order_.is_better(best.merit, from.merit)) best.method = "restarted, improved";

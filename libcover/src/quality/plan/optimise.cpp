@@ -103,13 +103,13 @@ Angle refined_to(const Goal& goal) {
 
 /// The couplings of sides, beside angles.
 Goal with_sides(Goal goal) {
-  if (goal.coupling.weight > 0) goal.coupling = {1, false, false, kInverted};
+  if (goal.coupling.weight > 0) goal.coupling = {.weight = 1, .bound = kInverted};
   return goal;
 }
 
 /// The couplings of all edges, beside angles.
 Goal with_edges(Goal goal) {
-  goal.coupling = {1, true, false, kInverted};
+  goal.coupling = {.weight = 1, .inside = true, .bound = kInverted};
   return goal;
 }
 
