@@ -41,11 +41,6 @@ bool is_sound(const RegionReport& report) {
   return report.bound_held && report.box.negative_inside == 0;
 }
 
-bool may_be_split(const RegionBoundary& boundary) {
-  const auto& segments = boundary.segments;
-  return std::find(segments.begin(), segments.end(), kHullSide) != segments.end();
-}
-
 /// What is asked of angles; nothing where the bound is none for obtuse ones.
 std::optional<std::vector<WantedAngles>> wanted_angles(const RegionMesh& mesh) {
   const double least_cot = -kSlack / std::tan(mesh.report.nu_bound.in_radians());
@@ -174,7 +169,7 @@ std::optional<MendedMesh> mend_couplings_within_bound(const RegionBoundary& boun
                                                       const std::stop_token& stop,
                                                       const MendEffort& effort) {
   if (is_sound(mesh.report) && mesh.report.box.negative_given_up == 0) return {};
-  if (may_be_split(boundary)) return {};
+  if (boundary.has_hull_sides()) return {};
   std::optional<MendedMesh> mended;
   const auto now = [&]() -> const RegionMesh& { return mended ? mended->mesh : mesh; };
   const auto is_done = [&] {
