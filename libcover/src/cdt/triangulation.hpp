@@ -8,12 +8,10 @@
 
 #include <cover/point.hpp>
 
+#include "base/none.hpp"
 #include "geom/topology/corner.hpp"
 
 namespace cover {
-
-/// No triangle.
-inline constexpr std::uint32_t kNone = 0xffffffffU;
 
 /// A counter-clockwise triangle. Edge i is the one opposite to corner i.
 struct Triangle {

@@ -143,7 +143,7 @@ class Rebuilder {
         find_edges(soup_.points.size(), soup_.triangles, ends);
     for (std::size_t k = 0; k < ends.size(); ++k) {
       const StoredEdge& edge = stored_.edges[k];
-      if (half_edges[k] == HalfEdges::kAbsent) {
+      if (half_edges[k] == kNone) {
         return wrong(fmt::format("the line from vertex {} to vertex {} is no edge of the mesh",
                                  edge.a, edge.b));
       }

@@ -212,7 +212,7 @@ BoxMethod measure_some_boxes(std::span<const Point> points, std::span<const Inde
       // circumcentre
       box.box_area += squared_length(to - from) * std::abs(cots[h]) / 4;
       const std::uint32_t twin = across[h];
-      if (twin == HalfEdges::kAbsent) {
+      if (twin == kNone) {
         const bool is_obtuse = cots[h] < kNearRight && bluntness(from, beside, to) == Blunt::yes;
         box.obtuse_sides += is_obtuse ? 1 : 0;
       } else if (h < twin && cots[h] + cots[twin] < -kNearRight) {

@@ -419,7 +419,7 @@ class Opener {
     // Without a slit on one side they begin, or end, at the void.
     std::uint32_t h = from == kNone ? kNone : edges_.find(from, v);
     if (from == kNone) h = first_clockwise(v, to);
-    while (h != HalfEdges::kAbsent) {
+    while (h != kNone) {
       IndexTriple& triangle = out_.triangles[h / 3];
       std::replace(triangle.begin(), triangle.end(), v, other);
       for (const std::uint32_t u : triangle)
@@ -452,8 +452,8 @@ class Opener {
 
   /// The half-edge to `v` from where the void is, from `to` back against the clock.
   [[nodiscard]] std::uint32_t first_clockwise(std::uint32_t v, std::uint32_t to) const {
-    std::uint32_t h = edges_.find(v, to), found = HalfEdges::kAbsent;
-    while (h != HalfEdges::kAbsent) {
+    std::uint32_t h = edges_.find(v, to), found = kNone;
+    while (h != kNone) {
       found = HalfEdges::previous(h);
       h = edges_.find(v, edges_.source(found));
     }

@@ -66,7 +66,7 @@ struct MshParts {
       const auto ends = view.lines[l];
       std::uint32_t first = std::numeric_limits<std::uint32_t>::max();
       for (const std::uint32_t h : {edges.find(ends[0], ends[1]), edges.find(ends[1], ends[0])}) {
-        if (h == HalfEdges::kAbsent || partition.owner[h / 3] == first) continue;
+        if (h == kNone || partition.owner[h / 3] == first) continue;
         first = partition.owner[h / 3];
         lines[first].push_back(l);
       }
