@@ -17,6 +17,7 @@
 
 #include <fmt/core.h>
 
+#include "base/words/characters.hpp"
 #include "io/files/names_in_folder.hpp"
 
 namespace cover {
@@ -32,8 +33,6 @@ constexpr std::int64_t kPush =
 
 constexpr mode_t kPermissions = 0777;
 constexpr mode_t kNewFile = 0666;  // less the umask
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Whether `file` is `.NAME.N.tmp`.
 bool is_temporary(std::string_view file, std::string_view name) {
