@@ -96,13 +96,6 @@ mode_t of_folder(const std::optional<FileOwner>& owner) {
   return owner ? (owner->mode & kAll) | ((owner->mode & kRead) >> 2U) | kOwn : kAll;
 }
 
-bool is_folder(const fs::path& path, int file) {
-  struct stat named {
-  }, opened{};
-  return stat(path.c_str(), &named) == 0 && fstat(file, &opened) == 0 &&
-         named.st_ino == opened.st_ino && named.st_dev == opened.st_dev;
-}
-
 Error cancelled(const std::string& shown) {
   return {ErrorCode::cancelled, fmt::format("interrupted; {} was not written", shown), {}, {}};
 }
@@ -148,7 +141,7 @@ Status PieceFolder::lock() {
       std::this_thread::sleep_for(kPause);
     }
     // Who had the lock may have removed the folder.
-    if (is_folder(path, lock_)) return ok();
+    if (is_name_of(path, lock_, true)) return ok();
     close(std::exchange(lock_, -1));
     is_made_ = false;
   }

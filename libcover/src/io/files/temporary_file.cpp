@@ -46,14 +46,6 @@ bool is_temporary(std::string_view file, std::string_view name) {
          std::all_of(file.begin() + static_cast<std::ptrdiff_t>(dot) + 1, file.end(), is_digit);
 }
 
-/// Whether `path` is the name of the open file `file`.
-bool is_name_of(const fs::path& path, int file) {
-  struct stat named {
-  }, opened{};
-  return lstat(path.c_str(), &named) == 0 && fstat(file, &opened) == 0 &&
-         named.st_ino == opened.st_ino && named.st_dev == opened.st_dev;
-}
-
 void remove_if_dead(const fs::path& path) {
   const int file = open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (file < 0) return;
