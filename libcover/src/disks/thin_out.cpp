@@ -47,7 +47,7 @@ class ThinOut {
     std::vector<std::array<Index, 2>> edges;
     for (const Index t : stars_[v]) {
       const auto& f = draft_.triangles[t];
-      const Corner i = f[0] == v ? 0U : f[1] == v ? 1U : 2U;
+      const Corner i = corner_with(f, v);
       edges.push_back({f[i.next()], f[i.previous()]});
     }
     std::size_t start = 0;  // on a chord: the edge that no other leads to

@@ -19,10 +19,6 @@ constexpr double kGain = 1e-9;        ///< of the cost, that counts as better
 constexpr std::size_t kStay = 3;      ///< steps for which a vertex that was moved stays
 constexpr std::size_t kSeldom = 3;    ///< once in so many steps any bad triangle, not the worst
 
-Corner corner_of(const MeshWithUndo::Triangle& t, std::uint32_t v) {
-  return t.v[0] == v ? 0U : t.v[1] == v ? 1U : 2U;
-}
-
 }  // namespace
 
 bool Repairs::is_bad(std::uint32_t t) const {
@@ -67,7 +63,7 @@ std::vector<std::uint32_t> Repairs::neighbours(std::uint32_t v) const {
   const std::uint32_t start = mesh_.vertices()[v].home;
   const auto turn = [&](std::uint32_t t, bool left) {
     const MeshWithUndo::Triangle& triangle = mesh_.triangles()[t];
-    const Corner i = corner_of(triangle, v);
+    const Corner i = corner_with(triangle.v, v);
     found.push_back(triangle.v[left ? i.previous() : i.next()]);
     return triangle.n[left ? i.next() : i.previous()];
   };
