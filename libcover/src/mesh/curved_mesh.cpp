@@ -306,7 +306,7 @@ class Curving {
       for (const Halfedge h : {halfedges_[k], tri_.opposite_halfedge_handle(halfedges_[k])}) {
         const Face f = tri_.face_handle(h);
         if (!f.is_valid()) continue;
-        curved_.areas[output_.mesh.region(f).index() - 1] += area_beside_chord(
+        curved_.areas[place_of(output_.mesh.region(f))] += area_beside_chord(
             at(tri_.from_vertex_handle(h)), at(tri_.to_vertex_handle(h)), curved_.edges[k].middle);
       }
     }
