@@ -31,8 +31,7 @@ constexpr int steps_to_thin(int taken, int round) {
 /// Steps in a row that make nothing better, and one for each new vertex, which end an attempt.
 inline constexpr int kInVain = 8;
 
-/// Vertices that are taken away at once to thin out, one less put back: with more the search sees
-/// more ways, each less likely.
+/// Vertices that are taken away at once to thin out, at most; one less is put back.
 inline constexpr std::size_t kMostTogether = 4;
 /// Vertices around a triangle that are taken away one by one where nothing else mends.
 inline constexpr int kMostTaken = 12;

@@ -24,8 +24,7 @@ inline constexpr int kCouplingRounds = 24;
 /// Clefts are closed where half of all points are their corners, four to a cleft: with fewer, few
 /// triangles would be mended by it.
 inline constexpr std::size_t kCornersOfCleft = 4;
-/// Places tried for an obtuse triangle of the mesh with closed clefts, and for all: as many as the
-/// default has for thinning out.
+/// Places tried for an obtuse triangle of the mesh with closed clefts, and for all of them.
 inline constexpr std::uint64_t kPlacesBesideClefts = 20'000, kMostPlacesBesideClefts = 3'000'000;
 
 }  // namespace cover::effort::cuts
