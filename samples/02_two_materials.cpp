@@ -55,7 +55,7 @@ int main() {
   for (const auto edge : output->mesh.tri().edges()) {
     const cover::InterfaceId id = output->mesh.interface(edge);
     if (id == cover::kNoInterface) continue;
-    const cover::Interface& line = output->table.interfaces[id.index() - 1];
+    const cover::Interface& line = output->table.interface(id);
     if (line.kind == cover::InterfaceKind::interface) ++on_interface;
   }
   std::printf("edges on the interface: %zu\n", on_interface);

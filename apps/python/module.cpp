@@ -120,8 +120,8 @@ py::dict lines_of(const PyMesh& mesh) {
     const InterfaceId id = mesh.output.mesh.interface(e);
     if (id == kNoInterface) continue;
     const auto h = tri.halfedge_handle(e, 0);
-    edges[id.index() - 1].push_back({static_cast<std::uint32_t>(tri.from_vertex_handle(h).idx()),
-                                     static_cast<std::uint32_t>(tri.to_vertex_handle(h).idx())});
+    edges[place_of(id)].push_back({static_cast<std::uint32_t>(tri.from_vertex_handle(h).idx()),
+                                   static_cast<std::uint32_t>(tri.to_vertex_handle(h).idx())});
   }
   py::dict lines;
   for (const Interface& line : mesh.output.table.interfaces) {
@@ -130,7 +130,7 @@ py::dict lines_of(const PyMesh& mesh) {
     py::dict piece;
     piece["left"] = line.left.value();
     piece["right"] = line.right.value();
-    piece["edges"] = array_of(edges[line.id.index() - 1]);
+    piece["edges"] = array_of(edges[place_of(line.id)]);
     lines[name].cast<py::list>().append(piece);
   }
   return lines;

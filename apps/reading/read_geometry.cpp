@@ -1,6 +1,5 @@
 #include "read_geometry.hpp"
 
-#include <algorithm>
 #include <filesystem>
 
 #ifdef COVER_WITH_DXF
@@ -13,6 +12,7 @@
 #include <cover/read_geo.hpp>
 #endif
 #include <cover/read_input.hpp>
+#include <cover/text.hpp>
 #include <cover/units.hpp>
 
 #include "read_oasis.hpp"
@@ -76,11 +76,7 @@ std::string known_formats() {
 }
 
 std::string format_of_name(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return extension;
+  return lower(std::filesystem::path(path).extension().string());
 }
 
 Result<Input> read_geometry(const std::string& path, const ReadOptions& options) {

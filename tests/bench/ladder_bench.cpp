@@ -76,7 +76,7 @@ void run_steps(std::span<const Step> plan, const RegionBoundary& boundary, const
         run.was_due = plan[k].is_due(progress);
         if (run.was_due) plan[k].run(progress);
       });
-      run.has_gained = k > 0 && candidates.order().is_better(progress.best.merit, before);
+      run.has_gained = k > 0 && candidates.ranking().order().is_better(progress.best.merit, before);
       is_over = is_enough(plan[k], progress);
     } else {
       run.seconds = 0;

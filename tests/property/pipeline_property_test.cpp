@@ -66,7 +66,7 @@ TEST_P(Pipeline, KeepsItsPromises) {
     const Output output = must_mesh(input, options());
     EXPECT_EQ(testing::violations(output), "");
     for (const Region& region : output.table.regions) {
-      const double area = output.report.regions[region.id.index() - 1].quality.area;
+      const double area = output.report.regions[place_of(region.id)].quality.area;
       EXPECT_NEAR(area, region.area, 1e-12 * region.area);
     }
     // Euler's formula, for domains without holes.

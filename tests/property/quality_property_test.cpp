@@ -67,7 +67,7 @@ TEST_P(Quality, WithTheLargestAngleFirstIsNoWorseThanThePlainMethods) {
     const auto boundaries = split_regions(quality.pslg, quality.table);
     ASSERT_EQ(boundaries.size(), quality.report.regions.size());
     for (const RegionBoundary& boundary : boundaries) {
-      const std::size_t r = boundary.id.index() - 1;
+      const std::size_t r = place_of(boundary.id);
       const RegionReport& report = quality.report.regions[r];
       const double target = std::max(max_angle, report.nu_opt.supplement().in_degrees());
       const double plain =

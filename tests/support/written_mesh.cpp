@@ -150,7 +150,7 @@ std::map<Ends, ExpectedLine> lines_of(const Output& output) {
   for (const auto e : tri.edges()) {
     const InterfaceId id = output.mesh.interface(e);
     if (id == kNoInterface) continue;
-    const RegionId left = output.table.interfaces[id.index() - 1].left;
+    const RegionId left = output.table.interface(id).left;
     for (const int side : {0, 1}) {
       const auto h = TriMesh::s_halfedge_handle(e, static_cast<unsigned>(side));
       if (tri.is_boundary(h) || output.mesh.region(tri.face_handle(h)) != left) continue;
@@ -265,7 +265,7 @@ void expect_same_lines(const Output& output, const WrittenMesh& file, const Expe
     auto found = lines.find(ends);
     if (found == lines.end()) found = lines.find({ends[1], ends[0]});  // a slit has both sides
     ASSERT_NE(found, lines.end()) << "unexpected or reversed line " << ends[0] << ' ' << ends[1];
-    const Interface& line = output.table.interfaces[found->second.interface.index() - 1];
+    const Interface& line = output.table.interface(found->second.interface);
     if (line.left != line.right) {
       EXPECT_EQ(found->first, ends) << "reversed";
     }

@@ -99,7 +99,7 @@ class ViewData {
       return view_.region[a] < view_.region[b];
     });
     counts_.assign(output_.table.regions.size(), 0);
-    for (const std::size_t t : chosen_) ++counts_[view_.region[t].index() - 1];
+    for (const std::size_t t : chosen_) ++counts_[place_of(view_.region[t])];
   }
 
   /// Lines of contacts and markers last, name by name.
@@ -118,8 +118,7 @@ class ViewData {
   [[nodiscard]] bool is_named(std::size_t line) const {
     const InterfaceId id = view_.interface[line];
     return view_.marker[line] != 0 ||
-           (id != kNoInterface &&
-            output_.table.interfaces[id.index() - 1].kind == InterfaceKind::contact);
+           (id != kNoInterface && output_.table.interface(id).kind == InterfaceKind::contact);
   }
 
   void number_points() {

@@ -216,7 +216,7 @@ std::string replaced_rows(const Output& output) {
   std::string out = fmt::format("Meshed again, the other {} kept:\n",
                                 plural(output.table.regions.size() - replaced.size(), "region"));
   for (std::size_t k = 0; k < std::min(kNamed, replaced.size()); ++k) {
-    const RegionReport& now = output.report.regions[replaced[k].region.index() - 1];
+    const RegionReport& now = output.report.regions[place_of(replaced[k].region)];
     out += fmt::format("  region {} '{}': {}, {} new; before: {}, {} new\n", now.id.value(),
                        printable(output.table.region(now.id).name),
                        plural(now.quality.triangles, "triangle"), grouped(now.steiner_vertices),

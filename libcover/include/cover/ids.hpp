@@ -42,6 +42,12 @@ inline constexpr RegionId kVoid{0u};
 /// "On no interface".
 inline constexpr InterfaceId kNoInterface{0u};
 
+/// Where a region, or an interface, stands in an array by them: their ids count from 1.
+///
+/// REQUIRES: id is neither kVoid nor kNoInterface
+constexpr std::size_t place_of(RegionId id) { return id.index() - 1; }
+constexpr std::size_t place_of(InterfaceId id) { return id.index() - 1; }
+
 }  // namespace cover
 
 template <class Tag>

@@ -84,7 +84,7 @@ struct MeshView {
 
   [[nodiscard]] bool second_order() const { return triangles.nodes_each == 6; }
   [[nodiscard]] const Group& group_of_triangle(std::size_t t) const {
-    return region_groups[region_group[region[t].index() - 1]];
+    return region_groups[region_group[place_of(region[t])]];
   }
   /// The number of a triangle for solvers that know one alone: its material, or with
   /// WriteOptions::ids the tag of its group.

@@ -81,7 +81,13 @@ struct RegionTable {
   std::vector<Attribute> attributes;
 
   /// REQUIRES: id is not kVoid
-  [[nodiscard]] const Region& region(RegionId id) const { return regions[id.index() - 1]; }
+  [[nodiscard]] const Region& region(RegionId id) const { return regions[place_of(id)]; }
+  [[nodiscard]] Region& region(RegionId id) { return regions[place_of(id)]; }
+  /// REQUIRES: id is not kNoInterface
+  [[nodiscard]] const Interface& interface(InterfaceId id) const {
+    return interfaces[place_of(id)];
+  }
+  [[nodiscard]] Interface& interface(InterfaceId id) { return interfaces[place_of(id)]; }
 };
 
 /// The regions meant by `name`: those with this name or this name of their material; where there

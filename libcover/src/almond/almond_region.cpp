@@ -75,9 +75,7 @@ class AlmondRegion {
   /// A region of one triangle is as good as it gets, if it may not be split; else the improvement
   /// over the paper: a triangulation that keeps the bound needs no Steiner vertex.
   [[nodiscard]] bool is_good_enough() const {
-    const bool hull = std::find(boundary_.segments.begin(), boundary_.segments.end(), kHullSide) !=
-                      boundary_.segments.end();
-    if (cdt_.triangles.size() == 1 && !hull) return true;
+    if (cdt_.triangles.size() == 1 && !boundary_.has_hull_sides()) return true;
     if (options_.paper) return false;
     const double nu = limit_.promised_nu();
     return std::all_of(cdt_.triangles.begin(), cdt_.triangles.end(), [&](const Triangle& f) {

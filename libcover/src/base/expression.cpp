@@ -14,6 +14,7 @@
 #include <cover/text.hpp>
 
 #include "base/faults/errors.hpp"
+#include "base/words/characters.hpp"
 
 namespace cover {
 namespace {
@@ -23,7 +24,6 @@ constexpr int kDeepest = 60;
 constexpr std::size_t kMostValues = 256;
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
 

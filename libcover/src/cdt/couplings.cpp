@@ -21,13 +21,13 @@ std::vector<std::uint32_t> across_edges(std::size_t points, std::span<const Inde
   std::vector<std::uint32_t> across = opposite_half_edges(points, triangles, team);
   std::atomic<std::ptrdiff_t> outer = 0;
   team.each_range(across.size(), kEdgesAtATime, [&](std::size_t first, std::size_t last) {
-    outer += std::count(across.data() + first, across.data() + last, HalfEdges::kAbsent);
+    outer += std::count(across.data() + first, across.data() + last, kNone);
   });
   if (outer == static_cast<std::ptrdiff_t>(sides.size())) return across;
   const HalfEdges half_edges(points, triangles, team);  // slits have triangles on both sides
   for (const auto& [a, b] : sides) {
     const std::uint32_t h = half_edges.find(a, b);
-    if (h != HalfEdges::kAbsent) across[h] = HalfEdges::kAbsent;
+    if (h != kNone) across[h] = kNone;
   }
   return across;
 }
@@ -44,7 +44,7 @@ std::size_t make_delaunay(std::span<const Point> points, std::vector<IndexTriple
     const std::uint32_t h = stack.back();
     stack.pop_back();
     const std::uint32_t twin = across[h];
-    if (twin == HalfEdges::kAbsent) continue;
+    if (twin == kNone) continue;
     const std::uint32_t a = source(h), b = source(HalfEdges::next(h)),
                         c = source(HalfEdges::previous(h)), d = source(HalfEdges::previous(twin));
     if (in_circle(points[a], points[b], points[c], points[d]) != Sign::positive) continue;
@@ -57,7 +57,7 @@ std::size_t make_delaunay(std::span<const Point> points, std::vector<IndexTriple
     triangles[u] = {d, b, c};
     const auto join = [&](std::uint32_t edge, std::uint32_t other) {
       across[edge] = other;
-      if (other != HalfEdges::kAbsent) across[other] = edge;
+      if (other != kNone) across[other] = edge;
     };
     join(3 * t, ca);
     join(3 * t + 1, ad);
@@ -82,10 +82,10 @@ std::vector<NegativeEdge> negative_among(std::span<const Point> points,
   std::vector<std::vector<NegativeEdge>> found(Team::ranges(across.size(), kEdgesAtATime));
   const auto look_at = [&](std::uint32_t h, std::vector<NegativeEdge>& own) {
     const std::uint32_t twin = across[h];
-    if ((twin != HalfEdges::kAbsent && twin < h) || !is_doubtful(h)) return;
+    if ((twin != kNone && twin < h) || !is_doubtful(h)) return;
     const std::uint32_t a = source(h), b = source(HalfEdges::next(h)),
                         c = source(HalfEdges::previous(h));
-    if (twin == HalfEdges::kAbsent) {
+    if (twin == kNone) {
       if (compare_with_90_degrees(points[a], points[c], points[b]) == Sign::positive)
         own.push_back({{a, b}, c, true});
     } else if (in_circle(points[a], points[b], points[c],
@@ -124,7 +124,7 @@ std::vector<NegativeEdge> negative_edges(std::span<const Point> points,
   const auto is_sure = [&](double cot) { return std::abs(cot) < kSureCot; };
   const auto is_doubtful = [&](std::uint32_t h) {
     const std::uint32_t twin = across[h];
-    const double other = twin == HalfEdges::kAbsent ? 0 : cots[twin];
+    const double other = twin == kNone ? 0 : cots[twin];
     return !(is_sure(cots[h]) && is_sure(other) && cots[h] + other > kSureSum);
   };
   return negative_among(points, triangles, across, is_doubtful, team);

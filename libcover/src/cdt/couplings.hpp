@@ -13,7 +13,7 @@
 
 namespace cover {
 
-/// The opposite of every half-edge, numbered as in HalfEdges; kAbsent for `sides`, the directed
+/// The opposite of every half-edge, numbered as in HalfEdges; kNone for `sides`, the directed
 /// sides of the triangles' region, which may be slits.
 std::vector<std::uint32_t> across_edges(std::size_t points, std::span<const IndexTriple> triangles,
                                         std::span<const IndexPair> sides, const Team& team = {});

@@ -108,7 +108,7 @@ class Assembly {
       const std::size_t edge = i.previous();
       const std::uint32_t u = triangle.v[i], v = triangle.v[i.next()];
       const std::uint32_t twin = opposite_[3 * t + i];
-      triangle.n[edge] = twin == HalfEdges::kAbsent ? kNone : twin / 3;
+      triangle.n[edge] = twin == kNone ? kNone : twin / 3;
       if (is_side(u, v) || is_side(v, u)) triangle.set_locked(static_cast<int>(edge), true);
     }
   }

@@ -8,12 +8,10 @@
 
 #include <cover/point.hpp>
 
+#include "base/none.hpp"
 #include "geom/topology/corner.hpp"
 
 namespace cover {
-
-/// No triangle.
-inline constexpr std::uint32_t kNone = 0xffffffffU;
 
 /// A counter-clockwise triangle. Edge i is the one opposite to corner i.
 struct Triangle {
@@ -27,14 +25,10 @@ struct Triangle {
   }
   /// The corner index of vertex `w`.
   /// REQUIRES: w is a corner.
-  [[nodiscard]] Corner corner_of(std::uint32_t w) const {
-    return v[0] == w ? 0U : v[1] == w ? 1U : 2U;
-  }
+  [[nodiscard]] Corner corner_of(std::uint32_t w) const { return corner_with(v, w); }
   /// The edge index towards triangle `t`.
   /// REQUIRES: t is a neighbour.
-  [[nodiscard]] Corner edge_to(std::uint32_t t) const {
-    return n[0] == t ? 0U : n[1] == t ? 1U : 2U;
-  }
+  [[nodiscard]] Corner edge_to(std::uint32_t t) const { return corner_with(n, t); }
 };
 
 /// Triangles over points. Neighbours are mutual; locked edges are locked on both sides.

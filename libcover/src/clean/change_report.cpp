@@ -104,7 +104,7 @@ std::vector<std::uint32_t> first_copies(const Network& network) {
 
 /// A line that was cut, and where.
 struct CutLine {
-  std::uint32_t raw = kNoIndex;  ///< the first of its copies that was
+  std::uint32_t raw = kNone;  ///< the first of its copies that was
   std::vector<std::uint32_t> points =
       {};  ///< of the network, each at most as often as edges end there
 };
@@ -227,7 +227,7 @@ void report_polygons(const Input& input, const Network& network, const EdgeGraph
   std::vector<bool> seen(input.polygons.size(), false);
   for (const EdgeOwners& sides : owners) {
     for (const std::uint32_t p : sides) {
-      if (p != kNoIndex) seen[p] = true;
+      if (p != kNone) seen[p] = true;
     }
   }
   std::vector<std::size_t> edges(input.polygons.size(), 0);  // those with fewer than 3 were dropped

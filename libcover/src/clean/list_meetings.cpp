@@ -18,16 +18,14 @@
 namespace cover {
 namespace {
 
-constexpr std::uint32_t kNoNode = 0xffffffffU;
-
 /// A segment, or a lone point, on its way through a node.
 struct Visit {
   std::uint32_t node = 0;
   std::uint32_t line = 0;
-  std::uint32_t before = kNoNode;  ///< the nodes beside it on the line
-  std::uint32_t after = kNoNode;
+  std::uint32_t before = kNone;  ///< the nodes beside it on the line
+  std::uint32_t after = kNone;
   friend auto operator<=>(const Visit&, const Visit&) = default;
-  [[nodiscard]] bool is_inside() const { return before != kNoNode && after != kNoNode; }
+  [[nodiscard]] bool is_inside() const { return before != kNone && after != kNone; }
 };
 
 class Lister {
@@ -74,7 +72,7 @@ class Lister {
       const std::size_t steps = is_point(line) ? 1 : path.size();
       for (std::size_t i = 0; i < steps; ++i) {
         visits_.push_back(
-            {path[i], line, i > 0 ? path[i - 1] : kNoNode, i + 1 < steps ? path[i + 1] : kNoNode});
+            {path[i], line, i > 0 ? path[i - 1] : kNone, i + 1 < steps ? path[i + 1] : kNone});
       }
     }
     std::sort(visits_.begin(), visits_.end());
@@ -131,7 +129,7 @@ class Lister {
   /// Complains of lines that run on to the same node, if they do not come from one too.
   bool add_overlap(std::span<const Visit> visits) {
     std::vector<Visit> on(visits.begin(), visits.end());
-    std::erase_if(on, [](const Visit& v) { return v.after == kNoNode; });
+    std::erase_if(on, [](const Visit& v) { return v.after == kNone; });
     std::sort(on.begin(), on.end(), [](const Visit& v, const Visit& w) {
       return std::pair(v.after, v.line) < std::pair(w.after, w.line);
     });
@@ -140,7 +138,7 @@ class Lister {
       std::size_t end = k;
       bool starts = false;
       while (end < on.size() && on[end].after == on[k].after) {
-        starts |= on[end++].before == kNoNode;
+        starts |= on[end++].before == kNone;
       }
       if (starts && end - k > 1) {
         std::vector<InputRef> inputs;

@@ -29,19 +29,19 @@ std::size_t hash(Point p) {
 std::size_t PointPool::slot_of(Point p) const {
   const std::size_t mask = slots_.size() - 1;
   std::size_t slot = hash(p) & mask;
-  while (slots_[slot] != kNoIndex && points_[slots_[slot]] != p) slot = (slot + 1) & mask;
+  while (slots_[slot] != kNone && points_[slots_[slot]] != p) slot = (slot + 1) & mask;
   return slot;
 }
 
 void PointPool::grow() {
-  slots_.assign(std::max<std::size_t>(16, 2 * slots_.size()), kNoIndex);
+  slots_.assign(std::max<std::size_t>(16, 2 * slots_.size()), kNone);
   for (std::uint32_t k = 0; k < points_.size(); ++k) slots_[slot_of(points_[k])] = k;
 }
 
 std::uint32_t PointPool::index_of(Point p) {
   if (2 * points_.size() >= slots_.size()) grow();
   std::uint32_t& index = slots_[slot_of(p)];
-  if (index == kNoIndex) {
+  if (index == kNone) {
     index = static_cast<std::uint32_t>(points_.size());
     points_.push_back(p);
   }
@@ -60,7 +60,7 @@ class Gatherer {
     for (std::uint32_t p = 0; p < input_.polygons.size(); ++p) add_polygon(p);
     for (std::uint32_t l = 0; l < input_.lines.size(); ++l) add_line(l);
     network_.points = pool_.take();
-    network_.input.resize(network_.points.size(), kNoIndex);
+    network_.input.resize(network_.points.size(), kNone);
     return std::move(network_);
   }
 

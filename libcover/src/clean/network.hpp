@@ -9,10 +9,9 @@
 #include <cover/point.hpp>
 #include <cover/report.hpp>
 
-namespace cover {
+#include "base/none.hpp"
 
-/// No index.
-inline constexpr std::uint32_t kNoIndex = 0xffffffffU;
+namespace cover {
 
 /// The element of the input that a piece belongs to.
 struct Origin {
@@ -51,14 +50,14 @@ class PointPool {
   void grow();
 
   std::vector<Point> points_;
-  std::vector<std::uint32_t> slots_;  ///< a hash table of numbers, half empty; kNoIndex: free
+  std::vector<std::uint32_t> slots_;  ///< a hash table of numbers, half empty; kNone: free
 };
 
 /// All lines of an input. The strands of a ring are closed: at every point an even number of them
 /// ends. Every step keeps that, so even-odd always says what a polygon covers.
 struct Network {
   std::vector<Point> points;         ///< all different; each is the end of a strand, or lone
-  std::vector<std::uint32_t> input;  ///< by point: index into Input::points, or kNoIndex
+  std::vector<std::uint32_t> input;  ///< by point: index into Input::points, or kNone
   std::vector<std::uint32_t> lone;   ///< points that stay whether a strand ends at them or not
   std::vector<Raw> raws;
   std::vector<Strand> strands;  ///< none of length zero

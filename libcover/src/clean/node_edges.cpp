@@ -77,14 +77,14 @@ void index_edges(Network& network, EdgeGraph& graph) {
 /// these points are not needed.
 std::vector<bool> needed_points(const Subdivision& cuts, const std::vector<std::uint32_t>& index,
                                 std::size_t lines, std::size_t old, std::size_t count) {
-  std::vector<std::array<std::uint32_t, 2>> neighbours(count, {kNoIndex, kNoIndex});
+  std::vector<std::array<std::uint32_t, 2>> neighbours(count, {kNone, kNone});
   std::vector<bool> needed(count, false);
   std::fill_n(needed.begin(), old, true);
   const auto add = [&](std::uint32_t v, std::uint32_t w) {
     auto& [first, second] = neighbours[v];
     if (first == w || second == w) return;
-    if (second != kNoIndex) needed[v] = true;
-    (first == kNoIndex ? first : second) = w;
+    if (second != kNone) needed[v] = true;
+    (first == kNone ? first : second) = w;
   };
   for (std::size_t k = 0; k < lines; ++k) {
     const auto path = cuts.path_of(k);
@@ -141,7 +141,7 @@ bool cut(Network& network, const EdgeGraph& graph) {
   strands.insert(strands.end(), pieces.begin(), pieces.end());
   network.strands = std::move(strands);
   network.points = pool.take();
-  network.input.resize(network.points.size(), kNoIndex);
+  network.input.resize(network.points.size(), kNone);
   compact(network);
   return true;
 }
@@ -182,12 +182,12 @@ EdgeGraph node_edges(Network& network, bool may_be_clean, const Team& team) {
 }
 
 void compact(Network& network) {
-  std::vector<std::uint32_t> renumbered(network.points.size(), kNoIndex);
+  std::vector<std::uint32_t> renumbered(network.points.size(), kNone);
   for (const Strand& s : network.strands) renumbered[s.a] = renumbered[s.b] = 0;
   for (const std::uint32_t v : network.lone) renumbered[v] = 0;
   std::uint32_t count = 0;
   for (std::uint32_t v = 0; v < renumbered.size(); ++v) {
-    if (renumbered[v] == kNoIndex) continue;
+    if (renumbered[v] == kNone) continue;
     renumbered[v] = count;
     network.points[count] = network.points[v];
     network.input[count++] = network.input[v];

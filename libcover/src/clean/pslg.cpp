@@ -115,7 +115,7 @@ Result<Pslg> clean_up(const Input& input, const Options& options, Report& report
   std::vector<EdgeOwners> owners;
   std::vector<std::optional<double>> sizes;
   if (input.polygons.empty()) {
-    const std::vector<EdgeOwners> none(graph.edges.size(), {kNoIndex, kNoIndex});
+    const std::vector<EdgeOwners> none(graph.edges.size(), {kNone, kNone});
     report_splits(input, network, visible_edges(network, graph, {none, none, {}}).edges,
                   report.changes);
   } else {

@@ -109,7 +109,7 @@ class Adopter {
     if (!mesh_.region.empty()) return &mesh_.region;
     if (mesh_.material.empty()) return nullptr;
     const bool is_outer = sides.left == kVoid || sides.right == kVoid;
-    const auto material = [&](RegionId r) { return table_.regions[r.index() - 1].material; };
+    const auto material = [&](RegionId r) { return table_.region(r).material; };
     const bool differ = is_outer || material(sides.left) != material(sides.right);
     return differ ? &mesh_.material : nullptr;
   }

@@ -69,10 +69,9 @@ Bend bend_of(Point a, Point b, const std::vector<Point>& points) {
 }
 
 void apply_bend(const Bend& bend, const SegmentSides& sides, RegionTable& table) {
-  if (sides.left != kVoid) table.regions[sides.left.index() - 1].area -= bend.area;
-  if (sides.right != kVoid) table.regions[sides.right.index() - 1].area += bend.area;
-  if (sides.interface != kNoInterface)
-    table.interfaces[sides.interface.index() - 1].length += bend.length;
+  if (sides.left != kVoid) table.region(sides.left).area -= bend.area;
+  if (sides.right != kVoid) table.region(sides.right).area += bend.area;
+  if (sides.interface != kNoInterface) table.interface(sides.interface).length += bend.length;
 }
 
 IndexPair ends_of(const Segment& s) { return {s.a.value(), s.b.value()}; }
@@ -160,7 +159,7 @@ void cut_segments(Pslg& pslg, RegionTable& table, std::span<const SegmentCut> cu
     pieces.emplace_back(first, segments.size());
     const std::size_t added = segments.size() - first - 1;
     for (const RegionId r : {table.sides[s].left, table.sides[s].right}) {
-      if (r != kVoid) table.regions[r.index() - 1].sides += added;
+      if (r != kVoid) table.region(r).sides += added;
     }
   }
   replace_in_lines(table, pieces);

@@ -23,7 +23,7 @@ std::vector<std::uint32_t> unite_pieces(Pslg& pslg, RegionTable& table, std::siz
     if (piece.a.index() >= first) {  // pieces of a segment are consecutive
       segments.back().b = piece.b;
       for (const RegionId r : {table.sides[s].left, table.sides[s].right}) {
-        if (r != kVoid) --table.regions[r.index() - 1].sides;
+        if (r != kVoid) --table.region(r).sides;
       }
     } else {
       segments.push_back(piece);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cuts/cut_segments.hpp"
+#include "quality/fault/missed_targets.hpp"
 #include "target/whole_mesh.hpp"
 #include "tasks/region_task.hpp"
 
@@ -24,6 +25,11 @@ Result<std::vector<std::size_t>> mesh_changed(Work& work, std::vector<RegionBoun
     work.meshes[changed[k]] = std::move((*meshes)[k]);
   work.boundaries = std::move(boundaries);
   return changed;
+}
+
+void measure_again(Work& work, const Options& options, bool budget_used_up) {
+  for (std::size_t r = 0; r < work.meshes.size(); ++r)
+    measure_again(work.boundaries[r], options, budget_used_up, work.meshes[r]);
 }
 
 bool is_sound(const Work& work) {

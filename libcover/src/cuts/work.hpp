@@ -36,6 +36,9 @@ struct Work : Prepared {
 Result<std::vector<std::size_t>> mesh_changed(Work& work, std::vector<RegionBoundary> boundaries,
                                               const Options& options, const Callbacks& callbacks);
 
+/// Reports and measures the meshes of all regions, after they were changed together.
+void measure_again(Work& work, const Options& options, bool budget_used_up = false);
+
 /// Whether no segments meet but at their ends, and the mesh of every region is one of its region,
 /// see find_fault().
 bool is_sound(const Work& work);

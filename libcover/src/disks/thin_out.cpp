@@ -22,7 +22,7 @@ class ThinOut {
     for (Index t = 0; t < draft.triangles.size(); ++t) {
       for (const Index v : draft.triangles[t]) stars_[v].push_back(t);
     }
-    chord_.assign(draft.points.size(), kNoIndex);
+    chord_.assign(draft.points.size(), kNone);
     for (const auto& [chord, vertex] : draft.on_chord) chord_[vertex] = chord;
   }
 
@@ -47,7 +47,7 @@ class ThinOut {
     std::vector<std::array<Index, 2>> edges;
     for (const Index t : stars_[v]) {
       const auto& f = draft_.triangles[t];
-      const Corner i = f[0] == v ? 0U : f[1] == v ? 1U : 2U;
+      const Corner i = corner_with(f, v);
       edges.push_back({f[i.next()], f[i.previous()]});
     }
     std::size_t start = 0;  // on a chord: the edge that no other leads to
@@ -69,7 +69,7 @@ class ThinOut {
   }
 
   bool remove(Index v, const std::vector<Index>& link) {
-    const std::size_t expected = stars_[v].size() + (chord_[v] == kNoIndex ? 0 : 1);
+    const std::size_t expected = stars_[v].size() + (chord_[v] == kNone ? 0 : 1);
     if (link.size() != expected || link.size() < 3 || link.size() > SmallPolygon::kMostCorners) {
       return false;
     }
@@ -82,7 +82,7 @@ class ThinOut {
     stars_[v].clear();
     for (const Index t : old) {
       for (const Index u : draft_.triangles[t]) std::erase(stars_[u], t);
-      draft_.triangles[t] = {kNoIndex, kNoIndex, kNoIndex};
+      draft_.triangles[t] = {kNone, kNone, kNone};
     }
     std::size_t used = 0;
     for (const auto& [i, j, k] : polygon.triangles()) {
@@ -94,8 +94,8 @@ class ThinOut {
   }
 
   void compact() {
-    std::erase_if(draft_.triangles, [](const auto& t) { return t[0] == kNoIndex; });
-    std::vector<Index> to(draft_.points.size(), kNoIndex);
+    std::erase_if(draft_.triangles, [](const auto& t) { return t[0] == kNone; });
+    std::vector<Index> to(draft_.points.size(), kNone);
     Index count = 0;
     for (Index v = 0; v < to.size(); ++v) {
       if (v >= first_ && stars_[v].empty()) continue;
@@ -104,7 +104,7 @@ class ThinOut {
     }
     draft_.points.resize(count);
     for (auto& t : draft_.triangles) t = {to[t[0]], to[t[1]], to[t[2]]};
-    std::erase_if(draft_.on_chord, [&](const auto& p) { return to[p.vertex] == kNoIndex; });
+    std::erase_if(draft_.on_chord, [&](const auto& p) { return to[p.vertex] == kNone; });
     for (auto& p : draft_.on_chord) p.vertex = to[p.vertex];
   }
 
@@ -112,7 +112,7 @@ class ThinOut {
   double limit_;
   Index first_;
   std::vector<std::vector<Index>> stars_;  ///< triangles by vertex
-  std::vector<Index> chord_;               ///< by vertex; kNoIndex: inside
+  std::vector<Index> chord_;               ///< by vertex; kNone: inside
 };
 
 }  // namespace

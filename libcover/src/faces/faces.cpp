@@ -7,10 +7,10 @@
 #include <optional>
 #include <stdexcept>
 
+#include "base/none.hpp"
+
 namespace cover {
 namespace {
-
-constexpr std::uint32_t kUnseen = 0xffffffffU;
 
 /// Gives `face` to everything that is connected with triangle `start`. True if it is open.
 bool flood(Faces& faces, std::uint32_t start, std::uint32_t face,
@@ -26,7 +26,7 @@ bool flood(Faces& faces, std::uint32_t start, std::uint32_t face,
       const std::uint32_t next = f.n[i];
       if (next == kNone) {
         open = true;
-      } else if (faces.of_triangle[next] == kUnseen) {
+      } else if (faces.of_triangle[next] == kNone) {
         faces.of_triangle[next] = face;
         stack.push_back(next);
       }
@@ -36,11 +36,11 @@ bool flood(Faces& faces, std::uint32_t start, std::uint32_t face,
 }
 
 void number_faces(Faces& faces, bool hull) {
-  faces.of_triangle.assign(faces.triangulation.triangles.size(), kUnseen);
+  faces.of_triangle.assign(faces.triangulation.triangles.size(), kNone);
   faces.open.assign(1, true);
   std::vector<std::uint32_t> stack;
   for (std::uint32_t t = 0; t < faces.of_triangle.size(); ++t) {
-    if (faces.of_triangle[t] != kUnseen) continue;
+    if (faces.of_triangle[t] != kNone) continue;
     faces.open.push_back(flood(faces, t, static_cast<std::uint32_t>(faces.open.size()), stack));
   }
   faces.count = faces.open.size();

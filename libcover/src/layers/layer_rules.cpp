@@ -93,7 +93,7 @@ class Resolver {
     if (!found) return no_such_line(rule, table_);
     if (beside.empty()) return not_beside(rule, std::move(names));
     for (const RegionId region : beside) {
-      if (Status status = check_thickest(rule, table_, boundaries_[region.index() - 1]); !status)
+      if (Status status = check_thickest(rule, table_, boundaries_[place_of(region)]); !status)
         return status;
     }
     return check_thinnest(rule, pslg_);

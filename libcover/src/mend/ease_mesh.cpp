@@ -16,6 +16,7 @@
 #include "geom/predicates.hpp"
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
+#include "mend/effort.hpp"
 
 namespace cover {
 namespace {
@@ -23,7 +24,6 @@ namespace {
 constexpr double kLittle = 0.01;    ///< cosine of what is obtuse by little
 constexpr double kMostMove = 0.25;  ///< of the shortest edge
 constexpr double kSpacings = 4;  ///< of coordinates, beyond a right angle that is asked for exactly
-constexpr std::size_t kMostMoves = 1'000;  ///< for each triangle
 
 class Easer {
  public:
@@ -58,7 +58,8 @@ class Easer {
 
   void run() {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) wait(t);
-    for (std::size_t k = 0; k < kMostMoves * mesh_.triangles.size() && !waiting_.empty(); ++k) {
+    for (std::size_t k = 0;
+         k < effort::mend::kMostMoves * mesh_.triangles.size() && !waiting_.empty(); ++k) {
       const std::uint32_t t = waiting_.front();
       waiting_.pop_front();
       is_waiting_[t] = false;

@@ -1,6 +1,8 @@
 // Tested by tests/unit/mend/mend_mesh_test.cpp.
 #include "mend/mend_mesh.hpp"
 
+#include "mend/effort.hpp"
+
 namespace cover {
 namespace {
 
@@ -37,7 +39,7 @@ void mend_one(Repairs& repairs, std::uint32_t t, std::uint64_t places_per_sign,
   MostBad most = MostBad::in(repairs.mesh());
   const bool is_grave = repairs.is_grave(t);
   const auto mended = [&](std::uint64_t places) {
-    return repairs.with_more_vertices(t, most, Repairs::kFewTries) ||
+    return repairs.with_more_vertices(t, most, effort::mend::kFewTries) ||
            repairs.with_fewer_vertices(t, most) || repairs.with_other_vertices(t, most, places);
   };
   most.by_sign_only = most.bad - most.grave;
@@ -70,7 +72,7 @@ void mend_beyond_worst(Repairs& repairs) {
     most.bad += kForOneBeyond;
     most.grave += kForOneBeyond;
     --most.beyond_worst;
-    if (repairs.with_more_vertices(t, most, Repairs::kMostTries)) mesh.keep();
+    if (repairs.with_more_vertices(t, most, effort::mend::kMostTries)) mesh.keep();
   });
 }
 
@@ -81,7 +83,7 @@ BadTriangles mend_what_is_left(MeshWithUndo& mesh, const RepairEffort& effort) {
   while_fewer(
       repairs, [&] { return mesh.bad(); },
       [&] {
-        mend_with_more_vertices(repairs, Repairs::kMostTries);
+        mend_with_more_vertices(repairs, effort::mend::kMostTries);
         for_each_triangle(repairs, [&](std::uint32_t t) {
           if (repairs.is_bad(t)) mend_in_any_way(repairs, t, effort.places_per_bad);
         });

@@ -31,7 +31,7 @@ struct BadTriangles {
 ///
 /// ENSURES: the same mesh for the same input, whatever the machine
 /// Cost:    as `effort` says
-/// Ref:     libcover/docs/box_method.md, "Fewer vertices"
+/// Ref:     libcover/docs/cutting_segments.md, "Fewer vertices"
 BadTriangles mend_what_is_left(MeshWithUndo& mesh, const RepairEffort& effort);
 
 /// Moves, adds and, where that does not help, takes away vertices until no triangle is gravely bad

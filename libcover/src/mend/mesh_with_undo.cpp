@@ -65,13 +65,13 @@ void MeshWithUndo::link_all(const ConformingMesh& mesh) {
     triangle.line.fill(kOnNoLine);
     for (const Corner i : kCorners) {
       const std::uint32_t twin = across[3 * t + i.next()];
-      triangle.n[i] = twin == HalfEdges::kAbsent ? kNone : twin / 3;
+      triangle.n[i] = twin == kNone ? kNone : twin / 3;
       vertices_[triangle.v[i]].home = t;
     }
   }
   for (const auto& [a, b, line] : mesh.pieces) {
     for (const std::uint32_t h : {edges.find(a, b), edges.find(b, a)}) {
-      if (h != HalfEdges::kAbsent) triangles_[h / 3].line[Corner(h % 3).previous()] = line;
+      if (h != kNone) triangles_[h / 3].line[Corner(h % 3).previous()] = line;
     }
   }
 }
@@ -87,7 +87,7 @@ void MeshWithUndo::make_delaunay() {
       const std::uint32_t u = triangles_[t].n[i];
       if (u == kNone || triangles_[t].line[i] != kOnNoLine) continue;
       const Triangle s = triangles_[t], o = triangles_[u];
-      const Corner j = o.n[0] == t ? 0U : o.n[1] == t ? 1U : 2U;
+      const Corner j = corner_with(o.n, t);
       const std::uint32_t p = s.v[i], a = s.v[i.next()], b = s.v[i.previous()], q = o.v[j];
       if (in_circle(at(p), at(a), at(b), at(q)) != Sign::positive) continue;
       // (p, a, b) and (q, b, a) become (p, a, q) and (q, b, p).
@@ -400,7 +400,7 @@ std::uint32_t MeshWithUndo::insert(const Spot& spot, std::uint32_t v) {
 bool MeshWithUndo::star_of(std::uint32_t v) {
   star_.clear();
   const std::uint32_t start = vertices_[v].home;
-  const auto corner = [&](std::uint32_t t) { return corner_of(triangles_[t], v); };
+  const auto corner = [&](std::uint32_t t) { return corner_with(triangles_[t].v, v); };
   std::uint32_t t = start;
   do {
     star_.push_back(t);
@@ -472,23 +472,18 @@ bool MeshWithUndo::fill(std::span<HoleCorner> corners, std::uint32_t region,
   return false;
 }
 
-/// Which corner of a triangle a vertex is.
-Corner MeshWithUndo::corner_of(const Triangle& t, std::uint32_t v) {
-  return t.v[0] == v ? 0U : t.v[1] == v ? 1U : 2U;
-}
-
 /// Lets a star begin at its first piece, where the vertex cuts a line; false where other pieces end
 /// at the vertex than the two of its line, or the one of them at a hull.
 bool MeshWithUndo::turn_star_to_line(std::uint32_t v) {
   std::size_t first = 0, walls = 0;
   for (std::size_t k = 0; k < star_.size(); ++k) {
     const Triangle& t = triangles_[star_[k]];
-    if (t.line[corner_of(t, v).previous()] == kOnNoLine) continue;
+    if (t.line[corner_with(t.v, v).previous()] == kOnNoLine) continue;
     if (walls == 0) first = k;
     ++walls;
   }
   const Triangle& last = triangles_[star_.back()];
-  const bool is_open = last.n[corner_of(last, v).next()] == kNone;
+  const bool is_open = last.n[corner_with(last.v, v).next()] == kNone;
   if (walls != (!cuts_line(v) ? 0U : is_open ? 1U : 2U)) return false;
   if (is_open) first = 0;
   std::rotate(star_.begin(), star_.begin() + static_cast<std::ptrdiff_t>(first), star_.end());
@@ -504,7 +499,7 @@ std::size_t MeshWithUndo::take_part(std::uint32_t v, std::size_t k) {
   std::uint32_t end = kNone;
   for (bool is_done = false; k < star_.size() && !is_done; ++k) {
     const Triangle& t = triangles_[star_[k]];
-    const Corner i = corner_of(t, v);
+    const Corner i = corner_with(t.v, v);
     corners_.push_back({t.v[i.next()], t.n[i], t.line[i]});
     slots_.push_back(star_[k]);
     end = t.v[i.previous()];

@@ -145,7 +145,6 @@ class MeshWithUndo {
   bool gather(const Spot& spot);
   [[nodiscard]] std::array<std::uint32_t, 2> ends_of(const Spot& spot) const;
   bool star_of(std::uint32_t v);
-  [[nodiscard]] static Corner corner_of(const Triangle& t, std::uint32_t v);
   [[nodiscard]] bool cuts_line(std::uint32_t v) const { return vertices_[v].line < lines_.size(); }
   bool turn_star_to_line(std::uint32_t v);
   std::size_t take_part(std::uint32_t v, std::size_t k);

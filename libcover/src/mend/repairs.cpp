@@ -4,29 +4,20 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <span>
 
 #include "geom/vector.hpp"
+#include "mend/effort.hpp"
 
 namespace cover {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-constexpr std::array<int, Repairs::kMostTries> kMore{1, 2, 4, 8, 16, 32};  ///< vertices
-constexpr std::size_t kMostNeighbours = 64;
-constexpr std::size_t kMostSeen = 40;  ///< vertices, in search of those that are near
-constexpr int kMostTaken = 12;         ///< vertices around a triangle that nothing else mends
-constexpr std::size_t kMostAnew = 8;   ///< vertices near a triangle that are put elsewhere
-constexpr double kRatherStays = 0.2;   ///< cost of a vertex that was put where it is on purpose
-constexpr int kInVain = 8;      ///< steps that make nothing better, and one for each new vertex
-constexpr double kGain = 1e-9;  ///< of the cost, that counts as better
-constexpr int kLongestDrive = 1'000;  ///< cuts from wall to wall
+constexpr double kRatherStays = 0.2;  ///< cost of a vertex that was put where it is on purpose
+constexpr double kGain = 1e-9;        ///< of the cost, that counts as better
 constexpr std::size_t kStay = 3;      ///< steps for which a vertex that was moved stays
 constexpr std::size_t kSeldom = 3;    ///< once in so many steps any bad triangle, not the worst
-
-Corner corner_of(const MeshWithUndo::Triangle& t, std::uint32_t v) {
-  return t.v[0] == v ? 0U : t.v[1] == v ? 1U : 2U;
-}
 
 }  // namespace
 
@@ -72,16 +63,16 @@ std::vector<std::uint32_t> Repairs::neighbours(std::uint32_t v) const {
   const std::uint32_t start = mesh_.vertices()[v].home;
   const auto turn = [&](std::uint32_t t, bool left) {
     const MeshWithUndo::Triangle& triangle = mesh_.triangles()[t];
-    const Corner i = corner_of(triangle, v);
+    const Corner i = corner_with(triangle.v, v);
     found.push_back(triangle.v[left ? i.previous() : i.next()]);
     return triangle.n[left ? i.next() : i.previous()];
   };
   std::uint32_t t = start;
   do {
     t = turn(t, true);
-  } while (t != kNone && t != start && found.size() < kMostNeighbours);
+  } while (t != kNone && t != start && found.size() < effort::mend::kMostNeighbours);
   if (t == kNone) {
-    for (t = start; t != kNone && found.size() < kMostNeighbours;) t = turn(t, false);
+    for (t = start; t != kNone && found.size() < effort::mend::kMostNeighbours;) t = turn(t, false);
   }
   return found;
 }
@@ -89,7 +80,8 @@ std::vector<std::uint32_t> Repairs::neighbours(std::uint32_t v) const {
 std::vector<std::uint32_t> Repairs::near(std::uint32_t v, std::size_t count) {
   std::vector<std::uint32_t> found{v}, seen{v};
   for (std::size_t head = 0;
-       head < seen.size() && seen.size() < kMostSeen && found.size() < 2 * count; ++head) {
+       head < seen.size() && seen.size() < effort::mend::kMostSeen && found.size() < 2 * count;
+       ++head) {
     std::vector<std::uint32_t> around = neighbours(seen[head]);
     const std::size_t turn = around.empty() ? 0 : random_.below(around.size());
     std::rotate(around.begin(), around.begin() + static_cast<std::ptrdiff_t>(turn), around.end());
@@ -128,8 +120,8 @@ bool Repairs::without(std::uint32_t v, const MostBad& most) {
 
 bool Repairs::with_more_vertices(std::uint32_t t, const MostBad& most, std::size_t tries) {
   begin_at(t);
-  for (std::size_t k = 0; k < tries; ++k) {
-    if (repair(kMore[k], 12 + 6 * kMore[k], most)) return true;
+  for (const int more : std::span(effort::mend::kMore).first(tries)) {
+    if (repair(more, effort::mend::steps_with_more(more), most)) return true;
     mesh_.undo(0);
   }
   return false;
@@ -137,7 +129,7 @@ bool Repairs::with_more_vertices(std::uint32_t t, const MostBad& most, std::size
 
 bool Repairs::with_fewer_vertices(std::uint32_t t, const MostBad& most) {
   begin_at(t);
-  for (int step = 0; step < kMostTaken && !left_.is_over(); ++step) {
+  for (int step = 0; step < effort::mend::kMostTaken && !left_.is_over(); ++step) {
     const std::uint32_t v = most_helpful_removal(t);
     if (v == kNone || !mesh_.remove(v)) break;
     if (is_fine(most)) return true;
@@ -152,12 +144,12 @@ bool Repairs::with_other_vertices(std::uint32_t t, const MostBad& most, std::uin
   while (left_.count > end && !left_.is_over()) {
     begin_at(t);
     left_.spend(kRemoval);
-    const std::size_t count = 1 + random_.below(kMostAnew);
+    const std::size_t count = 1 + random_.below(effort::mend::kMostAnew);
     for (const std::uint32_t v : near(corners[random_.below(3)], count)) {
       if (mesh_.is_movable(v)) take(v);
     }
     const int more = static_cast<int>(spares_.size() + random_.below(3));
-    if (repair(more, 12 + 4 * more, most)) return true;
+    if (repair(more, effort::mend::steps_with_others(more), most)) return true;
     mesh_.undo(0);
   }
   return false;
@@ -165,12 +157,12 @@ bool Repairs::with_other_vertices(std::uint32_t t, const MostBad& most, std::uin
 
 bool Repairs::with_cuts(std::uint32_t t, const MostBad& most) {
   begin_at(t);
-  for (int step = 0; step < kLongestDrive && !left_.is_over(); ++step) {
+  for (int step = 0; step < effort::mend::kLongestDrive && !left_.is_over(); ++step) {
     if (is_fine(most)) return true;
     const std::optional<Spot> foot = foot_of_a_blunt_corner();
     if (!foot || mesh_.insert(*foot) == kNone) break;
   }
-  if (repair(kMore.back(), 6 * kMore.back(), most)) return true;
+  if (repair(effort::mend::kMore.back(), effort::mend::kStepsAfterCuts, most)) return true;
   mesh_.undo(0);
   return false;
 }
@@ -198,7 +190,7 @@ bool Repairs::repair(int more, int steps, const MostBad& most) {
   stay_.clear();
   double best = mesh_.cost();
   int in_vain = 0;
-  const int most_in_vain = kInVain + more;
+  const int most_in_vain = effort::mend::kInVain + more;
   for (int step = 0; step < steps; ++step) {
     if (is_fine(most)) return true;
     if (left_.is_over()) return false;

@@ -33,9 +33,6 @@ struct MostBad {
 /// ENSURES: the same mesh for the same input, whatever the machine
 class Repairs {
  public:
-  /// Times that a triangle is tried with ever more vertices, and so many as are few.
-  static constexpr std::size_t kMostTries = 6, kFewTries = 3;
-
   Repairs(MeshWithUndo& mesh, PlacesLeft left)
       : mesh_(mesh), left_(std::move(left)), places_(mesh, left_) {}
   Repairs(const Repairs&) = delete;
@@ -55,6 +52,8 @@ class Repairs {
   /// Without `v`.
   bool without(std::uint32_t v, const MostBad& most);
   /// With more vertices near bad triangle `t`: one, then ever more, so many times.
+  ///
+  /// REQUIRES: tries <= effort::mend::kMostTries
   bool with_more_vertices(std::uint32_t t, const MostBad& most, std::size_t tries);
   /// Without vertices around `t`, the one that helps most each time.
   bool with_fewer_vertices(std::uint32_t t, const MostBad& most);

@@ -5,13 +5,11 @@
 #include <utility>
 #include <vector>
 
+#include "mend/effort.hpp"
 #include "mend/repairs.hpp"
 
 namespace cover {
 namespace {
-
-constexpr std::size_t kMostTogether = 4;  ///< vertices that are taken away at once
-constexpr int kRoundsToGrow = 6;          ///< in which an attempt gets ever more steps
 
 class Thinning {
  public:
@@ -42,7 +40,7 @@ class Thinning {
   /// Bad triangles, where a few more vertices help: first those that few help, as they may be many.
   void mend() {
     std::swap(repairs_.left(), for_mending_);
-    for (const std::size_t tries : {Repairs::kFewTries, Repairs::kMostTries})
+    for (const std::size_t tries : {effort::mend::kFewTries, effort::mend::kMostTries})
       mend_with_more_vertices(repairs_, tries);
     mend_beyond_worst(repairs_);
     std::swap(repairs_.left(), for_mending_);
@@ -81,12 +79,13 @@ class Thinning {
   void attempt(std::uint32_t v, int round) {
     Random& random = repairs_.random();
     const MostBad most = MostBad::in(mesh_);
-    const std::size_t together = 1 + random.below(std::min<std::size_t>(
-                                         kMostTogether, 2 + static_cast<std::size_t>(round) / 2));
+    const std::size_t together =
+        1 + random.below(std::min<std::size_t>(effort::mend::kMostTogether,
+                                               2 + static_cast<std::size_t>(round) / 2));
     const int taken = static_cast<int>(repairs_.take(repairs_.near(v, together)));
     if (taken == 0) return;
     const bool shake = round > 0 && random.below(3) == 0;
-    const int steps = 6 + 4 * taken + 4 * std::min(round, kRoundsToGrow);
+    const int steps = effort::mend::steps_to_thin(taken, round);
     if (repairs_.replace(shake ? taken : taken - 1, steps, most)) mesh_.keep();
   }
 

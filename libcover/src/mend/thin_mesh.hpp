@@ -20,7 +20,7 @@ struct ThinEffort {
 ///
 /// ENSURES: the same mesh for the same input, whatever the machine
 /// Cost:    as `effort` says
-/// Ref:     libcover/docs/box_method.md, "Fewer vertices"
+/// Ref:     libcover/docs/cutting_segments.md, "Fewer vertices"
 BadTriangles thin_mesh(MeshWithUndo& mesh, const ThinEffort& effort);
 
 }  // namespace cover

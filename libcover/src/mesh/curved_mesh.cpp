@@ -9,20 +9,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
 
 #include <cover/mesh.hpp>
 
+#include "base/none.hpp"
 #include "geom/curves/arc.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
 namespace {
 
-constexpr std::uint32_t kNotCurved = std::numeric_limits<std::uint32_t>::max();
 constexpr std::array kRings{1, 2, 4, 8, 16};  ///< of triangles around what is not proven
 /// How far an arc reaches, in lengths of its chord, and the share of it that is followed.
 constexpr std::array<std::array<double, 2>, 8> kFollowed{
@@ -35,7 +34,7 @@ class Curving {
   explicit Curving(const Output& output)
       : output_(output),
         tri_(output.mesh.tri()),
-        number_(tri_.n_edges(), kNotCurved),
+        number_(tri_.n_edges(), kNone),
         is_segment_(tri_.n_edges(), false) {}
 
   CurvedMesh run() {
@@ -109,7 +108,7 @@ class Curving {
   /// The node of an edge.
   [[nodiscard]] Point middle_of(Halfedge h) const {
     const std::uint32_t k = number_[index_of(h)];
-    if (k != kNotCurved) return curved_.edges[k].middle;
+    if (k != kNone) return curved_.edges[k].middle;
     const auto moved = moved_.find(index_of(h));
     return moved != moved_.end() ? moved->second : straight_middle(h);
   }
@@ -213,7 +212,7 @@ class Curving {
         if (is_segment_[index_of(h)]) {
           const std::uint32_t k = number_[index_of(h)];
           Wall wall{at(tri_.from_vertex_handle(h)), at(tri_.to_vertex_handle(h))};
-          if (k != kNotCurved && !curved_.edges[k].is_straight)
+          if (k != kNone && !curved_.edges[k].is_straight)
             wall.bulge = curved_.edges[k].middle - midpoint(wall.a, wall.b);
           patch.walls.push_back(wall);
         } else {
@@ -290,7 +289,7 @@ class Curving {
   void straighten(Face f, std::vector<Face>& touched) {
     for (const Halfedge h : halves_of(f)) {
       const std::uint32_t edge = number_[index_of(h)];
-      if (edge == kNotCurved) {
+      if (edge == kNone) {
         if (moved_.erase(index_of(h)) > 0) add_faces(h, touched);
       } else if (!curved_.edges[edge].is_straight) {
         curved_.edges[edge].is_straight = true;
@@ -307,7 +306,7 @@ class Curving {
       for (const Halfedge h : {halfedges_[k], tri_.opposite_halfedge_handle(halfedges_[k])}) {
         const Face f = tri_.face_handle(h);
         if (!f.is_valid()) continue;
-        curved_.areas[output_.mesh.region(f).index() - 1] += area_beside_chord(
+        curved_.areas[place_of(output_.mesh.region(f))] += area_beside_chord(
             at(tri_.from_vertex_handle(h)), at(tri_.to_vertex_handle(h)), curved_.edges[k].middle);
       }
     }
@@ -315,7 +314,7 @@ class Curving {
 
   const Output& output_;
   const TriMesh& tri_;
-  std::vector<std::uint32_t> number_;   ///< by edge of the mesh: in curved_.edges, or kNotCurved
+  std::vector<std::uint32_t> number_;   ///< by edge of the mesh: in curved_.edges, or kNone
   std::vector<bool> is_segment_;        ///< by edge of the mesh
   std::vector<Halfedge> halfedges_;     ///< by curved edge, from a to b
   std::map<std::size_t, Point> moved_;  ///< nodes, by edge of the mesh

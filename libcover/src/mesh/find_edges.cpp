@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "base/none.hpp"
 #include "geom/topology/corner.hpp"
 
 namespace cover {
@@ -48,7 +49,7 @@ std::vector<std::uint32_t> find_edges(std::size_t vertices, std::span<const Inde
           [&](std::uint32_t j, std::uint32_t k) { return upper(pairs[j]) < upper(pairs[k]); });
     }
   });
-  std::vector<std::uint32_t> found(pairs.size(), HalfEdges::kAbsent);
+  std::vector<std::uint32_t> found(pairs.size(), kNone);
   const auto look_at = [&](const Ends& edge, std::uint32_t h) {
     if (!may_be(edge)) return;
     const auto end = sorted.begin() + first[lower(edge) + std::size_t{1}];

@@ -12,7 +12,7 @@
 namespace cover {
 
 /// The last half-edge (numbered as in HalfEdges) between the vertices of each pair, in either
-/// direction; HalfEdges::kAbsent where there is none, or its lower vertex is not below `vertices`.
+/// direction; kNone where there is none, or its lower vertex is not below `vertices`.
 ///
 /// Cost: O(triangles + pairs log pairs), memory for pairs and vertices
 std::vector<std::uint32_t> find_edges(std::size_t vertices, std::span<const IndexTriple> triangles,

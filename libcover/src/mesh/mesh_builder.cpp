@@ -120,8 +120,7 @@ void MeshBuilder::number_half_edges(const Team& team) {
     std::uint32_t next = 2 * edges_before[first / kAtATime];
     for (std::size_t h = first; h < last; ++h) {
       if (!is_first(h)) continue;
-      if (std::exchange(half_edge_[h], next) == HalfEdges::kAbsent)
-        boundary[first / kAtATime].push_back(next);
+      if (std::exchange(half_edge_[h], next) == kNone) boundary[first / kAtATime].push_back(next);
       next += 2;
     }
   });

@@ -2,21 +2,19 @@
 #include "mesh/periodic_nodes.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include <cover/mesh.hpp>
 
 #include "base/containers/union_find.hpp"
+#include "base/none.hpp"
 
 namespace cover {
 namespace {
 
-constexpr std::uint32_t kNotInMesh = std::numeric_limits<std::uint32_t>::max();
-
 /// The vertex of the mesh that each point is.
 std::vector<std::uint32_t> vertices_of_points(const Pslg& pslg, const Mesh& mesh) {
-  std::vector<std::uint32_t> vertex(pslg.points.size(), kNotInMesh);
+  std::vector<std::uint32_t> vertex(pslg.points.size(), kNone);
   for (const auto v : mesh.tri().vertices()) {
     const long point = mesh.input_id(v);
     if (point >= 0) vertex[static_cast<std::size_t>(point)] = static_cast<std::uint32_t>(v.idx());
@@ -39,7 +37,7 @@ std::vector<PeriodicNodes> periodic_nodes(const Pslg& pslg, const std::vector<Pe
     std::array<std::uint32_t, 4> edge{vertex[from.a.index()], vertex[from.b.index()],
                                       vertex[to.a.index()], vertex[to.b.index()]};
     if (pair.turned) std::swap(edge[2], edge[3]);
-    if (std::find(edge.begin(), edge.end(), kNotInMesh) != edge.end()) continue;
+    if (std::find(edge.begin(), edge.end(), kNone) != edge.end()) continue;
     PeriodicNodes& nodes = all[pair.rule];
     nodes.edges.push_back(edge);
     nodes.vertices.push_back({edge[0], edge[2]});

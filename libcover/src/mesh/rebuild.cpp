@@ -93,7 +93,7 @@ class Rebuilder {
       out_.table.regions[r].id = RegionId(r + 1);
     }
     for (std::size_t t = 0; t < soup_.triangles.size(); ++t) {
-      Region& region = out_.table.regions[region_of(t).index() - 1];
+      Region& region = out_.table.region(region_of(t));
       if (!region.name.empty()) continue;
       region.material = static_cast<int>(soup_.material[t]);
       region.name = region.material_name = fmt::format("material_{}", region.material);
@@ -108,7 +108,7 @@ class Rebuilder {
       out_.mesh.set_material(face, static_cast<int>(soup_.material[t]));
       const auto [i, j, k] = soup_.triangles[t];
       const Point a = soup_.points[i], b = soup_.points[j], c = soup_.points[k];
-      Region& region = out_.table.regions[region_of(t).index() - 1];
+      Region& region = out_.table.region(region_of(t));
       const Point middle = a + (1.0 / 3) * ((b - a) + (c - a));
       if (!region.inside && orientation(a, b, middle) == Sign::positive &&
           orientation(b, c, middle) == Sign::positive &&
@@ -143,7 +143,7 @@ class Rebuilder {
         find_edges(soup_.points.size(), soup_.triangles, ends);
     for (std::size_t k = 0; k < ends.size(); ++k) {
       const StoredEdge& edge = stored_.edges[k];
-      if (half_edges[k] == HalfEdges::kAbsent) {
+      if (half_edges[k] == kNone) {
         return wrong(fmt::format("the line from vertex {} to vertex {} is no edge of the mesh",
                                  edge.a, edge.b));
       }
@@ -260,7 +260,7 @@ class Rebuilder {
     sides.interface = interface;
     out_.table.sides.push_back(sides);
     if (interface != kNoInterface) {
-      Interface& line = out_.table.interfaces[interface.index() - 1];
+      Interface& line = out_.table.interface(interface);
       line.segments.emplace_back(out_.pslg.segments.size());
       line.length += length(soup_.points[b.index()] - soup_.points[a.index()]);
       if (line.kind == InterfaceKind::contact) name = name_index(line.name);

@@ -104,7 +104,7 @@ void set_regions(const RegionTable& table, const Gathered& all, const Team& team
 /// Segments that are edges of the mesh, and the last of the half-edges that each is.
 struct SegmentEdges {
   std::vector<std::uint32_t> segments;
-  std::vector<std::uint32_t> half_edges;  ///< HalfEdges::kAbsent: none after all
+  std::vector<std::uint32_t> half_edges;  ///< kNone: none after all
 };
 
 SegmentEdges find_segments(const Pslg& pslg, const Gathered& all, const Team& team) {
@@ -124,7 +124,7 @@ SegmentEdges find_segments(const Pslg& pslg, const Gathered& all, const Team& te
 void set_segments(const Pslg& pslg, const RegionTable& table, const SegmentEdges& found,
                   const MeshBuilder& builder, const Team& team, Mesh& mesh) {
   const auto set = [&](std::size_t k) {
-    if (found.half_edges[k] == HalfEdges::kAbsent) return;
+    if (found.half_edges[k] == kNone) return;
     const std::uint32_t s = found.segments[k];
     const TriMesh::EdgeHandle edge = builder.edge_of(found.half_edges[k]);
     mesh.set_interface(edge, table.sides[s].interface);

@@ -64,9 +64,9 @@ PictureMesh picture_of(const Output& output, int order) {
     if (line == kNoInterface) continue;
     const std::array<std::uint32_t, 2> ends{static_cast<std::uint32_t>(edge.v0().idx()),
                                             static_cast<std::uint32_t>(edge.v1().idx())};
-    picture.lines[line.index() - 1].edges.push_back(ends);
+    picture.lines[place_of(line)].edges.push_back(ends);
     const int marker = output.mesh.marker(edge);
-    if (marker == 0 || picture.lines[line.index() - 1].contact) continue;
+    if (marker == 0 || picture.lines[place_of(line)].contact) continue;
     PictureLine& contact = marked[marker];
     contact.name = "marker " + std::to_string(marker);
     contact.contact = true;

@@ -30,13 +30,10 @@ Result<std::vector<std::vector<EncroachedSegment>>> encroached_in(
 /// Cuts copies as --box-method does, and as --split-interfaces=90 does.
 Status try_cuts(Pslg pslg, RegionTable table, BoxCosts& costs) {
   const std::size_t points = pslg.points.size();
-  Pslg cut_pslg = pslg;
-  RegionTable cut_table = table;
-  std::vector<BoxCut> cuts;
-  std::vector<Point> stuck;
-  cut_encroached(cut_pslg, cut_table, points, VertexId{points}, cuts, stuck);
-  costs.cuts = cuts.size();
-  costs.uncut = stuck.size();
+  Prepared cut{pslg, table, {}};
+  cut.report.uncut_points = points;
+  costs.uncut = cut_encroached(cut, VertexId{points}).size();
+  costs.cuts = cut.report.box_cuts.size();
   Options right;
   right.split_interfaces = Angle::degrees(90);
   std::vector<Note> notes;

@@ -49,7 +49,7 @@ class OldMesh {
     of_region_.assign(table.regions.size(), {});
     for (std::uint32_t t = 0; t < found.triangle_regions.size(); ++t) {
       const RegionId region = found.triangle_regions[t];
-      if (region != kVoid) of_region_[region.index() - 1].push_back(t);
+      if (region != kVoid) of_region_[place_of(region)].push_back(t);
     }
     if (found.violations.empty()) {
       find_vertices(pslg);
@@ -61,7 +61,7 @@ class OldMesh {
   /// The mesh of one region over its boundary.
   [[nodiscard]] RegionMesh take(const RegionBoundary& boundary) const {
     RegionMesh mesh;
-    const auto& own = of_region_[boundary.id.index() - 1];
+    const auto& own = of_region_[place_of(boundary.id)];
     const auto fixed = static_cast<std::uint32_t>(boundary.points.size());
     std::vector<std::uint32_t> vertices;  // of the old mesh, those of the boundary left out
     std::vector<std::pair<std::uint32_t, std::uint32_t>> local;
@@ -98,7 +98,7 @@ class OldMesh {
     if (soup_.material.size() != soup_.triangles.size()) return 0;
     return static_cast<std::size_t>(
         std::count_if(table.regions.begin(), table.regions.end(), [&](const Region& region) {
-          const auto& own = of_region_[region.id.index() - 1];
+          const auto& own = of_region_[place_of(region.id)];
           return std::any_of(own.begin(), own.end(),
                              [&](std::uint32_t t) { return soup_.material[t] != region.material; });
         }));
@@ -122,7 +122,7 @@ class OldMesh {
                              const Verification& found) const {
     std::vector<std::string> missing;
     for (const Region& region : table.regions) {
-      if (of_region_[region.id.index() - 1].empty())
+      if (of_region_[place_of(region.id)].empty())
         missing.push_back(fmt::format("region {} '{}'", region.id.value(), region.name));
     }
     const Violation& first = found.violations.front();
@@ -151,7 +151,7 @@ Result<std::vector<bool>> choose(const RegionTable& table, std::span<const std::
   for (const std::string& name : names) {
     const std::vector<RegionId> regions = named_regions(table, name);
     if (regions.empty()) return no_such_region(table, "only", name);
-    for (const RegionId region : regions) chosen[region.index() - 1] = true;
+    for (const RegionId region : regions) chosen[place_of(region)] = true;
   }
   return chosen;
 }
@@ -175,7 +175,7 @@ Status fill_in(std::span<const RegionBoundary> again, const std::vector<bool>& c
   Result<std::vector<RegionMesh>> made = mesh_regions(again, options, callbacks);
   if (!made) return std::move(made).error();
   for (std::size_t k = 0; k < again.size(); ++k)
-    work.meshes[again[k].id.index() - 1] = std::move((*made)[k]);
+    work.meshes[place_of(again[k].id)] = std::move((*made)[k]);
   return for_each_region(
       work.boundaries, worker_count(options), "measure", callbacks, [&](std::size_t r) {
         if (chosen[r]) return;

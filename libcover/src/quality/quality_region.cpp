@@ -45,7 +45,7 @@ class RegionWork {
         options_.effort == Effort::thorough ||
         (options_.effort == Effort::normal && preference(options_) == Prefer::largest);
     if (goes_on && !candidates_.has_sizes() && !candidates_.is_tiny() &&
-        !candidates_.has_no_room()) {
+        !candidates_.outlook().has_no_room()) {
       aim_elsewhere(best);
       search_what_is_left(best);
     }
@@ -62,14 +62,14 @@ class RegionWork {
   /// The region's proof, if it is worth its memory until the mesh has been checked.
   [[nodiscard]] std::unique_ptr<RegionProof> take_proof() {
     if (boundary_.points.size() > kMostHandedOver) return nullptr;
-    return candidates_.take_proof();
+    return candidates_.outlook().take_proof();
   }
   [[nodiscard]] std::optional<RegionMesh> take_almonds() { return candidates_.take_almonds(); }
   [[nodiscard]] bool is_shifted() const { return candidates_.frame().is_shifted(); }
 
  private:
   [[nodiscard]] Unreached unreached() const {
-    if (candidates_.has_no_room()) return Unreached::couplings;
+    if (candidates_.outlook().has_no_room()) return Unreached::couplings;
     return candidates_.is_budget_used_up() ? Unreached::budget : Unreached::unknown;
   }
 
@@ -93,7 +93,8 @@ class RegionWork {
 
   void aim_at(Candidate& best, Angle max, Angle min) {
     const auto find = [&] { return best_candidate(); };
-    candidates_.take_if_better(best, candidates_.with_goal(candidates_.goal_for(max, min), find));
+    candidates_.ranking().take_if_better(
+        best, candidates_.with_goal(candidates_.goal_for(max, min), find));
   }
 
   /// Searches for what is left, if few triangles miss the region's own target, or are above 120
@@ -101,11 +102,13 @@ class RegionWork {
   void search_what_is_left(Candidate& best) const {
     const Goal goal = candidates_.goal();
     if (!candidates_.is_done(best))
-      candidates_.take_if_better(best, candidates_.searched(best, candidates_.own_goal(*best.mesh),
-                                                            effort::kSearchForOwn));
+      candidates_.ranking().take_if_better(
+          best,
+          candidates_.searched(best, candidates_.own_goal(*best.mesh), effort::kSearchForOwn));
     const Goal far = goal.with(std::max(goal.large, kFarAbove), goal.small, goal.weight);
     if (best.merit.far_above > 0 && far != goal)
-      candidates_.take_if_better(best, candidates_.searched(best, far, effort::kSearchForFar));
+      candidates_.ranking().take_if_better(best,
+                                           candidates_.searched(best, far, effort::kSearchForFar));
   }
 
   [[nodiscard]] RegionMesh reported(const Candidate& candidate) const {
@@ -115,7 +118,7 @@ class RegionWork {
     RegionReport& report = out.report;
     report.id = boundary_.id;
     report.method = candidate.method;
-    report.has_no_room = candidates_.has_no_room();
+    report.has_no_room = candidates_.outlook().has_no_room();
     report.nu_opt = Angle::radians(candidates_.limit().nu);
     report.nu_bound = Angle::radians(candidates_.limit().promised_nu());
     report.forced_above_120 = candidates_.limit().above_120;

@@ -7,6 +7,7 @@
 #include <span>
 #include <tuple>
 
+#include "base/none.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -25,12 +26,11 @@ Key key_of(const SegmentSides& sides, const Segment& segment) {
   return low == kVoid ? Key{high, kVoid, segment.name} : Key{low, high, segment.name};
 }
 
-constexpr std::uint32_t kEnd = 0xffffffffU;
-constexpr std::uint32_t kSeveral = kEnd - 1;
+constexpr std::uint32_t kSeveral = kNone - 1;
 
-/// Steps that start and end at a vertex: one, none (kEnd) or kSeveral.
+/// Steps that start and end at a vertex: one, none (kNone) or kSeveral.
 struct StepsAtVertex {
-  std::uint32_t starts = kEnd, ends = kEnd;
+  std::uint32_t starts = kNone, ends = kNone;
 };
 using StepsAtVertices = std::vector<StepsAtVertex>;
 
@@ -92,7 +92,7 @@ class Chains {
       add(at[steps_[k].from.index()].starts, k);
       add(at[steps_[k].to.index()].ends, k);
     }
-    next_.assign(steps_.size(), kEnd);
+    next_.assign(steps_.size(), kNone);
     has_one_before_.assign(steps_.size(), false);
     used_.assign(steps_.size(), false);
     for (std::uint32_t k = 0; k < steps_.size(); ++k) {
@@ -105,7 +105,7 @@ class Chains {
   }
 
   static void add(std::uint32_t& known, std::uint32_t step) {
-    known = known == kEnd ? step : kSeveral;
+    known = known == kNone ? step : kSeveral;
   }
 
   /// Chains from these steps on, which are put in order.
@@ -113,7 +113,7 @@ class Chains {
     std::sort(starts.begin(), starts.end(),
               [this](std::uint32_t j, std::uint32_t k) { return is_before(j, k); });
     for (const std::uint32_t start : starts) {
-      for (std::uint32_t k = start; k != kEnd && !used_[k]; k = next_[k]) {
+      for (std::uint32_t k = start; k != kNone && !used_[k]; k = next_[k]) {
         used_[k] = true;
         out.push_back(steps_[k].segment);
       }

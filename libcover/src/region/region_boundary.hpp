@@ -1,6 +1,7 @@
 // A region as a closed piece of work: it needs nothing of its neighbours.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -46,6 +47,10 @@ struct RegionBoundary {
 
   [[nodiscard]] std::span<const IndexTriple> known_triangles() const {
     return known_cdt ? *known_cdt : std::span<const IndexTriple>();
+  }
+  /// Some sides may be split.
+  [[nodiscard]] bool has_hull_sides() const {
+    return std::find(segments.begin(), segments.end(), kHullSide) != segments.end();
   }
 };
 

@@ -152,7 +152,7 @@ class TableMaker {
 
   /// Counts a side of `region`.
   void count_side(RegionId region) {
-    if (region != kVoid) ++table_.regions[region.index() - 1].sides;
+    if (region != kVoid) ++table_.region(region).sides;
   }
 
   void add_sides() {

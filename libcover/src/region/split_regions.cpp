@@ -29,7 +29,7 @@ struct Pieces {
 std::vector<Pieces> deal_out(const Pslg& pslg, const RegionTable& table) {
   std::vector<Pieces> out(table.regions.size());
   const auto add = [&](RegionId region, VertexId from, VertexId to, SegmentId segment) {
-    if (region != kVoid) out[region.index() - 1].sides.push_back({from, to, segment});
+    if (region != kVoid) out[place_of(region)].sides.push_back({from, to, segment});
   };
   for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
     const Segment& segment = pslg.segments[s];
@@ -38,7 +38,7 @@ std::vector<Pieces> deal_out(const Pslg& pslg, const RegionTable& table) {
   }
   for (const HullSide& side : table.hull_sides) add(side.region, side.a, side.b, kHullSide);
   for (const IsolatedPoint& p : table.isolated_points) {
-    out[p.region.index() - 1].isolated.push_back(p.vertex);
+    out[place_of(p.region)].isolated.push_back(p.vertex);
   }
   return out;
 }
@@ -141,7 +141,7 @@ void add_known_triangles(std::span<TriangulatedRegion> regions, std::size_t poin
   std::vector<std::uint32_t> local(points, 0);
   for (TriangulatedRegion& region : regions) {
     if (region.triangles.empty()) continue;
-    RegionBoundary& boundary = boundaries[region.id.index() - 1];
+    RegionBoundary& boundary = boundaries[place_of(region.id)];
     const std::vector<VertexId>& vertices = boundary.vertices;
     for (std::uint32_t v = 0; v < vertices.size(); ++v) local[vertices[v].index()] = v;
     const auto is_vertex = [&](std::uint32_t v) {  // what was another region's is not set back

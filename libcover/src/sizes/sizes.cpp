@@ -48,7 +48,7 @@ bool inside(const SizeRule& rule, const RegionTable& table, std::span<RegionBoun
     return true;
   }
   const std::vector<RegionId> regions = named_regions(table, rule.name);
-  for (const RegionId region : regions) add_rule(rule, boundaries[region.index() - 1]);
+  for (const RegionId region : regions) add_rule(rule, boundaries[place_of(region)]);
   return !regions.empty();
 }
 

@@ -170,8 +170,8 @@ class Checker {
   void each_segment(Add add) const {
     for (std::uint32_t s = 0; s < table_.sides.size(); ++s) {
       const auto [left, right, interface] = table_.sides[s];
-      const std::uint32_t one = left == kVoid ? kNone : part_of_[left.index() - 1];
-      const std::uint32_t other = right == kVoid ? kNone : part_of_[right.index() - 1];
+      const std::uint32_t one = left == kVoid ? kNone : part_of_[place_of(left)];
+      const std::uint32_t other = right == kVoid ? kNone : part_of_[place_of(right)];
       if (one != kNone) add(one, s);
       if (other != kNone && other != one) add(other, s);
     }
@@ -179,7 +179,7 @@ class Checker {
   template <class Add>
   void each_isolated(Add add) const {
     for (std::uint32_t k = 0; k < table_.isolated_points.size(); ++k)
-      add(part_of_[table_.isolated_points[k].region.index() - 1], k);
+      add(part_of_[place_of(table_.isolated_points[k].region)], k);
   }
 
   [[nodiscard]] PartInput input_of(std::size_t number) const {
@@ -199,7 +199,7 @@ class Checker {
           in.point_of.begin())};
     };
     const auto region = [&](RegionId id) {
-      return id == kVoid || id.index() - 1 < part.first || id.index() - 1 >= part.last
+      return id == kVoid || place_of(id) < part.first || place_of(id) >= part.last
                  ? kVoid
                  : RegionId{id.index() - part.first};
     };

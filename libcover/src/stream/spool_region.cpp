@@ -16,7 +16,7 @@ std::vector<std::uint32_t> half_edges_of_sides(const RegionBoundary& boundary, s
   std::vector<std::uint32_t> found;
   found.reserve(boundary.sides.size());
   for (const auto& [a, b] : boundary.sides) found.push_back(edges.find(a, b));
-  static_assert(HalfEdges::kAbsent == kNone);
+  static_assert(kNone == kNone);
   return found;
 }
 

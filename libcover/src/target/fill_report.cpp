@@ -212,7 +212,7 @@ BoxMethod measure_some_boxes(std::span<const Point> points, std::span<const Inde
       // circumcentre
       box.box_area += squared_length(to - from) * std::abs(cots[h]) / 4;
       const std::uint32_t twin = across[h];
-      if (twin == HalfEdges::kAbsent) {
+      if (twin == kNone) {
         const bool is_obtuse = cots[h] < kNearRight && bluntness(from, beside, to) == Blunt::yes;
         box.obtuse_sides += is_obtuse ? 1 : 0;
       } else if (h < twin && cots[h] + cots[twin] < -kNearRight) {
@@ -275,9 +275,7 @@ void find_forced(const RegionBoundary& boundary, Angle nu_bound,
                  std::vector<NegativeCoupling>& couplings) {
   using Kind = NegativeCoupling::Kind;
   const auto is_inside = [](const NegativeCoupling& c) { return c.kind == Kind::inside; };
-  const auto& segments = boundary.segments;  // those of the hull may be cut
-  if (std::any_of(couplings.begin(), couplings.end(), is_inside) ||
-      std::find(segments.begin(), segments.end(), kHullSide) != segments.end())
+  if (std::any_of(couplings.begin(), couplings.end(), is_inside) || boundary.has_hull_sides())
     return;
   const Triangulation cdt = cdt_of_given(boundary, boundary.points);
   std::vector<bool> is_free(boundary.sides.size(), true);

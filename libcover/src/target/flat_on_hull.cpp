@@ -51,7 +51,7 @@ std::vector<IndexTriple> without_flat_on_hull(const RegionBoundary& boundary,
         continue;
       is_flat[t] = true;
       for (std::uint32_t i = 3 * t; i < 3 * t + 3; ++i) {
-        if (across[i] != HalfEdges::kAbsent) stack.push_back(across[i] / 3);
+        if (across[i] != kNone) stack.push_back(across[i] / 3);
       }
     }
   }

@@ -88,7 +88,7 @@ class Finder {
     team_.each_range(mesh_.sides.size(), kAtATime, [&](std::size_t first, std::size_t last) {
       for (std::size_t s = first; s < last; ++s) {
         const std::uint32_t h = edges_.find(mesh_.sides[s][0], mesh_.sides[s][1]);
-        set(h == HalfEdges::kAbsent ? is_missing[s] : is_side_[h]);
+        set(h == kNone ? is_missing[s] : is_side_[h]);
       }
     });
     for (auto missing = is_missing.begin();
@@ -125,8 +125,7 @@ class Finder {
     for (std::uint32_t h = 0; h < edges_.size(); ++h) {
       const bool is_whole_side = std::binary_search(mesh_.sides.begin(), mesh_.sides.end(),
                                                     IndexPair{edges_.source(h), edges_.target(h)});
-      if (!is_whole_side && edges_.twin(h) == HalfEdges::kAbsent)
-        open_.push_back({edges_.source(h), h});
+      if (!is_whole_side && edges_.twin(h) == kNone) open_.push_back({edges_.source(h), h});
     }
     std::sort(open_.begin(), open_.end());
   }
@@ -135,10 +134,10 @@ class Finder {
     if (across_ != nullptr) across_->resize(edges_.size());
     const auto is_open = [&](std::uint32_t h) {
       const std::uint32_t twin = edges_.twin(h);
-      if (across_ != nullptr) (*across_)[h] = is_side_[h] == 0 ? twin : HalfEdges::kAbsent;
-      if (is_side_[h] == 0) return twin == HalfEdges::kAbsent;
+      if (across_ != nullptr) (*across_)[h] = is_side_[h] == 0 ? twin : kNone;
+      if (is_side_[h] == 0) return twin == kNone;
       // A slit has triangles on both sides, and is a side twice.
-      return twin != HalfEdges::kAbsent && is_side_[twin] == 0;
+      return twin != kNone && is_side_[twin] == 0;
     };
     const std::size_t bad = find_first(
         edges_.size(), [&](std::size_t h) { return is_open(static_cast<std::uint32_t>(h)); });

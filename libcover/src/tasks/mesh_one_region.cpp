@@ -140,10 +140,8 @@ Note note_of_fallback(const RegionBoundary& boundary, const Attempt& attempt, st
 RegionLimits limits_of(const RegionBoundary& boundary, const RegionMesh& mesh,
                        const Options& options, const Team& team,
                        std::unique_ptr<RegionProof> proof) {
-  const auto& segments = boundary.segments;
   const Quality& quality = mesh.report.quality;
-  if (quality.triangles == 0 || options.method != Method::quality ||
-      std::find(segments.begin(), segments.end(), kHullSide) != segments.end())
+  if (quality.triangles == 0 || options.method != Method::quality || boundary.has_hull_sides())
     return {};
   const ReachedAngles reached{judged_nu(quality), quality.smallest};
   const ReachedAngles wanted{options.max_angle.supplement(), options.min_angle};

@@ -67,12 +67,12 @@ class Finder {
     const HalfEdges edges(pslg_.points.size(), corners, team_);
     const std::vector<std::uint32_t> beside = find_apices(edges);
     for (std::size_t s = 0; s < beside.size(); ++s) {
-      if (beside[s] != HalfEdges::kAbsent) reach(beside[s], domain_.sides[s].region);
+      if (beside[s] != kNone) reach(beside[s], domain_.sides[s].region);
     }
     if (hull_) {  // where there are no segments, nothing else tells
       for (const HullSide& side : table_.hull_sides) {
         const std::uint32_t h = edges.find(side.a.value(), side.b.value());
-        if (h != HalfEdges::kAbsent) reach(h, side.region);
+        if (h != kNone) reach(h, side.region);
       }
     }
     region_.resize(triangles_.size());
@@ -86,8 +86,7 @@ class Finder {
       for (std::size_t s = first; s < last; ++s) {
         ExpectedSide& side = domain_.sides[s];
         beside[s] = edges.find(side.a, side.b);
-        if (beside[s] != HalfEdges::kAbsent)
-          side.apex = edges.source(HalfEdges::previous(beside[s]));
+        if (beside[s] != kNone) side.apex = edges.source(HalfEdges::previous(beside[s]));
       }
     });
     return beside;

@@ -183,7 +183,7 @@ class Verifier {
   }
 
   void check_sides() {
-    side_of_.assign(edges_.all().size(), kNoSide);
+    side_of_.assign(edges_.all().size(), kNone);
     edge_of_.assign(domain_.sides.size(), std::nullopt);
     team_.each_range(edge_of_.size(), kItemsAtATime, [this](std::size_t first, std::size_t last) {
       for (std::size_t s = first; s < last; ++s) {
@@ -270,11 +270,11 @@ class Verifier {
     const auto all = edges_.all();
     twins_ = edges_.twins(team_);
     const auto is_to_tell = [&](std::uint32_t k) {
-      return side_of_[k] == kNoSide ? twins_[k] == SoupEdges::kNoTwin : !is_whole(all[k], k);
+      return side_of_[k] == kNone ? twins_[k] == kNone : !is_whole(all[k], k);
     };
     for (const std::uint32_t k : numbers_where(all.size(), is_to_tell, team_)) {
-      if (side_of_[k] != kNoSide) {
-        check_piece(all[k], side_of_[k], twins_[k] != SoupEdges::kNoTwin);
+      if (side_of_[k] != kNone) {
+        check_piece(all[k], side_of_[k], twins_[k] != kNone);
       } else {
         add(Kind::open_edge, 2,
             fmt::format(
@@ -382,7 +382,7 @@ class Verifier {
     const auto all = edges_.all();
     std::vector<SoupEdges::Edge> sides;
     for (std::size_t k = 0; k < all.size(); ++k) {
-      if (side_of_[k] != kNoSide && domain_.sides[side_of_[k]].hull) sides.push_back(all[k]);
+      if (side_of_[k] != kNone && domain_.sides[side_of_[k]].hull) sides.push_back(all[k]);
     }
     std::sort(sides.begin(), sides.end(), [&](const auto& a, const auto& b) {
       return std::pair(at(a.from), at(a.to)) < std::pair(at(b.from), at(b.to));
@@ -414,7 +414,7 @@ class Verifier {
       const auto& t = mesh_.triangles[flat[next]];
       for (const Corner i : kCorners) {
         const auto twin = edges_.find(t[i.next()], t[i]);
-        if (!twin || side_of_[*twin] != kNoSide) continue;
+        if (!twin || side_of_[*twin] != kNone) continue;
         add(edges_.all()[*twin].triangle);
       }
     }

@@ -19,7 +19,7 @@ TriangleRegions regions_of_triangles(const TriangleSoup& mesh, const SoupEdges& 
   team.each_range(all.size(), kRange, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       const std::uint32_t twin = twins[k];
-      if (side_of[k] != kNoSide || twin == SoupEdges::kNoTwin || side_of[twin] != kNoSide) continue;
+      if (side_of[k] != kNone || twin == kNone || side_of[twin] != kNone) continue;
       if (twin > k || twins[twin] != k)  // else the twin has done so
         pieces.unite(all[k].triangle, all[twin].triangle);
     }
@@ -28,7 +28,7 @@ TriangleRegions regions_of_triangles(const TriangleSoup& mesh, const SoupEdges& 
   TriangleRegions regions;
   std::vector<RegionId> of_piece(mesh.triangles.size(), kVoid);
   for (std::size_t k = 0; k < all.size(); ++k) {
-    if (side_of[k] == kNoSide) continue;
+    if (side_of[k] == kNone) continue;
     const RegionId region = domain.sides[side_of[k]].region;
     RegionId& known = of_piece[pieces.find(all[k].triangle)];
     if (known != kVoid && known != region) regions.mixed.push_back({k, known, region});

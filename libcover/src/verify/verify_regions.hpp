@@ -8,13 +8,11 @@
 
 #include <cover/ids.hpp>
 
+#include "base/none.hpp"
 #include "geom/topology/soup_edges.hpp"
 #include "verify/expected_domain.hpp"
 
 namespace cover {
-
-/// No side.
-inline constexpr std::uint32_t kNoSide = 0xffffffffU;
 
 /// Triangles that hang together beside the sides of two regions.
 struct TwoRegions {
@@ -31,7 +29,7 @@ struct TriangleRegions {
 };
 
 /// Carries the regions of sides over all edges that are on none. By edge: `side_of` is an index
-/// into domain.sides or kNoSide, `twins` as SoupEdges tells.
+/// into domain.sides or kNone, `twins` as SoupEdges tells.
 ///
 /// Cost: O(n log n)
 TriangleRegions regions_of_triangles(const TriangleSoup& mesh, const SoupEdges& edges,

@@ -175,7 +175,7 @@ NamedLine line_of(const Output& output, const std::string& name) {
   const TriMesh& tri = output.mesh.tri();
   for (const auto e : tri.edges()) {
     const InterfaceId id = output.mesh.interface(e);
-    if (id == kNoInterface || output.table.interfaces[id.index() - 1].name != name) continue;
+    if (id == kNoInterface || output.table.interface(id).name != name) continue;
     const auto h = tri.halfedge_handle(e, 0);
     const auto a = static_cast<std::uint32_t>(tri.from_vertex_handle(h).idx());
     const auto b = static_cast<std::uint32_t>(tri.to_vertex_handle(h).idx());

@@ -163,7 +163,7 @@ TEST_F(ReadGdal, AttributesAreKept) {
   const RegionTable& table = output->table;
   ASSERT_EQ(table.attributes.size(), 3U);
   for (const Region& region : table.regions) {
-    const double word = table.attributes[0].values[region.id.index() - 1];
+    const double word = table.attributes[0].values[place_of(region.id)];
     const std::string use =
         word == 0 ? "none" : table.attributes[0].words[static_cast<std::size_t>(word) - 1];
     EXPECT_EQ(use, region.name == "7/1"   ? "built"

@@ -54,7 +54,7 @@ TEST(Rebuild, KeepsNamesAndMarkersOfEdges) {
   for (const auto e : output->mesh.tri().edges()) {
     if (output->mesh.marker(e) == 0) continue;
     EXPECT_EQ(output->mesh.marker(e), 5);
-    found = output->table.interfaces[output->mesh.interface(e).index() - 1].name == "gate";
+    found = output->table.interface(output->mesh.interface(e)).name == "gate";
   }
   EXPECT_TRUE(found);
 }

@@ -123,12 +123,12 @@ TEST(FindEdges, InEitherDirectionAndOnlyThoseThatAreThere) {
   const HalfEdges half_edges(4, triangles);
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const bool is_edge = k != 3 && k < 5;
-    ASSERT_EQ(found[k] != HalfEdges::kAbsent, is_edge) << k;
+    ASSERT_EQ(found[k] != kNone, is_edge) << k;
     if (!is_edge) continue;
     const std::array ends{half_edges.source(found[k]), half_edges.target(found[k])};
     EXPECT_TRUE(ends == pairs[k] || ends == (std::array{pairs[k][1], pairs[k][0]})) << k;
   }
-  EXPECT_EQ(find_edges(1, triangles, pairs)[1], HalfEdges::kAbsent) << "beyond what was asked for";
+  EXPECT_EQ(find_edges(1, triangles, pairs)[1], kNone) << "beyond what was asked for";
 }
 
 /// The black squares of a chessboard, each cut in two: more than one thread takes for itself. At
@@ -158,7 +158,7 @@ struct Chessboard {
 TEST(FindEdges, IsTheSameForAnyNumberOfThreads) {
   const Chessboard board(301);
   const auto alone = find_edges(board.points.size(), board.triangles, board.pairs);
-  EXPECT_NE(std::count(alone.begin(), alone.end(), HalfEdges::kAbsent), 0);
+  EXPECT_NE(std::count(alone.begin(), alone.end(), kNone), 0);
   for (const unsigned workers : {2U, 3U, 7U}) {
     with_team(workers, [&](const Team& team) {
       EXPECT_EQ(find_edges(board.points.size(), board.triangles, board.pairs, team), alone);

@@ -45,7 +45,7 @@ void expect_covering(const RegionBoundary& boundary, const RegionMesh& mesh) {
   }
   EXPECT_NEAR(area, area_of(boundary), 1e-12 * area);
   const HalfEdges edges(points.size(), mesh.triangles);
-  for (const auto& [a, b] : boundary.sides) EXPECT_NE(edges.find(a, b), HalfEdges::kAbsent);
+  for (const auto& [a, b] : boundary.sides) EXPECT_NE(edges.find(a, b), kNone);
   EXPECT_TRUE(mesh.report.bound_held);
 }
 

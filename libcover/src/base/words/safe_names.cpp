@@ -7,12 +7,14 @@
 
 #include <fmt/core.h>
 
+#include "base/words/characters.hpp"
+
 namespace cover {
 namespace {
 
 bool is_safe(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-         c == '-' || c == '.';
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || is_digit(c) || c == '_' || c == '-' ||
+         c == '.';
 }
 
 /// How many bytes the character at the start of `text` has; 0 where that is no UTF-8.

@@ -245,14 +245,14 @@ class Welder {
   [[nodiscard]] std::string name(std::uint32_t v) const {
     const std::uint32_t k = drawing_.input[v];
     const std::string at = describe(drawing_.points[v]);
-    if (k == kNoIndex) return "the corner at " + at;
+    if (k == kNone) return "the corner at " + at;
     return fmt::format("point {} at {}", id(k), at);
   }
   [[nodiscard]] long id(std::uint32_t k) const {
     return input_.point_ids.empty() ? static_cast<long>(k) : input_.point_ids[k];
   }
   [[nodiscard]] std::vector<InputRef> refs(std::uint32_t v) const {
-    if (drawing_.input[v] == kNoIndex) return {};
+    if (drawing_.input[v] == kNone) return {};
     return {{InputKind::point, id(drawing_.input[v])}};
   }
 
@@ -314,7 +314,7 @@ class Welder {
     }
     for (std::uint32_t v = 0; v < target_.size(); ++v) {
       std::uint32_t& kept = out.input[target(v)];
-      if (kept == kNoIndex) kept = out.input[v];
+      if (kept == kNone) kept = out.input[v];
     }
     compact(out);
     drawing_ = std::move(out);

@@ -38,7 +38,7 @@ class Assembler {
   }
 
  private:
-  /// Points of the input in their order; kNoIndex comes last.
+  /// Points of the input in their order; kNone comes last.
   void add_points() {
     const std::vector<std::uint32_t> order = sorted_numbers(
         network_.points.size(),
@@ -47,7 +47,7 @@ class Assembler {
     for (const std::uint32_t v : order) {
       vertex_[v] = VertexId{pslg_.points.size()};
       const std::uint32_t k = network_.input[v];
-      const bool known = k != kNoIndex;
+      const bool known = k != kNone;
       pslg_.points.push_back(network_.points[v]);
       pslg_.point_ids.push_back(known ? point_id(input_, k) : -1);
       pslg_.point_markers.push_back(known && !input_.point_markers.empty() ? input_.point_markers[k]
@@ -123,9 +123,7 @@ class Assembler {
   }
 
   /// The seed of a polygon is the one of the same index.
-  static std::uint32_t seed_of(std::uint32_t polygon) {
-    return polygon == kNoIndex ? 0 : polygon + 1;
-  }
+  static std::uint32_t seed_of(std::uint32_t polygon) { return polygon == kNone ? 0 : polygon + 1; }
 
   void add_polygon_seeds() {
     for (const InputPolygon& polygon : input_.polygons) {

@@ -114,7 +114,7 @@ class Painter {
       const std::vector<std::uint32_t>& first) const {
     std::vector<std::optional<double>> out(input_.polygons.size());
     for (std::uint32_t f = 0; f < faces_.count; ++f) {
-      if (owner_[f] == kNoIndex || !input_.polygons[owner_[f]].size) continue;
+      if (owner_[f] == kNone || !input_.polygons[owner_[f]].size) continue;
       const double wished = *input_.polygons[owner_[f]].size;
       std::optional<double>& size = out[first[f]];
       size = std::min(wished, size.value_or(wished));
@@ -129,10 +129,10 @@ class Painter {
     for (std::size_t e = 0; e < graph_.edges.size(); ++e) {
       const auto [left, right] = faces_.of_segment[e];
       const std::uint32_t p = owner_[left], q = owner_[right];
-      if (p == kNoIndex || q == kNoIndex || kind[p] != kind[q]) continue;
+      if (p == kNone || q == kNone || kind[p] != kind[q]) continue;
       if (!is_forced(network_, graph_, e)) regions.unite(left, right);
     }
-    std::vector<std::uint32_t> out(faces_.count, kNoIndex);
+    std::vector<std::uint32_t> out(faces_.count, kNone);
     for (std::uint32_t f = 0; f < faces_.count; ++f) {
       std::uint32_t& first = out[regions.find(f)];
       first = std::min(first, owner_[f]);
@@ -163,14 +163,14 @@ class Painter {
       std::uint32_t edge;  ///< by which it was entered
       std::size_t next;    ///< edge of the face to try next
     };
-    owner_.assign(faces_.count, kNoIndex);
+    owner_.assign(faces_.count, kNone);
     std::vector<bool> seen(faces_.count, false);
     seen[kOutside] = true;
-    std::vector<Step> path{{kOutside, kNoIndex, first_[kOutside]}};
+    std::vector<Step> path{{kOutside, kNone, first_[kOutside]}};
     while (!path.empty()) {
       Step& here = path.back();
       if (here.next == first_[here.face + 1]) {
-        if (here.edge != kNoIndex) flip(here.edge);
+        if (here.edge != kNone) flip(here.edge);
         path.pop_back();
         continue;
       }

@@ -10,12 +10,13 @@
 #include <cover/options.hpp>
 #include <cover/result.hpp>
 
+#include "base/none.hpp"
 #include "clean/network.hpp"
 #include "clean/node_edges.hpp"
 
 namespace cover {
 
-/// What lies beside an edge, seen from its smaller to its larger index: a polygon, or kNoIndex for
+/// What lies beside an edge, seen from its smaller to its larger index: a polygon, or kNone for
 /// the void.
 using EdgeOwners = std::array<std::uint32_t, 2>;
 

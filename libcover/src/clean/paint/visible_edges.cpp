@@ -18,7 +18,7 @@ class Uniter {
   Uniter(const Network& network, std::vector<VisibleEdge>& edges)
       : network_(network),
         edges_(edges),
-        at_(network.points.size(), {kNoIndex, kNoIndex}),
+        at_(network.points.size(), {kNone, kNone}),
         degree_(network.points.size(), 0) {
     for (std::uint32_t e = 0; e < edges.size(); ++e) {
       for (const std::uint32_t v : {edges[e].a, edges[e].b}) {
@@ -31,7 +31,7 @@ class Uniter {
   /// True if any were united.
   bool run() {
     for (std::uint32_t v = 0; v < at_.size(); ++v) {
-      if (degree_[v] == 2 && network_.input[v] == kNoIndex) unite_at(v);
+      if (degree_[v] == 2 && network_.input[v] == kNone) unite_at(v);
     }
     return std::erase_if(edges_, [](const VisibleEdge& e) { return e.raws.empty(); }) > 0;
   }
@@ -112,7 +112,7 @@ Network network_of(const std::vector<VisibleEdge>& edges, const Network& network
   for (const VisibleEdge& e : edges) {
     const Point a = network.points[e.a], b = network.points[e.b];
     for (const std::uint32_t owner : e.owners) {
-      if (owner != kNoIndex && e.owners[0] != e.owners[1]) {
+      if (owner != kNone && e.owners[0] != e.owners[1]) {
         add(e, true, {a, b, {Origin::Kind::ring, owner}});
       }
     }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/none.hpp"
 #include "clean/network.hpp"
 #include "clean/node_edges.hpp"
 #include "clean/paint/paint.hpp"
@@ -14,7 +15,7 @@ namespace cover {
 struct VisibleEdge {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
-  EdgeOwners owners{kNoIndex, kNoIndex};  ///< left and right, from a to b: first of their region
+  EdgeOwners owners{kNone, kNone};  ///< left and right, from a to b: first of their region
   std::vector<std::uint32_t> raws;  ///< the lines that show in it, ascending: rings of its owners
                                     ///< and all segments and lines
 };

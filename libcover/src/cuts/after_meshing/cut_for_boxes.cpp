@@ -12,6 +12,7 @@
 #include <cover/text.hpp>
 
 #include "cdt/couplings.hpp"
+#include "cuts/after_meshing/effort.hpp"
 #include "cuts/before_meshing/cut_encroached.hpp"
 #include "cuts/before_meshing/onto_arcs.hpp"
 #include "cuts/cut_segments.hpp"
@@ -21,16 +22,14 @@
 #include "geom/foot.hpp"
 #include "geom/vector.hpp"
 #include "quality/fault/missed_targets.hpp"
-#include "target/fill_report.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/pieces_of_work.hpp"
 
 namespace cover {
 namespace {
 
-constexpr int kCouplingRounds = 24;
-constexpr double kNearEnd =
-    0.1;  ///< of a side: a cut nearer to its ends goes to the middle instead
+/// Of a side: a cut nearer to its ends goes to the middle instead.
+constexpr double kNearEnd = 0.1;
 constexpr std::size_t kPlacesTold = 8;
 
 void warn_of_stuck(const std::vector<Point>& stuck, std::vector<Note>& notes) {
@@ -83,7 +82,8 @@ class CouplingRounds {
   Status run() {
     for (std::size_t r = 0; r < work_.meshes.size(); ++r) flip(r);
     const std::size_t most = most_points_for_boxes(work_.pslg, work_.report.box_cuts);
-    for (int round = 0; round < kCouplingRounds && work_.pslg.points.size() <= most; ++round) {
+    for (int round = 0; round < effort::cuts::kCouplingRounds && work_.pslg.points.size() <= most;
+         ++round) {
       const ChosenCuts chosen = choose();
       if (chosen.cuts.empty()) break;
       const Pslg pslg = work_.pslg;
@@ -122,8 +122,7 @@ class CouplingRounds {
     if (make_delaunay(all_points(work_.boundaries[r], flipped), flipped.triangles,
                       work_.boundaries[r].sides) == 0)
       return;
-    report_again(work_.boundaries[r], options_, false, flipped);
-    fill_report(work_.boundaries[r], flipped);
+    measure_again(work_.boundaries[r], options_, false, flipped);
     if (flipped.report.bound_held || !work_.meshes[r].report.bound_held)
       work_.meshes[r] = std::move(flipped);
   }
@@ -184,9 +183,7 @@ class CouplingRounds {
           box_cuts.push_back({p, BoxCut::Reason::given_up, chosen.by.at(cut.segment)});
       }
       cut_segments(work_.pslg, work_.table, chosen.cuts);
-      std::vector<Point> stuck;
-      cut_encroached(work_.pslg, work_.table, work_.report.uncut_points, VertexId{0U}, box_cuts,
-                     stuck);
+      cut_encroached(work_, VertexId{0U});
       return pieces_of_work(work_.pslg, work_.table, options_);
     });
     if (!pieces) return std::move(pieces).error();
@@ -205,14 +202,9 @@ class CouplingRounds {
 
 void cut_for_boxes(Prepared& prepared, const Options& options) {
   if (!options.box_method) return;
-  Pslg& pslg = prepared.pslg;
-  RegionTable& table = prepared.table;
-  Report& report = prepared.report;
-  std::vector<Point> stuck;
-  cut_encroached(pslg, table, report.uncut_points, VertexId{pslg.points.size()}, report.box_cuts,
-                 stuck);
-  warn_of_stuck(stuck, report.notes);
-  tell_cuts(report);
+  const VertexId first_cut{prepared.pslg.points.size()};
+  warn_of_stuck(cut_encroached(prepared, first_cut), prepared.report.notes);
+  tell_cuts(prepared.report);
 }
 
 Status cut_until_coupled(Work& work, const Options& options, const Callbacks& callbacks) {

@@ -17,8 +17,6 @@
 #include "cuts/after_meshing/joined_regions.hpp"
 #include "cuts/after_meshing/thin_cuts.hpp"
 #include "cuts/before_meshing/split_interfaces.hpp"
-#include "quality/fault/missed_targets.hpp"
-#include "target/fill_report.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/pieces_of_work.hpp"
 
@@ -224,10 +222,7 @@ Status cut_until_met(Work& work, const Options& options, const Callbacks& callba
   if (!status) return status;
   work = std::move(best.work);
   return errors_as_values("measure", [&] {
-    for (std::size_t r = 0; r < work.boundaries.size(); ++r) {
-      report_again(work.boundaries[r], options, best.left.budget_used_up, work.meshes[r]);
-      fill_report(work.boundaries[r], work.meshes[r]);
-    }
+    measure_again(work, options, best.left.budget_used_up);
     if (work.pslg.points.size() > points)
       work.report.notes.push_back(note_of_cuts(work.pslg, points, options));
     return ok();

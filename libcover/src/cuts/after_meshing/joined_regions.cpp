@@ -7,7 +7,8 @@
 
 #include "base/containers/order.hpp"
 #include "cdt/cdt.hpp"
-#include "cuts/after_meshing/hand_out_triangles.hpp"
+#include "cuts/after_meshing/effort.hpp"
+#include "cuts/hand_out_triangles.hpp"
 #include "geom/angle_rounding.hpp"
 #include "geom/curves/arc.hpp"
 #include "geom/predicates.hpp"
@@ -18,9 +19,6 @@
 
 namespace cover {
 namespace {
-
-constexpr std::size_t kHalvedAround = 24;  ///< triangles around one, whose sides may be halved
-constexpr double kLong = 0.64;  ///< of the squared length of the longest side: halved too
 
 /// The numbers of `points` in the order of their coordinates, which does not depend on that of the
 /// input.
@@ -162,7 +160,7 @@ std::vector<SegmentId> JoinedRegions::segments_to_halve() const {
   std::vector<SegmentId> found;
   for (const std::uint32_t above : triangles_above()) {
     std::vector<std::pair<double, std::uint32_t>> sides;  // with their squared lengths
-    for (const std::uint32_t t : triangles_around(mesh_, above, kHalvedAround)) {
+    for (const std::uint32_t t : triangles_around(mesh_, above, effort::cuts::kHalvedAround)) {
       for (const Corner i : kCorners) {
         const std::uint32_t n = mesh_.triangles[t].n[i];
         if (!is_side(n)) continue;
@@ -173,7 +171,7 @@ std::vector<SegmentId> JoinedRegions::segments_to_halve() const {
     if (sides.empty()) continue;
     const double longest = std::max_element(sides.begin(), sides.end())->first;
     for (const auto& [squared, side] : sides) {
-      if (squared >= kLong * longest) found.push_back(SegmentId{segment_[side]});
+      if (squared >= effort::cuts::kHalvedToo * longest) found.push_back(SegmentId{segment_[side]});
     }
   }
   std::sort(found.begin(), found.end());

@@ -10,24 +10,19 @@
 
 #include "base/faults/errors.hpp"
 #include "cuts/after_meshing/cut_until_met.hpp"
+#include "cuts/after_meshing/effort.hpp"
 #include "cuts/after_meshing/one_mesh.hpp"
 #include "cuts/after_meshing/thin_cuts.hpp"
 #include "cuts/before_meshing/split_interfaces.hpp"
 #include "cuts/clefts/closed_clefts.hpp"
 #include "cuts/unite_pieces.hpp"
 #include "mend/thin_mesh.hpp"
-#include "quality/fault/missed_targets.hpp"
 #include "region/region_graph.hpp"
-#include "target/fill_report.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/region_task.hpp"
 
 namespace cover {
 namespace {
-
-constexpr std::uint64_t kPlacesForOne = 20'000;  ///< tried for an obtuse triangle
-constexpr std::uint64_t kMostPlaces = 3'000'000;
-constexpr std::size_t kLeastCorners = 4;  ///< of a cleft: half of all points at least, or few help
 
 /// Whether so many triangles are obtuse that halving segments was in vain. A few are mended where
 /// they are, with fewer vertices.
@@ -72,7 +67,8 @@ ConformingMesh mended(ConformingMesh mesh, const ClosedClefts& closed,
   std::erase_if(fixed, [&](std::uint32_t v) { return v >= lines.size(); });
 
   MeshWithUndo mending(mesh, std::vector<WantedAngles>(work.meshes.size()));
-  const RepairEffort effort{kPlacesForOne, kMostPlaces, stop};
+  const RepairEffort effort{effort::cuts::kPlacesBesideClefts,
+                            effort::cuts::kMostPlacesBesideClefts, stop};
   thin_mesh(mending, {0, 0, effort});
   mend_what_is_left(mending, effort);
   mesh = mending.result(mesh);
@@ -100,10 +96,7 @@ bool take(OpenedClefts opened, const Options& options, Work& whole) {
   separate(opened.mesh, fixed, whole);
   std::erase_if(whole.report.notes, [](const Note& note) { return note.kind == Note::Kind::cut; });
   if (!is_sound(whole)) return false;
-  for (std::size_t r = 0; r < whole.boundaries.size(); ++r) {
-    report_again(whole.boundaries[r], options, false, whole.meshes[r]);
-    fill_report(whole.boundaries[r], whole.meshes[r]);
-  }
+  measure_again(whole, options);
   return true;
 }
 
@@ -119,7 +112,7 @@ Status mesh_with_closed_clefts(Work& work, const Options& options, const Callbac
     unite_pieces(whole.pslg, whole.table, work.report.uncut_points);
     const std::vector<Cleft> clefts =
         find_clefts(whole.pslg, whole.table, split_regions(whole.pslg, whole.table));
-    if (2 * kLeastCorners * clefts.size() < work.report.uncut_points) return ok();
+    if (2 * effort::cuts::kCornersOfCleft * clefts.size() < work.report.uncut_points) return ok();
     std::optional<ClosedClefts> closed = close_clefts(whole, clefts);
     if (!closed) return ok();
     if (Status status = mesh_closed(closed->work, options, callbacks.stop); !status) return status;

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "base/containers/order.hpp"
-#include "cuts/after_meshing/hand_out_triangles.hpp"
 #include "cuts/cut_segments.hpp"
+#include "cuts/hand_out_triangles.hpp"
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"
 

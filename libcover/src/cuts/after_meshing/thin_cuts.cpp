@@ -23,9 +23,7 @@
 #include "cuts/unite_pieces.hpp"
 #include "geom/vector.hpp"
 #include "mend/thin_mesh.hpp"
-#include "quality/fault/missed_targets.hpp"
 #include "region/region_graph.hpp"
-#include "target/fill_report.hpp"
 #include "target/whole_mesh.hpp"
 #include "tasks/errors_as_values.hpp"
 
@@ -210,10 +208,7 @@ class Thinning {
       trial.fault = "rounding would break a region";
       return;
     }
-    for (std::size_t r = 0; r < thin.boundaries.size(); ++r) {
-      report_again(thin.boundaries[r], options_, false, thin.meshes[r]);
-      fill_report(thin.boundaries[r], thin.meshes[r]);
-    }
+    measure_again(thin, options_);
     if (const std::size_t left = obtuse(thin.meshes); left > obtuse(work_.meshes)) {
       trial.fault = counted(left, "triangle") + " would be obtuse";
     } else if (loses_a_bound(work_.meshes, thin.meshes)) {

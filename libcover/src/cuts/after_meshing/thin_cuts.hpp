@@ -19,12 +19,11 @@ bool wants_thinning(const Prepared& prepared, const std::vector<RegionBoundary>&
 /// Takes away, over segments too, vertices that no right angle needs, merges and moves others, and
 /// mends obtuse triangles that are left. Points of the input stay. No more triangles are obtuse
 /// than before, and no region's smallest angle becomes smaller than it was or Options::min_angle.
-/// Where a search leaves more of them, one with less effort is tried; where none will do, the mesh
-/// stays as it was.
+/// Where that cannot be, the mesh stays as it was.
 ///
 /// ENSURES: a note tells how many went, or that none could
 /// Errors:  cancelled, internal
-/// Cost:    as Options::effort says, see docs/box_method.md
+/// Cost:    as Options::effort says, see docs/cutting_segments.md
 Status thin_cuts(Work& work, const Options& options, const Callbacks& callbacks);
 
 }  // namespace cover

@@ -153,18 +153,17 @@ struct Encroached {
 
 class Cutter {
  public:
-  Cutter(Pslg& pslg, RegionTable& table, std::size_t uncut_points, VertexId first_cut,
-         std::vector<BoxCut>& cuts, std::vector<Point>& stuck)
-      : pslg_(pslg),
-        table_(table),
-        uncut_points_(uncut_points),
+  Cutter(Prepared& prepared, VertexId first_cut)
+      : pslg_(prepared.pslg),
+        table_(prepared.table),
+        uncut_points_(prepared.report.uncut_points),
         first_cut_(first_cut),
-        done_(cuts),
-        stuck_(stuck),
-        most_points_(most_points_for_boxes(pslg, cuts)),
-        dirty_(table.regions.size(), 1) {}
+        done_(prepared.report.box_cuts),
+        most_points_(most_points_for_boxes(pslg_, done_)),
+        dirty_(table_.regions.size(), 1) {}
 
-  void run() {
+  /// Returns what is stuck.
+  std::vector<Point> run() && {
     for (int pass = 0; pass < kCutPasses; ++pass) {
       boundaries_ = split_regions(pslg_, table_);
       views_.clear();
@@ -172,11 +171,12 @@ class Cutter {
       find_sides();
       stuck_.clear();
       const std::vector<SegmentCut> cuts = choose(find_encroached());
-      if (cuts.empty()) return;
+      if (cuts.empty()) return std::move(stuck_);
       apply(cuts);
       if (pass >= kFreePasses && pslg_.points.size() > most_points_) break;
     }
     leave_the_rest();
+    return std::move(stuck_);
   }
 
  private:
@@ -441,7 +441,7 @@ class Cutter {
   std::size_t uncut_points_;
   VertexId first_cut_;
   std::vector<BoxCut>& done_;
-  std::vector<Point>& stuck_;
+  std::vector<Point> stuck_;            ///< of the present pass
   std::size_t most_points_;             ///< with more of them it is a cascade
   std::optional<WholeSegments> whole_;  ///< of the present pass
   std::vector<RegionBoundary> boundaries_;
@@ -458,9 +458,8 @@ std::size_t most_points_for_boxes(const Pslg& pslg, std::span<const BoxCut> cuts
   return kLeastPoints + kPointsPerPoint * (points - std::min(points, cuts.size()));
 }
 
-void cut_encroached(Pslg& pslg, RegionTable& table, std::size_t uncut_points, VertexId first_cut,
-                    std::vector<BoxCut>& cuts, std::vector<Point>& stuck) {
-  Cutter(pslg, table, uncut_points, first_cut, cuts, stuck).run();
+std::vector<Point> cut_encroached(Prepared& prepared, VertexId first_cut) {
+  return Cutter(prepared, first_cut).run();
 }
 
 }  // namespace cover

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include <cover/output.hpp>
 #include <cover/pslg.hpp>
-#include <cover/regions.hpp>
 #include <cover/report.hpp>
 
 namespace cover {
@@ -15,15 +15,17 @@ namespace cover {
 /// the vertices there are; where there is a choice, so that the cut encroaches no other side. Both
 /// sides of a segment get the same points. Hull sides are passed over.
 ///
-/// `cuts` gets what was cut, with the reasons; `stuck` the middles of pieces that doubles leave no
-/// room to cut, or in which cuts go on for ever because feet are rounded (more than 16 passes, and
-/// most_points_for_boxes() exceeded). Points from `uncut_points` on are cuts, of which those from
-/// `first_cut` on are told as such.
-/// ENSURES: `pslg` and `table` fit each other
-/// Cost:    O(n log n) per pass
-/// Ref:     docs/box_method.md
-void cut_encroached(Pslg& pslg, RegionTable& table, std::size_t uncut_points, VertexId first_cut,
-                    std::vector<BoxCut>& cuts, std::vector<Point>& stuck);
+/// Report::box_cuts gets what was cut, with the reasons: vertices from `first_cut` on count as cuts
+/// there, not as points of the input.
+///
+/// REQUIRES: points from Report::uncut_points on are cuts
+/// ENSURES:  points and regions fit each other
+/// Returns:  the middles of pieces that doubles leave no room to cut, or in which cuts go on for
+///           ever because feet are rounded (more than 16 passes, and most_points_for_boxes()
+///           exceeded)
+/// Cost:     O(n log n) per pass
+/// Ref:      docs/box_method.md
+std::vector<Point> cut_encroached(Prepared& prepared, VertexId first_cut);
 
 /// With more points than this, of which `cuts` were added, cutting for the box method is a cascade
 /// in a layer too thin for doubles.

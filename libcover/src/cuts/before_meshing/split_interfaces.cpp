@@ -288,7 +288,7 @@ class Splitter {
 
   void mark_dirty(const SegmentSides& sides) {
     for (const RegionId r : {sides.left, sides.right}) {
-      if (r != kVoid) dirty_[r.index() - 1] = 1;
+      if (r != kVoid) dirty_[place_of(r)] = 1;
     }
   }
 

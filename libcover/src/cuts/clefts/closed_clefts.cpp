@@ -36,14 +36,23 @@ Point end_of_slit(const Pslg& pslg, const Cleft::End& end, bool is_first) {
   return midpoint(a, b) + kOfRoom * end.room * out;
 }
 
+/// Of the first wall.
+double wall_length(const Pslg& pslg, const Cleft& cleft) {
+  return length(point_of(pslg, cleft.end[1].corner[0]) - point_of(pslg, cleft.end[0].corner[0]));
+}
+
+/// The cut nearest to an end, as a part of a wall that is so long.
+double first_cut(const Pslg& pslg, const Cleft::End& end, double wall) {
+  const double width = length(point_of(pslg, end.corner[1]) - point_of(pslg, end.corner[0]));
+  return kOfFirstCut * width / (end.slant * wall);
+}
+
 /// The cuts of the first wall that its slanted ends ask for, as parts of it, in order.
 std::vector<double> first_cuts(const Pslg& pslg, const Cleft& cleft) {
-  const double wall =
-      length(point_of(pslg, cleft.end[1].corner[0]) - point_of(pslg, cleft.end[0].corner[0]));
+  const double wall = wall_length(pslg, cleft);
   std::vector<double> parts;
   for (const Cleft::End& end : cleft.end) {
-    const double width = length(point_of(pslg, end.corner[1]) - point_of(pslg, end.corner[0]));
-    const double part = kOfFirstCut * width / (end.slant * wall);
+    const double part = first_cut(pslg, end, wall);
     if (part < kMostOfWall) parts.push_back(&end == &cleft.end[0] ? part : 1 - part);
   }
   return parts;
@@ -51,13 +60,11 @@ std::vector<double> first_cuts(const Pslg& pslg, const Cleft& cleft) {
 
 /// The same, and from each end ever longer pieces up to what there is room for.
 std::vector<double> cuts_by_shells(const Pslg& pslg, const Cleft& cleft) {
-  const double wall =
-      length(point_of(pslg, cleft.end[1].corner[0]) - point_of(pslg, cleft.end[0].corner[0]));
+  const double wall = wall_length(pslg, cleft);
   std::vector<double> parts;
   for (const Cleft::End& end : cleft.end) {
-    const double width = length(point_of(pslg, end.corner[1]) - point_of(pslg, end.corner[0]));
     const double most = kOfRoom * end.room / wall;
-    for (double part = std::min(kOfFirstCut * width / (end.slant * wall), most);
+    for (double part = std::min(first_cut(pslg, end, wall), most);
          part < kMostOfRoom * most && part < kMostOfWall; part *= 2)
       parts.push_back(&end == &cleft.end[0] ? part : 1 - part);
   }
@@ -419,7 +426,7 @@ class Opener {
     // Without a slit on one side they begin, or end, at the void.
     std::uint32_t h = from == kNone ? kNone : edges_.find(from, v);
     if (from == kNone) h = first_clockwise(v, to);
-    while (h != HalfEdges::kAbsent) {
+    while (h != kNone) {
       IndexTriple& triangle = out_.triangles[h / 3];
       std::replace(triangle.begin(), triangle.end(), v, other);
       for (const std::uint32_t u : triangle)
@@ -452,8 +459,8 @@ class Opener {
 
   /// The half-edge to `v` from where the void is, from `to` back against the clock.
   [[nodiscard]] std::uint32_t first_clockwise(std::uint32_t v, std::uint32_t to) const {
-    std::uint32_t h = edges_.find(v, to), found = HalfEdges::kAbsent;
-    while (h != HalfEdges::kAbsent) {
+    std::uint32_t h = edges_.find(v, to), found = kNone;
+    while (h != kNone) {
       found = HalfEdges::previous(h);
       h = edges_.find(v, edges_.source(found));
     }

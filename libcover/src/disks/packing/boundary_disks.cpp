@@ -12,18 +12,18 @@ std::vector<std::array<Index, 2>> place_boundary_disks(Packing& packing, const T
                                                        std::span<const Chord> chords,
                                                        std::span<const double> radii) {
   const Visits visits = find_visits(cdt, chords);
-  std::vector<Index> element_of(radii.size(), kNoIndex);
+  std::vector<Index> element_of(radii.size(), kNone);
   for (Index v = 0; v < radii.size(); ++v) {
     if (radii[v] > 0) element_of[v] = packing.add_element(make_disk(packing.point(v), radii[v], v));
   }
   // The side at a centre, by the chord that leaves it.
-  std::vector<Index> side_of(chords.size(), kNoIndex);
+  std::vector<Index> side_of(chords.size(), kNone);
   for (Index k = 0; k < visits.all.size(); ++k) {
     const Visit& visit = visits.all[k];
     const Index element = element_of[visit.vertex];
     if (visit.is_isolated()) {
-      packing.add_side(element, kNoIndex, kNoIndex);
-    } else if (element != kNoIndex) {
+      packing.add_side(element, kNone, kNone);
+    } else if (element != kNone) {
       side_of[k] = packing.add_side(element, chords[visit.chord_in].a, chords[k].b);
     }
   }
@@ -31,7 +31,7 @@ std::vector<std::array<Index, 2>> place_boundary_disks(Packing& packing, const T
   std::vector<Index> leaving(chords.size());
   for (Index k = 0; k < chords.size(); ++k) leaving[visits.all[k].chord_in] = k;
   for (Index k = 0; k < chords.size(); ++k) {
-    if (side_of[k] == kNoIndex) {
+    if (side_of[k] == kNone) {
       packing.link(side_of[visits.all[k].chord_in], side_of[leaving[k]]);
     }
   }
@@ -44,16 +44,13 @@ std::vector<std::array<Index, 2>> place_boundary_disks(Packing& packing, const T
   // tangency point, the disk before it stands for it.
   const auto side_at = [&](Index k) {
     const Visit& visit = visits.all[k];
-    return visit.is_isolated()      ? kNoIndex
-           : side_of[k] != kNoIndex ? side_of[k]
-                                    : side_of[visit.chord_in];
+    return visit.is_isolated() ? kNone : side_of[k] != kNone ? side_of[k] : side_of[visit.chord_in];
   };
   for (const auto& [u, w] : visits.inner_edges(cdt)) {
     const Index s = side_at(u), t = side_at(w);
-    if (s != kNoIndex && t != kNoIndex && packing.sides[s].cycle == packing.sides[t].cycle)
-      continue;
-    const Index e = s != kNoIndex ? packing.sides[s].element : element_of[visits.all[u].vertex];
-    const Index f = t != kNoIndex ? packing.sides[t].element : element_of[visits.all[w].vertex];
+    if (s != kNone && t != kNone && packing.sides[s].cycle == packing.sides[t].cycle) continue;
+    const Index e = s != kNone ? packing.sides[s].element : element_of[visits.all[u].vertex];
+    const Index f = t != kNone ? packing.sides[t].element : element_of[visits.all[w].vertex];
     if (e != f) pairs.push_back({e, f});
   }
   return pairs;

@@ -55,10 +55,10 @@ Segment shortest(const Element& e, const Element& f) {
 bool connect_holes(Packing& packing, std::span<const std::array<Index, 2>> pairs,
                    double tolerance) {
   if (pairs.empty()) return true;
-  std::vector<Index> cluster_of(packing.elements.size(), kNoIndex);
+  std::vector<Index> cluster_of(packing.elements.size(), kNone);
   UnionFind clusters(packing.cycles.size());
   for (const Side& s : packing.sides) {  // a disk on the boundary may lie on several cycles
-    if (cluster_of[s.element] == kNoIndex) cluster_of[s.element] = s.cycle;
+    if (cluster_of[s.element] == kNone) cluster_of[s.element] = s.cycle;
     clusters.unite(cluster_of[s.element], s.cycle);
   }
 
@@ -84,12 +84,12 @@ bool connect_holes(Packing& packing, std::span<const std::array<Index, 2>> pairs
     if (clusters.find(cluster_of[e]) == clusters.find(cluster_of[f])) continue;
     const Segment s = shortest(packing.elements[e], packing.elements[f]);
     const Circle disk{midpoint(s.a, s.b), gap / 2};
-    const Index g = packing.nearest_obstacle(disk.c, disk.r * (1 - 1e-9), kNoIndex, e, f);
-    if (g != kNoIndex) {
+    const Index g = packing.nearest_obstacle(disk.c, disk.r * (1 - 1e-9), kNone, e, f);
+    if (g != kNone) {
       if (!push(e, g, gap) || !push(g, f, gap)) return false;
       continue;
     }
-    const std::vector<Contact> contacts = touched_sides(packing, disk, {}, kNoIndex, tolerance);
+    const std::vector<Contact> contacts = touched_sides(packing, disk, {}, kNone, tolerance);
     if (contacts.size() < 2) return false;
     const auto element = static_cast<Index>(packing.elements.size());
     packing.insert_disk(disk, contacts);

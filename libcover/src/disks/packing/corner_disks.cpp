@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "disks/packing/visits.hpp"
 
@@ -19,7 +20,7 @@ namespace {
 /// The disks of a visit.
 struct DiskCorner {
   double theta = kFullTurn;
-  Index first_disk = kNoIndex;  ///< element
+  Index first_disk = kNone;  ///< element
   Index disks = 1;
   std::vector<Index> touch;  ///< vertices T_0 ... T_k on the rays, from the chord that leaves
 };
@@ -152,7 +153,7 @@ void CornerDisks::make_cycles() {
   for (Index k = 0; k < corners_.size(); ++k) {
     const DiskCorner& corner = corners_[k];
     if (visit(k).is_isolated()) {
-      packing_.add_side(corner.first_disk, kNoIndex, kNoIndex);
+      packing_.add_side(corner.first_disk, kNone, kNone);
       continue;
     }
     Index last = visit(k).chord_in;

@@ -3,19 +3,17 @@
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numbers>
 
 #include <cover/point.hpp>
 
+#include "base/none.hpp"
 #include "geom/vector.hpp"
 
 namespace cover::disks {
 
 /// Index of a vertex, element, side or cycle.
 using Index = std::uint32_t;
-/// None of them.
-inline constexpr Index kNoIndex = std::numeric_limits<Index>::max();
 
 inline constexpr double kFullTurn = 2 * std::numbers::pi;
 
@@ -24,12 +22,12 @@ inline constexpr double kFullTurn = 2 * std::numbers::pi;
 struct Element {
   enum class Shape : std::uint8_t { disk, line };
   Shape shape = Shape::disk;
-  Index id = kNoIndex;  ///< disk: the vertex at its centre; line: index of the chord
-  Point c;              ///< disk: centre; line: where the chord starts
-  double r = 0;         ///< disk: radius
-  Vector d;             ///< line: unit direction
-  double from = 0;      ///< line: the piece between its two corners, by distance from c;
-  double to = 0;        ///<       only there is it an obstacle
+  Index id = kNone;  ///< disk: the vertex at its centre; line: index of the chord
+  Point c;           ///< disk: centre; line: where the chord starts
+  double r = 0;      ///< disk: radius
+  Vector d;          ///< line: unit direction
+  double from = 0;   ///< line: the piece between its two corners, by distance from c;
+  double to = 0;     ///<       only there is it an obstacle
 
   [[nodiscard]] bool is_disk() const { return shape == Shape::disk; }
   [[nodiscard]] bool is_line() const { return shape == Shape::line; }

@@ -34,14 +34,14 @@ Index TriangleDraft::add_on(const Element& e, Point p) {
 Index Packing::add_element(const Element& e) {
   elements.push_back(e);
   sides_by_place_.emplace_back();
-  full_circle_.push_back(kNoIndex);
+  full_circle_.push_back(kNone);
   return static_cast<Index>(elements.size() - 1);
 }
 
 Index Packing::add_side(Index element, Index start, Index end) {
   const auto side = static_cast<Index>(sides.size());
-  sides.push_back({element, start, end, kNoIndex, kNoIndex, kNoIndex});
-  if (start == kNoIndex) {
+  sides.push_back({element, start, end, kNone, kNone, kNone});
+  if (start == kNone) {
     full_circle_[element] = side;
     link(side, side);
   } else {
@@ -69,9 +69,9 @@ Index Packing::add_cycle(Index side) {
 
 void Packing::find_cycles() {
   cycles.clear();
-  for (Side& s : sides) s.cycle = kNoIndex;
+  for (Side& s : sides) s.cycle = kNone;
   for (Index s = 0; s < sides.size(); ++s) {
-    if (sides[s].cycle == kNoIndex) add_cycle(s);
+    if (sides[s].cycle == kNone) add_cycle(s);
   }
 }
 
@@ -117,9 +117,9 @@ double Packing::place(const Element& e, Point x) const {
 
 std::optional<Index> Packing::side_at(Index element, Point x, Index cycle) const {
   const auto fits = [&](Index side) {
-    return (cycle == kNoIndex || sides[side].cycle == cycle) && is_on(side, x);
+    return (cycle == kNone || sides[side].cycle == cycle) && is_on(side, x);
   };
-  if (const Index full = full_circle_[element]; full != kNoIndex) {
+  if (const Index full = full_circle_[element]; full != kNone) {
     return fits(full) ? std::optional(full) : std::nullopt;
   }
   const auto& by_place = sides_by_place_[element];
@@ -138,14 +138,14 @@ std::optional<Index> Packing::side_at(Index element, Point x, Index cycle) const
 
 Index Packing::nearest_obstacle(Point x, double bound, Index cycle, Index skip1,
                                 Index skip2) const {
-  Index best = kNoIndex;
+  Index best = kNone;
   const auto look_at = [&](Index e) {
     if (e == skip1 || e == skip2) return bound;
     const double distance = obstacle_distance(elements[e], x);
     if (distance < bound) bound = distance, best = e;
     return bound;
   };
-  if (cycle != kNoIndex && cycles[cycle].size <= kShortCycle) {
+  if (cycle != kNone && cycles[cycle].size <= kShortCycle) {
     Index s = cycles[cycle].side;
     for (Index k = 0; k < cycles[cycle].size; ++k, s = sides[s].next) look_at(sides[s].element);
     return best;
@@ -163,7 +163,7 @@ std::vector<Index> Packing::elements_within(Point x, double bound, Index cycle) 
     if (obstacle_distance(elements[e], x) < bound) result.push_back(e);
     return bound;
   };
-  if (cycle != kNoIndex && cycles[cycle].size <= kShortCycle) {
+  if (cycle != kNone && cycles[cycle].size <= kShortCycle) {
     Index s = cycles[cycle].side;
     for (Index k = 0; k < cycles[cycle].size; ++k, s = sides[s].next) look_at(sides[s].element);
   } else {
@@ -180,7 +180,7 @@ void Packing::split_side(const Contact& contact, Index vertex, Index* before, In
   *before = contact.side;
   if (s.is_full_circle()) {
     s.start = s.end = vertex;
-    full_circle_[s.element] = kNoIndex;
+    full_circle_[s.element] = kNone;
     sides_by_place_[s.element][place(elements[s.element], contact.at)] = contact.side;
     *after = contact.side;
     return;

@@ -36,25 +36,25 @@ struct TriangleDraft {
 /// Disks lie outside, so their sides run clockwise. Consecutive sides touch in the vertex they
 /// share. A lone full circle has no ends; after one contact it runs once around from that vertex.
 struct Side {
-  Index element = kNoIndex;
-  Index start = kNoIndex;  ///< vertex
-  Index end = kNoIndex;    ///< vertex
-  Index prev = kNoIndex;   ///< side
-  Index next = kNoIndex;   ///< side
-  Index cycle = kNoIndex;
+  Index element = kNone;
+  Index start = kNone;  ///< vertex
+  Index end = kNone;    ///< vertex
+  Index prev = kNone;   ///< side
+  Index next = kNone;   ///< side
+  Index cycle = kNone;
 
-  [[nodiscard]] bool is_full_circle() const { return start == kNoIndex; }
+  [[nodiscard]] bool is_full_circle() const { return start == kNone; }
 };
 
 /// A cycle of sides.
 struct Cycle {
-  Index side = kNoIndex;  ///< one of them
-  Index size = 0;         ///< how many
+  Index side = kNone;  ///< one of them
+  Index size = 0;      ///< how many
 };
 
 /// Where a new disk touches a side.
 struct Contact {
-  Index side = kNoIndex;
+  Index side = kNone;
   Point at;
 };
 
@@ -85,11 +85,11 @@ class Packing {
   [[nodiscard]] double extent(Index side) const;
   /// Whether the point `x` of the element's rim lies on the side; its ends count, up to rounding.
   [[nodiscard]] bool is_on(Index side, Point x) const;
-  /// The side of `element` that `x` lies on; in `cycle` only, unless that is kNoIndex.
+  /// The side of `element` that `x` lies on; in `cycle` only, unless that is kNone.
   [[nodiscard]] std::optional<Index> side_at(Index element, Point x, Index cycle) const;
 
   /// The obstacle nearest to `x` and nearer than `bound`, among the sides of a cycle or, where that
-  /// is long or kNoIndex, among all.
+  /// is long or kNone, among all.
   [[nodiscard]] Index nearest_obstacle(Point x, double bound, Index cycle, Index skip1,
                                        Index skip2) const;
   /// All elements nearer to `x` than `bound`, in increasing order.

@@ -8,7 +8,7 @@
 
 namespace cover::disks {
 
-/// The sides of a cycle (all sides: kNoIndex) that `disk` touches up to `tolerance` times the
+/// The sides of a cycle (all sides: kNone) that `disk` touches up to `tolerance` times the
 /// smaller radius; those in `known` are taken as they are.
 std::vector<Contact> touched_sides(const Packing& packing, Circle disk,
                                    std::span<const Contact> known, Index cycle, double tolerance);

@@ -14,7 +14,7 @@ std::vector<Index> chords_by_edge(const Triangulation& cdt, std::span<const Chor
   for (Index k = 0; k < sorted.size(); ++k) sorted[k] = k;
   const auto ends = [&](Index k) { return std::array<Index, 2>{chords[k].a, chords[k].b}; };
   std::sort(sorted.begin(), sorted.end(), [&](Index k, Index l) { return ends(k) < ends(l); });
-  std::vector<Index> result(3 * cdt.triangles.size(), kNoIndex);
+  std::vector<Index> result(3 * cdt.triangles.size(), kNone);
   for (TriangleCorner c = 0; c < result.size(); ++c) {
     const Triangle& t = cdt.triangles[c / 3];
     const Corner i = c % 3;
@@ -53,16 +53,16 @@ Visits find_visits(const Triangulation& cdt, std::span<const Chord> chords) {
   const std::vector<Index> chord_by_edge = chords_by_edge(cdt, chords);
   Visits visits;
   visits.all.resize(chords.size());
-  visits.at_corner.assign(chord_by_edge.size(), kNoIndex);
+  visits.at_corner.assign(chord_by_edge.size(), kNone);
   for (TriangleCorner c = 0; c < chord_by_edge.size(); ++c) {
-    if (chord_by_edge[c] == kNoIndex) continue;
+    if (chord_by_edge[c] == kNone) continue;
     visits.all[chord_by_edge[c]] = turn_around(cdt, HalfEdges::next(c), chord_by_edge);
   }
   for (Index k = 0; k < visits.all.size(); ++k) {
     for (const TriangleCorner c : visits.all[k].fan) visits.at_corner[c] = k;
   }
   for (TriangleCorner c = 0; c < visits.at_corner.size(); ++c) {  // what is left is isolated
-    if (visits.at_corner[c] != kNoIndex) continue;
+    if (visits.at_corner[c] != kNone) continue;
     visits.all.push_back(turn_around(cdt, c, chord_by_edge));
     for (const TriangleCorner f : visits.all.back().fan) {
       visits.at_corner[f] = static_cast<Index>(visits.all.size() - 1);

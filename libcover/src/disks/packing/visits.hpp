@@ -16,11 +16,11 @@ using TriangleCorner = Index;
 
 /// A visit of the boundary to a vertex, or an isolated point.
 struct Visit {
-  Index vertex = kNoIndex;
-  Index chord_in = kNoIndex;        ///< the chord that arrives; kNoIndex: isolated
+  Index vertex = kNone;
+  Index chord_in = kNone;           ///< the chord that arrives; kNone: isolated
   std::vector<TriangleCorner> fan;  ///< the corners of triangles there, counter-clockwise
 
-  [[nodiscard]] bool is_isolated() const { return chord_in == kNoIndex; }
+  [[nodiscard]] bool is_isolated() const { return chord_in == kNone; }
 };
 
 /// All visits of the boundary of a triangulated domain. Visit k, for k below the number of

@@ -1,6 +1,7 @@
 // A corner of a triangle, and with it the edge opposite.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 namespace cover {
@@ -22,6 +23,13 @@ class Corner {
  private:
   std::uint32_t index_;
 };
+
+/// The corner of a triangle at which vertex `w` is, or the edge across which triangle `w` is.
+///
+/// REQUIRES: `w` is one of the three
+constexpr Corner corner_with(const std::array<std::uint32_t, 3>& three, std::uint32_t w) {
+  return three[0] == w ? 0U : three[1] == w ? 1U : 2U;
+}
 
 /// The three corners in order: `for (const Corner i : kCorners)`.
 inline constexpr struct AllCorners {

@@ -122,7 +122,7 @@ std::uint32_t HalfEdges::find(std::uint32_t a, std::uint32_t b) const {
   const auto end = sorted_.begin() + first_[a + 1];
   const auto found = std::lower_bound(sorted_.begin() + first_[a], end, b,
                                       [](const Entry& e, std::uint32_t v) { return e.target < v; });
-  return found != end && found->target == b ? found->half_edge : kAbsent;
+  return found != end && found->target == b ? found->half_edge : kNone;
 }
 
 bool HalfEdges::all_different(const Team& team) const {
@@ -162,9 +162,7 @@ std::vector<std::uint32_t> sorted_opposites(std::size_t vertices,
 class Pairing {
  public:
   Pairing(std::size_t vertices, std::span<const IndexTriple> triangles)
-      : triangles_(triangles),
-        waiting_(vertices, HalfEdges::kAbsent),
-        opposite_(3 * triangles.size()) {}
+      : triangles_(triangles), waiting_(vertices, kNone), opposite_(3 * triangles.size()) {}
 
   /// Takes half-edges, all that have one of some vertices for their lower end; `half_edge(k)` is
   /// one of them. False if lists are so long that sorting takes less.
@@ -175,13 +173,12 @@ class Pairing {
       const std::uint32_t h = half_edge(k), a = source(h), b = source(HalfEdges::next(h));
       std::uint32_t& list = waiting_[std::min(a, b)];
       std::uint32_t* link = &list;
-      while (*link != HalfEdges::kAbsent &&
-             (source(*link) != b || source(HalfEdges::next(*link)) != a)) {
+      while (*link != kNone && (source(*link) != b || source(HalfEdges::next(*link)) != a)) {
         link = &opposite_[*link];
         ++passed;
       }
       if (passed > kPassedPerHalfEdge * opposite_.size()) return false;
-      if (*link == HalfEdges::kAbsent) {
+      if (*link == kNone) {
         opposite_[h] = std::exchange(list, h);
       } else {
         opposite_[h] = *link;
@@ -193,8 +190,7 @@ class Pairing {
   /// What waits at vertices from `first` to before `last` does so in vain.
   void end(std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
-      for (std::uint32_t h = waiting_[v]; h != HalfEdges::kAbsent;)
-        h = std::exchange(opposite_[h], HalfEdges::kAbsent);
+      for (std::uint32_t h = waiting_[v]; h != kNone;) h = std::exchange(opposite_[h], kNone);
     }
   }
   [[nodiscard]] std::vector<std::uint32_t> opposites() { return std::move(opposite_); }

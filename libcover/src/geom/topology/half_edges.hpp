@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/none.hpp"
 #include "base/team.hpp"
 
 namespace cover {
@@ -17,16 +18,13 @@ using IndexTriple = std::array<std::uint32_t, 3>;
 /// its vertex i to its vertex i + 1 (mod 3), with the triangle on its left.
 class HalfEdges {
  public:
-  /// "No half-edge."
-  static constexpr std::uint32_t kAbsent = 0xffffffffU;
-
   /// REQUIRES: vertex indices below `vertices`; `triangles` outlives this object
   /// Cost:     O(vertices + triangles), 12 bytes per half-edge; 4 bytes more with several threads
   HalfEdges(std::size_t vertices, std::span<const IndexTriple> triangles, const Team& team = {});
 
-  /// The half-edge from `a` to `b`, or kAbsent. If several triangles claim it: the first of them.
+  /// The half-edge from `a` to `b`, or kNone. If several triangles claim it: the first of them.
   [[nodiscard]] std::uint32_t find(std::uint32_t a, std::uint32_t b) const;
-  /// The opposite half-edge, or kAbsent where no triangle lies on the other side.
+  /// The opposite half-edge, or kNone where no triangle lies on the other side.
   [[nodiscard]] std::uint32_t twin(std::uint32_t h) const { return find(target(h), source(h)); }
 
   /// All half-edges by their source, then their target, then their number: the one at place `k`.
@@ -61,7 +59,7 @@ class HalfEdges {
   std::vector<Entry> sorted_;         ///< by source vertex, then target, then half-edge
 };
 
-/// The opposite of every half-edge, numbered as in HalfEdges; kAbsent where there is no triangle on
+/// The opposite of every half-edge, numbered as in HalfEdges; kNone where there is no triangle on
 /// the other side.
 ///
 /// REQUIRES: no two triangles have the same directed edge

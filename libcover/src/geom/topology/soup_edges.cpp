@@ -84,7 +84,7 @@ std::vector<std::uint32_t> SoupEdges::twins(const Team& team) const {
   team.each_range(edges_.size(), kEdgesAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       const auto twin = find(edges_[k].to, edges_[k].from);
-      twins[k] = twin ? static_cast<std::uint32_t>(*twin) : kNoTwin;
+      twins[k] = twin ? static_cast<std::uint32_t>(*twin) : kNone;
     }
   });
   return twins;

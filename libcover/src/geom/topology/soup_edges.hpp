@@ -8,6 +8,7 @@
 
 #include <cover/verify.hpp>
 
+#include "base/none.hpp"
 #include "base/team.hpp"
 
 namespace cover {
@@ -40,10 +41,8 @@ class SoupEdges {
   /// Index in all() of the first edge between two vertices.
   [[nodiscard]] std::optional<std::size_t> find(std::uint32_t from, std::uint32_t to) const;
 
-  /// By place in all(): the place of the first edge the other way round, kNoTwin if there is none.
+  /// By place in all(): the place of the first edge the other way round, kNone if there is none.
   [[nodiscard]] std::vector<std::uint32_t> twins(const Team& team = {}) const;
-  /// "No edge."
-  static constexpr std::uint32_t kNoTwin = 0xffffffffU;
 
   /// What a way along a segment has on its sides, by the RegionIds that the mesh bears: the
   /// triangles on its left, and those on its right or none. Where segments are nearer to each other

@@ -3,6 +3,7 @@
 #include "io/files/names_in_folder.hpp"
 
 #include <dirent.h>
+#include <sys/stat.h>
 
 #include <memory>
 #include <string_view>
@@ -21,6 +22,14 @@ std::vector<std::string> names_in_folder(const std::filesystem::path& folder) {
     if (name != "." && name != "..") names.emplace_back(name);
   }
   return names;
+}
+
+bool is_name_of(const std::filesystem::path& path, int file, bool through_links) {
+  struct stat named {
+  }, opened{};
+  const int found = through_links ? stat(path.c_str(), &named) : lstat(path.c_str(), &named);
+  return found == 0 && fstat(file, &opened) == 0 && named.st_ino == opened.st_ino &&
+         named.st_dev == opened.st_dev;
 }
 
 }  // namespace cover

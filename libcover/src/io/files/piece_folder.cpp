@@ -16,6 +16,7 @@
 
 #include <fmt/core.h>
 
+#include "base/words/characters.hpp"
 #include "io/files/names_in_folder.hpp"
 
 namespace cover {
@@ -52,8 +53,7 @@ bool holds(const fs::path& path, std::size_t size, const Hash& hash) {
   return found.text() == hash.text();
 }
 
-bool is_decimal(char c) { return c >= '0' && c <= '9'; }
-bool is_hash_digit(char c) { return is_decimal(c) || (c >= 'a' && c <= 'f'); }
+bool is_hash_digit(char c) { return is_digit(c) || (c >= 'a' && c <= 'f'); }
 
 /// Whether we give this name to a piece of STEM.vtm: STEM_K_HASH.vtu; or with `old`, VTK:
 /// STEM_K.vtu.
@@ -71,7 +71,7 @@ bool is_piece(std::string_view name, const std::string& stem, bool old) {
     if (name.back() != '_') return false;
     name.remove_suffix(1);
   }
-  return std::all_of(name.begin(), name.end(), is_decimal);
+  return std::all_of(name.begin(), name.end(), is_digit);
 }
 
 /// The names of files in a .vtm, without their folder.
@@ -94,13 +94,6 @@ std::unordered_set<std::string> names_in(const fs::path& vtm) {
 mode_t of_folder(const std::optional<FileOwner>& owner) {
   constexpr mode_t kAll = 0777, kOwn = 0700, kRead = 0444;
   return owner ? (owner->mode & kAll) | ((owner->mode & kRead) >> 2U) | kOwn : kAll;
-}
-
-bool is_folder(const fs::path& path, int file) {
-  struct stat named {
-  }, opened{};
-  return stat(path.c_str(), &named) == 0 && fstat(file, &opened) == 0 &&
-         named.st_ino == opened.st_ino && named.st_dev == opened.st_dev;
 }
 
 Error cancelled(const std::string& shown) {
@@ -148,7 +141,7 @@ Status PieceFolder::lock() {
       std::this_thread::sleep_for(kPause);
     }
     // Who had the lock may have removed the folder.
-    if (is_folder(path, lock_)) return ok();
+    if (is_name_of(path, lock_, true)) return ok();
     close(std::exchange(lock_, -1));
     is_made_ = false;
   }

@@ -29,11 +29,9 @@ constexpr std::string_view kLetters = "XXXXXX";  // of mkdtemp
 int lock(const fs::path& path, bool must_lock) {
   const int file = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
   if (file < 0) return -1;
-  struct stat named {
-  }, opened{};
+  struct stat opened {};
   const bool locked = flock(file, LOCK_EX | LOCK_NB) == 0 || (!must_lock && errno != EWOULDBLOCK);
-  if (locked && lstat(path.c_str(), &named) == 0 && fstat(file, &opened) == 0 &&
-      named.st_ino == opened.st_ino && named.st_dev == opened.st_dev && opened.st_uid == geteuid())
+  if (locked && is_name_of(path, file) && fstat(file, &opened) == 0 && opened.st_uid == geteuid())
     return file;
   close(file);
   return -1;

@@ -17,6 +17,7 @@
 
 #include <fmt/core.h>
 
+#include "base/words/characters.hpp"
 #include "io/files/names_in_folder.hpp"
 
 namespace cover {
@@ -33,8 +34,6 @@ constexpr std::int64_t kPush =
 constexpr mode_t kPermissions = 0777;
 constexpr mode_t kNewFile = 0666;  // less the umask
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// Whether `file` is `.NAME.N.tmp`.
 bool is_temporary(std::string_view file, std::string_view name) {
   constexpr std::string_view kTail = ".tmp";
@@ -45,14 +44,6 @@ bool is_temporary(std::string_view file, std::string_view name) {
   if (dot == file.npos || dot + 1 == file.size()) return false;
   return file.substr(0, dot) == name &&
          std::all_of(file.begin() + static_cast<std::ptrdiff_t>(dot) + 1, file.end(), is_digit);
-}
-
-/// Whether `path` is the name of the open file `file`.
-bool is_name_of(const fs::path& path, int file) {
-  struct stat named {
-  }, opened{};
-  return lstat(path.c_str(), &named) == 0 && fstat(file, &opened) == 0 &&
-         named.st_ino == opened.st_ino && named.st_dev == opened.st_dev;
 }
 
 void remove_if_dead(const fs::path& path) {

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <map>
 
+#include "base/words/characters.hpp"
 #include "io/images/image_data.hpp"
 #include "io/text/text.hpp"
 
@@ -25,12 +26,6 @@ struct RawLayout {
   bool is_text = false;
   bool is_compressed = false;
 };
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\n") + 1 - first);
-}
 
 std::vector<std::string_view> words_of(std::string_view text) {
   std::vector<std::string_view> words;

@@ -12,6 +12,7 @@
 #include <fmt/core.h>
 
 #include "base/containers/union_find.hpp"
+#include "base/none.hpp"
 #include "geom/curves/smooth_chain.hpp"
 #include "geom/predicates.hpp"
 #include "io/text/limits.hpp"
@@ -19,7 +20,6 @@
 namespace cover {
 namespace {
 
-constexpr std::uint32_t kNothing = 0xffffffffU;
 constexpr std::size_t kTiny = 4;
 
 /// Directions from a corner: right, up, left, down.
@@ -28,8 +28,8 @@ constexpr std::array<std::array<int, 2>, 4> kSteps{{{1, 0}, {0, 1}, {-1, 0}, {0,
 /// A border between two regions.
 struct Chain {
   PixelChain pixels;
-  std::uint32_t left = kNothing;  ///< region, kNothing: void or outside
-  std::uint32_t right = kNothing;
+  std::uint32_t left = kNone;  ///< region, kNone: void or outside
+  std::uint32_t right = kNone;
   bool on_frame = false;
   Smoothing smoothing = Smoothing::none;
   std::vector<Point> curve;
@@ -49,22 +49,22 @@ class Regions {
       if (p >= image.width && image.labels[p] == image.labels[p - image.width])
         sets.unite(static_cast<std::uint32_t>(p), static_cast<std::uint32_t>(p - image.width));
     }
-    std::vector<std::uint32_t> number(of_.size(), kNothing);
+    std::vector<std::uint32_t> number(of_.size(), kNone);
     for (std::size_t p = 0; p < of_.size(); ++p) {
       const std::uint32_t root = sets.find(static_cast<std::uint32_t>(p));
       const bool is_void = image.names[image.labels[p]].is_void;
-      if (!is_void && number[root] == kNothing) {
+      if (!is_void && number[root] == kNone) {
         number[root] = static_cast<std::uint32_t>(label.size());
         label.push_back(image.labels[p]);
         pixels.push_back(0);
       }
-      of_[p] = is_void ? kNothing : number[root];
+      of_[p] = is_void ? kNone : number[root];
       if (!is_void) ++pixels[of_[p]];
     }
   }
 
   [[nodiscard]] std::uint32_t at(int x, int y) const {
-    if (x < 0 || y < 0 || x >= width_ || y >= height_) return kNothing;
+    if (x < 0 || y < 0 || x >= width_ || y >= height_) return kNone;
     return of_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                static_cast<std::size_t>(x)];
   }
@@ -368,8 +368,8 @@ class RingMaker {
       : chains_(chains), used_(2 * chains.size()) {
     from_.resize(regions);
     for (std::size_t c = 0; c < chains.size(); ++c) {
-      if (chains[c].left != kNothing) from_[chains[c].left].emplace(start(2 * c), 2 * c);
-      if (chains[c].right != kNothing) from_[chains[c].right].emplace(start(2 * c + 1), 2 * c + 1);
+      if (chains[c].left != kNone) from_[chains[c].left].emplace(start(2 * c), 2 * c);
+      if (chains[c].right != kNone) from_[chains[c].right].emplace(start(2 * c + 1), 2 * c + 1);
     }
   }
 

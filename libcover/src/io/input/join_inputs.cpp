@@ -12,6 +12,8 @@
 
 #include <fmt/core.h>
 
+#include "base/words/characters.hpp"
+
 namespace cover {
 namespace {
 
@@ -35,7 +37,7 @@ bool is_made_up(std::string_view material) {
   constexpr std::string_view kHead = "feature_";
   if (!material.starts_with(kHead) || material.size() == kHead.size()) return false;
   material.remove_prefix(kHead.size());
-  return std::all_of(material.begin(), material.end(), [](char c) { return c >= '0' && c <= '9'; });
+  return std::all_of(material.begin(), material.end(), is_digit);
 }
 
 Error differ(const Input& one, const Input& other, std::string_view what) {

@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "base/words/characters.hpp"
 #include "io/text/text.hpp"
 
 namespace cover {
@@ -21,20 +22,17 @@ bool parse_layer_part(std::string_view text, std::optional<std::int16_t>& part) 
   return true;
 }
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
-}
+/// Of an entry, which is one line.
+std::string_view without_blanks(std::string_view text) { return trimmed(text, " \t\r"); }
 
 }  // namespace
 
 std::optional<LayerPattern> parse_layer_pattern(std::string_view text) {
   LayerPattern pattern;
   const std::size_t slash = text.find('/');
-  if (!parse_layer_part(trimmed(text.substr(0, slash)), pattern.layer)) return std::nullopt;
+  if (!parse_layer_part(without_blanks(text.substr(0, slash)), pattern.layer)) return std::nullopt;
   if (slash != std::string_view::npos &&
-      !parse_layer_part(trimmed(text.substr(slash + 1)), pattern.type))
+      !parse_layer_part(without_blanks(text.substr(slash + 1)), pattern.type))
     return std::nullopt;
   return pattern;
 }
@@ -56,8 +54,8 @@ Result<LayerMap> LayerMap::make(const ReadOptions& options) {
 Status LayerMap::add_rule(std::string_view pattern, std::string_view name,
                           const std::string& where) {
   const std::optional<LayerPattern> parsed = parse_layer_pattern(pattern);
-  if (parsed && !trimmed(name).empty()) {
-    rules_.push_back({*parsed, std::string(trimmed(name))});
+  if (parsed && !without_blanks(name).empty()) {
+    rules_.push_back({*parsed, std::string(without_blanks(name))});
     return ok();
   }
   const std::string what = fmt::format("'{}={}' is not LAYER/DATATYPE=NAME, as 68/20=met1",
@@ -77,7 +75,7 @@ Status LayerMap::add_file(const std::string& path) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
     std::string_view entry = rest.substr(0, end);
     rest.remove_prefix(std::min(rest.size(), end + 1));
-    entry = trimmed(entry.substr(0, entry.find('#')));
+    entry = without_blanks(entry.substr(0, entry.find('#')));
     if (entry.empty()) continue;
     std::size_t cut = entry.find('=');
     std::string_view pattern = entry.substr(0, cut);

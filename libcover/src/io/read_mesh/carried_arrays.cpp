@@ -16,7 +16,7 @@
 namespace cover {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 /// One value for each region, of the values of its triangles; nothing where they differ.
 std::optional<std::vector<double>> by_region(const std::vector<double>& values,
@@ -26,7 +26,7 @@ std::optional<std::vector<double>> by_region(const std::vector<double>& values,
   for (std::size_t t = 0; t < values.size(); ++t) {
     const auto region = static_cast<std::size_t>(soup.region[t] - 1);
     if (region >= found.size()) {
-      found.resize(region + 1, kNone);
+      found.resize(region + 1, kNoNumber);
       known.resize(region + 1);
     }
     const double value = values[t];
@@ -88,7 +88,7 @@ std::vector<std::string> take_arrays(std::vector<CellArray> of_triangles,
       mixed.push_back(std::move(array.name));
       continue;
     }
-    values->resize(static_cast<std::size_t>(last), kNone);
+    values->resize(static_cast<std::size_t>(last), kNoNumber);
     stored.attributes.push_back({std::move(array.name), false, {}, *std::move(values)});
     take_words(words, stored.attributes.back());
   }

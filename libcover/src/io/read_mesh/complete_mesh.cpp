@@ -37,7 +37,7 @@ void find_regions(const std::vector<MeshLine>& lines, TriangleSoup& soup) {
       waiting.pop_back();
       for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
         const std::uint32_t twin = edges.twin(h);
-        if (twin == HalfEdges::kAbsent) continue;
+        if (twin == kNone) continue;
         const std::uint32_t other = twin / 3;
         if (soup.region[other] != 0 || soup.material[other] != soup.material[t] ||
             walls.contains(key_of(edges.source(h), edges.target(h))))

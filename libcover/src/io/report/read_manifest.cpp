@@ -67,7 +67,7 @@ void add_line(const Json& json, StoredMesh& stored) {
     stored.interfaces.emplace_back();
     stored.interfaces[k].id = InterfaceId(k + 1);
   }
-  stored.interfaces[line.id.index() - 1] = std::move(line);
+  stored.interfaces[place_of(line.id)] = std::move(line);
 }
 
 /// A column of attributes as it stands in the mesh: numbers of words for text.

@@ -144,7 +144,7 @@ class ManifestWriter {
 
   [[nodiscard]] std::vector<Json> regions() const {
     std::vector<std::size_t> triangles(output_.table.regions.size());
-    for (const RegionId region : view_.region) ++triangles[region.index() - 1];
+    for (const RegionId region : view_.region) ++triangles[place_of(region)];
     std::vector<Json> list;
     for (std::size_t r = 0; r < triangles.size(); ++r) {
       const Region& region = output_.table.regions[r];

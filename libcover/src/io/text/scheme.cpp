@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "base/words/characters.hpp"
 #include "io/text/limits.hpp"
 #include "io/text/text.hpp"
 
@@ -125,7 +126,7 @@ class SchemeParser {
     form.word = text_.substr(first, at_ - first);
     const std::optional<double> number = parse_double(form.word);
     const char c = form.word[0];
-    const bool spelled = (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.';
+    const bool spelled = is_digit(c) || c == '-' || c == '+' || c == '.';
     form.kind = number && spelled ? SchemeForm::Kind::number : SchemeForm::Kind::symbol;
     form.number = number.value_or(0);
     open_.back().items.push_back(std::move(form));

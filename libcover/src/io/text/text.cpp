@@ -14,6 +14,8 @@
 #include <limits>
 #include <memory>
 
+#include "base/words/characters.hpp"
+
 namespace cover {
 namespace {
 
@@ -21,12 +23,7 @@ constexpr std::string_view kBlanks = " \t\r\v\f";
 constexpr std::string_view kBlanksAndCommas = " \t\r\v\f,";
 
 /// A field without the commas that separate it from its neighbours.
-std::string_view without_commas(std::string_view field) {
-  const std::size_t first = field.find_first_not_of(',');
-  return first == std::string_view::npos
-             ? std::string_view()
-             : field.substr(first, field.find_last_not_of(',') + 1 - first);
-}
+std::string_view without_commas(std::string_view field) { return trimmed(field, ","); }
 
 /// from_chars takes no leading plus sign, files have them.
 std::string_view without_plus(std::string_view field) {

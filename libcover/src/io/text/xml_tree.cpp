@@ -13,6 +13,7 @@
 
 #include <fmt/core.h>
 
+#include "base/words/characters.hpp"
 #include "io/text/limits.hpp"
 
 namespace cover {
@@ -20,12 +21,6 @@ namespace {
 
 /// What expat is given at once: its lengths are ints.
 constexpr std::size_t kChunk = std::size_t{1} << 24U;
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\n") + 1 - first);
-}
 
 /// Takes expat's calls. Exceptions must not pass through its C code: they are kept and thrown
 /// again behind it.

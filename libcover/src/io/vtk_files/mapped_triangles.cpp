@@ -16,18 +16,10 @@ namespace {
 /// How many numbers are looked at before memory is given back.
 constexpr std::size_t kAtATime = std::size_t{1} << 22;
 
-template <class T>
-constexpr NumberType type_of() {
-  if constexpr (std::is_same_v<T, double>) return NumberType::float64;
-  if constexpr (std::is_same_v<T, std::int64_t>) return NumberType::int64;
-  if constexpr (std::is_same_v<T, std::int32_t>) return NumberType::int32;
-  if constexpr (std::is_same_v<T, std::uint8_t>) return NumberType::uint8;
-}
-
 /// `count` numbers of the type T that lie in the file.
 template <class T>
 std::optional<NumberView<T>> numbers(NumberType type, std::string_view bytes, std::size_t count) {
-  if (type != type_of<T>() || bytes.size() / sizeof(T) < count) return std::nullopt;
+  if (type != number_type<T>() || bytes.size() / sizeof(T) < count) return std::nullopt;
   return NumberView<T>(bytes.data(), count);
 }
 

@@ -12,6 +12,7 @@
 #include <fmt/core.h>
 
 #include "base/faults/errors.hpp"
+#include "base/words/characters.hpp"
 #include "io/text/text.hpp"
 #include "io/vtk_files/arrays/ascii_numbers.hpp"
 #include "io/vtk_files/arrays/byte_order.hpp"
@@ -21,7 +22,7 @@ namespace cover {
 namespace {
 
 int hexadecimal(char digit) {
-  if (digit >= '0' && digit <= '9') return digit - '0';
+  if (is_digit(digit)) return digit - '0';
   if (digit >= 'a' && digit <= 'f') return digit - 'a' + 10;
   return digit >= 'A' && digit <= 'F' ? digit - 'A' + 10 : -1;
 }

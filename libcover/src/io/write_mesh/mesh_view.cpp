@@ -92,7 +92,7 @@ class LineGroups {
   std::uint32_t of(InterfaceId id, int marker) {
     // A side of the hull that no segment prescribes.
     if (id == kNoInterface) return find({InterfaceKind::outline, 0, 0, "hull"});
-    const Interface& line = table_.interfaces[id.index() - 1];
+    const Interface& line = table_.interface(id);
     if (line.kind == InterfaceKind::contact) return find({line.kind, 0, 0, line.name});
     if (marker != 0) return find({InterfaceKind::contact, 0, 0, std::to_string(marker)});
     return find({line.kind, group_of(line.left), group_of(line.right), line.name});
@@ -110,7 +110,7 @@ class LineGroups {
 
   std::uint32_t find(const Key& key) { return grouping_.find(key, std::get<std::string>(key), 0); }
   [[nodiscard]] std::uint32_t group_of(RegionId region) const {
-    return region == kVoid ? 0 : 1 + view_.region_group[region.index() - 1];
+    return region == kVoid ? 0 : 1 + view_.region_group[place_of(region)];
   }
 
   const RegionTable& table_;
@@ -126,7 +126,7 @@ Halfedge directed(const Mesh& mesh, const RegionTable& table, Edge edge) {
   if (tri.is_boundary(h)) return back;
   if (tri.is_boundary(back)) return h;
   const InterfaceId line = mesh.interface(edge);
-  const RegionId left = table.interfaces[line.index() - 1].left;
+  const RegionId left = table.interface(line).left;
   return mesh.region(tri.face_handle(h)) == left ? h : back;
 }
 

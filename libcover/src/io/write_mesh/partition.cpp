@@ -90,7 +90,7 @@ Partition partition_of(const MeshView& view, std::uint32_t parts) {
     centres.push_back({a.x / 3 + b.x / 3 + c.x / 3, a.y / 3 + b.y / 3 + c.y / 3});
   }
   const Buckets members(view.region_group.size(), count,
-                        [&](std::size_t t) { return view.region[t].index() - 1; });
+                        [&](std::size_t t) { return place_of(view.region[t]); });
   const std::vector<std::uint32_t> regions = ordered_regions(centres, members);
   std::vector<std::size_t> sizes, sequence;
   sequence.reserve(count);

@@ -19,7 +19,7 @@ class ViewCells final : public CellSource {
   ViewCells(const MeshView& view, bool by_group)
       : view_(view),
         groups_(view.region_groups.size(), by_group ? view.triangles.size() : 0,
-                [&](std::size_t t) { return view.region_group[view.region[t].index() - 1]; }) {}
+                [&](std::size_t t) { return view.region_group[place_of(view.region[t])]; }) {}
 
   [[nodiscard]] std::size_t points() const override { return view_.points.size(); }
   [[nodiscard]] std::size_t triangles() const override { return view_.triangles.size(); }

@@ -71,7 +71,7 @@ class SpooledArrays {
             by_region([](const Region& region) { return region.material; }),
             by_region([](const Region& region) { return region.id.value(); }),
             by_region([&view](const Region& region) {
-              return view.region_groups[view.region_group[region.id.index() - 1]].tag;
+              return view.region_groups[view.region_group[place_of(region.id)]].tag;
             })};
   }
 

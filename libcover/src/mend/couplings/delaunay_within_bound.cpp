@@ -12,6 +12,7 @@
 #include "geom/predicates.hpp"
 #include "limits/couplings/half_disc_room.hpp"
 #include "mend/couplings/fill_room.hpp"
+#include "mend/effort.hpp"
 #include "mend/mend_mesh.hpp"
 #include "mend/mesh_with_undo.hpp"
 #include "target/fill_report.hpp"
@@ -20,11 +21,7 @@
 namespace cover {
 namespace {
 
-constexpr double kSlack = 1 - 1e-9;  ///< of the cotangent of the largest angle
-constexpr std::uint64_t kMostPlaces = 3'000'000;
-constexpr std::size_t kSmallRegion = 64;             ///< points: all vertices may be put anew
-constexpr std::size_t kFewSides = 512;               ///< of a region in which room is looked for,
-constexpr std::size_t kFewGivenUp = 8;               ///< where so few sides are given up
+constexpr double kSlack = 1 - 1e-9;                  ///< of the cotangent of the largest angle
 constexpr std::uint32_t kOfRest = 0, kOfLayers = 1;  ///< in place of regions
 
 ConformingMesh conforming_mesh_of(const RegionBoundary& boundary, const RegionMesh& mesh) {
@@ -42,11 +39,6 @@ ConformingMesh conforming_mesh_of(const RegionBoundary& boundary, const RegionMe
 
 bool is_sound(const RegionReport& report) {
   return report.bound_held && report.box.negative_inside == 0;
-}
-
-bool may_be_split(const RegionBoundary& boundary) {
-  const auto& segments = boundary.segments;
-  return std::find(segments.begin(), segments.end(), kHullSide) != segments.end();
 }
 
 /// What is asked of angles; nothing where the bound is none for obtuse ones.
@@ -98,7 +90,7 @@ std::optional<MendedMesh> mend_nearby(const RegionBoundary& boundary, const Regi
   MeshWithUndo mending(before, *std::move(wanted));
   const std::uint64_t for_sides =
       mesh.layer_triangles == 0 ? effort.places_per_side : effort.places_per_angle;
-  mend_mesh(mending, {effort.places_per_angle, kMostPlaces, stop}, for_sides);
+  mend_mesh(mending, {effort.places_per_angle, effort::mend::kMostPlaces, stop}, for_sides);
   if (mending.grave() > 0) return {};
   return taken_if_better(boundary, mesh, before, mending);
 }
@@ -140,15 +132,15 @@ std::vector<std::uint32_t> encroaching(const MeshWithUndo& mesh, const RegionBou
 std::optional<MendedMesh> mend_with_room(const RegionBoundary& boundary, const RegionMesh& mesh,
                                          int most_circles, const std::stop_token& stop) {
   std::optional<std::vector<WantedAngles>> wanted = wanted_angles(mesh);
-  if (!wanted || mesh.layer_vertices > 0 || boundary.sides.size() > kFewSides ||
-      mesh.report.box.negative_given_up > kFewGivenUp)
+  if (!wanted || mesh.layer_vertices > 0 || boundary.sides.size() > effort::mend::kFewSides ||
+      mesh.report.box.negative_given_up > effort::mend::kFewGivenUp)
     return {};
   const std::vector<bool> is_free = free_sides(boundary);
   const HalfDiscRoom room(boundary.points, boundary.sides, is_free);
   const ConformingMesh before = conforming_mesh_of(boundary, mesh);
   const MeshWithUndo start(before, *std::move(wanted));
   for (const bool all : {false, true}) {
-    if (all && boundary.points.size() > kSmallRegion) break;
+    if (all && boundary.points.size() > effort::mend::kSmallRegion) break;
     MeshWithUndo mending = start;
     std::vector<std::uint32_t> gone;
     if (all) {
@@ -177,7 +169,7 @@ std::optional<MendedMesh> mend_couplings_within_bound(const RegionBoundary& boun
                                                       const std::stop_token& stop,
                                                       const MendEffort& effort) {
   if (is_sound(mesh.report) && mesh.report.box.negative_given_up == 0) return {};
-  if (may_be_split(boundary)) return {};
+  if (boundary.has_hull_sides()) return {};
   std::optional<MendedMesh> mended;
   const auto now = [&]() -> const RegionMesh& { return mended ? mended->mesh : mesh; };
   const auto is_done = [&] {

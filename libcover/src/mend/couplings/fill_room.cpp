@@ -9,17 +9,13 @@
 #include <vector>
 
 #include "base/random.hpp"
+#include "mend/effort.hpp"
 
 namespace cover {
 namespace {
 
-constexpr int kAttempts = 30;
-constexpr int kMostAdded = 10;  ///< by an attempt
-/// For a vertex. With 64 the same sides are given up on 12,000 Voronoi cells, in twice the time;
-/// with 16, one more on a picture of grains.
-constexpr std::size_t kPlacesTried = 32;
-constexpr double kNoise =
-    0.4;  ///< of costs, for other ways than the first one; a bad triangle is 0.4
+/// Of costs, for other ways than the first one; a bad triangle is 0.4.
+constexpr double kNoise = 0.4;
 
 class RoomFiller {
  public:
@@ -30,10 +26,13 @@ class RoomFiller {
   }
 
   bool run(std::size_t most_grave, int most_circles, const std::stop_token& stop) {
-    for (int k = 0;
-         k < kAttempts && !is_hopeless_ && circles_ < most_circles && !stop.stop_requested(); ++k) {
+    for (int k = 0; k < effort::mend::kFillings && !is_hopeless_ && circles_ < most_circles &&
+                    !stop.stop_requested();
+         ++k) {
       int added = 0;
-      while (mesh_.grave() > most_grave && added < kMostAdded && add(k == 0 ? 0 : kNoise)) ++added;
+      while (mesh_.grave() > most_grave && added < effort::mend::kMostFilled &&
+             add(k == 0 ? 0 : kNoise))
+        ++added;
       if (mesh_.grave() <= most_grave) {
         mesh_.keep();
         return true;
@@ -66,7 +65,7 @@ class RoomFiller {
   /// Attempts begin alike, so what was found for a circle is kept.
   const std::vector<Point>& places_in(const std::array<Point, 3>& corners) {
     const auto [it, is_new] = found_.try_emplace(corners);
-    if (is_new) it->second = room_.within_circle(corners, kPlacesTried).places;
+    if (is_new) it->second = room_.within_circle(corners, effort::mend::kPlacesInCircle).places;
     return it->second;
   }
 
@@ -77,9 +76,9 @@ class RoomFiller {
     ++circles_;
     const auto& v = mesh_.triangles()[t].v;
     std::vector<Point> places = places_in({mesh_.at(v[0]), mesh_.at(v[1]), mesh_.at(v[2])});
-    for (std::size_t k = 0; k < std::min(kPlacesTried, places.size()); ++k)
+    for (std::size_t k = 0; k < std::min(effort::mend::kPlacesInCircle, places.size()); ++k)
       std::swap(places[k], places[k + random_.below(places.size() - k)]);
-    if (places.size() > kPlacesTried) places.resize(kPlacesTried);
+    if (places.size() > effort::mend::kPlacesInCircle) places.resize(effort::mend::kPlacesInCircle);
     Spot best;
     double least = std::numeric_limits<double>::infinity();
     for (const Point& place : places) {

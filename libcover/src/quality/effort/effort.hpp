@@ -50,7 +50,7 @@ inline constexpr std::size_t kPointsToTryAll = 64;
 /// Star evaluations for random restarts in tiny regions, far more than they need, and for a search
 /// of what the best of them leaves. With restarts 60 to 75 fewer of 300 regions of Voronoi cells
 /// miss their target, for 1.7 times the instructions. Neither number is any matter.
-inline constexpr std::uint64_t kRestarts = 200'000, kSearchAfterRestarts = 10'000;
+inline constexpr std::uint64_t kRestartsOfAllEffort = 200'000, kSearchAfterRestarts = 10'000;
 
 /// Points of a region that is tried with other goals. With 500 or 8,000 nothing changes on maps.
 inline constexpr std::size_t kPointsToAimElsewhere = 2'000;

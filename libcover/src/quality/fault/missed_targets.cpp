@@ -201,4 +201,10 @@ void report_again(const RegionBoundary& boundary, const Options& options, bool b
   notes.insert(notes.end(), missed.begin(), missed.end());
 }
 
+void measure_again(const RegionBoundary& boundary, const Options& options, bool budget_used_up,
+                   RegionMesh& mesh) {
+  report_again(boundary, options, budget_used_up, mesh);
+  fill_report(boundary, mesh);
+}
+
 }  // namespace cover

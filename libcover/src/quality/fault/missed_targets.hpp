@@ -34,4 +34,8 @@ std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& 
 void report_again(const RegionBoundary& boundary, const Options& options, bool budget_used_up,
                   RegionMesh& mesh);
 
+/// Reports so and measures a mesh that was changed after that was done.
+void measure_again(const RegionBoundary& boundary, const Options& options, bool budget_used_up,
+                   RegionMesh& mesh);
+
 }  // namespace cover

@@ -82,24 +82,19 @@ bool Cavity::grow(int k) {
   const std::uint32_t c = s.v[at(j)];
   const std::uint32_t first = s.n[j.next()];       // across start - c
   const std::uint32_t second = s.n[j.previous()];  // across c - end
-  if (outer(after) == t) {  // c is the end of the next edge: the vertex between is swallowed
-    const std::uint32_t inner = vertex(after);
+  // Where c is the end of the next edge, or the start of the one before, the vertex between that
+  // and k is swallowed: `edge` takes the place of itself and of the one behind it.
+  const auto swallow = [&](int edge, int behind, std::uint32_t beyond) {
+    const std::uint32_t inner = vertex(behind);
     if (size_ <= 3 || mesh_->is_fixed(inner)) return false;
-    loop_[at(k)].outer = first;
+    loop_[at(edge)].outer = beyond;
     swallowed_[at(swallowed_count_++)] = inner;
     take(t, excess);
-    erase(after);
+    erase(behind);
     return true;
-  }
-  if (outer(before) == t) {
-    const std::uint32_t inner = vertex(k);
-    if (size_ <= 3 || mesh_->is_fixed(inner)) return false;
-    loop_[at(before)].outer = second;
-    swallowed_[at(swallowed_count_++)] = inner;
-    take(t, excess);
-    erase(k);
-    return true;
-  }
+  };
+  if (outer(after) == t) return swallow(k, after, first);
+  if (outer(before) == t) return swallow(before, k, second);
   if (size_ == kCapacity) return false;
   for (int m = 0; m < size_; ++m) {
     if (vertex(m) == c) return false;

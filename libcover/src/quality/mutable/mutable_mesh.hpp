@@ -34,9 +34,7 @@ struct MeshTriangle {
   std::array<std::uint32_t, 3> v{kNone, kNone, kNone};
   std::array<std::uint32_t, 3> n{};
 
-  [[nodiscard]] Corner corner_of(std::uint32_t w) const {
-    return v[0] == w ? 0U : v[1] == w ? 1U : 2U;
-  }
+  [[nodiscard]] Corner corner_of(std::uint32_t w) const { return corner_with(v, w); }
   /// Whether corner i lies between two sides: its angle is the input's own.
   [[nodiscard]] bool is_between_sides(Corner i) const {
     return is_side(n[i.next()]) && is_side(n[i.previous()]);

@@ -15,7 +15,7 @@ Triangulation with_neighbours(std::vector<Point> points, std::span<const IndexTr
     out.triangles[t].locked = 7;       // any edge may be a side: locate_sides looks at locked ones
     for (const Corner i : kCorners) {  // half-edge i starts at corner i: opposite to i + 2
       const std::uint32_t twin = opposite[3 * t + i];
-      out.triangles[t].n[i.previous()] = twin == HalfEdges::kAbsent ? kNone : twin / 3;
+      out.triangles[t].n[i.previous()] = twin == kNone ? kNone : twin / 3;
     }
   }
   return out;

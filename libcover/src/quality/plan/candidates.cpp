@@ -7,11 +7,9 @@
 #include <vector>
 
 #include "almond/almond_region.hpp"
-#include "box/half_discs.hpp"
 #include "cdt/cdt.hpp"
 #include "cdt/region_cdt.hpp"
 #include "cdt/sides.hpp"
-#include "limits/angles/limit_prover.hpp"
 #include "quality/effort/effort.hpp"
 #include "quality/mutable/delaunay_flips.hpp"
 #include "quality/parts/split_hull.hpp"
@@ -53,8 +51,11 @@ Goal goal_of(const Options& options, const AngleLimit& limit, bool is_part) {
   Goal goal = Goal::of(options.max_angle, options.min_angle);
   if (minds_couplings(options))
     // Beside layers, of 400 devices with little effort two kept negative couplings inside with it.
-    goal.coupling = {kCouplingFirst, true, true, (1 - kSameCot) / std::tan(limit.promised_nu()),
-                     !is_part};
+    goal.coupling = {.weight = kCouplingFirst,
+                     .inside = true,
+                     .strict = true,
+                     .bound = (1 - kSameCot) / std::tan(limit.promised_nu()),
+                     .takes_whole_cavities = !is_part};
   return goal;
 }
 
@@ -68,9 +69,10 @@ Candidates::Candidates(const RegionBoundary& boundary, const Options& options,
       options_(options),
       sharing_(sharing),
       frame_(frame_of(boundary, shifted)),
-      proof_(std::make_unique<RegionProof>(
-          triangulated(frame_.take_points(), boundary, options.effort, sharing.team))),
-      cdt_(proof_->cdt()),
+      outlook_(boundary, options,
+               triangulated(frame_.take_points(), boundary, options.effort, sharing.team),
+               sharing.team),
+      cdt_(outlook_.cdt()),
       limit_(angle_limit(cdt_, boundary.sides, boundary.segments, sharing.team)),
       side_limits_(limits_of(cdt_, limit_, options, sharing.team)),
       goal_(goal_of(options, limit_, boundary.is_part)),
@@ -128,7 +130,7 @@ std::optional<Candidate> Candidates::one_star(const Candidate& cdt) {
   if (!found.star) return std::nullopt;
   const std::vector<EdgeRef> side_at = locate_sides(*found.star, boundary_.sides, sharing_.team);
   Candidate made = coupled(plain(*found.star, side_at, "one star"));
-  proof_->has_seen(angles_of(*made.mesh));
+  outlook_.has_seen(angles_of(*made.mesh));
   return made;
 }
 
@@ -141,9 +143,9 @@ std::optional<Candidate> Candidates::evenly_refined(Candidate cdt) const {
 Candidate Candidates::optimised(Candidate cdt, Search search) {
   Budget half = budget_.share(2);  // the rest is for candidates that may start better
   const Optimised reached =
-      optimise(cdt.mesh.change(), goal_, half, sizes_, order_, search, sharing_);
+      optimise(cdt.mesh.change(), goal_, half, sizes_, ranking_.order(), search, sharing_);
   cdt.merit = reached.merit;
-  if (reached.before_couplings) proof_->has_seen(*reached.before_couplings);
+  if (reached.before_couplings) outlook_.has_seen(*reached.before_couplings);
   budget_.take_back(half);
   cdt.method = "refined, improved";
   return cdt;
@@ -160,9 +162,9 @@ Candidate Candidates::improved(const Candidate& c) {
   // What sides force beyond the goal is allowed beside them, so the largest angle may grow.
   Candidate further = better;
   further.merit = improve_largest(further.mesh.change(), goal_, half, sharing_);
-  take_if_better(better, std::move(further));
+  ranking_.take_if_better(better, std::move(further));
   budget_.take_back(half);
-  if (!order_.is_better(better.merit, c.merit)) return c;
+  if (!ranking_.order().is_better(better.merit, c.merit)) return c;
   if (!better.method.ends_with(", improved")) better.method += ", improved";
   return better;
 }
@@ -179,7 +181,7 @@ Candidate Candidates::narrowed(const Candidate& best, const Candidate& from, dou
   bool is_better = false;
   budget_.within(each * from.merit.triangles, [&] {
     for (const double part : effort::kSmallestParts) {
-      if (1 - part > order_.degenerate || budget_.is_used_up()) break;
+      if (1 - part > ranking_.order().degenerate || budget_.is_used_up()) break;
       Goal aim = goal_.with(std::max(goal_.large, large - effort::kAimBelowLimit), goal_.small,
                             goal_.weight);
       if (goal_.weight > 0) {
@@ -190,7 +192,7 @@ Candidate Candidates::narrowed(const Candidate& best, const Candidate& from, dou
       mesh.set_goal(aim, sharing_.team);
       budget_.spend(improve(mesh, budget_.left, {}, sharing_).evaluations);
       trial = measured(std::move(trial));
-      if (order_.is_better(trial.merit, found.merit)) {
+      if (ranking_.order().is_better(trial.merit, found.merit)) {
         found = trial;
         is_better = true;
       }
@@ -202,9 +204,9 @@ Candidate Candidates::narrowed(const Candidate& best, const Candidate& from, dou
 }
 
 void Candidates::compare_with(const Candidate& cdt) {
-  order_.prefer = preference(options_);
-  order_.bound = 1 / std::tan(limit_.promised_nu());
-  if (order_.prefer == Prefer::largest) lower_ceiling(cdt.merit.large);
+  const Order order{.prefer = preference(options_), .bound = 1 / std::tan(limit_.promised_nu())};
+  ranking_.set_order(order);
+  if (order.prefer == Prefer::largest) ranking_.lower_ceiling(cdt.merit.large);
 }
 
 bool Candidates::is_promising(const Candidate& start, const Candidate& best) const {
@@ -226,20 +228,20 @@ Candidate Candidates::optimised_within(Candidate cdt, Search search, std::uint64
 
 Candidate Candidates::restarted_within(const Candidate& from, std::uint64_t evaluations) const {
   Budget budget{evaluations, budget_.stop};
-  Restarted best = best_restart(*from.mesh, from.merit, goal_, ceiling_, budget);
+  Restarted best = best_restart(*from.mesh, from.merit, goal_, ranking_.ceiling(), budget);
   return measured({std::move(best.mesh), best.merit, "restarted, improved"});
 }
 
 Candidate Candidates::restarted(const Candidate& from) const {
-  Budget budget{effort::kRestarts, budget_.stop};
-  Restarted found = best_restart(*from.mesh, from.merit, goal_, ceiling_, budget);
+  Budget budget{effort::kRestartsOfAllEffort, budget_.stop};
+  Restarted found = best_restart(*from.mesh, from.merit, goal_, ranking_.ceiling(), budget);
   Candidate best{std::move(found.mesh), found.merit, from.method};
-  if (order_.is_better(best.merit, from.merit)) best.method = "restarted, improved";
+  if (ranking_.order().is_better(best.merit, from.merit)) best.method = "restarted, improved";
   if (is_done(best) && best.merit.above == 0) return best;
   Candidate further = best;
   budget = {effort::kSearchAfterRestarts, budget_.stop};
   search_excerpts(further.mesh.change(), goal_, budget);
-  take_if_better(best, measured(std::move(further)));
+  ranking_.take_if_better(best, measured(std::move(further)));
   return best;
 }
 
@@ -273,53 +275,10 @@ bool Candidates::is_done(const Candidate& candidate) const {
   return must_stop() || !is_smaller_cot(own_goal(*candidate.mesh).large, candidate.merit.large);
 }
 
-bool Candidates::is_near_its_limits(const Candidate& candidate) {
-  const Merit& merit = candidate.merit;
-  if (merit.large != last_asked_.large || merit.small != last_asked_.small)
-    last_asked_ = {merit.large, merit.small, is_near_its_limits(merit, *candidate.mesh)};
-  return last_asked_.is_near;
-}
-
-bool Candidates::is_settled(const Candidate& candidate) {
-  const Merit& merit = candidate.merit;
-  // No mesh that misses the largest angle was ever found to be near its limits: 1,000 Voronoi
-  // cells and 140 parcels were asked in vain, for 3 % of the instructions.
-  if (is_smaller_cot(goal_.large, merit.large) || goal_.weight == 0) return false;
-  if (angles_of(*candidate.mesh).least < std::atan2(1.0, merit.small) - kAngleSlack) return false;
-  return is_near_its_limits(candidate);
-}
-
-bool Candidates::is_near_its_limits(const Merit& merit, const MutableMesh& mesh) {
-  const auto& segments = boundary_.segments;
-  if (std::find(segments.begin(), segments.end(), kHullSide) != segments.end()) return false;
-  std::vector<IndexTriple> triangles;
-  for (const MeshTriangle& t : mesh.triangles) {
-    if (t.v[0] != kNone) triangles.push_back(t.v);
-  }
-  LimitProver& prover = proof_->prover(sharing_.team);
-  prover.compare_with(AnglesAround::of(mesh.points, triangles, boundary_.points.size()));
-  return prover.is_near(
-      {Angle::radians(std::atan2(1.0, merit.large)), Angle::radians(std::atan2(1.0, merit.small))},
-      {options_.max_angle.supplement(), options_.min_angle},
-      options_.effort == Effort::fast ? ProofEffort::brief() : ProofEffort::usual());
-}
-
 void Candidates::look_for_room(const Candidate& cdt) {
-  has_no_room_ = false;
-  if (!goal_.coupling.inside || cdt.merit.negative > 0 || !order_.is_within_bound(cdt.merit))
-    return;
-  const auto& segments = boundary_.segments;  // those of the hull may be cut
-  if (std::find(segments.begin(), segments.end(), kHullSide) != segments.end()) return;
-  std::vector<bool> is_free(side_limits_.size());
-  for (std::size_t s = 0; s < is_free.size(); ++s)
-    is_free[s] = side_limits_[s].least_cot > -kInverted;
-  has_no_room_ = half_discs_cover(cdt_.points, boundary_.sides, is_free);
-}
-
-void Candidates::take_if_better(Candidate& best, Candidate other) const {
-  const bool fits = !is_smaller_cot(ceiling_, other.merit.large);
-  const bool best_fits = !is_smaller_cot(ceiling_, best.merit.large);
-  if (fits == best_fits ? order_.is_better(other.merit, best.merit) : fits) best = std::move(other);
+  outlook_.forget_room();
+  if (goal_.coupling.inside && cdt.merit.negative == 0 && ranking_.is_within_bound(cdt))
+    outlook_.look_for_room(side_limits_);
 }
 
 }  // namespace cover

@@ -1,7 +1,6 @@
 // Triangulations of one region in a frame of its own: made, improved, and compared.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -11,12 +10,12 @@
 
 #include <cover/options.hpp>
 
-#include "base/containers/shared.hpp"
 #include "cdt/triangulation.hpp"
 #include "limits/region_proof.hpp"
-#include "quality/fault/merit.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
+#include "quality/plan/candidate.hpp"
 #include "quality/plan/optimise.hpp"
+#include "quality/plan/outlook.hpp"
 #include "region/region_boundary.hpp"
 #include "sizes/size_field.hpp"
 #include "target/angle_limit.hpp"
@@ -25,13 +24,6 @@
 #include "target/region_mesh.hpp"
 
 namespace cover {
-
-/// A triangulation of the region, in the frame, and what it has reached.
-struct Candidate {
-  Shared<MutableMesh> mesh;
-  Merit merit;  ///< by the goal that was aimed at when it was made
-  std::string method;
-};
 
 /// What can be tried on a region. What refines or improves shares one budget and takes at most half
 /// of what is left, so that it reaches all. Random restarts and searches of single triangles have
@@ -58,6 +50,13 @@ class Candidates {
   /// More budget may help: something was left undone, and little is left. In tiny regions a hundred
   /// times the budget helps no more than the restarts that they get.
   [[nodiscard]] bool is_budget_used_up() const;
+
+  /// What is taken of two.
+  [[nodiscard]] Ranking& ranking() { return ranking_; }
+  [[nodiscard]] const Ranking& ranking() const { return ranking_; }
+  /// What more there is to be had.
+  [[nodiscard]] Outlook& outlook() { return outlook_; }
+  [[nodiscard]] const Outlook& outlook() const { return outlook_; }
 
   [[nodiscard]] const Goal& goal() const { return goal_; }
   /// The goal with other angles.
@@ -116,40 +115,26 @@ class Candidates {
   [[nodiscard]] Candidate with_goal(const Goal& goal, Find find) {
     const Goal asked = std::exchange(goal_, goal);
     const Budget budget = std::exchange(budget_, Budget{given_ / 2, budget_.stop});
-    const double ceiling = std::exchange(ceiling_, kInverted);
+    const Ranking ranking = ranking_;
+    ranking_.lift_ceiling();
     Candidate found = find();
     goal_ = asked;
     budget_ = budget;
-    ceiling_ = ceiling;
+    ranking_ = ranking;
     return measured(std::move(found));
   }
 
   /// The largest angle is that of the goal, or forced by the region's worst side; or the run is to
   /// stop.
   [[nodiscard]] bool is_done(const Candidate& candidate) const;
-  /// No mesh of the region is better than `candidate` by more than a degree, in what it misses:
-  /// this is proven, and a search would be in vain.
-  [[nodiscard]] bool is_near_its_limits(const Candidate& candidate);
-  /// The same, and nothing else that could be better hides behind angles that are forced: what is
-  /// near its limits are the worst angles of the mesh.
-  [[nodiscard]] bool is_settled(const Candidate& candidate);
-  /// Finds out whether `cdt` is the only mesh without a negative coupling that counts, and within
-  /// the bound: then nothing else is to be tried.
+  /// Asks outlook() whether `cdt` is the only mesh without a negative coupling that counts, if it
+  /// is such a mesh, within the bound.
   void look_for_room(const Candidate& cdt);
-  /// The last answer: there is none for a vertex. False before the question.
-  [[nodiscard]] bool has_no_room() const { return has_no_room_; }
-  /// A largest angle, as -cot, above which a candidate is taken only instead of another such one.
-  void lower_ceiling(double large) { ceiling_ = std::min(ceiling_, large); }
-  void take_if_better(Candidate& best, Candidate other) const;
-  /// How candidates are compared.
-  [[nodiscard]] const Order& order() const { return order_; }
   /// From now on candidates are compared as for a region with this constrained Delaunay
   /// triangulation; by Prefer::largest none with a larger angle is taken instead of it.
   void compare_with(const Candidate& cdt);
-  /// The region's constrained Delaunay triangulation and what was proven by it, handed over:
-  /// nothing else is asked of these candidates from then on.
-  [[nodiscard]] std::unique_ptr<RegionProof> take_proof() { return std::move(proof_); }
-  /// What the almond method made of the region in the plane, if it was asked, handed over likewise.
+  /// What the almond method made of the region in the plane, if it was asked, handed over: nothing
+  /// else is asked of these candidates from then on.
   [[nodiscard]] std::optional<RegionMesh> take_almonds() { return std::move(almonds_); }
   /// Whether improving `start` may lead to something better than `best`: it is better already, or
   /// the region is so small that it can be tried in any case.
@@ -160,7 +145,6 @@ class Candidates {
   /// Side s is the edge side_at[s] of `triangles`.
   [[nodiscard]] Candidate plain(const Triangulation& triangles, std::span<const EdgeRef> side_at,
                                 std::string method) const;
-  [[nodiscard]] bool is_near_its_limits(const Merit& merit, const MutableMesh& mesh);
   /// With its merit by the present goal.
   [[nodiscard]] Candidate measured(Candidate c) const;
 
@@ -169,7 +153,7 @@ class Candidates {
   const Options& options_;
   Sharing sharing_;
   LocalFrame frame_;
-  std::unique_ptr<RegionProof> proof_;
+  Outlook outlook_;
   const Triangulation& cdt_;
   AngleLimit limit_;
   SideLimits side_limits_;
@@ -177,14 +161,7 @@ class Candidates {
   SizeField sizes_;
   std::uint64_t given_;  ///< the whole budget
   Budget budget_;
-  double ceiling_ = kInverted;
-  bool has_no_room_ = false;
-  Order order_;
-  /// The last answer of is_near_its_limits(): several steps ask the same.
-  struct {
-    double large = kInverted, small = kInverted;
-    bool is_near = false;
-  } last_asked_;
+  Ranking ranking_;
 };
 
 }  // namespace cover

@@ -36,6 +36,9 @@ constexpr double kRefinedTo = 24.5;       ///< degrees: more than asked for, see
 constexpr double kRefinedFurther = 0.75;  ///< and so much for each below 100,
 constexpr double kRefinedAtMost = 33;     ///< from 34 on refinement may not end
 
+/// Evaluations for a triangle, where all that is left may be spent.
+constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint32_t>::max();
+
 Goal light(Goal goal) {
   goal.weight *= kLightWeight;
   goal.small *= kLightSmall;
@@ -71,18 +74,29 @@ bool is_worth_a_search(const Merit& merit) {
 
 bool is_thorough(Search search) { return search == Search::again || search == Search::usual; }
 
-/// What may be spent on each triangle after refinement, where not all may be.
+/// What may be spent on each triangle after refinement.
 std::uint64_t improve_evaluations(Search search, bool is_tiny) {
-  return search == Search::none ? effort::kImproveFast
-         : is_tiny              ? effort::kImproveTiny
-                                : effort::kImprovePerTriangle;
+  return is_thorough(search)      ? kUnlimited
+         : search == Search::none ? effort::kImproveFast
+         : is_tiny                ? effort::kImproveTiny
+                                  : effort::kImprovePerTriangle;
+}
+
+/// Stages 2 and 3: with a part of what is left, and no more than `each` for a triangle. What is
+/// left undone then is for the stages that follow.
+void improve_refined(MutableMesh& mesh, std::uint64_t each, Budget& budget,
+                     const Sharing& sharing) {
+  const std::uint64_t part = budget.left / effort::kImprovementsPart;
+  budget.within(
+      std::min(part, each * mesh.triangle_count()), [&] { improve_within(mesh, budget, sharing); },
+      WhenTooSmall::is_kept);
 }
 
 /// What may be spent on each triangle when couplings have become heavier.
 std::uint64_t coupling_evaluations(Search search) {
   return search == Search::none  ? effort::kCoupleFast
          : search == Search::few ? effort::kCouplePerTriangle
-                                 : std::numeric_limits<std::uint32_t>::max();
+                                 : kUnlimited;
 }
 
 /// Whether what is left is searched, after couplings had their say.
@@ -101,15 +115,23 @@ Angle refined_to(const Goal& goal) {
       std::clamp(kRefinedTo + kRefinedFurther * below, kRefinedTo, kRefinedAtMost));
 }
 
+RefineLimits refine_limits(const MutableMesh& mesh, const Goal& goal, bool has_sizes) {
+  RefineLimits limits;
+  limits.keeps_couplings = goal.coupling.weight > 0;
+  limits.smallest_cot = 1 / std::tan(refined_to(goal).in_radians());
+  limits.budget = has_sizes ? effort::kMostSizedVertices : 20 * mesh.points.size() + 1000;
+  return limits;
+}
+
 /// The couplings of sides, beside angles.
 Goal with_sides(Goal goal) {
-  if (goal.coupling.weight > 0) goal.coupling = {1, false, false, kInverted};
+  if (goal.coupling.weight > 0) goal.coupling = {.weight = 1, .bound = kInverted};
   return goal;
 }
 
 /// The couplings of all edges, beside angles.
 Goal with_edges(Goal goal) {
-  goal.coupling = {1, true, false, kInverted};
+  goal.coupling = {.weight = 1, .inside = true, .bound = kInverted};
   return goal;
 }
 
@@ -170,10 +192,7 @@ Optimised optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const S
   const Goal goal = with_sides(asked);
   const bool is_tiny = mesh.fixed_vertices() <= kTinyRegion && !sizes.is_active();
   mesh.set_goal_unmeasured(goal, sharing.team);  // what is refined is measured in the end
-  RefineLimits limits;
-  limits.keeps_couplings = goal.coupling.weight > 0;
-  limits.smallest_cot = 1 / std::tan(refined_to(goal).in_radians());
-  limits.budget = sizes.is_active() ? effort::kMostSizedVertices : 20 * mesh.points.size() + 1000;
+  const RefineLimits limits = refine_limits(mesh, goal, sizes.is_active());
   const bool may_start_again = is_thorough(search);
   MutableMesh start;  // a third of what it becomes: to be refined again is rare
   if (may_start_again) start = mesh;
@@ -181,23 +200,12 @@ Optimised optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const S
   if (sizes.is_active()) {
     budget.left += effort::kBudgetPerSizedVertex * (mesh.points.size() - mesh.fixed_vertices());
   }
-  Budget part = budget.share(effort::kImprovementsPart);
-  std::uint64_t kept = 0;
-  if (!is_thorough(search)) {
-    const std::uint64_t most = improve_evaluations(search, is_tiny) * mesh.triangle_count();
-    kept = part.left - std::min(part.left, most);
-    part.left -= kept;
-  }
-  improve_within(mesh, part, sharing);
-  part.left += kept;
-  budget.left += part.left;
+  improve_refined(mesh, improve_evaluations(search, is_tiny), budget, sharing);
   Merit merit = merit_of(mesh, goal, sharing.team);
   if (may_start_again && !has_at_most(merit, effort::kShareToStartAgain)) {
-    part = budget.share(effort::kImprovementsPart);
     refine(start, limits, sizes, sharing);
     start.set_goal(light(goal), sharing.team);
-    improve_within(start, part, sharing);
-    budget.left += part.left;
+    improve_refined(start, kUnlimited, budget, sharing);
     const Merit now = merit_of(start, goal, sharing.team);
     if (order.is_better(now, merit)) {
       merit = now;

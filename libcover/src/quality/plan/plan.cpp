@@ -20,7 +20,8 @@ bool has_far(const PlanProgress& p) { return p.best.merit.far_above > 0; }
 bool refined_has_far(const PlanProgress& p) { return has_far(p) && p.refined.merit.triangles > 0; }
 bool is_tiny_and_near(const PlanProgress& p) {
   return is_tiny_and_missed(p) && p.cdt.mesh->fixed_vertices() >= effort::kPointsToRestart &&
-         p.best.merit.fault.worst() <= effort::kNearMiss && !p.make.is_near_its_limits(p.best);
+         p.best.merit.fault.worst() <= effort::kNearMiss &&
+         !p.make.outlook().is_near_limits(p.best);
 }
 bool is_tiny_and_very_wide(const PlanProgress& p) {
   return is_tiny_and_missed(p) && has_far(p) && p.best.merit.large > effort::kVeryWide;
@@ -30,7 +31,8 @@ bool few_are_missed(const PlanProgress& p) {
   const Merit& merit = p.best.merit;
   return !p.make.is_tiny() && merit.triangles <= effort::kSmallMesh && merit.missed > 0 &&
          merit.missed <= effort::kFewInSmall &&
-         merit.fault.worst() <= effort::kFaultImprovedAgain && !p.make.is_near_its_limits(p.best);
+         merit.fault.worst() <= effort::kFaultImprovedAgain &&
+         !p.make.outlook().is_near_limits(p.best);
 }
 /// So few, by so little, that a search of the whole mesh pays.
 bool nearly_none_is_missed(const PlanProgress& p) {
@@ -38,11 +40,9 @@ bool nearly_none_is_missed(const PlanProgress& p) {
   return merit.missed <= effort::kSearchedAgain && merit.sum <= effort::kFaultImprovedAgain &&
          p.cdt.mesh->is_unforced() && few_are_missed(p);
 }
-bool is_beyond_bound(const PlanProgress& p) {
-  return !p.make.order().is_within_bound(p.best.merit);
-}
+bool is_beyond_bound(const PlanProgress& p) { return !p.make.ranking().is_within_bound(p.best); }
 bool refined_is_beyond_bound(const PlanProgress& p) {
-  return !p.make.order().is_within_bound(p.refined.merit);
+  return !p.make.ranking().is_within_bound(p.refined);
 }
 bool is_missed_by_largest(const PlanProgress& p) { return !p.make.is_done(p.best); }
 
@@ -71,7 +71,9 @@ bool may_have_much_room(const PlanProgress& p) {
          (is_star_taken(p) && points > effort::kPointsOfOneRoom);
 }
 
-void take(PlanProgress& p, Candidate other) { p.make.take_if_better(p.best, std::move(other)); }
+void take(PlanProgress& p, Candidate other) {
+  p.make.ranking().take_if_better(p.best, std::move(other));
+}
 
 void as_it_is(PlanProgress& p) {
   p.cdt = p.best = p.make.as_it_is();
@@ -87,7 +89,7 @@ void best_star(PlanProgress& p) {
   if (p.star) take(p, *p.star);
 }
 /// What is near its limits is not searched; the answer counts for the report, too.
-void limits(PlanProgress& p) { p.is_settled = p.make.is_settled(p.best); }
+void limits(PlanProgress& p) { p.is_settled = p.make.outlook().is_settled(p.best, p.make.goal()); }
 /// Where only couplings of sides keep it from being taken, without the vertices in their way, too.
 void take_refined(PlanProgress& p) {
   if (p.refined.merit.negative > p.best.merit.negative) take(p, p.make.giving_way(p.refined));
@@ -118,7 +120,7 @@ void sized_and_searched(PlanProgress& p) {
 }
 void sized_and_searched_all(PlanProgress& p) { p.best = p.make.optimised(p.cdt, Search::usual); }
 Candidate narrowed_to_bound(const PlanProgress& p, const Candidate& from) {
-  return p.make.narrowed(p.best, from, p.make.order().bound, effort::kNarrowedToBound);
+  return p.make.narrowed(p.best, from, p.make.ranking().order().bound, effort::kNarrowedToBound);
 }
 void within_bound(PlanProgress& p) { p.best = narrowed_to_bound(p, p.refined); }
 void with_fewer_far(PlanProgress& p) {
@@ -140,7 +142,7 @@ void cdt_improved(PlanProgress& p) {
 void almonds_improved(PlanProgress& p) {
   const Candidate almond = p.make.from_almonds();
   if (almond.mesh->triangles.empty()) return;
-  p.make.lower_ceiling(almond.merit.large);
+  p.make.ranking().lower_ceiling(almond.merit.large);
   take(p, almond);
   if (p.make.is_promising(almond, p.best)) take(p, p.make.improved(almond));
 }
@@ -267,7 +269,7 @@ bool is_enough(const Step& step, const PlanProgress& p) {
     case StopWhen::complete:
       return p.best.merit.complete;
     case StopWhen::alone:
-      return p.best.merit.complete || p.make.has_no_room();
+      return p.best.merit.complete || p.make.outlook().has_no_room();
     case StopWhen::near:
       return p.best.merit.complete || p.is_settled;
     case StopWhen::done:

@@ -35,7 +35,7 @@ constexpr std::size_t kTogether = 128;       ///< excerpts that are worked on at
 constexpr std::size_t kFew = 3;              ///< triangles with small angles, in an excerpt
 constexpr int kLeastHole = 6;                ///< edges of a hole that is filled anew
 constexpr std::array<std::size_t, 3> kRestarted{6, 10, 14};  ///< triangles that are, in turn
-constexpr int kRestarts = 12;
+constexpr std::uint32_t kTimesAnew = 12;  ///< that the inside of an excerpt is triangulated
 
 /// Takes in the worst triangle beside the cavity that can be.
 bool grow(const MutableMesh& mesh, Cavity& cavity) {
@@ -137,7 +137,7 @@ class Attempts {
   /// Triangulates the inside of the excerpt anew, from one vertex less up to one more at random
   /// places.
   bool start_again(const Goal& aim) {
-    for (std::uint32_t k = 0; k < kRestarts && !budget_.is_used_up(); ++k) {
+    for (std::uint32_t k = 0; k < kTimesAnew && !budget_.is_used_up(); ++k) {
       const Excerpt inside(part_, 0, kRestarted[k % kRestarted.size()]);
       const std::size_t count = inside.mesh.points.size() - inside.mesh.fixed_vertices();
       std::optional<MutableMesh> anew =

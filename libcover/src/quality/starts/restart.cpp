@@ -20,8 +20,8 @@
 namespace cover {
 namespace {
 
-constexpr std::uint32_t kRestarts = 27;         ///< where the target for large angles is missed
-constexpr std::uint32_t kRestartsForSmall = 6;  ///< as soon as only small ones are left
+constexpr std::uint32_t kStarts = 27;         ///< where the target for large angles is missed
+constexpr std::uint32_t kStartsForSmall = 6;  ///< as soon as only small ones are left
 constexpr std::array<double, 3> kPolished{0.2, 0.04, 0.008};  ///< of what is missed: last aims
 
 /// A side and its number.
@@ -99,8 +99,8 @@ Restarted best_restart(const MutableMesh& mesh, const Merit& before, const Goal&
     return merit.above == 0 && !is_smaller_cot(merit.target, merit.large);
   };
   const bool only_small = only_small_are_left();
-  for (std::uint32_t k = 0; k < kRestarts && !budget.is_used_up(); ++k) {
-    if (k >= kRestartsForSmall && only_small_are_left()) break;
+  for (std::uint32_t k = 0; k < kStarts && !budget.is_used_up(); ++k) {
+    if (k >= kStartsForSmall && only_small_are_left()) break;
     std::optional<MutableMesh> start = restart(mesh, 1 + k / aims.size() % 3, k);
     budget.spend(kRestartCost);
     if (start)

@@ -99,7 +99,7 @@ BoxCheck verify_boxes(const TriangleSoup& mesh, const SoupEdges& edges,
     const IndexTriple& triangle = mesh.triangles[e.triangle];
     if (e.from == triangle[0]) count_if_obtuse(mesh, triangle, check);  // once per triangle
     const Point a = mesh.points[e.from], b = mesh.points[e.to], c = corner_beyond(mesh, e);
-    if (side_of[k] != kNoSide) {
+    if (side_of[k] != kNone) {
       if (!is_beyond_right_angle(a, c, b)) continue;
       const Point by = points[domain.sides[side_of[k]].apex];
       const bool is_encroached = is_beyond_right_angle(a, by, b);

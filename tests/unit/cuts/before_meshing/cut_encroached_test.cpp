@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include <cover/cover_mesh.hpp>
@@ -32,10 +33,9 @@ struct Cut {
 Cut cut(const Input& input) {
   Result<Prepared> prepared = prepare(input);
   EXPECT_TRUE(prepared.has_value());
-  Cut done{prepared->pslg, prepared->table, *box_costs(*prepared), {}, {}};
-  const std::size_t uncut = done.pslg.points.size();
-  cut_encroached(done.pslg, done.table, uncut, VertexId{uncut}, done.cuts, done.stuck);
-  return done;
+  const BoxCosts costs = *box_costs(*prepared);
+  std::vector<Point> stuck = cut_encroached(*prepared, VertexId{prepared->pslg.points.size()});
+  return {prepared->pslg, prepared->table, costs, prepared->report.box_cuts, std::move(stuck)};
 }
 
 std::size_t encroached(const Cut& done) {

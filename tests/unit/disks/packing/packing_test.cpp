@@ -107,9 +107,8 @@ TEST(FirstContact, IsEmptyAndTouchesThreeSides) {
                   1e-9 * disk->circle.r);
       EXPECT_TRUE(p.is_on(c.side, c.at));
     }
-    EXPECT_EQ(p.nearest_obstacle(disk->circle.c, disk->circle.r * (1 - 1e-8), kNoIndex, kNoIndex,
-                                 kNoIndex),
-              kNoIndex);
+    EXPECT_EQ(p.nearest_obstacle(disk->circle.c, disk->circle.r * (1 - 1e-8), kNone, kNone, kNone),
+              kNone);
   }
   EXPECT_EQ(found, p.sides.size());
 }
@@ -139,12 +138,12 @@ TEST(Index, FindsTheNearestObstacle) {
       best = std::min(best, distance);
       if (distance < bound) within.push_back(e);
     }
-    const Index found = p.nearest_obstacle(x, bound, kNoIndex, kNoIndex, kNoIndex);
-    ASSERT_EQ(found == kNoIndex, within.empty());
-    if (found != kNoIndex) {
+    const Index found = p.nearest_obstacle(x, bound, kNone, kNone, kNone);
+    ASSERT_EQ(found == kNone, within.empty());
+    if (found != kNone) {
       EXPECT_EQ(obstacle_distance(p.elements[found], x), best);
     }
-    EXPECT_EQ(p.elements_within(x, bound, kNoIndex), within);
+    EXPECT_EQ(p.elements_within(x, bound, kNone), within);
   }
 }
 

@@ -30,7 +30,7 @@ TEST(HalfEdges, OppositeOnesAgreeWithASearch) {
     std::size_t outer = 0;
     for (std::uint32_t h = 0; h < edges.size(); ++h) {
       EXPECT_EQ(opposite[h], edges.twin(h));
-      if (opposite[h] == HalfEdges::kAbsent) ++outer;
+      if (opposite[h] == kNone) ++outer;
     }
     EXPECT_EQ(outer, 4 * n);
   }

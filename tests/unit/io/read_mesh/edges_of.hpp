@@ -18,8 +18,7 @@ inline std::map<std::pair<int, int>, std::pair<std::string, int>> edges_of(const
     if (id == kNoInterface) continue;
     const auto h = tri.halfedge_handle(e, 0);
     const int a = tri.from_vertex_handle(h).idx(), b = tri.to_vertex_handle(h).idx();
-    edges[std::minmax(a, b)] = {output.table.interfaces[id.index() - 1].name,
-                                output.mesh.marker(e)};
+    edges[std::minmax(a, b)] = {output.table.interface(id).name, output.mesh.marker(e)};
   }
   return edges;
 }

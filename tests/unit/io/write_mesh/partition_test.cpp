@@ -53,7 +53,7 @@ TEST(Partition, KeepsSmallRegionsWhole) {
   const Partition partition = partition_of(view, 3);
   std::vector<std::set<std::uint32_t>> parts_of(view.region_group.size());
   for (std::size_t t = 0; t < view.triangles.size(); ++t)
-    parts_of[view.region[t].index() - 1].insert(partition.owner[t]);
+    parts_of[place_of(view.region[t])].insert(partition.owner[t]);
   for (const std::set<std::uint32_t>& parts : parts_of) EXPECT_EQ(parts.size(), 1U);
 }
 

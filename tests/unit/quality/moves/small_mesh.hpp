@@ -28,11 +28,11 @@ struct SmallMesh {
       const IndexPair edge{edges.source(h), edges.target(h)}, back{edge[1], edge[0]};
       const bool is_slit = std::find(slits.begin(), slits.end(), edge) != slits.end() ||
                            std::find(slits.begin(), slits.end(), back) != slits.end();
-      const std::uint32_t twin = is_slit ? HalfEdges::kAbsent : edges.twin(h);
+      const std::uint32_t twin = is_slit ? kNone : edges.twin(h);
       // Edge i of a triangle is opposite to corner i; half-edge i leaves corner i.
       const std::uint32_t i = HalfEdges::previous(h) % 3;
       Triangle& triangle = triangulation.triangles[h / 3];
-      if (twin != HalfEdges::kAbsent) {
+      if (twin != kNone) {
         triangle.n[i] = twin / 3;
         continue;
       }

@@ -13,7 +13,7 @@ void DiskTree::insert(const Element& disk, Index element) {
   constexpr double kSmallest = 0x1p-60;
   while (half / 2 >= disk.r && half > kSmallest) {
     const unsigned quadrant = (disk.c.x >= centre.x ? 1U : 0U) | (disk.c.y >= centre.y ? 2U : 0U);
-    if (nodes_[k].child[quadrant] == kNoIndex) {
+    if (nodes_[k].child[quadrant] == kNone) {
       nodes_[k].child[quadrant] = static_cast<Index>(nodes_.size());
       nodes_.emplace_back();
     }

@@ -26,12 +26,12 @@ class DiskTree {
 
  private:
   struct Node {
-    std::array<Index, 4> child{kNoIndex, kNoIndex, kNoIndex, kNoIndex};
-    Index first = kNoIndex;  ///< list of items
+    std::array<Index, 4> child{kNone, kNone, kNone, kNone};
+    Index first = kNone;  ///< list of items
   };
   struct Item {
     Index element = 0;
-    Index next = kNoIndex;
+    Index next = kNone;
   };
 
   static Point child_centre(Point centre, double half, unsigned quadrant);
@@ -42,12 +42,12 @@ class DiskTree {
   template <class Visit>
   double descend(Index k, Point centre, double half, Point x, double bound, Visit& visit) const {
     const Node& n = nodes_[k];
-    for (Index i = n.first; i != kNoIndex; i = items_[i].next) bound = visit(items_[i].element);
+    for (Index i = n.first; i != kNone; i = items_[i].next) bound = visit(items_[i].element);
     const unsigned nearest = (x.x >= centre.x ? 1U : 0U) | (x.y >= centre.y ? 2U : 0U);
     for (unsigned step = 0; step < 4; ++step) {
       const unsigned quadrant = nearest ^ step;
       const Index child = n.child[quadrant];
-      if (child == kNoIndex) continue;
+      if (child == kNone) continue;
       const Point c = child_centre(centre, half, quadrant);
       if (distance(c, half / 2, x) < bound) bound = descend(child, c, half / 2, x, bound, visit);
     }

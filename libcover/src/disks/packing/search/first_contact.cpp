@@ -38,7 +38,7 @@ class Family {
     std::optional<Upper> high = start(low);
     for (int k = 0; k < kSteps && high; ++k) {
       const Index g = obstacle(high->circle);
-      if (g == kNoIndex) return finished(high->circle, high->element);
+      if (g == kNone) return finished(high->circle, high->element);
       if (const auto root = touching(g, low, high->progress)) {
         high = root;
         continue;
@@ -58,7 +58,7 @@ class Family {
   struct Upper {
     double progress = 0;
     Circle circle;
-    Index element = kNoIndex;  ///< the third that it touches; kNoIndex: something enters it
+    Index element = kNone;  ///< the third that it touches; kNone: something enters it
   };
 
   /// The normal of disk i where disks of the family become infinitely large, that is, half planes:
@@ -88,10 +88,10 @@ class Family {
       const auto circle = at(middle);
       if (!circle) {
         high = middle;
-      } else if (obstacle(*circle) == kNoIndex) {
+      } else if (obstacle(*circle) == kNone) {
         low = middle;
       } else {
-        return Upper{middle, *circle, kNoIndex};
+        return Upper{middle, *circle, kNone};
       }
     }
     return std::nullopt;

@@ -9,6 +9,8 @@
 #include <system_error>
 #include <type_traits>
 
+#include "base/words/characters.hpp"
+
 namespace cover {
 
 template <class Number>
@@ -23,8 +25,6 @@ namespace {
 constexpr std::size_t kRange = 1 << 17;         // bytes
 constexpr std::size_t kFewestBytes = 16;        // of a pair, to make room; shorter ones are rare
 constexpr std::string_view kInNoPair = "\"{}";  // nor between pairs
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Pairs of numbers in brackets, as JSON writes them: from_chars() takes more.
 class PairReader {

@@ -11,13 +11,13 @@
 namespace cover {
 namespace {
 
-constexpr std::uint8_t kNone = 255, kPadding = 254;
+constexpr std::uint8_t kNoLetter = 255, kPadding = 254;
 
 constexpr std::array<std::uint8_t, 256> kValues = [] {
   constexpr std::string_view kLetters =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::array<std::uint8_t, 256> values{};
-  values.fill(kNone);
+  values.fill(kNoLetter);
   for (std::size_t k = 0; k < kLetters.size(); ++k)
     values[static_cast<unsigned char>(kLetters[k])] = static_cast<std::uint8_t>(k);
   values['='] = kPadding;

@@ -27,6 +27,15 @@ enum class NumberType : std::uint8_t {
   float64,
 };
 
+/// Of those that meshes are written and looked at with.
+template <class T>
+constexpr NumberType number_type() {
+  if constexpr (std::is_same_v<T, double>) return NumberType::float64;
+  if constexpr (std::is_same_v<T, std::int32_t>) return NumberType::int32;
+  if constexpr (std::is_same_v<T, std::int64_t>) return NumberType::int64;
+  if constexpr (std::is_same_v<T, std::uint8_t>) return NumberType::uint8;
+}
+
 /// Calls `use(T{})` with a value of the C++ type.
 template <class Use>
 decltype(auto) with_type(NumberType type, Use use) {

@@ -76,7 +76,7 @@ void MshSections::block(int dimension, int tag, int type, std::size_t cells) {
 
 RegionId MshSections::region_of_line(std::size_t l) const {
   const InterfaceId interface = view_.interface[l];
-  return interface == kNoInterface ? kVoid : table_.interfaces[interface.index() - 1].left;
+  return interface == kNoInterface ? kVoid : table_.interface(interface).left;
 }
 
 void MshSections::begin_data(std::string_view of, const std::string& name, std::size_t count) {

@@ -85,7 +85,7 @@ Status check_rounding(const MeshView& view, const std::string& path) {
 void write_elements(const MeshView& view, const std::string& family, TextWriter& out) {
   const std::vector<std::string> names = abaqus_names(view.region_groups);
   const Buckets sets(view.region_groups.size(), view.triangles.size(),
-                     [&](std::size_t t) { return view.region_group[view.region[t].index() - 1]; });
+                     [&](std::size_t t) { return view.region_group[place_of(view.region[t])]; });
   for (std::size_t g = 0; g < sets.size(); ++g) {
     out << "*ELEMENT, TYPE=" << family << view.triangles.nodes_each << ", ELSET=" << names[g]
         << '\n';

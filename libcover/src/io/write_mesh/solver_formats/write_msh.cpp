@@ -44,7 +44,7 @@ class MshWriter : MshSections {
       remember(region_of_line(l));
     }
     cells_.each_triangle([&](RegionId region, std::span<const std::uint32_t> nodes) {
-      const Group& group = view_.region_groups[view_.region_group[region.index() - 1]];
+      const Group& group = view_.region_groups[view_.region_group[place_of(region)]];
       element_2(triangle_type(), group.tag, region.index(), nodes);
       remember(region);
     });
@@ -131,7 +131,7 @@ class MshWriter : MshSections {
       begin_data("Element", attribute.name, region_of_element_.size());
       for (std::size_t e = 0; e < region_of_element_.size(); ++e) {
         const RegionId region = region_of_element_[e];
-        out_ << e + 1 << ' ' << (region == kVoid ? kNoValue : attribute.values[region.index() - 1])
+        out_ << e + 1 << ' ' << (region == kVoid ? kNoValue : attribute.values[place_of(region)])
              << '\n';
       }
       out_ << "$EndElementData\n";

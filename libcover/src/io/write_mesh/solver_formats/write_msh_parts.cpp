@@ -32,7 +32,7 @@ struct MshParts {
     return partition.parts[part].own;
   }
   [[nodiscard]] std::uint32_t group(std::size_t t) const {
-    return view.region_group[view.region[t].index() - 1];
+    return view.region_group[place_of(view.region[t])];
   }
 
  private:
@@ -66,7 +66,7 @@ struct MshParts {
       const auto ends = view.lines[l];
       std::uint32_t first = std::numeric_limits<std::uint32_t>::max();
       for (const std::uint32_t h : {edges.find(ends[0], ends[1]), edges.find(ends[1], ends[0])}) {
-        if (h == HalfEdges::kAbsent || partition.owner[h / 3] == first) continue;
+        if (h == kNone || partition.owner[h / 3] == first) continue;
         first = partition.owner[h / 3];
         lines[first].push_back(l);
       }
@@ -231,7 +231,7 @@ class MshPartWriter : MshSections {
     for (const Attribute& attribute : view_.attributes) {
       begin_data("Element", attribute.name, curves.size() + surfaces.size() + ghosts.size());
       const auto value = [&](std::size_t number, RegionId region) {
-        out_ << number << ' ' << (region == kVoid ? kNoValue : attribute.values[region.index() - 1])
+        out_ << number << ' ' << (region == kVoid ? kNoValue : attribute.values[place_of(region)])
              << '\n';
       };
       for (const auto& some : curves.items)

@@ -90,7 +90,7 @@ class XdmfWriter {
   }
   /// What a triangle has of an attribute.
   [[nodiscard]] double of_triangle(const Attribute& attribute, std::size_t t) const {
-    return attribute.values[view_.region[t].index() - 1];
+    return attribute.values[place_of(view_.region[t])];
   }
 
  private:

@@ -25,14 +25,6 @@ struct VtuArray {
   ArrayWriter write;
 };
 
-template <class T>
-constexpr NumberType number_type() {
-  if constexpr (std::is_same_v<T, double>) return NumberType::float64;
-  if constexpr (std::is_same_v<T, std::int32_t>) return NumberType::int32;
-  if constexpr (std::is_same_v<T, std::int64_t>) return NumberType::int64;
-  if constexpr (std::is_same_v<T, std::uint8_t>) return NumberType::uint8;
-}
-
 /// The array of `value(0)`, ..., `value(size - 1)`, each a T.
 template <class T, class Value>
 VtuArray vtu_array(std::string_view name, std::size_t size, Value value) {

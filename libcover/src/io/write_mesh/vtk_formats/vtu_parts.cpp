@@ -205,7 +205,7 @@ void add_triangle_arrays(const MeshView& view, std::size_t triangles, Number num
       grid);
   for (const Attribute& attribute : view.attributes) {
     const auto value = [&attribute, &view, number](std::size_t k) {
-      return attribute.values[view.region[number(k)].index() - 1];
+      return attribute.values[place_of(view.region[number(k)])];
     };
     grid.cell_data.push_back(attribute.is_text
                                  ? vtu_array<std::int32_t>(attribute.name, triangles, value)

@@ -69,7 +69,7 @@ class VtmWriter {
 
   Status regions() {
     const Buckets members(view_.region_groups.size(), view_.triangles.size(), [&](std::size_t t) {
-      return view_.region_group[view_.region[t].index() - 1];
+      return view_.region_group[place_of(view_.region[t])];
     });
     for (std::size_t g = 0; g < members.size(); ++g) {
       Status status = data_set(g, view_.region_groups[g].label, [&](const ByteSink& sink) {
@@ -105,7 +105,7 @@ class VtmWriter {
 
   /// Whether a line is called by a contact or a marker, and not by what it separates.
   [[nodiscard]] bool has_own_name(std::size_t line) const {
-    const Interface& of = output_.table.interfaces[view_.interface[line].index() - 1];
+    const Interface& of = output_.table.interface(view_.interface[line]);
     return of.kind == InterfaceKind::contact || view_.marker[line] != 0;
   }
 

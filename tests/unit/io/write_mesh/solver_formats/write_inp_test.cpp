@@ -95,7 +95,7 @@ TEST_F(WriteInp, NodeSetsByLine) {
   for (const auto e : tri.edges()) {
     const InterfaceId id = output_.mesh.interface(e);
     if (id == kNoInterface) continue;
-    const std::string& name = output_.table.interfaces[id.index() - 1].name;
+    const std::string& name = output_.table.interface(id).name;
     for (const auto v : {tri.to_vertex_handle(tri.s_halfedge_handle(e, 0)),
                          tri.to_vertex_handle(tri.s_halfedge_handle(e, 1))})
       expected[name].insert(static_cast<std::uint32_t>(v.idx()));

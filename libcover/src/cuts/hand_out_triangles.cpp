@@ -1,9 +1,9 @@
 // Tested by tests/unit/cuts/after_meshing/one_mesh_test.cpp.
-#include "cuts/after_meshing/hand_out_triangles.hpp"
+#include "cuts/hand_out_triangles.hpp"
 
 namespace cover {
 
-void hand_out_triangles(const UnitedMesh& mesh, std::span<const RegionBoundary> boundaries,
+void hand_out_triangles(const JoinedMesh& mesh, std::span<const RegionBoundary> boundaries,
                         std::size_t ids, std::span<RegionMesh> meshes) {
   std::vector<std::vector<std::uint32_t>> of_region(meshes.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) of_region[mesh.region[t]].push_back(t);

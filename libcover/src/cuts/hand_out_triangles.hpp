@@ -14,7 +14,7 @@
 namespace cover {
 
 /// One mesh of all regions.
-struct UnitedMesh {
+struct JoinedMesh {
   std::span<const Point> points;
   std::span<const std::uint32_t> id;  ///< by point: its VertexId; kNone inside a region
   std::span<const IndexTriple> triangles;
@@ -27,7 +27,7 @@ struct UnitedMesh {
 /// REQUIRES: each region of `meshes` has its boundary; ids are below `ids`
 /// ENSURES:  reports are as before
 /// Cost:     O(n)
-void hand_out_triangles(const UnitedMesh& mesh, std::span<const RegionBoundary> boundaries,
+void hand_out_triangles(const JoinedMesh& mesh, std::span<const RegionBoundary> boundaries,
                         std::size_t ids, std::span<RegionMesh> meshes);
 
 }  // namespace cover
