@@ -147,8 +147,8 @@ struct Encroached {
   SegmentId segment;
   double length = 0;
   std::vector<Obstacle> obstacles;  ///< from its smaller end on
-  Point by;                         ///< the vertex that sees it under the largest angle
-  VertexId vertex;                  ///< the same
+  Point by;         ///< sees it under the largest angle of its region; the smaller one of two
+  VertexId vertex;  ///< the same
 };
 
 class Cutter {
@@ -251,6 +251,9 @@ class Cutter {
     } else {
       Encroached& other = found[index[id.index()]];
       other.obstacles = merged(std::move(other.obstacles), obstacles);
+      // Whichever region has the lower number, the same vertex is told.
+      if (const Point by = v.boundary().points[e.vertex]; by < other.by)
+        other.by = by, other.vertex = v.boundary().vertices[e.vertex];
     }
   }
 
