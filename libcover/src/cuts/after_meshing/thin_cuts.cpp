@@ -38,7 +38,7 @@ struct Last {
   double part;                   ///< of smallest angles, that is kept there
   std::uint64_t times;           ///< as many places for each
   std::size_t most;              ///< if so many are left
-  std::uint64_t part_of_places;  ///< one in so many of what mending may take in all
+  std::uint64_t part_of_places;  ///< one in so many of Places::last, at most
 };
 /// Of the smallest angles, where nothing else mends what is left: with no limit at all triangles of
 /// a few units in the last place came in between, whose angles are rounding's (110 degrees, where
@@ -46,27 +46,27 @@ struct Last {
 constexpr double kLeastPart = 1e-6;
 constexpr std::array kLast{Last{0.2, 1, kNone, 2}, Last{kLeastPart, 1, kNone, 2},
                            Last{kLeastPart, 10, 6, 1}, Last{kLeastPart, 50, 3, 1}};
-/// The same before vertices are taken away.
-constexpr Last kFirst{kLeastPart, 1, kNone, 1};
+/// For each of the last obtuse triangles: there are few, and each may be hard. With a ninth of it
+/// combs whose slits are a thousandth wide keep 50, 19 and 26 in place of 13, 7 and 6; with ten
+/// times as much in the end, where it is 6 or fewer, 0, 0 and 1 in place of 4, 6 and 2.
+constexpr std::uint64_t kPlacesForTheLast = 100'000;
 
-ThinEffort effort_of(Effort effort, std::size_t vertices) {
+/// The places of all that is done.
+struct Places {
+  ThinEffort thinning;
+  std::uint64_t last;  ///< at most, for one way to mend the last triangles
+};
+
+Places places_of(Effort effort, std::size_t vertices) {
   switch (effort) {
     case Effort::fast:
-      return {30, 200'000 + 10 * vertices, {3'000, 300'000}};
+      return {{30, 200'000 + 10 * vertices, {3'000, 300'000}}, 300'000};
     case Effort::normal:
-      return {1'000, 1'000'000 + 100 * vertices, {20'000, 3'000'000 + 500 * vertices}};
+      return {{1'000, 1'000'000 + 100 * vertices, {20'000, 3'000'000 + 500 * vertices}}, 3'000'000};
     case Effort::thorough:
       break;
   }
-  return {20'000, 8'000'000 + 1'000 * vertices, {100'000, 20'000'000}};
-}
-
-/// For the last obtuse triangles: there are few, and each may be hard. With a ninth of it combs
-/// whose slits are a thousandth wide keep 50, 19 and 26 in place of 13, 7 and 6; with ten times as
-/// much in the end, where it is 6 or fewer, 0, 0 and 1 in place of 4, 6 and 2.
-RepairEffort effort_for_the_last(const RepairEffort& effort, const Last& last) {
-  constexpr std::uint64_t kPlaces = 100'000;
-  return {last.times * kPlaces, effort.places_at_most / last.part_of_places, effort.stop};
+  return {{20'000, 8'000'000 + 1'000 * vertices, {100'000, 20'000'000}}, 20'000'000};
 }
 
 /// By region: no angle becomes smaller than the target, or than what there is; and where triangles
@@ -164,29 +164,35 @@ class Thinning {
     std::erase_if(fixed_, [&](std::uint32_t v) { return v >= first; });
   }
 
+  [[nodiscard]] std::size_t new_vertices() const {
+    return mesh_.points.size() - work_.report.uncut_points;
+  }
+
   /// `mends_first`: bad triangles are mended in any way while there are all vertices.
   [[nodiscard]] ThinTrial run(bool mends_first, const std::stop_token& stop) const {
     ThinTrial trial;
     const std::size_t first = work_.report.uncut_points;
-    trial.before = mesh_.points.size() - first;
+    trial.before = new_vertices();
     std::vector<WantedAngles> angles = angles_of(work_.meshes, options_);
-    ThinEffort effort = effort_of(options_.effort, trial.before);
-    effort.mending.stop = stop;
+    Places places = places_of(options_.effort, trial.before);
+    places.thinning.mending.stop = stop;
     ConformingMesh start = mesh_;
     const std::size_t bad_before = MeshWithUndo(start, angles).bad();
     if (mends_first) {
-      angles = angles_for_the_last(start, kFirst.part, angles);
+      angles = angles_for_the_last(start, kLeastPart, angles);
       MeshWithUndo mending(start, angles);
-      mend_what_is_left(mending, effort_for_the_last(effort.mending, kFirst));
+      mend_what_is_left(mending, {kPlacesForTheLast, places.thinning.mending.places_at_most, stop});
       start = mending.result(start);
     }
     MeshWithUndo thinning(start, angles);
-    std::size_t bad = thin_mesh(thinning, effort).after;
+    std::size_t bad = thin_mesh(thinning, places.thinning).after;
     ConformingMesh result = thinning.result(start);
     for (const Last& last : kLast) {
       if (bad == 0 || bad > last.most) continue;
       MeshWithUndo mending(result, angles_for_the_last(result, last.part, angles));
-      bad = mend_what_is_left(mending, effort_for_the_last(effort.mending, last)).after;
+      bad = mend_what_is_left(
+                mending, {last.times * kPlacesForTheLast, places.last / last.part_of_places, stop})
+                .after;
       result = mending.result(result);
     }
     trial.after = result.points.size() - first;
@@ -241,7 +247,7 @@ using TrialOrError = Result<ThinTrial>;
 
 /// Whether another attempt is of no use: no triangle is bad, too many are, or nothing was better.
 bool settles(const TrialOrError& trial) {
-  if (!trial || !trial->is_better || trial->before > kMostTriedAgain) return true;
+  if (!trial || !trial->is_better) return true;
   return trial->work && (trial->bad == 0 || trial->bad > kTriedAgain);
 }
 
@@ -249,13 +255,14 @@ bool settles(const TrialOrError& trial) {
 /// the later one has done is of no use then, and no matter.
 std::vector<TrialOrError> trials_of(const Thinning& thinning, const Options& options,
                                     const std::stop_token& stop) {
+  const std::size_t attempts = thinning.new_vertices() > kMostTriedAgain ? 1 : kMendsFirst.size();
   std::array<std::optional<TrialOrError>, kMendsFirst.size()> made;
   std::array<std::stop_source, kMendsFirst.size()> ends;
   const auto end_from = [&](std::size_t first) {
     for (std::size_t k = first; k < ends.size(); ++k) ends[k].request_stop();
   };
   const std::stop_callback on_stop(stop, [&] { end_from(0); });
-  run_all(kMendsFirst.size(), worker_count(options.threads), [&](std::size_t k) {
+  run_all(attempts, worker_count(options.threads), [&](std::size_t k) {
     if (ends[k].stop_requested()) return;
     made[k] = errors_as_values("thin out", [&]() -> TrialOrError {
       return thinning.run(kMendsFirst[k], ends[k].get_token());
