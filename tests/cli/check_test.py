@@ -27,7 +27,7 @@ class Check(Case):
         wrong, count = re.subn(r'(?m)^(\d+ 2 2) 1 ', r'\1 2 ', text, count=1)
         self.assertEqual(count, 1)
         self.write('w.msh', wrong)
-        self.assertIn('FAILED materials', self.run_cover('check', mosfet, 'w.msh', code=6)[0])
+        self.assertIn('FAILED promise 4 (materials)', self.run_cover('check', mosfet, 'w.msh', code=6)[0])
         self.run_cover('mesh', mosfet, '-o', 'm.json', '-q')
         out, _ = self.run_cover('check', mosfet, 'm.msh')
         self.assertIn('Every promise holds', out)
@@ -35,7 +35,7 @@ class Check(Case):
         manifest = json.loads((self.dir / 'm.json').read_text())
         manifest['regions'][0]['material'] = 9
         self.write('m.json', json.dumps(manifest))
-        self.assertIn('FAILED materials', self.run_cover('check', mosfet, 'm.msh', code=6)[0])
+        self.assertIn('FAILED promise 4 (materials)', self.run_cover('check', mosfet, 'm.msh', code=6)[0])
 
     def test_says_what_was_not_checked(self):
         diode = SAMPLES / 'diode.poly'
@@ -119,12 +119,12 @@ class Check(Case):
             failed = [line for line in out.splitlines() if line.startswith('FAILED')]
             self.assertTrue(failed)
             for line in failed:
-                self.assertTrue(line.startswith('FAILED materials: '), line)
+                self.assertTrue(line.startswith('FAILED promise 4 (materials): '), line)
             # Where cuts are not allowed, they are told beside the materials.
             out, _ = self.run_cover('check', other, 'r.vtk', code=6)
             self.assertRegex(out, r'^Segments [^\n]*; all else but materials is sound[^\n]* add --allow-split\n')
             self.assertRegex(out, r'\nFAILED promise 1: ')
-            self.assertRegex(out, r'\nFAILED materials: ')
+            self.assertRegex(out, r'\nFAILED promise 4 \(materials\): ')
             self.assertNotIn('FAILED promise 2', out)
             self.assertNotIn('all else but', self.run_cover('check', one, 'r.vtk', code=6)[0])
 

@@ -427,6 +427,7 @@ class Files(Case):
         self.refuse('would replace each other', *mesh, '-o', 'x.vtu', '-o', 'x.vtu')
         self.refuse('would replace each other', *mesh, '-o', 'x.ele', '--log', 'x.node')
         self.refuse('two files cannot be written to standard output', *mesh, '-o', '-', '-o', '-')
+        self.refuse("standard input can be read once, so '-' names one file", 'mesh', '-', '-', '-o', 'twice.vtu')
         self.refuse('two files cannot be written to standard output', 'render', 'd.vtu', '-o', '-', '-o', '-')
         self.run_cover(*mesh, '-o', 'x.vtu', '--log', '/dev/null', '-q')
 

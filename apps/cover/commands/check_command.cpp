@@ -36,9 +36,9 @@ std::string place(const Violation& violation) {
 
 int print(const Verification& found, std::size_t triangles, bool quiet) {
   for (const Violation& violation : found.violations) {
-    const std::string what =
-        violation.promise == 4 ? "materials" : fmt::format("promise {}", violation.promise);
-    fmt::print("FAILED {}: {}{}\n", what, printable(violation.message), place(violation));
+    const char* const what = violation.promise == 4 ? " (materials)" : "";
+    fmt::print("FAILED promise {}{}: {}{}\n", violation.promise, what, printable(violation.message),
+               place(violation));
   }
   if (found.violation_count > found.violations.size()) {
     fmt::print("... and {} more\n", grouped(found.violation_count - found.violations.size()));
@@ -281,8 +281,8 @@ constexpr const char* kFooter = R"(Promises:
   1  every input point is a vertex, bit for bit; every segment is one edge of the mesh
   2  the triangles are valid, conform, and cover each region exactly
   3  the largest angle of each region keeps the proven bound
-and every triangle has the material of its region. With --periodic, or such pairs in the input, every
-vertex and edge of these lines has a partner.
+  4  every triangle has the material of its region
+With --periodic, or such pairs in the input, every vertex and edge of these lines has a partner.
 
 Examples:
   cover check device.poly device.vtu

@@ -67,7 +67,6 @@ std::string yes_or_no(const std::string& text) {
   return fmt::format("'{}' is not true or false", text);
 }
 
-/// What was wrong, in words for the user.
 /// What CLI11 says of the number of values in words that it never inflects: "--range: At Most 2
 /// required but received 3", "--method: 1 required NAME missing".
 std::string explain_number(const std::string& said) {
@@ -87,6 +86,7 @@ std::string explain_number(const std::string& said) {
   return fmt::format("{} takes {} values, not {}", name, number, received);
 }
 
+/// What was wrong, in words for the user.
 std::string explain(const CLI::App& command, const CLI::ParseError& error) {
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     const std::string word = command.remaining().front();

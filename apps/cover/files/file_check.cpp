@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
@@ -111,6 +112,9 @@ Status check_pair(const NamedFile& a, const NamedFile& b) {
 }  // namespace
 
 Status check_files(const std::vector<NamedFile>& read, const std::vector<NamedFile>& written) {
+  if (std::count_if(read.begin(), read.end(), [](const NamedFile& in) { return in.path == "-"; }) >
+      1)
+    return bad("standard input can be read once, so '-' names one file");
   const auto is_file = [](const NamedFile& file) {
     return !file.path.empty() && !is_special(file.path);
   };

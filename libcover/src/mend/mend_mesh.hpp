@@ -26,8 +26,9 @@ struct BadTriangles {
   std::size_t after = 0;
 };
 
-/// Makes bad triangles fewer, one after another: by more vertices, and by others in place of some
-/// that are near, many times. Nothing else is changed.
+/// Makes bad triangles fewer, one after another: by more vertices, by cuts from wall to wall, and
+/// by others in place of some that are near, many times. Those that are worse than any may be come
+/// first (mend_beyond_worst).
 ///
 /// ENSURES: the same mesh for the same input, whatever the machine
 /// Cost:    as `effort` says
@@ -44,10 +45,11 @@ BadTriangles mend_what_is_left(MeshWithUndo& mesh, const RepairEffort& effort);
 BadTriangles mend_mesh(MeshWithUndo& mesh, const RepairEffort& effort,
                        std::uint64_t places_per_sign);
 
-/// The steps of the former: bad triangles, where more vertices help in so many tries.
+/// Steps of mend_what_is_left() and thin_mesh(). Bad triangles, where more vertices help in so many
+/// tries.
 void mend_with_more_vertices(Repairs& repairs, std::size_t tries);
-/// Triangles that are worse than any may be, for a few more that are only bad: there are some where
-/// the mesh before was not Delaunay.
+/// Triangles that are worse than any may be, for up to four more each that are only bad: there are
+/// some where the mesh before was not Delaunay.
 void mend_beyond_worst(Repairs& repairs);
 
 }  // namespace cover

@@ -50,7 +50,7 @@ void PlaceSearch::move_one(std::uint32_t t, std::span<const std::uint32_t> stays
   }
 }
 
-/// The foot of the blunt corner, the centroid, two places over the middle of the longest edge.
+/// The foot of the blunt corner, the centroid, the middle of the longest edge and a place over it.
 std::vector<Point> PlaceSearch::starts_around(std::uint32_t t) const {
   const std::array<std::uint32_t, 3>& v = mesh_.triangles()[t].v;
   const std::array<Point, 3> p{mesh_.at(v[0]), mesh_.at(v[1]), mesh_.at(v[2])};

@@ -15,8 +15,9 @@ struct ThinEffort {
   RepairEffort mending{};  ///< besides
 };
 
-/// Takes vertices away, merges several into fewer and moves them, while no more triangles are bad
-/// than before; adds some where that makes bad triangles fewer. Points of the input stay.
+/// Takes vertices away, merges several into fewer and moves them, so that no more triangles are
+/// bad; adds some where that makes bad triangles fewer, or those that are worse than any may be
+/// (mend_beyond_worst). Points of the input stay.
 ///
 /// ENSURES: the same mesh for the same input, whatever the machine
 /// Cost:    as `effort` says

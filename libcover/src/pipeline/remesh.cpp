@@ -16,7 +16,6 @@
 #include <cover/verify.hpp>
 
 #include "base/faults/errors.hpp"
-#include "base/faults/out_of_memory.hpp"
 #include "cdt/cdt.hpp"
 #include "cuts/periodic/match_sides.hpp"
 #include "pipeline/find_regions.hpp"
@@ -24,6 +23,7 @@
 #include "sizes/expected_triangles.hpp"
 #include "sizes/sizes.hpp"
 #include "target/fill_report.hpp"
+#include "tasks/errors_as_values.hpp"
 #include "tasks/pieces_of_work.hpp"
 #include "tasks/region_task.hpp"
 
@@ -266,8 +266,8 @@ Result<Output> mesh_again(const Input& input, const TriangleSoup& onto,
 Result<Output> remesh(const Input& input, const TriangleSoup& onto,
                       std::span<const std::string> only, const Options& options,
                       const Callbacks& callbacks) {
-  return memory_as_value("remesh",
-                         [&] { return mesh_again(input, onto, only, options, callbacks); });
+  return errors_as_values("remesh",
+                          [&] { return mesh_again(input, onto, only, options, callbacks); });
 }
 
 }  // namespace cover

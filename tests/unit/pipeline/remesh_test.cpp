@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include <cover/verify.hpp>
 
@@ -192,6 +193,16 @@ TEST(Remesh, RefusesNamesAndOptions) {
   Options options;
   options.method = Method::nonobtuse;
   EXPECT_EQ(refused(input, before.mesh, {"gate"}, options).code, ErrorCode::bad_option);
+}
+
+TEST(Remesh, WhatASizeFunctionThrowsIsAnError) {
+  const Input input = odd_input();
+  const Output before = must_mesh(input);
+  Options options;
+  options.size_field = [](Point) -> double { throw std::runtime_error("no such table"); };
+  const Error error = refused(input, before.mesh, {"gate"}, options);
+  EXPECT_EQ(error.code, ErrorCode::bad_option);
+  EXPECT_TRUE(says(error, "no such table")) << error.message;
 }
 
 TEST(Remesh, RefusesAMeshOfSomethingElse) {

@@ -22,9 +22,9 @@ struct CutResult {
 /// cannot foresee.
 ///
 /// REQUIRES: no hull sides
-/// ENSURES:  `work` stays in step, but for the reports of its meshes; neither the largest angle nor
-///           the number of triangles above the target grows; at most as many points are added as
-///           there were
+/// ENSURES:  `work` stays in step, but for the reports of its meshes; no more triangles are above
+///           the target, and the largest angle grows at most among those that count as alike
+///           (merit.hpp); at most as many points are added as there were
 /// Cost:     O(n log n), and some milliseconds for each triangle that is left, until `budget` is
 ///           used up or, after the first 15 million evaluations, 150,000 mend none on average (one
 ///           takes 40,000 on maps and Voronoi cells, 400,000 where layers are too thin for any

@@ -18,7 +18,8 @@ bool wants_thinning(const Prepared& prepared, const std::vector<RegionBoundary>&
 
 /// Takes away, over segments too, vertices that no right angle needs, merges and moves others, and
 /// mends obtuse triangles that are left. Points of the input stay. No more triangles are obtuse
-/// than before, and no region's smallest angle becomes smaller than it was or Options::min_angle.
+/// than before. No smallest angle of a region becomes smaller than it was or than
+/// Options::min_angle, but where a triangle in it or beside it was obtuse.
 /// Where that cannot be, the mesh stays as it was.
 ///
 /// ENSURES: a note tells how many went, or that none could

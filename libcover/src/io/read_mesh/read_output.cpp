@@ -176,9 +176,16 @@ class Completion {
       return wrong_file(path_, "no RegionId of its triangles: not a mesh that cover wrote");
     const std::string unknown = complete_from_file(file, stored);
     if (!unknown.empty()) {
+      // Blocks name regions; which triangle is in which, the mesh itself has to say.
+      const std::string why =
+          fs::is_regular_file(beside(".vtm"))
+              ? fmt::format(
+                    "{} is not there, and {} cannot give them to triangles without "
+                    "numbers of regions",
+                    beside(".json"), beside(".vtm"))
+              : fmt::format("neither {} nor {} is there", beside(".json"), beside(".vtm"));
       notes_.push_back(
-          fmt::format("{} holds no {}, and neither {} nor {} is there: they are made up", path_,
-                      unknown, beside(".json"), beside(".vtm")));
+          fmt::format("{} holds no {}, and {}: they are made up", path_, unknown, why));
     }
     return ok();
   }

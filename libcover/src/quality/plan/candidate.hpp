@@ -18,8 +18,8 @@ struct Candidate {
   std::string method;
 };
 
-/// Which of two candidates is taken: by an order, and by a largest angle above which one is taken
-/// only instead of another such one.
+/// Which of two candidates is taken: by an order, and by a ceiling of the largest angle. A
+/// candidate above the ceiling never replaces one below it.
 class Ranking {
  public:
   [[nodiscard]] const Order& order() const { return order_; }

@@ -19,8 +19,8 @@ bool kick_and_improve(MutableMesh& mesh, const Goal& goal, Budget& budget);
 /// that `mesh` has set. Keeps what is better by `goal`, and goes on from there.
 ///
 /// REQUIRES: `mesh` is improved, `before` is its merit by `goal`
-/// ENSURES:  returns the merit afterwards; neither the largest angle nor the number of triangles
-///           above the goal has grown
+/// ENSURES:  returns the merit afterwards, which is no worse: no more triangles are above the goal,
+///           and the largest angle has grown at most among those that count as alike (merit.hpp)
 /// Cost:     an attempt looks at some dozens of triangles around, however many there are
 Merit improve_by_kicks(MutableMesh& mesh, const Goal& goal, const Merit& before, Budget& budget);
 

@@ -17,7 +17,8 @@ enum class Trials {
 /// as a whole, and goes on from there.
 ///
 /// ENSURES: the goal of `mesh` is `goal`; neither the largest angle nor the number of triangles
-///          above the goal has grown, and the smallest angle is smaller only if one of these is.
+///          above the goal has grown; the smallest angle is smaller only if one of these is, or
+///          an excess over the goal, or the number of negative couplings.
 ///          The result does not depend on the team.
 /// Cost:    an attempt looks at some dozens of triangles around, however many there are
 void search_excerpts(MutableMesh& mesh, const Goal& goal, Budget& budget,
