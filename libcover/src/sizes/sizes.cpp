@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -95,6 +96,32 @@ Error unknown_name(const SizeRule& rule, const RegionTable& table) {
                       rule.name, did_you_mean(rule.name, names)),
           {},
           {}};
+}
+
+/// The expressions, each once, that are a size at no vertex of the regions they are for.
+std::vector<std::string> sizes_of_nothing(std::span<const RegionBoundary> boundaries) {
+  struct Wish {
+    Result<SizeFunction> function;
+    bool is_heard = false;
+  };
+  std::map<std::string, Wish> wishes;
+  for (const RegionBoundary& boundary : boundaries) {
+    for (const std::string& expression : boundary.size_expressions) {
+      auto at = wishes.find(expression);
+      if (at == wishes.end()) at = wishes.emplace(expression, Wish{function_of(expression)}).first;
+      Wish& wish = at->second;
+      if (wish.is_heard || !wish.function) continue;
+      wish.is_heard = std::any_of(boundary.points.begin(), boundary.points.end(), [&](Point p) {
+        const double size = (*wish.function)(p);
+        return size > 0 && std::isfinite(size);
+      });
+    }
+  }
+  std::vector<std::string> unheard;
+  for (const auto& [expression, wish] : wishes) {
+    if (!wish.is_heard) unheard.push_back(expression);
+  }
+  return unheard;
 }
 
 /// Sizes that coordinates cannot hold: cut at such lengths, rounded points would coincide.
@@ -195,6 +222,15 @@ void warn_of_sizes(const Pslg& pslg, const Options& options,
                                  options.split_interfaces ? ", but for cutting segments" : ""),
                      {}});
     return;
+  }
+  for (const std::string& expression : sizes_of_nothing(boundaries)) {
+    notes.push_back(
+        {Note::Kind::warning,
+         kVoid,
+         fmt::format("the size '{}' asks for nothing: it is a number above zero at no vertex of "
+                     "its regions",
+                     expression),
+         {}});
   }
   std::vector<bool> is_long(pslg.segments.size(), false);
   std::size_t longest = 0;

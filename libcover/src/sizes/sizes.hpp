@@ -37,8 +37,8 @@ void share_sizes(const Pslg& pslg, std::span<RegionBoundary> boundaries);
 Status read_expressions(RegionBoundary& boundary, const Options& options);
 
 /// Adds a warning if segments are longer than the sizes wished along them: vertices are put on
-/// none, so triangles beside them are larger than wished. Another one if Options::method makes
-/// nothing of sizes.
+/// none, so triangles beside them are larger than wished. Others if Options::method makes nothing
+/// of sizes, and for expressions that are a size at no vertex.
 void warn_of_sizes(const Pslg& pslg, const Options& options,
                    std::span<const RegionBoundary> boundaries, std::vector<Note>& notes);
 

@@ -336,5 +336,19 @@ TEST(Sizes, LongSegmentsAreWarnedOfOnce) {
   EXPECT_EQ(warned().size(), 1U);
 }
 
+TEST(Sizes, ExpressionsThatAskForNothingAreWarnedOf) {
+  const Regions regions = regions_of(two_rectangles());
+  auto boundaries = split_regions(regions.pslg, regions.table);
+  Options options;
+  options.sizes = {SizeRule{"", 0, false, "sqrt(-1)"}, SizeRule{"", 0, false, "2 + sqrt(x - 2)"}};
+  EXPECT_TRUE(resolve_sizes(regions.pslg, regions.table, options, boundaries));
+  std::vector<Note> notes;
+  warn_of_sizes(regions.pslg, options, boundaries, notes);
+  // The other one is a size at some vertices, and none at others.
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_NE(notes[0].message.find("'sqrt(-1)' asks for nothing"), std::string::npos)
+      << notes[0].message;
+}
+
 }  // namespace
 }  // namespace cover
