@@ -125,10 +125,8 @@ Result<Work> begin_work(Input&& input, const Options& options, bool memory_count
 Result<Output> finish_work(Work work, const Options& options, const Callbacks& callbacks,
                            StageClock& clock) {
   for (const auto step : {mesh_each_region, cut_until_met, mesh_with_closed_clefts,
-                          cut_until_coupled, thin_cuts, look_at_cuts}) {
-    Status status = errors_as_values("mesh", [&] { return step(work, options, callbacks); });
-    if (!status) return std::move(status).error();
-  }
+                          cut_until_coupled, thin_cuts, look_at_cuts})
+    if (Status status = step(work, options, callbacks); !status) return std::move(status).error();
   clock.note("mesh", work.report.times);
   return stitch_regions(std::move(work), callbacks, clock);
 }

@@ -16,6 +16,7 @@
 #include <cover/verify.hpp>
 
 #include "base/faults/errors.hpp"
+#include "base/faults/out_of_memory.hpp"
 #include "cdt/cdt.hpp"
 #include "cuts/periodic/match_sides.hpp"
 #include "pipeline/find_regions.hpp"
@@ -253,8 +254,12 @@ Result<Output> mesh_again(const Input& input, const TriangleSoup& onto,
     const RegionMesh& before = work.meshes.back();
     work.report.replaced.push_back({boundary.id, before.triangles.size(), before.steiner.size()});
   }
-  Status status = check_expected_triangles(work.table, again, *options);
-  if (status) warn_of_sizes(work.pslg, *options, again, work.report.notes);
+  // Both ask size functions, which may throw.
+  Status status = errors_as_values("sizes", [&] {
+    Status expected = check_expected_triangles(work.table, again, *options);
+    if (expected) warn_of_sizes(work.pslg, *options, again, work.report.notes);
+    return expected;
+  });
   if (status) status = fill_in(again, *chosen, *options, callbacks, work);
   if (!status) return std::move(status).error();
   clock.note("mesh", work.report.times);
@@ -266,8 +271,8 @@ Result<Output> mesh_again(const Input& input, const TriangleSoup& onto,
 Result<Output> remesh(const Input& input, const TriangleSoup& onto,
                       std::span<const std::string> only, const Options& options,
                       const Callbacks& callbacks) {
-  return errors_as_values("remesh",
-                          [&] { return mesh_again(input, onto, only, options, callbacks); });
+  return memory_as_value("remesh",
+                         [&] { return mesh_again(input, onto, only, options, callbacks); });
 }
 
 }  // namespace cover
