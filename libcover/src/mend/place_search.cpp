@@ -14,6 +14,9 @@ constexpr double kBeyond = 1.02;    ///< of a projection
 constexpr std::size_t kMovers = 8;  ///< vertices around a bad triangle that are moved
 constexpr double kCheaper = 1e-12;  ///< of the cost: less is rounding
 
+/// No triangle is bad then: places that are tried after it are wasted.
+bool is_best_of_all(const VertexPlace& place) { return place.cost < kCheaper; }
+
 }  // namespace
 
 void PlaceSearch::add_one(std::uint32_t t, std::span<const Point> starts, VertexPlace& best) {
@@ -32,7 +35,7 @@ void PlaceSearch::move_one(std::uint32_t t, std::span<const std::uint32_t> stays
   std::vector<Point> starts = starts_around(t);
   starts.insert(starts.begin(), Point{});
   for (const std::uint32_t u : movers(t)) {
-    if (best.cost < kCheaper) return;
+    if (is_best_of_all(best)) return;
     if (std::find(stays.begin(), stays.end(), u) != stays.end()) continue;
     const std::size_t mark = mesh_.mark();
     const MeshWithUndo::Vertex old = mesh_.vertices()[u];
@@ -112,7 +115,7 @@ void PlaceSearch::try_on_line(std::span<const Point> starts, std::uint32_t line,
 
 /// Moves a place to where fewer triangles around it are bad.
 void PlaceSearch::improve(Spot spot, std::uint32_t vertex, VertexPlace& best) {
-  if (best.cost < kCheaper) return;
+  if (is_best_of_all(best)) return;
   const double cost = mesh_.cost();
   for (int k = 0; k <= kProjections && spot.triangle != kNone; ++k) {
     left_.spend(1);
@@ -143,7 +146,7 @@ Point PlaceSearch::projected(const Spot& spot) const {
         p = m + (kBeyond * std::sqrt(length2 / 4 / far2)) * (p - m);
     }
     if (spot.edge.has_value()) p = mesh_.on_line(p, spot.triangle, *spot.edge).at;
-    if (p == before) break;
+    if (p == before) break;  // nothing is violated
   }
   return p;
 }

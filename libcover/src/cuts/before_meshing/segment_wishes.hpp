@@ -27,7 +27,7 @@ constexpr SeenFrom without(SeenFrom all, SeenFrom some) {
   return static_cast<SeenFrom>(static_cast<unsigned>(all) & ~static_cast<unsigned>(some));
 }
 
-/// SeenFrom which side of `segment` the region of `boundary` sees its side `s`.
+/// From which side of `segment` the region of `boundary` sees its side `s`.
 SeenFrom seen_from(const RegionBoundary& boundary, std::size_t s, const Segment& segment);
 
 /// What the regions beside a segment want of it.

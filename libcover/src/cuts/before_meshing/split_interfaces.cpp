@@ -54,9 +54,9 @@ struct Piece {
   double length = 0;         ///< when this began: of a piece, where it was cut before
   bool is_to_halve = false;  ///< if it is not cut otherwise
   bool is_rigid = false;     ///< rounded cuts on it broke something
-  SeenFrom stuck_from =
-      SeenFrom::none;  ///< from there angles are forced on it though it cannot be cut.
-                       ///< What a region said last holds until it is looked at again
+  /// From there angles are forced on it though it cannot be cut. What a region said last holds
+  /// until it is looked at again.
+  SeenFrom stuck_from = SeenFrom::none;
 };
 
 class Splitter {
