@@ -64,6 +64,9 @@ Examples:
   if (const std::string lost = files_without(mesh->table.attributes, outputs, format);
       !lost.empty())
     log->warn("{}", lost);
+  if (const std::string rounded = files_that_round(*mesh, outputs, format, formats.make());
+      !rounded.empty())
+    log->warn("{}", rounded);
   for (std::size_t k = 0; k < outputs.size(); ++k) {
     const Status done = write_to(writers[k], *mesh, outputs[k], "." + format, interrupt.token());
     if (!done) return fail(*log, done.error());

@@ -397,6 +397,10 @@ int run(const MeshCommand& command, Input input, const Options& options,
   if (interrupt.token().stop_requested()) {
     return fail(log, {ErrorCode::cancelled, "interrupted; nothing was written", {}, {}});
   }
+  if (const std::string rounded =
+          files_that_round(output, command.outputs, command.format, command.formats.make());
+      !rounded.empty())
+    log.warn("{}", rounded);
   if (const int code = write_files(command, files, *meshed, interrupt.token(), log);
       code != exit_ok)
     return code;

@@ -163,6 +163,21 @@ std::string files_without(const std::vector<Attribute>& attributes,
                      listed(without), listed(holding));
 }
 
+std::string files_that_round(const Output& output, const std::vector<std::string>& outputs,
+                             const std::string& format, const WriteOptions& options) {
+  std::vector<std::string> decks;
+  for (const std::string& path : outputs) {
+    if (extension_of_output(path, format) == ".inp")
+      decks.push_back(path == "-" ? "standard output" : path);
+  }
+  const std::size_t rounded = decks.empty() ? 0 : points_rounded_by_inp(output, options);
+  if (rounded == 0) return {};
+  return fmt::format(
+      "{} in {} {} rounded: readers of .inp take 20 characters of a coordinate; other formats keep "
+      "all digits",
+      counted(rounded, "point"), listed(decks), rounded == 1 ? "is" : "are");
+}
+
 Status write_to(const std::string& path, const std::string& extension,
                 const std::function<Status(const std::string&)>& write) {
   if (path != "-") return write(path);

@@ -42,6 +42,11 @@ std::string extension_of_output(const std::string& path, const std::string& form
 std::string files_without(const std::vector<Attribute>& attributes,
                           const std::vector<std::string>& outputs, const std::string& format);
 
+/// Where a file of `outputs` cannot hold all digits of coordinates: a sentence that tells; else
+/// empty. `format`: of standard output, without its dot.
+std::string files_that_round(const Output& output, const std::vector<std::string>& outputs,
+                             const std::string& format, const WriteOptions& options);
+
 /// Writes to `path`; `-` is stdout, where `extension`, with its dot, tells the format.
 Status write_to(const std::string& path, const std::string& extension,
                 const std::function<Status(const std::string&)>& write);

@@ -287,7 +287,7 @@ class Page {
           "<td>{} ({})</td><td class=\"t\">{}</td></tr>\n",
           r.bound_held ? "" : " class=\"missed\"", region.id.value(), region.id.value(),
           escaped_markup(region.name), escaped_markup(region.material_name), region.area,
-          grouped(r.quality.triangles), grouped(r.steiner_vertices), angle_text(lowest_nu(r)),
+          grouped(r.quality.triangles), grouped(r.steiner_vertices), angle_text(r.lowest_nu()),
           angle_text(r.nu_bound), angle_text(r.quality.largest_nu), r.rho(),
           small_angle_text(r.quality.smallest), grouped(r.quality.above_120),
           grouped(r.forced_above_120), grouped(r.quality.above_150), grouped(r.forced_above_150),

@@ -197,7 +197,7 @@ class ViewData {
       const auto rounded = [](Angle angle) { return std::round(angle.in_degrees() * 1e4) / 1e4; };
       rows.push_back({region.name, region.material_name,
                       rounded(report.quality.largest_nu.supplement()),
-                      rounded(lowest_nu(report).supplement()), rounded(report.quality.smallest),
+                      rounded(report.lowest_nu().supplement()), rounded(report.quality.smallest),
                       std::round(report.rho() * 1e4) / 1e4, worst});
     }
     return rows;

@@ -23,6 +23,4 @@ std::string percent_text(double part, int digits) {
   return text.find_first_of("123456789") == text.npos ? text.substr(1) + " %" : text + " %";
 }
 
-Angle lowest_nu(const RegionReport& region) { return std::min(region.nu_opt, Angle::degrees(120)); }
-
 }  // namespace cover::app

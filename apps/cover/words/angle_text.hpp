@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include <cover/report.hpp>
+#include <cover/angle.hpp>
 
 namespace cover::app {
 
@@ -15,9 +15,5 @@ std::string small_angle_text(Angle angle);
 
 /// A part of a hundred with its sign and so many places; without one where they show nothing.
 std::string percent_text(double part, int digits);
-
-/// pi minus the lowest largest angle that a mesh of the region can have: no triangulation is below
-/// 60 degrees.
-Angle lowest_nu(const RegionReport& region);
 
 }  // namespace cover::app

@@ -175,9 +175,10 @@ std::string totals(const Output& output, const MeshCounts& counts) {
   out += arcs_text(output);
   if (report.regions.empty()) return out;
   const RegionReport& region = report.regions[worst];
-  out += fmt::format("Largest angle   {:>7}  in region {} '{}'; no mesh is below {} there\n",
-                     angle_text(q.largest_nu), region.id.value(),
-                     printable(output.table.region(region.id).name), angle_text(lowest_nu(region)));
+  out +=
+      fmt::format("Largest angle   {:>7}  in region {} '{}'; no mesh is below {} there\n",
+                  angle_text(q.largest_nu), region.id.value(),
+                  printable(output.table.region(region.id).name), angle_text(region.lowest_nu()));
   out += fmt::format("Smallest angle  {:>7}\n", small_angle_text(q.smallest));
   out += fmt::format("Above 90        {:>7}  obtuse triangles{}\n", grouped(q.obtuse),
                      q.obtuse_by_rounding == 0
@@ -275,7 +276,7 @@ std::string region_rows(const Output& output, bool every_region) {
     const RegionReport& r = regions[i];
     const Region& region = output.table.region(r.id);
     table.add({fmt::format("{}", r.id.value()), region.name, region.material_name,
-               grouped(r.quality.triangles), grouped(r.steiner_vertices), angle_text(lowest_nu(r)),
+               grouped(r.quality.triangles), grouped(r.steiner_vertices), angle_text(r.lowest_nu()),
                angle_text(r.nu_bound), angle_text(r.quality.largest_nu),
                small_angle_text(r.quality.smallest), fmt::format("{:.2f}", r.rho()),
                above(r.quality.above_120, r.forced_above_120),
@@ -339,7 +340,7 @@ std::string bounds_of_regions(const Prepared& prepared, bool every_region) {
                                    fmt::format("{:.6g}", region.area),
                                    grouped(region.sides),
                                    angle_text(report.nu_opt),
-                                   angle_text(lowest_nu(report)),
+                                   angle_text(report.lowest_nu()),
                                    angle_text(report.nu_bound)};
     if (sized) cells.push_back(region.size ? fmt::format("{:.6g}", *region.size) : "");
     regions.add(std::move(cells));

@@ -124,7 +124,7 @@ Misses misses_of(const std::vector<RegionReport>& regions, double nu_target) {
   Misses misses;
   for (const RegionReport& region : regions) {
     const double nu = judged_nu(region.quality).in_radians();
-    const double lowest = lowest_nu(region).in_radians();
+    const double lowest = region.lowest_nu().in_radians();
     if (nu >= nu_target) continue;
     ++(lowest >= nu_target ? misses.open : nu >= kSame * lowest ? misses.best : misses.forced);
   }
@@ -169,7 +169,7 @@ Finding check_largest(const Output& output, double target) {
       fmt::format(
           "{}°, in {}; no mesh with whole segments has less than {}° there. The target of {:g}° is "
           "missed in {}{}.",
-          largest, quoted_name(output, *worst), angle_text(lowest_nu(*worst)), target,
+          largest, quoted_name(output, *worst), angle_text(worst->lowest_nu()), target,
           in_regions(misses.all(), regions.size()), reasons(misses))};
 }
 

@@ -93,7 +93,7 @@ struct Input {
       field;                           ///< values that the file has beside its geometry: doping
   std::vector<Attribute> attributes;   ///< ReadOptions::keep_fields, by feature of a map
   std::vector<ArcCircle> circles;      ///< of segments, rings and lines that are chords of arcs
-  std::vector<PeriodicRule> periodic;  ///< beside those of Options::periodic
+  std::vector<PeriodicRule> periodic;  ///< beside those of Options::periodic; equal ones are one
   std::vector<LayerRule> layers;       ///< before Options::layers, which win over them
   std::vector<Change> changes{};       ///< what the reader did to the geometry of its file
 };

@@ -85,6 +85,8 @@ struct PeriodicRule {
   Map map = Map::translation;
   Point centre;                     ///< of a rotation
   Angle angle = Angle::degrees(0);  ///< of a rotation, counter-clockwise
+
+  bool operator==(const PeriodicRule&) const = default;
 };
 
 /// A wished edge length for every place; not finite or not above zero: none there. It may be called

@@ -1,6 +1,7 @@
 // What was reached, region by region.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -132,6 +133,10 @@ struct RegionReport {
   bool bound_held = false;  ///< promise 3, up to rounding of coordinates
   std::vector<Note> notes;
   double seconds = 0;  ///< by the clock; threads that helped worked meanwhile
+
+  /// pi minus the lowest largest angle that a mesh of the region can have: nu_opt, but for that no
+  /// triangulation is below 60 degrees.
+  [[nodiscard]] Angle lowest_nu() const { return std::min(nu_opt, Angle::degrees(120)); }
 
   /// (pi - gamma) / min(B, pi/2): 1 is the optimum.
   [[nodiscard]] double rho() const;

@@ -117,6 +117,11 @@ Status write_medit(const Output& output, const std::string& path, const WriteOpt
 /// Errors: cannot_write, with places, also where that flattens triangles or turns them over
 Status write_inp(const Output& output, const std::string& path, const WriteOptions& options = {});
 
+/// How many points write_inp() moves by that; midpoints of second-order edges count.
+///
+/// Cost: linear
+std::size_t points_rounded_by_inp(const Output& output, const WriteOptions& options = {});
+
 /// Writes Triangle's files `path` with the extensions .node (with the markers of the input's points
 /// if it has any), .ele (attributes material and RegionId; with options.ids these, RegionId,
 /// material) and .edge (lines with the boundary markers of the input; with the numbers of lines if

@@ -201,6 +201,10 @@ constexpr OptionEntry layers(OptionEntry row) {
     }
     LayerRule rule{side->line, side->region, *first, *growth, *count};
     if (Status status = check_layers(rule); !status) return status;
+    for (const LayerRule& other : options.layers) {
+      if (other.line == rule.line && other.region == rule.region)
+        return bad_option(fmt::format("'{}': layers for that line are asked for twice", text));
+    }
     options.layers.push_back(std::move(rule));
     return ok();
   };

@@ -1,6 +1,7 @@
 // Tested by tests/unit/pipeline/cover_mesh_test.cpp.
 #include "pipeline/find_regions.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -103,8 +104,12 @@ Status begin_stage(std::string_view stage, const Callbacks& callbacks) {
 }
 
 std::vector<PeriodicRule> periodic_rules(const Input& input, const Options& options) {
-  std::vector<PeriodicRule> rules = options.periodic;
-  rules.insert(rules.end(), input.periodic.begin(), input.periodic.end());
+  std::vector<PeriodicRule> rules;
+  for (const auto* list : {&options.periodic, &input.periodic}) {
+    for (const PeriodicRule& rule : *list) {
+      if (std::find(rules.begin(), rules.end(), rule) == rules.end()) rules.push_back(rule);
+    }
+  }
   return rules;
 }
 

@@ -165,6 +165,18 @@ TEST(OptionTable, TextThatIsNoValueIsRefusedInWords) {
   EXPECT_EQ(message("weld", "on"), "'on' is not auto, off or a number, at least 0 and below 1");
 }
 
+TEST(OptionTable, LayersOfALineAreAskedForOnce) {
+  const OptionEntry& entry = *find_option("layers");
+  Options options;
+  EXPECT_TRUE(entry.set(entry, "a@b=1,2,3", options));
+  EXPECT_TRUE(entry.set(entry, "a@c=1,2,3", options));
+  EXPECT_TRUE(entry.set(entry, "a=2,2,3", options));
+  const Status twice = entry.set(entry, "a@b=2,2,3", options);
+  ASSERT_FALSE(twice);
+  EXPECT_EQ(twice.error().message, "'a@b=2,2,3': layers for that line are asked for twice");
+  EXPECT_EQ(options.layers.size(), 3U);
+}
+
 TEST(OptionReader, WhatIsImpliedCountsUnlessAMethodIsGiven) {
   const auto method = [](std::vector<std::pair<const char*, const char*>> words) {
     OptionReader reader;

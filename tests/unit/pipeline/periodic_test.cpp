@@ -68,6 +68,15 @@ TEST(Periodic, TheCentreOfASectorIsItsOwnPartner) {
   EXPECT_EQ(periodic_classes(output.periodic, 3), (std::vector<std::uint32_t>{0, 1, 1}));
 }
 
+TEST(Periodic, ARuleThatIsGivenTwiceIsOne) {
+  const Input input = testing::random_cell(3, true);
+  ASSERT_FALSE(input.periodic.empty());
+  const Output once = must_mesh(input);
+  Options again;
+  again.periodic = {input.periodic.front(), input.periodic.front()};
+  EXPECT_EQ(must_mesh(input, again).periodic.size(), once.periodic.size());
+}
+
 TEST(Periodic, RegionsMeshedAgainStayPeriodic) {
   const Input input = testing::random_cell(11, true);
   const Output before = must_mesh(input, with_cuts());

@@ -63,6 +63,14 @@ std::size_t curved_edges(const TriangleSoup& soup,
   return curved.size();
 }
 
+/// How many points are corners of no triangle.
+std::size_t unused_points(const TriangleSoup& soup) {
+  std::vector<bool> used(soup.points.size());
+  for (const auto& triangle : soup.triangles)
+    for (const std::uint32_t corner : triangle) used[corner] = true;
+  return static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
+}
+
 /// What a mesh's own file and those beside it hold.
 class Completion {
  public:
@@ -187,6 +195,10 @@ class Completion {
       notes_.push_back(
           fmt::format("{} holds no {}, and {}: they are made up", path_, unknown, why));
     }
+    // Formats without counts look whole wherever they end.
+    if (const std::size_t unused = unused_points(stored.soup); unused > 0)
+      tell({fmt::format("{} in no triangle: the file may have been cut short",
+                        counted(unused, "point") + (unused == 1 ? " is" : " are"))});
     return ok();
   }
 

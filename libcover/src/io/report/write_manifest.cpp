@@ -158,7 +158,7 @@ class ManifestWriter {
       if (measured()) {
         const RegionReport& report = output_.report.regions[r];
         json["quality"] = describe_quality(report.quality);
-        json["gamma_opt"] = report.nu_opt.supplement().in_degrees();
+        json["gamma_opt"] = report.lowest_nu().supplement().in_degrees();
         json["bound_held"] = report.bound_held;
       }
       list.push_back(std::move(json));

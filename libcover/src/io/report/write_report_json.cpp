@@ -208,13 +208,8 @@ Json to_json(const std::vector<BoxCut>& cuts) {
   return list;
 }
 
-/// No triangulation is below 60 degrees.
-double lowest_angle(const RegionReport& report) {
-  return std::min(report.nu_opt, Angle::degrees(120)).supplement().in_degrees();
-}
-
 void add_limits(const RegionReport& report, Json& out) {
-  out["gamma_opt"] = lowest_angle(report);
+  out["gamma_opt"] = report.lowest_nu().supplement().in_degrees();
   out["nu_opt_radians"] = report.nu_opt.in_radians();
   out["bound"] = report.nu_bound.supplement().in_degrees();
   out["nu_bound_radians"] = report.nu_bound.in_radians();
@@ -525,7 +520,7 @@ std::string report_json(const Prepared& prepared) {
               {"area", region.area},         {"sides", region.sides}};
     if (region.size) json["size"] = *region.size;
     const RegionReport& limits = report.regions[k];
-    json["gamma_opt"] = lowest_angle(limits);
+    json["gamma_opt"] = limits.lowest_nu().supplement().in_degrees();
     json["bound"] = limits.nu_bound.supplement().in_degrees();
     json["forced_above_120"] = limits.forced_above_120;
     json["forced_above_150"] = limits.forced_above_150;

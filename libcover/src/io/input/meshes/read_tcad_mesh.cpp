@@ -82,6 +82,10 @@ class TcadReader {
     Input input = borders_of(mesh_);
     input.unit = "um";
     if (!field->arrays.empty()) input.field = std::move(field);
+    if (without_values_ > 0)
+      input.warnings.push_back(fmt::format(
+          "{} in materials that have values {} none: the file may have been cut short",
+          counted(without_values_, "coordinate"), without_values_ == 1 ? "has" : "have"));
     if (!strange_.empty())
       input.warnings.push_back(
           fmt::format("{} of unknown kinds left out: {}", counted(strange_lines_, "line"),
@@ -280,7 +284,7 @@ class TcadReader {
     return from_0 && !node_.contains(0) ? 1 : 0;
   }
 
-  /// Each coordinate once for each material that it has values in.
+  /// Each coordinate once for each material that it has values in. Counts those that have none.
   PlaneField make_field() {
     PlaneField field;
     if (nodes_.empty() || names_.empty()) return field;
@@ -311,6 +315,7 @@ class TcadReader {
         if (!is_new) continue;
         field.points.push_back(mesh_.points[node]);
         const auto first = values.find(key(node, material));
+        if (at != material_.end() && first == values.end()) ++without_values_;
         for (std::size_t a = 0; a < names_.size(); ++a)
           field.arrays[a].values.push_back(first != values.end()
                                                ? values_[first->second + a]
@@ -338,6 +343,7 @@ class TcadReader {
   std::vector<double> values_;
   std::set<std::string> strange_;
   std::size_t strange_lines_ = 0;
+  std::size_t without_values_ = 0;  ///< coordinates by material, where others have some
   std::optional<Error> error_;
 };
 

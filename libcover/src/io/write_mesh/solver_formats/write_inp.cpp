@@ -48,18 +48,16 @@ double read_back(double x) {
   return out;
 }
 
+Point read_back(const Point& p) { return {read_back(p.x), read_back(p.y)}; }
+
 /// Whether readers see every triangle the way round that it is.
 ///
 /// Errors: cannot_write, with the places of triangles that rounding flattens or turns over
 Status check_rounding(const MeshView& view, const std::string& path) {
   std::vector<Point> seen;
   seen.reserve(view.points.size());
-  bool is_rounded = false;
-  for (const Point& p : view.points) {
-    seen.push_back({read_back(p.x), read_back(p.y)});
-    is_rounded = is_rounded || seen.back() != p;
-  }
-  if (!is_rounded) return ok();
+  for (const Point& p : view.points) seen.push_back(read_back(p));
+  if (seen == view.points) return ok();
   std::size_t count = 0;
   std::vector<Point> where;
   for (std::size_t t = 0; t < view.triangles.size(); ++t) {
@@ -115,6 +113,12 @@ void write_node_sets(const MeshView& view, TextWriter& out) {
 }
 
 }  // namespace
+
+std::size_t points_rounded_by_inp(const Output& output, const WriteOptions& options) {
+  const std::vector<Point> points = view_of_triangles(output, options).points;
+  return static_cast<std::size_t>(std::count_if(points.begin(), points.end(),
+                                                [](const Point& p) { return read_back(p) != p; }));
+}
 
 Status write_inp(const Output& output, const std::string& path, const WriteOptions& options) {
   const MeshView view = view_of(output, options);

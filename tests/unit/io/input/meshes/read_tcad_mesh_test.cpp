@@ -57,8 +57,8 @@ TEST(ReadTif, RegionsContactsAndValues) {
   const Result<Input> input = parse_tif(kTif, "a.tif");
   ASSERT_TRUE(input) << input.error().message;
   EXPECT_EQ(input->unit, "um");
-  EXPECT_TRUE(input->warnings.empty());
-  ASSERT_EQ(input->seeds.size(), 3U);  // two regions of silicon stay two
+  EXPECT_EQ(input->warnings.size(), 1U);  // node 6 has no values
+  ASSERT_EQ(input->seeds.size(), 3U);     // two regions of silicon stay two
   EXPECT_EQ(input->seeds[0].material, "Ox");
   EXPECT_EQ(input->seeds[1].material, "Si");
   EXPECT_EQ(input->seeds[2].material, "Si");
@@ -127,7 +127,17 @@ TEST(ReadTif, AFileThatWasCutShortIsNoSmallerDevice) {
 TEST(ReadTif, UnknownRecordsAreNamed) {
   const Result<Input> input = parse_tif(kTif + "zz 1\nzz 2\nyy\n", "a.tif");
   ASSERT_TRUE(input) << input.error().message;
-  EXPECT_EQ(input->warnings, std::vector<std::string>{"3 lines of unknown kinds left out: yy, zz"});
+  ASSERT_FALSE(input->warnings.empty());
+  EXPECT_EQ(input->warnings.back(), "3 lines of unknown kinds left out: yy, zz");
+}
+
+TEST(ReadTif, ValuesThatAreMissingAreTold) {
+  const std::string whole = replaced(kTif, "mo blank gen 1\n", "n 6 Si 1 1\n");
+  EXPECT_TRUE(parse_tif(whole, "a.tif")->warnings.empty());
+  const std::string cut = whole.substr(0, whole.find("n 5 Si"));
+  EXPECT_EQ(parse_tif(cut, "a.tif")->warnings,
+            std::vector<std::string>{"2 coordinates in materials that have values have none: the "
+                                     "file may have been cut short"});
 }
 
 const std::string kStr = R"(v SUPREM-IV.GS test

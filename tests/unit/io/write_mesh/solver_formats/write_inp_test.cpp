@@ -159,6 +159,26 @@ TEST_F(WriteInp, NoNumberIsLongerThanItsReadersTake) {
     EXPECT_LE(std::abs(p.x - tri.point(v)[0]), 1e-12 * std::abs(p.x));
     EXPECT_LE(std::abs(p.y - tri.point(v)[1]), 1e-12 * std::abs(p.y));
   }
+  std::size_t moved = 0;
+  for (const auto v : tri.vertices()) {
+    const Point p = deck.mesh.points[static_cast<std::size_t>(v.idx())];
+    if (p.x != tri.point(v)[0] || p.y != tri.point(v)[1]) ++moved;
+  }
+  EXPECT_GT(moved, 0U);
+  EXPECT_EQ(points_rounded_by_inp(output_), moved);
+}
+
+TEST_F(WriteInp, CoordinatesThatFitAreNotRounded) {
+  EXPECT_EQ(points_rounded_by_inp(output_), 0U);
+  TriMesh& tri = output_.mesh.tri();
+  for (const auto v : tri.vertices()) tri.point(v)[0] += 0.12345678901234567;
+  EXPECT_EQ(points_rounded_by_inp(output_), 0U);
+  WriteOptions curved;
+  curved.order = 2;
+  tri.point(tri.vertex_handle(0))[1] = 1.2345678901234567e-9;
+  const std::size_t corners = points_rounded_by_inp(output_);
+  EXPECT_EQ(corners, 1U);
+  EXPECT_GT(points_rounded_by_inp(output_, curved), corners);  // midpoints beside it
 }
 
 TEST_F(WriteInp, TrianglesThatRoundingWouldFlattenAreRefused) {
