@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "cuts/cut_segments.hpp"
-#include "quality/fault/missed_targets.hpp"
+#include "quality/measure_again.hpp"
 #include "target/whole_mesh.hpp"
 #include "tasks/region_task.hpp"
 

@@ -19,14 +19,10 @@ Goal Goal::of(Angle max, Angle min) {
 
 double excess(const Goal& goal, const Corners& k, const SideAllowances& sides) {
   if (!(k.cross > 0)) return kInverted;
-  double small = goal.small;
-  for (const Allowance* side : sides) {
-    if (side != nullptr) small = std::max(small, goal.small + side->small);
-  }
+  const double small = wanted_small(goal, sides);
   double worst = -kInverted;
   for (const Corner i : kCorners) {
-    const double large = goal.large + (sides[i] != nullptr ? sides[i]->large : 0);
-    worst = std::max(worst, -k.dot[i] - large * k.cross);
+    worst = std::max(worst, -k.dot[i] - wanted_large(goal, sides[i]) * k.cross);
     if (!is_between_sides(sides, i))
       worst = std::max(worst, goal.weight * (k.dot[i] - small * k.cross));
   }

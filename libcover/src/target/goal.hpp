@@ -47,6 +47,15 @@ inline bool is_between_sides(const SideAllowances& sides, Corner i) {
   return sides[i.next()] != nullptr && sides[i.previous()] != nullptr;
 }
 
+/// By how much a large angle at the corner opposite to this edge may exceed the goal; null: no side.
+inline double allowed_large(const Allowance* side) { return side != nullptr ? side->large : 0; }
+/// By how much the smallest angle beside this edge may miss the goal, whichever corner it is at.
+inline double allowed_small(const Allowance* side) { return side != nullptr ? side->small : 0; }
+/// The same of a triangle: what the side that leaves the least room allows.
+inline double allowed_small(const SideAllowances& sides) {
+  return std::max({allowed_small(sides[0]), allowed_small(sides[1]), allowed_small(sides[2])});
+}
+
 /// What negative couplings count for, beside angles.
 struct CouplingGoal {
   double weight = 0;    ///< of what a sum of cotangents lacks; 0: couplings do not count
@@ -80,6 +89,15 @@ struct Goal {
   bool operator==(const Goal&) const = default;
 };
 
+/// What is wanted of the corner opposite to this edge: the goal, raised by what the side allows.
+inline double wanted_large(const Goal& goal, const Allowance* side) {
+  return goal.large + allowed_large(side);
+}
+/// What is wanted of the smallest angle of a triangle with these sides.
+inline double wanted_small(const Goal& goal, const SideAllowances& sides) {
+  return goal.small + allowed_small(sides);
+}
+
 /// Sums of cotangents below this count as negative couplings while a mesh is made, so that none is
 /// negative after rounding: 0.03 degrees.
 inline constexpr double kLeastCoupling = 5e-4;
@@ -93,6 +111,8 @@ inline constexpr double kLightWeight = 1e-4;
 /// How far below the goal a trial aims, in cotangents (0.3 degrees): ties between large and small
 /// angles would end just above it.
 inline constexpr double kAimBelow = 0.005;
+/// Of an excess: what a change must win to be worth its time.
+inline constexpr double kWorthwhileGain = 0.01;
 /// Cotangents closer than this, relative to 1 or to their size, are equal: rounding.
 inline constexpr double kSameCot = 1e-9;
 

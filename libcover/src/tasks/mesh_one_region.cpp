@@ -22,7 +22,7 @@
 #include "limits/region_limits.hpp"
 #include "mend/couplings/delaunay_within_bound.hpp"
 #include "quality/fault/merit.hpp"
-#include "quality/fault/missed_targets.hpp"
+#include "quality/measure_again.hpp"
 #include "quality/quality_region.hpp"
 #include "region/triangulation_of.hpp"
 #include "target/angle_limit.hpp"
@@ -137,9 +137,9 @@ Note note_of_fallback(const RegionBoundary& boundary, const Attempt& attempt, st
 /// What no mesh of the region can have better. Hull sides may be split, so that nothing is known of
 /// meshes there. The almond method aims at the bound and at no target: limits beside one would take
 /// twice its time (`cover check` tells them of any mesh). With little effort little is asked.
-RegionLimits limits_of(const RegionBoundary& boundary, const RegionMesh& mesh,
-                       const Options& options, const Team& team,
-                       std::unique_ptr<RegionProof> proof) {
+RegionLimits proven_limits(const RegionBoundary& boundary, const RegionMesh& mesh,
+                           const Options& options, const Team& team,
+                           std::unique_ptr<RegionProof> proof) {
   const Quality& quality = mesh.report.quality;
   if (quality.triangles == 0 || options.method != Method::quality || boundary.has_hull_sides())
     return {};
@@ -283,7 +283,7 @@ RegionMesh mesh_one_region(const RegionBoundary& boundary, const Options& option
   ProvenMesh made = mesh_with_its_layers(boundary, options, stop, team);
   RegionReport& report = made.mesh.report;
   if (!stop.stop_requested())
-    report.limits = limits_of(boundary, made.mesh, options, team, std::move(made.proof));
+    report.limits = proven_limits(boundary, made.mesh, options, team, std::move(made.proof));
   report.seconds = clock.seconds();
   return std::move(made.mesh);
 }

@@ -21,7 +21,7 @@
 #include "cuts/whole_segments.hpp"
 #include "geom/foot.hpp"
 #include "geom/vector.hpp"
-#include "quality/fault/missed_targets.hpp"
+#include "quality/measure_again.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/pieces_of_work.hpp"
 

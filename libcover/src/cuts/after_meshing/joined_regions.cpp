@@ -59,7 +59,7 @@ IndexTriple from_the_lowest(IndexTriple triangle) {
 }
 
 /// By side, of the region alone.
-std::vector<SideLimit> limits_of(const RegionBoundary& boundary) {
+std::vector<SideLimit> side_limits_alone(const RegionBoundary& boundary) {
   const Triangulation cdt = triangulation_of(boundary);
   return side_limits(cdt, locate_sides(cdt, boundary.sides));
 }
@@ -107,7 +107,7 @@ JoinedRegions::JoinedRegions(const Pslg& pslg, std::span<const RegionBoundary> b
     };
     for (const auto& [a, b, c] : meshes[r].triangles)
       triangles.push_back(from_the_lowest({number(a), number(b), number(c)}));
-    const std::vector<SideLimit> limits = limits_of(boundary);
+    const std::vector<SideLimit> limits = side_limits_alone(boundary);
     for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
       const auto& [a, b] = boundary.sides[s];
       const auto segment = static_cast<std::uint32_t>(boundary.segments[s].index());

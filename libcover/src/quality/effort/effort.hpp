@@ -142,7 +142,6 @@ inline constexpr std::uint64_t kRestartsOfTiny = 6'000;  ///< star evaluations f
 /// Tiny regions with an angle above 140 degrees that is not forced get some, whatever else they
 /// miss: 2,000 Voronoi cells end at 150.7 instead of 153.0 degrees, for 3 % more instructions. With
 /// three times as many 13 of 595 angles above 120 degrees fewer are left, for another 10 %.
-inline constexpr double kVeryWide = 1.1917535925942100;  ///< -cot
 inline constexpr std::uint64_t kRestartsOfVeryWide = 1'500;
 
 }  // namespace cover::effort

@@ -14,14 +14,11 @@ double angle_of(double cot) { return std::atan2(1.0, cot); }
 Fault fault_of(const Corners& k, const SideAllowances& sides, const Goal& goal) {
   if (!(k.cross > 0)) return {1, 1};
   Fault fault;
-  double small = goal.small;
-  for (const Allowance* side : sides) {
-    if (side != nullptr) small = std::max(small, goal.small + side->small);
-  }
+  const double small = wanted_small(goal, sides);
   double sharpest = -kInverted;
   for (const Corner i : kCorners) {
     const double cot = k.dot[i] / k.cross;
-    const double large = goal.large + (sides[i] != nullptr ? sides[i]->large : 0);
+    const double large = wanted_large(goal, sides[i]);
     if (-cot > large + kSameCot * std::max(1.0, large)) {
       const double target = angle_of(-large);
       fault.wide = std::max(fault.wide, (angle_of(cot) - target) / (std::numbers::pi - target));

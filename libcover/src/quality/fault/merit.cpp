@@ -25,11 +25,11 @@ bool are_near(const Merit& a, const Merit& b) {
 /// Largest angles from 120 to 130 degrees, and from there to 140, are alike, and so are those above
 /// whose distances to 180 degrees are; unless one of them is the target.
 bool are_alike(const Merit& a, const Merit& b) {
-  constexpr double k130 = 0.8390996311772800, k140 = 1.1917535925942100;  // -cot
+  constexpr double k130 = 0.8390996311772800;  // -cot
   const double least = std::min(a.large, b.large), most = std::max(a.large, b.large);
   if (least <= std::max(kFarAbove, a.target + kSameCot)) return false;
-  if (least > k140) return most <= kAlike * least;
-  if (most > k140) return false;
+  if (least > kVeryFarAbove) return most <= kAlike * least;
+  if (most > kVeryFarAbove) return false;
   return (least <= k130) == (most <= k130);
 }
 

@@ -12,9 +12,6 @@
 
 #include "cdt/cdt.hpp"
 #include "geom/angle_rounding.hpp"
-#include "quality/parts/with_neighbours.hpp"
-#include "region/triangulation_of.hpp"
-#include "target/fill_report.hpp"
 
 namespace cover {
 namespace {
@@ -101,22 +98,18 @@ struct MissedAngles {
                std::size_t thin) {
     if (mesh.is_hole(t)) return;
     const Goal& goal = mesh.goal();
-    const auto& n = mesh.triangles[t].n;
-    double allowed = 0;
-    for (const std::uint32_t across : n) {
-      if (is_side(across)) allowed = std::max(allowed, mesh.allowance(across)->small);
-    }
+    const SideAllowances sides = mesh.allowances_beside(mesh.triangles[t].n);
+    const double allowed = allowed_small(sides);
     if (mesh.excess[t] <= 0 && allowed == 0) return;
     const Corners k(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
     for (const Corner i : kCorners) {
       const Point in_frame = mesh.points[mesh.triangles[t].v[i]];
       const Point at{in_frame.x + origin.x, in_frame.y + origin.y};
       const double cot = k.dot[i] / k.cross;
-      const Allowance* side = mesh.allowance(n[i]);
-      if (-cot > goal.large + (side != nullptr ? side->large : 0) + kRounding &&
+      if (-cot > wanted_large(goal, sides[i]) + kRounding &&
           (options.max_angle != Angle::degrees(90) || is_obtuse(mesh, t, origin)))
         large.add(at);
-      if (goal.weight == 0 || t < thin || mesh.triangles[t].is_between_sides(i) ||
+      if (goal.weight == 0 || t < thin || is_between_sides(sides, i) ||
           cot <= goal.small * (1 + kRounding))
         continue;
       // Where sides force it, no triangle on that side is without such an angle.
@@ -182,29 +175,6 @@ std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& 
                std::move(all.forced.where)));
   }
   return notes;
-}
-
-void report_again(const RegionBoundary& boundary, const Options& options, bool budget_used_up,
-                  RegionMesh& mesh) {
-  const Triangulation cdt = triangulation_of(boundary);
-  const AngleLimit limit = angle_limit(cdt, boundary.sides, boundary.segments);
-  const Triangulation all = with_neighbours(all_points(boundary, mesh), mesh.triangles);
-  MutableMesh mutable_mesh(all, static_cast<std::uint32_t>(boundary.points.size()),
-                           locate_sides(all, boundary.sides), side_limits(cdt, limit.at));
-  mutable_mesh.set_goal(Goal::of(options.max_angle, options.min_angle));
-  set_limits(limit, mesh.report);
-  std::vector<Note>& notes = mesh.report.notes;
-  std::erase_if(notes, [](const Note& note) { return note.kind == Note::Kind::target_missed; });
-  const auto missed = missed_targets(mutable_mesh, boundary, limit, options,
-                                     budget_used_up ? Unreached::budget : Unreached::unknown, {},
-                                     mesh.layer_triangles);
-  notes.insert(notes.end(), missed.begin(), missed.end());
-}
-
-void measure_again(const RegionBoundary& boundary, const Options& options, bool budget_used_up,
-                   RegionMesh& mesh) {
-  report_again(boundary, options, budget_used_up, mesh);
-  fill_report(boundary, mesh);
 }
 
 }  // namespace cover

@@ -9,7 +9,6 @@
 #include "quality/mutable/mutable_mesh.hpp"
 #include "region/region_boundary.hpp"
 #include "target/angle_limit.hpp"
-#include "target/region_mesh.hpp"
 
 namespace cover {
 
@@ -28,14 +27,5 @@ enum class Unreached {
 std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& boundary,
                                  const AngleLimit& limit, const Options& options, Unreached why,
                                  Point origin = {}, std::size_t thin = 0, const Team& team = {});
-
-/// Limits and notes on missed targets of a region whose boundary and mesh were changed after they
-/// were reported. Its other notes stay.
-void report_again(const RegionBoundary& boundary, const Options& options, bool budget_used_up,
-                  RegionMesh& mesh);
-
-/// Reports so and measures a mesh that was changed after that was done.
-void measure_again(const RegionBoundary& boundary, const Options& options, bool budget_used_up,
-                   RegionMesh& mesh);
 
 }  // namespace cover

@@ -29,25 +29,23 @@ Shortfall sum_up(const MutableMesh& mesh, std::uint32_t t, const Goal& goal, boo
   const bool is_set = mesh.goal() == goal;
   std::array<Allowance, 3> other;  // by a goal that is not the one set
   SideAllowances sides{};
-  double allowed_small = 0;
   for (const Corner i : kCorners) {
     if (!is_side(n[i])) continue;
     if (!is_set) other[i] = allowance_for(mesh.sides[side_index(n[i])], goal);
     sides[i] = is_set ? mesh.allowance(n[i]) : &other[i];
-    allowed_small = std::max(allowed_small, sides[i]->small);
   }
+  const double small = wanted_small(goal, sides);
   Shortfall shortfall;
   if (with_fault) shortfall.fault = fault_of(k, sides, goal);
   for (const Corner i : kCorners) {
     const double cot = k.cross > 0 ? k.dot[i] / k.cross : -kInverted;
-    const double limit = goal.large + (sides[i] != nullptr ? sides[i]->large : 0);
+    const double limit = wanted_large(goal, sides[i]);
     if (goal.coupling.weight > 0 && is_negative(mesh, t, i, cot, goal.coupling))
       ++shortfall.negative;
     shortfall.largest = std::max(shortfall.largest, -cot);
     shortfall.large = std::max(shortfall.large, -cot - limit);
     shortfall.is_far = shortfall.is_far || -cot > std::max(kFarAbove, limit) + kSameCot;
-    if (!is_between_sides(sides, i))
-      shortfall.small = std::max(shortfall.small, cot - goal.small - allowed_small);
+    if (!is_between_sides(sides, i)) shortfall.small = std::max(shortfall.small, cot - small);
   }
   return shortfall;
 }

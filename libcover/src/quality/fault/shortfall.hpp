@@ -11,6 +11,8 @@ namespace cover {
 
 /// -cot of 120 degrees: beyond that, triangles count apart.
 inline constexpr double kFarAbove = 0.5773502691896258;
+/// -cot of 140 degrees: beyond that, each degree is a large part of what is left to 180.
+inline constexpr double kVeryFarAbove = 1.1917535925942100;
 
 /// What a triangle has beyond the goal and what its sides allow; all in cotangents. Angles between
 /// two sides are the input's own, and none of them counts as small.

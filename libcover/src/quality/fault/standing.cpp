@@ -6,11 +6,6 @@
 #include "quality/fault/shortfall.hpp"
 
 namespace cover {
-namespace {
-
-constexpr double kGain = 0.01;  ///< of an excess, that is worth a change
-
-}  // namespace
 
 GoalStanding standing_of(const MutableMesh& mesh, const Goal& goal) {
   GoalStanding standing;
@@ -36,11 +31,11 @@ bool is_gain(const GoalStanding& now, const GoalStanding& before) {
   }
   if (now.negative < before.negative) return true;
   if (now.above < before.above || now.far_above < before.far_above ||
-      now.large < (1 - kGain) * before.large) {
+      now.large < (1 - kWorthwhileGain) * before.large) {
     return true;
   }
   if (now.below > before.below || now.small > before.small) return false;
-  return now.below < before.below || now.small < (1 - kGain) * before.small;
+  return now.below < before.below || now.small < (1 - kWorthwhileGain) * before.small;
 }
 
 }  // namespace cover

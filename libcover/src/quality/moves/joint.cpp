@@ -19,7 +19,6 @@ constexpr std::size_t kVertices = 6;
 constexpr int kSteps = 10;
 constexpr double kFirstBox = 0.25;  ///< times the shortest edge at a vertex
 constexpr double kLeastBox = 0.002;
-constexpr double kLeastGain = 0.01;      ///< of the excess
 constexpr double kMargin = 0.02;         ///< aim so far below the goal
 constexpr std::uint64_t kStepCost = 60;  ///< star evaluations in the time of one step
 
@@ -43,7 +42,7 @@ class JointPlacement {
     for (int k = 0; k < kSteps && worst > 0 && box >= kLeastBox; ++k) {
       evaluations += kStepCost;
       const double expected = std::max(lowest_in_box(model(box), step), -kMargin);
-      if (!(worst - expected > kLeastGain * worst)) break;
+      if (!(worst - expected > kWorthwhileGain * worst)) break;
       const std::vector<Point> old = places();
       for (std::size_t m = 0; m < vertices_.size(); ++m) {
         mesh_.points[vertices_[m]] =
@@ -150,18 +149,16 @@ class JointPlacement {
     for (const std::uint32_t s : triangles_) {
       const MeshTriangle& triangle = mesh_.triangles[s];
       const Corners k(mesh_.corner(s, 0), mesh_.corner(s, 1), mesh_.corner(s, 2));
-      double allowed = 0;
-      for (const std::uint32_t n : triangle.n) {
-        if (is_side(n)) allowed = std::max(allowed, mesh_.allowances[side_index(n)].small);
-      }
+      const SideAllowances sides = mesh_.allowances_beside(triangle.n);
+      const double allowed = allowed_small(sides);
       double large = -kInverted, small = -kInverted;
       Corner large_at, small_at;
       for (const Corner i : kCorners) {
         const double cot = k.dot[i] / k.cross;
-        const Allowance* side = mesh_.allowance(triangle.n[i]);
-        const double above = -cot - mesh_.goal().large - (side != nullptr ? side->large : 0);
+        // Not wanted_large(): a sum rounds in another way, and ties would end elsewhere.
+        const double above = -cot - mesh_.goal().large - allowed_large(sides[i]);
         if (above > large) large = above, large_at = i;
-        if (triangle.is_between_sides(i)) continue;
+        if (is_between_sides(sides, i)) continue;
         const double below = mesh_.goal().weight * (cot - mesh_.goal().small - allowed);
         if (below > small) small = below, small_at = i;
       }

@@ -17,10 +17,7 @@
 namespace cover {
 
 /// The excess that a step on triangles with largest excess `worst` must stay below.
-inline double improvement_of(double worst) {
-  constexpr double kLeastGain = 0.01;  // of the excess: what a step must win to be worth its time
-  return (1 - kLeastGain) * worst;
-}
+inline double improvement_of(double worst) { return (1 - kWorthwhileGain) * worst; }
 
 /// A triangulation that moves are made on, with their buffers.
 struct Piece {

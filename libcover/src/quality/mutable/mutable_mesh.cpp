@@ -154,14 +154,13 @@ double MutableMesh::excess_of(const std::array<std::uint32_t, 3>& v,
   const Point* const point = points.data();
   const Point a = point[v[0]], b = point[v[1]], c = point[v[2]];
   if (!has_sides) return cover::excess(goal_, a, b, c);
-  const SideAllowances allowed{allowance(n[0]), allowance(n[1]), allowance(n[2])};
-  return cover::excess(goal_, a, b, c, allowed);
+  return cover::excess(goal_, a, b, c, allowances_beside(n));
 }
 
 double MutableMesh::coupled_excess(const std::array<std::uint32_t, 3>& v,
                                    const std::array<std::uint32_t, 3>& n) const {
   const Point* const point = points.data();
-  const SideAllowances allowed{allowance(n[0]), allowance(n[1]), allowance(n[2])};
+  const SideAllowances allowed = allowances_beside(n);
   const bool has_sides = ((n[0] | n[1] | n[2]) & kSideBit) != 0;
   const Corners k(point[v[0]], point[v[1]], point[v[2]]);
   double worst = has_sides ? cover::excess(goal_, k, allowed) : cover::excess(goal_, k);

@@ -35,10 +35,6 @@ struct MeshTriangle {
   std::array<std::uint32_t, 3> n{};
 
   [[nodiscard]] Corner corner_of(std::uint32_t w) const { return corner_with(v, w); }
-  /// Whether corner i lies between two sides: its angle is the input's own.
-  [[nodiscard]] bool is_between_sides(Corner i) const {
-    return is_side(n[i.next()]) && is_side(n[i.previous()]);
-  }
   /// The edge from a to b.
   /// REQUIRES: it is one.
   [[nodiscard]] Corner edge_from(std::uint32_t a) const { return corner_of(a).previous(); }
@@ -122,6 +118,10 @@ class MutableMesh {
   /// The allowance of the side in place of neighbour `n`, null for a triangle.
   [[nodiscard]] const Allowance* allowance(std::uint32_t n) const {
     return is_side(n) ? &allowances[side_index(n)] : nullptr;
+  }
+  /// Those of the sides among the neighbours `n` of a triangle.
+  [[nodiscard]] SideAllowances allowances_beside(const std::array<std::uint32_t, 3>& n) const {
+    return {allowance(n[0]), allowance(n[1]), allowance(n[2])};
   }
   /// Whether no side forces more than the goal on the triangle beside it.
   [[nodiscard]] bool is_unforced() const;

@@ -277,10 +277,7 @@ bool is_too_narrow(const Goal& goal, double limit, double allowed, Point before,
 bool has_room(const MutableMesh& mesh, const Cavity& cavity, double limit) {
   const Goal& goal = mesh.goal();
   const WidestCorner widest(goal, limit);
-  const auto allowed_at = [&](int k) {
-    const Allowance* const side = mesh.allowance(cavity.outer(k));
-    return side != nullptr ? side->small : 0;
-  };
+  const auto allowed_at = [&](int k) { return allowed_small(mesh.allowance(cavity.outer(k))); };
   const int last = cavity.size() - 1;
   const Point* const points = mesh.points.data();
   Point before = points[cavity.vertex(last)], p = points[cavity.vertex(0)];

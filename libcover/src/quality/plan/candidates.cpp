@@ -40,8 +40,8 @@ Triangulation triangulated(const std::vector<Point>& points, const RegionBoundar
 }
 
 /// With couplings first: those of sides count that no vertex of the boundary encroaches.
-std::vector<SideLimit> limits_of(const Triangulation& cdt, const AngleLimit& limit,
-                                 const Options& options, const Team& team) {
+std::vector<SideLimit> counted_side_limits(const Triangulation& cdt, const AngleLimit& limit,
+                                           const Options& options, const Team& team) {
   std::vector<SideLimit> limits = side_limits(cdt, limit.at, team);
   if (minds_couplings(options)) mind_free_sides(cdt, limit.at, limits, team);
   return limits;
@@ -74,7 +74,7 @@ Candidates::Candidates(const RegionBoundary& boundary, const Options& options,
                sharing.team),
       cdt_(outlook_.cdt()),
       limit_(angle_limit(cdt_, boundary.sides, boundary.segments, sharing.team)),
-      side_limits_(limits_of(cdt_, limit_, options, sharing.team)),
+      side_limits_(counted_side_limits(cdt_, limit_, options, sharing.team)),
       goal_(goal_of(options, limit_, boundary.is_part)),
       sizes_(SizeField::where_it_counts(boundary, cdt_, options.growth, background_in_frame())),
       given_(effort::kBudgetAtLeast + effort::kBudgetPerPoint * boundary.points.size()),

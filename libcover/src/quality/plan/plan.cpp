@@ -24,7 +24,7 @@ bool is_tiny_and_near(const PlanProgress& p) {
          !p.make.outlook().is_near_limits(p.best);
 }
 bool is_tiny_and_very_wide(const PlanProgress& p) {
-  return is_tiny_and_missed(p) && has_far(p) && p.best.merit.large > effort::kVeryWide;
+  return is_tiny_and_missed(p) && has_far(p) && p.best.merit.large > kVeryFarAbove;
 }
 /// So few that they are likely to be mended; in tiny regions nothing is.
 bool few_are_missed(const PlanProgress& p) {

@@ -1,36 +1,16 @@
-// What is said of a region after its mesh was changed once more.
+// What is said of a region that misses its targets.
 #include "quality/fault/missed_targets.hpp"
 
 #include <algorithm>
 
 #include "../mesh_checks.hpp"
+#include "quality/measure_again.hpp"
 #include "quality/quality_region.hpp"
 
 namespace cover {
 namespace {
 
 using namespace testing;
-
-TEST(MissedTargets, AreToldAgainAndOtherNotesStay) {
-  // A square cut in four by a vertex next to its lower side: two angles above 100 degrees, 4 below
-  // 20, at places of the plane.
-  const RegionBoundary boundary = boundary_of({{{10, 10}, {12, 10}, {12, 12}, {10, 12}}});
-  RegionMesh mesh;
-  mesh.steiner = {{11, 10.25}};
-  mesh.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
-  mesh.report.notes = {{Note::Kind::fallback, boundary.id, "another method was used", {}},
-                       {Note::Kind::target_missed, boundary.id, "before", {}}};
-  report_again(boundary, Options{}, true, mesh);
-  const std::vector<Note>& notes = mesh.report.notes;
-  ASSERT_EQ(notes.size(), 3U);
-  EXPECT_EQ(notes[0].message, "another method was used");
-  EXPECT_NE(notes[1].message.find("1 angle above 100 degrees"), std::string::npos)
-      << notes[1].message;
-  EXPECT_NE(notes[1].message.find("budget"), std::string::npos) << notes[1].message;
-  ASSERT_EQ(notes[1].where.size(), 1U);
-  EXPECT_EQ(notes[1].where[0], (Point{11, 10.25}));
-  EXPECT_NE(notes[2].message.find("below 20 degrees"), std::string::npos) << notes[2].message;
-}
 
 TEST(MissedTargets, SmallAnglesThatSidesForceAreToldApart) {
   // On a wall ten times as long as the layer is thick, no triangle has all angles above 11.3.
