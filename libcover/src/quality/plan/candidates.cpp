@@ -140,10 +140,10 @@ std::optional<Candidate> Candidates::evenly_refined(Candidate cdt) const {
   return measured(std::move(cdt));
 }
 
-Candidate Candidates::optimised(Candidate cdt, Search search) {
+Candidate Candidates::optimised(Candidate cdt, OptimiseEffort how_hard) {
   Budget half = budget_.share(2);  // the rest is for candidates that may start better
   const Optimised reached =
-      optimise(cdt.mesh.change(), goal_, half, sizes_, ranking_.order(), search, sharing_);
+      optimise(cdt.mesh.change(), goal_, half, sizes_, ranking_.order(), how_hard, sharing_);
   cdt.merit = reached.merit;
   if (reached.before_couplings) outlook_.has_seen(*reached.before_couplings);
   budget_.take_back(half);
@@ -220,9 +220,10 @@ Candidate Candidates::improved_within(const Candidate& c, std::uint64_t evaluati
   return better;
 }
 
-Candidate Candidates::optimised_within(Candidate cdt, Search search, std::uint64_t evaluations) {
+Candidate Candidates::optimised_within(Candidate cdt, OptimiseEffort how_hard,
+                                       std::uint64_t evaluations) {
   Candidate better;  // of the budget no more than half is for one
-  budget_.within(2 * evaluations, [&] { better = optimised(std::move(cdt), search); });
+  budget_.within(2 * evaluations, [&] { better = optimised(std::move(cdt), how_hard); });
   return better;
 }
 

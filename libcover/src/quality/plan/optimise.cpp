@@ -72,14 +72,16 @@ bool is_worth_a_search(const Merit& merit) {
          has_at_most(merit, effort::kShareWithoutHope);
 }
 
-bool is_thorough(Search search) { return search == Search::again || search == Search::usual; }
+bool is_thorough(OptimiseEffort how_hard) {
+  return how_hard == OptimiseEffort::again || how_hard == OptimiseEffort::all;
+}
 
 /// What may be spent on each triangle after refinement.
-std::uint64_t improve_evaluations(Search search, bool is_tiny) {
-  return is_thorough(search)      ? kUnlimited
-         : search == Search::none ? effort::kImproveFast
-         : is_tiny                ? effort::kImproveTiny
-                                  : effort::kImprovePerTriangle;
+std::uint64_t improve_evaluations(OptimiseEffort how_hard, bool is_tiny) {
+  return is_thorough(how_hard)                ? kUnlimited
+         : how_hard == OptimiseEffort::little ? effort::kImproveFast
+         : is_tiny                            ? effort::kImproveTiny
+                                              : effort::kImprovePerTriangle;
 }
 
 /// Stages 2 and 3: with a part of what is left, and no more than `each` for a triangle. What is
@@ -93,18 +95,18 @@ void improve_refined(MutableMesh& mesh, std::uint64_t each, Budget& budget,
 }
 
 /// What may be spent on each triangle when couplings have become heavier.
-std::uint64_t coupling_evaluations(Search search) {
-  return search == Search::none  ? effort::kCoupleFast
-         : search == Search::few ? effort::kCouplePerTriangle
-                                 : kUnlimited;
+std::uint64_t coupling_evaluations(OptimiseEffort how_hard) {
+  return how_hard == OptimiseEffort::little   ? effort::kCoupleFast
+         : how_hard == OptimiseEffort::normal ? effort::kCouplePerTriangle
+                                              : kUnlimited;
 }
 
 /// Whether what is left is searched, after couplings had their say.
-bool is_due(Search search, const Merit& merit) {
-  if (is_thorough(search)) return is_worth_a_search(merit);
+bool is_due(OptimiseEffort how_hard, const Merit& merit) {
+  if (is_thorough(how_hard)) return is_worth_a_search(merit);
   const bool are_few = merit.triangles <= effort::kSmallMesh && merit.missed > 0 &&
                        merit.missed <= effort::kFewInSmall;
-  return search == Search::few && (is_nearly_clean(merit) || are_few);
+  return how_hard == OptimiseEffort::normal && (is_nearly_clean(merit) || are_few);
 }
 
 /// The smallest angle to which stage 1 refines. A star of 1e5 points ends with 77,000 angles above
@@ -137,7 +139,7 @@ Goal with_edges(Goal goal) {
 
 }  // namespace
 
-Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search search,
+Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, OptimiseEffort how_hard,
                      const Sharing& sharing, std::uint64_t each) {
   const bool was_met = std::all_of(mesh.excess.begin(), mesh.excess.end(),
                                    [](double excess) { return excess <= kLeastCoupling; });
@@ -156,9 +158,9 @@ Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search
   Merit merit = flip_and_improve(soft);
   // What is missed beside something that is forced is mostly forced as well.
   const bool is_near =
-      merit.fault.worst() <= effort::kNearMiss && (is_thorough(search) || mesh.is_unforced());
-  if ((was_met || is_near) && is_due(search, merit)) {
-    const bool is_small = merit.triangles <= effort::kSmallMesh && !is_thorough(search);
+      merit.fault.worst() <= effort::kNearMiss && (is_thorough(how_hard) || mesh.is_unforced());
+  if ((was_met || is_near) && is_due(how_hard, merit)) {
+    const bool is_small = merit.triangles <= effort::kSmallMesh && !is_thorough(how_hard);
     const std::uint64_t one_more =
         is_small ? effort::kSearchForOneMore : effort::kSearchForCouplings;
     const std::uint64_t first = is_small ? std::min(effort::kSearchForCouplings,
@@ -181,26 +183,26 @@ Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search
   }
   if (merit.complete) return merit;
   merit = flip_and_improve(goal);
-  if (!is_due(search, merit) || (!was_met && merit.triangles <= effort::kSearchedInAnyCase))
+  if (!is_due(how_hard, merit) || (!was_met && merit.triangles <= effort::kSearchedInAnyCase))
     return merit;
   search_excerpts(mesh, goal, budget, Trials::usual, sharing);
   return merit_of(mesh, goal, sharing.team);
 }
 
 Optimised optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const SizeField& sizes,
-                   const Order& order, Search search, const Sharing& sharing) {
+                   const Order& order, OptimiseEffort how_hard, const Sharing& sharing) {
   const Goal goal = with_sides(asked);
   const bool is_tiny = mesh.fixed_vertices() <= kTinyRegion && !sizes.is_active();
   mesh.set_goal_unmeasured(goal, sharing.team);  // what is refined is measured in the end
   const RefineLimits limits = refine_limits(mesh, goal, sizes.is_active());
-  const bool may_start_again = is_thorough(search);
+  const bool may_start_again = is_thorough(how_hard);
   MutableMesh start;  // a third of what it becomes: to be refined again is rare
   if (may_start_again) start = mesh;
   refine(mesh, limits, sizes, sharing);
   if (sizes.is_active()) {
     budget.left += effort::kBudgetPerSizedVertex * (mesh.points.size() - mesh.fixed_vertices());
   }
-  improve_refined(mesh, improve_evaluations(search, is_tiny), budget, sharing);
+  improve_refined(mesh, improve_evaluations(how_hard, is_tiny), budget, sharing);
   Merit merit = merit_of(mesh, goal, sharing.team);
   if (may_start_again && !has_at_most(merit, effort::kShareToStartAgain)) {
     refine(start, limits, sizes, sharing);
@@ -212,17 +214,17 @@ Optimised optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const S
       mesh = std::move(start);
     }
   }
-  if (search == Search::few && is_nearly_clean(merit)) search = Search::usual;
-  if (search == Search::usual && has_at_most(merit, effort::kShareWorthMore)) {
+  if (how_hard == OptimiseEffort::normal && is_nearly_clean(merit)) how_hard = OptimiseEffort::all;
+  if (how_hard == OptimiseEffort::all && has_at_most(merit, effort::kShareWorthMore)) {
     budget.left += effort::kMoreForEach * std::min(merit.above, effort::kMostWorthMore);
   }
-  if (is_thorough(search) && !is_tiny && is_worth_a_search(merit))
+  if (is_thorough(how_hard) && !is_tiny && is_worth_a_search(merit))
     search_excerpts(mesh, goal, budget, Trials::usual, sharing);
   if (!sizes.is_active()) budget.spend(thin_out(mesh, budget.left, sharing).evaluations);
   if (goal == asked) return {merit_of(mesh, goal, sharing.team), std::nullopt};
   const AngleRange before_couplings = angles_of(mesh, sharing.team);
-  return {mind_couplings(mesh, asked, budget, is_tiny ? Search::none : search, sharing,
-                         coupling_evaluations(search)),
+  return {mind_couplings(mesh, asked, budget, is_tiny ? OptimiseEffort::little : how_hard, sharing,
+                         coupling_evaluations(how_hard)),
           before_couplings};
 }
 

@@ -14,12 +14,13 @@
 
 namespace cover {
 
-/// What is searched after improvement.
-enum class Search {
-  none,
-  few,    ///< where few triangles are left, and not for long
-  again,  ///< the same wherever there is hope, within the budget
-  usual,  ///< with more of a budget where few are left
+/// How much each stage may spend, and what is searched between them. (Not the Effort of a run:
+/// steps of one plan differ in this.)
+enum class OptimiseEffort {
+  little,  ///< improvement alone, and that is short
+  normal,  ///< a search where few triangles are left, and not for long
+  again,   ///< all that is left may be spent; a search wherever there is hope, within the budget
+  all,     ///< the same, with more of a budget where few are left
 };
 
 /// What a triangulation has reached.
@@ -35,7 +36,7 @@ struct Optimised {
 /// REQUIRES: `mesh` is constrained Delaunay
 /// ENSURES:  returns what was reached, by `goal`; nothing promises that it is better than before
 Optimised optimise(MutableMesh& mesh, const Goal& goal, Budget& budget, const SizeField& sizes = {},
-                   const Order& order = {}, Search search = Search::usual,
+                   const Order& order = {}, OptimiseEffort how_hard = OptimiseEffort::all,
                    const Sharing& sharing = {});
 
 /// The extreme angles of all triangles.
@@ -48,7 +49,7 @@ AngleRange angles_of(const MutableMesh& mesh, const Team& team = {});
 /// ENSURES:  returns what was reached, by `goal`; no coupling that counts is negative but for those
 ///           that the bound needs
 /// Cost:     improvement takes `each` evaluations for each triangle, once or twice
-Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Search search,
+Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, OptimiseEffort how_hard,
                      const Sharing& sharing = {},
                      std::uint64_t each = std::numeric_limits<std::uint32_t>::max());
 

@@ -96,29 +96,33 @@ void take_refined(PlanProgress& p) {
   take(p, p.refined);
 }
 void refined(PlanProgress& p) {
-  p.refined = p.make.optimised(p.cdt, Search::none);
+  p.refined = p.make.optimised(p.cdt, OptimiseEffort::little);
   take_refined(p);
 }
 void refined_and_searched(PlanProgress& p) {
-  p.refined = p.make.optimised(p.cdt, Search::few);
+  p.refined = p.make.optimised(p.cdt, OptimiseEffort::normal);
   take_refined(p);
 }
 void refined_and_searched_all(PlanProgress& p) {
-  p.refined = p.make.optimised(p.cdt, Search::usual);
+  p.refined = p.make.optimised(p.cdt, OptimiseEffort::all);
   take(p, p.refined);
 }
 void refined_and_searched_again(PlanProgress& p) {
   const std::uint64_t most =
       p.best.merit.triangles *
       (has_couplings(p) ? effort::kSearchedCoupled : effort::kSearchedPerTriangle);
-  p.refined = p.make.optimised_within(p.cdt, Search::again, most);
+  p.refined = p.make.optimised_within(p.cdt, OptimiseEffort::again, most);
   take(p, p.refined);
 }
-void sized(PlanProgress& p) { p.best = p.refined = p.make.optimised(p.cdt, Search::none); }
-void sized_and_searched(PlanProgress& p) {
-  p.best = p.refined = p.make.optimised(p.cdt, Search::few);
+void sized(PlanProgress& p) {
+  p.best = p.refined = p.make.optimised(p.cdt, OptimiseEffort::little);
 }
-void sized_and_searched_all(PlanProgress& p) { p.best = p.make.optimised(p.cdt, Search::usual); }
+void sized_and_searched(PlanProgress& p) {
+  p.best = p.refined = p.make.optimised(p.cdt, OptimiseEffort::normal);
+}
+void sized_and_searched_all(PlanProgress& p) {
+  p.best = p.make.optimised(p.cdt, OptimiseEffort::all);
+}
 Candidate narrowed_to_bound(const PlanProgress& p, const Candidate& from) {
   return p.make.narrowed(p.best, from, p.make.ranking().order().bound, effort::kNarrowedToBound);
 }
