@@ -75,7 +75,7 @@ void check_device(std::uint64_t seed, Seen& seen) {
   const CurvedMesh curved = curved_mesh(*output);
   for (const CurvedEdge& edge : curved.edges) ++(edge.is_straight ? seen.straight : seen.curved);
   seen.moved += curved.moved.size();
-  seen.cut += output->pslg.points.size() > output->report.uncut_points ? 1 : 0;
+  seen.cut += output->pslg.points.size() > output->report.input_points ? 1 : 0;
   WriteOptions order_2;
   order_2.order = 2;
   const MeshView view = view_of(*output, order_2);

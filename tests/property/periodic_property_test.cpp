@@ -62,7 +62,7 @@ TEST(Periodic, NoVertexIsWithoutItsPartner) {
     ASSERT_EQ(output->periodic.size(), input.periodic.size());
     EXPECT_EQ(testing::unpaired(*output), "");
     EXPECT_EQ(testing::violations(*output), "");
-    cut += output->pslg.points.size() > output->report.uncut_points ? 1 : 0;
+    cut += output->pslg.points.size() > output->report.input_points ? 1 : 0;
     completed += output->report.changes.empty() ? 0 : 1;
   }
   EXPECT_GT(cut, periodic_trials() / 3);

@@ -259,7 +259,7 @@ std::string cutting_option(const std::string& path, const MeshTriangles& mesh) {
   std::string by_itself = mesh.cut_vertices > 0 ? "its field data say so" : "";
   const Result<Output> known = read_output(path);
   if (!known) return by_itself;
-  if (by_itself.empty() && known->report.uncut_points < known->report.input_points)
+  if (by_itself.empty() && known->report.input_points < known->pslg.points.size())
     by_itself = "its file says so";
   for (const auto& [name, value] : known->report.provenance.settings) {
     if (name == "split-interfaces" || name == "box-method" ||

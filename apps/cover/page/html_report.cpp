@@ -155,7 +155,7 @@ class Page {
             card(grouped(output_.mesh.vertices()),
                  fmt::format("vertices ({} new)",
                              grouped(report_.steiner_vertices + output_.pslg.points.size() -
-                                     report_.uncut_points))) +
+                                     report_.input_points))) +
             card(grouped(report_.regions.size()), "regions") + "</div>\n";
     if (const std::string text = limits_text(limits); !text.empty())
       out_ += fmt::format("<p>Regions beside their targets and proven limits: {}.</p>\n", text);

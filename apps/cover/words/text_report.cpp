@@ -158,7 +158,7 @@ std::string totals(const Output& output, const MeshCounts& counts) {
     forced_150 += region.forced_above_150;
     if (region.quality.largest_nu < report.regions[worst].quality.largest_nu) worst = r;
   }
-  const std::size_t cuts = output.pslg.points.size() - report.uncut_points;
+  const std::size_t cuts = output.pslg.points.size() - report.input_points;
   std::string out =
       fmt::format("{}, {} ({} new{}), {}\n", plural(q.triangles, "triangle"),
                   grouped(counts.vertices) + " vertices", grouped(report.steiner_vertices + cuts),

@@ -80,8 +80,8 @@ Finding check_mesh(const Output& output) {
                             ? fmt::format(", and {} more", grouped(found.violation_count - 1))
                             : "")};
   }
-  const std::size_t more = output.pslg.segments.size() - output.report.uncut_segments;
-  const bool is_cut = output.report.uncut_segments > 0 && more > 0;
+  const std::size_t more = output.pslg.segments.size() - output.report.input_segments;
+  const bool is_cut = output.report.input_segments > 0 && more > 0;
   const std::string segments =
       is_cut ? fmt::format("The {} segments are cut into {}, as was asked for; each piece",
                            grouped(found.segments_whole - more), grouped(found.segments_whole))

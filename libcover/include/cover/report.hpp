@@ -159,12 +159,11 @@ struct Report {
   std::vector<Replaced> replaced;     ///< remesh(): by region; else empty
   std::vector<StageTime> times;
   Provenance provenance;
-  std::string unit;                ///< of the coordinates, as "nm"; empty: not said
-  double scale = 1;                ///< what the file's coordinates were multiplied by
-  std::size_t input_points = 0;    ///< of the clean input, with those that cut segments
-  std::size_t input_segments = 0;  ///< pieces of cut segments count
-  std::size_t uncut_points = 0;    ///< of the clean input, before any segment was cut
-  std::size_t uncut_segments = 0;
+  std::string unit;  ///< of the coordinates, as "nm"; empty: not said
+  double scale = 1;  ///< what the file's coordinates were multiplied by
+  /// Of the clean input, before any segment was cut; with cuts, Output::pslg has more. In a mesh
+  /// that was read, as far as its file tells.
+  std::size_t input_points = 0, input_segments = 0;
   std::size_t steiner_vertices = 0;  ///< inside regions: without those that cut segments
   unsigned threads = 1;
 };

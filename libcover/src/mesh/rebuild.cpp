@@ -291,9 +291,9 @@ class Rebuilder {
       out_.mesh.set_input_id(TriMesh::VertexHandle(static_cast<int>(v)),
                              v < n ? static_cast<long>(v) : -1);
     }
-    out_.report.input_points = n;
-    out_.report.uncut_points = n - std::min(stored_.cut_vertices, n);
-    out_.report.input_segments = out_.pslg.segments.size();
+    const std::size_t segments = out_.pslg.segments.size();
+    out_.report.input_points = n - std::min(stored_.cut_vertices, n);
+    out_.report.input_segments = segments - std::min(stored_.cut_vertices, segments);
     out_.report.steiner_vertices = soup_.points.size() - n;
   }
 

@@ -31,7 +31,7 @@ Result<std::vector<std::vector<EncroachedSegment>>> encroached_in(
 Status try_cuts(Pslg pslg, RegionTable table, BoxCosts& costs) {
   const std::size_t points = pslg.points.size();
   Prepared cut{pslg, table, {}};
-  cut.report.uncut_points = points;
+  cut.report.input_points = points;
   costs.uncut = cut_encroached(cut, VertexId{points}).size();
   costs.cuts = cut.report.box_cuts.size();
   Options right;

@@ -43,7 +43,7 @@ Status split(Work& work, const Options& options, bool memory_counts,
     auto pieces = pieces_of_work(work.pslg, work.table, options, team);
     if (!pieces) return std::move(pieces).error();
     work.boundaries = *std::move(pieces);
-    if (work.pslg.points.size() == work.report.uncut_points)
+    if (work.pslg.points.size() == work.report.input_points)
       add_known_triangles(triangulated, work.pslg.points.size(), work.boundaries, team);
     return check_expected_triangles(work.table, work.boundaries, options,
                                     memory_for_mesh(memory_counts));
@@ -60,7 +60,7 @@ Status mesh_each_region(Work& work, const Options& options, const Callbacks& cal
 
 Status look_at_cuts(Work& work, const Options& /*options*/, const Callbacks& /*callbacks*/) {
   Status apart = errors_as_values(
-      "check cuts", [&] { return check_cuts(work.pslg, work.table, work.report.uncut_points); });
+      "check cuts", [&] { return check_cuts(work.pslg, work.table, work.report.input_points); });
   if (apart) warn_of_straight_arcs(work.pslg, work.report.notes);
   return apart;
 }
@@ -138,8 +138,6 @@ Result<Output> stitch_regions(Work work, const Callbacks& callbacks, StageClock&
         stitch(work.pslg, work.table, std::move(work.boundaries), work.meshes, team));
   });
   if (!mesh) return std::move(mesh).error();
-  work.report.input_points = work.pslg.points.size();
-  work.report.input_segments = work.pslg.segments.size();
   collect_reports(work.meshes, work.report);
   std::vector<PeriodicNodes> periodic = periodic_nodes(work.pslg, work.rules, *mesh);
   std::vector<PlaneField::Array> fields;

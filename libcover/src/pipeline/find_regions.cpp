@@ -85,13 +85,11 @@ Result<FoundRegions> find(const Input& input, Release release, const Options& op
   });
   if (!joined) return std::move(joined).error();
   clock.note("regions", report.times);
-  report.uncut_points = prepared.pslg.points.size();
-  report.uncut_segments = prepared.pslg.segments.size();
+  report.input_points = prepared.pslg.points.size();
+  report.input_segments = prepared.pslg.segments.size();
   Status cut = errors_as_values(
       "split interfaces", [&] { return cut_before_meshing(prepared, options, memory_counts); });
   if (!cut) return std::move(cut).error();
-  report.input_points = prepared.pslg.points.size();
-  report.input_segments = prepared.pslg.segments.size();
   return FoundRegions{std::move(prepared), std::move(made->triangulated)};
 }
 

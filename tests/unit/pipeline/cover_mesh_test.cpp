@@ -207,6 +207,19 @@ TEST(CoverMesh, KeepsItsPromises) {
             output.mesh.tri().n_vertices());
 }
 
+TEST(CoverMesh, InputPointsAreThoseOfTheInputHoweverManyCutsThereAre) {
+  const Input input = testing::random_cells(12, 23);
+  const Output whole = must_mesh(input);
+  EXPECT_EQ(whole.report.input_points, whole.pslg.points.size());
+  EXPECT_EQ(whole.report.input_segments, whole.pslg.segments.size());
+  Options options;
+  options.split_interfaces = Angle::degrees(90);
+  const Output cut = must_mesh(input, options);
+  EXPECT_EQ(cut.report.input_points, whole.report.input_points);
+  EXPECT_EQ(cut.report.input_segments, whole.report.input_segments);
+  EXPECT_GT(cut.pslg.points.size(), cut.report.input_points);
+}
+
 TEST(CoverMesh, AnInputThatIsHandedOverIsGivenBack) {
   Input input = testing::checker(4, 5, 3);
   const Result<Output> kept = cover_mesh(input);

@@ -137,7 +137,7 @@ class CouplingRounds {
         if (!is_new) at->second = std::min(at->second, side.apex);
       }
     }
-    const WholeSegments whole(pslg, work_.report.uncut_points);
+    const WholeSegments whole(pslg, work_.report.input_points);
     const PeriodicClasses classes(pslg);
     std::vector<SegmentCut> cuts;
     ChosenCuts chosen;

@@ -125,7 +125,7 @@ class Rounds {
                            std::size_t most) const {
     const std::vector<SegmentId> halved = joined(work).segments_to_halve();
     Result<bool> cut =
-        halve_segments(work.pslg, work.table, options_, work.report.uncut_points, halved, most);
+        halve_segments(work.pslg, work.table, options_, work.report.input_points, halved, most);
     if (!cut || !*cut) return cut;
     Result<std::vector<RegionBoundary>> pieces = pieces_of_work(work.pslg, work.table, options_);
     if (!pieces) return std::move(pieces).error();

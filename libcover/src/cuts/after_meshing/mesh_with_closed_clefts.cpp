@@ -29,7 +29,7 @@ namespace {
 bool misses_nearly_everywhere(const Work& work) {
   std::size_t obtuse = 0;
   for (const RegionMesh& mesh : work.meshes) obtuse += mesh.report.quality.obtuse;
-  return 2 * obtuse > work.report.uncut_points;
+  return 2 * obtuse > work.report.input_points;
 }
 
 /// Cuts segments and meshes regions as it is done without clefts.
@@ -60,7 +60,7 @@ ConformingMesh joined(const ClosedClefts& closed) {
 ConformingMesh mended(ConformingMesh mesh, const ClosedClefts& closed,
                       const std::stop_token& stop) {
   const Work& work = closed.work;
-  const auto given = static_cast<std::ptrdiff_t>(work.report.uncut_points);
+  const auto given = static_cast<std::ptrdiff_t>(work.report.input_points);
   const std::vector<std::uint32_t> lines(mesh.line.begin(), mesh.line.begin() + given);
   std::fill(mesh.line.begin(), mesh.line.begin() + given, ConformingMesh::kFixed);
   std::vector<std::uint32_t> fixed = sort_by_place(mesh);
@@ -109,10 +109,10 @@ Status mesh_with_closed_clefts(Work& work, const Options& options, const Callbac
     return ok();
   return errors_as_values("close clefts", [&]() -> Status {
     Work whole = work;
-    unite_pieces(whole.pslg, whole.table, work.report.uncut_points);
+    unite_pieces(whole.pslg, whole.table, work.report.input_points);
     const std::vector<Cleft> clefts =
         find_clefts(whole.pslg, whole.table, split_regions(whole.pslg, whole.table));
-    if (2 * effort::cuts::kCornersOfCleft * clefts.size() < work.report.uncut_points) return ok();
+    if (2 * effort::cuts::kCornersOfCleft * clefts.size() < work.report.input_points) return ok();
     std::optional<ClosedClefts> closed = close_clefts(whole, clefts);
     if (!closed) return ok();
     if (Status status = mesh_closed(closed->work, options, callbacks.stop); !status) return status;

@@ -173,7 +173,7 @@ class Thinning {
   /// `work` and `options` outlive this object.
   Thinning(const Work& work, const Options& options)
       : work_(work), options_(options), whole_(work) {
-    const std::size_t first = work.report.uncut_points;
+    const std::size_t first = work.report.input_points;
     const std::vector<std::uint32_t> whole = unite_pieces(whole_.pslg, whole_.table, first);
     mesh_ = join(work, whole_.pslg, whole);
     fixed_ = sort_by_place(mesh_);
@@ -181,13 +181,13 @@ class Thinning {
   }
 
   [[nodiscard]] std::size_t new_vertices() const {
-    return mesh_.points.size() - work_.report.uncut_points;
+    return mesh_.points.size() - work_.report.input_points;
   }
 
   /// `mends_first`: bad triangles are mended in any way while there are all vertices.
   [[nodiscard]] ThinTrial run(bool mends_first, const std::stop_token& stop) const {
     ThinTrial trial;
-    const std::size_t first = work_.report.uncut_points;
+    const std::size_t first = work_.report.input_points;
     trial.before = new_vertices();
     std::vector<WantedAngles> angles = angles_of(work_.meshes, options_);
     Places places = places_of(options_.effort, mesh_.points.size(), trial.before);
@@ -324,7 +324,7 @@ Status thin_cuts(Work& work, const Options& options, const Callbacks& callbacks)
     }
     if (best) {
       work = *std::move(best->work);
-      tell(work.pslg, work.report.uncut_points, best->before, best->after, options, work.report);
+      tell(work.pslg, work.report.input_points, best->before, best->after, options, work.report);
       return ok();
     }
     if (fault.empty()) return ok();

@@ -156,7 +156,7 @@ class Cutter {
   Cutter(Prepared& prepared, VertexId first_cut)
       : pslg_(prepared.pslg),
         table_(prepared.table),
-        uncut_points_(prepared.report.uncut_points),
+        uncut_points_(prepared.report.input_points),
         first_cut_(first_cut),
         done_(prepared.report.box_cuts),
         most_points_(most_points_for_boxes(pslg_, done_)),

@@ -18,7 +18,7 @@ namespace cover {
 /// Report::box_cuts gets what was cut, with the reasons: vertices from `first_cut` on count as cuts
 /// there, not as points of the input.
 ///
-/// REQUIRES: points from Report::uncut_points on are cuts
+/// REQUIRES: points from Report::input_points on are cuts
 /// ENSURES:  points and regions fit each other
 /// Returns:  the middles of pieces that doubles leave no room to cut, or in which cuts go on for
 ///           ever because feet are rounded (more than 16 passes, and most_points_for_boxes()

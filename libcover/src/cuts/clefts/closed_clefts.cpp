@@ -117,7 +117,7 @@ class Closer {
     pslg.point_ids.resize(pslg.points.size(), -1);
     pslg.point_markers.resize(pslg.points.size(), 0);
     cut();
-    closed_.work.report.uncut_points = pslg.points.size();
+    closed_.work.report.input_points = pslg.points.size();
   }
 
   std::optional<ClosedClefts> closed() && {

@@ -377,8 +377,8 @@ Json input_json(const Pslg& pslg, const RegionTable& table, const Report& report
   return {{"source", report.provenance.source},
           {"unit", report.unit},
           {"scale", report.scale},
-          {"points", report.uncut_points},
-          {"segments", report.uncut_segments},
+          {"points", report.input_points},
+          {"segments", report.input_segments},
           {"void_points", void_points},
           {"void_segments", table.void_segments.size()}};
 }
@@ -388,7 +388,7 @@ Json mesh_json(const Output& output, const MeshCounts& mesh) {
           {"edges", mesh.edges},
           {"triangles", mesh.triangles},
           {"steiner_vertices", output.report.steiner_vertices},
-          {"cut_vertices", output.pslg.points.size() - output.report.uncut_points}};
+          {"cut_vertices", output.pslg.points.size() - output.report.input_points}};
 }
 
 /// An object, member by member: all of a report at once takes ten times the memory of its text.

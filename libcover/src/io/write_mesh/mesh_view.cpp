@@ -347,7 +347,7 @@ MeshView make_view(const Output& output, const WriteOptions& options, bool with_
   MeshView view;
   with_team(output.report.threads,
             [&](const Team& team) { view = Viewer(output, options, team).make(with_lines); });
-  const std::size_t uncut = output.report.uncut_points;
+  const std::size_t uncut = output.report.input_points;
   if (uncut > 0 && output.pslg.points.size() > uncut)
     view.cut_vertices = output.pslg.points.size() - uncut;
   return view;

@@ -70,7 +70,7 @@ TEST(CutAndImprove, HalvesLongSegmentsBesideShortOnes) {
     const bool is_cut = note.kind == Note::Kind::cut;
     told += is_cut ? 1 : 0;
     if (is_cut) {
-      EXPECT_EQ(note.where.size(), output.report.input_points - output.report.uncut_points);
+      EXPECT_EQ(note.where.size(), output.pslg.points.size() - output.report.input_points);
     }
   }
   EXPECT_EQ(told, 1u);  // once, however many rounds there were, for all that is left

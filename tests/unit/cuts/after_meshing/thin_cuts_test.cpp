@@ -23,7 +23,7 @@ namespace cover {
 namespace {
 
 std::size_t added(const Output& output) {
-  return output.report.steiner_vertices + output.report.input_points - output.report.uncut_points;
+  return output.report.steiner_vertices + output.pslg.points.size() - output.report.input_points;
 }
 
 const Note* note_of(const Output& output) {
@@ -70,7 +70,7 @@ TEST(ThinCuts, TakesVerticesAwayAndLeavesNoObtuseTriangle) {
       if (note == nullptr) continue;  // nothing could go
       ++told;
       EXPECT_EQ(note->kind, Note::Kind::cut);
-      EXPECT_EQ(note->where.size(), thin.report.input_points - thin.report.uncut_points);
+      EXPECT_EQ(note->where.size(), thin.pslg.points.size() - thin.report.input_points);
       EXPECT_NE(note->message.find(fmt::format("became {} when", added(thin))), std::string::npos)
           << note->message << added(thin);
     }
@@ -95,7 +95,7 @@ TEST(ThinCuts, TheOrderOfTheInputDoesNotMatter) {
       const auto shape = [&] {
         const Output output =
             testing::must_mesh(testing::segments_between(points, segments), options);
-        cut += output.report.input_points > output.report.uncut_points ? 1 : 0;
+        cut += output.pslg.points.size() > output.report.input_points ? 1 : 0;
         return testing::shape_of(triangle_soup(output.mesh));
       };
       const testing::Shape before = shape();
