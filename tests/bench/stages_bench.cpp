@@ -25,7 +25,7 @@
 #include "heap_peak.hpp"
 #include "region/region_graph.hpp"
 #include "support/inputs/inputs.hpp"
-#include "tasks/region_task.hpp"
+#include "tasks/mesh_regions.hpp"
 
 namespace {
 

@@ -32,7 +32,7 @@
 #include "target/angle_limit.hpp"
 #include "target/fill_report.hpp"
 #include "target/whole_mesh.hpp"
-#include "tasks/region_task.hpp"
+#include "tasks/for_each_region.hpp"
 #include "tasks/stage_clock.hpp"
 
 namespace cover {

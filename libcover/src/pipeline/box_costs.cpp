@@ -8,7 +8,7 @@
 #include "cuts/before_meshing/split_interfaces.hpp"
 #include "region/region_graph.hpp"
 #include "tasks/errors_as_values.hpp"
-#include "tasks/region_task.hpp"
+#include "tasks/for_each_region.hpp"
 
 namespace cover {
 namespace {

@@ -22,7 +22,7 @@
 #include "mesh/periodic_nodes.hpp"
 #include "mesh/stitch.hpp"
 #include "nonobtuse/nonobtuse.hpp"
-#include "pipeline/find_regions.hpp"
+#include "pipeline/prepare_regions.hpp"
 #include "pipeline/steps.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/expected_triangles.hpp"
@@ -30,8 +30,9 @@
 #include "sizes/sizes.hpp"
 #include "tasks/by_team.hpp"
 #include "tasks/errors_as_values.hpp"
+#include "tasks/for_each_region.hpp"
+#include "tasks/mesh_regions.hpp"
 #include "tasks/pieces_of_work.hpp"
-#include "tasks/region_task.hpp"
 
 namespace cover {
 namespace {
@@ -71,13 +72,13 @@ Result<Work> work_of(AnyInput&& input, const Options& options, bool memory_count
                      const Callbacks& callbacks, StageClock& clock) {
   std::vector<PeriodicRule> rules = periodic_rules(input, options);
   std::shared_ptr<const PlaneField> field = input.field;
-  Result<FoundRegions> found =
-      find_regions(std::forward<AnyInput>(input), options, callbacks, clock, memory_counts);
-  if (!found) return std::move(found).error();
-  Work work{std::move(found->prepared)};
+  Result<PreparedRegions> regions =
+      prepare_regions(std::forward<AnyInput>(input), options, callbacks, clock, memory_counts);
+  if (!regions) return std::move(regions).error();
+  Work work{std::move(regions->prepared)};
   work.rules = std::move(rules);
   work.field = std::move(field);
-  if (Status status = split(work, options, memory_counts, found->triangulated); !status)
+  if (Status status = split(work, options, memory_counts, regions->triangulated); !status)
     return std::move(status).error();
   Status warned = errors_as_values("sizes", [&] {
     warn_of_sizes(work.pslg, options, work.boundaries, work.report.notes);
@@ -105,9 +106,9 @@ Result<Prepared> prepare(const Input& input, const Options& asked, const Callbac
   return memory_as_value("prepare", [&]() -> Result<Prepared> {
     StageClock clock;
     const Options options = with_layers_of(input, asked);
-    Result<FoundRegions> found = find_regions(input, options, callbacks, clock, true);
-    if (!found) return std::move(found).error();
-    Prepared prepared = std::move(found->prepared);
+    Result<PreparedRegions> regions = prepare_regions(input, options, callbacks, clock, true);
+    if (!regions) return std::move(regions).error();
+    Prepared prepared = std::move(regions->prepared);
     Result<std::vector<RegionReport>> limits =
         limit_regions(split_regions(prepared.pslg, prepared.table), options, callbacks);
     if (!limits) return std::move(limits).error();

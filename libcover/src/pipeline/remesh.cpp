@@ -19,14 +19,15 @@
 #include "base/faults/out_of_memory.hpp"
 #include "cdt/cdt.hpp"
 #include "cuts/periodic/match_sides.hpp"
-#include "pipeline/find_regions.hpp"
+#include "pipeline/prepare_regions.hpp"
 #include "pipeline/steps.hpp"
 #include "sizes/expected_triangles.hpp"
 #include "sizes/sizes.hpp"
 #include "target/fill_report.hpp"
 #include "tasks/errors_as_values.hpp"
+#include "tasks/for_each_region.hpp"
+#include "tasks/mesh_regions.hpp"
 #include "tasks/pieces_of_work.hpp"
-#include "tasks/region_task.hpp"
 
 namespace cover {
 namespace {
@@ -230,9 +231,9 @@ Result<Output> mesh_again(const Input& input, const TriangleSoup& onto,
   StageClock clock;
   const Result<Options> options = options_without_cuts(with_layers_of(input, asked), only);
   if (!options) return options.error();
-  Result<FoundRegions> found = find_regions(input, *options, callbacks, clock, true);
-  if (!found) return std::move(found).error();
-  Work work{std::move(found->prepared)};
+  Result<PreparedRegions> regions = prepare_regions(input, *options, callbacks, clock, true);
+  if (!regions) return std::move(regions).error();
+  Work work{std::move(regions->prepared)};
   work.rules = periodic_rules(input, *options);
   work.field = input.field;
   const Result<std::vector<bool>> chosen = choose(work.table, only);

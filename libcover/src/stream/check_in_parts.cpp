@@ -23,9 +23,9 @@
 #include "base/sort_by_team.hpp"
 #include "cdt/triangulation.hpp"
 #include "io/vtk_files/mapped_triangles.hpp"
-#include "pipeline/find_regions.hpp"
+#include "pipeline/prepare_regions.hpp"
 #include "tasks/errors_as_values.hpp"
-#include "tasks/region_task.hpp"
+#include "tasks/for_each_region.hpp"
 #include "verify/verify_by_team.hpp"
 
 namespace cover {
@@ -347,7 +347,7 @@ Result<Prepared> prepare_to_check(Input&& input, const Options& asked) {
   return memory_as_value("check", [&]() -> Result<Prepared> {
     StageClock clock;
     const Options options = with_layers_of(input, asked);
-    Result<FoundRegions> found = find_regions(std::move(input), options, {}, clock, true);
+    Result<PreparedRegions> found = prepare_regions(std::move(input), options, {}, clock, true);
     if (!found) return std::move(found).error();
     return std::move(found->prepared);
   });

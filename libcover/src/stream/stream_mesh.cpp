@@ -19,7 +19,7 @@
 #include "io/report/report_text.hpp"
 #include "io/write_mesh/write_spooled.hpp"
 #include "mesh/stitch.hpp"
-#include "pipeline/find_regions.hpp"
+#include "pipeline/prepare_regions.hpp"
 #include "pipeline/steps.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/expected_triangles.hpp"
@@ -28,7 +28,7 @@
 #include "stream/spooled_parts.hpp"
 #include "target/fill_report.hpp"
 #include "tasks/errors_as_values.hpp"
-#include "tasks/region_task.hpp"
+#include "tasks/mesh_regions.hpp"
 #include "tasks/share_out_regions.hpp"
 
 namespace cover {

@@ -10,11 +10,12 @@
 #include "base/faults/errors.hpp"
 #include "base/run_all.hpp"
 #include "sizes/sizes.hpp"
-#include "tasks/bytes/region_bytes.hpp"
+#include "tasks/between_processes/region_bytes.hpp"
 #include "tasks/errors_as_values.hpp"
+#include "tasks/for_each_region.hpp"
 #include "tasks/mesh_one_region.hpp"
+#include "tasks/mesh_regions.hpp"
 #include "tasks/progress_count.hpp"
-#include "tasks/region_task.hpp"
 
 namespace cover {
 namespace {

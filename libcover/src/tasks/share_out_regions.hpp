@@ -12,7 +12,7 @@
 #include "base/team.hpp"
 #include "region/region_boundary.hpp"
 #include "target/region_mesh.hpp"
-#include "tasks/bytes/region_bytes.hpp"
+#include "tasks/between_processes/region_bytes.hpp"
 
 namespace cover {
 

@@ -20,7 +20,7 @@
 
 #include "support/inputs/inputs.hpp"
 #include "support/mesh_shape.hpp"
-#include "tasks/region_task.hpp"
+#include "tasks/for_each_region.hpp"
 
 namespace cover {
 namespace {

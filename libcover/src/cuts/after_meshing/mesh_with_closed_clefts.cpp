@@ -19,7 +19,7 @@
 #include "mend/thin_mesh.hpp"
 #include "region/region_graph.hpp"
 #include "tasks/errors_as_values.hpp"
-#include "tasks/region_task.hpp"
+#include "tasks/mesh_regions.hpp"
 
 namespace cover {
 namespace {

@@ -11,7 +11,7 @@
 #include "cuts/unite_pieces.hpp"
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"
-#include "tasks/region_task.hpp"
+#include "tasks/mesh_regions.hpp"
 
 namespace cover {
 namespace {

@@ -2,7 +2,7 @@
 // share nothing but the progress count. What is thrown inside a region becomes the error of that
 // region.
 // Tested by tests/unit/pipeline/cover_mesh_test.cpp.
-#include "tasks/region_task.hpp"
+#include "tasks/for_each_region.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,14 +15,9 @@
 #include "base/containers/order.hpp"
 #include "base/faults/errors.hpp"
 #include "base/run_all.hpp"
-#include "region/triangulation_of.hpp"
 #include "sizes/expected_triangles.hpp"
-#include "target/angle_limit.hpp"
-#include "target/fill_report.hpp"
 #include "tasks/errors_as_values.hpp"
-#include "tasks/mesh_one_region.hpp"
 #include "tasks/progress_count.hpp"
-#include "tasks/share_out_regions.hpp"
 
 namespace cover {
 namespace {
@@ -113,44 +108,6 @@ Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned work
                        const std::function<void(std::size_t)>& task) {
   return for_each_region(boundaries, workers, stage, callbacks,
                          [&task](std::size_t k, const Team&) { task(k); });
-}
-
-Result<std::vector<RegionReport>> limit_regions(std::span<const RegionBoundary> boundaries,
-                                                const Options& options,
-                                                const Callbacks& callbacks) {
-  std::vector<RegionReport> reports(boundaries.size());
-  Status status =
-      for_each_region(boundaries, worker_count(options), "limits", callbacks, [&](std::size_t k) {
-        const RegionBoundary& boundary = boundaries[k];
-        const Triangulation cdt = triangulation_of(boundary);
-        set_limits(angle_limit(cdt, boundary.sides, boundary.segments), reports[k]);
-        reports[k].id = boundary.id;
-        reports[k].input_vertices = boundary.points.size();
-      });
-  if (!status) return std::move(status).error();
-  return reports;
-}
-
-Status mesh_regions_into(std::span<const RegionBoundary> boundaries, const Options& options,
-                         const Callbacks& callbacks, const RegionSink& sink,
-                         const std::function<bool()>& is_good, const Staying* staying) {
-  if (callbacks.share_out)
-    return share_out_regions(boundaries, options, callbacks, sink, is_good, staying);
-  return for_each_region(boundaries, worker_count(options), "mesh", callbacks,
-                         [&](std::size_t k, const Team& team) {
-                           if (is_good())
-                             sink(k, mesh_one_region(boundaries[k], options, callbacks.stop, team));
-                         });
-}
-
-Result<std::vector<RegionMesh>> mesh_regions(std::span<const RegionBoundary> boundaries,
-                                             const Options& options, const Callbacks& callbacks) {
-  std::vector<RegionMesh> meshes(boundaries.size());
-  Status status =
-      mesh_regions_into(boundaries, options, callbacks,
-                        [&](std::size_t k, RegionMesh mesh) { meshes[k] = std::move(mesh); });
-  if (!status) return std::move(status).error();
-  return meshes;
 }
 
 }  // namespace cover

@@ -12,7 +12,6 @@
 
 #include "base/team.hpp"
 #include "region/region_boundary.hpp"
-#include "target/region_mesh.hpp"
 
 namespace cover {
 
@@ -36,33 +35,8 @@ Status for_each_region(std::span<const RegionBoundary> boundaries, unsigned work
                        std::string_view stage, const Callbacks& callbacks,
                        const std::function<void(std::size_t)>& task);
 
-/// The lower bounds of every region, without a mesh; in region order.
-Result<std::vector<RegionReport>> limit_regions(std::span<const RegionBoundary> boundaries,
-                                                const Options& options, const Callbacks& callbacks);
-
 /// Estimated work of each region. All methods are near linear in the size of the boundary and in
 /// the number of triangles.
 std::vector<std::size_t> costs_of(std::span<const RegionBoundary> boundaries);
-
-/// Takes the mesh of a region.
-///
-/// Threads: called from several at a time, each with regions of its own
-using RegionSink = std::function<void(std::size_t region, RegionMesh mesh)>;
-
-struct Staying;
-
-/// Meshes and measures every region, as Callbacks::share_out says, and hands each to `sink` when it
-/// is done. Once `is_good` is false, no further region is begun. With `staying`, meshes of other
-/// processes may stay there.
-///
-/// Errors: those of for_each_region()
-Status mesh_regions_into(
-    std::span<const RegionBoundary> boundaries, const Options& options, const Callbacks& callbacks,
-    const RegionSink& sink, const std::function<bool()>& is_good = [] { return true; },
-    const Staying* staying = nullptr);
-
-/// The same; results in region order.
-Result<std::vector<RegionMesh>> mesh_regions(std::span<const RegionBoundary> boundaries,
-                                             const Options& options, const Callbacks& callbacks);
 
 }  // namespace cover

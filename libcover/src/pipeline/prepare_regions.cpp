@@ -1,5 +1,5 @@
 // Tested by tests/unit/pipeline/cover_mesh_test.cpp.
-#include "pipeline/find_regions.hpp"
+#include "pipeline/prepare_regions.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -19,8 +19,8 @@
 #include "target/fill_report.hpp"
 #include "tasks/by_team.hpp"
 #include "tasks/errors_as_values.hpp"
+#include "tasks/for_each_region.hpp"
 #include "tasks/pieces_of_work.hpp"
-#include "tasks/region_task.hpp"
 
 namespace cover {
 namespace {
@@ -58,8 +58,9 @@ Status cut_before_meshing(Prepared& prepared, const Options& options, bool memor
 
 /// `release` gives the input back, if it may go.
 template <class Release>
-Result<FoundRegions> find(const Input& input, Release release, const Options& options,
-                          const Callbacks& callbacks, StageClock& clock, bool memory_counts) {
+Result<PreparedRegions> prepared_from(const Input& input, Release release, const Options& options,
+                                      const Callbacks& callbacks, StageClock& clock,
+                                      bool memory_counts) {
   if (Status status = check_options(options); !status) return std::move(status).error();
   Prepared prepared;
   Report& report = prepared.report;
@@ -90,7 +91,7 @@ Result<FoundRegions> find(const Input& input, Release release, const Options& op
   Status cut = errors_as_values(
       "split interfaces", [&] { return cut_before_meshing(prepared, options, memory_counts); });
   if (!cut) return std::move(cut).error();
-  return FoundRegions{std::move(prepared), std::move(made->triangulated)};
+  return PreparedRegions{std::move(prepared), std::move(made->triangulated)};
 }
 
 }  // namespace
@@ -111,16 +112,17 @@ std::vector<PeriodicRule> periodic_rules(const Input& input, const Options& opti
   return rules;
 }
 
-Result<FoundRegions> find_regions(const Input& input, const Options& options,
-                                  const Callbacks& callbacks, StageClock& clock,
-                                  bool memory_counts) {
-  return find(
+Result<PreparedRegions> prepare_regions(const Input& input, const Options& options,
+                                        const Callbacks& callbacks, StageClock& clock,
+                                        bool memory_counts) {
+  return prepared_from(
       input, [] {}, options, callbacks, clock, memory_counts);
 }
 
-Result<FoundRegions> find_regions(Input&& input, const Options& options, const Callbacks& callbacks,
-                                  StageClock& clock, bool memory_counts) {
-  return find(
+Result<PreparedRegions> prepare_regions(Input&& input, const Options& options,
+                                        const Callbacks& callbacks, StageClock& clock,
+                                        bool memory_counts) {
+  return prepared_from(
       input, [&input] { input = {}; }, options, callbacks, clock, memory_counts);
 }
 

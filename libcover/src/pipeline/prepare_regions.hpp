@@ -22,7 +22,7 @@ namespace cover {
 Status begin_stage(std::string_view stage, const Callbacks& callbacks);
 
 /// What is prepared, and what was found on the way.
-struct FoundRegions {
+struct PreparedRegions {
   Prepared prepared;
   std::vector<TriangulatedRegion> triangulated;
 };
@@ -31,12 +31,13 @@ struct FoundRegions {
 ///
 /// Errors: ErrorCode 100-199, bad_option, cancelled; out_of_memory where `memory_counts` and the
 ///         sizes asked for take more than there is
-Result<FoundRegions> find_regions(const Input& input, const Options& options,
-                                  const Callbacks& callbacks, StageClock& clock,
-                                  bool memory_counts);
+Result<PreparedRegions> prepare_regions(const Input& input, const Options& options,
+                                        const Callbacks& callbacks, StageClock& clock,
+                                        bool memory_counts);
 /// The same; `input` is gone as soon as it is clean.
-Result<FoundRegions> find_regions(Input&& input, const Options& options, const Callbacks& callbacks,
-                                  StageClock& clock, bool memory_counts);
+Result<PreparedRegions> prepare_regions(Input&& input, const Options& options,
+                                        const Callbacks& callbacks, StageClock& clock,
+                                        bool memory_counts);
 
 /// The rules of the options, then those of the input.
 std::vector<PeriodicRule> periodic_rules(const Input& input, const Options& options);

@@ -1,7 +1,7 @@
 // Tested by tests/unit/tasks/input_bytes_test.cpp.
 #include <cover/read_elsewhere.hpp>
 
-#include "tasks/bytes/byte_stream.hpp"
+#include "tasks/between_processes/byte_stream.hpp"
 
 namespace cover {
 

@@ -1,7 +1,7 @@
 // Tested by tests/unit/pipeline/share_out_test.cpp.
-#include "tasks/bytes/region_bytes.hpp"
+#include "tasks/between_processes/region_bytes.hpp"
 
-#include "tasks/bytes/byte_stream.hpp"
+#include "tasks/between_processes/byte_stream.hpp"
 
 namespace cover {
 
