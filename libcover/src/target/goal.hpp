@@ -47,7 +47,7 @@ inline bool is_between_sides(const SideAllowances& sides, Corner i) {
   return sides[i.next()] != nullptr && sides[i.previous()] != nullptr;
 }
 
-/// By how much a large angle at the corner opposite to this edge may exceed the goal; null: no side.
+/// By how much the angle opposite to this edge may exceed the goal; null: it is no side.
 inline double allowed_large(const Allowance* side) { return side != nullptr ? side->large : 0; }
 /// By how much the smallest angle beside this edge may miss the goal, whichever corner it is at.
 inline double allowed_small(const Allowance* side) { return side != nullptr ? side->small : 0; }
@@ -111,8 +111,6 @@ inline constexpr double kLightWeight = 1e-4;
 /// How far below the goal a trial aims, in cotangents (0.3 degrees): ties between large and small
 /// angles would end just above it.
 inline constexpr double kAimBelow = 0.005;
-/// Of an excess: what a change must win to be worth its time.
-inline constexpr double kWorthwhileGain = 0.01;
 /// Cotangents closer than this, relative to 1 or to their size, are equal: rounding.
 inline constexpr double kSameCot = 1e-9;
 

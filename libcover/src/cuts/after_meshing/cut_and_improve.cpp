@@ -15,6 +15,7 @@
 #include "cuts/cut_segments.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
+#include "quality/fault/keep_rules.hpp"
 #include "quality/effort/effort.hpp"
 #include "quality/fault/merit.hpp"
 #include "quality/repair/kicks.hpp"
@@ -27,7 +28,6 @@ namespace {
 constexpr std::uint32_t kCutAround = 16;  ///< triangles of it whose sides may be cut
 constexpr double kEnd = 0.01;             ///< of a side: no cut is nearer to its ends
 constexpr std::size_t kKicked = 5;        ///< trials that are kicked
-constexpr double kGain = 0.2;  ///< of its excess, that the worst triangle must win for a cut
 
 /// Evaluations that a search has in any case, and that may be spent for each triangle it mends.
 constexpr std::uint64_t kInAnyCase = 15'000'000, kForOne = 150'000;
@@ -164,17 +164,12 @@ class CutSearch {
     };
     std::stable_sort(trials.begin(), trials.end(), is_less_bad);
     const Merit before = best.merit;
-    const auto is_worth_it = [&](const Merit& now) {
-      return now.large <= before.large &&
-             (now.above < before.above ||
-              (now.above == before.above &&
-               now.large - goal_.large < (1 - kGain) * (before.large - goal_.large)));
-    };
+    const auto is_kept = [&](const Merit& now) { return is_cut_kept(now, before, goal_); };
     for (std::size_t k = 0; k < std::min(kKicked, trials.size()); ++k) {
-      if (!is_worth_it(trials[k].merit)) {
+      if (!is_kept(trials[k].merit)) {
         trials[k].merit = improve_by_kicks(trials[k].mesh, goal_, trials[k].merit, budget);
       }
-      if (!is_worth_it(trials[k].merit)) continue;
+      if (!is_kept(trials[k].merit)) continue;
       best = std::move(trials[k]);
       return true;
     }

@@ -23,19 +23,4 @@ GoalStanding standing_of(const MutableMesh& mesh, const Goal& goal) {
   return standing;
 }
 
-bool is_gain(const GoalStanding& now, const GoalStanding& before) {
-  if (now.negative > before.negative) return false;
-  if (now.largest > before.largest || now.large > before.large || now.above > before.above ||
-      now.far_above > before.far_above) {
-    return false;
-  }
-  if (now.negative < before.negative) return true;
-  if (now.above < before.above || now.far_above < before.far_above ||
-      now.large < (1 - kWorthwhileGain) * before.large) {
-    return true;
-  }
-  if (now.below > before.below || now.small > before.small) return false;
-  return now.below < before.below || now.small < (1 - kWorthwhileGain) * before.small;
-}
-
 }  // namespace cover

@@ -21,8 +21,4 @@ struct GoalStanding {
 /// Measured by `goal`, whatever goal the excerpt has set.
 GoalStanding standing_of(const MutableMesh& mesh, const Goal& goal);
 
-/// Whether the change from `before` to `now` is one for the better, of couplings, of large angles
-/// without harm to these, or of small ones without harm to both.
-bool is_gain(const GoalStanding& now, const GoalStanding& before);
-
 }  // namespace cover

@@ -10,6 +10,7 @@
 
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
+#include "quality/fault/keep_rules.hpp"
 #include "quality/optimum/linear_program.hpp"
 
 namespace cover {

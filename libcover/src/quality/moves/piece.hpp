@@ -11,13 +11,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "quality/fault/keep_rules.hpp"
 #include "quality/mutable/cavity.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
 
 namespace cover {
-
-/// The excess that a step on triangles with largest excess `worst` must stay below.
-inline double improvement_of(double worst) { return (1 - kWorthwhileGain) * worst; }
 
 /// A triangulation that moves are made on, with their buffers.
 struct Piece {

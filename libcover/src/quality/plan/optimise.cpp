@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "quality/effort/effort.hpp"
+#include "quality/fault/keep_rules.hpp"
 #include "quality/mutable/delaunay_flips.hpp"
 #include "quality/repair/improve.hpp"
 #include "quality/repair/search.hpp"
@@ -173,8 +174,7 @@ Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Optimi
         [&] { search_excerpts(mesh, soft, budget, Trials::usual, sharing); },
         WhenTooSmall::is_kept);
     const Merit found = merit_of(mesh, soft, sharing.team);
-    // A coupling may have been bought with an angle; what follows mends couplings for less.
-    if (is_small && found.fault.worst() > merit.fault.worst()) {
+    if (is_small && !is_kept_beside_couplings(found, merit)) {
       mesh = std::move(start);
     } else {
       known.clear();

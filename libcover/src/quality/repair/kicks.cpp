@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "quality/effort/effort.hpp"
+#include "quality/fault/keep_rules.hpp"
 #include "quality/moves/kick.hpp"
 #include "quality/parts/excerpt.hpp"
 #include "quality/repair/improve.hpp"
@@ -32,7 +33,7 @@ bool kick_and_improve(MutableMesh& mesh, const Goal& goal, Budget& budget) {
     if (!do_kick(trial, 0, kick)) continue;
     improve_with_slack(trial, budget);
     const Merit now = merit_of(trial, goal);
-    if (now.above > before.above || !is_better_by_largest(now, before)) continue;
+    if (!is_kick_kept(now, before)) continue;
     mesh = std::move(trial);
     return true;
   }

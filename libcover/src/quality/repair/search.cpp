@@ -15,6 +15,7 @@
 #include "base/numbers_where.hpp"
 #include "base/once_queue.hpp"
 #include "quality/effort/effort.hpp"
+#include "quality/fault/keep_rules.hpp"
 #include "quality/fault/standing.hpp"
 #include "quality/moves/kick.hpp"
 #include "quality/mutable/cavity.hpp"

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geom/vector.hpp"
+#include "quality/fault/keep_rules.hpp"
 #include "quality/mutable/cavity.hpp"
 #include "quality/optimum/min_max_polygon.hpp"
 #include "quality/optimum/placement.hpp"
@@ -15,7 +16,6 @@
 namespace cover {
 namespace {
 
-constexpr double kLimit = 0;       ///< excess that new triangles may have
 constexpr double kHopeless = 0.4;  ///< excess of a first try from which no place is found
 constexpr int kPartners = 2;  ///< neighbours of a vertex that it may be merged with: the nearest
 
@@ -24,7 +24,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 class Thinner {
  public:
   Thinner(MutableMesh& mesh, std::uint64_t budget)
-      : mesh_(mesh), budget_(budget), cavity_(mesh), widest_(mesh.goal(), kLimit) {}
+      : mesh_(mesh), budget_(budget), cavity_(mesh), widest_(mesh.goal(), kMostThinned) {}
 
   ThinOutResult run() {
     vertices_.resize(mesh_.points.size());
@@ -81,7 +81,7 @@ class Thinner {
   bool try_removal() {
     ++evaluations_;
     Patch patch;
-    return min_max_polygon(mesh_, cavity_, kLimit, patch) <= kLimit &&
+    return min_max_polygon(mesh_, cavity_, kMostThinned, patch) <= kMostThinned &&
            install_patch(mesh_, cavity_, patch, installed_);
   }
 
@@ -103,14 +103,15 @@ class Thinner {
       vertices_[v].partners[at(attempt)] = u;
       if (is_known(u, v) || !has_room_beside(star, k)) continue;
       cavity_ = star;
-      if (!swallow(u) || !has_room(mesh_, cavity_, kLimit)) continue;
+      if (!swallow(u) || !has_room(mesh_, cavity_, kMostThinned)) continue;
       const Hole hole(mesh_, cavity_);
       const Point middle = midpoint(mesh_.points[u], mesh_.points[v]);
       ++evaluations_;
       if (hole.worst(middle, kHopeless) > kHopeless) continue;
-      const Placement placement = place(hole, middle, kLimit);
+      const Placement placement = place(hole, middle, kMostThinned);
       evaluations_ += placement.evaluations;
-      if (placement.worst <= kLimit && install_star(mesh_, cavity_, placement.at, installed_)) {
+      if (placement.worst <= kMostThinned &&
+          install_star(mesh_, cavity_, placement.at, installed_)) {
         return true;
       }
     }
