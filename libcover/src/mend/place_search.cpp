@@ -1,4 +1,4 @@
-// Tested by tests/unit/mend/thin_mesh_test.cpp.
+// Tested by tests/unit/mend/place_search_test.cpp.
 #include "mend/place_search.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Tested by tests/unit/mend/thin_mesh_test.cpp.
+// Tested by tests/unit/mend/repairs_test.cpp.
 #include "mend/repairs.hpp"
 
 #include <algorithm>
@@ -167,20 +167,19 @@ bool Repairs::with_cuts(std::uint32_t t, const MostBad& most) {
   return false;
 }
 
-std::size_t Repairs::take(std::span<const std::uint32_t> vertices) {
+bool Repairs::with_others_in_place_of(std::span<const std::uint32_t> vertices, const MostBad& most,
+                                      const std::function<Others(int taken)>& others_for) {
   begin_at(kNone);
   left_.spend(kRemoval);  // so that rounds end where nothing can be done
   for (const std::uint32_t v : vertices) take(v);
+  if (spares_.empty()) return false;
+  const Others others = others_for(static_cast<int>(spares_.size()));
   if (spares_.size() > 1) {
     Vector sum{0, 0};
     for (const Point& p : starts_) sum = sum + (p - starts_[0]);
     starts_.push_back(starts_[0] + (1 / static_cast<double>(spares_.size())) * sum);
   }
-  return spares_.size();
-}
-
-bool Repairs::replace(int count, int steps, const MostBad& most) {
-  if (repair(count, steps, most)) return true;
+  if (repair(others.count, others.steps, most)) return true;
   mesh_.undo(0);
   return false;
 }

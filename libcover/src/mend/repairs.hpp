@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -26,9 +27,16 @@ struct MostBad {
   }
 };
 
+/// How many vertices come in place of some that went, and in how many steps.
+struct Others {
+  int count = 0;
+  int steps = 0;
+};
+
 /// Ruin and recreate: a few vertices that are near each other are taken away, others are put there,
 /// and vertices around are moved until no more triangles are bad than may be. All that changes the
-/// mesh returns whether that came about; else the mesh is as it was at the last keep().
+/// mesh returns whether that came about; else the mesh is as it was at the last keep(). What came
+/// about stays for good with the next keep(), which is the caller's.
 ///
 /// ENSURES: the same mesh for the same input, whatever the machine
 class Repairs {
@@ -63,10 +71,10 @@ class Repairs {
   /// blunt, and so on: through thin layers, wall by wall, to where there is room.
   bool with_cuts(std::uint32_t t, const MostBad& most);
 
-  /// Takes vertices away, to be replaced; returns how many went.
-  std::size_t take(std::span<const std::uint32_t> vertices);
-  /// With `count` vertices in place of those taken, in so many steps.
-  bool replace(int count, int steps, const MostBad& most);
+  /// With others in place of those of `vertices` that can be taken away. `others_for` says how many
+  /// come in place of so many, and is not asked if none can.
+  bool with_others_in_place_of(std::span<const std::uint32_t> vertices, const MostBad& most,
+                               const std::function<Others(int taken)>& others_for);
 
   /// `v` and those nearest to it that may be moved, `count` at most.
   std::vector<std::uint32_t> near(std::uint32_t v, std::size_t count);

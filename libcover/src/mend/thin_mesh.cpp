@@ -82,11 +82,12 @@ class Thinning {
     const std::size_t together =
         1 + random.below(std::min<std::size_t>(effort::mend::kMostTogether,
                                                2 + static_cast<std::size_t>(round) / 2));
-    const int taken = static_cast<int>(repairs_.take(repairs_.near(v, together)));
-    if (taken == 0) return;
-    const bool shake = round > 0 && random.below(3) == 0;
-    const int steps = effort::mend::steps_to_thin(taken, round);
-    if (repairs_.replace(shake ? taken : taken - 1, steps, most)) mesh_.keep();
+    const auto others_for = [&](int taken) -> Others {
+      const bool shake = round > 0 && random.below(3) == 0;
+      return {shake ? taken : taken - 1, effort::mend::steps_to_thin(taken, round)};
+    };
+    if (repairs_.with_others_in_place_of(repairs_.near(v, together), most, others_for))
+      mesh_.keep();
   }
 
   MeshWithUndo& mesh_;

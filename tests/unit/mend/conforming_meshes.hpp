@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <numbers>
 
 #include "mend/conforming_mesh.hpp"
 
@@ -55,6 +57,22 @@ inline ConformingMesh flat_triangle(double height) {
   mesh.pieces = {{0, 1, 0}, {1, 2, 1}, {2, 0, 2}};
   mesh.triangles = {{0, 1, 2}};
   mesh.region = {0};
+  return mesh;
+}
+
+/// A regular hexagon, whose sides stay whole, with a vertex inside.
+inline ConformingMesh hexagon_around(Point inside) {
+  ConformingMesh mesh;
+  for (std::uint32_t k = 0; k < 6; ++k) {
+    const double turn = std::numbers::pi / 3 * k;
+    mesh.points.push_back({2 * std::cos(turn), 2 * std::sin(turn)});
+    mesh.line.push_back(ConformingMesh::kFixed);
+    mesh.pieces.push_back({k, (k + 1) % 6, k});
+    mesh.triangles.push_back({k, (k + 1) % 6, 6});
+    mesh.region.push_back(0);
+  }
+  mesh.points.push_back(inside);
+  mesh.line.push_back(ConformingMesh::kInside);
   return mesh;
 }
 
