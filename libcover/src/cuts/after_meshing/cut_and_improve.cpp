@@ -11,12 +11,11 @@
 #include <optional>
 #include <utility>
 
-#include "cuts/after_meshing/joined_regions.hpp"
 #include "cuts/cut_segments.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
-#include "quality/fault/keep_rules.hpp"
 #include "quality/effort/effort.hpp"
+#include "quality/fault/keep_rules.hpp"
 #include "quality/fault/merit.hpp"
 #include "quality/repair/kicks.hpp"
 #include "region/region_graph.hpp"
@@ -97,14 +96,15 @@ bool cut_side(MutableMesh& mesh, std::uint32_t s, std::uint32_t r, std::uint32_t
 /// The search around every triangle that is left.
 class CutSearch {
  public:
-  CutSearch(JoinedRegions& whole, const Goal& goal) : whole_(whole), goal_(goal) {}
+  explicit CutSearch(JoinedRegions& whole) : whole_(whole), goal_(whole.goal()) {}
 
-  /// Returns what kept it from trying all of them, if something did.
+  /// Returns how many there were, and what kept it from trying all of them, if something did.
   CutResult run(Budget& budget) {
     CutResult result;
     const std::uint64_t first = budget.left;
     std::uint64_t mended = 0;
     std::vector<std::uint32_t> queue = whole_.triangles_above();
+    result.above = queue.size();
     std::size_t head = 0;
     for (; head < queue.size() && !budget.is_used_up() && !result.was_in_vain; ++head) {
       const std::uint32_t t = queue[head];
@@ -210,12 +210,8 @@ class CutSearch {
 
 }  // namespace
 
-CutResult cut_and_improve(Work& work, const Options& options, Budget& budget) {
-  const Goal goal = Goal::of(options.max_angle, options.min_angle);
-  JoinedRegions joined(work.pslg, work.boundaries, work.meshes, goal);
-  const std::size_t before = joined.triangles_above().size();
-  CutResult result = CutSearch(joined, goal).run(budget);
-  result.above = before;
+CutResult cut_and_improve(Work& work, JoinedRegions& joined, Budget& budget) {
+  CutResult result = CutSearch(joined).run(budget);
   if (!joined.has_changed() || !joined.is_valid()) return result;
   Work cut = work;
   cut_segments(cut.pslg, cut.table, joined.segment_cuts(work.pslg));

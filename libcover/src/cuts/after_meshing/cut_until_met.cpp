@@ -2,11 +2,13 @@
 // a side that is to be seen at 90 degrees, and there the vertices for its neighbours are wanted. So
 // a few triangles are worked on where they are (cut_and_improve); if some are left, the longest
 // segments near each are halved, and the regions beside them are meshed anew.
-// Tested by tests/unit/cuts/after_meshing/cut_and_improve_test.cpp.
+// Tested by tests/unit/cuts/after_meshing/cut_until_met_test.cpp and cut_and_improve_test.cpp
+// beside it.
 #include "cuts/after_meshing/cut_until_met.hpp"
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <utility>
 
 #include <fmt/core.h>
@@ -64,6 +66,7 @@ constexpr std::size_t kMany = 4;
 struct Trial {
   Work work;
   CutResult left{};
+  std::shared_ptr<JoinedRegions> joined{};  ///< of `work`, which takes long; null: to be made
 
   [[nodiscard]] std::size_t triangles() const {
     std::size_t sum = 0;
@@ -86,12 +89,12 @@ class Rounds {
 
   /// Halves segments beside the triangles that are left and meshes again. False if that takes more
   /// than `most` points.
-  Result<bool> halve(Work& work, std::size_t most) const {
+  Result<bool> halve(Trial& trial, std::size_t most) const {
     std::vector<RegionBoundary> boundaries;
     Result<bool> cut =
-        errors_as_values("cut segments", [&] { return cut_further(work, boundaries, most); });
+        errors_as_values("cut segments", [&] { return cut_further(trial, boundaries, most); });
     if (!cut || !*cut) return cut;
-    const auto meshed = mesh_changed(work, std::move(boundaries), options_, callbacks_);
+    const auto meshed = mesh_changed(trial.work, std::move(boundaries), options_, callbacks_);
     if (!meshed) return meshed.error();
     return true;
   }
@@ -99,10 +102,12 @@ class Rounds {
   /// Works on the triangles above the target if they are few; counts them.
   Status improve(Trial& trial) {
     return errors_as_values("cut and improve", [&] {
-      trial.left = {joined(trial.work).triangles_above().size()};
+      trial.joined = joined(trial.work);
+      trial.left = {trial.joined->triangles_above().size()};
       if (trial.left.above > 0 && kMany * trial.left.above <= trial.work.pslg.points.size()) {
         Budget part = budget_.share(2);
-        trial.left = cut_and_improve(trial.work, options_, part);
+        trial.left = cut_and_improve(trial.work, *trial.joined, part);
+        if (trial.joined->has_changed()) trial.joined.reset();
         budget_.take_back(part);
         // What is there for searches that mend is not there for others.
         if (trial.left.was_in_vain) budget_.spend(std::exchange(to_spare_, 0));
@@ -117,13 +122,16 @@ class Rounds {
            std::min(kEvaluationsPerPoint * points, kMostEvaluations + per_point * points);
   }
 
-  [[nodiscard]] JoinedRegions joined(const Work& work) const {
-    return {work.pslg, work.boundaries, work.meshes, goal_};
+  [[nodiscard]] std::shared_ptr<JoinedRegions> joined(const Work& work) const {
+    return std::make_shared<JoinedRegions>(work.pslg, work.boundaries, work.meshes, goal_);
   }
 
-  Result<bool> cut_further(Work& work, std::vector<RegionBoundary>& boundaries,
+  Result<bool> cut_further(Trial& trial, std::vector<RegionBoundary>& boundaries,
                            std::size_t most) const {
-    const std::vector<SegmentId> halved = joined(work).segments_to_halve();
+    Work& work = trial.work;
+    if (trial.joined == nullptr) trial.joined = joined(work);
+    const std::vector<SegmentId> halved = trial.joined->segments_to_halve();
+    trial.joined.reset();  // of the work as it was
     Result<bool> cut =
         halve_segments(work.pslg, work.table, options_, work.report.input_points, halved, most);
     if (!cut || !*cut) return cut;
@@ -182,14 +190,17 @@ class Prospects {
 Status halve_in_rounds(Trial& best, Rounds& rounds, Prospects prospects) {
   Status status = rounds.improve(best);
   Trial now = best;
+  best.joined.reset();
   for (int k = 0; k < kRounds && status && prospects.are_there(now, best.left); ++k) {
-    const Result<bool> halved = rounds.halve(now.work, prospects.most_points(now));
+    const Result<bool> halved = rounds.halve(now, prospects.most_points(now));
     if (!halved) return halved.error();
     if (!*halved) break;
     status = rounds.improve(now);
     const bool is_better = status && now.left.above < best.left.above;
     prospects.note_round(is_better);
-    if (is_better) best = now;
+    if (!is_better) continue;
+    best = now;
+    best.joined.reset();  // only what is worked on needs it
   }
   return status;
 }

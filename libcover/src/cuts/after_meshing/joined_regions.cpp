@@ -1,5 +1,5 @@
 // See joined_regions.hpp.
-// Tested by tests/unit/cuts/after_meshing/cut_and_improve_test.cpp.
+// Tested by tests/unit/cuts/after_meshing/joined_regions_test.cpp.
 #include "cuts/after_meshing/joined_regions.hpp"
 
 #include <algorithm>

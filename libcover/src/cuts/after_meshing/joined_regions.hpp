@@ -31,6 +31,7 @@ class JoinedRegions {
                 std::span<const RegionMesh> meshes, const Goal& goal);
 
   [[nodiscard]] const MutableMesh& mesh() const { return mesh_; }
+  [[nodiscard]] const Goal& goal() const { return goal_; }
 
   /// The triangles with an angle above the goal, in the order of their coordinates: it does not
   /// depend on the order of the input.
