@@ -1,6 +1,6 @@
 // The method asked for comes first; what breaks the mesh or the bound falls back to another, which
 // is told; then couplings are mended and limits proven.
-// Tested by tests/unit/pipeline/cover_mesh_test.cpp.
+// Tested by tests/unit/tasks/mesh_one_region_test.cpp.
 #include "tasks/mesh_one_region.hpp"
 
 #include <algorithm>
