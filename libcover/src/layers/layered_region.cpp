@@ -223,9 +223,12 @@ std::vector<Note> notes_of(const RegionBoundary& boundary, const std::vector<Lay
 /// Layers that become fewer until the region is as it should be.
 class LayeredRegion {
  public:
-  LayeredRegion(const RegionBoundary& boundary, const Options& options, std::stop_token stop)
+  /// `options` are for the rest; couplings of the whole are mended as hard as `mending` says.
+  LayeredRegion(const RegionBoundary& boundary, const Options& options, const MendEffort& mending,
+                std::stop_token stop)
       : boundary_(boundary),
         options_(options),
+        mending_(mending),
         stop_(std::move(stop)),
         most_(boundary.sides.size(), std::numeric_limits<int>::max()) {
     const Triangulation cdt = triangulation_of(boundary);
@@ -269,7 +272,8 @@ class LayeredRegion {
   RegionMesh without_layers(const LayerFront& front, const RegionMesher& mesh_rest) const {
     RegionMesh mesh = mesh_rest(boundary_, options_);
     if (options_.couplings == Couplings::first && !stop_.stop_requested()) {
-      std::optional<MendedMesh> mended = mend_couplings_within_bound(boundary_, mesh, stop_);
+      std::optional<MendedMesh> mended =
+          mend_couplings_within_bound(boundary_, mesh, stop_, mending_);
       if (mended) mesh = std::move(mended->mesh);
     }
     tell(front, front.sides(), mesh.report);
@@ -299,7 +303,8 @@ class LayeredRegion {
     if (options_.couplings == Couplings::first) mend_couplings(boundary_, mesh);
     fill_report(boundary_, mesh);
     if (options_.couplings == Couplings::first) {
-      if (std::optional<MendedMesh> mended = mend_couplings_within_bound(boundary_, mesh, stop_)) {
+      if (std::optional<MendedMesh> mended =
+              mend_couplings_within_bound(boundary_, mesh, stop_, mending_)) {
         mesh = std::move(mended->mesh);
         gone = std::move(mended->gone);
       }
@@ -359,6 +364,7 @@ class LayeredRegion {
 
   const RegionBoundary& boundary_;
   const Options& options_;
+  MendEffort mending_;
   std::stop_token stop_;
   std::vector<int> most_;  ///< rows, by side
   RegionReport limits_;
@@ -388,7 +394,8 @@ bool has_layers(const RegionBoundary& boundary) { return !boundary.layers.empty(
 
 RegionMesh mesh_with_layers(const RegionBoundary& boundary, const Options& options,
                             const RegionMesher& mesh_rest, std::stop_token stop) {
-  RegionMesh mesh = LayeredRegion(boundary, options, stop).run(mesh_rest);
+  const MendEffort mending = MendEffort::beside_layers(options.effort);
+  RegionMesh mesh = LayeredRegion(boundary, options, mending, stop).run(mesh_rest);
   const auto negative = [](const RegionMesh& m) { return m.report.box.negative_inside; };
   if (options.couplings != Couplings::first || negative(mesh) == 0 ||
       options.effort == Effort::fast || stop.stop_requested())
@@ -396,7 +403,7 @@ RegionMesh mesh_with_layers(const RegionBoundary& boundary, const Options& optio
   // Where many rows end in one vertex, a coarser rest may leave flips that a finer one blocks.
   Options coarser = options;
   coarser.effort = Effort::fast;
-  RegionMesh other = LayeredRegion(boundary, coarser, std::move(stop)).run(mesh_rest);
+  RegionMesh other = LayeredRegion(boundary, coarser, mending, std::move(stop)).run(mesh_rest);
   return negative(other) < negative(mesh) ? std::move(other) : std::move(mesh);
 }
 

@@ -35,6 +35,10 @@ struct MendEffort {
     if (sides_are_cut) out.circles_with_room = 0;
     return out;
   }
+  /// Where layers are, few sides are left to mend: but with little effort, all is tried for each.
+  static MendEffort beside_layers(Effort effort) {
+    return effort == Effort::fast ? of(effort, false) : MendEffort();
+  }
 };
 
 /// A mesh whose inner edges are all locally Delaunay, with all angles within the bound.

@@ -1,4 +1,4 @@
-// See candidates.hpp. Tested by tests/unit/quality/quality_region_test.cpp.
+// See candidates.hpp. Tested by tests/unit/quality/plan/candidates_test.cpp.
 #include "quality/plan/candidates.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// See outlook.hpp. Tested by tests/unit/quality/quality_region_test.cpp.
+// See outlook.hpp. Tested by tests/unit/quality/plan/outlook_test.cpp.
 #include "quality/plan/outlook.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// See plan.hpp. Tested by tests/unit/quality/quality_region_test.cpp.
+// See plan.hpp. Tested by tests/unit/quality/plan/plan_test.cpp.
 #include "quality/plan/plan.hpp"
 
 #include <algorithm>
@@ -10,6 +10,16 @@ namespace cover {
 namespace {
 
 using StopWhen = Step::StopWhen;
+
+/// The steps of one plan, then those of another.
+template <std::size_t kFirst, std::size_t kSecond>
+constexpr std::array<Step, kFirst + kSecond> joined(const std::array<Step, kFirst>& first,
+                                                    const std::array<Step, kSecond>& second) {
+  std::array<Step, kFirst + kSecond> all{};
+  std::copy(first.begin(), first.end(), all.begin());
+  std::copy(second.begin(), second.end(), all.begin() + kFirst);
+  return all;
+}
 
 bool always(const PlanProgress&) { return true; }
 bool has_room_for_one_star(const PlanProgress& p) { return p.make.has_room_for_one_star(); }
@@ -105,6 +115,11 @@ void refined_and_searched(PlanProgress& p) {
 }
 void refined_and_searched_all(PlanProgress& p) {
   p.refined = p.make.optimised(p.cdt, OptimiseEffort::all);
+  take_refined(p);
+}
+/// By the largest angle, no vertex gives way to couplings.
+void largest_refined(PlanProgress& p) {
+  p.refined = p.make.optimised(p.cdt, OptimiseEffort::all);
   take(p, p.refined);
 }
 void refined_and_searched_again(PlanProgress& p) {
@@ -178,51 +193,59 @@ void bound_kept_sized(PlanProgress& p) {
   if (!almond.mesh->triangles.empty()) take(p, p.make.improved(almond));
 }
 
+// Steps that several plans have.
+constexpr Step kPlain{"cdt", always, as_it_is, StopWhen::alone};
+constexpr Step kStar{"one star", has_room_for_one_star, best_star, StopWhen::complete};
+constexpr Step kLimits{"limits of that", may_be_near, limits, StopWhen::near};
+constexpr Step kWithinBound{"the same within the bound", refined_is_beyond_bound, within_bound};
+constexpr Step kFewerFar{"the same with fewer angles above 120 degrees", refined_has_far,
+                         with_fewer_far};
+constexpr Step kAlmonds{"almonds", is_beyond_bound, bound_kept};
+
 constexpr std::array kFast{
-    Step{"cdt", always, as_it_is, StopWhen::alone},
-    Step{"one star", has_room_for_one_star, best_star, StopWhen::complete},
-    Step{"limits of that", may_be_near, limits, StopWhen::near},
-    Step{"refined, improved", may_have_much_room, refined, StopWhen::complete},
-    Step{"the same within the bound", refined_is_beyond_bound, within_bound},
-    Step{"almonds", is_beyond_bound, bound_kept},
+    kPlain,       kStar,
+    kLimits,      Step{"refined, improved", may_have_much_room, refined, StopWhen::complete},
+    kWithinBound, kAlmonds,
 };
 
-constexpr std::array kBalanced{
-    Step{"cdt", always, as_it_is, StopWhen::alone},
-    Step{"one star", has_room_for_one_star, best_star, StopWhen::complete},
-    Step{"limits of that", may_be_near, limits, StopWhen::near},
+// From the refined one on.
+constexpr std::array kRefinedOnes{
     Step{"refined, improved, few searched", may_have_room, refined_and_searched,
          StopWhen::complete},
-    Step{"the same within the bound", refined_is_beyond_bound, within_bound},
+    kWithinBound,
     Step{"random restarts, a few", is_tiny_and_near, a_few_restarts, StopWhen::complete},
     Step{"random restarts, very few", is_tiny_and_very_wide, very_few_restarts, StopWhen::complete},
     Step{"best and cdt, improved", few_are_missed, improved_again, StopWhen::complete},
     Step{"refined, improved, searched", nearly_none_is_missed, refined_and_searched_again,
          StopWhen::complete},
-    Step{"the same with fewer angles above 120 degrees", refined_has_far, with_fewer_far},
-    Step{"almonds", is_beyond_bound, bound_kept},
+    kFewerFar,
+    kAlmonds,
 };
 
-/// All there is, by the balanced measure.
-constexpr std::array kThorough{
-    Step{"cdt", always, as_it_is, StopWhen::alone},
-    Step{"one star", always, best_star, StopWhen::complete},
-    Step{"refined, improved, searched", always, refined_and_searched_all, StopWhen::complete},
-    Step{"the same within the bound", refined_is_beyond_bound, within_bound},
-    Step{"the same with fewer angles above 120 degrees", refined_has_far, with_fewer_far},
-    Step{"random restarts", is_tiny_and_missed, restarted, StopWhen::complete},
-    Step{"best, improved", always, improved, StopWhen::complete},
-    Step{"evenly refined, improved", always, evenly_refined, StopWhen::complete},
-    Step{"one star, improved", always, star_improved, StopWhen::complete},
-    Step{"cdt, improved", always, cdt_improved, StopWhen::complete},
-    Step{"almonds, improved", always, almonds_improved},
-};
+constexpr std::array kBalanced = joined(std::array{kPlain, kStar, kLimits}, kRefinedOnes);
+
+/// All there is, by the balanced measure: what the default tries, whatever is proven of the star,
+/// and then the rest.
+constexpr std::array kThorough = joined(
+    joined(std::array{kPlain, kStar}, kRefinedOnes),
+    std::array{
+        Step{"refined, improved, searched", always, refined_and_searched_all, StopWhen::complete},
+        kWithinBound,
+        kFewerFar,
+        Step{"random restarts", is_tiny_and_missed, restarted, StopWhen::complete},
+        Step{"best, improved", always, improved, StopWhen::complete},
+        Step{"evenly refined, improved", always, evenly_refined, StopWhen::complete},
+        Step{"one star, improved", always, star_improved, StopWhen::complete},
+        Step{"cdt, improved", always, cdt_improved, StopWhen::complete},
+        kAlmonds,
+        Step{"almonds, improved", always, almonds_improved},
+    });
 
 // Steps after the restarts run only where the largest angle is neither the goal's nor forced.
 constexpr std::array kLargest{
-    Step{"cdt", always, as_it_is, StopWhen::alone},
+    kPlain,
     Step{"one star", has_room_for_one_star, one_star, StopWhen::complete},
-    Step{"refined, improved, searched", always, refined_and_searched_all},
+    Step{"refined, improved, searched", always, largest_refined},
     Step{"random restarts", is_tiny_and_missed, restarted, StopWhen::done},
     Step{"best, improved", is_missed_by_largest, improved, StopWhen::done},
     Step{"evenly refined, improved", always, evenly_refined, StopWhen::done},
@@ -231,27 +254,40 @@ constexpr std::array kLargest{
     Step{"almonds, improved", always, almonds_improved},
 };
 
-// With wished sizes there is one candidate, unless it misses what the almond method proves.
+// With wished sizes the refined one takes the place of the plain one, whatever it misses.
+constexpr Step kSizedPlain{"cdt", always, as_it_is};
+constexpr Step kSizedAlmonds{"almonds, improved", is_beyond_bound, bound_kept_sized};
+
 constexpr std::array kSizedFast{
-    Step{"cdt", always, as_it_is},
+    kSizedPlain,
     Step{"refined, improved", always, sized},
-    Step{"the same within the bound", refined_is_beyond_bound, within_bound},
-    Step{"almonds, improved", is_beyond_bound, bound_kept_sized},
+    kWithinBound,
+    kSizedAlmonds,
 };
 
 constexpr std::array kSized{
-    Step{"cdt", always, as_it_is},
+    kSizedPlain,
     Step{"refined, improved, few searched", always, sized_and_searched, StopWhen::complete},
-    Step{"the same within the bound", refined_is_beyond_bound, within_bound},
-    Step{"the same with fewer angles above 120 degrees", refined_has_far, with_fewer_far},
-    Step{"almonds, improved", is_beyond_bound, bound_kept_sized},
+    kWithinBound,
+    kFewerFar,
+    kSizedAlmonds,
 };
 
-constexpr std::array kSizedThorough{
-    Step{"cdt", always, as_it_is},
+constexpr std::array kSizedThorough = joined(
+    kSized,
+    std::array{
+        Step{"refined, improved, searched", always, refined_and_searched_all, StopWhen::complete},
+        kWithinBound,
+        kFewerFar,
+        Step{"best, improved", always, improved},
+        kSizedAlmonds,
+    });
+
+constexpr std::array kSizedLargest{
+    kSizedPlain,
     Step{"refined, improved, searched", always, sized_and_searched_all},
     Step{"best, improved", is_missed_by_largest, improved},
-    Step{"almonds, improved", is_beyond_bound, bound_kept_sized},
+    kSizedAlmonds,
 };
 
 }  // namespace
@@ -261,7 +297,8 @@ std::span<const Step> plan_for(const Options& options, bool has_sizes) {
   const bool is_thorough = options.effort == Effort::thorough;
   const bool is_largest = preference(options) == Prefer::largest;
   if (options.effort == Effort::fast) return has_sizes ? Plan(kSizedFast) : Plan(kFast);
-  if (has_sizes) return is_thorough || is_largest ? Plan(kSizedThorough) : Plan(kSized);
+  if (has_sizes && is_largest) return kSizedLargest;
+  if (has_sizes) return is_thorough ? Plan(kSizedThorough) : Plan(kSized);
   if (is_largest) return kLargest;
   return is_thorough ? Plan(kThorough) : Plan(kBalanced);
 }

@@ -30,8 +30,8 @@ struct Step {
     done,      ///< the largest angle is that of the goal, or what the region's worst side forces
   };
   std::string_view name;  ///< for who reads the table: what is improved, and how
-  bool (*is_due)(const PlanProgress&);
-  void (*run)(PlanProgress&);
+  bool (*is_due)(const PlanProgress&) = nullptr;
+  void (*run)(PlanProgress&) = nullptr;
   StopWhen stop = StopWhen::never;  ///< no further steps then
 };
 
