@@ -158,7 +158,17 @@ class Names(Case):
             self.assertIn(f'Numbers in the files, by {ids}:', out)
             rows = (self.dir / 'm.mesh').read_text().split('Triangles')[1].splitlines()[2:]
             labels[ids] = len({row.split()[3] for row in rows if len(row.split()) == 4})
+            told = self.run_cover('check', 'coils.json', 'm.mesh')[0]
+            self.assertEqual('which material has which number' in told, ids != 'material', told)
         self.assertEqual(labels, {'region': 6, 'material': 1, 'name': 6})
+        # A triangle in the group of another coil whose material is another one.
+        squares[5]['material'] = 'Al'
+        self.write('coils.json', json.dumps({'polygons': squares}))
+        self.run_cover('mesh', 'coils.json', '-o', 'm.mesh', '--ids', 'region', '-q')
+        self.run_cover('check', 'coils.json', 'm.mesh')
+        text = (self.dir / 'm.mesh').read_text()
+        self.write('m.mesh', re.sub(r'( )6\n', r'\g<1>5\n', text, count=1))
+        self.run_cover('check', 'coils.json', 'm.mesh', code=6)
         _, err = self.run_cover('mesh', 'coils.json', '-o', 'm.mesh', '--ids', 'colour', code=2)
         self.assertIn("--ids: 'colour' is not one of region, material, name", err)
 

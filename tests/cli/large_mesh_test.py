@@ -348,6 +348,10 @@ print(len(seen))
     def test_only_where_the_format_has_parts(self):
         self.assertIn('version 4.1', self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.msh', '--parts', 2, code=2)[1])
         self.assertIn('in parts', self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--parts', 2, code=2)[1])
+        files = self.files()
+        self.assertIn('in parts: periodic sides', self.run_cover('mesh', SAMPLES / 'motor_pole.json', '-o', 'p.pvtu', '-o', 'p.msh',
+                                                                 '--msh', '4.1', '--parts', 2, code=2)[1])
+        self.assertEqual(self.files(), files)  # nothing is written before that is told
         self.assertIn('--parts: 0 is not at least 1', self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.pvtu', '--parts', 0, code=2)[1])
         self.assertEqual(self.files(), [])
 

@@ -45,7 +45,7 @@ class Periodic(Case):
                            ('"left=1"=right@0,0:20', 'the lines do not match: (0, 1) of'),
                            ('left', "'left' is not A=B, A=B@x,y:degrees or A=B@mirror")):
             self.assertIn(what, self.run_cover('mesh', 'cell.json', '--periodic', rule, '-o', 'a.vtu', code=2)[1])
-        self.assertIn('periodic needs another method', self.run_cover(
+        self.assertIn('periodic sides need another method', self.run_cover(
             'mesh', 'cell.json', '--periodic', '"left=1"=right', '--method', 'nonobtuse', '-o', 'a.vtu', code=2)[1])
         self.assertEqual(self.files(), ['cell.json'])
 

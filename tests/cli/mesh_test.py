@@ -12,6 +12,14 @@ from cover_case import Case, PROGRAM, SAMPLES, SQUARE, main
 
 
 class Mesh(Case):
+    def test_couplings_inside_are_mended_with_box_method_too(self):
+        rings = [[[35, 57], [35, 29], [3, 13], [41, 56], [9, 5]]], [[[80, 30], [78, 48], [31, 46]]], [[[47, 53], [38, 92], [-5, 35]]]
+        self.write('b.json', json.dumps({'polygons': [{'material': 'a', 'rings': r} for r in rings]}))
+        out, err = self.run_cover('mesh', 'b.json', '--box-method', '-o', 'b.vtu')
+        self.assertNotIn('cuts these sides', out)
+        self.assertNotIn('negative coupling left', err)
+        self.run_cover('check', 'b.json', 'b.vtu', '--box-method')
+
     def test_mesh_report_and_picture(self):
         out, _ = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '-o', 'd.svg', '--report', 'd.json')
         self.assertEqual(self.files(), ['d.json', 'd.svg', 'd.vtu'])

@@ -406,6 +406,23 @@ void take_own_cuts(const CheckCommand& command, const MeshTriangles& mesh, Prepa
   }
 }
 
+bool has_wrong_material(const Verification& found) {
+  return std::any_of(found.violations.begin(), found.violations.end(),
+                     [](const Violation& violation) { return violation.promise == 4; });
+}
+
+/// The numbers of a mesh in Medit's format are those of materials or, with --ids, of groups: it
+/// does not say which. They are taken as the latter where they are sound as such alone.
+void heed_groups(const CheckCommand& command, const Prepared& prepared, const TriangleSoup& mesh,
+                 VerifyOptions& verify, Verification& found) {
+  if (std::filesystem::path(command.mesh_path).extension() != ".mesh" || !has_wrong_material(found))
+    return;
+  verify.material_numbers = false;
+  Verification as_groups = verify_cover(prepared.pslg, prepared.table, mesh, verify);
+  verify.material_numbers = has_wrong_material(as_groups);
+  if (!verify.material_numbers) found = std::move(as_groups);
+}
+
 /// Where points of the input are missing in the mesh, what else would make everything fail.
 void say_what_may_have_moved(const Verification& found, const Prepared& prepared,
                              const TriangleSoup& mesh) {
@@ -460,6 +477,7 @@ int run_check(Arguments arguments) {
   if (!mesh) return fail(*log, mesh.error());
   verify.material_numbers = mesh->has_materials;
   Verification found = verify_cover(prepared->pslg, prepared->table, mesh->soup, verify);
+  heed_groups(command, *prepared, mesh->soup, verify, found);
   take_own_cuts(command, *mesh, *prepared, found);
   say_what_may_have_moved(found, *prepared, mesh->soup);
   if (found.in_void > 0 && !verify.hull)

@@ -105,6 +105,13 @@ std::string bound_text(const Report& report, std::size_t held) {
                      held, all);
 }
 
+bool is_asked_for_boxes(const Report& report) {
+  const auto& settings = report.provenance.settings;
+  return std::any_of(settings.begin(), settings.end(), [](const Provenance::Setting& setting) {
+    return setting.name == "box-method";
+  });
+}
+
 /// The negative couplings of the box method, and the sides given up or forced.
 std::string couplings_row(const Report& report) {
   constexpr std::size_t kGivenUp = 3;
@@ -129,15 +136,16 @@ std::string couplings_row(const Report& report) {
       fmt::format("Box method      {:>7}  {}", grouped(sum.negative_couplings),
                   sum.negative_couplings == 1 ? "negative coupling" : "negative couplings");
   if (sum.negative_couplings > 0)
-    out += fmt::format(
-        ": {} inside, {} on sides that the input {}, {}{} given up for angles; "
-        "--box-method cuts these sides",
-        grouped(sum.negative_inside), grouped(sum.negative_encroached),
-        has_layers ? "or layers encroach" : "encroaches",
-        sum.negative_forced == 0
-            ? ""
-            : fmt::format("{} that the bound forces, ", grouped(sum.negative_forced)),
-        grouped(sum.negative_given_up));
+    out += fmt::format(": {} inside, {} on sides that the input {}, {}{} given up for angles{}",
+                       grouped(sum.negative_inside), grouped(sum.negative_encroached),
+                       has_layers ? "or layers encroach" : "encroaches",
+                       sum.negative_forced == 0 ? ""
+                                                : fmt::format("{} that the bound forces, ",
+                                                              grouped(sum.negative_forced)),
+                       grouped(sum.negative_given_up),
+                       is_asked_for_boxes(report) || sum.negative_couplings == sum.negative_inside
+                           ? ""
+                           : "; --box-method cuts these sides");
   const long excess = excess_of_unsigned_boxes(report);
   if (report.quality.obtuse > 0 && excess > 0)
     places += "\n                         solvers that add up unsigned boxes find " +

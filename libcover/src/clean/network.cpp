@@ -158,6 +158,14 @@ class Gatherer {
 
   void add_line(std::uint32_t l) {
     const std::vector<Point>& points = input_.lines[l].points;
+    if (!points.empty() &&
+        std::all_of(points.begin(), points.end(), [&](const Point& p) { return p == points[0]; })) {
+      changes_.push_back({Change::Kind::dropped,
+                          fmt::format("the line '{}' at {} has length zero", input_.lines[l].name,
+                                      describe(points[0])),
+                          {points[0]},
+                          {{InputKind::line, input_.lines[l].id}}});
+    }
     for (std::size_t k = 1; k < points.size(); ++k) {
       add_edge(points[k - 1], points[k], {Origin::Kind::line, l});
     }

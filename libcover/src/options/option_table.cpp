@@ -559,13 +559,15 @@ Status check_options(const Options& options) {
     return bad_option("the publication describes the almond method: paper needs method almond");
   }
   if (options.box_method && options.method == Method::almond)
-    return bad_option("box_method needs method quality: the almond method minds no couplings");
+    return bad_option("the box method needs method quality: the almond method minds no couplings");
   if (options.box_method && options.method == Method::nonobtuse)
-    return bad_option("box_method needs method quality: method nonobtuse cuts segments by itself");
+    return bad_option(
+        "the box method needs method quality: method nonobtuse cuts segments by itself");
   if (!options.periodic.empty() && options.method == Method::nonobtuse)
-    return bad_option("periodic needs another method: method nonobtuse cuts segments by itself");
+    return bad_option(
+        "periodic sides need another method: method nonobtuse cuts segments by itself");
   if (options.box_method && options.hull)
-    return bad_option("box_method cuts segments, and sides of a hull are none: not with hull");
+    return bad_option("the box method cuts segments, and sides of a hull are none: not with hull");
   if (!options.layers.empty() && options.method == Method::nonobtuse)
     return bad_option("layers need method quality or almond: method nonobtuse cuts their lines");
   if (!options.layers.empty() && options.hull)

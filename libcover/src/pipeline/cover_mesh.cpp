@@ -6,6 +6,7 @@
 // vertex id; results lie in region order, so the mesh does not depend on the schedule.
 // Tested by tests/unit/pipeline/cover_mesh_test.cpp.
 #include <cover/cover_mesh.hpp>
+#include <cover/verify.hpp>
 
 #include <span>
 #include <utility>
@@ -60,8 +61,15 @@ Status mesh_each_region(Work& work, const Options& options, const Callbacks& cal
 }
 
 Status look_at_cuts(Work& work, const Options& /*options*/, const Callbacks& /*callbacks*/) {
-  Status apart = errors_as_values(
-      "check cuts", [&] { return check_cuts(work.pslg, work.table, work.report.input_points); });
+  Status apart = errors_as_values("check cuts", [&]() -> Status {
+    for (const PeriodicRule& rule : work.rules) {
+      Result<std::size_t> pairs = verify_periodic_sides(work.pslg, work.table, rule);
+      if (!pairs)
+        return Error{ErrorCode::meshing_incomplete, pairs.error().message, pairs.error().where,
+                     pairs.error().inputs};
+    }
+    return check_cuts(work.pslg, work.table, work.report.input_points);
+  });
   if (apart) warn_of_straight_arcs(work.pslg, work.report.notes);
   return apart;
 }

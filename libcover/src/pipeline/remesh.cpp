@@ -166,7 +166,9 @@ Result<Options> options_without_cuts(Options options, std::span<const std::strin
         "method nonobtuse cuts segments, so a region cannot be meshed with it inside a mesh");
   }
   if (options.box_method)
-    return bad_option("box_method cuts segments, so it does not go with only");
+    return bad_option(
+        "the box method cuts segments, and regions that are meshed again keep theirs: not with "
+        "only");
   options.split_interfaces.reset();
   return options;
 }

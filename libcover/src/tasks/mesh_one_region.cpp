@@ -199,11 +199,12 @@ ProvenMesh mesh_region(const RegionBoundary& boundary, const Options& options,
   return other;
 }
 
-/// Whether angles became much worse than they were: more than a cut of a side is worth.
+/// Whether angles became much worse than they were: more than a cut of a side is worth, where cuts
+/// mend what is wrong.
 bool costs_angles(const RegionReport& before, const RegionReport& after) {
   constexpr double kMostDegrees = 10, kLeastPart = 1.0 / 3;
   const Quality &was = before.quality, &is = after.quality;
-  return before.bound_held &&
+  return before.bound_held && before.box.negative_inside == 0 &&
          (was.largest_nu.in_degrees() > is.largest_nu.in_degrees() + kMostDegrees ||
           is.smallest.in_radians() < kLeastPart * was.smallest.in_radians());
 }

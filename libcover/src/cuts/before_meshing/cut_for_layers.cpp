@@ -14,6 +14,7 @@
 
 #include "cdt/sides.hpp"
 #include "cuts/cut_segments.hpp"
+#include "cuts/periodic/mirror_cuts.hpp"
 #include "cuts/room_on_segment.hpp"
 #include "geom/vector.hpp"
 #include "layers/layer_rules.hpp"
@@ -52,6 +53,52 @@ std::vector<Point> along_segment(Point a, Point b, WallWish wish) {
   return taken;
 }
 
+/// Takes what is asked of a segment with images to the first of its class, where all of it counts.
+class Wishes {
+ public:
+  explicit Wishes(const Pslg& pslg) : classes_(pslg) {}
+
+  void add(SegmentId segment, layers::WallPoint p) {
+    const auto [first, at] = at_first(segment, p.at);
+    p.at = at;
+    by_segment_[first].points.push_back(p);
+  }
+
+  /// Heeds a triangle beside the segment, if anything is asked of it.
+  void add_apex(SegmentId segment, Point apex) {
+    const auto [first, at] = at_first(segment, apex);
+    const auto wish = by_segment_.find(first);
+    if (wish != by_segment_.end()) wish->second.apexes.push_back(at);
+  }
+
+  [[nodiscard]] bool empty() const { return by_segment_.empty(); }
+
+  /// What can be had, on segments and their images.
+  [[nodiscard]] std::vector<SegmentCut> cuts(const Pslg& pslg) const {
+    std::vector<SegmentCut> cuts;
+    for (const auto& [segment, wish] : by_segment_) {
+      const Segment& s = pslg.segments[segment.index()];
+      const SegmentCut cut{segment,
+                           along_segment(pslg.points[s.a.index()], pslg.points[s.b.index()], wish)};
+      if (cut.points.empty()) continue;
+      for (SegmentCut& image : classes_.images(cut)) cuts.push_back(std::move(image));
+    }
+    std::sort(cuts.begin(), cuts.end(),
+              [](const SegmentCut& x, const SegmentCut& y) { return x.segment < y.segment; });
+    return cuts;
+  }
+
+ private:
+  [[nodiscard]] std::pair<SegmentId, Point> at_first(SegmentId segment, Point p) const {
+    if (!classes_.is_periodic(segment)) return {segment, p};
+    const SegmentCut first = classes_.images({segment, {p}}).front();
+    return {first.segment, first.points.front()};
+  }
+
+  PeriodicClasses classes_;
+  std::map<SegmentId, WallWish> by_segment_;
+};
+
 }  // namespace
 
 Status cut_for_layers(Prepared& prepared, const Options& options) {
@@ -59,33 +106,26 @@ Status cut_for_layers(Prepared& prepared, const Options& options) {
   auto& [pslg, table, report] = prepared;
   std::vector<RegionBoundary> boundaries = split_regions(pslg, table);
   if (Status status = resolve_layers(pslg, table, options, boundaries); !status) return status;
-  std::map<SegmentId, WallWish> wishes;
+  Wishes wishes(pslg);
   for (const RegionBoundary& boundary : boundaries) {
     if (!has_layers(boundary)) continue;
     for (const layers::WallPoint& p : layers::wall_points(boundary, options.layers))
-      wishes[boundary.segments[p.side]].points.push_back(p);
+      wishes.add(boundary.segments[p.side], p);
   }
   for (const RegionBoundary& boundary : boundaries) {
     if (wishes.empty()) break;
     const Triangulation cdt = triangulation_of(boundary);
     const std::vector<EdgeRef> at = locate_sides(cdt, boundary.sides);
     for (std::size_t s = 0; s < at.size(); ++s) {
-      const auto wish = wishes.find(boundary.segments[s]);
-      if (wish != wishes.end())
-        wish->second.apexes.push_back(cdt.points[cdt.triangles[at[s].triangle].v[at[s].edge]]);
+      wishes.add_apex(boundary.segments[s],
+                      cdt.points[cdt.triangles[at[s].triangle].v[at[s].edge]]);
     }
   }
-  std::vector<SegmentCut> cuts;
-  std::vector<Point> where;
-  for (const auto& [segment, wish] : wishes) {
-    const Segment& s = pslg.segments[segment.index()];
-    SegmentCut cut{segment,
-                   along_segment(pslg.points[s.a.index()], pslg.points[s.b.index()], wish)};
-    if (cut.points.empty()) continue;
-    where.insert(where.end(), cut.points.begin(), cut.points.end());
-    cuts.push_back(std::move(cut));
-  }
+  const std::vector<SegmentCut> cuts = wishes.cuts(pslg);
   if (cuts.empty()) return ok();
+  std::vector<Point> where;
+  for (const SegmentCut& cut : cuts)
+    where.insert(where.end(), cut.points.begin(), cut.points.end());
   cut_segments(pslg, table, cuts);
   report.notes.push_back({Note::Kind::cut, kVoid,
                           fmt::format("{} added on segments where layers end, the first at {}",

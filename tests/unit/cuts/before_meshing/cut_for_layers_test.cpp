@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include <cover/cover_mesh.hpp>
+#include <cover/verify.hpp>
 
 #include "support/inputs/inputs.hpp"
 #include "support/mesh_shape.hpp"
@@ -69,6 +70,38 @@ TEST(CutForLayers, MakesTensorBlocksInCornersOfLayeredLines) {
     // All is right: each corner block is a grid of rows in both directions.
     EXPECT_LE(report.quality.largest_nu.supplement().in_degrees(), 90 + 1e-6);
     EXPECT_EQ(report.box.negative_couplings, 0U);
+  }
+}
+
+/// Names two lines that are images of each other, beside layers on `top` along a part of the width.
+Input periodic_cell(bool reaches_left, bool reaches_right) {
+  Input input = testing::segments_between({{0, 0}, {4, 0}, {4, 2}, {3, 2}, {1, 2}, {0, 2}},
+                                          {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 0}});
+  input.segments[1].name = "right";
+  input.segments[5].name = "left";
+  if (reaches_right) input.segments[2].name = "top";
+  if (reaches_left) input.segments[4].name = "top";
+  input.periodic = {{"left", "right", PeriodicRule::Map::translation, {}, {}}};
+  return input;
+}
+
+TEST(CutForLayers, CutsBothOfPeriodicSides) {
+  for (const bool left : {false, true}) {
+    for (const bool right : {false, true}) {
+      if (!left && !right) continue;
+      Options options;
+      options.layers = {{"top", "", 0.05, 1.3, 5}};
+      options.split_interfaces = Angle::degrees(90);
+      const Input input = periodic_cell(left, right);
+      const Output output = testing::must_mesh(input, options);
+      const Result<std::size_t> pairs =
+          verify_periodic_sides(output.pslg, output.table, input.periodic[0]);
+      ASSERT_TRUE(pairs) << pairs.error().message;
+      EXPECT_GE(*pairs, 7U) << left << right;  // with five layers
+      EXPECT_EQ(testing::violations(output), "");
+      ASSERT_EQ(output.periodic.size(), 1U);
+      EXPECT_EQ(output.periodic[0].vertices.size(), *pairs);
+    }
   }
 }
 
