@@ -290,7 +290,7 @@ class Mesh(Case):
         out, _ = self.run_cover('check', box, 'd.vtu', '--box-method', '--allow-split')
         self.assertIn('Box method: no negative coupling', out)
         err = self.run_cover('mesh', box, '-o', 'd.vtu', '--box-method', '--hull', code=2)[1]
-        self.assertIn('box_method', err)
+        self.assertIn('the box method', err)
 
     def test_box_method_with_other_options(self):
         box = self.write('box.poly', '6 2 0 0\n1 0 0\n2 10 0\n3 10 6\n4 0 6\n5 4 1\n6 6 1\n'
@@ -298,11 +298,11 @@ class Mesh(Case):
         # What cuts segments by itself, or may cut none, is refused by name.
         for options, name in ((['--hull'], 'hull'), (['--method', 'nonobtuse'], 'nonobtuse'), (['--method', 'almond'], 'almond')):
             err = self.run_cover('mesh', box, '-o', 'd.vtu', '--box-method', *options, code=2)[1]
-            self.assertIn('box_method', err)
+            self.assertIn('the box method', err)
             self.assertIn(name, err)
         self.run_cover('mesh', box, '-o', 'd.vtu')
         err = self.run_cover('mesh', box, '--box-method', '--only', 'unnamed', '--onto', 'd.vtu', '-o', 'e.vtu', code=2)[1]
-        self.assertIn('box_method', err)
+        self.assertIn('the box method', err)
         self.assertIn('only', err)
         # Everything else works: no coupling is negative, by exact signs.
         for options in (['--split-interfaces'], ['--split-interfaces', '--max-angle', '90'], ['--size', '0.7'],
