@@ -577,7 +577,7 @@ TEST(Soup, WarnsOfContactsOnOneSegment) {
   input.lines[1].points = {{4, 0}, {4, 1}};
   EXPECT_FALSE(clean(input)->tells("both lie on"));
   input.lines[1].points = {{2, 4}, {2, 4}};
-  EXPECT_TRUE(clean(input)->tells("the line 'gate' at (2, 4) has length zero"));
+  EXPECT_TRUE(clean(input)->tells("the line 'drain' at (2, 4) has length zero"));
 }
 
 TEST(Soup, TellsWhatItDoesToSegments) {

@@ -87,7 +87,7 @@ TEST(CutForBoxes, IsRefusedByNameWhereItCannotBe) {
     const auto output = cover_mesh(half_disc(8), options);
     ASSERT_FALSE(output.has_value());
     EXPECT_EQ(output.error().code, ErrorCode::bad_option);
-    EXPECT_NE(output.error().message.find("box_method"), std::string::npos);
+    EXPECT_NE(output.error().message.find("the box method"), std::string::npos);
   }
 }
 
