@@ -257,6 +257,14 @@ class Sizes(Case):
         error = self.run_cover('mesh', fine, '-o', 'd.vtu', '--size', 'x - 0.3', code=2)[1]
         self.assertIn("the size 'x - 0.3' falls to zero near (0.3", error)
         # Where an expression asks for less than the shortest length, for that.
+        for zero in ('abs(y)', 'max(abs(y), 0.01)'):  # so does zero itself
+            self.run_cover('mesh', fine, '-o', 'z.obj', '--size', zero, '--min-size', '0.01', '--split-interfaces')
+            corners = [line.split() for line in (self.dir / 'z.obj').read_text().splitlines() if line.startswith('v ')]
+            self.assertGreaterEqual(sum(float(corner[2]) == 0 for corner in corners), 100)
+        error = self.run_cover('mesh', fine, '-o', 'd.vtu', '--size', 'abs(y)', '--min-size', '1e-9', code=2)[1]
+        self.assertIn('--min-size 1e-09 is too short', error)
+        error = self.run_cover('mesh', fine, '-o', 'd.vtu', '--size', '0.001 + 100*abs(x - 0.51)')[1]
+        self.assertIn('warning: the sizes asked for by expressions change too fast', error)
         floor = self.triangles(fine, '--size', '1e-9 + 0*x', '--min-size', '0.06')
         self.assertEqual(floor, self.triangles(fine, '--size', '0.06 + 0*x'))
         self.assertEqual(self.triangles(fine, '--size', '0.05 + 0.5*x', '--min-size', '0.05'), graded)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -44,6 +45,8 @@ struct RegionBoundary {
   /// The triangles of triangulate_region(), or what they were before something was changed, where
   /// they were found on the way. Only time depends on them.
   std::shared_ptr<const std::vector<IndexTriple>> known_cdt{};
+  /// A place where the search for small values of size_function was cut off, if it was.
+  std::optional<Point> size_missed{};
 
   [[nodiscard]] std::span<const IndexTriple> known_triangles() const {
     return known_cdt ? *known_cdt : std::span<const IndexTriple>();

@@ -53,12 +53,16 @@ bool inside(const SizeRule& rule, const RegionTable& table, std::span<RegionBoun
   return !regions.empty();
 }
 
-Result<SizeFunction> function_of(const std::string& expression) {
+/// What an expression asks for, but no less than `least`: where it is zero, that.
+Result<SizeFunction> function_of(const std::string& expression, std::optional<double> least) {
   static const std::array<std::string, 2> place{"x", "y"};
   Result<Expression> formula = Expression::parse(expression, place);
   if (!formula) return std::move(formula).error();
   const auto shared = std::make_shared<const Expression>(*std::move(formula));
-  return SizeFunction([shared](Point p) { return (*shared)(std::array{p.x, p.y}); });
+  return SizeFunction([shared, least](Point p) {
+    const double size = (*shared)(std::array{p.x, p.y});
+    return least && size >= 0 ? std::max(size, *least) : size;
+  });
 }
 
 /// Sets the sizes at PSLG points. False if no line or point has that name.
@@ -99,7 +103,8 @@ Error unknown_name(const SizeRule& rule, const RegionTable& table) {
 }
 
 /// The expressions, each once, that are a size at no vertex of the regions they are for.
-std::vector<std::string> sizes_of_nothing(std::span<const RegionBoundary> boundaries) {
+std::vector<std::string> sizes_of_nothing(std::span<const RegionBoundary> boundaries,
+                                          std::optional<double> least) {
   struct Wish {
     Result<SizeFunction> function;
     bool is_heard = false;
@@ -108,7 +113,8 @@ std::vector<std::string> sizes_of_nothing(std::span<const RegionBoundary> bounda
   for (const RegionBoundary& boundary : boundaries) {
     for (const std::string& expression : boundary.size_expressions) {
       auto at = wishes.find(expression);
-      if (at == wishes.end()) at = wishes.emplace(expression, Wish{function_of(expression)}).first;
+      if (at == wishes.end())
+        at = wishes.emplace(expression, Wish{function_of(expression, least)}).first;
       Wish& wish = at->second;
       if (wish.is_heard || !wish.function) continue;
       wish.is_heard = std::any_of(boundary.points.begin(), boundary.points.end(), [&](Point p) {
@@ -151,16 +157,17 @@ Status read_expressions(RegionBoundary& boundary, const Options& options) {
   if (boundary.size_expressions.empty()) return ok();
   std::string names;
   for (const std::string& expression : boundary.size_expressions) {
-    Result<SizeFunction> function = function_of(expression);
+    Result<SizeFunction> function = function_of(expression, options.min_size);
     if (!function) return std::move(function).error();
     boundary.size_function = smaller_of(boundary.size_function, *std::move(function));
     names += (names.empty() ? "" : "', '") + expression;
   }
-  Result<SizeFunction> graded =
-      graded_function(no_smaller_than(options.min_size, std::move(boundary.size_function)), names,
-                      boundary, options.growth.value_or(Options::kGrowth) - 1);
+  Result<GradedFunction> graded =
+      graded_function(std::move(boundary.size_function), names, boundary,
+                      options.growth.value_or(Options::kGrowth) - 1, options.min_size);
   if (!graded) return std::move(graded).error();
-  boundary.size_function = *std::move(graded);
+  boundary.size_function = std::move(graded->sizes);
+  boundary.size_missed = graded->missed;
   return ok();
 }
 
@@ -223,7 +230,7 @@ void warn_of_sizes(const Pslg& pslg, const Options& options,
                      {}});
     return;
   }
-  for (const std::string& expression : sizes_of_nothing(boundaries)) {
+  for (const std::string& expression : sizes_of_nothing(boundaries, options.min_size)) {
     notes.push_back(
         {Note::Kind::warning,
          kVoid,
@@ -231,6 +238,16 @@ void warn_of_sizes(const Pslg& pslg, const Options& options,
                      "its regions",
                      expression),
          {}});
+  }
+  for (const RegionBoundary& boundary : boundaries) {
+    if (!boundary.size_missed) continue;
+    notes.push_back({Note::Kind::warning,
+                     kVoid,
+                     fmt::format("the sizes asked for by expressions change too fast to be looked "
+                                 "at everywhere: near {} edges may be longer than asked",
+                                 describe(*boundary.size_missed)),
+                     {*boundary.size_missed}});
+    break;  // one place is enough
   }
   std::vector<bool> is_long(pslg.segments.size(), false);
   std::size_t longest = 0;

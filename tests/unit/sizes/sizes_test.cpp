@@ -264,6 +264,10 @@ TEST(Sizes, ExpressionsHoldWhereTheyAreAsked) {
   EXPECT_NE(zero.error().message.find("'x - 2' falls to zero near (2"), std::string::npos);
   options.min_size = 0.01;
   EXPECT_TRUE(resolve_sizes(regions.pslg, regions.table, options, boundaries));
+  EXPECT_EQ(boundaries[1].size_function({2, 0.25}), 0.01);  // zero is below the shortest
+  options.sizes = {{"", 0, false, "max(0, x - 2)"}};
+  EXPECT_TRUE(resolve_sizes(regions.pslg, regions.table, options, boundaries));
+  EXPECT_EQ(boundaries[0].size_function({0.5, 0.25}), 0.01);
   options.sizes = {{"", 0, false, "x -"}};
   EXPECT_EQ(resolve_sizes(regions.pslg, regions.table, options, boundaries).error().code,
             ErrorCode::bad_option);

@@ -26,6 +26,7 @@ namespace {
 
 constexpr double kLeast = 1e-9;             ///< of the extent: what is smaller is zero
 constexpr std::size_t kMostCells = 20'000;  ///< some 10 ms
+constexpr double kMuch = 4;                 ///< times as long edges are worth telling
 struct HashOfPlace {
   std::size_t operator()(Point p) const {
     return std::hash<double>{}(p.x) * 0x9e3779b97f4a7c15U + std::hash<double>{}(p.y);
@@ -76,6 +77,7 @@ class Grid {
         add({apex, cell.corners[i.next()], middle});
         add({apex, middle, cell.corners[i.previous()]});
       } else {
+        if (is_coarse && is_steep && !missed_) missed_ = missed_in(cell, middles);
         keep(cell, middles);
       }
     }
@@ -84,6 +86,8 @@ class Grid {
 
   /// Whether there is a cell that could hide something.
   [[nodiscard]] bool found_steep() const { return found_steep_; }
+  /// Where much less is wished than was found before there were too many cells.
+  [[nodiscard]] std::optional<Point> missed() const { return missed_; }
   [[nodiscard]] SizeSamples&& take() { return std::move(samples_); }
 
  private:
@@ -156,6 +160,33 @@ class Grid {
     return steepest > slope_ && least - steepest * cell.longest / 4 < cell.longest;
   }
 
+  /// A place in a cell where much less is wished than its corners and middles let expect.
+  [[nodiscard]] std::optional<Point> missed_in(const Cell& cell,
+                                               const std::array<std::uint32_t, 3>& middles) const {
+    const auto look_at = [&](Point p) {
+      const double size = wish_(p);
+      if (!(size > 0)) return false;
+      double expected = extent_;
+      for (const auto& known : {cell.corners, middles}) {
+        for (const std::uint32_t v : known)
+          expected = std::min(expected, samples_.sizes[v] + slope_ * length(p - at(v)));
+      }
+      return kMuch * size < expected;
+    };
+    const std::array<std::array<std::uint32_t, 3>, 4> parts{
+        {{cell.corners[0], middles[1], middles[2]},
+         {cell.corners[1], middles[2], middles[0]},
+         {cell.corners[2], middles[0], middles[1]},
+         middles}};
+    for (const auto& [u, v, w] : parts) {
+      const Point a = at(u), b = at(v), c = at(w);
+      for (const Point p : {midpoint(a, b), midpoint(b, c), midpoint(c, a),
+                            midpoint(midpoint(a, b), midpoint(b, c))})
+        if (look_at(p)) return p;
+    }
+    return std::nullopt;
+  }
+
   [[nodiscard]] Point place_of_zero(const Cell& cell) const {
     return at(*std::min_element(
         cell.corners.begin(), cell.corners.end(),
@@ -171,16 +202,31 @@ class Grid {
   std::unordered_map<Point, std::uint32_t, HashOfPlace> numbers_;
   std::priority_queue<Cell, std::vector<Cell>, IsLater> waiting_;
   bool found_steep_ = false;
+  std::optional<Point> missed_;
 };
+
+Error too_short(double least, double extent) {
+  return {ErrorCode::bad_option,
+          fmt::format(
+              "--min-size {} is too short: a region that expressions give sizes is {} wide, "
+              "and no edge can be shorter than {}",
+              describe_roughly(least), describe_roughly(extent), describe_roughly(kLeast * extent)),
+          {},
+          {}};
+}
 
 }  // namespace
 
-Result<SizeFunction> graded_function(SizeFunction wish, std::string_view name,
-                                     const RegionBoundary& boundary, double slope) {
+Result<GradedFunction> graded_function(SizeFunction wish, std::string_view name,
+                                       const RegionBoundary& boundary, double slope,
+                                       std::optional<double> least) {
   const CdtResult cdt = triangulate_domain(boundary.points, boundary.sides);
-  if (!cdt.conflicts.empty()) return wish;  // who looks at the region next says why
-  Grid grid(wish, cdt.triangulation, box_of(boundary.points).diagonal(), boundary.size_grid, slope);
+  if (!cdt.conflicts.empty())
+    return GradedFunction{wish, {}};  // who looks at the region next says why
+  const double extent = box_of(boundary.points).diagonal();
+  Grid grid(wish, cdt.triangulation, extent, boundary.size_grid, slope);
   if (const std::optional<Point> zero = grid.refine()) {
+    if (least && *least < kLeast * extent) return too_short(*least, extent);
     return Error{ErrorCode::bad_option,
                  fmt::format("the size '{}' falls to zero near {}, and edges would have no length "
                              "there; --min-size gives the shortest",
@@ -188,10 +234,10 @@ Result<SizeFunction> graded_function(SizeFunction wish, std::string_view name,
                  {*zero},
                  {}};
   }
-  if (!grid.found_steep()) return wish;
+  if (!grid.found_steep()) return GradedFunction{std::move(wish), {}};
   Result<SizeFunction> graded = size_function(grid.take(), 1 + slope);
   if (!graded) return std::move(graded).error();
-  return smaller_of(std::move(wish), *std::move(graded));
+  return GradedFunction{smaller_of(std::move(wish), *std::move(graded)), grid.missed()};
 }
 
 }  // namespace cover

@@ -28,9 +28,10 @@ RegionBoundary frame() {
 }
 
 SizeFunction graded(const SizeFunction& wish, const RegionBoundary& boundary) {
-  Result<SizeFunction> made = graded_function(wish, "wish", boundary, kSlope);
+  Result<GradedFunction> made = graded_function(wish, "wish", boundary, kSlope);
   EXPECT_TRUE(made);
-  return made ? *made : SizeFunction{};
+  EXPECT_FALSE(made && made->missed);
+  return made ? made->sizes : SizeFunction{};
 }
 
 TEST(GradedFunction, ABowlBetweenTheCornersIsFound) {
@@ -87,13 +88,31 @@ TEST(GradedFunction, ZeroIsRefusedWithItsPlace) {
   for (const auto& wish : {SizeFunction([](Point p) { return p.x - 5; }),
                            SizeFunction([](Point p) { return std::abs(p.x - 5); }),
                            SizeFunction([](Point p) { return 0.01 * (p.x - 5); })}) {
-    const Result<SizeFunction> made = graded_function(wish, "x - 5", square_of_side(10), kSlope);
+    const Result<GradedFunction> made = graded_function(wish, "x - 5", square_of_side(10), kSlope);
     ASSERT_FALSE(made);
     EXPECT_EQ(made.error().code, ErrorCode::bad_option);
     EXPECT_NE(made.error().message.find("'x - 5' falls to zero near (5"), std::string::npos);
     ASSERT_EQ(made.error().where.size(), 1U);
     EXPECT_NEAR(made.error().where[0].x, 5, 1e-5);
   }
+}
+
+TEST(GradedFunction, WhatWasRaisedByTooLittleIsTold) {
+  const auto wish = [](Point p) { return std::max(std::abs(p.x - 5), 1e-9); };
+  const Result<GradedFunction> made =
+      graded_function(wish, "abs(x - 5)", square_of_side(10), kSlope, 1e-9);
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().code, ErrorCode::bad_option);
+  EXPECT_NE(made.error().message.find("--min-size 1e-09 is too short"), std::string::npos);
+  EXPECT_NE(made.error().message.find("1.41e-08"), std::string::npos);
+}
+
+TEST(GradedFunction, TooManyPlacesAreTold) {
+  const auto wish = [](Point p) { return 0.0001 + 10 * std::abs(p.x + 0.37 * p.y - 7); };
+  const Result<GradedFunction> made = graded_function(wish, "wish", square_of_side(10), kSlope);
+  ASSERT_TRUE(made);
+  ASSERT_TRUE(made->missed);
+  EXPECT_NEAR(made->missed->x + 0.37 * made->missed->y, 7, 0.2);
 }
 
 TEST(GradedFunction, WhereAWishEndsItIsKept) {
