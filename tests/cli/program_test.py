@@ -104,6 +104,18 @@ class Configuration(Case):
                 runs.append((said, files, report))
             self.assertTrue(runs[0] == runs[1], words)  # too long to be shown
 
+    def test_values_with_quotes_can_be_read_back(self):
+        shutil.copy(SAMPLES / 'diode.poly', self.dir / 'di"o\'de.poly')
+        for output in ('it\'s "z".vtu', '"x".vtu', "'x'.vtu", '\'\'\'"""\\"".vtu', 'a, b].vtu', '"a", "b".vtu', '#x`.vtu', 'a\nb\\n.vtu'):
+            command = ['mesh', 'di"o\'de.poly', '-o', output, '-o', 'it\'s "2".msh', '--size', '"1"=0.5', '--periodic', '"x=y"="r@1,2"']
+            printed = self.run_cover(*command, '--print-config')[0]
+            self.write('job.toml', printed)
+            self.assertEqual(self.run_cover('mesh', '--config', 'job.toml', '--print-config')[0], printed, output)
+        self.write('job.toml', self.run_cover('mesh', 'di"o\'de.poly', '-o', 'it\'s "z".vtu', '-o', 'it\'s "2".msh', '--print-config')[0])
+        self.run_cover('mesh', '--config', 'job.toml', '-q')
+        self.assertIn('it\'s "z".vtu', self.files())
+        self.assertIn('it\'s "2".msh', self.files())
+
     def test_verbose_false(self):
         self.write('job.toml', 'verbose=false\n')
         self.assertEqual(self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--config', 'job.toml')[1], '')

@@ -116,6 +116,27 @@ std::string explain(const CLI::App& command, const CLI::ParseError& error) {
   return error.what();
 }
 
+/// What CLI11 prints of options, but values with quotes or line breaks as JobFile reads them back.
+std::string with_quotes(const CLI::App& command, std::string text) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() == 0 || !option->get_configurable()) continue;
+    const std::vector<std::string> values = option->reduced_results();
+    const bool is_odd = std::any_of(values.begin(), values.end(), [](const std::string& value) {
+      return value.find_first_of("\"'`\n\r") != std::string::npos;
+    });
+    if (!is_odd) continue;
+    const std::string name = '\n' + option->get_single_name() + '=';
+    const std::string printed = name + CLI::detail::ini_join(values) + '\n';
+    const std::size_t at = text.find(printed);
+    if (at == std::string::npos) continue;
+    std::string list;
+    for (const std::string& value : values)
+      list += (list.empty() ? "" : ", ") + quoted_value(value);
+    text.replace(at, printed.size(), name + (values.size() > 1 ? '[' + list + ']' : list) + '\n');
+  }
+  return text;
+}
+
 }  // namespace
 
 CLI::Validator one_of(std::vector<std::string> words) {
@@ -184,7 +205,7 @@ std::optional<int> parse(CLI::App& command, Arguments arguments) {
 }
 
 std::string configuration(const CLI::App& command) {
-  std::istringstream lines(command.config_to_str(true, true));
+  std::istringstream lines(with_quotes(command, command.config_to_str(true, true)));
   std::string out;
   for (std::string line; std::getline(lines, line);) {
     const std::string name = line.substr(0, line.find('='));
