@@ -77,6 +77,22 @@ class Check(Case):
         out, _ = self.run_cover('check', plate, 's.msh', code=6)
         self.assertIn('--split-interfaces, --box-method or --method nonobtuse, add --allow-split', out.splitlines()[0])
 
+    def test_cuts_go_through_conversions_and_again(self):
+        plate = SAMPLES / 'plate.poly'
+        again = ('--only', 'region:1', '--onto')
+        for names in (('a.vtkhdf', 'b.vtu', 'c.vtkhdf'), ('a.vtu', 'b.vtkhdf', 'c.vtu'), ('a.vtkhdf', 'b.vtkhdf', 'c.vtkhdf')):
+            self.run_cover('mesh', plate, '-o', names[0], '--split-interfaces', '-q')
+            self.run_cover('convert', names[0], '-o', names[1], '-q')
+            self.run_cover('mesh', plate, *again, names[1], '-o', names[2], '-q')
+            for name in names:
+                for file in self.dir.iterdir():
+                    if file.name != name:
+                        file.rename(self.dir / ('hidden_' + file.name.replace('.', '_')))
+                self.assertRegex(self.run_cover('check', plate, name)[0], r'^Segments are cut at 7 points by the run itself', name)
+                for file in self.dir.glob('hidden_*'):
+                    stem, _, extension = file.name.removeprefix('hidden_').rpartition('_')
+                    file.rename(self.dir / f'{stem}.{extension}')
+
     def test_cut_points_are_no_points_of_the_input(self):
         plate = SAMPLES / 'plate.poly'
         known = json.loads(self.run_cover('mesh', plate, '--dry-run', '--stats', 'json')[0])['input']

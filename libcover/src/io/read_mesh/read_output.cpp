@@ -127,6 +127,7 @@ class Completion {
     StoredMesh stored = std::move(file.names);
     stored.soup = std::move(file.mesh.soup);
     stored.second_order = file.mesh.second_order;
+    stored.cut_vertices = file.mesh.cut_vertices;
     for (const MeshLine& line : file.mesh.lines) {
       if (line.group < 1 || line.group > static_cast<std::int64_t>(stored.interfaces.size()))
         return wrong_file(path_, fmt::format("there is no interface {}", line.group));

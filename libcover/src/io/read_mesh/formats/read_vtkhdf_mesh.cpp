@@ -138,6 +138,8 @@ Result<VtkHdfMesh> read_vtkhdf_mesh(const std::string& path) {
   });
   if (!mesh) return std::move(mesh).error();
   out.mesh = std::move(*mesh);
+  if (const auto cuts = fields.numbers("CutVertices"); cuts && cuts->size() == 1)
+    out.mesh.cut_vertices = static_cast<std::size_t>(std::max<std::int64_t>((*cuts)[0], 0));
   if (!out.has_names) return out;
   if (!fits || !take_regions(fields, out.names) || !take_interfaces(fields, out.names))
     return wrong_file(path, "its names and lines do not fit one another");

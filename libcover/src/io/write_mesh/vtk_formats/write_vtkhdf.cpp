@@ -99,6 +99,9 @@ class VtkHdfContent {
   void origin() {
     numbers<std::int64_t>("InputVertices", 1,
                           [this](std::size_t) { return source_.input_vertices; });
+    if (source_.grid.cut_vertices > 0)
+      numbers<std::int64_t>("CutVertices", 1,
+                            [this](std::size_t) { return source_.grid.cut_vertices; });
     const Provenance& from = source_.report.provenance;
     const auto text = [&](const char* name, const std::string& value) {
       if (!value.empty()) content_.texts.push_back({kFields + name, {value}});
