@@ -233,6 +233,19 @@ class Sizes(Case):
         self.assertEqual(settings['size-field'], 'h.vtk')
         self.assertEqual(self.triangles(fine, '--size-field', 'h.vtk'), self.triangles(fine, '--size', 0.05))
 
+    def test_a_field_beside_the_drawing_is_told(self):
+        fine = self.fine_square()
+        self.write('beside.csv', 'x,y,h\n5,5,0.1\n6,5,0.1\n6,6,0.1\n')
+        _, err = self.run_cover('mesh', fine, '-o', 'd.vtu', '--size-field', 'beside.csv')
+        self.assertIn('warning: the size field beside.csv lies from (5, 5) to (6, 6), and the drawing from (0, 0) to (1, 1)', err)
+        self.write('one.csv', '0.5,0.5,0.1\n')
+        self.assertNotIn('the size field', self.run_cover('mesh', fine, '-o', 'd.vtu', '--size-field', 'one.csv')[1])
+        nmos = SAMPLES / 'nmos.tif'
+        command = ('mesh', nmos, '--size-field', nmos, '--size-of', 'asinh(Net/1e17)', '-o', 'd.vtu')
+        self.assertNotIn('the size field', self.run_cover(*command)[1])
+        _, err = self.run_cover(*command, '--scale', '1e-6', '--unit', 'm')
+        self.assertRegex(err, 'the size field .*nmos.tif lies .*; the drawing alone was scaled')
+
     def test_what_is_no_field(self):
         fine = self.fine_square()
         for values, part in (('1 1 0 1', 'the size at point 2, (0, 1), is 0'), ('1 1 1', 'bad.vtk')):

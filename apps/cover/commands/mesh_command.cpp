@@ -464,7 +464,8 @@ int run_mesh(Arguments arguments, const OtherProcesses& others) {
   if (!input) return fail(*log, input.error());
   if (const Status parts = check_parts(command, *input, *options); !parts)
     return usage_error(command.app, parts.error().message);
-  if (const Status status = load_size_field(*options); !status) return fail(*log, status.error());
+  if (const Status status = load_size_field(*options, *input); !status)
+    return fail(*log, status.error());
   log->info("read {}: {} points, {} segments, {} polygons, {} lines", command.input.path(),
             input->points.size(), input->segments.size(), input->polygons.size(),
             input->lines.size());

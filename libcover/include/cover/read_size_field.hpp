@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include <cover/input.hpp>
 #include <cover/options.hpp>
 #include <cover/result.hpp>
 #include <cover/size_function.hpp>
@@ -35,5 +36,10 @@ Result<SizeSamples> read_size_field(const std::string& path, const std::string& 
 ///
 /// Errors: those of read_size_field() and size_function()
 Status load_size_field(Options& options);
+
+/// The same for that input, which gets a warning where its points and those of the file hardly
+/// meet, or one of both is more than a thousand times as large: ReadOptions::scale, say, has no
+/// effect on the file.
+Status load_size_field(Options& options, Input& input);
 
 }  // namespace cover

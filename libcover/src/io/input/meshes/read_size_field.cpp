@@ -80,6 +80,32 @@ double slope_in(const std::array<Point, 3>& corners, const std::array<double, 3>
   return area != 0 && std::isfinite(slope) ? slope : 0;
 }
 
+Box box_of(const Input& input) {
+  Box box = cover::box_of(input.points);
+  for (const InputPolygon& polygon : input.polygons)
+    for (const std::vector<Point>& ring : polygon.rings) box.include(cover::box_of(ring));
+  for (const InputLine& line : input.lines) box.include(cover::box_of(line.points));
+  return box;
+}
+
+std::string corners_of(const Box& box) {
+  return fmt::format("from {} to {}", describe(box.low), describe(box.high));
+}
+
+/// Whether no more than a hundredth of the smaller one along an axis is in both, or one is like a
+/// point for the other. A field at a single point or line is no smaller than it should be.
+bool are_apart(const Box& drawing, const Box& field) {
+  constexpr double kHardly = 0.01, kMuchLarger = 1000;
+  const auto hardly_meet = [&](double low_a, double high_a, double low_b, double high_b) {
+    const double both = std::min(high_a, high_b) - std::max(low_a, low_b);
+    return both < kHardly * std::min(high_a - low_a, high_b - low_b);
+  };
+  const double a = drawing.diagonal(), b = field.diagonal();
+  return hardly_meet(drawing.low.x, drawing.high.x, field.low.x, field.high.x) ||
+         hardly_meet(drawing.low.y, drawing.high.y, field.low.y, field.high.y) ||
+         b > kMuchLarger * a || (b > 0 && a > kMuchLarger * b);
+}
+
 }  // namespace
 
 Result<SizeSamples> read_size_field(const std::string& path) {
@@ -108,7 +134,7 @@ Result<SizeSamples> read_size_field(const std::string& path, const std::string& 
                                   {(*values)[a], (*values)[b], (*values)[c]});
     for (const std::uint32_t v : {a, b, c}) slopes[v] = std::max(slopes[v], slope);
   }
-  const double longest_edge = box_of(field->points).diagonal();
+  const double longest_edge = cover::box_of(field->points).diagonal();
   std::vector<double> sizes;
   for (const double slope : slopes)
     sizes.push_back(std::min(step / slope / kLongestEdge, longest_edge));
@@ -116,6 +142,11 @@ Result<SizeSamples> read_size_field(const std::string& path, const std::string& 
 }
 
 Status load_size_field(Options& options) {
+  Input nothing;
+  return load_size_field(options, nothing);
+}
+
+Status load_size_field(Options& options, Input& input) {
   return memory_as_value(options.size_field_name, [&]() -> Status {
     if (options.size_field || options.size_field_name.empty()) return ok();
     const std::string& path = options.size_field_name;
@@ -130,6 +161,14 @@ Status load_size_field(Options& options) {
       return error;
     }
     options.size_field = *std::move(sizes);
+    const Box drawing = box_of(input), field = cover::box_of(samples->points);
+    if (!drawing.is_empty() && !field.is_empty() && are_apart(drawing, field)) {
+      input.warnings.push_back(fmt::format(
+          "the size field {} lies {}, and the drawing {}: few of its sizes count, outside of it "
+          "those of the nearest place{}",
+          path, corners_of(field), corners_of(drawing),
+          input.scale == 1 ? "" : "; the drawing alone was scaled"));
+    }
     return ok();
   });
 }
