@@ -185,6 +185,17 @@ class Info(Case):
         self.assertEqual(len(areas), 5)
         self.assertAlmostEqual(sum(areas), 6 * 5, places=3)
 
+    def test_several_inputs(self):
+        for name, x in (('a.json', 0), ('b.json', 1)):
+            self.write(name, json.dumps({'polygons': [{'material': name[0], 'rings': [[[x, 0], [x + 1, 0], [x + 1, 1], [x, 1]]]}]}))
+        self.run_cover('mesh', 'a.json', 'b.json', '-o', 'm.vtm', '-q')
+        for words in (('a.json', 'b.json', 'm.vtm'), ('a.json', '--allow-split', 'b.json', '-j', '1', 'm.vtm')):
+            self.assertIn('2 regions', self.run_cover('check', *words)[0])
+        self.run_cover('check', 'a.json', 'm.vtm', code=6)
+        for words in (('a.json',), ()):
+            self.assertRegex(self.run_cover('check', *words, code=2)[1], '(mesh|input) is required')
+        self.assertIn('Usage: cover check [OPTIONS] input... mesh\n', self.run_cover('check', '--help')[0])
+
     def test_what_the_run_had_welded(self):
         (self.dir / 'a.poly').write_text('8 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 1.0004 0\n6 2 0\n7 2 1\n8 1.0004 1\n'
                                          '8 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n5 5 6\n6 6 7\n7 7 8\n8 8 5\n0\n')

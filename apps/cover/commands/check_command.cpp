@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -286,6 +288,7 @@ With --periodic, or such pairs in the input, every vertex and edge of these line
 
 Examples:
   cover check device.poly device.vtu
+  cover check oxide.json gate.json both.vtu
   cover check device.poly from_another_tool.vtu --allow-split --no-bound
   cover check cell.json cell.msh --periodic left=right
   cover check device.json device.msh --layers gate@channel=0.2,1.3
@@ -298,10 +301,9 @@ struct CheckCommand {
             "cover check") {
     app.set_help_flag("-h,--help", "Show this help");
     app.footer(kFooter);
-    input.add(app)->required();
+    input.add(app, true)->required();
     app.add_option("mesh", mesh_path, fmt::format("Mesh of any tool: {}", listed(mesh_formats())))
-        ->type_name("")
-        ->required();
+        ->type_name("");  // the inputs take it, as CLI11 has it
     app.add_flag("--allow-split", verify.allow_split,
                  "Segments may have vertices inside; promise 3 is not checked then");
     app.add_flag("--no-bound", no_bound, "Do not check promise 3");
@@ -446,6 +448,9 @@ void say_what_may_have_moved(const Verification& found, const Prepared& prepared
 int run_check(Arguments arguments) {
   CheckCommand command;
   if (const auto code = parse(command.app, std::move(arguments))) return *code;
+  std::optional<std::string> last = command.input.take_last();
+  if (!last) return usage_error(command.app, "mesh is required");
+  command.mesh_path = *std::move(last);
   VerifyOptions& verify = command.verify;
   verify.bound = !command.no_bound;
   const bool quiet = command.verbosity.quiet;

@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <memory>
 #include <sstream>
+#include <string_view>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -36,6 +38,14 @@ class NarrowHelp : public CLI::Formatter {
       column += word.size();
     }
     return out;
+  }
+
+  /// The last of several words is no option: CLI11 would leave it to the several before it.
+  std::string make_usage(const CLI::App* app, std::string name) const override {
+    constexpr std::string_view kLast = "... [mesh]";
+    std::string text = CLI::Formatter::make_usage(app, std::move(name));
+    const std::size_t at = text.find(kLast);
+    return at == std::string::npos ? text : text.replace(at, kLast.size(), "... mesh");
   }
 
  private:

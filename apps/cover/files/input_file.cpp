@@ -7,6 +7,7 @@
 #include <iterator>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -93,6 +94,13 @@ CLI::Option* GeometryFile::add(CLI::App& command, bool several) {
               : command.add_option_function<std::string>(
                     "input", [this](const std::string& path) { paths_ = {path}; }, help);
   return input->type_name("");
+}
+
+std::optional<std::string> GeometryFile::take_last() {
+  if (paths_.size() < 2) return std::nullopt;
+  std::string last = std::move(paths_.back());
+  paths_.pop_back();
+  return last;
 }
 
 std::string GeometryFile::path() const { return listed(paths_); }

@@ -1,6 +1,7 @@
 // Reading the geometry that a subcommand is given.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ class GeometryFile {
   /// Adds INPUT and the options; returns INPUT. `several` files may be given.
   CLI::Option* add(CLI::App& command, bool several = false);
 
+  /// Takes the last file away, where there are several.
+  std::optional<std::string> take_last();
   /// The files as messages name them; empty: none was given.
   [[nodiscard]] std::string path() const;
   /// The file of --layer-map; with an empty path where there is none.
