@@ -466,7 +466,9 @@ int run_check(Arguments arguments) {
   if (!input) return fail(*log, input.error());
   for (const std::string& option : command.input.ignored()) log->warn("{}", option);
   std::vector<PeriodicRule> rules = options->periodic;
-  rules.insert(rules.end(), input->periodic.begin(), input->periodic.end());
+  for (const PeriodicRule& rule : input->periodic) {
+    if (std::find(rules.begin(), rules.end(), rule) == rules.end()) rules.push_back(rule);
+  }
   const std::vector<LayerRule> known_layers = input->layers;
   Result<Prepared> prepared = prepare_to_check(*std::move(input), *options);
   if (!prepared) return fail(*log, prepared.error());
