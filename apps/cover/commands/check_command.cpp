@@ -66,10 +66,15 @@ int print(const Verification& found, std::size_t triangles, bool quiet) {
   return exit_ok;
 }
 
+bool is_of_material(const Violation& violation) { return violation.promise == 4; }
+
 /// Whether all is well where segments are cut: numbers of materials have no part in that.
 bool is_sound_but_for_materials(const Verification& found) {
-  return std::all_of(found.violations.begin(), found.violations.end(),
-                     [](const Violation& violation) { return violation.promise == 4; });
+  return std::all_of(found.violations.begin(), found.violations.end(), is_of_material);
+}
+
+bool has_wrong_material(const Verification& found) {
+  return std::any_of(found.violations.begin(), found.violations.end(), is_of_material);
 }
 
 /// Whether the mesh is sound but for vertices inside segments, angles, and materials.
@@ -408,11 +413,6 @@ void take_own_cuts(const CheckCommand& command, const MeshTriangles& mesh, Prepa
   }
 }
 
-bool has_wrong_material(const Verification& found) {
-  return std::any_of(found.violations.begin(), found.violations.end(),
-                     [](const Violation& violation) { return violation.promise == 4; });
-}
-
 /// The numbers of a mesh in Medit's format are those of materials or, with --ids, of groups: it
 /// does not say which. They are taken as the latter where they are sound as such alone.
 void heed_groups(const CheckCommand& command, const Prepared& prepared, const TriangleSoup& mesh,
@@ -465,10 +465,7 @@ int run_check(Arguments arguments) {
   Result<Input> input = command.input.read(options->threads);
   if (!input) return fail(*log, input.error());
   for (const std::string& option : command.input.ignored()) log->warn("{}", option);
-  std::vector<PeriodicRule> rules = options->periodic;
-  for (const PeriodicRule& rule : input->periodic) {
-    if (std::find(rules.begin(), rules.end(), rule) == rules.end()) rules.push_back(rule);
-  }
+  const std::vector<PeriodicRule> rules = periodic_rules(*input, *options);
   const std::vector<LayerRule> known_layers = input->layers;
   Result<Prepared> prepared = prepare_to_check(*std::move(input), *options);
   if (!prepared) return fail(*log, prepared.error());

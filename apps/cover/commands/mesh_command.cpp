@@ -313,19 +313,13 @@ Result<Output> mesh_again(const MeshCommand& command, const Input& input, const 
   return output;
 }
 
-/// Whether parts can be written of what the input asks for, too.
-Status check_parts(const MeshCommand& command, const Input& input, const Options& options) {
-  const bool is_periodic = !input.periodic.empty() || !options.periodic.empty();
-  if (!is_periodic || command.formats.make().parts == 1) return ok();
-  for (const std::string& path : command.outputs) {
-    if (std::filesystem::path(path).extension() == ".msh")
-      return Error{
-          ErrorCode::bad_option,
-          fmt::format("cannot write '{}' in parts: periodic sides have no place in them", path),
-          {},
-          {}};
-  }
-  return ok();
+/// Whether the files can hold what the input asks for, too.
+Status check_files_hold(const MeshCommand& command, const Input& input, const Options& options) {
+  if (input.periodic.empty() && options.periodic.empty()) return ok();
+  Status status = ok();
+  for (const std::string& path : command.outputs)
+    if (status) status = can_write_periodic(path, command.formats.make());
+  return status;
 }
 
 /// What needs the whole mesh in memory; empty if nothing does.
@@ -462,8 +456,8 @@ int run_mesh(Arguments arguments, const OtherProcesses& others) {
   const auto log = make_logger(command.verbosity);
   Result<Input> input = command.input.read(options->threads, others.read_elsewhere);
   if (!input) return fail(*log, input.error());
-  if (const Status parts = check_parts(command, *input, *options); !parts)
-    return usage_error(command.app, parts.error().message);
+  if (const Status hold = check_files_hold(command, *input, *options); !hold)
+    return usage_error(command.app, hold.error().message);
   if (const Status status = load_size_field(*options, *input); !status)
     return fail(*log, status.error());
   log->info("read {}: {} points, {} segments, {} polygons, {} lines", command.input.path(),

@@ -24,6 +24,12 @@ Status write_mesh(const Output& output, const std::string& path, const WriteOpti
 /// Errors: unsupported_format, bad_option
 Status can_write(const std::string& path, const WriteOptions& options = {});
 
+/// The same of a mesh with periodic sides, where can_write() is right: they have no place in the
+/// parts of a .msh.
+///
+/// Errors: bad_option
+Status can_write_periodic(const std::string& path, const WriteOptions& options = {});
+
 /// Whether write_mesh() makes more than one file of it: .vtm, .pvtu and .ele, .xdmf with HDF5 and
 /// whatever has parts. Such a mesh cannot go into a pipe.
 bool is_several_files(const std::string& path, const WriteOptions& options = {});

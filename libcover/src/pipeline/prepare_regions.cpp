@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include <cover/check_in_parts.hpp>
 #include <cover/option_table.hpp>
 #include <cover/version.hpp>
 

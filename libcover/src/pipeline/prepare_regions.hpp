@@ -39,9 +39,6 @@ Result<PreparedRegions> prepare_regions(Input&& input, const Options& options,
                                         const Callbacks& callbacks, StageClock& clock,
                                         bool memory_counts);
 
-/// The rules of the options, then those of the input.
-std::vector<PeriodicRule> periodic_rules(const Input& input, const Options& options);
-
 /// The options with the layers that the input asks for before their own.
 Options with_layers_of(const Input& input, const Options& options);
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <fmt/core.h>
+
 #include "base/containers/buckets.hpp"
 #include "base/containers/order.hpp"
 #include "geom/spatial_order.hpp"
@@ -118,6 +120,13 @@ Partition partition_of(const MeshView& view, std::uint32_t parts) {
   }
   add_ghosts(view, out);
   return out;
+}
+
+Error periodic_in_parts(const std::string& path) {
+  return {ErrorCode::bad_option,
+          fmt::format("cannot write '{}' in parts: periodic sides have no place in them", path),
+          {},
+          {}};
 }
 
 }  // namespace cover

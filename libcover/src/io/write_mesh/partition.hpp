@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
+#include <cover/error.hpp>
 #include <cover/mesh_view.hpp>
 
 namespace cover {
@@ -29,5 +31,8 @@ struct Partition {
 /// ENSURES:  the same for every run; a part may be empty where there are few triangles
 /// Cost:     O(n log n)
 Partition partition_of(const MeshView& view, std::uint32_t parts);
+
+/// Why a mesh with periodic sides is not written in the parts of a .msh.
+Error periodic_in_parts(const std::string& path);
 
 }  // namespace cover

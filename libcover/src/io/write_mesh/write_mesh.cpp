@@ -13,6 +13,7 @@
 
 #include "base/faults/out_of_memory.hpp"
 #include "io/files/temporary_file.hpp"
+#include "io/write_mesh/partition.hpp"
 
 namespace cover {
 namespace {
@@ -126,6 +127,12 @@ Status can_write(const std::string& path, const WriteOptions& options) {
     if (Status status = check_name(*format, path, options); !status) return status;
     return options.parts == 1 ? ok() : check_parts(*format, path, options);
   });
+}
+
+Status can_write_periodic(const std::string& path, const WriteOptions& options) {
+  const Result<Format> format = format_of(path);
+  if (!format || format->write != write_msh || options.parts == 1) return ok();
+  return periodic_in_parts(path);
 }
 
 bool is_several_files(const std::string& path, const WriteOptions& options) {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "../mesh_checks.hpp"
+#include "unit/quality/plan/planned_region.hpp"
 
 namespace cover {
 namespace {
@@ -18,20 +19,9 @@ Options angles_alone() {
   return options;
 }
 
-/// The makers for one region, and its plain triangulation, with which all else is compared.
-struct Made {
+struct Made : PlannedRegion {
   explicit Made(RegionBoundary region, Options asked = angles_alone())
-      : boundary(std::move(region)),
-        options(std::move(asked)),
-        make(boundary, options, {}, true),
-        cdt(make.as_it_is()) {
-    make.compare_with(cdt);
-  }
-
-  RegionBoundary boundary;
-  Options options;
-  Candidates make;
-  Candidate cdt;
+      : PlannedRegion(std::move(region), std::move(asked)) {}
 };
 
 /// No triangle is turned over, and all of the region is covered.

@@ -4,28 +4,14 @@
 #include <cmath>
 
 #include "../mesh_checks.hpp"
-#include "quality/plan/candidates.hpp"
+#include "unit/quality/plan/planned_region.hpp"
 
 namespace cover {
 namespace {
 
 using namespace testing;
 
-/// A region, its plain triangulation, and what is proven of it.
-struct Seen {
-  explicit Seen(RegionBoundary region, Options asked = {})
-      : boundary(std::move(region)),
-        options(asked),
-        make(boundary, options, {}, true),
-        cdt(make.as_it_is()) {
-    make.compare_with(cdt);
-  }
-
-  RegionBoundary boundary;
-  Options options;
-  Candidates make;
-  Candidate cdt;
-};
+using Seen = PlannedRegion;
 
 TEST(Outlook, HalfDiscsOverTheSidesLeaveNoRoomInATriangleAndSomeInAHexagon) {
   Seen triangle(boundary_of({regular_polygon(3)})), hexagon(boundary_of({regular_polygon(6)}));

@@ -16,6 +16,7 @@
 #include <cover/mesh_view.hpp>
 
 #include "base/containers/buckets.hpp"
+#include "io/write_mesh/partition.hpp"
 #include "io/write_mesh/solver_formats/msh_sections.hpp"
 #include "io/write_mesh/solver_formats/msh_text.hpp"
 #include "io/write_mesh/view_cells.hpp"
@@ -201,11 +202,7 @@ void write_msh_text(const MeshView& view, const CellSource& cells, const RegionT
 Status write_msh(const Output& output, const std::string& path, const WriteOptions& options) {
   const MeshView view = view_of(output, options);
   if (options.parts != 1) {
-    if (!view.periodic.empty())
-      return Error{ErrorCode::bad_option,
-                   "cannot write '" + path + "' in parts: periodic sides have no place in them",
-                   {},
-                   {}};
+    if (!view.periodic.empty()) return periodic_in_parts(path);
     return write_msh_parts(view, output.table, path, options);
   }
   return write_text(path, options.stop, [&](TextWriter& out) {
