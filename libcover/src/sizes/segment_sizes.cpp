@@ -53,12 +53,12 @@ double SegmentSizes::wished_at(double part) const {
   return size > 0 ? size : std::numeric_limits<double>::infinity();
 }
 
-SegmentSizes::Steps SegmentSizes::steps() const {
+SegmentSizes::Steps SegmentSizes::steps(double enough) const {
   Steps steps;
   if (!has_wish()) return steps;
   const double whole = length(b_ - a_);
   const auto step_at = [&](double part) { return wished_at(part) / whole; };
-  for (double part = 0; steps.places.size() <= kMostPieces;) {
+  for (double part = 0; steps.places.size() <= kMostPieces && !(steps.count > enough);) {
     // The size in the middle of the step, which is found with that at its beginning.
     const double step = step_at(std::min(part + step_at(part) / 2, 1.0));
     if (part + step >= 1) {
@@ -73,7 +73,7 @@ SegmentSizes::Steps SegmentSizes::steps() const {
 }
 
 std::vector<Point> SegmentSizes::cuts() const {
-  const Steps way = steps();
+  const Steps way = steps(std::numeric_limits<double>::infinity());
   const auto pieces = static_cast<std::size_t>(std::max(1.0, std::round(way.count)));
   std::vector<Point> points;
   for (std::size_t k = 1; k < pieces; ++k) {

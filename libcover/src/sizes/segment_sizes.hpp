@@ -24,7 +24,7 @@ class SegmentSizes {
   void add(const RegionBoundary& boundary, std::size_t s);
 
   /// Whether the segment should be more than one edge: it is 1.5 times as long as wished.
-  [[nodiscard]] bool is_long() const { return steps().count > kLong; }
+  [[nodiscard]] bool is_long() const { return steps(kLong).count > kLong; }
   /// The edge length wished at a part of the way from the end that comes first in the plane;
   /// infinite where none is.
   [[nodiscard]] double wished_at(double part) const;
@@ -41,7 +41,8 @@ class SegmentSizes {
   };
 
   [[nodiscard]] bool has_wish() const;
-  [[nodiscard]] Steps steps() const;
+  /// All of them, or as many as are more than `enough`.
+  [[nodiscard]] Steps steps(double enough) const;
 
   Point a_, b_;  ///< in their order in the plane
   bool reversed_;

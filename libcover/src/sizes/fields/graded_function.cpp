@@ -19,6 +19,7 @@
 #include "cdt/cdt.hpp"
 #include "geom/box.hpp"
 #include "geom/vector.hpp"
+#include "sizes/fields/straight_runs.hpp"
 #include "sizes/size_field.hpp"
 
 namespace cover {
@@ -220,10 +221,14 @@ Error too_short(double least, double extent) {
 Result<GradedFunction> graded_function(SizeFunction wish, std::string_view name,
                                        const RegionBoundary& boundary, double slope,
                                        std::optional<double> least) {
-  const CdtResult cdt = triangulate_domain(boundary.points, boundary.sides);
+  const double extent = box_of(boundary.points).diagonal();
+  const Outline outline =
+      with_straight_runs_joined(boundary.points, boundary.sides, kLeast * extent);
+  CdtResult cdt = triangulate_domain(outline.points, outline.sides);
+  if (!cdt.conflicts.empty() || cdt.triangulation.triangles.empty())
+    cdt = triangulate_domain(boundary.points, boundary.sides);
   if (!cdt.conflicts.empty())
     return GradedFunction{wish, {}};  // who looks at the region next says why
-  const double extent = box_of(boundary.points).diagonal();
   Grid grid(wish, cdt.triangulation, extent, boundary.size_grid, slope);
   if (const std::optional<Point> zero = grid.refine()) {
     if (least && *least < kLeast * extent) return too_short(*least, extent);

@@ -22,7 +22,8 @@ struct GradedFunction {
 /// no more than what grows from there by `slope` per unit of distance. The same function where it
 /// varies so slowly that vertices cannot miss such a place.
 ///
-/// `wish` is asked on a grid of triangles, RegionBoundary::size_grid wide, which is refined where
+/// `wish` is asked on a grid of triangles, RegionBoundary::size_grid wide, of the region without
+/// what only cuts its sides (straight_runs.hpp); it is refined where
 /// values differ by more than sizes may and are about as small as a triangle; up to 20,000
 /// triangles for each region: `missed` tells whether that was too few.
 ///
