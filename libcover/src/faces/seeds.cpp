@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <string_view>
+#include <string>
 
 #include <cover/text.hpp>
 
@@ -44,11 +44,16 @@ class FaceFinder {
   std::vector<bool> ends_segment_;
 };
 
-std::string name_of_seed(std::string_view kind, long id, Point at, int line) {
-  return fmt::format("{} seed {} at {}{}", kind, id, describe(at), line_suffix(line));
+/// With the words that stand for it in a drawing, where its number is nowhere.
+std::string name_of_seed(const RegionSeed& s) {
+  std::string words = s.material;
+  if (!s.region.empty()) words += "/" + s.region;
+  if (!words.empty()) words = " '" + words + "'";
+  return fmt::format("region seed {}{} at {}{}", s.id, words, describe(s.at), line_suffix(s.line));
 }
-std::string name_of_seed(const RegionSeed& s) { return name_of_seed("region", s.id, s.at, s.line); }
-std::string name_of_seed(const HoleSeed& s) { return name_of_seed("hole", s.id, s.at, s.line); }
+std::string name_of_seed(const HoleSeed& s) {
+  return fmt::format("hole seed {} at {}{}", s.id, describe(s.at), line_suffix(s.line));
+}
 
 InputRef ref_of(const RegionSeed& s) { return {InputKind::region_seed, s.id}; }
 InputRef ref_of(const HoleSeed& s) { return {InputKind::hole, s.id}; }
@@ -95,12 +100,9 @@ bool agree(const RegionSeed& a, const RegionSeed& b) {
 }
 
 void complain_of_conflict(const RegionSeed& first, const RegionSeed& second, Complaint& complaint) {
-  const bool materials = first.material != second.material;
   complaint.add(
-      fmt::format("{} and {} are in the same face but disagree: {} '{}' and '{}'",
-                  name_of_seed(first), name_of_seed(second), materials ? "material" : "region",
-                  materials ? first.material : first.region,
-                  materials ? second.material : second.region),
+      fmt::format("{} and {} are in the same face but disagree on its {}", name_of_seed(first),
+                  name_of_seed(second), first.material != second.material ? "material" : "region"),
       {first.at, second.at}, {ref_of(first), ref_of(second)});
 }
 
@@ -151,9 +153,11 @@ Result<SeededFaces> apply_seeds(const Pslg& pslg, const Faces& faces, std::vecto
     const RegionSeed& seed = pslg.seeds[k];
     const std::uint32_t face = seed_faces[k];
     if (out.is_void[face]) {
-      in_void.add(name_of_seed(seed) +
-                      (face == kOutside ? " lies outside of all segments" : " lies in a hole"),
-                  {seed.at}, {ref_of(seed)});
+      in_void.add(
+          name_of_seed(seed) + (face == kOutside
+                                    ? " lies outside of all segments, or what is around it is open"
+                                    : " lies in a hole"),
+          {seed.at}, {ref_of(seed)});
       continue;
     }
     if (seed.size) out.size[face] = std::min(*seed.size, out.size[face].value_or(*seed.size));

@@ -218,28 +218,30 @@ TEST(BuildRegionTable, RefusesSeedsThatMakeNoSense) {
   };
   Input input = nested();
   input.seeds = {seed({9.5, 4}, "1", 3)};
-  refuse(input, ErrorCode::seed_in_void,
-         "nested.poly: region seed 3 at (9.5, 4) lies outside of all segments");
+  refuse(
+      input, ErrorCode::seed_in_void,
+      "nested.poly: region seed 3 '1' at (9.5, 4) lies outside of all segments, or what is around "
+      "it is open");
   input.holes = {{{4, 4}, 1, 0}};
   input.seeds = {seed({5, 4}, "1", 3)};
-  refuse(input, ErrorCode::seed_in_void, "nested.poly: region seed 3 at (5, 4) lies in a hole");
+  refuse(input, ErrorCode::seed_in_void, "nested.poly: region seed 3 '1' at (5, 4) lies in a hole");
   input = nested();
   input.seeds = {seed({1, 4}, "1", 3)};
   input.seeds[0].line = 40;
   refuse(input, ErrorCode::seed_on_segment,
-         "nested.poly: region seed 3 at (1, 4) (line 40) lies on a segment");
+         "nested.poly: region seed 3 '1' at (1, 4) (line 40) lies on a segment");
   input.seeds = {seed({2, 2}, "1", 3)};
   refuse(input, ErrorCode::seed_on_segment,
-         "nested.poly: region seed 3 at (2, 2) lies on a segment");
+         "nested.poly: region seed 3 '1' at (2, 2) lies on a segment");
   input.seeds.clear();
   input.holes = {{{8, 4}, 2, 0}};
   refuse(input, ErrorCode::seed_on_segment, "nested.poly: hole seed 2 at (8, 4) lies on a segment");
   input = nested();
   input.seeds = {seed({4, 4}, "1", 3), seed({5, 5}, "2", 4)};
-  refuse(
-      input, ErrorCode::conflicting_seeds,
-      "nested.poly: region seed 3 at (4, 4) and region seed 4 at (5, 5) are in the same face but "
-      "disagree: material '1' and '2'");
+  refuse(input, ErrorCode::conflicting_seeds,
+         "nested.poly: region seed 3 '1' at (4, 4) and region seed 4 '2' at (5, 5) are in the same "
+         "face "
+         "but disagree on its material");
 }
 
 TEST(BuildRegionTable, TellsOfRepeatedSeeds) {
@@ -248,7 +250,8 @@ TEST(BuildRegionTable, TellsOfRepeatedSeeds) {
   const auto found = find(input);
   ASSERT_TRUE(found) << found.error().message;
   ASSERT_EQ(found->notes.size(), 1U);
-  EXPECT_EQ(found->notes[0].message, "region seed 4 at (5, 5) repeats region seed 3 at (4, 4)");
+  EXPECT_EQ(found->notes[0].message,
+            "region seed 4 '1' at (5, 5) repeats region seed 3 '1' at (4, 4)");
 }
 
 TEST(BuildRegionTable, RefusesWhatEnclosesNothing) {
@@ -359,15 +362,16 @@ TEST(BuildRegionTable, TellsInErrorsThatLinesDoNotQuiteMeet) {
   }
   EXPECT_EQ(
       find(input).error().message,
-      "near.poly: region seed 1 at (1, 1) and region seed 3 at (3, 1) are in the same face "
-      "but disagree: material 'a' and 'b'; point 4 at (2, 9.313225746154785e-10) is only "
+      "near.poly: region seed 1 'a' at (1, 1) and region seed 3 'b' at (3, 1) are in the same face "
+      "but disagree on its material; point 4 at (2, 9.313225746154785e-10) is only "
       "9.31e-10 away from the segment between point 0 at (0, 0) and point 1 at (4, 0), and so "
       "at 1 more place (--weld closes such gaps)");
   input.points[4].y = 1;
   input.points[5].y = 3;
-  EXPECT_EQ(find(input).error().message,
-            "near.poly: region seed 1 at (1, 1) and region seed 3 at (3, 1) are in the same face "
-            "but disagree: material 'a' and 'b'");
+  EXPECT_EQ(
+      find(input).error().message,
+      "near.poly: region seed 1 'a' at (1, 1) and region seed 3 'b' at (3, 1) are in the same face "
+      "but disagree on its material");
 }
 
 TEST(BuildRegionTable, WarnsOfAllPointsNearOneLongSegment) {

@@ -23,9 +23,9 @@ struct GradedFunction {
 /// varies so slowly that vertices cannot miss such a place.
 ///
 /// `wish` is asked on a grid of triangles, RegionBoundary::size_grid wide, of the region without
-/// what only cuts its sides (straight_runs.hpp); it is refined where
-/// values differ by more than sizes may and are about as small as a triangle; up to 20,000
-/// triangles for each region: `missed` tells whether that was too few.
+/// what only cuts its sides (straight_runs.hpp); it is refined where values differ by more than
+/// sizes may and are about as small as a triangle; up to 20,000 triangles for each region: `missed`
+/// tells whether that was too few.
 ///
 /// REQUIRES: slope > 0; size_grid > 0
 /// Errors:   bad_option, with a place, where it falls below 1e-9 of the region's extent: it passes
