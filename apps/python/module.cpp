@@ -77,9 +77,9 @@ auto run(const py::object& progress, Work work) {
   return std::move(result).value();
 }
 
-PyMesh mesh_input(const Input& input, const py::dict& options, const py::object& progress) {
+PyMesh mesh_input(Input input, const py::dict& options, const py::object& progress) {
   Options parsed = options_from(options);
-  if (const Status status = load_size_field(parsed); !status) raise(status.error());
+  if (const Status status = load_size_field(parsed, input); !status) raise(status.error());
   Output output = run(
       progress, [&](const Callbacks& callbacks) { return cover_mesh(input, parsed, callbacks); });
   TriangleSoup soup = triangle_soup(output.mesh);
@@ -95,7 +95,7 @@ PyMesh mesh_file(const std::string& path, py::dict keywords, const py::object& p
     return reading::read_geometry(path, options);
   }();
   if (!input) raise(input.error());
-  PyMesh mesh = mesh_input(*input, keywords, progress);
+  PyMesh mesh = mesh_input(*std::move(input), keywords, progress);
   for (Provenance::Setting& setting : describe_read_options(options))
     mesh.output.report.provenance.settings.push_back(std::move(setting));
   return mesh;

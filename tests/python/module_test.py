@@ -58,6 +58,15 @@ class Meshing(unittest.TestCase):
         with self.assertRaisesRegex(cover.OptionError, "did you mean 'right'"):
             cover.mesh(SQUARE, SEGMENTS, REGIONS, lines=lines, periodic=['left=rigth'])
 
+    def test_a_size_field_beside_the_drawing_is_told(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for shift, told in ((0, 0), (1000, 1)):
+                path = pathlib.Path(folder) / f'{shift}.csv'
+                path.write_text(''.join(f'{x + shift},{y},0.2\n' for x, y in SQUARE))
+                mesh = cover.mesh(SQUARE, SEGMENTS, REGIONS, size_field=path)
+                beside = [n for n in mesh.report['notes'] if 'the drawing' in n['message']]
+                self.assertEqual(len(beside), told, mesh.report['notes'])
+
     def test_arcs(self):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / 'disc.json'
