@@ -56,6 +56,10 @@ class Check(Case):
             out, _ = self.run_cover('check', diode, mesh)
             self.assertRegex(out, r'^Segments are cut at \d+ points by the run itself: --method nonobtuse\nEvery promise holds')
         (self.dir / 's.json').unlink()
+        # Without numbers of regions too, what made it stands in the .vtm beside it.
+        self.run_cover('mesh', diode, '-o', 's.mesh', '--method', 'nonobtuse', '-q')
+        out, _ = self.run_cover('check', diode, 's.mesh')
+        self.assertRegex(out, r'^Segments are cut at \d+ points by the run itself: --method nonobtuse\nEvery promise holds')
         out, _ = self.run_cover('check', diode, 's.vtu', '--allow-split')
         self.assertIn('Not checked: that segments are one edge each (promise 1)\n', out)
         self.assertIn('Not checked: the bound', out)

@@ -344,6 +344,9 @@ print(len(seen))
             for element, owner in zip(numbers[1::4], numbers[2::4]):
                 self.assertEqual(owned[element], owner)
         self.assertEqual(set(owned) | lines, set(whole))
+        for words in (('check', SAMPLES / 'diode.poly', 'd_2.msh'), ('convert', 'd_2.msh', '-o', 'part.vtu')):
+            _, err = self.run_cover(*words, code=5 if words[0] == 'check' else 0)
+            self.assertIn('is one of 3 files of a mesh', err)
 
     def test_only_where_the_format_has_parts(self):
         self.assertIn('version 4.1', self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.msh', '--parts', 2, code=2)[1])

@@ -425,6 +425,14 @@ void heed_groups(const CheckCommand& command, const Prepared& prepared, const Tr
   if (!verify.material_numbers) found = std::move(as_groups);
 }
 
+Error only_a_part(const std::string& path, std::size_t parts) {
+  return {
+      ErrorCode::unsupported_format,
+      fmt::format("{} is one of {} files of a mesh: only a whole mesh can be checked", path, parts),
+      {},
+      {}};
+}
+
 /// Where points of the input are missing in the mesh, what else would make everything fail.
 void say_what_may_have_moved(const Verification& found, const Prepared& prepared,
                              const TriangleSoup& mesh) {
@@ -479,6 +487,7 @@ int run_check(Arguments arguments) {
   }
   const Result<MeshTriangles> mesh = read_triangles(command.mesh_path, *log);
   if (!mesh) return fail(*log, mesh.error());
+  if (mesh->parts > 0) return fail(*log, only_a_part(command.mesh_path, mesh->parts));
   verify.material_numbers = mesh->has_materials;
   Verification found = verify_cover(prepared->pslg, prepared->table, mesh->soup, verify);
   heed_groups(command, *prepared, mesh->soup, verify, found);

@@ -15,18 +15,20 @@ Result<MeshTriangles> read_triangles(const std::string& path, spdlog::logger& lo
   if (mesh->second_order)
     log.warn("{}: triangles have six nodes, of which the corners are taken", path);
   if (!mesh->soup.material.empty() || mesh->group.empty())
-    return MeshTriangles{std::move(mesh->soup), true, std::move(mesh->middles), mesh->cut_vertices};
+    return MeshTriangles{std::move(mesh->soup), true, std::move(mesh->middles), mesh->cut_vertices,
+                         mesh->parts};
   StoredMesh stored;
   stored.soup = std::move(mesh->soup);
   const Result<bool> named =
       read_manifest(std::filesystem::path(path).replace_extension(".json"), mesh->group, stored);
   if (named && *named)
-    return MeshTriangles{std::move(stored.soup), true, std::move(mesh->middles),
-                         mesh->cut_vertices};
+    return MeshTriangles{std::move(stored.soup), true, std::move(mesh->middles), mesh->cut_vertices,
+                         mesh->parts};
   if (!named) log.warn("{}", named.error().message);
   stored.soup.region.clear();
   stored.soup.material = mesh->group;
-  return MeshTriangles{std::move(stored.soup), false, std::move(mesh->middles), mesh->cut_vertices};
+  return MeshTriangles{std::move(stored.soup), false, std::move(mesh->middles), mesh->cut_vertices,
+                       mesh->parts};
 }
 
 }  // namespace cover::app

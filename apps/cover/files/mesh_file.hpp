@@ -18,6 +18,7 @@ struct MeshTriangles {
   bool has_materials = true;
   std::vector<std::array<Point, 3>> middles{};  ///< as MeshFile::middles
   std::size_t cut_vertices = 0;                 ///< as MeshFile::cut_vertices
+  std::size_t parts = 0;                        ///< as MeshFile::parts
 };
 
 /// The triangles of a mesh, in any format of read_mesh(). Formats that have groups

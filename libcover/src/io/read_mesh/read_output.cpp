@@ -47,6 +47,18 @@ Status take_names_from_vtm(const std::string& path, StoredMesh& stored) {
   return take_materials(stored) ? ok() : Status(wrong_file(path, "it is of another mesh"));
 }
 
+/// How the .vtm of the same mesh was made, for triangles without numbers of regions, to which it can
+/// give nothing else.
+void take_run_from_vtm(const std::string& path, StoredMesh& stored) {
+  Result<VtmMesh> blocks = read_vtm(path);
+  if (!blocks) return;
+  std::vector<std::string> ignored;
+  StoredMesh named = std::move(*blocks).finish(ignored);
+  if (named.soup.points != stored.soup.points) return;
+  stored.provenance = std::move(named.provenance);
+  stored.cut_vertices = std::max(stored.cut_vertices, named.cut_vertices);
+}
+
 /// How many edges have nodes off their middles, by more than rounding of a text.
 std::size_t curved_edges(const TriangleSoup& soup,
                          const std::vector<std::array<Point, 3>>& middles) {
@@ -151,7 +163,9 @@ class Completion {
     has_periodic_points_ = file->has_periodic_points;
     Result<bool> named = read_manifest(beside(".json"), file->group, stored);
     if (!named) return std::move(named).error();
-    if (!*named && fs::is_regular_file(beside(".vtm")) && !stored.soup.region.empty()) {
+    const bool has_blocks = !*named && fs::is_regular_file(beside(".vtm"));
+    if (has_blocks && stored.soup.region.empty()) take_run_from_vtm(beside(".vtm"), stored);
+    if (has_blocks && !stored.soup.region.empty()) {
       if (Status status = take_names_from_vtm(beside(".vtm"), stored); !status)
         return std::move(status).error();
       sort_by_region(stored.soup);
@@ -196,6 +210,9 @@ class Completion {
       notes_.push_back(
           fmt::format("{} holds no {}, and {}: they are made up", path_, unknown, why));
     }
+    if (file.parts > 0)
+      tell({fmt::format("it is one of {} files of a mesh, and has copies of triangles of others",
+                        file.parts)});
     // Formats without counts look whole wherever they end.
     if (const std::size_t unused = unused_points(stored.soup); unused > 0)
       tell({fmt::format("{} in no triangle: the file may have been cut short",

@@ -99,6 +99,7 @@ class MshParser {
       return read_data(section, file_.elements.size(), file_.element_arrays);
     else {
       file_.has_periodic_points |= section == "$Periodic";
+      if (section == "$PartitionedEntities" && !binary_) file_.parts = tokens_.count("parts");
       return tokens_.skip_past("$End" + std::string(section.substr(1)));
     }
     tokens_.expect("$End" + std::string(section.substr(1)));

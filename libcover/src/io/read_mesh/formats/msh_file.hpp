@@ -38,6 +38,7 @@ struct MshFile {
   std::vector<PlaneField::Array> point_arrays;
   std::vector<PlaneField::Array> element_arrays;
   bool has_periodic_points = false;
+  std::size_t parts = 0;  ///< of a mesh, of which this is one; 0: it is whole, or binary
   std::size_t in_several_groups = 0;  ///< groups left out: entities have the first one they are in
 
   [[nodiscard]] std::span<const std::uint32_t> nodes_of(const MshElement& element) const {
