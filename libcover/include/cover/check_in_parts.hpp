@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include <cover/input.hpp>
 #include <cover/options.hpp>
@@ -25,10 +24,6 @@ struct CheckInParts {
 ///
 /// Errors: those of prepare()
 Result<Prepared> prepare_to_check(Input&& input, const Options& options = {});
-
-/// The pairs that a mesh of `input` has to keep: those of the options, then those of the input;
-/// equal ones are one.
-std::vector<PeriodicRule> periodic_rules(const Input& input, const Options& options);
 
 /// Checks a mesh of `prepared` in a .vtu or .vtkhdf as verify_cover() does, without holding it:
 /// regions in turn, until they have `triangles_at_a_time`.

@@ -12,6 +12,8 @@
 
 namespace cover {
 
+struct Input;
+
 /// A map of the plane that keeps distances: (x, y) -> (xx x + xy y + x0, yx x + yy y + y0). Each
 /// coefficient is a double and the rest that it lacks, so that images of points can be rounded
 /// once.
@@ -41,6 +43,10 @@ struct PeriodicNodes {
 /// The smallest vertex that each of `vertices` vertices is joined to by any rule.
 std::vector<std::uint32_t> periodic_classes(const std::vector<PeriodicNodes>& periodic,
                                             std::size_t vertices);
+
+/// The pairs that a mesh of `input` has to keep: those of the options, then those of the input;
+/// equal ones are one.
+std::vector<PeriodicRule> periodic_rules(const Input& input, const Options& options);
 
 /// "'left' and 'right'".
 std::string describe(const PeriodicRule& rule);

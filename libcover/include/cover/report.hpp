@@ -122,7 +122,7 @@ struct RegionReport {
   Quality quality;
   BoxMethod box;
   std::vector<NegativeCoupling> couplings;  ///< the negative ones
-  std::size_t input_vertices = 0;
+  std::size_t input_vertices = 0;  ///< on the boundary as it was meshed, cuts too, and lone points
   std::size_t steiner_vertices = 0;
   std::size_t forced_above_120 = 0;  ///< sides whose own gamma_opt is above
   std::size_t forced_above_150 = 0;

@@ -5,8 +5,8 @@
 // Since no vertex is put on a segment, regions are meshed apart and in parallel, and joined by
 // vertex id; results lie in region order, so the mesh does not depend on the schedule.
 // Tested by tests/unit/pipeline/cover_mesh_test.cpp.
-#include <cover/check_in_parts.hpp>
 #include <cover/cover_mesh.hpp>
+#include <cover/periodic.hpp>
 #include <cover/verify.hpp>
 
 #include <span>

@@ -1,12 +1,11 @@
 // Tested by tests/unit/pipeline/cover_mesh_test.cpp.
 #include "pipeline/prepare_regions.hpp"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 
-#include <cover/check_in_parts.hpp>
 #include <cover/option_table.hpp>
+#include <cover/periodic.hpp>
 #include <cover/version.hpp>
 
 #include "base/faults/errors.hpp"
@@ -101,16 +100,6 @@ Status begin_stage(std::string_view stage, const Callbacks& callbacks) {
   if (callbacks.stop.stop_requested()) return interrupted();
   if (callbacks.progress) callbacks.progress({stage, 0, 0});
   return ok();
-}
-
-std::vector<PeriodicRule> periodic_rules(const Input& input, const Options& options) {
-  std::vector<PeriodicRule> rules;
-  for (const auto* list : {&options.periodic, &input.periodic}) {
-    for (const PeriodicRule& rule : *list) {
-      if (std::find(rules.begin(), rules.end(), rule) == rules.end()) rules.push_back(rule);
-    }
-  }
-  return rules;
 }
 
 Result<PreparedRegions> prepare_regions(const Input& input, const Options& options,

@@ -3,7 +3,7 @@
 // triangle lies; the meshes of all other regions are taken out of it, and everything is stitched
 // anew.
 // Tested by tests/unit/pipeline/remesh_test.cpp and tests/property/remesh_property_test.cpp.
-#include <cover/check_in_parts.hpp>
+#include <cover/periodic.hpp>
 #include <cover/remesh.hpp>
 
 #include <algorithm>

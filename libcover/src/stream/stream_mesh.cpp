@@ -4,7 +4,7 @@
 //
 // Tested by tests/unit/stream/stream_mesh_test.cpp and, with the program, by
 // tests/cli/large_mesh_test.py.
-#include <cover/check_in_parts.hpp>
+#include <cover/periodic.hpp>
 #include <cover/stream_mesh.hpp>
 
 #include <filesystem>

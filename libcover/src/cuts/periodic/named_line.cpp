@@ -8,6 +8,8 @@
 
 #include <fmt/core.h>
 
+#include <cover/input.hpp>
+
 #include "options/periodic_rule.hpp"
 
 namespace cover {
@@ -23,6 +25,16 @@ std::optional<int> marker_of(const std::string& name) {
 }
 
 }  // namespace
+
+std::vector<PeriodicRule> periodic_rules(const Input& input, const Options& options) {
+  std::vector<PeriodicRule> rules;
+  for (const auto* list : {&options.periodic, &input.periodic}) {
+    for (const PeriodicRule& rule : *list) {
+      if (std::find(rules.begin(), rules.end(), rule) == rules.end()) rules.push_back(rule);
+    }
+  }
+  return rules;
+}
 
 std::string describe(const PeriodicRule& rule) {
   return fmt::format("'{}' and '{}'", rule.from, rule.to);
