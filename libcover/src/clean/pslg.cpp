@@ -30,6 +30,7 @@
 #include "clean/paint/visible_edges.hpp"
 #include "clean/remember_arcs.hpp"
 #include "faces/place_seeds.hpp"
+#include "geom/vector.hpp"
 
 namespace cover {
 namespace {
@@ -56,6 +57,10 @@ void take_over_segments(const Input& input, Pslg& pslg) {
     }
     pslg.segments.push_back({VertexId{s.a}, VertexId{s.b}, s.marker, name->second, s.id});
   }
+}
+
+double weld_of(const Input& input, const Options& options) {
+  return options.weld.value_or(input.polygons.empty() ? 0 : kAutoWeld);
 }
 
 /// The points and segments of a clean input.
@@ -108,7 +113,7 @@ Result<EdgeGraph> paint_over(const Input& input, const Options& options, Network
 Result<Pslg> clean_up(const Input& input, const Options& options, Report& report,
                       const Team& team) {
   Network network = gather(input, report.changes);
-  const double weld = options.weld.value_or(input.polygons.empty() ? 0 : kAutoWeld);
+  const double weld = weld_of(input, options);
   EdgeGraph graph =
       weld > 0 ? weld_and_node(input, weld, network, report.changes, !options.weld)
                : node_edges(network, !input.polygons.empty() || !input.lines.empty(), team);
@@ -128,6 +133,28 @@ Result<Pslg> clean_up(const Input& input, const Options& options, Report& report
   if (owners.empty()) return pslg;  // no polygon is seen
   for (std::size_t p = 0; p < sizes.size(); ++p) pslg.seeds[p].size = sizes[p];
   return pslg;
+}
+
+/// Tells of segments that are hardly longer than rounding, which welding makes points.
+void warn_of_rounding(const Pslg& pslg, std::vector<Note>& notes) {
+  const double most = rounding_of(pslg.points);
+  std::vector<Point> where;
+  double shortest = most;
+  for (const Segment& s : pslg.segments) {
+    const Point a = pslg.points[s.a.index()], b = pslg.points[s.b.index()];
+    if (!(length(b - a) <= most)) continue;
+    shortest = std::min(shortest, length(b - a));
+    where.push_back(a);
+  }
+  if (where.empty()) return;
+  notes.push_back({Note::Kind::warning, kVoid,
+                   fmt::format("{} no longer than rounding, the first near {} and the shortest {} "
+                               "long: angles beside them are degenerate; --weld auto makes such "
+                               "segments points",
+                               where.size() == 1 ? "1 segment is"
+                                                 : fmt::format("{} segments are", where.size()),
+                               describe(where.front()), describe_roughly(shortest)),
+                   where});
 }
 
 /// Whether there is anything but void beside the segments.
@@ -161,7 +188,7 @@ bool is_empty(const Input& input) {
 
 /// The error where many lines are one but for rounding.
 Error crowd(const Input& input, const Options& options, Point where) {
-  const bool is_welded = options.weld.value_or(input.polygons.empty() ? 0 : kAutoWeld) > 0;
+  const bool is_welded = weld_of(input, options) > 0;
   return {ErrorCode::coordinate_out_of_range,
           fmt::format("{}: near {} so many lines lie within rounding of each other that their "
                       "pieces cannot be told apart; {}",
@@ -250,6 +277,7 @@ Result<Pslg> make_pslg(const Input& input, const Options& options, Report& repor
   if (options.strict) {
     if (auto error = changes_as_error(input, report.changes)) return *error;
   }
+  if (weld_of(input, options) <= 0) warn_of_rounding(*pslg, report.notes);
   pslg->attributes = input.attributes;
   sum_up(report.changes, report.notes);
   remember_arcs(input, *pslg, report.notes);

@@ -5,14 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
 #include <cover/text.hpp>
 
 #include "base/faults/complaint.hpp"
+#include "clean/ends/loose_ends.hpp"
 #include "geom/curves/arc.hpp"
 #include "geom/vector.hpp"
 
@@ -48,6 +52,53 @@ void for_each_chord(const Input& input, F f) {
 const char* describe_kind(InputKind kind) {
   return kind == InputKind::polygon ? "polygon" : kind == InputKind::line ? "line" : "segment";
 }
+
+using Ends = std::pair<Point, Point>;          ///< the smaller first
+using Chords = std::map<Ends, std::uint32_t>;  ///< and the number of their circle
+
+/// Finds segments that are no chords yet by ends that lie within rounding of them.
+class NearlyEqual {
+ public:
+  explicit NearlyEqual(const Pslg& pslg) : most_(rounding_of(pslg.points)) {
+    for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+      const Point a = pslg.points[pslg.segments[s].a.index()];
+      const Point b = pslg.points[pslg.segments[s].b.index()];
+      if (pslg.segments[s].circle == 0) segments_.emplace(std::minmax(a, b), s);
+      ends_.push_back(a);
+      ends_.push_back(b);
+    }
+    std::sort(ends_.begin(), ends_.end());
+    ends_.erase(std::unique(ends_.begin(), ends_.end()), ends_.end());
+  }
+
+  [[nodiscard]] std::optional<std::size_t> segment(const Ends& ends) const {
+    for (const Point a : near(ends.first)) {
+      for (const Point b : near(ends.second)) {
+        const auto found = segments_.find(std::minmax(a, b));
+        if (found != segments_.end()) return found->second;
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] std::vector<Point> near(Point p) const {
+    constexpr double kMost = std::numeric_limits<double>::max();
+    std::vector<Point> out;
+    auto column = std::lower_bound(ends_.begin(), ends_.end(), Point{p.x - most_, -kMost});
+    while (column != ends_.end() && column->x <= p.x + most_) {
+      const double x = column->x;
+      auto k = std::lower_bound(column, ends_.end(), Point{x, p.y - most_});
+      for (; k != ends_.end() && k->x == x && k->y <= p.y + most_; ++k) out.push_back(*k);
+      column = std::upper_bound(k, ends_.end(), Point{x, kMost});
+    }
+    return out;
+  }
+
+  double most_;
+  std::map<Ends, std::size_t> segments_;
+  std::vector<Point> ends_;  ///< sorted
+};
 
 /// Whether a segment of `pslg` runs along the chord ab from one of its ends.
 class PieceFinder {
@@ -118,7 +169,7 @@ std::optional<Error> find_bad_arcs(const Input& input) {
 void remember_arcs(const Input& input, Pslg& pslg, std::vector<Note>& notes) {
   if (input.circles.empty()) return;
   pslg.circles = input.circles;
-  std::map<std::pair<Point, Point>, std::uint32_t> chords;
+  Chords chords;
   for_each_chord(input, [&](Point a, Point b, std::uint32_t circle, InputRef) {
     // Of half a circle there would be no telling on which side of the chord it lies.
     if (a != b && length(b - a) < kLongestChord * input.circles[circle - 1].radius)
@@ -133,6 +184,13 @@ void remember_arcs(const Input& input, Pslg& pslg, std::vector<Note>& notes) {
     chords.erase(found);
   }
   if (chords.empty()) return;
+  const NearlyEqual nearly_equal(pslg);
+  std::erase_if(chords, [&](const Chords::value_type& chord) {
+    const auto segment = nearly_equal.segment(chord.first);
+    if (!segment) return false;
+    if (pslg.segments[*segment].circle == 0) pslg.segments[*segment].circle = chord.second;
+    return true;
+  });
   const PieceFinder pieces(pslg);
   std::vector<Point> where;
   for (const auto& [ends, circle] : chords) {

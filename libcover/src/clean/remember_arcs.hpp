@@ -19,8 +19,9 @@ namespace cover {
 std::optional<Error> find_bad_arcs(const Input& input);
 
 /// Fills Pslg::circles and Segment::circle: a segment between the ends of a chord of the input is
-/// that chord. Pieces of chords that other lines cut or touch end off the circle; they stay
-/// straight, and so do chords whose ends were moved; a note tells how many.
+/// that chord, also where these were moved by rounding. Pieces of chords that other lines cut or
+/// touch end off the circle; they stay straight, and so do chords whose ends were moved farther; a
+/// note tells how many.
 ///
 /// REQUIRES: find_bad_arcs finds nothing
 /// Cost:     O(n log n) in the number of chords

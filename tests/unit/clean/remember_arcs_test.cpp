@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <cover/cover_mesh.hpp>
@@ -26,6 +27,26 @@ TEST(RememberArcs, CleanInputsKeepAllChords) {
   ASSERT_TRUE(prepared) << prepared.error().message;
   EXPECT_EQ(chords_of(prepared->pslg), 8U);
   EXPECT_EQ(prepared->pslg.circles, input.circles);
+}
+
+/// Half a disc whose arc's ends are given once more as points, which rounding made others.
+TEST(RememberArcs, EndsThatWereComputedTwiceAreOnTheirArc) {
+  Input circle;
+  testing::add_circle(circle, {3, 0.1}, 1, 12);
+  Input input;
+  input.circles = circle.circles;
+  InputPolygon half;
+  half.rings = {{circle.points.begin(), circle.points.begin() + 7}};
+  half.circles = {{1, 1, 1, 1, 1, 1, 0, 0, 0}};
+  const Point first = half.rings[0].front(), last = half.rings[0].back();
+  half.rings[0].push_back({std::nextafter(last.x, -9), std::nextafter(last.y, -9)});
+  half.rings[0].push_back({std::nextafter(first.x, -9), std::nextafter(first.y, -9)});
+  half.material = "a";
+  input.polygons = {half};
+  const Result<Prepared> prepared = prepare(input);
+  ASSERT_TRUE(prepared) << prepared.error().message;
+  EXPECT_EQ(prepared->pslg.points.size(), 7U);
+  EXPECT_EQ(chords_of(prepared->pslg), 6U);
 }
 
 TEST(RememberArcs, ChordsThatLinesCutStayStraightAndAreTold) {

@@ -17,8 +17,6 @@
 namespace cover {
 namespace {
 
-constexpr double kUnits = 4;  ///< in the last place of the largest coordinate
-
 /// The ends of segments by the cell that they lie in.
 class Cells {
  public:
@@ -59,6 +57,11 @@ class Cells {
 
 }  // namespace
 
+double rounding_of(std::span<const Point> points) {
+  constexpr double kUnits = 4;
+  return kUnits * spacing_of(points);
+}
+
 std::vector<LooseGap> find_loose_gaps(std::span<const Point> points,
                                       std::span<const IndexPair> segments, double reach) {
   std::vector<std::uint32_t> degree(points.size(), 0), joined(points.size(), kNone);
@@ -87,8 +90,7 @@ std::vector<LooseGap> find_loose_gaps(std::span<const Point> points,
 std::optional<Input> join_loose_ends(const Input& input, std::vector<Change>& changes) {
   std::vector<IndexPair> segments;
   for (const InputSegment& s : input.segments) segments.push_back({s.a, s.b});
-  std::vector<LooseGap> gaps =
-      find_loose_gaps(input.points, segments, kUnits * spacing_of(input.points));
+  std::vector<LooseGap> gaps = find_loose_gaps(input.points, segments, rounding_of(input.points));
   // Equal coordinates are one point anyway.
   std::erase_if(gaps, [](const LooseGap& gap) { return gap.distance == 0; });
   if (gaps.empty()) return std::nullopt;

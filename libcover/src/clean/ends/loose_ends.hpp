@@ -13,6 +13,10 @@
 
 namespace cover {
 
+/// 4 units in the last place of the largest coordinate: places that are no farther apart may be one
+/// that was computed twice.
+double rounding_of(std::span<const Point> points);
+
 /// An end of one line alone, and another end near it.
 struct LooseGap {
   std::uint32_t loose = 0;
@@ -27,9 +31,8 @@ struct LooseGap {
 std::vector<LooseGap> find_loose_gaps(std::span<const Point> points,
                                       std::span<const IndexPair> segments, double reach);
 
-/// The input with loose ends joined to ends that are within 4 units in the last place of its
-/// largest coordinate: no program that computes such ends twice can do better. Nothing if there are
-/// none. Every one is appended to `changes`.
+/// The input with loose ends joined to ends that are within rounding_of() its points. Nothing if
+/// there are none. Every one is appended to `changes`.
 ///
 /// REQUIRES: indices in range, coordinates finite
 std::optional<Input> join_loose_ends(const Input& input, std::vector<Change>& changes);

@@ -15,8 +15,8 @@
 
 #include <cover/text.hpp>
 
+#include "clean/ends/loose_ends.hpp"
 #include "geom/box.hpp"
-#include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -343,8 +343,23 @@ bool weld_ends_alone(const Input& input, double tolerance, const Kept& kept, Net
   return Welder(input, network, limit, changes).weld(search.pairs, {});
 }
 
+/// Shrinks lines to points that are no longer than rounding: somebody computed their ends twice.
+void shrink_to_points(const Input& input, double tolerance, const Kept& kept, Network& network,
+                      std::vector<Change>& changes) {
+  const double most = std::min(tolerance, rounding_of(network.points));
+  std::vector<NearPair> pairs;
+  for (const Strand& s : network.strands) {
+    const double distance = length(network.points[s.b] - network.points[s.a]);
+    if (distance <= most && !kept.forbids(s.a, s.b))
+      pairs.push_back({distance, std::min(s.a, s.b), std::max(s.a, s.b)});
+  }
+  std::sort(pairs.begin(), pairs.end());
+  Welder(input, network, std::vector<double>(network.points.size(), most), changes).weld(pairs, {});
+}
+
 EdgeGraph weld_once(const Input& input, double tolerance, Network& network,
                     std::vector<Change>& changes, const std::vector<bool>& kept_polygons) {
+  shrink_to_points(input, tolerance, Kept(network, kept_polygons), network, changes);
   for (int round = 0;; ++round) {
     Network noded = network;
     const Kept kept(network, kept_polygons);
@@ -367,7 +382,6 @@ EdgeGraph weld_once(const Input& input, double tolerance, Network& network,
 
 /// By polygon: whether it is drawn wider than rounding.
 std::vector<bool> wide_polygons(const Input& input, const Network& drawing) {
-  constexpr double kRounding = 4;  // units in the last place of the largest coordinate
   std::vector<double> area(input.polygons.size(), 0), around(area);
   const Point origin = drawing.points.front();
   for (const Strand& s : drawing.strands) {
@@ -377,7 +391,7 @@ std::vector<bool> wide_polygons(const Input& input, const Network& drawing) {
     area[from.index] += cross(a - origin, b - origin);
     around[from.index] += length(b - a);
   }
-  const double rounding = kRounding * spacing_of(drawing.points);
+  const double rounding = rounding_of(drawing.points);
   std::vector<bool> out;
   for (std::size_t p = 0; p < area.size(); ++p)
     out.push_back(std::abs(area[p]) > rounding * around[p]);

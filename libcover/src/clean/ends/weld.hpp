@@ -17,7 +17,7 @@ namespace cover {
 /// The tolerance at an end is `relative` times the size of the drawing, and never more than an
 /// eighth of the shortest line that ends there. So a layer, however thin, whose drawing has an edge
 /// across it stays: nothing at its corners moves by more than an eighth of that edge. An edge is
-/// never shrunk to a point.
+/// shrunk to a point only where it is no longer than the tolerance and rounding_of() all points.
 /// With `keep_polygons`, a polygon that is wider than rounding does not vanish: where welding would
 /// make all of its edges cancel each other, its corners are not welded to its own edges.
 /// Every weld is appended to `changes`.

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include <cover/option_ranges.hpp>
 
@@ -38,6 +40,48 @@ TEST(Weld, ClosesGapsAndSlivers) {
   const auto out = clean(neighbours(1e-10));
   EXPECT_TRUE(out->tells("was moved by 1e-10 onto"));
   EXPECT_TRUE(out->tells("the edge of polygon 1 'left' from (1, 0) to (1, 1) was bent by"));
+}
+
+/// A square whose ring comes back to where it began, but for rounding.
+Input nearly_closed(double x) {
+  Input input;
+  add_polygon(input, {{x, 0.1}, {1, 0.1}, {1, 1}, {x, 1}, {x, std::nextafter(0.1, 1)}}, "square");
+  return input;
+}
+
+TEST(Weld, AnEdgeOfRoundingIsOnePoint) {
+  for (const double x : {0.1, -7.0}) {
+    const auto out = clean(nearly_closed(x));
+    ASSERT_TRUE(out) << out.error().message;
+    EXPECT_EQ(out->pslg.points.size(), 4U) << x;
+    EXPECT_TRUE(out->tells("was moved by 1.39e-17 onto"));
+    Options off;
+    off.weld = 0;
+    const auto as_drawn = clean(nearly_closed(x), off);
+    ASSERT_TRUE(as_drawn) << as_drawn.error().message;
+    EXPECT_EQ(as_drawn->pslg.points.size(), 5U) << x;
+  }
+}
+
+/// A chain of edges that are all of rounding does not shrink to one point, and an edge that is
+/// longer than that stays, whatever the tolerance.
+TEST(Weld, OnlyEdgesOfRoundingAreShrunk) {
+  Input input;
+  std::vector<Point> ring{{1, 2}, {0, 2}, {0, 0}};
+  for (int k = 0; k < 100; ++k) ring.push_back({1 + k * 0x1p-51, 0});
+  add_polygon(input, ring, "chain");
+  const auto chain = clean(input);
+  ASSERT_TRUE(chain) << chain.error().message;
+  EXPECT_GT(chain->pslg.points.size(), 15U);
+  EXPECT_LT(chain->pslg.points.size(), 60U);
+
+  Input longer;
+  add_polygon(longer, {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 1e-14}}, "longer");
+  Options options;
+  options.weld = 1e-3;
+  const auto out = clean(longer, options);
+  ASSERT_TRUE(out) << out.error().message;
+  EXPECT_EQ(out->pslg.points.size(), 5U);
 }
 
 /// A triangle drawn hundreds of times, each time some units in the last place elsewhere.
