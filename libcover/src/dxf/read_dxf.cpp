@@ -63,9 +63,12 @@ class DxfConverter {
     if (input_.segments.empty())
       return Error{ErrorCode::syntax,
                    fmt::format("{}: no line or curve in it{}", input_.source,
-                               options_.layers.empty() ? "" : " on the layers that are read"),
+                               options_.layers.empty()
+                                   ? ""
+                                   : " on the layers that are read" + others(layers_drawn())),
                    {},
                    {}};
+    tell_of_layers();
     tell();
     return std::move(input_);
   }
@@ -74,6 +77,33 @@ class DxfConverter {
   [[nodiscard]] bool is_read(const Placed<DxfCurve>& curve) const {
     return options_.layers.empty() || std::find(options_.layers.begin(), options_.layers.end(),
                                                 *curve.layer) != options_.layers.end();
+  }
+
+  /// Those of all lines and curves.
+  [[nodiscard]] std::set<std::string> layers_drawn() const {
+    std::set<std::string> layers;
+    for (const Placed<DxfCurve>& curve : placed_.curves) layers.insert(*curve.layer);
+    return layers;
+  }
+
+  /// "; its layers: a, b", of what is drawn.
+  [[nodiscard]] static std::string others(const std::set<std::string>& layers) {
+    constexpr std::size_t kMostNamed = 12;
+    if (layers.empty()) return "";
+    std::vector<std::string> names(layers.begin(), layers.end());
+    names.resize(std::min(names.size(), kMostNamed));
+    return fmt::format("; its layers: {}{}", listed(names),
+                       layers.size() > kMostNamed ? ", ..." : "");
+  }
+
+  /// Layers that were asked for, on which nothing is drawn.
+  void tell_of_layers() {
+    const std::set<std::string> layers = layers_drawn();
+    for (const std::string& wanted : options_.layers) {
+      if (layers.contains(wanted)) continue;
+      input_.warnings.push_back(
+          fmt::format("no line or curve is on the layer '{}'{}", wanted, others(layers)));
+    }
   }
 
   /// A name that all segments have tells nothing.

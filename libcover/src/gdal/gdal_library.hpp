@@ -37,6 +37,7 @@ namespace cover {
   X(OGR_F_GetFID)                       \
   X(OGR_F_GetFieldDefnRef)              \
   X(OGR_F_GetFieldAsDouble)             \
+  X(OGR_F_GetFieldAsInteger64)          \
   X(OGR_F_GetFieldAsString)             \
   X(OGR_F_IsFieldSetAndNotNull)         \
   X(OGR_F_StealGeometry)                \

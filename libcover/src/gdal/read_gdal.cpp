@@ -178,11 +178,12 @@ class MapReader {
   }
 
   AttributeValue value_of(OGRFeatureH feature, int field) {
-    if (field == kOwnNumber) return static_cast<double>(gdal_.OGR_F_GetFID(feature));
+    if (field == kOwnNumber) return std::int64_t{gdal_.OGR_F_GetFID(feature)};
     if (!has(feature, field)) return {};
     const OGRFieldType type = type_of(feature, field);
-    if (type == OFTReal || type == OFTInteger || type == OFTInteger64)
-      return gdal_.OGR_F_GetFieldAsDouble(feature, field);
+    if (type == OFTReal) return gdal_.OGR_F_GetFieldAsDouble(feature, field);
+    if (type == OFTInteger || type == OFTInteger64)
+      return std::int64_t{gdal_.OGR_F_GetFieldAsInteger64(feature, field)};
     return std::string(gdal_.OGR_F_GetFieldAsString(feature, field));
   }
 

@@ -262,9 +262,15 @@ TEST(ReadDxf, LayersNameSegmentsAndAreChosen) {
   const Input input = read(d.finish(), options);
   EXPECT_EQ(input.segments.size(), 72U);
   EXPECT_TRUE(input.segments[0].name.empty());  // as all are there
+  EXPECT_TRUE(input.warnings.empty());
+  options.layers = {"stator", "coil"};
+  EXPECT_EQ(read(d.finish(), options).warnings,
+            (std::vector<std::string>{
+                "no line or curve is on the layer 'coil'; its layers: 0, rotor, stator"}));
   options.layers = {"coil"};
   EXPECT_EQ(message(d.finish(), options),
-            "a.dxf: no line or curve in it on the layers that are read");
+            "a.dxf: no line or curve in it on the layers that are read; its layers: 0, rotor, "
+            "stator");
 }
 
 TEST(ReadDxf, TextsOfTheLabelLayerNameRegions) {

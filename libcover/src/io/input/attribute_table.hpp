@@ -12,7 +12,7 @@
 namespace cover {
 
 /// What one feature has of one attribute; std::monostate: nothing.
-using AttributeValue = std::variant<std::monostate, double, std::string>;
+using AttributeValue = std::variant<std::monostate, double, std::int64_t, std::string>;
 
 /// The number of a feature under this name, where no attribute has it.
 inline constexpr const char* kFeatureId = "fid";
@@ -32,7 +32,8 @@ class AttributeTable {
   /// Whether no feature has anything of it.
   [[nodiscard]] bool is_empty(std::size_t column) const;
 
-  /// The columns. One is text where any feature has a text; numbers in it are written out.
+  /// The columns. One is text where any feature has a text, or a whole number that a double cannot
+  /// hold, as the number of a parcel may be; numbers in it are written out.
   [[nodiscard]] std::vector<Attribute> attributes() const;
 
  private:

@@ -414,14 +414,18 @@ class Flattener {
     if (library_.absolute > 0)
       input_.warnings.push_back(fmt::format(
           "{} cells are placed with absolute angle or size: taken as relative", library_.absolute));
+    if (!input_.polygons.empty() || !input_.lines.empty()) {
+      for (const std::string& choice : layers_.choices_of_nothing())
+        input_.warnings.push_back(fmt::format("no shape is on the layer '{}'", legible(choice)));
+    }
     if (options_.layer_map.empty()) return;
-    if (const std::string names = layers_left_out(); !names.empty())
+    if (const std::string names = names_of(layers_.not_in_map()); !names.empty())
       input_.warnings.push_back("layers that the layer map does not have are left out: " + names);
   }
 
-  [[nodiscard]] std::string layers_left_out() const {
+  [[nodiscard]] static std::string names_of(const std::vector<GdsLayer>& layers) {
     std::vector<std::string> names;
-    for (const GdsLayer layer : layers_.left_out())
+    for (const GdsLayer layer : layers)
       names.push_back(fmt::format("{}/{}", layer.layer, layer.type));
     constexpr std::size_t kMostNamed = 20;
     const bool all = names.size() <= kMostNamed;
@@ -431,7 +435,7 @@ class Flattener {
 
   /// Where nothing was drawn: what there would have been.
   void say_why_empty(const Box& all) {
-    const std::string names = layers_left_out();
+    const std::string names = names_of(layers_.left_out());
     if (!names.empty() && options_.layer_map.empty())
       input_.warnings.push_back("nothing is on the layers chosen; others are " + names);
     else if (options_.window && !all.is_empty())

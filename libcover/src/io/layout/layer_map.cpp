@@ -25,6 +25,12 @@ bool parse_layer_part(std::string_view text, std::optional<std::int16_t>& part) 
 /// Of an entry, which is one line.
 std::string_view without_blanks(std::string_view text) { return trimmed(text, " \t\r"); }
 
+/// Whether a choice of layers, by name or as a pattern, has that one.
+bool fits(const std::string& choice, GdsLayer layer, const std::string& name) {
+  const std::optional<LayerPattern> pattern = parse_layer_pattern(choice);
+  return choice == name || (pattern && pattern->matches(layer));
+}
+
 }  // namespace
 
 std::optional<LayerPattern> parse_layer_pattern(std::string_view text) {
@@ -94,24 +100,26 @@ Status LayerMap::add_file(const std::string& path) {
 
 bool LayerMap::is_chosen(GdsLayer layer, const std::string& name) const {
   return chosen_.empty() ||
-         std::any_of(chosen_.begin(), chosen_.end(), [&](const std::string& choice) {
-           const std::optional<LayerPattern> pattern = parse_layer_pattern(choice);
-           return choice == name || (pattern && pattern->matches(layer));
-         });
+         std::any_of(chosen_.begin(), chosen_.end(),
+                     [&](const std::string& choice) { return fits(choice, layer, name); });
+}
+
+const LayerMap::Rule* LayerMap::rule_for(GdsLayer layer) const {
+  const auto rule = std::find_if(rules_.begin(), rules_.end(), [&](const Rule& candidate) {
+    return candidate.pattern.matches(layer);
+  });
+  return rule == rules_.end() ? nullptr : &*rule;
 }
 
 std::optional<NamedLayer> LayerMap::decide(GdsLayer layer) const {
-  if (rules_.empty()) {
-    NamedLayer own{fmt::format("L{}D{}", layer.layer, layer.type),
-                   65536.0 * layer.layer + layer.type};
-    return is_chosen(layer, own.name) ? std::optional(own) : std::nullopt;
+  NamedLayer own{fmt::format("L{}D{}", layer.layer, layer.type),
+                 65536.0 * layer.layer + layer.type};
+  if (!rules_.empty()) {
+    const Rule* rule = rule_for(layer);
+    if (rule == nullptr) return std::nullopt;
+    own = {rule->name, static_cast<double>(rule - rules_.data())};
   }
-  for (std::size_t k = 0; k < rules_.size(); ++k) {
-    if (!rules_[k].pattern.matches(layer)) continue;
-    if (!is_chosen(layer, rules_[k].name)) return std::nullopt;
-    return NamedLayer{rules_[k].name, static_cast<double>(k)};
-  }
-  return std::nullopt;
+  return is_chosen(layer, own.name) ? std::optional(own) : std::nullopt;
 }
 
 const NamedLayer* LayerMap::find(GdsLayer layer) {
@@ -125,6 +133,23 @@ std::vector<GdsLayer> LayerMap::left_out() const {
   for (const auto& [layer, name] : known_)
     if (!name) layers.push_back(layer);
   return layers;
+}
+
+std::vector<GdsLayer> LayerMap::not_in_map() const {
+  std::vector<GdsLayer> layers = left_out();
+  std::erase_if(layers, [&](GdsLayer layer) { return rule_for(layer) != nullptr; });
+  return layers;
+}
+
+std::vector<std::string> LayerMap::choices_of_nothing() const {
+  std::vector<std::string> unmet;
+  for (const std::string& choice : chosen_) {
+    const bool is_met = std::any_of(known_.begin(), known_.end(), [&](const auto& known) {
+      return fits(choice, known.first, known.second ? known.second->name : "");
+    });
+    if (!is_met) unmet.push_back(choice);
+  }
+  return unmet;
 }
 
 }  // namespace cover

@@ -47,8 +47,12 @@ class LayerMap {
   /// Cost: O(log n) after the first time for a layer
   const NamedLayer* find(GdsLayer layer);
 
-  /// Layers that were asked for and left out, in order.
+  /// Layers that find() was asked for and that are left out, in order: all of them, or those that
+  /// the map does not have.
   [[nodiscard]] std::vector<GdsLayer> left_out() const;
+  [[nodiscard]] std::vector<GdsLayer> not_in_map() const;
+  /// Entries of ReadOptions::layers that no layer fits which find() was asked for.
+  [[nodiscard]] std::vector<std::string> choices_of_nothing() const;
 
  private:
   struct Rule {
@@ -59,6 +63,8 @@ class LayerMap {
   Status add_rule(std::string_view pattern, std::string_view name, const std::string& where);
   [[nodiscard]] std::optional<NamedLayer> decide(GdsLayer layer) const;
   [[nodiscard]] bool is_chosen(GdsLayer layer, const std::string& name) const;
+  /// The first rule that fits; null if there is none.
+  [[nodiscard]] const Rule* rule_for(GdsLayer layer) const;
 
   std::vector<Rule> rules_;
   std::vector<std::string> chosen_;  ///< names or patterns; empty: all

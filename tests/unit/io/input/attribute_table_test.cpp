@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace cover {
 namespace {
@@ -31,6 +33,22 @@ TEST(AttributeTable, ColumnsAreNumbersOrWords) {
   EXPECT_EQ(columns[1].values, (std::vector<double>{1, 0, 1}));
   EXPECT_EQ(columns[2].words, (std::vector<std::string>{"7", "seven"}));
   EXPECT_EQ(columns[2].values, (std::vector<double>{1, 2, 1}));
+}
+
+TEST(AttributeTable, WholeNumbersThatNoDoubleHoldsAreWords) {
+  constexpr std::int64_t kExact = std::int64_t{1} << 53;
+  AttributeTable table({"parcel", "small"});
+  for (const std::int64_t id : {std::int64_t{3}, kExact + 1, kExact + 2}) {
+    table.add_feature();
+    table.set(0, id);
+    table.set(1, std::min(id, kExact));
+  }
+  const std::vector<Attribute> columns = table.attributes();
+  EXPECT_TRUE(columns[0].is_text);
+  EXPECT_EQ(columns[0].words,
+            (std::vector<std::string>{"3", "9007199254740993", "9007199254740994"}));
+  EXPECT_FALSE(columns[1].is_text);
+  EXPECT_EQ(columns[1].values, (std::vector<double>{3, 0x1p53, 0x1p53}));
 }
 
 TEST(AttributeTable, WithoutColumnsThereAreNoFeatures) {

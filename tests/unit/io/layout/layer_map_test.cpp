@@ -50,12 +50,17 @@ TEST(LayerMap, TheFirstThatFitsCountsAndTheLastLiesOnTop) {
 TEST(LayerMap, LayersAreChosenByNameOrNumber) {
   ReadOptions options;
   options.layer_map = {"1=a", "2=b", "3/7=c"};
-  options.layers = {"b", "3/7"};
+  options.layers = {"b", "3/7", "9/9", "d"};
   Result<LayerMap> map = LayerMap::make(options);
   ASSERT_TRUE(map);
   EXPECT_EQ(map->find({1, 0}), nullptr);
   EXPECT_NE(map->find({2, 0}), nullptr);
   EXPECT_NE(map->find({3, 7}), nullptr);
+  EXPECT_EQ(map->find({4, 0}), nullptr);
+  EXPECT_EQ(map->left_out().size(), 2U);
+  ASSERT_EQ(map->not_in_map().size(), 1U);
+  EXPECT_EQ(map->not_in_map()[0].layer, 4);
+  EXPECT_EQ(map->choices_of_nothing(), (std::vector<std::string>{"9/9", "d"}));
 }
 
 TEST(LayerMap, SaysWhatIsNoLayer) {

@@ -72,8 +72,12 @@ TEST(ReadGds, TheLayerMapNamesAndOrdersAndTellsWhatIsMissing) {
   EXPECT_DOUBLE_EQ(area_of(input, "oxide"), 10);  // which lies on top now
   ASSERT_EQ(input.warnings.size(), 1U);
   EXPECT_EQ(input.warnings[0], "layers that the layer map does not have are left out: 9/9");
-  options.layers = {"fin"};
-  EXPECT_EQ(read(file.bytes(), options).polygons.size(), 1U);
+  options.layers = {"fin", "fins"};
+  const Input chosen = read(file.bytes(), options);
+  EXPECT_EQ(chosen.polygons.size(), 1U);
+  EXPECT_EQ(chosen.warnings, (std::vector<std::string>{
+                                 "no shape is on the layer 'fins'",
+                                 "layers that the layer map does not have are left out: 9/9"}));
 }
 
 TEST(ReadGds, CellsAreTurnedMirroredMagnifiedAndNested) {

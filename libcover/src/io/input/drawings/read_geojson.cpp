@@ -10,6 +10,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <set>
 
 #include <cover/text.hpp>
@@ -176,16 +178,22 @@ class GeoReader {
     return own;
   }
 
+  static bool fits_whole(const Json& value) {
+    return !value.is_number_unsigned() ||
+           value.get<std::uint64_t>() <= std::uint64_t{std::numeric_limits<std::int64_t>::max()};
+  }
+
   /// A property as it is; for `fid`, where none is called so, the feature's id or its place.
   static AttributeValue read_attribute(const Json& feature, const std::string& name, long number) {
     const Json* properties = JsonReader::member(feature, "properties");
     const Json* value = properties ? JsonReader::member(*properties, name) : nullptr;
     if (!value && name == kFeatureId) {
       value = JsonReader::member(feature, "id");
-      if (!value) return static_cast<double>(number);
+      if (!value) return std::int64_t{number};
     }
     if (!value) return {};
-    if (value->is_number()) return value->get<double>();
+    if (value->is_number_integer() && fits_whole(*value)) return value->get<std::int64_t>();
+    if (value->is_number_float()) return value->get<double>();
     if (value->is_string()) return value->get<std::string>();
     return value->dump(-1, ' ', false, Json::error_handler_t::replace);
   }
