@@ -150,6 +150,19 @@ void mend_couplings(const RegionBoundary& boundary, RegionMesh& mesh) {
   });
 }
 
+/// All edges, as LayerFront::sides_in() takes them.
+std::vector<std::pair<Point, Point>> ends_of_edges(const RegionBoundary& boundary,
+                                                   const RegionMesh& mesh) {
+  const std::vector<Point> points = all_points(boundary, mesh);
+  std::vector<std::pair<Point, Point>> edges;
+  for (const IndexTriple& t : mesh.triangles) {
+    for (const Corner i : kCorners) edges.push_back(std::minmax(points[t[i]], points[t[i.next()]]));
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
 /// What became of the layers, by line.
 std::vector<LayerReport> reports(const RegionBoundary& boundary, const Options& options,
                                  const LayerFront& front, const std::vector<SideLayers>& sides) {
@@ -253,13 +266,12 @@ class LayeredRegion {
       }
       RegionMesh mesh = put_together(boundary_, front, rest, mesh_rest(rest.boundary, options_));
       if (stop_.stop_requested()) return mesh;
-      std::vector<std::uint32_t> gone;
-      if (const std::vector<std::uint32_t> vertices = judge(mesh, gone); !vertices.empty()) {
+      if (const std::vector<std::uint32_t> vertices = judge(mesh); !vertices.empty()) {
         withdraw(front, everywhere ? std::vector<std::uint32_t>() : vertices);
         continue;
       }
       mesh.report.method += " with layers";
-      tell(front, front.sides_without(gone), mesh.report);
+      tell(front, front.sides_in(ends_of_edges(boundary_, mesh)), mesh.report);
       const bool again = options_.couplings == Couplings::first && tries < kTriesForCouplings &&
                          lay_fewer(front, mesh, tries++);
       if (!best || mesh.report.box.negative_inside < best->report.box.negative_inside)
@@ -272,9 +284,9 @@ class LayeredRegion {
   RegionMesh without_layers(const LayerFront& front, const RegionMesher& mesh_rest) const {
     RegionMesh mesh = mesh_rest(boundary_, options_);
     if (options_.couplings == Couplings::first && !stop_.stop_requested()) {
-      std::optional<MendedMesh> mended =
-          mend_couplings_within_bound(boundary_, mesh, stop_, mending_);
-      if (mended) mesh = std::move(mended->mesh);
+      if (std::optional<RegionMesh> mended =
+              mend_couplings_within_bound(boundary_, mesh, stop_, mending_))
+        mesh = *std::move(mended);
     }
     tell(front, front.sides(), mesh.report);
     return mesh;
@@ -288,9 +300,8 @@ class LayeredRegion {
     report.notes.insert(report.notes.end(), notes.begin(), notes.end());
   }
 
-  /// Measures the mesh; returns vertices where it is not as it should be. `gone` are the vertices
-  /// of layers that were taken away for couplings.
-  std::vector<std::uint32_t> judge(RegionMesh& mesh, std::vector<std::uint32_t>& gone) const {
+  /// Measures the mesh; returns vertices where it is not as it should be.
+  std::vector<std::uint32_t> judge(RegionMesh& mesh) const {
     RegionReport& report = mesh.report;
     report.id = boundary_.id;
     report.nu_opt = limits_.nu_opt;
@@ -303,11 +314,9 @@ class LayeredRegion {
     if (options_.couplings == Couplings::first) mend_couplings(boundary_, mesh);
     fill_report(boundary_, mesh);
     if (options_.couplings == Couplings::first) {
-      if (std::optional<MendedMesh> mended =
-              mend_couplings_within_bound(boundary_, mesh, stop_, mending_)) {
-        mesh = std::move(mended->mesh);
-        gone = std::move(mended->gone);
-      }
+      if (std::optional<RegionMesh> mended =
+              mend_couplings_within_bound(boundary_, mesh, stop_, mending_))
+        mesh = *std::move(mended);
     }
     std::vector<std::uint32_t> out;
     if (report.bound_held) return out;

@@ -214,12 +214,12 @@ bool costs_angles(const RegionReport& before, const RegionReport& after) {
 RegionMesh with_couplings_mended(const RegionBoundary& boundary, const Options& options,
                                  const std::stop_token& stop, RegionMesh mesh) {
   if (!minds_couplings(options) || stop.stop_requested()) return mesh;
-  std::optional<MendedMesh> mended = mend_couplings_within_bound(
+  std::optional<RegionMesh> mended = mend_couplings_within_bound(
       boundary, mesh, stop, MendEffort::of(options.effort, options.box_method));
   if (!mended) return mesh;
-  if (options.box_method && costs_angles(mesh.report, mended->mesh.report)) return mesh;
-  report_again(boundary, options, false, mended->mesh);
-  return std::move(mended->mesh);
+  if (options.box_method && costs_angles(mesh.report, mended->report)) return mesh;
+  report_again(boundary, options, false, *mended);
+  return *std::move(mended);
 }
 
 /// A region without layers.

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include <cover/cover_mesh.hpp>
+#include <cover/verify_layers.hpp>
 
 #include "support/inputs/inputs.hpp"
 #include "support/mesh_shape.hpp"
@@ -144,12 +145,25 @@ TEST(LayeredRegion, FacesAnotherOneAcrossARowThatIsLeft) {
   Options options = with_layers({{"gate", "above", 0.1, 1, 2}, {"lid", "above", 0.1, 1, 2}});
   options.split_interfaces = Angle::degrees(90);
   options.sizes = {{"", 0.4, false}};
+  options.couplings = Couplings::last;
   const Output output = testing::must_mesh(input, options);
   const RegionReport& report = report_of(output, "above");
   ASSERT_EQ(report.layers.size(), 2U);
   for (const LayerReport& line : report.layers) {
     EXPECT_EQ(line.most, 2);
     EXPECT_GE(line.complete, line.segments - 2);  // all but at the ends
+  }
+
+  // The lid's edges are twice as long, and see vertices of the gate's rows at obtuse angles.
+  options.couplings = Couplings::first;
+  const Output mended = testing::must_mesh(input, options);
+  for (const LayerReport& line : report_of(mended, "above").layers) {
+    const auto found = verify_layers(mended.pslg, mended.table, triangle_soup(mended.mesh),
+                                     line.asked.line, "above", options.layers);
+    ASSERT_TRUE(found && found->size() == 1) << line.asked.line;
+    EXPECT_EQ(line.most, found->front().most) << line.asked.line;
+    EXPECT_EQ(line.fewest, found->front().fewest) << line.asked.line;
+    EXPECT_EQ(line.complete, line.asked.line == "lid" ? 0 : line.segments - 2) << line.asked.line;
   }
 }
 

@@ -183,7 +183,6 @@ class LayerFront::RowMaker {
 std::uint32_t LayerFront::add_vertex(Point p, std::uint32_t side_below) {
   added_.push_back(p);
   below_.push_back(side_below);
-  row_of_.push_back(row_ + 1);
   return static_cast<std::uint32_t>(boundary_.points.size() + added_.size() - 1);
 }
 
@@ -204,7 +203,6 @@ void LayerFront::lay_chain(Chain chain) {
   }
   added_.resize(added);
   below_.resize(added);
-  row_of_.resize(added);
   for (const std::uint32_t n : chain.nodes) stop(n, LayerStop::turned);
 }
 
@@ -247,6 +245,8 @@ void LayerFront::link_row(const Chain& chain, const Row& row) {
         side.stop = LayerStop::end;
       else
         side.rows = node.rows;
+      if (node.rule != 0)
+        tops_.push_back({node.vertex, nodes_[after].vertex, node.origin, node.rows});
     }
     set_next(node, length(at(nodes_[after].vertex) - at(node.vertex)));
     nodes_[n] = node;

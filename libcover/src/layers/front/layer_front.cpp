@@ -366,16 +366,13 @@ void LayerFront::lay() {
   }
 }
 
-std::vector<SideLayers> LayerFront::sides_without(std::span<const std::uint32_t> gone) const {
+std::vector<SideLayers> LayerFront::sides_in(std::span<const std::pair<Point, Point>> edges) const {
   std::vector<SideLayers> left = sides_;
-  const std::vector<std::uint32_t> next = next_sides(boundary_);
-  std::vector<std::uint32_t> before(next.size());
-  for (std::uint32_t s = 0; s < next.size(); ++s) before[next[s]] = s;
-  for (const std::uint32_t v : gone) {
-    for (const std::uint32_t s : {below_[v], before[below_[v]]}) {
-      if (left[s].rows < row_of_[v]) continue;
-      left[s] = {row_of_[v] - 1, LayerStop::withdrawn};
-    }
+  for (const Top& top : tops_) {
+    if (left[top.side].rows < top.row) continue;
+    const std::pair<Point, Point> edge = std::minmax(at(top.a), at(top.b));
+    if (!std::binary_search(edges.begin(), edges.end(), edge))
+      left[top.side] = {top.row - 1, LayerStop::withdrawn};
   }
   return left;
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <cover/layers.hpp>
@@ -46,8 +47,10 @@ class LayerFront {
   [[nodiscard]] const std::vector<Point>& added() const { return added_; }
   /// By added vertex: the side over which it lies.
   [[nodiscard]] const std::vector<std::uint32_t>& side_below() const { return below_; }
-  /// What is left of the rows over each side when added vertices are taken away.
-  [[nodiscard]] std::vector<SideLayers> sides_without(std::span<const std::uint32_t> gone) const;
+  /// What is left of the rows over each side in a mesh with these edges, by their ends, the smaller
+  /// first, in order: all below the first row whose top is none of them.
+  [[nodiscard]] std::vector<SideLayers> sides_in(
+      std::span<const std::pair<Point, Point>> edges) const;
   [[nodiscard]] const std::vector<IndexTriple>& triangles() const { return triangles_; }
   [[nodiscard]] const std::vector<SideLayers>& sides() const { return sides_; }
   /// How thick that many layers over a side are.
@@ -89,6 +92,13 @@ class LayerFront {
   struct Cell {
     Guard guard;
     std::array<std::uint32_t, 2> nodes{};  ///< whose edges get no row if there is no room
+  };
+
+  /// An edge on a row, between vertices.
+  struct Top {
+    std::uint32_t a = 0, b = 0;
+    std::uint32_t side = 0;
+    int row = 0;  ///< from 1 on
   };
 
   class RowMaker;
@@ -141,7 +151,7 @@ class LayerFront {
   std::vector<Node> nodes_;
   std::vector<Point> added_;
   std::vector<std::uint32_t> below_;
-  std::vector<int> row_of_;  ///< by added vertex: the row below it, from 1 on
+  std::vector<Top> tops_;
   std::vector<IndexTriple> triangles_;
   std::vector<SideLayers> sides_;
 };

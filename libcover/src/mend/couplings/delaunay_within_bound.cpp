@@ -51,38 +51,33 @@ std::optional<std::vector<WantedAngles>> wanted_angles(const RegionMesh& mesh) {
 }
 
 /// What has become of `mesh`, if it is better: see mend_couplings_within_bound().
-std::optional<MendedMesh> taken_if_better(const RegionBoundary& boundary, const RegionMesh& mesh,
+std::optional<RegionMesh> taken_if_better(const RegionBoundary& boundary, const RegionMesh& mesh,
                                           const ConformingMesh& before,
                                           const MeshWithUndo& mending) {
-  MendedMesh out;
+  RegionMesh out;
   const std::size_t own = boundary.points.size();
-  for (std::size_t k = 0; k < mesh.layer_vertices; ++k) {
-    if (!mending.is_there(static_cast<std::uint32_t>(own + k)))
-      out.gone.push_back(static_cast<std::uint32_t>(k));
-  }
+  for (std::size_t k = 0; k < mesh.layer_vertices; ++k)
+    out.layer_vertices += mending.is_there(static_cast<std::uint32_t>(own + k)) ? 1 : 0;
   const ConformingMesh after = mending.result(before);
-  out.mesh.report = mesh.report;
-  out.mesh.layer_vertices = mesh.layer_vertices - out.gone.size();
-  out.mesh.steiner.assign(after.points.begin() + static_cast<std::ptrdiff_t>(own),
-                          after.points.end());
+  out.report = mesh.report;
+  out.steiner.assign(after.points.begin() + static_cast<std::ptrdiff_t>(own), after.points.end());
   for (const std::uint32_t part : {kOfLayers, kOfRest}) {
     for (std::size_t t = 0; t < after.triangles.size(); ++t) {
-      if (after.region[t] == part) out.mesh.triangles.push_back(after.triangles[t]);
+      if (after.region[t] == part) out.triangles.push_back(after.triangles[t]);
     }
-    if (part == kOfLayers) out.mesh.layer_triangles = out.mesh.triangles.size();
+    if (part == kOfLayers) out.layer_triangles = out.triangles.size();
   }
-  if (find_fault({after.points, out.mesh.triangles, boundary.sides, boundary.segments, own}))
-    return {};
-  fill_report(boundary, out.mesh);
-  const std::size_t given_up = out.mesh.report.box.negative_given_up;
-  if (!is_sound(out.mesh.report) ||
+  if (find_fault({after.points, out.triangles, boundary.sides, boundary.segments, own})) return {};
+  fill_report(boundary, out);
+  const std::size_t given_up = out.report.box.negative_given_up;
+  if (!is_sound(out.report) ||
       (is_sound(mesh.report) && given_up >= mesh.report.box.negative_given_up))
     return {};
   return out;
 }
 
 /// Vertices moved, added and taken away near what is wrong.
-std::optional<MendedMesh> mend_nearby(const RegionBoundary& boundary, const RegionMesh& mesh,
+std::optional<RegionMesh> mend_nearby(const RegionBoundary& boundary, const RegionMesh& mesh,
                                       const std::stop_token& stop, const MendEffort& effort) {
   std::optional<std::vector<WantedAngles>> wanted = wanted_angles(mesh);
   if (!wanted) return {};
@@ -129,7 +124,7 @@ std::vector<std::uint32_t> encroaching(const MeshWithUndo& mesh, const RegionBou
 
 /// Takes away what encroaches free sides, or all vertices inside, and puts others where that leaves
 /// angles beyond the bound.
-std::optional<MendedMesh> mend_with_room(const RegionBoundary& boundary, const RegionMesh& mesh,
+std::optional<RegionMesh> mend_with_room(const RegionBoundary& boundary, const RegionMesh& mesh,
                                          int most_circles, const std::stop_token& stop) {
   std::optional<std::vector<WantedAngles>> wanted = wanted_angles(mesh);
   if (!wanted || mesh.layer_vertices > 0 || boundary.sides.size() > effort::mend::kFewSides ||
@@ -156,7 +151,7 @@ std::optional<MendedMesh> mend_with_room(const RegionBoundary& boundary, const R
       gone = encroaching(mending, boundary, is_free);
     }
     if (!went || !fill_room(mending, room, 0, most_circles, stop)) continue;
-    std::optional<MendedMesh> mended = taken_if_better(boundary, mesh, before, mending);
+    std::optional<RegionMesh> mended = taken_if_better(boundary, mesh, before, mending);
     if (mended) return mended;
   }
   return {};
@@ -164,18 +159,18 @@ std::optional<MendedMesh> mend_with_room(const RegionBoundary& boundary, const R
 
 }  // namespace
 
-std::optional<MendedMesh> mend_couplings_within_bound(const RegionBoundary& boundary,
+std::optional<RegionMesh> mend_couplings_within_bound(const RegionBoundary& boundary,
                                                       const RegionMesh& mesh,
                                                       const std::stop_token& stop,
                                                       const MendEffort& effort) {
   if (is_sound(mesh.report) && mesh.report.box.negative_given_up == 0) return {};
   if (boundary.has_hull_sides()) return {};
-  std::optional<MendedMesh> mended;
-  const auto now = [&]() -> const RegionMesh& { return mended ? mended->mesh : mesh; };
+  std::optional<RegionMesh> mended;
+  const auto now = [&]() -> const RegionMesh& { return mended ? *mended : mesh; };
   const auto is_done = [&] {
     return is_sound(now().report) && now().report.box.negative_given_up == 0;
   };
-  const auto take = [&](std::optional<MendedMesh> more) {
+  const auto take = [&](std::optional<RegionMesh> more) {
     if (more) mended = std::move(more);
   };
   // Few places first, then room, which is looked for in order; many places are the last resort.

@@ -41,12 +41,6 @@ struct MendEffort {
   }
 };
 
-/// A mesh whose inner edges are all locally Delaunay, with all angles within the bound.
-struct MendedMesh {
-  RegionMesh mesh;
-  std::vector<std::uint32_t> gone;  ///< vertices of layers that are not there any more, as before
-};
-
 /// The constrained Delaunay triangulation of the vertices of `mesh`, of which some are moved, added
 /// or taken away, those of layers only taken away and last, until it holds the bound and, if that
 /// can be, no coupling of a side is given up. None if `mesh` is so already, if nothing better was
@@ -57,7 +51,7 @@ struct MendedMesh {
 ///           all that was so before, fewer are given up on sides
 /// Cost:     O(n log n), and the places that `effort` allows for each angle to mend; where room is
 ///           looked for, twice as many searches as it allows (HalfDiscRoom)
-std::optional<MendedMesh> mend_couplings_within_bound(const RegionBoundary& boundary,
+std::optional<RegionMesh> mend_couplings_within_bound(const RegionBoundary& boundary,
                                                       const RegionMesh& mesh,
                                                       const std::stop_token& stop,
                                                       const MendEffort& effort = {});
