@@ -14,7 +14,7 @@ _cover() {
     --fill) words="refine disks" ;;
     --prefer) words="balanced largest" ;;
     --effort) words="fast normal thorough" ;;
-    --couplings) words="first last" ;;
+    --couplings) words="auto first last" ;;
     --overlap) words="last first error" ;;
     --weld) words="auto off" ;;
     --require) words="bound max-angle delaunay non-obtuse box-method" ;;

@@ -189,7 +189,7 @@ class Mesh(Case):
     def test_dry_run_finds_wrong_names(self):
         diode = SAMPLES / 'diode.poly'
         _, err = self.run_cover('mesh', diode, '--dry-run', '--size-at', 'gold=1', code=2)
-        self.assertIn("no interface, contact or point of that name", err)
+        self.assertIn("no interface, contact, point or boundary marker of that name", err)
         _, err = self.run_cover('mesh', diode, '--dry-run', '--size', 'gold=1', code=2)
         self.assertIn("size for 'gold'", err)
         _, err = self.run_cover('mesh', diode, '--dry-run', '--only', '2', '--onto', 'none.vtu', code=5)
@@ -265,7 +265,12 @@ class Mesh(Case):
         self.run_cover('mesh', SAMPLES / 'grains.png', '-o', 'd.obj', '--report', 'r.json')
         box = json.loads((self.dir / 'r.json').read_text())['overall']['box']
         self.assertEqual([box['negative_inside'], box['negative_forced'], box['negative_given_up']], [0, 1, 0])
-        # Beside layers nothing is cut for angles, so couplings come first there with --split-interfaces alone, too.
+        # With --split-interfaces targets come first, unless couplings are asked for.
+        for words, some in ((), True), (('--couplings', 'auto'), True), (('--couplings', 'first'), False):
+            self.run_cover('mesh', SAMPLES / 'tft.json', '--split-interfaces', *words, '-o', 'd.obj', '--report', 'r.json')
+            box = json.loads((self.dir / 'r.json').read_text())['overall']['box']
+            self.assertEqual(box['negative_couplings'] > 0, some, words)
+        # Beside layers nothing is cut for angles, and where targets are met all the same no coupling is negative.
         self.run_cover('mesh', SAMPLES / 'mosfet_layers.json', '--split-interfaces', '--size-at', 'channel_oxide=20',
                        '--size-at', 'oxide_gate=20', '-o', 'd.obj', '--report', 'r.json')
         self.assertEqual(json.loads((self.dir / 'r.json').read_text())['overall']['box']['negative_couplings'], 0)

@@ -203,6 +203,7 @@ int print_periodic(const Prepared& prepared, const std::vector<PeriodicRule>& ru
 struct LayersAsked {
   LayerRule rule;
   bool has_numbers = false;
+  std::size_t number = 0;  ///< among all rules, if it has numbers
 };
 
 /// LINE[@REGION][=first,growth[,count]], as the option of mesh takes it.
@@ -221,25 +222,32 @@ Result<LayersAsked> layers_asked(const std::string& text) {
 Result<int> print_layers(const Prepared& prepared, const std::vector<std::string>& lines,
                          const std::vector<LayerRule>& known, const TriangleSoup& mesh,
                          bool quiet) {
-  constexpr double kSame = 1e-9;  ///< of a layer's thickness
+  constexpr double kSame = 1e-3;  // of a layer's thickness: so much alike are cells of one row
   Pslg pslg = prepared.pslg;
   RegionTable table = prepared.table;
   if (!lines.empty()) adopt_cuts(pslg, table, mesh);
-  int code = exit_ok;
+  std::vector<LayersAsked> wishes;
+  std::vector<LayerRule> rules = known;  // of those for one side of a line the last counts
   for (const std::string& line : lines) {
     Result<LayersAsked> asked = layers_asked(line);
     if (!asked) return std::move(asked).error();
-    const LayerRule& rule = asked->rule;
-    std::vector<LayerRule> rules = known;
-    if (asked->has_numbers) rules.push_back(rule);
+    asked->number = rules.size();
+    if (asked->has_numbers) rules.push_back(asked->rule);
+    wishes.push_back(*std::move(asked));
+  }
+  int code = exit_ok;
+  for (const LayersAsked& asked : wishes) {
+    const LayerRule& rule = asked.rule;
     Result<std::vector<LayersFound>> found =
         verify_layers(pslg, table, mesh, rule.line, rule.region, rules);
     if (!found) return std::move(found).error();
     for (const LayersFound& layers : *found) {
+      const LayerRule* counts = layer_rule_for(table.region(layers.region), rule.line, rules);
+      if (asked.has_numbers && counts != &rules[asked.number]) continue;
       const bool is_first = std::abs(layers.first_least - rule.first) <= kSame * rule.first &&
                             std::abs(layers.first_most - rule.first) <= kSame * rule.first;
       const bool is_met =
-          !asked->has_numbers || (layers.layered > 0 && is_first && layers.most >= rule.count);
+          !asked.has_numbers || (layers.layered > 0 && is_first && layers.most >= rule.count);
       if (!is_met) code = exit_unmet;
       if (is_met && quiet) continue;
       fmt::print("{}Layers along '{}' in '{}': ", is_met ? "" : "FAILED ", rule.line,
@@ -317,7 +325,7 @@ struct CheckCommand {
                  "List negative couplings of the box method, by exact signs; 6 if there is one");
     app.add_option("--layers", layers,
                    "Tell which rows of triangles lie along a line; with numbers, 6 if the first is "
-                   "not as thick, or they are fewer")
+                   "not as thick, or there are nowhere that many")
         ->type_name("LINE[@REGION][=first,growth[,count]]")
         ->allow_extra_args(false);
     app.add_option(
@@ -433,10 +441,11 @@ Error only_a_part(const std::string& path, std::size_t parts) {
       {}};
 }
 
-/// Where points of the input are missing in the mesh, what else would make everything fail.
-void say_what_may_have_moved(const Verification& found, const Prepared& prepared,
+/// Where points of the input are missing in the mesh, what else would make everything fail. False
+/// where none is missing.
+bool say_what_may_have_moved(const Verification& found, const Prepared& prepared,
                              const TriangleSoup& mesh) {
-  if (found.violations.empty()) return;
+  if (found.violations.empty()) return false;
   std::vector<Point> there = mesh.points;
   std::sort(there.begin(), there.end());
   const auto is_missing = [&](Point p) {
@@ -444,11 +453,12 @@ void say_what_may_have_moved(const Verification& found, const Prepared& prepared
   };
   const auto& points = prepared.pslg.points;
   const auto missing = std::count_if(points.begin(), points.end(), is_missing);
-  if (missing == 0) return;
+  if (missing == 0) return false;
   fmt::print(
       "{} of the input missing in the mesh. If the run that made it moved them, repeat its --weld, "
       "--overlap, --scale or --crs here\n",
       counted(static_cast<std::size_t>(missing), "point"));
+  return true;
 }
 
 }  // namespace
@@ -492,8 +502,8 @@ int run_check(Arguments arguments) {
   Verification found = verify_cover(prepared->pslg, prepared->table, mesh->soup, verify);
   heed_groups(command, *prepared, mesh->soup, verify, found);
   take_own_cuts(command, *mesh, *prepared, found);
-  say_what_may_have_moved(found, *prepared, mesh->soup);
-  if (found.in_void > 0 && !verify.hull)
+  const bool is_moved = say_what_may_have_moved(found, *prepared, mesh->soup);
+  if (found.in_void > 0 && !verify.hull && !is_moved)
     fmt::print(
         "{} along segments in the void. If the mesh is to cover the convex hull, add --hull\n",
         found.in_void == 1 ? "1 triangle lies"

@@ -26,7 +26,7 @@ class _Options(TypedDict, total=False):
     min_angle: float
     prefer: Literal["balanced", "largest"]
     effort: Literal["fast", "normal", "thorough"]
-    couplings: Literal["first", "last"]
+    couplings: Literal["auto", "first", "last"]
     growth: Optional[float]
     size: _Sizes  # by region or material; "" is everywhere; an expression of x and y for a length
     sizes: _Sizes  # the same

@@ -44,6 +44,9 @@ enum class Effort {
 
 /// Whether angles give way to the box method's couplings or the other way round.
 enum class Couplings {
+  /// first; with split_interfaces and without box_method, in regions without layers, targets come
+  /// before them
+  automatic,
   /// no negative coupling that the boundary does not force; targets give way, the bound never
   first,
   last,  ///< targets come first
@@ -108,7 +111,7 @@ struct Options {
   Angle min_angle = Angle::degrees(20);    ///< second target of the quality method, in [0, 60)
   Prefer prefer = Prefer::balanced;        ///< of the quality method
   Effort effort = Effort::normal;          ///< of the quality method
-  Couplings couplings = Couplings::first;  ///< of the quality method
+  Couplings couplings = Couplings::automatic;  ///< of the quality method
 
   /// Where several sizes hold, among them those of RegionSeed, the smallest counts.
   std::vector<SizeRule> sizes;

@@ -14,6 +14,8 @@
 
 namespace cover {
 
+struct Pslg;
+
 /// A region: a maximal connected open set bounded by segments, of one material.
 struct Region {
   RegionId id;
@@ -94,6 +96,11 @@ struct RegionTable {
 /// are none, those with this number of their material ("3"); else the one with this id
 /// ("region:17"). In the order of ids; none if nothing is called so.
 std::vector<RegionId> named_regions(const RegionTable& table, std::string_view name);
+
+/// The segments of the interface, contact, outline or inner line called `name`; where there is none,
+/// those with this boundary marker, "7" or "marker 7". In order.
+std::vector<SegmentId> named_segments(const Pslg& pslg, const RegionTable& table,
+                                      std::string_view name);
 
 /// bad_option: there is no region of that name; "`what`: ..." and the nearest name that there is.
 Error no_such_region(const RegionTable& table, const std::string& what, const std::string& name);

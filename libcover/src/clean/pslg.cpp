@@ -250,6 +250,12 @@ Result<Pslg> make_pslg(const Input& input, const Options& options, Report& repor
       return make_pslg(*joined, as_it_is, report, whole, team);
     }
   }
+  if (options.overlap != Overlap::last && input.polygons.empty()) {
+    report.notes.push_back({Note::Kind::warning,
+                            kVoid,
+                            "--overlap does nothing: it counts with polygons, and there are none",
+                            {}});
+  }
   std::optional<Triangulation> triangulation =
       is_plain ? triangulation_if_pslg(input, team) : std::nullopt;
   const bool is_clean = triangulation.has_value();

@@ -29,8 +29,9 @@ Error bad_layers(const LayerRule& rule, const std::string& what, std::vector<Poi
 Error no_such_line(const LayerRule& rule, const RegionTable& table) {
   std::vector<std::string> names;
   for (const Interface& line : table.interfaces) names.push_back(line.name);
-  return bad_layers(rule, "there is no interface, contact, outline or inner line of that name" +
-                              did_you_mean(rule.line, names));
+  return bad_layers(
+      rule, "there is no interface, contact, outline, inner line or boundary marker of that name" +
+                did_you_mean(rule.line, names));
 }
 
 /// Layers that coordinates cannot hold.
@@ -73,7 +74,6 @@ class Resolver {
       if (wanted.empty())
         return no_such_region(table_, fmt::format("layers for '{}'", rule.line), rule.region);
     }
-    bool found = false;
     std::vector<RegionId> beside;
     std::vector<std::string> names;
     const auto is_wanted = [&](RegionId region) {
@@ -81,16 +81,13 @@ class Resolver {
       names.push_back(table_.region(region).name);
       return wanted.empty() || std::find(wanted.begin(), wanted.end(), region) != wanted.end();
     };
-    for (const Interface& line : table_.interfaces) {
-      if (line.name != rule.line) continue;
-      found = true;
-      for (const SegmentId s : line.segments) {
-        const SegmentSides& sides = table_.sides[s.index()];
-        if (is_wanted(sides.left)) mark(s, 0, sides.left, number, beside);
-        if (is_wanted(sides.right)) mark(s, 1, sides.right, number, beside);
-      }
+    const std::vector<SegmentId> line = named_segments(pslg_, table_, rule.line);
+    if (line.empty()) return no_such_line(rule, table_);
+    for (const SegmentId s : line) {
+      const SegmentSides& sides = table_.sides[s.index()];
+      if (is_wanted(sides.left)) mark(s, 0, sides.left, number, beside);
+      if (is_wanted(sides.right)) mark(s, 1, sides.right, number, beside);
     }
-    if (!found) return no_such_line(rule, table_);
     if (beside.empty()) return not_beside(rule, std::move(names));
     for (const RegionId region : beside) {
       if (Status status = check_thickest(rule, table_, boundaries_[place_of(region)]); !status)

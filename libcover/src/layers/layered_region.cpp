@@ -272,7 +272,7 @@ class LayeredRegion {
       }
       mesh.report.method += " with layers";
       tell(front, front.sides_in(ends_of_edges(boundary_, mesh)), mesh.report);
-      const bool again = options_.couplings == Couplings::first && tries < kTriesForCouplings &&
+      const bool again = options_.couplings != Couplings::last && tries < kTriesForCouplings &&
                          lay_fewer(front, mesh, tries++);
       if (!best || mesh.report.box.negative_inside < best->report.box.negative_inside)
         best = std::move(mesh);
@@ -283,7 +283,7 @@ class LayeredRegion {
  private:
   RegionMesh without_layers(const LayerFront& front, const RegionMesher& mesh_rest) const {
     RegionMesh mesh = mesh_rest(boundary_, options_);
-    if (options_.couplings == Couplings::first && !stop_.stop_requested()) {
+    if (options_.couplings != Couplings::last && !stop_.stop_requested()) {
       if (std::optional<RegionMesh> mended =
               mend_couplings_within_bound(boundary_, mesh, stop_, mending_))
         mesh = *std::move(mended);
@@ -311,9 +311,9 @@ class LayeredRegion {
     if (const auto fault = find_fault({all_points(boundary_, mesh), mesh.triangles, boundary_.sides,
                                        boundary_.segments, boundary_.points.size()}))
       return fault->points.empty() ? std::vector<std::uint32_t>{0} : fault->points;
-    if (options_.couplings == Couplings::first) mend_couplings(boundary_, mesh);
+    if (options_.couplings != Couplings::last) mend_couplings(boundary_, mesh);
     fill_report(boundary_, mesh);
-    if (options_.couplings == Couplings::first) {
+    if (options_.couplings != Couplings::last) {
       if (std::optional<RegionMesh> mended =
               mend_couplings_within_bound(boundary_, mesh, stop_, mending_))
         mesh = *std::move(mended);
@@ -406,7 +406,7 @@ RegionMesh mesh_with_layers(const RegionBoundary& boundary, const Options& optio
   const MendEffort mending = MendEffort::beside_layers(options.effort);
   RegionMesh mesh = LayeredRegion(boundary, options, mending, stop).run(mesh_rest);
   const auto negative = [](const RegionMesh& m) { return m.report.box.negative_inside; };
-  if (options.couplings != Couplings::first || negative(mesh) == 0 ||
+  if (options.couplings == Couplings::last || negative(mesh) == 0 ||
       options.effort == Effort::fast || stop.stop_requested())
     return mesh;
   // Where many rows end in one vertex, a coarser rest may leave flips that a finer one blocks.

@@ -410,11 +410,12 @@ constexpr OptionEntry kTable[] = {
         .counts = is_quality}),
     word<&Options::couplings>({
         .name = "couplings", .placeholder = "WHICH",
-        .word_list = {"first", "last"},
+        .word_list = {"auto", "first", "last"},
         .help = "first: no negative coupling of the box method that the input does not force; "
-                "targets give way, the bound never does. last: angles alone decide",
-        .more = "With --split-interfaces targets come first, then couplings, unless there is "
-                "--box-method, too.",
+                "targets give way, the bound never does. last: angles alone decide. auto: first",
+        .more = "But with --split-interfaces and auto targets come first, then couplings, in "
+                "regions without layers, unless there is --box-method, too; with first, segments "
+                "are cut before meshing alone.",
         .counts_with = "--method quality",
         .counts = is_quality}),
     flag<&Options::box_method>({
@@ -432,7 +433,8 @@ constexpr OptionEntry kTable[] = {
     sizes<true>({
         .name = "size-at", .placeholder = "NAME=h",
         .help = "Edge length at an interface, a contact or a point (NAME=h)",
-        .more = "A point is called by its number in the input. Beside segments that are longer "
+        .more = "A point is called by its number in the input, or a boundary marker (\"marker 7\", "
+                "\"7\" where no point is). Beside segments that are longer "
                 "than asked, triangles are larger."}),
     flag<&Options::input_sizes, false>({
         .name = "no-input-sizes",
@@ -483,8 +485,8 @@ constexpr OptionEntry kTable[] = {
                 "lengths that sizes ask for; both sides get the same points"}),
     layers({
         .name = "layers", .placeholder = "LINE=first,growth[,count]",
-        .help = "Layers of thin triangles along an interface, contact, outline or inner line, on "
-                "both sides or on one (LINE@REGION=...): the first so thick, each growth times the "
+        .help = "Layers of thin triangles along an interface, contact, outline, inner line or "
+                "boundary marker, on both sides or on one (LINE@REGION=...): the first so thick, each growth times the "
                 "one before, count of them, or until triangles are about isotropic",
         .more = "Their vertices stand above those of the line; --split-interfaces cuts lines to "
                 "the lengths that --size-at asks for. Layers are fewer at ends of lines, where room "

@@ -90,7 +90,7 @@ Result<Work> work_of(AnyInput&& input, const Options& options, bool memory_count
   if (Status status = split(work, options, memory_counts, regions->triangulated); !status)
     return std::move(status).error();
   Status warned = errors_as_values("sizes", [&] {
-    warn_of_sizes(work.pslg, options, work.boundaries, work.report.notes);
+    warn_of_sizes(work.pslg, options, work.boundaries, true, work.report.notes);
     return ok();
   });
   if (!warned) return std::move(warned).error();

@@ -32,7 +32,7 @@ Result<Estimate> add_up(const Prepared& prepared, const Options& options) {
     sides += boundary.sides.size();
   }
   if (all.by_disks) all.triangles = kTrianglesPerSideOfDisks * static_cast<double>(sides);
-  warn_of_sizes(prepared.pslg, options, boundaries, all.notes);
+  warn_of_sizes(prepared.pslg, options, boundaries, true, all.notes);
   all.bytes = memory_for(all.triangles, sides);
   all.available = machine_memory();
   return all;

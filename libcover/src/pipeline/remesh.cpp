@@ -261,7 +261,7 @@ Result<Output> mesh_again(const Input& input, const TriangleSoup& onto,
   // Both ask size functions, which may throw.
   Status status = errors_as_values("sizes", [&] {
     Status expected = check_expected_triangles(work.table, again, *options);
-    if (expected) warn_of_sizes(work.pslg, *options, again, work.report.notes);
+    if (expected) warn_of_sizes(work.pslg, *options, again, false, work.report.notes);
     return expected;
   });
   if (status) status = fill_in(again, *chosen, *options, callbacks, work);

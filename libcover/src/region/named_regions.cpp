@@ -1,17 +1,20 @@
 // Tested by tests/unit/region/named_regions_test.cpp.
 #include <cover/regions.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 
 #include <fmt/core.h>
 
+#include <cover/pslg.hpp>
 #include <cover/text.hpp>
 
 namespace cover {
 namespace {
 
 constexpr std::string_view kById = "region:";
+constexpr std::string_view kByMarker = "marker ";
 
 std::optional<int> whole_number(std::string_view text) {
   int value = 0;
@@ -42,6 +45,22 @@ std::vector<RegionId> named_regions(const RegionTable& table, std::string_view n
   const auto id = whole_number(name.substr(kById.size()));
   if (!id || *id < 1) return {};
   return regions_where(table, [&](const Region& r) { return r.id == RegionId{*id}; });
+}
+
+std::vector<SegmentId> named_segments(const Pslg& pslg, const RegionTable& table,
+                                      std::string_view name) {
+  std::vector<SegmentId> found;
+  for (const Interface& part : table.interfaces) {
+    if (part.name == name) found.insert(found.end(), part.segments.begin(), part.segments.end());
+  }
+  if (found.empty()) {
+    if (name.starts_with(kByMarker)) name.remove_prefix(kByMarker.size());
+    const auto marker = whole_number(name);
+    for (std::size_t s = 0; s < pslg.segments.size() && marker && *marker != 0; ++s)
+      if (pslg.segments[s].marker == *marker) found.emplace_back(s);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 Error no_such_region(const RegionTable& table, const std::string& what, const std::string& name) {

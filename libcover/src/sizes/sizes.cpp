@@ -65,25 +65,23 @@ Result<SizeFunction> function_of(const std::string& expression, std::optional<do
   });
 }
 
-/// Sets the sizes at PSLG points. False if no line or point has that name.
+/// Sets the sizes at PSLG points. False if no line, point or boundary marker has that name.
 bool at_points(const SizeRule& rule, const Pslg& pslg, const RegionTable& table,
                std::vector<double>& size_at, std::vector<double>& size_along) {
-  bool found = false;
-  for (const Interface& line : table.interfaces) {
-    if (line.name != rule.name) continue;
-    found = true;
-    for (const SegmentId s : line.segments) {
-      make_smaller(size_along[s.index()], rule.size);
-      make_smaller(size_at[pslg.segments[s.index()].a.index()], rule.size);
-      make_smaller(size_at[pslg.segments[s.index()].b.index()], rule.size);
-    }
-  }
-  for (std::size_t v = 0; v < pslg.points.size() && !found; ++v) {
+  const bool is_line = std::any_of(table.interfaces.begin(), table.interfaces.end(),
+                                   [&](const Interface& line) { return line.name == rule.name; });
+  for (std::size_t v = 0; v < pslg.points.size() && !is_line; ++v) {
     if (pslg.point_ids[v] < 0 || std::to_string(pslg.point_ids[v]) != rule.name) continue;
     make_smaller(size_at[v], rule.size);
-    found = true;
+    return true;
   }
-  return found;
+  const std::vector<SegmentId> segments = named_segments(pslg, table, rule.name);
+  for (const SegmentId s : segments) {
+    make_smaller(size_along[s.index()], rule.size);
+    make_smaller(size_at[pslg.segments[s.index()].a.index()], rule.size);
+    make_smaller(size_at[pslg.segments[s.index()].b.index()], rule.size);
+  }
+  return !segments.empty();
 }
 
 Error unknown_name(const SizeRule& rule, const RegionTable& table) {
@@ -95,11 +93,13 @@ Error unknown_name(const SizeRule& rule, const RegionTable& table) {
       error.message += "; an interface or contact has it: ask for a size at that (--size-at)";
     return error;
   }
-  return {ErrorCode::bad_option,
-          fmt::format("size for '{}': there is no interface, contact or point of that name{}",
-                      rule.name, did_you_mean(rule.name, names)),
-          {},
-          {}};
+  return {
+      ErrorCode::bad_option,
+      fmt::format(
+          "size for '{}': there is no interface, contact, point or boundary marker of that name{}",
+          rule.name, did_you_mean(rule.name, names)),
+      {},
+      {}};
 }
 
 /// The expressions, each once, that are a size at no vertex of the regions they are for.
@@ -220,7 +220,8 @@ void share_sizes(const Pslg& pslg, std::span<RegionBoundary> boundaries) {
 }
 
 void warn_of_sizes(const Pslg& pslg, const Options& options,
-                   std::span<const RegionBoundary> boundaries, std::vector<Note>& notes) {
+                   std::span<const RegionBoundary> boundaries, bool may_be_cut,
+                   std::vector<Note>& notes) {
   if (options.method != Method::quality) {
     if (options.sizes.empty() && !options.size_field) return;
     notes.push_back({Note::Kind::warning,
@@ -277,9 +278,11 @@ void warn_of_sizes(const Pslg& pslg, const Options& options,
                    kVoid,
                    fmt::format("{} longer than the sizes asked for there, up to {:.6g} from {} to "
                                "{}: triangles beside them are larger than asked, since segments "
-                               "stay whole unless --split-interfaces cuts them",
+                               "stay {}",
                                count == 1 ? "1 segment is" : fmt::format("{} segments are", count),
-                               length_of(longest), describe(a), describe(b)),
+                               length_of(longest), describe(a), describe(b),
+                               may_be_cut ? "whole unless --split-interfaces cuts them"
+                                          : "as they are in the mesh"),
                    {a, b}});
 }
 

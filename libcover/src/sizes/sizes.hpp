@@ -38,8 +38,10 @@ Status read_expressions(RegionBoundary& boundary, const Options& options);
 
 /// Adds a warning if segments are longer than the sizes wished along them: vertices are put on
 /// none, so triangles beside them are larger than wished. Others if Options::method makes nothing
-/// of sizes, and for expressions that are a size at no vertex.
+/// of sizes, and for expressions that are a size at no vertex. `may_be_cut` is whether
+/// Options::split_interfaces would cut the segments.
 void warn_of_sizes(const Pslg& pslg, const Options& options,
-                   std::span<const RegionBoundary> boundaries, std::vector<Note>& notes);
+                   std::span<const RegionBoundary> boundaries, bool may_be_cut,
+                   std::vector<Note>& notes);
 
 }  // namespace cover

@@ -234,8 +234,8 @@ ProvenMesh mesh_and_mend(const RegionBoundary& boundary, const Options& options,
 /// Whether segments are cut afterwards where angles are left above the target: targets come before
 /// couplings then. No coupling is negative where all angles are at most 90 degrees.
 bool is_cut_for_angles(const Options& options) {
-  return options.split_interfaces && !options.box_method && options.layers.empty() &&
-         options.method == Method::quality && minds_couplings(options);
+  return options.split_interfaces && !options.box_method &&
+         options.couplings == Couplings::automatic && options.method == Method::quality;
 }
 
 /// A region whose segments are cut where angles are left above the target: without negative

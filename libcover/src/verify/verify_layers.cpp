@@ -58,8 +58,8 @@ class LayerFinder {
     if (a && b && edges_.find(*a, *b)) ++found.edges;
   }
 
-  /// Adds what lies over the side from p to q, with the region on its left; `rule` is what was
-  /// asked for there, if that is known.
+  /// Adds what lies over the side from p to q, with the region on its left, if the first row is as
+  /// thick as `rule` says; without a rule whatever lies there.
   void add(Point p, Point q, const LayerRule* rule, LayersFound& found) {
     const auto a = edges_.vertex_at(p), b = edges_.vertex_at(q);
     const auto edge = a && b ? edges_.find(*a, *b) : std::nullopt;
@@ -72,7 +72,7 @@ class LayerFinder {
       const std::optional<Cell> next = cell_on(*at, rows == 0 ? nullptr : &cell);
       if (!next) break;
       if (rows == 0) {
-        if (rule != nullptr && !is_alike(next->height, rule->first)) rule = nullptr;
+        if (rule != nullptr && !is_alike(next->height, rule->first)) break;
         if (rule != nullptr) growth = rule->growth;
       } else if (growth == 0) {
         growth = next->height / cell.height;
@@ -205,15 +205,6 @@ bool has_name(const Region& region, std::string_view name) {
 
 Error bad_line(std::string_view what) { return {ErrorCode::bad_option, std::string(what), {}, {}}; }
 
-/// The rule for layers along `line` in a region: the last one that fits, null if there is none.
-const LayerRule* rule_of(const Region& region, std::string_view line,
-                         std::span<const LayerRule> rules) {
-  const auto rule = std::find_if(rules.rbegin(), rules.rend(), [&](const LayerRule& r) {
-    return r.line == line && (r.region.empty() || has_name(region, r.region));
-  });
-  return rule == rules.rend() ? nullptr : &*rule;
-}
-
 /// Whether there are rules for the line, of which none was for the region in question.
 bool is_of_other_side(std::string_view line, std::span<const LayerRule> rules) {
   return std::any_of(rules.begin(), rules.end(),
@@ -222,44 +213,54 @@ bool is_of_other_side(std::string_view line, std::span<const LayerRule> rules) {
 
 }  // namespace
 
+const LayerRule* layer_rule_for(const Region& region, std::string_view line,
+                                std::span<const LayerRule> rules) {
+  const auto rule = std::find_if(rules.rbegin(), rules.rend(), [&](const LayerRule& r) {
+    return r.line == line && (r.region.empty() || has_name(region, r.region));
+  });
+  return rule == rules.rend() ? nullptr : &*rule;
+}
+
 Result<std::vector<LayersFound>> verify_layers(const Pslg& pslg, const RegionTable& table,
                                                const TriangleSoup& mesh, std::string_view line,
                                                std::string_view region,
                                                std::span<const LayerRule> rules) {
-  std::map<RegionId, LayersFound> found;
-  std::vector<std::string> names;
-  LayerFinder finder(pslg, mesh);
-  const auto look_beside = [&](RegionId side, Point from, Point to) {
-    if (side == kVoid || (!region.empty() && !has_name(table.region(side), region))) return;
-    LayersFound& layers = found[side];
-    layers.region = side;
-    const LayerRule* rule = rule_of(table.region(side), line, rules);
-    if (rule == nullptr && is_of_other_side(line, rules)) {
-      finder.count(from, to, layers);
-    } else {
-      finder.add(from, to, rule, layers);
-    }
-  };
-  bool is_known = false;
-  for (const Interface& part : table.interfaces) {
-    names.push_back(part.name);
-    if (part.name != line) continue;
-    is_known = true;
-    for (const SegmentId s : part.segments) {
-      const Segment& segment = pslg.segments[s.index()];
-      const Point a = pslg.points[segment.a.index()], b = pslg.points[segment.b.index()];
-      look_beside(table.sides[s.index()].left, a, b);
-      look_beside(table.sides[s.index()].right, b, a);
-    }
+  std::map<RegionId, std::vector<std::pair<Point, Point>>> sides;  // of the line, by region
+  for (const SegmentId s : named_segments(pslg, table, line)) {
+    const Segment& segment = pslg.segments[s.index()];
+    const Point a = pslg.points[segment.a.index()], b = pslg.points[segment.b.index()];
+    sides[table.sides[s.index()].left].push_back({a, b});
+    sides[table.sides[s.index()].right].push_back({b, a});
   }
-  if (!is_known) {
-    return bad_line(fmt::format("there is no interface, contact, outline or inner line '{}'{}",
-                                line, did_you_mean(line, names)));
+  if (sides.empty()) {
+    std::vector<std::string> names;
+    for (const Interface& part : table.interfaces) names.push_back(part.name);
+    return bad_line(
+        fmt::format("there is no interface, contact, outline, inner line or boundary marker '{}'{}",
+                    line, did_you_mean(line, names)));
   }
-  if (found.empty())
+  std::erase_if(sides, [&](const auto& beside) {
+    return beside.first == kVoid ||
+           (!region.empty() && !has_name(table.region(beside.first), region));
+  });
+  if (sides.empty())
     return bad_line(fmt::format("no region '{}' is beside the line '{}'", region, line));
   std::vector<LayersFound> out;
-  for (auto& [id, layers] : found) {
+  LayerFinder finder(pslg, mesh);
+  for (const auto& [id, beside] : sides) {
+    LayersFound layers;
+    layers.region = id;
+    const LayerRule* rule = layer_rule_for(table.region(id), line, rules);
+    if (rule == nullptr && is_of_other_side(line, rules)) {
+      for (const auto& [a, b] : beside) finder.count(a, b, layers);
+    } else {
+      for (const auto& [a, b] : beside) finder.add(a, b, rule, layers);
+      if (rule != nullptr && layers.layered == 0) {  // none is as it says: whatever lies there
+        layers = {};
+        layers.region = id;
+        for (const auto& [a, b] : beside) finder.add(a, b, nullptr, layers);
+      }
+    }
     finder.finish(layers);
     out.push_back(layers);
   }

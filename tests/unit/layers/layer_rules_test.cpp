@@ -60,8 +60,8 @@ TEST(LayerRules, TellTheSidesOfTheirLines) {
 
 TEST(LayerRules, WithUnknownNamesAreRefused) {
   EXPECT_EQ(refusal({{"gat", "", 0.1, 1, 1}}),
-            "layers for 'gat': there is no interface, contact, outline or inner line of that name; "
-            "did you mean 'gate'?");
+            "layers for 'gat': there is no interface, contact, outline, inner line or boundary "
+            "marker of that name; did you mean 'gate'?");
   EXPECT_EQ(refusal({{"gate", "lef", 0.1, 1, 1}}),
             "layers for 'gate' 'lef': there is no region or material of that name; did you mean "
             "'left'?");

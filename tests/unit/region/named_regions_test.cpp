@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cover/pslg.hpp>
+
 namespace cover {
 namespace {
 
@@ -42,6 +44,32 @@ TEST(NamedRegions, NumbersOfMaterialsAndIds) {
 TEST(NamedRegions, NamesComeFirst) {
   EXPECT_EQ(named_regions(table(), "1"), Ids{RegionId{4}});
   EXPECT_EQ(named_regions(table(), "region:2"), Ids{RegionId{4}});
+}
+
+/// A square, whose sides are 'left', 'right' and twice nothing, and the markers 7, 8, 7 and 9.
+TEST(NamedSegments, LinesOrElseMarkers) {
+  Pslg pslg;
+  RegionTable lines;
+  for (const int marker : {7, 8, 7, 9}) {
+    pslg.segments.emplace_back();
+    pslg.segments.back().marker = marker;
+  }
+  lines.interfaces.resize(3);
+  lines.interfaces[0].name = "left";
+  lines.interfaces[0].segments = {SegmentId{3}, SegmentId{0}};
+  lines.interfaces[1].name = "8";
+  lines.interfaces[1].segments = {SegmentId{2}};
+  lines.interfaces[2].name = "left";
+  lines.interfaces[2].segments = {SegmentId{1}};
+  using Segments = std::vector<SegmentId>;
+  EXPECT_EQ(named_segments(pslg, lines, "left"),
+            (Segments{SegmentId{0}, SegmentId{1}, SegmentId{3}}));
+  EXPECT_EQ(named_segments(pslg, lines, "7"), (Segments{SegmentId{0}, SegmentId{2}}));
+  EXPECT_EQ(named_segments(pslg, lines, "marker 7"), (Segments{SegmentId{0}, SegmentId{2}}));
+  EXPECT_EQ(named_segments(pslg, lines, "8"), Segments{SegmentId{2}});
+  EXPECT_EQ(named_segments(pslg, lines, "marker 8"), Segments{SegmentId{1}});
+  for (const char* none : {"0", "marker 0", "6", "7x", "marker", "marker 7 ", ""})
+    EXPECT_EQ(named_segments(pslg, lines, none), Segments{}) << none;
 }
 
 TEST(NamedRegions, TheErrorNamesTheNearest) {

@@ -327,7 +327,7 @@ TEST(Sizes, LongSegmentsAreWarnedOfOnce) {
   const auto warned = [&] {
     EXPECT_TRUE(resolve_sizes(regions.pslg, regions.table, options, boundaries));
     std::vector<Note> notes;
-    warn_of_sizes(regions.pslg, options, boundaries, notes);
+    warn_of_sizes(regions.pslg, options, boundaries, true, notes);
     return notes;
   };
   const std::vector<Note> notes = warned();
@@ -347,7 +347,7 @@ TEST(Sizes, ExpressionsThatAskForNothingAreWarnedOf) {
   options.sizes = {SizeRule{"", 0, false, "sqrt(-1)"}, SizeRule{"", 0, false, "2 + sqrt(x - 2)"}};
   EXPECT_TRUE(resolve_sizes(regions.pslg, regions.table, options, boundaries));
   std::vector<Note> notes;
-  warn_of_sizes(regions.pslg, options, boundaries, notes);
+  warn_of_sizes(regions.pslg, options, boundaries, true, notes);
   // The other one is a size at some vertices, and none at others.
   ASSERT_EQ(notes.size(), 1U);
   EXPECT_NE(notes[0].message.find("'sqrt(-1)' asks for nothing"), std::string::npos)

@@ -55,6 +55,23 @@ TEST(VerifyLayers, FindsRowsOverEveryEdge) {
   EXPECT_EQ(layers.negative, 0U);
 }
 
+/// Over the last edge no row is as thick as asked: ordinary triangles that happen to be a cell.
+TEST(VerifyLayers, WhereSomeRowsAreAsAskedOthersAreNone) {
+  Strip strip;
+  strip.mesh.points[4].y = strip.mesh.points[10].y = 0.25;
+  const std::vector<LayerRule> rules{{"gate", "", 0.1, 2, 1}};
+  const auto found = verify_layers(strip.pslg, strip.table, strip.mesh, "gate", {}, rules);
+  ASSERT_TRUE(found) << found.error().message;
+  EXPECT_EQ(found->front().edges, 3U);
+  EXPECT_EQ(found->front().layered, 1U);
+  EXPECT_NEAR(found->front().first_most, 0.1, 1e-15);
+  // Where none is as asked, all are looked at.
+  const std::vector<LayerRule> others{{"gate", "", 0.07, 2, 1}};
+  const auto all = verify_layers(strip.pslg, strip.table, strip.mesh, "gate", {}, others);
+  EXPECT_EQ(all->front().layered, 3U);
+  EXPECT_NEAR(all->front().first_most, 0.25, 1e-15);
+}
+
 TEST(VerifyLayers, CountsLargeAnglesAndNegativeCouplings) {
   Strip strip;
   strip.mesh.points[9].x = 1.02;  // leans

@@ -223,8 +223,9 @@ Status cut_until_met(Work& work, const Options& options, const Callbacks& callba
   if (!options.split_interfaces || options.method != Method::quality ||
       !work.table.hull_sides.empty())
     return ok();
-  // Layers stay as they are.
-  if (!options.layers.empty()) return ok();
+  // Layers stay as they are, and so do couplings that are to come first.
+  const bool keeps_couplings = options.couplings == Couplings::first && !options.box_method;
+  if (!options.layers.empty() || keeps_couplings) return ok();
   const std::size_t points = work.pslg.points.size();
   Rounds rounds(options, callbacks, points);
   const Prospects prospects(options, work);

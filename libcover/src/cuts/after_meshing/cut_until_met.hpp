@@ -11,7 +11,8 @@ namespace cover {
 
 /// With Options::split_interfaces and the quality method: while triangles are left above
 /// Options::max_angle, changes the mesh around them and cuts segments there. The result with fewest
-/// such triangles is kept. Does nothing without that option, nor for a hull.
+/// such triangles is kept. Does nothing without that option, for a hull, with layers, nor where
+/// Options::couplings come first and are not cut for.
 ///
 /// ENSURES: a note tells how many points were added
 /// Errors:  cancelled, internal

@@ -2,8 +2,6 @@
 #include "cuts/periodic/named_line.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <optional>
 #include <utility>
 
 #include <fmt/core.h>
@@ -13,19 +11,6 @@
 #include "options/periodic_rule.hpp"
 
 namespace cover {
-namespace {
-
-/// The boundary marker that `name` is; 0 marks nothing.
-std::optional<int> marker_of(const std::string& name) {
-  int number = 0;
-  const auto [stop, status] = std::from_chars(name.data(), name.data() + name.size(), number);
-  if (status != std::errc() || stop != name.data() + name.size() || number == 0)
-    return std::nullopt;
-  return number;
-}
-
-}  // namespace
-
 std::vector<PeriodicRule> periodic_rules(const Input& input, const Options& options) {
   std::vector<PeriodicRule> rules;
   for (const auto* list : {&options.periodic, &input.periodic}) {
@@ -41,16 +26,7 @@ std::string describe(const PeriodicRule& rule) {
 }
 
 NamedLine find_line(const Pslg& pslg, const RegionTable& table, const std::string& name) {
-  NamedLine line;
-  for (const Interface& part : table.interfaces) {
-    if (part.name == name)
-      line.segments.insert(line.segments.end(), part.segments.begin(), part.segments.end());
-  }
-  if (const std::optional<int> marker = marker_of(name); marker && line.segments.empty()) {
-    for (std::size_t s = 0; s < pslg.segments.size(); ++s)
-      if (pslg.segments[s].marker == *marker) line.segments.emplace_back(s);
-  }
-  std::sort(line.segments.begin(), line.segments.end());
+  NamedLine line{named_segments(pslg, table, name), {}};
   for (const SegmentId s : line.segments) {
     line.vertices.push_back(pslg.segments[s.index()].a);
     line.vertices.push_back(pslg.segments[s.index()].b);

@@ -20,8 +20,7 @@ struct NamedLine {
   std::vector<VertexId> vertices;   ///< in order, once each
 };
 
-/// The interface, contact, outline or boundary marker of that name; without segments where there is
-/// none.
+/// That of named_segments(); without segments where there is none.
 ///
 /// Cost: O(n log n)
 NamedLine find_line(const Pslg& pslg, const RegionTable& table, const std::string& name);

@@ -125,7 +125,7 @@ Prefer preference(const Options& options) {
   return options.max_angle < kStrict ? Prefer::largest : options.prefer;
 }
 
-bool minds_couplings(const Options& options) { return options.couplings == Couplings::first; }
+bool minds_couplings(const Options& options) { return options.couplings != Couplings::last; }
 
 bool Order::is_better(const Merit& a, const Merit& b) const {
   const bool is_within = is_within_bound(a);

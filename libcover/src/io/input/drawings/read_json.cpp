@@ -528,8 +528,7 @@ class InputReader {
 void warn_of_options(const ReadOptions& o, Input& input) {
   const auto tell = [&](bool is_given, std::string_view name) {
     if (is_given)
-      input.warnings.push_back(
-          fmt::format("{}: --{} does nothing: it counts with maps only", input.source, name));
+      input.warnings.push_back(fmt::format("--{} does nothing: it counts with maps only", name));
   };
   tell(!o.material_field.empty(), "material-field");
   tell(!o.name_field.empty(), "name-field");
