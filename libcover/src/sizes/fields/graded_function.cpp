@@ -69,7 +69,8 @@ class Grid {
       waiting_.pop();
       if (cell.smallest < kLeast * extent_) return place_of_zero(cell);
       const std::array<std::uint32_t, 3> middles = middles_of(cell);
-      const bool is_steep = may_hide(cell, middles);
+      const Wish wish = wish_in(cell, middles);
+      const bool is_steep = may_hide(cell, wish);
       found_steep_ = found_steep_ || is_steep;
       const bool is_coarse = is_steep || cell.longest > width_;
       if (is_coarse && waiting_.size() + samples_.triangles.size() < kMostCells) {
@@ -78,7 +79,7 @@ class Grid {
         add({apex, cell.corners[i.next()], middle});
         add({apex, middle, cell.corners[i.previous()]});
       } else {
-        if (is_coarse && is_steep && !missed_) missed_ = missed_in(cell, middles);
+        if (is_coarse && is_steep && !missed_) missed_ = missed_in(cell, middles, wish);
         keep(cell, middles);
       }
     }
@@ -89,7 +90,11 @@ class Grid {
   [[nodiscard]] bool found_steep() const { return found_steep_; }
   /// Where much less is wished than was found before there were too many cells.
   [[nodiscard]] std::optional<Point> missed() const { return missed_; }
-  [[nodiscard]] SizeSamples&& take() { return std::move(samples_); }
+  /// No size is larger than the region.
+  [[nodiscard]] SizeSamples take() {
+    for (double& size : samples_.sizes) size = std::min(size, extent_);
+    return std::move(samples_);
+  }
 
  private:
   [[nodiscard]] Point at(std::uint32_t sample) const { return samples_.points[sample]; }
@@ -101,7 +106,7 @@ class Grid {
       const double size = wish_(p);
       samples_.points.push_back(p);
       has_wish_.push_back(size > 0 && std::isfinite(size));
-      samples_.sizes.push_back(has_wish_.back() ? std::min(size, extent_) : extent_);
+      samples_.sizes.push_back(has_wish_.back() ? size : extent_);
     }
     return place->second;
   }
@@ -138,32 +143,50 @@ class Grid {
     return std::min({samples_.sizes[a], samples_.sizes[b], samples_.sizes[c]});
   }
 
-  /// Whether a wish that is smaller than a cell may lie between the places that were asked.
-  [[nodiscard]] bool may_hide(const Cell& cell, const std::array<std::uint32_t, 3>& middles) const {
-    double least = extent_, steepest = 0;
-    bool has_wish = false, lacks_wish = false;
+  /// What the corners and middles of a cell tell of the wish in it.
+  struct Wish {
+    double least, steepest = 0;
+    bool is_asked = false, is_lacking = false;  ///< at some of them
+  };
+
+  [[nodiscard]] Wish wish_in(const Cell& cell, const std::array<std::uint32_t, 3>& middles) const {
+    Wish wish{extent_};
     const auto look_along = [&](std::uint32_t u, std::uint32_t v) {
-      has_wish = has_wish || has_wish_[u];
-      lacks_wish = lacks_wish || !has_wish_[u];
-      if (has_wish_[u]) least = std::min(least, samples_.sizes[u]);
+      wish.is_asked = wish.is_asked || has_wish_[u];
+      wish.is_lacking = wish.is_lacking || !has_wish_[u];
+      if (has_wish_[u]) wish.least = std::min(wish.least, samples_.sizes[u]);
       if (!has_wish_[u] || !has_wish_[v]) return;
       const double change = std::abs(samples_.sizes[u] - samples_.sizes[v]);
-      steepest = std::max(steepest, change / length(at(u) - at(v)));
+      wish.steepest = std::max(wish.steepest, change / length(at(u) - at(v)));
     };
     for (const Corner i : kCorners) {
       look_along(cell.corners[i], middles[i.next()]);
       look_along(cell.corners[i], middles[i.previous()]);
       look_along(middles[i], middles[i.next()]);
     }
-    // It passes through zero, or ends: then half of the smallest wish is fine enough.
-    if (lacks_wish && has_wish && least < 2 * cell.longest) return true;
-    // No place is farther away than a quarter of an edge, or hardly.
-    return steepest > slope_ && least - steepest * cell.longest / 4 < cell.longest;
+    return wish;
   }
 
-  /// A place in a cell where much less is wished than its corners and middles let expect.
+  /// What may be wished in a cell: no place is farther from one that was asked than a quarter of an
+  /// edge, or hardly.
+  static double lowest(const Cell& cell, const Wish& wish) {
+    return wish.least - wish.steepest * cell.longest / 4;
+  }
+
+  /// Whether a wish that is smaller than a cell may lie between the places that were asked.
+  [[nodiscard]] bool may_hide(const Cell& cell, const Wish& wish) const {
+    // It passes through zero, or ends: then half of the smallest wish is fine enough.
+    if (wish.is_lacking && wish.is_asked && wish.least < 2 * cell.longest) return true;
+    return wish.steepest > slope_ && lowest(cell, wish) < cell.longest;
+  }
+
+  /// A place in a cell where much less is wished than its corners and middles let expect, or may be.
   [[nodiscard]] std::optional<Point> missed_in(const Cell& cell,
-                                               const std::array<std::uint32_t, 3>& middles) const {
+                                               const std::array<std::uint32_t, 3>& middles,
+                                               const Wish& wish) const {
+    // Where it changes by less than the distance no edge of that length reaches beyond.
+    if (wish.is_asked && wish.steepest > 1 && kMuch * lowest(cell, wish) < wish.least)
+      return midpoint(at(cell.corners[cell.opposite]), at(middles[cell.opposite]));
     const auto look_at = [&](Point p) {
       const double size = wish_(p);
       if (!(size > 0)) return false;
@@ -198,7 +221,8 @@ class Grid {
   double extent_;
   double width_;
   double slope_;
-  SizeSamples samples_;  ///< where nothing is wished, the extent
+  /// Where nothing is wished, the extent. Sizes beyond it tell how steep a wish is.
+  SizeSamples samples_;
   std::vector<bool> has_wish_;
   std::unordered_map<Point, std::uint32_t, HashOfPlace> numbers_;
   std::priority_queue<Cell, std::vector<Cell>, IsLater> waiting_;
