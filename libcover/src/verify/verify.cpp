@@ -210,7 +210,7 @@ class Verifier {
     if (!from || !to) return false;  // said already
     const auto edge = edge_of_[s];
     if (side.region == kVoid) {
-      if (edge) report_in_void(side, edges_.all()[*edge]);
+      if (edge && !is_cut_beside(s ^ 1)) report_in_void(side, edges_.all()[*edge]);
       return !edge;
     }
     if (edge && !(options_.allow_split && mark_pieces_beside(s, edges_.all()[*edge]))) {
@@ -255,15 +255,27 @@ class Verifier {
   /// The same where an edge joins the ends of the side: a rounded cut may lie off it, and a
   /// triangle between them. Only if the mesh's own regions tell so.
   bool mark_pieces_beside(std::uint32_t s, const SoupEdges::Edge& edge) {
-    const ExpectedSide& side = domain_.sides[s];
-    if (side.hull) return false;
-    const RegionId other = domain_.sides[s ^ 1].region;
-    const SoupEdges::Banks banks = SoupEdges::Banks::of(side.region, other);
-    if (edges_.lies_between(edge, banks)) return false;
-    const std::vector<std::size_t> pieces = edges_.along_between(
-        edge.from, edge.to, offset_on_segment(scale_), is_input_, other == kVoid, banks);
+    const std::vector<std::size_t> pieces = pieces_beside(s, edge);
     for (const std::size_t piece : pieces) side_of_[piece] = s;
     return !pieces.empty();
+  }
+
+  [[nodiscard]] std::vector<std::size_t> pieces_beside(std::uint32_t s,
+                                                       const SoupEdges::Edge& edge) const {
+    const ExpectedSide& side = domain_.sides[s];
+    if (side.hull) return {};
+    const RegionId other = domain_.sides[s ^ 1].region;
+    const SoupEdges::Banks banks = SoupEdges::Banks::of(side.region, other);
+    if (edges_.lies_between(edge, banks)) return {};
+    return edges_.along_between(edge.from, edge.to, offset_on_segment(scale_), is_input_,
+                                other == kVoid, banks);
+  }
+
+  /// Whether side `s` is cut and its pieces lie beyond it by rounding, so that a triangle between
+  /// them and the edge that joins its ends is one of its region.
+  [[nodiscard]] bool is_cut_beside(std::uint32_t s) const {
+    return options_.allow_split && edge_of_[s] &&
+           !pieces_beside(s, edges_.all()[*edge_of_[s]]).empty();
   }
 
   void check_inner_edges() {

@@ -245,6 +245,26 @@ TEST(Verify, SegmentSplitBesideAnEdgeBetweenItsEnds) {
                    .violations.empty());
 }
 
+/// The same beside the void: what lies between the ends' edge and the pieces is the region's.
+TEST(Verify, SegmentSplitBesideTheVoid) {
+  const Input input =
+      testing::segments_between({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}});
+  const auto whole = prepare(input);
+  ASSERT_TRUE(whole) << whole.error().message;
+  TriangleSoup mesh;
+  mesh.points = input.points;
+  mesh.points.push_back({0.5, -0x1p-53});
+  mesh.triangles = {{0, 4, 1}, {0, 1, 2}, {0, 2, 3}};
+  mesh.region = {1, 1, 1};
+  mesh.material = {1, 1, 1};
+  const VerifyOptions split{.bound = false, .allow_split = true};
+  const Verification found = verify_cover(whole->pslg, whole->table, mesh, split);
+  EXPECT_TRUE(found.violations.empty()) << found.violations.front().message;
+  EXPECT_FALSE(verify_cover(whole->pslg, whole->table, mesh, {.bound = false}).violations.empty());
+  mesh.points[4].y = -1e-9;  // no rounding
+  EXPECT_FALSE(verify_cover(whole->pslg, whole->table, mesh, split).violations.empty());
+}
+
 TEST(Verify, SegmentSplitOnOneSideOnly) {
   Device d;
   (void)cut_interface(d, true);
