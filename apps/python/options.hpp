@@ -13,14 +13,15 @@ namespace cover::python {
 /// and without the `no_`. None leaves one out.
 ///
 /// Raises: TypeError for a keyword that is none and a value of another kind, OptionError for a
-/// value
-///         that is not allowed.
+///         value that is not allowed.
 Options options_from(const pybind11::dict& keywords);
 
-/// Takes the options of read_option_table() out of `keywords`. Raises: as options_from()
+/// Takes the options of read_option_table() out of `keywords`.
+/// Raises: as options_from()
 ReadOptions take_read_options(pybind11::dict& keywords);
 
-/// The options of write_option_table(). Raises: as options_from()
+/// The options of write_option_table().
+/// Raises: as options_from()
 WriteOptions write_options_from(const pybind11::dict& keywords);
 
 }  // namespace cover::python

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """check_comments.py ROOT [--mend]: comments have their shape, which clang-format leaves alone here.
 
-No line of a comment is longer than 100 columns, and a tag (REQUIRES:, ENSURES:, Errors: ...) begins a line of its own.
-With --mend, what is not so is broken anew; lines that are fine stay as they are.
+No line of a comment is longer than 100 columns, none breaks off in a sentence long before that, and a tag (REQUIRES:,
+ENSURES:, Errors: ...) begins a line of its own. With --mend, what is not so is broken anew; lines that are fine stay as they are.
 """
 import pathlib
 import re
@@ -10,7 +10,8 @@ import sys
 import textwrap
 
 WIDTH = 100
-TAG = r'(?:REQUIRES|ENSURES|EXACT|Errors|Threads|Cost|Ref):'
+SLACK = 20  # columns by which a line may be shorter than the next word makes it
+TAG = r'(?:REQUIRES|ENSURES|EXACT|Errors|Units|Returns|Raises|Threads|Cost|Memory|Ref):'
 SENTENCE_THEN_TAG = re.compile(rf'(?<=[.;)]) +(?={TAG}(?: |$))')
 
 
@@ -42,6 +43,21 @@ def is_wrong(line):
 def begins_paragraph(text):
     """Whether a line of a comment cannot go on with the one before: blank, a tag, an item, a drawing."""
     return not text.strip() or bool(re.match(rf' ?(?:{TAG}|[-*|] |\d+\. )', text))
+
+
+def breaks_off(lines, k):
+    """Whether line k of a comment ends in a sentence although the next word had room."""
+    if k + 1 >= len(lines) or not is_block(lines[k]) or not is_block(lines[k + 1]):
+        return False
+    if lines[k][:comment_of(lines[k])[0]] != lines[k + 1][:comment_of(lines[k + 1])[0]]:
+        return False
+    text, after = text_of(lines[k]), text_of(lines[k + 1])
+    if after.startswith('   ') and not text.startswith('   '):  # the middle of what a tag says
+        return 1 <= len(text.split()) <= 2 and not re.match(rf' ?{TAG}', text) and bool(re.match(r' *[a-z]', after))
+    if not text.strip() or text.startswith('   ') or not (
+            re.search(r'[a-z,]$', text.rstrip()) and re.match(r' *[a-z]', after)):
+        return False
+    return len(lines[k].rstrip()) + 1 + len(after.split()[0]) <= WIDTH - SLACK
 
 
 def wrapped(paragraph, prefix):
@@ -88,6 +104,8 @@ def main(root, mend):
             path.write_text('\n'.join(mended(lines)))
         wrong += [f'{path.relative_to(root)}:{number}: a comment is too long, or a tag stands inside a line'
                   for number, line in enumerate(lines, 1) if is_wrong(line)]
+        wrong += [f'{path.relative_to(root)}:{k + 1}: a line of a comment breaks off'
+                  for k in range(len(lines)) if breaks_off(lines, k)]
     print('\n'.join(wrong) or f'{len(files)} files have comments in shape')
     return 1 if wrong and not mend or not files else 0
 

@@ -186,7 +186,7 @@ class Page {
     constexpr std::size_t kMost = 3;    // of lines with layers
     constexpr double kBeside = 2;       // lengths of the segment in the middle of a line
     constexpr double kAroundArc = 1.5;  // lengths of its edge
-    std::vector<std::pair<std::string, std::optional<PictureWindow>>> shown;
+    std::vector<std::pair<std::string, std::optional<Window>>> shown;
     std::set<std::string> lines;
     for (const RegionReport& region : report_.regions) {
       for (const LayerReport& layers : region.layers) {
@@ -232,7 +232,7 @@ class Page {
 
   static double distance(Point p, Point q) { return std::hypot(q.x - p.x, q.y - p.y); }
 
-  static PictureWindow window_around(Point p, double reach) {
+  static Window window_around(Point p, double reach) {
     return {{p.x - reach, p.y - reach}, {p.x + reach, p.y + reach}};
   }
 

@@ -25,7 +25,7 @@ struct BoxCosts {
 
 /// Cleans the input, finds its regions and their lower bounds; makes no mesh.
 ///
-/// Errors: ErrorCode 100-199; Error::inputs holds the ids at fault.
+/// Errors: those of cover_mesh(); Error::inputs holds the ids at fault.
 /// Cost:   O(n log n).
 Result<Prepared> prepare(const Input& input, const Options& options = {},
                          const Callbacks& callbacks = {});

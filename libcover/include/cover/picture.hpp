@@ -12,6 +12,7 @@
 #include <cover/point.hpp>
 #include <cover/read_mesh.hpp>
 #include <cover/result.hpp>
+#include <cover/window.hpp>
 
 namespace cover {
 
@@ -32,19 +33,13 @@ struct PictureMesh {
   std::vector<std::vector<std::uint32_t>> periodic{};  ///< by rule: vertices with partners, marked
 };
 
-/// A part of the plane.
-struct PictureWindow {
-  Point low;
-  Point high;
-};
-
 /// How it is drawn.
 struct PictureOptions {
   int width = 1200;   ///< pixels, >= 200, from 400 on with a key; the height follows from the shape
   std::string title;  ///< first line, empty: none
   std::string color;  ///< cell array shown by colour; empty: the regions
   std::optional<std::array<double, 2>> range;  ///< values at both ends of the colours; none: found
-  std::optional<PictureWindow> window;         ///< part of the mesh shown; none: all of it
+  std::optional<Window> window;                ///< part of the mesh shown; none: all of it
   int worst = 3;                               ///< so many of the largest angles are marked
   std::string id = "plot";                     ///< differs between the SVGs of one page
   bool edges = true;                           ///< draw all edges, thin

@@ -17,8 +17,7 @@ namespace cover {
 /// Errors:  cannot_open; syntax, with what gmsh said; unsupported_format where the model is not
 ///          plane or has neither curves nor surfaces
 /// Threads: calls wait for each other, because gmsh has one state for the whole process. It must
-/// not
-///          be in use elsewhere in the program.
+///          not be in use elsewhere in the program.
 Result<Input> read_geo(const std::string& path);
 
 }  // namespace cover

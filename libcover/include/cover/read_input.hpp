@@ -19,8 +19,8 @@ namespace cover {
 ///   schema is input.schema.json;
 /// - `.geojson`: areas and lines with the properties material, name, priority and size;
 ///   those of `options.keep_fields` become Input::attributes;
-/// - `.msh`, gmsh's 2.2 and 4.1 in ASCII: the borders of the physical surfaces and the physical
-///   curves;
+/// - `.msh`, gmsh's 2.2 and 4.1, text or binary: the borders of the physical surfaces and the
+///   physical curves;
 /// - `.gds`, GDSII: a layout, flattened; see `cover/read_options.hpp` for what can be chosen of it;
 /// - `.tif`, the meshes of TSUPREM-4 and MEDICI, and `.str`, those of SUPREM-IV: the borders of
 ///   their regions, electrodes of a .tif, and what they have at nodes as Input::field;
@@ -48,8 +48,5 @@ std::vector<std::string> input_formats();
 /// The error for a format that parse_input() does not know; `others` are read by the caller.
 Error unknown_input_format(std::string_view extension, const std::string& source,
                            const std::vector<std::string>& others = {});
-
-/// Reads Triangle's .poly format.
-Result<Input> read_poly(const std::string& path);
 
 }  // namespace cover

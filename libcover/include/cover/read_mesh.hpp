@@ -41,8 +41,8 @@ struct MeshFile {
   /// Vertices that the run which wrote it put on segments of its input; 0 where that is not known:
   /// only a .vtu tells.
   std::size_t cut_vertices = 0;
-  /// .msh: it is one of so many files of a mesh for several processes, and holds copies of triangles
-  /// of others; else 0.
+  /// .msh: it is one of so many files of a mesh for several processes, and holds copies of
+  /// triangles of others; else 0.
   std::size_t parts = 0;
   /// VTK, .msh: points are paired on periodic sides. The sides themselves stand in a manifest only.
   bool has_periodic_points = false;

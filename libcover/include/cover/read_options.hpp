@@ -9,15 +9,9 @@
 #include <cover/option_table.hpp>
 #include <cover/point.hpp>
 #include <cover/report.hpp>
+#include <cover/window.hpp>
 
 namespace cover {
-
-/// A part of the plane.
-/// REQUIRES: low.x < high.x, low.y < high.y
-struct Window {
-  Point low;
-  Point high;
-};
 
 /// How a geometry file is to be understood. Readers look at what concerns their format only.
 struct ReadOptions {

@@ -8,10 +8,6 @@
 
 namespace cover {
 
-/// Whether read_vtk_input() knows files named like this: .vtu, .vtp, .vti and .vtk, in whatever
-/// case.
-bool is_vtk_input(const std::string& path);
-
 /// Reads a plane mesh as geometry: the sides between cells of different material, and those with a
 /// cell on one side only, become the segments. Lines stay, with their number as name and marker.
 ///

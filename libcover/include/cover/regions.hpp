@@ -97,8 +97,8 @@ struct RegionTable {
 /// ("region:17"). In the order of ids; none if nothing is called so.
 std::vector<RegionId> named_regions(const RegionTable& table, std::string_view name);
 
-/// The segments of the interface, contact, outline or inner line called `name`; where there is none,
-/// those with this boundary marker, "7" or "marker 7". In order.
+/// The segments of the interface, contact, outline or inner line called `name`; where there is
+/// none, those with this boundary marker, "7" or "marker 7". In order.
 std::vector<SegmentId> named_segments(const Pslg& pslg, const RegionTable& table,
                                       std::string_view name);
 

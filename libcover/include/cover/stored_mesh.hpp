@@ -64,10 +64,9 @@ struct StoredMesh {
 Result<Output> rebuild(const StoredMesh& stored);
 
 /// Fills everything but the triangles of `stored`, and the values of its fields, from a manifest;
-/// false, and nothing is changed,
-/// if the file is not there or is something else (a report, a geometry). Where the mesh's file does
-/// not say to which regions triangles belong, their groups and their order do: within a group they
-/// stand by region.
+/// false, and nothing is changed, if the file is not there or is something else (a report, a
+/// geometry). Where the mesh's file does not say to which regions triangles belong, their groups
+/// and their order do: within a group they stand by region.
 ///
 /// REQUIRES: stored.soup holds the mesh; `group` by triangle, or empty where materials are known
 /// Errors:   cannot_open; syntax, also if the manifest is of another mesh

@@ -13,6 +13,7 @@
 #include "disks/fill_disks.hpp"
 #include "geom/predicates.hpp"
 #include "target/angle_limit.hpp"
+#include "target/fill_report.hpp"
 #include "target/local_frame.hpp"
 
 namespace cover {
@@ -64,12 +65,8 @@ class AlmondRegion {
   }
 
   void describe_limit() {
-    RegionReport& report = mesh_.report;
-    report.id = boundary_.id;
-    report.nu_opt = Angle::radians(limit_.nu);
-    report.nu_bound = Angle::radians(limit_.promised_nu());
-    report.forced_above_120 = limit_.above_120;
-    report.forced_above_150 = limit_.above_150;
+    mesh_.report.id = boundary_.id;
+    set_limits(limit_, mesh_.report);
   }
 
   /// A region of one triangle is as good as it gets, if it may not be split; else the improvement

@@ -245,7 +245,7 @@ class LayeredRegion {
         stop_(std::move(stop)),
         most_(boundary.sides.size(), std::numeric_limits<int>::max()) {
     const Triangulation cdt = triangulation_of(boundary);
-    set_limits(angle_limit(cdt, boundary.sides, boundary.segments), limits_);
+    limit_ = angle_limit(cdt, boundary.sides, boundary.segments);
   }
 
   RegionMesh run(const RegionMesher& mesh_rest) {
@@ -258,7 +258,8 @@ class LayeredRegion {
       if (front.triangles().empty())
         return best ? *std::move(best) : without_layers(front, mesh_rest);
       const Rest rest = rest_of(boundary_, front);
-      std::vector<std::uint32_t> hopeless = hopeless_places(rest.boundary, limits_.nu_bound);
+      std::vector<std::uint32_t> hopeless =
+          hopeless_places(rest.boundary, Angle::radians(limit_.promised_nu()));
       if (!hopeless.empty()) {
         for (std::uint32_t& v : hopeless) v = rest.vertices[v];
         withdraw(front, everywhere ? std::vector<std::uint32_t>() : hopeless);
@@ -304,10 +305,7 @@ class LayeredRegion {
   std::vector<std::uint32_t> judge(RegionMesh& mesh) const {
     RegionReport& report = mesh.report;
     report.id = boundary_.id;
-    report.nu_opt = limits_.nu_opt;
-    report.nu_bound = limits_.nu_bound;
-    report.forced_above_120 = limits_.forced_above_120;
-    report.forced_above_150 = limits_.forced_above_150;
+    set_limits(limit_, report);
     if (const auto fault = find_fault({all_points(boundary_, mesh), mesh.triangles, boundary_.sides,
                                        boundary_.segments, boundary_.points.size()}))
       return fault->points.empty() ? std::vector<std::uint32_t>{0} : fault->points;
@@ -376,7 +374,7 @@ class LayeredRegion {
   MendEffort mending_;
   std::stop_token stop_;
   std::vector<int> most_;  ///< rows, by side
-  RegionReport limits_;
+  AngleLimit limit_;
 };
 
 }  // namespace

@@ -1,7 +1,6 @@
 // Layout: a title line, the plot with a scale bar, a legend on the right. Edges are drawn thinner
 // where they are short, so that finely meshed parts do not turn black; what is too small to be seen
 // at the given size is left to the zoom window.
-// Tests: tests/unit/picture/picture_test.cpp
 // Tested by tests/unit/picture/picture_test.cpp.
 #include "picture/compose.hpp"
 
@@ -33,7 +32,7 @@ constexpr double kFooter = 34;
 constexpr Colour kMark{200, 0, 40};
 constexpr double kRing = 8;  ///< radius of a mark with its line
 
-PictureWindow window_around(std::span<const Point> points) {
+Window window_around(std::span<const Point> points) {
   const Box box = box_of(points);
   return {box.low, box.high};
 }
@@ -61,7 +60,7 @@ class Composer {
       : mesh_(mesh), soup_(mesh.mesh.soup), options_(options) {}
 
   Result<Drawing> run() {
-    const PictureWindow window = options_.window ? *options_.window : window_of_all();
+    const Window window = options_.window ? *options_.window : window_of_all();
     if (!(window.low.x < window.high.x) || !(window.low.y < window.high.y)) {
       return bad_option("the window of the picture is empty");
     }
@@ -97,7 +96,7 @@ class Composer {
   /// A narrow picture is all plot.
   [[nodiscard]] bool has_key() const { return options_.width >= kLeastWithKey; }
 
-  void lay_out(PictureWindow window) {
+  void lay_out(Window window) {
     // A whole mesh gets a little air, a window is shown as asked for.
     if (!options_.window) {
       const double air =
@@ -126,7 +125,7 @@ class Composer {
   }
 
   /// Nodes of curved edges may lie outside of all vertices.
-  [[nodiscard]] PictureWindow window_of_all() const {
+  [[nodiscard]] Window window_of_all() const {
     std::vector<Point> points = soup_.points;
     for (const auto& nodes : mesh_.mesh.middles)
       points.insert(points.end(), nodes.begin(), nodes.end());
@@ -462,7 +461,7 @@ class Composer {
   const TriangleSoup& soup_;
   const PictureOptions& options_;
   Drawing drawing_;
-  PictureWindow window_;
+  Window window_;
   double scale_ = 1;
   std::map<std::pair<std::uint32_t, std::uint32_t>, Point>
       bent_;  ///< nodes, by lower and upper end

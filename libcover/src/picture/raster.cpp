@@ -1,6 +1,5 @@
 // Every pixel is sampled 3 x 3 times and averaged at the end. Triangles are thus seamless (a sample
 // lies in one of them), which a coverage per triangle would not give.
-// Tests: tests/unit/picture/picture_test.cpp
 // Tested by tests/unit/picture/picture_test.cpp.
 #include "picture/raster.hpp"
 

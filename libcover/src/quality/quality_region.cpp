@@ -119,10 +119,7 @@ class RegionWork {
     report.id = boundary_.id;
     report.method = candidate.method;
     report.has_no_room = candidates_.outlook().has_no_room();
-    report.nu_opt = Angle::radians(candidates_.limit().nu);
-    report.nu_bound = Angle::radians(candidates_.limit().promised_nu());
-    report.forced_above_120 = candidates_.limit().above_120;
-    report.forced_above_150 = candidates_.limit().above_150;
+    set_limits(candidates_.limit(), report);
     return out;
   }
 

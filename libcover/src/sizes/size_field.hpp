@@ -41,11 +41,12 @@ class SizeField {
 
   /// A field without a wish: is_active() is false.
   SizeField() = default;
+  /// The lengths of sides do not count at vertices from `first_cut` on. Where `background` is not
+  /// finite or not above zero, there is no wish.
+  ///
   /// REQUIRES: `cdt` has the points of `boundary`, maybe in another frame, in which `background`
-  /// then
-  ///           is too; not finite or not above zero: no wish at that place
+  ///           then is too
   /// Cost:     O(n log n)
-  /// The lengths of sides do not count at vertices from `first_cut` on.
   SizeField(const RegionBoundary& boundary, const Triangulation& cdt, std::optional<double> growth,
             SizeFunction background = {}, VertexId first_cut = VertexId{kNone});
 

@@ -1,4 +1,4 @@
-// The one place where exceptions become values, but for lack of memory (base/faults/out_of_memory).
+// Where exceptions of a task become values, but for lack of memory (base/faults/out_of_memory).
 #pragma once
 
 #include <exception>

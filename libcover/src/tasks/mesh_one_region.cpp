@@ -231,9 +231,9 @@ ProvenMesh mesh_and_mend(const RegionBoundary& boundary, const Options& options,
   return out;
 }
 
-/// Whether segments are cut afterwards where angles are left above the target: targets come before
-/// couplings then. No coupling is negative where all angles are at most 90 degrees.
-bool is_cut_for_angles(const Options& options) {
+/// Whether targets come before couplings in regions without layers: segments may be cut where they
+/// are missed.
+bool targets_come_first(const Options& options) {
   return options.split_interfaces && !options.box_method &&
          options.couplings == Couplings::automatic && options.method == Method::quality;
 }
@@ -264,8 +264,8 @@ ProvenMesh mesh_for_cuts(const RegionBoundary& boundary, const Options& options,
 ProvenMesh mesh_with_its_layers(const RegionBoundary& boundary, const Options& options,
                                 const std::stop_token& stop, const Team& team) {
   if (!has_layers(boundary)) {
-    return is_cut_for_angles(options) ? mesh_for_cuts(boundary, options, stop, team)
-                                      : mesh_and_mend(boundary, options, stop, team);
+    return targets_come_first(options) ? mesh_for_cuts(boundary, options, stop, team)
+                                       : mesh_and_mend(boundary, options, stop, team);
   }
   const auto mesh_rest = [&](const RegionBoundary& rest, const Options& for_rest) {
     return mesh_region(rest, for_rest, stop, team).mesh;

@@ -9,8 +9,8 @@
 //
 // Thus the triangles of a region cover it without gaps or overlap, and no tolerance was used.
 // What is broken is listed by kind.
-// Tested by tests/unit/verify/verify_test.cpp, which damages good
-// meshes in every way it can think of.
+// Tested by tests/unit/verify/verify_test.cpp, which damages good meshes in every way it can think
+// of.
 #include <cover/text.hpp>
 #include <cover/verify.hpp>
 

@@ -76,7 +76,7 @@ TEST(Picture, VerticesWithPartnersHaveRings) {
   EXPECT_EQ(count(*svg_text(mesh, {}), "<circle"), before + 6);
   PictureOptions part;
   part.worst = 0;
-  part.window = PictureWindow{{-0.5, -0.5}, {0.5, 0.5}};
+  part.window = Window{{-0.5, -0.5}, {0.5, 0.5}};
   EXPECT_EQ(count(*svg_text(mesh, part), "<circle"), 2U);  // those of one vertex
 }
 

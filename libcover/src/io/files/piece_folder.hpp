@@ -16,10 +16,10 @@
 namespace cover {
 
 /// The folder X/ of the pieces X_K_HASH.vtu that a file X.vtm names; those of X.pvtu are
-/// X.parts/X.parts_K_HASH.vtu. Since the hash is that of a
-/// piece's content, new pieces stand beside the old ones until X.vtm is replaced, by one rename;
-/// then the old ones go. Whenever that is interrupted, X.vtm and its pieces are those of one mesh,
-/// and what is left over goes when X.vtm is written again.
+/// X.parts/X.parts_K_HASH.vtu. Since the hash is that of a piece's content, new pieces stand beside
+/// the old ones until X.vtm is replaced, by one rename; then the old ones go. Whenever that is
+/// interrupted, X.vtm and its pieces are those of one mesh, and what is left over goes when X.vtm
+/// is written again.
 ///
 /// What else is in the folder is not ours and stays.
 /// Threads: one object at a time writes to a folder; others wait, also those of other processes.

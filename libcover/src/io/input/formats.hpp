@@ -34,14 +34,17 @@ Result<Input> parse_geojson(std::string_view text, const std::string& source,
 /// gmsh's .msh 2.2 and 4.1, ASCII or binary: the borders of physical surfaces, and physical curves.
 Result<Input> parse_msh(std::string_view text, const std::string& source);
 
-/// TIF, the mesh of TSUPREM-4 and MEDICI, with its electrodes and values. Units: micrometres.
+/// TIF, the mesh of TSUPREM-4 and MEDICI, with its electrodes and values.
+/// Units: micrometres.
 Result<Input> parse_tif(std::string_view text, const std::string& source);
 
-/// SUPREM-IV's structure files, the same. Units: micrometres.
+/// SUPREM-IV's structure files, the same.
+/// Units: micrometres.
 Result<Input> parse_suprem(std::string_view text, const std::string& source);
 
 /// Commands of the Sentaurus Structure Editor: regions, materials and contacts of plane drawings.
-/// What is not understood is named in the warnings. Units: micrometres.
+/// What is not understood is named in the warnings.
+/// Units: micrometres.
 Result<Input> parse_sde(std::string_view text, const std::string& source);
 
 /// A plane mesh in a file of VTK's, named by its extension: see read_vtk_input().

@@ -13,7 +13,8 @@
 
 namespace cover {
 
-/// gmsh's .msh 2.2 and 4.1 in ASCII. Groups are physical groups. In version 2.2 regions are
+/// gmsh's .msh 2.2 and 4.1, text or binary; of a binary one without numbers at nodes and elements
+/// and without word of parts. Groups are physical groups. In version 2.2 regions are
 /// elementary entities, as write_msh() has them.
 Result<MeshFile> parse_msh_mesh(std::string_view text, const std::string& source);
 

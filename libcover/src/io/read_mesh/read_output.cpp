@@ -47,8 +47,8 @@ Status take_names_from_vtm(const std::string& path, StoredMesh& stored) {
   return take_materials(stored) ? ok() : Status(wrong_file(path, "it is of another mesh"));
 }
 
-/// How the .vtm of the same mesh was made, for triangles without numbers of regions, to which it can
-/// give nothing else.
+/// How the .vtm of the same mesh was made, for triangles without numbers of regions, to which it
+/// can give nothing else.
 void take_run_from_vtm(const std::string& path, StoredMesh& stored) {
   Result<VtmMesh> blocks = read_vtm(path);
   if (!blocks) return;

@@ -16,7 +16,8 @@
 
 namespace cover {
 
-/// The triangles of regions, in a spool file. Memory: 16 bytes for each region.
+/// The triangles of regions, in a spool file.
+/// Memory: 16 bytes for each region.
 ///
 /// Vertices are numbered as in a Mesh: those of the input first, then the Steiner vertices of each
 /// region. The numbers of the latter are known when all regions are there; until then, each region

@@ -4,8 +4,8 @@
 // cell, the edge below gets no row, now or later. What is left of a line are chains. Over a chain
 // the row has a vertex for each vertex between two edges, more around corners (offsets); at its
 // ends it tapers off, the last cell being a triangle, several rows in one vertex as long as angles
-// are small there, unless the wall there goes up at about a
-// right angle and has a vertex at the height of the row.
+// are small there, unless the wall there goes up at about a right angle and has a vertex at the
+// height of the row.
 // Tested by tests/unit/layers/front/layer_front_test.cpp.
 #include "layers/front/layer_front.hpp"
 

@@ -180,7 +180,8 @@ class Grid {
     return wish.steepest > slope_ && lowest(cell, wish) < cell.longest;
   }
 
-  /// A place in a cell where much less is wished than its corners and middles let expect, or may be.
+  /// A place in a cell where much less is wished than its corners and middles let expect, or may
+  /// be.
   [[nodiscard]] std::optional<Point> missed_in(const Cell& cell,
                                                const std::array<std::uint32_t, 3>& middles,
                                                const Wish& wish) const {

@@ -1,5 +1,5 @@
-// Of several triangles that contain a
-// place, all that share an edge, the first counts, so that the result does not depend on the tree.
+// Of several triangles that contain a place, all that share an edge, the first counts, so that the
+// result does not depend on the tree.
 // Tested by tests/unit/sizes/fields/size_function_test.cpp.
 #include <cover/size_function.hpp>
 #include <cover/text.hpp>

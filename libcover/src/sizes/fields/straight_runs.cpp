@@ -2,14 +2,12 @@
 #include "sizes/fields/straight_runs.hpp"
 
 #include <cstdint>
-#include <limits>
 
+#include "base/none.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
 namespace {
-
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 /// The directions from a place in which a line passes all points so far closely enough.
 class Cone {

@@ -377,12 +377,4 @@ Result<Input> parse_poly(std::string_view text, const std::string& source,
   return *std::move(input);
 }
 
-Result<Input> read_poly(const std::string& path) {
-  return memory_as_value(path, [&]() -> Result<Input> {
-    const Result<std::string> text = read_file(path);
-    if (!text) return text.error();
-    return parse_poly(*text, path);
-  });
-}
-
 }  // namespace cover

@@ -225,8 +225,6 @@ class CellsOfDataSet {
 
 }  // namespace
 
-bool is_vtk_input(const std::string& path) { return is_data_set(extension_of(path)); }
-
 Result<Input> parse_vtk_input(std::string_view text, std::string_view extension,
                               const std::string& source, const ImageOptions* image) {
   const Result<DataSet> data = parse_data_set(text, extension, source);

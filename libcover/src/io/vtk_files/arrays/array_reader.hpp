@@ -33,8 +33,7 @@ class ArrayReader {
   /// into the text where the bytes can be taken as they are.
   ///
   /// Errors: syntax, truncated, unsupported_format, where what it has unfolds to more than
-  /// limits.hpp
-  ///         allows.
+  ///         limits.hpp allows.
   /// Cost:   O(bytes of these items)
   Result<NumberArray> read(const XmlElement& array, std::size_t items);
 

@@ -35,7 +35,7 @@ void expect_round_trip(const Input& input) {
   const std::string path = (folder.path() / "clean.poly").string();
   const Clean before = prepare_clean(input);
   ASSERT_TRUE(write_poly(before.pslg, before.table, path));
-  const auto again = read_poly(path);
+  const auto again = read_input(path);
   ASSERT_TRUE(again) << again.error().message;
   const Clean after = prepare_clean(*again);
   EXPECT_EQ(after.pslg.points, before.pslg.points);
@@ -121,7 +121,7 @@ TEST(WritePoly, PutsNoSeedBesideARegionThatHoldsNoDouble) {
   const testing::TemporaryFolder folder;
   const std::string path = (folder.path() / "x.poly").string();
   ASSERT_TRUE(write_poly(*pslg, *table, path));
-  EXPECT_EQ(read_poly(path)->seeds.size(), 1U);
+  EXPECT_EQ(read_input(path)->seeds.size(), 1U);
 }
 
 TEST(WritePoly, LeavesNothingWhereItCannotWrite) {
