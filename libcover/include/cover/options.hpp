@@ -107,10 +107,10 @@ struct Options {
   int pieces = 6;      ///< with `paper`: exterior pieces are at most 1/pieces of the arc; >= 2
   bool hull = false;   ///< mesh the convex hull: the paper's variant for any PSLG
 
-  Angle max_angle = Angle::degrees(100);   ///< target of the quality method, in (60, 180)
-  Angle min_angle = Angle::degrees(20);    ///< second target of the quality method, in [0, 60)
-  Prefer prefer = Prefer::balanced;        ///< of the quality method
-  Effort effort = Effort::normal;          ///< of the quality method
+  Angle max_angle = Angle::degrees(100);       ///< target of the quality method, in (60, 180)
+  Angle min_angle = Angle::degrees(20);        ///< second target of the quality method, in [0, 60)
+  Prefer prefer = Prefer::balanced;            ///< of the quality method
+  Effort effort = Effort::normal;              ///< of the quality method
   Couplings couplings = Couplings::automatic;  ///< of the quality method
 
   /// Where several sizes hold, among them those of RegionSeed, the smallest counts.
