@@ -17,7 +17,6 @@
 #include <cover/write_mesh.hpp>
 
 #include "commands/commands.hpp"
-#include "commands/format_options.hpp"
 #include "commands/options.hpp"
 #include "commands/requirements.hpp"
 #include "files/dump_stages.hpp"
@@ -63,13 +62,7 @@ struct MeshCommand {
 
   void add_input_and_output() {
     input.add(app, true);
-    app.add_option(
-           "-o,--output", outputs,
-           fmt::format(
-               "File to write, several if repeated: {}; '-' is stdout, in the format of --format",
-               mesh_extensions()))
-        ->type_name("FILE")
-        ->allow_extra_args(false);
+    files.add_meshes(app, "stdout, in the format of --format");
   }
 
   void add_meshing_again() {
@@ -88,46 +81,38 @@ struct MeshCommand {
   }
 
   void add_files() {
-    const char* files = "Files";
-    app.add_option("--format", format, "Format of '-o -'")
-        ->type_name("EXT")
-        ->capture_default_str()
-        ->group(files);
-    formats.add(app, files);
-    app.add_option("--report", reports,
-                   "Write a report on every region: .json for programs, .html to read")
-        ->type_name("FILE")
-        ->allow_extra_args(false)
-        ->group(files);
+    const char* group = "Files";
+    files.add_formats(app, group)->group(group);
+    files.add_reports(app, group);
     app.add_option("--dump-stages", dump_folder,
                    "Write pictures of the disk packing into this folder (method nonobtuse)")
         ->type_name("DIR")
-        ->group(files);
+        ->group(group);
     app.add_option("--stream", stream,
                    "Keep the mesh on the disk until it is written, region by region: on, off, or "
                    "auto: a large one whose files allow it")
         ->check(one_of({"auto", "on", "off"}))
         ->type_name("WHEN")
         ->capture_default_str()
-        ->group(files);
+        ->group(group);
     app.add_flag("--keep-partial", keep_partial, "Write files even where a bound was missed")
-        ->group(files);
+        ->group(group);
     app.add_flag(
            "--dry-run", dry_run,
            "Check the input, say what would be done and estimate triangles and memory; no mesh")
-        ->group(files)
+        ->group(group)
         ->configurable(false);
   }
 
   void add_configuration() {
-    const char* files = "Files";
+    const char* group = "Files";
     app.set_config("--config", "", "Read options from a TOML file")
         ->type_name("FILE")
-        ->group(files);
+        ->group(group);
     app.allow_config_extras(CLI::config_extras_mode::error);
     app.config_formatter(std::make_shared<JobFile>(app));
     app.add_flag("--print-config", print_config, "Print these options as a --config file")
-        ->group(files)
+        ->group(group)
         ->configurable(false);
   }
 
@@ -151,21 +136,16 @@ struct MeshCommand {
                                                   : ShowProgress::automatic;
   }
   [[nodiscard]] std::vector<NamedFile> read_files() const {
-    std::vector<NamedFile> files = input.read_files();
-    files.push_back({"--onto", onto, true});
-    files.push_back(library.size_field_file());
-    files.push_back(config_file(app));
-    return files;
+    std::vector<NamedFile> read = input.read_files();
+    read.push_back({"--onto", onto, true});
+    read.push_back(library.size_field_file());
+    read.push_back(config_file(app));
+    return read;
   }
   [[nodiscard]] std::vector<NamedFile> written_files() const {
-    std::vector<NamedFile> files;
-    for (const std::string& path : outputs) files.push_back({"-o", path, true});
-    for (const std::string& path : reports) files.push_back({"--report", path});
-    files.push_back(log_file(verbosity));
-    return files;
-  }
-  [[nodiscard]] bool to_stdout() const {
-    return std::find(outputs.begin(), outputs.end(), "-") != outputs.end();
+    std::vector<NamedFile> written = files.named_files();
+    written.push_back(log_file(verbosity));
+    return written;
   }
 
   CLI::App app;
@@ -174,10 +154,7 @@ struct MeshCommand {
   GeometryFile input;
   std::vector<std::string> only;
   std::string onto;
-  std::vector<std::string> outputs;
-  std::vector<std::string> reports;
-  std::string format = "vtu";
-  FormatOptions formats;
+  OutputFiles files;
   std::string stats = "text";
   std::string progress = "auto";
   std::string dump_folder;
@@ -186,28 +163,6 @@ struct MeshCommand {
   bool dry_run = false;
   bool print_config = false;
 };
-
-struct File {
-  std::string path;
-  Writer write;
-};
-
-/// Finds out before the work whether every file can be written in the format it asks for.
-Result<std::vector<File>> plan_files(const MeshCommand& command) {
-  std::vector<File> files;
-  for (const std::string& path : command.outputs) {
-    Result<Writer> writer = path == "-" ? stdout_writer(command.format, command.formats.make())
-                                        : mesh_writer(path, command.formats.make());
-    if (!writer) return writer.error();
-    files.push_back({path, *writer});
-  }
-  for (const std::string& path : command.reports) {
-    Result<Writer> writer = report_writer(path, command.formats.make().order);
-    if (!writer) return writer.error();
-    files.push_back({path, *writer});
-  }
-  return files;
-}
 
 int dry_run(const MeshCommand& command, const Input& input, const Options& options,
             spdlog::logger& log) {
@@ -236,8 +191,7 @@ int dry_run(const MeshCommand& command, const Input& input, const Options& optio
     }
   }
   if (as_json) return exit_ok;
-  for (const auto& paths : {command.outputs, command.reports})
-    for (const std::string& path : paths) fmt::print("\nWould write {}", path);
+  for (const std::string& path : command.files.paths()) fmt::print("\nWould write {}", path);
   fmt::print("\n");
   return exit_ok;
 }
@@ -246,24 +200,11 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-int write_files(const MeshCommand& command, const std::vector<File>& files,
-                StreamedOutput& streamed, const std::stop_token& stop, spdlog::logger& log) {
+int write_files(const MeshCommand& command, StreamedOutput& streamed, const std::stop_token& stop,
+                spdlog::logger& log) {
   const auto start = std::chrono::steady_clock::now();
-  for (std::size_t k = 0; k < files.size(); ++k) {
-    const File& file = files[k];
-    WriteOptions format = command.formats.make();
-    format.stop = stop;
-    const bool is_report = k >= command.outputs.size();  // they come last
-    ProgressLine line(file.path == "-" ? ShowProgress::off : command.show_progress());
-    line.update({"write", 0, 0});
-    const Status written = !streamed.is_streamed() ? write_to(file.write, streamed.output,
-                                                              file.path, "." + command.format, stop)
-                           : is_report             ? write_report_json(streamed, file.path)
-                                       : write_streamed_mesh(streamed, file.path, format);
-    line.clear();
-    if (!written) return fail(log, written.error());
-    log.info("wrote {}", file.path == "-" ? "to standard output" : file.path);
-  }
+  const Status written = command.files.write(streamed, stop, command.show_progress(), log);
+  if (!written) return fail(log, written.error());
   streamed.output.report.times.push_back({"write", seconds_since(start)});
   return exit_ok;
 }
@@ -277,16 +218,13 @@ int print_report(const MeshCommand& command, const StreamedOutput& streamed, spd
   }
   if (command.verbosity.quiet) return exit_ok;
   // What is piped out of stdout must be the mesh alone.
-  std::FILE* to = command.to_stdout() ? stderr : stdout;
-  fmt::print(to, "{}", mesh_text(streamed, command.verbosity.verbose > 0));
-  for (const auto& paths : {command.outputs, command.reports}) {
-    for (const std::string& path : paths) {
-      if (path != "-") fmt::print(to, "Wrote {}\n", path);
-    }
-  }
-  fmt::print(
-      to, "{}",
-      group_text(streamed, command.outputs, command.formats.make(), command.verbosity.verbose > 0));
+  std::FILE* to = command.files.has_stdout() ? stderr : stdout;
+  const bool all = command.verbosity.verbose > 0;
+  fmt::print(to, "{}", mesh_text(streamed, all));
+  for (const std::string& path : command.files.paths())
+    if (path != "-") fmt::print(to, "Wrote {}\n", path);
+  fmt::print(to, "{}",
+             group_text(streamed, command.files.meshes(), command.files.write_options(), all));
   return exit_ok;
 }
 
@@ -316,10 +254,7 @@ Result<Output> mesh_again(const MeshCommand& command, const Input& input, const 
 /// Whether the files can hold what the input asks for, too.
 Status check_files_hold(const MeshCommand& command, const Input& input, const Options& options) {
   if (input.periodic.empty() && options.periodic.empty()) return ok();
-  Status status = ok();
-  for (const std::string& path : command.outputs)
-    if (status) status = can_write_periodic(path, command.formats.make());
-  return status;
+  return command.files.can_hold_periodic();
 }
 
 /// What needs the whole mesh in memory; empty if nothing does.
@@ -327,20 +262,21 @@ std::string needs_whole_mesh(const MeshCommand& command, const Input& input,
                              const Options& options) {
   if (!command.onto.empty()) return "--onto";
   if (std::string why = cover::needs_whole_mesh(input, options); !why.empty()) return why;
-  for (const std::string& path : command.outputs) {
+  const WriteOptions format = command.files.write_options();
+  for (const std::string& path : command.files.meshes()) {
     if (path == "-") return "writing to standard output";
-    if (std::string why = cover::needs_whole_mesh(path, command.formats.make()); !why.empty())
-      return why;
+    if (std::string why = cover::needs_whole_mesh(path, format); !why.empty()) return why;
   }
-  for (const std::string& path : command.reports)
+  for (const std::string& path : command.files.reports())
     if (std::filesystem::path(path).extension() == ".html") return "a report that shows the mesh";
   return {};
 }
 
 /// Whether other processes may keep their meshes until they write them.
-bool may_stay(const MeshCommand& command) {
-  return std::all_of(command.outputs.begin(), command.outputs.end(), [&](const std::string& path) {
-    return can_write_from_elsewhere(path, command.formats.make());
+bool may_stay(const OutputFiles& files) {
+  const WriteOptions format = files.write_options();
+  return std::all_of(files.meshes().begin(), files.meshes().end(), [&](const std::string& path) {
+    return can_write_from_elsewhere(path, format);
   });
 }
 
@@ -352,9 +288,9 @@ Result<StreamedOutput> make_mesh(const MeshCommand& command, Input input, const 
   if (command.stream != "off") {
     const std::string why = needs_whole_mesh(command, input, options);
     if (why.empty()) {
-      const StreamOptions stream{
-          command.outputs.empty() ? command.reports.front() : command.outputs.front(),
-          command.stream == "on" ? 0 : kManyTriangles, may_stay(command)};
+      const StreamOptions stream{command.files.paths().front(),
+                                 command.stream == "on" ? 0 : kManyTriangles,
+                                 may_stay(command.files)};
       return stream_mesh(std::move(input), options, stream, callbacks);
     }
     if (command.stream == "on")
@@ -374,7 +310,7 @@ Result<StreamedOutput> make_mesh(const MeshCommand& command, Input input, const 
 
 /// Meshes, writes, reports.
 int run(const MeshCommand& command, Input input, const Options& options,
-        const std::vector<File>& files, const OtherProcesses& others, spdlog::logger& log) {
+        const OtherProcesses& others, spdlog::logger& log) {
   Interrupt interrupt;
   ProgressLine line(command.show_progress());
   Callbacks callbacks;
@@ -406,12 +342,9 @@ int run(const MeshCommand& command, Input input, const Options& options,
   if (interrupt.token().stop_requested()) {
     return fail(log, {ErrorCode::cancelled, "interrupted; nothing was written", {}, {}});
   }
-  if (const std::string rounded =
-          files_that_round(output, command.outputs, command.format, command.formats.make());
-      !rounded.empty())
+  if (const std::string rounded = command.files.rounding(output); !rounded.empty())
     log.warn("{}", rounded);
-  if (const int code = write_files(command, files, *meshed, interrupt.token(), log);
-      code != exit_ok)
+  if (const int code = write_files(command, *meshed, interrupt.token(), log); code != exit_ok)
     return code;
   if (!command.dump_folder.empty()) {
     const Status dumped = dump_stages(packings, command.dump_folder);
@@ -436,10 +369,10 @@ int run_mesh(Arguments arguments, const OtherProcesses& others) {
     return exit_ok;
   }
   if (command.input.path().empty()) return usage_error(command.app, "no input file given");
-  if (command.outputs.empty() && command.reports.empty() && !command.dry_run) {
+  if (command.files.paths().empty() && !command.dry_run) {
     return usage_error(command.app, "nothing to write: give -o FILE, --report FILE or --dry-run");
   }
-  if (command.stats == "json" && command.to_stdout()) {
+  if (command.stats == "json" && command.files.has_stdout()) {
     return usage_error(command.app, "-o - and --stats json both write to standard output");
   }
   Result<Options> options = command.library.make();
@@ -448,8 +381,8 @@ int run_mesh(Arguments arguments, const OtherProcesses& others) {
     return usage_error(command.app,
                        "--dump-stages shows disk packings: it needs --method nonobtuse");
   }
-  const Result<std::vector<File>> files = plan_files(command);
-  if (!files) return usage_error(command.app, files.error().message);
+  if (const Status planned = command.files.plan(); !planned)
+    return usage_error(command.app, planned.error().message);
   const Status checked = check_files(command.read_files(), command.written_files());
   if (!checked) return usage_error(command.app, checked.error());
 
@@ -465,13 +398,10 @@ int run_mesh(Arguments arguments, const OtherProcesses& others) {
             input->lines.size());
   for (const std::string& option : command.library.ignored()) log->warn("{}", option);
   for (const std::string& option : command.input.ignored()) log->warn("{}", option);
-  for (const std::string& option : command.formats.ignored(command.outputs, command.format))
-    log->warn("{}", option);
-  if (const std::string lost = files_without(input->attributes, command.outputs, command.format);
-      !lost.empty())
-    log->warn("{}", lost);
+  for (const std::string& warning : command.files.warnings(input->attributes))
+    log->warn("{}", warning);
   return command.dry_run ? dry_run(command, *input, *options, *log)
-                         : run(command, *std::move(input), *options, *files, others, *log);
+                         : run(command, *std::move(input), *options, others, *log);
 }
 
 }  // namespace cover::app
