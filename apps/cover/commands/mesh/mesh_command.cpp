@@ -1,22 +1,31 @@
 // cover mesh: options, one call of cover_mesh, files, report.
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/core.h>
+#include <spdlog/logger.h>
+#include <CLI/CLI.hpp>
 
 #include <cover/cover_mesh.hpp>
 #include <cover/estimate.hpp>
+#include <cover/options.hpp>
+#include <cover/packing.hpp>
+#include <cover/progress.hpp>
 #include <cover/read_size_field.hpp>
 #include <cover/regions.hpp>
-#include <cover/remesh.hpp>
+#include <cover/result.hpp>
 #include <cover/stream_mesh.hpp>
 #include <cover/text.hpp>
 #include <cover/write_mesh.hpp>
 
 #include "commands/commands.hpp"
+#include "commands/mesh/make_mesh.hpp"
 #include "commands/options.hpp"
 #include "commands/requirements.hpp"
 #include "files/dump_stages.hpp"
@@ -25,6 +34,7 @@
 #include "files/job_file.hpp"
 #include "files/mesh_file.hpp"
 #include "files/output_files.hpp"
+#include "files/writers.hpp"
 #include "terminal/console.hpp"
 #include "terminal/interrupt.hpp"
 #include "terminal/progress_line.hpp"
@@ -68,11 +78,11 @@ struct MeshCommand {
   void add_meshing_again() {
     const char* again = "Meshing again";
     CLI::Option* only_option =
-        app.add_option("--only", only, "Mesh only these regions, called as for --size")
+        app.add_option("--only", plan.only, "Mesh only these regions, called as for --size")
             ->type_name("NAME")
             ->group(again);
     CLI::Option* onto_option =
-        app.add_option("--onto", onto,
+        app.add_option("--onto", plan.onto,
                        "Mesh of this input in which they are replaced; all else stays, bit for bit")
             ->type_name("MESH")
             ->group(again);
@@ -88,7 +98,7 @@ struct MeshCommand {
                    "Write pictures of the disk packing into this folder (method nonobtuse)")
         ->type_name("DIR")
         ->group(group);
-    app.add_option("--stream", stream,
+    app.add_option("--stream", plan.stream,
                    "Keep the mesh on the disk until it is written, region by region: on, off, or "
                    "auto: a large one whose files allow it")
         ->check(one_of({"auto", "on", "off"}))
@@ -130,6 +140,24 @@ struct MeshCommand {
     add_verbosity(app, verbosity);
   }
 
+  /// What is wrong with the words, apart from each alone; nothing where they make sense.
+  [[nodiscard]] std::optional<std::string> check_usage() const {
+    if (input.path().empty()) return "no input file given";
+    if (files.paths().empty() && !dry_run)
+      return "nothing to write: give -o FILE, --report FILE or --dry-run";
+    if (is_json() && files.has_stdout())
+      return "-o - and --stats json both write to standard output";
+    return std::nullopt;
+  }
+  /// The same with the library's options.
+  [[nodiscard]] std::optional<std::string> check_usage_with(const Options& options) const {
+    if (!dump_folder.empty() && options.method != Method::nonobtuse)
+      return "--dump-stages shows disk packings: it needs --method nonobtuse";
+    return std::nullopt;
+  }
+
+  [[nodiscard]] bool is_json() const { return stats == "json"; }
+  [[nodiscard]] bool is_verbose() const { return verbosity.verbose > 0; }
   [[nodiscard]] ShowProgress show_progress() const {
     return progress == "on"                       ? ShowProgress::on
            : progress == "off" || verbosity.quiet ? ShowProgress::off
@@ -137,7 +165,7 @@ struct MeshCommand {
   }
   [[nodiscard]] std::vector<NamedFile> read_files() const {
     std::vector<NamedFile> read = input.read_files();
-    read.push_back({"--onto", onto, true});
+    read.push_back({"--onto", plan.onto, true});
     read.push_back(library.size_field_file());
     read.push_back(config_file(app));
     return read;
@@ -152,65 +180,70 @@ struct MeshCommand {
   LibraryOptions library;
   Verbosity verbosity;
   GeometryFile input;
-  std::vector<std::string> only;
-  std::string onto;
+  MeshPlan plan;
   OutputFiles files;
   std::string stats = "text";
   std::string progress = "auto";
   std::string dump_folder;
-  std::string stream = "auto";
   bool keep_partial = false;
   bool dry_run = false;
   bool print_config = false;
 };
 
+/// The regions that a name of --only stands for.
+Result<std::vector<RegionId>> regions_called(const std::string& name, const RegionTable& table) {
+  std::vector<RegionId> regions = named_regions(table, name);
+  if (regions.empty()) return no_such_region(table, "only", name);
+  return regions;
+}
+
+int print_plan_as_json(const MeshCommand& command, const Prepared& prepared, spdlog::logger& log) {
+  fmt::print("{}\n", report_json(prepared));
+  for (const std::string& name : command.plan.only) {
+    if (const auto regions = regions_called(name, prepared.table); !regions)
+      return fail(log, regions.error());
+  }
+  return exit_ok;
+}
+
+int print_plan(const MeshCommand& command, const Prepared& prepared, const Options& options,
+               spdlog::logger& log) {
+  const Result<Estimate> all = estimate(prepared, options);
+  if (!all) return fail(log, all.error());
+  log_notes(log, all->notes);
+  fmt::print("{}{}", info_text(prepared, command.is_verbose()), estimate_text(*all));
+  for (const std::string& name : command.plan.only) {
+    const auto regions = regions_called(name, prepared.table);
+    if (!regions) return fail(log, regions.error());
+    for (const RegionId id : *regions) {
+      fmt::print("\nWould mesh region {} '{}' again in {}", id.value(),
+                 printable(prepared.table.region(id).name), command.plan.onto);
+    }
+  }
+  for (const std::string& path : command.files.paths()) fmt::print("\nWould write {}", path);
+  fmt::print("\n");
+  return exit_ok;
+}
+
 int dry_run(const MeshCommand& command, const Input& input, const Options& options,
             spdlog::logger& log) {
   const Result<Prepared> prepared = prepare(input, options);
   if (!prepared) return fail(log, prepared.error());
-  if (!command.onto.empty()) {
-    if (const Result<MeshTriangles> onto = read_triangles(command.onto, log); !onto)
+  if (!command.plan.onto.empty()) {
+    if (const auto onto = read_triangles(command.plan.onto, log); !onto)
       return fail(log, onto.error());
   }
   log_notes(log, prepared->report.notes);
-  const bool as_json = command.stats == "json";
-  if (as_json) fmt::print("{}\n", report_json(*prepared));
-  if (!as_json) {
-    const Result<Estimate> all = estimate(*prepared, options);
-    if (!all) return fail(log, all.error());
-    log_notes(log, all->notes);
-    fmt::print("{}{}", info_text(*prepared, command.verbosity.verbose > 0), estimate_text(*all));
-  }
-  for (const std::string& name : command.only) {
-    const std::vector<RegionId> regions = named_regions(prepared->table, name);
-    if (regions.empty()) return fail(log, no_such_region(prepared->table, "only", name));
-    for (const RegionId id : regions) {
-      if (as_json) continue;
-      fmt::print("\nWould mesh region {} '{}' again in {}", id.value(),
-                 printable(prepared->table.region(id).name), command.onto);
-    }
-  }
-  if (as_json) return exit_ok;
-  for (const std::string& path : command.files.paths()) fmt::print("\nWould write {}", path);
-  fmt::print("\n");
-  return exit_ok;
+  return command.is_json() ? print_plan_as_json(command, *prepared, log)
+                           : print_plan(command, *prepared, options, log);
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-int write_files(const MeshCommand& command, StreamedOutput& streamed, const std::stop_token& stop,
-                spdlog::logger& log) {
-  const auto start = std::chrono::steady_clock::now();
-  const Status written = command.files.write(streamed, stop, command.show_progress(), log);
-  if (!written) return fail(log, written.error());
-  streamed.output.report.times.push_back({"write", seconds_since(start)});
-  return exit_ok;
-}
-
 int print_report(const MeshCommand& command, const StreamedOutput& streamed, spdlog::logger& log) {
-  if (command.stats == "json") {
+  if (command.is_json()) {
     const Status written = write_to("-", ".json", [&](const std::string& target) {
       return write_report_json(streamed, target);
     });
@@ -219,144 +252,112 @@ int print_report(const MeshCommand& command, const StreamedOutput& streamed, spd
   if (command.verbosity.quiet) return exit_ok;
   // What is piped out of stdout must be the mesh alone.
   std::FILE* to = command.files.has_stdout() ? stderr : stdout;
-  const bool all = command.verbosity.verbose > 0;
-  fmt::print(to, "{}", mesh_text(streamed, all));
+  fmt::print(to, "{}", mesh_text(streamed, command.is_verbose()));
   for (const std::string& path : command.files.paths())
     if (path != "-") fmt::print(to, "Wrote {}\n", path);
   fmt::print(to, "{}",
-             group_text(streamed, command.files.meshes(), command.files.write_options(), all));
+             group_text(streamed, command.files.meshes(), command.files.write_options(),
+                        command.is_verbose()));
   return exit_ok;
 }
 
-/// Meshes parts of a mesh again.
-Result<Output> mesh_again(const MeshCommand& command, const Input& input, const Options& options,
-                          const Callbacks& callbacks, spdlog::logger& log) {
-  Result<MeshTriangles> onto = read_triangles(command.onto, log);
-  if (!onto) return std::move(onto).error();
-  if (!onto->has_materials) onto->soup.material.clear();
-  Result<Output> output = remesh(input, onto->soup, command.only, options, callbacks);
-  if (!output && output.error().code == ErrorCode::bad_option &&
-      std::any_of(command.only.begin(), command.only.end(),
-                  [](const std::string& name) { return name.find(',') != name.npos; })) {
-    Error error = std::move(output).error();
-    error.message += "; blanks separate the names of --only";
-    return error;
+/// What a run made, before any of it is written.
+struct Made {
+  StreamedOutput mesh;
+  std::vector<PackingRecord> packings;  ///< for --dump-stages
+  bool is_complete = true;              ///< no region misses its bound
+};
+
+/// Makes the mesh, and nothing else.
+Result<Made> make(const MeshCommand& command, Input input, const Options& options,
+                  const OtherProcesses& others, const std::stop_token& stop, spdlog::logger& log) {
+  std::vector<PackingRecord> packings;
+  ProgressLine line(command.show_progress());
+  Callbacks callbacks;
+  callbacks.progress = [&](const Progress& step) { line.update(step); };
+  callbacks.stop = stop;
+  callbacks.share_out = others.share_out;
+  callbacks.write_elsewhere = others.write_elsewhere;
+  if (!command.dump_folder.empty()) {
+    callbacks.packing = [&](RegionId, const PackingRecord& packing) {
+      packings.push_back(packing);
+    };
   }
-  if (output) {
-    output->report.provenance.settings.push_back({"onto", command.onto});
-  } else if (output.error().code == ErrorCode::other_mesh) {
-    return Error{ErrorCode::other_mesh, command.onto + ": " + output.error().message,
-                 output.error().where, output.error().inputs};
-  }
-  return output;
+  Result<StreamedOutput> mesh =
+      make_mesh(command.plan, command.files, std::move(input), options, callbacks, log);
+  if (!mesh) return std::move(mesh).error();
+  const bool is_complete = !missed_bound(mesh->output.report);
+  return Made{*std::move(mesh), std::move(packings), is_complete};
 }
 
-/// Whether the files can hold what the input asks for, too.
-Status check_files_hold(const MeshCommand& command, const Input& input, const Options& options) {
-  if (input.periodic.empty() && options.periodic.empty()) return ok();
-  return command.files.can_hold_periodic();
-}
-
-/// What needs the whole mesh in memory; empty if nothing does.
-std::string needs_whole_mesh(const MeshCommand& command, const Input& input,
-                             const Options& options) {
-  if (!command.onto.empty()) return "--onto";
-  if (std::string why = cover::needs_whole_mesh(input, options); !why.empty()) return why;
-  const WriteOptions format = command.files.write_options();
-  for (const std::string& path : command.files.meshes()) {
-    if (path == "-") return "writing to standard output";
-    if (std::string why = cover::needs_whole_mesh(path, format); !why.empty()) return why;
+/// Whether the mesh may be written; tells what is to be said of it.
+int judge(const MeshCommand& command, Made& made, const std::stop_token& stop,
+          spdlog::logger& log) {
+  Output& output = made.mesh.output;
+  for (Provenance::Setting& setting : command.input.settings())
+    output.report.provenance.settings.push_back(std::move(setting));
+  log_notes(log, output.report.notes);
+  for (const RegionReport& region : output.report.regions) log_notes(log, region.notes);
+  if (!made.is_complete && !command.keep_partial) {
+    log.error("{}; nothing was written (--keep-partial writes it anyway)",
+              describe_missed_bound(output));
+    return exit_incomplete;
   }
-  for (const std::string& path : command.files.reports())
-    if (std::filesystem::path(path).extension() == ".html") return "a report that shows the mesh";
-  return {};
+  if (stop.stop_requested())
+    return fail(log, {ErrorCode::cancelled, "interrupted; nothing was written", {}, {}});
+  return exit_ok;
 }
 
-/// Whether other processes may keep their meshes until they write them.
-bool may_stay(const OutputFiles& files) {
-  const WriteOptions format = files.write_options();
-  return std::all_of(files.meshes().begin(), files.meshes().end(), [&](const std::string& path) {
-    return can_write_from_elsewhere(path, format);
-  });
-}
-
-/// Makes the mesh, in memory or on the disk, or parts of it again.
-Result<StreamedOutput> make_mesh(const MeshCommand& command, Input input, const Options& options,
-                                 const Callbacks& callbacks, spdlog::logger& log) {
-  // A run in memory takes half a gigabyte for so many.
-  constexpr double kManyTriangles = 2e6;
-  if (command.stream != "off") {
-    const std::string why = needs_whole_mesh(command, input, options);
-    if (why.empty()) {
-      const StreamOptions stream{command.files.paths().front(),
-                                 command.stream == "on" ? 0 : kManyTriangles,
-                                 may_stay(command.files)};
-      return stream_mesh(std::move(input), options, stream, callbacks);
-    }
-    if (command.stream == "on")
-      return Error{ErrorCode::bad_option,
-                   fmt::format("--stream on: the whole mesh is needed in memory for {}", why),
-                   {},
-                   {}};
-    log.info("the mesh is held in memory: the whole of it is needed for {}", why);
+int write_all(const MeshCommand& command, Made& made, const std::stop_token& stop,
+              spdlog::logger& log) {
+  Output& output = made.mesh.output;
+  if (const std::string rounded = command.files.rounding(output); !rounded.empty())
+    log.warn("{}", rounded);
+  const auto start = std::chrono::steady_clock::now();
+  const Status written = command.files.write(made.mesh, stop, command.show_progress(), log);
+  if (!written) return fail(log, written.error());
+  output.report.times.push_back({"write", seconds_since(start)});
+  if (!command.dump_folder.empty()) {
+    const Status dumped = dump_stages(made.packings, command.dump_folder);
+    if (!dumped) return fail(log, dumped.error());
   }
-  Result<Output> output = command.onto.empty()
-                              ? cover_mesh(std::move(input), options, callbacks)
-                              : mesh_again(command, input, options, callbacks, log);
-  if (!output) return std::move(output).error();
-  const MeshCounts counts = count_of(output->mesh);
-  return StreamedOutput{*std::move(output), counts, nullptr};
+  return exit_ok;
+}
+
+int report_unmet(const Output& output, const Options& options, spdlog::logger& log) {
+  const std::vector<std::string> unmet = unmet_requirements(output, options);
+  for (const std::string& what : unmet) log.error("required, but not met: {}", what);
+  return unmet.empty() ? exit_ok : exit_unmet;
 }
 
 /// Meshes, writes, reports.
 int run(const MeshCommand& command, Input input, const Options& options,
         const OtherProcesses& others, spdlog::logger& log) {
   Interrupt interrupt;
-  ProgressLine line(command.show_progress());
-  Callbacks callbacks;
-  callbacks.progress = [&](const Progress& step) { line.update(step); };
-  callbacks.stop = interrupt.token();
-  callbacks.share_out = others.share_out;
-  callbacks.write_elsewhere = others.write_elsewhere;
-  std::vector<PackingRecord> packings;
-  if (!command.dump_folder.empty()) {
-    callbacks.packing = [&](RegionId, const PackingRecord& packing) {
-      packings.push_back(packing);
-    };
-  }
-  Result<StreamedOutput> meshed = make_mesh(command, std::move(input), options, callbacks, log);
-  line.clear();
-  if (!meshed) return fail(log, meshed.error());
-
-  Output& output = meshed->output;
-  for (Provenance::Setting& setting : command.input.settings())
-    output.report.provenance.settings.push_back(std::move(setting));
-  log_notes(log, output.report.notes);
-  for (const RegionReport& region : output.report.regions) log_notes(log, region.notes);
-  const bool complete = !missed_bound(output.report);
-  if (!complete && !command.keep_partial) {
-    log.error("{}; nothing was written (--keep-partial writes it anyway)",
-              describe_missed_bound(output));
-    return exit_incomplete;
-  }
-  if (interrupt.token().stop_requested()) {
-    return fail(log, {ErrorCode::cancelled, "interrupted; nothing was written", {}, {}});
-  }
-  if (const std::string rounded = command.files.rounding(output); !rounded.empty())
-    log.warn("{}", rounded);
-  if (const int code = write_files(command, *meshed, interrupt.token(), log); code != exit_ok)
+  Result<Made> made = make(command, std::move(input), options, others, interrupt.token(), log);
+  if (!made) return fail(log, made.error());
+  if (const int code = judge(command, *made, interrupt.token(), log); code != exit_ok) return code;
+  if (const int code = write_all(command, *made, interrupt.token(), log); code != exit_ok)
     return code;
-  if (!command.dump_folder.empty()) {
-    const Status dumped = dump_stages(packings, command.dump_folder);
-    if (!dumped) return fail(log, dumped.error());
-  }
   interrupt.finish();
-  if (const int code = print_report(command, *meshed, log); code != exit_ok) return code;
-  if (!complete) return exit_incomplete;
+  if (const int code = print_report(command, made->mesh, log); code != exit_ok) return code;
+  return made->is_complete ? report_unmet(made->mesh.output, options, log) : exit_incomplete;
+}
 
-  const std::vector<std::string> unmet = unmet_requirements(output, options);
-  for (const std::string& what : unmet) log.error("required, but not met: {}", what);
-  return unmet.empty() ? exit_ok : exit_unmet;
+/// Tells what was read, and what of the command line has no effect on it.
+void log_input(const MeshCommand& command, const Input& input, spdlog::logger& log) {
+  log.info("read {}: {} points, {} segments, {} polygons, {} lines", command.input.path(),
+           input.points.size(), input.segments.size(), input.polygons.size(), input.lines.size());
+  for (const std::string& option : command.library.ignored()) log.warn("{}", option);
+  for (const std::string& option : command.input.ignored()) log.warn("{}", option);
+  for (const std::string& warning : command.files.warnings(input.attributes))
+    log.warn("{}", warning);
+}
+
+/// Whether the files can hold what the input asks for, too.
+Status check_files_hold(const MeshCommand& command, const Input& input, const Options& options) {
+  if (input.periodic.empty() && options.periodic.empty()) return ok();
+  return command.files.can_hold_periodic();
 }
 
 }  // namespace
@@ -368,23 +369,15 @@ int run_mesh(Arguments arguments, const OtherProcesses& others) {
     fmt::print("{}", configuration(command.app));
     return exit_ok;
   }
-  if (command.input.path().empty()) return usage_error(command.app, "no input file given");
-  if (command.files.paths().empty() && !command.dry_run) {
-    return usage_error(command.app, "nothing to write: give -o FILE, --report FILE or --dry-run");
-  }
-  if (command.stats == "json" && command.files.has_stdout()) {
-    return usage_error(command.app, "-o - and --stats json both write to standard output");
-  }
+  if (const auto wrong = command.check_usage()) return usage_error(command.app, *wrong);
   Result<Options> options = command.library.make();
   if (!options) return usage_error(command.app, options.error().message);
-  if (!command.dump_folder.empty() && options->method != Method::nonobtuse) {
-    return usage_error(command.app,
-                       "--dump-stages shows disk packings: it needs --method nonobtuse");
-  }
+  if (const auto wrong = command.check_usage_with(*options))
+    return usage_error(command.app, *wrong);
   if (const Status planned = command.files.plan(); !planned)
     return usage_error(command.app, planned.error().message);
-  const Status checked = check_files(command.read_files(), command.written_files());
-  if (!checked) return usage_error(command.app, checked.error());
+  if (const Status checked = check_files(command.read_files(), command.written_files()); !checked)
+    return usage_error(command.app, checked.error());
 
   const auto log = make_logger(command.verbosity);
   Result<Input> input = command.input.read(options->threads, others.read_elsewhere);
@@ -393,13 +386,7 @@ int run_mesh(Arguments arguments, const OtherProcesses& others) {
     return usage_error(command.app, hold.error().message);
   if (const Status status = load_size_field(*options, *input); !status)
     return fail(*log, status.error());
-  log->info("read {}: {} points, {} segments, {} polygons, {} lines", command.input.path(),
-            input->points.size(), input->segments.size(), input->polygons.size(),
-            input->lines.size());
-  for (const std::string& option : command.library.ignored()) log->warn("{}", option);
-  for (const std::string& option : command.input.ignored()) log->warn("{}", option);
-  for (const std::string& warning : command.files.warnings(input->attributes))
-    log->warn("{}", warning);
+  log_input(command, *input, *log);
   return command.dry_run ? dry_run(command, *input, *options, *log)
                          : run(command, *std::move(input), *options, others, *log);
 }
