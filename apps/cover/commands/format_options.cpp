@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "files/output_files.hpp"
+#include "files/writers.hpp"
 
 namespace cover::app {
 

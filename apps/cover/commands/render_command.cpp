@@ -10,7 +10,7 @@
 
 #include "commands/commands.hpp"
 #include "commands/options.hpp"
-#include "files/output_files.hpp"
+#include "files/writers.hpp"
 #include "terminal/console.hpp"
 
 namespace cover::app {
@@ -44,10 +44,6 @@ void check_window(const PictureOptions& options, const std::vector<Point>& point
   if (from.x <= right->x && to.x >= left->x && from.y <= high->y && to.y >= low->y) return;
   log.warn("the window shows nothing: the mesh lies between {} and {}",
            describe(Point{left->x, low->y}), describe(Point{right->x, high->y}));
-}
-
-std::string extension_of(const std::string& output, const std::string& format) {
-  return output == "-" ? "." + format : std::filesystem::path(output).extension().string();
 }
 
 /// What the command line says.
@@ -132,7 +128,7 @@ int run_render(Arguments arguments) {
 
   std::vector<NamedFile> written{log_file(asked.verbosity)};
   for (const std::string& output : asked.outputs) {
-    const std::string extension = extension_of(output, asked.format);
+    const std::string extension = extension_of_output(output, asked.format);
     if (extension != ".svg" && extension != ".png")
       return usage_error(app, fmt::format("cannot draw '{}': possible are .svg, .png", output));
     written.push_back({"-o", output});
@@ -151,7 +147,7 @@ int run_render(Arguments arguments) {
         fmt::format("{}: {} triangles", name, grouped(picture->mesh.soup.triangles.size()));
   }
   for (const std::string& output : asked.outputs) {
-    const Status drawn = draw(*picture, options, output, extension_of(output, asked.format));
+    const Status drawn = draw(*picture, options, output, extension_of_output(output, asked.format));
     if (!drawn) return fail(*log, drawn.error());
     if (!asked.verbosity.quiet && output != "-") fmt::print("Wrote {}\n", output);
   }

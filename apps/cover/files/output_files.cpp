@@ -1,176 +1,120 @@
+// Tested by tests/unit/app/output_files_test.cpp.
 #include "files/output_files.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstdio>
-#include <filesystem>
-#include <memory>
-#include <system_error>
+#include <cstddef>
+#include <utility>
 
 #include <fmt/core.h>
 
-#include <cover/files.hpp>
-#include <cover/picture.hpp>
 #include <cover/text.hpp>
 #include <cover/write_mesh.hpp>
-
-#include "files/temporary_folder.hpp"
-#include "page/html_report.hpp"
-#include "terminal/console.hpp"
 
 namespace cover::app {
 namespace {
 
-struct Format {
-  std::string extension;
-  Writer write;
-};
+/// A file as messages name it.
+std::string name_of(const std::string& path) { return path == "-" ? "standard output" : path; }
 
-/// The picture that `cover render` makes, with the names that only the run knows.
-template <auto Draw, int Order>
-Status draw_with(const Output& output, const std::string& path, const std::stop_token&) {
-  PictureOptions options;
-  options.title = fmt::format("{}: {} triangles", std::filesystem::path(path).stem().string(),
-                              grouped(output.report.quality.triangles));
-  return Draw(picture_of(output, Order), options, path);
-}
-
-const std::vector<Format>& picture_formats(int order = 1) {
-  static const std::vector<Format> formats{{".svg", draw_with<write_svg, 1>},
-                                           {".png", draw_with<write_png, 1>}},
-      curved{{".svg", draw_with<write_svg, 2>}, {".png", draw_with<write_png, 2>}};
-  return order == 2 ? curved : formats;
-}
-
-Status report_as_json(const Output& output, const std::string& path, const std::stop_token&) {
-  return write_report_json(output, path);
-}
-
-template <int Order>
-Status page_with(const Output& output, const std::string& path, const std::stop_token&) {
-  return write_report_html(output, path, Order);
-}
-
-const std::vector<Format>& report_formats(int order) {
-  static const std::vector<Format> formats{{".json", report_as_json}, {".html", page_with<1>}},
-      curved{{".json", report_as_json}, {".html", page_with<2>}};
-  return order == 2 ? curved : formats;
-}
-
-std::string extensions(const std::vector<Format>& formats) {
-  std::vector<std::string> names;
-  for (const Format& format : formats) names.push_back(format.extension);
-  return listed(names);
-}
-
-Result<Writer> find(const std::vector<Format>& formats, const std::string& path) {
-  const std::string extension = std::filesystem::path(path).extension();
-  for (const Format& format : formats) {
-    if (format.extension == extension) return format.write;
-  }
-  return Error{ErrorCode::unsupported_format,
-               fmt::format("cannot write '{}': {}; possible are {}", path,
-                           extension.empty() ? "the name has no extension that tells the format"
-                                             : fmt::format("unknown format '{}'", extension),
-                           extensions(formats)),
-               {},
-               {}};
-}
-
-struct Close {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using OpenFile = std::unique_ptr<std::FILE, Close>;
-
-/// By errno, where a call has set it.
-Error stdout_failed() {
-  const std::string why = errno != 0 ? ": " + std::generic_category().message(errno) : "";
-  return {ErrorCode::cannot_write, "cannot write to standard output" + why, {}, {}};
-}
-
-Status copy_to_stdout(std::FILE* file) {
-  std::array<char, 65536> buffer;
-  bool good = true;
-  errno = 0;
-  for (std::size_t n = 0; good && (n = std::fread(buffer.data(), 1, buffer.size(), file)) > 0;) {
-    good = std::fwrite(buffer.data(), 1, n, stdout) == n;
-  }
-  return good && std::fflush(stdout) == 0 ? ok() : Status(stdout_failed());
+bool is_among(const std::vector<std::string>& all, const std::string& extension) {
+  return std::find(all.begin(), all.end(), extension) != all.end();
 }
 
 }  // namespace
 
-Result<Writer> mesh_writer(const std::string& path, const WriteOptions& options) {
-  if (Result<Writer> picture = find(picture_formats(options.order), path)) return picture;
-  if (Status status = can_write(path, options); !status) {
-    Error error = std::move(status).error();
-    if (error.code == ErrorCode::unsupported_format) {
-      error.message += fmt::format(", {}", extensions(picture_formats()));
-    }
-    return error;
+CLI::Option* OutputFiles::add_meshes(CLI::App& command, const char* on_stdout) {
+  return command
+      .add_option("-o,--output", meshes_,
+                  fmt::format("File to write, several if repeated: {}; '-' is {}",
+                              mesh_extensions(), on_stdout))
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+}
+
+CLI::Option* OutputFiles::add_formats(CLI::App& command, const char* group) {
+  CLI::Option* format = command.add_option("--format", format_, "Format of '-o -'")
+                            ->type_name("EXT")
+                            ->capture_default_str();
+  formats_.add(command, group);
+  return format;
+}
+
+void OutputFiles::add_reports(CLI::App& command, const char* group) {
+  command
+      .add_option("--report", reports_,
+                  "Write a report on every region: .json for programs, .html to read")
+      ->type_name("FILE")
+      ->allow_extra_args(false)
+      ->group(group);
+}
+
+std::vector<std::string> OutputFiles::paths() const {
+  std::vector<std::string> all = meshes_;
+  all.insert(all.end(), reports_.begin(), reports_.end());
+  return all;
+}
+
+std::vector<NamedFile> OutputFiles::named_files() const {
+  std::vector<NamedFile> files;
+  for (const std::string& path : meshes_) files.push_back({"-o", path, true});
+  for (const std::string& path : reports_) files.push_back({"--report", path});
+  return files;
+}
+
+bool OutputFiles::has_stdout() const { return is_among(meshes_, "-"); }
+
+Status OutputFiles::plan() {
+  const WriteOptions options = write_options();
+  planned_.clear();
+  for (const std::string& path : meshes_) {
+    Result<Writer> writer =
+        path == "-" ? stdout_writer(format_, options) : mesh_writer(path, options);
+    if (!writer) return std::move(writer).error();
+    planned_.push_back({path, *std::move(writer), false});
   }
-  return Writer(
-      [options](const Output& output, const std::string& target, const std::stop_token& stop) {
-        WriteOptions stopped = options;
-        stopped.stop = stop;
-        return write_mesh(output, target, stopped);
-      });
+  for (const std::string& path : reports_) {
+    Result<Writer> writer = report_writer(path, options.order);
+    if (!writer) return std::move(writer).error();
+    planned_.push_back({path, *std::move(writer), true});
+  }
+  return ok();
 }
 
-Result<Writer> stdout_writer(const std::string& format, const WriteOptions& options) {
-  if (is_several_files("stdout." + format, options))
-    return Error{ErrorCode::bad_option,
-                 fmt::format("a mesh in .{}{} is more than one file: give -o a name for it", format,
-                             options.parts > 1  ? " in parts"
-                             : format == "xdmf" ? " with HDF5"
-                                                : ""),
-                 {},
-                 {}};
-  return mesh_writer("stdout." + format, options);
+Status OutputFiles::can_hold_periodic() const {
+  Status status = ok();
+  for (const std::string& path : meshes_)
+    if (status) status = can_write_periodic(path, write_options());
+  return status;
 }
 
-Result<Writer> report_writer(const std::string& path, int order) {
-  return find(report_formats(order), path);
+std::vector<std::string> OutputFiles::warnings(const std::vector<Attribute>& attributes) const {
+  std::vector<std::string> sentences = formats_.ignored(meshes_, format_);
+  if (std::string lost = attributes_lost(attributes); !lost.empty())
+    sentences.push_back(std::move(lost));
+  return sentences;
 }
 
-std::string mesh_extensions() {
-  return fmt::format("{}, {}", listed(write_formats()), extensions(picture_formats()));
-}
-
-std::string extension_of_output(const std::string& path, const std::string& format) {
-  return path == "-" ? "." + format : std::filesystem::path(path).extension().string();
-}
-
-std::string files_without(const std::vector<Attribute>& attributes,
-                          const std::vector<std::string>& outputs, const std::string& format) {
+std::string OutputFiles::attributes_lost(const std::vector<Attribute>& attributes) const {
   const std::vector<std::string> holding = attribute_formats();
-  const std::vector<std::string> meshes = write_formats();
-  const auto is_among = [](const std::vector<std::string>& all, const std::string& extension) {
-    return std::find(all.begin(), all.end(), extension) != all.end();
-  };
+  const std::vector<std::string> known = write_formats();
   std::vector<std::string> names, without;
   for (const Attribute& attribute : attributes) names.push_back(attribute.name);
-  for (const std::string& path : outputs) {
-    const std::string extension = extension_of_output(path, format);
-    if (extension == ".json") return {};
-    const bool is_mesh = is_among(meshes, extension) && extension != ".poly";
-    if (is_mesh && !is_among(holding, extension))
-      without.push_back(path == "-" ? "standard output" : path);
+  for (const std::string& path : meshes_) {
+    const std::string extension = extension_of_output(path, format_);
+    if (extension == ".json") return {};  // a manifest, which holds them
+    const bool is_mesh = is_among(known, extension) && extension != ".poly";
+    if (is_mesh && !is_among(holding, extension)) without.push_back(name_of(path));
   }
   if (names.empty() || without.empty()) return {};
   return fmt::format("attributes ({}) are not in {}: formats that hold them are {}", listed(names),
                      listed(without), listed(holding));
 }
 
-std::string files_that_round(const Output& output, const std::vector<std::string>& outputs,
-                             const std::string& format, const WriteOptions& options) {
+std::string OutputFiles::rounding(const Output& output) const {
   std::vector<std::string> decks;
-  for (const std::string& path : outputs) {
-    if (extension_of_output(path, format) == ".inp")
-      decks.push_back(path == "-" ? "standard output" : path);
-  }
-  const std::size_t rounded = decks.empty() ? 0 : points_rounded_by_inp(output, options);
+  for (const std::string& path : meshes_)
+    if (extension_of_output(path, format_) == ".inp") decks.push_back(name_of(path));
+  const std::size_t rounded = decks.empty() ? 0 : points_rounded_by_inp(output, write_options());
   if (rounded == 0) return {};
   return fmt::format(
       "{} in {} {} rounded: readers of .inp take 20 characters of a coordinate; other formats keep "
@@ -178,25 +122,37 @@ std::string files_that_round(const Output& output, const std::vector<std::string
       counted(rounded, "point"), listed(decks), rounded == 1 ? "is" : "are");
 }
 
-Status write_to(const std::string& path, const std::string& extension,
-                const std::function<Status(const std::string&)>& write) {
-  if (path != "-") return write(path);
-  OpenFile file;
-  {
-    const auto folder = temporary_folder("cover-stdout");
-    if (!folder) return folder.error();
-    const std::string name = folder->path() / ("stdout" + extension);
-    if (Status written = write(name); !written) return written;
-    file.reset(std::fopen(name.c_str(), "rb"));
-  }
-  // The folder is gone already: whoever stops reading ends the program in the middle of this.
-  return file ? copy_to_stdout(file.get()) : Status(stdout_failed());
+Status OutputFiles::write(const Output& output, const std::stop_token& stop, ShowProgress show,
+                          spdlog::logger& log) const {
+  const auto write_it = [&](const Planned& file) {
+    return write_to(file.write, output, file.path, "." + format_, stop);
+  };
+  return write_each(write_it, show, log);
 }
 
-Status write_to(const Writer& writer, const Output& output, const std::string& path,
-                const std::string& extension, const std::stop_token& stop) {
-  return write_to(path, extension,
-                  [&](const std::string& target) { return writer(output, target, stop); });
+Status OutputFiles::write(const StreamedOutput& streamed, const std::stop_token& stop,
+                          ShowProgress show, spdlog::logger& log) const {
+  if (!streamed.is_streamed()) return write(streamed.output, stop, show, log);
+  WriteOptions options = write_options();
+  options.stop = stop;
+  const auto write_it = [&](const Planned& file) {
+    return file.is_report ? write_report_json(streamed, file.path)
+                          : write_streamed_mesh(streamed, file.path, options);
+  };
+  return write_each(write_it, show, log);
+}
+
+Status OutputFiles::write_each(const std::function<Status(const Planned&)>& write,
+                               ShowProgress show, spdlog::logger& log) const {
+  for (const Planned& file : planned_) {
+    ProgressLine line(file.path == "-" ? ShowProgress::off : show);
+    line.update({"write", 0, 0});
+    Status written = write(file);
+    line.clear();
+    if (!written) return written;
+    log.info("wrote {}", file.path == "-" ? "to standard output" : file.path);
+  }
+  return ok();
 }
 
 }  // namespace cover::app

@@ -1,56 +1,96 @@
-// Output files: which writer belongs to which extension, and `-` for stdout.
+// The files that a command writes: where, in which formats, and what these cannot hold.
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
+#include <spdlog/logger.h>
+#include <CLI/CLI.hpp>
+
+#include <cover/attribute.hpp>
 #include <cover/output.hpp>
 #include <cover/result.hpp>
-#include <cover/write_mesh.hpp>
+#include <cover/stream_mesh.hpp>
+#include <cover/write_options.hpp>
+
+#include "commands/format_options.hpp"
+#include "files/file_check.hpp"
+#include "files/writers.hpp"
+#include "terminal/progress_line.hpp"
 
 namespace cover::app {
 
-/// Writes one kind of file; a requested stop ends that with `cancelled`.
-using Writer =
-    std::function<Status(const Output&, const std::string& path, const std::stop_token& stop)>;
+/// The options that name files of meshes and reports and say what they are like. CLI11 points into
+/// it: it stays where it is.
+class OutputFiles {
+ public:
+  OutputFiles() = default;
+  OutputFiles(const OutputFiles&) = delete;
+  OutputFiles& operator=(const OutputFiles&) = delete;
 
-/// The writer for what `path` ends in.
-/// Errors: unsupported_format, naming what is possible; bad_option where the format cannot do what
-///         `options` ask for.
-Result<Writer> mesh_writer(const std::string& path, const WriteOptions& options);
+  /// Adds -o and returns it; `on_stdout` is what its help says of '-'.
+  CLI::Option* add_meshes(CLI::App& command, const char* on_stdout);
+  /// Adds --format, which it returns, and the options of formats.
+  CLI::Option* add_formats(CLI::App& command, const char* group);
+  /// Adds --report.
+  void add_reports(CLI::App& command, const char* group);
 
-/// The same for standard output, in the format of the extension `format`, which has no dot.
-/// Errors: also bad_option for formats of several files.
-Result<Writer> stdout_writer(const std::string& format, const WriteOptions& options);
+  [[nodiscard]] const std::vector<std::string>& meshes() const { return meshes_; }
+  [[nodiscard]] const std::vector<std::string>& reports() const { return reports_; }
+  /// Meshes and, behind them, reports: in the order in which they are written.
+  [[nodiscard]] std::vector<std::string> paths() const;
+  /// The same with the options that name them.
+  [[nodiscard]] std::vector<NamedFile> named_files() const;
+  /// Whether a mesh goes to standard output.
+  [[nodiscard]] bool has_stdout() const;
+  /// What the options of formats say.
+  [[nodiscard]] WriteOptions write_options() const { return formats_.make(); }
 
-/// The writer of a --report file, for a mesh of first or second order.
-/// Errors: unsupported_format
-Result<Writer> report_writer(const std::string& path, int order = 1);
+  /// Finds out before the work whether every file can be written in the format that it asks for.
+  ///
+  /// Errors: unsupported_format, bad_option
+  Status plan();
+  /// Whether the files can hold periodic sides.
+  ///
+  /// Errors: bad_option
+  [[nodiscard]] Status can_hold_periodic() const;
 
-/// The extensions that mesh_writer knows, for help texts.
-std::string mesh_extensions();
+  /// What is lost without harm, a sentence each: options that do nothing, `attributes` that stand
+  /// in no manifest and that a file cannot hold.
+  [[nodiscard]] std::vector<std::string> warnings(const std::vector<Attribute>& attributes) const;
+  /// Where a file cannot hold all digits of coordinates: a sentence that tells; else empty.
+  [[nodiscard]] std::string rounding(const Output& output) const;
 
-/// The extension that tells the format of an output, with its dot; `format`: of standard output,
-/// without.
-std::string extension_of_output(const std::string& path, const std::string& format);
+  /// Writes all files in turn; the log tells of each, and so does a line on stderr, if it is shown.
+  ///
+  /// REQUIRES: plan() was successful
+  /// Errors:   cannot_write; cancelled
+  [[nodiscard]] Status write(const Output& output, const std::stop_token& stop, ShowProgress show,
+                             spdlog::logger& log) const;
+  /// The same of a mesh that may be on the disk.
+  ///
+  /// Errors: also bad_option, as write_streamed_mesh()
+  [[nodiscard]] Status write(const StreamedOutput& streamed, const std::stop_token& stop,
+                             ShowProgress show, spdlog::logger& log) const;
 
-/// Where there are `attributes` and files of `outputs` hold none, nor is there a manifest, which
-/// does: a sentence that tells; else empty. `format`: of standard output, without its dot.
-std::string files_without(const std::vector<Attribute>& attributes,
-                          const std::vector<std::string>& outputs, const std::string& format);
+ private:
+  struct Planned {
+    std::string path;
+    Writer write;
+    bool is_report = false;
+  };
 
-/// Where a file of `outputs` cannot hold all digits of coordinates: a sentence that tells; else
-/// empty. `format`: of standard output, without its dot.
-std::string files_that_round(const Output& output, const std::vector<std::string>& outputs,
-                             const std::string& format, const WriteOptions& options);
+  [[nodiscard]] std::string attributes_lost(const std::vector<Attribute>& attributes) const;
+  [[nodiscard]] Status write_each(const std::function<Status(const Planned&)>& write,
+                                  ShowProgress show, spdlog::logger& log) const;
 
-/// Writes to `path`; `-` is stdout, where `extension`, with its dot, tells the format.
-Status write_to(const std::string& path, const std::string& extension,
-                const std::function<Status(const std::string&)>& write);
-Status write_to(const Writer& writer, const Output& output, const std::string& path,
-                const std::string& extension, const std::stop_token& stop = {});
+  std::vector<std::string> meshes_;
+  std::vector<std::string> reports_;
+  std::string format_ = "vtu";  ///< of standard output, without its dot
+  FormatOptions formats_;
+  std::vector<Planned> planned_;
+};
 
 }  // namespace cover::app

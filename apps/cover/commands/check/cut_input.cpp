@@ -1,0 +1,118 @@
+// Tested by tests/unit/app/cut_input_test.cpp, tests/cli/check_test.py.
+#include "commands/check/cut_input.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include <cover/read_mesh.hpp>
+#include <cover/remesh.hpp>
+#include <cover/result.hpp>
+
+namespace cover::app {
+namespace {
+
+/// Whether all is well where segments are cut: numbers of materials have no part in that.
+bool is_sound_but_for_materials(const Verification& found) {
+  return std::all_of(found.violations.begin(), found.violations.end(),
+                     [](const Violation& violation) { return violation.promise == 4; });
+}
+
+/// Whether the mesh is sound but for vertices inside segments, angles, and materials.
+bool is_split_only(const Verification& found, const Prepared& prepared, const TriangleSoup& mesh,
+                   VerifyOptions verify) {
+  const auto is_split = [](const Violation& violation) { return violation.promise == 1; };
+  if (verify.allow_split ||
+      std::none_of(found.violations.begin(), found.violations.end(), is_split))
+    return false;
+  verify.allow_split = true;
+  return is_sound_but_for_materials(verify_cover(prepared.pslg, prepared.table, mesh, verify));
+}
+
+/// What is found on an input that was cut.
+struct CheckedPieces {
+  CutInput input;
+  Verification found;
+};
+
+/// Where a mesh is sound but for materials and for vertices on arcs, which are beside their chords:
+/// the input with these vertices, on which all promises hold.
+std::optional<CheckedPieces> cut_on_arcs(const Verification& found, const Prepared& prepared,
+                                         const TriangleSoup& mesh, const VerifyOptions& verify) {
+  if (found.violations.empty() || prepared.pslg.circles.empty()) return std::nullopt;
+  CheckedPieces cut{cut_as(prepared, mesh), {}};
+  if (cut.input.points == 0) return std::nullopt;
+  cut.found = verify_cover(cut.input.pslg, cut.input.table, mesh, verify);
+  if (!is_sound_but_for_materials(cut.found)) return std::nullopt;
+  return cut;
+}
+
+/// What made the run that wrote the mesh cut segments, as its manifest or the mesh itself tells;
+/// else empty.
+std::string cutting_option(const std::string& path, const MeshTriangles& mesh) {
+  std::string by_itself = mesh.cut_vertices > 0 ? "its field data say so" : "";
+  const Result<Output> known = read_output(path);
+  if (!known) return by_itself;
+  if (by_itself.empty() && known->report.input_points < known->pslg.points.size())
+    by_itself = "its file says so";
+  for (const auto& [name, value] : known->report.provenance.settings) {
+    if (name == "split-interfaces" || name == "box-method" ||
+        (name == "method" && value == "nonobtuse"))
+      return fmt::format("--{} {}", name, value);
+  }
+  return by_itself;
+}
+
+/// Of what is found on a mesh that is sound but for `points` in its segments: each cut one once,
+/// and what is found on the input that is cut likewise, materials. All else follows from the cuts.
+void keep_cut_segments(Verification& found, const Verification& on_pieces, std::size_t points) {
+  std::vector<Violation> cut;
+  for (Violation& violation : found.violations) {
+    const bool is_cut = violation.promise == 1;
+    const bool is_known = std::any_of(cut.begin(), cut.end(), [&](const Violation& other) {
+      return std::is_permutation(other.where.begin(), other.where.end(), violation.where.begin(),
+                                 violation.where.end());
+    });
+    if (is_cut && !is_known) cut.push_back(std::move(violation));
+  }
+  found.violations = std::move(cut);
+  found.violations.insert(found.violations.end(), on_pieces.violations.begin(),
+                          on_pieces.violations.end());
+  found.violation_count =
+      on_pieces.segments_whole - points - found.segments_whole + on_pieces.violation_count;
+}
+
+}  // namespace
+
+CutInput cut_as(const Prepared& prepared, const TriangleSoup& mesh) {
+  CutInput cut{prepared.pslg, prepared.table, 0};
+  cut.points = adopt_cuts(cut.pslg, cut.table, mesh);
+  return cut;
+}
+
+std::optional<OwnCuts> take_own_cuts(const std::string& path, const MeshTriangles& mesh,
+                                     const VerifyOptions& verify, Prepared& prepared,
+                                     Verification& found) {
+  std::optional<CheckedPieces> pieces = cut_on_arcs(found, prepared, mesh.soup, verify);
+  const bool are_on_arcs = pieces.has_value();
+  if (!pieces && is_split_only(found, prepared, mesh.soup, verify)) {
+    pieces = CheckedPieces{cut_as(prepared, mesh.soup), {}};
+    pieces->found = verify_cover(pieces->input.pslg, pieces->input.table, mesh.soup, verify);
+  }
+  if (!pieces) return std::nullopt;
+  OwnCuts cuts{pieces->input.points, are_on_arcs, true, cutting_option(path, mesh),
+               pieces->found.violations.empty()};
+  cuts.are_meant = verify.allow_split || !cuts.option.empty();
+  if (cuts.are_meant) {
+    found = std::move(pieces->found);
+    prepared.pslg = std::move(pieces->input.pslg);
+    prepared.table = std::move(pieces->input.table);
+  } else {
+    keep_cut_segments(found, pieces->found, pieces->input.points);
+  }
+  return cuts;
+}
+
+}  // namespace cover::app

@@ -1,0 +1,177 @@
+// Tested by tests/unit/app/check_text_test.cpp.
+#include "words/check_text.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include <fmt/core.h>
+
+#include <cover/limits.hpp>
+#include <cover/periodic.hpp>
+#include <cover/point.hpp>
+#include <cover/report.hpp>
+#include <cover/text.hpp>
+
+#include "terminal/console.hpp"
+#include "words/limits_text.hpp"
+
+namespace cover::app {
+namespace {
+
+/// For scripts and large views: a message names the first of its places itself.
+std::string places_text(std::span<const Point> places) {
+  std::string text;
+  for (const Point& p : places) text += fmt::format("    at ({:.17g}, {:.17g})\n", p.x, p.y);
+  return text;
+}
+
+/// Of `count` violations no more need be shown.
+std::string and_more(std::size_t count, std::size_t shown) {
+  return count > shown ? fmt::format("... and {} more\n", grouped(count - shown)) : "";
+}
+
+std::string obtuse_triangles(const Verification& found) {
+  std::string text = fmt::format("{} obtuse triangles", grouped(found.obtuse));
+  if (found.obtuse_by_rounding > 0)
+    text += fmt::format(", {} more by no more than rounding of coordinates",
+                        grouped(found.obtuse_by_rounding));
+  return text;
+}
+
+}  // namespace
+
+std::string violations_text(const Verification& found) {
+  std::string text;
+  for (const Violation& violation : found.violations) {
+    const char* const what = violation.promise == 4 ? " (materials)" : "";
+    text += fmt::format("FAILED promise {}{}: {}\n", violation.promise, what,
+                        printable(violation.message)) +
+            places_text(violation.where);
+  }
+  return text + and_more(found.violation_count, found.violations.size());
+}
+
+std::string sound_text(const Verification& found, std::size_t triangles) {
+  std::string text =
+      fmt::format("{}: {} triangles, {} region{}, {} segments whole",
+                  found.unchecked.empty() ? "Every promise holds" : "All that was checked holds",
+                  grouped(triangles), grouped(found.regions), found.regions == 1 ? "" : "s",
+                  grouped(found.segments_whole));
+  if (found.within_rounding > 0) {
+    text += fmt::format("; {} of the regions meet the bound up to the rounding of coordinates",
+                        grouped(found.within_rounding));
+  }
+  text += "\n";
+  LimitCounts limits;
+  for (const RegionLimits& region : found.limits) limits.add(region);
+  if (const std::string counts = limits_text(limits); !counts.empty())
+    text += fmt::format("Regions beside their targets and proven limits: {}\n", counts);
+  for (const std::string& what : found.unchecked)
+    text += fmt::format("Not checked: {}\n", printable(what));
+  return text;
+}
+
+std::string cuts_text(const OwnCuts& cuts) {
+  if (!cuts.are_meant) {
+    const char* const all_else = cuts.are_pieces_sound ? "all else" : "all else but materials";
+    return cuts.are_on_arcs
+               ? fmt::format(
+                     "Segments are cut at {} points, those of arcs on their circles; {} is sound. "
+                     "If they were to be cut, as by --split-interfaces, add --allow-split\n",
+                     grouped(cuts.points), all_else)
+               : fmt::format(
+                     "Segments have vertices inside; {} is sound. If they were to be cut, as by "
+                     "--split-interfaces, --box-method or --method nonobtuse, add --allow-split\n",
+                     all_else);
+  }
+  return cuts.are_on_arcs
+             ? fmt::format("Segments are cut at {} points, those of arcs on their circles{}{}\n",
+                           grouped(cuts.points), cuts.option.empty() ? "" : ": ", cuts.option)
+             : fmt::format("Segments are cut at {} by the run itself: {}\n",
+                           counted(cuts.points, "point"), cuts.option);
+}
+
+std::string missing_text(std::size_t points) {
+  if (points == 0) return {};
+  return fmt::format(
+      "{} of the input missing in the mesh. If the run that made it moved them, repeat its --weld, "
+      "--overlap, --scale or --crs here\n",
+      counted(points, "point"));
+}
+
+std::string in_void_text(std::size_t triangles) {
+  if (triangles == 0) return {};
+  return fmt::format(
+      "{} along segments in the void. If the mesh is to cover the convex hull, add --hull\n",
+      triangles == 1 ? "1 triangle lies" : fmt::format("{} triangles lie", grouped(triangles)));
+}
+
+std::string couplings_text(const Verification& found) {
+  constexpr std::size_t kListed = 20;
+  using Kind = NegativeCoupling::Kind;
+  const auto& all = found.negative_couplings;
+  const auto count = [&](Kind kind) {
+    return grouped(static_cast<std::size_t>(std::count_if(
+        all.begin(), all.end(), [&](const NegativeCoupling& c) { return c.kind == kind; })));
+  };
+  if (all.empty())
+    return fmt::format("Box method: no negative coupling; {}\n", obtuse_triangles(found));
+  std::string text = fmt::format(
+      "FAILED box method: {} negative couplings: {} on inner edges, {} on sides that a "
+      "vertex of the boundary encroaches, {}{} on other sides\n",
+      grouped(all.size()), count(Kind::inside), count(Kind::encroached),
+      count(Kind::forced) == "0"
+          ? ""
+          : fmt::format("{} that the bound on angles forces, ", count(Kind::forced)),
+      count(Kind::given_up));
+  text += fmt::format("    {}\n", obtuse_triangles(found));
+  for (std::size_t k = 0; k < std::min(kListed, all.size()); ++k) {
+    const NegativeCoupling& c = all[k];
+    text +=
+        fmt::format("    region {}: {} from {} to {}, {} {}\n", c.region.value(),
+                    c.kind == Kind::inside ? "inner edge" : "side", describe(c.a), describe(c.b),
+                    c.kind == Kind::encroached ? "encroached by" : "seen from", describe(c.apex));
+  }
+  if (all.size() > kListed)
+    text += fmt::format("    ... and {} more\n", grouped(all.size() - kListed));
+  return text;
+}
+
+std::string curved_violations_text(const CurvedVerification& found) {
+  std::string text;
+  for (const Violation& violation : found.violations)
+    text +=
+        fmt::format("FAILED second order: {}\n", violation.message) + places_text(violation.where);
+  return text + and_more(found.violation_count, found.violations.size());
+}
+
+std::string curved_sound_text(const CurvedVerification& found) {
+  return fmt::format(
+      "Second order: every Jacobian is positive everywhere; {} edges lie on arcs{}\n",
+      grouped(found.on_arcs),
+      found.straight == 0 ? "" : fmt::format(", {} of arcs are straight", grouped(found.straight)));
+}
+
+std::string periodic_text(const PeriodicRule& rule, const Result<std::size_t>& pairs) {
+  if (!pairs)
+    return fmt::format("FAILED {}\n", pairs.error().message) + places_text(pairs.error().where);
+  return fmt::format("Periodic: {} pairs of vertices on {}, none without a partner\n",
+                     grouped(*pairs), describe(rule));
+}
+
+std::string layers_text(const LayersFound& layers, const std::string& line,
+                        const std::string& region, bool is_met) {
+  std::string text =
+      fmt::format("{}Layers along '{}' in '{}': ", is_met ? "" : "FAILED ", line, region);
+  if (layers.layered == 0)
+    return text + fmt::format("none over {}\n", counted(layers.edges, "edge"));
+  return text + fmt::format(
+                    "{} to {} over {} of {}; the first {:.10g} to {:.10g} thick, all {:.10g}; {} "
+                    "triangles, largest angle {:.6f}, {} above 90 degrees; {}\n",
+                    layers.fewest, layers.most, grouped(layers.layered),
+                    counted(layers.edges, "edge"), layers.first_least, layers.first_most,
+                    layers.thickness, grouped(layers.triangles), layers.largest.in_degrees(),
+                    grouped(layers.above_90), counted(layers.negative, "negative coupling"));
+}
+
+}  // namespace cover::app

@@ -1,0 +1,45 @@
+// What a check found, in words. Each text ends its last line; it is empty where there is nothing to
+// say.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include <cover/options.hpp>
+#include <cover/result.hpp>
+#include <cover/verify.hpp>
+#include <cover/verify_curved.hpp>
+#include <cover/verify_layers.hpp>
+
+#include "commands/check/cut_input.hpp"
+
+namespace cover::app {
+
+/// The broken promises, a line each and lines with the places.
+std::string violations_text(const Verification& found);
+/// Of a mesh of so many triangles that breaks no promise: what was checked, and what was not.
+std::string sound_text(const Verification& found, std::size_t triangles);
+
+/// How segments are cut; where nobody meant that: how to allow it.
+std::string cuts_text(const OwnCuts& cuts);
+/// So many points of the input are no vertices: which options may have moved them.
+std::string missing_text(std::size_t points);
+/// So many sides have a triangle of the void beside them: which option allows that.
+std::string in_void_text(std::size_t triangles);
+
+/// The negative couplings of the box method, the first of them one by one.
+std::string couplings_text(const Verification& found);
+
+/// What is wrong with middle nodes.
+std::string curved_violations_text(const CurvedVerification& found);
+/// Of middle nodes with which nothing is wrong.
+std::string curved_sound_text(const CurvedVerification& found);
+
+/// The number of pairs on periodic sides, or why there are not enough.
+std::string periodic_text(const PeriodicRule& rule, const Result<std::size_t>& pairs);
+
+/// The rows of triangles along a line in a region, which are as they should be or not.
+std::string layers_text(const LayersFound& layers, const std::string& line,
+                        const std::string& region, bool is_met);
+
+}  // namespace cover::app

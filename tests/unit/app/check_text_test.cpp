@@ -1,0 +1,99 @@
+// Sentences of a check.
+#include "words/check_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace cover::app {
+namespace {
+
+TEST(CheckText, PlacesFollowTheirViolation) {
+  Verification found;
+  EXPECT_EQ(violations_text(found), "");
+  found.violations = {{1, "no vertex", {{0.5, 1}}}, {4, "wrong", {}}};
+  found.violation_count = 1002;
+  EXPECT_EQ(violations_text(found),
+            "FAILED promise 1: no vertex\n    at (0.5, 1)\n"
+            "FAILED promise 4 (materials): wrong\n... and 1,000 more\n");
+}
+
+TEST(CheckText, ASoundMesh) {
+  Verification found;
+  found.regions = 1;
+  found.segments_whole = 4;
+  EXPECT_EQ(sound_text(found, 1234),
+            "Every promise holds: 1,234 triangles, 1 region, 4 segments whole\n");
+  found.regions = 2;
+  found.within_rounding = 1;
+  found.unchecked = {"materials"};
+  EXPECT_EQ(sound_text(found, 2),
+            "All that was checked holds: 2 triangles, 2 regions, 4 segments whole; 1 of the "
+            "regions meet the bound up to the rounding of coordinates\nNot checked: materials\n");
+}
+
+TEST(CheckText, CutsTellWhoMadeThemOrHowToAllowThem) {
+  const auto begins_with = [](const std::string& text, const std::string& with) {
+    return text.rfind(with, 0) == 0;
+  };
+  EXPECT_EQ(cuts_text({1, false, true, "--box-method cut", true}),
+            "Segments are cut at 1 point by the run itself: --box-method cut\n");
+  EXPECT_EQ(cuts_text({7, true, true, "", true}),
+            "Segments are cut at 7 points, those of arcs on their circles\n");
+  EXPECT_TRUE(begins_with(cuts_text({7, false, false, "", true}),
+                          "Segments have vertices inside; all else is sound. If they were"));
+  EXPECT_TRUE(begins_with(
+      cuts_text({7, true, false, "", false}),
+      "Segments are cut at 7 points, those of arcs on their circles; all else but materials is"));
+}
+
+TEST(CheckText, NothingMissingIsNotWorthAWord) {
+  EXPECT_EQ(missing_text(0), "");
+  EXPECT_EQ(in_void_text(0), "");
+  EXPECT_EQ(missing_text(2).find("2 points of the input missing in the mesh. "), 0u);
+  EXPECT_EQ(in_void_text(1).find("1 triangle lies along "), 0u);
+  EXPECT_EQ(in_void_text(2).find("2 triangles lie along "), 0u);
+}
+
+TEST(CheckText, OfManyCouplingsTheFirstAreListed) {
+  Verification found;
+  EXPECT_EQ(couplings_text(found), "Box method: no negative coupling; 0 obtuse triangles\n");
+  found.negative_couplings.resize(21);
+  const std::string text = couplings_text(found);
+  EXPECT_EQ(text.find("FAILED box method: 21 negative couplings: "), 0u);
+  EXPECT_NE(text.find("\n    ... and 1 more\n"), std::string::npos);
+}
+
+TEST(CheckText, SidesOfPairs) {
+  PeriodicRule rule;
+  rule.from = "left";
+  rule.to = "right";
+  EXPECT_EQ(periodic_text(rule, std::size_t{3}),
+            "Periodic: 3 pairs of vertices on 'left' and 'right', none without a partner\n");
+  EXPECT_EQ(periodic_text(rule, Error{ErrorCode::bad_option, "no partner", {{1, 2}}, {}}),
+            "FAILED no partner\n    at (1, 2)\n");
+}
+
+TEST(CheckText, Rows) {
+  LayersFound layers;
+  layers.edges = 1;
+  EXPECT_EQ(layers_text(layers, "gate", "oxide", false),
+            "FAILED Layers along 'gate' in 'oxide': none over 1 edge\n");
+  layers.layered = 1;
+  EXPECT_EQ(layers_text(layers, "gate", "oxide", true).find("Layers along 'gate' in 'oxide': 0 to"),
+            0u);
+}
+
+TEST(CheckText, SecondOrder) {
+  CurvedVerification found;
+  found.on_arcs = 2;
+  EXPECT_EQ(curved_violations_text(found), "");
+  EXPECT_EQ(curved_sound_text(found),
+            "Second order: every Jacobian is positive everywhere; 2 edges lie on arcs\n");
+  found.violations = {{2, "folded", {{0, 0}}}};
+  found.violation_count = 1;
+  EXPECT_EQ(curved_violations_text(found), "FAILED second order: folded\n    at (0, 0)\n");
+}
+
+}  // namespace
+}  // namespace cover::app

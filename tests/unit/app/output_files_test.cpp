@@ -1,0 +1,88 @@
+// What is known of the files to be written before they are, and that all of them are.
+#include "files/output_files.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <initializer_list>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <spdlog/logger.h>
+#include <CLI/CLI.hpp>
+
+#include <cover/cover_mesh.hpp>
+
+#include "support/inputs/inputs.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace cover::app {
+namespace {
+
+using Strings = std::vector<std::string>;
+
+/// What a command line says of files.
+struct Asked {
+  Asked(std::initializer_list<std::string> words) {
+    files.add_meshes(app, "stdout");
+    files.add_formats(app, "Files");
+    files.add_reports(app, "Files");
+    app.parse(Strings(std::rbegin(words), std::rend(words)));
+  }
+
+  CLI::App app;
+  OutputFiles files;
+};
+
+ErrorCode refusal(std::initializer_list<std::string> words) {
+  Asked asked(words);
+  const Status planned = asked.files.plan();
+  return planned ? ErrorCode::internal : planned.error().code;
+}
+
+TEST(OutputFiles, MeshesComeBeforeReports) {
+  const Asked asked{"--report", "a.json", "-o", "a.vtu", "-o", "-"};
+  EXPECT_EQ(asked.files.paths(), (Strings{"a.vtu", "-", "a.json"}));
+  EXPECT_TRUE(asked.files.has_stdout());
+  const std::vector<NamedFile> named = asked.files.named_files();
+  ASSERT_EQ(named.size(), 3u);
+  EXPECT_TRUE(named[0].is_mesh);
+  EXPECT_EQ(named[2].option, "--report");
+  EXPECT_FALSE(named[2].is_mesh);
+}
+
+TEST(OutputFiles, WhatCannotBeWrittenIsKnownBefore) {
+  EXPECT_EQ(refusal({"-o", "a.xyz"}), ErrorCode::unsupported_format);
+  EXPECT_EQ(refusal({"--report", "a.vtu"}), ErrorCode::unsupported_format);
+  EXPECT_EQ(refusal({"-o", "-", "--format", "vtm"}), ErrorCode::bad_option);
+}
+
+TEST(OutputFiles, WarnsOfWhatIsLost) {
+  const std::vector<Attribute> attributes{{"owner", false, {}, {}}};
+  EXPECT_EQ(Asked({"-o", "a.vtu"}).files.warnings(attributes), Strings{});
+  EXPECT_EQ(Asked({"-o", "a.inp"}).files.warnings({}), Strings{});
+  EXPECT_EQ(Asked({"-o", "a.inp", "-o", "a.json"}).files.warnings(attributes), Strings{});
+  const Strings lost = Asked({"-o", "-", "--format", "inp"}).files.warnings(attributes);
+  ASSERT_EQ(lost.size(), 1u);
+  EXPECT_EQ(lost[0].find("attributes (owner) are not in standard output: "), 0u) << lost[0];
+  const Strings idle = Asked({"-o", "a.vtu", "--xdmf", "hdf5"}).files.warnings({});
+  EXPECT_EQ(idle, Strings{"--xdmf does nothing: it counts with .xdmf only"});
+}
+
+TEST(OutputFiles, AllAreWritten) {
+  const testing::TemporaryFolder folder;
+  const std::string mesh = folder.path() / "a.vtu", report = folder.path() / "b.json";
+  Asked asked{"-o", mesh, "--report", report};
+  ASSERT_TRUE(asked.files.plan());
+  const Result<Output> output = cover_mesh(testing::checker(2, 2, 5));
+  ASSERT_TRUE(output);
+  EXPECT_EQ(asked.files.rounding(*output), "");
+  spdlog::logger silent("silent");
+  EXPECT_TRUE(asked.files.write(*output, {}, ShowProgress::off, silent));
+  EXPECT_TRUE(std::filesystem::exists(mesh));
+  EXPECT_TRUE(std::filesystem::exists(report));
+}
+
+}  // namespace
+}  // namespace cover::app
