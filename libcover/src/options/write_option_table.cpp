@@ -15,7 +15,9 @@ constexpr WriteOptionEntry kWriteTable[] = {
     whole<&WriteOptions::order>({
         .name = "order", .placeholder = "1|2",
         .range = ranges::kOrder,
-        .help = "2: triangles with six nodes"}),
+        .help = "2: triangles with six nodes",
+        .more = "Those of edges on arcs lie on the arcs; of a mesh that is read, only its manifest "
+                "(.json) knows the arcs."}),
     named<&WriteOptions::msh>({
         .name = "msh", .placeholder = "VERSION",
         .word_list = {"2.2", "4.1"},

@@ -251,7 +251,7 @@ void warn_of_sizes(const Pslg& pslg, const Options& options,
     break;  // one place is enough
   }
   std::vector<bool> is_long(pslg.segments.size(), false);
-  std::size_t longest = 0;
+  std::size_t longest = 0, unrefined = 0;  // regions that have longer sides alone
   const auto length_of = [&](std::size_t s) {
     const Segment& segment = pslg.segments[s];
     return length(pslg.points[segment.b.index()] - pslg.points[segment.a.index()]);
@@ -259,31 +259,37 @@ void warn_of_sizes(const Pslg& pslg, const Options& options,
   for (const RegionBoundary& boundary : boundaries) {
     const bool has_wishes = boundary.size > 0 || boundary.size_function ||
                             !boundary.size_at.empty() || options.size_field;
+    std::size_t long_sides = 0;
     for (std::size_t s = 0; has_wishes && s < boundary.sides.size(); ++s) {
       const std::size_t segment = boundary.segments[s].index();
-      if (boundary.segments[s] == kHullSide || is_long[segment]) continue;
+      if (boundary.segments[s] == kHullSide) continue;
       const auto& [a, b] = boundary.sides[s];
       SegmentSizes sizes(boundary.points[a], boundary.points[b], options);
       sizes.add(boundary, s);
       if (!sizes.is_long()) continue;
+      ++long_sides;
       is_long[segment] = true;
       if (!is_long[longest] || length_of(segment) > length_of(longest)) longest = segment;
     }
+    if (has_wishes && long_sides == boundary.sides.size()) ++unrefined;
   }
   const auto count = static_cast<std::size_t>(std::count(is_long.begin(), is_long.end(), true));
   if (count == 0) return;
   const Segment& segment = pslg.segments[longest];
   const Point a = pslg.points[segment.a.index()], b = pslg.points[segment.b.index()];
-  notes.push_back({Note::Kind::warning,
-                   kVoid,
-                   fmt::format("{} longer than the sizes asked for there, up to {:.6g} from {} to "
-                               "{}: triangles beside them are larger than asked, since segments "
-                               "stay {}",
-                               count == 1 ? "1 segment is" : fmt::format("{} segments are", count),
-                               length_of(longest), describe(a), describe(b),
-                               may_be_cut ? "whole unless --split-interfaces cuts them"
-                                          : "as they are in the mesh"),
-                   {a, b}});
+  notes.push_back(
+      {Note::Kind::warning,
+       kVoid,
+       fmt::format(
+           "{} longer than the sizes asked for there, up to {:.6g} from {} to "
+           "{}: triangles beside them are larger than asked, since segments "
+           "stay {}{}",
+           count == 1 ? "1 segment is" : fmt::format("{} segments are", count), length_of(longest),
+           describe(a), describe(b),
+           may_be_cut ? "whole unless --split-interfaces cuts them" : "as they are in the mesh",
+           unrefined == 0 ? ""
+                          : fmt::format("; of {} all segments are", counted(unrefined, "region"))),
+       {a, b}});
 }
 
 }  // namespace cover

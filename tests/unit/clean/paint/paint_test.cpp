@@ -174,11 +174,11 @@ TEST(Paint, AdviceOnThinVoidsLeavesOutThoseThatAreMeant) {
   ASSERT_TRUE(out) << out.error().message;
   EXPECT_TRUE(out->tells("polygons leave 5 thin voids between them, with an area of 220 together"));
   EXPECT_TRUE(out->tells("(1 far wider one is taken as meant)"));
-  // 0.12 of 1100; ends of lines shorter than eight times that stay where they are.
-  EXPECT_TRUE(out->tells("with --weld 2e-04, which is held back beside lines shorter than 1.76"));
+  // 0.24 of 1100; ends of lines shorter than eight times that stay where they are.
+  EXPECT_TRUE(out->tells("with --weld 3e-04, which is held back beside lines shorter than 2.64"));
   // What is advised closes them and leaves the street, which is not spoken of then.
   Options weld;
-  weld.weld = 2e-4;
+  weld.weld = 3e-4;
   const auto closed = clean(input, weld);
   ASSERT_TRUE(closed) << closed.error().message;
   EXPECT_FALSE(closed->tells("far wider"));
@@ -205,9 +205,9 @@ TEST(Paint, WarnsOfThinVoidsBetweenPolygons) {
   const auto out = clean(input);
   ASSERT_TRUE(out) << out.error().message;
   EXPECT_TRUE(out->tells("polygons leave 1 thin void between them, with an area of 0.2 together"));
-  EXPECT_TRUE(out->tells("with --weld 3e-02"));
+  EXPECT_TRUE(out->tells("with --weld 5e-02"));
   Options weld;
-  weld.weld = 3e-2;
+  weld.weld = 5e-2;
   EXPECT_FALSE(clean(input, weld)->tells("thin void"));
   input.polygons[0].rings[0][3].y = 1;  // a cavity that is meant
   EXPECT_FALSE(clean(input)->tells("thin void"));
