@@ -377,7 +377,8 @@ constexpr OptionEntry kTable[] = {
         .name = "pieces", .placeholder = "N",
         .range = ranges::kPieces,
         .needs = "paper",
-        .help = "With --paper: pieces of an arc are at most 1/N of it"}),
+        .help = "With --paper: pieces of an arc are at most 1/N of it; the bound is proven for 6 "
+                "and more"}),
     flag<&Options::hull>({
         .name = "hull",
         .help = "Mesh the convex hull; for input that need not enclose anything"}),
