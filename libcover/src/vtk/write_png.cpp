@@ -5,6 +5,10 @@
 
 #include <array>
 #include <cmath>
+#include <string>
+#include <string_view>
+
+#include <fmt/core.h>
 
 #include <vtkFreeTypeTools.h>
 #include <vtkImageData.h>
@@ -72,8 +76,16 @@ bool has_ink(const Label& label) {
   return false;
 }
 
-/// The text with '?' for each character that the font does not have: it would be left out, and two
-/// names could look alike.
+/// "U+03B1", of one character beyond ASCII in UTF-8.
+std::string code_point_of(std::string_view character) {
+  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(character[k]); };
+  unsigned code = byte(0) & (0xffU >> (character.size() + 1));
+  for (std::size_t k = 1; k < character.size(); ++k) code = code << 6U | (byte(k) & 0x3fU);
+  return fmt::format("U+{:04X}", code);
+}
+
+/// The text with its number for each character that the font does not have: it would be left out,
+/// and two names could look alike.
 std::string in_the_font(const Label& label) {
   const auto goes_on = [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) == 0x80; };
   std::string out;
@@ -82,7 +94,7 @@ std::string in_the_font(const Label& label) {
     while (end < label.text.size() && goes_on(label.text[end])) ++end;
     Label one = label;
     one.text = label.text.substr(at, end - at);
-    out += end == at + 1 || has_ink(one) ? one.text : "?";
+    out += end == at + 1 || has_ink(one) ? one.text : code_point_of(one.text);
     at = end;
   }
   return out;

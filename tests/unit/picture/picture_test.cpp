@@ -188,6 +188,21 @@ TEST(Picture, ANarrowOneIsAllPlot) {
   }
 }
 
+TEST(Picture, PngTellsLettersApartThatItsFontLacks) {
+  const testing::TemporaryFolder folder;
+  const auto bytes_with = [&](const char* name) {
+    PictureMesh mesh = two_squares();
+    mesh.region_names[1] = name;
+    const std::string path = folder.path() / "letters.png";
+    EXPECT_TRUE(write_png(mesh, {}, path));
+    std::ifstream file(path, std::ios::binary);
+    return std::string{std::istreambuf_iterator<char>(file), {}};
+  };
+  EXPECT_NE(bytes_with("\u03b1"), bytes_with("\u03b2"));
+  EXPECT_EQ(bytes_with("\u03b1"), bytes_with("U+03B1"));
+  EXPECT_NE(bytes_with("\u00f6"), bytes_with("U+00F6"));  // which it has
+}
+
 TEST(Picture, PngHasTheSizeOfTheDrawing) {
   const testing::TemporaryFolder folder;
   const std::string path = folder.path() / "picture.png";
