@@ -14,8 +14,6 @@
 
 namespace cover {
 
-struct Pslg;
-
 /// A region: a maximal connected open set bounded by segments, of one material.
 struct Region {
   RegionId id;

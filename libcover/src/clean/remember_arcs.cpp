@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,7 @@
 
 #include "base/faults/complaint.hpp"
 #include "clean/ends/loose_ends.hpp"
+#include "clean/ends/near_points.hpp"
 #include "geom/curves/arc.hpp"
 #include "geom/vector.hpp"
 
@@ -59,16 +61,15 @@ using Chords = std::map<Ends, std::uint32_t>;  ///< and the number of their circ
 /// Finds segments that are no chords yet by ends that lie within rounding of them.
 class NearlyEqual {
  public:
-  explicit NearlyEqual(const Pslg& pslg) : most_(rounding_of(pslg.points)) {
+  explicit NearlyEqual(const Pslg& pslg)
+      : points_(pslg.points),
+        most_(rounding_of(pslg.points)),
+        near_points_(pslg.points, most_, [](std::uint32_t) { return true; }) {
     for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
       const Point a = pslg.points[pslg.segments[s].a.index()];
       const Point b = pslg.points[pslg.segments[s].b.index()];
       if (pslg.segments[s].circle == 0) segments_.emplace(std::minmax(a, b), s);
-      ends_.push_back(a);
-      ends_.push_back(b);
     }
-    std::sort(ends_.begin(), ends_.end());
-    ends_.erase(std::unique(ends_.begin(), ends_.end()), ends_.end());
   }
 
   [[nodiscard]] std::optional<std::size_t> segment(const Ends& ends) const {
@@ -83,21 +84,17 @@ class NearlyEqual {
 
  private:
   [[nodiscard]] std::vector<Point> near(Point p) const {
-    constexpr double kMost = std::numeric_limits<double>::max();
     std::vector<Point> out;
-    auto column = std::lower_bound(ends_.begin(), ends_.end(), Point{p.x - most_, -kMost});
-    while (column != ends_.end() && column->x <= p.x + most_) {
-      const double x = column->x;
-      auto k = std::lower_bound(column, ends_.end(), Point{x, p.y - most_});
-      for (; k != ends_.end() && k->x == x && k->y <= p.y + most_; ++k) out.push_back(*k);
-      column = std::upper_bound(k, ends_.end(), Point{x, kMost});
-    }
+    near_points_.visit(p, [&](std::uint32_t v) {
+      if (length(points_[v] - p) <= most_) out.push_back(points_[v]);
+    });
     return out;
   }
 
+  std::span<const Point> points_;
   double most_;
+  NearPoints near_points_;
   std::map<Ends, std::size_t> segments_;
-  std::vector<Point> ends_;  ///< sorted
 };
 
 /// Whether a segment of `pslg` runs along the chord ab from one of its ends.

@@ -1,61 +1,18 @@
-// Ends are sorted into square cells as wide as the reach, so what is near lies in the nine cells
-// around. Tested by tests/unit/clean/ends/loose_ends_test.cpp.
+// Tested by tests/unit/clean/ends/loose_ends_test.cpp.
 #include "clean/ends/loose_ends.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include <fmt/core.h>
 
 #include <cover/text.hpp>
 
 #include "base/faults/complaint.hpp"
+#include "clean/ends/near_points.hpp"
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
-namespace {
-
-/// The ends of segments by the cell that they lie in.
-class Cells {
- public:
-  Cells(std::span<const Point> points, const std::vector<std::uint32_t>& degree, double reach)
-      : points_(points), width_(2 * reach) {
-    for (std::uint32_t v = 0; v < points.size(); ++v) {
-      if (degree[v] > 0) entries_.push_back({cell_of(points[v]), v});
-    }
-    std::sort(entries_.begin(), entries_.end());
-  }
-
-  /// Calls visit(v) for all ends in the cells around `p`.
-  template <class Visit>
-  void visit_near(Point p, Visit visit) const {
-    const Cell at = cell_of(p);
-    for (const double x : {at[0] - 1, at[0], at[0] + 1}) {
-      auto entry = std::lower_bound(entries_.begin(), entries_.end(), Entry{{x, at[1] - 1}, 0});
-      for (; entry != entries_.end() && entry->cell[0] == x && entry->cell[1] <= at[1] + 1; ++entry)
-        visit(entry->vertex);
-    }
-  }
-
- private:
-  using Cell = std::array<double, 2>;  // whole numbers, that need not fit into an integer
-  struct Entry {
-    Cell cell;
-    std::uint32_t vertex;
-    auto operator<=>(const Entry&) const = default;
-  };
-  [[nodiscard]] Cell cell_of(Point p) const {
-    return {std::floor(p.x / width_), std::floor(p.y / width_)};
-  }
-
-  std::span<const Point> points_;
-  double width_;
-  std::vector<Entry> entries_;
-};
-
-}  // namespace
 
 double rounding_of(std::span<const Point> points) {
   constexpr double kUnits = 4;
@@ -70,12 +27,12 @@ std::vector<LooseGap> find_loose_gaps(std::span<const Point> points,
     joined[a] = b, joined[b] = a;
   }
   if (std::find(degree.begin(), degree.end(), 1U) == degree.end()) return {};
-  const Cells cells(points, degree, reach);
+  const NearPoints ends(points, reach, [&](std::uint32_t v) { return degree[v] > 0; });
   std::vector<LooseGap> gaps;
   for (std::uint32_t v = 0; v < points.size(); ++v) {
     if (degree[v] != 1) continue;
     LooseGap gap{v, v, reach};
-    cells.visit_near(points[v], [&](std::uint32_t w) {
+    ends.visit(points[v], [&](std::uint32_t w) {
       const double distance = length(points[w] - points[v]);
       if (w == v || w == joined[v] || !(distance <= gap.distance)) return;
       if (gap.other != v && distance == gap.distance) return;
