@@ -12,6 +12,7 @@
 #include <cover/text.hpp>
 
 #include "base/faults/complaint.hpp"
+#include "base/none.hpp"
 #include "geom/predicates.hpp"
 #include "geom/subdivision/exact_subdivision.hpp"
 

@@ -5,6 +5,7 @@
 
 #include <cover/mesh_counts.hpp>
 #include <cover/output.hpp>
+#include <cover/result.hpp>
 
 namespace cover {
 

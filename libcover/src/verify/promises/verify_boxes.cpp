@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "geom/angle_rounding.hpp"
+#include "geom/topology/half_edges.hpp"
 #include "limits/couplings/forced_sides.hpp"
 
 namespace cover {
