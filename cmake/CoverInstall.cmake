@@ -34,7 +34,7 @@ install(FILES ${PROJECT_BINARY_DIR}/coverConfig.cmake ${PROJECT_BINARY_DIR}/cove
         DESTINATION ${cover_package_dir})
 
 # A static library hands its own dependencies on to the final link.
-set(cover_pc_libs "-lOpenMeshCore -lfmt -lexpat -lz -llzma -llz4 -l${COVER_HDF5_NAME} -lmpfr -lgmp -pthread")
+set(cover_pc_libs "-lOpenMeshCore -lfmt -lexpat -lz -llzma -llz4 -lmpfr -lgmp -pthread")
 if(BUILD_SHARED_LIBS)
   set(cover_pc_public "-lOpenMeshCore")
   set(cover_pc_private "${cover_pc_libs}")
@@ -67,10 +67,17 @@ if(PROJECT_IS_TOP_LEVEL)
   set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
   set(CPACK_DEBIAN_PACKAGE_SECTION science)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-  if(COVER_WITH_GDAL)
-    # It is opened and not linked, so nobody finds it by itself: libgdal.so.32 is in libgdal32.
-    string(REPLACE ".so." "" CPACK_DEBIAN_PACKAGE_RECOMMENDS ${COVER_GDAL_SONAME})
-  endif()
+  # What is opened and not linked nobody finds by itself.
+  foreach(library ${COVER_HDF5_LIBRARY} ${COVER_GDAL_LIBRARY})
+    file(REAL_PATH ${library} library)
+    execute_process(COMMAND dpkg-query -S ${library} OUTPUT_VARIABLE package OUTPUT_STRIP_TRAILING_WHITESPACE
+                    ERROR_QUIET)
+    if(package)
+      string(REGEX REPLACE ":.*" "" package "${package}")
+      list(APPEND cover_opened ${package})
+    endif()
+  endforeach()
+  list(JOIN cover_opened ", " CPACK_DEBIAN_PACKAGE_RECOMMENDS)
   # The headers and the static library are in the same package.
   set(CPACK_DEBIAN_PACKAGE_SUGGESTS
       "libcgal-dev, libopenmesh-dev, libvtk9-dev, libboost-dev, libfmt-dev, nlohmann-json3-dev, libexpat1-dev, zlib1g-dev, liblzma-dev, liblz4-dev, libhdf5-dev, python3-numpy")

@@ -11,6 +11,7 @@
 #include "commands/commands.hpp"
 #include "commands/options.hpp"
 #include "files/writers.hpp"
+#include "png/draw_png.hpp"
 #include "terminal/console.hpp"
 
 namespace cover::app {
@@ -108,7 +109,7 @@ Status draw(const PictureMesh& picture, const PictureOptions& options, const std
             const std::string& extension) {
   return write_to(output, extension, [&](const std::string& target) {
     return extension == ".svg" ? write_svg(picture, options, target)
-                               : write_png(picture, options, target);
+                               : draw_png(picture, options, target);
   });
 }
 

@@ -19,6 +19,7 @@
 
 #include "files/temporary_folder.hpp"
 #include "page/html_report.hpp"
+#include "png/draw_png.hpp"
 #include "terminal/console.hpp"
 
 namespace cover::app {
@@ -40,8 +41,8 @@ Status draw_with(const Output& output, const std::string& path, const std::stop_
 
 const std::vector<Format>& picture_formats(int order = 1) {
   static const std::vector<Format> formats{{".svg", draw_with<write_svg, 1>},
-                                           {".png", draw_with<write_png, 1>}},
-      curved{{".svg", draw_with<write_svg, 2>}, {".png", draw_with<write_png, 2>}};
+                                           {".png", draw_with<draw_png, 1>}},
+      curved{{".svg", draw_with<write_svg, 2>}, {".png", draw_with<draw_png, 2>}};
   return order == 2 ? curved : formats;
 }
 
@@ -104,7 +105,12 @@ Status copy_to_stdout(std::FILE* file) {
 }  // namespace
 
 Result<Writer> mesh_writer(const std::string& path, const WriteOptions& options) {
-  if (Result<Writer> picture = find(picture_formats(options.order), path)) return picture;
+  if (Result<Writer> picture = find(picture_formats(options.order), path)) {
+    if (std::filesystem::path(path).extension() == ".png") {
+      if (Status there = can_draw_png(); !there) return std::move(there).error();
+    }
+    return picture;
+  }
   if (Status status = can_write(path, options); !status) {
     Error error = std::move(status).error();
     if (error.code == ErrorCode::unsupported_format) {

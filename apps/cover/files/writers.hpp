@@ -16,8 +16,8 @@ using Writer =
     std::function<Status(const Output&, const std::string& path, const std::stop_token& stop)>;
 
 /// The writer for what `path` ends in.
-/// Errors: unsupported_format, naming what is possible; bad_option where the format cannot do what
-///         `options` ask for.
+/// Errors: unsupported_format, naming what is possible, and as can_draw_png(); bad_option where the
+///         format cannot do what `options` ask for.
 Result<Writer> mesh_writer(const std::string& path, const WriteOptions& options);
 
 /// The same for standard output, in the format of the extension `format`, which has no dot.

@@ -26,6 +26,7 @@
 #include "page/base64_text.hpp"
 #include "page/view_data.hpp"
 #include "page_files.hpp"
+#include "png/draw_png.hpp"
 #include "terminal/console.hpp"
 #include "words/angle_text.hpp"
 #include "words/limits_text.hpp"
@@ -172,7 +173,7 @@ class Page {
       const auto folder = temporary_folder("cover-picture");
       if (!folder) return folder.error();
       const std::string file = folder->path() / "picture.png";
-      if (Status drawn = write_png(mesh, {}, file); !drawn) return drawn;
+      if (Status drawn = draw_png(mesh, {}, file); !drawn) return drawn;
       const Result<std::string> bytes = read_file(file);
       if (!bytes) return bytes.error();
       out_ += fmt::format("<img alt=\"the mesh\" src=\"data:image/png;base64,{}\">\n",

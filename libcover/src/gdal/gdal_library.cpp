@@ -1,11 +1,11 @@
 // Tested by tests/unit/gdal/read_gdal_test.cpp.
 #include "gdal/gdal_library.hpp"
 
-#include <dlfcn.h>
-
 #include <string>
 
 #include <fmt/core.h>
+
+#include "base/opened_library.hpp"
 
 namespace cover {
 namespace {
@@ -30,29 +30,17 @@ struct Opened {
 };
 
 Opened open_library() {
+  OpenedLibrary library(COVER_GDAL_SONAME, COVER_GDAL_FILE);
   Opened opened;
-  // By its name first, so that whoever has opened it before shares it.
-  void* library = dlopen(COVER_GDAL_SONAME, RTLD_NOW | RTLD_LOCAL);
-  if (library == nullptr) {
-    opened.failure = dlerror();
-    library = dlopen(COVER_GDAL_FILE, RTLD_NOW | RTLD_LOCAL);
-  }
-  if (library == nullptr) return opened;
-  opened.failure.clear();
-  const auto find = [&](const char* name) {
-    void* symbol = dlsym(library, name);
-    if (symbol == nullptr && opened.failure.empty())
-      opened.failure = fmt::format("{} has no {}", COVER_GDAL_SONAME, name);
-    return symbol;
-  };
-#define COVER_GDAL_FIND(name) \
-  opened.functions.name = reinterpret_cast<decltype(&::name)>(find(#name));
+#define COVER_GDAL_FIND(name) library.find(#name, opened.functions.name);
   COVER_GDAL_FUNCTIONS(COVER_GDAL_FIND)
 #undef COVER_GDAL_FIND
   for (const char* name : kRegistrations) {
-    auto* const enroll = reinterpret_cast<void (*)()>(find(name));
-    if (opened.failure.empty()) enroll();
+    void (*enroll)() = nullptr;
+    library.find(name, enroll);
+    if (library.failure().empty()) enroll();
   }
+  opened.failure = library.failure();
   return opened;
 }
 

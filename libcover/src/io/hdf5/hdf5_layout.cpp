@@ -13,6 +13,8 @@
 namespace cover {
 namespace {
 
+constexpr unsigned kTruncate = 2;  ///< H5F_ACC_TRUNC, without the calls that come with it
+
 /// An open file: the library's part, and ours. It owns its bytes, too, in case that the library
 /// closes it late.
 struct LayoutFile {
@@ -32,7 +34,7 @@ const LayoutFile& own(const H5FD_t* file) { return *reinterpret_cast<const Layou
 
 H5FD_t* open_layout(const char* /*name*/, unsigned /*flags*/, hid_t properties, haddr_t /*most*/) {
   // It is there already: what fails halfway through the library crashes it later.
-  const auto* info = static_cast<const LayoutInfo*>(H5Pget_driver_info(properties));
+  const auto* info = static_cast<const LayoutInfo*>(opened_hdf5().H5Pget_driver_info(properties));
   if (info == nullptr) return nullptr;
   auto* file = static_cast<LayoutFile*>((*info->bytes)->file.get());
   *file = LayoutFile{};
@@ -130,24 +132,26 @@ void Hdf5Bytes::read(std::uint64_t at, std::size_t size, char* out) const {
   }
 }
 
-Hdf5Layout::Hdf5Layout() : bytes_(std::make_shared<Hdf5Bytes>()) {
+Hdf5Layout::Hdf5Layout(const Hdf5Library& hdf5)
+    : hdf5_(hdf5), bytes_(std::make_shared<Hdf5Bytes>()) {
   bytes_->file = std::make_shared<LayoutFile>();
   const H5FD_class_t driver = layout_class();
-  driver_ = H5FDregister(&driver);
+  driver_ = hdf5_.H5FDregister(&driver);
 }
 
 Hdf5Layout::~Hdf5Layout() {
-  if (driver_ >= 0) H5FDunregister(driver_);
+  if (driver_ >= 0) hdf5_.H5FDunregister(driver_);
 }
 
 hid_t Hdf5Layout::create() {
-  const hid_t access = H5Pcreate(H5P_FILE_ACCESS), creation = H5Pcreate(H5P_FILE_CREATE);
+  const hid_t access = hdf5_.H5Pcreate(hdf5_.H5P_CLS_FILE_ACCESS_ID_g),
+              creation = hdf5_.H5Pcreate(hdf5_.H5P_CLS_FILE_CREATE_ID_g);
   const LayoutInfo info{&bytes_};
-  const bool good = driver_ >= 0 && H5Pset_driver(access, driver_, &info) >= 0 &&
-                    H5Pset_obj_track_times(creation, false) >= 0;
-  const hid_t file = good ? H5Fcreate("layout", H5F_ACC_TRUNC, creation, access) : -1;
-  H5Pclose(creation);
-  H5Pclose(access);
+  const bool good = driver_ >= 0 && hdf5_.H5Pset_driver(access, driver_, &info) >= 0 &&
+                    hdf5_.H5Pset_obj_track_times(creation, false) >= 0;
+  const hid_t file = good ? hdf5_.H5Fcreate("layout", kTruncate, creation, access) : -1;
+  hdf5_.H5Pclose(creation);
+  hdf5_.H5Pclose(access);
   return file;
 }
 

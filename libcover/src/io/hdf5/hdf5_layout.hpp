@@ -8,7 +8,7 @@
 #include <memory>
 #include <string_view>
 
-#include <hdf5.h>
+#include "io/hdf5/hdf5_library.hpp"
 
 namespace cover {
 
@@ -40,7 +40,7 @@ class Hdf5Bytes {
 /// Threads: as HDF5's library.
 class Hdf5Layout {
  public:
-  Hdf5Layout();
+  explicit Hdf5Layout(const Hdf5Library& hdf5);
   ~Hdf5Layout();
   Hdf5Layout(const Hdf5Layout&) = delete;
   Hdf5Layout& operator=(const Hdf5Layout&) = delete;
@@ -51,6 +51,7 @@ class Hdf5Layout {
   [[nodiscard]] std::shared_ptr<const Hdf5Bytes> bytes() const { return bytes_; }
 
  private:
+  const Hdf5Library& hdf5_;
   std::shared_ptr<Hdf5Bytes> bytes_;
   hid_t driver_;
 };

@@ -34,43 +34,44 @@ class Handle {
 /// Keeps the library from printing what goes wrong.
 class Silence {
  public:
-  Silence() {
-    H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  explicit Silence(const Hdf5Library& hdf5) : hdf5_(hdf5) {
+    hdf5_.H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
+    hdf5_.H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   }
-  ~Silence() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
+  ~Silence() { hdf5_.H5Eset_auto2(H5E_DEFAULT, function_, data_); }
   Silence(const Silence&) = delete;
   Silence& operator=(const Silence&) = delete;
 
  private:
+  const Hdf5Library& hdf5_;
   H5E_auto2_t function_ = nullptr;
   void* data_ = nullptr;
 };
 
-hid_t native_type(NumberType type) {
+hid_t native_type(const Hdf5Library& hdf5, NumberType type) {
   switch (type) {
     case NumberType::int8:
-      return H5T_NATIVE_INT8;
+      return hdf5.H5T_NATIVE_INT8_g;
     case NumberType::uint8:
-      return H5T_NATIVE_UINT8;
+      return hdf5.H5T_NATIVE_UINT8_g;
     case NumberType::int16:
-      return H5T_NATIVE_INT16;
+      return hdf5.H5T_NATIVE_INT16_g;
     case NumberType::uint16:
-      return H5T_NATIVE_UINT16;
+      return hdf5.H5T_NATIVE_UINT16_g;
     case NumberType::int32:
-      return H5T_NATIVE_INT32;
+      return hdf5.H5T_NATIVE_INT32_g;
     case NumberType::uint32:
-      return H5T_NATIVE_UINT32;
+      return hdf5.H5T_NATIVE_UINT32_g;
     case NumberType::int64:
-      return H5T_NATIVE_INT64;
+      return hdf5.H5T_NATIVE_INT64_g;
     case NumberType::uint64:
-      return H5T_NATIVE_UINT64;
+      return hdf5.H5T_NATIVE_UINT64_g;
     case NumberType::float32:
-      return H5T_NATIVE_FLOAT;
+      return hdf5.H5T_NATIVE_FLOAT_g;
     case NumberType::float64:
       break;
   }
-  return H5T_NATIVE_DOUBLE;
+  return hdf5.H5T_NATIVE_DOUBLE_g;
 }
 
 using Extent = Hdf5Plan::Extent;
@@ -78,7 +79,7 @@ using Extent = Hdf5Plan::Extent;
 /// Makes the objects of a file. Every function is false where the library fails.
 class Maker {
  public:
-  explicit Maker(hid_t file) : file_(file) {}
+  Maker(const Hdf5Library& hdf5, hid_t file) : hdf5_(hdf5), file_(file) {}
 
   bool make(const Hdf5Content& content) {
     const auto all = [](const auto& items, auto add) {
@@ -98,24 +99,29 @@ class Maker {
 
  private:
   [[nodiscard]] bool group(const std::string& path) const {
-    const Handle creation(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
-    if (H5Pset_obj_track_times(creation, false) < 0) return false;
-    return Handle(H5Gcreate2(file_, path.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT), H5Gclose)
+    const Handle creation(hdf5_.H5Pcreate(hdf5_.H5P_CLS_GROUP_CREATE_ID_g), hdf5_.H5Pclose);
+    if (hdf5_.H5Pset_obj_track_times(creation, false) < 0) return false;
+    return Handle(hdf5_.H5Gcreate2(file_, path.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT),
+                  hdf5_.H5Gclose)
         .is_open();
   }
 
   [[nodiscard]] bool attribute(const Hdf5Attribute& what) const {
-    const Handle group(H5Gopen2(file_, what.group.c_str(), H5P_DEFAULT), H5Gclose);
+    const Handle group(hdf5_.H5Gopen2(file_, what.group.c_str(), H5P_DEFAULT), hdf5_.H5Gclose);
     const bool is_text = what.numbers.empty();
-    const Handle type(H5Tcopy(is_text ? H5T_C_S1 : H5T_NATIVE_INT64), H5Tclose);
-    if (is_text && H5Tset_size(type, std::max<std::size_t>(what.text.size(), 1)) < 0) return false;
+    const Handle type(hdf5_.H5Tcopy(is_text ? hdf5_.H5T_C_S1_g : hdf5_.H5T_NATIVE_INT64_g),
+                      hdf5_.H5Tclose);
+    if (is_text && hdf5_.H5Tset_size(type, std::max<std::size_t>(what.text.size(), 1)) < 0)
+      return false;
     const hsize_t count = what.numbers.size();
-    const Handle space(is_text ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &count, nullptr),
-                       H5Sclose);
-    const Handle made(H5Acreate2(group, what.name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
-                      H5Aclose);
+    const Handle space(
+        is_text ? hdf5_.H5Screate(H5S_SCALAR) : hdf5_.H5Screate_simple(1, &count, nullptr),
+        hdf5_.H5Sclose);
+    const Handle made(
+        hdf5_.H5Acreate2(group, what.name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
+        hdf5_.H5Aclose);
     const void* value = is_text ? static_cast<const void*>(what.text.c_str()) : what.numbers.data();
-    return made.is_open() && H5Awrite(made, type, value) >= 0;
+    return made.is_open() && hdf5_.H5Awrite(made, type, value) >= 0;
   }
 
   /// A data set that has its place from the start.
@@ -123,40 +129,44 @@ class Maker {
                                const std::vector<std::uint64_t>& shape,
                                H5D_fill_time_t fill) const {
     const std::vector<hsize_t> sizes(shape.begin(), shape.end());
-    const Handle space(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr),
-                       H5Sclose);
-    const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-    if (H5Pset_layout(creation, H5D_CONTIGUOUS) < 0 ||
-        H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY) < 0 ||
-        H5Pset_fill_time(creation, fill) < 0 || H5Pset_obj_track_times(creation, false) < 0)
+    const Handle space(
+        hdf5_.H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr),
+        hdf5_.H5Sclose);
+    const Handle creation(hdf5_.H5Pcreate(hdf5_.H5P_CLS_DATASET_CREATE_ID_g), hdf5_.H5Pclose);
+    if (hdf5_.H5Pset_layout(creation, H5D_CONTIGUOUS) < 0 ||
+        hdf5_.H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY) < 0 ||
+        hdf5_.H5Pset_fill_time(creation, fill) < 0 ||
+        hdf5_.H5Pset_obj_track_times(creation, false) < 0)
       return -1;
-    return H5Dcreate2(file_, path.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
+    return hdf5_.H5Dcreate2(file_, path.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
   }
 
   bool numbers(const Hdf5Numbers& what) {
-    const Handle made(data_set(what.path, native_type(what.type), what.shape, H5D_FILL_TIME_NEVER),
-                      H5Dclose);
+    const Handle made(
+        data_set(what.path, native_type(hdf5_, what.type), what.shape, H5D_FILL_TIME_NEVER),
+        hdf5_.H5Dclose);
     if (!made.is_open()) return false;
     std::uint64_t bytes = size_of(what.type);
     for (const std::uint64_t n : what.shape) bytes *= n;
     if (bytes == 0) return true;
-    const haddr_t at = H5Dget_offset(made);
+    const haddr_t at = hdf5_.H5Dget_offset(made);
     extents_.push_back({at, &what, bytes});
     return at != HADDR_UNDEF;
   }
 
   [[nodiscard]] bool texts(const Hdf5Texts& what) const {
-    const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-    if (H5Tset_size(type, H5T_VARIABLE) < 0) return false;
+    const Handle type(hdf5_.H5Tcopy(hdf5_.H5T_C_S1_g), hdf5_.H5Tclose);
+    if (hdf5_.H5Tset_size(type, H5T_VARIABLE) < 0) return false;
     // Of texts the library wants to know what they are before they are written: none.
     const Handle made(data_set(what.path, type, {what.texts.size()}, H5D_FILL_TIME_IFSET),
-                      H5Dclose);
+                      hdf5_.H5Dclose);
     std::vector<const char*> begins;
     for (const std::string& text : what.texts) begins.push_back(text.c_str());
-    return made.is_open() && (begins.empty() || H5Dwrite(made, type, H5S_ALL, H5S_ALL, H5P_DEFAULT,
-                                                         begins.data()) >= 0);
+    return made.is_open() && (begins.empty() || hdf5_.H5Dwrite(made, type, H5S_ALL, H5S_ALL,
+                                                               H5P_DEFAULT, begins.data()) >= 0);
   }
 
+  const Hdf5Library& hdf5_;
   hid_t file_;
   std::vector<Extent> extents_;
 };
@@ -187,10 +197,13 @@ void Hdf5Plan::each_structure(const Use& use) const {
 }
 
 Result<Hdf5Plan> lay_out_hdf5(const Hdf5Content& content) {
-  const Silence silence;
-  Hdf5Layout layout;
-  Handle file(layout.create(), H5Fclose);
-  Maker maker(file);
+  const Result<const Hdf5Library*> opened = hdf5_library();
+  if (!opened) return opened.error();
+  const Hdf5Library& hdf5 = **opened;
+  const Silence silence(hdf5);
+  Hdf5Layout layout(hdf5);
+  Handle file(layout.create(), hdf5.H5Fclose);
+  Maker maker(hdf5, file);
   // The library has no disk to wait for: memory is all that it can lack.
   if (!file.is_open() || !maker.make(content) || !file.close() || layout.bytes()->lacks_memory) {
     return Error{

@@ -73,7 +73,7 @@ Result<Hdf5Plan> lay_out_hdf5(const Hdf5Content& content);
 /// Writes a file of HDF5's oldest version, which everything reads: contiguous data sets, no times,
 /// so that equal contents are equal bytes. Texts are in UTF-8.
 ///
-/// Errors: out_of_memory
+/// Errors: out_of_memory; unsupported_format, where HDF5's library is not there
 /// Threads: as HDF5's library, which Debian builds for many.
 Status write_hdf5(const Hdf5Content& content, const ByteSink& sink);
 
