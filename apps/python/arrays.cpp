@@ -46,21 +46,36 @@ std::uint32_t index_from(std::int64_t value, std::size_t count) {
   return static_cast<std::uint32_t>(value);
 }
 
-void name_segments(const py::dict& lines, std::vector<InputSegment>& segments) {
+void name_segments(const py::dict& lines, Input& input) {
+  std::vector<InputSegment>& segments = input.segments;
   for (const auto& [name, value] : lines) {
+    const std::string own = py::str(name);
     const Indices indices = indices_from(value, "lines");
     if (indices.ndim() != 1) throw py::value_error("lines: a name needs a list of segments");
+    if (indices.size() == 0)
+      input.warnings.push_back("the line '" + own + "' has no segments: it is left out");
     for (py::ssize_t i = 0; i < indices.shape(0); ++i) {
       const std::int64_t s = indices.at(i);
       if (s < 0 || static_cast<std::size_t>(s) >= segments.size())
         throw py::index_error("lines: there is no segment " + std::to_string(s));
-      segments[static_cast<std::size_t>(s)].name = py::str(name);
+      std::string& known = segments[static_cast<std::size_t>(s)].name;
+      if (!known.empty() && known != own)
+        throw py::value_error("lines: segment " + std::to_string(s) + " is in '" + known +
+                              "' and in '" + own + "'; a segment has one name");
+      known = own;
     }
   }
 }
 
-/// A name, or a number as it is written.
-std::string name_from(const py::handle& value) { return py::str(value); }
+/// A name, or a whole number as it is written.
+std::string name_from(const py::handle& value, const char* what) {
+  const bool is_number = PyIndex_Check(value.ptr()) != 0 && !py::isinstance<py::bool_>(value) &&
+                         !py::hasattr(value, "__len__");
+  if (!py::isinstance<py::str>(value) && !is_number)
+    throw py::type_error(std::string(what) + " must be a name or a whole number, not " +
+                         std::string(py::repr(value)));
+  return py::str(value);
+}
 
 }  // namespace
 
@@ -81,7 +96,7 @@ Input pslg_from(const py::object& points, const py::object& ends, const py::list
     segment.id = static_cast<long>(i);
     input.segments.push_back(segment);
   }
-  name_segments(lines, input.segments);
+  name_segments(lines, input);
   for (const py::handle& item : regions) {
     if (!py::isinstance<py::sequence>(item))
       throw py::type_error("a region is (x, y, material) or (x, y, material, name)");
@@ -90,8 +105,8 @@ Input pslg_from(const py::object& points, const py::object& ends, const py::list
       throw py::value_error("a region is (x, y, material) or (x, y, material, name)");
     RegionSeed seed;
     seed.at = {fields[0].cast<double>(), fields[1].cast<double>()};
-    seed.material = name_from(fields[2]);
-    if (fields.size() == 4) seed.region = name_from(fields[3]);
+    seed.material = name_from(fields[2], "a material");
+    if (fields.size() == 4) seed.region = name_from(fields[3], "a region");
     seed.id = static_cast<long>(input.seeds.size());
     input.seeds.push_back(std::move(seed));
   }
@@ -108,9 +123,9 @@ Input soup_from(const py::list& polygons) {
     if (fields.size() < 2 || fields.size() > 3)
       throw py::value_error("a polygon is (material, rings) or (material, rings, name)");
     InputPolygon polygon;
-    polygon.material = name_from(fields[0]);
+    polygon.material = name_from(fields[0], "a material");
     for (const py::handle& ring : fields[1]) polygon.rings.push_back(points_from(ring, "a ring"));
-    if (fields.size() == 3) polygon.region = name_from(fields[2]);
+    if (fields.size() == 3) polygon.region = name_from(fields[2], "a region");
     polygon.id = static_cast<long>(input.polygons.size());
     input.polygons.push_back(std::move(polygon));
   }

@@ -24,6 +24,7 @@
 #include <cover/read_input.hpp>
 #include <cover/read_options.hpp>
 #include <cover/read_size_field.hpp>
+#include <cover/requirements.hpp>
 #include <cover/verify.hpp>
 #include <cover/version.hpp>
 #include <cover/write_mesh.hpp>
@@ -40,6 +41,12 @@ namespace py = pybind11;
 namespace cover::python {
 namespace {
 
+/// False, also numpy's; None is not.
+bool is_false(const py::object& answer) {
+  if (answer.ptr() == Py_False) return true;
+  return py::hasattr(answer, "dtype") && PyObject_IsTrue(answer.ptr()) == 0;
+}
+
 /// Runs `work(callbacks)` on another thread and waits for it; see the head of this file.
 template <class Work>
 auto run(const py::object& progress, Work work) {
@@ -52,7 +59,7 @@ auto run(const py::object& progress, Work work) {
       const py::gil_scoped_acquire gil;
       try {
         const py::object answer = progress(std::string(p.stage), p.done, p.total);
-        if (answer.ptr() == Py_False) stop.request_stop();
+        if (is_false(answer)) stop.request_stop();
       } catch (...) {
         raised = std::current_exception();
         stop.request_stop();
@@ -77,28 +84,42 @@ auto run(const py::object& progress, Work work) {
   return std::move(result).value();
 }
 
-PyMesh mesh_input(Input input, const py::dict& options, const py::object& progress) {
-  Options parsed = options_from(options);
-  if (const Status status = load_size_field(parsed, input); !status) raise(status.error());
-  Output output = run(
-      progress, [&](const Callbacks& callbacks) { return cover_mesh(input, parsed, callbacks); });
+PyMesh mesh_input(Input input, const py::dict& keywords, const py::object& progress,
+                  const std::vector<Provenance::Setting>& read_with = {}) {
+  auto [options, idle] = options_from(keywords);
+  input.warnings.insert(input.warnings.end(), idle.begin(), idle.end());
+  if (const Status status = load_size_field(options, input); !status) raise(status.error());
+  Output output = run(progress, [&, &chosen = options](const Callbacks& callbacks) {
+    return cover_mesh(input, chosen, callbacks);
+  });
+  std::vector<Provenance::Setting>& settings = output.report.provenance.settings;
+  settings.insert(settings.end(), read_with.begin(), read_with.end());
+  const std::vector<std::string> unmet = unmet_requirements(output, options);
   TriangleSoup soup = triangle_soup(output.mesh);
-  return {std::move(output), std::move(soup), {}};
+  PyMesh mesh{std::move(output), std::move(soup), {}};
+  if (unmet.empty()) return mesh;
+  std::string words = "the mesh does not meet";
+  for (const std::string& requirement : unmet)
+    words += (&requirement == &unmet.front() ? " " : "; ") + requirement;
+  raise({ErrorCode::requirement_not_met, words, {}, {}}, py::cast(std::move(mesh)));
+}
+
+/// A path that the system would take as far as its first zero is another one.
+void check_path(const std::string& path) {
+  if (path.find('\0') != std::string::npos) throw py::value_error("a path has a zero byte in it");
 }
 
 /// Meshes a file; its options are those of reading and of meshing.
 PyMesh mesh_file(const std::string& path, py::dict keywords, const py::object& progress) {
+  check_path(path);
   ReadOptions options = take_read_options(keywords);
-  options.threads = options_from(keywords).threads;
+  options.threads = options_from(keywords).options.threads;
   Result<Input> input = [&] {
     const py::gil_scoped_release release;
     return reading::read_geometry(path, options);
   }();
   if (!input) raise(input.error());
-  PyMesh mesh = mesh_input(*std::move(input), keywords, progress);
-  for (Provenance::Setting& setting : describe_read_options(options))
-    mesh.output.report.provenance.settings.push_back(std::move(setting));
-  return mesh;
+  return mesh_input(*std::move(input), keywords, progress, describe_read_options(options));
 }
 
 py::array_t<std::int64_t> input_ids(const PyMesh& mesh) {
@@ -244,16 +265,18 @@ Input read_text(const std::string& text, const std::string& extension, const std
 /// A mesh file or a picture, as the extension says.
 void save(const py::object& self, const py::object& path, const py::kwargs& keywords) {
   const auto& mesh = self.cast<const PyMesh&>();
-  const std::filesystem::path file =
-      py::module_::import("os").attr("fspath")(path).cast<std::string>();
+  const std::string name = py::module_::import("os").attr("fsencode")(path).cast<std::string>();
+  check_path(name);
+  const std::filesystem::path file = name;
   const WriteOptions options = write_options_from(keywords);
   if (file.extension() == ".png") {
-    py::module_::import("cover._png").attr("write_png")(self, file.string());
+    py::module_::import("cover._png").attr("write_png")(self, py::bytes(name), options.order);
     return;
   }
   const Status status = [&]() -> Status {
     const py::gil_scoped_release release;
-    if (file.extension() == ".svg") return write_svg(picture_of(mesh.output), {}, file);
+    if (file.extension() == ".svg")
+      return write_svg(picture_of(mesh.output, options.order), {}, file);
     return write_mesh(mesh.output, file, options);
   }();
   if (!status) raise(status.error());
@@ -290,12 +313,11 @@ PYBIND11_MODULE(_cover, module) {
       .def_property_readonly("report", &report_of)
       .def("save", &save, py::arg("path"))
       .def("violations", &violations)
-      .def(py::pickle([](const PyMesh& m) { return pickled(m.output, m.soup, report_text(m)); },
-                      [](const py::tuple& state) {
-                        auto [output, report] = unpickled(state);
-                        cover::TriangleSoup soup = cover::triangle_soup(output.mesh);
-                        return PyMesh{std::move(output), std::move(soup), std::move(report)};
-                      }))
+      .def("__reduce__",
+           [](const PyMesh& m) {
+             return py::make_tuple(py::module_::import("cover").attr("_mesh_of_state"),
+                                   py::make_tuple(pickled(m.output, m.soup, report_text(m))));
+           })
       .def("__repr__", [](const PyMesh& m) {
         return "<cover.Mesh: " + std::to_string(m.soup.points.size()) + " points, " +
                std::to_string(m.soup.triangles.size()) + " triangles, " +
@@ -321,4 +343,9 @@ PYBIND11_MODULE(_cover, module) {
                return mesh_input(soup_from(polygons), options, progress);
              });
   module.def("mesh_file", &mesh_file);
+  module.def("mesh_of_state", [](const py::tuple& state) {
+    auto [output, report] = unpickled(state);
+    cover::TriangleSoup soup = cover::triangle_soup(output.mesh);
+    return PyMesh{std::move(output), std::move(soup), std::move(report)};
+  });
 }

@@ -21,6 +21,12 @@ std::string shown(const py::handle& value) {
   return text.size() > kMost ? text.substr(0, kMost) + "..." : text;
 }
 
+/// numpy's numbers and arrays as Python's numbers and lists; all else as it is.
+py::object plain(const py::handle& value) {
+  const bool is_numpy = py::hasattr(value, "dtype") && py::hasattr(value, "tolist");
+  return is_numpy ? py::object(value.attr("tolist")()) : py::reinterpret_borrow<py::object>(value);
+}
+
 /// What is expected, for whoever gave something of another type.
 template <class Target>
 std::string expected(const OptionOf<Target>& entry) {
@@ -51,7 +57,8 @@ class Value {
  public:
   Value(std::string key, const OptionOf<Target>& entry) : key_(std::move(key)), entry_(entry) {}
 
-  std::vector<std::string> texts(const py::handle& value) const {
+  std::vector<std::string> texts(const py::handle& given) const {
+    const py::object value = plain(given);
     if (value.is_none()) return {};
     if (py::isinstance<py::dict>(value) || py::hasattr(value, "items")) return sizes(value);
     const bool is_text = py::isinstance<py::str>(value) || py::hasattr(value, "__fspath__");
@@ -107,11 +114,17 @@ class Value {
     return all;
   }
 
-  [[nodiscard]] std::string text(const py::handle& value) const {
+  [[nodiscard]] std::string text(const py::handle& given) const {
+    const py::object value = plain(given);
     const bool is_list = py::isinstance<py::tuple>(value) || py::isinstance<py::list>(value);
     if (entry_.kind == OptionKind::text && is_list) {
       std::string all;  // several numbers
-      for (const py::handle& part : value) all += (all.empty() ? "" : ",") + text(part);
+      for (const py::handle& part : value) {
+        std::string one = text(part);
+        // An array has one kind of number: of counts, too, 2 is 2.0.
+        if (PyFloat_Check(part.ptr()) != 0 && one.ends_with(".0")) one.erase(one.size() - 2);
+        all += (all.empty() ? "" : ",") + one;
+      }
       return all;
     }
     const bool is_bool = py::isinstance<py::bool_>(value);
@@ -125,11 +138,9 @@ class Value {
     }
     if (py::isinstance<py::str>(value)) return py::str(value);
     if (py::hasattr(value, "__fspath__")) return py::str(value.attr("__fspath__")());
-    // numpy's numbers too; a whole number stays one.
-    if (PyIndex_Check(value.ptr()) != 0)
-      return py::str(py::int_(py::reinterpret_borrow<py::object>(value)));
+    if (PyIndex_Check(value.ptr()) != 0) return py::str(py::int_(value));
     if (PyNumber_Check(value.ptr()) == 0 || PyComplex_Check(value.ptr()) != 0) refuse_type(value);
-    return py::repr(py::float_(py::reinterpret_borrow<py::object>(value)));
+    return py::repr(py::float_(value));
   }
 
   std::string key_;
@@ -183,7 +194,7 @@ Named<Options> find_keyword(const std::string& key) {
 
 }  // namespace
 
-Options options_from(const py::dict& keywords) {
+Keywords options_from(const py::dict& keywords) {
   OptionReader reader;
   for (const auto& [name, value] : keywords) {
     const std::string key = py::str(name);
@@ -197,7 +208,11 @@ Options options_from(const py::dict& keywords) {
   }
   Result<Options> options = reader.result();
   if (!options) raise(options.error());
-  return *std::move(options);
+  Keywords out{*std::move(options), {}};
+  for (const OptionEntry* entry : reader.idle())
+    out.idle.push_back("the option " + std::string(entry->name) + " does nothing: it counts with " +
+                       std::string(entry->counts_with) + " only");
+  return out;
 }
 
 ReadOptions take_read_options(py::dict& keywords) {

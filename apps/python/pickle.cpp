@@ -1,8 +1,12 @@
 #include "pickle.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <cover/curved_mesh.hpp>
 #include <cover/mesh.hpp>
 #include <cover/stored_mesh.hpp>
 
@@ -62,6 +66,17 @@ py::array_t<Number, py::array::c_style> array_in(const py::handle& value, py::ss
       array && (columns == 1 ? array.ndim() == 1 : array.ndim() == 2 && array.shape(1) == columns);
   if (!fits) throw py::value_error("this is no state of a cover.Mesh");
   return array;
+}
+
+template <std::size_t N>
+std::vector<std::array<std::uint32_t, N>> rows_in(const py::handle& value) {
+  const auto array = array_in<std::uint32_t>(value, N);
+  const auto view = array.template unchecked<2>();
+  std::vector<std::array<std::uint32_t, N>> rows(static_cast<std::size_t>(view.shape(0)));
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    for (std::size_t j = 0; j < N; ++j)
+      rows[k][j] = view(static_cast<py::ssize_t>(k), static_cast<py::ssize_t>(j));
+  return rows;
 }
 
 std::vector<std::int64_t> numbers_in(const py::handle& value) {
@@ -152,6 +167,90 @@ std::vector<StoredEdge> edges_in(const py::handle& value) {
   return edges;
 }
 
+/// Chords of each circle.
+py::list pickled_arcs(const Output& output) {
+  const auto& circles = output.pslg.circles;
+  if (circles.empty()) return py::list();
+  std::vector<std::vector<std::array<std::uint32_t, 2>>> edges(circles.size());
+  for (const CurvedEdge& edge : curved_mesh(output).edges)
+    edges[edge.circle].push_back({edge.a, edge.b});
+  py::list out;
+  for (std::size_t c = 0; c < circles.size(); ++c)
+    out.append(py::make_tuple(circles[c].centre.x, circles[c].centre.y, circles[c].radius,
+                              array_of(edges[c])));
+  return out;
+}
+
+void take_arcs(const py::list& arcs, StoredMesh& stored) {
+  for (const py::handle& item : arcs) {
+    const auto row = item.cast<py::tuple>();
+    StoredArc arc{{{row[0].cast<double>(), row[1].cast<double>()}, row[2].cast<double>()}, {}};
+    arc.edges = rows_in<2>(row[3]);
+    stored.arcs.push_back(std::move(arc));
+  }
+}
+
+constexpr std::array kCoefficients{&Isometry::xx, &Isometry::xy, &Isometry::yx,
+                                   &Isometry::yy, &Isometry::x0, &Isometry::y0};
+
+py::list pickled_periodic(const Output& output) {
+  py::list out;
+  for (const PeriodicNodes& nodes : output.periodic) {
+    py::list map;
+    for (const auto coefficient : kCoefficients) map.append(nodes.map.*coefficient);
+    const PeriodicRule& rule = nodes.rule;
+    out.append(py::make_tuple(rule.from, rule.to, static_cast<int>(rule.map), rule.centre.x,
+                              rule.centre.y, rule.angle.in_radians(), map, array_of(nodes.vertices),
+                              array_of(nodes.edges)));
+  }
+  return out;
+}
+
+void take_periodic(const py::list& periodic, StoredMesh& stored) {
+  for (const py::handle& item : periodic) {
+    const auto row = item.cast<py::tuple>();
+    PeriodicNodes nodes;
+    const int map = row[2].cast<int>();
+    if (map < 0 || map > static_cast<int>(PeriodicRule::Map::mirror))
+      throw py::value_error("this is no state of a cover.Mesh");
+    nodes.rule = {row[0].cast<std::string>(),
+                  row[1].cast<std::string>(),
+                  static_cast<PeriodicRule::Map>(map),
+                  {row[3].cast<double>(), row[4].cast<double>()},
+                  Angle::radians(row[5].cast<double>())};
+    const auto coefficients = row[6].cast<std::vector<Isometry::Coefficient>>();
+    if (coefficients.size() != kCoefficients.size())
+      throw py::value_error("this is no state of a cover.Mesh");
+    for (std::size_t k = 0; k < kCoefficients.size(); ++k)
+      nodes.map.*kCoefficients[k] = coefficients[k];
+    nodes.vertices = rows_in<2>(row[7]);
+    nodes.edges = rows_in<4>(row[8]);
+    stored.periodic.push_back(std::move(nodes));
+  }
+}
+
+py::tuple pickled_provenance(const Provenance& from) {
+  py::list settings;
+  for (const Provenance::Setting& setting : from.settings)
+    settings.append(py::make_tuple(setting.name, setting.value));
+  return py::make_tuple(from.source, from.version, settings);
+}
+
+Provenance provenance_in(const py::tuple& from) {
+  Provenance out{from[0].cast<std::string>(), from[1].cast<std::string>(), {}};
+  for (const py::handle& item : from[2].cast<py::list>()) {
+    const auto row = item.cast<py::tuple>();
+    out.settings.push_back({row[0].cast<std::string>(), row[1].cast<std::string>()});
+  }
+  return out;
+}
+
+/// Of the points that segments have, those that were not in the input, where that is known.
+std::size_t cut_vertices(const Output& output) {
+  const std::size_t uncut = output.report.input_points, all = output.pslg.points.size();
+  return uncut > 0 && all > uncut ? all - uncut : 0;
+}
+
 }  // namespace
 
 py::tuple pickled(const Output& output, const TriangleSoup& soup, const std::string& report) {
@@ -160,11 +259,12 @@ py::tuple pickled(const Output& output, const TriangleSoup& soup, const std::str
                         pickled_regions(output.table), pickled_interfaces(output.table),
                         pickled_edges(output.mesh), output.pslg.points.size(), output.report.unit,
                         output.report.scale, report, pickled_attributes(output.table),
-                        pickled_fields(output));
+                        pickled_fields(output), pickled_arcs(output), pickled_periodic(output),
+                        pickled_provenance(output.report.provenance), cut_vertices(output));
 }
 
 std::pair<Output, std::string> unpickled(const py::tuple& state) {
-  constexpr std::size_t kMembers = 15;
+  constexpr std::size_t kMembers = 19;
   if (state.size() != kMembers || state[0].cast<int>() != kPickleVersion)
     throw py::value_error("this is no state of a cover.Mesh, or of another version");
   StoredMesh stored;
@@ -182,6 +282,10 @@ std::pair<Output, std::string> unpickled(const py::tuple& state) {
   stored.input_vertices = state[9].cast<std::size_t>();
   stored.unit = state[10].cast<std::string>();
   stored.scale = state[11].cast<double>();
+  take_arcs(state[15].cast<py::list>(), stored);
+  take_periodic(state[16].cast<py::list>(), stored);
+  stored.provenance = provenance_in(state[17].cast<py::tuple>());
+  stored.cut_vertices = state[18].cast<std::size_t>();
   Result<Output> output = rebuild(stored);
   if (!output) raise(output.error());
   for (std::size_t v = 0; v < output->pslg.point_ids.size() && v < ids.size(); ++v)

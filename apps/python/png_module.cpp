@@ -9,11 +9,12 @@
 #include "raise.hpp"
 
 PYBIND11_MODULE(_png, module) {
-  module.def("write_png", [](const cover::python::PyMesh& mesh, const std::string& path) {
-    const cover::Status status = [&] {
-      const pybind11::gil_scoped_release release;
-      return cover::write_png(cover::picture_of(mesh.output), {}, path);
-    }();
-    if (!status) cover::python::raise(status.error());
-  });
+  module.def("write_png",
+             [](const cover::python::PyMesh& mesh, const std::string& path, int order) {
+               const cover::Status status = [&] {
+                 const pybind11::gil_scoped_release release;
+                 return cover::write_png(cover::picture_of(mesh.output, order), {}, path);
+               }();
+               if (!status) cover::python::raise(status.error());
+             });
 }

@@ -15,6 +15,8 @@ const char* type_of(ErrorCode code) {
       return "OptionError";
     case ErrorCode::out_of_memory:
       return "OutOfMemory";
+    case ErrorCode::requirement_not_met:
+      return "RequirementNotMet";
     default:
       return "Error";
   }
@@ -22,13 +24,16 @@ const char* type_of(ErrorCode code) {
 
 }  // namespace
 
-void raise(const Error& error) {
+void raise(const Error& error) { raise(error, py::none()); }
+
+void raise(const Error& error, const py::object& mesh) {
   const py::object type = py::module_::import("cover").attr(type_of(error.code));
   const py::object raised = type(error.message);
   raised.attr("code") = static_cast<int>(error.code);
   py::list where;
   for (const Point& p : error.where) where.append(py::make_tuple(p.x, p.y));
   raised.attr("where") = where;
+  if (!mesh.is_none()) raised.attr("mesh") = mesh;
   PyErr_SetObject(type.ptr(), raised.ptr());
   throw py::error_already_set();
 }

@@ -1,5 +1,7 @@
 """The module from outside; run by ctest with the built package in PYTHONPATH."""
+import copy
 import importlib.util
+import json
 import math
 import os
 import pathlib
@@ -266,13 +268,41 @@ class Pickling(unittest.TestCase):
 
     def test_wrong_states(self):
         mesh = cover.mesh(SQUARE, SEGMENTS, REGIONS)
-        function, arguments, *_ = mesh.__reduce_ex__(2)
-        state = mesh.__getstate__()
+        function, (state,) = mesh.__reduce__()
         for k, value in ((0, 99), (1, np.zeros(3)), (2, np.full((4, 3), 999, np.uint32)), (8, np.zeros((2, 3), int))):
             wrong = list(state)
             wrong[k] = value
             with self.assertRaises((ValueError, cover.Error)):
-                cover.Mesh.__new__(cover.Mesh).__setstate__(tuple(wrong))
+                function(tuple(wrong))
+        with self.assertRaisesRegex(TypeError, 'made by mesh'):
+            cover.Mesh.__new__(cover.Mesh)
+
+    def test_every_protocol_and_copy(self):
+        mesh = cover.mesh(SQUARE, SEGMENTS, REGIONS)
+        for again in [copy.copy(mesh), copy.deepcopy(mesh),
+                      *(pickle.loads(pickle.dumps(mesh, k)) for k in range(pickle.HIGHEST_PROTOCOL + 1))]:
+            np.testing.assert_array_equal(again.triangles, mesh.triangles)
+
+    def test_arcs_and_pairs_of_sides_stay(self):
+        for name, options in ('motor_pole.json', {'split_interfaces': True, 'size': 2}), ('coax_arcs.json', {}):
+            mesh = cover.mesh_file(Values.DATA / name, **options)
+            again = pickle.loads(pickle.dumps(mesh))
+            self.assertEqual(*({frozenset(edge) for edge in m.arcs['edges'].tolist()} for m in (mesh, again)))
+            self.assertEqual([(rule['from'], rule['to']) for rule in again.periodic],
+                             [(rule['from'], rule['to']) for rule in mesh.periodic])
+            for one, other in zip(mesh.periodic, again.periodic, strict=True):
+                np.testing.assert_array_equal(one['edges'], other['edges'])
+            with tempfile.TemporaryDirectory() as folder:
+                for k, m in enumerate((mesh, again)):
+                    for extension in ('msh', 'vtu', 'json'):
+                        m.save(f'{folder}/{k}.{extension}', order=2)
+                for extension in ('msh', 'vtu'):
+                    one, other = (pathlib.Path(f'{folder}/{k}.{extension}').read_bytes() for k in range(2))
+                    self.assertEqual(one, other)
+                manifests = [json.loads(pathlib.Path(f'{folder}/{k}.json').read_text()) for k in range(2)]
+                for key in ('cover', 'source', 'options', 'counts', 'periodic'):
+                    self.assertEqual(manifests[0].get(key), manifests[1].get(key), key)
+                self.assertEqual(*([(arc['radius'], len(arc['edges'])) for arc in m['arcs']] for m in manifests))
 
 
 class Conversions(unittest.TestCase):
@@ -349,6 +379,71 @@ class Mistakes(unittest.TestCase):
             cover.mesh_file('nowhere.poly')
 
 
+    def test_numbers_of_numpy(self):
+        for value in 0.4, np.float64(0.4), np.array(0.4), np.array([0.4]):
+            mesh = cover.mesh(SQUARE, SEGMENTS, REGIONS, size=value)
+            self.assertEqual(mesh.report['options'], {'method': 'quality', 'size': '0.4'})
+        layers = cover.mesh(SQUARE, SEGMENTS, REGIONS, lines={'drain': [5]}, layers={'drain': np.array([0.05, 1.2, 2])})
+        self.assertEqual(layers.report['options']['layers'], 'drain=0.05,1.2,2')
+        self.assertEqual(cover.mesh(SQUARE, SEGMENTS, REGIONS, max_angle=np.array(95.5)).report['options']['max-angle'], '95.5')
+
+    def test_lines(self):
+        with self.assertRaisesRegex(ValueError, "segment 1 is in 'anode' and in 'cathode'"):
+            cover.mesh(SQUARE, SEGMENTS, REGIONS, lines={'anode': [0, 1], 'cathode': [1]})
+        self.assertIn("the line 'a' has no segments: it is left out", cover.mesh(SQUARE, SEGMENTS, REGIONS, lines={'a': []}).notes)
+        with self.assertRaisesRegex(ValueError, "'a' has no points"):
+            cover.mesh_polygons([('Si', [SQUARE])], lines={'a': []})
+
+    def test_not_finite(self):
+        bad = [(0, 0), (1, math.nan), (0, 1)]
+        for options in {}, {'unit': 'nm'}:
+            with self.assertRaisesRegex(cover.Error, r'\(1, nan\) of polygon 0 is not finite') as caught:
+                cover.mesh_polygons([('Si', [bad])], **options)
+            self.assertEqual(caught.exception.code, 100)
+        with self.assertRaisesRegex(cover.Error, "of the line 'c' is not finite"):
+            cover.mesh_polygons([('Si', [SQUARE])], lines={'c': bad})
+
+    def test_materials(self):
+        for value in None, True, 5.5, b'Si', ['a']:
+            with self.assertRaisesRegex(TypeError, 'a name or a (whole )?number'):
+                cover.mesh_polygons([(value, [SQUARE])])
+            with self.assertRaisesRegex(TypeError, 'a name or a whole number'):
+                cover.mesh(SQUARE, SEGMENTS, [(0.5, 0.5, value)])
+        self.assertEqual(cover.mesh(SQUARE, SEGMENTS, [(0.5, 0.5, np.int64(7))]).material[0], 7)
+
+    def test_requirements(self):
+        thin = [(0, 0), (9, 0), (9, 1), (4.5, 0.4), (0, 1)]
+        ring = [(k, (k + 1) % 5) for k in range(5)]
+        with self.assertRaisesRegex(cover.RequirementNotMet, 'non-obtuse .*region 1') as caught:
+            cover.mesh(thin, ring, require='non-obtuse')
+        self.assertEqual(caught.exception.code, 302)
+        self.assertGreater(caught.exception.mesh.report['overall']['obtuse'], 0)
+        self.assertEqual(cover.mesh(thin, ring, require=['bound']).violations(), [])
+
+    def test_options_without_effect(self):
+        self.assertIn('the option max-angle does nothing: it counts with --method quality and --require max-angle only',
+                      cover.mesh(SQUARE, SEGMENTS, REGIONS, method='almond', max_angle=95).notes)
+
+    def test_paths(self):
+        mesh = cover.mesh(SQUARE, SEGMENTS, REGIONS)
+        with tempfile.TemporaryDirectory() as folder:
+            with self.assertRaisesRegex(ValueError, 'zero byte'):
+                mesh.save(f'{folder}/a.vtu\0.msh')
+            odd = os.fsencode(folder) + b'/\xfe.poly'
+            mesh.save(odd)
+            for path in odd, *pathlib.Path(folder).iterdir():
+                self.assertEqual(len(cover.mesh_file(path).triangles), len(mesh.triangles))
+
+    def test_pictures_of_second_order(self):
+        mesh = cover.mesh_file(Values.DATA / 'coax_arcs.json')
+        with tempfile.TemporaryDirectory() as folder:
+            for extension in 'svg', 'png':
+                files = [pathlib.Path(f'{folder}/{order}.{extension}') for order in (1, 2)]
+                for order, file in enumerate(files, 1):
+                    mesh.save(file, order=order)
+                self.assertNotEqual(*(file.read_bytes() for file in files))
+
+
 class Running(unittest.TestCase):
     POINTS, RING = polygon(4000)
 
@@ -364,6 +459,10 @@ class Running(unittest.TestCase):
         with self.assertRaises(cover.Cancelled) as caught:
             cover.mesh(self.POINTS, self.RING, progress=lambda *_: False)
         self.assertEqual(caught.exception.code, 300)
+
+    def test_cancel_by_numpy(self):
+        with self.assertRaises(cover.Cancelled):
+            cover.mesh(self.POINTS, self.RING, progress=lambda *_: np.float64(1) < 0.5)
 
     def test_exception_in_callback(self):
         def progress(*_):

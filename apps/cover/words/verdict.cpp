@@ -13,9 +13,9 @@
 #include <cover/curved_mesh.hpp>
 #include <cover/judged_angle.hpp>
 #include <cover/option_ranges.hpp>
+#include <cover/requirements.hpp>
 #include <cover/verify.hpp>
 
-#include "commands/requirements.hpp"
 #include "terminal/console.hpp"
 #include "words/angle_text.hpp"
 

@@ -6,10 +6,12 @@
 
 Every segment becomes one edge of the mesh. Options are those of `cover mesh` by the same names, as
 keywords with '_' for '-': max_angle=110, no_input_sizes=True. options() lists them. Sizes may be a
-length or lengths by name: size={"": 1, "gate": 0.1}. Ctrl-C stops a run.
+length or lengths by name: size={"": 1, "gate": 0.1}. Ctrl-C stops a run. What `cover mesh` would warn of is
+in mesh.notes.
 """
 
 import json as _json
+import math as _math
 import os as _os
 
 
@@ -35,11 +37,21 @@ class Cancelled(Error):
     """The progress callback returned False."""
 
 
+class RequirementNotMet(Error):
+    """What the option `require` asks for is not met.
+
+    mesh: the mesh that was made.
+    """
+
+    mesh = None
+
+
 from ._cover import Mesh, __version__, options as _options, read_options as _read_options, write_options as _write_options  # noqa: E402
 from ._cover import mesh_file as _mesh_file, mesh_polygons as _mesh_polygons, mesh_pslg as _mesh_pslg, mesh_text as _mesh_text  # noqa: E402
+from ._cover import mesh_of_state as _made_of_state  # noqa: E402
 
-__all__ = ["Cancelled", "Error", "Mesh", "OptionError", "OutOfMemory", "mesh", "mesh_file", "mesh_polygons", "options",
-           "read_options", "write_options"]
+__all__ = ["Cancelled", "Error", "Mesh", "OptionError", "OutOfMemory", "RequirementNotMet", "mesh", "mesh_file",
+           "mesh_polygons", "options", "read_options", "write_options"]
 
 
 def options():
@@ -76,20 +88,26 @@ def _by_name(lines, what):
     return lines or {}
 
 
-def _plain(path):
+def _plain(path, what):
     """A path as JSON has it: points as pairs, curves as dictionaries."""
-    return [item if isinstance(item, dict) else [float(x) for x in item] for item in path]
+    plain = [item if isinstance(item, dict) else [float(x) for x in item] for item in path]
+    for point in plain:
+        if not isinstance(point, dict) and not all(map(_math.isfinite, point)):
+            error = Error(f"the point ({', '.join(f'{x:g}' for x in point)}) of {what} is not finite")
+            error.code, error.where = 100, [tuple(point)]
+            raise error
+    return plain
 
 
 def _is_curved(path):
     return any(isinstance(item, dict) for item in path) if not hasattr(path, "dtype") else False
 
 
-def _document(polygon):
+def _document(k, polygon):
     """A polygon as JSON has it; the names and numbers of a tuple are those of mesh_polygons()."""
     if not isinstance(polygon, dict):
         polygon = dict(zip(("material", "rings", "region"), polygon))
-    return {**polygon, "rings": [_plain(ring) for ring in polygon.get("rings", ())]}
+    return {**polygon, "rings": [_plain(ring, f"polygon {k}") for ring in polygon.get("rings", ())]}
 
 
 def _check_polygon(k, polygon):
@@ -127,18 +145,24 @@ def mesh_polygons(polygons, *, lines=None, holes=(), chord_error=None, unit=None
         not isinstance(p, dict) and not any(_is_curved(ring) for ring in p[1]) for p in polygons)
     if simple:
         return _mesh_polygons(polygons, options, progress)
-    document = {"polygons": [_document(p) for p in polygons], "lines": [], "holes": _plain(holes)}
+    document = {"polygons": [_document(k, p) for k, p in enumerate(polygons)], "lines": [], "holes": _plain(holes, "holes")}
     for name, paths in _by_name(lines, "paths").items():
         # One path begins with a point or a curve, a list of them with a path.
-        first = paths[0] if len(paths) else ()
+        if not len(paths):
+            raise ValueError(f"lines: '{name}' has no points")
+        first = paths[0]
         one = isinstance(first, dict) or (len(first) == 2 and not any(isinstance(x, dict) or hasattr(x, "__len__") for x in first))
         for path in [paths] if one else paths:
-            document["lines"].append({"name": str(name), "points": _plain(path)})
+            document["lines"].append({"name": str(name), "points": _plain(path, f"the line '{name}'")})
     if chord_error is not None:
         document["chord_error"] = float(chord_error)
     if unit is not None:
         document["unit"] = unit
-    return _mesh_text(_json.dumps(document, default=_number), ".json", "polygons", options, progress)
+    try:
+        text = _json.dumps(document, default=_number, allow_nan=False)
+    except ValueError as error:
+        raise ValueError("a curve, a size, a priority or chord_error is not a finite number") from error
+    return _mesh_text(text, ".json", "polygons", options, progress)
 
 
 def _number(value):
@@ -154,7 +178,22 @@ def mesh_file(path, *, progress=None, **options):
     Options are those of meshing and those of reading, which read_options() lists: layer_map="layers.map",
     window=(0, 0, 2, 1), scale=1e-3.
     """
-    return _mesh_file(_os.fspath(path), options, progress)
+    return _mesh_file(_os.fsencode(path), options, progress)
+
+
+def _mesh_of_state(state):
+    """For pickle, which finds functions by their names in a module of Python alone."""
+    return _made_of_state(state)
+
+
+def _no_constructor(cls, *_, **__):
+    raise TypeError("a Mesh is made by mesh(), mesh_polygons() or mesh_file()")
+
+
+def _notes(self):
+    """What `cover mesh` would warn of, of the whole and of its regions: sentences with coordinates and ids."""
+    report = self.report
+    return [note["message"] for of in [report, *report.get("regions", ())] for note in of.get("notes", ())]
 
 
 def _to_vtk(self):
@@ -225,4 +264,6 @@ def _to_meshio(self):
     return meshio.Mesh(self.points, cells, cell_data=data, field_data=field_data)
 
 
-Mesh.to_vtk, Mesh.to_meshio = _to_vtk, _to_meshio
+Mesh.to_vtk, Mesh.to_meshio, Mesh.notes = _to_vtk, _to_meshio, property(_notes)
+# Else there were meshes without anything in them.
+Mesh.__new__ = staticmethod(_no_constructor)

@@ -5,8 +5,8 @@ import numpy as np
 import numpy.typing as npt
 from typing_extensions import Unpack
 
-__all__ = ["Cancelled", "Error", "Mesh", "OptionError", "OutOfMemory", "mesh", "mesh_file", "mesh_polygons", "options",
-           "read_options", "write_options"]
+__all__ = ["Cancelled", "Error", "Mesh", "OptionError", "OutOfMemory", "RequirementNotMet", "mesh", "mesh_file",
+           "mesh_polygons", "options", "read_options", "write_options"]
 
 __version__: str
 
@@ -97,6 +97,9 @@ class OptionError(Error, ValueError): ...
 class OutOfMemory(Error, MemoryError): ...
 class Cancelled(Error): ...
 
+class RequirementNotMet(Error):
+    mesh: Mesh  # that was made
+
 class Mesh:
     @property
     def points(self) -> npt.NDArray[np.float64]: ...
@@ -120,6 +123,8 @@ class Mesh:
     def fields(self) -> dict[str, npt.NDArray[np.float64]]: ...  # what the input has beside geometry: doping, by point
     @property
     def report(self) -> dict[str, Any]: ...
+    @property
+    def notes(self) -> list[str]: ...  # what `cover mesh` would warn of
     def save(self, path: Union[str, os.PathLike[str]], **options: Unpack[_WriteOptions]) -> None: ...
     def violations(self) -> list[str]: ...
     def to_vtk(self) -> Any: ...

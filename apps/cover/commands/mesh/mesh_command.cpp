@@ -19,6 +19,7 @@
 #include <cover/progress.hpp>
 #include <cover/read_size_field.hpp>
 #include <cover/regions.hpp>
+#include <cover/requirements.hpp>
 #include <cover/result.hpp>
 #include <cover/stream_mesh.hpp>
 #include <cover/text.hpp>
@@ -27,7 +28,6 @@
 #include "commands/commands.hpp"
 #include "commands/mesh/make_mesh.hpp"
 #include "commands/options.hpp"
-#include "commands/requirements.hpp"
 #include "files/dump_stages.hpp"
 #include "files/file_check.hpp"
 #include "files/input_file.hpp"

@@ -1,4 +1,4 @@
-#include "commands/requirements.hpp"
+#include <cover/requirements.hpp>
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@
 
 #include <cover/judged_angle.hpp>
 
-namespace cover::app {
+namespace cover {
 namespace {
 
 constexpr double kRounding = 1e-9;  ///< radians: what the quality method's targets leave to it
@@ -80,4 +80,4 @@ std::vector<std::string> unmet_requirements(const Output& output, const Options&
   return unmet;
 }
 
-}  // namespace cover::app
+}  // namespace cover

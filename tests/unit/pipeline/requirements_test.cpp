@@ -1,5 +1,5 @@
 // Report, requirements and check have one notion of obtuse, wherever a mesh lies.
-#include "commands/requirements.hpp"
+#include <cover/requirements.hpp>
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@
 #include "support/mesh_shape.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace cover::app {
+namespace cover {
 namespace {
 
 /// Obtuse triangles, and those that rounding explains.
@@ -104,4 +104,4 @@ TEST(Requirements, ARegionFarAwayExcusesNothing) {
 }
 
 }  // namespace
-}  // namespace cover::app
+}  // namespace cover

@@ -7,7 +7,7 @@
 #include <cover/options.hpp>
 #include <cover/output.hpp>
 
-namespace cover::app {
+namespace cover {
 
 /// Whether a region misses the proven bound although doubles could hold it; regions kept of another
 /// mesh aside.
@@ -18,4 +18,4 @@ std::string describe_missed_bound(const Output& output);
 /// The requirements of `options` that the mesh misses, in words.
 std::vector<std::string> unmet_requirements(const Output& output, const Options& options);
 
-}  // namespace cover::app
+}  // namespace cover
