@@ -3,6 +3,7 @@
 import json
 import math
 import re
+import shutil
 
 from cover_case import Case, SAMPLES, SQUARE, main
 
@@ -403,6 +404,27 @@ class Remesh(Case):
             self.run_cover('convert', 'm.vtu', '-o', name)
             self.again('--only', 'material_4', '--onto', name, '-o', 'n.vtu', '-q')
             self.assertEqual(self.bytes_of('n.vtu'), self.bytes_of('m.vtu'), name)
+
+    def test_values_of_the_whole_mesh(self):
+        square = [[0, 0], [2, 0], [2, 2], [0, 2], [0, 0]]
+        parts = [('wood', [[x / 2 for x in p] for p in square], 7), ('lake', [[2 + p[0], p[1]] for p in square], 9)]
+        self.write('map.geojson', json.dumps({'type': 'FeatureCollection', 'features': [
+            {'type': 'Feature', 'properties': {'material': name, 'pop': pop},
+             'geometry': {'type': 'Polygon', 'coordinates': [ring]}} for name, ring, pop in parts]}))
+        self.run_cover('mesh', 'map.geojson', '--keep-field', 'pop', '-o', 'k.vtm', '-q')
+        self.run_cover('mesh', 'map.geojson', '--only', 'wood', '--onto', 'k.vtm', '--method', 'almond', '-o', 'l.vtm', '-q')
+        for name in 'k', 'l':
+            for file in sorted((self.dir / name).rglob('*.vtu')):
+                if b'RegionId' in file.read_bytes() and b'pop' not in file.read_bytes():
+                    self.assertIn('line', file.name)
+        self.run_cover('convert', 'l.vtm', '-o', 'l.json')
+        kept, = json.loads(self.bytes_of('l.json'))['attributes']
+        self.assertEqual((kept['name'], kept['values']), ('pop', [7, 9]))
+        shutil.copy(SAMPLES / 'nmos.tif', self.dir / 'd.tif')
+        self.run_cover('mesh', 'd.tif', '-o', 'd.vtu', '-q')
+        self.run_cover('mesh', 'd.tif', '-o', 'd.poly', '-q')
+        _, err = self.run_cover('mesh', 'd.poly', '--only', 'region:1', '--onto', 'd.vtu', '-o', 'e.vtu')
+        self.assertIn("the values 'Net' of d.vtu are left out: this input has none", err)
 
     def test_finer_and_back(self):
         out, _ = self.again('--only', '2', '--onto', 'm.vtu', '--size', '10', '-o', 'n.vtu', '--report', 'n.json')

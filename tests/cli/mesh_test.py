@@ -102,6 +102,7 @@ class Mesh(Case):
         self.assertIn('--max-angle does nothing', warnings('--method', 'almond', '--max-angle', 110))
         self.assertIn('--min-angle does nothing', warnings('--method', 'nonobtuse', '--min-angle', 10))
         self.assertIn('--fill does nothing', warnings('--method', 'quality', '--fill', 'disks'))
+        self.assertIn("--format does nothing: it counts with '-o -' only", warnings('--format', 'msh'))
         for words in (['--fill', 'disks'], ['--max-angle', 110, '--min-angle', 10], ['--method', 'almond'],
                       ['--method', 'almond', '--max-angle', 170, '--require', 'max-angle']):
             self.assertEqual(warnings(*words), '', words)

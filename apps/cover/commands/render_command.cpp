@@ -138,6 +138,8 @@ int run_render(Arguments arguments) {
     return usage_error(app, files.error());
 
   const auto log = make_logger(asked.verbosity);
+  if (!asked.range.empty() && asked.options.color.empty())
+    log->warn("--range does nothing: it counts with --color only");
   const Result<PictureMesh> picture = read_picture(asked.path);
   if (!picture) return fail(*log, picture.error());
   PictureOptions options = asked.picture_options();

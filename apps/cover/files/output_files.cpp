@@ -36,6 +36,7 @@ CLI::Option* OutputFiles::add_formats(CLI::App& command, const char* group) {
                             ->type_name("EXT")
                             ->capture_default_str();
   formats_.add(command, group);
+  format_option_ = format;
   return format;
 }
 
@@ -89,6 +90,8 @@ Status OutputFiles::can_hold_periodic() const {
 
 std::vector<std::string> OutputFiles::warnings(const std::vector<Attribute>& attributes) const {
   std::vector<std::string> sentences = formats_.ignored(meshes_, format_);
+  if (format_option_ != nullptr && format_option_->count() > 0 && !has_stdout())
+    sentences.emplace_back("--format does nothing: it counts with '-o -' only");
   if (std::string lost = attributes_lost(attributes); !lost.empty())
     sentences.push_back(std::move(lost));
   return sentences;

@@ -89,6 +89,7 @@ class OutputFiles {
   std::vector<std::string> meshes_;
   std::vector<std::string> reports_;
   std::string format_ = "vtu";  ///< of standard output, without its dot
+  CLI::Option* format_option_ = nullptr;
   FormatOptions formats_;
   std::vector<Planned> planned_;
 };

@@ -18,8 +18,7 @@ struct BoxCosts {
   std::size_t least_cuts = 0;  ///< proven: no fewer cuts on straight segments will do
   std::size_t cuts = 0;        ///< points that Options::box_method puts on segments before meshing
   std::size_t uncut = 0;       ///< segments left encroached, as doubles have no room for more cuts
-  std::size_t cuts_for_right_angles =
-      0;  ///< those that Options::split_interfaces = 90 degrees puts
+  std::size_t cuts_for_right_angles = 0;     ///< as Options::split_interfaces = 90 degrees puts
   std::vector<NegativeCoupling> encroached;  ///< by region, then side
 };
 

@@ -20,6 +20,7 @@
 #include "gdal/map_projection.hpp"
 #include "gdal/quiet_gdal.hpp"
 #include "io/input/attribute_table.hpp"
+#include "io/input/degrees.hpp"
 
 namespace cover {
 namespace {
@@ -313,10 +314,7 @@ class MapReader {
     if (others_ > 0)
       input_.warnings.push_back(
           fmt::format("{} geometries are surfaces in space: left out", others_));
-    if (degrees_)
-      input_.warnings.emplace_back(
-          "coordinates are longitudes and latitudes: lengths and angles are those of a plane of "
-          "degrees; --crs EPSG:... projects them");
+    if (degrees_) input_.warnings.emplace_back(kInDegrees);
   }
 
   const GdalLibrary& gdal_;

@@ -27,7 +27,7 @@ Result<std::vector<std::vector<EncroachedSegment>>> encroached_in(
   return encroached;
 }
 
-/// Cuts copies as --box-method does, and as --split-interfaces=90 does.
+/// Cuts copies as --box-method does, and as --split-interfaces=90 does without sizes.
 Status try_cuts(Pslg pslg, RegionTable table, BoxCosts& costs) {
   const std::size_t points = pslg.points.size();
   Prepared cut{pslg, table, {}};
@@ -36,6 +36,7 @@ Status try_cuts(Pslg pslg, RegionTable table, BoxCosts& costs) {
   costs.cuts = cut.report.box_cuts.size();
   Options right;
   right.split_interfaces = Angle::degrees(90);
+  right.input_sizes = false;  // what sizes cut is no price of right angles, and may be without end
   std::vector<Note> notes;
   Status split = split_interfaces(pslg, table, right, notes);
   costs.cuts_for_right_angles = pslg.points.size() - points;

@@ -19,7 +19,8 @@ namespace {
 struct RawLayout {
   std::vector<std::uint64_t> sizes;
   std::vector<double> spacing, origin;
-  std::size_t bytes = 0;  ///< of a number
+  std::vector<bool> mirrored;  ///< axes along which places become less; empty: none
+  std::size_t bytes = 0;       ///< of a number
   bool is_signed = false;
   bool is_real = false;
   bool big_endian = false;
@@ -64,11 +65,8 @@ class RawDecoder {
     set_sizes(key("sizes"));
     layout_.spacing = reals_of(key("spacings"));
     layout_.origin = reals_of(key("space origin"));
-    const std::vector<double> directions = reals_of(key("space directions"));
-    const std::size_t n = layout_.sizes.size();
-    if (directions.size() == n * n)
-      for (std::size_t k = 0; k < n; ++k)
-        layout_.spacing.push_back(std::abs(directions[k * (n + 1)]));
+    for (const double along : diagonal_of(key("space directions")))
+      layout_.spacing.push_back(std::abs(along));
     return decode();
   }
 
@@ -88,6 +86,9 @@ class RawDecoder {
     layout_.spacing = reals_of(key("elementspacing"));
     layout_.origin = reals_of(key("offset"));
     if (layout_.origin.empty()) layout_.origin = reals_of(key("position"));
+    // Three names of one thing, of which the first is today's.
+    for (const char* name : {"transformmatrix", "rotation", "orientation"})
+      if (!key(name).empty()) diagonal_of(key(name));
     return decode();
   }
 
@@ -115,6 +116,28 @@ class RawDecoder {
   }
 
   std::string key(const std::string& name) { return keys_[name]; }
+
+  /// What a step along each axis does to its own coordinate; empty where the text does not say.
+  /// Below zero the axis is mirrored. A step that does anything else is refused.
+  std::vector<double> diagonal_of(const std::string& text) {
+    const std::vector<double> steps = reals_of(text);
+    const std::size_t n = layout_.sizes.size();
+    const bool all_known =
+        std::all_of(steps.begin(), steps.end(), [](double x) { return std::isfinite(x); });
+    if (n == 0 || steps.empty() || steps.size() % n != 0 || !all_known) return {};
+    const std::size_t coordinates = steps.size() / n;
+    std::vector<double> diagonal;
+    layout_.mirrored.clear();
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      const std::size_t axis = k / coordinates, coordinate = k % coordinates;
+      if ((steps[k] != 0) != (axis == coordinate))
+        fail(ErrorCode::unsupported_format, "images that are turned are not read");
+      if (axis != coordinate) continue;
+      diagonal.push_back(steps[k]);
+      layout_.mirrored.push_back(steps[k] < 0);
+    }
+    return diagonal;
+  }
 
   void set_type(const std::string& type) {
     struct Type {
@@ -182,10 +205,26 @@ class RawDecoder {
     };
     raster_.pixel_width = spacing(0);
     raster_.pixel_height = spacing(1);
-    raster_.corner = {of_axis(layout_.origin, 0, spacing(0) / 2) - spacing(0) / 2,
-                      of_axis(layout_.origin, 1, spacing(1) / 2) - spacing(1) / 2};
+    const auto is_mirrored = [&](std::size_t k) {
+      return axes[k] < layout_.mirrored.size() && layout_.mirrored[axes[k]];
+    };
+    // The origin is the middle of the first pixel, which is the last one of a mirrored axis.
+    const auto corner = [&](std::size_t k, std::size_t pixels) {
+      const double first = of_axis(layout_.origin, k, spacing(k) / 2);
+      const double before = is_mirrored(k) ? static_cast<double>(pixels) - 0.5 : 0.5;
+      return first - before * spacing(k);
+    };
+    raster_.corner = {corner(0, raster_.width), corner(1, raster_.height)};
     read_numbers();
     if (error_) return *error_;
+    const auto row = [&](std::size_t y) {
+      return raster_.pixels.begin() + static_cast<std::ptrdiff_t>(y * raster_.width);
+    };
+    if (is_mirrored(0))
+      for (std::size_t y = 0; y < raster_.height; ++y) std::reverse(row(y), row(y + 1));
+    if (is_mirrored(1))
+      for (std::size_t y = 0; y < raster_.height / 2; ++y)
+        std::swap_ranges(row(y), row(y + 1), row(raster_.height - 1 - y));
     return std::move(raster_);
   }
 

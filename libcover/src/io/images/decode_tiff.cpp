@@ -180,6 +180,9 @@ class TiffDecoder {
     raster_.height = height;
     raster_.is_colour = photometric_ >= 2;
     raster_.is_signed = tag(kSampleFormat, 1) == 2;
+    const auto& palette = tags_[kColourMap];
+    narrow_palette_ = std::all_of(palette.begin(), palette.end(),
+                                  [](std::uint64_t colour) { return colour % 256 == 0; });
     raster_.pixels.resize(width * height);
   }
 
@@ -243,8 +246,11 @@ class TiffDecoder {
     if (photometric_ == 3) {
       const std::vector<std::uint64_t>& map = tags_[kColourMap];
       const std::size_t n = map.size() / 3;
-      if (value[0] < n)
-        return map[value[0]] << 32U | map[n + value[0]] << 16U | map[2 * n + value[0]];
+      if (value[0] < n) {
+        const auto wide = [&](std::uint64_t v) { return narrow_palette_ ? v / 256 * 257 : v; };
+        return wide(map[value[0]]) << 32U | wide(map[n + value[0]]) << 16U |
+               wide(map[2 * n + value[0]]);
+      }
       fail(ErrorCode::syntax, fmt::format("there is no colour {} in the palette", value[0]));
       return 0;
     }
@@ -258,6 +264,7 @@ class TiffDecoder {
   bool big_endian_;
   std::map<std::uint64_t, std::vector<std::uint64_t>> tags_;
   std::uint64_t bits_ = 8, samples_ = 1, photometric_ = 1, compression_ = 1;
+  bool narrow_palette_ = false;  ///< of 8 bits a colour, in 16: the lower ones are 0
   Raster raster_;
   std::optional<Error> error_;
 };

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <unordered_map>
 
 #include <fmt/core.h>
@@ -53,12 +54,14 @@ using Legend = std::map<std::string, std::string, std::less<>>;
 Result<Legend> parse_legend(const ImageOptions& options) {
   Legend legend;
   std::string_view rest = options.legend;
+  if (constexpr std::string_view kByteOrder = "\xef\xbb\xbf"; rest.starts_with(kByteOrder))
+    rest.remove_prefix(kByteOrder.size());
   for (int line = 1; !rest.empty(); ++line) {
     const std::size_t end = rest.find('\n');
     std::string_view text = rest.substr(0, end);
     rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
     if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
-    if (text.empty()) continue;
+    if (text.empty() || text == "#" || text.starts_with("# ")) continue;
     const std::size_t comma = text.find(',');
     const auto wrong = [&](std::string_view what) {
       return Error{
@@ -97,6 +100,31 @@ LabelImage labelled(const Raster& raster, const Legend& legend) {
     }
   }
   return image;
+}
+
+/// Rows of the legend that name no pixel: a misspelt colour would stay unnamed.
+void warn(const Legend& legend, const Raster& raster, std::vector<std::string>& warnings) {
+  constexpr std::size_t kMost = 5;  // of each kind that are listed
+  if (legend.empty()) return;
+  std::set<std::string> labels;
+  for (const std::uint64_t pixel : std::set(raster.pixels.begin(), raster.pixels.end()))
+    if (pixel != kNoPixel) labels.insert(label_of(raster, pixel));
+  std::vector<std::string> unused;
+  for (const auto& [label, name] : legend)
+    if (!labels.contains(label)) unused.push_back(label);
+  if (unused.empty()) return;
+  const auto some = [](const auto& all) {
+    std::string text;
+    std::size_t count = 0;
+    for (const std::string& label : all) {
+      if (++count > kMost) return text + ", ...";
+      text += fmt::format("{}'{}'", text.empty() ? "" : ", ", legible(label));
+    }
+    return text;
+  };
+  warnings.push_back(fmt::format("{} of the legend {} of no pixel: {}; the picture has {}",
+                                 counted(unused.size(), "label"), unused.size() == 1 ? "is" : "are",
+                                 some(unused), labels.empty() ? "none" : some(labels)));
 }
 
 void warn(const ImageBorders& borders, std::vector<std::string>& warnings) {
@@ -138,6 +166,7 @@ Result<Input> input_of(const Raster& raster, const std::string& source,
   input.source = source;
   input.polygons = std::move(borders->polygons);
   warn(*borders, input.warnings);
+  warn(*legend, raster, input.warnings);
   for (InputPolygon& polygon : input.polygons) {
     for (std::vector<Point>& ring : polygon.rings)
       for (Point& p : ring)

@@ -47,6 +47,18 @@ std::size_t encroached(const Cut& done) {
   return count;
 }
 
+TEST(CutEncroached, SizesAreNoPriceOfRightAngles) {
+  Input input;
+  input.polygons.resize(1);
+  input.polygons[0].rings = {{{0, 0}, {10, 0}, {10, 10}, {0, 10}}};
+  const Result<Prepared> plain = prepare(input);
+  input.polygons[0].size = 1e-6;  // four hundred million cuts
+  const Result<Prepared> sized = prepare(input);
+  ASSERT_TRUE(plain && sized);
+  EXPECT_EQ(sized->table.regions[0].size, 1e-6);
+  EXPECT_EQ(box_costs(*sized)->cuts_for_right_angles, box_costs(*plain)->cuts_for_right_angles);
+}
+
 TEST(CutEncroached, LeavesWhatNothingEncroaches) {
   const Cut done = cut(testing::input_of({{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
   EXPECT_EQ(done.costs.encroached_sides, 0U);

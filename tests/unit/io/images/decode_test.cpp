@@ -369,6 +369,10 @@ TEST(DecodeTiff, AllKinds) {
   map[1] = 257, map[256 + 1] = 514, map[512 + 1] = 771;
   EXPECT_EQ(decoded(decode_tiff(tiff(index, {3, 1, 1, 4, false, false}, map), "t"), index)[1],
             257ULL << 32U | 514ULL << 16U | 771);
+  // Of 8 bits in 16, as most programs write them.
+  map[1] = 255 * 256, map[256 + 1] = 256, map[512 + 1] = 0;
+  EXPECT_EQ(decoded(decode_tiff(tiff(index, {3, 1, 1, 4, false, false}, map), "t"), index)[1],
+            0xffffULL << 32U | 257ULL << 16U);
   const Picture minus{2, 1, 1, 16, {0xffff, 5}};
   const Result<Raster> raster = decode_tiff(tiff(minus, {1, 1, 2, 4, false, false}), "t");
   ASSERT_TRUE(raster);
@@ -482,6 +486,38 @@ TEST(DecodeRaw, NrrdAndMetaImage) {
                 .error()
                 .message.find("whole numbers"),
             std::string::npos);
+}
+
+TEST(DecodeRaw, AxesMayBeMirroredButNotTurned) {
+  const auto nrrd = [](const std::string& directions) {
+    return decode_nrrd("NRRD0004\ntype: uint8\nsizes: 3 2\nspace dimension: 2\nspace directions: " +
+                           directions + "\nspace origin: (0,10)\nencoding: ascii\n\n1 2 3\n4 5 6\n",
+                       "n");
+  };
+  const auto mha = [](const std::string& matrix) {
+    return decode_mha(
+        "NDims = 2\nDimSize = 3 2\nElementType = MET_UCHAR\nOffset = 0 10\nTransformMatrix = " +
+            matrix + "\nElementDataFile = LOCAL\n\1\2\3\4\5\6",
+        "m");
+  };
+  const auto expect = [](const Result<Raster>& raster, const Numbers& pixels, Point corner) {
+    ASSERT_TRUE(raster) << raster.error().message;
+    EXPECT_EQ(raster->pixels, pixels);
+    EXPECT_EQ(raster->corner, corner);
+  };
+  for (const Result<Raster>& plain : {nrrd("(1,0) (0,1)"), mha("1 0 0 1"), nrrd("none none")})
+    expect(plain, {1, 2, 3, 4, 5, 6}, {-0.5, 9.5});
+  // The first row has its middles at y = 10, the second one at 9.
+  for (const Result<Raster>& down : {nrrd("(1,0) (0,-1)"), mha("1 0 0 -1")})
+    expect(down, {4, 5, 6, 1, 2, 3}, {-0.5, 8.5});
+  for (const Result<Raster>& left : {nrrd("(-1,0) (0,1)"), mha("-1 0 0 1")})
+    expect(left, {3, 2, 1, 6, 5, 4}, {-2.5, 9.5});
+  for (const Result<Raster>& turned :
+       {nrrd("(1,1) (-1,1)"), nrrd("(0,1) (-1,0)"), mha("0 1 -1 0"), mha("0.6 0.8 -0.8 0.6")}) {
+    ASSERT_FALSE(turned);
+    EXPECT_EQ(turned.error().code, ErrorCode::unsupported_format);
+    EXPECT_NE(turned.error().message.find("turned"), std::string::npos);
+  }
 }
 
 TEST(DecodeRaw, Mistakes) {

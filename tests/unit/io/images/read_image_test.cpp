@@ -97,6 +97,14 @@ TEST(ReadImage, LegendsNameThem) {
   const Result<Input> input = parse_image(kPicture, ".nrrd", "a.nrrd", options);
   ASSERT_TRUE(input) << input.error().message;
   EXPECT_EQ(materials_of(*input), (std::set<std::string>{"copper", "iron, cast"}));
+  EXPECT_EQ(input->warnings.back(),
+            "1 label of the legend is of no pixel: '99'; the picture has '0', '1', '7'");
+  options.legend =
+      "\xef\xbb\xbf"
+      "1,copper\n# by hand\n#\n7,iron\n";
+  const Result<Input> marked = parse_image(kPicture, ".nrrd", "a.nrrd", options);
+  ASSERT_TRUE(marked) << marked.error().message;
+  EXPECT_EQ(materials_of(*marked), (std::set<std::string>{"0", "copper", "iron"}));
   options.legend = "1,copper\n1,tin";
   EXPECT_EQ(parse_image(kPicture, ".nrrd", "a", options).error().message,
             "l.csv:2: the label '1' stands there a second time");

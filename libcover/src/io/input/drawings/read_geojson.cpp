@@ -19,6 +19,7 @@
 #include "geom/box.hpp"
 #include "geom/rings/place_in_ring.hpp"
 #include "io/input/attribute_table.hpp"
+#include "io/input/degrees.hpp"
 #include "io/input/formats.hpp"
 
 namespace cover {
@@ -92,6 +93,7 @@ class GeoReader {
                       "go round an odd number of times, so there is no hole there but an area",
                       counted(outside_, "inner ring") + (outside_ == 1 ? " lies" : " lie"),
                       outside_ == 1 ? "its polygon" : "their polygons", describe(first_outside_)));
+    if (says_degrees()) input_.warnings.emplace_back(kInDegrees);
     if (auto missing = missing_property()) return *std::move(missing);
     input_.attributes = attributes_.attributes();
     return std::move(input_);
@@ -198,14 +200,29 @@ class GeoReader {
     return value->dump(-1, ' ', false, Json::error_handler_t::replace);
   }
 
+  /// Whether the document names a system of longitudes and latitudes. Without a name it should be
+  /// one, too, but drawings of any kind are written as GeoJSON.
+  [[nodiscard]] bool says_degrees() const {
+    const Json* crs = JsonReader::member(document_, "crs");
+    const Json* properties = crs ? JsonReader::member(*crs, "properties") : nullptr;
+    const Json* name = properties ? JsonReader::member(*properties, "name") : nullptr;
+    if (!name || !name->is_string()) return false;
+    const auto& text = name->get_ref<const std::string&>();
+    return text.ends_with("CRS84") || text.ends_with(":4326");
+  }
+
   /// A property that was asked for and that no feature has.
   [[nodiscard]] std::optional<Error> missing_property() const {
     const auto error = [&](const char* option, const std::string& name) {
-      return Error{ErrorCode::bad_option,
-                   fmt::format("{}: {}: no feature has the property '{}'{}", input_.source, option,
-                               name, did_you_mean(name, std::vector(known_.begin(), known_.end()))),
-                   {},
-                   {}};
+      return Error{
+          ErrorCode::bad_option,
+          known_.contains(name)
+              ? fmt::format("{}: {}: the property '{}' is null in every feature", input_.source,
+                            option, name)
+              : fmt::format("{}: {}: no feature has the property '{}'{}", input_.source, option,
+                            name, did_you_mean(name, std::vector(known_.begin(), known_.end()))),
+          {},
+          {}};
     };
     for (const Meaning* meaning : {&material_, &name_, &priority_})
       if (meaning->must_be_there) return error(meaning->option, meaning->name);

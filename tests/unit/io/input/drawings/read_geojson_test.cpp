@@ -105,6 +105,34 @@ TEST(ReadGeojson, PropertiesAreKept) {
             "map.geojson: keep_field: no feature has the property 'usage'");
 }
 
+TEST(ReadGeojson, APropertyWithoutValuesIsNoMisspeltOne) {
+  const Result<Input> input =
+      parse_geojson(R"({"type": "Feature", "properties": {"soil": null}, "geometry":
+        {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]}})",
+                    "map.geojson", keeping({"soil"}));
+  ASSERT_FALSE(input.has_value());
+  EXPECT_EQ(input.error().message,
+            "map.geojson: keep_field: the property 'soil' is null in every feature");
+}
+
+TEST(ReadGeojson, DegreesAreToldWhereTheFileSaysSo) {
+  const auto warnings = [](const std::string& crs) {
+    return parse_geojson(R"({"type": "Polygon", )" + crs +
+                             R"("coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]})",
+                         "map.geojson")
+        ->warnings;
+  };
+  const auto named = [](const std::string& name) {
+    return R"("crs": {"type": "name", "properties": {"name": ")" + name + R"("}}, )";
+  };
+  EXPECT_TRUE(warnings("").empty());
+  EXPECT_TRUE(warnings(named("urn:ogc:def:crs:EPSG::25832")).empty());
+  for (const char* name : {"urn:ogc:def:crs:OGC:1.3:CRS84", "EPSG:4326"}) {
+    ASSERT_EQ(warnings(named(name)).size(), 1U) << name;
+    EXPECT_NE(warnings(named(name))[0].find("longitudes and latitudes"), std::string::npos);
+  }
+}
+
 TEST(ReadGeojson, ReadsABareGeometry) {
   const Result<Input> input = parse_geojson(
       R"({"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]})", "map.geojson");
