@@ -6,6 +6,7 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <exception>
 #include <filesystem>
 #include <future>
@@ -22,6 +23,7 @@
 #include <cover/option_table.hpp>
 #include <cover/picture.hpp>
 #include <cover/read_input.hpp>
+#include <cover/read_mesh.hpp>
 #include <cover/read_options.hpp>
 #include <cover/read_size_field.hpp>
 #include <cover/requirements.hpp>
@@ -47,23 +49,44 @@ bool is_false(const py::object& answer) {
   return py::hasattr(answer, "dtype") && PyObject_IsTrue(answer.ptr()) == 0;
 }
 
+/// The callables of a caller: whatever one of them raises stops the run. They are called from other
+/// threads, with the GIL; what is here is written with it, too.
+class Callables {
+ public:
+  /// Calls `use` with the GIL; `otherwise` where it raises, and after that.
+  template <class Value, class Use>
+  Value call(Use use, Value otherwise) {
+    const py::gil_scoped_acquire gil;
+    if (raised_) return otherwise;
+    try {
+      return use();
+    } catch (...) {
+      raised_ = std::current_exception();
+      stop_.request_stop();
+      return otherwise;
+    }
+  }
+  void request_stop() { stop_.request_stop(); }
+  [[nodiscard]] std::stop_token token() const { return stop_.get_token(); }
+  void rethrow() const {
+    if (raised_) std::rethrow_exception(raised_);
+  }
+
+ private:
+  std::stop_source stop_;
+  std::exception_ptr raised_;
+};
+
 /// Runs `work(callbacks)` on another thread and waits for it; see the head of this file.
 template <class Work>
-auto run(const py::object& progress, Work work) {
-  std::stop_source stop;
-  std::exception_ptr raised;  // written by the callback, read after the run
+auto run(const py::object& progress, Callables& callables, Work work) {
   Callbacks callbacks;
-  callbacks.stop = stop.get_token();
+  callbacks.stop = callables.token();
   if (!progress.is_none()) {
     callbacks.progress = [&](const Progress& p) {
-      const py::gil_scoped_acquire gil;
-      try {
-        const py::object answer = progress(std::string(p.stage), p.done, p.total);
-        if (is_false(answer)) stop.request_stop();
-      } catch (...) {
-        raised = std::current_exception();
-        stop.request_stop();
-      }
+      const bool goes_on = callables.call(
+          [&] { return !is_false(progress(std::string(p.stage), p.done, p.total)); }, true);
+      if (!goes_on) callables.request_stop();
     };
   }
   bool interrupted = false;
@@ -74,22 +97,40 @@ auto run(const py::object& progress, Work work) {
       const py::gil_scoped_acquire gil;
       if (interrupted || PyErr_CheckSignals() == 0) continue;
       interrupted = true;
-      stop.request_stop();
+      callables.request_stop();
     }
     return future.get();
   }();
-  if (raised) std::rethrow_exception(raised);
+  callables.rethrow();
   if (interrupted) throw py::error_already_set();  // PyErr_CheckSignals has set it
   if (!result) raise(result.error());
   return std::move(result).value();
 }
 
-PyMesh mesh_input(Input input, const py::dict& keywords, const py::object& progress,
+/// Background sizes that are a function: f(x, y), a length.
+SizeFunction sizes_of(const py::object& function, Callables& callables) {
+  return [&function, &callables](Point at) {
+    return callables.call([&] { return py::float_(function(at.x, at.y)).cast<double>(); }, NAN);
+  };
+}
+
+PyMesh mesh_input(Input input, py::dict keywords, const py::object& progress,
                   const std::vector<Provenance::Setting>& read_with = {}) {
+  Callables callables;
+  py::object sizes;
+  if (keywords.contains("size_field") && PyCallable_Check(keywords["size_field"].ptr()) != 0) {
+    sizes = keywords["size_field"];
+    keywords = keywords.attr("copy")();
+    keywords.attr("pop")("size_field");
+  }
   auto [options, idle] = options_from(keywords);
+  if (sizes) {
+    options.size_field = sizes_of(sizes, callables);
+    options.size_field_name = "a function";
+  }
   input.warnings.insert(input.warnings.end(), idle.begin(), idle.end());
   if (const Status status = load_size_field(options, input); !status) raise(status.error());
-  Output output = run(progress, [&, &chosen = options](const Callbacks& callbacks) {
+  Output output = run(progress, callables, [&, &chosen = options](const Callbacks& callbacks) {
     return cover_mesh(input, chosen, callbacks);
   });
   std::vector<Provenance::Setting>& settings = output.report.provenance.settings;
@@ -109,11 +150,25 @@ void check_path(const std::string& path) {
   if (path.find('\0') != std::string::npos) throw py::value_error("a path has a zero byte in it");
 }
 
+/// A mesh that cover wrote.
+PyMesh read_saved(const std::string& path) {
+  check_path(path);
+  Result<Output> output = [&] {
+    const py::gil_scoped_release release;
+    return read_output(path);
+  }();
+  if (!output) raise(output.error());
+  TriangleSoup soup = triangle_soup(output->mesh);
+  return {*std::move(output), std::move(soup), {}};
+}
+
 /// Meshes a file; its options are those of reading and of meshing.
 PyMesh mesh_file(const std::string& path, py::dict keywords, const py::object& progress) {
   check_path(path);
   ReadOptions options = take_read_options(keywords);
-  options.threads = options_from(keywords).options.threads;
+  if (keywords.contains("threads"))
+    options.threads =
+        options_from(py::dict(py::arg("threads") = keywords["threads"])).options.threads;
   Result<Input> input = [&] {
     const py::gil_scoped_release release;
     return reading::read_geometry(path, options);
@@ -343,6 +398,7 @@ PYBIND11_MODULE(_cover, module) {
                return mesh_input(soup_from(polygons), options, progress);
              });
   module.def("mesh_file", &mesh_file);
+  module.def("read", &read_saved);
   module.def("mesh_of_state", [](const py::tuple& state) {
     auto [output, report] = unpickled(state);
     cover::TriangleSoup soup = cover::triangle_soup(output.mesh);

@@ -79,6 +79,8 @@ class Value {
 
  private:
   [[noreturn]] void refuse_type(const py::handle& value) const {
+    if (PyCallable_Check(value.ptr()) != 0 && key_.starts_with("size"))
+      throw py::type_error(key_ + ": a function of x and y is given as size_field");
     throw py::type_error(key_ + ": " + shown(value) + " is not " + expected(entry_));
   }
 

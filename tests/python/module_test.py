@@ -305,6 +305,22 @@ class Pickling(unittest.TestCase):
                 self.assertEqual(*([(arc['radius'], len(arc['edges'])) for arc in m['arcs']] for m in manifests))
 
 
+class Reading(unittest.TestCase):
+    def test_what_was_written(self):
+        mesh = cover.mesh(SQUARE, SEGMENTS, REGIONS, lines={'drain': [5]})
+        with tempfile.TemporaryDirectory() as folder:
+            for extension in 'vtm', 'vtkhdf', 'msh':
+                mesh.save(f'{folder}/m.{extension}')
+                again = cover.read(pathlib.Path(f'{folder}/m.{extension}'))
+                np.testing.assert_array_equal(again.points, mesh.points)
+                self.assertEqual(again.violations(), [])
+                self.assertEqual(again.report['overall']['largest_angle'], mesh.report['overall']['largest_angle'])
+                self.assertIn('drain', again.lines)
+                again.save(f'{folder}/again.vtu')
+            with self.assertRaisesRegex(cover.Error, 'cannot open'):
+                cover.read(f'{folder}/none.vtu')
+
+
 class Conversions(unittest.TestCase):
     def setUp(self):
         self.mesh = cover.mesh(SQUARE, SEGMENTS, REGIONS, lines={'drain': [5]})
@@ -364,7 +380,7 @@ class Mistakes(unittest.TestCase):
                                          ('a region is', (SQUARE, SEGMENTS, [1, 2]), {}),
                                          ('lines must be a dictionary: segments by', (SQUARE, SEGMENTS), dict(lines=[0, 1])),
                                          ('size: .* is not text or a number: Edge length', (SQUARE, SEGMENTS),
-                                          dict(size=lambda x, y: 0.1))):
+                                          dict(size=1j))):
             with self.assertRaisesRegex(TypeError, said):
                 cover.mesh(*arguments, **options)
         with self.assertRaises(ValueError):
@@ -442,6 +458,35 @@ class Mistakes(unittest.TestCase):
                 for order, file in enumerate(files, 1):
                     mesh.save(file, order=order)
                 self.assertNotEqual(*(file.read_bytes() for file in files))
+
+
+class SizesByFunction(unittest.TestCase):
+    RING = [(0, 1), (1, 2), (2, 3), (3, 0)]
+    CORNERS = [(0, 0), (1, 0), (1, 1), (0, 1)]
+
+    def mesh(self, function, **options):
+        return cover.mesh(self.CORNERS, self.RING, size_field=function, split_interfaces=True, **options)
+
+    def test_the_same_for_any_number_of_threads(self):
+        meshes = [self.mesh(lambda x, y: 0.02 + 0.2 * abs(x - 0.5), threads=n) for n in (1, 2)]
+        np.testing.assert_array_equal(*(m.points for m in meshes))
+        points, triangles = meshes[0].points, meshes[0].triangles
+        sides = np.linalg.norm(points[triangles] - points[np.roll(triangles, 1, axis=1)], axis=2).max(axis=1)
+        middle = np.abs(points[triangles].mean(axis=1)[:, 0] - 0.5) < 0.05
+        self.assertLess(sides[middle].max(), 0.06)
+        self.assertGreater(sides.max(), 0.1)
+
+    def test_what_it_raises_comes_out(self):
+        def raises(x, y):
+            raise KeyError('mine')
+        with self.assertRaises(KeyError):
+            self.mesh(raises)
+        with self.assertRaises(TypeError):
+            self.mesh(lambda x, y: None)
+        with self.assertRaisesRegex(TypeError, 'given as size_field'):
+            cover.mesh(self.CORNERS, self.RING, size=lambda x, y: 1)
+        # No size there: nothing is asked.
+        self.assertEqual(len(self.mesh(lambda x, y: math.nan).points), 4)
 
 
 class Running(unittest.TestCase):

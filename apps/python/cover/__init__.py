@@ -6,8 +6,8 @@
 
 Every segment becomes one edge of the mesh. Options are those of `cover mesh` by the same names, as
 keywords with '_' for '-': max_angle=110, no_input_sizes=True. options() lists them. Sizes may be a
-length or lengths by name: size={"": 1, "gate": 0.1}. Ctrl-C stops a run. What `cover mesh` would warn of is
-in mesh.notes.
+length or lengths by name: size={"": 1, "gate": 0.1}; size_field may be a function of x and y. Ctrl-C stops a run.
+What `cover mesh` would warn of is in mesh.notes. read() takes a mesh from a file.
 """
 
 import json as _json
@@ -48,10 +48,10 @@ class RequirementNotMet(Error):
 
 from ._cover import Mesh, __version__, options as _options, read_options as _read_options, write_options as _write_options  # noqa: E402
 from ._cover import mesh_file as _mesh_file, mesh_polygons as _mesh_polygons, mesh_pslg as _mesh_pslg, mesh_text as _mesh_text  # noqa: E402
-from ._cover import mesh_of_state as _made_of_state  # noqa: E402
+from ._cover import mesh_of_state as _made_of_state, read as _read  # noqa: E402
 
 __all__ = ["Cancelled", "Error", "Mesh", "OptionError", "OutOfMemory", "RequirementNotMet", "mesh", "mesh_file",
-           "mesh_polygons", "options", "read_options", "write_options"]
+           "mesh_polygons", "options", "read", "read_options", "write_options"]
 
 
 def options():
@@ -179,6 +179,14 @@ def mesh_file(path, *, progress=None, **options):
     window=(0, 0, 2, 1), scale=1e-3.
     """
     return _mesh_file(_os.fsencode(path), options, progress)
+
+
+def read(path):
+    """A mesh that cover wrote, in any of its formats but pictures: as far as the file and the manifest beside it tell.
+
+    What they do not is said in its notes. Its report has no regions.
+    """
+    return _read(_os.fsencode(path))
 
 
 def _mesh_of_state(state):

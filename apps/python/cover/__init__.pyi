@@ -6,7 +6,7 @@ import numpy.typing as npt
 from typing_extensions import Unpack
 
 __all__ = ["Cancelled", "Error", "Mesh", "OptionError", "OutOfMemory", "RequirementNotMet", "mesh", "mesh_file",
-           "mesh_polygons", "options", "read_options", "write_options"]
+           "mesh_polygons", "options", "read", "read_options", "write_options"]
 
 __version__: str
 
@@ -34,7 +34,7 @@ class _Options(TypedDict, total=False):
     sizes_at: _Sizes
     no_input_sizes: bool
     input_sizes: bool
-    size_field: Union[None, str, os.PathLike[str]]
+    size_field: Union[None, str, os.PathLike[str], Callable[[float, float], float]]  # a function of x and y: a length
     size_of: Optional[str]  # "asinh", "asinh(doping)"
     size_step: float
     min_size: Optional[float]
@@ -150,6 +150,7 @@ def mesh_polygons(
     progress: Optional[_Progress] = None,
     **options: Unpack[_Options],
 ) -> Mesh: ...
+def read(path: Union[str, os.PathLike[str]]) -> Mesh: ...
 def options() -> list[dict[str, Any]]: ...
 def read_options() -> list[dict[str, Any]]: ...
 def write_options() -> list[dict[str, Any]]: ...
