@@ -187,7 +187,8 @@ class Reading(Options):
     """The options of reading: the same in the program, in job files and in Python."""
     VALUES = {'unit': ['mm'], 'scale': ['25.4'], 'input-format': ['gds'], 'layer': ['1', 'L2D0'], 'layer-map': ['1/0=fin', 'a.map'],
               'label-layer': ['1'], 'cell': ['TT'], 'window': ['-0.5,-0.25,0.75,1'], 'chord-error': ['0.001'], 'chord-angle': ['30'], 'material-field': ['landuse'], 'name-field': ['nr'],
-              'priority-field': ['rank'], 'keep-field': ['landuse', 'fid'], 'crs': ['EPSG:25832'], 'no-smooth': ['true'], 'legend': ['legend.csv']}
+              'priority-field': ['rank'], 'keep-field': ['landuse', 'fid'], 'crs': ['EPSG:25832'], 'speckle': ['4'],
+              'no-smooth': ['true'], 'legend': ['legend.csv']}
     # A layout that is cut to what the options leave of it.
     LAYOUT = ROOT / 'tests/fuzz/seeds/gds/all.gds'
 

@@ -68,6 +68,7 @@ class _ReadOptions(TypedDict, total=False):
     priority_field: str
     keep_field: Union[str, Sequence[str]]
     crs: str
+    speckle: int
     no_smooth: bool
     legend: Union[str, os.PathLike[str]]
 

@@ -38,6 +38,7 @@ inline constexpr Range kChordError{0, kNoLimit, false, false};
 inline constexpr Range kChordAngle{0, 120, false, true};
 inline constexpr Range kOrder{1, 2};
 inline constexpr Range kParts{1, 100000};
+inline constexpr Range kSpeckle{0, 100000};
 }  // namespace ranges
 
 /// "above 60 and below 180", "at least 0 and below 1", "above 1".

@@ -35,6 +35,7 @@ struct ReadOptions {
       keep_fields;  ///< that become arrays of the mesh; "fid": the feature's number
   std::string crs;  ///< as "EPSG:25832": what a map is projected to; empty: nothing
 
+  int speckle = 0;     ///< of a picture: sets of fewer pixels become part of their neighbours
   bool smooth = true;  ///< of a picture: borders are smoothed; false: they are the sides of pixels
   std::string legend;  ///< of a picture: a file of lines "#ff0000,copper" or "7,grain"; empty: none
 };

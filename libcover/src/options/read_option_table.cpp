@@ -16,6 +16,7 @@ using option_kinds::named;
 using option_kinds::number;
 using option_kinds::parse;
 using option_kinds::text;
+using option_kinds::whole;
 using option_kinds::texts;
 
 /// An extension, with or without its dot.
@@ -169,6 +170,13 @@ constexpr ReadOptionEntry kReadTable[] = {
         .help = "Project a map to these coordinates, as EPSG:25832",
         .counts_with = "maps",
         .counts = is_map}),
+    whole<&ReadOptions::speckle>({
+        .name = "speckle", .placeholder = "N",
+        .range = ranges::kSpeckle,
+        .help = "Sets of fewer than N pixels of a picture become part of what is around them",
+        .more = "For noise, and for edges that were softened.",
+        .counts_with = "pictures",
+        .counts = is_picture}),
     flag<&ReadOptions::smooth, false>({
         .name = "no-smooth",
         .help = "Borders of a picture are the sides of its pixels, not curves along them",

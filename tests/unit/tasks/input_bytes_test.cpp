@@ -73,6 +73,7 @@ TEST(InputBytes, FilesComeBackWithHowTheyAreRead) {
   files.options.layers = {"68/20"};
   files.options.window = Window{{0, 0}, {1, 2}};
   files.options.smooth = false;
+  files.options.speckle = 5;
   files.options.crs = "EPSG:25832";
   const Result<FilesToRead> back = files_of_bytes(bytes_of_files(files));
   ASSERT_TRUE(back) << back.error().message;
@@ -80,6 +81,7 @@ TEST(InputBytes, FilesComeBackWithHowTheyAreRead) {
   EXPECT_EQ(back->options.layers, files.options.layers);
   EXPECT_EQ(back->options.window->high, files.options.window->high);
   EXPECT_FALSE(back->options.smooth);
+  EXPECT_EQ(back->options.speckle, 5);
   EXPECT_EQ(back->options.crs, files.options.crs);
 }
 

@@ -20,6 +20,7 @@
 
 #include "io/images/image_borders.hpp"
 #include "io/images/raster.hpp"
+#include "io/images/speckles.hpp"
 #include "io/text/limits.hpp"
 #include "io/text/text.hpp"
 
@@ -130,8 +131,8 @@ void warn(const Legend& legend, const Raster& raster, std::vector<std::string>& 
 void warn(const ImageBorders& borders, std::vector<std::string>& warnings) {
   if (borders.tiny > 0)
     warnings.push_back(
-        fmt::format("{} of fewer than 4 pixels: is the picture a photograph, or were "
-                    "its edges softened?",
+        fmt::format("{} of fewer than 4 pixels: is the picture a photograph, or were its edges "
+                    "softened? --speckle N makes those of fewer than N part of what is around",
                     counted(borders.tiny, "region")));
   if (borders.less_smoothed > 0)
     warnings.push_back(fmt::format("{} of {} smoothed less, where others are near",
@@ -159,12 +160,16 @@ Result<Input> input_of(const Raster& raster, const std::string& source,
                        const ImageOptions& options) {
   const Result<Legend> legend = parse_legend(options);
   if (!legend) return legend.error();
-  const LabelImage image = labelled(raster, *legend);
+  LabelImage image = labelled(raster, *legend);
+  const std::size_t taken = options.speckle > 1 ? take_in_speckles(image, options.speckle) : 0;
   Result<ImageBorders> borders = borders_of(image, options.smooth, source);
   if (!borders) return std::move(borders).error();
   Input input;
   input.source = source;
   input.polygons = std::move(borders->polygons);
+  if (taken > 0)
+    input.warnings.push_back(fmt::format("{} of fewer than {} pixels became part of what is around",
+                                         counted(taken, "set"), options.speckle));
   warn(*borders, input.warnings);
   warn(*legend, raster, input.warnings);
   for (InputPolygon& polygon : input.polygons) {

@@ -1,6 +1,7 @@
 // Pictures of labels as geometry.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,8 @@ struct Raster;
 
 /// How a picture is taken.
 struct ImageOptions {
+  /// Smaller sets of pixels become part of their neighbours; see take_in_speckles(). 0: none.
+  std::size_t speckle = 0;
   bool smooth = true;  ///< false: borders are the sides of pixels
   /// Lines of labels and names: "#ff0000,copper", "7,grain"; void for what is no material. Empty:
   /// labels are their own names.

@@ -71,7 +71,7 @@ Result<Input> with_options(const Contents& file, const ReadOptions& options) {
 }
 
 Result<ImageOptions> image_options(const ReadOptions& options) {
-  ImageOptions image{options.smooth, {}, options.legend};
+  ImageOptions image{static_cast<std::size_t>(options.speckle), options.smooth, {}, options.legend};
   if (!options.legend.empty()) {
     Result<std::string> legend = read_file(options.legend);
     if (!legend) return std::move(legend).error();
@@ -91,9 +91,9 @@ Result<Input> tif(const Contents& file, const ReadOptions& options) {
   return is_tiff(file.text) ? picture(file, options) : parse_tif(file.text, file.source);
 }
 
-/// Without smoothing and a legend, what read_vtk_input() makes of it.
+/// Without anything that concerns pictures, what read_vtk_input() makes of it.
 Result<Input> vtk(const Contents& file, const ReadOptions& options) {
-  if (!options.smooth && options.legend.empty())
+  if (!options.smooth && options.speckle == 0 && options.legend.empty())
     return parse_vtk_input(file.text, file.extension, file.source);
   const Result<ImageOptions> image = image_options(options);
   return image ? parse_vtk_input(file.text, file.extension, file.source, &*image)

@@ -66,11 +66,11 @@ auto members(T& input) {
 template <Either<ReadOptions> T>
 auto members(T& options) {
   auto& [format, unit, scale, threads, layers, layer_map, label_layer, cell, window, chord_error,
-         chord_angle, material_field, name_field, priority_field, keep_fields, crs, smooth,
+         chord_angle, material_field, name_field, priority_field, keep_fields, crs, speckle, smooth,
          legend] = options;
   return std::tie(format, unit, scale, threads, layers, layer_map, label_layer, cell, window,
                   chord_error, chord_angle, material_field, name_field, priority_field, keep_fields,
-                  crs, smooth, legend);
+                  crs, speckle, smooth, legend);
 }
 
 template <Either<FilesToRead> T>

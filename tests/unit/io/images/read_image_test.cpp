@@ -23,10 +23,10 @@ TEST(ReadImage, LabelsAreMaterials) {
   const Result<Input> input = parse_input(kPicture, ".nrrd", "a.nrrd");
   ASSERT_TRUE(input) << input.error().message;
   EXPECT_EQ(materials_of(*input), (std::set<std::string>{"0", "1", "7"}));
-  EXPECT_EQ(
-      input->warnings,
-      std::vector<std::string>{"2 regions of fewer than 4 pixels: is the picture a photograph, or "
-                               "were its edges softened?"});
+  EXPECT_EQ(input->warnings,
+            std::vector<std::string>{
+                "2 regions of fewer than 4 pixels: is the picture a photograph, or were its edges "
+                "softened? --speckle N makes those of fewer than N part of what is around"});
   ImageOptions options;
   options.smooth = false;
   const Result<Input> stairs = parse_image(kPicture, ".nrrd", "a.nrrd", options);
@@ -111,6 +111,16 @@ TEST(ReadImage, LegendsNameThem) {
   options.legend = "copper";
   EXPECT_EQ(parse_image(kPicture, ".nrrd", "a", options).error().message,
             "l.csv:1: expected a label and a name, as #ff0000,copper or 7,grain");
+}
+
+TEST(ReadImage, SpecklesAreToldOf) {
+  ImageOptions options;
+  options.speckle = 4;
+  const Result<Input> input = parse_image(kPicture, ".nrrd", "a.nrrd", options);
+  ASSERT_TRUE(input) << input.error().message;
+  EXPECT_EQ(input->warnings, std::vector<std::string>{
+                                 "2 sets of fewer than 4 pixels became part of what is around"});
+  EXPECT_EQ(materials_of(*input).size(), 1U);
 }
 
 TEST(ReadImage, TifHasTwoMeanings) {
