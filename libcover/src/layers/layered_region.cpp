@@ -28,7 +28,8 @@
 #include "mend/couplings/delaunay_within_bound.hpp"
 #include "region/triangulation_of.hpp"
 #include "target/angle_limit.hpp"
-#include "target/fill_report.hpp"
+#include "target/report/fill_report.hpp"
+#include "target/report/holds_bound.hpp"
 #include "target/whole_mesh.hpp"
 
 namespace cover {

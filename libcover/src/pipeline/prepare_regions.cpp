@@ -16,7 +16,7 @@
 #include "cuts/periodic/periodic_sides.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/expected_triangles.hpp"
-#include "target/fill_report.hpp"
+#include "target/report/measure_angles.hpp"
 #include "tasks/by_team.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/for_each_region.hpp"

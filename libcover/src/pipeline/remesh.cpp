@@ -24,7 +24,7 @@
 #include "pipeline/steps.hpp"
 #include "sizes/expected_triangles.hpp"
 #include "sizes/sizes.hpp"
-#include "target/fill_report.hpp"
+#include "target/report/fill_report.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/for_each_region.hpp"
 #include "tasks/mesh_regions.hpp"

@@ -21,7 +21,8 @@
 #include "quality/mutable/to_region_mesh.hpp"
 #include "quality/plan/candidates.hpp"
 #include "quality/plan/plan.hpp"
-#include "target/fill_report.hpp"
+#include "target/report/fill_report.hpp"
+#include "target/report/holds_bound.hpp"
 
 namespace cover {
 namespace {

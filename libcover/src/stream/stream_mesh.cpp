@@ -27,7 +27,7 @@
 #include "stream/keep_bytes.hpp"
 #include "stream/spool_region.hpp"
 #include "stream/spooled_parts.hpp"
-#include "target/fill_report.hpp"
+#include "target/report/measure_angles.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/mesh_regions.hpp"
 #include "tasks/share_out_regions.hpp"

@@ -26,7 +26,8 @@
 #include "quality/quality_region.hpp"
 #include "region/triangulation_of.hpp"
 #include "target/angle_limit.hpp"
-#include "target/fill_report.hpp"
+#include "target/report/fill_report.hpp"
+#include "target/report/holds_bound.hpp"
 #include "target/whole_mesh.hpp"
 #include "tasks/stage_clock.hpp"
 

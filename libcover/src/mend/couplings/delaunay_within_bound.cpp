@@ -15,7 +15,7 @@
 #include "mend/effort.hpp"
 #include "mend/mend_mesh.hpp"
 #include "mend/mesh_with_undo.hpp"
-#include "target/fill_report.hpp"
+#include "target/report/fill_report.hpp"
 #include "target/whole_mesh.hpp"
 
 namespace cover {
