@@ -1,4 +1,4 @@
-// Tested by tests/unit/region/region_graph_test.cpp.
+// See face_measures.hpp.
 #include "faces/face_measures.hpp"
 
 #include <algorithm>

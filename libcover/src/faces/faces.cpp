@@ -1,6 +1,5 @@
 // One constrained Delaunay triangulation of everything; faces are what is connected without
 // crossing a segment. Nesting, holes and isolated points need no thought of their own.
-// Tested by tests/unit/region/region_graph_test.cpp.
 #include "faces/faces.hpp"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // Numbers stand in the leaves of the XML, or in an HDF5 file beside it. VTK's own XDMF reader was
 // left alone from the start: it crashes on broken files.
-// Tested by tests/unit/io/read_mesh/read_mesh_test.cpp.
 #include <filesystem>
 #include <limits>
 #include <memory>
