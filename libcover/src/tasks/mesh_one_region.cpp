@@ -216,7 +216,7 @@ RegionMesh with_couplings_mended(const RegionBoundary& boundary, const Options& 
                                  const std::stop_token& stop, RegionMesh mesh) {
   if (!minds_couplings(options) || stop.stop_requested()) return mesh;
   std::optional<RegionMesh> mended = mend_couplings_within_bound(
-      boundary, mesh, stop, MendEffort::of(options.effort, options.box_method));
+      boundary, mesh, stop, CouplingEffort::of(options.effort, options.box_method));
   if (!mended) return mesh;
   if (options.box_method && costs_angles(mesh.report, mended->report)) return mesh;
   report_again(boundary, options, false, *mended);
