@@ -20,6 +20,7 @@
 #include "base/faults/out_of_memory.hpp"
 #include "cdt/cdt.hpp"
 #include "cuts/periodic/match_sides.hpp"
+#include "layers/layer_rules.hpp"
 #include "pipeline/prepare_regions.hpp"
 #include "pipeline/steps.hpp"
 #include "sizes/expected_triangles.hpp"

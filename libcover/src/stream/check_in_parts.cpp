@@ -23,6 +23,7 @@
 #include "base/sort_by_team.hpp"
 #include "cdt/triangulation.hpp"
 #include "io/vtk_files/mapped_triangles.hpp"
+#include "layers/layer_rules.hpp"
 #include "pipeline/prepare_regions.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/for_each_region.hpp"
