@@ -22,7 +22,7 @@
 #include <cover/option_table.hpp>
 #include <cover/picture.hpp>
 #include <cover/read_input.hpp>
-#include <cover/read_options.hpp>
+#include <cover/read_option_table.hpp>
 #include <cover/read_size_field.hpp>
 #include <cover/verify.hpp>
 #include <cover/version.hpp>

@@ -1,5 +1,5 @@
 // Tested by tests/unit/options/read_option_table_test.cpp.
-#include <cover/read_options.hpp>
+#include <cover/read_option_table.hpp>
 
 #include <algorithm>
 #include <array>

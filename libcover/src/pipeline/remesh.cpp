@@ -3,6 +3,7 @@
 // triangle lies; the meshes of all other regions are taken out of it, and everything is stitched
 // anew.
 // Tested by tests/unit/pipeline/remesh_test.cpp and tests/property/remesh_property_test.cpp.
+#include <cover/adopt_cuts.hpp>
 #include <cover/periodic.hpp>
 #include <cover/remesh.hpp>
 
