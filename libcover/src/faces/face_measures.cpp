@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 
@@ -71,8 +71,6 @@ void search_inside(const Faces& faces, std::vector<bool>& wanted, std::vector<Fa
 
 /// What some triangles tell of a face.
 struct Measured {
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
   double largest = -1;  ///< twice the area of a triangle
   Point inside;         ///< its centroid, as rounded
   bool is_inside = false;

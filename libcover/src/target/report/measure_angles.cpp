@@ -10,6 +10,7 @@
 #include <numbers>
 #include <vector>
 
+#include "base/numbers.hpp"
 #include "geom/angle_rounding.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
@@ -26,7 +27,7 @@ using BinLimits = std::array<double, 31>;
 
 BinLimits bin_limits() {
   BinLimits limits;
-  limits.fill(std::numeric_limits<double>::quiet_NaN());  // none of them is reached
+  limits.fill(kNoNumber);  // none of them is reached
   for (std::size_t k = 0; k < 17; ++k) {
     limits[k] = 1 / std::tan(Angle::degrees(10.0 * static_cast<double>(k + 1)).in_radians());
   }
@@ -49,7 +50,7 @@ Quality measure_some(std::span<const Point> points, std::span<const IndexTriple>
                      const BinLimits& limits) {
   Quality quality;
   quality.triangles = triangles.size();
-  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  double lowest = kInfinity, highest = -lowest;
   SortedCorners flattest, sharpest;
   for (const auto& [i, j, k] : triangles) {
     const SortedCorners s = sort_corners(points[i], points[j], points[k]);
