@@ -93,19 +93,19 @@ class SegmentIndex {
 /// Each side is one triangle's.
 void find_sides(Faces& faces, std::span<const IndexPair> segments, const SegmentIndex& index,
                 const Team& team) {
-  constexpr std::size_t kRange = 1 << 15;
-  team.each_range(faces.of_triangle.size(), kRange, [&](std::size_t first, std::size_t last) {
-    for (std::size_t t = first; t < last; ++t) {
-      const Triangle& f = faces.triangulation.triangles[t];
-      for (const Corner i : kCorners) {
-        if (!f.is_locked(i)) continue;
-        const std::uint32_t u = f.v[i.next()];
-        const std::uint32_t v = f.v[i.previous()];
-        const std::uint32_t s = index.find(u, v);
-        faces.of_segment[s][segments[s][0] == u ? 0 : 1] = faces.of_triangle[t];
-      }
-    }
-  });
+  team.each_range(faces.of_triangle.size(), kItemsAtATime,
+                  [&](std::size_t first, std::size_t last) {
+                    for (std::size_t t = first; t < last; ++t) {
+                      const Triangle& f = faces.triangulation.triangles[t];
+                      for (const Corner i : kCorners) {
+                        if (!f.is_locked(i)) continue;
+                        const std::uint32_t u = f.v[i.next()];
+                        const std::uint32_t v = f.v[i.previous()];
+                        const std::uint32_t s = index.find(u, v);
+                        faces.of_segment[s][segments[s][0] == u ? 0 : 1] = faces.of_triangle[t];
+                      }
+                    }
+                  });
 }
 
 }  // namespace

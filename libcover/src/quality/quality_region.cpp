@@ -143,9 +143,8 @@ class RegionWork {
       }
       return false;
     };
-    constexpr std::size_t kRange = 1 << 15;
     std::atomic<bool> found = false;
-    candidates_.team().each_range(mesh.triangles.size(), kRange,
+    candidates_.team().each_range(mesh.triangles.size(), kItemsAtATime,
                                   [&](std::size_t first, std::size_t last) {
                                     for (std::size_t t = first; t < last && !found; ++t) {
                                       if (is_negative(static_cast<std::uint32_t>(t))) found = true;
