@@ -24,7 +24,7 @@
 #include <cover/picture.hpp>
 #include <cover/read_input.hpp>
 #include <cover/read_mesh.hpp>
-#include <cover/read_options.hpp>
+#include <cover/read_option_table.hpp>
 #include <cover/read_size_field.hpp>
 #include <cover/requirements.hpp>
 #include <cover/verify.hpp>

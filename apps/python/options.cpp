@@ -4,8 +4,8 @@
 #include <string>
 
 #include <cover/option_table.hpp>
-#include <cover/read_options.hpp>
-#include <cover/write_options.hpp>
+#include <cover/read_option_table.hpp>
+#include <cover/write_option_table.hpp>
 
 #include "raise.hpp"
 

@@ -4,6 +4,7 @@
 Every source file of the library has a test of its own name (tests/unit/ROOM/FILE_test.cpp) or says in its first
 comment which one tests it: "Tested by tests/...". Files and folders that comments and documents name exist, with an
 extension or without one, as `quality/moves/flip`; so do tests that documents choose by `--gtest_filter` or `-R`.
+Every public header has its line in libcover/docs/headers.md.
 """
 import fnmatch
 import pathlib
@@ -56,6 +57,14 @@ def defined_twice(root):
     for (space, name), paths in places.items():
         if len(paths) > 1:
             yield f'{paths[1]}: {space}::{name} is another one in {paths[0]}'
+
+
+def unlisted(root):
+    """Public headers without a line in the document that lists them, and lines of headers that are not there."""
+    there = {path.name.split('.')[0] for path in (root / 'libcover/include/cover').iterdir()}
+    listed = re.findall(r'^\| `(\w+)` \|', (root / 'libcover/docs/headers.md').read_text(), re.MULTILINE)
+    yield from (f'libcover/docs/headers.md: <cover/{name}.hpp> has no line' for name in sorted(there - set(listed)))
+    yield from (f'libcover/docs/headers.md: there is no <cover/{name}.hpp>' for name in sorted(set(listed) - there))
 
 
 def comments(path):
@@ -126,7 +135,8 @@ def main(root):
     sources = [p for top in ('libcover/src', 'libcover/include', 'apps', 'samples', 'tests', 'cmake')
                for p in sorted((root / top).rglob('*')) if p.suffix in ('.cpp', '.hpp', '.py', '.sh', '.cmake')]
     documents = [root / 'README.md', *sorted((root / 'libcover').rglob('*.md')), *sorted((root / 'tests').rglob('*.md'))]
-    found = [*untested(root), *defined_twice(root), *dangling(root, sources + documents), *without_extension(root, sources + documents),
+    found = [*untested(root), *defined_twice(root), *unlisted(root), *dangling(root, sources + documents),
+             *without_extension(root, sources + documents),
              *chosen_tests(root, documents)]
     print('\n'.join(found) or f'{len(sources)} sources and {len(documents)} documents name what is there')
     return 1 if found or not sources else 0

@@ -4,10 +4,10 @@
 
 #include <random>
 
+#include <cover/adopt_cuts.hpp>
 #include <cover/cover_mesh.hpp>
 #include <cover/curved_mesh.hpp>
 #include <cover/mesh_view.hpp>
-#include <cover/remesh.hpp>
 #include <cover/verify.hpp>
 
 #include "geom/curves/arc.hpp"

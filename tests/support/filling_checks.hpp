@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <string>
 
+#include "disks/filler.hpp"
 #include "region/region_boundary.hpp"
-#include "target/filler.hpp"
 
 namespace cover::testing {
 

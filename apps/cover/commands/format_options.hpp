@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include <cover/write_options.hpp>
+#include <cover/write_option_table.hpp>
 
 #include "commands/options.hpp"
 

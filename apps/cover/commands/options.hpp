@@ -10,9 +10,9 @@
 #include <CLI/CLI.hpp>
 
 #include <cover/option_table.hpp>
-#include <cover/read_options.hpp>
+#include <cover/read_option_table.hpp>
 #include <cover/result.hpp>
-#include <cover/write_options.hpp>
+#include <cover/write_option_table.hpp>
 
 #include "commands/commands.hpp"
 #include "files/file_check.hpp"

@@ -9,7 +9,7 @@
 
 #include <cover/input.hpp>
 #include <cover/read_elsewhere.hpp>
-#include <cover/read_options.hpp>
+#include <cover/read_option_table.hpp>
 #include <cover/result.hpp>
 
 #include "commands/options.hpp"

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include <cover/output.hpp>
+#include <cover/plane_field.hpp>
+#include <cover/point.hpp>
 #include <cover/result.hpp>
-#include <cover/verify.hpp>
+#include <cover/triangle_soup.hpp>
 
 namespace cover {
 

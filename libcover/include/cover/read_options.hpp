@@ -1,14 +1,11 @@
-// What readers of geometry are told beside the file, and the table of it for those who ask people.
+// What readers of geometry are told beside the file.
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
-#include <cover/option_table.hpp>
-#include <cover/point.hpp>
-#include <cover/report.hpp>
+#include <cover/result.hpp>
 #include <cover/window.hpp>
 
 namespace cover {
@@ -39,21 +36,6 @@ struct ReadOptions {
   bool smooth = true;  ///< of a picture: borders are smoothed; false: they are the sides of pixels
   std::string legend;  ///< of a picture: a file of lines "#ff0000,copper" or "7,grain"; empty: none
 };
-
-using ReadOptionEntry = OptionOf<ReadOptions>;
-
-/// The options of readers, in the order in which help lists them. Rows whose `counts` is set ask
-/// for ReadOptions::format.
-std::span<const ReadOptionEntry> read_option_table();
-
-/// The entry of that name, in which '_' counts as '-'; nullptr if there is none.
-const ReadOptionEntry* find_read_option(std::string_view name);
-
-/// The value that counts unless another is given; empty: none.
-std::string default_text(const ReadOptionEntry& entry);
-
-/// Whatever is not at its default, but unit and scale, which reports have anyway.
-std::vector<Provenance::Setting> describe_read_options(const ReadOptions& options);
 
 /// Are all options in their legal ranges?
 ///

@@ -34,6 +34,9 @@ enum class InterfaceKind {
   contact,    ///< a part of any of these that the input named
 };
 
+/// "interface", "outline", "slit", "contact".
+std::string describe(InterfaceKind kind);
+
 /// The segments between one pair of regions, or one contact between them.
 /// `left` is the lower region id that is not the void; segments are directed so.
 struct Interface {

@@ -9,7 +9,7 @@
 #include <cover/output.hpp>
 #include <cover/progress.hpp>
 #include <cover/result.hpp>
-#include <cover/verify.hpp>
+#include <cover/triangle_soup.hpp>
 
 namespace cover {
 
@@ -34,13 +34,5 @@ namespace cover {
 Result<Output> remesh(const Input& input, const TriangleSoup& onto,
                       std::span<const std::string> only, const Options& options = {},
                       const Callbacks& callbacks = {});
-
-/// Cuts segments where `mesh`, made with cut segments, has a vertex on them, and orders points as
-/// the vertices of the mesh are ordered; points that are no vertices keep their ids. Points and
-/// segments that the mesh lacks are passed over: verify_cover() finds them.
-///
-/// Returns: the number of points added
-/// Cost:    O(n log n)
-std::size_t adopt_cuts(Pslg& pslg, RegionTable& table, const TriangleSoup& mesh);
 
 }  // namespace cover

@@ -10,9 +10,10 @@
 
 #include <cover/ids.hpp>
 #include <cover/output.hpp>
+#include <cover/plane_field.hpp>
 #include <cover/regions.hpp>
 #include <cover/result.hpp>
-#include <cover/verify.hpp>
+#include <cover/triangle_soup.hpp>
 
 namespace cover {
 

@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include <cover/point.hpp>
-#include <cover/regions.hpp>
 
 namespace cover {
 
@@ -20,9 +19,6 @@ std::string describe_roughly(double x);
 
 /// "(x, y)", each in the shortest form that reads back as the same number.
 std::string describe(Point p);
-
-/// "interface", "outline", "slit", "contact".
-std::string describe(InterfaceKind kind);
 
 /// The items with `separator` between them.
 std::string listed(std::span<const std::string> items, std::string_view separator = ", ");

@@ -1,30 +1,20 @@
 // Checks the promises on any mesh, from plain arrays, by no code that makes or changes triangles.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include <cover/angle.hpp>
 #include <cover/limits.hpp>
-#include <cover/mesh_class.hpp>
 #include <cover/options.hpp>
 #include <cover/point.hpp>
 #include <cover/pslg.hpp>
 #include <cover/regions.hpp>
 #include <cover/report.hpp>
 #include <cover/result.hpp>
+#include <cover/triangle_soup.hpp>
 
 namespace cover {
-
-/// A triangle mesh as a file gives it.
-struct TriangleSoup {
-  std::vector<Point> points;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::int64_t> region;    ///< per triangle; empty: the file has none
-  std::vector<std::int64_t> material;  ///< per triangle; empty: the file has none
-};
 
 /// What to ask of a mesh.
 struct VerifyOptions {
@@ -69,9 +59,6 @@ struct Verification {
   std::size_t obtuse = 0;  ///< with box_method: triangles, as Quality::obtuse counts them
   std::size_t obtuse_by_rounding = 0;  ///< as Quality::obtuse_by_rounding
 };
-
-/// The mesh of a run as plain arrays.
-TriangleSoup triangle_soup(const Mesh& mesh);
 
 /// Checks `mesh` against the PSLG and its regions.
 ///

@@ -11,7 +11,7 @@
 #include <cover/pslg.hpp>
 #include <cover/regions.hpp>
 #include <cover/result.hpp>
-#include <cover/verify.hpp>
+#include <cover/triangle_soup.hpp>
 
 namespace cover {
 

@@ -1,12 +1,9 @@
-// What a file should hold where its format leaves a choice, and the table of these options.
+// What a file should hold where its format leaves a choice.
 #pragma once
 
-#include <span>
 #include <stop_token>
 #include <string>
-#include <string_view>
 
-#include <cover/option_table.hpp>
 #include <cover/result.hpp>
 
 namespace cover {
@@ -26,18 +23,6 @@ struct WriteOptions {
   int parts = 1;              ///< .pvtu, .msh 4.1 (at most 500): into how many the mesh is divided
   std::stop_token stop = {};  ///< ends the writing with `cancelled`; all is as it was then
 };
-
-using WriteOptionEntry = OptionOf<WriteOptions>;
-
-/// Every option of writing but `stop`, in the order in which help lists them: the command line and
-/// Python's keyword arguments are made of this one table.
-std::span<const WriteOptionEntry> write_option_table();
-
-/// The entry of that name, in which '_' counts as '-'; nullptr if there is none.
-const WriteOptionEntry* find_write_option(std::string_view name);
-
-/// The value that counts unless another is given, as it would be written. Empty: none.
-std::string default_text(const WriteOptionEntry& entry);
 
 /// Are all options in their legal ranges? Whether a format has what they ask for is told by
 /// can_write().

@@ -13,8 +13,8 @@
 #include "disks/fill_disks.hpp"
 #include "geom/predicates.hpp"
 #include "target/angle_limit.hpp"
-#include "target/fill_report.hpp"
 #include "target/local_frame.hpp"
+#include "target/report/fill_report.hpp"
 
 namespace cover {
 namespace {

@@ -7,12 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "base/numbers.hpp"
 
 namespace cover {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 class Walker {
  public:

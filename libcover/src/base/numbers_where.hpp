@@ -15,10 +15,9 @@ namespace cover {
 /// REQUIRES: `is` may be asked by several threads at a time
 template <class Is>
 std::vector<std::uint32_t> numbers_where(std::size_t count, const Is& is, const Team& team) {
-  constexpr std::size_t kRange = 1 << 15;
-  std::vector<std::vector<std::uint32_t>> found(Team::ranges(count, kRange));
-  team.each_range(count, kRange, [&](std::size_t first, std::size_t last) {
-    std::vector<std::uint32_t>& here = found[first / kRange];
+  std::vector<std::vector<std::uint32_t>> found(Team::ranges(count, kItemsAtATime));
+  team.each_range(count, kItemsAtATime, [&](std::size_t first, std::size_t last) {
+    std::vector<std::uint32_t>& here = found[first / kItemsAtATime];
     for (std::size_t k = first; k < last; ++k) {
       if (is(static_cast<std::uint32_t>(k))) here.push_back(static_cast<std::uint32_t>(k));
     }

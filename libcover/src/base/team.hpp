@@ -61,4 +61,13 @@ class Team {
   Crew* crew_ = nullptr;
 };
 
+/// How much a thread takes at a time of what is looked through for each item alone: points,
+/// triangles, sides. A range takes some tenths of a millisecond, so that handing it out costs
+/// nothing to speak of. The same for any team: what ranges add up is added in the same order.
+inline constexpr std::size_t kItemsAtATime = 1 << 15;
+/// The same of items that take longer.
+inline constexpr std::size_t kFewAtATime = 1 << 14;
+/// The same of items that take less.
+inline constexpr std::size_t kManyAtATime = 1 << 16;
+
 }  // namespace cover

@@ -5,7 +5,8 @@
 #include "box/least_cuts.hpp"
 
 #include <algorithm>
-#include <limits>
+
+#include "base/numbers.hpp"
 
 namespace cover {
 namespace {
@@ -13,9 +14,8 @@ namespace {
 /// Where a piece from `start` on must end; the farthest that rounding of the obstacle may make of
 /// it, as the expression is convex in t.
 double end_before(const Obstacle& o, double start) {
-  constexpr double kFree = std::numeric_limits<double>::infinity();
   const double near = o.along - kObstacleRounding, far = o.along + kObstacleRounding;
-  if (!(near > start)) return kFree;
+  if (!(near > start)) return kInfinity;
   const double height = o.height + kObstacleRounding;
   const double end =
       std::max(near + height * height / (near - start), far + height * height / (far - start));

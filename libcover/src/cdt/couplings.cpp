@@ -10,17 +10,13 @@
 #include "geom/predicates.hpp"
 
 namespace cover {
-namespace {
-
-constexpr std::size_t kEdgesAtATime = 1 << 16;  // half-edges
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<std::uint32_t> across_edges(std::size_t points, std::span<const IndexTriple> triangles,
                                         std::span<const IndexPair> sides, const Team& team) {
   std::vector<std::uint32_t> across = opposite_half_edges(points, triangles, team);
   std::atomic<std::ptrdiff_t> outer = 0;
-  team.each_range(across.size(), kEdgesAtATime, [&](std::size_t first, std::size_t last) {
+  team.each_range(across.size(), kManyAtATime, [&](std::size_t first, std::size_t last) {
     outer += std::count(across.data() + first, across.data() + last, kNone);
   });
   if (outer == static_cast<std::ptrdiff_t>(sides.size())) return across;
@@ -79,7 +75,7 @@ std::vector<NegativeEdge> negative_among(std::span<const Point> points,
                                          std::span<const std::uint32_t> across,
                                          const IsDoubtful& is_doubtful, const Team& team) {
   const auto source = [&](std::uint32_t h) { return triangles[h / 3][h % 3]; };
-  std::vector<std::vector<NegativeEdge>> found(Team::ranges(across.size(), kEdgesAtATime));
+  std::vector<std::vector<NegativeEdge>> found(Team::ranges(across.size(), kManyAtATime));
   const auto look_at = [&](std::uint32_t h, std::vector<NegativeEdge>& own) {
     const std::uint32_t twin = across[h];
     if ((twin != kNone && twin < h) || !is_doubtful(h)) return;
@@ -93,9 +89,9 @@ std::vector<NegativeEdge> negative_among(std::span<const Point> points,
       own.push_back({{a, b}, c, false});
     }
   };
-  team.each_range(across.size(), kEdgesAtATime, [&](std::size_t first, std::size_t last) {
+  team.each_range(across.size(), kManyAtATime, [&](std::size_t first, std::size_t last) {
     for (auto h = static_cast<std::uint32_t>(first); h < last; ++h)
-      look_at(h, found[first / kEdgesAtATime]);
+      look_at(h, found[first / kManyAtATime]);
   });
   std::vector<NegativeEdge> all;
   for (const auto& some : found) all.insert(all.end(), some.begin(), some.end());

@@ -30,7 +30,6 @@ namespace {
 using Edge = std::uint32_t;
 
 constexpr std::size_t kTask = 1 << 14;         ///< points: halves of less are one thread's
-constexpr std::size_t kRange = 1 << 16;        ///< edges that are looked at in one go
 constexpr std::size_t kSlices = 1 << 10;       ///< of sites, to find the middle one
 constexpr std::size_t kMostPoints = 1U << 29;  ///< so that edges have numbers
 constexpr std::size_t kFlipsPerPoint = 32;     ///< more than that is another method's
@@ -45,11 +44,11 @@ class Divided {
         org_(6 * points.size()),
         next_(6 * points.size()),
         prev_(6 * points.size()) {
-    team.each_range(points.size(), kRange, [&](std::size_t first, std::size_t last) {
+    team.each_range(points.size(), kManyAtATime, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k)
         sites_[k] = {points[k], static_cast<std::uint32_t>(k)};
     });
-    team.each_range(org_.size(), kRange, [&](std::size_t first, std::size_t last) {
+    team.each_range(org_.size(), kManyAtATime, [&](std::size_t first, std::size_t last) {
       for (std::size_t e = first; e < last; ++e) {
         org_[e] = kNone;
         next_[e] = prev_[e] = 0;
@@ -67,15 +66,15 @@ class Divided {
   bool insert(std::span<const IndexPair> segments) {
     find_heads();
     is_locked_.assign(org_.size() / 2, 0);
-    std::vector<std::vector<std::uint32_t>> missing_of(Team::ranges(segments.size(), kRange));
+    std::vector<std::vector<std::uint32_t>> missing_of(Team::ranges(segments.size(), kManyAtATime));
     std::atomic<bool> has_length = true;
-    team_.each_range(segments.size(), kRange, [&](std::size_t first, std::size_t last) {
+    team_.each_range(segments.size(), kManyAtATime, [&](std::size_t first, std::size_t last) {
       for (std::size_t s = first; s < last; ++s) {
         const std::uint32_t u = place_[segments[s][0]], v = place_[segments[s][1]];
         if (u == v) {
           has_length = false;
         } else if (const Edge e = find_edge(u, v).edge; e == kNone) {
-          missing_of[first / kRange].push_back(static_cast<std::uint32_t>(s));
+          missing_of[first / kManyAtATime].push_back(static_cast<std::uint32_t>(s));
         } else {  // a pair may occur twice
           std::atomic_ref(is_locked_[e / 2]).store(1, std::memory_order_relaxed);
         }
@@ -121,7 +120,7 @@ class Divided {
   /// The numbers of the points, by site; sites are given back.
   std::vector<std::uint32_t> take_ids() {
     std::vector<std::uint32_t> ids(sites_.size());
-    team_.each_range(ids.size(), kRange, [&](std::size_t first, std::size_t last) {
+    team_.each_range(ids.size(), kManyAtATime, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) ids[k] = sites_[k].id;
     });
     give_back(sites_);
@@ -144,11 +143,11 @@ class Divided {
 
   /// By range of edges: the triangles before it; all of them at the end.
   [[nodiscard]] std::vector<std::uint32_t> count_triangles() const {
-    std::vector<std::uint32_t> before(Team::ranges(next_.size(), kRange) + 1, 0);
-    team_.each_range(next_.size(), kRange, [&](std::size_t first, std::size_t last) {
+    std::vector<std::uint32_t> before(Team::ranges(next_.size(), kManyAtATime) + 1, 0);
+    team_.each_range(next_.size(), kManyAtATime, [&](std::size_t first, std::size_t last) {
       std::uint32_t own = 0;
       for (std::size_t e = first; e < last; ++e) own += is_first(static_cast<Edge>(e)) ? 1 : 0;
-      before[first / kRange + 1] = own;
+      before[first / kManyAtATime + 1] = own;
     });
     for (std::size_t k = 1; k < before.size(); ++k) before[k] += before[k - 1];
     return before;
@@ -157,8 +156,8 @@ class Divided {
   /// In place of neighbours, triangles get their edges.
   void write_triangles(std::span<const std::uint32_t> ids, std::span<const std::uint32_t> before,
                        std::vector<Triangle>& triangles) {
-    team_.each_range(left().size(), kRange, [&](std::size_t first, std::size_t last) {
-      std::uint32_t number = before[first / kRange];
+    team_.each_range(left().size(), kManyAtATime, [&](std::size_t first, std::size_t last) {
+      std::uint32_t number = before[first / kManyAtATime];
       for (std::size_t k = first; k < last; ++k) {
         Edge e = static_cast<Edge>(k);
         if (!is_first(e)) continue;
@@ -175,12 +174,12 @@ class Divided {
   }
 
   void link_triangles(std::vector<Triangle>& triangles) {
-    team_.each_range(triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+    team_.each_range(triangles.size(), kManyAtATime, [&](std::size_t first, std::size_t last) {
       for (std::size_t t = first; t < last; ++t) {
         for (const Edge e : triangles[t].n) left()[e] = static_cast<std::uint32_t>(t);
       }
     });
-    team_.each_range(triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+    team_.each_range(triangles.size(), kManyAtATime, [&](std::size_t first, std::size_t last) {
       for (std::size_t t = first; t < last; ++t) {
         for (std::uint32_t& n : triangles[t].n) {
           n = left()[sym(n)];
@@ -311,9 +310,10 @@ class Divided {
       for (std::uint32_t k = first; k < last; ++k) box.add(at(k));
       return box;
     }
-    std::vector<Box> boxes(Team::ranges(last - first, kRange));
-    team_.each_range(last - first, kRange, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) boxes[begin / kRange].add(sites_[first + k].p);
+    std::vector<Box> boxes(Team::ranges(last - first, kManyAtATime));
+    team_.each_range(last - first, kManyAtATime, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k)
+        boxes[begin / kManyAtATime].add(sites_[first + k].p);
     });
     for (const Box& part : boxes) box.include(part);
     return box;
@@ -321,7 +321,7 @@ class Divided {
 
   /// Whether so many sites are put in halves by all threads.
   [[nodiscard]] bool is_for_team(std::size_t sites) const {
-    return team_.workers() > 1 && sites >= 2 * kRange;
+    return team_.workers() > 1 && sites >= 2 * kManyAtATime;
   }
 
   /// Puts those that come first along an axis before `middle`. In which order does not matter:
@@ -340,10 +340,10 @@ class Divided {
     const auto slice_of = [&](const Site& site) {
       return static_cast<std::size_t>(((by_y ? site.p.y : site.p.x) - low) * slices);
     };
-    const std::size_t ranges = Team::ranges(last - first, kRange);
+    const std::size_t ranges = Team::ranges(last - first, kManyAtATime);
     const auto each_range = [&](const auto& use) {
-      team_.each_range(last - first, kRange, [&](std::size_t from, std::size_t to) {
-        for (std::size_t k = from; k < to; ++k) use(from / kRange, sites_[first + k]);
+      team_.each_range(last - first, kManyAtATime, [&](std::size_t from, std::size_t to) {
+        for (std::size_t k = from; k < to; ++k) use(from / kManyAtATime, sites_[first + k]);
       });
     };
     std::vector<std::array<std::uint32_t, kSlices>> in_slice(ranges);
@@ -368,7 +368,7 @@ class Divided {
       const std::size_t slice = slice_of(site);
       put[place[range][slice < chosen ? 0 : slice == chosen ? 1 : 2]++] = site;
     });
-    team_.each_range(last - first, kRange, [&](std::size_t from, std::size_t to) {
+    team_.each_range(last - first, kManyAtATime, [&](std::size_t from, std::size_t to) {
       std::copy(put.data() + from, put.data() + to, sites_.data() + first + from);
     });
     std::nth_element(begin + below, sites_.begin() + middle, begin + below + inside, before);
@@ -443,12 +443,12 @@ class Divided {
   /// The last edge that leaves each point.
   void find_heads() {
     place_.resize(sites_.size());
-    team_.each_range(sites_.size(), kRange, [this](std::size_t first, std::size_t last) {
+    team_.each_range(sites_.size(), kManyAtATime, [this](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k)
         place_[sites_[k].id] = static_cast<std::uint32_t>(k);
     });
     head_.assign(sites_.size(), kNone);
-    team_.each_range(org_.size(), kRange, [this](std::size_t first, std::size_t last) {
+    team_.each_range(org_.size(), kManyAtATime, [this](std::size_t first, std::size_t last) {
       for (auto e = static_cast<Edge>(first); e < last; ++e) {
         if (org_[e] == kNone) continue;
         const std::atomic_ref head(head_[org_[e]]);

@@ -69,7 +69,7 @@ class Assembly {
     for (std::size_t v = 1; v < first_side_.size(); ++v) first_side_[v] += first_side_[v - 1];
     out_.points.assign(points.begin(), points.end());
     out_.triangles.resize(triangles.size());
-    team.each_range(triangles.size(), kRange, [this](std::size_t first, std::size_t last) {
+    team.each_range(triangles.size(), kItemsAtATime, [this](std::size_t first, std::size_t last) {
       for (std::size_t t = first; t < last; ++t) fill(t);
     });
   }
@@ -82,7 +82,7 @@ class Assembly {
     if (std::find(is_used.begin(), is_used.end(), 0) != is_used.end()) return false;
     std::atomic<std::size_t> sides = 0;
     std::atomic<bool> is_good = true;
-    team_.each_range(triangles_.size(), kRange, [&](std::size_t first, std::size_t last) {
+    team_.each_range(triangles_.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
       std::size_t own = 0;
       for (std::size_t t = first; t < last && is_good; ++t)
         if (!is_good_triangle(static_cast<std::uint32_t>(t), own)) is_good = false;
@@ -94,8 +94,6 @@ class Assembly {
   Triangulation take() { return std::move(out_); }
 
  private:
-  static constexpr std::size_t kRange = 1 << 15;
-
   [[nodiscard]] bool is_side(std::uint32_t u, std::uint32_t v) const {
     return std::binary_search(sides_.begin() + first_side_[u], sides_.begin() + first_side_[u + 1],
                               IndexPair{u, v});
@@ -187,9 +185,8 @@ std::optional<BoundaryFault> find_fault(const CdtResult& cdt, std::span<const Po
 }
 
 void put_in_order(std::size_t points, std::vector<IndexTriple>& triangles, const Team& team) {
-  constexpr std::size_t kAtATime = 1 << 15;
   std::vector<std::uint32_t> next(points + 1, 0);
-  team.each_range(triangles.size(), kAtATime, [&](std::size_t first, std::size_t last) {
+  team.each_range(triangles.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       IndexTriple& t = triangles[k];
       std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
@@ -200,7 +197,7 @@ void put_in_order(std::size_t points, std::vector<IndexTriple>& triangles, const
   std::vector<IndexTriple> sorted(triangles.size());
   for (const IndexTriple& t : triangles) sorted[next[t[0]]++] = t;
   triangles = std::move(sorted);
-  team.each_range(points, kAtATime, [&](std::size_t begin, std::size_t end) {
+  team.each_range(points, kItemsAtATime, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {  // next[v] is where v + 1 begins
       const auto first = static_cast<std::ptrdiff_t>(v == 0 ? 0 : next[v - 1]);
       std::sort(triangles.begin() + first, triangles.begin() + next[v]);

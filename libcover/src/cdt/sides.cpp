@@ -29,8 +29,7 @@ std::vector<EdgeRef> locate_sides(const Triangulation& cdt, std::span<const Inde
     }
   };
   // A side is an edge of one triangle, so that no two threads find the same.
-  constexpr std::size_t kRange = 1 << 15;
-  team.each_range(cdt.triangles.size(), kRange, [&](std::size_t begin, std::size_t end) {
+  team.each_range(cdt.triangles.size(), kItemsAtATime, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) look_at(static_cast<std::uint32_t>(t));
   });
   return at;

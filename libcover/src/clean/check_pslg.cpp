@@ -157,11 +157,10 @@ std::optional<Error> find_unusable(const Input& input) {
 }
 
 std::optional<Triangulation> triangulation_if_pslg(const Input& input, const Team& team) {
-  constexpr std::size_t kRange = 1 << 15;
   const std::size_t count = input.segments.size();
   std::vector<IndexPair> pairs(count), ascending(count);
   std::atomic<bool> all_differ = true;
-  team.each_range(count, kRange, [&](std::size_t first, std::size_t last) {
+  team.each_range(count, kItemsAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       const InputSegment& s = input.segments[k];
       pairs[k] = {s.a, s.b};
@@ -171,7 +170,7 @@ std::optional<Triangulation> triangulation_if_pslg(const Input& input, const Tea
   });
   if (!all_differ) return std::nullopt;
   sort_by_team(ascending, std::less(), team);
-  team.each_range(count, kRange, [&](std::size_t first, std::size_t last) {
+  team.each_range(count, kItemsAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = std::max<std::size_t>(first, 1); k < last; ++k)
       if (ascending[k - 1] == ascending[k]) all_differ = false;
   });

@@ -1,7 +1,7 @@
 // A segment that is no edge of the mesh is followed from vertex to vertex; a vertex that is a point
 // of the input already lies on no other segment, so no way leads through it.
 // Tested by tests/unit/cuts/adopt_cuts_test.cpp.
-#include <cover/remesh.hpp>
+#include <cover/adopt_cuts.hpp>
 
 #include <algorithm>
 #include <cmath>

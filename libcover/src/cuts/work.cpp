@@ -1,4 +1,5 @@
-// Tested by tests/unit/cuts/after_meshing/cut_for_boxes_test.cpp and thin_cuts_test.cpp beside it.
+// Tested by tests/unit/cuts/boxes/cut_until_coupled_test.cpp and
+// tests/unit/cuts/after_meshing/thin_cuts_test.cpp.
 #include "cuts/work.hpp"
 
 #include <utility>

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <optional>
 
+#include <cover/angle.hpp>
+
 #include "disks/gaps/gap.hpp"
 #include "disks/packing/boundary_disks.hpp"
 #include "disks/packing/connect_holes.hpp"
@@ -285,7 +287,7 @@ Filling run_attempts(const FillTask& task, std::span<const double> radii,
     if (std::string why = obstacle(task); !why.empty()) return plain(cdt.triangulation, why);
   }
   const TaskRun run(task, cdt.triangulation, radii, options);
-  constexpr double kAim = kLargestSnapped * std::numbers::pi / 180;
+  constexpr double kAim = Angle::degrees(kLargestSnapped).in_radians();
   std::optional<Checked> best;
   std::string fault = "stopped";
   int attempts = 0;
@@ -302,7 +304,7 @@ Filling run_attempts(const FillTask& task, std::span<const double> radii,
   if (best->largest_angle > kAim) {
     best->filling.target_reached = false;
     best->filling.remark = "rounding of tiny features left an angle of " +
-                           std::to_string(best->largest_angle * 180 / std::numbers::pi) +
+                           std::to_string(Angle::radians(best->largest_angle).in_degrees()) +
                            " degrees";
   }
   if (options.record != nullptr) {

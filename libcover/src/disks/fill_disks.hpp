@@ -7,7 +7,7 @@
 #include <cover/option_ranges.hpp>
 #include <cover/packing.hpp>
 
-#include "target/filler.hpp"
+#include "disks/filler.hpp"
 
 namespace cover {
 

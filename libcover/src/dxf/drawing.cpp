@@ -11,6 +11,8 @@
 
 #include <fmt/core.h>
 
+#include "base/numbers.hpp"
+
 namespace cover {
 namespace {
 
@@ -74,7 +76,6 @@ class Builder : public DL_CreationAdapter {
     if (is_plane() && d.radius > 0) add(DxfArc{{side() * d.cx, d.cy}, d.radius, 0, 360});
   }
   void addEllipse(const DL_EllipseData& d) override {
-    constexpr double kDegrees = 180 / std::numbers::pi;
     // Given in the plane of the drawing; seen from behind it runs the other way round.
     if (!is_plane()) return;
     const double ratio = side() * d.ratio;
@@ -82,8 +83,8 @@ class Builder : public DL_CreationAdapter {
     const double sweep = d.angle2 - d.angle1;
     constexpr double kWhole = 2 * std::numbers::pi;
     if (std::abs(std::remainder(sweep, kWhole)) > 1e-9) {
-      e.from = d.angle1 * kDegrees;
-      e.to = e.from + (sweep - kWhole * std::floor(sweep / kWhole)) * kDegrees;
+      e.from = d.angle1 * kRadian;
+      e.to = e.from + (sweep - kWhole * std::floor(sweep / kWhole)) * kRadian;
     }
     add(e);
   }

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <set>
 
 #include <fmt/core.h>
 
+#include <cover/angle.hpp>
 #include <cover/text.hpp>
 #include <cover/units.hpp>
 
@@ -126,7 +126,7 @@ class DxfConverter {
     Arc out{place(arc.centre), arc.radius, arc.from, arc.to, 0};
     if (!place.is_identity()) {
       out.radius *= std::hypot(place.a, place.d);
-      const double turn = std::atan2(place.d, place.a) * 180 / std::numbers::pi;
+      const double turn = Angle::radians(std::atan2(place.d, place.a)).in_degrees();
       const double way = place.is_mirrored() ? -1 : 1;
       out.from = turn + way * arc.from;
       out.to = turn + way * arc.to;

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include <cover/angle.hpp>
 
 #include "geom/vector.hpp"
 
@@ -22,7 +23,7 @@ struct Weighted {
 class SplineCutter {
  public:
   SplineCutter(const DxfSpline& spline, double step, std::optional<double> chord_error)
-      : spline_(spline), step_(step * std::numbers::pi / 180), chord_error_(chord_error) {}
+      : spline_(spline), step_(Angle::degrees(step).in_radians()), chord_error_(chord_error) {}
 
   std::vector<Point> points() {
     const std::vector<double>& knots = spline_.knots;

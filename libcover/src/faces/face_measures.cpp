@@ -1,11 +1,11 @@
-// Tested by tests/unit/region/region_graph_test.cpp.
+// See face_measures.hpp.
 #include "faces/face_measures.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 
@@ -71,8 +71,6 @@ void search_inside(const Faces& faces, std::vector<bool>& wanted, std::vector<Fa
 
 /// What some triangles tell of a face.
 struct Measured {
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
   double largest = -1;  ///< twice the area of a triangle
   Point inside;         ///< its centroid, as rounded
   bool is_inside = false;
@@ -116,15 +114,15 @@ void measure_some(const Faces& faces, std::size_t first, std::size_t last,
 }  // namespace
 
 std::vector<FaceMeasure> measure_faces(const Faces& faces, const Team& team) {
-  constexpr std::size_t kRange = 1 << 15, kFew = 64;
+  constexpr std::size_t kFew = 64;
   const std::size_t triangles = faces.of_triangle.size();
   std::vector<Measured> measured(faces.count);
   std::vector<Sum> doubled(faces.count);
-  if (team.workers() > 1 && faces.count <= kFew && triangles > kRange) {
-    std::vector<std::vector<Measured>> parts(Team::ranges(triangles, kRange), measured);
+  if (team.workers() > 1 && faces.count <= kFew && triangles > kItemsAtATime) {
+    std::vector<std::vector<Measured>> parts(Team::ranges(triangles, kItemsAtATime), measured);
     std::vector<double> areas(triangles);  // which are summed in their order
-    team.each_range(triangles, kRange, [&](std::size_t first, std::size_t last) {
-      measure_some(faces, first, last, parts[first / kRange],
+    team.each_range(triangles, kItemsAtATime, [&](std::size_t first, std::size_t last) {
+      measure_some(faces, first, last, parts[first / kItemsAtATime],
                    [&](std::size_t t, double area) { areas[t] = area; });
     });
     for (const std::vector<Measured>& part : parts) {

@@ -1,6 +1,5 @@
 // One constrained Delaunay triangulation of everything; faces are what is connected without
 // crossing a segment. Nesting, holes and isolated points need no thought of their own.
-// Tested by tests/unit/region/region_graph_test.cpp.
 #include "faces/faces.hpp"
 
 #include <algorithm>
@@ -94,19 +93,19 @@ class SegmentIndex {
 /// Each side is one triangle's.
 void find_sides(Faces& faces, std::span<const IndexPair> segments, const SegmentIndex& index,
                 const Team& team) {
-  constexpr std::size_t kRange = 1 << 15;
-  team.each_range(faces.of_triangle.size(), kRange, [&](std::size_t first, std::size_t last) {
-    for (std::size_t t = first; t < last; ++t) {
-      const Triangle& f = faces.triangulation.triangles[t];
-      for (const Corner i : kCorners) {
-        if (!f.is_locked(i)) continue;
-        const std::uint32_t u = f.v[i.next()];
-        const std::uint32_t v = f.v[i.previous()];
-        const std::uint32_t s = index.find(u, v);
-        faces.of_segment[s][segments[s][0] == u ? 0 : 1] = faces.of_triangle[t];
-      }
-    }
-  });
+  team.each_range(faces.of_triangle.size(), kItemsAtATime,
+                  [&](std::size_t first, std::size_t last) {
+                    for (std::size_t t = first; t < last; ++t) {
+                      const Triangle& f = faces.triangulation.triangles[t];
+                      for (const Corner i : kCorners) {
+                        if (!f.is_locked(i)) continue;
+                        const std::uint32_t u = f.v[i.next()];
+                        const std::uint32_t v = f.v[i.previous()];
+                        const std::uint32_t s = index.find(u, v);
+                        faces.of_segment[s][segments[s][0] == u ? 0 : 1] = faces.of_triangle[t];
+                      }
+                    }
+                  });
 }
 
 }  // namespace

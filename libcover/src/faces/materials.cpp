@@ -1,4 +1,4 @@
-// Tested by tests/unit/region/region_graph_test.cpp.
+// See materials.hpp.
 #include "faces/materials.hpp"
 
 #include <fmt/core.h>

@@ -1,4 +1,4 @@
-// Tested by tests/unit/clean/soup_test.cpp.
+// See place_seeds.hpp.
 #include "faces/place_seeds.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Tested by tests/unit/region/region_graph_test.cpp.
+// See seeds.hpp.
 #include "faces/seeds.hpp"
 
 #include <fmt/core.h>

@@ -2,19 +2,19 @@
 #pragma once
 
 #include <algorithm>
-#include <limits>
 #include <span>
 
 #include <cover/point.hpp>
 
+#include "base/numbers.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
 
 /// The smallest box around what was added; empty at first.
 struct Box {
-  Point low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  Point high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  Point low{kInfinity, kInfinity};
+  Point high{-kInfinity, -kInfinity};
 
   void add(Point p) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};

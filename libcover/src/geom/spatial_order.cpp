@@ -12,7 +12,6 @@
 namespace cover {
 namespace {
 
-constexpr std::size_t kRange = 1 << 16;  ///< points that are placed in one go
 constexpr int kMostLevels = 16;  ///< of the curve, so that a place on it and an index fill 64 bits
 
 /// The place of grid point (x, y) along the Hilbert curve of that many levels.
@@ -42,7 +41,7 @@ std::vector<std::uint32_t> spatial_order(std::span<const Point> points, const Te
   const int bits = static_cast<int>(std::bit_width(n)), levels = std::min(bits, kMostLevels),
             spare = bits - levels;
   std::vector<std::uint64_t> keys(n);
-  team.each_range(n, kRange, [&](std::size_t first, std::size_t last) {
+  team.each_range(n, kManyAtATime, [&](std::size_t first, std::size_t last) {
     for (auto rank = static_cast<std::uint32_t>(first); rank < last; ++rank) {
       const std::uint32_t k = by_y[rank].second;
       keys[rank] = place_on_curve(k >> spare, rank >> spare, levels) << 32 | k;

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
+
+#include <cover/angle.hpp>
 
 namespace cover {
 
@@ -13,7 +14,7 @@ struct Turn {
 
   /// EXACT: quarters of a turn, so that what is drawn along the axes stays so
   static Turn by_degrees(double degrees) {
-    const double rest = std::fmod(degrees, 360), radians = rest * std::numbers::pi / 180;
+    const double rest = std::fmod(degrees, 360), radians = Angle::degrees(rest).in_radians();
     const Turn turn{std::cos(radians), std::sin(radians)};
     return std::fmod(rest, 90) == 0 ? Turn{std::round(turn.cosine), std::round(turn.sine)} : turn;
   }

@@ -3,17 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 
 #include <cover/point.hpp>
+
+#include "base/numbers.hpp"
 
 namespace cover {
 
 /// How far the next larger double is from |x|.
 inline double spacing_at(double x) {
   x = std::abs(x);
-  return std::nextafter(x, std::numeric_limits<double>::infinity()) - x;
+  return std::nextafter(x, kInfinity) - x;
 }
 
 /// The largest |x| or |y|; 0 without points.

@@ -135,6 +135,12 @@ class Resolver {
 
 }  // namespace
 
+Options with_layers_of(const Input& input, const Options& options) {
+  Options all = options;
+  all.layers.insert(all.layers.begin(), input.layers.begin(), input.layers.end());
+  return all;
+}
+
 Status resolve_layers(const Pslg& pslg, const RegionTable& table, const Options& options,
                       std::span<RegionBoundary> boundaries) {
   if (options.layers.empty()) return ok();

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include <cover/input.hpp>
 #include <cover/options.hpp>
 #include <cover/pslg.hpp>
 #include <cover/regions.hpp>
@@ -11,6 +12,9 @@
 #include "region/region_boundary.hpp"
 
 namespace cover {
+
+/// The options with the layers that the input asks for before their own.
+Options with_layers_of(const Input& input, const Options& options);
 
 /// Fills RegionBoundary::layers from Options::layers. Where several rules hold on a side, the last
 /// counts.

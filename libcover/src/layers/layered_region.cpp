@@ -28,7 +28,8 @@
 #include "mend/couplings/delaunay_within_bound.hpp"
 #include "region/triangulation_of.hpp"
 #include "target/angle_limit.hpp"
-#include "target/fill_report.hpp"
+#include "target/report/fill_report.hpp"
+#include "target/report/holds_bound.hpp"
 #include "target/whole_mesh.hpp"
 
 namespace cover {
@@ -236,12 +237,12 @@ std::vector<Note> notes_of(const RegionBoundary& boundary, const std::vector<Lay
 /// Layers that become fewer until the region is as it should be.
 class LayeredRegion {
  public:
-  /// `options` are for the rest; couplings of the whole are mended as hard as `mending` says.
-  LayeredRegion(const RegionBoundary& boundary, const Options& options, const MendEffort& mending,
-                std::stop_token stop)
+  /// `options` are for the rest; couplings of the whole are mended as hard as `couplings` says.
+  LayeredRegion(const RegionBoundary& boundary, const Options& options,
+                const CouplingEffort& couplings, std::stop_token stop)
       : boundary_(boundary),
         options_(options),
-        mending_(mending),
+        couplings_(couplings),
         stop_(std::move(stop)),
         most_(boundary.sides.size(), std::numeric_limits<int>::max()) {
     const Triangulation cdt = triangulation_of(boundary);
@@ -286,7 +287,7 @@ class LayeredRegion {
     RegionMesh mesh = mesh_rest(boundary_, options_);
     if (options_.couplings != Couplings::last && !stop_.stop_requested()) {
       if (std::optional<RegionMesh> mended =
-              mend_couplings_within_bound(boundary_, mesh, stop_, mending_))
+              mend_couplings_within_bound(boundary_, mesh, stop_, couplings_))
         mesh = *std::move(mended);
     }
     tell(front, front.sides(), mesh.report);
@@ -313,7 +314,7 @@ class LayeredRegion {
     fill_report(boundary_, mesh);
     if (options_.couplings != Couplings::last) {
       if (std::optional<RegionMesh> mended =
-              mend_couplings_within_bound(boundary_, mesh, stop_, mending_))
+              mend_couplings_within_bound(boundary_, mesh, stop_, couplings_))
         mesh = *std::move(mended);
     }
     std::vector<std::uint32_t> out;
@@ -371,7 +372,7 @@ class LayeredRegion {
 
   const RegionBoundary& boundary_;
   const Options& options_;
-  MendEffort mending_;
+  CouplingEffort couplings_;
   std::stop_token stop_;
   std::vector<int> most_;  ///< rows, by side
   AngleLimit limit_;
@@ -401,8 +402,8 @@ bool has_layers(const RegionBoundary& boundary) { return !boundary.layers.empty(
 
 RegionMesh mesh_with_layers(const RegionBoundary& boundary, const Options& options,
                             const RegionMesher& mesh_rest, std::stop_token stop) {
-  const MendEffort mending = MendEffort::beside_layers(options.effort);
-  RegionMesh mesh = LayeredRegion(boundary, options, mending, stop).run(mesh_rest);
+  const CouplingEffort couplings = CouplingEffort::beside_layers(options.effort);
+  RegionMesh mesh = LayeredRegion(boundary, options, couplings, stop).run(mesh_rest);
   const auto negative = [](const RegionMesh& m) { return m.report.box.negative_inside; };
   if (options.couplings == Couplings::last || negative(mesh) == 0 ||
       options.effort == Effort::fast || stop.stop_requested())
@@ -410,7 +411,7 @@ RegionMesh mesh_with_layers(const RegionBoundary& boundary, const Options& optio
   // Where many rows end in one vertex, a coarser rest may leave flips that a finer one blocks.
   Options coarser = options;
   coarser.effort = Effort::fast;
-  RegionMesh other = LayeredRegion(boundary, coarser, mending, std::move(stop)).run(mesh_rest);
+  RegionMesh other = LayeredRegion(boundary, coarser, couplings, std::move(stop)).run(mesh_rest);
   return negative(other) < negative(mesh) ? std::move(other) : std::move(mesh);
 }
 

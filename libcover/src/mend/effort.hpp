@@ -1,6 +1,6 @@
 // How long is searched for what mends, thins out or eases a mesh: numbers that any mesh is right
 // with, a smaller one sooner, a larger one maybe with fewer vertices or bad triangles. How many
-// places may be tried in all, say those who ask (ThinEffort, RepairEffort, MendEffort). Where no
+// places may be tried in all, say those who ask (ThinEffort, MendEffort, CouplingEffort). Where no
 // figures are told, a number was not measured by itself. What weighs costs against each other, or
 // is rounding's, stands at the head of the file that has it.
 #pragma once

@@ -76,7 +76,7 @@ void mend_beyond_worst(Repairs& repairs) {
   });
 }
 
-BadTriangles mend_what_is_left(MeshWithUndo& mesh, const RepairEffort& effort) {
+BadTriangles mend_what_is_left(MeshWithUndo& mesh, const MendEffort& effort) {
   BadTriangles bad{mesh.bad(), 0};
   Repairs repairs(mesh, effort.places_for(mesh.bad()));
   mend_beyond_worst(repairs);
@@ -92,7 +92,7 @@ BadTriangles mend_what_is_left(MeshWithUndo& mesh, const RepairEffort& effort) {
   return bad;
 }
 
-BadTriangles mend_mesh(MeshWithUndo& mesh, const RepairEffort& effort,
+BadTriangles mend_mesh(MeshWithUndo& mesh, const MendEffort& effort,
                        std::uint64_t places_per_sign) {
   BadTriangles bad{mesh.bad(), 0};
   const std::size_t by_sign_only = mesh.bad() - mesh.grave();

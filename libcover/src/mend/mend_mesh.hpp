@@ -9,8 +9,8 @@
 
 namespace cover {
 
-/// How long is searched for what mends.
-struct RepairEffort {
+/// How many places are tried to mend bad triangles.
+struct MendEffort {
   std::uint64_t places_per_bad = 0;  ///< for every bad triangle that there is at first
   std::uint64_t places_at_most = 0;
   std::stop_token stop{};
@@ -33,7 +33,7 @@ struct BadTriangles {
 /// ENSURES: the same mesh for the same input, whatever the machine
 /// Cost:    as `effort` says
 /// Ref:     libcover/docs/cutting_segments.md, "Fewer vertices"
-BadTriangles mend_what_is_left(MeshWithUndo& mesh, const RepairEffort& effort);
+BadTriangles mend_what_is_left(MeshWithUndo& mesh, const MendEffort& effort);
 
 /// Moves, adds and, where that does not help, takes away vertices until no triangle is gravely bad
 /// (MeshWithUndo::grave), and then, if that can be, until none is by a vertex inside that could
@@ -42,8 +42,7 @@ BadTriangles mend_what_is_left(MeshWithUndo& mesh, const RepairEffort& effort);
 /// ENSURES: the same mesh for the same input, whatever the machine
 /// Cost:    places_per_bad for each gravely bad triangle, `places_per_sign` for each other bad one,
 ///          whichever takes them; places_at_most in all
-BadTriangles mend_mesh(MeshWithUndo& mesh, const RepairEffort& effort,
-                       std::uint64_t places_per_sign);
+BadTriangles mend_mesh(MeshWithUndo& mesh, const MendEffort& effort, std::uint64_t places_per_sign);
 
 /// Steps of mend_what_is_left() and thin_mesh(). Bad triangles, where more vertices help in so many
 /// tries.

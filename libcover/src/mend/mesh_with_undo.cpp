@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/numbers.hpp"
 #include "geom/angle_rounding.hpp"
 #include "geom/foot.hpp"
 #include "geom/predicates.hpp"
@@ -15,7 +16,7 @@
 namespace cover {
 namespace {
 
-constexpr double kCannotBe = std::numeric_limits<double>::infinity();
+constexpr double kCannotBe = kInfinity;
 constexpr std::uint32_t kOnNoLine = ConformingMesh::kInside;
 constexpr std::size_t kMostInHole = 96;   ///< triangles: larger ones are left alone
 constexpr std::size_t kMostCorners = 40;  ///< of a hole that a vertex leaves

@@ -4,11 +4,11 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "base/numbers.hpp"
 #include "geom/topology/corner.hpp"
 #include "mend/conforming_mesh.hpp"
 
@@ -20,7 +20,7 @@ struct WantedAngles {
   double least_cot = 0;    ///< of the largest one, 90 degrees or more
   bool closed = false;     ///< no vertex is put among them
   /// Of an angle beyond which no triangle comes, whatever others become good for it.
-  double worst_cot = -std::numeric_limits<double>::infinity();
+  double worst_cot = -kInfinity;
 };
 
 /// Where a vertex may be put: inside of a triangle, or on its edge, which is a piece of a line.
@@ -105,7 +105,7 @@ class MeshWithUndo {
 
   /// By how much the cost would change with a vertex at `spot`; infinite if that cannot be. More
   /// than `most` is any number above it. The rim of the hole around it is in rim() then.
-  double change_with(const Spot& spot, double most = std::numeric_limits<double>::infinity());
+  double change_with(const Spot& spot, double most = kInfinity);
   [[nodiscard]] std::span<const RimEdge> rim() const { return rim_; }
 
   /// Puts a vertex there: `v`, which is not there, or a new one if that is kNone. Returns it;

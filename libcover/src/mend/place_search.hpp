@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <stop_token>
 #include <vector>
 
+#include "base/numbers.hpp"
 #include "mend/mesh_with_undo.hpp"
 
 namespace cover {
@@ -27,8 +27,8 @@ constexpr std::uint64_t kRemoval = 4;
 
 /// A vertex put somewhere.
 struct VertexPlace {
-  double cost = std::numeric_limits<double>::infinity();  ///< of the mesh then
-  std::uint32_t vertex = kNone;                           ///< that is moved; kNone: one is added
+  double cost = kInfinity;       ///< of the mesh then
+  std::uint32_t vertex = kNone;  ///< that is moved; kNone: one is added
   Spot spot{};
 };
 

@@ -3,16 +3,14 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <span>
 
+#include "base/numbers.hpp"
 #include "geom/vector.hpp"
 #include "mend/effort.hpp"
 
 namespace cover {
 namespace {
-
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 constexpr double kRatherStays = 0.2;  ///< cost of a vertex that was put where it is on purpose
 constexpr double kGain = 1e-9;        ///< of the cost, that counts as better
@@ -198,7 +196,7 @@ bool Repairs::repair(int more, int steps, const MostBad& most) {
     VertexPlace placement;
     if (more > 0) places_.add_one(t, starts_, placement);
     places_.move_one(t, stay_, placement);
-    if (!(placement.cost < kInfinite) || !apply(placement, more)) return false;
+    if (!(placement.cost < kInfinity) || !apply(placement, more)) return false;
     if (mesh_.cost() < best - kGain) {
       best = mesh_.cost();
       in_vain = 0;
@@ -254,7 +252,7 @@ std::optional<Spot> Repairs::foot_of_a_blunt_corner() {
     const Point apex = mesh_.at(mesh_.triangles()[t].v[*corner]);
     const Spot spot = mesh_.on_line(apex, t, *corner);
     left_.spend(1);
-    if (spot.triangle == kNone || !(mesh_.change_with(spot) < kInfinite)) continue;
+    if (spot.triangle == kNone || !(mesh_.change_with(spot) < kInfinity)) continue;
     worst = mesh_.triangles()[t].cost;
     foot = spot;
   }
@@ -286,7 +284,7 @@ std::vector<std::uint32_t> Repairs::removable_around(std::uint32_t t) const {
 
 std::uint32_t Repairs::most_helpful_removal(std::uint32_t t) {
   std::uint32_t best = kNone;
-  double least = kInfinite;
+  double least = kInfinity;
   for (const std::uint32_t v : removable_around(t)) {
     const std::size_t mark = mesh_.mark();
     left_.spend(kRemoval);

@@ -8,11 +8,11 @@
 
 namespace cover {
 
-/// How long is searched.
+/// How many places are tried to thin a mesh out.
 struct ThinEffort {
   std::uint64_t places_per_vertex = 0;  ///< for every vertex that may go
   std::uint64_t places_at_most = 0;
-  RepairEffort mending{};  ///< besides
+  MendEffort mending{};  ///< besides
 };
 
 /// Takes vertices away, merges several into fewer and moves them, so that no more triangles are

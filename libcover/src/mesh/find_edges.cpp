@@ -16,8 +16,6 @@ using Ends = std::array<std::uint32_t, 2>;
 std::uint32_t lower(const Ends& pair) { return std::min(pair[0], pair[1]); }
 std::uint32_t upper(const Ends& pair) { return std::max(pair[0], pair[1]); }
 
-constexpr std::size_t kTrianglesAtATime = 1 << 15;
-
 /// Keeps the larger of half-edges that several threads find. "None" is the largest number, and one
 /// more than that is 0.
 void keep_last(std::uint32_t h, std::uint32_t& kept) {
@@ -42,7 +40,7 @@ std::vector<std::uint32_t> find_edges(std::size_t vertices, std::span<const Inde
   for (std::uint32_t k = 0; k < pairs.size(); ++k) {
     if (may_be(pairs[k])) sorted[first[lower(pairs[k]) + std::size_t{1}]++] = k;
   }
-  team.each_range(vertices, kTrianglesAtATime, [&](std::size_t begin, std::size_t end) {
+  team.each_range(vertices, kItemsAtATime, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       std::sort(
           sorted.begin() + first[v], sorted.begin() + first[v + 1],
@@ -58,7 +56,7 @@ std::vector<std::uint32_t> find_edges(std::size_t vertices, std::span<const Inde
         [&](std::uint32_t pair, std::uint32_t v) { return upper(pairs[pair]) < v; });
     for (; k != end && upper(pairs[*k]) == upper(edge); ++k) keep_last(h, found[*k]);
   };
-  team.each_range(triangles.size(), kTrianglesAtATime, [&](std::size_t begin, std::size_t end) {
+  team.each_range(triangles.size(), kItemsAtATime, [&](std::size_t begin, std::size_t end) {
     for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t) {
       for (const Corner i : kCorners) look_at({triangles[t][i], triangles[t][i.next()]}, 3 * t + i);
     }

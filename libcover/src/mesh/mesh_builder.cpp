@@ -28,8 +28,6 @@ using Vertex = TriMesh::VertexHandle;
 
 namespace {
 
-constexpr std::size_t kRange = 1 << 15;
-
 Vertex vertex(std::uint32_t v) { return Vertex(static_cast<int>(v)); }
 
 /// Of numbers that several threads have.
@@ -46,7 +44,7 @@ void keep_larger(std::uint32_t number, std::uint32_t& kept) {
 template <class Fan>
 std::vector<std::size_t> begin_of_ranges(const std::vector<Fan>& fans) {
   std::vector<std::size_t> begin;
-  for (std::size_t at = 0; at < fans.size(); at += kRange) {
+  for (std::size_t at = 0; at < fans.size(); at += kItemsAtATime) {
     begin.push_back(at);
     std::size_t& k = begin.back();
     while (k > 0 && k < fans.size() && fans[k].vertex == fans[k - 1].vertex) ++k;
@@ -78,10 +76,10 @@ Mesh MeshBuilder::build(const Team& team) const {
   TriMesh& tri = mesh.tri();
   tri.resize(points_.size(), edges_, triangles_.size());
   std::vector<std::uint32_t> last_of(points_.size(), 0);
-  team.each_range(triangles_.size(), kRange, [&](std::size_t first, std::size_t last) {
+  team.each_range(triangles_.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
     set_faces(first, last, last_of, tri);
   });
-  team.each_range(points_.size(), kRange, [&](std::size_t first, std::size_t last) {
+  team.each_range(points_.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
     for (auto v = static_cast<std::uint32_t>(first); v < last; ++v) {
       tri.set_point(vertex(v), TriMesh::Point(points_[v].x, points_[v].y, 0));
       if (last_of[v] != 0) tri.set_halfedge_handle(vertex(v), halfedge(last_of[v] - 1));
@@ -94,13 +92,13 @@ Mesh MeshBuilder::build(const Team& team) const {
 /// In place of their opposites. The first half-edge of an edge, in the order of the faces, counts;
 /// it is not looked at again where the other one takes its number.
 void MeshBuilder::number_half_edges(const Team& team) {
-  constexpr std::size_t kWord = 64, kAtATime = kRange;
-  static_assert(kAtATime % kWord == 0);  // so that threads share no word
+  constexpr std::size_t kWord = 64;
+  static_assert(kItemsAtATime % kWord == 0);  // so that threads share no word
   std::vector<std::uint64_t> is_second(Team::ranges(half_edge_.size(), kWord), 0);
-  const std::size_t ranges = Team::ranges(half_edge_.size(), kAtATime);
+  const std::size_t ranges = Team::ranges(half_edge_.size(), kItemsAtATime);
   std::vector<std::uint32_t> edges_before(ranges + 1, 0);
   std::vector<std::vector<std::uint32_t>> boundary(ranges);
-  team.each_range(half_edge_.size(), kAtATime, [&](std::size_t first, std::size_t last) {
+  team.each_range(half_edge_.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
     std::uint32_t own = 0;
     for (std::size_t h = first; h < last; ++h) {
       if (half_edge_[h] < h) {
@@ -109,22 +107,23 @@ void MeshBuilder::number_half_edges(const Team& team) {
         ++own;
       }
     }
-    edges_before[first / kAtATime + 1] = own;
+    edges_before[first / kItemsAtATime + 1] = own;
   });
   for (std::size_t k = 1; k <= ranges; ++k) edges_before[k] += edges_before[k - 1];
   edges_ = edges_before.back();
   const auto is_first = [&](std::size_t h) {
     return (is_second[h / kWord] >> (h % kWord) & 1) == 0;
   };
-  team.each_range(half_edge_.size(), kAtATime, [&](std::size_t first, std::size_t last) {
-    std::uint32_t next = 2 * edges_before[first / kAtATime];
+  team.each_range(half_edge_.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
+    std::uint32_t next = 2 * edges_before[first / kItemsAtATime];
     for (std::size_t h = first; h < last; ++h) {
       if (!is_first(h)) continue;
-      if (std::exchange(half_edge_[h], next) == kNone) boundary[first / kAtATime].push_back(next);
+      if (std::exchange(half_edge_[h], next) == kNone)
+        boundary[first / kItemsAtATime].push_back(next);
       next += 2;
     }
   });
-  team.each_range(half_edge_.size(), kAtATime, [&](std::size_t first, std::size_t last) {
+  team.each_range(half_edge_.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t h = first; h < last; ++h) {
       if (!is_first(h)) half_edge_[h] = half_edge_[half_edge_[h]] + 1;
     }
@@ -151,14 +150,14 @@ void MeshBuilder::set_faces(std::size_t first, std::size_t last, std::span<std::
 
 void MeshBuilder::set_boundary(const Team& team, TriMesh& tri) const {
   std::vector<Fan> fans(boundary_.size());
-  team.each_range(boundary_.size(), kRange, [&](std::size_t first, std::size_t last) {
+  team.each_range(boundary_.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       const Halfedge inside(static_cast<int>(boundary_[k]));
       const Halfedge before = tri.next_halfedge_handle(tri.next_halfedge_handle(inside));
       tri.set_vertex_handle(tri.opposite_halfedge_handle(inside), tri.to_vertex_handle(before));
     }
   });
-  team.each_range(boundary_.size(), kRange, [&](std::size_t first, std::size_t last) {
+  team.each_range(boundary_.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k)
       fans[k] = fan_from(tri, Halfedge(static_cast<int>(boundary_[k])));
   });

@@ -18,7 +18,7 @@
 #include "mesh/find_edges.hpp"
 #include "mesh/mesh_builder.hpp"
 #include "region/interfaces.hpp"
-#include "target/fill_report.hpp"
+#include "target/report/measure_angles.hpp"
 
 namespace cover {
 namespace {

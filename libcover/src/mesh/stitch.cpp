@@ -16,8 +16,6 @@
 namespace cover {
 namespace {
 
-constexpr std::size_t kItemsAtATime = 1 << 15;
-
 /// All triangles by global vertex.
 struct Gathered {
   UnsetVector<Point> points;              ///< first those of the PSLG

@@ -30,7 +30,7 @@
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"
 #include "target/angle_limit.hpp"
-#include "target/fill_report.hpp"
+#include "target/report/fill_report.hpp"
 #include "target/whole_mesh.hpp"
 #include "tasks/for_each_region.hpp"
 #include "tasks/stage_clock.hpp"

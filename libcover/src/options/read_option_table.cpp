@@ -1,5 +1,5 @@
 // Tested by tests/unit/options/read_option_table_test.cpp.
-#include <cover/read_options.hpp>
+#include <cover/read_option_table.hpp>
 
 #include <algorithm>
 #include <array>
@@ -16,8 +16,8 @@ using option_kinds::named;
 using option_kinds::number;
 using option_kinds::parse;
 using option_kinds::text;
-using option_kinds::whole;
 using option_kinds::texts;
+using option_kinds::whole;
 
 /// An extension, with or without its dot.
 constexpr ReadOptionEntry format_name(ReadOptionEntry row) {

@@ -1,5 +1,5 @@
 // Tested by tests/unit/options/write_option_table_test.cpp.
-#include <cover/write_options.hpp>
+#include <cover/write_option_table.hpp>
 
 #include "options/option_kinds.hpp"
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -16,6 +15,7 @@
 #include <cover/text.hpp>
 
 #include "base/faults/errors.hpp"
+#include "base/numbers.hpp"
 #include "geom/box.hpp"
 #include "geom/vector.hpp"
 #include "picture/parts/labels.hpp"
@@ -279,7 +279,7 @@ class Composer {
   Status fill_values() {
     const Result<std::vector<double>> values = values_to_show();
     if (!values) return values.error();
-    double low = std::numeric_limits<double>::infinity(), high = -low;
+    double low = kInfinity, high = -low;
     for (const std::size_t t : visible_) {
       if (!std::isfinite((*values)[t])) continue;
       low = std::min(low, (*values)[t]);

@@ -5,10 +5,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <limits>
 
 #include <cover/packing.hpp>
 
+#include "base/numbers.hpp"
 #include "geom/box.hpp"
 #include "io/files/atomic_file.hpp"
 
@@ -137,7 +137,7 @@ class PackingSvg {
 
   void draw_triangles() {
     // Three classes of line width by the size of the triangle.
-    constexpr std::array<double, 3> kLongest{6, 24, std::numeric_limits<double>::infinity()};
+    constexpr std::array<double, 3> kLongest{6, 24, kInfinity};
     constexpr std::array<double, 3> kWidth{0.12, 0.35, 0.7};
     double above = 0;
     for (std::size_t k = 0; k < kLongest.size(); ++k) {

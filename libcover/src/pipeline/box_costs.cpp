@@ -1,11 +1,11 @@
-// Tested by tests/unit/cuts/before_meshing/cut_encroached_test.cpp.
+// Tested by tests/unit/cuts/boxes/cut_encroached_test.cpp.
 #include <cover/cover_mesh.hpp>
 
 #include "base/faults/out_of_memory.hpp"
 #include "box/forced_cuts.hpp"
 #include "cdt/cdt.hpp"
-#include "cuts/before_meshing/cut_encroached.hpp"
 #include "cuts/before_meshing/split_interfaces.hpp"
+#include "cuts/boxes/cut_encroached.hpp"
 #include "region/region_graph.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/for_each_region.hpp"

@@ -8,15 +8,14 @@
 #include <cover/periodic.hpp>
 #include <cover/version.hpp>
 
-#include "base/faults/errors.hpp"
 #include "clean/pslg.hpp"
-#include "cuts/after_meshing/cut_for_boxes.hpp"
 #include "cuts/before_meshing/cut_for_layers.hpp"
 #include "cuts/before_meshing/split_interfaces.hpp"
+#include "cuts/boxes/cut_for_boxes.hpp"
 #include "cuts/periodic/periodic_sides.hpp"
+#include "pipeline/begin_stage.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/expected_triangles.hpp"
-#include "target/fill_report.hpp"
 #include "tasks/by_team.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/for_each_region.hpp"
@@ -96,12 +95,6 @@ Result<PreparedRegions> prepared_from(const Input& input, Release release, const
 
 }  // namespace
 
-Status begin_stage(std::string_view stage, const Callbacks& callbacks) {
-  if (callbacks.stop.stop_requested()) return interrupted();
-  if (callbacks.progress) callbacks.progress({stage, 0, 0});
-  return ok();
-}
-
 Result<PreparedRegions> prepare_regions(const Input& input, const Options& options,
                                         const Callbacks& callbacks, StageClock& clock,
                                         bool memory_counts) {
@@ -114,20 +107,6 @@ Result<PreparedRegions> prepare_regions(Input&& input, const Options& options,
                                         bool memory_counts) {
   return prepared_from(
       input, [&input] { input = {}; }, options, callbacks, clock, memory_counts);
-}
-
-Options with_layers_of(const Input& input, const Options& options) {
-  Options all = options;
-  all.layers.insert(all.layers.begin(), input.layers.begin(), input.layers.end());
-  return all;
-}
-
-void collect_reports(std::vector<RegionMesh>& meshes, Report& report) {
-  for (RegionMesh& mesh : meshes) {
-    merge(report.quality, mesh.report.quality);
-    report.steiner_vertices += mesh.report.steiner_vertices;
-    report.regions.push_back(std::move(mesh.report));
-  }
 }
 
 }  // namespace cover

@@ -1,7 +1,6 @@
-// What every run starts and ends with.
+// What every run starts with: input made clean, and its regions.
 #pragma once
 
-#include <string_view>
 #include <vector>
 
 #include <cover/input.hpp>
@@ -11,15 +10,9 @@
 #include <cover/result.hpp>
 
 #include "region/region_graph.hpp"
-#include "target/region_mesh.hpp"
 #include "tasks/stage_clock.hpp"
 
 namespace cover {
-
-/// Tells the caller that a stage begins, unless the run is to stop.
-///
-/// Errors: cancelled
-Status begin_stage(std::string_view stage, const Callbacks& callbacks);
 
 /// What is prepared, and what was found on the way.
 struct PreparedRegions {
@@ -38,11 +31,5 @@ Result<PreparedRegions> prepare_regions(const Input& input, const Options& optio
 Result<PreparedRegions> prepare_regions(Input&& input, const Options& options,
                                         const Callbacks& callbacks, StageClock& clock,
                                         bool memory_counts);
-
-/// The options with the layers that the input asks for before their own.
-Options with_layers_of(const Input& input, const Options& options);
-
-/// Moves what the regions report to the report of the whole, in region order.
-void collect_reports(std::vector<RegionMesh>& meshes, Report& report);
 
 }  // namespace cover

@@ -3,6 +3,7 @@
 // triangle lies; the meshes of all other regions are taken out of it, and everything is stitched
 // anew.
 // Tested by tests/unit/pipeline/remesh_test.cpp and tests/property/remesh_property_test.cpp.
+#include <cover/adopt_cuts.hpp>
 #include <cover/periodic.hpp>
 #include <cover/remesh.hpp>
 
@@ -20,11 +21,12 @@
 #include "base/faults/out_of_memory.hpp"
 #include "cdt/cdt.hpp"
 #include "cuts/periodic/match_sides.hpp"
+#include "layers/layer_rules.hpp"
 #include "pipeline/prepare_regions.hpp"
 #include "pipeline/steps.hpp"
 #include "sizes/expected_triangles.hpp"
 #include "sizes/sizes.hpp"
-#include "target/fill_report.hpp"
+#include "target/report/fill_report.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/for_each_region.hpp"
 #include "tasks/mesh_regions.hpp"

@@ -10,8 +10,8 @@
 #include "quality/parts/with_neighbours.hpp"
 #include "region/triangulation_of.hpp"
 #include "target/angle_limit.hpp"
-#include "target/fill_report.hpp"
 #include "target/goal.hpp"
+#include "target/report/fill_report.hpp"
 #include "target/side_limit.hpp"
 #include "target/whole_mesh.hpp"
 

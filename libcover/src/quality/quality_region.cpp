@@ -21,7 +21,8 @@
 #include "quality/mutable/to_region_mesh.hpp"
 #include "quality/plan/candidates.hpp"
 #include "quality/plan/plan.hpp"
-#include "target/fill_report.hpp"
+#include "target/report/fill_report.hpp"
+#include "target/report/holds_bound.hpp"
 
 namespace cover {
 namespace {
@@ -142,9 +143,8 @@ class RegionWork {
       }
       return false;
     };
-    constexpr std::size_t kRange = 1 << 15;
     std::atomic<bool> found = false;
-    candidates_.team().each_range(mesh.triangles.size(), kRange,
+    candidates_.team().each_range(mesh.triangles.size(), kItemsAtATime,
                                   [&](std::size_t first, std::size_t last) {
                                     for (std::size_t t = first; t < last && !found; ++t) {
                                       if (is_negative(static_cast<std::uint32_t>(t))) found = true;

@@ -157,14 +157,14 @@ constexpr const char* kRemedy = " (--weld closes such gaps)";
 
 std::vector<Note> find_near_misses(const Pslg& pslg, const Triangulation& triangulation,
                                    const Team& team) {
-  constexpr std::size_t kRange = 1 << 15;
   const std::size_t triangles = triangulation.triangles.size();
   std::vector<Note> notes;
   NearMisses misses(pslg, triangulation, notes);
-  std::vector<std::vector<NearMisses::CornerOfTriangle>> found(Team::ranges(triangles, kRange));
-  team.each_range(triangles, kRange, [&](std::size_t first, std::size_t last) {
+  std::vector<std::vector<NearMisses::CornerOfTriangle>> found(
+      Team::ranges(triangles, kItemsAtATime));
+  team.each_range(triangles, kItemsAtATime, [&](std::size_t first, std::size_t last) {
     for (auto t = static_cast<std::uint32_t>(first); t < last; ++t)
-      misses.collect(t, found[first / kRange]);
+      misses.collect(t, found[first / kItemsAtATime]);
   });
   for (const auto& some : found) {
     for (const NearMisses::CornerOfTriangle& corner : some) misses.look(corner);

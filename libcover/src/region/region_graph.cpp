@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -17,6 +16,7 @@
 #include <cover/option_ranges.hpp>
 #include <cover/text.hpp>
 
+#include "base/numbers.hpp"
 #include "cdt/region_cdt.hpp"
 #include "clean/ends/loose_ends.hpp"
 #include "faces/face_measures.hpp"
@@ -127,7 +127,6 @@ class TableMaker {
 
   /// What the features of the regions have.
   void add_attributes() {
-    constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
     for (const Attribute& attribute : pslg_.attributes) {
       Attribute& own = table_.attributes.emplace_back(attribute);
       own.values.clear();

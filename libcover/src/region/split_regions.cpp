@@ -46,8 +46,7 @@ std::vector<Pieces> deal_out(const Pslg& pslg, const RegionTable& table) {
 /// Calls `use` with the numbers below `count`, ranges at a time.
 template <class Use>
 void for_each(std::size_t count, const Team& team, const Use& use) {
-  constexpr std::size_t kRange = 1 << 15;
-  team.each_range(count, kRange, [&](std::size_t first, std::size_t last) {
+  team.each_range(count, kItemsAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) use(k);
   });
 }
@@ -137,7 +136,6 @@ std::vector<RegionBoundary> split_regions(const Pslg& pslg, const RegionTable& t
 
 void add_known_triangles(std::span<TriangulatedRegion> regions, std::size_t points,
                          std::span<RegionBoundary> boundaries, const Team& team) {
-  constexpr std::size_t kRange = 1 << 15;
   std::vector<std::uint32_t> local(points, 0);
   for (TriangulatedRegion& region : regions) {
     if (region.triangles.empty()) continue;
@@ -152,7 +150,7 @@ void add_known_triangles(std::span<TriangulatedRegion> regions, std::size_t poin
     };
     std::vector<IndexTriple> known = std::move(region.triangles);
     std::atomic<bool> are_inside = true;
-    team.each_range(known.size(), kRange, [&](std::size_t first, std::size_t last) {
+    team.each_range(known.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
         if (!in_region(known[k])) {
           are_inside = false;

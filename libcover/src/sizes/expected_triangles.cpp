@@ -12,6 +12,7 @@
 
 #include <cover/text.hpp>
 
+#include "base/numbers.hpp"
 #include "cdt/cdt.hpp"
 #include "geom/vector.hpp"
 #include "region/triangulation_of.hpp"
@@ -54,7 +55,7 @@ double area_of(const RegionBoundary& boundary) {
 
 /// The smallest size wished anywhere in the region, by its boundary; infinite if there is none.
 double smallest_wish(const RegionBoundary& boundary) {
-  double smallest = std::numeric_limits<double>::infinity();
+  double smallest = kInfinity;
   if (boundary.size > 0) smallest = boundary.size;
   for (const double size : boundary.size_at) {
     if (size > 0) smallest = std::min(smallest, size);
@@ -63,7 +64,7 @@ double smallest_wish(const RegionBoundary& boundary) {
 }
 
 double shortest_side(const RegionBoundary& boundary) {
-  double shortest = std::numeric_limits<double>::infinity();
+  double shortest = kInfinity;
   for (const auto& [a, b] : boundary.sides)
     shortest = std::min(shortest, length(boundary.points[b] - boundary.points[a]));
   return shortest;
@@ -80,8 +81,8 @@ class Estimate {
 
   /// What the samples say.
   struct Sum {
-    double triangles = 0;  ///< more than a mesh holds: at least as many
-    double finest = std::numeric_limits<double>::infinity();  ///< size of all of them
+    double triangles = 0;       ///< more than a mesh holds: at least as many
+    double finest = kInfinity;  ///< size of all of them
     Point at{};
   };
 
@@ -176,9 +177,7 @@ double about_triangles(const RegionBoundary& boundary, const Options& options) {
   return std::max(by_sizes, kTrianglesPerSide * static_cast<double>(boundary.sides.size()));
 }
 
-double memory_for_mesh(bool memory_counts) {
-  return memory_counts ? machine_memory() : std::numeric_limits<double>::infinity();
-}
+double memory_for_mesh(bool memory_counts) { return memory_counts ? machine_memory() : kInfinity; }
 
 Status check_expected_triangles(const RegionTable& table,
                                 std::span<const RegionBoundary> boundaries, const Options& options,

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.hpp"
 #include "geom/vector.hpp"
 #include "sizes/fields/ask_size.hpp"
 
@@ -50,7 +50,7 @@ double SegmentSizes::wished_at(double part) const {
     lower(size, at_least(options_->min_size, ask_size(options_->size_field, here)));
   for (const SizeFunction* function : functions_)
     if (function != nullptr) lower(size, (*function)(here));
-  return size > 0 ? size : std::numeric_limits<double>::infinity();
+  return size > 0 ? size : kInfinity;
 }
 
 SegmentSizes::Steps SegmentSizes::steps(double enough) const {
@@ -73,7 +73,7 @@ SegmentSizes::Steps SegmentSizes::steps(double enough) const {
 }
 
 std::vector<Point> SegmentSizes::cuts() const {
-  const Steps way = steps(std::numeric_limits<double>::infinity());
+  const Steps way = steps(kInfinity);
   const auto pieces = static_cast<std::size_t>(std::max(1.0, std::round(way.count)));
   std::vector<Point> points;
   for (std::size_t k = 1; k < pieces; ++k) {

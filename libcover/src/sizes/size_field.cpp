@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "base/numbers.hpp"
 #include "geom/box.hpp"
 #include "geom/vector.hpp"
 #include "sizes/fields/ask_size.hpp"
@@ -18,7 +18,7 @@ namespace {
 /// How fast sizes may fall beside long sides, per unit of distance. Targets of 100 and 20 degrees
 /// are met so; with 1, small angles of 10 to 18 degrees are left.
 constexpr double kFall = 0.85;
-constexpr double kNoSize = std::numeric_limits<double>::infinity();
+constexpr double kNoSize = kInfinity;
 
 /// The mean length of the sides at each vertex; infinite where there are none.
 std::vector<double> spacing_of(const RegionBoundary& boundary) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -17,6 +16,7 @@
 #include <cover/text.hpp>
 
 #include "base/expression.hpp"
+#include "base/numbers.hpp"
 #include "geom/box.hpp"
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
@@ -133,7 +133,7 @@ std::vector<std::string> sizes_of_nothing(std::span<const RegionBoundary> bounda
 /// Sizes that coordinates cannot hold: cut at such lengths, rounded points would coincide.
 Status check_spacing(const Pslg& pslg, const RegionTable& table, const Options& options) {
   const double spacing = spacing_of(pslg.points);
-  double smallest = std::numeric_limits<double>::infinity();
+  double smallest = kInfinity;
   for (const SizeRule& rule : options.sizes) {
     if (rule.expression.empty()) smallest = std::min(smallest, rule.size);
   }

@@ -23,6 +23,7 @@
 #include "base/sort_by_team.hpp"
 #include "cdt/triangulation.hpp"
 #include "io/vtk_files/mapped_triangles.hpp"
+#include "layers/layer_rules.hpp"
 #include "pipeline/prepare_regions.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/for_each_region.hpp"
@@ -30,8 +31,6 @@
 
 namespace cover {
 namespace {
-
-constexpr std::size_t kRange = 1 << 15;  // triangles, vertices
 
 /// Regions [first, last) by RegionId - 1, and their triangles in the file.
 struct Part {
@@ -239,7 +238,7 @@ class Checker {
     soup.material.resize(count);
     std::atomic<bool> is_right = true;
     NumbersInUse in_use(mesh_.points);
-    team.each_range(count, kRange, [&](std::size_t first, std::size_t last) {
+    team.each_range(count, kItemsAtATime, [&](std::size_t first, std::size_t last) {
       for (std::size_t t = first; t < last && is_right; ++t) {
         const std::size_t in_file = part.first_triangle + t;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -257,13 +256,13 @@ class Checker {
     });
     if (!is_right) return false;
     vertices = in_use.listed();
-    team.each_range(count, kRange, [&](std::size_t first, std::size_t last) {
+    team.each_range(count, kItemsAtATime, [&](std::size_t first, std::size_t last) {
       for (std::size_t t = first; t < last; ++t) {
         for (std::uint32_t& v : soup.triangles[t]) v = in_use.rank(v);
       }
     });
     soup.points.resize(vertices.size());
-    team.each_range(vertices.size(), kRange, [&](std::size_t first, std::size_t last) {
+    team.each_range(vertices.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) soup.points[v] = mesh_.place(vertices[v]);
     });
     return true;
@@ -282,7 +281,7 @@ class Checker {
         },
         team);
     std::vector<std::uint32_t> input_point(vertices.size(), kNone);
-    team.each_range(vertices.size(), kRange, [&](std::size_t first, std::size_t last) {
+    team.each_range(vertices.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) {
         const auto at = std::lower_bound(
             by_place.begin(), by_place.end(), soup.points[v],

@@ -44,18 +44,18 @@ double AngleLimit::promised_nu() const { return std::min(nu / 2, std::numbers::p
 
 AngleLimit angle_limit(const Triangulation& cdt, std::span<const IndexPair> sides,
                        std::span<const SegmentId> segments, const Team& team) {
-  constexpr std::size_t kRange = 1 << 15;
   AngleLimit limit;
   limit.at = locate_sides(cdt, sides, team);
   limit.side_nu.assign(sides.size(), std::numbers::pi);
-  std::vector<std::size_t> above_120(Team::ranges(sides.size(), kRange), 0);
-  team.each_range(sides.size(), kRange, [&](std::size_t first, std::size_t last) {
+  std::vector<std::size_t> above_120(Team::ranges(sides.size(), kItemsAtATime), 0);
+  team.each_range(sides.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t s = first; s < last; ++s) {
       if (segments[s] == kHullSide || limit.at[s].triangle == kNone) continue;
       const Point u = cdt.points[sides[s][0]], v = cdt.points[sides[s][1]];
       const Point apex = cdt.points[cdt.triangles[limit.at[s].triangle].v[limit.at[s].edge]];
       limit.side_nu[s] = accurate_nu_at(u, apex, v);
-      if (compare_with_120_degrees(u, apex, v) == Sign::positive) ++above_120[first / kRange];
+      if (compare_with_120_degrees(u, apex, v) == Sign::positive)
+        ++above_120[first / kItemsAtATime];
     }
   });
   limit.above_120 = std::accumulate(above_120.begin(), above_120.end(), std::size_t{0});

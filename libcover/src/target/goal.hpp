@@ -18,11 +18,11 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include <cover/angle.hpp>
 #include <cover/point.hpp>
 
+#include "base/numbers.hpp"
 #include "geom/topology/corner.hpp"
 
 namespace cover {
@@ -32,9 +32,9 @@ struct Allowance {
   double large = 0;  ///< at the corner opposite to the side
   double small = 0;  ///< at any corner
   /// The least cotangent at the corner opposite to the side that is no fault of couplings.
-  double least_cot = -std::numeric_limits<double>::infinity();
+  double least_cot = -kInfinity;
   /// Below this the triangle counts as inverted.
-  double lowest_cot = -std::numeric_limits<double>::infinity();
+  double lowest_cot = -kInfinity;
 
   bool operator==(const Allowance&) const = default;
 };
@@ -62,7 +62,7 @@ struct CouplingGoal {
   bool inside = false;  ///< inner edges count too, not only sides
   bool strict = false;  ///< a negative one on an inner edge counts like an inverted triangle
   /// -cot of an angle. Larger ones weigh more than any coupling.
-  double bound = std::numeric_limits<double>::infinity();
+  double bound = kInfinity;
   /// Where strict, a star replaces all that is in the way of its vertex. (Not beside layers, whose
   /// couplings with the rest of the region are not those of its sides.)
   bool takes_whole_cavities = true;
@@ -115,7 +115,7 @@ inline constexpr double kAimBelow = 0.005;
 inline constexpr double kSameCot = 1e-9;
 
 /// Excess of a triangle without area, or clockwise.
-inline constexpr double kInverted = std::numeric_limits<double>::infinity();
+inline constexpr double kInverted = kInfinity;
 
 /// Dot products at the corners and twice the area.
 struct Corners {

@@ -18,8 +18,6 @@
 namespace cover {
 namespace {
 
-constexpr std::size_t kRange = 1 << 14;  ///< sides that are looked at in one go
-
 constexpr double kHighEnough = 0.5;  ///< times the side: there x is 45 degrees
 
 /// The height at which the perpendicular bisector of `side` meets another one, in lengths of the
@@ -78,7 +76,7 @@ CornerLimit corner_limit(const Triangulation& cdt, EdgeRef side, bool at_end) {
 
 void mind_free_sides(const Triangulation& cdt, std::span<const EdgeRef> side_at,
                      std::span<SideLimit> limits, const Team& team) {
-  team.each_range(side_at.size(), kRange, [&](std::size_t first, std::size_t last) {
+  team.each_range(side_at.size(), kFewAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t s = first; s < last; ++s) {
       const auto& v = cdt.triangles[side_at[s].triangle].v;
       const Corner i = side_at[s].edge;
@@ -92,7 +90,7 @@ void mind_free_sides(const Triangulation& cdt, std::span<const EdgeRef> side_at,
 std::vector<SideLimit> side_limits(const Triangulation& cdt, std::span<const EdgeRef> side_at,
                                    const Team& team) {
   std::vector<SideLimit> limits(side_at.size());
-  team.each_range(side_at.size(), kRange, [&](std::size_t first, std::size_t last) {
+  team.each_range(side_at.size(), kFewAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t s = first; s < last; ++s) {
       const EdgeRef side = side_at[s];
       const auto& v = cdt.triangles[side.triangle].v;

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <span>
 #include <vector>
 
+#include "base/numbers.hpp"
 #include "base/team.hpp"
 #include "cdt/sides.hpp"
 #include "cdt/triangulation.hpp"
@@ -27,12 +27,12 @@ struct SideLimit {
   double slim_cot = 0;      ///< no triangle on the side has a larger smallest angle; at least 1
   std::array<CornerLimit, 2> corners{};  ///< at its ends
   /// A smaller cotangent opposite to the side is a negative coupling that counts; -inf: none does.
-  double least_cot = -std::numeric_limits<double>::infinity();
+  double least_cot = -kInfinity;
   bool is_inner = false;  ///< it stands for an inner edge of a larger mesh
 };
 
 /// A limit that allows nothing.
-inline constexpr SideLimit kNoLimit{std::numeric_limits<double>::infinity(), 0, 0};
+inline constexpr SideLimit kNoLimit{kInfinity, 0, 0};
 
 /// Lets the couplings of the sides count that no vertex encroaches: least_cot.
 ///

@@ -19,8 +19,6 @@
 namespace cover {
 namespace {
 
-constexpr std::size_t kAtATime = 1 << 15;
-
 /// Sets a flag that others may set at the same time.
 void set(std::uint8_t& flag) { std::atomic_ref(flag).store(1, std::memory_order_relaxed); }
 
@@ -52,7 +50,7 @@ class Finder {
   template <class IsIt>
   [[nodiscard]] std::size_t find_first(std::size_t count, const IsIt& is_it) const {
     std::atomic<std::size_t> found = count;
-    team_.each_range(count, kAtATime, [&](std::size_t first, std::size_t last) {
+    team_.each_range(count, kItemsAtATime, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last && first < found; ++k) {
         if (!is_it(k)) continue;
         std::size_t other = found;
@@ -85,7 +83,7 @@ class Finder {
   /// Whole sides first, which are no pieces of others.
   std::optional<BoundaryFault> find_missing_side() {
     std::vector<std::uint8_t> is_missing(mesh_.sides.size(), 0);
-    team_.each_range(mesh_.sides.size(), kAtATime, [&](std::size_t first, std::size_t last) {
+    team_.each_range(mesh_.sides.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
       for (std::size_t s = first; s < last; ++s) {
         const std::uint32_t h = edges_.find(mesh_.sides[s][0], mesh_.sides[s][1]);
         set(h == kNone ? is_missing[s] : is_side_[h]);
@@ -150,11 +148,12 @@ class Finder {
 
   [[nodiscard]] std::optional<BoundaryFault> find_lost_point() const {
     std::vector<std::uint8_t> used(mesh_.points.size(), 0);
-    team_.each_range(mesh_.triangles.size(), kAtATime, [&](std::size_t first, std::size_t last) {
-      for (std::size_t t = first; t < last; ++t) {
-        for (const std::uint32_t v : mesh_.triangles[t]) set(used[v]);
-      }
-    });
+    team_.each_range(mesh_.triangles.size(), kItemsAtATime,
+                     [&](std::size_t first, std::size_t last) {
+                       for (std::size_t t = first; t < last; ++t) {
+                         for (const std::uint32_t v : mesh_.triangles[t]) set(used[v]);
+                       }
+                     });
     const auto end = used.begin() + static_cast<std::ptrdiff_t>(mesh_.boundary_points);
     const auto lost = std::find(used.begin(), end, 0);
     if (lost == end) return std::nullopt;

@@ -26,7 +26,8 @@
 #include "quality/quality_region.hpp"
 #include "region/triangulation_of.hpp"
 #include "target/angle_limit.hpp"
-#include "target/fill_report.hpp"
+#include "target/report/fill_report.hpp"
+#include "target/report/holds_bound.hpp"
 #include "target/whole_mesh.hpp"
 #include "tasks/stage_clock.hpp"
 
@@ -215,7 +216,7 @@ RegionMesh with_couplings_mended(const RegionBoundary& boundary, const Options& 
                                  const std::stop_token& stop, RegionMesh mesh) {
   if (!minds_couplings(options) || stop.stop_requested()) return mesh;
   std::optional<RegionMesh> mended = mend_couplings_within_bound(
-      boundary, mesh, stop, MendEffort::of(options.effort, options.box_method));
+      boundary, mesh, stop, CouplingEffort::of(options.effort, options.box_method));
   if (!mended) return mesh;
   if (options.box_method && costs_angles(mesh.report, mended->report)) return mesh;
   report_again(boundary, options, false, *mended);

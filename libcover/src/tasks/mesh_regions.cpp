@@ -6,7 +6,7 @@
 
 #include "region/triangulation_of.hpp"
 #include "target/angle_limit.hpp"
-#include "target/fill_report.hpp"
+#include "target/report/fill_report.hpp"
 #include "tasks/for_each_region.hpp"
 #include "tasks/mesh_one_region.hpp"
 #include "tasks/share_out_regions.hpp"

@@ -22,11 +22,10 @@ namespace cover {
 template <class Value, class RegionOf, class Add, class Merge>
 void fold_by_region(std::size_t count, const RegionOf& region_of, const Value& none, const Add& add,
                     const Merge& merge, std::vector<Value>& values, const Team& team) {
-  constexpr std::size_t kRange = 1 << 14;
   using Run = std::pair<RegionId, Value>;
-  std::vector<std::vector<Run>> runs(Team::ranges(count, kRange));
-  team.each_range(count, kRange, [&](std::size_t first, std::size_t last) {
-    std::vector<Run>& here = runs[first / kRange];
+  std::vector<std::vector<Run>> runs(Team::ranges(count, kFewAtATime));
+  team.each_range(count, kFewAtATime, [&](std::size_t first, std::size_t last) {
+    std::vector<Run>& here = runs[first / kFewAtATime];
     for (std::size_t k = first; k < last; ++k) {
       const RegionId region = region_of(k);
       if (region == kVoid) continue;

@@ -13,8 +13,6 @@
 namespace cover {
 namespace {
 
-constexpr std::size_t kSidesAtATime = 1 << 15;  // sides, triangles
-
 class Finder {
  public:
   Finder(const Pslg& pslg, const RegionTable& table, bool hull, const Team& team)
@@ -82,7 +80,7 @@ class Finder {
   /// The half-edge of the triangle on each side, whose third corner is its apex.
   std::vector<std::uint32_t> find_apices(const HalfEdges& edges) {
     std::vector<std::uint32_t> beside(domain_.sides.size());
-    team_.each_range(beside.size(), kSidesAtATime, [&](std::size_t first, std::size_t last) {
+    team_.each_range(beside.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
       for (std::size_t s = first; s < last; ++s) {
         ExpectedSide& side = domain_.sides[s];
         beside[s] = edges.find(side.a, side.b);
@@ -129,7 +127,7 @@ class Finder {
 
   template <class Use>
   void each_triangle(const Use& use) const {
-    team_.each_range(triangles_.size(), kSidesAtATime, [&](std::size_t first, std::size_t last) {
+    team_.each_range(triangles_.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
       for (std::size_t t = first; t < last; ++t) use(static_cast<std::uint32_t>(t));
     });
   }

@@ -1,7 +1,7 @@
 // The way from our own mesh to arrays that verify_cover() trusts with nothing.
 // Tested by tests/unit/verify/verify_test.cpp.
 #include <cover/mesh.hpp>
-#include <cover/verify.hpp>
+#include <cover/triangle_soup.hpp>
 
 namespace cover {
 

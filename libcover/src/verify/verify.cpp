@@ -36,8 +36,7 @@
 namespace cover {
 namespace {
 
-constexpr std::size_t kMostListed = 10;         // of a kind
-constexpr std::size_t kItemsAtATime = 1 << 15;  // points, sides, triangles
+constexpr std::size_t kMostListed = 10;  // of a kind
 
 class Verifier {
  public:

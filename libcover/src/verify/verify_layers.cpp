@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <set>
 #include <string>
@@ -15,8 +13,10 @@
 
 #include <fmt/core.h>
 
+#include <cover/angle.hpp>
 #include <cover/text.hpp>
 
+#include "base/numbers.hpp"
 #include "geom/angle_rounding.hpp"
 #include "geom/predicates.hpp"
 #include "geom/topology/corner.hpp"
@@ -39,7 +39,7 @@ struct Cell {
 };
 
 double angle_between(Vector u, Vector v) {
-  return std::atan2(std::abs(cross(u, v)), dot(u, v)) * 180 / std::numbers::pi;
+  return Angle::radians(std::atan2(std::abs(cross(u, v)), dot(u, v))).in_degrees();
 }
 
 class LayerFinder {
@@ -135,7 +135,7 @@ class LayerFinder {
   }
 
   static void count_first(const Cell& cell, LayersFound& found) {
-    if (found.layered == 0) found.first_least = std::numeric_limits<double>::infinity();
+    if (found.layered == 0) found.first_least = kInfinity;
     found.first_least = std::min(found.first_least, cell.height);
     found.first_most = std::max(found.first_most, cell.height);
   }

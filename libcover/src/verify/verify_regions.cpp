@@ -13,10 +13,9 @@ TriangleRegions regions_of_triangles(const TriangleSoup& mesh, const SoupEdges& 
                                      std::span<const std::uint32_t> twins,
                                      std::span<const std::uint32_t> side_of,
                                      const ExpectedDomain& domain, const Team& team) {
-  constexpr std::size_t kRange = 1 << 15;
   const auto all = edges.all();
   SharedUnionFind pieces(mesh.triangles.size());
-  team.each_range(all.size(), kRange, [&](std::size_t first, std::size_t last) {
+  team.each_range(all.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       const std::uint32_t twin = twins[k];
       if (side_of[k] != kNone || twin == kNone || side_of[twin] != kNone) continue;
@@ -36,7 +35,7 @@ TriangleRegions regions_of_triangles(const TriangleSoup& mesh, const SoupEdges& 
   }
 
   regions.of.assign(mesh.triangles.size(), kVoid);
-  team.each_range(mesh.triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+  team.each_range(mesh.triangles.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t t = first; t < last; ++t)
       regions.of[t] = of_piece[pieces.find(static_cast<std::uint32_t>(t))];
   });

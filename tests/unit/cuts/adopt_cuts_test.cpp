@@ -1,4 +1,4 @@
-#include <cover/remesh.hpp>
+#include <cover/adopt_cuts.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <cover/read_options.hpp>
+#include <cover/read_option_table.hpp>
 
 #include <algorithm>
 #include <set>

@@ -1,11 +1,11 @@
-#include <cover/write_options.hpp>
+#include <cover/write_option_table.hpp>
 
 #include <algorithm>
 #include <set>
 
 #include <gtest/gtest.h>
 
-#include <cover/read_options.hpp>
+#include <cover/read_option_table.hpp>
 
 namespace cover {
 namespace {

@@ -19,7 +19,7 @@
 #include "quality/repair/improve.hpp"
 #include "quality/starts/delaunay_refinement.hpp"
 #include "support/inputs/random_regions.hpp"
-#include "target/fill_report.hpp"
+#include "target/report/fill_report.hpp"
 
 namespace cover {
 namespace {

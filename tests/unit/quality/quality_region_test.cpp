@@ -5,7 +5,8 @@
 #include "cdt/region_cdt.hpp"
 #include "mesh_checks.hpp"
 #include "support/inputs/inputs.hpp"
-#include "target/fill_report.hpp"
+#include "target/report/fill_report.hpp"
+#include "target/report/measure_angles.hpp"
 
 namespace cover {
 namespace {

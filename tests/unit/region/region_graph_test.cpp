@@ -143,18 +143,6 @@ TEST(BuildRegionTable, NumbersMaterialsByFirstAppearanceAroundGivenNumbers) {
   }));
 }
 
-TEST(BuildRegionTable, MaterialsBeyondWhatANumberHoldsAreCalledSo) {
-  Input input = nested();
-  input.seeds = {seed({0.5, 0.5}, "99999999999", 1), seed({1.5, 1.5}, "2.5", 2)};
-  const auto found = find(input);
-  ASSERT_TRUE(found) << found.error().message;
-  for (const char* said : {"material 99999999999 is larger than 2147483647: it becomes number 1",
-                           "material 2.5 is no positive integer: it becomes number 2"})
-    EXPECT_TRUE(std::any_of(found->notes.begin(), found->notes.end(), [&](const Note& n) {
-      return n.message == said;
-    })) << said;
-}
-
 TEST(BuildRegionTable, SeparatesInterfacesOutlinesSlitsAndContacts) {
   Input input;
   add_loop(input, square(0, 4));
@@ -244,16 +232,6 @@ TEST(BuildRegionTable, RefusesSeedsThatMakeNoSense) {
          "but disagree on its material");
 }
 
-TEST(BuildRegionTable, TellsOfRepeatedSeeds) {
-  Input input = nested();
-  input.seeds = {seed({4, 4}, "1", 3), seed({5, 5}, "1", 4)};
-  const auto found = find(input);
-  ASSERT_TRUE(found) << found.error().message;
-  ASSERT_EQ(found->notes.size(), 1U);
-  EXPECT_EQ(found->notes[0].message,
-            "region seed 4 '1' at (5, 5) repeats region seed 3 '1' at (4, 4)");
-}
-
 TEST(BuildRegionTable, RefusesWhatEnclosesNothing) {
   Input input;
   input.source = "open.poly";
@@ -320,17 +298,6 @@ TEST(BuildRegionTable, WarnsOfContactsInTheVoid) {
             "(4, 0) to (5, 2)");
   EXPECT_EQ(found->notes[1].message,
             "'lost' lies wholly in the void and is left out there, first from (6, 0) to (6, 4)");
-}
-
-TEST(BuildRegionTable, WarnsOfHoleSeedsOutside) {
-  Input input;
-  add_loop(input, square(0, 4));
-  input.holes = {{{9, 9}, 3, 12}};
-  const auto found = find(input);
-  ASSERT_TRUE(found) << found.error().message;
-  ASSERT_EQ(found->notes.size(), 1U);
-  EXPECT_EQ(found->notes[0].message,
-            "hole seed 3 at (9, 9) (line 12) lies outside of all segments: it makes nothing void");
 }
 
 TEST(BuildRegionTable, WarnsOfNearMisses) {

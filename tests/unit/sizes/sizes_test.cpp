@@ -12,7 +12,7 @@
 #include "quality/quality_region.hpp"
 #include "region/region_graph.hpp"
 #include "support/inputs/inputs.hpp"
-#include "target/fill_report.hpp"
+#include "target/report/measure_angles.hpp"
 #include "two_rectangles.hpp"
 #include "unit/quality/mesh_checks.hpp"
 

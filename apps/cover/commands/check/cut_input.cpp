@@ -7,8 +7,8 @@
 
 #include <fmt/core.h>
 
+#include <cover/adopt_cuts.hpp>
 #include <cover/read_mesh.hpp>
-#include <cover/remesh.hpp>
 #include <cover/result.hpp>
 
 namespace cover::app {

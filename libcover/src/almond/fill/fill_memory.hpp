@@ -6,7 +6,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "target/filler.hpp"
+#include "disks/filler.hpp"
 
 namespace cover {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <numbers>
 
-#include "target/filler.hpp"
+#include "disks/filler.hpp"
 
 namespace cover {
 

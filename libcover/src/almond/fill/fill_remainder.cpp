@@ -8,7 +8,8 @@
 
 #include "almond/fill/fill_refine.hpp"
 #include "geom/vector.hpp"
-#include "target/fill_report.hpp"
+#include "target/report/holds_bound.hpp"
+#include "target/report/measure_angles.hpp"
 
 namespace cover {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "base/team.hpp"
 #include "cdt/triangulation.hpp"
-#include "target/filler.hpp"
+#include "disks/filler.hpp"
 
 namespace cover {
 

@@ -7,7 +7,7 @@
 
 #include "almond/chords.hpp"
 #include "almond/fill/refine_large_angles.hpp"
-#include "target/filler.hpp"
+#include "disks/filler.hpp"
 
 namespace cover {
 

@@ -42,8 +42,7 @@ using UnsetVector = std::vector<T, UnsetAllocator<T>>;
 /// Makes all items `value`, each by the thread that touches it first.
 template <class T>
 void set_all(UnsetVector<T>& list, std::type_identity_t<T> value, const Team& team) {
-  constexpr std::size_t kRange = 1 << 16;
-  team.each_range(list.size(), kRange, [&](std::size_t first, std::size_t last) {
+  team.each_range(list.size(), kManyAtATime, [&](std::size_t first, std::size_t last) {
     std::fill(list.data() + first, list.data() + last, value);
   });
 }
@@ -51,11 +50,10 @@ void set_all(UnsetVector<T>& list, std::type_identity_t<T> value, const Team& te
 /// A copy with room for `most` items, or for more if there are more.
 template <class T>
 UnsetVector<T> copy_of(const UnsetVector<T>& list, const Team& team, std::size_t most = 0) {
-  constexpr std::size_t kRange = 1 << 16;
   UnsetVector<T> copy;
   copy.reserve(std::max(most, list.size()));
   copy.resize(list.size());
-  team.each_range(list.size(), kRange, [&](std::size_t first, std::size_t last) {
+  team.each_range(list.size(), kManyAtATime, [&](std::size_t first, std::size_t last) {
     std::copy(list.data() + first, list.data() + last, copy.data() + first);
   });
   return copy;

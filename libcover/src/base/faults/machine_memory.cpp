@@ -6,12 +6,13 @@
 
 #include <algorithm>
 #include <fstream>
-#include <limits>
+
+#include "base/numbers.hpp"
 
 namespace cover {
 namespace {
 
-constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+constexpr double kNoLimit = kInfinity;
 
 double physical() {
   const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGE_SIZE);

@@ -17,10 +17,6 @@ inline constexpr std::size_t kHalvedAround = 24;
 /// were measured?").
 inline constexpr double kHalvedToo = 0.64;
 
-/// Rounds that cut sides with negative couplings and mesh again, each with the points that the one
-/// before it left; they end by themselves where no such side has room for a cut.
-inline constexpr int kCouplingRounds = 24;
-
 /// Clefts are closed where half of all points are their corners, four to a cleft: with fewer, few
 /// triangles would be mended by it.
 inline constexpr std::size_t kCornersOfCleft = 4;

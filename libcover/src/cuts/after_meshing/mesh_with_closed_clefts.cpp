@@ -67,8 +67,8 @@ ConformingMesh mended(ConformingMesh mesh, const ClosedClefts& closed,
   std::erase_if(fixed, [&](std::uint32_t v) { return v >= lines.size(); });
 
   MeshWithUndo mending(mesh, std::vector<WantedAngles>(work.meshes.size()));
-  const RepairEffort effort{effort::cuts::kPlacesBesideClefts,
-                            effort::cuts::kMostPlacesBesideClefts, stop};
+  const MendEffort effort{effort::cuts::kPlacesBesideClefts, effort::cuts::kMostPlacesBesideClefts,
+                          stop};
   thin_mesh(mending, {0, 0, effort});
   mend_what_is_left(mending, effort);
   mesh = mending.result(mesh);

@@ -80,7 +80,7 @@ Places places_of(Effort effort, std::size_t all, std::size_t vertices) {
   Places places = places_in_large(effort, vertices);
   const std::uint64_t most = (effort == Effort::thorough ? 10 : 1) * kPlacesPerVertex * all;
   places.last = std::min(places.last, most);
-  RepairEffort& mending = places.thinning.mending;
+  MendEffort& mending = places.thinning.mending;
   mending.places_at_most = std::min(mending.places_at_most, most);
   return places;
 }

@@ -7,12 +7,12 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include <fmt/core.h>
 
 #include <cover/text.hpp>
 
+#include "base/numbers.hpp"
 #include "cdt/cdt.hpp"
 #include "cuts/periodic/mirror_cuts.hpp"
 #include "geom/curves/arc.hpp"
@@ -99,8 +99,7 @@ class ArcMover {
     way.push_back(b);
     double low = std::min(a.x, b.x), high = std::max(a.x, b.x);
     for (const Point& p : way) low = std::min(low, p.x), high = std::max(high, p.x);
-    const double infinity = std::numeric_limits<double>::infinity();
-    for (auto v = std::lower_bound(places_.begin(), places_.end(), Point{low, -infinity});
+    for (auto v = std::lower_bound(places_.begin(), places_.end(), Point{low, -kInfinity});
          v != places_.end() && v->x <= high; ++v) {
       if (*v == a || *v == b) continue;
       for (std::size_t k = 0; k + 1 < way.size(); ++k) {

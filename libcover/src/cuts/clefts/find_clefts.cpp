@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.hpp"
 #include "cdt/sides.hpp"
 #include "geom/vector.hpp"
 #include "region/triangulation_of.hpp"
@@ -38,7 +38,7 @@ class Finder {
   Finder(const Pslg& pslg, const RegionTable& table, std::span<const RegionBoundary> boundaries)
       : pslg_(pslg),
         table_(table),
-        height_(pslg.segments.size(), {kInfinite, kInfinite}),
+        height_(pslg.segments.size(), {kInfinity, kInfinity}),
         at_(pslg.points.size()) {
     for (std::uint32_t s = 0; s < pslg.segments.size(); ++s) {
       at_[pslg.segments[s].a.index()].push_back(s);
@@ -65,8 +65,6 @@ class Finder {
   [[nodiscard]] std::vector<Cleft> found() && { return std::move(found_); }
 
  private:
-  static constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
   [[nodiscard]] Point point(VertexId v) const { return pslg_.points[v.index()]; }
 
   void look_at(const RegionBoundary& boundary, std::vector<Cleft>& all) {
@@ -176,7 +174,7 @@ class Finder {
 
   /// Whether nothing is nearly as near as the walls are to each other; finds how near.
   bool has_room(Cleft& cleft) const {
-    double behind = kInfinite;
+    double behind = kInfinity;
     for (const std::size_t w : {std::size_t{0}, std::size_t{1}}) {
       const SegmentSides& sides = table_.sides[cleft.wall[w].index()];
       if (cleft.behind[w] == cleft.region && sides.left == sides.right) return false;

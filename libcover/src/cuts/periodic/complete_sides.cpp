@@ -2,13 +2,13 @@
 #include "cuts/periodic/complete_sides.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include <fmt/core.h>
 
 #include <cover/text.hpp>
 
+#include "base/numbers.hpp"
 #include "cuts/cut_segments.hpp"
 #include "geom/isometry.hpp"
 #include "geom/vector.hpp"
@@ -54,7 +54,7 @@ Result<bool> SidesCompletion::complete(const PeriodicRule& rule, const SidesMatc
 void SidesCompletion::place(VertexId v, const Isometry& map, const NamedLine& line,
                             double tolerance) {
   const Point image = image_of(map, pslg_.points[v.index()]);
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   SegmentId nearest;
   for (const SegmentId s : line.segments) {
     const Segment& segment = pslg_.segments[s.index()];

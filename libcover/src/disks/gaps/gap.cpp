@@ -6,7 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "base/numbers.hpp"
 
 namespace cover::disks {
 namespace {
@@ -154,7 +155,7 @@ GapKind fill_gap(TriangleDraft& draft, const Gap& gap, double tolerance) {
   const GapKind kind = gap.size == 3 ? fill_three(draft, gap) : fill_four(draft, gap, tolerance);
 
   const std::vector<Index> cell = cell_of(gap);
-  double wanted = 0, found = 0, smallest = std::numeric_limits<double>::infinity();
+  double wanted = 0, found = 0, smallest = kInfinity;
   for (std::size_t k = 1; k + 1 < cell.size(); ++k) {
     wanted += doubled_area(draft, {cell[0], cell[k], cell[k + 1]});
   }

@@ -12,18 +12,18 @@
 //                 i            134,000 sampled gaps; none is known to fail but where opposite
 //                              sides nearly touch, which is split beforehand.
 // Tested by tests/unit/disks/gaps/gap_test.cpp.
+#include "base/numbers.hpp"
 #include "disks/gaps/gap.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace cover::disks {
 namespace {
 
 struct Cut {
   Point si, sj, cl, cr;
-  double slack = -std::numeric_limits<double>::infinity();
+  double slack = -kInfinity;
 };
 
 /// Mirror image of `p`, a point of the rim of `e`, in the line through the centres of `e` and of a

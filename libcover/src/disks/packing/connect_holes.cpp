@@ -7,12 +7,12 @@
 #include "disks/packing/connect_holes.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <queue>
 #include <tuple>
 
 #include "base/containers/union_find.hpp"
+#include "base/numbers.hpp"
 #include "disks/packing/reduce_cycles.hpp"
 
 namespace cover::disks {
@@ -75,7 +75,7 @@ bool connect_holes(Packing& packing, std::span<const std::array<Index, 2>> pairs
     return true;
   };
   for (const auto& [e, f] : pairs) {
-    if (!push(e, f, std::numeric_limits<double>::infinity())) return false;
+    if (!push(e, f, kInfinity)) return false;
   }
 
   while (!queue.empty()) {

@@ -10,8 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.hpp"
 #include "disks/packing/visits.hpp"
 
 namespace cover::disks {
@@ -70,13 +70,13 @@ double CornerDisks::distance_to_edge(Point p, TriangleCorner opposite) const {
   const Corner i = opposite % 3;
   const Point a = at(t.v[i.next()]), b = at(t.v[i.previous()]);
   const Vector e = b - a, v = p - a;
-  if (cross(e, v) <= 0) return std::numeric_limits<double>::infinity();
+  if (cross(e, v) <= 0) return kInfinity;
   return norm(v - std::clamp(dot(v, e) / squared_length(e), 0.0, 1.0) * e);
 }
 
 double CornerDisks::clearance(const Visit& visit) const {
   const Point p = at(visit.vertex);
-  double d = std::numeric_limits<double>::infinity();
+  double d = kInfinity;
   for (const TriangleCorner c : visit.fan) {
     for (const Index v : cdt_.triangles[c / 3].v) {
       if (v != visit.vertex) d = std::min(d, norm(at(v) - p));

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.hpp"
 #include "geom/topology/corner.hpp"
 
 namespace cover::disks {
@@ -37,7 +37,7 @@ double signed_distance(const Element& e, Point x) {
 double obstacle_distance(const Element& e, Point x) {
   if (e.is_disk()) return norm(x - e.c) - e.r;
   const double t = dot(e.d, x - e.c);
-  if (t < e.from || t > e.to) return std::numeric_limits<double>::infinity();
+  if (t < e.from || t > e.to) return kInfinity;
   return std::abs(cross(e.d, x - e.c));
 }
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "cdt/triangulation.hpp"
+#include "disks/filler.hpp"
 #include "disks/packing/disk.hpp"
-#include "target/filler.hpp"
 
 namespace cover::disks {
 

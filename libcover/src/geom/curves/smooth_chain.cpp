@@ -11,9 +11,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "base/numbers.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -156,7 +156,7 @@ double lambda_of(double period) { return std::pow(period / (2 * std::numbers::pi
 
 /// How far point k of a curve is from its side, between corners k - 1 and k, and those beside it.
 double distance_to_sides(Point p, const std::vector<Point>& corners, std::size_t k) {
-  double nearest = std::numeric_limits<double>::infinity();
+  double nearest = kInfinity;
   for (std::size_t j = k > 1 ? k - 2 : 0; j <= k && j + 1 < corners.size(); ++j)
     nearest = std::min(nearest, distance_to(p, corners[j], corners[j + 1]));
   return nearest;

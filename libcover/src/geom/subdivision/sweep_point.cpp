@@ -8,8 +8,9 @@
 #include <CGAL/Exact_rational.h>
 
 #include <cmath>
-#include <limits>
 #include <optional>
+
+#include "base/numbers.hpp"
 
 namespace cover {
 namespace {
@@ -18,7 +19,7 @@ using Rational = CGAL::Exact_rational;
 
 constexpr double kUnit = 0x1p-100;  // relative error of an operation on DoubleDoubles
 constexpr double kHalfUlp = 0x1p-53;
-constexpr double kUnknown = std::numeric_limits<double>::infinity();
+constexpr double kUnknown = kInfinity;
 // Between these no product of the filters below over- or underflows.
 constexpr double kSmall = 0x1p-400, kLarge = 0x1p+400;
 

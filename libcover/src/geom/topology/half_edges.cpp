@@ -13,12 +13,11 @@ namespace cover {
 
 namespace {
 
-constexpr std::size_t kRange = 1 << 15;  // triangles, edges
-constexpr std::size_t kSpans = 128;      // of vertices: enough for some tens of threads
+constexpr std::size_t kSpans = 128;  // of vertices: enough for some tens of threads
 
 /// Whether several threads are to divide so much work.
 bool is_for_team(const Team& team, std::span<const IndexTriple> triangles) {
-  return team.workers() > 1 && triangles.size() > 2 * kRange;
+  return team.workers() > 1 && triangles.size() > 2 * kItemsAtATime;
 }
 
 /// Half-edges by spans of vertices, in each span in the order of their numbers.
@@ -36,7 +35,7 @@ Dealt deal(std::size_t vertices, std::span<const IndexTriple> triangles, const V
   std::size_t bits = 0;
   while ((vertices >> bits) >= kSpans) ++bits;
   dealt.vertices_of_span = std::size_t{1} << bits;
-  const std::size_t ranges = Team::ranges(triangles.size(), kRange);
+  const std::size_t ranges = Team::ranges(triangles.size(), kItemsAtATime);
   std::vector<std::array<std::uint32_t, kSpans>> place(ranges);  // of the next half-edge
   const auto for_each = [&](std::size_t first, std::size_t last, const auto& use) {
     for (std::size_t t = first; t < last; ++t) {
@@ -47,8 +46,8 @@ Dealt deal(std::size_t vertices, std::span<const IndexTriple> triangles, const V
       use(vertex_of(c, a) >> bits, h + 2);
     }
   };
-  team.each_range(triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
-    auto& counts = place[first / kRange];
+  team.each_range(triangles.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
+    auto& counts = place[first / kItemsAtATime];
     for_each(first, last, [&](std::size_t span, std::uint32_t) { ++counts[span]; });
   });
   std::uint32_t sum = 0;
@@ -58,8 +57,8 @@ Dealt deal(std::size_t vertices, std::span<const IndexTriple> triangles, const V
   }
   dealt.first_of_span.push_back(sum);
   dealt.half_edges.resize(3 * triangles.size());
-  team.each_range(triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
-    auto& next = place[first / kRange];
+  team.each_range(triangles.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
+    auto& next = place[first / kItemsAtATime];
     for_each(first, last,
              [&](std::size_t span, std::uint32_t h) { dealt.half_edges[next[span]++] = h; });
   });
@@ -127,7 +126,7 @@ std::uint32_t HalfEdges::find(std::uint32_t a, std::uint32_t b) const {
 
 bool HalfEdges::all_different(const Team& team) const {
   std::atomic<bool> all_differ = true;
-  team.each_range(sorted_.size(), kRange, [&](std::size_t first, std::size_t last) {
+  team.each_range(sorted_.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = std::max<std::size_t>(first, 1); k < last; ++k) {
       if (sorted_[k - 1].target == sorted_[k].target &&
           source(sorted_[k - 1].half_edge) == source(sorted_[k].half_edge)) {
@@ -150,7 +149,7 @@ std::vector<std::uint32_t> sorted_opposites(std::size_t vertices,
                                             const Team& team) {
   const HalfEdges half_edges(vertices, triangles, team);
   std::vector<std::uint32_t> opposite(3 * triangles.size());
-  team.each_range(opposite.size(), kRange, [&](std::size_t first, std::size_t last) {
+  team.each_range(opposite.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
     for (auto h = static_cast<std::uint32_t>(first); h < last; ++h)
       opposite[h] = half_edges.twin(h);
   });

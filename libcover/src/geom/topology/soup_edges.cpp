@@ -14,8 +14,6 @@
 namespace cover {
 namespace {
 
-constexpr std::size_t kEdgesAtATime = 1 << 15;  // vertices, edges
-
 bool is_usable(const TriangleSoup& soup, const std::array<std::uint32_t, 3>& t) {
   const auto is_finite = [&](std::uint32_t v) {
     return v < soup.points.size() && std::isfinite(soup.points[v].x) &&
@@ -55,10 +53,10 @@ void SoupEdges::sort_edges(const HalfEdges& sorted, std::span<const std::uint32_
                            const Team& team) {
   first_.resize(soup_.points.size() + 1);
   edges_.resize(sorted.size());
-  team.each_range(first_.size(), kEdgesAtATime, [&](std::size_t first, std::size_t last) {
+  team.each_range(first_.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) first_[v] = sorted.first_leaving(v);
   });
-  team.each_range(edges_.size(), kEdgesAtATime, [&](std::size_t first, std::size_t last) {
+  team.each_range(edges_.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       const std::uint32_t h = sorted.in_order(k);
       const std::uint32_t triangle = number_of.empty() ? h / 3 : number_of[h / 3];
@@ -81,7 +79,7 @@ std::optional<std::size_t> SoupEdges::find(std::uint32_t from, std::uint32_t to)
 
 std::vector<std::uint32_t> SoupEdges::twins(const Team& team) const {
   std::vector<std::uint32_t> twins(edges_.size());
-  team.each_range(edges_.size(), kEdgesAtATime, [&](std::size_t first, std::size_t last) {
+  team.each_range(edges_.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       const auto twin = find(edges_[k].to, edges_[k].from);
       twins[k] = twin ? static_cast<std::uint32_t>(*twin) : kNone;

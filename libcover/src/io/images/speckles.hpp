@@ -9,9 +9,9 @@
 namespace cover {
 
 /// Gives every set of fewer than `least` pixels that hang together by their sides the label of a
-/// neighbour: of the one along the longest piece of its border that has `least` pixels or more. Sets
-/// that have none such wait until their neighbours have become part of one. In a picture of small
-/// sets alone nothing changes.
+/// neighbour: of the one along the longest piece of its border that has `least` pixels or more.
+/// Sets that have none such wait until their neighbours have become part of one. In a picture of
+/// small sets alone nothing changes.
 ///
 /// Returns: how many sets there were
 /// Cost:    O(pixels) for each of at most as many rounds as sets lie behind each other

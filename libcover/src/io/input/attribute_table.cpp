@@ -8,6 +8,8 @@
 #include <limits>
 #include <unordered_map>
 
+#include "base/numbers.hpp"
+
 namespace cover {
 namespace {
 
@@ -25,7 +27,7 @@ bool is_word(const AttributeValue& value) {
 
 double number_of(const AttributeValue& value) {
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
-  return is_there(value) ? std::get<double>(value) : std::numeric_limits<double>::quiet_NaN();
+  return is_there(value) ? std::get<double>(value) : kNoNumber;
 }
 
 std::string word_of(const AttributeValue& value) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -12,6 +11,7 @@
 
 #include <fmt/core.h>
 
+#include "base/numbers.hpp"
 #include "base/words/characters.hpp"
 
 namespace cover {
@@ -52,9 +52,7 @@ void shift(std::vector<std::uint32_t>& circles, std::uint32_t by) {
   for (std::uint32_t& circle : circles) circle = circle == 0 ? 0 : circle + by;
 }
 
-double nothing_of(const Attribute& attribute) {
-  return attribute.is_text ? 0 : std::numeric_limits<double>::quiet_NaN();
-}
+double nothing_of(const Attribute& attribute) { return attribute.is_text ? 0 : kNoNumber; }
 
 /// The number of a word, which `attribute` and its `known` words get if it is new.
 double number_of(const std::string& word, Attribute& attribute,

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <set>
 
@@ -11,12 +10,11 @@
 
 #include <cover/text.hpp>
 
+#include "base/numbers.hpp"
 #include "io/text/array_names.hpp"
 
 namespace cover {
 namespace {
-
-constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 /// One value for each region, of the values of its triangles; nothing where they differ.
 std::optional<std::vector<double>> by_region(const std::vector<double>& values,

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <deque>
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <stdexcept>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "base/numbers.hpp"
 #include "io/read_mesh/complete_mesh.hpp"
 #include "io/report/periodic_json.hpp"
 #include "io/report/provenance_json.hpp"
@@ -85,8 +85,7 @@ Attribute attribute_of(const Json& json) {
     if (attribute.is_text)
       attribute.values.push_back(value.is_null() ? 0 : number.at(value.get<std::string>()));
     else
-      attribute.values.push_back(value.is_null() ? std::numeric_limits<double>::quiet_NaN()
-                                                 : value.get<double>());
+      attribute.values.push_back(value.is_null() ? kNoNumber : value.get<double>());
   }
   return attribute;
 }

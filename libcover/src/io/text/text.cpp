@@ -11,9 +11,9 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <limits>
 #include <memory>
 
+#include "base/numbers.hpp"
 #include "base/words/characters.hpp"
 
 namespace cover {
@@ -39,7 +39,7 @@ double out_of_range_value(std::string_view field) {
   // part, else small.
   const bool small = e == std::string_view::npos ? field.substr(negative ? 1 : 0, 2) == "0."
                                                  : field.substr(e + 1, 1) == "-";
-  const double size = small ? 0 : std::numeric_limits<double>::infinity();
+  const double size = small ? 0 : kInfinity;
   return negative ? -size : size;
 }
 

@@ -204,7 +204,7 @@ class Viewer {
     view_.corners = tri_.n_vertices();
     view_.points.reserve(tri_.n_vertices() + (options_.order == 2 ? tri_.n_edges() : 0));
     view_.points.resize(tri_.n_vertices());
-    team_.each_range(tri_.n_vertices(), kRange, [this](std::size_t first, std::size_t last) {
+    team_.each_range(tri_.n_vertices(), kItemsAtATime, [this](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) view_.points[v] = at(static_cast<int>(v));
     });
     if (options_.order != 2) return;
@@ -226,7 +226,7 @@ class Viewer {
     view_.triangles.nodes.resize(view_.triangles.nodes_each * tri_.n_faces());
     view_.region.resize(tri_.n_faces());
     view_.material.resize(tri_.n_faces());
-    team_.each_range(tri_.n_faces(), kRange, [this](std::size_t first, std::size_t last) {
+    team_.each_range(tri_.n_faces(), kItemsAtATime, [this](std::size_t first, std::size_t last) {
       for (std::size_t f = first; f < last; ++f) add_triangle(f);
     });
   }
@@ -249,9 +249,9 @@ class Viewer {
 
   /// On interfaces, and on the hull.
   [[nodiscard]] std::vector<LineEdge> all_lines() const {
-    std::vector<std::vector<LineEdge>> parts(Team::ranges(tri_.n_edges(), kRange));
-    team_.each_range(tri_.n_edges(), kRange, [&](std::size_t first, std::size_t last) {
-      parts[first / kRange] = lines_among(static_cast<int>(first), static_cast<int>(last));
+    std::vector<std::vector<LineEdge>> parts(Team::ranges(tri_.n_edges(), kItemsAtATime));
+    team_.each_range(tri_.n_edges(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
+      parts[first / kItemsAtATime] = lines_among(static_cast<int>(first), static_cast<int>(last));
     });
     std::size_t count = 0;
     for (const std::vector<LineEdge>& part : parts) count += part.size();
@@ -330,8 +330,6 @@ class Viewer {
       }
     }
   }
-
-  static constexpr std::size_t kRange = 1 << 15;
 
   const Team& team_;
   const Output& output_;

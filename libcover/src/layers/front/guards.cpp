@@ -4,8 +4,8 @@
 #include "layers/front/guards.hpp"
 
 #include <algorithm>
-#include <limits>
 
+#include "base/numbers.hpp"
 #include "geom/vector.hpp"
 
 namespace cover::layers {
@@ -14,8 +14,8 @@ namespace {
 constexpr double kTouch = 1e-6;  ///< of the cell's extent
 
 struct Extent {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
+  double low = kInfinity;
+  double high = -kInfinity;
 };
 
 Extent extent(const Guard& guard, Point origin, Vector axis) {

@@ -11,8 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
+
+#include <cover/angle.hpp>
 
 #include "cdt/triangulation.hpp"
 #include "geom/box.hpp"
@@ -26,7 +27,7 @@ namespace {
 /// Of a layer's thickness: what stays free above it. A little less than half, so that where two
 /// lines face each other, what is left between their layers may be a row that is a bit thinner.
 constexpr double kFree = 0.45;
-const double kSteepest = std::sin(kMitre / 2 * std::numbers::pi / 180);
+const double kSteepest = std::sin(Angle::degrees(kMitre / 2).in_radians());
 constexpr double kSameHeight = 1e-6;  ///< of a layer's thickness: vertices of a wall that serve it
 
 /// Whether a guard is a convex polygon, counter-clockwise.

@@ -5,12 +5,11 @@
 #include "layers/front/offsets.hpp"
 
 #include <cmath>
-#include <numbers>
+
+#include "base/numbers.hpp"
 
 namespace cover::layers {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 Vector mitre(Vector from, Vector to) { return (1 / (1 + dot(from, to))) * (from + to); }
 

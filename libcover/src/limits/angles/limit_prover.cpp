@@ -12,6 +12,7 @@
 #include <span>
 #include <utility>
 
+#include "base/numbers.hpp"
 #include "geom/vector.hpp"
 #include "limits/angles/apex_search.hpp"
 #include "limits/angles/clear_zones.hpp"
@@ -20,7 +21,6 @@
 namespace cover {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kSixty = std::numbers::pi / 3;
 /// Questions are put at these distances beyond what was reached. A limit within the first is near,
 /// within `kExactQuestion` it is no gap.

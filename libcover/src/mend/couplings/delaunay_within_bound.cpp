@@ -15,7 +15,7 @@
 #include "mend/effort.hpp"
 #include "mend/mend_mesh.hpp"
 #include "mend/mesh_with_undo.hpp"
-#include "target/fill_report.hpp"
+#include "target/report/fill_report.hpp"
 #include "target/whole_mesh.hpp"
 
 namespace cover {
@@ -78,7 +78,7 @@ std::optional<RegionMesh> taken_if_better(const RegionBoundary& boundary, const 
 
 /// Vertices moved, added and taken away near what is wrong.
 std::optional<RegionMesh> mend_nearby(const RegionBoundary& boundary, const RegionMesh& mesh,
-                                      const std::stop_token& stop, const MendEffort& effort) {
+                                      const std::stop_token& stop, const CouplingEffort& effort) {
   std::optional<std::vector<WantedAngles>> wanted = wanted_angles(mesh);
   if (!wanted) return {};
   const ConformingMesh before = conforming_mesh_of(boundary, mesh);
@@ -162,7 +162,7 @@ std::optional<RegionMesh> mend_with_room(const RegionBoundary& boundary, const R
 std::optional<RegionMesh> mend_couplings_within_bound(const RegionBoundary& boundary,
                                                       const RegionMesh& mesh,
                                                       const std::stop_token& stop,
-                                                      const MendEffort& effort) {
+                                                      const CouplingEffort& effort) {
   if (is_sound(mesh.report) && mesh.report.box.negative_given_up == 0) return {};
   if (boundary.has_hull_sides()) return {};
   std::optional<RegionMesh> mended;
@@ -175,9 +175,9 @@ std::optional<RegionMesh> mend_couplings_within_bound(const RegionBoundary& boun
   };
   // Few places first, then room, which is looked for in order; many places are the last resort.
   const bool may_be_short = effort.circles_with_room > 0 && mesh.layer_vertices == 0;
-  MendEffort first = effort;
+  CouplingEffort first = effort;
   if (may_be_short)
-    first.places_per_side = std::min(effort.places_per_side, MendEffort::kFewPlaces);
+    first.places_per_side = std::min(effort.places_per_side, CouplingEffort::kFewPlaces);
   take(mend_nearby(boundary, mesh, stop, first));
   if (is_done() || effort.circles_with_room == 0 || !is_sound(now().report)) return mended;
   take(mend_with_room(boundary, now(), effort.circles_with_room, stop));

@@ -13,8 +13,8 @@
 
 namespace cover {
 
-/// How hard couplings are mended. A place costs some 0.5 us.
-struct MendEffort {
+/// How many places are tried to mend couplings within the bound. A place costs some 0.5 us.
+struct CouplingEffort {
   std::uint64_t places_per_angle = 60'000;  ///< that are tried for each angle beyond the bound,
   std::uint64_t places_per_side = 60'000;   ///< and for each side given up
   int circles_with_room = 120;              ///< that are filled for a side given up even then
@@ -26,8 +26,8 @@ struct MendEffort {
   /// with room beyond the 16th; in a picture of grains one beyond the 24th has, with half as many
   /// places in each. With 100 places little effort gives up 234 sides of 6,000 cells, with 300 145,
   /// for 12 % more instructions. No room is looked for where sides are cut instead.
-  static MendEffort of(Effort effort, bool sides_are_cut) {
-    MendEffort out;
+  static CouplingEffort of(Effort effort, bool sides_are_cut) {
+    CouplingEffort out;
     if (effort != Effort::thorough) {
       out.places_per_side = effort == Effort::fast ? kFewPlaces : 2'000;
       out.circles_with_room = effort == Effort::fast ? 0 : 48;
@@ -36,8 +36,8 @@ struct MendEffort {
     return out;
   }
   /// Where layers are, few sides are left to mend: but with little effort, all is tried for each.
-  static MendEffort beside_layers(Effort effort) {
-    return effort == Effort::fast ? of(effort, false) : MendEffort();
+  static CouplingEffort beside_layers(Effort effort) {
+    return effort == Effort::fast ? of(effort, false) : CouplingEffort();
   }
 };
 
@@ -54,6 +54,6 @@ struct MendEffort {
 std::optional<RegionMesh> mend_couplings_within_bound(const RegionBoundary& boundary,
                                                       const RegionMesh& mesh,
                                                       const std::stop_token& stop,
-                                                      const MendEffort& effort = {});
+                                                      const CouplingEffort& effort = {});
 
 }  // namespace cover

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
 
+#include "base/numbers.hpp"
 #include "base/random.hpp"
 #include "mend/effort.hpp"
 
@@ -80,7 +80,7 @@ class RoomFiller {
       std::swap(places[k], places[k + random_.below(places.size() - k)]);
     if (places.size() > effort::mend::kPlacesInCircle) places.resize(effort::mend::kPlacesInCircle);
     Spot best;
-    double least = std::numeric_limits<double>::infinity();
+    double least = kInfinity;
     for (const Point& place : places) {
       const Spot spot = mesh_.locate(place, t);
       if (spot.triangle == kNone || spot.edge) continue;

@@ -61,10 +61,9 @@ void add_faults(const MutableMesh& mesh, const Goal& goal, std::size_t first, st
 
 /// The largest -cot of an apex that a side forces.
 double largest_forced(const MutableMesh& mesh, const Team& team) {
-  constexpr std::size_t kSides = 1 << 14;
-  std::vector<double> largest(Team::ranges(mesh.sides.size(), kSides), -kInverted);
-  team.each_range(mesh.sides.size(), kSides, [&](std::size_t first, std::size_t last) {
-    double& own = largest[first / kSides];
+  std::vector<double> largest(Team::ranges(mesh.sides.size(), kFewAtATime), -kInverted);
+  team.each_range(mesh.sides.size(), kFewAtATime, [&](std::size_t first, std::size_t last) {
+    double& own = largest[first / kFewAtATime];
     for (std::size_t s = first; s < last; ++s) own = std::max(own, -mesh.sides[s].apex_cot);
   });
   return largest.empty() ? -kInverted : *std::max_element(largest.begin(), largest.end());
@@ -73,18 +72,17 @@ double largest_forced(const MutableMesh& mesh, const Team& team) {
 }  // namespace
 
 Merit merit_of(const MutableMesh& mesh, const Goal& goal, const Team& team) {
-  constexpr std::size_t kRange = 1 << 15;  // whatever the team: faults are summed in the same order
   Merit merit{goal.large, goal.large, 0, 0, goal.small, mesh.triangle_count(), true, {}, 0, 0, 0};
-  if (mesh.triangles.size() <= kRange) {  // no lists of one
+  if (mesh.triangles.size() <= kItemsAtATime) {  // no lists of one
     for (const SideLimit& side : mesh.sides) merit.target = std::max(merit.target, -side.apex_cot);
     merit.large = merit.target;
     add_faults(mesh, goal, 0, mesh.triangles.size(), merit);
     return merit;
   }
   merit.target = merit.large = std::max(goal.large, largest_forced(mesh, team));
-  std::vector<Merit> parts(Team::ranges(mesh.triangles.size(), kRange), merit);
-  team.each_range(mesh.triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
-    add_faults(mesh, goal, first, last, parts[first / kRange]);
+  std::vector<Merit> parts(Team::ranges(mesh.triangles.size(), kItemsAtATime), merit);
+  team.each_range(mesh.triangles.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
+    add_faults(mesh, goal, first, last, parts[first / kItemsAtATime]);
   });
   for (const Merit& part : parts) {
     merit.large = std::max(merit.large, part.large);

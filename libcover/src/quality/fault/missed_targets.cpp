@@ -138,13 +138,13 @@ std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& 
                                  const AngleLimit& limit, const Options& options,
                                  Unreached unreached, Point origin, std::size_t thin,
                                  const Team& team) {
-  constexpr std::size_t kRange = 1 << 16;
   std::vector<Note> notes;
   note_forced(boundary, limit, options.max_angle, notes);
-  std::vector<MissedAngles> parts(Team::ranges(mesh.triangles.size(), kRange));
-  team.each_range(mesh.triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+  std::vector<MissedAngles> parts(Team::ranges(mesh.triangles.size(), kManyAtATime));
+  team.each_range(mesh.triangles.size(), kManyAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t t = first; t < last; ++t)
-      parts[first / kRange].look_at(mesh, static_cast<std::uint32_t>(t), options, origin, thin);
+      parts[first / kManyAtATime].look_at(mesh, static_cast<std::uint32_t>(t), options, origin,
+                                          thin);
   });
   MissedAngles all;
   for (const MissedAngles& part : parts) {

@@ -30,16 +30,16 @@ class Allowances {
   void assign(std::size_t sides, const Of& of, const Team& team) {
     which_.clear();
     different_.clear();
-    const std::size_t first_ones = std::min(sides, kSides);
+    const std::size_t first_ones = std::min(sides, kFewAtATime);
     which_.reserve(sides);
     for (std::size_t s = 0; s < first_ones; ++s) push_back(of(s));
     if (first_ones == sides) return;
     const std::vector<Allowance> common(different_.cbegin(), common_end());
     const std::size_t rest = sides - first_ones;
-    std::vector<std::vector<Allowance>> others(Team::ranges(rest, kSides));
+    std::vector<std::vector<Allowance>> others(Team::ranges(rest, kFewAtATime));
     which_.resize(sides);
-    team.each_range(rest, kSides, [&](std::size_t first, std::size_t last) {
-      std::vector<Allowance>& own = others[first / kSides];
+    team.each_range(rest, kFewAtATime, [&](std::size_t first, std::size_t last) {
+      std::vector<Allowance>& own = others[first / kFewAtATime];
       for (std::size_t s = first_ones + first; s < first_ones + last; ++s) {
         const Allowance allowance = of(s);
         const auto known = std::find(common.begin(), common.end(), allowance);
@@ -76,16 +76,16 @@ class Allowances {
     team.each(others.size(), [&](std::size_t k) {
       std::copy(others[k].begin(), others[k].end(),
                 different_.begin() + static_cast<long>(begin[k]));
-      const std::size_t first = (k + 1) * kSides, last = std::min(which_.size(), first + kSides);
+      const std::size_t first = (k + 1) * kFewAtATime,
+                        last = std::min(which_.size(), first + kFewAtATime);
       for (std::size_t s = first; s < last; ++s) {
         if (which_[s] >= common) which_[s] += static_cast<std::uint32_t>(begin[k] - common);
       }
     });
   }
 
-  static constexpr std::size_t kSides = 1 << 14;  ///< that are looked at in one go
-  static constexpr std::size_t kTried = 8;        ///< a common one is among the first
-  std::vector<std::uint32_t> which_;              ///< by side
+  static constexpr std::size_t kTried = 8;  ///< a common one is among the first
+  std::vector<std::uint32_t> which_;        ///< by side
   std::vector<Allowance> different_;
 };
 

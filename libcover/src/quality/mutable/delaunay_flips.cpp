@@ -19,10 +19,9 @@ bool is_negative(const MutableMesh& mesh, std::uint32_t t, Corner i) {
 
 /// The first triangle with a negative coupling to a later one, or how many triangles there are.
 std::uint32_t first_negative(const MutableMesh& mesh, const Team& team) {
-  constexpr std::size_t kRange = 1 << 14;
   const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
   std::atomic<std::uint32_t> least = count;
-  team.each_range(count, kRange, [&](std::size_t first, std::size_t last) {
+  team.each_range(count, kFewAtATime, [&](std::size_t first, std::size_t last) {
     for (auto t = static_cast<std::uint32_t>(first); t < last && t < least; ++t) {
       if (mesh.is_hole(t)) continue;
       for (int i = 0; i < 3; ++i) {

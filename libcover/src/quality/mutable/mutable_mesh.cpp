@@ -19,8 +19,6 @@ namespace {
 /// Rounding slack of an allowance: the same triangle from another corner must not count as worse.
 constexpr double kSlack = 1e-12;
 
-constexpr std::size_t kRange = 1 << 15;  ///< triangles that are looked at in one go
-
 /// Room that is left where triangles are put in order: in the next stage parts of a region have a
 /// fortieth more of them. What is not used costs nothing.
 constexpr std::size_t kSpareOf = 16;
@@ -58,7 +56,7 @@ MutableMesh::MutableMesh(const Triangulation& triangulation, std::uint32_t fixed
       sides(std::move(limits)),
       allowances(sides.size()),
       fixed_(fixed) {
-  team.each_range(triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+  team.each_range(triangles.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t t = first; t < last; ++t) {
       const Triangle& from = triangulation.triangles[t];
       triangles[t] = {from.v, from.n};
@@ -66,7 +64,7 @@ MutableMesh::MutableMesh(const Triangulation& triangulation, std::uint32_t fixed
     }
   });
   if (team.workers() > 1) {
-    team.each_range(triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+    team.each_range(triangles.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
       for (auto t = static_cast<std::uint32_t>(first); t < last; ++t) {
         for (const std::uint32_t v : triangles[t].v) set_to_last(home[v], t);
       }
@@ -81,7 +79,7 @@ MutableMesh::MutableMesh(const Triangulation& triangulation, std::uint32_t fixed
       throw InternalFault("a side is no edge of the triangulation", {});
     triangles[side_at[s].triangle].n[side_at[s].edge] = kSideBit | s;
   }
-  team.each_range(triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+  team.each_range(triangles.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       const auto t = static_cast<std::uint32_t>(k);
       for (const Corner i : kCorners) {
@@ -138,7 +136,7 @@ bool MutableMesh::is_unforced() const {
 }
 
 void MutableMesh::measure_all(const Team& team) {
-  team.each_range(triangles.size(), kRange, [this](std::size_t first, std::size_t last) {
+  team.each_range(triangles.size(), kItemsAtATime, [this](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       const auto t = static_cast<std::uint32_t>(k);
       if (!is_hole(t)) measure(t);
@@ -368,7 +366,7 @@ std::vector<std::uint32_t> MutableMesh::order_from_sides(UnsetVector<std::uint32
   number.resize(triangles.size());
   std::vector<std::uint32_t> at_side(sides.size(), kNone);
   // A side is one triangle's, so that no two threads find the same.
-  team.each_range(triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+  team.each_range(triangles.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       number[k] = kNone;
       const auto t = static_cast<std::uint32_t>(k);
@@ -411,7 +409,7 @@ void MutableMesh::arrange(const Team& team) {
   UnsetVector<MeshTriangle> sorted;
   sorted.reserve(room);
   sorted.resize(order.size());
-  team.each_range(order.size(), kRange, [&](std::size_t first, std::size_t last) {
+  team.each_range(order.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       sorted[k] = triangles[order[k]];
       for (std::uint32_t& n : sorted[k].n) n = is_side(n) ? n : number[n];
@@ -437,9 +435,9 @@ std::uint32_t number_by_team(std::span<MeshTriangle> triangles, std::uint32_t fi
                              const Team& team) {
   std::vector<std::uint32_t> first_corner(vertex.size(), kNone);
   const auto for_each = [&](const auto& use) {
-    team.each_range(triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+    team.each_range(triangles.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
       for (auto t = static_cast<std::uint32_t>(first); t < last; ++t) {
-        for (const Corner i : kCorners) use(first / kRange, 3 * t + i, triangles[t].v[i]);
+        for (const Corner i : kCorners) use(first / kItemsAtATime, 3 * t + i, triangles[t].v[i]);
       }
     });
   };
@@ -451,7 +449,7 @@ std::uint32_t number_by_team(std::span<MeshTriangle> triangles, std::uint32_t fi
            !least.compare_exchange_weak(other, corner, std::memory_order_relaxed)) {
     }
   });
-  std::vector<std::uint32_t> next(Team::ranges(triangles.size(), kRange) + 1, 0);
+  std::vector<std::uint32_t> next(Team::ranges(triangles.size(), kItemsAtATime) + 1, 0);
   for_each([&](std::size_t range, std::uint32_t corner, std::uint32_t v) {
     if (first_corner[v] == corner) ++next[range + 1];
   });
@@ -493,7 +491,7 @@ void MutableMesh::number_vertices(const Team& team) {
   UnsetVector<Point> sorted;
   sorted.reserve(room);
   sorted.resize(next);
-  team.each_range(points.size(), kRange, [&](std::size_t first, std::size_t last) {
+  team.each_range(points.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
       if (vertex[v] != kNone) sorted[vertex[v]] = points[v];
     }

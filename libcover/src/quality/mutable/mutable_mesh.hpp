@@ -11,6 +11,7 @@
 #include <cover/point.hpp>
 
 #include "base/containers/unset_vector.hpp"
+#include "base/numbers.hpp"
 #include "base/team.hpp"
 #include "cdt/sides.hpp"
 #include "cdt/triangulation.hpp"
@@ -185,7 +186,7 @@ class MutableMesh {
   [[nodiscard]] double coupled_excess(const std::array<std::uint32_t, 3>& v,
                                       const std::array<std::uint32_t, 3>& n) const;
 
-  Goal goal_{std::numeric_limits<double>::quiet_NaN(), 0, 0};  ///< none yet: equal to no goal
+  Goal goal_{kNoNumber, 0, 0};  ///< none yet: equal to no goal
   std::uint32_t fixed_ = 0;
   std::vector<std::uint32_t> free_triangles_;
   std::vector<std::uint32_t> free_vertices_;

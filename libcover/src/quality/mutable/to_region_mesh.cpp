@@ -10,23 +10,21 @@
 namespace cover {
 namespace {
 
-constexpr std::size_t kRange = 1 << 15;
-
 /// Calls `use` with each of the numbers below `size` that `is_used`, and how many of these there
 /// are before it; first `make_room` with how many there are.
 template <class IsUsed, class MakeRoom, class Use>
 void for_each_used(std::size_t size, const IsUsed& is_used, const MakeRoom& make_room,
                    const Use& use, const Team& team) {
-  std::vector<std::size_t> before(Team::ranges(size, kRange) + 1, 0);
-  team.each_range(size, kRange, [&](std::size_t first, std::size_t last) {
+  std::vector<std::size_t> before(Team::ranges(size, kItemsAtATime) + 1, 0);
+  team.each_range(size, kItemsAtATime, [&](std::size_t first, std::size_t last) {
     std::size_t own = 0;
     for (std::size_t k = first; k < last; ++k) own += is_used(k) ? 1 : 0;
-    before[first / kRange + 1] = own;
+    before[first / kItemsAtATime + 1] = own;
   });
   for (std::size_t k = 1; k < before.size(); ++k) before[k] += before[k - 1];
   make_room(before.back());
-  team.each_range(size, kRange, [&](std::size_t first, std::size_t last) {
-    std::size_t place = before[first / kRange];
+  team.each_range(size, kItemsAtATime, [&](std::size_t first, std::size_t last) {
+    std::size_t place = before[first / kItemsAtATime];
     for (std::size_t k = first; k < last; ++k) {
       if (is_used(k)) use(k, place++);
     }
@@ -59,7 +57,7 @@ RegionMesh to_region_mesh(const MutableMesh& mesh, const LocalFrame& frame,
       team);
   const auto at = [&](std::uint32_t v) { return v < fixed ? points[v] : out.steiner[v - fixed]; };
   std::atomic<bool> is_valid = true;
-  team.each_range(out.triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+  team.each_range(out.triangles.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last && is_valid; ++k) {
       const auto& [a, b, c] = out.triangles[k];
       if (orientation(at(a), at(b), at(c)) != Sign::positive) is_valid = false;

@@ -6,14 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "base/numbers.hpp"
 
 namespace cover {
 namespace {
 
 constexpr int kPivots = 12;      ///< at most; three to five are common
 constexpr double kFlat = 1e-12;  ///< squared, times the steepest: a slope that is none
-constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kNever = kInfinity;
 
 /// Up to three pieces that tie for the largest value.
 struct Tie {
@@ -40,7 +41,7 @@ Vector shortest_slope(const LinearPieces& pieces, Tie& tie) {
     if ((a > 0 && b > 0 && c > 0) || (a < 0 && b < 0 && c < 0)) return {};
   }
   Vector shortest;
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   Tie needed;
   for (std::size_t i = 0; i < tie.count; ++i) {
     for (std::size_t j = i + 1; j < tie.count; ++j) {

@@ -16,8 +16,7 @@
 namespace cover {
 namespace {
 
-constexpr std::size_t kRange = 1 << 15;  ///< triangles that are looked at in one go
-constexpr std::size_t kSpare = 16;       ///< one in so many may be added before a part moves
+constexpr std::size_t kSpare = 16;  ///< one in so many may be added before a part moves
 
 class BlockWork {
  public:
@@ -62,9 +61,9 @@ class BlockWork {
   void number() {
     const UnsetVector<std::uint32_t>& label = labels_.of_triangle;
     number_.resize(label.size());
-    std::vector<std::vector<std::uint32_t>> before(Team::ranges(label.size(), kRange));
-    team_.each_range(label.size(), kRange, [&](std::size_t first, std::size_t last) {
-      std::vector<std::uint32_t>& sum = before[first / kRange];  // by part
+    std::vector<std::vector<std::uint32_t>> before(Team::ranges(label.size(), kItemsAtATime));
+    team_.each_range(label.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
+      std::vector<std::uint32_t>& sum = before[first / kItemsAtATime];  // by part
       sum.assign(parts_.size(), 0);
       for (std::size_t t = first; t < last; ++t) {
         if (label[t] != kNone) number_[t] = sum[label[t]]++;
@@ -76,10 +75,10 @@ class BlockWork {
       parts_[k].block.index = k;
       parts_[k].block.triangles.resize(sum);
     }
-    team_.each_range(label.size(), kRange, [&](std::size_t first, std::size_t last) {
+    team_.each_range(label.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
       for (std::size_t t = first; t < last; ++t) {
         if (label[t] == kNone) continue;
-        number_[t] += before[first / kRange][label[t]];
+        number_[t] += before[first / kItemsAtATime][label[t]];
         parts_[label[t]].block.triangles[number_[t]] = static_cast<std::uint32_t>(t);
       }
     });
@@ -246,9 +245,10 @@ std::vector<std::uint32_t> Borders::triangles_near(const MutableMesh& whole,
                                                    const Team& team) const {
   std::vector<std::uint8_t> is_marked(whole.points.size(), 0);
   for (const std::uint32_t v : vertices) is_marked[v] = 1;
-  std::vector<std::vector<std::uint32_t>> found(Team::ranges(whole.triangles.size(), kRange));
-  team.each_range(whole.triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
-    std::vector<std::uint32_t>& own = found[first / kRange];
+  std::vector<std::vector<std::uint32_t>> found(
+      Team::ranges(whole.triangles.size(), kItemsAtATime));
+  team.each_range(whole.triangles.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
+    std::vector<std::uint32_t>& own = found[first / kItemsAtATime];
     for (std::size_t k = first; k < last; ++k) {
       const auto t = static_cast<std::uint32_t>(k);
       if (whole.is_hole(t)) continue;

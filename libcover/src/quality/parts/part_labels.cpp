@@ -11,7 +11,6 @@ namespace cover {
 namespace {
 
 constexpr std::size_t kSamples = 256;  ///< triangles of a part that say where the tree divides
-constexpr std::size_t kLabelledTogether = 1 << 15;  ///< triangles
 
 Point middle_of(const MutableMesh& mesh, std::uint32_t t) {
   const Point a = mesh.corner(t, 0), b = mesh.corner(t, 1), c = mesh.corner(t, 2);
@@ -123,13 +122,12 @@ PartLabels label_parts(const MutableMesh& mesh, std::size_t parts, const Team& t
   const Tree tree(mesh, parts);
   labels.count = parts;
   labels.of_triangle.resize(mesh.triangles.size());
-  team.each_range(
-      mesh.triangles.size(), kLabelledTogether, [&](std::size_t first, std::size_t last) {
-        for (std::size_t k = first; k < last; ++k) {
-          const auto t = static_cast<std::uint32_t>(k);
-          labels.of_triangle[k] = mesh.is_hole(t) ? kNone : tree.part_at(middle_of(mesh, t));
-        }
-      });
+  team.each_range(mesh.triangles.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      const auto t = static_cast<std::uint32_t>(k);
+      labels.of_triangle[k] = mesh.is_hole(t) ? kNone : tree.part_at(middle_of(mesh, t));
+    }
+  });
   return labels;
 }
 

@@ -229,13 +229,12 @@ Optimised optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const S
 }
 
 AngleRange angles_of(const MutableMesh& mesh, const Team& team) {
-  constexpr std::size_t kRange = 1 << 16;
   struct Cotangents {
     double least = kInverted, most = -kInverted;
   };
-  std::vector<Cotangents> parts(Team::ranges(mesh.triangles.size(), kRange));
-  team.each_range(mesh.triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
-    Cotangents& own = parts[first / kRange];
+  std::vector<Cotangents> parts(Team::ranges(mesh.triangles.size(), kManyAtATime));
+  team.each_range(mesh.triangles.size(), kManyAtATime, [&](std::size_t first, std::size_t last) {
+    Cotangents& own = parts[first / kManyAtATime];
     for (std::size_t s = first; s < last; ++s) {
       const auto t = static_cast<std::uint32_t>(s);
       if (mesh.is_hole(t)) continue;

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <limits>
 #include <vector>
 
+#include "base/numbers.hpp"
 #include "base/numbers_where.hpp"
 #include "base/once_queue.hpp"
 #include "quality/moves/flip.hpp"
@@ -22,7 +22,7 @@ namespace {
 /// more instructions.
 constexpr std::array<Move, 4> kMoves{try_flip, try_relocate, try_remove, try_restar};
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUnknown = kNoNumber;
 
 /// Excesses as if every triangle had been tried, but for those near a border and those of parts
 /// that ran out of budget.

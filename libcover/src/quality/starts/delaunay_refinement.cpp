@@ -38,8 +38,7 @@ constexpr double kMostMoved = 1.0 / 64;
 constexpr std::size_t kLeastPart = 12'500;  ///< triangles
 constexpr std::size_t kEnoughParts = 32;
 
-constexpr std::size_t kRange = 1 << 15;  ///< triangles that are looked at in one go
-constexpr std::size_t kSpare = 4;        ///< one in so many may be added before lists move
+constexpr std::size_t kSpare = 4;  ///< one in so many may be added before lists move
 
 constexpr std::size_t kRoom = 32;        ///< triangles of a cavity: nearly all have fewer
 constexpr std::size_t kLargeFan = 1024;  ///< triangles around a new vertex, queued in rounds
@@ -112,13 +111,15 @@ class Refinement {
 
   /// Marks the triangles on sides whose apex angle is forced, and on edges of such triangles.
   void guard_forced() {
-    std::vector<std::vector<std::uint32_t>> on_sides(Team::ranges(mesh_.triangles.size(), kRange));
-    team_.each_range(mesh_.triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
-      for (std::size_t t = first; t < last; ++t) {
-        if (is_forced(static_cast<std::uint32_t>(t)))
-          on_sides[first / kRange].push_back(static_cast<std::uint32_t>(t));
-      }
-    });
+    std::vector<std::vector<std::uint32_t>> on_sides(
+        Team::ranges(mesh_.triangles.size(), kItemsAtATime));
+    team_.each_range(mesh_.triangles.size(), kItemsAtATime,
+                     [&](std::size_t first, std::size_t last) {
+                       for (std::size_t t = first; t < last; ++t) {
+                         if (is_forced(static_cast<std::uint32_t>(t)))
+                           on_sides[first / kItemsAtATime].push_back(static_cast<std::uint32_t>(t));
+                       }
+                     });
     std::vector<std::uint32_t> stack;
     for (const std::vector<std::uint32_t>& some : on_sides) {
       stack.insert(stack.end(), some.begin(), some.end());
@@ -207,18 +208,19 @@ class Refinement {
 
   /// The squared length of the shortest edge, as half_octave() measures it.
   [[nodiscard]] int shortest_edge() const {
-    std::vector<double> shortest2(Team::ranges(mesh_.triangles.size(), kRange), kInverted);
-    team_.each_range(mesh_.triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
-      double& own = shortest2[first / kRange];
-      for (std::size_t k = first; k < last; ++k) {
-        const auto t = static_cast<std::uint32_t>(k);
-        if (mesh_.is_hole(t)) continue;
-        for (const Corner i : kCorners) {
-          own = std::min(own,
-                         squared_length(mesh_.corner(t, i.previous()) - mesh_.corner(t, i.next())));
-        }
-      }
-    });
+    std::vector<double> shortest2(Team::ranges(mesh_.triangles.size(), kItemsAtATime), kInverted);
+    team_.each_range(
+        mesh_.triangles.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
+          double& own = shortest2[first / kItemsAtATime];
+          for (std::size_t k = first; k < last; ++k) {
+            const auto t = static_cast<std::uint32_t>(k);
+            if (mesh_.is_hole(t)) continue;
+            for (const Corner i : kCorners) {
+              own = std::min(
+                  own, squared_length(mesh_.corner(t, i.previous()) - mesh_.corner(t, i.next())));
+            }
+          }
+        });
     if (shortest2.empty()) return half_octave(kInverted);
     return half_octave(*std::min_element(shortest2.begin(), shortest2.end()));
   }

@@ -3,21 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include <fmt/core.h>
 
 #include <cover/mesh.hpp>
 #include <cover/text.hpp>
+#include "base/numbers.hpp"
 #include "geom/box.hpp"
 #include "geom/vector.hpp"
 #include "sizes/fields/triangle_tree.hpp"
 
 namespace cover {
 namespace {
-
-constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 /// A vertex on a border that was cut or welded is outside by rounding; this part of the field's
 /// extent is far beyond any.
@@ -76,7 +74,7 @@ class Carrier {
 
   /// Of several values the one of the largest magnitude.
   [[nodiscard]] double largest(const std::vector<double>& values) const {
-    double best = kNoValue;
+    double best = kNoNumber;
     for (const Place& place : places_) {
       const double value = value_at(place, values);
       if (std::isnan(value)) continue;

@@ -7,7 +7,6 @@
 
 #include "prepared_work.hpp"
 #include "support/inputs/inputs.hpp"
-#include "target/fill_report.hpp"
 #include "target/whole_mesh.hpp"
 #include "without_obtuse.hpp"
 

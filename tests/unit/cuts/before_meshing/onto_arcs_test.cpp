@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <cover/adopt_cuts.hpp>
 #include <cover/cover_mesh.hpp>
-#include <cover/remesh.hpp>
 #include <cover/verify.hpp>
 
 #include "geom/curves/arc.hpp"

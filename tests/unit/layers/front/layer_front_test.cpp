@@ -10,7 +10,7 @@
 #include "cdt/region_cdt.hpp"
 #include "geom/predicates.hpp"
 #include "layers/front/side_links.hpp"
-#include "target/fill_report.hpp"
+#include "target/report/measure_angles.hpp"
 
 namespace cover::layers {
 namespace {

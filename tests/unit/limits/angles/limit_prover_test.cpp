@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/numbers.hpp"
 #include "base/run_all.hpp"
 #include "cdt/cdt.hpp"
 #include "geom/predicates.hpp"
@@ -23,7 +24,6 @@ namespace {
 
 using namespace testing;
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kPi = std::numbers::pi;
 
 Triangulation cdt_of(const RegionBoundary& boundary) {

@@ -4,7 +4,7 @@
 
 #include "cdt/region_cdt.hpp"
 #include "support/inputs/shapes.hpp"
-#include "target/fill_report.hpp"
+#include "target/report/fill_report.hpp"
 #include "target/whole_mesh.hpp"
 
 namespace cover {

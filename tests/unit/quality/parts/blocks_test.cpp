@@ -13,7 +13,7 @@
 #include "quality/starts/delaunay_refinement.hpp"
 #include "region/region_boundary.hpp"
 #include "support/inputs/random_regions.hpp"
-#include "target/fill_report.hpp"
+#include "target/report/fill_report.hpp"
 #include "target/whole_mesh.hpp"
 
 namespace cover {

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "base/numbers.hpp"
 
 namespace cover::disks {
 namespace {
@@ -36,8 +37,8 @@ Vector main_axis(const std::vector<Element>& elements, const Index* first, const
 }
 
 struct Extent {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
+  double low = kInfinity;
+  double high = -kInfinity;
   void include(double t) { low = std::min(low, t), high = std::max(high, t); }
   [[nodiscard]] double width() const { return high - low; }
 };

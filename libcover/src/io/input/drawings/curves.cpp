@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/numbers.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// The same direction in [0, 360).
 double reduced(double degrees) {

@@ -16,6 +16,7 @@
 
 #include <cover/text.hpp>
 
+#include "base/numbers.hpp"
 #include "geom/rings/place_in_ring.hpp"
 #include "geom/vector.hpp"
 #include "io/input/drawings/scheme_values.hpp"
@@ -44,7 +45,7 @@ struct Side {
   Point a, b;
   std::size_t body = 0;
   Point foot;
-  double distance = std::numeric_limits<double>::infinity();
+  double distance = kInfinity;
 };
 
 /// The bodies of a drawing, and lines on their sides.

@@ -26,6 +26,7 @@
 
 #include <cover/text.hpp>
 
+#include "base/numbers.hpp"
 #include "geom/topology/mesh_borders.hpp"
 #include "io/input/formats.hpp"
 #include "io/text/text.hpp"
@@ -317,9 +318,8 @@ class TcadReader {
         const auto first = values.find(key(node, material));
         if (at != material_.end() && first == values.end()) ++without_values_;
         for (std::size_t a = 0; a < names_.size(); ++a)
-          field.arrays[a].values.push_back(first != values.end()
-                                               ? values_[first->second + a]
-                                               : std::numeric_limits<double>::quiet_NaN());
+          field.arrays[a].values.push_back(first != values.end() ? values_[first->second + a]
+                                                                 : kNoNumber);
       }
       field.triangles.push_back(corners);
       field.material.push_back(name);

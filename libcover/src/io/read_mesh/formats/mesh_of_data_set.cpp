@@ -1,4 +1,4 @@
-// Tested by tests/unit/io/read_mesh/read_mesh_test.cpp.
+// See mesh_of_data_set.hpp.
 #include "io/read_mesh/formats/mesh_of_data_set.hpp"
 
 #include <algorithm>

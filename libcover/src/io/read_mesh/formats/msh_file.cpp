@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <optional>
 #include <unordered_map>
 
+#include "base/numbers.hpp"
 #include "io/text/text.hpp"
 #include "io/text/token_reader.hpp"
 
@@ -287,7 +287,7 @@ class MshParser {
       for (std::size_t e = 0; e < file_.elements.size(); ++e)
         element_index_.emplace(file_.elements[e].id, static_cast<std::uint32_t>(e));
     const auto& index = of_points ? index_ : element_index_;
-    array.values.assign(items, std::numeric_limits<double>::quiet_NaN());
+    array.values.assign(items, kNoNumber);
     for (std::size_t k = 0; k < items && !tokens_.failed(); ++k) {
       const auto at = index.find(tokens_.integer("the number of a node or element"));
       const std::optional<double> value = parse_double(tokens_.word());  // "nan" is none

@@ -1,6 +1,5 @@
 // Lines of fields; a field that begins with a star is a keyword and its parameters follow. Blocks
 // other than nodes and triangles are passed over.
-// Tested by tests/unit/io/read_mesh/read_mesh_test.cpp.
 #include <fmt/core.h>
 
 #include <algorithm>

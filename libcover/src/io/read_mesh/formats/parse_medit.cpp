@@ -1,6 +1,5 @@
 // Keywords with a count and as many rows. Keywords that are not known are passed over with their
 // numbers.
-// Tested by tests/unit/io/read_mesh/read_mesh_test.cpp.
 #include <fmt/core.h>
 
 #include <array>

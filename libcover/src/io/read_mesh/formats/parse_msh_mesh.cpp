@@ -1,4 +1,3 @@
-// Tested by tests/unit/io/read_mesh/read_mesh_test.cpp.
 #include "io/read_mesh/formats/msh_file.hpp"
 #include "io/read_mesh/mesh_collector.hpp"
 #include "io/read_mesh/mesh_formats.hpp"

@@ -1,8 +1,6 @@
 // Numbers stand in the leaves of the XML, or in an HDF5 file beside it. VTK's own XDMF reader was
 // left alone from the start: it crashes on broken files.
-// Tested by tests/unit/io/read_mesh/read_mesh_test.cpp.
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <set>
 #include <type_traits>
@@ -10,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "base/numbers.hpp"
 #include "io/hdf5/parse_hdf5.hpp"
 #include "io/read_mesh/mesh_collector.hpp"
 #include "io/read_mesh/mesh_formats.hpp"
@@ -64,8 +63,7 @@ class XdmfReader {
     // The number of items is not known before: a word that is none ends it.
     while (!tokens.failed() && !tokens.at_end()) {
       if constexpr (kKind == Kind::values) {
-        numbers.push_back(
-            parse_double(tokens.word()).value_or(std::numeric_limits<double>::quiet_NaN()));
+        numbers.push_back(parse_double(tokens.word()).value_or(kNoNumber));
       } else if constexpr (kKind == Kind::coordinates) {
         numbers.push_back(tokens.real("a coordinate"));
       } else {

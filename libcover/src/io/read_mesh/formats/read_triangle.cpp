@@ -1,6 +1,5 @@
 // Tables of numbers, each headed by a line with its counts; rows count from 0 or 1, as the .node
 // does.
-// Tested by tests/unit/io/read_mesh/read_mesh_test.cpp.
 #include <fmt/core.h>
 
 #include <algorithm>

@@ -15,6 +15,7 @@
 
 #include "base/containers/order.hpp"
 #include "base/faults/errors.hpp"
+#include "base/numbers.hpp"
 #include "io/read_mesh/complete_mesh.hpp"
 #include "io/read_mesh/second_order.hpp"
 #include "io/text/array_names.hpp"
@@ -230,7 +231,7 @@ class BlockReader {
   /// To be called after the last block: midpoints left out.
   void finish() {
     TriangleSoup& soup = stored_.soup;
-    for (PlaneField::Array& array : of_points) array.values.resize(soup.points.size(), kNoValue);
+    for (PlaneField::Array& array : of_points) array.values.resize(soup.points.size(), kNoNumber);
     stored_.second_order = !midpoints_.empty();
     if (midpoints_.empty()) return;
     if (middles_.size() == soup.triangles.size()) {
@@ -245,8 +246,6 @@ class BlockReader {
   }
 
  private:
-  static constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
-
   /// Takes the values of a block of regions. False if there are not as many as there should be.
   bool take_arrays_of_block() {
     for (CellArray& into : of_triangles) {
@@ -257,7 +256,7 @@ class BlockReader {
     for (PlaneField::Array& into : of_points) {
       const NumberArray* from = data_->array_of_points(into.name);
       if (from == nullptr) return false;
-      into.values.resize(stored_.soup.points.size(), kNoValue);
+      into.values.resize(stored_.soup.points.size(), kNoNumber);
       for (std::size_t p = 0; p < data_->point_count(); ++p)
         into.values[number(*global_, p)] = value(*from, p);
     }

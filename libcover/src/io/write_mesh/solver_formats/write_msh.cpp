@@ -9,13 +9,13 @@
 // tests/solvers.
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <map>
 #include <set>
 
 #include <cover/mesh_view.hpp>
 
 #include "base/containers/buckets.hpp"
+#include "base/numbers.hpp"
 #include "io/write_mesh/partition.hpp"
 #include "io/write_mesh/solver_formats/msh_sections.hpp"
 #include "io/write_mesh/solver_formats/msh_text.hpp"
@@ -127,12 +127,11 @@ class MshWriter : MshSections {
   /// Attributes and fields. Every element has a value, lines those of the region on their left,
   /// since meshio cannot read data of some elements alone.
   void data() {
-    constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
     for (const Attribute& attribute : view_.attributes) {
       begin_data("Element", attribute.name, region_of_element_.size());
       for (std::size_t e = 0; e < region_of_element_.size(); ++e) {
         const RegionId region = region_of_element_[e];
-        out_ << e + 1 << ' ' << (region == kVoid ? kNoValue : attribute.values[place_of(region)])
+        out_ << e + 1 << ' ' << (region == kVoid ? kNoNumber : attribute.values[place_of(region)])
              << '\n';
       }
       out_ << "$EndElementData\n";

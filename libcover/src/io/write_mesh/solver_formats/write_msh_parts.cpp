@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "base/numbers.hpp"
 #include "geom/topology/half_edges.hpp"
 #include "io/write_mesh/partition.hpp"
 #include "io/write_mesh/solver_formats/msh_sections.hpp"
@@ -227,11 +228,10 @@ class MshPartWriter : MshSections {
   /// As data(), of what is in the part.
   void part_data(const MshParts& parts, const PartOfGroups& curves, const PartOfGroups& surfaces,
                  std::span<const std::size_t> ghosts, std::span<const std::uint32_t> nodes) {
-    constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
     for (const Attribute& attribute : view_.attributes) {
       begin_data("Element", attribute.name, curves.size() + surfaces.size() + ghosts.size());
       const auto value = [&](std::size_t number, RegionId region) {
-        out_ << number << ' ' << (region == kVoid ? kNoValue : attribute.values[place_of(region)])
+        out_ << number << ' ' << (region == kVoid ? kNoNumber : attribute.values[place_of(region)])
              << '\n';
       };
       for (const auto& some : curves.items)

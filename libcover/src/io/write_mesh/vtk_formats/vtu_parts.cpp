@@ -187,9 +187,8 @@ void add_triangle_arrays(const TriangleArrays& arrays, VtuGrid& grid) {
 template <class Number>
 void add_triangle_arrays(const MeshView& view, std::size_t triangles, Number number, VtuGrid& grid,
                          const Team& team = {}) {
-  constexpr std::size_t kRange = 1 << 15;
   UnsetVector<std::array<double, 2>> angles(triangles);
-  team.each_range(triangles, kRange, [&](std::size_t first, std::size_t last) {
+  team.each_range(triangles, kItemsAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) angles[k] = extreme_angles(view, number(k));
   });
   const auto extremes =

@@ -1,4 +1,4 @@
-// Segments cut until the box method has no negative coupling.
+// Segments cut until the meshes of a box method have no negative coupling.
 #pragma once
 
 #include <cover/options.hpp>
@@ -8,10 +8,6 @@
 #include "cuts/work.hpp"
 
 namespace cover {
-
-/// With Options::box_method: cuts the segments that are encroached (cut_encroached), before there
-/// is a mesh. Adds to Report::box_cuts; a note tells what doubles left no room to cut.
-void cut_for_boxes(Prepared& prepared, const Options& options);
 
 /// With Options::box_method: as long as sides have a negative coupling in the meshes, for the sake
 /// of their angles, cuts these and meshes the regions beside them again. Edges inside that are not

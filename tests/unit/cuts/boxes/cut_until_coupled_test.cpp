@@ -1,4 +1,4 @@
-#include "cuts/after_meshing/cut_for_boxes.hpp"
+#include "cuts/boxes/cut_until_coupled.hpp"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ Input half_disc(int chords) {
   return testing::input_of(loop);
 }
 
-TEST(CutForBoxes, LeavesNoNegativeCouplingOnRandomDevices) {
+TEST(CutUntilCoupled, LeavesNoNegativeCouplingOnRandomDevices) {
   for (const testing::RandomInput& kind : testing::kRandomDevices) {
     for (std::uint64_t seed = 0; seed < 2; ++seed) {
       const Output output = testing::must_mesh(kind.make(seed), for_boxes());
@@ -54,7 +54,7 @@ TEST(CutForBoxes, LeavesNoNegativeCouplingOnRandomDevices) {
   }
 }
 
-TEST(CutForBoxes, TellsWhichVertexSawASideThatIsGivenUp) {
+TEST(CutUntilCoupled, TellsWhichVertexSawASideThatIsGivenUp) {
   std::size_t given_up = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Output output = testing::must_mesh(testing::random_cells(40, seed), for_boxes());
@@ -66,7 +66,7 @@ TEST(CutForBoxes, TellsWhichVertexSawASideThatIsGivenUp) {
   EXPECT_GT(given_up, 0u);
 }
 
-TEST(CutForBoxes, AHalfDiscIsCutForItsAngles) {
+TEST(CutUntilCoupled, AHalfDiscIsCutForItsAngles) {
   const Output output = testing::must_mesh(half_disc(24), for_boxes());
   EXPECT_TRUE(negative(output).empty());
   EXPECT_EQ(testing::violations(output), "");
@@ -76,19 +76,6 @@ TEST(CutForBoxes, AHalfDiscIsCutForItsAngles) {
   const auto note = std::find_if(output.report.notes.begin(), output.report.notes.end(), told);
   ASSERT_NE(note, output.report.notes.end());
   EXPECT_EQ(note->where.size(), output.report.box_cuts.size());
-}
-
-TEST(CutForBoxes, IsRefusedByNameWhereItCannotBe) {
-  for (const auto& change :
-       {+[](Options& o) { o.method = Method::almond; },
-        +[](Options& o) { o.method = Method::nonobtuse; }, +[](Options& o) { o.hull = true; }}) {
-    Options options = for_boxes();
-    change(options);
-    const auto output = cover_mesh(half_disc(8), options);
-    ASSERT_FALSE(output.has_value());
-    EXPECT_EQ(output.error().code, ErrorCode::bad_option);
-    EXPECT_NE(output.error().message.find("the box method"), std::string::npos);
-  }
 }
 
 }  // namespace

@@ -1,20 +1,20 @@
 // A mesh keeps a negative coupling on a side only where the bound or a target needs a vertex in its
 // diametral disk. Cut at the foot of that vertex, the side has two smaller disks without it.
-// Tested by tests/unit/cuts/after_meshing/cut_for_boxes_test.cpp.
-#include "cuts/after_meshing/cut_for_boxes.hpp"
+#include "cuts/boxes/cut_until_coupled.hpp"
 
 #include <algorithm>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
 #include <cover/text.hpp>
 
 #include "cdt/couplings.hpp"
-#include "cuts/after_meshing/effort.hpp"
-#include "cuts/before_meshing/cut_encroached.hpp"
 #include "cuts/before_meshing/onto_arcs.hpp"
+#include "cuts/boxes/cut_encroached.hpp"
+#include "cuts/boxes/cut_for_boxes.hpp"
 #include "cuts/cut_segments.hpp"
 #include "cuts/periodic/mirror_cuts.hpp"
 #include "cuts/room_on_segment.hpp"
@@ -28,38 +28,12 @@
 namespace cover {
 namespace {
 
+/// Rounds that cut and mesh again, each with the points that the one before it left; they end by
+/// themselves where no side with a negative coupling has room for a cut.
+constexpr int kCouplingRounds = 24;
 /// Of a side: a cut nearer to its ends goes to the middle instead.
 constexpr double kNearEnd = 0.1;
-constexpr std::size_t kPlacesTold = 8;
-
-void warn_of_stuck(const std::vector<Point>& stuck, std::vector<Note>& notes) {
-  if (stuck.empty()) return;
-  std::vector<Point> where = stuck;
-  where.resize(std::min(where.size(), kPlacesTold));
-  notes.push_back({Note::Kind::warning, kVoid,
-                   fmt::format("{} would have to be cut too short to be without a negative "
-                               "coupling, the first near {}",
-                               counted(stuck.size(), "segment"), describe(where[0])),
-                   std::move(where)});
-}
-
-void tell_cuts(Report& report) {
-  std::erase_if(report.notes, [](const Note& note) { return note.kind == Note::Kind::box_cut; });
-  if (report.box_cuts.empty()) return;
-  std::map<BoxCut::Reason, std::size_t> by;
-  std::vector<Point> where;
-  for (const BoxCut& cut : report.box_cuts) {
-    ++by[cut.reason];
-    where.push_back(cut.at);
-  }
-  report.notes.push_back(
-      {Note::Kind::box_cut, kVoid,
-       fmt::format("{} added on segments ({} where points of the input encroach them, {} where "
-                   "such cuts do, {} where angles need it) for --box-method",
-                   counted(where.size(), "point"), by[BoxCut::Reason::encroached],
-                   by[BoxCut::Reason::encroached_by_cut], by[BoxCut::Reason::given_up]),
-       std::move(where)});
-}
+constexpr std::size_t kCouplingsTold = 8;
 
 /// A side with a negative coupling.
 struct NegativeSide {
@@ -82,8 +56,7 @@ class CouplingRounds {
   Status run() {
     for (std::size_t r = 0; r < work_.meshes.size(); ++r) flip(r);
     const std::size_t most = most_points_for_boxes(work_.pslg, work_.report.box_cuts);
-    for (int round = 0; round < effort::cuts::kCouplingRounds && work_.pslg.points.size() <= most;
-         ++round) {
+    for (int round = 0; round < kCouplingRounds && work_.pslg.points.size() <= most; ++round) {
       const ChosenCuts chosen = choose();
       if (chosen.cuts.empty()) break;
       const Pslg pslg = work_.pslg;
@@ -103,7 +76,7 @@ class CouplingRounds {
     for (const RegionMesh& mesh : work_.meshes) {
       left += mesh.report.couplings.size();
       for (const NegativeCoupling& c : mesh.report.couplings) {
-        if (where.size() < kPlacesTold) where.push_back(midpoint(c.a, c.b));
+        if (where.size() < kCouplingsTold) where.push_back(midpoint(c.a, c.b));
       }
     }
     if (left > 0)
@@ -200,18 +173,11 @@ class CouplingRounds {
 
 }  // namespace
 
-void cut_for_boxes(Prepared& prepared, const Options& options) {
-  if (!options.box_method) return;
-  const VertexId first_cut{prepared.pslg.points.size()};
-  warn_of_stuck(cut_encroached(prepared, first_cut), prepared.report.notes);
-  tell_cuts(prepared.report);
-}
-
 Status cut_until_coupled(Work& work, const Options& options, const Callbacks& callbacks) {
   if (!options.box_method) return ok();
   Status status = CouplingRounds(work, options, callbacks).run();
   if (!status) return status;
-  tell_cuts(work.report);
+  tell_box_cuts(work.report);
   return ok();
 }
 

@@ -1,4 +1,4 @@
-#include "cuts/before_meshing/cut_encroached.hpp"
+#include "cuts/boxes/cut_encroached.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 // neighbour's vertex is (shells: equal pieces at a corner never encroach each other, whatever its
 // angle), the feet of obstacles (they keep thin layers from cascading), and the middle. The first
 // one that encroaches the fewest other sides is taken.
-// Tested by tests/unit/cuts/before_meshing/cut_encroached_test.cpp.
-#include "cuts/before_meshing/cut_encroached.hpp"
+// Tested by tests/unit/cuts/boxes/cut_encroached_test.cpp.
+#include "cuts/boxes/cut_encroached.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,5 +1,5 @@
 // Tested by tests/unit/pipeline/cover_mesh_test.cpp.
-#include "target/flat_on_hull.hpp"
+#include "target/report/flat_on_hull.hpp"
 
 #include <algorithm>
 #include <utility>
