@@ -30,6 +30,7 @@
 #include <cover/verify.hpp>
 #include <cover/version.hpp>
 #include <cover/write_mesh.hpp>
+#include <cover/write_option_table.hpp>
 
 #include "arrays.hpp"
 #include "options.hpp"

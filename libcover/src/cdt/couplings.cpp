@@ -10,7 +10,6 @@
 #include "geom/predicates.hpp"
 
 namespace cover {
-namespace {}  // namespace
 
 std::vector<std::uint32_t> across_edges(std::size_t points, std::span<const IndexTriple> triangles,
                                         std::span<const IndexPair> sides, const Team& team) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <cover/cover_mesh.hpp>
+#include <cover/verify.hpp>
 
 #include "support/inputs/inputs.hpp"
 

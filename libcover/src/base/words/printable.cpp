@@ -2,6 +2,7 @@
 // Tested by tests/unit/base/words/printable_test.cpp.
 #include <cover/text.hpp>
 
+#include <algorithm>
 #include <cstdint>
 
 #include <fmt/core.h>

@@ -1,3 +1,4 @@
+#include <cover/regions.hpp>
 #include <cover/text.hpp>
 
 #include <gtest/gtest.h>
