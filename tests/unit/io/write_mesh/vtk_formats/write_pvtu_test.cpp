@@ -16,6 +16,7 @@
 
 #include <cover/cover_mesh.hpp>
 #include <cover/mesh.hpp>
+#include <cover/option_ranges.hpp>
 #include <cover/verify.hpp>
 #include <cover/write_mesh.hpp>
 
