@@ -14,18 +14,22 @@ TYPE = re.compile(r'^(?:template <[^>]*> )?(?:struct|class|enum class|enum) (?:\
 ALIAS = re.compile(r'^using (\w+) =')
 CONSTANT = re.compile(r'^(?:inline )?constexpr [\w:<>, ]+ (k[A-Z]\w*)\b')
 FUNCTION = re.compile(r'^(?:\[\[nodiscard\]\] )?(?:inline |constexpr |static )*[A-Za-z][\w:<>,&* ]* &?\*?(\w+_\w+)\(')
-USE = r'(?<![.>:\w])([A-Z]\w*|k[A-Z]\w*|\w+_\w+(?=\())'
-# What a name's own declaration may look like: a type, a member, a parameter, a local variable, a function, a value of an
-# enumeration.
-OWN = r'(?:struct|class|enum class|using|typename|namespace) {name}\b|[\w>*&] [&*]*{name}(?:[;,={{)\[(]| =| :)|^ +{name}(?:,| =)| {name}>|[{{,] {name}[,}} ]'
+# Of a class the members are its own; a namespace, in small letters, is not.
+USE = r'(?:(?<![.>:\w])|\b[a-z_]+::)([A-Z]\w*|k[A-Z]\w*|\w+_\w+(?=\())'
+FOREIGN = r'\b(?:std|fmt|CGAL|nlohmann|py|fs|testing|chrono|ios|filesystem|numbers|this_thread)::\w+'
+# What a name's own declaration may look like: a type, a member, a parameter, a local variable, a function, a value of
+# an enumeration.
+OWN = (r'(?:struct|class|enum class|using|typename|namespace) {name}\b|[\w>*&] [&*]*{name}(?:[;,={{)\[(]| =| :)'
+       r'|^ +{name}(?:,| =)| {name}>|[{{,] {name}[,}} ]')
 
 
 def code_of(path):
     """The file without comments and without what stands between quotes, but for includes."""
     text = re.sub(r'/\*.*?\*/', '', path.read_text(), flags=re.S)
     text = re.sub(r'R"(\w*)\(.*?\)\1"', '""', text, flags=re.S)
+    text = re.sub(r'^(?:TYPED_)?(?:TEST|INSTANTIATE)\w*\([^)]*\)', '', text, flags=re.M)
     lines = [line if '#include' in line else re.sub(r'"(?:\\.|[^"\\])*"', '""', line) for line in text.splitlines()]
-    return '\n'.join(re.sub(r'//.*', '', line) for line in lines)
+    return re.sub(FOREIGN, 'foreign', '\n'.join(re.sub(r'//.*', '', line) for line in lines))
 
 
 def declared(code):
@@ -37,10 +41,11 @@ def declared(code):
 
 
 def main(root):
-    tops = ['libcover/src', 'libcover/include', 'apps', 'samples']
-    codes = {path: code_of(path) for top in tops for path in (root / top).rglob('*.[hc]pp')}
+    tops = ['libcover/src', 'libcover/include', 'apps', 'samples', 'tests']
+    codes = {path: code_of(path) for top in tops for path in (root / top).rglob('*.[hc]pp')
+             if not {'solvers', 'package'} & set(path.parts)}  # programs of others
     roots = [root / 'libcover/src', root / 'libcover/include', root / 'apps/cover', root / 'apps/cover_mpi',
-             root / 'apps/python', root / 'apps']
+             root / 'apps/python', root / 'apps/reading', root / 'apps', root / 'tests']
 
     @functools.cache
     def included(path):
@@ -69,7 +74,7 @@ def main(root):
             if homes[name] & seen:
                 uses += 1
             elif not any(re.search(OWN.format(name=name), codes[other], re.M) for other in seen):
-                line = code[:re.search(rf'(?<![.>:\w]){name}\b', code).start()].count('\n') + 1
+                line = code[:re.search(rf'\b{name}\b', code).start()].count('\n') + 1
                 home = min(homes[name]).relative_to(root)
                 found.append(f'{path.relative_to(root)}:{line}: uses {name} without including {home}')
     print('\n'.join(found) or f'{len(codes)} files include what declares the {uses} names that they use')
