@@ -29,16 +29,16 @@ bool misses(const Report& report, const RegionReport& region) {
 
 template <class Test>
 std::string regions_where(const Output& output, Test test) {
-  constexpr std::size_t kNamed = 5;
+  constexpr std::size_t kListed = 5;
   std::string names;
   std::size_t count = 0;
   for (const RegionReport& region : output.report.regions) {
     if (!test(region)) continue;
-    if (++count > kNamed) continue;
+    if (++count > kListed) continue;
     names += fmt::format("{}{} '{}'", names.empty() ? "" : ", ", region.id.value(),
                          output.table.region(region.id).name);
   }
-  if (count > kNamed) names += fmt::format(" and {} more", count - kNamed);
+  if (count > kListed) names += fmt::format(" and {} more", count - kListed);
   return fmt::format("region{} {}", count == 1 ? "" : "s", names);
 }
 
