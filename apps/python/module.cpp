@@ -108,6 +108,12 @@ auto run(const py::object& progress, Callables& callables, Work work) {
   return std::move(result).value();
 }
 
+/// `report`: of a mesh that was pickled.
+PyMesh py_mesh_of(Output output, std::string report = {}) {
+  TriangleSoup soup = triangle_soup(output.mesh);
+  return {std::move(output), std::move(soup), std::move(report)};
+}
+
 /// Background sizes that are a function: f(x, y), a length.
 SizeFunction sizes_of(const py::object& function, Callables& callables) {
   return [&function, &callables](Point at) {
@@ -137,8 +143,7 @@ PyMesh mesh_input(Input input, py::dict keywords, const py::object& progress,
   std::vector<Provenance::Setting>& settings = output.report.provenance.settings;
   settings.insert(settings.end(), read_with.begin(), read_with.end());
   const std::vector<std::string> unmet = unmet_requirements(output, options);
-  TriangleSoup soup = triangle_soup(output.mesh);
-  PyMesh mesh{std::move(output), std::move(soup), {}};
+  PyMesh mesh = py_mesh_of(std::move(output));
   if (unmet.empty()) return mesh;
   std::string words = "the mesh does not meet";
   for (const std::string& requirement : unmet)
@@ -159,8 +164,7 @@ PyMesh read_saved(const std::string& path) {
     return read_output(path);
   }();
   if (!output) raise(output.error());
-  TriangleSoup soup = triangle_soup(output->mesh);
-  return {*std::move(output), std::move(soup), {}};
+  return py_mesh_of(*std::move(output));
 }
 
 /// Meshes a file; its options are those of reading and of meshing.
@@ -402,7 +406,6 @@ PYBIND11_MODULE(_cover, module) {
   module.def("read", &read_saved);
   module.def("mesh_of_state", [](const py::tuple& state) {
     auto [output, report] = unpickled(state);
-    cover::TriangleSoup soup = cover::triangle_soup(output.mesh);
-    return PyMesh{std::move(output), std::move(soup), std::move(report)};
+    return py_mesh_of(std::move(output), std::move(report));
   });
 }

@@ -29,4 +29,19 @@ class OpenedLibrary {
   void* library_ = nullptr;
 };
 
+/// What was found in a library, `Members` by their names.
+template <class Members>
+struct Opened {
+  Members members;
+  std::string failure;  ///< as OpenedLibrary::failure()
+};
+
+/// What `open` returned when it was first called, once for the whole process. May be called from
+/// several threads.
+template <auto open>
+const auto& opened_once() {
+  static const auto opened = open();
+  return opened;
+}
+
 }  // namespace cover

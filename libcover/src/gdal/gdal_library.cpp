@@ -24,15 +24,10 @@ Error not_there(const std::string& why) {
       {}};
 }
 
-struct Opened {
-  GdalLibrary functions;
-  std::string failure;  ///< empty: open
-};
-
-Opened open_library() {
+Opened<GdalLibrary> open_gdal() {
   OpenedLibrary library(COVER_GDAL_SONAME, COVER_GDAL_FILE);
-  Opened opened;
-#define COVER_GDAL_FIND(name) library.find(#name, opened.functions.name);
+  Opened<GdalLibrary> opened;
+#define COVER_GDAL_FIND(name) library.find(#name, opened.members.name);
   COVER_GDAL_FUNCTIONS(COVER_GDAL_FIND)
 #undef COVER_GDAL_FIND
   for (const char* name : kRegistrations) {
@@ -44,19 +39,14 @@ Opened open_library() {
   return opened;
 }
 
-const Opened& opened_once() {
-  static const Opened opened = open_library();
-  return opened;
-}
-
 }  // namespace
 
 Result<const GdalLibrary*> gdal_library() {
-  const Opened& opened = opened_once();
+  const Opened<GdalLibrary>& opened = opened_once<open_gdal>();
   if (!opened.failure.empty()) return not_there(opened.failure);
-  return &opened.functions;
+  return &opened.members;
 }
 
-const GdalLibrary& opened_gdal() { return opened_once().functions; }
+const GdalLibrary& opened_gdal() { return opened_once<open_gdal>().members; }
 
 }  // namespace cover

@@ -10,14 +10,9 @@
 namespace cover {
 namespace {
 
-struct Opened {
-  Hdf5Library members;
-  std::string failure;  ///< empty: open
-};
-
-Opened open_library() {
+Opened<Hdf5Library> open_hdf5() {
   OpenedLibrary library(COVER_HDF5_SONAME, COVER_HDF5_FILE);
-  Opened opened;
+  Opened<Hdf5Library> opened;
 #define COVER_HDF5_FIND(name) library.find(#name, opened.members.name);
   COVER_HDF5_FUNCTIONS(COVER_HDF5_FIND)
 #undef COVER_HDF5_FIND
@@ -35,15 +30,10 @@ Opened open_library() {
   return opened;
 }
 
-const Opened& opened_once() {
-  static const Opened opened = open_library();
-  return opened;
-}
-
 }  // namespace
 
 Result<const Hdf5Library*> hdf5_library() {
-  const Opened& opened = opened_once();
+  const Opened<Hdf5Library>& opened = opened_once<open_hdf5>();
   if (opened.failure.empty()) return &opened.members;
   return Error{ErrorCode::unsupported_format,
                fmt::format("HDF5 is written by its library, which cannot be opened ({}); .vtu and "
@@ -53,6 +43,6 @@ Result<const Hdf5Library*> hdf5_library() {
                {}};
 }
 
-const Hdf5Library& opened_hdf5() { return opened_once().members; }
+const Hdf5Library& opened_hdf5() { return opened_once<open_hdf5>().members; }
 
 }  // namespace cover
