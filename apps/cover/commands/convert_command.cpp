@@ -14,6 +14,7 @@
 #include "commands/commands.hpp"
 #include "commands/options.hpp"
 #include "files/file_check.hpp"
+#include "files/mesh_file.hpp"
 #include "files/output_files.hpp"
 #include "terminal/console.hpp"
 #include "terminal/interrupt.hpp"
@@ -36,7 +37,9 @@ Examples:
   std::string path;
   OutputFiles files;
   Verbosity verbosity;
-  app.add_option("mesh", path, fmt::format("Mesh that cover wrote: {}", listed(mesh_formats())))
+  app.add_option(
+         "mesh", path,
+         fmt::format("Mesh that cover wrote: {}; {}", listed(mesh_formats()), kMeshStreamHelp))
       ->type_name("MESH")
       ->required();
   files.add_meshes(app, "stdout")->required();
@@ -53,8 +56,10 @@ Examples:
 
   const auto log = make_logger(verbosity);
   Interrupt interrupt;
-  const Result<Output> mesh = read_output(path);
-  if (!mesh) return fail(*log, mesh.error());
+  const Result<MeshSource> source = MeshSource::open(path);
+  if (!source) return fail(*log, source.error());
+  const Result<Output> mesh = read_output(source->file());
+  if (!mesh) return fail(*log, source->named(mesh.error()));
   log_notes(*log, mesh->report.notes);
   for (const std::string& warning : files.warnings(mesh->table.attributes))
     log->warn("{}", warning);

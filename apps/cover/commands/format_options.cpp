@@ -28,13 +28,10 @@ std::vector<std::string> FormatOptions::ignored(const std::vector<std::string>& 
                                                 const std::string& format) const {
   std::vector<std::string> sentences;
   for (const auto& written : written_) {
-    const std::string_view counts_with = written.entry->counts_with;
     const auto asks = [&](const std::string& path) {
-      return extension_of_output(path, format) == counts_with;
+      return counts_with(*written.entry, extension_of_output(path, format));
     };
-    if (counts_with.empty() || written.option->count() == 0 ||
-        std::any_of(outputs.begin(), outputs.end(), asks))
-      continue;
+    if (written.option->count() == 0 || std::any_of(outputs.begin(), outputs.end(), asks)) continue;
     sentences.push_back(does_nothing(*written.entry));
   }
   return sentences;

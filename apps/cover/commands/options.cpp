@@ -24,10 +24,26 @@ class NarrowHelp : public CLI::Formatter {
     label("REQUIRED", "");
   }
 
+  /// CLI11 writes "..." behind whatever may be given several times; that stands for several words
+  /// behind one name.
+  std::string make_option_opts(const CLI::Option* option) const override {
+    std::string text = CLI::Formatter::make_option_opts(option);
+    const std::string several = option->get_allow_extra_args() ? "" : kSeveral;
+    const std::string count = fmt::format(" x {}", option->get_expected());
+    for (const std::string& wrong : {several, count})
+      if (const std::size_t at = text.find(wrong); at != text.npos) text.erase(at, wrong.size());
+    return text;
+  }
+
   std::string make_option_desc(const CLI::Option* option) const override {
     std::string out;
     std::size_t column = 0;
-    std::istringstream words(option->get_description());
+    std::string description = option->get_description();
+    const bool is_told = description.find("several") != description.npos;
+    if (!option->get_allow_extra_args() && !is_told &&
+        CLI::Formatter::make_option_opts(option).find(kSeveral) != std::string::npos)
+      description += "; several if repeated";
+    std::istringstream words(description);
     for (std::string word; words >> word;) {
       if (column > 0 && column + 1 + word.size() > kDescription) {
         out += '\n';
@@ -49,6 +65,7 @@ class NarrowHelp : public CLI::Formatter {
   }
 
  private:
+  static constexpr const char* kSeveral = " ...";
   static constexpr std::size_t kNames = 32;
   static constexpr std::size_t kDescription = 68;
 };

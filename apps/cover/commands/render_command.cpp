@@ -10,6 +10,7 @@
 
 #include "commands/commands.hpp"
 #include "commands/options.hpp"
+#include "files/mesh_file.hpp"
 #include "files/writers.hpp"
 #include "png/draw_png.hpp"
 #include "terminal/console.hpp"
@@ -67,8 +68,8 @@ struct Asked {
 
 void add_options(CLI::App& app, Asked& asked) {
   app.add_option("mesh", asked.path,
-                 fmt::format("Mesh to draw: {}; names from the .vtm or .json beside it",
-                             listed(mesh_formats())))
+                 fmt::format("Mesh to draw: {}; names from the .vtm or .json beside it; {}",
+                             listed(mesh_formats()), kMeshStreamHelp))
       ->type_name("")
       ->required();
   app.add_option("-o,--output", asked.outputs, "Picture to write (.svg, .png); '-' is stdout")
@@ -140,12 +141,14 @@ int run_render(Arguments arguments) {
   const auto log = make_logger(asked.verbosity);
   if (!asked.range.empty() && asked.options.color.empty())
     log->warn("--range does nothing: it counts with --color only");
-  const Result<PictureMesh> picture = read_picture(asked.path);
-  if (!picture) return fail(*log, picture.error());
+  const Result<MeshSource> source = MeshSource::open(asked.path);
+  if (!source) return fail(*log, source.error());
+  const Result<PictureMesh> picture = read_picture(source->file());
+  if (!picture) return fail(*log, source->named(picture.error()));
   PictureOptions options = asked.picture_options();
   check_window(options, picture->mesh.soup.points, *log);
   if (options.title.empty()) {
-    const std::string name = std::filesystem::path(asked.path).filename().string();
+    const std::string name = std::filesystem::path(source->name()).filename().string();
     options.title =
         fmt::format("{}: {} triangles", name, grouped(picture->mesh.soup.triangles.size()));
   }

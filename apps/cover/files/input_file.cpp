@@ -81,6 +81,8 @@ bool is_stream(const std::string& path) {
 
 }  // namespace
 
+bool is_nameless_stream(const std::string& path) { return path == "-" || is_nameless_pipe(path); }
+
 CLI::Option* GeometryFile::add(CLI::App& command, bool several) {
   for (const ReadOptionEntry& entry : read_option_table()) {
     written_.push_back({&entry, default_text(entry), nullptr, {}, false});

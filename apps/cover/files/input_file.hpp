@@ -16,6 +16,10 @@
 
 namespace cover::app {
 
+/// Whether nothing but its bytes tells the format of what a path names: `-`, or a pipe without an
+/// extension, as a shell's <(...).
+bool is_nameless_stream(const std::string& path);
+
 /// The INPUT argument and the options of read_option_table().
 class GeometryFile {
  public:

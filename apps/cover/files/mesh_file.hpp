@@ -1,14 +1,45 @@
 // Reading the triangles of a mesh that a subcommand is given.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <spdlog/logger.h>
 
+#include <cover/files.hpp>
+#include <cover/point.hpp>
 #include <cover/result.hpp>
-#include <cover/verify.hpp>
+#include <cover/triangle_soup.hpp>
 
 namespace cover::app {
+
+/// The mesh that a subcommand is given: a file, or `-`, standard input, or a pipe without an
+/// extension. Readers want a file whose extension tells the format, so a stream is copied to one,
+/// in a folder that goes with this object; its format follows from how it begins.
+class MeshSource {
+ public:
+  /// Errors: cannot_open; cannot_write, where the copy finds no room; unsupported_format, where a
+  /// stream begins as no mesh that is one file.
+  static Result<MeshSource> open(const std::string& given);
+
+  /// The file to read.
+  [[nodiscard]] const std::string& file() const { return file_; }
+  /// The mesh, as messages call it.
+  [[nodiscard]] const std::string& name() const { return name_; }
+  /// An error of reading the file, or a note, that speaks of the mesh by its name.
+  [[nodiscard]] Error named(Error error) const;
+  [[nodiscard]] std::string named(std::string message) const;
+
+ private:
+  std::optional<ScratchFolder> folder_;
+  std::string file_, name_;
+};
+
+/// What the help of a subcommand says of meshes that are streams.
+constexpr const char* kMeshStreamHelp = "'-' is standard input, known by how it begins";
 
 /// A mesh without its lines.
 struct MeshTriangles {
@@ -26,6 +57,6 @@ struct MeshTriangles {
 /// second-order triangles were left out, and where a manifest is that of another mesh.
 ///
 /// Errors: those of read_mesh() and read_output()
-Result<MeshTriangles> read_triangles(const std::string& path, spdlog::logger& log);
+Result<MeshTriangles> read_triangles(const MeshSource& source, spdlog::logger& log);
 
 }  // namespace cover::app

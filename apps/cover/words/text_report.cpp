@@ -68,6 +68,11 @@ std::string histogram(const Quality& quality) {
   return out;
 }
 
+/// "; lengths in nm"; empty where the input does not say.
+std::string unit_text(const Report& report) {
+  return report.unit.empty() ? "" : fmt::format("; lengths in {}", printable(report.unit));
+}
+
 std::string arcs_text(const Output& output) {
   if (output.pslg.circles.empty()) return {};
   const CurvedMesh curved = curved_mesh(output);
@@ -168,10 +173,10 @@ std::string totals(const Output& output, const MeshCounts& counts) {
   }
   const std::size_t cuts = output.pslg.points.size() - report.input_points;
   std::string out =
-      fmt::format("{}, {} ({} new{}), {}\n", plural(q.triangles, "triangle"),
+      fmt::format("{}, {} ({} new{}), {}{}\n", plural(q.triangles, "triangle"),
                   grouped(counts.vertices) + " vertices", grouped(report.steiner_vertices + cuts),
                   cuts > 0 ? fmt::format(", {} of them on segments", grouped(cuts)) : "",
-                  plural(report.regions.size(), "region"));
+                  plural(report.regions.size(), "region"), unit_text(report));
   for (const Note& note : report.notes) {
     if (note.kind == Note::Kind::cut || note.kind == Note::Kind::box_cut)
       out += printable(note.message) + '\n';
@@ -393,10 +398,10 @@ std::string mesh_text(const StreamedOutput& streamed, bool every_region) {
 
 std::string info_text(const Prepared& prepared, bool every_region) {
   const RegionTable& table = prepared.table;
-  std::string out = fmt::format("{}, {}, {}, {}\n\n", plural(prepared.pslg.points.size(), "point"),
-                                plural(prepared.pslg.segments.size(), "segment"),
-                                plural(table.regions.size(), "region"),
-                                plural(table.interfaces.size(), "interface"));
+  std::string out = fmt::format(
+      "{}, {}, {}, {}{}\n\n", plural(prepared.pslg.points.size(), "point"),
+      plural(prepared.pslg.segments.size(), "segment"), plural(table.regions.size(), "region"),
+      plural(table.interfaces.size(), "interface"), unit_text(prepared.report));
   out += bounds_of_regions(prepared, every_region) + lines_between(prepared, every_region);
   if (!table.void_points.empty() || !table.void_segments.empty()) {
     out += fmt::format("\nWholly in the void, left out of a mesh: {}, {}\n",

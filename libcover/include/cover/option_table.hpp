@@ -51,7 +51,7 @@ struct OptionOf {
       {};                      ///< the method that it stands for where none is given; empty: none
   std::string_view help = {};  ///< one line
   std::string_view more = {};  ///< what the manual says after it; may be empty
-  /// With what it has an effect, where not always: see counts; of writing, the extension of files.
+  /// With what it has an effect, where not always: see counts; of writing, extensions.
   std::string_view counts_with = {};
   bool (*counts)(const Target&) = nullptr;  ///< whether it has one; nullptr: not told by a Target
   OptionGroup group = OptionGroup::meshing;

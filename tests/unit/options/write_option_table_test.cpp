@@ -47,6 +47,16 @@ TEST(WriteOptionTable, WhatIsSetIsToldAndChangesNothingElse) {
   }
 }
 
+TEST(WriteOptionTable, WholeExtensionsCount) {
+  const WriteOptionEntry& order = *find_write_option("order");
+  for (const char* extension : {".vtu", ".vtk", ".vtkhdf", ".json"})
+    EXPECT_TRUE(counts_with(order, extension)) << extension;
+  for (const char* extension : {".poly", ".svg", ".vt", ".vtkh", ".m"})
+    EXPECT_FALSE(counts_with(order, extension)) << extension;
+  EXPECT_FALSE(counts_with(*find_write_option("lines"), ".vtkhdf"));
+  EXPECT_TRUE(counts_with(*find_write_option("parts"), ".anything"));
+}
+
 TEST(WriteOptionTable, WhatIsNoValueIsRefused) {
   const auto message = [](const char* name, std::string_view value) {
     const WriteOptionEntry* entry = find_write_option(name);

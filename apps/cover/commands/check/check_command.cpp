@@ -63,7 +63,8 @@ struct CheckCommand {
     app.set_help_flag("-h,--help", "Show this help");
     app.footer(kFooter);
     input.add(app, true)->required();
-    app.add_option("mesh", mesh_path, fmt::format("Mesh of any tool: {}", listed(mesh_formats())))
+    app.add_option("mesh", mesh_path,
+                   fmt::format("Mesh of any tool: {}; {}", listed(mesh_formats()), kMeshStreamHelp))
         ->type_name("");  // the inputs take it, as CLI11 has it
     app.add_flag("--allow-split", verify.allow_split,
                  "Segments may have vertices inside; promise 3 is not checked then");
@@ -167,15 +168,14 @@ bool wants_whole(const CheckCommand& command, const Subject& subject) {
 }
 
 /// Checks a large mesh in parts; nothing where it is to be read as a whole.
-std::optional<int> check_parts(const CheckCommand& command, Subject& subject,
-                               const Options& options, spdlog::logger& log) {
-  if (wants_whole(command, subject) || !is_to_stream(command.stream, command.mesh_path))
+std::optional<int> check_parts(const CheckCommand& command, const MeshSource& source,
+                               Subject& subject, const Options& options, spdlog::logger& log) {
+  if (wants_whole(command, subject) || !is_to_stream(command.stream, source.file()))
     return std::nullopt;
   subject.prepared.report = {};
-  if (const auto parts =
-          check_in_parts(subject.prepared, command.mesh_path, command.verify, options))
+  if (const auto parts = check_in_parts(subject.prepared, source.file(), command.verify, options))
     return print_promises(parts->found, parts->triangles, command.verbosity.quiet);
-  log.info("{} is read as a whole, to say more", command.mesh_path);
+  log.info("{} is read as a whole, to say more", source.name());
   return std::nullopt;
 }
 
@@ -187,9 +187,9 @@ Error only_a_part(const std::string& path, std::size_t parts) {
       {}};
 }
 
-Result<MeshTriangles> read_whole(const std::string& path, spdlog::logger& log) {
-  Result<MeshTriangles> mesh = read_triangles(path, log);
-  if (mesh && mesh->parts > 0) return only_a_part(path, mesh->parts);
+Result<MeshTriangles> read_whole(const MeshSource& source, spdlog::logger& log) {
+  Result<MeshTriangles> mesh = read_triangles(source, log);
+  if (mesh && mesh->parts > 0) return only_a_part(source.name(), mesh->parts);
   return mesh;
 }
 
@@ -332,14 +332,15 @@ int print_couplings(const CutInput& cut, const TriangleSoup& mesh, VerifyOptions
 }
 
 /// Checks the promises, and what else is asked for.
-int check_whole(const CheckCommand& command, Subject& subject, const MeshTriangles& mesh) {
+int check_whole(const CheckCommand& command, const std::string& mesh_path, Subject& subject,
+                const MeshTriangles& mesh) {
   const bool quiet = command.verbosity.quiet;
   Prepared& prepared = subject.prepared;
   VerifyOptions verify = command.verify;
   verify.material_numbers = mesh.has_materials;
   Verification found = verify_cover(prepared.pslg, prepared.table, mesh.soup, verify);
-  heed_groups(command.mesh_path, prepared, mesh.soup, verify, found);
-  const auto cuts = take_own_cuts(command.mesh_path, mesh, verify, prepared, found);
+  heed_groups(mesh_path, prepared, mesh.soup, verify, found);
+  const auto cuts = take_own_cuts(mesh_path, mesh, verify, prepared, found);
   if (cuts && (!quiet || !cuts->are_meant)) fmt::print("{}", cuts_text(*cuts));
   print_hints(found, prepared.pslg, mesh.soup, verify.hull);
   int code = print_promises(found, mesh.soup.triangles.size(), quiet);
@@ -371,10 +372,12 @@ int run_check(Arguments arguments) {
   const auto log = make_logger(command.verbosity);
   Result<Subject> subject = read_subject(command, *options, *log);
   if (!subject) return fail(*log, subject.error());
-  if (const auto code = check_parts(command, *subject, *options, *log)) return *code;
-  const Result<MeshTriangles> mesh = read_whole(command.mesh_path, *log);
+  const Result<MeshSource> source = MeshSource::open(command.mesh_path);
+  if (!source) return fail(*log, source.error());
+  if (const auto code = check_parts(command, *source, *subject, *options, *log)) return *code;
+  const Result<MeshTriangles> mesh = read_whole(*source, *log);
   if (!mesh) return fail(*log, mesh.error());
-  return check_whole(command, *subject, *mesh);
+  return check_whole(command, source->file(), *subject, *mesh);
 }
 
 }  // namespace cover::app

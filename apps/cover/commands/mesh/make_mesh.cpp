@@ -38,8 +38,8 @@ bool has_comma(const std::vector<std::string>& names) {
 
 /// What came to `onto` with the input of its run, and does not come with this one's: attributes of
 /// regions stay; values at points have none in new vertices, which is told.
-void keep_attributes(const std::string& onto, Output& output) {
-  Result<Output> before = read_output(onto);
+void keep_attributes(const MeshSource& onto, Output& output) {
+  Result<Output> before = read_output(onto.file());
   // Nothing was lost that cannot be read.
   if (!before || before->table.regions.size() != output.table.regions.size()) return;
   const auto has = [](const auto& all, const std::string& name) {
@@ -53,7 +53,8 @@ void keep_attributes(const std::string& onto, Output& output) {
     output.report.notes.push_back(
         {Note::Kind::warning,
          kVoid,
-         fmt::format("the values '{}' of {} are left out: this input has none", field.name, onto),
+         fmt::format("the values '{}' of {} are left out: this input has none", field.name,
+                     onto.name()),
          {}});
   }
 }
@@ -61,19 +62,21 @@ void keep_attributes(const std::string& onto, Output& output) {
 /// Meshes parts of a mesh again.
 Result<Output> mesh_again(const MeshPlan& plan, const Input& input, const Options& options,
                           const Callbacks& callbacks, spdlog::logger& log) {
-  Result<MeshTriangles> onto = read_triangles(plan.onto, log);
+  const Result<MeshSource> source = MeshSource::open(plan.onto);
+  if (!source) return source.error();
+  Result<MeshTriangles> onto = read_triangles(*source, log);
   if (!onto) return std::move(onto).error();
   if (!onto->has_materials) onto->soup.material.clear();
   Result<Output> output = remesh(input, onto->soup, plan.only, options, callbacks);
   if (output) {
     output->report.provenance.settings.push_back({"onto", plan.onto});
-    keep_attributes(plan.onto, *output);
+    keep_attributes(*source, *output);
     return output;
   }
   Error error = std::move(output).error();
   if (error.code == ErrorCode::bad_option && has_comma(plan.only))
     error.message += "; blanks separate the names of --only";
-  if (error.code == ErrorCode::other_mesh) error.message = plan.onto + ": " + error.message;
+  if (error.code == ErrorCode::other_mesh) error.message = source->name() + ": " + error.message;
   return error;
 }
 

@@ -230,8 +230,9 @@ int dry_run(const MeshCommand& command, const Input& input, const Options& optio
   const Result<Prepared> prepared = prepare(input, options);
   if (!prepared) return fail(log, prepared.error());
   if (!command.plan.onto.empty()) {
-    if (const auto onto = read_triangles(command.plan.onto, log); !onto)
-      return fail(log, onto.error());
+    const Result<MeshSource> source = MeshSource::open(command.plan.onto);
+    if (!source) return fail(log, source.error());
+    if (const auto onto = read_triangles(*source, log); !onto) return fail(log, onto.error());
   }
   log_notes(log, prepared->report.notes);
   return command.is_json() ? print_plan_as_json(command, *prepared, log)
