@@ -44,6 +44,12 @@ class MeshStreams(Case):
                 self.assertIn('standard input begins as no mesh that is one file', told)
         self.assertEqual(self.files(), sorted('d.' + extension for extension in ONE_FILE))
 
+    def test_what_is_missing_is_told_by_its_name(self):
+        _, told = self.run_on((self.dir / 'd.vtu').read_bytes(), 'convert', '-', '-o', 'x.msh')
+        self.assertIn('standard input holds no names of regions', told)
+        self.assertIn('and neither stdin.json nor stdin.vtm is there', told)
+        self.assertNotIn('/', told)
+
     def test_pipes_of_a_shell(self):
         subprocess.run(['bash', '-c', '"$0" check "$1" <(cat d.msh) && "$0" render <(cat d.vtu) -o x.svg',
                         PROGRAM, self.DEVICE], cwd=self.dir, check=True, timeout=60, stdout=subprocess.PIPE)

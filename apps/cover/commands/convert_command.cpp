@@ -58,8 +58,9 @@ Examples:
   Interrupt interrupt;
   const Result<MeshSource> source = MeshSource::open(path);
   if (!source) return fail(*log, source.error());
-  const Result<Output> mesh = read_output(source->file());
+  Result<Output> mesh = read_output(source->file());
   if (!mesh) return fail(*log, source->named(mesh.error()));
+  for (Note& note : mesh->report.notes) note.message = source->named(std::move(note.message));
   log_notes(*log, mesh->report.notes);
   for (const std::string& warning : files.warnings(mesh->table.attributes))
     log->warn("{}", warning);

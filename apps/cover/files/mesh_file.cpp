@@ -99,8 +99,12 @@ Result<MeshSource> MeshSource::open(const std::string& given) {
 
 std::string MeshSource::named(std::string message) const {
   if (!folder_) return message;
-  for (std::size_t at = 0; (at = message.find(file_, at)) != std::string::npos; at += name_.size())
-    message.replace(at, file_.size(), name_);
+  const auto replace_all = [&](const std::string& path, const std::string& word) {
+    for (std::size_t at = 0; (at = message.find(path, at)) != std::string::npos; at += word.size())
+      message.replace(at, path.size(), word);
+  };
+  replace_all(file_, name_);
+  replace_all(folder_->path().string() + "/", "");  // of files that are looked for beside it
   return message;
 }
 
