@@ -20,6 +20,7 @@
 
 #include <cover/cover_mesh.hpp>
 #include <cover/curved_mesh.hpp>
+#include <cover/files.hpp>
 #include <cover/option_table.hpp>
 #include <cover/picture.hpp>
 #include <cover/read_input.hpp>
@@ -327,17 +328,16 @@ void save(const py::object& self, const py::object& path, const py::kwargs& keyw
   const auto& mesh = self.cast<const PyMesh&>();
   const std::string name = py::module_::import("os").attr("fsencode")(path).cast<std::string>();
   check_path(name);
-  const std::filesystem::path file = name;
+  const std::string extension = extension_of(name);
   const WriteOptions options = write_options_from(keywords);
-  if (file.extension() == ".png") {
+  if (extension == ".png") {
     py::module_::import("cover._png").attr("write_png")(self, py::bytes(name), options.order);
     return;
   }
   const Status status = [&]() -> Status {
     const py::gil_scoped_release release;
-    if (file.extension() == ".svg")
-      return write_svg(picture_of(mesh.output, options.order), {}, file);
-    return write_mesh(mesh.output, file, options);
+    if (extension == ".svg") return write_svg(picture_of(mesh.output, options.order), {}, name);
+    return write_mesh(mesh.output, name, options);
   }();
   if (!status) raise(status.error());
 }

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #ifdef COVER_WITH_DXF
+#include <cover/files.hpp>
 #include <cover/read_dxf.hpp>
 #endif
 #ifdef COVER_WITH_GDAL
@@ -21,7 +22,7 @@ namespace cover::reading {
 namespace {
 
 std::string format_in(const std::string& path, const ReadOptions& options) {
-  return options.format.empty() ? format_of_name(path) : options.format;
+  return options.format.empty() ? extension_of(path) : options.format;
 }
 
 /// What is read here, of pipes too, and not by the library's own readers.
@@ -73,10 +74,6 @@ std::string known_formats() {
   text += ", maps in .shp, .gpkg, .fgb, .gml, .kml";
 #endif
   return text;
-}
-
-std::string format_of_name(const std::string& path) {
-  return lower(std::filesystem::path(path).extension().string());
 }
 
 Result<Input> read_geometry(const std::string& path, const ReadOptions& options) {

@@ -13,9 +13,6 @@ namespace cover::reading {
 /// "Triangle's .poly, our .json, ...", for help.
 std::string known_formats();
 
-/// The format that a file's name tells: its extension in lower case, with the dot.
-std::string format_of_name(const std::string& path);
-
 /// Reads a file, with the components that are built in.
 ///
 /// Errors: those of read_input(), read_geo(), read_dxf() and read_gdal()

@@ -165,6 +165,22 @@ class Mesh(Case):
                 _, err = self.run_cover(*words, code=5)
                 self.assertIn('cut off', err)
 
+    def test_extensions_in_upper_case(self):
+        names = ('d.vtu', 'd.ele', 'd.vtm', 'd.svg', 'd.vtkhdf')
+        self.run_cover('mesh', SAMPLES / 'diode.poly', *[word for name in names for word in ('-o', name)], '-q')
+        (self.dir / 'up').mkdir()
+        upper = ['up/' + name.replace(name.split('.')[1], name.split('.')[1].upper()) for name in names]
+        self.run_cover('mesh', SAMPLES / 'diode.poly', *[word for name in upper for word in ('-o', name)], '--report', 'up/r.JSON', '-q')
+        for name, other in zip(names, upper):
+            if name != 'd.vtm':
+                self.assertEqual((self.dir / name).read_bytes(), (self.dir / other).read_bytes(), other)
+            if name != 'd.svg':
+                self.assertIn('Every promise holds', self.run_cover('check', SAMPLES / 'diode.poly', other)[0])
+        _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'x.ELE', '-o', 'x.node', code=2)
+        self.assertIn("unknown format '.node'", err)
+        _, err = self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'x.ELE', '--log', 'x.node', code=2)
+        self.assertIn('would replace each other', err)
+
     def test_stdin_to_stdout(self):
         done = subprocess.run([PROGRAM, 'mesh', '-', '-o', '-'], input=SQUARE.encode(), timeout=60,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE)

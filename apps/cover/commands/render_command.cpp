@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <cover/files.hpp>
 #include <cover/picture.hpp>
 #include <cover/read_mesh.hpp>
 #include <cover/text.hpp>
@@ -21,7 +22,7 @@ namespace {
 
 /// With names and contacts if cover wrote the mesh and its .vtm or .json is there.
 Result<PictureMesh> read_picture(const std::string& path) {
-  const bool blocks = std::filesystem::path(path).extension() == ".vtm";
+  const bool blocks = extension_of(path) == ".vtm";
   const Result<Output> known = read_output(path);
   if (blocks) return known ? Result<PictureMesh>(picture_of(*known)) : known.error();
   Result<MeshFile> mesh = read_mesh(path);

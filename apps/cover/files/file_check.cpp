@@ -10,6 +10,9 @@
 
 #include <fmt/core.h>
 
+#include <cover/files.hpp>
+#include <cover/write_mesh.hpp>
+
 namespace cover::app {
 namespace {
 
@@ -33,12 +36,10 @@ bool same(const fs::path& a, const fs::path& b) {
 /// All files that a name stands for.
 std::vector<fs::path> with_companions(const fs::path& path, bool is_written) {
   std::vector<fs::path> all{path};
-  const std::string extension = path.extension();
-  if (extension == ".ele" || (extension == ".poly" && !is_written))
+  for (const std::string& companion : companions_of(path)) all.emplace_back(companion);
+  // Points may stand in a file of their own.
+  if (extension_of(path) == ".poly" && !is_written)
     all.push_back(fs::path(path).replace_extension(".node"));
-  if (extension == ".ele") all.push_back(fs::path(path).replace_extension(".edge"));
-  if (extension == ".vtm") all.push_back(fs::path(path).replace_extension());
-  if (extension == ".pvtu") all.push_back(path.parent_path() / (path.stem().string() + ".parts"));
   return all;
 }
 
@@ -50,7 +51,7 @@ bool replaces(const fs::path& out, const fs::path& in, bool in_is_written) {
     }
   }
   // A piece of a .vtm.
-  return out.extension() == ".vtm" && in.extension() == ".vtu" && in.has_parent_path() &&
+  return extension_of(out) == ".vtm" && extension_of(in) == ".vtu" && in.has_parent_path() &&
          same(fs::path(out).replace_extension(), in.parent_path());
 }
 
@@ -81,7 +82,7 @@ Status check_folder(const NamedFile& file) {
 
 /// The manifest of X.vtu is X.json; where that is the geometry, the mesh needs another name.
 const char* hint_at_manifest(const NamedFile& out) {
-  return out.is_mesh && fs::path(out.path).extension() == ".json"
+  return out.is_mesh && extension_of(out.path) == ".json"
              ? "; the manifest bears the name of the mesh: give both another one, or write a .vtm, "
                "which holds the names too"
              : "";

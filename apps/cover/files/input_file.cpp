@@ -11,6 +11,7 @@
 
 #include <fmt/core.h>
 
+#include <cover/files.hpp>
 #include <cover/join_inputs.hpp>
 #include <cover/text.hpp>
 
@@ -166,7 +167,7 @@ Result<Input> GeometryFile::read_one(const std::string& path) {
     std::ifstream pipe(path, std::ios::binary);
     return read_stream(pipe, path, options_);
   }
-  if (options_.format.empty()) options_.format = reading::format_of_name(path);
+  if (options_.format.empty()) options_.format = extension_of(path);
   return reading::read_geometry(path, options_);
 }
 

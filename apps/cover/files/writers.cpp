@@ -61,24 +61,18 @@ const std::vector<Format>& report_formats(int order) {
   return order == 2 ? curved : formats;
 }
 
-std::string extensions(const std::vector<Format>& formats) {
+std::vector<std::string> extensions(const std::vector<Format>& formats) {
   std::vector<std::string> names;
   for (const Format& format : formats) names.push_back(format.extension);
-  return listed(names);
+  return names;
 }
 
 Result<Writer> find(const std::vector<Format>& formats, const std::string& path) {
-  const std::string extension = std::filesystem::path(path).extension();
+  const std::string extension = extension_of(path);
   for (const Format& format : formats) {
     if (format.extension == extension) return format.write;
   }
-  return Error{ErrorCode::unsupported_format,
-               fmt::format("cannot write '{}': {}; possible are {}", path,
-                           extension.empty() ? "the name has no extension that tells the format"
-                                             : fmt::format("unknown format '{}'", extension),
-                           extensions(formats)),
-               {},
-               {}};
+  return unknown_output_format(path, extensions(formats));
 }
 
 struct Close {
@@ -106,7 +100,7 @@ Status copy_to_stdout(std::FILE* file) {
 
 Result<Writer> mesh_writer(const std::string& path, const WriteOptions& options) {
   if (Result<Writer> picture = find(picture_formats(options.order), path)) {
-    if (std::filesystem::path(path).extension() == ".png") {
+    if (extension_of(path) == ".png") {
       if (Status there = can_draw_png(); !there) return std::move(there).error();
     }
     return picture;
@@ -114,7 +108,7 @@ Result<Writer> mesh_writer(const std::string& path, const WriteOptions& options)
   if (Status status = can_write(path, options); !status) {
     Error error = std::move(status).error();
     if (error.code == ErrorCode::unsupported_format) {
-      error.message += fmt::format(", {}", extensions(picture_formats()));
+      error.message += ", " + listed(extensions(picture_formats()));
     }
     return error;
   }
@@ -143,11 +137,11 @@ Result<Writer> report_writer(const std::string& path, int order) {
 }
 
 std::string mesh_extensions() {
-  return fmt::format("{}, {}", listed(write_formats()), extensions(picture_formats()));
+  return fmt::format("{}, {}", listed(write_formats()), listed(extensions(picture_formats())));
 }
 
 std::string extension_of_output(const std::string& path, const std::string& format) {
-  return path == "-" ? "." + format : std::filesystem::path(path).extension().string();
+  return path == "-" ? "." + format : extension_of(path);
 }
 
 Status write_to(const std::string& path, const std::string& extension,

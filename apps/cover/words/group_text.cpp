@@ -1,15 +1,18 @@
 #include "words/group_text.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <initializer_list>
 #include <set>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/core.h>
 
+#include <cover/files.hpp>
 #include <cover/mesh_view.hpp>
 #include <cover/text.hpp>
+#include <cover/write_mesh.hpp>
 
 #include "terminal/console.hpp"
 #include "words/text_table.hpp"
@@ -20,12 +23,13 @@ namespace {
 constexpr std::size_t kGroupRows = 20;
 
 bool is_any_of(const std::string& file, std::initializer_list<std::string_view> formats) {
-  const std::string extension = std::filesystem::path(file).extension();
+  const std::string extension = extension_of(file);
   return std::find(formats.begin(), formats.end(), extension) != formats.end();
 }
 
 bool has_numbers(const std::string& file) {
-  return is_any_of(file, {".msh", ".mesh", ".xdmf", ".vtk", ".ele"});
+  const std::vector<std::string> formats = number_formats();
+  return std::find(formats.begin(), formats.end(), extension_of(file)) != formats.end();
 }
 
 std::string row_of_dots(std::size_t rows, std::size_t shown) {

@@ -9,6 +9,10 @@
 
 namespace cover {
 
+/// The extension of a file's name with its dot, in lower case: ".vtu" of "a/B.VTU". By it formats are
+/// known, of what is read and of what is written.
+std::string extension_of(const std::string& path);
+
 /// The whole content of a file.
 ///
 /// Errors: cannot_open, with the reason that the system gives.

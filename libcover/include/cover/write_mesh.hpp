@@ -4,6 +4,7 @@
 // behind is removed when its file is written again.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -40,18 +41,33 @@ std::vector<std::string> write_formats();
 /// Those of write_formats() that hold RegionTable::attributes.
 std::vector<std::string> attribute_formats();
 
+/// Those of write_formats() in which solvers find regions and lines by the numbers of groups.
+std::vector<std::string> number_formats();
+
+/// The other files, or folders, that a mesh written to `path` always brings: .node and .edge of an
+/// .ele, the folder of a .vtm or .pvtu.
+std::vector<std::string> companions_of(const std::string& path);
+
+/// What write_mesh() says of a name by whose extension it knows no format, where `known` are those
+/// that the caller writes.
+Error unknown_output_format(const std::string& path, std::span<const std::string> known);
+
 /// Writes VTK's XML unstructured grid: triangles only, float64 points, raw appended data; cell
 /// arrays material (first, for MFEM), MaterialID, mat_id, RegionId (Int32), max_angle and min_angle
 /// in degrees; then RegionTable::attributes by their names, numbers as Float64, text as Int32,
 /// whose meaning stands in the manifest; Output::fields are point arrays. A name that is taken gets
 /// a number behind it. Where the run put vertices on segments, field data CutVertices is their
 /// number.
+///
+/// Errors: cannot_write, cancelled
 Status write_vtu(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes VTK's format in HDF5 (VTKHDF 1.0, an unstructured grid of one piece): the triangles and
 /// cell arrays of write_vtu(), and as field data the names of regions, materials and lines, the
 /// edges of all lines, the words of attributes X as X_names, and where the mesh comes from. So one
 /// file holds all that read_output() wants.
+///
+/// Errors: cannot_write, cancelled
 Status write_vtkhdf(const Output& output, const std::string& path,
                     const WriteOptions& options = {});
 
@@ -61,6 +77,8 @@ Status write_vtkhdf(const Output& output, const std::string& path,
 /// Behind its own triangles a part has one layer of ghosts: those that share a vertex with them.
 /// Regions stay in one part where they have not too many triangles. The pieces of X.pvtu are
 /// X.parts/X.parts_K_HASH.vtu, and are replaced as those of write_vtm().
+///
+/// Errors: cannot_write, cancelled
 Status write_pvtu(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes a multi-block file with a named .vtu per group of regions and per group of lines beside
@@ -69,9 +87,13 @@ Status write_pvtu(const Output& output, const std::string& path, const WriteOpti
 /// two triangles are always there. Names of materials and of lines, words of attributes, and where
 /// the mesh comes from, stand in the .vtm behind the blocks. The pieces of X.vtm are
 /// X/X_K_HASH.vtu, with the hash of their content; those of an X.vtm that is replaced are removed.
+///
+/// Errors: cannot_write, cancelled
 Status write_vtm(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes the clean PSLG as Triangle's .poly, 17 digits, with region and hole seeds.
+///
+/// Errors: cannot_write
 Status write_poly(const Pslg& pslg, const RegionTable& table, const std::string& path);
 
 /// The report as JSON text.
@@ -81,6 +103,8 @@ std::string report_json(const Output& output);
 std::string report_json(const Prepared& prepared);
 
 /// Writes the report as JSON.
+///
+/// Errors: cannot_write
 Status write_report_json(const Output& output, const std::string& path);
 
 // Formats in text. Doubles are written so that they read back bit for bit. Numbers of lines and, in

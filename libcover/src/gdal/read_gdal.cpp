@@ -1,5 +1,6 @@
 // Features are read one after the other and become polygons and lines at once.
 // Tested by tests/unit/gdal/read_gdal_test.cpp.
+#include <cover/files.hpp>
 #include <cover/read_gdal.hpp>
 
 #include <algorithm>
@@ -36,7 +37,7 @@ using Geometry = GdalHandle<&GdalLibrary::OGR_G_DestroyGeometry>;
 Dataset open_dataset(const GdalLibrary& gdal, const std::string& path) {
   // Those of GML: neither a file beside the input nor a schema from the network.
   const char* const gml[] = {"WRITE_GFS=NO", "DOWNLOAD_SCHEMA=NO", nullptr};
-  const bool is_gml = std::filesystem::path(path).extension() == ".gml";
+  const bool is_gml = extension_of(path) == ".gml";
   return Dataset(gdal.GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, kDrivers,
                                  is_gml ? gml : nullptr, nullptr));
 }

@@ -4,6 +4,7 @@
 //
 // Tested by tests/unit/stream/stream_mesh_test.cpp and, with the program, by
 // tests/cli/large_mesh_test.py.
+#include <cover/files.hpp>
 #include <cover/periodic.hpp>
 #include <cover/stream_mesh.hpp>
 
@@ -252,8 +253,7 @@ std::string needs_whole_mesh(const Input& input, const Options& options) {
 std::string needs_whole_mesh(const std::string& path, const WriteOptions& options) {
   if (options.order != 1) return "triangles of second order";
   if (options.parts != 1) return "a mesh in parts";
-  if (!can_write_spooled(path, options))
-    return fmt::format("a file in {}", std::filesystem::path(path).extension().string());
+  if (!can_write_spooled(path, options)) return fmt::format("a file in {}", extension_of(path));
   return {};
 }
 

@@ -16,6 +16,7 @@
 
 #include <cover/check_in_parts.hpp>
 #include <cover/cover_mesh.hpp>
+#include <cover/files.hpp>
 #include <cover/option_table.hpp>
 #include <cover/options.hpp>
 #include <cover/periodic.hpp>
@@ -202,7 +203,7 @@ bool has_wrong_material(const Verification& found) {
 /// does not say which. They are taken as the latter where they are sound as such alone.
 void heed_groups(const std::string& path, const Prepared& prepared, const TriangleSoup& mesh,
                  VerifyOptions& verify, Verification& found) {
-  if (std::filesystem::path(path).extension() != ".mesh" || !has_wrong_material(found)) return;
+  if (extension_of(path) != ".mesh" || !has_wrong_material(found)) return;
   verify.material_numbers = false;
   Verification as_groups = verify_cover(prepared.pslg, prepared.table, mesh, verify);
   verify.material_numbers = has_wrong_material(as_groups);

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include <cover/cover_mesh.hpp>
+#include <cover/files.hpp>
 #include <cover/mesh_counts.hpp>
 #include <cover/read_mesh.hpp>
 #include <cover/remesh.hpp>
@@ -92,7 +93,7 @@ std::string what_needs_all_in_memory(const MeshPlan& plan, const OutputFiles& fi
     if (std::string why = needs_whole_mesh(path, format); !why.empty()) return why;
   }
   for (const std::string& path : files.reports())
-    if (std::filesystem::path(path).extension() == ".html") return "a report that shows the mesh";
+    if (extension_of(path) == ".html") return "a report that shows the mesh";
   return {};
 }
 

@@ -16,6 +16,8 @@
 
 #include <fmt/core.h>
 
+#include <cover/files.hpp>
+
 #include "base/words/characters.hpp"
 #include "io/files/names_in_folder.hpp"
 
@@ -108,7 +110,7 @@ Result<PieceFolder> PieceFolder::open(const fs::path& target, const std::string&
   out.target_ = target;
   out.stem_ = target.stem();
   // A .vtm and a .pvtu of one name have folders of their own.
-  if (target.extension() == ".pvtu") out.stem_ += ".parts";
+  if (extension_of(target) == ".pvtu") out.stem_ += ".parts";
   out.folder_ = target.parent_path() / out.stem_;
   out.shown_ = shown;
   out.stop_ = std::move(stop);

@@ -31,9 +31,6 @@ std::optional<long> parse_integer(std::string_view field);
 /// nothing.
 std::string hint_at_comma(std::string_view field);
 
-/// The extension of a file's name with its dot, in lower case.
-std::string extension_of(const std::string& path);
-
 /// A field as a message can hold it: cut off after 40 bytes, with '?' for what is no letter.
 std::string legible(std::string_view field);
 

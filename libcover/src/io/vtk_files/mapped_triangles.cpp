@@ -141,7 +141,7 @@ std::optional<MappedTriangles> map_vtu(MappedFile file, const std::string& path)
 }  // namespace
 
 std::optional<MappedTriangles> map_triangles(const std::string& path) {
-  const std::string extension = std::filesystem::path(path).extension().string();
+  const std::string extension = extension_of(path);
   if (std::endian::native != std::endian::little || (extension != ".vtu" && extension != ".vtkhdf"))
     return std::nullopt;
   std::optional<MappedFile> file = MappedFile::open(path);

@@ -4,7 +4,7 @@
 #include <array>
 #include <filesystem>
 
-#include <cover/text.hpp>
+#include <cover/files.hpp>
 #include <cover/write_mesh.hpp>
 
 #include <fmt/core.h>
@@ -32,6 +32,8 @@ struct Format {
   Attributes attributes = Attributes::left_out;
   bool second_order = true;  ///< can hold triangles with six nodes, or no triangles at all
   Files files = Files::one;
+  bool numbers = false;  ///< solvers find regions and lines by the numbers of groups
+  std::array<const char*, 2> companions{};  ///< endings of its other files, always there
 };
 
 Status write_clean_input(const Output& output, const std::string& path, const WriteOptions&) {
@@ -40,15 +42,21 @@ Status write_clean_input(const Output& output, const std::string& path, const Wr
 
 constexpr std::array kFormats{
     Format{".vtu", write_vtu, Attributes::held},
-    Format{".vtm", write_vtm, Attributes::held, true, Files::several},
+    Format{".vtm", write_vtm, Attributes::held, true, Files::several, false, {""}},
     Format{".vtkhdf", write_vtkhdf, Attributes::held},
-    Format{".vtk", write_vtk},
-    Format{".msh", write_msh, Attributes::held, true, Files::one_or_parts},
-    Format{".pvtu", write_pvtu, Attributes::held, true, Files::several},
-    Format{".xdmf", write_xdmf, Attributes::held, true, Files::one_or_with_hdf5},
-    Format{".mesh", write_medit},
+    Format{".vtk", write_vtk, Attributes::left_out, true, Files::one, true},
+    Format{".msh", write_msh, Attributes::held, true, Files::one_or_parts, true},
+    Format{".pvtu", write_pvtu, Attributes::held, true, Files::several, false, {".parts"}},
+    Format{".xdmf", write_xdmf, Attributes::held, true, Files::one_or_with_hdf5, true},
+    Format{".mesh", write_medit, Attributes::left_out, true, Files::one, true},
     Format{".inp", write_inp},
-    Format{".ele", write_triangle, Attributes::left_out, true, Files::several},
+    Format{".ele",
+           write_triangle,
+           Attributes::left_out,
+           true,
+           Files::several,
+           true,
+           {".node", ".edge"}},
     Format{".obj", write_obj, Attributes::left_out, false},
     Format{".off", write_off, Attributes::left_out, false},
     Format{".ply", write_ply, Attributes::left_out, false},
@@ -57,18 +65,19 @@ constexpr std::array kFormats{
 };
 
 Result<Format> format_of(const std::string& path) {
-  const std::string extension = std::filesystem::path(path).extension().string();
+  const std::string extension = extension_of(path);
   const auto* const found =
       std::find_if(kFormats.begin(), kFormats.end(),
                    [&](const Format& format) { return format.extension == extension; });
   if (found != kFormats.end()) return *found;
-  return Error{ErrorCode::unsupported_format,
-               fmt::format("cannot write '{}': {}; possible are {}", path,
-                           extension.empty() ? "the name has no extension that tells the format"
-                                             : fmt::format("unknown format '{}'", extension),
-                           listed(write_formats())),
-               {},
-               {}};
+  return unknown_output_format(path, write_formats());
+}
+
+std::vector<std::string> formats_with(bool (*has)(const Format&)) {
+  std::vector<std::string> extensions;
+  for (const Format& format : kFormats)
+    if (has(format)) extensions.emplace_back(format.extension);
+  return extensions;
 }
 
 Status bad(std::string message) { return Error{ErrorCode::bad_option, std::move(message), {}, {}}; }
@@ -103,17 +112,37 @@ Status check_name(const Format& format, const std::string& path, const WriteOpti
 
 }  // namespace
 
+Error unknown_output_format(const std::string& path, std::span<const std::string> known) {
+  const std::string extension = extension_of(path);
+  return {ErrorCode::unsupported_format,
+          fmt::format("cannot write '{}': {}; possible are {}", path,
+                      extension.empty() ? "the name has no extension that tells the format"
+                                        : fmt::format("unknown format '{}'", extension),
+                      listed(known)),
+          {},
+          {}};
+}
+
 std::vector<std::string> write_formats() {
-  std::vector<std::string> extensions;
-  for (const Format& format : kFormats) extensions.emplace_back(format.extension);
-  return extensions;
+  return formats_with([](const Format&) { return true; });
 }
 
 std::vector<std::string> attribute_formats() {
-  std::vector<std::string> extensions;
-  for (const Format& format : kFormats)
-    if (format.attributes == Attributes::held) extensions.emplace_back(format.extension);
-  return extensions;
+  return formats_with([](const Format& format) { return format.attributes == Attributes::held; });
+}
+
+std::vector<std::string> number_formats() {
+  return formats_with([](const Format& format) { return format.numbers; });
+}
+
+std::vector<std::string> companions_of(const std::string& path) {
+  const Result<Format> format = format_of(path);
+  if (!format) return {};
+  std::vector<std::string> companions;
+  for (const char* ending : format->companions)
+    if (ending != nullptr)
+      companions.push_back(std::filesystem::path(path).replace_extension(ending).string());
+  return companions;
 }
 
 Status can_write(const std::string& path, const WriteOptions& options) {

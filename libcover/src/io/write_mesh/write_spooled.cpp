@@ -3,7 +3,10 @@
 // memory.
 #include "io/write_mesh/write_spooled.hpp"
 
-#include <filesystem>
+#include <algorithm>
+#include <string_view>
+
+#include <cover/files.hpp>
 
 #include "base/run_all.hpp"
 #include "io/files/atomic_file.hpp"
@@ -14,23 +17,6 @@
 
 namespace cover {
 namespace {
-
-/// What files take at the most, in bytes: for room on the disk.
-constexpr double kBytesPerTriangle = 65, kBytesPerVertex = 24, kBytesPerLine = 24,
-                 kBytesPerRegion = 64, kTextPerTriangle = 45, kTextPerVertex = 56;
-
-std::string extension_of(const std::string& path) {
-  return std::filesystem::path(path).extension().string();
-}
-
-double size_of_file(const SpooledMesh& mesh, const std::string& path) {
-  const bool text = extension_of(path) == ".msh";
-  return (text ? kTextPerTriangle : kBytesPerTriangle) *
-             static_cast<double>(mesh.spool.triangles()) +
-         (text ? kTextPerVertex : kBytesPerVertex) * static_cast<double>(mesh.spool.vertices()) +
-         kBytesPerLine * static_cast<double>(mesh.line_count) +
-         kBytesPerRegion * static_cast<double>(mesh.spool.regions());
-}
 
 /// The arrays of a grid, read as they are written. The first failure to read is kept.
 class SpooledArrays {
@@ -231,27 +217,61 @@ Status write_spooled_xdmf(const SpooledMesh& mesh, const std::string& path,
   return write_xdmf_file(arrays.xdmf(view), path, options.stop, [&] { return arrays.status(); });
 }
 
+/// What files take at the most, in bytes: for room on the disk.
+struct BytesPer {
+  double triangle, vertex;
+};
+constexpr BytesPer kNumbers{65, 24}, kText{45, 56};
+constexpr double kBytesPerLine = 24, kBytesPerRegion = 64;
+
+struct SpooledFormat {
+  std::string_view extension;
+  Status (*write)(const SpooledMesh&, const std::string& path, const WriteOptions&);
+  BytesPer bytes = kNumbers;
+  bool by_columns = false;
+};
+
+constexpr SpooledFormat kSpooled[] = {
+    {".vtu", write_spooled_vtu},
+    {".vtkhdf", write_spooled_vtkhdf, kNumbers, true},
+    {".msh", write_spooled_msh, kText},
+    {".xdmf", write_spooled_xdmf},
+};
+
+/// Null: its files want the whole mesh.
+const SpooledFormat* spooled_format(const std::string& path) {
+  const std::string extension = extension_of(path);
+  const auto* const found =
+      std::find_if(std::begin(kSpooled), std::end(kSpooled),
+                   [&](const SpooledFormat& format) { return format.extension == extension; });
+  return found != std::end(kSpooled) ? found : nullptr;
+}
+
+double size_of_file(const SpooledMesh& mesh, const BytesPer& bytes) {
+  return bytes.triangle * static_cast<double>(mesh.spool.triangles()) +
+         bytes.vertex * static_cast<double>(mesh.spool.vertices()) +
+         kBytesPerLine * static_cast<double>(mesh.line_count) +
+         kBytesPerRegion * static_cast<double>(mesh.spool.regions());
+}
+
 }  // namespace
 
 bool can_write_spooled(const std::string& path, const WriteOptions& options) {
-  const std::string extension = extension_of(path);
-  if (options.parts != 1) return false;
-  return extension == ".vtu" || extension == ".vtkhdf" || extension == ".msh" ||
-         (extension == ".xdmf" && options.xdmf == "hdf5");
+  const SpooledFormat* const format = spooled_format(path);
+  if (format == nullptr || options.parts != 1) return false;
+  return format->write != write_spooled_xdmf || options.xdmf == "hdf5";
 }
 
 bool is_written_by_columns(const std::string& path) {
-  return extension_of(path) == ".vtkhdf" && !is_written_directly(path);
+  const SpooledFormat* const format = spooled_format(path);
+  return format != nullptr && format->by_columns && !is_written_directly(path);
 }
 
 Status write_spooled(const SpooledMesh& mesh, const std::string& path,
                      const WriteOptions& options) {
-  if (Status status = check_room(path, size_of_file(mesh, path)); !status) return status;
-  const std::string extension = extension_of(path);
-  return extension == ".vtu"      ? write_spooled_vtu(mesh, path, options)
-         : extension == ".vtkhdf" ? write_spooled_vtkhdf(mesh, path, options)
-         : extension == ".xdmf"   ? write_spooled_xdmf(mesh, path, options)
-                                  : write_spooled_msh(mesh, path, options);
+  const SpooledFormat& format = *spooled_format(path);
+  if (Status status = check_room(path, size_of_file(mesh, format.bytes)); !status) return status;
+  return format.write(mesh, path, options);
 }
 
 }  // namespace cover

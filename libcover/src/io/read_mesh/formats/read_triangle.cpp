@@ -51,7 +51,9 @@ class TriangleReader {
     for (const auto& [extension, part] : {std::pair{".node", &TriangleReader::read_nodes},
                                           {".ele", &TriangleReader::read_elements},
                                           {".edge", &TriangleReader::read_edges}}) {
-      const std::string file = fs::path(path_).replace_extension(extension).string();
+      const bool is_given = extension == std::string_view(".ele");  // in any case of letters
+      const std::string file =
+          is_given ? path_ : fs::path(path_).replace_extension(extension).string();
       if (extension == std::string_view(".edge") && !fs::is_regular_file(file)) continue;
       const Result<std::string> text = read_file(file);
       if (!text) return text.error();

@@ -258,11 +258,12 @@ Status write_msh_parts(const MeshView& view, const RegionTable& table, const std
   const MshParts parts(view, partition);
   const ViewCells cells(view, true);
   std::filesystem::path stem(path);
+  const std::string extension = stem.extension();
   stem.replace_extension();
   std::vector<TextWriter> files;
   for (std::uint32_t part = 0; part < count; ++part) {
-    Result<TextWriter> file =
-        TextWriter::create(stem.string() + "_" + std::to_string(part + 1) + ".msh", options.stop);
+    Result<TextWriter> file = TextWriter::create(
+        stem.string() + "_" + std::to_string(part + 1) + extension, options.stop);
     if (!file) return std::move(file).error();
     MshPartWriter(view, cells, table, *file).write(parts, part);
     if (Status status = file->prepare(); !status) return status;

@@ -67,9 +67,11 @@ void write_edges(const MeshView& view, TextWriter& out) {
 Status write_triangle(const Output& output, const std::string& path, const WriteOptions& options) {
   const MeshView view = view_of(output, options);
   std::vector<TextWriter> files;
-  for (const char* extension : {".node", ".ele", ".edge"}) {
-    Result<TextWriter> file = TextWriter::create(
-        std::filesystem::path(path).replace_extension(extension).string(), options.stop);
+  const std::filesystem::path elements(path);
+  for (const std::filesystem::path& name :
+       {std::filesystem::path(path).replace_extension(".node"), elements,
+        std::filesystem::path(path).replace_extension(".edge")}) {
+    Result<TextWriter> file = TextWriter::create(name.string(), options.stop);
     if (!file) return std::move(file).error();
     files.push_back(std::move(*file));
   }
