@@ -9,8 +9,8 @@
 
 namespace cover {
 
-/// The extension of a file's name with its dot, in lower case: ".vtu" of "a/B.VTU". By it formats are
-/// known, of what is read and of what is written.
+/// The extension of a file's name with its dot, in lower case: ".vtu" of "a/B.VTU". By it formats
+/// are known, of what is read and of what is written.
 std::string extension_of(const std::string& path);
 
 /// The whole content of a file.
