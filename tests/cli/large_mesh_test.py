@@ -348,6 +348,16 @@ print(len(seen))
             _, err = self.run_cover(*words, code=5 if words[0] == 'check' else 0)
             self.assertIn('is one of 3 files of a mesh', err)
 
+    def test_parts_of_a_mesh_in_more_parts_go(self):
+        mesh = ('mesh', SAMPLES / 'diode.poly', '-o', 'd.msh', '--msh', '4.1', '-q', '--parts')
+        self.run_cover(*mesh, 5)
+        self.write('d_7.msh', '$MeshFormat\n')  # no part of it
+        self.run_cover(*mesh, 2)
+        self.assertEqual(self.files(), ['d_1.msh', 'd_2.msh', 'd_7.msh'])
+        self.write('d_3.msh', 'somebody else\'s')
+        self.run_cover(*mesh, 2)
+        self.assertEqual(self.files(), ['d_1.msh', 'd_2.msh', 'd_3.msh', 'd_7.msh'])
+
     def test_only_where_the_format_has_parts(self):
         self.assertIn('version 4.1', self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.msh', '--parts', 2, code=2)[1])
         self.assertIn('in parts', self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '--parts', 2, code=2)[1])

@@ -244,8 +244,19 @@ class Sizes(Case):
         nmos = SAMPLES / 'nmos.tif'
         command = ('mesh', nmos, '--size-field', nmos, '--size-of', 'asinh(Net/1e17)', '-o', 'd.vtu')
         self.assertNotIn('the size field', self.run_cover(*command)[1])
-        _, err = self.run_cover(*command, '--scale', '1e-6', '--unit', 'm')
-        self.assertRegex(err, 'the size field .*nmos.tif lies .*; the drawing alone was scaled')
+
+    def test_sizes_of_the_same_file_are_scaled_with_it(self):
+        self.write('nmos.tif', (SAMPLES / 'nmos.tif').read_text())
+        command = ('mesh', SAMPLES / 'nmos.tif', '--size-of', 'asinh(Net/1e17)', '-o', 'd.vtu')
+        plain, _ = self.run_cover(*command, '--size-field', SAMPLES / 'nmos.tif')
+        scaled, err = self.run_cover(*command, '--size-field', SAMPLES / 'nmos.tif', '--scale', 4, '--unit', 'um')
+        self.assertNotIn('size field', err)
+        self.assertEqual(plain.splitlines()[0], scaled.splitlines()[0].removesuffix('; lengths in um').removesuffix('; lengths in nm'))
+        # A copy is a file of its own, whose lengths are what they are.
+        _, err = self.run_cover(*command, '--size-field', 'nmos.tif', '--scale', 4, '--unit', 'um')
+        self.assertIn('the drawing alone was multiplied by 4, not places and lengths of the size field nmos.tif', err)
+        _, err = self.run_cover(*command, '--size-field', 'nmos.tif', '--scale', '1e-6')
+        self.assertRegex(err, 'the size field nmos.tif lies .*; the drawing alone was multiplied by 1e-06')
 
     def test_what_is_no_field(self):
         fine = self.fine_square()

@@ -34,7 +34,7 @@ class Render(Case):
 
     def test_unknown_array(self):
         _, err = self.run_cover('render', 'd.vtu', '-o', 'd.png', '--color', 'stress', code=2)
-        self.assertIn("no cell array 'stress'; it has", err)
+        self.assertIn("the mesh has no array 'stress'; it has", err)
 
     def test_regions_and_materials_as_values(self):
         # A .vtm has a block for each region, and no array of them; the colours are those of the other formats.

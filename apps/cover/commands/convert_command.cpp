@@ -62,7 +62,7 @@ Examples:
   if (!mesh) return fail(*log, source->named(mesh.error()));
   for (Note& note : mesh->report.notes) note.message = source->named(std::move(note.message));
   log_notes(*log, mesh->report.notes);
-  for (const std::string& warning : files.warnings(mesh->table.attributes))
+  for (const std::string& warning : files.warnings(mesh->table.attributes, mesh->fields))
     log->warn("{}", warning);
   if (const std::string rounded = files.rounding(*mesh); !rounded.empty()) log->warn("{}", rounded);
   const Status done = files.write(*mesh, interrupt.token(), ShowProgress::off, *log);

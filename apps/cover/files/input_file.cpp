@@ -37,7 +37,13 @@ std::string_view format_of(std::string_view text) {
   const std::size_t start = text.find_first_not_of(" \t\r\n");
   const char first = start == std::string_view::npos ? ' ' : text[start];
   if (text.starts_with("# vtk DataFile")) return ".vtk";
-  if (first == '<') return ".vtu";  // and VTK's other data sets in XML: their root tells
+  if (text.starts_with("\x89HDF")) return ".vtkhdf";
+  if (first == '<') {
+    const std::string_view head = text.substr(0, 4096);
+    if (head.find("<kml") != head.npos) return ".kml";
+    if (head.find("FeatureCollection") != head.npos) return ".gml";
+    return ".vtu";  // and VTK's other data sets in XML: their root tells
+  }
   if (first == '$') return ".msh";
   if (first == ';' || first == '(') return ".cmd";
   if (start != std::string_view::npos && begins_as_dxf(text, start)) return ".dxf";

@@ -88,28 +88,38 @@ Status OutputFiles::can_hold_periodic() const {
   return status;
 }
 
-std::vector<std::string> OutputFiles::warnings(const std::vector<Attribute>& attributes) const {
+std::vector<std::string> OutputFiles::warnings(
+    const std::vector<Attribute>& attributes,
+    std::span<const PlaneField::Array> values_at_points) const {
   std::vector<std::string> sentences = formats_.ignored(meshes_, format_);
   if (format_option_ != nullptr && format_option_->count() > 0 && !has_stdout())
     sentences.emplace_back("--format does nothing: it counts with '-o -' only");
-  if (std::string lost = attributes_lost(attributes); !lost.empty())
-    sentences.push_back(std::move(lost));
+  const bool has_manifest = std::any_of(
+      meshes_.begin(), meshes_.end(),
+      [&](const std::string& path) { return extension_of_output(path, format_) == ".json"; });
+  const auto names_of = [](const auto& all) {
+    std::vector<std::string> names;
+    for (const auto& one : all) names.push_back(one.name);
+    return names;
+  };
+  if (!has_manifest)
+    sentences.push_back(lost("attributes", names_of(attributes), attribute_formats()));
+  sentences.push_back(lost("values at points", names_of(values_at_points), value_formats()));
+  std::erase_if(sentences, [](const std::string& sentence) { return sentence.empty(); });
   return sentences;
 }
 
-std::string OutputFiles::attributes_lost(const std::vector<Attribute>& attributes) const {
-  const std::vector<std::string> holding = attribute_formats();
+std::string OutputFiles::lost(std::string_view what, const std::vector<std::string>& names,
+                              const std::vector<std::string>& holding) const {
   const std::vector<std::string> known = write_formats();
-  std::vector<std::string> names, without;
-  for (const Attribute& attribute : attributes) names.push_back(attribute.name);
+  std::vector<std::string> without;
   for (const std::string& path : meshes_) {
     const std::string extension = extension_of_output(path, format_);
-    if (extension == ".json") return {};  // a manifest, which holds them
-    const bool is_mesh = is_among(known, extension) && extension != ".poly";
+    const bool is_mesh = is_among(known, extension) && extension != ".poly" && extension != ".json";
     if (is_mesh && !is_among(holding, extension)) without.push_back(name_of(path));
   }
   if (names.empty() || without.empty()) return {};
-  return fmt::format("attributes ({}) are not in {}: formats that hold them are {}", listed(names),
+  return fmt::format("{} ({}) are not in {}: formats that hold them are {}", what, listed(names),
                      listed(without), listed(holding));
 }
 

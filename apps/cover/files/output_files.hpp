@@ -58,8 +58,10 @@ class OutputFiles {
   [[nodiscard]] Status can_hold_periodic() const;
 
   /// What is lost without harm, a sentence each: options that do nothing, `attributes` that stand
-  /// in no manifest and that a file cannot hold.
-  [[nodiscard]] std::vector<std::string> warnings(const std::vector<Attribute>& attributes) const;
+  /// in no manifest and that a file cannot hold, and values at points that none of them can.
+  [[nodiscard]] std::vector<std::string> warnings(
+      const std::vector<Attribute>& attributes,
+      std::span<const PlaneField::Array> values_at_points) const;
   /// Where a file cannot hold all digits of coordinates: a sentence that tells; else empty.
   [[nodiscard]] std::string rounding(const Output& output) const;
 
@@ -82,7 +84,9 @@ class OutputFiles {
     bool is_report = false;
   };
 
-  [[nodiscard]] std::string attributes_lost(const std::vector<Attribute>& attributes) const;
+  /// That files hold none of what is called so: all but those in a format that is `holding`.
+  [[nodiscard]] std::string lost(std::string_view what, const std::vector<std::string>& names,
+                                 const std::vector<std::string>& holding) const;
   [[nodiscard]] Status write_each(const std::function<Status(const Planned&)>& write,
                                   ShowProgress show, spdlog::logger& log) const;
 

@@ -74,15 +74,15 @@ std::string sound_text(const Verification& found, std::size_t triangles) {
 std::string cuts_text(const OwnCuts& cuts) {
   if (!cuts.are_meant) {
     const char* const all_else = cuts.are_pieces_sound ? "all else" : "all else but materials";
-    return cuts.are_on_arcs
-               ? fmt::format(
-                     "Segments are cut at {} points, those of arcs on their circles; {} is sound. "
-                     "If they were to be cut, as by --split-interfaces, add --allow-split\n",
-                     grouped(cuts.points), all_else)
-               : fmt::format(
-                     "Segments have vertices inside; {} is sound. If they were to be cut, as by "
-                     "--split-interfaces, --box-method or --method nonobtuse, add --allow-split\n",
-                     all_else);
+    const std::string what =
+        cuts.are_on_arcs
+            ? fmt::format("Segments are cut at {} points, those of arcs on their circles",
+                          grouped(cuts.points))
+            : "Segments have vertices inside";
+    return fmt::format(
+        "{}; {} is sound. If sides were made images of each other, repeat --periodic; if segments "
+        "were to be cut, as by --split-interfaces{}, add --allow-split\n",
+        what, all_else, cuts.are_on_arcs ? "" : ", --box-method or --method nonobtuse");
   }
   return cuts.are_on_arcs
              ? fmt::format("Segments are cut at {} points, those of arcs on their circles{}{}\n",
@@ -97,6 +97,16 @@ std::string missing_text(std::size_t points) {
       "{} of the input missing in the mesh. If the run that made it moved them, repeat its --weld, "
       "--overlap, --scale or --crs here\n",
       counted(points, "point"));
+}
+
+std::string other_regions_text(const Verification& found) {
+  const bool has_other_ids =
+      std::any_of(found.violations.begin(), found.violations.end(), [](const Violation& violation) {
+        return violation.promise == 4 && violation.message.find("RegionId") != std::string::npos;
+      });
+  return has_other_ids ? "If the run that made it joined regions of one material, or did not, "
+                         "repeat or leave out --merge-materials here\n"
+                       : "";
 }
 
 std::string in_void_text(std::size_t triangles) {

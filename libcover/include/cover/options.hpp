@@ -118,6 +118,7 @@ struct Options {
   bool input_sizes = true;      ///< false: those of the input's regions do not count
   SizeFunction size_field;      ///< background sizes; empty: none. See size_function()
   std::string size_field_name;  ///< of the background sizes, for reports
+  double size_field_scale = 1;  ///< of places and lengths in its file, as Input::scale; > 0
   /// The file of the background sizes holds no lengths but values, of which this is a function: its
   /// name, "asinh", or an expression of the arrays' names. Sizes are such that it changes by at
   /// most size_step from one end of an edge to the other. Empty: lengths.

@@ -31,15 +31,17 @@ Result<SizeSamples> read_size_field(const std::string& path);
 ///           triangles
 Result<SizeSamples> read_size_field(const std::string& path, const std::string& of, double step);
 
-/// Makes Options::size_field of the file that Options::size_field_name names. Does nothing where
-/// there is no name, or the function already.
+/// Makes Options::size_field of the file that Options::size_field_name names, scaled by
+/// Options::size_field_scale. Does nothing where there is no name, or the function already.
 ///
 /// Errors: those of read_size_field() and size_function()
 Status load_size_field(Options& options);
 
-/// The same for that input, which gets a warning where its points and those of the file hardly
-/// meet, or one of both is more than a thousand times as large: ReadOptions::scale, say, has no
-/// effect on the file.
+/// The same for that input. If it was read from the same file, its scale is that of the sizes, too
+/// (Options::size_field_scale). Else a warning tells that it was scaled alone, and where its points
+/// and those of the file hardly meet, or one of both is more than a thousand times as large.
+///
+/// Errors: as the other
 Status load_size_field(Options& options, Input& input);
 
 }  // namespace cover

@@ -15,13 +15,15 @@ bool is_length_unit(std::string_view unit);
 /// Multiplies all lengths of `input`: by powers of two exactly; by powers of ten with each
 /// coordinate rounded once, so that 45 nm becomes the double 4.5e-8; by any other factor as the
 /// nearest double to coordinate times `factor`. How many coordinates this rounds is told in
-/// `input.warnings`, as points on one line need not stay so.
+/// `input.warnings`, as points on one line need not stay so. The unit follows, from um to nm by
+/// 1000, or is none any more, by 25.4.
 ///
 /// Errors: bad_option where `factor` is not above zero and finite; non_finite_coordinate where a
 /// coordinate overflows.
 Status scale_input(Input& input, double factor);
 
-/// What options ask of all formats alike: the unit, then the scale.
+/// What options ask of all formats alike: the scale, then the unit of what it leads to. A warning
+/// tells where the input's own unit says something else, or has no name after the scale.
 ///
 /// Errors: as scale_input()
 Status apply_units(Input& input, const ReadOptions& options);

@@ -41,6 +41,9 @@ std::vector<std::string> write_formats();
 /// Those of write_formats() that hold RegionTable::attributes.
 std::vector<std::string> attribute_formats();
 
+/// Those of write_formats() that hold Output::fields.
+std::vector<std::string> value_formats();
+
 /// Those of write_formats() in which solvers find regions and lines by the numbers of groups.
 std::vector<std::string> number_formats();
 
@@ -117,7 +120,7 @@ Status write_report_json(const Output& output, const std::string& path);
 /// Writes VTK's legacy format, version 3.0: cell arrays MaterialID, material, mat_id, RegionId.
 /// With options.lines: triangles, then lines; MaterialID (on inner lines -1), ManifoldID (the
 /// number of an inner line, else -1), LineID, RegionId. With options.ids, these are in MaterialID
-/// and mat_id, and there is always a `material`.
+/// and mat_id, and there is always a `material`. Fields are data of points.
 Status write_vtk(const Output& output, const std::string& path, const WriteOptions& options = {});
 
 /// Writes gmsh's format. Physical groups: regions by name, interfaces by the regions on both sides

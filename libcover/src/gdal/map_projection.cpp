@@ -48,6 +48,7 @@ Result<MapProjection> projection_of(OGRSpatialReferenceH system, const std::stri
   projection.transform.reset(gdal.OCTNewCoordinateTransformation(from.get(), to.get()));
   if (!projection.transform)
     return bad_crs(fmt::format("crs: there is no way from the layer's system to '{}'", wanted));
+  projection.from_degrees = gdal.OSRIsGeographic(from.get()) != 0;
   describe_result(to.get(), projection);
   return projection;
 }

@@ -13,8 +13,9 @@ namespace cover {
 struct MapProjection {
   /// nullptr: they are taken as they are
   GdalHandle<&GdalLibrary::OCTDestroyCoordinateTransformation> transform;
-  bool degrees = false;  ///< whether the result is longitudes and latitudes
-  std::string unit;      ///< "m" where the result is said to be metres
+  bool from_degrees = false;  ///< whether what is transformed is longitudes and latitudes
+  bool degrees = false;       ///< whether the result is
+  std::string unit;           ///< "m" where the result is said to be metres
 };
 
 /// `system` is the layer's and may be nullptr; `wanted` as "EPSG:25832", empty: none. Files and

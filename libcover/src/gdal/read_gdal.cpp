@@ -21,7 +21,7 @@
 #include "gdal/map_projection.hpp"
 #include "gdal/quiet_gdal.hpp"
 #include "io/input/attribute_table.hpp"
-#include "io/input/degrees.hpp"
+#include "io/input/map_words.hpp"
 
 namespace cover {
 namespace {
@@ -60,6 +60,8 @@ class MapReader {
   Result<Input> read() {
     const Dataset dataset = open_dataset(gdal_, input_.source);
     if (!dataset) return failed(quiet_.failure().empty() ? "no map in it" : quiet_.failure());
+    note_unknown_system();
+    note_missing_table();
     quiet_.forget();
     const std::vector<OGRLayerH> layers = choose(dataset.get());
     for (OGRLayerH layer : layers) {
@@ -70,6 +72,7 @@ class MapReader {
     if (error_) return *std::move(error_);
     tell();
     input_.attributes = attributes_.attributes();
+    tell_renamed(input_.attributes, input_.warnings);
     return std::move(input_);
   }
 
@@ -83,6 +86,30 @@ class MapReader {
   /// Turns what GDAL complained of into an error.
   void note_failure() {
     if (!error_ && !quiet_.failure().empty()) error_ = failed(quiet_.failure());
+  }
+
+  /// Where PROJ does not know the system that a file names, GDAL takes another one for it.
+  void note_unknown_system() {
+    const std::string said = quiet_.failure();
+    if (!said.starts_with("PROJ")) return;
+    if (!options_.crs.empty())
+      return fail(
+          ErrorCode::syntax,
+          "the system of its coordinates is not known, so they cannot be projected: " + said);
+    input_.warnings.push_back("the system of the file's coordinates is not known: " + said);
+  }
+
+  /// A .shp keeps names and materials in a file of its own.
+  void note_missing_table() {
+    if (extension_of(input_.source) != ".shp") return;
+    const auto is_there = [&](const char* extension) {
+      std::error_code ignored;
+      return std::filesystem::exists(
+          std::filesystem::path(input_.source).replace_extension(extension), ignored);
+    };
+    if (!is_there(".dbf") && !is_there(".DBF"))
+      input_.warnings.emplace_back(
+          "no .dbf is beside the .shp: features have no names and materials");
   }
 
   std::vector<OGRLayerH> choose(GDALDatasetH dataset) {
@@ -191,20 +218,27 @@ class MapReader {
 
   /// A length; whatever else a table calls so is left out, as of GeoJSON.
   std::optional<double> size_of(OGRFeatureH feature) {
-    const OGRFieldType type = type_of(feature, size_);
-    const bool is_number = type == OFTReal || type == OFTInteger || type == OFTInteger64;
-    const double size = is_number ? gdal_.OGR_F_GetFieldAsDouble(feature, size_) : 0;
-    if (size > 0 && std::isfinite(size)) return size;
-    ++no_sizes_;
+    const std::optional<double> size = number_of(feature, size_);
+    if (size && *size > 0) return size;
+    left_out_.add_size(static_cast<long>(gdal_.OGR_F_GetFID(feature)));
     return std::nullopt;
+  }
+
+  /// A number, or a text that spells one.
+  std::optional<double> number_of(OGRFeatureH feature, int field) {
+    const OGRFieldType type = type_of(feature, field);
+    if (type != OFTReal && type != OFTInteger && type != OFTInteger64)
+      return number_in_words(gdal_.OGR_F_GetFieldAsString(feature, field));
+    const double number = gdal_.OGR_F_GetFieldAsDouble(feature, field);
+    return std::isfinite(number) ? std::optional(number) : std::nullopt;
   }
 
   FeatureWords words_of(OGRFeatureH feature) {
     FeatureWords words;
     words.material = text_of(feature, material_);
     words.name = text_of(feature, name_);
-    if (has(feature, priority_)) words.priority = gdal_.OGR_F_GetFieldAsDouble(feature, priority_);
-    if (words.priority && !std::isfinite(*words.priority))
+    if (has(feature, priority_)) words.priority = number_of(feature, priority_);
+    if (has(feature, priority_) && !words.priority)
       fail(ErrorCode::syntax,
            fmt::format("feature {}: the priority is no number", gdal_.OGR_F_GetFID(feature)));
     if (has(feature, size_)) words.size = size_of(feature);
@@ -242,10 +276,10 @@ class MapReader {
         return;
       case wkbPoint:
       case wkbMultiPoint:
-        ++points_;
+        left_out_.add_point();
         return;
       default:
-        ++others_;
+        left_out_.add_surface();
     }
   }
 
@@ -271,8 +305,7 @@ class MapReader {
     for (std::size_t k = 0; k < n; ++k) {
       if (!std::isfinite(x[k]) || !std::isfinite(y[k])) {
         fail(ErrorCode::non_finite_coordinate,
-             projection_.transform ? fmt::format("feature {}: ({}, {}) is not where {} reaches",
-                                                 fid_, given_x[k], given_y[k], options_.crs)
+             projection_.transform ? beyond_projection({given_x[k], given_y[k]})
                                    : fmt::format("feature {}: a coordinate is not finite", fid_));
         break;
       }
@@ -280,6 +313,17 @@ class MapReader {
     }
     quiet_.forget();  // PROJ's own words on the same
     return points;
+  }
+
+  std::string beyond_projection(Point given) const {
+    const bool is_on_globe = std::abs(given.x) <= 360 && std::abs(given.y) <= 90;
+    if (projection_.from_degrees && !is_on_globe)
+      return fmt::format(
+          "feature {}: ({}, {}) is no longitude and latitude, which its coordinates should be: if "
+          "they are those of {} already, leave the option crs out",
+          fid_, given.x, given.y, options_.crs);
+    return fmt::format("feature {}: ({}, {}) is not where {} reaches", fid_, given.x, given.y,
+                       options_.crs);
   }
 
   void add_polygon(OGRGeometryH polygon) {
@@ -297,6 +341,7 @@ class MapReader {
 
   void add_line(OGRGeometryH line) {
     if (gdal_.OGR_G_IsEmpty(line) != 0) return;
+    if (words_.size) left_out_.add_size_of_line();
     InputLine out{words_.name, points_of(line), static_cast<long>(input_.lines.size())};
     if (out.points.size() < 2)
       return fail(ErrorCode::syntax,
@@ -305,16 +350,7 @@ class MapReader {
   }
 
   void tell() {
-    if (points_ > 0)
-      input_.warnings.push_back(points_ == 1
-                                    ? std::string("1 geometry is a point: left out")
-                                    : fmt::format("{} geometries are points: left out", points_));
-    if (no_sizes_ > 0)
-      input_.warnings.push_back(fmt::format(
-          "the attribute 'size' of {} features is no length above 0: left out", no_sizes_));
-    if (others_ > 0)
-      input_.warnings.push_back(
-          fmt::format("{} geometries are surfaces in space: left out", others_));
+    left_out_.tell("attribute", input_.warnings);
     if (degrees_) input_.warnings.emplace_back(kInDegrees);
   }
 
@@ -331,7 +367,7 @@ class MapReader {
   FeatureWords words_;
   GIntBig fid_ = 0;
   long features_ = 0;
-  std::size_t points_ = 0, others_ = 0, no_sizes_ = 0;
+  LeftOut left_out_;
   bool degrees_ = false;
   std::optional<Error> error_;
 };

@@ -259,7 +259,8 @@ class Composer {
     if (has_key()) draw_legend(legend_, drawing_);
   }
 
-  /// By triangle. Some formats hold regions and materials otherwise than in arrays.
+  /// By triangle. Some formats hold regions and materials otherwise than in arrays. Of values at
+  /// points the mean of three corners.
   [[nodiscard]] Result<std::vector<double>> values_to_show() const {
     std::vector<std::string> names;
     for (const CellArray& array : mesh_.mesh.arrays) {
@@ -272,8 +273,20 @@ class Composer {
       if (name == options_.color) return std::vector<double>(numbers->begin(), numbers->end());
       if (std::find(names.begin(), names.end(), name) == names.end()) names.emplace_back(name);
     }
+    for (const PlaneField::Array& array : mesh_.mesh.point_arrays) {
+      if (array.name == options_.color) return means_of_corners(array.values);
+      names.push_back(array.name);
+    }
     return bad_option(
-        fmt::format("the mesh has no cell array '{}'; it has {}", options_.color, listed(names)));
+        fmt::format("the mesh has no array '{}'; it has {}", options_.color, listed(names)));
+  }
+
+  [[nodiscard]] std::vector<double> means_of_corners(const std::vector<double>& values) const {
+    std::vector<double> means;
+    means.reserve(soup_.triangles.size());
+    for (const auto& [a, b, c] : soup_.triangles)
+      means.push_back((values[a] + values[b] + values[c]) / 3);
+    return means;
   }
 
   Status fill_values() {

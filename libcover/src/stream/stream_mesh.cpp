@@ -253,8 +253,12 @@ std::string needs_whole_mesh(const Input& input, const Options& options) {
 std::string needs_whole_mesh(const std::string& path, const WriteOptions& options) {
   if (options.order != 1) return "triangles of second order";
   if (options.parts != 1) return "a mesh in parts";
-  if (!can_write_spooled(path, options)) return fmt::format("a file in {}", extension_of(path));
-  return {};
+  if (can_write_spooled(path, options)) return {};
+  WriteOptions in_hdf5 = options;
+  in_hdf5.xdmf = "hdf5";
+  if (can_write_spooled(path, in_hdf5))
+    return "numbers as text in an .xdmf, which with xdmf as hdf5 it would not be";
+  return fmt::format("a file in {}", extension_of(path));
 }
 
 bool can_write_from_elsewhere(const std::string& path, const WriteOptions& options) {

@@ -213,6 +213,29 @@ TEST_F(ReadGdal, WithoutASystemNothingIsProjected) {
             "crs: the layer does not say in which system its coordinates are");
 }
 
+TEST_F(ReadGdal, CoordinatesOfNoKnownSystemAreRefusedOrTold) {
+  const auto map = [&](const std::string& crs, const std::string& ring) {
+    return folder_.write("m.geojson", R"({"type": "FeatureCollection",)" + crs +
+                                          R"("features": [{"type": "Feature", "properties": {},
+      "geometry": {"type": "Polygon", "coordinates": [[)" +
+                                          ring + R"(]]}}]})");
+  };
+  ReadOptions utm;
+  utm.crs = "EPSG:25832";
+  const std::string unknown = R"("crs": {"type": "name", "properties": {"name": "EPSG:123456"}},)";
+  const std::string degrees = "[9, 48], [9.1, 48], [9.1, 48.1], [9, 48]";
+  EXPECT_NE(message(map(unknown, degrees), utm).find("coordinates is not known"),
+            std::string::npos);
+  const Input input = read(map(unknown, degrees));
+  ASSERT_FALSE(input.warnings.empty());
+  EXPECT_NE(input.warnings[0].find("coordinates is not known"), std::string::npos);
+  // Metres where degrees should be.
+  const std::string metres =
+      "[500000, 5300000], [500100, 5300000], [500100, 5300100], [500000, 5300000]";
+  EXPECT_NE(message(map("", metres), utm).find("(500000, 5300000) is no longitude and latitude"),
+            std::string::npos);
+}
+
 TEST_F(ReadGdal, LayersAreChosen) {
   const std::string path = converted("p.gpkg", {"-nln", "parcels"});
   GDALDatasetH dataset =

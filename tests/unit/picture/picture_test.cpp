@@ -162,8 +162,7 @@ TEST(Picture, MistakesAreExplained) {
   auto svg = svg_text(two_squares(), options);
   ASSERT_FALSE(svg);
   EXPECT_EQ(svg.error().code, ErrorCode::bad_option);
-  EXPECT_EQ(svg.error().message,
-            "the mesh has no cell array 'stress'; it has load, RegionId, material");
+  EXPECT_EQ(svg.error().message, "the mesh has no array 'stress'; it has load, RegionId, material");
   options = {};
   options.window = {{1, 1}, {1, 2}};
   svg = svg_text(two_squares(), options);

@@ -224,7 +224,9 @@ void print_hints(const Verification& found, const Pslg& pslg, const TriangleSoup
   // Missing points make everything else fail.
   const std::size_t missing = found.violations.empty() ? 0 : missing_points(pslg, mesh);
   fmt::print("{}", missing_text(missing));
-  if (missing == 0 && !hull) fmt::print("{}", in_void_text(found.in_void));
+  if (missing > 0) return;
+  if (!hull) fmt::print("{}", in_void_text(found.in_void));
+  fmt::print("{}", other_regions_text(found));
 }
 
 /// Whether the middle nodes of a mesh of second order are sound; nothing is said of others.

@@ -351,7 +351,9 @@ void log_input(const MeshCommand& command, const Input& input, spdlog::logger& l
            input.points.size(), input.segments.size(), input.polygons.size(), input.lines.size());
   for (const std::string& option : command.library.ignored()) log.warn("{}", option);
   for (const std::string& option : command.input.ignored()) log.warn("{}", option);
-  for (const std::string& warning : command.files.warnings(input.attributes))
+  const std::vector<PlaneField::Array> none;
+  const auto& values = input.field ? input.field->arrays : none;
+  for (const std::string& warning : command.files.warnings(input.attributes, values))
     log.warn("{}", warning);
 }
 

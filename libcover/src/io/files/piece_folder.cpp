@@ -18,6 +18,7 @@
 
 #include <cover/files.hpp>
 
+#include "base/content_hash.hpp"
 #include "base/words/characters.hpp"
 #include "io/files/names_in_folder.hpp"
 
@@ -28,28 +29,15 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kHashDigits = 16;
 
-/// FNV-1a with 64 bits: names must differ where contents do, and nobody wants them to be alike.
-class Hash {
- public:
-  void add(std::string_view bytes) {
-    constexpr std::uint64_t kPrime = 0x100000001b3;
-    for (const char c : bytes) value_ = (value_ ^ static_cast<unsigned char>(c)) * kPrime;
-  }
-  [[nodiscard]] std::string text() const { return fmt::format("{:016x}", value_); }
-
- private:
-  std::uint64_t value_ = 0xcbf29ce484222325;
-};
-
 /// Whether a file has so many bytes, with this hash: a power failure may have left less.
-bool holds(const fs::path& path, std::size_t size, const Hash& hash) {
+bool holds(const fs::path& path, std::size_t size, const ContentHash& hash) {
   struct stat status {};
   if (lstat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode) ||
       static_cast<std::size_t>(status.st_size) != size)
     return false;
   std::ifstream file(path, std::ios::binary);
   std::string piece(1 << 16, '\0');
-  Hash found;
+  ContentHash found;
   while (file.read(piece.data(), static_cast<std::streamsize>(piece.size())), file.gcount() > 0)
     found.add(std::string_view(piece).substr(0, static_cast<std::size_t>(file.gcount())));
   return found.text() == hash.text();
@@ -180,7 +168,7 @@ Result<std::string> PieceFolder::add(const std::function<void(const ByteSink&)>&
     file.emplace(TemporaryFile::beside(folder_ / stem_, shown_, owner_, stop_));
     if (*file) (*file)->write(small);
   };
-  Hash hash;
+  ContentHash hash;
   std::size_t size = 0;
   write([&](std::string_view bytes) {
     hash.add(bytes);

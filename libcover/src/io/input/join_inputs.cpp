@@ -47,6 +47,10 @@ Error differ(const Input& one, const Input& other, std::string_view what) {
           {}};
 }
 
+std::string unit_in_words(const Input& input) {
+  return input.unit.empty() ? std::string("none") : input.unit;
+}
+
 /// Circles are numbered from 1.
 void shift(std::vector<std::uint32_t>& circles, std::uint32_t by) {
   for (std::uint32_t& circle : circles) circle = circle == 0 ? 0 : circle + by;
@@ -110,7 +114,10 @@ void join_attributes(Input& all, Input& more) {
 
 Status join(Input& all, Input more, std::size_t file) {
   if (all.unit != more.unit || all.scale != more.scale)
-    return differ(all, more, "their units of length are not the same");
+    return differ(all, more,
+                  fmt::format("their units of length are not the same, {} and {}: the option unit "
+                              "gives all of them one",
+                              unit_in_words(all), unit_in_words(more)));
   if (all.void_rule != more.void_rule && !all.segments.empty() && !more.segments.empty())
     return differ(all, more, "faces without a seed are void in one of them alone");
   if (all.field && more.field) return differ(all, more, "both have values beside their geometry");

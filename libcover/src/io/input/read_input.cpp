@@ -30,12 +30,17 @@ constexpr std::string_view kOfMaps =
     "maps other than GeoJSON are read by GDAL, from files and in builds that have it; "
     "'ogr2ogr -f GeoJSON OUT.geojson FILE' makes a file that can be read";
 
+constexpr std::string_view kWantsGeoJson =
+    "'ogr2ogr -f GeoJSON OUT.geojson FILE' makes a file of it that can be read";
+
 constexpr std::array kOtherFormats{
     OtherFormat{".shp", kOfMaps},
     OtherFormat{".gpkg", kOfMaps},
     OtherFormat{".fgb", kOfMaps},
     OtherFormat{".gml", kOfMaps},
     OtherFormat{".kml", kOfMaps},
+    OtherFormat{".topojson", kWantsGeoJson},
+    OtherFormat{".geojsonl", kWantsGeoJson},
     OtherFormat{".geo",
                 ".geo is read by gmsh's library, without which this was built; "
                 "'gmsh -2 FILE.geo -o FILE.msh' makes a file that can be read"},

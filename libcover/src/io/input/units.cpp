@@ -36,11 +36,29 @@ void for_each_point(Input& input, F f) {
   for (PeriodicRule& rule : input.periodic) f(rule.centre);
 }
 
+struct LengthUnit {
+  std::string_view name;
+  int ten;  ///< metres are 10^ten
+};
+constexpr std::array<LengthUnit, 5> kUnits{
+    {{"nm", -9}, {"um", -6}, {"mm", -3}, {"cm", -2}, {"m", 0}}};
+
+/// The unit of numbers that were of `unit` before they became 10^ten times as large; empty: it has
+/// no name.
+std::string unit_after(std::string_view unit, std::optional<int> ten) {
+  const auto* const from = std::find_if(kUnits.begin(), kUnits.end(),
+                                        [&](const LengthUnit& u) { return u.name == unit; });
+  if (from == kUnits.end() || !ten) return {};
+  const auto* const to = std::find_if(
+      kUnits.begin(), kUnits.end(), [&](const LengthUnit& u) { return u.ten == from->ten - *ten; });
+  return to != kUnits.end() ? std::string(to->name) : std::string();
+}
+
 }  // namespace
 
 bool is_length_unit(std::string_view unit) {
-  constexpr std::array<std::string_view, 5> kUnits{"nm", "um", "mm", "cm", "m"};
-  return std::find(kUnits.begin(), kUnits.end(), unit) != kUnits.end();
+  return std::any_of(kUnits.begin(), kUnits.end(),
+                     [&](const LengthUnit& u) { return u.name == unit; });
 }
 
 Status scale_input(Input& input, double factor) {
@@ -54,6 +72,7 @@ Status scale_input(Input& input, double factor) {
   const auto scaled = [&](double value) { return divisor > 1 ? value / divisor : value * factor; };
 
   input.scale *= factor;
+  if (factor != 1) input.unit = unit_after(input.unit, ten);
   bool finite = true;
   std::size_t rounded = 0, coordinates = 0;
   const auto scale = [&](double& value) {
@@ -93,8 +112,26 @@ Status scale_input(Input& input, double factor) {
 }
 
 Status apply_units(Input& input, const ReadOptions& options) {
-  if (!options.unit.empty()) input.unit = options.unit;
-  return options.scale == 1 ? ok() : scale_input(input, options.scale);
+  const std::string before = input.unit;
+  if (options.scale != 1) {
+    if (Status status = scale_input(input, options.scale); !status) return status;
+  }
+  if (options.unit.empty()) {
+    if (!before.empty() && input.unit.empty())
+      input.warnings.push_back(
+          fmt::format("lengths in {} times {} are in no unit with a name: the option unit may give "
+                      "them one",
+                      before, options.scale));
+    return ok();
+  }
+  if (!input.unit.empty() && input.unit != options.unit)
+    input.warnings.push_back(fmt::format(
+        "the option unit says {}, and the input {}{}: {} is taken", options.unit, before,
+        options.scale == 1 ? std::string()
+                           : fmt::format(", which times {} is {}", options.scale, input.unit),
+        options.unit));
+  input.unit = options.unit;
+  return ok();
 }
 
 }  // namespace cover

@@ -395,6 +395,7 @@ class Flattener {
 
   void draw(const GdsText& text, const Placement& place) {
     if (!label_ || !label_->matches(text.layer) || text.text.empty()) return;
+    has_labels_ = true;
     const Point at = in_user_unit(place(point_of(text.at)));
     if (options_.window) {
       const auto& [low, high] = *options_.window;
@@ -418,6 +419,10 @@ class Flattener {
       for (const std::string& choice : layers_.choices_of_nothing())
         input_.warnings.push_back(fmt::format("no shape is on the layer '{}'", legible(choice)));
     }
+    if (label_ && !has_labels_)
+      input_.warnings.push_back(
+          fmt::format("no text is on the layer '{}': no region has a name of it",
+                      legible(options_.label_layer)));
     if (options_.layer_map.empty()) return;
     if (const std::string names = names_of(layers_.not_in_map()); !names.empty())
       input_.warnings.push_back("layers that the layer map does not have are left out: " + names);
@@ -451,6 +456,7 @@ class Flattener {
   std::vector<Total> totals_;  ///< by cell
   std::optional<Box> window_;  ///< in units of the database
   std::optional<LayerPattern> label_;
+  bool has_labels_ = false;
   double per_unit_ = 0;  ///< database units in one of the user, where that is a whole number
   std::size_t most_shapes_ = kLayoutShapes;  ///< and what the file has itself
   std::size_t most_points_ = kLayoutPoints;

@@ -201,7 +201,9 @@ class Completion {
     if (!unknown.empty()) {
       // Blocks name regions; which triangle is in which, the mesh itself has to say.
       const std::string why =
-          fs::is_regular_file(beside(".vtm"))
+          fs::is_regular_file(beside(".json"))
+              ? fmt::format("{} is no manifest of a mesh", beside(".json"))
+          : fs::is_regular_file(beside(".vtm"))
               ? fmt::format(
                     "{} is not there, and {} cannot give them to triangles without "
                     "numbers of regions",

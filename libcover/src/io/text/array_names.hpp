@@ -7,6 +7,9 @@
 
 namespace cover {
 
+/// Of the hash of the file with the numbers of an .xdmf.
+constexpr std::string_view kXdmfHash = "HashOfNumbers";
+
 /// Whether an array of a mesh file is one that every mesh of ours has or may have.
 bool is_own_array(std::string_view name);
 

@@ -23,16 +23,15 @@ using Writer = Status (*)(const Output&, const std::string& path, const WriteOpt
 /// How many files a mesh becomes.
 enum class Files { one, several, one_or_parts, one_or_with_hdf5 };
 
-/// Of regions. Only .vtm, .vtkhdf and .json hold the words of text; others number them.
-enum class Attributes { held, left_out };
-
 struct Format {
   const char* extension;
   Writer write;
-  Attributes attributes = Attributes::left_out;
+  /// Of regions. Only .vtm, .vtkhdf and .json hold the words of text; others number them.
+  bool attributes = false;
+  bool values = false;       ///< at points
+  bool numbers = false;      ///< solvers find regions and lines by the numbers of groups
   bool second_order = true;  ///< can hold triangles with six nodes, or no triangles at all
   Files files = Files::one;
-  bool numbers = false;  ///< solvers find regions and lines by the numbers of groups
   std::array<const char*, 2> companions{};  ///< endings of its other files, always there
 };
 
@@ -41,27 +40,45 @@ Status write_clean_input(const Output& output, const std::string& path, const Wr
 }
 
 constexpr std::array kFormats{
-    Format{".vtu", write_vtu, Attributes::held},
-    Format{".vtm", write_vtm, Attributes::held, true, Files::several, false, {""}},
-    Format{".vtkhdf", write_vtkhdf, Attributes::held},
-    Format{".vtk", write_vtk, Attributes::left_out, true, Files::one, true},
-    Format{".msh", write_msh, Attributes::held, true, Files::one_or_parts, true},
-    Format{".pvtu", write_pvtu, Attributes::held, true, Files::several, false, {".parts"}},
-    Format{".xdmf", write_xdmf, Attributes::held, true, Files::one_or_with_hdf5, true},
-    Format{".mesh", write_medit, Attributes::left_out, true, Files::one, true},
-    Format{".inp", write_inp},
-    Format{".ele",
-           write_triangle,
-           Attributes::left_out,
-           true,
-           Files::several,
-           true,
-           {".node", ".edge"}},
-    Format{".obj", write_obj, Attributes::left_out, false},
-    Format{".off", write_off, Attributes::left_out, false},
-    Format{".ply", write_ply, Attributes::left_out, false},
-    Format{".json", write_manifest, Attributes::held},
-    Format{".poly", write_clean_input},
+    Format{.extension = ".vtu", .write = write_vtu, .attributes = true, .values = true},
+    Format{.extension = ".vtm",
+           .write = write_vtm,
+           .attributes = true,
+           .values = true,
+           .files = Files::several,
+           .companions = {""}},
+    Format{.extension = ".vtkhdf", .write = write_vtkhdf, .attributes = true, .values = true},
+    Format{.extension = ".vtk", .write = write_vtk, .values = true, .numbers = true},
+    Format{.extension = ".msh",
+           .write = write_msh,
+           .attributes = true,
+           .values = true,
+           .numbers = true,
+           .files = Files::one_or_parts},
+    Format{.extension = ".pvtu",
+           .write = write_pvtu,
+           .attributes = true,
+           .values = true,
+           .files = Files::several,
+           .companions = {".parts"}},
+    Format{.extension = ".xdmf",
+           .write = write_xdmf,
+           .attributes = true,
+           .values = true,
+           .numbers = true,
+           .files = Files::one_or_with_hdf5},
+    Format{.extension = ".mesh", .write = write_medit, .numbers = true},
+    Format{.extension = ".inp", .write = write_inp},
+    Format{.extension = ".ele",
+           .write = write_triangle,
+           .numbers = true,
+           .files = Files::several,
+           .companions = {".node", ".edge"}},
+    Format{.extension = ".obj", .write = write_obj, .second_order = false},
+    Format{.extension = ".off", .write = write_off, .second_order = false},
+    Format{.extension = ".ply", .write = write_ply, .second_order = false},
+    Format{.extension = ".json", .write = write_manifest, .attributes = true},
+    Format{.extension = ".poly", .write = write_clean_input},
 };
 
 Result<Format> format_of(const std::string& path) {
@@ -128,7 +145,11 @@ std::vector<std::string> write_formats() {
 }
 
 std::vector<std::string> attribute_formats() {
-  return formats_with([](const Format& format) { return format.attributes == Attributes::held; });
+  return formats_with([](const Format& format) { return format.attributes; });
+}
+
+std::vector<std::string> value_formats() {
+  return formats_with([](const Format& format) { return format.values; });
 }
 
 std::vector<std::string> number_formats() {

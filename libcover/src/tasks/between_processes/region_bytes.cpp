@@ -65,14 +65,14 @@ auto members(T& rule) {
 template <Either<Options> T>
 auto members(T& options) {
   auto& [method, fill, paper, pieces, hull, max_angle, min_angle, prefer, effort, couplings, sizes,
-         input_sizes, size_field, size_field_name, size_of, size_step, min_size, growth, box_method,
-         split_interfaces, layers, periodic, overlap, weld, strict, merge_materials, require,
-         threads] = options;
+         input_sizes, size_field, size_field_name, size_field_scale, size_of, size_step, min_size,
+         growth, box_method, split_interfaces, layers, periodic, overlap, weld, strict,
+         merge_materials, require, threads] = options;
   static_cast<void>(size_field);
   return std::tie(method, fill, paper, pieces, hull, max_angle, min_angle, prefer, effort,
-                  couplings, sizes, input_sizes, size_field_name, size_of, size_step, min_size,
-                  growth, box_method, split_interfaces, layers, periodic, overlap, weld, strict,
-                  merge_materials, require, threads);
+                  couplings, sizes, input_sizes, size_field_name, size_field_scale, size_of,
+                  size_step, min_size, growth, box_method, split_interfaces, layers, periodic,
+                  overlap, weld, strict, merge_materials, require, threads);
 }
 
 Bytes to_bytes(const RegionBoundary& boundary) { return bytes_of(boundary); }

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace cover {
 namespace {
@@ -72,6 +75,44 @@ TEST(ScaleInput, SaysWhereNumbersBecomeTooLarge) {
   const Status status = scale_input(input, 0x1p1020);
   ASSERT_FALSE(status.has_value());
   EXPECT_EQ(status.error().code, ErrorCode::non_finite_coordinate);
+}
+
+/// The unit and the warnings of an input in `unit` that is read with these options.
+std::pair<std::string, std::vector<std::string>> units(const char* unit, double scale,
+                                                       const char* option) {
+  Input input;
+  input.unit = unit;
+  ReadOptions options;
+  options.scale = scale;
+  options.unit = option;
+  EXPECT_TRUE(apply_units(input, options));
+  return {input.unit, input.warnings};
+}
+
+TEST(ApplyUnits, TheUnitFollowsTheScale) {
+  using Found = std::pair<std::string, std::vector<std::string>>;
+  EXPECT_EQ(units("um", 1000, ""), Found("nm", {}));
+  EXPECT_EQ(units("mm", 1e-3, ""), Found("m", {}));
+  EXPECT_EQ(units("cm", 10, ""), Found("mm", {}));
+  EXPECT_EQ(units("mm", 1, ""), Found("mm", {}));
+  EXPECT_EQ(units("", 1000, ""), Found("", {}));
+  EXPECT_EQ(units("um", 1000, "nm"), Found("nm", {}));
+  EXPECT_EQ(units("mm", 25.4, "um"), Found("um", {}));
+  for (const double scale : {25.4, 10.0, 1e3 + 1})
+    EXPECT_EQ(units("um", scale, "").second.size(), 1U) << scale;
+  EXPECT_EQ(units("um", 25.4, ""),
+            Found("", {"lengths in um times 25.4 are in no unit with a name: the option unit may "
+                       "give them one"}));
+}
+
+TEST(ApplyUnits, AUnitThatIsNotTheInputsIsTold) {
+  const auto [unit, warnings] = units("um", 1, "mm");
+  EXPECT_EQ(unit, "mm");
+  EXPECT_EQ(warnings,
+            std::vector<std::string>{"the option unit says mm, and the input um: mm is taken"});
+  EXPECT_EQ(units("um", 1000, "um").second,
+            std::vector<std::string>{
+                "the option unit says um, and the input um, which times 1000 is nm: um is taken"});
 }
 
 TEST(IsLengthUnit, KnowsFive) {

@@ -2,6 +2,7 @@
 // bears them.
 #include "io/read_mesh/carried_arrays.hpp"
 
+#include <cover/files.hpp>
 #include <cover/mesh.hpp>
 #include <cover/read_mesh.hpp>
 #include <cover/write_mesh.hpp>
@@ -101,6 +102,39 @@ TEST(CarriedArrays, ComeBackFromEveryFormatThatBearsThem) {
       }
     }
   }
+}
+
+TEST(CarriedArrays, ValuesAtPointsComeBackFromVtk) {
+  Output output = device_with_arrays();
+  output.fields.push_back({"a b %41 \xc3\xa4", output.fields.front().values});
+  for (const bool lines : {false, true}) {
+    const testing::TemporaryFolder folder;
+    ASSERT_TRUE(write_mesh(output, folder.path() / "x.vtk", {.lines = lines}));
+    const Result<Output> back = read_output(folder.path() / "x.vtk");
+    ASSERT_TRUE(back) << back.error().message;
+    ASSERT_EQ(back->fields.size(), 3U);
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_EQ(back->fields[k].name, k == 0 ? "Net_1e17" : output.fields[k].name);
+      expect_same(back->fields[k].values, output.fields[k].values);
+    }
+  }
+}
+
+TEST(CarriedArrays, NumbersOfAnotherRunAreRefused) {
+  const testing::TemporaryFolder folder;
+  Output output = device_with_arrays();
+  const std::string path = folder.path() / "x.xdmf";
+  ASSERT_TRUE(write_mesh(output, path, {.xdmf = "hdf5"}));
+  const Result<std::string> before = read_file(path);
+  ASSERT_TRUE(before);
+  output.fields.front().values.back() *= 2;
+  ASSERT_TRUE(write_mesh(output, path, {.xdmf = "hdf5"}));
+  EXPECT_TRUE(read_mesh(path));
+  ASSERT_TRUE(replace_file(path, *before));
+  const Result<MeshFile> mixed = read_mesh(path);
+  ASSERT_FALSE(mixed);
+  EXPECT_NE(mixed.error().message.find("holds the numbers of another mesh"), std::string::npos)
+      << mixed.error().message;
 }
 
 TEST(CarriedArrays, WhatIsLeftOutIsTold) {

@@ -1,7 +1,10 @@
 // The dispatch by extension.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include <cover/write_mesh.hpp>
 
@@ -37,8 +40,23 @@ TEST(WriteMesh, SecondOrderWhereTheFormatHasIt) {
   }
 }
 
+TEST(WriteMesh, TellsOfItsFormats) {
+  for (const char* path : {"x.msh", "x.MSH", "a.b/c.Vtu"}) EXPECT_TRUE(can_write(path)) << path;
+  EXPECT_EQ(companions_of("a/x.ele"), (std::vector<std::string>{"a/x.node", "a/x.edge"}));
+  EXPECT_EQ(companions_of("a/x.VTM"), std::vector<std::string>{"a/x"});
+  EXPECT_EQ(companions_of("x.pvtu"), std::vector<std::string>{"x.parts"});
+  EXPECT_EQ(companions_of("x.msh"), std::vector<std::string>{});
+  EXPECT_EQ(companions_of("x.node"), std::vector<std::string>{});
+  const std::vector<std::string> all = write_formats();
+  for (const auto& some : {attribute_formats(), value_formats(), number_formats()}) {
+    EXPECT_FALSE(some.empty());
+    for (const std::string& format : some)
+      EXPECT_NE(std::find(all.begin(), all.end(), format), all.end()) << format;
+  }
+}
+
 TEST(WriteMesh, RefusesWhatItDoesNotKnow) {
-  for (const char* path : {"x", "x.foo", "x.MSH", ".msh"}) {
+  for (const char* path : {"x", "x.foo", "x.msh2", ".msh"}) {
     const Status status = can_write(path);
     ASSERT_FALSE(status) << path;
     EXPECT_EQ(status.error().code, ErrorCode::unsupported_format);

@@ -19,8 +19,8 @@
 #include "geom/box.hpp"
 #include "geom/rings/place_in_ring.hpp"
 #include "io/input/attribute_table.hpp"
-#include "io/input/degrees.hpp"
 #include "io/input/formats.hpp"
+#include "io/input/map_words.hpp"
 
 namespace cover {
 namespace {
@@ -79,14 +79,7 @@ class GeoReader {
     if (!json_.failed() && input_.polygons.empty() && input_.lines.empty())
       json_.fail(document_, "no Polygon, MultiPolygon or LineString in it");
     if (json_.failed()) return json_.error();
-    if (points_ > 0)
-      input_.warnings.push_back(points_ == 1
-                                    ? std::string("1 geometry is a point: left out")
-                                    : fmt::format("{} geometries are points: left out", points_));
-    if (no_sizes_ > 0)
-      input_.warnings.push_back(
-          fmt::format("the property 'size' of {} is no length above 0: left out",
-                      counted(no_sizes_, "feature")));
+    left_out_.tell("property", input_.warnings);
     if (outside_ > 0)
       input_.warnings.push_back(
           fmt::format("{} outside of the outer ring of {}, the first at {}: inside is what rings "
@@ -96,6 +89,7 @@ class GeoReader {
     if (says_degrees()) input_.warnings.emplace_back(kInDegrees);
     if (auto missing = missing_property()) return *std::move(missing);
     input_.attributes = attributes_.attributes();
+    tell_renamed(input_.attributes, input_.warnings);
     return std::move(input_);
   }
 
@@ -155,9 +149,10 @@ class GeoReader {
     } else if (type == "MultiLineString") {
       for (const Json& line : coordinates()) read_line(line, properties);
     } else if (type == "Point" || type == "MultiPoint") {
-      ++points_;
+      left_out_.add_point();
     } else {
-      json_.fail(object, fmt::format("the type \"{}\" is not one of GeoJSON", type));
+      json_.fail(object, fmt::format("the type \"{}\" is not one of GeoJSON{}", type,
+                                     type == "Topology" ? ": ogr2ogr makes that of TopoJSON" : ""));
     }
   }
 
@@ -169,8 +164,8 @@ class GeoReader {
         for (const auto& property : properties->items()) known_.insert(property.key());
       if (const Json* m = material_.of(*properties)) own.material = read_name(*m);
       if (const Json* n = name_.of(*properties)) own.name = read_name(*n);
-      if (const Json* p = priority_.of(*properties)) own.priority = json_.number(*p);
-      if (const Json* s = JsonReader::member(*properties, "size")) own.size = read_size(*s);
+      if (const Json* p = priority_.of(*properties)) own.priority = read_number(*p);
+      if (const Json* s = JsonReader::member(*properties, "size")) own.size = read_size(*s, number);
     }
     if (own.material.empty())
       own.material = own.name.empty() ? fmt::format("feature_{}", number) : own.name;
@@ -231,10 +226,21 @@ class GeoReader {
     return std::nullopt;
   }
 
+  /// A number, or a text that spells one: in many tables all columns are text.
+  double read_number(const Json& value) {
+    if (value.is_string())
+      if (const auto number = number_in_words(value.get_ref<const std::string&>())) return *number;
+    return json_.number(value);
+  }
+
   /// A length; whatever else a table calls so is left out.
-  std::optional<double> read_size(const Json& value) {
-    if (value.is_number() && value.get<double>() > 0) return json_.positive(value);
-    ++no_sizes_;
+  std::optional<double> read_size(const Json& value, long feature) {
+    const std::optional<double> number = value.is_number() ? std::optional(json_.number(value))
+                                         : value.is_string()
+                                             ? number_in_words(value.get_ref<const std::string&>())
+                                             : std::nullopt;
+    if (number && *number > 0) return number;
+    left_out_.add_size(feature);
     return std::nullopt;
   }
 
@@ -285,6 +291,7 @@ class GeoReader {
   void read_line(const Json& coordinates, const Properties& properties) {
     if (json_.failed()) return;
     if (coordinates.is_array() && coordinates.empty()) return;  // the RFC: as null
+    if (properties.size) left_out_.add_size_of_line();
     InputLine line{properties.name, read_path(coordinates), static_cast<long>(input_.lines.size())};
     if (line.points.size() < 2) json_.fail(coordinates, "a line needs two positions or more");
     input_.lines.push_back(std::move(line));
@@ -296,8 +303,7 @@ class GeoReader {
   std::vector<std::pair<const Json*, Properties>> waiting_;  // a stack
   long features_ = 0;
   std::set<std::string> known_;  ///< properties of the first features
-  std::size_t points_ = 0;
-  std::size_t no_sizes_ = 0;
+  LeftOut left_out_;
   std::size_t crossings_ = 0;  ///< that were looked for
   std::size_t outside_ = 0;    ///< inner rings
   Point first_outside_;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include <fmt/core.h>
@@ -106,6 +108,17 @@ bool are_apart(const Box& drawing, const Box& field) {
          b > kMuchLarger * a || (b > 0 && a > kMuchLarger * b);
 }
 
+bool is_one_file(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  return std::filesystem::equivalent(a, b, ignored);
+}
+
+void scale(SizeSamples& samples, double factor) {
+  if (factor == 1) return;
+  for (Point& p : samples.points) p = {p.x * factor, p.y * factor};
+  for (double& size : samples.sizes) size *= factor;
+}
+
 }  // namespace
 
 Result<SizeSamples> read_size_field(const std::string& path) {
@@ -150,10 +163,12 @@ Status load_size_field(Options& options, Input& input) {
   return memory_as_value(options.size_field_name, [&]() -> Status {
     if (options.size_field || options.size_field_name.empty()) return ok();
     const std::string& path = options.size_field_name;
-    const Result<SizeSamples> samples =
-        options.size_of.empty() ? read_size_field(path)
-                                : read_size_field(path, options.size_of, options.size_step);
+    Result<SizeSamples> samples = options.size_of.empty()
+                                      ? read_size_field(path)
+                                      : read_size_field(path, options.size_of, options.size_step);
     if (!samples) return samples.error();
+    if (is_one_file(path, input.source)) options.size_field_scale = input.scale;
+    scale(*samples, options.size_field_scale);
     Result<SizeFunction> sizes = size_function(*samples, options.growth.value_or(Options::kGrowth));
     if (!sizes) {
       Error error = std::move(sizes).error();
@@ -162,12 +177,19 @@ Status load_size_field(Options& options, Input& input) {
     }
     options.size_field = *std::move(sizes);
     const Box drawing = box_of(input), field = cover::box_of(samples->points);
+    const std::string alone = input.scale == options.size_field_scale
+                                  ? ""
+                                  : fmt::format(
+                                        "the drawing alone was multiplied by {}, not places "
+                                        "and lengths of the size field {}",
+                                        input.scale, path);
     if (!drawing.is_empty() && !field.is_empty() && are_apart(drawing, field)) {
       input.warnings.push_back(fmt::format(
           "the size field {} lies {}, and the drawing {}: few of its sizes count, outside of it "
-          "those of the nearest place{}",
-          path, corners_of(field), corners_of(drawing),
-          input.scale == 1 ? "" : "; the drawing alone was scaled"));
+          "those of the nearest place{}{}",
+          path, corners_of(field), corners_of(drawing), alone.empty() ? "" : "; ", alone));
+    } else if (!alone.empty()) {
+      input.warnings.push_back(alone);
     }
     return ok();
   });

@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "base/content_hash.hpp"
 #include "base/numbers.hpp"
 #include "io/hdf5/parse_hdf5.hpp"
 #include "io/read_mesh/mesh_collector.hpp"
@@ -30,6 +31,8 @@ class XdmfReader {
     const XmlElement* domain = tree->root.child("Domain");
     const XmlElement* triangles = domain == nullptr ? nullptr : domain->child("Grid", "mesh");
     if (triangles == nullptr) return wrong("there is no grid 'mesh': not written by cover");
+    if (const XmlElement* hash = domain->child("Information", kXdmfHash))
+      hash_ = hash->value("Value");
     if (Status status = read_triangles(*triangles); !status) return std::move(status).error();
     if (const XmlElement* lines = domain->child("Grid", "lines")) {
       if (Status status = read_lines(*lines); !status) return std::move(status).error();
@@ -114,6 +117,11 @@ class XdmfReader {
     heavy_.clear();
     heavy_text_ = std::make_unique<const std::string>(*std::move(text));
     heavy_name_ = file;
+    ContentHash hash;
+    hash.add(*heavy_text_);
+    if (!hash_.empty() && hash_ != hash.text())
+      return wrong(
+          fmt::format("{} holds the numbers of another mesh: both files must be of one run", path));
     Result<Hdf5Tree> tree = parse_hdf5(*heavy_text_, path);
     if (!tree) return std::move(tree).error();
     heavy_ = *std::move(tree);
@@ -222,6 +230,7 @@ class XdmfReader {
   std::string_view text_;
   const std::string& path_;
   MeshCollector collector_;
+  std::string_view hash_;  ///< of the file with the numbers; empty: not told
   std::string heavy_name_;
   std::unique_ptr<const std::string> heavy_text_;
   Hdf5Tree heavy_;  ///< of that text

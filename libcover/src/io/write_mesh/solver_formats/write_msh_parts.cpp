@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <set>
+#include <string_view>
+#include <system_error>
 
 #include "base/numbers.hpp"
 #include "geom/topology/half_edges.hpp"
+#include "io/files/mapped_file.hpp"
 #include "io/write_mesh/partition.hpp"
 #include "io/write_mesh/solver_formats/msh_sections.hpp"
 #include "io/write_mesh/solver_formats/msh_text.hpp"
@@ -249,6 +253,27 @@ class MshPartWriter : MshSections {
   }
 };
 
+/// "x_3.msh" of "x.msh".
+std::string part_name(const std::filesystem::path& path, std::uint32_t part) {
+  std::filesystem::path stem = path;
+  stem.replace_extension();
+  return stem.string() + "_" + std::to_string(part + 1) + path.extension().string();
+}
+
+/// Removes the parts of a mesh in more parts that was written under the same name: who reads all
+/// x_*.msh would mix two meshes.
+void remove_further_parts(const std::filesystem::path& path, std::uint32_t count) {
+  for (std::uint32_t part = count;; ++part) {
+    const std::string name = part_name(path, part);
+    const std::optional<MappedFile> file = MappedFile::open(name);
+    if (!file || !file->bytes().starts_with("$MeshFormat\n4.1") ||
+        file->bytes().find("\n$PartitionedEntities\n") == std::string_view::npos)
+      return;
+    std::error_code ignored;
+    std::filesystem::remove(name, ignored);
+  }
+}
+
 }  // namespace
 
 Status write_msh_parts(const MeshView& view, const RegionTable& table, const std::string& path,
@@ -257,13 +282,9 @@ Status write_msh_parts(const MeshView& view, const RegionTable& table, const std
   const Partition partition = partition_of(view, count);
   const MshParts parts(view, partition);
   const ViewCells cells(view, true);
-  std::filesystem::path stem(path);
-  const std::string extension = stem.extension();
-  stem.replace_extension();
   std::vector<TextWriter> files;
   for (std::uint32_t part = 0; part < count; ++part) {
-    Result<TextWriter> file = TextWriter::create(
-        stem.string() + "_" + std::to_string(part + 1) + extension, options.stop);
+    Result<TextWriter> file = TextWriter::create(part_name(path, part), options.stop);
     if (!file) return std::move(file).error();
     MshPartWriter(view, cells, table, *file).write(parts, part);
     if (Status status = file->prepare(); !status) return status;
@@ -271,7 +292,9 @@ Status write_msh_parts(const MeshView& view, const RegionTable& table, const std
   }
   std::vector<AtomicFile*> prepared;
   for (TextWriter& file : files) prepared.push_back(&file.file());
-  return commit_together(prepared);
+  if (Status done = commit_together(prepared); !done) return done;
+  remove_further_parts(path, count);
+  return ok();
 }
 
 }  // namespace cover

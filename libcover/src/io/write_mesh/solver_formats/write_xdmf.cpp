@@ -13,9 +13,11 @@
 #include <cover/mesh_view.hpp>
 #include <cover/text.hpp>
 
+#include "base/content_hash.hpp"
 #include "io/files/atomic_file.hpp"
 #include "io/files/text_writer.hpp"
 #include "io/hdf5/hdf5_writer.hpp"
+#include "io/text/array_names.hpp"
 #include "io/write_mesh/solver_formats/xdmf_file.hpp"
 
 namespace cover {
@@ -50,6 +52,7 @@ class XdmfWriter {
   XdmfWriter& operator=(const XdmfWriter&) = delete;
   virtual ~XdmfWriter() = default;
 
+  /// The grids; end() ends the file.
   void write() {
     out_ << "<?xml version=\"1.0\"?>\n<!DOCTYPE Xdmf SYSTEM \"Xdmf.dtd\" []>\n"
             "<Xdmf Version=\"3.0\">\n<Domain>\n";
@@ -71,7 +74,11 @@ class XdmfWriter {
     attribute("LineID", lines, {Item::line_group});
     attribute("Marker", lines, {Item::line_marker});
     end_grid(view_.line_groups);
-    out_ << "</Domain>\n</Xdmf>\n";
+  }
+  void end() { out_ << "</Domain>\n</Xdmf>\n"; }
+  /// Tells readers whether a file with the numbers is the one that was written with this one.
+  void put_hash(const ContentHash& of_numbers) {
+    out_ << "<Information Name=\"" << kXdmfHash << "\" Value=\"" << of_numbers.text() << "\"/>\n";
   }
 
  protected:
@@ -330,7 +337,13 @@ Status write_xdmf_file(const XdmfSource& source, const std::string& path,
   if (!text) return std::move(text).error();
   HeavyXdmf xdmf(source, heavy.filename().string(), *text);
   xdmf.write();
-  Status done = write_hdf5(xdmf.numbers(), [&](std::string_view bytes) { numbers->write(bytes); });
+  ContentHash hash;
+  Status done = write_hdf5(xdmf.numbers(), [&](std::string_view bytes) {
+    hash.add(bytes);
+    numbers->write(bytes);
+  });
+  xdmf.put_hash(hash);
+  xdmf.end();
   if (done) done = status();
   if (done) done = numbers->prepare();
   if (done) done = text->prepare();
@@ -342,7 +355,11 @@ Status write_xdmf(const Output& output, const std::string& path, const WriteOpti
   const MeshView view = view_of(output, options);
   if (options.xdmf == "hdf5")
     return write_xdmf_file(source_of(view), path, options.stop, [] { return ok(); });
-  return write_text(path, options.stop, [&](TextWriter& out) { InlineXdmf(view, out).write(); });
+  return write_text(path, options.stop, [&](TextWriter& out) {
+    InlineXdmf xdmf(view, out);
+    xdmf.write();
+    xdmf.end();
+  });
 }
 
 }  // namespace cover

@@ -4,9 +4,12 @@
 //
 // Tested by tests/unit/io/write_mesh/vtk_formats/write_vtk_test.cpp and, in the solvers, by
 // tests/solvers.
-#include <fmt/core.h>
-
+#include <cctype>
 #include <map>
+#include <string>
+#include <string_view>
+
+#include <fmt/core.h>
 
 #include <cover/mesh_view.hpp>
 
@@ -75,6 +78,30 @@ void write_arrays(const MeshView& view, std::size_t lines, TextWriter& out) {
   if (lines > 0 && view.has_ids) write_array("material", view, lines, material, zero, out);
 }
 
+/// A name as the format wants it, in which VTK finds it again.
+std::string with_escapes(std::string_view name) {
+  std::string out;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_plain = std::isalnum(byte) != 0 || c == '_' || c == '-' || c == '.';
+    out += is_plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
+  }
+  return out;
+}
+
+void write_point_arrays(const MeshView& view, TextWriter& out) {
+  if (view.periodic_node.empty() && view.fields.empty()) return;
+  out << "POINT_DATA " << view.points.size() << '\n';
+  if (!view.periodic_node.empty()) {
+    out << "SCALARS PeriodicNode int 1\nLOOKUP_TABLE default\n";
+    for (const std::uint32_t node : view.periodic_node) out << node << '\n';
+  }
+  for (const PlaneField::Array& field : view.fields) {
+    out << "SCALARS " << with_escapes(field.name) << " double 1\nLOOKUP_TABLE default\n";
+    for (const double value : field.values) out << value << '\n';
+  }
+}
+
 }  // namespace
 
 Status write_vtk(const Output& output, const std::string& path, const WriteOptions& options) {
@@ -96,10 +123,7 @@ Status write_vtk(const Output& output, const std::string& path, const WriteOptio
     write_types(lines, view.second_order() ? 21 : 3, out);
     out << "CELL_DATA " << cells << '\n';
     write_arrays(view, lines.size(), out);
-    if (view.periodic_node.empty()) return;
-    out << "POINT_DATA " << view.points.size()
-        << "\nSCALARS PeriodicNode int 1\nLOOKUP_TABLE default\n";
-    for (const std::uint32_t node : view.periodic_node) out << node << '\n';
+    write_point_arrays(view, out);
   });
 }
 

@@ -66,9 +66,43 @@ TEST(ReadGeojson, SizesAreLengthsAboveZero) {
   ASSERT_EQ(input->polygons.size(), 4u);
   EXPECT_EQ(input->polygons[0].size, 0.25);
   for (std::size_t k = 1; k < 4; ++k) EXPECT_FALSE(input->polygons[k].size) << k;
-  EXPECT_EQ(
-      input->warnings,
-      std::vector<std::string>{"the property 'size' of 2 features is no length above 0: left out"});
+  EXPECT_EQ(input->warnings,
+            std::vector<std::string>{"the property 'size' of 2 features is no length above 0: left "
+                                     "out, the first of feature 1"});
+}
+
+TEST(ReadGeojson, NumbersMayBeWrittenAsText) {
+  const Result<Input> input = parse_geojson(
+      R"({"type": "Feature", "properties": {"size": " 0.5", "priority": "7"}, "geometry":
+      {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]}})",
+      "map.geojson");
+  ASSERT_TRUE(input.has_value()) << input.error().message;
+  EXPECT_EQ(input->polygons[0].size, 0.5);
+  EXPECT_EQ(input->polygons[0].priority, 7);
+  EXPECT_EQ(input->warnings, std::vector<std::string>{});
+}
+
+TEST(ReadGeojson, ASizeOfALineIsTold) {
+  const Result<Input> input = parse_geojson(
+      R"({"type": "Feature", "properties": {"size": 1}, "geometry":
+      {"type": "LineString", "coordinates": [[0, 0], [1, 0]]}})",
+      "map.geojson");
+  ASSERT_TRUE(input.has_value()) << input.error().message;
+  EXPECT_EQ(input->warnings,
+            std::vector<std::string>{"the property 'size' of 1 line is left out: it is one of "
+                                     "areas; along a line, --size-at NAME=... asks for sizes"});
+}
+
+TEST(ReadGeojson, AnArrayOfAnotherNameIsTold) {
+  ReadOptions options;
+  options.keep_fields = {"RegionId"};
+  const Result<Input> input = parse_geojson(
+      R"({"type": "Feature", "properties": {"RegionId": 3}, "geometry":
+      {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 0]]]}})",
+      "map.geojson", options);
+  ASSERT_TRUE(input.has_value()) << input.error().message;
+  ASSERT_EQ(input->warnings.size(), 1U);
+  EXPECT_EQ(input->warnings[0].find("the attribute 'RegionId' is the array 'RegionId_2'"), 0U);
 }
 
 ReadOptions keeping(std::vector<std::string> fields) {
@@ -146,8 +180,11 @@ TEST(ReadGeojson, IsKnownByItsTypeInAJsonFile) {
   const Result<Input> input = parse_json(square, "map.json");
   ASSERT_TRUE(input.has_value()) << input.error().message;
   EXPECT_EQ(input->polygons.size(), 1u);
-  EXPECT_EQ(parse_json(R"({"type": "Topology"})", "map.json").error().message,
-            "map.json: the type \"Topology\" is not one of GeoJSON");
+  EXPECT_EQ(
+      parse_json(R"({"type": "Topology"})", "map.json").error().message,
+      "map.json: the type \"Topology\" is not one of GeoJSON: ogr2ogr makes that of TopoJSON");
+  EXPECT_EQ(parse_json(R"({"type": "Box"})", "map.json").error().message,
+            "map.json: the type \"Box\" is not one of GeoJSON");
 }
 
 TEST(ReadGeojson, PropertiesAreChosenWhateverTheFileIsCalled) {
