@@ -13,6 +13,10 @@ namespace cover::app {
 #ifdef __linux__
 namespace {
 
+constexpr int kPopulateWrite = 23;  // MADV_POPULATE_WRITE, of Linux 5.14
+/// Larger arrays may be more than anybody will ever fill, or than there is.
+constexpr std::size_t kMostPopulated = std::size_t{1} << 28;
+
 std::size_t whole_pages(std::size_t bytes) {
   static const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   return (bytes + page - 1) / page * page;
@@ -28,8 +32,19 @@ char* map_pages(char* at, std::size_t bytes) {
 }  // namespace
 
 void* PagePool::take(std::size_t bytes) noexcept {
-  const std::lock_guard lock(mutex_);
   bytes = whole_pages(bytes);
+  std::size_t used_before = bytes;
+  void* const array = take_pages(bytes, used_before);
+  // Whoever asks for an array fills it: all pages at once take the system three quarters of the
+  // time that one after the other would. What does not work is made up for as pages are touched.
+  if (array != nullptr && used_before < bytes && bytes <= kMostPopulated)
+    madvise(static_cast<char*>(array) + used_before, bytes - used_before, kPopulateWrite);
+  return array;
+}
+
+/// The first `used_before` bytes of the array are pages that were in use before.
+void* PagePool::take_pages(std::size_t bytes, std::size_t& used_before) noexcept {
+  const std::lock_guard lock(mutex_);
   if (count_ == kMostPieces) return nullptr;
   if (Piece* const piece = best_fit(bytes); piece != nullptr) {
     char* const array = piece->at;
@@ -54,6 +69,7 @@ void* PagePool::take(std::size_t bytes) noexcept {
     return nullptr;
   }
   if (moved < bytes) add({array + moved, bytes - moved, array});
+  used_before = moved;
   erase_empty();
   return array;
 }

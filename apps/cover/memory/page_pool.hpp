@@ -38,6 +38,7 @@ class PagePool {
     void* array = nullptr;  ///< whose it is; null if it is kept
   };
 
+  void* take_pages(std::size_t bytes, std::size_t& used_before) noexcept;
   /// The smallest piece that is kept and has so many bytes; null if none has.
   Piece* best_fit(std::size_t bytes);
   bool move_kept(char* array, std::size_t bytes, std::size_t& moved);
