@@ -61,7 +61,7 @@ class DxfConverter {
     add_texts();
     if (error_) return *std::move(error_);
     if (input_.segments.empty())
-      return Error{ErrorCode::syntax,
+      return Error{options_.layers.empty() ? ErrorCode::syntax : ErrorCode::bad_option,
                    fmt::format("{}: no line or curve in it{}", input_.source,
                                options_.layers.empty()
                                    ? ""
