@@ -2,13 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <span>
 #include <string>
-
-#include <cover/share_out.hpp>
+#include <tuple>
 
 #include "io/write_mesh/region_columns.hpp"
+#include "tasks/between_processes/byte_stream.hpp"
 
 namespace cover {
 
@@ -21,11 +19,16 @@ struct OfferToKeep {
   std::uint64_t regions = 0;
 };
 
-Bytes to_bytes(const OfferToKeep& offer);
-Bytes to_bytes(const ColumnPlan& plan);
+template <Either<OfferToKeep> T>
+auto members(T& offer) {
+  auto& [beside, seen, word, input_vertices, regions] = offer;
+  return std::tie(beside, seen, word, input_vertices, regions);
+}
 
-/// Nothing where `bytes` are not those of the functions above.
-std::optional<OfferToKeep> offer_of_bytes(std::span<const std::byte> bytes);
-std::optional<ColumnPlan> plan_of_bytes(std::span<const std::byte> bytes);
+template <Either<ColumnPlan> T>
+auto members(T& plan) {
+  auto& [path, shown, input_vertices, columns, regions] = plan;
+  return std::tie(path, shown, input_vertices, columns, regions);
+}
 
 }  // namespace cover

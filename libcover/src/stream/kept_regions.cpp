@@ -14,10 +14,6 @@
 namespace cover {
 namespace {
 
-Error not_ours() {
-  return {ErrorCode::internal, "another process sent what this one cannot read", {}, {}};
-}
-
 /// Whether this process has the same folder as the one that offers.
 bool sees(const OfferToKeep& offer) {
   std::uint64_t word = 0;
@@ -38,8 +34,8 @@ KeptRegions::~KeptRegions() = default;
 
 Result<KeptRegions> KeptRegions::open(std::span<const std::byte> how) {
   return memory_as_value("keep", [&]() -> Result<KeptRegions> {
-    const std::optional<OfferToKeep> offer = offer_of_bytes(how);
-    if (!offer) return not_ours();
+    const Result<OfferToKeep> offer = value_of<OfferToKeep>(how);
+    if (!offer) return offer.error();
     if (!sees(*offer)) return cannot_write(offer->beside, ENOENT);
     Result<MeshSpool> spool =
         MeshSpool::without_input(offer->beside, offer->input_vertices, offer->regions);
@@ -68,8 +64,8 @@ void KeptRegions::mesh(std::span<const std::size_t> numbers, std::span<Bytes> re
 
 Status KeptRegions::write(std::span<const std::byte> bytes, unsigned threads) const {
   return memory_as_value("write", [&]() -> Status {
-    const std::optional<ColumnPlan> plan = plan_of_bytes(bytes);
-    if (!plan) return not_ours();
+    const Result<ColumnPlan> plan = value_of<ColumnPlan>(bytes);
+    if (!plan) return plan.error();
     Status status = ok();
     with_team(threads,
               [&](const Team& team) { status = write_columns(spool_->meshes, *plan, {}, team); });

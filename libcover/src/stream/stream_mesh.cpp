@@ -146,7 +146,7 @@ bool offer_to_keep(const std::string& beside, std::size_t input_vertices, std::s
   std::random_device dice;
   const std::uint64_t word = std::uniform_int_distribution<std::uint64_t>()(dice);
   seen->write({reinterpret_cast<const char*>(&word), sizeof word});
-  return offer(to_bytes(
+  return offer(bytes_of(
       OfferToKeep{target->string(), seen->path().string(), word, input_vertices, regions}));
 }
 
@@ -281,7 +281,7 @@ Status write_streamed_mesh(const StreamedOutput& output, const std::string& path
     decltype(SpooledMesh::elsewhere) elsewhere;
     if (parts.elsewhere)
       elsewhere = [&](const ColumnPlan& plan, const std::function<Status()>& here) {
-        return parts.elsewhere(to_bytes(plan), here);
+        return parts.elsewhere(bytes_of(plan), here);
       };
     return write_spooled(
         {parts.spool, rest.table, rest.report, rest.pslg.segments.size(),

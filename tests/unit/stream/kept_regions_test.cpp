@@ -167,32 +167,32 @@ TEST(KeptRegions, RefuseAFolderThatTheyDoNotSee) {
   const std::string seen = folder.path() / "seen";
   std::ofstream(seen) << "12345678";
   const OfferToKeep offer{folder.path() / "x.vtkhdf", seen, 0, 10, 2};
-  const Result<KeptRegions> other_word = KeptRegions::open(to_bytes(offer));
+  const Result<KeptRegions> other_word = KeptRegions::open(bytes_of(offer));
   ASSERT_FALSE(other_word);
   EXPECT_EQ(other_word.error().code, ErrorCode::cannot_write);
 }
 
 TEST(KeptRegions, RefuseBytesThatAreNotWhole) {
   const OfferToKeep offer{"/x/y.vtkhdf", "/x/.y", 7, 10, 2};
-  Bytes bytes = to_bytes(offer);
-  const auto read = offer_of_bytes(bytes);
+  Bytes bytes = bytes_of(offer);
+  const auto read = value_of<OfferToKeep>(bytes);
   ASSERT_TRUE(read);
   EXPECT_EQ(read->beside, offer.beside);
   EXPECT_EQ(read->seen, offer.seen);
   EXPECT_EQ(read->regions, 2U);
   const ColumnPlan plan{"/x/.y", "y", 5, {{Column::places, 100}, {Column::types, 7}}, {{1, 2, 3}}};
-  Bytes of_plan = to_bytes(plan);
-  const auto read_plan = plan_of_bytes(of_plan);
+  Bytes of_plan = bytes_of(plan);
+  const auto read_plan = value_of<ColumnPlan>(of_plan);
   ASSERT_TRUE(read_plan);
   EXPECT_EQ(read_plan->columns[1].at, 7U);
   EXPECT_EQ(read_plan->regions[0].material, 3);
   while (!bytes.empty()) {
     bytes.pop_back();
-    EXPECT_FALSE(offer_of_bytes(bytes)) << bytes.size();
+    EXPECT_FALSE(value_of<OfferToKeep>(bytes)) << bytes.size();
   }
   while (!of_plan.empty()) {
     of_plan.pop_back();
-    EXPECT_FALSE(plan_of_bytes(of_plan)) << of_plan.size();
+    EXPECT_FALSE(value_of<ColumnPlan>(of_plan)) << of_plan.size();
   }
 }
 
