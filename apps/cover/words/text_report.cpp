@@ -77,9 +77,7 @@ std::string arcs_text(const Output& output) {
   if (output.pslg.circles.empty()) return {};
   const CurvedMesh curved = curved_mesh(output);
   if (curved.edges.empty()) return {};
-  const auto straight = static_cast<std::size_t>(
-      std::count_if(curved.edges.begin(), curved.edges.end(),
-                    [](const CurvedEdge& edge) { return edge.is_straight; }));
+  const std::size_t straight = curved.straight_edges();
   const double area = std::accumulate(curved.areas.begin(), curved.areas.end(), 0.0);
   std::string out =
       fmt::format("On arcs         {:>7}  edges; with --order 2 the area is {:.10g}\n",

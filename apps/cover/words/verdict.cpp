@@ -201,9 +201,7 @@ std::optional<Finding> describe_arcs(const Output& output) {
   if (output.pslg.circles.empty()) return std::nullopt;
   const CurvedMesh curved = curved_mesh(output);
   if (curved.edges.empty()) return std::nullopt;
-  const auto straight = static_cast<std::size_t>(
-      std::count_if(curved.edges.begin(), curved.edges.end(),
-                    [](const CurvedEdge& edge) { return edge.is_straight; }));
+  const std::size_t straight = curved.straight_edges();
   const std::string text =
       fmt::format("{} edges have their ends on arcs; triangles of second order are valid with them",
                   grouped(curved.edges.size()));

@@ -1,6 +1,7 @@
 // A mesh with its edges on arcs curved: triangles of second order whose Jacobians are positive.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -31,6 +32,12 @@ struct CurvedMesh {
   std::vector<CurvedEdge> edges;  ///< in the order of the segments of Output::pslg
   std::vector<MovedNode> moved;   ///< in the order of the mesh's edges
   std::vector<double> areas;      ///< by RegionId - 1: inside edges through the nodes
+
+  /// How many edges are straight, or a triangle beside them would not be proven valid.
+  [[nodiscard]] std::size_t straight_edges() const {
+    return static_cast<std::size_t>(std::count_if(
+        edges.begin(), edges.end(), [](const CurvedEdge& edge) { return edge.is_straight; }));
+  }
 };
 
 /// Puts the middle nodes of edges on arcs where segments are chords of arcs.

@@ -1,7 +1,6 @@
 // Tested by tests/unit/dxf/read_dxf_test.cpp.
 #include "dxf/place_blocks.hpp"
 
-#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -108,21 +107,6 @@ class Placer {
 };
 
 }  // namespace
-
-Affine Affine::after(const Affine& inner) const {
-  return {a * inner.a + b * inner.d, a * inner.b + b * inner.e, a * inner.c + b * inner.f + c,
-          d * inner.a + e * inner.d, d * inner.b + e * inner.e, d * inner.c + e * inner.f + f};
-}
-
-bool Affine::is_identity() const {
-  return a == 1 && b == 0 && c == 0 && d == 0 && e == 1 && f == 0;
-}
-
-bool Affine::is_similar() const {
-  const double size = std::hypot(a, d);
-  const double off = is_mirrored() ? std::hypot(a + e, b - d) : std::hypot(a - e, b + d);
-  return size > 0 && off <= 1e-12 * size;
-}
 
 Result<PlacedDrawing> place_blocks(const DxfDrawing& drawing, const std::string& source) {
   return Placer(drawing, source).run();

@@ -7,23 +7,9 @@
 #include <cover/result.hpp>
 
 #include "dxf/drawing.hpp"
+#include "geom/affine.hpp"
 
 namespace cover {
-
-/// (x, y) -> (a x + b y + c, d x + e y + f)
-struct Affine {
-  double a = 1, b = 0, c = 0, d = 0, e = 1, f = 0;
-
-  [[nodiscard]] Point operator()(Point p) const {
-    return {a * p.x + b * p.y + c, d * p.x + e * p.y + f};
-  }
-  /// First `inner`, then this.
-  [[nodiscard]] Affine after(const Affine& inner) const;
-  [[nodiscard]] bool is_identity() const;
-  /// Whether circles stay circles, up to rounding.
-  [[nodiscard]] bool is_similar() const;
-  [[nodiscard]] bool is_mirrored() const { return a * e - b * d < 0; }
-};
 
 template <class Thing>
 struct Placed {

@@ -17,6 +17,7 @@
 #include "base/faults/errors.hpp"
 #include "base/numbers.hpp"
 #include "geom/box.hpp"
+#include "geom/topology/bent_edges.hpp"
 #include "geom/vector.hpp"
 #include "picture/parts/labels.hpp"
 #include "picture/parts/legend.hpp"
@@ -69,7 +70,7 @@ class Composer {
           fmt::format("the width of a picture is 200 to 20000 pixels, not {}", options_.width));
     }
     lay_out(window);
-    find_bent_edges();
+    bent_ = bent_edges(soup_, mesh_.mesh.middles);
     find_visible();
     if (options_.color.empty()) {
       fill_regions();
@@ -130,21 +131,6 @@ class Composer {
     for (const auto& nodes : mesh_.mesh.middles)
       points.insert(points.end(), nodes.begin(), nodes.end());
     return window_around(points);
-  }
-
-  /// Edges of second order that are not straight.
-  void find_bent_edges() {
-    constexpr double kStraight = 1e-9;  ///< of an edge's length
-    const auto& middles = mesh_.mesh.middles;
-    if (middles.size() != soup_.triangles.size()) return;
-    for (std::size_t t = 0; t < middles.size(); ++t) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t a = soup_.triangles[t][i], b = soup_.triangles[t][(i + 1) % 3];
-        const Point p = soup_.points[a], q = soup_.points[b];
-        if (length(middles[t][i] - midpoint(p, q)) > kStraight * length(q - p))
-          bent_[std::minmax(a, b)] = middles[t][i];
-      }
-    }
   }
 
   /// The line of an edge, in pixels.

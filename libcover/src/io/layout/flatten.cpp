@@ -11,6 +11,7 @@
 
 #include <cover/text.hpp>
 
+#include "geom/affine.hpp"
 #include "geom/box.hpp"
 #include "geom/turn.hpp"
 #include "geom/vector.hpp"
@@ -23,20 +24,13 @@
 namespace cover {
 namespace {
 
-/// Where the points of a cell lie: p -> (a x + b y + c, d x + e y + f).
-struct Placement {
-  double a = 1, b = 0, c = 0, d = 0, e = 1, f = 0;
+/// Where the points of a cell lie.
+struct Placement : Affine {
   double magnification = 1;
 
-  [[nodiscard]] Point operator()(Point p) const {
-    return {a * p.x + b * p.y + c, d * p.x + e * p.y + f};
-  }
   /// First `inner`, then this.
   [[nodiscard]] Placement after(const Placement& inner) const {
-    return {a * inner.a + b * inner.d,          a * inner.b + b * inner.e,
-            a * inner.c + b * inner.f + c,      d * inner.a + e * inner.d,
-            d * inner.b + e * inner.e,          d * inner.c + e * inner.f + f,
-            magnification * inner.magnification};
+    return {Affine::after(inner), magnification * inner.magnification};
   }
 };
 
@@ -44,7 +38,7 @@ struct Placement {
 Placement placement_of(const GdsReference& reference) {
   const auto [cosine, sine] = Turn::by_degrees(reference.angle);
   const double m = reference.magnification, mirror = reference.mirrored ? -1 : 1;
-  return {m * cosine, -m * sine * mirror, 0, m * sine, m * cosine * mirror, 0, m};
+  return {{m * cosine, -m * sine * mirror, 0, m * sine, m * cosine * mirror, 0}, m};
 }
 
 Box grown(const Box& box, double by) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <set>
 #include <utility>
 
 #include <fmt/core.h>
@@ -15,7 +14,7 @@
 
 #include "base/faults/errors.hpp"
 #include "base/faults/out_of_memory.hpp"
-#include "geom/vector.hpp"
+#include "geom/topology/bent_edges.hpp"
 #include "io/read_mesh/carried_arrays.hpp"
 #include "io/read_mesh/complete_mesh.hpp"
 #include "io/read_mesh/formats/read_vtkhdf_mesh.hpp"
@@ -57,22 +56,6 @@ void take_run_from_vtm(const std::string& path, StoredMesh& stored) {
   if (named.soup.points != stored.soup.points) return;
   stored.provenance = std::move(named.provenance);
   stored.cut_vertices = std::max(stored.cut_vertices, named.cut_vertices);
-}
-
-/// How many edges have nodes off their middles, by more than rounding of a text.
-std::size_t curved_edges(const TriangleSoup& soup,
-                         const std::vector<std::array<Point, 3>>& middles) {
-  constexpr double kRounding = 1e-9;  // of an edge's length
-  std::set<std::array<std::uint32_t, 2>> curved;
-  for (std::size_t t = 0; t < middles.size(); ++t) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t a = soup.triangles[t][i], b = soup.triangles[t][(i + 1) % 3];
-      const Point p = soup.points[a], q = soup.points[b];
-      if (length(middles[t][i] - midpoint(p, q)) > kRounding * length(q - p))
-        curved.insert({std::min(a, b), std::max(a, b)});
-    }
-  }
-  return curved.size();
 }
 
 /// How many points are corners of no triangle.
@@ -135,7 +118,7 @@ class Completion {
   /// A file that holds all that cover knows.
   Result<StoredMesh> read_named(VtkHdfMesh file) {
     has_periodic_points_ = file.mesh.has_periodic_points;
-    curved_ = curved_edges(file.mesh.soup, file.mesh.middles);
+    curved_ = bent_edges(file.mesh.soup, file.mesh.middles).size();
     StoredMesh stored = std::move(file.names);
     stored.soup = std::move(file.mesh.soup);
     stored.second_order = file.mesh.second_order;
@@ -159,7 +142,7 @@ class Completion {
     stored.soup = file->soup;
     stored.second_order = file->second_order;
     stored.cut_vertices = file->cut_vertices;
-    curved_ = curved_edges(file->soup, file->middles);
+    curved_ = bent_edges(file->soup, file->middles).size();
     has_periodic_points_ = file->has_periodic_points;
     Result<bool> named = read_manifest(beside(".json"), file->group, stored);
     if (!named) return std::move(named).error();
@@ -183,7 +166,7 @@ class Completion {
     Result<VtmMesh> blocks = read_vtm(path_);
     if (!blocks) return std::move(blocks).error();
     has_periodic_points_ = blocks->has_periodic_points;
-    curved_ = curved_edges(blocks->mesh.soup, blocks->middles);
+    curved_ = bent_edges(blocks->mesh.soup, blocks->middles).size();
     const Result<bool> named = read_manifest(beside(".json"), {}, blocks->mesh);
     if (!named) return named.error();
     std::vector<std::string> left_out;
