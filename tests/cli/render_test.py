@@ -32,6 +32,14 @@ class Render(Case):
         self.assertIn('the window shows nothing: the mesh lies between (', err)
         self.assertEqual(self.run_cover('render', 'd.vtu', '-o', 'd.svg', '--window=-1,-1,1,1')[1], '')
 
+    def test_values_at_points(self):
+        self.run_cover('mesh', SAMPLES / 'nmos.tif', '-o', 'n.vtu', '-o', 'n.vtm', '-o', 'n.vtk', '-q')
+        for name in ('n.vtu', 'n.vtm', 'n.vtk'):
+            self.run_cover('render', name, '-o', name + '.svg', '--color', 'Net', '--title', 't')
+        pictures = [(self.dir / f'n.{e}.svg').read_text() for e in ('vtu', 'vtm', 'vtk')]
+        self.assertGreater(len(set(re.findall('fill="(#[0-9a-f]{6})"', pictures[0]))), 10)
+        self.assertEqual(*(re.findall('<path fill=[^/]*/>', pictures[k]) for k in (0, 2)))
+
     def test_unknown_array(self):
         _, err = self.run_cover('render', 'd.vtu', '-o', 'd.png', '--color', 'stress', code=2)
         self.assertIn("the mesh has no array 'stress'; it has", err)

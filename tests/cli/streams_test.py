@@ -55,6 +55,13 @@ class MeshStreams(Case):
                         PROGRAM, self.DEVICE], cwd=self.dir, check=True, timeout=60, stdout=subprocess.PIPE)
         self.assertIn('1,046 triangles', (self.dir / 'x.svg').read_text())
 
+    def test_what_is_no_drawing_is_named(self):
+        for begin, told in (('<?xml version="1.0"?>\n<kml xmlns="http://www.opengis.net/kml/2.2">', 'maps other than GeoJSON are read by GDAL'),
+                            ('<?xml version="1.0"?>\n<ogr:FeatureCollection>', 'maps other than GeoJSON are read by GDAL'),
+                            ('<?xml version="1.0"?>\n<html></html>', 'VTK')):
+            self.assertIn(told, self.run_on(begin.encode(), 'info', '-', code=5)[1])
+        self.assertIn("'*.vtkhdf'", self.run_on((self.dir / 'd.vtkhdf').read_bytes(), 'info', '-', code=5)[1])
+
     def test_standard_input_is_read_once(self):
         _, told = self.run_cover('check', '-', '-', code=2)
         self.assertIn("standard input can be read once, so '-' names one file", told)

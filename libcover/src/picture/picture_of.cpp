@@ -42,6 +42,15 @@ std::vector<std::array<Point, 3>> middles_of(const Output& output, const Triangl
   return middles;
 }
 
+/// What each triangle has of an attribute of its region; of words, their numbers.
+CellArray by_triangle(const Attribute& attribute, const TriangleSoup& soup) {
+  CellArray array{attribute.name, {}};
+  array.values.reserve(soup.triangles.size());
+  for (const std::int64_t region : soup.region)
+    array.values.push_back(attribute.values[static_cast<std::size_t>(region) - 1]);
+  return array;
+}
+
 }  // namespace
 
 PictureMesh picture_of(const Output& output, int order) {
@@ -51,6 +60,9 @@ PictureMesh picture_of(const Output& output, int order) {
   picture.unit = output.report.unit;
   picture.mesh.arrays = {angles(picture.mesh.soup, "max_angle", true),
                          angles(picture.mesh.soup, "min_angle", false)};
+  for (const Attribute& attribute : output.table.attributes)
+    picture.mesh.arrays.push_back(by_triangle(attribute, picture.mesh.soup));
+  picture.mesh.point_arrays = output.fields;
   for (const Region& region : output.table.regions) {
     picture.region_names[region.id.value()] = region.name;
     picture.material_names[region.material] = region.material_name;
