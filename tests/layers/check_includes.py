@@ -7,7 +7,7 @@ import sys
 
 GROUND = ['base', 'geom', 'cdt']
 ORDER = GROUND + ['limits', 'options', 'faces', 'clean', 'region', 'box', 'target', 'sizes', 'mend', 'layers', 'disks',
-                  'almond', 'quality', 'tasks', 'cuts', 'nonobtuse']
+                  'almond', 'quality', 'method', 'tasks', 'cuts', 'nonobtuse']
 SEES = {layer: set(ORDER[:i + 1]) for i, layer in enumerate(ORDER)}
 # What judges meshes shares no code that makes or changes triangles with what makes them.
 SEES['verify'] = {'verify', 'limits', *GROUND}

@@ -66,7 +66,7 @@ class AlmondRegion {
 
   void describe_limit() {
     mesh_.report.id = boundary_.id;
-    set_limits(limit_, mesh_.report);
+    set_bound(limit_, mesh_.report);
   }
 
   /// A region of one triangle is as good as it gets, if it may not be split; else the improvement

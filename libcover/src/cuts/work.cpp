@@ -6,7 +6,7 @@
 
 #include "cuts/cut_segments.hpp"
 #include "quality/measure_again.hpp"
-#include "target/whole_mesh.hpp"
+#include "region/whole_mesh.hpp"
 #include "tasks/mesh_regions.hpp"
 
 namespace cover {

@@ -12,7 +12,7 @@
 #include <cover/result.hpp>
 
 #include "region/region_boundary.hpp"
-#include "target/region_mesh.hpp"
+#include "region/region_mesh.hpp"
 
 namespace cover {
 

@@ -27,10 +27,10 @@
 #include "layers/front/layer_front.hpp"
 #include "mend/couplings/delaunay_within_bound.hpp"
 #include "region/triangulation_of.hpp"
+#include "region/whole_mesh.hpp"
 #include "target/angle_limit.hpp"
 #include "target/report/fill_report.hpp"
 #include "target/report/holds_bound.hpp"
-#include "target/whole_mesh.hpp"
 
 namespace cover {
 namespace {
@@ -82,7 +82,7 @@ Rest rest_of(const RegionBoundary& boundary, const LayerFront& front) {
   out.size = boundary.size;
   out.size_expressions = boundary.size_expressions;
   out.size_function = boundary.size_function;
-  out.is_part = true;
+  out.is_rest = true;
   std::vector<std::uint32_t> local(boundary.points.size() + front.added().size(), kNone);
   for (const std::uint32_t k : spatial_order(points)) {
     const std::uint32_t v = ascending[k];
@@ -306,7 +306,7 @@ class LayeredRegion {
   std::vector<std::uint32_t> judge(RegionMesh& mesh) const {
     RegionReport& report = mesh.report;
     report.id = boundary_.id;
-    set_limits(limit_, report);
+    set_bound(limit_, report);
     if (const auto fault = find_fault({all_points(boundary_, mesh), mesh.triangles, boundary_.sides,
                                        boundary_.segments, boundary_.points.size()}))
       return fault->points.empty() ? std::vector<std::uint32_t>{0} : fault->points;

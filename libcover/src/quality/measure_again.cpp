@@ -9,11 +9,11 @@
 #include "quality/mutable/mutable_mesh.hpp"
 #include "quality/parts/with_neighbours.hpp"
 #include "region/triangulation_of.hpp"
+#include "region/whole_mesh.hpp"
 #include "target/angle_limit.hpp"
 #include "target/goal.hpp"
 #include "target/report/fill_report.hpp"
 #include "target/side_limit.hpp"
-#include "target/whole_mesh.hpp"
 
 namespace cover {
 
@@ -25,7 +25,7 @@ void report_again(const RegionBoundary& boundary, const Options& options, bool b
   MutableMesh mutable_mesh(all, static_cast<std::uint32_t>(boundary.points.size()),
                            locate_sides(all, boundary.sides), side_limits(cdt, limit.at));
   mutable_mesh.set_goal(Goal::of(options.max_angle, options.min_angle));
-  set_limits(limit, mesh.report);
+  set_bound(limit, mesh.report);
   std::vector<Note>& notes = mesh.report.notes;
   std::erase_if(notes, [](const Note& note) { return note.kind == Note::Kind::target_missed; });
   const auto missed = missed_targets(mutable_mesh, boundary, limit, options,

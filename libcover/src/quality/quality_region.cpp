@@ -16,6 +16,7 @@
 
 #include "cdt/couplings.hpp"
 #include "geom/predicates.hpp"
+#include "options/intent.hpp"
 #include "quality/effort/effort.hpp"
 #include "quality/fault/missed_targets.hpp"
 #include "quality/mutable/to_region_mesh.hpp"
@@ -44,7 +45,7 @@ class RegionWork {
     Candidate best = best_candidate();
     const bool goes_on =
         options_.effort == Effort::thorough ||
-        (options_.effort == Effort::normal && preference(options_) == Prefer::largest);
+        (options_.effort == Effort::normal && preferred(options_) == Prefer::largest);
     if (goes_on && !candidates_.has_sizes() && !candidates_.is_tiny() &&
         !candidates_.outlook().has_no_room()) {
       aim_elsewhere(best);
@@ -115,12 +116,12 @@ class RegionWork {
   [[nodiscard]] RegionMesh reported(const Candidate& candidate) const {
     RegionMesh out =
         to_region_mesh(*candidate.mesh, candidates_.frame(), boundary_.points, candidates_.team());
-    if (minds_couplings(options_) && has_negative(*candidate.mesh)) flip_in_the_plane(out);
+    if (couplings_count(options_) && has_negative(*candidate.mesh)) flip_in_the_plane(out);
     RegionReport& report = out.report;
     report.id = boundary_.id;
     report.method = candidate.method;
     report.has_no_room = candidates_.outlook().has_no_room();
-    set_limits(candidates_.limit(), report);
+    set_bound(candidates_.limit(), report);
     return out;
   }
 

@@ -12,8 +12,8 @@
 #include "quality/mutable/mutable_mesh.hpp"
 #include "quality/parts/excerpt.hpp"
 #include "region/region_boundary.hpp"
+#include "region/region_mesh.hpp"
 #include "target/local_frame.hpp"
-#include "target/region_mesh.hpp"
 
 namespace cover {
 

@@ -15,8 +15,8 @@
 #include "mend/effort.hpp"
 #include "mend/mend_mesh.hpp"
 #include "mend/mesh_with_undo.hpp"
+#include "region/whole_mesh.hpp"
 #include "target/report/fill_report.hpp"
-#include "target/whole_mesh.hpp"
 
 namespace cover {
 namespace {

@@ -10,9 +10,7 @@
 namespace cover {
 namespace {
 
-constexpr double kNear = 0.05;  ///< 3 degrees
-/// Below this target the largest angle comes first: Prefer::largest, whatever is preferred.
-const Angle kStrict = Angle::degrees(95);
+constexpr double kNear = 0.05;        ///< 3 degrees
 constexpr double kAlikeFault = 1e-3;  ///< faults that differ by less are the same
 constexpr double kAlike = 1.02;       ///< of cotangents above 140 degrees: of what is left to 180
 
@@ -118,12 +116,6 @@ bool is_better_by_largest(const Merit& a, const Merit& b) {
   }
   return a.triangles < b.triangles;
 }
-
-Prefer preference(const Options& options) {
-  return options.max_angle < kStrict ? Prefer::largest : options.prefer;
-}
-
-bool minds_couplings(const Options& options) { return options.couplings != Couplings::last; }
 
 bool Order::is_better(const Merit& a, const Merit& b) const {
   const bool is_within = is_within_bound(a);

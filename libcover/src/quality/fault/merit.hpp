@@ -52,13 +52,6 @@ bool is_smaller_cot(double a, double b);
 /// REQUIRES: the same targets
 bool is_better_by_largest(const Merit& a, const Merit& b);
 
-/// What is preferred: Options::prefer, but the largest angle where less than 95 degrees is asked
-/// for.
-Prefer preference(const Options& options);
-
-/// Whether couplings come before targets.
-bool minds_couplings(const Options& options);
-
 /// How triangulations of one region are compared.
 struct Order {
   Prefer prefer = Prefer::largest;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "options/intent.hpp"
 #include "quality/effort/effort.hpp"
 
 namespace cover {
@@ -179,7 +180,7 @@ void very_few_restarts(PlanProgress& p) {
 }
 /// The proof of promise 3 comes with the almonds.
 void bound_kept(PlanProgress& p) {
-  if (p.make.is_part()) return;
+  if (p.make.is_rest()) return;
   Candidate almond = p.make.from_almonds();
   if (almond.mesh->triangles.empty()) return;
   Candidate flipped = p.make.coupled(almond);
@@ -188,7 +189,7 @@ void bound_kept(PlanProgress& p) {
   if (p.best.merit.negative > 0) p.best = narrowed_to_bound(p, flipped);
 }
 void bound_kept_sized(PlanProgress& p) {
-  if (p.make.is_part()) return;
+  if (p.make.is_rest()) return;
   const Candidate almond = p.make.from_almonds();
   if (!almond.mesh->triangles.empty()) take(p, p.make.improved(almond));
 }
@@ -295,7 +296,7 @@ constexpr std::array kSizedLargest{
 std::span<const Step> plan_for(const Options& options, bool has_sizes) {
   using Plan = std::span<const Step>;
   const bool is_thorough = options.effort == Effort::thorough;
-  const bool is_largest = preference(options) == Prefer::largest;
+  const bool is_largest = preferred(options) == Prefer::largest;
   if (options.effort == Effort::fast) return has_sizes ? Plan(kSizedFast) : Plan(kFast);
   if (has_sizes && is_largest) return kSizedLargest;
   if (has_sizes) return is_thorough ? Plan(kSizedThorough) : Plan(kSized);

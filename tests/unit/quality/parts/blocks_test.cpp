@@ -12,9 +12,9 @@
 #include "quality/repair/thin_out.hpp"
 #include "quality/starts/delaunay_refinement.hpp"
 #include "region/region_boundary.hpp"
+#include "region/whole_mesh.hpp"
 #include "support/inputs/random_regions.hpp"
 #include "target/report/fill_report.hpp"
-#include "target/whole_mesh.hpp"
 
 namespace cover {
 namespace {

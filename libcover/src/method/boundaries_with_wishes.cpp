@@ -1,5 +1,5 @@
 // Tested by tests/unit/sizes/sizes_test.cpp and tests/unit/layers/layer_rules_test.cpp.
-#include "tasks/pieces_of_work.hpp"
+#include "method/boundaries_with_wishes.hpp"
 
 #include <utility>
 
@@ -9,8 +9,10 @@
 
 namespace cover {
 
-Result<std::vector<RegionBoundary>> pieces_of_work(const Pslg& pslg, const RegionTable& table,
-                                                   const Options& options, const Team& team) {
+Result<std::vector<RegionBoundary>> boundaries_with_wishes(const Pslg& pslg,
+                                                           const RegionTable& table,
+                                                           const Options& options,
+                                                           const Team& team) {
   std::vector<RegionBoundary> boundaries = split_regions(pslg, table, team);
   Status status = resolve_sizes(pslg, table, options, boundaries);
   if (status) status = resolve_layers(pslg, table, options, boundaries);

@@ -1,6 +1,6 @@
 // As in verify/verify: counter-clockwise triangles cover a point as often as their edges wind
 // around it; inner edges cancel, and what is left are the sides.
-#include "target/whole_mesh.hpp"
+#include "region/whole_mesh.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -1,4 +1,4 @@
-#include "target/whole_mesh.hpp"
+#include "region/whole_mesh.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // One region from its boundary to a mesh that is measured, mended and beside its limits.
-#include "tasks/mesh_one_region.hpp"
+#include "method/mesh_one_region.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "base/run_all.hpp"
+#include "region/whole_mesh.hpp"
 #include "support/inputs/inputs.hpp"
-#include "target/whole_mesh.hpp"
 
 namespace cover {
 namespace {

@@ -13,7 +13,7 @@
 #include "cdt/region_cdt.hpp"
 #include "geom/topology/half_edges.hpp"
 #include "region/region_boundary.hpp"
-#include "target/region_mesh.hpp"
+#include "region/region_mesh.hpp"
 
 namespace cover {
 
