@@ -20,6 +20,7 @@
 
 #include <cover/text.hpp>
 
+#include "base/containers/order.hpp"
 #include "cdt/couplings.hpp"
 #include "cdt/region_cdt.hpp"
 #include "geom/spatial_order.hpp"
@@ -159,8 +160,7 @@ std::vector<std::pair<Point, Point>> ends_of_edges(const RegionBoundary& boundar
   for (const IndexTriple& t : mesh.triangles) {
     for (const Corner i : kCorners) edges.push_back(std::minmax(points[t[i]], points[t[i.next()]]));
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sort_unique(edges);
   return edges;
 }
 
@@ -341,8 +341,7 @@ class LayeredRegion {
       if (e.is_side) continue;
       for (const std::uint32_t v : {e.edge[0], e.edge[1], e.apex}) add(v);
     }
-    std::sort(below.begin(), below.end());
-    below.erase(std::unique(below.begin(), below.end()), below.end());
+    sort_unique(below);
     bool any = false;
     for (const std::uint32_t s : below) {
       const int rows = front.sides()[s].rows;

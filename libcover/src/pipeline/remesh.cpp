@@ -17,6 +17,7 @@
 #include <cover/text.hpp>
 #include <cover/verify.hpp>
 
+#include "base/containers/order.hpp"
 #include "base/faults/errors.hpp"
 #include "base/faults/out_of_memory.hpp"
 #include "cdt/cdt.hpp"
@@ -83,8 +84,7 @@ class OldMesh {
         if (on_boundary(v) == kNone) vertices.push_back(v);
       }
     }
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    sort_unique(vertices);
     for (const std::uint32_t v : vertices) mesh.steiner.push_back(soup_.points[v]);
     for (const std::uint32_t t : own) {
       IndexTriple triangle = soup_.triangles[t];
