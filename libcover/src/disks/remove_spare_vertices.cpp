@@ -3,7 +3,7 @@
 // numbers, last first (the feet inside gaps are younger than centres and tangency points), and
 // again where something changed around them, at most kPasses times.
 // Tested by tests/unit/disks/fill_disks_test.cpp.
-#include "disks/thin_out.hpp"
+#include "disks/remove_spare_vertices.hpp"
 
 #include <algorithm>
 
@@ -15,9 +15,9 @@ namespace {
 
 constexpr int kPasses = 6;
 
-class ThinOut {
+class SpareVertices {
  public:
-  ThinOut(TriangleDraft& draft, Index first, double limit)
+  SpareVertices(TriangleDraft& draft, Index first, double limit)
       : draft_(draft), limit_(limit), first_(first), stars_(draft.points.size()) {
     for (Index t = 0; t < draft.triangles.size(); ++t) {
       for (const Index v : draft.triangles[t]) stars_[v].push_back(t);
@@ -117,8 +117,8 @@ class ThinOut {
 
 }  // namespace
 
-void thin_out(TriangleDraft& draft, Index first, double limit) {
-  ThinOut(draft, first, limit).run();
+void remove_spare_vertices(TriangleDraft& draft, Index first, double limit) {
+  SpareVertices(draft, first, limit).run();
 }
 
 }  // namespace cover::disks

@@ -11,6 +11,6 @@ namespace cover::disks {
 /// The packing makes every triangle right-angled, so that each can be proved; most of that is more
 /// than nonobtuse needs. Vertices on a chord are removed likewise, from its one side.
 /// Cost: O(n)
-void thin_out(TriangleDraft& draft, Index first, double limit);
+void remove_spare_vertices(TriangleDraft& draft, Index first, double limit);
 
 }  // namespace cover::disks
