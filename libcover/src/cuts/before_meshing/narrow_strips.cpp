@@ -1,5 +1,5 @@
 // Tested by tests/unit/cuts/before_meshing/split_interfaces_test.cpp.
-#include "cuts/before_meshing/thin_layers.hpp"
+#include "cuts/before_meshing/narrow_strips.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +13,10 @@
 namespace cover {
 namespace {
 
-/// A layer is thin if it is no thicker than this part of the edge length wished along it.
+/// A strip is narrow if it is no wider than this part of the edge length wished along it.
 constexpr double kThin = 0.5;
 
-/// So many sides at a vertex are the corners of layers, more are spokes.
+/// So many sides at a vertex are the corners of strips, more are spokes.
 constexpr std::size_t kMostSides = 8;
 
 using SidesByVertex = std::vector<std::vector<std::uint32_t>>;
@@ -32,7 +32,7 @@ SidesByVertex sides_by_vertex(const RegionBoundary& boundary) {
   return sides;
 }
 
-/// Whether `p` lies beside the segment from `a` to `b`, nearer than a thin layer would be thick.
+/// Whether `p` lies beside the segment from `a` to `b`, nearer than a narrow strip would be wide.
 bool may_face(Point a, Point b, Point p) {
   const Vector along = b - a;
   const double part = dot(p - a, along) / squared_length(along);
