@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "base/faults/out_of_memory.hpp"
-#include "cdt/region_cdt.hpp"
 #include "cuts/after_meshing/cut_until_met.hpp"
 #include "cuts/after_meshing/mesh_with_closed_clefts.hpp"
 #include "cuts/after_meshing/thin_cuts.hpp"
