@@ -37,7 +37,7 @@ RegionMesh with_couplings_mended(const RegionBoundary& boundary, const Options& 
       boundary, mesh, stop, CouplingEffort::of(options.effort, options.box_method));
   if (!mended) return mesh;
   if (options.box_method && costs_angles(mesh.report, mended->report)) return mesh;
-  report_again(boundary, options, false, *mended);
+  report_again(boundary, options, Unreached::unknown, *mended);
   return *std::move(mended);
 }
 

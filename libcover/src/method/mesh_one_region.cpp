@@ -36,7 +36,7 @@ ProvenMesh with_layers(const RegionBoundary& boundary, const Options& options,
   };
   RegionMesh mesh = mesh_with_layers(boundary, options, mesh_rest, stop);
   if (mesh.layer_triangles > 0 && options.method == Method::quality && !stop.stop_requested())
-    report_again(boundary, options, false, mesh);
+    report_again(boundary, options, Unreached::unknown, mesh);
   return {std::move(mesh)};
 }
 

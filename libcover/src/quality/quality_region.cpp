@@ -1,10 +1,7 @@
-// 1. The region is put into a frame of its own (target/local_frame).
-// 2. Steps of a plan make candidates, cheapest first (plan/plan: tables by preference and effort).
-//    The best is kept (fault/merit).
-// 3. By Prefer::largest, and with all effort: where the goal is missed still, the same again with
-//    other goals. Where few triangles miss the region's own target or are above 120 degrees, a
-//    search for these alone.
-// 4. Where rounding on the way back turned a triangle over, all again in the frame of the input.
+// docs/quality_method.md from its step 1 (frame) to 11 (report): steps of a plan make candidates,
+// and the best is kept (plan/plan). By Prefer::largest, and with all effort: where the goal is
+// missed still, the same again with other goals; where few triangles miss the region's own target
+// or are above 120 degrees, a search for these alone.
 // Tested by tests/unit/quality/quality_region_test.cpp.
 #include "quality/quality_region.hpp"
 
@@ -55,9 +52,9 @@ class RegionWork {
     RegionMesh out = reported(best);
     const Goal& goal = candidates_.goal();
     if (!best.mesh->goal().has_same_angles(goal)) best.mesh.change().set_goal(goal);
-    out.report.notes =
-        missed_targets(*best.mesh, boundary_, candidates_.limit(), options_, unreached(),
-                       candidates_.frame().origin(), 0, candidates_.team());
+    out.report.notes = missed_targets(
+        *best.mesh, boundary_, options_,
+        {candidates_.limit(), unreached(), candidates_.frame().origin()}, candidates_.team());
     return out;
   }
 

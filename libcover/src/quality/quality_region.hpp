@@ -8,7 +8,7 @@
 #include <cover/options.hpp>
 
 #include "limits/region_proof.hpp"
-#include "quality/parts/blocks.hpp"
+#include "quality/parts/work_in_parts.hpp"
 #include "region/region_boundary.hpp"
 #include "region/region_mesh.hpp"
 

@@ -235,7 +235,7 @@ Status cut_until_met(Work& work, const Options& options, const Callbacks& callba
   if (!status) return status;
   work = std::move(best.work);
   return errors_as_values("measure", [&] {
-    measure_again(work, options, best.left.budget_used_up);
+    measure_again(work, options, best.left.budget_used_up ? Unreached::budget : Unreached::unknown);
     if (work.pslg.points.size() > points)
       work.report.notes.push_back(note_of_cuts(work.pslg, points, options));
     return ok();

@@ -95,7 +95,7 @@ class CouplingRounds {
     if (make_delaunay(all_points(work_.boundaries[r], flipped), flipped.triangles,
                       work_.boundaries[r].sides) == 0)
       return;
-    measure_again(work_.boundaries[r], options_, false, flipped);
+    measure_again(work_.boundaries[r], options_, Unreached::unknown, flipped);
     if (flipped.report.bound_held || !work_.meshes[r].report.bound_held)
       work_.meshes[r] = std::move(flipped);
   }

@@ -30,6 +30,9 @@ struct Merit {
   std::size_t missed = 0;  ///< triangles that have one
 
   std::size_t negative = 0;  ///< couplings that count and are negative
+
+  /// Adds what is wrong with more triangles, which `triangles` and `target` know of already.
+  void add(const Merit& more);
 };
 
 /// Cost: O(triangles)

@@ -7,20 +7,20 @@
 #include <vector>
 
 #include "almond/almond_region.hpp"
-#include "cdt/cdt.hpp"
 #include "cdt/region_cdt.hpp"
 #include "cdt/sides.hpp"
+#include "cdt/triangulation.hpp"
 #include "options/intent.hpp"
 #include "quality/effort/effort.hpp"
+#include "quality/fault/extreme_angles.hpp"
 #include "quality/mutable/delaunay_flips.hpp"
-#include "quality/parts/split_hull.hpp"
-#include "quality/parts/with_neighbours.hpp"
+#include "quality/mutable/split_hull.hpp"
+#include "quality/repair/best_restart.hpp"
 #include "quality/repair/give_way.hpp"
 #include "quality/repair/improve.hpp"
 #include "quality/repair/search.hpp"
 #include "quality/starts/even_refinement.hpp"
 #include "quality/starts/one_star.hpp"
-#include "quality/starts/restart.hpp"
 #include "region/whole_mesh.hpp"
 #include "sizes/fields/ask_size.hpp"
 
@@ -131,7 +131,7 @@ std::optional<Candidate> Candidates::one_star(const Candidate& cdt) {
   if (!found.star) return std::nullopt;
   const std::vector<EdgeRef> side_at = locate_sides(*found.star, boundary_.sides, sharing_.team);
   Candidate made = coupled(plain(*found.star, side_at, "one star"));
-  outlook_.has_seen(angles_of(*made.mesh));
+  outlook_.has_seen(extreme_angles(*made.mesh));
   return made;
 }
 
@@ -141,7 +141,7 @@ std::optional<Candidate> Candidates::evenly_refined(Candidate cdt) const {
   return measured(std::move(cdt));
 }
 
-Candidate Candidates::optimised(Candidate cdt, OptimiseEffort how_hard) {
+Candidate Candidates::optimised(Candidate cdt, SearchAfter how_hard) {
   Budget half = budget_.share(2);  // the rest is for candidates that may start better
   const Optimised reached =
       optimise(cdt.mesh.change(), goal_, half, sizes_, ranking_.order(), how_hard, sharing_);
@@ -221,7 +221,7 @@ Candidate Candidates::improved_within(const Candidate& c, std::uint64_t evaluati
   return better;
 }
 
-Candidate Candidates::optimised_within(Candidate cdt, OptimiseEffort how_hard,
+Candidate Candidates::optimised_within(Candidate cdt, SearchAfter how_hard,
                                        std::uint64_t evaluations) {
   Candidate better;  // of the budget no more than half is for one
   budget_.within(2 * evaluations, [&] { better = optimised(std::move(cdt), how_hard); });

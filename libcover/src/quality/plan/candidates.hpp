@@ -79,9 +79,9 @@ class Candidates {
   [[nodiscard]] std::optional<Candidate> evenly_refined(Candidate cdt) const;
   /// The constrained Delaunay triangulation refined and improved; nothing promises that it is
   /// better.
-  [[nodiscard]] Candidate optimised(Candidate cdt, OptimiseEffort how_hard);
+  [[nodiscard]] Candidate optimised(Candidate cdt, SearchAfter how_hard);
   /// The same with a budget of its own.
-  [[nodiscard]] Candidate optimised_within(Candidate cdt, OptimiseEffort how_hard,
+  [[nodiscard]] Candidate optimised_within(Candidate cdt, SearchAfter how_hard,
                                            std::uint64_t evaluations);
   /// Improved for the region's own target first, then for the goal.
   ///

@@ -107,38 +107,34 @@ void take_refined(PlanProgress& p) {
   take(p, p.refined);
 }
 void refined(PlanProgress& p) {
-  p.refined = p.make.optimised(p.cdt, OptimiseEffort::little);
+  p.refined = p.make.optimised(p.cdt, SearchAfter::nothing);
   take_refined(p);
 }
 void refined_and_searched(PlanProgress& p) {
-  p.refined = p.make.optimised(p.cdt, OptimiseEffort::normal);
+  p.refined = p.make.optimised(p.cdt, SearchAfter::few);
   take_refined(p);
 }
 void refined_and_searched_all(PlanProgress& p) {
-  p.refined = p.make.optimised(p.cdt, OptimiseEffort::all);
+  p.refined = p.make.optimised(p.cdt, SearchAfter::all);
   take_refined(p);
 }
 /// By the largest angle, no vertex gives way to couplings.
 void largest_refined(PlanProgress& p) {
-  p.refined = p.make.optimised(p.cdt, OptimiseEffort::all);
+  p.refined = p.make.optimised(p.cdt, SearchAfter::all);
   take(p, p.refined);
 }
 void refined_and_searched_again(PlanProgress& p) {
   const std::uint64_t most =
       p.best.merit.triangles *
       (has_couplings(p) ? effort::kSearchedCoupled : effort::kSearchedPerTriangle);
-  p.refined = p.make.optimised_within(p.cdt, OptimiseEffort::again, most);
+  p.refined = p.make.optimised_within(p.cdt, SearchAfter::hope, most);
   take(p, p.refined);
 }
-void sized(PlanProgress& p) {
-  p.best = p.refined = p.make.optimised(p.cdt, OptimiseEffort::little);
-}
+void sized(PlanProgress& p) { p.best = p.refined = p.make.optimised(p.cdt, SearchAfter::nothing); }
 void sized_and_searched(PlanProgress& p) {
-  p.best = p.refined = p.make.optimised(p.cdt, OptimiseEffort::normal);
+  p.best = p.refined = p.make.optimised(p.cdt, SearchAfter::few);
 }
-void sized_and_searched_all(PlanProgress& p) {
-  p.best = p.make.optimised(p.cdt, OptimiseEffort::all);
-}
+void sized_and_searched_all(PlanProgress& p) { p.best = p.make.optimised(p.cdt, SearchAfter::all); }
 Candidate narrowed_to_bound(const PlanProgress& p, const Candidate& from) {
   return p.make.narrowed(p.best, from, p.make.ranking().order().bound, effort::kNarrowedToBound);
 }

@@ -1,7 +1,7 @@
 // The hull of a convex set leaves a vertex once, so the piece on which a split side begins is the
 // one edge on the outside that leaves the start of the side and is no side itself.
-// Tested by tests/unit/quality/parts/split_hull_test.cpp.
-#include "quality/parts/split_hull.hpp"
+// Tested by tests/unit/quality/mutable/split_hull_test.cpp.
+#include "quality/mutable/split_hull.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,15 +1,16 @@
 // Cutting: a part has its vertices by their numbers in the whole; those that several parts share
 // are in a hash table of its own. What a part reads of the whole is its own, or never changes, so
 // that it can be put back (put_back.hpp) as soon as it is done, while others are still to be cut.
-// Tested by tests/unit/quality/parts/blocks_test.cpp.
-#include "quality/parts/blocks.hpp"
+// Tested by tests/unit/quality/parts/work_in_parts_test.cpp.
+#include "quality/parts/work_in_parts.hpp"
 
 #include <algorithm>
 #include <iterator>
 #include <utility>
 
 #include "base/containers/give_back.hpp"
-#include "quality/parts/part.hpp"
+#include "base/containers/order.hpp"
+#include "quality/parts/part_in_work.hpp"
 #include "quality/parts/part_labels.hpp"
 #include "quality/parts/put_back.hpp"
 
@@ -18,23 +19,23 @@ namespace {
 
 constexpr std::size_t kSpare = 16;  ///< one in so many may be added before a part moves
 
-class BlockWork {
+class WorkInParts {
  public:
-  BlockWork(MutableMesh& whole, const Sharing& sharing)
+  WorkInParts(MutableMesh& whole, const Sharing& sharing)
       : whole_(whole),
         team_(sharing.team),
-        labels_(label_parts(whole, block_count(whole, sharing), team_)),
+        labels_(label_parts(whole, part_count(whole, sharing), team_)),
         parts_(labels_.count),
         owners_(whole.points.size(), team_) {}
 
-  Borders run(const std::function<void(Block&)>& work,
-              const std::function<void(const Block&)>& done) {
+  Borders run(const std::function<void(Part&)>& work,
+              const std::function<void(const Part&)>& done) {
     number();
     PutBack put_back(whole_, owners_);
     team_.each(parts_.size(), [&](std::size_t k) { find_border(k); });
     team_.each(parts_.size(), [&](std::size_t k) {
       cut(k);
-      work(parts_[k].block);
+      work(parts_[k].given);
       put_back.put(parts_[k]);
     });
     labels_ = {};
@@ -45,12 +46,12 @@ class BlockWork {
     team_.each(parts_.size(), [&](std::size_t k) {
       for (const std::uint32_t t : parts_[k].to_measure) whole_.measure(t);
     });
-    for (const Part& part : parts_) {
+    for (const PartInWork& part : parts_) {
       for (const auto& [v, t] : part.homes) whole_.home[v] = t;
     }
     if (done) {
-      for (const Part& part : parts_) {
-        if (part.block.tells_places) done(part.block);
+      for (const PartInWork& part : parts_) {
+        if (part.given.tells_places) done(part.given);
       }
     }
     return borders_now();
@@ -72,27 +73,27 @@ class BlockWork {
     for (std::size_t k = 0; k < parts_.size(); ++k) {
       std::uint32_t sum = 0;
       for (std::vector<std::uint32_t>& range : before) sum += std::exchange(range[k], sum);
-      parts_[k].block.index = k;
-      parts_[k].block.triangles.resize(sum);
+      parts_[k].given.index = k;
+      parts_[k].given.triangles.resize(sum);
     }
     team_.each_range(label.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
       for (std::size_t t = first; t < last; ++t) {
         if (label[t] == kNone) continue;
         number_[t] += before[first / kItemsAtATime][label[t]];
-        parts_[label[t]].block.triangles[number_[t]] = static_cast<std::uint32_t>(t);
+        parts_[label[t]].given.triangles[number_[t]] = static_cast<std::uint32_t>(t);
       }
     });
   }
 
   /// All that a part has to know of others.
   void find_border(std::size_t index) {
-    Part& part = parts_[index];
-    for (const std::uint32_t t : part.block.triangles) {
+    PartInWork& part = parts_[index];
+    for (const std::uint32_t t : part.given.triangles) {
       const auto& [v, n] = whole_.triangles[t];
       for (const Corner i : kCorners) {
         owners_.claim(v[i], static_cast<std::uint32_t>(index));
         if (is_side(n[i])) {
-          ++part.block.first_border;
+          ++part.given.first_border;
         } else if (const std::uint32_t beyond = labels_.of_triangle[n[i]]; beyond != index) {
           const Corner j = whole_.triangles[n[i]].edge_from(v[i.previous()]);
           part.border.push_back({3 * t + i, beyond, 3 * n[i] + j, 0, 0, least_cot_across(t, i)});
@@ -112,13 +113,13 @@ class BlockWork {
   }
 
   void cut(std::size_t index) {
-    Part& part = parts_[index];
+    PartInWork& part = parts_[index];
     NumberTable shared(2 * part.border.size());
     const std::uint32_t fixed = number_vertices(index, shared);
-    Block& block = part.block;
-    block.mesh = MutableMesh::part_of(whole_, fixed);
-    MutableMesh& mesh = block.mesh;
-    const std::size_t count = block.triangles.size(), vertices = block.vertices.size();
+    Part& given = part.given;
+    given.mesh = MutableMesh::part_of(whole_, fixed);
+    MutableMesh& mesh = given.mesh;
+    const std::size_t count = given.triangles.size(), vertices = given.vertices.size();
     mesh.triangles.reserve(count + count / kSpare);
     mesh.excess.reserve(count + count / kSpare);
     mesh.points.reserve(vertices + vertices / kSpare);
@@ -126,9 +127,9 @@ class BlockWork {
     mesh.triangles.resize(count);
     mesh.excess.resize(count);
     mesh.home.resize(vertices, kNone);
-    for (const std::uint32_t v : block.vertices) mesh.points.push_back(whole_.points[v]);
-    part.whole_side.reserve(block.first_border);
-    mesh.allowances.reserve(block.first_border + part.border.size());
+    for (const std::uint32_t v : given.vertices) mesh.points.push_back(whole_.points[v]);
+    part.whole_side.reserve(given.first_border);
+    mesh.allowances.reserve(given.first_border + part.border.size());
     cut_triangles(index, shared);
     for (const BorderEdge& edge : part.border) {
       SideLimit limit = kNoLimit;
@@ -141,9 +142,9 @@ class BlockWork {
 
   /// Those that are fixed or on the border come first: returns how many they are.
   std::uint32_t number_vertices(std::size_t index, NumberTable& shared) {
-    Part& part = parts_[index];
-    std::vector<std::uint32_t>& vertices = part.block.vertices;
-    vertices.reserve(part.block.triangles.size());
+    PartInWork& part = parts_[index];
+    std::vector<std::uint32_t>& vertices = part.given.vertices;
+    vertices.reserve(part.given.triangles.size());
     const auto number = [&](std::uint32_t v) {
       const auto next = static_cast<std::uint32_t>(vertices.size());
       if (!owners_.is_shared(v)) {
@@ -157,7 +158,7 @@ class BlockWork {
     const auto is_border = [&](std::uint32_t n) {
       return !is_side(n) && labels_.of_triangle[n] != index;
     };
-    for (const std::uint32_t t : part.block.triangles) {
+    for (const std::uint32_t t : part.given.triangles) {
       const auto& [v, n] = whole_.triangles[t];
       for (const Corner i : kCorners) {
         if (is_side(n[i]) || is_border(n[i])) number(v[i.next()]), number(v[i.previous()]);
@@ -165,7 +166,7 @@ class BlockWork {
       }
     }
     const auto fixed = static_cast<std::uint32_t>(vertices.size());
-    for (const std::uint32_t t : part.block.triangles) {
+    for (const std::uint32_t t : part.given.triangles) {
       for (const std::uint32_t v : whole_.triangles[t].v) number(v);
     }
     part.own_vertices = static_cast<std::uint32_t>(vertices.size());
@@ -173,12 +174,12 @@ class BlockWork {
   }
 
   void cut_triangles(std::size_t index, NumberTable& shared) {
-    Part& part = parts_[index];
-    Block& block = part.block;
-    MutableMesh& mesh = block.mesh;
-    std::uint32_t border = block.first_border;
-    for (std::uint32_t k = 0; k < block.triangles.size(); ++k) {
-      const std::uint32_t t = block.triangles[k];
+    PartInWork& part = parts_[index];
+    Part& given = part.given;
+    MutableMesh& mesh = given.mesh;
+    std::uint32_t border = given.first_border;
+    for (std::uint32_t k = 0; k < given.triangles.size(); ++k) {
+      const std::uint32_t t = given.triangles[k];
       const auto& [v, n] = whole_.triangles[t];
       MeshTriangle& triangle = mesh.triangles[k];
       for (const Corner i : kCorners) {
@@ -196,8 +197,8 @@ class BlockWork {
     }
   }
 
-  static void measure_cut(Part& part) {
-    MutableMesh& mesh = part.block.mesh;
+  static void measure_cut(PartInWork& part) {
+    MutableMesh& mesh = part.given.mesh;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
       if (is_other_in_whole(part, t)) mesh.measure(t);
     }
@@ -215,26 +216,22 @@ class BlockWork {
 
   Borders borders_now() const {
     Borders borders;
-    for (const Part& part : parts_) {
+    for (const PartInWork& part : parts_) {
       for (const BorderEdge& edge : part.border) {
         borders.triangles.push_back(edge.triangle);
         const auto& v = whole_.triangles[edge.triangle].v;
         borders.vertices.push_back(v[edge.edge.next()]);
       }
     }
-    const auto sort = [](std::vector<std::uint32_t>& numbers) {
-      std::sort(numbers.begin(), numbers.end());
-      numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-    };
-    sort(borders.triangles);
-    sort(borders.vertices);
+    sort_unique(borders.triangles);
+    sort_unique(borders.vertices);
     return borders;
   }
 
   MutableMesh& whole_;
   const Team& team_;
   PartLabels labels_;
-  std::vector<Part> parts_;
+  std::vector<PartInWork> parts_;
   VertexOwners owners_;
   UnsetVector<std::uint32_t> number_;  ///< by triangle: in its part
 };
@@ -262,19 +259,19 @@ std::vector<std::uint32_t> Borders::triangles_near(const MutableMesh& whole,
   std::vector<std::uint32_t> near;
   for (const std::vector<std::uint32_t>& own : found)
     near.insert(near.end(), own.begin(), own.end());
-  std::sort(near.begin(), near.end());
-  near.erase(std::unique(near.begin(), near.end()), near.end());
+  sort_unique(near);
   return near;
 }
 
-std::size_t block_count(const MutableMesh& whole, const Sharing& sharing) {
-  return std::max<std::size_t>(1, (whole.triangle_count() + sharing.block / 2) / sharing.block);
+std::size_t part_count(const MutableMesh& whole, const Sharing& sharing) {
+  return std::max<std::size_t>(
+      1, (whole.triangle_count() + sharing.part_size / 2) / sharing.part_size);
 }
 
-Borders work_in_blocks(MutableMesh& whole, const Sharing& sharing,
-                       const std::function<void(Block&)>& work,
-                       const std::function<void(const Block&)>& done) {
-  return BlockWork(whole, sharing).run(work, done);
+Borders work_in_parts(MutableMesh& whole, const Sharing& sharing,
+                      const std::function<void(Part&)>& work,
+                      const std::function<void(const Part&)>& done) {
+  return WorkInParts(whole, sharing).run(work, done);
 }
 
 }  // namespace cover

@@ -1,7 +1,7 @@
 // What a move changes, and what it leaves behind.
 //
 // A move of improvement takes a triangle that misses the goal and tries to make the triangles
-// around it better: `bool try_it(Piece& piece, std::uint32_t t)`. The keep-rule is the same for
+// around it better: `bool try_it(Workplace& work, std::uint32_t t)`. The keep-rule is the same for
 // these four (flip, relocate, remove, restar): the largest excess of the triangles that are
 // replaced goes down by what is worth the time (improvement_of), or, with fewer triangles, does not
 // go up. What comes of joint and kick, which work on a copy, is judged by whoever asked for them.
@@ -18,12 +18,12 @@
 namespace cover {
 
 /// A triangulation that moves are made on, with their buffers.
-struct Piece {
+struct Workplace {
   static constexpr std::size_t kRoom = 64;  ///< for what most moves change
   static constexpr std::uint64_t kFewFlips = 4'096;
   static constexpr std::uint64_t kFlipsPerTriangle = 64;
 
-  explicit Piece(MutableMesh& whole) : mesh(whole), cavity(whole) { again.reserve(kRoom); }
+  explicit Workplace(MutableMesh& whole) : mesh(whole), cavity(whole) { again.reserve(kRoom); }
 
   MutableMesh& mesh;
   Cavity cavity;
@@ -50,7 +50,7 @@ struct Piece {
 
 /// Tries something around triangle `t`.
 ///
-/// ENSURES: false, and nothing has changed, if that helps nothing; else Piece::again has grown
-using Move = bool (*)(Piece& piece, std::uint32_t t);
+/// ENSURES: false, and nothing has changed, if that helps nothing; else Workplace::again has grown
+using Move = bool (*)(Workplace& work, std::uint32_t t);
 
 }  // namespace cover

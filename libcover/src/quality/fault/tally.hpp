@@ -8,7 +8,7 @@
 namespace cover {
 
 /// What an excerpt has reached.
-struct GoalStanding {
+struct Tally {
   double largest = 0;         ///< -cot of the largest angle, if that is obtuse
   double large = 0;           ///< the largest excess of a large angle, by what sides allow
   std::size_t above = 0;      ///< triangles where that is positive
@@ -19,6 +19,6 @@ struct GoalStanding {
 };
 
 /// Measured by `goal`, whatever goal the excerpt has set.
-GoalStanding standing_of(const MutableMesh& mesh, const Goal& goal);
+Tally tally_of(const MutableMesh& mesh, const Goal& goal);
 
 }  // namespace cover

@@ -1,7 +1,9 @@
 // Tested by tests/unit/quality/quality_region_test.cpp.
-#include "quality/parts/with_neighbours.hpp"
+#include "cdt/triangulation.hpp"
 
 #include <utility>
+
+#include "geom/topology/half_edges.hpp"
 
 namespace cover {
 

@@ -1,4 +1,4 @@
-// A part of a large mesh, and what is known of it: for blocks and put_back alone.
+// A part of a large mesh, and what is known of it: for work_in_parts and put_back alone.
 #pragma once
 
 #include <atomic>
@@ -10,7 +10,7 @@
 
 #include "base/containers/unset_vector.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
-#include "quality/parts/blocks.hpp"
+#include "quality/parts/work_in_parts.hpp"
 
 namespace cover {
 
@@ -114,8 +114,8 @@ struct Extras {
   std::vector<Point> points;
   std::vector<std::uint32_t> home;
 };
-struct Part {
-  Block block;
+struct PartInWork {
+  Part given;
   std::vector<BorderEdge> border;         ///< by side from first_border on: by half_edge
   std::vector<std::uint32_t> whole_side;  ///< by side below: that of the whole
   std::uint32_t own_vertices = 0;         ///< that it had at first
@@ -133,6 +133,6 @@ struct Part {
 
 /// Whether the excess of triangle `t` is another in the whole: by couplings across borders, or
 /// between vertices that are fixed in the part alone.
-bool is_other_in_whole(const Part& part, std::uint32_t t);
+bool is_other_in_whole(const PartInWork& part, std::uint32_t t);
 
 }  // namespace cover

@@ -1,11 +1,11 @@
-#include "quality/parts/split_hull.hpp"
+#include "quality/mutable/split_hull.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "cdt/triangulation.hpp"
 #include "geom/vector.hpp"
-#include "quality/parts/with_neighbours.hpp"
 #include "support/inputs/shapes.hpp"
 
 namespace cover {

@@ -1,4 +1,4 @@
-#include "quality/parts/blocks.hpp"
+#include "quality/parts/work_in_parts.hpp"
 
 #include <algorithm>
 #include <random>
@@ -21,7 +21,7 @@ namespace {
 
 using namespace testing;
 
-constexpr std::size_t kBlock = 300;
+constexpr std::size_t kPartSize = 300;
 
 /// Calls `run` with a team of `workers`.
 template <class Run>
@@ -58,10 +58,10 @@ double count_missed(const MutableMesh& mesh) {
 template <class Change>
 MutableMesh with_any_team(const MutableMesh& start, const Change& change) {
   MutableMesh first = start;
-  change(first, Sharing{{}, kBlock});
+  change(first, Sharing{{}, kPartSize});
   for (const unsigned workers : {2U, 3U, 7U, 64U}) {
     MutableMesh mesh = start;
-    with_team(workers, [&](const Team& team) { change(mesh, Sharing{team, kBlock}); });
+    with_team(workers, [&](const Team& team) { change(mesh, Sharing{team, kPartSize}); });
     EXPECT_TRUE(are_same(mesh, first)) << workers;
   }
   return first;
@@ -69,44 +69,44 @@ MutableMesh with_any_team(const MutableMesh& start, const Change& change) {
 
 /// Between fixed vertices triangles reach through the whole region: only branches have short
 /// borders.
-TEST(Blocks, AreBranchesBetweenFixedVertices) {
+TEST(WorkInParts, AreBranchesBetweenFixedVertices) {
   const MutableMesh start = cdt_mesh(smooth_star(4000));
   ASSERT_EQ(start.points.size(), start.fixed_vertices());
-  std::vector<std::size_t> sizes(block_count(start, {{}, kBlock}));
+  std::vector<std::size_t> sizes(part_count(start, {{}, kPartSize}));
   ASSERT_GT(sizes.size(), 8U);
   MutableMesh mesh = start;
-  const Borders borders = work_in_blocks(
-      mesh, {{}, kBlock}, [&](Block& block) { sizes[block.index] = block.triangles.size(); });
+  const Borders borders = work_in_parts(
+      mesh, {{}, kPartSize}, [&](Part& part) { sizes[part.index] = part.triangles.size(); });
   EXPECT_TRUE(are_same(mesh, start));
   std::size_t parts = 0, all = 0;
   for (const std::size_t size : sizes) {
     parts += size > 0 ? 1 : 0;
     all += size;
-    EXPECT_LE(size, 3 * kBlock);
+    EXPECT_LE(size, 3 * kPartSize);
   }
   EXPECT_GT(parts, 4U);
   EXPECT_EQ(all, start.triangle_count());
   EXPECT_LE(borders.triangles.size(), 2 * (parts - 1));
 }
 
-TEST(Blocks, ArePutBackAsTheyWere) {
+TEST(WorkInParts, ArePutBackAsTheyWere) {
   const RegionBoundary boundary = smooth_star(2000);
   const MutableMesh start = refined(boundary);
-  std::vector<std::size_t> sizes(block_count(start, {{}, kBlock}));
+  std::vector<std::size_t> sizes(part_count(start, {{}, kPartSize}));
   ASSERT_GT(sizes.size(), 8U);
   MutableMesh mesh = start;
-  const Borders borders = work_in_blocks(mesh, {{}, kBlock}, [&](Block& block) {
-    EXPECT_TRUE(block.mesh.is_valid());
-    sizes[block.index] = block.triangles.size();
-    EXPECT_LT(block.first_border, block.mesh.allowances.size());
-    for (std::uint32_t t = 0; t < block.mesh.triangles.size(); ++t)
-      EXPECT_EQ(block.mesh.excess[t],
-                block.mesh.excess_of(block.mesh.triangles[t].v, block.mesh.triangles[t].n));
+  const Borders borders = work_in_parts(mesh, {{}, kPartSize}, [&](Part& part) {
+    EXPECT_TRUE(part.mesh.is_valid());
+    sizes[part.index] = part.triangles.size();
+    EXPECT_LT(part.first_border, part.mesh.allowances.size());
+    for (std::uint32_t t = 0; t < part.mesh.triangles.size(); ++t)
+      EXPECT_EQ(part.mesh.excess[t],
+                part.mesh.excess_of(part.mesh.triangles[t].v, part.mesh.triangles[t].n));
   });
   EXPECT_TRUE(are_same(mesh, start));
   expect_sound(mesh, boundary);
-  EXPECT_LT(*std::max_element(sizes.begin(), sizes.end()), 2 * kBlock);
-  EXPECT_GT(*std::min_element(sizes.begin(), sizes.end()), kBlock / 2);
+  EXPECT_LT(*std::max_element(sizes.begin(), sizes.end()), 2 * kPartSize);
+  EXPECT_GT(*std::min_element(sizes.begin(), sizes.end()), kPartSize / 2);
   EXPECT_FALSE(borders.triangles.empty());
   const std::vector<std::uint32_t> near = borders.triangles_near(mesh);
   EXPECT_TRUE(
@@ -114,7 +114,7 @@ TEST(Blocks, ArePutBackAsTheyWere) {
   EXPECT_LT(near.size(), mesh.triangle_count() / 2);
 }
 
-TEST(Blocks, RefinementLeavesNoTraceOfBorders) {
+TEST(WorkInParts, RefinementLeavesNoTraceOfBorders) {
   const RegionBoundary boundary = smooth_star(2000);
   const MutableMesh whole = refined(boundary);
   MutableMesh mesh =
@@ -128,7 +128,7 @@ TEST(Blocks, RefinementLeavesNoTraceOfBorders) {
   EXPECT_EQ(make_delaunay(mesh), 0U);
 }
 
-TEST(Blocks, ImprovementSearchAndThinningAreTheSameForAnyTeam) {
+TEST(WorkInParts, ImprovementSearchAndThinningAreTheSameForAnyTeam) {
   const RegionBoundary boundary = smooth_star(2000);
   const MutableMesh start = refined(boundary);
   const MutableMesh improved = with_any_team(start, [](MutableMesh& mesh, const Sharing& sharing) {
@@ -165,7 +165,7 @@ TEST(Blocks, ImprovementSearchAndThinningAreTheSameForAnyTeam) {
   EXPECT_NEAR(triangles, static_cast<double>(thin_whole.triangle_count()), 0.03 * triangles);
 }
 
-TEST(Blocks, FlipsAcrossBordersMakeItDelaunay) {
+TEST(WorkInParts, FlipsAcrossBordersMakeItDelaunay) {
   const RegionBoundary boundary = smooth_star(2000);
   MutableMesh start = refined(boundary);
   improve(start, 10'000'000);
@@ -176,7 +176,7 @@ TEST(Blocks, FlipsAcrossBordersMakeItDelaunay) {
   ASSERT_GT(make_delaunay(flipped), 0U);
   MutableMesh mesh = with_any_team(start, [](MutableMesh& part, const Sharing& sharing) {
     const Borders borders =
-        work_in_blocks(part, sharing, [](Block& block) { make_delaunay(block.mesh); });
+        work_in_parts(part, sharing, [](Part& part) { make_delaunay(part.mesh); });
     make_delaunay(part, borders.triangles);
   });
   expect_sound(mesh, boundary);
@@ -187,8 +187,8 @@ TEST(Blocks, FlipsAcrossBordersMakeItDelaunay) {
   expect_sound(improved, boundary);
 }
 
-/// The whole method on random regions cut into tiny blocks, each with one thread and with four.
-TEST(Blocks, RandomRegionsInTinyBlocks) {
+/// The whole method on random regions cut into tiny parts, each with one thread and with four.
+TEST(WorkInParts, RandomRegionsInTinyParts) {
   std::mt19937_64 random(7);
   const std::uint64_t tries = cases_asked_for("COVER_BLOCK_TRIES", 100);
   std::size_t divided = 0;

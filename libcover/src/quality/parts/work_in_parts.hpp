@@ -19,15 +19,15 @@ namespace cover {
 /// Who works on a mesh, and how large parts are.
 struct Sharing {
   Team team{};
-  std::size_t block = 50'000;  ///< triangles: some tenths of a second of work, half a cache
+  std::size_t part_size = 50'000;  ///< triangles: some tenths of a second of work, half a cache
 
   [[nodiscard]] bool divides(const MutableMesh& mesh) const {
-    return mesh.triangle_count() >= 2 * block;
+    return mesh.triangle_count() >= 2 * part_size;
   }
 };
 
 /// A part of a mesh, for whoever works on it.
-struct Block {
+struct Part {
   MutableMesh mesh;  ///< see MutableMesh::part_of()
   /// By triangle and by vertex of `mesh`: places in the whole. While it is worked on, of those
   /// that it had at first; kNone for holes.
@@ -49,10 +49,10 @@ struct Borders {
 };
 
 /// How many parts a mesh has at the most.
-std::size_t block_count(const MutableMesh& whole, const Sharing& sharing);
+std::size_t part_count(const MutableMesh& whole, const Sharing& sharing);
 
 /// Divides `whole` into parts (part_labels.hpp), calls `work` with every part, and puts in place
-/// what it has made of Block::mesh. `done` is called with every part in turn whose places were
+/// what it has made of Part::mesh. `done` is called with every part in turn whose places were
 /// asked for, which are now those that it has.
 ///
 /// Memory: the parts that are worked on, and of the others what they have more than at first.
@@ -64,8 +64,8 @@ std::size_t block_count(const MutableMesh& whole, const Sharing& sharing);
 /// ENSURES:  the same result for any team
 /// Cost:     O(triangles) for cutting and putting back: some 0.1 us each
 /// Threads:  `work` runs in several threads at a time
-Borders work_in_blocks(MutableMesh& whole, const Sharing& sharing,
-                       const std::function<void(Block&)>& work,
-                       const std::function<void(const Block&)>& done = {});
+Borders work_in_parts(MutableMesh& whole, const Sharing& sharing,
+                      const std::function<void(Part&)>& work,
+                      const std::function<void(const Part&)>& done = {});
 
 }  // namespace cover
