@@ -9,12 +9,13 @@
 namespace cover {
 namespace {
 
-void fill(benchmark::State& state, const RegionBoundary& boundary, bool thin_out) {
+void fill(benchmark::State& state, const RegionBoundary& boundary, bool removes_spare_vertices) {
   const FillTask task = testing::task_of(boundary);
   PackingRecord record;
   for (auto _ : state) {
     const Filling filling =
-        make_disk_filler({.thin_out = thin_out, .record = &record})->fill(task, {});
+        make_disk_filler({.removes_spare_vertices = removes_spare_vertices, .record = &record})
+            ->fill(task, {});
     benchmark::DoNotOptimize(filling.triangles.data());
     state.counters["vertices_per_vertex"] =
         1 + static_cast<double>(filling.added.size()) / static_cast<double>(task.points.size());

@@ -23,11 +23,11 @@
 #include <cover/option_table.hpp>
 #include <cover/read_input.hpp>
 
+#include "method/mesh_one_region.hpp"
 #include "quality/plan/candidates.hpp"
 #include "quality/plan/plan.hpp"
 #include "quality/quality_region.hpp"
 #include "region/region_graph.hpp"
-#include "tasks/mesh_one_region.hpp"
 
 namespace {
 

@@ -22,9 +22,9 @@
 #include "base/team.hpp"
 #include "clean/pslg.hpp"
 #include "cpu_seconds.hpp"
+#include "method/mesh_one_region.hpp"
 #include "region/region_graph.hpp"
 #include "support/inputs/inputs.hpp"
-#include "tasks/mesh_one_region.hpp"
 
 namespace {
 

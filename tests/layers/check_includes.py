@@ -7,8 +7,10 @@ import sys
 
 GROUND = ['base', 'geom', 'cdt']
 ORDER = GROUND + ['limits', 'options', 'faces', 'clean', 'region', 'box', 'target', 'sizes', 'mend', 'layers', 'disks',
-                  'almond', 'quality', 'tasks', 'cuts', 'nonobtuse']
+                  'almond', 'quality', 'method', 'tasks', 'cuts', 'nonobtuse']
 SEES = {layer: set(ORDER[:i + 1]) for i, layer in enumerate(ORDER)}
+# Of folders within a layer, those that have an order: each sees itself and those before it.
+FOLDERS = {'quality': ['effort', 'mutable', 'fault', 'optimum', 'moves', 'parts', 'starts', 'repair', 'plan']}
 # What judges meshes shares no code that makes or changes triangles with what makes them.
 SEES['verify'] = {'verify', 'limits', *GROUND}
 SEES['mesh'] = SEES['target'] | {'mesh'}
@@ -21,6 +23,14 @@ SEES['dxf'] = SEES['io'] | {'dxf'}
 SEES['gdal'] = SEES['io'] | {'gdal'}
 SEES['gmsh'] = SEES['io'] | {'gmsh'}
 CGAL = {'geom', 'cdt'}  # and there in .cpp files only
+
+
+def is_crossed(including, included):
+    """Whether one folder of a layer includes one that comes later; files beside the folders see all."""
+    order = FOLDERS[including[0]]
+    if included[0] != including[0] or len(including) < 3:
+        return False
+    return len(included) < 3 or order.index(included[1]) > order.index(including[1])
 
 
 def faults(root, path, layer):
@@ -37,6 +47,8 @@ def faults(root, path, layer):
         kind, name = match.groups()
         if kind == '"' and layer and name.split('/')[0] not in SEES[layer]:
             yield number, f"layer '{layer}' may not include \"{name}\""
+        if kind == '"' and layer in FOLDERS and is_crossed(path.relative_to(root / 'libcover/src').parts, name.split('/')):
+            yield number, f"{path.parent.name} may not include \"{name}\""
         if kind == '"' and not layer and '/' in name and not (root / 'apps/cover' / name).exists():
             yield number, f'"{name}" is private to the library'
         if name.startswith('CGAL/') and (layer not in CGAL or path.suffix != '.cpp'):

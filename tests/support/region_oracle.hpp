@@ -4,7 +4,7 @@
 #include <string>
 
 #include "region/region_boundary.hpp"
-#include "target/region_mesh.hpp"
+#include "region/region_mesh.hpp"
 
 namespace cover::testing {
 

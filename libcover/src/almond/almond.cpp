@@ -11,6 +11,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/team.hpp"
 #include "geom/predicates.hpp"
 #include "geom/ulp.hpp"
 #include "region/region_boundary.hpp"
@@ -63,7 +64,6 @@ double Almond::height() const { return length / 2 * std::tan(nu / 2); }
 std::vector<Almond> make_almonds(const Triangulation& cdt, std::span<const IndexPair> sides,
                                  std::span<const SegmentId> segments, const AngleLimit& limit,
                                  Point origin, const Team& team) {
-  constexpr std::size_t kRange = 1 << 14;
   std::vector<Almond> almonds(sides.size());
   const auto make = [&](std::size_t k) {
     Almond& a = almonds[k];
@@ -85,7 +85,7 @@ std::vector<Almond> make_almonds(const Triangulation& cdt, std::span<const Index
     a.apex_limits = compare_with_120_degrees(a.from, cdt.points[a.apex], a.to) != Sign::negative;
     a.set_nu(a.apex_limits ? limit.side_nu[k] : std::numbers::pi / 3);
   };
-  team.each_range(sides.size(), kRange, [&](std::size_t first, std::size_t last) {
+  team.each_range(sides.size(), kFewAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) make(k);
   });
   return almonds;

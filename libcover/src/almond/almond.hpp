@@ -78,11 +78,11 @@ struct Almond {
 };
 
 /// Heights over a side below this many spacings of the coordinates cannot be told from zero.
-inline constexpr double kFlat = 16;
+inline constexpr double kFlatArc = 16;
 
 /// How far two computed positions of the same point of an arc may be apart, relative to the length
 /// of the side: 8 times the rounding error of a coordinate difference of that length.
-inline constexpr double kRounding = 0x1p-50;
+inline constexpr double kArcRounding = 0x1p-50;
 
 /// One almond per side, as large as the paper makes it. Whether the cap of 120 degrees applies is
 /// decided exactly; where it does not, the apex is on the arc by construction. `origin` is added to

@@ -16,6 +16,7 @@
 #include "almond/almond_triangles.hpp"
 #include "almond/arc_layer.hpp"
 #include "almond/arc_walk.hpp"
+#include "base/containers/order.hpp"
 #include "base/faults/internal_fault.hpp"
 #include "geom/predicates.hpp"
 
@@ -225,7 +226,7 @@ class AlmondMethod {
   void flatten_below_resolution() {
     for (std::uint32_t k = 0; k < almonds_.size(); ++k) {
       Almond& a = almonds_[k];
-      if (a.kind != AlmondKind::whole || a.height() >= kFlat * a.resolution) continue;
+      if (a.kind != AlmondKind::whole || a.height() >= kFlatArc * a.resolution) continue;
       replace_by_triangle(a);
       mesh_.remarks.push_back(
           {Note::Kind::below_resolution, k,
@@ -287,8 +288,7 @@ class AlmondMethod {
 
   /// False if that changed nothing: the next trial would end as this one did.
   bool repair(std::vector<std::uint32_t> faults, bool unite_first) {
-    std::sort(faults.begin(), faults.end());
-    faults.erase(std::unique(faults.begin(), faults.end()), faults.end());
+    sort_unique(faults);
     bool is_changed = false;
     for (const std::uint32_t k : faults) {
       if (unite_first) {

@@ -23,7 +23,7 @@ namespace {
 FillPlan make_plan(const Options& options) {
   FillPlan plan;
   plan.refine_first = options.fill == Fill::refine;
-  plan.fillers.push_back(make_disk_filler({.thin_out = !options.paper}));
+  plan.fillers.push_back(make_disk_filler({.removes_spare_vertices = !options.paper}));
   plan.names.emplace_back("disks");
   plan.fillers.push_back(make_refine_filler(10));
   plan.names.emplace_back("refine with ten times the budget");
@@ -66,7 +66,7 @@ class AlmondRegion {
 
   void describe_limit() {
     mesh_.report.id = boundary_.id;
-    set_limits(limit_, mesh_.report);
+    set_bound(limit_, mesh_.report);
   }
 
   /// A region of one triangle is as good as it gets, if it may not be split; else the improvement

@@ -11,7 +11,9 @@
 
 #include "almond/arc_meeting.hpp"
 #include "almond/arc_walk.hpp"
+#include "base/containers/order.hpp"
 #include "base/containers/union_find.hpp"
+#include "base/team.hpp"
 #include "cdt/sight.hpp"
 #include "geom/vector.hpp"
 
@@ -25,7 +27,7 @@ bool are_near(const Almond& a, const Almond& b) {
   const Vector doubled{(a.from.x - b.from.x) + (a.to.x - b.to.x),
                        (a.from.y - b.from.y) + (a.to.y - b.to.y)};
   const double reach = a.length + b.length;
-  return squared_length(doubled) <= reach * reach * (1 + kRounding);
+  return squared_length(doubled) <= reach * reach * (1 + kArcRounding);
 }
 
 /// The pairs of almonds that reach a common triangle and are near, each once, in order.
@@ -58,8 +60,7 @@ std::vector<Pair> find_pairs(const Triangulation& cdt, std::span<const Almond> a
       }
     }
   }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  sort_unique(pairs);
   return pairs;
 }
 
@@ -74,7 +75,7 @@ class Layer {
 
   ArcLayer build(double unite) {
     entries_.resize(reach_.known.size());
-    team_.each_range(almonds_.size(), kRange, [this](std::size_t first, std::size_t last) {
+    team_.each_range(almonds_.size(), kFewAtATime, [this](std::size_t first, std::size_t last) {
       std::size_t at = reach_.first_known[first];
       for (auto k = static_cast<std::uint32_t>(first); k < last; ++k)
         for (const KnownVertex& known : reach_.known_of(k))
@@ -95,7 +96,6 @@ class Layer {
     std::uint32_t vertex;
   };
   /// Almonds that are one piece of work.
-  static constexpr std::size_t kRange = 1 << 14;
 
   void add_meetings(std::uint32_t a, std::uint32_t b) {
     const Meetings meetings =
@@ -133,7 +133,7 @@ class Layer {
     std::vector<Entry> sorted(entries_.size());
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
     for (const Entry& e : entries_) sorted[next[e.almond]++] = e;
-    team_.each_range(almonds_.size(), kRange, [&](std::size_t first, std::size_t last) {
+    team_.each_range(almonds_.size(), kFewAtATime, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k)
         std::sort(sorted.begin() + first_[k], sorted.begin() + first_[k + 1],
                   [](const Entry& a, const Entry& b) {
@@ -151,7 +151,7 @@ class Layer {
       const Entry& e = entries_[k];
       const Entry& f = entries_[k + 1];
       if (e.almond != f.almond || (is_input(e.vertex) && is_input(f.vertex))) continue;
-      const double near = unite * kRounding * almonds_[e.almond].length;
+      const double near = unite * kArcRounding * almonds_[e.almond].length;
       if (squared_length(points_[f.vertex] - points_[e.vertex]) <= near * near) {
         unions.unite(e.vertex, f.vertex);
       }
@@ -171,7 +171,8 @@ class Layer {
   void unite_flat(const Entry& e, UnionFind& unions) const {
     const Almond& a = almonds_[e.almond];
     const double height = a.nu * a.length * std::min(e.place, 1 - e.place);
-    if (is_input(e.vertex) || a.kind == AlmondKind::hull_side || height >= kFlat * a.resolution) {
+    if (is_input(e.vertex) || a.kind == AlmondKind::hull_side ||
+        height >= kFlatArc * a.resolution) {
       return;
     }
     unions.unite(e.vertex, e.place < 0.5 ? a.u : a.v);

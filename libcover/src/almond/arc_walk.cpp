@@ -80,7 +80,7 @@ class Walker {
 
   void take_if_on_arc(std::uint32_t vertex) {
     const Point x = cdt_.points[vertex];
-    if (std::abs(almond_->power(x)) <= kRounding * almond_->length * almond_->length &&
+    if (std::abs(almond_->power(x)) <= kArcRounding * almond_->length * almond_->length &&
         almond_->on_the_arc(x) && !is_known(vertex)) {
       add_known(vertex);
     }

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geom/angle_rounding.hpp"
+
 namespace cover {
 namespace {
 
@@ -104,9 +106,8 @@ double CutRule::longest_piece(double almond_nu) const {
 
 bool CutRule::is_kept_by(Point a, Point b, Point c) const {
   if (!is_flatter(a, b, c, std::tan(nu))) return true;
-  const double least = std::min({nu_at(b, a, c), nu_at(c, b, a), nu_at(a, c, b)});
   const double shortest = std::min({length(b - a), length(c - b), length(a - c)});
-  return least + rounding / shortest >= nu * (1 - 1e-9);
+  return least_nu(a, b, c) + rounding / shortest >= nu * kNuRounded;
 }
 
 ChordLayer cut_chords(ArcLayer layer, std::span<const Almond> almonds, const CutRule& rule) {

@@ -21,4 +21,10 @@ std::vector<EncroachedSide> encroached_sides(const Triangulation& cdt,
   return found;
 }
 
+std::vector<bool> free_sides(const Triangulation& cdt, std::span<const EdgeRef> at) {
+  std::vector<bool> is_free(at.size(), true);
+  for (const EncroachedSide& e : encroached_sides(cdt, at)) is_free[e.side] = false;
+  return is_free;
+}
+
 }  // namespace cover

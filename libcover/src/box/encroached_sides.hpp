@@ -26,4 +26,7 @@ struct EncroachedSide {
 /// Ref:      docs/box_method.md, Theorem 1
 std::vector<EncroachedSide> encroached_sides(const Triangulation& cdt, std::span<const EdgeRef> at);
 
+/// By side: whether no vertex encroaches it.
+std::vector<bool> free_sides(const Triangulation& cdt, std::span<const EdgeRef> at);
+
 }  // namespace cover

@@ -3,9 +3,6 @@
 
 #include <span>
 
-#include "cdt/region_cdt.hpp"
-#include "cdt/sides.hpp"
-
 namespace cover {
 
 /// Whether the open half discs over the free sides of a region cover its inside. Then a mesh with

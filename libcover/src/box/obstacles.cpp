@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/containers/order.hpp"
 #include "cdt/sight.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
@@ -72,8 +73,7 @@ std::vector<Obstacle> ObstacleFinder::obstacles(EdgeRef side) {
       stack_.push_back(n);
     }
   }
-  std::sort(met.begin(), met.end());
-  met.erase(std::unique(met.begin(), met.end()), met.end());
+  sort_unique(met);
   for (const std::uint32_t w : met) {
     const Point p = cdt_.points[w];
     const Obstacle obstacle{dot(p - a, along) / squared, cross(along, p - a) / squared, p};

@@ -4,12 +4,14 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <cover/point.hpp>
 
 #include "base/none.hpp"
 #include "geom/topology/corner.hpp"
+#include "geom/topology/half_edges.hpp"
 
 namespace cover {
 
@@ -36,5 +38,8 @@ struct Triangulation {
   std::vector<Point> points;
   std::vector<Triangle> triangles;
 };
+
+/// Bare triangles with their neighbours, and all edges locked.
+Triangulation with_neighbours(std::vector<Point> points, std::span<const IndexTriple> triangles);
 
 }  // namespace cover

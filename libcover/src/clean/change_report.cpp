@@ -166,8 +166,7 @@ std::map<std::uint32_t, std::vector<Point>> own_crossings(const Network& network
       if (p != raw.a && p != raw.b) inner.emplace_back(v, raw.origin.index, s.raw);
     }
   }
-  std::sort(inner.begin(), inner.end());
-  inner.erase(std::unique(inner.begin(), inner.end()), inner.end());
+  sort_unique(inner);
   std::map<std::uint32_t, std::vector<Point>> out;
   for (std::size_t k = 1; k < inner.size(); ++k) {
     const auto& [v, polygon, raw] = inner[k];

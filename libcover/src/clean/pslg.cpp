@@ -80,33 +80,39 @@ Pslg take_over(const Input& input, const Team& team) {
   return pslg;
 }
 
-/// Drops what other polygons hide and makes the graph of the rest; `sizes` are those of
-/// Painting::sizes.
-Result<EdgeGraph> paint_over(const Input& input, const Options& options, Network& network,
-                             const EdgeGraph& graph, std::vector<EdgeOwners>& owners,
-                             std::vector<std::optional<double>>& sizes, Report& report,
-                             const Team& team) {
+/// What is seen of polygons: its graph, whose its edges are, and Painting::sizes.
+struct Painted {
+  EdgeGraph graph;
+  std::vector<EdgeOwners> owners;
+  std::vector<std::optional<double>> sizes;
+};
+
+/// Drops what other polygons hide and makes the graph of the rest, which `network` is then.
+Result<Painted> paint_over(const Input& input, const Options& options, Network& network,
+                           const EdgeGraph& graph, Report& report, const Team& team) {
   const bool merge = options.merge_materials;
   Result<Painting> painted = paint(input, options.overlap, merge, network, graph);
   if (!painted) return std::move(painted).error();
   report_polygons(input, network, graph, painted->owners, report);
   report_merged_values(input, *painted, report.notes);
-  sizes = std::move(painted->sizes);
+  Painted out;
+  out.sizes = std::move(painted->sizes);
   const VisibleEdges visible = visible_edges(network, graph, *painted);
   report_splits(input, network, visible.edges, report.changes);
   network = network_of(visible.edges, network);
   if (!visible.any_united) {
     for (const VisibleEdge& e : visible.edges) {
-      owners.push_back(e.a < e.b ? e.owners : EdgeOwners{e.owners[1], e.owners[0]});
+      out.owners.push_back(e.a < e.b ? e.owners : EdgeOwners{e.owners[1], e.owners[0]});
     }
-    return index_edges(network);
+    out.graph = index_edges(network);
+    return out;
   }
   // Pieces that were united again may differ from the line they make up by rounding.
-  EdgeGraph clean = node_edges(network, true, team);
-  painted = paint(input, options.overlap, merge, network, clean);
+  out.graph = node_edges(network, true, team);
+  painted = paint(input, options.overlap, merge, network, out.graph);
   if (!painted) return std::move(painted).error();
-  owners = std::move(painted->owners);
-  return clean;
+  out.owners = std::move(painted->owners);
+  return out;
 }
 
 /// Cleans what is no PSLG yet, as is known of segments alone.
@@ -117,21 +123,20 @@ Result<Pslg> clean_up(const Input& input, const Options& options, Report& report
   EdgeGraph graph =
       weld > 0 ? weld_and_node(input, weld, network, report.changes, !options.weld)
                : node_edges(network, !input.polygons.empty() || !input.lines.empty(), team);
-  std::vector<EdgeOwners> owners;
-  std::vector<std::optional<double>> sizes;
+  Painted seen;
   if (input.polygons.empty()) {
     const std::vector<EdgeOwners> none(graph.edges.size(), {kNone, kNone});
     report_splits(input, network, visible_edges(network, graph, {none, none, {}}).edges,
                   report.changes);
   } else {
-    Result<EdgeGraph> painted =
-        paint_over(input, options, network, graph, owners, sizes, report, team);
+    Result<Painted> painted = paint_over(input, options, network, graph, report, team);
     if (!painted) return std::move(painted).error();
-    graph = *std::move(painted);
+    seen = *std::move(painted);
+    graph = std::move(seen.graph);
   }
-  Pslg pslg = assemble(input, network, graph, owners, report.notes);
-  if (owners.empty()) return pslg;  // no polygon is seen
-  for (std::size_t p = 0; p < sizes.size(); ++p) pslg.seeds[p].size = sizes[p];
+  Pslg pslg = assemble(input, network, graph, seen.owners, report.notes);
+  if (seen.owners.empty()) return pslg;  // no polygon is seen
+  for (std::size_t p = 0; p < seen.sizes.size(); ++p) pslg.seeds[p].size = seen.sizes[p];
   return pslg;
 }
 

@@ -8,6 +8,7 @@
 
 #include <cover/text.hpp>
 
+#include "base/containers/order.hpp"
 #include "cdt/sides.hpp"
 #include "geom/curves/arc.hpp"
 #include "geom/vector.hpp"
@@ -200,8 +201,7 @@ std::vector<VertexId> void_in_regions(const Pslg& pslg, const RegionTable& table
     if (at[s].triangle == kNone || !is_in_region[at[s].triangle]) continue;
     for (const std::uint32_t v : sides[s]) found.emplace_back(v);
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  sort_unique(found);
   return found;
 }
 

@@ -9,7 +9,7 @@
 
 #include "cdt/triangulation.hpp"
 #include "region/region_boundary.hpp"
-#include "target/region_mesh.hpp"
+#include "region/region_mesh.hpp"
 
 namespace cover {
 

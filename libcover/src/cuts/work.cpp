@@ -6,7 +6,7 @@
 
 #include "cuts/cut_segments.hpp"
 #include "quality/measure_again.hpp"
-#include "target/whole_mesh.hpp"
+#include "region/whole_mesh.hpp"
 #include "tasks/mesh_regions.hpp"
 
 namespace cover {
@@ -28,9 +28,9 @@ Result<std::vector<std::size_t>> mesh_changed(Work& work, std::vector<RegionBoun
   return changed;
 }
 
-void measure_again(Work& work, const Options& options, bool budget_used_up) {
+void measure_again(Work& work, const Options& options, Unreached why) {
   for (std::size_t r = 0; r < work.meshes.size(); ++r)
-    measure_again(work.boundaries[r], options, budget_used_up, work.meshes[r]);
+    measure_again(work.boundaries[r], options, why, work.meshes[r]);
 }
 
 bool is_sound(const Work& work) {

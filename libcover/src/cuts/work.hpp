@@ -11,8 +11,9 @@
 #include <cover/progress.hpp>
 #include <cover/result.hpp>
 
+#include "quality/fault/missed_targets.hpp"
 #include "region/region_boundary.hpp"
-#include "target/region_mesh.hpp"
+#include "region/region_mesh.hpp"
 
 namespace cover {
 
@@ -37,7 +38,7 @@ Result<std::vector<std::size_t>> mesh_changed(Work& work, std::vector<RegionBoun
                                               const Options& options, const Callbacks& callbacks);
 
 /// Reports and measures the meshes of all regions, after they were changed together.
-void measure_again(Work& work, const Options& options, bool budget_used_up = false);
+void measure_again(Work& work, const Options& options, Unreached why = Unreached::unknown);
 
 /// Whether no segments meet but at their ends, and the mesh of every region is one of its region,
 /// see find_fault().

@@ -11,13 +11,15 @@
 #include <optional>
 
 #include <cover/angle.hpp>
+#include <cover/option_ranges.hpp>
 
+#include "cdt/cdt.hpp"
 #include "disks/gaps/gap.hpp"
 #include "disks/packing/boundary_disks.hpp"
 #include "disks/packing/connect_holes.hpp"
 #include "disks/packing/corner_disks.hpp"
 #include "disks/packing/reduce_cycles.hpp"
-#include "disks/thin_out.hpp"
+#include "disks/remove_spare_vertices.hpp"
 #include "disks/unit_frame.hpp"
 #include "geom/predicates.hpp"
 
@@ -53,7 +55,7 @@ struct Checked {
 
 double doubled_area(Point a, Point b, Point c) { return cross(b - a, c - a); }
 
-double largest_angle(Point a, Point b, Point c) {
+double largest_angle_in(Point a, Point b, Point c) {
   return std::max({angle_at(a, b, c), angle_at(b, c, a), angle_at(c, a, b)});
 }
 
@@ -89,7 +91,8 @@ class TaskRun {
       note_gaps(packing, result.record);
     }
     fill_gaps(packing, attempt.tolerance, result.record);
-    if (options_.thin_out) thin_out(packing.draft, static_cast<Index>(task_.points.size()), kRight);
+    if (options_.removes_spare_vertices)
+      remove_spare_vertices(packing.draft, static_cast<Index>(task_.points.size()), kRight);
     hand_over(packing, result.filling);
     check(result);
     if (options_.record != nullptr && result.fault.empty()) note_result(result);
@@ -223,7 +226,7 @@ class TaskRun {
                   c = point(result.filling, t[2]);
       if (orientation(a, b, c) != Sign::positive) result.fault = "a triangle was turned over";
       area += doubled_area(a, b, c);
-      result.largest_angle = std::max(result.largest_angle, largest_angle(a, b, c));
+      result.largest_angle = std::max(result.largest_angle, largest_angle_in(a, b, c));
     }
     for (const Chord& c : task_.chords)
       wanted += doubled_area(o, task_.points[c.a], task_.points[c.b]);

@@ -4,7 +4,6 @@
 #include <memory>
 #include <span>
 
-#include <cover/option_ranges.hpp>
 #include <cover/packing.hpp>
 
 #include "disks/filler.hpp"
@@ -13,8 +12,8 @@ namespace cover {
 
 /// How to fill.
 struct DiskFillOptions {
-  bool thin_out = true;             ///< remove vertices that no angle needs; false: as published
-  PackingRecord* record = nullptr;  ///< receives the packing; must outlive the filler
+  bool removes_spare_vertices = true;  ///< remove vertices that no angle needs; false: as published
+  PackingRecord* record = nullptr;     ///< receives the packing; must outlive the filler
 };
 
 /// The filler. It aims at no angle above 90 degrees; target_reached allows kLargestSnapped.

@@ -8,10 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <cover/angle.hpp>
 #include <cover/point.hpp>
-
-#include "cdt/cdt.hpp"
 
 namespace cover {
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "geom/predicates.hpp"
 #include "geom/ulp.hpp"
@@ -20,6 +21,15 @@ inline double angle_rounding(Point a, Point b, Point c, double largest_coordinat
   // Each of two corners moves by at most spacing / sqrt 2 against the third along either edge.
   return 4 * spacing_at(largest_coordinate) / shortest;
 }
+
+/// In radians: an angle that misses a target by less meets it.
+inline constexpr double kAngleMet = 1e-9;
+
+/// Promise 3: nu of the largest angle of a region whose sides are seen under gamma_opt = pi -
+/// `nu_opt` at least.
+inline double promised_nu(double nu_opt) { return std::min(nu_opt / 2, std::numbers::pi / 6); }
+/// The part of that which is left where angles themselves are rounded.
+inline constexpr double kNuRounded = 1 - 1e-9;
 
 /// How the largest angle of a triangle compares with 90 degrees.
 enum class Blunt {

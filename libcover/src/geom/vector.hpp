@@ -1,6 +1,7 @@
 // Double-precision vector arithmetic for constructions. No decision about topology is taken on it.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include <cover/angle.hpp>
@@ -34,6 +35,11 @@ constexpr Point midpoint(Point a, Point b) {
 inline double nu_at(Point a, Point p, Point b) {
   const Vector u = a - p, v = b - p;
   return std::atan2(std::abs(cross(u, v)), -dot(u, v));
+}
+
+/// nu of the largest angle of a triangle.
+inline double least_nu(Point a, Point b, Point c) {
+  return std::min({nu_at(c, a, b), nu_at(a, b, c), nu_at(b, c, a)});
 }
 
 /// True if the triangle has an angle above pi - nu; without an arc tangent.

@@ -10,6 +10,7 @@
 #include <cover/regions.hpp>
 #include <cover/text.hpp>
 
+#include "base/containers/order.hpp"
 #include "geom/box.hpp"
 #include "geom/ulp.hpp"
 
@@ -118,8 +119,7 @@ class Resolver {
   }
 
   static Error not_beside(const LayerRule& rule, std::vector<std::string> names) {
-    std::sort(names.begin(), names.end());
-    names.erase(std::unique(names.begin(), names.end()), names.end());
+    sort_unique(names);
     std::string all;
     for (const std::string& name : names)
       all += fmt::format("{}'{}'", all.empty() ? "" : " and ", name);

@@ -20,6 +20,7 @@
 
 #include <cover/text.hpp>
 
+#include "base/containers/order.hpp"
 #include "cdt/couplings.hpp"
 #include "cdt/region_cdt.hpp"
 #include "geom/spatial_order.hpp"
@@ -27,10 +28,10 @@
 #include "layers/front/layer_front.hpp"
 #include "mend/couplings/delaunay_within_bound.hpp"
 #include "region/triangulation_of.hpp"
+#include "region/whole_mesh.hpp"
 #include "target/angle_limit.hpp"
 #include "target/report/fill_report.hpp"
 #include "target/report/holds_bound.hpp"
-#include "target/whole_mesh.hpp"
 
 namespace cover {
 namespace {
@@ -82,7 +83,7 @@ Rest rest_of(const RegionBoundary& boundary, const LayerFront& front) {
   out.size = boundary.size;
   out.size_expressions = boundary.size_expressions;
   out.size_function = boundary.size_function;
-  out.is_part = true;
+  out.is_rest = true;
   std::vector<std::uint32_t> local(boundary.points.size() + front.added().size(), kNone);
   for (const std::uint32_t k : spatial_order(points)) {
     const std::uint32_t v = ascending[k];
@@ -159,8 +160,7 @@ std::vector<std::pair<Point, Point>> ends_of_edges(const RegionBoundary& boundar
   for (const IndexTriple& t : mesh.triangles) {
     for (const Corner i : kCorners) edges.push_back(std::minmax(points[t[i]], points[t[i.next()]]));
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  sort_unique(edges);
   return edges;
 }
 
@@ -306,7 +306,7 @@ class LayeredRegion {
   std::vector<std::uint32_t> judge(RegionMesh& mesh) const {
     RegionReport& report = mesh.report;
     report.id = boundary_.id;
-    set_limits(limit_, report);
+    set_bound(limit_, report);
     if (const auto fault = find_fault({all_points(boundary_, mesh), mesh.triangles, boundary_.sides,
                                        boundary_.segments, boundary_.points.size()}))
       return fault->points.empty() ? std::vector<std::uint32_t>{0} : fault->points;
@@ -341,8 +341,7 @@ class LayeredRegion {
       if (e.is_side) continue;
       for (const std::uint32_t v : {e.edge[0], e.edge[1], e.apex}) add(v);
     }
-    std::sort(below.begin(), below.end());
-    below.erase(std::unique(below.begin(), below.end()), below.end());
+    sort_unique(below);
     bool any = false;
     for (const std::uint32_t s : below) {
       const int rows = front.sides()[s].rows;

@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "geom/angle_rounding.hpp"
+
 namespace cover {
 namespace {
 
-constexpr double kMet = 1e-9;      ///< radians: a target is met up to rounding
 constexpr double kNothing = 1e-5;  ///< degrees: no gap
 constexpr double kNear = 1 + kNothing;
 
@@ -18,7 +19,7 @@ Standing standing_of(bool met, Angle reached, Angle limit) {
 }
 
 bool is_reached(Angle reached, Angle wanted) {
-  return reached.in_radians() >= wanted.in_radians() - kMet;
+  return reached.in_radians() >= wanted.in_radians() - kAngleMet;
 }
 
 }  // namespace

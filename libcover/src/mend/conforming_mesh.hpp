@@ -7,7 +7,6 @@
 
 #include <cover/point.hpp>
 
-#include "cdt/cdt.hpp"
 #include "geom/topology/half_edges.hpp"
 
 namespace cover {

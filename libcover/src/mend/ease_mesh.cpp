@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "cdt/cdt.hpp"
 #include "geom/angle_rounding.hpp"
 #include "geom/foot.hpp"
 #include "geom/predicates.hpp"

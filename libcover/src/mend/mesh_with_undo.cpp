@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/containers/order.hpp"
 #include "base/numbers.hpp"
 #include "geom/angle_rounding.hpp"
 #include "geom/foot.hpp"
@@ -203,8 +204,7 @@ void MeshWithUndo::free_triangle(std::uint32_t t) {
   free_.push_back(t);
   if (static_cast<double>(free_.size()) < kFreeAtMost * static_cast<double>(triangles_.size()))
     return;
-  std::sort(free_.begin(), free_.end());
-  free_.erase(std::unique(free_.begin(), free_.end()), free_.end());
+  sort_unique(free_);
   std::erase_if(free_, [&](std::uint32_t u) { return triangles_[u].v[0] != kNone; });
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/containers/order.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -99,8 +100,7 @@ void PlaceSearch::try_all(std::span<const Point> starts, std::uint32_t from, std
 void PlaceSearch::try_on_line(std::span<const Point> starts, std::uint32_t line, std::size_t mark,
                               std::uint32_t vertex, VertexPlace& best) {
   std::vector<std::uint32_t> all = mesh_.written_since(mark);
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
+  sort_unique(all);
   for (const std::uint32_t t : all) {
     const MeshWithUndo::Triangle triangle = mesh_.triangles()[t];
     if (triangle.v[0] == kNone) continue;

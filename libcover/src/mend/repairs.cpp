@@ -5,6 +5,7 @@
 #include <array>
 #include <span>
 
+#include "base/containers/order.hpp"
 #include "base/numbers.hpp"
 #include "geom/vector.hpp"
 #include "mend/effort.hpp"
@@ -231,8 +232,7 @@ std::uint32_t Repairs::a_bad_triangle() {
     if (is_bad(t)) bad_.push_back(t);
   }
   if (bad_.empty()) return kNone;
-  std::sort(bad_.begin(), bad_.end());
-  bad_.erase(std::unique(bad_.begin(), bad_.end()), bad_.end());
+  sort_unique(bad_);
   if (random_.below(kSeldom) == 0) return bad_[random_.below(bad_.size())];
   return *std::max_element(bad_.begin(), bad_.end(), [&](std::uint32_t s, std::uint32_t t) {
     return mesh_.triangles()[s].cost < mesh_.triangles()[t].cost;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -14,16 +15,18 @@
 
 namespace cover {
 
+inline constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();
+
 /// How many triangles may be bad in some way.
 struct MostBad {
   std::size_t bad = 0;
-  std::size_t grave = 0;             ///< MeshWithUndo::grave()
-  std::size_t by_sign_only = kNone;  ///< all others that are bad
-  std::size_t beyond_worst = 0;      ///< MeshWithUndo::beyond_worst()
+  std::size_t grave = 0;                  ///< MeshWithUndo::grave()
+  std::size_t by_sign_only = kAnyNumber;  ///< all others that are bad
+  std::size_t beyond_worst = 0;           ///< MeshWithUndo::beyond_worst()
 
   /// Those that are: the mesh may not become worse.
   static MostBad in(const MeshWithUndo& mesh) {
-    return {mesh.bad(), mesh.grave(), kNone, mesh.beyond_worst()};
+    return {mesh.bad(), mesh.grave(), kAnyNumber, mesh.beyond_worst()};
   }
 };
 

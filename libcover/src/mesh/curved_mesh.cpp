@@ -15,6 +15,7 @@
 
 #include <cover/mesh.hpp>
 
+#include "base/containers/order.hpp"
 #include "base/none.hpp"
 #include "geom/curves/arc.hpp"
 #include "geom/vector.hpp"
@@ -160,8 +161,7 @@ class Curving {
 
   /// Each once, ascending.
   [[nodiscard]] std::vector<Face> unproven(std::vector<Face> faces) const {
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    sort_unique(faces);
     std::erase_if(faces, [&](Face f) { return is_proven(f); });
     return faces;
   }

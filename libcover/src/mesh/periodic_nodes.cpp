@@ -6,6 +6,7 @@
 
 #include <cover/mesh.hpp>
 
+#include "base/containers/order.hpp"
 #include "base/containers/union_find.hpp"
 #include "base/none.hpp"
 
@@ -45,9 +46,7 @@ std::vector<PeriodicNodes> periodic_nodes(const Pslg& pslg, const std::vector<Pe
   }
   for (PeriodicNodes& nodes : all) {
     std::sort(nodes.edges.begin(), nodes.edges.end());
-    std::sort(nodes.vertices.begin(), nodes.vertices.end());
-    nodes.vertices.erase(std::unique(nodes.vertices.begin(), nodes.vertices.end()),
-                         nodes.vertices.end());
+    sort_unique(nodes.vertices);
   }
   return all;
 }

@@ -11,7 +11,7 @@
 
 #include "base/team.hpp"
 #include "region/region_boundary.hpp"
-#include "target/region_mesh.hpp"
+#include "region/region_mesh.hpp"
 
 namespace cover {
 

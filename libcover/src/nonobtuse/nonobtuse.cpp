@@ -21,6 +21,7 @@
 
 #include <cover/text.hpp>
 
+#include "base/stage_clock.hpp"
 #include "cdt/region_cdt.hpp"
 #include "cuts/cut_segments.hpp"
 #include "disks/fill_disks.hpp"
@@ -29,11 +30,10 @@
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 #include "region/region_graph.hpp"
+#include "region/whole_mesh.hpp"
 #include "target/angle_limit.hpp"
 #include "target/report/fill_report.hpp"
-#include "target/whole_mesh.hpp"
 #include "tasks/for_each_region.hpp"
-#include "tasks/stage_clock.hpp"
 
 namespace cover {
 namespace {
@@ -285,7 +285,7 @@ class Nonobtuse {
     const CdtResult cdt = triangulate_domain(boundary.points, boundary.sides);
     faults_[r] = find_fault(cdt, boundary.points, boundary.sides);
     if (faults_[r]) return;
-    set_limits(angle_limit(cdt.triangulation, boundary.sides, boundary.segments), mesh.report);
+    set_bound(angle_limit(cdt.triangulation, boundary.sides, boundary.segments), mesh.report);
     if (!fillings_[r].target_reached) {
       mesh.report.notes.push_back(
           {Note::Kind::target_missed,

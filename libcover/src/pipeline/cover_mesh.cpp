@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "base/faults/out_of_memory.hpp"
-#include "cdt/region_cdt.hpp"
 #include "cuts/after_meshing/cut_until_met.hpp"
 #include "cuts/after_meshing/mesh_with_closed_clefts.hpp"
 #include "cuts/after_meshing/thin_cuts.hpp"
@@ -24,6 +23,7 @@
 #include "layers/layer_rules.hpp"
 #include "mesh/periodic_nodes.hpp"
 #include "mesh/stitch.hpp"
+#include "method/boundaries_with_wishes.hpp"
 #include "nonobtuse/nonobtuse.hpp"
 #include "pipeline/begin_stage.hpp"
 #include "pipeline/prepare_regions.hpp"
@@ -37,7 +37,6 @@
 #include "tasks/errors_as_values.hpp"
 #include "tasks/for_each_region.hpp"
 #include "tasks/mesh_regions.hpp"
-#include "tasks/pieces_of_work.hpp"
 
 namespace cover {
 namespace {
@@ -46,9 +45,9 @@ namespace {
 Status split(Work& work, const Options& options, bool memory_counts,
              std::span<TriangulatedRegion> triangulated) {
   return by_team("split", worker_count(options), [&](const Team& team) -> Status {
-    auto pieces = pieces_of_work(work.pslg, work.table, options, team);
-    if (!pieces) return std::move(pieces).error();
-    work.boundaries = *std::move(pieces);
+    auto boundaries = boundaries_with_wishes(work.pslg, work.table, options, team);
+    if (!boundaries) return std::move(boundaries).error();
+    work.boundaries = *std::move(boundaries);
     if (work.pslg.points.size() == work.report.input_points)
       add_known_triangles(triangulated, work.pslg.points.size(), work.boundaries, team);
     return check_expected_triangles(work.table, work.boundaries, options,
@@ -122,7 +121,7 @@ Result<Prepared> prepare(const Input& input, const Options& asked, const Callbac
     if (!regions) return std::move(regions).error();
     Prepared prepared = std::move(regions->prepared);
     Result<std::vector<RegionReport>> limits =
-        limit_regions(split_regions(prepared.pslg, prepared.table), options, callbacks);
+        bound_regions(split_regions(prepared.pslg, prepared.table), options, callbacks);
     if (!limits) return std::move(limits).error();
     prepared.report.regions = *std::move(limits);
     clock.note("limits", prepared.report.times);

@@ -2,7 +2,6 @@
 #include <cover/estimate.hpp>
 
 #include "base/faults/machine_memory.hpp"
-#include "base/faults/out_of_memory.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/expected_triangles.hpp"
 #include "sizes/sizes.hpp"

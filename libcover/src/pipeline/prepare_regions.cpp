@@ -13,13 +13,13 @@
 #include "cuts/before_meshing/split_interfaces.hpp"
 #include "cuts/boxes/cut_for_boxes.hpp"
 #include "cuts/periodic/periodic_sides.hpp"
+#include "method/boundaries_with_wishes.hpp"
 #include "pipeline/begin_stage.hpp"
 #include "region/region_graph.hpp"
 #include "sizes/expected_triangles.hpp"
 #include "tasks/by_team.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/for_each_region.hpp"
-#include "tasks/pieces_of_work.hpp"
 
 namespace cover {
 namespace {
@@ -28,9 +28,10 @@ namespace {
 Status check_wishes(const Pslg& pslg, const RegionTable& table, const Options& options,
                     bool memory_counts) {
   if (options.sizes.empty() && options.layers.empty() && !options.split_interfaces) return ok();
-  const auto pieces = pieces_of_work(pslg, table, options);
-  return pieces ? check_expected_triangles(table, *pieces, options, memory_for_mesh(memory_counts))
-                : pieces.error();
+  const auto boundaries = boundaries_with_wishes(pslg, table, options);
+  return boundaries
+             ? check_expected_triangles(table, *boundaries, options, memory_for_mesh(memory_counts))
+             : boundaries.error();
 }
 
 /// What the report tells of an input as it was read.

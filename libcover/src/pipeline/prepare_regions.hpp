@@ -9,8 +9,8 @@
 #include <cover/progress.hpp>
 #include <cover/result.hpp>
 
+#include "base/stage_clock.hpp"
 #include "region/region_graph.hpp"
-#include "tasks/stage_clock.hpp"
 
 namespace cover {
 

@@ -17,11 +17,13 @@
 #include <cover/text.hpp>
 #include <cover/verify.hpp>
 
+#include "base/containers/order.hpp"
 #include "base/faults/errors.hpp"
 #include "base/faults/out_of_memory.hpp"
 #include "cdt/cdt.hpp"
 #include "cuts/periodic/match_sides.hpp"
 #include "layers/layer_rules.hpp"
+#include "method/boundaries_with_wishes.hpp"
 #include "pipeline/prepare_regions.hpp"
 #include "pipeline/steps.hpp"
 #include "sizes/expected_triangles.hpp"
@@ -30,7 +32,6 @@
 #include "tasks/errors_as_values.hpp"
 #include "tasks/for_each_region.hpp"
 #include "tasks/mesh_regions.hpp"
-#include "tasks/pieces_of_work.hpp"
 
 namespace cover {
 namespace {
@@ -83,8 +84,7 @@ class OldMesh {
         if (on_boundary(v) == kNone) vertices.push_back(v);
       }
     }
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    sort_unique(vertices);
     for (const std::uint32_t v : vertices) mesh.steiner.push_back(soup_.points[v]);
     for (const std::uint32_t t : own) {
       IndexTriple triangle = soup_.triangles[t];
@@ -191,7 +191,7 @@ Status fill_in(std::span<const RegionBoundary> again, const std::vector<bool>& c
         RegionReport& report = work.meshes[r].report;
         report.id = boundary.id;
         report.method = "kept";
-        set_limits(angle_limit(cdt.triangulation, boundary.sides, boundary.segments), report);
+        set_bound(angle_limit(cdt.triangulation, boundary.sides, boundary.segments), report);
         fill_report(boundary, work.meshes[r]);
       });
 }
@@ -247,9 +247,10 @@ Result<Output> mesh_again(const Input& input, const TriangleSoup& onto,
   OldMesh old(onto);
   if (Status status = adopt(onto, *options, asked, old, work); !status)
     return std::move(status).error();
-  Result<std::vector<RegionBoundary>> pieces = pieces_of_work(work.pslg, work.table, *options);
-  if (!pieces) return std::move(pieces).error();
-  work.boundaries = *std::move(pieces);
+  Result<std::vector<RegionBoundary>> boundaries =
+      boundaries_with_wishes(work.pslg, work.table, *options);
+  if (!boundaries) return std::move(boundaries).error();
+  work.boundaries = *std::move(boundaries);
   clock.note("split", work.report.times);
 
   std::vector<RegionBoundary> again;

@@ -6,10 +6,10 @@
 
 #include <cover/judged_angle.hpp>
 
+#include "geom/angle_rounding.hpp"
+
 namespace cover {
 namespace {
-
-constexpr double kRounding = 1e-9;  ///< radians: what the quality method's targets leave to it
 
 bool below_resolution(const RegionReport& region) {
   return std::any_of(region.notes.begin(), region.notes.end(),
@@ -28,7 +28,7 @@ bool misses(const Report& report, const RegionReport& region) {
 }
 
 template <class Test>
-std::string regions_where(const Output& output, Test test) {
+std::string names_of_regions_where(const Output& output, Test test) {
   constexpr std::size_t kListed = 5;
   std::string names;
   std::size_t count = 0;
@@ -51,8 +51,8 @@ bool missed_bound(const Report& report) {
 
 std::string describe_missed_bound(const Output& output) {
   return "the proven bound on the largest angle is missed in " +
-         regions_where(output,
-                       [&](const RegionReport& region) { return misses(output.report, region); });
+         names_of_regions_where(
+             output, [&](const RegionReport& region) { return misses(output.report, region); });
 }
 
 std::vector<std::string> unmet_requirements(const Output& output, const Options& options) {
@@ -61,7 +61,7 @@ std::vector<std::string> unmet_requirements(const Output& output, const Options&
   const auto add = [&](bool wanted, const char* what, auto test) {
     const auto& regions = output.report.regions;
     if (!wanted || std::none_of(regions.begin(), regions.end(), test)) return;
-    unmet.push_back(fmt::format("{}, in {}", what, regions_where(output, test)));
+    unmet.push_back(fmt::format("{}, in {}", what, names_of_regions_where(output, test)));
   };
   add(require.bound, "bound (the proven bound on the largest angle)",
       [](const RegionReport& r) { return !r.bound_held; });
@@ -69,7 +69,7 @@ std::vector<std::string> unmet_requirements(const Output& output, const Options&
       fmt::format("max-angle (no angle above {:g} degrees)", options.max_angle.in_degrees());
   add(require.max_angle, limit.c_str(), [&](const RegionReport& r) {
     return judged_nu(r.quality).in_radians() <
-           options.max_angle.supplement().in_radians() - kRounding;
+           options.max_angle.supplement().in_radians() - kAngleMet;
   });
   add(require.delaunay, "delaunay (no inner edge fails the empty-circle test)",
       [](const RegionReport& r) { return r.box.non_delaunay_edges > 0; });

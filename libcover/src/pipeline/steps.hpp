@@ -8,8 +8,8 @@
 #include <cover/progress.hpp>
 #include <cover/result.hpp>
 
+#include "base/stage_clock.hpp"
 #include "cuts/work.hpp"
-#include "tasks/stage_clock.hpp"
 
 namespace cover {
 

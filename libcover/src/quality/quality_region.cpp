@@ -1,10 +1,7 @@
-// 1. The region is put into a frame of its own (target/local_frame).
-// 2. Steps of a plan make candidates, cheapest first (plan/plan: tables by preference and effort).
-//    The best is kept (fault/merit).
-// 3. By Prefer::largest, and with all effort: where the goal is missed still, the same again with
-//    other goals. Where few triangles miss the region's own target or are above 120 degrees, a
-//    search for these alone.
-// 4. Where rounding on the way back turned a triangle over, all again in the frame of the input.
+// docs/quality_method.md from its step 1 (frame) to 11 (report): steps of a plan make candidates,
+// and the best is kept (plan/plan). By Prefer::largest, and with all effort: where the goal is
+// missed still, the same again with other goals; where few triangles miss the region's own target
+// or are above 120 degrees, a search for these alone.
 // Tested by tests/unit/quality/quality_region_test.cpp.
 #include "quality/quality_region.hpp"
 
@@ -16,6 +13,7 @@
 
 #include "cdt/couplings.hpp"
 #include "geom/predicates.hpp"
+#include "options/intent.hpp"
 #include "quality/effort/effort.hpp"
 #include "quality/fault/missed_targets.hpp"
 #include "quality/mutable/to_region_mesh.hpp"
@@ -44,7 +42,7 @@ class RegionWork {
     Candidate best = best_candidate();
     const bool goes_on =
         options_.effort == Effort::thorough ||
-        (options_.effort == Effort::normal && preference(options_) == Prefer::largest);
+        (options_.effort == Effort::normal && preferred(options_) == Prefer::largest);
     if (goes_on && !candidates_.has_sizes() && !candidates_.is_tiny() &&
         !candidates_.outlook().has_no_room()) {
       aim_elsewhere(best);
@@ -54,9 +52,9 @@ class RegionWork {
     RegionMesh out = reported(best);
     const Goal& goal = candidates_.goal();
     if (!best.mesh->goal().has_same_angles(goal)) best.mesh.change().set_goal(goal);
-    out.report.notes =
-        missed_targets(*best.mesh, boundary_, candidates_.limit(), options_, unreached(),
-                       candidates_.frame().origin(), 0, candidates_.team());
+    out.report.notes = missed_targets(
+        *best.mesh, boundary_, options_,
+        {candidates_.limit(), unreached(), candidates_.frame().origin()}, candidates_.team());
     return out;
   }
 
@@ -115,12 +113,12 @@ class RegionWork {
   [[nodiscard]] RegionMesh reported(const Candidate& candidate) const {
     RegionMesh out =
         to_region_mesh(*candidate.mesh, candidates_.frame(), boundary_.points, candidates_.team());
-    if (minds_couplings(options_) && has_negative(*candidate.mesh)) flip_in_the_plane(out);
+    if (couplings_count(options_) && has_negative(*candidate.mesh)) flip_in_the_plane(out);
     RegionReport& report = out.report;
     report.id = boundary_.id;
     report.method = candidate.method;
     report.has_no_room = candidates_.outlook().has_no_room();
-    set_limits(candidates_.limit(), report);
+    set_bound(candidates_.limit(), report);
     return out;
   }
 

@@ -8,9 +8,9 @@
 #include <cover/options.hpp>
 
 #include "limits/region_proof.hpp"
-#include "quality/parts/blocks.hpp"
+#include "quality/parts/work_in_parts.hpp"
 #include "region/region_boundary.hpp"
-#include "target/region_mesh.hpp"
+#include "region/region_mesh.hpp"
 
 namespace cover {
 
@@ -26,7 +26,7 @@ struct ProvenMesh {
 /// the optimum.
 ///
 /// ENSURES: promise 3 at least, but for rounding, which mesh_one_region() looks after, and not for
-///          a part of a region. Without sizes, by Order no worse than the constrained Delaunay
+///          the rest beside layers. Without sizes, by Order no worse than the constrained Delaunay
 ///          triangulation and than all that the steps of the plan which ran compared with it.
 ///          RegionMesh::report::notes says which targets were missed, where and why.
 /// `almonds` is what almond_region() made of the region, where it was asked already.

@@ -40,8 +40,9 @@ struct RegionBoundary {
   double size_grid = 0;  ///< so near each other are the places where these are looked at first
   SizeFunction size_function;         ///< wished edge length by place, beside Options::size_field
   std::vector<std::uint32_t> layers;  ///< by side: which of Options::layers plus one; empty: none
-  /// Part of a region, whose bound counts for both: what misses its own gets no almonds.
-  bool is_part = false;
+  /// What layers leave of a region, whose bound counts for both: if this misses its own, it gets no
+  /// almonds.
+  bool is_rest = false;
   /// The triangles of triangulate_region(), or what they were before something was changed, where
   /// they were found on the way. Only time depends on them.
   std::shared_ptr<const std::vector<IndexTriple>> known_cdt{};

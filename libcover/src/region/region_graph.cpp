@@ -17,7 +17,6 @@
 #include <cover/text.hpp>
 
 #include "base/numbers.hpp"
-#include "cdt/region_cdt.hpp"
 #include "clean/ends/loose_ends.hpp"
 #include "faces/face_measures.hpp"
 #include "faces/faces.hpp"

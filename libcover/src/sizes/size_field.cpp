@@ -63,12 +63,17 @@ SizeFunction smaller_of(SizeFunction a, SizeFunction b) {
   };
 }
 
+namespace {
+
+/// `wishes`, raised to `least` where they are above zero.
 SizeFunction no_smaller_than(std::optional<double> least, SizeFunction wishes) {
   if (!least || !wishes) return wishes;
   return [wishes = std::move(wishes), least = *least](Point p) {
     return at_least(least, wish_of(wishes, p));
   };
 }
+
+}  // namespace
 
 SizeFunction background_of(const RegionBoundary& boundary, const Options& options) {
   return smaller_of(no_smaller_than(options.min_size, options.size_field), boundary.size_function);

@@ -18,9 +18,6 @@ namespace cover {
 /// Where both are, the smaller; an empty function wishes nothing.
 SizeFunction smaller_of(SizeFunction a, SizeFunction b);
 
-/// `wishes`, raised to `least` where they are above zero.
-SizeFunction no_smaller_than(std::optional<double> least, SizeFunction wishes);
-
 /// The background sizes that hold in a region: Options::size_field and
 /// RegionBoundary::size_function.
 SizeFunction background_of(const RegionBoundary& boundary, const Options& options);

@@ -8,7 +8,7 @@
 
 #include "io/write_mesh/mesh_spool.hpp"
 #include "region/region_boundary.hpp"
-#include "target/region_mesh.hpp"
+#include "region/region_mesh.hpp"
 
 namespace cover {
 

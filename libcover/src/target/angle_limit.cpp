@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "geom/angle_rounding.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 #include "region/region_boundary.hpp"
@@ -40,7 +41,7 @@ double accurate_nu_at(Point a, Point p, Point b) {
   return std::atan2(std::abs(cross), -(ux.high * vx.high + uy.high * vy.high));
 }
 
-double AngleLimit::promised_nu() const { return std::min(nu / 2, std::numbers::pi / 6); }
+double AngleLimit::promised_nu() const { return cover::promised_nu(nu); }
 
 AngleLimit angle_limit(const Triangulation& cdt, std::span<const IndexPair> sides,
                        std::span<const SegmentId> segments, const Team& team) {
@@ -61,10 +62,7 @@ AngleLimit angle_limit(const Triangulation& cdt, std::span<const IndexPair> side
   limit.above_120 = std::accumulate(above_120.begin(), above_120.end(), std::size_t{0});
   for (std::size_t s = 0; s < sides.size(); ++s) {
     if (limit.side_nu[s] < std::numbers::pi / 6) ++limit.above_150;
-    if (limit.side_nu[s] < limit.nu) {
-      limit.nu = limit.side_nu[s];
-      limit.worst_side = s;
-    }
+    limit.nu = std::min(limit.nu, limit.side_nu[s]);
   }
   return limit;
 }

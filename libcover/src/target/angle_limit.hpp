@@ -19,7 +19,6 @@ struct AngleLimit {
   double nu = std::numbers::pi;  ///< B: the smallest of side_nu; pi if no side has a limit
   std::vector<double> side_nu;   ///< by side, in radians; pi for kHullSide
   std::vector<EdgeRef> at;       ///< by side: its triangle, whose opposite corner is the apex
-  std::size_t worst_side = 0;    ///< the side whose nu is B
   std::size_t above_120 = 0;     ///< sides with gamma_opt above 120 degrees
   std::size_t above_150 = 0;     ///< sides with gamma_opt above 150 degrees
 

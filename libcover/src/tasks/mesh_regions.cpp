@@ -4,16 +4,16 @@
 
 #include <utility>
 
+#include "method/mesh_one_region.hpp"
 #include "region/triangulation_of.hpp"
 #include "target/angle_limit.hpp"
 #include "target/report/fill_report.hpp"
 #include "tasks/for_each_region.hpp"
-#include "tasks/mesh_one_region.hpp"
 #include "tasks/share_out_regions.hpp"
 
 namespace cover {
 
-Result<std::vector<RegionReport>> limit_regions(std::span<const RegionBoundary> boundaries,
+Result<std::vector<RegionReport>> bound_regions(std::span<const RegionBoundary> boundaries,
                                                 const Options& options,
                                                 const Callbacks& callbacks) {
   std::vector<RegionReport> reports(boundaries.size());
@@ -21,7 +21,7 @@ Result<std::vector<RegionReport>> limit_regions(std::span<const RegionBoundary> 
       for_each_region(boundaries, worker_count(options), "limits", callbacks, [&](std::size_t k) {
         const RegionBoundary& boundary = boundaries[k];
         const Triangulation cdt = triangulation_of(boundary);
-        set_limits(angle_limit(cdt, boundary.sides, boundary.segments), reports[k]);
+        set_bound(angle_limit(cdt, boundary.sides, boundary.segments), reports[k]);
         reports[k].id = boundary.id;
         reports[k].input_vertices = boundary.points.size();
       });

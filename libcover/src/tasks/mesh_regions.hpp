@@ -11,12 +11,12 @@
 #include <cover/result.hpp>
 
 #include "region/region_boundary.hpp"
-#include "target/region_mesh.hpp"
+#include "region/region_mesh.hpp"
 
 namespace cover {
 
-/// The lower bounds of every region, without a mesh; in region order.
-Result<std::vector<RegionReport>> limit_regions(std::span<const RegionBoundary> boundaries,
+/// What the sides of every region allow at best, without a mesh; in region order.
+Result<std::vector<RegionReport>> bound_regions(std::span<const RegionBoundary> boundaries,
                                                 const Options& options, const Callbacks& callbacks);
 
 /// Takes the mesh of a region.

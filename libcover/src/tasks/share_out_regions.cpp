@@ -9,11 +9,11 @@
 
 #include "base/faults/errors.hpp"
 #include "base/run_all.hpp"
+#include "method/mesh_one_region.hpp"
 #include "sizes/sizes.hpp"
 #include "tasks/between_processes/region_bytes.hpp"
 #include "tasks/errors_as_values.hpp"
 #include "tasks/for_each_region.hpp"
-#include "tasks/mesh_one_region.hpp"
 #include "tasks/mesh_regions.hpp"
 #include "tasks/progress_count.hpp"
 

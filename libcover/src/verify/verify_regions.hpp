@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <cover/ids.hpp>
+#include <cover/triangle_soup.hpp>
 
 #include "base/none.hpp"
 #include "geom/topology/soup_edges.hpp"

@@ -42,11 +42,11 @@ void run(std::uint64_t count, std::uint64_t seed, const Options& options,
   }
 }
 
-TEST(AlmondMethodOnRandomRegions, Default) {
+TEST(AlmondMethodOnRandomRegions, KeepsPromises) {
   run(fuzz_count(300), testing::test_seed(1), {}, testing::random_region);
 }
 
-TEST(AlmondMethodOnRandomRegions, Paper) {
+TEST(AlmondMethodOnRandomRegions, KeepsPromisesAsInThePaper) {
   Options options;
   options.paper = true;
   run(fuzz_count(300), testing::test_seed(1), options, testing::random_region);
@@ -69,7 +69,7 @@ RegionMesh mesh_with_all_almonds(const RegionBoundary& boundary) {
   return mesh;
 }
 
-TEST(AlmondMethodOnRandomRegions, AllAlmonds) {
+TEST(AlmondMethodOnRandomRegions, KeepsPromisesWithAnAlmondOnEverySide) {
   const std::uint64_t seed = testing::test_seed(1);
   for (std::uint64_t k = 0; k < fuzz_count(300); ++k) {
     std::mt19937_64 random(seed + k);
@@ -114,7 +114,7 @@ TEST(AlmondMethodOnRandomRegions, UnitAndOriginDoNotMatter) {
   }
 }
 
-TEST(AlmondMethodOnRandomRegions, Hull) {
+TEST(AlmondMethodOnRandomRegions, KeepsPromisesWhereTheHullMayBeSplit) {
   for (const bool paper : {false, true}) {
     Options options;
     options.hull = true;

@@ -27,7 +27,7 @@ std::string refusal(const std::string& text) {
   return e ? "" : e.error().message;
 }
 
-TEST(Expression, Values) {
+TEST(Expression, HasTheValueOfTheUsualPrecedence) {
   EXPECT_EQ(value("0.1 + 0.3*abs(y)", 9, -2), 0.1 + 0.3 * 2);
   EXPECT_EQ(value("1 - 2 - 3"), -4);
   EXPECT_EQ(value("8/4/2"), 1);
@@ -81,7 +81,7 @@ TEST(Expression, MistakesHaveColumns) {
   EXPECT_NE(refusal(std::string(5000, '-') + "1").find("too much is nested"), std::string::npos);
 }
 
-TEST(Expression, Uses) {
+TEST(Expression, TellsWhichNamesItUses) {
   const Result<Expression> e = Expression::parse("y*2", kNames);
   ASSERT_TRUE(e);
   EXPECT_FALSE(e->uses(0));

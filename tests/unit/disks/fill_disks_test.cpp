@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <cover/option_ranges.hpp>
+
 #include "support/filling_checks.hpp"
 #include "support/inputs/shapes.hpp"
 
@@ -33,13 +35,13 @@ FillingFacts expect_nonobtuse(const RegionBoundary& boundary, const DiskFillOpti
   return expect_nonobtuse(testing::task_of(boundary), options);
 }
 
-constexpr DiskFillOptions kAsPublished{.thin_out = false};
+constexpr DiskFillOptions kAsPublished{.removes_spare_vertices = false};
 
 Loop square(double x, double y, double side) {
   return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
 }
 
-TEST(FillDisks, SquareAndL) {
+TEST(FillDisks, ASquareTakes41VerticesAndAnLNoMoreThan140) {
   FillingFacts facts = expect_nonobtuse(boundary_of({square(0, 0, 1)}), kAsPublished);
   EXPECT_EQ(facts.triangles, 64U);
   EXPECT_EQ(facts.vertices, 41U);
@@ -49,7 +51,7 @@ TEST(FillDisks, SquareAndL) {
   EXPECT_LT(expect_nonobtuse(l).vertices, facts.vertices);
 }
 
-TEST(FillDisks, RegularPolygons) {
+TEST(FillDisks, RegularPolygonsTakeAtMost26TrianglesPerSide) {
   for (int n = 3; n <= 32; ++n) {
     SCOPED_TRACE(n);
     const FillingFacts facts = expect_nonobtuse(boundary_of({regular_polygon(n)}), kAsPublished);
@@ -57,7 +59,7 @@ TEST(FillDisks, RegularPolygons) {
   }
 }
 
-TEST(FillDisks, HolesInAGrid) {
+TEST(FillDisks, HolesInAGridTakeAtMost85TrianglesPerVertex) {
   std::vector<Loop> loops{square(0, 0, 11)};
   for (int i = 0; i < 5; ++i) {
     for (int j = 0; j < 5; ++j) loops.push_back(reversed(square(1 + 2 * i, 1 + 2 * j, 1)));
@@ -66,7 +68,7 @@ TEST(FillDisks, HolesInAGrid) {
   EXPECT_LE(facts.triangles, 85U * 104U);
 }
 
-TEST(FillDisks, IsolatedPointsInAGrid) {
+TEST(FillDisks, NothingIsObtuseBesideIsolatedPoints) {
   std::vector<Point> points;
   for (int i = 1; i < 6; ++i) {
     for (int j = 1; j < 6; ++j) points.push_back({i + 0.0, j + 0.0});
@@ -75,7 +77,7 @@ TEST(FillDisks, IsolatedPointsInAGrid) {
   expect_nonobtuse(boundary_of({square(0, 0, 6)}, {{3, 3}}));
 }
 
-TEST(FillDisks, Annuli) {
+TEST(FillDisks, NothingIsObtuseInAnnuli) {
   expect_nonobtuse(boundary_of({regular_polygon(24), reversed(regular_polygon(24, 0.5))}));
   expect_nonobtuse(boundary_of({regular_polygon(24), reversed(regular_polygon(17, 0.5))}));
   expect_nonobtuse(boundary_of({regular_polygon(40), reversed(regular_polygon(40, 0.98))}));
@@ -83,7 +85,7 @@ TEST(FillDisks, Annuli) {
       boundary_of({regular_polygon(24), reversed(regular_polygon(9, 0.3, {0.5, 0.1}))}));
 }
 
-TEST(FillDisks, Comb) {
+TEST(FillDisks, NothingIsObtuseInAComb) {
   Loop comb{{0, 0}, {10, 0}};
   for (int k = 9; k >= 0; --k) {
     comb.push_back({k + 0.9, 3});
@@ -93,7 +95,7 @@ TEST(FillDisks, Comb) {
   expect_nonobtuse(boundary_of({comb}));
 }
 
-TEST(FillDisks, CollinearAndNearlyCollinearVertices) {
+TEST(FillDisks, NothingIsObtuseBesideCollinearAndNearlyCollinearVertices) {
   Loop loop;
   for (int k = 0; k < 10; ++k) loop.push_back({k + 0.0, 0});
   loop.push_back({10, 5});
@@ -103,7 +105,7 @@ TEST(FillDisks, CollinearAndNearlyCollinearVertices) {
   expect_nonobtuse(boundary_of({loop}));
 }
 
-TEST(FillDisks, PinchedRegions) {
+TEST(FillDisks, NothingIsObtuseInPinchedRegions) {
   // A hole that touches the outer boundary in a vertex, and two holes that touch each other.
   expect_nonobtuse(boundary_of(
       {{{0, 0}, {2, 0}, {4, 0}, {4, 4}, {0, 4}}, reversed({{2, 0}, {3, 1}, {2, 2}, {1, 1}})}));
@@ -116,7 +118,7 @@ TEST(FillDisks, PinchedRegions) {
   expect_nonobtuse(task);
 }
 
-TEST(FillDisks, ClearancesDownTo1e5) {
+TEST(FillDisks, NothingIsObtuseInClearancesDownTo1e5) {
   for (const double gap : {1e-2, 1e-4, 1e-5}) {
     SCOPED_TRACE(gap);
     expect_nonobtuse(boundary_of({square(0, 0, 1), reversed(square(0.3, gap, 0.4))}));
@@ -136,7 +138,7 @@ TEST(FillDisks, TinyClearancesAreValidAndListed) {
   }
 }
 
-TEST(FillDisks, Needles) {
+TEST(FillDisks, NothingIsObtuseInNeedles) {
   for (const double width : {1e-1, 1e-2, 1e-3}) {
     SCOPED_TRACE(width);
     expect_nonobtuse(boundary_of({{{0, 0}, {1, 0}, {1, width}}}));

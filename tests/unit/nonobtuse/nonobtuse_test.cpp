@@ -4,6 +4,7 @@
 #include <map>
 
 #include <cover/cover_mesh.hpp>
+#include <cover/option_ranges.hpp>
 #include <cover/verify.hpp>
 
 #include "disks/fill_disks.hpp"

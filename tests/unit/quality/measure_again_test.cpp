@@ -17,7 +17,7 @@ TEST(ReportAgain, TellsMissedTargetsAgainAndOtherNotesStay) {
   mesh.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
   mesh.report.notes = {{Note::Kind::fallback, boundary.id, "another method was used", {}},
                        {Note::Kind::target_missed, boundary.id, "before", {}}};
-  report_again(boundary, Options{}, true, mesh);
+  report_again(boundary, Options{}, Unreached::budget, mesh);
   const std::vector<Note>& notes = mesh.report.notes;
   ASSERT_EQ(notes.size(), 3U);
   EXPECT_EQ(notes[0].message, "another method was used");
@@ -33,14 +33,14 @@ TEST(MeasureAgain, FiguresAreThoseOfTheMeshAsItIsNow) {
   const RegionBoundary boundary = boundary_of({{{0, 0}, {2, 0}, {2, 2}, {0, 2}}});
   RegionMesh mesh;
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  measure_again(boundary, Options{}, false, mesh);
+  measure_again(boundary, Options{}, Unreached::unknown, mesh);
   EXPECT_EQ(mesh.report.quality.triangles, 2U);
   EXPECT_NEAR(mesh.report.quality.smallest.in_degrees(), 45, 1e-9);
   EXPECT_TRUE(mesh.report.notes.empty());
   // A vertex near the lower side: obtuse there, and told so.
   mesh.steiner = {{1, 0.25}};
   mesh.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
-  measure_again(boundary, Options{}, false, mesh);
+  measure_again(boundary, Options{}, Unreached::unknown, mesh);
   EXPECT_EQ(mesh.report.quality.triangles, 4U);
   EXPECT_EQ(mesh.report.steiner_vertices, 1U);
   EXPECT_GT(mesh.report.quality.largest_nu.supplement().in_degrees(), 150);

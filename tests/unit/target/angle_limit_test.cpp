@@ -36,7 +36,8 @@ TEST(AngleLimit, SeesSlitsFromBothSides) {
   const AngleLimit limit = limit_of(boundary);
   EXPECT_NEAR(limit.nu, 2 * std::atan(0.125), 1e-15);
   EXPECT_EQ(limit.above_150, 1U);
-  const auto& [from, to] = boundary.sides[limit.worst_side];
+  const auto worst = std::min_element(limit.side_nu.begin(), limit.side_nu.end());
+  const auto& [from, to] = boundary.sides[static_cast<std::size_t>(worst - limit.side_nu.begin())];
   EXPECT_EQ(boundary.points[from], (Point{-1, 0}));
   EXPECT_EQ(boundary.points[to], (Point{1, 0}));
 }

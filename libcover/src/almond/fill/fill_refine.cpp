@@ -2,6 +2,8 @@
 #include "almond/fill/fill_refine.hpp"
 
 #include "almond/fill/refine_large_angles.hpp"
+#include "cdt/cdt.hpp"
+#include "target/refine_budget.hpp"
 
 namespace cover {
 namespace {

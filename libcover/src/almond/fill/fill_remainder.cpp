@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "almond/fill/fill_refine.hpp"
+#include "base/team.hpp"
 #include "geom/vector.hpp"
+#include "target/refine_budget.hpp"
 #include "target/report/holds_bound.hpp"
 #include "target/report/measure_angles.hpp"
 
@@ -66,9 +68,8 @@ bool RemainderFill::all_hold() const {
   const auto& p = r_.cdt.points;
   const double tan_nu = std::tan(nu_);
   const auto& triangles = r_.cdt.triangles;
-  constexpr std::size_t kRange = 1 << 15;
   std::atomic<bool> all = true;
-  team_.each_range(triangles.size(), kRange, [&](std::size_t first, std::size_t last) {
+  team_.each_range(triangles.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
     if (all &&
         std::any_of(triangles.begin() + static_cast<std::ptrdiff_t>(first),
                     triangles.begin() + static_cast<std::ptrdiff_t>(last), [&](const Triangle& f) {

@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "base/containers/bucket_queue.hpp"
+#include "base/containers/order.hpp"
+#include "base/team.hpp"
 #include "cdt/sight.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
@@ -31,7 +33,7 @@ class Refiner {
         version_(cdt.triangles.size(), 0),
         in_cavity_(cdt.triangles.size(), 0) {
     std::vector<double> tan_target(chords.size());
-    team.each_range(chords.size(), kRange, [&](std::size_t first, std::size_t last) {
+    team.each_range(chords.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
       for (std::size_t c = first; c < last; ++c) tan_target[c] = tan_target_of(chords[c]);
     });
     for (std::size_t c = 0; c < chords.size(); ++c) {
@@ -113,7 +115,7 @@ class Refiner {
 
   void enqueue_all() {
     std::vector<std::int16_t> bucket(cdt_.triangles.size());
-    team_.each_range(bucket.size(), kRange, [&](std::size_t first, std::size_t last) {
+    team_.each_range(bucket.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
       for (std::size_t t = first; t < last; ++t)
         bucket[t] = static_cast<std::int16_t>(bucket_of(static_cast<std::uint32_t>(t)));
     });
@@ -388,8 +390,7 @@ class Refiner {
         if (is_encroached(rim, centre)) add(rim_at(rim));
       }
     }
-    std::sort(blocking.begin(), blocking.end());
-    blocking.erase(std::unique(blocking.begin(), blocking.end()), blocking.end());
+    sort_unique(blocking);
     return blocking;
   }
 
@@ -422,7 +423,6 @@ class Refiner {
   std::vector<double> tan_target_;         ///< by vertex; a triangle has the least of its corners'
   static constexpr int kRightAngle = 120;  ///< bucket of tan nu = 1; the targets lie below
   static constexpr int kGood = -1;
-  static constexpr std::size_t kRange = 1 << 15;  ///< triangles that are one piece of work
   BucketQueue<Bad> queue_;
   std::vector<std::uint32_t> version_;    ///< by triangle; an entry of the queue may be out of date
   std::vector<std::uint32_t> in_cavity_;  ///< by triangle: stamp of the last cavity it was in

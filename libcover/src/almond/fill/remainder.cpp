@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/containers/order.hpp"
 #include "geom/predicates.hpp"
 
 namespace cover {
@@ -165,10 +166,8 @@ RemainderPart part_of(const Remainder& remainder, std::span<const std::uint32_t>
       if (c != kNone) chords.push_back(c);
     }
   }
-  for (auto* list : {&vertices, &chords}) {
-    std::sort(list->begin(), list->end());
-    list->erase(std::unique(list->begin(), list->end()), list->end());
-  }
+  sort_unique(vertices);
+  sort_unique(chords);
   part.vertex = std::move(vertices);
   part.chord = std::move(chords);
   const auto local = [&](std::uint32_t v) {

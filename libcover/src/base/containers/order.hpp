@@ -20,6 +20,13 @@ std::vector<Number> sorted_numbers(std::size_t n, Less less) {
   return order;
 }
 
+/// Sorts `list`, and leaves one of equal elements.
+template <class List>
+void sort_unique(List& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
 /// The elements of `list` that `order` names, in that order.
 template <class List, class Number>
 std::vector<std::ranges::range_value_t<List>> in_order(const List& list,

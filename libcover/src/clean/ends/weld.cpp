@@ -15,6 +15,7 @@
 
 #include <cover/text.hpp>
 
+#include "base/containers/order.hpp"
 #include "clean/ends/loose_ends.hpp"
 #include "geom/box.hpp"
 #include "geom/vector.hpp"
@@ -147,8 +148,7 @@ class Search {
  private:
   template <class T>
   static void make_unique(std::vector<T>& v) {
-    std::sort(v.begin(), v.end());
-    v.erase(std::unique(v.begin(), v.end()), v.end());
+    sort_unique(v);
   }
 
   [[nodiscard]] Point at(std::uint32_t p) const { return noded_.points[p]; }

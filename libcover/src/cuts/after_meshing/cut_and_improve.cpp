@@ -19,7 +19,6 @@
 #include "quality/fault/merit.hpp"
 #include "quality/repair/kicks.hpp"
 #include "region/region_graph.hpp"
-#include "target/whole_mesh.hpp"
 
 namespace cover {
 namespace {

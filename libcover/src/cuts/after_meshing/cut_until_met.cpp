@@ -19,8 +19,8 @@
 #include "cuts/after_meshing/joined_regions.hpp"
 #include "cuts/after_meshing/thin_cuts.hpp"
 #include "cuts/before_meshing/split_interfaces.hpp"
+#include "method/boundaries_with_wishes.hpp"
 #include "tasks/errors_as_values.hpp"
-#include "tasks/pieces_of_work.hpp"
 
 namespace cover {
 namespace {
@@ -135,9 +135,10 @@ class Rounds {
     Result<bool> cut =
         halve_segments(work.pslg, work.table, options_, work.report.input_points, halved, most);
     if (!cut || !*cut) return cut;
-    Result<std::vector<RegionBoundary>> pieces = pieces_of_work(work.pslg, work.table, options_);
-    if (!pieces) return std::move(pieces).error();
-    boundaries = *std::move(pieces);
+    Result<std::vector<RegionBoundary>> made =
+        boundaries_with_wishes(work.pslg, work.table, options_);
+    if (!made) return std::move(made).error();
+    boundaries = *std::move(made);
     return true;
   }
 
@@ -234,7 +235,7 @@ Status cut_until_met(Work& work, const Options& options, const Callbacks& callba
   if (!status) return status;
   work = std::move(best.work);
   return errors_as_values("measure", [&] {
-    measure_again(work, options, best.left.budget_used_up);
+    measure_again(work, options, best.left.budget_used_up ? Unreached::budget : Unreached::unknown);
     if (work.pslg.points.size() > points)
       work.report.notes.push_back(note_of_cuts(work.pslg, points, options));
     return ok();

@@ -7,6 +7,7 @@
 
 #include "base/containers/order.hpp"
 #include "cdt/cdt.hpp"
+#include "cdt/triangulation.hpp"
 #include "cuts/after_meshing/effort.hpp"
 #include "cuts/hand_out_triangles.hpp"
 #include "geom/angle_rounding.hpp"
@@ -14,7 +15,6 @@
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 #include "quality/fault/merit.hpp"
-#include "quality/parts/with_neighbours.hpp"
 #include "region/triangulation_of.hpp"
 
 namespace cover {
@@ -174,8 +174,7 @@ std::vector<SegmentId> JoinedRegions::segments_to_halve() const {
       if (squared >= effort::cuts::kHalvedToo * longest) found.push_back(SegmentId{segment_[side]});
     }
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  sort_unique(found);
   return found;
 }
 
@@ -184,7 +183,7 @@ Excerpt JoinedRegions::excerpt_around(std::uint32_t t, std::size_t triangles) co
   return {mesh_, t, triangles, beyond_, may_cut() ? spare : kNone};
 }
 
-std::vector<std::uint32_t> JoinedRegions::put_back(Excerpt& excerpt, const MutableMesh& part,
+std::vector<std::uint32_t> JoinedRegions::put_back(Excerpt& excerpt, const MutableMesh& improved,
                                                    std::uint32_t side) {
   has_changed_ = true;
   if (side != kNone) {
@@ -195,10 +194,10 @@ std::vector<std::uint32_t> JoinedRegions::put_back(Excerpt& excerpt, const Mutab
       partner_[s] = r2, partner_[r2] = s;
       partner_[r] = s2, partner_[s2] = r;
     }
-    cut_points_.push_back({segment_[s], frame_.restore(part.points[excerpt.spare])});
+    cut_points_.push_back({segment_[s], frame_.restore(improved.points[excerpt.spare])});
     ++cuts_;
   }
-  std::vector<std::uint32_t> changed = excerpt.replace(mesh_, part);
+  std::vector<std::uint32_t> changed = excerpt.replace(mesh_, improved);
   for (const std::uint32_t t : changed) {
     for (const std::uint32_t n : mesh_.triangles[t].n) {
       if (is_side(n) && partner_[side_index(n)] != kNone) beyond_[partner_[side_index(n)]] = t;

@@ -12,8 +12,8 @@
 #include "quality/mutable/mutable_mesh.hpp"
 #include "quality/parts/excerpt.hpp"
 #include "region/region_boundary.hpp"
+#include "region/region_mesh.hpp"
 #include "target/local_frame.hpp"
-#include "target/region_mesh.hpp"
 
 namespace cover {
 
@@ -56,10 +56,10 @@ class JoinedRegions {
   /// Triangles around `t`, over segments too; its spare vertex is for a cut, if there may be one.
   [[nodiscard]] Excerpt excerpt_around(std::uint32_t t, std::size_t triangles) const;
 
-  /// Puts `part`, made of `excerpt.mesh`, in its place. With `side`, that side of the excerpt was
-  /// cut at the excerpt's spare vertex: then the sides that were added for its second half, and for
-  /// that of its partner if it has one, follow all others. Returns the triangles that changed.
-  std::vector<std::uint32_t> put_back(Excerpt& excerpt, const MutableMesh& part,
+  /// Puts `improved`, made of `excerpt.mesh`, in its place. With `side`, that side of the excerpt
+  /// was cut at the excerpt's spare vertex: then the sides that were added for its second half, and
+  /// for that of its partner if it has one, follow all others. Returns the triangles that changed.
+  std::vector<std::uint32_t> put_back(Excerpt& excerpt, const MutableMesh& improved,
                                       std::uint32_t side);
 
   /// The new points, by segment.

@@ -23,8 +23,6 @@
 #include "cuts/unite_pieces.hpp"
 #include "geom/vector.hpp"
 #include "mend/thin_mesh.hpp"
-#include "region/region_graph.hpp"
-#include "target/whole_mesh.hpp"
 #include "tasks/errors_as_values.hpp"
 
 namespace cover {

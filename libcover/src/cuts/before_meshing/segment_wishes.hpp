@@ -11,7 +11,7 @@
 #include <cover/pslg.hpp>
 
 #include "cdt/region_cdt.hpp"
-#include "cuts/before_meshing/thin_layers.hpp"
+#include "cuts/before_meshing/narrow_strips.hpp"
 #include "region/region_boundary.hpp"
 #include "sizes/segment_sizes.hpp"
 
@@ -56,11 +56,11 @@ class SegmentWishes {
 
   [[nodiscard]] const SegmentWish& of(std::size_t segment) const { return wishes_[segment]; }
 
-  /// Where to cut a segment that is too long at feet of what faces it across a thin layer; empty
+  /// Where to cut a segment that is too long at feet of what faces it across a narrow strip; empty
   /// where nothing does.
   [[nodiscard]] std::vector<Point> feet_on(std::size_t segment) const;
 
-  /// Segments across thin layers from this one that are to have shorter edges and are still too
+  /// Segments across narrow strips from this one that are to have shorter edges and are still too
   /// long for them.
   [[nodiscard]] std::vector<SegmentId> finer_across(std::size_t segment) const;
 

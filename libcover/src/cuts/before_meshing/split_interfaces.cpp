@@ -1,13 +1,13 @@
 // Passes over the regions that changed: every side that its apex sees at too large an angle marks
 // its segment (segment_wishes); then all marked segments are cut at once, each at the foot of its
 // apex: the apex and the pieces then make right triangles, and where walls are parallel a
-// structured grid comes of it. Half way instead, thin layers with vertices that do not face each
+// structured grid comes of it. Half way instead, narrow strips with vertices that do not face each
 // other take 10 to 200 times the points; and feet need no care at sharp corners, where they end
 // with a fan of right triangles. What is to be seen at less than 90 degrees is cut half way.
 // Segments longer than wished are cut before that, all at once; but where two face each other
-// across a layer that is thinner than the edges wished (thin_layers), the coarser one waits for the
-// cuts of the other and gets their feet: steps of its own would face none of them, and each would
-// need its foot on the other side. Cuts that broke something are taken back (broken_cuts).
+// across a strip that is narrower than the edges wished (narrow_strips), the coarser one waits for
+// the cuts of the other and gets their feet: steps of its own would face none of them, and each
+// would need its foot on the other side. Cuts that broke something are taken back (broken_cuts).
 // Tested by tests/unit/cuts/before_meshing/split_interfaces_test.cpp.
 #include "cuts/before_meshing/split_interfaces.hpp"
 
@@ -211,7 +211,7 @@ class Splitter {
     return places;
   }
 
-  /// Whether segment `s` is to be cut later, at feet of what is cut across a thin layer.
+  /// Whether segment `s` is to be cut later, at feet of what is cut across a narrow strip.
   [[nodiscard]] bool waits(std::size_t s, const SegmentWishes& wishes) const {
     const std::vector<SegmentId> finer = wishes.finer_across(s);
     return std::any_of(finer.begin(), finer.end(),
@@ -322,7 +322,7 @@ class Splitter {
   RegionTable& table_;
   const Options& options_;
   std::size_t uncut_points_;
-  /// Feet of what lies on both sides of a thin layer may be near each other; lengths of pieces
+  /// Feet of what lies on both sides of a narrow strip may be near each other; lengths of pieces
   /// between them are no wish, or finer pieces would follow from them, and so on.
   VertexId first_cut_;
   std::vector<Piece> pieces_;        ///< by segment

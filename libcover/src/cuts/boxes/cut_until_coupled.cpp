@@ -21,9 +21,9 @@
 #include "cuts/whole_segments.hpp"
 #include "geom/foot.hpp"
 #include "geom/vector.hpp"
+#include "method/boundaries_with_wishes.hpp"
 #include "quality/measure_again.hpp"
 #include "tasks/errors_as_values.hpp"
-#include "tasks/pieces_of_work.hpp"
 
 namespace cover {
 namespace {
@@ -95,7 +95,7 @@ class CouplingRounds {
     if (make_delaunay(all_points(work_.boundaries[r], flipped), flipped.triangles,
                       work_.boundaries[r].sides) == 0)
       return;
-    measure_again(work_.boundaries[r], options_, false, flipped);
+    measure_again(work_.boundaries[r], options_, Unreached::unknown, flipped);
     if (flipped.report.bound_held || !work_.meshes[r].report.bound_held)
       work_.meshes[r] = std::move(flipped);
   }
@@ -150,17 +150,17 @@ class CouplingRounds {
 
   Status cut_and_mesh(const ChosenCuts& chosen) {
     std::vector<BoxCut>& box_cuts = work_.report.box_cuts;
-    Result<std::vector<RegionBoundary>> pieces = errors_as_values("cut segments", [&] {
+    Result<std::vector<RegionBoundary>> boundaries = errors_as_values("cut segments", [&] {
       for (const SegmentCut& cut : chosen.cuts) {
         for (const Point p : cut.points)
           box_cuts.push_back({p, BoxCut::Reason::given_up, chosen.by.at(cut.segment)});
       }
       cut_segments(work_.pslg, work_.table, chosen.cuts);
       cut_encroached(work_, VertexId{0U});
-      return pieces_of_work(work_.pslg, work_.table, options_);
+      return boundaries_with_wishes(work_.pslg, work_.table, options_);
     });
-    if (!pieces) return std::move(pieces).error();
-    const auto changed = mesh_changed(work_, *std::move(pieces), options_, callbacks_);
+    if (!boundaries) return std::move(boundaries).error();
+    const auto changed = mesh_changed(work_, *std::move(boundaries), options_, callbacks_);
     if (!changed) return changed.error();
     for (const std::size_t r : *changed) flip(r);
     return ok();

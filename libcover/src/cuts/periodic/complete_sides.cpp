@@ -12,7 +12,6 @@
 #include "cuts/cut_segments.hpp"
 #include "geom/isometry.hpp"
 #include "geom/vector.hpp"
-#include "options/periodic_rule.hpp"
 
 namespace cover {
 namespace {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/containers/order.hpp"
 #include "geom/isometry.hpp"
 
 namespace cover {
@@ -92,8 +93,7 @@ std::vector<SegmentId> PeriodicClasses::with_classes(std::vector<SegmentId> segm
     for (const Member& m : classes_[number_[segments[k].index()] - 1])
       segments.push_back(m.segment);
   }
-  std::sort(segments.begin(), segments.end());
-  segments.erase(std::unique(segments.begin(), segments.end()), segments.end());
+  sort_unique(segments);
   return segments;
 }
 

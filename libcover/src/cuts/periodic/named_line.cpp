@@ -8,7 +8,7 @@
 
 #include <cover/input.hpp>
 
-#include "options/periodic_rule.hpp"
+#include "base/containers/order.hpp"
 
 namespace cover {
 std::vector<PeriodicRule> periodic_rules(const Input& input, const Options& options) {
@@ -31,8 +31,7 @@ NamedLine find_line(const Pslg& pslg, const RegionTable& table, const std::strin
     line.vertices.push_back(pslg.segments[s.index()].a);
     line.vertices.push_back(pslg.segments[s.index()].b);
   }
-  std::sort(line.vertices.begin(), line.vertices.end());
-  line.vertices.erase(std::unique(line.vertices.begin(), line.vertices.end()), line.vertices.end());
+  sort_unique(line.vertices);
   return line;
 }
 

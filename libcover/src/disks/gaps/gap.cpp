@@ -89,7 +89,7 @@ GapAngles measure(const TriangleDraft& draft, const Gap& gap) {
 void fan(TriangleDraft& draft, const Element& e, Index p, Index q, Index centre) {
   const Point a = draft.points[p], b = draft.points[q];
   const Point middle = midpoint(a, b);
-  const double small = kFlat * norm(b - a);
+  const double small = kFlatGap * norm(b - a);
   if (e.is_disk() && norm(e.c - middle) < small) {  // the arc is half the disk
     draft.triangle(p, e.id, centre);
     draft.triangle(e.id, q, centre);
@@ -114,6 +114,9 @@ void fan(TriangleDraft& draft, const Element& e, Index p, Index q, Index centre)
   draft.triangle(m, q, centre);
 }
 
+namespace {
+
+/// Four sides: chooses among the ways there are.
 GapKind fill_four(TriangleDraft& draft, const Gap& gap, double tolerance) {
   for (const int k : {0, 1}) {
     if (const auto p = touching_point(draft, gap, k, tolerance))
@@ -126,13 +129,15 @@ GapKind fill_four(TriangleDraft& draft, const Gap& gap, double tolerance) {
   }
   const GapAngles angles = measure(draft, gap);
   const auto widest_arc = std::max_element(angles.gamma.begin(), angles.gamma.end());
-  if (*widest_arc > std::numbers::pi / 2 + kFlat) {
+  if (*widest_arc > std::numbers::pi / 2 + kFlatGap) {
     return fill_reflex(draft, gap.from_side(static_cast<int>(widest_arc - angles.gamma.begin())));
   }
   const auto widest = std::max_element(angles.beta.begin(), angles.beta.end());
-  if (*widest <= std::numbers::pi / 2 + kFlat) return fill_good(draft, gap, angles);
+  if (*widest <= std::numbers::pi / 2 + kFlatGap) return fill_good(draft, gap, angles);
   return fill_by_cut(draft, gap, angles, static_cast<int>(widest - angles.beta.begin()));
 }
+
+}  // namespace
 
 GapKind fill_good(TriangleDraft& draft, const Gap& gap, const GapAngles& angles) {
   const Index centre = draft.add(angles.centre);

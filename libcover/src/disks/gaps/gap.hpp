@@ -36,7 +36,7 @@ struct GapAngles {
 
 /// How far above 90 degrees an angle, in radians, still counts as right: arcs and chords that pass
 /// through a centre up to rounding and snapping.
-inline constexpr double kFlat = 1e-4;
+inline constexpr double kFlatGap = 1e-4;
 
 /// The vertex where a fan around side k's chord has its foot, and the triangles of the fan: from
 /// the chord p q of element `e` to the centre of `e` on the right (none if a line) and to the
@@ -56,8 +56,6 @@ GapKind fill_by_cut(TriangleDraft& draft, const Gap& gap, const GapAngles& angle
 GapKind fill_reflex(TriangleDraft& draft, const Gap& gap);
 /// Four sides; 1 and 3 are lines.
 GapKind fill_two_lines(TriangleDraft& draft, const Gap& gap);
-/// Four sides: chooses among the above.
-GapKind fill_four(TriangleDraft& draft, const Gap& gap, double tolerance);
 
 /// Triangulates a gap; falls back to its cell where rounding spoils the construction.
 GapKind fill_gap(TriangleDraft& draft, const Gap& gap, double tolerance);

@@ -13,7 +13,7 @@ namespace {
 double largest_of_star(const std::vector<Point>& p, Point centre) {
   double largest = 0;
   for (std::size_t k = 0; k < p.size(); ++k) {
-    largest = std::max(largest, largest_angle(p[k], p[(k + 1) % p.size()], centre));
+    largest = std::max(largest, largest_or_impossible(p[k], p[(k + 1) % p.size()], centre));
   }
   return largest;
 }

@@ -71,7 +71,7 @@ bool fill_half(TriangleDraft& draft, const Half& h) {
   const Gap gap{4, {h.a, h.x, h.b, h.d}, {h.tax, h.txb, h.tb, h.ta}};
   const GapAngles angles = measure(draft, gap);
   for (int k = 0; k < 4; ++k) {
-    if (angles.beta[static_cast<std::size_t>(k)] > std::numbers::pi / 2 + kFlat) {
+    if (angles.beta[static_cast<std::size_t>(k)] > std::numbers::pi / 2 + kFlatGap) {
       fill_by_cut(draft, gap, angles, k);
       return true;
     }

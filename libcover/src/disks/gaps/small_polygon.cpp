@@ -23,7 +23,7 @@ bool is_surely_above(Point a, Point p, Point b, double sine) {
 
 }  // namespace
 
-double largest_angle(Point a, Point b, Point c) {
+double largest_or_impossible(Point a, Point b, Point c) {
   if (orientation(a, b, c) != Sign::positive) return kImpossible;
   return std::max({angle_at(a, b, c), angle_at(b, c, a), angle_at(c, a, b)});
 }
@@ -43,7 +43,7 @@ SmallPolygon::SmallPolygon(std::span<const Point> corners, double limit) : size_
         if (is_limited && (parts > limit || is_surely_above(a, b, c, sine) ||
                            is_surely_above(b, c, a, sine) || is_surely_above(c, a, b, sine)))
           continue;
-        const double cost = std::max(parts, disks::largest_angle(a, b, c));
+        const double cost = std::max(parts, largest_or_impossible(a, b, c));
         if (cost < cost_[i][j]) cost_[i][j] = cost, apex_[i][j] = static_cast<Index>(k);
       }
     }

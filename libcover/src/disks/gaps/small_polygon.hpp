@@ -17,7 +17,7 @@ inline constexpr double kImpossible = 4;
 /// Largest angle of a triangle, kImpossible if it is not counter-clockwise.
 ///
 /// EXACT: orientation
-double largest_angle(Point a, Point b, Point c);
+double largest_or_impossible(Point a, Point b, Point c);
 
 /// The triangulation of a polygon with the smallest possible largest angle.
 class SmallPolygon {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/containers/order.hpp"
+
 namespace cover::disks {
 namespace {
 
@@ -170,8 +172,7 @@ std::vector<Index> Packing::elements_within(Point x, double bound, Index cycle) 
     lines_.visit(x, bound, look_at);
     disks_.visit(x, bound, look_at);
   }
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
+  sort_unique(result);
   return result;
 }
 

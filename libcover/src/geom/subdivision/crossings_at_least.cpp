@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/containers/order.hpp"
 #include "base/random.hpp"
 #include "geom/box.hpp"
 #include "geom/predicates.hpp"
@@ -37,8 +38,7 @@ double crossings_at_least(std::span<const PlainSegment> segments) {
     const PlainSegment &s = segments[random.below(n)], &t = segments[random.below(n)];
     if (cross_inside(s, t)) found.push_back(SweepPoint(s, t).rounded());
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  sort_unique(found);
   const auto hits = static_cast<double>(found.size()), all = static_cast<double>(n);
   const double surely = hits - kDeviations * std::sqrt(hits);
   return std::max(0.0, surely * all * all / 2 / static_cast<double>(tried));

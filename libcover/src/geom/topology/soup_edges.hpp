@@ -6,7 +6,9 @@
 #include <span>
 #include <vector>
 
-#include <cover/verify.hpp>
+#include <cover/ids.hpp>
+#include <cover/point.hpp>
+#include <cover/triangle_soup.hpp>
 
 #include "base/none.hpp"
 #include "base/team.hpp"

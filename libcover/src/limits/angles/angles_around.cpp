@@ -2,18 +2,17 @@
 #include "limits/angles/angles_around.hpp"
 
 #include <algorithm>
-#include <limits>
 
+#include "base/numbers.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
 
 AnglesAround AnglesAround::of(std::span<const Point> points, std::span<const IndexTriple> triangles,
                               std::size_t vertices) {
-  constexpr double kInfinite = std::numeric_limits<double>::infinity();
   AnglesAround around;
-  around.least_cot.assign(points.size(), kInfinite);
-  around.most_cot.assign(points.size(), -kInfinite);
+  around.least_cot.assign(points.size(), kInfinity);
+  around.most_cot.assign(points.size(), -kInfinity);
   for (const IndexTriple& t : triangles) {
     const Point a = points[t[0]], b = points[t[1]], c = points[t[2]];
     const double area = cross(b - a, c - a);

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "base/numbers.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -17,8 +17,8 @@ namespace {
 constexpr double kZoneSlack = 1e-7;
 /// Regions that bend inwards by so little, times what that changes in angles, count as convex.
 constexpr double kAlmostConvex = 1e-3;
-constexpr double kLeastMost = 95 * std::numbers::pi / 180;  ///< where they do
-constexpr std::size_t kMostTriangles = 64;  ///< that a walk visits before it gives up
+constexpr double kLeastMost = 95 * kDegree;  ///< where they do
+constexpr std::size_t kMostTriangles = 64;   ///< that a walk visits before it gives up
 
 /// By how much more than `most` a side must be seen so that, in a region that is almost convex,
 /// some input vertex sees it under more than `most`, if the one in question does not see it:
@@ -26,8 +26,7 @@ constexpr std::size_t kMostTriangles = 64;  ///< that a walk visits before it gi
 double slack_of_bend(double bend, double most) {
   if (bend == 0) return 0;
   const double slack = 2.1 * bend * std::tan(std::numbers::pi - most);
-  return most > kLeastMost && slack < kAlmostConvex ? slack
-                                                    : std::numeric_limits<double>::infinity();
+  return most > kLeastMost && slack < kAlmostConvex ? slack : kInfinity;
 }
 
 }  // namespace

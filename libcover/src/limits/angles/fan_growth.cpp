@@ -10,8 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+
+#include "base/numbers.hpp"
 
 namespace cover {
 namespace {
@@ -75,8 +76,7 @@ double FanGrowth::concave(double angle) const {
 double FanGrowth::log_ratio(double low, double high, double enough) const {
   if (!(range_.least > 0)) {
     // Thin triangles lead anywhere, if the angle is large enough for one of them.
-    if (high >= std::numbers::pi - range_.most - 4 * kAngleSlack)
-      return std::numeric_limits<double>::infinity();
+    if (high >= std::numbers::pi - range_.most - 4 * kAngleSlack) return kInfinity;
     return std::max(0.0, std::log(std::sin(range_.most) / std::sin(high + range_.most))) +
            kLogSlack;
   }
@@ -120,7 +120,7 @@ double FanGrowth::log_ratio(double low, double high, double enough) const {
       fewest = middle + 1;
     }
   }
-  if (fewest > kMostInFan) return std::numeric_limits<double>::infinity();
+  if (fewest > kMostInFan) return kInfinity;
   take(fewest, value_of(fewest));
   return best;
 }
@@ -136,8 +136,7 @@ double FanGrowth::growth_at_peaks(double low, double high) const {
 /// What no number of triangles exceeds that have `high` in sum: k h(f / k) = f h(x) / x, and h(x) /
 /// x is largest at an end of the tangent, since the second part of g goes through zero.
 double FanGrowth::most_growth(double high) const {
-  if (!(range_.least > 0) || (high + kAngleSlack) / range_.least > kMostInFan)
-    return std::numeric_limits<double>::infinity();
+  if (!(range_.least > 0) || (high + kAngleSlack) / range_.least > kMostInFan) return kInfinity;
   return (high + kAngleSlack) * most_per_radian_ + (kMostInFan + 2) * kLogSlack;
 }
 

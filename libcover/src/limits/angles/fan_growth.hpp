@@ -1,8 +1,7 @@
 // How fast the edges at a vertex can become longer, from one to the next.
 #pragma once
 
-#include <limits>
-
+#include "base/numbers.hpp"
 #include "limits/angles/angle_range.hpp"
 
 namespace cover {
@@ -20,8 +19,7 @@ class FanGrowth {
   /// triangle. Where it is `enough` or more, whatever is found first that is.
   ///
   /// Cost: O(1)
-  [[nodiscard]] double log_ratio(double low, double high,
-                                 double enough = std::numeric_limits<double>::infinity()) const;
+  [[nodiscard]] double log_ratio(double low, double high, double enough = kInfinity) const;
 
   /// Whether triangles side by side, with angles in the range, may lead from an edge to one that is
   /// `ratio` times as long or 1 / ratio, if the angle between is from `low` to `high`.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/numbers.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 
@@ -40,8 +41,7 @@ void RegionView::find_bend() {
 }
 
 void RegionView::find_sides() {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  double left = kFar, right = -kFar, bottom = kFar, top = -kFar;
+  double left = kInfinity, right = -kInfinity, bottom = kInfinity, top = -kInfinity;
   side_of_.assign(3 * cdt_.triangles.size(), kNone);
   for (std::uint32_t t = 0; t < cdt_.triangles.size(); ++t) {
     const Triangle& f = cdt_.triangles[t];

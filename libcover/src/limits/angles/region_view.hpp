@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
+#include "base/numbers.hpp"
 #include "cdt/triangulation.hpp"
 
 namespace cover {
@@ -67,7 +67,7 @@ class RegionView {
 
   const Triangulation& cdt_;
   double diameter_ = 0;
-  double bend_ = std::numeric_limits<double>::infinity();
+  double bend_ = kInfinity;
   std::vector<RegionSide> sides_;
   std::vector<std::uint32_t> side_of_;  ///< by half-edge
   std::vector<RegionCorner> corners_;   ///< corner i begins with side i

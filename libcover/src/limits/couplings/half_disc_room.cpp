@@ -18,10 +18,10 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <numeric>
 #include <utility>
 
+#include "base/numbers.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 
@@ -72,8 +72,7 @@ HalfDiscRoom::Circle HalfDiscRoom::circle_through(const std::array<Point, 3>& co
   const Vector u = b - a, v = c - a;
   const double area = 2 * cross(u, v);
   // So flat that the middle is not known as well as kMargin asks: no circle.
-  if (!(area > kFlattest * (squared_length(u) + squared_length(v))))
-    return {corners, a, std::numeric_limits<double>::infinity()};
+  if (!(area > kFlattest * (squared_length(u) + squared_length(v)))) return {corners, a, kInfinity};
   const Vector to =
       (1 / area) * (squared_length(u) * Vector{v.y, -v.x} + squared_length(v) * Vector{-u.y, u.x});
   return {corners, a + to, length(to)};

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/containers/order.hpp"
 #include "box/encroached_sides.hpp"
 #include "cdt/cdt.hpp"
 #include "geom/predicates.hpp"
@@ -15,8 +16,8 @@
 #include "mend/effort.hpp"
 #include "mend/mend_mesh.hpp"
 #include "mend/mesh_with_undo.hpp"
+#include "region/whole_mesh.hpp"
 #include "target/report/fill_report.hpp"
-#include "target/whole_mesh.hpp"
 
 namespace cover {
 namespace {
@@ -91,12 +92,9 @@ std::optional<RegionMesh> mend_nearby(const RegionBoundary& boundary, const Regi
 }
 
 /// By side: whether no vertex of the boundary encroaches it.
-std::vector<bool> free_sides(const RegionBoundary& boundary) {
+std::vector<bool> free_sides_of(const RegionBoundary& boundary) {
   const Triangulation cdt = triangulate_domain(boundary.points, boundary.sides).triangulation;
-  std::vector<bool> is_free(boundary.sides.size(), true);
-  for (const EncroachedSide& e : encroached_sides(cdt, locate_sides(cdt, boundary.sides)))
-    is_free[e.side] = false;
-  return is_free;
+  return free_sides(cdt, locate_sides(cdt, boundary.sides));
 }
 
 /// The vertices inside that see a free side at more than a right angle, as far as they are next to
@@ -117,8 +115,7 @@ std::vector<std::uint32_t> encroaching(const MeshWithUndo& mesh, const RegionBou
         found.push_back(t.v[i]);
     }
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  sort_unique(found);
   return found;
 }
 
@@ -130,7 +127,7 @@ std::optional<RegionMesh> mend_with_room(const RegionBoundary& boundary, const R
   if (!wanted || mesh.layer_vertices > 0 || boundary.sides.size() > effort::mend::kFewSides ||
       mesh.report.box.negative_given_up > effort::mend::kFewGivenUp)
     return {};
-  const std::vector<bool> is_free = free_sides(boundary);
+  const std::vector<bool> is_free = free_sides_of(boundary);
   const HalfDiscRoom room(boundary.points, boundary.sides, is_free);
   const ConformingMesh before = conforming_mesh_of(boundary, mesh);
   const MeshWithUndo start(before, *std::move(wanted));

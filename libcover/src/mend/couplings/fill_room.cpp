@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/containers/order.hpp"
 #include "base/numbers.hpp"
 #include "base/random.hpp"
 #include "mend/effort.hpp"
@@ -57,8 +58,7 @@ class RoomFiller {
         if (is_grave(t)) found.push_back(t);
       }
     }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    sort_unique(found);
     return found.empty() ? kNone : found[random_.below(found.size())];
   }
 

@@ -1,9 +1,9 @@
 // What the steps of a plan may cost, and when they are due. What tunes one algorithm alone stands
-// at the head of its file: plan/optimise, repair/search, repair/kicks, starts/restart. One star
-// evaluation takes some 0.1 us. Figures are from tests/bench/region_faults.py on Voronoi cells,
-// parcels and maps, where nothing else is said. "No matter" is a number that was made some three
-// times as small and as large, for the same faults: RESULTS.md says on what, and how many triangles
-// differed.
+// at the head of its file: plan/optimise, repair/search, repair/kicks, repair/best_restart. One
+// star evaluation takes some 0.1 us. Figures are from tests/bench/region_faults.py on Voronoi
+// cells, parcels and maps, where nothing else is said. "No matter" is a number that was made some
+// three times as small and as large, for the same faults: RESULTS.md says on what, and how many
+// triangles differed.
 #pragma once
 
 #include <array>

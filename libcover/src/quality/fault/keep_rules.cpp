@@ -8,7 +8,7 @@ constexpr double kWorthACut = 0.2;  ///< of its excess, that the worst triangle 
 
 }  // namespace
 
-bool is_gain(const GoalStanding& now, const GoalStanding& before) {
+bool is_gain(const Tally& now, const Tally& before) {
   if (now.negative > before.negative) return false;
   if (now.largest > before.largest || now.large > before.large || now.above > before.above ||
       now.far_above > before.far_above) {

@@ -1,22 +1,11 @@
 // When a change of a mesh stays: the rules of the quality method side by side. They differ, because
-// each sees something else: what is replaced, an excerpt, or the whole region.
-//
-//   who                              sees              rule
-//   moves (moves/)                   what is replaced  improvement_of; remove: no larger excess
-//   thinning (repair/thin_out)       what is replaced  kMostThinned
-//   search (repair/search)           an excerpt        is_gain
-//   kicks for cuts (repair/kicks)    an excerpt        is_kick_kept
-//   cuts (cuts/.../cut_and_improve)  an excerpt        is_cut_kept
-//   couplings (plan/optimise)        the whole region  is_kept_beside_couplings
-//   plan (plan/candidate, Ranking)   the whole region  Order::is_better, below a ceiling
-//
-// Meshes of all regions in one are mended by another editor, with counts of bad triangles (MostBad
-// in mend/repairs), and layers stay where the whole keeps its bound (judge in
-// layers/layered_region).
+// each sees something else: what is replaced, an excerpt, or the whole region. Who keeps what by
+// which rule, also of the plan and of other methods, is a table in docs/quality_method.md, "What is
+// kept".
 #pragma once
 
 #include "quality/fault/merit.hpp"
-#include "quality/fault/standing.hpp"
+#include "quality/fault/tally.hpp"
 #include "target/goal.hpp"
 
 namespace cover {
@@ -32,7 +21,7 @@ inline constexpr double kMostThinned = 0;
 
 /// Search: whether the change from `before` to `now` is one for the better, of couplings, of large
 /// angles without harm to these, or of small ones without harm to both.
-bool is_gain(const GoalStanding& now, const GoalStanding& before);
+bool is_gain(const Tally& now, const Tally& before);
 
 /// Kicks for cuts, which are for the largest angle, whatever is preferred.
 bool is_kick_kept(const Merit& now, const Merit& before);

@@ -10,9 +10,7 @@
 namespace cover {
 namespace {
 
-constexpr double kNear = 0.05;  ///< 3 degrees
-/// Below this target the largest angle comes first: Prefer::largest, whatever is preferred.
-const Angle kStrict = Angle::degrees(95);
+constexpr double kNear = 0.05;        ///< 3 degrees
 constexpr double kAlikeFault = 1e-3;  ///< faults that differ by less are the same
 constexpr double kAlike = 1.02;       ///< of cotangents above 140 degrees: of what is left to 180
 
@@ -33,6 +31,22 @@ bool are_alike(const Merit& a, const Merit& b) {
   return (least <= k130) == (most <= k130);
 }
 
+/// What is wrong with one triangle.
+Merit merit_of_one(const Shortfall& shortfall, const Goal& goal) {
+  const double fault = shortfall.fault.worst();
+  Merit one;
+  one.large = shortfall.largest;
+  one.above = shortfall.is_above() ? 1 : 0;
+  one.far_above = shortfall.is_far ? 1 : 0;
+  one.small = goal.weight > 0 ? goal.small + shortfall.small : -kInverted;
+  one.complete = !shortfall.is_above() && !shortfall.is_below(goal) && shortfall.negative == 0;
+  one.fault = shortfall.fault;
+  one.sum = fault;
+  one.missed = fault > 0 ? 1 : 0;
+  one.negative = shortfall.negative;
+  return one;
+}
+
 /// Adds what is wrong with the triangles from `first` to `last` to a merit without faults.
 void add_faults(const MutableMesh& mesh, const Goal& goal, std::size_t first, std::size_t last,
                 Merit& merit) {
@@ -43,19 +57,7 @@ void add_faults(const MutableMesh& mesh, const Goal& goal, std::size_t first, st
   for (std::size_t k = first; k < last; ++k) {
     const auto t = static_cast<std::uint32_t>(k);
     if (mesh.is_hole(t) || (is_measured && mesh.excess[t] <= 0)) continue;
-    const Shortfall shortfall = shortfall_of(mesh, t, goal);
-    merit.large = std::max(merit.large, shortfall.largest);
-    if (goal.weight > 0) merit.small = std::max(merit.small, goal.small + shortfall.small);
-    merit.above += shortfall.is_above() ? 1 : 0;
-    merit.far_above += shortfall.is_far ? 1 : 0;
-    const Fault& fault = shortfall.fault;
-    merit.fault.wide = std::max(merit.fault.wide, fault.wide);
-    merit.fault.narrow = std::max(merit.fault.narrow, fault.narrow);
-    merit.sum += fault.worst();
-    merit.missed += fault.worst() > 0 ? 1 : 0;
-    merit.negative += shortfall.negative;
-    merit.complete = merit.complete && !shortfall.is_above() && !shortfall.is_below(goal) &&
-                     shortfall.negative == 0;
+    merit.add(merit_of_one(shortfall_of(mesh, t, goal), goal));
   }
 }
 
@@ -71,6 +73,19 @@ double largest_forced(const MutableMesh& mesh, const Team& team) {
 
 }  // namespace
 
+void Merit::add(const Merit& more) {
+  large = std::max(large, more.large);
+  small = std::max(small, more.small);
+  above += more.above;
+  far_above += more.far_above;
+  fault.wide = std::max(fault.wide, more.fault.wide);
+  fault.narrow = std::max(fault.narrow, more.fault.narrow);
+  sum += more.sum;
+  missed += more.missed;
+  negative += more.negative;
+  complete = complete && more.complete;
+}
+
 Merit merit_of(const MutableMesh& mesh, const Goal& goal, const Team& team) {
   Merit merit{goal.large, goal.large, 0, 0, goal.small, mesh.triangle_count(), true, {}, 0, 0, 0};
   if (mesh.triangles.size() <= kItemsAtATime) {  // no lists of one
@@ -84,18 +99,7 @@ Merit merit_of(const MutableMesh& mesh, const Goal& goal, const Team& team) {
   team.each_range(mesh.triangles.size(), kItemsAtATime, [&](std::size_t first, std::size_t last) {
     add_faults(mesh, goal, first, last, parts[first / kItemsAtATime]);
   });
-  for (const Merit& part : parts) {
-    merit.large = std::max(merit.large, part.large);
-    merit.small = std::max(merit.small, part.small);
-    merit.above += part.above;
-    merit.far_above += part.far_above;
-    merit.fault.wide = std::max(merit.fault.wide, part.fault.wide);
-    merit.fault.narrow = std::max(merit.fault.narrow, part.fault.narrow);
-    merit.sum += part.sum;
-    merit.missed += part.missed;
-    merit.negative += part.negative;
-    merit.complete = merit.complete && part.complete;
-  }
+  for (const Merit& part : parts) merit.add(part);
   return merit;
 }
 
@@ -118,12 +122,6 @@ bool is_better_by_largest(const Merit& a, const Merit& b) {
   }
   return a.triangles < b.triangles;
 }
-
-Prefer preference(const Options& options) {
-  return options.max_angle < kStrict ? Prefer::largest : options.prefer;
-}
-
-bool minds_couplings(const Options& options) { return options.couplings != Couplings::last; }
 
 bool Order::is_better(const Merit& a, const Merit& b) const {
   const bool is_within = is_within_bound(a);

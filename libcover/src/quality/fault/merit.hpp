@@ -30,6 +30,9 @@ struct Merit {
   std::size_t missed = 0;  ///< triangles that have one
 
   std::size_t negative = 0;  ///< couplings that count and are negative
+
+  /// Adds what is wrong with more triangles, which `triangles` and `target` know of already.
+  void add(const Merit& more);
 };
 
 /// Cost: O(triangles)
@@ -51,13 +54,6 @@ bool is_smaller_cot(double a, double b);
 ///
 /// REQUIRES: the same targets
 bool is_better_by_largest(const Merit& a, const Merit& b);
-
-/// What is preferred: Options::prefer, but the largest angle where less than 95 degrees is asked
-/// for.
-Prefer preference(const Options& options);
-
-/// Whether couplings come before targets.
-bool minds_couplings(const Options& options);
 
 /// How triangulations of one region are compared.
 struct Order {

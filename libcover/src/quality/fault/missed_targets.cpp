@@ -18,7 +18,6 @@ namespace {
 
 constexpr std::size_t kPlaces = 8;  ///< at most, per note
 constexpr std::size_t kNamed = 3;   ///< of them in its text
-constexpr double kRounding = 1e-9;  ///< in cotangents, and in radians
 
 Note missed(RegionId region, std::string message, std::vector<Point> where) {
   return {Note::Kind::target_missed, region, std::move(message), std::move(where)};
@@ -33,7 +32,7 @@ std::string remaining(std::size_t count, std::string_view what, Angle limit) {
 /// Segments whose own gamma_opt is above the target, worst first. A segment may be two sides.
 void note_forced(const RegionBoundary& boundary, const AngleLimit& limit, Angle max,
                  std::vector<Note>& notes) {
-  const double nu = max.supplement().in_radians() - kRounding;
+  const double nu = max.supplement().in_radians() - kAngleMet;
   std::vector<std::size_t> forced;
   for (std::size_t s = 0; s < boundary.sides.size(); ++s) {
     if (limit.side_nu[s] < nu) forced.push_back(s);
@@ -94,8 +93,9 @@ struct MissedAngles {
   Places large, small;
   Places forced;  ///< small ones
 
-  void look_at(const MutableMesh& mesh, std::uint32_t t, const Options& options, Point origin,
-               std::size_t thin) {
+  void look_at(const MutableMesh& mesh, std::uint32_t t, const Options& options,
+               const MeshHistory& history) {
+    const Point origin = history.origin;
     if (mesh.is_hole(t)) return;
     const Goal& goal = mesh.goal();
     const SideAllowances sides = mesh.allowances_beside(mesh.triangles[t].n);
@@ -106,11 +106,11 @@ struct MissedAngles {
       const Point in_frame = mesh.points[mesh.triangles[t].v[i]];
       const Point at{in_frame.x + origin.x, in_frame.y + origin.y};
       const double cot = k.dot[i] / k.cross;
-      if (-cot > wanted_large(goal, sides[i]) + kRounding &&
+      if (-cot > wanted_large(goal, sides[i]) + kSameCot &&
           (options.max_angle != Angle::degrees(90) || is_obtuse(mesh, t, origin)))
         large.add(at);
-      if (goal.weight == 0 || t < thin || is_between_sides(sides, i) ||
-          cot <= goal.small * (1 + kRounding))
+      if (goal.weight == 0 || t < history.layer_triangles || is_between_sides(sides, i) ||
+          cot <= goal.small * (1 + kSameCot))
         continue;
       // Where sides force it, no triangle on that side is without such an angle.
       (allowed > 0 ? forced : small).add(at);
@@ -135,16 +135,14 @@ std::string reason_of(Unreached why) {
 }  // namespace
 
 std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& boundary,
-                                 const AngleLimit& limit, const Options& options,
-                                 Unreached unreached, Point origin, std::size_t thin,
+                                 const Options& options, const MeshHistory& history,
                                  const Team& team) {
   std::vector<Note> notes;
-  note_forced(boundary, limit, options.max_angle, notes);
+  note_forced(boundary, history.limit, options.max_angle, notes);
   std::vector<MissedAngles> parts(Team::ranges(mesh.triangles.size(), kManyAtATime));
   team.each_range(mesh.triangles.size(), kManyAtATime, [&](std::size_t first, std::size_t last) {
     for (std::size_t t = first; t < last; ++t)
-      parts[first / kManyAtATime].look_at(mesh, static_cast<std::uint32_t>(t), options, origin,
-                                          thin);
+      parts[first / kManyAtATime].look_at(mesh, static_cast<std::uint32_t>(t), options, history);
   });
   MissedAngles all;
   for (const MissedAngles& part : parts) {
@@ -154,7 +152,7 @@ std::vector<Note> missed_targets(const MutableMesh& mesh, const RegionBoundary& 
   }
   const std::size_t large = all.large.count, small = all.small.count;
   const std::size_t forced_small = all.forced.count;
-  const std::string why = reason_of(unreached);
+  const std::string why = reason_of(history.why);
   const std::string region = fmt::format("region {}: ", boundary.id.value());
   if (large > 0) {
     notes.push_back(missed(boundary.id, region + remaining(large, "above", options.max_angle) + why,

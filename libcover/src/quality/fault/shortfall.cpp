@@ -18,9 +18,8 @@ bool is_negative(const MutableMesh& mesh, std::uint32_t t, Corner i, double cot,
   const double sum = cot + mesh.cot_opposite(n[i], from);
   if (sum >= 0) return false;
   const MeshTriangle& other = mesh.triangles[n[i]];
-  const bool is_given = mesh.is_fixed(v[0]) && mesh.is_fixed(v[1]) && mesh.is_fixed(v[2]) &&
-                        mesh.is_fixed(other.v[other.edge_from(from)]);
-  return !is_given || sum < -kSameCot;
+  const bool given = mesh.is_given(v[0], v[1], v[2], other.v[other.edge_from(from)]);
+  return sum < std::min(MutableMesh::least_sum(given), 0.0);
 }
 
 Shortfall sum_up(const MutableMesh& mesh, std::uint32_t t, const Goal& goal, bool with_fault) {

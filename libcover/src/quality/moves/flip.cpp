@@ -6,9 +6,9 @@
 
 namespace cover {
 
-bool try_flip(Piece& piece, std::uint32_t t) {
-  if (piece.flips_left == 0) return false;
-  MutableMesh& mesh = piece.mesh;
+bool try_flip(Workplace& work, std::uint32_t t) {
+  if (work.flips_left == 0) return false;
+  MutableMesh& mesh = work.mesh;
   std::optional<Corner> best_edge;
   double best_gain = 0;
   for (const Corner i : kCorners) {
@@ -26,9 +26,9 @@ bool try_flip(Piece& piece, std::uint32_t t) {
   if (!best_edge) return false;
   const std::uint32_t u = mesh.triangles[t].n[*best_edge];
   if (!mesh.flip(t, *best_edge)) return false;
-  --piece.flips_left;
-  piece.look_around(t);
-  piece.look_around(u);
+  --work.flips_left;
+  work.look_around(t);
+  work.look_around(u);
   return true;
 }
 

@@ -2,7 +2,7 @@
 // Mends: a large angle opposite to an inner edge, and small angles at the ends of that edge.
 #pragma once
 
-#include "quality/moves/piece.hpp"
+#include "quality/moves/workplace.hpp"
 
 namespace cover {
 
@@ -15,6 +15,6 @@ namespace cover {
 ///      \ | /         \   /
 ///       \|/           \ /
 ///        b             b
-bool try_flip(Piece& piece, std::uint32_t t);
+bool try_flip(Workplace& work, std::uint32_t t);
 
 }  // namespace cover

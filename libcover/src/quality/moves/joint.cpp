@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/containers/order.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 #include "quality/fault/keep_rules.hpp"
@@ -83,8 +84,7 @@ class JointPlacement {
     for (const std::uint32_t v : vertices_) {
       for_star(v, [&](std::uint32_t s) { triangles_.push_back(s); });
     }
-    std::sort(triangles_.begin(), triangles_.end());
-    triangles_.erase(std::unique(triangles_.begin(), triangles_.end()), triangles_.end());
+    sort_unique(triangles_);
   }
 
   void take(std::uint32_t v) {

@@ -16,16 +16,16 @@ double worst_inside(const MutableMesh& mesh, const Cavity& cavity) {
 
 }  // namespace
 
-bool try_relocate(Piece& piece, std::uint32_t t) {
-  MutableMesh& mesh = piece.mesh;
-  Cavity& cavity = piece.cavity;
+bool try_relocate(Workplace& work, std::uint32_t t) {
+  MutableMesh& mesh = work.mesh;
+  Cavity& cavity = work.cavity;
   const std::array<std::uint32_t, 3> corners = mesh.triangles[t].v;
   for (const std::uint32_t v : corners) {
     if (mesh.is_fixed(v) || !cavity.start_star(v)) continue;
     const double limit = improvement_of(cavity.worst());
     const Point before = mesh.points[v];
     const Placement placement = place(Hole(mesh, cavity), before, limit);
-    piece.evaluations += placement.evaluations;
+    work.evaluations += placement.evaluations;
     if (placement.worst < limit && relocate(mesh, cavity, placement.at)) {
       // A hole and the mesh round in different ways: an excess that is no more than that would be
       // mended again and again, until the budget is used up, by leaving the vertex where it is.
@@ -34,8 +34,8 @@ bool try_relocate(Piece& piece, std::uint32_t t) {
         continue;
       }
       for (int k = 0; k < cavity.size(); ++k) {
-        piece.again.push_back(cavity.triangle(k));
-        if (!is_side(cavity.outer(k))) piece.again.push_back(cavity.outer(k));
+        work.again.push_back(cavity.triangle(k));
+        if (!is_side(cavity.outer(k))) work.again.push_back(cavity.outer(k));
       }
       return true;
     }

@@ -2,11 +2,11 @@
 // Mends: a small or a large angle of a triangle with a free corner.
 #pragma once
 
-#include "quality/moves/piece.hpp"
+#include "quality/moves/workplace.hpp"
 
 namespace cover {
 
 /// Moves a free corner of `t`: the first whose star gets better.
-bool try_relocate(Piece& piece, std::uint32_t t);
+bool try_relocate(Workplace& work, std::uint32_t t);
 
 }  // namespace cover

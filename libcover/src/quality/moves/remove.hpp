@@ -2,12 +2,12 @@
 // Elsewhere it saves triangles.
 #pragma once
 
-#include "quality/moves/piece.hpp"
+#include "quality/moves/workplace.hpp"
 
 namespace cover {
 
 /// Takes away a free corner of `t` and triangulates its star anew, where that is no worse: fewer
 /// triangles are a gain.
-bool try_remove(Piece& piece, std::uint32_t t);
+bool try_remove(Workplace& work, std::uint32_t t);
 
 }  // namespace cover

@@ -58,9 +58,9 @@ Point midpoint_of_loop_edge(const MutableMesh& mesh, std::uint32_t t, Corner i) 
 
 }  // namespace
 
-bool try_restar(Piece& piece, std::uint32_t t) {
-  MutableMesh& mesh = piece.mesh;
-  Cavity& cavity = piece.cavity;
+bool try_restar(Workplace& work, std::uint32_t t) {
+  MutableMesh& mesh = work.mesh;
+  Cavity& cavity = work.cavity;
   Cavity best_cavity(mesh);
   Placement best;
   double best_gain = 0;
@@ -72,17 +72,17 @@ bool try_restar(Piece& piece, std::uint32_t t) {
     // In vain in most cases where couplings count: that must be told soon.
     const CouplingGoal& coupling = mesh.goal().coupling;
     if (coupling.strict && coupling.takes_whole_cavities && !grow_to_delaunay(mesh, cavity, p)) {
-      ++piece.evaluations;
+      ++work.evaluations;
       continue;
     }
     for (;;) {
       const Hole hole(mesh, cavity);
       const double limit = improvement_of(cavity.worst());
       Placement placement{p, kInverted};
-      ++piece.evaluations;
+      ++work.evaluations;
       if (has_room(mesh, cavity, limit)) {
         placement = place(hole, p, 0);
-        piece.evaluations += placement.evaluations;
+        work.evaluations += placement.evaluations;
         if (!(placement.worst < kInverted)) break;
         p = placement.at;
       } else if (hole.worst(p, kInverted) == kInverted) {
@@ -103,11 +103,11 @@ bool try_restar(Piece& piece, std::uint32_t t) {
   const double limit = improvement_of(best_cavity.worst());
   if (best.worst > 0) {
     best = place(Hole(mesh, best_cavity), best.at, limit);
-    piece.evaluations += best.evaluations;
+    work.evaluations += best.evaluations;
   }
   if (!(best.worst < limit)) return false;
-  if (!install_star(mesh, best_cavity, best.at, piece.installed)) return false;
-  piece.look_around_installed();
+  if (!install_star(mesh, best_cavity, best.at, work.installed)) return false;
+  work.look_around_installed();
   return true;
 }
 

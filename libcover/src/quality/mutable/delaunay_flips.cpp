@@ -1,4 +1,3 @@
-// Tested by tests/unit/quality/couplings_test.cpp.
 #include "quality/mutable/delaunay_flips.hpp"
 
 #include <atomic>

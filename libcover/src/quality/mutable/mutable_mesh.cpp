@@ -177,9 +177,8 @@ double MutableMesh::coupled_excess(const std::array<std::uint32_t, 3>& v,
     const double sum = cot + cot_opposite(n[i], from);
     if (sum >= kLeastCoupling) continue;
     const auto& o = triangles.data()[n[i]];
-    const bool is_given =
-        is_fixed(v[0]) && is_fixed(v[1]) && is_fixed(v[2]) && is_fixed(o.v[o.edge_from(from)]);
-    worst = std::max(worst, inner_excess(sum, is_given));
+    const bool given = is_given(v[0], v[1], v[2], o.v[o.edge_from(from)]);
+    worst = std::max(worst, inner_excess(sum, given));
   }
   return worst;
 }
@@ -279,8 +278,7 @@ double MutableMesh::excess_after_flip(std::uint32_t t, Corner i, double limit) c
   if (!goal_.coupling.inside || worst == kInverted) return worst;
   const Corners k(points[a], points[b], points[d]), l(points[a], points[d], points[c]);
   const double sum = k.dot[1] / k.cross + l.dot[2] / l.cross;
-  const bool is_given = is_fixed(a) && is_fixed(b) && is_fixed(c) && is_fixed(d);
-  return sum < kLeastCoupling ? std::max(worst, inner_excess(sum, is_given)) : worst;
+  return sum < kLeastCoupling ? std::max(worst, inner_excess(sum, is_given(a, b, c, d))) : worst;
 }
 
 bool MutableMesh::flip(std::uint32_t t, Corner i) {

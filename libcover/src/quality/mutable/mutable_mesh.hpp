@@ -132,10 +132,18 @@ class MutableMesh {
 
   /// The cotangent at the corner of triangle `t` opposite to its edge that starts at `from`.
   [[nodiscard]] double cot_opposite(std::uint32_t t, std::uint32_t from) const;
+  /// Whether nothing can change the coupling of an inner edge: all corners of its two triangles are
+  /// fixed. What is negative then is so by rounding, or for good.
+  [[nodiscard]] bool is_given(std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                              std::uint32_t d) const {
+    return is_fixed(a) && is_fixed(b) && is_fixed(c) && is_fixed(d);
+  }
+  /// What the cotangents opposite to an inner edge must add up to.
+  static double least_sum(bool given) { return given ? -kSameCot : kLeastCoupling; }
   /// The excess of the coupling of an inner edge with these ends and corners opposite, whose
   /// cotangents add up to `sum`.
-  [[nodiscard]] double inner_excess(double sum, bool is_given) const {
-    const double least = is_given ? -kSameCot : kLeastCoupling;
+  [[nodiscard]] double inner_excess(double sum, bool given) const {
+    const double least = least_sum(given);
     if (goal_.coupling.strict && sum < std::min(least, 0.0)) return kInverted;
     return goal_.coupling.weight * (least - sum);
   }

@@ -7,8 +7,8 @@
 
 #include "base/team.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
+#include "region/region_mesh.hpp"
 #include "target/local_frame.hpp"
-#include "target/region_mesh.hpp"
 
 namespace cover {
 

@@ -1,6 +1,5 @@
 // Ears are cut off, one after the other, in whose circle no corner that is left lies. After a
 // vertex of a Delaunay triangulation is taken away there always is one.
-// Tested by tests/unit/quality/couplings_test.cpp.
 #include "quality/optimum/delaunay_polygon.hpp"
 
 #include <algorithm>

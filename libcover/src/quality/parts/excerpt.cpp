@@ -10,7 +10,8 @@
 namespace cover {
 namespace {
 
-using Numbers = std::unordered_map<std::uint32_t, std::uint32_t>;  ///< from the whole to the part
+using Numbers =
+    std::unordered_map<std::uint32_t, std::uint32_t>;  ///< from the whole to the excerpt
 }  // namespace
 
 std::vector<std::uint32_t> triangles_around(const MutableMesh& whole, std::uint32_t t,
@@ -58,13 +59,13 @@ Excerpt::Excerpt(const MutableMesh& whole, std::uint32_t t, std::size_t limit,
   const auto fixed = static_cast<std::uint32_t>(vertices_.size());
   for (const std::uint32_t v : inner) number(v);
 
-  Triangulation part;
-  for (const std::uint32_t v : vertices_) part.points.push_back(whole.points[v]);
+  Triangulation copy;
+  for (const std::uint32_t v : vertices_) copy.points.push_back(whole.points[v]);
   std::vector<EdgeRef> side_at;
   std::vector<SideLimit> limits;
   for (std::uint32_t k = 0; k < triangles_.size(); ++k) {
     const auto& [v, n] = whole.triangles[triangles_[k]];
-    Triangle& triangle = part.triangles.emplace_back();
+    Triangle& triangle = copy.triangles.emplace_back();
     for (const Corner i : kCorners) {
       triangle.v[i] = vertex_number[v[i]];
       if (is_inside(n[i])) {
@@ -79,39 +80,39 @@ Excerpt::Excerpt(const MutableMesh& whole, std::uint32_t t, std::size_t limit,
       limits.back().is_inner = true;
     }
   }
-  mesh = MutableMesh(part, fixed, side_at, std::move(limits));
+  mesh = MutableMesh(copy, fixed, side_at, std::move(limits));
   mesh.set_goal(whole.goal());
 }
 
-std::vector<std::uint32_t> Excerpt::replace(MutableMesh& whole, const MutableMesh& part) const {
-  std::vector<std::uint32_t> vertex(part.points.size(), kNone);
-  for (std::size_t v = part.points.size(); v < vertices_.size(); ++v)
+std::vector<std::uint32_t> Excerpt::replace(MutableMesh& whole, const MutableMesh& improved) const {
+  std::vector<std::uint32_t> vertex(improved.points.size(), kNone);
+  for (std::size_t v = improved.points.size(); v < vertices_.size(); ++v)
     whole.drop_vertex(vertices_[v]);
-  for (std::uint32_t v = 0; v < part.points.size(); ++v) {
+  for (std::uint32_t v = 0; v < improved.points.size(); ++v) {
     const bool is_old = v < vertices_.size();
-    if (part.home[v] == kNone) {
-      if (is_old && !part.is_fixed(v)) whole.drop_vertex(vertices_[v]);
+    if (improved.home[v] == kNone) {
+      if (is_old && !improved.is_fixed(v)) whole.drop_vertex(vertices_[v]);
       continue;
     }
-    vertex[v] = is_old ? vertices_[v] : whole.add_vertex(part.points[v]);
-    whole.points[vertex[v]] = part.points[v];
+    vertex[v] = is_old ? vertices_[v] : whole.add_vertex(improved.points[v]);
+    whole.points[vertex[v]] = improved.points[v];
   }
-  std::vector<std::uint32_t> place(part.triangles.size(), kNone), used;
-  for (std::uint32_t t = 0; t < part.triangles.size(); ++t) {
-    if (part.is_hole(t)) continue;
+  std::vector<std::uint32_t> place(improved.triangles.size(), kNone), used;
+  for (std::uint32_t t = 0; t < improved.triangles.size(); ++t) {
+    if (improved.is_hole(t)) continue;
     place[t] = used.size() < triangles_.size() ? triangles_[used.size()] : whole.add_triangle();
     used.push_back(place[t]);
   }
   for (std::size_t k = used.size(); k < triangles_.size(); ++k) whole.drop_triangle(triangles_[k]);
-  for (std::uint32_t t = 0; t < part.triangles.size(); ++t) {
-    if (part.is_hole(t)) continue;
+  for (std::uint32_t t = 0; t < improved.triangles.size(); ++t) {
+    if (improved.is_hole(t)) continue;
     MeshTriangle& triangle = whole.triangles[place[t]];
     for (const Corner i : kCorners) {
-      triangle.v[i] = vertex[part.triangles[t].v[i]];
+      triangle.v[i] = vertex[improved.triangles[t].v[i]];
       whole.home[triangle.v[i]] = place[t];
     }
     for (const Corner i : kCorners) {
-      const std::uint32_t n = part.triangles[t].n[i];
+      const std::uint32_t n = improved.triangles[t].n[i];
       triangle.n[i] = is_side(n) ? outside[side_index(n)] : place[n];
       if (is_side(n)) {
         whole.link(triangle.n[i], triangle.v[i.next()], triangle.v[i.previous()], place[t]);

@@ -37,11 +37,11 @@ class Excerpt {
   /// The vertex of `mesh` that is the spare one.
   std::uint32_t spare = kNone;
 
-  /// Puts `part`, made from a copy of `mesh`, in place of these triangles.
+  /// Puts `improved`, made from a copy of `mesh`, in place of these triangles.
   ///
   /// ENSURES: the places in `whole` that its triangles have now, whose excess is that by the goal
   ///          of the whole. The excerpt is of no use any more.
-  std::vector<std::uint32_t> replace(MutableMesh& whole, const MutableMesh& part) const;
+  std::vector<std::uint32_t> replace(MutableMesh& whole, const MutableMesh& improved) const;
 
  private:
   std::vector<std::uint32_t> triangles_;  ///< by local triangle: its place in the whole

@@ -1,4 +1,4 @@
-// See part_labels.hpp. Tested by tests/unit/quality/parts/blocks_test.cpp.
+// See part_labels.hpp. Tested by tests/unit/quality/parts/work_in_parts_test.cpp.
 #include "quality/parts/part_labels.hpp"
 
 #include <algorithm>

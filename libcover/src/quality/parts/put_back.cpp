@@ -1,4 +1,4 @@
-// See put_back.hpp. Tested by tests/unit/quality/parts/blocks_test.cpp.
+// See put_back.hpp. Tested by tests/unit/quality/parts/work_in_parts_test.cpp.
 #include "quality/parts/put_back.hpp"
 #include "base/containers/give_back.hpp"
 
@@ -7,35 +7,35 @@
 
 namespace cover {
 
-bool is_other_in_whole(const Part& part, std::uint32_t t) {
-  const MutableMesh& mesh = part.block.mesh;
+bool is_other_in_whole(const PartInWork& part, std::uint32_t t) {
+  const MutableMesh& mesh = part.given.mesh;
   const auto& [v, n] = mesh.triangles[t];
   return std::any_of(n.begin(), n.end(),
                      [&](std::uint32_t s) {
-                       return is_side(s) && side_index(s) >= part.block.first_border;
+                       return is_side(s) && side_index(s) >= part.given.first_border;
                      }) ||
          std::all_of(v.begin(), v.end(), [&](std::uint32_t u) { return mesh.is_fixed(u); });
 }
 
-void PutBack::put(Part& part) {
-  Block& block = part.block;
+void PutBack::put(PartInWork& part) {
+  Part& given = part.given;
   const std::vector<std::uint32_t> place = place_triangles(part);
   place_vertices(part);
   put_vertices(part, place);
   put_triangles(part, place);
-  block.mesh = {};
+  given.mesh = {};
   give_back(part.whole_side);
-  if (block.tells_places) {
-    block.triangles = place;
+  if (given.tells_places) {
+    given.triangles = place;
   } else {
-    give_back(block.triangles);
-    give_back(block.vertices);
+    give_back(given.triangles);
+    give_back(given.vertices);
   }
 }
 
-std::vector<std::uint32_t> PutBack::place_triangles(Part& part) const {
-  const MutableMesh& mesh = part.block.mesh;
-  part.triangles.spare = std::move(part.block.triangles);
+std::vector<std::uint32_t> PutBack::place_triangles(PartInWork& part) const {
+  const MutableMesh& mesh = part.given.mesh;
+  part.triangles.spare = std::move(part.given.triangles);
   std::vector<std::uint32_t> place(mesh.triangles.size(), kNone);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (!mesh.is_hole(t)) place[t] = part.triangles.next(triangles_);
@@ -44,9 +44,9 @@ std::vector<std::uint32_t> PutBack::place_triangles(Part& part) const {
   return place;
 }
 
-void PutBack::place_vertices(Part& part) const {
-  const MutableMesh& mesh = part.block.mesh;
-  std::vector<std::uint32_t>& place = part.block.vertices;
+void PutBack::place_vertices(PartInWork& part) const {
+  const MutableMesh& mesh = part.given.mesh;
+  std::vector<std::uint32_t>& place = part.given.vertices;
   for (std::uint32_t v = mesh.fixed_vertices(); v < part.own_vertices; ++v) {
     if (mesh.home[v] == kNone) part.vertices.spare.push_back(std::exchange(place[v], kNone));
   }
@@ -57,9 +57,9 @@ void PutBack::place_vertices(Part& part) const {
   part.vertices.leave_rest();
 }
 
-void PutBack::put_vertices(Part& part, std::span<const std::uint32_t> place) {
-  const MutableMesh& mesh = part.block.mesh;
-  const std::vector<std::uint32_t>& vertices = part.block.vertices;
+void PutBack::put_vertices(PartInWork& part, std::span<const std::uint32_t> place) {
+  const MutableMesh& mesh = part.given.mesh;
+  const std::vector<std::uint32_t>& vertices = part.given.vertices;
   part.extras.points.reserve(part.vertices.extra);
   part.extras.home.reserve(part.vertices.extra);
   for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
@@ -79,8 +79,8 @@ void PutBack::put_vertices(Part& part, std::span<const std::uint32_t> place) {
   }
 }
 
-void PutBack::put_triangles(Part& part, std::span<const std::uint32_t> place) {
-  const MutableMesh& mesh = part.block.mesh;
+void PutBack::put_triangles(PartInWork& part, std::span<const std::uint32_t> place) {
+  const MutableMesh& mesh = part.given.mesh;
   part.extras.triangles.reserve(part.triangles.extra);
   part.extras.excess.reserve(part.triangles.extra);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -101,20 +101,20 @@ void PutBack::put_triangles(Part& part, std::span<const std::uint32_t> place) {
 }
 
 /// Triangle `t` of a part by the places of all.
-MeshTriangle PutBack::placed(Part& part, std::uint32_t t, std::span<const std::uint32_t> place,
-                             bool& tells_extras) const {
-  const MeshTriangle& from = part.block.mesh.triangles[t];
+MeshTriangle PutBack::placed(PartInWork& part, std::uint32_t t,
+                             std::span<const std::uint32_t> place, bool& tells_extras) const {
+  const MeshTriangle& from = part.given.mesh.triangles[t];
   MeshTriangle to;
   for (const Corner i : kCorners) {
     const std::uint32_t n = from.n[i];
-    to.v[i] = part.block.vertices[from.v[i]];
+    to.v[i] = part.given.vertices[from.v[i]];
     if (!is_side(n)) {
       to.n[i] = place[n];
       tells_extras |= is_extra_triangle(to.n[i]);
-    } else if (side_index(n) < part.block.first_border) {
+    } else if (side_index(n) < part.given.first_border) {
       to.n[i] = part.whole_side[side_index(n)];
     } else {
-      BorderEdge& edge = part.border[side_index(n) - part.block.first_border];
+      BorderEdge& edge = part.border[side_index(n) - part.given.first_border];
       edge.triangle = place[t];
       edge.edge = i;
       to.n[i] = kSomeTriangle;
@@ -124,14 +124,14 @@ MeshTriangle PutBack::placed(Part& part, std::uint32_t t, std::span<const std::u
   return to;
 }
 
-void PutBack::make_room(std::span<Part> parts, const Team& team) {
+void PutBack::make_room(std::span<PartInWork> parts, const Team& team) {
   std::size_t triangles = 0, vertices = 0;
-  for (const Part& part : parts) {
+  for (const PartInWork& part : parts) {
     triangles += part.triangles.extra;
     vertices += part.vertices.extra;
   }
   whole_.reserve_more(triangles, vertices, team);
-  for (Part& part : parts) {
+  for (PartInWork& part : parts) {
     part.triangle_ids.resize(part.triangles.extra);
     whole_.add_triangles(part.triangle_ids);
     for (const std::uint32_t t : part.triangles.spare) whole_.drop_triangle(t);
@@ -141,7 +141,7 @@ void PutBack::make_room(std::span<Part> parts, const Team& team) {
   }
 }
 
-void PutBack::put_extras(Part& part) {
+void PutBack::put_extras(PartInWork& part) {
   const auto settle_triangle = [&](std::uint32_t& t) {
     if (t >= triangles_ && t < kSomeTriangle) t = part.triangle_ids[t - triangles_];
   };
@@ -168,8 +168,8 @@ void PutBack::put_extras(Part& part) {
   for (BorderEdge& edge : part.border) settle_triangle(edge.triangle);
   for (std::uint32_t& t : part.to_measure) settle_triangle(t);
   for (auto& [v, t] : part.homes) settle_triangle(t);
-  for (std::uint32_t& t : part.block.triangles) settle_triangle(t);
-  for (std::uint32_t& v : part.block.vertices) settle_vertex(v);
+  for (std::uint32_t& t : part.given.triangles) settle_triangle(t);
+  for (std::uint32_t& v : part.given.vertices) settle_vertex(v);
 }
 
 }  // namespace cover

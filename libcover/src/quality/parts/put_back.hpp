@@ -1,4 +1,4 @@
-// What became of the parts of a large mesh, in its place: for blocks alone.
+// What became of the parts of a large mesh, in its place: for work_in_parts alone.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "quality/mutable/mutable_mesh.hpp"
-#include "quality/parts/part.hpp"
+#include "quality/parts/part_in_work.hpp"
 
 namespace cover {
 
@@ -26,22 +26,22 @@ class PutBack {
   /// Puts what has a place there, and the rest beside it.
   ///
   /// Threads: any, with parts of their own
-  void put(Part& part);
+  void put(PartInWork& part);
   /// Gives every part places of its own for what it has more than before, and takes those of which
   /// it has fewer. To be called once, when all parts were put back.
-  void make_room(std::span<Part> parts, const Team& team);
+  void make_room(std::span<PartInWork> parts, const Team& team);
   /// Puts the rest there.
   ///
   /// Threads: as put()
-  void put_extras(Part& part);
+  void put_extras(PartInWork& part);
 
  private:
   [[nodiscard]] bool is_extra_triangle(std::uint32_t t) const { return t >= triangles_; }
-  std::vector<std::uint32_t> place_triangles(Part& part) const;
-  void place_vertices(Part& part) const;
-  void put_vertices(Part& part, std::span<const std::uint32_t> place);
-  void put_triangles(Part& part, std::span<const std::uint32_t> place);
-  MeshTriangle placed(Part& part, std::uint32_t t, std::span<const std::uint32_t> place,
+  std::vector<std::uint32_t> place_triangles(PartInWork& part) const;
+  void place_vertices(PartInWork& part) const;
+  void put_vertices(PartInWork& part, std::span<const std::uint32_t> place);
+  void put_triangles(PartInWork& part, std::span<const std::uint32_t> place);
+  MeshTriangle placed(PartInWork& part, std::uint32_t t, std::span<const std::uint32_t> place,
                       bool& tells_extras) const;
 
   MutableMesh& whole_;

@@ -7,21 +7,22 @@
 #include <vector>
 
 #include "almond/almond_region.hpp"
-#include "cdt/cdt.hpp"
 #include "cdt/region_cdt.hpp"
 #include "cdt/sides.hpp"
+#include "cdt/triangulation.hpp"
+#include "options/intent.hpp"
 #include "quality/effort/effort.hpp"
+#include "quality/fault/extreme_angles.hpp"
 #include "quality/mutable/delaunay_flips.hpp"
-#include "quality/parts/split_hull.hpp"
-#include "quality/parts/with_neighbours.hpp"
+#include "quality/mutable/split_hull.hpp"
+#include "quality/repair/best_restart.hpp"
 #include "quality/repair/give_way.hpp"
 #include "quality/repair/improve.hpp"
 #include "quality/repair/search.hpp"
 #include "quality/starts/even_refinement.hpp"
 #include "quality/starts/one_star.hpp"
-#include "quality/starts/restart.hpp"
+#include "region/whole_mesh.hpp"
 #include "sizes/fields/ask_size.hpp"
-#include "target/whole_mesh.hpp"
 
 namespace cover {
 namespace {
@@ -43,19 +44,19 @@ Triangulation triangulated(const std::vector<Point>& points, const RegionBoundar
 std::vector<SideLimit> counted_side_limits(const Triangulation& cdt, const AngleLimit& limit,
                                            const Options& options, const Team& team) {
   std::vector<SideLimit> limits = side_limits(cdt, limit.at, team);
-  if (minds_couplings(options)) mind_free_sides(cdt, limit.at, limits, team);
+  if (couplings_count(options)) mind_free_sides(cdt, limit.at, limits, team);
   return limits;
 }
 
-Goal goal_of(const Options& options, const AngleLimit& limit, bool is_part) {
+Goal goal_of(const Options& options, const AngleLimit& limit, bool is_rest) {
   Goal goal = Goal::of(options.max_angle, options.min_angle);
-  if (minds_couplings(options))
+  if (couplings_count(options))
     // Beside layers, of 400 devices with little effort two kept negative couplings inside with it.
     goal.coupling = {.weight = kCouplingFirst,
                      .inside = true,
                      .strict = true,
                      .bound = (1 - kSameCot) / std::tan(limit.promised_nu()),
-                     .takes_whole_cavities = !is_part};
+                     .takes_whole_cavities = !is_rest};
   return goal;
 }
 
@@ -75,7 +76,7 @@ Candidates::Candidates(const RegionBoundary& boundary, const Options& options,
       cdt_(outlook_.cdt()),
       limit_(angle_limit(cdt_, boundary.sides, boundary.segments, sharing.team)),
       side_limits_(counted_side_limits(cdt_, limit_, options, sharing.team)),
-      goal_(goal_of(options, limit_, boundary.is_part)),
+      goal_(goal_of(options, limit_, boundary.is_rest)),
       sizes_(SizeField::where_it_counts(boundary, cdt_, options.growth, background_in_frame())),
       given_(effort::kBudgetAtLeast + effort::kBudgetPerPoint * boundary.points.size()),
       budget_{given_, stop} {}
@@ -130,7 +131,7 @@ std::optional<Candidate> Candidates::one_star(const Candidate& cdt) {
   if (!found.star) return std::nullopt;
   const std::vector<EdgeRef> side_at = locate_sides(*found.star, boundary_.sides, sharing_.team);
   Candidate made = coupled(plain(*found.star, side_at, "one star"));
-  outlook_.has_seen(angles_of(*made.mesh));
+  outlook_.has_seen(extreme_angles(*made.mesh));
   return made;
 }
 
@@ -140,7 +141,7 @@ std::optional<Candidate> Candidates::evenly_refined(Candidate cdt) const {
   return measured(std::move(cdt));
 }
 
-Candidate Candidates::optimised(Candidate cdt, OptimiseEffort how_hard) {
+Candidate Candidates::optimised(Candidate cdt, SearchAfter how_hard) {
   Budget half = budget_.share(2);  // the rest is for candidates that may start better
   const Optimised reached =
       optimise(cdt.mesh.change(), goal_, half, sizes_, ranking_.order(), how_hard, sharing_);
@@ -204,7 +205,7 @@ Candidate Candidates::narrowed(const Candidate& best, const Candidate& from, dou
 }
 
 void Candidates::compare_with(const Candidate& cdt) {
-  const Order order{.prefer = preference(options_), .bound = 1 / std::tan(limit_.promised_nu())};
+  const Order order{.prefer = preferred(options_), .bound = 1 / std::tan(limit_.promised_nu())};
   ranking_.set_order(order);
   if (order.prefer == Prefer::largest) ranking_.lower_ceiling(cdt.merit.large);
 }
@@ -220,7 +221,7 @@ Candidate Candidates::improved_within(const Candidate& c, std::uint64_t evaluati
   return better;
 }
 
-Candidate Candidates::optimised_within(Candidate cdt, OptimiseEffort how_hard,
+Candidate Candidates::optimised_within(Candidate cdt, SearchAfter how_hard,
                                        std::uint64_t evaluations) {
   Candidate better;  // of the budget no more than half is for one
   budget_.within(2 * evaluations, [&] { better = optimised(std::move(cdt), how_hard); });

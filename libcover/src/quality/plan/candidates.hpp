@@ -17,11 +17,11 @@
 #include "quality/plan/optimise.hpp"
 #include "quality/plan/outlook.hpp"
 #include "region/region_boundary.hpp"
+#include "region/region_mesh.hpp"
 #include "sizes/size_field.hpp"
 #include "target/angle_limit.hpp"
 #include "target/goal.hpp"
 #include "target/local_frame.hpp"
-#include "target/region_mesh.hpp"
 
 namespace cover {
 
@@ -42,7 +42,7 @@ class Candidates {
   /// The threads that may work on this region.
   [[nodiscard]] const Team& team() const { return sharing_.team; }
   [[nodiscard]] const AngleLimit& limit() const { return limit_; }
-  [[nodiscard]] bool is_part() const { return boundary_.is_part; }
+  [[nodiscard]] bool is_rest() const { return boundary_.is_rest; }
   [[nodiscard]] bool has_sizes() const { return sizes_.is_active(); }
   /// At most 16 points: random restarts then find what there is.
   [[nodiscard]] bool is_tiny() const { return boundary_.points.size() <= kTinyRegion; }
@@ -79,9 +79,9 @@ class Candidates {
   [[nodiscard]] std::optional<Candidate> evenly_refined(Candidate cdt) const;
   /// The constrained Delaunay triangulation refined and improved; nothing promises that it is
   /// better.
-  [[nodiscard]] Candidate optimised(Candidate cdt, OptimiseEffort how_hard);
+  [[nodiscard]] Candidate optimised(Candidate cdt, SearchAfter how_hard);
   /// The same with a budget of its own.
-  [[nodiscard]] Candidate optimised_within(Candidate cdt, OptimiseEffort how_hard,
+  [[nodiscard]] Candidate optimised_within(Candidate cdt, SearchAfter how_hard,
                                            std::uint64_t evaluations);
   /// Improved for the region's own target first, then for the goal.
   ///

@@ -1,16 +1,15 @@
-// The stages for one region, cheapest first; each is left out once the goal is met.
+// Step 5 of docs/quality_method.md (refine, improve, search, thin out), cheapest first, each left
+// out once the goal is met; and step 6 (couplings), where these count.
 //
-// 1. Refine until angles are 24.5 degrees, which spreads vertices well but leaves angles of 131.
-//    With less there are fewer vertices to begin with, but stages 2 to 4 take longer. Up to 33
-//    degrees where less than 100 are asked for: else thousands of angles are left on large regions,
-//    which no search mends.
-// 2. Improve both angles at once. Enough for most regions.
-// 3. Where many large angles are left, small angles were in the way from the start: again from the
-//    refined triangulation with a weight for small angles so low that they decide only between
-//    equals ("light"). Only with all effort.
-// 4. Search in excerpts around what is left; in tiny regions random restarts do better.
-// 5. Thin out.
-// 6. Where couplings count, make it Delaunay and improve again (mind_couplings).
+// Refinement to 24.5 degrees leaves angles of 131. With less there are fewer vertices to begin
+// with, but improvement, and what comes after, takes longer. It goes up to 33 degrees where less
+// than 100 are asked for: else thousands of angles are left on large regions, which no search
+// mends.
+//
+// Where many large angles are left, small angles were in the way from the start: improved once more
+// from the refined triangulation, with a weight for small angles so low that they decide only
+// between equals ("light"). Only with all effort. In tiny regions random restarts do better than
+// the search.
 // Tested by tests/unit/quality/plan/optimise_test.cpp.
 #include "quality/plan/optimise.hpp"
 
@@ -22,18 +21,19 @@
 #include <vector>
 
 #include "quality/effort/effort.hpp"
+#include "quality/fault/extreme_angles.hpp"
 #include "quality/fault/keep_rules.hpp"
-#include "quality/mutable/delaunay_flips.hpp"
 #include "quality/repair/improve.hpp"
 #include "quality/repair/search.hpp"
 #include "quality/repair/thin_out.hpp"
 #include "quality/starts/delaunay_refinement.hpp"
+#include "target/refine_budget.hpp"
 
 namespace cover {
 namespace {
 
 constexpr double kLightSmall = 4;         ///< times the goal's cotangent, when light: 5 degrees
-constexpr double kRefinedTo = 24.5;       ///< degrees: more than asked for, see stage 1,
+constexpr double kRefinedTo = 24.5;       ///< degrees: more than asked for, see above,
 constexpr double kRefinedFurther = 0.75;  ///< and so much for each below 100,
 constexpr double kRefinedAtMost = 33;     ///< from 34 on refinement may not end
 
@@ -73,20 +73,20 @@ bool is_worth_a_search(const Merit& merit) {
          has_at_most(merit, effort::kShareWithoutHope);
 }
 
-bool is_thorough(OptimiseEffort how_hard) {
-  return how_hard == OptimiseEffort::again || how_hard == OptimiseEffort::all;
+bool is_thorough(SearchAfter how_hard) {
+  return how_hard == SearchAfter::hope || how_hard == SearchAfter::all;
 }
 
 /// What may be spent on each triangle after refinement.
-std::uint64_t improve_evaluations(OptimiseEffort how_hard, bool is_tiny) {
-  return is_thorough(how_hard)                ? kUnlimited
-         : how_hard == OptimiseEffort::little ? effort::kImproveFast
-         : is_tiny                            ? effort::kImproveTiny
-                                              : effort::kImprovePerTriangle;
+std::uint64_t improve_evaluations(SearchAfter how_hard, bool is_tiny) {
+  return is_thorough(how_hard)              ? kUnlimited
+         : how_hard == SearchAfter::nothing ? effort::kImproveFast
+         : is_tiny                          ? effort::kImproveTiny
+                                            : effort::kImprovePerTriangle;
 }
 
-/// Stages 2 and 3: with a part of what is left, and no more than `each` for a triangle. What is
-/// left undone then is for the stages that follow.
+/// Improvement: with a part of what is left, and no more than `each` for a triangle. What is
+/// left undone then is for what follows.
 void improve_refined(MutableMesh& mesh, std::uint64_t each, Budget& budget,
                      const Sharing& sharing) {
   const std::uint64_t part = budget.left / effort::kImprovementsPart;
@@ -96,21 +96,21 @@ void improve_refined(MutableMesh& mesh, std::uint64_t each, Budget& budget,
 }
 
 /// What may be spent on each triangle when couplings have become heavier.
-std::uint64_t coupling_evaluations(OptimiseEffort how_hard) {
-  return how_hard == OptimiseEffort::little   ? effort::kCoupleFast
-         : how_hard == OptimiseEffort::normal ? effort::kCouplePerTriangle
-                                              : kUnlimited;
+std::uint64_t coupling_evaluations(SearchAfter how_hard) {
+  return how_hard == SearchAfter::nothing ? effort::kCoupleFast
+         : how_hard == SearchAfter::few   ? effort::kCouplePerTriangle
+                                          : kUnlimited;
 }
 
 /// Whether what is left is searched, after couplings had their say.
-bool is_due(OptimiseEffort how_hard, const Merit& merit) {
+bool is_due(SearchAfter how_hard, const Merit& merit) {
   if (is_thorough(how_hard)) return is_worth_a_search(merit);
   const bool are_few = merit.triangles <= effort::kSmallMesh && merit.missed > 0 &&
                        merit.missed <= effort::kFewInSmall;
-  return how_hard == OptimiseEffort::normal && (is_nearly_clean(merit) || are_few);
+  return how_hard == SearchAfter::few && (is_nearly_clean(merit) || are_few);
 }
 
-/// The smallest angle to which stage 1 refines. A star of 1e5 points ends with 77,000 angles above
+/// The smallest angle to which is refined. A star of 1e5 points ends with 77,000 angles above
 /// the 90 degrees asked for if that is 36 degrees, with 59 if it is 30, and with none if it is 32.
 Angle refined_to(const Goal& goal) {
   const double below = 100 - Angle::radians(std::atan2(1.0, -goal.large)).in_degrees();
@@ -122,7 +122,7 @@ RefineLimits refine_limits(const MutableMesh& mesh, const Goal& goal, bool has_s
   RefineLimits limits;
   limits.keeps_couplings = goal.coupling.weight > 0;
   limits.smallest_cot = 1 / std::tan(refined_to(goal).in_radians());
-  limits.budget = has_sizes ? effort::kMostSizedVertices : 20 * mesh.points.size() + 1000;
+  limits.budget = has_sizes ? effort::kMostSizedVertices : refine_budget(mesh.points.size());
   return limits;
 }
 
@@ -138,9 +138,14 @@ Goal with_edges(Goal goal) {
   return goal;
 }
 
-}  // namespace
-
-Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, OptimiseEffort how_hard,
+/// Makes a triangulation constrained Delaunay, at the price of angles, and improves it again with
+/// couplings before angles.
+///
+/// REQUIRES: `mesh` is improved
+/// ENSURES:  returns what was reached, by `goal`; no coupling that counts is negative but for those
+///           that the bound needs
+/// Cost:     improvement takes `each` evaluations for each triangle, once or twice
+Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, SearchAfter how_hard,
                      const Sharing& sharing, std::uint64_t each) {
   const bool was_met = std::all_of(mesh.excess.begin(), mesh.excess.end(),
                                    [](double excess) { return excess <= kLeastCoupling; });
@@ -189,8 +194,10 @@ Merit mind_couplings(MutableMesh& mesh, const Goal& goal, Budget& budget, Optimi
   return merit_of(mesh, goal, sharing.team);
 }
 
+}  // namespace
+
 Optimised optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const SizeField& sizes,
-                   const Order& order, OptimiseEffort how_hard, const Sharing& sharing) {
+                   const Order& order, SearchAfter how_hard, const Sharing& sharing) {
   const Goal goal = with_sides(asked);
   const bool is_tiny = mesh.fixed_vertices() <= kTinyRegion && !sizes.is_active();
   mesh.set_goal_unmeasured(goal, sharing.team);  // what is refined is measured in the end
@@ -214,41 +221,18 @@ Optimised optimise(MutableMesh& mesh, const Goal& asked, Budget& budget, const S
       mesh = std::move(start);
     }
   }
-  if (how_hard == OptimiseEffort::normal && is_nearly_clean(merit)) how_hard = OptimiseEffort::all;
-  if (how_hard == OptimiseEffort::all && has_at_most(merit, effort::kShareWorthMore)) {
+  if (how_hard == SearchAfter::few && is_nearly_clean(merit)) how_hard = SearchAfter::all;
+  if (how_hard == SearchAfter::all && has_at_most(merit, effort::kShareWorthMore)) {
     budget.left += effort::kMoreForEach * std::min(merit.above, effort::kMostWorthMore);
   }
   if (is_thorough(how_hard) && !is_tiny && is_worth_a_search(merit))
     search_excerpts(mesh, goal, budget, Trials::usual, sharing);
   if (!sizes.is_active()) budget.spend(thin_out(mesh, budget.left, sharing).evaluations);
   if (goal == asked) return {merit_of(mesh, goal, sharing.team), std::nullopt};
-  const AngleRange before_couplings = angles_of(mesh, sharing.team);
-  return {mind_couplings(mesh, asked, budget, is_tiny ? OptimiseEffort::little : how_hard, sharing,
+  const AngleRange before_couplings = extreme_angles(mesh, sharing.team);
+  return {mind_couplings(mesh, asked, budget, is_tiny ? SearchAfter::nothing : how_hard, sharing,
                          coupling_evaluations(how_hard)),
           before_couplings};
-}
-
-AngleRange angles_of(const MutableMesh& mesh, const Team& team) {
-  struct Cotangents {
-    double least = kInverted, most = -kInverted;
-  };
-  std::vector<Cotangents> parts(Team::ranges(mesh.triangles.size(), kManyAtATime));
-  team.each_range(mesh.triangles.size(), kManyAtATime, [&](std::size_t first, std::size_t last) {
-    Cotangents& own = parts[first / kManyAtATime];
-    for (std::size_t s = first; s < last; ++s) {
-      const auto t = static_cast<std::uint32_t>(s);
-      if (mesh.is_hole(t)) continue;
-      const Corners k(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
-      own.least = std::min(own.least, std::min({k.dot[0], k.dot[1], k.dot[2]}) / k.cross);
-      own.most = std::max(own.most, std::max({k.dot[0], k.dot[1], k.dot[2]}) / k.cross);
-    }
-  });
-  double least = kInverted, most = -kInverted;
-  for (const Cotangents& part : parts) {
-    least = std::min(least, part.least);
-    most = std::max(most, part.most);
-  }
-  return {std::atan2(1.0, least), std::atan2(1.0, most)};
 }
 
 Merit improve_largest(MutableMesh& mesh, const Goal& goal, Budget& budget, const Sharing& sharing) {

@@ -6,6 +6,7 @@
 
 #include "box/half_discs.hpp"
 #include "limits/angles/limit_prover.hpp"
+#include "quality/fault/extreme_angles.hpp"
 #include "quality/plan/optimise.hpp"
 
 namespace cover {
@@ -22,7 +23,8 @@ bool Outlook::is_settled(const Candidate& candidate, const Goal& goal) {
   // No mesh that misses the largest angle was ever found to be near its limits: 1,000 Voronoi
   // cells and 140 parcels were asked in vain, for 3 % of the instructions.
   if (is_smaller_cot(goal.large, merit.large) || goal.weight == 0) return false;
-  if (angles_of(*candidate.mesh).least < std::atan2(1.0, merit.small) - kAngleSlack) return false;
+  if (extreme_angles(*candidate.mesh).least < std::atan2(1.0, merit.small) - kAngleSlack)
+    return false;
   return is_near_limits(candidate);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "options/intent.hpp"
 #include "quality/effort/effort.hpp"
 
 namespace cover {
@@ -106,38 +107,34 @@ void take_refined(PlanProgress& p) {
   take(p, p.refined);
 }
 void refined(PlanProgress& p) {
-  p.refined = p.make.optimised(p.cdt, OptimiseEffort::little);
+  p.refined = p.make.optimised(p.cdt, SearchAfter::nothing);
   take_refined(p);
 }
 void refined_and_searched(PlanProgress& p) {
-  p.refined = p.make.optimised(p.cdt, OptimiseEffort::normal);
+  p.refined = p.make.optimised(p.cdt, SearchAfter::few);
   take_refined(p);
 }
 void refined_and_searched_all(PlanProgress& p) {
-  p.refined = p.make.optimised(p.cdt, OptimiseEffort::all);
+  p.refined = p.make.optimised(p.cdt, SearchAfter::all);
   take_refined(p);
 }
 /// By the largest angle, no vertex gives way to couplings.
 void largest_refined(PlanProgress& p) {
-  p.refined = p.make.optimised(p.cdt, OptimiseEffort::all);
+  p.refined = p.make.optimised(p.cdt, SearchAfter::all);
   take(p, p.refined);
 }
 void refined_and_searched_again(PlanProgress& p) {
   const std::uint64_t most =
       p.best.merit.triangles *
       (has_couplings(p) ? effort::kSearchedCoupled : effort::kSearchedPerTriangle);
-  p.refined = p.make.optimised_within(p.cdt, OptimiseEffort::again, most);
+  p.refined = p.make.optimised_within(p.cdt, SearchAfter::hope, most);
   take(p, p.refined);
 }
-void sized(PlanProgress& p) {
-  p.best = p.refined = p.make.optimised(p.cdt, OptimiseEffort::little);
-}
+void sized(PlanProgress& p) { p.best = p.refined = p.make.optimised(p.cdt, SearchAfter::nothing); }
 void sized_and_searched(PlanProgress& p) {
-  p.best = p.refined = p.make.optimised(p.cdt, OptimiseEffort::normal);
+  p.best = p.refined = p.make.optimised(p.cdt, SearchAfter::few);
 }
-void sized_and_searched_all(PlanProgress& p) {
-  p.best = p.make.optimised(p.cdt, OptimiseEffort::all);
-}
+void sized_and_searched_all(PlanProgress& p) { p.best = p.make.optimised(p.cdt, SearchAfter::all); }
 Candidate narrowed_to_bound(const PlanProgress& p, const Candidate& from) {
   return p.make.narrowed(p.best, from, p.make.ranking().order().bound, effort::kNarrowedToBound);
 }
@@ -179,7 +176,7 @@ void very_few_restarts(PlanProgress& p) {
 }
 /// The proof of promise 3 comes with the almonds.
 void bound_kept(PlanProgress& p) {
-  if (p.make.is_part()) return;
+  if (p.make.is_rest()) return;
   Candidate almond = p.make.from_almonds();
   if (almond.mesh->triangles.empty()) return;
   Candidate flipped = p.make.coupled(almond);
@@ -188,7 +185,7 @@ void bound_kept(PlanProgress& p) {
   if (p.best.merit.negative > 0) p.best = narrowed_to_bound(p, flipped);
 }
 void bound_kept_sized(PlanProgress& p) {
-  if (p.make.is_part()) return;
+  if (p.make.is_rest()) return;
   const Candidate almond = p.make.from_almonds();
   if (!almond.mesh->triangles.empty()) take(p, p.make.improved(almond));
 }
@@ -295,7 +292,7 @@ constexpr std::array kSizedLargest{
 std::span<const Step> plan_for(const Options& options, bool has_sizes) {
   using Plan = std::span<const Step>;
   const bool is_thorough = options.effort == Effort::thorough;
-  const bool is_largest = preference(options) == Prefer::largest;
+  const bool is_largest = preferred(options) == Prefer::largest;
   if (options.effort == Effort::fast) return has_sizes ? Plan(kSizedFast) : Plan(kFast);
   if (has_sizes && is_largest) return kSizedLargest;
   if (has_sizes) return is_thorough ? Plan(kSizedThorough) : Plan(kSized);

@@ -42,24 +42,24 @@ bool is_to_try(const MutableMesh& mesh, std::span<const double> known, std::size
 /// Tries what is queued, and what becomes of that.
 ImproveResult work_off(MutableMesh& mesh, std::uint64_t budget, OnceQueue& queue) {
   ImproveResult result;
-  Piece piece(mesh);
+  Workplace work(mesh);
   const auto enqueue = [&](std::uint32_t t) {
     if (mesh.excess[t] > 0) queue.push(t);
   };
   while (!queue.empty()) {
     const std::uint32_t t = queue.pop();
     if (!(mesh.excess[t] > 0)) continue;
-    if (piece.evaluations > budget) {
+    if (work.evaluations > budget) {
       result.budget_used_up = true;
       break;
     }
     const bool has_moved =
-        std::any_of(kMoves.begin(), kMoves.end(), [&](Move move) { return move(piece, t); });
+        std::any_of(kMoves.begin(), kMoves.end(), [&](Move move) { return move(work, t); });
     if (!has_moved) continue;
-    for (const std::uint32_t changed : piece.again) enqueue(changed);
-    piece.again.clear();
+    for (const std::uint32_t changed : work.again) enqueue(changed);
+    work.again.clear();
   }
-  result.evaluations = piece.evaluations;
+  result.evaluations = work.evaluations;
   return result;
 }
 
@@ -80,24 +80,24 @@ ImproveResult improve(MutableMesh& mesh, std::uint64_t budget, std::span<const d
     if (flips) make_delaunay(mesh);
     return improve(mesh, budget, known);
   }
-  std::vector<ImproveResult> results(block_count(mesh, sharing));
+  std::vector<ImproveResult> results(part_count(mesh, sharing));
   const auto triangles = static_cast<double>(mesh.triangle_count());
   std::vector<std::uint32_t> untried;
-  const auto work = [&](Block& block) {
+  const auto work = [&](Part& part) {
     std::vector<double> own_known;
-    for (const std::uint32_t t : block.triangles)
+    for (const std::uint32_t t : part.triangles)
       own_known.push_back(t < known.size() ? known[t] : kUnknown);
-    if (flips) make_delaunay(block.mesh);
-    const double share = static_cast<double>(block.triangles.size()) / triangles;
+    if (flips) make_delaunay(part.mesh);
+    const double share = static_cast<double>(part.triangles.size()) / triangles;
     const auto own = static_cast<std::uint64_t>(share * static_cast<double>(budget));
-    results[block.index] = improve(block.mesh, own, own_known);
-    block.tells_places = results[block.index].budget_used_up;
+    results[part.index] = improve(part.mesh, own, own_known);
+    part.tells_places = results[part.index].budget_used_up;
   };
-  const auto collect = [&](const Block& block) {
-    std::copy_if(block.triangles.begin(), block.triangles.end(), std::back_inserter(untried),
+  const auto collect = [&](const Part& part) {
+    std::copy_if(part.triangles.begin(), part.triangles.end(), std::back_inserter(untried),
                  [](std::uint32_t t) { return t != kNone; });
   };
-  const Borders borders = work_in_blocks(mesh, sharing, work, collect);
+  const Borders borders = work_in_parts(mesh, sharing, work, collect);
   ImproveResult sum;
   for (const ImproveResult& result : results) sum.evaluations += result.evaluations;
   const UnsetVector<double> tried = known_after(mesh, borders, untried, sharing.team);

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "quality/mutable/mutable_mesh.hpp"
-#include "quality/parts/blocks.hpp"
+#include "quality/parts/work_in_parts.hpp"
 
 namespace cover {
 
@@ -21,7 +21,7 @@ struct ImproveResult {
 /// Every step lowers the largest excess of the triangles that it replaces, or lowers their number
 /// and keeps it. Without couplings of inner edges nothing else changes, so that the largest excess
 /// never grows, and the work ends by itself. With them a step may raise the excess of triangles
-/// beside those that it replaces: then Piece::flips_left and the budget end what would go in
+/// beside those that it replaces: then Workplace::flips_left and the budget end what would go in
 /// circles. A triangle for which nothing helped is forgotten until a triangle beside it changes.
 /// Triangles whose excess is the same in `known` begin as forgotten: nothing helped them before.
 ///

@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "quality/effort/budget.hpp"
-#include "quality/fault/standing.hpp"
 #include "quality/moves/joint.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
 #include "quality/repair/improve.hpp"

@@ -50,9 +50,9 @@ Merit improve_by_kicks(MutableMesh& mesh, const Goal& goal, const Merit& before,
     const std::uint32_t t = queue[head];
     if (!is_above(mesh, t, goal)) continue;
     const Excerpt excerpt(mesh, t, effort::kExcerpt);
-    MutableMesh part = excerpt.mesh;
-    if (!kick_and_improve(part, goal, budget)) continue;
-    for (const std::uint32_t changed : excerpt.replace(mesh, part)) {
+    MutableMesh trial = excerpt.mesh;
+    if (!kick_and_improve(trial, goal, budget)) continue;
+    for (const std::uint32_t changed : excerpt.replace(mesh, trial)) {
       if (is_above(mesh, changed, goal)) queue.push_back(changed);
     }
   }

@@ -16,7 +16,7 @@
 #include "base/once_queue.hpp"
 #include "quality/effort/effort.hpp"
 #include "quality/fault/keep_rules.hpp"
-#include "quality/fault/standing.hpp"
+#include "quality/fault/tally.hpp"
 #include "quality/moves/kick.hpp"
 #include "quality/mutable/cavity.hpp"
 #include "quality/optimum/min_max_polygon.hpp"
@@ -56,18 +56,18 @@ bool grow(const MutableMesh& mesh, Cavity& cavity) {
 /// The attempts around one triangle.
 class Attempts {
  public:
-  Attempts(const MutableMesh& part, const Goal& goal, Budget& budget, Trials trials)
-      : part_(part),
+  Attempts(const MutableMesh& excerpt, const Goal& goal, Budget& budget, Trials trials)
+      : excerpt_(excerpt),
         goal_(goal),
         light_(goal),
-        before_(standing_of(part, goal)),
+        before_(tally_of(excerpt, goal)),
         budget_(budget),
         trials_(trials) {
     light_.weight *= kLightWeight;
     light_.large -= kAimBelow;
   }
 
-  /// ENSURES: true if result() is better than the part
+  /// ENSURES: true if result() is better than the excerpt
   bool run() {
     const bool only_small = before_.above == 0;
     const Goal& first = only_small ? goal_ : light_;
@@ -84,7 +84,7 @@ class Attempts {
   [[nodiscard]] const MutableMesh& result() const { return trial_; }
 
  private:
-  [[nodiscard]] bool is_better() const { return is_gain(standing_of(trial_, goal_), before_); }
+  [[nodiscard]] bool is_better() const { return is_gain(tally_of(trial_, goal_), before_); }
 
   /// Improves the trial for `aim`, a vertex at a time and then several at once. With `slack` for a
   /// much stricter goal before.
@@ -100,13 +100,13 @@ class Attempts {
   }
 
   bool as_it_is(const Goal& aim, bool slack) {
-    trial_ = part_;
+    trial_ = excerpt_;
     return improve_trial(aim, slack);
   }
 
   /// Takes out triangles around the one in the middle, more and more, and fills the hole.
   bool fill_holes(const Goal& aim) {
-    MutableMesh start = part_;
+    MutableMesh start = excerpt_;
     start.set_goal(aim);
     Cavity cavity(start);
     cavity.start(0);
@@ -129,7 +129,7 @@ class Attempts {
   bool try_kicks(const Goal& aim, bool slack) {
     for (const Kick kick : kKicks) {
       if (budget_.is_used_up()) break;
-      trial_ = part_;
+      trial_ = excerpt_;
       if (do_kick(trial_, 0, kick) && improve_trial(aim, slack)) return true;
     }
     return false;
@@ -139,13 +139,13 @@ class Attempts {
   /// places.
   bool start_again(const Goal& aim) {
     for (std::uint32_t k = 0; k < kTimesAnew && !budget_.is_used_up(); ++k) {
-      const Excerpt inside(part_, 0, kRestarted[k % kRestarted.size()]);
+      const Excerpt inside(excerpt_, 0, kRestarted[k % kRestarted.size()]);
       const std::size_t count = inside.mesh.points.size() - inside.mesh.fixed_vertices();
       std::optional<MutableMesh> anew =
           restart(inside.mesh, std::max<std::size_t>(count + k / kRestarted.size() % 3, 2) - 1, k);
       budget_.spend(kRestartCost);
       if (!anew) continue;
-      trial_ = part_;
+      trial_ = excerpt_;
       trial_.set_goal(aim);
       anew->set_goal(aim);
       inside.replace(trial_, *anew);
@@ -154,11 +154,11 @@ class Attempts {
     return false;
   }
 
-  const MutableMesh& part_;
+  const MutableMesh& excerpt_;
   MutableMesh trial_;
   const Goal& goal_;
   Goal light_;
-  GoalStanding before_;
+  Tally before_;
   Budget& budget_;
   Trials trials_;
 };

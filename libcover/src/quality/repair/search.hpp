@@ -3,7 +3,7 @@
 
 #include "quality/effort/budget.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
-#include "quality/parts/blocks.hpp"
+#include "quality/parts/work_in_parts.hpp"
 
 namespace cover {
 

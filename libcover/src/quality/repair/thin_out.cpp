@@ -172,13 +172,13 @@ class Thinner {
   std::vector<Vertex> vertices_;
 };
 
-ThinOutResult thin_out_in_blocks(MutableMesh& mesh, std::uint64_t budget, const Sharing& sharing) {
-  std::vector<ThinOutResult> results(block_count(mesh, sharing));
+ThinOutResult thin_out_in_parts(MutableMesh& mesh, std::uint64_t budget, const Sharing& sharing) {
+  std::vector<ThinOutResult> results(part_count(mesh, sharing));
   const auto triangles = static_cast<double>(mesh.triangle_count());
-  const Borders borders = work_in_blocks(mesh, sharing, [&](Block& block) {
-    const double share = static_cast<double>(block.mesh.triangles.size()) / triangles;
+  const Borders borders = work_in_parts(mesh, sharing, [&](Part& part) {
+    const double share = static_cast<double>(part.mesh.triangles.size()) / triangles;
     const auto own = static_cast<std::uint64_t>(share * static_cast<double>(budget));
-    results[block.index] = Thinner(block.mesh, own).run();
+    results[part.index] = Thinner(part.mesh, own).run();
   });
   ThinOutResult sum;
   for (const ThinOutResult& result : results) {
@@ -197,7 +197,7 @@ ThinOutResult thin_out_in_blocks(MutableMesh& mesh, std::uint64_t budget, const 
 }  // namespace
 
 ThinOutResult thin_out(MutableMesh& mesh, std::uint64_t budget, const Sharing& sharing) {
-  if (sharing.divides(mesh)) return thin_out_in_blocks(mesh, budget, sharing);
+  if (sharing.divides(mesh)) return thin_out_in_parts(mesh, budget, sharing);
   return Thinner(mesh, budget).run();
 }
 

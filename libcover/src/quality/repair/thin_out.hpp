@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "quality/mutable/mutable_mesh.hpp"
-#include "quality/parts/blocks.hpp"
+#include "quality/parts/work_in_parts.hpp"
 
 namespace cover {
 

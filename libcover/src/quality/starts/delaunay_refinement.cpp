@@ -401,34 +401,34 @@ void refine_in_blocks(MutableMesh& mesh, const RefineLimits& limits, SizeField& 
     SizeField sizes;
     std::vector<std::uint32_t> waiting;
   };
-  std::vector<PartResult> results(block_count(mesh, sharing));
+  std::vector<PartResult> results(part_count(mesh, sharing));
   const auto points = static_cast<double>(mesh.points.size());
-  const auto work = [&](Block& block) {
-    PartResult& result = results[block.index];
+  const auto work = [&](Part& part) {
+    PartResult& result = results[part.index];
     RefineLimits own = limits;
-    own.first_border = block.first_border;
+    own.first_border = part.first_border;
     if (!sizes.is_active()) {
-      const double share = static_cast<double>(block.mesh.points.size()) / points;
+      const double share = static_cast<double>(part.mesh.points.size()) / points;
       own.budget = static_cast<std::size_t>(share * static_cast<double>(limits.budget)) + 1;
     }
-    result.sizes = sizes.part(block.vertices);
-    Refinement refinement(block.mesh, own, result.sizes);
+    result.sizes = sizes.part(part.vertices);
+    Refinement refinement(part.mesh, own, result.sizes);
     refinement.run();
     result.waiting = refinement.waiting();
-    block.tells_places = true;
+    part.tells_places = true;
   };
   std::vector<std::uint32_t> waiting;
-  const auto collect = [&](const Block& block) {
-    PartResult& result = results[block.index];
-    for (const std::uint32_t t : result.waiting) waiting.push_back(block.triangles[t]);
+  const auto collect = [&](const Part& part) {
+    PartResult& result = results[part.index];
+    for (const std::uint32_t t : result.waiting) waiting.push_back(part.triangles[t]);
     if (sizes.is_active()) {
-      for (std::uint32_t v = 0; v < block.vertices.size(); ++v) {
-        if (block.vertices[v] != kNone) sizes.take(block.vertices[v], result.sizes, v);
+      for (std::uint32_t v = 0; v < part.vertices.size(); ++v) {
+        if (part.vertices[v] != kNone) sizes.take(part.vertices[v], result.sizes, v);
       }
     }
     result = {};
   };
-  work_in_blocks(mesh, sharing, work, collect);
+  work_in_parts(mesh, sharing, work, collect);
   Refinement(mesh, limits, sizes, sharing.team).run(waiting);
 }
 
@@ -437,7 +437,8 @@ void refine_in_blocks(MutableMesh& mesh, const RefineLimits& limits, SizeField& 
 void refine(MutableMesh& mesh, const RefineLimits& limits, SizeField sizes,
             const Sharing& sharing) {
   Sharing parts = sharing;
-  parts.block = std::min(parts.block, std::max(kLeastPart, mesh.triangle_count() / kEnoughParts));
+  parts.part_size =
+      std::min(parts.part_size, std::max(kLeastPart, mesh.triangle_count() / kEnoughParts));
   if (parts.divides(mesh)) {
     refine_in_blocks(mesh, limits, sizes, parts);
   } else {

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "quality/mutable/mutable_mesh.hpp"
-#include "quality/parts/blocks.hpp"
+#include "quality/parts/work_in_parts.hpp"
 #include "sizes/size_field.hpp"
 
 namespace cover {
@@ -16,7 +16,7 @@ struct RefineLimits {
   double apex_cot = -0.36;            ///< no new vertex sees a side at a larger angle: 110 degrees
   bool keeps_couplings = false;       ///< no new vertex makes the coupling of a side negative
   std::size_t budget = 0;             ///< vertices
-  /// Sides from this one on are edges to other parts of a mesh (Block): what reaches them waits.
+  /// Sides from this one on are edges to other parts of a mesh (Part): what reaches them waits.
   std::uint32_t first_border = kSideBit;
 };
 

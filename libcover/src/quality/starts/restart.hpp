@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "quality/effort/budget.hpp"
-#include "quality/fault/merit.hpp"
 #include "quality/mutable/mutable_mesh.hpp"
 
 namespace cover {
@@ -21,20 +19,5 @@ inline constexpr std::uint64_t kRestartCost = 300;
 /// Cost:     O(n log n) for n vertices: a constrained Delaunay triangulation
 std::optional<MutableMesh> restart(const MutableMesh& mesh, std::size_t count,
                                    std::uint32_t number);
-
-/// A mesh and its merit.
-struct Restarted {
-  MutableMesh mesh;
-  Merit merit;
-};
-
-/// The best by `goal` of some restarts with one to three free vertices, improved with the largest
-/// angle before all else; or `mesh`, if that is better. For tiny regions: there one restart in
-/// three finds what no step from any other triangulation leads to.
-///
-/// REQUIRES: `before` is the merit of `mesh` by `goal`
-/// ENSURES:  -cot of the largest angle is above `ceiling` only if the result is `mesh`
-Restarted best_restart(const MutableMesh& mesh, const Merit& before, const Goal& goal,
-                       double ceiling, Budget& budget);
 
 }  // namespace cover

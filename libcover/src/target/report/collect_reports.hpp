@@ -7,7 +7,7 @@
 
 #include <cover/report.hpp>
 
-#include "target/region_mesh.hpp"
+#include "region/region_mesh.hpp"
 #include "target/report/measure_angles.hpp"
 
 namespace cover {

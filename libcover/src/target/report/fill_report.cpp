@@ -58,7 +58,7 @@ Note bound_missed(const RegionReport& report, std::span<const Point> points, Ind
 
 }  // namespace
 
-void set_limits(const AngleLimit& limit, RegionReport& report) {
+void set_bound(const AngleLimit& limit, RegionReport& report) {
   report.nu_opt = Angle::radians(limit.nu);
   report.nu_bound = Angle::radians(limit.promised_nu());
   report.forced_above_120 = limit.above_120;

@@ -8,13 +8,13 @@
 
 #include "base/team.hpp"
 #include "region/region_boundary.hpp"
+#include "region/region_mesh.hpp"
 #include "target/angle_limit.hpp"
-#include "target/region_mesh.hpp"
 
 namespace cover {
 
 /// Fills in what the sides of a region allow at best: nu_opt, nu_bound, forced counts.
-void set_limits(const AngleLimit& limit, RegionReport& report);
+void set_bound(const AngleLimit& limit, RegionReport& report);
 
 /// Fills `mesh.report` from the triangles: quality, box, numbers of vertices, and bound_held from
 /// nu_bound. Where the bound is missed a note names the worst triangle.

@@ -1,4 +1,4 @@
-// See tell_couplings.hpp. Tested by tests/unit/quality/couplings_test.cpp and
+// See tell_couplings.hpp. Tested by tests/unit/quality/promise_7_test.cpp and
 // tests/unit/mend/couplings/delaunay_within_bound_test.cpp.
 #include "target/report/tell_couplings.hpp"
 
@@ -46,9 +46,7 @@ void find_forced(const RegionBoundary& boundary, Angle nu_bound,
   if (std::any_of(couplings.begin(), couplings.end(), is_inside) || boundary.has_hull_sides())
     return;
   const Triangulation cdt = cdt_of_given(boundary, boundary.points);
-  std::vector<bool> is_free(boundary.sides.size(), true);
-  for (const EncroachedSide& e : encroached_sides(cdt, locate_sides(cdt, boundary.sides)))
-    is_free[e.side] = false;
+  const std::vector<bool> is_free = free_sides(cdt, locate_sides(cdt, boundary.sides));
   std::vector<NegativeCoupling*> given_up;
   for (NegativeCoupling& c : couplings) {
     if (c.kind == Kind::given_up) given_up.push_back(&c);

@@ -9,7 +9,7 @@
 
 #include "base/team.hpp"
 #include "region/region_boundary.hpp"
-#include "target/region_mesh.hpp"
+#include "region/region_mesh.hpp"
 #include "target/report/measure_boxes.hpp"
 
 namespace cover {

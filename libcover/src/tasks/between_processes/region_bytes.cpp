@@ -48,12 +48,12 @@ auto members(T& mesh) {
 template <Either<RegionBoundary> T>
 auto members(T& boundary) {
   auto& [id, points, vertices, sides, segments, size, size_at, size_along, size_expressions,
-         size_grid, size_function, layers, is_part, known_cdt, size_missed] = boundary;
+         size_grid, size_function, layers, is_rest, known_cdt, size_missed] = boundary;
   static_cast<void>(size_function);
   static_cast<void>(known_cdt);    // finding them again is not more than sending them
   static_cast<void>(size_missed);  // of size_function
   return std::tie(id, points, vertices, sides, segments, size, size_at, size_along,
-                  size_expressions, size_grid, layers, is_part);
+                  size_expressions, size_grid, layers, is_rest);
 }
 
 template <Either<SizeRule> T>

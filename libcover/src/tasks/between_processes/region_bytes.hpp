@@ -9,7 +9,7 @@
 #include <cover/share_out.hpp>
 
 #include "region/region_boundary.hpp"
-#include "target/region_mesh.hpp"
+#include "region/region_mesh.hpp"
 
 namespace cover {
 

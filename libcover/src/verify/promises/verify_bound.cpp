@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "geom/ulp.hpp"
+#include "geom/angle_rounding.hpp"
 #include "geom/vector.hpp"
 #include "verify/by_region.hpp"
 
@@ -31,11 +31,8 @@ BoundCheck verify_bound(const TriangleSoup& mesh, std::span<const RegionId> regi
   const auto add = [&](Worst& w, std::size_t t) {
     const auto& v = mesh.triangles[t];
     const Point a = mesh.points[v[0]], b = mesh.points[v[1]], c = mesh.points[v[2]];
-    const double nu = std::min({nu_at(b, a, c), nu_at(c, b, a), nu_at(a, c, b)});
-    // 4: both ends of both edges at the corner, by half a unit in the last place each way, and
-    // as much again for the coordinates from which they were made.
-    const double shortest = std::min({length(b - a), length(c - b), length(a - c)});
-    const double rounded = nu + 4 * spacing_at(scale) / shortest;
+    const double nu = least_nu(a, b, c);
+    const double rounded = nu + angle_rounding(a, b, c, scale);
     const bool has_room = !std::binary_search(without_room.begin(), without_room.end(), t);
     merge(w, {nu, has_room ? rounded : std::numbers::pi, static_cast<std::uint32_t>(t)});
   };
@@ -44,8 +41,8 @@ BoundCheck verify_bound(const TriangleSoup& mesh, std::span<const RegionId> regi
       region.size(), [&](std::size_t t) { return region[t]; }, Worst{}, add, merge, worst, team);
   BoundCheck check;
   for (std::uint32_t r = 1; r < worst.size(); ++r) {
-    const double bound = std::min(domain.nu_opt[r] / 2, std::numbers::pi / 6);
-    const double needed = bound * (1 - 1e-9);  // rounding of the angles themselves
+    const double bound = promised_nu(domain.nu_opt[r]);
+    const double needed = bound * kNuRounded;
     if (worst[r].nu_rounded < needed) {
       check.missed.push_back(
           {RegionId(r), worst[r].triangle, Angle::radians(worst[r].nu), Angle::radians(bound)});

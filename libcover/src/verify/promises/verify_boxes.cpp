@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 
+#include "base/containers/order.hpp"
 #include "geom/angle_rounding.hpp"
 #include "geom/topology/half_edges.hpp"
+#include "geom/vector.hpp"
 #include "limits/couplings/forced_sides.hpp"
 
 namespace cover {
@@ -16,22 +17,18 @@ bool is_beyond_right_angle(Point a, Point p, Point b) {
   return compare_with_90_degrees(a, p, b) == Sign::positive;
 }
 
-double least_nu(Point a, Point b, Point c) {
-  return std::min({nu_at(c, a, b), nu_at(a, b, c), nu_at(b, c, a)});
-}
-
 /// The triangles of a region's constrained Delaunay triangulation that are beyond the bound, by
 /// more than rounding.
 std::vector<std::array<Point, 3>> triangles_beyond(const ExpectedDomain& domain,
                                                    std::span<const Point> points, RegionId region) {
   std::vector<std::array<Point, 3>> beyond;
-  const double bound = std::min(domain.nu_opt[region.value()] / 2, std::numbers::pi / 6);
+  const double bound = promised_nu(domain.nu_opt[region.value()]);
   const double farthest = largest_coordinate(points);
   for (std::size_t t = 0; t < domain.cdt.triangles.size(); ++t) {
     if (domain.cdt_region[t] != region) continue;
     const auto& v = domain.cdt.triangles[t].v;
     const Point a = points[v[0]], b = points[v[1]], c = points[v[2]];
-    if (least_nu(a, b, c) + angle_rounding(a, b, c, farthest) < bound * (1 - 1e-9))
+    if (least_nu(a, b, c) + angle_rounding(a, b, c, farthest) < bound * kNuRounded)
       beyond.push_back({a, b, c});
   }
   return beyond;
@@ -68,8 +65,7 @@ void find_forced(const ExpectedDomain& domain, std::span<const Point> points,
     if (c.kind == NegativeCoupling::Kind::given_up && !has_inside(c.region))
       told.push_back(c.region);
   }
-  std::sort(told.begin(), told.end());
-  told.erase(std::unique(told.begin(), told.end()), told.end());
+  sort_unique(told);
   for (const RegionId r : told) find_forced(domain, points, r, on_sides);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <cover/report.hpp>
+#include <cover/triangle_soup.hpp>
 
 #include "geom/topology/soup_edges.hpp"
 #include "verify/expected_domain.hpp"

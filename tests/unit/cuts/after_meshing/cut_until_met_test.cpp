@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "prepared_work.hpp"
+#include "region/whole_mesh.hpp"
 #include "support/inputs/inputs.hpp"
-#include "target/whole_mesh.hpp"
 #include "without_obtuse.hpp"
 
 namespace cover {

@@ -8,8 +8,8 @@
 #include "geom/vector.hpp"
 #include "prepared_work.hpp"
 #include "quality/fault/merit.hpp"
+#include "region/whole_mesh.hpp"
 #include "support/inputs/inputs.hpp"
-#include "target/whole_mesh.hpp"
 
 namespace cover {
 namespace {

@@ -17,7 +17,7 @@ TEST(SmallPolygon, FindsTheBestTriangulation) {
   ASSERT_EQ(polygon.triangles().size(), 2U);
   double largest = 0;
   for (const auto& [i, j, k] : polygon.triangles()) {
-    largest = std::max(largest, largest_angle(kite[i], kite[j], kite[k]));
+    largest = std::max(largest, largest_or_impossible(kite[i], kite[j], kite[k]));
   }
   EXPECT_EQ(largest, polygon.largest_angle());
   EXPECT_LE(largest, std::numbers::pi / 2);  // by the short diagonal

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "cdt/region_cdt.hpp"
+#include "region/whole_mesh.hpp"
 #include "support/inputs/shapes.hpp"
 #include "target/report/fill_report.hpp"
-#include "target/whole_mesh.hpp"
 
 namespace cover {
 namespace {

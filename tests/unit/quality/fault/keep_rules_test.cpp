@@ -9,20 +9,20 @@ namespace {
 constexpr double kHalfAPercent = 0.995, kTwoPercent = 0.98;  ///< what is left of an excess
 
 /// Three large angles, one of them above 120 degrees, four small ones, two negative couplings.
-GoalStanding middling() { return {0.8, 0.6, 3, 1, 0.5, 4, 2}; }
+Tally middling() { return {0.8, 0.6, 3, 1, 0.5, 4, 2}; }
 
 /// middling(), changed.
 template <class Change>
-GoalStanding middling_but(Change change) {
-  GoalStanding standing = middling();
-  change(standing);
-  return standing;
+Tally middling_but(Change change) {
+  Tally tally = middling();
+  change(tally);
+  return tally;
 }
 
 TEST(Gain, NothingIsNone) { EXPECT_FALSE(is_gain(middling(), middling())); }
 
 TEST(Gain, FewerNegativeCouplingsWinWhateverSmallAnglesPay) {
-  const GoalStanding fewer = middling_but([](GoalStanding& s) {
+  const Tally fewer = middling_but([](Tally& s) {
     s.negative = 1;
     s.small = 5;
     s.below = 40;
@@ -36,7 +36,7 @@ TEST(Gain, MoreNegativeCouplingsLoseWhateverLargeAnglesWin) {
 }
 
 TEST(Gain, FewerNegativeCouplingsDoNotPayForALargeAngle) {
-  EXPECT_FALSE(is_gain(middling_but([](GoalStanding& s) {
+  EXPECT_FALSE(is_gain(middling_but([](Tally& s) {
                          s.negative = 0;
                          s.large = 0.61;
                        }),
@@ -45,37 +45,37 @@ TEST(Gain, FewerNegativeCouplingsDoNotPayForALargeAngle) {
 
 TEST(Gain, NothingOfLargeAnglesMayBeWorse) {
   // Each is worse alone, while all the others are better.
-  const auto all_better = [](GoalStanding& s) { s = {0.7, 0.3, 1, 0, 0.1, 1, 2}; };
+  const auto all_better = [](Tally& s) { s = {0.7, 0.3, 1, 0, 0.1, 1, 2}; };
   const auto with = [&](auto change) {
-    return middling_but([&](GoalStanding& s) {
+    return middling_but([&](Tally& s) {
       all_better(s);
       change(s);
     });
   };
-  ASSERT_TRUE(is_gain(with([](GoalStanding&) {}), middling()));
-  EXPECT_FALSE(is_gain(with([](GoalStanding& s) { s.largest = 0.81; }), middling()));
-  EXPECT_FALSE(is_gain(with([](GoalStanding& s) { s.large = 0.61; }), middling()));
-  EXPECT_FALSE(is_gain(with([](GoalStanding& s) { s.above = 4; }), middling()))
+  ASSERT_TRUE(is_gain(with([](Tally&) {}), middling()));
+  EXPECT_FALSE(is_gain(with([](Tally& s) { s.largest = 0.81; }), middling()));
+  EXPECT_FALSE(is_gain(with([](Tally& s) { s.large = 0.61; }), middling()));
+  EXPECT_FALSE(is_gain(with([](Tally& s) { s.above = 4; }), middling()))
       << "a smaller excess does not pay for one triangle more";
-  EXPECT_FALSE(is_gain(with([](GoalStanding& s) { s.far_above = 2; }), middling()));
+  EXPECT_FALSE(is_gain(with([](Tally& s) { s.far_above = 2; }), middling()));
 }
 
 TEST(Gain, OneLargeAngleFewerWinsWhateverSmallOnesPay) {
-  const auto paid = [](GoalStanding& s) {
+  const auto paid = [](Tally& s) {
     s.small = 5;
     s.below = 40;
   };
-  EXPECT_TRUE(is_gain(middling_but([&](GoalStanding& s) {
+  EXPECT_TRUE(is_gain(middling_but([&](Tally& s) {
                         paid(s);
                         s.above = 2;
                       }),
                       middling()));
-  EXPECT_TRUE(is_gain(middling_but([&](GoalStanding& s) {
+  EXPECT_TRUE(is_gain(middling_but([&](Tally& s) {
                         paid(s);
                         s.far_above = 0;
                       }),
                       middling()));
-  EXPECT_TRUE(is_gain(middling_but([&](GoalStanding& s) {
+  EXPECT_TRUE(is_gain(middling_but([&](Tally& s) {
                         paid(s);
                         s.large *= kTwoPercent;
                       }),
@@ -83,25 +83,21 @@ TEST(Gain, OneLargeAngleFewerWinsWhateverSmallOnesPay) {
 }
 
 TEST(Gain, HalfAPercentOfAnExcessIsNoneTwoAre) {
-  const auto large = [](double part) {
-    return middling_but([&](GoalStanding& s) { s.large *= part; });
-  };
+  const auto large = [](double part) { return middling_but([&](Tally& s) { s.large *= part; }); };
   EXPECT_FALSE(is_gain(large(kHalfAPercent), middling()));
   EXPECT_TRUE(is_gain(large(kTwoPercent), middling()));
-  const auto small = [](double part) {
-    return middling_but([&](GoalStanding& s) { s.small *= part; });
-  };
+  const auto small = [](double part) { return middling_but([&](Tally& s) { s.small *= part; }); };
   EXPECT_FALSE(is_gain(small(kHalfAPercent), middling()));
   EXPECT_TRUE(is_gain(small(kTwoPercent), middling()));
 }
 
 TEST(Gain, ASmallerLargestAngleAloneIsNone) {
-  EXPECT_FALSE(is_gain(middling_but([](GoalStanding& s) { s.largest = 0.4; }), middling()));
+  EXPECT_FALSE(is_gain(middling_but([](Tally& s) { s.largest = 0.4; }), middling()));
 }
 
 TEST(Gain, LargeAnglesNeverPayForSmallOnes) {
   // Hardly larger: it is worse by far less than the one in a hundred that would count as better.
-  EXPECT_FALSE(is_gain(middling_but([](GoalStanding& s) {
+  EXPECT_FALSE(is_gain(middling_but([](Tally& s) {
                          s.large *= 1.0001;
                          s.small = 0;
                          s.below = 0;
@@ -110,13 +106,13 @@ TEST(Gain, LargeAnglesNeverPayForSmallOnes) {
 }
 
 TEST(Gain, OfSmallAnglesNeitherExcessNorCountPaysForTheOther) {
-  EXPECT_TRUE(is_gain(middling_but([](GoalStanding& s) { s.below = 3; }), middling()));
-  EXPECT_FALSE(is_gain(middling_but([](GoalStanding& s) {
+  EXPECT_TRUE(is_gain(middling_but([](Tally& s) { s.below = 3; }), middling()));
+  EXPECT_FALSE(is_gain(middling_but([](Tally& s) {
                          s.below = 3;
                          s.small = 0.51;
                        }),
                        middling()));
-  EXPECT_FALSE(is_gain(middling_but([](GoalStanding& s) {
+  EXPECT_FALSE(is_gain(middling_but([](Tally& s) {
                          s.below = 5;
                          s.small = 0.1;
                        }),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "../coupled_meshes.hpp"
 #include "../mesh_checks.hpp"
 
 namespace cover {
@@ -123,6 +124,24 @@ TEST(Merit, WhatIsWithinTheBoundIsBetterWhateverIsPreferred) {
     EXPECT_TRUE(order.is_better(within, beyond));
     EXPECT_FALSE(order.is_better(beyond, within));
   }
+}
+
+TEST(Merit, OfTwoMeshesTheOneWithFewerNegativeOnesIsBetterWithinTheBound) {
+  Order order;
+  order.prefer = Prefer::balanced;
+  order.bound = 1.7;
+  Merit good, bad;
+  good.negative = 1;
+  bad.large = 1.5;
+  bad.far_above = 9;
+  bad.fault = {0.5, 0.9};
+  EXPECT_TRUE(order.is_better(bad, good));
+  EXPECT_FALSE(order.is_better(good, bad));
+  bad.large = 1.8;
+  EXPECT_TRUE(order.is_better(good, bad));
+  order.prefer = Prefer::largest;
+  bad.large = 1.5;
+  EXPECT_TRUE(order.is_better(bad, good));
 }
 
 }  // namespace

@@ -30,13 +30,13 @@ TEST(Flip, MendsLargeAnglesOnBothSidesOfAnEdge) {
   expect_leaves_alone(try_relocate, small.mesh);
   expect_leaves_alone(try_remove, small.mesh);
   MutableMesh other = small.mesh;
-  Piece with_vertex(other);
+  Workplace with_vertex(other);
   try_restar(with_vertex, 0);
   EXPECT_GE(angles_of(other).largest, 90 - 1e-9);
   EXPECT_NEAR(angles_of(small.mesh).largest, 126.87, 0.01);
 
-  Piece piece(small.mesh);
-  ASSERT_TRUE(try_flip(piece, 0));
+  Workplace work(small.mesh);
+  ASSERT_TRUE(try_flip(work, 0));
   expect_sound(small.mesh, small.boundary);
   EXPECT_EQ(small.mesh.triangles[0].v, (std::array<std::uint32_t, 3>{0, 1, 3}));
   EXPECT_EQ(small.mesh.triangles[1].v, (std::array<std::uint32_t, 3>{0, 3, 2}));
@@ -48,11 +48,11 @@ TEST(Flip, HasBothTrianglesAndThoseBesideThemLookedAtAgain) {
   // Triangle 2 lies beside the two that are flipped, triangle 3 only beside triangle 2.
   const std::vector<Point> points{{-1, 2}, {0, 0}, {0, 4}, {1, 2}, {3, 3}, {3, 5}};
   SmallMesh small(goal_of(80, 0), points, {}, {{0, 1, 2}, {1, 3, 2}, {2, 3, 4}, {2, 4, 5}});
-  Piece piece(small.mesh);
-  const std::uint64_t flips = piece.flips_left;
-  ASSERT_TRUE(try_flip(piece, 0));
-  EXPECT_EQ(again_of(piece), (std::set<std::uint32_t>{0, 1, 2}));
-  EXPECT_EQ(piece.flips_left, flips - 1);
+  Workplace work(small.mesh);
+  const std::uint64_t flips = work.flips_left;
+  ASSERT_TRUE(try_flip(work, 0));
+  EXPECT_EQ(again_of(work), (std::set<std::uint32_t>{0, 1, 2}));
+  EXPECT_EQ(work.flips_left, flips - 1);
   expect_sound(small.mesh, small.boundary);
 }
 
@@ -61,8 +61,8 @@ TEST(Flip, TakesTheEdgeThatWinsMost) {
   // of the edge from 1 to 2 leaves them nearly as they are.
   const std::vector<Point> points{{0, 0}, {8, 0}, {4, 1}, {4, -5}, {7, 5}};
   SmallMesh small(goal_of(80, 0), points, {}, {{0, 1, 2}, {1, 0, 3}, {2, 1, 4}});
-  Piece piece(small.mesh);
-  ASSERT_TRUE(try_flip(piece, 0));
+  Workplace work(small.mesh);
+  ASSERT_TRUE(try_flip(work, 0));
   EXPECT_EQ(small.mesh.triangles[0].v, (std::array<std::uint32_t, 3>{2, 0, 3}));
   EXPECT_EQ(small.mesh.triangles[1].v, (std::array<std::uint32_t, 3>{2, 3, 1}));
   EXPECT_EQ(small.mesh.triangles[2].v, (std::array<std::uint32_t, 3>{2, 1, 4}));
@@ -120,8 +120,8 @@ TEST(Flip, RefusesANegativeCouplingWhereTheyCount) {
       expect_leaves_alone(try_flip, small.mesh);
       continue;
     }
-    Piece piece(small.mesh);
-    EXPECT_TRUE(try_flip(piece, 0));
+    Workplace work(small.mesh);
+    EXPECT_TRUE(try_flip(work, 0));
     EXPECT_LE(worst_excess(small.mesh), 0);
   }
 }
@@ -129,9 +129,9 @@ TEST(Flip, RefusesANegativeCouplingWhereTheyCount) {
 TEST(Flip, EndsWithTheFlipsThatAreLeft) {
   SmallMesh small = kite(goal_of(80, 20), {-1, 2}, {1, 2}, 4);
   const Everything before(small.mesh);
-  Piece piece(small.mesh);
-  piece.flips_left = 0;
-  EXPECT_FALSE(try_flip(piece, 0));
+  Workplace work(small.mesh);
+  work.flips_left = 0;
+  EXPECT_FALSE(try_flip(work, 0));
   EXPECT_TRUE(Everything(small.mesh) == before);
 }
 

@@ -34,10 +34,10 @@ const std::vector<Point> kUneven{{0, -0.85}, {1.6, -0.6}, {3.1, 0.2}, {2.1, 1.9}
 
 /// Each vertex moved alone, until none gets better.
 void relocate_all(MutableMesh& mesh) {
-  Piece piece(mesh);
+  Workplace work(mesh);
   for (int k = 0; k < 100; ++k) {
     bool has_moved = false;
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) has_moved |= try_relocate(piece, t);
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) has_moved |= try_relocate(work, t);
     if (!has_moved) return;
   }
   ADD_FAILURE() << "moves for ever";

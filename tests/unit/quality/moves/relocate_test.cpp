@@ -23,8 +23,8 @@ TEST(Relocate, MendsSmallAndLargeAnglesAtAFreeVertex) {
   EXPECT_GT(angles_of(small.mesh).largest, 110);
   const Everything before(small.mesh);
 
-  Piece piece(small.mesh);
-  ASSERT_TRUE(try_relocate(piece, 0));
+  Workplace work(small.mesh);
+  ASSERT_TRUE(try_relocate(work, 0));
   expect_sound(small.mesh, small.boundary);
   EXPECT_GE(angles_of(small.mesh).smallest, 55 - 1e-9);
   EXPECT_LE(angles_of(small.mesh).largest, 65 + 1e-9);
@@ -45,8 +45,8 @@ TEST(Relocate, MendsWhatNoFlipAndNoRemovalDoes) {
   ASSERT_GT(worst_excess(small.mesh), 0);
   expect_leaves_alone(try_flip, small.mesh);
   expect_leaves_alone(try_remove, small.mesh);
-  Piece piece(small.mesh);
-  ASSERT_TRUE(try_relocate(piece, 0));
+  Workplace work(small.mesh);
+  ASSERT_TRUE(try_relocate(work, 0));
   EXPECT_LE(worst_excess(small.mesh), 0);
 }
 
@@ -58,9 +58,9 @@ TEST(Relocate, HasTheStarAndWhatLiesAroundItLookedAtAgain) {
   SmallMesh small(
       even(), points, {{0.6, 0}},
       {{0, 1, 8}, {1, 2, 8}, {2, 3, 8}, {3, 4, 8}, {4, 5, 8}, {5, 0, 8}, {1, 0, 6}, {1, 6, 7}});
-  Piece piece(small.mesh);
-  ASSERT_TRUE(try_relocate(piece, 0));
-  EXPECT_EQ(again_of(piece), (std::set<std::uint32_t>{0, 1, 2, 3, 4, 5, 6}));
+  Workplace work(small.mesh);
+  ASSERT_TRUE(try_relocate(work, 0));
+  EXPECT_EQ(again_of(work), (std::set<std::uint32_t>{0, 1, 2, 3, 4, 5, 6}));
   expect_sound(small.mesh, small.boundary);
 }
 
@@ -100,8 +100,8 @@ TEST(Relocate, StaysWhereTheVertexSeesAllOfItsLoop) {
   SmallMesh small(goal_of(61, 59), points, {{1.9, 0.01}},
                   {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
   const double before = worst_excess(small.mesh);
-  Piece piece(small.mesh);
-  ASSERT_TRUE(try_relocate(piece, 0));
+  Workplace work(small.mesh);
+  ASSERT_TRUE(try_relocate(work, 0));
   expect_sound(small.mesh, small.boundary);  // exact signs
   EXPECT_LT(worst_excess(small.mesh), before);
 }

@@ -35,12 +35,12 @@ TEST(Remove, MendsLargeAnglesAroundAVertexOfThree) {
   expect_leaves_alone(try_flip, small.mesh);
   expect_leaves_alone(try_restar, small.mesh);
   MutableMesh other = small.mesh;
-  Piece moved(other);
+  Workplace moved(other);
   try_relocate(moved, 0);
   EXPECT_GE(angles_of(other).largest, 120 - 1e-9);
 
-  Piece piece(small.mesh);
-  ASSERT_TRUE(try_remove(piece, 1));
+  Workplace work(small.mesh);
+  ASSERT_TRUE(try_remove(work, 1));
   expect_sound(small.mesh, small.boundary);
   EXPECT_EQ(small.mesh.triangle_count(), 1U);
   EXPECT_EQ(small.mesh.home[3], kNone);
@@ -50,11 +50,11 @@ TEST(Remove, MendsLargeAnglesAroundAVertexOfThree) {
 TEST(Remove, HasNewTrianglesAndThoseBesideThemLookedAtAgain) {
   // Triangle 3 lies under the edge from 0 to 1, triangle 4 only beside triangle 3.
   SmallMesh small = vertex_of_three({{2, -3}, {4, -3}}, {{1, 0, 3}, {1, 3, 4}});
-  Piece piece(small.mesh);
-  ASSERT_TRUE(try_remove(piece, 1));
+  Workplace work(small.mesh);
+  ASSERT_TRUE(try_remove(work, 1));
   expect_sound(small.mesh, small.boundary);
-  ASSERT_EQ(piece.installed.count, 1);
-  EXPECT_EQ(again_of(piece), (std::set<std::uint32_t>{piece.installed.triangles[0], 3}));
+  ASSERT_EQ(work.installed.count, 1);
+  EXPECT_EQ(again_of(work), (std::set<std::uint32_t>{work.installed.triangles[0], 3}));
 }
 
 TEST(Remove, TakesFewerTrianglesWhereNothingIsWorse) {
@@ -62,8 +62,8 @@ TEST(Remove, TakesFewerTrianglesWhereNothingIsWorse) {
   SmallMesh small(goal_of(80, 0), {{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {{1, 1}},
                   {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
   const double before = worst_excess(small.mesh);
-  Piece piece(small.mesh);
-  ASSERT_TRUE(try_remove(piece, 2));
+  Workplace work(small.mesh);
+  ASSERT_TRUE(try_remove(work, 2));
   expect_sound(small.mesh, small.boundary);
   EXPECT_EQ(small.mesh.triangle_count(), 2U);
   EXPECT_EQ(worst_excess(small.mesh), before);
@@ -92,8 +92,8 @@ TEST(Remove, TurnsNothingOverInANonConvexStar) {
   const std::vector<Point> points{{0, -2}, {8, 0}, {0, 2}, {1, 0}};
   SmallMesh small(goal_of(100, 0), points, {{1.1, 0.01}},
                   {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
-  Piece piece(small.mesh);
-  ASSERT_TRUE(try_remove(piece, 0));
+  Workplace work(small.mesh);
+  ASSERT_TRUE(try_remove(work, 0));
   expect_sound(small.mesh, small.boundary);  // exact signs
   std::set<std::set<std::uint32_t>> left;
   for (const MeshTriangle& t : small.mesh.triangles) {
@@ -115,8 +115,8 @@ TEST(Remove, LeavesStarsThatAreTooLarge) {
       expect_leaves_alone(try_remove, small.mesh);
       continue;
     }
-    Piece piece(small.mesh);
-    EXPECT_TRUE(try_remove(piece, 0));
+    Workplace work(small.mesh);
+    EXPECT_TRUE(try_remove(work, 0));
     EXPECT_EQ(small.mesh.triangle_count(), n - 2);
     expect_sound(small.mesh, small.boundary);
   }

@@ -31,8 +31,8 @@ TEST(Restar, MendsASmallAngleWithANewVertex) {
   expect_leaves_alone(try_relocate, small.mesh);
   expect_leaves_alone(try_remove, small.mesh);
 
-  Piece piece(small.mesh);
-  ASSERT_TRUE(try_restar(piece, 0));
+  Workplace work(small.mesh);
+  ASSERT_TRUE(try_restar(work, 0));
   expect_sound(small.mesh, small.boundary);
   EXPECT_GE(angles_of(small.mesh).smallest, 45 - 1e-9);
   EXPECT_EQ(small.mesh.triangle_count(), 5U);
@@ -43,8 +43,8 @@ TEST(Restar, MendsASmallAngleWithANewVertex) {
 TEST(Restar, MendsALargeAngleWithANewVertex) {
   SmallMesh small = pentagon(goal_of(75, 0));
   EXPECT_NEAR(angles_of(small.mesh).largest, 108, 1e-9);
-  Piece piece(small.mesh);
-  ASSERT_TRUE(try_restar(piece, 0));
+  Workplace work(small.mesh);
+  ASSERT_TRUE(try_restar(work, 0));
   expect_sound(small.mesh, small.boundary);
   EXPECT_LE(angles_of(small.mesh).largest, 75 + 1e-9);
   EXPECT_LT(length(small.mesh.points[5] - Point{0, 0}), 0.1);
@@ -57,8 +57,8 @@ TEST(Restar, TakesInWhatANewVertexWouldMakeNegative) {
   goal.coupling = {kCouplingFirst, true, true, kInverted};
   for (const std::uint32_t t : {0U, 2U}) {
     SmallMesh small = pentagon(goal);
-    Piece piece(small.mesh);
-    ASSERT_TRUE(try_restar(piece, t));
+    Workplace work(small.mesh);
+    ASSERT_TRUE(try_restar(work, t));
     expect_sound(small.mesh, small.boundary);
     EXPECT_LE(angles_of(small.mesh).largest, 75 + 1e-9);
     EXPECT_EQ(merit_of(small.mesh, goal).negative, 0U);
@@ -72,15 +72,15 @@ TEST(Restar, HasTheStarAndWhatLiesBesideItLookedAtAgain) {
   points.push_back({1, 2});
   SmallMesh small(goal_of(75, 0), points, {},
                   {{1, 0, 5}, {1, 5, 6}, {0, 1, 2}, {0, 2, 3}, {0, 3, 4}});
-  Piece piece(small.mesh);
-  ASSERT_TRUE(try_restar(piece, 2));
+  Workplace work(small.mesh);
+  ASSERT_TRUE(try_restar(work, 2));
   expect_sound(small.mesh, small.boundary);
   std::set<std::uint32_t> expected{0};
-  for (int k = 0; k < piece.installed.count; ++k) {
-    expected.insert(piece.installed.triangles[static_cast<std::size_t>(k)]);
+  for (int k = 0; k < work.installed.count; ++k) {
+    expected.insert(work.installed.triangles[static_cast<std::size_t>(k)]);
   }
   EXPECT_EQ(expected.size(), 6U);
-  EXPECT_EQ(again_of(piece), expected);
+  EXPECT_EQ(again_of(work), expected);
 }
 
 TEST(Restar, LeavesWhereNoVertexHelps) {
@@ -107,8 +107,8 @@ TEST(Restar, KeepsAFixedVertexThatLiesInside) {
   SmallMesh small(goal_of(95, 40), {{0, 0}, {2, 0}, {2, 2}, {0, 2}, inside}, {},
                   {{0, 1, 4}, {1, 2, 4}, {2, 0, 4}, {0, 2, 3}});
   const double before = worst_excess(small.mesh);
-  Piece piece(small.mesh);
-  ASSERT_TRUE(try_restar(piece, 2));
+  Workplace work(small.mesh);
+  ASSERT_TRUE(try_restar(work, 2));
   expect_sound(small.mesh, small.boundary);
   EXPECT_LT(worst_excess(small.mesh), before);
   EXPECT_EQ(small.mesh.points[4], inside);
@@ -124,10 +124,10 @@ TEST(Restar, TurnsNothingOverWhereAHoleIsNotSeen) {
                                   {5, 0.5}, {1, 0.5}, {1, 3}, {0, 3}};
   SmallMesh small(goal_of(75, 30), points, {},
                   {{0, 1, 5}, {5, 1, 4}, {1, 2, 4}, {4, 2, 3}, {0, 5, 7}, {7, 5, 6}});
-  Piece piece(small.mesh);
+  Workplace work(small.mesh);
   for (std::uint32_t t = 0; t < 6; ++t) {
     const double before = worst_excess(small.mesh);
-    try_restar(piece, t);
+    try_restar(work, t);
     expect_sound(small.mesh, small.boundary);
     EXPECT_LE(worst_excess(small.mesh), before);
   }

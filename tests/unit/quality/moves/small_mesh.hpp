@@ -9,7 +9,7 @@
 
 #include "../mesh_checks.hpp"
 #include "geom/topology/half_edges.hpp"
-#include "quality/moves/piece.hpp"
+#include "quality/moves/workplace.hpp"
 
 namespace cover::testing {
 
@@ -78,18 +78,18 @@ struct Everything {
 /// The move changes nothing, around any triangle.
 inline void expect_leaves_alone(Move move, MutableMesh& mesh) {
   const Everything before(mesh);
-  Piece piece(mesh);
+  Workplace work(mesh);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     if (mesh.is_hole(t)) continue;
-    EXPECT_FALSE(move(piece, t)) << t;
+    EXPECT_FALSE(move(work, t)) << t;
     EXPECT_TRUE(Everything(mesh) == before) << t;
-    EXPECT_TRUE(piece.again.empty()) << t;
+    EXPECT_TRUE(work.again.empty()) << t;
   }
 }
 
 /// The triangles to be looked at again, each once.
-inline std::set<std::uint32_t> again_of(const Piece& piece) {
-  return {piece.again.begin(), piece.again.end()};
+inline std::set<std::uint32_t> again_of(const Workplace& work) {
+  return {work.again.begin(), work.again.end()};
 }
 
 /// Smallest and largest angle, in degrees.

@@ -1,7 +1,12 @@
 #include "quality/optimum/placement.hpp"
 
+#include <random>
+
+#include "../coupled_meshes.hpp"
 #include "../grow_fully.hpp"
 #include "../mesh_checks.hpp"
+#include "quality/mutable/cavity.hpp"
+#include "quality/starts/delaunay_refinement.hpp"
 
 namespace cover {
 namespace {
@@ -60,6 +65,50 @@ TEST(Placement, WhereThereIsNoRoomNoPlaceIsGood) {
     }
   }
   EXPECT_GT(refused, 0);
+}
+
+TEST(Placement, IsJudgedByTheCouplingsAllAround) {
+  std::mt19937_64 random(4);
+  const RegionBoundary boundary = boundary_of({random_star(30, 0.6, random)});
+  for (const Goal& goal : {soft_goal(), strict_goal()}) {
+    MutableMesh mesh = minding_mesh(boundary, goal);
+    RefineLimits limits;
+    limits.smallest_cot = 2;
+    limits.budget = 200;
+    refine(mesh, limits);
+    mesh.measure_all();
+    Cavity cavity(mesh);
+    std::size_t stars = 0;
+    for (std::uint32_t v = mesh.fixed_vertices(); v < mesh.points.size(); ++v) {
+      if (!cavity.start_star(v)) continue;
+      const Hole hole(mesh, cavity);
+      const Point from = mesh.points[v];
+      for (const double by : {0.0, 0.1, 0.4}) {
+        const Point p = from + by * (mesh.points[cavity.vertex(0)] - from);
+        const double expected = hole.worst(p, kInverted);
+        LinearPieces pieces;
+        const double linear = hole.linearise(p, kInverted, 0, -kInverted, pieces);
+        mesh.points[v] = p;
+        double worst = -kInverted;
+        for (int k = 0; k < cavity.triangle_count(); ++k) {
+          const MeshTriangle& t = mesh.triangles[cavity.triangle(k)];
+          worst = std::max(worst, mesh.excess_of(t.v, t.n));
+        }
+        mesh.points[v] = from;
+        if (worst == kInverted) {
+          EXPECT_EQ(expected, kInverted);
+          EXPECT_EQ(linear, kInverted);
+          continue;
+        }
+        // Couplings that are as they should be count in one of them only.
+        worst = std::max(worst, 0.0);
+        EXPECT_NEAR(std::max(expected, 0.0), worst, 1e-6 * std::max(1.0, worst));
+        EXPECT_NEAR(std::max(linear, 0.0), worst, 1e-6 * std::max(1.0, worst));
+        ++stars;
+      }
+    }
+    EXPECT_GT(stars, 10u);
+  }
 }
 
 }  // namespace

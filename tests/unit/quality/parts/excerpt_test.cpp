@@ -1,9 +1,12 @@
 #include "quality/parts/excerpt.hpp"
 
 #include <algorithm>
+#include <random>
 
+#include "../coupled_meshes.hpp"
 #include "../mesh_checks.hpp"
 #include "quality/repair/improve.hpp"
+#include "quality/starts/delaunay_refinement.hpp"
 #include "quality/starts/restart.hpp"
 
 namespace cover {
@@ -48,6 +51,26 @@ TEST(Excerpt, DropsVerticesThatAPartHasNoMore) {
   expect_sound(mesh, boundary);
   EXPECT_EQ(std::count_if(mesh.home.begin(), mesh.home.end(), [](auto t) { return t != kNone; }),
             static_cast<std::ptrdiff_t>(boundary.points.size() + 4));
+}
+
+TEST(Excerpt, MindsWhatIsAcrossItsBorder) {
+  std::mt19937_64 random(9);
+  const RegionBoundary boundary = boundary_of({random_star(60, 0.6, random)});
+  MutableMesh mesh = minding_mesh(boundary, strict_goal());
+  RefineLimits limits;
+  limits.smallest_cot = 2;
+  limits.budget = 400;
+  refine(mesh, limits);
+  mesh.measure_all();
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); t += 7) {
+    if (mesh.is_hole(t)) continue;
+    const Excerpt excerpt(mesh, t, 12);
+    MutableMesh improved = excerpt.mesh;
+    improve(improved, 2000);
+    excerpt.replace(mesh, improved);
+    ASSERT_EQ(negative_inside(mesh, boundary), 0u) << t;
+  }
+  expect_sound(mesh, boundary);
 }
 
 }  // namespace

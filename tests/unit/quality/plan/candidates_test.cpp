@@ -75,7 +75,7 @@ TEST(Candidates, ARegionThatNoVertexSeesWholeHasNoStar) {
 
 TEST(Candidates, RefinedAndImprovedMeetsTheTargetsOfASmoothStar) {
   Made made(smooth_star(300));
-  const Candidate refined = made.make.optimised(made.cdt, OptimiseEffort::normal);
+  const Candidate refined = made.make.optimised(made.cdt, SearchAfter::few);
   EXPECT_TRUE(refined.merit.complete);
   EXPECT_EQ(refined.method, "refined, improved");
   expect_covering(made, refined);
@@ -85,8 +85,8 @@ TEST(Candidates, MoreEffortForOneStepSpendsMoreOfTheBudget) {
   std::mt19937_64 random(5);
   const RegionBoundary spiky = boundary_of({random_star(60, 0.3, random)});
   Made little(spiky), all(spiky);
-  const Candidate few = little.make.optimised(little.cdt, OptimiseEffort::little);
-  const Candidate many = all.make.optimised(all.cdt, OptimiseEffort::all);
+  const Candidate few = little.make.optimised(little.cdt, SearchAfter::nothing);
+  const Candidate many = all.make.optimised(all.cdt, SearchAfter::all);
   expect_covering(little, few);
   expect_covering(all, many);
   EXPECT_FALSE(all.make.ranking().order().is_better(few.merit, many.merit));

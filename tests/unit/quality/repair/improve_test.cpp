@@ -1,8 +1,12 @@
 #include "quality/repair/improve.hpp"
 
+#include <random>
+
+#include "../coupled_meshes.hpp"
 #include "../mesh_checks.hpp"
 #include "../refine_limits.hpp"
 #include "quality/mutable/cavity.hpp"
+#include "quality/starts/delaunay_refinement.hpp"
 
 namespace cover {
 namespace {
@@ -69,6 +73,22 @@ TEST(Improve, EndsWhereAnExcessIsNoMoreThanRounding) {
     EXPECT_FALSE(improve(mesh, 100'000).budget_used_up) << k;
   }
   EXPECT_GT(rounded_up, 20);
+}
+
+TEST(Improve, KeepsAllEdgesDelaunayWhereThatIsStrict) {
+  std::mt19937_64 random(6);
+  for (int k = 0; k < 10; ++k) {
+    const RegionBoundary boundary = boundary_of({random_star(50, 0.5, random)});
+    MutableMesh mesh = minding_mesh(boundary, strict_goal());
+    RefineLimits limits;
+    limits.smallest_cot = 2;
+    limits.budget = 300;
+    refine(mesh, limits);
+    mesh.measure_all();
+    EXPECT_GT(improve(mesh, 100'000).evaluations, 0u);
+    EXPECT_EQ(negative_inside(mesh, boundary), 0u);
+    expect_sound(mesh, boundary);
+  }
 }
 
 }  // namespace
