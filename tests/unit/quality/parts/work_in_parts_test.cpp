@@ -174,10 +174,10 @@ TEST(WorkInParts, FlipsAcrossBordersMakeItDelaunay) {
   start.set_goal(goal);
   MutableMesh flipped = start;
   ASSERT_GT(make_delaunay(flipped), 0U);
-  MutableMesh mesh = with_any_team(start, [](MutableMesh& part, const Sharing& sharing) {
+  MutableMesh mesh = with_any_team(start, [](MutableMesh& whole, const Sharing& sharing) {
     const Borders borders =
-        work_in_parts(part, sharing, [](Part& part) { make_delaunay(part.mesh); });
-    make_delaunay(part, borders.triangles);
+        work_in_parts(whole, sharing, [](Part& part) { make_delaunay(part.mesh); });
+    make_delaunay(whole, borders.triangles);
   });
   expect_sound(mesh, boundary);
   EXPECT_EQ(make_delaunay(mesh), 0U);
