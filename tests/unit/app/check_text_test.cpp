@@ -41,7 +41,7 @@ TEST(CheckText, CutsTellWhoMadeThemOrHowToAllowThem) {
   EXPECT_EQ(cuts_text({7, true, true, "", true}),
             "Segments are cut at 7 points, those of arcs on their circles\n");
   EXPECT_TRUE(begins_with(cuts_text({7, false, false, "", true}),
-                          "Segments have vertices inside; all else is sound. If they were"));
+                          "Segments have vertices inside; all else is sound. If sides were"));
   EXPECT_TRUE(begins_with(
       cuts_text({7, true, false, "", false}),
       "Segments are cut at 7 points, those of arcs on their circles; all else but materials is"));
@@ -53,6 +53,16 @@ TEST(CheckText, NothingMissingIsNotWorthAWord) {
   EXPECT_EQ(missing_text(2).find("2 points of the input missing in the mesh. "), 0u);
   EXPECT_EQ(in_void_text(1).find("1 triangle lies along "), 0u);
   EXPECT_EQ(in_void_text(2).find("2 triangles lie along "), 0u);
+}
+
+TEST(CheckText, RegionsOfOtherNumbersHintAtMergedMaterials) {
+  Verification found;
+  EXPECT_EQ(other_regions_text(found), "");
+  found.violations.push_back(
+      {4, "triangle 0 at (0, 0) in region 1 has material 1 instead of 2", {}});
+  EXPECT_EQ(other_regions_text(found), "");
+  found.violations.push_back({4, "triangle 7 at (1, 0) has RegionId 2, as others of region 2", {}});
+  EXPECT_NE(other_regions_text(found).find("--merge-materials"), std::string::npos);
 }
 
 TEST(CheckText, OfManyCouplingsTheFirstAreListed) {
