@@ -18,8 +18,8 @@ constexpr int kPopulateWrite = 23;  // MADV_POPULATE_WRITE, of Linux 5.14
 /// Larger arrays may be more than anybody will ever fill, or than there is.
 constexpr std::size_t kMostPopulated = std::size_t{1} << 28;
 
-/// Whether an array was asked for by its size. One that has grown by doubling, from one item on, may
-/// be filled by half.
+/// Whether an array was asked for by its size. One that has grown by doubling, from one item on,
+/// may be filled by half.
 bool is_to_be_filled(std::size_t bytes) {
   constexpr int kDoubled = 16;  // times; of sizes of their own, few are such a number
   return bytes <= kMostPopulated && std::countr_zero(bytes) < kDoubled;
