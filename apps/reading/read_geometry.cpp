@@ -1,9 +1,6 @@
 #include "read_geometry.hpp"
 
-#include <filesystem>
-
 #ifdef COVER_WITH_DXF
-#include <cover/files.hpp>
 #include <cover/read_dxf.hpp>
 #endif
 #ifdef COVER_WITH_GDAL
@@ -12,6 +9,7 @@
 #ifdef COVER_WITH_GMSH
 #include <cover/read_geo.hpp>
 #endif
+#include <cover/files.hpp>
 #include <cover/read_input.hpp>
 #include <cover/text.hpp>
 #include <cover/units.hpp>

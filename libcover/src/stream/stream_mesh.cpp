@@ -257,7 +257,7 @@ std::string needs_whole_mesh(const std::string& path, const WriteOptions& option
   WriteOptions in_hdf5 = options;
   in_hdf5.xdmf = "hdf5";
   if (can_write_spooled(path, in_hdf5))
-    return "numbers as text in an .xdmf, which with xdmf as hdf5 it would not be";
+    return "an .xdmf with its numbers as text (not with the option xdmf as hdf5)";
   return fmt::format("a file in {}", extension_of(path));
 }
 

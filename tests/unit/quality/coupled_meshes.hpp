@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <vector>
 
 #include "cdt/couplings.hpp"
 #include "mesh_checks.hpp"
+#include "quality/starts/delaunay_refinement.hpp"
 
 namespace cover::testing {
 
@@ -32,6 +34,17 @@ inline MutableMesh minding_mesh(const RegionBoundary& boundary, const Goal& goal
   mind_free_sides(cdt, at, limits);
   MutableMesh mesh(cdt, static_cast<std::uint32_t>(boundary.points.size()), at, limits);
   mesh.set_goal(goal);
+  return mesh;
+}
+
+/// The same, refined by `budget` insertions at the most, so that moves have something to do.
+inline MutableMesh refined_minding_mesh(const RegionBoundary& boundary, const Goal& goal,
+                                        std::size_t budget) {
+  MutableMesh mesh = minding_mesh(boundary, goal);
+  RefineLimits limits;
+  limits.smallest_cot = 2;
+  limits.budget = budget;
+  refine(mesh, limits);
   return mesh;
 }
 

@@ -5,7 +5,6 @@
 #include "../coupled_meshes.hpp"
 #include "quality/mutable/cavity.hpp"
 #include "quality/mutable/delaunay_flips.hpp"
-#include "quality/starts/delaunay_refinement.hpp"
 
 namespace cover {
 namespace {
@@ -15,11 +14,7 @@ using namespace testing;
 TEST(DelaunayPolygon, FillsAHoleAsDelaunayDoes) {
   std::mt19937_64 random(8);
   const RegionBoundary boundary = boundary_of({random_star(40, 0.6, random)});
-  MutableMesh mesh = minding_mesh(boundary, soft_goal());
-  RefineLimits limits;
-  limits.smallest_cot = 2;
-  limits.budget = 400;
-  refine(mesh, limits);
+  MutableMesh mesh = refined_minding_mesh(boundary, soft_goal(), 400);
   make_delaunay(mesh);
   std::size_t removed = 0;
   Cavity cavity(mesh);

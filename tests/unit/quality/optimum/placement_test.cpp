@@ -6,7 +6,6 @@
 #include "../grow_fully.hpp"
 #include "../mesh_checks.hpp"
 #include "quality/mutable/cavity.hpp"
-#include "quality/starts/delaunay_refinement.hpp"
 
 namespace cover {
 namespace {
@@ -71,11 +70,7 @@ TEST(Placement, IsJudgedByTheCouplingsAllAround) {
   std::mt19937_64 random(4);
   const RegionBoundary boundary = boundary_of({random_star(30, 0.6, random)});
   for (const Goal& goal : {soft_goal(), strict_goal()}) {
-    MutableMesh mesh = minding_mesh(boundary, goal);
-    RefineLimits limits;
-    limits.smallest_cot = 2;
-    limits.budget = 200;
-    refine(mesh, limits);
+    MutableMesh mesh = refined_minding_mesh(boundary, goal, 200);
     mesh.measure_all();
     Cavity cavity(mesh);
     std::size_t stars = 0;

@@ -6,7 +6,6 @@
 #include "../coupled_meshes.hpp"
 #include "../mesh_checks.hpp"
 #include "quality/repair/improve.hpp"
-#include "quality/starts/delaunay_refinement.hpp"
 #include "quality/starts/restart.hpp"
 
 namespace cover {
@@ -56,11 +55,7 @@ TEST(Excerpt, DropsVerticesThatAPartHasNoMore) {
 TEST(Excerpt, MindsWhatIsAcrossItsBorder) {
   std::mt19937_64 random(9);
   const RegionBoundary boundary = boundary_of({random_star(60, 0.6, random)});
-  MutableMesh mesh = minding_mesh(boundary, strict_goal());
-  RefineLimits limits;
-  limits.smallest_cot = 2;
-  limits.budget = 400;
-  refine(mesh, limits);
+  MutableMesh mesh = refined_minding_mesh(boundary, strict_goal(), 400);
   mesh.measure_all();
   for (std::uint32_t t = 0; t < mesh.triangles.size(); t += 7) {
     if (mesh.is_hole(t)) continue;

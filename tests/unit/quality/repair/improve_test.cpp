@@ -79,11 +79,7 @@ TEST(Improve, KeepsAllEdgesDelaunayWhereThatIsStrict) {
   std::mt19937_64 random(6);
   for (int k = 0; k < 10; ++k) {
     const RegionBoundary boundary = boundary_of({random_star(50, 0.5, random)});
-    MutableMesh mesh = minding_mesh(boundary, strict_goal());
-    RefineLimits limits;
-    limits.smallest_cot = 2;
-    limits.budget = 300;
-    refine(mesh, limits);
+    MutableMesh mesh = refined_minding_mesh(boundary, strict_goal(), 300);
     mesh.measure_all();
     EXPECT_GT(improve(mesh, 100'000).evaluations, 0u);
     EXPECT_EQ(negative_inside(mesh, boundary), 0u);
