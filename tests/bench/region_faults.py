@@ -9,8 +9,9 @@ of regions; the largest angle, triangles above 120 degrees, the smallest angle; 
 below 1 degree; regions whose smallest angle is below a third of the almond method's though their
 largest one is not smaller by 10 degrees; regions with two vertices nearer than a thousandth of their
 shortest side; per cent of the regions whose largest angle meets its target or is proven to be within
-a degree of the best, per cent whose smallest one is, and per cent in which couplings leave no other
-mesh (libcover/docs/limits.md). The almond method is that of the first program.
+a degree of the best, per cent whose smallest one is, and per cent of those of which that is proven
+among the meshes alone that have no other negative couplings, by the largest and the smallest angle
+(libcover/docs/limits.md). The almond method is that of the first program.
 
 The fault of a region is the larger of (largest - target) / (180 - target), where target is 100
 degrees or gamma_opt if that is more, and (20 - smallest) / 20; 0 at least. Angles between two sides
@@ -93,22 +94,22 @@ def print_row(path, program, result, almond):
     lopsided = sum(1 for r in regions if smallest[r["id"]] < almond[2][0][r["id"]] / 3
                    and r["largest_angle"] > of_almond[r["id"]] - 10)
     overall = report["overall"]
-    print("%-24s %-24s %7.2f %7.1f %7d %7.4f %7.4f %7.4f %8.3f %6d %8.4f %5d %5d %5d %6.1f %6.1f %6.1f" % (
+    print("%-24s %-24s %7.2f %7.1f %7d %7.4f %7.4f %7.4f %8.3f %6d %8.4f %5d %5d %5d %6.1f %6.1f %6.1f %6.1f" % (
         os.path.basename(path)[:24], program[:24], seconds, 1e6 * mesh / overall["triangles"],
         overall["triangles"], sum(faults) / len(faults), faults[min(len(faults) - 1, int(0.9 * len(faults)))],
         faults[-1], overall["largest_angle"], overall["above_120"], min(smallest),
         sum(1 for r in regions if smallest[r["id"]] < 1), lopsided,
         sum(1 for r in regions if edges[r["id"]] < 1e-3),
         share(regions, "largest", "met", "optimal", "near"), share(regions, "smallest", "met", "optimal", "near"),
-        share(regions, "largest", "coupled")), flush=True)
+        share(regions, "largest", "coupled"), share(regions, "smallest", "coupled")), flush=True)
 
 
 def main():
     split = sys.argv.index("--")
     programs, inputs = sys.argv[1:split], sys.argv[split + 1:]
-    print("%-24s %-24s %7s %7s %7s %7s %7s %7s %8s %6s %8s %5s %5s %5s %6s %6s %6s" % (
+    print("%-24s %-24s %7s %7s %7s %7s %7s %7s %8s %6s %8s %5s %5s %5s %6s %6s %6s %6s" % (
         "input", "program", "user s", "us/tri", "tri", "mean", "90 %", "worst", "largest", ">120", "smallest",
-        "<1", "third", "near", "large%", "small%", "coupl%"))
+        "<1", "third", "near", "large%", "small%", "coupl%", "c.sm.%"))
     for path in inputs:
         almond = run(programs[0].split(":")[0], ["--method", "almond"], path)
         print_row(path, "almond", almond, almond)

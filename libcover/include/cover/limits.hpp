@@ -15,7 +15,7 @@ enum class Standing {
   optimal,  ///< no mesh is better by more than 1e-5 degrees
   near,     ///< no mesh is better by more than a degree
   open,     ///< nobody knows
-  coupled,  ///< with couplings first, no other mesh has as few negative ones
+  coupled,  ///< with couplings first: no mesh without other negative ones is better by a degree
 };
 inline constexpr std::size_t kStandings = 6;
 

@@ -27,6 +27,14 @@ inline Point at_part(Point a, Point b, double part) {
   return part <= 0.5 ? a + part * (b - a) : b + (part - 1) * (b - a);
 }
 
+/// Rounded; `a` and `b` may be the same.
+inline double distance_to_segment(Point p, Point a, Point b) {
+  const Vector along = b - a;
+  const double whole = squared_length(along);
+  const double part = whole > 0 ? std::clamp(dot(p - a, along) / whole, 0.0, 1.0) : 0;
+  return length(p - (a + part * along));
+}
+
 /// How far along a segment, however short, the foot of a point is that lies at `to` from its start.
 ///
 /// REQUIRES: along != 0; the foot lies on the segment, up to rounding

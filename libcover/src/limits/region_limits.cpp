@@ -63,7 +63,7 @@ RegionLimits region_limits(const Triangulation& cdt, const ReachedAngles& reache
                            AnglesAround around) {
   if (!meets(reached, wanted)) {
     LimitProver prover(cdt, team);
-    return region_limits(prover, reached, wanted, effort, std::move(around));
+    return region_limits(prover, reached, wanted, effort, std::move(around), Meshes::all);
   }
   RegionLimits limits;
   limits.of_largest = limits.of_smallest = Standing::met;
@@ -72,17 +72,22 @@ RegionLimits region_limits(const Triangulation& cdt, const ReachedAngles& reache
 
 RegionLimits region_limits(LimitProver& prover, const ReachedAngles& reached,
                            const ReachedAngles& wanted, const ProofEffort& effort,
-                           AnglesAround around) {
-  RegionLimits limits;
+                           AnglesAround around, Meshes meshes) {
   prover.compare_with(std::move(around));
-  const ProvenLimits proven = prover.prove(reached, wanted, effort);
+  const ProvenLimits proven = prover.prove(reached, wanted, effort, meshes);
+  const auto standing = [](Angle angle, Angle target, Angle limit, Meshes of) {
+    const Standing among_them = standing_of(is_reached(angle, target), angle, limit);
+    const bool is_proven = among_them == Standing::optimal || among_them == Standing::near;
+    return is_proven && of == Meshes::coupled ? Standing::coupled : among_them;
+  };
+  RegionLimits limits;
   limits.largest_nu = proven.largest_nu;
   limits.smallest = proven.smallest;
   limits.under = proven.under;
-  limits.of_largest = standing_of(is_reached(reached.largest_nu, wanted.largest_nu),
-                                  reached.largest_nu, proven.largest_nu);
+  limits.of_largest =
+      standing(reached.largest_nu, wanted.largest_nu, proven.largest_nu, proven.of_largest);
   limits.of_smallest =
-      standing_of(is_reached(reached.smallest, wanted.smallest), reached.smallest, proven.smallest);
+      standing(reached.smallest, wanted.smallest, proven.smallest, proven.of_smallest);
   return limits;
 }
 

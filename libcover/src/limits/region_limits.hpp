@@ -17,10 +17,13 @@ RegionLimits region_limits(const Triangulation& cdt, const ReachedAngles& reache
                            const ReachedAngles& wanted, const Team& team = {},
                            const ProofEffort& effort = {}, AnglesAround around = {});
 
-/// The same by a prover that may have been asked before.
+/// The same by a prover that may have been asked before: also limits that `meshes` alone have,
+/// which are Standing::coupled.
+///
+/// REQUIRES: one of `meshes` has reached that
 RegionLimits region_limits(LimitProver& prover, const ReachedAngles& reached,
                            const ReachedAngles& wanted, const ProofEffort& effort,
-                           AnglesAround around);
+                           AnglesAround around, Meshes meshes);
 
 /// What is reached, where couplings leave no other mesh.
 RegionLimits limits_by_couplings(const ReachedAngles& reached, const ReachedAngles& wanted);

@@ -4,14 +4,36 @@
 // Tested by tests/unit/method/mesh_one_region_test.cpp.
 #include "method/proven_limits.hpp"
 
+#include <algorithm>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include <cover/judged_angle.hpp>
 
 #include "limits/region_limits.hpp"
+#include "options/intent.hpp"
 #include "region/triangulation_of.hpp"
 
 namespace cover {
+namespace {
+
+/// The sides with a negative coupling.
+std::vector<IndexPair> negative_sides(const RegionBoundary& boundary,
+                                      std::span<const NegativeCoupling> couplings) {
+  using Edge = std::pair<Point, Point>;
+  std::vector<Edge> edges;
+  for (const NegativeCoupling& c : couplings) edges.emplace_back(c.a, c.b);
+  std::sort(edges.begin(), edges.end());
+  std::vector<IndexPair> negative;
+  for (const IndexPair& side : boundary.sides) {
+    const Edge edge{boundary.points[side[0]], boundary.points[side[1]]};
+    if (std::binary_search(edges.begin(), edges.end(), edge)) negative.push_back(side);
+  }
+  return negative;
+}
+
+}  // namespace
 
 std::unique_ptr<RegionProof> proof_of(const RegionBoundary& boundary) {
   return std::make_unique<RegionProof>(triangulation_of(boundary));
@@ -34,7 +56,12 @@ RegionLimits proven_limits(const RegionBoundary& boundary, const RegionMesh& mes
   AnglesAround around =
       AnglesAround::of(all_points(boundary, mesh), mesh.triangles, boundary.points.size());
   if (!proof) proof = proof_of(boundary);
-  return region_limits(proof->prover(team), reached, wanted, effort, std::move(around));
+  LimitProver& prover = proof->prover(team);
+  const bool is_coupled = couplings_count(options) && mesh.report.box.negative_inside == 0;
+  if (is_coupled && !mesh.report.couplings.empty())
+    prover.exempt(negative_sides(boundary, mesh.report.couplings));
+  return region_limits(prover, reached, wanted, effort, std::move(around),
+                       is_coupled ? Meshes::coupled : Meshes::all);
 }
 
 }  // namespace cover

@@ -59,6 +59,19 @@ TEST(RegionLimits, LittleEffortProvesNoMoreThanAll) {
   }
 }
 
+TEST(RegionLimits, WhatCouplingsForbidIsToldAsSuch) {
+  // The half discs of the long sides hold all of the rectangle: no vertex is in a coupled mesh.
+  const Triangulation cdt = region_cdt_of({{0, 0}, {4, 0}, {4, 1}, {0, 1}});
+  LimitProver prover(cdt);
+  const auto limits = [&](Meshes meshes) {
+    const double smallest = std::atan2(1, 4) * 180 / std::numbers::pi;
+    return region_limits(prover, reached(150, smallest), kWanted, {}, {}, meshes);
+  };
+  EXPECT_EQ(limits(Meshes::all).of_smallest, Standing::open);
+  EXPECT_EQ(limits(Meshes::coupled).of_smallest, Standing::coupled);
+  EXPECT_NEAR(limits(Meshes::coupled).smallest.in_degrees(), 14.036, 1.001);
+}
+
 TEST(RegionLimits, StandingsHaveNames) {
   EXPECT_STREQ(describe(Standing::optimal), "optimal");
   EXPECT_STREQ(describe(Standing::unknown), "unknown");

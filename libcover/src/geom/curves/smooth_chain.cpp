@@ -14,6 +14,7 @@
 #include <numbers>
 
 #include "base/numbers.hpp"
+#include "geom/foot.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -79,13 +80,6 @@ std::vector<Point> solve(const std::vector<Target>& targets, double lambda) {
       x[i] = {x[i].x - factor[i + k][k] * x[i + k].x, x[i].y - factor[i + k][k] * x[i + k].y};
   }
   return x;
-}
-
-double distance_to(Point p, Point a, Point b) {
-  const Vector along = b - a;
-  const double whole = squared_length(along);
-  const double part = whole > 0 ? std::clamp(dot(p - a, along) / whole, 0.0, 1.0) : 0;
-  return length(p - (a + part * along));
 }
 
 /// A straight line by least squares: a point on it and its direction.
@@ -158,7 +152,7 @@ double lambda_of(double period) { return std::pow(period / (2 * std::numbers::pi
 double distance_to_sides(Point p, const std::vector<Point>& corners, std::size_t k) {
   double nearest = kInfinity;
   for (std::size_t j = k > 1 ? k - 2 : 0; j <= k && j + 1 < corners.size(); ++j)
-    nearest = std::min(nearest, distance_to(p, corners[j], corners[j + 1]));
+    nearest = std::min(nearest, distance_to_segment(p, corners[j], corners[j + 1]));
   return nearest;
 }
 
@@ -175,7 +169,7 @@ bool raise_weights(const std::vector<Point>& curve, const std::vector<Point>& co
                    std::vector<Target>& targets) {
   bool raised = false;
   for (std::size_t k = 0; k + 1 < curve.size(); ++k) {
-    const double of_corner = distance_to(corners[k], curve[k], curve[k + 1]);
+    const double of_corner = distance_to_segment(corners[k], curve[k], curve[k + 1]);
     const double of_point = distance_to_sides(curve[k], corners, k);
     if (of_corner <= kMostMoved + kPushed && of_point <= kMostMoved) continue;
     raised = true;
@@ -318,8 +312,8 @@ std::vector<Point> simplified(const std::vector<Point>& curve, const std::vector
     std::size_t at = from;
     bool good = true;
     for (std::size_t k = from; k < to; ++k) {
-      good = good && distance_to(corners[k], curve[from], curve[to]) <= kMostMoved;
-      const double distance = k > from ? distance_to(curve[k], curve[from], curve[to]) : -1;
+      good = good && distance_to_segment(corners[k], curve[from], curve[to]) <= kMostMoved;
+      const double distance = k > from ? distance_to_segment(curve[k], curve[from], curve[to]) : -1;
       if (distance <= farthest) continue;
       farthest = distance;
       at = k;

@@ -35,10 +35,10 @@
 //   uncut), bound (the largest angle that promise 3 allows), nu_bound_radians, rho,
 //   forced_above_120, forced_above_150
 // PROVEN largest, smallest: how the angles reached stand: "met" (the target), "optimal", "near"
-//   (within a degree of the limit), "coupled" (no other mesh has as few negative couplings),
-//   "open", "unknown"; where a target is missed also largest_angle and smallest_angle, the
-//   limits, under (no mesh whose largest angle is at most this has a larger smallest one),
-//   largest_gap and smallest_gap
+//   (within a degree of the limit), "coupled" (the same, but only among meshes whose negative
+//   couplings are among those of this one), "open", "unknown"; where a target is missed also
+//   largest_angle and smallest_angle, the limits, under (no mesh whose largest angle is at most
+//   this has a larger smallest one), largest_gap and smallest_gap
 // QUALITY triangles, largest_angle, largest_nu_radians (pi - largest angle, which keeps the
 //   digits of flat triangles), smallest_angle, obtuse, obtuse_by_rounding, above_120, above_150,
 //   histogram (all angles in 18 bins of 10 degrees), meshed_area

@@ -9,6 +9,12 @@ struct AngleRange {
   double least = 0;  ///< in [0, 60 degrees]; 0: any
 };
 
+/// Which covering meshes a question is about.
+enum class Meshes {
+  all,
+  coupled,  ///< without a negative coupling but those of sides that are encroached or exempt
+};
+
 /// Every comparison of angles in a proof leaves this much room, in radians: far more than rounding
 /// can do to the figures compared, far less than anybody can see.
 inline constexpr double kAngleSlack = 1e-9;

@@ -7,6 +7,9 @@
 //   - the triangle contains an input vertex, or its edges cross a side (shadow);
 //   - p lies in the clear zone of a side (zone): that would force an angle above `most`;
 //   - a vertex w joined to a and beyond the edge ap sees that edge under more than `most` (wedge);
+//   - in coupled meshes, the apex sees a free side under more than 90 degrees or under less than
+//     some vertex does, or p lies so near to a corner's vertex that the half discs of its sides
+//     hold it (around);
 //   - from ap to the next side at a lengths would have to grow faster than triangles with such
 //     angles can, or a vertex beyond ap is so near that one of them would contain it.
 //
@@ -43,6 +46,7 @@ ApexSearch::ApexSearch(const RegionView& view, ClearZones& zones, const FanGrowt
       zones_(zones),
       growth_(growth),
       range_(growth.range()),
+      minds_ending_(zones.meshes() == Meshes::coupled && range_.least > 0),
       cot_(std::cos(zones.angle()) / std::sin(zones.angle())),
       reach_(direction_of(std::numbers::pi - range_.least + kAngleSlack)) {}
 
@@ -66,7 +70,19 @@ void ApexSearch::enter(std::uint32_t s) {
   enter_end(b_, end, true);
   is_triangle_ = start.last - start.first == 2 && end.last - end.first == 2 &&
                  view_.seen_from(start).back().vertex == view_.seen_from(end).front().vertex;
+  const auto apex_of = [this](const RegionSide& of) {
+    return apex_range(of, range_, zones_.meshes());
+  };
+  apex_ = apex_of(side);
+  if (zones_.meshes() == Meshes::coupled)
+    reach_ = direction_of(std::numbers::pi - apex_.least + kAngleSlack);
+  if (minds_ending_) {
+    a_.next_side = {apex_of(view_.sides()[start.before])};
+    b_.next_side = {apex_of(view_.sides()[side.end])};
+  }
   collect_obstacles(side);
+  lonely_.clear();
+  if (zones_.meshes() == Meshes::coupled) collect_lonely();
 }
 
 void ApexSearch::enter_end(End& end, const RegionCorner& corner, bool reversed) {
@@ -101,7 +117,8 @@ void ApexSearch::collect_obstacles(const RegionSide& side) {
           stamp_[next] = round_;
           visited_.push_back(next);
           const Triangle& g = cdt.triangles[next];
-          vertices_.push_back(local(g.v[g.edge_to(visited_[k])]));
+          const std::uint32_t beyond = g.v[g.edge_to(visited_[k])];
+          vertices_.push_back({local(beyond), beyond});
         }
         continue;
       }
@@ -111,6 +128,7 @@ void ApexSearch::collect_obstacles(const RegionSide& side) {
                             local(other.b),
                             {},
                             {},
+                            zone.cot,
                             zone.clear,
                             zone.cut_at_start,
                             zone.cut_at_end,
@@ -127,9 +145,19 @@ void ApexSearch::collect_obstacles(const RegionSide& side) {
       o.faces_b = at_b > room;
     }
   }
-  vertices_.push_back(local(cdt.triangles[side.triangle].v[side.edge]));
+  const std::uint32_t apex = cdt.triangles[side.triangle].v[side.edge];
+  vertices_.push_back({local(apex), apex});
   last_ban_ = Ban::zone;
   last_which_ = 0;
+}
+
+/// These vertices are tried as apices by themselves, so that places around them may be forbidden.
+void ApexSearch::collect_lonely() {
+  for (const Vertex& v : vertices_) {
+    const std::uint32_t corner = view_.only_corner_of(v.number);
+    const double reach = corner == kNone ? 0 : zones_.around(corner) / length_;
+    if (reach > 0) lonely_.push_back({v.place, reach});
+  }
 }
 
 bool ApexSearch::angles_are_in_range(double x, double y, double z) const {
@@ -149,12 +177,42 @@ bool ApexSearch::ear_is_possible(bool at_a) const {
   const Place& p = near.seen.back();
   if (!(p.y > 0)) return false;
   const double alpha = angle_of(p.x, p.y), beta = angle_of(1 - p.x, p.y);
-  if (!angles_are_in_range(alpha, beta, std::numbers::pi - alpha - beta)) return false;
+  if (!angles_are_in_range(alpha, beta, std::numbers::pi - alpha - beta) ||
+      !apex_is_allowed(alpha + beta, alpha + beta))
+    return false;
   if (is_triangle_) return true;
   // The rest of the other corner.
   const double rest = far.corner - (at_a ? beta : alpha);
   const double edge = std::hypot(p.x - (at_a ? 1 : 0), p.y);
   return reaches_next(far, rest - kAngleSlack, rest + kAngleSlack, edge, edge);
+}
+
+/// Whether an input vertex may be the apex. Ears are looked at by themselves.
+bool ApexSearch::some_vertex_is_possible(const RegionSide& side) const {
+  const std::uint32_t before = view_.sides()[view_.corner(side.start).before].a;
+  const std::uint32_t after = view_.sides()[side.end].b;
+  return std::any_of(vertices_.begin(), vertices_.end(), [&](const Vertex& v) {
+    return v.number != before && v.number != after && vertex_is_possible(v.place);
+  });
+}
+
+bool ApexSearch::vertex_is_possible(const Place& p) const {
+  if (!(p.y > 0)) return false;
+  // Few see the side under enough for an apex: a comparison of cotangents.
+  const double room = 8 * p.fuzz * (1 + std::abs(p.x) + std::abs(p.y));
+  if ((p.x * (p.x - 1) + p.y * p.y) * reach_.sine + reach_.cosine * p.y > room) return false;
+  const double alpha = angle_of(p.x, p.y), beta = angle_of(1 - p.x, p.y);
+  if (!angles_are_in_range(alpha, beta, std::numbers::pi - alpha - beta) ||
+      !apex_is_allowed(alpha + beta, alpha + beta))
+    return false;
+  const double to_a = std::hypot(p.x, p.y), to_b = std::hypot(1 - p.x, p.y);
+  return !end_is_out(a_, alpha, alpha, to_a, to_a) && !end_is_out(b_, beta, beta, to_b, to_b);
+}
+
+/// Whether the apex may have an angle that leaves `low` to `high` for the ends of the side.
+bool ApexSearch::apex_is_allowed(double low, double high) const {
+  return high >= std::numbers::pi - apex_.most - kAngleSlack &&
+         low <= std::numbers::pi - apex_.least + kAngleSlack;
 }
 
 bool ApexSearch::is_in_wedge(const Place& at, double turn, const Place& w, const Place& p) const {
@@ -178,15 +236,20 @@ bool ApexSearch::is_in(std::size_t which, const Place& p) const {
     return is_in_wedge({0, 0, 0}, 1, a_.seen[which], p);
   } else if constexpr (ban == Ban::wedge_at_b) {
     return is_in_wedge({1, 0, 0}, -1, b_.seen[which], p);
+  } else if constexpr (ban == Ban::around) {
+    const Lonely& vertex = lonely_[which];
+    const double room = vertex.reach - p.fuzz - vertex.place.fuzz;
+    const double x = p.x - vertex.place.x, y = p.y - vertex.place.y;
+    return room > 0 && x * x + y * y < room * room;
   } else if constexpr (ban == Ban::zone) {
     const Obstacle& o = obstacles_[which];
     if (!o.has_zone) return false;
     const double ux = o.c.x - p.x, uy = o.c.y - p.y, vx = o.d.x - p.x, vy = o.d.y - p.y;
     const double c = ux * vy - uy * vx, d = ux * vx + uy * vy;
-    if (!(c > 0) || !(d < cot_ * c)) return false;
+    if (!(c > 0) || !(d < o.cot * c)) return false;
     const double room = (p.fuzz + o.c.fuzz + o.d.fuzz) *
                         (std::abs(ux) + std::abs(uy) + std::abs(vx) + std::abs(vy));
-    return c > room && d - cot_ * c < -room * (1 + std::abs(cot_)) &&
+    return c > room && d - o.cot * c < -room * (1 + std::abs(o.cot)) &&
            (!o.cut_at_start || left_of(o.before, o.c, 1)) &&
            (!o.cut_at_end || left_of(o.d, o.after, 1));
   } else {
@@ -221,6 +284,8 @@ bool ApexSearch::are_in_last(std::span<const Place> corners) {
   switch (last_ban_) {
     case Ban::zone:
       return !obstacles_.empty() && are_in<Ban::zone>(last_which_, corners);
+    case Ban::around:
+      return are_in<Ban::around>(last_which_, corners);
     case Ban::shadow_of_a:
       return are_in<Ban::shadow_of_a>(last_which_, corners);
     case Ban::shadow_of_b:
@@ -242,10 +307,13 @@ bool ApexSearch::is_banned(std::span<const Place> corners) {
     const Obstacle& o = obstacles_[k];
     const double ux = o.c.x - p.x, uy = o.c.y - p.y, vx = o.d.x - p.x, vy = o.d.y - p.y;
     const double c = ux * vy - uy * vx;
-    if ((p.y == 0 || (c > 0 && ux * vx + uy * vy < cot_ * c)) && are_in<Ban::zone>(k, corners))
+    if ((p.y == 0 || (c > 0 && ux * vx + uy * vy < o.cot * c)) && are_in<Ban::zone>(k, corners))
       return true;
     if (!(c > 0) && (are_in<Ban::shadow_of_a>(k, corners) || are_in<Ban::shadow_of_b>(k, corners)))
       return true;
+  }
+  for (std::size_t k = 0; k < lonely_.size(); ++k) {
+    if (are_in<Ban::around>(k, corners)) return true;
   }
   for (std::size_t k = 0; k < a_.seen.size(); ++k) {
     if (are_in<Ban::wedge_at_a>(k, corners)) return true;
@@ -258,7 +326,8 @@ bool ApexSearch::is_banned(std::span<const Place> corners) {
 
 bool ApexSearch::contains_vertex(const Box& box) const {
   // All triangles of the box contain that of its two smallest angles.
-  for (const Place& w : vertices_) {
+  for (const Vertex& v : vertices_) {
+    const Place& w = v.place;
     if (!(w.y > w.fuzz)) continue;
     if (w.x * box.a[0].sine - w.y * box.a[0].cosine > 4 * w.fuzz &&
         (1 - w.x) * box.b[0].sine - w.y * box.b[0].cosine > 4 * w.fuzz)
@@ -273,6 +342,10 @@ bool ApexSearch::end_is_out(const End& end, double low, double high, double near
   const double rest_low = end.corner - high, rest_high = end.corner - low;
   if (!reaches_next(end, rest_low - kAngleSlack, rest_high + kAngleSlack, near, far)) return true;
   if (range_.least == 0) return false;
+  if (minds_ending_ &&
+      !growth_.may_end(rest_low - kAngleSlack, rest_high + kAngleSlack, end.distance.back() / far,
+                       end.distance.back() / near, end.next_side))
+    return true;
   for (std::size_t k = 0; k < end.seen.size(); ++k) {
     const double beyond = end.direction[k] - low;
     if (end.direction[k] < high + kAngleSlack || beyond > std::numbers::pi / 2) continue;
@@ -349,8 +422,7 @@ bool ApexSearch::add_corners_within_reach(const Box& box, Shape& shape) const {
 bool ApexSearch::is_out(const Box& box) {
   const double sum_low = box.a[0].angle + box.b[0].angle;
   const double sum_high = box.a[1].angle + box.b[1].angle;
-  if (sum_low > std::numbers::pi - range_.least + kAngleSlack) return true;
-  if (sum_high < std::numbers::pi - range_.most - kAngleSlack) return true;
+  if (!apex_is_allowed(sum_low, sum_high)) return true;
   if (contains_vertex(box)) return true;
   Shape shape;
   const bool is_within_reach =
@@ -377,8 +449,7 @@ bool ApexSearch::is_out(const Box& box) {
 /// As is_out() of a box that is one place, whose four corners are the same.
 bool ApexSearch::nothing_forbids(const Direction& at_a, const Direction& at_b) {
   const double sum = at_a.angle + at_b.angle;
-  if (sum >= std::numbers::pi - kFlat || sum > std::numbers::pi - range_.least + kAngleSlack ||
-      sum < std::numbers::pi - range_.most - kAngleSlack ||
+  if (sum >= std::numbers::pi - kFlat || !apex_is_allowed(sum, sum) ||
       contains_vertex({{at_a, at_a}, {at_b, at_b}}))
     return false;
   double to_a = 0, to_b = 0;
@@ -402,6 +473,7 @@ bool ApexSearch::has_none(std::uint32_t side, std::uint64_t& budget) {
   enter(side);
   if (ear_is_possible(true) || ear_is_possible(false)) return false;
   if (is_triangle_) return true;
+  if (!lonely_.empty() && some_vertex_is_possible(view_.sides()[side])) return false;
   const double least = range_.least;
   const double most_a = std::min({range_.most, std::numbers::pi - 2 * least, a_.corner - least});
   const double most_b = std::min({range_.most, std::numbers::pi - 2 * least, b_.corner - least});

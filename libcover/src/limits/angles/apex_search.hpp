@@ -49,6 +49,7 @@ class ApexSearch {
   struct Obstacle {
     Place c, d;
     Place before, after;  ///< known where the zone is cut there
+    double cot;           ///< of the angle of its zone
     bool has_zone, cut_at_start, cut_at_end;
     bool faces_a, faces_b;  ///< the ends of the side lie strictly on its left
   };
@@ -58,15 +59,30 @@ class ApexSearch {
     std::vector<Place> seen;  ///< joined to it, in the order in which they are met from the side
     std::vector<double> direction;
     std::vector<double> distance;
+    mutable FanGrowth::Ending next_side;  ///< of coupled meshes; it remembers what is asked
+  };
+  /// A vertex that no other one is near, in coupled meshes.
+  struct Lonely {
+    Place place;
+    double reach;
+  };
+  /// A corner of the triangles around the side.
+  struct Vertex {
+    Place place;
+    std::uint32_t number;
   };
   /// What an obstacle, or a vertex seen from an end, forbids: a convex set each.
-  enum class Ban : std::uint8_t { zone, shadow_of_a, shadow_of_b, wedge_at_a, wedge_at_b };
+  enum class Ban : std::uint8_t { zone, around, shadow_of_a, shadow_of_b, wedge_at_a, wedge_at_b };
 
   void enter(std::uint32_t side);
   void enter_end(End& end, const RegionCorner& corner, bool reversed);
   void collect_obstacles(const RegionSide& side);
   [[nodiscard]] Place local(std::uint32_t v) const;
+  void collect_lonely();
   [[nodiscard]] bool ear_is_possible(bool at_a) const;
+  [[nodiscard]] bool some_vertex_is_possible(const RegionSide& side) const;
+  [[nodiscard]] bool vertex_is_possible(const Place& p) const;
+  [[nodiscard]] bool apex_is_allowed(double low, double high) const;
   [[nodiscard]] bool angles_are_in_range(double x, double y, double z) const;
   [[nodiscard]] bool reaches_next(const End& end, double low, double high, double near,
                                   double far) const;
@@ -103,8 +119,10 @@ class ApexSearch {
   ClearZones& zones_;
   const FanGrowth& growth_;
   AngleRange range_;
-  double cot_;       ///< of the angle of zones
+  bool minds_ending_;
+  double cot_;       ///< of the angle that an edge may be seen under
   Direction reach_;  ///< the sum of the angles at the ends of the side, at most
+  AngleRange apex_;  ///< the angles that the apex may have
 
   std::array<std::uint32_t, 2> ends_{};
   Point origin_;
@@ -112,7 +130,8 @@ class ApexSearch {
   double length_ = 1;
   End a_, b_;
   bool is_triangle_ = false;  ///< the region is one triangle
-  std::vector<Place> vertices_;
+  std::vector<Vertex> vertices_;
+  std::vector<Lonely> lonely_;
   std::vector<Obstacle> obstacles_;
   std::vector<std::uint32_t> visited_;
   std::vector<std::uint32_t> stamp_;  ///< by triangle: the last round in which it was visited

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "base/numbers.hpp"
+#include "geom/foot.hpp"
 #include "geom/vector.hpp"
 
 namespace cover {
@@ -19,6 +20,7 @@ constexpr double kZoneSlack = 1e-7;
 constexpr double kAlmostConvex = 1e-3;
 constexpr double kLeastMost = 95 * kDegree;  ///< where they do
 constexpr std::size_t kMostTriangles = 64;   ///< that a walk visits before it gives up
+constexpr std::size_t kMostAround = 64;      ///< sides that a corner's neighbourhood is asked of
 
 /// By how much more than `most` a side must be seen so that, in a region that is almost convex,
 /// some input vertex sees it under more than `most`, if the one in question does not see it:
@@ -31,13 +33,14 @@ double slack_of_bend(double bend, double most) {
 
 }  // namespace
 
-ClearZones::ClearZones(const RegionView& view, double most)
+ClearZones::ClearZones(const RegionView& view, double most, Meshes meshes)
     : view_(view),
+      meshes_(meshes),
       slack_of_bend_(slack_of_bend(view.bend(), most)),
       angle_(most + kZoneSlack + (std::isfinite(slack_of_bend_) ? slack_of_bend_ : 0)),
-      cot_(std::cos(angle_) / std::sin(angle_)),
-      sin_(std::sin(angle_)),
-      state_(view.sides().size()) {}
+      state_(view.sides().size()) {
+  if (meshes == Meshes::coupled) around_.assign(view.sides().size(), -1);
+}
 
 const ClearZones::State& ClearZones::of(std::uint32_t side) {
   if (!state_[side].known) state_[side] = find_out(view_.sides()[side]);
@@ -45,12 +48,25 @@ const ClearZones::State& ClearZones::of(std::uint32_t side) {
 }
 
 ClearZones::State ClearZones::find_out(const RegionSide& side) {
-  if (std::isfinite(slack_of_bend_)) return {true, true, false, false};
+  const auto whole = [](double angle) {
+    return State{true, true, false, false, std::cos(angle) / std::sin(angle)};
+  };
+  if (meshes_ == Meshes::coupled && side.is_free) {
+    constexpr double kRight = std::numbers::pi / 2 + kZoneSlack;
+    if (view_.bend() == 0) return whole(kRight);
+    const State half_disc = walk(side, kRight);
+    if (half_disc.clear) return half_disc;
+  }
+  return std::isfinite(slack_of_bend_) ? whole(angle_) : walk(side, angle_);
+}
+
+ClearZones::State ClearZones::walk(const RegionSide& side, double angle) {
   const Triangulation& cdt = view_.cdt();
   const Point a = view_.point(side.a);
   const Vector along = view_.point(side.b) - a;
-  const double l = length(along), radius = l / (2 * sin_) * (1 + kAngleSlack);
-  const double middle = l / 2, height = l / 2 * cot_;  // of the centre of the disk
+  const double cot = std::cos(angle) / std::sin(angle);
+  const double l = length(along), radius = l / (2 * std::sin(angle)) * (1 + kAngleSlack);
+  const double middle = l / 2, height = l / 2 * cot;  // of the centre of the disk
   const auto local = [&](std::uint32_t v) {
     const Vector w = view_.point(v) - a;
     return Vector{dot(w, along) / l - middle, cross(along, w) / l - height};
@@ -64,7 +80,7 @@ ClearZones::State ClearZones::find_out(const RegionSide& side) {
     const double t = std::clamp(-dot(p, d) / squared_length(d), 0.0, 1.0);
     return squared_length(p + t * d) < radius * radius;
   };
-  State state{true, false, false, false};
+  State state{true, false, false, false, cot};
   stack_.assign(1, 4 * std::uint64_t{side.triangle} + side.edge);
   for (std::size_t visited = 0; !stack_.empty(); ++visited) {
     if (visited == kMostTriangles) return state;
@@ -92,6 +108,32 @@ ClearZones::State ClearZones::find_out(const RegionSide& side) {
   }
   state.clear = true;
   return state;
+}
+
+double ClearZones::around(std::uint32_t corner) {
+  if (around_.empty()) return 0;
+  double& known = around_[corner];
+  if (known < 0) known = find_around(view_.corner(corner), view_.sides()[corner]);
+  return known;
+}
+
+/// A place in the corner, within the half angle of one of its sides, lies in the half disc of that
+/// if it is no farther than this from the vertex, and sees it: no other side comes so near, or the
+/// region is convex. Then what is beyond the corner is outside of the region, too.
+double ClearZones::find_around(const RegionCorner& corner, const RegionSide& after) const {
+  const RegionSide& before = view_.sides()[corner.before];
+  if (!before.is_free || !after.is_free || corner.angle > std::numbers::pi - kZoneSlack) return 0;
+  const Point w = view_.point(corner.vertex);
+  double reach = std::min(length(view_.point(before.a) - w), length(view_.point(after.b) - w)) *
+                 std::cos(corner.angle / 2);
+  if (view_.bend() > 0) {
+    if (view_.sides().size() > kMostAround) return 0;
+    for (const RegionSide& other : view_.sides()) {
+      if (&other == &before || &other == &after) continue;
+      reach = std::min(reach, distance_to_segment(w, view_.point(other.a), view_.point(other.b)));
+    }
+  }
+  return reach * (1 - kZoneSlack);
 }
 
 }  // namespace cover

@@ -142,11 +142,7 @@ double FanGrowth::most_growth(double high) const {
 
 bool FanGrowth::may_lead(double low, double high, double ratio) const {
   if (high < range_.least - kAngleSlack) return false;
-  if (ratio <= 1) {
-    // Isosceles triangles do, if some number of them fills the angle.
-    return range_.least == 0 || std::floor((high + kAngleSlack) / range_.least) >=
-                                    std::ceil((low - kAngleSlack) / range_.most);
-  }
+  if (ratio <= 1) return may_fill(low, high);
   const double most_of_any = most_growth(high);
   if (1 - 1 / ratio > most_of_any) return false;  // a logarithm is no less than that
   // It is no more than what its argument has above one, and mostly this is enough.
@@ -156,6 +152,60 @@ bool FanGrowth::may_lead(double low, double high, double ratio) const {
   if (at_peaks >= wanted) return true;
   if (wanted > most_of_any) return false;
   return log_ratio(std::max(low, 0.0), high, wanted) >= wanted;
+}
+
+/// Whether some number of triangles fills the angle, as isosceles ones do.
+bool FanGrowth::may_fill(double low, double high) const {
+  return range_.least == 0 || std::floor((high + kAngleSlack) / range_.least) >=
+                                  std::ceil((low - kAngleSlack) / range_.most);
+}
+
+/// Let phi be the angle at the vertex, y opposite to the other edge and z, the apex, to the side.
+/// The side is sin z / sin y = sin z / sin(phi + z) times as long as the edge: this grows with z.
+/// With the largest z that phi allows it is largest for y = least and z = 90 degrees, and falls on
+/// both sides of that phi; with the smallest z it is smallest for z = apex.least and y = 90
+/// degrees. Where no angle may be 90 degrees, the largest one counts.
+void FanGrowth::find_out_next(Ending& ending) const {
+  constexpr double kRight = std::numbers::pi / 2, kRoom = 1 + kLogSlack;
+  const AngleRange& apex = ending.apex;
+  const auto longer = [&](double phi) {
+    const double z = std::min(apex.most, std::numbers::pi - phi - range_.least);
+    return kRoom * std::sin(z) / std::sin(phi + z);
+  };
+  const auto shorter = [&](double phi) {
+    const double z = std::max(apex.least, std::numbers::pi - phi - range_.most);
+    return kRoom * std::sin(phi + z) / std::sin(z);
+  };
+  const double longest_at = std::max(kRight, std::numbers::pi - apex.most) - range_.least;
+  const double shortest_at = std::max(kRight, std::numbers::pi - range_.most) - apex.least;
+  const double part = part_of(apex);
+  const double first = range_.least + static_cast<double>(ending.known) * part;
+  ending.longer[ending.known] = longer(std::clamp(longest_at, first, first + part));
+  ending.shorter[ending.known] = shorter(std::clamp(shortest_at, first, first + part));
+  ++ending.known;
+}
+
+/// Of the angles at the vertex that the triangle may have.
+double FanGrowth::part_of(const AngleRange& apex) const {
+  const double most = std::numbers::pi - range_.least - apex.least + kAngleSlack;
+  return (most - range_.least) / static_cast<double>(Ending::kParts);
+}
+
+bool FanGrowth::may_end(double low, double high, double shortest, double longest,
+                        Ending& ending) const {
+  const double part = part_of(ending.apex);
+  if (!(part >= 0)) return false;
+  double first = range_.least;
+  for (std::size_t k = 0; k < Ending::kParts && first <= high + kAngleSlack; ++k) {
+    const double last = first + part;
+    if (k == ending.known) find_out_next(ending);
+    // By how much the other triangles must change the length, either way.
+    const double ratio = std::max(shortest / ending.longer[k], 1 / (longest * ending.shorter[k]));
+    if (ratio <= 1 && low - last <= kAngleSlack) return true;  // there are no others
+    if (may_lead(low - last, high - first, ratio)) return true;
+    first = last;
+  }
+  return false;
 }
 
 double FanGrowth::least_reach(double angle) const {

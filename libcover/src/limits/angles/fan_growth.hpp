@@ -1,6 +1,9 @@
 // How fast the edges at a vertex can become longer, from one to the next.
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "base/numbers.hpp"
 #include "limits/angles/angle_range.hpp"
 
@@ -28,6 +31,24 @@ class FanGrowth {
   /// EXACT:    false is a proof
   [[nodiscard]] bool may_lead(double low, double high, double ratio) const;
 
+  /// What the triangle on a side can do where it is the last of a fan, by parts of its angle at the
+  /// vertex, from range.least on; found out as it is asked for.
+  struct Ending {
+    static constexpr std::size_t kParts = 12;
+    AngleRange apex;  ///< under which the triangle sees the side from its apex
+    std::size_t known = 0;
+    std::array<double, kParts> longer{};   ///< the side is no more than so many times as long as
+    std::array<double, kParts> shorter{};  ///< its other edge, which is no more than that
+  };
+
+  /// As may_lead(), from an edge to a side that is `shortest` to `longest` times as long.
+  ///
+  /// REQUIRES: range.least > 0; ending.apex within the range; kAngleSlack is in low and high;
+  ///           `ending` was given to no other object
+  /// EXACT:    false is a proof
+  [[nodiscard]] bool may_end(double low, double high, double shortest, double longest,
+                             Ending& ending) const;
+
   /// The least part of the length of the first edge to which its far side can come down within
   /// `angle` of it: a vertex in that direction that is nearer than this lies in a triangle.
   [[nodiscard]] double least_reach(double angle) const;
@@ -36,6 +57,9 @@ class FanGrowth {
 
  private:
   [[nodiscard]] double of_one(double angle) const;
+  void find_out_next(Ending& ending) const;
+  [[nodiscard]] double part_of(const AngleRange& apex) const;
+  [[nodiscard]] bool may_fill(double low, double high) const;
   [[nodiscard]] double growth_at_peaks(double low, double high) const;
   [[nodiscard]] double most_growth(double high) const;
   [[nodiscard]] double concave(double angle) const;

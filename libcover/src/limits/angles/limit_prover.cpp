@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <mutex>
 #include <numbers>
@@ -46,11 +47,15 @@ ProofEffort glance(ProofEffort effort) {
   return effort;
 }
 
+ProofEffort without_boxes(ProofEffort effort) {
+  effort.per_search = effort.at_first = 0;
+  return effort;
+}
+
 /// The effort for the largest angle: of 940 Voronoi cells that miss their target 5 are near by what
 /// corners say, and 2 more by boxes, which are better spent on the smallest angle.
 ProofEffort by_corners(ProofEffort effort) {
-  if (!effort.asks_far) effort.per_search = effort.at_first = 0;
-  return effort;
+  return effort.asks_far ? effort : without_boxes(effort);
 }
 
 }  // namespace
@@ -65,8 +70,8 @@ LimitProver::LimitProver(const Triangulation& cdt, const Team& team)
 /// same.
 class LimitProver::Question {
  public:
-  Question(const RegionView& view, const Team& team, const FanGrowth& growth, double most)
-      : view_(view), team_(team), growth_(growth), most_(most) {}
+  Question(const RegionView& view, const Team& team, const FanGrowth& growth, Meshes meshes)
+      : view_(view), team_(team), growth_(growth), meshes_(meshes) {}
 
   /// Asks `sides` for `most_boxes` each, but the first one for `of_first`. Those that need more are
   /// left in `sides`.
@@ -106,14 +111,14 @@ class LimitProver::Question {
   };
   /// For one thread at a time. What it remembers changes no answer.
   struct Asker {
-    Asker(const RegionView& view, const FanGrowth& growth, double most)
-        : zones(view, most), search(view, zones, growth) {}
+    Asker(const RegionView& view, const FanGrowth& growth, Meshes meshes)
+        : zones(view, growth.range().most, meshes), search(view, zones, growth) {}
     ClearZones zones;
     ApexSearch search;
   };
 
   Answer ask(std::uint32_t side, std::uint64_t given) {
-    if (askers_.empty()) askers_.push_back(std::make_unique<Asker>(view_, growth_, most_));
+    if (askers_.empty()) askers_.push_back(std::make_unique<Asker>(view_, growth_, meshes_));
     return ask(*askers_.front(), side, given);
   }
   static Answer ask(Asker& asker, std::uint32_t side, std::uint64_t given) {
@@ -141,7 +146,7 @@ class LimitProver::Question {
         return asker;
       }
     }
-    return std::make_unique<Asker>(view_, growth_, most_);
+    return std::make_unique<Asker>(view_, growth_, meshes_);
   }
   void give_back(std::unique_ptr<Asker> asker) {
     const std::lock_guard lock(mutex_);
@@ -151,58 +156,85 @@ class LimitProver::Question {
   const RegionView& view_;
   const Team& team_;
   const FanGrowth& growth_;
-  double most_;
+  Meshes meshes_;
   std::vector<Answer> answers_;  ///< of the sides from first_ on
   std::size_t first_ = 0;
   std::mutex mutex_;
   std::vector<std::unique_ptr<Asker>> askers_;  ///< that nobody uses
 };
 
-bool LimitProver::refutes(AngleRange range, std::uint64_t& budget, const ProofEffort& effort) {
-  return refutes(range, budget, effort, Asked::all);
+void LimitProver::exempt(std::span<const IndexPair> sides) {
+  view_.exempt(sides);
+  coupled_ = {};
 }
 
 bool LimitProver::refutes(AngleRange range, std::uint64_t& budget, const ProofEffort& effort,
-                          Asked asked) {
+                          Meshes meshes) {
+  return refutes(range, budget, effort, meshes, Asked::all);
+}
+
+bool LimitProver::refutes(AngleRange range, std::uint64_t& budget, const ProofEffort& effort,
+                          Meshes meshes, Asked asked) {
   const double lemma_1 = std::numbers::pi - nu_opt_;
   if (range.most < std::max(lemma_1, kSixty) - kAngleSlack) return true;
   if (range.least > std::min(nu_opt_ / 2, kSixty) + kAngleSlack) return true;
   range.most = std::max(range.most, lemma_1) + kAngleSlack;
   if (range.most >= std::numbers::pi) return false;
-  if (is_known_to_refute(range)) return true;
-  if (is_known_as_open(range, effort)) return false;
+  if (is_known_to_refute(range, meshes)) return true;
+  if (is_known_as_open(range, effort, meshes)) return false;
   const FanGrowth growth(range);
-  if (corners_refute(growth) || ask_sides(range, growth, budget, effort, asked)) {
-    refuted_.push_back({range, 0});
+  Known& known = meshes == Meshes::all ? all_ : coupled_;
+  if (corners_refute(growth, meshes) || ask_sides(growth, budget, effort, meshes, asked)) {
+    known.refuted.push_back({range, 0});
     return true;
   }
-  if (asked == Asked::all) open_.push_back({range, effort.per_search});
+  if (asked == Asked::all) known.open.push_back({range, effort.per_search});
   return false;
 }
 
-/// A range within one that no mesh keeps to.
-bool LimitProver::is_known_to_refute(const AngleRange& range) const {
-  return std::any_of(refuted_.begin(), refuted_.end(), [&](const Answer& known) {
+/// Which meshes are proven not to keep to the range: all, or some of them.
+std::optional<Meshes> LimitProver::kept_out(const AngleRange& range, std::uint64_t& budget,
+                                            const ProofEffort& effort, Meshes meshes, Asked asked) {
+  if (meshes == Meshes::all) {
+    if (refutes(range, budget, effort, Meshes::all, asked)) return Meshes::all;
+    return std::nullopt;
+  }
+  if (refutes(range, budget, without_boxes(effort), Meshes::all, asked)) return Meshes::all;
+  if (!refutes(range, budget, effort, meshes, asked)) return std::nullopt;
+  return refutes(range, budget, effort, Meshes::all, Asked::last) ? Meshes::all : meshes;
+}
+
+/// A range within one that no mesh keeps to; what is said of all is said of the coupled ones.
+bool LimitProver::is_known_to_refute(const AngleRange& range, Meshes meshes) const {
+  const auto is_within = [&](const Answer& known) {
     return range.most <= known.range.most && range.least >= known.range.least;
-  });
+  };
+  return std::any_of(all_.refuted.begin(), all_.refuted.end(), is_within) ||
+         (meshes == Meshes::coupled &&
+          std::any_of(coupled_.refuted.begin(), coupled_.refuted.end(), is_within));
 }
 
 /// A range that holds the angles of some mesh, or around one that was asked about in vain, with as
-/// much effort.
-bool LimitProver::is_known_as_open(const AngleRange& range, const ProofEffort& effort) const {
+/// much effort. What is not proven of the coupled ones is not proven of all.
+bool LimitProver::is_known_as_open(const AngleRange& range, const ProofEffort& effort,
+                                   Meshes meshes) const {
   const auto is_kept = [&](const AngleRange& mesh) {
     return mesh.most <= range.most && mesh.least >= range.least;
   };
-  if (std::any_of(seen_.begin(), seen_.end(), is_kept)) return true;
-  return std::any_of(open_.begin(), open_.end(), [&](const Answer& known) {
+  const auto is_around = [&](const Answer& known) {
     return range.most >= known.range.most && range.least <= known.range.least &&
            effort.per_search <= known.per_search;
-  });
+  };
+  const auto says_so = [&](const Known& known) {
+    return std::any_of(known.seen.begin(), known.seen.end(), is_kept) ||
+           std::any_of(known.open.begin(), known.open.end(), is_around);
+  };
+  return says_so(coupled_) || (meshes == Meshes::all && says_so(all_));
 }
 
 /// Whether a corner's sides differ too much in length for the triangles that fill it: what settles
 /// most questions about lots of land, before any place is looked at.
-bool LimitProver::corners_refute(const FanGrowth& growth) const {
+bool LimitProver::corners_refute(const FanGrowth& growth, Meshes meshes) const {
   const auto sides = view_.sides();
   return std::any_of(sides.begin(), sides.end(), [&](const RegionSide& side) {
     const RegionCorner& corner = view_.corner(side.start);
@@ -210,14 +242,22 @@ bool LimitProver::corners_refute(const FanGrowth& growth) const {
         length(view_.point(view_.seen_from(corner).back().vertex) - view_.point(side.a));
     const double after = length(view_.point(side.b) - view_.point(side.a));
     const double ratio = std::max(before / after, after / before);
-    return !growth.may_lead(corner.angle - kAngleSlack, corner.angle + kAngleSlack, ratio);
+    const double low = corner.angle - kAngleSlack, high = corner.angle + kAngleSlack;
+    if (!growth.may_lead(low, high, ratio)) return true;
+    if (meshes == Meshes::all || growth.range().least == 0) return false;
+    const auto may_end = [&](const RegionSide& last, double times) {
+      FanGrowth::Ending ending{apex_range(last, growth.range(), meshes)};
+      return growth.may_end(low, high, times, times, ending);
+    };
+    return !may_end(sides[corner.before], before / after) || !may_end(side, after / before);
   });
 }
 
-bool LimitProver::ask_sides(const AngleRange& range, const FanGrowth& growth, std::uint64_t& budget,
-                            const ProofEffort& effort, Asked asked) {
+bool LimitProver::ask_sides(const FanGrowth& growth, std::uint64_t& budget,
+                            const ProofEffort& effort, Meshes meshes, Asked asked) {
   if (effort.per_search == 0 || (asked == Asked::last && !has_refuter_)) return false;
-  Question question(view_, team_, growth, range.most);
+  const AngleRange range = growth.range();
+  Question question(view_, team_, growth, meshes);
   const auto sides = static_cast<std::uint32_t>(view_.sides().size());
   undecided_.clear();
   if (asked == Asked::last) undecided_.push_back(last_refuter_);
@@ -291,7 +331,7 @@ bool LimitProver::is_near(const ReachedAngles& reached, const ReachedAngles& wan
 }
 
 ProvenLimits LimitProver::prove(const ReachedAngles& reached, const ReachedAngles& wanted,
-                                const ProofEffort& effort) {
+                                const ProofEffort& effort, Meshes meshes) {
   const double lowest = std::max(std::numbers::pi - nu_opt_, kSixty);
   const double largest = std::numbers::pi - reached.largest_nu.in_radians();
   const double smallest = reached.smallest.in_radians();
@@ -300,17 +340,20 @@ ProvenLimits LimitProver::prove(const ReachedAngles& reached, const ReachedAngle
   // With all effort everybody is asked how near the limit is: what that says does not depend on the
   // order of the sides, as the side that settled the question before does.
   const Asked exact = effort.asks_far ? Asked::all : Asked::last;
+  ProvenLimits limits;
   double largest_limit = lowest;
   if (reached.largest_nu < wanted.largest_nu) {
-    const auto ask = [&](double gap, Asked asked) {
+    const auto ask = [&](double gap, Meshes of, Asked asked) {
       if (largest - gap <= largest_limit) return true;
       const ProofEffort for_this = by_corners(gap == kNearQuestion ? effort : quick(effort));
-      if (!refutes({largest - gap, 0}, budget, for_this, asked)) return false;
+      const auto kept = kept_out({largest - gap, 0}, budget, for_this, of, asked);
+      if (!kept) return false;
       largest_limit = largest - gap;
+      limits.of_largest = *kept;
       return true;
     };
     // What is open by a degree is hardly ever closed by five.
-    if (ask(kNearQuestion, Asked::all)) ask(kExactQuestion, exact);
+    if (ask(kNearQuestion, meshes, Asked::all)) ask(kExactQuestion, limits.of_largest, exact);
   }
 
   const double most =
@@ -321,22 +364,25 @@ ProvenLimits LimitProver::prove(const ReachedAngles& reached, const ReachedAngle
     const double beyond = view_.sides().size() <= kFewSides
                               ? kNearQuestion
                               : std::min(kNearQuestion, wanted.smallest.in_radians() - smallest);
-    const auto ask = [&](double gap, const ProofEffort& for_this, Asked asked) {
+    const auto ask = [&](double gap, const ProofEffort& for_this, Meshes of, Asked asked) {
       if (smallest + gap >= smallest_limit) return true;
-      if (!refutes({most, smallest + gap}, budget, for_this, asked)) return false;
+      const auto kept = kept_out({most, smallest + gap}, budget, for_this, of, asked);
+      if (!kept) return false;
       smallest_limit = smallest + gap;
+      limits.of_smallest = *kept;
       return true;
     };
-    if (ask(beyond, effort, Asked::all)) {
-      ask(kExactQuestion, glance(quick(effort)), exact);
+    if (ask(beyond, effort, meshes, Asked::all)) {
+      ask(kExactQuestion, glance(quick(effort)), limits.of_smallest, exact);
     } else if (effort.asks_far && view_.sides().size() <= kFewSides) {
-      ask(kFarQuestion, quick(effort), Asked::all);
+      ask(kFarQuestion, quick(effort), meshes, Asked::all);
     }
   }
   // Rounding of the mesh's own coordinates must not make it better than its limit.
-  return {Angle::radians(std::numbers::pi - std::min(largest_limit, largest)),
-          Angle::radians(std::max(smallest_limit, smallest)),
-          Angle::radians(std::numbers::pi - most)};
+  limits.largest_nu = Angle::radians(std::numbers::pi - std::min(largest_limit, largest));
+  limits.smallest = Angle::radians(std::max(smallest_limit, smallest));
+  limits.under = Angle::radians(std::numbers::pi - most);
+  return limits;
 }
 
 }  // namespace cover

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -24,9 +26,11 @@ struct ReachedAngles {
 
 /// Proven limits of a region. What was reached is no better than they are.
 struct ProvenLimits {
-  Angle largest_nu;  ///< no covering mesh has a larger pi - largest angle
-  Angle smallest;    ///< no covering mesh whose largest angle is at most pi - under has more
-  Angle under;       ///< as pi minus angle
+  Angle largest_nu;                 ///< no mesh has a larger pi - largest angle
+  Angle smallest;                   ///< no mesh whose largest angle is at most pi - under has more
+  Angle under;                      ///< as pi minus angle
+  Meshes of_largest = Meshes::all;  ///< of which meshes that is proven
+  Meshes of_smallest = Meshes::all;
 };
 
 /// How hard a limit is looked for, in boxes (about 0.2 us each).
@@ -58,28 +62,35 @@ class LimitProver {
   /// forbids one.
   void compare_with(AnglesAround mesh) { mesh_ = std::move(mesh); }
 
-  /// Tells of a covering mesh of this region: no question is asked that it answers.
+  /// Tells of a covering mesh of this region: no question is asked of all that it answers.
   ///
   /// REQUIRES: all its angles are in `angles`
-  void has_seen(const AngleRange& angles) { seen_.push_back(angles); }
+  void has_seen(const AngleRange& angles) { all_.seen.push_back(angles); }
+
+  /// From now on coupled meshes are all whose negative couplings are those of these sides, and of
+  /// those that a vertex of the region encroaches. Forgets what was answered about them.
+  void exempt(std::span<const IndexPair> sides);
 
   /// pi - gamma_opt: Lemma 1.
   [[nodiscard]] double nu_opt() const { return nu_opt_; }
 
-  /// True: no covering mesh has all angles in `range`. False: not known.
+  /// True: none of `meshes` has all angles in `range`. False: not known.
   ///
   /// EXACT: a proof (docs/limits.md), with kAngleSlack in favour of a mesh
   /// Cost:  O(sides), and the boxes that are taken off `budget`
-  bool refutes(AngleRange range, std::uint64_t& budget, const ProofEffort& effort = {});
+  bool refutes(AngleRange range, std::uint64_t& budget, const ProofEffort& effort = {},
+               Meshes meshes = Meshes::all);
 
   /// The limits beside what a mesh has reached: of the largest angle where that is above
   /// `wanted.largest_nu` allows, of the smallest one where it is below `wanted.smallest`, among the
   /// meshes whose largest angle is no larger than reached or wanted. Lemma 1 and what follows from
   /// it where nothing better is found.
   ///
-  /// REQUIRES: a covering mesh of this region has reached that
+  /// What is not proven of all is asked of `meshes`: where that finds a limit, the side that has it
+  /// is asked once more whether it is one of all.
+  /// REQUIRES: one of `meshes` has reached that
   ProvenLimits prove(const ReachedAngles& reached, const ReachedAngles& wanted,
-                     const ProofEffort& effort = {});
+                     const ProofEffort& effort = {}, Meshes meshes = Meshes::all);
 
   /// Whether a mesh that has reached that is within a degree of its limits: what prove() says in
   /// full, by its first questions.
@@ -99,13 +110,22 @@ class LimitProver {
     AngleRange range;
     std::uint64_t per_search = 0;  ///< what was tried; of no importance where it was refuted
   };
+  /// What is known of meshes.
+  struct Known {
+    std::vector<Answer> refuted, open;
+    std::vector<AngleRange> seen;  ///< angles of some
+  };
 
-  bool refutes(AngleRange range, std::uint64_t& budget, const ProofEffort& effort, Asked asked);
-  [[nodiscard]] bool is_known_to_refute(const AngleRange& range) const;
-  [[nodiscard]] bool is_known_as_open(const AngleRange& range, const ProofEffort& effort) const;
-  [[nodiscard]] bool corners_refute(const FanGrowth& growth) const;
-  [[nodiscard]] bool ask_sides(const AngleRange& range, const FanGrowth& growth,
-                               std::uint64_t& budget, const ProofEffort& effort, Asked asked);
+  bool refutes(AngleRange range, std::uint64_t& budget, const ProofEffort& effort, Meshes meshes,
+               Asked asked);
+  std::optional<Meshes> kept_out(const AngleRange& range, std::uint64_t& budget,
+                                 const ProofEffort& effort, Meshes meshes, Asked asked);
+  [[nodiscard]] bool is_known_to_refute(const AngleRange& range, Meshes meshes) const;
+  [[nodiscard]] bool is_known_as_open(const AngleRange& range, const ProofEffort& effort,
+                                      Meshes meshes) const;
+  [[nodiscard]] bool corners_refute(const FanGrowth& growth, Meshes meshes) const;
+  [[nodiscard]] bool ask_sides(const FanGrowth& growth, std::uint64_t& budget,
+                               const ProofEffort& effort, Meshes meshes, Asked asked);
   void ask_worst_first();
   [[nodiscard]] bool is_worth_asking(const RegionSide& side, const AngleRange& range) const;
 
@@ -116,8 +136,7 @@ class LimitProver {
   std::uint32_t last_refuter_ = 0;  ///< the side that settled the last question
   bool has_refuter_ = false;
   std::vector<std::uint32_t> undecided_;
-  std::vector<Answer> refuted_, open_;
-  std::vector<AngleRange> seen_;  ///< angles of covering meshes
+  Known all_, coupled_;
 };
 
 }  // namespace cover

@@ -16,12 +16,43 @@ std::uint32_t at(const Triangle& f, Corner i) { return f.v[i]; }
 
 }  // namespace
 
+AngleRange apex_range(const RegionSide& side, const AngleRange& range, Meshes meshes) {
+  if (meshes == Meshes::all) return range;
+  AngleRange apex = range;
+  if (side.is_free) apex.most = std::min(range.most, std::numbers::pi / 2 + kAngleSlack);
+  apex.least = std::clamp(std::numbers::pi - side.nu_opt - kAngleSlack, range.least, apex.most);
+  return apex;
+}
+
 RegionView::RegionView(const Triangulation& cdt) : cdt_(cdt) {
   find_sides();
-  corners_.resize(sides_.size());
-  sighted_.reserve(2 * cdt.triangles.size() + 2 * sides_.size());
-  for (std::uint32_t s = 0; s < sides_.size(); ++s) walk_corner(s);
+  find_corners();
   find_bend();
+}
+
+void RegionView::find_corners() {
+  corners_.resize(sides_.size());
+  corner_of_.assign(cdt_.points.size(), kNone);
+  sighted_.reserve(2 * cdt_.triangles.size() + 2 * sides_.size());
+  std::vector<bool> has_several(cdt_.points.size());
+  for (std::uint32_t s = 0; s < sides_.size(); ++s) {
+    walk_corner(s);
+    std::uint32_t& corner = corner_of_[sides_[s].a];
+    if (corner != kNone) has_several[sides_[s].a] = true;
+    corner = s;
+  }
+  for (std::uint32_t v = 0; v < corner_of_.size(); ++v) {
+    if (has_several[v]) corner_of_[v] = kNone;
+  }
+}
+
+void RegionView::exempt(std::span<const IndexPair> sides) {
+  std::vector<IndexPair> sorted(sides.begin(), sides.end());
+  std::sort(sorted.begin(), sorted.end());
+  for (RegionSide& side : sides_) {
+    if (std::binary_search(sorted.begin(), sorted.end(), IndexPair{side.a, side.b}))
+      side.is_free = false;
+  }
 }
 
 void RegionView::find_bend() {
@@ -50,6 +81,8 @@ void RegionView::find_sides() {
       side_of_[3 * t + i] = static_cast<std::uint32_t>(sides_.size());
       RegionSide side{at(f, i.next()), at(f, i.previous()), t, i};
       side.nu_opt = nu_at(point(side.a), point(at(f, i)), point(side.b));
+      side.is_free =
+          compare_with_90_degrees(point(side.a), point(at(f, i)), point(side.b)) != Sign::positive;
       sides_.push_back(side);
       const Point p = point(side.a);
       left = std::min(left, p.x), right = std::max(right, p.x);
@@ -81,6 +114,7 @@ void RegionView::walk_corner(std::uint32_t s) {
     if (reached != kNone) {
       sides_[s].start = s;
       sides_[reached].end = s;
+      corner.before = reached;
       break;
     }
     const std::uint32_t beyond = f.n[exit];

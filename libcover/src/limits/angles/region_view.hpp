@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "base/numbers.hpp"
+#include "cdt/cdt.hpp"
 #include "cdt/triangulation.hpp"
+#include "limits/angles/angle_range.hpp"
 
 namespace cover {
 
@@ -21,7 +23,8 @@ struct RegionCorner {
   std::uint32_t vertex = 0;
   std::uint32_t first = 0;  ///< its Sighted ones: [first, last), the ends of both sides with them
   std::uint32_t last = 0;
-  double angle = 0;  ///< between the sides, up to 2 pi
+  double angle = 0;          ///< between the sides, up to 2 pi
+  std::uint32_t before = 0;  ///< the side that ends here
 };
 
 /// A directed side, with the region on its left.
@@ -33,7 +36,16 @@ struct RegionSide {
   std::uint32_t start = 0;     ///< the corner at a
   std::uint32_t end = 0;       ///< the corner at b
   double nu_opt = 0;           ///< pi minus the angle under which the best vertex sees it
+  bool is_free = false;        ///< no vertex encroaches it, exactly, and it is not exempt
 };
+
+/// The angles under which the apex of the triangle on a side may see it, where all angles are in
+/// `range`. A coupled mesh is the constrained Delaunay triangulation of its vertices: the apex sees
+/// the side under no less than any vertex of the region does, and a free side under no more than
+/// 90 degrees.
+///
+/// REQUIRES: no vertex sees the side under more than range.most; kAngleSlack is left to a mesh
+AngleRange apex_range(const RegionSide& side, const AngleRange& range, Meshes meshes);
 
 /// All sides and corners of one region.
 class RegionView {
@@ -43,12 +55,17 @@ class RegionView {
   /// Cost:     O(triangles)
   explicit RegionView(const Triangulation& cdt);
 
+  /// Sides that are not free, whoever encroaches them.
+  void exempt(std::span<const IndexPair> sides);
+
   [[nodiscard]] const Triangulation& cdt() const { return cdt_; }
   [[nodiscard]] std::span<const RegionSide> sides() const { return sides_; }
   [[nodiscard]] const RegionCorner& corner(std::uint32_t c) const { return corners_[c]; }
   [[nodiscard]] std::span<const Sighted> seen_from(const RegionCorner& c) const {
     return std::span(sighted_).subspan(c.first, c.last - c.first);
   }
+  /// The corner at a vertex; kNone: it has none, or several.
+  [[nodiscard]] std::uint32_t only_corner_of(std::uint32_t v) const { return corner_of_[v]; }
   /// No two points of the region are farther apart.
   [[nodiscard]] double diameter() const { return diameter_; }
   /// By how much the region's corners are beyond 180 degrees, in sum and in radians: 0 only where
@@ -62,6 +79,7 @@ class RegionView {
 
  private:
   void find_sides();
+  void find_corners();
   void walk_corner(std::uint32_t side);
   void find_bend();
 
@@ -69,8 +87,9 @@ class RegionView {
   double diameter_ = 0;
   double bend_ = kInfinity;
   std::vector<RegionSide> sides_;
-  std::vector<std::uint32_t> side_of_;  ///< by half-edge
-  std::vector<RegionCorner> corners_;   ///< corner i begins with side i
+  std::vector<std::uint32_t> side_of_;    ///< by half-edge
+  std::vector<RegionCorner> corners_;     ///< corner i begins with side i
+  std::vector<std::uint32_t> corner_of_;  ///< by vertex
   std::vector<Sighted> sighted_;
 };
 

@@ -22,6 +22,7 @@
 #include <utility>
 
 #include "base/numbers.hpp"
+#include "geom/foot.hpp"
 #include "geom/predicates.hpp"
 #include "geom/vector.hpp"
 
@@ -53,12 +54,6 @@ bool is_beyond(const Box& box, Point p, double distance) {
   const double x = std::max({box.low.x - p.x, p.x - box.high.x, 0.0});
   const double y = std::max({box.low.y - p.y, p.y - box.high.y, 0.0});
   return x * x + y * y > distance * distance;
-}
-
-double distance_to(Point a, Point b, Point p) {
-  const Vector along = b - a;
-  const double share = std::clamp(dot(p - a, along) / squared_length(along), 0.0, 1.0);
-  return length(p - (a + share * along));
 }
 
 bool is_seen_bluntly(Point a, Point p, Point b) {
@@ -185,7 +180,7 @@ std::vector<std::uint32_t> HalfDiscRoom::walls_of(const Disc& disc) const {
   for (std::uint32_t s = 0; s < sides_.size(); ++s) {
     // Most sides are far from it.
     if (s == disc.side || !box_of(std::array{start(s), end(s)}).meets(around) ||
-        distance_to(start(s), end(s), disc.middle) > disc.radius * (1 + kMargin))
+        distance_to_segment(disc.middle, start(s), end(s)) > disc.radius * (1 + kMargin))
       continue;
     if (orientation(a, b, start(s)) != Sign::positive &&
         orientation(a, b, end(s)) != Sign::positive)

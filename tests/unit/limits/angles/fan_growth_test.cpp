@@ -134,5 +134,60 @@ TEST(FanGrowth, NoRandomFanGrowsFaster) {
   }
 }
 
+// The last triangle's apex may be as large as where couplings count, or small.
+TEST(FanGrowth, NoRandomFanEndsAtASideThatItMayNot) {
+  std::mt19937_64 random(test_seed(6));
+  const auto uniform = [&](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(random);
+  };
+  int fans = 0, refused = 0;
+  for (int round = 0; round < 40000; ++round) {
+    const AngleRange range{uniform(65, 175) * kOneDegree, uniform(1, 45) * kOneDegree};
+    const FanGrowth growth(range);
+    AngleRange apex = range;
+    if (random() % 2 != 0U) apex.most = std::min(range.most, std::numbers::pi / 2);
+    apex.least = uniform(range.least, apex.most);
+    double sum = 0, ratio = 1;
+    bool is_possible = true;
+    const int triangles = 1 + static_cast<int>(random() % 3);
+    for (int k = 0; k < triangles; ++k) {
+      const bool is_last = k + 1 == triangles;
+      const double phi = uniform(range.least, range.most);
+      // z is opposite to the edge that the triangle leads to.
+      const AngleRange of_z = is_last ? apex : range;
+      const double low = std::max(of_z.least, std::numbers::pi - phi - range.most);
+      const double high = std::min(of_z.most, std::numbers::pi - phi - range.least);
+      is_possible = is_possible && low <= high;
+      if (!is_possible) break;
+      const double z = random() % 3 == 0U ? (random() % 2 != 0U ? low : high) : uniform(low, high);
+      sum += phi;
+      ratio *= std::sin(z) / std::sin(phi + z);
+    }
+    if (!is_possible) continue;
+    ++fans;
+    FanGrowth::Ending ending{apex};
+    EXPECT_TRUE(growth.may_end(sum - 1e-9, sum + 1e-9, ratio, ratio, ending)) << round;
+    EXPECT_TRUE(growth.may_end(sum - 0.1, sum + 0.2, 0.9 * ratio, 1.1 * ratio, ending)) << round;
+    // It tells more than the same without an apex.
+    const double far = ratio * uniform(0.2, 5);
+    if (growth.may_lead(sum - 1e-9, sum + 1e-9, std::max(far, 1 / far)) &&
+        !growth.may_end(sum - 1e-9, sum + 1e-9, far, far, ending))
+      ++refused;
+  }
+  EXPECT_GT(fans, 5000);
+  EXPECT_GT(refused, fans / 50);
+}
+
+TEST(FanGrowth, TheApexOfTheOnlyTriangleTellsItsLength) {
+  // 60 degrees at the vertex and 50 to 70 at the apex: from sin 50 / sin 70 to the reciprocal.
+  const FanGrowth growth({90 * kOneDegree, 50 * kOneDegree});
+  FanGrowth::Ending ending{{70 * kOneDegree, 50 * kOneDegree}};
+  const double sum = 60 * kOneDegree;
+  EXPECT_TRUE(growth.may_end(sum, sum, 1.2, 1.2, ending));
+  EXPECT_FALSE(growth.may_end(sum, sum, 1.5, 1.5, ending));
+  EXPECT_FALSE(growth.may_end(sum, sum, 0.6, 0.6, ending));
+  EXPECT_TRUE(growth.may_end(sum, sum, 0.6, 1.1, ending));
+}
+
 }  // namespace
 }  // namespace cover
