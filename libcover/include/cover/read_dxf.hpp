@@ -16,7 +16,8 @@ namespace cover {
 /// layer, segments have the name of theirs (but those on layer 0).
 ///
 /// A curve becomes chords that turn by `options.chord_angle` at most and leave it by no more than
-/// `options.chord_error`, if that is given; arcs of one circle share their points. With
+/// `options.chord_error`, if that is given; arcs of one circle share their points, and their chords
+/// know it (Input::circles), so that cuts and nodes of second order lie on it. With
 /// `options.label_layer`, a text on that layer says of the face around its insertion point:
 /// MATERIAL, MATERIAL/REGION or void. What is not read is named in `Input::warnings`.
 /// Errors: cannot_open, syntax, truncated, non_finite_coordinate, unsupported_format, bad_option,

@@ -25,7 +25,6 @@
 namespace cover {
 namespace {
 
-constexpr double kOffCircle = 1e-3;       ///< of the radius: the ends of a chord are not on it
 constexpr double kLongestChord = 1.8;     ///< of the radius; of 120 degrees it is 1.73
 constexpr double kBesideChord = 0x1p-40;  ///< of a chord: a piece of it is as near
 
@@ -148,13 +147,12 @@ std::optional<Error> find_bad_arcs(const Input& input) {
       return;
     }
     for (const Point end : {a, b}) {
-      const double distance = std::abs(length(end - circle.centre) - circle.radius);
-      if (distance <= kOffCircle * circle.radius) continue;
+      if (!is_off_circle(circle, end)) continue;
       off.add(
           fmt::format("the end {} of an arc of {} is off its circle about {} with the radius {} "
                       "by {}",
                       describe(end), name, describe(circle.centre), describe(circle.radius),
-                      describe_roughly(distance)),
+                      describe_roughly(distance_to_circle(circle, end))),
           {end}, {ref});
     }
   });

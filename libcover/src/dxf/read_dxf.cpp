@@ -20,6 +20,7 @@
 #include "dxf/ends.hpp"
 #include "dxf/place_blocks.hpp"
 #include "dxf/spline.hpp"
+#include "geom/curves/arc.hpp"
 #include "geom/ulp.hpp"
 #include "geom/vector.hpp"
 #include "io/input/drawings/curves.hpp"
@@ -182,7 +183,10 @@ class DxfConverter {
   }
 
   void add(const DxfArc& arc, const Affine& place) {
-    if (place.is_similar()) return add_path(cutter_.points(placed(arc, place), room()));
+    if (place.is_similar()) {
+      const Arc seen = placed(arc, place);
+      return add_path(cutter_.points(seen, room()), ArcCircle{seen.centre, seen.radius});
+    }
     add(DxfEllipse{arc.centre, {arc.radius, 0}, {0, arc.radius}, arc.from, arc.to}, place);
   }
 
@@ -225,7 +229,9 @@ class DxfConverter {
       return add_path(std::move(path));
     }
     const bool clockwise = (bulge < 0) != place.is_mirrored();
-    add_path(cut_arc_between(place(a), place(b), place(centre), clockwise, step, room()));
+    const Point seen = place(centre);
+    add_path(cut_arc_between(place(a), place(b), seen, clockwise, step, room()),
+             ArcCircle{seen, length(place(a) - seen)});
   }
 
   void add(const DxfSpline& spline, const Affine& place) {
@@ -270,8 +276,10 @@ class DxfConverter {
          {{InputKind::segment, number_}}});
   }
 
-  void add_path(std::optional<Path> path) {
+  /// Points along a curve; all of them on `circle`, if there is one.
+  void add_path(std::optional<Path> path, const std::optional<ArcCircle>& circle = {}) {
     if (!path || path->size() > room()) return too_many();
+    const std::uint32_t number = circle && circle->radius > 0 ? circles_.of(*circle) : 0;
     InputSegment segment;
     if (layer_ != nullptr) segment.name = *layer_;
     for (std::size_t k = 0; k + 1 < path->size(); ++k) {
@@ -291,6 +299,8 @@ class DxfConverter {
       segment.a = index_of(a);
       segment.b = index_of(b);
       segment.id = number_;
+      const bool is_off = number > 0 && (is_off_circle(*circle, a) || is_off_circle(*circle, b));
+      segment.circle = is_off ? 0 : number;
       input_.segments.push_back(segment);
     }
   }
@@ -349,6 +359,7 @@ class DxfConverter {
   const ReadOptions& options_;
   Input input_;
   CurveCutter cutter_;
+  CircleNumbers circles_{input_.circles};
   double size_ = 0;  ///< largest coordinate
   CurveEnds ends_{0};
   std::map<Point, std::uint32_t> indices_;

@@ -236,6 +236,36 @@ TEST(ReadDxf, BlocksAreMovedTurnedScaledAndMirrored) {
     EXPECT_EQ(points.count(p), 1U) << p.x << ' ' << p.y;
 }
 
+TEST(ReadDxf, ChordsKnowTheirCircles) {
+  DxfWriter d;
+  d.begin_blocks().begin_block("b");
+  d.entity("ARC", "0", {{10, 0}, {20, 0}, {40, 1}, {50, 0}, {51, 90}});
+  // A quarter of the circle of radius 1 about (6, 0), by its bulge.
+  d.entity("LWPOLYLINE", "0",
+           {{90, 2}, {70, 0}, {10, 7}, {20, 0}, {42, std::tan(M_PI / 8)}, {10, 6}, {20, 1}});
+  d.end_block().end_section();
+  d.begin_entities().line("0", 0, 0, 1, 0);
+  d.insert("b", "0", {{10, 0}, {20, 0}});
+  d.insert("b", "0", {{10, 20}, {20, 5}, {41, -3}, {42, 3}, {50, 30}});
+  d.insert("b", "0", {{10, 50}, {20, 0}, {41, 2}, {42, 1}});  // ellipses
+  const Input input = read(d.finish());
+  ASSERT_EQ(input.circles.size(), 4U);
+  EXPECT_EQ(input.circles[0], (ArcCircle{{0, 0}, 1}));
+  EXPECT_NEAR(input.circles[1].centre.x, 6, 1e-12);
+  EXPECT_NEAR(input.circles[2].radius, 3, 1e-12);
+  EXPECT_NEAR(input.circles[3].radius, 3, 1e-12);
+  std::vector<int> chords(5);
+  for (const InputSegment& s : input.segments) {
+    ASSERT_LT(s.circle, chords.size());
+    ++chords[s.circle];
+    if (s.circle == 0) continue;
+    const ArcCircle& circle = input.circles[s.circle - 1];
+    for (const Point p : {input.points[s.a], input.points[s.b]})
+      EXPECT_NEAR(std::hypot(p.x - circle.centre.x, p.y - circle.centre.y), circle.radius, 1e-12);
+  }
+  EXPECT_EQ(chords, (std::vector<int>{1 + 2 * 18, 18, 18, 18, 18}));
+}
+
 TEST(ReadDxf, FromBehindXIsNegated) {
   DxfWriter d;
   d.begin_entities().entity(

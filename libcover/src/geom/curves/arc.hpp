@@ -2,12 +2,15 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include <cover/arcs.hpp>
 #include <cover/point.hpp>
 #include <cover/pslg.hpp>
+
+#include "geom/vector.hpp"
 
 namespace cover {
 
@@ -19,6 +22,15 @@ inline constexpr std::uint32_t kStraightened = 0x80000000U;
 inline const ArcCircle* circle_of(const Pslg& pslg, const Segment& segment) {
   const bool is_chord = segment.circle != 0 && (segment.circle & kStraightened) == 0;
   return is_chord ? &pslg.circles[segment.circle - 1] : nullptr;
+}
+
+/// By how much a point is off a circle, and whether that is too much for the end of a chord.
+inline double distance_to_circle(const ArcCircle& circle, Point p) {
+  return std::abs(length(p - circle.centre) - circle.radius);
+}
+inline bool is_off_circle(const ArcCircle& circle, Point p) {
+  constexpr double kOffCircle = 1e-3;  // of the radius: drawings round angles and centres
+  return distance_to_circle(circle, p) > kOffCircle * circle.radius;
 }
 
 /// Makes a chord straight for good.

@@ -94,6 +94,13 @@ std::optional<std::vector<Point>> CurveCutter::points(const Arc& arc, std::size_
   return points;
 }
 
+std::uint32_t CircleNumbers::of(const ArcCircle& circle) {
+  const auto next = static_cast<std::uint32_t>(circles_.size() + 1);
+  const auto [at, is_new] = numbers_.emplace(circle, next);
+  if (is_new) circles_.push_back(circle);
+  return at->second;
+}
+
 double sweep_between(Point a, Point b, Point centre, bool clockwise) {
   const Vector u = a - centre, v = b - centre;
   double sweep = std::atan2(cross(u, v), dot(u, v)) / kDegree;

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <tuple>
 #include <vector>
 
+#include <cover/arcs.hpp>
 #include <cover/point.hpp>
 
 namespace cover {
@@ -57,6 +59,19 @@ class CurveCutter {
   static bool cut(Circle& circle, std::size_t most);
 
   std::map<Key, Circle> circles_;
+};
+
+/// Numbers the circles of an input as they come.
+class CircleNumbers {
+ public:
+  /// REQUIRES: `circles` outlives this, and nobody else adds to it
+  explicit CircleNumbers(std::vector<ArcCircle>& circles) : circles_(circles) {}
+  /// The number of a circle, from 1 on; the same doubles are the same circle.
+  std::uint32_t of(const ArcCircle& circle);
+
+ private:
+  std::vector<ArcCircle>& circles_;
+  std::map<ArcCircle, std::uint32_t> numbers_;
 };
 
 /// The angle in degrees that an arc about `centre` spans from a to b: in (0, 360], or in [-360, 0)

@@ -173,14 +173,6 @@ class InputReader {
     std::vector<std::uint32_t> circles;
   };
 
-  /// The number of a circle in the input.
-  std::uint32_t number_of(const ArcCircle& circle) {
-    const auto next = static_cast<std::uint32_t>(input_.circles.size() + 1);
-    const auto [at, is_new] = circles_.emplace(circle, next);
-    if (is_new) input_.circles.push_back(circle);
-    return at->second;
-  }
-
   static Path chords(std::vector<Point> points, std::uint32_t circle) {
     Path path{std::move(points), {}};
     path.circles.assign(path.points.size(), circle);
@@ -192,7 +184,7 @@ class InputReader {
     const std::optional<Arc> arc = read_curve(item);
     if (!arc) return {};
     return chords(limited(item, cutter_.points(*arc, kMostCurvePoints - curve_points_)),
-                  number_of({arc->centre, arc->radius}));
+                  circles_.of({arc->centre, arc->radius}));
   }
 
   /// A path of points and curves. Where two pieces meet in the same point it is taken once.
@@ -377,7 +369,7 @@ class InputReader {
     std::vector<Point> points =
         limited(arc, cut_arc_between(a, b, centre, turn, step, kMostCurvePoints - curve_points_));
     add_chain(segment,
-              chords(std::move(points), number_of({centre, from_a + (from_b - from_a) / 2})));
+              chords(std::move(points), circles_.of({centre, from_a + (from_b - from_a) / 2})));
   }
 
   void add_chain(InputSegment segment, const Path& path) {
@@ -521,7 +513,7 @@ class InputReader {
   std::size_t given_points_ = 0;
   std::size_t curve_points_ = 0;
   std::map<Point, std::uint32_t> indices_;
-  std::map<ArcCircle, std::uint32_t> circles_;  ///< their numbers
+  CircleNumbers circles_{input_.circles};
 };
 
 /// What counts with maps alone does nothing here, which is told.
