@@ -18,20 +18,25 @@ class Check(Case):
     def test_groups_instead_of_materials(self):
         mosfet = SAMPLES / 'mosfet.poly'
         self.run_cover('mesh', mosfet, '-o', 'm.msh', '-o', 'm.inp', '-q')
+        # Groups have the names of materials.
         for name in ('m.msh', 'm.inp'):
             out, _ = self.run_cover('check', mosfet, name)
-            self.assertIn('All that was checked holds: ', out)
-            self.assertIn('Not checked: which material has which number', out)
-        # A triangle in the group of another region.
+            self.assertIn('Every promise holds', out)
+            self.assertNotIn('Not checked', out)
         text = (self.dir / 'm.msh').read_text()
+        self.write('s.msh', text.replace('"material_3"', '"x"').replace('"material_2"', '"material_3"').replace('"x"', '"material_2"'))
+        out, _ = self.run_cover('check', mosfet, 's.msh', code=6)
+        self.assertRegex(out, r'FAILED promise 4 \(materials\): .* has material 2 instead of 3')
+        self.write('u.msh', text.replace('"material_3"', '"x"'))
+        out, _ = self.run_cover('check', mosfet, 'u.msh')
+        self.assertIn('All that was checked holds: ', out)
+        self.assertIn('Not checked: which material has which number', out)
+        # A triangle in the group of another region.
         wrong, count = re.subn(r'(?m)^(\d+ 2 2) 1 ', r'\1 2 ', text, count=1)
         self.assertEqual(count, 1)
         self.write('w.msh', wrong)
         self.assertIn('FAILED promise 4 (materials)', self.run_cover('check', mosfet, 'w.msh', code=6)[0])
         self.run_cover('mesh', mosfet, '-o', 'm.json', '-q')
-        out, _ = self.run_cover('check', mosfet, 'm.msh')
-        self.assertIn('Every promise holds', out)
-        self.assertNotIn('Not checked', out)
         manifest = json.loads((self.dir / 'm.json').read_text())
         manifest['regions'][0]['material'] = 9
         self.write('m.json', json.dumps(manifest))
@@ -155,6 +160,17 @@ class Check(Case):
         self.run_cover('check', SAMPLES / 'mosfet.poly', 'h.vtu', '--hull')
         self.run_cover('mesh', SAMPLES / 'diode.poly', '-o', 'd.vtu', '-q')
         self.assertNotIn('--hull', self.run_cover('check', SAMPLES / 'mosfet.poly', 'd.vtu', code=6)[0])
+
+    def test_regions_that_were_joined_or_not(self):
+        squares = [{'rings': [[[x, 0], [x + 1, 0], [x + 1, 1], [x, 1]]], 'material': 'a'} for x in (0, 1)]
+        self.write('s.json', json.dumps({'polygons': squares}))
+        self.run_cover('mesh', 's.json', '--merge-materials', '-o', 'joined.vtu', '-q')
+        self.run_cover('mesh', 's.json', '-o', 'two.vtu', '-q')
+        hint = r'\n\d+ triangles have the RegionId of another region\. .* --merge-materials here\n'
+        self.assertRegex('\n' + self.run_cover('check', 's.json', 'joined.vtu', code=6)[0], hint)
+        self.assertRegex('\n' + self.run_cover('check', 's.json', 'two.vtu', '--merge-materials', code=6)[0], hint)
+        self.run_cover('check', 's.json', 'joined.vtu', '--merge-materials')
+        self.assertNotIn('--merge', self.run_cover('check', 's.json', 'two.vtu')[0])
 
     def test_one_region(self):
         self.write('s.poly', SQUARE)

@@ -132,8 +132,8 @@ Result<MeshTriangles> read_triangles(const MeshSource& source, spdlog::logger& l
   if (!named) log.warn("{}", named.error().message);
   stored.soup.region.clear();
   stored.soup.material = mesh->group;
-  return MeshTriangles{std::move(stored.soup), false, std::move(mesh->middles), mesh->cut_vertices,
-                       mesh->parts};
+  return MeshTriangles{std::move(stored.soup), false,       std::move(mesh->middles),
+                       mesh->cut_vertices,     mesh->parts, std::move(mesh->region_names)};
 }
 
 }  // namespace cover::app

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,9 +49,10 @@ struct MeshTriangles {
   /// False: the file has groups instead of materials, and no manifest says what they are; then
   /// soup.material holds the numbers of the groups.
   bool has_materials = true;
-  std::vector<std::array<Point, 3>> middles{};  ///< as MeshFile::middles
-  std::size_t cut_vertices = 0;                 ///< as MeshFile::cut_vertices
-  std::size_t parts = 0;                        ///< as MeshFile::parts
+  std::vector<std::array<Point, 3>> middles{};        ///< as MeshFile::middles
+  std::size_t cut_vertices = 0;                       ///< as MeshFile::cut_vertices
+  std::size_t parts = 0;                              ///< as MeshFile::parts
+  std::map<std::int64_t, std::string> group_names{};  ///< where it has groups instead
 };
 
 /// The triangles of a mesh, in any format of read_mesh(). Formats that have groups

@@ -99,14 +99,12 @@ std::string missing_text(std::size_t points) {
       counted(points, "point"));
 }
 
-std::string other_regions_text(const Verification& found) {
-  const bool has_other_ids =
-      std::any_of(found.violations.begin(), found.violations.end(), [](const Violation& violation) {
-        return violation.promise == 4 && violation.message.find("RegionId") != std::string::npos;
-      });
-  return has_other_ids ? "If the run that made it joined regions of one material, or did not, "
-                         "repeat or leave out --merge-materials here\n"
-                       : "";
+std::string other_ids_text(std::size_t triangles) {
+  if (triangles == 0) return {};
+  return fmt::format(
+      "{} the RegionId of another region. If the run that made the mesh joined regions of one "
+      "material, or did not, repeat or leave out --merge-materials here\n",
+      triangles == 1 ? "1 triangle has" : fmt::format("{} triangles have", grouped(triangles)));
 }
 
 std::string in_void_text(std::size_t triangles) {

@@ -26,8 +26,8 @@ std::string cuts_text(const OwnCuts& cuts);
 std::string missing_text(std::size_t points);
 /// So many sides have a triangle of the void beside them: which option allows that.
 std::string in_void_text(std::size_t triangles);
-/// Regions of the mesh are not those of the input: which option may have joined them.
-std::string other_regions_text(const Verification& found);
+/// So many triangles have the RegionId of another region: which option may have joined regions.
+std::string other_ids_text(std::size_t triangles);
 
 /// The negative couplings of the box method, the first of them one by one.
 std::string couplings_text(const Verification& found);

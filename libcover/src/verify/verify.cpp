@@ -351,6 +351,7 @@ class Verifier {
     }
     verify_region_ids(mesh_, region_, [&](std::uint32_t t, std::string message) {
       const auto [a, b, c] = corners(t);
+      ++result_.other_ids;
       add(Kind::region_id, 2, std::move(message), {a, b, c});
     });
   }

@@ -50,19 +50,12 @@ TEST(CheckText, CutsTellWhoMadeThemOrHowToAllowThem) {
 TEST(CheckText, NothingMissingIsNotWorthAWord) {
   EXPECT_EQ(missing_text(0), "");
   EXPECT_EQ(in_void_text(0), "");
+  EXPECT_EQ(other_ids_text(0), "");
   EXPECT_EQ(missing_text(2).find("2 points of the input missing in the mesh. "), 0u);
   EXPECT_EQ(in_void_text(1).find("1 triangle lies along "), 0u);
   EXPECT_EQ(in_void_text(2).find("2 triangles lie along "), 0u);
-}
-
-TEST(CheckText, RegionsOfOtherNumbersHintAtMergedMaterials) {
-  Verification found;
-  EXPECT_EQ(other_regions_text(found), "");
-  found.violations.push_back(
-      {4, "triangle 0 at (0, 0) in region 1 has material 1 instead of 2", {}});
-  EXPECT_EQ(other_regions_text(found), "");
-  found.violations.push_back({4, "triangle 7 at (1, 0) has RegionId 2, as others of region 2", {}});
-  EXPECT_NE(other_regions_text(found).find("--merge-materials"), std::string::npos);
+  EXPECT_EQ(other_ids_text(1).find("1 triangle has the RegionId "), 0u);
+  EXPECT_EQ(other_ids_text(2000).find("2,000 triangles have the RegionId "), 0u);
 }
 
 TEST(CheckText, OfManyCouplingsTheFirstAreListed) {

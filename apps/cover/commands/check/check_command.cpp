@@ -30,6 +30,7 @@
 #include <cover/verify_layers.hpp>
 
 #include "commands/check/cut_input.hpp"
+#include "commands/check/named_groups.hpp"
 #include "commands/commands.hpp"
 #include "commands/options.hpp"
 #include "files/file_check.hpp"
@@ -226,7 +227,7 @@ void print_hints(const Verification& found, const Pslg& pslg, const TriangleSoup
   fmt::print("{}", missing_text(missing));
   if (missing > 0) return;
   if (!hull) fmt::print("{}", in_void_text(found.in_void));
-  fmt::print("{}", other_regions_text(found));
+  fmt::print("{}", other_ids_text(found.other_ids));
 }
 
 /// Whether the middle nodes of a mesh of second order are sound; nothing is said of others.
@@ -336,11 +337,12 @@ int print_couplings(const CutInput& cut, const TriangleSoup& mesh, VerifyOptions
 
 /// Checks the promises, and what else is asked for.
 int check_whole(const CheckCommand& command, const std::string& mesh_path, Subject& subject,
-                const MeshTriangles& mesh) {
+                MeshTriangles& mesh) {
   const bool quiet = command.verbosity.quiet;
   Prepared& prepared = subject.prepared;
   VerifyOptions verify = command.verify;
-  verify.material_numbers = mesh.has_materials;
+  verify.material_numbers =
+      mesh.has_materials || take_materials_by_name(prepared.table, mesh.group_names, mesh.soup);
   Verification found = verify_cover(prepared.pslg, prepared.table, mesh.soup, verify);
   heed_groups(mesh_path, prepared, mesh.soup, verify, found);
   const auto cuts = take_own_cuts(mesh_path, mesh, verify, prepared, found);
@@ -378,7 +380,7 @@ int run_check(Arguments arguments) {
   const Result<MeshSource> source = MeshSource::open(command.mesh_path);
   if (!source) return fail(*log, source.error());
   if (const auto code = check_parts(command, *source, *subject, *options, *log)) return *code;
-  const Result<MeshTriangles> mesh = read_whole(*source, *log);
+  Result<MeshTriangles> mesh = read_whole(*source, *log);
   if (!mesh) return fail(*log, mesh.error());
   return check_whole(command, source->file(), *subject, *mesh);
 }
